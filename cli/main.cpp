@@ -1,0 +1,16 @@
+// The binary `cls`: runs the command line and turns what escapes it into one line and an exit code.
+#include <fmt/core.h>
+
+#include <exception>
+
+#include "cli/application.h"
+#include "cli/exit_code.h"
+
+int main(int argc, char** argv) {
+  try {
+    return cls::cli::run_application(argc, argv);
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "cls: internal error: {}\n", error.what());
+    return cls::cli::kInternalError;
+  }
+}

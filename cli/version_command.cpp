@@ -1,0 +1,20 @@
+// `cls version` prints one line: the name and the release.
+#include "cli/version_command.h"
+
+#include <fmt/core.h>
+
+#include <CLI/CLI.hpp>
+
+#include "cli/exit_code.h"
+
+namespace cls::cli {
+
+void add_version_command(CLI::App& app, int& exit_code) {
+  CLI::App* command = app.add_subcommand("version", "print the version");
+  command->callback([&exit_code] {
+    fmt::print("cls {}\n", CLS_VERSION);
+    exit_code = kDone;
+  });
+}
+
+}  // namespace cls::cli

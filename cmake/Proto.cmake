@@ -1,0 +1,27 @@
+# C++ from .proto files, with Debian's protoc and gRPC plugin, at build time.
+
+# cls_proto_library(<target> <file.proto...>)
+# Files are named relative to the repository root, and so are the headers that code includes:
+# proto/playmaker.proto gives "proto/playmaker.pb.h" and "proto/playmaker.grpc.pb.h".
+function(cls_proto_library target)
+  set(out "${CMAKE_BINARY_DIR}/generated")
+  file(MAKE_DIRECTORY "${out}")
+  set(generated)
+  foreach(file IN LISTS ARGN)
+    string(REGEX REPLACE "\\.proto$" "" stem "${file}")
+    set(outputs "${out}/${stem}.pb.cc" "${out}/${stem}.pb.h"
+                "${out}/${stem}.grpc.pb.cc" "${out}/${stem}.grpc.pb.h")
+    add_custom_command(
+      OUTPUT ${outputs}
+      COMMAND protobuf::protoc "--proto_path=${CMAKE_SOURCE_DIR}" "--cpp_out=${out}"
+              "--grpc_out=${out}" "--plugin=protoc-gen-grpc=$<TARGET_FILE:gRPC::grpc_cpp_plugin>"
+              "${CMAKE_SOURCE_DIR}/${file}"
+      DEPENDS "${CMAKE_SOURCE_DIR}/${file}"
+      COMMENT "protoc ${file}"
+      VERBATIM)
+    list(APPEND generated ${outputs})
+  endforeach()
+  add_library(${target} STATIC ${generated})
+  target_include_directories(${target} SYSTEM PUBLIC "${out}")
+  target_link_libraries(${target} PUBLIC gRPC::grpc++ protobuf::libprotobuf)
+endfunction()

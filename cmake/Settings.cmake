@@ -1,0 +1,22 @@
+# What holds for every target: language, build type, floating point, compiler cache, output places.
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/bin")
+
+if(NOT CMAKE_BUILD_TYPE)
+  set(CMAKE_BUILD_TYPE RelWithDebInfo CACHE STRING "kind of build" FORCE)
+endif()
+
+# No -DNDEBUG: assertions stay on, they guard results that people will compare.
+set(CMAKE_CXX_FLAGS_RELWITHDEBINFO "-O2 -g1")
+set(CMAKE_CXX_FLAGS_RELEASE "-O2")
+
+# Same bits on every machine: no fused multiply-add, and never -ffast-math or -march (a test looks).
+add_compile_options(-ffp-contract=off)
+
+find_program(CLS_CCACHE ccache)
+if(CLS_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  set(CMAKE_CXX_COMPILER_LAUNCHER "${CLS_CCACHE}")
+endif()

@@ -1,0 +1,17 @@
+# Warnings as a target that our own code links privately; errors in a git checkout and in CI.
+if(EXISTS "${CMAKE_SOURCE_DIR}/.git" OR DEFINED ENV{CI})
+  set(cls_werror_default ON)
+else()
+  set(cls_werror_default OFF)
+endif()
+option(CLS_WERROR "treat compiler warnings as errors" ${cls_werror_default})
+
+add_library(cls_warnings INTERFACE)
+target_compile_options(cls_warnings INTERFACE
+  -Wall
+  -Wextra
+  -Wnon-virtual-dtor
+  -Woverloaded-virtual
+  -Wpedantic
+  -Wshadow
+  $<$<BOOL:${CLS_WERROR}>:-Werror>)

@@ -1,0 +1,54 @@
+// What the command line answers before any command does work.
+#include "cli/application.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "cli/exit_code.h"
+
+namespace {
+
+struct Answer {
+  int exit_code;
+  std::string out;
+  std::string err;
+};
+
+Answer run(std::vector<const char*> arguments) {
+  arguments.insert(arguments.begin(), "cls");
+  testing::internal::CaptureStdout();
+  testing::internal::CaptureStderr();
+  const int exit_code =
+      cls::cli::run_application(static_cast<int>(arguments.size()), arguments.data());
+  std::fflush(stdout);
+  std::fflush(stderr);
+  std::string out = testing::internal::GetCapturedStdout();
+  return {exit_code, out, testing::internal::GetCapturedStderr()};
+}
+
+TEST(Application, PrintsItsVersionOnStdout) {
+  const Answer answer = run({"version"});
+  EXPECT_EQ(answer.exit_code, cls::cli::kDone);
+  EXPECT_EQ(answer.out.substr(0, 6), "cls 0.");
+  EXPECT_EQ(answer.err, "");
+}
+
+TEST(Application, HelpIsAResultNotAMistake) {
+  const Answer answer = run({"--help"});
+  EXPECT_EQ(answer.exit_code, cls::cli::kDone);
+  EXPECT_NE(answer.out.find("version"), std::string::npos);
+}
+
+TEST(Application, AnUnknownCommandIsOneLineThatNamesItAndExitsWithUsage) {
+  const Answer answer = run({"mtach"});
+  EXPECT_EQ(answer.exit_code, cls::cli::kUsage);
+  EXPECT_EQ(answer.out, "");
+  EXPECT_NE(answer.err.find("mtach"), std::string::npos) << answer.err;
+  EXPECT_EQ(answer.err.find('\n'), answer.err.size() - 1) << answer.err;
+}
+
+TEST(Application, NoCommandIsAUsageError) { EXPECT_EQ(run({}).exit_code, cls::cli::kUsage); }
+
+}  // namespace
