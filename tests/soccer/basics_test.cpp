@@ -1,0 +1,107 @@
+// The smallest words: angles, shapes, sides, play modes, landmarks, channels.
+#include <gtest/gtest.h>
+
+#include "soccer/angle.h"
+#include "soccer/geometry.h"
+#include "soccer/memory_channel.h"
+#include "soccer/pitch.h"
+#include "soccer/play_mode.h"
+#include "soccer/side.h"
+
+namespace cls::soccer {
+namespace {
+
+TEST(Angles, NormaliseIntoAClosedHalfTurnEitherWay) {
+  EXPECT_EQ(math::normalize_degrees(190), -170);
+  EXPECT_EQ(math::normalize_degrees(-190), 170);
+  EXPECT_EQ(math::normalize_degrees(180), 180);
+  EXPECT_EQ(math::normalize_degrees(-180), -180);
+  EXPECT_EQ(math::normalize_degrees(725), 5);
+  EXPECT_NEAR(math::normalize_radians(7 * math::kPi), math::kPi, 1e-12);
+  EXPECT_EQ((AngleDeg(170) + AngleDeg(20)).degrees(), -170);
+}
+
+TEST(Angles, QuantizeRoundsHalfToEven) {
+  EXPECT_EQ(math::quantize(0.25, 0.1), 0.2);
+  EXPECT_DOUBLE_EQ(math::quantize(0.35, 0.1), 0.3);  // 0.35 / 0.1 is just below 3.5
+  EXPECT_EQ(math::quantize(0.123, 0.0), 0.123);
+}
+
+TEST(Shapes, NearestEdgePrefersTheHorizontalOneWhenEquallyNear) {
+  const Rect rect = Rect::centred({0, 0}, 4, 2);
+  EXPECT_EQ(nearest_edge(rect, {1.9, 0.2}), (Vec2{2.0, 0.2}));
+  EXPECT_EQ(nearest_edge(rect, {1.5, 0.5}), (Vec2{1.5, 1.0}));
+  EXPECT_EQ(nearest_horizontal_edge(rect, {5, 0}), (Vec2{2.0, 1.0}));
+  EXPECT_TRUE(rect.contains({2, 1}));
+  EXPECT_FALSE(rect.contains({2.0001, 1}));
+}
+
+TEST(Shapes, NearestEdgeOfACircleFromItsCentreIsDiagonal) {
+  const Vec2 edge = nearest_edge(Circle{{1, 1}, 2}, {1, 1});
+  EXPECT_DOUBLE_EQ(edge.x, edge.y);
+  EXPECT_NEAR(nearest_edge(Circle{{0, 0}, 2}, {0, 0.5}).y, 2.0, 1e-12);
+}
+
+TEST(Shapes, DistanceToASegmentEndsAtItsEnds) {
+  const Segment segment{{0, 0}, {10, 0}};
+  EXPECT_DOUBLE_EQ(distance(segment, {5, 3}), 3);
+  EXPECT_DOUBLE_EQ(distance(segment, {13, 4}), 5);
+}
+
+TEST(Slots, RunLeftThenRight) {
+  EXPECT_EQ(slot_of(Side::kLeft, 1), 0);
+  EXPECT_EQ(slot_of(Side::kRight, 11), 21);
+  EXPECT_EQ(side_of_slot(10), Side::kLeft);
+  EXPECT_EQ(unum_of_slot(11), 1);
+  EXPECT_EQ(opponent(Side::kLeft), Side::kRight);
+}
+
+TEST(PlayModes, NamesAndNumbersAreThoseOfTheServer) {
+  EXPECT_EQ(name(PlayMode::kGoalKickLeft), "goal_kick_l");
+  EXPECT_EQ(static_cast<int>(*play_mode_from_name("indirect_free_kick_r")), 39);
+  EXPECT_EQ(static_cast<int>(*play_mode_from_name("illegal_defense_r")), 51);
+  EXPECT_FALSE(play_mode_from_name("half_time"));
+  EXPECT_FALSE(play_mode_from_name(""));
+  for (int i = 1; i < kPlayModeCount; ++i) {
+    EXPECT_EQ(play_mode_from_name(name(static_cast<PlayMode>(i))), static_cast<PlayMode>(i));
+  }
+}
+
+TEST(PlayModes, KnowTheirSideAndTheirTwin) {
+  EXPECT_EQ(side(PlayMode::kGoalRight), Side::kRight);
+  EXPECT_EQ(side(PlayMode::kPlayOn), Side::kNeutral);
+  EXPECT_EQ(side(PlayMode::kDropBall), Side::kNeutral);
+  EXPECT_EQ(for_side(PlayMode::kKickInLeft, Side::kRight), PlayMode::kKickInRight);
+  EXPECT_EQ(for_side(PlayMode::kKickInRight, Side::kLeft), PlayMode::kKickInLeft);
+  EXPECT_EQ(mode_class(PlayMode::kGoalLeft), ModeClass::kStopped);
+  EXPECT_EQ(mode_class(PlayMode::kGoalKickLeft), ModeClass::kRunning);
+  EXPECT_TRUE(is_set_play(PlayMode::kIndirectFreeKickRight));
+  EXPECT_FALSE(is_set_play(PlayMode::kDropBall));
+}
+
+TEST(Landmarks, AreTheServersList) {
+  EXPECT_EQ(kLandmarks[9].name, "f g r t");
+  EXPECT_EQ(kLandmarks[9].position, (Vec2{52.5, -7.01}));
+  EXPECT_TRUE(kLandmarks[*landmark_index("g l")].is_goal());
+  EXPECT_EQ(kLandmarks[*landmark_index("f b l 30")].position, (Vec2{-30, 39}));
+  EXPECT_FALSE(landmark_index("f x"));
+}
+
+TEST(MemoryChannel, KeepsOrderAndNoticesTheOtherEndLeaving) {
+  auto [server, client] = make_memory_channel();
+  EXPECT_TRUE(server->send("one"));
+  EXPECT_TRUE(server->send("two"));
+  std::string message;
+  ASSERT_TRUE(client->receive(message));
+  EXPECT_EQ(message, "one");
+  ASSERT_TRUE(client->receive(message));
+  EXPECT_EQ(message, "two");
+  EXPECT_FALSE(client->receive(message));
+  EXPECT_EQ(message, "two");
+  EXPECT_FALSE(server->receive(message));
+  server.reset();
+  EXPECT_FALSE(client->send("three"));
+}
+
+}  // namespace
+}  // namespace cls::soccer
