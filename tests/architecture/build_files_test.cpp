@@ -1,0 +1,78 @@
+// The build files say what the architecture says: arrows, floating point, packages.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <regex>
+#include <set>
+#include <string>
+
+#include "tests/architecture/rules.h"
+#include "tests/support/files.h"
+
+namespace cls::tests {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The first group of every match of `pattern` in `text`.
+std::set<std::string> all_matches(const std::string& text, const std::string& pattern) {
+  std::set<std::string> found;
+  const std::regex regex(pattern);
+  for (std::sregex_iterator at(text.begin(), text.end(), regex), end; at != end; ++at) {
+    found.insert((*at)[1]);
+  }
+  return found;
+}
+
+std::string folder_of_target(std::string name) {
+  return name == "mock_server" ? "mock-server" : name == "proto_generated" ? "proto" : name;
+}
+
+TEST(BuildFiles, LinkListsPointDown) {
+  int seen = 0;
+  for (const std::string& folder : known_folders()) {
+    const fs::path path = source_folder() / folder / "CMakeLists.txt";
+    if (folder == "tests" || !fs::exists(path)) continue;
+    ++seen;
+    for (const std::string& name : all_matches(read_file(path), R"(^\s+cls_(\w+)\)?\s*$)")) {
+      const std::string target = folder_of_target(name);
+      EXPECT_EQ(allowed_folders(folder).count(target), 1u) << folder << " links " << target;
+    }
+  }
+  EXPECT_GE(seen, 8);
+}
+
+TEST(BuildFiles, EverySourceIsCompiledWithoutContraction) {
+  const std::string commands = read_file(fs::path(CLS_BUILD_DIR) / "compile_commands.json");
+  const std::regex command("\"command\": \"[^\n]*");
+  int seen = 0;
+  for (std::sregex_iterator at(commands.begin(), commands.end(), command), end; at != end; ++at) {
+    const std::string line = at->str();
+    ++seen;
+    EXPECT_NE(line.find("-ffp-contract=off"), std::string::npos) << line;
+    for (const char* flag : {"-ffast-math", "-Ofast", "-march=", "-mfma", "-funsafe"}) {
+      EXPECT_EQ(line.find(flag), std::string::npos) << line;
+    }
+    EXPECT_EQ(line.find("-DNDEBUG"), std::string::npos) << "assertions stay on: " << line;
+  }
+  EXPECT_GE(seen, 10);
+}
+
+TEST(BuildFiles, BootstrapInstallsTheLibrariesThatCMakeLooksFor) {
+  const std::string modules = read_file(source_folder() / "cmake/Dependencies.cmake");
+  std::set<std::string> wanted = all_matches(modules, R"(\bcls_need\(\w+ ([a-z0-9+.-]+))");
+  wanted.merge(all_matches(modules, "install ([a-z0-9+.-]+) "));
+  wanted.erase("libc6-dev");  // comes with g++
+  EXPECT_EQ(wanted.count("libsleef-dev"), 1u);
+  const std::string bootstrap = read_file(source_folder() / "bootstrap");
+  EXPECT_EQ(wanted, all_matches(bootstrap, R"(\n  ((?:lib|zlib|nlohmann)[a-z0-9+.-]+))"));
+}
+
+TEST(BuildFiles, TheTopFileIsATableOfContents) {
+  const auto lines = lines_of(read_file(source_folder() / "CMakeLists.txt"));
+  EXPECT_GE(lines.size(), 10u);
+  EXPECT_LE(lines.size(), 120u);
+}
+
+}  // namespace
+}  // namespace cls::tests

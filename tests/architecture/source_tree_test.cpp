@@ -1,0 +1,96 @@
+// The whole source tree against the rules.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "tests/architecture/rules.h"
+#include "tests/support/files.h"
+
+namespace cls::tests {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_source(const fs::path& path) {
+  static const std::set<std::string> extensions = {".h", ".cpp", ".inc", ".hpp", ".cc", ".c"};
+  return extensions.count(path.extension().string()) != 0;
+}
+
+/// All C++ below the root, except in build folders and hidden ones.
+std::vector<SourceFile> read_tree() {
+  std::vector<SourceFile> files;
+  for (const auto& top : fs::directory_iterator(source_folder())) {
+    const std::string name = top.path().filename().string();
+    const bool skip = name.front() == '.' || name.rfind("build", 0) == 0 || name == "runs";
+    if (!top.is_directory() || skip) continue;
+    for (const auto& entry : fs::recursive_directory_iterator(top.path())) {
+      if (!entry.is_regular_file() || !is_source(entry.path())) continue;
+      files.push_back(
+          {fs::relative(entry.path(), source_folder()).generic_string(), read_file(entry.path())});
+    }
+  }
+  std::sort(files.begin(), files.end(),
+            [](const auto& a, const auto& b) { return a.path < b.path; });
+  return files;
+}
+
+const std::vector<SourceFile>& tree() {
+  static const std::vector<SourceFile> files = read_tree();
+  return files;
+}
+
+template <typename Rule>
+std::string broken(Rule rule) {
+  std::vector<Violation> all;
+  for (const SourceFile& file : tree()) {
+    for (Violation& violation : rule(file)) all.push_back(std::move(violation));
+  }
+  return to_text(all);
+}
+
+TEST(SourceTree, IsReadCompletely) {
+  std::map<std::string, int> count;
+  for (const SourceFile& file : tree()) ++count[folder_of(file.path)];
+  for (const char* folder : {"soccer", "cli", "tests"}) EXPECT_GE(count[folder], 5) << folder;
+  const auto self = std::find_if(tree().begin(), tree().end(), [](const SourceFile& file) {
+    return file.path == "tests/architecture/source_tree_test.cpp";
+  });
+  ASSERT_NE(self, tree().end());
+  EXPECT_GE(includes_of(self->text).size(), 9u);
+}
+
+TEST(SourceTree, IncludesPointDown) { EXPECT_EQ(broken(check_arrows), ""); }
+
+TEST(SourceTree, IncludesOfOursExist) {
+  std::string absent;
+  for (const SourceFile& file : tree()) {
+    for (const Include& include : includes_of(file.text)) {
+      const bool generated = include.path.find(".pb.h") != std::string::npos;
+      const bool exists = fs::exists(source_folder() / include.path);
+      if (include.quoted && !generated && !exists) absent += file.path + ": " + include.path + "\n";
+    }
+  }
+  EXPECT_EQ(absent, "");
+}
+
+TEST(SourceTree, FoldersDoWithoutForbiddenLibraries) {
+  EXPECT_EQ(broken(check_foreign_headers), "");
+}
+
+TEST(SourceTree, NothingDependsOnProcessorLibraryOrClock) {
+  EXPECT_EQ(broken(check_determinism), "");
+}
+
+TEST(SourceTree, FilesAndFunctionsFitTheirReaders) { EXPECT_EQ(broken(check_shape), ""); }
+
+TEST(SourceTree, BoostProcessIsWrappedOnce) {
+  EXPECT_EQ(to_text(check_process_wrapper(tree())), "");
+}
+
+}  // namespace
+}  // namespace cls::tests
