@@ -1,0 +1,47 @@
+// What an agent believes about the ball.
+#pragma once
+
+#include "proxy/world/age.h"
+#include "soccer/angle.h"
+#include "soccer/geometry.h"
+
+namespace cls::proxy {
+
+/// Metres, metres per cycle, own team attacks +x. `position` and `velocity` are advanced every
+/// cycle (position by velocity, velocity by the ball's decay, own kicks included); seen_ and heard_
+/// values stay as they were observed. A value never observed is zero, with the age kNever.
+struct BallState {
+  soccer::Vec2 position;
+  soccer::Vec2 velocity;
+  soccer::Vec2 relative_position;  ///< position minus own position, pitch axes
+  soccer::Vec2 seen_position;
+  soccer::Vec2 seen_relative_position;
+  soccer::Vec2 seen_velocity;
+  soccer::Vec2 heard_position;
+  soccer::Vec2 heard_velocity;
+  double position_deviation = 0.0;  ///< standard deviation along the less certain axis, metres
+  double velocity_deviation = 0.0;
+
+  int pos_count = kNever;  ///< since the position was updated by see or hear
+  int relative_pos_count = kNever;
+  int seen_pos_count = kNever;
+  int heard_pos_count = kNever;
+  int vel_count = kNever;
+  int seen_vel_count = kNever;
+  int heard_vel_count = kNever;
+  int lost_count = 0;   ///< cycles since the ball was missing where it was expected
+  int ghost_count = 0;  ///< looks in a row that did not find it where it was expected
+
+  // Derived from position and the own position.
+  double dist_from_self = 1000.0;
+  soccer::AngleDeg angle_from_self;  ///< global direction self to ball
+
+  bool position_valid() const { return pos_count < kBallPositionAgeLimit; }
+  bool relative_position_valid() const { return relative_pos_count < kBallRelativeAgeLimit; }
+  bool velocity_valid() const { return vel_count < kBallVelocityAgeLimit; }
+};
+
+/// Where a ball at `position` with `velocity` is after `cycles` without touch.
+soccer::Vec2 ball_after(soccer::Vec2 position, soccer::Vec2 velocity, int cycles, double decay);
+
+}  // namespace cls::proxy
