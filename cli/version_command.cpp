@@ -6,13 +6,14 @@
 #include <CLI/CLI.hpp>
 
 #include "cli/exit_code.h"
+#include "orchestration/version.h"
 
 namespace cls::cli {
 
 void add_version_command(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand("version", "print the version");
   command->callback([&exit_code] {
-    fmt::print("cls {}\n", CLS_VERSION);
+    fmt::print("cls {}\n", orchestration::kVersion);
     exit_code = kDone;
   });
 }

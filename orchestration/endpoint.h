@@ -1,0 +1,45 @@
+// What LEFT and RIGHT mean: the forms in which a user names a side.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "soccer/result.h"
+
+namespace cls::orchestration {
+
+/// A side of a match as named on the command line.
+struct Endpoint {
+  enum class Kind {
+    kMock,        ///< `mock`, `mock:NAME`, `mock:FILE.json`: the bundled Playmaker, in process
+    kAddress,     ///< `HOST:PORT`, `HOST:PORT+step`: a running Playmaker
+    kUnixSocket,  ///< `unix:PATH`: a running Playmaker on a local socket
+  };
+
+  Kind kind = Kind::kMock;
+  std::string text;        ///< as the user wrote it
+  std::string behaviour;   ///< kMock: name of a built-in behaviour or a script file; empty: default
+  std::string host;        ///< kAddress; IPv6 addresses keep their brackets
+  int port = 0;            ///< kAddress
+  bool port_step = false;  ///< kAddress: player n asks port + n, the coach port + 13
+  std::string path;        ///< kUnixSocket
+};
+
+/// Reads one side form. The error names the text and lists the forms.
+soccer::Result<Endpoint> parse_endpoint(std::string_view text);
+
+/// A team name made from the endpoint, allowed by the soccer protocol (letters, digits, - and _,
+/// 15 characters at most).
+std::string default_team_name(const Endpoint& endpoint);
+
+/// `name` when the protocol allows it as a team name, else an error that says what is wrong.
+soccer::Result<std::string> check_team_name(std::string_view name);
+
+/// The two names a match is played under; equal ones get _l and _r (shortened where needed).
+struct TeamNames {
+  std::string left;
+  std::string right;
+};
+TeamNames distinct_names(std::string left, std::string right);
+
+}  // namespace cls::orchestration

@@ -1,0 +1,29 @@
+// events.jsonl: what happened in a match, one JSON object a line.
+#pragma once
+
+#include <cstdint>
+#include <nlohmann/json_fwd.hpp>
+#include <string_view>
+
+#include "orchestration/file_sink.h"
+
+namespace cls::orchestration {
+
+/// Writes lines {"schema": "cls.events/1", "seq": n, "t": game time, "type": ...}. `t` is game
+/// time in cycles, never wall time, so that the same seed gives the same bytes.
+class EventLog {
+ public:
+  explicit EventLog(FileSink sink) : sink_(std::move(sink)) {}
+
+  /// Appends one event; `fields` is an object whose members follow the common ones.
+  void add(int time, std::string_view type, const nlohmann::ordered_json& fields);
+
+  void flush() { sink_.flush(); }
+  const std::string& error() const { return sink_.error(); }
+
+ private:
+  FileSink sink_;
+  std::int64_t next_ = 0;
+};
+
+}  // namespace cls::orchestration

@@ -1,0 +1,93 @@
+// Making the match folder and its manifest.
+#include "orchestration/match_folder.h"
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <nlohmann/json.hpp>
+#include <system_error>
+
+#include "orchestration/version.h"
+#include "soccer/player_params.h"
+#include "soccer/server_params.h"
+
+namespace cls::orchestration {
+namespace {
+
+namespace fs = std::filesystem;
+using soccer::Error;
+using soccer::Result;
+using Json = nlohmann::ordered_json;
+
+std::string utc_now(const char* format) {
+  const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
+  return fmt::format(fmt::runtime(format), fmt::gmtime(now));
+}
+
+// The parameters that differ from their defaults, by their full names.
+template <typename Params>
+void add_settings(Json& settings, std::string_view module, const Params& params,
+                  const soccer::ParameterTable<Params>& table) {
+  const Params defaults;
+  for (const auto& row : table) {
+    std::visit(
+        [&](auto member) {
+          if (params.*member == defaults.*member) return;
+          settings[fmt::format("{}::{}", module, row.name)] = params.*member;
+        },
+        row.member);
+  }
+}
+
+std::string host_name() {
+  char buffer[256] = {};
+  return gethostname(buffer, sizeof buffer - 1) == 0 ? buffer : "";
+}
+
+}  // namespace
+
+Result<fs::path> make_match_folder(const MatchOptions& options, const TeamNames& names) {
+  std::error_code code;
+  if (!options.folder.empty()) {
+    fs::create_directories(options.folder, code);
+    if (code || !fs::is_directory(options.folder, code)) {
+      const std::string why = code ? code.message() : "not a folder";
+      return Error{fmt::format("cannot create folder {}: {}", options.folder.string(), why)};
+    }
+    return options.folder;
+  }
+  const std::string stem =
+      fmt::format("{}-{}-vs-{}", utc_now("{:%Y%m%dT%H%M%SZ}"), names.left, names.right);
+  fs::create_directories("runs", code);
+  for (int attempt = 1; !code; ++attempt) {
+    const fs::path folder =
+        fs::path("runs") / (attempt == 1 ? stem : fmt::format("{}-{}", stem, attempt));
+    if (fs::create_directory(folder, code)) return folder;
+  }
+  return Error{fmt::format("cannot create folder runs/{}: {}", stem, code.message())};
+}
+
+std::string manifest_json(const MatchOptions& options, const TeamNames& names, std::uint64_t seed) {
+  Json settings = Json::object();
+  add_settings(settings, "server", options.server, soccer::server_param_table());
+  add_settings(settings, "player", options.player, soccer::player_param_table());
+  const Json document = {
+      {"schema", "cls.manifest/1"},
+      {"started", utc_now("{:%Y-%m-%dT%H:%M:%SZ}")},
+      {"host", host_name()},
+      {"folder", fs::current_path().string()},
+      {"command", options.command_line},
+      {"cls", kVersion},
+      {"seed", seed},
+      {"left", {{"name", names.left}, {"endpoint", options.left.text}}},
+      {"right", {{"name", names.right}, {"endpoint", options.right.text}}},
+      {"cycles", options.cycles ? Json(*options.cycles) : Json(nullptr)},
+      {"protocol", options.protocol},
+      {"rpc_deadline_ms", options.no_deadline ? Json(nullptr) : Json(options.rpc_deadline_ms)},
+      {"settings", std::move(settings)}};
+  return document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace cls::orchestration

@@ -1,0 +1,90 @@
+// The result document.
+#include "orchestration/match_result.h"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "orchestration/version.h"
+
+namespace cls::orchestration {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+double rounded(double value, double unit) { return std::round(value / unit) * unit; }
+
+Json json_of(const PlayerResult& player) {
+  return {{"unum", player.unum},
+          {"decisions", player.decisions},
+          {"late", player.late},
+          {"missed", player.missed},
+          {"rpc_us",
+           {{"p50", rounded(player.rpc_us.p50, 1)},
+            {"p95", rounded(player.rpc_us.p95, 1)},
+            {"p99", rounded(player.rpc_us.p99, 1)},
+            {"max", rounded(player.rpc_us.max, 1)}}},
+          {"commands", player.commands},
+          {"unimplemented_actions", player.unimplemented_actions}};
+}
+
+Json json_of(const TeamResult& team) {
+  Json players = Json::array();
+  for (const PlayerResult& player : team.players) players.push_back(json_of(player));
+  return {{"name", team.name},
+          {"endpoint", team.endpoint},
+          {"score", team.score},
+          {"penalty_score", team.penalty_score ? Json(*team.penalty_score) : Json(nullptr)},
+          {"cpu_seconds", rounded(team.cpu_seconds, 0.001)},
+          {"players", std::move(players)}};
+}
+
+Json json_of(const Goal& goal) {
+  return {{"cycle", goal.cycle},
+          {"side", goal.side == soccer::Side::kLeft ? "left" : "right"},
+          {"unum", goal.unum == 0 ? Json(nullptr) : Json(goal.unum)}};
+}
+
+}  // namespace
+
+std::optional<std::string> winner(const MatchResult& result) {
+  if (!result.valid()) return std::nullopt;
+  const auto total = [](const TeamResult& team) {
+    return std::pair(team.score, team.penalty_score.value_or(0));
+  };
+  if (total(result.left) == total(result.right)) return "draw";
+  return total(result.left) > total(result.right) ? "left" : "right";
+}
+
+std::string to_json(const MatchResult& result) {
+  const auto won = winner(result);
+  Json goals = Json::array();
+  for (const Goal& goal : result.goals) goals.push_back(json_of(goal));
+  const Json document = {
+      {"schema", "cls.match/1"},
+      {"left", json_of(result.left)},
+      {"right", json_of(result.right)},
+      {"winner", won ? Json(*won) : Json(nullptr)},
+      {"valid", result.valid()},
+      {"end_reason", name(result.end_reason)},
+      {"message", result.message.empty() ? Json(nullptr) : Json(result.message)},
+      {"cycles", result.cycles},
+      {"steps", result.steps},
+      {"seed", result.seed},
+      {"mode", result.mode},
+      {"deterministic", result.deterministic},
+      {"server",
+       {{"kind", result.server_kind}, {"version", result.server_version}, {"seed", result.seed}}},
+      {"goals", std::move(goals)},
+      {"wall_seconds", rounded(result.wall_seconds, 0.001)},
+      {"cycles_per_second", rounded(result.cycles_per_second, 0.1)},
+      {"folder", result.folder},
+      {"log_files",
+       {{"rcg", result.rcg.empty() ? Json(nullptr) : Json(result.rcg)},
+        {"rcl", result.rcl.empty() ? Json(nullptr) : Json(result.rcl)}}},
+      {"warnings", result.warnings},
+      {"versions", {{"cls", kVersion}, {"wire", kWireVersion}}}};
+  // Bytes of a foreign program may stand in a message: replace what is not UTF-8.
+  return document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace cls::orchestration

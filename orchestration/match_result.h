@@ -1,0 +1,86 @@
+// The outcome of a match as plain data, and as the JSON document `cls.match/1`.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "orchestration/end_reason.h"
+#include "soccer/side.h"
+
+namespace cls::orchestration {
+
+/// Latency of a player's decisions in microseconds, from the call to the answer.
+struct RpcLatency {
+  double p50 = 0.0;
+  double p95 = 0.0;
+  double p99 = 0.0;
+  double max = 0.0;
+};
+
+struct PlayerResult {
+  int unum = 0;
+  std::int64_t decisions = 0;  ///< asked for
+  std::int64_t late = 0;       ///< answered after the deadline
+  std::int64_t missed = 0;     ///< cycles without an answer of their own
+  RpcLatency rpc_us;
+  std::map<std::string, std::int64_t> commands;               ///< by kind, as sent to the server
+  std::map<std::string, std::int64_t> unimplemented_actions;  ///< by kind, as asked for
+};
+
+struct TeamResult {
+  std::string name;
+  std::string endpoint;
+  int score = 0;
+  std::optional<int> penalty_score;  ///< only after a shoot-out
+  double cpu_seconds = 0.0;          ///< of this side's agents
+  std::vector<PlayerResult> players;
+};
+
+struct Goal {
+  int cycle = 0;
+  soccer::Side side = soccer::Side::kNeutral;  ///< that scored
+  int unum = 0;                                ///< last kicker of that side; 0 unknown
+};
+
+/// Where wall time of the played cycles went, in microseconds per step.
+struct StepCost {
+  double simulator = 0.0;
+  double agents = 0.0;     ///< perceive, State, skills (both teams' CPU)
+  double playmaker = 0.0;  ///< waiting for answers
+};
+
+struct MatchResult {
+  TeamResult left;
+  TeamResult right;
+  EndReason end_reason = EndReason::kFinished;
+  std::string message;  ///< one line on what went wrong; empty when finished
+  int signal = 0;       ///< that interrupted the match, else 0
+  int cycles = 0;       ///< last game time
+  std::int64_t steps = 0;
+  std::uint64_t seed = 0;
+  std::string mode = "lockstep";
+  bool deterministic = true;
+  std::string server_kind = "embedded";
+  std::string server_version;
+  double wall_seconds = 0.0;       ///< of the whole match, start included
+  double cycles_per_second = 0.0;  ///< cycles over the time from first step to last
+  std::vector<Goal> goals;
+  std::vector<std::string> warnings;
+  std::string rcg;  ///< file name inside the match folder, empty when none was written
+  std::string rcl;
+  std::string folder;
+
+  bool valid() const { return end_reason == EndReason::kFinished; }
+};
+
+/// "left", "right" or "draw"; nothing for an invalid match.
+std::optional<std::string> winner(const MatchResult& result);
+
+/// The document `cls.match/1`, indented, with a newline at its end.
+std::string to_json(const MatchResult& result);
+
+}  // namespace cls::orchestration
