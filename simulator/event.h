@@ -1,0 +1,56 @@
+// What happened in the world that others must be told, in order.
+#pragma once
+
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "simulator/world.h"
+
+namespace cls::simulator {
+
+/// The referee says something: a mode string (never goal_l or goal_r) or a word such as goal_l_1
+/// (9.18). Everybody hears it at once.
+struct RefereeSaid {
+  std::string text;
+};
+
+/// Comes before the RefereeSaid with the mode's name.
+struct ModeChanged {
+  PlayMode mode = PlayMode::kNull;
+};
+
+/// A player's say command; `position` is where the speaker stood.
+struct PlayerSaid {
+  Slot speaker = kNobody;
+  Vec2 position;
+  std::string text;
+};
+
+/// The player has got this type: by a coach, or by itself at the first kick-off.
+struct TypeChanged {
+  Side side = Side::kLeft;
+  int unum = 0;
+  int type = 0;
+};
+
+/// A coach made this player the goalie.
+struct GoalieAppointed {
+  Side side = Side::kLeft;
+  int unum = 0;
+};
+
+/// The player was sent off; its connection ends.
+struct SentOff {
+  Slot slot = kNobody;
+};
+
+struct Event {
+  Clock clock;  ///< when it happened; the clock of the step may have moved on since
+  std::variant<RefereeSaid, ModeChanged, PlayerSaid, TypeChanged, GoalieAppointed, SentOff> what;
+};
+
+/// The simulator appends; whoever drives it reads and clears.
+using Events = std::vector<Event>;
+
+}  // namespace cls::simulator

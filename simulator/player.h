@@ -1,0 +1,163 @@
+// A player as the simulator keeps it: body, energy, what it has done in this cycle, what it
+// attends.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "soccer/geometry.h"
+#include "soccer/protocol/view_mode.h"
+#include "soccer/side.h"
+
+namespace cls::simulator {
+
+using soccer::Side;
+using soccer::Vec2;
+
+/// Index of a player in every array of 22 (soccer::slot_of); kNobody where there is none.
+using Slot = int;
+constexpr Slot kNobody = -1;
+
+/// Bits of a player's state as logs and monitors show them (simulation model 12.1).
+namespace state {
+constexpr std::uint32_t kStand = 0x1;
+constexpr std::uint32_t kKick = 0x2;
+constexpr std::uint32_t kKickFault = 0x4;
+constexpr std::uint32_t kGoalie = 0x8;
+constexpr std::uint32_t kCatch = 0x10;
+constexpr std::uint32_t kCatchFault = 0x20;
+constexpr std::uint32_t kBallToPlayer = 0x40;
+constexpr std::uint32_t kDiscard = 0x100;
+constexpr std::uint32_t kBallCollide = 0x400;
+constexpr std::uint32_t kPlayerCollide = 0x800;
+constexpr std::uint32_t kTackle = 0x1000;
+constexpr std::uint32_t kTackleFault = 0x2000;
+constexpr std::uint32_t kBackPass = 0x4000;
+constexpr std::uint32_t kFreeKickFault = 0x8000;
+constexpr std::uint32_t kPostCollide = 0x10000;
+constexpr std::uint32_t kFoulCharged = 0x20000;
+constexpr std::uint32_t kYellowCard = 0x40000;
+constexpr std::uint32_t kRedCard = 0x80000;
+constexpr std::uint32_t kIllegalDefense = 0x100000;
+}  // namespace state
+
+/// What the player has done so far; in logs and sense_body (12.3).
+struct Counters {
+  int kick = 0;  ///< kicks that reached the ball
+  int dash = 0;
+  int turn = 0;
+  int catch_ball = 0;
+  int move = 0;
+  int turn_neck = 0;
+  int change_view = 0;
+  int say = 0;
+  int tackle = 0;
+  int point_to = 0;
+  int attention_to = 0;
+  int change_focus = 0;
+};
+
+/// One command per cycle is remembered for each leg (4.1); only a dash acts later, in the step.
+struct Leg {
+  bool commanded = false;
+  bool dashes = false;
+  double power = 0.0;
+  double direction = 0.0;  ///< degrees, relative to the body
+};
+
+struct Stamina {
+  double value = 0.0;
+  double effort = 0.0;
+  double recovery = 0.0;
+  double capacity = 0.0;
+};
+
+/// The pointing arm (4.12). `age` counts cycles since the last accepted command.
+struct Arm {
+  Vec2 target;
+  int age = 0;
+};
+
+/// How the player looks (4.10, 4.11, 7.2).
+struct View {
+  soccer::ViewWidth width = soccer::ViewWidth::kNormal;
+  soccer::ViewQuality quality = soccer::ViewQuality::kHigh;
+  bool synchronous = false;      ///< synch_see; there is no way back
+  bool gaussian = false;         ///< gaussian_see; there is no way back
+  double focus_distance = 0.0;   ///< metres
+  double focus_direction = 0.0;  ///< radians, relative to the face
+};
+
+/// Full width of the view cone in radians; `visible_angle` is the parameter, in degrees.
+double view_cone(const View& view, double visible_angle);
+
+/// What the player listens to (8.2, 8.5), by the speaker's side: index 0 left, 1 right.
+struct Ears {
+  std::array<bool, 2> complete = {true, true};
+  std::array<bool, 2> partial = {false, false};
+  int teammate_capacity = 0;
+  int opponent_capacity = 0;
+};
+
+/// What collided since the client was last told in a sense_body; whoever tells it clears them.
+struct Contacts {
+  bool ball = false;
+  bool player = false;
+  bool post = false;
+};
+
+/// Angles are radians: the body's on the pitch, the neck's relative to the body. Commands set the
+/// pending ones, a step commits them.
+struct Player {
+  Side side = Side::kLeft;
+  int unum = 0;
+
+  bool joined = false;   ///< a client has (had) this player
+  bool enabled = false;  ///< takes part; a disabled one is on the bench and nothing touches it
+  bool goalie = false;
+  int client_version = 3;
+  int type = 0;
+  bool substituted = false;  ///< has a type that was given to it
+
+  Vec2 position;
+  Vec2 velocity;
+  Vec2 acceleration;
+  double body = 0.0;
+  double pending_body = 0.0;
+  double neck = 0.0;
+  double pending_neck = 0.0;
+
+  std::uint32_t state = 0;  ///< bits of namespace state
+  Stamina stamina;
+  Counters counters;
+
+  bool command_done = false;  ///< the body command of this cycle is used up
+  bool turn_neck_done = false;
+  std::array<Leg, 2> legs;  ///< left, right
+  int kick_cycles = -1;     ///< >= 0: kicked recently (4.1)
+  int dash_cycles = -1;
+  int tackle_cycles = 0;  ///< > 0: blocked by an own tackle
+  int foul_cycles = 0;    ///< > 0: blocked by a foul suffered
+  int catch_ban = 0;
+  int moves_since_catch = 0;
+
+  Arm arm;
+  View view;
+  Ears ears;
+  Slot attention = kNobody;
+  Contacts contacts;
+
+  int cards = 0;
+  int fouls = 0;
+
+  bool has(std::uint32_t bit) const { return (state & bit) != 0; }
+  Slot slot() const { return soccer::slot_of(side, unum); }
+};
+
+/// Direction in which the player looks, on the pitch.
+double face_direction(const Player& player);
+
+/// The point that the view is focused on, on the pitch.
+Vec2 focus_point(const Player& player);
+
+}  // namespace cls::simulator

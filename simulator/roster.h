@@ -1,0 +1,26 @@
+// Who is there: teams and players joining, leaving and coming back.
+#pragma once
+
+#include <optional>
+
+#include "simulator/event.h"
+
+namespace cls::simulator {
+
+/// The next free player of a team, standing on the bench and enabled; nothing if the team is full
+/// or has a goalie already and `goalie` is asked for (1.5).
+std::optional<Slot> join(World& world, Side side, bool goalie, int client_version);
+
+/// The player stands at the bench place again, with its counters, stamina and cards. The caller
+/// has checked that it may come back (4.16).
+void rejoin(World& world, Slot slot);
+
+/// The player leaves the pitch: bye, a lost connection.
+void leave(World& world, Slot slot);
+
+/// Players of a team that have been connected.
+int joined_count(const World& world, Side side);
+
+bool has_enabled_goalie(const World& world, Side side);
+
+}  // namespace cls::simulator
