@@ -1,0 +1,26 @@
+// What a skill that needs several cycles means to do next.
+#pragma once
+
+#include "proxy/world/age.h"
+#include "soccer/geometry.h"
+
+namespace cls::proxy {
+
+/// At most one at a time; it takes over the following decisions until it is done or no longer makes
+/// sense, unless the Playmaker forbids it (proxy behaviour 2.5).
+struct Intention {
+  enum class Kind : unsigned char { kNone, kDribble, kReceivePass };
+
+  Kind kind = Kind::kNone;
+  soccer::Vec2 target;
+  double dash_power = 0.0;
+  int turns = 0;   ///< turns still to do
+  int dashes = 0;  ///< dashes still to do
+  int steps = 0;   ///< decisions it may still take
+  GameTime last;   ///< when it was made or last carried on
+
+  bool active() const { return kind != Kind::kNone; }
+  void clear() { *this = Intention{}; }
+};
+
+}  // namespace cls::proxy
