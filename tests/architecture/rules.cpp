@@ -93,6 +93,10 @@ const std::vector<ForbiddenCode>& forbidden_code() {
        "simulator/server",
        std::regex(R"(\bstd::(chrono|thread|jthread|mutex|this_thread|async|atomic|time)\b)"),
        "no clocks or threads below simulator/server*"},
+      {{"tests"},
+       "tests/support/",
+       std::regex(R"(\b(TempDir|temp_directory_path|tmpnam)\s*\()"),
+       "two runs at once would meet there: use tests/support/temporary_folder.h"},
   };
   return table;
 }

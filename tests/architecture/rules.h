@@ -34,7 +34,8 @@ std::vector<Violation> check_arrows(const SourceFile& file);
 /// Libraries and system headers that a folder must do without.
 std::vector<Violation> check_foreign_headers(const SourceFile& file);
 
-/// Calls that would make a match depend on the processor, the library or the clock.
+/// Calls that would make a match depend on the processor, the library or the clock, or a test on
+/// what else runs.
 std::vector<Violation> check_determinism(const SourceFile& file);
 
 /// One line of purpose first; no file over 800 lines, no function over 60, main under 60; nothing

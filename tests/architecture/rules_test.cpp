@@ -102,6 +102,12 @@ TEST(Determinism, ClocksAndThreadsInTheSimulatorAreCaughtWithoutTheirInclude) {
   EXPECT_EQ(check_determinism({"simulator/server.cpp", "std::chrono::seconds(1);"}).size(), 0u);
 }
 
+TEST(Determinism, TestsThatShareAFolderAreCaught) {
+  const std::string code = "auto folder = testing::TempDir();";
+  EXPECT_EQ(check_determinism({"tests/proxy/a_test.cpp", code}).size(), 1u);
+  EXPECT_EQ(check_determinism({"tests/support/a.cpp", code}).size(), 0u);
+}
+
 std::string repeated(const std::string& line, int count) {
   std::string text;
   for (int i = 0; i < count; ++i) text += line;

@@ -9,6 +9,7 @@
 #include "orchestration/event_log.h"
 #include "orchestration/match_folder.h"
 #include "tests/support/files.h"
+#include "tests/support/temporary_folder.h"
 
 namespace cls::orchestration {
 namespace {
@@ -22,13 +23,6 @@ MatchResult two_to_one() {
   result.right.name = "b";
   result.right.score = 1;
   return result;
-}
-
-fs::path empty_folder(const std::string& name) {
-  const fs::path folder = fs::path(testing::TempDir()) / name;
-  fs::remove_all(folder);
-  fs::create_directories(folder);
-  return folder;
 }
 
 TEST(MatchResult, AWinnerNeedsAValidMatch) {
@@ -73,7 +67,8 @@ TEST(MatchResult, BytesThatAreNotTextDoNotBreakTheDocument) {
 }
 
 TEST(MatchFolder, IsMadeAndRefusalsNameIt) {
-  const fs::path base = empty_folder("cls_match_folder");
+  const tests::TemporaryFolder folder;
+  const fs::path base = folder.path();
   MatchOptions options;
   options.folder = base / "a" / "b";
   EXPECT_EQ(*make_match_folder(options, {"l", "r"}), options.folder);
@@ -87,9 +82,9 @@ TEST(MatchFolder, IsMadeAndRefusalsNameIt) {
 }
 
 TEST(MatchFolder, TwoMatchesOfOneSecondGetFoldersOfTheirOwn) {
-  const fs::path base = empty_folder("cls_match_runs");
+  const tests::TemporaryFolder base;
   const fs::path before = fs::current_path();
-  fs::current_path(base);
+  fs::current_path(base.path());
   const auto first = make_match_folder(MatchOptions{}, {"l", "r"});
   const auto second = make_match_folder(MatchOptions{}, {"l", "r"});
   fs::current_path(before);
@@ -123,7 +118,8 @@ TEST(MatchOptions, SettingsAndContradictionsAreTold) {
 }
 
 TEST(EventLog, NumbersItsLines) {
-  const fs::path file = empty_folder("cls_events") / "events.jsonl";
+  const tests::TemporaryFolder folder;
+  const fs::path file = folder.path() / "events.jsonl";
   auto sink = FileSink::open(file);
   ASSERT_TRUE(sink);
   EventLog log(std::move(*sink));
