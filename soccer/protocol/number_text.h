@@ -1,6 +1,7 @@
 // Numbers as the protocol and the logs print them, and reading them back.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -19,12 +20,19 @@ void append_int(std::int64_t value, std::string& out);
 /// Appends the shortest text that reads back as exactly `value`. `value` must be finite.
 void append_shortest(double value, std::string& out);
 
-/// Reads a whole text as a number: optional sign, digits with an optional point, optional
-/// exponent. No blanks, no hexadecimal, no inf or nan. Correctly rounded; beyond the range of a
-/// double the result is infinite or zero with the right sign.
+/// Reads the longest number at the start of `text` and returns its length, 0 if there is none.
+/// A number is an optional sign, digits with an optional point that digits follow (".5" but not
+/// "5."), and an optional exponent; no blanks, no hexadecimal, no inf or nan. The value is
+/// correctly rounded and always finite: one beyond the range of a double becomes the largest.
+std::size_t read_number(std::string_view text, double& value);
+
+/// The same for a decimal integer; a value beyond the range of an int becomes the nearest int.
+std::size_t read_int(std::string_view text, int& value);
+
+/// A whole text as a number; nothing if it is not one.
 std::optional<double> number_from_text(std::string_view text);
 
-/// Reads a whole text as a decimal integer that fits an int; a plus sign is accepted.
+/// A whole text as an integer; nothing if it is not one.
 std::optional<int> int_from_text(std::string_view text);
 
 }  // namespace cls::soccer

@@ -90,6 +90,8 @@ struct OkTeamNames {
   TeamName right;
 };
 enum class BallPlace : std::uint8_t { kInField, kGoalLeft, kGoalRight, kOutOfField };
+/// "in_field", "goal_l", "goal_r", "out_of_field"
+std::string_view name(BallPlace place);
 struct OkCheckBall {
   int time = 0;
   BallPlace place = BallPlace::kInField;

@@ -1,0 +1,105 @@
+// A cursor over a server message: single pass, no allocation, remembers where it failed.
+#pragma once
+
+#include <cassert>
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+#include "soccer/protocol/number_text.h"
+#include "soccer/result.h"
+
+namespace cls::soccer {
+
+/// Every step consumes and returns true, or leaves the cursor where it stands, notes what it
+/// expected there and returns false; so a message is one chain of steps joined with &&.
+/// What is "expected" must outlive the scanner (string literals do).
+class Scanner {
+ public:
+  explicit Scanner(std::string_view text) : text_(text) {}
+
+  bool at_end() const { return at_ == text_.size(); }
+  std::size_t position() const { return at_; }
+  std::string_view rest() const { return text_.substr(at_); }
+
+  /// The next character; NUL at the end.
+  char peek() const { return at_end() ? '\0' : text_[at_]; }
+  bool looking_at(std::string_view expected) const { return rest().starts_with(expected); }
+
+  /// Consumes `expected`; a mismatch is a failure.
+  bool literal(std::string_view expected) {
+    if (!looking_at(expected)) return fail(expected);
+    at_ += expected.size();
+    return true;
+  }
+
+  /// Consumes `wanted` if it is there; its absence is not a failure.
+  bool optional(std::string_view wanted) {
+    if (!looking_at(wanted)) return false;
+    at_ += wanted.size();
+    return true;
+  }
+
+  bool number(double& value) {
+    const std::size_t length = read_number(rest(), value);
+    at_ += length;
+    return length > 0 || fail("a number");
+  }
+
+  bool integer(int& value) {
+    const std::size_t length = read_int(rest(), value);
+    at_ += length;
+    return length > 0 || fail("an integer");
+  }
+
+  /// An integer from `low` to `high`.
+  bool integer(int& value, int low, int high) {
+    const std::size_t start = at_;
+    if (!integer(value)) return false;
+    return (value >= low && value <= high) || fail_at(start, "an integer in range");
+  }
+
+  /// Characters up to the next blank, bracket, quote or the end; at least one.
+  bool word(std::string_view& value) {
+    const std::size_t end = text_.find_first_of(" ()\"", at_);
+    const std::size_t length = (end == std::string_view::npos ? text_.size() : end) - at_;
+    value = text_.substr(at_, length);
+    at_ += length;
+    return length > 0 || fail("a word");
+  }
+
+  /// Everything up to but without `closing`, which must be the end of the message.
+  bool rest_before(std::string_view closing, std::string_view& value) {
+    if (rest().size() < closing.size() || !rest().ends_with(closing)) {
+      at_ = text_.size();
+      return fail(closing);
+    }
+    value = rest().substr(0, rest().size() - closing.size());
+    at_ = text_.size();
+    return true;
+  }
+
+  /// Notes the first failure; always false.
+  bool fail(std::string_view expected) { return fail_at(at_, expected); }
+  bool fail_at(std::size_t position, std::string_view expected) {
+    if (expected_.empty()) {
+      expected_ = expected;
+      failed_at_ = position;
+    }
+    return false;
+  }
+
+  /// True at the end of the message; something left over is a failure.
+  bool end() { return at_end() || fail("the end"); }
+
+  /// "see: byte 17: expected 'a number', found 'x'". There must have been a failure.
+  Error error(std::string_view message_name) const;
+
+ private:
+  std::string_view text_;
+  std::size_t at_ = 0;
+  std::string_view expected_;
+  std::size_t failed_at_ = 0;
+};
+
+}  // namespace cls::soccer
