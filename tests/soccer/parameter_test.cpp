@@ -63,6 +63,7 @@ TEST(SetParameter, SaysWhatIsWrong) {
   };
   EXPECT_EQ(message("half_tine", "3"), "unknown parameter 'half_tine'; did you mean 'half_time'?");
   EXPECT_EQ(message("zzz", "3"), "unknown parameter 'zzz'");
+  EXPECT_EQ(message("half_tiem", "3"), "unknown parameter 'half_tiem'; did you mean 'half_time'?");
   EXPECT_EQ(message("half_time", "3.5"), "parameter 'half_time': '3.5' is not a whole number");
   EXPECT_EQ(message("ball_decay", "fast"), "parameter 'ball_decay': 'fast' is not a number");
   EXPECT_EQ(message("ball_decay", "nan"), "parameter 'ball_decay': 'nan' is not a number");

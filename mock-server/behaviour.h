@@ -1,0 +1,29 @@
+// What a mock Playmaker decides: the seam behind which the bundled brains stand.
+#pragma once
+
+#include <memory>
+#include <string_view>
+#include <vector>
+
+#include "proto/playmaker.pb.h"
+#include "soccer/result.h"
+
+namespace cls::mock_server {
+
+/// A brain. One object serves all agents of a team, from several threads at once, and keeps no
+/// memory between calls: the same State always gives the same reply.
+class Behaviour {
+ public:
+  virtual ~Behaviour() = default;
+
+  /// Appends the actions of a player for this cycle to the empty `actions`.
+  virtual void decide(const protos::State& state, protos::PlayerActions& actions) const = 0;
+};
+
+/// Names that `make_behaviour` knows.
+std::vector<std::string_view> behaviour_names();
+
+/// The behaviour with that name; an empty name is the simple team. The error suggests a name.
+soccer::Result<std::unique_ptr<Behaviour>> make_behaviour(std::string_view name);
+
+}  // namespace cls::mock_server

@@ -1,0 +1,144 @@
+// Choosing between shot, pass, dribble and clearance.
+#include "mock-server/simple_team/attack.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "soccer/pitch.h"
+
+namespace cls::mock_server {
+namespace {
+
+using soccer::Vec2;
+
+constexpr Vec2 kTheirGoal{soccer::kHalfLength, 0.0};
+constexpr double kFullSpeed = 3.0;
+constexpr double kPassArrivalSpeed = 1.1;
+constexpr double kBallDecay = 0.94;
+
+struct Pass {
+  Vec2 target;
+  double speed;
+  double value;
+};
+
+// Speed with which a ball must leave to roll `distance` and still have `arrival`.
+double leaving_speed(double distance, double arrival) {
+  return std::min(arrival + distance * (1.0 - kBallDecay), 2.7);
+}
+
+// How good it is to have the ball at a point: forward counts, and near their goal the middle.
+double value_of(Vec2 point) { return point.x - 0.15 * distance(point, kTheirGoal); }
+
+std::optional<Pass> pass_to(const Situation& now, const protos::Player& mate) {
+  constexpr double kShortest = 5.0;
+  constexpr double kLongest = 34.0;
+  if (mate.pos_count() > 8 || mate.is_goalie() || mate.is_tackling()) return std::nullopt;
+  const Vec2 position = point_of(mate.position());
+  // Into the run: a little ahead of where the mate will roll out.
+  const Vec2 lead = point_of(mate.velocity()) * 2.0 + Vec2{position.x < 35.0 ? 1.5 : 0.0, 0.0};
+  Vec2 target = position + lead;
+  target.x = std::clamp(target.x, -soccer::kHalfLength + 2.0, soccer::kHalfLength - 2.0);
+  target.y = std::clamp(target.y, -soccer::kHalfWidth + 2.0, soccer::kHalfWidth - 2.0);
+  const double length = distance(now.ball(), target);
+  if (length < kShortest || length > kLongest) return std::nullopt;
+  if (position.x > std::max(now.offside_line(), now.ball().x) && position.x > 0.0) {
+    return std::nullopt;
+  }
+  // Along own goal a lost pass is a lost match.
+  if (target.x < -30.0 && std::fabs(target.y) < 15.0 && target.x < now.ball().x) {
+    return std::nullopt;
+  }
+  const double margin = now.lane_margin(now.ball(), target, 0.9, 0.25);
+  if (margin < 0.0) return std::nullopt;
+  const double room = std::min(now.nearest_opponent_to(target), 10.0);
+  const double value = value_of(target) + 0.6 * room + 0.8 * std::min(margin, 3.0);
+  return Pass{target, leaving_speed(length, kPassArrivalSpeed), value};
+}
+
+std::optional<Pass> best_pass(const Situation& now) {
+  std::optional<Pass> best;
+  for (const protos::Player& mate : now.world().teammates()) {
+    const auto pass = pass_to(now, mate);
+    if (pass && (!best || pass->value > best->value)) best = pass;
+  }
+  return best;
+}
+
+// The open corner of their goal that is farther from everybody, when in range.
+std::optional<Vec2> shot(const Situation& now) {
+  constexpr double kRange = 24.0;
+  constexpr double kPostMargin = 1.2;
+  constexpr double kSteps = 8;
+  if (distance(now.ball(), kTheirGoal) > kRange) return std::nullopt;
+  const double post = 7.01 - kPostMargin;
+  std::optional<Vec2> best;
+  double best_margin = 0.0;
+  for (int i = 0; i <= kSteps; ++i) {
+    const Vec2 target{kTheirGoal.x, -post + 2.0 * post * i / kSteps};
+    const double margin = now.lane_margin(now.ball(), target, 0.8, 0.1);
+    if (margin > best_margin) {
+      best_margin = margin;
+      best = target;
+    }
+  }
+  return best;
+}
+
+// Straight for goal, or beside the man in the way.
+Vec2 dribble_target(const Situation& now) {
+  constexpr double kAhead = 8.0;
+  const Vec2 to_goal = with_length(kTheirGoal - now.self_position(), kAhead);
+  Vec2 best = now.self_position() + to_goal;
+  double best_room = -10.0;
+  for (const double degrees : {0.0, 30.0, -30.0, 60.0, -60.0}) {
+    Vec2 target = now.self_position() + rotated_degrees(to_goal, degrees);
+    if (std::fabs(target.y) > soccer::kHalfWidth - 3.0) continue;
+    const double room = std::min(now.lane_margin(now.self_position(), target, 0.0, 0.0), 6.0) -
+                        std::fabs(degrees) / 40.0;
+    if (room > best_room) {
+      best_room = room;
+      best = target;
+    }
+  }
+  return best;
+}
+
+bool is_pressed(const Situation& now) { return now.nearest_opponent_to(now.ball()) < 3.0; }
+
+}  // namespace
+
+void attack(const Situation& now, ActionList& list) {
+  if (const auto target = shot(now)) {
+    list.smart_kick(*target, kFullSpeed, 2.2, 2);
+    list.smart_kick(*target, kFullSpeed, 0.1, 1);
+    list.watch_goalie_or_scan();
+    return;
+  }
+  const auto pass = best_pass(now);
+  const double here =
+      value_of(now.ball()) + 0.6 * std::min(now.nearest_opponent_to(now.ball()), 10.0);
+  if (pass && (is_pressed(now) || pass->value > here + 3.0)) {
+    list.smart_kick(pass->target, pass->speed, pass->speed * 0.8, 3);
+  }
+  const bool in_danger = now.ball().x < -32.0 && is_pressed(now);
+  if (in_danger) list.clear_ball();
+  list.dribble(dribble_target(now), 90.0, is_pressed(now) ? 2 : 4);
+  list.clear_ball();
+  list.watch_ball_or_scan(0);
+}
+
+void kick_dead_ball(const Situation& now, ActionList& list) {
+  const auto pass = best_pass(now);
+  if (pass) {
+    list.smart_kick(pass->target, pass->speed, pass->speed * 0.7, 1);
+  } else if (now.mode() == protos::KickOff_) {
+    const double side = now.unum() % 2 == 0 ? -1.0 : 1.0;
+    list.smart_kick({-12.0, 10.0 * side}, 1.6, 0.5, 1);
+  }
+  list.smart_kick({std::min(now.ball().x + 25.0, 48.0), now.ball().y * 0.4}, 2.5, 0.5, 1);
+  list.watch_ball();
+}
+
+}  // namespace cls::mock_server

@@ -1,0 +1,61 @@
+// Going for the ball, or keeping the shape.
+#include "mock-server/simple_team/defence.h"
+
+#include <algorithm>
+
+#include "mock-server/simple_team/formation.h"
+#include "soccer/pitch.h"
+
+namespace cls::mock_server {
+namespace {
+
+using soccer::Vec2;
+
+constexpr Vec2 kOurGoal{-soccer::kHalfLength, 0.0};
+constexpr Vec2 kTheirGoal{soccer::kHalfLength, 0.0};
+constexpr double kTired = 3200.0;
+
+// Power worth spending: all of it near the ball and when out of place in defence, little when
+// tired, since stamina below the threshold costs effort for the rest of the half.
+double dash_power(const Situation& now, Vec2 target) {
+  const double away = distance(now.self_position(), target);
+  if (now.self().stamina() < kTired) return 35.0;
+  const bool behind_play = now.self_position().x > target.x + 3.0 && now.ball().x < 0.0;
+  if (behind_play || distance(now.ball(), target) < 12.0) return 100.0;
+  return std::clamp(40.0 + 3.0 * away, 50.0, 90.0);
+}
+
+// Between the ball and our goal, a step away from the ball.
+Vec2 blocking_point(const Situation& now) {
+  const Vec2 ahead = now.ball() + now.ball_velocity() * 3.0;
+  return ahead + with_length(kOurGoal - ahead, 2.0);
+}
+
+}  // namespace
+
+void go_home(const Situation& now, ActionList& list) {
+  const Vec2 home = home_position(now);
+  const double within = std::max(0.8, 0.08 * distance(now.ball(), home));
+  list.go_to(home, within, dash_power(now, home));
+  list.turn_to_ball();
+}
+
+void play_without_ball(const Situation& now, ActionList& list) {
+  if (!now.ball_is_known()) {
+    list.search_ball();
+    return;
+  }
+  const bool chance_to_win_it = now.opponent_has_ball() && !now.mate_has_ball();
+  if (chance_to_win_it) list.tackle_towards(kTheirGoal, 0.75);
+  const bool ours_first = now.own_reach() <= now.mates_reach() && !now.mate_has_ball();
+  if (ours_first && now.own_reach() < kNeverReached) {
+    if (now.opponent_has_ball()) list.go_to(blocking_point(now), 0.5, 100.0);
+    list.intercept(kTheirGoal);
+    list.watch_ball_or_scan(0);
+    return;
+  }
+  go_home(now, list);
+  list.watch_ball_or_scan(now.opponents_reach() < 5 ? 1 : 2);
+}
+
+}  // namespace cls::mock_server

@@ -1,0 +1,63 @@
+// Kick-offs, kick-ins, corners, goal kicks and free kicks.
+#include "mock-server/simple_team/set_play.h"
+
+#include "mock-server/simple_team/attack.h"
+#include "mock-server/simple_team/defence.h"
+#include "mock-server/simple_team/goalie.h"
+
+namespace cls::mock_server {
+namespace {
+
+using soccer::Vec2;
+
+// Time for the others to arrive before the ball is played.
+constexpr int kPatience = 15;
+
+bool is_taker(const Situation& now) {
+  const protos::GameModeType mode = now.mode();
+  if (mode == protos::GoalKick_ || mode == protos::GoalieCatch_) return now.is_goalie();
+  return !now.is_goalie() && now.is_nearest_to_ball();
+}
+
+// A step behind the ball, seen towards their goal, so that the kick goes forward.
+Vec2 behind_ball(const Situation& now) {
+  return now.ball() + with_length(now.ball() - Vec2{40.0, 0.0}, 0.5);
+}
+
+void take(const Situation& now, ActionList& list) {
+  if (!now.can_kick()) {
+    list.go_to(behind_ball(now), 0.3, 80.0);
+    list.turn_to_ball();
+    list.watch_ball();
+    return;
+  }
+  if (now.world().set_play_count() < kPatience) {
+    list.turn_to({40.0, 0.0});
+    list.scan();
+    return;
+  }
+  kick_dead_ball(now, list);
+}
+
+}  // namespace
+
+void play_set_play(const Situation& now, ActionList& list) {
+  if (!now.ball_is_known()) {
+    list.search_ball();
+    return;
+  }
+  const bool in_hand = now.mode() == protos::GoalieCatch_ ||
+                       (now.mode() == protos::FreeKick_ && now.is_goalie() && now.can_kick());
+  if (now.is_our_set_play() && now.is_goalie() && in_hand) {
+    bring_out_caught_ball(now, list);
+  } else if (now.is_our_set_play() && is_taker(now)) {
+    take(now, list);
+  } else if (now.is_goalie()) {
+    keep_goal(now, list);
+  } else {
+    go_home(now, list);
+    list.watch_ball_or_scan(1);
+  }
+}
+
+}  // namespace cls::mock_server

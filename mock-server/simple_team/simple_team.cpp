@@ -1,0 +1,35 @@
+// Which part of the simple team's play a moment belongs to.
+#include "mock-server/simple_team/simple_team.h"
+
+#include "mock-server/simple_team/action_list.h"
+#include "mock-server/simple_team/attack.h"
+#include "mock-server/simple_team/defence.h"
+#include "mock-server/simple_team/formation.h"
+#include "mock-server/simple_team/goalie.h"
+#include "mock-server/simple_team/set_play.h"
+#include "mock-server/simple_team/situation.h"
+
+namespace cls::mock_server {
+
+void SimpleTeam::decide(const protos::State& state, protos::PlayerActions& actions) const {
+  const Situation now(state);
+  ActionList list(actions);
+  if (now.world().is_penalty_kick_mode()) {
+    actions.add_actions()->mutable_helios_penalty();
+  } else if (now.is_before_kick_off()) {
+    // The proxy would place players by its own formation.
+    actions.set_ignore_preprocess(true);
+    list.stand_for_kick_off(kick_off_position(now));
+    list.watch_ball_or_scan(0);
+  } else if (!now.is_play_on()) {
+    play_set_play(now, list);
+  } else if (now.is_goalie()) {
+    keep_goal(now, list);
+  } else if (now.can_kick()) {
+    attack(now, list);
+  } else {
+    play_without_ball(now, list);
+  }
+}
+
+}  // namespace cls::mock_server

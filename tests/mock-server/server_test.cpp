@@ -1,0 +1,90 @@
+// The mock Playmaker as a gRPC server, in process and on a port.
+#include "mock-server/server.h"
+
+#include <gtest/gtest.h>
+
+#include "proto/playmaker.grpc.pb.h"
+
+namespace cls::mock_server {
+namespace {
+
+std::unique_ptr<Server> running(std::string_view behaviour) {
+  auto made = make_behaviour(behaviour);
+  return std::move(*Server::start(std::move(*made)));
+}
+
+protos::RegisterResponse register_with(protos::Game::Stub& stub, int unum) {
+  grpc::ClientContext context;
+  protos::RegisterRequest request;
+  request.set_team_name("mock");
+  request.set_uniform_number(unum);
+  protos::RegisterResponse response;
+  EXPECT_TRUE(stub.Register(&context, request, &response).ok());
+  return response;
+}
+
+TEST(MockServer, HandsOutClientIdsInOrder) {
+  const auto server = running("");
+  const auto stub = protos::Game::NewStub(server->in_process_channel());
+  EXPECT_EQ(register_with(*stub, 1).client_id(), 1);
+  const auto second = register_with(*stub, 7);
+  EXPECT_EQ(second.client_id(), 2);
+  EXPECT_EQ(second.uniform_number(), 7);
+  EXPECT_EQ(second.team_name(), "mock");
+}
+
+TEST(MockServer, AnswersEveryRpc) {
+  const auto server = running("hold");
+  const auto stub = protos::Game::NewStub(server->in_process_channel());
+  protos::Empty empty;
+  const auto ok = [](const grpc::Status& status) { return status.ok(); };
+  const auto context = [] { return std::make_unique<grpc::ClientContext>(); };
+  EXPECT_TRUE(ok(stub->SendServerParams(context().get(), {}, &empty)));
+  EXPECT_TRUE(ok(stub->SendPlayerParams(context().get(), {}, &empty)));
+  EXPECT_TRUE(ok(stub->SendPlayerType(context().get(), {}, &empty)));
+  EXPECT_TRUE(ok(stub->SendInitMessage(context().get(), {}, &empty)));
+  EXPECT_TRUE(ok(stub->SendByeCommand(context().get(), {}, &empty)));
+  protos::PlayerActions player;
+  EXPECT_TRUE(ok(stub->GetPlayerActions(context().get(), {}, &player)));
+  EXPECT_GT(player.actions_size(), 0);
+  protos::CoachActions coach;
+  EXPECT_TRUE(ok(stub->GetCoachActions(context().get(), {}, &coach)));
+  protos::TrainerActions trainer;
+  EXPECT_TRUE(ok(stub->GetTrainerActions(context().get(), {}, &trainer)));
+}
+
+TEST(MockServer, PlannerChoiceIsTheHighestValueThenTheLowestIndex) {
+  const auto server = running("");
+  const auto stub = protos::Game::NewStub(server->in_process_channel());
+  protos::BestPlannerActionRequest request;
+  (*request.mutable_pairs())[3].set_evaluation(-2.0);
+  (*request.mutable_pairs())[9].set_evaluation(-1.0);
+  (*request.mutable_pairs())[5].set_evaluation(-1.0);
+  grpc::ClientContext context;
+  protos::BestPlannerActionResponse response;
+  ASSERT_TRUE(stub->GetBestPlannerAction(&context, request, &response).ok());
+  EXPECT_EQ(response.index(), 5);
+}
+
+TEST(MockServer, ListensOnAFreePortAndRefusesATakenOne) {
+  auto first = Server::start(std::move(*make_behaviour("")), "127.0.0.1", 0);
+  ASSERT_TRUE(first);
+  EXPECT_GT((*first)->port(), 0);
+  const auto stub = protos::Game::NewStub(grpc::CreateChannel(
+      "127.0.0.1:" + std::to_string((*first)->port()), grpc::InsecureChannelCredentials()));
+  EXPECT_EQ(register_with(*stub, 1).client_id(), 1);
+  const auto second = Server::start(std::move(*make_behaviour("")), "127.0.0.1", (*first)->port());
+  ASSERT_FALSE(second);
+  EXPECT_EQ(second.error().message,
+            "the mock Playmaker cannot listen on 127.0.0.1:" + std::to_string((*first)->port()));
+}
+
+TEST(Behaviours, UnknownNamesAreToldWithASuggestion) {
+  EXPECT_EQ(make_behaviour("hodl").error().message,
+            "unknown mock behaviour 'hodl'; did you mean 'hold'?");
+  EXPECT_EQ(make_behaviour("zzz").error().message,
+            "unknown mock behaviour 'zzz' (known: simple, hold)");
+}
+
+}  // namespace
+}  // namespace cls::mock_server
