@@ -1,0 +1,157 @@
+// Formatting the lines of a version 6 game log.
+#include "gamelog/rcg_text.h"
+
+#include <algorithm>
+
+#include "soccer/math.h"
+#include "soccer/parameter.h"
+#include "soccer/protocol/number_text.h"
+#include "soccer/protocol/parameter_message.h"
+
+namespace cls::gamelog {
+namespace {
+
+using soccer::append_g;
+using soccer::append_int;
+
+constexpr double kLengthStep = 0.0001;
+constexpr double kAngleStep = 0.001;
+
+void append_number(double value, std::string& out) {
+  out += ' ';
+  append_g(value, out);
+}
+
+void append_count(int value, std::string& out) {
+  out += ' ';
+  append_int(value, out);
+}
+
+void append_lengths(soccer::Vec2 v, std::string& out) {
+  append_number(soccer::math::quantize(v.x, kLengthStep), out);
+  append_number(soccer::math::quantize(v.y, kLengthStep), out);
+}
+
+void append_angle(double degrees, std::string& out) {
+  append_number(soccer::math::quantize(degrees, kAngleStep), out);
+}
+
+void append_state(std::uint32_t state, std::string& out) {
+  if (state == 0) {
+    out += " 0";
+    return;
+  }
+  out += " 0x";
+  constexpr std::string_view kDigits = "0123456789abcdef";
+  int shift = 28;
+  while ((state >> shift) == 0) shift -= 4;
+  for (; shift >= 0; shift -= 4) out += kDigits[(state >> shift) & 0xF];
+}
+
+void append_counts(const CommandCounts& c, std::string& out) {
+  out += " (c";
+  for (const int count : {c.kick, c.dash, c.turn, c.catches, c.move, c.turn_neck, c.change_view,
+                          c.say, c.tackle, c.pointto, c.attentionto, c.change_focus}) {
+    append_count(count, out);
+  }
+  out += ')';
+}
+
+void append_player(int slot, const PlayerFrame& player, std::string& out) {
+  out += " ((";
+  out += soccer::letter(soccer::side_of_slot(slot));
+  append_count(soccer::unum_of_slot(slot), out);
+  out += ')';
+  append_count(player.type, out);
+  append_state(player.state, out);
+  append_lengths(player.position, out);
+  append_lengths(player.velocity, out);
+  append_angle(player.body, out);
+  append_angle(player.neck, out);
+  if (player.pointing_at) append_lengths(*player.pointing_at, out);
+  out += player.high_quality ? " (v h" : " (v l";
+  append_number(player.view_width, out);
+  out += ") (fp";
+  append_number(player.focus_distance, out);
+  append_number(player.focus_direction, out);
+  out += ") (s";
+  append_number(player.stamina, out);
+  append_number(player.effort, out);
+  append_number(player.recovery, out);
+  append_number(player.capacity, out);
+  out += ')';
+  if (player.attention_side != soccer::Side::kNeutral && (player.state & kStateEnabled) != 0) {
+    out += " (f ";
+    out += soccer::letter(player.attention_side);
+    append_count(player.attention_unum, out);
+    out += ')';
+  }
+  append_counts(player.counts, out);
+  out += ')';
+}
+
+}  // namespace
+
+void append_header(const soccer::ServerParams& server, const soccer::PlayerParams& player,
+                   const std::vector<soccer::PlayerType>& types, std::string& out) {
+  out += "ULG6\n";
+  soccer::format(server, soccer::kAllVersions, out);
+  out += '\n';
+  soccer::format(player, soccer::kAllVersions, out);
+  out += '\n';
+  for (const soccer::PlayerType& type : types) {
+    soccer::format(type, soccer::kAllVersions, out);
+    out += '\n';
+  }
+}
+
+void append_play_mode(int time, soccer::PlayMode mode, std::string& out) {
+  out += "(playmode";
+  append_count(time, out);
+  out += ' ';
+  out += soccer::name(mode);
+  out += ")\n";
+}
+
+void append_team(int time, const TeamFrames& teams, std::string& out) {
+  out += "(team";
+  append_count(time, out);
+  for (const TeamFrame& team : teams) {
+    out += ' ';
+    out += team.name.empty() ? std::string_view("null") : std::string_view(team.name);
+  }
+  for (const TeamFrame& team : teams) append_count(team.score, out);
+  if (teams[0].penalties_taken() > 0 || teams[1].penalties_taken() > 0) {
+    for (const TeamFrame& team : teams) {
+      append_count(team.penalty_scored, out);
+      append_count(team.penalty_missed, out);
+    }
+  }
+  out += ")\n";
+}
+
+void append_show(const Frame& frame, std::string& out) {
+  out += "(show";
+  append_count(frame.time, out);
+  out += " ((b)";
+  append_lengths(frame.ball_position, out);
+  append_lengths(frame.ball_velocity, out);
+  out += ')';
+  for (int slot = 0; slot < soccer::kPlayersOnPitch; ++slot) {
+    append_player(slot, frame.players[static_cast<std::size_t>(slot)], out);
+  }
+  out += ")\n";
+}
+
+void append_message(int time, int board, std::string_view text, std::string& out) {
+  out += "(msg";
+  append_count(time, out);
+  append_count(board, out);
+  out += " \"";
+  const std::size_t begin = out.size();
+  out += text;
+  std::replace(out.begin() + static_cast<std::ptrdiff_t>(begin), out.end(), '\n', ' ');
+  out += "\")\n";
+}
+
+}  // namespace cls::gamelog

@@ -1,0 +1,34 @@
+// The lines of a version 6 game log (rcg), one function each.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "gamelog/frame.h"
+#include "soccer/player_params.h"
+#include "soccer/player_type.h"
+#include "soccer/server_params.h"
+
+namespace cls::gamelog {
+
+// Every function appends one line with its line feed, laid out as rcssserver 19 writes it
+// (log-formats 1.7): positions and velocities to 0.0001, angles to 0.001, all with six significant
+// digits, negative zero as "-0".
+
+/// The first lines: version, parameters, player types.
+void append_header(const soccer::ServerParams& server, const soccer::PlayerParams& player,
+                   const std::vector<soccer::PlayerType>& types, std::string& out);
+
+void append_play_mode(int time, soccer::PlayMode mode, std::string& out);
+
+/// The four penalty numbers appear once either team has taken a kick.
+void append_team(int time, const TeamFrames& teams, std::string& out);
+
+void append_show(const Frame& frame, std::string& out);
+
+/// `board` 1: referee, says, result, team graphics; 2: commands. Line feeds in the text become
+/// blanks; nothing else is escaped, as in the real log.
+void append_message(int time, int board, std::string_view text, std::string& out);
+
+}  // namespace cls::gamelog

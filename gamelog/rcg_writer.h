@@ -1,0 +1,54 @@
+// Writing a game log (rcg, version 6) while a match runs.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "gamelog/byte_sink.h"
+#include "gamelog/frame.h"
+#include "soccer/player_params.h"
+#include "soccer/player_type.h"
+#include "soccer/server_params.h"
+
+namespace cls::gamelog {
+
+/// The part of the result line and of log file names that names the teams and the score:
+/// `A_1-vs-B_0`; `null` for a team that never connected; with the penalty score behind a score
+/// that is level when both teams took kicks: `A_0_2-vs-B_0_1` (log-formats 1.12).
+std::string match_name(const TeamFrames& teams);
+
+/// The parameters as a log shows them: what names folders, files and start commands is at its
+/// default, so that a log does not depend on where and by whom a match was played.
+soccer::ServerParams without_places(const soccer::ServerParams& params);
+
+/// Decides which lines a log gets (simulation-model 12.4, log-formats 1.7) and writes them into
+/// `sink`, which must outlive the writer. The bytes depend on nothing but the arguments: dates
+/// are 197001010000.
+class RcgWriter {
+ public:
+  explicit RcgWriter(ByteSink& sink) : sink_(sink) {}
+
+  /// Once, before anything else.
+  void begin(const soccer::ServerParams& server, const soccer::PlayerParams& player,
+             const std::vector<soccer::PlayerType>& types);
+
+  /// Once per simulation step, in every play mode. Nothing is written before kick-off, and after
+  /// time over only the first frame; lines on play mode and teams are added where they changed.
+  void step(const Frame& frame);
+
+  /// A message at the place in the log that is reached.
+  void message(int time, int board, std::string_view text);
+
+  /// Once, after everything else: the result.
+  void end(int time, const TeamFrames& teams);
+
+ private:
+  ByteSink& sink_;
+  std::string line_;
+  soccer::PlayMode written_mode_ = soccer::PlayMode::kNull;
+  bool team_written_ = false;
+  TeamFrames written_teams_;
+};
+
+}  // namespace cls::gamelog

@@ -1,0 +1,39 @@
+// Writing a text log (rcl): every received command and every word of the referee.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "gamelog/byte_sink.h"
+
+namespace cls::gamelog {
+
+/// The clock of a line: game time, and how long it has stood still.
+struct Stamp {
+  int time = 0;
+  int stopped = 0;
+};
+
+/// One line per call into `sink`, which must outlive the writer (log-formats 2). Received text is
+/// logged as it came, before it is read: illegal commands too, up to a NUL byte; a line is cut at
+/// 8191 characters behind its stamp, as in the real server.
+class RclWriter {
+ public:
+  explicit RclWriter(ByteSink& sink) : sink_(sink) {}
+
+  void player_command(Stamp stamp, std::string_view team, int unum, std::string_view text);
+  void coach_command(Stamp stamp, std::string_view team, std::string_view text);
+  void trainer_command(Stamp stamp, std::string_view text);
+
+  /// `message` is a play mode or another referee word, without brackets.
+  void referee(Stamp stamp, std::string_view message);
+
+ private:
+  void begin(Stamp stamp);
+  void end(std::string_view text);
+
+  ByteSink& sink_;
+  std::string line_;
+};
+
+}  // namespace cls::gamelog
