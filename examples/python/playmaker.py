@@ -11,9 +11,7 @@ import sys
 from concurrent import futures
 
 import grpc
-
-# The build writes the generated modules here; set PYTHONPATH for another place.
-sys.path.append(os.path.join(os.path.dirname(__file__), "../../build/python"))
+sys.path.append(os.path.join(os.path.dirname(__file__), "../../build/python"))  # generated there
 from proto import playmaker_pb2 as pb, playmaker_pb2_grpc as rpc  # noqa: E402
 
 HOME = {1: (-50, 0), 2: (-20, -6), 3: (-20, 6), 4: (-16, -18), 5: (-16, 18), 6: (-8, 0),
