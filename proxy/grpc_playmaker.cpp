@@ -1,0 +1,255 @@
+// Calls in flight together on one completion queue.
+#include "proxy/grpc_playmaker.h"
+
+#include <array>
+#include <atomic>
+#include <cassert>
+#include <utility>
+#include <vector>
+
+#include "proxy/grpc_call.h"
+
+namespace cls::proxy {
+namespace {
+
+constexpr int kReconnectBackoffMs = 200;
+// How often a waiting thread looks whether cancel() was called.
+constexpr int kCancelCheckMs = 50;
+// For finding out why a Playmaker cannot be reached.
+constexpr RpcTimeout kProbeTimeout{500};
+
+grpc::ChannelArguments channel_arguments() {
+  grpc::ChannelArguments arguments;
+  arguments.SetInt(GRPC_ARG_MAX_RECONNECT_BACKOFF_MS, kReconnectBackoffMs);
+  arguments.SetInt(GRPC_ARG_MIN_RECONNECT_BACKOFF_MS, kReconnectBackoffMs);
+  arguments.SetInt(GRPC_ARG_INITIAL_RECONNECT_BACKOFF_MS, kReconnectBackoffMs / 4);
+  // Two teams that ask the same Playmaker keep a connection each.
+  arguments.SetInt(GRPC_ARG_USE_LOCAL_SUBCHANNEL_POOL, 1);
+  arguments.SetMaxReceiveMessageSize(-1);
+  arguments.SetMaxSendMessageSize(-1);
+  // A decision asked twice would count twice; and retries keep copies of every request.
+  arguments.SetInt(GRPC_ARG_ENABLE_RETRIES, 0);
+  // Playmakers stand near; the environment's http_proxy and DNS service records are not for them.
+  arguments.SetInt(GRPC_ARG_ENABLE_HTTP_PROXY, 0);
+  arguments.SetInt(GRPC_ARG_SERVICE_CONFIG_DISABLE_RESOLUTION, 1);
+  return arguments;
+}
+
+class GrpcPlaymaker : public Playmaker {
+ public:
+  GrpcPlaymaker(std::shared_ptr<grpc::Channel> channel, std::string name) : channels_{} {
+    channels_.fill(std::move(channel));
+    names_.fill(std::move(name));
+    make_stubs();
+  }
+
+  explicit GrpcPlaymaker(const GrpcTarget& target) {
+    const grpc::ChannelArguments arguments = channel_arguments();
+    for (int agent = 1; agent < kAgentNumbers; ++agent) {
+      const auto i = static_cast<std::size_t>(agent);
+      names_[i] = address(target, agent);
+      const bool own = agent == 1 || names_[i] != names_[i - 1];
+      channels_[i] =
+          own ? grpc::CreateCustomChannel(names_[i], grpc::InsecureChannelCredentials(), arguments)
+              : channels_[i - 1];
+    }
+    make_stubs();
+  }
+
+  GrpcPlaymaker(const GrpcPlaymaker&) = delete;
+  GrpcPlaymaker& operator=(const GrpcPlaymaker&) = delete;
+
+  ~GrpcPlaymaker() override {
+    for (GrpcCall& call : calls_) call.cancel();
+    queue_.Shutdown();
+    void* tag = nullptr;
+    bool ok = false;
+    while (queue_.Next(&tag, &ok)) {
+    }
+  }
+
+  RpcStatus register_agent(int agent, const protos::RegisterRequest& request, RpcTimeout timeout,
+                           protos::RegisterResponse& response) override {
+    RpcStatus status = ask(agent, "Register", request, GrpcCall::Answer::kRegister, timeout, true);
+    if (status.outcome == RpcOutcome::kDeadline) status = explain_silence(agent, request, timeout);
+    if (status.ok()) {
+      response = static_cast<const protos::RegisterResponse&>(*call_of(agent).message());
+    }
+    return status;
+  }
+
+  RpcStatus send_server_params(int agent, const protos::ServerParam& params,
+                               RpcTimeout timeout) override {
+    return ask(agent, "SendServerParams", params, GrpcCall::Answer::kEmpty, timeout);
+  }
+  RpcStatus send_player_params(int agent, const protos::PlayerParam& params,
+                               RpcTimeout timeout) override {
+    return ask(agent, "SendPlayerParams", params, GrpcCall::Answer::kEmpty, timeout);
+  }
+  RpcStatus send_player_type(int agent, const protos::PlayerType& type,
+                             RpcTimeout timeout) override {
+    return ask(agent, "SendPlayerType", type, GrpcCall::Answer::kEmpty, timeout);
+  }
+  RpcStatus send_init_message(int agent, const protos::InitMessage& message,
+                              RpcTimeout timeout) override {
+    return ask(agent, "SendInitMessage", message, GrpcCall::Answer::kEmpty, timeout);
+  }
+  RpcStatus send_bye(int agent, const protos::RegisterResponse& identity,
+                     RpcTimeout timeout) override {
+    // Said even after cancel(); its timeout bounds it.
+    start_alone(agent, "SendByeCommand", identity, GrpcCall::Answer::kEmpty, timeout, false);
+    return wait(false).status();
+  }
+
+  void begin_player_actions(int agent, const protos::State& state, RpcTimeout timeout) override {
+    begin(agent, "GetPlayerActions", state, GrpcCall::Answer::kPlayer, timeout);
+  }
+  void begin_coach_actions(int agent, const protos::State& state, RpcTimeout timeout) override {
+    begin(agent, "GetCoachActions", state, GrpcCall::Answer::kCoach, timeout);
+  }
+  void begin_trainer_actions(int agent, const protos::State& state, RpcTimeout timeout) override {
+    begin(agent, "GetTrainerActions", state, GrpcCall::Answer::kTrainer, timeout);
+  }
+  void begin_best_planner_action(int agent, const protos::BestPlannerActionRequest& request,
+                                 RpcTimeout timeout) override {
+    begin(agent, "GetBestPlannerAction", request, GrpcCall::Answer::kPlanner, timeout);
+  }
+
+  std::optional<Reply> next_reply() override {
+    if (!never_asked_.empty()) {
+      Reply reply;
+      reply.agent = never_asked_.back();
+      reply.status = cancelled_status();
+      never_asked_.pop_back();
+      return reply;
+    }
+    if (outstanding_ == 0) return std::nullopt;
+    GrpcCall& call = wait(true);
+    --outstanding_;
+    return reply_of(call);
+  }
+
+  void cancel() override { cancelled_.store(true, std::memory_order_relaxed); }
+
+ private:
+  void make_stubs() {
+    for (std::size_t i = 1; i < stubs_.size(); ++i) {
+      stubs_[i] = std::make_unique<grpc::GenericStub>(channels_[i]);
+    }
+  }
+
+  GrpcCall& call_of(int agent) { return calls_.at(static_cast<std::size_t>(agent)); }
+  grpc::GenericStub& stub_of(int agent) { return *stubs_.at(static_cast<std::size_t>(agent)); }
+  int agent_of(const GrpcCall& call) const { return static_cast<int>(&call - calls_.data()); }
+  bool cancelled() const { return cancelled_.load(std::memory_order_relaxed); }
+
+  static RpcStatus cancelled_status() {
+    return {RpcOutcome::kCancelled, static_cast<int>(grpc::StatusCode::CANCELLED), "cancelled"};
+  }
+
+  // The next call that is done, finished. With `cancellable`, cancel() ends all that are in flight.
+  GrpcCall& wait(bool cancellable) {
+    void* tag = nullptr;
+    bool ok = false;
+    for (;;) {
+      if (cancellable && cancelled()) {
+        for (GrpcCall& call : calls_) call.cancel();
+      }
+      const auto until = gpr_time_add(gpr_now(GPR_CLOCK_MONOTONIC),
+                                      gpr_time_from_millis(kCancelCheckMs, GPR_TIMESPAN));
+      const auto result = queue_.AsyncNext(&tag, &ok, until);
+      assert(result != grpc::CompletionQueue::SHUTDOWN);
+      if (result == grpc::CompletionQueue::GOT_EVENT) break;
+    }
+    GrpcCall& call = *static_cast<GrpcCall*>(tag);
+    call.finish();
+    return call;
+  }
+
+  void start_alone(int agent, const char* method, const google::protobuf::MessageLite& request,
+                   GrpcCall::Answer answer, RpcTimeout timeout, bool wait_for_ready) {
+    assert(outstanding_ == 0 && "the hand-shake does not mix with decisions");
+    call_of(agent).start(stub_of(agent), queue_, method, request, answer, timeout, wait_for_ready);
+  }
+
+  RpcStatus ask(int agent, const char* method, const google::protobuf::MessageLite& request,
+                GrpcCall::Answer answer, RpcTimeout timeout, bool wait_for_ready = false) {
+    if (cancelled()) return cancelled_status();
+    start_alone(agent, method, request, answer, timeout, wait_for_ready);
+    return wait(true).status();
+  }
+
+  void begin(int agent, const char* method, const google::protobuf::MessageLite& request,
+             GrpcCall::Answer answer, RpcTimeout timeout) {
+    if (cancelled()) {
+      never_asked_.push_back(agent);
+      return;
+    }
+    call_of(agent).start(stub_of(agent), queue_, method, request, answer, timeout, false);
+    ++outstanding_;
+  }
+
+  Reply reply_of(const GrpcCall& call) const {
+    Reply reply;
+    reply.agent = agent_of(call);
+    reply.status = call.status();
+    reply.latency = call.latency();
+    if (call.message() == nullptr) return reply;
+    switch (call.answer()) {
+      case GrpcCall::Answer::kPlayer:
+        reply.player = static_cast<const protos::PlayerActions*>(call.message());
+        break;
+      case GrpcCall::Answer::kCoach:
+        reply.coach = static_cast<const protos::CoachActions*>(call.message());
+        break;
+      case GrpcCall::Answer::kTrainer:
+        reply.trainer = static_cast<const protos::TrainerActions*>(call.message());
+        break;
+      case GrpcCall::Answer::kPlanner:
+        reply.planner = static_cast<const protos::BestPlannerActionResponse*>(call.message());
+        break;
+      case GrpcCall::Answer::kEmpty:
+      case GrpcCall::Answer::kRegister:
+        break;
+    }
+    return reply;
+  }
+
+  // Register waits for the Playmaker to come up, so a missing one looks like a slow one. Asking
+  // once more without waiting tells them apart, and gives the reason.
+  RpcStatus explain_silence(int agent, const protos::RegisterRequest& request, RpcTimeout timeout) {
+    const auto i = static_cast<std::size_t>(agent);
+    const std::string limit = std::to_string(timeout.count()) + " ms";
+    if (channels_[i]->GetState(false) == GRPC_CHANNEL_READY) {
+      return {RpcOutcome::kDeadline, static_cast<int>(grpc::StatusCode::DEADLINE_EXCEEDED),
+              names_[i] + " did not answer Register within " + limit};
+    }
+    RpcStatus status = ask(agent, "Register", request, GrpcCall::Answer::kRegister, kProbeTimeout);
+    if (status.outcome != RpcOutcome::kUnavailable) return status;
+    status.message =
+        names_[i] + " could not be reached within " + limit + " (" + status.message + ")";
+    return status;
+  }
+
+  std::array<std::shared_ptr<grpc::Channel>, kAgentNumbers> channels_;
+  std::array<std::string, kAgentNumbers> names_;
+  std::array<std::unique_ptr<grpc::GenericStub>, kAgentNumbers> stubs_;
+  grpc::CompletionQueue queue_;
+  std::array<GrpcCall, kAgentNumbers> calls_;
+  int outstanding_ = 0;
+  std::vector<int> never_asked_;  // begun after cancel()
+  std::atomic<bool> cancelled_{false};
+};
+
+}  // namespace
+
+std::unique_ptr<Playmaker> make_grpc_playmaker(std::shared_ptr<grpc::Channel> channel,
+                                               std::string name) {
+  return std::make_unique<GrpcPlaymaker>(std::move(channel), std::move(name));
+}
+
+std::unique_ptr<Playmaker> make_grpc_playmaker(const GrpcTarget& target) {
+  return std::make_unique<GrpcPlaymaker>(target);
+}
+
+}  // namespace cls::proxy
