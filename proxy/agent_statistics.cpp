@@ -55,4 +55,17 @@ std::map<std::string, std::int64_t> AgentStatistics::commands_by_name() const {
   return by_name;
 }
 
+std::map<std::string, std::int64_t> AgentStatistics::unimplemented_by_name() const {
+  std::map<std::string, std::int64_t> by_name;
+  for (int kind = 0; kind < kActionKinds; ++kind) {
+    const std::int64_t n = actions.actions[static_cast<std::size_t>(kind)].unimplemented;
+    if (n != 0) by_name[std::string(action_name(kind))] += n;
+  }
+  for (int kind = 0; kind < kSayKinds; ++kind) {
+    const std::int64_t n = actions.say[static_cast<std::size_t>(kind)].unimplemented;
+    if (n != 0) by_name["say." + std::string(say_name(kind))] += n;
+  }
+  return by_name;
+}
+
 }  // namespace cls::proxy

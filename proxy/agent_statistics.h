@@ -10,6 +10,7 @@
 #include <variant>
 #include <vector>
 
+#include "proxy/action_report.h"
 #include "proxy/playmaker.h"
 #include "soccer/protocol/player_command.h"
 
@@ -43,13 +44,16 @@ struct AgentStatistics {
   int longest_missed_in_a_row = 0;
   RpcStatus last_failure;  ///< of the latest missed decision; ok when none was missed
   LatencySamples rpc_us;   ///< of the answered ones
-  std::array<std::int64_t, kCommandKinds> commands{};         ///< sent, by index of the variant
-  std::map<std::string, std::int64_t> unimplemented_actions;  ///< by field name of PlayerAction
+  std::array<std::int64_t, kCommandKinds> commands{};  ///< sent, by index of the variant
+  ActionReport actions;                                ///< what became of the Playmaker's wishes
 
   void count(const Reply& reply);
   void count(const soccer::PlayerCommand& command) { ++commands[command.index()]; }
   /// Commands by protocol word, without zeros.
   std::map<std::string, std::int64_t> commands_by_name() const;
+  /// Actions asked for that this proxy has not got, by their name on the wire, without zeros. Parts
+  /// of Say are named "say.MEMBER".
+  std::map<std::string, std::int64_t> unimplemented_by_name() const;
 };
 
 }  // namespace cls::proxy
