@@ -79,8 +79,8 @@ Reply coach_say(LooseScanner& in, CoachCommand& out) {
 
 Reply trainer_say(LooseScanner& in, CoachCommand& out) {
   std::string_view text = in.run(is_say_character, std::string_view::npos);
+  if (text.ends_with(')')) text.remove_suffix(1);
   if (text.empty()) return ErrorCode::kIllegalCommandForm;
-  if (text.back() == ')') text.remove_suffix(1);
   out = TrainerSay{std::string(text)};
   return std::nullopt;
 }

@@ -2,9 +2,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <iostream>
 #include <map>
+#include <set>
+#include <sstream>
 
 #include "soccer/protocol/coach_command.h"
 #include "soccer/protocol/connection_request.h"
@@ -168,6 +171,85 @@ std::vector<std::filesystem::path> files_in(const std::filesystem::path& folder)
   return files;
 }
 
+TEST(ProtocolTranscript, ExcerptsOfRecordedSessionsRoundTripByteForByte) {
+  const Counts counts = check_files(files_in(tests::fixture("protocol")));
+  print("messages of the excerpts that went through:", counts);
+  for (const auto& [kind, least] : std::map<std::string, int>{{"sense_body", 500},
+                                                              {"see", 300},
+                                                              {"hear", 400},
+                                                              {"fullstate", 100},
+                                                              {"see_global", 100},
+                                                              {"player_type", 300},
+                                                              {"server_param", 20},
+                                                              {"player_param", 20},
+                                                              {"reply ok", 90},
+                                                              {"player commands", 300},
+                                                              {"coach commands", 100}}) {
+    EXPECT_GE(counts.of(kind), least) << kind;
+  }
+}
+
+// Errors of one client: what the parsers say its datagrams deserve, and what the server sent.
+struct Errors {
+  std::map<std::string, int> expected;
+  std::map<std::string, int> received;
+  bool connecting = false;  ///< the last datagram was an init or reconnect, with errors of its own
+};
+
+// The errors that depend on the text alone.
+bool is_form_error(const std::string& name) {
+  static const std::set<std::string> names = {"illegal_command_form", "unknown_command",
+                                              "illegal_object_form", "could_not_parse_say",
+                                              "illegal_mode"};
+  return names.contains(name);
+}
+
+std::optional<ErrorCode> error_of(const RecordedMessage& recorded) {
+  if (recorded.role == Role::kPlayer) {
+    std::vector<PlayerCommand> commands;
+    const bool wrong = parse_player_commands(recorded.text, commands).has_value();
+    return wrong ? std::optional(ErrorCode::kIllegalCommandForm) : std::nullopt;
+  }
+  CoachCommand command;
+  return parse(recorded.text,
+               recorded.role == Role::kTrainer ? CoachRole::kTrainer : CoachRole::kOnlineCoach,
+               command);
+}
+
+void note_error(const RecordedMessage& recorded, Errors& errors) {
+  if (recorded.from_server) {
+    ServerReply reply;
+    if (errors.connecting || !recorded.text.starts_with("(error ")) return;
+    ASSERT_TRUE(parse(recorded.text, reply));
+    const std::string& text = std::get<ErrorReply>(reply).text;
+    if (is_form_error(text)) ++errors.received[text];
+    return;
+  }
+  errors.connecting = recorded.text.starts_with("(init") || recorded.text.starts_with("(reconnect");
+  // A trainer says bye to a server that has gone already.
+  if (errors.connecting || recorded.text == "(bye)") return;
+  const std::optional<ErrorCode> error = error_of(recorded);
+  if (error && is_form_error(std::string(name(*error)))) {
+    ++errors.expected[std::string(name(*error))];
+  }
+}
+
+TEST(ProtocolTranscript, ParsersFindFormErrorsWhereTheRealServerFoundThem) {
+  int total = 0;
+  for (const std::filesystem::path& file : files_in(tests::fixture("protocol"))) {
+    std::map<std::string, Errors> clients;
+    for (const RecordedMessage& recorded : tests::read_transcript(file)) {
+      if (recorded.role == Role::kMonitor || recorded.role == Role::kUnknown) continue;
+      note_error(recorded, clients[recorded.client]);
+    }
+    for (const auto& [client, errors] : clients) {
+      EXPECT_EQ(errors.expected, errors.received) << file << " " << client;
+      for (const auto& [name, count] : errors.received) total += count;
+    }
+  }
+  EXPECT_GE(total, 20);
+}
+
 TEST(ProtocolTranscript, AllRecordedMessagesOfTheRealServerRoundTripByteForByte) {
   const auto udp = tests::data("udp");
   const auto aligned = tests::data("aligned/udp");
@@ -191,6 +273,33 @@ TEST(ProtocolTranscript, AllRecordedMessagesOfTheRealServerRoundTripByteForByte)
                                                               {"coach commands", 2000}}) {
     EXPECT_GE(counts.of(kind), least) << kind;
   }
+}
+
+// "12,0<tab>Recv TEAM_7: (dash 100)(turn 5)": what players sent in a whole match.
+TEST(ProtocolTranscript, EveryCommandInTheTextLogsOfRealMatchesParses) {
+  int datagrams = 0;
+  std::vector<PlayerCommand> commands;
+  for (const char* log : {"logs/helios-vs-helios-full.rcl.gz", "logs/cyrus-vs-helios-full.rcl.gz",
+                          "noise-free/game.rcl.gz", "aligned/game.rcl.gz"}) {
+    const auto path = tests::data(log);
+    if (!path) GTEST_SKIP() << "no data: set CLS_DATA";
+    std::istringstream lines(tests::read_file(*path));
+    for (std::string line; std::getline(lines, line);) {
+      const std::size_t start = line.find(": (");
+      const bool player = start != std::string::npos && line.find("\tRecv ") < start &&
+                          std::isdigit(static_cast<unsigned char>(line[start - 1])) != 0;
+      if (!player || line.compare(start + 2, 6, "(init ") == 0) continue;
+      const std::string_view datagram = std::string_view(line).substr(start + 2);
+      commands.clear();
+      const std::optional<std::size_t> error = parse_player_commands(datagram, commands);
+      ASSERT_FALSE(error) << log << " byte " << *error << ": " << datagram;
+      std::string text;
+      for (const PlayerCommand& command : commands) ASSERT_TRUE(format(command, text));
+      ++datagrams;
+    }
+  }
+  std::cout << datagrams << " datagrams of players went through\n";
+  EXPECT_GT(datagrams, 300000);
 }
 
 }  // namespace

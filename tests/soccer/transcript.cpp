@@ -15,8 +15,14 @@ namespace {
 struct Client {
   Role role = Role::kUnknown;
   int version = 0;
+  std::string name;
   std::string team;
 };
+
+void become(Client& client, Role role, int version) {
+  client.role = role;
+  client.version = version;
+}
 
 int version_in(const std::string& request, int missing) {
   const std::size_t at = request.find("version ");
@@ -64,6 +70,7 @@ class Reader {
     std::smatch parts;
     if (!std::regex_match(line, parts, scripted)) return;
     Client& client = clients_[parts[1]];
+    client.name = parts[1];
     if (parts[2] == ">>") {
       const std::string literal = parts[3];
       if (literal.size() >= 2) add(false, client, unescaped(literal.substr(1, literal.size() - 2)));
@@ -89,12 +96,13 @@ class Reader {
   // the first time, a slot that was never taken version 3.
   void note_request(const std::string& text, Client& client) const {
     if (text.starts_with("(dispinit")) {
-      client = {Role::kMonitor, version_in(text, 1) >= 3 ? 999 : 1, ""};
+      become(client, Role::kMonitor, version_in(text, 1) >= 3 ? 999 : 1);
     } else if (text.starts_with("(init ")) {
-      client = {Role::kUnknown, version_in(text, 3), text.substr(6, text.find(' ', 6) - 6)};
+      become(client, Role::kUnknown, version_in(text, 3));
+      client.team = text.substr(6, text.find(' ', 6) - 6);
     } else if (text.starts_with("(reconnect ")) {
       const auto known = versions_.find(text.substr(11, text.find(')') - 11));
-      client = {Role::kPlayer, known == versions_.end() ? 3 : known->second, ""};
+      become(client, Role::kPlayer, known == versions_.end() ? 3 : known->second);
     }
   }
 
@@ -118,8 +126,8 @@ class Reader {
     } else {
       note_request(text, client);
     }
-    messages.push_back(
-        {from_server, client.role, client.version, text, name_ + ":" + std::to_string(number_)});
+    messages.push_back({from_server, client.role, client.version, client.name, text,
+                        name_ + ":" + std::to_string(number_)});
   }
 
   std::string name_;

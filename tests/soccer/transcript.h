@@ -14,6 +14,7 @@ struct RecordedMessage {
   bool from_server = false;
   Role role = Role::kUnknown;  ///< of the client
   int version = 0;             ///< of the client; 999 for monitors of version 3 and later
+  std::string client;          ///< name in a log of several clients
   std::string text;
   std::string place;  ///< file and line, for failure messages
 };
