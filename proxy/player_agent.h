@@ -1,0 +1,115 @@
+// One player: server messages in, beliefs, a Playmaker's decision, commands out.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "proto/playmaker.pb.h"
+#include "proxy/action_memory.h"
+#include "proxy/agent_statistics.h"
+#include "proxy/command_slots.h"
+#include "proxy/perception.h"
+#include "proxy/world_model.h"
+#include "soccer/channel.h"
+#include "soccer/protocol/hear.h"
+#include "soccer/protocol/player_command.h"
+#include "soccer/protocol/protocol_version.h"
+#include "soccer/protocol/see.h"
+#include "soccer/protocol/sense_body.h"
+#include "soccer/protocol/server_reply.h"
+#include "soccer/protocol/team_name.h"
+
+namespace cls::proxy {
+
+/// What a player does in a cycle for which its Playmaker gave no usable answer.
+enum class OnLate : std::uint8_t {
+  kHold,     ///< stands and looks at the ball
+  kLast,     ///< does once more what the last answer said
+  kDefault,  ///< plays by itself: see fallback.h
+};
+
+struct AgentOptions {
+  soccer::TeamName team_name;
+  bool goalie = false;
+  int protocol = soccer::kDefaultProtocolVersion;  ///< version of the text protocol, 14 to 19
+  OnLate on_late = OnLate::kHold;
+};
+
+/// The messages of the server that this agent could not use; none in a healthy match.
+struct ServerTrouble {
+  std::int64_t unreadable = 0;   ///< messages that do not parse
+  std::int64_t errors = 0;       ///< (error ...) replies
+  std::string first_unreadable;  ///< why, and the beginning of the message
+  std::string first_error;
+};
+
+/// Meets the server through its channel only. Order: connect(); perceive() until ready(); then per
+/// cycle perceive() and, when a decision is due, state() and one of the act functions. It decides
+/// once per (think), as a server in synchronous mode or in lockstep asks.
+class PlayerAgent {
+ public:
+  PlayerAgent(std::unique_ptr<soccer::Channel> channel, AgentOptions options);
+
+  /// Asks the server to take part. False when the connection is gone.
+  bool connect();
+  /// Takes in all messages that wait.
+  void perceive();
+  /// True when number, parameters and all player types are known.
+  bool ready() const;
+  /// The server's reason not to let the agent in; empty when it did or has not answered yet.
+  const std::string& refusal() const { return refusal_; }
+
+  bool decision_due() const { return decision_due_; }
+  /// The State for the decision that is due; completes the world model. Once per decision. Lives
+  /// until the next call.
+  const protos::State& state();
+  /// Carries out the answer, sends the commands and (done).
+  void act(const protos::PlayerActions& actions);
+  /// The same without an answer, as the options say.
+  void act_without_reply();
+  /// Takes leave of the server.
+  void leave();
+
+  /// What the Playmaker gave this agent as its identity; part of every State.
+  const protos::RegisterResponse& identity() const { return state_.register_response(); }
+  void set_identity(const protos::RegisterResponse& identity);
+
+  int unum() const { return world_.unum; }
+  const WorldModel& world() const { return world_; }
+  const AgentOptions& options() const { return options_; }
+  AgentStatistics& statistics() { return statistics_; }
+  const AgentStatistics& statistics() const { return statistics_; }
+  const ServerTrouble& server_trouble() const { return trouble_; }
+
+ private:
+  void take_in(const std::string& message);
+  void take_in_reply(const std::string& message);
+  void take_in_parameters(const std::string& message);
+  void note_unreadable(const soccer::Error& error, const std::string& message);
+  void send(const CommandSlots& slots);
+
+  std::unique_ptr<soccer::Channel> channel_;
+  AgentOptions options_;
+  WorldModel world_;
+  ActionMemory memory_;
+  AgentStatistics statistics_;
+  ServerTrouble trouble_;
+  std::string refusal_;
+  bool admitted_ = false;
+  int types_known_ = 0;
+  bool decision_due_ = false;
+  protos::State state_;
+  protos::PlayerActions last_actions_;  // kLast, kDefault
+
+  // Reused, so that a steady match does not allocate.
+  std::string message_;
+  soccer::SenseBody sense_;
+  soccer::See see_;
+  soccer::Hear hear_;
+  std::vector<soccer::PlayerCommand> commands_;
+  std::string datagram_;
+};
+
+}  // namespace cls::proxy

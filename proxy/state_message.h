@@ -1,0 +1,20 @@
+// What a Playmaker is told before every decision: an agent's beliefs as a State.
+#pragma once
+
+#include <array>
+
+#include "proto/playmaker.pb.h"
+#include "proxy/world_model.h"
+
+namespace cls::proxy {
+
+using HomePositions = std::array<soccer::Vec2, soccer::kPlayersPerTeam>;
+
+/// Writes a completed world into `out`, which may be the State of the cycle before: memory is used
+/// again, register_response stays as it is. Every field that needs no planner is set as
+/// playmaker-wire and proxy-behaviour 3 define it, except that what was never observed is (0, 0)
+/// with the age 1000, never infinite. full_world_model stays unset.
+void fill_state(const WorldModel& world, const HomePositions& home, bool need_preprocess,
+                protos::State& out);
+
+}  // namespace cls::proxy

@@ -1,0 +1,260 @@
+// Cycles of a team.
+#include "proxy/team.h"
+
+#include <algorithm>
+#include <cassert>
+#include <utility>
+
+#include "proxy/parameter_messages.h"
+
+namespace cls::proxy {
+namespace {
+
+constexpr RpcTimeout kByeTimeout{1000};
+
+/// Adds the time since the last lap to a sum.
+class StopWatch {
+ public:
+  void lap(std::chrono::nanoseconds& sum) {
+    const auto now = std::chrono::steady_clock::now();
+    sum += now - last_;
+    last_ = now;
+  }
+
+ private:
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+// Calls that inform a Playmaker may fail without harm, as long as it is there and speaks at all.
+bool harmless(const RpcStatus& status) {
+  return status.outcome == RpcOutcome::kUnimplemented || status.outcome == RpcOutcome::kError;
+}
+
+protos::RegisterRequest register_request(const PlayerAgent& agent) {
+  protos::RegisterRequest request;
+  request.set_agent_type(protos::PlayerT);
+  request.set_team_name(std::string(agent.options().team_name.view()));
+  request.set_uniform_number(agent.unum());
+  return request;
+}
+
+// For Playmakers of the first interface, which do not hand out identities.
+protos::RegisterResponse own_identity(const protos::RegisterRequest& request) {
+  protos::RegisterResponse identity;
+  identity.set_agent_type(request.agent_type());
+  identity.set_team_name(request.team_name());
+  identity.set_uniform_number(request.uniform_number());
+  return identity;
+}
+
+}  // namespace
+
+Team::Team(TeamOptions options, Playmaker& playmaker)
+    : options_(options), name_(options.name.view()), playmaker_(&playmaker) {}
+
+soccer::Result<void> Team::connect(const OpenChannel& open, const Serve& serve) {
+  for (int i = 0; i < options_.players; ++i) {
+    if (const soccer::Result<void> done = connect_one(open, serve, i == 0); !done) return done;
+  }
+  return {};
+}
+
+soccer::Result<void> Team::connect_one(const OpenChannel& open, const Serve& serve, bool goalie) {
+  const std::string who = name_ + ", player " + std::to_string(players_.size() + 1) + ": ";
+  std::unique_ptr<soccer::Channel> channel = open();
+  if (channel == nullptr) return soccer::Error{who + "no connection to the soccer server"};
+  AgentOptions options;
+  options.team_name = options_.name;
+  options.goalie = goalie;
+  options.protocol = options_.protocol;
+  options.on_late = options_.on_late;
+  auto agent = std::make_unique<PlayerAgent>(std::move(channel), options);
+  if (!agent->connect()) return soccer::Error{who + "the soccer server closed the connection"};
+  while (!agent->ready()) {
+    const bool go_on = serve();
+    agent->perceive();
+    if (!agent->refusal().empty()) {
+      return soccer::Error{who + "the soccer server refused it (" + agent->refusal() + ")"};
+    }
+    if (!go_on && !agent->ready()) {
+      return soccer::Error{who + "the soccer server did not answer"};
+    }
+  }
+  players_.push_back(std::move(agent));
+  return {};
+}
+
+RpcStatus Team::introduce() {
+  for (const auto& agent : players_) {
+    RpcStatus status = introduce_one(*agent);
+    if (!status.ok()) {
+      status.message = "player " + std::to_string(agent->unum()) + ": " + status.message;
+      return status;
+    }
+  }
+  return {};
+}
+
+RpcStatus Team::introduce_one(PlayerAgent& agent) {
+  const protos::RegisterRequest request = register_request(agent);
+  protos::RegisterResponse identity;
+  const RpcStatus status =
+      playmaker_->register_agent(agent.unum(), request, options_.start_timeout, identity);
+  if (status.outcome == RpcOutcome::kUnimplemented) {
+    identity = own_identity(request);
+    warn_once("the Playmaker has no Register: taken for one of the first interface");
+  } else if (!status.ok()) {
+    return status;
+  }
+  agent.set_identity(identity);
+  return send_parameters(agent);
+}
+
+RpcStatus Team::send_parameters(PlayerAgent& agent) {
+  const int unum = agent.unum();
+  const MatchParameters& parameters = *agent.world().parameters;
+  const auto introduced = [&](auto message) {
+    *message.mutable_register_response() = agent.identity();
+    return message;
+  };
+  const auto tolerated = [&](RpcStatus& status) {
+    if (harmless(status)) {
+      warn_once(status.message);
+      status = {};
+    }
+    return status.ok();
+  };
+  protos::ServerParam server;
+  protos::PlayerParam player;
+  fill(parameters.server, server);
+  fill(parameters.player, player);
+  RpcStatus status =
+      playmaker_->send_server_params(unum, introduced(server), options_.start_timeout);
+  if (!tolerated(status)) return status;
+  status = playmaker_->send_player_params(unum, introduced(player), options_.start_timeout);
+  if (!tolerated(status)) return status;
+  for (const soccer::PlayerType& each : parameters.types) {
+    protos::PlayerType type;
+    fill(each, parameters.server, type);
+    status = playmaker_->send_player_type(unum, introduced(type), options_.start_timeout);
+    if (!tolerated(status)) return status;
+  }
+  status = playmaker_->send_init_message(unum, introduced(protos::InitMessage()),
+                                         options_.start_timeout);
+  tolerated(status);
+  return status;
+}
+
+PlayerAgent& Team::agent(int unum) {
+  const auto found = std::find_if(players_.begin(), players_.end(),
+                                  [unum](const auto& agent) { return agent->unum() == unum; });
+  assert(found != players_.end());
+  return **found;
+}
+
+int Team::begin_cycle() {
+  int asked = 0;
+  StopWatch watch;
+  for (const auto& agent : players_) {
+    agent->perceive();
+    watch.lap(times_.perceive);
+    if (!agent->decision_due()) continue;
+    const protos::State& state = agent->state();
+    watch.lap(times_.state);
+    playmaker_->begin_player_actions(agent->unum(), state, options_.decision_timeout);
+    watch.lap(times_.begin);
+    ++asked;
+  }
+  return asked;
+}
+
+void Team::finish_cycle() {
+  StopWatch watch;
+  while (const std::optional<Reply> reply = playmaker_->next_reply()) {
+    watch.lap(times_.wait);
+    carry_out(*reply);
+    watch.lap(times_.act);
+  }
+}
+
+int Team::run_cycle() {
+  const int asked = begin_cycle();
+  finish_cycle();
+  return asked;
+}
+
+void Team::carry_out(const Reply& reply) {
+  PlayerAgent& asker = agent(reply.agent);
+  asker.statistics().count(reply);
+  if (reply.player == nullptr) {
+    asker.act_without_reply();
+  } else {
+    asker.act(*reply.player);
+    warn_of_unimplemented(asker);
+  }
+  warn_of_server(asker);
+}
+
+void Team::leave() {
+  bool reacts = true;
+  for (const auto& agent : players_) {
+    if (reacts && agent->identity().uniform_number() != 0) {
+      const RpcStatus status = playmaker_->send_bye(agent->unum(), agent->identity(), kByeTimeout);
+      reacts = status.ok() || harmless(status);
+    }
+    agent->leave();
+  }
+}
+
+soccer::Side Team::side() const {
+  return players_.empty() ? soccer::Side::kNeutral : players_.front()->world().our_side;
+}
+
+MissingAnswers Team::missing_answers() const {
+  MissingAnswers worst;
+  for (const auto& agent : players_) {
+    const AgentStatistics& statistics = agent->statistics();
+    if (statistics.missed_in_a_row <= worst.in_a_row) continue;
+    worst = {agent->unum(), statistics.missed_in_a_row, statistics.last_failure};
+  }
+  return worst;
+}
+
+void Team::warn_once(const std::string& line) {
+  if (std::find(warnings_.begin(), warnings_.end(), line) == warnings_.end()) {
+    warnings_.push_back(line);
+  }
+}
+
+void Team::warn_of_unimplemented(const PlayerAgent& agent) {
+  const ActionReport& report = agent.statistics().actions;
+  const auto warn = [&](const auto& counts, auto& told, const char* verb, auto name_of) {
+    for (std::size_t kind = 0; kind < told.size(); ++kind) {
+      if (counts[kind].unimplemented == 0 || std::exchange(told[kind], true)) continue;
+      warn_once(std::string("the Playmaker ") + verb + " " +
+                std::string(name_of(static_cast<int>(kind))) +
+                ", which this proxy does not have: skipped");
+    }
+  };
+  warn(report.actions, told_actions_, "asks for", action_name);
+  warn(report.say, told_say_, "says", say_name);
+}
+
+void Team::warn_of_server(const PlayerAgent& agent) {
+  const ServerTrouble& trouble = agent.server_trouble();
+  if (trouble.unreadable != 0) {
+    warn_once("a message of the soccer server is not understood: " + trouble.first_unreadable);
+  }
+  if (trouble.errors != 0) {
+    warn_once("the soccer server complains: " + trouble.first_error);
+  }
+}
+
+std::vector<std::string> Team::take_warnings() {
+  const auto first = warnings_.begin() + static_cast<std::ptrdiff_t>(warnings_taken_);
+  std::vector<std::string> fresh(first, warnings_.end());
+  warnings_taken_ = warnings_.size();
+  return fresh;
+}
+
+}  // namespace cls::proxy

@@ -1,0 +1,106 @@
+// A whole team of players in one process, asking one Playmaker.
+#pragma once
+
+#include <array>
+#include <chrono>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "proxy/player_agent.h"
+#include "proxy/playmaker.h"
+#include "soccer/channel.h"
+#include "soccer/result.h"
+#include "soccer/side.h"
+
+namespace cls::proxy {
+
+struct TeamOptions {
+  soccer::TeamName name;
+  int players = soccer::kPlayersPerTeam;  ///< the first one is the goalie
+  int protocol = soccer::kDefaultProtocolVersion;
+  OnLate on_late = OnLate::kHold;
+  RpcTimeout decision_timeout{10'000};  ///< kNoTimeout: wait for ever
+  RpcTimeout start_timeout{20'000};     ///< for the Playmaker to come up and answer Register
+};
+
+/// Where a team's time went, summed over all cycles.
+struct TeamTimes {
+  std::chrono::nanoseconds perceive{0};  ///< parsing and world model
+  std::chrono::nanoseconds state{0};     ///< completing the world and filling the State
+  std::chrono::nanoseconds begin{0};     ///< serialising and handing over to gRPC
+  std::chrono::nanoseconds wait{0};      ///< for answers, and parsing them
+  std::chrono::nanoseconds act{0};       ///< skills and commands
+};
+
+/// The player that has now gone longest without a usable answer.
+struct MissingAnswers {
+  int unum = 0;  ///< 0: nobody lacks one
+  int in_a_row = 0;
+  RpcStatus last;  ///< why the latest one is missing
+};
+
+/// One thread uses a team (Playmaker::cancel() apart). What players do does not depend on the order
+/// in which answers come.
+class Team {
+ public:
+  /// `playmaker` must outlive the team.
+  Team(TeamOptions options, Playmaker& playmaker);
+
+  /// Opens a new connection to the server.
+  using OpenChannel = std::function<std::unique_ptr<soccer::Channel>()>;
+  /// Lets the server handle what it was sent (or waits for it); false to give up.
+  using Serve = std::function<bool()>;
+
+  /// Connects the players one after the other, goalie first, each until it has its number, the
+  /// parameters and all player types.
+  soccer::Result<void> connect(const OpenChannel& open, const Serve& serve);
+
+  /// Introduces the players to the Playmaker one after the other: Register, parameters, player
+  /// types, init message. A Playmaker without Register (of the first interface) is served all the
+  /// same. Not ok when it cannot be reached or does not speak the interface; the message names the
+  /// player and the call.
+  RpcStatus introduce();
+
+  /// One cycle. Takes in what the server sent and asks the Playmaker for everybody whose decision
+  /// is due; returns how many.
+  int begin_cycle();
+  /// Waits for the answers, carries each out as it comes, sends commands and (done).
+  void finish_cycle();
+  int run_cycle();
+
+  /// Says goodbye to Playmaker and server. A Playmaker that does not react is waited for once, for
+  /// a second.
+  void leave();
+
+  const std::string& name() const { return name_; }
+  soccer::Side side() const;
+  const std::vector<std::unique_ptr<PlayerAgent>>& players() const { return players_; }
+  const TeamTimes& times() const { return times_; }
+  MissingAnswers missing_answers() const;
+  /// Lines worth a user's notice that came up since the last call, each cause once per team.
+  std::vector<std::string> take_warnings();
+
+ private:
+  soccer::Result<void> connect_one(const OpenChannel& open, const Serve& serve, bool goalie);
+  RpcStatus introduce_one(PlayerAgent& agent);
+  RpcStatus send_parameters(PlayerAgent& agent);
+  PlayerAgent& agent(int unum);
+  void carry_out(const Reply& reply);
+  void warn_once(const std::string& line);
+  void warn_of_unimplemented(const PlayerAgent& agent);
+  void warn_of_server(const PlayerAgent& agent);
+
+  TeamOptions options_;
+  std::string name_;
+  Playmaker* playmaker_;
+  std::vector<std::unique_ptr<PlayerAgent>> players_;
+  TeamTimes times_;
+  std::array<bool, kActionKinds> told_actions_{};
+  std::array<bool, kSayKinds> told_say_{};
+  std::vector<std::string> warnings_;
+  std::size_t warnings_taken_ = 0;
+};
+
+}  // namespace cls::proxy
