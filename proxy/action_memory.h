@@ -10,6 +10,7 @@ namespace cls::proxy {
 struct ActionMemory {
   SightMemory sight;
   Intention intention;
+  bool recovering = false;  ///< saves stamina until it is back (normal_dash_power)
 };
 
 }  // namespace cls::proxy

@@ -31,7 +31,6 @@ struct ActionReport {
   std::int64_t sure_shot = 0;
   std::int64_t intention = 0;
   std::int64_t force_kick = 0;
-  std::int64_t heard_pass = 0;
 };
 
 void add(ActionReport& into, const ActionReport& from);

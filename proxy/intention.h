@@ -9,14 +9,12 @@ namespace cls::proxy {
 /// At most one at a time; it takes over the following decisions until it is done or no longer makes
 /// sense, unless the Playmaker forbids it (proxy behaviour 2.5).
 struct Intention {
-  enum class Kind : unsigned char { kNone, kDribble, kReceivePass };
+  enum class Kind : unsigned char { kNone, kDribble };
 
   Kind kind = Kind::kNone;
   soccer::Vec2 target;
   double dash_power = 0.0;
-  int turns = 0;   ///< turns still to do
   int dashes = 0;  ///< dashes still to do
-  int steps = 0;   ///< decisions it may still take
   GameTime last;   ///< when it was made or last carried on
 
   bool active() const { return kind != Kind::kNone; }

@@ -1,0 +1,236 @@
+// From wire messages to skills, one line or two for each kind of action.
+#include "proxy/action_handlers.h"
+
+#include <array>
+#include <optional>
+
+#include "proxy/skills/basic_move.h"
+#include "proxy/skills/clear_ball.h"
+#include "proxy/skills/dribble.h"
+#include "proxy/skills/hold_ball.h"
+#include "proxy/skills/intercept.h"
+#include "proxy/skills/kick.h"
+#include "proxy/skills/looking.h"
+#include "proxy/skills/movement.h"
+#include "proxy/skills/neck.h"
+#include "proxy/skills/shoot.h"
+#include "proxy/skills/smart_kick.h"
+#include "proxy/skills/tackle.h"
+#include "proxy/skills/view.h"
+
+namespace cls::proxy {
+namespace {
+
+using soccer::AngleDeg;
+using soccer::Vec2;
+using soccer::ViewWidth;
+
+using Action = protos::PlayerAction;
+using Context = ActionContext;
+
+Vec2 vec(const protos::RpcVector2D& v) { return {v.x(), v.y()}; }
+
+soccer::Side side(protos::Side side) {
+  return side == protos::RIGHT ? soccer::Side::kRight : soccer::Side::kLeft;
+}
+
+/// The player a neck action names; null when it is not tracked.
+const PlayerState* player(const WorldModel& world, protos::Side team, int unum) {
+  return side(team) == world.our_side ? world.teammate(unum) : world.opponent(unum);
+}
+
+bool change_width(Context& c, protos::ViewWidth width) {
+  switch (width) {
+    case protos::NARROW:
+      return c.slots.change_view(ViewWidth::kNarrow);
+    case protos::NORMAL:
+      return c.slots.change_view(ViewWidth::kNormal);
+    case protos::WIDE:
+      return c.slots.change_view(ViewWidth::kWide);
+    default:
+      return false;
+  }
+}
+
+/// The payloads are encoded with the team's communication; only the one without content is here.
+bool say(const protos::Say& say, Context& c) {
+  const auto kind = static_cast<std::size_t>(say.message_case());
+  ActionCounts& counts = c.report.say[kind < c.report.say.size() ? kind : 0];
+  if (say.message_case() != protos::Say::kWaitRequestMessage) {
+    ++counts.unimplemented;
+    return false;
+  }
+  const bool fits = c.slots.say("w");
+  ++(fits ? counts.done : counts.failed);
+  return fits;
+}
+
+bool basic_tackle_and_look(const protos::HeliosBasicTackle& action, Context& c) {
+  if (!basic_tackle(c.world, c.slots, action.min_prob())) return false;
+  c.neck.kind = NeckPlan::Kind::kBall;
+  return true;
+}
+
+bool shoot_and_look(Context& c) {
+  Vec2 aim;
+  if (!shoot(c.world, c.slots, &aim)) return false;
+  c.neck = {NeckPlan::Kind::kPoint, aim};
+  return true;
+}
+
+bool kick_and_scan(bool kicked, Context& c) {
+  if (kicked) c.neck.kind = NeckPlan::Kind::kScan;
+  return kicked;
+}
+
+bool dribble(const protos::Body_Dribble& action, Context& c) {
+  return dribble(
+      c.world, c.memory.intention, c.slots, vec(action.target_point()),
+      {action.distance_threshold(), action.dash_power(), action.dash_count(), action.dodge()});
+}
+
+bool hold(const protos::Body_HoldBall& action, Context& c) {
+  return hold_ball(c.world, c.slots, action.do_turn(), vec(action.turn_target_point()));
+}
+
+constexpr ActionClass kMain = ActionClass::kMain;
+constexpr ActionClass kSide = ActionClass::kSide;
+
+// clang-format off
+// Inside an expression, m is the member's message and c the context.
+#define CLS_ACTION(kind, member, name, expression)                   \
+  ActionEntry{Action::member, kind,                                  \
+              [](const Action& action, Context& c) -> bool {         \
+                [[maybe_unused]] const auto& m = action.name();      \
+                return expression;                                   \
+              }}
+#define CLS_MAIN(...) CLS_ACTION(kMain, __VA_ARGS__)
+#define CLS_SIDE(...) CLS_ACTION(kSide, __VA_ARGS__)
+
+/// In the order of the wire; null: not implemented.
+constexpr std::array kEntries{
+    ActionEntry{Action::ACTION_NOT_SET, kSide, nullptr},
+    CLS_MAIN(kDash, dash, c.slots.dash(m.power(), m.relative_direction())),
+    CLS_MAIN(kTurn, turn, c.slots.turn(m.relative_direction())),
+    CLS_MAIN(kKick, kick, c.slots.kick(m.power(), m.relative_direction())),
+    CLS_MAIN(kTackle, tackle, c.slots.tackle(m.power_or_dir(), m.foul())),
+    CLS_MAIN(kCatch, catch_, c.slots.catch_ball()),
+    CLS_MAIN(kMove, move, c.slots.move({m.x(), m.y()})),
+    CLS_SIDE(kTurnNeck, turn_neck, c.slots.turn_neck(m.moment())),
+    CLS_SIDE(kChangeView, change_view, change_width(c, m.view_width())),
+    CLS_SIDE(kSay, say, say(m, c)),
+    CLS_SIDE(kPointTo, point_to, c.slots.point_to({m.x(), m.y()})),
+    CLS_SIDE(kPointToOf, point_to_of, c.slots.point_to_off()),
+    CLS_SIDE(kAttentionTo, attention_to, c.slots.attention_to(side(m.side()), m.unum())),
+    CLS_SIDE(kAttentionToOf, attention_to_of, c.slots.attention_to_off()),
+    ActionEntry{Action::kLog, kSide, nullptr},
+    ActionEntry{Action::kDebugClient, kSide, nullptr},
+    CLS_MAIN(kBodyGoToPoint, body_go_to_point,
+             go_to_point(c.world, c.slots, vec(m.target_point()), m.distance_threshold(),
+                 m.max_dash_power())),
+    CLS_MAIN(kBodySmartKick, body_smart_kick,
+             smart_kick(c.world, c.slots, vec(m.target_point()), m.first_speed(),
+                 m.first_speed_threshold(), m.max_steps())),
+    CLS_MAIN(kBhvBeforeKickOff, bhv_before_kick_off,
+             before_kick_off(c.world, c.memory.sight, c.slots, vec(m.point()))),
+    CLS_MAIN(kBhvBodyNeckToBall, bhv_body_neck_to_ball,
+             body_neck_to_ball(c.world, c.memory.sight, c.slots)),
+    CLS_MAIN(kBhvBodyNeckToPoint, bhv_body_neck_to_point,
+             body_neck_to_point(c.world, c.memory.sight, c.slots, vec(m.point()))),
+    CLS_SIDE(kBhvEmergency, bhv_emergency, emergency(c.world, c.memory.sight, c.slots)),
+    CLS_MAIN(kBhvGoToPointLookBall, bhv_go_to_point_look_ball,
+             go_to_point_look_ball(c.world, c.memory.sight, c.slots, c.neck,
+                 vec(m.target_point()), m.distance_threshold(), m.max_dash_power())),
+    CLS_MAIN(kBhvNeckBodyToBall, bhv_neck_body_to_ball,
+             neck_body_to_ball(c.world, c.memory.sight, c.slots, m.angle_buf())),
+    CLS_MAIN(kBhvNeckBodyToPoint, bhv_neck_body_to_point,
+             neck_body_to_point(c.world, c.memory.sight, c.slots, vec(m.point()), m.angle_buf())),
+    CLS_MAIN(kBhvScanField, bhv_scan_field, scan_field(c.world, c.memory.sight, c.slots)),
+    CLS_MAIN(kBodyAdvanceBall, body_advance_ball, advance_ball(c.world, c.slots)),
+    CLS_MAIN(kBodyClearBall, body_clear_ball, clear_ball(c.world, c.slots)),
+    CLS_MAIN(kBodyDribble, body_dribble, dribble(m, c)),
+    CLS_MAIN(kBodyGoToPointDodge, body_go_to_point_dodge,
+             go_to_point_dodge(c.world, c.slots, vec(m.target_point()), m.dash_power())),
+    CLS_MAIN(kBodyHoldBall, body_hold_ball, hold(m, c)),
+    CLS_MAIN(kBodyIntercept, body_intercept,
+             intercept(c.world, c.slots, m.save_recovery(), vec(m.face_point()))),
+    CLS_MAIN(kBodyKickOneStep, body_kick_one_step,
+             kick_one_step(c.world, c.slots, vec(m.target_point()), m.first_speed(),
+                 m.force_mode())),
+    CLS_MAIN(kBodyStopBall, body_stop_ball, stop_ball(c.world, c.slots)),
+    CLS_MAIN(kBodyStopDash, body_stop_dash, stop_dash(c.world, c.slots, m.save_recovery())),
+    CLS_MAIN(kBodyTackleToPoint, body_tackle_to_point,
+             tackle_to_point(c.world, c.slots, vec(m.target_point()), m.min_probability(),
+                 m.min_speed())),
+    CLS_MAIN(kBodyTurnToAngle, body_turn_to_angle,
+             turn_to_angle(c.world, c.slots, AngleDeg(m.angle()))),
+    CLS_MAIN(kBodyTurnToBall, body_turn_to_ball, turn_to_ball(c.world, c.slots, m.cycle())),
+    CLS_MAIN(kBodyTurnToPoint, body_turn_to_point,
+             turn_to_point(c.world, c.slots, vec(m.target_point()), m.cycle())),
+    CLS_SIDE(kFocusMoveToPoint, focus_move_to_point,
+             focus_to_point(c.world, c.slots, vec(m.target_point()))),
+    CLS_SIDE(kFocusReset, focus_reset, focus_reset(c.world, c.slots)),
+    CLS_SIDE(kNeckScanField, neck_scan_field, neck_scan_field(c.world, c.memory.sight, c.slots)),
+    CLS_SIDE(kNeckScanPlayers, neck_scan_players,
+             neck_scan_players(c.world, c.memory.sight, c.slots)),
+    CLS_SIDE(kNeckTurnToBallAndPlayer, neck_turn_to_ball_and_player,
+             neck_turn_to_ball_and_player(c.world, c.memory.sight, c.slots,
+                 player(c.world, m.side(), m.uniform_number()), m.count_threshold())),
+    CLS_SIDE(kNeckTurnToBallOrScan, neck_turn_to_ball_or_scan,
+             neck_turn_to_ball_or_scan(c.world, c.memory.sight, c.slots, m.count_threshold())),
+    CLS_SIDE(kNeckTurnToBall, neck_turn_to_ball,
+             neck_turn_to_ball(c.world, c.memory.sight, c.slots)),
+    CLS_SIDE(kNeckTurnToGoalieOrScan, neck_turn_to_goalie_or_scan,
+             neck_turn_to_goalie_or_scan(c.world, c.memory.sight, c.slots, m.count_threshold())),
+    CLS_SIDE(kNeckTurnToLowConfTeammate, neck_turn_to_low_conf_teammate,
+             neck_turn_to_low_conf_teammate(c.world, c.memory.sight, c.slots)),
+    CLS_SIDE(kNeckTurnToPlayerOrScan, neck_turn_to_player_or_scan,
+             neck_turn_to_player_or_scan(c.world, c.memory.sight, c.slots,
+                 player(c.world, m.side(), m.uniform_number()), m.count_threshold())),
+    CLS_SIDE(kNeckTurnToPoint, neck_turn_to_point,
+             neck_turn_to_point(c.world, c.memory.sight, c.slots, vec(m.target_point()))),
+    CLS_SIDE(kNeckTurnToRelative, neck_turn_to_relative,
+             neck_turn_to_relative(c.world, c.slots, m.angle())),
+    CLS_SIDE(kViewChangeWidth, view_change_width, change_width(c, m.view_width())),
+    CLS_SIDE(kViewNormal, view_normal, c.slots.change_view(ViewWidth::kNormal)),
+    CLS_SIDE(kViewSynch, view_synch, view_synch(c.slots)),
+    CLS_SIDE(kViewWide, view_wide, c.slots.change_view(ViewWidth::kWide)),
+    ActionEntry{Action::kHeliosGoalie, kMain, nullptr},
+    ActionEntry{Action::kHeliosGoalieMove, kMain, nullptr},
+    CLS_MAIN(kHeliosGoalieKick, helios_goalie_kick, kick_and_scan(clear_ball(c.world, c.slots), c)),
+    CLS_MAIN(kHeliosShoot, helios_shoot, shoot_and_look(c)),
+    ActionEntry{Action::kHeliosOffensivePlanner, kMain, nullptr},
+    ActionEntry{Action::kHeliosBasicOffensive, kMain, nullptr},
+    CLS_MAIN(kHeliosBasicMove, helios_basic_move,
+             basic_move(c.world, c.slots, c.neck, c.memory.recovering)),
+    ActionEntry{Action::kHeliosSetPlay, kMain, nullptr},
+    ActionEntry{Action::kHeliosPenalty, kMain, nullptr},
+    ActionEntry{Action::kHeliosCommunication, kSide, nullptr},
+    CLS_MAIN(kBhvDoForceKick, bhv_do_force_kick, kick_and_scan(force_kick(c.world, c.slots), c)),
+    ActionEntry{Action::kBhvDoHeardPassRecieve, kMain, nullptr},
+    CLS_MAIN(kHeliosBasicTackle, helios_basic_tackle, basic_tackle_and_look(m, c)),
+    CLS_SIDE(kNeckOffensiveInterceptNeck, neck_offensive_intercept_neck,
+             neck_offensive_intercept(c.world, c.memory.sight, c.slots)),
+    ActionEntry{Action::kBhvGoalieFreeKick, kMain, nullptr},
+};
+#undef CLS_SIDE
+#undef CLS_MAIN
+#undef CLS_ACTION
+// clang-format on
+
+constexpr bool in_wire_order() {
+  for (std::size_t i = 0; i < kEntries.size(); ++i) {
+    if (static_cast<std::size_t>(kEntries[i].member) != i) return false;
+  }
+  return true;
+}
+static_assert(kEntries.size() == kActionKinds && in_wire_order());
+
+}  // namespace
+
+const ActionEntry& action_entry(int member) {
+  const auto index = static_cast<std::size_t>(member);
+  return kEntries[member > 0 && index < kEntries.size() ? index : 0];
+}
+
+}  // namespace cls::proxy

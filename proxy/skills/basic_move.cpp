@@ -1,0 +1,67 @@
+// Play without the ball.
+#include "proxy/skills/basic_move.h"
+
+#include <algorithm>
+
+#include "proxy/home_positions.h"
+#include "proxy/skills/intercept.h"
+#include "proxy/skills/motion.h"
+#include "proxy/skills/movement.h"
+#include "proxy/skills/tackle.h"
+#include "soccer/pitch.h"
+
+namespace cls::proxy {
+
+using soccer::Vec2;
+
+double normal_dash_power(const WorldModel& world, bool& recovering) {
+  const SelfState& self = world.self;
+  const double max = world.server().max_dash_power;
+  const double stamina_max = world.server().stamina_max;
+  if (self.stamina < 0.5 * stamina_max) recovering = true;
+  if (self.stamina > 0.7 * stamina_max) recovering = false;
+  const double income = world.self_type().stamina_inc_max * self.recovery;
+  const InterceptTable& table = world.intercept;
+  const Vec2 ball = first_reach_point(world);
+  if (self.capacity == 0.0) {
+    return std::min(max, self.stamina + world.self_type().extra_stamina);
+  }
+  if (self.position.x < world.lines.our_defense && ball.x < world.lines.our_defense + 20.0) {
+    return max;
+  }
+  if (recovering) return std::max(0.0, income - 25.0);
+  if (world.kickable_teammate() && world.ball.dist_from_self < 20.0) {
+    return std::min(max, 1.1 * income);
+  }
+  if (self.position.x > world.lines.offside) return max;
+  const int ours = std::min(table.best_self_steps(), table.first_teammate_steps);
+  if (ball.x > 25.0 && ball.x > self.position.x + 10.0 && ours < table.first_opponent_steps - 6) {
+    return std::clamp(0.5 * income, 10.0, max);
+  }
+  return std::min(max, 1.7 * income);
+}
+
+bool basic_move(const WorldModel& world, CommandSlots& slots, NeckPlan& neck, bool& recovering) {
+  constexpr double kTackleProbability = 0.8;
+  if (basic_tackle(world, slots, kTackleProbability)) {
+    neck.kind = NeckPlan::Kind::kBall;
+    return true;
+  }
+  const InterceptTable& table = world.intercept;
+  const int self = table.best_self_steps();
+  const bool ours_to_get =
+      self <= 3 || (self <= table.first_teammate_steps && self < table.first_opponent_steps + 3);
+  if (!world.kickable_teammate() && ours_to_get && self < kNever) {
+    neck.kind = NeckPlan::Kind::kOffensiveIntercept;
+    return intercept(world, slots, true, {soccer::kHalfLength, 0.0});
+  }
+  const Vec2 home = home_positions(world)[static_cast<std::size_t>(world.unum - 1)];
+  const double threshold = std::max(1.0, 0.1 * world.ball.dist_from_self);
+  const double power = normal_dash_power(world, recovering);
+  if (!go_to_point(world, slots, home, threshold, power)) turn_to_ball(world, slots);
+  const bool duel = world.kickable_opponent() && world.ball.dist_from_self < 18.0;
+  neck.kind = duel ? NeckPlan::Kind::kBall : NeckPlan::Kind::kBallOrScan;
+  return slots.has_body();
+}
+
+}  // namespace cls::proxy
