@@ -19,6 +19,7 @@ cls_need(spdlog libspdlog-dev CONFIG)
 cls_need(ZLIB zlib1g-dev)
 cls_need(Boost libboost-dev 1.74 CONFIG)
 cls_need(GTest libgtest-dev CONFIG)
+cls_need(benchmark libbenchmark-dev CONFIG)
 
 # SLEEF brings a pkg-config file only.
 find_path(CLS_SLEEF_INCLUDE sleef.h)

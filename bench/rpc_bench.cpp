@@ -1,0 +1,50 @@
+// Cost of the wire: States as bytes, and calls.
+#include <benchmark/benchmark.h>
+
+#include <string>
+
+#include "bench/rpc_ceiling.h"
+
+namespace cls::bench {
+namespace {
+
+void serialise_state(benchmark::State& bench) {
+  const protos::State state = usual_state();
+  std::string bytes;
+  for (auto _ : bench) {
+    state.SerializeToString(&bytes);
+    benchmark::DoNotOptimize(bytes.data());
+  }
+  bench.counters["bytes"] = static_cast<double>(bytes.size());
+}
+BENCHMARK(serialise_state)->Unit(benchmark::kMicrosecond);
+
+void parse_state(benchmark::State& bench) {
+  const std::string bytes = usual_state().SerializeAsString();
+  protos::State state;
+  for (auto _ : bench) {
+    state.ParseFromString(bytes);
+    benchmark::DoNotOptimize(state);
+  }
+}
+BENCHMARK(parse_state)->Unit(benchmark::kMicrosecond);
+
+void rpc_ceiling(benchmark::State& bench) {
+  const auto transport = static_cast<Transport>(bench.range(0));
+  const auto threads = static_cast<int>(bench.range(1));
+  RpcCeiling ceiling;
+  for (auto _ : bench) ceiling = measure_rpc_ceiling(transport, threads, usual_state(), 3.0);
+  bench.counters["cycles_per_second"] = ceiling.cycles_per_second;
+  bench.counters["cpu_us_per_cycle"] = ceiling.cpu_us_per_cycle;
+}
+BENCHMARK(rpc_ceiling)
+    ->ArgNames({"transport", "threads"})
+    ->ArgsProduct({{static_cast<long>(Transport::kInProcess), static_cast<long>(Transport::kTcp),
+                    static_cast<long>(Transport::kUnixSocket)},
+                   {1, 2}})
+    ->Iterations(1)
+    ->UseRealTime()
+    ->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace cls::bench
