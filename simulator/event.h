@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -52,5 +53,13 @@ struct Event {
 
 /// The simulator appends; whoever drives it reads and clears.
 using Events = std::vector<Event>;
+
+/// Appends what has just happened.
+template <typename What>
+void report(Events& events, const World& world, What what) {
+  Event& event = events.emplace_back();
+  event.clock = world.clock;
+  event.what = std::move(what);
+}
 
 }  // namespace cls::simulator

@@ -9,13 +9,12 @@ namespace cls::simulator {
 // touch, catch, foul, illegal defence, keepaway, penalty), and none when the match has no referee.
 
 /// Looks at the world after it has moved.
-void analyse(World& world, Events& events);
+void run_referee(World& world, Events& events);
 
 // What players did. `acceleration` is the length of what the ball was given.
 void on_kick_taken(World& world, Slot kicker, double acceleration, Events& events);
-void on_kick_failed(World& world, Slot kicker, Events& events);
 void on_tackle_taken(World& world, Slot tackler, double acceleration, bool foul, Events& events);
-void on_tackle_failed(World& world, Slot tackler, Events& events);
+void on_ball_missed(World& world, Slot who, Events& events);  ///< kick or tackle without a ball
 void on_ball_touched(World& world, Slot toucher, Events& events);
 void on_ball_caught(World& world, Slot catcher, Events& events);
 void on_ball_punched(World& world, Slot catcher, Events& events);

@@ -18,6 +18,9 @@ void rejoin(World& world, Slot slot);
 /// The player leaves the pitch: bye, a lost connection.
 void leave(World& world, Slot slot);
 
+/// A red card: the player leaves and may not come back.
+void send_off(World& world, Slot slot, Events& events);
+
 /// Players of a team that have been connected.
 int joined_count(const World& world, Side side);
 

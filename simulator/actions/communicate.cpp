@@ -1,0 +1,102 @@
+// pointto, attentionto, say, ear (4.12 to 4.14, 8.5).
+#include <optional>
+#include <utility>
+
+#include "simulator/actions.h"
+#include "simulator/actions/commands.h"
+#include "simulator/roster.h"
+
+namespace cls::simulator {
+
+bool is_pointing(const World& world, const Player& player) {
+  return player.arm.age < world.params().point_to_duration;
+}
+
+bool can_point(const World& world, const Player& player) {
+  return player.arm.age >= world.params().point_to_ban;
+}
+
+namespace actions {
+namespace {
+
+using soccer::TeamReference;
+
+// Neutral for a name that no team has.
+Side referred_side(const World& world, const Player& player, const TeamReference& team) {
+  switch (team.kind) {
+    case TeamReference::Kind::kOur:
+      return player.side;
+    case TeamReference::Kind::kOpponent:
+      return opponent(player.side);
+    case TeamReference::Kind::kLeft:
+      return Side::kLeft;
+    case TeamReference::Kind::kRight:
+      return Side::kRight;
+    case TeamReference::Kind::kNamed:
+      break;
+  }
+  for (const Side side : {Side::kLeft, Side::kRight}) {
+    if (world.team(side).connected && world.team(side).name.view() == team.name) return side;
+  }
+  return Side::kNeutral;
+}
+
+void set_ear(Ears& ears, Side side, const soccer::Ear& command) {
+  const std::size_t index = side == Side::kRight ? 1 : 0;
+  if (command.mode != soccer::EarMode::kPartial) ears.complete[index] = command.on;
+  if (command.mode != soccer::EarMode::kComplete) ears.partial[index] = command.on;
+}
+
+}  // namespace
+
+void point_to(World& world, Player& player, const soccer::PointTo& command) {
+  if (!can_point(world, player)) return;
+  const double direction = player.body + player.neck + soccer::math::to_radians(command.direction);
+  player.arm = {player.position + soccer::polar_radians(command.distance, direction), 0};
+  ++player.counters.point_to;
+}
+
+void stop_pointing(World& world, Player& player) {
+  if (!can_point(world, player)) return;
+  player.arm = {{}, world.params().point_to_duration};
+  ++player.counters.point_to;
+}
+
+void attend(World& world, Player& player, const soccer::AttentionTo& command) {
+  const Side side = referred_side(world, player, command.team);
+  if (side == Side::kNeutral || !world.team(side).connected) return;
+  if (command.unum < 1 || command.unum > joined_count(world, side)) return;
+  const Slot slot = soccer::slot_of(side, command.unum);
+  if (slot == player.slot()) return;
+  player.attention = slot;
+  ++player.counters.attention_to;
+}
+
+void stop_attending(Player& player) {
+  player.attention = kNobody;
+  ++player.counters.attention_to;
+}
+
+void say(World& world, Player& player, const soccer::Say& command, Events& events) {
+  if (command.text.size() > static_cast<std::size_t>(world.params().say_msg_size)) return;
+  ++player.counters.say;
+  report(events, world, PlayerSaid{player.slot(), player.position, command.text});
+}
+
+std::optional<soccer::ServerReply> set_ears(World& world, Player& player,
+                                            const soccer::Ear& command) {
+  if (!command.team) {
+    set_ear(player.ears, Side::kLeft, command);
+    set_ear(player.ears, Side::kRight, command);
+    return std::nullopt;
+  }
+  const Side side = referred_side(world, player, *command.team);
+  if (side == Side::kNeutral) {
+    return soccer::ErrorReply{"no team with name " + command.team->name, std::nullopt};
+  }
+  set_ear(player.ears, side, command);
+  return std::nullopt;
+}
+
+}  // namespace actions
+}  // namespace cls::simulator

@@ -1,0 +1,63 @@
+// move: takes the place at kick-offs, and the goalie's walk with a caught ball (4.8).
+#include "simulator/actions/commands.h"
+#include "simulator/collision.h"
+
+namespace cls::simulator::actions {
+namespace {
+
+using soccer::ServerReply;
+
+bool may_move_anywhere(PlayMode mode) {
+  return mode == PlayMode::kBeforeKickOff || mode == PlayMode::kGoalLeft ||
+         mode == PlayMode::kGoalRight;
+}
+
+bool may_move_with_ball(const World& world, const Player& player) {
+  return world.ball_catcher == player.slot() &&
+         (world.mode == PlayMode::kFreeKickLeft || world.mode == PlayMode::kFreeKickRight);
+}
+
+// Allowed all the same: the referee puts the player back.
+std::optional<ServerReply> warning_about(const World& world, const Player& player, double x) {
+  if (world.mode != PlayMode::kBeforeKickOff || !world.params().forbid_kick_off_offside ||
+      x < -world.type_of(player).player_size) {
+    return std::nullopt;
+  }
+  constexpr auto kCode = soccer::WarningCode::kMovingToOpponentField;
+  return soccer::WarningReply{std::string(name(kCode)), kCode};
+}
+
+bool has_move_left(const World& world, const Player& player) {
+  const int most = world.params().goalie_max_moves;
+  return most < 0 || player.moves_since_catch < most;
+}
+
+}  // namespace
+
+std::optional<ServerReply> move(World& world, Player& player, const soccer::Move& command,
+                                Events& events) {
+  if (player.command_done) return std::nullopt;
+  const Vec2 place = Vec2{command.x, command.y} * sign(player.side);
+  std::optional<ServerReply> reply;
+  if (may_move_anywhere(world.mode)) {
+    player.position = place;
+    resolve_collisions(world, events);
+    reply = warning_about(world, player, command.x);
+  } else if (may_move_with_ball(world, player)) {
+    if (has_move_left(world, player)) {
+      player.position = place;
+      ++player.moves_since_catch;
+    } else {
+      constexpr auto kCode = soccer::ErrorCode::kTooManyMoves;
+      reply = soccer::ErrorReply{std::string(name(kCode)), kCode};
+    }
+  } else {
+    return std::nullopt;
+  }
+  occupy_legs(player);
+  player.command_done = true;
+  ++player.counters.move;
+  return reply;
+}
+
+}  // namespace cls::simulator::actions

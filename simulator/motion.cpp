@@ -1,0 +1,130 @@
+// Motion of a cycle.
+#include "simulator/motion.h"
+
+#include "simulator/collision.h"
+#include "simulator/goal_post.h"
+
+namespace cls::simulator {
+namespace {
+
+namespace math = soccer::math;
+
+/// What motion needs to know of a kind of object (the table of section 3).
+struct Kind {
+  double radius;
+  double decay;
+  double rand;
+  double weight;
+  double speed_max;
+  double acceleration_max;
+};
+
+Kind ball_kind(const soccer::ServerParams& server) {
+  return {server.ball_size,   server.ball_decay,     server.ball_rand,
+          server.ball_weight, server.ball_speed_max, server.ball_accel_max};
+}
+
+Kind player_kind(const World& world, const Player& player) {
+  const soccer::ServerParams& server = world.params();
+  const soccer::PlayerType& type = world.type_of(player);
+  const double slowness = slowness_on_top(world, player);
+  return {type.player_size,
+          type.player_decay,
+          player_rand(world, player),
+          server.player_weight,
+          type.player_speed_max * slowness,
+          server.player_accel_max * slowness};
+}
+
+void limit(Vec2& v, double length) {
+  if (v.squared_length() > length * length) v = soccer::with_length(v, length);
+}
+
+void accelerate(Vec2& velocity, Vec2 acceleration, const Kind& kind) {
+  if (acceleration.is_zero()) return;
+  limit(acceleration, kind.acceleration_max);
+  velocity += acceleration;
+  limit(velocity, kind.speed_max);
+}
+
+// Uniform in radius and angle, so it is densest in the middle of its disc.
+Vec2 motion_noise(double radius_max, RandomStream& stream) {
+  const double radius = stream.uniform(0.0, radius_max);
+  const double angle = stream.uniform(-math::kPi, math::kPi);
+  if (radius == 0.0) return {};
+  return soccer::polar_radians(radius, angle);
+}
+
+Vec2 wind_push(const Wind& wind, double speed, double weight, RandomStream& stream) {
+  if (wind.rand < math::kEps) return {};
+  const double scale = speed / (weight * 10000.0);
+  const double x = wind.vector.x + stream.uniform(-wind.rand, wind.rand);
+  const double y = wind.vector.y + stream.uniform(-wind.rand, wind.rand);
+  return Vec2{x, y} * scale;
+}
+
+/// One object's increment; true if it hit a goal post.
+template <typename Object>
+bool increment(const World& world, Object& object, const Kind& kind, RandomStream& stream) {
+  accelerate(object.velocity, object.acceleration, kind);
+  object.velocity += motion_noise(kind.rand * object.velocity.length(), stream);
+  object.velocity += wind_push(world.wind, object.velocity.length(), kind.weight, stream);
+  const bool hit = advance_past_posts(object.position, object.velocity, kind.radius,
+                                      world.params().goal_width, stream);
+  object.velocity *= kind.decay;
+  object.acceleration = {};
+  return hit;
+}
+
+void commit_angles(Player& player) {
+  player.body = player.pending_body;
+  player.neck = player.pending_neck;
+}
+
+void carry_ball(World& world) {
+  if (world.ball_catcher == kNobody) return;
+  const Player& catcher = world.player(world.ball_catcher);
+  const double reach = world.type_of(catcher).player_size + world.params().ball_size;
+  world.ball.position = catcher.position + soccer::polar_radians(reach, catcher.body);
+}
+
+}  // namespace
+
+double player_rand(const World& world, const Player& player) {
+  const soccer::ServerParams& server = world.params();
+  if (!server.team_actuator_noise) return server.player_rand;
+  return server.player_rand *
+         (player.side == Side::kLeft ? server.prand_factor_l : server.prand_factor_r);
+}
+
+double slowness_on_top(const World& world, const Player& player) {
+  if (player.position.y >= 0.0) return 1.0;
+  return player.side == Side::kLeft ? world.params().slowness_on_top_for_left_team
+                                    : world.params().slowness_on_top_for_right_team;
+}
+
+void turn_players(World& world) {
+  for (Player& player : world.players) {
+    if (!player.joined) continue;
+    commit_angles(player);
+    player.velocity = {};
+    player.acceleration = {};
+  }
+}
+
+void move_objects(World& world, Events& events) {
+  increment(world, world.ball, ball_kind(world.params()), world.random.ball_motion);
+  for (std::size_t i = 0; i < world.players.size(); ++i) {
+    Player& player = world.players[i];
+    if (!player.enabled) continue;
+    commit_angles(player);
+    if (increment(world, player, player_kind(world, player), world.random.player_motion[i])) {
+      player.state |= state::kPostCollide;
+      player.contacts.post = true;
+    }
+  }
+  resolve_collisions(world, events);
+  carry_ball(world);
+}
+
+}  // namespace cls::simulator

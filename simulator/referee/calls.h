@@ -1,0 +1,31 @@
+// What the rules decide: words, the ball's new place, the mode that follows (9.2).
+#pragma once
+
+#include <string_view>
+
+#include "simulator/event.h"
+
+namespace cls::simulator {
+
+/// Everybody hears the referee say it.
+void announce(World& world, std::string_view word, Events& events);
+
+/// A word with a side letter at its end, as in penalty_foul_l.
+void announce(World& world, std::string_view word, Side side, Events& events);
+
+/// The ball lies still at `position`, and the next set play is that side's.
+void place_ball(World& world, Side side, Vec2 position);
+
+/// That, then the mode. During a shoot-out a request for play_on or drop_ball keeps the mode.
+void place_ball(World& world, PlayMode mode, Side side, Vec2 position, Events& events);
+
+// Set plays for `side`; those without a position take the ball's place.
+void award_free_kick(World& world, Side side, Vec2 position, Events& events);
+void award_goal_kick(World& world, Side side, Events& events);
+void award_corner_kick(World& world, Side side, Events& events);
+void award_kick_in(World& world, Side side, Events& events);
+
+/// Everybody is sent away from the ball, and play goes on in the same call.
+void drop_ball(World& world, Events& events);
+
+}  // namespace cls::simulator

@@ -1,0 +1,67 @@
+// Fouls: what follows a tackle that the referee saw (9.10).
+#include <string>
+
+#include "simulator/referee/areas.h"
+#include "simulator/referee/calls.h"
+#include "simulator/referee/foul_detection.h"
+#include "simulator/referee/modes.h"
+#include "simulator/referee/rule.h"
+#include "simulator/roster.h"
+
+namespace cls::simulator {
+namespace {
+
+void announce_card(World& world, std::string_view card, const Player& player, Events& events) {
+  announce(world, std::string(card) + '_' + letter(player.side) + '_' + std::to_string(player.unum),
+           events);
+}
+
+void show_red_card(World& world, Player& player, Events& events) {
+  announce_card(world, "red_card", player, events);
+  send_off(world, player.slot(), events);
+}
+
+void show_yellow_card(World& world, Player& player, Events& events) {
+  announce_card(world, "yellow_card", player, events);
+  ++player.cards;
+  player.state |= state::kYellowCard;
+  if (player.cards > 1) show_red_card(world, player, events);
+}
+
+void call_foul(World& world, Player& tackler, Events& events) {
+  const Side side = tackler.side;
+  ++tackler.fouls;
+  world.ball_catcher = kNobody;
+  world.referee.foul.counter = 0;
+  const Vec2 place = out_of_penalty_area(
+      opponent(side), out_of_goal_area(Side::kNeutral, truncated(tackler.position)));
+  place_ball(world, for_side(PlayMode::kFoulChargeLeft, side), opponent(side), place, events);
+}
+
+void tackle_taken(World& world, Player& tackler, double, bool foul, Events& events) {
+  if (soccer::is_penalty_mode(world.mode) || world.params().keepaway) return;
+  const FoulCall call = detect_foul(world, tackler, foul);
+  if (call == FoulCall::kNone) return;
+  call_foul(world, tackler, events);
+  if (call == FoulCall::kYellow) show_yellow_card(world, tackler, events);
+  if (call == FoulCall::kRed) show_red_card(world, tackler, events);
+}
+
+void analyse(World& world, Events& events) {
+  if (!is_foul(world.mode)) return;
+  const Side offender = soccer::side(world.mode);
+  if (!wait_out_offence(world, world.referee.foul.counter, offender, events)) return;
+  const Side kicker = opponent(offender);
+  if (in_penalty_area(offender, world.ball.position)) {
+    place_ball(world, for_side(PlayMode::kIndirectFreeKickLeft, kicker), kicker,
+               world.ball.position, events);
+  } else {
+    award_free_kick(world, kicker, world.ball.position, events);
+  }
+}
+
+}  // namespace
+
+const Rule kFoulRule = {.analyse = analyse, .tackle_taken = tackle_taken};
+
+}  // namespace cls::simulator

@@ -1,0 +1,252 @@
+// The shoot-out: its start, its phases, and what ends each kick (9.14).
+#include <cmath>
+
+#include "simulator/referee.h"
+#include "simulator/referee/areas.h"
+#include "simulator/referee/calls.h"
+#include "simulator/referee/foul_detection.h"
+#include "simulator/referee/modes.h"
+#include "simulator/referee/penalty_places.h"
+#include "simulator/referee/penalty_score.h"
+#include "simulator/referee/rule.h"
+#include "simulator/referee/touch.h"
+#include "soccer/pitch.h"
+
+namespace cls::simulator {
+namespace {
+
+constexpr Vec2 kGoalieStart = {42.5, 10.0};
+
+bool is_setup(PlayMode mode) { return is_either(mode, PlayMode::kPenaltySetupLeft); }
+bool is_ready(PlayMode mode) { return is_either(mode, PlayMode::kPenaltyReadyLeft); }
+bool is_taken(PlayMode mode) { return is_either(mode, PlayMode::kPenaltyTakenLeft); }
+bool is_between_kicks(PlayMode mode) {
+  return is_either(mode, PlayMode::kPenaltyMissLeft) ||
+         is_either(mode, PlayMode::kPenaltyScoreLeft);
+}
+
+void freeze_ball(World& world) {
+  world.ball.velocity = {};
+  world.ball.acceleration = {};
+}
+
+PlayMode taker_mode(const World& world, PlayMode mode) {
+  return for_side(mode, world.referee.penalty.taker_side);
+}
+
+void prepare_kick(World& world, Events& events) {
+  PenaltyRule& memory = world.referee.penalty;
+  memory.taker_side = opponent(memory.taker_side);
+  const double x = -sign(memory.goal_side) * (soccer::kHalfLength - world.params().pen_dist_x);
+  place_ball(world, taker_mode(world, PlayMode::kPenaltySetupLeft), Side::kNeutral, {x, 0.0},
+             events);
+}
+
+bool is_due(const World& world) {
+  const Rules& rules = *world.rules;
+  if (!rules.server.penalty_shoot_outs || world.mode == PlayMode::kBeforeKickOff ||
+      world.team(Side::kLeft).score != world.team(Side::kRight).score) {
+    return false;
+  }
+  if (rules.server.half_time >= 0) return world.clock.time >= rules.total_time;
+  return rules.server.nr_normal_halfs == 0 && rules.server.nr_extra_halfs == 0;
+}
+
+void start(World& world, Events& events) {
+  PenaltyRule& memory = world.referee.penalty;
+  const auto draw_side = [&] {
+    return world.random.shoot_out.uniform(0.0, 1.0) < 0.5 ? Side::kLeft : Side::kRight;
+  };
+  memory.started = true;
+  memory.goal_side = draw_side();
+  world.ball_catcher = kNobody;
+  announce(world, "penalty_onfield", memory.goal_side, events);
+  memory.taker_side = draw_side();
+  for (Player& player : world.players) {
+    if (player.enabled && player.goalie && player.side == opponent(memory.goal_side)) {
+      player.position = {kGoalieStart.x * -sign(memory.goal_side), kGoalieStart.y};
+    }
+  }
+  prepare_kick(world, events);
+}
+
+void call_penalty_foul(World& world, Side offender, Events& events) {
+  announce(world, "penalty_foul", offender, events);
+  if (offender == world.referee.penalty.taker_side) {
+    count_miss(world, events);
+  } else {
+    count_goal(world, events);
+  }
+}
+
+void punish_misplaced(World& world, bool taker_is_ok, Events& events) {
+  const Side taker = world.referee.penalty.taker_side;
+  call_penalty_foul(world, taker_is_ok ? opponent(taker) : taker, events);
+}
+
+void watch_ball(World& world, Events& events) {
+  PenaltyRule& memory = world.referee.penalty;
+  const double margin = world.params().ball_size;
+  const Vec2 ball = world.ball.position;
+  const bool taken = is_taken(world.mode);
+  if (crossed_goal_line(world, memory.goal_side, memory.previous_ball)) {
+    if (taken) count_goal(world, events);
+    freeze_ball(world);
+  } else if (std::fabs(ball.x) > soccer::kHalfLength + margin ||
+             std::fabs(ball.y) > soccer::kHalfWidth + margin) {
+    freeze_ball(world);
+    if (taken) count_miss(world, events);
+  }
+}
+
+/// Who stands where the rules want him.
+struct Placement {
+  bool taker;
+  bool defender;
+  bool both() const { return taker && defender; }
+};
+
+void replace_misplaced(World& world, Placement& placement) {
+  if (!placement.taker) place_taker_team(world);
+  if (!placement.defender) place_defending_team(world);
+  placement = {true, true};
+}
+
+void run(World& world, Placement placement, Events& events) {
+  if (is_between_kicks(world.mode)) {
+    freeze_ball(world);
+  } else if (placement.both()) {
+    watch_ball(world, events);
+  } else if (!is_setup(world.mode)) {
+    punish_misplaced(world, placement.taker, events);
+  }
+}
+
+void time_out(World& world, Placement placement, Events& events) {
+  if (is_between_kicks(world.mode)) {
+    prepare_kick(world, events);
+    return;
+  }
+  if (is_setup(world.mode) && world.params().pen_coach_moves_players) {
+    replace_misplaced(world, placement);
+  }
+  if (!placement.both()) {
+    punish_misplaced(world, placement.taker, events);
+  } else if (is_setup(world.mode)) {
+    change_mode(world, taker_mode(world, PlayMode::kPenaltyReadyLeft), events);
+  } else {
+    count_miss(world, events);
+  }
+}
+
+void analyse_kick(World& world, Events& events) {
+  PenaltyRule& memory = world.referee.penalty;
+  if (memory.decided) {
+    change_mode(world, PlayMode::kTimeOver, events);
+    return;
+  }
+  const PlayMode mode = world.mode;
+  Placement placement = {is_taker_team_placed(world), is_defending_team_placed(world)};
+  if ((is_ready(mode) || is_taken(mode)) && world.params().pen_coach_moves_players) {
+    replace_misplaced(world, placement);
+  }
+  if (memory.timer == 0) {
+    time_out(world, placement, events);
+  } else {
+    --memory.timer;
+    run(world, placement, events);
+  }
+}
+
+void analyse(World& world, Events& events) {
+  PenaltyRule& memory = world.referee.penalty;
+  if (!memory.started && is_due(world)) start(world, events);
+  if (soccer::is_penalty_mode(world.mode)) analyse_kick(world, events);
+  memory.previous_ball = world.ball.position;
+}
+
+// Who may kick now; the side at fault, neutral if none.
+Side offender_of_kick(World& world, const Player& kicker) {
+  PenaltyRule& memory = world.referee.penalty;
+  const Side taker_side = memory.taker_side;
+  const bool by_taker_side = kicker.side == taker_side;
+  if (is_setup(world.mode)) return kicker.side;
+  if (is_taken(world.mode) && by_taker_side && !world.params().pen_allow_mult_kicks) {
+    return taker_side;
+  }
+  if (is_ready(world.mode) && by_taker_side && has_kicked(world, kicker)) return taker_side;
+  // Asked of opponents too: once the taker has kicked, also the defending goalie's kick is a fault
+  // of the taker's side (15.2).
+  const bool somebody_has =
+      memory.last_taker != kNobody && world.player(memory.last_taker).side == taker_side;
+  if (somebody_has && memory.last_taker != kicker.slot()) return taker_side;
+  if (!by_taker_side && !kicker.goalie) return kicker.side;
+  memory.last_taker = kicker.slot();
+  return Side::kNeutral;
+}
+
+void kick_taken(World& world, Player& kicker, double, Events& events) {
+  if (!soccer::is_penalty_mode(world.mode) || world.ball_catcher != kNobody) return;
+  if (!is_between_kicks(world.mode)) {
+    const Side offender = offender_of_kick(world, kicker);
+    if (offender != Side::kNeutral) call_penalty_foul(world, offender, events);
+  }
+  if (is_ready(world.mode)) {
+    note_kicker(world, kicker);
+    change_mode(world, taker_mode(world, PlayMode::kPenaltyTakenLeft), events);
+  }
+  if (!is_taken(world.mode)) freeze_ball(world);
+}
+
+void tackle_taken(World& world, Player& tackler, double acceleration, bool foul, Events& events) {
+  if (!soccer::is_penalty_mode(world.mode) || is_between_kicks(world.mode)) return;
+  if (detect_foul(world, tackler, foul) != FoulCall::kNone) {
+    call_penalty_foul(world, tackler.side, events);
+  } else {
+    kick_taken(world, tackler, acceleration, events);
+  }
+}
+
+void ball_held(World& world, Player& catcher, Events& events) {
+  if (!soccer::is_penalty_mode(world.mode)) return;
+  const PenaltyRule& memory = world.referee.penalty;
+  if (is_taken(world.mode)) {
+    if (catcher.side == memory.taker_side) {
+      call_penalty_foul(world, catcher.side, events);
+    } else if (!in_penalty_area(memory.goal_side, world.ball.position)) {
+      call_penalty_foul(world, opponent(memory.taker_side), events);
+    } else {
+      count_miss(world, events);
+    }
+  } else if (is_ready(world.mode)) {
+    call_penalty_foul(world, catcher.side, events);
+  }
+  freeze_ball(world);
+}
+
+void mode_changed(World& world, PlayMode mode, Events&) {
+  if (!soccer::is_penalty_mode(mode)) return;
+  const soccer::ServerParams& server = world.params();
+  PenaltyRule& memory = world.referee.penalty;
+  if (!is_taken(mode)) memory.last_taker = kNobody;
+  if (is_setup(mode)) {
+    memory.timer = server.pen_setup_wait;
+  } else if (is_ready(mode)) {
+    memory.timer = server.pen_ready_wait;
+  } else if (is_taken(mode)) {
+    memory.timer = server.pen_taken_wait;
+  } else {
+    memory.timer = server.pen_before_setup_wait;
+  }
+}
+
+}  // namespace
+
+const Rule kPenaltyRule = {.analyse = analyse,
+                           .kick_taken = kick_taken,
+                           .tackle_taken = tackle_taken,
+                           .ball_caught = ball_held,
+                           .ball_punched = ball_held,
+                           .mode_changed = mode_changed};
+
+}  // namespace cls::simulator
