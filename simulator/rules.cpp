@@ -30,9 +30,19 @@ Result<std::shared_ptr<const Rules>> make_rules(const soccer::ServerParams& serv
   if (Result<void> checked = check(server, player); !checked) return checked.error();
   // The parameter that tells clients the seed is an int.
   if (player.random_seed < 0) player.random_seed = static_cast<int>(seed & 0x7FFFFFFFU);
-  Rules rules{server, player, {}};
-  rules.types =
-      draw_player_types(server, player, static_cast<std::uint32_t>(rules.player.random_seed));
+  return make_rules(
+      server, player,
+      draw_player_types(server, player, static_cast<std::uint32_t>(player.random_seed)));
+}
+
+Result<std::shared_ptr<const Rules>> make_rules(const soccer::ServerParams& server,
+                                                const soccer::PlayerParams& player,
+                                                std::vector<soccer::PlayerType> types) {
+  if (Result<void> checked = check(server, player); !checked) return checked.error();
+  if (types.size() != static_cast<std::size_t>(player.player_types)) {
+    return Error{"there must be player::player_types player types"};
+  }
+  Rules rules{server, player, std::move(types)};
   rules.half_time = server.half_time_cycles();
   rules.extra_half_time = server.extra_half_time_cycles();
   rules.normal_time = server.normal_time_cycles();

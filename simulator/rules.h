@@ -37,4 +37,9 @@ soccer::Result<std::shared_ptr<const Rules>> make_rules(const soccer::ServerPara
                                                         soccer::PlayerParams player,
                                                         std::uint64_t seed);
 
+/// The same with types that are known already, as those of a recorded match.
+soccer::Result<std::shared_ptr<const Rules>> make_rules(const soccer::ServerParams& server,
+                                                        const soccer::PlayerParams& player,
+                                                        std::vector<soccer::PlayerType> types);
+
 }  // namespace cls::simulator

@@ -37,23 +37,27 @@ FoulCall detect_foul(World& world, const Player& tackler, bool foul) {
   bool charge = false;
   bool yellow = false;
   bool red = false;
+  bool drawn = false;
   for (Player& victim : world.players) {
     if (!victim.enabled || victim.side == tackler.side || !is_kickable(world, victim)) continue;
     bool seen = false;
     if (foul) {
       freeze(world, victim);
+      drawn = true;
       seen = stream.bernoulli(probability);
       charge = charge || seen;
     }
     if (!is_run_into(world, tackler, victim)) continue;
     if (foul) {
       if (seen) (stream.bernoulli(red_probability) ? red : yellow) = true;
-    } else if (stream.bernoulli(probability)) {
-      charge = true;
-      if (stream.bernoulli(red_probability)) yellow = true;
+      continue;
     }
+    drawn = true;
+    if (!stream.bernoulli(probability)) continue;
+    charge = true;
+    if (stream.bernoulli(red_probability)) yellow = true;
   }
-  if (world.forced && world.forced->foul[slot]) return *world.forced->foul[slot];
+  if (drawn && world.forced && world.forced->foul[slot]) return *world.forced->foul[slot];
   if (red) return FoulCall::kRed;
   if (yellow) return FoulCall::kYellow;
   return charge ? FoulCall::kCharge : FoulCall::kNone;

@@ -1,0 +1,152 @@
+// From frames to worlds and back.
+#include "simulator/replay.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+#include <utility>
+
+#include "simulator/referee.h"
+#include "soccer/protocol/number_text.h"
+#include "soccer/protocol/protocol_version.h"
+
+namespace cls::simulator {
+namespace {
+
+namespace math = soccer::math;
+
+constexpr std::uint32_t kTackles = state::kTackle | state::kTackleFault;
+
+Counters counters_of(const gamelog::CommandCounts& counts) {
+  return {counts.kick,   counts.dash,      counts.turn,        counts.catches,
+          counts.move,   counts.turn_neck, counts.change_view, counts.say,
+          counts.tackle, counts.pointto,   counts.attentionto, counts.change_focus};
+}
+
+auto as_tuple(const Counters& c) {
+  return std::tie(c.kick, c.dash, c.turn, c.catch_ball, c.move, c.turn_neck, c.change_view, c.say,
+                  c.tackle, c.point_to, c.attention_to, c.change_focus);
+}
+
+soccer::ViewWidth width_of(double degrees, double visible_angle) {
+  if (degrees < visible_angle * 0.8) return soccer::ViewWidth::kNarrow;
+  return degrees < visible_angle * 1.8 ? soccer::ViewWidth::kNormal : soccer::ViewWidth::kWide;
+}
+
+void restore_player(const World& world, Player& player, const gamelog::PlayerFrame& frame) {
+  player.enabled = (frame.state & state::kStand) != 0;
+  player.joined = player.joined || player.enabled;
+  player.goalie = (frame.state & state::kGoalie) != 0;
+  player.type = frame.type;
+  player.position = frame.position;
+  player.velocity = frame.velocity;
+  player.acceleration = {};
+  player.body = player.pending_body = math::to_radians(frame.body);
+  player.neck = player.pending_neck = math::to_radians(frame.neck);
+  player.stamina = {frame.stamina, frame.effort, frame.recovery, frame.capacity};
+  player.counters = counters_of(frame.counts);
+  player.view.width = width_of(frame.view_width, world.params().visible_angle);
+  player.view.quality = frame.high_quality ? soccer::ViewQuality::kHigh : soccer::ViewQuality::kLow;
+  player.view.focus_distance = frame.focus_distance;
+  player.view.focus_direction = math::to_radians(frame.focus_direction);
+  player.attention = frame.attention_side == Side::kNeutral
+                         ? kNobody
+                         : soccer::slot_of(frame.attention_side, frame.attention_unum);
+}
+
+double largest(Vec2 difference) {
+  return std::max(std::fabs(difference.x), std::fabs(difference.y));
+}
+
+double angle_between(double radians, double degrees) {
+  return std::fabs(math::normalize_degrees(math::to_degrees(radians) - degrees));
+}
+
+}  // namespace
+
+void restore(World& world, const gamelog::Frame& frame) {
+  world.ball = {frame.ball_position, frame.ball_velocity, {}};
+  for (std::size_t i = 0; i < world.players.size(); ++i) {
+    restore_player(world, world.players[i], frame.players[i]);
+  }
+}
+
+World world_at_kick_off(std::shared_ptr<const Rules> rules, const gamelog::Frame& frame) {
+  World world = make_world(std::move(rules), 0);
+  for (Team& team : world.teams) team.connected = true;
+  world.clock = {frame.time, 0};
+  restore(world, frame);
+  for (std::size_t i = 0; i < world.players.size(); ++i) {
+    Player& player = world.players[i];
+    player.client_version = soccer::kNewestProtocolVersion;
+    player.view.synchronous = true;
+    player.substituted = player.type != 0;
+    player.state = frame.players[i].state;
+    ++world.teams[player.side == Side::kRight ? 1 : 0].used[static_cast<std::size_t>(player.type)];
+  }
+  Events unheard;
+  change_mode(world, frame.mode, unheard);
+  // The step after the kick-off has counted once already.
+  --world.referee.free_kick.timer;
+  return world;
+}
+
+ForcedOutcomes shown_outcomes(const gamelog::Frame& after) {
+  ForcedOutcomes outcomes;
+  for (std::size_t i = 0; i < after.players.size(); ++i) {
+    const std::uint32_t bits = after.players[i].state;
+    if ((bits & kTackles) != 0) outcomes.tackle[i] = (bits & state::kTackleFault) == 0;
+    if ((bits & state::kCatch) != 0) outcomes.catch_ball[i] = (bits & state::kCatchFault) == 0;
+    outcomes.foul[i] = FoulCall::kNone;
+  }
+  return outcomes;
+}
+
+void force_fouls(ForcedOutcomes& outcomes, const std::vector<std::string>& referee_words) {
+  const auto set = [&](Side side, FoulCall call) {
+    for (int unum = 1; unum <= soccer::kPlayersPerTeam; ++unum) {
+      outcomes.foul[static_cast<std::size_t>(soccer::slot_of(side, unum))] = call;
+    }
+  };
+  const auto card = [&](const std::string& word, std::string_view prefix, FoulCall call) {
+    if (!word.starts_with(prefix)) return;
+    const Side side = word[prefix.size()] == 'l' ? Side::kLeft : Side::kRight;
+    const int unum = soccer::int_from_text(word.substr(prefix.size() + 2)).value_or(0);
+    if (unum < 1 || unum > soccer::kPlayersPerTeam) return;
+    outcomes.foul[static_cast<std::size_t>(soccer::slot_of(side, unum))] = call;
+  };
+  for (const std::string& word : referee_words) {
+    if (word == "foul_charge_l") set(Side::kLeft, FoulCall::kCharge);
+    if (word == "foul_charge_r") set(Side::kRight, FoulCall::kCharge);
+  }
+  for (const std::string& word : referee_words) {
+    card(word, "yellow_card_", FoulCall::kYellow);
+    card(word, "red_card_", FoulCall::kRed);
+  }
+}
+
+Deviation ball_deviation(const World& world, const gamelog::Frame& frame) {
+  Deviation deviation;
+  deviation.position = largest(world.ball.position - frame.ball_position);
+  deviation.velocity = largest(world.ball.velocity - frame.ball_velocity);
+  return deviation;
+}
+
+Deviation player_deviation(const World& world, const gamelog::Frame& frame, Slot slot) {
+  const Player& player = world.player(slot);
+  const gamelog::PlayerFrame& recorded = frame.players[static_cast<std::size_t>(slot)];
+  Deviation deviation;
+  deviation.position = largest(player.position - recorded.position);
+  deviation.velocity = largest(player.velocity - recorded.velocity);
+  deviation.body = angle_between(player.body, recorded.body);
+  deviation.neck = angle_between(player.neck, recorded.neck);
+  deviation.stamina = std::fabs(player.stamina.value - recorded.stamina);
+  deviation.effort = std::max(std::fabs(player.stamina.effort - recorded.effort),
+                              std::fabs(player.stamina.recovery - recorded.recovery));
+  deviation.capacity = std::fabs(player.stamina.capacity - recorded.capacity);
+  deviation.same_counters = as_tuple(player.counters) == as_tuple(counters_of(recorded.counts));
+  deviation.same_state = player.state == recorded.state;
+  return deviation;
+}
+
+}  // namespace cls::simulator
