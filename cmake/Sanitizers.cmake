@@ -1,9 +1,12 @@
-# One switch for instrumented builds; the presets asan and tsan set it.
+# Switches for instrumented builds; the presets asan, tsan and fuzz set them.
+option(CLS_FUZZ "build the fuzzers in tests/fuzz (clang only)" OFF)
 set(CLS_SANITIZE "" CACHE STRING "sanitizers for the whole build, e.g. address,undefined or thread")
 
 if(CLS_SANITIZE)
   add_compile_options(-fsanitize=${CLS_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
   add_link_options(-fsanitize=${CLS_SANITIZE})
   # GCC sees uninitialised values that are none in instrumented library headers.
-  add_compile_options(-Wno-maybe-uninitialized)
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    add_compile_options(-Wno-maybe-uninitialized)
+  endif()
 endif()

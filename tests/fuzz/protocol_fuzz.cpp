@@ -1,0 +1,102 @@
+// libFuzzer target: any bytes through every parser of the text protocol.
+#include <cstdint>
+#include <cstdlib>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "soccer/protocol/coach_command.h"
+#include "soccer/protocol/connection_request.h"
+#include "soccer/protocol/full_state.h"
+#include "soccer/protocol/global_view.h"
+#include "soccer/protocol/hear.h"
+#include "soccer/protocol/parameter_message.h"
+#include "soccer/protocol/player_command.h"
+#include "soccer/protocol/see.h"
+#include "soccer/protocol/sense_body.h"
+#include "soccer/protocol/server_reply.h"
+
+namespace {
+
+using namespace cls::soccer;
+
+void require(bool condition) {
+  if (!condition) std::abort();
+}
+
+// What was accepted must be writable, and its text must mean the same again.
+template <typename Message, typename Write>
+void check_message(std::string_view text, Write write) {
+  Message message;
+  if (!parse(text, message)) return;
+  std::string written;
+  write(message, written);
+  Message again;
+  require(parse(written, again).ok());
+  std::string written_again;
+  write(again, written_again);
+  require(written == written_again);
+}
+
+template <typename Request>
+void check_request(std::string_view text) {
+  Request request;
+  if (parse(text, request)) return;
+  std::string written;
+  format(request, written);
+  require(!parse(written, request));
+}
+
+void check_player_commands(std::string_view text) {
+  std::vector<PlayerCommand> commands;
+  parse_player_commands(text, commands);
+  std::string written;
+  for (const PlayerCommand& command : commands) require(format(command, written));
+  if (commands.empty()) return;
+  std::vector<PlayerCommand> again;
+  require(!parse_player_commands(written, again));
+  require(again.size() == commands.size());
+}
+
+void check_coach_command(std::string_view text, CoachRole role) {
+  CoachCommand command;
+  if (parse(text, role, command)) return;
+  std::string written;
+  if (!format(command, written)) return;
+  require(!parse(written, role, command));
+}
+
+void check_game_request(std::string_view text) {
+  GameRequest request;
+  if (parse(text, request)) return;
+  std::string written;
+  std::visit([&written](const auto& one) { format(one, written); }, request);
+  require(!parse(written, request));
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::string_view text(reinterpret_cast<const char*>(data), size);
+  const auto newest = [](const auto& message, std::string& out) { format(message, 19, out); };
+  const auto plain = [](const auto& message, std::string& out) { format(message, out); };
+  check_player_commands(text);
+  check_coach_command(text, CoachRole::kOnlineCoach);
+  check_coach_command(text, CoachRole::kTrainer);
+  check_game_request(text);
+  check_request<CoachInit>(text);
+  check_request<TrainerInit>(text);
+  check_message<SenseBody>(text, newest);
+  check_message<See>(text, plain);
+  check_message<FullState>(text, newest);
+  check_message<GlobalView>(text, plain);
+  check_message<ServerReply>(text, plain);
+  check_message<ServerParams>(text, newest);
+  check_message<PlayerParams>(text, newest);
+  check_message<PlayerType>(text, newest);
+  for (const Listener listener : {Listener::kPlayer, Listener::kOnlineCoach, Listener::kTrainer}) {
+    check_message<Hear>(
+        text, [listener](const Hear& hear, std::string& out) { format(hear, listener, out); });
+  }
+  return 0;
+}
