@@ -1,0 +1,85 @@
+// Rounding a player's own state for sense_body (simulation model 7.9).
+#include "simulator/senses/body_sense.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "simulator/actions.h"
+#include "soccer/math.h"
+
+namespace cls::simulator {
+namespace {
+
+namespace math = soccer::math;
+
+constexpr double kSpeedStep = 0.01;
+
+int truncated_degrees(double radians) { return static_cast<int>(math::to_degrees(radians)); }
+
+}  // namespace
+
+soccer::CommandCounts command_counts(const Counters& counters) {
+  return {counters.kick, counters.dash,        counters.turn,
+          counters.say,  counters.turn_neck,   counters.catch_ball,
+          counters.move, counters.change_view, counters.change_focus};
+}
+
+soccer::Card card(const Player& player) {
+  if (player.has(state::kRedCard)) return soccer::Card::kRed;
+  return player.has(state::kYellowCard) ? soccer::Card::kYellow : soccer::Card::kNone;
+}
+
+soccer::ArmState arm_state(const World& world, const Player& player, bool rounded) {
+  soccer::ArmState arm;
+  arm.movable_in = std::max(0, world.params().point_to_ban - player.arm.age);
+  arm.expires_in = std::max(0, world.params().point_to_duration - player.arm.age);
+  arm.count = player.counters.point_to;
+  if (!is_pointing(world, player)) return arm;
+  const Vec2 offset = player.arm.target - player.position;
+  const double direction = math::to_degrees(
+      math::normalize_radians(soccer::direction_radians(offset) - player.body - player.neck));
+  const double distance = offset.length();
+  if (rounded) {
+    arm.target_distance = std::rint(distance * 10.0) * 0.1;
+    arm.target_direction = static_cast<int>(std::rint(direction * 10.0) * 0.1);
+  } else {
+    arm.target_distance = distance;
+    arm.target_direction = static_cast<int>(std::rint(direction));
+  }
+  return arm;
+}
+
+soccer::SenseBody sense_body(const World& world, Slot slot) {
+  const Player& player = world.player(slot);
+  soccer::SenseBody sense;
+  sense.time = world.clock.time;
+  sense.quality = player.view.quality;
+  sense.width = player.view.width;
+  sense.stamina = player.stamina.value;
+  sense.effort = player.stamina.effort;
+  sense.capacity = player.stamina.capacity;
+  sense.speed = math::quantize(player.velocity.length(), kSpeedStep);
+  sense.speed_direction = truncated_degrees(math::normalize_radians(
+      soccer::direction_radians(player.velocity) - player.body - player.neck));
+  sense.head_angle = truncated_degrees(player.neck);
+  sense.counts = command_counts(player.counters);
+  sense.arm = arm_state(world, player, true);
+  if (player.attention != kNobody) {
+    sense.attention_side = soccer::side_of_slot(player.attention);
+    sense.attention_unum = soccer::unum_of_slot(player.attention);
+  }
+  sense.attention_count = player.counters.attention_to;
+  sense.tackle_expires_in = player.tackle_cycles;
+  sense.tackle_count = player.counters.tackle;
+  sense.collided_with_ball = player.contacts.ball;
+  sense.collided_with_player = player.contacts.player;
+  sense.collided_with_post = player.contacts.post;
+  sense.foul_charged = player.foul_cycles;
+  sense.card = card(player);
+  sense.has_focus_point = true;
+  sense.focus_distance = player.view.focus_distance;
+  sense.focus_direction = math::to_degrees(player.view.focus_direction);
+  return sense;
+}
+
+}  // namespace cls::simulator

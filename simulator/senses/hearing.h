@@ -1,0 +1,31 @@
+// What a player hears of others: says wait until the next sense_body, then ears decide.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "simulator/event.h"
+#include "soccer/protocol/hear.h"
+
+namespace cls::simulator {
+
+/// Says on their way to one listener, its own ones too. A plain value; memory is reused.
+struct Hearing {
+  struct Words {
+    Slot speaker = kNobody;
+    std::string text;
+  };
+  std::vector<Words> waiting;  ///< in order of speaking
+};
+
+/// A player has spoken: keeps it if the listener is on the pitch, near enough and has an ear for
+/// that side (simulation model 8.2). Speakers hear themselves.
+void overhear(const World& world, const PlayerSaid& said, Slot listener, Hearing& hearing);
+
+/// After sense_body: appends to `out` what the listener hears of all that waits, own words first,
+/// then as attention and capacity (which it uses up) allow. `choice` picks among several.
+void hear(World& world, Slot listener, Hearing& hearing, RandomStream& choice,
+          std::vector<soccer::Hear>& out);
+
+}  // namespace cls::simulator

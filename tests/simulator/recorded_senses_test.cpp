@@ -1,0 +1,266 @@
+// Every value that the real server told its players in a recorded match, computed again.
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "simulator/senses/body_sense.h"
+#include "simulator/senses/vision.h"
+#include "soccer/pitch.h"
+#include "soccer/protocol/message_kind.h"
+#include "soccer/protocol/number_text.h"
+#include "tests/simulator/recorded_world.h"
+#include "tests/support/files.h"
+#include "tests/support/transcript.h"
+
+namespace cls::simulator {
+namespace {
+
+using soccer::Observation;
+using soccer::ObservedDetail;
+using soccer::ObservedKind;
+
+std::string text(double value) {
+  std::string out;
+  soccer::append_g(value, out);
+  return out;
+}
+
+/// Counts comparisons. A value that differs is "at a border" if a world that the log rounds to
+/// the same digits gives it, else wrong.
+struct Tally {
+  int equal = 0;
+  int border = 0;
+  std::map<std::string, int> wrong;
+  std::string first_wrong;
+
+  void add(const std::string& what, bool is_equal, bool is_border, const std::string& where) {
+    if (is_equal) {
+      ++equal;
+    } else if (is_border) {
+      ++border;
+    } else {
+      if (wrong.empty()) first_wrong = what + " in " + where;
+      ++wrong[what];
+    }
+  }
+};
+
+bool same_name(const Observation& real, const Observation& ours) {
+  if (real.kind != ours.kind) return false;
+  switch (real.kind) {
+    case ObservedKind::kLandmark:
+    case ObservedKind::kLine:
+      return real.index == ours.index;
+    case ObservedKind::kPlayer:
+      return real.team == ours.team && (real.unum == 0 || real.unum == ours.unum);
+    default:
+      return true;
+  }
+}
+
+bool same_names(const soccer::See& real, const soccer::See& ours) {
+  if (real.objects.size() != ours.objects.size()) return false;
+  for (std::size_t i = 0; i < real.objects.size(); ++i) {
+    if (!same_name(real.objects[i], ours.objects[i])) return false;
+  }
+  return true;
+}
+
+struct Field {
+  std::string name;
+  bool (*equal)(const Observation& real, const Observation& ours);
+};
+
+const std::vector<Field>& fields_of(ObservedDetail detail) {
+  static const std::vector<Field> all = {
+      {"direction", [](const auto& a, const auto& b) { return a.direction == b.direction; }},
+      {"distance",
+       [](const auto& a, const auto& b) { return text(a.distance) == text(b.distance); }},
+      {"mark", [](const auto& a, const auto& b) { return a.mark == b.mark; }},
+      {"goalie", [](const auto& a, const auto& b) { return a.unum == 0 || a.goalie == b.goalie; }},
+      {"distance change",
+       [](const auto& a, const auto& b) {
+         return text(a.distance_change) == text(b.distance_change);
+       }},
+      {"direction change",
+       [](const auto& a, const auto& b) {
+         return text(a.direction_change) == text(b.direction_change);
+       }},
+      {"body", [](const auto& a, const auto& b) { return a.body == b.body; }},
+      {"head", [](const auto& a, const auto& b) { return a.head == b.head; }},
+  };
+  static const std::vector<Field> position(all.begin(), all.begin() + 4);
+  static const std::vector<Field> motion(all.begin(), all.begin() + 6);
+  if (detail == ObservedDetail::kPose) return all;
+  return detail == ObservedDetail::kMotion ? motion : position;
+}
+
+/// What is told surely and never at these distances (simulation model 7.6).
+void compare_detail(const Observation& real, Tally& tally, const std::string& where) {
+  if (real.kind != ObservedKind::kLandmark && real.kind != ObservedKind::kBall &&
+      real.kind != ObservedKind::kPlayer) {
+    tally.add("detail", real.detail == ObservedDetail::kPosition, false, where);
+    return;
+  }
+  const ObservedDetail most =
+      real.kind == ObservedKind::kPlayer ? ObservedDetail::kPose : ObservedDetail::kMotion;
+  if (real.distance <= 20.0) tally.add("detail", real.detail == most, false, where);
+  if (real.distance >= 40.0) {
+    tally.add("detail", real.detail == ObservedDetail::kPosition, false, where);
+  }
+}
+
+class Comparison {
+ public:
+  /// One see or sense_body of the player in `slot` against the world of its moment.
+  void compare(const World& world, Slot slot, std::string_view message) {
+    worlds_.assign(1, world);
+    where_ = std::string(message.substr(0, 40));
+    if (soccer::message_kind(message) == soccer::MessageKind::kSee) {
+      compare_see(slot, message);
+    } else {
+      compare_sense_body(slot, message);
+    }
+  }
+
+  const Tally& tally() const { return tally_; }
+
+ private:
+  static constexpr std::size_t kMostWorlds = 400;
+
+  /// World 0 is the recorded one, the others are rounded to it.
+  const World& world(std::size_t i) {
+    while (worlds_.size() <= i) worlds_.push_back(jittered(worlds_.front(), random_));
+    return worlds_[i];
+  }
+
+  soccer::See seen(std::size_t i, Slot slot) {
+    soccer::See see_message;
+    see(vision_, world(i), slot, random_, see_message);
+    return see_message;
+  }
+
+  void compare_see(Slot slot, std::string_view message) {
+    soccer::See real;
+    ASSERT_TRUE(soccer::parse(message, real)) << message;
+    std::size_t names = 0;
+    while (names < kMostWorlds && !same_names(real, seen(names, slot))) ++names;
+    tally_.add("objects", names == 0, names < kMostWorlds, where_);
+    if (names == kMostWorlds) return;
+    const soccer::See ours = seen(names, slot);
+    for (std::size_t i = 0; i < real.objects.size(); ++i) {
+      compare_detail(real.objects[i], tally_, where_);
+      for (const Field& field : fields_of(real.objects[i].detail)) {
+        const bool equal = field.equal(real.objects[i], ours.objects[i]);
+        const bool border = !equal && some_world_sees(real, i, field, slot);
+        tally_.add(field.name, equal, border, where_ + " object " + std::to_string(i));
+      }
+    }
+  }
+
+  bool some_world_sees(const soccer::See& real, std::size_t object, const Field& field, Slot slot) {
+    for (std::size_t i = 0; i < kMostWorlds; ++i) {
+      const soccer::See ours = seen(i, slot);
+      if (same_names(real, ours) && field.equal(real.objects[object], ours.objects[object])) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  void compare_sense_body(Slot slot, std::string_view message) {
+    soccer::SenseBody real;
+    ASSERT_TRUE(soccer::parse(message, real)) << message;
+    const auto groups = [](const soccer::SenseBody& sense) {
+      std::string out;
+      soccer::format(sense, 18, out);
+      return out;
+    };
+    // Three fields are rounded from what the log rounds as well; the rest must be the same text.
+    soccer::SenseBody ours = sense_body(world(0), slot);
+    const soccer::SenseBody exact = ours;
+    compare_rounded("speed", real, exact, slot, &soccer::SenseBody::speed);
+    // Four decimals do not tell the direction of a player who hardly moves.
+    constexpr double kSlow = 0.005;
+    if (world(0).player(slot).velocity.length() >= kSlow) {
+      compare_rounded("speed direction", real, exact, slot, &soccer::SenseBody::speed_direction);
+    }
+    compare_rounded("head angle", real, exact, slot, &soccer::SenseBody::head_angle);
+    ours.speed = real.speed;
+    ours.speed_direction = real.speed_direction;
+    ours.head_angle = real.head_angle;
+    tally_.add("sense_body", groups(ours) == groups(real), false,
+               groups(real) + " / " + groups(ours));
+  }
+
+  template <typename T>
+  void compare_rounded(const std::string& name, const soccer::SenseBody& real,
+                       const soccer::SenseBody& exact, Slot slot, T soccer::SenseBody::*field) {
+    const auto same = [&](const soccer::SenseBody& ours) {
+      return text(ours.*field) == text(real.*field);
+    };
+    bool border = false;
+    for (std::size_t i = 1; !same(exact) && !border && i < kMostWorlds; ++i) {
+      border = same(sense_body(world(i), slot));
+    }
+    tally_.add(name, same(exact), border, where_);
+  }
+
+  VisionModel vision_{soccer::ServerParams{}};
+  RandomStream random_{1, "jitter"};
+  std::vector<World> worlds_;
+  std::string where_;
+  Tally tally_;
+};
+
+/// The k-th sense_body of a time, and its see, belong to the k-th frame of that time.
+Tally compare_player(const std::vector<World>& worlds, Slot slot, std::string_view transcript) {
+  std::map<std::pair<int, int>, const World*> by_clock;
+  for (const World& world : worlds) by_clock[{world.clock.time, world.clock.stoppage}] = &world;
+  Comparison comparison;
+  std::map<int, int> bodies;
+  for (const tests::Spoken& spoken : tests::read_transcript(transcript)) {
+    const auto kind = soccer::message_kind(spoken.message);
+    const bool is_body = kind == soccer::MessageKind::kSenseBody;
+    if (!spoken.by_server || (!is_body && kind != soccer::MessageKind::kSee)) continue;
+    const int time = std::stoi(std::string(spoken.message.substr(spoken.message.find(' ') + 1)));
+    if (is_body) ++bodies[time];
+    const auto found = by_clock.find({time, bodies[time] - 1});
+    if (found != by_clock.end()) comparison.compare(*found->second, slot, spoken.message);
+  }
+  return comparison.tally();
+}
+
+void expect_nothing_wrong(const Tally& tally, int least) {
+  for (const auto& [what, count] : tally.wrong) ADD_FAILURE() << count << " x wrong " << what;
+  EXPECT_TRUE(tally.wrong.empty()) << "first: " << tally.first_wrong;
+  EXPECT_GE(tally.equal, least);
+  EXPECT_LE(tally.border, tally.equal / 50);
+  testing::Test::RecordProperty("equal", tally.equal);
+  testing::Test::RecordProperty("border", tally.border);
+}
+
+TEST(RecordedSenses, AreComputedAgainValueByValue) {
+  const std::string log = tests::read_file(tests::fixture("simulator/senses.rcg.gz"));
+  const std::string transcript = tests::read_file(tests::fixture("simulator/senses-l10.txt.gz"));
+  expect_nothing_wrong(compare_player(recorded_worlds(keen_eyed_rules(), log),
+                                      soccer::slot_of(Side::kLeft, 10), transcript),
+                       2900);
+}
+
+TEST(RecordedSenses, OfAWholeMatchAreComputedAgainValueByValue) {
+  const auto log = tests::data("aligned/game.rcg.gz");
+  if (!log) GTEST_SKIP() << "no data: set CLS_DATA";
+  const auto worlds = recorded_worlds(keen_eyed_rules(), tests::read_file(*log));
+  for (const auto& [name, unum] :
+       {std::pair{"player_l1_goalie", 1}, {"player_l4", 4}, {"player_l7", 7}, {"player_l10", 10}}) {
+    SCOPED_TRACE(name);
+    const auto path = tests::data("aligned/udp/" + std::string(name) + ".txt.gz");
+    ASSERT_TRUE(path);
+    expect_nothing_wrong(
+        compare_player(worlds, soccer::slot_of(Side::kLeft, unum), tests::read_file(*path)), 50000);
+  }
+}
+
+}  // namespace
+}  // namespace cls::simulator
