@@ -1,0 +1,76 @@
+// A match in memory: as fast as its clients, and the same whatever their speed.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "simulator/server/match_server.h"
+#include "soccer/channel.h"
+#include "soccer/result.h"
+
+namespace cls::simulator {
+
+/// Server and clients take turns in one thread: run_cycle() is the server's turn, and it finds in
+/// the channels what the clients have sent in theirs. What happens depends on seed, parameters
+/// and the messages only; clients are told (synch_mode 1), act on (think) and end with (done), as
+/// with the real server in synch mode.
+///
+///     auto server = LockstepServer::create(config);
+///     auto channel = (*server)->connect();   // once per client; it sends (init ...)
+///     (*server)->answer_requests();          // the client finds the reply and the parameters
+///     while (!(*server)->finished()) {
+///       (*server)->run_cycle();              // step, senses, (think)
+///       ...                                  // clients read, think, send commands and (done)
+///     }
+///     (*server)->finish();                   // the result goes into the logs
+class LockstepServer {
+ public:
+  /// server.synch_mode is switched on. The error names the parameter that makes no match.
+  static soccer::Result<std::unique_ptr<LockstepServer>> create(MatchConfig config);
+
+  /// See MatchServer::record.
+  void record(gamelog::ByteSink* game_log, gamelog::ByteSink* text_log) {
+    match_->record(game_log, text_log);
+  }
+
+  /// The client's end of a new connection. Its first message must be a player's init or reconnect;
+  /// a refused one is answered with an error and may try again. Destroying it means leaving.
+  std::unique_ptr<soccer::Channel> connect();
+
+  /// Lets in the clients that have asked, in the order of connect(), and answers them.
+  void answer_requests();
+
+  /// Executes what the clients have sent, makes one step, tells everybody the new state of the
+  /// world and asks them to think.
+  void run_cycle();
+
+  /// True while the client of that player has not sent (done) since it was asked to think. Reads
+  /// what has arrived.
+  bool awaits(Slot slot);
+
+  /// Cycles that the player in `slot` was asked to think and let pass without (done).
+  std::int64_t missed_cycles(Slot slot) const { return missed_[static_cast<std::size_t>(slot)]; }
+
+  /// Time over, or the cycle limit is reached.
+  bool finished() const { return match_->finished(); }
+
+  /// Writes the result into the logs. Once, after the last cycle.
+  void finish() { match_->finish(); }
+
+  const World& world() const { return match_->world(); }
+
+ private:
+  explicit LockstepServer(std::unique_ptr<MatchServer> match) : match_(std::move(match)) {}
+
+  void collect(Slot slot);
+
+  std::unique_ptr<MatchServer> match_;
+  std::vector<std::unique_ptr<soccer::Channel>> waiting_;  ///< server ends, not yet admitted
+  std::array<std::int64_t, soccer::kPlayersOnPitch> missed_ = {};
+  std::string message_;
+};
+
+}  // namespace cls::simulator

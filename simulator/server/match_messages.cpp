@@ -1,0 +1,128 @@
+// What the match server sends: senses, the referee's words, changes of type, replies.
+#include <variant>
+
+#include "simulator/actions.h"
+#include "simulator/senses/body_sense.h"
+#include "simulator/senses/full_view.h"
+#include "simulator/server/match_server.h"
+#include "soccer/protocol/hear.h"
+#include "soccer/protocol/sense_body.h"
+
+namespace cls::simulator {
+namespace {
+
+constexpr int kFirstGoalieChangeVersion = 16;
+
+template <typename... Cases>
+struct Overloaded : Cases... {
+  using Cases::operator()...;
+};
+template <typename... Cases>
+Overloaded(Cases...) -> Overloaded<Cases...>;
+
+}  // namespace
+
+void MatchServer::reply(Session& client, const soccer::ServerReply& answer) {
+  text_.clear();
+  soccer::format(answer, text_);
+  client.send(text_);
+}
+
+void MatchServer::reply(Session& client, soccer::ErrorCode code) {
+  text_.clear();
+  soccer::format(code, text_);
+  client.send(text_);
+}
+
+void MatchServer::reply(Session& client, soccer::WarningCode code) {
+  text_.clear();
+  soccer::format(code, text_);
+  client.send(text_);
+}
+
+void MatchServer::broadcast(std::string_view message) {
+  for (auto& client : sessions_) {
+    if (client != nullptr && world_.player(client->slot).enabled) client->send(message);
+  }
+}
+
+void MatchServer::dispatch_events() {
+  for (const Event& event : events_) dispatch(event);
+  events_.clear();
+}
+
+void MatchServer::dispatch(const Event& event) {
+  std::visit(
+      Overloaded{[&](const RefereeSaid& said) { tell_referee(event.clock, said.text); },
+                 [&](const PlayerSaid& said) {
+                   for (auto& client : sessions_) {
+                     if (client == nullptr) continue;
+                     overhear(world_, said, client->slot, client->hearing);
+                   }
+                 },
+                 [&](const TypeChanged& change) { tell_type(change); },
+                 [&](const GoalieAppointed& change) { tell_goalie(change); },
+                 [&](const SentOff& sent_off) { lose(sent_off.slot); }, [](const ModeChanged&) {}},
+      event.what);
+}
+
+void MatchServer::tell_referee(Clock clock, const std::string& words) {
+  recorder_.referee(clock, words);
+  soccer::Hear hear;
+  hear.time = clock.time;
+  hear.text = words;
+  text_.clear();
+  soccer::format(hear, soccer::Listener::kPlayer, text_);
+  broadcast(text_);
+}
+
+void MatchServer::tell_type(const TypeChanged& change) {
+  for (auto& client : sessions_) {
+    if (client == nullptr) continue;
+    const bool own = soccer::side_of_slot(client->slot) == change.side;
+    reply(*client, soccer::PlayerTypeChange{change.unum,
+                                            own ? std::optional<int>(change.type) : std::nullopt});
+  }
+}
+
+void MatchServer::tell_goalie(const GoalieAppointed& change) {
+  for (auto& client : sessions_) {
+    if (client == nullptr || client->version < kFirstGoalieChangeVersion) continue;
+    reply(*client, soccer::PlayerTypeChange{change.unum, std::nullopt, change.side});
+  }
+}
+
+void MatchServer::send_sense_body(Session& client) {
+  text_.clear();
+  soccer::format(sense_body(world_, client.slot), client.version, text_);
+  client.send(text_);
+}
+
+void MatchServer::send_full_state(Session& client) {
+  full_state(world_, client.slot, full_state_);
+  text_.clear();
+  soccer::format(full_state_, client.version, text_);
+  client.send(text_);
+}
+
+void MatchServer::send_hearing(Session& client) {
+  if (client.hearing.waiting.empty()) return;
+  RandomStream choice = stream("hear", client.slot);
+  heard_.clear();
+  hear(world_, client.slot, client.hearing, choice, heard_);
+  for (const soccer::Hear& words : heard_) {
+    text_.clear();
+    soccer::format(words, soccer::Listener::kPlayer, text_);
+    client.send(text_);
+  }
+}
+
+void MatchServer::send_see(Session& client) {
+  RandomStream noise = stream("see", client.slot);
+  see(vision_, world_, client.slot, noise, see_);
+  text_.clear();
+  soccer::format(see_, text_);
+  client.send(text_);
+}
+
+}  // namespace cls::simulator

@@ -1,0 +1,40 @@
+// Writing a running match into its two logs.
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "gamelog/byte_sink.h"
+#include "gamelog/frame.h"
+#include "gamelog/rcg_writer.h"
+#include "gamelog/rcl_writer.h"
+#include "simulator/world.h"
+
+namespace cls::simulator {
+
+/// The world as game logs show it.
+void describe(const World& world, gamelog::Frame& out);
+
+/// Feeds a game log (rcg) and a text log (rcl).
+class MatchRecorder {
+ public:
+  /// A null pointer means no such log; until now there is none. The sinks must outlive the
+  /// recorder.
+  void begin(gamelog::ByteSink* game_log, gamelog::ByteSink* text_log, const Rules& rules);
+
+  /// Every step, after it (simulation model 12.4).
+  void step(const World& world);
+
+  void command(const World& world, Slot slot, std::string_view text);
+  void referee(Clock clock, std::string_view text);
+
+  /// The result; nothing may follow.
+  void finish(const World& world);
+
+ private:
+  std::optional<gamelog::RcgWriter> rcg_;
+  std::optional<gamelog::RclWriter> rcl_;
+  gamelog::Frame frame_;
+};
+
+}  // namespace cls::simulator

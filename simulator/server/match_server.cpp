@@ -1,0 +1,187 @@
+// A cycle of the server: commands, step, senses, think.
+#include "simulator/server/match_server.h"
+
+#include <cstddef>
+#include <numeric>
+#include <span>
+#include <utility>
+
+#include "simulator/actions.h"
+#include "simulator/roster.h"
+#include "simulator/senses/body_sense.h"
+#include "simulator/senses/full_view.h"
+#include "simulator/step.h"
+#include "soccer/protocol/sense_body.h"
+
+namespace cls::simulator {
+namespace {
+
+/// Rounds after which a see is due (simulation model 7.2).
+int view_interval(const View& view) {
+  const int width = static_cast<int>(view.width);
+  if (view.synchronous) return width + 1;
+  const int rounds = 2 << width;
+  return view.quality == soccer::ViewQuality::kHigh ? rounds : rounds / 2;
+}
+
+}  // namespace
+
+soccer::Result<std::unique_ptr<MatchServer>> MatchServer::create(const MatchConfig& config) {
+  auto rules = make_rules(config.server, config.player, config.seed);
+  if (!rules) return rules.error();
+  return std::unique_ptr<MatchServer>(new MatchServer(std::move(*rules), config));
+}
+
+MatchServer::MatchServer(std::shared_ptr<const Rules> rules, const MatchConfig& config)
+    : world_(make_world(rules, config.seed)),
+      vision_(rules->server),
+      cycle_limit_(config.cycle_limit) {
+  see_.objects.reserve(soccer::kMaxObservations);
+}
+
+void MatchServer::record(gamelog::ByteSink* game_log, gamelog::ByteSink* text_log) {
+  recorder_.begin(game_log, text_log, *world_.rules);
+}
+
+void MatchServer::receive(Slot slot, std::string_view datagram, bool null_terminated) {
+  Session* client = session(slot);
+  if (client == nullptr) return;
+  if (client->inbox.add(datagram, null_terminated)) client->done = true;
+}
+
+void MatchServer::lose(Slot slot) {
+  if (Session* client = session(slot)) client->lost = true;
+}
+
+void MatchServer::execute() {
+  std::array<Slot, soccer::kPlayersOnPitch> order;
+  std::iota(order.begin(), order.end(), 0);
+  stream("command order", 0).shuffle(std::span<Slot>(order));
+  for (const Slot slot : order) {
+    if (Session* client = session(slot)) execute(*client);
+  }
+  remove_lost();
+}
+
+void MatchServer::execute(Session& client) {
+  for (std::size_t i = 0; i < client.inbox.size() && !client.lost; ++i) {
+    const Inbox::Datagram& datagram = client.inbox[i];
+    recorder_.command(world_, client.slot, datagram.text);
+    if (!datagram.null_terminated) {
+      reply(client, soccer::WarningCode::kMessageNotNullTerminated);
+    }
+    for (std::size_t k = datagram.first; k < datagram.last && !client.lost; ++k) {
+      execute(client, client.inbox.commands()[k]);
+    }
+    if (!datagram.complete) reply(client, soccer::ErrorCode::kIllegalCommandForm);
+  }
+  client.inbox.clear();
+}
+
+void MatchServer::execute(Session& client, const soccer::PlayerCommand& command) {
+  if (std::holds_alternative<soccer::Bye>(command)) {
+    leave(world_, client.slot);
+    client.lost = true;
+  } else if (std::holds_alternative<soccer::AskSenseBody>(command)) {
+    send_sense_body(client);
+  } else if (const auto* clang = std::get_if<soccer::Clang>(&command)) {
+    reply(client, soccer::OkClang{clang->min_version, clang->max_version});
+  } else if (std::holds_alternative<soccer::Compression>(command)) {
+    reply(client, soccer::WarningCode::kCompressionUnsupported);
+  } else if (auto answer = apply(world_, client.slot, command, events_)) {
+    reply(client, *answer);
+  }
+  dispatch_events();
+}
+
+void MatchServer::remove_lost() {
+  for (auto& client : sessions_) {
+    if (client == nullptr || !client->lost) continue;
+    if (world_.player(client->slot).enabled) leave(world_, client->slot);
+    client.reset();
+  }
+}
+
+void MatchServer::step() {
+  asynchronous_rounds(world_.params().simulator_step - 1);
+  for (auto& client : sessions_) {
+    if (client != nullptr) client->asked = client->done = false;
+  }
+  simulator::step(world_, events_);
+  dispatch_events();
+  recorder_.step(world_);
+  finish_step(world_, events_);
+  dispatch_events();
+  ++steps_;
+}
+
+void MatchServer::sense() {
+  for (auto& client : sessions_) {
+    if (client == nullptr || !world_.player(client->slot).enabled) continue;
+    Player& player = world_.player(client->slot);
+    send_sense_body(*client);
+    player.contacts = {};
+    if (has_full_state(world_, player)) send_full_state(*client);
+    send_hearing(*client);
+  }
+  asynchronous_rounds(0);
+  view_round(true);
+}
+
+void MatchServer::think() {
+  asynchronous_rounds(world_.params().synch_offset);
+  text_.clear();
+  soccer::format(soccer::ServerReply(soccer::Think{}), text_);
+  for (auto& client : sessions_) {
+    if (client == nullptr || !world_.player(client->slot).enabled) continue;
+    client->send(text_);
+    client->asked = true;
+  }
+}
+
+bool MatchServer::awaits(Slot slot) const {
+  const auto& client = sessions_[static_cast<std::size_t>(slot)];
+  return client != nullptr && client->asked && !client->done && !client->lost &&
+         world_.player(slot).enabled;
+}
+
+bool MatchServer::awaits_anybody() const {
+  for (Slot slot = 0; slot < soccer::kPlayersOnPitch; ++slot) {
+    if (awaits(slot)) return true;
+  }
+  return false;
+}
+
+bool MatchServer::finished() const {
+  if (world_.mode == PlayMode::kTimeOver) return true;
+  return cycle_limit_ && world_.clock.time >= *cycle_limit_;
+}
+
+void MatchServer::finish() { recorder_.finish(world_); }
+
+void MatchServer::view_round(bool synchronous) {
+  for (auto& client : sessions_) {
+    if (client == nullptr) continue;
+    const Player& player = world_.player(client->slot);
+    if (!player.enabled || player.view.synchronous != synchronous) continue;
+    if (++client->view_rounds < view_interval(player.view)) continue;
+    client->view_rounds = 0;
+    send_see(*client);
+  }
+}
+
+void MatchServer::asynchronous_rounds(int until_ms) {
+  // In virtual time; a round falls due every quarter of send_step, not always a whole millisecond.
+  const std::int64_t now = steps_ * world_.params().simulator_step + until_ms;
+  const std::int64_t due = now * 4 / world_.params().send_step;
+  for (; asynchronous_rounds_ < due; ++asynchronous_rounds_) view_round(false);
+}
+
+RandomStream MatchServer::stream(std::string_view purpose, Slot slot) const {
+  const auto time = static_cast<std::uint64_t>(world_.clock.time);
+  const auto stoppage = static_cast<std::uint64_t>(world_.clock.stoppage);
+  return RandomStream(world_.seed, purpose, static_cast<std::uint64_t>(slot),
+                      (time << 32) | stoppage);
+}
+
+}  // namespace cls::simulator

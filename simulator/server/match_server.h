@@ -1,0 +1,146 @@
+// A match and the players connected to it, whatever carries their messages and drives the clock.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "gamelog/byte_sink.h"
+#include "simulator/event.h"
+#include "simulator/senses/vision.h"
+#include "simulator/server/match_recorder.h"
+#include "simulator/server/session.h"
+#include "simulator/world.h"
+#include "soccer/channel.h"
+#include "soccer/protocol/connection_request.h"
+#include "soccer/protocol/full_state.h"
+#include "soccer/protocol/reply_code.h"
+#include "soccer/protocol/server_reply.h"
+#include "soccer/result.h"
+
+namespace cls::simulator {
+
+struct MatchConfig {
+  soccer::ServerParams server;
+  soccer::PlayerParams player;
+  std::uint64_t seed = 0;
+
+  /// Ends the match when game time reaches this; otherwise it ends with time_over.
+  std::optional<int> cycle_limit;
+};
+
+/// A client that was let in. It hears nothing before MatchServer::greet.
+struct Admission {
+  Slot slot = kNobody;
+  int version = 0;
+  bool reconnected = false;
+};
+
+/// The server without its network: who plays, what they sent, what they are told, what is logged.
+/// A driver calls, for every cycle: receive() for each datagram, then execute(), step(), sense(),
+/// think(). Draws of its own (order of execution, senses) come from streams keyed by seed, clock
+/// and player, so that a client that joins or leaves changes nothing for the others.
+class MatchServer {
+ public:
+  /// The error names the parameter that makes no match.
+  static soccer::Result<std::unique_ptr<MatchServer>> create(const MatchConfig& config);
+
+  /// Writes logs from now on; a null pointer means no such log. Call before anybody connects. The
+  /// sinks must live until the server is gone.
+  void record(gamelog::ByteSink* game_log, gamelog::ByteSink* text_log);
+
+  /// Reads a connection request of a player. On success the player takes part from now on, and
+  /// greet() must follow; else the error to answer with.
+  std::variant<Admission, soccer::ErrorCode> admit(std::string_view datagram);
+
+  /// Gives the admitted client its channel and sends all that follows an init (protocol 2.1).
+  void greet(const Admission& admission, std::unique_ptr<soccer::Channel> channel,
+             std::string_view request);
+
+  /// Keeps what the player's client sent until execute().
+  void receive(Slot slot, std::string_view datagram, bool null_terminated = true);
+
+  /// The client is gone: its player leaves the pitch at the next execute().
+  void lose(Slot slot);
+
+  /// The session of a connected player, else null.
+  Session* session(Slot slot) { return sessions_[static_cast<std::size_t>(slot)].get(); }
+
+  /// Executes what was received: clients in an order drawn for this cycle, the datagrams of each
+  /// in order of arrival. Replies, and what others hear of it, go out at once.
+  void execute();
+
+  /// One simulation step, logged; the referee's words go out.
+  void step();
+
+  /// sense_body, fullstate, says and see, to everybody who is due.
+  void sense();
+
+  /// (think), and the see messages of clients without synch_see that fall before it.
+  void think();
+
+  /// True while a player who was asked to think has not sent (done).
+  bool awaits(Slot slot) const;
+  bool awaits_anybody() const;
+
+  /// Time over, or the cycle limit is reached.
+  bool finished() const;
+
+  /// Writes the result into the game log. Once, when no step will follow.
+  void finish();
+
+  const World& world() const { return world_; }
+
+ private:
+  explicit MatchServer(std::shared_ptr<const Rules> rules, const MatchConfig& config);
+
+  std::variant<Admission, soccer::ErrorCode> admit_player(const soccer::PlayerInit& init);
+  std::variant<Admission, soccer::ErrorCode> readmit_player(const soccer::PlayerReconnect& request);
+  std::optional<Side> side_for(std::string_view name);
+  void send_parameters(Session& session);
+
+  void execute(Session& session);
+  void execute(Session& session, const soccer::PlayerCommand& command);
+  void remove_lost();
+  void dispatch_events();
+  void dispatch(const Event& event);
+  void tell_referee(Clock clock, const std::string& words);
+  void tell_type(const TypeChanged& change);
+  void tell_goalie(const GoalieAppointed& change);
+  void broadcast(std::string_view message);
+  void reply(Session& session, const soccer::ServerReply& answer);
+  void reply(Session& session, soccer::ErrorCode code);
+  void reply(Session& session, soccer::WarningCode code);
+
+  void send_sense_body(Session& session);
+  void send_full_state(Session& session);
+  void send_hearing(Session& session);
+  void send_see(Session& session);
+  void view_round(bool synchronous);
+  void asynchronous_rounds(int until_ms);
+
+  /// A stream for one player's draws at this clock.
+  RandomStream stream(std::string_view purpose, Slot slot) const;
+
+  World world_;
+  VisionModel vision_;
+  MatchRecorder recorder_;
+  std::array<std::unique_ptr<Session>, soccer::kPlayersOnPitch> sessions_;
+  std::optional<int> cycle_limit_;
+  std::int64_t steps_ = 0;
+  std::int64_t asynchronous_rounds_ = 0;
+
+  // Reused, so that a cycle does not allocate.
+  Events events_;
+  std::string text_;
+  soccer::See see_;
+  soccer::FullState full_state_;
+  std::vector<soccer::Hear> heard_;
+};
+
+}  // namespace cls::simulator

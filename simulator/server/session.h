@@ -1,0 +1,67 @@
+// One connected player as the server keeps it beside the world.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "simulator/senses/hearing.h"
+#include "simulator/world.h"
+#include "soccer/channel.h"
+#include "soccer/protocol/player_command.h"
+
+namespace cls::simulator {
+
+/// What a client has sent since its commands were last executed. Parsed on arrival, so that
+/// (done) is known at once; memory is reused.
+class Inbox {
+ public:
+  /// One datagram: its text, its commands as a range of `commands()`, and what was wrong with it.
+  struct Datagram {
+    std::string text;
+    std::size_t first = 0;
+    std::size_t last = 0;
+    bool complete = true;         ///< no syntax error
+    bool null_terminated = true;  ///< as it should be on a network
+  };
+
+  /// More than this many waiting datagrams are dropped: no client needs them, and a flood must not
+  /// take the server's memory.
+  static constexpr std::size_t kMaxDatagrams = 256;
+
+  /// True if (done) is among the commands.
+  bool add(std::string_view text, bool null_terminated);
+
+  std::size_t size() const { return count_; }
+  const Datagram& operator[](std::size_t i) const { return datagrams_[i]; }
+  const std::vector<soccer::PlayerCommand>& commands() const { return commands_; }
+  void clear();
+
+ private:
+  std::vector<Datagram> datagrams_;
+  std::size_t count_ = 0;
+  std::vector<soccer::PlayerCommand> commands_;
+};
+
+struct Session {
+  Slot slot = kNobody;
+  int version = 0;
+  std::unique_ptr<soccer::Channel> channel;
+
+  Inbox inbox;
+  bool asked = false;  ///< to think, since the last step
+  bool done = false;   ///< since the last step
+  bool lost = false;   ///< the connection is gone; the player leaves after the commands
+
+  int view_rounds = 0;  ///< since the last see
+  Hearing hearing;
+
+  /// Sends one message; a failure marks the session as lost.
+  void send(std::string_view message) {
+    if (!lost && !channel->send(message)) lost = true;
+  }
+};
+
+}  // namespace cls::simulator

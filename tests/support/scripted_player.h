@@ -1,0 +1,68 @@
+// A simple player for server tests: talks the protocol, runs after the ball, kicks it on.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "soccer/channel.h"
+#include "soccer/geometry.h"
+#include "soccer/protocol/see.h"
+
+namespace cls::tests {
+
+/// Does the same for the same messages, so that matches between such players can be compared.
+class ScriptedPlayer {
+ public:
+  ScriptedPlayer(std::unique_ptr<soccer::Channel> channel, std::string team, int version = 18);
+
+  /// Sends (init ...).
+  void join(bool goalie = false);
+
+  /// Reads everything that has arrived. When the server asks to think, sends this cycle's
+  /// commands and (done); true in that case.
+  bool act();
+
+  /// Sends a text as it is.
+  void send(std::string_view text) { channel_->send(text); }
+
+  /// Where it goes before a kick-off, in its own frame.
+  void stand_at(soccer::Vec2 place) { place_ = place; }
+
+  /// Keeps every message for messages().
+  void keep_messages() { keep_ = true; }
+  std::vector<std::string> messages() const { return messages_; }
+  int count(std::string_view beginning) const;
+
+  int unum() const { return unum_; }
+  bool is_left() const { return is_left_; }
+
+ private:
+  void read(std::string_view message);
+  void think();
+  void chase();
+
+  std::unique_ptr<soccer::Channel> channel_;
+  std::string team_;
+  int version_;
+  soccer::Vec2 place_;
+  int unum_ = 0;
+  bool is_left_ = true;
+  bool waiting_ = true;  ///< for a kick-off
+  bool asked_ = false;
+  bool keep_ = false;
+  soccer::See see_;
+  bool seen_ = false;  ///< since the last commands
+  int cycles_ = 0;
+  std::string in_;
+  std::string out_;
+  std::vector<std::string> messages_;
+};
+
+/// The places of a team of eleven before kick-off, goalie first; `attacking`: the last player
+/// stands at the ball.
+std::vector<soccer::Vec2> formation(bool attacking);
+
+}  // namespace cls::tests
