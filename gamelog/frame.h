@@ -71,6 +71,7 @@ using TeamFrames = std::array<TeamFrame, 2>;
 /// The whole pitch after one step.
 struct Frame {
   int time = 0;
+  int stopped = 0;  ///< cycles for which the clock has stood at `time`; only JSON logs show it
   soccer::PlayMode mode = soccer::PlayMode::kNull;
   TeamFrames teams;
   soccer::Vec2 ball_position;

@@ -1,0 +1,21 @@
+// Naming damage.
+#include "gamelog/damage.h"
+
+#include <utility>
+
+namespace cls::gamelog {
+
+std::string to_text(std::string_view path, const Damage& damage) {
+  std::string text(path);
+  text += ": ";
+  if (damage.line > 0) text += "line " + std::to_string(damage.line) + ", ";
+  text += "byte " + std::to_string(damage.byte) + ", cycle " + std::to_string(damage.cycle) + ": ";
+  return text + damage.what;
+}
+
+void DamageList::add(Damage damage) {
+  if (first.size() < kKept) first.push_back(std::move(damage));
+  ++count;
+}
+
+}  // namespace cls::gamelog

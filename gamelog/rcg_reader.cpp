@@ -1,0 +1,63 @@
+// Telling versions of game logs apart, and whether a log has its end.
+#include "gamelog/rcg_reader.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "gamelog/input_buffer.h"
+#include "gamelog/rcg_text_reader.h"
+#include "gamelog/record_builder.h"
+
+namespace cls::gamelog {
+namespace {
+
+constexpr std::size_t kHeaderSize = 5;
+
+bool has_end(const MatchRecord& record) {
+  if (!record.mode.empty() && record.mode.back() == soccer::PlayMode::kTimeOver) return true;
+  return std::any_of(record.notes.rbegin(), record.notes.rend(), [](const Note& note) {
+    const auto* message = std::get_if<Message>(&note.content);
+    return message != nullptr && message->text.starts_with("(result ");
+  });
+}
+
+void note_damage(const InputBuffer& input, std::string what, MatchRecord& record) {
+  const int cycle = record.time.empty() ? 0 : record.time.back();
+  const bool text = record.version >= RcgVersion::kV4;
+  record.damage.add({text ? input.line_number() : 0, input.offset(), cycle, std::move(what)});
+}
+
+void check_end(const InputBuffer& input, MatchRecord& record) {
+  if (!input.source().problem().empty()) {
+    note_damage(input, input.source().problem(), record);
+  } else if (record.damage.empty() && !has_end(record)) {
+    note_damage(input, "the match has no end here: the log was interrupted", record);
+  }
+}
+
+}  // namespace
+
+MatchRecord read_rcg(ByteSource& source) {
+  MatchRecord record;
+  InputBuffer input(source);
+  RecordBuilder builder(record);
+  const std::string start(input.peek(kHeaderSize + 1));
+  std::string_view header;
+  if (start.starts_with("ULG4\n") || start.starts_with("ULG5\n") || start.starts_with("ULG6\n")) {
+    record.version = static_cast<RcgVersion>(start[3] - '0');
+    input.next_line(header);
+    read_rcg_text(input, builder);
+  } else {
+    note_damage(input, "this is no game log", record);
+  }
+  check_end(input, record);
+  return record;
+}
+
+soccer::Result<MatchRecord> read_rcg_file(const std::string& path) {
+  auto source = open_source(path);
+  if (!source) return source.error();
+  return read_rcg(**source);
+}
+
+}  // namespace cls::gamelog

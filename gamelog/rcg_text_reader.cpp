@@ -1,0 +1,182 @@
+// The lines of text logs that are not shows, and which reader gets which line.
+#include "gamelog/rcg_text_reader.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "gamelog/show_scanner.h"
+#include "soccer/protocol/parameter_message.h"
+#include "soccer/protocol/scanner.h"
+
+namespace cls::gamelog {
+namespace {
+
+using soccer::Scanner;
+
+constexpr std::string_view kNoTeam = "null";
+constexpr int kHighestType = 255;
+constexpr std::size_t kLongestName = 64;
+
+bool read_team_state(Scanner& in, TeamFrames& teams) {
+  for (TeamFrame& team : teams) {
+    const std::size_t start = in.position();
+    std::string_view name;
+    if (!in.literal(" ")) return false;
+    // A name holds neither blanks nor brackets, but perhaps quotes of a foreign server.
+    const std::size_t length = std::min(in.rest().find_first_of(" ()"), in.rest().size());
+    name = in.rest().substr(0, length);
+    if (name.empty() || length > kLongestName) return in.fail_at(start, "a team name");
+    in.literal(name);
+    team.name = name == kNoTeam ? std::string_view() : name;
+  }
+  for (TeamFrame& team : teams) {
+    if (!(in.literal(" ") && in.integer(team.score))) return false;
+  }
+  if (in.peek() == ')') return true;
+  for (TeamFrame& team : teams) {
+    if (!(in.literal(" ") && in.integer(team.penalty_scored) && in.literal(" ") &&
+          in.integer(team.penalty_missed))) {
+      return false;
+    }
+  }
+  return true;
+}
+
+class TextReader {
+ public:
+  TextReader(InputBuffer& input, RecordBuilder& builder) : input_(input), builder_(builder) {}
+
+  void read_all() {
+    std::string_view line;
+    for (;;) {
+      const InputBuffer::Line kind = input_.next_line(line);
+      if (kind == InputBuffer::Line::kEnd) return;
+      if (kind == InputBuffer::Line::kTooLong) {
+        damage(0, "a line of more than a megabyte");
+        continue;
+      }
+      if (!builder_.has_room()) {
+        damage(0, "more frames or messages than any match has: the rest is left out");
+        return;
+      }
+      read(line, kind == InputBuffer::Line::kUnfinished);
+    }
+  }
+
+ private:
+  void read(std::string_view line, bool unfinished) {
+    if (line.starts_with("(show ")) {
+      LineProblem problem;
+      if (!read_show(line, builder_, problem)) {
+        damage(problem.column, unfinished ? "the log is cut off here" : problem.what);
+      } else if (builder_.record().frames() == 1) {
+        reserve(line.size());
+      }
+      return;
+    }
+    Scanner in(line);
+    if (!read_other(in, line)) {
+      const soccer::Error error = in.error("record");
+      damage(0, unfinished ? "the log is cut off here" : std::string_view(error.message));
+    }
+  }
+
+  bool read_other(Scanner& in, std::string_view line) {
+    if (in.optional("(playmode ")) return read_play_mode(in, line);
+    if (in.optional("(team ")) return read_team(in);
+    if (in.optional("(msg ")) return read_message(in);
+    if (line.starts_with("(server_param ")) return read_parameters(line, builder_.record().server);
+    if (line.starts_with("(player_param ")) return read_parameters(line, builder_.record().player);
+    if (line.starts_with("(player_type ")) return read_player_type(line);
+    if (!line.starts_with('(') || !line.ends_with(')')) return in.fail("a record in brackets");
+    builder_.unknown_line(std::string(line));
+    return true;
+  }
+
+  bool read_play_mode(Scanner& in, std::string_view line) {
+    int time = 0;
+    std::string_view name;
+    if (!(in.integer(time) && in.literal(" ") && in.word(name) && in.literal(")") && in.end())) {
+      return false;
+    }
+    // A mode that later servers know: the one before goes on as far as we can tell.
+    const auto mode = soccer::play_mode_from_name(name);
+    if (mode) {
+      builder_.play_mode(time, *mode);
+    } else {
+      builder_.unknown_line(std::string(line));
+    }
+    return true;
+  }
+
+  bool read_team(Scanner& in) {
+    int time = 0;
+    TeamFrames teams;
+    if (!(in.integer(time) && read_team_state(in, teams) && in.literal(")") && in.end())) {
+      return false;
+    }
+    builder_.teams(time, teams);
+    return true;
+  }
+
+  bool read_message(Scanner& in) {
+    int time = 0;
+    int board = 0;
+    std::string_view text;
+    if (!(in.integer(time) && in.literal(" ") && in.integer(board) && in.literal(" \"") &&
+          in.rest_before("\")", text))) {
+      return false;
+    }
+    builder_.message(time, board, std::string(text));
+    return true;
+  }
+
+  // A value that cannot be read keeps its default: the rest of the log is worth more.
+  template <typename Params>
+  bool read_parameters(std::string_view line, Params& params) {
+    const soccer::Result<void> read = soccer::parse(line, params);
+    if (!read) damage(0, read.error().message);
+    builder_.parameter_line(std::string(line));
+    return true;
+  }
+
+  bool read_player_type(std::string_view line) {
+    soccer::PlayerType type;
+    type.id = -1;
+    read_parameters(line, type);
+    auto& types = builder_.record().types;
+    if (type.id < 0 || type.id > kHighestType) {
+      damage(0, "a player type without a number from 0 to 255");
+      return true;
+    }
+    const auto id = static_cast<std::size_t>(type.id);
+    if (types.size() <= id) types.resize(id + 1);
+    types[id] = type;
+    return true;
+  }
+
+  // Shows grow longer with their numbers, so the first one tells a little too much room.
+  void reserve(std::size_t show_size) {
+    const std::uint64_t rest = input_.source().size_hint();
+    reserve_frames(builder_.record(), std::min<std::uint64_t>(rest / show_size + 1, kMaxFrames));
+  }
+
+  void damage(std::size_t column, std::string_view what) {
+    const MatchRecord& record = builder_.record();
+    const int cycle = record.time.empty() ? 0 : record.time.back();
+    builder_.record().damage.add(
+        {input_.line_number(), input_.offset() + column, cycle, std::string(what)});
+  }
+
+  InputBuffer& input_;
+  RecordBuilder& builder_;
+};
+
+}  // namespace
+
+void read_rcg_text(InputBuffer& input, RecordBuilder& builder) {
+  TextReader(input, builder).read_all();
+}
+
+}  // namespace cls::gamelog

@@ -1,0 +1,276 @@
+// Text logs read into records: against literal lines, against a second reader, cut at every byte.
+#include "gamelog/rcg_reader.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "tests/support/files.h"
+#include "tests/support/rcg_lines.h"
+
+namespace cls::gamelog {
+namespace {
+
+using soccer::PlayMode;
+using soccer::Side;
+
+MatchRecord read(std::string_view log) {
+  MemorySource source(log);
+  return read_rcg(source);
+}
+
+std::string player(const char* name, const char* rest = "") {
+  return std::string(" ((") + name + ") 0 0x1 1 2 0 0 0 0 (v h 120) (fp 0 0) (s 8000 1 1 130600)" +
+         rest + " (c 0 0 0 0 0 0 0 0 0 0 0 0))";
+}
+
+// One player of a real show with everything a player can have, twenty-one plain ones.
+constexpr const char* kFullPlayer =
+    " ((l 1) 2 0x40009 -50.5897 -0.0123 -0 0.1 165.21 -89.5 10.0001 -3.1416 (v l 45) (fp 10.5 -20) "
+    "(s 6107.07 0.980041 0.998 130552) (f r 11) (c 1 2 3 4 5 6 7 8 9 10 11 12))";
+
+std::string show(int time, const std::string& first_player = player("l 1")) {
+  std::string line = "(show " + std::to_string(time) + " ((b) 1.5 -2.5 0.25 -0)" + first_player;
+  for (int unum = 2; unum <= 11; ++unum) line += player(("l " + std::to_string(unum)).c_str());
+  for (int unum = 1; unum <= 11; ++unum) line += player(("r " + std::to_string(unum)).c_str());
+  return line + ")\n";
+}
+
+constexpr const char* kEnd = "(playmode 9 time_over)\n";
+
+TEST(ReadRcg, ReadsEverythingAPlayerCanHave) {
+  const MatchRecord record = read("ULG6\n" + show(7, kFullPlayer) + kEnd + show(9));
+  ASSERT_TRUE(record.damage.empty()) << to_text("", record.damage.first[0]);
+  ASSERT_EQ(record.frames(), 2u);
+  const Frame frame = frame_at(record, 0);
+  EXPECT_EQ(frame.time, 7);
+  EXPECT_EQ(frame.ball_position, (soccer::Vec2{1.5, -2.5}));
+  EXPECT_EQ(frame.ball_velocity, (soccer::Vec2{0.25, 0}));
+  EXPECT_TRUE(std::signbit(frame.ball_velocity.y));
+  const PlayerFrame& p = frame.players[0];
+  EXPECT_EQ(p.type, 2);
+  EXPECT_EQ(p.state, 0x40009u);
+  EXPECT_FLOAT_EQ(static_cast<float>(p.position.x), -50.5897F);
+  EXPECT_FLOAT_EQ(static_cast<float>(p.position.y), -0.0123F);
+  EXPECT_TRUE(std::signbit(p.velocity.x));
+  EXPECT_FLOAT_EQ(static_cast<float>(p.body), 165.21F);
+  EXPECT_FLOAT_EQ(static_cast<float>(p.neck), -89.5F);
+  ASSERT_TRUE(p.pointing_at);
+  EXPECT_FLOAT_EQ(static_cast<float>(p.pointing_at->y), -3.1416F);
+  EXPECT_FALSE(p.high_quality);
+  EXPECT_EQ(p.view_width, 45);
+  EXPECT_EQ(p.focus_distance, 10.5);
+  EXPECT_EQ(p.focus_direction, -20);
+  EXPECT_FLOAT_EQ(static_cast<float>(p.stamina), 6107.07F);
+  EXPECT_FLOAT_EQ(static_cast<float>(p.effort), 0.980041F);
+  EXPECT_FLOAT_EQ(static_cast<float>(p.recovery), 0.998F);
+  EXPECT_EQ(p.capacity, 130552);
+  EXPECT_EQ(p.attention_side, Side::kRight);
+  EXPECT_EQ(p.attention_unum, 11);
+  EXPECT_EQ(p.counts.kick, 1);
+  EXPECT_EQ(p.counts.catches, 4);
+  EXPECT_EQ(p.counts.turn_neck, 6);
+  EXPECT_EQ(p.counts.change_focus, 12);
+  EXPECT_FALSE(frame.players[1].pointing_at);
+  EXPECT_EQ(frame.players[1].attention_side, Side::kNeutral);
+}
+
+TEST(ReadRcg, ReadsVersion4WithoutCapacityFocusAndTwelfthCounter) {
+  std::string log = "ULG4\n(show 1 ((b) 0 0 0 0)";
+  log +=
+      " ((l 1) 0 0x9 -49.2249 -0.174 -0.0899 -0.0696 -140.146 90 (v h 120) (s 8000 1 1) "
+      "(c 0 1 123 0 1 125 2 1 0 0 1))";
+  const MatchRecord record = read(log + ")\n" + kEnd + show(9));
+  EXPECT_EQ(record.version, RcgVersion::kV4);
+  ASSERT_TRUE(record.damage.empty()) << to_text("", record.damage.first[0]);
+  EXPECT_EQ(record.players.capacity[0], -1.0F);
+  EXPECT_EQ(record.players.counters[0][2], 123);
+  EXPECT_EQ(record.players.counters[0][11], 0);
+  // Slots that are not in the line are not connected.
+  EXPECT_TRUE(is_enabled(record, 0));
+  for (std::size_t slot = 1; slot < kSlots; ++slot) EXPECT_EQ(record.players.state[slot], 0u);
+}
+
+TEST(ReadRcg, CountsTheStoppedClockAndTracksModeAndTeamsByOrder) {
+  const MatchRecord record = read("ULG6\n(playmode 1 kick_off_l)\n(team 1 A B 0 0)\n" + show(1) +
+                                  show(2) + "(playmode 2 goal_l)\n(team 2 A B 1 0)\n" + show(2) +
+                                  show(2) + "(playmode 3 kick_off_r)\n" + show(3) + kEnd + show(9));
+  ASSERT_TRUE(record.damage.empty());
+  ASSERT_EQ(record.frames(), 6u);
+  EXPECT_EQ(std::vector<int>(record.stopped.begin(), record.stopped.end()),
+            (std::vector<int>{0, 0, 1, 2, 0, 0}));
+  EXPECT_EQ(record.mode[1], PlayMode::kKickOffLeft);
+  EXPECT_EQ(record.mode[2], PlayMode::kGoalLeft);
+  EXPECT_EQ(record.mode[4], PlayMode::kKickOffRight);
+  EXPECT_EQ(record.teams[record.team_state[1]][0].score, 0);
+  EXPECT_EQ(record.teams[record.team_state[2]][0].score, 1);
+  EXPECT_EQ(record.final_teams()[1].name, "B");
+}
+
+TEST(ReadRcg, KeepsMessagesAsTheyAreAndLinesItDoesNotKnow) {
+  const MatchRecord record = read(
+      "ULG6\n(msg 0 1 \"(team_graphic_l (22 3 \"8 8 1 1\" \"w c gray100\")\")\n"
+      "(msg 3 2 \"Recv A_1: (say \")\") \xff\xfe\")\n(draw 3 (clear))\n(playmode 3 siesta)\n" +
+      show(3) + "(msg 3 1 \"(result 202611202101 A_0-vs-B_0)\")\n");
+  ASSERT_TRUE(record.damage.empty()) << to_text("", record.damage.first[0]);
+  ASSERT_EQ(record.notes.size(), 5u);
+  EXPECT_EQ(std::get<Message>(record.notes[0].content),
+            (Message{1, "(team_graphic_l (22 3 \"8 8 1 1\" \"w c gray100\")"}));
+  EXPECT_EQ(std::get<Message>(record.notes[1].content).text, "Recv A_1: (say \")\") \xff\xfe");
+  EXPECT_EQ(std::get<UnknownLine>(record.notes[2].content).text, "(draw 3 (clear))");
+  EXPECT_EQ(std::get<UnknownLine>(record.notes[3].content).text, "(playmode 3 siesta)");
+  EXPECT_EQ(record.notes[4].frame, 1u);
+}
+
+TEST(ReadRcg, TakesAnyTeamNameTheServerAllows) {
+  for (const char* name :
+       {"A-vs-B", "A_1", "T,1:2_3", "a.b", "Coach", "^\\[]@", "\xc3\xbc\xe2\x9a\xbd"}) {
+    const MatchRecord record =
+        read("ULG6\n(team 1 " + std::string(name) + " null 2 0 3 1 2 2)\n" + kEnd + show(9));
+    ASSERT_TRUE(record.damage.empty()) << name;
+    EXPECT_EQ(record.final_teams()[0], (TeamFrame{name, 2, 3, 1}));
+    EXPECT_EQ(record.final_teams()[1], (TeamFrame{"", 0, 2, 2}));
+  }
+}
+
+TEST(ReadRcg, AcceptsTheShowsOfMonitorsAndRunsOfBlanks) {
+  const MatchRecord record = read("ULG5\n(show 4 (pm 3) (tm A B 0 0)  ((b)  1 2  0 0)  " +
+                                  player("l 1") + "  " + player("r 3") + " )\n" + kEnd + show(9));
+  ASSERT_TRUE(record.damage.empty()) << to_text("", record.damage.first[0]);
+  EXPECT_TRUE(is_enabled(record, 0));
+  EXPECT_TRUE(is_enabled(record, 13));
+}
+
+TEST(ReadRcg, NamesADamagedLineAndKeepsTheRest) {
+  std::string broken = show(2);
+  const std::size_t at = broken.find("8000");
+  broken[at] = 'x';
+  const std::string before = "ULG6\n" + show(1);
+  const MatchRecord record = read(before + broken + show(3) + kEnd + show(9));
+  EXPECT_EQ(record.frames(), 3u);
+  ASSERT_EQ(record.damage.count, 1u);
+  EXPECT_EQ(to_text("game.rcg", record.damage.first[0]), "game.rcg: line 3, byte " +
+                                                             std::to_string(before.size() + at) +
+                                                             ", cycle 1: expected a number");
+  EXPECT_EQ(record.time[1], 3);
+}
+
+TEST(ReadRcg, RefusesShowsThatCannotBeTrue) {
+  const std::string whole = show(2);
+  struct Case {
+    const char* old;
+    const char* with;
+  };
+  for (const auto& [old, with] :
+       {Case{"((l 2)", "((l 1)"}, Case{"((l 2)", "((l 12)"}, Case{"((l 2)", "((n 2)"},
+        Case{"0x1 1", "0x 1"}, Case{"0x1 1", "0x123456789 1"}, Case{"0x1 1", "1 1"},
+        Case{"(v h", "(v x"}, Case{"0 0))", "0 0)"}, Case{"0 0))", "0 0 0))"},
+        Case{"0 0 0 0))", "0 0))"}, Case{"1.5 ", "nan "}, Case{"1.5 ", "1e12 "},
+        Case{"(show 2", "(show -2"}, Case{" 0 0x1", " 300 0x1"}}) {
+    std::string broken = whole;
+    broken.replace(broken.find(old), std::string(old).size(), with);
+    const MatchRecord record = read("ULG6\n" + show(1) + broken + kEnd + show(9));
+    EXPECT_EQ(record.damage.count, 1u) << old << " -> " << with;
+    EXPECT_EQ(record.frames(), 2u) << old << " -> " << with;
+  }
+}
+
+TEST(ReadRcg, TellsALogThatWasInterruptedFromOneWithItsEnd) {
+  const MatchRecord interrupted = read("ULG6\n(playmode 1 play_on)\n" + show(1) + show(2));
+  EXPECT_EQ(interrupted.frames(), 2u);
+  ASSERT_EQ(interrupted.damage.count, 1u);
+  EXPECT_EQ(interrupted.damage.first[0].what, "the match has no end here: the log was interrupted");
+  EXPECT_EQ(interrupted.damage.first[0].cycle, 2);
+  // Ended by its operator before time: whole, if short.
+  const MatchRecord ended =
+      read("ULG6\n" + show(1) + "(msg 1 1 \"(result 202611202101 null-vs-null)\")\n");
+  EXPECT_TRUE(ended.damage.empty());
+}
+
+TEST(ReadRcg, RefusesWhatIsNoLog) {
+  for (const char* text : {"", "ULG6", "ULG9\n", "hello\n", "{}", "(show 1)\n"}) {
+    const MatchRecord record = read(text);
+    EXPECT_EQ(record.frames(), 0u) << text;
+    EXPECT_GE(record.damage.count, 1u) << text;
+  }
+}
+
+TEST(ReadRcg, ReadsUpToWhereALogIsCutOff) {
+  const std::string log = tests::read_file(tests::fixture("gamelog/rcg-v6-excerpt.rcg.gz"));
+  const MatchRecord whole = read(log);
+  ASSERT_TRUE(whole.damage.empty());
+  for (std::size_t size = 0; size < log.size(); size += size < 2000 || size % 7 == 0 ? 1 : 97) {
+    const MatchRecord record = read(std::string_view(log).substr(0, size));
+    const std::size_t lines = static_cast<std::size_t>(
+        std::count(log.begin(), log.begin() + static_cast<long>(size), '\n'));
+    ASSERT_LE(record.frames(), whole.frames());
+    ASSERT_GE(record.frames() + record.notes.size() + record.parameter_lines.size() + 1, lines);
+    if (record.frames() > 0) {
+      ASSERT_EQ(record.time.back(), whole.time[record.frames() - 1]);
+    }
+    if (record.frames() + 1 < whole.frames()) {
+      ASSERT_GE(record.damage.count, 1u) << size;
+    }
+  }
+}
+
+/// Everything that tests::read_frames (written apart, slow and strict) finds.
+void expect_same_frames(const std::string& log) {
+  const MatchRecord record = read(log);
+  ASSERT_TRUE(record.damage.empty()) << to_text("", record.damage.first[0]);
+  const std::vector<Frame> expected = tests::read_frames(log);
+  ASSERT_EQ(record.frames(), expected.size());
+  const auto same = [](double a, double b) {
+    return static_cast<float>(a) == static_cast<float>(b);
+  };
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    const Frame& a = expected[i];
+    const Frame b = frame_at(record, i);
+    ASSERT_TRUE(a.time == b.time && a.mode == b.mode && a.teams == b.teams) << i;
+    ASSERT_TRUE(same(a.ball_position.x, b.ball_position.x) &&
+                same(a.ball_velocity.y, b.ball_velocity.y));
+    for (std::size_t slot = 0; slot < kSlots; ++slot) {
+      const PlayerFrame& p = a.players[slot];
+      const PlayerFrame& q = b.players[slot];
+      ASSERT_TRUE(p.type == q.type && p.state == q.state && same(p.position.x, q.position.x) &&
+                  same(p.position.y, q.position.y) && same(p.velocity.x, q.velocity.x) &&
+                  same(p.velocity.y, q.velocity.y) && same(p.body, q.body) &&
+                  same(p.neck, q.neck) && p.pointing_at.has_value() == q.pointing_at.has_value() &&
+                  p.high_quality == q.high_quality && same(p.view_width, q.view_width) &&
+                  same(p.focus_distance, q.focus_distance) &&
+                  same(p.focus_direction, q.focus_direction) && same(p.stamina, q.stamina) &&
+                  same(p.effort, q.effort) && same(p.recovery, q.recovery) &&
+                  same(p.capacity, q.capacity) && p.attention_side == q.attention_side &&
+                  p.attention_unum == q.attention_unum)
+          << "frame " << i << " slot " << slot;
+      if (p.pointing_at) {
+        ASSERT_TRUE(same(p.pointing_at->x, q.pointing_at->x));
+      }
+      ASSERT_EQ(std::memcmp(&p.counts, &q.counts, sizeof p.counts), 0) << i;
+    }
+  }
+}
+
+TEST(ReadRcg, AgreesWithASlowStrictReaderOnAnExcerpt) {
+  expect_same_frames(tests::read_file(tests::fixture("gamelog/rcg-v6-excerpt.rcg.gz")));
+}
+
+TEST(ReadRcg, AgreesWithASlowStrictReaderOnWholeMatches) {
+  for (const char* name : {"helios-vs-helios-full", "cyrus-vs-helios-full",
+                           "extra-time-and-penalties", "rcg-v6", "team-graphic-v6"}) {
+    const auto path = tests::data("logs/" + std::string(name) + ".rcg.gz");
+    if (!path) GTEST_SKIP() << "no data: set CLS_DATA";
+    SCOPED_TRACE(name);
+    expect_same_frames(tests::read_file(*path));
+  }
+}
+
+TEST(ReadRcgFile, NamesAFileThatIsNotThere) {
+  EXPECT_EQ(read_rcg_file("/nonexistent/game.rcg").error().message,
+            "cannot open '/nonexistent/game.rcg': No such file or directory");
+}
+
+}  // namespace
+}  // namespace cls::gamelog
