@@ -39,7 +39,8 @@ struct Eyes {
   bool focus_elsewhere;
   Vec2 face;  ///< unit vector
   double half_cone;
-  double rejection;  ///< cosine to the face below which nothing is in view
+  double edge;  ///< cosine to the face below which surely nothing is in view, as signed_square
+  double reach_around;  ///< squared distance within which things are near, and a bit more
   bool high_quality;
   Range landmark_motion = {20.0, 40.0};
   Range ball_motion = {20.0, 40.0};
@@ -47,6 +48,9 @@ struct Eyes {
   Range team = {40.0, 60.0};
   std::array<soccer::TeamName, 2> team_names = {};
 };
+
+/// Keeps the order of numbers, so that lengths can be compared without their roots.
+double signed_square(double x) { return x * std::fabs(x); }
 
 Eyes open_eyes(const World& world, const Player& player) {
   const bool with_focus = player.client_version >= kFirstFocusVersion;
@@ -59,7 +63,8 @@ Eyes open_eyes(const World& world, const Player& player) {
             with_focus && player.view.focus_distance != 0.0,
             soccer::polar_radians(1.0, direction),
             half_cone,
-            math::cos(half_cone) - 1e-6,
+            signed_square(math::cos(half_cone) - 1e-6),
+            signed_square(world.params().visible_distance) * (1.0 + 1e-9),
             player.view.quality == soccer::ViewQuality::kHigh};
   if (with_focus) {
     const soccer::PlayerType& type = eyes.type;
@@ -88,9 +93,12 @@ struct Sighting {
 
 std::optional<Sighting> sight(const Eyes& eyes, Vec2 object, double reach) {
   const Vec2 offset = object - eyes.player.position;
-  const double distance = offset.length();
+  const double squared = offset.squared_length();
+  if (squared > eyes.reach_around && signed_square(dot(offset, eyes.face)) < squared * eyes.edge) {
+    return std::nullopt;
+  }
+  const double distance = std::sqrt(squared);
   const bool near = distance <= eyes.params.visible_distance;
-  if (!near && dot(offset, eyes.face) < distance * eyes.rejection) return std::nullopt;
   const double direction = math::normalize_radians(
       math::normalize_radians(soccer::direction_radians(offset) - eyes.player.body) -
       eyes.player.neck);
