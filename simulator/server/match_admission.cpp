@@ -60,6 +60,10 @@ std::variant<Admission, ErrorCode> MatchServer::readmit_player(
     if (!player.joined) break;
     if (player.has(state::kRedCard)) return ErrorCode::kRedCardedPlayer;
     rejoin(world_, player.slot());
+    Player& back = world_.player(player.slot());
+    back.ears.complete = {true, true};
+    back.ears.partial = {false, false};
+    back.attention = kNobody;
     return Admission{player.slot(), player.client_version, true};
   }
   return ErrorCode::kNoSuchTeamOrPlayer;
