@@ -1,0 +1,20 @@
+// Reading a text log (rcl).
+#pragma once
+
+#include <string>
+
+#include "gamelog/byte_source.h"
+#include "gamelog/rcl_record.h"
+#include "soccer/result.h"
+
+namespace cls::gamelog {
+
+/// Reads to the end (log-formats 2). Lines that do not start with a time belong to the datagram
+/// before them. Never fails: what makes no sense is in RclRecord::damage.
+RclRecord read_rcl(ByteSource& source);
+
+/// The same for a file, plain or gzip, "-" for standard input. An error means that there is no
+/// such file or that it cannot be opened.
+soccer::Result<RclRecord> read_rcl_file(const std::string& path);
+
+}  // namespace cls::gamelog
