@@ -75,6 +75,7 @@ struct WorldModel {
 
   SelfTracker self_tracker;  ///< perception's own memory of the localisation
   BallTracker ball_tracker;
+  PlayerList lost;  ///< players whose number is known and whose place is not; perception's own
   int next_player_id = 1;
 
   WorldModel();

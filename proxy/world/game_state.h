@@ -24,8 +24,10 @@ struct GameState {
   GameTime last_see;  ///< the same with the stop counter
   soccer::PlayMode mode = soccer::PlayMode::kBeforeKickOff;
   bool goalie_catch =
-      false;            ///< the mode's side plays a free kick because its goalie holds the ball
-  GameTime mode_start;  ///< when the present mode was announced
+      false;  ///< the mode's side plays a free kick because its goalie holds the ball
+  soccer::Side caught_side = soccer::Side::kNeutral;  ///< whose goalie caught the ball last
+  int caught_time = -1;                               ///< and when; -1: never
+  GameTime mode_start;                                ///< when the present mode was announced
   int last_set_play_start = 0;  ///< cycle when a mode other than play_on and penalties began
   int set_play_count = 0;       ///< decisions since then
   int our_score = 0;

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "proxy/world/seen_distance.h"
 #include "soccer/player_params.h"
 #include "soccer/player_type.h"
 #include "soccer/server_params.h"
@@ -13,6 +14,11 @@ struct MatchParameters {
   soccer::ServerParams server;
   soccer::PlayerParams player;
   std::vector<soccer::PlayerType> types;  ///< by id; filled up with the default type
+  DistanceTable landmark_distances;       ///< for what server.quantize_step_l rounds
+  DistanceTable object_distances;         ///< for what server.quantize_step rounds
+
+  /// The defaults of rcssserver 19.
+  MatchParameters();
 
   /// The type of that id; the default type for an id that was never announced (and for -1).
   const soccer::PlayerType& type(int id) const {

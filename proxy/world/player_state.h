@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 
 #include "proxy/world/age.h"
 #include "proxy/world/fixed_list.h"
@@ -54,10 +55,15 @@ struct PlayerState {
 
   /// Covariance of (x, y, vx, vy), row by row; the tracker's own.
   std::array<double, 16> covariance{};
+  bool claimed = false;  ///< the present look shows it; the tracker's own
 
   bool position_valid() const { return pos_count < kPlayerPositionAgeLimit; }
   bool velocity_valid() const { return vel_count < kPlayerVelocityAgeLimit; }
   bool ghost() const { return ghost_count > 0; }
+  /// Standard deviation of the position along its worse axis, metres.
+  double position_deviation() const {
+    return std::sqrt(covariance[0] > covariance[5] ? covariance[0] : covariance[5]);
+  }
 };
 
 /// Tracks of one team: those with a number first, by number, then the others by id.

@@ -44,6 +44,7 @@ struct SelfState {
   soccer::Side attention_side = soccer::Side::kNeutral;
   int attention_unum = 0;
 
+  int tackle_count = 0;       ///< tackles carried out so far
   int tackle_expires_in = 0;  ///< cycles we stay on the ground after a tackle
   int foul_charged = 0;       ///< cycles we stay on the ground after being fouled
   bool collided_with_ball = false;

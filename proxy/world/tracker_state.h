@@ -4,6 +4,7 @@
 #include <array>
 #include <optional>
 
+#include "proxy/world/gaussian.h"
 #include "soccer/geometry.h"
 #include "soccer/protocol/player_command.h"
 
@@ -19,18 +20,24 @@ struct SentCommands {
   std::optional<soccer::Move> move;
   std::optional<soccer::TurnNeck> turn_neck;
   std::optional<soccer::PointTo> point_to;
+  bool leg_dash = false;  ///< dashes of single legs: they turn the body in a way not followed here
 };
 
-/// Belief about (x, y, body in degrees) as a Gaussian, and what was sent but not yet confirmed.
+/// Belief about (x, y, body in degrees), and what was sent but not yet confirmed.
 struct SelfTracker {
-  bool located = false;  ///< the Gaussian holds
-  std::array<double, 9> covariance{};
+  bool located = false;  ///< the pose holds
+  Gaussian<3> pose;
+  double heading_variance = 0.0;      ///< of the direction of the own velocity, square degrees
+  double heading_follows_body = 0.0;  ///< degrees the velocity's direction turns per degree the
+                                      ///< body is corrected by
   SentCommands sent;
 };
 
-/// Belief about the ball's (x, y, vx, vy) as a Gaussian around BallState's values.
+/// Belief about the ball's (x, y, vx, vy).
 struct BallTracker {
-  std::array<double, 16> covariance{};
+  bool tracked = false;
+  bool pushed = false;  ///< the present look contradicted the ball's course: somebody touched it
+  Gaussian<4> state;
 };
 
 }  // namespace cls::proxy

@@ -1,0 +1,244 @@
+// Numbers first, then the cheapest assignment of the rest.
+#include "proxy/world/player_matching.h"
+
+#include <algorithm>
+
+#include "proxy/world/assignment.h"
+#include "proxy/world/player_tracking.h"
+#include "soccer/math.h"
+#include "soccer/pitch.h"
+
+namespace cls::proxy {
+namespace {
+
+namespace math = soccer::math;
+using soccer::Side;
+
+// Squared deviations up to which a track and a sighting go together.
+constexpr double kSameGate = 16.0;
+constexpr double kClearlySame = 9.0;
+
+PlayerList& list_of(WorldModel& world, Side side) {
+  return side == Side::kNeutral   ? world.unknowns
+         : side == world.our_side ? world.teammates
+                                  : world.opponents;
+}
+
+double squared_misfit(const PlayerState& track, const PlayerSighting& sighting) {
+  return misfit(belief_of(track), sighting.sight).squared;
+}
+
+PlayerState* find_number(PlayerList& list, Side side, int unum) {
+  PlayerState* found = std::find_if(list.begin(), list.end(), [&](const PlayerState& p) {
+    return p.unum == unum && p.side == side;
+  });
+  return found == list.end() ? nullptr : found;
+}
+
+/// The unclaimed track nearest to a sighting within the gate.
+PlayerState* nearest_unclaimed(PlayerList& list, const PlayerSighting& sighting, double gate) {
+  PlayerState* best = nullptr;
+  double least = gate;
+  for (PlayerState& track : list) {
+    if (track.claimed) continue;
+    const double squared = squared_misfit(track, sighting);
+    if (squared < least) {
+      least = squared;
+      best = &track;
+    }
+  }
+  return best;
+}
+
+PlayerState* new_track(WorldModel& world, Side side, int unum) {
+  PlayerState track;
+  track.id = world.next_player_id++;
+  track.side = side;
+  track.unum = unum;
+  PlayerList& list = list_of(world, side);
+  if (!list.push_back(track)) {
+    // Full of tracks: the one without news for the longest time makes room.
+    std::size_t oldest = 0;
+    for (std::size_t i = 1; i < list.size(); ++i) {
+      if (list[i].pos_count > list[oldest].pos_count) oldest = i;
+    }
+    list.erase(oldest);
+    list.push_back(track);
+  }
+  return &list.back();
+}
+
+void erase(PlayerList& list, const PlayerState* track) {
+  list.erase(static_cast<std::size_t>(track - list.begin()));
+}
+
+/// Moves a lost player back among the tracks, under a new id.
+PlayerState* revive(WorldModel& world, PlayerState* lost) {
+  const PlayerState old = *lost;
+  erase(world.lost, lost);
+  PlayerState* track = new_track(world, old.side, old.unum);
+  const int id = track->id;
+  *track = old;
+  track->id = id;
+  return track;
+}
+
+/// Moves an anonymous track into a team.
+PlayerState* join(WorldModel& world, PlayerState* unknown, Side side) {
+  PlayerState moved = *unknown;
+  erase(world.unknowns, unknown);
+  PlayerState* track = new_track(world, side, 0);
+  moved.side = side;
+  *track = moved;
+  return track;
+}
+
+/// The track that is to carry this number, made, found or renamed; never null.
+PlayerState* track_for_number(WorldModel& world, const PlayerSighting& sighting) {
+  PlayerList& list = list_of(world, sighting.side);
+  const int unum = sighting.seen->unum;
+  PlayerState* named = find_number(list, sighting.side, unum);
+  PlayerState* lost = find_number(world.lost, sighting.side, unum);
+  PlayerState* at_place = nearest_unclaimed(list, sighting, kClearlySame);
+  if (at_place == named) at_place = nullptr;
+  if (named == nullptr && at_place == nullptr) {
+    if (PlayerState* unknown = nearest_unclaimed(world.unknowns, sighting, kClearlySame)) {
+      at_place = join(world, unknown, sighting.side);
+    }
+  }
+  if (at_place == nullptr) {
+    if (named != nullptr) return named;
+    if (lost != nullptr) return revive(world, lost);
+    return new_track(world, sighting.side, unum);
+  }
+  // Somebody else was believed where this number stands: the names were wrong.
+  if (named != nullptr) {
+    std::swap(named->unum, at_place->unum);
+    std::swap(named->goalie, at_place->goalie);
+    std::swap(named->unum_count, at_place->unum_count);
+    return at_place;
+  }
+  if (at_place->unum != 0) {
+    PlayerState gone = *at_place;  // its number is somewhere, but not here
+    world.lost.push_back(gone);
+  }
+  if (lost != nullptr) erase(world.lost, lost);
+  at_place->unum = unum;
+  return at_place;
+}
+
+void match_numbers(WorldModel& world, const Viewpoint& view, const SightingList& sightings,
+                   TakeSighting take) {
+  FixedList<const PlayerSighting*, 24> open;
+  for (const PlayerSighting& sighting : sightings) {
+    if (sighting.seen->unum == 0) continue;
+    PlayerState* named =
+        find_number(list_of(world, sighting.side), sighting.side, sighting.seen->unum);
+    if (named != nullptr && squared_misfit(*named, sighting) < kSameGate) {
+      take(*named, view, sighting);
+    } else {
+      open.push_back(&sighting);
+    }
+  }
+  for (const PlayerSighting* sighting : open) {
+    take(*track_for_number(world, *sighting), view, *sighting);
+  }
+}
+
+// Cost of explaining a sighting by somebody new: minus twice the logarithm of the chance that a
+// player without track turns up in that square metre.
+constexpr double kNewcomerChance = 0.02;
+
+double newcomer_cost() {
+  static const double cost =
+      -2.0 * math::log(kNewcomerChance / (soccer::kPitchLength * soccer::kPitchWidth));
+  return cost;
+}
+
+/// Minus twice the logarithm of the density of the sighting, were it this track.
+double track_cost(const PlayerState& track, const PlayerSighting& sighting) {
+  constexpr double kTwoLogTwoPi = 3.6757541328186907;
+  constexpr double kImpossible = 1e6;
+  const Misfit m = misfit(belief_of(track), sighting.sight);
+  if (m.squared > kSameGate) return kImpossible + m.squared;
+  return m.squared + m.log_determinant + kTwoLogTwoPi;
+}
+
+using TrackPointers = FixedList<PlayerState*, CostTable::kMaxColumns>;
+
+void add_unclaimed(PlayerList& list, Side side, TrackPointers& out) {
+  for (PlayerState& track : list) {
+    if (!track.claimed && (track.side == side || track.side == Side::kNeutral))
+      out.push_back(&track);
+  }
+}
+
+void match_team(WorldModel& world, const Viewpoint& view, const SightingList& sightings, Side side,
+                TakeSighting take) {
+  FixedList<const PlayerSighting*, CostTable::kMaxRows> rows;
+  for (const PlayerSighting& sighting : sightings) {
+    if (sighting.side == side && sighting.seen->unum == 0) rows.push_back(&sighting);
+  }
+  if (rows.empty()) return;
+  TrackPointers columns;
+  add_unclaimed(list_of(world, side), side, columns);
+  const std::size_t tracked = columns.size();
+  add_unclaimed(world.lost, side, columns);
+  const std::size_t known = columns.size();
+
+  CostTable table;
+  table.rows = rows.size();
+  table.columns = known + rows.size();
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    for (std::size_t c = 0; c < known; ++c) table.cost[r][c] = track_cost(*columns[c], *rows[r]);
+    for (std::size_t c = known; c < table.columns; ++c) table.cost[r][c] = newcomer_cost();
+  }
+  const auto column_of = assign(table);
+
+  // Known tracks first: the pointers into the lists hold until something is added or removed.
+  std::array<int, CostTable::kMaxRows> found_again{};
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    const std::size_t c = column_of[r];
+    if (c < tracked) take(*columns[c], view, *rows[r]);
+    if (c >= tracked && c < known) found_again[r] = columns[c]->unum;
+  }
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    if (column_of[r] < tracked) continue;
+    PlayerState* track = nullptr;
+    if (found_again[r] != 0) track = revive(world, find_number(world.lost, side, found_again[r]));
+    if (track == nullptr) {
+      PlayerState* unknown = nearest_unclaimed(world.unknowns, *rows[r], kClearlySame);
+      track = unknown != nullptr ? join(world, unknown, side) : new_track(world, side, 0);
+    }
+    take(*track, view, *rows[r]);
+  }
+}
+
+void match_anonymous(WorldModel& world, const Viewpoint& view, const SightingList& sightings,
+                     TakeSighting take) {
+  for (const PlayerSighting& sighting : sightings) {
+    if (sighting.side != Side::kNeutral) continue;
+    PlayerState* best = nullptr;
+    double least = kSameGate;
+    for (PlayerList* list : {&world.teammates, &world.opponents, &world.unknowns}) {
+      PlayerState* track = nearest_unclaimed(*list, sighting, least);
+      if (track == nullptr) continue;
+      least = squared_misfit(*track, sighting);
+      best = track;
+    }
+    if (best == nullptr) best = new_track(world, Side::kNeutral, 0);
+    take(*best, view, sighting);
+  }
+}
+
+}  // namespace
+
+void match(WorldModel& world, const Viewpoint& view, const SightingList& sightings,
+           TakeSighting take) {
+  match_numbers(world, view, sightings, take);
+  match_team(world, view, sightings, Side::kLeft, take);
+  match_team(world, view, sightings, Side::kRight, take);
+  match_anonymous(world, view, sightings, take);
+}
+
+}  // namespace cls::proxy

@@ -1,0 +1,21 @@
+// Following the other players: their motion, who of them a look shows, and who is gone.
+#pragma once
+
+#include "proxy/world/observed_object.h"
+#include "proxy/world_model.h"
+#include "soccer/protocol/see.h"
+
+namespace cls::proxy {
+
+/// Advances all tracks by `cycles`; those not seen or heard for too long are lost.
+void advance_players(WorldModel& world, int cycles);
+
+/// Matches the players of a look with the tracks, updates them, makes new ones, and counts looks
+/// that should have shown a track and did not. The own pose is up to date.
+void observe_players(WorldModel& world, const soccer::See& see);
+
+/// The track's belief, and back.
+MovingBelief belief_of(const PlayerState& player);
+void set_belief(PlayerState& player, const MovingBelief& belief);
+
+}  // namespace cls::proxy

@@ -1,0 +1,160 @@
+// The tools of the estimators: cut normals, seen distances, assignments, interval observations.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <vector>
+
+#include "proxy/world/assignment.h"
+#include "proxy/world/gaussian.h"
+#include "proxy/world/seen_distance.h"
+#include "proxy/world/truncated_normal.h"
+#include "soccer/math.h"
+#include "soccer/random.h"
+
+namespace cls::proxy {
+namespace {
+
+namespace math = soccer::math;
+
+/// Moments of a standard normal on [low, high] by summing it up.
+Moments summed_up(double low, double high) {
+  const double peak = std::clamp(0.0, low, high);
+  const double from = std::max(low, peak - 9.0);
+  const double to = std::min(high, peak + 9.0);
+  constexpr int kCells = 4000;
+  double weight = 0.0;
+  double first = 0.0;
+  double second = 0.0;
+  for (int i = 0; i < kCells; ++i) {
+    const double x = from + (to - from) * (i + 0.5) / kCells - peak;
+    const double density = math::exp(-0.5 * x * x - x * peak);
+    weight += density;
+    first += density * x;
+    second += density * x * x;
+  }
+  const double mean = first / weight;
+  return {mean + peak, second / weight - mean * mean};
+}
+
+TEST(TruncatedNormal, AgreesWithSummingUpInTheBulkAndInTheTails) {
+  for (double low = -7.9; low < 8.0; low += 0.317) {
+    for (const double width : {0.01, 0.1, 0.3, 1.0, 2.5, 6.0, 20.0}) {
+      const Moments expected = summed_up(low, low + width);
+      const Moments got = truncated({0.0, 1.0}, low, low + width);
+      const double deviation = std::sqrt(expected.variance);
+      EXPECT_NEAR(got.mean, expected.mean, 0.04 * deviation) << low << " " << width;
+      EXPECT_NEAR(got.variance, expected.variance, 0.08 * expected.variance) << low << " " << width;
+    }
+  }
+}
+
+TEST(TruncatedNormal, ScalesAndShifts) {
+  const Moments standard = truncated({0.0, 1.0}, -0.5, 1.0);
+  const Moments scaled = truncated({3.0, 4.0}, 2.0, 5.0);
+  EXPECT_NEAR(scaled.mean, 3.0 + 2.0 * standard.mean, 1e-12);
+  EXPECT_NEAR(scaled.variance, 4.0 * standard.variance, 1e-12);
+}
+
+/// The server's rounding with the focus point at the observer (simulation model 7.4).
+double printed(double distance, double step) {
+  return math::quantize(math::exp(math::quantize(math::log(distance + math::kEps), step)), 0.1);
+}
+
+TEST(SeenDistance, RangeHoldsEveryDistanceThatPrintsTheValueAndEndsThere) {
+  for (const double step : {0.1, 0.01}) {
+    const DistanceTable table(step);
+    for (double d = 0.02; d < 120.0; d *= 1.0007) {
+      const DistanceRange range = table.range(printed(d, step));
+      EXPECT_LE(range.low, d + 1e-9) << step;
+      EXPECT_GE(range.high, d - 1e-9) << step;
+      if (range.low > 0.01) {
+        EXPECT_NE(printed(range.low * (1 - 1e-6), step), printed(range.low * (1 + 1e-6), step));
+      }
+      EXPECT_NE(printed(range.high * (1 - 1e-6), step), printed(range.high * (1 + 1e-6), step));
+    }
+  }
+}
+
+TEST(SeenDistance, FocusPointIsTakenIntoAccount) {
+  const DistanceTable table(0.1);
+  const auto rounding_error = [](double d) {
+    return d - math::exp(math::quantize(math::log(d + math::kEps), 0.1));
+  };
+  const soccer::Vec2 eye{3.0, -2.0};
+  const soccer::Vec2 direction = soccer::polar_degrees(1.0, 25.0);
+  double widest = 0.0;
+  for (double d = 4.0; d < 38.0; d += 0.0373) {
+    const soccer::Vec2 focus = eye + direction * (d - 0.3);
+    const double f = soccer::distance(eye + direction * d, focus);
+    const double seen =
+        math::quantize(std::max(0.0, d - (rounding_error(f) + rounding_error(d)) / 2.0), 0.1);
+    const DistanceRange known = table.range(seen, f, 0.0);
+    EXPECT_LE(known.low, d + 1e-9);
+    EXPECT_GE(known.high, d - 1e-9);
+    const DistanceRange along = table.range_along(seen, eye, direction, focus);
+    EXPECT_LE(along.low, d + 1e-9);
+    EXPECT_GE(along.high, d - 1e-9);
+    widest = std::max(widest, (along.high - along.low) / (0.1 * d));
+  }
+  EXPECT_LT(widest, 2.5);
+}
+
+TEST(Assignment, FindsTheLeastTotalCost) {
+  soccer::RandomStream random(3, "assignment");
+  for (int round = 0; round < 500; ++round) {
+    CostTable table;
+    table.rows = 1 + static_cast<std::size_t>(round) % 5;
+    table.columns = table.rows + static_cast<std::size_t>(round / 5) % 3;
+    for (std::size_t r = 0; r < table.rows; ++r) {
+      for (std::size_t c = 0; c < table.columns; ++c) {
+        table.cost[r][c] = std::floor(random.uniform(-5.0, 15.0));
+      }
+    }
+    const auto column_of = assign(table);
+    double total = 0.0;
+    std::vector<bool> used(table.columns);
+    for (std::size_t r = 0; r < table.rows; ++r) {
+      EXPECT_FALSE(used[column_of[r]]);
+      used[column_of[r]] = true;
+      total += table.cost[r][column_of[r]];
+    }
+    std::vector<std::size_t> order(table.columns);
+    std::iota(order.begin(), order.end(), 0U);
+    double least = 1e9;
+    do {
+      double sum = 0.0;
+      for (std::size_t r = 0; r < table.rows; ++r) sum += table.cost[r][order[r]];
+      least = std::min(least, sum);
+    } while (std::next_permutation(order.begin(), order.end()));
+    EXPECT_DOUBLE_EQ(total, least);
+  }
+}
+
+TEST(Gaussian, ManySlabsLeaveTheCentreOfTheFeasibleBody) {
+  // The triangle x >= 0, y >= 0, x + y <= 1 under a flat belief: its centre is at a third.
+  Gaussian<2> belief;
+  belief.at(0, 0) = belief.at(1, 1) = 100.0;
+  const std::array<Slab<2>, 3> slabs = {
+      {{{1.0, 0.0}, 0.0, 50.0, 0.0}, {{0.0, 1.0}, 0.0, 50.0, 0.0}, {{1.0, 1.0}, -50.0, 1.0, 0.0}}};
+  condition<2>(belief, slabs, 10);
+  EXPECT_NEAR(belief.mean[0], 1.0 / 3.0, 0.03);
+  EXPECT_NEAR(belief.mean[1], 1.0 / 3.0, 0.03);
+  EXPECT_NEAR(belief.at(0, 0), 1.0 / 18.0, 0.015);
+  EXPECT_NEAR(belief.at(0, 1), -1.0 / 36.0, 0.01);
+}
+
+TEST(Gaussian, NoiseSoftensASlab) {
+  Gaussian<1> sharp;
+  sharp.at(0, 0) = 1.0;
+  Gaussian<1> soft = sharp;
+  condition<1>(sharp, Slab<1>{{1.0}, 1.0, 1.2, 0.0});
+  condition<1>(soft, Slab<1>{{1.0}, 1.0, 1.2, 1.0});
+  EXPECT_NEAR(sharp.mean[0], 1.1, 0.01);
+  EXPECT_NEAR(soft.mean[0], 0.55, 0.01);
+  EXPECT_NEAR(soft.at(0, 0), 0.5, 0.01);
+}
+
+}  // namespace
+}  // namespace cls::proxy

@@ -1,0 +1,137 @@
+// Recorded matches through the world model, held against the truth of the game log.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "proxy/perception_error.h"
+#include "proxy/transcript.h"
+#include "soccer/protocol/number_text.h"
+#include "tests/support/files.h"
+#include "tests/support/rcg_lines.h"
+
+namespace cls::proxy {
+namespace {
+
+using Moments = std::map<std::pair<int, int>, Truth>;
+
+Truth truth_of(const gamelog::Frame& frame) {
+  Truth truth;
+  truth.ball_position = frame.ball_position;
+  truth.ball_velocity = frame.ball_velocity;
+  for (std::size_t slot = 0; slot < truth.players.size(); ++slot) {
+    const gamelog::PlayerFrame& player = frame.players[slot];
+    truth.players[slot] = {(player.state & gamelog::kStateEnabled) != 0, player.position,
+                           player.body};
+  }
+  return truth;
+}
+
+/// The shows of a log by time and how many had the same time before.
+Moments read_truth(const std::string& log) {
+  Moments moments;
+  std::map<int, int> repeated;
+  for (const gamelog::Frame& frame : tests::read_frames(log)) {
+    moments[{frame.time, repeated[frame.time]++}] = truth_of(frame);
+  }
+  return moments;
+}
+
+PerceptionError measure(const std::string& transcript, const Moments& truth) {
+  PerceptionError errors;
+  const auto done = replay_transcript(transcript, [&](const WorldModel& world) {
+    const auto moment = truth.find({world.game.time.cycle, world.game.time.stopped});
+    if (moment != truth.end()) errors.add(world, moment->second);
+  });
+  EXPECT_TRUE(done) << (done ? "" : done.error().message);
+  return errors;
+}
+
+std::string text_of(const ErrorSummary& error) {
+  return fmt::format("{:.3f} / {:.3f} ({})", error.mean, error.p95, error.n);
+}
+
+/// What upstream's proxy made of the same input (README of the data set).
+struct Upstream {
+  const char* transcript;
+  int unum;
+  ErrorSummary self;
+  ErrorSummary body_angle;
+  ErrorSummary ball;
+  ErrorSummary ball_velocity;
+  ErrorSummary teammates;
+  ErrorSummary opponents;
+};
+
+const std::vector<Upstream>& upstream() {
+  static const std::vector<Upstream> table = {
+      {"player_l1_goalie",
+       1,
+       {0.020, 0.056, 459},
+       {0.40, 0.87, 459},
+       {1.384, 3.078, 177},
+       {0.115, 0.260, 40},
+       {1.794, 7.091, 1592},
+       {2.599, 10.981, 1627}},
+      {"player_l4",
+       4,
+       {0.048, 0.113, 459},
+       {0.72, 2.70, 459},
+       {0.573, 1.537, 192},
+       {0.080, 0.173, 148},
+       {0.664, 1.591, 1278},
+       {1.237, 2.251, 1458}},
+      {"player_l7",
+       7,
+       {0.055, 0.125, 459},
+       {0.63, 1.44, 459},
+       {0.355, 1.001, 264},
+       {0.062, 0.147, 239},
+       {0.626, 1.631, 797},
+       {0.618, 1.468, 1003}},
+      {"player_l10",
+       10,
+       {0.038, 0.094, 459},
+       {0.75, 3.39, 459},
+       {0.694, 2.109, 194},
+       {0.069, 0.209, 78},
+       {1.033, 2.352, 1449},
+       {0.770, 1.882, 1606}},
+  };
+  return table;
+}
+
+void expect_at_most(const ErrorSummary& got, const ErrorSummary& limit, double factor,
+                    const char* what, int unum) {
+  EXPECT_LE(got.mean, limit.mean * factor) << what << " of player " << unum;
+  EXPECT_LE(got.p95, limit.p95 * factor) << what << " of player " << unum;
+  EXPECT_GE(got.n, limit.n) << what << " of player " << unum;
+}
+
+TEST(PerceptionReplay, SelfAndBallAreNoWorseThanUpstreamsOnTheSameInput) {
+  const auto log = tests::data("aligned/game.rcg.gz");
+  if (!log) GTEST_SKIP() << "no data: set CLS_DATA";
+  const Moments truth = read_truth(tests::read_file(*log));
+  fmt::print("mean / 95th percentile (samples)\n");
+  for (const Upstream& theirs : upstream()) {
+    const auto transcript =
+        tests::data(std::string("aligned/udp/") + theirs.transcript + ".txt.gz");
+    ASSERT_TRUE(transcript);
+    const PerceptionError ours = measure(tests::read_file(*transcript), truth);
+    fmt::print("{:2}: self {}, body {}, ball {}, ball velocity {}, teammates {}, opponents {}\n",
+               theirs.unum, text_of(ours.self()), text_of(ours.body_angle()), text_of(ours.ball()),
+               text_of(ours.ball_velocity()), text_of(ours.teammates()), text_of(ours.opponents()));
+    EXPECT_NEAR(ours.cycles(), 459, 1);  // on one of the borders of play_on we count otherwise
+    // Issue 8 asks for no worse than upstream here; half of it is reached.
+    expect_at_most(ours.self(), theirs.self, 0.6, "position", theirs.unum);
+    expect_at_most(ours.body_angle(), theirs.body_angle, 0.6, "body angle", theirs.unum);
+    expect_at_most(ours.ball(), theirs.ball, 1.05, "ball", theirs.unum);
+    expect_at_most(ours.ball_velocity(), theirs.ball_velocity, 1.05, "ball velocity", theirs.unum);
+  }
+}
+
+}  // namespace
+}  // namespace cls::proxy

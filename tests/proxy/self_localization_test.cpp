@@ -1,0 +1,279 @@
+// Localisation on made-up looks and on made-up runs.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "proxy/perception.h"
+#include "soccer/math.h"
+#include "soccer/pitch.h"
+#include "soccer/random.h"
+#include "tests/proxy/synthetic_senses.h"
+
+namespace cls::proxy {
+namespace {
+
+namespace math = soccer::math;
+using soccer::Side;
+using soccer::Vec2;
+using tests::TrueWorld;
+
+WorldModel model_of(Side side, int unum = 7) {
+  WorldModel world;
+  on_init(world, {side, unum, soccer::PlayMode::kBeforeKickOff},
+          side == Side::kLeft ? tests::kLeftTeam : tests::kRightTeam, false);
+  return world;
+}
+
+/// The truth as the model is to hold it: turned by 180 degrees for the right team.
+double position_error(const WorldModel& world, const TrueWorld& truth) {
+  const Vec2 own = world.our_side == Side::kRight ? -truth.self.position : truth.self.position;
+  return soccer::distance(world.self.position, own);
+}
+
+double body_error(const WorldModel& world, const TrueWorld& truth) {
+  const double turned = world.our_side == Side::kRight ? 180.0 : 0.0;
+  return (world.self.body - soccer::AngleDeg(truth.self.body + turned)).abs();
+}
+
+void sense_and_look(WorldModel& world, const TrueWorld& truth) {
+  on_sense_body(world, tests::sense_of(truth));
+  on_see(world, tests::see_of(truth));
+}
+
+struct SingleLooks {
+  double position = 0.0;  ///< mean errors
+  double body = 0.0;
+  double position_surprise = 0.0;  ///< mean of squared error over believed variance
+  int looks = 0;
+};
+
+/// Single looks from random places by players who know nothing before.
+SingleLooks single_looks(Side side, soccer::ViewWidth width) {
+  soccer::RandomStream random(11, "single looks");
+  SingleLooks sum;
+  for (int i = 0; i < 400; ++i) {
+    TrueWorld truth;
+    truth.width = width;
+    truth.self.position = {random.uniform(-52.0, 52.0), random.uniform(-33.5, 33.5)};
+    truth.self.body = random.uniform(-180.0, 180.0);
+    const soccer::See see = tests::see_of(truth);
+    WorldModel world = model_of(side);
+    on_sense_body(world, tests::sense_of(truth));
+    on_see(world, see);
+    const bool landmarks = std::any_of(
+        see.objects.begin(), see.objects.end(),
+        [](const soccer::Observation& o) { return o.kind == soccer::ObservedKind::kLandmark; });
+    EXPECT_EQ(world.self.pos_count, landmarks ? 0 : kNever);
+    if (!landmarks) continue;
+    ++sum.looks;
+    const double error = position_error(world, truth);
+    const double deviation = world.self.position_deviation;
+    sum.position += error;
+    sum.body += body_error(world, truth);
+    sum.position_surprise += error * error / (2.0 * deviation * deviation);
+  }
+  sum.position /= sum.looks;
+  sum.body /= sum.looks;
+  sum.position_surprise /= sum.looks;
+  return sum;
+}
+
+TEST(SelfLocalization, OneLookWithoutAnyHistoryIsEnough) {
+  for (const Side side : {Side::kLeft, Side::kRight}) {
+    const SingleLooks wide = single_looks(side, soccer::ViewWidth::kWide);
+    EXPECT_LT(wide.position, 0.025);
+    EXPECT_LT(wide.body, 0.04);
+    const SingleLooks normal = single_looks(side, soccer::ViewWidth::kNormal);
+    EXPECT_LT(normal.position, 0.04);
+    EXPECT_LT(normal.body, 0.07);
+    const SingleLooks narrow = single_looks(side, soccer::ViewWidth::kNarrow);
+    EXPECT_LT(narrow.position, 0.08);
+    EXPECT_LT(narrow.body, 0.25);
+    EXPECT_GT(narrow.looks, 380);
+  }
+}
+
+TEST(SelfLocalization, KnowsHowSureItIs) {
+  for (const soccer::ViewWidth width :
+       {soccer::ViewWidth::kNarrow, soccer::ViewWidth::kNormal, soccer::ViewWidth::kWide}) {
+    const SingleLooks looks = single_looks(Side::kLeft, width);
+    EXPECT_GT(looks.position_surprise, 0.7);
+    EXPECT_LT(looks.position_surprise, 1.4);
+  }
+}
+
+/// A player who runs, turns and turns his neck at random by the rules of motion, noise included.
+struct Runner {
+  TrueWorld truth;
+  soccer::RandomStream random{5, "run"};
+  soccer::ServerParams server;
+  soccer::PlayerType type;
+  soccer::CommandCounts counts;
+
+  /// One cycle: the commands sent, and the world after it.
+  std::vector<soccer::PlayerCommand> step() {
+    std::vector<soccer::PlayerCommand> sent;
+    tests::TruePlayer& self = truth.self;
+    Vec2 acceleration;
+    const bool leaving = self.position.length() > 30.0;
+    if (random.bernoulli(0.2) || leaving) {
+      const double wanted =
+          leaving ? math::normalize_degrees(soccer::direction_degrees(-self.position) - self.body)
+                  : random.uniform(-180.0, 180.0);
+      sent.push_back(soccer::Turn{wanted});
+      const double turned = wanted / (1.0 + type.inertia_moment * self.velocity.length());
+      self.body = math::normalize_degrees(
+          self.body + turned * (1.0 + random.uniform(-server.player_rand, server.player_rand)));
+      ++counts.turn;
+    } else {
+      const double power = random.uniform(0.0, 100.0);
+      sent.push_back(soccer::Dash{power, 0.0});
+      acceleration = soccer::polar_degrees(power * type.dash_power_rate, self.body);
+      ++counts.dash;
+    }
+    const double neck = std::rint(random.uniform(-60.0, 60.0)) - self.neck;
+    sent.push_back(soccer::TurnNeck{neck});
+    self.neck += neck;
+    ++counts.turn_neck;
+    self.velocity += acceleration;
+    const double speed = self.velocity.length();
+    self.velocity += soccer::polar_degrees(random.uniform(0.0, server.player_rand * speed),
+                                           random.uniform(-180.0, 180.0));
+    self.position += self.velocity;
+    self.velocity *= type.player_decay;
+    ++truth.time;
+    return sent;
+  }
+
+  soccer::SenseBody sense() const {
+    soccer::SenseBody out = tests::sense_of(truth);
+    out.counts = counts;
+    return out;
+  }
+};
+
+TEST(SelfLocalization, FollowsARunBetterThanSingleLooksCould) {
+  Runner runner;
+  WorldModel world = model_of(Side::kLeft);
+  double position = 0.0;
+  double body = 0.0;
+  double velocity = 0.0;
+  constexpr int kCycles = 300;
+  for (int i = 0; i < kCycles; ++i) {
+    note_sent_commands(world, runner.step());
+    on_sense_body(world, runner.sense());
+    if (i % 2 == 0) on_see(world, tests::see_of(runner.truth));
+    EXPECT_NEAR(world.self.neck.degrees(), runner.truth.self.neck, 1e-9);
+    position += position_error(world, runner.truth) / kCycles;
+    body += body_error(world, runner.truth) / kCycles;
+    velocity += soccer::distance(world.self.velocity, runner.truth.self.velocity) / kCycles;
+  }
+  EXPECT_LT(position, 0.02);
+  EXPECT_LT(body, 0.5);
+  EXPECT_LT(velocity, 0.006);
+}
+
+TEST(SelfLocalization, DeadReckoningKnowsHowFarItCanBeTrusted) {
+  double position = 0.0;
+  double surprise = 0.0;
+  constexpr int kRuns = 60;
+  for (int seed = 0; seed < kRuns; ++seed) {
+    Runner runner;
+    runner.random = soccer::RandomStream(static_cast<std::uint64_t>(seed), "run");
+    WorldModel world = model_of(Side::kLeft);
+    for (int i = 0; i < 20; ++i) {
+      note_sent_commands(world, runner.step());
+      on_sense_body(world, runner.sense());
+      on_see(world, tests::see_of(runner.truth));
+    }
+    for (int i = 0; i < 10; ++i) {
+      note_sent_commands(world, runner.step());
+      on_sense_body(world, runner.sense());
+    }
+    EXPECT_EQ(world.self.pos_count, 10);
+    const double error = position_error(world, runner.truth);
+    const double deviation = world.self.position_deviation;
+    position += error / kRuns;
+    surprise += error * error / (2.0 * deviation * deviation) / kRuns;
+  }
+  EXPECT_LT(position, 0.15);
+  EXPECT_GT(surprise, 0.5);
+  EXPECT_LT(surprise, 2.0);
+}
+
+TEST(SelfLocalization, BeingMovedByTheRefereeIsNoticed) {
+  TrueWorld truth;
+  truth.self.position = {10.0, 5.0};
+  truth.self.body = 30.0;
+  WorldModel world = model_of(Side::kRight);
+  for (int i = 0; i < 5; ++i) {
+    ++truth.time;
+    sense_and_look(world, truth);
+  }
+  truth.self.position = {-20.0, 12.0};
+  ++truth.time;
+  sense_and_look(world, truth);
+  EXPECT_LT(position_error(world, truth), 0.2);
+  EXPECT_LT(body_error(world, truth), 0.3);
+}
+
+TEST(SelfLocalization, OwnMoveCommandIsBelievedWithoutALook) {
+  TrueWorld truth;
+  truth.self.position = {-3.0, -37.0};
+  WorldModel world = model_of(Side::kLeft);
+  sense_and_look(world, truth);
+  note_sent_commands(world, {soccer::Move{-20.0, 10.0}});
+  ++truth.time;
+  soccer::SenseBody sense = tests::sense_of(truth);
+  sense.counts.move = 1;
+  on_sense_body(world, sense);
+  EXPECT_LT(soccer::distance(world.self.position, {-20.0, 10.0}), 1e-9);
+  EXPECT_EQ(world.self.pos_count, 0);
+  EXPECT_EQ(world.self.seen_pos_count, 1);
+}
+
+TEST(SelfLocalization, ACommandTheServerDidNotCarryOutIsNotBelieved) {
+  TrueWorld truth;
+  WorldModel world = model_of(Side::kLeft);
+  sense_and_look(world, truth);
+  note_sent_commands(world, {soccer::Turn{90.0}, soccer::TurnNeck{40.0}});
+  ++truth.time;
+  sense_and_look(world, truth);
+  EXPECT_NEAR(world.self.body.degrees(), 0.0, 0.2);
+  EXPECT_NEAR(world.self.neck.degrees(), 0.0, 1e-9);
+}
+
+TEST(SelfLocalization, FocusPointDoesNotDisturb) {
+  TrueWorld truth;
+  truth.self.position = {-12.0, 7.0};
+  truth.self.body = 15.0;
+  truth.focus_distance = 25.0;
+  truth.focus_direction = 20.0;
+  WorldModel world = model_of(Side::kLeft);
+  for (int i = 0; i < 3; ++i) {
+    ++truth.time;
+    sense_and_look(world, truth);
+  }
+  EXPECT_LT(position_error(world, truth), 0.06);
+  EXPECT_LT(body_error(world, truth), 0.1);
+}
+
+TEST(SelfLocalization, SameMessagesGiveTheSameBits) {
+  WorldModel first = model_of(Side::kLeft);
+  WorldModel second = model_of(Side::kLeft);
+  for (WorldModel* world : {&first, &second}) {
+    Runner runner;
+    for (int i = 0; i < 50; ++i) {
+      note_sent_commands(*world, runner.step());
+      on_sense_body(*world, runner.sense());
+      on_see(*world, tests::see_of(runner.truth));
+    }
+  }
+  EXPECT_EQ(first.self.position.x, second.self.position.x);
+  EXPECT_EQ(first.self.position.y, second.self.position.y);
+  EXPECT_EQ(first.self.body.degrees(), second.self.body.degrees());
+}
+
+}  // namespace
+}  // namespace cls::proxy

@@ -1,0 +1,49 @@
+// What a player would sense and see of a made-up world, by the server's formulas.
+#pragma once
+
+#include <vector>
+
+#include "soccer/geometry.h"
+#include "soccer/player_type.h"
+#include "soccer/protocol/see.h"
+#include "soccer/protocol/sense_body.h"
+#include "soccer/side.h"
+
+namespace cls::tests {
+
+/// A player of the made-up world, in the server's coordinates (never mirrored).
+struct TruePlayer {
+  soccer::Side side = soccer::Side::kLeft;
+  int unum = 1;
+  bool goalie = false;
+  soccer::Vec2 position;
+  soccer::Vec2 velocity;
+  double body = 0.0;
+  double neck = 0.0;
+  bool kicked = false;
+  bool tackling = false;
+};
+
+struct TrueWorld {
+  int time = 0;
+  TruePlayer self;
+  soccer::ViewWidth width = soccer::ViewWidth::kNormal;
+  double focus_distance = 0.0;
+  double focus_direction = 0.0;
+  soccer::Vec2 ball;
+  soccer::Vec2 ball_velocity;
+  std::vector<TruePlayer> others;
+  double unum_far = 20.0;  ///< up to here numbers are seen; beyond, never
+};
+
+/// The see message (simulation model 7.3 to 7.8, quantised model, version 18), without draws: what
+/// the server would show or leave out by chance it shows up to `unum_far` (20 m) and not beyond.
+soccer::See see_of(const TrueWorld& world);
+
+/// The sense_body with speed, its direction and the neck as the server rounds them.
+soccer::SenseBody sense_of(const TrueWorld& world);
+
+constexpr const char* kLeftTeam = "Lefties";
+constexpr const char* kRightTeam = "Righties";
+
+}  // namespace cls::tests
