@@ -1,6 +1,8 @@
 // Serialising a request, reading an answer, naming what went wrong.
 #include "proxy/grpc_call.h"
 
+#include <google/protobuf/io/coded_stream.h>
+#include <google/protobuf/io/zero_copy_stream_impl_lite.h>
 #include <grpc/support/time.h>
 
 #include <cassert>
@@ -10,10 +12,18 @@ namespace {
 
 constexpr const char* kService = "/protos.Game/";
 
-// Straight into the slice that goes to the transport: no copy, one allocation.
+// Straight into the slice that goes to the transport: no copy, one allocation. The entries of maps
+// go by key: their own order changes from process to process, and a Playmaker that loops over one
+// would play differently every time.
 grpc::ByteBuffer serialised(const google::protobuf::MessageLite& message) {
   grpc::Slice slice(message.ByteSizeLong());
-  message.SerializeWithCachedSizesToArray(const_cast<std::uint8_t*>(slice.begin()));
+  {
+    google::protobuf::io::ArrayOutputStream bytes(const_cast<std::uint8_t*>(slice.begin()),
+                                                  static_cast<int>(slice.size()));
+    google::protobuf::io::CodedOutputStream out(&bytes);  // writes its last bytes at its end
+    out.SetSerializationDeterministic(true);
+    message.SerializeWithCachedSizes(&out);
+  }
   return grpc::ByteBuffer(&slice, 1);
 }
 

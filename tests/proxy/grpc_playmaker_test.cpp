@@ -273,6 +273,71 @@ class Garbage : public grpc::CallbackGenericService {
   }
 };
 
+/// Keeps the bytes of requests and answers with nothing.
+class Recorder : public grpc::CallbackGenericService {
+ public:
+  std::vector<std::string> requests() {
+    const std::lock_guard lock(mutex_);
+    return requests_;
+  }
+
+ private:
+  class Reactor : public grpc::ServerGenericBidiReactor {
+   public:
+    explicit Reactor(Recorder& recorder) : recorder_(recorder) { StartRead(&request_); }
+    void OnReadDone(bool ok) override {
+      if (!ok) return;
+      grpc::Slice slice;
+      request_.DumpToSingleSlice(&slice);
+      {
+        const std::lock_guard lock(recorder_.mutex_);
+        recorder_.requests_.emplace_back(slice.begin(), slice.end());
+      }
+      StartWriteAndFinish(&nothing_, grpc::WriteOptions(), grpc::Status::OK);
+    }
+    void OnDone() override { delete this; }
+
+   private:
+    Recorder& recorder_;
+    grpc::ByteBuffer request_;
+    grpc::Slice empty_;
+    grpc::ByteBuffer nothing_{&empty_, 1};
+  };
+
+  grpc::ServerGenericBidiReactor* CreateReactor(grpc::GenericCallbackServerContext*) override {
+    return new Reactor(*this);
+  }
+
+  std::mutex mutex_;
+  std::vector<std::string> requests_;
+};
+
+TEST(GrpcPlaymaker, SendsTheSameBytesForTheSameStateWhateverItsMapsWentThrough) {
+  protos::State grown;
+  protos::State shrunk;
+  for (int unum = 1; unum <= 11; ++unum) {
+    (*grown.mutable_world_model()->mutable_our_players_dict())[unum].set_id(unum);
+  }
+  auto& map = *shrunk.mutable_world_model()->mutable_our_players_dict();
+  for (int unum = 200; unum >= -200; --unum) map[unum].set_id(unum);
+  for (int unum = -200; unum <= 200; ++unum) {
+    if (unum < 1 || unum > 11) map.erase(unum);
+  }
+  Recorder service;
+  PlaymakerServer server(service);
+  const auto playmaker = make_grpc_playmaker(loopback(server.port()));
+  for (const protos::State* state : {&grown, &shrunk}) {
+    playmaker->begin_player_actions(1, *state, kPatience);
+    EXPECT_TRUE(playmaker->next_reply()->status.ok());
+  }
+  const std::vector<std::string> requests = service.requests();
+  ASSERT_EQ(requests.size(), 2U);
+  EXPECT_EQ(requests[0], requests[1]);
+  protos::State read;
+  ASSERT_TRUE(read.ParseFromString(requests[0]));
+  EXPECT_EQ(read.world_model().our_players_dict().at(7).id(), 7);
+}
+
 TEST(GrpcPlaymaker, CallsGarbageAProtocolError) {
   Garbage service;
   PlaymakerServer server(service);

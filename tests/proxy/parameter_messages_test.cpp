@@ -7,8 +7,8 @@
 
 #include <cmath>
 #include <set>
-#include <sstream>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <variant>
 #include <vector>
@@ -17,6 +17,7 @@
 #include "soccer/protocol/parameter_message.h"
 #include "tests/support/files.h"
 #include "tests/support/message_stream.h"
+#include "tests/support/transcript.h"
 
 namespace cls::proxy {
 namespace {
@@ -36,7 +37,7 @@ std::vector<std::string> recorded(const std::string& method) {
   return tests::split_messages(tests::read_file(tests::fixture("grpc/" + method + ".req.pb.gz")));
 }
 
-void read_announcement(const std::string& message, Announced& announced) {
+void read_announcement(std::string_view message, Announced& announced) {
   switch (soccer::message_kind(message)) {
     case soccer::MessageKind::kServerParam:
       ASSERT_TRUE(soccer::parse(message, announced.server));
@@ -54,10 +55,8 @@ void read_announcement(const std::string& message, Announced& announced) {
 
 Announced read_announcements(const std::string& transcript) {
   Announced announced;
-  std::istringstream lines(transcript);
-  for (std::string line; std::getline(lines, line);) {
-    const std::size_t text = line.find('(');
-    if (line.rfind("S>C", 0) == 0) read_announcement(line.substr(text), announced);
+  for (const tests::Spoken& spoken : tests::read_transcript(transcript)) {
+    if (spoken.by_server) read_announcement(spoken.message, announced);
   }
   return announced;
 }
