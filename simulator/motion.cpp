@@ -9,6 +9,8 @@ namespace {
 
 namespace math = soccer::math;
 
+constexpr double kMostKickNoise = 1.0;
+
 /// What motion needs to know of a kind of object (the table of section 3).
 struct Kind {
   double radius;
@@ -17,6 +19,7 @@ struct Kind {
   double weight;
   double speed_max;
   double acceleration_max;
+  double push_noise = 0.0;  ///< what a kick's noise can add, at most; for forced arrivals only
 };
 
 Kind ball_kind(const soccer::ServerParams& server) {
@@ -55,6 +58,15 @@ Vec2 motion_noise(double radius_max, RandomStream& stream) {
   return soccer::polar_radians(radius, angle);
 }
 
+// What took the object from where it would be without noise to where it was seen; nothing if that
+// is more than noise (and rounding) can do.
+Vec2 explained_noise(Vec2 expected, Vec2 seen, double radius_max) {
+  constexpr double kRounding = 3e-4;
+  if (radius_max == 0.0) return {};
+  const Vec2 noise = seen - expected;
+  return noise.length() <= radius_max + kRounding ? noise : Vec2{};
+}
+
 Vec2 wind_push(const Wind& wind, double speed, double weight, RandomStream& stream) {
   if (wind.rand < math::kEps) return {};
   const double scale = speed / (weight * 10000.0);
@@ -65,9 +77,14 @@ Vec2 wind_push(const Wind& wind, double speed, double weight, RandomStream& stre
 
 /// One object's increment; true if it hit a goal post.
 template <typename Object>
-bool increment(const World& world, Object& object, const Kind& kind, RandomStream& stream) {
+bool increment(const World& world, Object& object, const Kind& kind, RandomStream& stream,
+               const std::optional<Vec2>& arrival) {
   accelerate(object.velocity, object.acceleration, kind);
-  object.velocity += motion_noise(kind.rand * object.velocity.length(), stream);
+  const double noise_max = kind.rand * object.velocity.length();
+  const Vec2 noise = motion_noise(noise_max, stream);
+  object.velocity += arrival ? explained_noise(object.position + object.velocity, *arrival,
+                                               noise_max + kind.push_noise)
+                             : noise;
   object.velocity += wind_push(world.wind, object.velocity.length(), kind.weight, stream);
   const bool hit = advance_past_posts(object.position, object.velocity, kind.radius,
                                       world.params().goal_width, stream);
@@ -113,12 +130,16 @@ void turn_players(World& world) {
 }
 
 void move_objects(World& world, Events& events) {
-  increment(world, world.ball, ball_kind(world.params()), world.random.ball_motion);
+  Kind ball = ball_kind(world.params());
+  if (!world.ball.acceleration.is_zero()) ball.push_noise = kMostKickNoise;
+  increment(world, world.ball, ball, world.random.ball_motion,
+            world.forced ? world.forced->ball_arrival : std::nullopt);
   for (std::size_t i = 0; i < world.players.size(); ++i) {
     Player& player = world.players[i];
     if (!player.enabled) continue;
     commit_angles(player);
-    if (increment(world, player, player_kind(world, player), world.random.player_motion[i])) {
+    if (increment(world, player, player_kind(world, player), world.random.player_motion[i],
+                  world.forced ? world.forced->player_arrival[i] : std::nullopt)) {
       player.state |= state::kPostCollide;
       player.contacts.post = true;
     }

@@ -102,6 +102,17 @@ ForcedOutcomes shown_outcomes(const gamelog::Frame& after) {
   return outcomes;
 }
 
+void force_arrivals(ForcedOutcomes& outcomes, const gamelog::Frame& after) {
+  outcomes.ball_arrival = after.ball_position;
+  for (std::size_t i = 0; i < after.players.size(); ++i) {
+    const gamelog::PlayerFrame& player = after.players[i];
+    if ((player.state & state::kBallCollide) != 0) outcomes.ball_arrival.reset();
+    if ((player.state & (state::kBallCollide | state::kPlayerCollide)) == 0) {
+      outcomes.player_arrival[i] = player.position;
+    }
+  }
+}
+
 void force_fouls(ForcedOutcomes& outcomes, const std::vector<std::string>& referee_words) {
   const auto set = [&](Side side, FoulCall call) {
     for (int unum = 1; unum <= soccer::kPlayersPerTeam; ++unum) {
@@ -123,6 +134,17 @@ void force_fouls(ForcedOutcomes& outcomes, const std::vector<std::string>& refer
     card(word, "yellow_card_", FoulCall::kYellow);
     card(word, "red_card_", FoulCall::kRed);
   }
+}
+
+void force_shoot_out(ForcedOutcomes& outcomes, const std::vector<std::string>& referee_words) {
+  const auto side_of_first = [&](std::string_view prefix) -> std::optional<Side> {
+    for (const std::string& word : referee_words) {
+      if (word.starts_with(prefix)) return word.back() == 'l' ? Side::kLeft : Side::kRight;
+    }
+    return std::nullopt;
+  };
+  outcomes.shoot_out_goal = side_of_first("penalty_onfield_");
+  outcomes.first_penalty_taker = side_of_first("penalty_setup_");
 }
 
 Deviation ball_deviation(const World& world, const gamelog::Frame& frame) {

@@ -20,9 +20,15 @@ World world_at_kick_off(std::shared_ptr<const Rules> rules, const gamelog::Frame
 /// Tackles and catches whose outcome the frame after the step shows.
 ForcedOutcomes shown_outcomes(const gamelog::Frame& after);
 
+/// Adds where the frame shows ball and players that did not collide: for matches with noise.
+void force_arrivals(ForcedOutcomes& outcomes, const gamelog::Frame& after);
+
 /// Adds what the referee said of fouls in the step: foul_charge_l, yellow_card_r_7, red_card_l_3.
 /// All other tackles of the step were none.
 void force_fouls(ForcedOutcomes& outcomes, const std::vector<std::string>& referee_words);
+
+/// Adds what the referee said of a shoot-out's start: penalty_onfield_l, penalty_setup_r.
+void force_shoot_out(ForcedOutcomes& outcomes, const std::vector<std::string>& referee_words);
 
 /// Largest differences between a player or ball as reckoned and as recorded. Metres, metres per
 /// cycle, degrees.

@@ -58,6 +58,11 @@ struct ForcedOutcomes {
   std::array<std::optional<bool>, soccer::kPlayersOnPitch> tackle;      ///< it succeeds
   std::array<std::optional<bool>, soccer::kPlayersOnPitch> catch_ball;  ///< it succeeds
   std::array<std::optional<FoulCall>, soccer::kPlayersOnPitch> foul;    ///< by tackler
+  /// Where the step takes them: their noise is what explains that, if noise can.
+  std::array<std::optional<Vec2>, soccer::kPlayersOnPitch> player_arrival;
+  std::optional<Vec2> ball_arrival;
+  std::optional<Side> shoot_out_goal;
+  std::optional<Side> first_penalty_taker;
 };
 
 /// Everything that decides how the match goes on: copying it forks the match, and two equal worlds

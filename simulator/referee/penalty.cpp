@@ -54,14 +54,17 @@ bool is_due(const World& world) {
 
 void start(World& world, Events& events) {
   PenaltyRule& memory = world.referee.penalty;
-  const auto draw_side = [&] {
-    return world.random.shoot_out.uniform(0.0, 1.0) < 0.5 ? Side::kLeft : Side::kRight;
+  const auto draw_side = [&](std::optional<Side> forced) {
+    const bool left = world.random.shoot_out.uniform(0.0, 1.0) < 0.5;
+    return forced.value_or(left ? Side::kLeft : Side::kRight);
   };
+  const ForcedOutcomes forced = world.forced.value_or(ForcedOutcomes{});
   memory.started = true;
-  memory.goal_side = draw_side();
+  memory.goal_side = draw_side(forced.shoot_out_goal);
   world.ball_catcher = kNobody;
   announce(world, "penalty_onfield", memory.goal_side, events);
-  memory.taker_side = draw_side();
+  // The first kick is prepared like all others, by changing sides.
+  memory.taker_side = opponent(draw_side(forced.first_penalty_taker));
   for (Player& player : world.players) {
     if (player.enabled && player.goalie && player.side == opponent(memory.goal_side)) {
       player.position = {kGoalieStart.x * -sign(memory.goal_side), kGoalieStart.y};

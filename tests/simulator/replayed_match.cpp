@@ -36,8 +36,9 @@ std::string stamp(Clock clock) {
 
 class Replayer {
  public:
-  explicit Replayer(const RecordedMatch& match)
+  Replayer(const RecordedMatch& match, Noise noise)
       : match_(match),
+        noise_(noise),
         world_(world_at_kick_off(make_rules(match.server, match.player, match.types).value(),
                                  match.shows.front().frame)) {}
 
@@ -60,6 +61,8 @@ class Replayer {
   void step_to(const gamelog::Frame& after) {
     for (int steps = 0; steps < kLongestPause; ++steps) {
       world_.forced = shown_outcomes(after);
+      force_shoot_out(*world_.forced, all_words_);
+      if (noise_ == Noise::kFromRecord) force_arrivals(*world_.forced, after);
       apply_commands();
       step(world_, events_);
       if (world_.mode != PlayMode::kBeforeKickOff) return;
@@ -117,10 +120,14 @@ class Replayer {
     add("mode", world_.mode == frame.mode,
         now + ' ' + std::string(name(world_.mode)) + ' ' + std::string(name(frame.mode)));
     add("clock", world_.clock == Clock{frame.time, show.stoppage}, now + ' ' + stamp(world_.clock));
-    add("score",
-        world_.teams[0].score == frame.teams[0].score &&
-            world_.teams[1].score == frame.teams[1].score,
-        now);
+    for (std::size_t i = 0; i < 2; ++i) {
+      const Team& ours = world_.teams[i];
+      const gamelog::TeamFrame& theirs = frame.teams[i];
+      add("score",
+          ours.score == theirs.score && ours.penalty_goals == theirs.penalty_scored &&
+              ours.penalty_kicks == theirs.penalties_taken(),
+          now);
+    }
     const Deviation ball = ball_deviation(world_, frame);
     compare_motion("ball", ball, now + " ball ");
     for (Slot slot = 0; slot < soccer::kPlayersOnPitch; ++slot) compare_player(show, slot, now);
@@ -181,6 +188,7 @@ class Replayer {
       if (when.first < start.time) continue;
       for (const RecordedMatch::Line& line : lines) {
         if (const auto* called = std::get_if<RecordedMatch::Called>(&line)) {
+          all_words_.push_back(called->word);
           result_.their_words.push_back(stamp({when.first, when.second}) + ' ' + called->word);
         }
       }
@@ -188,8 +196,10 @@ class Replayer {
   }
 
   const RecordedMatch& match_;
+  Noise noise_;
   World world_;
   Events events_;
+  std::vector<std::string> all_words_;
   std::array<bool, soccer::kPlayersOnPitch> turned_ = {};
   ReplayResult result_;
 };
@@ -203,6 +213,8 @@ void Agreement::add(bool same, const std::string& what) {
   if (first_differences.size() < 20) first_differences.push_back(what);
 }
 
-ReplayResult replay(const RecordedMatch& match) { return Replayer(match).run(); }
+ReplayResult replay(const RecordedMatch& match, Noise noise) {
+  return Replayer(match, noise).run();
+}
 
 }  // namespace cls::tests

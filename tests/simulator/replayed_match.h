@@ -32,7 +32,9 @@ struct ReplayResult {
 
 /// Each step starts from the recorded frame with the recorded commands and is compared with the
 /// next frame; clock, mode, score and the referee's memory are ours throughout. Outcomes of tackle,
-/// catch and foul draws are taken from the record.
-ReplayResult replay(const RecordedMatch& match);
+/// catch and foul draws are taken from the record, and so is the noise of movements unless the
+/// match has none: then positions and velocities compare too.
+enum class Noise { kNone, kFromRecord };
+ReplayResult replay(const RecordedMatch& match, Noise noise);
 
 }  // namespace cls::tests
