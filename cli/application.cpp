@@ -1,35 +1,73 @@
 // The tree of commands and how a mistake on the command line is reported.
 #include "cli/application.h"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
 #include <string>
 #include <vector>
 
 #include "cli/exit_code.h"
+#include "cli/match_command.h"
 #include "cli/version_command.h"
+#include "soccer/parameter.h"
 
 namespace cls::cli {
+namespace {
+
+constexpr const char* kDescription =
+    "cls plays, evaluates and tests RoboCup 2D soccer matches between gRPC Playmakers.\n"
+    "\n"
+    "  cls match mock mock                    the bundled team against itself\n"
+    "  cls match mock localhost:50051         against your Playmaker\n"
+    "  cls match --help                       all about matches";
+
+// The options and commands that `word` may be a slip of.
+std::vector<std::string_view> known_words(const CLI::App& app, std::vector<std::string>& storage) {
+  for (const CLI::Option* option : app.get_options()) {
+    if (!option->get_lnames().empty()) storage.push_back("--" + option->get_lnames().front());
+  }
+  for (const CLI::App* command : app.get_subcommands({})) storage.push_back(command->get_name());
+  return {storage.begin(), storage.end()};
+}
+
+int report_mistake(const CLI::App& app, const CLI::ParseError& error) {
+  const std::vector<CLI::App*> chosen = app.get_subcommands();
+  const CLI::App& place = chosen.empty() ? app : *chosen.front();
+  const std::string help = chosen.empty() ? "cls --help" : "cls " + place.get_name() + " --help";
+  const std::vector<std::string> unknown = app.remaining(true);
+  if (unknown.empty()) {
+    fmt::print(stderr, "cls: {} (see {})\n", error.what(), help);
+    return kUsage;
+  }
+  const std::string& word = unknown.front();
+  std::vector<std::string> storage;
+  const std::string_view near = soccer::nearest_name(word, known_words(place, storage));
+  const char* kind = word.starts_with("-") ? "option" : chosen.empty() ? "command" : "argument";
+  fmt::print(stderr, "cls: unknown {} '{}'", kind, word);
+  if (near.empty()) {
+    fmt::print(stderr, " (see {})\n", help);
+  } else {
+    fmt::print(stderr, "; did you mean '{}'?\n", near);
+  }
+  return kUsage;
+}
+
+}  // namespace
 
 int run_application(int argc, const char* const* argv) {
-  CLI::App app{"cls plays, evaluates and tests RoboCup 2D soccer matches between gRPC Playmakers."};
+  CLI::App app{kDescription};
   app.name("cls");
   app.require_subcommand(1);
   int exit_code = kDone;
+  add_match_command(app, exit_code);
   add_version_command(app, exit_code);
 
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);  // --help
-    const std::vector<std::string> unknown = app.remaining();
-    if (app.get_subcommands().empty() && !unknown.empty()) {
-      fmt::print(stderr, "cls: unknown command or option '{}' (see cls --help)\n", unknown.front());
-    } else {
-      fmt::print(stderr, "cls: {}\n", error.what());
-    }
-    return kUsage;
+    return report_mistake(app, error);
   }
   return exit_code;
 }

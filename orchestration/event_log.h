@@ -5,7 +5,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string_view>
 
-#include "orchestration/file_sink.h"
+#include "gamelog/byte_sink.h"
 
 namespace cls::orchestration {
 
@@ -13,16 +13,14 @@ namespace cls::orchestration {
 /// time in cycles, never wall time, so that the same seed gives the same bytes.
 class EventLog {
  public:
-  explicit EventLog(FileSink sink) : sink_(std::move(sink)) {}
+  /// `sink` must outlive the log.
+  explicit EventLog(gamelog::ByteSink& sink) : sink_(sink) {}
 
   /// Appends one event; `fields` is an object whose members follow the common ones.
   void add(int time, std::string_view type, const nlohmann::ordered_json& fields);
 
-  void flush() { sink_.flush(); }
-  const std::string& error() const { return sink_.error(); }
-
  private:
-  FileSink sink_;
+  gamelog::ByteSink& sink_;
   std::int64_t next_ = 0;
 };
 

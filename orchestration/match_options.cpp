@@ -3,10 +3,20 @@
 
 #include <fmt/format.h>
 
+#include "mock-server/behaviour.h"
+#include "orchestration/lockstep_match.h"
+
 namespace cls::orchestration {
 
 using soccer::Error;
 using soccer::Result;
+
+soccer::ServerParams match_server_params() {
+  soccer::ServerParams params;
+  params.nr_extra_halfs = 0;
+  params.penalty_shoot_outs = false;
+  return params;
+}
 
 Result<void> apply_setting(MatchOptions& options, std::string_view setting) {
   const std::size_t colons = setting.find("::");
@@ -46,6 +56,13 @@ std::vector<std::string> mistakes_in(const MatchOptions& options) {
   demand(!options.time_limit_s || *options.time_limit_s > 0, "--time-limit must be positive");
   demand(options.server.half_time > 0 || options.cycles,
          "without a time limit of halves (server::half_time) give --cycles");
+  for (const Endpoint* side : {&options.left, &options.right}) {
+    if (side->kind != Endpoint::Kind::kMock) continue;
+    const auto behaviour = mock_server::make_behaviour(side->behaviour);
+    if (!behaviour) mistakes.push_back(behaviour.error().message);
+  }
+  const auto server = simulator::LockstepServer::create(server_config(options, 0));
+  if (!server) mistakes.push_back(server.error().message);
   return mistakes;
 }
 

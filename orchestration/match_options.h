@@ -8,14 +8,16 @@
 #include <vector>
 
 #include "orchestration/endpoint.h"
+#include "proxy/player_agent.h"
 #include "soccer/player_params.h"
 #include "soccer/result.h"
 #include "soccer/server_params.h"
 
 namespace cls::orchestration {
 
-/// What an agent does in a cycle whose answer did not come in time.
-enum class OnLate { kHold, kLast, kDefault };
+/// Parameters of the embedded server for `cls match`: those of rcssserver, but a level match ends
+/// after normal time (server::nr_extra_halfs 0, server::penalty_shoot_outs off).
+soccer::ServerParams match_server_params();
 
 /// Options of one match, plain; defaults are those of `cls match`.
 struct MatchOptions {
@@ -26,7 +28,7 @@ struct MatchOptions {
 
   std::optional<std::uint64_t> seed;  ///< none: drawn, and told
   std::optional<int> cycles;          ///< end when game time reaches this
-  soccer::ServerParams server;
+  soccer::ServerParams server = match_server_params();
   soccer::PlayerParams player;
 
   std::filesystem::path folder;  ///< empty: ./runs/<UTC>-<left>-vs-<right>
@@ -34,7 +36,7 @@ struct MatchOptions {
   int protocol = 18;  ///< version our agents speak, 14 to 19
   int rpc_deadline_ms = 10'000;
   bool no_deadline = false;
-  OnLate on_late = OnLate::kHold;
+  proxy::OnLate on_late = proxy::OnLate::kHold;
   int max_missed = 20;                 ///< missed decisions in a row of one player
   double start_timeout_s = 20.0;       ///< until a Playmaker must have answered Register
   double stall_after_s = 10.0;         ///< without a new cycle

@@ -46,20 +46,14 @@ struct Goal {
   int unum = 0;                                ///< last kicker of that side; 0 unknown
 };
 
-/// Where wall time of the played cycles went, in microseconds per step.
-struct StepCost {
-  double simulator = 0.0;
-  double agents = 0.0;     ///< perceive, State, skills (both teams' CPU)
-  double playmaker = 0.0;  ///< waiting for answers
-};
-
 struct MatchResult {
   TeamResult left;
   TeamResult right;
   EndReason end_reason = EndReason::kFinished;
-  std::string message;  ///< one line on what went wrong; empty when finished
-  int signal = 0;       ///< that interrupted the match, else 0
-  int cycles = 0;       ///< last game time
+  std::string message;      ///< one line on what went wrong; empty when finished
+  int signal = 0;           ///< that interrupted the match, else 0
+  std::string write_error;  ///< first file that could not be written to its end; empty: none
+  int cycles = 0;           ///< last game time
   std::int64_t steps = 0;
   std::uint64_t seed = 0;
   std::string mode = "lockstep";

@@ -8,6 +8,7 @@
 
 #include "orchestration/event_log.h"
 #include "orchestration/match_folder.h"
+#include "orchestration/whole_file.h"
 #include "tests/support/files.h"
 #include "tests/support/temporary_folder.h"
 
@@ -118,26 +119,23 @@ TEST(MatchOptions, SettingsAndContradictionsAreTold) {
 }
 
 TEST(EventLog, NumbersItsLines) {
-  const tests::TemporaryFolder folder;
-  const fs::path file = folder.path() / "events.jsonl";
-  auto sink = FileSink::open(file);
-  ASSERT_TRUE(sink);
-  EventLog log(std::move(*sink));
+  gamelog::StringSink sink;
+  EventLog log(sink);
   log.add(0, "started", {{"seed", 7}});
   log.add(12, "goal", {{"side", "left"}});
-  log.flush();
   EXPECT_EQ(
-      tests::read_file(file),
+      sink.bytes(),
       "{\"schema\":\"cls.events/1\",\"seq\":0,\"t\":0,\"type\":\"started\",\"seed\":7}\n"
       "{\"schema\":\"cls.events/1\",\"seq\":1,\"t\":12,\"type\":\"goal\",\"side\":\"left\"}\n");
 }
 
-TEST(FileSink, KeepsTheFirstFailure) {
-  auto sink = FileSink::open("/dev/full");
-  if (!sink) GTEST_SKIP() << "no /dev/full here";
-  sink->write("x");
-  sink->flush();
-  EXPECT_EQ(sink->error(), "writing /dev/full failed: No space left on device");
+TEST(WholeFile, NamesWhatCannotBeWritten) {
+  tests::TemporaryFolder folder;
+  EXPECT_TRUE(write_file(folder.path() / "a.json", "{}"));
+  EXPECT_EQ(tests::read_file(folder.path() / "a.json"), "{}");
+  const auto refused = write_file(folder.path() / "none" / "a.json", "{}");
+  ASSERT_FALSE(refused);
+  EXPECT_NE(refused.error().message.find("No such file or directory"), std::string::npos);
 }
 
 }  // namespace

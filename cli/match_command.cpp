@@ -1,0 +1,188 @@
+// `cls match`: options in, one call, result out.
+#include "cli/match_command.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <csignal>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/exit_code.h"
+#include "cli/interrupt.h"
+#include "cli/match_report.h"
+#include "cli/progress_line.h"
+#include "cli/terminal.h"
+#include "orchestration/match.h"
+#include "soccer/parameter.h"
+
+namespace cls::cli {
+namespace {
+
+using orchestration::EndReason;
+using orchestration::MatchOptions;
+using orchestration::MatchResult;
+using proxy::OnLate;
+
+constexpr const char* kDescription =
+    "Plays one match and prints its result.\n"
+    "\n"
+    "  cls match mock mock                        the bundled team against itself\n"
+    "  cls match mock localhost:50051 --seed 7    against your Playmaker, repeatable\n"
+    "  cls match mock mock --cycles 600 --json    a short one, result as JSON\n"
+    "\n"
+    "A side is  mock | mock:hold | HOST:PORT | HOST:PORT+step | unix:PATH\n"
+    "(+step: player n asks PORT + n).";
+
+// What CLI11 fills in; turned into MatchOptions once everything is read.
+struct Arguments {
+  std::string left;
+  std::string right;
+  MatchOptions options;
+  std::optional<int> half_time;
+  std::vector<std::string> settings;
+  std::string on_late = "hold";
+  std::string server = "embedded";
+  std::string mode = "lockstep";
+  std::string folder;
+  bool json = false;
+  bool quiet = false;
+  bool no_colour = false;
+};
+
+void add_options(CLI::App& command, Arguments& arguments) {
+  MatchOptions& options = arguments.options;
+  command.add_option("LEFT", arguments.left, "left side")->required();
+  command.add_option("RIGHT", arguments.right, "right side")->required();
+  command.add_option("--seed", options.seed, "makes the match repeatable (else drawn and told)");
+  command.add_option("--cycles", options.cycles, "end when game time reaches this");
+  command.add_option("--half-time", arguments.half_time, "length of a half in seconds (300)");
+  command.add_option("--left-name", options.left_name, "team name of the left side");
+  command.add_option("--right-name", options.right_name, "team name of the right side");
+  command.add_option("--dir", arguments.folder, "match folder (./runs/<UTC>-<left>-vs-<right>)");
+  command.add_flag("--json", arguments.json, "print the result document, nothing else");
+  command.add_option("--set", arguments.settings, "server::NAME=VALUE, repeatable")
+      ->expected(1)
+      ->take_all();
+  command.add_option("--server", arguments.server, "soccer server: embedded");
+  command.add_option("--mode", arguments.mode, "how time runs: lockstep");
+  command.add_option("--rpc-deadline", options.rpc_deadline_ms,
+                     "time a Playmaker has for an answer, in ms (10000)");
+  command.add_flag("--no-deadline", options.no_deadline, "wait for ever (a debugger at work)");
+  command.add_option("--on-late", arguments.on_late,
+                     "commands of a cycle without an answer: hold, last or default (hold)");
+  command.add_option("--max-missed", options.max_missed,
+                     "missed answers in a row that end the match (20)");
+  command.add_option("--start-timeout", options.start_timeout_s,
+                     "seconds until a Playmaker must answer first (20)");
+  command.add_option("--stall-after", options.stall_after_s,
+                     "seconds without a new cycle that end the match (10)");
+  command.add_option("--time-limit", options.time_limit_s, "seconds for the whole match (none)");
+  command.add_option("--protocol", options.protocol, "version our agents speak, 14 to 19 (18)");
+  command.add_flag("--quiet", arguments.quiet, "no progress, no warnings");
+  command.add_flag("--no-color", arguments.no_colour, "plain text also on a terminal");
+}
+
+// The one word of `words` that was meant, or a mistake that names the option.
+void check_word(std::vector<std::string>& mistakes, std::string_view option,
+                const std::string& word, const std::vector<std::string_view>& words) {
+  for (const std::string_view known : words) {
+    if (word == known) return;
+  }
+  std::string message = fmt::format("{} '{}': ", option, word);
+  const std::string_view near = soccer::nearest_name(word, words);
+  if (near.empty()) {
+    message += fmt::format("must be {}", fmt::join(words, " or "));
+  } else {
+    message += fmt::format("did you mean '{}'?", near);
+  }
+  mistakes.push_back(std::move(message));
+}
+
+OnLate on_late_of(const std::string& word) {
+  if (word == "last") return OnLate::kLast;
+  return word == "default" ? OnLate::kDefault : OnLate::kHold;
+}
+
+// Everything that is wrong with the arguments, and the options they make.
+std::vector<std::string> complete(Arguments& arguments) {
+  std::vector<std::string> mistakes;
+  MatchOptions& options = arguments.options;
+  const auto read_side = [&](const std::string& text, orchestration::Endpoint& endpoint) {
+    const auto parsed = orchestration::parse_endpoint(text);
+    if (parsed) {
+      endpoint = *parsed;
+    } else {
+      mistakes.push_back(parsed.error().message);
+    }
+  };
+  read_side(arguments.left, options.left);
+  read_side(arguments.right, options.right);
+  check_word(mistakes, "--server", arguments.server, {"embedded"});
+  check_word(mistakes, "--mode", arguments.mode, {"lockstep"});
+  check_word(mistakes, "--on-late", arguments.on_late, {"hold", "last", "default"});
+  options.on_late = on_late_of(arguments.on_late);
+  if (arguments.half_time) options.server.half_time = *arguments.half_time;
+  for (const std::string& setting : arguments.settings) {
+    const auto applied = apply_setting(options, setting);
+    if (!applied) mistakes.push_back("--set: " + applied.error().message);
+  }
+  options.folder = arguments.folder;
+  for (std::string& mistake : mistakes_in(options)) mistakes.push_back(std::move(mistake));
+  return mistakes;
+}
+
+int exit_code_of(const MatchResult& result) {
+  switch (result.end_reason) {
+    case EndReason::kFinished:
+      return result.write_error.empty() ? kDone : kWriteFailed;
+    case EndReason::kRefused:
+      return kUnavailable;
+    case EndReason::kTimedOut:
+      return kTimedOut;
+    case EndReason::kInterrupted:
+      return result.signal == SIGTERM ? kTerminated : kInterrupted;
+    case EndReason::kCrashed:
+    case EndReason::kStalled:
+    case EndReason::kLate:
+    case EndReason::kProtocolError:
+    case EndReason::kServerFailed:
+      return kAnswerIsNo;
+  }
+  return kInternalError;
+}
+
+int run_match_command(Arguments& arguments) {
+  const std::vector<std::string> mistakes = complete(arguments);
+  for (const std::string& mistake : mistakes) fmt::print(stderr, "cls: {}\n", mistake);
+  if (!mistakes.empty()) return kUsage;
+
+  ProgressLine progress(stderr_is_terminal() && !arguments.quiet, arguments.quiet);
+  const auto result = run_match(arguments.options, progress, watch_interrupts());
+  progress.clear();
+  if (!result) {
+    fmt::print(stderr, "cls: {}\n", result.error().message);
+    return kCannotCreate;
+  }
+  if (!result->message.empty()) fmt::print(stderr, "cls: {}\n", result->message);
+  if (!result->write_error.empty()) fmt::print(stderr, "cls: {}\n", result->write_error);
+  if (arguments.json) {
+    fmt::print("{}", to_json(*result));
+  } else {
+    fmt::print("{}", match_report(*result, stdout_takes_colour(arguments.no_colour)));
+  }
+  return exit_code_of(*result);
+}
+
+}  // namespace
+
+void add_match_command(CLI::App& app, int& exit_code) {
+  const auto arguments = std::make_shared<Arguments>();
+  CLI::App* command = app.add_subcommand("match", kDescription);
+  add_options(*command, *arguments);
+  command->callback([arguments, &exit_code] { exit_code = run_match_command(*arguments); });
+}
+
+}  // namespace cls::cli

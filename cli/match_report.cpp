@@ -1,0 +1,122 @@
+// Result table of one match.
+#include "cli/match_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+#include <iterator>
+
+namespace cls::cli {
+namespace {
+
+using orchestration::MatchResult;
+using orchestration::PlayerResult;
+using orchestration::TeamResult;
+
+std::int64_t total(const TeamResult& team,
+                   const std::function<std::int64_t(const PlayerResult&)>& value) {
+  std::int64_t sum = 0;
+  for (const PlayerResult& player : team.players) sum += value(player);
+  return sum;
+}
+
+std::int64_t commands(const TeamResult& team, const std::string& kind) {
+  return total(team, [&](const PlayerResult& player) {
+    const auto found = player.commands.find(kind);
+    return found == player.commands.end() ? 0 : found->second;
+  });
+}
+
+// Percentiles of a team: the middle player's median, the worst player's 99th percentile.
+std::string latency(const TeamResult& team) {
+  std::vector<double> medians;
+  double worst = 0.0;
+  for (const PlayerResult& player : team.players) {
+    medians.push_back(player.rpc_us.p50);
+    worst = std::max(worst, player.rpc_us.p99);
+  }
+  if (medians.empty()) return "-";
+  std::nth_element(medians.begin(), medians.begin() + static_cast<long>(medians.size() / 2),
+                   medians.end());
+  return fmt::format("{:.0f} / {:.0f} us", medians[medians.size() / 2], worst);
+}
+
+class Rows {
+ public:
+  explicit Rows(const MatchResult& result) : result_(result) {}
+
+  void add(std::string_view label, const std::string& left, const std::string& right) {
+    fmt::format_to(std::back_inserter(text_), "  {:<22} {:>18} {:>18}\n", label, left, right);
+  }
+  void add(std::string_view label, const std::function<std::int64_t(const TeamResult&)>& value) {
+    add(label, fmt::to_string(value(result_.left)), fmt::to_string(value(result_.right)));
+  }
+  std::string take() { return std::move(text_); }
+
+ private:
+  const MatchResult& result_;
+  std::string text_;
+};
+
+std::string score_line(const MatchResult& result) {
+  std::string line = fmt::format("{} {} : {} {}", result.left.name, result.left.score,
+                                 result.right.score, result.right.name);
+  if (result.left.penalty_score && result.right.penalty_score) {
+    line += fmt::format(" ({} : {} on penalties)", *result.left.penalty_score,
+                        *result.right.penalty_score);
+  }
+  return line;
+}
+
+std::string goals_line(const MatchResult& result) {
+  if (result.goals.empty()) return {};
+  std::string line = "  goals:";
+  for (const auto& goal : result.goals) {
+    const TeamResult& team = goal.side == soccer::Side::kLeft ? result.left : result.right;
+    fmt::format_to(std::back_inserter(line), " {} {}", goal.cycle, team.name);
+    if (goal.unum > 0) fmt::format_to(std::back_inserter(line), " {}", goal.unum);
+    line += &goal == &result.goals.back() ? "\n" : ",";
+  }
+  return line;
+}
+
+std::string figures(const MatchResult& result) {
+  Rows rows(result);
+  rows.add("", result.left.name, result.right.name);
+  rows.add("playmaker", result.left.endpoint, result.right.endpoint);
+  rows.add("decisions", [](const TeamResult& team) {
+    return total(team, [](const PlayerResult& player) { return player.decisions; });
+  });
+  rows.add("late + missed", [](const TeamResult& team) {
+    return total(team, [](const PlayerResult& player) { return player.late + player.missed; });
+  });
+  rows.add("rpc p50 / worst p99", latency(result.left), latency(result.right));
+  for (const char* kind : {"kick", "dash", "turn", "tackle", "catch"}) {
+    rows.add(kind, [kind](const TeamResult& team) { return commands(team, kind); });
+  }
+  rows.add("cpu seconds", fmt::format("{:.2f}", result.left.cpu_seconds),
+           fmt::format("{:.2f}", result.right.cpu_seconds));
+  return rows.take();
+}
+
+}  // namespace
+
+std::string match_report(const MatchResult& result, bool colour) {
+  const std::string score = score_line(result);
+  std::string text = colour ? fmt::format("\x1b[1m{}\x1b[0m\n", score) : score + "\n";
+  if (!result.valid()) {
+    fmt::format_to(std::back_inserter(text), "  invalid match: {} at cycle {}\n",
+                   name(result.end_reason), result.cycles);
+  }
+  text += goals_line(result);
+  text += "\n" + figures(result) + "\n";
+  fmt::format_to(std::back_inserter(text),
+                 "  {} cycles in {:.1f} s ({:.0f} cycles/s), {}, seed {}{}\n", result.cycles,
+                 result.wall_seconds, result.cycles_per_second, result.mode, result.seed,
+                 result.deterministic ? "" : ", not deterministic");
+  fmt::format_to(std::back_inserter(text), "  {}/\n", result.folder);
+  return text;
+}
+
+}  // namespace cls::cli

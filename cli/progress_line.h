@@ -1,0 +1,45 @@
+// The one line that follows a running match on a terminal.
+#pragma once
+
+#include <chrono>
+#include <string>
+#include <string_view>
+
+#include "orchestration/match_observer.h"
+
+namespace cls::cli {
+
+/// Rewrites one line on stderr a few times a second; warnings go above it. Without a terminal it
+/// shows warnings only, so that a log file stays readable.
+class ProgressLine : public orchestration::MatchObserver {
+ public:
+  /// `shown` is false without a terminal and with --quiet;
+  ProgressLine(bool shown, bool quiet) : shown_(shown), quiet_(quiet) {}
+  ~ProgressLine() override { clear(); }
+  ProgressLine(const ProgressLine&) = delete;
+  ProgressLine& operator=(const ProgressLine&) = delete;
+
+  void on_phase(std::string_view what) override;
+  void on_cycle(const orchestration::MatchProgress& progress) override;
+  void on_warning(std::string_view line) override;
+
+  /// Removes the line, so that what is printed next starts on a clean one.
+  void clear();
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  void show(std::string_view text);
+
+  bool shown_;
+  bool quiet_;
+  bool visible_ = false;
+  Clock::time_point last_shown_{};
+  Clock::time_point first_cycle_{};
+  int cycles_at_start_ = -1;
+};
+
+/// The text of the line: game time, score, mode, speed and the time left.
+std::string progress_text(const orchestration::MatchProgress& progress, double cycles_per_second);
+
+}  // namespace cls::cli

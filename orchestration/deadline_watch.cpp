@@ -1,0 +1,28 @@
+// Comparing clocks.
+#include "orchestration/deadline_watch.h"
+
+namespace cls::orchestration {
+namespace {
+
+double seconds_since(DeadlineWatch::Clock::time_point then) {
+  return std::chrono::duration<double>(DeadlineWatch::Clock::now() - then).count();
+}
+
+}  // namespace
+
+double DeadlineWatch::seconds_since_start() const { return seconds_since(start_); }
+
+std::optional<EndReason> DeadlineWatch::exceeded() const {
+  if (signal() != 0) return EndReason::kInterrupted;
+  if (options_.time_limit_s && seconds_since(start_) > *options_.time_limit_s) {
+    return EndReason::kTimedOut;
+  }
+  if (options_.no_deadline) return std::nullopt;
+  if (!last_cycle_ && seconds_since(start_) > options_.start_timeout_s) return EndReason::kRefused;
+  if (last_cycle_ && seconds_since(*last_cycle_) > options_.stall_after_s) {
+    return EndReason::kStalled;
+  }
+  return std::nullopt;
+}
+
+}  // namespace cls::orchestration

@@ -1,0 +1,38 @@
+// The limits that end a match from outside: signals, time limit, start limit, stall limit.
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <optional>
+
+#include "orchestration/end_reason.h"
+#include "orchestration/match_options.h"
+
+namespace cls::orchestration {
+
+/// Looked at while the match's thread waits for the sides.
+class DeadlineWatch {
+ public:
+  using Clock = std::chrono::steady_clock;
+
+  DeadlineWatch(const MatchOptions& options, const std::atomic<int>& stop_signal)
+      : options_(options), stop_signal_(stop_signal) {}
+
+  /// A new cycle has begun: the stall limit counts from here; before the first one the start
+  /// limit does, from the creation of the watch.
+  void cycle_begins() { last_cycle_ = Clock::now(); }
+
+  /// Why the match has to end now; nothing while it may go on.
+  std::optional<EndReason> exceeded() const;
+
+  int signal() const { return stop_signal_.load(); }
+  double seconds_since_start() const;
+
+ private:
+  const MatchOptions& options_;
+  const std::atomic<int>& stop_signal_;
+  Clock::time_point start_ = Clock::now();
+  std::optional<Clock::time_point> last_cycle_;
+};
+
+}  // namespace cls::orchestration

@@ -1,0 +1,224 @@
+// Playing one match in lockstep.
+#include "orchestration/lockstep_match.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+namespace cls::orchestration {
+namespace {
+
+using proxy::RpcOutcome;
+using soccer::Result;
+using Clock = std::chrono::steady_clock;
+
+double seconds_between(Clock::time_point from, Clock::time_point to) {
+  return std::chrono::duration<double>(to - from).count();
+}
+
+// What a Playmaker that gives no usable answers is told to have done.
+EndReason reason_of(RpcOutcome outcome) {
+  switch (outcome) {
+    case RpcOutcome::kUnavailable:
+      return EndReason::kCrashed;
+    case RpcOutcome::kProtocolError:
+    case RpcOutcome::kError:
+    case RpcOutcome::kUnimplemented:
+      return EndReason::kProtocolError;
+    default:
+      return EndReason::kLate;
+  }
+}
+
+std::string describe_limit(EndReason reason, const MatchOptions& options) {
+  switch (reason) {
+    case EndReason::kInterrupted:
+      return "interrupted";
+    case EndReason::kTimedOut:
+      return fmt::format("the time limit of {} s was reached", *options.time_limit_s);
+    case EndReason::kRefused:
+      return fmt::format("no answer within the start limit of {} s", options.start_timeout_s);
+    default:
+      return fmt::format("no new cycle for {} s", options.stall_after_s);
+  }
+}
+
+}  // namespace
+
+simulator::MatchConfig server_config(const MatchOptions& options, std::uint64_t seed) {
+  simulator::MatchConfig config;
+  config.server = options.server;
+  config.server.auto_mode = true;
+  config.player = options.player;
+  config.seed = seed;
+  config.cycle_limit = options.cycles;
+  return config;
+}
+
+Result<std::unique_ptr<LockstepMatch>> LockstepMatch::create(const MatchOptions& options,
+                                                             const TeamNames& names,
+                                                             std::uint64_t seed,
+                                                             const std::atomic<int>& stop_signal) {
+  std::unique_ptr<LockstepMatch> match(new LockstepMatch(options, seed, stop_signal));
+  auto server = simulator::LockstepServer::create(server_config(options, seed));
+  if (!server) return server.error();
+  match->server_ = std::move(*server);
+  auto left = MatchSide::create(options.left, names.left, options);
+  if (!left) return left.error();
+  match->left_ = std::move(*left);
+  auto right = MatchSide::create(options.right, names.right, options);
+  if (!right) return right.error();
+  match->right_ = std::move(*right);
+  return match;
+}
+
+void LockstepMatch::end(EndReason reason, std::string message) {
+  if (ended()) return;
+  end_reason_ = reason;
+  message_ = std::move(message);
+}
+
+// Waits, but not beyond the limits: past one, the calls in flight are called back, so that the
+// side comes to its end at once.
+void LockstepMatch::wait_for(MatchSide& side) {
+  constexpr std::chrono::milliseconds kLook{20};
+  while (!side.worker().wait_for(kLook)) {
+    const auto limit = watch_.exceeded();
+    if (!limit || ended()) continue;
+    const std::string whose = *limit == EndReason::kRefused || *limit == EndReason::kStalled
+                                  ? fmt::format("{} ({}): ", side.name(), side.endpoint().text)
+                                  : "";
+    end(*limit, whose + describe_limit(*limit, options_));
+    left_->playmaker().cancel();
+    right_->playmaker().cancel();
+  }
+}
+
+void LockstepMatch::run_on_both(const std::function<void(MatchSide&)>& work) {
+  for (MatchSide* side : {left_.get(), right_.get()}) {
+    side->worker().start([side, &work] { work(*side); });
+  }
+  wait_for(*left_);
+  wait_for(*right_);
+}
+
+void LockstepMatch::connect(MatchObserver& observer) {
+  observer.on_phase("connecting the players");
+  for (MatchSide* side : {left_.get(), right_.get()}) {
+    const auto serve = [this] {
+      server_->answer_requests();
+      return true;
+    };
+    const auto connected = side->team().connect([this] { return server_->connect(); }, serve);
+    if (!connected) end(EndReason::kServerFailed, connected.error().message);
+  }
+}
+
+void LockstepMatch::introduce(MatchObserver& observer) {
+  for (MatchSide* side : {left_.get(), right_.get()}) {
+    if (ended()) return;
+    observer.on_phase(fmt::format("waiting for {} ({})", side->name(), side->endpoint().text));
+    proxy::RpcStatus status;
+    side->worker().start([side, &status] { status = side->team().introduce(); });
+    wait_for(*side);
+    if (!status.ok()) {
+      end(EndReason::kRefused,
+          fmt::format("{} ({}): {}", side->name(), side->endpoint().text, status.message));
+    }
+  }
+}
+
+void LockstepMatch::check_answers(const MatchSide& side) {
+  const proxy::MissingAnswers missing = side.team().missing_answers();
+  if (missing.in_a_row <= options_.max_missed) return;
+  end(reason_of(missing.last.outcome),
+      fmt::format("{} ({}): player {} had no usable answer for {} cycles, at cycle {}: {}",
+                  side.name(), side.endpoint().text, missing.unum, missing.in_a_row,
+                  server_->world().clock.time, missing.last.message));
+}
+
+void LockstepMatch::pass_on_warnings(MatchObserver& observer) {
+  for (MatchSide* side : {left_.get(), right_.get()}) {
+    for (const std::string& line : side->team().take_warnings()) {
+      warnings_.push_back(fmt::format("{}: {}", side->name(), line));
+      observer.on_warning(warnings_.back());
+    }
+  }
+}
+
+int LockstepMatch::last_cycle() const {
+  const int whole = options_.server.normal_time_cycles();
+  if (!options_.cycles) return whole;
+  return whole > 0 ? std::min(whole, *options_.cycles) : *options_.cycles;
+}
+
+void LockstepMatch::report_progress(MatchObserver& observer) const {
+  const simulator::World& world = server_->world();
+  observer.on_cycle({world.clock.time, last_cycle(), world.team(soccer::Side::kLeft).score,
+                     world.team(soccer::Side::kRight).score, world.mode});
+}
+
+void LockstepMatch::play_cycles(MatchObserver& observer, MatchChronicle& chronicle) {
+  const Clock::time_point start = Clock::now();
+  Clock::time_point now = start;
+  while (!ended() && !server_->finished()) {
+    watch_.cycle_begins();
+    server_->run_cycle();
+    ++steps_;
+    chronicle.follow(server_->world());
+    report_progress(observer);
+    const Clock::time_point asked = Clock::now();
+    times_.simulator += seconds_between(now, asked);
+    run_on_both([](MatchSide& side) { side.team().run_cycle(); });
+    now = Clock::now();
+    times_.sides += seconds_between(asked, now);
+    check_answers(*left_);
+    check_answers(*right_);
+    pass_on_warnings(observer);
+    if (const auto limit = watch_.exceeded()) end(*limit, describe_limit(*limit, options_));
+  }
+  times_.play = seconds_between(start, now);
+}
+
+void LockstepMatch::leave() {
+  run_on_both([](MatchSide& side) { side.team().leave(); });
+}
+
+void LockstepMatch::play(MatchObserver& observer, MatchChronicle& chronicle) {
+  connect(observer);
+  introduce(observer);
+  pass_on_warnings(observer);
+  if (!ended()) play_cycles(observer, chronicle);
+  end(EndReason::kFinished, "");
+  server_->finish();
+  leave();
+}
+
+MatchResult LockstepMatch::result() const {
+  const simulator::World& world = server_->world();
+  MatchResult result;
+  result.left = left_->result();
+  result.right = right_->result();
+  for (const auto side : {soccer::Side::kLeft, soccer::Side::kRight}) {
+    const simulator::Team& team = world.team(side);
+    TeamResult& told = side == soccer::Side::kLeft ? result.left : result.right;
+    told.score = team.score;
+    if (team.penalty_kicks > 0) told.penalty_score = team.penalty_goals;
+    for (const PlayerResult& player : told.players) {
+      if (player.missed > 0) result.deterministic = false;
+    }
+  }
+  result.end_reason = end_reason_.value_or(EndReason::kFinished);
+  result.message = message_;
+  result.signal = watch_.signal();
+  result.cycles = world.clock.time;
+  result.steps = steps_;
+  result.seed = seed_;
+  result.warnings = warnings_;
+  if (times_.play > 0.0) result.cycles_per_second = result.cycles / times_.play;
+  return result;
+}
+
+}  // namespace cls::orchestration

@@ -1,0 +1,89 @@
+// The embedded server and two sides taking turns, cycle by cycle, until something ends the match.
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "gamelog/byte_sink.h"
+#include "orchestration/deadline_watch.h"
+#include "orchestration/match_chronicle.h"
+#include "orchestration/match_observer.h"
+#include "orchestration/match_options.h"
+#include "orchestration/match_result.h"
+#include "orchestration/match_side.h"
+#include "simulator/server/lockstep_server.h"
+#include "soccer/result.h"
+
+namespace cls::orchestration {
+
+/// The configuration of the embedded server that the options ask for.
+simulator::MatchConfig server_config(const MatchOptions& options, std::uint64_t seed);
+
+/// One match in lockstep. Use: create, record, play once, then read result(). The two sides run on
+/// threads of their own, the server on the caller's, never at the same time; so what happens
+/// depends on seed, parameters and the Playmakers' answers only.
+class LockstepMatch {
+ public:
+  /// Where a match's wall time went, in seconds.
+  struct Times {
+    double simulator = 0.0;  ///< server turns
+    double sides = 0.0;      ///< waiting for both sides
+    double play = 0.0;       ///< from the first step to the last
+  };
+
+  static soccer::Result<std::unique_ptr<LockstepMatch>> create(const MatchOptions& options,
+                                                               const TeamNames& names,
+                                                               std::uint64_t seed,
+                                                               const std::atomic<int>& stop_signal);
+
+  /// Logs to write; all must outlive the match.
+  void record(gamelog::ByteSink& game_log, gamelog::ByteSink& text_log) {
+    server_->record(&game_log, &text_log);
+  }
+
+  /// Connects, introduces, plays to the end and takes leave.
+  void play(MatchObserver& observer, MatchChronicle& chronicle);
+
+  /// All that the match itself knows; files and times of the run are the caller's to add.
+  MatchResult result() const;
+
+  const MatchSide& left() const { return *left_; }
+  const MatchSide& right() const { return *right_; }
+  const Times& times() const { return times_; }
+
+ private:
+  LockstepMatch(const MatchOptions& options, std::uint64_t seed,
+                const std::atomic<int>& stop_signal)
+      : options_(options), seed_(seed), watch_(options, stop_signal) {}
+
+  void connect(MatchObserver& observer);
+  void introduce(MatchObserver& observer);
+  void play_cycles(MatchObserver& observer, MatchChronicle& chronicle);
+  void leave();
+
+  void run_on_both(const std::function<void(MatchSide&)>& work);
+  void wait_for(MatchSide& side);
+  void end(EndReason reason, std::string message);
+  bool ended() const { return end_reason_.has_value(); }
+  void check_answers(const MatchSide& side);
+  void pass_on_warnings(MatchObserver& observer);
+  void report_progress(MatchObserver& observer) const;
+  int last_cycle() const;
+
+  const MatchOptions& options_;
+  std::uint64_t seed_;
+  DeadlineWatch watch_;
+  std::unique_ptr<simulator::LockstepServer> server_;
+  std::unique_ptr<MatchSide> left_;
+  std::unique_ptr<MatchSide> right_;
+  std::optional<EndReason> end_reason_;
+  std::string message_;
+  std::vector<std::string> warnings_;
+  std::int64_t steps_ = 0;
+  Times times_;
+};
+
+}  // namespace cls::orchestration

@@ -1,0 +1,23 @@
+// One match from the first connection to the written result.
+#pragma once
+
+#include <atomic>
+
+#include "orchestration/match_observer.h"
+#include "orchestration/match_options.h"
+#include "orchestration/match_result.h"
+#include "soccer/result.h"
+
+namespace cls::orchestration {
+
+/// Plays one match on the embedded server: starts bundled mocks, connects and registers both
+/// teams, plays in lockstep to the end, writes rcg, rcl, events, manifest and result into the
+/// match folder. Whatever goes wrong in play is told by the result's end reason, and what was
+/// played until then is written. An error means that the folder or a file in it could not be
+/// created; nothing was played then.
+///
+/// `stop_signal` becomes nonzero (the signal's number) when the match shall end in order.
+soccer::Result<MatchResult> run_match(const MatchOptions& options, MatchObserver& observer,
+                                      const std::atomic<int>& stop_signal);
+
+}  // namespace cls::orchestration

@@ -1,0 +1,92 @@
+// Putting one side together, and reading off what it did.
+#include "orchestration/match_side.h"
+
+#include <chrono>
+#include <utility>
+
+#include "mock-server/behaviour.h"
+#include "proxy/grpc_playmaker.h"
+
+namespace cls::orchestration {
+namespace {
+
+using soccer::Result;
+
+proxy::RpcTimeout milliseconds_of(double seconds) {
+  return std::chrono::duration_cast<proxy::RpcTimeout>(std::chrono::duration<double>(seconds));
+}
+
+proxy::TeamOptions team_options(const std::string& name, const MatchOptions& options) {
+  proxy::TeamOptions team;
+  team.name = soccer::TeamName(name);
+  team.protocol = options.protocol;
+  team.on_late = options.on_late;
+  team.decision_timeout =
+      options.no_deadline ? proxy::kNoTimeout : proxy::RpcTimeout(options.rpc_deadline_ms);
+  team.start_timeout = milliseconds_of(options.start_timeout_s);
+  return team;
+}
+
+proxy::GrpcTarget target_of(const Endpoint& endpoint) {
+  proxy::GrpcTarget target;
+  target.host = endpoint.host;
+  target.port = endpoint.port;
+  target.port_step = endpoint.port_step;
+  target.unix_path = endpoint.path;
+  return target;
+}
+
+PlayerResult result_of(const proxy::PlayerAgent& agent) {
+  const proxy::AgentStatistics& statistics = agent.statistics();
+  PlayerResult result;
+  result.unum = agent.unum();
+  result.decisions = statistics.decisions;
+  result.late = statistics.late;
+  result.missed = statistics.missed;
+  result.rpc_us.p50 = statistics.rpc_us.percentile(0.50);
+  result.rpc_us.p95 = statistics.rpc_us.percentile(0.95);
+  result.rpc_us.p99 = statistics.rpc_us.percentile(0.99);
+  result.rpc_us.max = statistics.rpc_us.max();
+  result.commands = statistics.commands_by_name();
+  result.unimplemented_actions = statistics.unimplemented_by_name();
+  return result;
+}
+
+}  // namespace
+
+Result<std::unique_ptr<MatchSide>> MatchSide::create(const Endpoint& endpoint, std::string name,
+                                                     const MatchOptions& options) {
+  std::unique_ptr<MatchSide> side(new MatchSide);
+  side->name_ = std::move(name);
+  side->endpoint_ = endpoint;
+  if (endpoint.kind == Endpoint::Kind::kMock) {
+    auto behaviour = mock_server::make_behaviour(endpoint.behaviour);
+    if (!behaviour) return behaviour.error();
+    auto mock = mock_server::Server::start(std::move(*behaviour));
+    if (!mock) return mock.error();
+    side->mock_ = std::move(*mock);
+    side->playmaker_ = proxy::make_grpc_playmaker(side->mock_->in_process_channel(), endpoint.text);
+  } else {
+    side->playmaker_ = proxy::make_grpc_playmaker(target_of(endpoint));
+  }
+  side->team_ =
+      std::make_unique<proxy::Team>(team_options(side->name_, options), *side->playmaker_);
+  return side;
+}
+
+TeamResult MatchSide::result() const {
+  TeamResult result;
+  result.name = name_;
+  result.endpoint = endpoint_.text;
+  result.cpu_seconds = worker_.cpu_seconds() + mock_cpu_seconds();
+  for (const auto& agent : team_->players()) result.players.push_back(result_of(*agent));
+  return result;
+}
+
+double MatchSide::mock_cpu_seconds() const {
+  constexpr double kNanosecond = 1e-9;
+  if (mock_ == nullptr) return 0.0;
+  return static_cast<double>(mock_->service().decision_nanoseconds()) * kNanosecond;
+}
+
+}  // namespace cls::orchestration

@@ -1,0 +1,49 @@
+// One side of a match: its Playmaker, its team of agents and the thread they live on.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "mock-server/server.h"
+#include "orchestration/match_options.h"
+#include "orchestration/match_result.h"
+#include "orchestration/worker.h"
+#include "proxy/playmaker.h"
+#include "proxy/team.h"
+#include "soccer/result.h"
+
+namespace cls::orchestration {
+
+/// Owns everything of one side. The team is used by `worker` only while work is under way there.
+class MatchSide {
+ public:
+  /// Starts a bundled mock if the endpoint asks for one; nothing is sent to a foreign Playmaker
+  /// yet.
+  static soccer::Result<std::unique_ptr<MatchSide>> create(const Endpoint& endpoint,
+                                                           std::string name,
+                                                           const MatchOptions& options);
+
+  proxy::Team& team() { return *team_; }
+  const proxy::Team& team() const { return *team_; }
+  proxy::Playmaker& playmaker() { return *playmaker_; }
+  Worker& worker() { return worker_; }
+  const std::string& name() const { return name_; }
+  const Endpoint& endpoint() const { return endpoint_; }
+
+  /// What this side did; the score is the server's to tell.
+  TeamResult result() const;
+  /// CPU time of the bundled mock's decisions in seconds; 0 for a foreign Playmaker.
+  double mock_cpu_seconds() const;
+
+ private:
+  MatchSide() = default;
+
+  std::string name_;
+  Endpoint endpoint_;
+  std::unique_ptr<mock_server::Server> mock_;
+  std::unique_ptr<proxy::Playmaker> playmaker_;
+  std::unique_ptr<proxy::Team> team_;
+  Worker worker_;
+};
+
+}  // namespace cls::orchestration

@@ -1,0 +1,15 @@
+// Writing a small file at once.
+#pragma once
+
+#include <filesystem>
+#include <string_view>
+
+#include "soccer/result.h"
+
+namespace cls::orchestration {
+
+/// Writes a whole file by way of a temporary one beside it and a rename, so that a reader never
+/// sees half of it. The error names the file and the reason.
+soccer::Result<void> write_file(const std::filesystem::path& path, std::string_view bytes);
+
+}  // namespace cls::orchestration
