@@ -1,0 +1,199 @@
+// `cls match` as a user meets it: results, files, exit codes, and what it says when things go
+// wrong.
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "tests/support/command.h"
+#include "tests/support/files.h"
+#include "tests/support/temporary_folder.h"
+
+namespace {
+
+namespace fs = std::filesystem;
+using cls::tests::cls_binary;
+using cls::tests::Command;
+using cls::tests::CommandResult;
+using cls::tests::read_file;
+using cls::tests::TemporaryFolder;
+using nlohmann::json;
+
+// A short match: no long wait before the kick-off.
+std::vector<std::string> match(std::vector<std::string> more, const fs::path& folder) {
+  std::vector<std::string> arguments = {cls_binary(), "match"};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  for (const char* argument : {"--set", "server::kick_off_wait=3", "--dir"}) {
+    arguments.push_back(argument);
+  }
+  arguments.push_back(folder);
+  return arguments;
+}
+
+int lines_in(const std::string& text) {
+  return static_cast<int>(std::count(text.begin(), text.end(), '\n'));
+}
+
+json result_in(const fs::path& folder) { return json::parse(read_file(folder / "result.json")); }
+
+TEST(MatchCommand, PlaysAndLeavesTheWholeFolderBehind) {
+  TemporaryFolder folder;
+  const CommandResult played =
+      cls::tests::run(match({"mock", "mock", "--seed", "7", "--cycles", "100"}, folder.path()));
+  EXPECT_EQ(played.exit_code, 0) << played.err;
+  EXPECT_EQ(played.err, "");  // no terminal, so no progress line
+  EXPECT_EQ(played.out.substr(0, 7), "mock_l ");
+  for (const char* file :
+       {"result.json", "manifest.json", "events.jsonl", "match.rcg", "match.rcl"}) {
+    EXPECT_TRUE(fs::exists(folder.path() / file)) << file;
+  }
+  const json result = result_in(folder.path());
+  EXPECT_EQ(result["end_reason"], "finished");
+  EXPECT_EQ(result["cycles"], 100);
+  EXPECT_TRUE(result["valid"]);
+  EXPECT_TRUE(result["deterministic"]);
+  EXPECT_EQ(result["left"]["players"].size(), 11u);
+  EXPECT_EQ(result["left"]["players"][0]["missed"], 0);
+  EXPECT_GE(result["left"]["players"][0]["decisions"], 100);
+}
+
+TEST(MatchCommand, JsonIsTheOnlyThingOnStdoutAndTheSameAsTheFile) {
+  TemporaryFolder folder;
+  const CommandResult played =
+      cls::tests::run(match({"mock", "mock:hold", "--cycles", "30", "--json"}, folder.path()));
+  EXPECT_EQ(played.exit_code, 0) << played.err;
+  EXPECT_EQ(played.out, read_file(folder.path() / "result.json"));
+  EXPECT_EQ(json::parse(played.out)["right"]["name"], "hold");
+}
+
+TEST(MatchCommand, HalvesEndWhereTheUserSays) {
+  TemporaryFolder folder;
+  const CommandResult played =
+      cls::tests::run(match({"mock", "mock", "--half-time", "5", "--seed", "3"}, folder.path()));
+  EXPECT_EQ(played.exit_code, 0) << played.err;
+  EXPECT_EQ(result_in(folder.path())["cycles"], 100);
+  EXPECT_NE(read_file(folder.path() / "events.jsonl").find("time_over"), std::string::npos);
+}
+
+struct Mistake {
+  std::vector<std::string> arguments;
+  std::string message;
+};
+
+TEST(MatchCommand, UsageMistakesAreOneLineEachAndExitWith2) {
+  const std::vector<Mistake> mistakes = {
+      {{"mock", "mock", "--sed", "7"}, "cls: unknown option '--sed'; did you mean '--seed'?\n"},
+      {{"moc", "mock"}, "cls: unknown side 'moc'; did you mean 'mock'?"},
+      {{"mock", "mock:hodl"}, "cls: unknown mock behaviour 'hodl'; did you mean 'hold'?\n"},
+      {{"mock", "localhost:99999"}, "port 99999 is not within 1 to 65535\n"},
+      {{"mock"}, "cls: RIGHT is required (see cls match --help)\n"},
+      {{"mock", "mock", "mock"}, "cls: unknown argument 'mock'"},
+      {{"mock", "mock", "--seed", "x"}, "--seed"},
+      {{"mock", "mock", "--cycles", "0"}, "cls: --cycles must be positive\n"},
+      {{"mock", "mock", "--set", "server::half_tine=3"},
+       "cls: --set: unknown parameter 'half_tine'; did you mean 'half_time'?\n"},
+      {{"mock", "mock", "--set", "server::half_time=x"},
+       "cls: --set: parameter 'half_time': 'x' is not a whole number\n"},
+      {{"mock", "mock", "--left-name", "two words"}, "only letters, digits"},
+      {{"mock", "mock", "--server", "rcsserver"}, "cls: --server 'rcsserver': must be embedded\n"},
+      {{"mock", "mock", "--on-late", "hodl"}, "cls: --on-late 'hodl': did you mean 'hold'?\n"},
+  };
+  for (const Mistake& mistake : mistakes) {
+    TemporaryFolder folder;
+    const fs::path target = folder.path() / "match";
+    const CommandResult refused = cls::tests::run(match(mistake.arguments, target));
+    EXPECT_EQ(refused.exit_code, 2) << mistake.message;
+    EXPECT_EQ(refused.out, "") << mistake.message;
+    EXPECT_NE(refused.err.find(mistake.message), std::string::npos) << refused.err;
+    EXPECT_EQ(lines_in(refused.err), 1) << refused.err;
+    EXPECT_FALSE(fs::exists(target)) << "nothing is written for a mistake";
+  }
+}
+
+TEST(MatchCommand, AllMistakesAreToldAtOnce) {
+  TemporaryFolder folder;
+  const CommandResult refused =
+      cls::tests::run(match({"moc", "hold", "--cycles", "-1"}, folder.path()));
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_EQ(lines_in(refused.err), 3) << refused.err;
+}
+
+TEST(MatchCommand, AFolderThatCannotBeMadeIsNamedAndExitsWith73) {
+  TemporaryFolder folder;
+  std::ofstream(folder.path() / "file") << "x";
+  const CommandResult refused =
+      cls::tests::run(match({"mock", "mock"}, folder.path() / "file" / "match"));
+  EXPECT_EQ(refused.exit_code, 73);
+  EXPECT_EQ(lines_in(refused.err), 1) << refused.err;
+  EXPECT_NE(refused.err.find("cannot create folder"), std::string::npos) << refused.err;
+  EXPECT_NE(refused.err.find("file/match"), std::string::npos) << refused.err;
+}
+
+TEST(MatchCommand, AFullDiskLosesTheLogButNotTheMatch) {
+  TemporaryFolder folder;
+  std::string line = "ulimit -f 200; exec";  // blocks of 512 bytes: 100 KiB a file
+  for (const std::string& argument : match({"mock", "mock", "--cycles", "200"}, folder.path())) {
+    line += " '" + argument + "'";
+  }
+  const CommandResult played = cls::tests::run({"sh", "-c", line});
+  EXPECT_EQ(played.exit_code, 74) << played.err;
+  EXPECT_NE(played.err.find("match.rcg"), std::string::npos) << played.err;
+  EXPECT_EQ(result_in(folder.path())["cycles"], 200);
+}
+
+TEST(MatchCommand, NobodyAtTheAddressExitsWith69WithinTheStartLimit) {
+  TemporaryFolder folder;
+  const auto start = std::chrono::steady_clock::now();
+  const CommandResult refused =
+      cls::tests::run(match({"mock", "127.0.0.1:1", "--start-timeout", "2"}, folder.path()));
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10));
+  EXPECT_EQ(refused.exit_code, 69);
+  EXPECT_EQ(lines_in(refused.err), 1) << refused.err;
+  EXPECT_NE(refused.err.find("127.0.0.1:1"), std::string::npos) << refused.err;
+  const json result = result_in(folder.path());
+  EXPECT_EQ(result["end_reason"], "refused");
+  EXPECT_FALSE(result["valid"]);
+  EXPECT_TRUE(result["winner"].is_null());
+}
+
+struct Interruption {
+  int signal;
+  int exit_code;
+};
+
+class Interrupted : public testing::TestWithParam<Interruption> {};
+
+TEST_P(Interrupted, MatchEndsInOrderWithWhatWasPlayed) {
+  TemporaryFolder folder;
+  Command playing(match({"mock", "mock", "--seed", "7"}, folder.path()));
+  const fs::path events = folder.path() / "match.rcg";
+  for (int i = 0; i < 1000 && (!fs::exists(events) || fs::file_size(events) == 0); ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  playing.send_signal(GetParam().signal);
+  const CommandResult ended = playing.finish(std::chrono::seconds(5));
+  EXPECT_EQ(ended.exit_code, GetParam().exit_code) << ended.err;
+  const json result = result_in(folder.path());
+  EXPECT_EQ(result["end_reason"], "interrupted");
+  EXPECT_GT(result["steps"], 0);
+  const std::string game_log = read_file(folder.path() / "match.rcg");
+  EXPECT_EQ(game_log.substr(0, 5), "ULG6\n");
+  EXPECT_NE(game_log.find("(result "), std::string::npos) << "the log is complete";
+}
+
+INSTANTIATE_TEST_SUITE_P(Signals, Interrupted,
+                         testing::Values(Interruption{SIGINT, 130}, Interruption{SIGTERM, 143}));
+
+TEST(MatchCommand, ATimeLimitEndsItWith124) {
+  TemporaryFolder folder;
+  const CommandResult ended =
+      cls::tests::run(match({"mock", "mock", "--time-limit", "0.5"}, folder.path()));
+  EXPECT_EQ(ended.exit_code, 124);
+  EXPECT_EQ(result_in(folder.path())["end_reason"], "timed_out");
+}
+
+}  // namespace
