@@ -1,12 +1,15 @@
 // The binary `cls`: runs the command line and turns what escapes it into one line and an exit code.
 #include <fmt/core.h>
 
+#include <csignal>
 #include <exception>
 
 #include "cli/application.h"
 #include "cli/exit_code.h"
 
 int main(int argc, char** argv) {
+  // A file that hits the size limit is a failed write like any other, not the end of the process.
+  std::signal(SIGXFSZ, SIG_IGN);
   try {
     return cls::cli::run_application(argc, argv);
   } catch (const std::exception& error) {
