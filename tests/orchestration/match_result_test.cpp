@@ -95,13 +95,15 @@ TEST(MatchFolder, TwoMatchesOfOneSecondGetFoldersOfTheirOwn) {
   EXPECT_TRUE(first->string().find("Z-l-vs-r") != std::string::npos);
 }
 
-TEST(Manifest, TellsOnlyWhatDiffersFromTheDefaults) {
+TEST(Manifest, TellsOnlyWhatDiffersFromTheServersDefaults) {
   MatchOptions options;
   ASSERT_TRUE(apply_setting(options, "server::half_time=10"));
   const auto manifest = nlohmann::json::parse(manifest_json(options, {"l", "r"}, 7));
   EXPECT_EQ(manifest["seed"], 7);
-  EXPECT_EQ(manifest["settings"].size(), 1u);
-  EXPECT_EQ(manifest["settings"]["server::half_time"], 10);
+  const nlohmann::json expected = {{"server::half_time", 10},
+                                   {"server::nr_extra_halfs", 0},
+                                   {"server::penalty_shoot_outs", false}};
+  EXPECT_EQ(manifest["settings"], expected);
 }
 
 TEST(MatchOptions, SettingsAndContradictionsAreTold) {
