@@ -144,13 +144,13 @@ struct Search {
     const double distance = offset.length();
     if (distance > run[static_cast<std::size_t>(step - 1)] * rate + control) return false;
     const AngleDeg heading = distance > 1e-3 ? AngleDeg::of(offset) : world.self.body;
-    const double turn = ((backward ? heading + 180.0 : heading) - world.self.body).degrees();
+    const double wanted = ((backward ? heading + 180.0 : heading) - world.self.body).degrees();
     constexpr double kLeastSlack = 5.0;
     const double slack =
         distance > control ? std::max(kLeastSlack, math::to_degrees(math::asin(control / distance)))
                            : 180.0;
     Runner runner(world);
-    double missing = std::fabs(turn);
+    double missing = std::fabs(wanted);
     int turns = 0;
     while (missing > slack && turns < step) {
       missing -=
@@ -159,8 +159,10 @@ struct Search {
       ++turns;
     }
     if (missing > slack || turns == 0) return false;  // without turn it is an omni dash
+    missing = std::max(0.0, missing);
+    const double turn = wanted < 0.0 ? wanted + missing : wanted - missing;
     const int dashes = step - turns;
-    const Vec2 unit = polar(1.0, heading);
+    const Vec2 unit = polar(1.0, world.self.body + turn + (backward ? 180.0 : 0.0));
     for (int i = 0; i < dashes; ++i) {
       // A full dash that would run past the ball is left out: waiting meets it as well.
       if (soccer::dot(target - runner.position, unit) > 0.0) {

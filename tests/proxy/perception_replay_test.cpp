@@ -111,6 +111,45 @@ void expect_at_most(const ErrorSummary& got, const ErrorSummary& limit, double f
   EXPECT_GE(got.n, limit.n) << what << " of player " << unum;
 }
 
+TEST(PerceptionReplay, AnExcerptThatEveryCloneHas) {
+  const Moments truth = read_truth(tests::read_file(tests::fixture("perception/game.rcg.gz")));
+  const PerceptionError ours =
+      measure(tests::read_file(tests::fixture("perception/player_7.txt.gz")), truth);
+  EXPECT_EQ(ours.cycles(), 97);
+  EXPECT_LT(ours.self().mean, 0.015);
+  EXPECT_LT(ours.self().p95, 0.035);
+  EXPECT_LT(ours.body_angle().mean, 0.3);
+  EXPECT_LT(ours.ball().mean, 0.12);
+  EXPECT_GE(ours.ball().n, 66);
+  EXPECT_LT(ours.ball_velocity().mean, 0.07);
+  EXPECT_LT(ours.teammates().mean, 0.6);
+  EXPECT_LT(ours.opponents().mean, 0.6);
+  fmt::print("self {}, body {}, ball {}, ball velocity {}, teammates {}, opponents {}\n",
+             text_of(ours.self()), text_of(ours.body_angle()), text_of(ours.ball()),
+             text_of(ours.ball_velocity()), text_of(ours.teammates()), text_of(ours.opponents()));
+}
+
+TEST(Transcript, ErrorsNameTheLine) {
+  const auto nothing = [](const WorldModel&) {};
+  const auto bad_line = replay_transcript("# comment\nS>C 1 (see 0)\n", nothing);
+  ASSERT_FALSE(bad_line);
+  EXPECT_EQ(bad_line.error().message, "line 2: not a transcript line");
+  const auto bad_message = replay_transcript("S>C\t0.1\t(see 0 ((b) x 3))\n", nothing);
+  ASSERT_FALSE(bad_message);
+  EXPECT_EQ(bad_message.error().message.substr(0, 8), "line 1: ");
+}
+
+TEST(Transcript, AnInitRequestTellsTeamAndGoalie) {
+  const auto world = replay_transcript(
+      "C>S\t0\t(init Us (version 18) (goalie))\nS>C\t0\t(init r 1 before_kick_off)\n",
+      [](const WorldModel&) {});
+  ASSERT_TRUE(world);
+  EXPECT_EQ(world->our_team_name.view(), "Us");
+  EXPECT_TRUE(world->goalie);
+  EXPECT_EQ(world->our_side, soccer::Side::kRight);
+  EXPECT_EQ(world->unum, 1);
+}
+
 TEST(PerceptionReplay, SelfAndBallAreNoWorseThanUpstreamsOnTheSameInput) {
   const auto log = tests::data("aligned/game.rcg.gz");
   if (!log) GTEST_SKIP() << "no data: set CLS_DATA";
