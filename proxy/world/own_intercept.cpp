@@ -19,41 +19,73 @@ using Kind = InterceptPlan::Kind;
 // Closer than the full kickable area, so that noise on the way does not spoil the arrival.
 constexpr double kReachMargin = 0.1;
 
+/// What dashing at full power does to the agent's strength after some cycles without a dash: the
+/// same for every direction, so it is reckoned once and only as far as it is asked for.
+class DashCourse {
+ public:
+  struct Dash {
+    double power = 0.0;
+    double push = 0.0;       ///< acceleration where all of the power acts
+    double stamina = 0.0;    ///< left after it
+    bool exhausted = false;  ///< recovery falls by it or fell before
+  };
+
+  void start(const WorldModel& world, int cycles_before) {
+    server_ = &world.server();
+    type_ = &world.self_type();
+    const SelfState& self = world.self;
+    strength_ = {self.stamina, self.effort, self.recovery, self.capacity};
+    for (int i = 0; i < cycles_before; ++i) strength_.step(*server_, *type_, 0.0);
+    dashes_.clear();
+  }
+  bool started() const { return server_ != nullptr; }
+
+  /// The n-th dash, from 0.
+  const Dash& at(int n) {
+    while (dashes_.size() <= static_cast<std::size_t>(n)) dashes_.push_back(next());
+    return dashes_[static_cast<std::size_t>(n)];
+  }
+
+ private:
+  Dash next() {
+    Dash dash;
+    dash.power = std::min(server_->max_dash_power, strength_.stamina + type_->extra_stamina);
+    dash.push = strength_.effort * dash.power * type_->dash_power_rate;
+    strength_.step(*server_, *type_, dash.power);
+    dash.stamina = strength_.stamina;
+    dash.exhausted = (!dashes_.empty() && dashes_.back().exhausted) ||
+                     dash.stamina <= server_->recover_dec_thr * server_->stamina_max;
+    return dash;
+  }
+
+  const soccer::ServerParams* server_ = nullptr;
+  const soccer::PlayerType* type_ = nullptr;
+  Stamina strength_;
+  FixedList<Dash, kInterceptHorizon> dashes_;
+};
+
 /// A run of the agent, step by step.
 struct Runner {
-  const soccer::ServerParams& server;
   const soccer::PlayerType& type;
-  Stamina strength;
   Vec2 position;
   Vec2 velocity;
-  double first_power = -1.0;
-  bool exhausted = false;
+  int dashes = 0;
 
   explicit Runner(const WorldModel& world)
-      : server(world.server()),
-        type(world.self_type()),
-        strength{world.self.stamina, world.self.effort, world.self.recovery, world.self.capacity},
-        position(world.self.position),
-        velocity(world.self.velocity) {}
+      : type(world.self_type()), position(world.self.position), velocity(world.self.velocity) {}
 
   void coast() {
     position += velocity;
     velocity *= type.player_decay;
-    strength.step(server, type, 0.0);
   }
 
   /// One dash of full power along the unit vector `heading`, `rate` the share that acts.
-  void dash(Vec2 heading, double rate) {
-    const double power = std::min(server.max_dash_power, strength.stamina + type.extra_stamina);
-    if (first_power < 0.0) first_power = power;
-    velocity += heading * std::fabs(strength.effort * power * rate * type.dash_power_rate);
+  void dash(Vec2 heading, double rate, DashCourse& course) {
+    velocity += heading * (rate * course.at(dashes++).push);
     if (velocity.squared_length() > type.player_speed_max * type.player_speed_max) {
       velocity = soccer::with_length(velocity, type.player_speed_max);
     }
-    position += velocity;
-    velocity *= type.player_decay;
-    strength.step(server, type, power);
-    exhausted |= strength.stamina <= server.recover_dec_thr * server.stamina_max;
+    coast();
   }
 };
 
@@ -69,6 +101,9 @@ double control_distance(const WorldModel& world, Vec2 ball) {
 // Plans kept per way of getting there; later ones only repeat the first with more waiting.
 constexpr int kPlansPerDirection = 3;
 constexpr int kPlansPerTurn = 8;
+// A dash to the side is slow: from here on turning first is quicker.
+constexpr int kSideDashHorizon = 12;
+constexpr int kMostTurns = 6;
 
 struct Search {
   const WorldModel& world;
@@ -78,6 +113,7 @@ struct Search {
   /// carries by itself.
   std::array<double, kInterceptHorizon + 1> run{};
   std::array<double, kInterceptHorizon + 1> drift{};
+  std::array<DashCourse, kMostTurns + 1> courses;  ///< by the turns before
 
   Search(const WorldModel& w, const BallPath& p, InterceptTable& t) : world(w), path(p), table(t) {
     const soccer::PlayerType& type = world.self_type();
@@ -102,30 +138,43 @@ struct Search {
            control * control;
   }
 
+  DashCourse& course_after(int turns) {
+    DashCourse& course = courses[static_cast<std::size_t>(turns)];
+    if (!course.started()) course.start(world, turns);
+    return course;
+  }
+
   void add(const Runner& runner, Kind kind, int turns, int dashes, double turn, double direction) {
+    DashCourse& course = course_after(turns);
     InterceptPlan plan;
     plan.kind = kind;
     plan.turns = turns;
     plan.dashes = dashes;
-    plan.exhausting = runner.exhausted;
     plan.turn_angle = turn;
-    plan.dash_power = std::max(0.0, runner.first_power);
     plan.dash_direction = direction;
     plan.self_position = runner.position;
     plan.ball_distance =
         soccer::distance(runner.position, path[static_cast<std::size_t>(turns + dashes)]);
-    plan.stamina = runner.strength.stamina;
+    plan.stamina = world.self.stamina;
+    if (runner.dashes > 0) {
+      const DashCourse::Dash& last = course.at(runner.dashes - 1);
+      plan.stamina = last.stamina;
+      plan.exhausting = last.exhausted;
+      plan.dash_power = course.at(0).power;
+    }
     table.plans.push_back(plan);
   }
 
   /// Dashes in one direction off the body, without turn.
   void omni(double direction) {
     Runner runner(world);
+    DashCourse& course = course_after(0);
     const Vec2 heading = polar(1.0, world.self.body + direction);
     const double rate = dash_direction_rate(world.server(), direction);
+    const int horizon = direction == 0.0 ? kInterceptHorizon : kSideDashHorizon;
     int found = 0;
-    for (int step = 1; step <= kInterceptHorizon && found < kPlansPerDirection; ++step) {
-      runner.dash(heading, rate);
+    for (int step = 1; step <= horizon && found < kPlansPerDirection; ++step) {
+      runner.dash(heading, rate, course);
       if (!reaches(runner.position, step)) continue;
       add(runner, Kind::kOmniDash, 0, step, 0.0, direction);
       ++found;
@@ -152,7 +201,7 @@ struct Search {
     Runner runner(world);
     double missing = std::fabs(wanted);
     int turns = 0;
-    while (missing > slack && turns < step) {
+    while (missing > slack && turns < std::min(step, kMostTurns)) {
       missing -=
           world.server().maxmoment / (1.0 + runner.type.inertia_moment * runner.velocity.length());
       runner.coast();
@@ -166,7 +215,7 @@ struct Search {
     for (int i = 0; i < dashes; ++i) {
       // A full dash that would run past the ball is left out: waiting meets it as well.
       if (soccer::dot(target - runner.position, unit) > 0.0) {
-        runner.dash(unit, rate);
+        runner.dash(unit, rate, course_after(turns));
       } else {
         runner.coast();
       }

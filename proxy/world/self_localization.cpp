@@ -152,11 +152,13 @@ SlabList slabs_at(const Look& look, const soccer::See& see, const Pose& at) {
   return slabs;
 }
 
-/// How badly a pose breaks the worst of the intervals, in their own half widths.
-double worst_violation(const SlabList& slabs) {
+/// How badly a pose breaks the worst of the intervals, in their own half widths; `shift` leads to
+/// it from where they were linearised.
+double worst_violation(const SlabList& slabs, const VecN<3>& shift) {
   double worst = 0.0;
   for (const Slab<3>& slab : slabs) {
-    const double outside = std::max(slab.low, -slab.high);
+    const double at = dot(slab.direction, shift);
+    const double outside = std::max(slab.low - at, at - slab.high);
     worst = std::max(worst, outside / (0.5 * (slab.high - slab.low)));
   }
   return worst;
@@ -211,7 +213,8 @@ std::optional<Pose> pose_from_scratch(const Look& look, const soccer::See& see) 
 }
 
 /// Conditions `belief` (about x, y, body) on the see; relinearises while the mean still moves.
-void fit(const Look& look, const soccer::See& see, Gaussian<3>& belief, int rounds) {
+/// Returns how badly the result breaks the worst interval, in half widths.
+double fit(const Look& look, const soccer::See& see, Gaussian<3>& belief, int rounds) {
   const Gaussian<3> prior = belief;
   Gaussian<3> origin = prior;  // where the intervals are linearised
   for (int round = 0; round < rounds; ++round) {
@@ -225,15 +228,14 @@ void fit(const Look& look, const soccer::See& see, Gaussian<3>& belief, int roun
     belief.covariance = shift.covariance;
     for (std::size_t i = 0; i < 3; ++i) belief.mean[i] = origin.mean[i] + shift.mean[i];
     belief.mean[2] = math::normalize_degrees(belief.mean[2]);
+    const double violation = worst_violation(slabs, shift.mean);
     const double moved = Vec2{shift.mean[0], shift.mean[1]}.length();
-    if (moved < 0.1 && std::fabs(shift.mean[2]) < 0.5) return;
+    if (moved < 0.1 && std::fabs(shift.mean[2]) < 0.5) return violation;
     origin.mean = belief.mean;
   }
-}
-
-double violation(const Look& look, const soccer::See& see, const Gaussian<3>& belief) {
+  // It came from far: where it has arrived the intervals may look different.
   const Pose at{{belief.mean[0], belief.mean[1]}, belief.mean[2] + look.neck};
-  return worst_violation(slabs_at(look, see, at));
+  return worst_violation(slabs_at(look, see, at), {});
 }
 
 bool fit_from_scratch(const Look& look, const soccer::See& see, Gaussian<3>& belief) {
@@ -265,8 +267,7 @@ bool localize(WorldModel& world, const soccer::See& see) {
   });
   if (tracker.located && seen) {
     constexpr int kRounds = 2;
-    fit(look, see, tracker.pose, kRounds);
-    fresh = violation(look, see, tracker.pose) > kContradiction;
+    fresh = fit(look, see, tracker.pose, kRounds) > kContradiction;
   }
   if (!tracker.located || fresh) {
     Gaussian<3> anew;
