@@ -1,0 +1,51 @@
+// A match between two mock teams, driven without orchestration: what its parts cost.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "gamelog/byte_sink.h"
+#include "mock-server/server.h"
+#include "proxy/playmaker.h"
+#include "proxy/team.h"
+#include "simulator/server/lockstep_server.h"
+
+namespace cls::tests {
+
+/// Embedded server in lockstep, two teams of ours, each with a mock Playmaker in this process over
+/// an in-process channel.
+class MockMatch {
+ public:
+  /// `threads` 1: both teams in the caller's thread, their calls in flight together. 2: the right
+  /// team in a thread of its own. Throws std::runtime_error when something does not start.
+  MockMatch(std::uint64_t seed, int threads);
+  ~MockMatch();
+
+  /// Plays up to that many steps more; false when the match is over.
+  bool play(int steps);
+
+  simulator::LockstepServer& server() { return *server_; }
+  const proxy::Team& team(int side) const { return *teams_.at(static_cast<std::size_t>(side)); }
+  const mock_server::Server& mock(int side) const {
+    return *mocks_.at(static_cast<std::size_t>(side));
+  }
+  const std::string& game_log() const { return game_log_.bytes(); }
+  double simulator_seconds() const { return simulator_seconds_; }
+
+ private:
+  void run_teams();
+
+  gamelog::StringSink game_log_;
+  gamelog::StringSink text_log_;
+  std::unique_ptr<simulator::LockstepServer> server_;
+  std::array<std::unique_ptr<mock_server::Server>, 2> mocks_;
+  std::array<std::unique_ptr<proxy::Playmaker>, 2> playmakers_;
+  std::array<std::unique_ptr<proxy::Team>, 2> teams_;
+  class Worker;
+  std::unique_ptr<Worker> worker_;
+  double simulator_seconds_ = 0.0;
+};
+
+}  // namespace cls::tests
