@@ -5,12 +5,14 @@
 #include <exception>
 
 #include "cli/application.h"
+#include "cli/early_guard.h"
 #include "cli/exit_code.h"
 
 int main(int argc, char** argv) {
   // A file that hits the size limit is a failed write like any other, not the end of the process.
   std::signal(SIGXFSZ, SIG_IGN);
   try {
+    const auto guard = cls::cli::start_early_guard(argc, argv);
     return cls::cli::run_application(argc, argv);
   } catch (const std::exception& error) {
     fmt::print(stderr, "cls: internal error: {}\n", error.what());

@@ -1,0 +1,214 @@
+// Forking the guard, its loop, and its last sweep.
+#include "orchestration/process/guard.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <poll.h>
+#include <sys/prctl.h>
+#include <sys/signalfd.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstring>
+#include <set>
+#include <string>
+#include <thread>
+
+#include "orchestration/process/keeper.h"
+#include "orchestration/process/packet.h"
+#include "orchestration/process/process_tree.h"
+
+namespace cls::orchestration {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+// Keepers need a second for SIGTERM; who is still there after this long is killed with its keeper.
+constexpr auto kLastSweepAfter = std::chrono::milliseconds(1500);
+constexpr auto kGuardMustEndAfter = std::chrono::seconds(4);
+
+const Guard* the_guard = nullptr;
+
+// Opened such that a use in the wrong direction fails as on the closed descriptor.
+void open_closed_standard_streams() {
+  while (true) {
+    const int fd = ::open("/dev/null", O_RDONLY);
+    if (fd < 0) return;
+    if (fd > STDERR_FILENO) {
+      ::close(fd);
+      return;
+    }
+  }
+}
+
+// What ps shows: the arguments of cls are overwritten where the kernel reads them.
+class ProcessTitle {
+ public:
+  ProcessTitle(int argc, char** argv) {
+    if (argc < 1) return;
+    begin_ = argv[0];
+    const char* end = begin_;
+    for (int i = 0; i < argc && argv[i] == end; ++i) end += std::strlen(argv[i]) + 1;
+    size_ = static_cast<std::size_t>(end - begin_);
+  }
+
+  void set(const std::string& title) const {
+    ::prctl(PR_SET_NAME, title.c_str());
+    if (size_ == 0) return;
+    std::memset(begin_, 0, size_);
+    std::memcpy(begin_, title.data(), std::min(title.size(), size_ - 1));
+  }
+
+ private:
+  char* begin_ = nullptr;
+  std::size_t size_ = 0;
+};
+
+class GuardLoop {
+ public:
+  GuardLoop(UniqueFd socket, ProcessTitle title) : socket_(std::move(socket)), title_(title) {
+    sigset_t children;
+    ::sigemptyset(&children);
+    ::sigaddset(&children, SIGCHLD);
+    child_signals_ = UniqueFd(::signalfd(-1, &children, SFD_CLOEXEC | SFD_NONBLOCK));
+  }
+
+  [[noreturn]] void run() {
+    while (socket_) {
+      std::array<pollfd, 2> waits{{{child_signals_.get(), POLLIN, 0}, {socket_.get(), POLLIN, 0}}};
+      ::poll(waits.data(), waits.size(), -1);
+      if (waits[0].revents != 0) fetch_children();
+      if (waits[1].revents != 0) serve();
+    }
+    sweep();
+    ::_exit(0);
+  }
+
+ private:
+  void serve() {
+    Packet packet = receive_packet(socket_.get());
+    if (packet.bytes.empty()) {
+      socket_.reset();
+      return;
+    }
+    const auto plan = decode_plan(packet.bytes);
+    if (!plan || packet.fds.size() != 2) return;
+    const pid_t pid = ::fork();
+    if (pid > 0) keepers_.insert(pid);
+    if (pid != 0) return;  // after a failed fork cls sees the connection closed without a report
+    socket_.reset();
+    child_signals_.reset();
+    title_.set("match-keeper of " + plan->name);
+    run_keeper(std::move(packet.fds[0]), std::move(packet.fds[1]), *plan);
+  }
+
+  // False when there is no child left.
+  bool fetch_children() {
+    signalfd_siginfo ignored{};
+    while (::read(child_signals_.get(), &ignored, sizeof ignored) > 0) {
+    }
+    while (true) {
+      int status = 0;
+      const pid_t pid = ::waitpid(-1, &status, WNOHANG);
+      if (pid < 0) return errno != ECHILD;
+      if (pid == 0) return true;
+      // Somebody killed a keeper: what it kept is ours now, and nobody answers for it.
+      if (keepers_.erase(pid) > 0 && WIFSIGNALED(status)) kill_strays();
+    }
+  }
+
+  void kill_strays() const {
+    std::set<pid_t> kept = keepers_;
+    for (const ProcessEntry& entry : descendants_of(::getpid())) {
+      if (kept.count(entry.parent) != 0) kept.insert(entry.pid);
+      if (kept.count(entry.pid) == 0) ::kill(entry.pid, SIGKILL);
+    }
+  }
+
+  void sweep() {
+    const auto kill_at = Clock::now() + kLastSweepAfter;
+    while (fetch_children()) {
+      if (Clock::now() >= kill_at) {
+        for (const ProcessEntry& entry : descendants_of(::getpid())) ::kill(entry.pid, SIGKILL);
+      }
+      pollfd wait{child_signals_.get(), POLLIN, 0};
+      ::poll(&wait, 1, 10);
+    }
+  }
+
+  UniqueFd socket_;
+  UniqueFd child_signals_;
+  ProcessTitle title_;
+  std::set<pid_t> keepers_;
+};
+
+// Only the connection to cls stays; no file, socket or terminal of whoever started cls.
+UniqueFd keep_only(UniqueFd socket) {
+  const int null = ::open("/dev/null", O_RDWR);
+  for (const int fd : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) ::dup2(null, fd);
+  constexpr int kKept = 3;
+  if (socket.get() != kKept) {
+    ::dup2(socket.get(), kKept);
+    socket = UniqueFd(kKept);
+  }
+  ::closefrom(kKept + 1);
+  ::fcntl(kKept, F_SETFD, FD_CLOEXEC);
+  return socket;
+}
+
+[[noreturn]] void run_guard(UniqueFd socket, ProcessTitle title) {
+  ::setsid();
+  ::prctl(PR_SET_CHILD_SUBREAPER, 1);
+  struct sigaction standard = {};
+  standard.sa_handler = SIG_DFL;
+  ::sigaction(SIGCHLD, &standard, nullptr);  // ignored, the kernel would not tell us of the dead
+  sigset_t all;
+  ::sigfillset(&all);
+  ::sigprocmask(SIG_SETMASK, &all, nullptr);
+  title.set(fmt::format("match-guard of process {}", ::getppid()));
+  GuardLoop(keep_only(std::move(socket)), title).run();
+}
+
+}  // namespace
+
+Guard::Guard(UniqueFd socket, pid_t pid) : socket_(std::move(socket)), pid_(pid) {
+  the_guard = this;
+}
+
+Guard::Guard(Guard&& other) noexcept
+    : socket_(std::move(other.socket_)), pid_(std::exchange(other.pid_, 0)) {
+  if (the_guard == &other) the_guard = this;
+}
+
+Guard::~Guard() {
+  if (pid_ == 0) return;
+  if (the_guard == this) the_guard = nullptr;
+  socket_.reset();
+  // Somebody may have stopped it; then nobody else is left to end it.
+  const auto kill_at = Clock::now() + kGuardMustEndAfter;
+  while (::waitpid(pid_, nullptr, WNOHANG) == 0 || errno == EINTR) {
+    if (Clock::now() >= kill_at) ::kill(pid_, SIGKILL);
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  }
+}
+
+const Guard* Guard::active() { return the_guard; }
+
+soccer::Result<Guard> Guard::start(int argc, char** argv) {
+  open_closed_standard_streams();
+  auto sockets = make_socket_pair();
+  if (!sockets) return soccer::Error{fmt::format("no guard process: {}", std::strerror(errno))};
+  const pid_t pid = ::fork();
+  if (pid < 0) return soccer::Error{fmt::format("no guard process: {}", std::strerror(errno))};
+  if (pid == 0) {
+    sockets->first.reset();
+    run_guard(std::move(sockets->second), ProcessTitle(argc, argv));
+  }
+  return Guard(std::move(sockets->first), pid);
+}
+
+}  // namespace cls::orchestration

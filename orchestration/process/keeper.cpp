@@ -1,0 +1,180 @@
+// The loop of a keeper: children, requests, and the order in which things are ended.
+#include "orchestration/process/keeper.h"
+
+#include <poll.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/signalfd.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <optional>
+
+#include "orchestration/process/launch.h"
+#include "orchestration/process/packet.h"
+#include "orchestration/process/process_tree.h"
+
+namespace cls::orchestration {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+constexpr double kOrphanGraceSeconds = 1.0;
+constexpr auto kKillInterval = std::chrono::milliseconds(10);
+
+double seconds_of(const timeval& time) {
+  return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_usec) * 1e-6;
+}
+
+// Of everything that has ended below us and was waited for, here or further down.
+double fetched_cpu_seconds() {
+  rusage usage{};
+  ::getrusage(RUSAGE_CHILDREN, &usage);
+  return seconds_of(usage.ru_utime) + seconds_of(usage.ru_stime);
+}
+
+class Keeper {
+ public:
+  Keeper(UniqueFd control, pid_t program) : control_(std::move(control)), program_(program) {}
+
+  [[noreturn]] void run(int child_signals) {
+    report(KeeperReport::Kind::kStarted);
+    while (true) {
+      std::array<pollfd, 2> waits{{{child_signals, POLLIN, 0}, {control_.get(), POLLIN, 0}}};
+      ::poll(waits.data(), control_ ? 2 : 1, timeout_ms());
+      if (waits[0].revents != 0) {
+        signalfd_siginfo ignored{};
+        if (::read(child_signals, &ignored, sizeof ignored) < 0) continue;
+      }
+      fetch_children();
+      if (control_ && waits[1].revents != 0) obey();
+      press_on();
+    }
+  }
+
+ private:
+  void report(KeeperReport::Kind kind) {
+    KeeperReport report;
+    report.kind = kind;
+    report.pid = program_;
+    if (exit_status_) {
+      report.by_signal = WIFSIGNALED(*exit_status_);
+      report.number = report.by_signal ? WTERMSIG(*exit_status_) : WEXITSTATUS(*exit_status_);
+    }
+    const pid_t self = ::getpid();
+    if (kind == KeeperReport::Kind::kExited) {
+      report.living = static_cast<std::int32_t>(descendants_of(self).size());
+    }
+    report.cpu_seconds = fetched_cpu_seconds();
+    if (kind != KeeperReport::Kind::kGone) report.cpu_seconds += living_cpu_seconds(self);
+    if (control_) send_report(control_.get(), report);
+  }
+
+  void fetch_children() {
+    while (true) {
+      int status = 0;
+      const pid_t pid = ::waitpid(-1, &status, WNOHANG);
+      if (pid == program_) {
+        exit_status_ = status;
+        report(KeeperReport::Kind::kExited);
+      } else if (pid < 0 && errno == ECHILD) {
+        report(KeeperReport::Kind::kGone);
+        ::_exit(0);
+      } else if (pid <= 0) {
+        return;
+      }
+    }
+  }
+
+  void obey() {
+    const Packet packet = receive_packet(control_.get());
+    if (packet.bytes.empty()) {
+      control_.reset();
+      end(kOrphanGraceSeconds, false);
+      return;
+    }
+    const auto request = read_request(packet);
+    if (!request) return;
+    if (request->kind == KeeperRequest::Kind::kUsage) {
+      report(KeeperReport::Kind::kUsage);
+    } else {
+      end(request->grace_s, request->kind == KeeperRequest::Kind::kEndGently);
+    }
+  }
+
+  void end(double grace_s, bool gently) {
+    const auto until = Clock::now() + std::chrono::microseconds(static_cast<long>(grace_s * 1e6));
+    kill_at_ = kill_at_ ? std::min(*kill_at_, until) : until;
+    if (gently && !exit_status_) {
+      ask_to_end(program_);
+    } else {
+      ask_all_to_end();
+    }
+  }
+
+  // A stopped process would see the SIGTERM only when it is told to go on.
+  static void ask_to_end(pid_t pid) {
+    ::kill(pid, SIGTERM);
+    ::kill(pid, SIGCONT);
+  }
+
+  void ask_all_to_end() {
+    all_asked_ = true;
+    for (const ProcessEntry& entry : descendants_of(::getpid())) ask_to_end(entry.pid);
+  }
+
+  int timeout_ms() const {
+    if (!kill_at_) return -1;
+    const auto left = *kill_at_ - Clock::now();
+    if (left <= Clock::duration::zero()) return static_cast<int>(kKillInterval.count());
+    return static_cast<int>(std::chrono::ceil<std::chrono::milliseconds>(left).count());
+  }
+
+  // What an end that was begun needs now.
+  void press_on() {
+    if (!kill_at_) return;
+    if (Clock::now() >= *kill_at_) {
+      // Again and again until nothing is left: what forks meanwhile is found the next time.
+      for (const ProcessEntry& entry : descendants_of(::getpid())) ::kill(entry.pid, SIGKILL);
+    } else if (exit_status_ && !all_asked_) {
+      ask_all_to_end();
+    }
+  }
+
+  UniqueFd control_;
+  pid_t program_;
+  std::optional<int> exit_status_;
+  std::optional<Clock::time_point> kill_at_;
+  bool all_asked_ = false;
+};
+
+}  // namespace
+
+void run_keeper(UniqueFd control, UniqueFd output, const CommandPlan& plan) {
+  ::prctl(PR_SET_CHILD_SUBREAPER, 1);
+  // Only SIGKILL ends a keeper: it has to outlive what it keeps.
+  sigset_t all;
+  ::sigfillset(&all);
+  ::sigprocmask(SIG_SETMASK, &all, nullptr);
+  sigset_t children;
+  ::sigemptyset(&children);
+  ::sigaddset(&children, SIGCHLD);
+  const UniqueFd child_signals(::signalfd(-1, &children, SFD_CLOEXEC | SFD_NONBLOCK));
+  const Launch launched = launch(plan, output.get());
+  output.reset();
+  if (launched.pid == 0) {
+    KeeperReport report;
+    report.kind = KeeperReport::Kind::kFailed;
+    report.number = launched.error;
+    report.in_folder = launched.in_folder;
+    send_report(control.get(), report);
+    ::_exit(0);
+  }
+  Keeper(std::move(control), launched.pid).run(child_signals.get());
+}
+
+}  // namespace cls::orchestration

@@ -1,0 +1,106 @@
+// Boost.Process with what it does not do itself: group, signals, processors, clean descriptors.
+#include "orchestration/process/launch.h"
+
+#include <linux/close_range.h>
+#include <sched.h>
+#include <sys/prctl.h>
+#include <unistd.h>
+
+#include <boost/process/args.hpp>
+#include <boost/process/child.hpp>
+#include <boost/process/env.hpp>
+#include <boost/process/environment.hpp>
+#include <boost/process/error.hpp>
+#include <boost/process/exe.hpp>
+#include <boost/process/extend.hpp>
+#include <boost/process/posix.hpp>
+#include <cerrno>
+#include <csignal>
+#include <system_error>
+
+namespace cls::orchestration {
+namespace {
+
+namespace bp = boost::process;
+
+// An ignored signal and a blocked one pass exec; whoever started cls may have left some.
+void reset_signals() {
+  struct sigaction standard = {};
+  standard.sa_handler = SIG_DFL;
+  for (int signal = 1; signal < NSIG; ++signal) ::sigaction(signal, &standard, nullptr);
+  sigset_t none;
+  ::sigemptyset(&none);
+  ::sigprocmask(SIG_SETMASK, &none, nullptr);
+}
+
+void run_on(const std::vector<int>& cpus) {
+  if (cpus.empty()) return;
+  cpu_set_t set;
+  CPU_ZERO(&set);
+  for (const int cpu : cpus) CPU_SET(static_cast<std::size_t>(cpu), &set);
+  ::sched_setaffinity(0, sizeof set, &set);  // a processor that is not there: any will do
+}
+
+// Runs in the new process just before exec. Returns false when the folder cannot be entered.
+bool prepare(const CommandPlan& plan, pid_t parent) {
+  ::setpgid(0, 0);
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (::getppid() != parent) ::_exit(127);  // it died before the line above took effect
+  if (!plan.folder.empty() && ::chdir(plan.folder.c_str()) != 0) return false;
+  run_on(plan.cpus);
+  // The descriptor through which Boost tells a failed exec must stay open until exec.
+  ::close_range(3, ~0U, CLOSE_RANGE_CLOEXEC);
+  reset_signals();
+  return true;
+}
+
+bp::environment environment_of(const CommandPlan& plan) {
+  bp::environment variables = boost::this_process::environment();
+  for (const EnvironmentChange& change : plan.environment) {
+    if (change.value) {
+      variables[change.name] = *change.value;
+    } else {
+      variables.erase(change.name);
+    }
+  }
+  return variables;
+}
+
+Launch launch_program(const CommandPlan& plan, const std::vector<std::string>& argv, int output) {
+  constexpr int kFolderError = 100'000;  // told apart from errors of exec
+  const pid_t parent = ::getpid();
+  const auto before_exec = [&plan, parent](auto& executor) {
+    if (prepare(plan, parent)) return;
+    const int error = errno;
+    executor.set_error(std::error_code(kFolderError + error, std::system_category()), "chdir");
+    ::_exit(127);
+  };
+  std::error_code error;
+  bp::child child(bp::exe = argv.front(),
+                  bp::args = std::vector<std::string>(argv.begin() + 1, argv.end()),
+                  environment_of(plan), bp::posix::fd.bind(1, output),
+                  bp::posix::fd.bind(2, output), bp::extend::on_exec_setup = before_exec, error);
+  Launch result;
+  if (error) {
+    result.in_folder = error.value() >= kFolderError;
+    result.error = result.in_folder ? error.value() - kFolderError : error.value();
+    return result;
+  }
+  result.pid = child.id();
+  child.detach();  // the keeper waits for all its children itself
+  return result;
+}
+
+}  // namespace
+
+Launch launch(const CommandPlan& plan, int output) {
+  Launch result = launch_program(plan, plan.argv, output);
+  if (result.pid == 0 && result.error == ENOEXEC && !result.in_folder) {
+    std::vector<std::string> argv = plan.argv;
+    argv.insert(argv.begin(), "/bin/sh");
+    result = launch_program(plan, argv, output);
+  }
+  return result;
+}
+
+}  // namespace cls::orchestration

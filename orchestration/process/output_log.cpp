@@ -1,0 +1,135 @@
+// Cutting into lines, counting repetitions, stopping at the limit.
+#include "orchestration/process/output_log.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+
+namespace cls::orchestration {
+namespace {
+
+// Length of the well-formed UTF-8 sequence at the start of `text`, 0 when there is none.
+std::size_t sequence_length(std::string_view text) {
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+  const unsigned char first = byte(0);
+  const std::size_t length = first < 0x80                    ? 1
+                             : first >= 0xC2 && first < 0xE0 ? 2
+                             : first >= 0xE0 && first < 0xF0 ? 3
+                             : first >= 0xF0 && first < 0xF5 ? 4
+                                                             : 0;
+  if (length == 0 || length > text.size()) return 0;
+  for (std::size_t i = 1; i < length; ++i) {
+    if ((byte(i) & 0xC0) != 0x80) return 0;
+  }
+  if (length < 3) return length;
+  const unsigned char second = byte(1);
+  const bool too_long = (first == 0xE0 && second < 0xA0) || (first == 0xF0 && second < 0x90);
+  const bool surrogate = first == 0xED && second >= 0xA0;
+  const bool too_high = first == 0xF4 && second >= 0x90;
+  return too_long || surrogate || too_high ? 0 : length;
+}
+
+}  // namespace
+
+std::string printable(std::string_view text) {
+  std::string result;
+  while (!text.empty()) {
+    const std::size_t length = sequence_length(text);
+    const auto first = static_cast<unsigned char>(text.front());
+    if (text.front() == '\t') {
+      result += ' ';
+    } else if (length == 0 || first < 0x20 || first == 0x7F) {
+      result += '?';
+    } else {
+      result += text.substr(0, length);
+    }
+    text.remove_prefix(std::max<std::size_t>(length, 1));
+  }
+  return result;
+}
+
+OutputLog::OutputLog(UniqueFd file, std::size_t max_bytes,
+                     std::function<void(std::string_view)> on_line)
+    : file_(std::move(file)), room_(max_bytes), on_line_(std::move(on_line)) {}
+
+void OutputLog::add(std::string_view bytes) {
+  while (!bytes.empty()) {
+    const std::size_t end = bytes.find('\n');
+    const std::string_view piece = bytes.substr(0, end);
+    if (!overlong_) partial_ += piece.substr(0, kMaxLine - std::min(partial_.size(), kMaxLine));
+    if (partial_.size() >= kMaxLine && !overlong_) {
+      take_line(partial_);
+      overlong_ = true;
+    }
+    if (end == std::string_view::npos) return;
+    if (!overlong_) take_line(partial_);
+    partial_.clear();
+    overlong_ = false;
+    bytes.remove_prefix(end + 1);
+  }
+}
+
+void OutputLog::take_line(std::string_view line) {
+  if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
+  if (on_line_) on_line_(line);
+  if (!kept_.empty() && kept_.back().text == line) {
+    ++kept_.back().times;
+    return;
+  }
+  tell_repetitions();
+  kept_.push_back({std::string(line), 1});
+  if (kept_.size() > kKeptLines) kept_.pop_front();
+  write(fmt::format("{}\n", line));
+}
+
+void OutputLog::tell_repetitions() {
+  if (!kept_.empty() && kept_.back().times > 1) write(fmt::format("  ×{}\n", kept_.back().times));
+}
+
+void OutputLog::write(std::string_view text) {
+  if (!file_) return;
+  full_ = full_ || text.size() > room_;
+  if (full_) {
+    ++left_out_;
+    return;
+  }
+  room_ -= text.size();
+  while (!text.empty()) {
+    const ssize_t written = ::write(file_.get(), text.data(), text.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) {
+      error_ = errno;
+      file_.reset();
+      return;
+    }
+    text.remove_prefix(static_cast<std::size_t>(written));
+  }
+}
+
+void OutputLog::finish() {
+  if (!partial_.empty() && !overlong_) take_line(partial_);
+  partial_.clear();
+  tell_repetitions();
+  if (full_) {
+    std::string rest = fmt::format("[size limit of this log: {} lines left out]\n",
+                                   left_out_ - std::min(left_out_, kept_.size()));
+    for (const std::string& line : last_lines()) rest += line + "\n";
+    room_ = rest.size();
+    full_ = false;
+    write(rest);
+  }
+  file_.reset();
+}
+
+std::vector<std::string> OutputLog::last_lines(std::size_t count) const {
+  std::vector<std::string> lines;
+  for (std::size_t i = kept_.size() - std::min(count, kept_.size()); i < kept_.size(); ++i) {
+    lines.push_back(printable(kept_[i].text));
+    if (kept_[i].times > 1) lines.back() += fmt::format(" ×{}", kept_[i].times);
+  }
+  if (!partial_.empty() && !overlong_ && count > 0) lines.push_back(printable(partial_));
+  return lines;
+}
+
+}  // namespace cls::orchestration

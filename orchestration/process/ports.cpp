@@ -1,0 +1,228 @@
+// Binding to try, names to reserve, /proc/net to find owners.
+#include "orchestration/process/ports.h"
+
+#include <dirent.h>
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <netdb.h>
+#include <netinet/in.h>
+#include <poll.h>
+#include <sys/random.h>
+#include <sys/socket.h>
+#include <sys/un.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <optional>
+#include <set>
+#include <sstream>
+
+#include "orchestration/process/process_tree.h"
+
+namespace cls::orchestration {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Below the range from which Linux takes ports for clients (32768 and up).
+constexpr int kLowestPort = 20000;
+constexpr int kHighestPort = 31999;
+constexpr int kAttempts = 2000;
+
+bool can_bind(int type, int port) {
+  const UniqueFd socket(::socket(AF_INET6, type | SOCK_CLOEXEC, 0));
+  const int off = 0;
+  const int on = 1;
+  sockaddr_storage address{};
+  socklen_t size = 0;
+  UniqueFd plain;
+  if (socket && ::setsockopt(socket.get(), IPPROTO_IPV6, IPV6_V6ONLY, &off, sizeof off) == 0) {
+    auto* any = reinterpret_cast<sockaddr_in6*>(&address);
+    any->sin6_family = AF_INET6;
+    any->sin6_port = htons(static_cast<std::uint16_t>(port));
+    size = sizeof *any;
+  } else {  // a machine without IPv6
+    plain = UniqueFd(::socket(AF_INET, type | SOCK_CLOEXEC, 0));
+    auto* any = reinterpret_cast<sockaddr_in*>(&address);
+    any->sin_family = AF_INET;
+    any->sin_port = htons(static_cast<std::uint16_t>(port));
+    size = sizeof *any;
+  }
+  const int fd = plain ? plain.get() : socket.get();
+  // A TCP port whose last connections are only waiting for their end is free for a server.
+  if (type == SOCK_STREAM) ::setsockopt(fd, SOL_SOCKET, SO_REUSEADDR, &on, sizeof on);
+  return ::bind(fd, reinterpret_cast<const sockaddr*>(&address), size) == 0;
+}
+
+struct BoundSocket {
+  int port = 0;
+  unsigned long inode = 0;
+};
+
+// Lines of /proc/net/{tcp,udp}{,6}: "sl local remote state tx:rx tr:when retrans uid timeout
+// inode".
+std::vector<BoundSocket> bound_sockets(Protocol protocol) {
+  constexpr const char* kListening = "0A";
+  std::vector<BoundSocket> sockets;
+  const std::string name = protocol == Protocol::kTcp ? "/proc/net/tcp" : "/proc/net/udp";
+  for (const std::string& path : {name, name + "6"}) {
+    std::ifstream file(path);
+    std::string line;
+    std::getline(file, line);  // the heading
+    while (std::getline(file, line)) {
+      std::istringstream fields(line);
+      std::string slot, local, remote, state, queues, timer, retransmits, user, timeout;
+      BoundSocket socket;
+      fields >> slot >> local >> remote >> state >> queues >> timer >> retransmits >> user >>
+          timeout >> socket.inode;
+      const std::size_t colon = local.rfind(':');
+      if (!fields || colon == std::string::npos) continue;
+      if (protocol == Protocol::kTcp && state != kListening) continue;
+      socket.port = static_cast<int>(std::strtol(local.c_str() + colon + 1, nullptr, 16));
+      sockets.push_back(socket);
+    }
+  }
+  return sockets;
+}
+
+// The inodes of the sockets that a process has open; empty when we may not look.
+std::set<unsigned long> sockets_of(int pid) {
+  std::set<unsigned long> inodes;
+  std::error_code code;
+  for (fs::directory_iterator fd(fmt::format("/proc/{}/fd", pid), code), end; !code && fd != end;
+       fd.increment(code)) {
+    std::error_code unreadable;
+    const std::string target = fs::read_symlink(fd->path(), unreadable).string();
+    unsigned long inode = 0;
+    if (std::sscanf(target.c_str(), "socket:[%lu]", &inode) == 1) inodes.insert(inode);
+  }
+  return inodes;
+}
+
+std::string program_of(int pid) {
+  std::ifstream file(fmt::format("/proc/{}/comm", pid));
+  std::string name;
+  std::getline(file, name);
+  return name;
+}
+
+std::vector<int> all_pids() {
+  std::vector<int> pids;
+  std::error_code code;
+  for (fs::directory_iterator entry("/proc", code), end; !code && entry != end;
+       entry.increment(code)) {
+    const int pid = std::atoi(entry->path().filename().c_str());
+    if (pid > 0) pids.push_back(pid);
+  }
+  std::sort(pids.begin(), pids.end());
+  return pids;
+}
+
+std::optional<UniqueFd> reserve(int port) {
+  UniqueFd mark(::socket(AF_UNIX, SOCK_DGRAM | SOCK_CLOEXEC, 0));
+  if (!mark) return std::nullopt;
+  sockaddr_un address{};
+  address.sun_family = AF_UNIX;
+  // A name that begins with NUL is in no folder: nothing is left behind.
+  const std::string name = fmt::format("cls-port-{}", port);
+  std::memcpy(address.sun_path + 1, name.data(), name.size());
+  const auto size = static_cast<socklen_t>(offsetof(sockaddr_un, sun_path) + 1 + name.size());
+  if (::bind(mark.get(), reinterpret_cast<const sockaddr*>(&address), size) != 0) {
+    return std::nullopt;
+  }
+  return mark;
+}
+
+int random_port() {
+  unsigned value = 0;
+  if (::getrandom(&value, sizeof value, 0) != sizeof value)
+    value = static_cast<unsigned>(::getpid());
+  return kLowestPort + static_cast<int>(value % (kHighestPort - kLowestPort + 1));
+}
+
+}  // namespace
+
+bool port_is_free(int port) { return can_bind(SOCK_DGRAM, port) && can_bind(SOCK_STREAM, port); }
+
+std::vector<PortOwner> owners_of(Protocol protocol, int port) {
+  std::set<unsigned long> wanted;
+  for (const BoundSocket& socket : bound_sockets(protocol)) {
+    if (socket.port == port) wanted.insert(socket.inode);
+  }
+  std::vector<PortOwner> owners;
+  if (wanted.empty()) return owners;
+  for (const int pid : all_pids()) {
+    for (const unsigned long inode : sockets_of(pid)) {
+      if (wanted.count(inode) == 0) continue;
+      owners.push_back({pid, program_of(pid)});
+      break;
+    }
+  }
+  if (owners.empty()) owners.emplace_back();
+  return owners;
+}
+
+std::string port_taken_text(Protocol protocol, int port) {
+  std::string text =
+      fmt::format("{} port {} is taken", protocol == Protocol::kTcp ? "TCP" : "UDP", port);
+  const std::vector<PortOwner> owners = owners_of(protocol, port);
+  if (owners.empty()) return text;
+  if (owners.front().pid == 0) return text + " by a process of another user";
+  return text + fmt::format(" by {} (process {})", owners.front().program, owners.front().pid);
+}
+
+std::vector<int> ports_of(Protocol protocol, int pid) {
+  std::vector<int> pids = {pid};
+  for (const ProcessEntry& entry : descendants_of(pid)) pids.push_back(entry.pid);
+  std::set<unsigned long> inodes;
+  for (const int owner : pids) inodes.merge(sockets_of(owner));
+  std::set<int> ports;
+  for (const BoundSocket& socket : bound_sockets(protocol)) {
+    if (inodes.count(socket.inode) != 0) ports.insert(socket.port);
+  }
+  return {ports.begin(), ports.end()};
+}
+
+soccer::Result<std::vector<ReservedPort>> ReservedPort::choose(int count) {
+  std::vector<ReservedPort> ports;
+  for (int attempt = 0; attempt < kAttempts; ++attempt) {
+    if (static_cast<int>(ports.size()) == count) return ports;
+    const int number = random_port();
+    auto mark = reserve(number);
+    if (mark && port_is_free(number)) ports.push_back(ReservedPort(number, *std::move(mark)));
+  }
+  return soccer::Error{
+      fmt::format("no {} free ports between {} and {}", count, kLowestPort, kHighestPort)};
+}
+
+bool tcp_answers(const std::string& host, int port, int limit_ms) {
+  std::string name = host;
+  if (name.size() > 2 && name.front() == '[' && name.back() == ']') {
+    name = name.substr(1, name.size() - 2);
+  }
+  addrinfo wanted{};
+  wanted.ai_socktype = SOCK_STREAM;
+  addrinfo* found = nullptr;
+  if (::getaddrinfo(name.c_str(), std::to_string(port).c_str(), &wanted, &found) != 0) return false;
+  const std::unique_ptr<addrinfo, void (*)(addrinfo*)> owner(found, ::freeaddrinfo);
+  for (const addrinfo* item = found; item != nullptr; item = item->ai_next) {
+    const UniqueFd socket(::socket(item->ai_family, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
+    if (!socket) continue;
+    if (::connect(socket.get(), item->ai_addr, item->ai_addrlen) == 0) return true;
+    if (errno != EINPROGRESS) continue;
+    pollfd wait{socket.get(), POLLOUT, 0};
+    if (::poll(&wait, 1, limit_ms) <= 0) continue;
+    int error = 0;
+    socklen_t size = sizeof error;
+    ::getsockopt(socket.get(), SOL_SOCKET, SO_ERROR, &error, &size);
+    if (error == 0) return true;
+  }
+  return false;
+}
+
+}  // namespace cls::orchestration

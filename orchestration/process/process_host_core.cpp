@@ -1,0 +1,147 @@
+// The thread that reads reports and output of all children.
+#include "orchestration/process/process_host_core.h"
+
+#include <poll.h>
+#include <pthread.h>
+#include <sys/eventfd.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <csignal>
+
+namespace cls::orchestration {
+namespace {
+
+constexpr std::size_t kReadSize = 64 * 1024;
+constexpr int kReadsAtOnce = 16;  // of one child before the others have their turn
+
+// Takes what waits in the pipe. False when no writer is left.
+bool read_output(ChildRecord& record) {
+  std::array<char, kReadSize> bytes;
+  for (int i = 0; i < kReadsAtOnce; ++i) {
+    const ssize_t got = ::read(record.output.get(), bytes.data(), bytes.size());
+    if (got < 0) return errno == EAGAIN || errno == EINTR;
+    if (got == 0) return false;
+    record.log.add({bytes.data(), static_cast<std::size_t>(got)});
+  }
+  return true;
+}
+
+void drain_output(ChildRecord& record) {
+  if (record.output && !read_output(record)) record.output.reset();
+}
+
+}  // namespace
+
+ProcessHostCore::ProcessHostCore(std::size_t limit)
+    : log_limit(limit), wake_(::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)) {
+  // Signals are for the threads of cls that wait for them, not for this one.
+  sigset_t all;
+  sigset_t before;
+  ::sigfillset(&all);
+  ::pthread_sigmask(SIG_SETMASK, &all, &before);
+  thread_ = std::thread([this] { run(); });
+  ::pthread_sigmask(SIG_SETMASK, &before, nullptr);
+}
+
+ProcessHostCore::~ProcessHostCore() { stop(); }
+
+void ProcessHostCore::add(std::shared_ptr<ChildRecord> record) {
+  {
+    const std::lock_guard lock(mutex);
+    records.push_back(std::move(record));
+  }
+  wake();
+}
+
+void ProcessHostCore::wake() const {
+  const std::uint64_t one = 1;
+  while (::write(wake_.get(), &one, sizeof one) < 0 && errno == EINTR) {
+  }
+}
+
+void ProcessHostCore::stop() {
+  {
+    const std::lock_guard lock(mutex);
+    stopping_ = true;
+  }
+  wake();
+  if (thread_.joinable()) thread_.join();
+}
+
+void ProcessHostCore::note_change() {
+  ++changes;
+  changed.notify_all();
+}
+
+void ProcessHostCore::take_report(ChildRecord& record) {
+  const Packet packet = receive_packet(record.control.get());
+  if (packet.bytes.empty()) {  // the keeper was killed, and with it the program
+    if (!record.status.exit) record.status.exit = ProcessExit{true, SIGKILL};
+    return bury(record);
+  }
+  const auto report = read_report(packet);
+  if (!report) return;
+  record.cpu_seconds = std::max(record.cpu_seconds, report->cpu_seconds);
+  switch (report->kind) {
+    case KeeperReport::Kind::kStarted:
+    case KeeperReport::Kind::kFailed:
+      record.first_report = *report;
+      record.status.pid = report->pid;
+      break;
+    case KeeperReport::Kind::kExited:
+      drain_output(record);  // its last words belong to its end
+      record.status.exit = ProcessExit{report->by_signal, report->number};
+      record.status.living = report->living;
+      break;
+    case KeeperReport::Kind::kUsage:
+      ++record.usage_answers;
+      break;
+    case KeeperReport::Kind::kGone:
+      return bury(record);
+  }
+  note_change();
+}
+
+void ProcessHostCore::bury(ChildRecord& record) {
+  drain_output(record);
+  record.log.finish();
+  record.output.reset();
+  record.control.reset();
+  record.status.gone = true;
+  note_change();
+}
+
+void ProcessHostCore::tend(ChildRecord& record) {
+  std::array<pollfd, 2> waits{
+      {{record.output.get(), POLLIN, 0}, {record.control.get(), POLLIN, 0}}};
+  if (::poll(waits.data(), waits.size(), 0) <= 0) return;
+  if (waits[0].revents != 0) drain_output(record);
+  if (waits[1].revents != 0) take_report(record);
+}
+
+void ProcessHostCore::run() {
+  std::vector<pollfd> waits;
+  std::unique_lock lock(mutex);
+  while (!stopping_) {
+    waits.assign(1, {wake_.get(), POLLIN, 0});
+    for (const auto& record : records) {
+      waits.push_back({record->control.get(), POLLIN, 0});
+      if (record->output) waits.push_back({record->output.get(), POLLIN, 0});
+    }
+    lock.unlock();
+    ::poll(waits.data(), waits.size(), -1);
+    std::uint64_t ignored = 0;
+    while (::read(wake_.get(), &ignored, sizeof ignored) > 0) {
+    }
+    lock.lock();
+    for (const auto& record : records) tend(*record);
+    std::erase_if(records, [](const auto& record) { return record->status.gone; });
+  }
+  for (const auto& record : records) bury(*record);
+  records.clear();
+}
+
+}  // namespace cls::orchestration

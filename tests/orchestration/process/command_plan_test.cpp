@@ -1,0 +1,80 @@
+// Plans: the line a user could type, and which file a program name means.
+#include "orchestration/process/command_plan.h"
+
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <cstdlib>
+#include <fstream>
+
+#include "orchestration/process/packet.h"
+#include "orchestration/process/process_exit.h"
+#include "tests/support/temporary_folder.h"
+
+namespace cls::orchestration {
+namespace {
+
+namespace fs = std::filesystem;
+
+TEST(CommandPlan, QuotesWhatTheShellWouldChange) {
+  EXPECT_EQ(shell_quoted("server::port=6000"), "server::port=6000");
+  EXPECT_EQ(shell_quoted("two words"), "'two words'");
+  EXPECT_EQ(shell_quoted(""), "''");
+  EXPECT_EQ(shell_quoted("it's"), "'it'\\''s'");
+  EXPECT_EQ(shell_quoted("$HOME"), "'$HOME'");
+  EXPECT_EQ(shell_quoted("~"), "'~'");
+  EXPECT_EQ(shell_quoted("*"), "'*'");
+}
+
+TEST(CommandPlan, IsOneLineThatDoesTheSame) {
+  CommandPlan plan;
+  plan.argv = {"/opt/my team/start", "localhost", "1"};
+  EXPECT_EQ(to_shell(plan), "'/opt/my team/start' localhost 1");
+  plan.folder = "/opt/my team";
+  plan.environment = {{"LANG", "C"}, {"DISPLAY", std::nullopt}};
+  plan.cpus = {0, 2};
+  EXPECT_EQ(to_shell(plan),
+            "cd '/opt/my team' && env -u DISPLAY LANG=C taskset -c 0,2 '/opt/my team/start' "
+            "localhost 1");
+  EXPECT_EQ(to_shell(shell_command("x", "sleep 1; echo done")), "/bin/sh -c 'sleep 1; echo done'");
+}
+
+TEST(CommandPlan, TravelsToTheGuardWhole) {
+  CommandPlan plan;
+  plan.name = "right coach";
+  plan.argv = {"a", "", "c d", "\xff\n"};
+  plan.folder = "/tmp";
+  plan.environment = {{"A", "1=2"}, {"B", ""}, {"C", std::nullopt}};
+  plan.cpus = {3, 5};
+  const auto decoded = decode_plan(encode(plan));
+  ASSERT_TRUE(decoded);
+  EXPECT_EQ(*decoded, plan);
+  EXPECT_FALSE(decode_plan("rubbish"));
+  EXPECT_FALSE(decode_plan(encode(CommandPlan{})));
+}
+
+TEST(CommandPlan, FindsProgramsAndSaysWhyNot) {
+  EXPECT_EQ(find_program("sh")->filename(), "sh");
+  EXPECT_EQ(find_program("rcssserver-from-nowhere").error().message,
+            "rcssserver-from-nowhere: no such program on PATH");
+  const tests::TemporaryFolder folder;
+  const fs::path file = folder.path() / "start";
+  EXPECT_EQ(find_program(file).error().message, file.string() + ": no such file");
+  std::ofstream(file) << "#!/bin/sh\n";
+  EXPECT_EQ(find_program(file).error().message, file.string() + " is not executable");
+  ::chmod(file.c_str(), 0755);
+  EXPECT_EQ(*find_program(file), file);
+  EXPECT_EQ(find_program(folder.path()).error().message,
+            folder.path().string() + " is a folder, not a program");
+  EXPECT_EQ(find_program("").error().message, "no program to start");
+}
+
+TEST(ProcessExit, IsToldByCodeOrNameOfTheSignal) {
+  EXPECT_EQ(to_text(ProcessExit{false, 3}), "exit code 3");
+  EXPECT_EQ(to_text(ProcessExit{true, SIGSEGV}), "killed by SIGSEGV");
+  EXPECT_EQ(signal_name(SIGTERM), "SIGTERM");
+  EXPECT_EQ(signal_name(500), "signal 500");
+}
+
+}  // namespace
+}  // namespace cls::orchestration

@@ -1,0 +1,115 @@
+// Whatever happens to cls or to its guard, nothing that was started survives.
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include <chrono>
+#include <filesystem>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "orchestration/process/process_tree.h"
+#include "tests/orchestration/process/test_guard.h"
+#include "tests/support/files.h"
+#include "tests/support/marked_processes.h"
+#include "tests/support/temporary_folder.h"
+
+namespace cls::orchestration {
+namespace {
+
+using namespace std::chrono_literals;
+
+// A stand-in for cls (tests/fakes/process_driver.cpp) with children of its own, below our guard.
+class GuardDeath : public testing::Test {
+ protected:
+  // `before`: actions of the fake process that spoil what the driver inherits.
+  void start(std::vector<std::string> arguments, std::vector<std::string> before = {}) {
+    before.push_back("exec");
+    before.push_back(built_program("cls_process_driver"));
+    before.insert(before.end(), arguments.begin(), arguments.end());
+    driver_ = processes_.start(fake(std::move(before)));
+    ASSERT_TRUE(saw_line(*driver_, "ready")) << testing::PrintToString(driver_->last_lines());
+  }
+
+  static std::string fake_line(const std::string& actions) {
+    return "exec " + built_program("cls_fake_process") + " " + actions;
+  }
+
+  std::vector<std::string> usual_children() const {
+    return {fake_line("hang"), fake_line("ignore-term hang"),
+            fake_line("grandchild stubborn-grandchild hang"),
+            built_program("cls_fake_process") + " hang & wait"};
+  }
+
+  int guard_pid() const { return std::stoi(driver_->last_lines().front().substr(6)); }
+
+  MarkedHost processes_;
+  std::shared_ptr<Child> driver_;
+};
+
+TEST_F(GuardDeath, KillNineOfClsLeavesNothingAfterTwoSeconds) {
+  start(usual_children());
+  ASSERT_GT(tests::marked_processes(processes_.mark).size(), 8U);
+  ::kill(driver_->status().pid, SIGKILL);
+  EXPECT_TRUE(processes_.nothing_left(2s));
+}
+
+TEST_F(GuardDeath, WorksWithSpoiltSignalsAndClosedStreams) {
+  const tests::TemporaryFolder folder;
+  const std::filesystem::path seen = folder.path() / "seen";
+  std::vector<std::string> children = usual_children();
+  children.push_back(fake_line("print-signals print-fds print-input hang >") + seen.string());
+  start(children, {"spoil-signals", "close", "0"});
+  while (tests::read_file(seen).find("input") == std::string::npos) {
+    std::this_thread::sleep_for(10ms);
+  }
+  EXPECT_EQ(tests::read_file(seen), "signals:\nfds: 0 1 2\nno input\n");
+  ::kill(driver_->status().pid, SIGKILL);
+  EXPECT_TRUE(processes_.nothing_left(2s));
+}
+
+TEST_F(GuardDeath, AnOrderlyReturnLeavesNothingAtAll) {
+  std::vector<std::string> arguments = usual_children();
+  arguments.push_back("return");
+  start(arguments, {"spoil-signals", "close", "0"});
+  ASSERT_TRUE(driver_->wait_exit(5s));
+  EXPECT_EQ(driver_->status().living, 0);
+  EXPECT_TRUE(processes_.nothing_left());
+}
+
+TEST_F(GuardDeath, AKilledGuardDoesNotFreeTheChildren) {
+  start(usual_children());
+  ::kill(guard_pid(), SIGKILL);
+  ::kill(driver_->status().pid, SIGKILL);
+  EXPECT_TRUE(processes_.nothing_left(2s));
+}
+
+TEST_F(GuardDeath, TermToEveryProcessAtOnceLeavesNothing) {
+  start(usual_children());
+  for (const int pid : tests::marked_processes(processes_.mark)) ::kill(pid, SIGTERM);
+  EXPECT_TRUE(processes_.nothing_left(2s));
+}
+
+TEST_F(GuardDeath, EndingTheOuterChildEndsTheInnerTree) {
+  start(usual_children());
+  driver_->end(1s);
+  EXPECT_TRUE(driver_->wait_gone(3s));
+  EXPECT_TRUE(processes_.nothing_left());
+}
+
+TEST_F(GuardDeath, TheGuardHoldsNoFileOfTheUsers) {
+  start({fake_line("hang")});
+  const std::string folder = "/proc/" + std::to_string(guard_pid()) + "/fd";
+  int sockets = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    const std::string target = std::filesystem::read_symlink(entry.path()).string();
+    if (target.starts_with("socket:")) ++sockets;
+    EXPECT_TRUE(target == "/dev/null" || target.starts_with("socket:") ||
+                target == "anon_inode:[signalfd]")
+        << target;
+  }
+  EXPECT_EQ(sockets, 1);
+}
+
+}  // namespace
+}  // namespace cls::orchestration

@@ -1,0 +1,102 @@
+// Output of processes: repetitions, the size limit, and what may be shown.
+#include "orchestration/process/output_log.h"
+
+#include <fcntl.h>
+#include <gtest/gtest.h>
+
+#include <cerrno>
+
+#include "tests/support/files.h"
+#include "tests/support/temporary_folder.h"
+
+namespace cls::orchestration {
+namespace {
+
+class OutputLogTest : public testing::Test {
+ protected:
+  OutputLog open(std::size_t limit = 1 << 20) {
+    return OutputLog(UniqueFd(::open(path().c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666)), limit);
+  }
+  std::filesystem::path path() const { return folder_.path() / "x.log"; }
+  std::string written() const { return tests::read_file(path()); }
+
+ private:
+  tests::TemporaryFolder folder_;
+};
+
+TEST_F(OutputLogTest, KeepsLinesHoweverTheyArrive) {
+  OutputLog log = open();
+  for (const char* piece : {"on", "e\ntwo\r\n", "", "\nfour"}) log.add(piece);
+  EXPECT_EQ(log.last_lines(), (std::vector<std::string>{"one", "two", "", "four"}));
+  log.finish();
+  EXPECT_EQ(written(), "one\ntwo\n\nfour\n");
+}
+
+TEST_F(OutputLogTest, CollapsesARepeatedLine) {
+  OutputLog log = open();
+  log.add("start\n");
+  for (int i = 0; i < 2310; ++i) log.add("cannot open formation.conf\n");
+  log.add("go on\n");
+  for (int i = 0; i < 3; ++i) log.add("again\n");
+  log.finish();
+  EXPECT_EQ(written(), "start\ncannot open formation.conf\n  ×2310\ngo on\nagain\n  ×3\n");
+  EXPECT_EQ(log.last_lines(3),
+            (std::vector<std::string>{"cannot open formation.conf ×2310", "go on", "again ×3"}));
+}
+
+TEST_F(OutputLogTest, StopsAtItsLimitAndKeepsTheEnd) {
+  OutputLog log = open(1000);
+  for (int i = 1; i <= 5000; ++i) log.add("line " + std::to_string(i) + "\n");
+  EXPECT_LE(written().size(), 1000U);
+  log.finish();
+  const std::string text = written();
+  EXPECT_EQ(text.substr(0, 7), "line 1\n");
+  EXPECT_LT(text.size(), 3000U);
+  EXPECT_NE(text.find("\nline 5000\n"), std::string::npos);
+  EXPECT_EQ(log.last_lines().size(), OutputLog::kKeptLines);
+  // Every line is either there or counted.
+  const std::size_t mark = text.find("[size limit of this log: ");
+  ASSERT_NE(mark, std::string::npos);
+  const std::size_t left_out = std::stoul(text.substr(mark + 25));
+  const auto lines_in = [](const std::string& part) {
+    return static_cast<std::size_t>(std::count(part.begin(), part.end(), '\n'));
+  };
+  EXPECT_EQ(left_out + lines_in(text) - 1, 5000U);
+}
+
+TEST_F(OutputLogTest, CutsALineWithoutEnd) {
+  OutputLog log = open();
+  for (int i = 0; i < 1000; ++i) log.add(std::string(1000, 'x'));
+  log.add("\nshort\n");
+  log.finish();
+  EXPECT_EQ(written(), std::string(OutputLog::kMaxLine, 'x') + "\nshort\n");
+}
+
+TEST_F(OutputLogTest, ShowsOnlyWhatATerminalAndJsonCanTake) {
+  OutputLog log = open();
+  log.add("\x1b[31mred\x1b[0m\ttab \xff\xc3\xa9 \xed\xa0\x80\n");
+  EXPECT_EQ(log.last_lines(), (std::vector<std::string>{"?[31mred?[0m tab ?é ???"}));
+  EXPECT_EQ(printable("\xf0\x9f\x98\x80\xf4\x90\x80\x80\xe0\x80\x80\xc0\xaf"),
+            "\xf0\x9f\x98\x80?????????");
+  EXPECT_EQ(printable("\xe2\x82"), "??");
+}
+
+TEST_F(OutputLogTest, RemembersThatTheDiskWasFull) {
+  OutputLog log(UniqueFd(::open("/dev/full", O_WRONLY)), 1000);
+  log.add("a\nb\n");
+  log.finish();
+  EXPECT_EQ(log.error(), ENOSPC);
+  EXPECT_EQ(log.last_lines().size(), 2U);
+}
+
+TEST_F(OutputLogTest, TellsEachLineAsItComes) {
+  std::vector<std::string> seen;
+  OutputLog log(UniqueFd(), 0, [&](std::string_view line) { seen.emplace_back(line); });
+  log.add("a\na\nb");
+  EXPECT_EQ(seen, (std::vector<std::string>{"a", "a"}));
+  log.finish();
+  EXPECT_EQ(seen, (std::vector<std::string>{"a", "a", "b"}));
+}
+
+}  // namespace
+}  // namespace cls::orchestration

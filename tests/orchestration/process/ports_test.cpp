@@ -1,0 +1,56 @@
+// Ports: chosen ones are free and nobody else's, taken ones are told with their owner.
+#include "orchestration/process/ports.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <set>
+
+#include "tests/orchestration/process/test_guard.h"
+
+namespace cls::orchestration {
+namespace {
+
+TEST(Ports, ChosenOnesDifferAndAreFree) {
+  const auto ports = ReservedPort::choose(30);
+  ASSERT_TRUE(ports);
+  std::set<int> numbers;
+  for (const ReservedPort& port : *ports) {
+    EXPECT_TRUE(port_is_free(port.number()));
+    numbers.insert(port.number());
+  }
+  EXPECT_EQ(numbers.size(), 30U);
+  EXPECT_LT(*numbers.rbegin(), 32768);
+}
+
+TEST(Ports, ATakenOneIsToldWithItsOwner) {
+  MarkedHost processes;
+  const auto ports = ReservedPort::choose(2);
+  ASSERT_TRUE(ports);
+  const int udp = (*ports)[0].number();
+  const int tcp = (*ports)[1].number();
+  EXPECT_TRUE(owners_of(Protocol::kUdp, udp).empty());
+  EXPECT_FALSE(tcp_answers("127.0.0.1", tcp, 100));
+  const auto child = processes.start_fake({"bind-udp", std::to_string(udp), "listen-tcp",
+                                           std::to_string(tcp), "print", "bound", "hang"});
+  ASSERT_TRUE(saw_line(*child, "bound"));
+  EXPECT_FALSE(port_is_free(udp));
+  EXPECT_FALSE(port_is_free(tcp));
+  const int pid = child->status().pid;
+  EXPECT_EQ(port_taken_text(Protocol::kUdp, udp), "UDP port " + std::to_string(udp) +
+                                                      " is taken by cls_fake_proces (process " +
+                                                      std::to_string(pid) + ")");
+  EXPECT_EQ(port_taken_text(Protocol::kTcp, tcp).substr(0, 9), "TCP port ");
+  EXPECT_EQ(ports_of(Protocol::kUdp, pid), std::vector<int>{udp});
+  EXPECT_EQ(ports_of(Protocol::kTcp, pid), std::vector<int>{tcp});
+  EXPECT_TRUE(tcp_answers("127.0.0.1", tcp, 1000));
+  EXPECT_TRUE(tcp_answers("localhost", tcp, 1000));
+}
+
+TEST(Ports, AnswersAreNotWaitedForLongerThanAsked) {
+  EXPECT_FALSE(tcp_answers("no.such.host.invalid", 1, 100));
+  EXPECT_FALSE(tcp_answers("[::1]", 1, 100));
+}
+
+}  // namespace
+}  // namespace cls::orchestration

@@ -1,0 +1,37 @@
+// What the process tests share: the guard of the test program, and the fakes.
+#pragma once
+
+#include <chrono>
+#include <string>
+#include <vector>
+
+#include "orchestration/process/process_host.h"
+
+namespace cls::orchestration {
+
+/// A plan that runs the fake process with these actions (tests/fakes/fake_process.cpp).
+CommandPlan fake(std::vector<std::string> actions);
+
+/// Path of a program that the build has made.
+std::string built_program(const std::string& name);
+
+/// A host whose children carry `mark` in their environment (tests/support/marked_processes.h).
+class MarkedHost {
+ public:
+  MarkedHost();
+
+  ProcessHost host;
+  const std::string mark;
+
+  /// Starts a plan with the mark; throws when it cannot be started.
+  std::shared_ptr<Child> start(CommandPlan plan, ProcessHost::OnLine on_line = {});
+  std::shared_ptr<Child> start_fake(std::vector<std::string> actions);
+
+  /// Nothing that was started here is alive.
+  bool nothing_left(std::chrono::milliseconds limit = std::chrono::milliseconds(0)) const;
+};
+
+/// Waits until `line` is among the child's last lines.
+bool saw_line(const Child& child, const std::string& line);
+
+}  // namespace cls::orchestration
