@@ -35,7 +35,9 @@ double race_score(const WorldModel& world, int steps) {
 double turn_score(const WorldModel& world, const InterceptPlan& plan) {
   if (plan.turns == 0) return 0.0;
   const double turn = std::fabs(plan.turn_angle);
-  double score = -0.01;
+  // Upstream asks next to nothing for a turn and changes its mind on the way; a plan that goes on
+  // as we stand should win against one that is hardly better.
+  double score = -0.4;
   if (plan.ball_distance > kickable_area(world) - 0.3) score -= 0.025 * turn;
   if (plan.kind == Kind::kTurnBackwardDash && turn > 90.0) score -= 0.1 * (turn - 90.0);
   return score;
@@ -61,10 +63,13 @@ double plan_score(const WorldModel& world, const InterceptPlan& plan) {
   const Vec2 velocity = world.ball.velocity * power_of(world.server().ball_decay, steps);
   const double dx = ball.x - 44.0;
   const double dy = ball.y / 2.0;
-  double score = -0.2 * std::sqrt(dx * dx + dy * dy) + race_score(world, steps) +
-                 turn_score(world, plan) + slow_ball_score(world, plan, velocity);
+  // Likewise for time: the ball upfield is worth a little, the ball sooner is worth more.
+  constexpr double kStepCost = 0.35;
+  double score = -0.2 * std::sqrt(dx * dx + dy * dy) - kStepCost * steps +
+                 race_score(world, steps) + turn_score(world, plan) +
+                 slow_ball_score(world, plan, velocity);
   const double moved = distance(plan.self_position, world.self.position);
-  if (ball.x < world.lines.offside) score -= 0.3 * moved;
+  score -= 0.3 * moved;
   if (plan.ball_distance > area - 0.3) score -= 0.5 * moved;
   if (plan.ball_distance > area - 0.4) score -= 3.0 * (plan.ball_distance - (area - 0.4)) + 0.5;
   score += 1e-4 * (plan.stamina - world.self.stamina);
