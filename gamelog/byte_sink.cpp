@@ -1,6 +1,8 @@
 // Buffered log files.
 #include "gamelog/byte_sink.h"
 
+#include <unistd.h>
+
 #include <cerrno>
 #include <cstring>
 #include <utility>
@@ -13,7 +15,8 @@ constexpr std::size_t kBlock = 64 * 1024;
 }  // namespace
 
 soccer::Result<std::unique_ptr<FileSink>> FileSink::create(const std::string& path) {
-  std::FILE* file = std::fopen(path.c_str(), "wbe");
+  std::FILE* file =
+      path == "-" ? ::fdopen(::dup(STDOUT_FILENO), "wb") : std::fopen(path.c_str(), "wbe");
   if (file == nullptr) {
     return soccer::Error{"cannot create '" + path + "': " + std::strerror(errno)};
   }

@@ -34,8 +34,9 @@ class StringSink : public ByteSink {
   std::string bytes_;
 };
 
-/// A new file (an old one of that name is emptied), written in blocks of 64 KiB. An error names
-/// the file and the reason. Closing twice is allowed; the destructor closes and drops the error.
+/// A new file (an old one of that name is emptied), written in blocks of 64 KiB; "-" is standard
+/// output. An error names the file and the reason. Closing twice is allowed; the destructor closes
+/// and drops the error.
 class FileSink : public ByteSink {
  public:
   static soccer::Result<std::unique_ptr<FileSink>> create(const std::string& path);

@@ -13,6 +13,7 @@
 
 #include "gamelog/damage.h"
 #include "gamelog/frame.h"
+#include "gamelog/rcg_version.h"
 #include "soccer/geometry.h"
 #include "soccer/play_mode.h"
 #include "soccer/player_params.h"
@@ -21,9 +22,6 @@
 #include "soccer/side.h"
 
 namespace cls::gamelog {
-
-/// Version of a game log; 1 to 3 are binary, 4 to 6 text.
-enum class RcgVersion : std::uint8_t { kV1 = 1, kV2, kV3, kV4, kV5, kV6, kJson };
 
 /// Leaves new elements uninitialised: columns are written right after they grow.
 template <typename T>

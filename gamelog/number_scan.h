@@ -86,7 +86,7 @@ inline bool scan_integer(const char*& at, std::int32_t& value) {
   if (length == 8 || length == 0) return detail::scan_any_integer(at, value);
   bool ok = true;
   const std::uint32_t magnitude = detail::digits_value(bytes, length, ok);
-  if (!ok) return false;
+  if (!ok) return detail::scan_any_integer(at, value);
   value = static_cast<std::int32_t>(magnitude);
   at += length;
   return true;

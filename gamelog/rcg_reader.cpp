@@ -5,6 +5,8 @@
 #include <utility>
 
 #include "gamelog/input_buffer.h"
+#include "gamelog/rcg_binary_reader.h"
+#include "gamelog/rcg_json_reader.h"
 #include "gamelog/rcg_text_reader.h"
 #include "gamelog/record_builder.h"
 
@@ -12,6 +14,7 @@ namespace cls::gamelog {
 namespace {
 
 constexpr std::size_t kHeaderSize = 5;
+constexpr std::size_t kBinaryHeaderSize = 4;
 
 bool has_end(const MatchRecord& record) {
   if (!record.mode.empty() && record.mode.back() == soccer::PlayMode::kTimeOver) return true;
@@ -35,21 +38,39 @@ void check_end(const InputBuffer& input, MatchRecord& record) {
   }
 }
 
+/// What the first bytes say (log-formats 1.2). Server 17 wrote JSON behind the header of version 6.
+void read_by_kind(InputBuffer& input, RecordBuilder& builder) {
+  MatchRecord& record = builder.record();
+  const std::string start(input.peek(kHeaderSize + 1));
+  std::string_view header;
+  if (start.starts_with('[') || start == "ULG6\n[" || start == "JSON\n[") {
+    record.version = RcgVersion::kJson;
+    if (!start.starts_with('[')) input.next_line(header);
+    read_rcg_json(input, builder);
+  } else if (start.starts_with("ULG4\n") || start.starts_with("ULG5\n") ||
+             start.starts_with("ULG6\n")) {
+    record.version = static_cast<RcgVersion>(start[3] - '0');
+    input.next_line(header);
+    read_rcg_text(input, builder);
+  } else if (start.starts_with("ULG\x02") || start.starts_with("ULG\x03")) {
+    record.version = static_cast<RcgVersion>(start[3]);
+    input.take(kBinaryHeaderSize);
+    read_rcg_binary(input, builder);
+  } else if (looks_like_version_1(start)) {
+    record.version = RcgVersion::kV1;
+    read_rcg_binary(input, builder);
+  } else {
+    note_damage(input, "this is no game log", record);
+  }
+}
+
 }  // namespace
 
 MatchRecord read_rcg(ByteSource& source) {
   MatchRecord record;
   InputBuffer input(source);
   RecordBuilder builder(record);
-  const std::string start(input.peek(kHeaderSize + 1));
-  std::string_view header;
-  if (start.starts_with("ULG4\n") || start.starts_with("ULG5\n") || start.starts_with("ULG6\n")) {
-    record.version = static_cast<RcgVersion>(start[3] - '0');
-    input.next_line(header);
-    read_rcg_text(input, builder);
-  } else {
-    note_damage(input, "this is no game log", record);
-  }
+  read_by_kind(input, builder);
   check_end(input, record);
   return record;
 }

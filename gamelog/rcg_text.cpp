@@ -1,4 +1,4 @@
-// Formatting the lines of a version 6 game log.
+// Formatting the lines of text game logs.
 #include "gamelog/rcg_text.h"
 
 #include <algorithm>
@@ -48,16 +48,37 @@ void append_state(std::uint32_t state, std::string& out) {
   for (; shift >= 0; shift -= 4) out += kDigits[(state >> shift) & 0xF];
 }
 
-void append_counts(const CommandCounts& c, std::string& out) {
+void append_counts(const CommandCounts& c, RcgVersion version, std::string& out) {
   out += " (c";
   for (const int count : {c.kick, c.dash, c.turn, c.catches, c.move, c.turn_neck, c.change_view,
-                          c.say, c.tackle, c.pointto, c.attentionto, c.change_focus}) {
+                          c.say, c.tackle, c.pointto, c.attentionto}) {
     append_count(count, out);
   }
+  if (version >= RcgVersion::kV6) append_count(c.change_focus, out);
   out += ')';
 }
 
-void append_player(int slot, const PlayerFrame& player, std::string& out) {
+void append_view(const PlayerFrame& player, RcgVersion version, std::string& out) {
+  out += player.high_quality ? " (v h" : " (v l";
+  append_number(player.view_width, out);
+  out += ')';
+  if (version < RcgVersion::kV6) return;
+  out += " (fp";
+  append_number(player.focus_distance, out);
+  append_number(player.focus_direction, out);
+  out += ')';
+}
+
+void append_stamina(const PlayerFrame& player, RcgVersion version, std::string& out) {
+  out += " (s";
+  append_number(player.stamina, out);
+  append_number(player.effort, out);
+  append_number(player.recovery, out);
+  if (version >= RcgVersion::kV5) append_number(player.capacity, out);
+  out += ')';
+}
+
+void append_player(int slot, const PlayerFrame& player, RcgVersion version, std::string& out) {
   out += " ((";
   out += soccer::letter(soccer::side_of_slot(slot));
   append_count(soccer::unum_of_slot(slot), out);
@@ -69,32 +90,29 @@ void append_player(int slot, const PlayerFrame& player, std::string& out) {
   append_angle(player.body, out);
   append_angle(player.neck, out);
   if (player.pointing_at) append_lengths(*player.pointing_at, out);
-  out += player.high_quality ? " (v h" : " (v l";
-  append_number(player.view_width, out);
-  out += ") (fp";
-  append_number(player.focus_distance, out);
-  append_number(player.focus_direction, out);
-  out += ") (s";
-  append_number(player.stamina, out);
-  append_number(player.effort, out);
-  append_number(player.recovery, out);
-  append_number(player.capacity, out);
-  out += ')';
+  append_view(player, version, out);
+  append_stamina(player, version, out);
   if (player.attention_side != soccer::Side::kNeutral && (player.state & kStateEnabled) != 0) {
     out += " (f ";
     out += soccer::letter(player.attention_side);
     append_count(player.attention_unum, out);
     out += ')';
   }
-  append_counts(player.counts, out);
+  append_counts(player.counts, version, out);
   out += ')';
 }
 
 }  // namespace
 
+void append_version(RcgVersion version, std::string& out) {
+  out += "ULG";
+  soccer::append_int(static_cast<int>(version), out);
+  out += '\n';
+}
+
 void append_header(const soccer::ServerParams& server, const soccer::PlayerParams& player,
                    const std::vector<soccer::PlayerType>& types, std::string& out) {
-  out += "ULG6\n";
+  append_version(RcgVersion::kV6, out);
   soccer::format(server, soccer::kAllVersions, out);
   out += '\n';
   soccer::format(player, soccer::kAllVersions, out);
@@ -130,7 +148,7 @@ void append_team(int time, const TeamFrames& teams, std::string& out) {
   out += ")\n";
 }
 
-void append_show(const Frame& frame, std::string& out) {
+void append_show(const Frame& frame, std::string& out, RcgVersion version) {
   out += "(show";
   append_count(frame.time, out);
   out += " ((b)";
@@ -138,7 +156,7 @@ void append_show(const Frame& frame, std::string& out) {
   append_lengths(frame.ball_velocity, out);
   out += ')';
   for (int slot = 0; slot < soccer::kPlayersOnPitch; ++slot) {
-    append_player(slot, frame.players[static_cast<std::size_t>(slot)], out);
+    append_player(slot, frame.players[static_cast<std::size_t>(slot)], version, out);
   }
   out += ")\n";
 }

@@ -1,4 +1,4 @@
-// The lines of a version 6 game log (rcg), one function each.
+// The lines of a text game log (rcg), one function each.
 #pragma once
 
 #include <string>
@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "gamelog/frame.h"
+#include "gamelog/rcg_version.h"
 #include "soccer/player_params.h"
 #include "soccer/player_type.h"
 #include "soccer/server_params.h"
@@ -16,7 +17,10 @@ namespace cls::gamelog {
 // (log-formats 1.7): positions and velocities to 0.0001, angles to 0.001, all with six significant
 // digits, negative zero as "-0".
 
-/// The first lines: version, parameters, player types.
+/// `ULG4` to `ULG6`.
+void append_version(RcgVersion version, std::string& out);
+
+/// The first lines of a version 6 log: version, parameters, player types.
 void append_header(const soccer::ServerParams& server, const soccer::PlayerParams& player,
                    const std::vector<soccer::PlayerType>& types, std::string& out);
 
@@ -25,7 +29,9 @@ void append_play_mode(int time, soccer::PlayMode mode, std::string& out);
 /// The four penalty numbers appear once either team has taken a kick.
 void append_team(int time, const TeamFrames& teams, std::string& out);
 
-void append_show(const Frame& frame, std::string& out);
+/// In versions 4 to 6: version 4 knows no stamina capacity, only version 6 has the focus point and
+/// the count of its changes.
+void append_show(const Frame& frame, std::string& out, RcgVersion version = RcgVersion::kV6);
 
 /// `board` 1: referee, says, result, team graphics; 2: commands. Line feeds in the text become
 /// blanks; nothing else is escaped, as in the real log.

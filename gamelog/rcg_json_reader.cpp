@@ -1,0 +1,317 @@
+// The objects of a JSON log that are not shows, and which reader gets which line.
+#include "gamelog/rcg_json_reader.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "gamelog/json_cursor.h"
+#include "gamelog/rcg_json_show.h"
+#include "soccer/protocol/parameter_message.h"
+
+namespace cls::gamelog {
+namespace {
+
+using soccer::Side;
+
+constexpr int kHighestType = 255;
+constexpr std::size_t kLongestName = 64;
+constexpr int kNotTold = -1;
+
+class JsonReader {
+ public:
+  JsonReader(InputBuffer& input, RecordBuilder& builder) : input_(input), builder_(builder) {}
+
+  void read_all() {
+    std::string_view line;
+    for (;;) {
+      const InputBuffer::Line kind = input_.next_line(line);
+      if (kind == InputBuffer::Line::kEnd) break;
+      if (kind == InputBuffer::Line::kTooLong) {
+        damage(0, "a line of more than a megabyte");
+        continue;
+      }
+      if (!builder_.has_room()) {
+        damage(0, "more frames or messages than any match has: the rest is left out");
+        return;
+      }
+      if (!read_line(line)) damage_in(kind);
+    }
+    if (!closed_ && input_.source().problem().empty() && builder_.record().damage.empty()) {
+      damage(0, "the closing bracket is missing: the log was interrupted");
+    }
+  }
+
+ private:
+  // One element of the array, with a comma before or behind it; or a bracket of the array.
+  bool read_line(std::string_view line) {
+    column_ = 0;
+    const std::size_t first = line.find_first_not_of(" \t\r,[");
+    if (first == std::string_view::npos) return true;
+    if (line[first] == ']') {
+      closed_ = true;
+      return true;
+    }
+    element_ = line.substr(first, line.find_last_of('}') + 1 - first);
+    JsonCursor in(line.substr(first));
+    const bool read = read_element(in);
+    column_ = first + in.position();
+    if (!read) return false;
+    if (in.peek() == ',') in.open(',');
+    if (in.peek() == ']') closed_ = in.open(']');
+    return in.at_end();
+  }
+
+  bool read_element(JsonCursor& in) {
+    std::string_view key;
+    if (!in.open('{') || !in.next_key(key)) return false;
+    if (key == "type") {  // servers 17 and 18
+      std::string kind;
+      return in.string(kind) && read_tagged(kind, in);
+    }
+    const std::string kind(key);
+    if (kind == "version" || kind == "timestamp") {
+      return in.string(header_field(kind)) && !in.next_key(key) && in.good();
+    }
+    return in.open('{') && read_body(kind, in) && !in.next_key(key) && in.good();
+  }
+
+  bool read_tagged(const std::string& kind, JsonCursor& in) {
+    if (kind != "header") return read_body(kind, in);
+    std::string_view key;
+    while (in.next_key(key)) {
+      const bool known = key == "version" || key == "timestamp";
+      if (!(known ? in.string(header_field(key)) : in.skip_value())) return false;
+    }
+    return in.good();
+  }
+
+  std::string& header_field(std::string_view key) {
+    return key == "version" ? builder_.record().server_version : builder_.record().timestamp;
+  }
+
+  // Behind the opening bracket, up to and with the closing one.
+  bool read_body(const std::string& kind, JsonCursor& in) {
+    if (kind == "show") return read_show(in);
+    if (kind == "playmode") return read_play_mode(in);
+    if (kind == "team") return read_team(in);
+    if (kind == "msg") return read_message(in);
+    if (kind == "team_graphic") return read_team_graphic(in);
+    if (kind == "server_param") return read_parameters(kind, in, builder_.record().server);
+    if (kind == "player_param") return read_parameters(kind, in, builder_.record().player);
+    if (kind == "player_type") return read_player_type(in);
+    std::string_view key;
+    while (in.next_key(key)) {
+      if (!in.skip_value()) return false;
+    }
+    return in.good() && keep_unknown();
+  }
+
+  bool keep_unknown() {
+    builder_.unknown_line(std::string(element_));
+    return true;
+  }
+
+  bool read_show(JsonCursor& in) {
+    if (!read_json_show(in, show_)) return false;
+    const std::size_t index = builder_.begin_frame(show_.frame.time);
+    builder_.fill(index, show_.frame);
+    if (show_.has_stopped) builder_.record().stopped[index] = show_.frame.stopped;
+    show_.has_stopped = false;
+    return true;
+  }
+
+  // The keys that all notes have. False if `key` is none of them or its value is wrong.
+  static bool read_time(std::string_view key, JsonCursor& in, int& time, int& stopped) {
+    return (key == "time" && in.integer(time)) || (key == "stime" && in.integer(stopped));
+  }
+
+  bool read_play_mode(JsonCursor& in) {
+    int time = 0;
+    int stopped = kNotTold;
+    std::string name;
+    std::string_view key;
+    while (in.next_key(key)) {
+      const bool read = key == "mode"
+                            ? in.string(name)
+                            : read_time(key, in, time, stopped) || (in.good() && in.skip_value());
+      if (!read) return false;
+    }
+    const auto mode = soccer::play_mode_from_name(name);
+    if (!mode) return in.good() && keep_unknown();
+    builder_.play_mode(time, *mode);
+    tell_stopped(stopped);
+    return in.good();
+  }
+
+  bool read_team(JsonCursor& in) {
+    int time = 0;
+    int stopped = kNotTold;
+    TeamFrames teams;
+    std::string_view key;
+    while (in.next_key(key)) {
+      bool read = false;
+      if (key == "l" || key == "r") {
+        read = in.open('{') && read_one_team(in, teams[key == "l" ? 0 : 1]) != kNoTeam;
+      } else if (key == "teams") {
+        read = read_team_array(in, teams);
+      } else {
+        read = read_time(key, in, time, stopped) || (in.good() && in.skip_value());
+      }
+      if (!read) return false;
+    }
+    builder_.teams(time, teams);
+    tell_stopped(stopped);
+    return in.good();
+  }
+
+  static constexpr int kNoTeam = -2;
+
+  // Returns the side as a number (soccer::Side) if the object names one, 0 if not, kNoTeam for
+  // damage.
+  static int read_one_team(JsonCursor& in, TeamFrame& team) {
+    Side side = Side::kNeutral;
+    std::string_view key;
+    while (in.next_key(key)) {
+      const bool read = key == "name"        ? in.string_or_null(team.name)
+                        : key == "score"     ? in.integer(team.score)
+                        : key == "pen_score" ? in.integer(team.penalty_scored)
+                        : key == "pen_miss"  ? in.integer(team.penalty_missed)
+                        : key == "side"      ? read_side(in, side)
+                                             : in.skip_value();
+      if (!read) return kNoTeam;
+    }
+    if (!in.good() || team.name.size() > kLongestName) return kNoTeam;
+    return soccer::sign(side);
+  }
+
+  static bool read_team_array(JsonCursor& in, TeamFrames& teams) {
+    if (!in.open('[')) return false;
+    while (in.next_element()) {
+      TeamFrame team;
+      if (!in.open('{')) return false;
+      const int side = read_one_team(in, team);
+      if (side == kNoTeam || side == 0) return false;
+      teams[side > 0 ? 0 : 1] = team;
+    }
+    return in.good();
+  }
+
+  bool read_message(JsonCursor& in) {
+    int time = 0;
+    int stopped = kNotTold;
+    int board = 1;
+    std::string text;
+    std::string_view key;
+    while (in.next_key(key)) {
+      const bool read = key == "board" ? in.integer(board)
+                        : key == "message"
+                            ? in.string(text)
+                            : read_time(key, in, time, stopped) || (in.good() && in.skip_value());
+      if (!read) return false;
+    }
+    builder_.message(time, board, std::move(text));
+    tell_stopped(stopped);
+    return in.good();
+  }
+
+  // As the message that text logs have, which ends with one bracket although two are open.
+  bool read_team_graphic(JsonCursor& in) {
+    std::string side = "l";
+    int x = 0;
+    int y = 0;
+    std::string picture;
+    std::string_view key;
+    while (in.next_key(key)) {
+      bool read = false;
+      if (key == "xpm") {
+        read = in.open('[');
+        while (read && in.next_element()) {
+          picture += ' ';
+          read = in.scalar_text(picture);
+        }
+      } else {
+        read = key == "side" ? in.string(side)
+               : key == "x"  ? in.integer(x)
+               : key == "y"  ? in.integer(y)
+                             : in.skip_value();
+      }
+      if (!read || !in.good()) return false;
+    }
+    builder_.message(0, 1,
+                     "(team_graphic_" + side + " (" + std::to_string(x) + " " + std::to_string(y) +
+                         picture + ")");
+    return in.good();
+  }
+
+  // Into the text form, of which the rest of the program knows how to read it.
+  static bool append_parameters(JsonCursor& in, bool nested, std::string& line) {
+    std::string_view key;
+    while (in.next_key(key)) {
+      if (key == "params" && !nested) {  // servers 17 and 18
+        if (!in.open('{') || !append_parameters(in, true, line)) return false;
+        continue;
+      }
+      line += '(';
+      line += key;
+      line += ' ';
+      if (!in.scalar_text(line)) return false;
+      line += ')';
+    }
+    return in.good();
+  }
+
+  template <typename Params>
+  bool read_parameters(const std::string& kind, JsonCursor& in, Params& params) {
+    std::string line = "(" + kind + " ";
+    if (!append_parameters(in, false, line)) return false;
+    line += ')';
+    const soccer::Result<void> read = soccer::parse(line, params);
+    if (!read) damage(0, read.error().message);
+    builder_.parameter_line(std::move(line));
+    return true;
+  }
+
+  bool read_player_type(JsonCursor& in) {
+    soccer::PlayerType type;
+    type.id = kNotTold;
+    if (!read_parameters("player_type", in, type)) return false;
+    auto& types = builder_.record().types;
+    if (type.id < 0 || type.id > kHighestType) return false;
+    const auto id = static_cast<std::size_t>(type.id);
+    if (types.size() <= id) types.resize(id + 1);
+    types[id] = type;
+    return true;
+  }
+
+  void tell_stopped(int stopped) {
+    if (stopped != kNotTold) builder_.note_stopped(stopped);
+  }
+
+  void damage_in(InputBuffer::Line kind) {
+    damage(column_, kind == InputBuffer::Line::kUnfinished ? "the log is cut off here"
+                                                           : "this is no JSON of a game log");
+  }
+
+  void damage(std::size_t column, std::string what) {
+    const MatchRecord& record = builder_.record();
+    const int cycle = record.time.empty() ? 0 : record.time.back();
+    builder_.record().damage.add(
+        {input_.line_number(), input_.offset() + column, cycle, std::move(what)});
+  }
+
+  InputBuffer& input_;
+  RecordBuilder& builder_;
+  JsonShow show_;
+  std::string_view element_;  // without comma and blanks around it
+  std::size_t column_ = 0;
+  bool closed_ = false;
+};
+
+}  // namespace
+
+void read_rcg_json(InputBuffer& input, RecordBuilder& builder) {
+  JsonReader(input, builder).read_all();
+}
+
+}  // namespace cls::gamelog
