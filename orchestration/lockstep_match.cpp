@@ -124,7 +124,8 @@ void LockstepMatch::introduce(MatchObserver& observer) {
     side->worker().start([side, &status] { status = side->team().introduce(); });
     wait_for(*side);
     if (!status.ok()) {
-      end(EndReason::kRefused,
+      const bool garbled = status.outcome == RpcOutcome::kProtocolError;
+      end(garbled ? EndReason::kProtocolError : EndReason::kRefused,
           fmt::format("{} ({}): {}", side->name(), side->endpoint().text, status.message));
     }
   }
