@@ -11,7 +11,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-double rounded(double value, double unit) { return std::round(value / unit) * unit; }
+// To a number of decimals that divides evenly: rounding by multiplication prints as 83.30000001.
+double rounded(double value, double per_one) { return std::round(value * per_one) / per_one; }
 
 Json json_of(const PlayerResult& player) {
   return {{"unum", player.unum},
@@ -34,7 +35,7 @@ Json json_of(const TeamResult& team) {
           {"endpoint", team.endpoint},
           {"score", team.score},
           {"penalty_score", team.penalty_score ? Json(*team.penalty_score) : Json(nullptr)},
-          {"cpu_seconds", rounded(team.cpu_seconds, 0.001)},
+          {"cpu_seconds", rounded(team.cpu_seconds, 1000)},
           {"players", std::move(players)}};
 }
 
@@ -75,8 +76,8 @@ std::string to_json(const MatchResult& result) {
       {"server",
        {{"kind", result.server_kind}, {"version", result.server_version}, {"seed", result.seed}}},
       {"goals", std::move(goals)},
-      {"wall_seconds", rounded(result.wall_seconds, 0.001)},
-      {"cycles_per_second", rounded(result.cycles_per_second, 0.1)},
+      {"wall_seconds", rounded(result.wall_seconds, 1000)},
+      {"cycles_per_second", rounded(result.cycles_per_second, 10)},
       {"folder", result.folder},
       {"log_files",
        {{"rcg", result.rcg.empty() ? Json(nullptr) : Json(result.rcg)},
