@@ -31,21 +31,28 @@ double leaving_speed(double distance, double arrival) {
 // How good it is to have the ball at a point: forward counts, and near their goal the middle.
 double value_of(Vec2 point) { return point.x - 0.15 * distance(point, kTheirGoal); }
 
+bool may_receive(const protos::Player& mate) {
+  return mate.pos_count() <= 8 && !mate.is_goalie() && !mate.is_tackling();
+}
+
+// As well as one can see it: the line is an estimate, and forwards live on it.
+bool looks_offside(const Situation& now, Vec2 position) {
+  constexpr double kBenefitOfDoubt = 0.6;
+  return position.x > 0.0 &&
+         position.x > std::max(now.offside_line(), now.ball().x) + kBenefitOfDoubt;
+}
+
+// To the feet of a mate, a little into his run.
 std::optional<Pass> pass_to(const Situation& now, const protos::Player& mate) {
   constexpr double kShortest = 5.0;
   constexpr double kLongest = 34.0;
-  if (mate.pos_count() > 8 || mate.is_goalie() || mate.is_tackling()) return std::nullopt;
   const Vec2 position = point_of(mate.position());
-  // Into the run: a little ahead of where the mate will roll out.
   const Vec2 lead = point_of(mate.velocity()) * 2.0 + Vec2{position.x < 35.0 ? 1.5 : 0.0, 0.0};
   Vec2 target = position + lead;
   target.x = std::clamp(target.x, -soccer::kHalfLength + 2.0, soccer::kHalfLength - 2.0);
-  target.y = std::clamp(target.y, -soccer::kHalfWidth + 2.0, soccer::kHalfWidth - 2.0);
+  target.y = std::clamp(target.y, -soccer::kHalfWidth + 1.0, soccer::kHalfWidth - 1.0);
   const double length = distance(now.ball(), target);
-  if (length < kShortest || length > kLongest) return std::nullopt;
-  if (position.x > std::max(now.offside_line(), now.ball().x) && position.x > 0.0) {
-    return std::nullopt;
-  }
+  if (length < kShortest || length > kLongest || looks_offside(now, position)) return std::nullopt;
   // Along own goal a lost pass is a lost match.
   if (target.x < -30.0 && std::fabs(target.y) < 15.0 && target.x < now.ball().x) {
     return std::nullopt;
@@ -57,11 +64,27 @@ std::optional<Pass> pass_to(const Situation& now, const protos::Player& mate) {
   return Pass{target, leaving_speed(length, kPassArrivalSpeed), value};
 }
 
+// Behind their last line, for a forward who starts from it and is there first.
+std::optional<Pass> pass_behind(const Situation& now, const protos::Player& mate) {
+  constexpr double kAhead = 11.0;
+  const Vec2 position = point_of(mate.position());
+  const double line = now.offside_line();
+  if (position.x < line - 7.0 || line < 0.0 || looks_offside(now, position)) return std::nullopt;
+  const Vec2 target{std::min(line + kAhead, 45.0), position.y * 0.85};
+  const double length = distance(now.ball(), target);
+  if (length < 10.0 || length > 32.0) return std::nullopt;
+  if (now.nearest_opponent_to(target) < 0.8 * distance(position, target)) return std::nullopt;
+  if (now.lane_margin(now.ball(), target, 0.8, 0.16) < 0.0) return std::nullopt;
+  return Pass{target, leaving_speed(length, 0.7), value_of(target) + 6.0};
+}
+
 std::optional<Pass> best_pass(const Situation& now) {
   std::optional<Pass> best;
   for (const protos::Player& mate : now.world().teammates()) {
-    const auto pass = pass_to(now, mate);
-    if (pass && (!best || pass->value > best->value)) best = pass;
+    if (!may_receive(mate)) continue;
+    for (const auto& pass : {pass_to(now, mate), pass_behind(now, mate)}) {
+      if (pass && (!best || pass->value > best->value)) best = pass;
+    }
   }
   return best;
 }
@@ -94,7 +117,7 @@ Vec2 dribble_target(const Situation& now) {
   double best_room = -10.0;
   for (const double degrees : {0.0, 30.0, -30.0, 60.0, -60.0}) {
     Vec2 target = now.self_position() + rotated_degrees(to_goal, degrees);
-    if (std::fabs(target.y) > soccer::kHalfWidth - 3.0) continue;
+    if (std::fabs(target.y) > soccer::kHalfWidth - 1.5) continue;
     const double room = std::min(now.lane_margin(now.self_position(), target, 0.0, 0.0), 6.0) -
                         std::fabs(degrees) / 40.0;
     if (room > best_room) {
@@ -122,7 +145,7 @@ void attack(const Situation& now, ActionList& list) {
   if (pass && (is_pressed(now) || pass->value > here + 3.0)) {
     list.smart_kick(pass->target, pass->speed, pass->speed * 0.8, 3);
   }
-  const bool in_danger = now.ball().x < -32.0 && is_pressed(now);
+  const bool in_danger = now.ball().x < 0.0 && is_pressed(now);
   if (in_danger) list.clear_ball();
   list.dribble(dribble_target(now), 90.0, is_pressed(now) ? 2 : 4);
   list.clear_ball();

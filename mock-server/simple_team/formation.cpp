@@ -24,16 +24,16 @@ struct Place {
 // clang-format off
 constexpr std::array<Place, 11> kPlaces = {{
     {{-50.0,   0.0}, 0.00, 0.00, -50.0, -50.0, {-50.0,   0.0}},
-    {{-22.0,  -5.5}, 0.60, 0.25, -44.0,  12.0, {-20.0,  -6.0}},
-    {{-22.0,   5.5}, 0.60, 0.25, -44.0,  12.0, {-20.0,   6.0}},
-    {{-18.0, -17.0}, 0.65, 0.25, -43.0,  28.0, {-18.0, -18.0}},
-    {{-18.0,  17.0}, 0.65, 0.25, -43.0,  28.0, {-18.0,  18.0}},
+    {{-22.0,  -6.0}, 0.60, 0.25, -44.0,  12.0, {-20.0,  -6.0}},
+    {{-22.0,   6.0}, 0.60, 0.25, -44.0,  12.0, {-20.0,   6.0}},
+    {{-18.0, -20.0}, 0.65, 0.25, -43.0,  28.0, {-18.0, -20.0}},
+    {{-18.0,  20.0}, 0.65, 0.25, -43.0,  28.0, {-18.0,  20.0}},
     {{ -8.0,   0.0}, 0.70, 0.45, -38.0,  30.0, {-11.5,   0.0}},
-    {{  0.0, -10.0}, 0.75, 0.40, -34.0,  38.0, { -8.0, -10.0}},
-    {{  0.0,  10.0}, 0.75, 0.40, -34.0,  38.0, { -8.0,  10.0}},
-    {{ 12.0, -20.0}, 0.75, 0.25, -26.0,  46.0, { -1.5, -18.0}},
-    {{ 12.0,  20.0}, 0.75, 0.25, -26.0,  46.0, { -1.5,  18.0}},
-    {{ 14.0,   0.0}, 0.75, 0.30, -20.0,  47.0, { -0.8,   0.0}},
+    {{  0.0, -12.0}, 0.75, 0.35, -34.0,  38.0, { -8.0, -11.0}},
+    {{  0.0,  12.0}, 0.75, 0.35, -34.0,  38.0, { -8.0,  11.0}},
+    {{ 14.0, -27.0}, 0.75, 0.15, -26.0,  46.0, { -1.5, -24.0}},
+    {{ 14.0,  27.0}, 0.75, 0.15, -26.0,  46.0, { -1.5,  24.0}},
+    {{ 18.0,   0.0}, 0.75, 0.30, -18.0,  47.0, { -0.8,   0.0}},
 }};
 // clang-format on
 
@@ -41,14 +41,30 @@ const Place& place_of(int unum) {
   return kPlaces[static_cast<std::size_t>(std::clamp(unum, 1, 11) - 1)];
 }
 
+// Our ball, or soon.
+bool we_attack(const Situation& now) {
+  return std::min(now.own_reach(), now.mates_reach()) <= now.opponents_reach();
+}
+
+// Forwards of an attacking team wait on the last line for the ball behind it.
+double forward_x(const Situation& now, double formation_x) {
+  constexpr double kOnTheLine = 0.3;
+  constexpr double kFarthestFromBall = 24.0;
+  if (!now.is_play_on() || !we_attack(now)) return formation_x;
+  const double line = std::min(now.offside_line() - kOnTheLine, now.ball().x + kFarthestFromBall);
+  return std::max(formation_x, std::min(line, 46.0));
+}
+
 }  // namespace
 
 Vec2 home_position(const Situation& now) {
-  constexpr double kOffsideMargin = 1.0;
-  constexpr double kTouchLineMargin = 2.0;
+  constexpr int kFirstForward = 9;
+  constexpr double kOffsideMargin = 0.3;
+  constexpr double kTouchLineMargin = 1.5;
   const Place& place = place_of(now.unum());
   const Vec2 ball = now.ball_is_known() ? now.ball() : Vec2{};
   double x = std::clamp(place.base.x + place.follow_x * ball.x, place.least_x, place.most_x);
+  if (now.unum() >= kFirstForward) x = forward_x(now, x);
   x = std::min(x, std::max(now.offside_line() - kOffsideMargin, 0.0));
   const double widest = soccer::kHalfWidth - kTouchLineMargin;
   return {x, std::clamp(place.base.y + place.follow_y * ball.y, -widest, widest)};
