@@ -15,15 +15,13 @@ namespace math = soccer::math;
 // Farther than anything on the pitch, in tenths of a metre, rounding included.
 constexpr int kTenths = 1400;
 
-/// Twice the correction that the log rounding of `distance` brings: distance - rounded.
-double rounding_error(double distance, double step) {
-  const double value = distance + math::kEps;
-  return distance - math::exp(math::quantize(math::log(value), step));
-}
+// Nearer than anything that is ever looked at for long.
+constexpr double kNearest = 1e-3;
 
 }  // namespace
 
 DistanceTable::DistanceTable(double step) : step_(step), by_tenths_(kTenths + 1) {
+  fill_powers();
   if (step <= math::kEps) {  // no rounding of the logarithm
     for (int i = 0; i <= kTenths; ++i) {
       by_tenths_[static_cast<std::size_t>(i)] = {std::max(0.0, 0.1 * i - 0.05), 0.1 * i + 0.05};
@@ -32,7 +30,7 @@ DistanceTable::DistanceTable(double step) : step_(step), by_tenths_(kTenths + 1)
   }
   for (DistanceRange& range : by_tenths_) range = {-1.0, -1.0};
   const int last = static_cast<int>(std::ceil(math::log(0.1 * kTenths) / step));
-  const int first = static_cast<int>(std::floor(math::log(1e-3) / step));
+  const int first = static_cast<int>(std::floor(math::log(kNearest) / step));
   for (int k = first; k <= last; ++k) {
     const long tenths = std::lround(math::quantize(math::exp(k * step), 0.1) * 10.0);
     if (tenths > kTenths) break;
@@ -52,6 +50,34 @@ DistanceTable::DistanceTable(double step) : step_(step), by_tenths_(kTenths + 1)
   }
 }
 
+void DistanceTable::fill_powers() {
+  if (step_ <= math::kEps) return;
+  first_half_step_ = 2 * static_cast<int>(std::floor(math::log(kNearest) / step_)) - 1;
+  const int last = 2 * static_cast<int>(std::ceil(math::log(0.1 * kTenths) / step_)) + 1;
+  for (int i = first_half_step_; i <= last; ++i) powers_.push_back(math::exp(0.5 * i * step_));
+}
+
+double DistanceTable::power(int half_steps) const {
+  const int i = half_steps - first_half_step_;
+  const bool known = i >= 0 && static_cast<std::size_t>(i) < powers_.size();
+  return known ? powers_[static_cast<std::size_t>(i)] : math::exp(0.5 * half_steps * step_);
+}
+
+double DistanceTable::rounding_error(double distance, std::size_t& hint) const {
+  const double value = distance + math::kEps;
+  if (powers_.empty() || value <= powers_.front() || value >= powers_.back()) {
+    return distance - math::exp(math::quantize(math::log(value), step_));
+  }
+  // Rounding turns at the powers of an odd number of half steps; they have the even indices.
+  if (hint == 0) {
+    const auto above = std::upper_bound(powers_.begin(), powers_.end(), value);
+    hint = static_cast<std::size_t>(above - powers_.begin() - 1) / 2 * 2 + 1;
+  }
+  while (value > powers_[hint + 1]) hint += 2;
+  while (value < powers_[hint - 1]) hint -= 2;
+  return distance - powers_[hint];
+}
+
 DistanceRange DistanceTable::range(double printed) const {
   const double tenths = std::clamp(std::rint(printed * 10.0), 0.0, static_cast<double>(kTenths));
   return by_tenths_[static_cast<std::size_t>(tenths)];
@@ -61,9 +87,10 @@ DistanceRange DistanceTable::range(double printed, double focus_distance,
                                    double focus_error) const {
   // printed = d - (focus correction) - (own correction), each half a rounding error; the middle of
   // what is left is within 0.05 of (d + rounded d) / 2.
-  const double near = rounding_error(std::max(0.0, focus_distance - focus_error), step_);
-  const double middle = rounding_error(focus_distance, step_);
-  const double far = rounding_error(focus_distance + focus_error, step_);
+  std::size_t hint = 0;
+  const double near = rounding_error(std::max(0.0, focus_distance - focus_error), hint);
+  const double middle = rounding_error(focus_distance, hint);
+  const double far = rounding_error(focus_distance + focus_error, hint);
   const double low = printed - 0.05 + 0.5 * std::min({near, middle, far});
   const double high = printed + 0.05 + 0.5 * std::max({near, middle, far});
   DistanceRange found{-1.0, -1.0};
@@ -71,9 +98,9 @@ DistanceRange DistanceTable::range(double printed, double focus_distance,
   const int last = static_cast<int>(std::ceil(math::log(reach) / step_ + 1.0));
   const int first = static_cast<int>(std::floor(math::log(std::max(0.02, low)) / step_ - 1.0));
   for (int k = first; k <= last; ++k) {
-    const double rounded = math::exp(k * step_);
-    const double from = std::max(2.0 * low - rounded, math::exp((k - 0.5) * step_));
-    const double to = std::min(2.0 * high - rounded, math::exp((k + 0.5) * step_));
+    const double rounded = power(2 * k);
+    const double from = std::max(2.0 * low - rounded, power(2 * k - 1));
+    const double to = std::min(2.0 * high - rounded, power(2 * k + 1));
     if (from > to) continue;
     if (found.high < 0.0) found.low = from;
     found.high = to;
@@ -94,11 +121,13 @@ DistanceRange DistanceTable::range_along(double printed, soccer::Vec2 eye, socce
   constexpr int kPoints = 96;
   DistanceRange found{-1.0, -1.0};
   const double gap = (to - from) / kPoints;
+  std::size_t own_hint = 0;
+  std::size_t focus_hint = 0;
   for (int i = 0; i <= kPoints; ++i) {
     const double d = from + gap * i;
     const double f = soccer::distance(eye + direction * d, focus);
     const double seen =
-        std::max(0.0, d - 0.5 * (rounding_error(f, step_) + rounding_error(d, step_)));
+        std::max(0.0, d - 0.5 * (rounding_error(f, focus_hint) + rounding_error(d, own_hint)));
     if (std::fabs(seen - printed) > 0.05 + gap) continue;
     if (found.high < 0.0) found.low = d;
     found.high = d;

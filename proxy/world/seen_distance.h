@@ -1,6 +1,7 @@
 // The true distances a printed distance of a see message can stand for.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "soccer/geometry.h"
@@ -35,9 +36,20 @@ class DistanceTable {
   DistanceRange range_along(double printed, soccer::Vec2 eye, soccer::Vec2 direction,
                             soccer::Vec2 focus) const;
 
+  /// What the rounding of the logarithm takes from a distance: distance - rounded distance. `hint`
+  /// is for a series of neighbouring distances, 0 at its beginning.
+  double rounding_error(double distance, std::size_t& hint) const;
+
  private:
+  void fill_powers();
+  /// exp(half_steps * step / 2), mostly from the table.
+  double power(int half_steps) const;
+
   double step_;
   std::vector<DistanceRange> by_tenths_;
+  // exp of multiples of half a step, from an odd multiple to an odd one.
+  std::vector<double> powers_;
+  int first_half_step_ = 0;
 };
 
 }  // namespace cls::proxy

@@ -77,6 +77,22 @@ TEST(SeenDistance, RangeHoldsEveryDistanceThatPrintsTheValueAndEndsThere) {
   }
 }
 
+TEST(SeenDistance, TableRoundsAsTheLogarithmDoes) {
+  for (const double step : {0.1, 0.01, 0.0}) {
+    const DistanceTable table(step);
+    const auto exact = [step](double d) {
+      return d - math::exp(math::quantize(math::log(d + math::kEps), step));
+    };
+    std::size_t hint = 0;
+    for (double d = 0.0; d < 200.0; d += d < 0.1 ? 1e-4 : 0.0137) {
+      EXPECT_NEAR(table.rounding_error(d, hint), exact(d), 1e-12) << d;
+      std::size_t fresh = 0;
+      EXPECT_NEAR(table.rounding_error(200.0 - d, fresh), exact(200.0 - d), 1e-12) << 200.0 - d;
+      EXPECT_NEAR(table.rounding_error(d * 0.9, hint), exact(d * 0.9), 1e-12) << d * 0.9;
+    }
+  }
+}
+
 TEST(SeenDistance, FocusPointIsTakenIntoAccount) {
   const DistanceTable table(0.1);
   const auto rounding_error = [](double d) {
