@@ -1,9 +1,8 @@
-// Builds the table from the rounding itself, and undoes the correction a focus point brings.
+// Builds the tables from the rounding itself, and undoes the correction a focus point brings.
 #include "proxy/world/seen_distance.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 
 #include "soccer/math.h"
 
@@ -11,32 +10,38 @@ namespace cls::proxy {
 namespace {
 
 namespace math = soccer::math;
+using soccer::Vec2;
 
 // Farther than anything on the pitch, in tenths of a metre, rounding included.
 constexpr int kTenths = 1400;
-
-// Nearer than anything that is ever looked at for long.
-constexpr double kNearest = 1e-3;
+// Printed values are within this of what they print.
+constexpr double kHalfTenth = 0.05;
+// Nearer than this the steps are finer than anything printed, and nothing is looked up.
+constexpr double kFine = 0.05;
 
 }  // namespace
 
 DistanceTable::DistanceTable(double step) : step_(step), by_tenths_(kTenths + 1) {
-  fill_powers();
   if (step <= math::kEps) {  // no rounding of the logarithm
     for (int i = 0; i <= kTenths; ++i) {
-      by_tenths_[static_cast<std::size_t>(i)] = {std::max(0.0, 0.1 * i - 0.05), 0.1 * i + 0.05};
+      by_tenths_[static_cast<std::size_t>(i)] = {std::max(0.0, 0.1 * i - kHalfTenth),
+                                                 0.1 * i + kHalfTenth};
     }
     return;
   }
+  first_step_ = static_cast<int>(std::floor(math::log(1e-3) / step));
+  const int last = static_cast<int>(std::ceil(math::log(0.1 * kTenths + 60.0) / step));
+  for (int k = first_step_; k <= last; ++k) {
+    steps_.push_back(
+        {math::exp(k * step), {math::exp((k - 0.5) * step), math::exp((k + 0.5) * step)}});
+  }
   for (DistanceRange& range : by_tenths_) range = {-1.0, -1.0};
-  const int last = static_cast<int>(std::ceil(math::log(0.1 * kTenths) / step));
-  const int first = static_cast<int>(std::floor(math::log(kNearest) / step));
-  for (int k = first; k <= last; ++k) {
-    const long tenths = std::lround(math::quantize(math::exp(k * step), 0.1) * 10.0);
+  for (const Step& s : steps_) {
+    const long tenths = std::lround(math::quantize(s.rounded, 0.1) * 10.0);
     if (tenths > kTenths) break;
     DistanceRange& range = by_tenths_[static_cast<std::size_t>(tenths)];
-    if (range.high < 0.0) range.low = math::exp((k - 0.5) * step);
-    range.high = math::exp((k + 0.5) * step);
+    if (range.high < 0.0) range.low = s.ends.low;
+    range.high = s.ends.high;
   }
   by_tenths_[0].low = 0.0;
   // Values in the gaps are never printed; give them what lies around them.
@@ -50,89 +55,129 @@ DistanceTable::DistanceTable(double step) : step_(step), by_tenths_(kTenths + 1)
   }
 }
 
-void DistanceTable::fill_powers() {
-  if (step_ <= math::kEps) return;
-  first_half_step_ = 2 * static_cast<int>(std::floor(math::log(kNearest) / step_)) - 1;
-  const int last = 2 * static_cast<int>(std::ceil(math::log(0.1 * kTenths) / step_)) + 1;
-  for (int i = first_half_step_; i <= last; ++i) powers_.push_back(math::exp(0.5 * i * step_));
-}
-
-double DistanceTable::power(int half_steps) const {
-  const int i = half_steps - first_half_step_;
-  const bool known = i >= 0 && static_cast<std::size_t>(i) < powers_.size();
-  return known ? powers_[static_cast<std::size_t>(i)] : math::exp(0.5 * half_steps * step_);
-}
-
-double DistanceTable::rounding_error(double distance, std::size_t& hint) const {
-  const double value = distance + math::kEps;
-  if (powers_.empty() || value <= powers_.front() || value >= powers_.back()) {
-    return distance - math::exp(math::quantize(math::log(value), step_));
-  }
-  // Rounding turns at the powers of an odd number of half steps; they have the even indices.
-  if (hint == 0) {
-    const auto above = std::upper_bound(powers_.begin(), powers_.end(), value);
-    hint = static_cast<std::size_t>(above - powers_.begin() - 1) / 2 * 2 + 1;
-  }
-  while (value > powers_[hint + 1]) hint += 2;
-  while (value < powers_[hint - 1]) hint -= 2;
-  return distance - powers_[hint];
-}
-
 DistanceRange DistanceTable::range(double printed) const {
   const double tenths = std::clamp(std::rint(printed * 10.0), 0.0, static_cast<double>(kTenths));
   return by_tenths_[static_cast<std::size_t>(tenths)];
 }
 
+std::size_t DistanceTable::step_index(double distance) const {
+  const auto found =
+      std::lower_bound(steps_.begin(), steps_.end() - 1, distance,
+                       [](const Step& step, double wanted) { return step.ends.high < wanted; });
+  return static_cast<std::size_t>(found - steps_.begin());
+}
+
+/// Distance minus rounded distance, for one that is only known to be in a range: the error climbs
+/// within a step and falls at its end.
+DistanceRange DistanceTable::rounding_errors(DistanceRange distance) const {
+  const std::size_t first = step_index(distance.low);
+  const std::size_t last = step_index(distance.high);
+  const double low = distance.low - steps_[first].rounded;
+  const double high = distance.high - steps_[last].rounded;
+  if (first == last) return {low, high};
+  const Step& before = steps_[last - 1];
+  const Step& after = steps_[last];
+  return {std::min(low, after.ends.low - after.rounded),
+          std::max(high, before.ends.high - before.rounded)};
+}
+
 DistanceRange DistanceTable::range(double printed, double focus_distance,
                                    double focus_error) const {
+  if (steps_.empty()) return range(printed);
   // printed = d - (focus correction) - (own correction), each half a rounding error; the middle of
   // what is left is within 0.05 of (d + rounded d) / 2.
-  std::size_t hint = 0;
-  const double near = rounding_error(std::max(0.0, focus_distance - focus_error), hint);
-  const double middle = rounding_error(focus_distance, hint);
-  const double far = rounding_error(focus_distance + focus_error, hint);
-  const double low = printed - 0.05 + 0.5 * std::min({near, middle, far});
-  const double high = printed + 0.05 + 0.5 * std::max({near, middle, far});
+  const DistanceRange correction =
+      rounding_errors({std::max(0.0, focus_distance - focus_error), focus_distance + focus_error});
+  const double low = printed - kHalfTenth + 0.5 * correction.low;
+  const double high = printed + kHalfTenth + 0.5 * correction.high;
   DistanceRange found{-1.0, -1.0};
-  const double reach = std::max(high, 0.05);
-  const int last = static_cast<int>(std::ceil(math::log(reach) / step_ + 1.0));
-  const int first = static_cast<int>(std::floor(math::log(std::max(0.02, low)) / step_ - 1.0));
-  for (int k = first; k <= last; ++k) {
-    const double rounded = power(2 * k);
-    const double from = std::max(2.0 * low - rounded, power(2 * k - 1));
-    const double to = std::min(2.0 * high - rounded, power(2 * k + 1));
+  for (std::size_t k = step_index(low * (1.0 - step_)); k < steps_.size(); ++k) {
+    const Step& s = steps_[k];
+    if (s.ends.low > 2.0 * high - s.rounded) break;
+    const double from = std::max(2.0 * low - s.rounded, s.ends.low);
+    const double to = std::min(2.0 * high - s.rounded, s.ends.high);
     if (from > to) continue;
     if (found.high < 0.0) found.low = from;
     found.high = to;
   }
   if (found.high >= 0.0) return {low <= 0.0 ? 0.0 : found.low, found.high};
-  return {std::max(0.0, printed - 0.05 - 0.5 * step_ * printed),
-          printed + 0.05 + 0.5 * step_ * printed};
+  const double half = kHalfTenth + 0.5 * step_ * printed;
+  return {std::max(0.0, printed - half), printed + half};
 }
 
-DistanceRange DistanceTable::range_along(double printed, soccer::Vec2 eye, soccer::Vec2 direction,
-                                         soccer::Vec2 focus) const {
-  // The server's own rounding, tried at points of the ray that the plain range would allow and a
-  // little beyond; what prints the same is feasible. Points are denser than the result matters.
-  const DistanceRange plain = range(printed);
-  const double reach = 0.6 * (plain.high - plain.low) + 0.1;
-  const double from = std::max(0.0, plain.middle() - 2.0 * reach);
-  const double to = plain.middle() + 2.0 * reach;
-  constexpr int kPoints = 96;
-  DistanceRange found{-1.0, -1.0};
-  const double gap = (to - from) / kPoints;
-  std::size_t own_hint = 0;
-  std::size_t focus_hint = 0;
-  for (int i = 0; i <= kPoints; ++i) {
-    const double d = from + gap * i;
-    const double f = soccer::distance(eye + direction * d, focus);
-    const double seen =
-        std::max(0.0, d - 0.5 * (rounding_error(f, focus_hint) + rounding_error(d, own_hint)));
-    if (std::fabs(seen - printed) > 0.05 + gap) continue;
-    if (found.high < 0.0) found.low = d;
-    found.high = d;
+namespace {
+
+/// The ray towards an object and the focus point beside it.
+struct FocusRay {
+  double foot = 0.0;    ///< where on the ray the focus point is nearest
+  double height = 0.0;  ///< and how near
+
+  double focus_distance(double d) const { return Vec2{d - foot, height}.length(); }
+
+  /// Where d - focus_distance(d) takes a value; it never falls along the ray.
+  double at_difference(double value, double low, double high) const {
+    if (low - focus_distance(low) >= value) return low;
+    if (high - focus_distance(high) <= value) return high;
+    const double span = foot - value;
+    if (std::fabs(span) < 1e-9) return low;
+    return std::clamp(0.5 * (foot * foot + height * height - value * value) / span, low, high);
   }
-  return found.high < 0.0 ? plain : DistanceRange{std::max(0.0, found.low - gap), found.high + gap};
+
+  /// Next place beyond `d` where the distance from the focus point leaves [ends.low, ends.high].
+  double leaves(double d, const DistanceRange& ends) const {
+    if (d < foot) {
+      if (ends.low <= height) return foot;
+      return foot - std::sqrt(ends.low * ends.low - height * height);
+    }
+    return foot + std::sqrt(std::max(0.0, ends.high * ends.high - height * height));
+  }
+};
+
+}  // namespace
+
+DistanceRange DistanceTable::range_along(double printed, Vec2 eye, Vec2 direction,
+                                         Vec2 focus) const {
+  if (steps_.empty()) return range(printed);
+  const Vec2 offset = focus - eye;
+  const FocusRay ray{soccer::dot(offset, direction), std::fabs(soccer::cross(offset, direction))};
+  // No correction is more than half of this share of its distance.
+  const double share = math::exp(0.5 * step_) - 1.0;
+  const double beside = 0.5 * share * offset.length();
+  double d = std::max(kFine, (printed - kHalfTenth - beside) / (1.0 + share));
+  const double end = (printed + kHalfTenth + beside) / (1.0 - share);
+  if (d >= end) return range(printed);
+
+  // Piece by piece: within one step of either distance printed + 0.05 etc. is met on an interval.
+  DistanceRange found{-1.0, -1.0};
+  std::size_t own = step_index(d);
+  constexpr int kMostPieces = 200;
+  for (int piece = 0; piece < kMostPieces && d < end; ++piece) {
+    while (own + 1 < steps_.size() && d >= steps_[own].ends.high) ++own;
+    const double f = ray.focus_distance(d);
+    double next = std::min(end, steps_[own].ends.high);
+    double rounded = steps_[own].rounded;
+    if (f >= kFine) {
+      const Step& step = steps_[step_index(f * (d < ray.foot ? 1.0 - 1e-9 : 1.0 + 1e-9))];
+      rounded += step.rounded;
+      next = std::min(next, ray.leaves(d, step.ends));
+    } else {
+      rounded += f;  // its rounding does not show
+      next = std::min(next, ray.foot + kFine);
+    }
+    next = std::max(next, d + 1e-6);
+    const double from = ray.at_difference(2.0 * (printed - kHalfTenth) - rounded, d, next);
+    const double to = ray.at_difference(2.0 * (printed + kHalfTenth) - rounded, d, next);
+    const auto printed_at = [&](double at) {
+      return 0.5 * (at - ray.focus_distance(at) + rounded);
+    };
+    if (to >= from && printed_at(from) <= printed + kHalfTenth + 1e-9 &&
+        printed_at(to) >= printed - kHalfTenth - 1e-9) {
+      if (found.high < 0.0) found.low = from;
+      found.high = to;
+    }
+    d = next;
+  }
+  return found.high < 0.0 ? range(printed) : found;
 }
 
 }  // namespace cls::proxy

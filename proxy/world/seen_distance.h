@@ -36,20 +36,19 @@ class DistanceTable {
   DistanceRange range_along(double printed, soccer::Vec2 eye, soccer::Vec2 direction,
                             soccer::Vec2 focus) const;
 
-  /// What the rounding of the logarithm takes from a distance: distance - rounded distance. `hint`
-  /// is for a series of neighbouring distances, 0 at its beginning.
-  double rounding_error(double distance, std::size_t& hint) const;
-
  private:
-  void fill_powers();
-  /// exp(half_steps * step / 2), mostly from the table.
-  double power(int half_steps) const;
+  /// A step of the logarithm: the distance all in it are rounded to, and its ends.
+  struct Step {
+    double rounded = 0.0;
+    DistanceRange ends;
+  };
+  std::size_t step_index(double distance) const;
+  DistanceRange rounding_errors(DistanceRange distance) const;
 
   double step_;
   std::vector<DistanceRange> by_tenths_;
-  // exp of multiples of half a step, from an odd multiple to an odd one.
-  std::vector<double> powers_;
-  int first_half_step_ = 0;
+  std::vector<Step> steps_;  ///< ascending; empty when nothing is rounded
+  int first_step_ = 0;       ///< multiple of step_ that steps_ begins with
 };
 
 }  // namespace cls::proxy

@@ -69,6 +69,7 @@ struct Look {
   const WorldModel& world;
   const DistanceTable& distances;
   double neck = 0.0;
+  double focus_error = 0.0;
 
   DistanceRange landmark_range(double printed, Vec2 landmark, const Pose& pose) const {
     const SelfState& self = world.self;
@@ -76,10 +77,19 @@ struct Look {
     const Vec2 focus =
         pose.position +
         soccer::polar_degrees(self.focus_distance, pose.face + self.focus_direction.degrees());
-    constexpr double kFocusError = 0.1;
-    return distances.range(printed, soccer::distance(focus, landmark), kFocusError);
+    return distances.range(printed, soccer::distance(focus, landmark), focus_error);
   }
 };
+
+/// How far the focus point may be from where the pose puts it.
+double focus_error_of(const WorldModel& world) {
+  const Gaussian<3>& pose = world.self_tracker.pose;
+  constexpr double kSure = 3.0;
+  constexpr double kLinearisation = 0.01;
+  const double position = std::sqrt(std::max(pose.at(0, 0), pose.at(1, 1)));
+  const double sideways = math::to_radians(std::sqrt(pose.at(2, 2))) * world.self.focus_distance;
+  return kSure * (position + sideways) + kLinearisation;
+}
 
 /// Both intervals of a flag or goal, linearised at `at`.
 void add_landmark(const Look& look, const Observation& seen, const Pose& at, SlabList& slabs) {
@@ -256,7 +266,8 @@ bool fit_from_scratch(const Look& look, const soccer::See& see, Gaussian<3>& bel
 bool localize(WorldModel& world, const soccer::See& see) {
   SelfState& self = world.self;
   SelfTracker& tracker = world.self_tracker;
-  const Look look{world, world.parameters->landmark_distances, self.neck.degrees()};
+  const Look look{world, world.parameters->landmark_distances, self.neck.degrees(),
+                  focus_error_of(world)};
   const double body_before = tracker.pose.mean[2];
   // The worst interval may be broken by a little where the belief is a compromise; a pose that
   // breaks one by its own half width is somewhere else.
@@ -271,7 +282,9 @@ bool localize(WorldModel& world, const soccer::See& see) {
   }
   if (!tracker.located || fresh) {
     Gaussian<3> anew;
-    if (fit_from_scratch(look, see, anew)) {
+    // Nothing is known yet about where the focus point is.
+    const Look blind{world, look.distances, look.neck, 2.0 * self.focus_distance};
+    if (fit_from_scratch(blind, see, anew)) {
       tracker.pose = anew;
       tracker.located = true;
     } else {

@@ -77,44 +77,61 @@ TEST(SeenDistance, RangeHoldsEveryDistanceThatPrintsTheValueAndEndsThere) {
   }
 }
 
-TEST(SeenDistance, TableRoundsAsTheLogarithmDoes) {
-  for (const double step : {0.1, 0.01, 0.0}) {
-    const DistanceTable table(step);
-    const auto exact = [step](double d) {
-      return d - math::exp(math::quantize(math::log(d + math::kEps), step));
-    };
-    std::size_t hint = 0;
-    for (double d = 0.0; d < 200.0; d += d < 0.1 ? 1e-4 : 0.0137) {
-      EXPECT_NEAR(table.rounding_error(d, hint), exact(d), 1e-12) << d;
-      std::size_t fresh = 0;
-      EXPECT_NEAR(table.rounding_error(200.0 - d, fresh), exact(200.0 - d), 1e-12) << 200.0 - d;
-      EXPECT_NEAR(table.rounding_error(d * 0.9, hint), exact(d * 0.9), 1e-12) << d * 0.9;
-    }
+double rounding_error(double d) {
+  return d - math::exp(math::quantize(math::log(d + math::kEps), 0.1));
+}
+
+/// What is printed with the focus point `f` away from the object, before the last rounding.
+double unrounded(double d, double f) {
+  return std::max(0.0, d - (rounding_error(f) + rounding_error(d)) / 2.0);
+}
+
+TEST(SeenDistance, AFocusPointKnownRoughlyLeavesARangeThatHoldsTheTruth) {
+  const DistanceTable table(0.1);
+  soccer::RandomStream random(8, "focus");
+  for (int i = 0; i < 3000; ++i) {
+    const double d = random.uniform(0.5, 60.0);
+    const double f = random.uniform(0.0, 60.0);
+    const double error = random.uniform(0.0, 2.0);
+    const double believed = std::max(0.0, f + random.uniform(-error, error));
+    const double seen = math::quantize(unrounded(d, f), 0.1);
+    const DistanceRange range = table.range(seen, believed, error);
+    EXPECT_LE(range.low, d + 1e-9) << d << " " << f << " " << believed << " " << error;
+    EXPECT_GE(range.high, d - 1e-9) << d << " " << f << " " << believed << " " << error;
+    EXPECT_LT(range.high - range.low, 0.1 * (d + f) + 0.3 + error);
   }
 }
 
-TEST(SeenDistance, FocusPointIsTakenIntoAccount) {
+TEST(SeenDistance, AlongARayTheRangeIsWhatTryingEveryDistanceGives) {
   const DistanceTable table(0.1);
-  const auto rounding_error = [](double d) {
-    return d - math::exp(math::quantize(math::log(d + math::kEps), 0.1));
-  };
-  const soccer::Vec2 eye{3.0, -2.0};
-  const soccer::Vec2 direction = soccer::polar_degrees(1.0, 25.0);
-  double widest = 0.0;
-  for (double d = 4.0; d < 38.0; d += 0.0373) {
-    const soccer::Vec2 focus = eye + direction * (d - 0.3);
-    const double f = soccer::distance(eye + direction * d, focus);
-    const double seen =
-        math::quantize(std::max(0.0, d - (rounding_error(f) + rounding_error(d)) / 2.0), 0.1);
-    const DistanceRange known = table.range(seen, f, 0.0);
-    EXPECT_LE(known.low, d + 1e-9);
-    EXPECT_GE(known.high, d - 1e-9);
-    const DistanceRange along = table.range_along(seen, eye, direction, focus);
-    EXPECT_LE(along.low, d + 1e-9);
-    EXPECT_GE(along.high, d - 1e-9);
-    widest = std::max(widest, (along.high - along.low) / (0.1 * d));
+  soccer::RandomStream random(9, "ray");
+  for (int i = 0; i < 300; ++i) {
+    const soccer::Vec2 eye{random.uniform(-50.0, 50.0), random.uniform(-30.0, 30.0)};
+    const soccer::Vec2 direction = soccer::polar_degrees(1.0, random.uniform(-180.0, 180.0));
+    const double d = random.uniform(1.0, 50.0);
+    // Near the object, or anywhere.
+    const double near = i % 2 == 0 ? 2.0 : 40.0;
+    const soccer::Vec2 focus =
+        i % 2 == 0
+            ? eye + direction * d +
+                  soccer::polar_degrees(random.uniform(0.0, near), random.uniform(-180.0, 180.0))
+            : eye + soccer::polar_degrees(random.uniform(0.0, near), random.uniform(-180.0, 180.0));
+    const auto at = [&](double distance) {
+      return unrounded(distance, soccer::distance(eye + direction * distance, focus));
+    };
+    const double seen = math::quantize(at(d), 0.1);
+    DistanceRange tried{1e9, -1e9};
+    for (double t = 0.05; t < 1.5 * d + 5.0; t += 2e-3) {
+      if (std::fabs(at(t) - seen) > 0.05) continue;
+      tried.low = std::min(tried.low, t);
+      tried.high = std::max(tried.high, t);
+    }
+    const DistanceRange range = table.range_along(seen, eye, direction, focus);
+    EXPECT_LE(range.low, d + 1e-6) << i;
+    EXPECT_GE(range.high, d - 1e-6) << i;
+    EXPECT_NEAR(range.low, tried.low, 0.02) << i << " d " << d << " seen " << seen;
+    EXPECT_NEAR(range.high, tried.high, 0.02) << i << " d " << d << " seen " << seen;
   }
-  EXPECT_LT(widest, 2.5);
 }
 
 TEST(Assignment, FindsTheLeastTotalCost) {

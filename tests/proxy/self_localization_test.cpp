@@ -244,7 +244,24 @@ TEST(SelfLocalization, ACommandTheServerDidNotCarryOutIsNotBelieved) {
   EXPECT_NEAR(world.self.neck.degrees(), 0.0, 1e-9);
 }
 
-TEST(SelfLocalization, FocusPointDoesNotDisturb) {
+TEST(SelfLocalization, AMovingFocusPointDoesNotDisturb) {
+  Runner runner;
+  soccer::RandomStream random(6, "focus");
+  WorldModel world = model_of(Side::kLeft);
+  double position = 0.0;
+  constexpr int kCycles = 300;
+  for (int i = 0; i < kCycles; ++i) {
+    note_sent_commands(world, runner.step());
+    runner.truth.focus_distance = random.uniform(0.0, 40.0);
+    runner.truth.focus_direction = random.uniform(-60.0, 60.0);
+    on_sense_body(world, runner.sense());
+    if (i % 2 == 0) on_see(world, tests::see_of(runner.truth));
+    position += position_error(world, runner.truth) / kCycles;
+  }
+  EXPECT_LT(position, 0.022);
+}
+
+TEST(SelfLocalization, FocusPointDoesNotDisturbTheFirstLooks) {
   TrueWorld truth;
   truth.self.position = {-12.0, 7.0};
   truth.self.body = 15.0;
