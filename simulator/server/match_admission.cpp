@@ -80,6 +80,8 @@ std::optional<Side> MatchServer::side_for(std::string_view name) {
   return std::nullopt;
 }
 
+void MatchServer::withdraw(const Admission& admission) { leave(world_, admission.slot); }
+
 void MatchServer::greet(const Admission& admission, std::unique_ptr<soccer::Channel> channel,
                         std::string_view request) {
   recorder_.command(world_, admission.slot, request);

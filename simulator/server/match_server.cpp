@@ -1,6 +1,7 @@
 // A cycle of the server: commands, step, senses, think.
 #include "simulator/server/match_server.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <numeric>
 #include <span>
@@ -51,6 +52,15 @@ void MatchServer::receive(Slot slot, std::string_view datagram, bool null_termin
 
 void MatchServer::lose(Slot slot) {
   if (Session* client = session(slot)) client->lost = true;
+}
+
+void MatchServer::disconnect_all() {
+  for (auto& client : sessions_) client.reset();
+}
+
+int MatchServer::connected() const {
+  return static_cast<int>(std::count_if(sessions_.begin(), sessions_.end(),
+                                        [](const auto& client) { return client != nullptr; }));
 }
 
 void MatchServer::execute() {

@@ -62,11 +62,20 @@ class MatchServer {
   void greet(const Admission& admission, std::unique_ptr<soccer::Channel> channel,
              std::string_view request);
 
+  /// Instead of greet(), when the admitted client cannot be reached after all.
+  void withdraw(const Admission& admission);
+
   /// Keeps what the player's client sent until execute().
   void receive(Slot slot, std::string_view datagram, bool null_terminated = true);
 
   /// The client is gone: its player leaves the pitch at the next execute().
   void lose(Slot slot);
+
+  /// Drops all connections at once, without a word; the world stays as it is.
+  void disconnect_all();
+
+  /// Players with a connection.
+  int connected() const;
 
   /// The session of a connected player, else null.
   Session* session(Slot slot) { return sessions_[static_cast<std::size_t>(slot)].get(); }

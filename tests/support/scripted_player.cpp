@@ -62,6 +62,7 @@ void ScriptedPlayer::read(std::string_view message) {
     seen_ = soccer::parse(message, see_).ok();
   } else if (message.starts_with("(hear ")) {
     if (message.ends_with("before_kick_off)")) waiting_ = true;
+    if (message.ends_with("referee time_over)")) time_over_ = true;
     if (message.find(" kick_off_") != std::string_view::npos) waiting_ = false;
   } else if (message.starts_with("(init ")) {
     soccer::ServerReply reply;

@@ -36,6 +36,7 @@ class ScriptedPlayer {
   std::vector<std::string> messages() const { return messages_; }
   int count(std::string_view beginning) const;
 
+  bool heard_time_over() const { return time_over_; }
   int unum() const { return unum_; }
   bool is_left() const { return is_left_; }
 
@@ -51,6 +52,7 @@ class ScriptedPlayer {
   int unum_ = 0;
   bool is_left_ = true;
   bool waiting_ = true;  ///< for a kick-off
+  bool time_over_ = false;
   bool asked_ = false;
   bool keep_ = false;
   soccer::See see_;

@@ -1,0 +1,75 @@
+// A match over UDP in synchronous mode: for clients that are programs of their own.
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "simulator/server/match_server.h"
+#include "soccer/result.h"
+
+namespace cls::simulator {
+
+struct UdpConfig {
+  MatchConfig match;  ///< server.synch_mode is switched on
+
+  std::string address = "127.0.0.1";  ///< to listen on, as a number
+  int port = 6000;                    ///< 0: a free one
+
+  /// How long a cycle waits for (done) of everybody who was asked to think.
+  std::chrono::milliseconds max_wait{1250};
+  /// More cycles than this without some answer, in a row and after the start, end the match.
+  int max_missed = 20;
+  /// Before each cycle until time runs, so that clients have time to come.
+  std::chrono::milliseconds pause_before_start{50};
+};
+
+/// Why a match over UDP ended.
+enum class UdpEnd : std::uint8_t {
+  kFinished,    ///< time over, or the cycle limit
+  kStopped,     ///< it was asked to
+  kUnanswered,  ///< too many cycles without an answer
+};
+
+/// Listens where rcssserver does and answers each player from a port of its own (protocol 1.1).
+/// What clients send in a cycle is executed when all are done, in an order drawn from the seed, so
+/// a match depends on when clients join and on what they send, not on who is faster. Sockets are
+/// used on the calling thread only.
+class UdpServer {
+ public:
+  /// The error names the address that cannot be used, or the parameter that makes no match.
+  static soccer::Result<std::unique_ptr<UdpServer>> open(UdpConfig config);
+  ~UdpServer();
+
+  /// The port to connect to.
+  int port() const;
+
+  /// See MatchServer::record.
+  void record(gamelog::ByteSink* game_log, gamelog::ByteSink* text_log);
+
+  /// Plays to the end and writes the result into the logs. After time over the clients are given
+  /// game_over_wait cycles to leave. `stop` may be set by another thread or a signal.
+  UdpEnd run(const std::atomic<bool>& stop);
+
+  /// Cycles in which some player did not answer in time.
+  std::int64_t missed_cycles() const;
+
+  const World& world() const;
+
+ private:
+  class Network;
+
+  UdpServer(UdpConfig config, std::unique_ptr<MatchServer> match);
+
+  bool run_cycle();
+
+  UdpConfig config_;
+  std::unique_ptr<MatchServer> match_;
+  std::unique_ptr<Network> network_;
+  std::int64_t missed_cycles_ = 0;
+  int missed_in_a_row_ = 0;
+};
+
+}  // namespace cls::simulator

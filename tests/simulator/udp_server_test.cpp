@@ -1,0 +1,244 @@
+// The server on loopback sockets, with clients that behave and clients that do not.
+#include "simulator/server/udp_server.h"
+
+#include <gtest/gtest.h>
+
+#include <thread>
+
+#include "gamelog/byte_sink.h"
+#include "tests/support/scripted_player.h"
+#include "tests/support/udp_client.h"
+
+namespace cls::simulator {
+namespace {
+
+using std::chrono::milliseconds;
+using tests::ScriptedPlayer;
+using tests::UdpClient;
+
+UdpConfig quick_match() {
+  UdpConfig config;
+  config.port = 0;
+  config.match.seed = 7;
+  config.match.server.auto_mode = true;
+  config.match.server.kick_off_wait = 5;
+  config.match.server.connect_wait = 1000000;
+  config.match.server.half_time = 10;
+  config.match.server.nr_extra_halfs = 0;
+  config.match.server.penalty_shoot_outs = false;
+  config.match.server.game_over_wait = 3;
+  config.pause_before_start = milliseconds(5);
+  return config;
+}
+
+/// A running server. The world may be looked at only after end().
+class RunningServer {
+ public:
+  explicit RunningServer(const UdpConfig& config) : server(std::move(*UdpServer::open(config))) {
+    server->record(&game_log, &text_log);
+    port = server->port();
+    thread_ = std::thread([this] {
+      result_ = server->run(stop_);
+      ended_ = true;
+    });
+  }
+  ~RunningServer() { end(); }
+
+  bool ended() const { return ended_; }
+
+  /// Asks it to stop and waits.
+  UdpEnd end() {
+    stop_ = true;
+    if (thread_.joinable()) thread_.join();
+    return result_;
+  }
+  /// Waits until it ends by itself.
+  UdpEnd wait() {
+    if (thread_.joinable()) thread_.join();
+    return result_;
+  }
+
+  std::unique_ptr<UdpServer> server;
+  gamelog::StringSink game_log;
+  gamelog::StringSink text_log;
+  int port = 0;
+
+ private:
+  std::atomic<bool> stop_{false};
+  std::atomic<bool> ended_{false};
+  UdpEnd result_ = UdpEnd::kStopped;
+  std::thread thread_;
+};
+
+std::vector<std::unique_ptr<ScriptedPlayer>> two_teams(int port) {
+  std::vector<std::unique_ptr<ScriptedPlayer>> players;
+  const auto places = tests::formation(true);
+  for (const char* team : {"Left", "Right"}) {
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      auto& player = *players.emplace_back(
+          std::make_unique<ScriptedPlayer>(std::make_unique<UdpClient>(port), team));
+      player.stand_at(places[i]);
+      player.join(i == 0);
+      while (player.unum() == 0) player.act();
+    }
+  }
+  return players;
+}
+
+TEST(UdpServer, PlaysAMatchWithTwoTeams) {
+  RunningServer running(quick_match());
+  auto players = two_teams(running.port);
+  while (!running.ended()) {
+    for (auto& player : players) player->act();
+  }
+  EXPECT_EQ(running.wait(), UdpEnd::kFinished);
+  EXPECT_GE(running.server->world().clock.time, 200);  // a stopped clock delays the end
+  EXPECT_EQ(running.server->world().mode, PlayMode::kTimeOver);
+  EXPECT_EQ(running.server->missed_cycles(), 0);
+  EXPECT_NE(running.text_log.bytes().find("\t(referee kick_off_l)"), std::string::npos);
+  EXPECT_NE(running.text_log.bytes().find("\t(referee play_on)"), std::string::npos);
+  EXPECT_NE(running.game_log.bytes().find("(result 197001010000 Left_"), std::string::npos);
+}
+
+TEST(UdpServer, EndsSoonerWhenEverybodyHasLeftAfterTimeOver) {
+  UdpConfig config = quick_match();
+  config.match.server.game_over_wait = 1000000;
+  RunningServer running(config);
+  auto players = two_teams(running.port);
+  while (!running.ended()) {
+    for (auto& player : players) {
+      player->act();
+      if (player->heard_time_over()) player->send("(bye)");
+    }
+  }
+  EXPECT_EQ(running.wait(), UdpEnd::kFinished);
+}
+
+TEST(UdpServer, AnswersFromANewPortAndKeepsTheDoorForRequests) {
+  RunningServer running(quick_match());
+  UdpClient client(running.port);
+  client.send("(init A (version 18))");
+  EXPECT_EQ(client.wait(), "(init l 1 before_kick_off)");
+  EXPECT_NE(client.server_port(), running.port);
+  client.set_server_port(running.port);
+  client.send("(init A (version 18))");
+  std::string message;
+  while (message != "(error only_init_allowed_on_init_port)" &&
+         !(message = client.wait()).empty()) {
+  }
+  EXPECT_EQ(message, "(error only_init_allowed_on_init_port)");
+  EXPECT_NE(client.server_port(), running.port);
+}
+
+TEST(UdpServer, RefusesFromTheDoorItself) {
+  RunningServer running(quick_match());
+  UdpClient client(running.port);
+  for (const auto& [request, answer] :
+       {std::pair{"(dash 100)", "(error unknown_command)"},
+        {"(init A (version 99))", "(error no_more_player_or_goalie_or_illegal_client_version)"},
+        {"(init)", "(error unknown_command)"},
+        {"", "(error unknown_command)"}}) {
+    client.send(request);
+    EXPECT_EQ(client.wait(), answer) << request;
+    EXPECT_EQ(client.server_port(), running.port);
+  }
+}
+
+TEST(UdpServer, TakesRequestsWithALineFeedAndWithoutANul) {
+  RunningServer running(quick_match());
+  UdpClient client(running.port);
+  client.send_bytes("(init A (version 18))\n");
+  EXPECT_EQ(client.wait(), "(init l 1 before_kick_off)");
+}
+
+TEST(UdpServer, WarnsOfDatagramsWithoutANul) {
+  RunningServer running(quick_match());
+  UdpClient client(running.port);
+  client.send("(init A (version 18))");
+  ASSERT_EQ(client.wait(), "(init l 1 before_kick_off)");
+  client.send_bytes("(score)");
+  client.send("(done)");
+  bool warned = false;
+  for (std::string message = client.wait(); !message.empty(); message = client.wait()) {
+    warned = warned || message == "(warning message_not_null_terminated)";
+    if (message.starts_with("(score")) break;
+  }
+  EXPECT_TRUE(warned);
+}
+
+TEST(UdpServer, GarbageHarmsNobody) {
+  RunningServer running(quick_match());
+  UdpClient garbage(running.port);
+  std::string bytes(8000, '\xff');
+  for (int i = 0; i < 200; ++i) {
+    garbage.send_bytes(bytes.substr(0, static_cast<std::size_t>(i * 40)));
+    garbage.send_bytes(std::string(static_cast<std::size_t>(i), '('));
+  }
+  // Garbage may have filled the server's buffer: a client that is not answered asks again.
+  UdpClient client(running.port);
+  std::string message;
+  for (int i = 0; i < 100 && message.empty(); ++i) {
+    client.send("(init A (version 18))");
+    message = client.wait(milliseconds(20));
+  }
+  EXPECT_EQ(message, "(init l 1 before_kick_off)");
+  client.send_bytes(bytes);
+  client.send_bytes(std::string("(turn 1)\0(turn 2)", 17));
+  client.send("(say \"abc\")(done)");
+  while (!message.starts_with("(hear 0 self") && !(message = client.wait()).empty()) {
+  }
+  EXPECT_EQ(message, "(hear 0 self \"abc\")");
+}
+
+TEST(UdpServer, TakesAClientOffWhoseSocketIsClosed) {
+  UdpConfig config = quick_match();
+  config.max_wait = milliseconds(50);
+  RunningServer running(config);
+  {
+    UdpClient client(running.port);
+    client.send("(init A (version 18))");
+    ASSERT_EQ(client.wait(), "(init l 1 before_kick_off)");
+  }
+  // Sending meets a closed port, and the next cycle goes on without the player.
+  ScriptedPlayer witness(std::make_unique<UdpClient>(running.port), "A");
+  witness.join();
+  for (int cycles = 0; cycles < 10; cycles += witness.act() ? 1 : 0) {
+  }
+  EXPECT_EQ(running.end(), UdpEnd::kStopped);
+  EXPECT_TRUE(running.server->world().player(Side::kLeft, 1).joined);
+  EXPECT_FALSE(running.server->world().player(Side::kLeft, 1).enabled);
+}
+
+TEST(UdpServer, GoesOnWithoutASilentClientAndGivesUpWhenItStaysSilent) {
+  UdpConfig config = quick_match();
+  config.match.server.connect_wait = 3;
+  config.max_wait = milliseconds(2);
+  config.max_missed = 10;
+  RunningServer running(config);
+  UdpClient client(running.port);
+  client.send("(init A (version 18))");
+  EXPECT_EQ(running.wait(), UdpEnd::kUnanswered);
+  EXPECT_EQ(running.server->world().clock.time, 11);
+  EXPECT_GE(running.server->missed_cycles(), 11);
+}
+
+TEST(UdpServer, NamesAPortThatIsTaken) {
+  RunningServer running(quick_match());
+  UdpConfig config = quick_match();
+  config.port = running.port;
+  const auto second = UdpServer::open(config);
+  ASSERT_FALSE(second);
+  EXPECT_EQ(second.error().message, "cannot listen on 127.0.0.1 port " +
+                                        std::to_string(running.port) + ": Address already in use");
+}
+
+TEST(UdpServer, NamesAnAddressThatIsNone) {
+  UdpConfig config = quick_match();
+  config.address = "localhorst";
+  const auto server = UdpServer::open(config);
+  ASSERT_FALSE(server);
+  EXPECT_EQ(server.error().message, "cannot listen on localhorst port 0: Invalid argument");
+}
+
+}  // namespace
+}  // namespace cls::simulator
