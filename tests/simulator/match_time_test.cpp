@@ -1,0 +1,177 @@
+// Halves, extra time, and the automatic kick-off (simulation model 9.3, 9.6, 9.16).
+#include <gtest/gtest.h>
+
+#include "simulator/auto_mode.h"
+#include "tests/simulator/stage.h"
+
+namespace cls::tests {
+namespace {
+
+using simulator::Player;
+using Words = std::vector<std::string>;
+
+// Halves of ten cycles, extra ones of ten as well.
+soccer::ServerParams tiny_match() {
+  soccer::ServerParams server = quiet_params();
+  server.half_time = 1;
+  server.extra_half_time = 1;
+  return server;
+}
+
+class MatchTime : public ::testing::Test {
+ protected:
+  explicit MatchTime(const soccer::ServerParams& server = tiny_match()) : stage(server) {
+    stage.add(Side::kLeft, {-30, 0});
+    stage.add(Side::kRight, {30, 0});
+    stage.world.clock = {};
+    stage.set_mode(PlayMode::kBeforeKickOff);
+    kick_off();
+    stage.words();
+  }
+
+  void kick_off() { simulator::kick_off(stage.world, stage.events); }
+
+  void play_half() {
+    stage.set_mode(PlayMode::kPlayOn);
+    stage.words();
+    stage.step_until_mode_changes();
+  }
+
+  Stage stage;
+};
+
+TEST_F(MatchTime, HalvesAlternateAndADrawGoesToExtraTime) {
+  play_half();
+  EXPECT_EQ(stage.words(), (Words{"10 half_time", "10 before_kick_off"}));
+  EXPECT_EQ(stage.world.clock, (simulator::Clock{10, 0}));
+  kick_off();
+  EXPECT_EQ(stage.world.mode, PlayMode::kKickOffRight);
+  play_half();
+  EXPECT_EQ(stage.words(), (Words{"20 time_extended", "20 before_kick_off"}));
+  kick_off();
+  EXPECT_EQ(stage.world.mode, PlayMode::kKickOffLeft);
+  play_half();
+  EXPECT_EQ(stage.words(), (Words{"30 time_extended", "30 before_kick_off"}));
+  kick_off();
+  EXPECT_EQ(stage.world.mode, PlayMode::kKickOffRight);
+  stage.world.team(Side::kLeft).score = 1;
+  play_half();
+  EXPECT_EQ(stage.words(), (Words{"40 time_up", "40 time_over"}));
+  stage.step(3);
+  EXPECT_EQ(stage.world.clock, (simulator::Clock{40, 3}));
+}
+
+TEST_F(MatchTime, AWinnerAfterNormalTimeEndsTheMatch) {
+  play_half();
+  kick_off();
+  stage.world.team(Side::kRight).score = 2;
+  play_half();
+  EXPECT_EQ(stage.words(), (Words{"20 time_up", "20 time_over"}));
+}
+
+TEST_F(MatchTime, TheKickOffCommandWorksOnlyWhereAHalfBegins) {
+  stage.set_mode(PlayMode::kPlayOn);
+  stage.step(3);
+  stage.words();
+  kick_off();
+  EXPECT_EQ(stage.words(), Words{});
+  EXPECT_EQ(stage.world.mode, PlayMode::kPlayOn);
+}
+
+TEST_F(MatchTime, OnlyNormalHalvesBringStaminaBack) {
+  Player& player = stage.world.player(Side::kLeft, 1);
+  const auto tire = [&] {
+    player.stamina.value = 3000;
+    player.stamina.recovery = 0.7;
+    player.stamina.capacity = 100;
+  };
+  tire();
+  play_half();
+  tire();
+  kick_off();
+  EXPECT_EQ(player.stamina.value, 8000);
+  EXPECT_EQ(player.stamina.recovery, 1.0);
+  EXPECT_EQ(player.stamina.capacity, 130600);
+  stage.set_mode(PlayMode::kPlayOn);
+  stage.step(9);
+  tire();
+  stage.step();
+  EXPECT_EQ(stage.world.mode, PlayMode::kBeforeKickOff);
+  EXPECT_GT(player.stamina.capacity, 130000);
+  kick_off();
+  EXPECT_LT(player.stamina.value, 4000);
+}
+
+TEST_F(MatchTime, PlayersAreInTheirHalvesAtTheKickOff) {
+  Player& left = stage.world.player(Side::kLeft, 1);
+  Player& right = stage.world.player(Side::kRight, 1);
+  left.position = {20, 5};
+  right.position = {2, 1};
+  stage.step();
+  // A left kick-off: he stays in his half, the other one leaves the circle, too.
+  expect_near(left.position, {-0.3, 5});
+  EXPECT_NEAR(right.position.length(), 9.45, 1e-4);
+}
+
+class GoldenGoal : public MatchTime {
+ protected:
+  static soccer::ServerParams params() {
+    soccer::ServerParams server = tiny_match();
+    server.golden_goal = true;
+    return server;
+  }
+  GoldenGoal() : MatchTime(params()) {}
+};
+
+TEST_F(GoldenGoal, EndsExtraTimeAtOnce) {
+  play_half();
+  kick_off();
+  play_half();
+  kick_off();
+  stage.set_mode(PlayMode::kPlayOn);
+  stage.step(2);
+  stage.words();
+  stage.place_ball({52, 0}, {1, 0});
+  stage.world.referee.touch.previous_ball = {52, 0};
+  stage.step();
+  EXPECT_EQ(stage.words(), (Words{"23 goal_l_1", "23 time_over"}));
+}
+
+TEST(AutoMode, KicksOffAHundredStepsAfterTheLastPlayerCame) {
+  soccer::ServerParams server = quiet_params();
+  server.auto_mode = true;
+  Stage stage(server);
+  stage.world.clock = {};
+  stage.set_mode(PlayMode::kBeforeKickOff);
+  for (int unum = 1; unum <= 11; ++unum) {
+    stage.add(Side::kLeft, {-3.0 * unum, -20});
+    stage.add(Side::kRight, {3.0 * unum, 20});
+  }
+  stage.words();
+  EXPECT_EQ(stage.step_until_mode_changes(), 100);
+  EXPECT_EQ(stage.words(), Words{"0 kick_off_l"});
+}
+
+TEST(AutoMode, DoesNotWaitForeverForMissingPlayers) {
+  soccer::ServerParams server = quiet_params();
+  server.auto_mode = true;
+  Stage stage(server);
+  stage.world.clock = {};
+  stage.set_mode(PlayMode::kBeforeKickOff);
+  stage.add(Side::kLeft, {-3, -20});
+  EXPECT_EQ(stage.step_until_mode_changes(), 300);
+}
+
+TEST(AutoMode, EndsAWhileAfterTheMatch) {
+  soccer::ServerParams server = quiet_params();
+  server.auto_mode = true;
+  Stage stage(server);
+  stage.set_mode(PlayMode::kTimeOver);
+  stage.step(99);
+  EXPECT_FALSE(stage.world.auto_mode.ended);
+  stage.step();
+  EXPECT_TRUE(stage.world.auto_mode.ended);
+}
+
+}  // namespace
+}  // namespace cls::tests
