@@ -74,8 +74,8 @@ struct World {
 
   Clock clock;
   PlayMode mode = PlayMode::kBeforeKickOff;
-  Side kick_off_side = Side::kNeutral;  ///< whose set play it is
-  int last_play_on = 0;                 ///< when the mode last became play_on
+  Side kick_off_side = Side::kLeft;  ///< whose set play it is; left's before the first kick-off
+  int last_play_on = 0;              ///< when the mode last became play_on
 
   Ball ball;
   std::array<Player, soccer::kPlayersOnPitch> players;

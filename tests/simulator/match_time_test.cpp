@@ -113,6 +113,17 @@ TEST_F(MatchTime, PlayersAreInTheirHalvesAtTheKickOff) {
   EXPECT_NEAR(right.position.length(), 9.45, 1e-4);
 }
 
+// As a recorded match shows, whose left team waited at the ball for its first kick-off.
+TEST(BeforeTheFirstKickOff, TheLeftTeamMayStandInTheCircle) {
+  Stage stage;
+  stage.world = make_match(quiet_params());
+  Player& left = stage.add(Side::kLeft, {-0.39, 0});
+  Player& right = stage.add(Side::kRight, {0.39, 3});
+  stage.step();
+  expect_near(left.position, {-0.39, 0});
+  EXPECT_NEAR(right.position.length(), 9.45, 1e-4);
+}
+
 class GoldenGoal : public MatchTime {
  protected:
   static soccer::ServerParams params() {
