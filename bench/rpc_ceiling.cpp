@@ -13,6 +13,7 @@
 #include <string>
 #include <thread>
 
+#include "mock-server/message_pool.h"
 #include "proto/playmaker.grpc.pb.h"
 #include "proxy/grpc_playmaker.h"
 #include "tests/support/files.h"
@@ -25,6 +26,10 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 class SmallestService : public protos::Game::CallbackService {
+ public:
+  SmallestService() { SetMessageAllocatorFor_GetPlayerActions(&messages_); }
+
+ private:
   grpc::ServerUnaryReactor* GetPlayerActions(grpc::CallbackServerContext* context,
                                              const protos::State*,
                                              protos::PlayerActions* actions) override {
@@ -36,6 +41,8 @@ class SmallestService : public protos::Game::CallbackService {
     reactor->Finish(grpc::Status::OK);
     return reactor;
   }
+
+  mock_server::MessagePool<protos::State, protos::PlayerActions> messages_;
 };
 
 double cpu_seconds() {

@@ -4,6 +4,7 @@
 #include <atomic>
 
 #include "mock-server/behaviour.h"
+#include "mock-server/message_pool.h"
 #include "proto/playmaker.grpc.pb.h"
 
 namespace cls::mock_server {
@@ -13,7 +14,9 @@ namespace cls::mock_server {
 class GameService : public protos::Game::CallbackService {
  public:
   /// `behaviour` must outlive the service.
-  explicit GameService(const Behaviour& behaviour) : behaviour_(behaviour) {}
+  explicit GameService(const Behaviour& behaviour) : behaviour_(behaviour) {
+    SetMessageAllocatorFor_GetPlayerActions(&messages_);
+  }
 
   grpc::ServerUnaryReactor* GetPlayerActions(grpc::CallbackServerContext* context,
                                              const protos::State* request,
@@ -51,6 +54,7 @@ class GameService : public protos::Game::CallbackService {
 
  private:
   const Behaviour& behaviour_;
+  MessagePool<protos::State, protos::PlayerActions> messages_;
   std::atomic<int> next_client_{1};
   std::atomic<std::int64_t> decision_nanoseconds_{0};
 };

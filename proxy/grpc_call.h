@@ -6,6 +6,7 @@
 #include <grpcpp/generic/generic_stub.h>
 #include <grpcpp/grpcpp.h>
 
+#include <array>
 #include <chrono>
 #include <memory>
 #include <optional>
@@ -49,7 +50,8 @@ class GrpcCall {
   std::unique_ptr<grpc::GenericClientAsyncResponseReader> reader_;
   grpc::ByteBuffer response_;
   grpc::Status grpc_status_;
-  google::protobuf::Arena arena_;
+  std::array<char, 8192> block_;  // of the arena, so that usual answers take no other memory
+  google::protobuf::Arena arena_{block_.data(), block_.size()};
   google::protobuf::MessageLite* message_ = nullptr;
   const char* method_ = "";
   Answer answer_ = Answer::kEmpty;

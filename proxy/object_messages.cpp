@@ -65,16 +65,22 @@ protos::Side wire_side(soccer::Side side) {
                                         : protos::UNKNOWN;
 }
 
-void fill(soccer::Vec2 vector, protos::RpcVector2D& out) {
-  out.set_x(f(vector.x));
-  out.set_y(f(vector.y));
-  if (vector.is_zero()) {
-    out.set_dist(0.0F);
-    out.set_angle(0.0F);
+void fill(soccer::Vec2 vector, protos::RpcVector2D& out, const protos::RpcVector2D* known) {
+  // Without the sign of zero, which a direction would show.
+  const float x = f(vector.x) + 0.0F;
+  const float y = f(vector.y) + 0.0F;
+  // Much of a State is as in the cycle before, and directions are what costs most of it.
+  if (out.x() == x && out.y() == y) return;
+  out.set_x(x);
+  out.set_y(y);
+  if (known != nullptr && known->x() == x && known->y() == y) {
+    out.set_dist(known->dist());
+    out.set_angle(known->angle());
     return;
   }
-  out.set_dist(f(vector.length()));
-  out.set_angle(f(soccer::direction_degrees(vector)));
+  const soccer::Vec2 rounded{x, y};
+  out.set_dist(f(rounded.length()));
+  out.set_angle(rounded.is_zero() ? 0.0F : f(soccer::direction_degrees(rounded)));
 }
 
 void fill_self(const WorldModel& world, protos::Self& out) {
@@ -106,12 +112,16 @@ void fill_self_as_player(const WorldModel& world, protos::Player& out) {
   out.set_body_count(self.body_count);
 }
 
-void fill_player(const PlayerState& player, double decay, protos::Player& out) {
-  fill(player.position, *out.mutable_position());
-  fill(player.seen_position, *out.mutable_seen_position());
-  fill(player.heard_position, *out.mutable_heard_position());
-  fill(player.velocity, *out.mutable_velocity());
-  fill(player.seen_velocity, *out.mutable_seen_velocity());
+void fill_player(const PlayerState& player, double decay, const protos::Player* twin,
+                 protos::Player& out) {
+  const auto& known = twin != nullptr ? *twin : protos::Player::default_instance();
+  fill(player.position, *out.mutable_position(), &known.position());
+  fill(player.seen_position, *out.mutable_seen_position(), &known.seen_position());
+  fill(player.heard_position, *out.mutable_heard_position(), &known.heard_position());
+  fill(player.velocity, *out.mutable_velocity(), &known.velocity());
+  fill(player.seen_velocity, *out.mutable_seen_velocity(), &known.seen_velocity());
+  fill(inertia_final_point(player, decay), *out.mutable_inertia_final_point(),
+       &known.inertia_final_point());
   out.set_pos_count(player.pos_count);
   out.set_seen_pos_count(player.seen_pos_count);
   out.set_heard_pos_count(player.heard_pos_count);
@@ -137,7 +147,6 @@ void fill_player(const PlayerState& player, double decay, protos::Player& out) {
   out.set_ball_reach_steps(player.ball_reach_steps);
   out.set_is_tackling(player.tackling);
   out.set_type_id(player.type_id);
-  fill(inertia_final_point(player, decay), *out.mutable_inertia_final_point());
   out.set_body_count(player.body_count);
 }
 

@@ -156,8 +156,9 @@ void fill_team(const WorldModel& world, const PlayerList& players, bool with_sel
   for (const PlayerState& player : players) {
     if (!player.position_valid()) continue;
     const double decay = world.type_of(player).player_decay;
-    fill_player(player, decay, entry(player.unum != 0 ? player.unum : --numberless));
-    if (player.unum != 0) fill_player(player, decay, element(list, numbered++));
+    protos::Player& keyed = entry(player.unum != 0 ? player.unum : --numberless);
+    fill_player(player, decay, nullptr, keyed);
+    if (player.unum != 0) fill_player(player, decay, &keyed, element(list, numbered++));
   }
   shrink(list, numbered);
   if (with_self) fill_self_as_player(world, entry(world.unum));
@@ -168,7 +169,7 @@ void fill_unknowns(const WorldModel& world, PlayerMessages& list) {
   int count = 0;
   for (const PlayerState& player : world.unknowns) {
     if (!player.position_valid()) continue;
-    fill_player(player, world.type_of(player).player_decay, element(list, count++));
+    fill_player(player, world.type_of(player).player_decay, nullptr, element(list, count++));
   }
   shrink(list, count);
 }
