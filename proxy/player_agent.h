@@ -75,6 +75,7 @@ class PlayerAgent {
   /// What the Playmaker gave this agent as its identity; part of every State.
   const protos::RegisterResponse& identity() const { return state_.register_response(); }
   void set_identity(const protos::RegisterResponse& identity);
+  bool has_identity() const { return state_.has_register_response(); }
 
   int unum() const { return world_.unum; }
   const WorldModel& world() const { return world_; }

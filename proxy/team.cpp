@@ -198,7 +198,7 @@ void Team::carry_out(const Reply& reply) {
 void Team::leave() {
   bool reacts = true;
   for (const auto& agent : players_) {
-    if (reacts && agent->identity().uniform_number() != 0) {
+    if (reacts && agent->has_identity()) {
       const RpcStatus status = playmaker_->send_bye(agent->unum(), agent->identity(), kByeTimeout);
       reacts = status.ok() || harmless(status);
     }

@@ -316,6 +316,22 @@ TEST(Team, SaysGoodbyeToPlaymakerAndServer) {
   EXPECT_EQ(game.server.take(9), Said{"(bye)"});
 }
 
+TEST(Team, SaysGoodbyeOnlyToAPlaymakerThatHasMetIt) {
+  FakePlaymaker playmaker;
+  playmaker.answer = [](const std::string& method, int agent) {
+    return method == "Register" && agent == 3 ? failure(RpcOutcome::kDeadline) : RpcStatus{};
+  };
+  ScriptedServer server;
+  Team team(options(), playmaker);
+  ASSERT_TRUE(connect(team, server));
+  ASSERT_FALSE(team.introduce().ok());
+  team.leave();
+  const auto& calls = playmaker.calls();
+  EXPECT_EQ(std::vector<std::string>(calls.end() - 2, calls.end()),
+            (std::vector<std::string>{"SendByeCommand 1", "SendByeCommand 2"}));
+  EXPECT_EQ(server.take(11).back(), "(bye)");
+}
+
 TEST(Team, WaitsOnceForAPlaymakerThatHangsAtTheEnd) {
   FakePlaymaker playmaker;
   playmaker.answer = [](const std::string& method, int) {
