@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "proxy/world/ball_tracking.h"
+#include "proxy/world/player_tracking.h"
 #include "soccer/pitch.h"
 #include "soccer/protocol/number_text.h"
 
@@ -68,6 +69,13 @@ void set_ball(WorldModel& world, PlayMode mode) {
   }
 }
 
+/// Modes in which players move themselves, or are moved, to where they want to be.
+bool players_are_placed(PlayMode mode) {
+  const PlayMode kind = kind_of(mode);
+  return kind == PlayMode::kBeforeKickOff || kind == PlayMode::kGoalLeft ||
+         kind == PlayMode::kPenaltySetupLeft;
+}
+
 void count_penalty(WorldModel& world, PlayMode mode, int time) {
   PenaltyState& penalty = world.game.penalty;
   const bool ours = soccer::side(mode) == world.our_side;
@@ -104,6 +112,7 @@ void change_mode(WorldModel& world, PlayMode mode, int time) {
     game.set_play_count = 0;
   }
   if (!game.goalie_catch) set_ball(world, mode);
+  if (players_are_placed(mode)) forget_places(world);
 }
 
 /// "goal_l_2": the new score of that side, and the mode that is not called out itself.

@@ -183,35 +183,56 @@ void match_team(WorldModel& world, const Viewpoint& view, const SightingList& si
   TrackPointers columns;
   add_unclaimed(list_of(world, side), side, columns);
   const std::size_t tracked = columns.size();
-  add_unclaimed(world.lost, side, columns);
-  const std::size_t known = columns.size();
 
   CostTable table;
   table.rows = rows.size();
-  table.columns = known + rows.size();
+  table.columns = tracked + rows.size();
   for (std::size_t r = 0; r < rows.size(); ++r) {
-    for (std::size_t c = 0; c < known; ++c) table.cost[r][c] = track_cost(*columns[c], *rows[r]);
-    for (std::size_t c = known; c < table.columns; ++c) table.cost[r][c] = newcomer_cost();
+    for (std::size_t c = 0; c < tracked; ++c) table.cost[r][c] = track_cost(*columns[c], *rows[r]);
+    for (std::size_t c = tracked; c < table.columns; ++c) table.cost[r][c] = newcomer_cost();
   }
   const auto column_of = assign(table);
 
   // Known tracks first: the pointers into the lists hold until something is added or removed.
-  std::array<int, CostTable::kMaxRows> found_again{};
   for (std::size_t r = 0; r < rows.size(); ++r) {
-    const std::size_t c = column_of[r];
-    if (c < tracked) take(*columns[c], view, *rows[r]);
-    if (c >= tracked && c < known) found_again[r] = columns[c]->unum;
+    if (column_of[r] < tracked) take(*columns[column_of[r]], view, *rows[r]);
   }
   for (std::size_t r = 0; r < rows.size(); ++r) {
     if (column_of[r] < tracked) continue;
-    PlayerState* track = nullptr;
-    if (found_again[r] != 0) track = revive(world, find_number(world.lost, side, found_again[r]));
-    if (track == nullptr) {
-      PlayerState* unknown = nearest_unclaimed(world.unknowns, *rows[r], kClearlySame);
-      track = unknown != nullptr ? join(world, unknown, side) : new_track(world, side, 0);
-    }
-    take(*track, view, *rows[r]);
+    PlayerState* unknown = nearest_unclaimed(world.unknowns, *rows[r], kClearlySame);
+    take(unknown != nullptr ? *join(world, unknown, side) : *new_track(world, side, 0), view,
+         *rows[r]);
   }
+}
+
+/// When all numbers of a team but one are known, and one player without number is in sight, it is
+/// that one.
+void number_the_last(WorldModel& world, Side side) {
+  PlayerList& list = list_of(world, side);
+  constexpr int kRecent = 5;
+  std::array<bool, soccer::kPlayersPerTeam + 1> taken{};
+  if (side == world.our_side) taken[static_cast<std::size_t>(world.unum)] = true;
+  PlayerState* nameless = nullptr;
+  for (PlayerState& track : list) {
+    if (track.unum != 0) {
+      if (track.pos_count > kRecent) return;
+      taken[static_cast<std::size_t>(track.unum)] = true;
+    } else if (nameless != nullptr || !track.claimed) {
+      return;
+    } else {
+      nameless = &track;
+    }
+  }
+  if (nameless == nullptr) return;
+  int missing = 0;
+  for (int unum = 1; unum <= soccer::kPlayersPerTeam; ++unum) {
+    if (taken[static_cast<std::size_t>(unum)]) continue;
+    if (missing != 0) return;
+    missing = unum;
+  }
+  if (missing == 0) return;
+  nameless->unum = missing;
+  if (PlayerState* lost = find_number(world.lost, side, missing)) erase(world.lost, lost);
 }
 
 void match_anonymous(WorldModel& world, const Viewpoint& view, const SightingList& sightings,
@@ -239,6 +260,8 @@ void match(WorldModel& world, const Viewpoint& view, const SightingList& sightin
   match_team(world, view, sightings, Side::kLeft, take);
   match_team(world, view, sightings, Side::kRight, take);
   match_anonymous(world, view, sightings, take);
+  number_the_last(world, Side::kLeft);
+  number_the_last(world, Side::kRight);
 }
 
 }  // namespace cls::proxy

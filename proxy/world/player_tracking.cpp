@@ -188,6 +188,12 @@ void advance_players(WorldModel& world, int cycles) {
   for (PlayerState& player : world.lost) age(player, cycles);
 }
 
+void forget_places(WorldModel& world) {
+  for (PlayerList* list : {&world.teammates, &world.opponents, &world.unknowns}) {
+    give_up_if(world, *list, [](const PlayerState&) { return true; });
+  }
+}
+
 void observe_players(WorldModel& world, const soccer::See& see) {
   learn_team_name(world, see);
   for (PlayerList* list : {&world.teammates, &world.opponents, &world.unknowns, &world.lost}) {

@@ -14,6 +14,10 @@ void advance_players(WorldModel& world, int cycles);
 /// that should have shown a track and did not. The own pose is up to date.
 void observe_players(WorldModel& world, const soccer::See& see);
 
+/// Everybody may stand anywhere by now (a kick-off is prepared): only the numbers that play are
+/// remembered.
+void forget_places(WorldModel& world);
+
 /// The track's belief, and back.
 MovingBelief belief_of(const PlayerState& player);
 void set_belief(PlayerState& player, const MovingBelief& belief);

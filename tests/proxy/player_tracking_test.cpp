@@ -156,6 +156,49 @@ TEST(PlayerTracking, SomebodyCloseBehindIsSensedWithoutATeam) {
   ASSERT_NE(scene.world.opponent(5), nullptr);
 }
 
+TEST(PlayerTracking, TheLastNamelessOneGetsTheNumberThatIsLeft) {
+  Scene scene;
+  for (int unum = 1; unum <= 10; ++unum) {
+    scene.add(Side::kRight, unum, {-12.0 + (unum % 3), 2.0 * unum - 11.0});
+  }
+  scene.add(Side::kRight, 11, {25.0, 10.0});  // too far for the number
+  scene.cycle();
+  ASSERT_NE(scene.world.opponent(11), nullptr);
+  EXPECT_EQ(scene.world.opponent(11)->unum_count, kNever);
+  EXPECT_NEAR(scene.world.opponent(11)->position.x, 25.0, 3.0);
+}
+
+TEST(PlayerTracking, TwoNamelessOnesStayNameless) {
+  Scene scene;
+  for (int unum = 1; unum <= 9; ++unum) {
+    scene.add(Side::kRight, unum, {-12.0 + (unum % 3), 2.0 * unum - 11.0});
+  }
+  scene.add(Side::kRight, 10, {25.0, -10.0});
+  scene.add(Side::kRight, 11, {25.0, 10.0});
+  scene.cycle();
+  EXPECT_EQ(scene.world.opponent(10), nullptr);
+  EXPECT_EQ(scene.world.opponents.size(), 11U);
+}
+
+TEST(PlayerTracking, BeforeAKickOffEverybodyMayBeAnywhere) {
+  Scene scene;
+  scene.add(Side::kRight, 9, {-8.0, 4.0});
+  scene.cycle();
+  ASSERT_NE(scene.world.opponent(9), nullptr);
+  soccer::Hear hear;
+  hear.time = 1;
+  hear.text = "goal_l_1";
+  on_hear(scene.world, hear);
+  EXPECT_EQ(scene.world.opponent(9), nullptr);
+  scene.truth.unum_far = 3.0;
+  scene.cycle();
+  EXPECT_EQ(scene.world.opponent(9), nullptr);  // somebody stands there; who, is not known
+  EXPECT_EQ(scene.world.opponents.size(), 1U);
+  scene.truth.unum_far = 20.0;
+  scene.cycle();
+  EXPECT_NE(scene.world.opponent(9), nullptr);
+}
+
 TEST(PlayerTracking, ListsAreOrderedByNumber) {
   Scene scene;
   for (const int unum : {11, 3, 8, 2}) scene.add(Side::kRight, unum, {-8.0, unum - 5.0});
