@@ -7,8 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "cli/convert_command.h"
 #include "cli/exit_code.h"
 #include "cli/match_command.h"
+#include "cli/results_command.h"
 #include "cli/version_command.h"
 #include "soccer/parameter.h"
 
@@ -61,6 +63,8 @@ int run_application(int argc, const char* const* argv) {
   app.require_subcommand(1);
   int exit_code = kDone;
   add_match_command(app, exit_code);
+  add_results_command(app, exit_code);
+  add_convert_command(app, exit_code);
   add_version_command(app, exit_code);
 
   try {

@@ -6,15 +6,12 @@
 #include <optional>
 #include <string>
 
+#include "gamelog/player_state.h"
 #include "soccer/geometry.h"
 #include "soccer/play_mode.h"
 #include "soccer/side.h"
 
 namespace cls::gamelog {
-
-/// Bit of PlayerFrame::state without which a slot counts as not connected. All bits:
-/// log-formats 1.3.
-constexpr std::uint32_t kStateEnabled = 0x1;
 
 /// Commands carried out since the match began, in the order of the log.
 struct CommandCounts {
@@ -34,7 +31,7 @@ struct CommandCounts {
 
 /// A player slot, connected or not. Metres, degrees; the same frame for both teams.
 struct PlayerFrame {
-  std::uint32_t state = 0;
+  std::uint32_t state = 0;  ///< bits of player_state.h
   int type = 0;
   soccer::Vec2 position;
   soccer::Vec2 velocity;

@@ -79,7 +79,7 @@ std::string_view name(Counter counter);
 
 /// Twenty-two entries a frame: entry `frame * 22 + slot` (soccer/side.h). Metres, degrees.
 struct PlayerColumns {
-  Column<std::uint32_t> state;  ///< bits of log-formats 1.3
+  Column<std::uint32_t> state;  ///< bits of player_state.h
   Column<std::int16_t> type;
   Column<Point> position;
   Column<Point> velocity;

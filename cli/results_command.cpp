@@ -1,0 +1,93 @@
+// `cls results LOG...`: a row a match and a table of the teams.
+#include "cli/results_command.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "cli/damage_report.h"
+#include "cli/exit_code.h"
+#include "gamelog/log_files.h"
+#include "gamelog/parallel.h"
+#include "gamelog/results/read_results.h"
+#include "gamelog/results/results_text.h"
+
+namespace cls::cli {
+namespace {
+
+using gamelog::ReadResult;
+using gamelog::ResultsFormat;
+
+constexpr const char* kDescription =
+    "Prints the results of matches: score, goals with cycle and scorer, cards, substitutions,\n"
+    "players that were lost; over several logs the table of the teams too.\n"
+    "\n"
+    "  cls results game.rcg.gz\n"
+    "  cls results runs/ --format markdown\n"
+    "  cls results 'logs/*.rcg' --json\n"
+    "\n"
+    "LOG is a game log (rcg), a text log (rcl), a folder, a pattern, or - for standard input.\n"
+    "Goals read \"cycle side number\": 169 l 11.";
+
+struct Arguments {
+  std::vector<std::string> logs;
+  std::string format = "table";
+  bool json = false;
+  std::size_t jobs = gamelog::default_jobs();
+};
+
+std::optional<ResultsFormat> format_of(const Arguments& arguments) {
+  if (arguments.json || arguments.format == "json") return ResultsFormat::kJson;
+  if (arguments.format == "table") return ResultsFormat::kTable;
+  if (arguments.format == "csv") return ResultsFormat::kCsv;
+  if (arguments.format == "markdown") return ResultsFormat::kMarkdown;
+  return std::nullopt;
+}
+
+int run_results_command(const Arguments& arguments) {
+  const auto format = format_of(arguments);
+  if (!format) {
+    fmt::print(stderr, "cls: --format '{}': must be table, json, csv or markdown\n",
+               arguments.format);
+    return kUsage;
+  }
+  const gamelog::FoundLogs found = gamelog::find_logs(arguments.logs);
+  int exit_code = found.missing.empty() ? kDone : kNoInput;
+  for (const std::string& missing : found.missing) {
+    fmt::print(stderr, "cls: no log '{}'\n", missing);
+  }
+  std::vector<gamelog::MatchSummary> summaries;
+  for (ReadResult& result : gamelog::read_results(found.matches, arguments.jobs)) {
+    if (!result.unreadable.empty()) {
+      fmt::print(stderr, "cls: {}\n", result.unreadable);
+      exit_code = kNoInput;
+    }
+    report_damage(result.damaged_file, result.damage);
+    if (!result.damage.empty() && exit_code == kDone) exit_code = kBadData;
+    if (result.usable) summaries.push_back(std::move(result.summary));
+  }
+  if (!summaries.empty() || *format == ResultsFormat::kJson) {
+    fmt::print("{}", format_results(summaries, *format));
+  }
+  return exit_code;
+}
+
+}  // namespace
+
+void add_results_command(CLI::App& app, int& exit_code) {
+  const auto arguments = std::make_shared<Arguments>();
+  CLI::App* command = app.add_subcommand("results", kDescription);
+  command->add_option("LOG", arguments->logs, "logs, folders or patterns")->required();
+  command->add_option("--format", arguments->format, "table, json, csv or markdown (table)");
+  command->add_flag("--json", arguments->json, "the same as --format json");
+  command->add_option("--jobs", arguments->jobs, "logs read at once (one a processor)")
+      ->check(CLI::PositiveNumber);
+  command->callback([arguments, &exit_code] { exit_code = run_results_command(*arguments); });
+}
+
+}  // namespace cls::cli

@@ -1,0 +1,25 @@
+// A handful of threads that draw numbers until none is left.
+#include "gamelog/parallel.h"
+
+#include <algorithm>
+#include <atomic>
+#include <thread>
+#include <vector>
+
+namespace cls::gamelog {
+
+std::size_t default_jobs() { return std::max(1U, std::thread::hardware_concurrency()); }
+
+void for_each_index(std::size_t count, std::size_t jobs,
+                    const std::function<void(std::size_t)>& work) {
+  std::atomic<std::size_t> next = 0;
+  const auto draw = [&] {
+    for (std::size_t i = next++; i < count; i = next++) work(i);
+  };
+  std::vector<std::thread> others;
+  for (std::size_t i = 1; i < std::min(jobs, count); ++i) others.emplace_back(draw);
+  draw();
+  for (std::thread& other : others) other.join();
+}
+
+}  // namespace cls::gamelog

@@ -1,0 +1,17 @@
+// The same work for many logs at once.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+
+namespace cls::gamelog {
+
+/// How many threads to use where the user does not say: one a processor.
+std::size_t default_jobs();
+
+/// Calls `work(i)` for all i below `count`, on up to `jobs` threads, in no particular order, and
+/// waits for all of them. `work` must not throw.
+void for_each_index(std::size_t count, std::size_t jobs,
+                    const std::function<void(std::size_t)>& work);
+
+}  // namespace cls::gamelog

@@ -1,0 +1,26 @@
+// Results of many logs, read side by side.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "gamelog/damage.h"
+#include "gamelog/log_files.h"
+#include "gamelog/results/match_summary.h"
+
+namespace cls::gamelog {
+
+/// What became of one match's logs.
+struct ReadResult {
+  MatchSummary summary;
+  bool usable = false;     ///< there is something in `summary`
+  std::string unreadable;  ///< why a log could not be opened; empty: it could
+  DamageList damage;       ///< of the log that `damaged_file` names
+  std::string damaged_file;
+};
+
+/// One entry a match, in the same order. The text log is only read where the game log leaves
+/// something open: a level shoot-out, cards before version 4.
+std::vector<ReadResult> read_results(const std::vector<MatchLogs>& matches, std::size_t jobs);
+
+}  // namespace cls::gamelog

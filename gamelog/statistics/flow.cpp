@@ -1,0 +1,149 @@
+// Finding touches in the counters and following the ball from one to the next.
+#include "gamelog/statistics/flow.h"
+
+#include <limits>
+#include <optional>
+
+namespace cls::gamelog {
+namespace {
+
+constexpr std::size_t kKick = static_cast<std::size_t>(Counter::kKick);
+constexpr std::size_t kCatch = static_cast<std::size_t>(Counter::kCatch);
+constexpr std::size_t kTackle = static_cast<std::size_t>(Counter::kTackle);
+
+// Beyond what a ball can do in a step: the referee has put it somewhere.
+constexpr double kPlacedMargin = 0.3;
+
+// Counters only grow, unless another match begins.
+bool follows(const MatchRecord& record, std::size_t frame) {
+  return frame > 0 && record.time[frame] >= record.time[frame - 1];
+}
+
+// What a player did to the ball between two frames.
+class TouchTest {
+ public:
+  TouchTest(const MatchRecord& record, std::size_t entry)
+      : before_(record.players.state[entry - kSlots]),
+        now_(record.players.state[entry]),
+        counters_before_(record.players.counters[entry - kSlots]),
+        counters_now_(record.players.counters[entry]),
+        version_(record.version) {}
+
+  std::optional<TouchKind> kind() const {
+    if ((before_ & now_ & kStateEnabled) == 0) return std::nullopt;
+    if (kicked()) return TouchKind::kKick;
+    if (tackled() && (now_ & kStateTackle) != 0 && (now_ & kStateTackleFailed) == 0) {
+      return TouchKind::kTackle;
+    }
+    if (caught() && (now_ & kStateCatch) != 0) {
+      return (now_ & kStateCatchFailed) != 0 ? TouchKind::kPunch : TouchKind::kCatch;
+    }
+    return std::nullopt;
+  }
+
+ private:
+  bool grew(std::size_t counter) const {
+    return counters_now_[counter] > counters_before_[counter];
+  }
+  bool began(std::uint32_t bit) const { return (now_ & bit) != 0 && (before_ & bit) == 0; }
+
+  // Versions 1 and 2 have no counters, version 3 none for tackles: their bits must do.
+  bool kicked() const {
+    if (version_ >= RcgVersion::kV3) return grew(kKick);
+    return (now_ & kStateKick) != 0 && (now_ & kStateKickFailed) == 0;
+  }
+  bool tackled() const { return version_ >= RcgVersion::kV4 ? grew(kTackle) : began(kStateTackle); }
+  bool caught() const {
+    return version_ >= RcgVersion::kV3 ? grew(kCatch)
+                                       : (now_ & kStateCatchFailed) == 0 && began(kStateCatch);
+  }
+
+  std::uint32_t before_;
+  std::uint32_t now_;
+  const Counters& counters_before_;
+  const Counters& counters_now_;
+  RcgVersion version_;
+};
+
+// The logged velocity is zero where the referee stops the ball in the same step: the displacement
+// is not, unless the ball was put elsewhere.
+soccer::Vec2 launch_of(const MatchRecord& record, std::size_t frame) {
+  const soccer::Vec2 moved =
+      soccer::Vec2(record.ball_position[frame]) - record.ball_position[frame - 1];
+  if (moved.length() <= record.server.ball_speed_max + kPlacedMargin) return moved;
+  return soccer::Vec2(record.ball_velocity[frame]) / record.server.ball_decay;
+}
+
+// All who touched the ball in the step to `frame`, as one event.
+std::optional<Touch> touch_in(const MatchRecord& record, std::size_t frame) {
+  Touch touch;
+  const soccer::Vec2 ball = record.ball_position[frame - 1];
+  PerTeam<double> nearest = {std::numeric_limits<double>::max(),
+                             std::numeric_limits<double>::max()};
+  PerTeam<TouchKind> kinds = {};
+  for (std::size_t slot = 0; slot < kSlots; ++slot) {
+    const std::size_t entry = entry_of(frame, slot);
+    const auto kind = TouchTest(record, entry).kind();
+    if (!kind) continue;
+    touch.touchers |= std::uint32_t{1} << slot;
+    const std::size_t team = team_of(slot);
+    const double away = soccer::distance(record.players.position[entry - kSlots], ball);
+    if (away >= nearest[team]) continue;
+    nearest[team] = away;
+    touch.nearest[team] = static_cast<std::int8_t>(slot);
+    kinds[team] = *kind;
+  }
+  if (touch.touchers == 0) return std::nullopt;
+  const bool both = touch.nearest[0] != kNobody && touch.nearest[1] != kNobody;
+  const std::size_t first = nearest[0] <= nearest[1] ? 0 : 1;
+  touch.slot = both ? kNobody : touch.nearest[first];
+  touch.kind = kinds[first];
+  touch.frame = static_cast<std::uint32_t>(frame);
+  touch.contact = ball;
+  touch.launch = launch_of(record, frame);
+  return touch;
+}
+
+void find_phases(Flow& flow) {
+  const MatchRecord& record = *flow.record;
+  std::int32_t phases = 0;
+  for (std::size_t i = 0; i < record.frames(); ++i) {
+    flow.phase.push_back(phase_of(record.mode[i]));
+    const bool goes_on = i > 0 && flow.is_live(i - 1) && follows(record, i);
+    if (flow.is_live(i) && !goes_on) ++phases;
+    flow.live_phase.push_back(flow.is_live(i) ? phases - 1 : -1);
+  }
+}
+
+}  // namespace
+
+Flow flow_of(const MatchRecord& record) {
+  Flow flow;
+  flow.record = &record;
+  find_phases(flow);
+  flow.owner.assign(record.frames(), kNobody);
+  for (std::size_t i = 1; i < record.frames(); ++i) {
+    if (!follows(record, i)) continue;
+    const bool goes_on = flow.is_live(i) && flow.live_phase[i] == flow.live_phase[i - 1];
+    if (goes_on) flow.owner[i] = flow.owner[i - 1];
+    auto touch = touch_in(record, i);
+    if (!touch) continue;
+    touch->live_phase = flow.is_live(i) ? flow.live_phase[i] : flow.live_phase[i - 1];
+    if (flow.is_live(i)) flow.owner[i] = touch->slot;
+    flow.touches.push_back(*touch);
+  }
+  return flow;
+}
+
+const soccer::PlayerType& type_of(const MatchRecord& record, std::size_t entry) {
+  static const soccer::PlayerType kDefault;
+  const int type = record.players.type[entry];
+  if (type < 0 || static_cast<std::size_t>(type) >= record.types.size()) return kDefault;
+  return record.types[static_cast<std::size_t>(type)];
+}
+
+double kickable_radius(const MatchRecord& record, std::size_t entry) {
+  return type_of(record, entry).kickable_area(record.server.ball_size);
+}
+
+}  // namespace cls::gamelog

@@ -1,0 +1,127 @@
+// `cls results` and `cls convert` as a user meets them.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "tests/support/command.h"
+#include "tests/support/files.h"
+#include "tests/support/temporary_folder.h"
+
+namespace {
+
+namespace fs = std::filesystem;
+using cls::tests::cls_binary;
+using cls::tests::CommandResult;
+using cls::tests::fixture;
+using cls::tests::read_file;
+using cls::tests::TemporaryFolder;
+using nlohmann::json;
+
+CommandResult cls_run(std::vector<std::string> arguments) {
+  arguments.insert(arguments.begin(), cls_binary());
+  return cls::tests::run(arguments);
+}
+
+std::string log_fixture(const std::string& name) { return fixture("gamelog/" + name).string(); }
+
+TEST(ResultsCommand, PrintsOneDocumentWithARowAMatch) {
+  const CommandResult result = cls_run({"results", "--json", log_fixture("rcg-v4-excerpt.rcg.gz"),
+                                        log_fixture("rcg-v1-excerpt.rcg.gz")});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(result.err, "");
+  const json document = json::parse(result.out);
+  EXPECT_EQ(document["schema"], "cls.results/1");
+  ASSERT_EQ(document["matches"].size(), 2u);
+  EXPECT_EQ(document["matches"][0]["left"]["name"], "HELIOS_L");
+  EXPECT_EQ(document["matches"][0]["winner"], "draw");
+  EXPECT_EQ(document["matches"][1]["winner"], "left");
+  EXPECT_EQ(document["matches"][1]["cycles"], 400);
+}
+
+TEST(ResultsCommand, ReadsFoldersAndPrintsTables) {
+  for (const char* format : {"table", "csv", "markdown"}) {
+    const CommandResult result =
+        cls_run({"results", fixture("gamelog").string(), "--format", format, "--jobs", "2"});
+    EXPECT_EQ(result.exit_code, 65) << result.err;  // one of them is the start of a match only
+    EXPECT_NE(result.out.find("HELIOS"), std::string::npos);
+    EXPECT_NE(result.err.find("match-start.rcg.gz: line 312, byte 932854, cycle 234: the match has "
+                              "no end here: the log was interrupted"),
+              std::string::npos)
+        << result.err;
+  }
+}
+
+TEST(ResultsCommand, NamesDamageAndKeepsWhatStandsBeforeIt) {
+  const TemporaryFolder folder;
+  const std::string path = folder.path() / "cut.rcg";
+  std::ofstream(path) << read_file(fixture("gamelog/match-start.rcg.gz")).substr(0, 700000);
+  const CommandResult result = cls_run({"results", path, "--json"});
+  EXPECT_EQ(result.exit_code, 65);
+  EXPECT_NE(result.err.find("cut.rcg: line 239, byte 700000, cycle 169: the log is cut off here"),
+            std::string::npos)
+      << result.err;
+  const json match = json::parse(result.out)["matches"][0];
+  EXPECT_EQ(match["left"]["score"], 1);
+  EXPECT_EQ(match["goals"][0]["cycle"], 169);
+  EXPECT_EQ(match["goals"][0]["unum"], 11);
+  EXPECT_EQ(match["complete"], false);
+  EXPECT_TRUE(match["winner"].is_null());
+}
+
+TEST(ResultsCommand, SaysWhichLogIsMissingOrIsNone) {
+  const TemporaryFolder folder;
+  const CommandResult missing = cls_run({"results", "nowhere.rcg"});
+  EXPECT_EQ(missing.exit_code, 66);
+  EXPECT_EQ(missing.err, "cls: no log 'nowhere.rcg'\n");
+  EXPECT_EQ(missing.out, "");
+  const std::string path = folder.path() / "x.rcg";
+  std::ofstream(path) << "hello";
+  const CommandResult none = cls_run({"results", path});
+  EXPECT_EQ(none.exit_code, 65);
+  EXPECT_EQ(none.err, "cls: " + path + ": byte 0, cycle 0: this is no game log\n");
+  EXPECT_EQ(none.out, "");
+  EXPECT_EQ(cls_run({"results"}).exit_code, 2);
+  EXPECT_EQ(cls_run({"results", path, "--format", "xml"}).exit_code, 2);
+}
+
+TEST(ConvertCommand, ChangesVersionsThereAndBack) {
+  const TemporaryFolder folder;
+  const std::string original = log_fixture("rcg-v6-excerpt.rcg.gz");
+  const std::string as_json = folder.path() / "a.json.gz";
+  const std::string again = folder.path() / "b.rcg";
+  EXPECT_EQ(cls_run({"convert", original, as_json}).exit_code, 0);
+  EXPECT_EQ(read_file(as_json).substr(0, 2), "[\n");
+  EXPECT_EQ(cls_run({"convert", as_json, again}).exit_code, 0);
+  EXPECT_EQ(read_file(again), read_file(original));
+  const CommandResult old =
+      cls_run({"convert", log_fixture("rcg-v1-excerpt.rcg.gz"), "-", "--to", "4"});
+  EXPECT_EQ(old.exit_code, 0);
+  EXPECT_EQ(old.out.substr(0, 5), "ULG4\n");
+}
+
+TEST(ConvertCommand, ConvertsWhatADamagedLogStillHolds) {
+  const TemporaryFolder folder;
+  const std::string path = folder.path() / "cut.rcg";
+  const std::string whole = read_file(fixture("gamelog/rcg-v5-excerpt.rcg.gz"));
+  std::ofstream(path) << whole.substr(0, 90000);
+  const CommandResult result = cls_run({"convert", path, "-", "--to", "5"});
+  EXPECT_EQ(result.exit_code, 65);
+  EXPECT_NE(result.err.find("the log is cut off here"), std::string::npos);
+  EXPECT_EQ(result.out, whole.substr(0, whole.rfind('\n', 90000) + 1));
+}
+
+TEST(ConvertCommand, TellsEachFailureByItsExitCode) {
+  const TemporaryFolder folder;
+  const std::string log = log_fixture("rcg-v6-excerpt.rcg.gz");
+  EXPECT_EQ(cls_run({"convert", "nowhere.rcg", "-"}).exit_code, 66);
+  EXPECT_EQ(cls_run({"convert", log, folder.path() / "no" / "x.rcg"}).exit_code, 73);
+  EXPECT_EQ(cls_run({"convert", log, "/dev/full"}).exit_code, 74);
+  const CommandResult version = cls_run({"convert", log, "-", "--to", "3"});
+  EXPECT_EQ(version.exit_code, 2);
+  EXPECT_EQ(version.err, "cls: --to '3': must be 4, 5, 6 or json\n");
+  EXPECT_EQ(cls_run({"convert", log}).exit_code, 2);
+}
+
+}  // namespace

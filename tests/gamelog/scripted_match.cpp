@@ -1,0 +1,72 @@
+// A ball that rolls and players who stand.
+#include "tests/gamelog/scripted_match.h"
+
+namespace cls::tests {
+
+using gamelog::kSlots;
+
+ScriptedMatch::ScriptedMatch() {
+  next_.time = 1;
+  next_.mode = soccer::PlayMode::kPlayOn;
+  next_.teams[0].name = "A";
+  next_.teams[1].name = "B";
+  for (int slot = 0; slot < static_cast<int>(kSlots); ++slot) {
+    const int unum = soccer::unum_of_slot(slot);
+    const double side = soccer::sign(soccer::side_of_slot(slot));
+    gamelog::PlayerFrame& who = player(slot);
+    who.state = unum == 1 ? gamelog::kStateEnabled | gamelog::kStateGoalie : gamelog::kStateEnabled;
+    who.position = {-40.0 * side, 3.0 * (unum - 6)};
+    if (unum == 1) who.position = {-50.0 * side, 0.0};
+    who.stamina = 8000;
+    who.effort = 1;
+    who.recovery = 1;
+    who.capacity = 130600;
+    who.view_width = 120;
+  }
+  append();
+}
+
+void ScriptedMatch::append() {
+  builder_.append(next_);
+  for (gamelog::PlayerFrame& who : next_.players) {
+    who.state &= ~(gamelog::kStateKick | gamelog::kStateTackle | gamelog::kStateTackleFailed |
+                   gamelog::kStateCatch | gamelog::kStateCatchFailed);
+  }
+}
+
+void ScriptedMatch::step() {
+  if (mode_class(next_.mode) == soccer::ModeClass::kRunning) ++next_.time;
+  next_.ball_position += next_.ball_velocity;
+  next_.ball_velocity *= record_.server.ball_decay;
+  append();
+}
+
+void ScriptedMatch::steps(int count) {
+  for (int i = 0; i < count; ++i) step();
+}
+
+void ScriptedMatch::kick(int slot, soccer::Vec2 launch) {
+  ++player(slot).counts.kick;
+  player(slot).state |= gamelog::kStateKick;
+  next_.ball_velocity = launch;
+  step();
+}
+
+void ScriptedMatch::tackle(int slot, soccer::Vec2 launch) {
+  ++player(slot).counts.tackle;
+  player(slot).state |= gamelog::kStateTackle;
+  next_.ball_velocity = launch;
+  step();
+}
+
+void ScriptedMatch::place_ball(soccer::Vec2 position) {
+  next_.ball_position = position;
+  next_.ball_velocity = {0, 0};
+}
+
+void ScriptedMatch::score(int left_score, int right_score) {
+  next_.teams[0].score = left_score;
+  next_.teams[1].score = right_score;
+}
+
+}  // namespace cls::tests
