@@ -25,12 +25,10 @@ MatchParameters& own_parameters(WorldModel& world) {
   return out;
 }
 
-void set_time(GameTime& time, int cycle) {
-  if (cycle == time.cycle) {
-    ++time.stopped;
-  } else {
-    time = {cycle, 0};
-  }
+/// While the clock stands, moments are counted: the first one that stands is number 1.
+void set_time(GameState& game, int cycle) {
+  const int before = cycle == game.time.cycle ? game.time.stopped : 0;
+  game.time = {cycle, clock_stands(game.mode) ? before + 1 : 0};
 }
 
 void age_self(SelfState& self, int cycles) {
@@ -226,7 +224,7 @@ void on_change_player_type(WorldModel& world, const soccer::PlayerTypeChange& ch
 void on_sense_body(WorldModel& world, const soccer::SenseBody& sense) {
   SelfState& self = world.self;
   const int before = world.game.time.cycle;
-  set_time(world.game.time, sense.time);
+  set_time(world.game, sense.time);
   const int cycles = std::max(1, before < 0 ? 1 : sense.time - before);
   age_self(self, cycles);
   world.ball_tracker.pushed = false;

@@ -10,7 +10,7 @@ constexpr int kNever = 1000;
 constexpr int older(int age) { return age < kNever ? age + 1 : kNever; }
 
 /// A moment: the server's clock, and how many senses came in since it stands still (0 when it
-/// runs).
+/// runs, so the kick-off's moment is less than the ones it ends).
 struct GameTime {
   int cycle = -1;
   int stopped = 0;

@@ -73,7 +73,8 @@ AngleDeg neck_after(const WorldModel& world, const Executed& done, int head_angl
   const double low = head_angle > 0 ? head_angle - kSlack : head_angle - 1.0 - kSlack;
   const double high = head_angle < 0 ? head_angle + kSlack : head_angle + 1.0 + kSlack;
   if (neck >= low && neck <= high) return AngleDeg(neck);
-  return AngleDeg(head_angle == 0 ? 0.0 : head_angle + (head_angle > 0 ? 0.5 : -0.5));
+  const double middle = head_angle == 0 ? 0.0 : head_angle + (head_angle > 0 ? 0.5 : -0.5);
+  return AngleDeg(std::clamp(middle, world.server().minneckang, world.server().maxneckang));
 }
 
 /// Acceleration of the dash that was carried out.

@@ -4,8 +4,12 @@
 #include <google/protobuf/util/message_differencer.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <functional>
+#include <map>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "proxy/player_agent.h"
@@ -282,14 +286,13 @@ TEST(StateMessage, NamesEveryPlayMode) {
   EXPECT_EQ(state_of(world).world_model().game_mode_type(), protos::GoalieCatch_);
 }
 
-/// The States of the recorded match, made by us from what the player received.
-Paths our_paths(const std::string& player, const std::string& team, bool goalie) {
+/// Replays what a player of the recorded match received and shows every State made of it.
+void replay(const std::string& player, const std::function<void(const protos::State&)>& show) {
   auto [ours, servers] = soccer::make_memory_channel();
   AgentOptions options;
-  options.team_name = soccer::TeamName(team);
-  options.goalie = goalie;
+  options.team_name = "PROXY";
+  options.goalie = player == "l1_goalie";
   PlayerAgent agent(std::move(ours), options);
-  Paths paths;
   const std::string text =
       tests::read_file(*tests::data("aligned/udp/player_" + player + ".txt.gz"));
   for (const tests::Spoken& spoken : tests::read_transcript(text)) {
@@ -297,26 +300,101 @@ Paths our_paths(const std::string& player, const std::string& team, bool goalie)
     servers->send(spoken.message);
     agent.perceive();
     if (!agent.decision_due()) continue;
-    const protos::State& state = agent.state();
-    EXPECT_FALSE(tests::has_unreal_number(state));
-    tests::add_field_paths(state, paths);
+    show(agent.state());
     agent.act(protos::PlayerActions());
   }
   EXPECT_EQ(agent.server_trouble().unreadable, 0) << agent.server_trouble().first_unreadable;
-  return paths;
+}
+
+/// What upstream's proxy made of the same.
+std::vector<protos::State> upstream_states(const std::string& agent) {
+  std::vector<protos::State> states;
+  for (const std::string& message : tests::split_messages(tests::read_file(
+           *tests::data("aligned/grpc/" + agent + ".GetPlayerActions.req.pb.gz")))) {
+    EXPECT_TRUE(states.emplace_back().ParseFromString(message));
+  }
+  return states;
+}
+
+/// The names under which the recorded players' files go: ours and upstream's.
+const std::vector<std::pair<std::string, std::string>>& recorded_players() {
+  static const std::vector<std::pair<std::string, std::string>> players = {
+      {"l1_goalie", "1"}, {"l4", "4"}, {"l7", "7"}, {"l10", "10"}};
+  return players;
+}
+
+/// What follows from the messages alone, without any estimate, by name.
+std::map<std::string, double> facts_of(const protos::State& state) {
+  const protos::WorldModel& model = state.world_model();
+  const protos::Self& self = model.self();
+  return {
+      {"cycle", model.cycle()},
+      {"time_stopped", model.time_stopped()},
+      {"see_time", model.see_time()},
+      {"game_mode_type", model.game_mode_type()},
+      {"game_mode_side", model.game_mode_side()},
+      {"stoped_cycle", model.stoped_cycle()},
+      {"last_set_play_start_time", model.last_set_play_start_time()},
+      {"set_play_count", model.set_play_count()},
+      {"is_our_set_play", model.is_our_set_play()},
+      {"is_their_set_play", model.is_their_set_play()},
+      {"is_penalty_kick_mode", model.is_penalty_kick_mode()},
+      {"has_penalty_kick_state", model.has_penalty_kick_state()},
+      {"our_team_score", model.our_team_score()},
+      {"right_team_score", model.right_team_score()},
+      {"our_side", model.our_side()},
+      {"has_team_name", model.our_team_name() == "PROXY"},
+      {"has_their_name", model.their_team_name() == "HELIOS_R"},
+      {"uniform_number", self.uniform_number()},
+      {"is_goalie", self.is_goalie()},
+      {"type_id", self.type_id()},
+      {"stamina", self.stamina()},
+      {"effort", self.effort()},
+      {"recovery", self.recovery()},
+      {"stamina_capacity", self.stamina_capacity()},
+      {"view_width", self.view_width()},
+      {"card", self.card()},
+      {"catch_time", self.catch_time()},
+      {"is_tackling", self.is_tackling()},
+      {"is_kicking", self.is_kicking()},
+      {"point_to_direction_count", self.point_to_direction_count()},
+      {"get_safety_dash_power", self.get_safety_dash_power()},
+  };
+}
+
+TEST(StateMessage, AgreesWithUpstreamOnAllThatNeedsNoEstimate) {
+  if (!tests::data("aligned/udp")) GTEST_SKIP() << "no data: set CLS_DATA";
+  std::map<std::string, int> differing;
+  for (const auto& [player, agent] : recorded_players()) {
+    const std::vector<protos::State> theirs = upstream_states(agent);
+    std::size_t i = 0;
+    replay(player, [&, who = player](const protos::State& ours) {
+      ASSERT_LT(i, theirs.size());
+      // In its last decision, at time_over, upstream still tells the mode before.
+      const std::size_t at = std::min(i, theirs.size() - 2);
+      if (at != i++) return;
+      const auto expected = facts_of(theirs[at]);
+      for (const auto& [name, value] : facts_of(ours)) {
+        if (value == expected.at(name) || ++differing[name] > 3) continue;
+        ADD_FAILURE() << who << ", decision " << at << ": " << name << " is " << value
+                      << " instead of " << expected.at(name);
+      }
+    });
+    EXPECT_EQ(i, theirs.size());
+  }
+  EXPECT_EQ(differing, (std::map<std::string, int>{}));
 }
 
 TEST(StateMessage, SetsWhatUpstreamSetsOnTheSameInput) {
   if (!tests::data("aligned/udp")) GTEST_SKIP() << "no data: set CLS_DATA";
-  Paths ours = our_paths("l1_goalie", "PROXY", true);
-  for (const char* player : {"l4", "l7", "l10"}) ours.merge(our_paths(player, "PROXY", false));
+  Paths ours;
   Paths theirs;
-  for (const char* agent : {"1", "4", "7", "10"}) {
-    const std::string stream = tests::read_file(
-        *tests::data(std::string("aligned/grpc/") + agent + ".GetPlayerActions.req.pb.gz"));
-    for (const std::string& message : tests::split_messages(stream)) {
-      protos::State state;
-      ASSERT_TRUE(state.ParseFromString(message));
+  for (const auto& [player, agent] : recorded_players()) {
+    replay(player, [&](const protos::State& state) {
+      EXPECT_FALSE(tests::has_unreal_number(state));
+      tests::add_field_paths(state, ours);
+    });
+    for (const protos::State& state : upstream_states(agent)) {
       tests::add_field_paths(state, theirs);
     }
   }
