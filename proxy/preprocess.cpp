@@ -50,7 +50,11 @@ void preprocess(PreprocessReason reason, const WorldModel& world, const SightMem
       return;
     case PreprocessReason::kBallLost:
       view_tactical(world, slots);
-      neck_body_to_ball(world, sight, slots, 0.0);
+      if (world.ball.ghost_count > 0) {
+        scan_field(world, sight, slots);  // it is not where we believe it
+      } else {
+        neck_body_to_ball(world, sight, slots, 0.0);
+      }
       return;
   }
 }

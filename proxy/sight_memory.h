@@ -10,8 +10,10 @@ namespace cls::proxy {
 /// Global directions in sectors of five degrees; sector 0 begins at -180.
 struct SightMemory {
   static constexpr int kSectors = 72;
-  std::array<int, kSectors> ages{};  ///< cycles since the sector was in view
+  std::array<int, kSectors> ages;  ///< cycles since the sector was in view
   GameTime updated;
+
+  SightMemory() { ages.fill(kNever); }
 
   static int sector_of(soccer::AngleDeg direction);
   /// Sum of the ages of the sectors within `half_width` degrees of `direction`.

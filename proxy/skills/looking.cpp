@@ -59,6 +59,8 @@ bool neck_body_to_ball(const WorldModel& world, const SightMemory& sight, Comman
 }
 
 bool scan_field(const WorldModel& world, const SightMemory& sight, CommandSlots& slots) {
+  // A place that was in view so lately is not where a lost ball is.
+  constexpr int kLookedThere = 8;
   if (!knows_itself(world)) {
     // Turning by the width of a view shows all landmarks soonest.
     slots.change_view(soccer::ViewWidth::kWide);
@@ -67,15 +69,15 @@ bool scan_field(const WorldModel& world, const SightMemory& sight, CommandSlots&
   const auto& server = world.server();
   const double width_now = view_angle(server, world.self.view_width);
   slots.change_view(soccer::ViewWidth::kWide);
-  if (world.ball.position_valid()) {
+  if (world.ball.position_valid() && world.ball.ghost_count == 0) {
     return slots.turn((width_now + view_angle(server, slots.next_view_width())) / 2.0);
   }
-  constexpr int kLooksEachWay = 3;
   const Vec2 last = world.ball.seen_pos_count < kNever ? world.ball.seen_position : Vec2{};
-  AngleDeg direction = AngleDeg::of(last - self_after(world, 1));
-  if (world.ball.lost_count / kLooksEachWay % 2 != 0) direction = direction + 180.0;
-  if (!slots.turn((direction - world.self.body).degrees()))
-    return neck_scan_field(world, sight, slots);
+  const AngleDeg direction = AngleDeg::of(last - self_after(world, 1));
+  if (sight.ages[static_cast<std::size_t>(SightMemory::sector_of(direction))] < kLookedThere) {
+    return look_around(world, sight, slots);
+  }
+  if (!slots.turn((direction - world.self.body).degrees())) return false;
   face(world, slots, direction);
   return true;
 }

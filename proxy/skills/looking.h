@@ -21,7 +21,8 @@ bool neck_body_to_point(const WorldModel& world, const SightMemory& sight, Comma
 bool neck_body_to_ball(const WorldModel& world, const SightMemory& sight, CommandSlots& slots,
                        double angle_buf);
 
-/// Turns around with wide eyes; a lost ball is looked for where it was, then opposite.
+/// Turns around with wide eyes; a lost ball is looked for where it was, then where nobody looked
+/// for longest.
 bool scan_field(const WorldModel& world, const SightMemory& sight, CommandSlots& slots);
 
 /// Finds out where everything is, at any price: scan_field() with high quality of view.

@@ -79,7 +79,8 @@ bool neck_scan_players(const WorldModel& world, const SightMemory& sight, Comman
 }
 
 bool neck_turn_to_ball(const WorldModel& world, const SightMemory& sight, CommandSlots& slots) {
-  if (!world.ball.position_valid()) return neck_scan_field(world, sight, slots);
+  const bool known = world.ball.position_valid() && world.ball.ghost_count == 0;
+  if (!known) return neck_scan_field(world, sight, slots);
   const double ball = relative_direction(slots, ball_after(world, 1));
   if (!can_see(world, slots, ball, kEdge)) return neck_scan_field(world, sight, slots);
   if (world.intercept.first_opponent_steps <= 1) return aim(world, slots, ball);

@@ -29,7 +29,7 @@ struct BallState {
   int vel_count = kNever;
   int seen_vel_count = kNever;
   int heard_vel_count = kNever;
-  int lost_count = 0;   ///< cycles since the ball was missing where it was expected
+  int lost_count = 0;   ///< cycles since it was missing where it was expected, or became invalid
   int ghost_count = 0;  ///< looks in a row that did not find it where it was expected
 
   // Derived from position and the own position.

@@ -201,7 +201,7 @@ void advance_ball(WorldModel& world, const SenseBody& sense, int cycles) {
         &ball.vel_count, &ball.seen_vel_count, &ball.heard_vel_count}) {
     *age = std::min(kNever, *age + cycles);
   }
-  if (!world.ball_tracker.tracked || ball.ghost_count > 0) {
+  if (!world.ball_tracker.tracked || ball.ghost_count > 0 || !ball.position_valid()) {
     ball.lost_count = std::min(kNever, ball.lost_count + cycles);
   }
   if (!world.ball_tracker.tracked) return;

@@ -273,7 +273,6 @@ TEST(BhvScanField, LooksForALostBallWhereItWasThenOpposite) {
   pitch.act(scan);
   EXPECT_TRUE(pitch.sees({0.0, 20.0}));
   EXPECT_EQ(pitch.world.self.view_width, ViewWidth::kWide);
-  pitch.world.ball.lost_count = 3;
   pitch.act(scan);
   EXPECT_TRUE(pitch.sees({0.0, -20.0}));
 }

@@ -224,8 +224,7 @@ TEST(BodyIntercept, GetsARollingBall) {
     const int quickest = pitch.world.intercept.self_steps;
     const int cycles = pitch.act_until(40, intercept_facing({52.5, 0.0}),
                                        [&] { return pitch.world.self.kickable; });
-    EXPECT_LE(cycles, quickest + 4)
-        << body << ": a ball that comes along may come a little farther";
+    EXPECT_LE(cycles, quickest + 1) << body;
   }
 }
 
