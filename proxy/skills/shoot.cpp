@@ -22,26 +22,39 @@ constexpr int kMaxCycles = 30;
 constexpr int kMaxCredit = 5;  ///< cycles that somebody may have used unseen
 
 /// Somebody who may stop a shot: by cycles from now, where he coasts to and how far from there he
-/// gets the ball.
+/// gets the ball, running straight ahead or with a turn (or sideways) first.
 struct Stopper {
   Vec2 position;
+  Vec2 body;  ///< unit vector; zero when not known
   bool goalie;
   std::array<Vec2, kMaxCycles + 1> places;
-  std::array<double, kMaxCycles + 1> reach;
+  std::array<double, kMaxCycles + 1> ahead;
+  std::array<double, kMaxCycles + 1> aside;
+
+  bool gets(Vec2 ball, std::size_t cycle) const {
+    constexpr double kStraight = 0.9;  // cosine
+    const Vec2 way = ball - places[cycle];
+    const double dist = way.length();
+    const bool straight = body.is_zero() || dot(way, body) > kStraight * dist;
+    return dist < (straight ? ahead[cycle] : aside[cycle]);
+  }
 };
 using Stoppers = FixedList<Stopper, 44>;
 
 Stopper stopper_of(const WorldModel& world, const PlayerState& player) {
   const auto& server = world.server();
   const soccer::PlayerType& type = world.type_of(player);
-  Stopper stopper{player.position, player.goalie, {}, {}};
+  Stopper stopper{player.position, {}, player.goalie, {}, {}, {}};
+  if (player.body_count <= 1) stopper.body = soccer::polar(1.0, player.body);
   const Vec2 velocity = player.velocity_valid() ? player.velocity : Vec2{};
   const double control = player.goalie ? server.catchable_area_l * type.catchable_area_l_stretch
                                        : type.kickable_area(server.ball_size);
   const double push = server.max_dash_power * type.dash_power_rate * type.effort_max;
   double speed = 0.0;
   double run = 0.0;
+  double run_before = 0.0;  // one cycle less: what a turn leaves
   const auto dash = [&] {
+    run_before = run;
     speed = std::min(speed * type.player_decay + push, type.player_speed_max);
     run += speed;
   };
@@ -49,7 +62,8 @@ Stopper stopper_of(const WorldModel& world, const PlayerState& player) {
   for (std::size_t cycle = 0; cycle <= kMaxCycles; ++cycle) {
     stopper.places[cycle] =
         coast(player.position, velocity, type.player_decay, static_cast<int>(cycle));
-    stopper.reach[cycle] = run + control;
+    stopper.ahead[cycle] = control + run;
+    stopper.aside[cycle] = control + std::max(run_before, server.side_dash_rate * run);
     dash();
   }
   return stopper;
@@ -81,8 +95,7 @@ bool unstoppable(const WorldModel& world, const Stoppers& list, Vec2 velocity, d
     if (way >= line_dist) return true;
     const auto now = static_cast<std::size_t>(cycle + head_start);
     for (const Stopper& stopper : list) {
-      const double reach = stopper.reach[now];
-      if (squared_distance(ball, stopper.places[now]) < reach * reach) return false;
+      if (stopper.gets(ball, now)) return false;
     }
   }
   return false;
