@@ -10,6 +10,7 @@
 #include "cli/convert_command.h"
 #include "cli/exit_code.h"
 #include "cli/match_command.h"
+#include "cli/mock_command.h"
 #include "cli/results_command.h"
 #include "cli/version_command.h"
 #include "soccer/parameter.h"
@@ -65,6 +66,7 @@ int run_application(int argc, const char* const* argv) {
   add_match_command(app, exit_code);
   add_results_command(app, exit_code);
   add_convert_command(app, exit_code);
+  add_mock_command(app, exit_code);
   add_version_command(app, exit_code);
 
   try {
