@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,20 @@ constexpr const char* kDescription =
     "  cls match mock mock                    the bundled team against itself\n"
     "  cls match mock localhost:50051         against your Playmaker\n"
     "  cls match --help                       all about matches";
+
+// Help that starts with the examples of the description; of commands, the list shows the first
+// line.
+class Help : public CLI::Formatter {
+ public:
+  std::string make_usage(const CLI::App* app, std::string name) const override {
+    return "\n" + CLI::Formatter::make_usage(app, name);
+  }
+  std::string make_subcommand(const CLI::App* command) const override {
+    const std::string description = command->get_description();
+    return fmt::format("  {:<14}{}\n", command->get_name(),
+                       description.substr(0, description.find('\n')));
+  }
+};
 
 // The options and commands that `word` may be a slip of.
 std::vector<std::string_view> known_words(const CLI::App& app, std::vector<std::string>& storage) {
@@ -61,6 +76,7 @@ int report_mistake(const CLI::App& app, const CLI::ParseError& error) {
 int run_application(int argc, const char* const* argv) {
   CLI::App app{kDescription};
   app.name("cls");
+  app.formatter(std::make_shared<Help>());
   app.require_subcommand(1);
   int exit_code = kDone;
   add_match_command(app, exit_code);

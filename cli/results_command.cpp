@@ -24,8 +24,9 @@ using gamelog::ReadResult;
 using gamelog::ResultsFormat;
 
 constexpr const char* kDescription =
-    "Prints the results of matches: score, goals with cycle and scorer, cards, substitutions,\n"
-    "players that were lost; over several logs the table of the teams too.\n"
+    "Prints the results of matches from their logs.\n"
+    "Score, goals with cycle and scorer, cards, substitutions, players that were lost; over several\n"
+    "logs the table of the teams too.\n"
     "\n"
     "  cls results game.rcg.gz\n"
     "  cls results runs/ --format markdown\n"
