@@ -25,7 +25,8 @@ using gamelog::ResultsFormat;
 
 constexpr const char* kDescription =
     "Prints the results of matches from their logs.\n"
-    "Score, goals with cycle and scorer, cards, substitutions, players that were lost; over several\n"
+    "Score, goals with cycle and scorer, cards, substitutions, players that were lost; over "
+    "several\n"
     "logs the table of the teams too.\n"
     "\n"
     "  cls results game.rcg.gz\n"
