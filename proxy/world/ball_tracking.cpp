@@ -136,16 +136,6 @@ void loosen(MovingBelief& state, int cycles) {
   }
 }
 
-void publish(WorldModel& world) {
-  const MovingBelief& state = world.ball_tracker.state;
-  BallState& ball = world.ball;
-  ball.position = {state.mean[0], state.mean[1]};
-  ball.velocity = {state.mean[2], state.mean[3]};
-  ball.relative_position = ball.position - world.self.position;
-  ball.position_deviation = std::sqrt(std::max(state.at(0, 0), state.at(1, 1)));
-  ball.velocity_deviation = std::sqrt(std::max(state.at(2, 2), state.at(3, 3)));
-}
-
 void forget(WorldModel& world) {
   world.ball_tracker.tracked = false;
   world.ball.pos_count = world.ball.relative_pos_count = world.ball.vel_count = kNever;
@@ -170,7 +160,7 @@ void see_ball(WorldModel& world, const Observation& seen) {
     tracker.state = first_belief(view, sight, seen, {}, square(kUnknownVelocity));
     tracker.tracked = true;
   }
-  publish(world);
+  publish_ball(world);
   ball.seen_position = ball.position;
   ball.seen_relative_position = ball.relative_position;
   ball.pos_count = ball.seen_pos_count = ball.relative_pos_count = 0;
@@ -193,6 +183,16 @@ void miss_ball(WorldModel& world) {
 }
 
 }  // namespace
+
+void publish_ball(WorldModel& world) {
+  const MovingBelief& state = world.ball_tracker.state;
+  BallState& ball = world.ball;
+  ball.position = {state.mean[0], state.mean[1]};
+  ball.velocity = {state.mean[2], state.mean[3]};
+  ball.relative_position = ball.position - world.self.position;
+  ball.position_deviation = std::sqrt(std::max(state.at(0, 0), state.at(1, 1)));
+  ball.velocity_deviation = std::sqrt(std::max(state.at(2, 2), state.at(3, 3)));
+}
 
 void advance_ball(WorldModel& world, const SenseBody& sense, int cycles) {
   BallState& ball = world.ball;
@@ -220,7 +220,7 @@ void advance_ball(WorldModel& world, const SenseBody& sense, int cycles) {
       state.at(axis + 2, axis + 2) += square(0.1);
     }
   }
-  publish(world);
+  publish_ball(world);
 }
 
 void observe_ball(WorldModel& world, const soccer::See& see) {
@@ -245,7 +245,7 @@ void place_ball(WorldModel& world, Vec2 position, double deviation) {
     state.at(axis + 2, axis + 2) = square(kAtRest);
   }
   world.ball_tracker.tracked = true;
-  publish(world);
+  publish_ball(world);
 }
 
 Vec2 ball_after(Vec2 position, Vec2 velocity, int cycles, double decay) {

@@ -17,4 +17,7 @@ void observe_ball(WorldModel& world, const soccer::See& see);
 /// The referee put the ball there, at rest.
 void place_ball(WorldModel& world, soccer::Vec2 position, double deviation);
 
+/// Copies the tracker's belief into BallState.
+void publish_ball(WorldModel& world);
+
 }  // namespace cls::proxy

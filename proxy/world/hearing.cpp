@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "proxy/world/ball_tracking.h"
+#include "proxy/world/heard_news.h"
 #include "proxy/world/player_tracking.h"
 #include "soccer/pitch.h"
 #include "soccer/protocol/number_text.h"
@@ -155,6 +156,7 @@ void hear_message(WorldModel& world, const soccer::Hear& hear) {
     case Sender::kTeammate:
       message.side = world.our_side;
       message.unum = hear.unum;
+      take_news(world, hear.unum, hear.text);
       message.direction = world.self.body + hear.direction;
       break;
     case Sender::kOpponent:

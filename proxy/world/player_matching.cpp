@@ -2,6 +2,7 @@
 #include "proxy/world/player_matching.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "proxy/world/assignment.h"
 #include "proxy/world/player_tracking.h"
@@ -17,12 +18,6 @@ using soccer::Side;
 // Squared deviations up to which a track and a sighting go together.
 constexpr double kSameGate = 16.0;
 constexpr double kClearlySame = 9.0;
-
-PlayerList& list_of(WorldModel& world, Side side) {
-  return side == Side::kNeutral   ? world.unknowns
-         : side == world.our_side ? world.teammates
-                                  : world.opponents;
-}
 
 double squared_misfit(const PlayerState& track, const PlayerSighting& sighting) {
   return misfit(belief_of(track), sighting.sight).squared;
@@ -50,24 +45,6 @@ PlayerState* nearest_unclaimed(PlayerList& list, const PlayerSighting& sighting,
   return best;
 }
 
-PlayerState* new_track(WorldModel& world, Side side, int unum) {
-  PlayerState track;
-  track.id = world.next_player_id++;
-  track.side = side;
-  track.unum = unum;
-  PlayerList& list = list_of(world, side);
-  if (!list.push_back(track)) {
-    // Full of tracks: the one without news for the longest time makes room.
-    std::size_t oldest = 0;
-    for (std::size_t i = 1; i < list.size(); ++i) {
-      if (list[i].pos_count > list[oldest].pos_count) oldest = i;
-    }
-    list.erase(oldest);
-    list.push_back(track);
-  }
-  return &list.back();
-}
-
 void erase(PlayerList& list, const PlayerState* track) {
   list.erase(static_cast<std::size_t>(track - list.begin()));
 }
@@ -76,7 +53,7 @@ void erase(PlayerList& list, const PlayerState* track) {
 PlayerState* revive(WorldModel& world, PlayerState* lost) {
   const PlayerState old = *lost;
   erase(world.lost, lost);
-  PlayerState* track = new_track(world, old.side, old.unum);
+  PlayerState* track = new_player(world, old.side, old.unum);
   const int id = track->id;
   *track = old;
   track->id = id;
@@ -87,7 +64,7 @@ PlayerState* revive(WorldModel& world, PlayerState* lost) {
 PlayerState* join(WorldModel& world, PlayerState* unknown, Side side) {
   PlayerState moved = *unknown;
   erase(world.unknowns, unknown);
-  PlayerState* track = new_track(world, side, 0);
+  PlayerState* track = new_player(world, side, 0);
   moved.side = side;
   *track = moved;
   return track;
@@ -109,7 +86,7 @@ PlayerState* track_for_number(WorldModel& world, const PlayerSighting& sighting)
   if (at_place == nullptr) {
     if (named != nullptr) return named;
     if (lost != nullptr) return revive(world, lost);
-    return new_track(world, sighting.side, unum);
+    return new_player(world, sighting.side, unum);
   }
   // Somebody else was believed where this number stands: the names were wrong.
   if (named != nullptr) {
@@ -122,7 +99,7 @@ PlayerState* track_for_number(WorldModel& world, const PlayerSighting& sighting)
     PlayerState gone = *at_place;  // its number is somewhere, but not here
     world.lost.push_back(gone);
   }
-  if (lost != nullptr) erase(world.lost, lost);
+  forget_lost(world, sighting.side, unum);
   at_place->unum = unum;
   return at_place;
 }
@@ -200,16 +177,38 @@ void match_team(WorldModel& world, const Viewpoint& view, const SightingList& si
   for (std::size_t r = 0; r < rows.size(); ++r) {
     if (column_of[r] < tracked) continue;
     PlayerState* unknown = nearest_unclaimed(world.unknowns, *rows[r], kClearlySame);
-    take(unknown != nullptr ? *join(world, unknown, side) : *new_track(world, side, 0), view,
+    take(unknown != nullptr ? *join(world, unknown, side) : *new_player(world, side, 0), view,
          *rows[r]);
   }
+}
+
+/// When the goalie's number is known and nobody has it, the one in his penalty area behind all the
+/// others is the goalie.
+void number_the_goalie(WorldModel& world, Side side) {
+  const bool ours = side == world.our_side;
+  const int unum = ours ? world.our_goalie_unum : world.their_goalie_unum;
+  PlayerList& list = list_of(world, side);
+  if (unum == 0 || (ours && unum == world.unum) || find_number(list, side, unum) != nullptr) return;
+  const double toward = ours ? -1.0 : 1.0;
+  PlayerState* last = nullptr;
+  for (PlayerState& track : list) {
+    if (last == nullptr || toward * track.position.x > toward * last->position.x) last = &track;
+  }
+  if (last == nullptr || last->unum != 0) return;
+  const bool in_area =
+      toward * last->position.x > soccer::kHalfLength - soccer::kPenaltyAreaLength &&
+      std::fabs(last->position.y) < 0.5 * soccer::kPenaltyAreaWidth;
+  if (!in_area) return;
+  last->unum = unum;
+  last->goalie = true;
+  forget_lost(world, side, unum);
 }
 
 /// When all numbers of a team but one are known, and one player without number is in sight, it is
 /// that one.
 void number_the_last(WorldModel& world, Side side) {
   PlayerList& list = list_of(world, side);
-  constexpr int kRecent = 5;
+  constexpr int kRecent = 15;
   std::array<bool, soccer::kPlayersPerTeam + 1> taken{};
   if (side == world.our_side) taken[static_cast<std::size_t>(world.unum)] = true;
   PlayerState* nameless = nullptr;
@@ -232,7 +231,7 @@ void number_the_last(WorldModel& world, Side side) {
   }
   if (missing == 0) return;
   nameless->unum = missing;
-  if (PlayerState* lost = find_number(world.lost, side, missing)) erase(world.lost, lost);
+  forget_lost(world, side, missing);
 }
 
 void match_anonymous(WorldModel& world, const Viewpoint& view, const SightingList& sightings,
@@ -247,7 +246,7 @@ void match_anonymous(WorldModel& world, const Viewpoint& view, const SightingLis
       least = squared_misfit(*track, sighting);
       best = track;
     }
-    if (best == nullptr) best = new_track(world, Side::kNeutral, 0);
+    if (best == nullptr) best = new_player(world, Side::kNeutral, 0);
     take(*best, view, sighting);
   }
 }
@@ -260,6 +259,8 @@ void match(WorldModel& world, const Viewpoint& view, const SightingList& sightin
   match_team(world, view, sightings, Side::kLeft, take);
   match_team(world, view, sightings, Side::kRight, take);
   match_anonymous(world, view, sightings, take);
+  number_the_goalie(world, Side::kLeft);
+  number_the_goalie(world, Side::kRight);
   number_the_last(world, Side::kLeft);
   number_the_last(world, Side::kRight);
 }

@@ -153,15 +153,27 @@ void learn_team_name(WorldModel& world, const soccer::See& see) {
   }
 }
 
-/// Numbered tracks by number, then the others by age of the track.
-void sort(PlayerList& list) {
-  const auto before = [](const PlayerState& a, const PlayerState& b) {
-    const int left = a.unum == 0 ? soccer::kPlayersPerTeam + a.id : a.unum;
-    const int right = b.unum == 0 ? soccer::kPlayersPerTeam + b.id : b.unum;
-    return left != right ? left < right : a.id < b.id;
-  };
-  if (!std::is_sorted(list.begin(), list.end(), before))
-    std::sort(list.begin(), list.end(), before);
+/// A player who is not where he was believed, and somebody without number a little aside who was
+/// not known before: that is him, after a step nobody expected.
+void follow_ghosts(PlayerList& list) {
+  constexpr double kAside = 4.0;
+  for (std::size_t i = list.size(); i-- > 0;) {
+    const PlayerState& ghost = list[i];
+    if (ghost.unum == 0 || ghost.ghost_count == 0) continue;
+    PlayerState* found = nullptr;
+    int near = 0;
+    for (PlayerState& other : list) {
+      if (other.id == ghost.id || soccer::distance(other.position, ghost.position) > kAside)
+        continue;
+      ++near;
+      if (other.unum == 0 && other.claimed) found = &other;
+    }
+    if (found == nullptr || near > 1) continue;
+    found->unum = ghost.unum;
+    found->unum_count = ghost.unum_count;
+    found->goalie = ghost.goalie;
+    list.erase(i);
+  }
 }
 
 }  // namespace
@@ -175,6 +187,46 @@ void set_belief(PlayerState& player, const MovingBelief& belief) {
   player.position = {belief.mean[0], belief.mean[1]};
   player.velocity = {belief.mean[2], belief.mean[3]};
   player.covariance = belief.covariance;
+}
+
+PlayerList& list_of(WorldModel& world, Side side) {
+  return side == Side::kNeutral   ? world.unknowns
+         : side == world.our_side ? world.teammates
+                                  : world.opponents;
+}
+
+PlayerState* new_player(WorldModel& world, Side side, int unum) {
+  PlayerState track;
+  track.id = world.next_player_id++;
+  track.side = side;
+  track.unum = unum;
+  PlayerList& list = list_of(world, side);
+  if (!list.push_back(track)) {
+    // Full of tracks: the one without news for the longest time makes room.
+    std::size_t oldest = 0;
+    for (std::size_t i = 1; i < list.size(); ++i) {
+      if (list[i].pos_count > list[oldest].pos_count) oldest = i;
+    }
+    list.erase(oldest);
+    list.push_back(track);
+  }
+  return &list.back();
+}
+
+void forget_lost(WorldModel& world, Side side, int unum) {
+  for (std::size_t i = world.lost.size(); i-- > 0;) {
+    if (world.lost[i].side == side && world.lost[i].unum == unum) world.lost.erase(i);
+  }
+}
+
+void sort_players(PlayerList& list) {
+  const auto before = [](const PlayerState& a, const PlayerState& b) {
+    const int left = a.unum == 0 ? soccer::kPlayersPerTeam + a.id : a.unum;
+    const int right = b.unum == 0 ? soccer::kPlayersPerTeam + b.id : b.unum;
+    return left != right ? left < right : a.id < b.id;
+  };
+  if (!std::is_sorted(list.begin(), list.end(), before))
+    std::sort(list.begin(), list.end(), before);
 }
 
 void advance_players(WorldModel& world, int cycles) {
@@ -210,8 +262,9 @@ void observe_players(WorldModel& world, const soccer::See& see) {
         ++player.ghost_count;
       }
     }
+    follow_ghosts(*list);
     give_up_if(world, *list, [](const PlayerState& p) { return p.ghost_count >= kTakenForGone; });
-    sort(*list);
+    sort_players(*list);
   }
 }
 

@@ -18,6 +18,19 @@ void observe_players(WorldModel& world, const soccer::See& see);
 /// remembered.
 void forget_places(WorldModel& world);
 
+/// The list of that side's players (neutral: of those whose team is not known).
+PlayerList& list_of(WorldModel& world, soccer::Side side);
+
+/// A new track at the end of that list, under a new id; when the list is full the track without
+/// news for the longest time makes room.
+PlayerState* new_player(WorldModel& world, soccer::Side side, int unum);
+
+/// The player with that number has been found.
+void forget_lost(WorldModel& world, soccer::Side side, int unum);
+
+/// Numbered tracks by number, then the others by age of the track.
+void sort_players(PlayerList& list);
+
 /// The track's belief, and back.
 MovingBelief belief_of(const PlayerState& player);
 void set_belief(PlayerState& player, const MovingBelief& belief);

@@ -4,12 +4,14 @@
 #include <string>
 
 #include "proxy/perception.h"
+#include "proxy/say_message.h"
 
 namespace cls::proxy {
 namespace {
 
 using soccer::PlayMode;
 using soccer::Side;
+using soccer::Vec2;
 
 WorldModel model(Side side) {
   WorldModel world;
@@ -138,17 +140,118 @@ TEST(Hearing, WhatPlayersSayIsKeptForTheMoment) {
   hear.sender = soccer::Hear::Sender::kTeammate;
   hear.unum = 9;
   hear.direction = 30;
-  hear.text = "PajQs9";
+  hear.text = "some text";
   on_hear(world, hear);
   hear.partial = true;
   on_hear(world, hear);
   ASSERT_EQ(world.heard.size(), 1U);
-  EXPECT_EQ(world.heard[0].text, "PajQs9");
+  EXPECT_EQ(world.heard[0].text, "some text");
   EXPECT_EQ(world.heard[0].unum, 9);
   EXPECT_EQ(world.heard[0].side, Side::kLeft);
   EXPECT_NEAR(world.heard[0].direction.degrees(), 30.0, 1e-9);
   sense(world, 9);
   EXPECT_TRUE(world.heard.empty());
+}
+
+/// What our player `unum` says, heard at once.
+void say(WorldModel& world, int unum, const SayMessage& message) {
+  soccer::Hear hear;
+  hear.time = world.game.time.cycle;
+  hear.sender = soccer::Hear::Sender::kTeammate;
+  hear.unum = unum;
+  ASSERT_TRUE(append_say_message(message, world.server(), hear.text));
+  on_hear(world, hear);
+}
+
+PlayerState seen_player(WorldModel& world, Side side, int unum, Vec2 position, int count) {
+  PlayerState player;
+  player.id = world.next_player_id++;
+  player.side = side;
+  player.unum = unum;
+  player.position = position;
+  player.pos_count = player.seen_pos_count = count;
+  player.unum_count = unum == 0 ? kNever : count;
+  player.covariance[0] = player.covariance[5] = 0.25;
+  return player;
+}
+
+TEST(HeardNews, ABallNobodyOfUsSawIsBelieved) {
+  WorldModel world = model(Side::kRight);
+  sense(world, 8);
+  say(world, 9, SayBall{{10.0, -5.0}, {0.5, 1.0}});
+  const BallState& ball = world.ball;
+  EXPECT_LT(soccer::distance(ball.position, {10.0, -5.0}), 0.1);
+  EXPECT_LT(soccer::distance(ball.velocity, {0.5, 1.0}), 0.1);
+  EXPECT_EQ(ball.pos_count, 1);
+  EXPECT_EQ(ball.vel_count, 1);
+  EXPECT_EQ(ball.heard_pos_count, 0);
+  EXPECT_EQ(ball.heard_vel_count, 0);
+  EXPECT_EQ(ball.seen_pos_count, kNever);
+  sense(world, 9);
+  EXPECT_EQ(ball.heard_pos_count, 1);
+  EXPECT_EQ(ball.pos_count, 2);
+  EXPECT_LT(soccer::distance(ball.heard_position, {10.0, -5.0}), 0.1);
+  EXPECT_LT(soccer::distance(ball.position, {10.5, -4.0}), 0.15);  // and rolls on
+}
+
+TEST(HeardNews, AnUnseenPlayerGetsAPlaceAndANumber) {
+  WorldModel world = model(Side::kLeft);
+  sense(world, 8);
+  SayPlayers players;
+  players.players.push_back({9, {20.0, 10.0}});
+  players.players.push_back({14, {-30.0, -10.0}});
+  players.players.push_back({4, {1.0, 1.0}});  // that is us
+  say(world, 2, players);
+  ASSERT_NE(world.teammate(9), nullptr);
+  ASSERT_NE(world.opponent(3), nullptr);
+  EXPECT_EQ(world.teammate(4), nullptr);
+  EXPECT_LT(soccer::distance(world.teammate(9)->position, {20.0, 10.0}), 0.5);
+  EXPECT_EQ(world.teammate(9)->pos_count, 1);
+  EXPECT_EQ(world.teammate(9)->heard_pos_count, 0);
+  EXPECT_EQ(world.teammate(9)->unum_count, kNever);
+}
+
+TEST(HeardNews, ANamelessPlayerLearnsWhoHeIs) {
+  WorldModel world = model(Side::kLeft);
+  sense(world, 8);
+  world.opponents.push_back(seen_player(world, Side::kRight, 0, {30.0, 5.0}, 0));
+  world.opponents.push_back(seen_player(world, Side::kRight, 0, {30.0, -5.0}, 0));
+  const int id = world.opponents[0].id;
+  SayPlayers players;
+  players.players.push_back({11 + 6, {30.4, 5.3}});
+  say(world, 2, players);
+  ASSERT_NE(world.opponent(6), nullptr);
+  EXPECT_EQ(world.opponent(6)->id, id);
+  EXPECT_EQ(world.opponent(6)->position, (Vec2{30.0, 5.0}));  // own look of this moment is better
+  EXPECT_EQ(world.opponents.size(), 2U);
+}
+
+TEST(HeardNews, ANumberReadLatelyIsBelievedMoreThanHearsay) {
+  WorldModel world = model(Side::kLeft);
+  sense(world, 8);
+  world.opponents.push_back(seen_player(world, Side::kRight, 6, {30.0, 5.0}, 2));
+  world.opponents.push_back(seen_player(world, Side::kRight, 0, {30.0, -5.0}, 2));
+  SayPlayers players;
+  players.players.push_back({11 + 6, {30.0, -5.0}});
+  say(world, 2, players);
+  EXPECT_GT(world.opponent(6)->position.y, 0.0);
+  for (PlayerState& player : world.opponents) player.unum_count += 100;
+  say(world, 2, players);
+  EXPECT_LT(world.opponent(6)->position.y, 0.0);
+}
+
+TEST(HeardNews, ChatterIsIgnored) {
+  WorldModel world = model(Side::kLeft);
+  sense(world, 8);
+  soccer::Hear hear;
+  hear.sender = soccer::Hear::Sender::kTeammate;
+  hear.unum = 2;
+  for (const char* text : {"hello", "b12", "", "Zzzzzzzzzz", "s9"}) {
+    hear.text = text;
+    on_hear(world, hear);
+  }
+  EXPECT_EQ(world.ball.pos_count, kNever);
+  EXPECT_TRUE(world.teammates.empty());
 }
 
 }  // namespace

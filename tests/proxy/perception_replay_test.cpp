@@ -150,7 +150,7 @@ TEST(Transcript, AnInitRequestTellsTeamAndGoalie) {
   EXPECT_EQ(world->unum, 1);
 }
 
-TEST(PerceptionReplay, SelfAndBallAreNoWorseThanUpstreamsOnTheSameInput) {
+TEST(PerceptionReplay, NoWorseThanUpstreamOnTheSameInput) {
   const auto log = tests::data("aligned/game.rcg.gz");
   if (!log) GTEST_SKIP() << "no data: set CLS_DATA";
   const Moments truth = read_truth(tests::read_file(*log));
@@ -164,11 +164,13 @@ TEST(PerceptionReplay, SelfAndBallAreNoWorseThanUpstreamsOnTheSameInput) {
                theirs.unum, text_of(ours.self()), text_of(ours.body_angle()), text_of(ours.ball()),
                text_of(ours.ball_velocity()), text_of(ours.teammates()), text_of(ours.opponents()));
     EXPECT_NEAR(ours.cycles(), 459, 1);  // on one of the borders of play_on we count otherwise
-    // Issue 8 asks for no worse than upstream here; half of it is reached.
+    // No worse than upstream is asked for; much better is reached where the bounds say so.
     expect_at_most(ours.self(), theirs.self, 0.6, "position", theirs.unum);
     expect_at_most(ours.body_angle(), theirs.body_angle, 0.6, "body angle", theirs.unum);
-    expect_at_most(ours.ball(), theirs.ball, 1.05, "ball", theirs.unum);
-    expect_at_most(ours.ball_velocity(), theirs.ball_velocity, 1.05, "ball velocity", theirs.unum);
+    expect_at_most(ours.ball(), theirs.ball, 0.85, "ball", theirs.unum);
+    expect_at_most(ours.ball_velocity(), theirs.ball_velocity, 1.0, "ball velocity", theirs.unum);
+    expect_at_most(ours.teammates(), theirs.teammates, 0.9, "teammates", theirs.unum);
+    expect_at_most(ours.opponents(), theirs.opponents, 0.85, "opponents", theirs.unum);
   }
 }
 
