@@ -2,12 +2,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
 #include "gamelog/rcg_reader.h"
 #include "soccer/pitch.h"
+#include "tests/matches/full_form.h"
 #include "tests/support/command.h"
 #include "tests/support/files.h"
 #include "tests/support/temporary_folder.h"
@@ -17,10 +17,6 @@ namespace {
 
 using gamelog::MatchRecord;
 using soccer::PlayMode;
-
-// CLS_FULL in the environment asks for whole matches (`make full`); the short form is for every
-// day.
-bool full() { return std::getenv("CLS_FULL") != nullptr; }
 
 /// Sums over all matches of a test.
 struct Play {
@@ -87,8 +83,8 @@ void play_one(int seed, int cycles, Play& play) {
 }
 
 TEST(Play, IsSoccer) {
-  const int matches = full() ? 20 : 3;
-  const int cycles = full() ? 6000 : 1500;
+  const int matches = full_form() ? 20 : 3;
+  const int cycles = full_form() ? 6000 : 1500;
   Play play;
   for (int seed = 1; seed <= matches; ++seed) {
     ASSERT_NO_FATAL_FAILURE(play_one(seed, cycles, play)) << "seed " << seed;
@@ -104,7 +100,7 @@ TEST(Play, IsSoccer) {
 
   EXPECT_GT(play.left_goals + play.right_goals, 0);
   EXPECT_GT(play.kick_ins, 0);
-  if (full()) {
+  if (full_form()) {
     EXPECT_GT(play.left_goals, 0);
     EXPECT_GT(play.right_goals, 0);
     EXPECT_GT(play.offsides, 0);
@@ -120,7 +116,7 @@ TEST(Play, IsSoccer) {
 }
 
 TEST(Play, AWholeMatchRepeatsItself) {
-  if (!full()) GTEST_SKIP() << "whole matches: make full (cli.Determinism has shorter ones)";
+  if (!full_form()) GTEST_SKIP() << "whole matches: make full (cli.Determinism has shorter ones)";
   TemporaryFolder folder;
   for (const char* name : {"a", "b"}) {
     Command match(

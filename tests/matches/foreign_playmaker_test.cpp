@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "tests/matches/full_form.h"
 #include "tests/support/command.h"
 #include "tests/support/files.h"
 #include "tests/support/temporary_folder.h"
@@ -34,20 +35,23 @@ TEST(ForeignPlaymaker, TheExampleInPythonPlaysAMatch) {
   const std::string address = line.substr(13, line.find('\n') - 13);
 
   cls::tests::TemporaryFolder folder;
-  const auto played = cls::tests::run({cls::tests::cls_binary(), "match", "mock", address, "--seed",
-                                       "7", "--half-time", "15", "--set", "server::kick_off_wait=3",
-                                       "--dir", folder.path()});
+  const int half_time = cls::tests::full_form() ? 300 : 15;
+  Command match({cls::tests::cls_binary(), "match", "mock", address, "--seed", "7", "--half-time",
+                 std::to_string(half_time), "--set", "server::kick_off_wait=3", "--dir",
+                 folder.path()});
+  const auto played = match.finish(std::chrono::seconds(600));
   EXPECT_EQ(played.exit_code, 0) << played.err;
   EXPECT_EQ(played.err, "");
   const auto result = nlohmann::json::parse(cls::tests::read_file(folder.path() / "result.json"));
   EXPECT_EQ(result["end_reason"], "finished");
-  EXPECT_EQ(result["cycles"], 300);
+  EXPECT_EQ(result["cycles"], half_time * 20);
   for (const auto& player : result["right"]["players"]) {
     EXPECT_EQ(player["missed"], 0) << player;
     EXPECT_TRUE(player["unimplemented_actions"].empty()) << player;
     EXPECT_GT(player["commands"].value("dash", 0), 20) << player["unum"];
   }
-  std::cout << "with " << python << ": " << result["cycles_per_second"] << " cycles/s\n";
+  std::cout << "with " << python << ": " << result["cycles_per_second"] << " cycles/s, mock "
+            << result["left"]["score"] << " : " << result["right"]["score"] << " example\n";
 }
 
 }  // namespace
