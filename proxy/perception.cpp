@@ -230,7 +230,7 @@ void on_sense_body(WorldModel& world, const soccer::SenseBody& sense) {
   world.ball_tracker.pushed = false;
   advance_ball(world, sense, cycles);
   advance_players(world, cycles);
-  advance_self(world, sense);
+  advance_self(world, sense, cycles);
   reckon_recovery(world, sense, cycles);
   follow_catches(world, sense, cycles);
   absorb(world, sense);

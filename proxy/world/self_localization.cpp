@@ -277,7 +277,7 @@ bool localize(WorldModel& world, const soccer::See& see) {
     return o.kind == ObservedKind::kLandmark || o.kind == ObservedKind::kLine;
   });
   if (tracker.located && seen) {
-    constexpr int kRounds = 2;
+    constexpr int kRounds = 5;  // one is enough unless messages were lost or we were moved
     fresh = fit(look, see, tracker.pose, kRounds) > kContradiction;
   }
   if (!tracker.located || fresh) {
@@ -292,6 +292,9 @@ bool localize(WorldModel& world, const soccer::See& see) {
     }
   }
   if (!seen) return false;
+  // However many intervals agree, rounding in the server and here keeps it from being a point.
+  constexpr double kLeastVariance = 1e-6;
+  for (std::size_t i = 0; i < 3; ++i) tracker.pose.at(i, i) += kLeastVariance;
   const double corrected = math::normalize_degrees(tracker.pose.mean[2] - body_before);
   self.velocity = soccer::rotated_degrees(self.velocity, corrected * tracker.heading_follows_body);
   return true;

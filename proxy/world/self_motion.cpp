@@ -58,8 +58,10 @@ void turn_body(WorldModel& world, const Executed& done) {
   if (done.unknown_turn) pose.at(2, 2) += 180.0 * 180.0 / 3.0;
 }
 
-/// The neck: the sum of own turns is exact; head_angle, cut to whole degrees, checks it.
-AngleDeg neck_after(const WorldModel& world, const Executed& done, int head_angle) {
+/// The neck: the sum of own turns is exact; head_angle, cut to whole degrees, checks it. When that
+/// contradicts (commands were lost or unknown) the neck is taken from it, and the look's direction
+/// is less sure for it.
+AngleDeg neck_after(WorldModel& world, const Executed& done, int head_angle) {
   double neck = world.self.neck.degrees();
   if (done.turn_neck) {
     const soccer::ServerParams& server = world.server();
@@ -73,8 +75,9 @@ AngleDeg neck_after(const WorldModel& world, const Executed& done, int head_angl
   const double low = head_angle > 0 ? head_angle - kSlack : head_angle - 1.0 - kSlack;
   const double high = head_angle < 0 ? head_angle + kSlack : head_angle + 1.0 + kSlack;
   if (neck >= low && neck <= high) return AngleDeg(neck);
-  const double middle = head_angle == 0 ? 0.0 : head_angle + (head_angle > 0 ? 0.5 : -0.5);
-  return AngleDeg(std::clamp(middle, world.server().minneckang, world.server().maxneckang));
+  // Necks stand at whole degrees, and four times of five the one shown is right.
+  world.self_tracker.pose.at(2, 2) += 0.25;
+  return AngleDeg(head_angle);
 }
 
 /// Acceleration of the dash that was carried out.
@@ -179,6 +182,13 @@ void displace(Gaussian<3>& pose, double length, double length_variance, const He
   pose.at(2, 1) = pose.at(1, 2);
 }
 
+/// A step of which nothing is known: it led anywhere a player gets in one cycle.
+void miss_a_step(Gaussian<3>& pose, const soccer::PlayerType& type) {
+  const double variance = type.player_speed_max * type.player_speed_max / 2.0;
+  pose.at(0, 0) += variance;
+  pose.at(1, 1) += variance;
+}
+
 void place(SelfTracker& tracker, Vec2 position) {
   Gaussian<3>& pose = tracker.pose;
   const double body_variance = pose.at(2, 2);
@@ -191,7 +201,7 @@ void place(SelfTracker& tracker, Vec2 position) {
 
 }  // namespace
 
-void advance_self(WorldModel& world, const soccer::SenseBody& sense) {
+void advance_self(WorldModel& world, const soccer::SenseBody& sense, int cycles) {
   SelfState& self = world.self;
   SelfTracker& tracker = world.self_tracker;
   Gaussian<3>& pose = tracker.pose;
@@ -232,6 +242,7 @@ void advance_self(WorldModel& world, const soccer::SenseBody& sense) {
   } else {
     displace(pose, speed.mean / decay, speed.variance / (decay * decay), heading);
   }
+  for (int lost = 1; lost < cycles; ++lost) miss_a_step(pose, world.self_type());
   if (done.move) place(tracker, {tracker.sent.move->x, tracker.sent.move->y});
 
   self.velocity = soccer::polar_degrees(speed.mean, heading.degrees);

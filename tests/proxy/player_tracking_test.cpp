@@ -180,6 +180,36 @@ TEST(PlayerTracking, TwoNamelessOnesStayNameless) {
   EXPECT_EQ(scene.world.opponents.size(), 11U);
 }
 
+TEST(PlayerTracking, TheGoalieIsKnownByItsPlace) {
+  Scene scene;
+  scene.truth.self.position = {30.0, 0.0};
+  scene.add(Side::kRight, 1, {48.0, 1.0}).goalie = true;
+  scene.add(Side::kRight, 4, {35.0, 6.0});
+  scene.cycle();
+  ASSERT_EQ(scene.world.their_goalie_unum, 1);
+  // Lost from sight and memory, and seen again from afar.
+  for (int i = 0; i < 31; ++i) scene.cycle(false);
+  EXPECT_EQ(scene.world.opponent(1), nullptr);
+  scene.truth.self.position = {0.0, 0.0};
+  scene.cycle();
+  ASSERT_NE(scene.world.opponent(1), nullptr);
+  EXPECT_TRUE(scene.world.opponent(1)->goalie);
+  EXPECT_NEAR(scene.world.opponent(1)->position.x, 48.0, 3.0);
+  EXPECT_EQ(scene.world.opponent(4), nullptr);
+}
+
+TEST(PlayerTracking, WhoMadeAnUnexpectedStepKeepsHisNumber) {
+  Scene scene;
+  scene.add(Side::kRight, 9, {-12.0, 4.0});
+  for (int i = 0; i < 4; ++i) scene.cycle();
+  scene.truth.unum_far = 5.0;
+  scene.truth.others[0].position = {-10.0, 6.0};  // pushed away in a collision
+  scene.cycle();
+  ASSERT_EQ(scene.world.opponents.size(), 1U);
+  ASSERT_NE(scene.world.opponent(9), nullptr);
+  EXPECT_NEAR(scene.world.opponent(9)->position.x, -10.0, 1.0);
+}
+
 TEST(PlayerTracking, BeforeAKickOffEverybodyMayBeAnywhere) {
   Scene scene;
   scene.add(Side::kRight, 9, {-8.0, 4.0});

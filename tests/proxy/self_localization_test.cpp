@@ -276,6 +276,26 @@ TEST(SelfLocalization, FocusPointDoesNotDisturbTheFirstLooks) {
   EXPECT_LT(body_error(world, truth), 0.1);
 }
 
+TEST(SelfLocalization, LostMessagesAreSurvived) {
+  Runner runner;
+  WorldModel world = model_of(Side::kLeft);
+  double worst = 0.0;
+  double mean = 0.0;
+  for (int i = 0; i < 120; ++i) {
+    note_sent_commands(world, runner.step());
+    if (i % 10 == 5 || i % 10 == 6) continue;  // neither sense_body nor see
+    on_sense_body(world, runner.sense());
+    if (i % 10 == 7) {
+      EXPECT_GT(world.self.position_deviation, 0.5);
+    }
+    on_see(world, tests::see_of(runner.truth));
+    worst = std::max(worst, position_error(world, runner.truth));
+    mean += position_error(world, runner.truth) / 96.0;
+  }
+  EXPECT_LT(mean, 0.03);
+  EXPECT_LT(worst, 0.5);  // a single look in the worst direction
+}
+
 TEST(SelfLocalization, SameMessagesGiveTheSameBits) {
   WorldModel first = model_of(Side::kLeft);
   WorldModel second = model_of(Side::kLeft);
