@@ -45,5 +45,8 @@ function(cls_test folder)
     TEST_PREFIX "${folder}."
     DISCOVERY_TIMEOUT 60
     WORKING_DIRECTORY "${CMAKE_BINARY_DIR}"
-    PROPERTIES LABELS "${folder}" TIMEOUT ${arg_TIMEOUT})
+    PROPERTIES
+      LABELS "${folder}"
+      TIMEOUT ${arg_TIMEOUT}
+      ENVIRONMENT "TSAN_OPTIONS=suppressions=${CMAKE_SOURCE_DIR}/cmake/tsan.supp")
 endfunction()

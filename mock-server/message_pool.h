@@ -15,6 +15,15 @@ namespace cls::mock_server {
 template <typename Request, typename Response>
 class MessagePool : public grpc::MessageAllocator<Request, Response> {
  public:
+  MessagePool() = default;
+  MessagePool(const MessagePool&) = delete;
+  MessagePool& operator=(const MessagePool&) = delete;
+  ~MessagePool() override {
+    // What gRPC's threads did to the messages is done before, by this lock at the latest.
+    const std::lock_guard lock(mutex_);
+    idle_.clear();
+  }
+
   grpc::MessageHolder<Request, Response>* AllocateMessages() override {
     std::unique_ptr<Pair> pair;
     {

@@ -20,8 +20,8 @@ constexpr RpcTimeout kProbeTimeout{500};
 
 grpc::ChannelArguments channel_arguments() {
   grpc::ChannelArguments arguments;
+  // Not the minimum: it is also how long an attempt may take, and a busy Playmaker takes long.
   arguments.SetInt(GRPC_ARG_MAX_RECONNECT_BACKOFF_MS, kReconnectBackoffMs);
-  arguments.SetInt(GRPC_ARG_MIN_RECONNECT_BACKOFF_MS, kReconnectBackoffMs);
   arguments.SetInt(GRPC_ARG_INITIAL_RECONNECT_BACKOFF_MS, kReconnectBackoffMs / 4);
   // Two teams that ask the same Playmaker keep a connection each.
   arguments.SetInt(GRPC_ARG_USE_LOCAL_SUBCHANNEL_POOL, 1);
