@@ -13,6 +13,7 @@
 #include "cli/match_command.h"
 #include "cli/mock_command.h"
 #include "cli/results_command.h"
+#include "cli/stats_command.h"
 #include "cli/version_command.h"
 #include "soccer/parameter.h"
 
@@ -81,6 +82,7 @@ int run_application(int argc, const char* const* argv) {
   int exit_code = kDone;
   add_match_command(app, exit_code);
   add_results_command(app, exit_code);
+  add_stats_command(app, exit_code);
   add_convert_command(app, exit_code);
   add_mock_command(app, exit_code);
   add_version_command(app, exit_code);

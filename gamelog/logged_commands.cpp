@@ -17,9 +17,35 @@ constexpr std::array<std::string_view, kCommandKindCount> kNames = {
 
 constexpr std::string_view kUnquotedSay = "(say ";
 
+// The kinds by first letter: the kinds whose names begin with 'a' + i are those in `order` from
+// `first[i]` to `first[i + 1]`.
+struct LetterIndex {
+  std::array<CommandKind, kCommandKindCount - 1> order = {};
+  std::array<std::uint8_t, 27> first = {};
+};
+
+constexpr LetterIndex index_by_letter() {
+  LetterIndex index;
+  std::size_t count = 0;
+  for (std::size_t letter = 0; letter < 26; ++letter) {
+    index.first[letter] = static_cast<std::uint8_t>(count);
+    for (std::size_t i = 0; i + 1 < kNames.size(); ++i) {
+      if (kNames[i][0] == static_cast<char>('a' + letter)) {
+        index.order[count++] = static_cast<CommandKind>(i);
+      }
+    }
+  }
+  index.first[26] = static_cast<std::uint8_t>(count);
+  return index;
+}
+
+constexpr LetterIndex kByLetter = index_by_letter();
+
 CommandKind kind_of(std::string_view name) {
-  for (std::size_t i = 0; i + 1 < kNames.size(); ++i) {
-    if (kNames[i] == name) return static_cast<CommandKind>(i);
+  if (name.empty() || name[0] < 'a' || name[0] > 'z') return CommandKind::kOther;
+  const auto letter = static_cast<std::size_t>(name[0] - 'a');
+  for (std::size_t i = kByLetter.first[letter]; i < kByLetter.first[letter + 1]; ++i) {
+    if (kNames[static_cast<std::size_t>(kByLetter.order[i])] == name) return kByLetter.order[i];
   }
   return CommandKind::kOther;
 }
@@ -70,7 +96,7 @@ bool is_body_command(CommandKind kind) {
 }
 
 bool CommandCursor::next(LoggedCommand& command) {
-  const std::size_t open = rest_.find('(');
+  const std::size_t open = rest_.starts_with('(') ? 0 : rest_.find('(');
   if (open == std::string_view::npos) return false;
   rest_.remove_prefix(open);
   std::size_t length = unquoted_say_length(rest_);
@@ -78,7 +104,8 @@ bool CommandCursor::next(LoggedCommand& command) {
   if (length == 0) return false;
   const std::string_view inside = rest_.substr(1, length - 2);
   rest_.remove_prefix(length);
-  const std::size_t name_end = std::min(inside.find_first_of(" ("), inside.size());
+  std::size_t name_end = 0;
+  while (name_end < inside.size() && inside[name_end] != ' ' && inside[name_end] != '(') ++name_end;
   command.kind = kind_of(inside.substr(0, name_end));
   command.arguments = inside.substr(std::min(name_end + 1, inside.size()));
   return true;

@@ -59,6 +59,12 @@ void TextTable::add_row(std::vector<std::string> cells) {
   rows_.push_back(std::move(cells));
 }
 
+void TextTable::take_rows(TextTable& other) {
+  assert(other.columns_.size() == columns_.size());
+  for (auto& row : other.rows_) rows_.push_back(std::move(row));
+  other.rows_.clear();
+}
+
 std::vector<std::size_t> TextTable::widths() const {
   std::vector<std::size_t> result;
   for (std::size_t i = 0; i < columns_.size(); ++i) {

@@ -16,6 +16,8 @@ class TextTable {
   void add_column(std::string head, Align align = Align::kLeft);
   /// As many cells as there are columns.
   void add_row(std::vector<std::string> cells);
+  /// Moves the rows of a table with the same columns to the end of this one.
+  void take_rows(TextTable& other);
 
   std::string plain() const;
   std::string markdown() const;

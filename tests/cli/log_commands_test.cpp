@@ -1,6 +1,7 @@
-// `cls results` and `cls convert` as a user meets them.
+// `cls results`, `cls stats` and `cls convert` as a user meets them.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -122,6 +123,60 @@ TEST(ConvertCommand, TellsEachFailureByItsExitCode) {
   EXPECT_EQ(version.exit_code, 2);
   EXPECT_EQ(version.err, "cls: --to '3': must be 4, 5, 6 or json\n");
   EXPECT_EQ(cls_run({"convert", log}).exit_code, 2);
+}
+
+TEST(StatsCommand, PrintsOneDocumentByTheContract) {
+  const CommandResult result =
+      cls_run({"stats", "--json", "--events", log_fixture("match-start.rcg.gz")});
+  EXPECT_EQ(result.exit_code, 65);  // it is the start of a match only
+  const json document = json::parse(result.out);
+  EXPECT_EQ(document["schema"], "cls.stats/1");
+  ASSERT_EQ(document["matches"].size(), 1u);
+  const json& match = document["matches"][0];
+  EXPECT_EQ(match["text_log"], log_fixture("match-start.rcl.gz"));
+  EXPECT_EQ(match["left"]["name"], "HELIOS_L");
+  EXPECT_EQ(match["left"]["shots"]["goal"], 1);
+  EXPECT_EQ(match["goals"][0]["unum"], 11);
+  EXPECT_EQ(match["goals"][0]["assist"], 10);
+  EXPECT_EQ(match["players"].size(), 22u);
+  EXPECT_EQ(match["players"][9]["responsiveness"]["silent"], 0);
+  EXPECT_EQ(match["players"][9]["heat"].size(), 21u * 14u);
+  EXPECT_GT(match["events"].size(), 20u);
+  EXPECT_EQ(match["doubts"][0], "no time_over");
+  const double left = match["left"]["possession"]["last_touch"];
+  const double right = match["right"]["possession"]["last_touch"];
+  EXPECT_NEAR(left + right, 1.0, 1e-9);
+}
+
+TEST(StatsCommand, PrintsTextAndRows) {
+  const std::string log = log_fixture("rcg-v6-excerpt.rcg.gz");
+  const CommandResult text = cls_run({"stats", log});
+  EXPECT_EQ(text.exit_code, 0) << text.err;
+  EXPECT_EQ(text.out.substr(0, text.out.find('(')), "HELIOS_L 0:0 HELIOS_R  ");
+  EXPECT_NE(text.out.find("possession (last touch)"), std::string::npos);
+  struct Rows {
+    const char* format;
+    int lines;
+  };
+  for (const auto& [format, lines] : {Rows{"csv", 5}, Rows{"csv-players", 45}}) {
+    const CommandResult rows =
+        cls_run({"stats", log, log_fixture("rcg-json-excerpt.rcg.gz"), "--format", format});
+    EXPECT_EQ(rows.exit_code, 0) << rows.err;
+    EXPECT_EQ(std::count(rows.out.begin(), rows.out.end(), '\n'), lines);
+  }
+  EXPECT_EQ(cls_run({"stats", log, "--format", "csv-events"}).out.substr(0, 23),
+            "file,cycle,stopped,kind");
+}
+
+TEST(StatsCommand, NeedsAGameLog) {
+  const TemporaryFolder folder;
+  const std::string path = folder.path() / "alone.rcl";
+  std::ofstream(path) << "1,0\t(referee play_on)\n";
+  const CommandResult result = cls_run({"stats", path});
+  EXPECT_EQ(result.exit_code, 66);
+  EXPECT_EQ(result.err, "cls: '" + path + "' has no game log (rcg) beside it\n");
+  EXPECT_EQ(cls_run({"stats", "nowhere"}).exit_code, 66);
+  EXPECT_EQ(cls_run({"stats", path, "--format", "pdf"}).exit_code, 2);
 }
 
 }  // namespace

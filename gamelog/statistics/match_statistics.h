@@ -1,0 +1,101 @@
+// Everything that is reckoned from one match.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "gamelog/match_record.h"
+#include "gamelog/rcl_record.h"
+#include "gamelog/statistics/carries.h"
+#include "gamelog/statistics/chains.h"
+#include "gamelog/statistics/flow.h"
+#include "gamelog/statistics/goalkeeping.h"
+#include "gamelog/statistics/movement.h"
+#include "gamelog/statistics/pass_network.h"
+#include "gamelog/statistics/passes.h"
+#include "gamelog/statistics/positions.h"
+#include "gamelog/statistics/possession.h"
+#include "gamelog/statistics/pressing.h"
+#include "gamelog/statistics/responsiveness.h"
+#include "gamelog/statistics/shots.h"
+#include "gamelog/statistics/stamina.h"
+#include "gamelog/statistics/stoppages.h"
+#include "gamelog/statistics/tackles.h"
+#include "gamelog/statistics/territory.h"
+#include "gamelog/statistics/threat.h"
+
+namespace cls::gamelog {
+
+/// What one player did with the ball: counts that several families add to.
+struct BallWork {
+  int touches = 0;
+  int passes = 0;  ///< attempted
+  int completed = 0;
+  double pass_length = 0.0;  ///< sum over completed ones, metres
+  double pass_gain = 0.0;    ///< sum of forward gains (> 0) over completed ones
+  int received = 0;
+  int through_passes = 0;
+  int crosses = 0;
+  int key_passes = 0;  ///< completed, and the receiver's next touches led to a shot
+  int assists = 0;
+  int second_assists = 0;
+  int dribbles = 0;
+  int take_ons = 0;  ///< opponents he went past with the ball
+  int shots = 0;
+  int on_target = 0;
+  int goals = 0;
+  int own_goals = 0;
+  double expected_goals = 0.0;
+  double threat = 0.0;
+  int losses = 0;  ///< passes that an opponent or nobody's foot ended in play
+};
+
+/// A weighted sum of what a player did: goals 10, assists 5, shots on target 1.5, key passes 2,
+/// completed passes 0.1 + 0.02 a metre forward, interceptions and effective tackles 1, losses -0.7,
+/// fouls -1, yellow -2, red -6, own goals -8, saves 3, goals conceded -1.5 (goalkeeper). Good for
+/// an order of players within a match, for nothing else.
+struct Rating {
+  double attack = 0.0;
+  double passing = 0.0;
+  double defence = 0.0;
+  double discipline = 0.0;
+
+  double total() const { return attack + passing + defence + discipline; }
+};
+
+struct MatchStatistics {
+  Flow flow;
+  Possession possession;
+  std::vector<Shot> shots;
+  std::vector<double> expected;  ///< probability of a goal, one a shot
+  std::vector<Goal> goals;
+  std::vector<Assist> assists;  ///< one a goal
+  std::vector<Pass> passes;
+  std::vector<Carry> carries;
+  std::vector<Chain> chains;
+  PerTeam<int> one_twos = {};
+  PerPlayer<Tackles> tackles = {};
+  Territory territory;
+  Stoppages stoppages;
+  PerTeam<Goalkeeping> goalkeeping = {};
+  PressingStats pressing;
+  PerPlayer<Movement> movement = {};
+  PerPlayer<Stamina> stamina = {};
+  PositionStats positions;
+  PerTeam<PassNetwork> networks = {};
+  ThreatGrid threat = {};
+  PerPlayer<Attention> attention = {};
+  std::optional<PerPlayer<Responsiveness>> responsiveness;  ///< with a text log only
+  PerPlayer<BallWork> ball_work = {};
+  PerPlayer<Rating> ratings = {};
+};
+
+/// `record` must outlive the result; `text` is the text log of the same match, or null.
+MatchStatistics statistics_of(const MatchRecord& record, const RclRecord* text);
+
+/// Why the match should not count in a comparison of teams (match-statistics 5): players lost or
+/// missing, too many silent cycles, no end. Empty: nothing speaks against it.
+std::vector<std::string> doubts_about(const MatchStatistics& statistics);
+
+}  // namespace cls::gamelog

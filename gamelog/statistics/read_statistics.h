@@ -1,0 +1,31 @@
+// Statistics of many logs, read side by side.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "gamelog/damage.h"
+#include "gamelog/log_files.h"
+
+namespace cls::gamelog {
+
+enum class StatisticsFormat : unsigned char { kText, kJson, kCsv, kCsvPlayers, kCsvEvents };
+
+/// What became of one log.
+struct ReadProblem {
+  std::string file;
+  std::string unreadable;  ///< why it could not be opened; empty: it could
+  DamageList damage;
+};
+
+struct StatisticsOutput {
+  std::string text;  ///< all matches in the wanted format; empty if there is nothing to tell
+  std::vector<ReadProblem> problems;
+};
+
+/// Statistics need the game log; a text log alone is a problem. JSON is schema "cls.stats/1".
+StatisticsOutput read_statistics(const std::vector<MatchLogs>& matches, StatisticsFormat format,
+                                 bool events, std::size_t jobs);
+
+}  // namespace cls::gamelog
