@@ -6,6 +6,7 @@
 #include <charconv>
 #include <filesystem>
 
+#include "orchestration/run_command.h"
 #include "soccer/parameter.h"
 
 namespace cls::orchestration {
@@ -27,7 +28,9 @@ Error unknown_form(std::string_view text) {
   std::string message = fmt::format("unknown side '{}'", text);
   const std::string_view near = soccer::nearest_name(text, {"mock", "mock:hold"});
   if (!near.empty()) message += fmt::format("; did you mean '{}'?", near);
-  message += " (a side is mock, mock:BEHAVIOUR, HOST:PORT, HOST:PORT+step or unix:PATH)";
+  message +=
+      " (a side is mock, mock:BEHAVIOUR, HOST:PORT, HOST:PORT+step, unix:PATH, run:COMMAND or "
+      "team:DIR)";
   return Error{std::move(message)};
 }
 
@@ -55,6 +58,13 @@ Result<Endpoint> parse_address(std::string_view text) {
   return endpoint;
 }
 
+// "teams/helios/" is "helios", "." the name of the folder we are in.
+std::string folder_name(const std::string& path) {
+  std::error_code code;
+  const std::filesystem::path whole = std::filesystem::absolute(path, code).lexically_normal();
+  return (whole.has_filename() ? whole : whole.parent_path()).filename().string();
+}
+
 }  // namespace
 
 Result<Endpoint> parse_endpoint(std::string_view text) {
@@ -72,7 +82,20 @@ Result<Endpoint> parse_endpoint(std::string_view text) {
     if (endpoint.path.empty()) return Error{"side 'unix:': no path after the colon"};
     return endpoint;
   }
-  if (text.starts_with("run:") || text.starts_with("team:")) return unknown_form(text);
+  if (text.starts_with("run:")) {
+    endpoint.kind = Endpoint::Kind::kRun;
+    endpoint.command = text.substr(4);
+    if (const auto good = check_run_command(endpoint.command); !good) {
+      return Error{fmt::format("side '{}': {}", text, good.error().message)};
+    }
+    return endpoint;
+  }
+  if (text.starts_with("team:")) {
+    endpoint.kind = Endpoint::Kind::kTeam;
+    endpoint.path = text.substr(5);
+    if (endpoint.path.empty()) return Error{"side 'team:': no folder after the colon"};
+    return endpoint;
+  }
   if (text.find(':') == std::string_view::npos) return unknown_form(text);
   return parse_address(text);
 }
@@ -90,6 +113,12 @@ std::string default_team_name(const Endpoint& endpoint) {
       break;
     case Endpoint::Kind::kUnixSocket:
       source = std::filesystem::path(endpoint.path).stem().string();
+      break;
+    case Endpoint::Kind::kRun:
+      source = program_in(endpoint.command);
+      break;
+    case Endpoint::Kind::kTeam:
+      source = folder_name(endpoint.path);
       break;
   }
   std::string name;

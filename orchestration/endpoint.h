@@ -14,6 +14,8 @@ struct Endpoint {
     kMock,        ///< `mock`, `mock:NAME`, `mock:FILE.json`: the bundled Playmaker, in process
     kAddress,     ///< `HOST:PORT`, `HOST:PORT+step`: a running Playmaker
     kUnixSocket,  ///< `unix:PATH`: a running Playmaker on a local socket
+    kRun,         ///< `run:COMMAND`: a Playmaker that we start
+    kTeam,        ///< `team:DIR`: a foreign team that we start; it needs no proxies
   };
 
   Kind kind = Kind::kMock;
@@ -22,7 +24,13 @@ struct Endpoint {
   std::string host;        ///< kAddress; IPv6 addresses keep their brackets
   int port = 0;            ///< kAddress
   bool port_step = false;  ///< kAddress: player n asks port + n, the coach port + 13
-  std::string path;        ///< kUnixSocket
+  std::string path;        ///< kUnixSocket: the socket; kTeam: the folder
+  std::string command;     ///< kRun: for /bin/sh, with placeholders (run_command.h)
+
+  /// True for a side whose agents are ours and ask a Playmaker.
+  bool has_playmaker() const { return kind != Kind::kTeam; }
+  /// True for a side that needs programs started.
+  bool starts_programs() const { return kind == Kind::kRun || kind == Kind::kTeam; }
 };
 
 /// Reads one side form. The error names the text and lists the forms.

@@ -22,12 +22,21 @@ TEST(Endpoint, ReadsEveryForm) {
   EXPECT_TRUE(parse_endpoint("10.0.0.1:5000+step")->port_step);
   EXPECT_EQ(parse_endpoint("[::1]:50051")->host, "[::1]");
   EXPECT_EQ(parse_endpoint("unix:/run/brain.sock")->path, "/run/brain.sock");
+  const auto run = parse_endpoint("run:./brain --port {port}");
+  EXPECT_EQ(run->kind, Endpoint::Kind::kRun);
+  EXPECT_EQ(run->command, "./brain --port {port}");
+  EXPECT_TRUE(run->starts_programs());
+  EXPECT_TRUE(run->has_playmaker());
+  const auto team = parse_endpoint("team:teams/helios");
+  EXPECT_EQ(team->kind, Endpoint::Kind::kTeam);
+  EXPECT_EQ(team->path, "teams/helios");
+  EXPECT_FALSE(team->has_playmaker());
 }
 
 TEST(Endpoint, NamesTheMistakeAndTheForms) {
   EXPECT_EQ(error_of("moc"),
             "unknown side 'moc'; did you mean 'mock'? (a side is mock, mock:BEHAVIOUR, HOST:PORT, "
-            "HOST:PORT+step or unix:PATH)");
+            "HOST:PORT+step, unix:PATH, run:COMMAND or team:DIR)");
   EXPECT_NE(error_of("brain").find("unknown side 'brain' (a side is"), std::string::npos);
   EXPECT_EQ(error_of("localhost:0"), "side 'localhost:0': port 0 is not within 1 to 65535");
   EXPECT_EQ(error_of("localhost:70000"),
@@ -36,6 +45,13 @@ TEST(Endpoint, NamesTheMistakeAndTheForms) {
             "side 'localhost:65530+step': port 65530 is not within 1 to 65535");
   EXPECT_EQ(error_of(":50051"), "side ':50051': no host before the port");
   EXPECT_EQ(error_of("mock:"), "side 'mock:': no behaviour after the colon");
+  EXPECT_EQ(error_of("team:"), "side 'team:': no folder after the colon");
+  EXPECT_EQ(error_of("run: "), "side 'run: ': no command after 'run:'");
+  EXPECT_EQ(error_of("run:./brain"),
+            "side 'run:./brain': the command needs {port}, where the Playmaker shall listen (or "
+            "start it yourself and name HOST:PORT)");
+  EXPECT_EQ(error_of("run:./brain {prot}"),
+            "side 'run:./brain {prot}': unknown placeholder {prot}; did you mean {port}?");
   for (const char* text : {"", "localhost:", "localhost:x", "localhost:5+stop", "a:5x"}) {
     EXPECT_NE(error_of(text).find("unknown side"), std::string::npos) << text;
   }
@@ -49,6 +65,11 @@ TEST(TeamNames, ComeFromTheEndpoint) {
   EXPECT_EQ(name("localhost:50051"), "localhost_50051");
   EXPECT_EQ(name("10.11.12.13:50051"), "_11_12_13_50051");
   EXPECT_EQ(name("unix:/run/brain.sock"), "brain");
+  EXPECT_EQ(name("run:python3 -u examples/playmaker.py --port {port}"), "playmaker");
+  EXPECT_EQ(name("run:cd brain && HOME=/x node server.js {port}"), "server");
+  EXPECT_EQ(name("run:exec './my brain' {port}"), "my");
+  EXPECT_EQ(name("run:python3 {port}"), "python3");
+  EXPECT_EQ(name("team:teams/helios/"), "helios");
 }
 
 TEST(TeamNames, AreToldApartWithinTheProtocolsLength) {
