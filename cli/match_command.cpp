@@ -33,7 +33,7 @@ constexpr const char* kDescription =
     "  cls match mock localhost:50051 --seed 7    against your Playmaker, repeatable\n"
     "  cls match mock mock --cycles 600 --json    a short one, result as JSON\n"
     "\n"
-    "A side is  mock | mock:hold | HOST:PORT | HOST:PORT+step | unix:PATH\n"
+    "A side is  mock | mock:hold | HOST:PORT | HOST:PORT+step | unix:PATH | run:COMMAND\n"
     "(+step: player n asks PORT + n).";
 
 // What CLI11 fills in; turned into MatchOptions once everything is read.
@@ -154,6 +154,15 @@ int exit_code_of(const MatchResult& result) {
   return kInternalError;
 }
 
+// The end of the output of the process that failed; its log has all of it.
+void tell_last_words(const orchestration::ProcessFailure& failure) {
+  constexpr std::size_t kLines = 5;
+  const std::vector<std::string>& lines = failure.output;
+  for (std::size_t i = lines.size() - std::min(kLines, lines.size()); i < lines.size(); ++i) {
+    fmt::print(stderr, "  {}: {}\n", failure.process, lines[i]);
+  }
+}
+
 int run_match_command(Arguments& arguments) {
   const std::vector<std::string> mistakes = complete(arguments);
   for (const std::string& mistake : mistakes) fmt::print(stderr, "cls: {}\n", mistake);
@@ -167,6 +176,7 @@ int run_match_command(Arguments& arguments) {
     return kCannotCreate;
   }
   if (!result->message.empty()) fmt::print(stderr, "cls: {}\n", result->message);
+  if (result->failure) tell_last_words(*result->failure);
   if (!result->write_error.empty()) fmt::print(stderr, "cls: {}\n", result->write_error);
   if (arguments.json) {
     fmt::print("{}", to_json(*result));

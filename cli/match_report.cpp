@@ -42,6 +42,12 @@ std::string latency(const TeamResult& team) {
   return fmt::format("{:.0f} / {:.0f} us", medians[medians.size() / 2], worst);
 }
 
+// A command may be long; its beginning says which it is.
+std::string shortened(const std::string& text) {
+  constexpr std::size_t kWidth = 18;
+  return text.size() <= kWidth ? text : text.substr(0, kWidth - 3) + "...";
+}
+
 class Rows {
  public:
   explicit Rows(const MatchResult& result) : result_(result) {}
@@ -84,7 +90,7 @@ std::string goals_line(const MatchResult& result) {
 std::string figures(const MatchResult& result) {
   Rows rows(result);
   rows.add("", result.left.name, result.right.name);
-  rows.add("playmaker", result.left.endpoint, result.right.endpoint);
+  rows.add("playmaker", shortened(result.left.endpoint), shortened(result.right.endpoint));
   rows.add("decisions", [](const TeamResult& team) {
     return total(team, [](const PlayerResult& player) { return player.decisions; });
   });

@@ -1,6 +1,8 @@
 // Comparing clocks.
 #include "orchestration/deadline_watch.h"
 
+#include <thread>
+
 namespace cls::orchestration {
 namespace {
 
@@ -11,6 +13,14 @@ double seconds_since(DeadlineWatch::Clock::time_point then) {
 }  // namespace
 
 double DeadlineWatch::seconds_since_start() const { return seconds_since(start_); }
+
+bool DeadlineWatch::interrupted_within(std::chrono::milliseconds time) const {
+  const auto until = Clock::now() + time;
+  while (signal() == 0 && Clock::now() < until) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  return signal() != 0;
+}
 
 std::optional<EndReason> DeadlineWatch::exceeded() const {
   if (signal() != 0) return EndReason::kInterrupted;

@@ -25,6 +25,9 @@ class DeadlineWatch {
   /// Why the match has to end now; nothing while it may go on.
   std::optional<EndReason> exceeded() const;
 
+  /// True when a signal to end the match is there or comes within `time`: waits for it.
+  bool interrupted_within(std::chrono::milliseconds time) const;
+
   int signal() const { return stop_signal_.load(); }
   double seconds_since_start() const;
 

@@ -18,6 +18,11 @@ double seconds_between(Clock::time_point from, Clock::time_point to) {
   return std::chrono::duration<double>(to - from).count();
 }
 
+// Time that a signal to a whole group of processes takes to reach all of them.
+constexpr std::chrono::milliseconds kSignalsTogether{100};
+constexpr std::chrono::milliseconds kProgramGrace{1500};
+constexpr std::chrono::milliseconds kEndBecomesKnown{500};
+
 // What a Playmaker that gives no usable answers is told to have done.
 EndReason reason_of(RpcOutcome outcome) {
   switch (outcome) {
@@ -57,18 +62,19 @@ simulator::MatchConfig server_config(const MatchOptions& options, std::uint64_t 
   return config;
 }
 
-Result<std::unique_ptr<LockstepMatch>> LockstepMatch::create(const MatchOptions& options,
-                                                             const TeamNames& names,
-                                                             std::uint64_t seed,
-                                                             const std::atomic<int>& stop_signal) {
+Result<std::unique_ptr<LockstepMatch>> LockstepMatch::create(
+    const MatchOptions& options, const TeamNames& names, std::uint64_t seed,
+    const std::atomic<int>& stop_signal, ProcessHost* host, const std::filesystem::path& folder) {
   std::unique_ptr<LockstepMatch> match(new LockstepMatch(options, seed, stop_signal));
   auto server = simulator::LockstepServer::create(server_config(options, seed));
   if (!server) return server.error();
   match->server_ = std::move(*server);
-  auto left = MatchSide::create(options.left, names.left, options);
+  auto left = MatchSide::create(options.left, {soccer::Side::kLeft, names.left, seed, folder, host},
+                                options);
   if (!left) return left.error();
   match->left_ = std::move(*left);
-  auto right = MatchSide::create(options.right, names.right, options);
+  auto right = MatchSide::create(options.right,
+                                 {soccer::Side::kRight, names.right, seed, folder, host}, options);
   if (!right) return right.error();
   match->right_ = std::move(*right);
   return match;
@@ -85,14 +91,48 @@ void LockstepMatch::end(EndReason reason, std::string message) {
 void LockstepMatch::wait_for(MatchSide& side) {
   constexpr std::chrono::milliseconds kLook{20};
   while (!side.worker().wait_for(kLook)) {
+    check_programs();
     const auto limit = watch_.exceeded();
     if (!limit || ended()) continue;
     const std::string whose = *limit == EndReason::kRefused || *limit == EndReason::kStalled
                                   ? fmt::format("{} ({}): ", side.name(), side.endpoint().text)
                                   : "";
-    end(*limit, whose + describe_limit(*limit, options_));
+    const std::string hint = *limit == EndReason::kRefused && side.program() != nullptr
+                                 ? side.program()->port_hint()
+                                 : "";
+    end(*limit, whose + describe_limit(*limit, options_) + hint);
+    if (side.program() != nullptr && !whose.empty()) failure_ = failure_of(side.program()->child());
     left_->playmaker().cancel();
     right_->playmaker().cancel();
+  }
+}
+
+// A Playmaker that died is told as such, with its last words, before anything is made of the calls
+// that fail because of it.
+void LockstepMatch::check_programs() {
+  for (MatchSide* side : {left_.get(), right_.get()}) {
+    if (ended() || side->program() == nullptr || !side->program()->ended()) continue;
+    // Whoever ends us may have ended the Playmaker in the same breath.
+    if (watch_.interrupted_within(kSignalsTogether)) return;
+    failure_ = failure_of(side->program()->child());
+    const std::string when =
+        playing_ ? fmt::format("at cycle {}", server_->world().clock.time) : "before it answered";
+    end(playing_ ? EndReason::kCrashed : EndReason::kRefused,
+        fmt::format("{} ({}): its process ended {}: {}", side->name(), side->endpoint().text, when,
+                    failure_->exit));
+    left_->playmaker().cancel();
+    right_->playmaker().cancel();
+  }
+}
+
+void LockstepMatch::end_programs() {
+  for (MatchSide* side : {left_.get(), right_.get()}) {
+    if (side->program() != nullptr) side->program()->child().end(kProgramGrace);
+  }
+  for (MatchSide* side : {left_.get(), right_.get()}) {
+    if (side->program() == nullptr) continue;
+    side->program()->child().wait_gone(kProgramGrace + kProgramGrace);
+    processes_.push_back(result_of(side->program()->child()));
   }
 }
 
@@ -123,6 +163,7 @@ void LockstepMatch::introduce(MatchObserver& observer) {
     proxy::RpcStatus status;
     side->worker().start([side, &status] { status = side->team().introduce(); });
     wait_for(*side);
+    check_programs();
     if (!status.ok()) {
       const bool garbled = status.outcome == RpcOutcome::kProtocolError;
       end(garbled ? EndReason::kProtocolError : EndReason::kRefused,
@@ -133,7 +174,14 @@ void LockstepMatch::introduce(MatchObserver& observer) {
 
 void LockstepMatch::check_answers(const MatchSide& side) {
   const proxy::MissingAnswers missing = side.team().missing_answers();
-  if (missing.in_a_row <= options_.max_missed) return;
+  // Calls to a dead process fail faster than its end is known.
+  if (side.program() != nullptr && missing.in_a_row == 1 &&
+      missing.last.outcome == RpcOutcome::kUnavailable) {
+    side.program()->child().wait_exit(kEndBecomesKnown);
+    check_programs();
+  }
+  if (missing.in_a_row <= options_.max_missed || ended()) return;
+  if (side.program() != nullptr) failure_ = failure_of(side.program()->child());
   end(reason_of(missing.last.outcome),
       fmt::format("{} ({}): player {} had no usable answer for {} cycles, at cycle {}: {}",
                   side.name(), side.endpoint().text, missing.unum, missing.in_a_row,
@@ -175,6 +223,7 @@ void LockstepMatch::play_cycles(MatchObserver& observer, MatchChronicle& chronic
     run_on_both([](MatchSide& side) { side.team().run_cycle(); });
     now = Clock::now();
     times_.sides += seconds_between(asked, now);
+    check_programs();
     check_answers(*left_);
     check_answers(*right_);
     pass_on_warnings(observer);
@@ -191,10 +240,12 @@ void LockstepMatch::play(MatchObserver& observer, MatchChronicle& chronicle) {
   connect(observer);
   introduce(observer);
   pass_on_warnings(observer);
-  if (!ended()) play_cycles(observer, chronicle);
+  playing_ = !ended();
+  if (playing_) play_cycles(observer, chronicle);
   end(EndReason::kFinished, "");
   server_->finish();
   leave();
+  end_programs();
 }
 
 MatchResult LockstepMatch::result() const {
@@ -213,6 +264,8 @@ MatchResult LockstepMatch::result() const {
   }
   result.end_reason = end_reason_.value_or(EndReason::kFinished);
   result.message = message_;
+  result.failure = failure_;
+  result.processes = processes_;
   result.signal = watch_.signal();
   result.cycles = world.clock.time;
   result.steps = steps_;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -34,10 +35,12 @@ class LockstepMatch {
     double play = 0.0;       ///< from the first step to the last
   };
 
-  static soccer::Result<std::unique_ptr<LockstepMatch>> create(const MatchOptions& options,
-                                                               const TeamNames& names,
-                                                               std::uint64_t seed,
-                                                               const std::atomic<int>& stop_signal);
+  /// `host` starts the programs of `run:` sides, with their logs in `folder`; nullptr when no side
+  /// needs it. It must outlive the match.
+  static soccer::Result<std::unique_ptr<LockstepMatch>> create(
+      const MatchOptions& options, const TeamNames& names, std::uint64_t seed,
+      const std::atomic<int>& stop_signal, ProcessHost* host = nullptr,
+      const std::filesystem::path& folder = {});
 
   /// Logs to write; all must outlive the match.
   void record(gamelog::ByteSink& game_log, gamelog::ByteSink& text_log) {
@@ -66,6 +69,8 @@ class LockstepMatch {
 
   void run_on_both(const std::function<void(MatchSide&)>& work);
   void wait_for(MatchSide& side);
+  void check_programs();
+  void end_programs();
   void end(EndReason reason, std::string message);
   bool ended() const { return end_reason_.has_value(); }
   void check_answers(const MatchSide& side);
@@ -79,8 +84,11 @@ class LockstepMatch {
   std::unique_ptr<simulator::LockstepServer> server_;
   std::unique_ptr<MatchSide> left_;
   std::unique_ptr<MatchSide> right_;
+  bool playing_ = false;
   std::optional<EndReason> end_reason_;
   std::string message_;
+  std::optional<ProcessFailure> failure_;
+  std::vector<ProcessResult> processes_;
   std::vector<std::string> warnings_;
   std::int64_t steps_ = 0;
   Times times_;

@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <memory>
+#include <optional>
 #include <random>
 #include <utility>
 
@@ -76,7 +77,14 @@ Result<MatchResult> run_match(const MatchOptions& options, MatchObserver& observ
       !written) {
     return written.error();
   }
-  auto match = LockstepMatch::create(options, names, seed, stop_signal);
+  std::optional<ProcessHost> host;
+  if (options.left.starts_programs() || options.right.starts_programs()) {
+    auto created = ProcessHost::create();
+    if (!created) return created.error();
+    host.emplace(*std::move(created));
+  }
+  auto match = LockstepMatch::create(options, names, seed, stop_signal, host ? &*host : nullptr,
+                                     fs::absolute(*folder));
   if (!match) return match.error();
 
   EventLog events(*logs->events);

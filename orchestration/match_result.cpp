@@ -45,6 +45,21 @@ Json json_of(const Goal& goal) {
           {"unum", goal.unum == 0 ? Json(nullptr) : Json(goal.unum)}};
 }
 
+Json json_of(const ProcessResult& process) {
+  return {{"name", process.name},
+          {"command", process.command},
+          {"log", process.log},
+          {"exit", process.exit},
+          {"cpu_seconds", rounded(process.cpu_seconds, 1000)}};
+}
+
+Json json_of(const ProcessFailure& failure) {
+  return {{"process", failure.process},
+          {"exit", failure.exit},
+          {"log", failure.log},
+          {"output", failure.output}};
+}
+
 }  // namespace
 
 std::optional<std::string> winner(const MatchResult& result) {
@@ -60,6 +75,8 @@ std::string to_json(const MatchResult& result) {
   const auto won = winner(result);
   Json goals = Json::array();
   for (const Goal& goal : result.goals) goals.push_back(json_of(goal));
+  Json processes = Json::array();
+  for (const ProcessResult& process : result.processes) processes.push_back(json_of(process));
   const Json document = {
       {"schema", "cls.match/1"},
       {"left", json_of(result.left)},
@@ -68,6 +85,7 @@ std::string to_json(const MatchResult& result) {
       {"valid", result.valid()},
       {"end_reason", name(result.end_reason)},
       {"message", result.message.empty() ? Json(nullptr) : Json(result.message)},
+      {"failure", result.failure ? json_of(*result.failure) : Json(nullptr)},
       {"cycles", result.cycles},
       {"steps", result.steps},
       {"seed", result.seed},
@@ -82,6 +100,7 @@ std::string to_json(const MatchResult& result) {
       {"log_files",
        {{"rcg", result.rcg.empty() ? Json(nullptr) : Json(result.rcg)},
         {"rcl", result.rcl.empty() ? Json(nullptr) : Json(result.rcl)}}},
+      {"processes", std::move(processes)},
       {"warnings", result.warnings},
       {"versions", {{"cls", kVersion}, {"wire", kWireVersion}}}};
   // Bytes of a foreign program may stand in a message: replace what is not UTF-8.

@@ -46,11 +46,29 @@ struct Goal {
   int unum = 0;                                ///< last kicker of that side; 0 unknown
 };
 
+/// A process that the match started.
+struct ProcessResult {
+  std::string name;     ///< "right Playmaker", "soccer server", "left player 7"
+  std::string command;  ///< one line of shell that does the same
+  std::string log;      ///< file name inside the match folder
+  std::string exit;     ///< "exit code 0", "killed by SIGTERM"
+  double cpu_seconds = 0.0;
+};
+
+/// The process that made the match invalid, and its last words.
+struct ProcessFailure {
+  std::string process;
+  std::string exit;
+  std::string log;
+  std::vector<std::string> output;  ///< its last lines, oldest first
+};
+
 struct MatchResult {
   TeamResult left;
   TeamResult right;
   EndReason end_reason = EndReason::kFinished;
-  std::string message;      ///< one line on what went wrong; empty when finished
+  std::string message;  ///< one line on what went wrong; empty when finished
+  std::optional<ProcessFailure> failure;
   int signal = 0;           ///< that interrupted the match, else 0
   std::string write_error;  ///< first file that could not be written to its end; empty: none
   int cycles = 0;           ///< last game time
@@ -64,6 +82,7 @@ struct MatchResult {
   double cycles_per_second = 0.0;  ///< cycles over the time from first step to last
   std::vector<Goal> goals;
   std::vector<std::string> warnings;
+  std::vector<ProcessResult> processes;
   std::string rcg;  ///< file name inside the match folder, empty when none was written
   std::string rcl;
   std::string folder;

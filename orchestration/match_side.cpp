@@ -54,10 +54,11 @@ PlayerResult result_of(const proxy::PlayerAgent& agent) {
 
 }  // namespace
 
-Result<std::unique_ptr<MatchSide>> MatchSide::create(const Endpoint& endpoint, std::string name,
+Result<std::unique_ptr<MatchSide>> MatchSide::create(const Endpoint& endpoint,
+                                                     const SideSetup& setup,
                                                      const MatchOptions& options) {
   std::unique_ptr<MatchSide> side(new MatchSide);
-  side->name_ = std::move(name);
+  side->name_ = setup.name;
   side->endpoint_ = endpoint;
   if (endpoint.kind == Endpoint::Kind::kMock) {
     auto behaviour = mock_server::make_behaviour(endpoint.behaviour);
@@ -66,6 +67,15 @@ Result<std::unique_ptr<MatchSide>> MatchSide::create(const Endpoint& endpoint, s
     if (!mock) return mock.error();
     side->mock_ = std::move(*mock);
     side->playmaker_ = proxy::make_grpc_playmaker(side->mock_->in_process_channel(), endpoint.text);
+  } else if (endpoint.kind == Endpoint::Kind::kRun) {
+    auto program = PlaymakerProgram::start(*setup.host, endpoint,
+                                           {0, setup.side, setup.name, setup.seed}, setup.folder);
+    if (!program) return program.error();
+    side->program_ = std::move(*program);
+    proxy::GrpcTarget target;
+    target.host = "localhost";
+    target.port = side->program_->port();
+    side->playmaker_ = proxy::make_grpc_playmaker(target);
   } else {
     side->playmaker_ = proxy::make_grpc_playmaker(target_of(endpoint));
   }
@@ -79,6 +89,7 @@ TeamResult MatchSide::result() const {
   result.name = name_;
   result.endpoint = endpoint_.text;
   result.cpu_seconds = worker_.cpu_seconds() + mock_cpu_seconds();
+  if (program_ != nullptr) result.cpu_seconds += program_->child().cpu_seconds();
   for (const auto& agent : team_->players()) result.players.push_back(result_of(*agent));
   return result;
 }

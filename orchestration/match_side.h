@@ -7,6 +7,7 @@
 #include "mock-server/server.h"
 #include "orchestration/match_options.h"
 #include "orchestration/match_result.h"
+#include "orchestration/playmaker_program.h"
 #include "orchestration/worker.h"
 #include "proxy/playmaker.h"
 #include "proxy/team.h"
@@ -14,13 +15,22 @@
 
 namespace cls::orchestration {
 
+/// What a side needs to know of its match.
+struct SideSetup {
+  soccer::Side side = soccer::Side::kLeft;
+  std::string name;  ///< of the team
+  std::uint64_t seed = 0;
+  std::filesystem::path folder;  ///< of the match
+  ProcessHost* host = nullptr;   ///< for sides that start programs
+};
+
 /// Owns everything of one side. The team is used by `worker` only while work is under way there.
 class MatchSide {
  public:
-  /// Starts a bundled mock if the endpoint asks for one; nothing is sent to a foreign Playmaker
-  /// yet.
+  /// Starts the bundled mock or the user's command if the endpoint asks for one; nothing is sent
+  /// to a foreign Playmaker yet.
   static soccer::Result<std::unique_ptr<MatchSide>> create(const Endpoint& endpoint,
-                                                           std::string name,
+                                                           const SideSetup& setup,
                                                            const MatchOptions& options);
 
   proxy::Team& team() { return *team_; }
@@ -29,6 +39,8 @@ class MatchSide {
   Worker& worker() { return worker_; }
   const std::string& name() const { return name_; }
   const Endpoint& endpoint() const { return endpoint_; }
+  /// The Playmaker as a process of ours; nullptr when it is none.
+  const PlaymakerProgram* program() const { return program_.get(); }
 
   /// What this side did; the score is the server's to tell.
   TeamResult result() const;
@@ -41,6 +53,7 @@ class MatchSide {
   std::string name_;
   Endpoint endpoint_;
   std::unique_ptr<mock_server::Server> mock_;
+  std::unique_ptr<PlaymakerProgram> program_;
   std::unique_ptr<proxy::Playmaker> playmaker_;
   std::unique_ptr<proxy::Team> team_;
   Worker worker_;

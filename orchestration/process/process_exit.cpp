@@ -6,6 +6,12 @@
 #include <cstring>
 
 namespace cls::orchestration {
+namespace {
+
+// A shell whose command was killed by signal N returns this plus N.
+constexpr int kShellSignals = 128;
+
+}  // namespace
 
 std::string signal_name(int number) {
   const char* name = sigabbrev_np(number);
@@ -13,8 +19,12 @@ std::string signal_name(int number) {
 }
 
 std::string to_text(const ProcessExit& exit) {
-  return exit.by_signal ? "killed by " + signal_name(exit.number)
-                        : fmt::format("exit code {}", exit.number);
+  if (exit.by_signal) return "killed by " + signal_name(exit.number);
+  const int signal = exit.number - kShellSignals;
+  const std::string hint = signal > 0 && sigabbrev_np(signal) != nullptr
+                               ? fmt::format(" ({} + {})", kShellSignals, signal_name(signal))
+                               : "";
+  return fmt::format("exit code {}{}", exit.number, hint);
 }
 
 }  // namespace cls::orchestration

@@ -11,7 +11,8 @@ struct ProcessExit {
   int number = 0;  ///< exit code, or the signal's number
 };
 
-/// "exit code 3" or "killed by SIGSEGV".
+/// "exit code 3" or "killed by SIGSEGV"; "exit code 139 (128 + SIGSEGV)" for what a shell returns
+/// when its command was killed.
 std::string to_text(const ProcessExit& exit);
 
 /// "SIGTERM" for 15; "signal 77" where there is no name.

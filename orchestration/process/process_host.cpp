@@ -69,6 +69,11 @@ std::optional<Pipe> make_pipe() {
 
 }  // namespace
 
+void ChildRecord::ask(const KeeperRequest& request) {
+  if (!control || !send_request(control.get(), request)) return;
+  status.asked_to_end = status.asked_to_end || !status.exit;
+}
+
 Child::Child(std::shared_ptr<ProcessHostCore> core, std::shared_ptr<ChildRecord> record)
     : core_(std::move(core)), record_(std::move(record)) {}
 
@@ -93,7 +98,7 @@ std::string Child::log_error() const {
                      std::strerror(record_->log.error()));
 }
 
-double Child::cpu_seconds() {
+double Child::cpu_seconds() const {
   std::unique_lock lock(core_->mutex);
   const std::uint64_t answers = record_->usage_answers;
   if (record_->control && send_request(record_->control.get(), {KeeperRequest::Kind::kUsage})) {
@@ -104,13 +109,12 @@ double Child::cpu_seconds() {
   return record_->cpu_seconds;
 }
 
-void Child::end(milliseconds grace, bool gently) {
+void Child::end(milliseconds grace, bool gently) const {
   const std::lock_guard lock(core_->mutex);
-  if (!record_->control) return;
   KeeperRequest request;
   request.kind = gently ? KeeperRequest::Kind::kEndGently : KeeperRequest::Kind::kEnd;
   request.grace_s = std::chrono::duration<double>(grace).count();
-  send_request(record_->control.get(), request);
+  record_->ask(request);
 }
 
 bool Child::wait_exit(milliseconds limit) const {
@@ -178,13 +182,15 @@ bool ProcessHost::end_all(milliseconds grace) {
   std::unique_lock lock(core_->mutex);
   KeeperRequest request{KeeperRequest::Kind::kEnd, std::chrono::duration<double>(grace).count()};
   for (const auto& record : core_->records) {
-    if (record->control) send_request(record->control.get(), request);
+    record->ask(request);
   }
   return core_->changed.wait_for(lock, grace + kEndMargin, [&] { return core_->records.empty(); });
 }
 
 bool has_ended(const Child::Status& status) {
-  return status.gone || (status.exit && status.living == 0);
+  if (status.gone || !status.exit) return status.gone;
+  const bool failed = status.exit->by_signal || status.exit->number != 0;
+  return failed || status.living == 0;
 }
 
 Readiness wait_until_ready(const Child& child, const std::function<bool()>& ready,

@@ -30,6 +30,7 @@ class Child {
     int pid = 0;
     std::optional<ProcessExit> exit;  ///< of the program itself, once it has ended
     int living = 0;                   ///< when `exit` came: descendants that went on
+    bool asked_to_end = false;        ///< by end(), before it ended by itself
     bool gone = false;                ///< nothing of it is left, and all its output has been read
   };
 
@@ -49,12 +50,12 @@ class Child {
 
   /// User and system time of the program and all its descendants so far. Asks the keeper, which
   /// takes about a millisecond; the last known figure when it does not answer within 0.5 s.
-  double cpu_seconds();
+  double cpu_seconds() const;
 
   /// Asks for the end and returns at once: SIGTERM to the program and all its descendants, SIGKILL
   /// to what is left after `grace`. `gently`: SIGTERM to the program alone, for one that ends its
   /// own children in order; what it leaves gets SIGTERM when it has ended.
-  void end(std::chrono::milliseconds grace, bool gently = false);
+  void end(std::chrono::milliseconds grace, bool gently = false) const;
 
   /// Waits until the program has ended, or until nothing of it is left. False: the time is up.
   bool wait_exit(std::chrono::milliseconds limit) const;
@@ -107,12 +108,12 @@ enum class Readiness {
 };
 
 /// Calls `ready` every 5 ms until it is true or there is another reason to stop waiting.
-/// A program that ends but leaves living descendants has not ended in this sense: it is a script
-/// that starts others and returns.
+/// A program that returns 0 and leaves living descendants has not ended in this sense: it is a
+/// script that starts others and returns.
 Readiness wait_until_ready(const Child& child, const std::function<bool()>& ready,
                            std::chrono::milliseconds limit, const std::atomic<int>& stop);
 
-/// True when the program has ended and left nothing behind that could do its work.
+/// True when the program has failed, or has ended and left nothing behind that could do its work.
 bool has_ended(const Child::Status& status);
 
 }  // namespace cls::orchestration

@@ -27,6 +27,9 @@ struct ChildRecord {
   std::optional<KeeperReport> first_report;  ///< kStarted or kFailed
   double cpu_seconds = 0.0;
   std::uint64_t usage_answers = 0;
+
+  /// Sends a request to end the child.
+  void ask(const KeeperRequest& request);
 };
 
 /// Shared by the host and its children, so that a child may be asked when the host is gone.

@@ -72,6 +72,8 @@ TEST(CommandPlan, FindsProgramsAndSaysWhyNot) {
 TEST(ProcessExit, IsToldByCodeOrNameOfTheSignal) {
   EXPECT_EQ(to_text(ProcessExit{false, 3}), "exit code 3");
   EXPECT_EQ(to_text(ProcessExit{true, SIGSEGV}), "killed by SIGSEGV");
+  EXPECT_EQ(to_text(ProcessExit{false, 139}), "exit code 139 (128 + SIGSEGV)");
+  EXPECT_EQ(to_text(ProcessExit{false, 255}), "exit code 255");
   EXPECT_EQ(signal_name(SIGTERM), "SIGTERM");
   EXPECT_EQ(signal_name(500), "signal 500");
 }

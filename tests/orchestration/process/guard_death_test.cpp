@@ -60,9 +60,11 @@ TEST_F(GuardDeath, WorksWithSpoiltSignalsAndClosedStreams) {
   std::vector<std::string> children = usual_children();
   children.push_back(fake_line("print-signals print-fds print-input hang >") + seen.string());
   start(children, {"spoil-signals", "close", "0"});
-  while (tests::read_file(seen).find("input") == std::string::npos) {
-    std::this_thread::sleep_for(10ms);
-  }
+  const auto complete = [&] {
+    return std::filesystem::exists(seen) &&
+           tests::read_file(seen).find("input") != std::string::npos;
+  };
+  while (!complete()) std::this_thread::sleep_for(10ms);
   EXPECT_EQ(tests::read_file(seen), "signals:\nfds: 0 1 2\nno input\n");
   ::kill(driver_->status().pid, SIGKILL);
   EXPECT_TRUE(processes_.nothing_left(2s));

@@ -196,6 +196,14 @@ TEST(ProcessHost, TellsAScriptThatReturnsFromOneThatLeavesWorkers) {
   EXPECT_TRUE(processes.nothing_left());
 }
 
+TEST(ProcessHost, AFailedScriptHasEndedWhateverItLeft) {
+  MarkedHost processes;
+  const auto child = processes.start_fake({"grandchild", "exit", "2"});
+  ASSERT_TRUE(child->wait_exit(10s));
+  EXPECT_EQ(child->status().living, 1);
+  EXPECT_TRUE(has_ended(child->status()));
+}
+
 TEST(ProcessHost, EndsGentlyFirstTheProgramThenTheRest) {
   MarkedHost processes;
   // The shell waits for its worker, so a signal to the shell alone leaves the worker.

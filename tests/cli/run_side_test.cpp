@@ -1,0 +1,239 @@
+// `run:` sides: Playmakers that cls starts itself, good ones and each kind of bad one.
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include <algorithm>
+#include <chrono>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "tests/support/command.h"
+#include "tests/support/files.h"
+#include "tests/support/marked_processes.h"
+#include "tests/support/temporary_folder.h"
+
+namespace {
+
+using namespace std::chrono_literals;
+using cls::tests::Command;
+using cls::tests::CommandResult;
+using nlohmann::json;
+using Words = std::vector<std::string>;
+
+/// A match of the mock (left) against a fake Playmaker that cls starts (right), in a folder and
+/// with a mark of its own.
+class RunSide : public testing::Test {
+ protected:
+  static std::string fake(const std::string& flags) {
+    return "run:exec " + std::string(CLS_BUILD_DIR) + "/bin/cls_fake_playmaker --port {port} " +
+           flags;
+  }
+
+  Words arguments(const std::string& right, const Words& more) const {
+    Words words = {cls::tests::cls_binary(),
+                   "match",
+                   "mock",
+                   right,
+                   "--seed",
+                   "7",
+                   "--right-name",
+                   "brain",
+                   "--set",
+                   "server::kick_off_wait=3",
+                   "--dir",
+                   folder_.path(),
+                   "--cycles",
+                   "60"};
+    words.insert(words.end(), more.begin(), more.end());
+    return words;
+  }
+  Words environment() const { return {std::string(cls::tests::kMarkVariable) + "=" + mark_}; }
+
+  /// Plays, and sees to it that nothing is left the moment cls has returned.
+  void play(const std::string& flags, const Words& more = {}) {
+    played_ = cls::tests::run(arguments(fake(flags), more), environment());
+    EXPECT_TRUE(cls::tests::marked_processes(mark_).empty());
+    result_ = json::parse(cls::tests::read_file(folder_.path() / "result.json"));
+  }
+
+  void expect_end(const std::string& reason, int exit_code, const std::string& message) const {
+    EXPECT_EQ(result_["end_reason"], reason);
+    EXPECT_EQ(played_.exit_code, exit_code);
+    const std::string whole = result_["message"].get<std::string>();
+    EXPECT_NE(whole.find(message), std::string::npos) << whole;
+    EXPECT_NE(played_.err.find("cls: " + whole + "\n"), std::string::npos) << played_.err;
+    EXPECT_TRUE(result_["winner"].is_null());
+  }
+
+  /// The failed process is told with its last words, in the result and on the terminal.
+  void expect_last_words(const std::string& words, const std::string& exit) const {
+    const json& failure = result_["failure"];
+    EXPECT_EQ(failure["process"], "right Playmaker");
+    EXPECT_EQ(failure["exit"], exit);
+    EXPECT_EQ(failure["output"].back().get<std::string>().find(words), 0U) << failure;
+    EXPECT_NE(played_.err.find(words), std::string::npos) << played_.err;
+    EXPECT_NE(log().find(words), std::string::npos);
+  }
+
+  std::string log() const { return cls::tests::read_file(folder_.path() / "right-playmaker.log"); }
+
+  cls::tests::TemporaryFolder folder_;
+  const std::string mark_ = cls::tests::new_mark();
+  CommandResult played_;
+  json result_;
+};
+
+TEST_F(RunSide, PlaysAndIsEndedAndItsProcessorTimeIsCounted) {
+  play("");
+  EXPECT_EQ(played_.exit_code, 0) << played_.err;
+  EXPECT_EQ(played_.err, "");
+  EXPECT_EQ(result_["end_reason"], "finished");
+  EXPECT_EQ(result_["cycles"], 60);
+  ASSERT_EQ(result_["processes"].size(), 1U);
+  const json& process = result_["processes"][0];
+  EXPECT_EQ(process["name"], "right Playmaker");
+  EXPECT_EQ(process["exit"], "ended by cls (killed by SIGTERM)");
+  EXPECT_GT(process["cpu_seconds"].get<double>(), 0.01);
+  EXPECT_GT(result_["right"]["cpu_seconds"], process["cpu_seconds"]);
+  EXPECT_TRUE(result_["failure"].is_null());
+}
+
+TEST_F(RunSide, MayStartLate) {
+  play("--late-start-ms 1500");
+  EXPECT_EQ(played_.exit_code, 0) << played_.err;
+}
+
+TEST_F(RunSide, ThatCannotBeStartedIsRefused) {
+  const auto played =
+      cls::tests::run(arguments("run:no-such-playmaker --port {port}", {}), environment());
+  EXPECT_EQ(played.exit_code, 69);
+  EXPECT_NE(played.err.find("its process ended before it answered: exit code 127"),
+            std::string::npos)
+      << played.err;
+  EXPECT_NE(played.err.find("no-such-playmaker: not found"), std::string::npos) << played.err;
+}
+
+TEST_F(RunSide, ThatDiesAtStartIsRefusedAtOnce) {
+  const auto begin = std::chrono::steady_clock::now();
+  play("--exit-at-start 5");
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, 5s);
+  expect_end("refused", 69, "its process ended before it answered: exit code 5");
+  expect_last_words("cannot load the formation", "exit code 5");
+}
+
+TEST_F(RunSide, ThatNeverListensIsRefusedAtTheStartLimit) {
+  play("--never-listen 1", {"--start-timeout", "1"});
+  expect_end("refused", 69, "it does not listen on port ");
+}
+
+TEST_F(RunSide, ThatListensElsewhereIsToldWhere) {
+  play("--port-offset 1", {"--start-timeout", "1"});
+  expect_end("refused", 69, "; it listens on port ");
+}
+
+TEST_F(RunSide, ThatAcceptsButNeverAnswersIsRefused) {
+  play("--silent 1", {"--start-timeout", "1"});
+  expect_end("refused", 69, "within the start limit of 1 s");
+}
+
+TEST_F(RunSide, ThatExitsInPlayCrashed) {
+  play("--exit-at-cycle 20");
+  expect_end("crashed", 1, "its process ended at cycle ");
+  expect_last_words("out of ideas", "exit code 3");
+  EXPECT_GE(result_["cycles"], 19);
+  EXPECT_LE(result_["cycles"], 22);
+}
+
+TEST_F(RunSide, ThatExitsWithZeroInPlayCrashedToo) {
+  play("--exit-at-cycle 20 --code 0");
+  expect_end("crashed", 1, "exit code 0");
+}
+
+TEST_F(RunSide, ThatSegfaultsIsToldByTheSignalsName) {
+  play("--signal-at-cycle 20");
+  expect_end("crashed", 1, "killed by SIGSEGV");
+}
+
+TEST_F(RunSide, ThatSegfaultsBelowAShellIsToldToo) {
+  const auto played = cls::tests::run(
+      arguments("run:" + fake("--signal-at-cycle 20").substr(9) + "; exit $?", {}), environment());
+  EXPECT_EQ(played.exit_code, 1);
+  EXPECT_NE(played.err.find("exit code 139 (128 + SIGSEGV)"), std::string::npos) << played.err;
+}
+
+TEST_F(RunSide, ThatHangsStalls) {
+  play("--hang-at-cycle 20", {"--stall-after", "1"});
+  expect_end("stalled", 1, "no new cycle for 1 s");
+}
+
+TEST_F(RunSide, ThatAnswersLateIsLate) {
+  play("--hang-at-cycle 20", {"--rpc-deadline", "30", "--max-missed", "5"});
+  expect_end("late", 1, "no usable answer for 6 cycles");
+}
+
+TEST_F(RunSide, ThatHangsIsEndedByTheTimeLimit) {
+  play("--hang-at-cycle 20", {"--time-limit", "2", "--stall-after", "60"});
+  expect_end("timed_out", 124, "the time limit of 2 s");
+}
+
+TEST_F(RunSide, ThatFloodsItsOutputPlaysOn) {
+  play("--flood 1");
+  EXPECT_EQ(played_.exit_code, 0) << played_.err;
+  EXPECT_LT(std::filesystem::file_size(folder_.path() / "right-playmaker.log"), 1000U);
+  EXPECT_NE(log().find("\n  ×"), std::string::npos);
+}
+
+TEST_F(RunSide, ThatIgnoresSigtermIsKilled) {
+  play("--ignore-term 1");
+  EXPECT_EQ(played_.exit_code, 0) << played_.err;
+  EXPECT_EQ(result_["processes"][0]["exit"], "ended by cls (killed by SIGKILL)");
+}
+
+TEST_F(RunSide, ThatLeavesAGrandchildLeavesNothing) {
+  play("--grandchild 1");
+  EXPECT_EQ(played_.exit_code, 0) << played_.err;
+}
+
+TEST_F(RunSide, ThatLeavesAGrandchildAndDiesLeavesNothing) {
+  play("--grandchild 1 --exit-at-cycle 10");
+  expect_end("crashed", 1, "exit code 3");
+}
+
+TEST_F(RunSide, InterruptedMatchesEndInOrder) {
+  const std::vector<std::pair<int, int>> cases = {{SIGINT, 130}, {SIGTERM, 143}};
+  for (const auto& [signal, exit_code] : cases) {
+    Words words = arguments(fake("--ignore-term 1 --hang-at-cycle 30"), {});
+    Command command(words, environment());
+    const auto log_begins = std::chrono::steady_clock::now();
+    while (!std::filesystem::exists(folder_.path() / "right-playmaker.log") &&
+           std::chrono::steady_clock::now() - log_begins < 10s) {
+      std::this_thread::sleep_for(20ms);
+    }
+    std::this_thread::sleep_for(1s);
+    command.send_signal(signal);
+    const auto begin = std::chrono::steady_clock::now();
+    const CommandResult ended = command.finish();
+    EXPECT_LT(std::chrono::steady_clock::now() - begin, 5s);
+    EXPECT_EQ(ended.exit_code, exit_code) << ended.err;
+    const json result = json::parse(cls::tests::read_file(folder_.path() / "result.json"));
+    EXPECT_EQ(result["end_reason"], "interrupted");
+    EXPECT_TRUE(cls::tests::marked_processes(mark_).empty());
+    std::filesystem::remove(folder_.path() / "right-playmaker.log");
+  }
+}
+
+TEST_F(RunSide, NothingSurvivesKillNine) {
+  Command command(arguments(fake("--ignore-term 1 --grandchild 1 --hang-at-cycle 30"), {}),
+                  environment());
+  const auto begin = std::chrono::steady_clock::now();
+  while (cls::tests::marked_processes(mark_).size() < 5 &&
+         std::chrono::steady_clock::now() - begin < 10s) {
+    std::this_thread::sleep_for(20ms);
+  }
+  ASSERT_GE(cls::tests::marked_processes(mark_).size(), 5U);
+  command.send_signal(SIGKILL);
+  EXPECT_TRUE(cls::tests::all_marked_gone(mark_, 2s));
+}
+
+}  // namespace
