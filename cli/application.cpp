@@ -12,7 +12,9 @@
 #include "cli/exit_code.h"
 #include "cli/match_command.h"
 #include "cli/mock_command.h"
+#include "cli/proxy_command.h"
 #include "cli/results_command.h"
+#include "cli/server_command.h"
 #include "cli/stats_command.h"
 #include "cli/version_command.h"
 #include "soccer/parameter.h"
@@ -85,6 +87,8 @@ int run_application(int argc, const char* const* argv) {
   add_stats_command(app, exit_code);
   add_convert_command(app, exit_code);
   add_mock_command(app, exit_code);
+  add_proxy_command(app, exit_code);
+  add_server_command(app, exit_code);
   add_version_command(app, exit_code);
 
   try {

@@ -35,6 +35,10 @@ constexpr std::size_t kCommandKinds = std::variant_size_v<soccer::PlayerCommand>
 /// forms of it.
 std::string_view command_kind_name(std::size_t index);
 
+/// In real time: a decision begun later than this after it was due is our delay (a loaded machine),
+/// not the Playmaker's.
+constexpr std::chrono::milliseconds kLateWakeup{10};
+
 struct AgentStatistics {
   std::int64_t decisions = 0;  ///< asked for
   std::int64_t late = 0;       ///< without an answer at the deadline
@@ -44,6 +48,12 @@ struct AgentStatistics {
   int longest_missed_in_a_row = 0;
   RpcStatus last_failure;  ///< of the latest missed decision; ok when none was missed
   LatencySamples rpc_us;   ///< of the answered ones
+
+  std::int64_t undecided = 0;      ///< cycles that passed without a decision since the first one
+  std::int64_t lost_commands = 0;  ///< body commands that the server did not carry out: too late
+  std::int64_t late_wakeups = 0;   ///< decisions begun later than kLateWakeup after they were due
+  std::chrono::microseconds longest_wakeup{0};  ///< from being due to being begun
+
   std::array<std::int64_t, kCommandKinds> commands{};  ///< sent, by index of the variant
   ActionReport actions;                                ///< what became of the Playmaker's wishes
 

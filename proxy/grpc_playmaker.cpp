@@ -116,17 +116,21 @@ class GrpcPlaymaker : public Playmaker {
   }
 
   std::optional<Reply> next_reply() override {
-    if (!never_asked_.empty()) {
-      Reply reply;
-      reply.agent = never_asked_.back();
-      reply.status = cancelled_status();
-      never_asked_.pop_back();
-      return reply;
-    }
+    if (!never_asked_.empty()) return never_asked_reply();
     if (outstanding_ == 0) return std::nullopt;
     GrpcCall& call = wait(true);
     --outstanding_;
     return reply_of(call);
+  }
+
+  std::optional<Reply> next_reply_within(std::chrono::microseconds longest) override {
+    if (!never_asked_.empty()) return never_asked_reply();
+    if (outstanding_ == 0) return std::nullopt;
+    cancel_if_asked();
+    GrpcCall* call = poll(gpr_time_from_micros(longest.count(), GPR_TIMESPAN));
+    if (call == nullptr) return std::nullopt;
+    --outstanding_;
+    return reply_of(*call);
   }
 
   void cancel() override { cancelled_.store(true, std::memory_order_relaxed); }
@@ -147,23 +151,39 @@ class GrpcPlaymaker : public Playmaker {
     return {RpcOutcome::kCancelled, static_cast<int>(grpc::StatusCode::CANCELLED), "cancelled"};
   }
 
-  // The next call that is done, finished. With `cancellable`, cancel() ends all that are in flight.
-  GrpcCall& wait(bool cancellable) {
+  Reply never_asked_reply() {
+    Reply reply;
+    reply.agent = never_asked_.back();
+    reply.status = cancelled_status();
+    never_asked_.pop_back();
+    return reply;
+  }
+
+  void cancel_if_asked() {
+    if (!cancelled()) return;
+    for (GrpcCall& call : calls_) call.cancel();
+  }
+
+  // The next call that is done within `longest`, finished; null when none is.
+  GrpcCall* poll(gpr_timespec longest) {
     void* tag = nullptr;
     bool ok = false;
-    for (;;) {
-      if (cancellable && cancelled()) {
-        for (GrpcCall& call : calls_) call.cancel();
-      }
-      const auto until = gpr_time_add(gpr_now(GPR_CLOCK_MONOTONIC),
-                                      gpr_time_from_millis(kCancelCheckMs, GPR_TIMESPAN));
-      const auto result = queue_.AsyncNext(&tag, &ok, until);
-      assert(result != grpc::CompletionQueue::SHUTDOWN);
-      if (result == grpc::CompletionQueue::GOT_EVENT) break;
-    }
-    GrpcCall& call = *static_cast<GrpcCall*>(tag);
-    call.finish();
+    const auto until = gpr_time_add(gpr_now(GPR_CLOCK_MONOTONIC), longest);
+    const auto result = queue_.AsyncNext(&tag, &ok, until);
+    assert(result != grpc::CompletionQueue::SHUTDOWN);
+    if (result != grpc::CompletionQueue::GOT_EVENT) return nullptr;
+    auto* call = static_cast<GrpcCall*>(tag);
+    call->finish();
     return call;
+  }
+
+  // The next call that is done, finished. With `cancellable`, cancel() ends all that are in flight.
+  GrpcCall& wait(bool cancellable) {
+    for (;;) {
+      if (cancellable) cancel_if_asked();
+      GrpcCall* call = poll(gpr_time_from_millis(kCancelCheckMs, GPR_TIMESPAN));
+      if (call != nullptr) return *call;
+    }
   }
 
   void start_alone(int agent, const char* method, const google::protobuf::MessageLite& request,

@@ -1,6 +1,7 @@
 // An agent's part of a cycle.
 #include "proxy/player_agent.h"
 
+#include <algorithm>
 #include <cassert>
 #include <utility>
 
@@ -41,19 +42,37 @@ std::string settings(int protocol) {
   return datagram;
 }
 
+// Commands that the server counts whatever comes of them, one a cycle; a kick it does not when the
+// ball is out of reach.
+bool is_counted(const soccer::PlayerCommand& command, soccer::PlayMode mode) {
+  return std::holds_alternative<soccer::Turn>(command) ||
+         std::holds_alternative<soccer::Dash>(command) ||
+         (std::holds_alternative<soccer::Tackle>(command) && !clock_stands(mode));
+}
+
 }  // namespace
 
 PlayerAgent::PlayerAgent(std::unique_ptr<soccer::Channel> channel, AgentOptions options)
     : channel_(std::move(channel)), options_(options) {}
 
 bool PlayerAgent::connect() {
+  refusal_.clear();
+  datagram_.clear();
+  if (options_.reconnect_unum != 0) {
+    const std::string team(options_.team_name.view());
+    soccer::format(soccer::PlayerReconnect{team, options_.reconnect_unum}, datagram_);
+    return channel_->send(datagram_);
+  }
   soccer::PlayerInit request;
   request.team = options_.team_name;
   request.version = options_.protocol;
   request.goalie = options_.goalie;
-  datagram_.clear();
   soccer::format(request, datagram_);
   return channel_->send(datagram_);
+}
+
+bool PlayerAgent::refused_for_now() const {
+  return refusal_ == soccer::name(soccer::ErrorCode::kCannotReconnectWhilePlayOn);
 }
 
 bool PlayerAgent::ready() const {
@@ -65,7 +84,8 @@ void PlayerAgent::set_identity(const protos::RegisterResponse& identity) {
 }
 
 void PlayerAgent::perceive() {
-  while (channel_->receive(message_)) take_in(message_);
+  while (!deciding_ && channel_->receive(message_)) take_in(message_);
+  statistics_.undecided = timer_.undecided();
 }
 
 void PlayerAgent::take_in(const std::string& message) {
@@ -76,10 +96,12 @@ void PlayerAgent::take_in(const std::string& message) {
   };
   switch (soccer::message_kind(message)) {
     case soccer::MessageKind::kSenseBody:
-      if (parsed(sense_)) on_sense_body(world_, sense_);
+      if (parsed(sense_)) take_in_sense_body();
       break;
     case soccer::MessageKind::kSee:
-      if (parsed(see_)) on_see(world_, see_);
+      if (!parsed(see_)) break;
+      on_see(world_, see_);
+      if (see_.time == world_.game.time.cycle) timer_.on_see(channel_->arrived());
       break;
     case soccer::MessageKind::kHear:
       if (parsed(hear_)) on_hear(world_, hear_);
@@ -101,13 +123,42 @@ void PlayerAgent::take_in(const std::string& message) {
   }
 }
 
+void PlayerAgent::take_in_sense_body() {
+  note_lost_commands();
+  on_sense_body(world_, sense_);
+  timer_.on_sense_body(channel_->arrived(), sense_.width);
+}
+
+// The server counts what it carries out. Nothing of it is due from a player who is frozen.
+void PlayerAgent::note_lost_commands() {
+  const auto total = [](const soccer::CommandCounts& counts, int tackles) {
+    return counts.kick + counts.dash + counts.turn + counts.catches + counts.move + tackles;
+  };
+  const SelfState& self = world_.self;
+  const bool frozen = self.tackle_expires_in > 0 || self.foul_charged > 0;
+  const int before = total(self.counts, self.tackle_count);
+  if (awaits_count_ && !frozen && total(sense_.counts, sense_.tackle_count) == before) {
+    ++statistics_.lost_commands;
+  }
+  awaits_count_ = false;
+}
+
+void PlayerAgent::begin_part(const soccer::PlayerInitReply& init) {
+  on_init(world_, init, options_.team_name, options_.goalie);
+  admitted_ = true;
+  channel_->send(settings(options_.protocol));
+}
+
 void PlayerAgent::take_in_parameters(const std::string& message) {
   soccer::Result<void> result;
   switch (soccer::message_kind(message)) {
     case soccer::MessageKind::kServerParam: {
       soccer::ServerParams params;
       result = soccer::parse(message, params);
-      if (result) on_server_param(world_, params);
+      if (!result) break;
+      on_server_param(world_, params);
+      timer_.set_synchronous(params.synch_mode);
+      timer_.set_slow_down(params.slow_down_factor);
       break;
     }
     case soccer::MessageKind::kPlayerParam: {
@@ -134,16 +185,21 @@ void PlayerAgent::take_in_reply(const std::string& message) {
   }
   std::visit(
       Overloaded{
-          [this](const soccer::Think&) { decision_due_ = true; },
-          [this](const soccer::PlayerInitReply& init) {
-            on_init(world_, init, options_.team_name, options_.goalie);
-            admitted_ = true;
-            channel_->send(settings(options_.protocol));
+          [this](const soccer::Think&) { timer_.on_think(channel_->arrived()); },
+          [this](const soccer::PlayerInitReply& init) { begin_part(init); },
+          [this](const soccer::OkSynchSee&) { timer_.set_synch_see(true); },
+          [this](const soccer::ReconnectReply& back) {
+            // The server keeps what the lost connection had asked for, and does not repeat it.
+            if (options_.protocol >= kSynchronousVersion) timer_.set_synch_see(true);
+            begin_part({back.side, options_.reconnect_unum, back.mode});
           },
           [this](const soccer::PlayerTypeChange& change) { on_change_player_type(world_, change); },
           [this](const soccer::ErrorReply& error) {
             if (!admitted_) refusal_ = error.text;
-            if (trouble_.errors++ == 0) trouble_.first_error = error.text;
+            if (!refused_for_now() && trouble_.errors++ == 0) trouble_.first_error = error.text;
+          },
+          [this](const soccer::WarningReply& warning) {
+            if (trouble_.warnings++ == 0) trouble_.first_warning = warning.text;
           },
           [](const auto&) {},
       },
@@ -155,8 +211,15 @@ void PlayerAgent::note_unreadable(const soccer::Error& error, const std::string&
   trouble_.first_unreadable = error.message + ": " + message.substr(0, kQuotedLength);
 }
 
-const protos::State& PlayerAgent::state() {
-  assert(decision_due_);
+const protos::State& PlayerAgent::state(Instant now) {
+  assert(decision_due(now));
+  if (!timer_.synchronous()) {
+    const auto delay = std::chrono::duration_cast<std::chrono::microseconds>(now - timer_.due_at());
+    if (delay > kLateWakeup) ++statistics_.late_wakeups;
+    statistics_.longest_wakeup = std::max(statistics_.longest_wakeup, delay);
+  }
+  deciding_ = true;
+  timer_.decided();
   complete(world_);
   fill_state(world_, home_positions(world_), needs_preprocess(world_), state_);
   return state_;
@@ -182,16 +245,17 @@ void PlayerAgent::act_without_reply() {
 }
 
 void PlayerAgent::send(const CommandSlots& slots) {
-  slots.compose(commands_, true);
+  slots.compose(commands_, timer_.synchronous());
   datagram_.clear();
   for (const soccer::PlayerCommand& command : commands_) {
     const bool formatted = soccer::format(command, datagram_);
     assert(formatted && "slots hold what the grammar can say");
     if (!std::holds_alternative<soccer::Done>(command)) statistics_.count(command);
+    awaits_count_ = awaits_count_ || is_counted(command, world_.game.mode);
   }
   channel_->send(datagram_);
   note_sent_commands(world_, commands_);
-  decision_due_ = false;
+  deciding_ = false;
 }
 
 void PlayerAgent::leave() {

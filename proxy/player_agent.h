@@ -10,6 +10,7 @@
 #include "proxy/action_memory.h"
 #include "proxy/agent_statistics.h"
 #include "proxy/command_slots.h"
+#include "proxy/decision_timer.h"
 #include "proxy/perception.h"
 #include "proxy/world_model.h"
 #include "soccer/channel.h"
@@ -35,36 +36,45 @@ struct AgentOptions {
   bool goalie = false;
   int protocol = soccer::kDefaultProtocolVersion;  ///< version of the text protocol, 14 to 19
   OnLate on_late = OnLate::kHold;
+  int reconnect_unum = 0;  ///< not 0: takes over this player, who lost his connection
 };
 
 /// The messages of the server that this agent could not use; none in a healthy match.
 struct ServerTrouble {
   std::int64_t unreadable = 0;   ///< messages that do not parse
   std::int64_t errors = 0;       ///< (error ...) replies
+  std::int64_t warnings = 0;     ///< (warning ...) replies
   std::string first_unreadable;  ///< why, and the beginning of the message
   std::string first_error;
+  std::string first_warning;
 };
 
 /// Meets the server through its channel only. Order: connect(); perceive() until ready(); then per
 /// cycle perceive() and, when a decision is due, state() and one of the act functions. It decides
-/// once per (think), as a server in synchronous mode or in lockstep asks.
+/// once per cycle: see decision_timer.h.
 class PlayerAgent {
  public:
   PlayerAgent(std::unique_ptr<soccer::Channel> channel, AgentOptions options);
 
-  /// Asks the server to take part. False when the connection is gone.
+  /// Asks the server to take part; again when a refusal was for the moment only. False when the
+  /// connection is gone.
   bool connect();
-  /// Takes in all messages that wait.
+  /// Takes in all messages that wait; none while an answer of the Playmaker is awaited.
   void perceive();
   /// True when number, parameters and all player types are known.
   bool ready() const;
   /// The server's reason not to let the agent in; empty when it did or has not answered yet.
   const std::string& refusal() const { return refusal_; }
+  /// The refusal ends by itself: nobody can come back while the ball is in play.
+  bool refused_for_now() const;
 
-  bool decision_due() const { return decision_due_; }
+  /// `now` counts in real time only.
+  bool decision_due(Instant now = {}) const { return !deciding_ && timer_.due(now); }
+  const DecisionTimer& timer() const { return timer_; }
+  bool deciding() const { return deciding_; }
   /// The State for the decision that is due; completes the world model. Once per decision. Lives
   /// until the next call.
-  const protos::State& state();
+  const protos::State& state(Instant now = {});
   /// Carries out the answer, sends the commands and (done).
   void act(const protos::PlayerActions& actions);
   /// The same without an answer, as the options say.
@@ -89,6 +99,9 @@ class PlayerAgent {
   void take_in_reply(const std::string& message);
   void take_in_parameters(const std::string& message);
   void note_unreadable(const soccer::Error& error, const std::string& message);
+  void take_in_sense_body();
+  void note_lost_commands();
+  void begin_part(const soccer::PlayerInitReply& init);
   void send(const CommandSlots& slots);
 
   std::unique_ptr<soccer::Channel> channel_;
@@ -100,7 +113,9 @@ class PlayerAgent {
   std::string refusal_;
   bool admitted_ = false;
   int types_known_ = 0;
-  bool decision_due_ = false;
+  DecisionTimer timer_;
+  bool deciding_ = false;      ///< state() was asked for, the answer not carried out yet
+  bool awaits_count_ = false;  ///< sent a command that the next sense_body must count
   protos::State state_;
   protos::PlayerActions last_actions_;  // kLast, kDefault
 

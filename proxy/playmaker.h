@@ -87,6 +87,9 @@ class Playmaker {
   /// come in any order.
   virtual std::optional<Reply> next_reply() = 0;
 
+  /// The same, but nothing as well when no reply is there within `longest`.
+  virtual std::optional<Reply> next_reply_within(std::chrono::microseconds longest) = 0;
+
   /// Ends the calls in flight with kCancelled, and every later one except send_bye(). May be
   /// called from any thread.
   virtual void cancel() = 0;

@@ -11,6 +11,9 @@ namespace cls::proxy {
 namespace {
 
 constexpr RpcTimeout kByeTimeout{1000};
+// In real time: for the way to the server, and the least that a Playmaker is given.
+constexpr RpcTimeout kReserve{10};
+constexpr RpcTimeout kShortestTimeout{10};
 
 /// Adds the time since the last lap to a sum.
 class StopWatch {
@@ -54,7 +57,8 @@ Team::Team(TeamOptions options, Playmaker& playmaker)
 
 soccer::Result<void> Team::connect(const OpenChannel& open, const Serve& serve) {
   for (int i = 0; i < options_.players; ++i) {
-    if (const soccer::Result<void> done = connect_one(open, serve, i == 0); !done) return done;
+    const bool goalie = options_.goalie && i == 0;
+    if (const soccer::Result<void> done = connect_one(open, serve, goalie); !done) return done;
   }
   return {};
 }
@@ -68,12 +72,17 @@ soccer::Result<void> Team::connect_one(const OpenChannel& open, const Serve& ser
   options.goalie = goalie;
   options.protocol = options_.protocol;
   options.on_late = options_.on_late;
+  if (options_.reconnect) {
+    options.reconnect_unum = options_.first_unum + static_cast<int>(players_.size());
+  }
   auto agent = std::make_unique<PlayerAgent>(std::move(channel), options);
   if (!agent->connect()) return soccer::Error{who + "the soccer server closed the connection"};
   while (!agent->ready()) {
     const bool go_on = serve();
     agent->perceive();
-    if (!agent->refusal().empty()) {
+    if (agent->refused_for_now() && go_on) {
+      agent->connect();
+    } else if (!agent->refusal().empty()) {
       return soccer::Error{who + "the soccer server refused it (" + agent->refusal() + ")"};
     }
     if (!go_on && !agent->ready()) {
@@ -152,19 +161,22 @@ PlayerAgent& Team::agent(int unum) {
   return **found;
 }
 
-int Team::begin_cycle() {
+int Team::begin_cycle() { return ask({}); }
+
+int Team::ask(Instant now) {
   int asked = 0;
   StopWatch watch;
   for (const auto& agent : players_) {
     agent->perceive();
     watch.lap(times_.perceive);
-    if (!agent->decision_due()) continue;
-    const protos::State& state = agent->state();
+    if (!agent->decision_due(now)) continue;
+    const protos::State& state = agent->state(now);
     watch.lap(times_.state);
-    playmaker_->begin_player_actions(agent->unum(), state, options_.decision_timeout);
+    playmaker_->begin_player_actions(agent->unum(), state, decision_timeout(*agent, now));
     watch.lap(times_.begin);
     ++asked;
   }
+  outstanding_ += asked;
   return asked;
 }
 
@@ -177,6 +189,34 @@ void Team::finish_cycle() {
   }
 }
 
+bool Team::take_reply(std::chrono::microseconds longest) {
+  StopWatch watch;
+  const std::optional<Reply> reply = playmaker_->next_reply_within(longest);
+  watch.lap(times_.wait);
+  if (!reply) return false;
+  carry_out(*reply);
+  watch.lap(times_.act);
+  return true;
+}
+
+Instant Team::next_due() const {
+  Instant next = Instant::max();
+  for (const auto& agent : players_) {
+    if (!agent->deciding()) next = std::min(next, agent->timer().due_at());
+  }
+  return next;
+}
+
+// In real time, an answer after the end of the cycle would be of no use.
+RpcTimeout Team::decision_timeout(const PlayerAgent& agent, Instant now) const {
+  const bool unlimited = options_.decision_timeout == kNoTimeout;
+  if (agent.timer().synchronous() || unlimited) return options_.decision_timeout;
+  const soccer::ServerParams& server = agent.world().server();
+  const RpcTimeout cycle(server.simulator_step * server.slow_down_factor);
+  const auto gone = std::chrono::duration_cast<RpcTimeout>(now - agent.timer().cycle_began());
+  return std::min(options_.decision_timeout, std::max(kShortestTimeout, cycle - kReserve - gone));
+}
+
 int Team::run_cycle() {
   const int asked = begin_cycle();
   finish_cycle();
@@ -184,6 +224,7 @@ int Team::run_cycle() {
 }
 
 void Team::carry_out(const Reply& reply) {
+  --outstanding_;
   PlayerAgent& asker = agent(reply.agent);
   asker.statistics().count(reply);
   if (reply.player == nullptr) {
@@ -247,6 +288,9 @@ void Team::warn_of_server(const PlayerAgent& agent) {
   }
   if (trouble.errors != 0) {
     warn_once("the soccer server complains: " + trouble.first_error);
+  }
+  if (trouble.warnings != 0) {
+    warn_once("the soccer server warns: " + trouble.first_warning);
   }
 }
 

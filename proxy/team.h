@@ -18,11 +18,14 @@ namespace cls::proxy {
 
 struct TeamOptions {
   soccer::TeamName name;
-  int players = soccer::kPlayersPerTeam;  ///< the first one is the goalie
+  int players = soccer::kPlayersPerTeam;
   int protocol = soccer::kDefaultProtocolVersion;
   OnLate on_late = OnLate::kHold;
   RpcTimeout decision_timeout{10'000};  ///< kNoTimeout: wait for ever
   RpcTimeout start_timeout{20'000};     ///< for the Playmaker to come up and answer Register
+  int first_unum = 1;                   ///< of those to take over with `reconnect`
+  bool reconnect = false;               ///< take over players who lost their connection
+  bool goalie = true;                   ///< the first one is the goalie
 };
 
 /// Where a team's time went, summed over all cycles.
@@ -48,6 +51,9 @@ class Team {
   /// `playmaker` must outlive the team.
   Team(TeamOptions options, Playmaker& playmaker);
 
+  /// Asks this Playmaker from now on; before introduce() only.
+  void set_playmaker(Playmaker& playmaker) { playmaker_ = &playmaker; }
+
   /// Opens a new connection to the server.
   using OpenChannel = std::function<std::unique_ptr<soccer::Channel>()>;
   /// Lets the server handle what it was sent (or waits for it); false to give up.
@@ -70,6 +76,17 @@ class Team {
   void finish_cycle();
   int run_cycle();
 
+  // The same in smaller steps, for servers that do not take turns with us: ask() as often as
+  // messages come or next_due() is reached, take_reply() while answers are outstanding.
+
+  /// begin_cycle() at this moment; more calls may follow before the answers are there.
+  int ask(Instant now);
+  /// Carries out one answer; false when none is there within `longest`.
+  bool take_reply(std::chrono::microseconds longest);
+  int outstanding() const { return outstanding_; }
+  /// When the clock alone makes a decision due; the far future when only a message can.
+  Instant next_due() const;
+
   /// Says goodbye to Playmaker and server. A Playmaker that does not react is waited for once, for
   /// a second.
   void leave();
@@ -86,6 +103,7 @@ class Team {
   soccer::Result<void> connect_one(const OpenChannel& open, const Serve& serve, bool goalie);
   RpcStatus introduce_one(PlayerAgent& agent);
   RpcStatus send_parameters(PlayerAgent& agent);
+  RpcTimeout decision_timeout(const PlayerAgent& agent, Instant now) const;
   PlayerAgent& agent(int unum);
   void carry_out(const Reply& reply);
   void warn_once(const std::string& line);
@@ -96,6 +114,7 @@ class Team {
   std::string name_;
   Playmaker* playmaker_;
   std::vector<std::unique_ptr<PlayerAgent>> players_;
+  int outstanding_ = 0;
   TeamTimes times_;
   std::array<bool, kActionKinds> told_actions_{};
   std::array<bool, kSayKinds> told_say_{};

@@ -1,6 +1,7 @@
 // The seam between a team and a soccer server: datagrams one way and the other.
 #pragma once
 
+#include <chrono>
 #include <string>
 #include <string_view>
 
@@ -19,6 +20,10 @@ class Channel {
   /// Takes the oldest waiting message into `message` (its capacity is reused). False, leaving
   /// `message` alone, when none waits. Never blocks.
   virtual bool receive(std::string& message) = 0;
+
+  /// When the message taken last reached this process; the clock's epoch where nobody notes it, as
+  /// in memory.
+  virtual std::chrono::steady_clock::time_point arrived() const { return {}; }
 };
 
 }  // namespace cls::soccer

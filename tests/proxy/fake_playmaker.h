@@ -46,6 +46,9 @@ class FakePlaymaker : public proxy::Playmaker {
   void begin_best_planner_action(int agent, const protos::BestPlannerActionRequest& request,
                                  proxy::RpcTimeout timeout) override;
   std::optional<proxy::Reply> next_reply() override;
+  std::optional<proxy::Reply> next_reply_within(std::chrono::microseconds) override {
+    return next_reply();
+  }
   void cancel() override {}
 
  private:

@@ -46,7 +46,7 @@ void ScriptedServer::let_in(soccer::Channel& client, int unum) {
   client.send("(init l " + std::to_string(unum) + " before_kick_off)");
   std::string text;
   soccer::ServerParams server;
-  server.synch_mode = true;
+  server.synch_mode = synchronous;
   soccer::format(server, kVersion, text);
   client.send(text);
   soccer::PlayerParams player;

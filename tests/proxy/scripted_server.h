@@ -15,6 +15,7 @@ namespace cls::tests {
 class ScriptedServer {
  public:
   int player_types = 18;
+  bool synchronous = true;
   std::string refusal;  ///< what the next init is answered with, if not empty
 
   /// A client's end of a new connection.

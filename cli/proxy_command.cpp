@@ -1,0 +1,160 @@
+// `cls proxy`: the options of upstream's start script, one call, one line of result.
+#include "cli/proxy_command.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <csignal>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "cli/exit_code.h"
+#include "cli/interrupt.h"
+#include "cli/progress_line.h"
+#include "cli/terminal.h"
+#include "orchestration/endpoint.h"
+#include "orchestration/lone_team.h"
+
+namespace cls::cli {
+namespace {
+
+using orchestration::EndReason;
+using orchestration::LoneTeamOptions;
+using orchestration::LoneTeamResult;
+
+constexpr const char* kDescription =
+    "Runs a team of players alone, for a soccer server that runs already.\n"
+    "\n"
+    "  cls proxy --teamname Blue --rpc-port 50051                 all eleven\n"
+    "  cls proxy --teamname Blue --rpc-port 50051 --unum 5        one of them\n"
+    "  cls proxy --teamname Blue --rpc-port 50051 --reconnect     back after a crash\n"
+    "\n"
+    "Takes the options of the start.sh of the Cross Language Soccer framework's proxy. There is\n"
+    "no coach yet.";
+
+constexpr int kCoach = 12;
+constexpr int kHighestStep = 13;
+constexpr int kRightPortOffset = 20;
+
+struct Arguments {
+  LoneTeamOptions options;
+  std::string team_name = "SSP";
+  int number = soccer::kPlayersPerTeam;
+  int unum = 0;
+  int timeout_s = 3;
+  std::string rpc_type = "grpc";
+  bool quiet = false;
+  // Accepted because scripts say them.
+  int coach_port = 0;
+  bool without_coach = false;
+  std::string formation;
+  std::string fullstate;
+};
+
+void add_options(CLI::App& command, Arguments& arguments) {
+  LoneTeamOptions& options = arguments.options;
+  command.set_help_flag("--help", "print this help");
+  options.playmaker.host = "localhost";
+  options.playmaker.port = 50051;
+  const CLI::Range port(1, 65535);
+  command.add_option("-h,--host", options.server_host, "of the soccer server (localhost)");
+  command.add_option("-p,--port", options.server_port, "of the soccer server (6000)")->check(port);
+  command.add_option("-t,--teamname,--team_name", arguments.team_name, "name of the team (SSP)");
+  command.add_option("-n,--number", arguments.number, "players, goalie first (11)")
+      ->check(CLI::Range(1, soccer::kPlayersPerTeam));
+  command.add_option("-u,--unum", arguments.unum, "only this one; 1 is the goalie")
+      ->check(CLI::Range(1, kCoach));
+  command.add_option("-v,--version", options.team.protocol, "of the text protocol, 14 to 19 (18)")
+      ->check(CLI::Range(soccer::kOldestProtocolVersion, soccer::kNewestProtocolVersion));
+  command.add_flag("-r,--reconnect", options.team.reconnect,
+                   "take over players who lost their connection");
+  command.add_option("--rpc-host", options.playmaker.host, "of the Playmaker (localhost)");
+  command.add_option("--rpc-port", options.playmaker.port, "of the Playmaker (50051)")->check(port);
+  command.add_flag("--rpc-port-step", options.playmaker.port_step, "player n asks port + n");
+  command.add_flag("--rpc-add-20-to-port-for-right", options.add_20_for_right,
+                   "a team on the right asks at ports that are 20 higher");
+  command
+      .add_option("--rpc-timeout", arguments.timeout_s,
+                  "seconds for an answer (3); in real time the cycle is the limit")
+      ->check(CLI::Range(1, 3600));
+  command.add_option("--rpc-type", arguments.rpc_type, "grpc");
+  command
+      .add_option("--start-timeout", options.start_timeout_s,
+                  "seconds until server and Playmaker must answer (20)")
+      ->check(CLI::PositiveNumber);
+  command.add_flag("--quiet", arguments.quiet, "no progress, no warnings");
+  command.add_option("-P,--coach-port", arguments.coach_port, "accepted, of no use yet");
+  command.add_flag("-C,--without-coach", arguments.without_coach, "accepted: there is none yet");
+  command.add_option("-f,--formation", arguments.formation, "accepted, of no use here");
+  command.add_option("--fullstate", arguments.fullstate, "accepted; senses alone are used");
+}
+
+std::vector<std::string> complete(Arguments& arguments) {
+  std::vector<std::string> mistakes;
+  LoneTeamOptions& options = arguments.options;
+  const auto name = orchestration::check_team_name(arguments.team_name);
+  if (name) {
+    options.team.name = soccer::TeamName(*name);
+  } else {
+    mistakes.push_back(name.error().message);
+  }
+  if (arguments.rpc_type != "grpc") {
+    mistakes.push_back(fmt::format("--rpc-type '{}': only grpc is spoken", arguments.rpc_type));
+  }
+  if (arguments.unum == kCoach) mistakes.push_back("--unum 12: there is no coach yet");
+  const int highest = options.playmaker.port + (options.playmaker.port_step ? kHighestStep : 0) +
+                      (options.add_20_for_right ? kRightPortOffset : 0);
+  if (highest > 65535) mistakes.push_back("--rpc-port: the steps lead beyond port 65535");
+  options.team.players = arguments.unum != 0 ? 1 : arguments.number;
+  options.team.first_unum = arguments.unum != 0 ? arguments.unum : 1;
+  options.team.goalie = options.team.first_unum == 1;
+  options.team.decision_timeout = std::chrono::seconds(arguments.timeout_s);
+  options.team.start_timeout = std::chrono::duration_cast<proxy::RpcTimeout>(
+      std::chrono::duration<double>(options.start_timeout_s));
+  return mistakes;
+}
+
+int exit_code_of(const LoneTeamResult& result) {
+  switch (result.end_reason) {
+    case EndReason::kFinished:
+      return kDone;
+    case EndReason::kRefused:
+      return kUnavailable;
+    case EndReason::kInterrupted:
+      return result.signal == SIGTERM ? kTerminated : kInterrupted;
+    default:
+      return kAnswerIsNo;
+  }
+}
+
+int run_proxy(Arguments& arguments) {
+  const std::vector<std::string> mistakes = complete(arguments);
+  for (const std::string& mistake : mistakes) fmt::print(stderr, "cls: {}\n", mistake);
+  if (!mistakes.empty()) return kUsage;
+
+  ProgressLine progress(stderr_is_terminal() && !arguments.quiet, arguments.quiet);
+  const LoneTeamResult result = run_lone_team(arguments.options, progress, watch_interrupts());
+  progress.clear();
+  if (!result.message.empty()) fmt::print(stderr, "cls: {}\n", result.message);
+  if (result.decisions > 0) {
+    fmt::print(
+        "{} on the {}: {} to {} at cycle {}; {} decisions, {} without an answer, {} cycles "
+        "missed, {} commands too late, {} late wake-ups of ours\n",
+        arguments.team_name, result.right_side ? "right" : "left", result.our_score,
+        result.their_score, result.cycles, result.decisions, result.missed, result.undecided,
+        result.lost_commands, result.late_wakeups);
+  }
+  return exit_code_of(result);
+}
+
+}  // namespace
+
+void add_proxy_command(CLI::App& app, int& exit_code) {
+  const auto arguments = std::make_shared<Arguments>();
+  CLI::App* command = app.add_subcommand("proxy", kDescription);
+  add_options(*command, *arguments);
+  command->callback([arguments, &exit_code] { exit_code = run_proxy(*arguments); });
+}
+
+}  // namespace cls::cli

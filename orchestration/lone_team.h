@@ -1,0 +1,45 @@
+// A team of ours on a soccer server that somebody else runs.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <string>
+
+#include "orchestration/end_reason.h"
+#include "orchestration/match_observer.h"
+#include "orchestration/match_result.h"
+#include "proxy/grpc_target.h"
+#include "proxy/team.h"
+
+namespace cls::orchestration {
+
+struct LoneTeamOptions {
+  std::string server_host = "localhost";
+  int server_port = 6000;
+  proxy::GrpcTarget playmaker;
+  bool add_20_for_right = false;  ///< a team on the right asks at ports that are 20 higher
+  proxy::TeamOptions team;
+  double start_timeout_s = 20.0;  ///< until the server must answer
+};
+
+/// What a team came to; the score as it heard it.
+struct LoneTeamResult {
+  EndReason end_reason = EndReason::kFinished;
+  std::string message;  ///< why not finished
+  int signal = 0;
+  bool right_side = false;
+  int our_score = 0;
+  int their_score = 0;
+  int cycles = 0;
+  std::int64_t decisions = 0;
+  std::int64_t missed = 0;         ///< decisions without a usable answer of the Playmaker
+  std::int64_t undecided = 0;      ///< cycles without a decision
+  std::int64_t lost_commands = 0;  ///< too late for the server
+  std::int64_t late_wakeups = 0;   ///< decisions that we began late
+};
+
+/// Waits for the server, joins, plays until the match is over and the server silent, leaves.
+LoneTeamResult run_lone_team(const LoneTeamOptions& options, MatchObserver& observer,
+                             const std::atomic<int>& stop_signal);
+
+}  // namespace cls::orchestration

@@ -1,0 +1,152 @@
+// `cls server` with two teams of `cls proxy` and `cls mock`, each a process of its own.
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include <algorithm>
+#include <chrono>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "tests/support/command.h"
+#include "tests/support/files.h"
+#include "tests/support/temporary_folder.h"
+
+namespace {
+
+using cls::tests::cls_binary;
+using cls::tests::Command;
+using cls::tests::run;
+
+/// The port in "listening on HOST:PORT...".
+std::string port_in(Command& command) {
+  EXPECT_TRUE(command.wait_for_output("\n"));
+  const std::string line = command.out();
+  const std::size_t colon = line.find(':');
+  return line.substr(colon + 1, line.find_first_not_of("0123456789", colon + 1) - colon - 1);
+}
+
+TEST(ServerCommand, ServesTwoTeamsOfProxiesToTheEnd) {
+  cls::tests::TemporaryFolder folder;
+  Command server({cls_binary(), "server", "--port", "0", "--seed", "7", "--cycles", "100", "--dir",
+                  folder.path(), "server::kick_off_wait=3"});
+  const std::string port = port_in(server);
+  Command mock({cls_binary(), "mock"});
+  const std::string rpc_port = port_in(mock);
+  const std::vector<std::string> proxy = {cls_binary(), "proxy",    "-h",         "127.0.0.1",
+                                          "-p",         port,       "--rpc-port", rpc_port,
+                                          "--rpc-host", "127.0.0.1"};
+  const auto side = [&proxy](const char* name) {
+    auto words = proxy;
+    words.insert(words.end(), {"-t", name, "--rpc-type", "grpc", "-P", "6002"});
+    return words;
+  };
+  Command left(side("Reds"));
+  Command right(side("Blues"));
+  const auto served = server.finish();
+  EXPECT_EQ(served.exit_code, 0) << served.err;
+  EXPECT_NE(served.out.find(", 100 cycles, 0 of them missed"), std::string::npos) << served.out;
+  for (Command* team : {&left, &right}) {
+    const auto played = team->finish();
+    // The server ends at its cycle limit without a whistle: to a team that looks like a failure.
+    EXPECT_EQ(played.exit_code, 1) << played.err;
+    EXPECT_NE(played.out.find(" 0 without an answer, 0 cycles missed, 0 commands too late"),
+              std::string::npos)
+        << played.out << played.err;
+  }
+  const std::string log = cls::tests::read_file(std::filesystem::path(folder.path()) / "match.rcg");
+  EXPECT_NE(log.find("Reds"), std::string::npos);
+  EXPECT_NE(log.find("Blues"), std::string::npos);
+}
+
+TEST(ServerCommand, EndsOnASignalWithItsResult) {
+  cls::tests::TemporaryFolder folder;
+  Command server({cls_binary(), "server", "--port", "0", "--dir", folder.path()});
+  port_in(server);
+  server.send_signal(SIGTERM);
+  const auto served = server.finish();
+  EXPECT_EQ(served.exit_code, 143);
+  EXPECT_NE(served.out.find("nobody 0 - 0 nobody"), std::string::npos) << served.out;
+}
+
+TEST(ServerCommand, RefusesWhatItCannotDoYet) {
+  const std::pair<const char*, const char*> wishes[] = {
+      {"server::synch_mode=off", "real time"},
+      {"server::auto_mode=off", "monitor"},
+      {"server::coach=on", "trainer"},
+      {"server::no_such=1", "no_such"},
+      {"server::half_time", "server::NAME=VALUE"},
+  };
+  for (const auto& [setting, reason] : wishes) {
+    const auto refused = run({cls_binary(), "server", "--port", "0", setting});
+    EXPECT_EQ(refused.exit_code, 2) << setting;
+    EXPECT_NE(refused.err.find(reason), std::string::npos) << refused.err;
+    EXPECT_EQ(std::count(refused.err.begin(), refused.err.end(), '\n'), 1) << refused.err;
+  }
+}
+
+TEST(ServerCommand, ATakenPortIsTold) {
+  cls::tests::TemporaryFolder folder;
+  Command server({cls_binary(), "server", "--port", "0", "--dir", folder.path()});
+  const std::string port = port_in(server);
+  const auto taken = run({cls_binary(), "server", "--port", port, "--dir", folder.path()});
+  EXPECT_EQ(taken.exit_code, 75);
+  EXPECT_NE(taken.err.find("cannot listen on 127.0.0.1 port " + port), std::string::npos);
+}
+
+TEST(ProxyCommand, SaysThatNoServerAnswers) {
+  std::string port;
+  {
+    cls::tests::TemporaryFolder folder;
+    Command server({cls_binary(), "server", "--port", "0", "--dir", folder.path()});
+    port = port_in(server);
+  }
+  const auto alone = run({cls_binary(), "proxy", "-p", port, "--start-timeout", "0.5"});
+  EXPECT_EQ(alone.exit_code, 69);
+  EXPECT_NE(alone.err.find("no soccer server answers at localhost:" + port), std::string::npos)
+      << alone.err;
+}
+
+TEST(ProxyCommand, SaysThatThePlaymakerIsMissing) {
+  cls::tests::TemporaryFolder folder;
+  Command server({cls_binary(), "server", "--port", "0", "--dir", folder.path()});
+  const std::string port = port_in(server);
+  const auto alone = run(
+      {cls_binary(), "proxy", "-p", port, "-t", "Reds", "--rpc-port", "1", "--start-timeout", "1"});
+  EXPECT_EQ(alone.exit_code, 69);
+  EXPECT_NE(alone.err.find("localhost:1"), std::string::npos) << alone.err;
+}
+
+TEST(ProxyCommand, MistakesAreUsageErrors) {
+  EXPECT_EQ(run({cls_binary(), "proxy", "--rpc-type", "thrift"}).exit_code, 2);
+  EXPECT_EQ(run({cls_binary(), "proxy", "-t", "much_too_long_a_name"}).exit_code, 2);
+  EXPECT_EQ(run({cls_binary(), "proxy", "-u", "12"}).exit_code, 2);
+  EXPECT_EQ(run({cls_binary(), "proxy", "--rpc-prot", "1"}).exit_code, 2);
+}
+
+TEST(ProxyCommand, TakesOverAPlayerWhoLostHisConnection) {
+  cls::tests::TemporaryFolder folder;
+  Command server({cls_binary(), "server", "--port", "0", "--dir", folder.path(),
+                  "server::connect_wait=100000"});
+  const std::string port = port_in(server);
+  Command mock({cls_binary(), "mock"});
+  const std::vector<std::string> words = {cls_binary(), "proxy",      "-p",          port, "-t",
+                                          "Reds",       "--rpc-port", port_in(mock), "-n", "2"};
+  Command first(words);
+  // Its joining shows in the text log of the server only later; its own end shows that it played.
+  std::this_thread::sleep_for(std::chrono::seconds(2));
+  first.send_signal(SIGTERM);
+  const auto left = first.finish();
+  EXPECT_EQ(left.exit_code, 143) << left.err;
+  EXPECT_NE(left.out.find("Reds on the left"), std::string::npos) << left.out << left.err;
+  auto again = words;
+  again.insert(again.end(), {"--reconnect"});
+  Command second(again);
+  std::this_thread::sleep_for(std::chrono::seconds(2));
+  second.send_signal(SIGINT);
+  const auto back = second.finish();
+  EXPECT_EQ(back.exit_code, 130) << back.err;
+  EXPECT_NE(back.out.find("Reds on the left"), std::string::npos) << back.out << back.err;
+}
+
+}  // namespace
