@@ -103,6 +103,12 @@ bool JsonCursor::next_key(std::string_view& key) {
   return true;
 }
 
+std::string JsonCursor::unescaped(std::string_view raw) {
+  std::string text;
+  append_unescaped(raw, text);
+  return text;
+}
+
 bool JsonCursor::next_element() { return separator(']'); }
 
 bool JsonCursor::raw_string(std::string_view& value) {

@@ -19,6 +19,9 @@ class JsonCursor {
   /// value must be consumed. False at the closing bracket, and when something is wrong.
   bool next_key(std::string_view& key);
 
+  /// A key as it is meant: next_key() gives it with its escapes.
+  static std::string unescaped(std::string_view raw);
+
   /// The same for arrays: true if there is another element.
   bool next_element();
 

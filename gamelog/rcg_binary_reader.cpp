@@ -224,14 +224,19 @@ class BinaryReader {
     append(read_int16(at + 1424));
   }
 
+  // Sixteen bits end at 32767.
   void append(int time) {
+    if (time < 0) {
+      damage("a negative time");
+      return;
+    }
     frame_.time = time;
     frame_.teams = teams_;
     builder_.append(frame_);
   }
 
   void set_mode(int id) {
-    if (id >= 0 && id < soccer::kPlayModeCount) frame_.mode = static_cast<soccer::PlayMode>(id);
+    if (id > 0 && id < soccer::kPlayModeCount) frame_.mode = static_cast<soccer::PlayMode>(id);
   }
 
   void read_type(std::string_view body) {
@@ -264,7 +269,7 @@ class BinaryReader {
     return record.time.empty() ? 0 : record.time.back();
   }
 
-  // Always false: there is no finding the next record.
+  // Always false, for those after whom there is no finding the next record.
   bool damage(std::string what) {
     builder_.record().damage.add({0, input_.offset(), last_time(), std::move(what)});
     return false;

@@ -244,19 +244,27 @@ class JsonReader {
     return in.good();
   }
 
-  // Into the text form, of which the rest of the program knows how to read it.
+  // `(name value)` as in text logs. What would end there where it does not is refused.
+  static bool append_parameter(std::string_view raw_name, JsonCursor& in, std::string& line) {
+    const std::string name = JsonCursor::unescaped(raw_name);
+    std::string value;
+    if (!in.scalar_text(value)) return false;
+    if (name.empty() || name.find_first_of(" ()\"\n") != std::string::npos ||
+        value.find_first_of('\n') != std::string::npos || value.find("\")") != std::string::npos) {
+      return false;
+    }
+    line += '(' + name + ' ' + value + ')';
+    return true;
+  }
+
+  // Into the text form, which the rest of the program knows how to read.
   static bool append_parameters(JsonCursor& in, bool nested, std::string& line) {
     std::string_view key;
     while (in.next_key(key)) {
-      if (key == "params" && !nested) {  // servers 17 and 18
-        if (!in.open('{') || !append_parameters(in, true, line)) return false;
-        continue;
-      }
-      line += '(';
-      line += key;
-      line += ' ';
-      if (!in.scalar_text(line)) return false;
-      line += ')';
+      const bool inner = key == "params" && !nested;  // servers 17 and 18
+      const bool read = inner ? in.open('{') && append_parameters(in, true, line)
+                              : append_parameter(key, in, line);
+      if (!read) return false;
     }
     return in.good();
   }
@@ -267,8 +275,11 @@ class JsonReader {
     if (!append_parameters(in, false, line)) return false;
     line += ')';
     const soccer::Result<void> read = soccer::parse(line, params);
-    if (!read) damage(0, read.error().message);
-    builder_.parameter_line(std::move(line));
+    if (!read) {
+      damage(0, read.error().message);
+    } else {
+      builder_.parameter_line(std::move(line));
+    }
     return true;
   }
 

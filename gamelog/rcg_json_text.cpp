@@ -43,9 +43,8 @@ void append_string(std::string_view text, std::string& out) {
 // `"key":`, behind a comma unless the object begins here.
 void append_key(std::string_view key, std::string& out) {
   if (!out.ends_with('{')) out += ',';
-  out += '"';
-  out += key;
-  out += "\":";
+  append_string(key, out);
+  out += ':';
 }
 
 void append_field(std::string_view key, int value, std::string& out) {
@@ -132,6 +131,21 @@ bool is_bool(std::string_view kind, std::string_view name) {
   return false;
 }
 
+// Numbers as they stand, but for forms that JSON does not know: "+1", ".5", "05".
+bool append_number(std::string_view text, std::string& out) {
+  const auto value = soccer::number_from_text(text);
+  if (!value) return false;
+  const std::string_view digits = text.substr(text.starts_with('-') ? 1 : 0);
+  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+  const bool zeros = digits.size() > 1 && digits[0] == '0' && is_digit(digits[1]);
+  if (is_digit(digits[0]) && !zeros) {
+    out += text;
+  } else {
+    soccer::append_shortest(*value, out);
+  }
+  return true;
+}
+
 void append_value(std::string_view kind, std::string_view name, std::string_view value,
                   std::string& out) {
   append_key(name, out);
@@ -139,8 +153,8 @@ void append_value(std::string_view kind, std::string_view name, std::string_view
     append_string(value.substr(1, value.size() - 2), out);
   } else if (is_bool(kind, name)) {
     out += value == "0" ? "false" : "true";
-  } else {
-    out += value;
+  } else if (!append_number(value, out)) {
+    append_string(value, out);
   }
 }
 
@@ -195,7 +209,9 @@ void append_json_text(std::string_view key, std::string_view value, std::string&
 void append_json_parameters(std::string_view line, std::string& out) {
   const std::size_t kind_end = std::min(line.find(' '), line.size());
   const std::string_view kind = line.substr(std::min<std::size_t>(1, kind_end), kind_end - 1);
-  begin(kind, out);
+  out += '{';
+  append_key(kind, out);
+  out += '{';
   line.remove_prefix(kind_end);
   for (;;) {
     const std::size_t open = line.find('(');

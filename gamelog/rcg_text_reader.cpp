@@ -132,12 +132,15 @@ class TextReader {
     return true;
   }
 
-  // A value that cannot be read keeps its default: the rest of the log is worth more.
+  // Values that cannot be read keep their defaults: the rest of the log is worth more.
   template <typename Params>
   bool read_parameters(std::string_view line, Params& params) {
     const soccer::Result<void> read = soccer::parse(line, params);
-    if (!read) damage(0, read.error().message);
-    builder_.parameter_line(std::string(line));
+    if (!read) {
+      damage(0, read.error().message);
+    } else {
+      builder_.parameter_line(std::string(line));
+    }
     return true;
   }
 
@@ -156,10 +159,12 @@ class TextReader {
     return true;
   }
 
-  // Shows grow longer with their numbers, so the first one tells a little too much room.
+  // Shows grow longer with their numbers, so the first one tells a little too much room. A tiny one
+  // must not claim room for millions.
   void reserve(std::size_t show_size) {
+    constexpr std::uint64_t kLongMatch = 20'000;
     const std::uint64_t rest = input_.source().size_hint();
-    reserve_frames(builder_.record(), std::min<std::uint64_t>(rest / show_size + 1, kMaxFrames));
+    reserve_frames(builder_.record(), std::min<std::uint64_t>(rest / show_size + 1, kLongMatch));
   }
 
   void damage(std::size_t column, std::string_view what) {

@@ -102,7 +102,9 @@ void RecordBuilder::fill(std::size_t index, const Frame& frame) {
 }
 
 void RecordBuilder::append(const Frame& frame) {
-  if (frame.mode != mode_) play_mode(frame.time, frame.mode);
+  if (frame.mode != mode_ && frame.mode != soccer::PlayMode::kNull) {
+    play_mode(frame.time, frame.mode);
+  }
   if (record_.teams.size() == 1 || frame.teams != record_.teams.back()) {
     teams(frame.time, frame.teams);
   }

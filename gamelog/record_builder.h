@@ -9,7 +9,7 @@
 namespace cls::gamelog {
 
 /// No real log comes near; hostile ones must not eat the memory (2.6 kB a frame).
-constexpr std::size_t kMaxFrames = 400'000;
+constexpr std::size_t kMaxFrames = 200'000;
 constexpr std::size_t kMaxNoteBytes = std::size_t{256} << 20;
 
 /// Keeps what holds for the next frame while a log is read, or a match is played.

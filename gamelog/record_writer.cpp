@@ -31,12 +31,24 @@ void for_each_line(const MatchRecord& record, OnNote note, OnFrame frame) {
   }
 }
 
+// Names of other programs' JSON logs may hold what cuts the lines of text logs.
+TeamFrames with_text_names(TeamFrames teams) {
+  for (TeamFrame& team : teams) {
+    for (char& c : team.name) {
+      if (static_cast<unsigned char>(c) <= ' ' || c == '(' || c == ')') c = '_';
+    }
+  }
+  return teams;
+}
+
 void append_note(const Note& note, std::string& out) {
   struct Writer {
     const Note& note;
     std::string& out;
     void operator()(soccer::PlayMode mode) const { append_play_mode(note.time, mode, out); }
-    void operator()(const TeamFrames& teams) const { append_team(note.time, teams, out); }
+    void operator()(const TeamFrames& teams) const {
+      append_team(note.time, with_text_names(teams), out);
+    }
     void operator()(const Message& m) const { append_message(note.time, m.board, m.text, out); }
     void operator()(const UnknownLine& line) const {
       if (!line.text.starts_with('(')) return;

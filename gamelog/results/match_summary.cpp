@@ -2,6 +2,7 @@
 #include "gamelog/results/match_summary.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <string_view>
 
@@ -40,10 +41,17 @@ void read_teams(const MatchRecord& record, MatchSummary& summary) {
   }
 }
 
+// As a real number: logs may state lengths that no match can have.
+double half_time_cycles(const soccer::ServerParams& server) {
+  const double step = static_cast<double>(server.simulator_step) / server.slow_down_factor;
+  const double cycles = std::floor(server.half_time * 1000.0 / step + 0.5);
+  return std::isfinite(cycles) ? cycles : 0.0;
+}
+
 // The score of the last frame that is not beyond the first half.
 void read_half_score(const MatchRecord& record, MatchSummary& summary) {
-  const int half = record.server.half_time_cycles();
-  for (std::size_t i = record.frames(); half > 0 && i > 0; --i) {
+  const double half = half_time_cycles(record.server);
+  for (std::size_t i = record.frames(); half > 0.0 && i > 0; --i) {
     if (record.time[i - 1] > half) continue;
     const TeamFrames& teams = record.teams[record.team_state[i - 1]];
     summary.teams[0].first_half = teams[0].score;
@@ -156,8 +164,8 @@ void read_coin_toss(const RclRecord& text, MatchSummary& summary, Winner& tossed
 bool is_complete(const MatchRecord& record) {
   if (record.frames() == 0) return false;
   if (record.mode.back() == PlayMode::kTimeOver) return true;
-  const int normal_time = record.server.normal_time_cycles();
-  if (record.version < RcgVersion::kV3 || normal_time <= 0) return false;
+  const double normal_time = half_time_cycles(record.server) * record.server.nr_normal_halfs;
+  if (record.version < RcgVersion::kV3 || normal_time <= 0.0) return false;
   const auto& [left, right] = record.final_teams();
   const bool more_follows = left.score == right.score &&
                             (record.server.nr_extra_halfs > 0 || record.server.penalty_shoot_outs);
