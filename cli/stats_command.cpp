@@ -21,8 +21,9 @@ namespace {
 using gamelog::StatisticsFormat;
 
 constexpr const char* kDescription =
-    "Prints statistics of matches: possession, passes and who passes to whom, shots, tackles,\n"
-    "territory, set plays, positions, distance and stamina; with the text log (rcl) beside the\n"
+    "Prints statistics of matches from their logs.\n"
+    "Possession, passes and who passes to whom, shots, tackles, territory, set plays, positions, "
+    "distance and stamina; with the text log (rcl) beside the\n"
     "game log also how the players answered the server.\n"
     "\n"
     "  cls stats game.rcg.gz                  teams and players\n"
