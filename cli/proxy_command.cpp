@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 #include <csignal>
+#include <cstdio>
 #include <memory>
 #include <string>
 #include <vector>
@@ -128,11 +129,21 @@ int exit_code_of(const LoneTeamResult& result) {
   }
 }
 
+// For scripts that wait for it.
+void tell_ready(const proxy::Team& team) {
+  fmt::print("{} plays on the {} in {}, players {} to {}\n", team.name(),
+             team.side() == soccer::Side::kRight ? "right" : "left",
+             team.players().front()->timer().synchronous() ? "synchronous mode" : "real time",
+             team.players().front()->unum(), team.players().back()->unum());
+  std::fflush(stdout);
+}
+
 int run_proxy(Arguments& arguments) {
   const std::vector<std::string> mistakes = complete(arguments);
   for (const std::string& mistake : mistakes) fmt::print(stderr, "cls: {}\n", mistake);
   if (!mistakes.empty()) return kUsage;
 
+  arguments.options.on_ready = tell_ready;
   ProgressLine progress(stderr_is_terminal() && !arguments.quiet, arguments.quiet);
   const LoneTeamResult result = run_lone_team(arguments.options, progress, watch_interrupts());
   progress.clear();

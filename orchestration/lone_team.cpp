@@ -110,6 +110,7 @@ class LoneTeam {
 
   void play(proxy::TeamDriver& driver) {
     observer_.on_phase("playing");
+    if (options_.on_ready) options_.on_ready(team_);
     const Canceller canceller(*playmaker_, signal_);
     const proxy::DriveEnd reason = driver.run([this] {
       for (const std::string& line : team_.take_warnings()) observer_.on_warning(line);

@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <functional>
 #include <string>
 
 #include "orchestration/end_reason.h"
@@ -20,6 +21,8 @@ struct LoneTeamOptions {
   bool add_20_for_right = false;  ///< a team on the right asks at ports that are 20 higher
   proxy::TeamOptions team;
   double start_timeout_s = 20.0;  ///< until the server must answer
+  /// Called once, when the players are on the pitch and the Playmaker knows them; may be empty.
+  std::function<void(const proxy::Team&)> on_ready;
 };
 
 /// What a team came to; the score as it heard it.

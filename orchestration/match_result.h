@@ -23,9 +23,12 @@ struct RpcLatency {
 
 struct PlayerResult {
   int unum = 0;
-  std::int64_t decisions = 0;  ///< asked for
-  std::int64_t late = 0;       ///< answered after the deadline
-  std::int64_t missed = 0;     ///< cycles without an answer of their own
+  std::int64_t decisions = 0;      ///< asked for
+  std::int64_t late = 0;           ///< answered after the deadline
+  std::int64_t missed = 0;         ///< cycles without an answer of their own
+  std::int64_t undecided = 0;      ///< cycles that the server passed without a decision of ours
+  std::int64_t lost_commands = 0;  ///< came too late for the server, or not at all
+  std::int64_t late_wakeups = 0;   ///< real time: decisions that we, not the Playmaker, began late
   RpcLatency rpc_us;
   std::map<std::string, std::int64_t> commands;               ///< by kind, as sent to the server
   std::map<std::string, std::int64_t> unimplemented_actions;  ///< by kind, as asked for

@@ -43,6 +43,9 @@ PlayerResult result_of(const proxy::PlayerAgent& agent) {
   result.decisions = statistics.decisions;
   result.late = statistics.late;
   result.missed = statistics.missed;
+  result.undecided = statistics.undecided;
+  result.lost_commands = statistics.lost_commands;
+  result.late_wakeups = statistics.late_wakeups;
   result.rpc_us.p50 = statistics.rpc_us.percentile(0.50);
   result.rpc_us.p95 = statistics.rpc_us.percentile(0.95);
   result.rpc_us.p99 = statistics.rpc_us.percentile(0.99);

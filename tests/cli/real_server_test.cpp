@@ -1,0 +1,129 @@
+// Teams of ours on the real rcssserver: `rcssserver` on PATH, or the program that CLS_RCSSSERVER
+// names; skipped where there is none.
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <memory>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "tests/support/command.h"
+#include "tests/support/temporary_folder.h"
+
+namespace {
+
+using cls::tests::cls_binary;
+using cls::tests::Command;
+using cls::tests::TemporaryFolder;
+
+/// Empty when there is none.
+std::string real_server() {
+  if (const char* named = std::getenv("CLS_RCSSSERVER")) return named;
+  std::istringstream path(std::getenv("PATH") == nullptr ? "" : std::getenv("PATH"));
+  for (std::string folder; std::getline(path, folder, ':');) {
+    const std::string program = folder + "/rcssserver";
+    if (::access(program.c_str(), X_OK) == 0) return program;
+  }
+  return "";
+}
+
+/// The real server with two teams of `cls proxy` that ask one `cls mock`.
+class RealServer : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (real_server().empty()) GTEST_SKIP() << "no rcssserver on PATH nor in CLS_RCSSSERVER";
+  }
+
+  // Ports that the embedded server was given a moment ago are free now, as nearly as can be told.
+  static int free_port() {
+    const TemporaryFolder folder;
+    Command probe({cls_binary(), "server", "--port", "0", "--dir", folder.path()});
+    EXPECT_TRUE(probe.wait_for_output("\n"));
+    const std::string line = probe.out();
+    return std::stoi(line.substr(line.find(':') + 1));
+  }
+
+  std::unique_ptr<Command> start_server(const std::string& port,
+                                        const std::vector<std::string>& settings) {
+    const std::string path = folder_.path();
+    std::vector<std::string> words = {real_server(),
+                                      "server::auto_mode=on",
+                                      "server::kick_off_wait=5",
+                                      "server::game_over_wait=5",
+                                      "server::connect_wait=100000",
+                                      "server::nr_extra_halfs=0",
+                                      "server::penalty_shoot_outs=off",
+                                      "server::port=" + port,
+                                      "server::coach_port=" + std::to_string(free_port()),
+                                      "server::olcoach_port=" + std::to_string(free_port()),
+                                      "server::game_logging=off",
+                                      "server::text_logging=off"};
+    words.insert(words.end(), settings.begin(), settings.end());
+    return std::make_unique<Command>(
+        words, std::vector<std::string>{"RCSS_CONF_DIR=" + path + "/conf", "USER=nobody"}, path);
+  }
+
+  static std::vector<std::string> team(const std::string& name, const std::string& port,
+                                       const std::string& rpc_port) {
+    return {cls_binary(), "proxy", "-h",         "127.0.0.1", "-p",         port,
+            "-t",         name,    "--rpc-port", rpc_port,    "--rpc-host", "127.0.0.1"};
+  }
+
+  TemporaryFolder folder_;
+};
+
+std::string rpc_port_of(Command& mock) {
+  EXPECT_TRUE(mock.wait_for_output("\n"));
+  const std::string line = mock.out();
+  return line.substr(line.find(':') + 1, line.find('\n') - line.find(':') - 1);
+}
+
+TEST_F(RealServer, PlaysInSynchronousModeWithoutAMissedCycle) {
+  const std::string port = std::to_string(free_port());
+  Command mock({cls_binary(), "mock"});
+  const std::string rpc_port = rpc_port_of(mock);
+  const auto server = start_server(port, {"server::synch_mode=on", "server::half_time=10"});
+  Command left(team("Reds", port, rpc_port));
+  ASSERT_TRUE(left.wait_for_output("on the left in synchronous mode, players 1 to 11\n"));
+  Command right(team("Blues", port, rpc_port));
+  const auto served = server->finish();
+  EXPECT_EQ(served.exit_code, 0) << served.err;
+  EXPECT_EQ(served.err.find("missed a cycle"), std::string::npos) << served.err;
+  EXPECT_NE(served.out.find("'Reds' vs 'Blues'"), std::string::npos) << served.out;
+  for (Command* each : {&left, &right}) {
+    const auto played = each->finish();
+    EXPECT_EQ(played.exit_code, 0) << played.err;
+    EXPECT_EQ(played.err, "");
+    EXPECT_NE(played.out.find(" at cycle 200;"), std::string::npos) << played.out;
+    EXPECT_NE(played.out.find(" 0 without an answer, 0 cycles missed, 0 commands too late"),
+              std::string::npos)
+        << played.out;
+  }
+}
+
+// On a loaded machine some cycles are missed: what is required is that they are few.
+TEST_F(RealServer, PlaysInRealTime) {
+  const std::string port = std::to_string(free_port());
+  Command mock({cls_binary(), "mock"});
+  const std::string rpc_port = rpc_port_of(mock);
+  const auto server = start_server(port, {"server::synch_mode=off", "server::half_time=2"});
+  Command left(team("Reds", port, rpc_port));
+  ASSERT_TRUE(left.wait_for_output("on the left in real time, players 1 to 11\n"));
+  Command right(team("Blues", port, rpc_port));
+  const auto served = server->finish();
+  EXPECT_EQ(served.exit_code, 0) << served.err;
+  for (Command* each : {&left, &right}) {
+    const auto played = each->finish();
+    EXPECT_EQ(played.exit_code, 0) << played.err;
+    EXPECT_EQ(played.err, "");
+    const std::size_t at = played.out.find("cycle 40; ");
+    ASSERT_NE(at, std::string::npos) << played.out;
+    // Eleven players, 40 cycles of play alone.
+    EXPECT_GT(std::stoi(played.out.substr(at + 10)), 11 * 36) << played.out;
+  }
+}
+
+}  // namespace
