@@ -115,6 +115,19 @@ void find_phases(Flow& flow) {
   }
 }
 
+// A goal kick is in play once it has left the penalty area: the touch lies some frames before the
+// live phase that it starts.
+void attach_goal_kick(Flow& flow, std::size_t frame) {
+  if (flow.touches.empty() || flow.phase[frame - 1] != Phase::kSet) return;
+  Touch& touch = flow.touches.back();
+  if (touch.live_phase >= 0 || flow.phase[touch.frame] != Phase::kSet) return;
+  for (std::size_t i = touch.frame; i < frame; ++i) {
+    if (flow.record->mode[i] != flow.record->mode[touch.frame]) return;
+  }
+  touch.live_phase = flow.live_phase[frame];
+  flow.owner[frame] = touch.slot;
+}
+
 }  // namespace
 
 Flow flow_of(const MatchRecord& record) {
@@ -124,13 +137,17 @@ Flow flow_of(const MatchRecord& record) {
   flow.owner.assign(record.frames(), kNobody);
   for (std::size_t i = 1; i < record.frames(); ++i) {
     if (!follows(record, i)) continue;
-    const bool goes_on = flow.is_live(i) && flow.live_phase[i] == flow.live_phase[i - 1];
+    const bool live = flow.is_live(i);
+    const bool goes_on = live && flow.live_phase[i] == flow.live_phase[i - 1];
     if (goes_on) flow.owner[i] = flow.owner[i - 1];
     auto touch = touch_in(record, i);
-    if (!touch) continue;
-    touch->live_phase = flow.is_live(i) ? flow.live_phase[i] : flow.live_phase[i - 1];
-    if (flow.is_live(i)) flow.owner[i] = touch->slot;
-    flow.touches.push_back(*touch);
+    if (touch) {
+      touch->live_phase = live ? flow.live_phase[i] : flow.live_phase[i - 1];
+      if (live) flow.owner[i] = touch->slot;
+      flow.touches.push_back(*touch);
+    } else if (live && !goes_on) {
+      attach_goal_kick(flow, i);
+    }
   }
   return flow;
 }

@@ -129,6 +129,12 @@ PassOutcome outcome_of_dead_ball(const Flow& flow, std::size_t end) {
   }
 }
 
+// Who touches the ball from an offside position has not received a pass.
+bool offside_at(const Flow& flow, const Touch& touch, std::size_t team) {
+  const soccer::PlayMode mode = flow.record->mode[touch.frame];
+  return mode == (team == 0 ? soccer::PlayMode::kOffsideLeft : soccer::PlayMode::kOffsideRight);
+}
+
 struct PassBuilder {
   const Flow& flow;
 
@@ -149,7 +155,8 @@ struct PassBuilder {
       end = next->frame - 1;  // where the ball was when it was touched
       pass.to = next->contact * sign;
       pass.receiver = next->slot;
-      pass.outcome = next->contested() ? PassOutcome::kContested
+      pass.outcome = offside_at(flow, *next, team_of(passer)) ? PassOutcome::kOffside
+                     : next->contested()                      ? PassOutcome::kContested
                      : same_team(passer, static_cast<std::size_t>(next->slot))
                          ? PassOutcome::kCompleted
                          : PassOutcome::kIntercepted;

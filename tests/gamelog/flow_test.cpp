@@ -10,6 +10,7 @@
 #include "gamelog/logged_commands.h"
 #include "gamelog/rcg_reader.h"
 #include "gamelog/rcl_reader.h"
+#include "gamelog/statistics/passes.h"
 #include "gamelog/statistics/shots.h"
 #include "tests/gamelog/scripted_match.h"
 #include "tests/support/files.h"
@@ -88,6 +89,28 @@ TEST(Flow, ForgetsTheOwnerWhenPlayStopsAndNumbersLivePhases) {
   EXPECT_EQ(flow.live_phase, (std::vector<std::int32_t>{0, 0, -1, 1, 1}));
   EXPECT_EQ(flow.owner, (std::vector<std::int8_t>{kNobody, left(5), kNobody, right(2), right(2)}));
   EXPECT_EQ(flow.touches[1].live_phase, 1);
+}
+
+TEST(Flow, AGoalKickStartsThePhaseThatItLeadsTo) {
+  ScriptedMatch match;
+  match.mode(PlayMode::kGoalKickLeft);
+  match.step();
+  match.kick(left(1), {1, 0});
+  match.kick(left(2), {1, 0});  // still within the penalty area
+  match.steps(3);
+  match.mode(PlayMode::kPlayOn);
+  match.step();
+  match.kick(left(5), {1, 0});
+  const Flow flow = flow_of(match.record());
+  ASSERT_EQ(flow.touches.size(), 3u);
+  EXPECT_EQ(flow.touches[0].live_phase, -1);
+  EXPECT_EQ(flow.touches[1].live_phase, 1);
+  EXPECT_EQ(flow.touches[2].live_phase, 1);
+  EXPECT_EQ(flow.owner[7], left(2));
+  const auto passes = passes_of(flow, {});
+  ASSERT_EQ(passes.size(), 2u);
+  EXPECT_TRUE(passes[0].completed());
+  EXPECT_EQ(passes[0].passer, left(2));
 }
 
 TEST(Flow, StartsAnewWhereAnotherMatchBegins) {

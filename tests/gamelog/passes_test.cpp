@@ -97,6 +97,14 @@ TEST(Passes, TellsWhatBecameOfTheOthers) {
             PassOutcome::kStopped);
 }
 
+TEST(Passes, ATouchFromAnOffsidePositionIsNoReception) {
+  ScriptedMatch match;
+  match.kick(left(5), {1.5, 0});
+  match.mode(PlayMode::kOffsideLeft);
+  match.kick(left(9), {0.5, 0});
+  EXPECT_EQ(passes_in(match).at(0).outcome, PassOutcome::kOffside);
+}
+
 TEST(Passes, ASoftTouchThatIsLostIsNoAttempt) {
   ScriptedMatch soft;
   soft.kick(left(5), {0.3, 0});
