@@ -153,7 +153,7 @@ class Socket {
 
   Address server_;
   int fd_;
-  bool has_own_port_ = false;
+  std::atomic<bool> has_own_port_{false};
   std::atomic<bool> gone_{false};
   std::array<char, kBufferSize> buffer_;
 };
