@@ -16,7 +16,7 @@ using soccer::Side;
 
 constexpr int kHighestType = 255;
 constexpr std::size_t kLongestName = 64;
-constexpr int kNotTold = -1;
+constexpr int kNoType = -1;
 
 class JsonReader {
  public:
@@ -113,11 +113,8 @@ class JsonReader {
   }
 
   bool read_show(JsonCursor& in) {
-    if (!read_json_show(in, show_)) return false;
-    const std::size_t index = builder_.begin_frame(show_.frame.time);
-    builder_.fill(index, show_.frame);
-    if (show_.has_stopped) builder_.record().stopped[index] = show_.frame.stopped;
-    show_.has_stopped = false;
+    if (!read_json_show(in, frame_)) return false;
+    builder_.fill(builder_.begin_frame(frame_.time, frame_.stopped), frame_);
     return true;
   }
 
@@ -128,7 +125,7 @@ class JsonReader {
 
   bool read_play_mode(JsonCursor& in) {
     int time = 0;
-    int stopped = kNotTold;
+    int stopped = 0;
     std::string name;
     std::string_view key;
     while (in.next_key(key)) {
@@ -146,7 +143,7 @@ class JsonReader {
 
   bool read_team(JsonCursor& in) {
     int time = 0;
-    int stopped = kNotTold;
+    int stopped = 0;
     TeamFrames teams;
     std::string_view key;
     while (in.next_key(key)) {
@@ -199,7 +196,7 @@ class JsonReader {
 
   bool read_message(JsonCursor& in) {
     int time = 0;
-    int stopped = kNotTold;
+    int stopped = 0;
     int board = 1;
     std::string text;
     std::string_view key;
@@ -285,7 +282,7 @@ class JsonReader {
 
   bool read_player_type(JsonCursor& in) {
     soccer::PlayerType type;
-    type.id = kNotTold;
+    type.id = kNoType;
     if (!read_parameters("player_type", in, type)) return false;
     auto& types = builder_.record().types;
     if (type.id < 0 || type.id > kHighestType) return false;
@@ -295,8 +292,9 @@ class JsonReader {
     return true;
   }
 
+  // Where the log is silent, the builder finds out.
   void tell_stopped(int stopped) {
-    if (stopped != kNotTold) builder_.note_stopped(stopped);
+    if (stopped > 0) builder_.note_stopped(stopped);
   }
 
   void damage_in(InputBuffer::Line kind) {
@@ -313,7 +311,7 @@ class JsonReader {
 
   InputBuffer& input_;
   RecordBuilder& builder_;
-  JsonShow show_;
+  Frame frame_;
   std::string_view element_;  // without comma and blanks around it
   std::size_t column_ = 0;
   bool closed_ = false;

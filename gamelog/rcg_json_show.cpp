@@ -221,27 +221,26 @@ bool read_side(JsonCursor& in, Side& side) {
   return true;
 }
 
-bool read_json_show(JsonCursor& in, JsonShow& show) {
-  show.frame.players.fill(PlayerFrame{});
+bool read_json_show(JsonCursor& in, Frame& frame) {
+  constexpr int kLongestStop = 1'000'000'000;
+  frame = Frame{};
   std::string_view key;
-  std::string word;
   while (in.next_key(key)) {
     bool read = false;
     if (key == "time") {
-      read = in.integer(show.frame.time);
+      read = in.integer(frame.time);
     } else if (key == "stime") {
-      read = in.integer(show.frame.stopped);
-      show.has_stopped = true;
+      read = in.integer(frame.stopped);
     } else if (key == "ball") {
-      read = read_ball(in, show.frame);
+      read = read_ball(in, frame);
     } else if (key == "players") {
-      read = read_players(in, show.frame);
+      read = read_players(in, frame);
     } else {
       read = in.skip_value();
     }
     if (!read) return false;
   }
-  return in.good() && show.frame.time >= 0 && show.frame.stopped >= 0;
+  return in.good() && frame.time >= 0 && frame.stopped >= 0 && frame.stopped <= kLongestStop;
 }
 
 }  // namespace cls::gamelog

@@ -6,15 +6,10 @@
 
 namespace cls::gamelog {
 
-struct JsonShow {
-  Frame frame;
-  bool has_stopped = false;  ///< the log names the stopped clock
-};
-
 /// Reads what follows behind the opening bracket of a show. Players that are not in it are not
 /// connected; mode and teams, which monitors have in their shows, are left to the records of their
-/// own.
-bool read_json_show(JsonCursor& in, JsonShow& show);
+/// own. Without a stopped clock Frame::stopped is 0.
+bool read_json_show(JsonCursor& in, Frame& frame);
 
 /// "l" or "r"; any other word is neutral.
 bool read_side(JsonCursor& in, soccer::Side& side);

@@ -77,9 +77,10 @@ void RecordBuilder::parameter_line(std::string text) {
 
 void RecordBuilder::note_stopped(int stopped) { record_.notes.back().stopped = stopped; }
 
-std::size_t RecordBuilder::begin_frame(int time) {
+std::size_t RecordBuilder::begin_frame(int time, int stopped) {
   const std::size_t index = record_.frames();
-  const int stopped = index > 0 && record_.time.back() == time ? record_.stopped.back() + 1 : 0;
+  const bool stands = index > 0 && record_.time.back() == time;
+  if (stopped == 0 && stands) stopped = record_.stopped.back() + 1;
   for (std::size_t i = record_.notes.size(); i > 0 && record_.notes[i - 1].frame == index; --i) {
     if (record_.notes[i - 1].time == time) record_.notes[i - 1].stopped = stopped;
   }

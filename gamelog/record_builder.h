@@ -28,8 +28,9 @@ class RecordBuilder {
   void note_stopped(int stopped);
 
   /// Appends a frame with time, mode and teams; ball and players are the caller's to fill in. The
-  /// clock stands if the frame before has the same time. Returns the index of the frame.
-  std::size_t begin_frame(int time);
+  /// clock stands if the frame before has the same time, or for `stopped` cycles if the log says so
+  /// (0: it does not). Returns the index of the frame.
+  std::size_t begin_frame(int time, int stopped = 0);
 
   /// Takes the frame that begin_frame() gave away again.
   void drop_frame();
