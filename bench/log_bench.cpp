@@ -1,0 +1,159 @@
+// How fast game logs and text logs are read, written and reckoned with. With the large data
+// (CLS_DATA) a whole 6000-cycle match, else the start of one, repeated to the same length.
+#include <benchmark/benchmark.h>
+#include <zlib.h>
+
+#include <array>
+#include <memory>
+#include <string>
+
+#include "gamelog/byte_sink.h"
+#include "gamelog/logged_commands.h"
+#include "gamelog/rcg_reader.h"
+#include "gamelog/rcl_reader.h"
+#include "gamelog/record_writer.h"
+#include "gamelog/results/match_summary.h"
+#include "gamelog/statistics/match_statistics.h"
+#include "gamelog/statistics/statistics_json.h"
+#include "tests/support/files.h"
+
+namespace {
+
+using namespace cls::gamelog;
+
+constexpr std::size_t kWholeMatch = 20'000'000;
+
+// The lines of `log` that start with `start`, over and over until they make a whole match.
+std::string repeated(const std::string& log, std::string_view start) {
+  const std::size_t first = log.find(start);
+  std::string result = log;
+  while (result.size() < kWholeMatch) result.append(log, first);
+  return result;
+}
+
+std::string load(const char* ending, std::string_view first_line) {
+  const auto path = cls::tests::data(std::string("logs/helios-vs-helios-full") + ending);
+  if (path) return cls::tests::read_file(*path);
+  return repeated(
+      cls::tests::read_file(cls::tests::fixture(std::string("gamelog/match-start") + ending)),
+      first_line);
+}
+
+const std::string& game_log() {
+  static const std::string log = load(".rcg.gz", "(show 1 ");
+  return log;
+}
+
+const std::string& text_log() {
+  static const std::string log = load(".rcl.gz", "1,0\t");
+  return log;
+}
+
+MatchRecord read(std::string_view log) {
+  MemorySource source(log);
+  return read_rcg(source);
+}
+
+const MatchRecord& record() {
+  static const MatchRecord match = read(game_log());
+  return match;
+}
+
+const RclRecord& text_record() {
+  static const RclRecord text = [] {
+    MemorySource source(text_log());
+    return read_rcl(source);
+  }();
+  return text;
+}
+
+std::string written(RcgVersion version) {
+  StringSink sink;
+  write_rcg(record(), version, sink);
+  return sink.bytes();
+}
+
+void set_bytes(benchmark::State& bench, std::size_t bytes) {
+  bench.SetBytesProcessed(static_cast<std::int64_t>(bench.iterations()) *
+                          static_cast<std::int64_t>(bytes));
+}
+
+void read_game_log(benchmark::State& bench) {
+  const auto version = static_cast<RcgVersion>(bench.range(0));
+  const std::string log = version == RcgVersion::kV6 ? game_log() : written(version);
+  for (auto _ : bench) benchmark::DoNotOptimize(read(log).frames());
+  set_bytes(bench, log.size());
+}
+BENCHMARK(read_game_log)
+    ->ArgName("version")
+    ->Arg(static_cast<int>(RcgVersion::kV6))
+    ->Arg(static_cast<int>(RcgVersion::kV4))
+    ->Arg(static_cast<int>(RcgVersion::kJson))
+    ->Unit(benchmark::kMillisecond);
+
+// Bytes of the unpacked log.
+void read_packed_game_log(benchmark::State& bench) {
+  std::string packed(compressBound(game_log().size()) + 64, '\0');
+  z_stream stream = {};
+  deflateInit2(&stream, 6, Z_DEFLATED, 15 + 16, 8, Z_DEFAULT_STRATEGY);
+  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(game_log().data()));
+  stream.avail_in = static_cast<uInt>(game_log().size());
+  stream.next_out = reinterpret_cast<Bytef*>(packed.data());
+  stream.avail_out = static_cast<uInt>(packed.size());
+  deflate(&stream, Z_FINISH);
+  packed.resize(stream.total_out);
+  deflateEnd(&stream);
+  for (auto _ : bench) {
+    const auto source = unpacked(std::make_unique<MemorySource>(packed));
+    benchmark::DoNotOptimize(read_rcg(*source).frames());
+  }
+  set_bytes(bench, game_log().size());
+}
+BENCHMARK(read_packed_game_log)->Unit(benchmark::kMillisecond);
+
+void write_game_log(benchmark::State& bench) {
+  const auto version = static_cast<RcgVersion>(bench.range(0));
+  std::size_t bytes = 0;
+  for (auto _ : bench) bytes = written(version).size();
+  set_bytes(bench, bytes);
+}
+BENCHMARK(write_game_log)
+    ->ArgName("version")
+    ->Arg(static_cast<int>(RcgVersion::kV6))
+    ->Arg(static_cast<int>(RcgVersion::kJson))
+    ->Unit(benchmark::kMillisecond);
+
+void read_text_log(benchmark::State& bench) {
+  for (auto _ : bench) {
+    MemorySource source(text_log());
+    benchmark::DoNotOptimize(read_rcl(source).lines.size());
+  }
+  set_bytes(bench, text_log().size());
+}
+BENCHMARK(read_text_log)->Unit(benchmark::kMillisecond);
+
+void summarize_match(benchmark::State& bench) {
+  for (auto _ : bench) benchmark::DoNotOptimize(summarize(record(), nullptr).goals.size());
+}
+BENCHMARK(summarize_match)->Unit(benchmark::kMillisecond);
+
+void reckon_statistics(benchmark::State& bench) {
+  const RclRecord* text = bench.range(0) != 0 ? &text_record() : nullptr;
+  for (auto _ : bench) benchmark::DoNotOptimize(statistics_of(record(), text).passes.size());
+}
+BENCHMARK(reckon_statistics)->ArgName("text_log")->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
+
+// All that `cls stats --json` does for one match once its files are in memory.
+void whole_statistics(benchmark::State& bench) {
+  for (auto _ : bench) {
+    const MatchRecord match = read(game_log());
+    MemorySource source(text_log());
+    const RclRecord text = read_rcl(source);
+    const MatchStatistics statistics = statistics_of(match, &text);
+    benchmark::DoNotOptimize(statistics_json(summarize(match, &text), statistics, false).size());
+  }
+  set_bytes(bench, game_log().size() + text_log().size());
+}
+BENCHMARK(whole_statistics)->Unit(benchmark::kMillisecond);
+
+}  // namespace
