@@ -36,7 +36,6 @@ constexpr std::size_t kObjectSize = 12;
 constexpr std::size_t kPlayerSize = 64;
 constexpr std::size_t kLongestMessage = 8192;
 constexpr double kShortScale = 16.0;
-constexpr int kHighestType = 255;
 
 // What text logs would have printed, without the negative zero that integers do not know.
 double length_of(double value) { return soccer::math::quantize(value, 1e-4) + 0.0; }
@@ -242,11 +241,7 @@ class BinaryReader {
   void read_type(std::string_view body) {
     soccer::PlayerType type;
     read_player_type(body, type);
-    auto& types = builder_.record().types;
-    if (type.id < 0 || type.id > kHighestType) return;
-    const auto id = static_cast<std::size_t>(type.id);
-    if (types.size() <= id) types.resize(id + 1);
-    types[id] = type;
+    builder_.player_type(type);
   }
 
   void write_parameter_lines() {

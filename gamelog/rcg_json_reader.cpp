@@ -14,8 +14,6 @@ namespace {
 
 using soccer::Side;
 
-constexpr int kHighestType = 255;
-constexpr std::size_t kLongestName = 64;
 constexpr int kNoType = -1;
 
 class JsonReader {
@@ -284,12 +282,7 @@ class JsonReader {
     soccer::PlayerType type;
     type.id = kNoType;
     if (!read_parameters("player_type", in, type)) return false;
-    auto& types = builder_.record().types;
-    if (type.id < 0 || type.id > kHighestType) return false;
-    const auto id = static_cast<std::size_t>(type.id);
-    if (types.size() <= id) types.resize(id + 1);
-    types[id] = type;
-    return true;
+    return builder_.player_type(type);
   }
 
   // Where the log is silent, the builder finds out.

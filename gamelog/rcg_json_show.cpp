@@ -5,12 +5,12 @@
 #include <cstdint>
 #include <string>
 
+#include "gamelog/record_builder.h"
+
 namespace cls::gamelog {
 namespace {
 
 using soccer::Side;
-
-constexpr int kHighestType = 255;
 
 enum class PlayerKey : std::uint8_t {
   kSide,

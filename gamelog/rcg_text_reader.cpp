@@ -15,8 +15,6 @@ namespace {
 using soccer::Scanner;
 
 constexpr std::string_view kNoTeam = "null";
-constexpr int kHighestType = 255;
-constexpr std::size_t kLongestName = 64;
 
 bool read_team_state(Scanner& in, TeamFrames& teams) {
   for (TeamFrame& team : teams) {
@@ -148,14 +146,7 @@ class TextReader {
     soccer::PlayerType type;
     type.id = -1;
     read_parameters(line, type);
-    auto& types = builder_.record().types;
-    if (type.id < 0 || type.id > kHighestType) {
-      damage(0, "a player type without a number from 0 to 255");
-      return true;
-    }
-    const auto id = static_cast<std::size_t>(type.id);
-    if (types.size() <= id) types.resize(id + 1);
-    types[id] = type;
+    if (!builder_.player_type(type)) damage(0, "a player type without a number from 0 to 255");
     return true;
   }
 

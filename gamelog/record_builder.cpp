@@ -75,6 +75,14 @@ void RecordBuilder::parameter_line(std::string text) {
   record_.parameter_lines.push_back(std::move(text));
 }
 
+bool RecordBuilder::player_type(const soccer::PlayerType& type) {
+  if (type.id < 0 || type.id > kHighestType) return false;
+  const auto id = static_cast<std::size_t>(type.id);
+  if (record_.types.size() <= id) record_.types.resize(id + 1);
+  record_.types[id] = type;
+  return true;
+}
+
 void RecordBuilder::note_stopped(int stopped) { record_.notes.back().stopped = stopped; }
 
 std::size_t RecordBuilder::begin_frame(int time, int stopped) {

@@ -12,6 +12,11 @@ namespace cls::gamelog {
 constexpr std::size_t kMaxFrames = 200'000;
 constexpr std::size_t kMaxNoteBytes = std::size_t{256} << 20;
 
+/// Numbers of player types end here; real ones at 17.
+constexpr int kHighestType = 255;
+/// Longer names of teams are no names; the server allows 15 characters.
+constexpr std::size_t kLongestName = 64;
+
 /// Keeps what holds for the next frame while a log is read, or a match is played.
 class RecordBuilder {
  public:
@@ -23,6 +28,9 @@ class RecordBuilder {
   void message(int time, int board, std::string text);
   void unknown_line(std::string text);
   void parameter_line(std::string text);
+
+  /// Puts a type in the place of its number; false if that is none.
+  bool player_type(const soccer::PlayerType& type);
 
   /// The stopped clock of the note before, where a log names it.
   void note_stopped(int stopped);

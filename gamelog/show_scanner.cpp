@@ -10,7 +10,6 @@ namespace cls::gamelog {
 namespace {
 
 constexpr float kNoNumber = std::numeric_limits<float>::quiet_NaN();
-constexpr int kHighestType = 255;
 
 class ShowScanner {
  public:

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "gamelog/statistics/places.h"
 #include "soccer/pitch.h"
 
 namespace cls::gamelog {
@@ -13,11 +14,6 @@ namespace {
 constexpr std::array<std::string_view, 5> kResultNames = {"goal", "shot", "box_entry", "lost",
                                                           "out"};
 constexpr int kAssistCycles = 60;
-
-bool in_opponents_box(soccer::Vec2 seen) {
-  return seen.x > soccer::kHalfLength - soccer::kPenaltyAreaLength &&
-         std::fabs(seen.y) < soccer::kPenaltyAreaWidth / 2;
-}
 
 bool continues(const Touch& next, const Chain& chain, const Touch& last) {
   return !next.contested() && next.live_phase == last.live_phase &&

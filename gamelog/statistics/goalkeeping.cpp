@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "gamelog/statistics/places.h"
 #include "soccer/pitch.h"
 
 namespace cls::gamelog {
@@ -10,7 +11,6 @@ namespace {
 
 using soccer::Vec2;
 
-constexpr double kThird = soccer::kPitchLength / 6;
 constexpr std::size_t kCatch = static_cast<std::size_t>(Counter::kCatch);
 constexpr std::size_t kMove = static_cast<std::size_t>(Counter::kMove);
 
@@ -45,7 +45,7 @@ void add_place(const Flow& flow, std::size_t frame, std::size_t slot, Places& pl
   const Vec2 seen = Vec2(flow.record->players.position[entry_of(frame, slot)]) * sign;
   const double rush = soccer::distance(seen, {-soccer::kHalfLength, 0.0});
   keeper.furthest_rush = std::max(keeper.furthest_rush, rush);
-  if (flow.record->ball_position[frame].x * sign < -kThird) {
+  if (flow.record->ball_position[frame].x * sign < -kThirdBorder) {
     places.sum += seen;
     ++places.count;
   }

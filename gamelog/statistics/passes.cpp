@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "gamelog/statistics/offside_line.h"
+#include "gamelog/statistics/places.h"
 #include "soccer/pitch.h"
 
 namespace cls::gamelog {
@@ -18,7 +19,6 @@ constexpr double kPlayedSpeed = 0.6;
 constexpr double kPlayedDistance = 3.0;
 constexpr int kOneTwoCycles = 40;
 constexpr double kOneTwoGain = 5.0;
-constexpr double kThird = soccer::kPitchLength / 6;
 
 constexpr std::array<std::string_view, 6> kOutcomeNames = {"completed", "intercepted", "contested",
                                                            "out",       "offside",     "stopped"};
@@ -75,7 +75,7 @@ class PassView {
  private:
   // Hard, out of the own third, off the pitch or to where no team mate waits.
   bool is_clearance() const {
-    if (pass_.completed() || pass_.from.x > -kThird || pass_.speed < 2.0) return false;
+    if (pass_.completed() || pass_.from.x > -kThirdBorder || pass_.speed < 2.0) return false;
     const double range = pass_.speed / (1.0 - record_.server.ball_decay);
     const Vec2 launch = record_.ball_position[launch_ + 1];
     const Vec2 way = launch * sign_ - pass_.from;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "gamelog/statistics/places.h"
 #include "soccer/pitch.h"
 
 namespace cls::gamelog {
@@ -12,20 +13,14 @@ namespace {
 
 using soccer::Vec2;
 
-constexpr double kThird = soccer::kPitchLength / 6;    // borders at -17.5 and 17.5
 constexpr double kQuarter = soccer::kPitchLength / 4;  // borders at -26.25, 0 and 26.25
 constexpr std::size_t kControlStep = 10;
 constexpr int kControlColumns = 21;
 constexpr int kControlRows = 14;
 
-std::size_t third_of(double x) { return x < -kThird ? 0 : x <= kThird ? 1 : 2; }
+std::size_t third_of(double x) { return x < -kThirdBorder ? 0 : x <= kThirdBorder ? 1 : 2; }
 
 std::size_t quarter_of(double x) { return x < -kQuarter ? 0 : x < 0.0 ? 1 : x < kQuarter ? 2 : 3; }
-
-bool in_box(Vec2 seen) {
-  return seen.x > soccer::kHalfLength - soccer::kPenaltyAreaLength &&
-         std::fabs(seen.y) < soccer::kPenaltyAreaWidth / 2;
-}
 
 // Squared time that the team's first player needs to get to a point; top speeds differ by type.
 class ControlMap {
@@ -102,7 +97,7 @@ void add_touches(const Flow& flow, Territory& result) {
       const auto slot = static_cast<std::size_t>(player);
       const Vec2 seen = touch.contact * attack_sign(slot);
       TeamTerritory& team = result.teams[team_of(slot)];
-      team.box_touches += in_box(seen);
+      team.box_touches += in_opponents_box(seen);
       team.final_third_touches += third_of(seen.x) == 2;
     }
   }
@@ -133,8 +128,8 @@ Territory territory_of(const Flow& flow) {
     TeamTerritory& team = result.teams[team_of(owner)];
     ++team.thirds_owned[third_of(ball.x * sign)];
     const bool goes_on = i > 0 && flow.live_phase[i] == flow.live_phase[i - 1];
-    team.box_entries +=
-        goes_on && in_box(ball * sign) && !in_box(Vec2(record.ball_position[i - 1]) * sign);
+    team.box_entries += goes_on && in_opponents_box(ball * sign) &&
+                        !in_opponents_box(Vec2(record.ball_position[i - 1]) * sign);
   }
   if (result.live_frames > 0) result.mean_ball_x = sum_x / result.live_frames;
   add_touches(flow, result);
