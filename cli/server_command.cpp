@@ -57,6 +57,21 @@ orchestration::MatchOptions base_options() {
   return options;
 }
 
+// rcssserver reads its words as one text, where blanks may stand around the '='.
+std::vector<std::string> whole_settings(const std::vector<std::string>& words) {
+  std::vector<std::string> settings;
+  for (const std::string& word : words) {
+    const bool goes_on =
+        word.starts_with('=') || (!settings.empty() && settings.back().ends_with('='));
+    if (goes_on && !settings.empty()) {
+      settings.back() += word;
+    } else {
+      settings.push_back(word);
+    }
+  }
+  return settings;
+}
+
 // What was asked for and cannot be had yet.
 std::vector<std::string> refusals(const soccer::ServerParams& server) {
   std::vector<std::string> lines;
@@ -108,6 +123,24 @@ soccer::Result<Logs> open_logs(const std::string& folder, const soccer::ServerPa
   return logs;
 }
 
+/// What rcssserver writes too, so that scripts that wait for its lines find them here.
+void print_notice(const UdpServer& server, const simulator::UdpNotice& notice) {
+  const simulator::World& world = server.world();
+  if (notice.kind == simulator::UdpNotice::Kind::kMissedCycle) {
+    fmt::print(stderr, "Someone missed a cycle at {}\n", world.clock.time);
+    return;
+  }
+  const soccer::Side side = soccer::side_of_slot(notice.slot);
+  const std::string who =
+      fmt::format("({} {})", world.team(side).name.view(), soccer::unum_of_slot(notice.slot));
+  if (notice.kind == simulator::UdpNotice::Kind::kConnected) {
+    fmt::print("A new (v{}) player {} connected.\n", notice.version, who);
+  } else {
+    fmt::print("A player disconnected : {}\n", who);
+  }
+  std::fflush(stdout);
+}
+
 /// Serves on a thread of its own, so that a signal is noticed at once.
 UdpEnd serve(UdpServer& server, const std::atomic<int>& signal) {
   std::atomic<bool> stop{false};
@@ -140,7 +173,7 @@ void print_result(const UdpServer& server) {
 
 int exit_code_of(UdpEnd end, int signal) {
   if (end == UdpEnd::kUnanswered) {
-    fmt::print(stderr, "cls: clients did not answer for too long: the match is over\n");
+    fmt::print(stderr, "Waiting too long for clients! Exiting\n");
     return kAnswerIsNo;
   }
   if (end == UdpEnd::kFinished) return kDone;
@@ -155,7 +188,7 @@ int report_mistakes(const std::vector<std::string>& mistakes) {
 int run_server(const Arguments& arguments) {
   orchestration::MatchOptions options = base_options();
   std::vector<std::string> mistakes;
-  for (const std::string& word : arguments.settings) {
+  for (const std::string& word : whole_settings(arguments.settings)) {
     const auto applied = apply_setting(options, word);
     if (!applied) mistakes.push_back(applied.error().message);
   }
@@ -183,10 +216,13 @@ int run_server(const Arguments& arguments) {
     return kCannotCreate;
   }
   (*server)->record(logs->game.get(), logs->text.get());
-  fmt::print("listening on {}:{}, seed {}\n", arguments.host, (*server)->port(), config.match.seed);
+  (*server)->on_notice([&](const simulator::UdpNotice& notice) { print_notice(**server, notice); });
+  fmt::print("listening on {}:{}\nSimulator Random Seed: {}\nHit CTRL-C to exit\n", arguments.host,
+             (*server)->port(), config.match.seed);
   std::fflush(stdout);
 
   const UdpEnd end = serve(**server, signal);
+  if (end == UdpEnd::kFinished) fmt::print("Game Over. Exiting...\n");
   print_result(**server);
   if (const std::string problem = logs->close(); !problem.empty()) {
     fmt::print(stderr, "cls: {}\n", problem);

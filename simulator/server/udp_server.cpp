@@ -277,11 +277,26 @@ bool UdpServer::run_cycle() {
   if (match_->awaits_anybody()) {
     ++missed_cycles_;
     if (started) ++missed_in_a_row_;
+    if (started) tell(UdpNotice::Kind::kMissedCycle, kNobody);
   } else {
     missed_in_a_row_ = 0;
   }
+  tell_connections();
   match_->execute();
+  tell_connections();
   return missed_in_a_row_ <= config_.max_missed;
+}
+
+// Looked at before and after the commands of a cycle, when the lost ones go.
+void UdpServer::tell_connections() {
+  for (Slot slot = 0; slot < soccer::kPlayersOnPitch; ++slot) {
+    const Session*& told = told_[static_cast<std::size_t>(slot)];
+    const Session* now = match_->session(slot);
+    if (now == told) continue;
+    if (now == nullptr) tell(UdpNotice::Kind::kDisconnected, slot);
+    if (now != nullptr) tell(UdpNotice::Kind::kConnected, slot, now->version);
+    told = now;
+  }
 }
 
 }  // namespace cls::simulator

@@ -1,11 +1,14 @@
 // A match over UDP in synchronous mode: for clients that are programs of their own.
 #pragma once
 
+#include <array>
 #include <atomic>
 #include <chrono>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 
 #include "simulator/server/match_server.h"
 #include "soccer/result.h"
@@ -33,6 +36,19 @@ enum class UdpEnd : std::uint8_t {
   kUnanswered,  ///< too many cycles without an answer
 };
 
+/// What is worth telling whoever runs the server.
+struct UdpNotice {
+  enum class Kind : std::uint8_t {
+    kConnected,  ///< for the first time or again
+    kDisconnected,
+    kMissedCycle,  ///< after the start, somebody did not answer in time
+  };
+
+  Kind kind = Kind::kConnected;
+  Slot slot = kNobody;  ///< whose connection it is
+  int version = 0;      ///< kConnected: of the client
+};
+
 /// Listens where rcssserver does and answers each player from a port of its own (protocol 1.1).
 /// What clients send in a cycle is executed when all are done, in an order drawn from the seed, so
 /// a match depends on when clients join and on what they send, not on who is faster. Sockets are
@@ -49,6 +65,10 @@ class UdpServer {
   /// See MatchServer::record.
   void record(gamelog::ByteSink* game_log, gamelog::ByteSink* text_log);
 
+  /// Called on the thread of run() whenever there is something to tell. Must return quickly.
+  using OnNotice = std::function<void(const UdpNotice&)>;
+  void on_notice(OnNotice tell) { tell_ = std::move(tell); }
+
   /// Plays to the end and writes the result into the logs. After time over the clients are given
   /// game_over_wait cycles to leave. `stop` may be set by another thread or a signal.
   UdpEnd run(const std::atomic<bool>& stop);
@@ -64,10 +84,16 @@ class UdpServer {
   UdpServer(UdpConfig config, std::unique_ptr<MatchServer> match);
 
   bool run_cycle();
+  void tell_connections();
+  void tell(UdpNotice::Kind kind, Slot slot, int version = 0) {
+    if (tell_) tell_({kind, slot, version});
+  }
 
   UdpConfig config_;
   std::unique_ptr<MatchServer> match_;
   std::unique_ptr<Network> network_;
+  OnNotice tell_;
+  std::array<const Session*, soccer::kPlayersOnPitch> told_{};  ///< sessions that were told of
   std::int64_t missed_cycles_ = 0;
   int missed_in_a_row_ = 0;
 };

@@ -44,6 +44,10 @@ TEST(ServerCommand, ServesTwoTeamsOfProxiesToTheEnd) {
   const auto served = server.finish();
   EXPECT_EQ(served.exit_code, 0) << served.err;
   EXPECT_NE(served.out.find(", 100 cycles, 0 of them missed"), std::string::npos) << served.out;
+  EXPECT_NE(served.out.find("Simulator Random Seed: 7\n"), std::string::npos) << served.out;
+  EXPECT_NE(served.out.find("A new (v18) player (Reds 1) connected.\n"), std::string::npos);
+  EXPECT_NE(served.out.find("A new (v18) player (Blues 11) connected.\n"), std::string::npos);
+  EXPECT_NE(served.out.find("Game Over. Exiting...\n"), std::string::npos) << served.out;
   for (Command* team : {&left, &right}) {
     const auto played = team->finish();
     // The server ends at its cycle limit without a whistle: to a team that looks like a failure.
@@ -81,6 +85,17 @@ TEST(ServerCommand, RefusesWhatItCannotDoYet) {
     EXPECT_NE(refused.err.find(reason), std::string::npos) << refused.err;
     EXPECT_EQ(std::count(refused.err.begin(), refused.err.end(), '\n'), 1) << refused.err;
   }
+}
+
+TEST(ServerCommand, TakesWordsWithBlanksAroundTheSignAndQuotesAsRcssserverDoes) {
+  cls::tests::TemporaryFolder folder;
+  Command server({cls_binary(), "server", "--port", "0", "--dir", folder.path(),
+                  "server::game_log_fixed_name='match'", "server::landmark_file=", "'a b.xml'",
+                  "server::half_time", "=", "10"});
+  port_in(server);
+  server.send_signal(SIGINT);
+  const auto served = server.finish();
+  EXPECT_EQ(served.exit_code, 130) << served.err;
 }
 
 TEST(ServerCommand, ATakenPortIsTold) {
