@@ -129,13 +129,15 @@ void PlayerAgent::take_in_sense_body() {
   timer_.on_sense_body(channel_->arrived(), sense_.width);
 }
 
-// The server counts what it carries out. Nothing of it is due from a player who is frozen.
+// The server counts what it carries out. Nothing of it is due from a player who was frozen, or was
+// fouled before his command's turn came.
 void PlayerAgent::note_lost_commands() {
   const auto total = [](const soccer::CommandCounts& counts, int tackles) {
     return counts.kick + counts.dash + counts.turn + counts.catches + counts.move + tackles;
   };
   const SelfState& self = world_.self;
-  const bool frozen = self.tackle_expires_in > 0 || self.foul_charged > 0;
+  const bool frozen =
+      self.tackle_expires_in > 0 || self.foul_charged > 0 || sense_.foul_charged > 0;
   const int before = total(self.counts, self.tackle_count);
   if (awaits_count_ && !frozen && total(sense_.counts, sense_.tackle_count) == before) {
     ++statistics_.lost_commands;
