@@ -36,8 +36,10 @@ constexpr const char* kDescription =
     "  cls server --port 0                      at a free port, which is printed\n"
     "  cls server server::half_time=100         with rcssserver's parameters\n"
     "\n"
-    "So far it serves players in synchronous mode (server::synch_mode=on) and whistles by itself\n"
-    "(server::auto_mode=on); coaches, trainers and monitors are refused.";
+    "So far it serves players, in synchronous mode (server::synch_mode=on, its default) or in "
+    "real\n"
+    "time, and whistles by itself (server::auto_mode=on); coaches, trainers and monitors are "
+    "refused.";
 
 struct Arguments {
   std::vector<std::string> settings;
@@ -78,7 +80,6 @@ std::vector<std::string> refusals(const soccer::ServerParams& server) {
   const auto refuse = [&lines](bool asked, const char* what) {
     if (asked) lines.push_back(fmt::format("{}: not in this server yet", what));
   };
-  refuse(!server.synch_mode, "real time (server::synch_mode=off)");
   refuse(!server.auto_mode, "kick-off by a monitor (server::auto_mode=off)");
   refuse(server.coach || server.coach_w_referee, "a trainer (server::coach, coach_w_referee)");
   refuse(!server.team_l_start.empty() || !server.team_r_start.empty(),
@@ -167,8 +168,15 @@ void print_result(const UdpServer& server) {
   if (left.penalty_kicks > 0 || right.penalty_kicks > 0) {
     fmt::print(" (penalties {} - {})", left.penalty_goals, right.penalty_goals);
   }
-  fmt::print(", {} cycles, {} of them missed by a client\n", world.clock.time,
-             server.missed_cycles());
+  fmt::print(", {} cycles", world.clock.time);
+  if (world.params().synch_mode) {
+    fmt::print(", {} of them missed by a client\n", server.missed_cycles());
+    return;
+  }
+  const auto late = server.lateness();
+  fmt::print(
+      "; steps late by {:.2f} ms on average, 99 % of them within {:.1f} ms, worst {:.1f} ms\n",
+      late.mean_ms, late.p99_ms, late.worst_ms);
 }
 
 int exit_code_of(UdpEnd end, int signal) {

@@ -13,6 +13,8 @@ using soccer::Result;
 // Nothing here guards against odd matches, only against those that cannot be reckoned with.
 Result<void> check(const soccer::ServerParams& server, const soccer::PlayerParams& player) {
   if (server.simulator_step <= 0) return Error{"server::simulator_step must be positive"};
+  if (server.send_step <= 0) return Error{"server::send_step must be positive"};
+  if (server.recv_step <= 0) return Error{"server::recv_step must be positive"};
   if (server.slow_down_factor <= 0) return Error{"server::slow_down_factor must be positive"};
   if (server.ball_size <= 0) return Error{"server::ball_size must be positive"};
   if (server.player_size <= 0) return Error{"server::player_size must be positive"};

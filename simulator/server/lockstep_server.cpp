@@ -25,7 +25,7 @@ std::unique_ptr<soccer::Channel> LockstepServer::connect() {
 void LockstepServer::answer_requests() {
   for (auto& channel : waiting_) {
     while (channel != nullptr && channel->receive(message_)) {
-      const auto admission = match_->admit(message_);
+      const auto admission = match_->admit(Door::kGame, message_);
       if (const auto* admitted = std::get_if<Admission>(&admission)) {
         match_->greet(*admitted, std::move(channel), message_);
         continue;

@@ -22,7 +22,15 @@ const std::string& fixed_name(const soccer::ServerParams& params, Side side) {
 
 }  // namespace
 
-std::variant<Admission, ErrorCode> MatchServer::admit(std::string_view datagram) {
+std::variant<Admission, ErrorCode> MatchServer::admit(Door door, std::string_view datagram) {
+  switch (door) {
+    case Door::kGame:
+      return admit_at_game_door(datagram);
+  }
+  return ErrorCode::kUnknownCommand;
+}
+
+std::variant<Admission, ErrorCode> MatchServer::admit_at_game_door(std::string_view datagram) {
   soccer::GameRequest request;
   if (const auto error = soccer::parse(datagram, request)) return *error;
   if (const auto* init = std::get_if<soccer::PlayerInit>(&request)) return admit_player(*init);
@@ -80,18 +88,19 @@ std::optional<Side> MatchServer::side_for(std::string_view name) {
   return std::nullopt;
 }
 
-void MatchServer::withdraw(const Admission& admission) { leave(world_, admission.slot); }
+void MatchServer::withdraw(const Admission& admission) { leave(world_, admission.client); }
 
 void MatchServer::greet(const Admission& admission, std::unique_ptr<soccer::Channel> channel,
                         std::string_view request) {
-  recorder_.command(world_, admission.slot, request);
-  auto& client = sessions_[static_cast<std::size_t>(admission.slot)];
+  const Slot slot = admission.client;
+  recorder_.command(world_, slot, request);
+  auto& client = sessions_[static_cast<std::size_t>(slot)];
   client = std::make_unique<Session>();
-  client->slot = admission.slot;
+  client->client = slot;
   client->version = admission.version;
   client->channel = std::move(channel);
 
-  const Player& player = world_.player(admission.slot);
+  const Player& player = world_.player(slot);
   if (admission.reconnected) {
     reply(*client, soccer::ReconnectReply{player.side, world_.mode});
   } else {
@@ -114,7 +123,7 @@ void MatchServer::send_parameters(Session& client) {
   for (const soccer::PlayerType& type : world_.rules->types) send(type);
   for (const Player& other : world_.players) {
     if (other.type == 0) continue;
-    const bool own = other.side == soccer::side_of_slot(client.slot);
+    const bool own = other.side == soccer::side_of_slot(client.slot());
     reply(client, soccer::PlayerTypeChange{other.unum,
                                            own ? std::optional<int>(other.type) : std::nullopt});
   }

@@ -42,7 +42,7 @@ void MatchServer::reply(Session& client, soccer::WarningCode code) {
 
 void MatchServer::broadcast(std::string_view message) {
   for (auto& client : sessions_) {
-    if (client != nullptr && world_.player(client->slot).enabled) client->send(message);
+    if (client != nullptr && world_.player(client->slot()).enabled) client->send(message);
   }
 }
 
@@ -57,7 +57,7 @@ void MatchServer::dispatch(const Event& event) {
                  [&](const PlayerSaid& said) {
                    for (auto& client : sessions_) {
                      if (client == nullptr) continue;
-                     overhear(world_, said, client->slot, client->hearing);
+                     overhear(world_, said, client->slot(), client->hearing);
                    }
                  },
                  [&](const TypeChanged& change) { tell_type(change); },
@@ -79,7 +79,7 @@ void MatchServer::tell_referee(Clock clock, const std::string& words) {
 void MatchServer::tell_type(const TypeChanged& change) {
   for (auto& client : sessions_) {
     if (client == nullptr) continue;
-    const bool own = soccer::side_of_slot(client->slot) == change.side;
+    const bool own = soccer::side_of_slot(client->slot()) == change.side;
     reply(*client, soccer::PlayerTypeChange{change.unum,
                                             own ? std::optional<int>(change.type) : std::nullopt});
   }
@@ -94,12 +94,12 @@ void MatchServer::tell_goalie(const GoalieAppointed& change) {
 
 void MatchServer::send_sense_body(Session& client) {
   text_.clear();
-  soccer::format(sense_body(world_, client.slot), client.version, text_);
+  soccer::format(sense_body(world_, client.slot()), client.version, text_);
   client.send(text_);
 }
 
 void MatchServer::send_full_state(Session& client) {
-  full_state(world_, client.slot, full_state_);
+  full_state(world_, client.slot(), full_state_);
   text_.clear();
   soccer::format(full_state_, client.version, text_);
   client.send(text_);
@@ -107,9 +107,9 @@ void MatchServer::send_full_state(Session& client) {
 
 void MatchServer::send_hearing(Session& client) {
   if (client.hearing.waiting.empty()) return;
-  RandomStream choice = stream("hear", client.slot);
+  RandomStream choice = stream("hear", client.slot());
   heard_.clear();
-  hear(world_, client.slot, client.hearing, choice, heard_);
+  hear(world_, client.slot(), client.hearing, choice, heard_);
   for (const soccer::Hear& words : heard_) {
     text_.clear();
     soccer::format(words, soccer::Listener::kPlayer, text_);
@@ -118,8 +118,8 @@ void MatchServer::send_hearing(Session& client) {
 }
 
 void MatchServer::send_see(Session& client) {
-  RandomStream noise = stream("see", client.slot);
-  see(vision_, world_, client.slot, noise, see_);
+  RandomStream noise = stream("see", client.slot());
+  simulator::see(vision_, world_, client.slot(), noise, see_);
   text_.clear();
   soccer::format(see_, text_);
   client.send(text_);

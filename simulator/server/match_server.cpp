@@ -44,14 +44,18 @@ void MatchServer::record(gamelog::ByteSink* game_log, gamelog::ByteSink* text_lo
   recorder_.begin(game_log, text_log, *world_.rules);
 }
 
-void MatchServer::receive(Slot slot, std::string_view datagram, bool null_terminated) {
-  Session* client = session(slot);
+Connection* MatchServer::connection(ClientId client) {
+  return is_player(client) ? session(client) : nullptr;
+}
+
+void MatchServer::receive(ClientId id, std::string_view datagram, bool null_terminated) {
+  Session* client = session(id);
   if (client == nullptr) return;
   if (client->inbox.add(datagram, null_terminated)) client->done = true;
 }
 
-void MatchServer::lose(Slot slot) {
-  if (Session* client = session(slot)) client->lost = true;
+void MatchServer::lose(ClientId id) {
+  if (Connection* client = connection(id)) client->lost = true;
 }
 
 void MatchServer::disconnect_all() {
@@ -76,7 +80,7 @@ void MatchServer::execute() {
 void MatchServer::execute(Session& client) {
   for (std::size_t i = 0; i < client.inbox.size() && !client.lost; ++i) {
     const Inbox::Datagram& datagram = client.inbox[i];
-    recorder_.command(world_, client.slot, datagram.text);
+    recorder_.command(world_, client.slot(), datagram.text);
     if (!datagram.null_terminated) {
       reply(client, soccer::WarningCode::kMessageNotNullTerminated);
     }
@@ -90,7 +94,7 @@ void MatchServer::execute(Session& client) {
 
 void MatchServer::execute(Session& client, const soccer::PlayerCommand& command) {
   if (std::holds_alternative<soccer::Bye>(command)) {
-    leave(world_, client.slot);
+    leave(world_, client.slot());
     client.lost = true;
   } else if (std::holds_alternative<soccer::AskSenseBody>(command)) {
     send_sense_body(client);
@@ -98,7 +102,7 @@ void MatchServer::execute(Session& client, const soccer::PlayerCommand& command)
     reply(client, soccer::OkClang{clang->min_version, clang->max_version});
   } else if (std::holds_alternative<soccer::Compression>(command)) {
     reply(client, soccer::WarningCode::kCompressionUnsupported);
-  } else if (auto answer = apply(world_, client.slot, command, events_)) {
+  } else if (auto answer = apply(world_, client.slot(), command, events_)) {
     reply(client, *answer);
   }
   dispatch_events();
@@ -107,13 +111,13 @@ void MatchServer::execute(Session& client, const soccer::PlayerCommand& command)
 void MatchServer::remove_lost() {
   for (auto& client : sessions_) {
     if (client == nullptr || !client->lost) continue;
-    if (world_.player(client->slot).enabled) leave(world_, client->slot);
+    if (world_.player(client->slot()).enabled) leave(world_, client->slot());
     client.reset();
   }
 }
 
 void MatchServer::step() {
-  asynchronous_rounds(world_.params().simulator_step - 1);
+  see(world_.params().simulator_step - 1);
   for (auto& client : sessions_) {
     if (client != nullptr) client->asked = client->done = false;
   }
@@ -123,27 +127,34 @@ void MatchServer::step() {
   finish_step(world_, events_);
   dispatch_events();
   ++steps_;
+  saw_ = false;
 }
 
 void MatchServer::sense() {
   for (auto& client : sessions_) {
-    if (client == nullptr || !world_.player(client->slot).enabled) continue;
-    Player& player = world_.player(client->slot);
+    if (client == nullptr || !world_.player(client->slot()).enabled) continue;
+    Player& player = world_.player(client->slot());
     send_sense_body(*client);
     player.contacts = {};
     if (has_full_state(world_, player)) send_full_state(*client);
     send_hearing(*client);
   }
-  asynchronous_rounds(0);
+  see(0);
+}
+
+void MatchServer::see(int ms) {
+  asynchronous_rounds(ms);
+  if (saw_ || ms < world_.params().synch_see_offset) return;
   view_round(true);
+  saw_ = true;
 }
 
 void MatchServer::think() {
-  asynchronous_rounds(world_.params().synch_offset);
+  see(world_.params().synch_offset);
   text_.clear();
   soccer::format(soccer::ServerReply(soccer::Think{}), text_);
   for (auto& client : sessions_) {
-    if (client == nullptr || !world_.player(client->slot).enabled) continue;
+    if (client == nullptr || !world_.player(client->slot()).enabled) continue;
     client->send(text_);
     client->asked = true;
   }
@@ -172,7 +183,7 @@ void MatchServer::finish() { recorder_.finish(world_); }
 void MatchServer::view_round(bool synchronous) {
   for (auto& client : sessions_) {
     if (client == nullptr) continue;
-    const Player& player = world_.player(client->slot);
+    const Player& player = world_.player(client->slot());
     if (!player.enabled || player.view.synchronous != synchronous) continue;
     if (++client->view_rounds < view_interval(player.view)) continue;
     client->view_rounds = 0;

@@ -34,9 +34,14 @@ struct MatchConfig {
   std::optional<int> cycle_limit;
 };
 
+/// Where clients ask to be let in: each is a port of its own on a network (protocol 1.1).
+enum class Door : std::uint8_t {
+  kGame,  ///< players and monitors
+};
+
 /// A client that was let in. It hears nothing before MatchServer::greet.
 struct Admission {
-  Slot slot = kNobody;
+  ClientId client = kNobody;
   int version = 0;
   bool reconnected = false;
 };
@@ -54,9 +59,9 @@ class MatchServer {
   /// sinks must live until the server is gone.
   void record(gamelog::ByteSink* game_log, gamelog::ByteSink* text_log);
 
-  /// Reads a connection request of a player. On success the player takes part from now on, and
-  /// greet() must follow; else the error to answer with.
-  std::variant<Admission, soccer::ErrorCode> admit(std::string_view datagram);
+  /// Reads a connection request. On success the client takes part from now on, and greet() must
+  /// follow; else the error to answer with.
+  std::variant<Admission, soccer::ErrorCode> admit(Door door, std::string_view datagram);
 
   /// Gives the admitted client its channel and sends all that follows an init (protocol 2.1).
   void greet(const Admission& admission, std::unique_ptr<soccer::Channel> channel,
@@ -65,11 +70,14 @@ class MatchServer {
   /// Instead of greet(), when the admitted client cannot be reached after all.
   void withdraw(const Admission& admission);
 
-  /// Keeps what the player's client sent until execute().
-  void receive(Slot slot, std::string_view datagram, bool null_terminated = true);
+  /// Keeps what a player's client sent until execute().
+  void receive(ClientId id, std::string_view datagram, bool null_terminated = true);
 
-  /// The client is gone: its player leaves the pitch at the next execute().
-  void lose(Slot slot);
+  /// The client is gone: a player leaves the pitch at the next execute().
+  void lose(ClientId id);
+
+  /// The connection of that client, else null.
+  Connection* connection(ClientId client);
 
   /// Drops all connections at once, without a word; the world stays as it is.
   void disconnect_all();
@@ -87,10 +95,13 @@ class MatchServer {
   /// One simulation step, logged; the referee's words go out.
   void step();
 
-  /// sense_body, fullstate, says and see, to everybody who is due.
+  /// sense_body, fullstate, what was heard and see, to everybody who is due at the step itself.
   void sense();
 
-  /// (think), and the see messages of clients without synch_see that fall before it.
+  /// The see messages that fall due until `ms` after the step, in the time of the match.
+  void see(int ms);
+
+  /// In synchronous mode: (think), and the see messages that fall before it.
   void think();
 
   /// True while a player who was asked to think has not sent (done).
@@ -108,6 +119,7 @@ class MatchServer {
  private:
   explicit MatchServer(std::shared_ptr<const Rules> rules, const MatchConfig& config);
 
+  std::variant<Admission, soccer::ErrorCode> admit_at_game_door(std::string_view datagram);
   std::variant<Admission, soccer::ErrorCode> admit_player(const soccer::PlayerInit& init);
   std::variant<Admission, soccer::ErrorCode> readmit_player(const soccer::PlayerReconnect& request);
   std::optional<Side> side_for(std::string_view name);
@@ -143,6 +155,7 @@ class MatchServer {
   std::optional<int> cycle_limit_;
   std::int64_t steps_ = 0;
   std::int64_t asynchronous_rounds_ = 0;
+  bool saw_ = true;  ///< since the last step, those with synch_see
 
   // Reused, so that a cycle does not allocate.
   Events events_;

@@ -1,4 +1,4 @@
-// One connected player as the server keeps it beside the world.
+// One connected client as the server keeps it beside the world: what all have in common, players.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,31 @@
 
 namespace cls::simulator {
 
-/// What a client has sent since its commands were last executed. Parsed on arrival, so that
+/// Index of a client of the match: players by their slots, then coaches and trainer, monitors.
+using ClientId = int;
+constexpr ClientId kLeftCoach = soccer::kPlayersOnPitch;
+constexpr ClientId kRightCoach = kLeftCoach + 1;
+constexpr ClientId kTrainer = kLeftCoach + 2;
+constexpr ClientId kFirstMonitor = kTrainer + 1;
+
+constexpr bool is_player(ClientId client) { return client < soccer::kPlayersOnPitch; }
+
+struct Connection {
+  ClientId client = kNobody;
+  int version = 0;
+  std::unique_ptr<soccer::Channel> channel;
+
+  bool asked = false;  ///< to think, since the last step
+  bool done = false;   ///< since the last step
+  bool lost = false;   ///< the connection is gone; the client leaves after the commands
+
+  /// Sends one message; a failure marks the connection as lost.
+  void send(std::string_view message) {
+    if (!lost && !channel->send(message)) lost = true;
+  }
+};
+
+/// What a player has sent since its commands were last executed. Parsed on arrival, so that
 /// (done) is known at once; memory is reused.
 class Inbox {
  public:
@@ -45,23 +69,13 @@ class Inbox {
   std::vector<soccer::PlayerCommand> commands_;
 };
 
-struct Session {
-  Slot slot = kNobody;
-  int version = 0;
-  std::unique_ptr<soccer::Channel> channel;
+/// A player's.
+struct Session : Connection {
+  Slot slot() const { return client; }
 
   Inbox inbox;
-  bool asked = false;  ///< to think, since the last step
-  bool done = false;   ///< since the last step
-  bool lost = false;   ///< the connection is gone; the player leaves after the commands
-
   int view_rounds = 0;  ///< since the last see
   Hearing hearing;
-
-  /// Sends one message; a failure marks the session as lost.
-  void send(std::string_view message) {
-    if (!lost && !channel->send(message)) lost = true;
-  }
 };
 
 }  // namespace cls::simulator

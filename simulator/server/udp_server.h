@@ -1,4 +1,4 @@
-// A match over UDP in synchronous mode: for clients that are programs of their own.
+// A match over UDP, in real time or synchronous: for clients that are programs of their own.
 #pragma once
 
 #include <array>
@@ -11,15 +11,18 @@
 #include <utility>
 
 #include "simulator/server/match_server.h"
+#include "simulator/server/step_clock.h"
 #include "soccer/result.h"
 
 namespace cls::simulator {
 
 struct UdpConfig {
-  MatchConfig match;  ///< server.synch_mode is switched on
+  MatchConfig match;  ///< server.synch_mode decides how time runs
 
   std::string address = "127.0.0.1";  ///< to listen on, as a number
   int port = 6000;                    ///< 0: a free one
+
+  // In synchronous mode:
 
   /// How long a cycle waits for (done) of everybody who was asked to think.
   std::chrono::milliseconds max_wait{1250};
@@ -29,9 +32,11 @@ struct UdpConfig {
   std::chrono::milliseconds pause_before_start{50};
 };
 
+class UdpNetwork;
+
 /// Why a match over UDP ended.
 enum class UdpEnd : std::uint8_t {
-  kFinished,    ///< time over, or the cycle limit
+  kFinished,    ///< time over in auto mode, or the cycle limit
   kStopped,     ///< it was asked to
   kUnanswered,  ///< too many cycles without an answer
 };
@@ -49,10 +54,12 @@ struct UdpNotice {
   int version = 0;      ///< kConnected: of the client
 };
 
-/// Listens where rcssserver does and answers each player from a port of its own (protocol 1.1).
-/// What clients send in a cycle is executed when all are done, in an order drawn from the seed, so
-/// a match depends on when clients join and on what they send, not on who is faster. Sockets are
-/// used on the calling thread only.
+/// Listens where rcssserver does and answers each client from a port of its own (protocol 1.1).
+/// In synchronous mode, what clients send in a cycle is executed when all are done, in an order
+/// drawn from the seed, so a match depends on when clients join and on what they send, not on who
+/// is faster. In real time, a step is made every simulator_step times slow_down_factor, and what
+/// has arrived is executed every recv_step, the last time right before the step (protocol 8.1).
+/// Sockets are used on the calling thread only.
 class UdpServer {
  public:
   /// The error names the address that cannot be used, or the parameter that makes no match.
@@ -69,9 +76,13 @@ class UdpServer {
   using OnNotice = std::function<void(const UdpNotice&)>;
   void on_notice(OnNotice tell) { tell_ = std::move(tell); }
 
-  /// Plays to the end and writes the result into the logs. After time over the clients are given
-  /// game_over_wait cycles to leave. `stop` may be set by another thread or a signal.
+  /// Plays to the end and writes the result into the logs. After time over in auto mode the clients
+  /// are given game_over_wait cycles to leave; without auto mode only `stop` or the cycle limit end
+  /// it. `stop` may be set by another thread or a signal.
   UdpEnd run(const std::atomic<bool>& stop);
+
+  /// In real time: how punctual the steps were. Not while run() runs.
+  StepClock::Lateness lateness() const { return lateness_; }
 
   /// Cycles in which some player did not answer in time.
   std::int64_t missed_cycles() const;
@@ -79,11 +90,14 @@ class UdpServer {
   const World& world() const;
 
  private:
-  class Network;
-
   UdpServer(UdpConfig config, std::unique_ptr<MatchServer> match);
 
+  UdpEnd run_synchronous(const std::atomic<bool>& stop);
+  UdpEnd run_in_real_time(const std::atomic<bool>& stop);
   bool run_cycle();
+  void receive_until(StepClock::Time next_step, int step_ms, const std::atomic<bool>& stop);
+  void execute();
+  bool is_over() const;
   void tell_connections();
   void tell(UdpNotice::Kind kind, Slot slot, int version = 0) {
     if (tell_) tell_({kind, slot, version});
@@ -91,11 +105,12 @@ class UdpServer {
 
   UdpConfig config_;
   std::unique_ptr<MatchServer> match_;
-  std::unique_ptr<Network> network_;
+  std::unique_ptr<UdpNetwork> network_;
   OnNotice tell_;
   std::array<const Session*, soccer::kPlayersOnPitch> told_{};  ///< sessions that were told of
   std::int64_t missed_cycles_ = 0;
   int missed_in_a_row_ = 0;
+  StepClock::Lateness lateness_;
 };
 
 }  // namespace cls::simulator

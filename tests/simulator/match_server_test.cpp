@@ -23,14 +23,14 @@ class MatchServerTest : public testing::Test {
 
   /// Connects a client; an error is returned as its text, success as an empty one.
   std::string connect(const std::string& request) {
-    const auto answer = server_->admit(request);
+    const auto answer = server_->admit(Door::kGame, request);
     if (const auto* error = std::get_if<soccer::ErrorCode>(&answer)) {
       std::string text;
       soccer::format(*error, text);
       return text;
     }
     auto [server_end, client_end] = soccer::make_memory_channel();
-    slot_ = std::get<Admission>(answer).slot;
+    slot_ = std::get<Admission>(answer).client;
     clients_[slot_] = std::move(client_end);
     server_->greet(std::get<Admission>(answer), std::move(server_end), request);
     return "";

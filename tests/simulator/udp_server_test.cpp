@@ -20,6 +20,7 @@ UdpConfig quick_match() {
   UdpConfig config;
   config.port = 0;
   config.match.seed = 7;
+  config.match.server.synch_mode = true;
   config.match.server.auto_mode = true;
   config.match.server.kick_off_wait = 5;
   config.match.server.connect_wait = 1000000;
@@ -238,6 +239,97 @@ TEST(UdpServer, NamesAnAddressThatIsNone) {
   const auto server = UdpServer::open(config);
   ASSERT_FALSE(server);
   EXPECT_EQ(server.error().message, "cannot listen on localhorst port 0: Invalid argument");
+}
+
+/// Cycles of 20 ms, so that a test is short.
+UdpConfig match_in_real_time() {
+  UdpConfig config = quick_match();
+  config.match.server.synch_mode = false;
+  config.match.server.simulator_step = 20;
+  config.match.server.sense_body_step = 20;
+  config.match.server.send_step = 30;
+  config.match.server.half_time = 1;
+  return config;
+}
+
+using Clock = std::chrono::steady_clock;
+
+TEST(UdpServer, KeepsRealTime) {
+  RunningServer running(match_in_real_time());
+  UdpClient client(running.port);
+  client.send("(init A (version 18))");
+  ASSERT_EQ(client.wait(), "(init l 1 before_kick_off)");
+  int senses = 0;
+  const auto begin = Clock::now();
+  while (senses < 40) senses += client.wait().starts_with("(sense_body 0 ") ? 1 : 0;
+  const double ms = std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
+  EXPECT_GT(ms, 39 * 20 - 5.0);
+  EXPECT_EQ(running.end(), UdpEnd::kStopped);
+  // A loaded machine may be late, but nothing makes time run faster.
+  const StepClock::Lateness lateness = running.server->lateness();
+  EXPECT_GE(lateness.steps, 40);
+  EXPECT_GE(lateness.worst_ms, lateness.mean_ms);
+}
+
+TEST(UdpServer, InRealTimeAsksNobodyToThinkAndSaysSo) {
+  RunningServer running(match_in_real_time());
+  UdpClient client(running.port);
+  client.send("(init A (version 18))");
+  bool told = false;
+  for (int senses = 0; senses < 10;) {
+    const std::string message = client.wait();
+    ASSERT_FALSE(message.empty());
+    EXPECT_NE(message, "(think)");
+    if (message.starts_with("(server_param")) {
+      told = message.find("(synch_mode 0)") != std::string::npos;
+    }
+    senses += message.starts_with("(sense_body") ? 1 : 0;
+  }
+  EXPECT_TRUE(told);
+}
+
+TEST(UdpServer, InRealTimeCarriesOutCommandsWithoutADone) {
+  RunningServer running(match_in_real_time());
+  UdpClient client(running.port);
+  client.send("(init A (version 18))");
+  ASSERT_EQ(client.wait(), "(init l 1 before_kick_off)");
+  client.send("(turn 90)(score)");
+  std::string message = client.wait();
+  while (!message.empty() && !message.starts_with("(score")) message = client.wait();
+  EXPECT_EQ(message, "(score 0 0 0)");
+  while (!message.empty() && message.find("(turn 1)") == std::string::npos) message = client.wait();
+  EXPECT_TRUE(message.starts_with("(sense_body 0 ")) << message;
+}
+
+TEST(UdpServer, InRealTimeAClientThatNeverAnswersStopsNobody) {
+  UdpConfig config = match_in_real_time();
+  config.match.server.connect_wait = 2;
+  config.match.server.game_over_wait = 2;
+  RunningServer running(config);
+  UdpClient client(running.port);
+  client.send("(init A (version 18))");
+  EXPECT_EQ(running.wait(), UdpEnd::kFinished);
+  EXPECT_EQ(running.server->world().mode, PlayMode::kTimeOver);
+}
+
+// Without synch_see, a normal view is due every send_step, whatever the length of a cycle.
+TEST(UdpServer, InRealTimeSeeComesAtItsOwnTimes) {
+  UdpConfig config = match_in_real_time();
+  config.match.server.simulator_step = 100;
+  config.match.server.sense_body_step = 100;
+  config.match.server.send_step = 150;
+  RunningServer running(config);
+  UdpClient client(running.port);
+  client.send("(init A (version 14))");
+  int senses = 0;
+  int sees = 0;
+  while (senses < 16) {
+    const std::string message = client.wait();
+    ASSERT_FALSE(message.empty());
+    if (senses > 0 && message.starts_with("(see ")) ++sees;
+    if (message.starts_with("(sense_body")) ++senses;
+  }
+  EXPECT_EQ(sees, 10);  // in 15 cycles
 }
 
 }  // namespace
