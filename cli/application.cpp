@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/check_command.h"
 #include "cli/convert_command.h"
 #include "cli/exit_code.h"
 #include "cli/match_command.h"
@@ -52,10 +53,21 @@ std::vector<std::string_view> known_words(const CLI::App& app, std::vector<std::
   return {storage.begin(), storage.end()};
 }
 
-int report_mistake(const CLI::App& app, const CLI::ParseError& error) {
+// What the words up to the mistake have chosen.
+const CLI::App& innermost_command(const CLI::App& app) {
   const std::vector<CLI::App*> chosen = app.get_subcommands();
-  const CLI::App& place = chosen.empty() ? app : *chosen.front();
-  const std::string help = chosen.empty() ? "cls --help" : "cls " + place.get_name() + " --help";
+  return chosen.empty() ? app : innermost_command(*chosen.front());
+}
+
+// "cls check perception".
+std::string full_name(const CLI::App& command) {
+  const CLI::App* parent = command.get_parent();
+  return parent == nullptr ? command.get_name() : full_name(*parent) + " " + command.get_name();
+}
+
+int report_mistake(const CLI::App& app, const CLI::ParseError& error) {
+  const CLI::App& place = innermost_command(app);
+  const std::string help = full_name(place) + " --help";
   const std::vector<std::string> unknown = app.remaining(true);
   if (unknown.empty()) {
     fmt::print(stderr, "cls: {} (see {})\n", error.what(), help);
@@ -64,7 +76,8 @@ int report_mistake(const CLI::App& app, const CLI::ParseError& error) {
   const std::string& word = unknown.front();
   std::vector<std::string> storage;
   const std::string_view near = soccer::nearest_name(word, known_words(place, storage));
-  const char* kind = word.starts_with("-") ? "option" : chosen.empty() ? "command" : "argument";
+  const bool has_commands = !place.get_subcommands({}).empty();
+  const char* kind = word.starts_with("-") ? "option" : has_commands ? "command" : "argument";
   fmt::print(stderr, "cls: unknown {} '{}'", kind, word);
   if (near.empty()) {
     fmt::print(stderr, " (see {})\n", help);
@@ -86,6 +99,7 @@ int run_application(int argc, const char* const* argv) {
   add_results_command(app, exit_code);
   add_stats_command(app, exit_code);
   add_convert_command(app, exit_code);
+  add_check_command(app, exit_code);
   add_mock_command(app, exit_code);
   add_proxy_command(app, exit_code);
   add_server_command(app, exit_code);

@@ -183,4 +183,16 @@ soccer::Result<std::unique_ptr<ByteSource>> open_source(const std::string& path)
   return unpacked(std::move(file));
 }
 
+std::string read_all(ByteSource& source) {
+  constexpr std::size_t kChunk = 1 << 16;
+  std::string bytes;
+  for (;;) {
+    const std::size_t size = bytes.size();
+    bytes.resize(size + kChunk);
+    const std::size_t count = source.read(bytes.data() + size, kChunk);
+    bytes.resize(size + count);
+    if (count == 0) return bytes;
+  }
+}
+
 }  // namespace cls::gamelog

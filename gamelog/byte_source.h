@@ -53,4 +53,7 @@ std::unique_ptr<ByteSource> unpacked(std::unique_ptr<ByteSource> inner);
 /// The unpacked bytes of a file; "-" is standard input. The error names the path and the reason.
 soccer::Result<std::unique_ptr<ByteSource>> open_source(const std::string& path);
 
+/// Everything that is left; whether that is the whole, problem() of the source tells.
+std::string read_all(ByteSource& source);
+
 }  // namespace cls::gamelog

@@ -20,8 +20,8 @@ void PerceptionError::add(const WorldModel& world, const Truth& truth) {
   if (world.ball.pos_count == 0) {
     ball_.push_back(soccer::distance(world.ball.position, own(truth.ball_position)));
   }
-  if (world.ball.vel_count == 0) {
-    ball_velocity_.push_back(soccer::distance(world.ball.velocity, own(truth.ball_velocity)));
+  if (world.ball.vel_count == 0 && truth.ball_velocity) {
+    ball_velocity_.push_back(soccer::distance(world.ball.velocity, own(*truth.ball_velocity)));
   }
   const auto add_team = [&](const PlayerList& players, std::vector<double>& errors) {
     for (const PlayerState& player : players) {

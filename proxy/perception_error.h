@@ -24,7 +24,7 @@ struct Truth {
     double body = 0.0;  ///< degrees
   };
   soccer::Vec2 ball_position;
-  soccer::Vec2 ball_velocity;
+  std::optional<soccer::Vec2> ball_velocity;            ///< game logs of versions 1 and 2 have none
   std::array<Player, soccer::kPlayersOnPitch> players;  ///< by slot
 };
 

@@ -24,6 +24,7 @@ class Replay {
     soccer::GameRequest request;
     if (!soccer::parse(text, request)) {
       if (const auto* init = std::get_if<soccer::PlayerInit>(&request)) init_ = *init;
+      if (const auto* again = std::get_if<soccer::PlayerReconnect>(&request)) reconnect_ = *again;
       return;
     }
     if (undecided_) {
@@ -77,6 +78,9 @@ class Replay {
     if (!parsed) return parsed;
     if (const auto* init = std::get_if<soccer::PlayerInitReply>(&reply)) {
       on_init(world_, *init, init_.team, init_.goalie);
+    } else if (const auto* back = std::get_if<soccer::ReconnectReply>(&reply)) {
+      on_init(world_, {back->side, reconnect_.unum, back->mode}, soccer::TeamName(reconnect_.team),
+              world_.goalie);
     } else if (const auto* change = std::get_if<soccer::PlayerTypeChange>(&reply)) {
       on_change_player_type(world_, *change);
     }
@@ -86,6 +90,7 @@ class Replay {
   const OnDecision& on_decision_;
   WorldModel world_;
   soccer::PlayerInit init_;
+  soccer::PlayerReconnect reconnect_;
   bool undecided_ = false;
   std::vector<soccer::PlayerCommand> commands_;
   soccer::SenseBody sense_;
@@ -98,31 +103,31 @@ class Replay {
 
 }  // namespace
 
-Result<WorldModel> replay_transcript(std::string_view transcript, const OnDecision& on_decision) {
+TranscriptReplay replay_transcript(std::string_view transcript, const OnDecision& on_decision) {
   Replay replay(on_decision);
-  std::size_t number = 0;
-  while (!transcript.empty()) {
-    ++number;
+  TranscriptReplay result;
+  for (std::size_t number = 1; !transcript.empty(); ++number) {
     const std::size_t end = transcript.find('\n');
-    const std::string_view line = transcript.substr(0, end);
+    std::string_view line = transcript.substr(0, end);
     transcript.remove_prefix(end == std::string_view::npos ? transcript.size() : end + 1);
+    if (line.ends_with('\r')) line.remove_suffix(1);
     if (line.empty() || line.front() == '#') continue;
     const std::size_t first = line.find('\t');
     const std::size_t second = first == std::string_view::npos ? first : line.find('\t', first + 1);
-    if (second == std::string_view::npos) {
-      return soccer::Error{"line " + std::to_string(number) + ": not a transcript line"};
-    }
-    const std::string_view message = line.substr(second + 1);
-    if (line.starts_with("C>S")) {
-      replay.sent(message);
+    const bool sent = line.starts_with("C>S\t");
+    if (second == std::string_view::npos || (!sent && !line.starts_with("S>C\t"))) {
+      result.damage.push_back({number, "not a transcript line"});
       continue;
     }
-    const Result<void> taken = replay.received(message);
-    if (!taken) {
-      return soccer::Error{"line " + std::to_string(number) + ": " + taken.error().message};
+    const std::string_view message = line.substr(second + 1);
+    if (sent) {
+      replay.sent(message);
+    } else if (const Result<void> taken = replay.received(message); !taken) {
+      result.damage.push_back({number, taken.error().message});
     }
   }
-  return std::move(replay).world();
+  result.world = std::move(replay).world();
+  return result;
 }
 
 }  // namespace cls::proxy

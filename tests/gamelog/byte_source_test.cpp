@@ -37,7 +37,7 @@ struct Everything {
   std::string problem;
 };
 
-Everything read_all(ByteSource& source, std::size_t block = 1000) {
+Everything read_in_chunks(ByteSource& source, std::size_t block = 1000) {
   Everything result;
   std::string buffer(block, '\0');
   while (const std::size_t count = source.read(buffer.data(), buffer.size())) {
@@ -48,7 +48,7 @@ Everything read_all(ByteSource& source, std::size_t block = 1000) {
 }
 
 Everything unpack(std::string_view bytes) {
-  return read_all(*unpacked(std::make_unique<MemorySource>(bytes)));
+  return read_in_chunks(*unpacked(std::make_unique<MemorySource>(bytes)));
 }
 
 TEST(Unpacked, GivesPlainBytesAsTheyAre) {
@@ -94,7 +94,7 @@ TEST(OpenSource, ReadsAFileAndNamesOneThatIsNotThere) {
   std::ofstream(path) << "ULG6\n";
   auto source = open_source(path);
   ASSERT_TRUE(source);
-  EXPECT_EQ(read_all(**source).bytes, "ULG6\n");
+  EXPECT_EQ(read_in_chunks(**source).bytes, "ULG6\n");
   EXPECT_EQ(open_source("/nonexistent/game.rcg").error().message,
             "cannot open '/nonexistent/game.rcg': No such file or directory");
   EXPECT_EQ(open_source(folder.path().string()).error().message,

@@ -1,0 +1,154 @@
+// Transcript and log side by side.
+#include "orchestration/checks/perception_check.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+namespace cls::orchestration {
+namespace {
+
+using gamelog::MatchRecord;
+using gamelog::RcgVersion;
+using proxy::ErrorSummary;
+using soccer::Side;
+
+/// Frames by time and how many frames had the same time before.
+using FrameIndex = std::map<std::pair<int, int>, std::size_t>;
+
+FrameIndex index_frames(const MatchRecord& log) {
+  FrameIndex index;
+  std::map<int, int> repeated;
+  for (std::size_t frame = 0; frame < log.frames(); ++frame) {
+    index[{log.time[frame], repeated[log.time[frame]]++}] = frame;
+  }
+  return index;
+}
+
+proxy::Truth truth_of(const MatchRecord& log, std::size_t frame) {
+  proxy::Truth truth;
+  truth.ball_position = log.ball_position[frame];
+  if (log.version != RcgVersion::kV1 && log.version != RcgVersion::kV2) {
+    truth.ball_velocity = log.ball_velocity[frame];
+  }
+  for (std::size_t slot = 0; slot < gamelog::kSlots; ++slot) {
+    const std::size_t entry = frame * gamelog::kSlots + slot;
+    truth.players[slot] = {is_enabled(log, entry), log.players.position[entry],
+                           log.players.body[entry]};
+  }
+  return truth;
+}
+
+// Types are drawn anew for each match. Those that the player was not told are the default one.
+bool same_types(const proxy::MatchParameters& told, const MatchRecord& log) {
+  constexpr double kRounding = 1e-4;  // of binary logs
+  for (std::size_t i = 1; i < std::min(told.types.size(), log.types.size()); ++i) {
+    const double speed = told.types[i].player_speed_max;
+    const double reach = told.types[i].kickable_margin;
+    const bool is_default =
+        speed == told.types[0].player_speed_max && reach == told.types[0].kickable_margin;
+    if (is_default) continue;
+    if (std::fabs(speed - log.types[i].player_speed_max) > kRounding ||
+        std::fabs(reach - log.types[i].kickable_margin) > kRounding) {
+      return false;
+    }
+  }
+  return true;
+}
+
+soccer::Result<void> belong_together(const proxy::WorldModel& world, const MatchRecord& log) {
+  if (world.unum == 0) {
+    return soccer::Error{"no player joins in it (no answer to init or reconnect that we can read)"};
+  }
+  const gamelog::TeamFrames& teams = log.final_teams();
+  const std::string_view recorded = teams[world.our_side == Side::kRight ? 1 : 0].name;
+  const std::string_view name = world.our_team_name.view();
+  if (!name.empty() && !recorded.empty() && name != recorded) {
+    return soccer::Error{fmt::format("its player is of team '{}' on the {}, the log has '{}' there",
+                                     name, world.our_side == Side::kRight ? "right" : "left",
+                                     recorded)};
+  }
+  if (!same_types(*world.parameters, log)) {
+    return soccer::Error{"its player types are not those of the log: another match"};
+  }
+  return {};
+}
+
+struct Row {
+  const char* name;
+  const char* unit;
+  const char* key;
+  ErrorSummary error;
+};
+
+std::vector<Row> rows(const proxy::PerceptionError& errors) {
+  return {{"own position", "m", "self", errors.self()},
+          {"body angle", "deg", "body_angle", errors.body_angle()},
+          {"ball", "m", "ball", errors.ball()},
+          {"ball velocity", "m/cycle", "ball_velocity", errors.ball_velocity()},
+          {"teammates", "m", "teammates", errors.teammates()},
+          {"opponents", "m", "opponents", errors.opponents()}};
+}
+
+}  // namespace
+
+soccer::Result<PerceptionCheck> check_perception(std::string_view transcript,
+                                                 const MatchRecord& log) {
+  PerceptionCheck check;
+  const FrameIndex frames = index_frames(log);
+  proxy::TranscriptReplay replay =
+      proxy::replay_transcript(transcript, [&](const proxy::WorldModel& world) {
+        const auto frame = frames.find({world.game.time.cycle, world.game.time.stopped});
+        if (frame == frames.end() || world.unum == 0) return;
+        ++check.decisions;
+        check.errors.add(world, truth_of(log, frame->second));
+      });
+  if (const auto fits = belong_together(replay.world, log); !fits) return fits.error();
+  if (check.decisions == 0) {
+    return soccer::Error{"its player decides in no cycle that the log has"};
+  }
+  check.team = replay.world.our_team_name.view();
+  check.side = replay.world.our_side;
+  check.unum = replay.world.unum;
+  check.damage = std::move(replay.damage);
+  return check;
+}
+
+std::string to_text(const PerceptionCheck& check) {
+  std::string text =
+      fmt::format("player {} of {} ({}), {} cycles of play_on\n\n", check.unum,
+                  check.team.empty() ? "an unnamed team" : check.team,
+                  check.side == Side::kRight ? "right" : "left", check.errors.cycles());
+  text += fmt::format("{:14} {:8} {:>9} {:>9} {:>9}\n", "error of", "in", "mean", "p95", "samples");
+  for (const Row& row : rows(check.errors)) {
+    if (row.error.n == 0) {
+      text += fmt::format("{:14} {:8} {:>9} {:>9} {:>9}\n", row.name, row.unit, "-", "-", 0);
+      continue;
+    }
+    text += fmt::format("{:14} {:8} {:9.3f} {:9.3f} {:9}\n", row.name, row.unit, row.error.mean,
+                        row.error.p95, row.error.n);
+  }
+  return text;
+}
+
+std::string to_json(const PerceptionCheck& check) {
+  nlohmann::ordered_json document = {{"schema", "cls.perception/1"},
+                                     {"team", check.team},
+                                     {"side", check.side == Side::kRight ? "right" : "left"},
+                                     {"player", check.unum},
+                                     {"cycles", check.errors.cycles()}};
+  for (const Row& row : rows(check.errors)) {
+    nlohmann::ordered_json& error = document[row.key];
+    error = {{"mean", nullptr}, {"p95", nullptr}, {"n", row.error.n}};
+    if (row.error.n == 0) continue;
+    error["mean"] = row.error.mean;
+    error["p95"] = row.error.p95;
+  }
+  return document.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace cls::orchestration

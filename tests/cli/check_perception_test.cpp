@@ -1,0 +1,121 @@
+// `cls check perception` as a user meets it.
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "tests/support/command.h"
+#include "tests/support/files.h"
+#include "tests/support/temporary_folder.h"
+
+namespace {
+
+using cls::tests::cls_binary;
+using cls::tests::CommandResult;
+using cls::tests::data;
+using cls::tests::fixture;
+using cls::tests::read_file;
+using cls::tests::TemporaryFolder;
+using nlohmann::json;
+
+CommandResult check(const std::string& transcript, const std::string& truth, bool as_json = false) {
+  std::vector<std::string> arguments = {cls_binary(), "check",   "perception",
+                                        transcript,   "--truth", truth};
+  if (as_json) arguments.push_back("--json");
+  return cls::tests::run(arguments);
+}
+
+std::string transcript_fixture() { return fixture("perception/player_7.txt.gz").string(); }
+std::string log_fixture() { return fixture("perception/game.rcg.gz").string(); }
+
+TEST(CheckPerception, PrintsOneDocumentByTheContract) {
+  const CommandResult result = check(transcript_fixture(), log_fixture(), true);
+  const json document = json::parse(result.out);
+  EXPECT_EQ(document["schema"], "cls.perception/1");
+  EXPECT_EQ(document["player"], 7);
+  EXPECT_EQ(document["team"], "PROXY");
+  EXPECT_EQ(document["cycles"], 97);
+  EXPECT_LT(document["self"]["mean"], 0.015);
+  EXPECT_LT(document["body_angle"]["p95"], 1.5);
+  EXPECT_GE(document["ball"]["n"], 66);
+  for (const char* what : {"ball_velocity", "teammates", "opponents"}) {
+    EXPECT_GT(document[what]["mean"], 0.0) << what;
+    EXPECT_GE(document[what]["p95"], document[what]["mean"]) << what;
+    EXPECT_GT(document[what]["n"], 0) << what;
+  }
+}
+
+// The numbers themselves: PerceptionReplay in tests/proxy.
+TEST(CheckPerception, PassesOnWholeLogs) {
+  const auto log = data("aligned/game.rcg.gz");
+  if (!log) GTEST_SKIP() << "no data: set CLS_DATA";
+  for (const char* name : {"player_l1_goalie", "player_l4", "player_l7", "player_l10"}) {
+    const CommandResult result = check(*data(std::string("aligned/udp/") + name + ".txt.gz"), *log);
+    EXPECT_EQ(result.exit_code, 0) << name << ": " << result.err;
+    EXPECT_EQ(result.err, "");
+    EXPECT_NE(result.out.find("of PROXY (left), "), std::string::npos) << result.out;
+  }
+}
+
+TEST(CheckPerception, RefusesTheLogOfAnotherMatch) {
+  const auto log = data("aligned/game.rcg.gz");
+  const auto same_name = data("udp/synch/player_r11.txt.gz");
+  const auto coach = data("aligned/udp/coach_l.txt.gz");
+  const auto other_name = data("udp/synch/player_l9.txt.gz");
+  if (!log || !same_name || !coach || !other_name) GTEST_SKIP() << "no data: set CLS_DATA";
+  const auto expect_refusal = [&](const std::string& transcript, const char* why) {
+    const CommandResult result = check(transcript, *log);
+    EXPECT_EQ(result.exit_code, 65);
+    EXPECT_EQ(result.out, "");
+    EXPECT_NE(result.err.find(why), std::string::npos) << result.err;
+  };
+  expect_refusal(*same_name, "its player types are not those of the log");
+  expect_refusal(*other_name, "its player is of team 'HELIOS_L' on the left, the log has 'PROXY'");
+  expect_refusal(*coach, "no player joins in it");
+}
+
+TEST(CheckPerception, KeepsWhatStandsBeforeTheDamage) {
+  const TemporaryFolder folder;
+  const std::string path = folder.path() / "cut.txt";
+  const std::string whole = read_file(transcript_fixture());
+  std::ofstream(path) << whole.substr(0, whole.size() * 5 / 6) << "\nnonsense\n";
+  const CommandResult result = check(path, log_fixture(), true);
+  EXPECT_EQ(result.exit_code, 65);
+  EXPECT_NE(result.err.find(": not a transcript line"), std::string::npos) << result.err;
+  const int cycles = json::parse(result.out)["cycles"];
+  EXPECT_GT(cycles, 0);
+  EXPECT_LT(cycles, 97);
+}
+
+TEST(CheckPerception, UnpacksWhatACutGzipFileHolds) {
+  const TemporaryFolder folder;
+  const std::string path = folder.path() / "cut.txt.gz";
+  std::ifstream packed(transcript_fixture(), std::ios::binary);
+  std::string bytes((std::istreambuf_iterator<char>(packed)), std::istreambuf_iterator<char>());
+  std::ofstream(path, std::ios::binary) << bytes.substr(0, bytes.size() * 5 / 6);
+  const CommandResult result = check(path, log_fixture(), true);
+  EXPECT_EQ(result.exit_code, 65);
+  EXPECT_NE(result.err.find("gzip data is cut off"), std::string::npos) << result.err;
+  EXPECT_EQ(json::parse(result.out)["player"], 7);
+}
+
+TEST(CheckPerception, SaysWhatItCannotUse) {
+  const TemporaryFolder folder;
+  EXPECT_EQ(check("nowhere.txt", log_fixture()).exit_code, 66);
+  EXPECT_EQ(check(transcript_fixture(), "nowhere.rcg").exit_code, 66);
+  const std::string path = folder.path() / "empty.txt";
+  std::ofstream(path) << "# nothing\n";
+  const CommandResult nobody = check(path, log_fixture());
+  EXPECT_EQ(nobody.exit_code, 65);
+  EXPECT_NE(nobody.err.find("no player joins in it"), std::string::npos) << nobody.err;
+  EXPECT_EQ(nobody.out, "");
+  EXPECT_EQ(check(transcript_fixture(), path).exit_code, 65);
+  const CommandResult usage = cls::tests::run({cls_binary(), "check", "perception", path});
+  EXPECT_EQ(usage.exit_code, 2);
+  EXPECT_NE(usage.err.find("cls check perception --help"), std::string::npos) << usage.err;
+  const CommandResult slip = cls::tests::run({cls_binary(), "check", "perceptoin"});
+  EXPECT_EQ(slip.exit_code, 2);
+  EXPECT_NE(slip.err.find("did you mean 'perception'?"), std::string::npos) << slip.err;
+}
+
+}  // namespace
