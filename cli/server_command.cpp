@@ -80,7 +80,6 @@ std::vector<std::string> refusals(const soccer::ServerParams& server) {
   const auto refuse = [&lines](bool asked, const char* what) {
     if (asked) lines.push_back(fmt::format("{}: not in this server yet", what));
   };
-  refuse(!server.auto_mode, "kick-off by a monitor (server::auto_mode=off)");
   refuse(server.coach || server.coach_w_referee, "a trainer (server::coach, coach_w_referee)");
   refuse(!server.team_l_start.empty() || !server.team_r_start.empty(),
          "starting teams (server::team_l_start, team_r_start)");
@@ -131,10 +130,19 @@ void print_notice(const UdpServer& server, const simulator::UdpNotice& notice) {
     fmt::print(stderr, "Someone missed a cycle at {}\n", world.clock.time);
     return;
   }
-  const soccer::Side side = soccer::side_of_slot(notice.slot);
+  const bool connected = notice.kind == simulator::UdpNotice::Kind::kConnected;
+  if (!simulator::is_player(notice.client)) {
+    const std::string line = connected
+                                 ? fmt::format("A new (v{}) monitor connected.", notice.version)
+                                 : "A monitor disconnected";
+    fmt::print("{}\n", line);
+    std::fflush(stdout);
+    return;
+  }
+  const soccer::Side side = soccer::side_of_slot(notice.client);
   const std::string who =
-      fmt::format("({} {})", world.team(side).name.view(), soccer::unum_of_slot(notice.slot));
-  if (notice.kind == simulator::UdpNotice::Kind::kConnected) {
+      fmt::format("({} {})", world.team(side).name.view(), soccer::unum_of_slot(notice.client));
+  if (connected) {
     fmt::print("A new (v{}) player {} connected.\n", notice.version, who);
   } else {
     fmt::print("A player disconnected : {}\n", who);

@@ -1,9 +1,11 @@
 // Where each parameter lies in the binary blocks.
 #include "gamelog/binary_params.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <cstdint>
+#include <numeric>
 #include <variant>
 
 #include "soccer/parameter.h"
@@ -180,6 +182,20 @@ constexpr Field<P> kPlayerFields[] = {
 };
 constexpr std::size_t kRandomSeedOffset = 72;
 
+// Quantisation steps that the server has no parameters for.
+constexpr std::size_t kFirstUnset = 300;
+constexpr std::size_t kLastUnset = 324;
+
+/// After how many ms everything that has a step of its own falls together again.
+int common_step(const soccer::ServerParams& params) {
+  int step = 1;
+  for (const int one : {params.simulator_step, params.send_step, params.recv_step,
+                        params.sense_body_step, params.send_vi_step}) {
+    if (one > 0 && step < 32768) step = std::lcm(step, std::min(one, 32767));
+  }
+  return step;
+}
+
 // In a type they are rounded, and have more than four decimals.
 constexpr double soccer::PlayerType::*kTypeFields[] = {
     &soccer::PlayerType::player_speed_max,
@@ -198,6 +214,40 @@ constexpr double soccer::PlayerType::*kTypeFields[] = {
     &soccer::PlayerType::catchable_area_l_stretch,
 };
 constexpr std::size_t kFirstTypeField = 4;
+
+void put(std::string& block, std::size_t offset, std::string_view bytes) {
+  block.replace(offset, bytes.size(), bytes);
+}
+
+// Both kinds of block hold reals as they were cut or rounded by the server.
+struct BlockWriter {
+  std::string& block;
+  std::size_t offset;
+  Rounding rounding;
+
+  void operator()(double value) const {
+    std::string bytes;
+    write_real(value, rounding, bytes);
+    put(block, offset, bytes);
+  }
+  void operator()(int value) const {
+    std::string bytes;
+    write_int16(value, bytes);
+    put(block, offset, bytes);
+  }
+  void operator()(bool value) const { (*this)(value ? 1 : 0); }
+};
+
+template <typename Params, std::size_t kCount>
+std::string block_of(const Params& params, const Field<Params> (&fields)[kCount], std::size_t size,
+                     Rounding rounding) {
+  std::string block(size, '\0');
+  for (const Field<Params>& field : fields) {
+    const BlockWriter write{block, field.offset, rounding};
+    std::visit([&](auto member) { write(params.*member); }, field.member);
+  }
+  return block;
+}
 
 }  // namespace
 
@@ -231,6 +281,55 @@ void read_player_type(std::string_view block, soccer::PlayerType& type) {
     type.*member = read_real(at);
     at += 4;
   }
+}
+
+void write_int16(int value, std::string& out) {
+  value = std::clamp(value, -32768, 65535);
+  out += static_cast<char>(value >> 8);
+  out += static_cast<char>(value);
+}
+
+void write_int32(std::int64_t value, std::string& out) {
+  value = std::clamp<std::int64_t>(value, INT32_MIN, INT32_MAX);
+  for (const int shift : {24, 16, 8, 0}) out += static_cast<char>(value >> shift);
+}
+
+void write_real(double value, Rounding rounding, std::string& out) {
+  double scaled = std::clamp(value * kRealScale, -2147483648.0, 2147483647.0);
+  if (rounding == Rounding::kNearest) scaled = std::rint(scaled);
+  if (rounding == Rounding::kHalfAndCut) scaled += 0.5;
+  write_int32(static_cast<std::int64_t>(scaled), out);
+}
+
+void write_server_params(const soccer::ServerParams& params, std::string& out) {
+  std::string block = block_of(params, kServerFields, kServerParamSize, Rounding::kCut);
+  const auto write = [&block](std::size_t offset, auto value) {
+    BlockWriter{block, offset, Rounding::kCut}(value);
+  };
+  // What follows from others.
+  write(144, params.control_radius - params.player_size);
+  write(204, params.kickable_margin + params.ball_size + params.player_size);
+  write(264, common_step(params));
+  write(340, params.slowness_on_top_for_left_team);
+  for (std::size_t offset = kFirstUnset; offset <= kLastUnset; offset += 4) write(offset, -1.0);
+  out += block;
+}
+
+void write_player_params(const soccer::PlayerParams& params, std::string& out) {
+  std::string block = block_of(params, kPlayerFields, kPlayerParamSize, Rounding::kHalfAndCut);
+  std::string seed;
+  write_int32(params.random_seed, seed);
+  put(block, kRandomSeedOffset, seed);
+  out += block;
+}
+
+void write_player_type(const soccer::PlayerType& type, std::string& out) {
+  std::string block;
+  write_int16(type.id, block);
+  block.resize(kFirstTypeField, '\0');
+  for (const auto member : kTypeFields) write_real(type.*member, Rounding::kHalfAndCut, block);
+  block.resize(kPlayerTypeSize, '\0');
+  out += block;
 }
 
 }  // namespace cls::gamelog

@@ -1,7 +1,9 @@
-// Parameters as version 3 logs hold them: fixed places in binary blocks.
+// Parameters as version 3 logs and version 2 monitors have them: fixed places in binary blocks.
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <string>
 #include <string_view>
 
 #include "soccer/player_params.h"
@@ -24,5 +26,20 @@ double read_real(const char* at);
 void read_server_params(std::string_view block, soccer::ServerParams& params);
 void read_player_params(std::string_view block, soccer::PlayerParams& params);
 void read_player_type(std::string_view block, soccer::PlayerType& type);
+
+// The other way: each appends its bytes. What is out of a number's range is cut to it.
+enum class Rounding : std::uint8_t {
+  kNearest,
+  kCut,        ///< towards zero
+  kHalfAndCut  ///< a half is added, then towards zero
+};
+void write_int16(int value, std::string& out);
+void write_int32(std::int64_t value, std::string& out);
+void write_real(double value, Rounding rounding, std::string& out);
+
+// Each appends a block of the size above; spare places are NUL.
+void write_server_params(const soccer::ServerParams& params, std::string& out);
+void write_player_params(const soccer::PlayerParams& params, std::string& out);
+void write_player_type(const soccer::PlayerType& type, std::string& out);
 
 }  // namespace cls::gamelog

@@ -89,7 +89,7 @@ void append_counters(const CommandCounts& c, std::string& out) {
   }
 }
 
-void append_player(int slot, const PlayerFrame& player, std::string& out) {
+void append_player(int slot, const PlayerFrame& player, JsonShow form, std::string& out) {
   out += '{';
   append_word("side", std::string(1, soccer::letter(soccer::side_of_slot(slot))), out);
   append_field("unum", soccer::unum_of_slot(slot), out);
@@ -107,6 +107,10 @@ void append_player(int slot, const PlayerFrame& player, std::string& out) {
   }
   append_word("vq", player.high_quality ? "h" : "l", out);
   append_field("vw", player.view_width, out);
+  if (form == JsonShow::kMonitor) {
+    append_field("fdist", player.focus_distance, out);
+    append_field("fdir", player.focus_direction, out);
+  }
   append_field("stamina", player.stamina, out);
   append_field("effort", player.effort, out);
   append_field("recovery", player.recovery, out);
@@ -115,7 +119,7 @@ void append_player(int slot, const PlayerFrame& player, std::string& out) {
     append_word("fside", std::string(1, soccer::letter(player.attention_side)), out);
     append_field("fnum", player.attention_unum, out);
   }
-  append_counters(player.counts, out);
+  if (form == JsonShow::kLog) append_counters(player.counts, out);
   out += '}';
 }
 
@@ -123,6 +127,26 @@ template <typename Params>
 bool is_bool(const soccer::ParameterTable<Params>& table, std::string_view name) {
   const auto* row = soccer::find_parameter(table, name);
   return row != nullptr && std::holds_alternative<bool Params::*>(row->member);
+}
+
+void append_teams(const TeamFrames& teams, std::string& out) {
+  for (std::size_t i = 0; i < teams.size(); ++i) {
+    const TeamFrame& team = teams[i];
+    append_key(i == 0 ? "l" : "r", out);
+    out += '{';
+    append_key("name", out);
+    if (team.name.empty()) {
+      out += "null";
+    } else {
+      append_string(team.name, out);
+    }
+    append_field("score", team.score, out);
+    if (team.penalties_taken() > 0) {
+      append_field("pen_score", team.penalty_scored, out);
+      append_field("pen_miss", team.penalty_missed, out);
+    }
+    out += '}';
+  }
 }
 
 bool is_bool(std::string_view kind, std::string_view name) {
@@ -238,29 +262,20 @@ void append_json_play_mode(int time, int stopped, soccer::PlayMode mode, std::st
 void append_json_team(int time, int stopped, const TeamFrames& teams, std::string& out) {
   begin("team", out);
   append_time(time, stopped, out);
-  for (std::size_t i = 0; i < teams.size(); ++i) {
-    const TeamFrame& team = teams[i];
-    append_key(i == 0 ? "l" : "r", out);
-    out += '{';
-    append_key("name", out);
-    if (team.name.empty()) {
-      out += "null";
-    } else {
-      append_string(team.name, out);
-    }
-    append_field("score", team.score, out);
-    if (team.penalties_taken() > 0) {
-      append_field("pen_score", team.penalty_scored, out);
-      append_field("pen_miss", team.penalty_missed, out);
-    }
-    out += '}';
-  }
+  append_teams(teams, out);
   out += "}}";
 }
 
-void append_json_show(const Frame& frame, std::string& out) {
+void append_json_show(const Frame& frame, std::string& out, JsonShow form) {
   begin("show", out);
   append_time(frame.time, frame.stopped, out);
+  if (form == JsonShow::kMonitor) {
+    append_word("mode", soccer::name(frame.mode), out);
+    append_key("team", out);
+    out += '{';
+    append_teams(frame.teams, out);
+    out += '}';
+  }
   append_key("ball", out);
   out += '{';
   append_length("x", frame.ball_position.x, out);
@@ -270,7 +285,7 @@ void append_json_show(const Frame& frame, std::string& out) {
   out += "},\"players\":[";
   for (int slot = 0; slot < soccer::kPlayersOnPitch; ++slot) {
     if (slot > 0) out += ',';
-    append_player(slot, frame.players[static_cast<std::size_t>(slot)], out);
+    append_player(slot, frame.players[static_cast<std::size_t>(slot)], form, out);
   }
   out += "]}}";
 }

@@ -25,8 +25,9 @@ void append_json_play_mode(int time, int stopped, soccer::PlayMode mode, std::st
 /// The penalty numbers of a team appear once it has taken a kick.
 void append_json_team(int time, int stopped, const TeamFrames& teams, std::string& out);
 
-/// Without the focus point, which JSON logs do not have.
-void append_json_show(const Frame& frame, std::string& out);
+/// Shows of logs have no focus point; those of monitors have it, mode and teams, but no counters.
+enum class JsonShow { kLog, kMonitor };
+void append_json_show(const Frame& frame, std::string& out, JsonShow form = JsonShow::kLog);
 
 /// A team graphic becomes an object of its own.
 void append_json_message(int time, int stopped, const Message& message, std::string& out);

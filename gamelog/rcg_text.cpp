@@ -151,6 +151,11 @@ void append_team(int time, const TeamFrames& teams, std::string& out) {
 void append_show(const Frame& frame, std::string& out, RcgVersion version) {
   out += "(show";
   append_count(frame.time, out);
+  append_objects(frame, out, version);
+  out += ")\n";
+}
+
+void append_objects(const Frame& frame, std::string& out, RcgVersion version) {
   out += " ((b)";
   append_lengths(frame.ball_position, out);
   append_lengths(frame.ball_velocity, out);
@@ -158,7 +163,6 @@ void append_show(const Frame& frame, std::string& out, RcgVersion version) {
   for (int slot = 0; slot < soccer::kPlayersOnPitch; ++slot) {
     append_player(slot, frame.players[static_cast<std::size_t>(slot)], version, out);
   }
-  out += ")\n";
 }
 
 void append_message(int time, int board, std::string_view text, std::string& out) {

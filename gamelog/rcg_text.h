@@ -33,6 +33,9 @@ void append_team(int time, const TeamFrames& teams, std::string& out);
 /// the count of its changes.
 void append_show(const Frame& frame, std::string& out, RcgVersion version = RcgVersion::kV6);
 
+/// Of such a line only ball and players, each behind a blank; nothing else, no line feed.
+void append_objects(const Frame& frame, std::string& out, RcgVersion version);
+
 /// `board` 1: referee, says, result, team graphics; 2: commands. Line feeds in the text become
 /// blanks; nothing else is escaped, as in the real log.
 void append_message(int time, int board, std::string_view text, std::string& out);

@@ -37,7 +37,18 @@ std::variant<Admission, ErrorCode> MatchServer::admit_at_game_door(std::string_v
   if (const auto* again = std::get_if<soccer::PlayerReconnect>(&request)) {
     return readmit_player(*again);
   }
-  return ErrorCode::kNoMoreMonitor;
+  return admit_monitor(std::get<soccer::MonitorInit>(request));
+}
+
+std::variant<Admission, ErrorCode> MatchServer::admit_monitor(const soccer::MonitorInit& init) {
+  // Cut to a whole number, as the real server does.
+  const bool known = init.version > -2.0 && init.version < 6.0;
+  const int version = known ? static_cast<int>(init.version) : 0;
+  if (version == 0) return ErrorCode::kIllegalClientVersion;
+  const auto seat = monitors_.admit(world_.params().max_monitors);
+  if (!seat) return ErrorCode::kNoMoreMonitor;
+  return Admission{*seat, version, false,
+                   gamelog::is_binary(static_cast<gamelog::MonitorVersion>(version))};
 }
 
 std::variant<Admission, ErrorCode> MatchServer::admit_player(const soccer::PlayerInit& init) {
@@ -49,10 +60,11 @@ std::variant<Admission, ErrorCode> MatchServer::admit_player(const soccer::Playe
   }
   const std::optional<Side> side = side_for(name);
   if (!side) return ErrorCode::kNoMoreTeam;
-  const int version = static_cast<int>(init.version);
-  if (version < soccer::kOldestProtocolVersion || version > soccer::kNewestProtocolVersion) {
+  if (init.version < soccer::kOldestProtocolVersion ||
+      init.version >= soccer::kNewestProtocolVersion + 1) {
     return ErrorCode::kNoMorePlayerOrGoalieOrIllegalVersion;
   }
+  const int version = static_cast<int>(init.version);
   const std::optional<Slot> slot = join(world_, *side, init.goalie, version);
   if (!slot) return ErrorCode::kNoMorePlayerOrGoalieOrIllegalVersion;
   return Admission{*slot, version, false};
@@ -88,10 +100,16 @@ std::optional<Side> MatchServer::side_for(std::string_view name) {
   return std::nullopt;
 }
 
-void MatchServer::withdraw(const Admission& admission) { leave(world_, admission.client); }
+void MatchServer::withdraw(const Admission& admission) {
+  if (is_player(admission.client)) leave(world_, admission.client);
+}
 
 void MatchServer::greet(const Admission& admission, std::unique_ptr<soccer::Channel> channel,
                         std::string_view request) {
+  if (!is_player(admission.client)) {
+    monitors_.attach(admission.client, admission.version, std::move(channel), *world_.rules);
+    return;
+  }
   const Slot slot = admission.client;
   recorder_.command(world_, slot, request);
   auto& client = sessions_[static_cast<std::size_t>(slot)];

@@ -55,12 +55,13 @@ void MatchServer::dispatch(const Event& event) {
   std::visit(
       Overloaded{[&](const RefereeSaid& said) { tell_referee(event.clock, said.text); },
                  [&](const PlayerSaid& said) {
+                   tell_monitors_of_words(event.clock, speaker_name(said.speaker), said.text);
                    for (auto& client : sessions_) {
                      if (client == nullptr) continue;
                      overhear(world_, said, client->slot(), client->hearing);
                    }
                  },
-                 [&](const TypeChanged& change) { tell_type(change); },
+                 [&](const TypeChanged& change) { tell_type(event.clock, change); },
                  [&](const GoalieAppointed& change) { tell_goalie(change); },
                  [&](const SentOff& sent_off) { lose(sent_off.slot); }, [](const ModeChanged&) {}},
       event.what);
@@ -68,6 +69,7 @@ void MatchServer::dispatch(const Event& event) {
 
 void MatchServer::tell_referee(Clock clock, const std::string& words) {
   recorder_.referee(clock, words);
+  tell_monitors_of_words(clock, "referee", words);
   soccer::Hear hear;
   hear.time = clock.time;
   hear.text = words;
@@ -76,7 +78,17 @@ void MatchServer::tell_referee(Clock clock, const std::string& words) {
   broadcast(text_);
 }
 
-void MatchServer::tell_type(const TypeChanged& change) {
+std::string MatchServer::speaker_name(Slot slot) const {
+  const Player& player = world_.player(slot);
+  std::string name = "(player ";
+  name += world_.team(player.side).name.view();
+  name += ' ' + std::to_string(player.unum);
+  return name + ')';
+}
+
+void MatchServer::tell_type(Clock clock, const TypeChanged& change) {
+  monitors_.tell(clock, "(change_player_type " + std::string(1, letter(change.side)) + ' ' +
+                            std::to_string(change.unum) + ' ' + std::to_string(change.type) + ')');
   for (auto& client : sessions_) {
     if (client == nullptr) continue;
     const bool own = soccer::side_of_slot(client->slot()) == change.side;

@@ -52,6 +52,7 @@ gamelog::Stamp stamp(Clock clock) { return {clock.time, clock.stoppage}; }
 
 void describe(const World& world, gamelog::Frame& out) {
   out.time = world.clock.time;
+  out.stopped = world.clock.stoppage;
   out.mode = world.mode;
   for (std::size_t i = 0; i < out.teams.size(); ++i) describe(world.teams[i], out.teams[i]);
   out.ball_position = world.ball.position;

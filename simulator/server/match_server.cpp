@@ -45,10 +45,13 @@ void MatchServer::record(gamelog::ByteSink* game_log, gamelog::ByteSink* text_lo
 }
 
 Connection* MatchServer::connection(ClientId client) {
-  return is_player(client) ? session(client) : nullptr;
+  return is_player(client) ? session(client) : monitors_.connection(client);
 }
 
 void MatchServer::receive(ClientId id, std::string_view datagram, bool null_terminated) {
+  if (!is_player(id)) {
+    return obey_monitor(id, datagram, null_terminated);
+  }
   Session* client = session(id);
   if (client == nullptr) return;
   if (client->inbox.add(datagram, null_terminated)) client->done = true;
@@ -60,6 +63,7 @@ void MatchServer::lose(ClientId id) {
 
 void MatchServer::disconnect_all() {
   for (auto& client : sessions_) client.reset();
+  monitors_.disconnect_all();
 }
 
 int MatchServer::connected() const {
@@ -114,6 +118,7 @@ void MatchServer::remove_lost() {
     if (world_.player(client->slot()).enabled) leave(world_, client->slot());
     client.reset();
   }
+  monitors_.remove_lost();
 }
 
 void MatchServer::step() {
@@ -124,6 +129,7 @@ void MatchServer::step() {
   simulator::step(world_, events_);
   dispatch_events();
   recorder_.step(world_);
+  monitors_.show(world_);
   finish_step(world_, events_);
   dispatch_events();
   ++steps_;

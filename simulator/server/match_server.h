@@ -14,11 +14,13 @@
 #include "simulator/event.h"
 #include "simulator/senses/vision.h"
 #include "simulator/server/match_recorder.h"
+#include "simulator/server/monitor_desk.h"
 #include "simulator/server/session.h"
 #include "simulator/world.h"
 #include "soccer/channel.h"
 #include "soccer/protocol/connection_request.h"
 #include "soccer/protocol/full_state.h"
+#include "soccer/protocol/monitor_command.h"
 #include "soccer/protocol/reply_code.h"
 #include "soccer/protocol/server_reply.h"
 #include "soccer/result.h"
@@ -44,6 +46,7 @@ struct Admission {
   ClientId client = kNobody;
   int version = 0;
   bool reconnected = false;
+  bool binary = false;  ///< its messages have no closing NUL on a network
 };
 
 /// The server without its network: who plays, what they sent, what they are told, what is logged.
@@ -52,6 +55,9 @@ struct Admission {
 /// and player, so that a client that joins or leaves changes nothing for the others.
 class MatchServer {
  public:
+  static constexpr std::size_t kMostClients =
+      static_cast<std::size_t>(kFirstMonitor) + MonitorDesk::kMostMonitors;
+
   /// The error names the parameter that makes no match.
   static soccer::Result<std::unique_ptr<MatchServer>> create(const MatchConfig& config);
 
@@ -70,8 +76,15 @@ class MatchServer {
   /// Instead of greet(), when the admitted client cannot be reached after all.
   void withdraw(const Admission& admission);
 
-  /// Keeps what a player's client sent until execute().
+  /// Keeps what a player's client sent until execute(); obeys a monitor at once.
   void receive(ClientId id, std::string_view datagram, bool null_terminated = true);
+
+  /// A client that is in has sent this to the door again. Old versions may; others are told that
+  /// it is for requests only.
+  void receive_at_door(ClientId id, std::string_view datagram, bool null_terminated);
+
+  /// What monitors send has no effect on the match from now on, so that it stays repeatable.
+  void let_monitors_only_watch() { monitors_only_watch_ = true; }
 
   /// The client is gone: a player leaves the pitch at the next execute().
   void lose(ClientId id);
@@ -125,14 +138,19 @@ class MatchServer {
   std::optional<Side> side_for(std::string_view name);
   void send_parameters(Session& session);
 
+  std::variant<Admission, soccer::ErrorCode> admit_monitor(const soccer::MonitorInit& init);
+
+  void obey_monitor(ClientId id, std::string_view datagram, bool null_terminated);
   void execute(Session& session);
   void execute(Session& session, const soccer::PlayerCommand& command);
   void remove_lost();
   void dispatch_events();
   void dispatch(const Event& event);
   void tell_referee(Clock clock, const std::string& words);
-  void tell_type(const TypeChanged& change);
+  void tell_type(Clock clock, const TypeChanged& change);
   void tell_goalie(const GoalieAppointed& change);
+  std::string speaker_name(Slot slot) const;
+  void tell_monitors_of_words(Clock clock, std::string_view speaker, std::string_view words);
   void broadcast(std::string_view message);
   void reply(Session& session, const soccer::ServerReply& answer);
   void reply(Session& session, soccer::ErrorCode code);
@@ -152,6 +170,8 @@ class MatchServer {
   VisionModel vision_;
   MatchRecorder recorder_;
   std::array<std::unique_ptr<Session>, soccer::kPlayersOnPitch> sessions_;
+  MonitorDesk monitors_;
+  bool monitors_only_watch_ = false;
   std::optional<int> cycle_limit_;
   std::int64_t steps_ = 0;
   std::int64_t asynchronous_rounds_ = 0;

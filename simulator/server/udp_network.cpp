@@ -33,12 +33,12 @@ Datagram strip(std::string_view bytes) {
 /// The server's end of one client: a socket of its own, connected to the client's.
 class UdpChannel : public soccer::Channel {
  public:
-  explicit UdpChannel(udp::socket socket) : socket_(std::move(socket)) {}
+  UdpChannel(udp::socket socket, bool with_nul) : socket_(std::move(socket)), nul_(with_nul) {}
 
   bool send(std::string_view message) override {
     constexpr char kNul = '\0';
     const std::array<asio::const_buffer, 2> buffers = {asio::buffer(message),
-                                                       asio::buffer(&kNul, 1)};
+                                                       asio::buffer(&kNul, nul_ ? 1 : 0)};
     boost::system::error_code error;
     socket_.send(buffers, 0, error);
     return !is_gone(error);
@@ -73,6 +73,7 @@ class UdpChannel : public soccer::Channel {
   }
 
   udp::socket socket_;
+  bool nul_;  ///< closes every message
   bool gone_ = false;
   std::array<char, kBufferSize> buffer_;
 };
@@ -146,17 +147,15 @@ class UdpNetwork::Sockets {
       const std::size_t size = door.socket.receive_from(asio::buffer(buffer_), sender, 0, error);
       if (error == asio::error::connection_refused) continue;  // an answer that nobody wanted
       if (error) return;
-      answer(door, strip({buffer_.data(), size}).text, sender);
+      answer(door, strip({buffer_.data(), size}), sender);
       ++i;
     }
   }
 
-  void answer(OpenDoor& door, std::string_view text, const udp::endpoint& sender) {
-    if (Connection* known = connection_of(door, sender)) {
-      std::string refusal;
-      soccer::format(soccer::ErrorCode::kOnlyInitAllowedOnInitPort, refusal);
-      known->send(refusal);
-      return;
+  void answer(OpenDoor& door, const Datagram& datagram, const udp::endpoint& sender) {
+    std::string_view text = datagram.text;
+    if (const Connection* known = connection_of(door, sender)) {
+      return match_.receive_at_door(known->client, text, datagram.null_terminated);
     }
     if (text.ends_with('\n')) text.remove_suffix(1);
     const auto admission = match_.admit(door.kind, text);
@@ -180,7 +179,7 @@ class UdpNetwork::Sockets {
       refuse(door, soccer::ErrorCode::kSocketOpenFailed, sender);
       return;
     }
-    auto channel = std::make_unique<UdpChannel>(std::move(socket));
+    auto channel = std::make_unique<UdpChannel>(std::move(socket), !admission.binary);
     Client& client = client_at(admission.client);
     client = {sender, &door, channel.get(), client.generation + 1};
     match_.greet(admission, std::move(channel), request);

@@ -123,12 +123,13 @@ void UdpServer::execute() {
 
 // Looked at before and after the commands of a cycle, when the lost ones go.
 void UdpServer::tell_connections() {
-  for (Slot slot = 0; slot < soccer::kPlayersOnPitch; ++slot) {
-    const Session*& told = told_[static_cast<std::size_t>(slot)];
-    const Session* now = match_->session(slot);
+  for (std::size_t i = 0; i < told_.size(); ++i) {
+    const auto client = static_cast<ClientId>(i);
+    const Connection*& told = told_[i];
+    const Connection* now = match_->connection(client);
     if (now == told) continue;
-    if (now == nullptr) tell(UdpNotice::Kind::kDisconnected, slot);
-    if (now != nullptr) tell(UdpNotice::Kind::kConnected, slot, now->version);
+    if (now == nullptr) tell(UdpNotice::Kind::kDisconnected, client);
+    if (now != nullptr) tell(UdpNotice::Kind::kConnected, client, now->version);
     told = now;
   }
 }

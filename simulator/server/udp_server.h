@@ -50,8 +50,8 @@ struct UdpNotice {
   };
 
   Kind kind = Kind::kConnected;
-  Slot slot = kNobody;  ///< whose connection it is
-  int version = 0;      ///< kConnected: of the client
+  ClientId client = kNobody;  ///< whose connection it is
+  int version = 0;            ///< kConnected: of the client
 };
 
 /// Listens where rcssserver does and answers each client from a port of its own (protocol 1.1).
@@ -99,15 +99,15 @@ class UdpServer {
   void execute();
   bool is_over() const;
   void tell_connections();
-  void tell(UdpNotice::Kind kind, Slot slot, int version = 0) {
-    if (tell_) tell_({kind, slot, version});
+  void tell(UdpNotice::Kind kind, ClientId client, int version = 0) {
+    if (tell_) tell_({kind, client, version});
   }
 
   UdpConfig config_;
   std::unique_ptr<MatchServer> match_;
   std::unique_ptr<UdpNetwork> network_;
   OnNotice tell_;
-  std::array<const Session*, soccer::kPlayersOnPitch> told_{};  ///< sessions that were told of
+  std::array<const Connection*, MatchServer::kMostClients> told_{};  ///< what was told of
   std::int64_t missed_cycles_ = 0;
   int missed_in_a_row_ = 0;
   StepClock::Lateness lateness_;

@@ -73,7 +73,6 @@ TEST(ServerCommand, EndsOnASignalWithItsResult) {
 
 TEST(ServerCommand, RefusesWhatItCannotDoYet) {
   const std::pair<const char*, const char*> wishes[] = {
-      {"server::auto_mode=off", "monitor"},
       {"server::coach=on", "trainer"},
       {"server::no_such=1", "no_such"},
       {"server::half_time", "server::NAME=VALUE"},

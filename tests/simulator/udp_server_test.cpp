@@ -332,5 +332,23 @@ TEST(UdpServer, InRealTimeSeeComesAtItsOwnTimes) {
   EXPECT_EQ(sees, 10);  // in 15 cycles
 }
 
+TEST(UdpServer, AMonitorWatchesAndStartsTheMatch) {
+  UdpConfig config = match_in_real_time();
+  config.match.server.auto_mode = false;
+  RunningServer running(config);
+  UdpClient monitor(running.port);
+  monitor.send("(dispinit version 5)");
+  EXPECT_TRUE(monitor.wait().starts_with("(server_param "));
+  EXPECT_NE(monitor.server_port(), running.port);
+  std::string message;
+  while (!message.starts_with("(show 0 (pm 1) ") && !(message = monitor.wait()).empty()) {
+  }
+  monitor.send("(dispstart)");
+  while (!message.starts_with("(show 3 (pm 4) ") && !(message = monitor.wait()).empty()) {
+  }
+  EXPECT_TRUE(message.starts_with("(show 3 (pm 4) "));
+  EXPECT_EQ(running.end(), UdpEnd::kStopped);
+}
+
 }  // namespace
 }  // namespace cls::simulator

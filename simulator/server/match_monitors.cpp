@@ -1,0 +1,69 @@
+// What monitors send, and what they are told besides the pitch.
+#include <variant>
+
+#include "simulator/monitor_action.h"
+#include "simulator/server/match_server.h"
+
+namespace cls::simulator {
+namespace {
+
+using soccer::ErrorCode;
+using soccer::WarningCode;
+
+constexpr int kFirstStrictPlayerVersion = 8;
+constexpr int kFirstMonitorVersion = 1;
+
+template <typename Code>
+std::string text_of(Code code) {
+  std::string text;
+  soccer::format(code, text);
+  return text;
+}
+
+}  // namespace
+
+void MatchServer::receive_at_door(ClientId id, std::string_view datagram, bool null_terminated) {
+  Connection* client = connection(id);
+  if (client == nullptr) return;
+  const bool strict = is_player(id) ? client->version >= kFirstStrictPlayerVersion
+                                    : client->version != kFirstMonitorVersion;
+  if (!strict) return receive(id, datagram, null_terminated);
+  const std::string refusal = text_of(ErrorCode::kOnlyInitAllowedOnInitPort);
+  if (is_player(id)) {
+    client->send(refusal);
+  } else {
+    monitors_.tell(id, world_.clock, refusal);
+  }
+}
+
+void MatchServer::obey_monitor(ClientId id, std::string_view datagram, bool null_terminated) {
+  Connection* client = connection(id);
+  if (client == nullptr || client->lost) return;
+  if (!null_terminated && client->version != kFirstMonitorVersion) {
+    monitors_.tell(id, world_.clock, text_of(WarningCode::kMessageNotNullTerminated));
+  }
+  const auto command = soccer::parse_monitor_command(datagram);
+  if (!command) {
+    monitors_.tell(id, world_.clock, text_of(ErrorCode::kIllegalCommandForm));
+  } else if (std::holds_alternative<soccer::DispBye>(*command)) {
+    client->lost = true;
+  } else if (std::holds_alternative<soccer::Compression>(*command)) {
+    monitors_.tell(id, world_.clock, text_of(WarningCode::kCompressionUnsupported));
+  } else if (!monitors_only_watch_) {
+    apply(world_, *command, events_);
+    dispatch_events();
+  }
+}
+
+void MatchServer::tell_monitors_of_words(Clock clock, std::string_view speaker,
+                                         std::string_view words) {
+  if (!world_.params().send_comms || monitors_.connected() == 0) return;
+  std::string text = "(";
+  text += speaker;
+  text += ' ';
+  text += words;
+  text += ')';
+  monitors_.tell(clock, text);
+}
+
+}  // namespace cls::simulator
