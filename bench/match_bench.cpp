@@ -29,7 +29,7 @@ void mock_match(benchmark::State& bench) {
       sum.begin += times.begin;
       sum.wait += times.wait;
       sum.act += times.act;
-      mock_us += static_cast<double>(match.mock(side).service().decision_nanoseconds()) * 1e-3;
+      mock_us += static_cast<double>(match.mock(side).decision_nanoseconds()) * 1e-3;
     }
     bench.counters["steps_per_second"] = steps / took.count();
     bench.counters["simulator_us"] = per_step(match.simulator_seconds() * 1e6);

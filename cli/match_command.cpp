@@ -14,6 +14,7 @@
 #include "cli/interrupt.h"
 #include "cli/match_report.h"
 #include "cli/progress_line.h"
+#include "cli/side_script.h"
 #include "cli/terminal.h"
 #include "orchestration/match.h"
 #include "soccer/parameter.h"
@@ -33,8 +34,8 @@ constexpr const char* kDescription =
     "  cls match mock localhost:50051 --seed 7    against your Playmaker, repeatable\n"
     "  cls match mock mock --cycles 600 --json    a short one, result as JSON\n"
     "\n"
-    "A side is  mock | mock:hold | HOST:PORT | HOST:PORT+step | unix:PATH | run:COMMAND\n"
-    "(+step: player n asks PORT + n).";
+    "A side is  mock | mock:hold | mock:FILE.json | HOST:PORT | HOST:PORT+step | unix:PATH |\n"
+    "run:COMMAND  (+step: player n asks PORT + n).";
 
 // What CLI11 fills in; turned into MatchOptions once everything is read.
 struct Arguments {
@@ -167,6 +168,10 @@ int run_match_command(Arguments& arguments) {
   const std::vector<std::string> mistakes = complete(arguments);
   for (const std::string& mistake : mistakes) fmt::print(stderr, "cls: {}\n", mistake);
   if (!mistakes.empty()) return kUsage;
+  for (orchestration::Endpoint* side : {&arguments.options.left, &arguments.options.right}) {
+    const int read = read_script_of(*side);
+    if (read != kDone) return read;
+  }
 
   ProgressLine progress(stderr_is_terminal() && !arguments.quiet, arguments.quiet);
   const auto result = run_match(arguments.options, progress, watch_interrupts());

@@ -1,7 +1,5 @@
-// Answering the rpcs.
+// Handing each rpc to the logic.
 #include "mock-server/game_service.h"
-
-#include <ctime>
 
 namespace cls::mock_server {
 namespace {
@@ -12,94 +10,75 @@ grpc::ServerUnaryReactor* finish(grpc::CallbackServerContext* context) {
   return reactor;
 }
 
-std::int64_t thread_cpu_nanoseconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<std::int64_t>(now.tv_sec) * 1'000'000'000 + now.tv_nsec;
-}
-
-// The planner's best candidate; the lowest index of equal ones.
-int best_of(const protos::BestPlannerActionRequest& request) {
-  int best = 0;
-  double best_value = 0.0;
-  bool found = false;
-  for (const auto& [index, candidate] : request.pairs()) {
-    const double value = candidate.evaluation();
-    if (!found || value > best_value || (value == best_value && index < best)) {
-      found = true;
-      best = index;
-      best_value = value;
-    }
-  }
-  return best;
-}
-
 }  // namespace
 
 grpc::ServerUnaryReactor* GameService::GetPlayerActions(grpc::CallbackServerContext* context,
                                                         const protos::State* request,
                                                         protos::PlayerActions* response) {
-  const std::int64_t before = thread_cpu_nanoseconds();
-  behaviour_.decide(*request, *response);
-  decision_nanoseconds_ += thread_cpu_nanoseconds() - before;
+  logic_.answer(Rpc::kGetPlayerActions, *request, *response);
   return finish(context);
 }
 
 grpc::ServerUnaryReactor* GameService::GetCoachActions(grpc::CallbackServerContext* context,
-                                                       const protos::State*,
-                                                       protos::CoachActions*) {
+                                                       const protos::State* request,
+                                                       protos::CoachActions* response) {
+  logic_.answer(Rpc::kGetCoachActions, *request, *response);
   return finish(context);
 }
 
 grpc::ServerUnaryReactor* GameService::GetTrainerActions(grpc::CallbackServerContext* context,
-                                                         const protos::State*,
-                                                         protos::TrainerActions*) {
+                                                         const protos::State* request,
+                                                         protos::TrainerActions* response) {
+  logic_.answer(Rpc::kGetTrainerActions, *request, *response);
   return finish(context);
 }
 
 grpc::ServerUnaryReactor* GameService::SendInitMessage(grpc::CallbackServerContext* context,
-                                                       const protos::InitMessage*, protos::Empty*) {
+                                                       const protos::InitMessage* request,
+                                                       protos::Empty* response) {
+  logic_.answer(Rpc::kSendInitMessage, *request, *response);
   return finish(context);
 }
 
 grpc::ServerUnaryReactor* GameService::SendServerParams(grpc::CallbackServerContext* context,
-                                                        const protos::ServerParam*,
-                                                        protos::Empty*) {
+                                                        const protos::ServerParam* request,
+                                                        protos::Empty* response) {
+  logic_.answer(Rpc::kSendServerParams, *request, *response);
   return finish(context);
 }
 
 grpc::ServerUnaryReactor* GameService::SendPlayerParams(grpc::CallbackServerContext* context,
-                                                        const protos::PlayerParam*,
-                                                        protos::Empty*) {
+                                                        const protos::PlayerParam* request,
+                                                        protos::Empty* response) {
+  logic_.answer(Rpc::kSendPlayerParams, *request, *response);
   return finish(context);
 }
 
 grpc::ServerUnaryReactor* GameService::SendPlayerType(grpc::CallbackServerContext* context,
-                                                      const protos::PlayerType*, protos::Empty*) {
+                                                      const protos::PlayerType* request,
+                                                      protos::Empty* response) {
+  logic_.answer(Rpc::kSendPlayerType, *request, *response);
   return finish(context);
 }
 
 grpc::ServerUnaryReactor* GameService::Register(grpc::CallbackServerContext* context,
                                                 const protos::RegisterRequest* request,
                                                 protos::RegisterResponse* response) {
-  response->set_client_id(next_client_++);
-  response->set_agent_type(request->agent_type());
-  response->set_team_name(request->team_name());
-  response->set_uniform_number(request->uniform_number());
-  response->set_rpc_server_language_type(protos::CPP);
+  logic_.answer(Rpc::kRegister, *request, *response);
   return finish(context);
 }
 
 grpc::ServerUnaryReactor* GameService::SendByeCommand(grpc::CallbackServerContext* context,
-                                                      const protos::RegisterResponse*,
-                                                      protos::Empty*) {
+                                                      const protos::RegisterResponse* request,
+                                                      protos::Empty* response) {
+  logic_.answer(Rpc::kSendByeCommand, *request, *response);
   return finish(context);
 }
 
 grpc::ServerUnaryReactor* GameService::GetBestPlannerAction(
     grpc::CallbackServerContext* context, const protos::BestPlannerActionRequest* request,
     protos::BestPlannerActionResponse* response) {
-  response->set_index(best_of(*request));
+  logic_.answer(Rpc::kGetBestPlannerAction, *request, *response);
   return finish(context);
 }
 

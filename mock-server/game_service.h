@@ -1,20 +1,17 @@
-// The rpcs of a Playmaker, answered by a behaviour.
+// The rpcs of a Playmaker as a gRPC service, at full speed.
 #pragma once
 
-#include <atomic>
-
-#include "mock-server/behaviour.h"
+#include "mock-server/game_logic.h"
 #include "mock-server/message_pool.h"
 #include "proto/playmaker.grpc.pb.h"
 
 namespace cls::mock_server {
 
-/// Serves any number of agents. Register hands out client ids 1, 2, 3, ... in order of arrival.
 /// Callback service: handlers run on gRPC's threads and never block.
 class GameService : public protos::Game::CallbackService {
  public:
-  /// `behaviour` must outlive the service.
-  explicit GameService(const Behaviour& behaviour) : behaviour_(behaviour) {
+  /// `logic` must outlive the service.
+  explicit GameService(GameLogic& logic) : logic_(logic) {
     SetMessageAllocatorFor_GetPlayerActions(&messages_);
   }
 
@@ -49,14 +46,9 @@ class GameService : public protos::Game::CallbackService {
       grpc::CallbackServerContext* context, const protos::BestPlannerActionRequest* request,
       protos::BestPlannerActionResponse* response) override;
 
-  /// CPU time spent in decisions so far, in nanoseconds.
-  std::int64_t decision_nanoseconds() const { return decision_nanoseconds_; }
-
  private:
-  const Behaviour& behaviour_;
+  GameLogic& logic_;
   MessagePool<protos::State, protos::PlayerActions> messages_;
-  std::atomic<int> next_client_{1};
-  std::atomic<std::int64_t> decision_nanoseconds_{0};
 };
 
 }  // namespace cls::mock_server

@@ -2,26 +2,40 @@
 #include "mock-server/server.h"
 
 #include <fmt/format.h>
+#include <grpcpp/ext/proto_server_reflection_plugin.h>
 
 #include <chrono>
+#include <utility>
+
+#include "mock-server/faulty_service.h"
+#include "mock-server/game_service.h"
 
 namespace cls::mock_server {
 
 using soccer::Error;
 using soccer::Result;
 
-Server::Server(std::unique_ptr<Behaviour> behaviour)
-    : behaviour_(std::move(behaviour)), service_(*behaviour_) {}
+Server::Server(Mock mock)
+    : mock_(std::move(mock)),
+      expectations_(mock_.expectations),
+      logic_(*mock_.behaviour, mock_.expectations.empty() ? nullptr : &expectations_) {
+  if (mock_.faults.any()) {
+    service_ = std::make_unique<FaultyService>(logic_, mock_.faults, mock_.die);
+  } else {
+    service_ = std::make_unique<GameService>(logic_);
+  }
+}
 
 Server::~Server() { stop(); }
 
 Result<void> Server::listen(const std::string& address) {
   grpc::ServerBuilder builder;
-  builder.RegisterService(&service_);
+  builder.RegisterService(service_.get());
   // A second server on the same port must fail, not share it.
   builder.AddChannelArgument(GRPC_ARG_ALLOW_REUSEPORT, 0);
   if (!address.empty()) {
     grpc::EnableDefaultHealthCheckService(true);
+    grpc::reflection::InitProtoReflectionServerBuilderPlugin();
     builder.AddListeningPort(address, grpc::InsecureServerCredentials(), &port_);
   }
   server_ = builder.BuildAndStart();
@@ -31,16 +45,15 @@ Result<void> Server::listen(const std::string& address) {
   return {};
 }
 
-Result<std::unique_ptr<Server>> Server::start(std::unique_ptr<Behaviour> behaviour) {
-  std::unique_ptr<Server> server(new Server(std::move(behaviour)));
+Result<std::unique_ptr<Server>> Server::start(Mock mock) {
+  std::unique_ptr<Server> server(new Server(std::move(mock)));
   const auto listening = server->listen("");
   if (!listening) return listening.error();
   return server;
 }
 
-Result<std::unique_ptr<Server>> Server::start(std::unique_ptr<Behaviour> behaviour,
-                                              const std::string& host, int port) {
-  std::unique_ptr<Server> server(new Server(std::move(behaviour)));
+Result<std::unique_ptr<Server>> Server::start(Mock mock, const std::string& host, int port) {
+  std::unique_ptr<Server> server(new Server(std::move(mock)));
   const auto listening = server->listen(fmt::format("{}:{}", host, port));
   if (!listening) return listening.error();
   return server;

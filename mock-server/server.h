@@ -5,22 +5,24 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
-#include "mock-server/behaviour.h"
-#include "mock-server/game_service.h"
+#include "mock-server/game_logic.h"
+#include "mock-server/mock.h"
 #include "soccer/result.h"
 
 namespace cls::mock_server {
 
-/// Owns behaviour, service and gRPC server; stops serving when destroyed.
+/// Owns the mock and its gRPC server; stops serving when destroyed.
 class Server {
  public:
   /// Serves in-process channels only.
-  static soccer::Result<std::unique_ptr<Server>> start(std::unique_ptr<Behaviour> behaviour);
+  static soccer::Result<std::unique_ptr<Server>> start(Mock mock);
 
-  /// Serves HOST:PORT too (port 0: a free one, see `port()`), with the standard health service.
-  static soccer::Result<std::unique_ptr<Server>> start(std::unique_ptr<Behaviour> behaviour,
-                                                       const std::string& host, int port);
+  /// Serves HOST:PORT too (port 0: a free one, see `port()`), with the standard health and
+  /// reflection services.
+  static soccer::Result<std::unique_ptr<Server>> start(Mock mock, const std::string& host,
+                                                       int port);
 
   ~Server();
   Server(const Server&) = delete;
@@ -30,7 +32,11 @@ class Server {
   std::shared_ptr<grpc::Channel> in_process_channel();
 
   int port() const { return port_; }
-  const GameService& service() const { return service_; }
+
+  /// CPU time spent in decisions so far, in nanoseconds.
+  std::int64_t decision_nanoseconds() const { return logic_.decision_nanoseconds(); }
+  /// What the mock should have been told or asked by now and was not; one line each.
+  std::vector<std::string> failed_expectations() const { return expectations_.failures(); }
 
   /// Blocks until the server is shut down by a signal handler or another thread.
   void wait() { server_->Wait(); }
@@ -38,11 +44,13 @@ class Server {
   void stop();
 
  private:
-  explicit Server(std::unique_ptr<Behaviour> behaviour);
+  explicit Server(Mock mock);
   soccer::Result<void> listen(const std::string& address);
 
-  std::unique_ptr<Behaviour> behaviour_;
-  GameService service_;
+  Mock mock_;
+  Expectations expectations_;
+  GameLogic logic_;
+  std::unique_ptr<grpc::Service> service_;
   std::unique_ptr<grpc::Server> server_;
   int port_ = 0;
 };

@@ -6,6 +6,7 @@
 #include <charconv>
 #include <filesystem>
 
+#include "mock-server/mock.h"
 #include "orchestration/run_command.h"
 #include "soccer/parameter.h"
 
@@ -29,7 +30,8 @@ Error unknown_form(std::string_view text) {
   const std::string_view near = soccer::nearest_name(text, {"mock", "mock:hold"});
   if (!near.empty()) message += fmt::format("; did you mean '{}'?", near);
   message +=
-      " (a side is mock, mock:BEHAVIOUR, HOST:PORT, HOST:PORT+step, unix:PATH, run:COMMAND or "
+      " (a side is mock, mock:BEHAVIOUR, mock:FILE.json, HOST:PORT, HOST:PORT+step, unix:PATH, "
+      "run:COMMAND or "
       "team:DIR)";
   return Error{std::move(message)};
 }
@@ -98,6 +100,16 @@ Result<Endpoint> parse_endpoint(std::string_view text) {
   }
   if (text.find(':') == std::string_view::npos) return unknown_form(text);
   return parse_address(text);
+}
+
+Result<void> load_script(Endpoint& endpoint) {
+  const bool named = endpoint.kind == Endpoint::Kind::kMock && endpoint.script == nullptr &&
+                     mock_server::names_script(endpoint.behaviour);
+  if (!named) return {};
+  auto script = mock_server::read_script(endpoint.behaviour);
+  if (!script) return script.error();
+  endpoint.script = *std::move(script);
+  return {};
 }
 
 std::string default_team_name(const Endpoint& endpoint) {

@@ -1,10 +1,15 @@
 // What LEFT and RIGHT mean: the forms in which a user names a side.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <string_view>
 
 #include "soccer/result.h"
+
+namespace cls::mock_server {
+struct Script;
+}
 
 namespace cls::orchestration {
 
@@ -19,8 +24,10 @@ struct Endpoint {
   };
 
   Kind kind = Kind::kMock;
-  std::string text;        ///< as the user wrote it
-  std::string behaviour;   ///< kMock: name of a built-in behaviour or a script file; empty: default
+  std::string text;       ///< as the user wrote it
+  std::string behaviour;  ///< kMock: name of a built-in behaviour or a script file; empty: default
+  /// kMock: the script itself, once it is read; then `behaviour` only names it.
+  std::shared_ptr<const mock_server::Script> script;
   std::string host;        ///< kAddress; IPv6 addresses keep their brackets
   int port = 0;            ///< kAddress
   bool port_step = false;  ///< kAddress: player n asks port + n, the coach port + 13
@@ -35,6 +42,10 @@ struct Endpoint {
 
 /// Reads one side form. The error names the text and lists the forms.
 soccer::Result<Endpoint> parse_endpoint(std::string_view text);
+
+/// Reads the script that a mock side names; nothing to do for other sides. Errors name the file and
+/// the line.
+soccer::Result<void> load_script(Endpoint& endpoint);
 
 /// A team name made from the endpoint, allowed by the soccer protocol (letters, digits, - and _,
 /// 15 characters at most).

@@ -197,6 +197,15 @@ void LockstepMatch::pass_on_warnings(MatchObserver& observer) {
   }
 }
 
+void LockstepMatch::report_expectations(MatchObserver& observer) {
+  for (MatchSide* side : {left_.get(), right_.get()}) {
+    for (const std::string& line : side->failed_expectations()) {
+      warnings_.push_back(fmt::format("{}: {}", side->name(), line));
+      observer.on_warning(warnings_.back());
+    }
+  }
+}
+
 int LockstepMatch::last_cycle() const {
   const int whole = options_.server.normal_time_cycles();
   if (!options_.cycles) return whole;
@@ -245,6 +254,7 @@ void LockstepMatch::play(MatchObserver& observer, MatchChronicle& chronicle) {
   end(EndReason::kFinished, "");
   server_->finish();
   leave();
+  report_expectations(observer);
   end_programs();
 }
 

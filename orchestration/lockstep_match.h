@@ -75,6 +75,7 @@ class LockstepMatch {
   bool ended() const { return end_reason_.has_value(); }
   void check_answers(const MatchSide& side);
   void pass_on_warnings(MatchObserver& observer);
+  void report_expectations(MatchObserver& observer);
   void report_progress(MatchObserver& observer) const;
   int last_cycle() const;
 

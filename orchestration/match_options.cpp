@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "mock-server/behaviour.h"
+#include "mock-server/mock.h"
 #include "orchestration/lockstep_match.h"
 
 namespace cls::orchestration {
@@ -57,7 +57,8 @@ std::vector<std::string> mistakes_in(const MatchOptions& options) {
   demand(options.server.half_time > 0 || options.cycles,
          "without a time limit of halves (server::half_time) give --cycles");
   for (const Endpoint* side : {&options.left, &options.right}) {
-    if (side->kind != Endpoint::Kind::kMock) continue;
+    if (side->kind != Endpoint::Kind::kMock || side->script != nullptr) continue;
+    if (mock_server::names_script(side->behaviour)) continue;
     const auto behaviour = mock_server::make_behaviour(side->behaviour);
     if (!behaviour) mistakes.push_back(behaviour.error().message);
   }

@@ -4,7 +4,6 @@
 #include <chrono>
 #include <utility>
 
-#include "mock-server/behaviour.h"
 #include "proxy/grpc_playmaker.h"
 
 namespace cls::orchestration {
@@ -55,6 +54,15 @@ PlayerResult result_of(const proxy::PlayerAgent& agent) {
   return result;
 }
 
+Result<std::unique_ptr<mock_server::Server>> start_mock(const Endpoint& endpoint) {
+  if (endpoint.script != nullptr) {
+    return mock_server::Server::start(mock_server::Mock(endpoint.script));
+  }
+  auto mock = mock_server::make_mock(endpoint.behaviour);
+  if (!mock) return mock.error();
+  return mock_server::Server::start(*std::move(mock));
+}
+
 }  // namespace
 
 Result<std::unique_ptr<MatchSide>> MatchSide::create(const Endpoint& endpoint,
@@ -64,9 +72,7 @@ Result<std::unique_ptr<MatchSide>> MatchSide::create(const Endpoint& endpoint,
   side->name_ = setup.name;
   side->endpoint_ = endpoint;
   if (endpoint.kind == Endpoint::Kind::kMock) {
-    auto behaviour = mock_server::make_behaviour(endpoint.behaviour);
-    if (!behaviour) return behaviour.error();
-    auto mock = mock_server::Server::start(std::move(*behaviour));
+    auto mock = start_mock(endpoint);
     if (!mock) return mock.error();
     side->mock_ = std::move(*mock);
     side->playmaker_ = proxy::make_grpc_playmaker(side->mock_->in_process_channel(), endpoint.text);
@@ -97,10 +103,14 @@ TeamResult MatchSide::result() const {
   return result;
 }
 
+std::vector<std::string> MatchSide::failed_expectations() const {
+  return mock_ == nullptr ? std::vector<std::string>() : mock_->failed_expectations();
+}
+
 double MatchSide::mock_cpu_seconds() const {
   constexpr double kNanosecond = 1e-9;
   if (mock_ == nullptr) return 0.0;
-  return static_cast<double>(mock_->service().decision_nanoseconds()) * kNanosecond;
+  return static_cast<double>(mock_->decision_nanoseconds()) * kNanosecond;
 }
 
 }  // namespace cls::orchestration

@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "mock-server/server.h"
 #include "orchestration/match_options.h"
@@ -41,6 +42,9 @@ class MatchSide {
   const Endpoint& endpoint() const { return endpoint_; }
   /// The Playmaker as a process of ours; nullptr when it is none.
   const PlaymakerProgram* program() const { return program_.get(); }
+
+  /// What the script of a mock side expected and did not get.
+  std::vector<std::string> failed_expectations() const;
 
   /// What this side did; the score is the server's to tell.
   TeamResult result() const;

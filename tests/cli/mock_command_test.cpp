@@ -2,7 +2,9 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 
+#include <fstream>
 #include <string>
+#include <vector>
 
 #include "tests/support/command.h"
 #include "tests/support/temporary_folder.h"
@@ -39,6 +41,83 @@ TEST(MockCommand, UnknownBehavioursAndTakenPortsAreTold) {
   const auto taken = cls::tests::run({cls::tests::cls_binary(), "mock", "--port", port});
   EXPECT_EQ(taken.exit_code, 75);
   EXPECT_NE(taken.err.find("cannot listen on 127.0.0.1:" + port), std::string::npos) << taken.err;
+}
+
+// Plays 30 cycles of `mock` (started with these flags) against a mock that holds.
+cls::tests::CommandResult play_against(std::vector<std::string> flags,
+                                       std::vector<std::string> more = {}) {
+  flags.insert(flags.begin(), {cls::tests::cls_binary(), "mock"});
+  Command mock(flags);
+  EXPECT_TRUE(mock.wait_for_output("\n"));
+  const std::string line = mock.out();
+  const std::string address = line.substr(13, line.find('\n') - 13);
+  cls::tests::TemporaryFolder folder;
+  std::vector<std::string> match = {cls::tests::cls_binary(),
+                                    "match",
+                                    address,
+                                    "mock:hold",
+                                    "--cycles",
+                                    "30",
+                                    "--set",
+                                    "server::kick_off_wait=3",
+                                    "--dir",
+                                    folder.path(),
+                                    "--rpc-deadline",
+                                    "300"};
+  match.insert(match.end(), more.begin(), more.end());
+  return cls::tests::run(match);
+}
+
+TEST(MockCommand, FaultsOfTheProcessAreMetByTheMatch) {
+  const auto crashed = play_against({"--crash-at-cycle", "10"});
+  EXPECT_EQ(crashed.exit_code, 1);
+  EXPECT_NE(crashed.err.find("no usable answer"), std::string::npos) << crashed.err;
+  const auto failing = play_against({"--error", "1", "--status", "DATA_LOSS"});
+  EXPECT_EQ(failing.exit_code, 1);
+  EXPECT_NE(failing.err.find("a fault of the mock"), std::string::npos) << failing.err;
+  const auto dropping = play_against({"--drop", "0.02", "--fault-unum", "4"});
+  EXPECT_EQ(dropping.exit_code, 0) << dropping.err;
+}
+
+TEST(MockCommand, ARestartedMockListensAgainAndKnowsNobody) {
+  const auto played = play_against({"--restart-at-cycle", "10", "--restart-after", "0"});
+  EXPECT_EQ(played.exit_code, 1);
+  EXPECT_NE(played.err.find("unknown client_id"), std::string::npos) << played.err;
+}
+
+TEST(MockCommand, ScriptsAreReadAndTheirExpectationsTold) {
+  cls::tests::TemporaryFolder folder;
+  const std::string script = folder.path() / "script.json";
+  std::ofstream(script) << "{\"expect\": [{\"rpc\": \"Register\", \"count\": 12}]}";
+  cls::tests::TemporaryFolder match;
+  const auto played =
+      cls::tests::run({cls::tests::cls_binary(), "match", "mock:" + script, "mock:hold", "--cycles",
+                       "5", "--set", "server::kick_off_wait=3", "--dir", match.path()});
+  EXPECT_EQ(played.exit_code, 0) << played.err;
+  EXPECT_NE(played.err.find("script: expected (line 1): 11 calls of Register, not == 12"),
+            std::string::npos)
+      << played.err;
+}
+
+TEST(MockCommand, BadScriptsAreToldByLineAndMissingOnesByName) {
+  cls::tests::TemporaryFolder folder;
+  const std::string script = folder.path() / "script.json";
+  std::ofstream(script) << "{\n  \"ruls\": []\n}";
+  for (const auto& command : {std::vector<std::string>{"mock", script},
+                              std::vector<std::string>{"match", "mock:" + script, "mock"}}) {
+    std::vector<std::string> arguments = {cls::tests::cls_binary()};
+    arguments.insert(arguments.end(), command.begin(), command.end());
+    const auto bad = cls::tests::run(arguments);
+    EXPECT_EQ(bad.exit_code, 65);
+    EXPECT_EQ(bad.err, "cls: " + script + ":2: /ruls: unknown key 'ruls'; did you mean 'rules'?\n");
+  }
+  const auto missing = cls::tests::run({cls::tests::cls_binary(), "mock", "nowhere.json"});
+  EXPECT_EQ(missing.exit_code, 66);
+  EXPECT_EQ(missing.err, "cls: nowhere.json: no such file\n");
+  const auto rpc =
+      cls::tests::run({cls::tests::cls_binary(), "mock", "--unimplemented", "Regster"});
+  EXPECT_EQ(rpc.exit_code, 2);
+  EXPECT_EQ(rpc.err, "cls: --unimplemented: no rpc 'Regster'; did you mean 'Register'?\n");
 }
 
 }  // namespace

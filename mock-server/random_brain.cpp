@@ -1,0 +1,96 @@
+// Drawing messages by reflection.
+#include "mock-server/random_brain.h"
+
+#include <google/protobuf/descriptor.h>
+#include <google/protobuf/message.h>
+
+#include "mock-server/rpc.h"
+#include "soccer/random.h"
+
+namespace cls::mock_server {
+namespace {
+
+using google::protobuf::Descriptor;
+using google::protobuf::FieldDescriptor;
+using google::protobuf::Message;
+using google::protobuf::Reflection;
+using soccer::RandomStream;
+
+constexpr int kMostActions = 4;
+constexpr int kDeepest = 4;
+constexpr double kFar = 100.0;  // metres, degrees, power: beyond every limit now and then
+
+void fill(Message& message, RandomStream& draw, int depth);
+
+void fill_scalar(Message& message, const FieldDescriptor& field, RandomStream& draw) {
+  const Reflection& access = *message.GetReflection();
+  switch (field.cpp_type()) {
+    case FieldDescriptor::CPPTYPE_INT32:
+      return access.SetInt32(&message, &field, draw.integer(12));
+    case FieldDescriptor::CPPTYPE_FLOAT:
+      return access.SetFloat(&message, &field, static_cast<float>(draw.uniform(-kFar, kFar)));
+    case FieldDescriptor::CPPTYPE_DOUBLE:
+      return access.SetDouble(&message, &field, draw.uniform(-kFar, kFar));
+    case FieldDescriptor::CPPTYPE_BOOL:
+      return access.SetBool(&message, &field, draw.bernoulli(0.5));
+    case FieldDescriptor::CPPTYPE_ENUM: {
+      const auto& names = *field.enum_type();
+      return access.SetEnum(&message, &field, names.value(draw.integer(names.value_count())));
+    }
+    case FieldDescriptor::CPPTYPE_STRING:
+      return access.SetString(&message, &field, "random");
+    default:
+      return;
+  }
+}
+
+void fill_one_of(Message& message, RandomStream& draw, int depth) {
+  const auto& choice = *message.GetDescriptor()->oneof_decl(0);
+  const FieldDescriptor* field = choice.field(draw.integer(choice.field_count()));
+  fill(*message.GetReflection()->MutableMessage(&message, field), draw, depth);
+}
+
+void fill(Message& message, RandomStream& draw, int depth) {
+  const Descriptor& type = *message.GetDescriptor();
+  if (depth > kDeepest) return;
+  if (type.oneof_decl_count() > 0) return fill_one_of(message, draw, depth + 1);
+  for (int i = 0; i < type.field_count(); ++i) {
+    const FieldDescriptor& field = *type.field(i);
+    if (field.is_repeated()) continue;
+    if (field.cpp_type() == FieldDescriptor::CPPTYPE_MESSAGE) {
+      fill(*message.GetReflection()->MutableMessage(&message, &field), draw, depth + 1);
+    } else {
+      fill_scalar(message, field, draw);
+    }
+  }
+}
+
+RandomStream stream_for(std::uint64_t seed, Rpc rpc, const protos::State& state) {
+  const protos::WorldModel& world = state.world_model();
+  const auto clock = static_cast<std::uint64_t>(world.cycle()) << 32U |
+                     static_cast<std::uint32_t>(world.time_stopped());
+  return RandomStream(seed, name(rpc), static_cast<std::uint64_t>(caller_of(rpc, state).unum),
+                      clock);
+}
+
+}  // namespace
+
+void RandomBrain::decide(const protos::State& state, protos::PlayerActions& actions) const {
+  RandomStream draw = stream_for(seed_, Rpc::kGetPlayerActions, state);
+  const int count = 1 + draw.integer(kMostActions);
+  for (int i = 0; i < count; ++i) fill(*actions.add_actions(), draw, 0);
+  actions.set_ignore_preprocess(draw.bernoulli(0.5));
+}
+
+void RandomBrain::decide_as_coach(const protos::State& state, protos::CoachActions& actions) const {
+  RandomStream draw = stream_for(seed_, Rpc::kGetCoachActions, state);
+  fill(*actions.add_actions(), draw, 0);
+}
+
+void RandomBrain::decide_as_trainer(const protos::State& state,
+                                    protos::TrainerActions& actions) const {
+  RandomStream draw = stream_for(seed_, Rpc::kGetTrainerActions, state);
+  fill(*actions.add_actions(), draw, 0);
+}
+
+}  // namespace cls::mock_server

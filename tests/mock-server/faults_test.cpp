@@ -1,0 +1,190 @@
+// Faults as a caller meets them, in process and over a port.
+#include "mock-server/faults.h"
+
+#include <grpcpp/grpcpp.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+
+#include "mock-server/server.h"
+#include "proto/playmaker.grpc.pb.h"
+
+namespace cls::mock_server {
+namespace {
+
+using std::chrono::milliseconds;
+
+class FaultyMock {
+ public:
+  explicit FaultyMock(const std::string& faults) {
+    const JsonText json = *JsonText::parse("f.json", faults);
+    Mock mock(std::move(*make_behaviour("hold")));
+    auto parsed = parse_faults(JsonValue(json));
+    EXPECT_TRUE(parsed) << parsed.error().message;
+    mock.faults = *parsed;
+    server_ = std::move(*Server::start(std::move(mock)));
+    stub_ = protos::Game::NewStub(server_->in_process_channel());
+  }
+
+  int register_agent(int unum) {
+    grpc::ClientContext context;
+    protos::RegisterRequest request;
+    request.set_uniform_number(unum);
+    protos::RegisterResponse response;
+    EXPECT_TRUE(stub_->Register(&context, request, &response).ok());
+    unum_told = response.uniform_number();
+    return response.client_id();
+  }
+
+  grpc::Status decide(int unum, int cycle, int client_id = 0,
+                      milliseconds deadline = milliseconds(5000)) {
+    grpc::ClientContext context;
+    context.set_deadline(std::chrono::system_clock::now() + deadline);
+    protos::State state;
+    state.mutable_register_response()->set_uniform_number(unum);
+    state.mutable_register_response()->set_client_id(client_id);
+    state.mutable_world_model()->set_cycle(cycle);
+    protos::PlayerActions actions;
+    return stub_->GetPlayerActions(&context, state, &actions);
+  }
+
+  grpc::Status send_player_type() {
+    grpc::ClientContext context;
+    protos::Empty empty;
+    return stub_->SendPlayerType(&context, {}, &empty);
+  }
+
+  int unum_told = 0;
+
+ private:
+  std::unique_ptr<Server> server_;
+  std::unique_ptr<protos::Game::Stub> stub_;
+};
+
+TEST(Faults, ErrorsHaveTheStatusThatIsAskedFor) {
+  FaultyMock mock(R"({"error": 1, "status": "FAILED_PRECONDITION"})");
+  EXPECT_EQ(mock.decide(1, 1).error_code(), grpc::StatusCode::FAILED_PRECONDITION);
+  EXPECT_TRUE(mock.send_player_type().ok());
+}
+
+TEST(Faults, DroppedCallsRunIntoTheDeadline) {
+  FaultyMock mock(R"({"drop": 1})");
+  EXPECT_EQ(mock.decide(1, 1, 0, milliseconds(30)).error_code(),
+            grpc::StatusCode::DEADLINE_EXCEEDED);
+}
+
+TEST(Faults, DelaysTakeTheirTime) {
+  FaultyMock mock(R"({"delay_ms": 60, "only": {"unum": 3}})");
+  const auto start = std::chrono::steady_clock::now();
+  EXPECT_TRUE(mock.decide(3, 1).ok());
+  EXPECT_GE(std::chrono::steady_clock::now() - start, milliseconds(60));
+  EXPECT_EQ(mock.decide(3, 1, 0, milliseconds(20)).error_code(),
+            grpc::StatusCode::DEADLINE_EXCEEDED);
+}
+
+TEST(Faults, GarbageAndOversizeCannotBeRead) {
+  FaultyMock garbage(R"({"garbage": 1})");
+  EXPECT_FALSE(garbage.decide(1, 1).ok());
+  FaultyMock oversize(R"({"oversize": 1})");
+  EXPECT_EQ(oversize.decide(1, 1).error_code(), grpc::StatusCode::RESOURCE_EXHAUSTED);
+}
+
+TEST(Faults, RpcsCanBeMissing) {
+  FaultyMock mock(R"({"unimplemented": ["SendPlayerType"]})");
+  EXPECT_EQ(mock.send_player_type().error_code(), grpc::StatusCode::UNIMPLEMENTED);
+  EXPECT_TRUE(mock.decide(1, 1).ok());
+}
+
+TEST(Faults, ADeadMockAnswersNobodyAnyMore) {
+  FaultyMock mock(R"({"crash_at_cycle": 5})");
+  EXPECT_TRUE(mock.decide(1, 4).ok());
+  EXPECT_EQ(mock.decide(1, 5).error_code(), grpc::StatusCode::UNAVAILABLE);
+  EXPECT_EQ(mock.send_player_type().error_code(), grpc::StatusCode::UNAVAILABLE);
+}
+
+TEST(Faults, AHangingMockStillTakesOtherCalls) {
+  FaultyMock mock(R"({"hang_at_cycle": 5})");
+  EXPECT_TRUE(mock.decide(1, 4).ok());
+  EXPECT_EQ(mock.decide(1, 6, 0, milliseconds(30)).error_code(),
+            grpc::StatusCode::DEADLINE_EXCEEDED);
+  EXPECT_TRUE(mock.send_player_type().ok());
+}
+
+TEST(Faults, ARestartedMockKnowsOnlyThoseWhoRegisterAgain) {
+  FaultyMock mock(R"({"restart_at_cycle": 5, "restart_cycles": 2})");
+  const int before = mock.register_agent(1);
+  EXPECT_TRUE(mock.decide(1, 4, before).ok());
+  EXPECT_EQ(mock.decide(1, 6, before).error_code(), grpc::StatusCode::UNAVAILABLE);
+  EXPECT_EQ(mock.decide(1, 7, before).error_code(), grpc::StatusCode::UNKNOWN);
+  const int after = mock.register_agent(1);
+  EXPECT_TRUE(mock.decide(1, 8, after).ok());
+}
+
+TEST(Faults, WrongClientIdsAreTheSameForAll) {
+  FaultyMock mock(R"({"wrong_client_id": true})");
+  EXPECT_EQ(mock.register_agent(4), mock.register_agent(9));
+  EXPECT_EQ(mock.unum_told, 1);
+}
+
+TEST(Faults, SlowStartersAnswerLate) {
+  FaultyMock mock(R"({"slow_start_ms": 80})");
+  const auto start = std::chrono::steady_clock::now();
+  mock.register_agent(1);
+  EXPECT_GE(std::chrono::steady_clock::now() - start, milliseconds(60));
+}
+
+TEST(Faults, SharesAreDrawnFromSeedNumberAndCycle) {
+  const auto fates = [](std::uint64_t seed) {
+    Faults faults;
+    faults.error = 0.3;
+    faults.jitter_ms = 50;
+    faults.seed = seed;
+    std::string text;
+    for (int cycle = 0; cycle < 200; ++cycle) {
+      protos::State state;
+      state.mutable_register_response()->set_uniform_number(2);
+      state.mutable_world_model()->set_cycle(cycle);
+      const Fate fate = fate_of(faults, Rpc::kGetPlayerActions, state);
+      text += fate.what == Fate::What::kError ? 'e' : '.';
+      EXPECT_LE(fate.delay_ms, 50);
+    }
+    return text;
+  };
+  EXPECT_EQ(fates(1), fates(1));
+  EXPECT_NE(fates(1), fates(2));
+  const std::string text = fates(1);
+  EXPECT_NEAR(static_cast<double>(std::count(text.begin(), text.end(), 'e')), 60.0, 25.0);
+}
+
+TEST(Faults, AreLimitedToCyclesAndNumbers) {
+  Faults faults;
+  faults.drop = 1.0;
+  faults.cycles = CycleRange{10, 20, 1};
+  faults.unums = {4};
+  const auto dropped = [&](int unum, int cycle) {
+    protos::State state;
+    state.mutable_register_response()->set_uniform_number(unum);
+    state.mutable_world_model()->set_cycle(cycle);
+    return fate_of(faults, Rpc::kGetPlayerActions, state).what == Fate::What::kNever;
+  };
+  EXPECT_TRUE(dropped(4, 10));
+  EXPECT_TRUE(dropped(4, 20));
+  EXPECT_FALSE(dropped(4, 21));
+  EXPECT_FALSE(dropped(5, 10));
+}
+
+TEST(Faults, MistakesAreTold) {
+  const auto error = [](const std::string& text) {
+    const JsonText json = *JsonText::parse("f.json", text);
+    const auto faults = parse_faults(JsonValue(json));
+    return faults ? "" : faults.error().message;
+  };
+  EXPECT_EQ(error(R"({"delay": 3})"),
+            "f.json:1: /delay: unknown key 'delay'; did you mean 'delay_ms'?");
+  EXPECT_EQ(error(R"({"drop": 2})"), "f.json:1: /drop: 2 is not within 0 to 1");
+  EXPECT_EQ(error(R"({"status": "UNAVAILABEL"})"),
+            "f.json:1: /status: unknown 'UNAVAILABEL'; did you mean 'UNAVAILABLE'?");
+}
+
+}  // namespace
+}  // namespace cls::mock_server
