@@ -3,32 +3,20 @@
 
 #include <fmt/format.h>
 
-#include <cstdio>
-
-#include "cli/terminal.h"
-
 namespace cls::cli {
 namespace {
 
 constexpr std::chrono::milliseconds kInterval{100};
 
-std::string time_left(double seconds) {
-  const int whole = static_cast<int>(seconds + 0.5);
-  if (whole < 60) return fmt::format("{} s left", whole);
-  return fmt::format("{}:{:02} min left", whole / 60, whole % 60);
-}
-
 }  // namespace
 
 std::string progress_text(const orchestration::MatchProgress& progress, double cycles_per_second) {
-  constexpr int kBarWidth = 20;
   const double share = progress.last_cycle > 0 ? static_cast<double>(progress.cycle) /
                                                      static_cast<double>(progress.last_cycle)
                                                : 0.0;
-  const int filled = static_cast<int>(kBarWidth * (share < 1.0 ? share : 1.0));
-  std::string text = fmt::format("[{:#<{}}{:.<{}}] {}/{}  {}:{}  {}", "", filled, "",
-                                 kBarWidth - filled, progress.cycle, progress.last_cycle,
-                                 progress.left_score, progress.right_score, name(progress.mode));
+  std::string text =
+      fmt::format("{} {}/{}  {}:{}  {}", progress_bar(share), progress.cycle, progress.last_cycle,
+                  progress.left_score, progress.right_score, name(progress.mode));
   if (cycles_per_second > 0.0) {
     const double left = (progress.last_cycle - progress.cycle) / cycles_per_second;
     text += fmt::format("  {:.0f} cycles/s  {}", cycles_per_second, time_left(left));
@@ -36,15 +24,8 @@ std::string progress_text(const orchestration::MatchProgress& progress, double c
   return text;
 }
 
-void ProgressLine::show(std::string_view text) {
-  const auto width = static_cast<std::size_t>(terminal_width() - 1);
-  fmt::print(stderr, "\r\x1b[K{}", text.substr(0, width));
-  std::fflush(stderr);
-  visible_ = true;
-}
-
 void ProgressLine::on_phase(std::string_view what) {
-  if (shown_) show(what);
+  if (shown_) line_.show(what);
 }
 
 void ProgressLine::on_cycle(const orchestration::MatchProgress& progress) {
@@ -58,20 +39,13 @@ void ProgressLine::on_cycle(const orchestration::MatchProgress& progress) {
   last_shown_ = now;
   const double elapsed = std::chrono::duration<double>(now - first_cycle_).count();
   const bool known = cycles_at_start_ >= 0 && elapsed > 0.5;
-  show(progress_text(progress, known ? (progress.cycle - cycles_at_start_) / elapsed : 0.0));
+  line_.show(progress_text(progress, known ? (progress.cycle - cycles_at_start_) / elapsed : 0.0));
 }
 
 void ProgressLine::on_warning(std::string_view line) {
   if (quiet_) return;
-  clear();
+  line_.clear();
   fmt::print(stderr, "cls: warning: {}\n", line);
-}
-
-void ProgressLine::clear() {
-  if (!visible_) return;
-  fmt::print(stderr, "\r\x1b[K");
-  std::fflush(stderr);
-  visible_ = false;
 }
 
 }  // namespace cls::cli

@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "cli/terminal_line.h"
 #include "orchestration/match_observer.h"
 
 namespace cls::cli {
@@ -15,25 +16,20 @@ class ProgressLine : public orchestration::MatchObserver {
  public:
   /// `shown` is false without a terminal and with --quiet;
   ProgressLine(bool shown, bool quiet) : shown_(shown), quiet_(quiet) {}
-  ~ProgressLine() override { clear(); }
-  ProgressLine(const ProgressLine&) = delete;
-  ProgressLine& operator=(const ProgressLine&) = delete;
 
   void on_phase(std::string_view what) override;
   void on_cycle(const orchestration::MatchProgress& progress) override;
   void on_warning(std::string_view line) override;
 
   /// Removes the line, so that what is printed next starts on a clean one.
-  void clear();
+  void clear() { line_.clear(); }
 
  private:
   using Clock = std::chrono::steady_clock;
 
-  void show(std::string_view text);
-
   bool shown_;
   bool quiet_;
-  bool visible_ = false;
+  TerminalLine line_;
   Clock::time_point last_shown_{};
   Clock::time_point first_cycle_{};
   int cycles_at_start_ = -1;

@@ -12,6 +12,7 @@
 
 #include "cli/damage_report.h"
 #include "cli/exit_code.h"
+#include "cli/log_progress.h"
 #include "gamelog/log_files.h"
 #include "gamelog/parallel.h"
 #include "gamelog/results/read_results.h"
@@ -34,6 +35,8 @@ constexpr const char* kDescription =
     "  cls results 'logs/*.rcg' --json\n"
     "\n"
     "LOG is a game log (rcg), a text log (rcl), a folder, a pattern, or - for standard input.\n"
+    "A match without its end is \"incomplete\"; where cls match has left a result.json beside the\n"
+    "log, that decides: a match ended by --cycles is finished.\n"
     "Goals read \"cycle side number\": 169 l 11.";
 
 struct Arguments {
@@ -51,6 +54,11 @@ std::optional<ResultsFormat> format_of(const Arguments& arguments) {
   return std::nullopt;
 }
 
+std::vector<ReadResult> read_all(const std::vector<gamelog::MatchLogs>& matches, std::size_t jobs) {
+  LogProgress progress(matches.size());
+  return gamelog::read_results(matches, jobs, [&](std::size_t count) { progress.done(count); });
+}
+
 int run_results_command(const Arguments& arguments) {
   const auto format = format_of(arguments);
   if (!format) {
@@ -64,7 +72,7 @@ int run_results_command(const Arguments& arguments) {
     fmt::print(stderr, "cls: no log '{}'\n", missing);
   }
   std::vector<gamelog::MatchSummary> summaries;
-  for (ReadResult& result : gamelog::read_results(found.matches, arguments.jobs)) {
+  for (ReadResult& result : read_all(found.matches, arguments.jobs)) {
     if (!result.unreadable.empty()) {
       fmt::print(stderr, "cls: {}\n", result.unreadable);
       exit_code = kNoInput;

@@ -11,6 +11,7 @@
 
 #include "cli/damage_report.h"
 #include "cli/exit_code.h"
+#include "cli/log_progress.h"
 #include "gamelog/log_files.h"
 #include "gamelog/parallel.h"
 #include "gamelog/statistics/read_statistics.h"
@@ -22,9 +23,9 @@ using gamelog::StatisticsFormat;
 
 constexpr const char* kDescription =
     "Prints statistics of matches from their logs.\n"
-    "Possession, passes and who passes to whom, shots, tackles, territory, set plays, positions, "
-    "distance and stamina; with the text log (rcl) beside the\n"
-    "game log also how the players answered the server.\n"
+    "Possession, passes and who passes to whom, shots, tackles, territory, set plays, positions,\n"
+    "distance and stamina; with the text log (rcl) beside the game log also how the players\n"
+    "answered the server.\n"
     "\n"
     "  cls stats game.rcg.gz                  teams and players\n"
     "  cls stats game.rcg --json --events     everything, every pass and shot too\n"
@@ -49,6 +50,13 @@ std::optional<StatisticsFormat> format_of(const Arguments& arguments) {
   return std::nullopt;
 }
 
+gamelog::StatisticsOutput read_all(const std::vector<gamelog::MatchLogs>& matches,
+                                   StatisticsFormat format, const Arguments& arguments) {
+  LogProgress progress(matches.size());
+  return read_statistics(matches, format, arguments.events, arguments.jobs,
+                         [&](std::size_t count) { progress.done(count); });
+}
+
 int run_stats_command(const Arguments& arguments) {
   const auto format = format_of(arguments);
   if (!format) {
@@ -61,8 +69,7 @@ int run_stats_command(const Arguments& arguments) {
   for (const std::string& missing : found.missing) {
     fmt::print(stderr, "cls: no log '{}'\n", missing);
   }
-  const gamelog::StatisticsOutput output =
-      read_statistics(found.matches, *format, arguments.events, arguments.jobs);
+  const gamelog::StatisticsOutput output = read_all(found.matches, *format, arguments);
   for (const gamelog::ReadProblem& problem : output.problems) {
     if (!problem.unreadable.empty()) {
       fmt::print(stderr, "cls: {}\n", problem.unreadable);

@@ -67,8 +67,12 @@ void read_by_kind(InputBuffer& input, RecordBuilder& builder) {
 }  // namespace
 
 MatchRecord read_rcg(ByteSource& source) {
-  MatchRecord record;
   InputBuffer input(source);
+  return read_rcg(input);
+}
+
+MatchRecord read_rcg(InputBuffer& input) {
+  MatchRecord record;
   RecordBuilder builder(record);
   read_by_kind(input, builder);
   check_end(input, record);

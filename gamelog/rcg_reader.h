@@ -4,6 +4,7 @@
 #include <string>
 
 #include "gamelog/byte_source.h"
+#include "gamelog/input_buffer.h"
 #include "gamelog/match_record.h"
 #include "soccer/result.h"
 
@@ -13,6 +14,7 @@ namespace cls::gamelog {
 /// read is in MatchRecord::damage, with everything before it in the record. A log without the end
 /// of its match (neither a result nor time_over: killed or still being written) is damaged too.
 MatchRecord read_rcg(ByteSource& source);
+MatchRecord read_rcg(InputBuffer& input);
 
 /// The same for a file, plain or gzip, "-" for standard input. An error means that there is no
 /// such file or that it cannot be opened.

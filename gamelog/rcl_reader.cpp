@@ -137,10 +137,14 @@ class RclReader {
 }  // namespace
 
 RclRecord read_rcl(ByteSource& source) {
-  RclRecord record;
   InputBuffer input(source);
+  return read_rcl(input);
+}
+
+RclRecord read_rcl(InputBuffer& input) {
+  RclRecord record;
   record.text.reserve(
-      static_cast<std::size_t>(std::min<std::uint64_t>(source.size_hint(), kMaxText)));
+      static_cast<std::size_t>(std::min<std::uint64_t>(input.source().size_hint(), kMaxText)));
   RclReader(input, record).read_all();
   return record;
 }

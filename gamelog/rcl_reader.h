@@ -4,6 +4,7 @@
 #include <string>
 
 #include "gamelog/byte_source.h"
+#include "gamelog/input_buffer.h"
 #include "gamelog/rcl_record.h"
 #include "soccer/result.h"
 
@@ -12,6 +13,7 @@ namespace cls::gamelog {
 /// Reads to the end (log-formats 2). Lines that do not start with a time belong to the datagram
 /// before them. Never fails: what makes no sense is in RclRecord::damage.
 RclRecord read_rcl(ByteSource& source);
+RclRecord read_rcl(InputBuffer& input);
 
 /// The same for a file, plain or gzip, "-" for standard input. An error means that there is no
 /// such file or that it cannot be opened.

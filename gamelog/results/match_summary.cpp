@@ -172,18 +172,21 @@ bool is_complete(const MatchRecord& record) {
   return record.time.back() >= normal_time - 1 && !more_follows;
 }
 
-Winner winner_of(const MatchSummary& summary, Winner tossed) {
-  if (!summary.complete) return Winner::kNone;
+}  // namespace
+
+void decide_winner(MatchSummary& summary, Winner tossed) {
   const TeamSummary& left = summary.teams[0];
   const TeamSummary& right = summary.teams[1];
-  if (left.score != right.score) return left.score > right.score ? Winner::kLeft : Winner::kRight;
-  if (summary.penalties && left.penalty_score != right.penalty_score) {
-    return left.penalty_score > right.penalty_score ? Winner::kLeft : Winner::kRight;
+  if (!summary.complete) {
+    summary.winner = Winner::kNone;
+  } else if (left.score != right.score) {
+    summary.winner = left.score > right.score ? Winner::kLeft : Winner::kRight;
+  } else if (summary.penalties && left.penalty_score != right.penalty_score) {
+    summary.winner = left.penalty_score > right.penalty_score ? Winner::kLeft : Winner::kRight;
+  } else {
+    summary.winner = summary.coin_toss ? tossed : Winner::kDraw;
   }
-  return summary.coin_toss ? tossed : Winner::kDraw;
 }
-
-}  // namespace
 
 MatchSummary summarize(const MatchRecord& record, const RclRecord* text) {
   MatchSummary summary;
@@ -204,7 +207,7 @@ MatchSummary summarize(const MatchRecord& record, const RclRecord* text) {
   read_goals(record, summary);
   Winner tossed = Winner::kNone;
   if (text != nullptr) read_coin_toss(*text, summary, tossed);
-  summary.winner = winner_of(summary, tossed);
+  decide_winner(summary, tossed);
   summary.damage = record.damage.count + (text != nullptr ? text->damage.count : 0);
   return summary;
 }
@@ -236,7 +239,7 @@ MatchSummary summarize(const RclRecord& text) {
   read_cards(text, summary);
   Winner tossed = Winner::kNone;
   read_coin_toss(text, summary, tossed);
-  summary.winner = winner_of(summary, tossed);
+  decide_winner(summary, tossed);
   summary.damage = text.damage.count;
   return summary;
 }

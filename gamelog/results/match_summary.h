@@ -57,7 +57,8 @@ struct MatchSummary {
   Winner winner = Winner::kNone;
   bool penalties = false;  ///< there was a shoot-out
   bool coin_toss = false;  ///< the shoot-out was level too, and the coin decided
-  bool complete = false;   ///< reached time_over
+  bool complete = false;   ///< reached its end
+  std::string end_reason;  ///< in the words of `cls match`; empty where it has left none
   int cycles = 0;          ///< last game time
   int frames = 0;          ///< stopped cycles counted too
 
@@ -75,6 +76,10 @@ struct MatchSummary {
 /// From a game log, and its text log if there is one (which adds the coin toss and the cards that
 /// versions 1 to 3 cannot show). Source: log-formats 5.
 MatchSummary summarize(const MatchRecord& record, const RclRecord* text);
+
+/// Sets the winner by score, shoot-out and coin (`tossed`), in this order; nobody's while the match
+/// is not complete.
+void decide_winner(MatchSummary& summary, Winner tossed);
 
 /// From a text log alone: no scorers, no substitutions, no disconnections.
 MatchSummary summarize(const RclRecord& text);

@@ -1,6 +1,7 @@
 // Results of many logs, read side by side.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -20,7 +21,9 @@ struct ReadResult {
 };
 
 /// One entry a match, in the same order. The text log is only read where the game log leaves
-/// something open: a level shoot-out, cards before version 4.
-std::vector<ReadResult> read_results(const std::vector<MatchLogs>& matches, std::size_t jobs);
+/// something open: a level shoot-out, cards before version 4. `on_done`, if any, hears after each
+/// match how many are done, on any thread.
+std::vector<ReadResult> read_results(const std::vector<MatchLogs>& matches, std::size_t jobs,
+                                     const std::function<void(std::size_t)>& on_done = nullptr);
 
 }  // namespace cls::gamelog

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 #include "gamelog/results/results_json.h"
 #include "gamelog/results/standings.h"
@@ -78,7 +79,28 @@ std::string remarks_text(const MatchSummary& match) {
   add(match.late_starts.size(), "late");
   add(match.never_connected.size(), "missing");
   add(match.damage, "damaged places");
+  if (!match.complete && !match.end_reason.empty()) {
+    text = match.end_reason + (text.empty() ? "" : ", ") + text;
+  }
   return text;
+}
+
+// File names, or where two logs have the same, paths without the folders that all share.
+std::vector<std::string> short_names(const std::vector<MatchSummary>& matches) {
+  std::vector<std::string> names;
+  std::set<std::string> distinct;
+  std::string shared = matches.empty() ? "" : matches.front().file;
+  for (const MatchSummary& match : matches) {
+    names.push_back(match.file.substr(match.file.rfind('/') + 1));
+    distinct.insert(names.back());
+    const auto differ =
+        std::mismatch(shared.begin(), shared.end(), match.file.begin(), match.file.end());
+    shared.erase(differ.first, shared.end());
+  }
+  if (distinct.size() == names.size()) return names;
+  const std::size_t start = shared.rfind('/') + 1;
+  for (std::size_t i = 0; i < names.size(); ++i) names[i] = matches[i].file.substr(start);
+  return names;
 }
 
 TextTable table_for_people(const std::vector<MatchSummary>& matches) {
@@ -91,20 +113,25 @@ TextTable table_for_people(const std::vector<MatchSummary>& matches) {
   table.add_column("goals");
   table.add_column("remarks");
   table.add_column("log");
-  for (const MatchSummary& match : matches) {
+  const std::vector<std::string> names = short_names(matches);
+  for (std::size_t i = 0; i < matches.size(); ++i) {
+    const MatchSummary& match = matches[i];
     table.add_row({name_of(match.teams[0]), score_text(match), name_of(match.teams[1]),
                    winner_text(match), std::to_string(match.cycles), goals_text(match),
-                   remarks_text(match), match.file.substr(match.file.rfind('/') + 1)});
+                   remarks_text(match), names[i]});
   }
   return table;
 }
 
 TextTable table_for_programs(const std::vector<MatchSummary>& matches) {
   TextTable table;
-  for (const char* head :
-       {"file", "date", "version", "left", "right", "left_score", "right_score", "left_penalties",
-        "right_penalties", "winner", "complete", "cycles", "goals", "cards", "substitutions",
-        "disconnections", "late_starts", "never_connected", "damage"}) {
+  for (const char* head : {"file",           "date",           "version",
+                           "left",           "right",          "left_score",
+                           "right_score",    "left_penalties", "right_penalties",
+                           "winner",         "complete",       "cycles",
+                           "goals",          "cards",          "substitutions",
+                           "disconnections", "late_starts",    "never_connected",
+                           "damage",         "end_reason"}) {
     table.add_column(head);
   }
   for (const MatchSummary& match : matches) {
@@ -112,13 +139,26 @@ TextTable table_for_programs(const std::vector<MatchSummary>& matches) {
     const auto penalties = [&match](const TeamSummary& team) {
       return match.penalties ? std::to_string(team.penalty_score) : std::string();
     };
-    table.add_row({match.file, match.date, match.version, left.name, right.name,
-                   std::to_string(left.score), std::to_string(right.score), penalties(left),
-                   penalties(right), std::string(winner_word(match.winner)),
-                   match.complete ? "true" : "false", std::to_string(match.cycles),
-                   goals_text(match), cards_text(match), substitutions_text(match),
-                   players_text(match.disconnections), players_text(match.late_starts),
-                   players_text(match.never_connected), std::to_string(match.damage)});
+    table.add_row({match.file,
+                   match.date,
+                   match.version,
+                   left.name,
+                   right.name,
+                   std::to_string(left.score),
+                   std::to_string(right.score),
+                   penalties(left),
+                   penalties(right),
+                   std::string(winner_word(match.winner)),
+                   match.complete ? "true" : "false",
+                   std::to_string(match.cycles),
+                   goals_text(match),
+                   cards_text(match),
+                   substitutions_text(match),
+                   players_text(match.disconnections),
+                   players_text(match.late_starts),
+                   players_text(match.never_connected),
+                   std::to_string(match.damage),
+                   match.end_reason});
   }
   return table;
 }

@@ -51,8 +51,8 @@ class ChainJudge {
     const std::size_t next = chain.last_touch + 1;
     const bool touched =
         next < flow_.touches.size() && flow_.touches[next].live_phase == last.live_phase;
-    std::size_t end = touched ? flow_.touches[next].frame : flow_.phase.size();
-    for (std::size_t i = flow_.touches[chain.first_touch].frame; i < end && flow_.is_live(i); ++i) {
+    const std::size_t end = touched ? flow_.touches[next].frame : flow_.end_of_play(last);
+    for (std::size_t i = flow_.touches[chain.first_touch].frame; i < end; ++i) {
       if (in_opponents_box(soccer::Vec2(flow_.record->ball_position[i]) * sign)) {
         return ChainResult::kBoxEntry;
       }

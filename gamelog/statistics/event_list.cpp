@@ -45,6 +45,14 @@ class EventList {
     event.to = pass.to * sign(pass.passer);
     event.other = pass.receiver;
     event.result = name(pass.outcome);
+    const auto mark = [&event](bool is_so, std::string_view word) {
+      if (is_so) event.marks.push_back(word);
+    };
+    mark(pass.through, "through");
+    mark(pass.cross, "cross");
+    mark(pass.switched, "switch");
+    mark(pass.cutback, "cutback");
+    mark(pass.clearance, "clearance");
   }
 
   void add_carry(const Carry& carry) {

@@ -13,6 +13,8 @@ constexpr std::size_t kTackle = static_cast<std::size_t>(Counter::kTackle);
 
 // Beyond what a ball can do in a step: the referee has put it somewhere.
 constexpr double kPlacedMargin = 0.3;
+// A ball that rolled faster than this does not come to rest by itself in one step.
+constexpr double kStillRolls = 1e-3;
 
 // Counters only grow, unless another match begins.
 bool follows(const MatchRecord& record, std::size_t frame) {
@@ -74,6 +76,17 @@ soccer::Vec2 launch_of(const MatchRecord& record, std::size_t frame) {
   return soccer::Vec2(record.ball_velocity[frame]) / record.server.ball_decay;
 }
 
+// Within play_on the referee drops a ball that got stuck, and a trainer may move it. No mode of the
+// log says so, the ball does: it jumps, or stands still at once.
+bool was_placed(const MatchRecord& record, std::size_t frame) {
+  const soccer::Vec2 before = record.ball_velocity[frame - 1];
+  const soccer::Vec2 now = record.ball_velocity[frame];
+  const double moved =
+      soccer::distance(record.ball_position[frame], record.ball_position[frame - 1]);
+  return moved > record.server.ball_speed_max + kPlacedMargin ||
+         (now == soccer::Vec2{} && before.length() > kStillRolls);
+}
+
 // All who touched the ball in the step to `frame`, as one event.
 std::optional<Touch> touch_in(const MatchRecord& record, std::size_t frame) {
   Touch touch;
@@ -109,7 +122,11 @@ void find_phases(Flow& flow) {
   std::int32_t phases = 0;
   for (std::size_t i = 0; i < record.frames(); ++i) {
     flow.phase.push_back(phase_of(record.mode[i]));
-    const bool goes_on = i > 0 && flow.is_live(i - 1) && follows(record, i);
+    bool goes_on = i > 0 && flow.is_live(i) && flow.is_live(i - 1) && follows(record, i);
+    if (goes_on && was_placed(record, i)) {
+      flow.placed.push_back(static_cast<std::uint32_t>(i));
+      goes_on = false;
+    }
     if (flow.is_live(i) && !goes_on) ++phases;
     flow.live_phase.push_back(flow.is_live(i) ? phases - 1 : -1);
   }
@@ -130,6 +147,17 @@ void attach_goal_kick(Flow& flow, std::size_t frame) {
 
 }  // namespace
 
+std::size_t Flow::end_of_play(const Touch& touch) const {
+  std::size_t frame = touch.frame;
+  const bool ends_here =
+      live_phase[frame] != touch.live_phase && live_phase[frame - 1] == touch.live_phase;
+  if (ends_here) return frame;
+  // The phase that a goal kick starts begins some frames later.
+  while (frame < live_phase.size() && live_phase[frame] != touch.live_phase) ++frame;
+  while (frame < live_phase.size() && live_phase[frame] == touch.live_phase) ++frame;
+  return frame;
+}
+
 Flow flow_of(const MatchRecord& record) {
   Flow flow;
   flow.record = &record;
@@ -139,11 +167,13 @@ Flow flow_of(const MatchRecord& record) {
     if (!follows(record, i)) continue;
     const bool live = flow.is_live(i);
     const bool goes_on = live && flow.live_phase[i] == flow.live_phase[i - 1];
+    const bool begins = live && !flow.is_live(i - 1);
     if (goes_on) flow.owner[i] = flow.owner[i - 1];
     auto touch = touch_in(record, i);
     if (touch) {
-      touch->live_phase = live ? flow.live_phase[i] : flow.live_phase[i - 1];
-      if (live) flow.owner[i] = touch->slot;
+      // Where the referee put the ball afterwards, the touch is the last of what was before.
+      touch->live_phase = flow.live_phase[begins ? i : i - 1];
+      if (goes_on || begins) flow.owner[i] = touch->slot;
       flow.touches.push_back(*touch);
     } else if (live && !goes_on) {
       attach_goal_kick(flow, i);

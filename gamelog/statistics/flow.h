@@ -43,12 +43,19 @@ struct Flow {
 
   // One entry a frame.
   std::vector<Phase> phase;
-  std::vector<std::int32_t> live_phase;  ///< maximal runs of live frames, from 0; -1 elsewhere
-  std::vector<std::int8_t> owner;        ///< last toucher within the live phase
+  /// Number of the run of live frames, from 0; -1 elsewhere. A ball that was put somewhere while
+  /// play went on (a dropped ball) starts a new one.
+  std::vector<std::int32_t> live_phase;
+  std::vector<std::int8_t> owner;  ///< last toucher within the live phase
 
-  std::vector<Touch> touches;  ///< of all phases, by frame
+  std::vector<Touch> touches;         ///< of all phases, by frame
+  std::vector<std::uint32_t> placed;  ///< live frames in which the ball was dropped or moved
 
   bool is_live(std::size_t frame) const { return phase[frame] == Phase::kLive; }
+
+  /// The first frame behind a touch that is not of the touch's live phase any more; the number of
+  /// frames if there is none. The touch must have a live phase.
+  std::size_t end_of_play(const Touch& touch) const;
 };
 
 Flow flow_of(const MatchRecord& record);

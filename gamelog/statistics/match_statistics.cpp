@@ -136,13 +136,17 @@ MatchStatistics statistics_of(const MatchRecord& record, const RclRecord* text) 
   return all;
 }
 
-std::vector<std::string> doubts_about(const MatchStatistics& statistics) {
+std::vector<std::string> doubts_about(const MatchSummary& summary,
+                                      const MatchStatistics& statistics) {
   constexpr double kSilentInSynchMode = 0.01;
   constexpr double kSilent = 0.02;
   const MatchRecord& record = *statistics.flow.record;
   std::vector<std::string> doubts;
   if (record.frames() == 0) return {"no frames"};
-  if (record.mode.back() != soccer::PlayMode::kTimeOver) doubts.push_back("no time_over");
+  if (!summary.complete) {
+    doubts.push_back(summary.end_reason.empty() ? "no time_over"
+                                                : "ended as " + summary.end_reason);
+  }
   const double limit = record.server.synch_mode ? kSilentInSynchMode : kSilent;
   for (std::size_t slot = 0; slot < kSlots; ++slot) {
     const int at = static_cast<int>(slot);

@@ -7,6 +7,7 @@
 
 #include "gamelog/match_record.h"
 #include "gamelog/rcl_record.h"
+#include "gamelog/results/match_summary.h"
 #include "gamelog/statistics/carries.h"
 #include "gamelog/statistics/chains.h"
 #include "gamelog/statistics/flow.h"
@@ -95,7 +96,9 @@ struct MatchStatistics {
 MatchStatistics statistics_of(const MatchRecord& record, const RclRecord* text);
 
 /// Why the match should not count in a comparison of teams (match-statistics 5): players lost or
-/// missing, too many silent cycles, no end. Empty: nothing speaks against it.
-std::vector<std::string> doubts_about(const MatchStatistics& statistics);
+/// missing, too many silent cycles, no end. Empty: nothing speaks against it. `summary` is of the
+/// same match.
+std::vector<std::string> doubts_about(const MatchSummary& summary,
+                                      const MatchStatistics& statistics);
 
 }  // namespace cls::gamelog

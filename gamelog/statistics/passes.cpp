@@ -105,12 +105,6 @@ class PassView {
   double sign_;
 };
 
-// The first frame behind `frame` that is not live any more, or the last frame.
-std::size_t end_of_play(const Flow& flow, std::size_t frame) {
-  while (frame + 1 < flow.phase.size() && flow.is_live(frame)) ++frame;
-  return frame;
-}
-
 PassOutcome outcome_of_dead_ball(const Flow& flow, std::size_t end) {
   const soccer::PlayMode mode = flow.record->mode[end];
   switch (mode) {
@@ -161,8 +155,10 @@ struct PassBuilder {
                          ? PassOutcome::kCompleted
                          : PassOutcome::kIntercepted;
     } else {
-      end = end_of_play(flow, touch.frame);
-      pass.to = Vec2(record.ball_position[end]) * sign;
+      end = std::min(flow.end_of_play(touch), record.frames() - 1);
+      // A dropped ball lies where the referee has put it.
+      const bool dropped = std::binary_search(flow.placed.begin(), flow.placed.end(), end);
+      pass.to = Vec2(record.ball_position[dropped ? end - 1 : end]) * sign;
       pass.outcome = outcome_of_dead_ball(flow, end);
     }
     pass.frames = static_cast<std::uint32_t>(end + 1 - touch.frame);

@@ -6,6 +6,7 @@
 #include "gamelog/parallel.h"
 #include "gamelog/rcg_reader.h"
 #include "gamelog/rcl_reader.h"
+#include "gamelog/results/match_document.h"
 #include "gamelog/results/match_summary.h"
 #include "gamelog/statistics/match_statistics.h"
 #include "gamelog/statistics/statistics_json.h"
@@ -76,6 +77,7 @@ Part read_part(const MatchLogs& logs, StatisticsFormat format, bool events) {
   MatchSummary summary = summarize(*record, text_log);
   summary.file = logs.game;
   summary.text_log = text ? logs.text : "";
+  add_end_reason(logs.game, summary);
   part.usable = true;
   write_part(summary, statistics_of(*record, text_log), format, events, part);
   return part;
@@ -105,10 +107,11 @@ std::string joined(std::vector<Part>& parts, StatisticsFormat format) {
 }  // namespace
 
 StatisticsOutput read_statistics(const std::vector<MatchLogs>& matches, StatisticsFormat format,
-                                 bool events, std::size_t jobs) {
+                                 bool events, std::size_t jobs,
+                                 const std::function<void(std::size_t)>& on_done) {
   std::vector<Part> parts(matches.size());
-  for_each_index(matches.size(), jobs,
-                 [&](std::size_t i) { parts[i] = read_part(matches[i], format, events); });
+  const auto work = [&](std::size_t i) { parts[i] = read_part(matches[i], format, events); };
+  for_each_index(matches.size(), jobs, work, on_done);
   StatisticsOutput output;
   for (Part& part : parts) {
     for (ReadProblem& problem : part.problems) output.problems.push_back(std::move(problem));

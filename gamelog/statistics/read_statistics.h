@@ -1,6 +1,7 @@
 // Statistics of many logs, read side by side.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -25,7 +26,9 @@ struct StatisticsOutput {
 };
 
 /// Statistics need the game log; a text log alone is a problem. JSON is schema "cls.stats/1".
+/// `on_done` as of read_results().
 StatisticsOutput read_statistics(const std::vector<MatchLogs>& matches, StatisticsFormat format,
-                                 bool events, std::size_t jobs);
+                                 bool events, std::size_t jobs,
+                                 const std::function<void(std::size_t)>& on_done = nullptr);
 
 }  // namespace cls::gamelog

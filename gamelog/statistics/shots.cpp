@@ -28,12 +28,6 @@ PlayMode goal_mode(std::size_t team) {
   return team == 0 ? PlayMode::kGoalLeft : PlayMode::kGoalRight;
 }
 
-// The first frame from `first` on that is not live; the number of frames if there is none.
-std::size_t end_of_play(const Flow& flow, std::size_t first) {
-  while (first < flow.phase.size() && flow.is_live(first)) ++first;
-  return first;
-}
-
 bool goal_at(const Flow& flow, std::size_t frame, std::size_t team) {
   return frame < flow.phase.size() && flow.record->mode[frame] == goal_mode(team);
 }
@@ -60,7 +54,7 @@ bool ends_shot(const Touch& next, std::size_t slot) {
 // Whether the goal follows an opponent's touch so soon that the shot has made it.
 bool deflected_into_goal(const Flow& flow, std::size_t touch, std::size_t team) {
   const Touch& deflection = flow.touches[touch];
-  const std::size_t end = end_of_play(flow, deflection.frame);
+  const std::size_t end = flow.end_of_play(deflection);
   if (!goal_at(flow, end, team) || end - deflection.frame > kDeflection) return false;
   for (std::size_t i = touch; i < flow.touches.size() && flow.touches[i].frame <= end; ++i) {
     if (flow.touches[i].nearest[team] != kNobody) return false;
@@ -73,7 +67,7 @@ bool find_outcome(const Flow& flow, Shot& shot) {
   const Touch& touch = flow.touches[shot.touch];
   const auto slot = static_cast<std::size_t>(shot.slot);
   const std::size_t team = team_of(slot);
-  const std::size_t end = end_of_play(flow, touch.frame);
+  const std::size_t end = flow.end_of_play(touch);
   const std::size_t next = shot.touch + 1;
   if (next < flow.touches.size() && flow.touches[next].frame <= end) {
     const Touch& after = flow.touches[next];

@@ -183,15 +183,16 @@ void add_players(const MatchSummary& summary, const MatchStatistics& all, TextTa
 
 TextTable event_table() {
   return with_columns({"file", "cycle", "stopped", "kind", "side", "unum", "from_x", "from_y",
-                       "to_x", "to_y", "other_side", "other_unum", "result"});
+                       "to_x", "to_y", "other_side", "other_unum", "result", "marks"});
 }
 
 void add_events(const MatchSummary& summary, const MatchStatistics& all, TextTable& table) {
   for (const Event& event : events_of(all)) {
+    const std::string marks = fmt::format("{}", fmt::join(event.marks, " "));
     table.add_row(row(summary.file, event.cycle, event.stopped, event.kind, side_text(event.slot),
                       unum_text(event.slot), number(event.from.x), number(event.from.y),
                       number(event.to.x), number(event.to.y), side_text(event.other),
-                      unum_text(event.other), event.result));
+                      unum_text(event.other), event.result, marks));
   }
 }
 

@@ -401,7 +401,8 @@ Json events_json(const MatchStatistics& all) {
          {"from", point_json(event.from)},
          {"to", point_json(event.to)},
          {"other", unum_or_null(event.other)},
-         {"result", event.result}});
+         {"result", event.result},
+         {"marks", event.marks}});
   }
   return list;
 }
@@ -415,6 +416,7 @@ Json game_json(const MatchStatistics& all) {
           {"ball_quarters", shares_json(t.quarters)},
           {"mean_ball_x", rounded(t.mean_ball_x)},
           {"field_tilt", rounded(t.field_tilt())},
+          {"dropped_balls", all.flow.placed.size()},
           {"at_feet_contested", all.possession.at_feet_contested},
           {"ball_heat", all.positions.ball}};
 }
@@ -430,7 +432,7 @@ std::string statistics_json(const MatchSummary& summary, const MatchStatistics& 
   json["cycles"] = summary.cycles;
   json["complete"] = summary.complete;
   json["damage"] = summary.damage;
-  json["doubts"] = doubts_about(all);
+  json["doubts"] = doubts_about(summary, all);
   json["game"] = game_json(all);
   json["left"] = team_json(summary, all, 0);
   json["right"] = team_json(summary, all, 1);

@@ -13,6 +13,12 @@ using Align = TextTable::Align;
 
 std::string percent(double share) { return fmt::format("{:.1f} %", 100 * share); }
 
+// One decimal; what rounds to nothing has no sign.
+std::string one_decimal(double value) {
+  const std::string text = fmt::format("{:.1f}", value);
+  return text == "-0.0" ? "0.0" : text;
+}
+
 std::string of(int part, int whole) { return fmt::format("{} of {}", part, whole); }
 
 double team_share(const PerTeam<int>& frames, std::size_t team) {
@@ -157,7 +163,7 @@ std::string player_part(const MatchSummary& summary, const MatchStatistics& all)
                    fmt::format("{:.0f}", all.movement[slot].distance()),
                    fmt::format("{:.0f}", all.stamina[slot].used),
                    all.responsiveness ? std::to_string((*all.responsiveness)[slot].silent) : "-",
-                   fmt::format("{:.1f}", all.ratings[slot].total())});
+                   one_decimal(all.ratings[slot].total())});
   }
   return table.plain();
 }
@@ -169,7 +175,7 @@ std::string statistics_text(const MatchSummary& summary, const MatchStatistics& 
   std::string text = fmt::format("{} {} {}  ({} cycles, {} of {} frames in play)\n", left.name,
                                  score_text(summary), right.name, summary.cycles,
                                  all.territory.live_frames, all.territory.frames);
-  for (const std::string& doubt : doubts_about(all)) text += "doubt: " + doubt + "\n";
+  for (const std::string& doubt : doubts_about(summary, all)) text += "doubt: " + doubt + "\n";
   text += '\n';
   text += team_part(summary, all);
   text += '\n';

@@ -113,6 +113,39 @@ TEST(Flow, AGoalKickStartsThePhaseThatItLeadsTo) {
   EXPECT_EQ(passes[0].passer, left(2));
 }
 
+TEST(Flow, ADroppedBallEndsAPhaseAlthoughTheModeGoesOn) {
+  ScriptedMatch match;
+  match.place_ball({-51.9, 11.2});
+  match.step();
+  match.kick(right(9), {-0.05, 0.01});
+  ++match.player(right(9)).counts.kick;  // and the referee drops the ball at the area's corner
+  match.place_ball({-36.0, 20.16});
+  match.steps(3);
+  match.kick(right(7), {1.0, 0.0});
+  const Flow flow = flow_of(match.record());
+  ASSERT_EQ(flow.touches.size(), 3u);
+  EXPECT_EQ(flow.placed, (std::vector<std::uint32_t>{1, 3}));
+  EXPECT_EQ(flow.touches[1].live_phase, 1);
+  EXPECT_EQ(flow.touches[2].live_phase, 2);
+  EXPECT_EQ(flow.owner[2], right(9));
+  EXPECT_EQ(flow.owner[3], kNobody);
+  EXPECT_EQ(flow.end_of_play(flow.touches[1]), 3u);
+  const auto passes = passes_of(flow, {});
+  ASSERT_EQ(passes.size(), 1u);  // the ball has not gone from the first player to the second
+  EXPECT_EQ(passes[0].passer, right(7));
+}
+
+TEST(Flow, ABallThatStopsDeadWasDroppedAndOneThatRollsOutWasNot) {
+  ScriptedMatch match;
+  match.kick(left(10), {0.06, 0.1});
+  match.place_ball(match.next().ball_position);
+  match.step();
+  match.kick(left(10), {5e-4, 0.0});
+  match.place_ball(match.next().ball_position);
+  match.step();
+  EXPECT_EQ(flow_of(match.record()).placed, std::vector<std::uint32_t>{2});
+}
+
 TEST(Flow, StartsAnewWhereAnotherMatchBegins) {
   ScriptedMatch match;
   match.kick(left(5), {1, 0});

@@ -153,7 +153,7 @@ TEST(Passes, AThroughPassIsReceivedBehindTheLine) {
     match.place_ball({30, 0});
     match.player(left(9)).position = {receiver_x, 0};
     match.step();
-    match.kick(left(8), {2.5, 2.4});
+    match.kick(left(8), {2.3, 2.2});
     match.steps(6);
     match.kick(left(9), {0, 0});
     return passes_in(match).at(0).through;
@@ -339,9 +339,8 @@ TEST(Threat, RewardsMovesTowardsShots) {
   match.step();
   match.kick(left(7), {2.7, 0});
   match.steps(12);
-  match.kick(left(9), {0.1, 0});
-  match.place_ball({40, 0});
-  match.step();
+  match.kick(left(9), {1.2, 0});
+  match.steps(8);
   match.kick(left(9), {2.5, 0.6});
   match.steps(6);
   const Flow flow = flow_of(match.record());
@@ -351,7 +350,7 @@ TEST(Threat, RewardsMovesTowardsShots) {
   ASSERT_EQ(shots.size(), 1u);
   const ThreatGrid grid = threat_grid(flow, passes, carries, shots, {0.5});
   EXPECT_EQ(grid[threat_cell({-40, 0})], 0.0);
-  EXPECT_DOUBLE_EQ(grid[threat_cell({40, 0})], 0.5);
+  EXPECT_DOUBLE_EQ(grid[threat_cell({45, 0})], 0.5);
   const auto added = threat_added(grid, passes, carries);
   double sum = 0.0;
   for (const double value : added) sum += value;

@@ -51,6 +51,7 @@ void expect_agreement_with_referee(const RealMatch& match, const MatchStatistics
     const Goalkeeping& keeper = all.goalkeeping[side == 'l' ? 0 : 1];
     EXPECT_EQ(keeper.catches, said("goalie_catch_ball_"));
   }
+  EXPECT_EQ(all.flow.placed.size(), static_cast<std::size_t>(words["drop_ball"]));
 }
 
 // What the counters grew by between the first frame and time_over, and what was asked for.
@@ -144,7 +145,7 @@ TEST(RealStatistics, AgreeWithTheTextLogOfWholeMatches) {
   };
   // The figures keep definitions from drifting; docs/formats/statistics.md explains them.
   for (const auto& [name, completed, shots, tackles, possession] :
-       {Figures{"helios-vs-helios-full", {69, 76}, {5, 4}, {26, 16}, 0.5476},
+       {Figures{"helios-vs-helios-full", {69, 76}, {5, 4}, {26, 16}, 0.5463},
         Figures{"cyrus-vs-helios-full", {136, 88}, {12, 0}, {43, 18}, 0.6157}}) {
     const auto data = tests::data("logs/" + std::string(name) + ".rcg.gz");
     if (!data) GTEST_SKIP() << "no data: set CLS_DATA";
@@ -155,7 +156,7 @@ TEST(RealStatistics, AgreeWithTheTextLogOfWholeMatches) {
     expect_counts_to_add_up(match, all);
     expect_possible_stamina(match, all);
     expect_consistency(all);
-    EXPECT_TRUE(doubts_about(all).empty());
+    EXPECT_TRUE(doubts_about(summarize(match.record, &match.text), all).empty());
     EXPECT_NEAR(left_share(all.possession.last_touch), possession, 1e-4);
     for (std::size_t team = 0; team < 2; ++team) {
       const TeamTotals t = totals_of(all, team);

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -69,9 +70,9 @@ TEST(ResultsText, QuotesCsv) {
   EXPECT_EQ(format_results({example()}, ResultsFormat::kCsv),
             "file,date,version,left,right,left_score,right_score,left_penalties,right_penalties,"
             "winner,complete,cycles,goals,cards,substitutions,disconnections,late_starts,"
-            "never_connected,damage\n"
+            "never_connected,damage,end_reason\n"
             "\"logs/a,b.rcg\",202611202127,6,A|b,\xc3\x9c,1,2,,,right,true,6000,"
-            "169 l 11; 1313 r 4 own; 1400 r ?,2069 l 7,5716 r 7 13>6,,,,0\n");
+            "169 l 11; 1313 r 4 own; 1400 r ?,2069 l 7,5716 r 7 13>6,,,,0,\n");
 }
 
 TEST(ResultsText, WritesJsonByTheContract) {
@@ -154,6 +155,78 @@ TEST_F(LogFolder, TakesAPatternThatIsAFileAsThatFile) {
   EXPECT_EQ(found.matches[0].game, odd);
 }
 
+// The start of a match: 1:0 after 234 cycles, without an end.
+class MatchBesideItsDocument : public testing::Test {
+ protected:
+  MatchSummary read(const std::string& document) {
+    const fs::path folder = folder_.path();
+    std::ofstream(folder / "match.rcg")
+        << tests::read_file(tests::fixture("gamelog/match-start.rcg.gz"));
+    std::ofstream(folder / "result.json") << document;
+    const auto results = read_results(find_logs({(folder / "match.rcg").string()}).matches, 1);
+    return results.at(0).summary;
+  }
+
+  static std::string document(const std::string& end_reason, const std::string& log) {
+    return R"({"schema": "cls.match/1", "end_reason": ")" + end_reason +
+           R"(", "log_files": {"rcg": ")" + log + R"(", "rcl": "match.rcl"}})";
+  }
+
+  tests::TemporaryFolder folder_;
+};
+
+TEST_F(MatchBesideItsDocument, IsCompleteIfItWasMeantToEndThere) {
+  const MatchSummary summary = read(document("finished", "match.rcg"));
+  EXPECT_TRUE(summary.complete);
+  EXPECT_EQ(summary.end_reason, "finished");
+  EXPECT_EQ(summary.winner, Winner::kLeft);
+  EXPECT_NE(format_results({summary}, ResultsFormat::kJson).find("\"end_reason\": \"finished\""),
+            std::string::npos);
+}
+
+TEST_F(MatchBesideItsDocument, SaysWhyItBrokeOff) {
+  const MatchSummary summary = read(document("stalled", "match.rcg"));
+  EXPECT_FALSE(summary.complete);
+  EXPECT_EQ(summary.winner, Winner::kNone);
+  const std::string table = format_results({summary}, ResultsFormat::kTable);
+  EXPECT_NE(table.find("incomplete"), std::string::npos);
+  EXPECT_NE(table.find("stalled, "), std::string::npos) << table;
+}
+
+TEST_F(MatchBesideItsDocument, DoesNotBelieveADocumentOfSomethingElse) {
+  for (const std::string& odd :
+       {document("finished", "another.rcg"), std::string("{\"schema\": \"cls.match/1\"}"),
+        std::string("[1]"), std::string("no json"),
+        std::string("{\"schema\": 5, \"log_files\": 7}"),
+        std::string("{\"schema\": \"cls.match/1\", \"log_files\": []}")}) {
+    const MatchSummary summary = read(odd);
+    EXPECT_FALSE(summary.complete) << odd;
+    EXPECT_EQ(summary.end_reason, "") << odd;
+  }
+}
+
+TEST(ResultsText, NamesLogsByTheirPathWhereFilesHaveOneName) {
+  MatchSummary a = example();
+  a.file = "runs/5/a/match.rcg";
+  MatchSummary b = example();
+  b.file = "runs/5/bb/match.rcg";
+  const std::string table = format_results({a, b}, ResultsFormat::kTable);
+  EXPECT_NE(table.find("  a/match.rcg\n"), std::string::npos) << table;
+  EXPECT_NE(table.find("  bb/match.rcg\n"), std::string::npos) << table;
+}
+
+TEST(ReadResults, KnowsATextLogByItsBytes) {
+  const tests::TemporaryFolder folder;
+  const std::string path = folder.path() / "some-log.txt";
+  std::ofstream(path) << "0,1\tRecv A_1: (init A (version 18))\n1,0\t(referee play_on)\n"
+                         "50,0\t(referee goal_l_1)\n6000,0\t(referee time_over)\n";
+  const auto results = read_results(find_logs({path}).matches, 1);
+  ASSERT_EQ(results.size(), 1u);
+  EXPECT_TRUE(results[0].damage.empty());
+  EXPECT_EQ(results[0].summary.version, "rcl");
+  EXPECT_EQ(results[0].summary.winner, Winner::kLeft);
+}
+
 TEST(ReadResults, GivesTheSameOnOneThreadAndOnFour) {
   std::vector<MatchLogs> logs;
   for (int i = 0; i < 3; ++i) {
@@ -178,8 +251,12 @@ TEST(ReadResults, GivesTheSameOnOneThreadAndOnFour) {
 TEST(ForEachIndex, DoesEveryPieceOfWorkOnce) {
   for (const std::size_t jobs : {0, 1, 3, 50}) {
     std::vector<int> done(20, 0);
-    for_each_index(done.size(), jobs, [&done](std::size_t i) { ++done[i]; });
+    std::atomic<std::size_t> sum = 0;
+    for_each_index(
+        done.size(), jobs, [&done](std::size_t i) { ++done[i]; },
+        [&sum](std::size_t so_far) { sum += so_far; });
     EXPECT_EQ(done, std::vector<int>(20, 1));
+    EXPECT_EQ(sum, 20u * 21u / 2u);
   }
 }
 

@@ -8,6 +8,7 @@
 
 #include "gamelog/rcl_reader.h"
 #include "gamelog/statistics/interception_time.h"
+#include "gamelog/statistics/statistics_text.h"
 #include "gamelog/statistics/team_shape.h"
 #include "tests/gamelog/scripted_match.h"
 
@@ -99,15 +100,18 @@ TEST(Tackles, TellsHitsMissesAndWhetherTheyWonTheBall) {
 TEST(Territory, CountsThirdsQuartersAndBoxEntries) {
   ScriptedMatch match;
   match.kick(left(5), {1, 0});
-  for (const double x : {-30.0, 10.0, 20.0, 40.0, 45.0, 30.0, 40.0}) {
-    match.place_ball({x, 0});
-    match.step();
-  }
+  const auto roll_to = [&match](double target) {
+    while (std::fabs(match.next().ball_position.x - target) > 0.1) {
+      match.next().ball_velocity = {match.next().ball_position.x < target ? 3.0 : -3.0, 0.0};
+      match.step();
+    }
+  };
+  for (const double x : {-20.0, 37.0, 34.0, 37.0}) roll_to(x);
   const Territory t = territory_of(flow_of(match.record()));
-  EXPECT_EQ(t.live_frames, 9);
-  EXPECT_EQ(t.thirds, (std::array<int, 3>{1, 3, 5}));
-  EXPECT_EQ(t.quarters, (std::array<int, 4>{1, 0, 4, 4}));
-  EXPECT_EQ(t.teams[0].thirds_owned, (std::array<int, 3>{1, 2, 5}));
+  EXPECT_EQ(t.live_frames, 30);
+  EXPECT_EQ(t.thirds, (std::array<int, 3>{1, 20, 9}));
+  EXPECT_EQ(t.quarters, (std::array<int, 4>{0, 13, 11, 6}));
+  EXPECT_EQ(t.teams[0].thirds_owned, (std::array<int, 3>{1, 19, 9}));
   EXPECT_EQ(t.teams[0].box_entries, 2);
   EXPECT_EQ(t.teams[1].box_entries, 0);
 }
@@ -398,27 +402,52 @@ TEST(Attention, SharesFramesByViewAndTarget) {
   EXPECT_NEAR(a.mean_view_width, 120, 1e-9);
 }
 
+std::vector<std::string> doubts(const MatchRecord& record, const RclRecord* text,
+                                const std::string& end_reason = "") {
+  MatchSummary summary = summarize(record, text);
+  summary.end_reason = end_reason;
+  if (!end_reason.empty()) summary.complete = end_reason == "finished";
+  return doubts_about(summary, statistics_of(record, text));
+}
+
 TEST(Doubts, NameWhatSpeaksAgainstAMatch) {
   ScriptedMatch match;
   match.step();
   match.player(left(4)).state = 0;
   match.step();
-  const auto open = doubts_about(statistics_of(match.record(), nullptr));
-  EXPECT_EQ(open, (std::vector<std::string>{"no time_over", "l 4 was lost"}));
-  match.mode(PlayMode::kTimeOver);
+  EXPECT_EQ(doubts(match.record(), nullptr),
+            (std::vector<std::string>{"no time_over", "l 4 was lost"}));
   match.player(left(4)).state = kStateEnabled;
   match.step();
-  EXPECT_TRUE(doubts_about(statistics_of(match.record(), nullptr)).empty());
+  EXPECT_EQ(doubts(match.record(), nullptr, "stalled"),
+            std::vector<std::string>{"ended as stalled"});
+  EXPECT_TRUE(doubts(match.record(), nullptr, "finished").empty());
+  match.mode(PlayMode::kTimeOver);
+  match.step();
+  EXPECT_TRUE(doubts(match.record(), nullptr).empty());
   const RclRecord silence = text_log("1,0\t(referee play_on)\n");
-  EXPECT_EQ(doubts_about(statistics_of(match.record(), &silence)).size(), 22u);
+  EXPECT_EQ(doubts(match.record(), &silence).size(), 22u);
 }
 
 TEST(MatchStatistics, SurvivesEmptyAndTinyRecords) {
   const MatchRecord empty;
   EXPECT_TRUE(statistics_of(empty, nullptr).shots.empty());
-  EXPECT_EQ(doubts_about(statistics_of(empty, nullptr)), std::vector<std::string>{"no frames"});
+  EXPECT_EQ(doubts(empty, nullptr), std::vector<std::string>{"no frames"});
   ScriptedMatch one;
   EXPECT_EQ(statistics_of(one.record(), nullptr).possession.live_frames, 1);
+}
+
+TEST(StatisticsText, WritesNoNegativeZero) {
+  ScriptedMatch match;
+  match.player(left(5)).position = {0.5, 0};
+  match.place_ball({0, 0});
+  match.step();
+  MatchStatistics all = statistics_of(match.record(), nullptr);
+  all.ratings[left(5)].passing = -0.04;
+  all.ratings[right(5)].passing = -0.06;
+  const std::string text = statistics_text(summarize(match.record(), nullptr), all);
+  EXPECT_EQ(text.find("-0.0"), std::string::npos) << text;
+  EXPECT_NE(text.find("-0.1"), std::string::npos) << text;
 }
 
 }  // namespace
