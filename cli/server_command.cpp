@@ -8,7 +8,9 @@
 #include <chrono>
 #include <csignal>
 #include <cstdio>
+#include <ctime>
 #include <filesystem>
+#include <fstream>
 #include <memory>
 #include <optional>
 #include <random>
@@ -19,108 +21,75 @@
 
 #include "cli/exit_code.h"
 #include "cli/interrupt.h"
-#include "orchestration/match_folder.h"
-#include "orchestration/match_options.h"
+#include "orchestration/server_logs.h"
+#include "orchestration/server_report.h"
+#include "orchestration/server_settings.h"
 #include "simulator/server/udp_server.h"
 
 namespace cls::cli {
 namespace {
 
+using orchestration::ServerSettings;
 using simulator::UdpEnd;
 using simulator::UdpServer;
 
 constexpr const char* kDescription =
     "Runs the embedded soccer server alone, for clients that connect over UDP.\n"
     "\n"
-    "  cls server                               at port 6000, as rcssserver\n"
-    "  cls server --port 0                      at a free port, which is printed\n"
-    "  cls server server::half_time=100         with rcssserver's parameters\n"
+    "  cls server                               at port 6000, with rcssserver's defaults: real\n"
+    "                                           time, a monitor kicks off\n"
+    "  cls server server::auto_mode=on server::synch_mode=on server::half_time=100\n"
+    "  cls server --port 0 --seed 7             at a free port, which is printed\n"
     "\n"
-    "So far it serves players, in synchronous mode (server::synch_mode=on, its default) or in "
-    "real\n"
-    "time, and whistles by itself (server::auto_mode=on); coaches, trainers and monitors are "
-    "refused.";
+    "A SETTING is a word of rcssserver's: server::NAME=VALUE, player::NAME=VALUE,\n"
+    "CSVSaver::NAME=VALUE, include=FILE, with or without dashes before it; and sync::max_wait_ms,\n"
+    "sync::max_missed. server.conf, player.conf and CSVSaver.conf are read first, from "
+    "RCSS_CONF_DIR or\n"
+    "~/.rcssserver. Coaches and trainers are refused so far.";
 
 struct Arguments {
-  std::vector<std::string> settings;
   std::string host = "127.0.0.1";
   std::optional<int> port;
   std::optional<std::uint64_t> seed;
   std::optional<int> cycles;
-  std::string folder = ".";
+  std::string folder;
 };
 
-/// The parameters that were asked for, beginning with those that this server always needs.
-orchestration::MatchOptions base_options() {
-  orchestration::MatchOptions options;
-  options.server = soccer::ServerParams();
-  options.server.synch_mode = true;
-  options.server.auto_mode = true;
-  return options;
-}
-
-// rcssserver reads its words as one text, where blanks may stand around the '='.
-std::vector<std::string> whole_settings(const std::vector<std::string>& words) {
-  std::vector<std::string> settings;
-  for (const std::string& word : words) {
-    const bool goes_on =
-        word.starts_with('=') || (!settings.empty() && settings.back().ends_with('='));
-    if (goes_on && !settings.empty()) {
-      settings.back() += word;
-    } else {
-      settings.push_back(word);
-    }
-  }
-  return settings;
-}
-
-// What was asked for and cannot be had yet.
+// What was asked for and cannot be had.
 std::vector<std::string> refusals(const soccer::ServerParams& server) {
   std::vector<std::string> lines;
   const auto refuse = [&lines](bool asked, const char* what) {
-    if (asked) lines.push_back(fmt::format("{}: not in this server yet", what));
+    if (asked) lines.push_back(fmt::format("{}: not in this server", what));
   };
   refuse(server.coach || server.coach_w_referee, "a trainer (server::coach, coach_w_referee)");
   refuse(!server.team_l_start.empty() || !server.team_r_start.empty(),
          "starting teams (server::team_l_start, team_r_start)");
+  refuse(server.game_logging && server.game_log_version != 6,
+         "a game log that is not of version 6 (server::game_log_version; see cls convert)");
   return lines;
 }
 
-/// The logs of the match, as far as the parameters want them.
-struct Logs {
-  std::unique_ptr<gamelog::FileSink> game;
-  std::unique_ptr<gamelog::FileSink> text;
-
-  std::string close() {
-    std::string problem;
-    for (gamelog::FileSink* sink : {game.get(), text.get()}) {
-      if (sink == nullptr) continue;
-      const auto closed = sink->close();
-      if (!closed && problem.empty()) problem = closed.error().message;
-    }
-    return problem;
+/// All that was asked for, in the order in which later words win.
+soccer::Result<ServerSettings> read_settings(const Arguments& arguments,
+                                             const std::vector<std::string>& words,
+                                             int& exit_code) {
+  ServerSettings settings;
+  exit_code = kBadConfig;
+  const auto files = apply_folder(settings, orchestration::configuration_folder());
+  if (!files) return files.error();
+  for (const auto& file : *files) fmt::print("configuration: {}\n", file.string());
+  exit_code = kUsage;
+  const auto applied = apply_arguments(settings, words);
+  if (!applied) return applied.error();
+  if (arguments.folder.empty()) return settings;
+  // A folder of its own needs no other names.
+  soccer::ServerParams& server = settings.server;
+  for (std::string* folder : {&server.game_log_dir, &server.text_log_dir}) {
+    *folder = arguments.folder;
   }
-};
-
-soccer::Result<Logs> open_logs(const std::string& folder, const soccer::ServerParams& server) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) {
-    return soccer::Error{fmt::format("cannot create the folder {}: {}", folder, error.message())};
-  }
-  Logs logs;
-  const auto open = [&](bool wanted, const char* name, std::unique_ptr<gamelog::FileSink>& sink) {
-    if (!wanted) return soccer::Result<void>();
-    auto opened = gamelog::FileSink::create((std::filesystem::path(folder) / name).string());
-    if (!opened) return soccer::Result<void>(opened.error());
-    sink = std::move(*opened);
-    return soccer::Result<void>();
-  };
-  const auto game = open(server.game_logging, orchestration::kGameLogFile, logs.game);
-  if (!game) return game.error();
-  const auto text = open(server.text_logging, orchestration::kTextLogFile, logs.text);
-  if (!text) return text.error();
-  return logs;
+  server.game_log_fixed = server.text_log_fixed = true;
+  server.game_log_fixed_name = server.text_log_fixed_name = "match";
+  return settings;
 }
 
 /// What rcssserver writes too, so that scripts that wait for its lines find them here.
@@ -165,18 +134,41 @@ UdpEnd serve(UdpServer& server, const std::atomic<int>& signal) {
   return end;
 }
 
-void print_result(const UdpServer& server) {
-  const simulator::World& world = server.world();
+orchestration::ReportedTeam reported(const simulator::Team& team) {
+  orchestration::ReportedTeam report;
+  report.name = team.name.view();
+  report.score = team.score;
+  report.penalties_taken = team.penalty_kicks;
+  report.penalties_scored = team.penalty_goals;
+  return report;
+}
+
+orchestration::ServerReport report_of(const simulator::World& world, std::time_t start) {
+  orchestration::ServerReport report;
+  report.start = start;
   const simulator::Team& left = world.team(soccer::Side::kLeft);
   const simulator::Team& right = world.team(soccer::Side::kRight);
-  const auto name = [](const simulator::Team& team) {
-    return team.name.empty() ? std::string("nobody") : std::string(team.name.view());
-  };
-  fmt::print("{} {} - {} {}", name(left), left.score, right.score, name(right));
-  if (left.penalty_kicks > 0 || right.penalty_kicks > 0) {
-    fmt::print(" (penalties {} - {})", left.penalty_goals, right.penalty_goals);
-  }
-  fmt::print(", {} cycles", world.clock.time);
+  report.left = reported(left);
+  report.right = reported(right);
+  if (left.won_coin_toss) report.coin_toss_winner = soccer::Side::kLeft;
+  if (right.won_coin_toss) report.coin_toss_winner = soccer::Side::kRight;
+  return report;
+}
+
+/// Adds a line to the table of results.
+soccer::Result<void> save_csv(const std::string& file, const orchestration::ServerReport& report) {
+  std::error_code error;
+  const bool is_new = !std::filesystem::exists(file, error);
+  std::ofstream out(file, std::ios::app | std::ios::binary);
+  if (is_new) out << orchestration::csv_header();
+  out << csv_line(report) << std::flush;
+  if (!out) return soccer::Error{fmt::format("cannot write {}", file)};
+  return {};
+}
+
+void print_times(const UdpServer& server) {
+  const simulator::World& world = server.world();
+  fmt::print("{} cycles", world.clock.time);
   if (world.params().synch_mode) {
     fmt::print(", {} of them missed by a client\n", server.missed_cycles());
     return;
@@ -185,6 +177,22 @@ void print_result(const UdpServer& server) {
   fmt::print(
       "; steps late by {:.2f} ms on average, 99 % of them within {:.1f} ms, worst {:.1f} ms\n",
       late.mean_ms, late.p99_ms, late.worst_ms);
+}
+
+/// Prints and writes how it ended. The first problem on the way.
+soccer::Result<void> finish(const UdpServer& server, const ServerSettings& settings,
+                            orchestration::ServerLogs& logs, std::time_t start) {
+  const simulator::World& world = server.world();
+  const orchestration::ServerReport report = report_of(world, start);
+  soccer::Result<void> saved;
+  if (settings.save_csv) saved = save_csv(settings.csv_file, report);
+  fmt::print("{}", console_report(report, settings.save_csv && saved));
+  print_times(server);
+  gamelog::Frame last;
+  simulator::describe(world, last);
+  if (auto closed = logs.finish(last.teams); !closed) return closed;
+  for (const auto& path : logs.paths()) fmt::print("log: {}\n", path.string());
+  return saved;
 }
 
 int exit_code_of(UdpEnd end, int signal) {
@@ -196,55 +204,61 @@ int exit_code_of(UdpEnd end, int signal) {
   return signal == SIGTERM ? kTerminated : kInterrupted;
 }
 
-int report_mistakes(const std::vector<std::string>& mistakes) {
+int report_mistakes(const std::vector<std::string>& mistakes, int exit_code = kUsage) {
   for (const std::string& mistake : mistakes) fmt::print(stderr, "cls: {}\n", mistake);
-  return kUsage;
+  return exit_code;
 }
 
-int run_server(const Arguments& arguments) {
-  orchestration::MatchOptions options = base_options();
-  std::vector<std::string> mistakes;
-  for (const std::string& word : whole_settings(arguments.settings)) {
-    const auto applied = apply_setting(options, word);
-    if (!applied) mistakes.push_back(applied.error().message);
-  }
-  if (mistakes.empty()) mistakes = refusals(options.server);
-  if (!mistakes.empty()) return report_mistakes(mistakes);
-
+simulator::UdpConfig config_of(const Arguments& arguments, const ServerSettings& settings) {
   simulator::UdpConfig config;
-  config.match.server = options.server;
-  config.match.player = options.player;
+  config.match.server = settings.server;
+  config.match.player = settings.player;
   config.match.seed = arguments.seed.value_or(std::random_device()());
   config.match.cycle_limit = arguments.cycles;
   config.address = arguments.host;
-  config.port = arguments.port.value_or(options.server.port);
-  const auto made = simulator::MatchServer::create(config.match);
-  if (!made) return report_mistakes({made.error().message});
+  config.port = arguments.port.value_or(settings.server.port);
+  config.max_wait = std::chrono::milliseconds(settings.max_wait_ms);
+  config.max_missed = settings.max_missed;
+  return config;
+}
+
+/// Everything from open doors to closed logs.
+int serve_match(const Arguments& arguments, const ServerSettings& settings) {
+  const simulator::UdpConfig config = config_of(arguments, settings);
   const std::atomic<int>& signal = watch_interrupts();
+  const std::time_t start = std::time(nullptr);
   auto server = UdpServer::open(config);
-  if (!server) {
-    fmt::print(stderr, "cls: {}\n", server.error().message);
-    return kTryAgain;
-  }
-  auto logs = open_logs(arguments.folder, options.server);
-  if (!logs) {
-    fmt::print(stderr, "cls: {}\n", logs.error().message);
-    return kCannotCreate;
-  }
-  (*server)->record(logs->game.get(), logs->text.get());
+  if (!server) return report_mistakes({server.error().message}, kTryAgain);
+  auto logs = orchestration::ServerLogs::open(settings.server, start);
+  if (!logs) return report_mistakes({logs.error().message}, kCannotCreate);
+  (*server)->record(logs->game(), logs->text());
   (*server)->on_notice([&](const simulator::UdpNotice& notice) { print_notice(**server, notice); });
   fmt::print("listening on {}:{}\nSimulator Random Seed: {}\nHit CTRL-C to exit\n", arguments.host,
              (*server)->port(), config.match.seed);
   std::fflush(stdout);
 
   const UdpEnd end = serve(**server, signal);
-  if (end == UdpEnd::kFinished) fmt::print("Game Over. Exiting...\n");
-  print_result(**server);
-  if (const std::string problem = logs->close(); !problem.empty()) {
-    fmt::print(stderr, "cls: {}\n", problem);
-    return kWriteFailed;
-  }
+  if (end == UdpEnd::kFinished) fmt::print("\nGame Over. Exiting...\n");
+  if (end == UdpEnd::kStopped) fmt::print("\nServer Killed. Exiting...\n");
+  const auto finished = finish(**server, settings, *logs, start);
+  if (!finished) return report_mistakes({finished.error().message}, kWriteFailed);
   return exit_code_of(end, signal.load());
+}
+
+int run_server(const Arguments& arguments, const CLI::App& command) {
+  int problem = kUsage;
+  const auto settings = read_settings(arguments, command.remaining(), problem);
+  if (!settings) return report_mistakes({settings.error().message}, problem);
+  if (settings->help) {
+    fmt::print("{}", command.help());
+    return kDone;
+  }
+  if (const auto mistakes = refusals(settings->server); !mistakes.empty()) {
+    return report_mistakes(mistakes);
+  }
+  const auto made = simulator::MatchServer::create(config_of(arguments, *settings).match);
+  if (!made) return report_mistakes({made.error().message});
+  return serve_match(arguments, *settings);
 }
 
 }  // namespace
@@ -252,14 +266,16 @@ int run_server(const Arguments& arguments) {
 void add_server_command(CLI::App& app, int& exit_code) {
   const auto arguments = std::make_shared<Arguments>();
   CLI::App* command = app.add_subcommand("server", kDescription);
-  command->add_option("SETTING", arguments->settings, "server::NAME=VALUE or player::NAME=VALUE");
+  command->allow_extras();  // the settings, in their order
   command->add_option("--host", arguments->host, "address to listen on (127.0.0.1)");
   command->add_option("--port", arguments->port, "0: a free one (server::port, 6000)")
       ->check(CLI::Range(0, 65535));
   command->add_option("--seed", arguments->seed, "of the match (else drawn and told)");
   command->add_option("--cycles", arguments->cycles, "end when game time reaches this");
-  command->add_option("--dir", arguments->folder, "for match.rcg and match.rcl (.)");
-  command->callback([arguments, &exit_code] { exit_code = run_server(*arguments); });
+  command->add_option("--dir", arguments->folder,
+                      "for match.rcg and match.rcl (else rcssserver's folders and names)");
+  command->callback(
+      [arguments, command, &exit_code] { exit_code = run_server(*arguments, *command); });
 }
 
 }  // namespace cls::cli

@@ -3,6 +3,9 @@
 #include <signal.h>
 
 #include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
 #include <string>
 #include <vector>
 
@@ -16,6 +19,9 @@ using cls::tests::cls_binary;
 using cls::tests::Command;
 using cls::tests::run;
 
+// What the user keeps in ~/.rcssserver must not matter here.
+const int kNoUserConfiguration = setenv("RCSS_CONF_DIR", "/nonexistent", 1);
+
 /// The port in "listening on HOST:PORT...".
 std::string port_in(Command& command) {
   EXPECT_TRUE(command.wait_for_output("\n"));
@@ -27,7 +33,8 @@ std::string port_in(Command& command) {
 TEST(ServerCommand, ServesTwoTeamsOfProxiesToTheEnd) {
   cls::tests::TemporaryFolder folder;
   Command server({cls_binary(), "server", "--port", "0", "--seed", "7", "--cycles", "100", "--dir",
-                  folder.path(), "server::kick_off_wait=3"});
+                  folder.path(), "server::kick_off_wait=3", "server::auto_mode=on",
+                  "server::synch_mode=on"});
   const std::string port = port_in(server);
   Command mock({cls_binary(), "mock"});
   const std::string rpc_port = port_in(mock);
@@ -43,7 +50,7 @@ TEST(ServerCommand, ServesTwoTeamsOfProxiesToTheEnd) {
   Command right(side("Blues"));
   const auto served = server.finish();
   EXPECT_EQ(served.exit_code, 0) << served.err;
-  EXPECT_NE(served.out.find(", 100 cycles, 0 of them missed"), std::string::npos) << served.out;
+  EXPECT_NE(served.out.find("\n100 cycles, 0 of them missed"), std::string::npos) << served.out;
   EXPECT_NE(served.out.find("Simulator Random Seed: 7\n"), std::string::npos) << served.out;
   EXPECT_NE(served.out.find("A new (v18) player (Reds 1) connected.\n"), std::string::npos);
   EXPECT_NE(served.out.find("A new (v18) player (Blues 11) connected.\n"), std::string::npos);
@@ -68,7 +75,9 @@ TEST(ServerCommand, EndsOnASignalWithItsResult) {
   server.send_signal(SIGTERM);
   const auto served = server.finish();
   EXPECT_EQ(served.exit_code, 143);
-  EXPECT_NE(served.out.find("nobody 0 - 0 nobody"), std::string::npos) << served.out;
+  EXPECT_NE(served.out.find("\nServer Killed. Exiting...\n"), std::string::npos) << served.out;
+  EXPECT_NE(served.out.find("\tnull vs null\n\tScore: 0 - 0\n"), std::string::npos) << served.out;
+  EXPECT_NE(served.out.find("; steps late by "), std::string::npos) << served.out;
 }
 
 TEST(ServerCommand, RefusesWhatItCannotDoYet) {
@@ -94,6 +103,39 @@ TEST(ServerCommand, TakesWordsWithBlanksAroundTheSignAndQuotesAsRcssserverDoes) 
   server.send_signal(SIGINT);
   const auto served = server.finish();
   EXPECT_EQ(served.exit_code, 130) << served.err;
+}
+
+TEST(ServerCommand, WritesLogsAndTableWhereRcssserverWould) {
+  cls::tests::TemporaryFolder folder;
+  const std::filesystem::path here = folder.path();
+  std::ofstream(here / "server.conf") << "server::game_log_dir = '" << here.string() << "'\n"
+                                      << "server::text_logging = off\n"
+                                      << "server::game_log_dated = off\n";
+  setenv("RCSS_CONF_DIR", folder.path().c_str(), 1);
+  Command server({cls_binary(), "server", "--server::port=0", "CSVSaver::save=on",
+                  "CSVSaver::filename=" + (here / "table.csv").string()});
+  setenv("RCSS_CONF_DIR", "/nonexistent", 1);
+  ASSERT_TRUE(server.wait_for_output("listening on "));
+  server.send_signal(SIGTERM);
+  const auto served = server.finish();
+  EXPECT_EQ(served.exit_code, 143) << served.err;
+  EXPECT_TRUE(std::filesystem::exists(here / "null-vs-null.rcg")) << served.out;
+  EXPECT_NE(cls::tests::read_file(here / "table.csv").find(", NULL, NULL, NULL, NULL, 0, 0, "),
+            std::string::npos);
+  EXPECT_NE(served.out.find("configuration: " + (here / "server.conf").string()),
+            std::string::npos);
+}
+
+TEST(ServerCommand, AMistakeInAFileIsTold) {
+  cls::tests::TemporaryFolder folder;
+  const std::filesystem::path here = folder.path();
+  std::ofstream(here / "server.conf") << "\nserver::half_tim = 3\n";
+  setenv("RCSS_CONF_DIR", folder.path().c_str(), 1);
+  const auto refused = run({cls_binary(), "server", "--port", "0"});
+  setenv("RCSS_CONF_DIR", "/nonexistent", 1);
+  EXPECT_EQ(refused.exit_code, 78);
+  EXPECT_EQ(refused.err, "cls: " + (here / "server.conf").string() +
+                             ":2: unknown parameter 'half_tim'; did you mean 'half_time'?\n");
 }
 
 TEST(ServerCommand, ATakenPortIsTold) {
@@ -138,7 +180,7 @@ TEST(ProxyCommand, MistakesAreUsageErrors) {
 TEST(ProxyCommand, TakesOverAPlayerWhoLostHisConnection) {
   cls::tests::TemporaryFolder folder;
   Command server({cls_binary(), "server", "--port", "0", "--dir", folder.path(),
-                  "server::connect_wait=100000"});
+                  "server::connect_wait=100000", "server::synch_mode=on"});
   const std::string port = port_in(server);
   Command mock({cls_binary(), "mock"});
   const std::vector<std::string> words = {cls_binary(), "proxy",      "-p",          port, "-t",

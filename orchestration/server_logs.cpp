@@ -1,0 +1,108 @@
+// Opening, closing and naming log files.
+#include "orchestration/server_logs.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "gamelog/gzip_sink.h"
+#include "gamelog/rcg_writer.h"
+
+namespace cls::orchestration {
+namespace {
+
+using soccer::Error;
+using soccer::Result;
+
+std::string formatted(const std::string& format, std::time_t time) {
+  std::tm local{};
+  localtime_r(&time, &local);
+  std::array<char, 256> text{};
+  const std::size_t size = std::strftime(text.data(), text.size(), format.c_str(), &local);
+  return {text.data(), size};
+}
+
+}  // namespace
+
+/// What the parameters say about one log.
+struct ServerLogs::Wish {
+  bool wanted;
+  std::string folder;
+  bool fixed;
+  std::string fixed_name;
+  bool dated;
+  int compression;
+  std::string kind;  ///< "rcg"
+};
+
+Result<ServerLogs::Log> ServerLogs::open(const Wish& wish, const std::string& date) {
+  Log log;
+  if (!wish.wanted) return log;
+  std::error_code error;
+  std::filesystem::create_directories(wish.folder, error);
+  if (error) {
+    return Error{fmt::format("cannot create the folder {}: {}", wish.folder, error.message())};
+  }
+  const int level = std::clamp(wish.compression, 0, 9);
+  log.ending = "." + wish.kind + (level > 0 ? ".gz" : "");
+  log.fixed = wish.fixed;
+  if (wish.dated) log.date = date;
+  const std::string name = wish.fixed ? wish.fixed_name : "incomplete";
+  log.path = std::filesystem::path(wish.folder) / (name + log.ending);
+  auto file = gamelog::FileSink::create(log.path.string());
+  if (!file) return file.error();
+  log.sink = std::move(*file);
+  if (level > 0) log.sink = std::make_unique<gamelog::GzipSink>(std::move(log.sink), level);
+  return log;
+}
+
+Result<ServerLogs> ServerLogs::open(const soccer::ServerParams& p, std::time_t start) {
+  const std::string date = formatted(p.log_date_format, start);
+  ServerLogs logs;
+  auto game = open({p.game_logging, p.game_log_dir, p.game_log_fixed, p.game_log_fixed_name,
+                    p.game_log_dated, p.game_log_compression, "rcg"},
+                   date);
+  if (!game) return game.error();
+  logs.game_ = std::move(*game);
+  auto text = open({p.text_logging, p.text_log_dir, p.text_log_fixed, p.text_log_fixed_name,
+                    p.text_log_dated, p.text_log_compression, "rcl"},
+                   date);
+  if (!text) return text.error();
+  logs.text_ = std::move(*text);
+  return logs;
+}
+
+Result<void> ServerLogs::finish(Log& log, const std::string& match) {
+  if (log.sink == nullptr) return {};
+  if (auto closed = log.sink->close(); !closed) return closed;
+  if (log.fixed) return {};
+  const std::filesystem::path last = log.path.parent_path() / (log.date + match + log.ending);
+  std::error_code error;
+  std::filesystem::rename(log.path, last, error);
+  if (error) {
+    return Error{fmt::format("cannot rename {}: {}", log.path.string(), error.message())};
+  }
+  log.path = last;
+  return {};
+}
+
+Result<void> ServerLogs::finish(const gamelog::TeamFrames& teams) {
+  // Team names may hold a slash.
+  std::string match = gamelog::match_name(teams);
+  std::replace(match.begin(), match.end(), '/', '_');
+  auto game = finish(game_, match);
+  auto text = finish(text_, match);
+  return game ? std::move(text) : std::move(game);
+}
+
+std::vector<std::filesystem::path> ServerLogs::paths() const {
+  std::vector<std::filesystem::path> paths;
+  for (const Log* log : {&game_, &text_}) {
+    if (log->sink != nullptr) paths.push_back(log->path);
+  }
+  return paths;
+}
+
+}  // namespace cls::orchestration

@@ -1,0 +1,53 @@
+// The log files of a soccer server that runs alone, named as rcssserver names them.
+#pragma once
+
+#include <ctime>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "gamelog/byte_sink.h"
+#include "gamelog/frame.h"
+#include "soccer/result.h"
+#include "soccer/server_params.h"
+
+namespace cls::orchestration {
+
+/// Opens the logs that the parameters want (game_logging, text_logging): game_log_dir,
+/// game_log_fixed_name, game_log_dated, game_log_compression and so on. While the match runs they
+/// are called incomplete.rcg and incomplete.rcl; finish() gives them their names
+/// (`20261120203857-A_1-vs-B_0.rcg`), unless these are fixed.
+class ServerLogs {
+ public:
+  /// The error names the file or folder that cannot be created.
+  static soccer::Result<ServerLogs> open(const soccer::ServerParams& params, std::time_t start);
+
+  /// Null where no such log is wanted.
+  gamelog::ByteSink* game() { return game_.sink.get(); }
+  gamelog::ByteSink* text() { return text_.sink.get(); }
+
+  /// Closes and names them. The error is the first one since the start.
+  soccer::Result<void> finish(const gamelog::TeamFrames& teams);
+
+  /// Where they are: the last names once finished.
+  std::vector<std::filesystem::path> paths() const;
+
+ private:
+  struct Log {
+    std::unique_ptr<gamelog::ByteSink> sink;
+    std::filesystem::path path;
+    std::string ending;
+    std::string date;    ///< before the name of the match
+    bool fixed = false;  ///< keeps its name
+  };
+  struct Wish;
+
+  static soccer::Result<Log> open(const Wish& wish, const std::string& date);
+  static soccer::Result<void> finish(Log& log, const std::string& match);
+
+  Log game_;
+  Log text_;
+};
+
+}  // namespace cls::orchestration
