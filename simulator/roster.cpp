@@ -73,6 +73,29 @@ int joined_count(const World& world, Side side) {
                     [side](const Player& player) { return is_on(player, side); }));
 }
 
+Side side_called(const World& world, std::string_view team) {
+  for (const Side side : {Side::kLeft, Side::kRight}) {
+    if (!team.empty() && world.team(side).name.view() == team) return side;
+  }
+  return Side::kNeutral;
+}
+
+soccer::TeamName shown_name(const World& world, Side watcher, Side side) {
+  const soccer::TeamName& real = world.team(side).name;
+  const soccer::ServerParams& params = world.params();
+  const std::string& fixed =
+      side == Side::kLeft ? params.fixed_teamname_l : params.fixed_teamname_r;
+  const bool disguised = watcher == opponent(side) && !real.empty() && !fixed.empty();
+  return disguised ? soccer::TeamName(fixed) : real;
+}
+
+std::optional<Slot> find_player(const World& world, Side side, int unum) {
+  if (side == Side::kNeutral || unum < 1 || unum > soccer::kPlayersPerTeam) return std::nullopt;
+  const Player& player = world.player(side, unum);
+  if (!player.joined) return std::nullopt;
+  return player.slot();
+}
+
 bool has_enabled_goalie(const World& world, Side side) {
   return std::any_of(world.players.begin(), world.players.end(), [side](const Player& player) {
     return player.enabled && player.goalie && player.side == side;

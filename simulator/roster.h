@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string_view>
 
 #include "simulator/event.h"
 
@@ -23,6 +24,17 @@ void send_off(World& world, Slot slot, Events& events);
 
 /// Players of a team that have been connected.
 int joined_count(const World& world, Side side);
+
+/// The side of the team with that name; neutral if there is none.
+Side side_called(const World& world, std::string_view team);
+
+/// The name of the team on `side` as clients of side `watcher` are told it: opponents may have a
+/// fixed one (fixed_teamname_l and _r); a neutral watcher is told the real one. Empty if there is
+/// no such team yet.
+soccer::TeamName shown_name(const World& world, Side watcher, Side side);
+
+/// A player that has been connected; nothing for a number that has not.
+std::optional<Slot> find_player(const World& world, Side side, int unum);
 
 bool has_enabled_goalie(const World& world, Side side);
 

@@ -38,10 +38,6 @@ bool is_unlimited(const World& world, int type) {
   return type == 0 && world.rules->player.allow_mult_default_type;
 }
 
-bool is_known(const World& world, Side side, int unum) {
-  return unum >= 1 && unum <= soccer::kPlayersPerTeam && world.player(side, unum).joined;
-}
-
 bool is_after_the_match(const World& world) {
   return world.params().half_time >= 0 && world.clock.time >= world.rules->total_time;
 }
@@ -61,7 +57,7 @@ std::optional<ServerReply> objection(World& world, Side side, int unum, int type
   if (uses > 0 && uses >= params.pt_max && !is_unlimited(world, type)) {
     return warning(WarningCode::kNoLeftOfThatType);
   }
-  if (!is_known(world, side, unum)) return warning(WarningCode::kNoSuchPlayer);
+  if (!find_player(world, side, unum)) return warning(WarningCode::kNoSuchPlayer);
   const Player& player = world.player(side, unum);
   const bool has_it = player.substituted && player.type == type;
   if (on_field(world, side, type) >= params.pt_max && !is_unlimited(world, type) && !has_it) {
@@ -101,17 +97,30 @@ void substitute(World& world, Slot slot, int type, Events& events) {
   player.cards = 0;
   player.state &= kKeptState;
   recover(world, player);
+  if (world.clock.time > 0) {
+    ++world.team(player.side).substitutions;
+    ++used(world, player.side, type);
+  }
   report(events, world, TypeChanged{player.side, player.unum, type});
 }
 
 ServerReply change_type(World& world, Side side, int unum, int type, Events& events) {
   if (std::optional<ServerReply> no = objection(world, side, unum, type)) return *std::move(no);
   substitute(world, soccer::slot_of(side, unum), type, events);
-  if (world.clock.time > 0) {
-    ++world.team(side).substitutions;
-    ++used(world, side, type);
-  }
   return soccer::OkChangePlayerType{{}, unum, type};
+}
+
+ServerReply change_type(World& world, const soccer::TrainerChangePlayerType& command,
+                        Events& events) {
+  const Side side = side_called(world, command.team);
+  if (side == Side::kNeutral) return warning(WarningCode::kNoTeamFound);
+  if (command.type < 0 || command.type >= world.rules->player.player_types) {
+    return error(ErrorCode::kOutOfRangePlayerType);
+  }
+  const std::optional<Slot> slot = find_player(world, side, command.unum);
+  if (!slot) return warning(WarningCode::kNoSuchPlayer);
+  substitute(world, *slot, command.type, events);
+  return soccer::OkChangePlayerType{soccer::TeamName(command.team), command.unum, command.type};
 }
 
 ServerReply change_goalie(World& world, Side side, int unum, Events& events) {
@@ -122,10 +131,9 @@ ServerReply change_goalie(World& world, Side side, int unum, Events& events) {
     return warning(WarningCode::kCannotChangeGoalieWhilePenaltyTaken);
   }
   if (has_enabled_goalie(world, side)) return error(ErrorCode::kGoalieAlreadyExists);
-  if (!is_known(world, side, unum) || !world.player(side, unum).enabled) {
-    return warning(WarningCode::kNoSuchPlayer);
-  }
-  Player& player = world.player(side, unum);
+  const std::optional<Slot> slot = find_player(world, side, unum);
+  if (!slot || !world.player(*slot).enabled) return warning(WarningCode::kNoSuchPlayer);
+  Player& player = world.player(*slot);
   player.goalie = true;
   player.state = state::kStand | state::kGoalie;
   report(events, world, GoalieAppointed{side, unum});

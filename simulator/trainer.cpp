@@ -3,8 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <variant>
 
 #include "simulator/collision.h"
+#include "simulator/referee.h"
+#include "simulator/roster.h"
+#include "simulator/stamina.h"
+#include "simulator/substitution.h"
 #include "soccer/pitch.h"
 
 namespace cls::simulator {
@@ -19,7 +24,53 @@ bool is_in_goal_box(const World& world, double end) {
       .contains(world.ball.position);
 }
 
+using Reply = std::optional<soccer::ServerReply>;
+
+/// One overload per command that changes or asks the world.
+struct Obedience {
+  World& world;
+  Events& events;
+
+  Reply operator()(const soccer::Start&) {
+    kick_off(world, events);
+    return soccer::OkStart{};
+  }
+  Reply operator()(const soccer::ChangeMode& command) {
+    change_mode(world, command.mode, events);
+    return soccer::OkChangeMode{};
+  }
+  Reply operator()(const soccer::MoveBall& command) {
+    move_ball(world, command.position, command.velocity.value_or(Vec2{}));
+    return soccer::OkMove{};
+  }
+  // An unknown player is moved as well, says the real server.
+  Reply operator()(const soccer::MovePlayer& command) {
+    if (const auto slot = find_player(world, side_called(world, command.team), command.unum)) {
+      move_player(world, *slot, command.position, command.angle, command.velocity, events);
+    }
+    return soccer::OkMove{};
+  }
+  Reply operator()(const soccer::Recover&) {
+    recover_all(world);
+    return soccer::OkRecover{};
+  }
+  Reply operator()(const soccer::CheckBall&) {
+    return soccer::OkCheckBall{world.clock.time, ball_place(world)};
+  }
+  Reply operator()(const soccer::TrainerChangePlayerType& command) {
+    return change_type(world, command, events);
+  }
+  template <typename Other>
+  Reply operator()(const Other&) {
+    return std::nullopt;
+  }
+};
+
 }  // namespace
+
+Reply obey(World& world, const soccer::CoachCommand& command, Events& events) {
+  return std::visit(Obedience{world, events}, command);
+}
 
 void move_ball(World& world, Vec2 position, Vec2 velocity) {
   world.ball_catcher = kNobody;
@@ -31,9 +82,11 @@ void move_player(World& world, Slot slot, Vec2 position, std::optional<double> b
   Player& player = world.player(slot);
   player.position = position;
   if (body_degrees) {
-    player.body = soccer::math::to_radians(std::clamp(*body_degrees, -180.0, 180.0));
-    player.pending_body = player.body;
+    const soccer::ServerParams& server = world.params();
+    player.body =
+        soccer::math::to_radians(std::clamp(*body_degrees, server.minmoment, server.maxmoment));
   }
+  player.pending_body = player.body;  // a turn of this cycle is forgotten
   if (velocity) player.velocity = *velocity;
   resolve_collisions(world, events);
 }

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "simulator/event.h"
+#include "soccer/protocol/coach_command.h"
 #include "soccer/protocol/server_reply.h"
 
 namespace cls::simulator {
@@ -16,5 +17,10 @@ void move_player(World& world, Slot slot, Vec2 position, std::optional<double> b
 
 /// Where the ball is, as check_ball says it (1.4).
 soccer::BallPlace ball_place(const World& world);
+
+/// Executes what a trainer or monitor may command the world, and returns the answer; nothing,
+/// without an effect, for commands that are the session's business.
+std::optional<soccer::ServerReply> obey(World& world, const soccer::CoachCommand& command,
+                                        Events& events);
 
 }  // namespace cls::simulator

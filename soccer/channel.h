@@ -21,6 +21,13 @@ class Channel {
   /// `message` alone, when none waits. Never blocks.
   virtual bool receive(std::string& message) = 0;
 
+  /// True if messages can be compressed on the way, as over a network.
+  virtual bool can_compress() const { return false; }
+
+  /// Compresses what is sent, and expects the same of what is received, from now on (zlib, level 0
+  /// to 9); a negative level ends it. Only where can_compress().
+  virtual void compress(int /*level*/) {}
+
   /// When the message taken last reached this process; the clock's epoch where nobody notes it, as
   /// in memory.
   virtual std::chrono::steady_clock::time_point arrived() const { return {}; }

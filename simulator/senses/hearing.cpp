@@ -43,6 +43,17 @@ soccer::Hear heard(const World& world, const Player& listener, const Player& spe
   return hear;
 }
 
+void hear_trainer(const World& world, std::vector<std::string>& waiting,
+                  std::vector<soccer::Hear>& out) {
+  for (std::string& words : waiting) {
+    soccer::Hear& hear = out.emplace_back();
+    hear.time = world.clock.time;
+    hear.sender = soccer::Hear::Sender::kTrainer;
+    hear.text = std::move(words);
+  }
+  waiting.clear();
+}
+
 void hear_own_words(const World& world, Slot listener, std::vector<Hearing::Words>& waiting,
                     std::vector<soccer::Hear>& out) {
   for (Hearing::Words& words : waiting) {
@@ -72,6 +83,7 @@ void overhear(const World& world, const PlayerSaid& said, Slot listener, Hearing
 
 void hear(World& world, Slot slot, Hearing& hearing, RandomStream& choice,
           std::vector<soccer::Hear>& out) {
+  hear_trainer(world, hearing.of_trainer, out);
   hear_own_words(world, slot, hearing.waiting, out);
   Player& listener = world.player(slot);
   const int cost = world.params().hear_decay;

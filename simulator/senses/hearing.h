@@ -16,15 +16,17 @@ struct Hearing {
     Slot speaker = kNobody;
     std::string text;
   };
-  std::vector<Words> waiting;  ///< in order of speaking
+  std::vector<Words> waiting;           ///< in order of speaking
+  std::vector<std::string> of_trainer;  ///< heard by all, before anything else
 };
 
 /// A player has spoken: keeps it if the listener is on the pitch, near enough and has an ear for
 /// that side (simulation model 8.2). Speakers hear themselves.
 void overhear(const World& world, const PlayerSaid& said, Slot listener, Hearing& hearing);
 
-/// After sense_body: appends to `out` what the listener hears of all that waits, own words first,
-/// then as attention and capacity (which it uses up) allow. `choice` picks among several.
+/// After sense_body: appends to `out` what the listener hears of all that waits: the trainer's
+/// words, own words, then as attention and capacity (which it uses up) allow. `choice` picks among
+/// several.
 void hear(World& world, Slot listener, Hearing& hearing, RandomStream& choice,
           std::vector<soccer::Hear>& out);
 

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "simulator/actions.h"
+#include "simulator/roster.h"
 #include "simulator/senses/sight_lines.h"
 #include "soccer/math.h"
 #include "soccer/pitch.h"
@@ -22,6 +23,7 @@ constexpr double kDistanceChangeStep = 0.02;
 constexpr double kGaussianDistanceChangeStep = 0.01;
 constexpr double kDirectionChangeStep = 0.1;
 constexpr double kPointDeviation = 1.25;  // degrees, at no distance at all
+constexpr int kFirstKickMarkVersion = 13;
 constexpr int kFirstFocusVersion = 18;
 
 /// From where on something is never told any more; between the two it is missed now and then.
@@ -74,11 +76,7 @@ Eyes open_eyes(const World& world, const Player& player) {
     eyes.team = {type.team_far_length, type.team_too_far_length};
   }
   for (const Side side : {Side::kLeft, Side::kRight}) {
-    const std::string& fixed =
-        side == Side::kLeft ? eyes.params.fixed_teamname_l : eyes.params.fixed_teamname_r;
-    soccer::TeamName& name = eyes.team_names[side == Side::kRight ? 1 : 0];
-    name = world.team(side).name;
-    if (side != player.side && !fixed.empty()) name = soccer::TeamName(fixed);
+    eyes.team_names[side == Side::kRight ? 1 : 0] = shown_name(world, player.side, side);
   }
   return eyes;
 }
@@ -240,7 +238,7 @@ void see_player(const VisionModel& model, const World& world, const Eyes& eyes, 
   tell_arm(world, eyes, other, seen->distance, noise, object);
   if (other.tackle_cycles > 0) {
     object.mark = soccer::ActionMark::kTackling;
-  } else if (other.kick_cycles >= 0) {
+  } else if (eyes.player.client_version >= kFirstKickMarkVersion && other.kick_cycles >= 0) {
     object.mark = soccer::ActionMark::kKicked;
   }
 }

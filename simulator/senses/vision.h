@@ -33,7 +33,7 @@ struct VisionModel {
 };
 
 /// Fills `out` with what the enabled player in `observer` sees now, in the form of its client's
-/// version (14 to 19), view width, quality and noise model. `noise` decides what is missed beyond
+/// version (8 to 19), view width, quality and noise model. `noise` decides what is missed beyond
 /// 20 m and draws the errors of the Gaussian model and of pointing arms.
 void see(const VisionModel& model, const World& world, Slot observer, RandomStream& noise,
          soccer::See& out);

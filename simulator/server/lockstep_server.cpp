@@ -16,16 +16,16 @@ soccer::Result<std::unique_ptr<LockstepServer>> LockstepServer::create(MatchConf
   return std::unique_ptr<LockstepServer>(new LockstepServer(std::move(*match)));
 }
 
-std::unique_ptr<soccer::Channel> LockstepServer::connect() {
+std::unique_ptr<soccer::Channel> LockstepServer::connect(Door door) {
   auto [server_end, client_end] = soccer::make_memory_channel();
-  waiting_.push_back(std::move(server_end));
+  waiting_.push_back({door, std::move(server_end)});
   return std::move(client_end);
 }
 
 void LockstepServer::answer_requests() {
-  for (auto& channel : waiting_) {
+  for (auto& [door, channel] : waiting_) {
     while (channel != nullptr && channel->receive(message_)) {
-      const auto admission = match_->admit(Door::kGame, message_);
+      const auto admission = match_->admit(door, message_);
       if (const auto* admitted = std::get_if<Admission>(&admission)) {
         match_->greet(*admitted, std::move(channel), message_);
         continue;
@@ -35,13 +35,14 @@ void LockstepServer::answer_requests() {
       channel->send(refusal);
     }
   }
-  waiting_.erase(std::remove(waiting_.begin(), waiting_.end(), nullptr), waiting_.end());
+  const auto is_admitted = [](const Waiting& one) { return one.channel == nullptr; };
+  waiting_.erase(std::remove_if(waiting_.begin(), waiting_.end(), is_admitted), waiting_.end());
 }
 
 void LockstepServer::run_cycle() {
   answer_requests();
-  for (Slot slot = 0; slot < soccer::kPlayersOnPitch; ++slot) {
-    if (awaits(slot)) ++missed_[static_cast<std::size_t>(slot)];
+  for (ClientId client = 0; client < kFirstMonitor; ++client) {
+    if (awaits(client)) ++missed_[static_cast<std::size_t>(client)];
   }
   match_->execute();
   match_->step();
@@ -49,15 +50,15 @@ void LockstepServer::run_cycle() {
   match_->think();
 }
 
-bool LockstepServer::awaits(Slot slot) {
-  collect(slot);
-  return match_->awaits(slot);
+bool LockstepServer::awaits(ClientId client) {
+  collect(client);
+  return match_->awaits(client);
 }
 
-void LockstepServer::collect(Slot slot) {
-  Session* client = match_->session(slot);
-  if (client == nullptr) return;
-  while (client->channel->receive(message_)) match_->receive(slot, message_);
+void LockstepServer::collect(ClientId client) {
+  Connection* connection = match_->connection(client);
+  if (connection == nullptr) return;
+  while (connection->channel->receive(message_)) match_->receive(client, message_);
 }
 
 }  // namespace cls::simulator

@@ -36,9 +36,10 @@ class LockstepServer {
     match_->record(game_log, text_log);
   }
 
-  /// The client's end of a new connection. Its first message must be a player's init or reconnect;
-  /// a refused one is answered with an error and may try again. Destroying it means leaving.
-  std::unique_ptr<soccer::Channel> connect();
+  /// The client's end of a new connection. Its first message must be an init (or a player's
+  /// reconnect) as `door` wants it; a refused one is answered with an error and may try again.
+  /// Destroying it means leaving.
+  std::unique_ptr<soccer::Channel> connect(Door door = Door::kGame);
 
   /// Lets in the clients that have asked, in the order of connect(), and answers them.
   void answer_requests();
@@ -47,12 +48,14 @@ class LockstepServer {
   /// world and asks them to think.
   void run_cycle();
 
-  /// True while the client of that player has not sent (done) since it was asked to think. Reads
-  /// what has arrived.
-  bool awaits(Slot slot);
+  /// True while that client has not sent (done) since it was asked to think. Reads what has
+  /// arrived.
+  bool awaits(ClientId client);
 
-  /// Cycles that the player in `slot` was asked to think and let pass without (done).
-  std::int64_t missed_cycles(Slot slot) const { return missed_[static_cast<std::size_t>(slot)]; }
+  /// Cycles in which the client was asked to think and let it pass without (done).
+  std::int64_t missed_cycles(ClientId client) const {
+    return missed_[static_cast<std::size_t>(client)];
+  }
 
   /// Time over, or the cycle limit is reached.
   bool finished() const { return match_->finished(); }
@@ -65,11 +68,17 @@ class LockstepServer {
  private:
   explicit LockstepServer(std::unique_ptr<MatchServer> match) : match_(std::move(match)) {}
 
-  void collect(Slot slot);
+  /// A server end that is not admitted yet.
+  struct Waiting {
+    Door door;
+    std::unique_ptr<soccer::Channel> channel;
+  };
+
+  void collect(ClientId client);
 
   std::unique_ptr<MatchServer> match_;
-  std::vector<std::unique_ptr<soccer::Channel>> waiting_;  ///< server ends, not yet admitted
-  std::array<std::int64_t, soccer::kPlayersOnPitch> missed_ = {};
+  std::vector<Waiting> waiting_;
+  std::array<std::int64_t, kFirstMonitor> missed_ = {};
   std::string message_;
 };
 

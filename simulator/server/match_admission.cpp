@@ -4,9 +4,9 @@
 
 #include "simulator/actions.h"
 #include "simulator/roster.h"
+#include "simulator/server/greeting.h"
 #include "simulator/server/match_server.h"
 #include "soccer/protocol/connection_request.h"
-#include "soccer/protocol/parameter_message.h"
 #include "soccer/protocol/protocol_version.h"
 
 namespace cls::simulator {
@@ -23,14 +23,7 @@ const std::string& fixed_name(const soccer::ServerParams& params, Side side) {
 }  // namespace
 
 std::variant<Admission, ErrorCode> MatchServer::admit(Door door, std::string_view datagram) {
-  switch (door) {
-    case Door::kGame:
-      return admit_at_game_door(datagram);
-  }
-  return ErrorCode::kUnknownCommand;
-}
-
-std::variant<Admission, ErrorCode> MatchServer::admit_at_game_door(std::string_view datagram) {
+  if (door != Door::kGame) return coaches_.admit(world_, door, datagram);
   soccer::GameRequest request;
   if (const auto error = soccer::parse(datagram, request)) return *error;
   if (const auto* init = std::get_if<soccer::PlayerInit>(&request)) return admit_player(*init);
@@ -60,7 +53,7 @@ std::variant<Admission, ErrorCode> MatchServer::admit_player(const soccer::Playe
   }
   const std::optional<Side> side = side_for(name);
   if (!side) return ErrorCode::kNoMoreTeam;
-  if (init.version < soccer::kOldestProtocolVersion ||
+  if (init.version < soccer::kOldestServedVersion ||
       init.version >= soccer::kNewestProtocolVersion + 1) {
     return ErrorCode::kNoMorePlayerOrGoalieOrIllegalVersion;
   }
@@ -106,44 +99,47 @@ void MatchServer::withdraw(const Admission& admission) {
 
 void MatchServer::greet(const Admission& admission, std::unique_ptr<soccer::Channel> channel,
                         std::string_view request) {
-  if (!is_player(admission.client)) {
+  if (is_monitor(admission.client)) {
     monitors_.attach(admission.client, admission.version, std::move(channel), *world_.rules);
     return;
   }
-  const Slot slot = admission.client;
-  recorder_.command(world_, slot, request);
-  auto& client = sessions_[static_cast<std::size_t>(slot)];
+  recorder_.command(world_, admission.client, request);
+  if (is_player(admission.client)) {
+    greet_player(admission, std::move(channel));
+  } else {
+    greet_coach(admission, std::move(channel));
+  }
+}
+
+void MatchServer::greet_player(const Admission& admission,
+                               std::unique_ptr<soccer::Channel> channel) {
+  auto& client = sessions_[static_cast<std::size_t>(admission.client)];
   client = std::make_unique<Session>();
-  client->client = slot;
+  client->client = admission.client;
   client->version = admission.version;
   client->channel = std::move(channel);
 
-  const Player& player = world_.player(slot);
+  const Player& player = world_.player(admission.client);
   if (admission.reconnected) {
-    reply(*client, soccer::ReconnectReply{player.side, world_.mode});
+    client->reply(soccer::ReconnectReply{player.side, world_.mode});
   } else {
-    reply(*client, soccer::PlayerInitReply{player.side, player.unum, world_.mode});
+    client->reply(soccer::PlayerInitReply{player.side, player.unum, world_.mode});
   }
-  send_parameters(*client);
+  send_parameters(world_, *client);
+  send_changed_types(world_, player.side, *client);
   if (!admission.reconnected && admission.version >= kFirstSynchronousVersion) {
     execute(*client, soccer::SynchSee{});
   }
 }
 
-void MatchServer::send_parameters(Session& client) {
-  const auto send = [&](const auto& params) {
-    text_.clear();
-    soccer::format(params, client.version, text_);
-    client.send(text_);
-  };
-  send(world_.rules->server);
-  send(world_.rules->player);
-  for (const soccer::PlayerType& type : world_.rules->types) send(type);
-  for (const Player& other : world_.players) {
-    if (other.type == 0) continue;
-    const bool own = other.side == soccer::side_of_slot(client.slot());
-    reply(client, soccer::PlayerTypeChange{other.unum,
-                                           own ? std::optional<int>(other.type) : std::nullopt});
+void MatchServer::greet_coach(const Admission& admission,
+                              std::unique_ptr<soccer::Channel> channel) {
+  CoachSession& coach = coaches_.connect(world_, admission, std::move(channel));
+  if (coach.is_trainer()) return;
+  for (const auto& client : sessions_) {
+    if (client == nullptr) continue;
+    const soccer::Clang& versions = clang_versions_[static_cast<std::size_t>(client->slot())];
+    if (versions.min_version != 0 || versions.max_version != 0) tell_coach(coach, client->slot());
   }
 }
 

@@ -13,6 +13,9 @@ namespace {
 
 constexpr int kFirstGoalieChangeVersion = 16;
 
+/// Heard by players that have not said that they understand it.
+constexpr const char* kUnsupported = "(unsupported_clang)";
+
 template <typename... Cases>
 struct Overloaded : Cases... {
   using Cases::operator()...;
@@ -21,24 +24,6 @@ template <typename... Cases>
 Overloaded(Cases...) -> Overloaded<Cases...>;
 
 }  // namespace
-
-void MatchServer::reply(Session& client, const soccer::ServerReply& answer) {
-  text_.clear();
-  soccer::format(answer, text_);
-  client.send(text_);
-}
-
-void MatchServer::reply(Session& client, soccer::ErrorCode code) {
-  text_.clear();
-  soccer::format(code, text_);
-  client.send(text_);
-}
-
-void MatchServer::reply(Session& client, soccer::WarningCode code) {
-  text_.clear();
-  soccer::format(code, text_);
-  client.send(text_);
-}
 
 void MatchServer::broadcast(std::string_view message) {
   for (auto& client : sessions_) {
@@ -54,13 +39,7 @@ void MatchServer::dispatch_events() {
 void MatchServer::dispatch(const Event& event) {
   std::visit(
       Overloaded{[&](const RefereeSaid& said) { tell_referee(event.clock, said.text); },
-                 [&](const PlayerSaid& said) {
-                   tell_monitors_of_words(event.clock, speaker_name(said.speaker), said.text);
-                   for (auto& client : sessions_) {
-                     if (client == nullptr) continue;
-                     overhear(world_, said, client->slot(), client->hearing);
-                   }
-                 },
+                 [&](const PlayerSaid& said) { tell_said(event.clock, said); },
                  [&](const TypeChanged& change) { tell_type(event.clock, change); },
                  [&](const GoalieAppointed& change) { tell_goalie(change); },
                  [&](const SentOff& sent_off) { lose(sent_off.slot); }, [](const ModeChanged&) {}},
@@ -76,6 +55,53 @@ void MatchServer::tell_referee(Clock clock, const std::string& words) {
   text_.clear();
   soccer::format(hear, soccer::Listener::kPlayer, text_);
   broadcast(text_);
+  coaches_.tell_referee(clock.time, words);
+}
+
+void MatchServer::tell_said(Clock clock, const PlayerSaid& said) {
+  tell_monitors_of_words(clock, speaker_name(said.speaker), said.text);
+  for (auto& client : sessions_) {
+    if (client != nullptr) overhear(world_, said, client->slot(), client->hearing);
+  }
+  coaches_.tell_said(world_, said);
+}
+
+// A coach's words reach its players at once, a trainer's wait for the next sense_body.
+void MatchServer::tell_words(const CoachWords& words) {
+  for (auto& client : sessions_) {
+    if (client == nullptr || !world_.player(client->slot()).enabled) continue;
+    if (words.side == Side::kNeutral) {
+      client->hearing.of_trainer.push_back(words.said.text);
+      continue;
+    }
+    if (words.side != soccer::side_of_slot(client->slot())) continue;
+    soccer::Hear hear;
+    hear.time = world_.clock.time;
+    hear.sender = words.side == Side::kLeft ? soccer::Hear::Sender::kOnlineCoachLeft
+                                            : soccer::Hear::Sender::kOnlineCoachRight;
+    const soccer::Clang& versions = clang_versions_[static_cast<std::size_t>(client->slot())];
+    hear.text = understands(versions, words.said.kind) ? words.said.text : kUnsupported;
+    text_.clear();
+    soccer::format(hear, soccer::Listener::kPlayer, text_);
+    client->send(text_);
+  }
+  coaches_.tell_words(world_, words);
+  tell_monitors_of_words(world_.clock, words);
+}
+
+void MatchServer::declare(Session& client, const soccer::Clang& versions) {
+  clang_versions_[static_cast<std::size_t>(client.slot())] = versions;
+  const ClientId coach =
+      soccer::side_of_slot(client.slot()) == Side::kLeft ? kLeftCoach : kRightCoach;
+  client.reply(soccer::OkClang{versions.min_version, versions.max_version});
+  if (coaches_.session(coach) != nullptr) tell_coach(*coaches_.session(coach), client.slot());
+}
+
+void MatchServer::tell_coach(CoachSession& coach, Slot slot) {
+  const Player& player = world_.player(slot);
+  const soccer::Clang& versions = clang_versions_[static_cast<std::size_t>(slot)];
+  coach.reply(soccer::ClangSupport{world_.team(player.side).name, player.unum, player.goalie,
+                                   versions.min_version, versions.max_version});
 }
 
 std::string MatchServer::speaker_name(Slot slot) const {
@@ -91,17 +117,19 @@ void MatchServer::tell_type(Clock clock, const TypeChanged& change) {
                             std::to_string(change.unum) + ' ' + std::to_string(change.type) + ')');
   for (auto& client : sessions_) {
     if (client == nullptr) continue;
-    const bool own = soccer::side_of_slot(client->slot()) == change.side;
-    reply(*client, soccer::PlayerTypeChange{change.unum,
-                                            own ? std::optional<int>(change.type) : std::nullopt});
+    soccer::PlayerTypeChange told{change.unum, std::nullopt};
+    if (soccer::side_of_slot(client->slot()) == change.side) told.type = change.type;
+    client->reply(told);
   }
+  coaches_.tell_type(change);
 }
 
 void MatchServer::tell_goalie(const GoalieAppointed& change) {
   for (auto& client : sessions_) {
     if (client == nullptr || client->version < kFirstGoalieChangeVersion) continue;
-    reply(*client, soccer::PlayerTypeChange{change.unum, std::nullopt, change.side});
+    client->reply(soccer::PlayerTypeChange{change.unum, std::nullopt, change.side});
   }
+  coaches_.tell_goalie(change);
 }
 
 void MatchServer::send_sense_body(Session& client) {
@@ -118,7 +146,7 @@ void MatchServer::send_full_state(Session& client) {
 }
 
 void MatchServer::send_hearing(Session& client) {
-  if (client.hearing.waiting.empty()) return;
+  if (client.hearing.waiting.empty() && client.hearing.of_trainer.empty()) return;
   RandomStream choice = stream("hear", client.slot());
   heard_.clear();
   hear(world_, client.slot(), client.hearing, choice, heard_);

@@ -25,14 +25,14 @@ std::string text_of(Code code) {
 void MatchServer::receive_at_door(ClientId id, std::string_view datagram, bool null_terminated) {
   Connection* client = connection(id);
   if (client == nullptr) return;
-  const bool strict = is_player(id) ? client->version >= kFirstStrictPlayerVersion
-                                    : client->version != kFirstMonitorVersion;
+  const bool strict = is_monitor(id) ? client->version != kFirstMonitorVersion
+                                     : client->version >= kFirstStrictPlayerVersion;
   if (!strict) return receive(id, datagram, null_terminated);
   const std::string refusal = text_of(ErrorCode::kOnlyInitAllowedOnInitPort);
-  if (is_player(id)) {
-    client->send(refusal);
-  } else {
+  if (is_monitor(id)) {
     monitors_.tell(id, world_.clock, refusal);
+  } else {
+    client->send(refusal);
   }
 }
 
@@ -53,6 +53,15 @@ void MatchServer::obey_monitor(ClientId id, std::string_view datagram, bool null
     apply(world_, *command, events_);
     dispatch_events();
   }
+}
+
+void MatchServer::tell_monitors_of_words(Clock clock, const CoachWords& words) {
+  if (words.side == Side::kNeutral) {
+    return tell_monitors_of_words(clock, "referee", words.said.text);
+  }
+  const bool left = words.side == Side::kLeft;
+  tell_monitors_of_words(clock, left ? "online_coach_left" : "online_coach_right",
+                         std::to_string(words.received) + ' ' + words.said.text);
 }
 
 void MatchServer::tell_monitors_of_words(Clock clock, std::string_view speaker,

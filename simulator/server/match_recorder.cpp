@@ -1,6 +1,8 @@
 // From world to log.
 #include "simulator/server/match_recorder.h"
 
+#include "soccer/protocol/number_text.h"
+
 #include "simulator/actions.h"
 #include "soccer/math.h"
 
@@ -77,10 +79,28 @@ void MatchRecorder::step(const World& world) {
   rcg_->step(frame_);
 }
 
-void MatchRecorder::command(const World& world, Slot slot, std::string_view text) {
+void MatchRecorder::command(const World& world, ClientId client, std::string_view text) {
   if (!rcl_) return;
-  const soccer::TeamName& team = world.team(soccer::side_of_slot(slot)).name;
-  rcl_->player_command(stamp(world.clock), team.view(), soccer::unum_of_slot(slot), text);
+  const gamelog::Stamp now = stamp(world.clock);
+  if (client == kTrainer) return rcl_->trainer_command(now, text);
+  const Side side = is_player(client)      ? soccer::side_of_slot(client)
+                    : client == kLeftCoach ? Side::kLeft
+                                           : Side::kRight;
+  const soccer::TeamName& team = world.team(side).name;
+  if (!is_player(client)) return rcl_->coach_command(now, team.view(), text);
+  rcl_->player_command(now, team.view(), soccer::unum_of_slot(client), text);
+}
+
+// The real server leaves the message's outer bracket open.
+void MatchRecorder::tile(const World& world, const Tile& tile) {
+  if (!rcg_) return;
+  std::string text = tile.side == Side::kLeft ? "(team_graphic_l (" : "(team_graphic_r (";
+  soccer::append_int(tile.graphic.x, text);
+  text.push_back(' ');
+  soccer::append_int(tile.graphic.y, text);
+  for (const std::string& line : tile.graphic.xpm) text.append(" \"").append(line).push_back('"');
+  text.push_back(')');
+  rcg_->message(world.clock.time, 1, text);
 }
 
 void MatchRecorder::referee(Clock clock, std::string_view text) {

@@ -8,6 +8,7 @@
 #include "gamelog/frame.h"
 #include "gamelog/rcg_writer.h"
 #include "gamelog/rcl_writer.h"
+#include "simulator/server/coaches.h"
 #include "simulator/world.h"
 
 namespace cls::simulator {
@@ -25,7 +26,12 @@ class MatchRecorder {
   /// Every step, after it (simulation model 12.4).
   void step(const World& world);
 
-  void command(const World& world, Slot slot, std::string_view text);
+  /// What the client of that player, coach or trainer has sent.
+  void command(const World& world, ClientId client, std::string_view text);
+
+  /// A coach's picture.
+  void tile(const World& world, const Tile& tile);
+
   void referee(Clock clock, std::string_view text);
 
   /// The result; nothing may follow.

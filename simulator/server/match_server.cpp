@@ -36,6 +36,7 @@ soccer::Result<std::unique_ptr<MatchServer>> MatchServer::create(const MatchConf
 MatchServer::MatchServer(std::shared_ptr<const Rules> rules, const MatchConfig& config)
     : world_(make_world(rules, config.seed)),
       vision_(rules->server),
+      coaches_(rules->server),
       cycle_limit_(config.cycle_limit) {
   see_.objects.reserve(soccer::kMaxObservations);
 }
@@ -45,16 +46,20 @@ void MatchServer::record(gamelog::ByteSink* game_log, gamelog::ByteSink* text_lo
 }
 
 Connection* MatchServer::connection(ClientId client) {
-  return is_player(client) ? session(client) : monitors_.connection(client);
+  if (is_player(client)) return session(client);
+  return is_monitor(client) ? monitors_.connection(client) : coaches_.session(client);
 }
 
 void MatchServer::receive(ClientId id, std::string_view datagram, bool null_terminated) {
-  if (!is_player(id)) {
-    return obey_monitor(id, datagram, null_terminated);
+  if (is_monitor(id)) return obey_monitor(id, datagram, null_terminated);
+  if (is_player(id)) {
+    Session* player = session(id);
+    if (player != nullptr && player->inbox.add(datagram, null_terminated)) player->done = true;
+    return;
   }
-  Session* client = session(id);
-  if (client == nullptr) return;
-  if (client->inbox.add(datagram, null_terminated)) client->done = true;
+  CoachSession* coach = coaches_.session(id);
+  if (coach == nullptr) return;
+  if (coach->inbox.add(datagram, null_terminated, coach->role())) coach->done = true;
 }
 
 void MatchServer::lose(ClientId id) {
@@ -63,6 +68,7 @@ void MatchServer::lose(ClientId id) {
 
 void MatchServer::disconnect_all() {
   for (auto& client : sessions_) client.reset();
+  coaches_.disconnect_all();
   monitors_.disconnect_all();
 }
 
@@ -78,20 +84,23 @@ void MatchServer::execute() {
   for (const Slot slot : order) {
     if (Session* client = session(slot)) execute(*client);
   }
+  std::array<ClientId, 2> coach_order = {kLeftCoach, kRightCoach};
+  stream("coach order", 0).shuffle(std::span<ClientId>(coach_order));
+  for (const ClientId client : {coach_order[0], coach_order[1], kTrainer}) {
+    if (CoachSession* coach = coaches_.session(client)) execute(*coach);
+  }
   remove_lost();
 }
 
 void MatchServer::execute(Session& client) {
   for (std::size_t i = 0; i < client.inbox.size() && !client.lost; ++i) {
     const Inbox::Datagram& datagram = client.inbox[i];
-    recorder_.command(world_, client.slot(), datagram.text);
-    if (!datagram.null_terminated) {
-      reply(client, soccer::WarningCode::kMessageNotNullTerminated);
-    }
+    recorder_.command(world_, client.client, datagram.text);
+    if (!datagram.null_terminated) client.reply(soccer::WarningCode::kMessageNotNullTerminated);
     for (std::size_t k = datagram.first; k < datagram.last && !client.lost; ++k) {
       execute(client, client.inbox.commands()[k]);
     }
-    if (!datagram.complete) reply(client, soccer::ErrorCode::kIllegalCommandForm);
+    if (!datagram.complete) client.reply(soccer::ErrorCode::kIllegalCommandForm);
   }
   client.inbox.clear();
 }
@@ -103,13 +112,27 @@ void MatchServer::execute(Session& client, const soccer::PlayerCommand& command)
   } else if (std::holds_alternative<soccer::AskSenseBody>(command)) {
     send_sense_body(client);
   } else if (const auto* clang = std::get_if<soccer::Clang>(&command)) {
-    reply(client, soccer::OkClang{clang->min_version, clang->max_version});
-  } else if (std::holds_alternative<soccer::Compression>(command)) {
-    reply(client, soccer::WarningCode::kCompressionUnsupported);
+    declare(client, *clang);
+  } else if (const auto* compression = std::get_if<soccer::Compression>(&command)) {
+    if (compression->level <= Connection::kMostCompression) client.compress(compression->level);
   } else if (auto answer = apply(world_, client.slot(), command, events_)) {
-    reply(client, *answer);
+    client.reply(*answer);
   }
   dispatch_events();
+}
+
+void MatchServer::execute(CoachSession& coach) {
+  for (const CoachInbox::Datagram& datagram : coach.inbox.datagrams()) {
+    if (coach.lost) break;
+    recorder_.command(world_, coach.client, datagram.text);
+    if (!datagram.null_terminated) coach.reply(soccer::WarningCode::kMessageNotNullTerminated);
+    const CoachOutcome outcome = coaches_.execute(world_, coach, datagram, events_);
+    dispatch_events();
+    if (outcome.words) tell_words(*outcome.words);
+    if (outcome.tile) recorder_.tile(world_, *outcome.tile);
+    if (outcome.reply) coach.reply(*outcome.reply);
+  }
+  coach.inbox.clear();
 }
 
 void MatchServer::remove_lost() {
@@ -118,6 +141,7 @@ void MatchServer::remove_lost() {
     if (world_.player(client->slot()).enabled) leave(world_, client->slot());
     client.reset();
   }
+  coaches_.remove_lost();
   monitors_.remove_lost();
 }
 
@@ -126,8 +150,12 @@ void MatchServer::step() {
   for (auto& client : sessions_) {
     if (client != nullptr) client->asked = client->done = false;
   }
+  coach_words_.clear();
+  coaches_.begin_step(world_, coach_words_);
+  for (const CoachWords& words : coach_words_) tell_words(words);
   simulator::step(world_, events_);
   dispatch_events();
+  coaches_.end_step(world_);
   recorder_.step(world_);
   monitors_.show(world_);
   finish_step(world_, events_);
@@ -146,6 +174,7 @@ void MatchServer::sense() {
     send_hearing(*client);
   }
   see(0);
+  coaches_.send_views(world_);
 }
 
 void MatchServer::see(int ms) {
@@ -164,17 +193,21 @@ void MatchServer::think() {
     client->send(text_);
     client->asked = true;
   }
+  coaches_.ask(text_);
 }
 
-bool MatchServer::awaits(Slot slot) const {
-  const auto& client = sessions_[static_cast<std::size_t>(slot)];
-  return client != nullptr && client->asked && !client->done && !client->lost &&
-         world_.player(slot).enabled;
+bool MatchServer::awaits(ClientId client) const {
+  if (!is_player(client)) {
+    const CoachSession* coach = coaches_.session(client);
+    return coach != nullptr && coach->is_awaited();
+  }
+  const auto& player = sessions_[static_cast<std::size_t>(client)];
+  return player != nullptr && player->is_awaited() && world_.player(client).enabled;
 }
 
 bool MatchServer::awaits_anybody() const {
-  for (Slot slot = 0; slot < soccer::kPlayersOnPitch; ++slot) {
-    if (awaits(slot)) return true;
+  for (ClientId client = 0; client < kFirstMonitor; ++client) {
+    if (awaits(client)) return true;
   }
   return false;
 }

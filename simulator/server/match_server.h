@@ -1,4 +1,4 @@
-// A match and the players connected to it, whatever carries their messages and drives the clock.
+// A match and the clients connected to it, whatever carries their messages and drives the clock.
 #pragma once
 
 #include <array>
@@ -13,6 +13,8 @@
 #include "gamelog/byte_sink.h"
 #include "simulator/event.h"
 #include "simulator/senses/vision.h"
+#include "simulator/server/coaches.h"
+#include "simulator/server/connection.h"
 #include "simulator/server/match_recorder.h"
 #include "simulator/server/monitor_desk.h"
 #include "simulator/server/session.h"
@@ -34,19 +36,6 @@ struct MatchConfig {
 
   /// Ends the match when game time reaches this; otherwise it ends with time_over.
   std::optional<int> cycle_limit;
-};
-
-/// Where clients ask to be let in: each is a port of its own on a network (protocol 1.1).
-enum class Door : std::uint8_t {
-  kGame,  ///< players and monitors
-};
-
-/// A client that was let in. It hears nothing before MatchServer::greet.
-struct Admission {
-  ClientId client = kNobody;
-  int version = 0;
-  bool reconnected = false;
-  bool binary = false;  ///< its messages have no closing NUL on a network
 };
 
 /// The server without its network: who plays, what they sent, what they are told, what is logged.
@@ -76,7 +65,7 @@ class MatchServer {
   /// Instead of greet(), when the admitted client cannot be reached after all.
   void withdraw(const Admission& admission);
 
-  /// Keeps what a player's client sent until execute(); obeys a monitor at once.
+  /// Keeps what a player, coach or trainer sent until execute(); obeys a monitor at once.
   void receive(ClientId id, std::string_view datagram, bool null_terminated = true);
 
   /// A client that is in has sent this to the door again. Old versions may; others are told that
@@ -89,9 +78,6 @@ class MatchServer {
   /// The client is gone: a player leaves the pitch at the next execute().
   void lose(ClientId id);
 
-  /// The connection of that client, else null.
-  Connection* connection(ClientId client);
-
   /// Drops all connections at once, without a word; the world stays as it is.
   void disconnect_all();
 
@@ -101,6 +87,11 @@ class MatchServer {
   /// The session of a connected player, else null.
   Session* session(Slot slot) { return sessions_[static_cast<std::size_t>(slot)].get(); }
 
+  /// A client of any kind, else null.
+  Connection* connection(ClientId client);
+
+  const Coaches& coaches() const { return coaches_; }
+
   /// Executes what was received: clients in an order drawn for this cycle, the datagrams of each
   /// in order of arrival. Replies, and what others hear of it, go out at once.
   void execute();
@@ -108,17 +99,19 @@ class MatchServer {
   /// One simulation step, logged; the referee's words go out.
   void step();
 
-  /// sense_body, fullstate, what was heard and see, to everybody who is due at the step itself.
+  /// sense_body, fullstate, what was heard, see and see_global, to everybody who is due at the step
+  /// itself.
   void sense();
 
   /// The see messages that fall due until `ms` after the step, in the time of the match.
   void see(int ms);
 
-  /// In synchronous mode: (think), and the see messages that fall before it.
+  /// In synchronous mode: (think), and the see messages that fall before it. Coaches and the
+  /// trainer are asked if their eyes are open.
   void think();
 
-  /// True while a player who was asked to think has not sent (done).
-  bool awaits(Slot slot) const;
+  /// True while a client who was asked to think has not sent (done).
+  bool awaits(ClientId client) const;
   bool awaits_anybody() const;
 
   /// Time over, or the cycle limit is reached.
@@ -132,29 +125,31 @@ class MatchServer {
  private:
   explicit MatchServer(std::shared_ptr<const Rules> rules, const MatchConfig& config);
 
-  std::variant<Admission, soccer::ErrorCode> admit_at_game_door(std::string_view datagram);
   std::variant<Admission, soccer::ErrorCode> admit_player(const soccer::PlayerInit& init);
   std::variant<Admission, soccer::ErrorCode> readmit_player(const soccer::PlayerReconnect& request);
   std::optional<Side> side_for(std::string_view name);
-  void send_parameters(Session& session);
-
+  void greet_player(const Admission& admission, std::unique_ptr<soccer::Channel> channel);
+  void greet_coach(const Admission& admission, std::unique_ptr<soccer::Channel> channel);
   std::variant<Admission, soccer::ErrorCode> admit_monitor(const soccer::MonitorInit& init);
 
   void obey_monitor(ClientId id, std::string_view datagram, bool null_terminated);
   void execute(Session& session);
   void execute(Session& session, const soccer::PlayerCommand& command);
+  void execute(CoachSession& coach);
+  void declare(Session& session, const soccer::Clang& versions);
+  void tell_coach(CoachSession& coach, Slot player);
   void remove_lost();
   void dispatch_events();
   void dispatch(const Event& event);
   void tell_referee(Clock clock, const std::string& words);
+  void tell_said(Clock clock, const PlayerSaid& said);
+  void tell_words(const CoachWords& words);
   void tell_type(Clock clock, const TypeChanged& change);
   void tell_goalie(const GoalieAppointed& change);
   std::string speaker_name(Slot slot) const;
   void tell_monitors_of_words(Clock clock, std::string_view speaker, std::string_view words);
+  void tell_monitors_of_words(Clock clock, const CoachWords& words);
   void broadcast(std::string_view message);
-  void reply(Session& session, const soccer::ServerReply& answer);
-  void reply(Session& session, soccer::ErrorCode code);
-  void reply(Session& session, soccer::WarningCode code);
 
   void send_sense_body(Session& session);
   void send_full_state(Session& session);
@@ -170,6 +165,9 @@ class MatchServer {
   VisionModel vision_;
   MatchRecorder recorder_;
   std::array<std::unique_ptr<Session>, soccer::kPlayersOnPitch> sessions_;
+  /// Coach language versions that the players have declared.
+  std::array<soccer::Clang, soccer::kPlayersOnPitch> clang_versions_ = {};
+  Coaches coaches_;
   MonitorDesk monitors_;
   bool monitors_only_watch_ = false;
   std::optional<int> cycle_limit_;
@@ -183,6 +181,7 @@ class MatchServer {
   soccer::See see_;
   soccer::FullState full_state_;
   std::vector<soccer::Hear> heard_;
+  std::vector<CoachWords> coach_words_;
 };
 
 }  // namespace cls::simulator

@@ -1,44 +1,18 @@
-// One connected client as the server keeps it beside the world: what all have in common, players.
+// One connected player as the server keeps it beside the world.
 #pragma once
 
 #include <cstddef>
-#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "simulator/senses/hearing.h"
-#include "simulator/world.h"
-#include "soccer/channel.h"
+#include "simulator/server/connection.h"
 #include "soccer/protocol/player_command.h"
 
 namespace cls::simulator {
 
-/// Index of a client of the match: players by their slots, then coaches and trainer, monitors.
-using ClientId = int;
-constexpr ClientId kLeftCoach = soccer::kPlayersOnPitch;
-constexpr ClientId kRightCoach = kLeftCoach + 1;
-constexpr ClientId kTrainer = kLeftCoach + 2;
-constexpr ClientId kFirstMonitor = kTrainer + 1;
-
-constexpr bool is_player(ClientId client) { return client < soccer::kPlayersOnPitch; }
-
-struct Connection {
-  ClientId client = kNobody;
-  int version = 0;
-  std::unique_ptr<soccer::Channel> channel;
-
-  bool asked = false;  ///< to think, since the last step
-  bool done = false;   ///< since the last step
-  bool lost = false;   ///< the connection is gone; the client leaves after the commands
-
-  /// Sends one message; a failure marks the connection as lost.
-  void send(std::string_view message) {
-    if (!lost && !channel->send(message)) lost = true;
-  }
-};
-
-/// What a player has sent since its commands were last executed. Parsed on arrival, so that
+/// What a client has sent since its commands were last executed. Parsed on arrival, so that
 /// (done) is known at once; memory is reused.
 class Inbox {
  public:
@@ -69,7 +43,6 @@ class Inbox {
   std::vector<soccer::PlayerCommand> commands_;
 };
 
-/// A player's.
 struct Session : Connection {
   Slot slot() const { return client; }
 

@@ -64,7 +64,11 @@ std::optional<CoachSay> read_clang_say(std::string_view text) {
   if (!in.token(message) || !in.token(")")) return std::nullopt;
   in.skip_blanks();
   if (!in.at_end()) return std::nullopt;
-  return CoachSay{*kind, std::string(message)};
+  CoachSay said{*kind, std::string(message)};
+  if (*kind == ClangKind::kFreeform) {  // heard without the blanks around the words
+    said.text = "(freeform \"" + std::string(said.freeform()) + "\")";
+  }
+  return said;
 }
 
 }  // namespace cls::soccer

@@ -9,6 +9,12 @@ namespace {
 
 constexpr std::string_view kCatchPrefix = "goalie_catch_ball_";
 
+// Client versions from which on something is sent.
+constexpr int kFirstWithMarks = 13;  // and the capacity
+constexpr int kFirstWithGoalieType = 14;
+constexpr int kFirstWithCards = 14;  // and the mark of a fouled player
+constexpr int kFirstWithFocus = 18;
+
 bool read_mode(Scanner& in, FullState& out) {
   std::string_view mode;
   const std::size_t start = in.position();
@@ -79,16 +85,30 @@ void append_counts(const CommandCounts& counts, int version, std::string& out) {
                           counts.change_view, counts.say}) {
     append(out, " ", count);
   }
-  if (version >= 18) append(out, " ", counts.change_focus);
+  if (version >= kFirstWithFocus) append(out, " ", counts.change_focus);
   out.append(") ");
 }
 
-void append_player(const FullStatePlayer& player, int version, std::string& out) {
+void append_name(const FullStatePlayer& player, int version, std::string& out) {
   out.append(" ((p ");
   out.push_back(letter(player.side));
   append(out, " ", player.unum);
-  append(out, player.goalie ? " g " : " ", player.type);
+  if (player.goalie) out.append(" g");
+  if (!player.goalie || version >= kFirstWithGoalieType) append(out, " ", player.type);
   out.append(") ");
+}
+
+// Which of the marks at the end of a player a version knows.
+ActionMark mark_shown(const FullStatePlayer& player, int version) {
+  if (version < kFirstWithMarks) return ActionMark::kNone;
+  if (version < kFirstWithCards && player.mark == ActionMark::kFoulCharged) {
+    return ActionMark::kNone;
+  }
+  return player.mark;
+}
+
+void append_player(const FullStatePlayer& player, int version, std::string& out) {
+  append_name(player, version, out);
   append_motion(player.position, player.velocity, out);
   append(out, " ", player.body);
   append(out, " ", player.neck);
@@ -96,7 +116,7 @@ void append_player(const FullStatePlayer& player, int version, std::string& out)
     append(out, " ", player.point_distance);
     append(out, " ", player.point_direction_radians);
   }
-  if (version >= 18) {
+  if (version >= kFirstWithFocus) {
     append(out, " (focus_point ", player.focus_distance);
     append(out, " ", player.focus_direction);
     out.push_back(')');
@@ -104,9 +124,10 @@ void append_player(const FullStatePlayer& player, int version, std::string& out)
   append(out, " (stamina ", player.stamina);
   append(out, " ", player.effort);
   append(out, " ", player.recovery);
-  append(out, " ", player.capacity);
+  if (version >= kFirstWithMarks) append(out, " ", player.capacity);
   out.push_back(')');
-  append_marks(player.mark, player.card, out);
+  append_marks(mark_shown(player, version), version >= kFirstWithCards ? player.card : Card::kNone,
+               out);
   out.push_back(')');
 }
 

@@ -55,7 +55,7 @@ struct FullState {
 /// Reads a fullstate of version 14 or later. On failure the message names the byte.
 Result<void> parse(std::string_view message, FullState& out);
 
-/// Appends the message as a client of `version` gets it.
+/// Appends the message as a client of `version` (8 to 19) gets it.
 void format(const FullState& state, int version, std::string& out);
 
 }  // namespace cls::soccer

@@ -6,6 +6,12 @@
 namespace cls::soccer {
 namespace {
 
+// Client versions from which on a field is sent.
+constexpr int kFirstWithCollision = 12;
+constexpr int kFirstWithCapacity = 13;
+constexpr int kFirstWithFoul = 14;
+constexpr int kFirstWithFocus = 18;
+
 bool read_body(Scanner& in, SenseBody& out) {
   return in.literal("(sense_body ") && in.integer(out.time) && in.literal(" (view_mode ") &&
          read_view_mode(in, out.quality, out.width) && in.literal(") (stamina ") &&
@@ -88,7 +94,7 @@ void append_counts(const CommandCounts& counts, int version, std::string& out) {
   append(out, ") (catch ", counts.catches);
   append(out, ") (move ", counts.move);
   append(out, ") (change_view ", counts.change_view);
-  if (version >= 18) append(out, ") (change_focus ", counts.change_focus);
+  if (version >= kFirstWithFocus) append(out, ") (change_focus ", counts.change_focus);
   out.append(") ");
 }
 
@@ -122,6 +128,11 @@ std::string_view name(Card card) {
   return card == Card::kNone ? "none" : card == Card::kYellow ? "yellow" : "red";
 }
 
+void append_foul(const SenseBody& sense, std::string& out) {
+  append(out, " (foul (charged ", sense.foul_charged);
+  out.append(") (card ").append(name(sense.card)).append("))");
+}
+
 }  // namespace
 
 Result<void> parse(std::string_view message, SenseBody& out) {
@@ -142,7 +153,7 @@ void format(const SenseBody& sense, int version, std::string& out) {
   append_view_mode(sense.quality, sense.width, out);
   append(out, ") (stamina ", sense.stamina);
   append(out, " ", sense.effort);
-  append(out, " ", sense.capacity);
+  if (version >= kFirstWithCapacity) append(out, " ", sense.capacity);
   append(out, ") (speed ", sense.speed);
   append(out, " ", sense.speed_direction);
   append(out, ") (head_angle ", sense.head_angle);
@@ -153,12 +164,9 @@ void format(const SenseBody& sense, int version, std::string& out) {
   append(out, ")) (tackle (expires ", sense.tackle_expires_in);
   append(out, ") (count ", sense.tackle_count);
   out.append("))");
-  append_collision(sense, out);
-  append(out, " (foul (charged ", sense.foul_charged);
-  out.append(") (card ");
-  out.append(name(sense.card));
-  out.append("))");
-  if (version >= 18) {
+  if (version >= kFirstWithCollision) append_collision(sense, out);
+  if (version >= kFirstWithFoul) append_foul(sense, out);
+  if (version >= kFirstWithFocus) {
     append(out, " (focus_point ", sense.focus_distance);
     append(out, " ", sense.focus_direction);
     out.push_back(')');

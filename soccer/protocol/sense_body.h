@@ -32,7 +32,7 @@ struct ArmState {
   int count = 0;
 };
 
-/// One sense_body (protocol 4.2), versions 14 to 19. Angles in whole degrees as sent.
+/// One sense_body (protocol 4.2). Angles in whole degrees as sent.
 struct SenseBody {
   int time = 0;
   ViewQuality quality = ViewQuality::kHigh;
@@ -60,11 +60,11 @@ struct SenseBody {
   double focus_direction = 0.0;  ///< degrees, relative to the neck
 };
 
-/// Reads a sense_body of any supported version. On failure the message names the byte and `out`
+/// Reads a sense_body of version 14 or later. On failure the message names the byte and `out`
 /// is unspecified. Does not allocate on success.
 Result<void> parse(std::string_view message, SenseBody& out);
 
-/// Appends the message as a client of `version` gets it.
+/// Appends the message as a client of `version` (8 to 19) gets it.
 void format(const SenseBody& sense, int version, std::string& out);
 
 }  // namespace cls::soccer

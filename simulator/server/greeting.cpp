@@ -1,0 +1,31 @@
+// Sending parameters and types.
+#include "simulator/server/greeting.h"
+
+#include <string>
+
+#include "soccer/protocol/parameter_message.h"
+
+namespace cls::simulator {
+
+void send_parameters(const World& world, Connection& client) {
+  std::string text;
+  const auto send = [&](const auto& params) {
+    text.clear();
+    soccer::format(params, client.version, text);
+    client.send(text);
+  };
+  send(world.rules->server);
+  send(world.rules->player);
+  for (const soccer::PlayerType& type : world.rules->types) send(type);
+}
+
+void send_changed_types(const World& world, Side side, Connection& client) {
+  for (const Player& player : world.players) {
+    if (player.type == 0) continue;
+    soccer::PlayerTypeChange change{player.unum, std::nullopt};
+    if (player.side == side) change.type = player.type;
+    client.reply(change);
+  }
+}
+
+}  // namespace cls::simulator

@@ -1,0 +1,241 @@
+// Reading and holding conversations.
+#include "tests/simulator/conversation.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "soccer/memory_channel.h"
+#include "tests/support/rcg_lines.h"
+
+namespace cls::tests {
+namespace {
+
+using simulator::Door;
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+// '#' in the pattern takes a whole number.
+bool matches(std::string_view pattern, std::string_view text) {
+  std::size_t at = 0;
+  for (const char c : pattern) {
+    if (c != '#') {
+      if (at == text.size() || text[at++] != c) return false;
+      continue;
+    }
+    const std::size_t start = at;
+    if (at < text.size() && text[at] == '-') ++at;
+    while (at < text.size() && is_digit(text[at])) ++at;
+    if (at == start) return false;
+  }
+  return at == text.size();
+}
+
+bool match(const std::vector<std::string>& texts, const std::vector<std::string>& patterns) {
+  return std::equal(texts.begin(), texts.end(), patterns.begin(), patterns.end(),
+                    [](const auto& text, const auto& pattern) { return matches(pattern, text); });
+}
+
+bool match_in_any_order(const std::vector<std::string>& texts, std::vector<std::string> patterns) {
+  for (const std::string& text : texts) {
+    const auto found = std::find_if(patterns.begin(), patterns.end(),
+                                    [&](const auto& pattern) { return matches(pattern, text); });
+    if (found == patterns.end()) return false;
+    patterns.erase(found);
+  }
+  return patterns.empty();
+}
+
+// "L1 (dash 100)" taken apart.
+std::pair<std::string, std::string> split(std::string_view text) {
+  const std::size_t blank = std::min(text.find(' '), text.size());
+  return {std::string(text.substr(0, blank)),
+          std::string(text.substr(std::min(blank + 1, text.size())))};
+}
+
+void read_line(std::string_view line, Conversation& out) {
+  const std::string_view rest = line.substr(std::min<std::size_t>(2, line.size()));
+  const auto last = [&]() -> Turn& {
+    if (out.turns.empty()) throw std::runtime_error("nobody has said anything yet");
+    return out.turns.back();
+  };
+  switch (line.front()) {
+    case '=':
+      out.settings.emplace_back(rest);
+      return;
+    case '@':
+      if (out.turns.empty()) out.turns.emplace_back();
+      last().shown.emplace_back(rest);
+      return;
+    case '+':
+      out.turns.emplace_back().cycles = std::stoi(std::string(rest));
+      return;
+    case '>': {
+      Turn& turn = out.turns.emplace_back();
+      std::tie(turn.client, turn.sent) = split(rest);
+      return;
+    }
+    case '<': {
+      auto [client, message] = split(rest);
+      if (const std::size_t at = message.rfind("\\n"); at != std::string::npos) {
+        message.replace(at, 2, "\n");
+      }
+      last().told[client].push_back(std::move(message));
+      return;
+    }
+    default:
+      throw std::runtime_error("cannot read the line: " + std::string(line));
+  }
+}
+
+/// Channels of clients in memory around a match server.
+class MemoryHost : public Host {
+ public:
+  explicit MemoryHost(const std::vector<std::string>& settings) {
+    simulator::MatchConfig config;
+    for (const std::string& setting : settings) apply(setting, config);
+    server_ = std::move(*simulator::MatchServer::create(config));
+  }
+
+  void send(const std::string& client, const std::string& datagram) override {
+    Client& known = clients_[client];
+    if (server_->connection(known.id) == nullptr || known.refused) {
+      knock(client, datagram, known);
+    } else {
+      server_->receive(known.id, datagram);
+      server_->execute();
+    }
+  }
+
+  void pass_cycles(int count) override {
+    for (int i = 0; i < count; ++i) {
+      server_->step();
+      server_->sense();
+    }
+  }
+
+  std::vector<std::string> take(const std::string& client, std::size_t,
+                                const std::vector<std::string>& shown) override {
+    Client& known = clients_[client];
+    std::vector<std::string> told = std::move(known.refusals);
+    known.refusals.clear();
+    std::string message;
+    while (known.channel != nullptr && known.channel->receive(message)) {
+      if (counts(message, shown)) told.push_back(message);
+    }
+    return told;
+  }
+
+  std::vector<std::string> clients() const override {
+    std::vector<std::string> names;
+    for (const auto& [name, client] : clients_) names.push_back(name);
+    return names;
+  }
+
+ private:
+  struct Client {
+    simulator::ClientId id = 0;
+    bool refused = true;
+    std::unique_ptr<soccer::Channel> channel;
+    std::vector<std::string> refusals;
+  };
+
+  static void apply(const std::string& setting, simulator::MatchConfig& config) {
+    const std::size_t colons = setting.find("::");
+    const std::size_t equals = setting.find('=');
+    const std::string name = setting.substr(colons + 2, equals - colons - 2);
+    const std::string value = setting.substr(equals + 1);
+    const bool applied =
+        setting.starts_with("player::")
+            ? bool(soccer::set_parameter(config.player, soccer::player_param_table(), name, value))
+            : bool(soccer::set_parameter(config.server, soccer::server_param_table(), name, value));
+    if (!applied) throw std::runtime_error("no such parameter: " + setting);
+  }
+
+  void knock(const std::string& client, const std::string& datagram, Client& known) {
+    const auto admission = server_->admit(door_of(client), datagram);
+    if (const auto* error = std::get_if<soccer::ErrorCode>(&admission)) {
+      soccer::format(*error, known.refusals.emplace_back());
+      return;
+    }
+    auto [server_end, client_end] = soccer::make_memory_channel();
+    known.id = std::get<simulator::Admission>(admission).client;
+    known.refused = false;
+    known.channel = std::move(client_end);
+    server_->greet(std::get<simulator::Admission>(admission), std::move(server_end), datagram);
+  }
+
+  std::unique_ptr<simulator::MatchServer> server_;
+  std::map<std::string, Client> clients_;
+};
+
+void expect_told(const Turn& turn, const std::string& client, const std::vector<std::string>& told,
+                 bool in_order) {
+  const auto found = turn.told.find(client);
+  const std::vector<std::string> expected =
+      found == turn.told.end() ? std::vector<std::string>() : found->second;
+  if (in_order ? match(told, expected) : match_in_any_order(told, expected)) return;
+  EXPECT_EQ(told, expected) << "line " << turn.line << ", told to " << client << " after "
+                            << turn.client << ' ' << turn.sent;
+}
+
+}  // namespace
+
+Conversation read_conversation(std::string_view text) {
+  Conversation conversation;
+  int number = 0;
+  for (const std::string_view line : split_lines(text)) {
+    ++number;
+    if (line.empty() || line.front() == ' ') continue;
+    const std::size_t before = conversation.turns.size();
+    read_line(line, conversation);
+    if (conversation.turns.size() > before) conversation.turns.back().line = number;
+  }
+  return conversation;
+}
+
+Door door_of(const std::string& client) {
+  if (client.starts_with('C')) return Door::kOnlineCoach;
+  return client.starts_with('T') ? Door::kOfflineCoach : Door::kGame;
+}
+
+bool counts(std::string_view message, const std::vector<std::string>& shown) {
+  const auto begins = [message](std::string_view start) { return message.starts_with(start); };
+  if (std::any_of(shown.begin(), shown.end(), begins)) return true;
+  const std::string_view left_out[] = {"(sense_body ",   "(see ",        "(see_global ",
+                                       "(fullstate ",    "(think)",      "(server_param ",
+                                       "(player_param ", "(player_type "};
+  return std::none_of(std::begin(left_out), std::end(left_out), begins);
+}
+
+void hold(const Conversation& conversation, Host& host) {
+  std::vector<std::string> shown;
+  for (std::size_t i = 0; i < conversation.turns.size(); ++i) {
+    Turn turn = conversation.turns[i];
+    host.send(turn.client, turn.sent);
+    // Clocks run as they like: what comes at once and what comes with the next cycle is one.
+    bool in_order = true;
+    while (i + 1 < conversation.turns.size() && conversation.turns[i + 1].client.empty()) {
+      const Turn& pause = conversation.turns[++i];
+      in_order = false;
+      host.pass_cycles(pause.cycles);
+      for (const auto& [client, messages] : pause.told) {
+        auto& told = turn.told[client];
+        told.insert(told.end(), messages.begin(), messages.end());
+      }
+    }
+    for (const std::string& client : host.clients()) {
+      const auto found = turn.told.find(client);
+      const std::size_t expected = found == turn.told.end() ? 0 : found->second.size();
+      expect_told(turn, client, host.take(client, expected, shown), in_order);
+    }
+    shown.insert(shown.end(), turn.shown.begin(), turn.shown.end());
+  }
+}
+
+std::unique_ptr<Host> make_memory_host(const std::vector<std::string>& settings) {
+  return std::make_unique<MemoryHost>(settings);
+}
+
+}  // namespace cls::tests

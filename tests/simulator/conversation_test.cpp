@@ -1,0 +1,44 @@
+// Conversations with rcssserver 19, word for word, held with our server.
+#include "tests/simulator/conversation.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/simulator/real_host.h"
+#include "tests/support/files.h"
+
+namespace cls::tests {
+namespace {
+
+class Conversations : public testing::TestWithParam<const char*> {
+ protected:
+  static Conversation conversation() {
+    return read_conversation(
+        read_file(fixture("protocol/conversations/" + std::string(GetParam()) + ".txt")));
+  }
+};
+
+TEST_P(Conversations, AreHeldByOurServer) {
+  const Conversation written = conversation();
+  ASSERT_FALSE(written.turns.empty());
+  hold(written, *make_memory_host(written.settings));
+}
+
+TEST_P(Conversations, AreThoseOfTheRealServer) {
+  if (real_server().empty()) GTEST_SKIP() << "no rcssserver on PATH nor in CLS_RCSSSERVER";
+  const Conversation written = conversation();
+  ASSERT_FALSE(written.turns.empty());
+  hold(written, *make_real_host(written.settings));
+}
+
+INSTANTIATE_TEST_SUITE_P(Recorded, Conversations,
+                         testing::Values("trainer", "online-coach", "coach-language"),
+                         [](const auto& one) {
+                           std::string name = one.param;
+                           std::replace(name.begin(), name.end(), '-', '_');
+                           return name;
+                         });
+
+}  // namespace
+}  // namespace cls::tests

@@ -1,0 +1,128 @@
+// Starting rcssserver and talking to it.
+#include "tests/simulator/real_host.h"
+
+#include <arpa/inet.h>
+#include <netinet/in.h>
+#include <signal.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <sstream>
+#include <stdexcept>
+#include <thread>
+
+#include "tests/support/command.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/support/udp_client.h"
+
+namespace cls::tests {
+namespace {
+
+using simulator::Door;
+using std::chrono::milliseconds;
+
+/// As good as free: nobody had it a moment ago.
+int free_port() {
+  const int socket = ::socket(AF_INET, SOCK_DGRAM, 0);
+  sockaddr_in address{};
+  address.sin_family = AF_INET;
+  socklen_t size = sizeof address;
+  const bool named = ::bind(socket, reinterpret_cast<const sockaddr*>(&address), size) == 0 &&
+                     ::getsockname(socket, reinterpret_cast<sockaddr*>(&address), &size) == 0;
+  ::close(socket);
+  if (!named) throw std::runtime_error("no free UDP port");
+  return ntohs(address.sin_port);
+}
+
+class RealHost : public Host {
+ public:
+  explicit RealHost(const std::vector<std::string>& settings) {
+    for (int& port : ports_) port = free_port();
+    std::vector<std::string> words = {real_server(),
+                                      "server::port=" + std::to_string(ports_[0]),
+                                      "server::coach_port=" + std::to_string(ports_[1]),
+                                      "server::olcoach_port=" + std::to_string(ports_[2]),
+                                      "server::game_logging=off",
+                                      "server::text_logging=off"};
+    words.insert(words.end(), settings.begin(), settings.end());
+    const std::string path = folder_.path();
+    server_ = std::make_unique<Command>(
+        words, std::vector<std::string>{"RCSS_CONF_DIR=" + path + "/conf", "USER=nobody"}, path);
+    wait_for_start();
+  }
+
+  ~RealHost() override {
+    server_->send_signal(SIGTERM);
+    server_->finish();
+  }
+
+  void send(const std::string& client, const std::string& datagram) override {
+    auto& socket = clients_[client];
+    if (socket == nullptr) socket = std::make_unique<UdpClient>(port(door_of(client)));
+    socket->send(datagram);
+  }
+
+  void pass_cycles(int count) override {
+    std::this_thread::sleep_for(milliseconds(100 * count + 20));
+  }
+
+  // A server that has all to say is given a moment to say too much.
+  std::vector<std::string> take(const std::string& client, std::size_t expected,
+                                const std::vector<std::string>& shown) override {
+    const auto now = [] { return std::chrono::steady_clock::now(); };
+    const auto patience = now() + milliseconds(expected > 0 ? 1000 : 0);
+    auto end = now() + milliseconds(30);
+    std::vector<std::string> told;
+    while (now() < end || (told.size() < expected && now() < patience)) {
+      const std::string message = clients_[client]->wait(milliseconds(10));
+      if (message.empty() || !counts(message, shown)) continue;
+      told.push_back(message);
+      end = now() + milliseconds(30);
+    }
+    return told;
+  }
+
+  std::vector<std::string> clients() const override {
+    std::vector<std::string> names;
+    for (const auto& [name, client] : clients_) names.push_back(name);
+    return names;
+  }
+
+ private:
+  int port(Door door) const { return ports_[static_cast<std::size_t>(door)]; }
+
+  void wait_for_start() {
+    for (int i = 0; i < 200; ++i) {
+      UdpClient probe(port(Door::kGame));
+      probe.send("(anybody)");
+      if (probe.wait(milliseconds(50)) == "(error unknown_command)") return;
+      std::this_thread::sleep_for(milliseconds(20));
+    }
+    throw std::runtime_error("rcssserver does not start: " + server_->out());
+  }
+
+  TemporaryFolder folder_;
+  int ports_[3] = {};
+  std::unique_ptr<Command> server_;
+  std::map<std::string, std::unique_ptr<UdpClient>> clients_;
+};
+
+}  // namespace
+
+std::string real_server() {
+  if (const char* named = std::getenv("CLS_RCSSSERVER")) return named;
+  std::istringstream path(std::getenv("PATH") == nullptr ? "" : std::getenv("PATH"));
+  for (std::string folder; std::getline(path, folder, ':');) {
+    const std::string program = folder + "/rcssserver";
+    if (::access(program.c_str(), X_OK) == 0) return program;
+  }
+  return "";
+}
+
+std::unique_ptr<Host> make_real_host(const std::vector<std::string>& settings) {
+  return std::make_unique<RealHost>(settings);
+}
+
+}  // namespace cls::tests
