@@ -5,6 +5,7 @@
 #include <cmath>
 #include <variant>
 
+#include "simulator/angles.h"
 #include "simulator/collision.h"
 #include "simulator/referee.h"
 #include "simulator/roster.h"
@@ -83,8 +84,7 @@ void move_player(World& world, Slot slot, Vec2 position, std::optional<double> b
   player.position = position;
   if (body_degrees) {
     const soccer::ServerParams& server = world.params();
-    player.body =
-        soccer::math::to_radians(std::clamp(*body_degrees, server.minmoment, server.maxmoment));
+    player.body = exact_radians(std::clamp(*body_degrees, server.minmoment, server.maxmoment));
   }
   player.pending_body = player.body;  // a turn of this cycle is forgotten
   if (velocity) player.velocity = *velocity;

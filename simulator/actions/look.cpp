@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "simulator/actions/commands.h"
+#include "simulator/angles.h"
 
 namespace cls::simulator::actions {
 namespace {
@@ -22,8 +23,8 @@ void turn_neck(World& world, Player& player, const soccer::TurnNeck& command) {
   const soccer::ServerParams& server = world.params();
   const double moment = std::clamp(command.moment, server.minneckmoment, server.maxneckmoment);
   player.pending_neck =
-      std::clamp(player.neck + math::to_radians(moment), math::to_radians(server.minneckang),
-                 math::to_radians(server.maxneckang));
+      std::clamp(player.neck + exact_radians(moment), exact_radians(server.minneckang),
+                 exact_radians(server.maxneckang));
   player.turn_neck_done = true;
   ++player.counters.turn_neck;
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "simulator/actions.h"
+#include "simulator/angles.h"
 #include "soccer/math.h"
 
 namespace cls::simulator {
@@ -13,8 +14,6 @@ namespace {
 namespace math = soccer::math;
 
 constexpr double kSpeedStep = 0.01;
-
-int truncated_degrees(double radians) { return static_cast<int>(math::to_degrees(radians)); }
 
 }  // namespace
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "simulator/angles.h"
 #include "soccer/math.h"
 
 namespace cls::simulator {
@@ -30,8 +31,8 @@ Hearing::Words take_next(const Player& listener, std::vector<Hearing::Words>& wa
 }
 
 int direction_to(const Player& listener, const Player& speaker) {
-  return static_cast<int>(math::to_degrees(math::normalize_radians(
-      soccer::direction_radians(speaker.position - listener.position) - listener.body)));
+  return truncated_degrees(math::normalize_radians(
+      soccer::direction_radians(speaker.position - listener.position) - listener.body));
 }
 
 soccer::Hear heard(const World& world, const Player& listener, const Player& speaker) {

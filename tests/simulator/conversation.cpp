@@ -76,6 +76,9 @@ void read_line(std::string_view line, Conversation& out) {
       std::tie(turn.client, turn.sent) = split(rest);
       return;
     }
+    case '?':
+      last().latest.push_back(split(rest));
+      return;
     case '<': {
       auto [client, message] = split(rest);
       if (const std::size_t at = message.rfind("\\n"); at != std::string::npos) {
@@ -122,6 +125,7 @@ class MemoryHost : public Host {
     known.refusals.clear();
     std::string message;
     while (known.channel != nullptr && known.channel->receive(message)) {
+      note(client, message);
       if (counts(message, shown)) told.push_back(message);
     }
     return told;
@@ -213,13 +217,18 @@ void hold(const Conversation& conversation, Host& host) {
   std::vector<std::string> shown;
   for (std::size_t i = 0; i < conversation.turns.size(); ++i) {
     Turn turn = conversation.turns[i];
-    host.send(turn.client, turn.sent);
+    if (turn.client.empty()) {
+      host.pass_cycles(turn.cycles);
+    } else {
+      host.send(turn.client, turn.sent);
+    }
     // Clocks run as they like: what comes at once and what comes with the next cycle is one.
     bool in_order = true;
     while (i + 1 < conversation.turns.size() && conversation.turns[i + 1].client.empty()) {
       const Turn& pause = conversation.turns[++i];
       in_order = false;
       host.pass_cycles(pause.cycles);
+      turn.latest.insert(turn.latest.end(), pause.latest.begin(), pause.latest.end());
       for (const auto& [client, messages] : pause.told) {
         auto& told = turn.told[client];
         told.insert(told.end(), messages.begin(), messages.end());
@@ -229,6 +238,11 @@ void hold(const Conversation& conversation, Host& host) {
       const auto found = turn.told.find(client);
       const std::size_t expected = found == turn.told.end() ? 0 : found->second.size();
       expect_told(turn, client, host.take(client, expected, shown), in_order);
+    }
+    for (const auto& [client, message] : turn.latest) {
+      const std::string latest = host.latest(client, message.substr(0, message.find(' ')));
+      EXPECT_TRUE(matches(message, latest)) << "line " << turn.line << ", " << client
+                                            << " was told " << latest << " and not " << message;
     }
     shown.insert(shown.end(), turn.shown.begin(), turn.shown.end());
   }

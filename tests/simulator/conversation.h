@@ -20,6 +20,7 @@ namespace cls::tests {
 ///     > L1 (init Left (version 18))    client L1 sends this
 ///     + 2                              two cycles pass
 ///     < L1 (init l 1 before_kick_off)  a client is told this; '#' stands for any whole number
+///     ? L1 (sense_body 0 ...)          the last it was told that begins with this word is this
 ///
 /// A client's first letter says where it knocks: C as an online coach, T as the trainer, others as
 /// players. What one client is told is in order, but where cycles pass after what was sent; of
@@ -31,7 +32,8 @@ struct Turn {
   std::string sent;
   int cycles = 0;
   std::vector<std::string> shown;  ///< beginnings of messages that count from here on
-  std::map<std::string, std::vector<std::string>> told;  ///< by client
+  std::vector<std::pair<std::string, std::string>> latest;  ///< client and message
+  std::map<std::string, std::vector<std::string>> told;     ///< by client
 };
 
 struct Conversation {
@@ -54,7 +56,19 @@ class Host {
   /// What a client has been told since the last call. `expected`: as many are waited for.
   virtual std::vector<std::string> take(const std::string& client, std::size_t expected,
                                         const std::vector<std::string>& shown) = 0;
+  /// The last of all that begin with that word.
+  std::string latest(const std::string& client, const std::string& word) {
+    return latest_[client][word];
+  }
   virtual std::vector<std::string> clients() const = 0;
+
+ protected:
+  void note(const std::string& client, const std::string& message) {
+    latest_[client][message.substr(0, message.find(' '))] = message;
+  }
+
+ private:
+  std::map<std::string, std::map<std::string, std::string>> latest_;
 };
 
 /// True if a message is not one of those left out, or begins with one of `shown`.

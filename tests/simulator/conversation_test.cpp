@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
 
 #include "tests/simulator/real_host.h"
 #include "tests/support/files.h"
@@ -14,8 +15,9 @@ namespace {
 class Conversations : public testing::TestWithParam<const char*> {
  protected:
   static Conversation conversation() {
-    return read_conversation(
-        read_file(fixture("protocol/conversations/" + std::string(GetParam()) + ".txt")));
+    auto path = fixture("protocol/conversations/" + std::string(GetParam()) + ".txt");
+    if (!std::filesystem::exists(path)) path += ".gz";
+    return read_conversation(read_file(path));
   }
 };
 
@@ -33,7 +35,8 @@ TEST_P(Conversations, AreThoseOfTheRealServer) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Recorded, Conversations,
-                         testing::Values("trainer", "online-coach", "coach-language"),
+                         testing::Values("versions", "players", "trainer", "online-coach",
+                                         "coach-language"),
                          [](const auto& one) {
                            std::string name = one.param;
                            std::replace(name.begin(), name.end(), '-', '_');

@@ -77,7 +77,9 @@ class RealHost : public Host {
     std::vector<std::string> told;
     while (now() < end || (told.size() < expected && now() < patience)) {
       const std::string message = clients_[client]->wait(milliseconds(10));
-      if (message.empty() || !counts(message, shown)) continue;
+      if (message.empty()) continue;
+      note(client, message);
+      if (!counts(message, shown)) continue;
       told.push_back(message);
       end = now() + milliseconds(30);
     }
