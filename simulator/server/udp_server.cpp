@@ -56,13 +56,13 @@ bool UdpServer::is_over() const {
 
 UdpEnd UdpServer::run_synchronous(const std::atomic<bool>& stop) {
   while (!stop.load()) {
-    if (!run_cycle()) return UdpEnd::kUnanswered;
+    if (!run_cycle(stop)) return UdpEnd::kUnanswered;
     if (is_over()) return UdpEnd::kFinished;
   }
   return UdpEnd::kStopped;
 }
 
-bool UdpServer::run_cycle() {
+bool UdpServer::run_cycle(const std::atomic<bool>& stop) {
   match_->step();
   match_->sense();
   const bool started = world().clock.time > 0;
@@ -70,8 +70,7 @@ bool UdpServer::run_cycle() {
     network_->receive_until(WallClock::now() + config_.pause_before_start, [] { return false; });
   }
   match_->think();
-  network_->receive_until(WallClock::now() + config_.max_wait,
-                          [this] { return !match_->awaits_anybody(); });
+  wait_for_answers(stop);
   if (match_->awaits_anybody()) {
     ++missed_cycles_;
     if (started) ++missed_in_a_row_;
@@ -81,6 +80,16 @@ bool UdpServer::run_cycle() {
   }
   execute();
   return missed_in_a_row_ <= config_.max_missed;
+}
+
+// In slices, so that a wish to stop is noticed.
+void UdpServer::wait_for_answers(const std::atomic<bool>& stop) {
+  constexpr std::chrono::milliseconds kLook{20};
+  const auto enough = [this] { return !match_->awaits_anybody(); };
+  const auto deadline = WallClock::now() + config_.max_wait;
+  do {
+    network_->receive_until(std::min(deadline, WallClock::now() + kLook), enough);
+  } while (!enough() && !stop.load() && WallClock::now() < deadline);
 }
 
 UdpEnd UdpServer::run_in_real_time(const std::atomic<bool>& stop) {

@@ -94,7 +94,8 @@ class UdpServer {
 
   UdpEnd run_synchronous(const std::atomic<bool>& stop);
   UdpEnd run_in_real_time(const std::atomic<bool>& stop);
-  bool run_cycle();
+  bool run_cycle(const std::atomic<bool>& stop);
+  void wait_for_answers(const std::atomic<bool>& stop);
   void receive_until(StepClock::Time next_step, int step_ms, const std::atomic<bool>& stop);
   void execute();
   bool is_over() const;

@@ -5,11 +5,13 @@
 #include <string_view>
 #include <vector>
 
+#include "soccer/configuration.h"
 #include "soccer/protocol/coach_command.h"
 #include "soccer/protocol/connection_request.h"
 #include "soccer/protocol/full_state.h"
 #include "soccer/protocol/global_view.h"
 #include "soccer/protocol/hear.h"
+#include "soccer/protocol/monitor_command.h"
 #include "soccer/protocol/parameter_message.h"
 #include "soccer/protocol/player_command.h"
 #include "soccer/protocol/see.h"
@@ -66,6 +68,20 @@ void check_coach_command(std::string_view text, CoachRole role) {
   require(!parse(written, role, command));
 }
 
+void check_monitor_command(std::string_view text) {
+  const auto command = parse_monitor_command(text);
+  if (!command) return;
+  std::string written;
+  format(*command, written);
+  require(parse_monitor_command(written).has_value());
+}
+
+void check_configuration(std::string_view text) {
+  const auto items = parse_configuration(text);
+  if (!items) return;
+  for (const ConfigurationItem& item : *items) require(!item.name.empty());
+}
+
 void check_game_request(std::string_view text) {
   GameRequest request;
   if (parse(text, request)) return;
@@ -84,6 +100,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   check_coach_command(text, CoachRole::kOnlineCoach);
   check_coach_command(text, CoachRole::kTrainer);
   check_game_request(text);
+  check_monitor_command(text);
+  check_configuration(text);
   check_request<CoachInit>(text);
   check_request<TrainerInit>(text);
   check_message<SenseBody>(text, newest);

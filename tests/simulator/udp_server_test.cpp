@@ -3,9 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include <thread>
-
-#include "gamelog/byte_sink.h"
+#include "tests/simulator/running_server.h"
 #include "tests/support/scripted_player.h"
 #include "tests/support/udp_client.h"
 
@@ -15,61 +13,6 @@ namespace {
 using std::chrono::milliseconds;
 using tests::ScriptedPlayer;
 using tests::UdpClient;
-
-UdpConfig quick_match() {
-  UdpConfig config;
-  config.port = 0;
-  config.match.seed = 7;
-  config.match.server.synch_mode = true;
-  config.match.server.auto_mode = true;
-  config.match.server.kick_off_wait = 5;
-  config.match.server.connect_wait = 1000000;
-  config.match.server.half_time = 10;
-  config.match.server.nr_extra_halfs = 0;
-  config.match.server.penalty_shoot_outs = false;
-  config.match.server.game_over_wait = 3;
-  config.pause_before_start = milliseconds(5);
-  return config;
-}
-
-/// A running server. The world may be looked at only after end().
-class RunningServer {
- public:
-  explicit RunningServer(const UdpConfig& config) : server(std::move(*UdpServer::open(config))) {
-    server->record(&game_log, &text_log);
-    port = server->port();
-    thread_ = std::thread([this] {
-      result_ = server->run(stop_);
-      ended_ = true;
-    });
-  }
-  ~RunningServer() { end(); }
-
-  bool ended() const { return ended_; }
-
-  /// Asks it to stop and waits.
-  UdpEnd end() {
-    stop_ = true;
-    if (thread_.joinable()) thread_.join();
-    return result_;
-  }
-  /// Waits until it ends by itself.
-  UdpEnd wait() {
-    if (thread_.joinable()) thread_.join();
-    return result_;
-  }
-
-  std::unique_ptr<UdpServer> server;
-  gamelog::StringSink game_log;
-  gamelog::StringSink text_log;
-  int port = 0;
-
- private:
-  std::atomic<bool> stop_{false};
-  std::atomic<bool> ended_{false};
-  UdpEnd result_ = UdpEnd::kStopped;
-  std::thread thread_;
-};
 
 std::vector<std::unique_ptr<ScriptedPlayer>> two_teams(int port) {
   std::vector<std::unique_ptr<ScriptedPlayer>> players;
@@ -239,17 +182,6 @@ TEST(UdpServer, NamesAnAddressThatIsNone) {
   const auto server = UdpServer::open(config);
   ASSERT_FALSE(server);
   EXPECT_EQ(server.error().message, "cannot listen on localhorst port 0: Invalid argument");
-}
-
-/// Cycles of 20 ms, so that a test is short.
-UdpConfig match_in_real_time() {
-  UdpConfig config = quick_match();
-  config.match.server.synch_mode = false;
-  config.match.server.simulator_step = 20;
-  config.match.server.sense_body_step = 20;
-  config.match.server.send_step = 30;
-  config.match.server.half_time = 1;
-  return config;
 }
 
 using Clock = std::chrono::steady_clock;
