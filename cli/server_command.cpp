@@ -45,7 +45,7 @@ constexpr const char* kDescription =
     "CSVSaver::NAME=VALUE, include=FILE, with or without dashes before it; and sync::max_wait_ms,\n"
     "sync::max_missed. server.conf, player.conf and CSVSaver.conf are read first, from "
     "RCSS_CONF_DIR or\n"
-    "~/.rcssserver. Coaches and trainers are refused so far.";
+    "~/.rcssserver.";
 
 struct Arguments {
   std::string host = "127.0.0.1";
@@ -61,7 +61,6 @@ std::vector<std::string> refusals(const soccer::ServerParams& server) {
   const auto refuse = [&lines](bool asked, const char* what) {
     if (asked) lines.push_back(fmt::format("{}: not in this server", what));
   };
-  refuse(server.coach || server.coach_w_referee, "a trainer (server::coach, coach_w_referee)");
   refuse(!server.team_l_start.empty() || !server.team_r_start.empty(),
          "starting teams (server::team_l_start, team_r_start)");
   refuse(server.game_logging && server.game_log_version != 6,
@@ -92,6 +91,19 @@ soccer::Result<ServerSettings> read_settings(const Arguments& arguments,
   return settings;
 }
 
+/// "player (TA 1)", "online coach (TA)", "offline coach", "monitor".
+std::string name_of(simulator::ClientId client, const simulator::World& world) {
+  const auto team = [&world](soccer::Side side) { return world.team(side).name.view(); };
+  if (simulator::is_player(client)) {
+    return fmt::format("player ({} {})", team(soccer::side_of_slot(client)),
+                       soccer::unum_of_slot(client));
+  }
+  if (client == simulator::kTrainer) return "offline coach";
+  if (simulator::is_monitor(client)) return "monitor";
+  const bool left = client == simulator::kLeftCoach;
+  return fmt::format("online coach ({})", team(left ? soccer::Side::kLeft : soccer::Side::kRight));
+}
+
 /// What rcssserver writes too, so that scripts that wait for its lines find them here.
 void print_notice(const UdpServer& server, const simulator::UdpNotice& notice) {
   const simulator::World& world = server.world();
@@ -99,22 +111,14 @@ void print_notice(const UdpServer& server, const simulator::UdpNotice& notice) {
     fmt::print(stderr, "Someone missed a cycle at {}\n", world.clock.time);
     return;
   }
-  const bool connected = notice.kind == simulator::UdpNotice::Kind::kConnected;
-  if (!simulator::is_player(notice.client)) {
-    const std::string line = connected
-                                 ? fmt::format("A new (v{}) monitor connected.", notice.version)
-                                 : "A monitor disconnected";
-    fmt::print("{}\n", line);
-    std::fflush(stdout);
-    return;
-  }
-  const soccer::Side side = soccer::side_of_slot(notice.client);
-  const std::string who =
-      fmt::format("({} {})", world.team(side).name.view(), soccer::unum_of_slot(notice.client));
-  if (connected) {
-    fmt::print("A new (v{}) player {} connected.\n", notice.version, who);
+  const std::string who = name_of(notice.client, world);
+  if (notice.kind == simulator::UdpNotice::Kind::kConnected) {
+    fmt::print("A new (v{}) {} connected.\n", notice.version, who);
+  } else if (simulator::is_player(notice.client)) {
+    const std::size_t blank = who.find(' ');
+    fmt::print("A player disconnected :{}\n", who.substr(blank));
   } else {
-    fmt::print("A player disconnected : {}\n", who);
+    fmt::print("A {} disconnected\n", who);
   }
   std::fflush(stdout);
 }
@@ -134,8 +138,10 @@ UdpEnd serve(UdpServer& server, const std::atomic<int>& signal) {
   return end;
 }
 
-orchestration::ReportedTeam reported(const simulator::Team& team) {
+orchestration::ReportedTeam reported(const UdpServer& server, soccer::Side side) {
+  const simulator::Team& team = server.world().team(side);
   orchestration::ReportedTeam report;
+  report.coach = server.coach_name(side);
   report.name = team.name.view();
   report.score = team.score;
   report.penalties_taken = team.penalty_kicks;
@@ -143,15 +149,14 @@ orchestration::ReportedTeam reported(const simulator::Team& team) {
   return report;
 }
 
-orchestration::ServerReport report_of(const simulator::World& world, std::time_t start) {
+orchestration::ServerReport report_of(const UdpServer& server, std::time_t start) {
   orchestration::ServerReport report;
   report.start = start;
-  const simulator::Team& left = world.team(soccer::Side::kLeft);
-  const simulator::Team& right = world.team(soccer::Side::kRight);
-  report.left = reported(left);
-  report.right = reported(right);
-  if (left.won_coin_toss) report.coin_toss_winner = soccer::Side::kLeft;
-  if (right.won_coin_toss) report.coin_toss_winner = soccer::Side::kRight;
+  report.left = reported(server, soccer::Side::kLeft);
+  report.right = reported(server, soccer::Side::kRight);
+  for (const auto side : {soccer::Side::kLeft, soccer::Side::kRight}) {
+    if (server.world().team(side).won_coin_toss) report.coin_toss_winner = side;
+  }
   return report;
 }
 
@@ -182,14 +187,18 @@ void print_times(const UdpServer& server) {
 /// Prints and writes how it ended. The first problem on the way.
 soccer::Result<void> finish(const UdpServer& server, const ServerSettings& settings,
                             orchestration::ServerLogs& logs, std::time_t start) {
-  const simulator::World& world = server.world();
-  const orchestration::ServerReport report = report_of(world, start);
+  const orchestration::ServerReport report = report_of(server, start);
   soccer::Result<void> saved;
   if (settings.save_csv) saved = save_csv(settings.csv_file, report);
   fmt::print("{}", console_report(report, settings.save_csv && saved));
   print_times(server);
   gamelog::Frame last;
-  simulator::describe(world, last);
+  simulator::describe(server.world(), last);
+  // Names of logs have the coach's behind the team's.
+  for (const auto side : {soccer::Side::kLeft, soccer::Side::kRight}) {
+    const std::string& coach = server.coach_name(side);
+    if (!coach.empty()) last.teams[side == soccer::Side::kRight ? 1 : 0].name += "_" + coach;
+  }
   if (auto closed = logs.finish(last.teams); !closed) return closed;
   for (const auto& path : logs.paths()) fmt::print("log: {}\n", path.string());
   return saved;
@@ -216,7 +225,14 @@ simulator::UdpConfig config_of(const Arguments& arguments, const ServerSettings&
   config.match.seed = arguments.seed.value_or(std::random_device()());
   config.match.cycle_limit = arguments.cycles;
   config.address = arguments.host;
-  config.port = arguments.port.value_or(settings.server.port);
+  config.port = settings.server.port;
+  config.trainer_port = settings.server.coach_port;
+  config.coach_port = settings.server.olcoach_port;
+  if (arguments.port) {
+    config.port = *arguments.port;
+    config.trainer_port = *arguments.port == 0 ? 0 : *arguments.port + 1;
+    config.coach_port = *arguments.port == 0 ? 0 : *arguments.port + 2;
+  }
   config.max_wait = std::chrono::milliseconds(settings.max_wait_ms);
   config.max_missed = settings.max_missed;
   return config;
@@ -233,8 +249,10 @@ int serve_match(const Arguments& arguments, const ServerSettings& settings) {
   if (!logs) return report_mistakes({logs.error().message}, kCannotCreate);
   (*server)->record(logs->game(), logs->text());
   (*server)->on_notice([&](const simulator::UdpNotice& notice) { print_notice(**server, notice); });
-  fmt::print("listening on {}:{}\nSimulator Random Seed: {}\nHit CTRL-C to exit\n", arguments.host,
-             (*server)->port(), config.match.seed);
+  fmt::print(
+      "listening on {}:{}, trainer {}, coaches {}\nSimulator Random Seed: {}\nHit CTRL-C to exit\n",
+      arguments.host, (*server)->port(), (*server)->port(simulator::Door::kOfflineCoach),
+      (*server)->port(simulator::Door::kOnlineCoach), config.match.seed);
   std::fflush(stdout);
 
   const UdpEnd end = serve(**server, signal);
@@ -268,8 +286,11 @@ void add_server_command(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand("server", kDescription);
   command->allow_extras();  // the settings, in their order
   command->add_option("--host", arguments->host, "address to listen on (127.0.0.1)");
-  command->add_option("--port", arguments->port, "0: a free one (server::port, 6000)")
-      ->check(CLI::Range(0, 65535));
+  command
+      ->add_option(
+          "--port", arguments->port,
+          "of players; trainer and coaches have the next two; 0: free ones (server::port, 6000)")
+      ->check(CLI::Range(0, 65533));
   command->add_option("--seed", arguments->seed, "of the match (else drawn and told)");
   command->add_option("--cycles", arguments->cycles, "end when game time reaches this");
   command->add_option("--dir", arguments->folder,

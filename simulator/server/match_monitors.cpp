@@ -47,12 +47,25 @@ void MatchServer::obey_monitor(ClientId id, std::string_view datagram, bool null
     monitors_.tell(id, world_.clock, text_of(ErrorCode::kIllegalCommandForm));
   } else if (std::holds_alternative<soccer::DispBye>(*command)) {
     client->lost = true;
-  } else if (std::holds_alternative<soccer::Compression>(*command)) {
-    monitors_.tell(id, world_.clock, text_of(WarningCode::kCompressionUnsupported));
+  } else if (const auto* compression = std::get_if<soccer::Compression>(&*command)) {
+    compress_monitor(*client, compression->level);
   } else if (!monitors_only_watch_) {
     apply(world_, *command, events_);
     dispatch_events();
   }
+}
+
+// As Connection::compress, with the answer on the board.
+void MatchServer::compress_monitor(Connection& monitor, int level) {
+  if (level > Connection::kMostCompression) {
+    return monitors_.tell(monitor.client, world_.clock, text_of(ErrorCode::kIllegalCommandForm));
+  }
+  if (!monitor.channel->can_compress()) {
+    return monitors_.tell(monitor.client, world_.clock,
+                          text_of(WarningCode::kCompressionUnsupported));
+  }
+  monitors_.tell(monitor.client, world_.clock, "(ok compression " + std::to_string(level) + ')');
+  monitor.channel->compress(level);
 }
 
 void MatchServer::tell_monitors_of_words(Clock clock, const CoachWords& words) {

@@ -133,6 +133,7 @@ class MatchServer {
   std::variant<Admission, soccer::ErrorCode> admit_monitor(const soccer::MonitorInit& init);
 
   void obey_monitor(ClientId id, std::string_view datagram, bool null_terminated);
+  void compress_monitor(Connection& monitor, int level);
   void execute(Session& session);
   void execute(Session& session, const soccer::PlayerCommand& command);
   void execute(CoachSession& coach);

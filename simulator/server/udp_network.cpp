@@ -8,6 +8,8 @@
 #include <variant>
 #include <vector>
 
+#include "simulator/server/message_compression.h"
+
 namespace cls::simulator {
 namespace {
 
@@ -36,10 +38,16 @@ class UdpChannel : public soccer::Channel {
   UdpChannel(udp::socket socket, bool with_nul) : socket_(std::move(socket)), nul_(with_nul) {}
 
   bool send(std::string_view message) override {
+    boost::system::error_code error;
+    if (compression_ != nullptr) {
+      whole_ = message;
+      if (nul_) whole_ += '\0';
+      socket_.send(asio::buffer(compression_->packed(whole_)), 0, error);
+      return !is_gone(error);
+    }
     constexpr char kNul = '\0';
     const std::array<asio::const_buffer, 2> buffers = {asio::buffer(message),
                                                        asio::buffer(&kNul, nul_ ? 1 : 0)};
-    boost::system::error_code error;
     socket_.send(buffers, 0, error);
     return !is_gone(error);
   }
@@ -57,8 +65,19 @@ class UdpChannel : public soccer::Channel {
     const std::size_t size = socket_.receive(asio::buffer(buffer_), 0, error);
     gone_ = gone_ || is_gone(error);
     if (error) return false;
-    datagram = strip({buffer_.data(), size});
+    std::string_view bytes(buffer_.data(), size);
+    // What cannot be unpacked is an empty message: the client is told that it makes no sense.
+    if (compression_ != nullptr) {
+      if (!compression_->unpack(bytes, kBufferSize, whole_)) whole_.clear();
+      bytes = whole_;
+    }
+    datagram = strip(bytes);
     return true;
+  }
+
+  bool can_compress() const override { return true; }
+  void compress(int level) override {
+    compression_ = level < 0 ? nullptr : std::make_unique<MessageCompression>(level);
   }
 
   /// The other side has closed its port.
@@ -75,6 +94,8 @@ class UdpChannel : public soccer::Channel {
   udp::socket socket_;
   bool nul_;  ///< closes every message
   bool gone_ = false;
+  std::unique_ptr<MessageCompression> compression_;
+  std::string whole_;
   std::array<char, kBufferSize> buffer_;
 };
 

@@ -18,9 +18,14 @@ soccer::Result<std::unique_ptr<UdpServer>> UdpServer::open(UdpConfig config) {
   auto match = MatchServer::create(config.match);
   if (!match) return match.error();
   std::unique_ptr<UdpServer> server(new UdpServer(std::move(config), std::move(*match)));
-  const auto opened =
-      server->network_->open(Door::kGame, server->config_.address, server->config_.port);
-  if (!opened) return opened.error();
+  const UdpConfig& asked = server->config_;
+  const std::pair<Door, int> doors[] = {{Door::kGame, asked.port},
+                                        {Door::kOfflineCoach, asked.trainer_port},
+                                        {Door::kOnlineCoach, asked.coach_port}};
+  for (const auto& [door, port] : doors) {
+    const auto opened = server->network_->open(door, asked.address, port);
+    if (!opened) return opened.error();
+  }
   return server;
 }
 
@@ -32,7 +37,7 @@ UdpServer::UdpServer(UdpConfig config, std::unique_ptr<MatchServer> match)
 // Sessions own sockets that belong to the network's context: they go first.
 UdpServer::~UdpServer() { match_->disconnect_all(); }
 
-int UdpServer::port() const { return network_->port(Door::kGame); }
+int UdpServer::port(Door door) const { return network_->port(door); }
 
 void UdpServer::record(gamelog::ByteSink* game_log, gamelog::ByteSink* text_log) {
   match_->record(game_log, text_log);

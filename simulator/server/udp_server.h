@@ -20,7 +20,9 @@ struct UdpConfig {
   MatchConfig match;  ///< server.synch_mode decides how time runs
 
   std::string address = "127.0.0.1";  ///< to listen on, as a number
-  int port = 6000;                    ///< 0: a free one
+  int port = 6000;                    ///< of players and monitors; 0: a free one
+  int trainer_port = 0;
+  int coach_port = 0;  ///< of online coaches
 
   // In synchronous mode:
 
@@ -67,7 +69,10 @@ class UdpServer {
   ~UdpServer();
 
   /// The port to connect to.
-  int port() const;
+  int port(Door door = Door::kGame) const;
+
+  /// What the side's online coach calls itself; empty if there is none or it does not.
+  const std::string& coach_name(Side side) const { return match_->coaches().name(side); }
 
   /// See MatchServer::record.
   void record(gamelog::ByteSink* game_log, gamelog::ByteSink* text_log);

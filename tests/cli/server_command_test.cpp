@@ -82,7 +82,8 @@ TEST(ServerCommand, EndsOnASignalWithItsResult) {
 
 TEST(ServerCommand, RefusesWhatItCannotDoYet) {
   const std::pair<const char*, const char*> wishes[] = {
-      {"server::coach=on", "trainer"},
+      {"server::team_l_start=./start.sh", "starting teams"},
+      {"server::game_log_version=3", "version 6"},
       {"server::no_such=1", "no_such"},
       {"server::half_time", "server::NAME=VALUE"},
   };

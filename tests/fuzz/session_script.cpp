@@ -32,13 +32,14 @@ class Party {
     config.server.connect_wait = 4;
     config.server.half_time = 2;
     config.server.send_comms = true;
+    config.server.coach_w_referee = true;
     config.server.fullstate_l = true;
     server_ = std::move(*MatchServer::create(config));
     server_->record(&game_log_, &text_log_);
   }
 
-  void ask(std::string_view request) {
-    const auto answer = server_->admit(Door::kGame, request);
+  void ask(Door door, std::string_view request) {
+    const auto answer = server_->admit(door, request);
     const auto* admission = std::get_if<Admission>(&answer);
     if (admission == nullptr) return;
     if (request.ends_with("w")) return server_->withdraw(*admission);
@@ -112,8 +113,11 @@ void play_session_script(std::string_view script) {
     script.remove_prefix(std::min(line.size() + 1, script.size()));
     const char kind = line.empty() ? '.' : line[0];
     const char number = line.size() > 1 ? line[1] : '0';
-    if (kind == 'c' && line.size() > 1) {
-      party.ask(line.substr(2));
+    if ((kind == 'c' || kind == 'o' || kind == 't') && line.size() > 1) {
+      const Door door = kind == 'c'   ? Door::kGame
+                        : kind == 'o' ? Door::kOnlineCoach
+                                      : Door::kOfflineCoach;
+      party.ask(door, line.substr(2));
     } else if (kind >= '0' && kind <= '9') {
       party.send(kind, line.substr(std::min<std::size_t>(2, line.size())), true, false);
     } else if ((kind == '!' || kind == '=') && line.size() > 2) {

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "simulator/server/message_compression.h"
 #include "tests/simulator/running_server.h"
 #include "tests/support/scripted_player.h"
 #include "tests/support/udp_client.h"
@@ -280,6 +281,66 @@ TEST(UdpServer, AMonitorWatchesAndStartsTheMatch) {
   }
   EXPECT_TRUE(message.starts_with("(show 3 (pm 4) "));
   EXPECT_EQ(running.end(), UdpEnd::kStopped);
+}
+
+TEST(UdpServer, CoachesAndTrainerHavePortsOfTheirOwn) {
+  UdpConfig config = quick_match();
+  config.match.server.coach_w_referee = true;
+  RunningServer running(config);
+  UdpClient trainer(running.server->port(Door::kOfflineCoach));
+  trainer.send("(init (version 18))");
+  EXPECT_EQ(trainer.wait(), "(init ok)");
+  UdpClient player(running.port);
+  player.send("(init A (version 18))");
+  ASSERT_EQ(player.wait(), "(init l 1 before_kick_off)");
+  const int coach_port = running.server->port(Door::kOnlineCoach);
+  UdpClient coach(coach_port);
+  coach.send("(init A Cch (version 18))");
+  EXPECT_EQ(coach.wait(), "(init l ok)");
+  EXPECT_NE(coach.server_port(), coach_port);
+  UdpClient second(coach_port);
+  second.send("(init A (version 18))");
+  EXPECT_EQ(second.wait(), "(error already_have_coach)");
+  EXPECT_EQ(second.server_port(), coach_port);
+  EXPECT_EQ(running.end(), UdpEnd::kStopped);
+  EXPECT_EQ(running.server->coach_name(Side::kLeft), "Cch");
+}
+
+// As the real server: the answer still plain, and a zlib stream for each message from then on.
+TEST(UdpServer, CompressesBothWaysForWhoAsksForIt) {
+  RunningServer running(match_in_real_time());
+  UdpClient client(running.port);
+  client.send("(init A (version 18))");
+  ASSERT_EQ(client.wait(), "(init l 1 before_kick_off)");
+  client.send("(compression 6)");
+  std::string message;
+  while (message != "(ok compression 6)" && !(message = client.wait()).empty()) {
+  }
+  EXPECT_EQ(message, "(ok compression 6)");
+  MessageCompression stream(6);
+  client.send_bytes(stream.packed(std::string("(score)\0", 8)));
+  std::string plain;
+  while (!plain.starts_with("(score")) {
+    const std::string bytes = client.wait_bytes();
+    ASSERT_FALSE(bytes.empty());
+    ASSERT_TRUE(stream.unpack(bytes, 8192, plain)) << bytes.size();
+    ASSERT_EQ(plain.back(), '\0');
+  }
+  EXPECT_EQ(plain.substr(0, plain.size() - 1), "(score 0 0 0)");
+}
+
+TEST(MessageCompression, ReadsWhatTheRealServerReads) {
+  MessageCompression stream(9);
+  const std::string text(3000, 'x');
+  const std::string packed(stream.packed(text));
+  EXPECT_LT(packed.size(), 100u);
+  EXPECT_EQ(packed.substr(packed.size() - 4), std::string("\0\0\xff\xff", 4));
+  std::string plain;
+  EXPECT_TRUE(stream.unpack(packed, 8192, plain));
+  EXPECT_EQ(plain, text);
+  EXPECT_FALSE(stream.unpack(packed, 100, plain));  // a bomb
+  EXPECT_FALSE(stream.unpack("(turn 10)", 8192, plain));
+  EXPECT_TRUE(stream.unpack(packed, 8192, plain));  // none the worse for it
 }
 
 }  // namespace

@@ -43,6 +43,13 @@ bool UdpClient::send_bytes(std::string_view bytes) {
 }
 
 bool UdpClient::receive(std::string& message) {
+  if (!receive_bytes(message)) return false;
+  if (message.find('\0') + 1 != message.size()) throw std::runtime_error("not one NUL: " + message);
+  message.pop_back();
+  return true;
+}
+
+bool UdpClient::receive_bytes(std::string& bytes) {
   std::array<char, 8192> buffer;
   sockaddr_in from{};
   socklen_t size = sizeof from;
@@ -50,9 +57,7 @@ bool UdpClient::receive(std::string& message) {
                                    reinterpret_cast<sockaddr*>(&from), &size);
   if (count < 0) return false;
   server_port_ = ntohs(from.sin_port);
-  message.assign(buffer.data(), static_cast<std::size_t>(count));
-  if (message.find('\0') + 1 != message.size()) throw std::runtime_error("not one NUL: " + message);
-  message.pop_back();
+  bytes.assign(buffer.data(), static_cast<std::size_t>(count));
   return true;
 }
 
@@ -61,6 +66,13 @@ std::string UdpClient::wait(std::chrono::milliseconds longest) {
   std::string message;
   if (::poll(&ready, 1, static_cast<int>(longest.count())) == 1) receive(message);
   return message;
+}
+
+std::string UdpClient::wait_bytes(std::chrono::milliseconds longest) {
+  pollfd ready{socket_, POLLIN, 0};
+  std::string bytes;
+  if (::poll(&ready, 1, static_cast<int>(longest.count())) == 1) receive_bytes(bytes);
+  return bytes;
 }
 
 }  // namespace cls::tests

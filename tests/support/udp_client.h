@@ -26,8 +26,12 @@ class UdpClient : public soccer::Channel {
   /// Fails the test with std::runtime_error when a message does not end in exactly one NUL.
   bool receive(std::string& message) override;
 
-  /// Waits until something arrives; empty when nothing does.
-  std::string wait(std::chrono::milliseconds longest = std::chrono::seconds(2));
+  /// The datagram as it is.
+  bool receive_bytes(std::string& bytes);
+
+  // Each waits until something arrives; empty when nothing does.
+  std::string wait(std::chrono::milliseconds longest = std::chrono::seconds(10));
+  std::string wait_bytes(std::chrono::milliseconds longest = std::chrono::seconds(10));
 
   /// Where it sends to now.
   int server_port() const { return server_port_; }
