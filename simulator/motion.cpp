@@ -9,8 +9,6 @@ namespace {
 
 namespace math = soccer::math;
 
-constexpr double kMostKickNoise = 1.0;
-
 /// What motion needs to know of a kind of object (the table of section 3).
 struct Kind {
   double radius;
@@ -19,7 +17,7 @@ struct Kind {
   double weight;
   double speed_max;
   double acceleration_max;
-  double push_noise = 0.0;  ///< what a kick's noise can add, at most; for forced arrivals only
+  double push_noise_max = 0.0;  ///< what kicks can add; for forced arrivals only
 };
 
 Kind ball_kind(const soccer::ServerParams& server) {
@@ -58,13 +56,22 @@ Vec2 motion_noise(double radius_max, RandomStream& stream) {
   return soccer::polar_radians(radius, angle);
 }
 
-// What took the object from where it would be without noise to where it was seen; nothing if that
-// is more than noise (and rounding) can do.
-Vec2 explained_noise(Vec2 expected, Vec2 seen, double radius_max) {
+// What took the object from where it would be without noise to where it was seen; zero if that is
+// more than noise (and the rounding of the record) can do.
+Vec2 explained_noise(Vec2 expected, double radius_max, ShownMotion& shown) {
   constexpr double kRounding = 3e-4;
-  if (radius_max == 0.0) return {};
-  const Vec2 noise = seen - expected;
-  return noise.length() <= radius_max + kRounding ? noise : Vec2{};
+  shown.expected = expected;
+  shown.reach = radius_max;
+  const Vec2 noise = *shown.arrival - expected;
+  shown.explained = radius_max > 0.0 && noise.length() <= radius_max + kRounding;
+  shown.noise = shown.explained ? noise : Vec2{};
+  return shown.noise;
+}
+
+// Each coordinate of the vector gets its own draw.
+double strongest_wind(const Wind& wind, double speed, double weight) {
+  if (wind.rand < math::kEps) return 0.0;
+  return (wind.vector.length() + 2.0 * wind.rand) * speed / (weight * 10000.0);
 }
 
 Vec2 wind_push(const Wind& wind, double speed, double weight, RandomStream& stream) {
@@ -78,14 +85,20 @@ Vec2 wind_push(const Wind& wind, double speed, double weight, RandomStream& stre
 /// One object's increment; true if it hit a goal post.
 template <typename Object>
 bool increment(const World& world, Object& object, const Kind& kind, RandomStream& stream,
-               const std::optional<Vec2>& arrival) {
+               ShownMotion* shown) {
   accelerate(object.velocity, object.acceleration, kind);
-  const double noise_max = kind.rand * object.velocity.length();
+  const double speed = object.velocity.length();
+  const double noise_max = kind.rand * speed;
   const Vec2 noise = motion_noise(noise_max, stream);
-  object.velocity += arrival ? explained_noise(object.position + object.velocity, *arrival,
-                                               noise_max + kind.push_noise)
-                             : noise;
-  object.velocity += wind_push(world.wind, object.velocity.length(), kind.weight, stream);
+  if (shown != nullptr && shown->arrival) {
+    shown->noise_max = noise_max;
+    const double wind_max = strongest_wind(world.wind, speed, kind.weight);
+    object.velocity += explained_noise(object.position + object.velocity,
+                                       noise_max + kind.push_noise_max + wind_max, *shown);
+  } else {
+    object.velocity += noise;
+    object.velocity += wind_push(world.wind, object.velocity.length(), kind.weight, stream);
+  }
   const bool hit = advance_past_posts(object.position, object.velocity, kind.radius,
                                       world.params().goal_width, stream);
   object.velocity *= kind.decay;
@@ -131,15 +144,18 @@ void turn_players(World& world) {
 
 void move_objects(World& world, Events& events) {
   Kind ball = ball_kind(world.params());
-  if (!world.ball.acceleration.is_zero()) ball.push_noise = kMostKickNoise;
+  ForcedOutcomes* forced = world.forced ? &*world.forced : nullptr;
+  if (forced != nullptr && !world.ball.acceleration.is_zero()) {
+    ball.push_noise_max = forced->push_noise_max;
+  }
   increment(world, world.ball, ball, world.random.ball_motion,
-            world.forced ? world.forced->ball_arrival : std::nullopt);
+            forced != nullptr ? &forced->ball : nullptr);
   for (std::size_t i = 0; i < world.players.size(); ++i) {
     Player& player = world.players[i];
     if (!player.enabled) continue;
     commit_angles(player);
     if (increment(world, player, player_kind(world, player), world.random.player_motion[i],
-                  world.forced ? world.forced->player_arrival[i] : std::nullopt)) {
+                  forced != nullptr ? &forced->players[i] : nullptr)) {
       player.state |= state::kPostCollide;
       player.contacts.post = true;
     }

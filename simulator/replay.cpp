@@ -34,6 +34,8 @@ soccer::ViewWidth width_of(double degrees, double visible_angle) {
 }
 
 void restore_player(const World& world, Player& player, const gamelog::PlayerFrame& frame) {
+  const bool has_capacity = frame.capacity >= 0.0 || world.params().stamina_capacity < 0.0;
+  const double capacity = has_capacity ? frame.capacity : player.stamina.capacity;
   player.enabled = (frame.state & state::kStand) != 0;
   player.joined = player.joined || player.enabled;
   player.goalie = (frame.state & state::kGoalie) != 0;
@@ -43,7 +45,7 @@ void restore_player(const World& world, Player& player, const gamelog::PlayerFra
   player.acceleration = {};
   player.body = player.pending_body = math::to_radians(frame.body);
   player.neck = player.pending_neck = math::to_radians(frame.neck);
-  player.stamina = {frame.stamina, frame.effort, frame.recovery, frame.capacity};
+  player.stamina = {frame.stamina, frame.effort, frame.recovery, capacity};
   player.counters = counters_of(frame.counts);
   player.view.width = width_of(frame.view_width, world.params().visible_angle);
   player.view.quality = frame.high_quality ? soccer::ViewQuality::kHigh : soccer::ViewQuality::kLow;
@@ -98,17 +100,42 @@ ForcedOutcomes shown_outcomes(const gamelog::Frame& after) {
     if ((bits & kTackles) != 0) outcomes.tackle[i] = (bits & state::kTackleFault) == 0;
     if ((bits & state::kCatch) != 0) outcomes.catch_ball[i] = (bits & state::kCatchFault) == 0;
     outcomes.foul[i] = FoulCall::kNone;
+    outcomes.placement[i] = after.players[i].position;
+    outcomes.body[i] = math::to_radians(after.players[i].body);
   }
   return outcomes;
 }
 
-void force_arrivals(ForcedOutcomes& outcomes, const gamelog::Frame& after) {
-  outcomes.ball_arrival = after.ball_position;
+void force_arrivals(ForcedOutcomes& outcomes, const World& world, const gamelog::Frame& after) {
+  constexpr double kSpeedKept = -0.1;  // of what collides (3.4)
+  constexpr double kSamePlace = 5e-4;  // more than rounding can do
+  const auto before_contact = [](Vec2 from, Vec2 velocity, double decay) -> std::optional<Vec2> {
+    if (decay == 0.0) return std::nullopt;
+    return from + velocity / (kSpeedKept * decay);
+  };
+  // Where the velocity says so; that place is printed more exactly unless somebody moved it on.
+  const auto after_way = [](Vec2 from, Vec2 to, Vec2 velocity, double decay) {
+    if (decay == 0.0) return to;
+    const Vec2 way = from + velocity / decay;
+    return distance(way, to) <= kSamePlace ? to : way;
+  };
+  // In a goal the ball is stopped where it is.
+  const bool is_stopped = after.ball_velocity.is_zero();
+  outcomes.ball.arrival = is_stopped ? after.ball_position
+                                     : after_way(world.ball.position, after.ball_position,
+                                                 after.ball_velocity, world.params().ball_decay);
   for (std::size_t i = 0; i < after.players.size(); ++i) {
-    const gamelog::PlayerFrame& player = after.players[i];
-    if ((player.state & state::kBallCollide) != 0) outcomes.ball_arrival.reset();
-    if ((player.state & (state::kBallCollide | state::kPlayerCollide)) == 0) {
-      outcomes.player_arrival[i] = player.position;
+    const gamelog::PlayerFrame& shown = after.players[i];
+    const Player& player = world.players[i];
+    outcomes.players[i].arrival = after_way(player.position, shown.position, shown.velocity,
+                                            world.type_of(player).player_decay);
+    if ((shown.state & (state::kBallCollide | state::kPlayerCollide)) != 0) {
+      outcomes.players[i].arrival =
+          before_contact(player.position, shown.velocity, world.type_of(player).player_decay);
+    }
+    if ((shown.state & state::kBallCollide) != 0) {
+      outcomes.ball.arrival =
+          before_contact(world.ball.position, after.ball_velocity, world.params().ball_decay);
     }
   }
 }

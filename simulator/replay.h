@@ -11,7 +11,8 @@
 namespace cls::simulator {
 
 /// Sets players and ball to what the frame shows. What a frame does not show stays: clock, mode,
-/// the referee's memory, blocked and banned players. A rounded frame gives a rounded world.
+/// the referee's memory, blocked and banned players, the capacity in logs of before version 5. A
+/// rounded frame gives a rounded world.
 void restore(World& world, const gamelog::Frame& frame);
 
 /// A world at the first frame of a recorded match, one step after its kick-off.
@@ -20,8 +21,10 @@ World world_at_kick_off(std::shared_ptr<const Rules> rules, const gamelog::Frame
 /// Tackles and catches whose outcome the frame after the step shows.
 ForcedOutcomes shown_outcomes(const gamelog::Frame& after);
 
-/// Adds where the frame shows ball and players that did not collide: for matches with noise.
-void force_arrivals(ForcedOutcomes& outcomes, const gamelog::Frame& after);
+/// Adds where the frame shows ball and players, and how players turned: for matches with noise.
+/// Of what collided or was put elsewhere the frame's velocity tells where the step took it first;
+/// `world` is that before the step, with its commands.
+void force_arrivals(ForcedOutcomes& outcomes, const World& world, const gamelog::Frame& after);
 
 /// Adds what the referee said of fouls in the step: foul_charge_l, yellow_card_r_7, red_card_l_3.
 /// All other tackles of the step were none.

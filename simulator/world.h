@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <bitset>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -53,16 +54,41 @@ struct Wind {
 
 enum class FoulCall : std::uint8_t { kNone, kCharge, kYellow, kRed };
 
+/// Where a recorded step took an object, and the noise that explains it.
+struct ShownMotion {
+  std::optional<Vec2> arrival;  ///< forces the noise, if noise can have done it
+
+  // The step tells:
+  Vec2 noise;              ///< of a forced motion; zero if noise cannot explain it
+  double noise_max = 0.0;  ///< the noise of motion is drawn from a disc of this radius
+  Vec2 expected;           ///< where it would have been without noise
+  double reach = 0.0;      ///< how far from there noise, kicks' included, can take it
+  bool explained = false;
+};
+
 /// Outcomes to take instead of drawing them: how a recorded match is replayed.
 struct ForcedOutcomes {
-  std::array<std::optional<bool>, soccer::kPlayersOnPitch> tackle;      ///< it succeeds
-  std::array<std::optional<bool>, soccer::kPlayersOnPitch> catch_ball;  ///< it succeeds
-  std::array<std::optional<FoulCall>, soccer::kPlayersOnPitch> foul;    ///< by tackler
-  /// Where the step takes them: their noise is what explains that, if noise can.
-  std::array<std::optional<Vec2>, soccer::kPlayersOnPitch> player_arrival;
-  std::optional<Vec2> ball_arrival;
+  template <typename T>
+  using PerPlayer = std::array<T, soccer::kPlayersOnPitch>;
+  using Players = std::bitset<soccer::kPlayersOnPitch>;
+
+  PerPlayer<std::optional<bool>> tackle;      ///< it succeeds
+  PerPlayer<std::optional<bool>> catch_ball;  ///< it succeeds
+  PerPlayer<std::optional<FoulCall>> foul;    ///< by tackler
+  PerPlayer<std::optional<double>> body;      ///< radians, where a turn ends if noise can do it
+  PerPlayer<std::optional<Vec2>> placement;   ///< where the referee puts a player at random
+  PerPlayer<ShownMotion> players;
+  ShownMotion ball;
   std::optional<Side> shoot_out_goal;
   std::optional<Side> first_penalty_taker;
+
+  // What the step would have drawn; kicks and tackles go without noise while outcomes are forced.
+  Players tackle_drawn;
+  Players catch_drawn;
+  Players foul_drawn;
+  Players placement_drawn;
+  double push_noise_max = 0.0;    ///< sum over what kicks and tackles can add to the ball
+  double push_noise_mean2 = 0.0;  ///< mean square of what they add
 };
 
 /// Everything that decides how the match goes on: copying it forks the match, and two equal worlds

@@ -37,14 +37,28 @@ bool succeeds(World& world, const Player& player, const CatchArea& area, Vec2 ba
   }
   const auto slot = static_cast<std::size_t>(player.slot());
   const bool drawn = world.random.catch_ball[slot].bernoulli(probability);
-  return world.forced && world.forced->catch_ball[slot] ? *world.forced->catch_ball[slot] : drawn;
+  if (!world.forced) return drawn;
+  if (probability < 1.0) world.forced->catch_drawn.set(slot);
+  return world.forced->catch_ball[slot].value_or(drawn);
+}
+
+// How far the goalie is from touching the ball; negative if they overlap. Where a record has
+// rounded that away, it is for the recorded body to say on which side.
+double gap_to_ball(const World& world, const Player& player, Vec2 to_ball) {
+  constexpr double kRounding = 3e-4;
+  const double gap =
+      to_ball.length() - world.params().ball_size - world.type_of(player).player_size;
+  if (!world.forced || std::fabs(gap) > kRounding) return gap;
+  const auto body = world.forced->body[static_cast<std::size_t>(player.slot())];
+  if (!body) return gap;
+  const double turned = math::normalize_radians(*body - soccer::direction_radians(to_ball));
+  return std::fabs(turned) > math::kPi / 2.0 ? -std::fabs(gap) : std::fabs(gap);
 }
 
 // The goalie goes to the ball until they touch; back from it if they overlap.
 void take_ball(World& world, Player& player, Events& events) {
   const Vec2 to_ball = world.ball.position - player.position;
-  const double reach = world.params().ball_size + world.type_of(player).player_size;
-  const Vec2 way = soccer::with_length(to_ball, to_ball.length() - reach);
+  const Vec2 way = soccer::with_length(to_ball, gap_to_ball(world, player, to_ball));
   player.position += way;
   player.pending_body = soccer::direction_radians(way);
   player.velocity = {};

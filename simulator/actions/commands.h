@@ -43,8 +43,9 @@ Vec2 ball_relative_to(const World& world, const Player& player, double direction
 /// True in the modes in which a ball that is kicked does not move: before kick-off, stopped, over.
 bool ball_is_dead(PlayMode mode);
 
-/// Noise on the ball's acceleration after a kick or tackle: a disc of that radius.
-Vec2 ball_noise(double radius, RandomStream& stream);
+/// Noise on the ball's acceleration after a kick or tackle: a disc of that radius. None, but drawn
+/// all the same and noted, while outcomes are forced.
+Vec2 ball_noise(World& world, double radius, RandomStream& stream);
 
 /// kick_rand of the player's type, with the team's factor.
 double kick_rand(const World& world, const Player& player);

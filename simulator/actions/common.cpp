@@ -1,6 +1,8 @@
 // What several commands have in common.
 #include "simulator/actions/commands.h"
 
+#include <cmath>
+
 namespace cls::simulator::actions {
 
 namespace math = soccer::math;
@@ -15,9 +17,14 @@ Vec2 ball_relative_to(const World& world, const Player& player, double direction
 
 bool ball_is_dead(PlayMode mode) { return soccer::mode_class(mode) != soccer::ModeClass::kRunning; }
 
-Vec2 ball_noise(double radius, RandomStream& stream) {
+Vec2 ball_noise(World& world, double radius, RandomStream& stream) {
   const double length = stream.uniform(0.0, radius);
   const double direction = stream.uniform(-math::kPi, math::kPi);
+  if (world.forced) {
+    world.forced->push_noise_max += std::fabs(radius);
+    world.forced->push_noise_mean2 += radius * radius / 3.0;
+    return {};
+  }
   return soccer::polar_radians(length, direction);
 }
 

@@ -40,7 +40,7 @@ void kick(World& world, Player& player, const soccer::Kick& command, Events& eve
   const double strength = power * type.kick_power_rate * (1.0 - 0.25 * angle_off - 0.25 * gap);
   Vec2 push = soccer::polar_radians(strength, direction + player.body);
   const double noise_rate = 0.5 + 0.25 * (angle_off + gap) + ball_speed_noise_rate(world);
-  push += ball_noise(kick_rand(world, player) * (power / server.maxpower) * noise_rate,
+  push += ball_noise(world, kick_rand(world, player) * (power / server.maxpower) * noise_rate,
                      world.random.kick_noise[static_cast<std::size_t>(player.slot())]);
 
   world.ball_catcher = kNobody;

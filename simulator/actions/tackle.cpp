@@ -33,7 +33,9 @@ double failure_probability(const soccer::ServerParams& server, Vec2 ball, double
 bool succeeds(World& world, const Player& player, double failure) {
   const auto slot = static_cast<std::size_t>(player.slot());
   const bool drawn = world.random.tackle[slot].bernoulli(1.0 - failure);
-  return world.forced && world.forced->tackle[slot] ? *world.forced->tackle[slot] : drawn;
+  if (!world.forced) return drawn;
+  if (failure > 0.0) world.forced->tackle_drawn.set(slot);
+  return world.forced->tackle[slot].value_or(drawn);
 }
 
 // A catch fault does not stop a tackle from moving the ball: the server forgot that mode (15.2).
@@ -106,7 +108,7 @@ void tackle(World& world, Player& player, const soccer::Tackle& command, Events&
   Push push = tackle_push(world, player, command.angle_or_power, ball);
   const double noise_rate = 0.5 + 0.5 * (1.0 - failure) + ball_speed_noise_rate(world);
   push.acceleration += ball_noise(
-      kick_rand(world, player) * server.tackle_rand_factor * push.power_rate * noise_rate,
+      world, kick_rand(world, player) * server.tackle_rand_factor * push.power_rate * noise_rate,
       world.random.tackle_noise[static_cast<std::size_t>(player.slot())]);
   world.ball_catcher = kNobody;
   world.ball.acceleration += push.acceleration;

@@ -9,16 +9,30 @@ namespace cls::simulator::actions {
 
 namespace math = soccer::math;
 
+namespace {
+
+// How much of the turn is carried out; of a recorded one as much as noise can explain.
+double turned_share(World& world, const Player& player, double planned) {
+  const double rand = player_rand(world, player);
+  const auto slot = static_cast<std::size_t>(player.slot());
+  const double drawn = 1.0 + world.random.turn[slot].uniform(-rand, rand);
+  if (!world.forced || !world.forced->body[slot]) return drawn;
+  const double rounding = math::to_radians(0.1);  // of the speed that the inertia counts with
+  const double more = math::normalize_radians(*world.forced->body[slot] - (player.body + planned));
+  const bool explained = rand > 0.0 && std::fabs(more) <= rand * std::fabs(planned) + rounding;
+  return explained && planned != 0.0 ? 1.0 + more / planned : 1.0;
+}
+
+}  // namespace
+
 void turn(World& world, Player& player, const soccer::Turn& command) {
   if (player.command_done) return;
   const soccer::ServerParams& server = world.params();
   const double moment =
       math::to_radians(std::clamp(command.moment, server.minmoment, server.maxmoment));
-  const double rand = player_rand(world, player);
-  RandomStream& stream = world.random.turn[static_cast<std::size_t>(player.slot())];
-  const double noise = 1.0 + stream.uniform(-rand, rand);
   const double inertia = 1.0 + world.type_of(player).inertia_moment * player.velocity.length();
-  player.pending_body = math::normalize_radians(player.body + noise * moment / inertia);
+  const double share = turned_share(world, player, moment / inertia);
+  player.pending_body = math::normalize_radians(player.body + share * moment / inertia);
   occupy_legs(player);
   player.command_done = true;
   ++player.counters.turn;

@@ -99,10 +99,14 @@ bool clear_once(World& world, Side side, const Clearance& area) {
 
 bool is_in_wrong_half(const Player& player) { return player.position.x * sign(player.side) > 0.0; }
 
-Vec2 random_place_in_own_half(World& world, Side side) {
+Vec2 random_place_in_own_half(World& world, const Player& player) {
   const double x = world.random.placement.uniform(-soccer::kHalfLength, 0.0);
   const double y = world.random.placement.uniform(-soccer::kHalfWidth, soccer::kHalfWidth);
-  return {x * sign(side), y};
+  const Vec2 drawn{x * sign(player.side), y};
+  if (!world.forced) return drawn;
+  const auto slot = static_cast<std::size_t>(player.slot());
+  world.forced->placement_drawn.set(slot);
+  return world.forced->placement[slot].value_or(drawn);
 }
 
 }  // namespace
@@ -127,7 +131,7 @@ void keep_players_in_own_half(World& world) {
       if (to_the_line) {
         player.position.x = -size * sign(player.side);
       } else {
-        player.position = random_place_in_own_half(world, player.side);
+        player.position = random_place_in_own_half(world, player);
       }
     }
     const Circle centre{{}, soccer::kCentreCircleRadius + size};

@@ -57,7 +57,10 @@ FoulCall detect_foul(World& world, const Player& tackler, bool foul) {
     charge = true;
     if (stream.bernoulli(red_probability)) yellow = true;
   }
-  if (drawn && world.forced && world.forced->foul[slot]) return *world.forced->foul[slot];
+  if (drawn && world.forced) {
+    world.forced->foul_drawn.set(slot);
+    if (world.forced->foul[slot]) return *world.forced->foul[slot];
+  }
   if (red) return FoulCall::kRed;
   if (yellow) return FoulCall::kYellow;
   return charge ? FoulCall::kCharge : FoulCall::kNone;

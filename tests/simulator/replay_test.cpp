@@ -1,73 +1,216 @@
 // One step from each recorded state of the real server must give its next recorded state.
-#include "simulator/replay.h"
+#include "simulator/replay/log_replay.h"
 
 #include <gtest/gtest.h>
 
-#include "tests/simulator/replayed_match.h"
+#include <cmath>
+#include <set>
+#include <tuple>
+
+#include "gamelog/rcg_reader.h"
+#include "gamelog/rcl_reader.h"
 #include "tests/support/files.h"
 
-namespace cls::tests {
+namespace cls::simulator {
 namespace {
 
-std::string report(const std::string& what, const Agreement& agreement) {
-  std::string text = what + ": " + std::to_string(agreement.different) + " of " +
-                     std::to_string(agreement.compared) + " differ";
-  for (const std::string& where : agreement.first_differences) text += "\n    " + where;
+using gamelog::MatchRecord;
+using gamelog::RclRecord;
+
+struct Logs {
+  MatchRecord game;
+  RclRecord text;
+};
+
+Logs read(const std::filesystem::path& stem) {
+  return {*gamelog::read_rcg_file(stem.string() + ".rcg.gz"),
+          *gamelog::read_rcl_file(stem.string() + ".rcl.gz")};
+}
+
+LogAgreement replay(const Logs& logs) {
+  auto agreement = replay_log(logs.game, logs.text);
+  if (!agreement) throw std::runtime_error(agreement.error().message);
+  return *std::move(agreement);
+}
+
+std::string all_misses(const LogAgreement& agreement) {
+  std::string text;
+  for (const Miss& miss : agreement.misses) {
+    text += std::to_string(miss.clock.time) + ',' + std::to_string(miss.clock.stoppage) + " slot " +
+            std::to_string(miss.slot) + ' ' + std::string(name(miss.step_class)) + ": " +
+            miss.what + '\n';
+  }
+  for (const std::string& miss : agreement.game_misses) text += miss + '\n';
+  for (const std::string& word : agreement.missing_words) text += "only theirs " + word + '\n';
+  for (const std::string& word : agreement.added_words) text += "only ours " + word + '\n';
   return text;
 }
 
-void expect_same(const ReplayResult& result, const std::string& what, int allowed = 0) {
-  const Agreement& agreement = result.agreements.at(what);
-  EXPECT_GT(agreement.compared, 0);
-  EXPECT_LE(agreement.different, allowed) << report(what, agreement);
-}
-
-// All that is not a position or velocity.
-void expect_same_game(const ReplayResult& result) {
-  for (const char* what : {"mode", "clock", "score", "state", "counters", "body", "neck", "stamina",
-                           "effort", "capacity", "roughly"}) {
-    expect_same(result, what);
-  }
-  EXPECT_EQ(result.our_words, result.their_words);
+void expect_same_game(const LogAgreement& agreement) {
+  EXPECT_GT(agreement.mode.steps, 0);
+  EXPECT_TRUE(agreement.game_misses.empty()) << all_misses(agreement);
+  EXPECT_TRUE(agreement.missing_words.empty()) << all_misses(agreement);
+  EXPECT_TRUE(agreement.added_words.empty()) << all_misses(agreement);
+  EXPECT_EQ(agreement.skipped, 0);
 }
 
 // The whole match is not in the repository; its first 395 cycles are.
 TEST(Replay, AgreesWithTheRealServerInAnExcerptWithoutNoise) {
-  const ReplayResult result = replay(read_recorded_match(fixture("simulator/noise-free.rcg.gz"),
-                                                         fixture("simulator/noise-free.rcl.gz")),
-                                     Noise::kNone);
-  EXPECT_EQ(result.agreements.at("ball").compared, 424);
-  expect_same_game(result);
-  expect_same(result, "ball");
-  // A player cleared from the ball, and one in a central collision, magnify the record's rounding.
-  expect_same(result, "player", 2);
+  const LogAgreement agreement = replay(read(tests::fixture("simulator/noise-free")));
+  EXPECT_FALSE(agreement.has_noise);
+  EXPECT_EQ(agreement.ball.steps, 424);
+  EXPECT_EQ(agreement.players.steps, 22 * 424);
+  EXPECT_EQ(agreement.agreed(), agreement.steps()) << all_misses(agreement);
+  expect_same_game(agreement);
 }
 
 TEST(Replay, AgreesWithTheRealServerInAMatchWithoutNoise) {
-  const auto rcg = data("noise-free/game.rcg.gz");
-  const auto rcl = data("noise-free/game.rcl.gz");
-  if (!rcg || !rcl) GTEST_SKIP() << "no data: set CLS_DATA";
-  const ReplayResult result = replay(read_recorded_match(*rcg, *rcl), Noise::kNone);
-  EXPECT_EQ(result.agreements.at("ball").compared, 2158);
-  expect_same_game(result);
-  // 99.86 and 99.98 %: all that the rounding of the record allows (README of the data).
-  expect_same(result, "ball", 3);
-  expect_same(result, "player", 9);
+  const auto game = tests::data("noise-free/game.rcg.gz");
+  if (!game) GTEST_SKIP() << "no data: set CLS_DATA";
+  const LogAgreement agreement = replay(read(game->parent_path() / "game"));
+  EXPECT_EQ(agreement.ball.steps, 2158);
+  EXPECT_EQ(agreement.players.steps, 47476);
+  EXPECT_EQ(agreement.agreed(), agreement.steps()) << all_misses(agreement);
+  expect_same_game(agreement);
+  // Draws of tackles and fouls, and the pause of half time with its 23 objects.
+  EXPECT_LT(agreement.excused_share(), 0.001);
+  EXPECT_EQ(agreement.uncounted, 0);
+  EXPECT_EQ(agreement.by_cause[static_cast<std::size_t>(Excuse::kHalfTime)], 23);
+  for (const StepClass contact :
+       {StepClass::kBallKick, StepClass::kBallTackle, StepClass::kBallCatch, StepClass::kBallHeld,
+        StepClass::kBallCollision, StepClass::kPlayerCollision, StepClass::kPlayerPlaced,
+        StepClass::kPlayerMove}) {
+    EXPECT_GT(agreement.by_class[static_cast<std::size_t>(contact)].steps, 0) << name(contact);
+  }
+}
+
+// Which of the players is farthest from everything else, so that moving him touches nobody.
+Slot loneliest(const MatchRecord& game, std::size_t frame) {
+  Slot best = 0;
+  double most = 0.0;
+  for (Slot slot = 0; slot < soccer::kPlayersOnPitch; ++slot) {
+    const auto at = [&](Slot other) -> Vec2 {
+      return game.players.position[frame * gamelog::kSlots + static_cast<std::size_t>(other)];
+    };
+    double nearest = distance(at(slot), game.ball_position[frame]);
+    for (Slot other = 0; other < soccer::kPlayersOnPitch; ++other) {
+      if (other != slot) nearest = std::min(nearest, distance(at(slot), at(other)));
+    }
+    if (nearest > most) std::tie(most, best) = std::pair{nearest, slot};
+  }
+  return best;
+}
+
+bool is_lonely_ball(const MatchRecord& game, std::size_t frame) {
+  for (std::size_t slot = 0; slot < gamelog::kSlots; ++slot) {
+    const Vec2 player = game.players.position[frame * gamelog::kSlots + slot];
+    if (distance(player, game.ball_position[frame]) < 3.0) return false;
+  }
+  return true;
+}
+
+TEST(Replay, ReportsExactlyTheStepsOfShiftedRecords) {
+  Logs logs = read(tests::fixture("simulator/noise-free"));
+  using Place = std::tuple<int, int, Slot>;
+  std::set<Place> expected;
+  int shifted = 0;
+  for (std::size_t frame = 2; frame + 2 < logs.game.frames() && shifted < 100; frame += 3) {
+    const auto in_play = [&](std::size_t i) { return logs.game.mode[i] == PlayMode::kPlayOn; };
+    if (!in_play(frame - 1) || !in_play(frame) || !in_play(frame + 1)) continue;
+    const bool of_ball = shifted % 4 == 0 && is_lonely_ball(logs.game, frame);
+    const Slot slot = of_ball ? kNobody : loneliest(logs.game, frame);
+    gamelog::Point& place =
+        of_ball
+            ? logs.game.ball_position[frame]
+            : logs.game.players.position[frame * gamelog::kSlots + static_cast<std::size_t>(slot)];
+    place.x += 0.01f;
+    ++shifted;
+    for (const std::size_t i : {frame, frame + 1}) {
+      expected.insert({logs.game.time[i], logs.game.stopped[i], slot});
+    }
+  }
+  ASSERT_EQ(shifted, 100);
+  const LogAgreement agreement = replay(logs);
+  std::set<Place> reported;
+  for (const Miss& miss : agreement.misses) {
+    reported.insert({miss.clock.time, miss.clock.stoppage, miss.slot});
+  }
+  EXPECT_EQ(reported, expected) << all_misses(agreement);
+  EXPECT_EQ(agreement.steps() - agreement.agreed(), static_cast<int>(expected.size()));
+}
+
+TEST(Replay, NamesAStepWhoseRecordIsWrongInOneValue) {
+  Logs logs = read(tests::fixture("simulator/noise-free"));
+  const std::size_t frame = 200;
+  const std::size_t entry = frame * gamelog::kSlots + 4;
+  logs.game.players.body[entry] += 1.0f;
+  logs.game.players.stamina[entry + 1] += 1.0f;
+  logs.game.players.state[entry + 2] ^= state::kTackle;
+  const LogAgreement agreement = replay(logs);
+  ASSERT_GE(agreement.misses.size(), 2u);
+  EXPECT_EQ(agreement.misses[0].slot, 4);
+  EXPECT_EQ(agreement.misses[0].what.substr(0, 5), "body ");
+  EXPECT_EQ(agreement.misses[1].slot, 5);
+  EXPECT_EQ(agreement.misses[1].what.substr(0, 8), "stamina ");
+  EXPECT_EQ(agreement.state.misses(), 1);
+}
+
+TEST(Replay, LeavesOutWhatIsMissingBetweenFrames) {
+  Logs logs = read(tests::fixture("simulator/noise-free"));
+  MatchRecord cut = logs.game;
+  gamelog::resize_frames(cut, 300);
+  for (std::size_t i = 200; i < 300; ++i) {
+    // Ten frames are gone.
+    cut.time[i] = logs.game.time[i + 10];
+    cut.stopped[i] = logs.game.stopped[i + 10];
+    cut.mode[i] = logs.game.mode[i + 10];
+    cut.team_state[i] = logs.game.team_state[i + 10];
+    cut.ball_position[i] = logs.game.ball_position[i + 10];
+    cut.ball_velocity[i] = logs.game.ball_velocity[i + 10];
+    for (std::size_t slot = 0; slot < gamelog::kSlots; ++slot) {
+      const std::size_t to = i * gamelog::kSlots + slot;
+      const std::size_t from = to + 10 * gamelog::kSlots;
+      cut.players.state[to] = logs.game.players.state[from];
+      cut.players.position[to] = logs.game.players.position[from];
+      cut.players.velocity[to] = logs.game.players.velocity[from];
+      cut.players.body[to] = logs.game.players.body[from];
+      cut.players.neck[to] = logs.game.players.neck[from];
+      cut.players.stamina[to] = logs.game.players.stamina[from];
+      cut.players.effort[to] = logs.game.players.effort[from];
+      cut.players.recovery[to] = logs.game.players.recovery[from];
+      cut.players.capacity[to] = logs.game.players.capacity[from];
+      cut.players.counters[to] = logs.game.players.counters[from];
+    }
+  }
+  const LogAgreement agreement = replay({cut, logs.text});
+  EXPECT_EQ(agreement.skipped, 1);
+  EXPECT_EQ(agreement.ball.steps, 298);
+  EXPECT_EQ(agreement.agreed(), agreement.steps()) << all_misses(agreement);
 }
 
 /// Matches with default noise, one of them with extra time and a shoot-out.
 class NoisyReplay : public ::testing::TestWithParam<const char*> {};
 
-TEST_P(NoisyReplay, CallsWhatTheRealRefereeCalled) {
-  const auto rcg = data(std::string(GetParam()) + ".rcg.gz");
-  const auto rcl = data(std::string(GetParam()) + ".rcl.gz");
-  if (!rcg || !rcl) GTEST_SKIP() << "no data: set CLS_DATA";
-  const ReplayResult result = replay(read_recorded_match(*rcg, *rcl), Noise::kFromRecord);
-  for (const char* what :
-       {"mode", "clock", "score", "counters", "neck", "stamina", "effort", "capacity"}) {
-    expect_same(result, what);
-  }
-  EXPECT_EQ(result.our_words, result.their_words);
+void expect_uniform(const NoiseSample& sample, std::size_t least) {
+  ASSERT_GE(sample.shares.size(), least);
+  const double root = std::sqrt(static_cast<double>(sample.shares.size()));
+  EXPECT_NEAR(sample.mean(), 0.5, 4.0 * std::sqrt(1.0 / 12.0) / root);
+  EXPECT_LE(sample.distance_to_uniform(), 2.2 / root);
+  EXPECT_LE(sample.largest(), 1.02);  // rounding
+}
+
+TEST_P(NoisyReplay, CallsWhatTheRealRefereeCalledAndNeedsNoMoreNoise) {
+  const auto game = tests::data(std::string(GetParam()) + ".rcg.gz");
+  if (!game) GTEST_SKIP() << "no data: set CLS_DATA";
+  const LogAgreement agreement = replay(read(game->parent_path() / game->stem().stem()));
+  EXPECT_TRUE(agreement.has_noise);
+  expect_same_game(agreement);
+  EXPECT_EQ(agreement.agreed(), agreement.steps()) << all_misses(agreement);
+  EXPECT_LE(agreement.uncounted, agreement.steps() / 500);
+  expect_uniform(agreement.player_noise, 1000);
+  if (agreement.kick_noise.n < 300) return;
+  expect_uniform(agreement.ball_noise, 1000);
+  EXPECT_NEAR(agreement.kick_noise.mean(), 1.0, 4.0 * std::sqrt(0.8 / agreement.kick_noise.n));
 }
 
 INSTANTIATE_TEST_SUITE_P(Logs, NoisyReplay,
@@ -77,5 +220,25 @@ INSTANTIATE_TEST_SUITE_P(Logs, NoisyReplay,
                                            "logs/recorded-messages", "logs/rcg-v6",
                                            "aligned/game"));
 
+TEST(Replay, RefusesLogsThatTellNothing) {
+  const Logs logs = read(tests::fixture("simulator/noise-free"));
+  const auto message = [](const MatchRecord& game, const RclRecord& text) {
+    const auto agreement = replay_log(game, text);
+    return agreement ? std::string() : agreement.error().message;
+  };
+  MatchRecord old = logs.game;
+  old.version = gamelog::RcgVersion::kV2;
+  EXPECT_NE(message(old, logs.text).find("have no velocities"), std::string::npos);
+  MatchRecord short_one = logs.game;
+  gamelog::resize_frames(short_one, 1);
+  EXPECT_NE(message(short_one, logs.text).find("no two frames"), std::string::npos);
+  RclRecord strangers = logs.text;
+  for (std::string& team : strangers.teams) team += "_B";
+  EXPECT_NE(message(logs.game, strangers).find("no team of the game log"), std::string::npos);
+  RclRecord later = logs.text;
+  for (gamelog::RclLine& line : later.lines) line.time += 500;
+  EXPECT_NE(message(logs.game, later).find("of different matches"), std::string::npos);
+}
+
 }  // namespace
-}  // namespace cls::tests
+}  // namespace cls::simulator

@@ -1,0 +1,354 @@
+// Step by step through two logs.
+#include "simulator/replay/log_replay.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <set>
+#include <utility>
+
+#include "simulator/actions.h"
+#include "simulator/referee.h"
+#include "simulator/referee/modes.h"
+#include "simulator/replay.h"
+#include "simulator/replay/step_comparison.h"
+#include "simulator/replay/text_log_index.h"
+#include "simulator/roster.h"
+#include "simulator/step.h"
+#include "simulator/substitution.h"
+#include "soccer/protocol/coach_command.h"
+#include "soccer/protocol/connection_request.h"
+#include "soccer/protocol/player_command.h"
+
+namespace cls::simulator {
+namespace {
+
+using gamelog::Frame;
+using gamelog::MatchRecord;
+using gamelog::RcgVersion;
+using gamelog::RclSource;
+
+// A pause that lasts longer than the wait for the kick-off never ends.
+constexpr int kPatience = 300;
+constexpr std::uint32_t kLasting =
+    state::kGoalie | state::kYellowCard | state::kRedCard | state::kDiscard;
+
+bool is_noisy(const Rules& rules) {
+  const soccer::ServerParams& server = rules.server;
+  const bool windy = !server.wind_none && (server.wind_random || server.wind_rand != 0.0);
+  return server.player_rand != 0.0 || server.ball_rand != 0.0 || windy ||
+         std::any_of(rules.types.begin(), rules.types.end(),
+                     [](const soccer::PlayerType& type) { return type.kick_rand != 0.0; });
+}
+
+// The decimals that were printed: a record holds them in single precision, in which what touches
+// may no longer do so.
+double printed(double value, double decimals) {
+  constexpr double kSingle = 0.1;  // more than single precision can be off
+  const double whole = std::rint(value * decimals);
+  return std::fabs(value * decimals - whole) < kSingle ? whole / decimals : value;
+}
+
+Vec2 printed(Vec2 v) { return {printed(v.x, 1e4), printed(v.y, 1e4)}; }
+
+Frame printed_frame(const MatchRecord& game, std::size_t i) {
+  Frame frame = frame_at(game, i);
+  if (game.version == RcgVersion::kV3) return frame;
+  frame.ball_position = printed(frame.ball_position);
+  frame.ball_velocity = printed(frame.ball_velocity);
+  for (gamelog::PlayerFrame& player : frame.players) {
+    player.position = printed(player.position);
+    player.velocity = printed(player.velocity);
+    player.body = printed(player.body, 1e3);
+    player.neck = printed(player.neck, 1e3);
+  }
+  return frame;
+}
+
+bool follows(Clock after, Clock before) {
+  return after == Clock{before.time, before.stoppage + 1} || after == Clock{before.time + 1, 0};
+}
+
+class LogReplay {
+ public:
+  LogReplay(const MatchRecord& game, const TextLogIndex& text, std::shared_ptr<const Rules> rules)
+      : game_(game),
+        text_(text),
+        world_(world_at_kick_off(std::move(rules), printed_frame(game, 0))),
+        before_(world_) {
+    world_.clock.stoppage = game.stopped[0];
+    result_.has_noise = is_noisy(*world_.rules);
+    result_.frames = static_cast<int>(game.frames());
+    for (const auto& [when, moment] : text.moments()) {
+      all_words_.insert(all_words_.end(), moment.words.begin(), moment.words.end());
+      for (const SentText& sent : moment.sent) note_version(sent);
+    }
+  }
+
+  LogAgreement run() {
+    const Clock start = world_.clock;
+    Frame now = printed_frame(game_, 0);
+    for (std::size_t i = 0; i + 1 < game_.frames(); ++i) {
+      Frame next = printed_frame(game_, i + 1);
+      const Clock clock{next.time, game_.stopped[i + 1]};
+      restore(world_, now);
+      const Way way = step_to(next, follows(clock, {now.time, game_.stopped[i]}));
+      complete(next);
+      if (way == Way::kBroken) {
+        ++result_.skipped;
+        // Calls of what is missing are nobody's mistake.
+        unheard_.push_back({{now.time, game_.stopped[i]}, clock});
+      } else {
+        compare_step(
+            {before_, world_, next, clock, way == Way::kHalfTime, game_.version, pushed_cut_off_},
+            result_);
+      }
+      finish_step(world_, events_);
+      collect_our_words();
+      adopt(next, clock);
+      now = std::move(next);
+    }
+    compare_words(start);
+    return std::move(result_);
+  }
+
+ private:
+  enum class Way { kOneStep, kHalfTime, kBroken };
+
+  // What the log's version does not show goes on as we reckon it.
+  void complete(Frame& frame) const {
+    if (game_.version == RcgVersion::kV6) return;
+    for (std::size_t i = 0; i < frame.players.size(); ++i) {
+      frame.players[i].counts.change_focus = world_.players[i].counters.change_focus;
+    }
+  }
+
+  // Between two frames lies one step, or a whole half time, of which nothing is recorded.
+  Way step_to(const Frame& after, bool one_step) {
+    const int most = world_.params().kick_off_wait + kPatience;
+    for (int steps = 0; steps < most; ++steps) {
+      before_ = world_;
+      force(after);
+      apply_commands();
+      if (result_.has_noise) force_arrivals(*world_.forced, world_, after);
+      note_push();
+      step_like(after);
+      if (world_.mode != PlayMode::kBeforeKickOff || after.mode == PlayMode::kBeforeKickOff) {
+        if (steps > 0) return Way::kHalfTime;
+        return one_step ? Way::kOneStep : Way::kBroken;
+      }
+      finish_step(world_, events_);
+      kick_off_as_recorded();
+    }
+    return Way::kBroken;
+  }
+
+  // Where the ball goes over a line or past a post, its noise can decide, and the record no longer
+  // shows it: any noise that leads to the recorded mode will do.
+  void step_like(const Frame& after) {
+    constexpr int kDirections = 16;
+    const World start = world_;
+    const std::size_t events = events_.size();
+    step(world_, events_);
+    const ShownMotion shown = world_.forced->ball;
+    if (!result_.has_noise || world_.mode == after.mode || shown.reach == 0.0) return;
+    const World first = world_;
+    const Events first_events = events_;
+    for (int i = 0; i < 2 * kDirections; ++i) {
+      const double share = i < kDirections ? 0.999 : 0.5;
+      world_ = start;
+      world_.forced->ball.arrival =
+          shown.expected +
+          soccer::polar_degrees(share * shown.reach, 360.0 / kDirections * (i % kDirections));
+      events_.resize(events);
+      step(world_, events_);
+      if (world_.mode == after.mode) return;
+    }
+    world_ = first;
+    events_ = first_events;
+  }
+
+  void force(const Frame& after) {
+    world_.forced = shown_outcomes(after);
+    force_shoot_out(*world_.forced, all_words_);
+    if (const LogMoment* moment = text_.at(world_.clock)) {
+      force_fouls(*world_.forced, moment->words);
+    }
+  }
+
+  // Without auto mode somebody at a monitor starts the half, of which only the call is recorded.
+  void kick_off_as_recorded() {
+    const LogMoment* moment = text_.at(world_.clock);
+    if (moment == nullptr || world_.mode != PlayMode::kBeforeKickOff) return;
+    const bool called = std::any_of(moment->words.begin(), moment->words.end(),
+                                    [](const auto& word) { return word.starts_with("kick_off_"); });
+    if (called) kick_off(world_, events_);
+  }
+
+  void apply_commands() {
+    const LogMoment* moment = text_.at(world_.clock);
+    if (moment == nullptr) return;
+    for (const SentText& sent : moment->sent) {
+      if (sent.source == RclSource::kPlayer) apply_player(sent);
+      if (sent.source == RclSource::kCoach) apply_coach(sent);
+    }
+  }
+
+  void apply_player(const SentText& sent) {
+    commands_.clear();
+    soccer::parse_player_commands(sent.text, commands_);
+    const Slot slot = soccer::slot_of(sent.side, sent.unum);
+    for (const soccer::PlayerCommand& command : commands_) {
+      if (std::holds_alternative<soccer::Bye>(command)) {
+        leave(world_, slot);
+      } else {
+        apply(world_, slot, command, events_);
+      }
+    }
+  }
+
+  void apply_coach(const SentText& sent) {
+    soccer::CoachCommand command;
+    if (soccer::parse(sent.text, soccer::CoachRole::kOnlineCoach, command)) return;
+    const auto* change = std::get_if<soccer::ChangePlayerType>(&command);
+    if (change == nullptr) return;
+    if (change->type) {
+      change_type(world_, sent.side, change->unum, *change->type, events_);
+    } else {
+      change_goalie(world_, sent.side, change->unum, events_);
+    }
+  }
+
+  // Before version 12 a tackle says its power, later its angle.
+  void note_version(const SentText& sent) {
+    if (sent.source != RclSource::kPlayer || !sent.text.starts_with("(init ")) return;
+    soccer::GameRequest request;
+    if (soccer::parse(sent.text, request)) return;
+    if (const auto* init = std::get_if<soccer::PlayerInit>(&request)) {
+      world_.player(sent.side, sent.unum).client_version = static_cast<int>(init->version);
+    }
+  }
+
+  void note_push() {
+    const soccer::ServerParams& server = world_.params();
+    const Ball& ball = world_.ball;
+    const double noise = world_.forced->push_noise_max;
+    pushed_cut_off_ = ball.acceleration.length() + noise > server.ball_accel_max ||
+                      (ball.velocity + ball.acceleration).length() + noise > server.ball_speed_max;
+  }
+
+  // What differs is counted once, not for the rest of the match.
+  void adopt(const Frame& frame, Clock clock) {
+    if (world_.mode != frame.mode) {
+      change_mode(world_, frame.mode, events_);
+      events_.clear();
+    }
+    world_.clock = clock;
+    for (std::size_t i = 0; i < world_.teams.size(); ++i) {
+      world_.teams[i].score = frame.teams[i].score;
+      world_.teams[i].penalty_goals = frame.teams[i].penalty_scored;
+      world_.teams[i].penalty_kicks = frame.teams[i].penalties_taken();
+    }
+    for (std::size_t i = 0; i < world_.players.size(); ++i) {
+      std::uint32_t& bits = world_.players[i].state;
+      bits = (bits & ~kLasting) | (frame.players[i].state & kLasting);
+    }
+  }
+
+  void collect_our_words() {
+    for (const Event& event : events_) {
+      if (const auto* said = std::get_if<RefereeSaid>(&event.what)) {
+        our_words_.insert({{event.clock.time, event.clock.stoppage}, said->text});
+      }
+    }
+    events_.clear();
+  }
+
+  using Word = std::pair<std::pair<int, int>, std::string>;
+
+  void compare_words(Clock start) {
+    std::multiset<Word> theirs;
+    const int end = game_.time[game_.frames() - 1];
+    for (const auto& [when, moment] : text_.moments()) {
+      if (when.first < start.time || when.first > end) continue;
+      for (const std::string& word : moment.words) theirs.insert({when, word});
+    }
+    const auto keep = [&](const std::multiset<Word>& one, const std::multiset<Word>& other,
+                          std::vector<std::string>& out) {
+      std::vector<Word> rest;
+      std::set_difference(one.begin(), one.end(), other.begin(), other.end(),
+                          std::back_inserter(rest));
+      for (const auto& [when, word] : rest) {
+        if (is_in_gap(when)) continue;
+        out.push_back(std::to_string(when.first) + ',' + std::to_string(when.second) + ' ' + word);
+      }
+    };
+    keep(theirs, our_words_, result_.missing_words);
+    keep(our_words_, theirs, result_.added_words);
+    result_.words.steps = static_cast<int>(theirs.size());
+    result_.words.agreed = result_.words.steps - static_cast<int>(result_.missing_words.size());
+  }
+
+  bool is_in_gap(const std::pair<int, int>& when) const {
+    return std::any_of(unheard_.begin(), unheard_.end(), [&](const auto& gap) {
+      return when >= std::pair{gap.first.time, gap.first.stoppage} &&
+             when <= std::pair{gap.second.time, gap.second.stoppage};
+    });
+  }
+
+  const MatchRecord& game_;
+  const TextLogIndex& text_;
+  World world_;
+  World before_;  ///< ahead of the step's commands
+  Events events_;
+  std::vector<soccer::PlayerCommand> commands_;
+  std::vector<std::string> all_words_;
+  std::multiset<Word> our_words_;
+  std::vector<std::pair<Clock, Clock>> unheard_;
+  bool pushed_cut_off_ = false;
+  LogAgreement result_;
+};
+
+// Most changes of mode in the game log are called at that very time in the text log.
+bool same_match(const MatchRecord& game, const TextLogIndex& text) {
+  int changes = 0;
+  int called = 0;
+  for (std::size_t i = 1; i < game.frames(); ++i) {
+    if (game.mode[i] == game.mode[i - 1] || is_goal(game.mode[i])) continue;
+    ++changes;
+    const std::string_view mode = soccer::name(game.mode[i]);
+    // A call carries the time before or after the clock ran.
+    auto moment = text.moments().lower_bound({game.time[i] - 1, 0});
+    for (; moment != text.moments().end() && moment->first.first <= game.time[i]; ++moment) {
+      const std::vector<std::string>& words = moment->second.words;
+      if (std::find(words.begin(), words.end(), mode) != words.end()) {
+        ++called;
+        break;
+      }
+    }
+  }
+  return 2 * called >= changes;
+}
+
+}  // namespace
+
+soccer::Result<LogAgreement> replay_log(const MatchRecord& game, const gamelog::RclRecord& text) {
+  if (game.version == RcgVersion::kV1 || game.version == RcgVersion::kV2) {
+    return soccer::Error{
+        "game logs of versions 1 and 2 have no velocities: nothing can be reckoned"};
+  }
+  if (game.frames() < 2) return soccer::Error{"the game log has no two frames"};
+  const TextLogIndex index(text, game.final_teams());
+  if (!index.knows_a_team()) {
+    return soccer::Error{"no team of the game log ('" + game.final_teams()[0].name + "', '" +
+                         game.final_teams()[1].name + "') sent anything in the text log"};
+  }
+  if (!same_match(game, index)) {
+    return soccer::Error{"the logs are of different matches: the text log calls other play modes"};
+  }
+  auto rules = make_rules(game.server, game.player, game.types);
+  if (!rules) return rules.error();
+  return LogReplay(game, index, *std::move(rules)).run();
+}
+
+}  // namespace cls::simulator

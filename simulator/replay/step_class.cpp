@@ -1,0 +1,109 @@
+// Telling classes from two worlds.
+#include "simulator/replay/step_class.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cls::simulator {
+namespace {
+
+constexpr std::array<std::string_view, kStepClassCount> kNames = {
+    "ball_free",     "ball_stopped",    "ball_kick",   "ball_tackle",      "ball_catch",
+    "ball_held",     "ball_collision",  "ball_post",   "ball_placed",      "ball_half_time",
+    "player_idle",   "player_blocked",  "player_dash", "player_turn",      "player_kick",
+    "player_tackle", "player_catch",    "player_move", "player_collision", "player_post",
+    "player_placed", "player_half_time"};
+
+// Where it is follows from where it was and the velocity that it has kept.
+bool moved_by_itself(Vec2 from, Vec2 to, Vec2 velocity_after, double decay) {
+  constexpr double kExact = 1e-6;
+  if (decay == 0.0) return true;
+  const Vec2 off = to - (from + velocity_after / decay);
+  return std::fabs(off.x) <= kExact && std::fabs(off.y) <= kExact;
+}
+
+bool kicked(const Player& before, const Player& after) {
+  return after.counters.kick > before.counters.kick;
+}
+
+bool tackled_well(const Player& before, const Player& after) {
+  return after.counters.tackle > before.counters.tackle && after.has(state::kTackle) &&
+         !after.has(state::kTackleFault);
+}
+
+template <typename Question>
+bool anybody(const World& before, const World& after, Question question) {
+  for (std::size_t i = 0; i < after.players.size(); ++i) {
+    if (question(before.players[i], after.players[i])) return true;
+  }
+  return false;
+}
+
+StepClass by_command(const Player& before, const Player& after) {
+  const Counters& was = before.counters;
+  const Counters& is = after.counters;
+  if (is.move > was.move) return StepClass::kPlayerMove;
+  if (after.has(state::kCatch)) return StepClass::kPlayerCatch;
+  if (is.tackle > was.tackle) return StepClass::kPlayerTackle;
+  if (after.has(state::kKick) && !before.has(state::kKick)) return StepClass::kPlayerKick;
+  if (is.turn > was.turn) return StepClass::kPlayerTurn;
+  if (is.dash > was.dash) return StepClass::kPlayerDash;
+  return before.tackle_cycles > 0 || before.foul_cycles > 0 ? StepClass::kPlayerBlocked
+                                                            : StepClass::kPlayerIdle;
+}
+
+}  // namespace
+
+std::string_view name(StepClass step_class) { return kNames[static_cast<std::size_t>(step_class)]; }
+
+bool magnifies_rounding(StepClass step_class) {
+  switch (step_class) {
+    case StepClass::kBallCollision:
+    case StepClass::kBallPost:
+    case StepClass::kBallPlaced:
+    case StepClass::kPlayerCollision:
+    case StepClass::kPlayerPost:
+    case StepClass::kPlayerPlaced:
+      return true;
+    default:
+      return false;
+  }
+}
+
+StepClass ball_class(const World& before, const World& after) {
+  const auto collided = [](const Player&, const Player& now) {
+    return now.has(state::kBallCollide);
+  };
+  const bool caught = anybody(before, after, [](const Player& was, const Player& now) {
+    return now.counters.catch_ball > was.counters.catch_ball;
+  });
+  if (caught) return StepClass::kBallCatch;
+  if (after.ball_catcher != kNobody) {
+    const bool pushed = after.player(after.ball_catcher).has(state::kPlayerCollide);
+    return pushed ? StepClass::kBallCollision : StepClass::kBallHeld;
+  }
+  if (anybody(before, after, collided)) return StepClass::kBallCollision;
+  const bool free = moved_by_itself(before.ball.position, after.ball.position, after.ball.velocity,
+                                    after.params().ball_decay);
+  if (!free) {
+    return after.ball.velocity.is_zero() ? StepClass::kBallPlaced : StepClass::kBallPost;
+  }
+  if (anybody(before, after, tackled_well)) return StepClass::kBallTackle;
+  if (anybody(before, after, kicked)) return StepClass::kBallKick;
+  return soccer::mode_class(before.mode) == soccer::ModeClass::kRunning ? StepClass::kBallFree
+                                                                        : StepClass::kBallStopped;
+}
+
+StepClass player_class(const World& before, const World& after, Slot slot) {
+  const Player& was = before.player(slot);
+  const Player& now = after.player(slot);
+  const StepClass command = by_command(was, now);
+  if (now.has(state::kPostCollide)) return StepClass::kPlayerPost;
+  if (now.has(state::kBallCollide | state::kPlayerCollide)) return StepClass::kPlayerCollision;
+  if (command == StepClass::kPlayerMove || command == StepClass::kPlayerCatch) return command;
+  const bool free =
+      moved_by_itself(was.position, now.position, now.velocity, after.type_of(now).player_decay);
+  return free ? command : StepClass::kPlayerPlaced;
+}
+
+}  // namespace cls::simulator

@@ -1,0 +1,249 @@
+// What counts as the same, per kind of value.
+#include "simulator/replay/step_comparison.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <string>
+#include <utility>
+
+#include "simulator/replay.h"
+
+namespace cls::simulator {
+namespace {
+
+using gamelog::RcgVersion;
+
+/// Largest differences that the rounding of a record explains.
+struct Tolerance {
+  double position = 2e-4;
+  double velocity = 2e-4;
+  double body = 1e-3;
+  double neck = 2e-3;
+  double stamina = 0.02;
+  double effort = 2e-6;
+  double capacity = 1.0;
+};
+
+constexpr double kBodyAfterTurn = 0.1;
+constexpr double kEffortOfBinaryLog = 4e-5;  // counts in 1/65536
+constexpr double kRoughPosition = 5e-3;      // where rounding is magnified
+constexpr double kRoughVelocity = 1e-2;
+// A record holds printed decimals in single precision.
+constexpr double kRepresentation = 1.01;
+// Noise is told from rounding where it can be this large.
+constexpr double kLeastNoise = 0.02;
+constexpr std::size_t kMostGameMisses = 200;
+
+std::string stamp(Clock clock) {
+  return std::to_string(clock.time) + ',' + std::to_string(clock.stoppage);
+}
+
+std::string who(const Player& player) {
+  return std::string(1, soccer::letter(player.side)) + std::to_string(player.unum);
+}
+
+class Comparison {
+ public:
+  Comparison(const ReckonedStep& step, LogAgreement& result)
+      : step_(step), result_(result), forced_(*step.after.forced) {}
+
+  void run() {
+    compare_game();
+    compare_ball();
+    for (Slot slot = 0; slot < soccer::kPlayersOnPitch; ++slot) compare_player(slot);
+  }
+
+ private:
+  void compare_game() {
+    const World& ours = step_.after;
+    const gamelog::Frame& theirs = step_.recorded;
+    note(result_.mode, ours.mode == theirs.mode, [&] {
+      return "mode " + std::string(soccer::name(ours.mode)) + ", recorded " +
+             std::string(soccer::name(theirs.mode));
+    });
+    note(result_.clock, ours.clock == step_.clock, [&] { return "clock " + stamp(ours.clock); });
+    bool same = true;
+    for (std::size_t i = 0; i < ours.teams.size(); ++i) {
+      const gamelog::TeamFrame& team = theirs.teams[i];
+      same = same && ours.teams[i].score == team.score &&
+             ours.teams[i].penalty_goals == team.penalty_scored &&
+             ours.teams[i].penalty_kicks == team.penalties_taken();
+    }
+    note(result_.score, same, [] { return std::string("score"); });
+  }
+
+  void compare_ball() {
+    const StepClass kind =
+        step_.half_time ? StepClass::kBallHalfTime : ball_class(step_.before, step_.after);
+    if (step_.half_time) excuse(Excuse::kHalfTime);
+    if (forced_.tackle_drawn.any()) excuse(Excuse::kTackle);
+    if (forced_.catch_drawn.any()) excuse(Excuse::kCatch);
+    const Deviation off = ball_deviation(step_.after, step_.recorded);
+    Tolerance allowed;
+    if (magnifies_rounding(kind)) widen(allowed);
+    const auto& shown = step_.recorded.players;
+    const bool touched = std::any_of(shown.begin(), shown.end(), [](const auto& player) {
+      return (player.state & state::kBallCollide) != 0;
+    });
+    count(result_.ball, {kind, kNobody, touched}, off, motion_misses(off, allowed));
+    sample_ball_noise(kind);
+  }
+
+  void compare_player(Slot slot) {
+    const auto i = static_cast<std::size_t>(slot);
+    const Player& was = step_.before.player(slot);
+    const Player& now = step_.after.player(slot);
+    const gamelog::PlayerFrame& shown = step_.recorded.players[i];
+    const bool is_there = (shown.state & state::kStand) != 0;
+    if (was.enabled != is_there && now.enabled == was.enabled) {
+      excuse(Excuse::kCameOrLeft);
+      ++result_.uncounted;
+      return close_step();
+    }
+    compare_bits(slot);
+    if (!now.enabled || !is_there) return;
+    const StepClass kind = step_.half_time ? StepClass::kPlayerHalfTime
+                                           : player_class(step_.before, step_.after, slot);
+    if (step_.half_time) excuse(Excuse::kHalfTime);
+    if (forced_.tackle_drawn[i]) excuse(Excuse::kTackle);
+    if (forced_.catch_drawn[i]) excuse(Excuse::kCatch);
+    if (forced_.foul_drawn[i]) excuse(Excuse::kFoul);
+    if (forced_.placement_drawn[i]) excuse(Excuse::kRandomPlace);
+    const Deviation off = player_deviation(step_.after, step_.recorded, slot);
+    const Tolerance allowed = tolerance(was, now, kind);
+    std::string misses = motion_misses(off, allowed);
+    add(misses, "body", off.body, allowed.body);
+    add(misses, "neck", off.neck, allowed.neck);
+    add(misses, "stamina", off.stamina, allowed.stamina);
+    add(misses, "effort or recovery", off.effort, allowed.effort);
+    if (shown.capacity >= 0.0) add(misses, "capacity", off.capacity, allowed.capacity);
+    // Who came too near to a set play stands still where he was put.
+    const bool cleared = shown.velocity.is_zero() && !now.velocity.is_zero();
+    const bool touched = (shown.state & kContacts) != 0 || cleared;
+    count(result_.players, {kind, slot, touched}, off, std::move(misses));
+    sample_player_noise(slot, kind);
+  }
+
+  void compare_bits(Slot slot) {
+    const Player& now = step_.after.player(slot);
+    const std::uint32_t shown = step_.recorded.players[static_cast<std::size_t>(slot)].state;
+    const std::uint32_t known = step_.version <= RcgVersion::kV3 ? 0xffff : 0xffffffff;
+    const std::uint32_t differs = (now.state ^ shown) & known;
+    const bool by_noise = result_.has_noise && (differs & ~kContacts) == 0 && differs != 0;
+    if (!by_noise) {
+      note(result_.state, differs == 0, [&] {
+        char text[64];
+        std::snprintf(text, sizeof text, " state 0x%x, recorded 0x%x", now.state, shown);
+        return who(now) + text;
+      });
+    }
+    const Deviation off = player_deviation(step_.after, step_.recorded, slot);
+    note(result_.counters, off.same_counters, [&] { return who(now) + " counters"; });
+  }
+
+  Tolerance tolerance(const Player& was, const Player& now, StepClass kind) const {
+    Tolerance allowed;
+    if (magnifies_rounding(kind)) widen(allowed);
+    const bool turned = now.counters.turn > was.counters.turn || now.has(state::kCatch);
+    if (turned || step_.half_time) allowed.body = kBodyAfterTurn;
+    if (step_.version == RcgVersion::kV3) allowed.effort = kEffortOfBinaryLog;
+    return allowed;
+  }
+
+  static void widen(Tolerance& allowed) {
+    allowed.position = kRoughPosition;
+    allowed.velocity = kRoughVelocity;
+  }
+
+  static void add(std::string& misses, const char* what, double off, double allowed) {
+    if (off <= allowed * kRepresentation) return;
+    char text[96];
+    std::snprintf(text, sizeof text, "%s%s %.5g > %.5g", misses.empty() ? "" : ", ", what, off,
+                  allowed);
+    misses += text;
+  }
+
+  static std::string motion_misses(const Deviation& off, const Tolerance& allowed) {
+    std::string misses;
+    add(misses, "position", off.position, allowed.position);
+    add(misses, "velocity", off.velocity, allowed.velocity);
+    return misses;
+  }
+
+  struct Subject {
+    StepClass kind;
+    Slot slot;
+    bool touched;  ///< or cleared in the record; noise decides whether in our step as well
+  };
+
+  void count(Tally& tally, Subject what, const Deviation& off, std::string misses) {
+    const bool noise_matters = magnifies_rounding(what.kind) || what.touched || step_.half_time;
+    if (result_.has_noise && noise_matters && !misses.empty()) {
+      if (!step_.half_time) excuse(Excuse::kNoise);
+      ++result_.uncounted;
+      return close_step();
+    }
+    close_step();
+    ClassTally& of_class = result_.by_class[static_cast<std::size_t>(what.kind)];
+    of_class.worst = std::max({of_class.worst, off.position, off.velocity});
+    tally.add(misses.empty());
+    of_class.add(misses.empty());
+    if (misses.empty() || result_.misses.size() >= LogAgreement::kMostMisses) return;
+    result_.misses.push_back({step_.clock, what.slot, what.kind, std::move(misses)});
+  }
+
+  void excuse(Excuse why) {
+    ++result_.by_cause[static_cast<std::size_t>(why)];
+    excused_ = true;
+  }
+
+  void close_step() {
+    if (std::exchange(excused_, false)) ++result_.excused;
+  }
+
+  template <typename Text>
+  void note(Tally& tally, bool same, Text text) {
+    tally.add(same);
+    if (same || result_.game_misses.size() >= kMostGameMisses) return;
+    result_.game_misses.push_back(stamp(step_.clock) + ' ' + text());
+  }
+
+  void sample_ball_noise(StepClass kind) {
+    const ShownMotion& motion = forced_.ball;
+    if (!motion.explained || step_.after.wind.rand > 0.0) return;
+    if (kind == StepClass::kBallFree && motion.noise_max >= kLeastNoise) {
+      result_.ball_noise.shares.push_back(motion.noise.length() / motion.noise_max);
+    }
+    const double expected = forced_.push_noise_mean2 + motion.noise_max * motion.noise_max / 3.0;
+    if (kind == StepClass::kBallKick && !step_.push_cut_off &&
+        forced_.push_noise_max >= kLeastNoise) {
+      result_.kick_noise.sum += motion.noise.squared_length() / expected;
+      ++result_.kick_noise.n;
+    }
+  }
+
+  void sample_player_noise(Slot slot, StepClass kind) {
+    const ShownMotion& motion = forced_.players[static_cast<std::size_t>(slot)];
+    if (!motion.explained || motion.noise_max < kLeastNoise || magnifies_rounding(kind) ||
+        step_.half_time || step_.after.wind.rand > 0.0) {
+      return;
+    }
+    result_.player_noise.shares.push_back(motion.noise.length() / motion.noise_max);
+  }
+
+  static constexpr std::uint32_t kContacts =
+      state::kBallToPlayer | state::kBallCollide | state::kPlayerCollide | state::kPostCollide;
+
+  const ReckonedStep& step_;
+  LogAgreement& result_;
+  const ForcedOutcomes& forced_;
+  bool excused_ = false;
+};
+
+}  // namespace
+
+void compare_step(const ReckonedStep& step, LogAgreement& result) {
+  Comparison(step, result).run();
+}
+
+}  // namespace cls::simulator

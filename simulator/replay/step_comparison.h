@@ -1,0 +1,22 @@
+// Comparing one reckoned step with the recorded frame.
+#pragma once
+
+#include "gamelog/frame.h"
+#include "gamelog/rcg_version.h"
+#include "simulator/replay/log_agreement.h"
+
+namespace cls::simulator {
+
+struct ReckonedStep {
+  const World& before;  ///< ahead of the commands, as recorded
+  const World& after;   ///< its `forced` tells what was drawn
+  const gamelog::Frame& recorded;
+  Clock clock;  ///< of the recorded frame
+  bool half_time = false;
+  gamelog::RcgVersion version = gamelog::RcgVersion::kV6;
+  bool push_cut_off = false;  ///< a limit may have cut what a kick gave the ball
+};
+
+void compare_step(const ReckonedStep& step, LogAgreement& result);
+
+}  // namespace cls::simulator
