@@ -41,7 +41,7 @@ enum class Excuse : std::uint8_t {
   kCatch,
   kFoul,
   kRandomPlace,  ///< the referee puts a player anywhere in its own half
-  kHalfTime,     ///< of the pause nothing is recorded
+  kHalfTime,     ///< of the pause nothing is recorded; not counted where it differs
   kNoise,        ///< a contact whose noise cannot be told; only where it differs, and not counted
   kCameOrLeft,   ///< joined, or was lost without a bye; not counted
 };

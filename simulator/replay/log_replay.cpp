@@ -16,6 +16,7 @@
 #include "simulator/roster.h"
 #include "simulator/step.h"
 #include "simulator/substitution.h"
+#include "simulator/trainer.h"
 #include "soccer/protocol/coach_command.h"
 #include "soccer/protocol/connection_request.h"
 #include "soccer/protocol/player_command.h"
@@ -77,6 +78,9 @@ class LogReplay {
         world_(world_at_kick_off(std::move(rules), printed_frame(game, 0))),
         before_(world_) {
     world_.clock.stoppage = game.stopped[0];
+    for (std::size_t i = 0; i < world_.teams.size(); ++i) {
+      world_.teams[i].name = soccer::TeamName(game.final_teams()[i].name);
+    }
     result_.has_noise = is_noisy(*world_.rules);
     result_.frames = static_cast<int>(game.frames());
     for (const auto& [when, moment] : text.moments()) {
@@ -191,6 +195,7 @@ class LogReplay {
     for (const SentText& sent : moment->sent) {
       if (sent.source == RclSource::kPlayer) apply_player(sent);
       if (sent.source == RclSource::kCoach) apply_coach(sent);
+      if (sent.source == RclSource::kTrainer) apply_trainer(sent);
     }
   }
 
@@ -217,6 +222,12 @@ class LogReplay {
     } else {
       change_goalie(world_, sent.side, change->unum, events_);
     }
+  }
+
+  void apply_trainer(const SentText& sent) {
+    soccer::CoachCommand command;
+    if (soccer::parse(sent.text, soccer::CoachRole::kTrainer, command)) return;
+    obey(world_, command, events_);
   }
 
   // Before version 12 a tackle says its power, later its angle.

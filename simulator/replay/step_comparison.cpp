@@ -2,6 +2,7 @@
 #include "simulator/replay/step_comparison.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <string>
 #include <utility>
@@ -129,8 +130,8 @@ class Comparison {
     const std::uint32_t shown = step_.recorded.players[static_cast<std::size_t>(slot)].state;
     const std::uint32_t known = step_.version <= RcgVersion::kV3 ? 0xffff : 0xffffffff;
     const std::uint32_t differs = (now.state ^ shown) & known;
-    const bool by_noise = result_.has_noise && (differs & ~kContacts) == 0 && differs != 0;
-    if (!by_noise) {
+    const bool only_contacts = differs != 0 && (differs & ~kContacts) == 0;
+    if (!only_contacts || (!result_.has_noise && !touches_just(slot))) {
       note(result_.state, differs == 0, [&] {
         char text[64];
         std::snprintf(text, sizeof text, " state 0x%x, recorded 0x%x", now.state, shown);
@@ -139,6 +140,28 @@ class Comparison {
     }
     const Deviation off = player_deviation(step_.after, step_.recorded, slot);
     note(result_.counters, off.same_counters, [&] { return who(now) + " counters"; });
+  }
+
+  // Whether what just touches overlaps, rounding decides: where no contact is, the gap is tiny.
+  bool touches_just(Slot slot) const {
+    constexpr double kRounding = 5e-4;
+    const Player& ours = step_.after.player(slot);
+    const gamelog::PlayerFrame& theirs = step_.recorded.players[static_cast<std::size_t>(slot)];
+    const bool we_touch = ours.has(kContacts);
+    const double size = step_.after.type_of(ours).player_size;
+    const Vec2 at = we_touch ? theirs.position : ours.position;
+    const Vec2 ball = we_touch ? step_.recorded.ball_position : step_.after.ball.position;
+    const double ball_gap = distance(at, ball) - size - step_.after.params().ball_size;
+    bool just = std::fabs(ball_gap) < kRounding;
+    for (Slot other = 0; other < soccer::kPlayersOnPitch; ++other) {
+      const Player& player = step_.after.player(other);
+      if (other == slot || !player.enabled) continue;
+      const Vec2 place = we_touch ? step_.recorded.players[static_cast<std::size_t>(other)].position
+                                  : player.position;
+      const double gap = distance(at, place) - size - step_.after.type_of(player).player_size;
+      just = just || std::fabs(gap) < kRounding;
+    }
+    return just;
   }
 
   Tolerance tolerance(const Player& was, const Player& now, StepClass kind) const {
@@ -177,8 +200,8 @@ class Comparison {
   };
 
   void count(Tally& tally, Subject what, const Deviation& off, std::string misses) {
-    const bool noise_matters = magnifies_rounding(what.kind) || what.touched || step_.half_time;
-    if (result_.has_noise && noise_matters && !misses.empty()) {
+    const bool noise_matters = result_.has_noise && (magnifies_rounding(what.kind) || what.touched);
+    if ((noise_matters || step_.half_time) && !misses.empty()) {
       if (!step_.half_time) excuse(Excuse::kNoise);
       ++result_.uncounted;
       return close_step();
