@@ -18,4 +18,15 @@ void DamageList::add(Damage damage) {
   ++count;
 }
 
+void DamageList::add_reason(Damage damage) {
+  const bool same_place =
+      count > 0 && count == first.size() &&
+      (first.back().byte == damage.byte || (damage.line > 0 && first.back().line == damage.line));
+  if (same_place) {
+    first.back().what += ": " + damage.what;
+  } else {
+    add(std::move(damage));
+  }
+}
+
 }  // namespace cls::gamelog

@@ -27,6 +27,8 @@ struct DamageList {
   std::uint64_t count = 0;
 
   void add(Damage damage);
+  /// The same, but what lies at the place that was added last is the reason of that.
+  void add_reason(Damage damage);
   bool empty() const { return count == 0; }
 };
 

@@ -24,17 +24,18 @@ bool has_end(const MatchRecord& record) {
   });
 }
 
-void note_damage(const InputBuffer& input, std::string what, MatchRecord& record) {
+Damage damage_at(const InputBuffer& input, std::string what, const MatchRecord& record) {
   const int cycle = record.time.empty() ? 0 : record.time.back();
   const bool text = record.version >= RcgVersion::kV4;
-  record.damage.add({text ? input.line_number() : 0, input.offset(), cycle, std::move(what)});
+  return {text ? input.line_number() : 0, input.offset(), cycle, std::move(what)};
 }
 
 void check_end(const InputBuffer& input, MatchRecord& record) {
   if (!input.source().problem().empty()) {
-    note_damage(input, input.source().problem(), record);
+    record.damage.add_reason(damage_at(input, input.source().problem(), record));
   } else if (record.damage.empty() && !has_end(record)) {
-    note_damage(input, "the match has no end here: the log was interrupted", record);
+    record.damage.add(
+        damage_at(input, "the match has no end here: the log was interrupted", record));
   }
 }
 
@@ -60,7 +61,7 @@ void read_by_kind(InputBuffer& input, RecordBuilder& builder) {
     record.version = RcgVersion::kV1;
     read_rcg_binary(input, builder);
   } else {
-    note_damage(input, "this is no game log", record);
+    record.damage.add(damage_at(input, "this is no game log", record));
   }
 }
 

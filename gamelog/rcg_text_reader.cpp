@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "gamelog/blank_names.h"
 #include "gamelog/show_scanner.h"
 #include "soccer/protocol/parameter_message.h"
 #include "soccer/protocol/scanner.h"
@@ -82,7 +83,7 @@ class TextReader {
 
   bool read_other(Scanner& in, std::string_view line) {
     if (in.optional("(playmode ")) return read_play_mode(in, line);
-    if (in.optional("(team ")) return read_team(in);
+    if (in.optional("(team ")) return read_team(in, line);
     if (in.optional("(msg ")) return read_message(in);
     if (line.starts_with("(server_param ")) return read_parameters(line, builder_.record().server);
     if (line.starts_with("(player_param ")) return read_parameters(line, builder_.record().player);
@@ -108,14 +109,26 @@ class TextReader {
     return true;
   }
 
-  bool read_team(Scanner& in) {
+  bool read_team(Scanner& in, std::string_view line) {
     int time = 0;
     TeamFrames teams;
-    if (!(in.integer(time) && read_team_state(in, teams) && in.literal(")") && in.end())) {
-      return false;
+    if (in.integer(time) && read_team_state(in, teams) && in.literal(")") && in.end()) {
+      builder_.teams(time, teams);
+      return true;
     }
-    builder_.teams(time, teams);
+    if (!read_blank_names(line, blank_names_)) return false;
+    split_names(blank_names_.names, result_, blank_names_.teams);
+    builder_.teams(blank_names_.time, blank_names_.teams);
     return true;
+  }
+
+  // Only the result of a match tells where a name with blanks ends.
+  void take_result(std::string_view result) {
+    result_ = result;
+    if (blank_names_.names.empty()) return;
+    const TeamFrames before = blank_names_.teams;
+    split_names(blank_names_.names, result_, blank_names_.teams);
+    builder_.rename(before, blank_names_.teams);
   }
 
   bool read_message(Scanner& in) {
@@ -126,6 +139,7 @@ class TextReader {
           in.rest_before("\")", text))) {
       return false;
     }
+    if (text.starts_with("(result ")) take_result(text);
     builder_.message(time, board, std::string(text));
     return true;
   }
@@ -167,6 +181,8 @@ class TextReader {
 
   InputBuffer& input_;
   RecordBuilder& builder_;
+  BlankNames blank_names_;  // the last such record
+  std::string result_;      // the last result message
 };
 
 }  // namespace

@@ -37,7 +37,7 @@ class RclReader {
       }
     }
     if (!input_.source().problem().empty()) {
-      damage(input_.source().problem());
+      record_.damage.add_reason(damage_here(input_.source().problem()));
     } else if (record_.lines.empty()) {
       damage("the log is empty");
     }
@@ -125,10 +125,12 @@ class RclReader {
     return static_cast<std::uint8_t>(found - record_.teams.begin());
   }
 
-  void damage(std::string what) {
+  Damage damage_here(std::string what) const {
     const int cycle = record_.lines.empty() ? 0 : record_.lines.back().time;
-    record_.damage.add({input_.line_number(), input_.offset(), cycle, std::move(what)});
+    return {input_.line_number(), input_.offset(), cycle, std::move(what)};
   }
+
+  void damage(std::string what) { record_.damage.add(damage_here(std::move(what))); }
 
   InputBuffer& input_;
   RclRecord& record_;

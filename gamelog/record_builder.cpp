@@ -60,6 +60,18 @@ void RecordBuilder::teams(int time, const TeamFrames& teams) {
   note_bytes_ += sizeof(TeamFrames);
 }
 
+void RecordBuilder::rename(const TeamFrames& before, const TeamFrames& now) {
+  const auto correct = [&](TeamFrames& teams) {
+    if (teams[0].name != before[0].name || teams[1].name != before[1].name) return;
+    teams[0].name = now[0].name;
+    teams[1].name = now[1].name;
+  };
+  for (TeamFrames& teams : record_.teams) correct(teams);
+  for (Note& note : record_.notes) {
+    if (auto* teams = std::get_if<TeamFrames>(&note.content)) correct(*teams);
+  }
+}
+
 void RecordBuilder::message(int time, int board, std::string text) {
   note_bytes_ += text.size();
   add(time, Message{board, std::move(text)});

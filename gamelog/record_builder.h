@@ -25,6 +25,8 @@ class RecordBuilder {
 
   void play_mode(int time, soccer::PlayMode mode);
   void teams(int time, const TeamFrames& teams);
+  /// Gives teams other names, wherever both have had the names of `before`.
+  void rename(const TeamFrames& before, const TeamFrames& now);
   void message(int time, int board, std::string text);
   void unknown_line(std::string text);
   void parameter_line(std::string text);

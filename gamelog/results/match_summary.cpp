@@ -41,13 +41,6 @@ void read_teams(const MatchRecord& record, MatchSummary& summary) {
   }
 }
 
-// As a real number: logs may state lengths that no match can have.
-double half_time_cycles(const soccer::ServerParams& server) {
-  const double step = static_cast<double>(server.simulator_step) / server.slow_down_factor;
-  const double cycles = std::floor(server.half_time * 1000.0 / step + 0.5);
-  return std::isfinite(cycles) ? cycles : 0.0;
-}
-
 // The score of the last frame that is not beyond the first half.
 void read_half_score(const MatchRecord& record, MatchSummary& summary) {
   const double half = half_time_cycles(record.server);
@@ -173,6 +166,12 @@ bool is_complete(const MatchRecord& record) {
 }
 
 }  // namespace
+
+double half_time_cycles(const soccer::ServerParams& server) {
+  const double step = static_cast<double>(server.simulator_step) / server.slow_down_factor;
+  const double cycles = std::floor(server.half_time * 1000.0 / step + 0.5);
+  return std::isfinite(cycles) ? cycles : 0.0;
+}
 
 void decide_winner(MatchSummary& summary, Winner tossed) {
   const TeamSummary& left = summary.teams[0];

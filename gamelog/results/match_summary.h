@@ -81,6 +81,10 @@ MatchSummary summarize(const MatchRecord& record, const RclRecord* text);
 /// is not complete.
 void decide_winner(MatchSummary& summary, Winner tossed);
 
+/// Cycles of a half in normal time; 0 or less if the match has no limit. As a real number: logs may
+/// state lengths that no match can have.
+double half_time_cycles(const soccer::ServerParams& server);
+
 /// From a text log alone: no scorers, no substitutions, no disconnections.
 MatchSummary summarize(const RclRecord& text);
 

@@ -45,6 +45,7 @@ class EventList {
     event.to = pass.to * sign(pass.passer);
     event.other = pass.receiver;
     event.result = name(pass.outcome);
+    event.pass = static_cast<std::int32_t>(&pass - all_.passes.data());
     const auto mark = [&event](bool is_so, std::string_view word) {
       if (is_so) event.marks.push_back(word);
     };

@@ -20,6 +20,7 @@ struct Event {
   soccer::Vec2 to;
   std::int8_t other = kNobody;  ///< slot of the receiver, the interceptor, the victim
   std::string_view result;
+  std::int32_t pass = -1;  ///< index into MatchStatistics::passes, for passes
   /// What else a pass was: "through", "cross", "switch", "cutback", "clearance".
   std::vector<std::string_view> marks;
 };

@@ -1,33 +1,15 @@
 // Teams, players and events of a match as JSON objects.
 #include "gamelog/statistics/statistics_json.h"
 
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "gamelog/results/results_json.h"
-#include "gamelog/statistics/event_list.h"
+#include "gamelog/statistics/event_json.h"
+#include "gamelog/statistics/json_values.h"
 #include "gamelog/statistics/team_totals.h"
 
 namespace cls::gamelog {
 namespace {
-
-using Json = nlohmann::ordered_json;
-using soccer::Vec2;
-
-// Four decimals: what the log holds.
-double rounded(double value) { return std::round(value * 1e4) / 1e4 + 0.0; }
-
-double share(int part, int whole) { return whole == 0 ? 0.0 : rounded(1.0 * part / whole); }
-
-Json point_json(Vec2 p) { return Json::array({rounded(p.x), rounded(p.y)}); }
-
-const char* side_word(std::size_t slot) { return team_of(slot) == 0 ? "left" : "right"; }
-
-int unum_of(std::size_t slot) { return soccer::unum_of_slot(static_cast<int>(slot)); }
-
-Json unum_or_null(std::int8_t slot) {
-  return slot == kNobody ? Json(nullptr) : Json(unum_of(static_cast<std::size_t>(slot)));
-}
 
 template <typename Values>
 Json shares_json(const Values& values) {
@@ -346,65 +328,6 @@ Json player_json(const MatchStatistics& all, std::size_t slot) {
                     {"defence", rounded(rating.defence)},
                     {"discipline", rounded(rating.discipline)}};
   return json;
-}
-
-Json goals_json(const MatchStatistics& all) {
-  Json list = Json::array();
-  for (std::size_t i = 0; i < all.goals.size(); ++i) {
-    const Goal& goal = all.goals[i];
-    Json json = {{"cycle", goal.cycle},
-                 {"side", goal.side == soccer::Side::kLeft ? "left" : "right"},
-                 {"unum", unum_or_null(goal.scorer)},
-                 {"own_goal", goal.own_goal},
-                 {"assist", unum_or_null(all.assists[i].passer)},
-                 {"second_assist", unum_or_null(all.assists[i].second)}};
-    const bool by_shot = goal.shot >= 0;
-    json["shot_distance"] =
-        by_shot ? Json(rounded(all.shots[static_cast<std::size_t>(goal.shot)].distance))
-                : Json(nullptr);
-    list.push_back(json);
-  }
-  return list;
-}
-
-Json shot_list_json(const MatchStatistics& all) {
-  Json list = Json::array();
-  for (std::size_t i = 0; i < all.shots.size(); ++i) {
-    const Shot& shot = all.shots[i];
-    const Touch& touch = all.flow.touches[shot.touch];
-    const auto slot = static_cast<std::size_t>(shot.slot);
-    list.push_back({{"cycle", all.flow.record->time[touch.frame]},
-                    {"side", side_word(slot)},
-                    {"unum", unum_of(slot)},
-                    {"from", point_json(touch.contact)},
-                    {"distance", rounded(shot.distance)},
-                    {"speed", rounded(shot.speed)},
-                    {"goal_y", rounded(shot.goal_y)},
-                    {"cycles", rounded(shot.cycles)},
-                    {"on_target", shot.on_target},
-                    {"outcome", name(shot.outcome)},
-                    {"expected_goals", rounded(all.expected[i])}});
-  }
-  return list;
-}
-
-Json events_json(const MatchStatistics& all) {
-  Json list = Json::array();
-  for (const Event& event : events_of(all)) {
-    list.push_back(
-        {{"cycle", event.cycle},
-         {"stopped", event.stopped},
-         {"kind", event.kind},
-         {"side", event.slot == kNobody ? Json(nullptr)
-                                        : Json(side_word(static_cast<std::size_t>(event.slot)))},
-         {"unum", unum_or_null(event.slot)},
-         {"from", point_json(event.from)},
-         {"to", point_json(event.to)},
-         {"other", unum_or_null(event.other)},
-         {"result", event.result},
-         {"marks", event.marks}});
-  }
-  return list;
 }
 
 Json game_json(const MatchStatistics& all) {

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -71,6 +72,21 @@ TEST(ResultsCommand, NamesDamageAndKeepsWhatStandsBeforeIt) {
   EXPECT_TRUE(match["winner"].is_null());
 }
 
+TEST(ResultsCommand, TellsOnceWhereAnArchiveIsCutOff) {
+  const TemporaryFolder folder;
+  for (const char* ending : {".rcg.gz", ".rcl.gz"}) {
+    const std::string path = folder.path() / (std::string("cut") + ending);
+    fs::copy_file(fixture(std::string("gamelog/match-start") + ending), path);
+    fs::resize_file(path, fs::file_size(path) / 2);
+    const CommandResult result = cls_run({"results", path});
+    EXPECT_EQ(result.exit_code, 65);
+    EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
+    EXPECT_NE(result.err.find("the log is cut off here: gzip data is cut off"), std::string::npos)
+        << result.err;
+    EXPECT_NE(result.out.find("incomplete"), std::string::npos);
+  }
+}
+
 TEST(ResultsCommand, SaysWhichLogIsMissingOrIsNone) {
   const TemporaryFolder folder;
   const CommandResult missing = cls_run({"results", "nowhere.rcg"});
@@ -138,10 +154,16 @@ TEST(StatsCommand, PrintsOneDocumentByTheContract) {
   EXPECT_EQ(match["left"]["shots"]["goal"], 1);
   EXPECT_EQ(match["goals"][0]["unum"], 11);
   EXPECT_EQ(match["goals"][0]["assist"], 10);
+  EXPECT_NEAR(match["goals"][0]["minute"], 169.0 / 6000 * 90, 1e-4);
+  EXPECT_EQ(match["goals"][0]["from_set_play"], false);
   EXPECT_EQ(match["players"].size(), 22u);
   EXPECT_EQ(match["players"][9]["responsiveness"]["silent"], 0);
   EXPECT_EQ(match["players"][9]["heat"].size(), 21u * 14u);
   EXPECT_GT(match["events"].size(), 20u);
+  const json& pass = match["events"][0];
+  EXPECT_EQ(pass["kind"], "pass");
+  EXPECT_EQ(pass["result"], "completed");
+  EXPECT_NEAR(pass["length"], std::hypot(2.0648, 0.2687), 1e-3);
   EXPECT_EQ(match["doubts"][0], "no time_over");
   const double left = match["left"]["possession"]["last_touch"];
   const double right = match["right"]["possession"]["last_touch"];

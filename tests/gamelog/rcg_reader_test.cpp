@@ -135,6 +135,30 @@ TEST(ReadRcg, TakesAnyTeamNameTheServerAllows) {
   }
 }
 
+using Names = std::pair<std::string, std::string>;
+
+TEST(ReadRcg, ReadsNamesWithBlanksAndSplitsThemByTheResult) {
+  const auto names = [](const std::string& both, const std::string& result) {
+    const MatchRecord record = read(
+        "ULG6\n(team 1 " + both + " 2 1)\n" + show(1) + "(team 2 " + both + " 3 1)\n" + show(2) +
+        "(msg 2 1 \"(result 202611202127 " + result + ")\")\n(team 2 " + both + " 3 1 4 0 2 2)\n");
+    EXPECT_TRUE(record.damage.empty()) << both;
+    EXPECT_EQ(record.teams[1][0].name, record.final_teams()[0].name);
+    EXPECT_EQ(record.teams[1][0].score, 2);
+    EXPECT_EQ(record.final_teams()[0].score, 3);
+    EXPECT_EQ(record.final_teams()[0].penalty_scored, 4);
+    EXPECT_EQ(record.final_teams()[1].penalty_missed, 2);
+    return Names(record.final_teams()[0].name, record.final_teams()[1].name);
+  };
+  EXPECT_EQ(names("my team B", "my team_3-vs-B_1"), Names("my team", "B"));
+  EXPECT_EQ(names("A B C D E", "A_3-vs-B C D E_1"), Names("A", "B C D E"));
+  EXPECT_EQ(names("Team 1 Team 2", "odd"), Names("Team 1", "Team 2"));
+  EXPECT_EQ(names("null my team", ""), Names("", "my team"));
+  EXPECT_EQ(names("A-vs-B C  D null", ""), Names("A-vs-B C  D", ""));
+  EXPECT_FALSE(read("ULG6\n(team 1 my team 0 0)\n(team 1 a b c)\n" + std::string(kEnd) + show(9))
+                   .damage.empty());
+}
+
 TEST(ReadRcg, AcceptsTheShowsOfMonitorsAndRunsOfBlanks) {
   const MatchRecord record = read("ULG5\n(show 4 (pm 3) (tm A B 0 0)  ((b)  1 2  0 0)  " +
                                   player("l 1") + "  " + player("r 3") + " )\n" + kEnd + show(9));
