@@ -16,10 +16,15 @@ using simulator::Door;
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-// '#' in the pattern takes a whole number.
+// In the pattern, '#' takes a whole number and '@' the letter of a side.
 bool matches(std::string_view pattern, std::string_view text) {
   std::size_t at = 0;
   for (const char c : pattern) {
+    if (c == '@') {
+      if (at == text.size() || (text[at] != 'l' && text[at] != 'r')) return false;
+      ++at;
+      continue;
+    }
     if (c != '#') {
       if (at == text.size() || text[at++] != c) return false;
       continue;
@@ -63,6 +68,9 @@ void read_line(std::string_view line, Conversation& out) {
   switch (line.front()) {
     case '=':
       out.settings.emplace_back(rest);
+      return;
+    case '-':
+      out.ignored.emplace_back(rest);
       return;
     case '@':
       if (out.turns.empty()) out.turns.emplace_back();
@@ -237,7 +245,10 @@ void hold(const Conversation& conversation, Host& host) {
     for (const std::string& client : host.clients()) {
       const auto found = turn.told.find(client);
       const std::size_t expected = found == turn.told.end() ? 0 : found->second.size();
-      expect_told(turn, client, host.take(client, expected, shown), in_order);
+      const auto told = host.take(client, expected, shown);
+      const auto& ignored = conversation.ignored;
+      if (std::find(ignored.begin(), ignored.end(), client) != ignored.end()) continue;
+      expect_told(turn, client, told, in_order);
     }
     for (const auto& [client, message] : turn.latest) {
       const std::string latest = host.latest(client, message.substr(0, message.find(' ')));

@@ -19,7 +19,9 @@ namespace cls::tests {
 ///     @ (see_global                    messages that begin so are told too, from here on
 ///     > L1 (init Left (version 18))    client L1 sends this
 ///     + 2                              two cycles pass
-///     < L1 (init l 1 before_kick_off)  a client is told this; '#' stands for any whole number
+///     < L1 (init l 1 before_kick_off)  a client is told this; '#' stands for any whole number,
+///                                      '@' for either side's letter
+///     - L1                             what this client is told does not count
 ///     ? L1 (sense_body 0 ...)          the last it was told that begins with this word is this
 ///
 /// A client's first letter says where it knocks: C as an online coach, T as the trainer, others as
@@ -38,6 +40,7 @@ struct Turn {
 
 struct Conversation {
   std::vector<std::string> settings;
+  std::vector<std::string> ignored;  ///< clients
   std::vector<Turn> turns;
 };
 

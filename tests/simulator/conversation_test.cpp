@@ -36,7 +36,8 @@ TEST_P(Conversations, AreThoseOfTheRealServer) {
 
 INSTANTIATE_TEST_SUITE_P(Recorded, Conversations,
                          testing::Values("versions", "players", "trainer", "online-coach",
-                                         "coach-language"),
+                                         "coach-language", "referee", "referee-time",
+                                         "shoot-out-draw", "shoot-out-coin"),
                          [](const auto& one) {
                            std::string name = one.param;
                            std::replace(name.begin(), name.end(), '-', '_');

@@ -7,6 +7,7 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdlib>
 #include <sstream>
@@ -62,28 +63,31 @@ class RealHost : public Host {
     auto& socket = clients_[client];
     if (socket == nullptr) socket = std::make_unique<UdpClient>(port(door_of(client)));
     socket->send(datagram);
+    spoken_ = Time::now();
   }
 
   void pass_cycles(int count) override {
     std::this_thread::sleep_for(milliseconds(100 * count + 20));
+    spoken_ = Time::now();
   }
 
   // A server that has all to say is given a moment to say too much.
   std::vector<std::string> take(const std::string& client, std::size_t expected,
                                 const std::vector<std::string>& shown) override {
-    const auto now = [] { return std::chrono::steady_clock::now(); };
-    const auto patience = now() + milliseconds(expected > 0 ? 1000 : 0);
-    auto end = now() + milliseconds(30);
+    const auto patience = Time::now() + milliseconds(expected > 0 ? 1000 : 0);
+    auto moment = spoken_ + milliseconds(30);
     std::vector<std::string> told;
-    while (now() < end || (told.size() < expected && now() < patience)) {
-      const std::string message = clients_[client]->wait(milliseconds(10));
+    while (true) {
+      const auto now = Time::now();
+      const bool waits = now < moment || (told.size() < expected && now < patience);
+      const std::string message = clients_[client]->wait(milliseconds(waits ? 10 : 0));
+      if (message.empty() && !waits) return told;
       if (message.empty()) continue;
       note(client, message);
       if (!counts(message, shown)) continue;
       told.push_back(message);
-      end = now() + milliseconds(30);
+      moment = std::max(moment, now + milliseconds(10));
     }
-    return told;
   }
 
   std::vector<std::string> clients() const override {
@@ -105,6 +109,9 @@ class RealHost : public Host {
     throw std::runtime_error("rcssserver does not start: " + server_->out());
   }
 
+  using Time = std::chrono::steady_clock;
+
+  Time::time_point spoken_;  ///< when something was last done
   TemporaryFolder folder_;
   int ports_[3] = {};
   std::unique_ptr<Command> server_;
