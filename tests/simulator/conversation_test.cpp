@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "tests/simulator/real_host.h"
+#include "tests/support/command.h"
 #include "tests/support/files.h"
 
 namespace cls::tests {
@@ -31,7 +32,13 @@ TEST_P(Conversations, AreThoseOfTheRealServer) {
   if (real_server().empty()) GTEST_SKIP() << "no rcssserver on PATH nor in CLS_RCSSSERVER";
   const Conversation written = conversation();
   ASSERT_FALSE(written.turns.empty());
-  hold(written, *make_real_host(written.settings));
+  hold(written, *make_real_host({real_server()}, written.settings));
+}
+
+TEST(ConversationOverUdp, OnlineCoachesTalkToTheProgramAlike) {
+  const Conversation written =
+      read_conversation(read_file(fixture("protocol/conversations/online-coach.txt")));
+  hold(written, *make_real_host({cls_binary(), "server"}, written.settings));
 }
 
 INSTANTIATE_TEST_SUITE_P(Recorded, Conversations,

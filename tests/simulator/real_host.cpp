@@ -1,4 +1,4 @@
-// Starting rcssserver and talking to it.
+// Starting servers and talking to them.
 #include "tests/simulator/real_host.h"
 
 #include <arpa/inet.h>
@@ -39,14 +39,15 @@ int free_port() {
 
 class RealHost : public Host {
  public:
-  explicit RealHost(const std::vector<std::string>& settings) {
+  RealHost(std::vector<std::string> words, const std::vector<std::string>& settings) {
     for (int& port : ports_) port = free_port();
-    std::vector<std::string> words = {real_server(),
-                                      "server::port=" + std::to_string(ports_[0]),
-                                      "server::coach_port=" + std::to_string(ports_[1]),
-                                      "server::olcoach_port=" + std::to_string(ports_[2]),
-                                      "server::game_logging=off",
-                                      "server::text_logging=off"};
+    for (const std::string& word :
+         {"server::port=" + std::to_string(ports_[0]),
+          "server::coach_port=" + std::to_string(ports_[1]),
+          "server::olcoach_port=" + std::to_string(ports_[2]),
+          std::string("server::game_logging=off"), std::string("server::text_logging=off")}) {
+      words.push_back(word);
+    }
     words.insert(words.end(), settings.begin(), settings.end());
     const std::string path = folder_.path();
     server_ = std::make_unique<Command>(
@@ -106,7 +107,7 @@ class RealHost : public Host {
       if (probe.wait(milliseconds(50)) == "(error unknown_command)") return;
       std::this_thread::sleep_for(milliseconds(20));
     }
-    throw std::runtime_error("rcssserver does not start: " + server_->out());
+    throw std::runtime_error("the server does not start: " + server_->out());
   }
 
   using Time = std::chrono::steady_clock;
@@ -130,8 +131,9 @@ std::string real_server() {
   return "";
 }
 
-std::unique_ptr<Host> make_real_host(const std::vector<std::string>& settings) {
-  return std::make_unique<RealHost>(settings);
+std::unique_ptr<Host> make_real_host(const std::vector<std::string>& command,
+                                     const std::vector<std::string>& settings) {
+  return std::make_unique<RealHost>(command, settings);
 }
 
 }  // namespace cls::tests

@@ -1,4 +1,5 @@
-// The real rcssserver as a partner of conversations, where there is one.
+// Servers that are programs as partners of conversations: the real rcssserver where there is one,
+// and ours.
 #pragma once
 
 #include <memory>
@@ -12,8 +13,9 @@ namespace cls::tests {
 /// `rcssserver` on PATH, or the program that CLS_RCSSSERVER names; empty when there is none.
 std::string real_server();
 
-/// A real server of its own with those settings, in real time at free ports, that ends with the
-/// host. Throws when it does not start.
-std::unique_ptr<Host> make_real_host(const std::vector<std::string>& settings);
+/// A server of its own that `command` starts, with those settings, in real time at free ports, and
+/// that ends with the host. Throws when it does not start.
+std::unique_ptr<Host> make_real_host(const std::vector<std::string>& command,
+                                     const std::vector<std::string>& settings);
 
 }  // namespace cls::tests
