@@ -1,0 +1,33 @@
+// Named steps of a conformance check: what was tried, what came of it, why it matters.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace cls::orchestration {
+
+enum class StepResult { kPass, kFail, kSkip };
+
+struct CheckStep {
+  std::string name;  ///< "register_identity"
+  std::string why;   ///< one sentence: why it matters
+  StepResult result = StepResult::kSkip;
+  std::string evidence;  ///< what was seen
+};
+
+struct CheckReport {
+  std::string schema;   ///< of the JSON document
+  std::string subject;  ///< what was checked, as the user named it
+  std::vector<CheckStep> steps;
+
+  int count(StepResult result) const;
+  bool passed() const { return count(StepResult::kFail) == 0; }
+};
+
+/// A line for a step, and under it, if it failed, why it matters.
+std::string to_text(const CheckStep& step);
+/// The last line: how many steps passed.
+std::string summary(const CheckReport& report);
+std::string to_json(const CheckReport& report);
+
+}  // namespace cls::orchestration

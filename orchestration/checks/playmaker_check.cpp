@@ -1,0 +1,166 @@
+// Putting a subject together and taking the steps.
+#include "orchestration/checks/playmaker_check.h"
+
+#include <stdlib.h>
+
+#include <filesystem>
+#include <system_error>
+#include <utility>
+
+#include "mock-server/server.h"
+#include "orchestration/playmaker_program.h"
+#include "proxy/grpc_playmaker.h"
+
+namespace cls::orchestration {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Gone with its content at the end of the scope.
+class ScratchFolder {
+ public:
+  ScratchFolder() {
+    std::string pattern = (fs::temp_directory_path() / "cls-check-XXXXXX").string();
+    if (::mkdtemp(pattern.data()) != nullptr) path_ = pattern;
+  }
+  ~ScratchFolder() {
+    std::error_code ignored;
+    if (!path_.empty()) fs::remove_all(path_, ignored);
+  }
+  ScratchFolder(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(const ScratchFolder&) = delete;
+
+  const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+};
+
+/// Whatever the subject needs to live; the subject is destroyed first.
+struct Surroundings {
+  ScratchFolder folder;
+  std::unique_ptr<mock_server::Server> mock;
+  std::optional<ProcessHost> host;
+  std::unique_ptr<PlaymakerProgram> program;
+};
+
+proxy::GrpcTarget target_of(const Endpoint& endpoint) {
+  proxy::GrpcTarget target;
+  target.host = endpoint.host;
+  target.port = endpoint.port;
+  target.port_step = endpoint.port_step;
+  target.unix_path = endpoint.path;
+  return target;
+}
+
+soccer::Result<void> start_mock(const Endpoint& endpoint, Surroundings& around,
+                                PlaymakerSubject& subject) {
+  auto mock = mock_server::make_mock(endpoint.behaviour);
+  if (!mock) return mock.error();
+  auto server = mock_server::Server::start(*std::move(mock));
+  if (!server) return server.error();
+  around.mock = *std::move(server);
+  subject.connect = [&around, name = endpoint.text] {
+    return proxy::make_grpc_playmaker(around.mock->in_process_channel(), name);
+  };
+  return {};
+}
+
+soccer::Result<void> start_program(const Endpoint& endpoint, Surroundings& around,
+                                   PlaymakerSubject& subject) {
+  if (around.folder.path().empty()) return soccer::Error{"no folder for its log can be created"};
+  auto host = ProcessHost::create();
+  if (!host) return host.error();
+  around.host.emplace(*std::move(host));
+  auto program = PlaymakerProgram::start(
+      *around.host, endpoint, {0, soccer::Side::kLeft, team_name(0), 1}, around.folder.path());
+  if (!program) return program.error();
+  around.program = *std::move(program);
+  subject.host = "localhost";
+  subject.port = around.program->port();
+  subject.pid = [&around]() -> std::optional<int> {
+    if (around.program->ended()) return std::nullopt;
+    return around.program->child().status().pid;
+  };
+  return {};
+}
+
+soccer::Result<void> prepare(const PlaymakerCheckOptions& options, Surroundings& around,
+                             PlaymakerSubject& subject) {
+  subject.start_timeout = options.start_timeout;
+  subject.deadline = options.deadline;
+  subject.calls = options.calls;
+  subject.latency_limit = options.latency_limit;
+  subject.pid = [] { return std::optional<int>(); };
+  proxy::GrpcTarget target = target_of(options.endpoint);
+  if (options.endpoint.kind == Endpoint::Kind::kMock) {
+    if (auto started = start_mock(options.endpoint, around, subject); !started) return started;
+  } else {
+    if (options.endpoint.kind == Endpoint::Kind::kRun) {
+      if (auto started = start_program(options.endpoint, around, subject); !started) {
+        return started;
+      }
+      target = {};
+      target.host = subject.host;
+      target.port = subject.port;
+    } else if (options.endpoint.kind == Endpoint::Kind::kAddress && !target.port_step) {
+      subject.host = target.host;
+      subject.port = target.port;
+    }
+    subject.connect = [target] { return proxy::make_grpc_playmaker(target); };
+  }
+  for (auto& team : subject.teams) team = subject.connect();
+  return {};
+}
+
+std::vector<PlaymakerStep> all_steps() {
+  std::vector<PlaymakerStep> all;
+  for (const auto& part :
+       {handshake_steps(), decision_steps(), state_steps(), load_steps(), life_steps()}) {
+    all.insert(all.end(), part.begin(), part.end());
+  }
+  return all;
+}
+
+// Why it is of no use to go on; empty if it is.
+std::string hopeless(const Surroundings& around, const CheckReport& report,
+                     const std::atomic<int>& stop) {
+  if (stop != 0) return "interrupted";
+  if (around.program != nullptr && around.program->ended()) {
+    std::string why = "the program has ended";
+    const auto lines = around.program->child().last_lines(1);
+    if (!lines.empty()) why += "; its last words: " + lines.front();
+    return why;
+  }
+  const bool unreachable =
+      !report.steps.empty() && report.steps.front().result == StepResult::kFail;
+  return unreachable ? "the Playmaker was not reached" : "";
+}
+
+}  // namespace
+
+soccer::Result<CheckReport> check_playmaker(const PlaymakerCheckOptions& options,
+                                            const OnStep& on_step, const std::atomic<int>& stop) {
+  Surroundings around;
+  PlaymakerSubject subject;
+  if (const auto prepared = prepare(options, around, subject); !prepared) return prepared.error();
+  CheckReport report;
+  report.schema = "cls.check/1";
+  report.subject = options.endpoint.text;
+  for (const PlaymakerStep& step : all_steps()) {
+    CheckStep& taken = report.steps.emplace_back();
+    taken.name = step.name;
+    taken.why = step.why;
+    const std::string why_not = hopeless(around, report, stop);
+    Finding found = why_not.empty() ? step.run(subject) : skip(why_not);
+    taken.result = found.result;
+    taken.evidence = std::move(found.evidence);
+    if (taken.result == StepResult::kFail && around.program != nullptr) {
+      taken.evidence += around.program->port_hint();
+    }
+    on_step(taken);
+  }
+  return report;
+}
+
+}  // namespace cls::orchestration

@@ -1,0 +1,29 @@
+// `cls check playmaker`: is it a Playmaker that matches can be played with?
+#pragma once
+
+#include <atomic>
+#include <functional>
+
+#include "orchestration/checks/playmaker_subject.h"
+#include "orchestration/endpoint.h"
+
+namespace cls::orchestration {
+
+struct PlaymakerCheckOptions {
+  Endpoint endpoint;  ///< not a team
+  Milliseconds start_timeout{20'000};
+  Milliseconds deadline{3'000};
+  int calls = 10'000;
+  Milliseconds latency_limit{100};
+};
+
+/// Called after each step.
+using OnStep = std::function<void(const CheckStep&)>;
+
+/// Takes all steps; what was started is ended. A Playmaker that cannot be reached fails its first
+/// step, and the others are skipped. The error says why nothing could be tried: a bad script, no
+/// process. `stop` nonzero skips what is left.
+soccer::Result<CheckReport> check_playmaker(const PlaymakerCheckOptions& options,
+                                            const OnStep& on_step, const std::atomic<int>& stop);
+
+}  // namespace cls::orchestration

@@ -1,0 +1,104 @@
+// `cls check playmaker` as a user meets it.
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "tests/support/command.h"
+#include "tests/support/temporary_folder.h"
+
+namespace {
+
+using cls::tests::cls_binary;
+using cls::tests::CommandResult;
+using cls::tests::TemporaryFolder;
+using nlohmann::json;
+
+CommandResult check(std::vector<std::string> arguments) {
+  // How fast it is on a busy machine is not what these tests are about.
+  std::vector<std::string> all = {cls_binary(), "check", "playmaker", "--latency-limit", "60000"};
+  all.insert(all.end(), arguments.begin(), arguments.end());
+  return cls::tests::run(all);
+}
+
+/// Results by the step's name.
+std::map<std::string, std::string> results_of(const json& document) {
+  std::map<std::string, std::string> results;
+  for (const json& step : document["steps"]) results[step["name"]] = step["result"];
+  return results;
+}
+
+std::string program_line(const std::string& arguments) {
+  return "run:" + cls_binary().string() + " mock --port {port} " + arguments;
+}
+
+TEST(CheckPlaymaker, TheMockPassesEveryStep) {
+  const CommandResult result = check({"mock", "--calls", "1000", "--json"});
+  const json document = json::parse(result.out);
+  EXPECT_EQ(result.exit_code, 0) << result.out;
+  EXPECT_EQ(document["schema"], "cls.check/1");
+  EXPECT_EQ(document["subject"], "mock");
+  EXPECT_EQ(document["passed"], true);
+  EXPECT_GE(document["steps"].size(), 60u);
+  EXPECT_EQ(document["steps_failed"], 0);
+  EXPECT_EQ(document["steps_skipped"], 1);  // it has no port to send garbage to
+  for (const json& step : document["steps"]) {
+    EXPECT_FALSE(step["why"].get<std::string>().empty()) << step["name"];
+  }
+}
+
+TEST(CheckPlaymaker, MeasuresTheMemoryOfAProgramItStarts) {
+  const CommandResult result = check({program_line(""), "--calls", "1000"});
+  EXPECT_EQ(result.exit_code, 0) << result.out << result.err;
+  EXPECT_NE(result.out.find(" MB after 1000"), std::string::npos) << result.out;
+  EXPECT_NE(result.out.find("pass garbage "), std::string::npos) << result.out;
+}
+
+TEST(CheckPlaymaker, FailsTheStepsThatAPlaymakerCannotTake) {
+  // What is not implemented is no failure where the proxy can do without.
+  const CommandResult result =
+      check({program_line("--unimplemented GetBestPlannerAction,GetCoachActions,SendPlayerType"),
+             "--calls", "100", "--json"});
+  EXPECT_EQ(result.exit_code, 1) << result.out << result.err;
+  const auto results = results_of(json::parse(result.out));
+  EXPECT_EQ(results.at("planner"), "skip");
+  EXPECT_EQ(results.at("coach_actions"), "skip");
+  EXPECT_EQ(results.at("both_teams_at_once"), "pass");
+  EXPECT_EQ(results.at("all_parameters"), "fail");
+  EXPECT_EQ(results.at("player_actions"), "pass");
+  EXPECT_EQ(results.at("second_match"), "fail");
+  EXPECT_EQ(results.at("bye"), "pass");
+}
+
+TEST(CheckPlaymaker, NoticesThatPlayersGetTheSameIdentity) {
+  const CommandResult result =
+      check({program_line("--wrong-client-id"), "--calls", "100", "--json"});
+  EXPECT_EQ(result.exit_code, 1) << result.out << result.err;
+  const auto results = results_of(json::parse(result.out));
+  EXPECT_EQ(results.at("register_team"), "fail");
+  EXPECT_EQ(results.at("reach"), "pass");
+}
+
+TEST(CheckPlaymaker, SkipsTheRestWhenTheProgramHasEnded) {
+  const CommandResult result = check(
+      {program_line("--crash-at-cycle 5"), "--calls", "100", "--rpc-deadline", "500", "--json"});
+  EXPECT_EQ(result.exit_code, 1) << result.out << result.err;
+  const json document = json::parse(result.out);
+  EXPECT_GT(document["steps_failed"], 0);
+  EXPECT_EQ(document["steps"].back()["result"], "skip");
+  EXPECT_NE(document["steps"].back()["evidence"].get<std::string>().find("the program has ended"),
+            std::string::npos);
+}
+
+TEST(CheckPlaymaker, TellsEachFailureByItsExitCode) {
+  const CommandResult nobody = check({"127.0.0.1:9", "--start-timeout", "0.3", "--json"});
+  EXPECT_EQ(nobody.exit_code, 69) << nobody.out << nobody.err;
+  EXPECT_EQ(results_of(json::parse(nobody.out)).at("bye"), "skip");
+  EXPECT_EQ(check({"team:somewhere"}).exit_code, 2);
+  EXPECT_EQ(check({"nonsense"}).exit_code, 2);
+  EXPECT_EQ(check({"mock:nowhere.json"}).exit_code, 65);
+  EXPECT_EQ(check({}).exit_code, 2);
+}
+
+}  // namespace
