@@ -1,0 +1,58 @@
+// One agent of a foreign team: joins, turns and lets the cycle pass, until its fault comes.
+#include <chrono>
+#include <cstdio>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "soccer/udp_channel.h"
+#include "tests/fakes/flags.h"
+
+namespace {
+
+using namespace cls;
+using std::chrono::steady_clock;
+
+/// Talks to the server until it has been silent for five seconds, as real clients do.
+int play(const fakes::Flags& flags, soccer::UdpClients& clients, soccer::Channel& server) {
+  std::string message;
+  while (clients.wait_until(steady_clock::now() + std::chrono::seconds(5))) {
+    while (server.receive(message)) {
+      int time = 0;
+      if (message.rfind("(error", 0) == 0) std::printf("%s\n", message.c_str());
+      if (std::sscanf(message.c_str(), "(sense_body %d", &time) == 1) {
+        if (flags.has("exit-at-cycle") && time >= flags.number("exit-at-cycle")) {
+          std::fprintf(stderr, "lost my boots\n");
+          std::_Exit(flags.number("code", 4));
+        }
+        if (flags.has("hang-at-cycle") && time >= flags.number("hang-at-cycle")) fakes::hang();
+      }
+      if (message == "(think)") server.send("(turn 10)(done)");
+    }
+  }
+  std::printf("server down\n");
+  return 0;
+}
+
+}  // namespace
+
+// --port N --name TEAM [--goalie 1] and faults.
+int main(int argc, char** argv) {
+  const fakes::Flags flags(argc, argv);
+  fakes::misbehave_at_start(flags);
+  if (flags.has("exit-at-start")) {
+    std::fprintf(stderr, "cannot read formation.conf\n");
+    return flags.number("exit-at-start");
+  }
+  if (flags.has("never-join")) fakes::hang();
+  auto clients = soccer::UdpClients::create("127.0.0.1", flags.number("port", 6000));
+  if (!clients) return 1;
+  for (int i = 0; flags.has("flood") && i < 20'000; ++i) std::printf("the grass grows\n");
+  std::vector<std::unique_ptr<soccer::Channel>> players;
+  for (int i = 0; i < flags.number("players", 1); ++i) {
+    players.push_back((*clients)->connect());
+    players.back()->send("(init " + flags.text("name") + " (version 18)" +
+                         (flags.has("goalie") ? " (goalie)" : "") + ")");
+  }
+  return play(flags, **clients, *players.front());
+}

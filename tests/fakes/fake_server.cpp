@@ -1,0 +1,91 @@
+// A soccer server that plays well until it does the wrong thing that its flags name. Takes the
+// options of rcssserver behind its flags, and prints what rcssserver prints.
+#include <atomic>
+#include <cstdio>
+#include <memory>
+#include <string>
+
+#include "gamelog/byte_sink.h"
+#include "orchestration/match_options.h"
+#include "simulator/server/udp_server.h"
+#include "soccer/side.h"
+#include "tests/fakes/flags.h"
+
+namespace {
+
+using namespace cls;
+
+std::atomic<bool> stop{false};
+
+orchestration::MatchOptions options_of(const fakes::Flags& flags) {
+  orchestration::MatchOptions options;
+  options.server = soccer::ServerParams();
+  for (const std::string& word : flags.rest()) {
+    const auto applied = apply_setting(options, word);
+    if (applied) continue;
+    std::fprintf(stderr, "fake_server: %s\n", applied.error().message.c_str());
+    std::exit(97);
+  }
+  return options;
+}
+
+std::unique_ptr<simulator::UdpServer> open(const fakes::Flags& flags) {
+  const orchestration::MatchOptions options = options_of(flags);
+  simulator::UdpConfig config;
+  config.match.server = options.server;
+  config.match.player = options.player;
+  config.match.seed = 7;
+  if (flags.has("until-cycle")) config.match.cycle_limit = flags.number("until-cycle");
+  config.port = options.server.port + flags.number("port-offset");
+  auto server = simulator::UdpServer::open(std::move(config));
+  if (!server) {
+    std::fprintf(stderr, "fake_server: %s\n", server.error().message.c_str());
+    std::exit(1);
+  }
+  return std::move(*server);
+}
+
+void print_joined(const simulator::UdpServer& server, const simulator::UdpNotice& notice) {
+  if (notice.kind != simulator::UdpNotice::Kind::kConnected) return;
+  if (!simulator::is_player(notice.client)) return;
+  const auto name = server.world().team(soccer::side_of_slot(notice.client)).name.view();
+  std::printf("A new (v%d) player (%.*s %d) connected.\n", notice.version,
+              static_cast<int>(name.size()), name.data(), soccer::unum_of_slot(notice.client));
+  std::fflush(stdout);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const fakes::Flags flags(argc, argv);
+  fakes::misbehave_at_start(flags);
+  std::printf("rcssserver-19.0.0\n\nSimulator Random Seed: 1234\n");
+  std::fflush(stdout);
+  if (flags.has("exit-at-start")) {
+    std::fprintf(stderr, "Error: the stadium is closed\n");
+    return flags.number("exit-at-start");
+  }
+  if (flags.has("never-open")) fakes::hang();
+  if (flags.has("silent")) {
+    fakes::open_silently(SOCK_DGRAM, options_of(flags).server.port);
+    fakes::hang();
+  }
+  auto game = gamelog::FileSink::create("match.rcg");
+  auto text = gamelog::FileSink::create("match.rcl");
+  if (!game || !text) return 1;
+  auto server = open(flags);
+  server->record(game->get(), text->get());
+  server->on_notice([&](const simulator::UdpNotice& notice) { print_joined(*server, notice); });
+  std::printf("Hit CTRL-C to exit\n");
+  std::fflush(stdout);
+  for (int i = 0; flags.has("flood") && i < 200'000; ++i) std::printf("the grass grows\n");
+
+  if (!flags.has("ignore-term")) ::signal(SIGTERM, [](int) { stop = true; });
+  server->run(stop);
+  (*game)->close();
+  (*text)->close();
+  if (flags.has("signal")) ::raise(flags.number("signal"));
+  if (flags.has("then-hang")) fakes::hang();
+  if (!flags.has("until-cycle")) std::printf("Game Over. Exiting...\n");
+  return flags.number("code");
+}
