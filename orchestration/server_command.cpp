@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <cstdlib>
 #include <type_traits>
 #include <variant>
 
@@ -77,8 +76,8 @@ CommandPlan server_plan(const ServerSetup& setup) {
   plan.log = setup.folder / kServerLog;
   plan.cpus = setup.cpus;
   plan.environment.push_back({"RCSS_CONF_DIR", (setup.folder / kServerConfiguration).string()});
-  // Without USER the server takes ~ literally.
-  if (std::getenv("USER") == nullptr) plan.environment.push_back({"USER", "nobody"});
+  // By their names it would find, and rename, the configuration of old versions in the user's home.
+  for (const char* name : {"USER", "USERNAME"}) plan.environment.push_back({name, std::nullopt});
   add_differences(plan.argv, "server", decided(setup), soccer::server_param_table());
   add_differences(plan.argv, "player", setup.player, soccer::player_param_table());
   return plan;

@@ -106,8 +106,10 @@ TEST(ServerCommand, SetsWhatTheMatchNeedsAndNothingThatIsStock) {
     EXPECT_EQ(word.find(' '), std::string::npos) << word;
   }
   EXPECT_EQ(plan.folder, "/runs/x y");
-  EXPECT_EQ(plan.environment.front(),
-            (EnvironmentChange{"RCSS_CONF_DIR", "/runs/x y/server-conf"}));
+  EXPECT_EQ(plan.environment,
+            (std::vector<EnvironmentChange>{{"RCSS_CONF_DIR", "/runs/x y/server-conf"},
+                                            {"USER", std::nullopt},
+                                            {"USERNAME", std::nullopt}}));
 }
 
 TEST(ServerCommand, RealTimeLeavesSynchModeOff) {
