@@ -147,7 +147,9 @@ int random_port() {
 
 }  // namespace
 
-bool port_is_free(int port) { return can_bind(SOCK_DGRAM, port) && can_bind(SOCK_STREAM, port); }
+bool port_is_free(Protocol protocol, int port) {
+  return can_bind(protocol == Protocol::kTcp ? SOCK_STREAM : SOCK_DGRAM, port);
+}
 
 std::vector<PortOwner> owners_of(Protocol protocol, int port) {
   std::set<unsigned long> wanted;
@@ -194,7 +196,8 @@ soccer::Result<std::vector<ReservedPort>> ReservedPort::choose(int count) {
     if (static_cast<int>(ports.size()) == count) return ports;
     const int number = random_port();
     auto mark = reserve(number);
-    if (mark && port_is_free(number)) ports.push_back(ReservedPort(number, *std::move(mark)));
+    const bool free = port_is_free(Protocol::kTcp, number) && port_is_free(Protocol::kUdp, number);
+    if (mark && free) ports.push_back(ReservedPort(number, *std::move(mark)));
   }
   return soccer::Error{
       fmt::format("no {} free ports between {} and {}", count, kLowestPort, kHighestPort)};

@@ -17,8 +17,8 @@ struct PortOwner {
   std::string program;  ///< its name as ps shows it; empty when unknown
 };
 
-/// True when nobody on this machine has bound `port` on any address, for TCP and UDP both.
-bool port_is_free(int port);
+/// True when nobody on this machine has bound `port` on any address.
+bool port_is_free(Protocol protocol, int port);
 
 /// The processes that have bound `port` (TCP: that listen on it). Empty when nobody has.
 std::vector<PortOwner> owners_of(Protocol protocol, int port);

@@ -16,7 +16,8 @@ TEST(Ports, ChosenOnesDifferAndAreFree) {
   ASSERT_TRUE(ports);
   std::set<int> numbers;
   for (const ReservedPort& port : *ports) {
-    EXPECT_TRUE(port_is_free(port.number()));
+    EXPECT_TRUE(port_is_free(Protocol::kTcp, port.number()));
+    EXPECT_TRUE(port_is_free(Protocol::kUdp, port.number()));
     numbers.insert(port.number());
   }
   EXPECT_EQ(numbers.size(), 30U);
@@ -34,8 +35,9 @@ TEST(Ports, ATakenOneIsToldWithItsOwner) {
   const auto child = processes.start_fake({"bind-udp", std::to_string(udp), "listen-tcp",
                                            std::to_string(tcp), "print", "bound", "hang"});
   ASSERT_TRUE(saw_line(*child, "bound"));
-  EXPECT_FALSE(port_is_free(udp));
-  EXPECT_FALSE(port_is_free(tcp));
+  EXPECT_FALSE(port_is_free(Protocol::kUdp, udp));
+  EXPECT_TRUE(port_is_free(Protocol::kTcp, udp));
+  EXPECT_FALSE(port_is_free(Protocol::kTcp, tcp));
   const int pid = child->status().pid;
   EXPECT_EQ(port_taken_text(Protocol::kUdp, udp), "UDP port " + std::to_string(udp) +
                                                       " is taken by cls_fake_proces (process " +
