@@ -16,6 +16,7 @@
 #include "cli/progress_line.h"
 #include "cli/side_script.h"
 #include "cli/terminal.h"
+#include "orchestration/dry_run.h"
 #include "orchestration/match.h"
 #include "soccer/parameter.h"
 
@@ -33,9 +34,13 @@ constexpr const char* kDescription =
     "  cls match mock mock                        the bundled team against itself\n"
     "  cls match mock localhost:50051 --seed 7    against your Playmaker, repeatable\n"
     "  cls match mock mock --cycles 600 --json    a short one, result as JSON\n"
+    "  cls match mock 'run:python3 brain.py --port {port}'     starts and ends your Playmaker\n"
+    "  cls match mock team:../helios --server rcssserver       the real server, a foreign team\n"
+    "  cls match mock mock --server rcssserver --mode realtime\n"
     "\n"
     "A side is  mock | mock:hold | mock:FILE.json | HOST:PORT | HOST:PORT+step | unix:PATH |\n"
-    "run:COMMAND  (+step: player n asks PORT + n).";
+    "run:COMMAND | team:DIR  (+step: player n asks PORT + n; team:DIR: DIR/start or DIR/start.sh).\n"
+    "See docs/matches.md.";
 
 // What CLI11 fills in; turned into MatchOptions once everything is read.
 struct Arguments {
@@ -46,7 +51,9 @@ struct Arguments {
   std::vector<std::string> settings;
   std::string on_late = "hold";
   std::string server = "embedded";
-  std::string mode = "lockstep";
+  std::string mode;
+  bool dry_run = false;
+  bool pin = false;
   std::string folder;
   bool json = false;
   bool quiet = false;
@@ -67,10 +74,18 @@ void add_options(CLI::App& command, Arguments& arguments) {
   command.add_option("--set", arguments.settings, "server::NAME=VALUE, repeatable")
       ->expected(1)
       ->take_all();
-  command.add_option("--server", arguments.server, "soccer server: embedded");
-  command.add_option("--mode", arguments.mode, "how time runs: lockstep");
+  command.add_option("--server", arguments.server,
+                     "embedded, rcssserver, the PATH of a server, or HOST:PORT (embedded)");
+  command.add_option("--mode", arguments.mode,
+                     "how time runs: lockstep, synch or realtime (lockstep; synch with a foreign "
+                     "server or team)");
+  command.add_flag("--coach,!--no-coach", options.coach,
+                   "start the coaches of foreign teams (yes)");
+  command.add_flag("--pin", arguments.pin, "give each side half of the processors for itself");
+  command.add_flag("--dry-run", arguments.dry_run, "print what would be started, start nothing");
   command.add_option("--rpc-deadline", options.rpc_deadline_ms,
-                     "time a Playmaker has for an answer, in ms (10000)");
+                     "time a Playmaker has for an answer, in ms (lockstep 10000, synch 1000, "
+                     "realtime 70)");
   command.add_flag("--no-deadline", options.no_deadline, "wait for ever (a debugger at work)");
   command.add_option("--on-late", arguments.on_late,
                      "commands of a cycle without an answer: hold, last or default (hold)");
@@ -121,8 +136,14 @@ std::vector<std::string> complete(Arguments& arguments) {
   };
   read_side(arguments.left, options.left);
   read_side(arguments.right, options.right);
-  check_word(mistakes, "--server", arguments.server, {"embedded"});
-  check_word(mistakes, "--mode", arguments.mode, {"lockstep"});
+  const auto server = orchestration::parse_server(arguments.server);
+  if (server) options.server_choice = *server;
+  if (!server) mistakes.push_back(server.error().message);
+  if (!arguments.mode.empty()) {
+    const auto mode = orchestration::parse_mode(arguments.mode);
+    if (mode) options.mode = *mode;
+    if (!mode) mistakes.push_back(mode.error().message);
+  }
   check_word(mistakes, "--on-late", arguments.on_late, {"hold", "last", "default"});
   options.on_late = on_late_of(arguments.on_late);
   if (arguments.half_time) options.server.half_time = *arguments.half_time;
@@ -131,6 +152,10 @@ std::vector<std::string> complete(Arguments& arguments) {
     if (!applied) mistakes.push_back("--set: " + applied.error().message);
   }
   options.folder = arguments.folder;
+  if (arguments.pin) {
+    const auto pinned = pin_sides(options);
+    if (!pinned) mistakes.push_back(pinned.error().message);
+  }
   for (std::string& mistake : mistakes_in(options)) mistakes.push_back(std::move(mistake));
   return mistakes;
 }
@@ -140,7 +165,7 @@ int exit_code_of(const MatchResult& result) {
     case EndReason::kFinished:
       return result.write_error.empty() ? kDone : kWriteFailed;
     case EndReason::kRefused:
-      return kUnavailable;
+      return result.try_again ? kTryAgain : kUnavailable;
     case EndReason::kTimedOut:
       return kTimedOut;
     case EndReason::kInterrupted:
@@ -164,6 +189,16 @@ void tell_last_words(const orchestration::ProcessFailure& failure) {
   }
 }
 
+int print_dry_run(const MatchOptions& options) {
+  const auto text = orchestration::dry_run(options);
+  if (!text) {
+    fmt::print(stderr, "cls: {}\n", text.error().message);
+    return kUnavailable;
+  }
+  fmt::print("{}", *text);
+  return kDone;
+}
+
 int run_match_command(Arguments& arguments) {
   const std::vector<std::string> mistakes = complete(arguments);
   for (const std::string& mistake : mistakes) fmt::print(stderr, "cls: {}\n", mistake);
@@ -173,6 +208,7 @@ int run_match_command(Arguments& arguments) {
     if (read != kDone) return read;
   }
 
+  if (arguments.dry_run) return print_dry_run(arguments.options);
   ProgressLine progress(stderr_is_terminal() && !arguments.quiet, arguments.quiet);
   const auto result = run_match(arguments.options, progress, watch_interrupts());
   progress.clear();

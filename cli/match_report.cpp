@@ -56,7 +56,11 @@ class Rows {
     fmt::format_to(std::back_inserter(text_), "  {:<22} {:>18} {:>18}\n", label, left, right);
   }
   void add(std::string_view label, const std::function<std::int64_t(const TeamResult&)>& value) {
-    add(label, fmt::to_string(value(result_.left)), fmt::to_string(value(result_.right)));
+    // A foreign team's doings are not ours to count.
+    const auto text = [&value](const TeamResult& team) {
+      return team.players.empty() ? "-" : fmt::to_string(value(team));
+    };
+    add(label, text(result_.left), text(result_.right));
   }
   std::string take() { return std::move(text_); }
 
@@ -87,6 +91,30 @@ std::string goals_line(const MatchResult& result) {
   return line;
 }
 
+// What can be lost only where the server does not wait.
+void add_losses(Rows& rows) {
+  using Count = std::int64_t PlayerResult::*;
+  const std::pair<const char*, Count> losses[] = {
+      {"cycles not decided", &PlayerResult::undecided},
+      {"commands too late", &PlayerResult::lost_commands},
+      {"late wake-ups", &PlayerResult::late_wakeups}};
+  for (const auto& [label, count] : losses) {
+    rows.add(label, [count = count](const TeamResult& team) {
+      return total(team, [count](const PlayerResult& player) { return player.*count; });
+    });
+  }
+}
+
+std::string server_line(const MatchResult& result) {
+  std::string line = fmt::format("  {}", result.server_kind);
+  if (!result.server_version.empty()) line += fmt::format(" {}", result.server_version);
+  if (result.server_seed) line += fmt::format(", its seed {}", *result.server_seed);
+  line += fmt::format(", cycles somebody missed: {}", result.server_missed_cycles);
+  if (result.server_cpu_seconds)
+    line += fmt::format(", {:.2f} s of CPU", *result.server_cpu_seconds);
+  return line + "\n";
+}
+
 std::string figures(const MatchResult& result) {
   Rows rows(result);
   rows.add("", result.left.name, result.right.name);
@@ -101,6 +129,7 @@ std::string figures(const MatchResult& result) {
   for (const char* kind : {"kick", "dash", "turn", "tackle", "catch"}) {
     rows.add(kind, [kind](const TeamResult& team) { return commands(team, kind); });
   }
+  if (result.mode != "lockstep") add_losses(rows);
   rows.add("cpu seconds", fmt::format("{:.2f}", result.left.cpu_seconds),
            fmt::format("{:.2f}", result.right.cpu_seconds));
   return rows.take();
@@ -121,6 +150,7 @@ std::string match_report(const MatchResult& result, bool colour) {
                  "  {} cycles in {:.1f} s ({:.0f} cycles/s), {}, seed {}{}\n", result.cycles,
                  result.wall_seconds, result.cycles_per_second, result.mode, result.seed,
                  result.deterministic ? "" : ", not deterministic");
+  if (result.mode != "lockstep") text += server_line(result);
   fmt::format_to(std::back_inserter(text), "  {}/\n", result.folder);
   return text;
 }

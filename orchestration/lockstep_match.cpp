@@ -7,6 +7,8 @@
 #include <chrono>
 #include <utility>
 
+#include "orchestration/match_end.h"
+
 namespace cls::orchestration {
 namespace {
 
@@ -22,33 +24,6 @@ double seconds_between(Clock::time_point from, Clock::time_point to) {
 constexpr std::chrono::milliseconds kSignalsTogether{100};
 constexpr std::chrono::milliseconds kProgramGrace{1500};
 constexpr std::chrono::milliseconds kEndBecomesKnown{500};
-
-// What a Playmaker that gives no usable answers is told to have done.
-EndReason reason_of(RpcOutcome outcome) {
-  switch (outcome) {
-    case RpcOutcome::kUnavailable:
-      return EndReason::kCrashed;
-    case RpcOutcome::kProtocolError:
-    case RpcOutcome::kError:
-    case RpcOutcome::kUnimplemented:
-      return EndReason::kProtocolError;
-    default:
-      return EndReason::kLate;
-  }
-}
-
-std::string describe_limit(EndReason reason, const MatchOptions& options) {
-  switch (reason) {
-    case EndReason::kInterrupted:
-      return "interrupted";
-    case EndReason::kTimedOut:
-      return fmt::format("the time limit of {} s was reached", *options.time_limit_s);
-    case EndReason::kRefused:
-      return fmt::format("no answer within the start limit of {} s", options.start_timeout_s);
-    default:
-      return fmt::format("no new cycle for {} s", options.stall_after_s);
-  }
-}
 
 }  // namespace
 
@@ -69,12 +44,14 @@ Result<std::unique_ptr<LockstepMatch>> LockstepMatch::create(
   auto server = simulator::LockstepServer::create(server_config(options, seed));
   if (!server) return server.error();
   match->server_ = std::move(*server);
-  auto left = MatchSide::create(options.left, {soccer::Side::kLeft, names.left, seed, folder, host},
-                                options);
+  auto left = MatchSide::create(
+      options.left, {soccer::Side::kLeft, names.left, seed, folder, host, options.left_cpus},
+      options);
   if (!left) return left.error();
   match->left_ = std::move(*left);
-  auto right = MatchSide::create(options.right,
-                                 {soccer::Side::kRight, names.right, seed, folder, host}, options);
+  auto right = MatchSide::create(
+      options.right, {soccer::Side::kRight, names.right, seed, folder, host, options.right_cpus},
+      options);
   if (!right) return right.error();
   match->right_ = std::move(*right);
   return match;
@@ -180,12 +157,12 @@ void LockstepMatch::check_answers(const MatchSide& side) {
     side.program()->child().wait_exit(kEndBecomesKnown);
     check_programs();
   }
-  if (missing.in_a_row <= options_.max_missed || ended()) return;
+  auto over =
+      end_by_missing_answers(missing, fmt::format("{} ({})", side.name(), side.endpoint().text),
+                             server_->world().clock.time, options_);
+  if (!over || ended()) return;
   if (side.program() != nullptr) failure_ = failure_of(side.program()->child());
-  end(reason_of(missing.last.outcome),
-      fmt::format("{} ({}): player {} had no usable answer for {} cycles, at cycle {}: {}",
-                  side.name(), side.endpoint().text, missing.unum, missing.in_a_row,
-                  server_->world().clock.time, missing.last.message));
+  end(over->reason, std::move(over->message));
 }
 
 void LockstepMatch::pass_on_warnings(MatchObserver& observer) {

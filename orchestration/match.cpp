@@ -10,6 +10,7 @@
 #include "orchestration/lockstep_match.h"
 #include "orchestration/match_chronicle.h"
 #include "orchestration/match_folder.h"
+#include "orchestration/network_match.h"
 #include "orchestration/version.h"
 #include "orchestration/whole_file.h"
 
@@ -23,14 +24,6 @@ using soccer::Result;
 std::uint64_t drawn_seed() {
   // Short enough to be typed again.
   return std::random_device()();
-}
-
-TeamNames names_of(const MatchOptions& options) {
-  const auto name = [](const std::string& given, const Endpoint& endpoint) {
-    return given.empty() ? default_team_name(endpoint) : given;
-  };
-  return distinct_names(name(options.left_name, options.left),
-                        name(options.right_name, options.right));
 }
 
 /// The files that grow while the match runs.
@@ -62,49 +55,110 @@ Result<Logs> open_logs(const fs::path& folder) {
   return logs;
 }
 
-}  // namespace
+/// What every kind of match gets.
+struct MatchContext {
+  const MatchOptions& options;
+  const TeamNames& names;
+  std::uint64_t seed;
+  const fs::path& folder;
+  MatchObserver& observer;
+  const std::atomic<int>& stop_signal;
+};
 
-Result<MatchResult> run_match(const MatchOptions& options, MatchObserver& observer,
-                              const std::atomic<int>& stop_signal) {
-  const auto start = std::chrono::steady_clock::now();
-  const TeamNames names = names_of(options);
-  const std::uint64_t seed = options.seed.value_or(drawn_seed());
-  const auto folder = make_match_folder(options, names);
-  if (!folder) return folder.error();
-  auto logs = open_logs(*folder);
+Result<MatchResult> play_lockstep(const MatchContext& context, ProcessHost* host) {
+  auto logs = open_logs(context.folder);
   if (!logs) return logs.error();
-  if (const auto written = write_file(*folder / kManifestFile, manifest_json(options, names, seed));
-      !written) {
-    return written.error();
-  }
-  std::optional<ProcessHost> host;
-  if (options.left.starts_programs() || options.right.starts_programs()) {
-    auto created = ProcessHost::create();
-    if (!created) return created.error();
-    host.emplace(*std::move(created));
-  }
-  auto match = LockstepMatch::create(options, names, seed, stop_signal, host ? &*host : nullptr,
-                                     fs::absolute(*folder));
+  auto match = LockstepMatch::create(context.options, context.names, context.seed,
+                                     context.stop_signal, host, context.folder);
   if (!match) return match.error();
-
   EventLog events(*logs->events);
   MatchChronicle chronicle(events);
   (*match)->record(*logs->game, *logs->text);
-  chronicle.begin(names, seed);
-  (*match)->play(observer, chronicle);
+  chronicle.begin(context.names, context.seed);
+  (*match)->play(context.observer, chronicle);
 
   MatchResult result = (*match)->result();
   result.goals = chronicle.goals();
   chronicle.end(result);
   result.server_version = kVersion;
-  result.folder = folder->string();
   result.rcg = kGameLogFile;
   result.rcl = kTextLogFile;
   result.write_error = logs->close();
-  result.wall_seconds =
+  return result;
+}
+
+// A match that could not even be begun.
+MatchResult refused(const MatchContext& context, const std::string& message) {
+  MatchResult result;
+  result.left.name = context.names.left;
+  result.left.endpoint = context.options.left.text;
+  result.right.name = context.names.right;
+  result.right.endpoint = context.options.right.text;
+  result.end_reason = EndReason::kRefused;
+  result.message = message;
+  result.seed = context.seed;
+  result.mode = name(mode_of(context.options));
+  result.server_kind = context.options.server_choice.text;
+  return result;
+}
+
+Result<MatchResult> play_network(const MatchContext& context, ProcessHost& host) {
+  auto file = gamelog::FileSink::create((context.folder / kEventsFile).string());
+  if (!file) return file.error();
+  for (const char* old : {kGameLogFile, kTextLogFile}) {
+    std::error_code code;
+    fs::remove(context.folder / old, code);
+  }
+  EventLog events(**file);
+  auto match = NetworkMatch::create(context.options, context.names, context.seed,
+                                    context.stop_signal, host, context.folder);
+  if (!match) return refused(context, match.error().message);
+  (*match)->play(context.observer);
+  MatchResult result = (*match)->result();
+  (*match)->write_events(events, result);
+  if (const auto closed = (*file)->close(); !closed) result.write_error = closed.error().message;
+  return result;
+}
+
+Result<MatchResult> play(const MatchContext& context) {
+  const bool lockstep = mode_of(context.options) == MatchMode::kLockstep;
+  const bool alone = lockstep && !context.options.left.starts_programs() &&
+                     !context.options.right.starts_programs();
+  if (alone) return play_lockstep(context, nullptr);
+  auto host = ProcessHost::create();
+  if (!host) return host.error();
+  return lockstep ? play_lockstep(context, &*host) : play_network(context, *host);
+}
+
+}  // namespace
+
+TeamNames team_names(const MatchOptions& options) {
+  const auto name = [](const std::string& given, const Endpoint& endpoint) {
+    return given.empty() ? default_team_name(endpoint) : given;
+  };
+  return distinct_names(name(options.left_name, options.left),
+                        name(options.right_name, options.right));
+}
+
+Result<MatchResult> run_match(const MatchOptions& options, MatchObserver& observer,
+                              const std::atomic<int>& stop_signal) {
+  const auto start = std::chrono::steady_clock::now();
+  const TeamNames names = team_names(options);
+  const std::uint64_t seed = options.seed.value_or(drawn_seed());
+  const auto folder = make_match_folder(options, names);
+  if (!folder) return folder.error();
+  if (const auto written = write_file(*folder / kManifestFile, manifest_json(options, names, seed));
+      !written) {
+    return written.error();
+  }
+  const fs::path whole = fs::absolute(*folder);
+  auto result = play({options, names, seed, whole, observer, stop_signal});
+  if (!result) return result;
+  result->folder = folder->string();
+  result->wall_seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  const auto written = write_file(*folder / kResultFile, to_json(result));
-  if (!written && result.write_error.empty()) result.write_error = written.error().message;
+  const auto written = write_file(*folder / kResultFile, to_json(*result));
+  if (!written && result->write_error.empty()) result->write_error = written.error().message;
   return result;
 }
 

@@ -10,11 +10,14 @@
 
 namespace cls::orchestration {
 
-/// Plays one match on the embedded server: starts bundled mocks, connects and registers both
-/// teams, plays in lockstep to the end, writes rcg, rcl, events, manifest and result into the
-/// match folder. Whatever goes wrong in play is told by the result's end reason, and what was
-/// played until then is written. An error means that the folder or a file in it could not be
-/// created; nothing was played then.
+/// The names both teams shall play under: as the options say, else from the endpoints, told apart.
+TeamNames team_names(const MatchOptions& options);
+
+/// Plays one match: starts mocks, Playmakers, foreign teams and a foreign server as the options
+/// want them, connects and registers both teams, plays to the end, writes rcg, rcl, events,
+/// manifest and result into the match folder, and leaves nothing running. Whatever goes wrong in
+/// play is told by the result's end reason, and what was played until then is written. An error
+/// means that the folder or a file in it could not be created; nothing was played then.
 ///
 /// `stop_signal` becomes nonzero (the signal's number) when the match shall end in order.
 soccer::Result<MatchResult> run_match(const MatchOptions& options, MatchObserver& observer,

@@ -70,23 +70,31 @@ Result<fs::path> make_match_folder(const MatchOptions& options, const TeamNames&
 }
 
 std::string manifest_json(const MatchOptions& options, const TeamNames& names, std::uint64_t seed) {
+  const auto deadline = decision_deadline(options);
   Json settings = Json::object();
   add_settings(settings, "server", options.server, soccer::server_param_table());
   add_settings(settings, "player", options.player, soccer::player_param_table());
-  const Json document = {
-      {"schema", "cls.manifest/1"},
-      {"started", utc_now("{:%Y-%m-%dT%H:%M:%SZ}")},
-      {"host", host_name()},
-      {"folder", fs::current_path().string()},
-      {"command", options.command_line},
-      {"cls", kVersion},
-      {"seed", seed},
-      {"left", {{"name", names.left}, {"endpoint", options.left.text}}},
-      {"right", {{"name", names.right}, {"endpoint", options.right.text}}},
-      {"cycles", options.cycles ? Json(*options.cycles) : Json(nullptr)},
-      {"protocol", options.protocol},
-      {"rpc_deadline_ms", options.no_deadline ? Json(nullptr) : Json(options.rpc_deadline_ms)},
-      {"settings", std::move(settings)}};
+  const auto side = [](const std::string& team, const Endpoint& endpoint,
+                       const std::vector<int>& cpus) {
+    Json described = {{"name", team}, {"endpoint", endpoint.text}};
+    if (!cpus.empty()) described["cpus"] = cpus;
+    return described;
+  };
+  const Json document = {{"schema", "cls.manifest/1"},
+                         {"started", utc_now("{:%Y-%m-%dT%H:%M:%SZ}")},
+                         {"host", host_name()},
+                         {"folder", fs::current_path().string()},
+                         {"command", options.command_line},
+                         {"cls", kVersion},
+                         {"seed", seed},
+                         {"left", side(names.left, options.left, options.left_cpus)},
+                         {"right", side(names.right, options.right, options.right_cpus)},
+                         {"cycles", options.cycles ? Json(*options.cycles) : Json(nullptr)},
+                         {"protocol", options.protocol},
+                         {"rpc_deadline_ms", deadline ? Json(deadline->count()) : Json(nullptr)},
+                         {"server", options.server_choice.text},
+                         {"mode", name(mode_of(options))},
+                         {"settings", std::move(settings)}};
   return document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

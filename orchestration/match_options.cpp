@@ -2,6 +2,9 @@
 #include "orchestration/match_options.h"
 
 #include <fmt/format.h>
+#include <sched.h>
+
+#include <functional>
 
 #include "mock-server/mock.h"
 #include "orchestration/lockstep_match.h"
@@ -36,6 +39,72 @@ Result<void> apply_setting(MatchOptions& options, std::string_view setting) {
   return Error{fmt::format("'{}': the module is server or player, not '{}'", setting, module)};
 }
 
+MatchMode mode_of(const MatchOptions& options) {
+  if (options.mode) return *options.mode;
+  const bool foreign = options.server_choice.kind != ServerChoice::Kind::kEmbedded ||
+                       !options.left.has_playmaker() || !options.right.has_playmaker();
+  return foreign ? MatchMode::kSynch : MatchMode::kLockstep;
+}
+
+std::optional<std::chrono::milliseconds> decision_deadline(const MatchOptions& options) {
+  if (options.no_deadline) return std::nullopt;
+  if (options.rpc_deadline_ms) return std::chrono::milliseconds(*options.rpc_deadline_ms);
+  switch (mode_of(options)) {
+    case MatchMode::kSynch:
+      return std::chrono::milliseconds(1000);
+    case MatchMode::kRealtime:
+      return std::chrono::milliseconds(70);
+    case MatchMode::kLockstep:
+      break;
+  }
+  return std::chrono::milliseconds(10'000);
+}
+
+Result<void> pin_sides(MatchOptions& options) {
+  cpu_set_t allowed;
+  CPU_ZERO(&allowed);
+  std::vector<int> cpus;
+  if (::sched_getaffinity(0, sizeof allowed, &allowed) == 0) {
+    for (int cpu = 0; cpu < CPU_SETSIZE; ++cpu) {
+      if (CPU_ISSET(static_cast<std::size_t>(cpu), &allowed)) cpus.push_back(cpu);
+    }
+  }
+  if (cpus.size() < 2) return Error{"--pin: there is only one processor to use"};
+  const auto half = static_cast<std::ptrdiff_t>(cpus.size() / 2);
+  options.left_cpus.assign(cpus.begin(), cpus.begin() + half);
+  options.right_cpus.assign(cpus.begin() + half, cpus.begin() + 2 * half);
+  return {};
+}
+
+namespace {
+
+using Demand = std::function<void(bool holds, std::string message)>;
+
+// Which server, which mode and which sides go together.
+void check_server_and_mode(const MatchOptions& options, const Demand& demand) {
+  const bool embedded = options.server_choice.kind == ServerChoice::Kind::kEmbedded;
+  const bool lockstep = mode_of(options) == MatchMode::kLockstep;
+  demand(!lockstep || embedded, "--mode lockstep needs the embedded server: say synch or realtime");
+  demand(!embedded || mode_of(options) != MatchMode::kRealtime,
+         "--mode realtime needs another server: --server rcssserver");
+  const bool there = options.server_choice.kind == ServerChoice::Kind::kAddress;
+  const std::string& where = options.server_choice.text;
+  const bool stock =
+      options.server == match_server_params() && options.player == soccer::PlayerParams();
+  demand(!there || stock,
+         fmt::format("the server at {} has settings of its own: no --set, no --half-time", where));
+  for (const Endpoint* side : {&options.left, &options.right}) {
+    demand(!lockstep || side->has_playmaker(),
+           fmt::format("--mode lockstep has no place for side '{}': say synch or realtime",
+                       side->text));
+    demand(!there || side->has_playmaker(),
+           fmt::format("side '{}' needs a server that cls starts: nobody at {} tells who joins",
+                       side->text, where));
+  }
+}
+
+}  // namespace
+
 std::vector<std::string> mistakes_in(const MatchOptions& options) {
   std::vector<std::string> mistakes;
   const auto demand = [&mistakes](bool holds, std::string message) {
@@ -49,7 +118,8 @@ std::vector<std::string> mistakes_in(const MatchOptions& options) {
   demand(options.protocol >= 14 && options.protocol <= 19,
          fmt::format("--protocol {}: agents speak versions 14 to 19", options.protocol));
   demand(!options.cycles || *options.cycles > 0, "--cycles must be positive");
-  demand(options.rpc_deadline_ms > 0, "--rpc-deadline must be positive");
+  demand(options.rpc_deadline_ms.value_or(1) > 0, "--rpc-deadline must be positive");
+  check_server_and_mode(options, demand);
   demand(options.max_missed >= 0, "--max-missed must not be negative");
   demand(options.start_timeout_s > 0, "--start-timeout must be positive");
   demand(options.stall_after_s > 0, "--stall-after must be positive");

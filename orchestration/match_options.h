@@ -1,6 +1,7 @@
 // Everything a user can say about one match.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -8,6 +9,7 @@
 #include <vector>
 
 #include "orchestration/endpoint.h"
+#include "orchestration/server_choice.h"
 #include "proxy/player_agent.h"
 #include "soccer/player_params.h"
 #include "soccer/result.h"
@@ -31,10 +33,16 @@ struct MatchOptions {
   soccer::ServerParams server = match_server_params();
   soccer::PlayerParams player;
 
+  ServerChoice server_choice;
+  std::optional<MatchMode> mode;  ///< none: see mode_of()
+  bool coach = true;              ///< foreign teams start their coach
+  std::vector<int> left_cpus;     ///< processors of that side's programs and agents; empty: all
+  std::vector<int> right_cpus;    ///< see pin_sides()
+
   std::filesystem::path folder;  ///< empty: ./runs/<UTC>-<left>-vs-<right>
 
-  int protocol = 18;  ///< version our agents speak, 14 to 19
-  int rpc_deadline_ms = 10'000;
+  int protocol = 18;                   ///< version our agents speak, 14 to 19
+  std::optional<int> rpc_deadline_ms;  ///< none: as the mode needs it, see decision_deadline()
   bool no_deadline = false;
   proxy::OnLate on_late = proxy::OnLate::kHold;
   int max_missed = 20;                 ///< missed decisions in a row of one player
@@ -47,6 +55,17 @@ struct MatchOptions {
 
 /// Sets a parameter from `server::NAME=VALUE` or `player::NAME=VALUE`.
 soccer::Result<void> apply_setting(MatchOptions& options, std::string_view setting);
+
+/// Gives each side half of the processors that this process may use. The error says that there is
+/// only one.
+soccer::Result<void> pin_sides(MatchOptions& options);
+
+/// The mode asked for; else lockstep, or synch when the server or a team is foreign.
+MatchMode mode_of(const MatchOptions& options);
+
+/// How long a Playmaker may take for a decision; nothing: for ever. By default 10 s in lockstep, 1
+/// s in synch mode (rcssserver goes on after 1.25 s), 70 ms in real time.
+std::optional<std::chrono::milliseconds> decision_deadline(const MatchOptions& options);
 
 /// Every contradiction and every value out of range, one line each; empty when all is well.
 std::vector<std::string> mistakes_in(const MatchOptions& options);

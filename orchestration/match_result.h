@@ -72,6 +72,7 @@ struct MatchResult {
   EndReason end_reason = EndReason::kFinished;
   std::string message;  ///< one line on what went wrong; empty when finished
   std::optional<ProcessFailure> failure;
+  bool try_again = false;   ///< nothing was started: a port that must be used is taken
   int signal = 0;           ///< that interrupted the match, else 0
   std::string write_error;  ///< first file that could not be written to its end; empty: none
   int cycles = 0;           ///< last game time
@@ -81,8 +82,11 @@ struct MatchResult {
   bool deterministic = true;
   std::string server_kind = "embedded";
   std::string server_version;
-  double wall_seconds = 0.0;       ///< of the whole match, start included
-  double cycles_per_second = 0.0;  ///< cycles over the time from first step to last
+  std::optional<std::uint64_t> server_seed;  ///< drawn by a foreign server; none: `seed`
+  std::int64_t server_missed_cycles = 0;     ///< that a foreign server had to do without an answer
+  std::optional<double> server_cpu_seconds;  ///< of a server process that we started
+  double wall_seconds = 0.0;                 ///< of the whole match, start included
+  double cycles_per_second = 0.0;            ///< cycles over the time from first step to last
   std::vector<Goal> goals;
   std::vector<std::string> warnings;
   std::vector<ProcessResult> processes;

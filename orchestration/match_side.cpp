@@ -20,8 +20,7 @@ proxy::TeamOptions team_options(const std::string& name, const MatchOptions& opt
   team.name = soccer::TeamName(name);
   team.protocol = options.protocol;
   team.on_late = options.on_late;
-  team.decision_timeout =
-      options.no_deadline ? proxy::kNoTimeout : proxy::RpcTimeout(options.rpc_deadline_ms);
+  team.decision_timeout = decision_deadline(options).value_or(proxy::kNoTimeout);
   team.start_timeout = milliseconds_of(options.start_timeout_s);
   return team;
 }
@@ -77,8 +76,8 @@ Result<std::unique_ptr<MatchSide>> MatchSide::create(const Endpoint& endpoint,
     side->mock_ = std::move(*mock);
     side->playmaker_ = proxy::make_grpc_playmaker(side->mock_->in_process_channel(), endpoint.text);
   } else if (endpoint.kind == Endpoint::Kind::kRun) {
-    auto program = PlaymakerProgram::start(*setup.host, endpoint,
-                                           {0, setup.side, setup.name, setup.seed}, setup.folder);
+    auto program = PlaymakerProgram::start(
+        *setup.host, endpoint, {0, setup.side, setup.name, setup.seed}, setup.folder, setup.cpus);
     if (!program) return program.error();
     side->program_ = std::move(*program);
     proxy::GrpcTarget target;
@@ -88,6 +87,7 @@ Result<std::unique_ptr<MatchSide>> MatchSide::create(const Endpoint& endpoint,
   } else {
     side->playmaker_ = proxy::make_grpc_playmaker(target_of(endpoint));
   }
+  side->worker_.run_on(setup.cpus);
   side->team_ =
       std::make_unique<proxy::Team>(team_options(side->name_, options), *side->playmaker_);
   return side;

@@ -23,6 +23,7 @@ struct SideSetup {
   std::uint64_t seed = 0;
   std::filesystem::path folder;  ///< of the match
   ProcessHost* host = nullptr;   ///< for sides that start programs
+  std::vector<int> cpus;         ///< processors of agents and Playmaker; empty: all
 };
 
 /// Owns everything of one side. The team is used by `worker` only while work is under way there.

@@ -43,12 +43,14 @@ ProcessResult result_of(const Child& child) {
 
 Result<std::unique_ptr<PlaymakerProgram>> PlaymakerProgram::start(
     ProcessHost& host, const Endpoint& endpoint, RunValues values,
-    const std::filesystem::path& folder) {
+    const std::filesystem::path& folder, std::vector<int> cpus) {
   auto ports = ReservedPort::choose(1);
   if (!ports) return ports.error();
   std::unique_ptr<PlaymakerProgram> program(new PlaymakerProgram(std::move(ports->front())));
   values.port = program->port();
-  auto child = host.start(run_plan(endpoint.command, values, folder));
+  CommandPlan plan = run_plan(endpoint.command, values, folder);
+  plan.cpus = std::move(cpus);
+  auto child = host.start(plan);
   if (!child) return child.error();
   program->child_ = std::move(*child);
   return program;

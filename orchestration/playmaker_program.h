@@ -26,7 +26,7 @@ class PlaymakerProgram {
   /// `values.port` is chosen here. The log goes into `folder`.
   static soccer::Result<std::unique_ptr<PlaymakerProgram>> start(
       ProcessHost& host, const Endpoint& endpoint, RunValues values,
-      const std::filesystem::path& folder);
+      const std::filesystem::path& folder, std::vector<int> cpus = {});
 
   int port() const { return port_.number(); }
   const Child& child() const { return *child_; }

@@ -1,6 +1,9 @@
 // Handing work to a thread and waiting for it.
 #include "orchestration/worker.h"
 
+#include <pthread.h>
+#include <sched.h>
+
 #include <cassert>
 #include <ctime>
 #include <utility>
@@ -54,6 +57,14 @@ void Worker::loop() {
     busy_ = false;
     changed_.notify_all();
   }
+}
+
+void Worker::run_on(const std::vector<int>& cpus) {
+  if (cpus.empty()) return;
+  cpu_set_t set;
+  CPU_ZERO(&set);
+  for (const int cpu : cpus) CPU_SET(static_cast<std::size_t>(cpu), &set);
+  ::pthread_setaffinity_np(thread_.native_handle(), sizeof set, &set);
 }
 
 }  // namespace cls::orchestration

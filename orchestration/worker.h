@@ -6,6 +6,7 @@
 #include <functional>
 #include <mutex>
 #include <thread>
+#include <vector>
 
 namespace cls::orchestration {
 
@@ -24,6 +25,9 @@ class Worker {
 
   /// True when the work is done, false when it is not yet after `limit`.
   bool wait_for(std::chrono::milliseconds limit);
+
+  /// Ties the thread to these processors (none: no change). Before the first work.
+  void run_on(const std::vector<int>& cpus);
 
   /// CPU time of the thread so far. Call while no work is under way.
   double cpu_seconds() const { return cpu_seconds_; }

@@ -99,7 +99,8 @@ TEST(MatchCommand, UsageMistakesAreOneLineEachAndExitWith2) {
       {{"mock", "mock", "--set", "server::half_time=x"},
        "cls: --set: parameter 'half_time': 'x' is not a whole number\n"},
       {{"mock", "mock", "--left-name", "two words"}, "only letters, digits"},
-      {{"mock", "mock", "--server", "rcsserver"}, "cls: --server 'rcsserver': must be embedded\n"},
+      {{"mock", "mock", "--server", "rcsserver"},
+       "cls: --server 'rcsserver': did you mean 'rcssserver'?"},
       {{"mock", "mock", "--on-late", "hodl"}, "cls: --on-late 'hodl': did you mean 'hold'?\n"},
   };
   for (const Mistake& mistake : mistakes) {

@@ -6,11 +6,14 @@
 
 #include <cstdlib>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
 #include <vector>
 
 #include "tests/support/command.h"
+#include "tests/support/files.h"
+#include "tests/support/marked_processes.h"
 #include "tests/support/temporary_folder.h"
 
 namespace {
@@ -102,6 +105,41 @@ TEST_F(RealServer, PlaysInSynchronousModeWithoutAMissedCycle) {
               std::string::npos)
         << played.out;
   }
+}
+
+TEST_F(RealServer, IsStartedByMatchAndLeavesNothing) {
+  const std::string mark = cls::tests::new_mark();
+  const std::string folder = folder_.path() / "match";
+  const auto played =
+      cls::tests::run({cls_binary(), "match", "mock", "mock", "--server", real_server(),
+                       "--half-time", "10", "--dir", folder, "--set", "server::kick_off_wait=5"},
+                      {std::string(cls::tests::kMarkVariable) + "=" + mark, "USER=root"});
+  EXPECT_EQ(played.exit_code, 0) << played.err;
+  EXPECT_EQ(played.err, "");
+  EXPECT_TRUE(cls::tests::marked_processes(mark).empty());
+  const auto result = nlohmann::json::parse(cls::tests::read_file(folder + "/result.json"));
+  EXPECT_EQ(result["end_reason"], "finished");
+  EXPECT_EQ(result["cycles"], 200);
+  EXPECT_FALSE(result["server"]["version"].get<std::string>().empty());
+  EXPECT_EQ(result["server"]["missed_cycles"], 0);
+  EXPECT_GT(result["server"]["seed"], 0);
+  EXPECT_EQ(result["processes"][0]["exit"], "exit code 0");
+  // What it drew stands in its own line.
+  const std::string log = cls::tests::read_file(folder + "/server.log");
+  EXPECT_NE(log.find("Simulator Random Seed: " + result["server"]["seed"].dump()),
+            std::string::npos);
+  EXPECT_NE(log.find(folder + "/server-conf/server.conf"), std::string::npos);
+}
+
+TEST_F(RealServer, IsStartedByMatchInRealTime) {
+  const std::string folder = folder_.path() / "match";
+  const auto played = cls::tests::run({cls_binary(), "match", "mock", "mock", "--server",
+                                       real_server(), "--mode", "realtime", "--half-time", "2",
+                                       "--dir", folder, "--set", "server::kick_off_wait=5"});
+  EXPECT_EQ(played.exit_code, 0) << played.err;
+  const auto result = nlohmann::json::parse(cls::tests::read_file(folder + "/result.json"));
+  EXPECT_EQ(result["cycles"], 40);
+  EXPECT_EQ(result["mode"], "realtime");
 }
 
 // On a loaded machine some cycles are missed: what is required is that they are few.

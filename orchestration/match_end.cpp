@@ -1,0 +1,47 @@
+// Reasons and messages that all kinds of matches share.
+#include "orchestration/match_end.h"
+
+#include <fmt/format.h>
+
+namespace cls::orchestration {
+
+using proxy::RpcOutcome;
+
+EndReason reason_of(RpcOutcome outcome) {
+  switch (outcome) {
+    case RpcOutcome::kUnavailable:
+      return EndReason::kCrashed;
+    case RpcOutcome::kProtocolError:
+    case RpcOutcome::kError:
+    case RpcOutcome::kUnimplemented:
+      return EndReason::kProtocolError;
+    default:
+      return EndReason::kLate;
+  }
+}
+
+std::string describe_limit(EndReason reason, const MatchOptions& options) {
+  switch (reason) {
+    case EndReason::kInterrupted:
+      return "interrupted";
+    case EndReason::kTimedOut:
+      return fmt::format("the time limit of {} s was reached", options.time_limit_s.value_or(0));
+    case EndReason::kRefused:
+      return fmt::format("no answer within the start limit of {} s", options.start_timeout_s);
+    default:
+      return fmt::format("no new cycle for {} s", options.stall_after_s);
+  }
+}
+
+std::optional<MatchEnd> end_by_missing_answers(const proxy::MissingAnswers& missing,
+                                               const std::string& who, int cycle,
+                                               const MatchOptions& options) {
+  if (missing.in_a_row <= options.max_missed) return std::nullopt;
+  MatchEnd end;
+  end.reason = reason_of(missing.last.outcome);
+  end.message = fmt::format("{}: player {} had no usable answer for {} cycles, at cycle {}: {}",
+                            who, missing.unum, missing.in_a_row, cycle, missing.last.message);
+  return end;
+}
+
+}  // namespace cls::orchestration

@@ -1,0 +1,149 @@
+// A match over UDP: a soccer server as a process of its own or somewhere else, our teams and
+// foreign ones.
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "orchestration/deadline_watch.h"
+#include "orchestration/event_log.h"
+#include "orchestration/foreign_team.h"
+#include "orchestration/game_log_follower.h"
+#include "orchestration/match_end.h"
+#include "orchestration/match_observer.h"
+#include "orchestration/match_options.h"
+#include "orchestration/match_result.h"
+#include "orchestration/own_team.h"
+#include "orchestration/process/ports.h"
+#include "orchestration/process/process_host.h"
+#include "orchestration/server_command.h"
+#include "orchestration/server_output.h"
+#include "soccer/result.h"
+
+namespace cls::orchestration {
+
+/// Everything that a match over UDP will start, before it starts it: for --dry-run too.
+struct NetworkPlan {
+  std::string server_host = "127.0.0.1";
+  ServerPorts ports;
+  std::optional<CommandPlan> server;             ///< none: it runs already
+  std::array<std::optional<TeamPlan>, 2> teams;  ///< of `team:` sides, left and right
+  std::vector<ReservedPort> reserved;            ///< held for the server
+};
+
+/// Finds programs and folders and chooses ports. The error says what is missing. With a team whose
+/// start script knows no ports the server gets 6000, 6001 and 6002.
+soccer::Result<NetworkPlan> plan_network_match(const MatchOptions& options, const TeamNames& names,
+                                               std::uint64_t seed,
+                                               const std::filesystem::path& folder);
+
+/// The first port of the plan that somebody has already, with its owner; empty when all are free.
+std::string taken_port(const NetworkPlan& plan);
+
+/// One match. Use: create, play once, then read result(). The match's thread starts and watches;
+/// our teams live on threads of their own.
+class NetworkMatch {
+ public:
+  /// Programs are started by `host`, which must outlive the match, as must the options.
+  static soccer::Result<std::unique_ptr<NetworkMatch>> create(
+      const MatchOptions& options, const TeamNames& names, std::uint64_t seed,
+      const std::atomic<int>& stop_signal, ProcessHost& host, const std::filesystem::path& folder);
+
+  /// Starts everything in order, plays to the end, and leaves nothing running.
+  void play(MatchObserver& observer);
+
+  /// What came of it, from the server's own log where there is one.
+  MatchResult result() const;
+
+  /// Goals and play modes from the server's log, once the match is over.
+  void write_events(EventLog& events, const MatchResult& result) const;
+
+ private:
+  /// A foreign agent that ended in play: before the match did, or because it did?
+  struct Departure {
+    const Child* agent = nullptr;
+    int cycle = 0;
+    DeadlineWatch::Clock::time_point at;
+  };
+
+  /// One of both teams is set.
+  struct Side {
+    std::unique_ptr<OwnTeam> own;
+    std::unique_ptr<ForeignTeam> foreign;
+    std::optional<Departure> departure;
+    std::string name;                ///< that the team shall have
+    bool name_is_asked_for = false;  ///< by the user, not made from the endpoint
+    std::string endpoint;
+  };
+
+  NetworkMatch(const MatchOptions& options, std::uint64_t seed, const std::atomic<int>& stop_signal,
+               ProcessHost& host, std::filesystem::path folder);
+
+  void start_sides();
+  void wait_for_playmakers(MatchObserver& observer);
+  void start_server(MatchObserver& observer);
+  void wait_for_address(MatchObserver& observer);
+  void join(std::size_t index, MatchObserver& observer);
+  void join_foreign(Side& side, MatchObserver& observer);
+  void check_name(const Side& side, MatchObserver& observer);
+  void introduce(MatchObserver& observer);
+  void play_cycles(MatchObserver& observer);
+  void finish_play();
+  void end_server();
+  void finish();
+  void await_gone();
+
+  /// False when the match ended first. `what` says what did not happen, should the start limit be
+  /// reached.
+  bool wait_until(const std::function<bool()>& reached, std::function<std::string()> what);
+  void check();
+  void check_server();
+  void check_side(Side& side);
+  void check_foreign(Side& side);
+  bool left_before_the_end(const Side& side) const;
+  void end_by_death(const Side& side, const Child& child, int cycle);
+  void look(MatchObserver& observer);
+  bool cycle_limit_reached() const;
+  bool match_is_over() const;
+  void end(EndReason reason, std::string message, const Child* failed = nullptr);
+  bool ended() const { return end_.has_value(); }
+  void tell_news(MatchObserver& observer);
+  void warn(MatchObserver& observer, std::string line);
+  int cycle_now() const;
+  std::string team_name(std::size_t index) const;
+  std::string name_hint(const Side& side) const;
+
+  void read_log(MatchResult& result) const;
+  void do_without_log(MatchResult& result, const std::string& why) const;
+  void compare_with_own(MatchResult& result) const;
+  void take_own_view(MatchResult& result) const;
+
+  const MatchOptions& options_;
+  std::uint64_t seed_;
+  ProcessHost& host_;
+  std::filesystem::path folder_;
+  DeadlineWatch watch_;
+  NetworkPlan plan_;
+  ServerOutput output_;
+  GameLogFollower log_;
+  std::shared_ptr<Child> server_;
+  std::array<Side, 2> sides_;
+  std::optional<MatchEnd> end_;
+  std::function<std::string()> waiting_for_;
+  bool playing_ = false;
+  bool try_again_ = false;
+  std::int64_t cycles_seen_ = 0;
+  std::size_t departures_told_ = 0;
+  std::vector<std::string> warnings_;
+  std::vector<ProcessResult> processes_;
+  DeadlineWatch::Clock::time_point first_cycle_;
+  DeadlineWatch::Clock::time_point last_cycle_;
+};
+
+}  // namespace cls::orchestration
