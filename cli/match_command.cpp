@@ -39,7 +39,7 @@ constexpr const char* kDescription =
     "  cls match mock mock --server rcssserver --mode realtime\n"
     "\n"
     "A side is  mock | mock:hold | mock:FILE.json | HOST:PORT | HOST:PORT+step | unix:PATH |\n"
-    "run:COMMAND | team:DIR  (+step: player n asks PORT + n; team:DIR: DIR/start or DIR/start.sh).\n"
+    "run:COMMAND | team:DIR  (+step: player n asks PORT + n; team: DIR/start or DIR/start.sh).\n"
     "See docs/matches.md.";
 
 // What CLI11 fills in; turned into MatchOptions once everything is read.
