@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 #include <sched.h>
 
+#include <algorithm>
 #include <functional>
+#include <variant>
 
 #include "mock-server/mock.h"
 #include "orchestration/lockstep_match.h"
@@ -80,17 +82,22 @@ namespace {
 
 using Demand = std::function<void(bool holds, std::string message)>;
 
+template <typename Params>
+bool same(const Params& one, const Params& other, const soccer::ParameterTable<Params>& table) {
+  return std::all_of(table.begin(), table.end(), [&](const auto& row) {
+    return std::visit([&](auto member) { return one.*member == other.*member; }, row.member);
+  });
+}
+
 // Which server, which mode and which sides go together.
 void check_server_and_mode(const MatchOptions& options, const Demand& demand) {
   const bool embedded = options.server_choice.kind == ServerChoice::Kind::kEmbedded;
   const bool lockstep = mode_of(options) == MatchMode::kLockstep;
   demand(!lockstep || embedded, "--mode lockstep needs the embedded server: say synch or realtime");
-  demand(!embedded || mode_of(options) != MatchMode::kRealtime,
-         "--mode realtime needs another server: --server rcssserver");
   const bool there = options.server_choice.kind == ServerChoice::Kind::kAddress;
   const std::string& where = options.server_choice.text;
-  const bool stock =
-      options.server == match_server_params() && options.player == soccer::PlayerParams();
+  const bool stock = same(options.server, match_server_params(), soccer::server_param_table()) &&
+                     same(options.player, soccer::PlayerParams(), soccer::player_param_table());
   demand(!there || stock,
          fmt::format("the server at {} has settings of its own: no --set, no --half-time", where));
   for (const Endpoint* side : {&options.left, &options.right}) {

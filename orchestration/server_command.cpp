@@ -79,6 +79,8 @@ CommandPlan server_plan(const ServerSetup& setup) {
   // By their names it would find, and rename, the configuration of old versions in the user's home.
   for (const char* name : {"USER", "USERNAME"}) plan.environment.push_back({name, std::nullopt});
   add_differences(plan.argv, "server", decided(setup), soccer::server_param_table());
+  // Ours is synchronous unless it is told otherwise.
+  if (setup.mode == MatchMode::kRealtime) plan.argv.push_back("server::synch_mode=off");
   add_differences(plan.argv, "player", setup.player, soccer::player_param_table());
   return plan;
 }

@@ -10,8 +10,6 @@ struct PlayerParams {
 #define CLS_PLAYER_PARAM(type, name, value, since, effect) type name = value;
 #include "soccer/player_params.inc"
 #undef CLS_PLAYER_PARAM
-
-  bool operator==(const PlayerParams&) const = default;
 };
 
 /// All rows, sorted by name as the server sends them.

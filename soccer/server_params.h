@@ -15,8 +15,6 @@ struct ServerParams {
 #include "soccer/server_params.inc"
 #undef CLS_SERVER_PARAM
 
-  bool operator==(const ServerParams&) const = default;
-
   /// Length of a normal half in cycles; zero or negative: no time limit.
   int half_time_cycles() const;
   /// Length of an extra half in cycles.

@@ -154,6 +154,13 @@ TEST_F(NetworkMatch, PlaysOnTheEmbeddedServerOverUdp) {
   EXPECT_EQ(result_["server"]["seed"], 7);
 }
 
+TEST_F(NetworkMatch, PlaysOnTheEmbeddedServerInRealTime) {
+  play("mock", "embedded", {"--mode", "realtime", "--half-time", "1"});
+  expect_finished();
+  EXPECT_EQ(result_["cycles"], 20);
+  EXPECT_EQ(result_["mode"], "realtime");
+}
+
 TEST_F(NetworkMatch, PlaysOnAServerThatRunsAlready) {
   Command running({cls::tests::cls_binary(), "server", "--port", "0", "--dir", folder_.path(),
                    "server::half_time=3", "server::kick_off_wait=3", "server::nr_extra_halfs=0",
@@ -464,13 +471,6 @@ TEST(MatchOptions, AServerThatRunsHasItsOwnSettings) {
   EXPECT_NE(answer.err.find("the server at localhost:6000 has settings of its own"),
             std::string::npos);
   EXPECT_NE(answer.err.find("side 'team:x' needs a server that cls starts"), std::string::npos);
-}
-
-TEST(MatchOptions, TheEmbeddedServerDoesNotPlayInRealTime) {
-  const auto answer =
-      cls::tests::run({cls::tests::cls_binary(), "match", "mock", "mock", "--mode", "realtime"});
-  EXPECT_EQ(answer.exit_code, 2);
-  EXPECT_NE(answer.err.find("--mode realtime needs another server"), std::string::npos);
 }
 
 TEST(MatchOptions, LockstepHasNoPlaceForForeigners) {
