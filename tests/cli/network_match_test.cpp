@@ -167,7 +167,8 @@ TEST_F(NetworkMatch, PlaysOnAServerThatRunsAlready) {
                    "server::penalty_shoot_outs=off"});
   ASSERT_TRUE(running.wait_for_output("Hit CTRL-C"));
   const std::string line = running.out().substr(0, running.out().find('\n'));
-  play("mock", "127.0.0.1:" + line.substr(line.find(':') + 1), {}, {});
+  const std::size_t port = line.find(':') + 1;
+  play("mock", "127.0.0.1:" + line.substr(port, line.find(',') - port), {}, {});
   expect_finished();
   EXPECT_EQ(result_["cycles"], 60);
   EXPECT_EQ(result_["mode"], "synch");

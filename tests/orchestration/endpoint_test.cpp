@@ -35,8 +35,8 @@ TEST(Endpoint, ReadsEveryForm) {
 
 TEST(Endpoint, NamesTheMistakeAndTheForms) {
   EXPECT_EQ(error_of("moc"),
-            "unknown side 'moc'; did you mean 'mock'? (a side is mock, mock:BEHAVIOUR, HOST:PORT, "
-            "HOST:PORT+step, unix:PATH, run:COMMAND or team:DIR)");
+            "unknown side 'moc'; did you mean 'mock'? (a side is mock, mock:BEHAVIOUR, "
+            "mock:FILE.json, HOST:PORT, HOST:PORT+step, unix:PATH, run:COMMAND or team:DIR)");
   EXPECT_NE(error_of("brain").find("unknown side 'brain' (a side is"), std::string::npos);
   EXPECT_EQ(error_of("localhost:0"), "side 'localhost:0': port 0 is not within 1 to 65535");
   EXPECT_EQ(error_of("localhost:70000"),
