@@ -163,7 +163,8 @@ TEST_F(NetworkMatch, PlaysOnTheEmbeddedServerInRealTime) {
 
 TEST_F(NetworkMatch, PlaysOnAServerThatRunsAlready) {
   Command running({cls::tests::cls_binary(), "server", "--port", "0", "--dir", folder_.path(),
-                   "server::half_time=3", "server::kick_off_wait=3", "server::nr_extra_halfs=0",
+                   "server::synch_mode=on", "server::auto_mode=on", "server::half_time=3",
+                   "server::kick_off_wait=3", "server::nr_extra_halfs=0",
                    "server::penalty_shoot_outs=off"});
   ASSERT_TRUE(running.wait_for_output("Hit CTRL-C"));
   const std::string line = running.out().substr(0, running.out().find('\n'));
