@@ -5,6 +5,7 @@
 
 #include "cli/check_perception_command.h"
 #include "cli/check_playmaker_command.h"
+#include "cli/check_server_command.h"
 #include "cli/check_server_log_command.h"
 
 namespace cls::cli {
@@ -14,6 +15,7 @@ constexpr const char* kDescription =
     "Holds recorded or running things against what they should be.\n"
     "\n"
     "  cls check playmaker localhost:50051\n"
+    "  cls check server rcssserver\n"
     "  cls check server-log game.rcg.gz game.rcl.gz\n"
     "  cls check perception player_7.txt.gz --truth game.rcg.gz\n"
     "\n"
@@ -25,6 +27,7 @@ void add_check_command(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand("check", kDescription);
   command->require_subcommand(1);
   add_check_playmaker_command(*command, exit_code);
+  add_check_server_command(*command, exit_code);
   add_check_server_log_command(*command, exit_code);
   add_check_perception_command(*command, exit_code);
 }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 namespace cls::orchestration {
 namespace {
@@ -21,6 +22,10 @@ const char* name(StepResult result) {
 }
 
 }  // namespace
+
+Finding pass(std::string evidence) { return {StepResult::kPass, std::move(evidence)}; }
+Finding fail(std::string evidence) { return {StepResult::kFail, std::move(evidence)}; }
+Finding skip(std::string evidence) { return {StepResult::kSkip, std::move(evidence)}; }
 
 int CheckReport::count(StepResult result) const {
   return static_cast<int>(std::count_if(

@@ -8,6 +8,15 @@ namespace cls::orchestration {
 
 enum class StepResult { kPass, kFail, kSkip };
 
+/// What a step found.
+struct Finding {
+  StepResult result = StepResult::kPass;
+  std::string evidence;
+};
+Finding pass(std::string evidence = {});
+Finding fail(std::string evidence);
+Finding skip(std::string evidence);
+
 struct CheckStep {
   std::string name;  ///< "register_identity"
   std::string why;   ///< one sentence: why it matters

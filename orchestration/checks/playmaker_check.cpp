@@ -1,40 +1,15 @@
 // Putting a subject together and taking the steps.
 #include "orchestration/checks/playmaker_check.h"
 
-#include <stdlib.h>
-
-#include <filesystem>
-#include <system_error>
 #include <utility>
 
 #include "mock-server/server.h"
+#include "orchestration/checks/scratch_folder.h"
 #include "orchestration/playmaker_program.h"
 #include "proxy/grpc_playmaker.h"
 
 namespace cls::orchestration {
 namespace {
-
-namespace fs = std::filesystem;
-
-/// Gone with its content at the end of the scope.
-class ScratchFolder {
- public:
-  ScratchFolder() {
-    std::string pattern = (fs::temp_directory_path() / "cls-check-XXXXXX").string();
-    if (::mkdtemp(pattern.data()) != nullptr) path_ = pattern;
-  }
-  ~ScratchFolder() {
-    std::error_code ignored;
-    if (!path_.empty()) fs::remove_all(path_, ignored);
-  }
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
-
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
 
 /// Whatever the subject needs to live; the subject is destroyed first.
 struct Surroundings {

@@ -23,10 +23,6 @@ protos::AgentType type_of(int agent) {
 
 }  // namespace
 
-Finding pass(std::string evidence) { return {StepResult::kPass, std::move(evidence)}; }
-Finding fail(std::string evidence) { return {StepResult::kFail, std::move(evidence)}; }
-Finding skip(std::string evidence) { return {StepResult::kSkip, std::move(evidence)}; }
-
 std::string team_name(int team) { return team == 0 ? "Check_L" : "Check_R"; }
 
 protos::State PlaymakerSubject::next_state(int agent) {

@@ -15,15 +15,6 @@
 
 namespace cls::orchestration {
 
-/// What a step found.
-struct Finding {
-  StepResult result = StepResult::kPass;
-  std::string evidence;
-};
-Finding pass(std::string evidence = {});
-Finding fail(std::string evidence);
-Finding skip(std::string evidence);
-
 using Milliseconds = std::chrono::milliseconds;
 
 struct PlaymakerSubject {

@@ -32,7 +32,7 @@ using gamelog::RclSource;
 // A pause that lasts longer than the wait for the kick-off never ends.
 constexpr int kPatience = 300;
 constexpr std::uint32_t kLasting =
-    state::kGoalie | state::kYellowCard | state::kRedCard | state::kDiscard;
+    state::kStand | state::kGoalie | state::kYellowCard | state::kRedCard | state::kDiscard;
 
 bool is_noisy(const Rules& rules) {
   const soccer::ServerParams& server = rules.server;
@@ -261,6 +261,8 @@ class LogReplay {
       world_.teams[i].penalty_kicks = frame.teams[i].penalties_taken();
     }
     for (std::size_t i = 0; i < world_.players.size(); ++i) {
+      const bool is_there = (frame.players[i].state & state::kStand) != 0;
+      if (world_.players[i].enabled && !is_there) leave(world_, static_cast<Slot>(i));
       std::uint32_t& bits = world_.players[i].state;
       bits = (bits & ~kLasting) | (frame.players[i].state & kLasting);
     }

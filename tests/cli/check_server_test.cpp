@@ -1,0 +1,53 @@
+// `cls check server` as a user meets it.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+
+#include "tests/support/command.h"
+
+namespace {
+
+using cls::tests::cls_binary;
+using cls::tests::CommandResult;
+using nlohmann::json;
+
+CommandResult check(std::vector<std::string> arguments) {
+  std::vector<std::string> all = {cls_binary(), "check", "server"};
+  all.insert(all.end(), arguments.begin(), arguments.end());
+  return cls::tests::run(all);
+}
+
+void expect_all_passed(const CommandResult& result) {
+  EXPECT_EQ(result.exit_code, 0) << result.out << result.err;
+  const json document = json::parse(result.out);
+  EXPECT_EQ(document["schema"], "cls.check/1");
+  EXPECT_EQ(document["steps_passed"], 32) << result.out;
+  EXPECT_EQ(document["steps_failed"], 0);
+}
+
+TEST(CheckServer, TheEmbeddedServerPassesEveryStep) {
+  expect_all_passed(check({"embedded", "--json"}));
+}
+
+TEST(CheckServer, TheRealServerPassesEveryStep) {
+  if (std::system("command -v rcssserver >/dev/null 2>&1") != 0) {
+    GTEST_SKIP() << "no rcssserver on PATH";
+  }
+  expect_all_passed(check({"rcssserver", "--json"}));
+}
+
+TEST(CheckServer, TellsEachFailureByItsExitCode) {
+  const CommandResult nobody = check({"127.0.0.1:9", "--start-timeout", "0.6", "--json"});
+  EXPECT_EQ(nobody.exit_code, 69) << nobody.out << nobody.err;
+  const json document = json::parse(nobody.out);
+  EXPECT_EQ(document["steps"][0]["result"], "fail");
+  EXPECT_EQ(document["steps"][1]["result"], "skip");
+  const CommandResult ended = check({"/bin/false", "--start-timeout", "3"});
+  EXPECT_EQ(ended.exit_code, 69) << ended.out << ended.err;
+  EXPECT_NE(ended.out.find("the server has ended"), std::string::npos) << ended.out;
+  EXPECT_EQ(check({"/no/such/server"}).exit_code, 69);
+  EXPECT_EQ(check({}).exit_code, 2);
+}
+
+}  // namespace
