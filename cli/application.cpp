@@ -9,14 +9,17 @@
 #include <vector>
 
 #include "cli/check_command.h"
+#include "cli/compare_command.h"
 #include "cli/convert_command.h"
 #include "cli/exit_code.h"
+#include "cli/init_command.h"
 #include "cli/match_command.h"
 #include "cli/mock_command.h"
 #include "cli/proxy_command.h"
 #include "cli/results_command.h"
 #include "cli/server_command.h"
 #include "cli/stats_command.h"
+#include "cli/tournament_command.h"
 #include "cli/version_command.h"
 #include "soccer/parameter.h"
 
@@ -96,6 +99,9 @@ int run_application(int argc, const char* const* argv) {
   app.require_subcommand(1);
   int exit_code = kDone;
   add_match_command(app, exit_code);
+  add_tournament_command(app, exit_code);
+  add_compare_command(app, exit_code);
+  add_init_command(app, exit_code);
   add_results_command(app, exit_code);
   add_stats_command(app, exit_code);
   add_convert_command(app, exit_code);

@@ -13,6 +13,7 @@
 #include "cli/exit_code.h"
 #include "cli/interrupt.h"
 #include "cli/match_report.h"
+#include "cli/named_side.h"
 #include "cli/progress_line.h"
 #include "cli/side_script.h"
 #include "cli/terminal.h"
@@ -39,8 +40,8 @@ constexpr const char* kDescription =
     "  cls match mock mock --server rcssserver --mode realtime\n"
     "\n"
     "A side is  mock | mock:hold | mock:FILE.json | HOST:PORT | HOST:PORT+step | unix:PATH |\n"
-    "run:COMMAND | team:DIR  (+step: player n asks PORT + n; team: DIR/start or DIR/start.sh).\n"
-    "See docs/matches.md.";
+    "run:COMMAND | team:DIR  (+step: player n asks PORT + n; team: DIR/start or DIR/start.sh),\n"
+    "or the name of a team in cls.toml. See docs/matches.md.";
 
 // What CLI11 fills in; turned into MatchOptions once everything is read.
 struct Arguments {
@@ -55,6 +56,7 @@ struct Arguments {
   bool dry_run = false;
   bool pin = false;
   std::string folder;
+  std::string config_file;
   bool json = false;
   bool quiet = false;
   bool no_colour = false;
@@ -70,6 +72,8 @@ void add_options(CLI::App& command, Arguments& arguments) {
   command.add_option("--left-name", options.left_name, "team name of the left side");
   command.add_option("--right-name", options.right_name, "team name of the right side");
   command.add_option("--dir", arguments.folder, "match folder (./runs/<UTC>-<left>-vs-<right>)");
+  command.add_option("--config", arguments.config_file,
+                     "cls.toml whose team names are sides (the one here or above)");
   command.add_flag("--json", arguments.json, "print the result document, nothing else");
   command.add_option("--set", arguments.settings, "server::NAME=VALUE, repeatable")
       ->expected(1)
@@ -199,7 +203,15 @@ int print_dry_run(const MatchOptions& options) {
   return kDone;
 }
 
+int resolve_names(Arguments& arguments) {
+  const int left =
+      resolve_named_side(arguments.left, arguments.options.left_name, arguments.config_file);
+  if (left != kDone) return left;
+  return resolve_named_side(arguments.right, arguments.options.right_name, arguments.config_file);
+}
+
 int run_match_command(Arguments& arguments) {
+  if (const int exit_code = resolve_names(arguments); exit_code != kDone) return exit_code;
   const std::vector<std::string> mistakes = complete(arguments);
   for (const std::string& mistake : mistakes) fmt::print(stderr, "cls: {}\n", mistake);
   if (!mistakes.empty()) return kUsage;

@@ -57,9 +57,11 @@ Result<std::unique_ptr<LockstepMatch>> LockstepMatch::create(
   return match;
 }
 
-void LockstepMatch::end(EndReason reason, std::string message) {
+void LockstepMatch::end(EndReason reason, std::string message, const MatchSide* at_fault) {
   if (ended()) return;
   end_reason_ = reason;
+  if (at_fault != nullptr)
+    fault_ = at_fault == left_.get() ? soccer::Side::kLeft : soccer::Side::kRight;
   message_ = std::move(message);
 }
 
@@ -71,14 +73,14 @@ void LockstepMatch::wait_for(MatchSide& side) {
     check_programs();
     const auto limit = watch_.exceeded();
     if (!limit || ended()) continue;
-    const std::string whose = *limit == EndReason::kRefused || *limit == EndReason::kStalled
-                                  ? fmt::format("{} ({}): ", side.name(), side.endpoint().text)
-                                  : "";
+    const bool at_fault = *limit == EndReason::kRefused || *limit == EndReason::kStalled;
+    const std::string whose =
+        at_fault ? fmt::format("{} ({}): ", side.name(), side.endpoint().text) : "";
     const std::string hint = *limit == EndReason::kRefused && side.program() != nullptr
                                  ? side.program()->port_hint()
                                  : "";
-    end(*limit, whose + describe_limit(*limit, options_) + hint);
-    if (side.program() != nullptr && !whose.empty()) failure_ = failure_of(side.program()->child());
+    end(*limit, whose + describe_limit(*limit, options_) + hint, at_fault ? &side : nullptr);
+    if (side.program() != nullptr && at_fault) failure_ = failure_of(side.program()->child());
     left_->playmaker().cancel();
     right_->playmaker().cancel();
   }
@@ -96,7 +98,8 @@ void LockstepMatch::check_programs() {
         playing_ ? fmt::format("at cycle {}", server_->world().clock.time) : "before it answered";
     end(playing_ ? EndReason::kCrashed : EndReason::kRefused,
         fmt::format("{} ({}): its process ended {}: {}", side->name(), side->endpoint().text, when,
-                    failure_->exit));
+                    failure_->exit),
+        side);
     left_->playmaker().cancel();
     right_->playmaker().cancel();
   }
@@ -144,7 +147,7 @@ void LockstepMatch::introduce(MatchObserver& observer) {
     if (!status.ok()) {
       const bool garbled = status.outcome == RpcOutcome::kProtocolError;
       end(garbled ? EndReason::kProtocolError : EndReason::kRefused,
-          fmt::format("{} ({}): {}", side->name(), side->endpoint().text, status.message));
+          fmt::format("{} ({}): {}", side->name(), side->endpoint().text, status.message), side);
     }
   }
 }
@@ -162,7 +165,7 @@ void LockstepMatch::check_answers(const MatchSide& side) {
                              server_->world().clock.time, options_);
   if (!over || ended()) return;
   if (side.program() != nullptr) failure_ = failure_of(side.program()->child());
-  end(over->reason, std::move(over->message));
+  end(over->reason, std::move(over->message), &side);
 }
 
 void LockstepMatch::pass_on_warnings(MatchObserver& observer) {
@@ -251,6 +254,7 @@ MatchResult LockstepMatch::result() const {
   }
   result.end_reason = end_reason_.value_or(EndReason::kFinished);
   result.message = message_;
+  result.fault = fault_;
   result.failure = failure_;
   result.processes = processes_;
   result.signal = watch_.signal();

@@ -71,7 +71,7 @@ class LockstepMatch {
   void wait_for(MatchSide& side);
   void check_programs();
   void end_programs();
-  void end(EndReason reason, std::string message);
+  void end(EndReason reason, std::string message, const MatchSide* at_fault = nullptr);
   bool ended() const { return end_reason_.has_value(); }
   void check_answers(const MatchSide& side);
   void pass_on_warnings(MatchObserver& observer);
@@ -88,6 +88,7 @@ class LockstepMatch {
   bool playing_ = false;
   std::optional<EndReason> end_reason_;
   std::string message_;
+  std::optional<soccer::Side> fault_;
   std::optional<ProcessFailure> failure_;
   std::vector<ProcessResult> processes_;
   std::vector<std::string> warnings_;

@@ -14,6 +14,8 @@ using Json = nlohmann::ordered_json;
 // To a number of decimals that divides evenly: rounding by multiplication prints as 83.30000001.
 double rounded(double value, double per_one) { return std::round(value * per_one) / per_one; }
 
+const char* side_word(soccer::Side side) { return side == soccer::Side::kLeft ? "left" : "right"; }
+
 Json json_of(const PlayerResult& player) {
   return {{"unum", player.unum},
           {"decisions", player.decisions},
@@ -44,7 +46,7 @@ Json json_of(const TeamResult& team) {
 
 Json json_of(const Goal& goal) {
   return {{"cycle", goal.cycle},
-          {"side", goal.side == soccer::Side::kLeft ? "left" : "right"},
+          {"side", side_word(goal.side)},
           {"unum", goal.unum == 0 ? Json(nullptr) : Json(goal.unum)}};
 }
 
@@ -88,6 +90,7 @@ std::string to_json(const MatchResult& result) {
                          {"valid", result.valid()},
                          {"end_reason", name(result.end_reason)},
                          {"message", result.message.empty() ? Json(nullptr) : Json(result.message)},
+                         {"fault", result.fault ? Json(side_word(*result.fault)) : Json(nullptr)},
                          {"failure", result.failure ? json_of(*result.failure) : Json(nullptr)},
                          {"cycles", result.cycles},
                          {"steps", result.steps},

@@ -71,6 +71,8 @@ struct MatchResult {
   TeamResult right;
   EndReason end_reason = EndReason::kFinished;
   std::string message;  ///< one line on what went wrong; empty when finished
+  std::optional<soccer::Side>
+      fault;  ///< whose Playmaker made the match invalid, where that is known
   std::optional<ProcessFailure> failure;
   bool try_again = false;   ///< nothing was started: a port that must be used is taken
   int signal = 0;           ///< that interrupted the match, else 0

@@ -105,7 +105,8 @@ void NetworkMatch::check_server() {
 }
 
 void NetworkMatch::end_by_death(const Side& side, const Child& child, int cycle) {
-  if (watch_.interrupted_within(kSignalsTogether)) return;
+  if (ended() || watch_.interrupted_within(kSignalsTogether)) return;
+  fault_ = side_of(side);
   const std::string exit = to_text(child.status().exit.value_or(ProcessExit{}));
   const std::string when = playing_ ? fmt::format("at cycle {}", cycle) : "before the match";
   end(playing_ ? EndReason::kCrashed : EndReason::kRefused,
@@ -137,6 +138,7 @@ void NetworkMatch::check_side(Side& side) {
   if (program != nullptr && own_end) program->child().wait_exit(milliseconds(500));
   if (program != nullptr && program->ended()) end_by_death(side, program->child(), cycle_now());
   if (own_end && !ended()) {
+    fault_ = side_of(side);
     end(own_end->reason, own_end->message, program == nullptr ? nullptr : &program->child());
   }
 }

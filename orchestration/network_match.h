@@ -112,6 +112,9 @@ class NetworkMatch {
   bool cycle_limit_reached() const;
   bool match_is_over() const;
   void end(EndReason reason, std::string message, const Child* failed = nullptr);
+  soccer::Side side_of(const Side& side) const {
+    return &side == &sides_[0] ? soccer::Side::kLeft : soccer::Side::kRight;
+  }
   bool ended() const { return end_.has_value(); }
   void tell_news(MatchObserver& observer);
   void warn(MatchObserver& observer, std::string line);
@@ -136,6 +139,7 @@ class NetworkMatch {
   std::array<Side, 2> sides_;
   std::optional<MatchEnd> end_;
   std::function<std::string()> waiting_for_;
+  std::optional<soccer::Side> fault_;
   bool playing_ = false;
   bool try_again_ = false;
   std::int64_t cycles_seen_ = 0;

@@ -126,6 +126,7 @@ MatchResult NetworkMatch::result() const {
   const ServerNews news = output_.news();
   result.end_reason = end_->reason;
   result.message = end_->message;
+  result.fault = fault_;
   result.failure = end_->failure;
   result.try_again = try_again_;
   result.signal = watch_.signal();

@@ -1,0 +1,147 @@
+// What a tournament costs beside its matches: planning, bookkeeping, processes.
+#include <benchmark/benchmark.h>
+#include <sys/resource.h>
+
+#include <atomic>
+#include <chrono>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "orchestration/tournament/folder.h"
+#include "orchestration/tournament/match_executor.h"
+#include "orchestration/tournament/schedule.h"
+#include "orchestration/tournament/store.h"
+#include "orchestration/tournament/tournament_run.h"
+#include "tests/support/command.h"
+#include "tests/support/temporary_folder.h"
+
+namespace cls::bench {
+namespace {
+
+using namespace orchestration;
+using Clock = std::chrono::steady_clock;
+
+double peak_megabytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) / 1024.0;
+}
+
+double seconds_since(Clock::time_point begin) {
+  return std::chrono::duration<double>(Clock::now() - begin).count();
+}
+
+TournamentConfig two_mocks(int rounds) {
+  TournamentConfig config;
+  config.teams = {{"RED", "mock"}, {"BLUE", "mock"}};
+  config.rounds = rounds;
+  return config;
+}
+
+void plan_a_million_matches(benchmark::State& state) {
+  const TournamentConfig config = two_mocks(500'000);
+  for (auto _ : state) {
+    const double before = peak_megabytes();
+    const auto fixtures = next_fixtures(config, {});
+    state.counters["matches"] = static_cast<double>(fixtures.size());
+    state.counters["grown_MB"] = peak_megabytes() - before;
+  }
+}
+BENCHMARK(plan_a_million_matches)->Iterations(1)->Unit(benchmark::kMillisecond);
+
+void store_a_million_rows(benchmark::State& state) {
+  const auto fixtures = next_fixtures(two_mocks(500'000), {});
+  for (auto _ : state) {
+    const tests::TemporaryFolder folder;
+    auto store = Store::open(folder.path() / kStoreFile);
+    if (!store || !store->add(fixtures)) state.SkipWithError("store");
+    const auto begin = Clock::now();
+    const auto read = store->matches();
+    state.counters["read_s"] = seconds_since(begin);
+    state.counters["MB"] =
+        static_cast<double>(std::filesystem::file_size(folder.path() / kStoreFile)) / 1e6;
+    state.counters["peak_MB"] = peak_megabytes();
+  }
+}
+BENCHMARK(store_a_million_rows)->Iterations(1)->Unit(benchmark::kMillisecond);
+
+// Matches that take no time at all.
+class NoMatches : public MatchExecutor {
+ public:
+  int room() const override { return 2 - running(); }
+  int running() const override { return static_cast<int>(ended_.size()); }
+  soccer::Result<void> start(std::span<const Assignment> assignments) override {
+    for (const Assignment& one : assignments) {
+      Outcome outcome;
+      outcome.end_reason = "finished";
+      outcome.attempts = one.number;
+      ended_.push_back({one.fixture.index, outcome});
+    }
+    return {};
+  }
+  soccer::Result<std::vector<Finished>> wait(std::chrono::milliseconds) override {
+    return std::exchange(ended_, {});
+  }
+  void interrupt() override {}
+
+ private:
+  std::vector<Finished> ended_;
+};
+
+// Draw, two commits, two events, with every write on disk.
+void bookkeeping_per_match(benchmark::State& state) {
+  constexpr int kMatches = 500;
+  const std::atomic<int> no_signal{0};
+  for (auto _ : state) {
+    const tests::TemporaryFolder folder;
+    RunOptions options;
+    options.folder = folder.path();
+    options.config = two_mocks(kMatches / 2);
+    TournamentObserver nobody;
+    const auto begin = Clock::now();
+    const auto summary = run_tournament(
+        options,
+        [](const TournamentConfig&) {
+          return soccer::Result<std::unique_ptr<MatchExecutor>>(std::make_unique<NoMatches>());
+        },
+        nobody, no_signal);
+    if (!summary || summary->progress.done != kMatches) state.SkipWithError("run");
+    state.counters["ms_per_match"] = 1e3 * seconds_since(begin) / kMatches;
+  }
+}
+BENCHMARK(bookkeeping_per_match)->Iterations(1)->Unit(benchmark::kMillisecond);
+
+// Real processes, two at a time: what share of the two places is a match being played in?
+void matches_of_mocks(benchmark::State& state) {
+  constexpr int kConcurrency = 2;
+  const tests::TemporaryFolder folder;
+  for (auto _ : state) {
+    const auto begin = Clock::now();
+    const auto played =
+        tests::run({tests::cls_binary(), "tournament", "run", folder.path(), "--team", "RED=mock",
+                    "--team", "BLUE=mock", "--rounds", "4", "--cycles", "1500", "--concurrency",
+                    std::to_string(kConcurrency), "--keep-logs", "none", "--json"});
+    const double elapsed = seconds_since(begin);
+    if (played.exit_code != 0) {
+      state.SkipWithError(played.err.c_str());
+      return;
+    }
+    const auto report = nlohmann::json::parse(played.out);
+    double in_matches = 0.0;
+    double processes = 0.0;
+    for (const auto& match : report["matches"]) {
+      in_matches += match["wall_seconds"].get<double>();
+      processes += match["run_seconds"].get<double>() - match["wall_seconds"].get<double>();
+    }
+    const auto matches = static_cast<double>(report["matches"].size());
+    state.counters["share_in_matches"] = in_matches / (kConcurrency * elapsed);
+    state.counters["start_and_end_ms"] = 1e3 * processes / matches;
+    state.counters["matches_of_6000_per_core_hour"] =
+        matches * 1500 / 6000 * 3600 / (kConcurrency * elapsed);
+  }
+}
+BENCHMARK(matches_of_mocks)->Iterations(1)->Unit(benchmark::kSecond)->UseRealTime();
+
+}  // namespace
+}  // namespace cls::bench

@@ -1,0 +1,44 @@
+// Down at a miss, up after a clean round.
+#include "orchestration/tournament/concurrency.h"
+
+#include <algorithm>
+
+namespace cls::orchestration {
+namespace {
+
+// A team against the clock needs room beside it; in lockstep nothing is lost by waiting.
+constexpr int kCoresForRealTime = 4;
+
+bool waits_for_everybody(const TournamentConfig& config) {
+  return config.mode.empty() || config.mode == "lockstep";
+}
+
+}  // namespace
+
+Concurrency::Concurrency(const TournamentConfig& config, int cores)
+    : automatic_(config.concurrency == 0) {
+  if (!automatic_) {
+    now_ = most_ = config.concurrency;
+    return;
+  }
+  most_ = std::max(1, cores);
+  now_ = waits_for_everybody(config) ? most_ : std::max(1, cores / kCoresForRealTime);
+}
+
+bool Concurrency::learn(const Outcome& outcome) {
+  if (!automatic_ || !outcome.played()) return false;
+  const bool missed =
+      outcome.left.late + outcome.left.missed + outcome.right.late + outcome.right.missed > 0;
+  const int before = now_;
+  if (missed) {
+    // Not tried again: what was too much once would be so now and then.
+    now_ = most_ = std::max(1, now_ - 1);
+    clean_ = 0;
+  } else if (++clean_ >= now_ && now_ < most_) {
+    ++now_;
+    clean_ = 0;
+  }
+  return now_ != before;
+}
+
+}  // namespace cls::orchestration

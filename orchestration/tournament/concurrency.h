@@ -1,0 +1,27 @@
+// How many matches at once: given, or found out while playing.
+#pragma once
+
+#include "orchestration/tournament/config.h"
+#include "orchestration/tournament/fixture.h"
+
+namespace cls::orchestration {
+
+/// A number of matches at once that adapts to what matches tell, see local_executor.
+class Concurrency {
+ public:
+  Concurrency(const TournamentConfig& config, int cores);
+
+  int now() const { return now_; }
+  bool automatic() const { return automatic_; }
+
+  /// Takes an outcome into account; true when the number changed.
+  bool learn(const Outcome& outcome);
+
+ private:
+  bool automatic_ = false;
+  int now_ = 1;
+  int most_ = 1;
+  int clean_ = 0;  // matches without a miss since the last change
+};
+
+}  // namespace cls::orchestration

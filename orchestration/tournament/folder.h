@@ -1,0 +1,73 @@
+// The folder of a tournament: what lies where, and who may write.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "orchestration/process/unique_fd.h"
+#include "orchestration/tournament/config.h"
+#include "orchestration/tournament/fixture.h"
+#include "soccer/result.h"
+
+namespace cls::orchestration {
+
+/// Names inside a tournament's folder.
+inline constexpr const char* kPlanFile = "plan.toml";           ///< the resolved configuration
+inline constexpr const char* kStoreFile = "tournament.db";      ///< see store.h
+inline constexpr const char* kScheduleFile = "schedule.jsonl";  ///< a line a match, for `work`
+inline constexpr const char* kTournamentEvents = "events.jsonl";
+inline constexpr const char* kMatchesFolder = "matches";
+inline constexpr const char* kResultsFolder = "results";  ///< outcomes that `work` left
+inline constexpr const char* kStopFile = "stop";
+inline constexpr const char* kLockFile = "lock";
+
+/// "matches/000017-RED-vs-BLUE"; attempts after the first end in ".2", ".3", ...
+std::filesystem::path match_folder(const TournamentConfig& config, const Fixture& fixture,
+                                   int attempt);
+
+/// "results/000017.1.json".
+std::filesystem::path result_file(int index, int attempt);
+
+/// Held by the one `cls tournament run` that may write to a folder; ends with the process.
+class FolderLock {
+ public:
+  /// Nothing when another process holds the lock of `folder`.
+  static soccer::Result<std::optional<FolderLock>> take(const std::filesystem::path& folder);
+
+ private:
+  explicit FolderLock(UniqueFd file) : file_(std::move(file)) {}
+  UniqueFd file_;
+};
+
+/// Makes `folder` hold the plan of `config`, which must be without mistakes: writes plan.toml where
+/// there is none yet. An error when it holds another plan; it names the first difference.
+soccer::Result<void> prepare_folder(const std::filesystem::path& folder,
+                                    const TournamentConfig& config);
+
+/// The configuration that prepare_folder wrote.
+soccer::Result<TournamentConfig> read_plan(const std::filesystem::path& folder);
+
+/// True when the folder holds a plan.
+bool holds_plan(const std::filesystem::path& folder);
+
+/// Renames an existing folder to NAME.old, NAME.old2, ...; returns the new name.
+soccer::Result<std::filesystem::path> set_aside(const std::filesystem::path& folder);
+
+/// Writes schedule.jsonl; read_fixture finds one match in it, or the nothing that is there.
+soccer::Result<void> write_schedule(const std::filesystem::path& folder,
+                                    const std::vector<ScheduledMatch>& matches);
+soccer::Result<Fixture> read_fixture(const std::filesystem::path& folder, int index);
+
+/// Everything known of a tournament at this moment, without writing.
+struct TournamentState {
+  TournamentConfig config;
+  std::vector<ScheduledMatch> matches;  ///< by number
+  std::vector<int> running;             ///< numbers, ascending; empty when nobody holds the lock
+};
+
+/// Reads plan, store and the results that `work` left. The error says what is missing.
+soccer::Result<TournamentState> read_tournament(const std::filesystem::path& folder);
+
+}  // namespace cls::orchestration

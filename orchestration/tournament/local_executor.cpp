@@ -1,0 +1,131 @@
+// Matches as processes of this machine.
+#include <fmt/format.h>
+#include <sched.h>
+
+#include <algorithm>
+#include <map>
+#include <thread>
+
+#include "orchestration/host.h"
+#include "orchestration/tournament/concurrency.h"
+#include "orchestration/tournament/match_attempt.h"
+#include "orchestration/tournament/match_executor.h"
+
+namespace cls::orchestration {
+namespace {
+
+namespace fs = std::filesystem;
+using soccer::Result;
+
+std::vector<int> allowed_cpus() {
+  cpu_set_t allowed;
+  CPU_ZERO(&allowed);
+  std::vector<int> cpus;
+  if (sched_getaffinity(0, sizeof allowed, &allowed) != 0) return cpus;
+  for (int cpu = 0; cpu < CPU_SETSIZE; ++cpu) {
+    if (CPU_ISSET(cpu, &allowed)) cpus.push_back(cpu);
+  }
+  return cpus;
+}
+
+class LocalExecutor : public MatchExecutor {
+ public:
+  LocalExecutor(const TournamentConfig& config, fs::path folder, fs::path program, ProcessHost host)
+      : config_(config),
+        folder_(std::move(folder)),
+        program_(std::move(program)),
+        concurrency_(config, usable_cores()),
+        cpus_(config.pin ? allowed_cpus() : std::vector<int>()),
+        host_(std::move(host)) {}
+
+  int room() const override { return std::max(0, concurrency_.now() - running()); }
+  int running() const override { return static_cast<int>(attempts_.size()); }
+
+  Result<void> start(std::span<const Assignment> assignments) override {
+    for (const Assignment& assignment : assignments) {
+      const int slot = free_slot();
+      auto attempt = MatchAttempt::start(host_, config_, assignment.fixture, assignment.number,
+                                         folder_, program_, cpus_of(slot));
+      if (!attempt) return attempt.error();
+      attempts_.emplace(slot, *std::move(attempt));
+    }
+    return {};
+  }
+
+  Result<std::vector<Finished>> wait(std::chrono::milliseconds limit) override {
+    constexpr std::chrono::milliseconds kLook{2};
+    const auto end = std::chrono::steady_clock::now() + limit;
+    std::vector<Finished> finished;
+    while (true) {
+      for (auto at = attempts_.begin(); at != attempts_.end();) {
+        at->second.enforce_limit();
+        if (!at->second.ended()) {
+          ++at;
+          continue;
+        }
+        auto outcome = at->second.outcome();
+        if (!outcome) return outcome.error();
+        if (*outcome) learn(**outcome);
+        finished.push_back({at->second.fixture().index, *std::move(outcome)});
+        at = attempts_.erase(at);
+      }
+      if (!finished.empty() || std::chrono::steady_clock::now() >= end) return finished;
+      std::this_thread::sleep_for(kLook);
+    }
+  }
+
+  void interrupt() override {
+    for (auto& [slot, attempt] : attempts_) attempt.interrupt();
+  }
+
+  std::vector<std::string> take_notes() override { return std::exchange(notes_, {}); }
+
+ private:
+  int free_slot() const {
+    int slot = 0;
+    while (attempts_.contains(slot)) ++slot;
+    return slot;
+  }
+
+  // An equal share of the processors for each match at once.
+  std::vector<int> cpus_of(int slot) const {
+    const auto share = std::max<std::size_t>(
+        1, cpus_.size() / static_cast<std::size_t>(std::max(1, concurrency_.now())));
+    std::vector<int> cpus;
+    for (std::size_t i = 0; i < share && !cpus_.empty(); ++i) {
+      cpus.push_back(cpus_[(static_cast<std::size_t>(slot) * share + i) % cpus_.size()]);
+    }
+    return cpus;
+  }
+
+  void learn(const Outcome& outcome) {
+    const int before = concurrency_.now();
+    if (!concurrency_.learn(outcome)) return;
+    notes_.push_back(
+        fmt::format("{} matches at once now, {} before: {}", concurrency_.now(), before,
+                    concurrency_.now() < before ? "a match missed cycles, the machine was too busy"
+                                                : "no match missed a cycle"));
+  }
+
+  const TournamentConfig& config_;
+  fs::path folder_;
+  fs::path program_;
+  Concurrency concurrency_;
+  std::vector<int> cpus_;
+  ProcessHost host_;
+  std::map<int, MatchAttempt> attempts_;  // by slot
+  std::vector<std::string> notes_;
+};
+
+}  // namespace
+
+Result<std::unique_ptr<MatchExecutor>> local_executor(const TournamentConfig& config,
+                                                      const fs::path& folder,
+                                                      const fs::path& program) {
+  auto host = ProcessHost::create();
+  if (!host) return host.error();
+  return std::unique_ptr<MatchExecutor>(
+      std::make_unique<LocalExecutor>(config, folder, program, *std::move(host)));
+}
+
+}  // namespace cls::orchestration

@@ -1,0 +1,68 @@
+// Tournaments whose matches nobody plays: results come from a function.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "orchestration/tournament/config.h"
+#include "orchestration/tournament/fixture.h"
+#include "orchestration/tournament/match_executor.h"
+
+namespace cls::orchestration {
+
+/// Teams A, B, C, ... on mocks.
+TournamentConfig config_of(Format format, int teams);
+
+/// A finished match.
+Outcome score(int left, int right);
+
+/// One that ended for `reason`, by the left side's fault.
+Outcome fault(const std::string& reason);
+
+/// The result of a fixture.
+using Referee = std::function<Outcome(const Fixture&)>;
+
+/// The team with the smaller number wins 1:0.
+Outcome better_wins(const Fixture& fixture);
+
+/// Plays until nothing follows.
+std::vector<ScheduledMatch> play_all(const TournamentConfig& config, const Referee& referee);
+
+/// "A-B" for each fixture.
+std::vector<std::string> pairs_of(const std::vector<Fixture>& fixtures);
+std::vector<std::string> pairs_of(const std::vector<ScheduledMatch>& matches);
+
+/// Names of the teams in the last table, by rank.
+std::vector<std::string> ranking(const TournamentConfig& config,
+                                 const std::vector<ScheduledMatch>& matches);
+
+/// An executor without processes: matches end at once, in the order of their start.
+class FakeExecutor : public MatchExecutor {
+ public:
+  struct Record {
+    std::vector<Assignment> started;
+    int interruptions = 0;
+  };
+
+  /// `record` must outlive it. `referee` may return nothing for a match that never ends.
+  FakeExecutor(std::function<std::optional<Outcome>(const Assignment&)> referee, Record& record,
+               int room = 2)
+      : referee_(std::move(referee)), record_(record), room_(room) {}
+
+  int room() const override { return room_ - running(); }
+  int running() const override { return static_cast<int>(under_way_.size()); }
+  soccer::Result<void> start(std::span<const Assignment> assignments) override;
+  soccer::Result<std::vector<Finished>> wait(std::chrono::milliseconds limit) override;
+  void interrupt() override;
+
+ private:
+  std::function<std::optional<Outcome>(const Assignment&)> referee_;
+  Record& record_;
+  int room_;
+  std::vector<Assignment> under_way_;
+  bool interrupted_ = false;
+};
+
+}  // namespace cls::orchestration
