@@ -39,9 +39,9 @@ constexpr const char* kDescription =
     "  cls match mock team:../helios --server rcssserver       the real server, a foreign team\n"
     "  cls match mock mock --server rcssserver --mode realtime\n"
     "\n"
-    "A side is  mock | mock:hold | mock:FILE.json | HOST:PORT | HOST:PORT+step | unix:PATH |\n"
-    "run:COMMAND | team:DIR  (+step: player n asks PORT + n; team: DIR/start or DIR/start.sh),\n"
-    "or the name of a team in cls.toml. See docs/matches.md.";
+    "A side is  mock | mock:planner | mock:hold | mock:FILE.json | HOST:PORT | HOST:PORT+step |\n"
+    "unix:PATH | run:COMMAND | team:DIR  (+step: player n asks PORT + n; team: DIR/start or\n"
+    "DIR/start.sh), or the name of a team in cls.toml. See docs/matches.md.";
 
 // What CLI11 fills in; turned into MatchOptions once everything is read.
 struct Arguments {

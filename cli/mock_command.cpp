@@ -236,7 +236,7 @@ void add_mock_command(CLI::App& app, int& exit_code) {
   const auto arguments = std::make_shared<Arguments>();
   CLI::App* command = app.add_subcommand("mock", kDescription);
   command->add_option("BEHAVIOUR", arguments->behaviour,
-                      "simple, hold, random, random:SEED or FILE.json (simple)");
+                      "simple, planner, hold, random, random:SEED or FILE.json (simple)");
   command->add_option("--port", arguments->port, "0: a free one (0)")->check(CLI::Range(0, 65535));
   command->add_option("--host", arguments->host, "address to listen on (127.0.0.1)");
   add_fault_options(*command, *arguments);

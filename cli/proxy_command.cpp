@@ -6,8 +6,10 @@
 #include <CLI/CLI.hpp>
 #include <csignal>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cli/exit_code.h"
@@ -16,6 +18,7 @@
 #include "cli/terminal.h"
 #include "orchestration/endpoint.h"
 #include "orchestration/lone_team.h"
+#include "proxy/formation/formation_set.h"
 
 namespace cls::cli {
 namespace {
@@ -46,10 +49,10 @@ struct Arguments {
   int timeout_s = 3;
   std::string rpc_type = "grpc";
   bool quiet = false;
+  std::string formation;
   // Accepted because scripts say them.
   int coach_port = 0;
   bool without_coach = false;
-  std::string formation;
   std::string fullstate;
 };
 
@@ -87,7 +90,10 @@ void add_options(CLI::App& command, Arguments& arguments) {
   command.add_flag("--quiet", arguments.quiet, "no progress, no warnings");
   command.add_option("-P,--coach-port", arguments.coach_port, "accepted, of no use yet");
   command.add_flag("-C,--without-coach", arguments.without_coach, "accepted: there is none yet");
-  command.add_option("-f,--formation", arguments.formation, "accepted, of no use here");
+  command.add_option("-f,--formation", arguments.formation,
+                     "folder with formations (built-in ones); see docs/formations.md");
+  command.add_option("--debug-log", options.team.debug_log,
+                     "folder for what the Playmaker logs, TEAM-NUMBER.log");
   command.add_option("--fullstate", arguments.fullstate, "accepted; senses alone are used");
 }
 
@@ -104,6 +110,16 @@ std::vector<std::string> complete(Arguments& arguments) {
     mistakes.push_back(fmt::format("--rpc-type '{}': only grpc is spoken", arguments.rpc_type));
   }
   if (arguments.unum == kCoach) mistakes.push_back("--unum 12: there is no coach yet");
+  if (!arguments.formation.empty()) {
+    if (auto set = proxy::read_formations(arguments.formation)) {
+      options.team.formations = std::move(*set);
+    } else {
+      mistakes.push_back("--formation: " + set.error().message);
+    }
+  }
+  if (!options.team.debug_log.empty() && !std::filesystem::is_directory(options.team.debug_log)) {
+    mistakes.push_back(fmt::format("--debug-log '{}': no such folder", options.team.debug_log));
+  }
   const int highest = options.playmaker.port + (options.playmaker.port_step ? kHighestStep : 0) +
                       (options.add_20_for_right ? kRightPortOffset : 0);
   if (highest > 65535) mistakes.push_back("--rpc-port: the steps lead beyond port 65535");

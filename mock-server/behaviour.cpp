@@ -6,6 +6,7 @@
 #include <charconv>
 
 #include "mock-server/hold.h"
+#include "mock-server/planner_team.h"
 #include "mock-server/random_brain.h"
 #include "mock-server/simple_team/simple_team.h"
 #include "soccer/parameter.h"
@@ -28,10 +29,11 @@ soccer::Result<std::unique_ptr<Behaviour>> make_random(std::string_view seed_tex
 
 }  // namespace
 
-std::vector<std::string_view> behaviour_names() { return {"simple", "hold", "random"}; }
+std::vector<std::string_view> behaviour_names() { return {"simple", "planner", "hold", "random"}; }
 
 soccer::Result<std::unique_ptr<Behaviour>> make_behaviour(std::string_view name) {
   if (name.empty() || name == "simple") return std::unique_ptr<Behaviour>(new SimpleTeam);
+  if (name == "planner") return std::unique_ptr<Behaviour>(new PlannerTeam);
   if (name == "hold") return std::unique_ptr<Behaviour>(new Hold);
   if (name == "random") return make_random("");
   if (name.starts_with("random:")) return make_random(name.substr(7));

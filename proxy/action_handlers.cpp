@@ -4,6 +4,16 @@
 #include <array>
 #include <optional>
 
+#include "proxy/behaviours/communication.h"
+#include "proxy/behaviours/goalie.h"
+#include "proxy/behaviours/goalie_free_kick.h"
+#include "proxy/behaviours/heard_pass.h"
+#include "proxy/behaviours/penalty.h"
+#include "proxy/behaviours/set_play.h"
+#include "proxy/debug_log.h"
+#include "proxy/planner/planned_action.h"
+#include "proxy/planner/planner_action.h"
+#include "proxy/say_payload.h"
 #include "proxy/skills/basic_move.h"
 #include "proxy/skills/clear_ball.h"
 #include "proxy/skills/dribble.h"
@@ -52,17 +62,30 @@ bool change_width(Context& c, protos::ViewWidth width) {
   }
 }
 
-/// The payloads are encoded with the team's communication; only the one without content is here.
 bool say(const protos::Say& say, Context& c) {
   const auto kind = static_cast<std::size_t>(say.message_case());
   ActionCounts& counts = c.report.say[kind < c.report.say.size() ? kind : 0];
-  if (say.message_case() != protos::Say::kWaitRequestMessage) {
-    ++counts.unimplemented;
+  const std::optional<SayMessage> message = say_message_of(say, c.world.server());
+  if (!message) {
+    ++counts.unimplemented;  // of a later version
     return false;
   }
-  const bool fits = c.slots.say("w");
+  std::string text;
+  const bool fits = append_say_message(*message, c.world.server(), text) && c.slots.say(text);
   ++(fits ? counts.done : counts.failed);
   return fits;
+}
+
+bool log_text(const std::string& text, Context& c) {
+  append_debug_text(text, c.world.game.time, c.memory.debug);
+  return true;
+}
+
+/// Play with the ball by the default plan; without it, without the ball.
+bool basic_offensive(Context& c) {
+  if (act_on_default_plan(c)) return true;
+  if (c.world.self.kickable) return hold_ball(c.world, c.slots, false, {});
+  return basic_move(c.world, c.slots, c.neck, c.memory.recovering);
 }
 
 bool basic_tackle_and_look(const protos::HeliosBasicTackle& action, Context& c) {
@@ -107,7 +130,7 @@ constexpr ActionClass kSide = ActionClass::kSide;
 #define CLS_MAIN(...) CLS_ACTION(kMain, __VA_ARGS__)
 #define CLS_SIDE(...) CLS_ACTION(kSide, __VA_ARGS__)
 
-/// In the order of the wire; null: not implemented.
+/// In the order of the wire; null: nothing is set.
 constexpr std::array kEntries{
     ActionEntry{Action::ACTION_NOT_SET, kSide, nullptr},
     CLS_MAIN(kDash, dash, c.slots.dash(m.power(), m.relative_direction())),
@@ -123,8 +146,8 @@ constexpr std::array kEntries{
     CLS_SIDE(kPointToOf, point_to_of, c.slots.point_to_off()),
     CLS_SIDE(kAttentionTo, attention_to, c.slots.attention_to(side(m.side()), m.unum())),
     CLS_SIDE(kAttentionToOf, attention_to_of, c.slots.attention_to_off()),
-    ActionEntry{Action::kLog, kSide, nullptr},
-    ActionEntry{Action::kDebugClient, kSide, nullptr},
+    CLS_SIDE(kLog, log, append_debug(m, c.world.game.time, c.memory.debug)),
+    CLS_SIDE(kDebugClient, debug_client, log_text(m.message(), c)),
     CLS_MAIN(kBodyGoToPoint, body_go_to_point,
              go_to_point(c.world, c.slots, vec(m.target_point()), m.distance_threshold(),
                  m.max_dash_power())),
@@ -195,23 +218,23 @@ constexpr std::array kEntries{
     CLS_SIDE(kViewNormal, view_normal, c.slots.change_view(ViewWidth::kNormal)),
     CLS_SIDE(kViewSynch, view_synch, view_synch(c.slots)),
     CLS_SIDE(kViewWide, view_wide, c.slots.change_view(ViewWidth::kWide)),
-    ActionEntry{Action::kHeliosGoalie, kMain, nullptr},
-    ActionEntry{Action::kHeliosGoalieMove, kMain, nullptr},
-    CLS_MAIN(kHeliosGoalieKick, helios_goalie_kick, kick_and_scan(clear_ball(c.world, c.slots), c)),
+    CLS_MAIN(kHeliosGoalie, helios_goalie, play_goalie(c)),
+    CLS_MAIN(kHeliosGoalieMove, helios_goalie_move, goalie_move(c)),
+    CLS_MAIN(kHeliosGoalieKick, helios_goalie_kick, goalie_kick(c)),
     CLS_MAIN(kHeliosShoot, helios_shoot, shoot_and_look(c)),
-    ActionEntry{Action::kHeliosOffensivePlanner, kMain, nullptr},
-    ActionEntry{Action::kHeliosBasicOffensive, kMain, nullptr},
+    CLS_MAIN(kHeliosOffensivePlanner, helios_offensive_planner, offensive_planner(m, c)),
+    CLS_MAIN(kHeliosBasicOffensive, helios_basic_offensive, basic_offensive(c)),
     CLS_MAIN(kHeliosBasicMove, helios_basic_move,
              basic_move(c.world, c.slots, c.neck, c.memory.recovering)),
-    ActionEntry{Action::kHeliosSetPlay, kMain, nullptr},
-    ActionEntry{Action::kHeliosPenalty, kMain, nullptr},
-    ActionEntry{Action::kHeliosCommunication, kSide, nullptr},
+    CLS_MAIN(kHeliosSetPlay, helios_set_play, play_set_play(c)),
+    CLS_MAIN(kHeliosPenalty, helios_penalty, play_penalty(c)),
+    CLS_SIDE(kHeliosCommunication, helios_communication, communicate(c)),
     CLS_MAIN(kBhvDoForceKick, bhv_do_force_kick, kick_and_scan(force_kick(c.world, c.slots), c)),
-    ActionEntry{Action::kBhvDoHeardPassRecieve, kMain, nullptr},
+    CLS_MAIN(kBhvDoHeardPassRecieve, bhv_do_heard_pass_recieve, receive_heard_pass(c)),
     CLS_MAIN(kHeliosBasicTackle, helios_basic_tackle, basic_tackle_and_look(m, c)),
     CLS_SIDE(kNeckOffensiveInterceptNeck, neck_offensive_intercept_neck,
              neck_offensive_intercept(c.world, c.memory.sight, c.slots)),
-    ActionEntry{Action::kBhvGoalieFreeKick, kMain, nullptr},
+    CLS_MAIN(kBhvGoalieFreeKick, bhv_goalie_free_kick, goalie_free_kick(c)),
 };
 #undef CLS_SIDE
 #undef CLS_MAIN

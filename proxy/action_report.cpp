@@ -30,6 +30,7 @@ void add(ActionReport& into, const ActionReport& from) {
   into.sure_shot += from.sure_shot;
   into.intention += from.intention;
   into.force_kick += from.force_kick;
+  into.heard_pass += from.heard_pass;
 }
 
 std::string_view action_name(int kind) {

@@ -18,7 +18,7 @@ struct ActionCounts {
   std::int64_t failed = 0;         ///< tried, but the situation did not allow it
   std::int64_t skipped = 0;        ///< not tried: an earlier main action had succeeded
   std::int64_t invalid = 0;        ///< a number in it was not finite or an enum value unknown
-  std::int64_t unimplemented = 0;  ///< this proxy has no such action yet
+  std::int64_t unimplemented = 0;  ///< this proxy has no such action
 };
 
 /// Plain sums over the decisions of an agent, a team or a match.
@@ -31,6 +31,7 @@ struct ActionReport {
   std::int64_t sure_shot = 0;
   std::int64_t intention = 0;
   std::int64_t force_kick = 0;
+  std::int64_t heard_pass = 0;
 };
 
 void add(ActionReport& into, const ActionReport& from);

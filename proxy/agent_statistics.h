@@ -49,6 +49,9 @@ struct AgentStatistics {
   RpcStatus last_failure;  ///< of the latest missed decision; ok when none was missed
   LatencySamples rpc_us;   ///< of the answered ones
 
+  std::int64_t planner_asked = 0;   ///< choices left to the Playmaker (GetBestPlannerAction)
+  std::int64_t planner_failed = 0;  ///< those without a usable answer
+
   std::int64_t undecided = 0;      ///< cycles that passed without a decision since the first one
   std::int64_t lost_commands = 0;  ///< body commands that the server did not carry out: too late
   std::int64_t late_wakeups = 0;   ///< decisions begun later than kLateWakeup after they were due

@@ -51,6 +51,7 @@ class CommandSlots {
   const BodyCommand& body() const { return body_; }
   bool has_body() const { return !std::holds_alternative<std::monostate>(body_); }
   bool has_neck() const { return turn_neck_.has_value(); }
+  bool has_attention() const { return !std::holds_alternative<std::monostate>(attention_); }
   bool has_focus() const { return change_focus_.has_value(); }
   /// True when a change of view was asked for, even one to the width we have.
   bool view_asked() const { return view_asked_; }

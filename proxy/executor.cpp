@@ -7,6 +7,8 @@
 
 #include "proto/playmaker.pb.h"
 #include "proxy/action_handlers.h"
+#include "proxy/behaviours/communication.h"
+#include "proxy/behaviours/heard_pass.h"
 #include "proxy/preprocess.h"
 #include "proxy/skills/clear_ball.h"
 #include "proxy/skills/dribble.h"
@@ -51,6 +53,12 @@ bool finite_field(const pb::Message& message, const pb::Reflection& reflection,
   return true;
 }
 
+void note_possession(const WorldModel& world, ActionMemory& memory) {
+  const bool has = world.self.kickable && world.game.mode == soccer::PlayMode::kPlayOn;
+  if (!has) memory.ball_since = -1;
+  if (has && memory.ball_since < 0) memory.ball_since = world.game.time.cycle;
+}
+
 /// Runs the list: main actions until one succeeds, side actions all.
 void run_list(const protos::PlayerActions& reply, ActionContext& context) {
   bool main_done = false;
@@ -91,10 +99,24 @@ bool run_sure_shot(ActionContext& context) {
 
 bool run_intention(ActionContext& context) {
   Intention& intention = context.memory.intention;
-  if (!intention.active()) return false;
-  if (!continue_dribble(context.world, intention, context.slots)) return false;
-  context.neck.kind = NeckPlan::Kind::kBallOrScan;
+  switch (intention.kind) {
+    case Intention::Kind::kNone:
+      return false;
+    case Intention::Kind::kReceive:
+      if (!continue_reception(context)) return false;
+      break;
+    case Intention::Kind::kDribble:
+      if (!continue_dribble(context.world, intention, context.slots)) return false;
+      context.neck.kind = NeckPlan::Kind::kBallOrScan;
+      break;
+  }
   ++context.report.intention;
+  return true;
+}
+
+bool run_heard_pass(ActionContext& context) {
+  if (!receive_heard_pass(context)) return false;
+  ++context.report.heard_pass;
   return true;
 }
 
@@ -114,6 +136,7 @@ void finish(ActionContext& context) {
   if (!context.slots.has_focus() && world.ball.position_valid()) {
     focus_to_point(world, context.slots, ball_after(world, 1));
   }
+  communicate(context);
 }
 
 }  // namespace
@@ -121,22 +144,33 @@ void finish(ActionContext& context) {
 bool needs_preprocess(const WorldModel& world) { return preprocess_reason(world).has_value(); }
 
 void execute(const protos::PlayerActions& reply, const WorldModel& world, ActionMemory& memory,
-             CommandSlots& slots, ActionReport& report) {
+             CommandSlots& slots, ActionReport& report, PlanChoice& choice) {
   NeckPlan neck;
-  ActionContext context{world, memory, slots, neck, report};
+  ActionContext context{world, memory, slots, neck, report, choice, &reply};
+  memory.debug.clear();
   note_sight(memory.sight, world);
+  note_possession(world, memory);
   const bool by_itself = (!reply.ignore_preprocess() && run_preprocess(context)) ||
                          (!reply.ignore_shootinpreprocess() && run_sure_shot(context)) ||
                          (!reply.ignore_dointention() && run_intention(context)) ||
-                         (!reply.ignore_doforcekick() && run_force_kick(context));
+                         (!reply.ignore_doforcekick() && run_force_kick(context)) ||
+                         (!reply.ignore_doheardpassrecieve() && run_heard_pass(context));
   if (!by_itself) run_list(reply, context);
-  finish(context);
+  if (choice.chooser != PlanChoice::Chooser::kWanted) finish(context);
+}
+
+void execute(const protos::PlayerActions& reply, const WorldModel& world, ActionMemory& memory,
+             CommandSlots& slots, ActionReport& report) {
+  PlanChoice choice;
+  execute(reply, world, memory, slots, report, choice);
 }
 
 void execute_without_reply(const WorldModel& world, ActionMemory& memory, CommandSlots& slots,
                            ActionReport& report) {
   NeckPlan neck;
-  ActionContext context{world, memory, slots, neck, report};
+  PlanChoice choice;
+  ActionContext context{world, memory, slots, neck, report, choice};
+  memory.debug.clear();
   note_sight(memory.sight, world);
   if (!run_preprocess(context)) neck.kind = NeckPlan::Kind::kBallOrScan;
   finish(context);

@@ -1,6 +1,7 @@
 // Turns a Playmaker's reply into this cycle's commands.
 #pragma once
 
+#include "proxy/action_context.h"
 #include "proxy/action_memory.h"
 #include "proxy/action_report.h"
 #include "proxy/command_slots.h"
@@ -20,7 +21,13 @@ bool needs_preprocess(const WorldModel& world);
 /// where the first main action (one that ends in a body command) that succeeds ends the main ones
 /// and side actions always run, then queued neck and view defaults (proxy behaviour 2.3, 2.6).
 /// Call once per decision on a completed world, with fresh `slots` of that world. Nothing in the
-/// reply can fail it: what is unknown, invalid or not implemented is counted in `report`.
+/// reply can fail it: what is unknown or invalid is counted in `report`.
+///
+/// With `choice` open, a planner action may leave it to the Playmaker: then `choice.chooser` is
+/// kWanted, nothing was decided, and execute() is to be called again with the answer in `choice`
+/// and with memory, slots and report as they were before. Without one the proxy chooses.
+void execute(const protos::PlayerActions& reply, const WorldModel& world, ActionMemory& memory,
+             CommandSlots& slots, ActionReport& report, PlanChoice& choice);
 void execute(const protos::PlayerActions& reply, const WorldModel& world, ActionMemory& memory,
              CommandSlots& slots, ActionReport& report);
 

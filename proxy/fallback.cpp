@@ -10,7 +10,7 @@ constexpr float kArrived = 1.0F;
 constexpr float kRunningPower = 70.0F;
 
 void go_home(const WorldModel& world, protos::PlayerActions& out) {
-  const soccer::Vec2 home = home_positions(world).at(static_cast<std::size_t>(world.unum - 1));
+  const soccer::Vec2 home = own_home_position(world);
   protos::Body_GoToPoint& go = *out.add_actions()->mutable_body_go_to_point();
   go.mutable_target_point()->set_x(static_cast<float>(home.x));
   go.mutable_target_point()->set_y(static_cast<float>(home.y));

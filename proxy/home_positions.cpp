@@ -1,4 +1,4 @@
-// A 4-3-3 that moves with the ball.
+// Choice of formation, and the limits that rules put on it.
 #include "proxy/home_positions.h"
 
 #include <algorithm>
@@ -10,48 +10,46 @@ namespace cls::proxy {
 namespace {
 
 using soccer::PlayMode;
+using soccer::Side;
 using soccer::Vec2;
 
-/// A role: its place with the ball at the centre, how much of the ball's way it follows, and the
-/// depth it stays in.
-struct Role {
-  Vec2 base;
-  Vec2 follow;  ///< share of the ball's x and y
-  double min_x;
-  double max_x;
-  Vec2 kick_off;
-};
-
-constexpr std::array<Role, soccer::kPlayersPerTeam> kRoles{{
-    {{-49.0, 0.0}, {0.06, 0.12}, -51.0, -46.0, {-49.0, 0.0}},
-    {{-17.0, -6.0}, {0.50, 0.25}, -46.0, 10.0, {-25.0, -6.0}},
-    {{-17.0, 6.0}, {0.50, 0.25}, -46.0, 10.0, {-25.0, 6.0}},
-    {{-15.0, -18.0}, {0.55, 0.22}, -45.0, 20.0, {-22.0, -18.0}},
-    {{-15.0, 18.0}, {0.55, 0.22}, -45.0, 20.0, {-22.0, 18.0}},
-    {{-6.0, 0.0}, {0.62, 0.35}, -40.0, 32.0, {-13.0, 0.0}},
-    {{0.0, -11.0}, {0.65, 0.30}, -36.0, 40.0, {-10.5, -11.0}},
-    {{0.0, 11.0}, {0.65, 0.30}, -36.0, 40.0, {-10.5, 11.0}},
-    {{12.0, -20.0}, {0.62, 0.20}, -24.0, 46.0, {-2.0, -20.0}},
-    {{12.0, 20.0}, {0.62, 0.20}, -24.0, 46.0, {-2.0, 20.0}},
-    {{14.0, 0.0}, {0.62, 0.25}, -20.0, 48.0, {-0.8, -0.5}},
-}};
+/// The left variant of a mode that has a side, the mode itself otherwise.
+PlayMode kind_of(PlayMode mode) {
+  return soccer::side(mode) == Side::kNeutral ? mode : soccer::for_side(mode, Side::kLeft);
+}
 
 bool before_play(PlayMode mode) {
-  return mode == PlayMode::kBeforeKickOff || mode == PlayMode::kGoalLeft ||
-         mode == PlayMode::kGoalRight;
+  return mode == PlayMode::kBeforeKickOff || kind_of(mode) == PlayMode::kGoalLeft;
+}
+
+int our_steps(const WorldModel& world) {
+  return std::min(world.intercept.best_self_steps(), world.intercept.first_teammate_steps);
+}
+
+FormationKind in_open_play(const WorldModel& world) {
+  constexpr int kClearly = 2;
+  const int ours = our_steps(world);
+  const int theirs = world.intercept.first_opponent_steps;
+  if (theirs <= ours - kClearly) return FormationKind::kDefense;
+  if (ours <= theirs - kClearly) return FormationKind::kOffense;
+  return FormationKind::kNormal;
+}
+
+bool in_a_penalty_area(Vec2 ball) {
+  return std::fabs(ball.x) > soccer::kHalfLength - soccer::kPenaltyAreaLength &&
+         std::fabs(ball.y) < soccer::kPenaltyAreaWidth / 2.0;
 }
 
 Vec2 ball_of_interest(const WorldModel& world) {
-  const PlayMode mode = world.game.mode;
-  const bool rolling = mode == PlayMode::kPlayOn || mode == PlayMode::kGoalKickLeft ||
-                       mode == PlayMode::kGoalKickRight;
+  const PlayMode kind = kind_of(world.game.mode);
+  const bool rolling = kind == PlayMode::kPlayOn || kind == PlayMode::kGoalKickLeft;
   return rolling ? first_reach_point(world) : world.ball.position;
 }
 
 /// As far forward as a player may stand without being offside.
 double farthest_x(const WorldModel& world) {
-  const InterceptTable& table = world.intercept;
-  const int ours = std::min(table.best_self_steps(), table.first_teammate_steps);
+  if (before_play(world.game.mode)) return 0.0;
+  const int ours = our_steps(world);
   double line = world.lines.offside;
   if (ours < 50) line = std::max(line, ball_after(world, ours).x);
   return line - 1.0;
@@ -59,29 +57,49 @@ double farthest_x(const WorldModel& world) {
 
 }  // namespace
 
-std::array<Vec2, soccer::kPlayersPerTeam> home_positions(const WorldModel& world) {
-  std::array<Vec2, soccer::kPlayersPerTeam> points;
-  const bool waiting = before_play(world.game.mode);
-  const Vec2 ball = ball_of_interest(world);
+FormationKind formation_kind(const WorldModel& world) {
+  const PlayMode mode = world.game.mode;
+  const bool ours = is_set_play_of(world.game, world.our_side);
+  const auto pick = [ours](FormationKind our, FormationKind their) { return ours ? our : their; };
+  if (before_play(mode)) return FormationKind::kBeforeKickOff;
+  if (world.game.goalie_catch) {
+    return pick(FormationKind::kGoalieCatchOur, FormationKind::kGoalieCatchTheir);
+  }
+  switch (kind_of(mode)) {
+    case PlayMode::kPlayOn:
+      return in_open_play(world);
+    case PlayMode::kKickInLeft:
+    case PlayMode::kCornerKickLeft:
+      return pick(FormationKind::kKickInOur, FormationKind::kSetPlayTheir);
+    case PlayMode::kGoalKickLeft:
+      return pick(FormationKind::kGoalKickOur, FormationKind::kGoalKickTheir);
+    case PlayMode::kBackPassLeft:
+    case PlayMode::kIndirectFreeKickLeft:
+      return pick(FormationKind::kIndirectOur, FormationKind::kIndirectTheir);
+    case PlayMode::kFoulChargeLeft:
+    case PlayMode::kFoulPushLeft:
+      if (in_a_penalty_area(world.ball.position)) {
+        return pick(FormationKind::kIndirectOur, FormationKind::kIndirectTheir);
+      }
+      [[fallthrough]];
+    default:
+      return pick(FormationKind::kSetPlayOur, FormationKind::kSetPlayTheir);
+  }
+}
+
+TeamPoints home_positions(const WorldModel& world) {
+  const Formation& formation = world.formations->of(formation_kind(world));
+  TeamPoints points = formation.positions(ball_of_interest(world));
   const double max_x = farthest_x(world);
-  // Steps up when the ball is ours, drops when it is theirs.
-  const InterceptTable& table = world.intercept;
-  const int ours = std::min(table.best_self_steps(), table.first_teammate_steps);
-  const double lead = std::clamp(table.first_opponent_steps - ours, -4, 4);
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const Role& role = kRoles[i];
-    if (waiting) {
-      points[i] = role.kick_off;
-      continue;
-    }
-    const double step = i == 0 ? 0.0 : lead;
-    const double x =
-        std::clamp(role.base.x + role.follow.x * ball.x + step, role.min_x, role.max_x);
-    const double y = role.base.y + role.follow.y * ball.y;
-    points[i] = {std::min(x, max_x),
-                 std::clamp(y, -soccer::kHalfWidth + 1.5, soccer::kHalfWidth - 1.5)};
+  for (Vec2& point : points) {
+    point.x = std::clamp(std::min(point.x, max_x), -soccer::kHalfLength, soccer::kHalfLength);
+    point.y = std::clamp(point.y, -soccer::kHalfWidth, soccer::kHalfWidth);
   }
   return points;
+}
+
+Vec2 own_home_position(const WorldModel& world) {
+  return home_positions(world)[static_cast<std::size_t>(world.unum - 1)];
 }
 
 }  // namespace cls::proxy

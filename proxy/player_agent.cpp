@@ -3,11 +3,14 @@
 
 #include <algorithm>
 #include <cassert>
+#include <filesystem>
 #include <utility>
 
 #include "proxy/executor.h"
 #include "proxy/fallback.h"
 #include "proxy/home_positions.h"
+#include "proxy/planner/planner_messages.h"
+#include "proxy/shoot_out_view.h"
 #include "proxy/state_message.h"
 #include "soccer/protocol/connection_request.h"
 #include "soccer/protocol/message_kind.h"
@@ -42,6 +45,13 @@ std::string settings(int protocol) {
   return datagram;
 }
 
+bool leaves_choice_open(const protos::PlayerActions& actions) {
+  return std::any_of(actions.actions().begin(), actions.actions().end(), [](const auto& action) {
+    return action.has_helios_offensive_planner() &&
+           action.helios_offensive_planner().server_side_decision();
+  });
+}
+
 // Commands that the server counts whatever comes of them, one a cycle; a kick it does not when the
 // ball is out of reach.
 bool is_counted(const soccer::PlayerCommand& command, soccer::PlayMode mode) {
@@ -53,7 +63,9 @@ bool is_counted(const soccer::PlayerCommand& command, soccer::PlayMode mode) {
 }  // namespace
 
 PlayerAgent::PlayerAgent(std::unique_ptr<soccer::Channel> channel, AgentOptions options)
-    : channel_(std::move(channel)), options_(options) {}
+    : channel_(std::move(channel)), options_(std::move(options)) {
+  if (options_.formations != nullptr) world_.formations = options_.formations;
+}
 
 bool PlayerAgent::connect() {
   refusal_.clear();
@@ -223,27 +235,75 @@ const protos::State& PlayerAgent::state(Instant now) {
   deciding_ = true;
   timer_.decided();
   complete(world_);
-  fill_state(world_, home_positions(world_), needs_preprocess(world_), state_);
+  view_.reset();
+  if (turned_for_shoot_out(world_)) view_ = std::make_unique<WorldModel>(turned(world_));
+  const WorldModel& world = decision_world();
+  fill_state(world, home_positions(world), needs_preprocess(world), state_);
   return state_;
 }
 
-void PlayerAgent::act(const protos::PlayerActions& actions) {
-  CommandSlots slots(world_);
-  execute(actions, world_, memory_, slots, statistics_.actions);
+bool PlayerAgent::act(const protos::PlayerActions& actions) {
+  const WorldModel& world = decision_world();
   if (options_.on_late == OnLate::kLast) last_actions_ = actions;
+  choice_ = {};
+  if (world.self.kickable && leaves_choice_open(actions)) {
+    // What is tried here is tried again with the answer.
+    choice_.chooser = PlanChoice::Chooser::kOpen;
+    ActionMemory memory = memory_;
+    CommandSlots slots(world);
+    ActionReport report = statistics_.actions;
+    execute(actions, world, memory, slots, report, choice_);
+    if (choice_.chooser == PlanChoice::Chooser::kWanted) {
+      chosen_from_ = actions;
+      fill_planner_request(world, choice_.plan, state_, planner_request_);
+      awaits_choice_ = true;
+      return false;
+    }
+    memory_ = std::move(memory);
+    statistics_.actions = report;
+    send(slots);
+    return true;
+  }
+  CommandSlots slots(world);
+  execute(actions, world, memory_, slots, statistics_.actions, choice_);
+  send(slots);
+  return true;
+}
+
+void PlayerAgent::act_on_choice(std::optional<int> node) {
+  assert(awaits_choice_);
+  awaits_choice_ = false;
+  const WorldModel& world = decision_world();
+  choice_.chooser = PlanChoice::Chooser::kAnswered;
+  choice_.node = node.value_or(-1);
+  // An index that no node has is no failure: the plan's own best stands in for it.
+  if (node && *node < 0) choice_.node = choice_.plan.best;
+  CommandSlots slots(world);
+  execute(chosen_from_, world, memory_, slots, statistics_.actions, choice_);
   send(slots);
 }
 
 void PlayerAgent::act_without_reply() {
-  CommandSlots slots(world_);
-  if (options_.on_late == OnLate::kDefault) make_fallback(world_, last_actions_);
+  const WorldModel& world = decision_world();
+  CommandSlots slots(world);
+  if (options_.on_late == OnLate::kDefault) make_fallback(world, last_actions_);
   if (options_.on_late == OnLate::kHold || last_actions_.actions_size() == 0) {
-    execute_without_reply(world_, memory_, slots, statistics_.actions);
+    execute_without_reply(world, memory_, slots, statistics_.actions);
   } else {
     ActionReport unasked;  // not what the Playmaker wanted in this cycle
-    execute(last_actions_, world_, memory_, slots, unasked);
+    execute(last_actions_, world, memory_, slots, unasked);
   }
   send(slots);
+}
+
+void PlayerAgent::write_debug_log() {
+  if (options_.debug_log.empty() || memory_.debug.empty()) return;
+  if (!debug_log_.is_open()) {
+    const std::string name =
+        std::string(options_.team_name.view()) + "-" + std::to_string(world_.unum) + ".log";
+    debug_log_.open(std::filesystem::path(options_.debug_log) / name);
+  }
+  debug_log_ << memory_.debug;
 }
 
 void PlayerAgent::send(const CommandSlots& slots) {
@@ -258,6 +318,7 @@ void PlayerAgent::send(const CommandSlots& slots) {
   channel_->send(datagram_);
   note_sent_commands(world_, commands_);
   deciding_ = false;
+  write_debug_log();
 }
 
 void PlayerAgent::leave() {

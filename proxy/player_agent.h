@@ -2,15 +2,19 @@
 #pragma once
 
 #include <cstdint>
+#include <fstream>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "proto/playmaker.pb.h"
+#include "proxy/action_context.h"
 #include "proxy/action_memory.h"
 #include "proxy/agent_statistics.h"
 #include "proxy/command_slots.h"
 #include "proxy/decision_timer.h"
+#include "proxy/formation/formation_set.h"
 #include "proxy/perception.h"
 #include "proxy/world_model.h"
 #include "soccer/channel.h"
@@ -37,6 +41,8 @@ struct AgentOptions {
   int protocol = soccer::kDefaultProtocolVersion;  ///< version of the text protocol, 14 to 19
   OnLate on_late = OnLate::kHold;
   int reconnect_unum = 0;  ///< not 0: takes over this player, who lost his connection
+  std::shared_ptr<const FormationSet> formations;  ///< null: the built-in ones
+  std::string debug_log;  ///< folder for what Playmakers log; empty: nowhere
 };
 
 /// The messages of the server that this agent could not use; none in a healthy match.
@@ -75,8 +81,14 @@ class PlayerAgent {
   /// The State for the decision that is due; completes the world model. Once per decision. Lives
   /// until the next call.
   const protos::State& state(Instant now = {});
-  /// Carries out the answer, sends the commands and (done).
-  void act(const protos::PlayerActions& actions);
+  /// Carries out the answer, sends the commands and (done). False when the Playmaker has to choose
+  /// among planned actions first: ask it with planner_request(), then act_on_choice().
+  bool act(const protos::PlayerActions& actions);
+  /// Valid after act() returned false, until act_on_choice().
+  bool awaits_choice() const { return awaits_choice_; }
+  const protos::BestPlannerActionRequest& planner_request() const { return planner_request_; }
+  /// Goes on with the chosen node's index; nothing: the Playmaker did not answer.
+  void act_on_choice(std::optional<int> node);
   /// The same without an answer, as the options say.
   void act_without_reply();
   /// Takes leave of the server.
@@ -103,6 +115,8 @@ class PlayerAgent {
   void note_lost_commands();
   void begin_part(const soccer::PlayerInitReply& init);
   void send(const CommandSlots& slots);
+  const WorldModel& decision_world() const { return view_ ? *view_ : world_; }
+  void write_debug_log();
 
   std::unique_ptr<soccer::Channel> channel_;
   AgentOptions options_;
@@ -118,6 +132,12 @@ class PlayerAgent {
   bool awaits_count_ = false;  ///< sent a command that the next sense_body must count
   protos::State state_;
   protos::PlayerActions last_actions_;  // kLast, kDefault
+  std::unique_ptr<WorldModel> view_;    // in a shoot-out the other way round
+  bool awaits_choice_ = false;
+  PlanChoice choice_;
+  protos::PlayerActions chosen_from_;  // the list that waits for a choice
+  protos::BestPlannerActionRequest planner_request_;
+  std::ofstream debug_log_;
 
   // Reused, so that a steady match does not allocate.
   std::string message_;

@@ -42,8 +42,7 @@ void preprocess(PreprocessReason reason, const WorldModel& world, const SightMem
       return;
     case PreprocessReason::kNoPlay:
       view_tactical(world, slots);
-      before_kick_off(world, sight, slots,
-                      home_positions(world)[static_cast<std::size_t>(world.unum - 1)]);
+      before_kick_off(world, sight, slots, own_home_position(world));
       return;
     case PreprocessReason::kPlaceUnknown:
       emergency(world, sight, slots);

@@ -53,7 +53,7 @@ protos::RegisterResponse own_identity(const protos::RegisterRequest& request) {
 }  // namespace
 
 Team::Team(TeamOptions options, Playmaker& playmaker)
-    : options_(options), name_(options.name.view()), playmaker_(&playmaker) {}
+    : options_(std::move(options)), name_(options_.name.view()), playmaker_(&playmaker) {}
 
 soccer::Result<void> Team::connect(const OpenChannel& open, const Serve& serve) {
   for (int i = 0; i < options_.players; ++i) {
@@ -72,6 +72,8 @@ soccer::Result<void> Team::connect_one(const OpenChannel& open, const Serve& ser
   options.goalie = goalie;
   options.protocol = options_.protocol;
   options.on_late = options_.on_late;
+  options.formations = options_.formations;
+  options.debug_log = options_.debug_log;
   if (options_.reconnect) {
     options.reconnect_unum = options_.first_unum + static_cast<int>(players_.size());
   }
@@ -226,13 +228,37 @@ int Team::run_cycle() {
 void Team::carry_out(const Reply& reply) {
   --outstanding_;
   PlayerAgent& asker = agent(reply.agent);
+  if (asker.awaits_choice()) {
+    carry_out_choice(asker, reply);
+    return;
+  }
   asker.statistics().count(reply);
   if (reply.player == nullptr) {
     asker.act_without_reply();
-  } else {
-    asker.act(*reply.player);
-    warn_of_unimplemented(asker);
+  } else if (!asker.act(*reply.player)) {
+    ask_for_choice(asker);
+    return;
   }
+  warn_of_unimplemented(asker);
+  warn_of_server(asker);
+}
+
+void Team::ask_for_choice(PlayerAgent& asker) {
+  ++asker.statistics().planner_asked;
+  const RpcTimeout timeout = decision_timeout(asker, std::chrono::steady_clock::now());
+  playmaker_->begin_best_planner_action(asker.unum(), asker.planner_request(), timeout);
+  ++outstanding_;
+}
+
+void Team::carry_out_choice(PlayerAgent& asker, const Reply& reply) {
+  if (reply.planner != nullptr) {
+    asker.act_on_choice(reply.planner->index());
+  } else {
+    ++asker.statistics().planner_failed;
+    warn_once("the Playmaker did not choose a planned action: " + reply.status.message);
+    asker.act_on_choice(std::nullopt);
+  }
+  warn_of_unimplemented(asker);
   warn_of_server(asker);
 }
 

@@ -26,6 +26,8 @@ struct TeamOptions {
   int first_unum = 1;                   ///< of those to take over with `reconnect`
   bool reconnect = false;               ///< take over players who lost their connection
   bool goalie = true;                   ///< the first one is the goalie
+  std::shared_ptr<const FormationSet> formations;  ///< null: the built-in ones
+  std::string debug_log;  ///< folder for what the Playmaker logs; empty: nowhere
 };
 
 /// Where a team's time went, summed over all cycles.
@@ -106,6 +108,8 @@ class Team {
   RpcTimeout decision_timeout(const PlayerAgent& agent, Instant now) const;
   PlayerAgent& agent(int unum);
   void carry_out(const Reply& reply);
+  void carry_out_choice(PlayerAgent& asker, const Reply& reply);
+  void ask_for_choice(PlayerAgent& asker);
   void warn_once(const std::string& line);
   void warn_of_unimplemented(const PlayerAgent& agent);
   void warn_of_server(const PlayerAgent& agent);

@@ -14,7 +14,8 @@ const PlayerState* find(const PlayerList& list, Predicate predicate) {
 
 }  // namespace
 
-WorldModel::WorldModel() : parameters(std::make_shared<const MatchParameters>()) {}
+WorldModel::WorldModel()
+    : parameters(std::make_shared<const MatchParameters>()), formations(built_in_formations()) {}
 
 const PlayerState* WorldModel::teammate(int number) const {
   return find(teammates, [number](const PlayerState& p) { return p.unum == number; });

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "proxy/formation/formation_set.h"
 #include "proxy/world/ball_state.h"
 #include "proxy/world/game_state.h"
 #include "proxy/world/intercept_table.h"
@@ -55,6 +56,7 @@ struct WorldModel {
   soccer::TeamName our_team_name;
   soccer::TeamName their_team_name;                   ///< empty until somebody of theirs was seen
   std::shared_ptr<const MatchParameters> parameters;  ///< never null
+  std::shared_ptr<const FormationSet> formations;     ///< never null
 
   GameState game;
   SelfState self;

@@ -2,9 +2,12 @@
 #include "proxy/skills/basic_move.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "proxy/home_positions.h"
+#include "proxy/skills/block.h"
 #include "proxy/skills/intercept.h"
+#include "proxy/skills/mark.h"
 #include "proxy/skills/motion.h"
 #include "proxy/skills/movement.h"
 #include "proxy/skills/tackle.h"
@@ -55,9 +58,18 @@ bool basic_move(const WorldModel& world, CommandSlots& slots, NeckPlan& neck, bo
     neck.kind = NeckPlan::Kind::kOffensiveIntercept;
     return intercept(world, slots, true, {soccer::kHalfLength, 0.0});
   }
-  const Vec2 home = home_positions(world)[static_cast<std::size_t>(world.unum - 1)];
-  const double threshold = std::max(1.0, 0.1 * world.ball.dist_from_self);
-  const double power = normal_dash_power(world, recovering);
+  if (const std::optional<Vec2> block = block_point(world)) {
+    neck.kind = NeckPlan::Kind::kBall;
+    const double max = world.server().max_dash_power;
+    if (go_to_point(world, slots, *block, 0.4, max, {3, 20.0, true})) return true;
+    return turn_to_ball(world, slots) || slots.has_body();
+  }
+  const TeamPoints homes = home_positions(world);
+  const std::optional<Vec2> mark = mark_point(world, homes);
+  const Vec2 home = mark ? *mark : homes[static_cast<std::size_t>(world.unum - 1)];
+  const double threshold = mark ? 0.5 : std::max(1.0, 0.1 * world.ball.dist_from_self);
+  const double usual = normal_dash_power(world, recovering);
+  const double power = mark ? world.server().max_dash_power : usual;
   if (!go_to_point(world, slots, home, threshold, power)) turn_to_ball(world, slots);
   const bool duel = world.kickable_opponent() && world.ball.dist_from_self < 18.0;
   neck.kind = duel ? NeckPlan::Kind::kBall : NeckPlan::Kind::kBallOrScan;

@@ -1,4 +1,4 @@
-// Play without the ball: tackle, go for it, or take one's place.
+// Play without the ball: tackle, go for it, stand in the way, or take the own place.
 #pragma once
 
 #include "proxy/command_slots.h"

@@ -153,8 +153,10 @@ AngleDeg free_heading(const WorldModel& world, AngleDeg heading) {
 
 void leave_intention(const WorldModel& world, Intention& intention, Vec2 target, double power,
                      int dashes) {
+  intention.clear();
   intention.kind = Intention::Kind::kDribble;
   intention.target = target;
+  intention.heading = world.self.body;
   intention.dash_power = power;
   intention.dashes = dashes;
   intention.last = world.game.time;
@@ -187,6 +189,28 @@ bool run_with_ball(const WorldModel& world, const Threats& threats, Intention& i
   return true;
 }
 
+bool turn_on(const WorldModel& world, Intention& intention, CommandSlots& slots) {
+  --intention.turns;
+  return slots.turn((intention.heading - world.self.body).degrees());
+}
+
+bool dash_on(const WorldModel& world, Intention& intention, CommandSlots& slots) {
+  const Vec2 next_self = world.self.position + world.self.velocity +
+                         dash_acceleration(world, intention.dash_power, 0.0);
+  const Vec2 next_ball = ball_after(world, 1);
+  const bool bumps = distance(next_ball, next_self) < collide_distance(world) + kBodyGap;
+  const bool leaves_behind = world.self.kickable &&
+                             distance(next_ball, next_self) > kickable_area(world) - 0.1 &&
+                             intention.dashes <= 1;
+  if (bumps || leaves_behind) return false;
+  // A noisy turn may need a second one.
+  constexpr double kOffCourse = 20.0;
+  const double error = (intention.heading - world.self.body).degrees();
+  if (std::fabs(error) > kOffCourse) return slots.turn(error);
+  --intention.dashes;
+  return slots.dash(safe_dash_power(world, intention.dash_power));
+}
+
 }  // namespace
 
 bool dribble(const WorldModel& world, Intention& intention, CommandSlots& slots, Vec2 target,
@@ -206,30 +230,25 @@ bool dribble(const WorldModel& world, Intention& intention, CommandSlots& slots,
 }
 
 bool continue_dribble(const WorldModel& world, Intention& intention, CommandSlots& slots) {
+  const int left = intention.turns + intention.dashes;
   const bool in_time = world.game.time.cycle == intention.last.cycle + 1;
   const bool arrived = distance(world.self.position, intention.target) < 1.0;
   const bool ours = !world.kickable_opponent() && !world.kickable_teammate() &&
                     world.intercept.first_opponent_steps > world.intercept.best_self_steps();
   const bool in_reach =
-      world.ball.position_valid() && world.intercept.best_self_steps() <= intention.dashes + 2;
-  if (!in_time || arrived || !ours || !in_reach || intention.dashes <= 0) {
+      world.ball.position_valid() && world.intercept.best_self_steps() <= left + 2;
+  if (!in_time || arrived || !ours || !in_reach || left <= 0) {
     intention.clear();
     return false;
   }
-  const Vec2 next_self = world.self.position + world.self.velocity +
-                         dash_acceleration(world, intention.dash_power, 0.0);
-  const Vec2 next_ball = ball_after(world, 1);
-  const bool bumps = distance(next_ball, next_self) < collide_distance(world) + kBodyGap;
-  const bool leaves_behind = world.self.kickable &&
-                             distance(next_ball, next_self) > kickable_area(world) - 0.1 &&
-                             intention.dashes <= 1;
-  if (bumps || leaves_behind || !slots.dash(safe_dash_power(world, intention.dash_power))) {
+  const bool going =
+      intention.turns > 0 ? turn_on(world, intention, slots) : dash_on(world, intention, slots);
+  if (!going) {
     intention.clear();
     return false;
   }
-  --intention.dashes;
   intention.last = world.game.time;
-  if (intention.dashes == 0) intention.clear();
+  if (intention.turns + intention.dashes == 0) intention.clear();
   return true;
 }
 

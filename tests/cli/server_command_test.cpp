@@ -176,6 +176,11 @@ TEST(ProxyCommand, MistakesAreUsageErrors) {
   EXPECT_EQ(run({cls_binary(), "proxy", "-t", "much_too_long_a_name"}).exit_code, 2);
   EXPECT_EQ(run({cls_binary(), "proxy", "-u", "12"}).exit_code, 2);
   EXPECT_EQ(run({cls_binary(), "proxy", "--rpc-prot", "1"}).exit_code, 2);
+  const auto formation = run({cls_binary(), "proxy", "--formation", "no/such/folder"});
+  EXPECT_EQ(formation.exit_code, 2);
+  EXPECT_NE(formation.err.find("no/such/folder: no before-kick-off.formation"), std::string::npos)
+      << formation.err;
+  EXPECT_EQ(run({cls_binary(), "proxy", "--debug-log", "no/such/folder"}).exit_code, 2);
 }
 
 TEST(ProxyCommand, TakesOverAPlayerWhoLostHisConnection) {

@@ -83,7 +83,7 @@ TEST(Behaviours, UnknownNamesAreToldWithASuggestion) {
   EXPECT_EQ(make_behaviour("hodl").error().message,
             "unknown mock behaviour 'hodl'; did you mean 'hold'?");
   EXPECT_EQ(make_behaviour("zzz").error().message,
-            "unknown mock behaviour 'zzz' (known: simple, hold, random)");
+            "unknown mock behaviour 'zzz' (known: simple, planner, hold, random)");
 }
 
 }  // namespace

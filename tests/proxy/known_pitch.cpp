@@ -113,6 +113,21 @@ void KnownPitch::set_mode(soccer::PlayMode mode) {
   believe();
 }
 
+void KnownPitch::set_shoot_out(soccer::PlayMode mode) {
+  auto& rule = truth_.referee.penalty;
+  rule.started = true;
+  rule.goal_side = Side::kRight;
+  rule.taker_side = soccer::side(mode);
+  rule.timer = truth_.params().pen_taken_wait;
+  rule.previous_ball = truth_.ball.position;
+  proxy::PenaltyState& penalty = world.game.penalty;
+  penalty.field_side = Side::kRight;
+  penalty.taker = soccer::side(mode);
+  penalty.our_taken = penalty.their_taken = 1;
+  penalty.cycle = truth_.clock.time;
+  set_mode(mode);
+}
+
 void KnownPitch::set_time(int cycle, int stopped) {
   truth_.clock = {cycle, stopped};
   believe();

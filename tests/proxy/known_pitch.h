@@ -36,6 +36,8 @@ class KnownPitch {
   void add_opponent(int unum, soccer::Vec2 position, double body_deg = 180.0, int age = 0);
   /// The ball is ours in a mode that has a side to start.
   void set_mode(soccer::PlayMode mode);
+  /// The same in a shoot-out at the right goal; the mode's side takes the kick.
+  void set_shoot_out(soccer::PlayMode mode);
   void set_time(int cycle, int stopped = 0);
   void set_neck(double degrees);
   void set_stamina(double stamina);

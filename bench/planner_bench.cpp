@@ -1,0 +1,85 @@
+// What a plan costs, wherever a player of a recorded match is near enough to the ball to want one.
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <chrono>
+#include <string>
+#include <vector>
+
+#include "proxy/planner/field.h"
+#include "proxy/planner/search.h"
+#include "proxy/player_agent.h"
+#include "soccer/memory_channel.h"
+#include "tests/support/files.h"
+#include "tests/support/transcript.h"
+
+namespace cls::bench {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// Everything allowed, as upstream's samples ask for it.
+proxy::PlannerOptions everything() {
+  proxy::PlannerOptions options;
+  options.simple_pass = options.simple_dribble = true;
+  return options;
+}
+
+/// Microseconds of each plan. The ball is laid at the feet of whoever is within 10 m of it, so that
+/// there are many; opponents and teammates are where they were believed to be.
+void plans_of(const std::string& file, std::vector<double>& times, std::size_t& nodes) {
+  const auto path = tests::data(file);
+  if (!path) return;
+  auto [ours, servers] = soccer::make_memory_channel();
+  proxy::AgentOptions options;
+  options.team_name = "PROXY";
+  proxy::PlayerAgent agent(std::move(ours), options);
+  const protos::PlayerActions nothing;
+  for (const tests::Spoken& spoken : tests::read_transcript(tests::read_file(*path))) {
+    if (!spoken.by_server) continue;
+    servers->send(spoken.message);
+    agent.perceive();
+    if (!agent.decision_due()) continue;
+    agent.state();
+    proxy::WorldModel world = agent.world();
+    agent.act(nothing);
+    if (world.game.mode != soccer::PlayMode::kPlayOn || world.ball.dist_from_self > 10.0) continue;
+    world.ball.position = world.self.position + soccer::polar(0.6, world.self.body);
+    world.ball.velocity = world.self.velocity;
+    world.self.kickable = true;
+    world.self.kick_rate = 0.024;
+    const auto before = Clock::now();
+    const proxy::PlannerField field(world);
+    const proxy::Plan plan = proxy::make_plan(field, everything(), nullptr);
+    times.push_back(std::chrono::duration<double, std::micro>(Clock::now() - before).count());
+    nodes += plan.nodes.size();
+  }
+}
+
+void plan(benchmark::State& bench) {
+  std::vector<double> times;
+  std::size_t nodes = 0;
+  for (auto _ : bench) {
+    for (const char* file : {"aligned/udp/player_l4.txt.gz", "aligned/udp/player_l7.txt.gz",
+                             "aligned/udp/player_l10.txt.gz"}) {
+      plans_of(file, times, nodes);
+    }
+  }
+  if (times.empty()) {
+    bench.SkipWithError("no data: set CLS_DATA");
+    return;
+  }
+  std::sort(times.begin(), times.end());
+  const auto share = [&](double part) {
+    return times[static_cast<std::size_t>(part * static_cast<double>(times.size() - 1))];
+  };
+  bench.counters["plans"] = static_cast<double>(times.size());
+  bench.counters["nodes"] = static_cast<double>(nodes) / static_cast<double>(times.size());
+  bench.counters["p50_us"] = share(0.5);
+  bench.counters["p99_us"] = share(0.99);
+  bench.counters["max_us"] = times.back();
+}
+BENCHMARK(plan)->Unit(benchmark::kMillisecond)->Iterations(1);
+
+}  // namespace
+}  // namespace cls::bench

@@ -1,0 +1,196 @@
+// Field value first, then the effectors in the order of the interface.
+#include "proxy/planner/evaluation.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "proto/playmaker.pb.h"
+#include "proxy/planner/generators.h"
+#include "soccer/pitch.h"
+
+namespace cls::proxy {
+namespace {
+
+using soccer::Vec2;
+
+// A goal for us or them, a chance to shoot, and a state that must not be.
+constexpr double kGoal = 1e7;
+constexpr double kShot = 1e6;
+constexpr double kOwnShot = 5e5;
+constexpr double kImpossible = 1e300;
+
+struct FieldWeights {
+  double x = 1.0;
+  double goal_distance = 1.0;
+  double goal_radius = 40.0;
+};
+
+double ball_value(const PlannerField& field, const PlanNode& state, const FieldWeights& weights) {
+  constexpr double kGoalLine = soccer::kHalfLength - 0.1;
+  const double half_mouth = field.world.server().goal_width / 2.0 + 2.0;
+  const Vec2 ball = state.ball;
+  const bool between_posts = std::fabs(ball.y) < half_mouth;
+  if (state.holder == 0) return -kImpossible;
+  if (ball.x > kGoalLine && between_posts) return kGoal;
+  if (ball.x < -kGoalLine && between_posts) return -kGoal;
+  if (std::fabs(ball.x) > soccer::kHalfLength || std::fabs(ball.y) > soccer::kHalfWidth) {
+    return -kImpossible;
+  }
+  const double to_goal = distance(ball, {soccer::kHalfLength, 0.0});
+  double value = weights.x * (ball.x + soccer::kHalfLength) +
+                 weights.goal_distance * std::max(0.0, weights.goal_radius - to_goal);
+  constexpr int kShooterAge = 8;
+  if (can_shoot_from(field, ball, state.holder, kShooterAge)) {
+    value += kShot;
+    if (state.holder == field.self.unum) value += kOwnShot;
+  }
+  return value;
+}
+
+/// The default: as upstream's, but beside their goal the goal line is no better than a few metres
+/// before it, an opponent close by costs, and so does a long wait with the ball.
+double default_value(const PlannerField& field, const PlanNode& state) {
+  double value = ball_value(field, state, {});
+  if (std::fabs(value) >= kShot) return value;
+  const Vec2 ball = state.ball;
+  constexpr double kDeep = 45.0;
+  if (std::fabs(ball.y) > 10.0) value -= 1.5 * std::max(0.0, ball.x - kDeep);
+  constexpr double kClose = 3.0;
+  const double room = nearest_opponent(field, ball);
+  if (state.depth > 0 && room < kClose) value -= 1.5 * (kClose - room);
+  if (state.depth == 0) value -= std::clamp(1.0 * (field.held - 5), 0.0, 40.0);
+  return value;
+}
+
+/// The matrix covers the pitch; its smallest value counts as zero.
+double matrix_value(const protos::MatrixFieldEvaluator& matrix, Vec2 ball) {
+  const auto cell = [](double from_edge, double size, int count) {
+    const int index = static_cast<int>(std::floor(from_edge / (size / count)));
+    return std::clamp(index, 0, count - 1);
+  };
+  double least = kImpossible;
+  for (const auto& column : matrix.evals()) {
+    for (const float value : column.evals()) least = std::min(least, static_cast<double>(value));
+  }
+  if (matrix.evals_size() == 0) return 0.0;
+  const auto& column =
+      matrix.evals(cell(ball.x + soccer::kHalfLength, soccer::kPitchLength, matrix.evals_size()));
+  if (column.evals_size() == 0) return 0.0;
+  return column.evals(cell(ball.y + soccer::kHalfWidth, soccer::kPitchWidth, column.evals_size())) -
+         least;
+}
+
+double field_value(const PlannerField& field, const PlanNode& state,
+                   const protos::PlannerFieldEvaluator& wanted) {
+  double value = 0.0;
+  if (wanted.has_helios_field_evaluator()) {
+    const auto& helios = wanted.helios_field_evaluator();
+    FieldWeights weights;
+    weights.x = std::max(0.0F, helios.x_coefficient());
+    weights.goal_distance = std::max(0.0F, helios.ball_dist_to_goal_coefficient());
+    weights.goal_radius = std::max(0.0F, helios.effective_max_ball_dist_to_goal());
+    value += ball_value(field, state, weights);
+  }
+  if (wanted.has_matrix_field_evaluator()) {
+    value += matrix_value(wanted.matrix_field_evaluator(), state.ball);
+  }
+  return value;
+}
+
+double kind_factor(const protos::ActionTypeEffector& factors, PlanTag first) {
+  const auto factor = [](float wanted) { return std::max(0.0, static_cast<double>(wanted)); };
+  switch (first) {
+    case PlanTag::kStrictDirect:
+      return factor(factors.direct_pass());
+    case PlanTag::kStrictLead:
+      return factor(factors.lead_pass());
+    case PlanTag::kStrictThrough:
+      return factor(factors.through_pass());
+    case PlanTag::kCross:
+      return factor(factors.cross());
+    case PlanTag::kShortDribble:
+      return factor(factors.short_dribble());
+    case PlanTag::kSelfPass:
+      return factor(factors.long_dribble());
+    case PlanTag::kHold:
+      return factor(factors.hold());
+    default:
+      return 1.0;
+  }
+}
+
+/// The entry for the value's whole part; beyond the list nothing. Positive entries count as zero,
+/// and the list is shifted so that its worst entry costs nothing.
+template <typename List>
+double listed_effect(const List& list, double at) {
+  if (list.empty()) return 0.0;
+  double worst = 0.0;
+  for (const float entry : list) worst = std::min(worst, static_cast<double>(entry));
+  const bool listed = at >= 0.0 && at < static_cast<double>(list.size());
+  const double entry = listed ? std::min(0.0F, list.Get(static_cast<int>(at))) : 0.0;
+  return entry - worst;
+}
+
+double steps_of_nearest(const PlannerField& field, Vec2 point) {
+  double steps = 1000.0;
+  for (const FieldOpponent& opponent : field.opponents) {
+    if (opponent.unum == 0) continue;
+    const double dist = distance(opponent.position, point);
+    steps = std::min(steps, static_cast<double>(opponent.reach->cycles(dist)));
+  }
+  return steps;
+}
+
+double distance_of_nearest(const PlannerField& field, Vec2 point) {
+  double least = 1000.0;
+  for (const FieldOpponent& opponent : field.opponents) {
+    if (opponent.unum != 0) least = std::min(least, distance(opponent.position, point));
+  }
+  return least;
+}
+
+double with_effectors(const PlannerField& field, const Plan& plan, int node, double value,
+                      const protos::PlannerEvaluationEffector& effectors) {
+  const PlanNode& state = plan.nodes[static_cast<std::size_t>(node)];
+  const PlanNode& first = plan.nodes[static_cast<std::size_t>(plan.first_of(node))];
+  if (effectors.has_action_type_effector()) {
+    value *= kind_factor(effectors.action_type_effector(), first.action.tag);
+  }
+  if (effectors.has_opponent_effector()) {
+    const auto& opponents = effectors.opponent_effector();
+    const auto at = [&](bool first_layer) { return first_layer ? first.ball : state.ball; };
+    const Vec2 near = at(opponents.negetive_effect_by_distance_based_on_first_layer());
+    const Vec2 reached = at(opponents.negetive_effect_by_reach_steps_based_on_first_layer());
+    value +=
+        listed_effect(opponents.negetive_effect_by_distance(), distance_of_nearest(field, near));
+    value +=
+        listed_effect(opponents.negetive_effect_by_reach_steps(), steps_of_nearest(field, reached));
+  }
+  if (effectors.has_teammate_effector()) {
+    const auto& mates = effectors.teammate_effector();
+    const int holder = mates.apply_based_on_first_layer() ? first.holder : state.holder;
+    const auto found = mates.coefficients().find(holder);
+    if (found != mates.coefficients().end()) value *= std::max(0.0F, found->second);
+  }
+  return value;
+}
+
+}  // namespace
+
+double evaluate(const PlannerField& field, const Plan& plan, int node,
+                const protos::PlannerEvaluation* wanted) {
+  const PlanNode& state = plan.nodes[static_cast<std::size_t>(node)];
+  double value = 0.0;
+  const bool own_field = wanted != nullptr && wanted->has_field_evaluators() &&
+                         (wanted->field_evaluators().has_helios_field_evaluator() ||
+                          wanted->field_evaluators().has_matrix_field_evaluator());
+  if (own_field) {
+    value = field_value(field, state, wanted->field_evaluators());
+  } else {
+    value = default_value(field, state);
+  }
+  if (wanted == nullptr || !wanted->has_effectors()) return value;
+  return with_effectors(field, plan, node, value, wanted->effectors());
+}
+
+}  // namespace cls::proxy

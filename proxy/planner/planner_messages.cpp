@@ -1,0 +1,110 @@
+// Nodes to messages.
+#include "proxy/planner/planner_messages.h"
+
+#include <algorithm>
+
+#include "proto/playmaker.pb.h"
+#include "proxy/object_messages.h"
+
+namespace cls::proxy {
+namespace {
+
+protos::RpcActionCategory category(PlanCategory category) {
+  switch (category) {
+    case PlanCategory::kHold:
+      return protos::AC_Hold;
+    case PlanCategory::kDribble:
+      return protos::AC_Dribble;
+    case PlanCategory::kPass:
+      return protos::AC_Pass;
+    case PlanCategory::kShoot:
+      return protos::AC_Shoot;
+    case PlanCategory::kClear:
+      return protos::AC_Clear;
+    case PlanCategory::kMove:
+      return protos::AC_Move;
+    case PlanCategory::kNoAction:
+      break;
+  }
+  return protos::AC_NoAction;
+}
+
+const char* description(PlanTag tag) {
+  switch (tag) {
+    case PlanTag::kHold:
+      return "Hold";
+    case PlanTag::kStrictDirect:
+      return "strictDirect";
+    case PlanTag::kStrictLead:
+      return "strictLead";
+    case PlanTag::kStrictThrough:
+      return "strictThrough";
+    case PlanTag::kCross:
+      return "cross";
+    case PlanTag::kShortDribble:
+      return "shortDribble";
+    case PlanTag::kSelfPass:
+      return "SelfPass";
+    case PlanTag::kSimplePass:
+      return "actgenDirect";
+    case PlanTag::kSimpleDribble:
+      return "actgenDribble";
+    case PlanTag::kSimpleShoot:
+      return "shoot";
+  }
+  return "";
+}
+
+void fill_action(const PlanNode& node, int index, protos::RpcCooperativeAction& out) {
+  const PlanAction& action = node.action;
+  out.set_category(category(action.category));
+  out.set_index(index);
+  out.set_sender_unum(action.sender);
+  out.set_target_unum(action.target);
+  fill(action.target_point, *out.mutable_target_point());
+  out.set_first_ball_speed(action.first_speed);
+  out.set_duration_step(action.duration);
+  out.set_kick_count(action.kicks);
+  out.set_turn_count(action.turns);
+  out.set_dash_count(action.dashes);
+  out.set_final_action(action.final);
+  out.set_description(description(action.tag));
+  out.set_parent_index(node.parent > 0 ? node.parent : -1);
+}
+
+void fill_state(const WorldModel& world, const PlanNode& node, protos::RpcPredictState& out) {
+  out.set_spend_time(node.time);
+  out.set_ball_holder_unum(node.holder);
+  fill(node.ball, *out.mutable_ball_position());
+  fill({}, *out.mutable_ball_velocity());
+  out.set_our_defense_line_x(node.our_defence_line);
+  double foremost = std::max(world.self.position.x, node.ball.x);
+  for (const PlayerState& mate : world.teammates) {
+    if (mate.position_valid()) foremost = std::max(foremost, mate.position.x);
+  }
+  out.set_our_offense_line_x(foremost);
+}
+
+}  // namespace
+
+void fill_planner_request(const WorldModel& world, const Plan& plan, const protos::State& state,
+                          protos::BestPlannerActionRequest& out) {
+  *out.mutable_register_response() = state.register_response();
+  *out.mutable_state() = state;
+  auto& pairs = *out.mutable_pairs();
+  pairs.clear();
+  for (std::size_t i = 0; i < plan.nodes.size(); ++i) {
+    const PlanNode& node = plan.nodes[i];
+    protos::RpcActionState& pair = pairs[static_cast<int>(i)];
+    fill_action(node, static_cast<int>(i), *pair.mutable_action());
+    fill_state(world, node, *pair.mutable_predict_state());
+    pair.set_evaluation(node.value);
+  }
+}
+
+int first_action_of(const Plan& plan, int chosen) {
+  const bool known = chosen >= 0 && chosen < static_cast<int>(plan.nodes.size());
+  return plan.first_of(known ? chosen : plan.best);
+}
+
+}  // namespace cls::proxy

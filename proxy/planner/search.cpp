@@ -1,0 +1,155 @@
+// Always the most promising state next, until enough states were looked at.
+#include "proxy/planner/search.h"
+
+#include <algorithm>
+#include <map>
+#include <queue>
+#include <utility>
+
+#include "proto/playmaker.pb.h"
+#include "proxy/planner/evaluation.h"
+#include "proxy/planner/generators.h"
+
+namespace cls::proxy {
+namespace {
+
+constexpr int kDefaultDepth = 4;
+constexpr int kDefaultNodes = 500;
+// More than this no cycle has time for.
+constexpr int kMostNodes = 10000;
+constexpr int kMostDepth = 10;
+
+class Search {
+ public:
+  Search(const PlannerField& field, const PlannerOptions& options,
+         const protos::PlannerEvaluation* wanted)
+      : field_(field), options_(options), wanted_(wanted) {
+    plan_.nodes.reserve(static_cast<std::size_t>(options.max_nodes) + 1);
+  }
+
+  Plan run() {
+    add_root();
+    while (!open_.empty() && count() < options_.max_nodes) {
+      const int node = -open_.top().second;
+      open_.pop();
+      expand(node);
+    }
+    return std::move(plan_);
+  }
+
+ private:
+  int count() const { return static_cast<int>(plan_.nodes.size()); }
+
+  void add_root() {
+    PlanNode root;
+    root.action.sender = root.action.target = field_.self.unum;
+    root.action.target_point = field_.ball;
+    root.action.final = true;
+    root.holder = field_.self.unum;
+    root.ball = field_.ball;
+    root.our_defence_line = field_.world.lines.our_defense;
+    plan_.nodes.push_back(root);
+    plan_.nodes[0].value = evaluate(field_, plan_, 0, wanted_);
+    open_.push({plan_.nodes[0].value, 0});
+  }
+
+  void generate(int node) {
+    actions_.clear();
+    if (node == 0) {
+      if (options_.passes) add_passes(field_, actions_);
+      if (options_.cross) add_crosses(field_, actions_);
+      if (options_.short_dribble) add_short_dribbles(field_, actions_);
+      if (options_.long_dribble) add_self_passes(field_, actions_);
+      return;
+    }
+    const CoarseState state{field_, plan_, node};
+    if (options_.simple_pass) add_simple_passes(state, actions_);
+    if (options_.simple_dribble) add_simple_dribbles(state, actions_);
+    if (options_.simple_shoot) add_simple_shot(state, actions_);
+  }
+
+  PlanNode child(int parent, const PlanAction& action) const {
+    const PlanNode& from = plan_.nodes[static_cast<std::size_t>(parent)];
+    PlanNode node;
+    node.action = action;
+    node.parent = parent;
+    node.depth = from.depth + 1;
+    node.holder = action.target;
+    node.ball = action.target_point;
+    node.time = from.time + action.duration;
+    node.our_defence_line = std::min(from.our_defence_line, node.ball.x);
+    return node;
+  }
+
+  /// Adds the node, valued.
+  void add(PlanNode node) {
+    plan_.nodes.push_back(node);
+    plan_.nodes.back().value = evaluate(field_, plan_, count() - 1, wanted_);
+  }
+
+  /// Of many first actions that differ by a metre, the best of each kind and receiver: the tree
+  /// needs room for what comes after them.
+  void thin_out() {
+    constexpr int kOfAKind = 10;
+    std::vector<std::pair<double, std::size_t>> order;
+    for (std::size_t i = 0; i < actions_.size(); ++i) {
+      add(child(0, actions_[i]));
+      order.emplace_back(-plan_.nodes.back().value, i);
+      plan_.nodes.pop_back();
+    }
+    std::sort(order.begin(), order.end());
+    std::map<std::pair<PlanTag, int>, int> taken;
+    std::vector<PlanAction> kept;
+    const auto most = static_cast<std::size_t>(std::max(10, options_.max_nodes / 3));
+    for (const auto& [value, i] : order) {
+      const PlanAction& action = actions_[i];
+      if (kept.size() >= most) break;
+      if (taken[{action.tag, action.target}]++ < kOfAKind) kept.push_back(action);
+    }
+    actions_ = std::move(kept);
+  }
+
+  void expand(int parent) {
+    generate(parent);
+    if (parent == 0) thin_out();
+    for (const PlanAction& action : actions_) {
+      if (count() >= options_.max_nodes) return;
+      const int index = count();
+      add(child(parent, action));
+      const PlanNode& node = plan_.nodes.back();
+      if (node.value > plan_.nodes[static_cast<std::size_t>(plan_.best)].value) plan_.best = index;
+      // Equal values: the earlier node first.
+      if (!action.final && node.depth < options_.max_depth) open_.push({node.value, -index});
+    }
+  }
+
+  const PlannerField& field_;
+  const PlannerOptions& options_;
+  const protos::PlannerEvaluation* wanted_;
+  Plan plan_;
+  std::vector<PlanAction> actions_;
+  std::priority_queue<std::pair<double, int>> open_;
+};
+
+}  // namespace
+
+PlannerOptions planner_options(const protos::HeliosOffensivePlanner& wish) {
+  PlannerOptions options;
+  options.passes = wish.direct_pass() || wish.lead_pass() || wish.through_pass();
+  options.cross = wish.cross();
+  options.short_dribble = wish.short_dribble();
+  options.long_dribble = wish.long_dribble();
+  options.simple_pass = wish.simple_pass();
+  options.simple_dribble = wish.simple_dribble();
+  options.simple_shoot = wish.simple_shoot();
+  options.max_depth = wish.max_depth() > 0 ? std::min(wish.max_depth(), kMostDepth) : kDefaultDepth;
+  options.max_nodes = wish.max_nodes() > 0 ? std::min(wish.max_nodes(), kMostNodes) : kDefaultNodes;
+  return options;
+}
+
+Plan make_plan(const PlannerField& field, const PlannerOptions& options,
+               const protos::PlannerEvaluation* wanted) {
+  return Search(field, options, wanted).run();
+}
+
+}  // namespace cls::proxy
