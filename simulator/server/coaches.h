@@ -12,6 +12,7 @@
 #include "simulator/event.h"
 #include "simulator/server/coach_language.h"
 #include "simulator/server/coach_session.h"
+#include "simulator/server/tile.h"
 #include "soccer/protocol/global_view.h"
 #include "soccer/protocol/server_reply.h"
 
@@ -22,12 +23,6 @@ struct CoachWords {
   Side side = Side::kNeutral;
   soccer::CoachSay said;  ///< a trainer's: the text alone
   int received = 0;       ///< game time at which an online coach sent them
-};
-
-/// A tile of a team's picture, for logs and monitors.
-struct Tile {
-  Side side = Side::kLeft;
-  soccer::TeamGraphic graphic;
 };
 
 /// What comes of a command beside its effect on the world, in the order in which it must be told.

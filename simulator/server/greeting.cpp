@@ -1,6 +1,8 @@
 // Sending parameters and types.
 #include "simulator/server/greeting.h"
 
+#include <fstream>
+#include <iterator>
 #include <string>
 
 #include "soccer/protocol/parameter_message.h"
@@ -26,6 +28,17 @@ void send_changed_types(const World& world, Side side, Connection& client) {
     if (player.side == side) change.type = player.type;
     client.reply(change);
   }
+}
+
+void send_coach_file(const World& world, Connection& coach) {
+  constexpr int kFirstVersion = 11;
+  constexpr std::size_t kLongest = 8192 - 16;
+  const std::string& name = world.params().coach_msg_file;
+  if (name.empty() || coach.version < kFirstVersion) return;
+  std::ifstream file(name, std::ios::binary);
+  soccer::CoachInclude include;
+  include.text.assign(std::istreambuf_iterator<char>(file), {});
+  if (!include.text.empty() && include.text.size() < kLongest) coach.reply(include);
 }
 
 }  // namespace cls::simulator

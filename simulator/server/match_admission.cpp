@@ -141,6 +141,7 @@ void MatchServer::greet_coach(const Admission& admission,
     const soccer::Clang& versions = clang_versions_[static_cast<std::size_t>(client->slot())];
     if (versions.min_version != 0 || versions.max_version != 0) tell_coach(coach, client->slot());
   }
+  send_coach_file(world_, coach);
 }
 
 }  // namespace cls::simulator

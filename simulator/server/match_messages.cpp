@@ -41,7 +41,7 @@ void MatchServer::dispatch(const Event& event) {
       Overloaded{[&](const RefereeSaid& said) { tell_referee(event.clock, said.text); },
                  [&](const PlayerSaid& said) { tell_said(event.clock, said); },
                  [&](const TypeChanged& change) { tell_type(event.clock, change); },
-                 [&](const GoalieAppointed& change) { tell_goalie(change); },
+                 [&](const GoalieAppointed& change) { tell_goalie(event.clock, change); },
                  [&](const SentOff& sent_off) { lose(sent_off.slot); }, [](const ModeChanged&) {}},
       event.what);
 }
@@ -124,7 +124,9 @@ void MatchServer::tell_type(Clock clock, const TypeChanged& change) {
   coaches_.tell_type(change);
 }
 
-void MatchServer::tell_goalie(const GoalieAppointed& change) {
+void MatchServer::tell_goalie(Clock clock, const GoalieAppointed& change) {
+  monitors_.tell(clock, "(change_player_type " + std::string(1, letter(change.side)) + ' ' +
+                            std::to_string(change.unum) + " goalie)");
   for (auto& client : sessions_) {
     if (client == nullptr || client->version < kFirstGoalieChangeVersion) continue;
     client->reply(soccer::PlayerTypeChange{change.unum, std::nullopt, change.side});

@@ -1,8 +1,6 @@
 // From world to log.
 #include "simulator/server/match_recorder.h"
 
-#include "soccer/protocol/number_text.h"
-
 #include "simulator/actions.h"
 #include "soccer/math.h"
 
@@ -91,16 +89,8 @@ void MatchRecorder::command(const World& world, ClientId client, std::string_vie
   rcl_->player_command(now, team.view(), soccer::unum_of_slot(client), text);
 }
 
-// The real server leaves the message's outer bracket open.
 void MatchRecorder::tile(const World& world, const Tile& tile) {
-  if (!rcg_) return;
-  std::string text = tile.side == Side::kLeft ? "(team_graphic_l (" : "(team_graphic_r (";
-  soccer::append_int(tile.graphic.x, text);
-  text.push_back(' ');
-  soccer::append_int(tile.graphic.y, text);
-  for (const std::string& line : tile.graphic.xpm) text.append(" \"").append(line).push_back('"');
-  text.push_back(')');
-  rcg_->message(world.clock.time, 1, text);
+  if (rcg_) rcg_->message(world.clock.time, 1, text_of(tile));
 }
 
 void MatchRecorder::referee(Clock clock, std::string_view text) {

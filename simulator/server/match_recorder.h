@@ -8,7 +8,8 @@
 #include "gamelog/frame.h"
 #include "gamelog/rcg_writer.h"
 #include "gamelog/rcl_writer.h"
-#include "simulator/server/coaches.h"
+#include "simulator/server/connection.h"
+#include "simulator/server/tile.h"
 #include "simulator/world.h"
 
 namespace cls::simulator {

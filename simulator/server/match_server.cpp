@@ -129,7 +129,10 @@ void MatchServer::execute(CoachSession& coach) {
     const CoachOutcome outcome = coaches_.execute(world_, coach, datagram, events_);
     dispatch_events();
     if (outcome.words) tell_words(*outcome.words);
-    if (outcome.tile) recorder_.tile(world_, *outcome.tile);
+    if (outcome.tile) {
+      recorder_.tile(world_, *outcome.tile);
+      monitors_.add(*outcome.tile);
+    }
     if (outcome.reply) coach.reply(*outcome.reply);
   }
   coach.inbox.clear();

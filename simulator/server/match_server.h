@@ -146,7 +146,7 @@ class MatchServer {
   void tell_said(Clock clock, const PlayerSaid& said);
   void tell_words(const CoachWords& words);
   void tell_type(Clock clock, const TypeChanged& change);
-  void tell_goalie(const GoalieAppointed& change);
+  void tell_goalie(Clock clock, const GoalieAppointed& change);
   std::string speaker_name(Slot slot) const;
   void tell_monitors_of_words(Clock clock, std::string_view speaker, std::string_view words);
   void tell_monitors_of_words(Clock clock, const CoachWords& words);

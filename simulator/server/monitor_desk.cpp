@@ -48,6 +48,8 @@ void MonitorDesk::attach(ClientId id, int version, std::unique_ptr<soccer::Chann
                          const Rules& rules) {
   auto& monitor = monitors_[static_cast<std::size_t>(id - kFirstMonitor)];
   monitor = std::make_unique<Connection>();
+  tiles_shown_.resize(monitors_.size());
+  tiles_shown_[static_cast<std::size_t>(id - kFirstMonitor)] = 0;
   monitor->client = id;
   monitor->version = version;
   monitor->channel = std::move(channel);
@@ -59,11 +61,38 @@ void MonitorDesk::show(const World& world) {
   if (connected() == 0) return;
   describe(world, frame_);
   for (std::string& text : shows_) text.clear();
-  for (auto& monitor : monitors_) {
+  for (std::size_t seat = 0; seat < monitors_.size(); ++seat) {
+    Connection* monitor = monitors_[seat].get();
     if (monitor == nullptr) continue;
     std::string& text = shows_[static_cast<std::size_t>(monitor->version + 1)];
     if (text.empty()) gamelog::append_monitor_show(version_of(*monitor), frame_, text);
     monitor->send(text);
+    show_tiles(seat, world);
+  }
+}
+
+// Some in each step, so that no monitor's buffer overflows.
+void MonitorDesk::show_tiles(std::size_t seat, const World& world) {
+  constexpr std::size_t kBeforeKickOff = 32;
+  constexpr std::size_t kInPlay = 8;
+  std::size_t& shown = tiles_shown_[seat];
+  const std::size_t most = world.mode == PlayMode::kBeforeKickOff ? kBeforeKickOff : kInPlay;
+  const std::size_t end = std::min(tiles_.size(), shown + most);
+  for (; shown < end; ++shown) {
+    send_text(*monitors_[seat], world.clock, text_of(tiles_[shown]), text_);
+  }
+}
+
+void MonitorDesk::add(const Tile& tile) {
+  const auto same_place = [&tile](const Tile& other) {
+    return other.side == tile.side && other.graphic.x == tile.graphic.x &&
+           other.graphic.y == tile.graphic.y;
+  };
+  const auto found = std::find_if(tiles_.begin(), tiles_.end(), same_place);
+  if (found != tiles_.end()) {
+    *found = tile;
+  } else if (tiles_.size() < kMostTiles) {
+    tiles_.push_back(tile);
   }
 }
 

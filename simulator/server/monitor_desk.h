@@ -11,6 +11,7 @@
 #include "gamelog/frame.h"
 #include "gamelog/monitor_message.h"
 #include "simulator/server/session.h"
+#include "simulator/server/tile.h"
 
 namespace cls::simulator {
 
@@ -40,6 +41,10 @@ class MonitorDesk {
   /// Every step: the world to everybody.
   void show(const World& world);
 
+  /// A piece of a team's picture, which everybody is shown in time, also who comes later. Another
+  /// one at the same place takes its place for these alone.
+  void add(const Tile& tile);
+
   /// A message to everybody, or to one.
   void tell(Clock clock, std::string_view text);
   void tell(ClientId id, Clock clock, std::string_view text);
@@ -48,9 +53,14 @@ class MonitorDesk {
   void disconnect_all() { monitors_.clear(); }
 
  private:
-  static constexpr std::size_t kVersions = 7;  ///< places for -1 to 5
+  static constexpr std::size_t kVersions = 7;      ///< places for -1 to 5
+  static constexpr std::size_t kMostTiles = 1024;  ///< more than both pictures have
+
+  void show_tiles(std::size_t seat, const World& world);
 
   std::vector<std::unique_ptr<Connection>> monitors_;  ///< null: a free seat
+  std::vector<Tile> tiles_;
+  std::vector<std::size_t> tiles_shown_;  ///< by seat
   gamelog::Frame frame_;
   std::array<std::string, kVersions> shows_;
   std::string text_;

@@ -1,10 +1,13 @@
 // Coaches and the trainer in a match, beyond what conversations show.
 #include <gtest/gtest.h>
 
+#include <fstream>
+
 #include "gamelog/byte_sink.h"
 #include "simulator/server/lockstep_server.h"
 #include "simulator/server/match_server.h"
 #include "soccer/memory_channel.h"
+#include "tests/support/temporary_folder.h"
 
 namespace cls::simulator {
 namespace {
@@ -163,6 +166,42 @@ TEST_F(CoachTest, LogsCommandsAndPictures) {
             "\"aaaaaaaa\"))\n"
             "0,0\tRecv Coach: (start)\n"
             "0,0\t(referee kick_off_l)\n");
+}
+
+TEST_F(CoachTest, IsToldTheTextOfTheCoachFile) {
+  const tests::TemporaryFolder folder;
+  config_.server.coach_msg_file = (folder.path() / "words.txt").string();
+  std::ofstream(config_.server.coach_msg_file) << "(define x)";
+  start();
+  player("A");
+  EXPECT_EQ(messages(coach("A")).back(), "(include 10 (define x))");
+  player("B");
+  EXPECT_TRUE(messages(coach("B", "10")).back().starts_with("(player_type "));
+}
+
+TEST_F(CoachTest, MonitorsAreShownPicturesAndNewGoalies) {
+  player("A");
+  const ClientId left = coach("A");
+  const std::string picture =
+      "\"8 8 1 1\" \"a c #000\" \"aaaaaaaa\" \"aaaaaaaa\" \"aaaaaaaa\" \"aaaaaaaa\" "
+      "\"aaaaaaaa\" \"aaaaaaaa\" \"aaaaaaaa\" \"aaaaaaaa\"";
+  for (int x = 0; x < 32; ++x) {
+    answers(left, "(team_graphic (" + std::to_string(x) + " 0 " + picture + "))");
+  }
+  answers(left, "(team_graphic (0 1 " + picture + "))");
+  answers(left, "(team_graphic (0 0 " + picture + "))");
+  const ClientId monitor = connect(Door::kGame, "(dispinit version 4)");
+  messages(monitor);
+  cycle();
+  Texts told = messages(monitor);
+  ASSERT_EQ(told.size(), 33u);
+  EXPECT_EQ(told[1], "(msg 0 1 \"(team_graphic_l (0 0 " + picture + ")\")");
+  cycle();
+  told = messages(monitor);
+  ASSERT_EQ(told.size(), 2u);
+  EXPECT_EQ(told[1], "(msg 0 1 \"(team_graphic_l (0 1 " + picture + ")\")");
+  answers(left, "(change_player_type 1 goalie)");
+  EXPECT_EQ(messages(monitor), Texts{"(msg 0 1 \"(change_player_type l 1 goalie)\")"});
 }
 
 TEST_F(CoachTest, GrantsMoreWordsAfterEachGame) {
