@@ -174,6 +174,15 @@ int NetworkMatch::cycle_now() const {
   return cycle;
 }
 
+// How long a match that goes well may seem to stand. Players see every cycle; logs leave out those
+// before a kick-off, in which the clock stands.
+std::chrono::milliseconds NetworkMatch::silent_time() const {
+  if (sides_[0].own || sides_[1].own) return kLook;
+  const soccer::ServerParams& server = options_.server;
+  const milliseconds cycle(server.simulator_step * server.slow_down_factor);
+  return cycle * (server.kick_off_wait + 1);
+}
+
 void NetworkMatch::look(MatchObserver& observer) {
   log_.look();
   std::int64_t seen = log_.moment().shows;
@@ -187,8 +196,9 @@ void NetworkMatch::look(MatchObserver& observer) {
   }
   if (seen > cycles_seen_) {
     cycles_seen_ = seen;
-    watch_.cycle_begins();
+    seen_at_ = Clock::now();
   }
+  if (Clock::now() - seen_at_ < silent_time()) watch_.cycle_begins();
   if (progress.cycle > 0) {
     last_cycle_ = Clock::now();
     if (first_cycle_ == Clock::time_point{}) first_cycle_ = last_cycle_;
@@ -220,6 +230,7 @@ void NetworkMatch::play_cycles(MatchObserver& observer) {
   if (ended()) return;
   observer.on_phase("playing");
   playing_ = true;
+  seen_at_ = Clock::now();
   watch_.cycle_begins();
   while (!ended()) {
     look(observer);

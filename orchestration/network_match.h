@@ -108,6 +108,7 @@ class NetworkMatch {
   void check_foreign(Side& side);
   bool left_before_the_end(const Side& side) const;
   void end_by_death(const Side& side, const Child& child, int cycle);
+  std::chrono::milliseconds silent_time() const;
   void look(MatchObserver& observer);
   bool cycle_limit_reached() const;
   bool match_is_over() const;
@@ -143,6 +144,7 @@ class NetworkMatch {
   bool playing_ = false;
   bool try_again_ = false;
   std::int64_t cycles_seen_ = 0;
+  DeadlineWatch::Clock::time_point seen_at_;
   std::size_t departures_told_ = 0;
   std::vector<std::string> warnings_;
   std::vector<ProcessResult> processes_;
