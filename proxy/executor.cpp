@@ -53,10 +53,16 @@ bool finite_field(const pb::Message& message, const pb::Reflection& reflection,
   return true;
 }
 
+/// A ball kicked ahead is still ours as long as nobody else has it.
 void note_possession(const WorldModel& world, ActionMemory& memory) {
-  const bool has = world.self.kickable && world.game.mode == soccer::PlayMode::kPlayOn;
-  if (!has) memory.ball_since = -1;
-  if (has && memory.ball_since < 0) memory.ball_since = world.game.time.cycle;
+  constexpr double kNear = 4.0;
+  const bool open = world.game.mode == soccer::PlayMode::kPlayOn;
+  const bool lost =
+      world.kickable_teammate() || world.kickable_opponent() || world.ball.dist_from_self > kNear;
+  if (!open || (lost && !world.self.kickable)) memory.ball_since = -1;
+  if (open && world.self.kickable && memory.ball_since < 0) {
+    memory.ball_since = world.game.time.cycle;
+  }
 }
 
 /// Runs the list: main actions until one succeeds, side actions all.

@@ -111,6 +111,22 @@ Vec2 shake_off(const WorldModel& world, Vec2 place) {
   return place;
 }
 
+/// Our kicked ball counts as dead until it has left the area, or the referee has called: it is to
+/// be fetched all the same. The goalie is not the one.
+bool fetch_kicked_ball(ActionContext& c) {
+  const WorldModel& world = c.world;
+  constexpr double kRolls = 0.3;
+  const InterceptTable& table = world.intercept;
+  const bool rolls = world.ball.vel_count <= 1 && world.ball.velocity.length() > kRolls;
+  if (!rolls || world.self.kickable || table.best_self_steps() >= kNever) return false;
+  const PlayerState* first = world.player_by_id(table.first_teammate_id);
+  const bool goalie_first = first != nullptr && first->goalie;
+  const int others = goalie_first ? table.second_teammate_steps : table.first_teammate_steps;
+  if (table.best_self_steps() > others) return false;
+  c.neck.kind = NeckPlan::Kind::kBall;
+  return intercept(world, c.slots, true, {soccer::kHalfLength, 0.0});
+}
+
 bool our_set_play(ActionContext& c) {
   const WorldModel& world = c.world;
   if (set_play_kicker(world) == world.unum) return kick_set_play(c);
@@ -149,6 +165,7 @@ bool play_set_play(ActionContext& c) {
   if (world.self.frozen()) return false;
   if (world.goalie) return goalie_in_set_play(c);
   const bool ours = is_set_play_of(world.game, world.our_side);
+  if (ours && fetch_kicked_ball(c)) return true;
   if (ours && world.game.goalie_catch) return take_place(c, own_home_position(world));
   if (ours && kind_of(world.game.mode) == PlayMode::kGoalKickLeft) {
     return take_place(c, own_home_position(world));

@@ -133,9 +133,56 @@ bool try_half_chance(ActionContext& c) {
   return kick_one_step(world, c.slots, gap.target, max, true);
 }
 
+/// How much room a hard ball has on its way: metres beside the nearest opponent, counted less the
+/// farther along he stands, as he has time to come nearer.
+double lane_room(const WorldModel& world, Vec2 target) {
+  const Vec2 way = target - world.ball.position;
+  const double length = way.length();
+  double room = 10.0;
+  for (const PlayerState& opponent : world.opponents) {
+    if (opponent.pos_count > 10 || opponent.ghost()) continue;
+    const Vec2 relative = opponent.position - world.ball.position;
+    const double along = dot(relative, way) / length;
+    if (along < 0.3 || along > length + 1.0) continue;
+    const double beside = std::fabs(cross(way, relative)) / length;
+    room = std::min(room, beside - 0.12 * along);
+  }
+  return room;
+}
+
+/// Held for long without a sure way on: the pass with most room rather than none.
+bool lay_off(ActionContext& c) {
+  const WorldModel& world = c.world;
+  constexpr int kLong = 20;
+  constexpr double kRoom = 0.8;
+  const int since = c.memory.ball_since;
+  if (since < 0 || world.game.time.cycle - since < kLong) return false;
+  const PlayerState* best = nullptr;
+  double best_room = kRoom;
+  for (const PlayerState& mate : world.teammates) {
+    if (mate.pos_count > 8 || mate.ghost() || mate.goalie || mate.position.x < -25.0) continue;
+    if (mate.dist_from_ball < 4.0 || mate.dist_from_ball > 30.0) continue;
+    if (mate.position.x > world.lines.offside) continue;
+    const double room = lane_room(world, mate.position);
+    if (room > best_room) {
+      best_room = room;
+      best = &mate;
+    }
+  }
+  if (best == nullptr) return false;
+  PlanAction action;
+  action.target = best->unum;
+  action.target_point = best->position;
+  constexpr double kArrival = 1.3;
+  action.first_speed =
+      std::min(world.server().ball_speed_max,
+               kArrival + best->dist_from_ball * (1.0 - world.server().ball_decay));
+  return pass(c, action);
+}
+
 bool hold(ActionContext& c) {
   if (c.world.game.mode != PlayMode::kPlayOn) return false;
-  if (try_half_chance(c)) return true;
+  if (try_half_chance(c) || lay_off(c)) return true;
   c.neck.kind = NeckPlan::Kind::kScan;
   const Vec2 here = c.world.self.position;
   const bool in_own_goal_mouth = here.x < -44.5 && std::fabs(here.y) < 8.0;
