@@ -27,7 +27,7 @@ constexpr const char* kDescription =
     "\n"
     "  cls check playmaker localhost:50051\n"
     "  cls check playmaker 'run:python3 playmaker.py --port {port}'\n"
-    "  cls check playmaker unix:/tmp/brain --json\n"
+    "  cls check playmaker unix:brain.socket --json\n"
     "\n"
     "Handshake, every rpc, States from the edges of the game, 22 agents at once, broken "
     "connections,\n"

@@ -28,7 +28,7 @@ constexpr const char* kDescription =
     "are\n"
     "taken from the record; noise is taken from it as far as its bounds allow, and its "
     "distribution\n"
-    "is checked. Game logs of versions 3 to 6 and JSON, plain or gzip.";
+    "is checked. Game logs of versions 4 to 6 and JSON, plain or gzip.";
 
 struct Arguments {
   std::string game;

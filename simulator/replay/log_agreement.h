@@ -71,7 +71,7 @@ struct LogAgreement {
 
   bool has_noise = false;
   int frames = 0;
-  int skipped = 0;  ///< pairs of frames with something missing between them
+  int skipped = 0;  ///< pairs of frames with something missing between them, or without a text log
 
   Tally ball;
   Tally players;

@@ -54,7 +54,6 @@ Vec2 printed(Vec2 v) { return {printed(v.x, 1e4), printed(v.y, 1e4)}; }
 
 Frame printed_frame(const MatchRecord& game, std::size_t i) {
   Frame frame = frame_at(game, i);
-  if (game.version == RcgVersion::kV3) return frame;
   frame.ball_position = printed(frame.ball_position);
   frame.ball_velocity = printed(frame.ball_velocity);
   for (gamelog::PlayerFrame& player : frame.players) {
@@ -70,6 +69,16 @@ bool follows(Clock after, Clock before) {
   return after == Clock{before.time, before.stoppage + 1} || after == Clock{before.time + 1, 0};
 }
 
+// Frames up to the end of the text log, which may be cut off.
+std::size_t covered_frames(const MatchRecord& game, const TextLogIndex& text) {
+  std::size_t frames = game.frames();
+  const int last = text.moments().empty() ? 0 : text.moments().rbegin()->first.first;
+  // Commands of a cycle lead to the frame of the next.
+  const int covered = text.is_damaged() ? last : last + 1;
+  while (frames > 1 && game.time[frames - 1] > covered) --frames;
+  return frames;
+}
+
 class LogReplay {
  public:
   LogReplay(const MatchRecord& game, const TextLogIndex& text, std::shared_ptr<const Rules> rules)
@@ -81,6 +90,7 @@ class LogReplay {
     for (std::size_t i = 0; i < world_.teams.size(); ++i) {
       world_.teams[i].name = soccer::TeamName(game.final_teams()[i].name);
     }
+    adopt_score(frame_at(game, 0));
     result_.has_noise = is_noisy(*world_.rules);
     result_.frames = static_cast<int>(game.frames());
     for (const auto& [when, moment] : text.moments()) {
@@ -92,7 +102,9 @@ class LogReplay {
   LogAgreement run() {
     const Clock start = world_.clock;
     Frame now = printed_frame(game_, 0);
-    for (std::size_t i = 0; i + 1 < game_.frames(); ++i) {
+    const std::size_t frames = covered_frames(game_, text_);
+    result_.skipped = static_cast<int>(game_.frames() - frames);
+    for (std::size_t i = 0; i + 1 < frames; ++i) {
       Frame next = printed_frame(game_, i + 1);
       const Clock clock{next.time, game_.stopped[i + 1]};
       restore(world_, now);
@@ -103,16 +115,15 @@ class LogReplay {
         // Calls of what is missing are nobody's mistake.
         unheard_.push_back({{now.time, game_.stopped[i]}, clock});
       } else {
-        compare_step(
-            {before_, world_, next, clock, way == Way::kHalfTime, game_.version, pushed_cut_off_},
-            result_);
+        compare_step({before_, world_, next, clock, way == Way::kHalfTime, pushed_cut_off_},
+                     result_);
       }
       finish_step(world_, events_);
       collect_our_words();
       adopt(next, clock);
       now = std::move(next);
     }
-    compare_words(start);
+    compare_words(start, game_.time[frames - 1]);
     return std::move(result_);
   }
 
@@ -121,9 +132,11 @@ class LogReplay {
 
   // What the log's version does not show goes on as we reckon it.
   void complete(Frame& frame) const {
-    if (game_.version == RcgVersion::kV6) return;
+    if (game_.version == RcgVersion::kV6 || game_.version == RcgVersion::kJson) return;
     for (std::size_t i = 0; i < frame.players.size(); ++i) {
-      frame.players[i].counts.change_focus = world_.players[i].counters.change_focus;
+      const Counters& ours = world_.players[i].counters;
+      gamelog::CommandCounts& counts = frame.players[i].counts;
+      counts.change_focus = ours.change_focus;
     }
   }
 
@@ -255,16 +268,20 @@ class LogReplay {
       events_.clear();
     }
     world_.clock = clock;
-    for (std::size_t i = 0; i < world_.teams.size(); ++i) {
-      world_.teams[i].score = frame.teams[i].score;
-      world_.teams[i].penalty_goals = frame.teams[i].penalty_scored;
-      world_.teams[i].penalty_kicks = frame.teams[i].penalties_taken();
-    }
+    adopt_score(frame);
     for (std::size_t i = 0; i < world_.players.size(); ++i) {
       const bool is_there = (frame.players[i].state & state::kStand) != 0;
       if (world_.players[i].enabled && !is_there) leave(world_, static_cast<Slot>(i));
       std::uint32_t& bits = world_.players[i].state;
       bits = (bits & ~kLasting) | (frame.players[i].state & kLasting);
+    }
+  }
+
+  void adopt_score(const Frame& frame) {
+    for (std::size_t i = 0; i < world_.teams.size(); ++i) {
+      world_.teams[i].score = frame.teams[i].score;
+      world_.teams[i].penalty_goals = frame.teams[i].penalty_scored;
+      world_.teams[i].penalty_kicks = frame.teams[i].penalties_taken();
     }
   }
 
@@ -279,9 +296,8 @@ class LogReplay {
 
   using Word = std::pair<std::pair<int, int>, std::string>;
 
-  void compare_words(Clock start) {
+  void compare_words(Clock start, int end) {
     std::multiset<Word> theirs;
-    const int end = game_.time[game_.frames() - 1];
     for (const auto& [when, moment] : text_.moments()) {
       if (when.first < start.time || when.first > end) continue;
       for (const std::string& word : moment.words) theirs.insert({when, word});
@@ -326,7 +342,7 @@ class LogReplay {
 bool same_match(const MatchRecord& game, const TextLogIndex& text) {
   int changes = 0;
   int called = 0;
-  for (std::size_t i = 1; i < game.frames(); ++i) {
+  for (std::size_t i = 1; i < covered_frames(game, text); ++i) {
     if (game.mode[i] == game.mode[i - 1] || is_goal(game.mode[i])) continue;
     ++changes;
     const std::string_view mode = soccer::name(game.mode[i]);
@@ -346,9 +362,9 @@ bool same_match(const MatchRecord& game, const TextLogIndex& text) {
 }  // namespace
 
 soccer::Result<LogAgreement> replay_log(const MatchRecord& game, const gamelog::RclRecord& text) {
-  if (game.version == RcgVersion::kV1 || game.version == RcgVersion::kV2) {
+  if (game.version <= RcgVersion::kV3) {
     return soccer::Error{
-        "game logs of versions 1 and 2 have no velocities: nothing can be reckoned"};
+        "game logs of versions 1 to 3 hold too few digits to reckon with; 4 to 6 and JSON do"};
   }
   if (game.frames() < 2) return soccer::Error{"the game log has no two frames"};
   const TextLogIndex index(text, game.final_teams());

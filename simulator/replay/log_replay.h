@@ -11,8 +11,8 @@ namespace cls::simulator {
 /// Each step starts from the recorded frame with the commands of the text log and is compared with
 /// the next frame; clock, mode, score and the referee's memory are ours throughout, until they
 /// differ: then they go on as recorded. Outcomes of draws are taken from the record, and so is
-/// noise, as far as noise can do it. The error says why the logs cannot be replayed: no velocities
-/// (versions 1 and 2), logs of different matches, parameters that make no match.
+/// noise, as far as noise can do it. The error says why the logs cannot be replayed: too few digits
+/// (versions 1 to 3), logs of different matches, parameters that make no match.
 soccer::Result<LogAgreement> replay_log(const gamelog::MatchRecord& game,
                                         const gamelog::RclRecord& text);
 

@@ -12,8 +12,6 @@
 namespace cls::simulator {
 namespace {
 
-using gamelog::RcgVersion;
-
 /// Largest differences that the rounding of a record explains.
 struct Tolerance {
   double position = 2e-4;
@@ -26,8 +24,7 @@ struct Tolerance {
 };
 
 constexpr double kBodyAfterTurn = 0.1;
-constexpr double kEffortOfBinaryLog = 4e-5;  // counts in 1/65536
-constexpr double kRoughPosition = 5e-3;      // where rounding is magnified
+constexpr double kRoughPosition = 5e-3;  // where rounding is magnified
 constexpr double kRoughVelocity = 1e-2;
 // A record holds printed decimals in single precision.
 constexpr double kRepresentation = 1.01;
@@ -128,8 +125,7 @@ class Comparison {
   void compare_bits(Slot slot) {
     const Player& now = step_.after.player(slot);
     const std::uint32_t shown = step_.recorded.players[static_cast<std::size_t>(slot)].state;
-    const std::uint32_t known = step_.version <= RcgVersion::kV3 ? 0xffff : 0xffffffff;
-    const std::uint32_t differs = (now.state ^ shown) & known;
+    const std::uint32_t differs = now.state ^ shown;
     const bool only_contacts = differs != 0 && (differs & ~kContacts) == 0;
     if (!only_contacts || (!result_.has_noise && !touches_just(slot))) {
       note(result_.state, differs == 0, [&] {
@@ -169,7 +165,6 @@ class Comparison {
     if (magnifies_rounding(kind)) widen(allowed);
     const bool turned = now.counters.turn > was.counters.turn || now.has(state::kCatch);
     if (turned || step_.half_time) allowed.body = kBodyAfterTurn;
-    if (step_.version == RcgVersion::kV3) allowed.effort = kEffortOfBinaryLog;
     return allowed;
   }
 

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "gamelog/frame.h"
-#include "gamelog/rcg_version.h"
 #include "simulator/replay/log_agreement.h"
 
 namespace cls::simulator {
@@ -13,7 +12,6 @@ struct ReckonedStep {
   const gamelog::Frame& recorded;
   Clock clock;  ///< of the recorded frame
   bool half_time = false;
-  gamelog::RcgVersion version = gamelog::RcgVersion::kV6;
   bool push_cut_off = false;  ///< a limit may have cut what a kick gave the ball
 };
 

@@ -7,6 +7,7 @@ using gamelog::RclLine;
 using gamelog::RclSource;
 
 TextLogIndex::TextLogIndex(const gamelog::RclRecord& text, const gamelog::TeamFrames& teams) {
+  is_damaged_ = !text.damage.empty();
   std::vector<Side> sides;
   for (const std::string& team : text.teams) {
     const Side side = team == teams[0].name   ? Side::kLeft

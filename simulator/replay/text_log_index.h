@@ -37,10 +37,13 @@ class TextLogIndex {
   /// By time and stoppage.
   const std::map<std::pair<int, int>, LogMoment>& moments() const { return moments_; }
   bool knows_a_team() const { return knows_a_team_; }
+  /// True if the last moment may lack lines.
+  bool is_damaged() const { return is_damaged_; }
 
  private:
   std::map<std::pair<int, int>, LogMoment> moments_;
   bool knows_a_team_ = false;
+  bool is_damaged_ = false;
 };
 
 }  // namespace cls::simulator

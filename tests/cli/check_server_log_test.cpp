@@ -89,6 +89,14 @@ TEST(CheckServerLog, TellsEachFailureByItsExitCode) {
   EXPECT_EQ(damaged.exit_code, 65);
   EXPECT_NE(damaged.err.find("the log is cut off here"), std::string::npos) << damaged.err;
   EXPECT_EQ(json::parse(damaged.out)["passed"], true);
+  const std::string cut_text = folder.path() / "cut.rcl";
+  const std::string text = read_file(text_fixture());
+  std::ofstream(cut_text) << text.substr(0, text.size() * 2 / 3);
+  const CommandResult half = check(game_fixture(), cut_text, true);
+  EXPECT_EQ(half.exit_code, 65) << half.err;
+  const json document = json::parse(half.out);
+  EXPECT_EQ(document["passed"], true) << document["demands"];
+  EXPECT_GT(document["skipped"], 50);
   EXPECT_EQ(cls::tests::run({cls_binary(), "check", "server-log", empty}).exit_code, 2);
 }
 

@@ -228,7 +228,7 @@ TEST(Replay, RefusesLogsThatTellNothing) {
   };
   MatchRecord old = logs.game;
   old.version = gamelog::RcgVersion::kV2;
-  EXPECT_NE(message(old, logs.text).find("have no velocities"), std::string::npos);
+  EXPECT_NE(message(old, logs.text).find("too few digits"), std::string::npos);
   MatchRecord short_one = logs.game;
   gamelog::resize_frames(short_one, 1);
   EXPECT_NE(message(short_one, logs.text).find("no two frames"), std::string::npos);
