@@ -19,6 +19,7 @@
 #include "cli/results_command.h"
 #include "cli/server_command.h"
 #include "cli/stats_command.h"
+#include "cli/test_command.h"
 #include "cli/tournament_command.h"
 #include "cli/version_command.h"
 #include "soccer/parameter.h"
@@ -109,6 +110,7 @@ int run_application(int argc, const char* const* argv) {
   add_mock_command(app, exit_code);
   add_proxy_command(app, exit_code);
   add_server_command(app, exit_code);
+  add_test_command(app, exit_code);
   add_version_command(app, exit_code);
 
   try {

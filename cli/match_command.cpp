@@ -2,6 +2,7 @@
 #include "cli/match_command.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <csignal>
@@ -13,6 +14,7 @@
 #include "cli/exit_code.h"
 #include "cli/interrupt.h"
 #include "cli/match_report.h"
+#include "cli/match_stepper.h"
 #include "cli/named_side.h"
 #include "cli/progress_line.h"
 #include "cli/side_script.h"
@@ -58,6 +60,9 @@ struct Arguments {
   std::string folder;
   std::string config_file;
   bool json = false;
+  bool step = false;
+  std::optional<int> at;
+  std::string record_rpc;
   bool quiet = false;
   bool no_colour = false;
 };
@@ -100,6 +105,11 @@ void add_options(CLI::App& command, Arguments& arguments) {
   command.add_option("--stall-after", options.stall_after_s,
                      "seconds without a new cycle that end the match (10)");
   command.add_option("--time-limit", options.time_limit_s, "seconds for the whole match (none)");
+  command.add_flag("--step", arguments.step,
+                   "wait before each cycle's decisions for a line on stdin (see docs/testing.md)");
+  command.add_option("--at", arguments.at, "--step from this game time on");
+  command.add_option("--record-rpc", arguments.record_rpc,
+                     "write all requests and replies into this file (cls test --replay)");
   command.add_option("--protocol", options.protocol, "version our agents speak, 14 to 19 (18)");
   command.add_flag("--quiet", arguments.quiet, "no progress, no warnings");
   command.add_flag("--no-color", arguments.no_colour, "plain text also on a terminal");
@@ -159,6 +169,11 @@ std::vector<std::string> complete(Arguments& arguments) {
   if (arguments.pin) {
     const auto pinned = pin_sides(options);
     if (!pinned) mistakes.push_back(pinned.error().message);
+  }
+  options.record_rpc = arguments.record_rpc;
+  const bool lockstep = mode_of(options) == orchestration::MatchMode::kLockstep;
+  if ((arguments.step || arguments.at) && !lockstep) {
+    mistakes.push_back("--step and --at need --mode lockstep");
   }
   for (std::string& mistake : mistakes_in(options)) mistakes.push_back(std::move(mistake));
   return mistakes;
@@ -221,8 +236,12 @@ int run_match_command(Arguments& arguments) {
   }
 
   if (arguments.dry_run) return print_dry_run(arguments.options);
-  ProgressLine progress(stderr_is_terminal() && !arguments.quiet, arguments.quiet);
-  const auto result = run_match(arguments.options, progress, watch_interrupts());
+  const bool live = stderr_is_terminal() && !arguments.quiet && !arguments.step && !arguments.at;
+  ProgressLine progress(live, arguments.quiet);
+  const std::atomic<int>& signal = watch_interrupts();
+  MatchStepper stepper(arguments.at.value_or(0), STDIN_FILENO, signal);
+  const bool steps = arguments.step || arguments.at;
+  const auto result = run_match(arguments.options, progress, signal, steps ? &stepper : nullptr);
   progress.clear();
   if (!result) {
     fmt::print(stderr, "cls: {}\n", result.error().message);

@@ -104,10 +104,10 @@ std::optional<std::string> complete(const Arguments& arguments, Faults& faults) 
     return "--status: " + code.error().message;
   }
   for (const std::string& word : arguments.unimplemented) {
-    const auto rpc = mock_server::rpc_from_name(word);
+    const auto rpc = proto::rpc_from_name(word);
     if (!rpc) {
       return fmt::format("--unimplemented: no rpc '{}'{}", word,
-                         mock_server::did_you_mean(word, mock_server::rpc_names()));
+                         mock_server::did_you_mean(word, proto::rpc_names()));
     }
     faults.unimplemented.push_back(*rpc);
   }

@@ -8,6 +8,7 @@
 #include "mock-server/hold.h"
 #include "mock-server/planner_team.h"
 #include "mock-server/random_brain.h"
+#include "mock-server/replay_brain.h"
 #include "mock-server/simple_team/simple_team.h"
 #include "soccer/parameter.h"
 
@@ -37,6 +38,7 @@ soccer::Result<std::unique_ptr<Behaviour>> make_behaviour(std::string_view name)
   if (name == "hold") return std::unique_ptr<Behaviour>(new Hold);
   if (name == "random") return make_random("");
   if (name.starts_with("random:")) return make_random(name.substr(7));
+  if (name.starts_with("replay:")) return ReplayBrain::read(std::string(name.substr(7)));
   std::string message = fmt::format("unknown mock behaviour '{}'", name);
   const std::string_view near = soccer::nearest_name(name, behaviour_names());
   if (near.empty()) {

@@ -30,7 +30,7 @@ class Behaviour {
 std::vector<std::string_view> behaviour_names();
 
 /// The behaviour with that name; an empty name is the simple team. "random" may be followed by a
-/// seed, "random:7". The error suggests a name.
+/// seed, "random:7"; "replay:FILE" says again what is in a recording. The error suggests a name.
 soccer::Result<std::unique_ptr<Behaviour>> make_behaviour(std::string_view name);
 
 }  // namespace cls::mock_server

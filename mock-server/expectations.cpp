@@ -16,22 +16,26 @@ using soccer::Result;
 // Enough for every order that can be demanded.
 constexpr std::size_t kKeptCalls = 32;
 
-Result<std::vector<Rpc>> parse_order(const JsonValue& json) {
+Result<std::vector<proto::Rpc>> parse_order(const JsonValue& json) {
   if (!json.is_list() || json.size() == 0) return json.error("must be a list of rpcs");
-  std::vector<Rpc> order;
+  std::vector<proto::Rpc> order;
   for (std::size_t i = 0; i < json.size(); ++i) {
-    const auto word = json[i].word(rpc_names());
+    const auto word = json[i].word(proto::rpc_names());
     if (!word) return word.error();
-    order.push_back(*rpc_from_name(*word));
+    order.push_back(*proto::rpc_from_name(*word));
   }
   if (order.size() > kKeptCalls) return json.error("more than 32 calls");
   return order;
 }
 
-Result<Expectation> parse_expectation(const JsonValue& json) {
-  const auto keys =
-      json.object_of({"name", "rpc", "when", "count", "count_per_agent", "always", "order"});
-  if (!keys) return keys.error();
+}  // namespace
+
+Result<Expectation> parse_expectation(const JsonValue& json,
+                                      const std::vector<std::string_view>& other_keys) {
+  std::vector<std::string_view> keys = {"name",   "rpc",  "when", "count", "count_per_agent",
+                                        "always", "order"};
+  keys.insert(keys.end(), other_keys.begin(), other_keys.end());
+  if (const auto known = json.object_of(keys); !known) return known.error();
   Expectation what;
   what.name = fmt::format("line {}", json.line());
   if (json.has("name")) {
@@ -46,9 +50,9 @@ Result<Expectation> parse_expectation(const JsonValue& json) {
     return what;
   }
   if (!json.has("rpc")) return json.error("needs \"rpc\" or \"order\"");
-  const auto word = json["rpc"].word(rpc_names());
+  const auto word = json["rpc"].word(proto::rpc_names());
   if (!word) return word.error();
-  what.rpc = *rpc_from_name(*word);
+  what.rpc = *proto::rpc_from_name(*word);
   if (json.has("when")) {
     const auto when = SituationFilter::parse(json["when"], what.rpc);
     if (!when) return when.error();
@@ -71,8 +75,6 @@ Result<Expectation> parse_expectation(const JsonValue& json) {
   }
   return what;
 }
-
-}  // namespace
 
 Result<std::vector<Expectation>> parse_expectations(const JsonValue& json) {
   if (!json.is_list()) return json.error("must be a list");
@@ -102,11 +104,11 @@ void Expectations::note_violation(Entry& entry, Violation violation) {
   if (!entry.first || key(violation) < key(*entry.first)) entry.first = std::move(violation);
 }
 
-void Expectations::note(Rpc rpc, const google::protobuf::Message& request) {
-  const Caller caller = caller_of(rpc, request);
+void Expectations::note(proto::Rpc rpc, const google::protobuf::Message& request) {
+  const proto::Caller caller = caller_of(rpc, request);
   const Agent agent{std::string(caller.team), caller.unum};
   const std::lock_guard lock(mutex_);
-  std::vector<Rpc>& calls = calls_[agent];
+  std::vector<proto::Rpc>& calls = calls_[agent];
   if (calls.size() < kKeptCalls && (calls.empty() || calls.back() != rpc)) calls.push_back(rpc);
   for (Entry& entry : entries_) {
     if (!entry.what.order.empty() || entry.what.rpc != rpc) continue;
@@ -123,12 +125,12 @@ void Expectations::note(Rpc rpc, const google::protobuf::Message& request) {
 }
 
 std::string Expectations::order_failure(const Entry& entry) const {
-  const auto names = [](const std::vector<Rpc>& rpcs) {
+  const auto names = [](const std::vector<proto::Rpc>& rpcs) {
     std::vector<std::string_view> words;
-    for (const Rpc rpc : rpcs) words.push_back(name(rpc));
+    for (const proto::Rpc rpc : rpcs) words.push_back(name(rpc));
     return fmt::format("{}", fmt::join(words, ", "));
   };
-  const std::vector<Rpc>& order = entry.what.order;
+  const std::vector<proto::Rpc>& order = entry.what.order;
   if (calls_.empty()) return "nobody called";
   for (const auto& [agent, calls] : calls_) {
     const bool begins =

@@ -18,8 +18,8 @@ namespace cls::mock_server {
 /// One demand of a script. Either an order of calls, or something about the calls of one rpc.
 struct Expectation {
   std::string name;  ///< what a failure is called
-  std::vector<Rpc> order;
-  Rpc rpc = Rpc::kGetPlayerActions;
+  std::vector<proto::Rpc> order;
+  proto::Rpc rpc = proto::Rpc::kGetPlayerActions;
   SituationFilter when;
   std::optional<Comparison> count;            ///< of all agents together
   std::optional<Comparison> count_per_agent;  ///< of each agent that ever called
@@ -29,13 +29,17 @@ struct Expectation {
 /// The demands in a list: [{"rpc": "SendPlayerType", "count_per_agent": 18}, {"order": [...]}].
 soccer::Result<std::vector<Expectation>> parse_expectations(const JsonValue& json);
 
+/// One of them, beside other keys that are not its business.
+soccer::Result<Expectation> parse_expectation(const JsonValue& json,
+                                              const std::vector<std::string_view>& other_keys = {});
+
 /// Notes calls and says in the end what was not as expected. Calls may come from several threads;
 /// the order in which those of different agents come does not matter.
 class Expectations {
  public:
   explicit Expectations(std::vector<Expectation> list);
 
-  void note(Rpc rpc, const google::protobuf::Message& request);
+  void note(proto::Rpc rpc, const google::protobuf::Message& request);
 
   /// One line each, in the order of the script; empty when all was as expected.
   std::vector<std::string> failures() const;
@@ -70,7 +74,7 @@ class Expectations {
 
   mutable std::mutex mutex_;
   std::vector<Entry> entries_;
-  std::map<Agent, std::vector<Rpc>> calls_;  ///< without repetitions in a row
+  std::map<Agent, std::vector<proto::Rpc>> calls_;  ///< without repetitions in a row
 };
 
 }  // namespace cls::mock_server

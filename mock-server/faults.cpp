@@ -56,12 +56,12 @@ Result<void> parse_only(const JsonValue& json, Faults& faults) {
   return {};
 }
 
-Result<void> parse_rpcs(const JsonValue& json, std::vector<Rpc>& rpcs) {
+Result<void> parse_rpcs(const JsonValue& json, std::vector<proto::Rpc>& rpcs) {
   if (!json.is_list()) return json.error("must be a list of rpcs");
   for (std::size_t i = 0; i < json.size(); ++i) {
-    const auto word = json[i].word(rpc_names());
+    const auto word = json[i].word(proto::rpc_names());
     if (!word) return word.error();
-    rpcs.push_back(*rpc_from_name(*word));
+    rpcs.push_back(*proto::rpc_from_name(*word));
   }
   return {};
 }
@@ -121,7 +121,7 @@ Result<int> status_code(std::string_view name) {
   return static_cast<int>(found - names.begin());
 }
 
-Fate fate_of(const Faults& faults, Rpc rpc, const google::protobuf::Message& request) {
+Fate fate_of(const Faults& faults, proto::Rpc rpc, const google::protobuf::Message& request) {
   const auto& lacking = faults.unimplemented;
   if (std::find(lacking.begin(), lacking.end(), rpc) != lacking.end()) {
     return {Fate::What::kUnimplemented, 0};

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "mock-server/rpc.h"
 #include "mock-server/situation_filter.h"
+#include "proto/rpc.h"
 #include "soccer/result.h"
 
 namespace cls::mock_server {
@@ -28,7 +28,7 @@ struct Faults {
   std::optional<int> restart_at_cycle;  ///< gone at this cycle, then back without its memory
   int restart_cycles = 10;              ///< how long it is gone
   bool wrong_client_id = false;         ///< Register gives every agent the same identity
-  std::vector<Rpc> unimplemented;
+  std::vector<proto::Rpc> unimplemented;
   int slow_start_ms = 0;  ///< nothing is answered before
 
   std::optional<CycleRange> cycles;  ///< all but crash, hang, restart only in these
@@ -62,6 +62,6 @@ struct Fate {
 };
 
 /// The fate that the faults alone decide: a function of the request, without memory.
-Fate fate_of(const Faults& faults, Rpc rpc, const google::protobuf::Message& request);
+Fate fate_of(const Faults& faults, proto::Rpc rpc, const google::protobuf::Message& request);
 
 }  // namespace cls::mock_server

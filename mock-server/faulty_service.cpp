@@ -74,7 +74,7 @@ grpc::Status error_of(const Fate& fate, const Faults& faults) {
 
 }  // namespace
 
-Fate FaultyService::decide_fate(Rpc rpc, const Message& request) {
+Fate FaultyService::decide_fate(proto::Rpc rpc, const Message& request) {
   Fate fate = fate_of(faults_, rpc, request);
   const std::lock_guard lock(mutex_);
   if (fate.what == Fate::What::kCrash) dead_ = true;
@@ -91,10 +91,10 @@ Fate FaultyService::decide_fate(Rpc rpc, const Message& request) {
   return fate;
 }
 
-void FaultyService::answer(Rpc rpc, const Message& request, grpc::ByteBuffer& reply) {
+void FaultyService::answer(proto::Rpc rpc, const Message& request, grpc::ByteBuffer& reply) {
   std::unique_ptr<Message> message(reply_prototype(rpc).New());
   logic_.answer(rpc, request, *message);
-  if (rpc == Rpc::kRegister) {
+  if (rpc == proto::Rpc::kRegister) {
     auto& identity = static_cast<protos::RegisterResponse&>(*message);
     if (faults_.wrong_client_id) {
       identity.set_client_id(1);
@@ -106,7 +106,7 @@ void FaultyService::answer(Rpc rpc, const Message& request, grpc::ByteBuffer& re
   reply = buffer_of(message->SerializeAsString());
 }
 
-grpc::ServerUnaryReactor* FaultyService::serve(Rpc rpc, const grpc::ByteBuffer& bytes,
+grpc::ServerUnaryReactor* FaultyService::serve(proto::Rpc rpc, const grpc::ByteBuffer& bytes,
                                                grpc::ByteBuffer& reply) {
   auto* call = new Answer;  // deletes itself when done
   std::unique_ptr<Message> request(request_prototype(rpc).New());

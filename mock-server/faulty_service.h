@@ -39,58 +39,59 @@ class FaultyService : public RawGame {
   grpc::ServerUnaryReactor* GetPlayerActions(grpc::CallbackServerContext* /*context*/,
                                              const grpc::ByteBuffer* request,
                                              grpc::ByteBuffer* reply) override {
-    return serve(Rpc::kGetPlayerActions, *request, *reply);
+    return serve(proto::Rpc::kGetPlayerActions, *request, *reply);
   }
   grpc::ServerUnaryReactor* GetCoachActions(grpc::CallbackServerContext* /*context*/,
                                             const grpc::ByteBuffer* request,
                                             grpc::ByteBuffer* reply) override {
-    return serve(Rpc::kGetCoachActions, *request, *reply);
+    return serve(proto::Rpc::kGetCoachActions, *request, *reply);
   }
   grpc::ServerUnaryReactor* GetTrainerActions(grpc::CallbackServerContext* /*context*/,
                                               const grpc::ByteBuffer* request,
                                               grpc::ByteBuffer* reply) override {
-    return serve(Rpc::kGetTrainerActions, *request, *reply);
+    return serve(proto::Rpc::kGetTrainerActions, *request, *reply);
   }
   grpc::ServerUnaryReactor* SendInitMessage(grpc::CallbackServerContext* /*context*/,
                                             const grpc::ByteBuffer* request,
                                             grpc::ByteBuffer* reply) override {
-    return serve(Rpc::kSendInitMessage, *request, *reply);
+    return serve(proto::Rpc::kSendInitMessage, *request, *reply);
   }
   grpc::ServerUnaryReactor* SendServerParams(grpc::CallbackServerContext* /*context*/,
                                              const grpc::ByteBuffer* request,
                                              grpc::ByteBuffer* reply) override {
-    return serve(Rpc::kSendServerParams, *request, *reply);
+    return serve(proto::Rpc::kSendServerParams, *request, *reply);
   }
   grpc::ServerUnaryReactor* SendPlayerParams(grpc::CallbackServerContext* /*context*/,
                                              const grpc::ByteBuffer* request,
                                              grpc::ByteBuffer* reply) override {
-    return serve(Rpc::kSendPlayerParams, *request, *reply);
+    return serve(proto::Rpc::kSendPlayerParams, *request, *reply);
   }
   grpc::ServerUnaryReactor* SendPlayerType(grpc::CallbackServerContext* /*context*/,
                                            const grpc::ByteBuffer* request,
                                            grpc::ByteBuffer* reply) override {
-    return serve(Rpc::kSendPlayerType, *request, *reply);
+    return serve(proto::Rpc::kSendPlayerType, *request, *reply);
   }
   grpc::ServerUnaryReactor* Register(grpc::CallbackServerContext* /*context*/,
                                      const grpc::ByteBuffer* request,
                                      grpc::ByteBuffer* reply) override {
-    return serve(Rpc::kRegister, *request, *reply);
+    return serve(proto::Rpc::kRegister, *request, *reply);
   }
   grpc::ServerUnaryReactor* SendByeCommand(grpc::CallbackServerContext* /*context*/,
                                            const grpc::ByteBuffer* request,
                                            grpc::ByteBuffer* reply) override {
-    return serve(Rpc::kSendByeCommand, *request, *reply);
+    return serve(proto::Rpc::kSendByeCommand, *request, *reply);
   }
   grpc::ServerUnaryReactor* GetBestPlannerAction(grpc::CallbackServerContext* /*context*/,
                                                  const grpc::ByteBuffer* request,
                                                  grpc::ByteBuffer* reply) override {
-    return serve(Rpc::kGetBestPlannerAction, *request, *reply);
+    return serve(proto::Rpc::kGetBestPlannerAction, *request, *reply);
   }
 
  private:
-  grpc::ServerUnaryReactor* serve(Rpc rpc, const grpc::ByteBuffer& bytes, grpc::ByteBuffer& reply);
-  Fate decide_fate(Rpc rpc, const google::protobuf::Message& request);
-  void answer(Rpc rpc, const google::protobuf::Message& request, grpc::ByteBuffer& reply);
+  grpc::ServerUnaryReactor* serve(proto::Rpc rpc, const grpc::ByteBuffer& bytes,
+                                  grpc::ByteBuffer& reply);
+  Fate decide_fate(proto::Rpc rpc, const google::protobuf::Message& request);
+  void answer(proto::Rpc rpc, const google::protobuf::Message& request, grpc::ByteBuffer& reply);
 
   GameLogic& logic_;
   Faults faults_;

@@ -38,7 +38,7 @@ void GameLogic::introduce(const protos::RegisterRequest& request, protos::Regist
   reply.set_rpc_server_language_type(protos::CPP);
 }
 
-void GameLogic::answer(Rpc rpc, const google::protobuf::Message& request,
+void GameLogic::answer(proto::Rpc rpc, const google::protobuf::Message& request,
                        google::protobuf::Message& reply) {
   if (expectations_ != nullptr) expectations_->note(rpc, request);
   const std::int64_t before = thread_cpu_nanoseconds();
@@ -46,20 +46,20 @@ void GameLogic::answer(Rpc rpc, const google::protobuf::Message& request,
     return static_cast<const protos::State&>(request);
   };
   switch (rpc) {
-    case Rpc::kRegister:
+    case proto::Rpc::kRegister:
       introduce(static_cast<const protos::RegisterRequest&>(request),
                 static_cast<protos::RegisterResponse&>(reply));
       break;
-    case Rpc::kGetPlayerActions:
+    case proto::Rpc::kGetPlayerActions:
       behaviour_.decide(state(), static_cast<protos::PlayerActions&>(reply));
       break;
-    case Rpc::kGetCoachActions:
+    case proto::Rpc::kGetCoachActions:
       behaviour_.decide_as_coach(state(), static_cast<protos::CoachActions&>(reply));
       break;
-    case Rpc::kGetTrainerActions:
+    case proto::Rpc::kGetTrainerActions:
       behaviour_.decide_as_trainer(state(), static_cast<protos::TrainerActions&>(reply));
       break;
-    case Rpc::kGetBestPlannerAction:
+    case proto::Rpc::kGetBestPlannerAction:
       static_cast<protos::BestPlannerActionResponse&>(reply).set_index(
           best_of(static_cast<const protos::BestPlannerActionRequest&>(request)));
       break;

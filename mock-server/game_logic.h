@@ -8,7 +8,7 @@
 
 #include "mock-server/behaviour.h"
 #include "mock-server/expectations.h"
-#include "mock-server/rpc.h"
+#include "proto/rpc.h"
 
 namespace cls::mock_server {
 
@@ -21,7 +21,8 @@ class GameLogic {
       : behaviour_(behaviour), expectations_(expectations) {}
 
   /// Fills the empty `reply`; the messages are those of the rpc.
-  void answer(Rpc rpc, const google::protobuf::Message& request, google::protobuf::Message& reply);
+  void answer(proto::Rpc rpc, const google::protobuf::Message& request,
+              google::protobuf::Message& reply);
 
   /// CPU time spent in decisions so far, in nanoseconds.
   std::int64_t decision_nanoseconds() const { return decision_nanoseconds_; }

@@ -4,7 +4,7 @@
 #include <google/protobuf/descriptor.h>
 #include <google/protobuf/message.h>
 
-#include "mock-server/rpc.h"
+#include "proto/rpc.h"
 #include "soccer/random.h"
 
 namespace cls::mock_server {
@@ -65,7 +65,7 @@ void fill(Message& message, RandomStream& draw, int depth) {
   }
 }
 
-RandomStream stream_for(std::uint64_t seed, Rpc rpc, const protos::State& state) {
+RandomStream stream_for(std::uint64_t seed, proto::Rpc rpc, const protos::State& state) {
   const protos::WorldModel& world = state.world_model();
   const auto clock = static_cast<std::uint64_t>(world.cycle()) << 32U |
                      static_cast<std::uint32_t>(world.time_stopped());
@@ -76,20 +76,20 @@ RandomStream stream_for(std::uint64_t seed, Rpc rpc, const protos::State& state)
 }  // namespace
 
 void RandomBrain::decide(const protos::State& state, protos::PlayerActions& actions) const {
-  RandomStream draw = stream_for(seed_, Rpc::kGetPlayerActions, state);
+  RandomStream draw = stream_for(seed_, proto::Rpc::kGetPlayerActions, state);
   const int count = 1 + draw.integer(kMostActions);
   for (int i = 0; i < count; ++i) fill(*actions.add_actions(), draw, 0);
   actions.set_ignore_preprocess(draw.bernoulli(0.5));
 }
 
 void RandomBrain::decide_as_coach(const protos::State& state, protos::CoachActions& actions) const {
-  RandomStream draw = stream_for(seed_, Rpc::kGetCoachActions, state);
+  RandomStream draw = stream_for(seed_, proto::Rpc::kGetCoachActions, state);
   fill(*actions.add_actions(), draw, 0);
 }
 
 void RandomBrain::decide_as_trainer(const protos::State& state,
                                     protos::TrainerActions& actions) const {
-  RandomStream draw = stream_for(seed_, Rpc::kGetTrainerActions, state);
+  RandomStream draw = stream_for(seed_, proto::Rpc::kGetTrainerActions, state);
   fill(*actions.add_actions(), draw, 0);
 }
 

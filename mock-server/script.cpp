@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "mock-server/message_json.h"
-#include "mock-server/rpc.h"
+#include "proto/rpc.h"
 
 namespace cls::mock_server {
 namespace {
@@ -21,7 +21,7 @@ Result<std::shared_ptr<const Behaviour>> parse_behaviour(const JsonValue& json) 
 
 // A reply is the reply message, or only its list of actions.
 Result<std::shared_ptr<const google::protobuf::Message>> parse_reply(const JsonValue& json,
-                                                                     Rpc rpc) {
+                                                                     proto::Rpc rpc) {
   std::shared_ptr<google::protobuf::Message> reply(reply_prototype(rpc).New());
   if (!json.is_list()) {
     if (const auto read = read_message(json, *reply); !read) return read.error();
@@ -44,7 +44,7 @@ Result<ScriptRule> parse_rule(const JsonValue& json) {
     const auto word =
         json["rpc"].word({"GetPlayerActions", "GetCoachActions", "GetTrainerActions"});
     if (!word) return word.error();
-    rule.rpc = *rpc_from_name(*word);
+    rule.rpc = *proto::rpc_from_name(*word);
   }
   if (json.has("when")) {
     auto when = SituationFilter::parse(json["when"], rule.rpc);
@@ -111,7 +111,7 @@ Result<std::shared_ptr<const Script>> read_script(const std::filesystem::path& p
   return parse_script(JsonValue(*text));
 }
 
-const ScriptRule* ScriptedBehaviour::rule_for(Rpc rpc, const protos::State& state) const {
+const ScriptRule* ScriptedBehaviour::rule_for(proto::Rpc rpc, const protos::State& state) const {
   for (const ScriptRule& rule : script_->rules) {
     if (rule.rpc == rpc && rule.when.matches(rpc, state)) return &rule;
   }
@@ -119,7 +119,7 @@ const ScriptRule* ScriptedBehaviour::rule_for(Rpc rpc, const protos::State& stat
 }
 
 void ScriptedBehaviour::decide(const protos::State& state, protos::PlayerActions& actions) const {
-  const ScriptRule* rule = rule_for(Rpc::kGetPlayerActions, state);
+  const ScriptRule* rule = rule_for(proto::Rpc::kGetPlayerActions, state);
   if (rule == nullptr) {
     script_->otherwise->decide(state, actions);
   } else if (rule->reply != nullptr) {
@@ -131,7 +131,7 @@ void ScriptedBehaviour::decide(const protos::State& state, protos::PlayerActions
 
 void ScriptedBehaviour::decide_as_coach(const protos::State& state,
                                         protos::CoachActions& actions) const {
-  const ScriptRule* rule = rule_for(Rpc::kGetCoachActions, state);
+  const ScriptRule* rule = rule_for(proto::Rpc::kGetCoachActions, state);
   if (rule == nullptr) {
     script_->otherwise->decide_as_coach(state, actions);
   } else if (rule->reply != nullptr) {
@@ -143,7 +143,7 @@ void ScriptedBehaviour::decide_as_coach(const protos::State& state,
 
 void ScriptedBehaviour::decide_as_trainer(const protos::State& state,
                                           protos::TrainerActions& actions) const {
-  const ScriptRule* rule = rule_for(Rpc::kGetTrainerActions, state);
+  const ScriptRule* rule = rule_for(proto::Rpc::kGetTrainerActions, state);
   if (rule == nullptr) {
     script_->otherwise->decide_as_trainer(state, actions);
   } else if (rule->reply != nullptr) {

@@ -17,7 +17,7 @@ namespace cls::mock_server {
 
 /// The first rule that matches a request gives the answer: a message, or what a behaviour says.
 struct ScriptRule {
-  Rpc rpc = Rpc::kGetPlayerActions;
+  proto::Rpc rpc = proto::Rpc::kGetPlayerActions;
   SituationFilter when;
   std::shared_ptr<const google::protobuf::Message> reply;  ///< null: ask `behaviour`
   std::shared_ptr<const Behaviour> behaviour;
@@ -49,7 +49,7 @@ class ScriptedBehaviour : public Behaviour {
                          protos::TrainerActions& actions) const override;
 
  private:
-  const ScriptRule* rule_for(Rpc rpc, const protos::State& state) const;
+  const ScriptRule* rule_for(proto::Rpc rpc, const protos::State& state) const;
 
   std::shared_ptr<const Script> script_;
 };

@@ -90,7 +90,7 @@ Result<std::vector<int>> parse_unums(const JsonValue& json) {
   return numbers;
 }
 
-Result<SituationFilter> SituationFilter::parse(const JsonValue& json, Rpc rpc) {
+Result<SituationFilter> SituationFilter::parse(const JsonValue& json, proto::Rpc rpc) {
   if (const auto keys = json.object_of({"cycle", "mode", "unum", "state"}); !keys) {
     return keys.error();
   }
@@ -123,7 +123,7 @@ Result<SituationFilter> SituationFilter::parse(const JsonValue& json, Rpc rpc) {
   return filter;
 }
 
-bool SituationFilter::matches(Rpc rpc, const google::protobuf::Message& request) const {
+bool SituationFilter::matches(proto::Rpc rpc, const google::protobuf::Message& request) const {
   if (!unums_.empty()) {
     const int unum = caller_of(rpc, request).unum;
     if (std::find(unums_.begin(), unums_.end(), unum) == unums_.end()) return false;

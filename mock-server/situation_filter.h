@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "mock-server/field_path.h"
-#include "mock-server/rpc.h"
+#include "proto/rpc.h"
 #include "soccer/result.h"
 
 namespace cls::mock_server {
@@ -35,9 +35,9 @@ class SituationFilter {
  public:
   /// `json` is the object after "when": cycle, mode, unum, state. The conditions of "state" are
   /// about the request of `rpc`; cycle and mode need a State.
-  static soccer::Result<SituationFilter> parse(const JsonValue& json, Rpc rpc);
+  static soccer::Result<SituationFilter> parse(const JsonValue& json, proto::Rpc rpc);
 
-  bool matches(Rpc rpc, const google::protobuf::Message& request) const;
+  bool matches(proto::Rpc rpc, const google::protobuf::Message& request) const;
 
  private:
   std::optional<CycleRange> cycles_;

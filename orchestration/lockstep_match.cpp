@@ -198,6 +198,23 @@ void LockstepMatch::report_progress(MatchObserver& observer) const {
                      world.team(soccer::Side::kRight).score, world.mode});
 }
 
+void LockstepMatch::direct(MatchDirector& director) {
+  directors_.push_back(&director);
+  for (const auto side : {soccer::Side::kLeft, soccer::Side::kRight}) {
+    proxy::RpcListener* listener = director.listener(side);
+    MatchSide& listened = side == soccer::Side::kLeft ? *left_ : *right_;
+    if (listener != nullptr) listened.listen(*listener);
+  }
+}
+
+void LockstepMatch::arrange() {
+  for (MatchDirector* director : directors_) {
+    server_->arrange([director](simulator::World& world, simulator::Events& events) {
+      director->arrange(world, events);
+    });
+  }
+}
+
 void LockstepMatch::play_cycles(MatchObserver& observer, MatchChronicle& chronicle) {
   const Clock::time_point start = Clock::now();
   Clock::time_point now = start;
@@ -207,6 +224,8 @@ void LockstepMatch::play_cycles(MatchObserver& observer, MatchChronicle& chronic
     ++steps_;
     chronicle.follow(server_->world());
     report_progress(observer);
+    for (MatchDirector* director : directors_) director->before_decisions(server_->world());
+    if (!directors_.empty()) watch_.cycle_begins();
     const Clock::time_point asked = Clock::now();
     times_.simulator += seconds_between(now, asked);
     run_on_both([](MatchSide& side) { side.team().run_cycle(); });
@@ -216,6 +235,9 @@ void LockstepMatch::play_cycles(MatchObserver& observer, MatchChronicle& chronic
     check_answers(*left_);
     check_answers(*right_);
     pass_on_warnings(observer);
+    for (MatchDirector* director : directors_) {
+      if (!director->after_cycle(server_->world())) end(EndReason::kFinished, "");
+    }
     if (const auto limit = watch_.exceeded()) end(*limit, describe_limit(*limit, options_));
   }
   times_.play = seconds_between(start, now);
@@ -230,6 +252,7 @@ void LockstepMatch::play(MatchObserver& observer, MatchChronicle& chronicle) {
   introduce(observer);
   pass_on_warnings(observer);
   playing_ = !ended();
+  if (playing_) arrange();
   if (playing_) play_cycles(observer, chronicle);
   end(EndReason::kFinished, "");
   server_->finish();

@@ -11,6 +11,7 @@
 #include "gamelog/byte_sink.h"
 #include "orchestration/deadline_watch.h"
 #include "orchestration/match_chronicle.h"
+#include "orchestration/match_director.h"
 #include "orchestration/match_observer.h"
 #include "orchestration/match_options.h"
 #include "orchestration/match_result.h"
@@ -47,6 +48,10 @@ class LockstepMatch {
     server_->record(&game_log, &text_log);
   }
 
+  /// Lets `director` arrange and watch the match; several take their turns in this order. Before
+  /// play(); it must outlive the match.
+  void direct(MatchDirector& director);
+
   /// Connects, introduces, plays to the end and takes leave.
   void play(MatchObserver& observer, MatchChronicle& chronicle);
 
@@ -64,6 +69,7 @@ class LockstepMatch {
 
   void connect(MatchObserver& observer);
   void introduce(MatchObserver& observer);
+  void arrange();
   void play_cycles(MatchObserver& observer, MatchChronicle& chronicle);
   void leave();
 
@@ -85,6 +91,7 @@ class LockstepMatch {
   std::unique_ptr<simulator::LockstepServer> server_;
   std::unique_ptr<MatchSide> left_;
   std::unique_ptr<MatchSide> right_;
+  std::vector<MatchDirector*> directors_;
   bool playing_ = false;
   std::optional<EndReason> end_reason_;
   std::string message_;

@@ -7,10 +7,12 @@
 #include <random>
 #include <utility>
 
+#include "orchestration/debug_log.h"
 #include "orchestration/lockstep_match.h"
 #include "orchestration/match_chronicle.h"
 #include "orchestration/match_folder.h"
 #include "orchestration/network_match.h"
+#include "orchestration/rpc_recorder.h"
 #include "orchestration/version.h"
 #include "orchestration/whole_file.h"
 
@@ -63,14 +65,35 @@ struct MatchContext {
   const fs::path& folder;
   MatchObserver& observer;
   const std::atomic<int>& stop_signal;
+  MatchDirector* director;  ///< null: none
 };
+
+recording::RecordingHeader recording_header(const MatchContext& context) {
+  recording::RecordingHeader header;
+  header.set_seed(context.seed);
+  header.set_left_name(context.names.left);
+  header.set_right_name(context.names.right);
+  header.set_left_endpoint(context.options.left.text);
+  header.set_right_endpoint(context.options.right.text);
+  return header;
+}
 
 Result<MatchResult> play_lockstep(const MatchContext& context, ProcessHost* host) {
   auto logs = open_logs(context.folder);
   if (!logs) return logs.error();
+  std::unique_ptr<RpcRecorder> recorder;
+  if (!context.options.record_rpc.empty()) {
+    auto created = RpcRecorder::create(context.options.record_rpc, recording_header(context));
+    if (!created) return created.error();
+    recorder = *std::move(created);
+  }
   auto match = LockstepMatch::create(context.options, context.names, context.seed,
                                      context.stop_signal, host, context.folder);
   if (!match) return match.error();
+  DebugLog debug(context.folder);
+  (*match)->direct(debug);
+  if (recorder != nullptr) (*match)->direct(*recorder);
+  if (context.director != nullptr) (*match)->direct(*context.director);
   EventLog events(*logs->events);
   MatchChronicle chronicle(events);
   (*match)->record(*logs->game, *logs->text);
@@ -84,6 +107,10 @@ Result<MatchResult> play_lockstep(const MatchContext& context, ProcessHost* host
   result.rcg = kGameLogFile;
   result.rcl = kTextLogFile;
   result.write_error = logs->close();
+  for (const std::string& problem :
+       {debug.close(), recorder == nullptr ? std::string() : recorder->close()}) {
+    if (result.write_error.empty()) result.write_error = problem;
+  }
   return result;
 }
 
@@ -141,7 +168,7 @@ TeamNames team_names(const MatchOptions& options) {
 }
 
 Result<MatchResult> run_match(const MatchOptions& options, MatchObserver& observer,
-                              const std::atomic<int>& stop_signal) {
+                              const std::atomic<int>& stop_signal, MatchDirector* director) {
   const auto start = std::chrono::steady_clock::now();
   const TeamNames names = team_names(options);
   const std::uint64_t seed = options.seed.value_or(drawn_seed());
@@ -152,7 +179,7 @@ Result<MatchResult> run_match(const MatchOptions& options, MatchObserver& observ
     return written.error();
   }
   const fs::path whole = fs::absolute(*folder);
-  auto result = play({options, names, seed, whole, observer, stop_signal});
+  auto result = play({options, names, seed, whole, observer, stop_signal, director});
   if (!result) return result;
   result->folder = folder->string();
   result->wall_seconds =

@@ -3,6 +3,7 @@
 
 #include <atomic>
 
+#include "orchestration/match_director.h"
 #include "orchestration/match_observer.h"
 #include "orchestration/match_options.h"
 #include "orchestration/match_result.h"
@@ -19,8 +20,10 @@ TeamNames team_names(const MatchOptions& options);
 /// play is told by the result's end reason, and what was played until then is written. An error
 /// means that the folder or a file in it could not be created; nothing was played then.
 ///
+/// `director`, if there is one, arranges and watches the match besides.
 /// `stop_signal` becomes nonzero (the signal's number) when the match shall end in order.
 soccer::Result<MatchResult> run_match(const MatchOptions& options, MatchObserver& observer,
-                                      const std::atomic<int>& stop_signal);
+                                      const std::atomic<int>& stop_signal,
+                                      MatchDirector* director = nullptr);
 
 }  // namespace cls::orchestration

@@ -93,6 +93,7 @@ bool same(const Params& one, const Params& other, const soccer::ParameterTable<P
 void check_server_and_mode(const MatchOptions& options, const Demand& demand) {
   const bool embedded = options.server_choice.kind == ServerChoice::Kind::kEmbedded;
   const bool lockstep = mode_of(options) == MatchMode::kLockstep;
+  demand(lockstep || options.record_rpc.empty(), "--record-rpc needs --mode lockstep");
   demand(!lockstep || embedded, "--mode lockstep needs the embedded server: say synch or realtime");
   const bool there = options.server_choice.kind == ServerChoice::Kind::kAddress;
   const std::string& where = options.server_choice.text;

@@ -39,7 +39,8 @@ struct MatchOptions {
   std::vector<int> left_cpus;     ///< processors of that side's programs and agents; empty: all
   std::vector<int> right_cpus;    ///< see pin_sides()
 
-  std::filesystem::path folder;  ///< empty: ./runs/<UTC>-<left>-vs-<right>
+  std::filesystem::path record_rpc;  ///< file for all requests and replies; empty: none
+  std::filesystem::path folder;      ///< empty: ./runs/<UTC>-<left>-vs-<right>
 
   int protocol = 18;                   ///< version our agents speak, 14 to 19
   std::optional<int> rpc_deadline_ms;  ///< none: as the mode needs it, see decision_deadline()

@@ -93,6 +93,12 @@ Result<std::unique_ptr<MatchSide>> MatchSide::create(const Endpoint& endpoint,
   return side;
 }
 
+void MatchSide::listen(proxy::RpcListener& listener) {
+  proxy::Playmaker& inner = listened_.empty() ? *playmaker_ : *listened_.back();
+  listened_.push_back(proxy::listen_to(inner, listener));
+  team_->set_playmaker(*listened_.back());
+}
+
 TeamResult MatchSide::result() const {
   TeamResult result;
   result.name = name_;

@@ -11,6 +11,7 @@
 #include "orchestration/playmaker_program.h"
 #include "orchestration/worker.h"
 #include "proxy/playmaker.h"
+#include "proxy/rpc_listener.h"
 #include "proxy/team.h"
 #include "soccer/result.h"
 
@@ -34,6 +35,9 @@ class MatchSide {
   static soccer::Result<std::unique_ptr<MatchSide>> create(const Endpoint& endpoint,
                                                            const SideSetup& setup,
                                                            const MatchOptions& options);
+
+  /// `listener`, which must outlive the side, hears all calls; before the team is introduced.
+  void listen(proxy::RpcListener& listener);
 
   proxy::Team& team() { return *team_; }
   const proxy::Team& team() const { return *team_; }
@@ -60,6 +64,7 @@ class MatchSide {
   std::unique_ptr<mock_server::Server> mock_;
   std::unique_ptr<PlaymakerProgram> program_;
   std::unique_ptr<proxy::Playmaker> playmaker_;
+  std::vector<std::unique_ptr<proxy::Playmaker>> listened_;  ///< the Playmaker with listeners
   std::unique_ptr<proxy::Team> team_;
   Worker worker_;
 };

@@ -123,7 +123,7 @@ constexpr ActionClass kSide = ActionClass::kSide;
 // Inside an expression, m is the member's message and c the context.
 #define CLS_ACTION(kind, member, name, expression)                   \
   ActionEntry{Action::member, kind,                                  \
-              [](const Action& action, Context& c) -> bool {         \
+              [](const Action& action, [[maybe_unused]] Context& c) -> bool { \
                 [[maybe_unused]] const auto& m = action.name();      \
                 return expression;                                   \
               }}

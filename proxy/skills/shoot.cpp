@@ -143,7 +143,8 @@ Shot shot_at(const WorldModel& world, const Stoppers& list, Vec2 target) {
     if (unstoppable(world, list, direction * speed, dist, kicks / 2)) {
       return {score_of(world, list, target, kicks), speed, kicks, target};
     }
-    if (speed >= server.ball_speed_max) return {};
+    // Also where the ball's velocity is not a number: nothing is at least a maximum then.
+    if (!(speed < server.ball_speed_max)) return {};
   }
 }
 

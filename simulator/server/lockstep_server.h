@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -43,6 +44,9 @@ class LockstepServer {
 
   /// Lets in the clients that have asked, in the order of connect(), and answers them.
   void answer_requests();
+
+  /// See MatchServer::arrange.
+  void arrange(const std::function<void(World&, Events&)>& change) { match_->arrange(change); }
 
   /// Executes what the clients have sent, makes one step, tells everybody the new state of the
   /// world and asks them to think.

@@ -50,6 +50,11 @@ Connection* MatchServer::connection(ClientId client) {
   return is_monitor(client) ? monitors_.connection(client) : coaches_.session(client);
 }
 
+void MatchServer::arrange(const std::function<void(World&, Events&)>& change) {
+  change(world_, events_);
+  dispatch_events();
+}
+
 void MatchServer::receive(ClientId id, std::string_view datagram, bool null_terminated) {
   if (is_monitor(id)) return obey_monitor(id, datagram, null_terminated);
   if (is_player(id)) {

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -64,6 +65,9 @@ class MatchServer {
 
   /// Instead of greet(), when the admitted client cannot be reached after all.
   void withdraw(const Admission& admission);
+
+  /// Changes the world as a trainer may, between cycles; what happens by it is told to everybody.
+  void arrange(const std::function<void(World&, Events&)>& change);
 
   /// Keeps what a player, coach or trainer sent until execute(); obeys a monitor at once.
   void receive(ClientId id, std::string_view datagram, bool null_terminated = true);

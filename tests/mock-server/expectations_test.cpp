@@ -36,17 +36,17 @@ TEST(Expectations, CountCallsOfAllAndOfEach) {
   Expectations all = expecting(
       "[{\"rpc\": \"SendPlayerType\", \"count\": 3},\n"
       " {\"rpc\": \"SendPlayerType\", \"count_per_agent\": {\">=\": 2}, \"name\": \"types\"}]");
-  for (const int unum : {1, 1, 2}) all.note(Rpc::kSendPlayerType, type_for(unum));
+  for (const int unum : {1, 1, 2}) all.note(proto::Rpc::kSendPlayerType, type_for(unum));
   EXPECT_EQ(all.failures(),
             Lines{"expected (types): 1 calls of SendPlayerType by Reds player 2, not >= 2"});
-  all.note(Rpc::kSendPlayerType, type_for(2));
+  all.note(proto::Rpc::kSendPlayerType, type_for(2));
   EXPECT_EQ(all.failures(), Lines{"expected (line 1): 4 calls of SendPlayerType, not == 3"});
 }
 
 TEST(Expectations, AgentsThatNeverMadeTheCallCountAsNone) {
   Expectations types = expecting(R"([{"rpc": "SendPlayerType", "count_per_agent": 18}])");
   EXPECT_EQ(types.failures(), Lines{"expected (line 1): nobody called"});
-  types.note(Rpc::kGetPlayerActions, state(4, 1));
+  types.note(proto::Rpc::kGetPlayerActions, state(4, 1));
   EXPECT_EQ(types.failures(),
             Lines{"expected (line 1): 0 calls of SendPlayerType by Reds player 4, not == 18"});
 }
@@ -54,10 +54,10 @@ TEST(Expectations, AgentsThatNeverMadeTheCallCountAsNone) {
 TEST(Expectations, FilterByWhen) {
   Expectations late = expecting(
       R"([{"rpc": "GetPlayerActions", "when": {"cycle": [10, 20], "unum": 7}, "count": 1}])");
-  late.note(Rpc::kGetPlayerActions, state(7, 9));
-  late.note(Rpc::kGetPlayerActions, state(8, 10));
+  late.note(proto::Rpc::kGetPlayerActions, state(7, 9));
+  late.note(proto::Rpc::kGetPlayerActions, state(8, 10));
   EXPECT_EQ(late.failures().size(), 1u);
-  late.note(Rpc::kGetPlayerActions, state(7, 10));
+  late.note(proto::Rpc::kGetPlayerActions, state(7, 10));
   EXPECT_TRUE(late.failures().empty());
 }
 
@@ -65,7 +65,7 @@ TEST(Expectations, TellTheEarliestCallThatWasWrong) {
   Expectations always =
       expecting(R"([{"rpc": "GetPlayerActions", "always": {"world_model.cycle": {"<": 5}}}])");
   for (const auto& [unum, cycle] : {std::pair{3, 9}, {2, 7}, {1, 7}, {1, 4}}) {
-    always.note(Rpc::kGetPlayerActions, state(unum, cycle));
+    always.note(proto::Rpc::kGetPlayerActions, state(unum, cycle));
   }
   EXPECT_EQ(always.failures(),
             Lines{"expected (line 1): GetPlayerActions of Reds player 1 at cycle 7: "
@@ -78,11 +78,11 @@ TEST(Expectations, OrderIsThatOfEachAgent) {
   protos::RegisterRequest hello;
   hello.set_team_name("Reds");
   hello.set_uniform_number(1);
-  order.note(Rpc::kRegister, hello);
-  for (int i = 0; i < 18; ++i) order.note(Rpc::kSendPlayerType, type_for(1));
-  order.note(Rpc::kGetPlayerActions, state(1, 0));
+  order.note(proto::Rpc::kRegister, hello);
+  for (int i = 0; i < 18; ++i) order.note(proto::Rpc::kSendPlayerType, type_for(1));
+  order.note(proto::Rpc::kGetPlayerActions, state(1, 0));
   EXPECT_TRUE(order.failures().empty());
-  order.note(Rpc::kGetPlayerActions, state(2, 0));
+  order.note(proto::Rpc::kGetPlayerActions, state(2, 0));
   EXPECT_EQ(order.failures(),
             Lines{"expected (line 1): Reds player 2 called GetPlayerActions, not Register, "
                   "SendPlayerType, GetPlayerActions"});

@@ -144,7 +144,7 @@ TEST(Faults, SharesAreDrawnFromSeedNumberAndCycle) {
       protos::State state;
       state.mutable_register_response()->set_uniform_number(2);
       state.mutable_world_model()->set_cycle(cycle);
-      const Fate fate = fate_of(faults, Rpc::kGetPlayerActions, state);
+      const Fate fate = fate_of(faults, proto::Rpc::kGetPlayerActions, state);
       text += fate.what == Fate::What::kError ? 'e' : '.';
       EXPECT_LE(fate.delay_ms, 50);
     }
@@ -165,7 +165,7 @@ TEST(Faults, AreLimitedToCyclesAndNumbers) {
     protos::State state;
     state.mutable_register_response()->set_uniform_number(unum);
     state.mutable_world_model()->set_cycle(cycle);
-    return fate_of(faults, Rpc::kGetPlayerActions, state).what == Fate::What::kNever;
+    return fate_of(faults, proto::Rpc::kGetPlayerActions, state).what == Fate::What::kNever;
   };
   EXPECT_TRUE(dropped(4, 10));
   EXPECT_TRUE(dropped(4, 20));

@@ -1,11 +1,11 @@
 // Names and messages of the rpcs.
-#include "mock-server/rpc.h"
+#include "proto/rpc.h"
 
 #include <algorithm>
 
 #include "proto/playmaker.pb.h"
 
-namespace cls::mock_server {
+namespace cls::proto {
 namespace {
 
 Caller caller_from(const protos::RegisterResponse& identity) {
@@ -107,4 +107,4 @@ Caller caller_of(Rpc rpc, const google::protobuf::Message& request) {
   return caller;
 }
 
-}  // namespace cls::mock_server
+}  // namespace cls::proto

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-namespace cls::mock_server {
+namespace cls::proto {
 
 enum class Rpc : std::uint8_t {
   kRegister,
@@ -47,4 +47,4 @@ struct Caller {
 };
 Caller caller_of(Rpc rpc, const google::protobuf::Message& request);
 
-}  // namespace cls::mock_server
+}  // namespace cls::proto

@@ -1,0 +1,148 @@
+// What a scenario demands: one value for each line of "expect".
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "mock-server/comparison.h"
+#include "mock-server/expectations.h"
+#include "mock-server/field_path.h"
+#include "orchestration/scenario/run_record.h"
+#include "soccer/geometry.h"
+
+namespace cls::orchestration {
+
+/// Player by slot (soccer::slot_of), or the ball.
+constexpr int kBallObject = -1;
+
+/// Demands on one object after one step; all must hold.
+struct ObjectTest {
+  struct Quantity {
+    enum class What { kX, kY, kSpeed, kBody, kStamina, kCards, kOnPitch };
+    What what = What::kX;
+    mock_server::Comparison demand;
+  };
+  struct Nearness {
+    std::optional<int> object;  ///< else `point`
+    soccer::Vec2 point;
+    double within = 0.0;
+  };
+
+  int object = kBallObject;
+  std::vector<Quantity> quantities;
+  std::vector<std::string> areas;  ///< names of areas.h
+  std::optional<Nearness> near;
+
+  bool holds(const StepFrame& frame) const;
+  /// Where the object is and what it does, as far as the test asks.
+  std::string describe(const StepFrame& frame) const;
+};
+
+/// Demands on the whole pitch after one step: exactly one of them is given.
+struct StepTest {
+  std::optional<ObjectTest> object;
+  std::vector<soccer::PlayMode> modes;       ///< one of these
+  std::optional<int> goals;                  ///< at least so many of both sides
+  std::optional<std::vector<int>> touch_by;  ///< slots: one of them touches the ball
+
+  bool holds(const StepFrame& frame, const RunRecord& record) const;
+};
+
+/// When a StepTest is asked.
+struct Moment {
+  enum class How { kAt, kEnd, kSometime, kAlways, kNever };
+  How how = How::kEnd;
+  int from = 0;  ///< steps, both included
+  int to = 0;
+};
+
+struct StepCheck {
+  StepTest test;
+  Moment moment;
+};
+
+struct ScoreCheck {
+  std::array<std::optional<mock_server::Comparison>, 2> goals;
+};
+
+struct RefereeCheck {
+  std::string word;
+  mock_server::Comparison count;
+};
+
+struct TouchCheck {
+  enum class Which { kFirst, kLast, kCount };
+  Which which = Which::kCount;
+  std::vector<int> slots;
+  std::string who;
+  mock_server::Comparison count;
+};
+
+/// Actions that a Playmaker asked for.
+struct ActionCheck {
+  std::string kind;  ///< name of a PlayerAction field; "*": any
+  soccer::Side side = soccer::Side::kLeft;
+  std::vector<int> unums;   ///< empty: all
+  bool first_only = false;  ///< counts only the first of each reply
+  int from = 0;
+  int to = 0;
+  std::vector<mock_server::Condition> where;
+  mock_server::Comparison count;
+};
+
+/// Commands that a side's agents sent to the server.
+struct CommandCheck {
+  std::string kind;
+  soccer::Side side = soccer::Side::kLeft;
+  std::vector<int> unums;
+  mock_server::Comparison count;
+};
+
+struct RpcCheck {
+  soccer::Side side = soccer::Side::kLeft;
+  mock_server::Expectation expectation;
+  std::size_t index = 0;  ///< in RunRecord::rpc_failures
+};
+
+/// The only check that knows the wall clock.
+struct LatencyCheck {
+  soccer::Side side = soccer::Side::kLeft;
+  std::map<std::string, mock_server::Comparison> percentiles_ms;  ///< p50, p95, p99, max
+};
+
+struct MissedCheck {
+  soccer::Side side = soccer::Side::kLeft;
+  mock_server::Comparison count;
+};
+
+struct EndCheck {
+  std::string reason;
+};
+
+/// Values that were once found right: a fingerprint kept beside the scenario (--bless).
+struct GoldenCheck {
+  std::string what;     ///< "game_log", "score", "touches"
+  std::string blessed;  ///< empty: nothing yet
+};
+
+struct Check {
+  std::variant<StepCheck, ScoreCheck, RefereeCheck, TouchCheck, ActionCheck, CommandCheck, RpcCheck,
+               LatencyCheck, MissedCheck, EndCheck, GoldenCheck>
+      what;
+  std::string name;  ///< for people
+  int line = 0;      ///< in the scenario's file
+  /// In how many runs it must hold; nothing: in all.
+  std::optional<mock_server::Comparison> runs;
+};
+
+/// Empty when it holds, else what was found instead.
+std::string failure(const Check& check, const RunRecord& record);
+
+/// What a golden check compares.
+std::string fingerprint(const GoldenCheck& check, const RunRecord& record);
+
+}  // namespace cls::orchestration

@@ -1,0 +1,74 @@
+// What was seen in one run of a scenario: the ground on which checks stand.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "mock-server/expectations.h"
+#include "orchestration/match_result.h"
+#include "proto/playmaker.pb.h"
+#include "soccer/geometry.h"
+#include "soccer/play_mode.h"
+#include "soccer/side.h"
+
+namespace cls::orchestration {
+
+/// One thing on the pitch after a step. What does not apply to the ball is 0.
+struct ObjectFrame {
+  soccer::Vec2 position;
+  soccer::Vec2 velocity;
+  bool on_pitch = false;
+  double body = 0.0;  ///< degrees
+  double stamina = 0.0;
+  int cards = 0;  ///< 1 yellow, 2 red
+};
+
+/// The world after a step; step 0 is the start.
+struct StepFrame {
+  int step = 0;
+  int cycle = 0;  ///< game time
+  soccer::PlayMode mode = soccer::PlayMode::kNull;
+  std::array<int, 2> score{};
+  ObjectFrame ball;
+  std::array<ObjectFrame, soccer::kPlayersOnPitch> players;
+};
+
+/// A kick, tackle, catch or body that met the ball.
+struct Touch {
+  int step = 0;
+  int slot = 0;
+};
+
+/// Something that the referee said.
+struct RefereeWord {
+  int step = 0;
+  std::string word;
+};
+
+/// One reply of a Playmaker to a player.
+struct ReceivedReply {
+  int step = 0;
+  int unum = 0;
+  protos::PlayerActions actions;
+};
+
+struct RunRecord {
+  std::uint64_t seed = 0;
+  std::vector<StepFrame> frames;
+  std::vector<Touch> touches;
+  std::vector<RefereeWord> words;
+  std::array<std::vector<ReceivedReply>, 2> replies;  ///< in order of step and number
+  /// By check, where the check is about rpcs: what its expectation says.
+  std::vector<std::vector<std::string>> rpc_failures;
+  /// What the scripts of mock sides expected and did not get.
+  std::vector<std::string> script_failures;
+  MatchResult result;
+  std::string game_log;
+  std::string text_log;
+  double seconds = 0.0;  ///< wall time, for people; no check knows it
+};
+
+}  // namespace cls::orchestration

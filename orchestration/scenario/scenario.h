@@ -1,0 +1,66 @@
+// A scenario: a situation on the pitch, who plays it, and what must come of it. Plain data.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "orchestration/endpoint.h"
+#include "orchestration/scenario/check.h"
+#include "soccer/geometry.h"
+#include "soccer/play_mode.h"
+#include "soccer/player_params.h"
+#include "soccer/server_params.h"
+#include "soccer/side.h"
+
+namespace cls::orchestration {
+
+/// Where a player starts, in the server's axes (the left team attacks +x).
+struct StartingPlace {
+  soccer::Vec2 position;
+  soccer::Vec2 velocity;
+  std::optional<double> body;  ///< degrees on the pitch; else towards the other goal
+  std::optional<double> stamina;
+};
+
+struct ScenarioSide {
+  Endpoint playmaker;
+  /// By number. Empty: everybody plays, from the places of a kick-off; else only these do.
+  std::map<int, StartingPlace> players;
+};
+
+/// docs/testing.md describes the file format. Time is counted in steps: cycles since the start,
+/// stopped ones too.
+struct Scenario {
+  std::string name;      ///< file name without ".json"
+  std::string file;      ///< for errors and annotations
+  std::string argument;  ///< of `cls test`, to play it again: the file, or a shipped one's name
+  std::string about;     ///< one sentence
+
+  std::vector<std::uint64_t> seeds = {1};
+  soccer::ServerParams server;
+  soccer::PlayerParams player;
+  soccer::PlayMode mode = soccer::PlayMode::kBeforeKickOff;
+  int cycle = 0;  ///< game time at the start
+  std::array<int, 2> score = {0, 0};
+  soccer::Vec2 ball;
+  soccer::Vec2 ball_velocity;
+  std::array<ScenarioSide, 2> sides;  ///< left, right
+  std::optional<soccer::Side> under_test;
+
+  int steps = 100;
+  std::vector<StepTest> until;  ///< any of them ends the run
+  int rpc_deadline_ms = 10'000;
+  int max_missed = 20;
+
+  std::vector<Check> checks;
+};
+
+/// Index of a side in arrays of two.
+constexpr std::size_t index_of(soccer::Side side) { return side == soccer::Side::kRight ? 1 : 0; }
+
+}  // namespace cls::orchestration

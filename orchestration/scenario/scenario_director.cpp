@@ -1,0 +1,212 @@
+// Placing everything, and reading the world after every step.
+#include "orchestration/scenario/scenario_director.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <tuple>
+#include <utility>
+
+#include "simulator/referee.h"
+#include "simulator/roster.h"
+#include "simulator/trainer.h"
+#include "soccer/math.h"
+
+namespace cls::orchestration {
+namespace {
+
+using simulator::Events;
+using simulator::World;
+using soccer::Side;
+using soccer::Vec2;
+
+// Places of a kick-off for those whom the scenario does not place, by number, for the left side.
+constexpr std::array<Vec2, soccer::kPlayersPerTeam> kKickOffPlaces = {{{-50.0, 0.0},
+                                                                       {-20.0, -8.0},
+                                                                       {-20.0, 8.0},
+                                                                       {-18.0, -18.0},
+                                                                       {-18.0, 18.0},
+                                                                       {-14.0, 0.0},
+                                                                       {-11.0, -9.5},
+                                                                       {-11.0, 9.5},
+                                                                       {-0.8, -15.0},
+                                                                       {-0.8, 15.0},
+                                                                       {-9.5, 0.0}}};
+
+StartingPlace kick_off_place(Side side, int unum) {
+  const Vec2 place = kKickOffPlaces[static_cast<std::size_t>(unum - 1)];
+  return {side == Side::kLeft ? place : -place, {}, {}, {}};
+}
+
+ObjectFrame frame_of(const simulator::Player& player) {
+  ObjectFrame frame;
+  frame.position = player.position;
+  frame.velocity = player.velocity;
+  frame.on_pitch = player.enabled;
+  frame.body = soccer::math::to_degrees(player.body);
+  frame.stamina = player.stamina.value;
+  frame.cards = player.cards;
+  return frame;
+}
+
+// Agents know the score from what the referee says of goals; a mode must follow.
+void announce_score(const World& world, Events& events) {
+  for (const Side side : {Side::kLeft, Side::kRight}) {
+    const int score = world.team(side).score;
+    if (score == 0) continue;
+    const char letter = side == Side::kLeft ? 'l' : 'r';
+    report(events, world, simulator::RefereeSaid{fmt::format("goal_{}_{}", letter, score)});
+  }
+  if (!events.empty() && world.mode == soccer::PlayMode::kBeforeKickOff) {
+    report(events, world, simulator::RefereeSaid{std::string(name(world.mode))});
+  }
+}
+
+}  // namespace
+
+SideEar::SideEar(const Scenario& scenario, Side side, const int& step) : side_(side), step_(step) {
+  for (const Check& check : scenario.checks) {
+    if (const auto* actions = std::get_if<ActionCheck>(&check.what)) {
+      if (actions->side == side) keeps_replies_ = true;
+    }
+    if (const auto* rpc = std::get_if<RpcCheck>(&check.what)) {
+      if (rpc->side != side) continue;
+      expectations_[rpc->index] = std::make_unique<mock_server::Expectations>(
+          std::vector<mock_server::Expectation>{rpc->expectation});
+    }
+  }
+}
+
+void SideEar::on_call(const proxy::RpcCall& call) {
+  for (const auto& [index, expectation] : expectations_) expectation->note(call.rpc, call.request);
+  if (!keeps_replies_ || call.rpc != proto::Rpc::kGetPlayerActions || call.reply == nullptr) return;
+  replies_.push_back({step_, call.agent, static_cast<const protos::PlayerActions&>(*call.reply)});
+}
+
+void SideEar::tell(RunRecord& record) {
+  std::sort(replies_.begin(), replies_.end(), [](const auto& a, const auto& b) {
+    return std::tie(a.step, a.unum) < std::tie(b.step, b.unum);
+  });
+  record.replies[index_of(side_)] = std::move(replies_);
+  for (const auto& [index, expectation] : expectations_) {
+    if (record.rpc_failures.size() <= index) record.rpc_failures.resize(index + 1);
+    record.rpc_failures[index] = expectation->failures();
+  }
+}
+
+ScenarioDirector::ScenarioDirector(const Scenario& scenario, const gamelog::StringSink& text_log,
+                                   RunRecord& record)
+    : scenario_(scenario),
+      text_log_(text_log),
+      record_(record),
+      ears_{SideEar(scenario, Side::kLeft, step_), SideEar(scenario, Side::kRight, step_)} {}
+
+proxy::RpcListener* ScenarioDirector::listener(Side side) {
+  SideEar& ear = ears_[index_of(side)];
+  return ear.has_work() ? &ear : nullptr;
+}
+
+void ScenarioDirector::place_side(World& world, Events& events, Side side) const {
+  const auto& placed = scenario_.sides[index_of(side)].players;
+  const bool at_bench = placed.empty() && scenario_.mode == soccer::PlayMode::kBeforeKickOff;
+  for (int unum = 1; unum <= soccer::kPlayersPerTeam && !at_bench; ++unum) {
+    const int slot = soccer::slot_of(side, unum);
+    const auto found = placed.find(unum);
+    if (!placed.empty() && found == placed.end()) {
+      simulator::leave(world, slot);
+      continue;
+    }
+    const StartingPlace place = placed.empty() ? kick_off_place(side, unum) : found->second;
+    const double body = place.body.value_or(side == Side::kLeft ? 0.0 : 180.0);
+    simulator::move_player(world, slot, place.position, body, place.velocity, events);
+    if (place.stamina) world.player(slot).stamina.value = *place.stamina;
+  }
+}
+
+void ScenarioDirector::arrange(World& world, Events& events) {
+  world.clock.time = scenario_.cycle;
+  simulator::move_ball(world, scenario_.ball, scenario_.ball_velocity);
+  for (const Side side : {Side::kLeft, Side::kRight}) {
+    world.team(side).score = scenario_.score[index_of(side)];
+    place_side(world, events, side);
+  }
+  announce_score(world, events);
+  if (scenario_.mode != soccer::PlayMode::kBeforeKickOff) {
+    simulator::change_mode(world, scenario_.mode, events);
+  }
+  words_of_arrangement_ = static_cast<int>(
+      std::count_if(events.begin(), events.end(), [](const simulator::Event& event) {
+        return std::holds_alternative<simulator::RefereeSaid>(event.what);
+      }));
+  note_frame(world);
+}
+
+void ScenarioDirector::note_frame(const World& world) {
+  StepFrame frame;
+  frame.step = step_;
+  frame.cycle = world.clock.time;
+  frame.mode = world.mode;
+  frame.score = {world.team(Side::kLeft).score, world.team(Side::kRight).score};
+  frame.ball = {world.ball.position, world.ball.velocity, true, 0.0, 0.0, 0};
+  for (std::size_t slot = 0; slot < frame.players.size(); ++slot) {
+    frame.players[slot] = frame_of(world.players[slot]);
+  }
+  record_.frames.push_back(std::move(frame));
+}
+
+void ScenarioDirector::note_touches(const World& world) {
+  for (std::size_t slot = 0; slot < kicks_.size(); ++slot) {
+    const int kicks = world.players[slot].counters.kick;
+    if (std::exchange(kicks_[slot], kicks) == kicks) continue;
+    record_.touches.push_back({step_, static_cast<int>(slot)});
+  }
+  // Tackles and bodies are known to the referee only, the strongest of a cycle.
+  const simulator::TouchRule& memory = world.referee.touch;
+  const bool fresh = memory.touch_time != touch_time_ || memory.toucher != toucher_;
+  touch_time_ = memory.touch_time;
+  toucher_ = memory.toucher;
+  if (fresh) note_touch(memory.toucher);
+  // A catch changes the mode, and the referee forgets.
+  if (std::exchange(catcher_, world.ball_catcher) != world.ball_catcher) note_touch(catcher_);
+}
+
+void ScenarioDirector::note_touch(int slot) {
+  const bool known = !record_.touches.empty() && record_.touches.back().step == step_ &&
+                     record_.touches.back().slot == slot;
+  if (slot != simulator::kNobody && !known) record_.touches.push_back({step_, slot});
+}
+
+void ScenarioDirector::note_words() {
+  static constexpr std::string_view kReferee = "(referee ";
+  const std::string_view text = text_log_.bytes();
+  for (std::size_t at = text.find(kReferee, text_read_); at != std::string_view::npos;
+       at = text.find(kReferee, at)) {
+    at += kReferee.size();
+    const std::size_t end = text.find(')', at);
+    if (words_of_arrangement_-- > 0) continue;
+    record_.words.push_back({step_, std::string(text.substr(at, end - at))});
+  }
+  text_read_ = text.size();
+}
+
+void ScenarioDirector::before_decisions(const World& world) {
+  ++step_;
+  note_frame(world);
+  note_touches(world);
+  note_words();
+}
+
+bool ScenarioDirector::after_cycle(const World& /*world*/) {
+  if (step_ >= scenario_.steps) return false;
+  return std::none_of(scenario_.until.begin(), scenario_.until.end(), [this](const StepTest& test) {
+    return test.holds(record_.frames.back(), record_);
+  });
+}
+
+void ScenarioDirector::finish() {
+  // A match that never began: checks about steps find nothing on an empty pitch.
+  if (record_.frames.empty()) record_.frames.emplace_back();
+  for (SideEar& ear : ears_) ear.tell(record_);
+}
+
+}  // namespace cls::orchestration

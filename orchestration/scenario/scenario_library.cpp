@@ -1,0 +1,127 @@
+// Finding and reading scenarios, and their golden values.
+#include "orchestration/scenario/scenario_library.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "mock-server/json_text.h"
+#include "orchestration/scenario/scenario_file.h"
+#include "orchestration/whole_file.h"
+
+namespace cls::orchestration {
+namespace {
+
+namespace fs = std::filesystem;
+using mock_server::Json;
+using mock_server::JsonText;
+using soccer::Error;
+using soccer::Result;
+
+constexpr std::string_view kShippedFolder = "examples/scenarios/";
+
+Json golden_of(const Json& all, const std::string& scenario) {
+  return all.is_object() && all.contains(scenario) ? all.at(scenario) : Json();
+}
+
+Result<Json> read_golden(const fs::path& folder) {
+  const fs::path file = folder / kGoldenFile;
+  std::error_code code;
+  if (!fs::exists(file, code)) return Json::object();
+  const auto text = JsonText::read(file);
+  if (!text) return text.error();
+  return text->root();
+}
+
+Result<Scenario> read_one(const fs::path& file) {
+  const auto golden = read_golden(file.parent_path());
+  if (!golden) return golden.error();
+  const auto text = JsonText::read(file);
+  if (!text) return text.error();
+  return parse_scenario(*text, golden_of(*golden, file.stem().string()));
+}
+
+// What the golden checks found, by the file that keeps such values.
+std::map<fs::path, std::map<std::string, Json>> found_values(const SuiteVerdict& suite) {
+  std::map<fs::path, std::map<std::string, Json>> files;
+  for (const ScenarioVerdict& verdict : suite.scenarios) {
+    const Scenario& scenario = *verdict.scenario;
+    std::size_t next = 0;
+    Json values = Json::object();
+    for (const Check& check : scenario.checks) {
+      const auto* golden = std::get_if<GoldenCheck>(&check.what);
+      if (golden == nullptr || next >= verdict.fingerprints.size()) continue;
+      values[golden->what] = verdict.fingerprints[next++];
+    }
+    const bool has_file = scenario.argument == scenario.file;
+    if (values.empty() || !has_file) continue;
+    files[fs::path(scenario.file).parent_path() / kGoldenFile][scenario.name] = values;
+  }
+  return files;
+}
+
+}  // namespace
+
+Result<std::vector<Scenario>> shipped_scenarios() {
+  Json golden = Json::object();
+  for (const ShippedFile& file : shipped_files()) {
+    if (file.name == kGoldenFile) golden = Json::parse(file.text);
+  }
+  std::vector<Scenario> scenarios;
+  for (const ShippedFile& file : shipped_files()) {
+    if (file.name == kGoldenFile) continue;
+    const auto text = JsonText::parse(std::string(kShippedFolder) + std::string(file.name),
+                                      std::string(file.text));
+    if (!text) return text.error();
+    const std::string name = fs::path(file.name).stem().string();
+    auto scenario = parse_scenario(*text, golden_of(golden, name));
+    if (!scenario) return scenario.error();
+    scenario->argument = name;
+    scenarios.push_back(*std::move(scenario));
+  }
+  return scenarios;
+}
+
+Result<std::vector<Scenario>> read_scenarios(const fs::path& path) {
+  std::vector<fs::path> files = {path};
+  std::error_code code;
+  if (fs::is_directory(path, code)) {
+    files.clear();
+    for (const auto& entry : fs::directory_iterator(path, code)) {
+      const fs::path& file = entry.path();
+      if (file.extension() == ".json" && file.filename() != kGoldenFile) files.push_back(file);
+    }
+    std::sort(files.begin(), files.end());
+    if (files.empty()) return Error{fmt::format("{}: no scenario (*.json) in it", path.string())};
+  }
+  std::vector<Scenario> scenarios;
+  for (const fs::path& file : files) {
+    auto scenario = read_one(file);
+    if (!scenario) return scenario.error();
+    scenarios.push_back(*std::move(scenario));
+  }
+  return scenarios;
+}
+
+Result<int> bless(const SuiteVerdict& suite) {
+  int changed = 0;
+  for (const auto& [file, scenarios] : found_values(suite)) {
+    auto golden = read_golden(file.parent_path());
+    if (!golden) return golden.error();
+    for (const auto& [name, values] : scenarios) {
+      for (const auto& [what, value] : values.items()) {
+        if (golden_of(*golden, name).value(what, "") != value) ++changed;
+      }
+      (*golden)[name] = values;
+    }
+    const std::map<std::string, Json> sorted = golden->get<std::map<std::string, Json>>();
+    if (const auto written = write_file(file, Json(sorted).dump(2) + "\n"); !written) {
+      return written.error();
+    }
+  }
+  return changed;
+}
+
+}  // namespace cls::orchestration

@@ -1,0 +1,258 @@
+// Handing runs to threads and adding up what their checks say.
+#include "orchestration/scenario/suite.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <mutex>
+#include <thread>
+
+#include "orchestration/scenario/scenario_run.h"
+#include "orchestration/whole_file.h"
+
+namespace cls::orchestration {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What is kept of a run once its checks are asked.
+struct RunOutcome {
+  std::uint64_t seed = 0;
+  std::string problem;                ///< it could not be set up
+  std::vector<std::string> failures;  ///< by check; empty: held
+  std::vector<std::string> script_failures;
+  std::vector<std::string> fingerprints;
+  std::string folder;  ///< where its logs are, when something did not hold
+  double seconds = 0.0;
+
+  bool good() const {
+    return problem.empty() && script_failures.empty() &&
+           std::all_of(failures.begin(), failures.end(),
+                       [](const std::string& line) { return line.empty(); });
+  }
+};
+
+class SuiteRun {
+ public:
+  SuiteRun(const std::vector<Scenario>& scenarios, const SuiteOptions& options,
+           const std::function<void(const ScenarioVerdict&)>& on_done,
+           const std::atomic<int>& stop_signal, ProcessHost* host)
+      : scenarios_(scenarios),
+        options_(options),
+        on_done_(on_done),
+        stop_signal_(stop_signal),
+        host_(host) {
+    for (const Scenario& scenario : scenarios) {
+      verdicts_.scenarios.emplace_back().scenario = &scenario;
+      outcomes_.emplace_back();
+      open_.push_back(0);
+      plan(scenario);
+    }
+  }
+
+  SuiteVerdict play() {
+    std::vector<std::thread> threads;
+    for (int i = 1; i < options_.jobs; ++i) threads.emplace_back([this] { work(); });
+    work();
+    for (std::thread& thread : threads) thread.join();
+    return std::move(verdicts_);
+  }
+
+ private:
+  struct Task {
+    std::size_t scenario = 0;
+    std::size_t run = 0;
+    std::uint64_t seed = 0;
+  };
+
+  void plan(const Scenario& scenario) {
+    const std::size_t index = verdicts_.scenarios.size() - 1;
+    ScenarioVerdict& verdict = verdicts_.scenarios.back();
+    if (options_.against && !scenario.under_test) {
+      verdict.verdict = Verdict::kSkipped;
+      verdict.reason = "has no side under test";
+      on_done_(verdict);
+      return;
+    }
+    verdict.seeds = options_.seed ? std::vector<std::uint64_t>{*options_.seed} : scenario.seeds;
+    outcomes_[index].resize(verdict.seeds.size());
+    open_[index] = verdict.seeds.size();
+    for (std::size_t run = 0; run < verdict.seeds.size(); ++run) {
+      tasks_.push_back({index, run, verdict.seeds[run]});
+    }
+  }
+
+  void work() {
+    for (std::size_t next = next_++; next < tasks_.size(); next = next_++) {
+      const Task& task = tasks_[next];
+      RunOutcome outcome;
+      outcome.seed = task.seed;
+      if (stop_signal_.load() == 0) {
+        play(task, outcome);
+      } else {
+        outcome.problem = "interrupted";
+      }
+      const std::lock_guard lock(mutex_);
+      outcomes_[task.scenario][task.run] = std::move(outcome);
+      if (--open_[task.scenario] == 0) conclude(task.scenario);
+    }
+  }
+
+  void play(const Task& task, RunOutcome& outcome) {
+    const Scenario& scenario = scenarios_[task.scenario];
+    RunSettings settings;
+    settings.seed = task.seed;
+    settings.against = options_.against;
+    settings.host = host_;
+    settings.folder = options_.folder / fmt::format("{}-seed-{}", scenario.name, task.seed);
+    if (host_ != nullptr) fs::create_directories(settings.folder);
+    const auto record = run_scenario(scenario, settings, stop_signal_);
+    if (!record) {
+      outcome.problem = record.error().message;
+      return;
+    }
+    outcome.seconds = record->seconds;
+    outcome.script_failures = record->script_failures;
+    for (const Check& check : scenario.checks) {
+      outcome.failures.push_back(failure(check, *record));
+      if (const auto* golden = std::get_if<GoldenCheck>(&check.what)) {
+        outcome.fingerprints.push_back(fingerprint(*golden, *record));
+      }
+    }
+    if (!outcome.good()) keep(settings.folder, *record, outcome);
+  }
+
+  static void keep(const fs::path& folder, const RunRecord& record, RunOutcome& outcome) {
+    std::error_code code;
+    fs::create_directories(folder, code);
+    std::string report;
+    for (const std::string& line : outcome.failures) {
+      if (!line.empty()) report += line + "\n";
+    }
+    for (const std::string& line : outcome.script_failures) report += line + "\n";
+    const bool kept = write_file(folder / "match.rcg", record.game_log) &&
+                      write_file(folder / "match.rcl", record.text_log) &&
+                      write_file(folder / "failures.txt", report);
+    outcome.folder = kept ? folder.string() : "";
+  }
+
+  std::string repeat_command(const Scenario& scenario, std::uint64_t seed) const {
+    std::string command = fmt::format("cls test {} --seed {}", scenario.argument, seed);
+    if (options_.against) command += fmt::format(" --against '{}'", options_.against_text);
+    return command;
+  }
+
+  void conclude(std::size_t index) {
+    ScenarioVerdict& verdict = verdicts_.scenarios[index];
+    const Scenario& scenario = *verdict.scenario;
+    const std::vector<RunOutcome>& runs = outcomes_[index];
+    bool good = true;
+    for (std::size_t i = 0; i < scenario.checks.size(); ++i) {
+      verdict.checks.push_back(conclude_check(scenario.checks[i], i, runs));
+      good = good && verdict.checks.back().passed;
+    }
+    good = conclude_scripts(verdict, runs) && good;
+    for (const RunOutcome& run : runs) {
+      verdict.seconds += run.seconds;
+      if (!run.problem.empty()) {
+        good = false;
+        verdict.reason = run.problem;
+      }
+    }
+    verdict.fingerprints = runs.front().fingerprints;
+    if (runs.front().problem == "interrupted") {
+      verdict.verdict = Verdict::kSkipped;
+    } else if (!good) {
+      verdict.verdict = Verdict::kFailed;
+      const auto bad =
+          std::find_if(runs.begin(), runs.end(), [](const RunOutcome& run) { return !run.good(); });
+      verdict.replay = bad->folder;
+      verdict.repeat = repeat_command(scenario, bad->seed);
+    }
+    on_done_(verdict);
+  }
+
+  static CheckVerdict conclude_check(const Check& check, std::size_t index,
+                                     const std::vector<RunOutcome>& runs) {
+    CheckVerdict verdict;
+    verdict.name = check.name;
+    verdict.line = check.line;
+    for (const RunOutcome& run : runs) {
+      if (!run.problem.empty()) continue;
+      ++verdict.runs;
+      if (run.failures[index].empty()) {
+        ++verdict.held;
+      } else if (!verdict.seed) {
+        verdict.seed = run.seed;
+        verdict.detail = run.failures[index];
+      }
+    }
+    verdict.passed = check.runs ? check.runs->holds(static_cast<double>(verdict.held))
+                                : verdict.held == verdict.runs;
+    if (check.runs && !verdict.passed) {
+      verdict.detail =
+          fmt::format("held in {} of {} runs, not {}{}{}", verdict.held, verdict.runs,
+                      check.runs->text(), verdict.seed ? "; first not: " : "", verdict.detail);
+    }
+    return verdict;
+  }
+
+  // The expectations of mock scripts count as one check, if a run failed them.
+  static bool conclude_scripts(ScenarioVerdict& verdict, const std::vector<RunOutcome>& runs) {
+    for (const RunOutcome& run : runs) {
+      if (run.script_failures.empty()) continue;
+      CheckVerdict check;
+      check.name = "what the mocks' scripts expect";
+      check.line = 1;
+      check.passed = false;
+      check.runs = static_cast<int>(runs.size());
+      check.detail = fmt::format("{}", fmt::join(run.script_failures, "; "));
+      check.seed = run.seed;
+      verdict.checks.push_back(std::move(check));
+      return false;
+    }
+    return true;
+  }
+
+  const std::vector<Scenario>& scenarios_;
+  const SuiteOptions& options_;
+  const std::function<void(const ScenarioVerdict&)>& on_done_;
+  const std::atomic<int>& stop_signal_;
+  ProcessHost* host_;
+
+  std::vector<Task> tasks_;
+  std::atomic<std::size_t> next_{0};
+  std::mutex mutex_;
+  std::vector<std::vector<RunOutcome>> outcomes_;
+  std::vector<std::size_t> open_;  ///< runs to come, by scenario
+  SuiteVerdict verdicts_;
+};
+
+bool starts_programs(const std::vector<Scenario>& scenarios, const SuiteOptions& options) {
+  if (options.against && options.against->starts_programs()) return true;
+  return std::any_of(scenarios.begin(), scenarios.end(), [](const Scenario& scenario) {
+    return scenario.sides[0].playmaker.starts_programs() ||
+           scenario.sides[1].playmaker.starts_programs();
+  });
+}
+
+}  // namespace
+
+int SuiteVerdict::count(Verdict verdict) const {
+  return static_cast<int>(
+      std::count_if(scenarios.begin(), scenarios.end(),
+                    [verdict](const auto& each) { return each.verdict == verdict; }));
+}
+
+SuiteVerdict run_suite(const std::vector<Scenario>& scenarios, const SuiteOptions& options,
+                       const std::function<void(const ScenarioVerdict&)>& on_done,
+                       const std::atomic<int>& stop_signal) {
+  std::optional<ProcessHost> host;
+  if (starts_programs(scenarios, options)) {
+    auto created = ProcessHost::create();
+    if (created) host.emplace(*std::move(created));
+  }
+  return SuiteRun(scenarios, options, on_done, stop_signal, host ? &*host : nullptr).play();
+}
+
+}  // namespace cls::orchestration

@@ -1,0 +1,263 @@
+// `cls test` as a user runs it.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "tests/support/command.h"
+#include "tests/support/files.h"
+#include "tests/support/temporary_folder.h"
+
+namespace {
+
+using cls::tests::cls_binary;
+using cls::tests::Command;
+using cls::tests::CommandResult;
+using cls::tests::TemporaryFolder;
+namespace fs = std::filesystem;
+
+CommandResult cls_test(std::vector<std::string> arguments) {
+  // All shipped scenarios take seconds, but on a busy machine and under sanitizers many.
+  constexpr std::chrono::seconds kLongest{240};
+  arguments.insert(arguments.begin(), {cls_binary(), "test"});
+  return Command(arguments).finish(kLongest);
+}
+
+// What must be the same however and wherever it is run: everything but times.
+nlohmann::json timeless(const std::string& text) {
+  auto json = nlohmann::json::parse(text);
+  for (auto& scenario : json["scenarios"]) scenario.erase("seconds");
+  return json;
+}
+
+TEST(TestCommand, ShippedScenariosPassAndSayTheSameUnderLoad) {
+  TemporaryFolder folder;
+  const std::string dir = folder.path();
+  const auto alone = cls_test({"--json", "--quiet", "--dir", dir, "--jobs", "1"});
+  EXPECT_EQ(alone.exit_code, 0) << alone.err;
+  // Twice as many runs at once as there are processors, beside somebody who burns one.
+  Command load({"/bin/sh", "-c", "while :; do :; done"});
+  const auto loaded = cls_test({"--json", "--quiet", "--dir", dir, "--jobs", "4"});
+  EXPECT_EQ(loaded.exit_code, 0) << loaded.err;
+  ASSERT_FALSE(alone.out.empty());
+  EXPECT_EQ(timeless(alone.out), timeless(loaded.out));
+  EXPECT_GE(timeless(alone.out)["passed"].get<int>(), 30);
+}
+
+TEST(TestCommand, AFailureIsToldKeptAndRepeatable) {
+  TemporaryFolder folder;
+  const std::string file = folder.path() / "no_goal.json";
+  std::ofstream(file) << R"({"noise": false, "mode": "play_on", "seed": 5,
+    "ball": {"at": [45, 0], "velocity": [2.5, 0]},
+    "left": {"playmaker": "mock:hold", "players": {"9": {"at": [0, 0]}}},
+    "right": {"playmaker": "mock:hold", "players": {"9": {"at": [5, 20]}}},
+    "steps": 10,
+    "expect": [{"score": [0, 0]}]})";
+  const std::string junit = folder.path() / "junit.xml";
+  const std::string kept = folder.path() / "kept";
+  const auto failed = cls_test({file, "--dir", kept, "--junit", junit, "--github"});
+  EXPECT_EQ(failed.exit_code, 1);
+  EXPECT_NE(failed.out.find("FAIL  no_goal"), std::string::npos) << failed.out;
+  EXPECT_NE(failed.out.find("the score is 1 : 0, not == 0 for the left"), std::string::npos);
+  EXPECT_NE(failed.out.find("again: cls test " + file + " --seed 5"), std::string::npos);
+  EXPECT_EQ(failed.err.rfind("::error file=", 0), 0u) << failed.err;
+  EXPECT_NE(cls::tests::read_file(junit).find("<failure "), std::string::npos);
+  const fs::path logs = fs::path(kept) / "no_goal-seed-5";
+  EXPECT_TRUE(fs::exists(logs / "match.rcg"));
+  const auto results = cls::tests::run({cls_binary(), "results", logs / "match.rcg"});
+  EXPECT_EQ(results.exit_code, 0) << results.err;
+  const auto again = cls_test({file, "--seed", "5", "--dir", kept, "--json"});
+  EXPECT_EQ(again.exit_code, 1);
+  EXPECT_EQ(timeless(again.out)["scenarios"][0]["checks"][0]["passed"], false);
+}
+
+TEST(TestCommand, ChoosesByNameFilterAndShard) {
+  const auto names = [](std::vector<std::string> arguments) {
+    arguments.push_back("--list");
+    const auto listed = cls_test(arguments);
+    EXPECT_EQ(listed.exit_code, 0) << listed.err;
+    std::vector<std::string> found;
+    for (std::size_t at = 0; at < listed.out.size();) {
+      const std::size_t end = listed.out.find('\n', at);
+      found.push_back(listed.out.substr(at, listed.out.find(' ', at) - at));
+      at = end + 1;
+    }
+    return found;
+  };
+  using Names = std::vector<std::string>;
+  EXPECT_EQ(names({"--filter", "*corner_kick"}),
+            (Names{"referee_corner_kick", "team_takes_a_corner_kick"}));
+  EXPECT_EQ(names({"--filter", "referee_o"}), (Names{"referee_offside", "referee_onside"}));
+  EXPECT_EQ(names({"referee_goal"}), Names{"referee_goal"});
+  const Names all = names({});
+  Names parts;
+  for (const char* shard : {"1/3", "2/3", "3/3"}) {
+    for (const std::string& name : names({"--shard", shard})) parts.push_back(name);
+  }
+  std::sort(parts.begin(), parts.end());
+  EXPECT_EQ(parts, all);
+  const auto unknown = cls_test({"referee_gaol"});
+  EXPECT_EQ(unknown.exit_code, 66);
+  EXPECT_EQ(unknown.err, "cls: no scenario 'referee_gaol'; did you mean 'referee_goal'?\n");
+  EXPECT_EQ(cls_test({"--shard", "4/3"}).exit_code, 2);
+  EXPECT_EQ(cls_test({"--filter", "nothing_of_this"}).exit_code, 2);
+}
+
+TEST(TestCommand, PutsAnotherPlaymakerOnTheSideUnderTest) {
+  TemporaryFolder folder;
+  const auto hold = cls_test({"team_scores_alone_in_front_of_the_goal", "--against", "mock:hold",
+                              "--dir", folder.path(), "--seed", "1"});
+  EXPECT_EQ(hold.exit_code, 1) << "who only watches scores no goal";
+  EXPECT_NE(hold.out.find("--against 'mock:hold'"), std::string::npos) << hold.out;
+  const auto skipped = cls_test({"referee_goal", "--against", "mock", "--dir", folder.path()});
+  EXPECT_EQ(skipped.exit_code, 0);
+  EXPECT_NE(skipped.out.find("skip  referee_goal: has no side under test"), std::string::npos);
+}
+
+TEST(TestCommand, BlessesGoldenValues) {
+  TemporaryFolder folder;
+  const std::string file = folder.path() / "golden.scenario.json";
+  std::ofstream(file) << R"({"mode": "play_on", "steps": 5,
+    "left": {"playmaker": "mock:hold", "players": {"9": {"at": [0, 5]}}},
+    "right": {"playmaker": "mock:hold", "players": {"9": {"at": [5, 20]}}},
+    "expect": [{"golden": "game_log"}]})";
+  const std::string dir = folder.path() / "kept";
+  EXPECT_EQ(cls_test({file, "--dir", dir}).exit_code, 1);
+  const auto blessed = cls_test({file, "--dir", dir, "--bless"});
+  EXPECT_EQ(blessed.exit_code, 0) << blessed.err;
+  EXPECT_NE(blessed.err.find("1 golden values changed"), std::string::npos) << blessed.err;
+  EXPECT_EQ(cls_test({file, "--dir", dir}).exit_code, 0);
+  EXPECT_EQ(cls_test({file, "--dir", dir, "--seed", "2"}).exit_code, 1);
+}
+
+TEST(TestCommand, BadScenariosAreToldByLine) {
+  TemporaryFolder folder;
+  const std::string file = folder.path() / "bad.json";
+  std::ofstream(file) << "{\n  \"expct\": []\n}";
+  const auto bad = cls_test({file});
+  EXPECT_EQ(bad.exit_code, 65);
+  EXPECT_EQ(bad.err, "cls: " + file + ":2: /expct: unknown key 'expct'; did you mean 'expect'?\n");
+  EXPECT_EQ(cls_test({"nowhere/at_all.json"}).exit_code, 66);
+}
+
+TEST(TestCommand, ExportsItsScenariosToBeginOnesOwnWith) {
+  TemporaryFolder folder;
+  const std::string copies = folder.path() / "copies";
+  ASSERT_EQ(cls_test({"--export", copies}).exit_code, 0);
+  EXPECT_EQ(cls_test({copies + "/referee_goal.json", "--dir", folder.path()}).exit_code, 0);
+}
+
+class Recording : public testing::Test {
+ protected:
+  std::string folder() const { return folder_.path(); }
+  CommandResult match(const std::string& name, std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), {cls_binary(), "match"});
+    arguments.insert(arguments.end(), {"--seed", "11", "--cycles", "40", "--set",
+                                       "server::kick_off_wait=3", "--dir", folder() + "/" + name});
+    return cls::tests::run(arguments);
+  }
+  std::string file(const std::string& name) { return cls::tests::read_file(folder() + "/" + name); }
+
+ private:
+  TemporaryFolder folder_;
+};
+
+TEST_F(Recording, IsTheSameForTheSameMatchAndReplaysWithoutADifference) {
+  for (const char* name : {"one", "two"}) {
+    const auto played =
+        match(name, {"mock", "mock:hold", "--record-rpc", folder() + "/" + name + ".rpc"});
+    ASSERT_EQ(played.exit_code, 0) << played.err;
+  }
+  EXPECT_EQ(file("one.rpc"), file("two.rpc"));
+  const auto same = cls_test({"--replay", folder() + "/one.rpc", "mock"});
+  EXPECT_EQ(same.exit_code, 0) << same.out << same.err;
+  EXPECT_NE(same.out.find(" 0 different"), std::string::npos) << same.out;
+}
+
+TEST_F(Recording, TellsWhichRepliesOfAChangedPlaymakerDiffer) {
+  ASSERT_EQ(match("match", {"mock", "mock:hold", "--record-rpc", folder() + "/m.rpc"}).exit_code,
+            0);
+  std::ofstream(folder() + "/changed.json") << R"({"otherwise": "simple", "rules":
+      [{"when": {"unum": 5, "cycle": 20}, "reply": [{"dash": {"power": 33}}]}]})";
+  const auto changed =
+      cls_test({"--replay", folder() + "/m.rpc", "mock:" + folder() + "/changed.json", "--json"});
+  EXPECT_EQ(changed.exit_code, 1) << changed.err;
+  const auto json = nlohmann::json::parse(changed.out);
+  EXPECT_EQ(json["schema"], "cls.replay/1");
+  ASSERT_EQ(json["different"], 1);
+  EXPECT_EQ(json["differences"][0]["cycle"], 20);
+  EXPECT_EQ(json["differences"][0]["agent"], 5);
+  EXPECT_NE(json["differences"][0]["fields"].dump().find("dash"), std::string::npos);
+  const auto right = cls_test({"--replay", folder() + "/m.rpc", "mock:hold", "--side", "right"});
+  EXPECT_EQ(right.exit_code, 0) << right.out << right.err;
+}
+
+TEST_F(Recording, IsABrainForTheMock) {
+  ASSERT_EQ(match("played", {"mock", "mock", "--record-rpc", folder() + "/m.rpc"}).exit_code, 0);
+  const std::string again = "mock:replay:" + folder() + "/m.rpc";
+  ASSERT_EQ(
+      match("again", {again, again, "--left-name", "mock_l", "--right-name", "mock_r"}).exit_code,
+      0);
+  EXPECT_EQ(file("played/match.rcg"), file("again/match.rcg"));
+}
+
+TEST_F(Recording, DamageIsTold) {
+  ASSERT_EQ(match("match", {"mock", "mock", "--record-rpc", folder() + "/m.rpc"}).exit_code, 0);
+  const std::string whole = file("m.rpc");
+  fs::resize_file(folder() + "/m.rpc", fs::file_size(folder() + "/m.rpc") / 2);
+  const auto cut = cls_test({"--replay", folder() + "/m.rpc", "mock"});
+  EXPECT_EQ(cut.exit_code, 65);
+  EXPECT_NE(cut.err.find("damaged after call"), std::string::npos) << cut.err;
+  std::ofstream(folder() + "/text.rpc") << "no recording";
+  const auto text = cls_test({"--replay", folder() + "/text.rpc", "mock"});
+  EXPECT_EQ(text.exit_code, 65);
+  EXPECT_NE(text.err.find("not a recording"), std::string::npos) << text.err;
+  EXPECT_EQ(cls_test({"--replay", folder() + "/none.rpc", "mock"}).exit_code, 66);
+  EXPECT_EQ(cls_test({"--replay", folder() + "/m.rpc"}).exit_code, 2);
+}
+
+TEST_F(Recording, DebugActionsAreWrittenByCycleAndNumber) {
+  std::ofstream(folder() + "/talk.json") << R"({"rules": [
+    {"when": {"cycle": [5, 6], "unum": [3, 9]},
+     "reply": [{"log": {"add_text": {"level": "TEAM", "message": "hello"}}},
+               {"log": {"add_circle": {"center": {"x": 1, "y": 2}, "radius": 3, "color": "red"}}},
+               {"debug_client": {"message": "for the viewer"}}]}]})";
+  const auto played = match("talk", {"mock:" + folder() + "/talk.json", "mock:hold"});
+  ASSERT_EQ(played.exit_code, 0) << played.err;
+  EXPECT_EQ(played.err.find("does not have"), std::string::npos) << played.err;
+  const std::string lines = file("talk/left-debug.jsonl");
+  EXPECT_EQ(lines.rfind("{\"t\":5,\"unum\":3,\"kind\":\"text\",\"level\":\"TEAM\",\"message\":"
+                        "\"hello\"}\n"
+                        "{\"t\":5,\"unum\":3,\"kind\":\"circle\",\"center\":",
+                        0),
+            0u)
+      << lines;
+  EXPECT_EQ(std::count(lines.begin(), lines.end(), '\n'), 12);
+  EXPECT_FALSE(fs::exists(folder() + "/talk/right-debug.jsonl"));
+}
+
+TEST_F(Recording, AMatchCanBeWalkedCycleByCycle) {
+  // The shell gives the lines that a person would type.
+  const std::string command = std::string(cls_binary()) +
+                              " match mock:hold mock:hold --seed 1 --at 10 --cycles 30 --set "
+                              "server::kick_off_wait=3 --dir " +
+                              folder() + "/steps";
+  const auto walked = cls::tests::run({"/bin/sh", "-c", "printf '\\n3\\nx\\nq\\n' | " + command});
+  EXPECT_EQ(walked.exit_code, 0) << walked.err;
+  EXPECT_NE(walked.err.find("cycle 10 "), std::string::npos) << walked.err;
+  EXPECT_NE(walked.err.find("cycle 11 "), std::string::npos) << walked.err;
+  EXPECT_EQ(walked.err.find("cycle 12 "), std::string::npos) << walked.err;
+  EXPECT_NE(walked.err.find("cycle 14 "), std::string::npos) << walked.err;
+  EXPECT_NE(walked.err.find("Enter: one cycle"), std::string::npos) << walked.err;
+  EXPECT_EQ(walked.err.find("cycle 15 "), std::string::npos) << walked.err;
+  const auto all = cls::tests::run({"/bin/sh", "-c", "printf 'c\\n' | " + command});
+  EXPECT_EQ(all.exit_code, 0);
+  EXPECT_NE(all.out.find("30 cycles"), std::string::npos) << all.out;
+}
+
+}  // namespace

@@ -1,0 +1,100 @@
+// Verdicts as text, JSON, JUnit XML and annotations.
+#include "orchestration/scenario/suite_report.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "tests/support/command.h"
+#include "tests/support/files.h"
+#include "tests/support/temporary_folder.h"
+
+namespace cls::orchestration {
+namespace {
+
+Scenario scenario(const std::string& name) {
+  Scenario scenario;
+  scenario.name = name;
+  scenario.file = "tests/" + name + ".json";
+  scenario.about = "About " + name + ".";
+  return scenario;
+}
+
+struct Sample {
+  Scenario good = scenario("good");
+  Scenario bad = scenario("bad");
+  Scenario skipped = scenario("skipped");
+  SuiteVerdict suite;
+
+  Sample() {
+    ScenarioVerdict passed;
+    passed.scenario = &good;
+    passed.seeds = {1, 2};
+    passed.checks = {{"{\"score\":[1,0]}", 4, true, 2, 2, "", {}}};
+    ScenarioVerdict failed;
+    failed.scenario = &bad;
+    failed.verdict = Verdict::kFailed;
+    failed.seeds = {7};
+    failed.seconds = 0.25;
+    failed.checks = {{"a <name> & \"more\"", 9, false, 0, 1, "the score is 1 : 0,\n50% off", 7}};
+    failed.replay = "runs/test/bad-seed-7";
+    failed.repeat = "cls test tests/bad.json --seed 7";
+    ScenarioVerdict not_played;
+    not_played.scenario = &skipped;
+    not_played.verdict = Verdict::kSkipped;
+    not_played.reason = "has no side under test";
+    suite.scenarios = {passed, failed, not_played};
+  }
+};
+
+TEST(SuiteReport, TextSaysWhatFailedWhereAndHowToRepeatIt) {
+  const Sample sample;
+  EXPECT_EQ(to_text(sample.suite.scenarios[0]), "ok    good  (2 seeds)\n");
+  EXPECT_EQ(to_text(sample.suite.scenarios[1]),
+            "FAIL  bad\n"
+            "      About bad.\n"
+            "      tests/bad.json: line 9, seed 7: a <name> & \"more\": the score is 1 : 0,\n50% "
+            "off\n"
+            "      logs: runs/test/bad-seed-7\n"
+            "      again: cls test tests/bad.json --seed 7\n");
+  EXPECT_EQ(to_text(sample.suite.scenarios[2]), "skip  skipped: has no side under test\n");
+  EXPECT_EQ(summary(sample.suite, 1.25), "1 passed, 1 failed, 1 skipped in 1.2 s\n");
+}
+
+TEST(SuiteReport, JsonHasEveryCheck) {
+  const Sample sample;
+  const auto json = nlohmann::json::parse(to_json(sample.suite));
+  EXPECT_EQ(json["schema"], "cls.test/1");
+  EXPECT_EQ(json["passed"], 1);
+  EXPECT_EQ(json["failed"], 1);
+  EXPECT_EQ(json["skipped"], 1);
+  EXPECT_EQ(json["scenarios"][1]["checks"][0]["line"], 9);
+  EXPECT_EQ(json["scenarios"][1]["checks"][0]["seed"], 7);
+  EXPECT_EQ(json["scenarios"][1]["repeat"], "cls test tests/bad.json --seed 7");
+}
+
+TEST(SuiteReport, AnnotationsEscapeWhatGitHubReads) {
+  const Sample sample;
+  EXPECT_EQ(to_annotations(sample.suite),
+            "::error file=tests/bad.json,line=9,title=scenario bad::line 9, seed 7: a <name> & "
+            "\"more\": the score is 1 : 0,%0A50%25 off%0Aagain: cls test tests/bad.json --seed "
+            "7\n");
+}
+
+TEST(SuiteReport, JUnitFollowsItsSchema) {
+  const Sample sample;
+  const std::string xml = to_junit(sample.suite);
+  EXPECT_NE(xml.find("a &lt;name&gt; &amp; &quot;more&quot;"), std::string::npos) << xml;
+  tests::TemporaryFolder folder;
+  const std::string file = folder.path() / "junit.xml";
+  std::ofstream(file) << xml;
+  const auto there = tests::run({"/bin/sh", "-c", "command -v xmllint"});
+  if (there.exit_code != 0) GTEST_SKIP() << "no xmllint (package libxml2-utils)";
+  const auto valid =
+      tests::run({"xmllint", "--noout", "--schema", tests::fixture("junit/junit.xsd"), file});
+  EXPECT_EQ(valid.exit_code, 0) << valid.err;
+}
+
+}  // namespace
+}  // namespace cls::orchestration
