@@ -114,7 +114,8 @@ Heading sense_heading(Gaussian<3>& pose, double predicted, double predicted_vari
   const double half = 0.5 * (high - low);
   // y = heading - body - neck - middle, believed to be offset +- deviation, seen within +- half.
   const double body_variance = pose.at(2, 2);
-  const double variance = body_variance + predicted_variance;
+  // Without noise both can be nothing at all, and their shares not a number.
+  const double variance = std::max(body_variance + predicted_variance, 1e-12);
   const double offset = math::normalize_degrees(predicted - pose.mean[2] - neck - middle);
   const double deviation = std::sqrt(variance);
   if (predicted_variance >= kNoPrediction || std::fabs(offset) > half + 5.0 * deviation) {
