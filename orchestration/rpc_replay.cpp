@@ -209,7 +209,7 @@ Result<ReplayResult> replay_recording(const ReplayOptions& options,
       result.side == Side::kLeft ? result.header.left_name() : result.header.right_name();
   auto side = MatchSide::create(
       options.endpoint,
-      {result.side, team, result.header.seed(), options.folder, host ? &*host : nullptr},
+      {result.side, team, result.header.seed(), options.folder, host ? &*host : nullptr, {}},
       MatchOptions());
   if (!side) return side.error();
   Replay replay(options, (*side)->playmaker(), result);
