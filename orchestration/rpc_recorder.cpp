@@ -1,6 +1,9 @@
 // Collecting the calls of a cycle, then writing them in order.
 #include "orchestration/rpc_recorder.h"
 
+#include <google/protobuf/io/coded_stream.h>
+#include <google/protobuf/io/zero_copy_stream_impl_lite.h>
+
 #include <algorithm>
 
 namespace cls::orchestration {
@@ -10,6 +13,18 @@ using soccer::Error;
 namespace {
 
 constexpr int kUnknownStatus = 2;  // gRPC's UNKNOWN
+
+}  // namespace
+
+namespace {
+
+// Maps of a message are written in an order of their own in every process unless told otherwise.
+void write_repeatably(const google::protobuf::Message& message, std::string& bytes) {
+  google::protobuf::io::StringOutputStream stream(&bytes);
+  google::protobuf::io::CodedOutputStream coded(&stream);
+  coded.SetSerializationDeterministic(true);
+  message.SerializeToCodedStream(&coded);
+}
 
 }  // namespace
 
@@ -31,8 +46,8 @@ void RpcRecorder::Ear::on_call(const proxy::RpcCall& call) {
   recorded.set_agent(call.agent);
   recorded.set_rpc(std::string(name(call.rpc)));
   recorded.set_step(step_);
-  call.request.SerializeToString(recorded.mutable_request());
-  if (call.reply != nullptr) call.reply->SerializeToString(recorded.mutable_reply());
+  write_repeatably(call.request, *recorded.mutable_request());
+  if (call.reply != nullptr) write_repeatably(*call.reply, *recorded.mutable_reply());
   recorded.set_status(call.status.code);
   if (!call.status.ok()) {
     // A deadline of ours has no status of the Playmaker's.

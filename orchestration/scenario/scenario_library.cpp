@@ -23,7 +23,7 @@ using soccer::Result;
 constexpr std::string_view kShippedFolder = "examples/scenarios/";
 
 Json golden_of(const Json& all, const std::string& scenario) {
-  return all.is_object() && all.contains(scenario) ? all.at(scenario) : Json();
+  return all.is_object() && all.contains(scenario) ? all.at(scenario) : Json::object();
 }
 
 Result<Json> read_golden(const fs::path& folder) {
