@@ -141,7 +141,8 @@ bool OwnTeam::look_and_go_on() {
   limit_near_ = cycle_limit_near();
   const std::lock_guard lock(mutex_);
   MatchProgress& progress = moment_.progress;
-  progress.cycle = game.time.cycle;
+  // The referee's last word may come before the senses of its cycle, or instead of them.
+  progress.cycle = std::max(game.time.cycle, game.mode_start.cycle);
   progress.mode = game.mode;
   progress.left_score = left ? game.our_score : game.their_score;
   progress.right_score = left ? game.their_score : game.our_score;

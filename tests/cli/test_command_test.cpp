@@ -110,9 +110,9 @@ TEST(TestCommand, ChoosesByNameFilterAndShard) {
 
 TEST(TestCommand, PutsAnotherPlaymakerOnTheSideUnderTest) {
   TemporaryFolder folder;
-  const auto hold = cls_test({"team_scores_alone_in_front_of_the_goal", "--against", "mock:hold",
-                              "--dir", folder.path(), "--seed", "1"});
-  EXPECT_EQ(hold.exit_code, 1) << "who only watches scores no goal";
+  const auto hold = cls_test(
+      {"team_goes_for_the_ball", "--against", "mock:hold", "--dir", folder.path(), "--seed", "1"});
+  EXPECT_EQ(hold.exit_code, 1) << "who only watches does not go for it";
   EXPECT_NE(hold.out.find("--against 'mock:hold'"), std::string::npos) << hold.out;
   const auto skipped = cls_test({"referee_goal", "--against", "mock", "--dir", folder.path()});
   EXPECT_EQ(skipped.exit_code, 0);
