@@ -110,6 +110,10 @@ void add_options(CLI::App& command, Arguments& arguments) {
   command.add_option("--at", arguments.at, "--step from this game time on");
   command.add_option("--record-rpc", arguments.record_rpc,
                      "write all requests and replies into this file (cls test --replay)");
+  command.add_option("--monitor-port", options.monitor_port,
+                     "UDP port where monitors may attach and watch; 0: a free one, which is told");
+  command.add_option("--speed", options.speed,
+                     "play at so many times real time (as fast as it goes)");
   command.add_option("--protocol", options.protocol, "version our agents speak, 14 to 19 (18)");
   command.add_flag("--quiet", arguments.quiet, "no progress, no warnings");
   command.add_flag("--no-color", arguments.no_colour, "plain text also on a terminal");

@@ -42,6 +42,12 @@ void ProgressLine::on_cycle(const orchestration::MatchProgress& progress) {
   line_.show(progress_text(progress, known ? (progress.cycle - cycles_at_start_) / elapsed : 0.0));
 }
 
+void ProgressLine::on_notice(std::string_view line) {
+  if (quiet_) return;
+  line_.clear();
+  fmt::print(stderr, "cls: {}\n", line);
+}
+
 void ProgressLine::on_warning(std::string_view line) {
   if (quiet_) return;
   line_.clear();

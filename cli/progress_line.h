@@ -19,6 +19,7 @@ class ProgressLine : public orchestration::MatchObserver {
 
   void on_phase(std::string_view what) override;
   void on_cycle(const orchestration::MatchProgress& progress) override;
+  void on_notice(std::string_view line) override;
   void on_warning(std::string_view line) override;
 
   /// Removes the line, so that what is printed next starts on a clean one.

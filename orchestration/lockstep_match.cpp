@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <thread>
 #include <utility>
 
 #include "orchestration/match_end.h"
@@ -215,10 +216,32 @@ void LockstepMatch::arrange() {
   }
 }
 
+void LockstepMatch::open_to_monitors(MatchObserver& observer) {
+  if (!options_.monitor_port) return;
+  const auto port = server_->open_to_monitors("127.0.0.1", *options_.monitor_port);
+  if (!port) return end(EndReason::kServerFailed, port.error().message);
+  observer.on_notice(fmt::format("monitors may attach at 127.0.0.1:{}", *port));
+}
+
+// Waits until the next step is due, in slices, so that a signal is noticed.
+void LockstepMatch::keep_pace(Clock::time_point start) const {
+  if (!options_.speed) return;
+  constexpr std::chrono::milliseconds kSlice{50};
+  const std::chrono::duration<double, std::milli> step(options_.server.simulator_step /
+                                                       *options_.speed);
+  const auto due =
+      start + std::chrono::duration_cast<Clock::duration>(step * static_cast<double>(steps_));
+  for (auto now = Clock::now(); now < due && watch_.signal() == 0; now = Clock::now()) {
+    std::this_thread::sleep_until(std::min(due, now + kSlice));
+  }
+}
+
 void LockstepMatch::play_cycles(MatchObserver& observer, MatchChronicle& chronicle) {
   const Clock::time_point start = Clock::now();
   Clock::time_point now = start;
   while (!ended() && !server_->finished()) {
+    keep_pace(start);
+    now = Clock::now();
     watch_.cycle_begins();
     server_->run_cycle();
     ++steps_;
@@ -248,7 +271,8 @@ void LockstepMatch::leave() {
 }
 
 void LockstepMatch::play(MatchObserver& observer, MatchChronicle& chronicle) {
-  connect(observer);
+  open_to_monitors(observer);
+  if (!ended()) connect(observer);
   introduce(observer);
   pass_on_warnings(observer);
   playing_ = !ended();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -70,6 +71,8 @@ class LockstepMatch {
   void connect(MatchObserver& observer);
   void introduce(MatchObserver& observer);
   void arrange();
+  void open_to_monitors(MatchObserver& observer);
+  void keep_pace(std::chrono::steady_clock::time_point start) const;
   void play_cycles(MatchObserver& observer, MatchChronicle& chronicle);
   void leave();
 

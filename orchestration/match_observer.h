@@ -22,6 +22,7 @@ class MatchObserver {
   virtual ~MatchObserver() = default;
   virtual void on_phase(std::string_view /*what*/) {}  ///< "connecting to left ...", one line
   virtual void on_cycle(const MatchProgress& /*progress*/) {}
+  virtual void on_notice(std::string_view /*line*/) {}  ///< worth keeping on the screen
   virtual void on_warning(std::string_view /*line*/) {}
 };
 

@@ -132,6 +132,10 @@ std::vector<std::string> mistakes_in(const MatchOptions& options) {
   demand(options.start_timeout_s > 0, "--start-timeout must be positive");
   demand(options.stall_after_s > 0, "--stall-after must be positive");
   demand(!options.time_limit_s || *options.time_limit_s > 0, "--time-limit must be positive");
+  demand(!options.monitor_port || (*options.monitor_port >= 0 && *options.monitor_port <= 65535),
+         "--monitor-port must be within 0..65535");
+  demand(!options.speed || (*options.speed >= 0.1 && *options.speed <= 1000.0),
+         "--speed must be within 0.1..1000");
   demand(options.server.half_time > 0 || options.cycles,
          "without a time limit of halves (server::half_time) give --cycles");
   for (const Endpoint* side : {&options.left, &options.right}) {

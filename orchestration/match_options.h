@@ -51,6 +51,9 @@ struct MatchOptions {
   double stall_after_s = 10.0;         ///< without a new cycle
   std::optional<double> time_limit_s;  ///< for the whole match
 
+  std::optional<int> monitor_port;  ///< where monitors may attach on loopback; 0: a free one
+  std::optional<double> speed;      ///< times real time; none: as fast as it goes
+
   std::vector<std::string> command_line;  ///< for manifest.json
 };
 

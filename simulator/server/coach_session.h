@@ -22,7 +22,7 @@ class CoachInbox {
     bool null_terminated = true;
   };
 
-  /// True if the command is (done). Too many waiting datagrams are dropped, as in Inbox.
+  /// True if the command is (done) or (bye). Too many waiting datagrams are dropped, as in Inbox.
   bool add(std::string_view text, bool null_terminated, soccer::CoachRole role);
 
   const std::vector<Datagram>& datagrams() const { return datagrams_; }

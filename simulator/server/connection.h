@@ -29,6 +29,7 @@ enum class Door : std::uint8_t {
   kGame,          ///< players and monitors
   kOfflineCoach,  ///< the trainer
   kOnlineCoach,
+  kMonitors,  ///< monitors only
 };
 
 /// A client that was let in. It hears nothing before MatchServer::greet.

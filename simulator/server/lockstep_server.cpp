@@ -2,6 +2,7 @@
 #include "simulator/server/lockstep_server.h"
 
 #include <algorithm>
+#include <chrono>
 #include <utility>
 #include <variant>
 
@@ -39,7 +40,17 @@ void LockstepServer::answer_requests() {
   waiting_.erase(std::remove_if(waiting_.begin(), waiting_.end(), is_admitted), waiting_.end());
 }
 
+soccer::Result<int> LockstepServer::open_to_monitors(const std::string& address, int port) {
+  match_->let_monitors_only_watch();
+  network_ = std::make_unique<UdpNetwork>(*match_);
+  const auto opened = network_->open(Door::kMonitors, address, port);
+  if (!opened) return opened.error();
+  return network_->port(Door::kMonitors);
+}
+
 void LockstepServer::run_cycle() {
+  constexpr std::chrono::milliseconds kTimeForMonitors{2};
+  if (network_ != nullptr) network_->poll(std::chrono::steady_clock::now() + kTimeForMonitors);
   answer_requests();
   for (ClientId client = 0; client < kFirstMonitor; ++client) {
     if (awaits(client)) ++missed_[static_cast<std::size_t>(client)];

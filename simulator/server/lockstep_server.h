@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "simulator/server/match_server.h"
+#include "simulator/server/udp_network.h"
 #include "soccer/channel.h"
 #include "soccer/result.h"
 
@@ -47,6 +48,10 @@ class LockstepServer {
 
   /// See MatchServer::arrange.
   void arrange(const std::function<void(World&, Events&)>& change) { match_->arrange(change); }
+  /// Lets monitors attach over UDP from now on, to watch only: what they send changes nothing. They
+  /// are heard and shown once a cycle. `address` is a number; port 0 takes a free one. Returns the
+  /// port.
+  soccer::Result<int> open_to_monitors(const std::string& address, int port);
 
   /// Executes what the clients have sent, makes one step, tells everybody the new state of the
   /// world and asks them to think.
@@ -80,6 +85,7 @@ class LockstepServer {
 
   void collect(ClientId client);
 
+  std::unique_ptr<UdpNetwork> network_;  ///< outlives the monitors' sockets, which the match has
   std::unique_ptr<MatchServer> match_;
   std::vector<Waiting> waiting_;
   std::array<std::int64_t, kFirstMonitor> missed_ = {};

@@ -23,9 +23,13 @@ const std::string& fixed_name(const soccer::ServerParams& params, Side side) {
 }  // namespace
 
 std::variant<Admission, ErrorCode> MatchServer::admit(Door door, std::string_view datagram) {
-  if (door != Door::kGame) return coaches_.admit(world_, door, datagram);
+  if (door == Door::kOnlineCoach || door == Door::kOfflineCoach)
+    return coaches_.admit(world_, door, datagram);
   soccer::GameRequest request;
   if (const auto error = soccer::parse(datagram, request)) return *error;
+  if (door == Door::kMonitors && !std::holds_alternative<soccer::MonitorInit>(request)) {
+    return ErrorCode::kUnknownCommand;
+  }
   if (const auto* init = std::get_if<soccer::PlayerInit>(&request)) return admit_player(*init);
   if (const auto* again = std::get_if<soccer::PlayerReconnect>(&request)) {
     return readmit_player(*again);

@@ -83,12 +83,21 @@ int MatchServer::connected() const {
 }
 
 void MatchServer::execute() {
+  execute_players();
+  execute_coaches();
+}
+
+void MatchServer::execute_players() {
   std::array<Slot, soccer::kPlayersOnPitch> order;
   std::iota(order.begin(), order.end(), 0);
   stream("command order", 0).shuffle(std::span<Slot>(order));
   for (const Slot slot : order) {
     if (Session* client = session(slot)) execute(*client);
   }
+  remove_lost();
+}
+
+void MatchServer::execute_coaches() {
   std::array<ClientId, 2> coach_order = {kLeftCoach, kRightCoach};
   stream("coach order", 0).shuffle(std::span<ClientId>(coach_order));
   for (const ClientId client : {coach_order[0], coach_order[1], kTrainer}) {
@@ -193,6 +202,11 @@ void MatchServer::see(int ms) {
 }
 
 void MatchServer::think() {
+  think_players();
+  think_coaches();
+}
+
+void MatchServer::think_players() {
   see(world_.params().synch_offset);
   text_.clear();
   soccer::format(soccer::ServerReply(soccer::Think{}), text_);
@@ -201,6 +215,11 @@ void MatchServer::think() {
     client->send(text_);
     client->asked = true;
   }
+}
+
+void MatchServer::think_coaches() {
+  text_.clear();
+  soccer::format(soccer::ServerReply(soccer::Think{}), text_);
   coaches_.ask(text_);
 }
 

@@ -100,6 +100,11 @@ class MatchServer {
   /// in order of arrival. Replies, and what others hear of it, go out at once.
   void execute();
 
+  // The two halves of it, for a driver that lets coaches think when they have heard what players
+  // said in this cycle.
+  void execute_players();
+  void execute_coaches();
+
   /// One simulation step, logged; the referee's words go out.
   void step();
 
@@ -113,6 +118,8 @@ class MatchServer {
   /// In synchronous mode: (think), and the see messages that fall before it. Coaches and the
   /// trainer are asked if their eyes are open.
   void think();
+  void think_players();
+  void think_coaches();
 
   /// True while a client who was asked to think has not sent (done).
   bool awaits(ClientId client) const;

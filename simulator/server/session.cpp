@@ -16,9 +16,11 @@ bool Inbox::add(std::string_view text, bool null_terminated) {
   datagram.first = commands_.size();
   datagram.complete = !soccer::parse_player_commands(text, commands_).has_value();
   datagram.last = commands_.size();
-  return std::any_of(
-      commands_.begin() + static_cast<std::ptrdiff_t>(datagram.first), commands_.end(),
-      [](const auto& command) { return std::holds_alternative<soccer::Done>(command); });
+  return std::any_of(commands_.begin() + static_cast<std::ptrdiff_t>(datagram.first),
+                     commands_.end(), [](const auto& command) {
+                       return std::holds_alternative<soccer::Done>(command) ||
+                              std::holds_alternative<soccer::Bye>(command);
+                     });
 }
 
 void Inbox::clear() {

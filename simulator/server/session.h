@@ -29,7 +29,7 @@ class Inbox {
   /// take the server's memory.
   static constexpr std::size_t kMaxDatagrams = 256;
 
-  /// True if (done) is among the commands.
+  /// True if (done) or (bye) is among the commands: there is nothing more to wait for.
   bool add(std::string_view text, bool null_terminated);
 
   std::size_t size() const { return count_; }

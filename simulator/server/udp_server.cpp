@@ -74,27 +74,34 @@ bool UdpServer::run_cycle(const std::atomic<bool>& stop) {
   if (!started) {
     network_->receive_until(WallClock::now() + config_.pause_before_start, [] { return false; });
   }
-  match_->think();
-  wait_for_answers(stop);
-  if (match_->awaits_anybody()) {
+  match_->think_players();
+  bool missed = !wait_for_answers(stop);
+  tell_connections();
+  // Coaches think when they have heard what was said, so that it does not matter who is faster.
+  match_->execute_players();
+  match_->think_coaches();
+  missed = !wait_for_answers(stop) || missed;
+  match_->execute_coaches();
+  tell_connections();
+  if (missed) {
     ++missed_cycles_;
     if (started) ++missed_in_a_row_;
     if (started) tell(UdpNotice::Kind::kMissedCycle, kNobody);
   } else {
     missed_in_a_row_ = 0;
   }
-  execute();
   return missed_in_a_row_ <= config_.max_missed;
 }
 
 // In slices, so that a wish to stop is noticed.
-void UdpServer::wait_for_answers(const std::atomic<bool>& stop) {
+bool UdpServer::wait_for_answers(const std::atomic<bool>& stop) {
   constexpr std::chrono::milliseconds kLook{20};
   const auto enough = [this] { return !match_->awaits_anybody(); };
   const auto deadline = WallClock::now() + config_.max_wait;
   do {
     network_->receive_until(std::min(deadline, WallClock::now() + kLook), enough);
   } while (!enough() && !stop.load() && WallClock::now() < deadline);
+  return enough();
 }
 
 UdpEnd UdpServer::run_in_real_time(const std::atomic<bool>& stop) {

@@ -58,10 +58,11 @@ struct UdpNotice {
 
 /// Listens where rcssserver does and answers each client from a port of its own (protocol 1.1).
 /// In synchronous mode, what clients send in a cycle is executed when all are done, in an order
-/// drawn from the seed, so a match depends on when clients join and on what they send, not on who
-/// is faster. In real time, a step is made every simulator_step times slow_down_factor, and what
-/// has arrived is executed every recv_step, the last time right before the step (protocol 8.1).
-/// Sockets are used on the calling thread only.
+/// drawn from the seed; coaches and the trainer are asked
+/// to think after that, so that they know what was said. So a match depends on when clients join
+/// and on what they send, not on who is faster. In real time, a step is made every simulator_step
+/// times slow_down_factor, and what has arrived is executed every recv_step, the last time right
+/// before the step (protocol 8.1). Sockets are used on the calling thread only.
 class UdpServer {
  public:
   /// The error names the address that cannot be used, or the parameter that makes no match.
@@ -100,7 +101,7 @@ class UdpServer {
   UdpEnd run_synchronous(const std::atomic<bool>& stop);
   UdpEnd run_in_real_time(const std::atomic<bool>& stop);
   bool run_cycle(const std::atomic<bool>& stop);
-  void wait_for_answers(const std::atomic<bool>& stop);
+  bool wait_for_answers(const std::atomic<bool>& stop);
   void receive_until(StepClock::Time next_step, int step_ms, const std::atomic<bool>& stop);
   void execute();
   bool is_over() const;

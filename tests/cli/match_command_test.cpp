@@ -12,6 +12,7 @@
 #include "tests/support/command.h"
 #include "tests/support/files.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/udp_client.h"
 
 namespace {
 
@@ -36,6 +37,12 @@ std::vector<std::string> match(std::vector<std::string> more, const fs::path& fo
 
 int lines_in(const std::string& text) {
   return static_cast<int>(std::count(text.begin(), text.end(), '\n'));
+}
+
+/// Free a moment ago; the server finds out if it is taken since.
+int free_udp_port() {
+  cls::tests::UdpClient probe(1);
+  return probe.own_port();
 }
 
 json result_in(const fs::path& folder) { return json::parse(read_file(folder / "result.json")); }
@@ -101,6 +108,9 @@ TEST(MatchCommand, UsageMistakesAreOneLineEachAndExitWith2) {
       {{"mock", "mock", "--left-name", "two words"}, "only letters, digits"},
       {{"mock", "mock", "--server", "rcsserver"},
        "cls: --server 'rcsserver': did you mean 'rcssserver'?"},
+      {{"mock", "mock", "--speed", "0"}, "cls: --speed must be within 0.1..1000\n"},
+      {{"mock", "mock", "--monitor-port", "70000"},
+       "cls: --monitor-port must be within 0..65535\n"},
       {{"mock", "mock", "--on-late", "hodl"}, "cls: --on-late 'hodl': did you mean 'hold'?\n"},
   };
   for (const Mistake& mistake : mistakes) {
@@ -113,6 +123,41 @@ TEST(MatchCommand, UsageMistakesAreOneLineEachAndExitWith2) {
     EXPECT_EQ(lines_in(refused.err), 1) << refused.err;
     EXPECT_FALSE(fs::exists(target)) << "nothing is written for a mistake";
   }
+}
+
+TEST(MatchCommand, AMonitorWatchesAndChangesNothing) {
+  TemporaryFolder alone;
+  TemporaryFolder watched;
+  const std::vector<std::string> words = {"mock", "mock", "--seed", "7", "--cycles", "60"};
+  ASSERT_EQ(cls::tests::run(match(words, alone.path())).exit_code, 0);
+
+  auto more = words;
+  const int port = free_udp_port();
+  more.insert(more.end(), {"--monitor-port", std::to_string(port), "--speed", "20"});
+  Command running(match(more, watched.path()));
+  cls::tests::UdpClient monitor(port);
+  std::string message;
+  for (int i = 0; i < 1000 && message.empty(); ++i) {
+    monitor.send("(dispinit version 5)");
+    message = monitor.wait(std::chrono::milliseconds(20));
+  }
+  EXPECT_TRUE(message.starts_with("(server_param ")) << message;
+  monitor.send("(dispfoul 0 0 1)");
+  while (!message.starts_with("(show 5 ") && !(message = monitor.wait()).empty()) {
+  }
+  EXPECT_NE(message.find("(tm mock_l mock_r 0 0)"), std::string::npos) << message;
+  cls::tests::UdpClient player(port);
+  player.send("(init A (version 18))");
+  EXPECT_EQ(player.wait(), "(error unknown_command)");
+  const CommandResult played = running.finish();
+  EXPECT_EQ(played.exit_code, 0) << played.err;
+  EXPECT_NE(played.err.find("cls: monitors may attach at 127.0.0.1:" + std::to_string(port)),
+            std::string::npos)
+      << played.err;
+  EXPECT_EQ(read_file(watched.path() / "match.rcg"), read_file(alone.path() / "match.rcg"));
+  EXPECT_TRUE(result_in(watched.path())["deterministic"]);
+  // 60 cycles and the few steps before the kick-off, 5 ms each.
+  EXPECT_GE(result_in(watched.path())["wall_seconds"], 0.3);
 }
 
 TEST(MatchCommand, AllMistakesAreToldAtOnce) {

@@ -283,6 +283,60 @@ TEST(UdpServer, AMonitorWatchesAndStartsTheMatch) {
   EXPECT_EQ(running.end(), UdpEnd::kStopped);
 }
 
+TEST(UdpServer, DoesNotWaitForWhoHasTakenLeave) {
+  UdpConfig config = quick_match();
+  config.max_wait = std::chrono::hours(1);
+  RunningServer running(config);
+  UdpClient player(running.port);
+  player.send("(init A (version 18))");
+  ASSERT_EQ(player.wait(), "(init l 1 before_kick_off)");
+  UdpClient coach(running.server->port(Door::kOnlineCoach));
+  while (!coach.wait(milliseconds(20)).starts_with("(init l")) coach.send("(init A (version 18))");
+  coach.send("(eye on)");
+  player.send("(bye)");
+  coach.send("(bye)");
+  UdpClient witness(running.port);
+  witness.send("(init B (version 18))");
+  std::string message;
+  for (int thinks = 0; thinks < 3; thinks += message == "(think)" ? 1 : 0) {
+    ASSERT_FALSE((message = witness.wait()).empty());
+    if (message == "(think)") witness.send("(done)");
+  }
+  EXPECT_EQ(running.end(), UdpEnd::kStopped);
+}
+
+// A coach that is asked together with the players would hear them only after its decision.
+TEST(UdpServer, ACoachThinksWhenItHasHeardThePlayersOfTheCycle) {
+  RunningServer running(quick_match());
+  UdpClient player(running.port);
+  player.send("(init A (version 18))");
+  ASSERT_EQ(player.wait(), "(init l 1 before_kick_off)");
+  UdpClient coach(running.server->port(Door::kOnlineCoach));
+  coach.send("(init A (version 18))");
+  ASSERT_EQ(coach.wait(), "(init l ok)");
+  coach.send("(eye on)");
+  std::vector<std::string> order;
+  for (int thinks = 0; thinks < 20;) {
+    std::string message;
+    while (player.receive(message)) {
+      if (message == "(think)") player.send("(say \"abc\")(done)");
+    }
+    if (!coach.receive(message)) continue;
+    if (message.starts_with("(see_global") || message.starts_with("(hear")) {
+      order.push_back(message.substr(0, 5));
+    }
+    if (message != "(think)") continue;
+    coach.send("(done)");
+    order.push_back(message);
+    ++thinks;
+  }
+  EXPECT_EQ(running.end(), UdpEnd::kStopped);
+  ASSERT_GE(order.size(), 30u);
+  const std::vector<std::string> last(order.end() - 6, order.end());
+  EXPECT_EQ(last,
+            (std::vector<std::string>{"(see_", "(hear", "(think)", "(see_", "(hear", "(think)"}));
+}
+
 TEST(UdpServer, CoachesAndTrainerHavePortsOfTheirOwn) {
   UdpConfig config = quick_match();
   config.match.server.coach_w_referee = true;

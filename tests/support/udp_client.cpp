@@ -61,6 +61,13 @@ bool UdpClient::receive_bytes(std::string& bytes) {
   return true;
 }
 
+int UdpClient::own_port() const {
+  sockaddr_in own{};
+  socklen_t size = sizeof own;
+  ::getsockname(socket_, reinterpret_cast<sockaddr*>(&own), &size);
+  return ntohs(own.sin_port);
+}
+
 std::string UdpClient::wait(std::chrono::milliseconds longest) {
   pollfd ready{socket_, POLLIN, 0};
   std::string message;

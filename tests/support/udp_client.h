@@ -33,6 +33,9 @@ class UdpClient : public soccer::Channel {
   std::string wait(std::chrono::milliseconds longest = std::chrono::seconds(10));
   std::string wait_bytes(std::chrono::milliseconds longest = std::chrono::seconds(10));
 
+  /// Where it receives.
+  int own_port() const;
+
   /// Where it sends to now.
   int server_port() const { return server_port_; }
   /// Sends to another port from now on.
