@@ -3,6 +3,8 @@
 
 #include "simulator/monitor_action.h"
 #include "simulator/server/match_server.h"
+#include "simulator/trainer.h"
+#include "soccer/protocol/coach_command.h"
 
 namespace cls::simulator {
 namespace {
@@ -13,11 +15,20 @@ using soccer::WarningCode;
 constexpr int kFirstStrictPlayerVersion = 8;
 constexpr int kFirstMonitorVersion = 1;
 
-template <typename Code>
-std::string text_of(Code code) {
+template <typename Message>
+std::string text_of(const Message& message) {
   std::string text;
-  soccer::format(code, text);
+  soccer::format(message, text);
   return text;
+}
+
+bool moves_the_world(const soccer::CoachCommand& command) {
+  return std::holds_alternative<soccer::Start>(command) ||
+         std::holds_alternative<soccer::ChangeMode>(command) ||
+         std::holds_alternative<soccer::MoveBall>(command) ||
+         std::holds_alternative<soccer::MovePlayer>(command) ||
+         std::holds_alternative<soccer::Recover>(command) ||
+         std::holds_alternative<soccer::CheckBall>(command);
 }
 
 }  // namespace
@@ -44,7 +55,7 @@ void MatchServer::obey_monitor(ClientId id, std::string_view datagram, bool null
   }
   const auto command = soccer::parse_monitor_command(datagram);
   if (!command) {
-    monitors_.tell(id, world_.clock, text_of(ErrorCode::kIllegalCommandForm));
+    obey_as_trainer(id, datagram);
   } else if (std::holds_alternative<soccer::DispBye>(*command)) {
     client->lost = true;
   } else if (const auto* compression = std::get_if<soccer::Compression>(&*command)) {
@@ -53,6 +64,24 @@ void MatchServer::obey_monitor(ClientId id, std::string_view datagram, bool null
     apply(world_, *command, events_);
     dispatch_events();
   }
+}
+
+// Where there may be a trainer, monitors may do what moves the world too.
+void MatchServer::obey_as_trainer(ClientId id, std::string_view datagram) {
+  const soccer::ServerParams& params = world_.params();
+  soccer::CoachCommand order;
+  std::optional<ErrorCode> error = ErrorCode::kIllegalCommandForm;
+  if ((params.coach || params.coach_w_referee) && !monitors_only_watch_) {
+    error = soccer::parse(datagram, soccer::CoachRole::kTrainer, order);
+    if (!error && !moves_the_world(order)) error = ErrorCode::kIllegalCommandForm;
+  }
+  if (error) return monitors_.tell(id, world_.clock, text_of(*error));
+  const auto answer = obey(world_, order, events_);
+  dispatch_events();
+  if (!answer) return;
+  std::string text = text_of(*answer);
+  if (text.ends_with('\n')) text.pop_back();
+  monitors_.tell(id, world_.clock, text);
 }
 
 // As Connection::compress, with the answer on the board.

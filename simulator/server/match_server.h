@@ -144,6 +144,7 @@ class MatchServer {
   std::variant<Admission, soccer::ErrorCode> admit_monitor(const soccer::MonitorInit& init);
 
   void obey_monitor(ClientId id, std::string_view datagram, bool null_terminated);
+  void obey_as_trainer(ClientId id, std::string_view datagram);
   void compress_monitor(Connection& monitor, int level);
   void execute(Session& session);
   void execute(Session& session, const soccer::PlayerCommand& command);

@@ -204,6 +204,24 @@ TEST_F(MonitorTest, IsToldOfTypesAsTheyChange) {
             (std::vector<std::string>{"(msg 0 1 \"(change_player_type l 2 1)\")"}));
 }
 
+TEST_F(MonitorTest, MayDoWhatATrainerMayWhereThereCanBeOne) {
+  ClientId monitor = connect("(dispinit version 5)");
+  EXPECT_EQ(answers(monitor, "(move (ball) 10 5)").at(0),
+            "(msg 0 1 \"(error illegal_command_form)\")");
+  MatchConfig config;
+  config.server.coach_w_referee = true;
+  start(config);
+  monitor = connect("(dispinit version 5)");
+  EXPECT_EQ(answers(monitor, "(move (ball) 10 5)").at(0), "(msg 0 1 \"(ok move)\")");
+  EXPECT_EQ(world().ball.position, (Vec2{10.0, 5.0}));
+  EXPECT_EQ(answers(monitor, "(change_mode drop_ball)").back(), "(msg 0 1 \"(ok change_mode)\")");
+  EXPECT_EQ(world().mode, PlayMode::kDropBall);
+  EXPECT_EQ(answers(monitor, "(recover)").back(), "(msg 0 1 \"(ok recover)\")");
+  EXPECT_EQ(answers(monitor, "(eye on)").back(), "(msg 0 1 \"(error illegal_command_form)\")");
+  EXPECT_EQ(answers(monitor, "(change_mode nonsense)").back(),
+            "(msg 0 1 \"(error illegal_mode)\")");
+}
+
 TEST_F(MonitorTest, CanBeMadeToWatchOnly) {
   const ClientId monitor = connect("(dispinit version 5)");
   server_->let_monitors_only_watch();
