@@ -136,6 +136,9 @@ std::vector<std::string> mistakes_in(const MatchOptions& options) {
          "--monitor-port must be within 0..65535");
   demand(!options.speed || (*options.speed >= 0.1 && *options.speed <= 1000.0),
          "--speed must be within 0.1..1000");
+  demand(mode_of(options) == MatchMode::kLockstep || (!options.monitor_port && !options.speed),
+         "--monitor-port and --speed go with --mode lockstep only; elsewhere monitors attach where "
+         "players do");
   demand(options.server.half_time > 0 || options.cycles,
          "without a time limit of halves (server::half_time) give --cycles");
   for (const Endpoint* side : {&options.left, &options.right}) {

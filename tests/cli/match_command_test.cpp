@@ -108,6 +108,8 @@ TEST(MatchCommand, UsageMistakesAreOneLineEachAndExitWith2) {
       {{"mock", "mock", "--left-name", "two words"}, "only letters, digits"},
       {{"mock", "mock", "--server", "rcsserver"},
        "cls: --server 'rcsserver': did you mean 'rcssserver'?"},
+      {{"mock", "mock", "--mode", "synch", "--speed", "2"},
+       "cls: --monitor-port and --speed go with --mode lockstep only"},
       {{"mock", "mock", "--speed", "0"}, "cls: --speed must be within 0.1..1000\n"},
       {{"mock", "mock", "--monitor-port", "70000"},
        "cls: --monitor-port must be within 0..65535\n"},
