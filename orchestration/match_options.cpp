@@ -2,13 +2,14 @@
 #include "orchestration/match_options.h"
 
 #include <fmt/format.h>
-#include <sched.h>
 
 #include <algorithm>
 #include <functional>
+#include <utility>
 #include <variant>
 
 #include "mock-server/mock.h"
+#include "orchestration/host.h"
 #include "orchestration/lockstep_match.h"
 
 namespace cls::orchestration {
@@ -63,18 +64,10 @@ std::optional<std::chrono::milliseconds> decision_deadline(const MatchOptions& o
 }
 
 Result<void> pin_sides(MatchOptions& options) {
-  cpu_set_t allowed;
-  CPU_ZERO(&allowed);
-  std::vector<int> cpus;
-  if (::sched_getaffinity(0, sizeof allowed, &allowed) == 0) {
-    for (int cpu = 0; cpu < CPU_SETSIZE; ++cpu) {
-      if (CPU_ISSET(static_cast<std::size_t>(cpu), &allowed)) cpus.push_back(cpu);
-    }
-  }
-  if (cpus.size() < 2) return Error{"--pin: there is only one processor to use"};
-  const auto half = static_cast<std::ptrdiff_t>(cpus.size() / 2);
-  options.left_cpus.assign(cpus.begin(), cpus.begin() + half);
-  options.right_cpus.assign(cpus.begin() + half, cpus.begin() + 2 * half);
+  auto [left, right] = halves_of(allowed_cores());
+  if (left.empty()) return Error{"--pin: there is only one processor to use"};
+  options.left_cpus = std::move(left);
+  options.right_cpus = std::move(right);
   return {};
 }
 

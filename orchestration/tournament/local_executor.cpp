@@ -1,6 +1,5 @@
 // Matches as processes of this machine.
 #include <fmt/format.h>
-#include <sched.h>
 
 #include <algorithm>
 #include <map>
@@ -17,17 +16,6 @@ namespace {
 namespace fs = std::filesystem;
 using soccer::Result;
 
-std::vector<int> allowed_cpus() {
-  cpu_set_t allowed;
-  CPU_ZERO(&allowed);
-  std::vector<int> cpus;
-  if (sched_getaffinity(0, sizeof allowed, &allowed) != 0) return cpus;
-  for (int cpu = 0; cpu < CPU_SETSIZE; ++cpu) {
-    if (CPU_ISSET(cpu, &allowed)) cpus.push_back(cpu);
-  }
-  return cpus;
-}
-
 class LocalExecutor : public MatchExecutor {
  public:
   LocalExecutor(const TournamentConfig& config, fs::path folder, fs::path program, ProcessHost host)
@@ -35,7 +23,7 @@ class LocalExecutor : public MatchExecutor {
         folder_(std::move(folder)),
         program_(std::move(program)),
         concurrency_(config, usable_cores()),
-        cpus_(config.pin ? allowed_cpus() : std::vector<int>()),
+        cpus_(config.pin ? allowed_processors() : std::vector<int>()),
         host_(std::move(host)) {}
 
   int room() const override { return std::max(0, concurrency_.now() - running()); }
