@@ -11,6 +11,7 @@
 #include "cli/check_command.h"
 #include "cli/compare_command.h"
 #include "cli/convert_command.h"
+#include "cli/doctor_command.h"
 #include "cli/exit_code.h"
 #include "cli/init_command.h"
 #include "cli/match_command.h"
@@ -107,6 +108,7 @@ int run_application(int argc, const char* const* argv) {
   add_stats_command(app, exit_code);
   add_convert_command(app, exit_code);
   add_check_command(app, exit_code);
+  add_doctor_command(app, exit_code);
   add_mock_command(app, exit_code);
   add_proxy_command(app, exit_code);
   add_server_command(app, exit_code);

@@ -68,6 +68,14 @@ std::vector<std::string> server_argument(const std::string& name, const std::str
   return {name + "=", quoted};
 }
 
+std::vector<EnvironmentChange> server_environment(const std::filesystem::path& folder) {
+  std::vector<EnvironmentChange> environment;
+  environment.push_back({"RCSS_CONF_DIR", (folder / kServerConfiguration).string()});
+  // By their names it would find, and rename, the configuration of old versions in the user's home.
+  for (const char* name : {"USER", "USERNAME"}) environment.push_back({name, std::nullopt});
+  return environment;
+}
+
 CommandPlan server_plan(const ServerSetup& setup) {
   CommandPlan plan;
   plan.name = "soccer server";
@@ -75,9 +83,7 @@ CommandPlan server_plan(const ServerSetup& setup) {
   plan.folder = setup.folder;
   plan.log = setup.folder / kServerLog;
   plan.cpus = setup.cpus;
-  plan.environment.push_back({"RCSS_CONF_DIR", (setup.folder / kServerConfiguration).string()});
-  // By their names it would find, and rename, the configuration of old versions in the user's home.
-  for (const char* name : {"USER", "USERNAME"}) plan.environment.push_back({name, std::nullopt});
+  plan.environment = server_environment(setup.folder);
   add_differences(plan.argv, "server", decided(setup), soccer::server_param_table());
   // Ours is synchronous unless it is told otherwise.
   if (setup.mode == MatchMode::kRealtime) plan.argv.push_back("server::synch_mode=off");

@@ -41,6 +41,10 @@ inline constexpr const char* kServerConfiguration = "server-conf";
 /// for all players as long as the match does.
 CommandPlan server_plan(const ServerSetup& setup);
 
+/// What a server that is started in `folder` finds in its environment: that folder for its
+/// configuration, and no user name, by which it would find that of old versions in the user's home.
+std::vector<EnvironmentChange> server_environment(const std::filesystem::path& folder);
+
 /// `server::name=value` as rcssserver reads it; two words where one would be misread.
 std::vector<std::string> server_argument(const std::string& name, const std::string& value,
                                          bool is_text);

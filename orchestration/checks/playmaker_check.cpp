@@ -1,6 +1,8 @@
 // Putting a subject together and taking the steps.
 #include "orchestration/checks/playmaker_check.h"
 
+#include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "mock-server/server.h"
@@ -88,13 +90,15 @@ soccer::Result<void> prepare(const PlaymakerCheckOptions& options, Surroundings&
   return {};
 }
 
-std::vector<PlaymakerStep> all_steps() {
-  std::vector<PlaymakerStep> all;
+std::vector<PlaymakerStep> steps_to_take(const std::vector<std::string>& only) {
+  std::vector<PlaymakerStep> steps;
   for (const auto& part :
        {handshake_steps(), decision_steps(), state_steps(), load_steps(), life_steps()}) {
-    all.insert(all.end(), part.begin(), part.end());
+    std::copy_if(part.begin(), part.end(), std::back_inserter(steps), [&](const auto& step) {
+      return only.empty() || std::find(only.begin(), only.end(), step.name) != only.end();
+    });
   }
-  return all;
+  return steps;
 }
 
 // Why it is of no use to go on; empty if it is.
@@ -122,7 +126,7 @@ soccer::Result<CheckReport> check_playmaker(const PlaymakerCheckOptions& options
   CheckReport report;
   report.schema = "cls.check/1";
   report.subject = options.endpoint.text;
-  for (const PlaymakerStep& step : all_steps()) {
+  for (const PlaymakerStep& step : steps_to_take(options.only)) {
     CheckStep& taken = report.steps.emplace_back();
     taken.name = step.name;
     taken.why = step.why;

@@ -3,6 +3,8 @@
 
 #include <atomic>
 #include <functional>
+#include <string>
+#include <vector>
 
 #include "orchestration/checks/playmaker_subject.h"
 #include "orchestration/endpoint.h"
@@ -15,6 +17,7 @@ struct PlaymakerCheckOptions {
   Milliseconds deadline{3'000};
   int calls = 10'000;
   Milliseconds latency_limit{100};
+  std::vector<std::string> only;  ///< the steps to take; empty: all
 };
 
 /// Called after each step.

@@ -1,0 +1,14 @@
+// `cls doctor`: what is here, what is missing, what gets it.
+#pragma once
+
+namespace CLI {
+class App;
+}
+
+namespace cls::cli {
+
+/// Adds the command to `app`; when it runs it stores its exit code in `exit_code`, which must
+/// outlive `app`.
+void add_doctor_command(CLI::App& app, int& exit_code);
+
+}  // namespace cls::cli
