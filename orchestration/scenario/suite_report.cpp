@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "orchestration/version.h"
+#include "orchestration/xml.h"
 
 namespace cls::orchestration {
 namespace {
@@ -38,30 +39,6 @@ std::string failures(const ScenarioVerdict& verdict) {
   }
   if (!verdict.reason.empty()) text += verdict.reason + "\n";
   return text;
-}
-
-// Characters that XML cannot hold at all become '?'.
-std::string xml(std::string_view text) {
-  std::string escaped;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        escaped += "&amp;";
-        break;
-      case '<':
-        escaped += "&lt;";
-        break;
-      case '>':
-        escaped += "&gt;";
-        break;
-      case '"':
-        escaped += "&quot;";
-        break;
-      default:
-        escaped += static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\t' ? '?' : c;
-    }
-  }
-  return escaped;
 }
 
 // GitHub reads % and line ends as escapes; in properties also , and :.
@@ -162,18 +139,19 @@ std::string to_junit(const SuiteVerdict& suite) {
     const Scenario& scenario = *verdict.scenario;
     text +=
         fmt::format("    <testcase classname=\"scenarios\" name=\"{}\" file=\"{}\" time=\"{:.3f}\"",
-                    xml(scenario.name), xml(scenario.file), verdict.seconds);
+                    xml_escaped(scenario.name), xml_escaped(scenario.file), verdict.seconds);
     if (verdict.verdict == Verdict::kPassed) {
       text += "/>\n";
       continue;
     }
     text += ">\n";
     if (verdict.verdict == Verdict::kSkipped) {
-      text += fmt::format("      <skipped message=\"{}\"/>\n", xml(verdict.reason));
+      text += fmt::format("      <skipped message=\"{}\"/>\n", xml_escaped(verdict.reason));
     } else {
       const std::string lines = failures(verdict);
       text += fmt::format("      <failure type=\"check\" message=\"{}\">{}again: {}\n</failure>\n",
-                          xml(lines.substr(0, lines.find('\n'))), xml(lines), xml(verdict.repeat));
+                          xml_escaped(lines.substr(0, lines.find('\n'))), xml_escaped(lines),
+                          xml_escaped(verdict.repeat));
     }
     text += "    </testcase>\n";
   }

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <string>
-#include <string_view>
 
 #include "orchestration/tournament/report_model.h"
 
@@ -17,8 +16,5 @@ std::string report_csv(const Report& report);
 /// A test case a match: failure when it is invalid by a side's fault, error otherwise, skipped when
 /// it is not played.
 std::string report_junit(const Report& report);
-
-/// Text for XML and HTML: & < > " escaped, control characters replaced.
-std::string xml_escaped(std::string_view text);
 
 }  // namespace cls::orchestration

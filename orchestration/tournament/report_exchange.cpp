@@ -4,6 +4,7 @@
 #include <iterator>
 
 #include "orchestration/tournament/report_document.h"
+#include "orchestration/xml.h"
 
 namespace cls::orchestration {
 namespace {
@@ -46,30 +47,6 @@ void add_case(std::string& text, const Report& report, const ScheduledMatch& mat
 }
 
 }  // namespace
-
-std::string xml_escaped(std::string_view text) {
-  std::string escaped;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        escaped += "&amp;";
-        break;
-      case '<':
-        escaped += "&lt;";
-        break;
-      case '>':
-        escaped += "&gt;";
-        break;
-      case '"':
-        escaped += "&quot;";
-        break;
-      default:
-        // Other control characters are not allowed at all.
-        escaped += static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\t' ? '?' : c;
-    }
-  }
-  return escaped;
-}
 
 std::string report_csv(const Report& report) {
   std::string text =

@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <iterator>
 
-#include "orchestration/tournament/report_document.h"
 #include "orchestration/tournament/report_grid.h"
 #include "orchestration/version.h"
+#include "orchestration/xml.h"
 
 namespace cls::orchestration {
 namespace {
