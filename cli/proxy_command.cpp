@@ -19,6 +19,7 @@
 #include "orchestration/endpoint.h"
 #include "orchestration/lone_team.h"
 #include "proxy/formation/formation_set.h"
+#include "soccer/side_name.h"
 
 namespace cls::cli {
 namespace {
@@ -147,8 +148,7 @@ int exit_code_of(const LoneTeamResult& result) {
 
 // For scripts that wait for it.
 void tell_ready(const proxy::Team& team) {
-  fmt::print("{} plays on the {} in {}, players {} to {}\n", team.name(),
-             team.side() == soccer::Side::kRight ? "right" : "left",
+  fmt::print("{} plays on the {} in {}, players {} to {}\n", team.name(), side_name(team.side()),
              team.players().front()->timer().synchronous() ? "synchronous mode" : "real time",
              team.players().front()->unum(), team.players().back()->unum());
   std::fflush(stdout);

@@ -25,6 +25,7 @@
 #include "orchestration/scenario/suite.h"
 #include "orchestration/scenario/suite_report.h"
 #include "orchestration/whole_file.h"
+#include "soccer/side_name.h"
 
 namespace cls::cli {
 namespace {
@@ -265,10 +266,10 @@ std::optional<Refusal> complete(const Arguments& arguments, orchestration::Repla
   if (!fs::exists(options.file)) return Refusal{kNoInput, options.file + ": no such file"};
   if (options.endpoint.starts_programs()) fs::create_directories(options.folder);
   if (arguments.side.empty()) return std::nullopt;
-  if (arguments.side != "left" && arguments.side != "right") {
+  options.side = soccer::side_named(arguments.side);
+  if (!options.side) {
     return Refusal{kUsage, fmt::format("--side '{}': must be left or right", arguments.side)};
   }
-  options.side = arguments.side == "left" ? soccer::Side::kLeft : soccer::Side::kRight;
   return std::nullopt;
 }
 

@@ -8,6 +8,7 @@
 #include "orchestration/match.h"
 #include "orchestration/network_match.h"
 #include "orchestration/run_command.h"
+#include "soccer/side_name.h"
 
 namespace cls::orchestration {
 namespace {
@@ -24,9 +25,9 @@ Result<void> add_playmaker(std::string& text, const MatchOptions& options, const
                            soccer::Side side, const fs::path& folder) {
   const bool left = side == soccer::Side::kLeft;
   const Endpoint& endpoint = left ? options.left : options.right;
-  const char* word = left ? "left" : "right";
   if (endpoint.kind != Endpoint::Kind::kRun) {
-    fmt::format_to(std::back_inserter(text), "# {} Playmaker: {}\n", word, endpoint.text);
+    fmt::format_to(std::back_inserter(text), "# {} Playmaker: {}\n", side_name(side),
+                   endpoint.text);
     return {};
   }
   const auto port = ReservedPort::choose(1);

@@ -4,6 +4,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "soccer/side_name.h"
+
 namespace cls::orchestration {
 namespace {
 
@@ -11,7 +13,6 @@ using Json = nlohmann::ordered_json;
 using soccer::Side;
 
 std::size_t index_of(Side side) { return side == Side::kRight ? 1 : 0; }
-const char* word(Side side) { return side == Side::kRight ? "right" : "left"; }
 
 }  // namespace
 
@@ -38,7 +39,7 @@ void MatchChronicle::note_goals(const simulator::World& world) {
     const Goal goal{world.clock.time, side, last_kicker_[i]};
     goals_.push_back(goal);
     events_.add(goal.cycle, "goal",
-                {{"side", word(side)},
+                {{"side", side_name(side)},
                  {"unum", goal.unum == 0 ? Json(nullptr) : Json(goal.unum)},
                  {"score", {scores_[0], scores_[1]}}});
     last_kicker_ = {};

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "orchestration/version.h"
+#include "soccer/side_name.h"
 
 namespace cls::orchestration {
 namespace {
@@ -13,8 +14,6 @@ using Json = nlohmann::ordered_json;
 
 // To a number of decimals that divides evenly: rounding by multiplication prints as 83.30000001.
 double rounded(double value, double per_one) { return std::round(value * per_one) / per_one; }
-
-const char* side_word(soccer::Side side) { return side == soccer::Side::kLeft ? "left" : "right"; }
 
 Json json_of(const PlayerResult& player) {
   return {{"unum", player.unum},
@@ -46,7 +45,7 @@ Json json_of(const TeamResult& team) {
 
 Json json_of(const Goal& goal) {
   return {{"cycle", goal.cycle},
-          {"side", side_word(goal.side)},
+          {"side", side_name(goal.side)},
           {"unum", goal.unum == 0 ? Json(nullptr) : Json(goal.unum)}};
 }
 
@@ -90,7 +89,7 @@ std::string to_json(const MatchResult& result) {
                          {"valid", result.valid()},
                          {"end_reason", name(result.end_reason)},
                          {"message", result.message.empty() ? Json(nullptr) : Json(result.message)},
-                         {"fault", result.fault ? Json(side_word(*result.fault)) : Json(nullptr)},
+                         {"fault", result.fault ? Json(side_name(*result.fault)) : Json(nullptr)},
                          {"failure", result.failure ? json_of(*result.failure) : Json(nullptr)},
                          {"cycles", result.cycles},
                          {"steps", result.steps},

@@ -12,6 +12,7 @@
 #include "orchestration/match_side.h"
 #include "proto/rpc.h"
 #include "proxy/playmaker.h"
+#include "soccer/side_name.h"
 
 namespace cls::orchestration {
 namespace {
@@ -227,7 +228,7 @@ Result<ReplayResult> replay_recording(const ReplayOptions& options,
 
 std::string to_json(const ReplayResult& result) {
   using Json = nlohmann::ordered_json;
-  Json json = {{"schema", "cls.replay/1"},  {"side", result.side == Side::kLeft ? "left" : "right"},
+  Json json = {{"schema", "cls.replay/1"},  {"side", side_name(result.side)},
                {"calls", result.calls},     {"same", result.same},
                {"skipped", result.skipped}, {"different", result.differences.size()}};
   json["differences"] = Json::array();
@@ -253,8 +254,8 @@ std::string to_text(const ReplayResult& result, std::size_t most) {
     text += fmt::format("... and {} more (--json has all)\n", result.differences.size() - most);
   }
   return text + fmt::format("{} calls of the {} side: {} replies as recorded, {} different\n",
-                            result.calls, result.side == Side::kLeft ? "left" : "right",
-                            result.same, result.differences.size());
+                            result.calls, side_name(result.side), result.same,
+                            result.differences.size());
 }
 
 }  // namespace cls::orchestration

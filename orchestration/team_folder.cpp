@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "soccer/side.h"
+#include "soccer/side_name.h"
 
 namespace cls::orchestration {
 namespace {
@@ -15,17 +15,13 @@ using soccer::Result;
 constexpr int kPlayers = 11;
 constexpr int kCoach = 12;
 
-std::string side_word(const TeamValues& values) {
-  return values.side == soccer::Side::kLeft ? "left" : "right";
-}
-
 CommandPlan plan_of(const fs::path& team, const TeamValues& values, const fs::path& program,
                     const std::string& who, const std::string& log) {
   CommandPlan plan;
-  plan.name = fmt::format("{} {}", side_word(values), who);
+  plan.name = fmt::format("{} {}", side_name(values.side), who);
   plan.argv = {program.string()};
   plan.folder = team;
-  plan.log = values.folder / fmt::format("{}-{}.log", side_word(values), log);
+  plan.log = values.folder / fmt::format("{}-{}.log", side_name(values.side), log);
   plan.cpus = values.cpus;
   return plan;
 }

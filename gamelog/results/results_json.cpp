@@ -4,16 +4,15 @@
 #include <nlohmann/json.hpp>
 
 #include "gamelog/results/standings.h"
+#include "soccer/side_name.h"
 
 namespace cls::gamelog {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-const char* side_word(soccer::Side side) { return side == soccer::Side::kLeft ? "left" : "right"; }
-
 Json event_json(const PlayerEvent& event) {
-  return {{"cycle", event.cycle}, {"side", side_word(event.side)}, {"unum", event.unum}};
+  return {{"cycle", event.cycle}, {"side", side_name(event.side)}, {"unum", event.unum}};
 }
 
 template <typename Event, typename Convert>
@@ -76,7 +75,7 @@ Json match_json(const MatchSummary& match) {
   json["reconnections"] = list_json(match.reconnections, event_json);
   json["late_starts"] = list_json(match.late_starts, event_json);
   json["never_connected"] = list_json(match.never_connected, [](const PlayerEvent& event) {
-    return Json{{"side", side_word(event.side)}, {"unum", event.unum}};
+    return Json{{"side", side_name(event.side)}, {"unum", event.unum}};
   });
   json["damage"] = match.damage;
   return json;

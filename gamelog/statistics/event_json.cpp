@@ -6,6 +6,7 @@
 
 #include "gamelog/results/match_summary.h"
 #include "gamelog/statistics/event_list.h"
+#include "soccer/side_name.h"
 
 namespace cls::gamelog {
 namespace {
@@ -45,7 +46,7 @@ Json goals_json(const MatchStatistics& all) {
     const Goal& goal = all.goals[i];
     Json json = {{"cycle", goal.cycle},
                  {"minute", minute_json(*all.flow.record, goal.cycle)},
-                 {"side", goal.side == soccer::Side::kLeft ? "left" : "right"},
+                 {"side", side_name(goal.side)},
                  {"unum", unum_or_null(goal.scorer)},
                  {"own_goal", goal.own_goal},
                  {"assist", unum_or_null(all.assists[i].passer)},

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "gamelog/statistics/flow.h"
+#include "soccer/side_name.h"
 
 namespace cls::gamelog {
 
@@ -17,7 +18,9 @@ inline double share(int part, int whole) { return whole == 0 ? 0.0 : rounded(1.0
 
 inline Json point_json(soccer::Vec2 p) { return Json::array({rounded(p.x), rounded(p.y)}); }
 
-inline const char* side_word(std::size_t slot) { return team_of(slot) == 0 ? "left" : "right"; }
+inline const char* side_word(std::size_t slot) {
+  return side_name(soccer::side_of_slot(static_cast<int>(slot)));
+}
 
 inline int unum_of(std::size_t slot) { return soccer::unum_of_slot(static_cast<int>(slot)); }
 

@@ -6,6 +6,7 @@
 #include "gamelog/statistics/event_list.h"
 #include "gamelog/statistics/statistics_text.h"
 #include "gamelog/statistics/team_totals.h"
+#include "soccer/side_name.h"
 
 namespace cls::gamelog {
 namespace {
@@ -29,7 +30,7 @@ std::string unum_text(std::int8_t slot) {
 }
 
 const char* side_text(std::int8_t slot) {
-  return slot == kNobody ? "" : team_of(static_cast<std::size_t>(slot)) == 0 ? "left" : "right";
+  return slot == kNobody ? "" : side_name(soccer::side_of_slot(slot));
 }
 
 }  // namespace
@@ -164,20 +165,20 @@ void add_players(const MatchSummary& summary, const MatchStatistics& all, TextTa
       return r == nullptr ? std::string() : std::to_string(r->*member);
     };
     const soccer::Vec2 mean = all.positions.players[slot].all.mean;
-    table.add_row(
-        row(summary.file, team_of(slot) == 0 ? "left" : "right", summary.teams[team_of(slot)].name,
-            soccer::unum_of_slot(static_cast<int>(slot)), all.attention[slot].frames, w.touches,
-            w.passes, w.completed, w.received, w.key_passes, w.assists, w.dribbles, w.take_ons,
-            w.shots, w.on_target, w.goals, w.own_goals, number(w.expected_goals), number(w.threat),
-            all.tackles[slot].tried, all.tackles[slot].succeeded, all.pressing.interceptions[slot],
-            all.pressing.recoveries[slot], w.losses, all.stoppages.fouls_by[slot],
-            all.stoppages.fouls_against[slot], all.stoppages.yellow_cards[slot],
-            all.stoppages.red_cards[slot], number(all.movement[slot].distance()),
-            number(all.movement[slot].top_speed), number(all.stamina[slot].used),
-            number(all.stamina[slot].lowest), all.stamina[slot].exhausted_frames, number(mean.x),
-            number(mean.y), answers(&Responsiveness::steps), answers(&Responsiveness::silent),
-            answers(&Responsiveness::no_body_command), answers(&Responsiveness::rejected_kicks),
-            number(all.ratings[slot].total())));
+    table.add_row(row(
+        summary.file, side_text(static_cast<std::int8_t>(slot)), summary.teams[team_of(slot)].name,
+        soccer::unum_of_slot(static_cast<int>(slot)), all.attention[slot].frames, w.touches,
+        w.passes, w.completed, w.received, w.key_passes, w.assists, w.dribbles, w.take_ons, w.shots,
+        w.on_target, w.goals, w.own_goals, number(w.expected_goals), number(w.threat),
+        all.tackles[slot].tried, all.tackles[slot].succeeded, all.pressing.interceptions[slot],
+        all.pressing.recoveries[slot], w.losses, all.stoppages.fouls_by[slot],
+        all.stoppages.fouls_against[slot], all.stoppages.yellow_cards[slot],
+        all.stoppages.red_cards[slot], number(all.movement[slot].distance()),
+        number(all.movement[slot].top_speed), number(all.stamina[slot].used),
+        number(all.stamina[slot].lowest), all.stamina[slot].exhausted_frames, number(mean.x),
+        number(mean.y), answers(&Responsiveness::steps), answers(&Responsiveness::silent),
+        answers(&Responsiveness::no_body_command), answers(&Responsiveness::rejected_kicks),
+        number(all.ratings[slot].total())));
   }
 }
 

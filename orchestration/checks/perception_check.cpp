@@ -9,6 +9,8 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "soccer/side_name.h"
+
 namespace cls::orchestration {
 namespace {
 
@@ -69,8 +71,7 @@ soccer::Result<void> belong_together(const proxy::WorldModel& world, const Match
   const std::string_view name = world.our_team_name.view();
   if (!name.empty() && !recorded.empty() && name != recorded) {
     return soccer::Error{fmt::format("its player is of team '{}' on the {}, the log has '{}' there",
-                                     name, world.our_side == Side::kRight ? "right" : "left",
-                                     recorded)};
+                                     name, side_name(world.our_side), recorded)};
   }
   if (!same_types(*world.parameters, log)) {
     return soccer::Error{"its player types are not those of the log: another match"};
@@ -119,10 +120,9 @@ soccer::Result<PerceptionCheck> check_perception(std::string_view transcript,
 }
 
 std::string to_text(const PerceptionCheck& check) {
-  std::string text =
-      fmt::format("player {} of {} ({}), {} cycles of play_on\n\n", check.unum,
-                  check.team.empty() ? "an unnamed team" : check.team,
-                  check.side == Side::kRight ? "right" : "left", check.errors.cycles());
+  std::string text = fmt::format("player {} of {} ({}), {} cycles of play_on\n\n", check.unum,
+                                 check.team.empty() ? "an unnamed team" : check.team,
+                                 side_name(check.side), check.errors.cycles());
   text += fmt::format("{:14} {:8} {:>9} {:>9} {:>9}\n", "error of", "in", "mean", "p95", "samples");
   for (const Row& row : rows(check.errors)) {
     if (row.error.n == 0) {
@@ -138,7 +138,7 @@ std::string to_text(const PerceptionCheck& check) {
 std::string to_json(const PerceptionCheck& check) {
   nlohmann::ordered_json document = {{"schema", "cls.perception/1"},
                                      {"team", check.team},
-                                     {"side", check.side == Side::kRight ? "right" : "left"},
+                                     {"side", side_name(check.side)},
                                      {"player", check.unum},
                                      {"cycles", check.errors.cycles()}};
   for (const Row& row : rows(check.errors)) {

@@ -7,6 +7,7 @@
 
 #include "orchestration/scenario/areas.h"
 #include "orchestration/scenario/scenario.h"
+#include "soccer/side_name.h"
 
 namespace cls::orchestration {
 namespace {
@@ -14,15 +15,14 @@ namespace {
 using mock_server::Value;
 using soccer::Side;
 
-const char* word(Side side) { return side == Side::kRight ? "right" : "left"; }
-
 const ObjectFrame& object_in(const StepFrame& frame, int object) {
   return object == kBallObject ? frame.ball : frame.players[static_cast<std::size_t>(object)];
 }
 
 std::string object_name(int object) {
   if (object == kBallObject) return "the ball";
-  return fmt::format("{} {}", word(soccer::side_of_slot(object)), soccer::unum_of_slot(object));
+  return fmt::format("{} {}", side_name(soccer::side_of_slot(object)),
+                     soccer::unum_of_slot(object));
 }
 
 Value value_of(const ObjectFrame& object, ObjectTest::Quantity::What what) {
@@ -185,7 +185,7 @@ std::string failure(const ActionCheck& check, const RunRecord& record) {
   }
   if (check.count.holds(count)) return {};
   return fmt::format("{} actions {} of the {} Playmaker, not {}", count, check.kind,
-                     word(check.side), check.count.text());
+                     side_name(check.side), check.count.text());
 }
 
 const TeamResult& team_of(const RunRecord& record, Side side) {
@@ -200,8 +200,8 @@ std::string failure(const CommandCheck& check, const RunRecord& record) {
     if (found != player.commands.end()) count += static_cast<double>(found->second);
   }
   if (check.count.holds(count)) return {};
-  return fmt::format("{} commands {} of the {} side, not {}", count, check.kind, word(check.side),
-                     check.count.text());
+  return fmt::format("{} commands {} of the {} side, not {}", count, check.kind,
+                     side_name(check.side), check.count.text());
 }
 
 std::string failure(const RpcCheck& check, const RunRecord& record) {
@@ -222,7 +222,7 @@ std::string failure(const LatencyCheck& check, const RunRecord& record) {
     }
     if (!demand.holds(worst)) {
       return fmt::format("the {} of the {} side's worst player is {:.2f} ms, not {}", which,
-                         word(check.side), worst, demand.text());
+                         side_name(check.side), worst, demand.text());
     }
   }
   return {};
@@ -235,7 +235,7 @@ std::string failure(const MissedCheck& check, const RunRecord& record) {
   }
   if (check.count.holds(missed)) return {};
   return fmt::format("{} decisions of the {} side without an answer, not {}", missed,
-                     word(check.side), check.count.text());
+                     side_name(check.side), check.count.text());
 }
 
 std::string failure(const EndCheck& check, const RunRecord& record) {

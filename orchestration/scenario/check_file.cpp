@@ -9,6 +9,7 @@
 #include "orchestration/scenario/areas.h"
 #include "orchestration/scenario/scenario.h"
 #include "proto/playmaker.pb.h"
+#include "soccer/side_name.h"
 
 namespace cls::orchestration {
 namespace {
@@ -35,27 +36,24 @@ Result<int> parse_player(const JsonValue& json) {
   const auto text = json.string();
   if (!text) return text.error();
   const std::size_t space = text->find(' ');
-  const std::string side = text->substr(0, space);
+  const auto side = soccer::side_named(text->substr(0, space));
   int unum = 0;
   const char* end = text->data() + text->size();
   const char* begin = space == std::string::npos ? end : text->data() + space + 1;
   const auto [stop, code] = std::from_chars(begin, end, unum);
-  if ((side != "left" && side != "right") || code != std::errc{} || stop != end || unum < 1 ||
-      unum > soccer::kPlayersPerTeam) {
+  if (!side || code != std::errc{} || stop != end || unum < 1 || unum > soccer::kPlayersPerTeam) {
     return json.error(fmt::format("'{}' is no player: write \"left 9\"", *text));
   }
-  return soccer::slot_of(side == "left" ? Side::kLeft : Side::kRight, unum);
+  return soccer::slot_of(*side, unum);
 }
 
 // "left 9", or "left" for its whole team.
 Result<std::vector<int>> parse_players(const JsonValue& json) {
   if (json.is_string()) {
-    const std::string text = *json.string();
-    if (text == "left" || text == "right") {
+    if (const auto side = soccer::side_named(*json.string())) {
       std::vector<int> slots;
-      const Side side = text == "left" ? Side::kLeft : Side::kRight;
       for (int unum = 1; unum <= soccer::kPlayersPerTeam; ++unum) {
-        slots.push_back(soccer::slot_of(side, unum));
+        slots.push_back(soccer::slot_of(*side, unum));
       }
       return slots;
     }
@@ -415,7 +413,7 @@ Result<soccer::Vec2> parse_point(const JsonValue& json) {
 Result<Side> parse_side(const JsonValue& json) {
   const auto word = json.word({"left", "right"});
   if (!word) return word.error();
-  return *word == "left" ? Side::kLeft : Side::kRight;
+  return *soccer::side_named(*word);
 }
 
 Result<PlayMode> parse_mode(const JsonValue& json) {

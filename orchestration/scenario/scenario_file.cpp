@@ -11,6 +11,7 @@
 #include "mock-server/script.h"
 #include "orchestration/match_options.h"
 #include "orchestration/scenario/check_file.h"
+#include "soccer/side_name.h"
 
 namespace cls::orchestration {
 namespace {
@@ -226,7 +227,7 @@ void add_implied_checks(Scenario& scenario, const JsonValue& json) {
   for (const Side side : {Side::kLeft, Side::kRight}) {
     if (says_missed[index_of(side)]) continue;
     add(MissedCheck{side, *mock_server::Comparison::parse_number(JsonValue(*zero))},
-        fmt::format("no answer of the {} side is missed", side == Side::kLeft ? "left" : "right"));
+        fmt::format("no answer of the {} side is missed", side_name(side)));
   }
 }
 
@@ -266,7 +267,7 @@ Result<Scenario> parse_scenario(const JsonText& text, const Json& golden) {
     if (const auto parsed = parse(json, scenario); !parsed) return parsed.error();
   }
   for (const Side side : {Side::kLeft, Side::kRight}) {
-    const char* key = side == Side::kLeft ? "left" : "right";
+    const char* key = side_name(side);
     if (!json.has(key)) continue;
     if (const auto read = parse_team(json[key], scenario.sides[index_of(side)]); !read) {
       return read.error();

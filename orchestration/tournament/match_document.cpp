@@ -7,6 +7,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "soccer/side_name.h"
+
 namespace cls::orchestration {
 namespace {
 
@@ -58,8 +60,7 @@ void add_outcome(Json& json, const Outcome& outcome) {
   json["penalty_score"] =
       penalties ? Json({*outcome.left_penalties, *outcome.right_penalties}) : Json(nullptr);
   json["winner"] = winner_json(outcome);
-  json["fault"] = !outcome.fault ? Json(nullptr)
-                                 : Json(outcome.fault == soccer::Side::kLeft ? "left" : "right");
+  json["fault"] = outcome.fault ? Json(side_name(*outcome.fault)) : Json(nullptr);
   json["message"] = text_or_null(outcome.message);
   json["attempts"] = outcome.attempts;
   json["cycles"] = outcome.cycles;
@@ -79,13 +80,6 @@ void add_outcome(Json& json, const Outcome& outcome) {
   json["right_figures"] = json_of(outcome.right);
 }
 
-std::optional<soccer::Side> side_word(const Json& json, const char* key) {
-  const std::string word = text_in(json, key);
-  if (word == "left") return soccer::Side::kLeft;
-  if (word == "right") return soccer::Side::kRight;
-  return std::nullopt;
-}
-
 Outcome outcome_from(const Json& json) {
   Outcome outcome;
   outcome.end_reason = json.at("end_reason").get<std::string>();
@@ -96,7 +90,7 @@ Outcome outcome_from(const Json& json) {
     outcome.left_penalties = penalties.at(0).get<int>();
     outcome.right_penalties = penalties.at(1).get<int>();
   }
-  outcome.fault = side_word(json, "fault");
+  outcome.fault = soccer::side_named(text_in(json, "fault"));
   outcome.message = text_in(json, "message");
   outcome.attempts = json.at("attempts").get<int>();
   outcome.cycles = json.at("cycles").get<int>();
@@ -148,7 +142,7 @@ Outcome outcome_of_match(const Json& json) {
     outcome.left_penalties = left.at("penalty_score").get<int>();
     outcome.right_penalties = right.at("penalty_score").get<int>();
   }
-  outcome.fault = side_word(json, "fault");
+  outcome.fault = soccer::side_named(text_in(json, "fault"));
   outcome.message = text_in(json, "message");
   outcome.cycles = json.at("cycles").get<int>();
   outcome.wall_seconds = json.at("wall_seconds").get<double>();

@@ -8,6 +8,8 @@
 #include <system_error>
 #include <utility>
 
+#include "soccer/side_name.h"
+
 namespace cls::orchestration {
 namespace {
 
@@ -155,12 +157,6 @@ Fixture fixture_in(SQLite::Statement& row) {
   return fixture;
 }
 
-std::optional<soccer::Side> side_of(const std::string& word) {
-  if (word == "left") return soccer::Side::kLeft;
-  if (word == "right") return soccer::Side::kRight;
-  return std::nullopt;
-}
-
 Outcome outcome_in(SQLite::Statement& row) {
   Columns columns(row, 9);
   Outcome outcome;
@@ -170,7 +166,7 @@ Outcome outcome_in(SQLite::Statement& row) {
   outcome.right_score = columns.whole();
   outcome.left_penalties = columns.optional();
   outcome.right_penalties = columns.optional();
-  outcome.fault = side_of(columns.text());
+  outcome.fault = soccer::side_named(columns.text());
   outcome.message = columns.text();
   outcome.attempts = columns.whole();
   outcome.cycles = columns.whole();
@@ -198,9 +194,7 @@ void bind_outcome(SQLite::Statement& statement, const Outcome& outcome) {
   statement.bind(6, outcome.right_score);
   bind_optional(statement, 7, outcome.left_penalties);
   bind_optional(statement, 8, outcome.right_penalties);
-  if (outcome.fault) {
-    statement.bind(9, outcome.fault == soccer::Side::kLeft ? "left" : "right");
-  }
+  if (outcome.fault) statement.bind(9, side_name(*outcome.fault));
   statement.bind(10, outcome.message);
   statement.bind(11, outcome.attempts);
   statement.bind(12, outcome.cycles);
