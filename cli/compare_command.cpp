@@ -106,9 +106,8 @@ int make_comparison(const Arguments& arguments, Comparison& comparison) {
 
 fs::path folder_of(const Arguments& arguments, const Comparison& comparison) {
   if (!arguments.options.folder.empty()) return arguments.options.folder;
-  std::string now = utc_now();
-  std::erase_if(now, [](char c) { return c == '-' || c == ':'; });
-  return fs::path("runs") / fmt::format("{}-compare-{}-{}", now, comparison.config.teams[0].name,
+  return fs::path("runs") / fmt::format("{}-compare-{}-{}", utc_stamp(),
+                                        comparison.config.teams[0].name,
                                         comparison.config.teams[1].name);
 }
 

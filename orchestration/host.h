@@ -10,6 +10,9 @@ namespace cls::orchestration {
 /// "2026-11-21T01:02:03Z".
 std::string utc_now();
 
+/// The same moment without signs that names of files and folders do not like: "20261121T010203Z".
+std::string utc_stamp();
+
 std::string host_name();
 
 /// Runnable processes, averaged over the last minute; 0 when unknown.

@@ -1,14 +1,12 @@
 // Making the match folder and its manifest.
 #include "orchestration/match_folder.h"
 
-#include <fmt/chrono.h>
 #include <fmt/format.h>
-#include <unistd.h>
 
-#include <chrono>
 #include <nlohmann/json.hpp>
 #include <system_error>
 
+#include "orchestration/host.h"
 #include "orchestration/version.h"
 #include "soccer/player_params.h"
 #include "soccer/server_params.h"
@@ -20,11 +18,6 @@ namespace fs = std::filesystem;
 using soccer::Error;
 using soccer::Result;
 using Json = nlohmann::ordered_json;
-
-std::string utc_now(const char* format) {
-  const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
-  return fmt::format(fmt::runtime(format), fmt::gmtime(now));
-}
 
 // The parameters that differ from their defaults, by their full names.
 template <typename Params>
@@ -41,11 +34,6 @@ void add_settings(Json& settings, std::string_view module, const Params& params,
   }
 }
 
-std::string host_name() {
-  char buffer[256] = {};
-  return gethostname(buffer, sizeof buffer - 1) == 0 ? buffer : "";
-}
-
 }  // namespace
 
 Result<fs::path> make_match_folder(const MatchOptions& options, const TeamNames& names) {
@@ -58,8 +46,7 @@ Result<fs::path> make_match_folder(const MatchOptions& options, const TeamNames&
     }
     return options.folder;
   }
-  const std::string stem =
-      fmt::format("{}-{}-vs-{}", utc_now("{:%Y%m%dT%H%M%SZ}"), names.left, names.right);
+  const std::string stem = fmt::format("{}-{}-vs-{}", utc_stamp(), names.left, names.right);
   fs::create_directories("runs", code);
   for (int attempt = 1; !code; ++attempt) {
     const fs::path folder =
@@ -81,7 +68,7 @@ std::string manifest_json(const MatchOptions& options, const TeamNames& names, s
     return described;
   };
   const Json document = {{"schema", "cls.manifest/1"},
-                         {"started", utc_now("{:%Y-%m-%dT%H:%M:%SZ}")},
+                         {"started", utc_now()},
                          {"host", host_name()},
                          {"folder", fs::current_path().string()},
                          {"command", options.command_line},

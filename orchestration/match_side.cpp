@@ -4,6 +4,7 @@
 #include <chrono>
 #include <utility>
 
+#include "orchestration/playmaker_link.h"
 #include "proxy/grpc_playmaker.h"
 
 namespace cls::orchestration {
@@ -25,15 +26,6 @@ proxy::TeamOptions team_options(const std::string& name, const MatchOptions& opt
   return team;
 }
 
-proxy::GrpcTarget target_of(const Endpoint& endpoint) {
-  proxy::GrpcTarget target;
-  target.host = endpoint.host;
-  target.port = endpoint.port;
-  target.port_step = endpoint.port_step;
-  target.unix_path = endpoint.path;
-  return target;
-}
-
 PlayerResult result_of(const proxy::PlayerAgent& agent) {
   const proxy::AgentStatistics& statistics = agent.statistics();
   PlayerResult result;
@@ -51,15 +43,6 @@ PlayerResult result_of(const proxy::PlayerAgent& agent) {
   result.commands = statistics.commands_by_name();
   result.unimplemented_actions = statistics.unimplemented_by_name();
   return result;
-}
-
-Result<std::unique_ptr<mock_server::Server>> start_mock(const Endpoint& endpoint) {
-  if (endpoint.script != nullptr) {
-    return mock_server::Server::start(mock_server::Mock(endpoint.script));
-  }
-  auto mock = mock_server::make_mock(endpoint.behaviour);
-  if (!mock) return mock.error();
-  return mock_server::Server::start(*std::move(mock));
 }
 
 }  // namespace

@@ -4,9 +4,8 @@
 #include <fmt/format.h>
 
 #include <cstdlib>
-#include <fstream>
-#include <sstream>
 
+#include "orchestration/whole_file.h"
 #include "soccer/configuration.h"
 #include "soccer/parameter.h"
 
@@ -103,11 +102,9 @@ Result<void> apply_file(ServerSettings& settings, const std::filesystem::path& f
   if (depth > kDeepestInclude) {
     return Error{fmt::format("{}: files that include each other", file.string())};
   }
-  std::ifstream in(file, std::ios::binary);
-  std::ostringstream text;
-  if (in) text << in.rdbuf();
-  if (!in) return Error{fmt::format("cannot read {}", file.string())};
-  const auto items = soccer::parse_configuration(text.str());
+  const auto text = read_file(file);
+  if (!text) return Error{fmt::format("cannot read {}", file.string())};
+  const auto items = soccer::parse_configuration(*text);
   if (!items) return Error{fmt::format("{}: {}", file.string(), items.error().message)};
   for (const ConfigurationItem& item : *items) {
     const auto done = apply_item(settings, item, file.parent_path(), depth);

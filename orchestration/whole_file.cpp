@@ -1,13 +1,22 @@
-// Temporary file, then rename.
+// Out of a stream; into a temporary file, then rename.
 #include "orchestration/whole_file.h"
 
 #include <fmt/format.h>
 
+#include <fstream>
+#include <iterator>
 #include <system_error>
 
 #include "gamelog/byte_sink.h"
 
 namespace cls::orchestration {
+
+std::optional<std::string> read_file(const std::filesystem::path& path) {
+  std::error_code code;
+  std::ifstream file(path, std::ios::binary);
+  if (!file || std::filesystem::is_directory(path, code)) return std::nullopt;
+  return std::string(std::istreambuf_iterator<char>(file), {});
+}
 
 soccer::Result<void> write_file(const std::filesystem::path& path, std::string_view bytes) {
   std::filesystem::path temporary = path;

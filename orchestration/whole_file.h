@@ -1,12 +1,17 @@
-// Writing a small file at once.
+// Reading and writing a small file at once.
 #pragma once
 
 #include <filesystem>
+#include <optional>
+#include <string>
 #include <string_view>
 
 #include "soccer/result.h"
 
 namespace cls::orchestration {
+
+/// All bytes of a file; nothing where there is none, or a folder, or no right to read it.
+std::optional<std::string> read_file(const std::filesystem::path& path);
 
 /// Writes a whole file by way of a temporary one beside it and a rename, so that a reader never
 /// sees half of it. The error names the file and the reason.

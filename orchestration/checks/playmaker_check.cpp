@@ -5,8 +5,8 @@
 #include <iterator>
 #include <utility>
 
-#include "mock-server/server.h"
 #include "orchestration/checks/scratch_folder.h"
+#include "orchestration/playmaker_link.h"
 #include "orchestration/playmaker_program.h"
 #include "proxy/grpc_playmaker.h"
 
@@ -21,20 +21,9 @@ struct Surroundings {
   std::unique_ptr<PlaymakerProgram> program;
 };
 
-proxy::GrpcTarget target_of(const Endpoint& endpoint) {
-  proxy::GrpcTarget target;
-  target.host = endpoint.host;
-  target.port = endpoint.port;
-  target.port_step = endpoint.port_step;
-  target.unix_path = endpoint.path;
-  return target;
-}
-
-soccer::Result<void> start_mock(const Endpoint& endpoint, Surroundings& around,
-                                PlaymakerSubject& subject) {
-  auto mock = mock_server::make_mock(endpoint.behaviour);
-  if (!mock) return mock.error();
-  auto server = mock_server::Server::start(*std::move(mock));
+soccer::Result<void> connect_mock(const Endpoint& endpoint, Surroundings& around,
+                                  PlaymakerSubject& subject) {
+  auto server = start_mock(endpoint);
   if (!server) return server.error();
   around.mock = *std::move(server);
   subject.connect = [&around, name = endpoint.text] {
@@ -71,7 +60,9 @@ soccer::Result<void> prepare(const PlaymakerCheckOptions& options, Surroundings&
   subject.pid = [] { return std::optional<int>(); };
   proxy::GrpcTarget target = target_of(options.endpoint);
   if (options.endpoint.kind == Endpoint::Kind::kMock) {
-    if (auto started = start_mock(options.endpoint, around, subject); !started) return started;
+    if (auto connected = connect_mock(options.endpoint, around, subject); !connected) {
+      return connected;
+    }
   } else {
     if (options.endpoint.kind == Endpoint::Kind::kRun) {
       if (auto started = start_program(options.endpoint, around, subject); !started) {

@@ -4,8 +4,6 @@
 #include <fmt/format.h>
 
 #include <charconv>
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <thread>
 
@@ -35,9 +33,9 @@ std::optional<std::pair<int, int>> numbers_in(const std::string& name) {
 }
 
 std::optional<DeliveredOutcome> read_delivery(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) return std::nullopt;
-  auto read = outcome_from_document({std::istreambuf_iterator<char>(stream), {}});
+  const auto text = read_file(file);
+  if (!text) return std::nullopt;
+  auto read = outcome_from_document(*text);
   if (!read) return std::nullopt;
   return *std::move(read);
 }

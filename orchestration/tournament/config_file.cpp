@@ -5,14 +5,13 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <utility>
 
 #include "orchestration/endpoint.h"
 #include "orchestration/match_options.h"
 #include "orchestration/process/command_plan.h"
 #include "orchestration/tournament/config_keys.h"
+#include "orchestration/whole_file.h"
 
 namespace cls::orchestration {
 namespace {
@@ -219,10 +218,9 @@ ConfigReading parse_config(std::string_view text, const std::string& file) {
 }
 
 ConfigReading read_config(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) return {{}, {fmt::format("cannot read {}", file.string())}};
-  const std::string text{std::istreambuf_iterator<char>(stream), {}};
-  ConfigReading reading = parse_config(text, file.string());
+  const auto text = read_file(file);
+  if (!text) return {{}, {fmt::format("cannot read {}", file.string())}};
+  ConfigReading reading = parse_config(*text, file.string());
   fs::path& folder = reading.config.folder;
   folder = (fs::absolute(file).parent_path() / folder).lexically_normal();
   if (!folder.has_filename()) folder = folder.parent_path();  // no slash at the end

@@ -8,11 +8,10 @@
 #include <cerrno>
 #include <cmath>
 #include <cstring>
-#include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "orchestration/host.h"
+#include "orchestration/whole_file.h"
 
 namespace cls::orchestration {
 
@@ -29,10 +28,9 @@ EventFile::EventFile(UniqueFd file, std::string name, std::int64_t next)
 Result<EventFile> EventFile::open(const std::filesystem::path& file) {
   std::int64_t lines = 0;
   bool whole = true;
-  if (std::ifstream before(file, std::ios::binary); before) {
-    const std::string text{std::istreambuf_iterator<char>(before), {}};
-    lines = std::count(text.begin(), text.end(), '\n');
-    whole = text.empty() || text.back() == '\n';
+  if (const auto text = read_file(file)) {
+    lines = std::count(text->begin(), text->end(), '\n');
+    whole = text->empty() || text->back() == '\n';
   }
   UniqueFd opened(::open(file.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666));
   if (!opened) {

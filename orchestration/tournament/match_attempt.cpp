@@ -4,14 +4,13 @@
 #include <fmt/format.h>
 #include <signal.h>
 
-#include <fstream>
-#include <iterator>
 #include <utility>
 
 #include "orchestration/host.h"
 #include "orchestration/match_folder.h"
 #include "orchestration/tournament/folder.h"
 #include "orchestration/tournament/match_document.h"
+#include "orchestration/whole_file.h"
 
 namespace cls::orchestration {
 namespace {
@@ -34,10 +33,7 @@ void add_option(std::vector<std::string>& argv, const char* option, const std::o
   if (value) add_option(argv, option, fmt::format("{}", *value));
 }
 
-std::string text_of(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
+std::string text_of(const fs::path& file) { return read_file(file).value_or(""); }
 
 bool interrupted(const Outcome& outcome) { return outcome.end_reason == "interrupted"; }
 

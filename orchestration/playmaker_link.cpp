@@ -1,0 +1,26 @@
+// From the words of an endpoint to something that can be asked.
+#include "orchestration/playmaker_link.h"
+
+#include <utility>
+
+namespace cls::orchestration {
+
+proxy::GrpcTarget target_of(const Endpoint& endpoint) {
+  proxy::GrpcTarget target;
+  target.host = endpoint.host;
+  target.port = endpoint.port;
+  target.port_step = endpoint.port_step;
+  target.unix_path = endpoint.path;
+  return target;
+}
+
+soccer::Result<std::unique_ptr<mock_server::Server>> start_mock(const Endpoint& endpoint) {
+  if (endpoint.script != nullptr) {
+    return mock_server::Server::start(mock_server::Mock(endpoint.script));
+  }
+  auto mock = mock_server::make_mock(endpoint.behaviour);
+  if (!mock) return mock.error();
+  return mock_server::Server::start(*std::move(mock));
+}
+
+}  // namespace cls::orchestration

@@ -1,0 +1,20 @@
+// Reaching the Playmaker that an endpoint names.
+#pragma once
+
+#include <memory>
+
+#include "mock-server/server.h"
+#include "orchestration/endpoint.h"
+#include "proxy/grpc_target.h"
+#include "soccer/result.h"
+
+namespace cls::orchestration {
+
+/// Where a running Playmaker listens; for kAddress and kUnixSocket.
+proxy::GrpcTarget target_of(const Endpoint& endpoint);
+
+/// The bundled Playmaker with the endpoint's script or behaviour; for kMock. The error says which
+/// behaviour is unknown.
+soccer::Result<std::unique_ptr<mock_server::Server>> start_mock(const Endpoint& endpoint);
+
+}  // namespace cls::orchestration
