@@ -4,19 +4,14 @@
 #include <algorithm>
 
 #include "proxy/skills/motion.h"
+#include "soccer/mode_kind.h"
 #include "soccer/pitch.h"
 
 namespace cls::proxy {
 namespace {
 
 using soccer::PlayMode;
-using soccer::Side;
 using soccer::Vec2;
-
-/// The left variant of a mode that has a side, the mode itself otherwise.
-PlayMode kind_of(PlayMode mode) {
-  return soccer::side(mode) == Side::kNeutral ? mode : soccer::for_side(mode, Side::kLeft);
-}
 
 bool before_play(PlayMode mode) {
   return mode == PlayMode::kBeforeKickOff || kind_of(mode) == PlayMode::kGoalLeft;

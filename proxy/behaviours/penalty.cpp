@@ -14,6 +14,7 @@
 #include "proxy/skills/movement.h"
 #include "proxy/skills/shoot.h"
 #include "proxy/skills/smart_kick.h"
+#include "soccer/mode_kind.h"
 #include "soccer/pitch.h"
 
 namespace cls::proxy {
@@ -21,12 +22,7 @@ namespace {
 
 using soccer::AngleDeg;
 using soccer::PlayMode;
-using soccer::Side;
 using soccer::Vec2;
-
-PlayMode kind_of(PlayMode mode) {
-  return soccer::side(mode) == Side::kNeutral ? mode : soccer::for_side(mode, Side::kLeft);
-}
 
 const PlayerState* their_goalie(const WorldModel& world) {
   for (const PlayerState& opponent : world.opponents) {

@@ -12,18 +12,14 @@
 #include "proxy/skills/intercept.h"
 #include "proxy/skills/motion.h"
 #include "proxy/skills/movement.h"
+#include "soccer/mode_kind.h"
 #include "soccer/pitch.h"
 
 namespace cls::proxy {
 namespace {
 
 using soccer::PlayMode;
-using soccer::Side;
 using soccer::Vec2;
-
-PlayMode kind_of(PlayMode mode) {
-  return soccer::side(mode) == Side::kNeutral ? mode : soccer::for_side(mode, Side::kLeft);
-}
 
 double running_power(ActionContext& c) {
   const WorldModel& world = c.world;

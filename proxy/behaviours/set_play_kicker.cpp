@@ -8,6 +8,7 @@
 #include "proxy/home_positions.h"
 #include "proxy/skills/motion.h"
 #include "proxy/skills/movement.h"
+#include "soccer/mode_kind.h"
 #include "soccer/pitch.h"
 
 namespace cls::proxy {
@@ -15,12 +16,7 @@ namespace {
 
 using soccer::AngleDeg;
 using soccer::PlayMode;
-using soccer::Side;
 using soccer::Vec2;
-
-PlayMode kind_of(PlayMode mode) {
-  return soccer::side(mode) == Side::kNeutral ? mode : soccer::for_side(mode, Side::kLeft);
-}
 
 /// The direction from which the kicker comes to the ball.
 AngleDeg kick_direction(const WorldModel& world) {

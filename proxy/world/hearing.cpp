@@ -8,6 +8,7 @@
 #include "proxy/world/ball_tracking.h"
 #include "proxy/world/heard_news.h"
 #include "proxy/world/player_tracking.h"
+#include "soccer/mode_kind.h"
 #include "soccer/pitch.h"
 #include "soccer/protocol/number_text.h"
 
@@ -17,11 +18,6 @@ namespace {
 using soccer::PlayMode;
 using soccer::Side;
 using soccer::Vec2;
-
-/// The left variant of a mode that has a side, the mode itself otherwise.
-PlayMode kind_of(PlayMode mode) {
-  return soccer::side(mode) == Side::kNeutral ? mode : soccer::for_side(mode, Side::kLeft);
-}
 
 std::optional<Side> side_of_letter(char letter) {
   if (letter == 'l') return Side::kLeft;
