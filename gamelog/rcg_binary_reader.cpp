@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "gamelog/binary_params.h"
+#include "gamelog/record_damage.h"
 #include "soccer/math.h"
 #include "soccer/protocol/parameter_message.h"
 
@@ -103,17 +104,15 @@ class BinaryReader {
   bool read_record() {
     const std::string_view start = input_.take(kKindSize);
     if (start.empty()) return false;
-    if (start.size() < kKindSize) return damage("the log is cut off here");
-    if (!builder_.has_room()) {
-      return damage("more frames or messages than any match has: the rest is left out");
-    }
+    if (start.size() < kKindSize) return damage(kCutOff);
+    if (!builder_.has_room()) return damage(kNoMoreRoom);
     const int kind = read_int16(start.data());
     return version_ == RcgVersion::kV1 ? read_fixed(kind) : read_packed(kind);
   }
 
   bool read_fixed(int kind) {
     const std::string_view body = input_.take(kFixedRecord - kKindSize);
-    if (body.size() < kFixedRecord - kKindSize) return damage("the log is cut off here");
+    if (body.size() < kFixedRecord - kKindSize) return damage(kCutOff);
     if (kind == kShow) {
       read_short_show(body);
     } else if (kind == kMessage) {
@@ -131,7 +130,7 @@ class BinaryReader {
     const std::size_t size = body_size(kind);
     if (size == kUnknownSize) return damage("a record of unknown kind " + std::to_string(kind));
     const std::string_view body = input_.take(size);
-    if (body.size() < size) return damage("the log is cut off here");
+    if (body.size() < size) return damage(kCutOff);
     switch (kind) {
       case kShow:
         version_ == RcgVersion::kV2 ? read_short_show(body) : read_long_show(body);
@@ -187,11 +186,11 @@ class BinaryReader {
 
   bool read_message() {
     const std::string head = std::string(input_.take(4));
-    if (head.size() < 4) return damage("the log is cut off here");
+    if (head.size() < 4) return damage(kCutOff);
     const auto size = static_cast<std::size_t>(std::max(read_int16(head.data() + 2), 0));
     if (size > kLongestMessage) return damage("a message of impossible length");
     std::string_view text = input_.take(size);
-    if (text.size() < size) return damage("the log is cut off here");
+    if (text.size() < size) return damage(kCutOff);
     while (text.ends_with('\0')) text.remove_suffix(1);
     add_message(read_int16(head.data()), std::string(text));
     return true;
@@ -266,7 +265,8 @@ class BinaryReader {
 
   // Always false, for those after whom there is no finding the next record.
   bool damage(std::string what) {
-    builder_.record().damage.add({0, input_.offset(), last_time(), std::move(what)});
+    MatchRecord& record = builder_.record();
+    record.damage.add(damage_at(input_, record, std::move(what)));
     return false;
   }
 

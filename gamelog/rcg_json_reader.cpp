@@ -7,6 +7,7 @@
 
 #include "gamelog/json_cursor.h"
 #include "gamelog/rcg_json_show.h"
+#include "gamelog/record_damage.h"
 #include "soccer/protocol/parameter_message.h"
 
 namespace cls::gamelog {
@@ -21,20 +22,9 @@ class JsonReader {
   JsonReader(InputBuffer& input, RecordBuilder& builder) : input_(input), builder_(builder) {}
 
   void read_all() {
-    std::string_view line;
-    for (;;) {
-      const InputBuffer::Line kind = input_.next_line(line);
-      if (kind == InputBuffer::Line::kEnd) break;
-      if (kind == InputBuffer::Line::kTooLong) {
-        damage(0, "a line of more than a megabyte");
-        continue;
-      }
-      if (!builder_.has_room()) {
-        damage(0, "more frames or messages than any match has: the rest is left out");
-        return;
-      }
+    read_lines(input_, builder_, [this](std::string_view line, InputBuffer::Line kind) {
       if (!read_line(line)) damage_in(kind);
-    }
+    });
     if (!closed_ && input_.source().problem().empty() && builder_.record().damage.empty()) {
       damage(0, "the closing bracket is missing: the log was interrupted");
     }
@@ -291,15 +281,13 @@ class JsonReader {
   }
 
   void damage_in(InputBuffer::Line kind) {
-    damage(column_, kind == InputBuffer::Line::kUnfinished ? "the log is cut off here"
-                                                           : "this is no JSON of a game log");
+    damage(column_,
+           kind == InputBuffer::Line::kUnfinished ? kCutOff : "this is no JSON of a game log");
   }
 
   void damage(std::size_t column, std::string what) {
-    const MatchRecord& record = builder_.record();
-    const int cycle = record.time.empty() ? 0 : record.time.back();
-    builder_.record().damage.add(
-        {input_.line_number(), input_.offset() + column, cycle, std::move(what)});
+    MatchRecord& record = builder_.record();
+    record.damage.add(damage_at(input_, record, std::move(what), column));
   }
 
   InputBuffer& input_;

@@ -9,6 +9,7 @@
 #include "gamelog/rcg_json_reader.h"
 #include "gamelog/rcg_text_reader.h"
 #include "gamelog/record_builder.h"
+#include "gamelog/record_damage.h"
 
 namespace cls::gamelog {
 namespace {
@@ -24,18 +25,12 @@ bool has_end(const MatchRecord& record) {
   });
 }
 
-Damage damage_at(const InputBuffer& input, std::string what, const MatchRecord& record) {
-  const int cycle = record.time.empty() ? 0 : record.time.back();
-  const bool text = record.version >= RcgVersion::kV4;
-  return {text ? input.line_number() : 0, input.offset(), cycle, std::move(what)};
-}
-
 void check_end(const InputBuffer& input, MatchRecord& record) {
   if (!input.source().problem().empty()) {
-    record.damage.add_reason(damage_at(input, input.source().problem(), record));
+    record.damage.add_reason(damage_at(input, record, input.source().problem()));
   } else if (record.damage.empty() && !has_end(record)) {
     record.damage.add(
-        damage_at(input, "the match has no end here: the log was interrupted", record));
+        damage_at(input, record, "the match has no end here: the log was interrupted"));
   }
 }
 
@@ -61,7 +56,7 @@ void read_by_kind(InputBuffer& input, RecordBuilder& builder) {
     record.version = RcgVersion::kV1;
     read_rcg_binary(input, builder);
   } else {
-    record.damage.add(damage_at(input, "this is no game log", record));
+    record.damage.add(damage_at(input, record, "this is no game log"));
   }
 }
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "gamelog/blank_names.h"
+#include "gamelog/record_damage.h"
 #include "gamelog/show_scanner.h"
 #include "soccer/protocol/parameter_message.h"
 #include "soccer/protocol/scanner.h"
@@ -47,20 +48,9 @@ class TextReader {
   TextReader(InputBuffer& input, RecordBuilder& builder) : input_(input), builder_(builder) {}
 
   void read_all() {
-    std::string_view line;
-    for (;;) {
-      const InputBuffer::Line kind = input_.next_line(line);
-      if (kind == InputBuffer::Line::kEnd) return;
-      if (kind == InputBuffer::Line::kTooLong) {
-        damage(0, "a line of more than a megabyte");
-        continue;
-      }
-      if (!builder_.has_room()) {
-        damage(0, "more frames or messages than any match has: the rest is left out");
-        return;
-      }
+    read_lines(input_, builder_, [this](std::string_view line, InputBuffer::Line kind) {
       read(line, kind == InputBuffer::Line::kUnfinished);
-    }
+    });
   }
 
  private:
@@ -68,7 +58,7 @@ class TextReader {
     if (line.starts_with("(show ")) {
       LineProblem problem;
       if (!read_show(line, builder_, problem)) {
-        damage(problem.column, unfinished ? "the log is cut off here" : problem.what);
+        damage(problem.column, unfinished ? kCutOff : problem.what);
       } else if (builder_.record().frames() == 1) {
         reserve(line.size());
       }
@@ -77,7 +67,7 @@ class TextReader {
     Scanner in(line);
     if (!read_other(in, line)) {
       const soccer::Error error = in.error("record");
-      damage(0, unfinished ? "the log is cut off here" : std::string_view(error.message));
+      damage(0, unfinished ? std::string_view(kCutOff) : std::string_view(error.message));
     }
   }
 
@@ -173,10 +163,8 @@ class TextReader {
   }
 
   void damage(std::size_t column, std::string_view what) {
-    const MatchRecord& record = builder_.record();
-    const int cycle = record.time.empty() ? 0 : record.time.back();
-    builder_.record().damage.add(
-        {input_.line_number(), input_.offset() + column, cycle, std::string(what)});
+    MatchRecord& record = builder_.record();
+    record.damage.add(damage_at(input_, record, std::string(what), column));
   }
 
   InputBuffer& input_;
