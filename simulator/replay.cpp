@@ -6,6 +6,7 @@
 #include <tuple>
 #include <utility>
 
+#include "simulator/logged_counters.h"
 #include "simulator/referee.h"
 #include "soccer/protocol/number_text.h"
 #include "soccer/protocol/protocol_version.h"
@@ -16,12 +17,6 @@ namespace {
 namespace math = soccer::math;
 
 constexpr std::uint32_t kTackles = state::kTackle | state::kTackleFault;
-
-Counters counters_of(const gamelog::CommandCounts& counts) {
-  return {counts.kick,   counts.dash,      counts.turn,        counts.catches,
-          counts.move,   counts.turn_neck, counts.change_view, counts.say,
-          counts.tackle, counts.pointto,   counts.attentionto, counts.change_focus};
-}
 
 auto as_tuple(const Counters& c) {
   return std::tie(c.kick, c.dash, c.turn, c.catch_ball, c.move, c.turn_neck, c.change_view, c.say,

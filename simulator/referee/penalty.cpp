@@ -5,7 +5,7 @@
 #include "simulator/referee/areas.h"
 #include "simulator/referee/calls.h"
 #include "simulator/referee/foul_detection.h"
-#include "simulator/referee/modes.h"
+#include "simulator/referee/penalty_modes.h"
 #include "simulator/referee/penalty_places.h"
 #include "simulator/referee/penalty_score.h"
 #include "simulator/referee/rule.h"
@@ -16,14 +16,6 @@ namespace cls::simulator {
 namespace {
 
 constexpr Vec2 kGoalieStart = {42.5, 10.0};
-
-bool is_setup(PlayMode mode) { return is_either(mode, PlayMode::kPenaltySetupLeft); }
-bool is_ready(PlayMode mode) { return is_either(mode, PlayMode::kPenaltyReadyLeft); }
-bool is_taken(PlayMode mode) { return is_either(mode, PlayMode::kPenaltyTakenLeft); }
-bool is_between_kicks(PlayMode mode) {
-  return is_either(mode, PlayMode::kPenaltyMissLeft) ||
-         is_either(mode, PlayMode::kPenaltyScoreLeft);
-}
 
 void freeze_ball(World& world) {
   world.ball.velocity = {};

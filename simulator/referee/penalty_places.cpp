@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "simulator/referee/modes.h"
+#include "simulator/referee/penalty_modes.h"
 #include "simulator/referee/penalty_score.h"
 #include "soccer/pitch.h"
 
@@ -16,13 +16,6 @@ constexpr double kTakerDistance = 2.0;
 constexpr double kGoalieTolerance = 1.5;
 // The taker side's goalie waits behind the corner of the pitch next to the goal used.
 constexpr Circle kGoalieWaits = {{54.5, 25.0}, 2.0};
-
-bool is_setup(const World& world) { return is_either(world.mode, PlayMode::kPenaltySetupLeft); }
-bool is_taken(const World& world) { return is_either(world.mode, PlayMode::kPenaltyTakenLeft); }
-bool is_between_kicks(const World& world) {
-  return is_either(world.mode, PlayMode::kPenaltyMissLeft) ||
-         is_either(world.mode, PlayMode::kPenaltyScoreLeft);
-}
 
 Side taker_side(const World& world) { return world.referee.penalty.taker_side; }
 
@@ -87,31 +80,33 @@ void bring_into(const Circle& circle, Player& player) {
 }  // namespace
 
 bool is_taker_team_placed(const World& world) {
-  if (is_between_kicks(world)) return true;
+  if (is_between_kicks(world.mode)) return true;
   const Slot goalie_slot = goalie_of(world, taker_side(world));
   if (goalie_slot == kNobody) return false;
   const Player& goalie = world.player(goalie_slot);
   const Outside others = outside(world, taker_side(world));
   Slot taker = others.last;
   if (others.count == 0) {
-    if (is_setup(world) && distance_to_ball(world, goalie) <= kTakerDistance) taker = goalie_slot;
+    if (is_setup(world.mode) && distance_to_ball(world, goalie) <= kTakerDistance) {
+      taker = goalie_slot;
+    }
   } else {
     if (!waits_beside_the_goal(goalie) || others.count > 1) return false;
-    if (is_setup(world) && distance_to_ball(world, world.player(taker)) > kTakerDistance) {
+    if (is_setup(world.mode) && distance_to_ball(world, world.player(taker)) > kTakerDistance) {
       return false;
     }
   }
-  return taker == kNobody || !is_setup(world) || !has_kicked(world, world.player(taker));
+  return taker == kNobody || !is_setup(world.mode) || !has_kicked(world, world.player(taker));
 }
 
 bool is_defending_team_placed(const World& world) {
-  if (is_between_kicks(world)) return true;
+  if (is_between_kicks(world.mode)) return true;
   const Side side = opponent(taker_side(world));
   const Slot goalie_slot = goalie_of(world, side);
   if (goalie_slot == kNobody) return false;
   const Vec2 goalie = world.player(goalie_slot).position;
   const soccer::ServerParams& server = world.params();
-  if (!is_taken(world) &&
+  if (!is_taken(world.mode) &&
       (std::fabs(goalie.x) < soccer::kHalfLength - server.pen_max_goalie_dist_x ||
        std::fabs(goalie.y) > server.goal_width / 2.0)) {
     return false;
@@ -125,7 +120,7 @@ void place_taker_team(World& world) {
   for (Player& player : world.players) {
     if (!player.enabled || player.side != taker_side(world)) continue;
     if (player.slot() == taker) {
-      if (!is_taken(world)) bring_into({ball, kTakerDistance}, player);
+      if (!is_taken(world.mode)) bring_into({ball, kTakerDistance}, player);
     } else if (player.goalie) {
       Circle place = kGoalieWaits;
       place.centre.x *= -sign(world.referee.penalty.goal_side);
@@ -145,7 +140,7 @@ void place_defending_team(World& world) {
     if (!player.enabled || player.side != opponent(taker_side(world))) continue;
     if (!player.goalie) {
       bring_into(centre_circle(world, player), player);
-    } else if (!is_taken(world) && player.position.x * end < limit) {
+    } else if (!is_taken(world.mode) && player.position.x * end < limit) {
       player.position = {(limit + kGoalieTolerance) * end, 0.0};
     }
   }

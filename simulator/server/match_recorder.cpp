@@ -2,17 +2,13 @@
 #include "simulator/server/match_recorder.h"
 
 #include "simulator/actions.h"
+#include "simulator/logged_counters.h"
 #include "soccer/math.h"
 
 namespace cls::simulator {
 namespace {
 
 namespace math = soccer::math;
-
-gamelog::CommandCounts counts_of(const Counters& c) {
-  return {c.kick,        c.dash, c.turn,   c.catch_ball, c.move,         c.turn_neck,
-          c.change_view, c.say,  c.tackle, c.point_to,   c.attention_to, c.change_focus};
-}
 
 void describe(const World& world, const Player& player, gamelog::PlayerFrame& out) {
   out.state = player.state;

@@ -1,6 +1,7 @@
 // From recorded frames to worlds.
 #include "tests/simulator/recorded_world.h"
 
+#include "simulator/logged_counters.h"
 #include "soccer/math.h"
 #include "soccer/player_type.h"
 #include "tests/support/rcg_lines.h"
@@ -30,11 +31,6 @@ void set_view(View& view, const gamelog::PlayerFrame& frame) {
   }
   view.focus_distance = frame.focus_distance;
   view.focus_direction = math::to_radians(frame.focus_direction);
-}
-
-Counters counters_of(const gamelog::CommandCounts& c) {
-  return {c.kick,        c.dash, c.turn,   c.catches, c.move,        c.turn_neck,
-          c.change_view, c.say,  c.tackle, c.pointto, c.attentionto, c.change_focus};
 }
 
 void set_player(Player& player, const gamelog::PlayerFrame& frame, const Timers& timers) {
