@@ -3,6 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
+#include "cli/exit_code.h"
+
 namespace cls::cli {
 namespace {
 
@@ -18,6 +22,23 @@ void report_damage(std::string_view path, const gamelog::DamageList& damage) {
   if (damage.count > shown) {
     fmt::print(stderr, "cls: {}: {} more damaged places\n", path, damage.count - shown);
   }
+}
+
+int report_missing(const gamelog::FoundLogs& found) {
+  for (const std::string& missing : found.missing) {
+    fmt::print(stderr, "cls: no log '{}'\n", missing);
+  }
+  return found.missing.empty() ? kDone : kNoInput;
+}
+
+int report_log(int exit_code, const std::string& unreadable, std::string_view path,
+               const gamelog::DamageList& damage) {
+  if (!unreadable.empty()) {
+    fmt::print(stderr, "cls: {}\n", unreadable);
+    exit_code = kNoInput;
+  }
+  report_damage(path, damage);
+  return !damage.empty() && exit_code == kDone ? kBadData : exit_code;
 }
 
 }  // namespace cls::cli

@@ -67,18 +67,10 @@ int run_results_command(const Arguments& arguments) {
     return kUsage;
   }
   const gamelog::FoundLogs found = gamelog::find_logs(arguments.logs);
-  int exit_code = found.missing.empty() ? kDone : kNoInput;
-  for (const std::string& missing : found.missing) {
-    fmt::print(stderr, "cls: no log '{}'\n", missing);
-  }
+  int exit_code = report_missing(found);
   std::vector<gamelog::MatchSummary> summaries;
   for (ReadResult& result : read_all(found.matches, arguments.jobs)) {
-    if (!result.unreadable.empty()) {
-      fmt::print(stderr, "cls: {}\n", result.unreadable);
-      exit_code = kNoInput;
-    }
-    report_damage(result.damaged_file, result.damage);
-    if (!result.damage.empty() && exit_code == kDone) exit_code = kBadData;
+    exit_code = report_log(exit_code, result.unreadable, result.damaged_file, result.damage);
     if (result.usable) summaries.push_back(std::move(result.summary));
   }
   if (!summaries.empty() || *format == ResultsFormat::kJson) {

@@ -65,18 +65,10 @@ int run_stats_command(const Arguments& arguments) {
     return kUsage;
   }
   const gamelog::FoundLogs found = gamelog::find_logs(arguments.logs);
-  int exit_code = found.missing.empty() ? kDone : kNoInput;
-  for (const std::string& missing : found.missing) {
-    fmt::print(stderr, "cls: no log '{}'\n", missing);
-  }
+  int exit_code = report_missing(found);
   const gamelog::StatisticsOutput output = read_all(found.matches, *format, arguments);
   for (const gamelog::ReadProblem& problem : output.problems) {
-    if (!problem.unreadable.empty()) {
-      fmt::print(stderr, "cls: {}\n", problem.unreadable);
-      exit_code = kNoInput;
-    }
-    report_damage(problem.file, problem.damage);
-    if (!problem.damage.empty() && exit_code == kDone) exit_code = kBadData;
+    exit_code = report_log(exit_code, problem.unreadable, problem.file, problem.damage);
   }
   fmt::print("{}", output.text);
   return exit_code;
