@@ -1,24 +1,10 @@
 // Writing coach and trainer commands.
-#include <cmath>
-
 #include "soccer/protocol/clang_frame.h"
 #include "soccer/protocol/coach_command.h"
-#include "soccer/protocol/number_text.h"
+#include "soccer/protocol/command_writing.h"
 
 namespace cls::soccer {
 namespace {
-
-bool write_text(std::string_view text, std::string& out) {
-  out.append(text);
-  return true;
-}
-
-bool write_number(double value, std::string& out) {
-  if (!std::isfinite(value)) return false;
-  out.push_back(' ');
-  append_shortest(value, out);
-  return true;
-}
 
 bool is_word(std::string_view text) {
   return !text.empty() && text.find_first_of(" \t\n\v\f\r()") == std::string_view::npos;
@@ -104,27 +90,16 @@ bool write(const MovePlayer& c, std::string& out) {
   return write_placement(c.position, c.angle, c.velocity, out);
 }
 
-bool write(const Compression& c, std::string& out) {
-  out.append("(compression ");
-  append_int(c.level, out);
-  return write_text(")", out);
-}
-
 bool write(Look, std::string& out) { return write_text("(look)", out); }
 bool write(AskTeamNames, std::string& out) { return write_text("(team_names)", out); }
 bool write(CheckBall, std::string& out) { return write_text("(check_ball)", out); }
 bool write(Start, std::string& out) { return write_text("(start)", out); }
 bool write(Recover, std::string& out) { return write_text("(recover)", out); }
-bool write(Done, std::string& out) { return write_text("(done)", out); }
-bool write(Bye, std::string& out) { return write_text("(bye)", out); }
 
 }  // namespace
 
 bool format(const CoachCommand& command, std::string& out) {
-  const std::size_t size = out.size();
-  const bool written = std::visit([&out](const auto& one) { return write(one, out); }, command);
-  if (!written) out.resize(size);
-  return written;
+  return write_whole(command, out, [](const auto& one, std::string& to) { return write(one, to); });
 }
 
 }  // namespace cls::soccer

@@ -1,9 +1,8 @@
 // Writing player commands.
 #include <algorithm>
-#include <cmath>
 #include <initializer_list>
 
-#include "soccer/protocol/number_text.h"
+#include "soccer/protocol/command_writing.h"
 #include "soccer/protocol/player_command.h"
 #include "soccer/protocol/player_command_lexer.h"
 
@@ -14,16 +13,9 @@ namespace {
 bool write(std::string_view name, std::initializer_list<double> numbers, std::string& out) {
   out.append("(").append(name);
   for (const double number : numbers) {
-    if (!std::isfinite(number)) return false;
-    out.push_back(' ');
-    append_shortest(number, out);
+    if (!write_number(number, out)) return false;
   }
   out.push_back(')');
-  return true;
-}
-
-bool write_text(std::string_view text, std::string& out) {
-  out.append(text);
   return true;
 }
 
@@ -120,20 +112,12 @@ bool write(const Clang& c, std::string& out) {
   return write_text("))", out);
 }
 
-bool write(const Compression& c, std::string& out) {
-  out.append("(compression ");
-  append_int(c.level, out);
-  return write_text(")", out);
-}
-
 bool write(SynchSee, std::string& out) { return write_text("(synch_see)", out); }
 bool write(GaussianSee, std::string& out) { return write_text("(gaussian_see)", out); }
 bool write(PointToOff, std::string& out) { return write_text("(pointto off)", out); }
 bool write(AttentionToOff, std::string& out) { return write_text("(attentionto off)", out); }
 bool write(AskSenseBody, std::string& out) { return write_text("(sense_body)", out); }
 bool write(AskScore, std::string& out) { return write_text("(score)", out); }
-bool write(Done, std::string& out) { return write_text("(done)", out); }
-bool write(Bye, std::string& out) { return write_text("(bye)", out); }
 
 }  // namespace
 
@@ -142,10 +126,7 @@ bool is_sayable(std::string_view text) {
 }
 
 bool format(const PlayerCommand& command, std::string& out) {
-  const std::size_t size = out.size();
-  const bool written = std::visit([&out](const auto& one) { return write(one, out); }, command);
-  if (!written) out.resize(size);
-  return written;
+  return write_whole(command, out, [](const auto& one, std::string& to) { return write(one, to); });
 }
 
 }  // namespace cls::soccer
