@@ -5,6 +5,8 @@
 #include <cassert>
 #include <utility>
 
+#include "gamelog/csv_cell.h"
+
 namespace cls::gamelog {
 namespace {
 
@@ -33,18 +35,13 @@ void append_line(std::string line, std::string& out) {
   out += '\n';
 }
 
-std::string escaped(const std::string& cell, const char* special, char with) {
+std::string escaped(const std::string& cell, std::string_view special) {
   std::string result;
   for (const char c : cell) {
-    if (std::string(special).find(c) != std::string::npos) result += with;
+    if (special.find(c) != std::string_view::npos) result += '\\';
     result += c;
   }
   return result;
-}
-
-std::string csv_cell(const std::string& cell) {
-  if (cell.find_first_of(",\"\n\r") == std::string::npos) return cell;
-  return '"' + escaped(cell, "\"", '"') + '"';
 }
 
 }  // namespace
@@ -93,13 +90,13 @@ std::string TextTable::plain() const {
 
 std::string TextTable::markdown() const {
   std::string out = "|";
-  for (const Column& column : columns_) out += ' ' + escaped(column.head, "|\\", '\\') + " |";
+  for (const Column& column : columns_) out += ' ' + escaped(column.head, "|\\") + " |";
   out += "\n|";
   for (const Column& column : columns_) out += column.align == Align::kRight ? "--:|" : "---|";
   out += '\n';
   for (const auto& row : rows_) {
     out += '|';
-    for (const std::string& cell : row) out += ' ' + escaped(cell, "|\\*_`<[", '\\') + " |";
+    for (const std::string& cell : row) out += ' ' + escaped(cell, "|\\*_`<[") + " |";
     out += '\n';
   }
   return out;

@@ -3,21 +3,14 @@
 
 #include <iterator>
 
+#include "gamelog/csv_cell.h"
 #include "orchestration/tournament/report_document.h"
 #include "orchestration/xml.h"
 
 namespace cls::orchestration {
 namespace {
 
-std::string csv_quoted(const std::string& text) {
-  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) {
-    if (c == '"') quoted += '"';
-    quoted += c;
-  }
-  return quoted + "\"";
-}
+using gamelog::csv_cell;
 
 std::string number_or_empty(const std::optional<int>& number) {
   return number ? fmt::to_string(*number) : "";
@@ -57,7 +50,7 @@ std::string report_csv(const Report& report) {
   for (const ScheduledMatch& match : report.matches) {
     const Fixture& fixture = match.fixture;
     fmt::format_to(out, "{},{},{},{},{},{},{},", fixture.index, fixture.round,
-                   csv_quoted(fixture.stage), fixture.pairing, report.team(fixture.left),
+                   csv_cell(fixture.stage), fixture.pairing, report.team(fixture.left),
                    report.team(fixture.right), fixture.seed);
     if (!match.outcome) {
       text += ",,,,,,,,,,,,,,,,\n";
@@ -69,8 +62,8 @@ std::string report_csv(const Report& report) {
                    outcome.right_score, number_or_empty(outcome.left_penalties),
                    number_or_empty(outcome.right_penalties), outcome.cycles, outcome.wall_seconds,
                    outcome.cycles_per_second, outcome.left.missed, outcome.right.missed,
-                   outcome.attempts, csv_quoted(outcome.host), outcome.started, outcome.ended,
-                   csv_quoted(outcome.folder), csv_quoted(outcome.message));
+                   outcome.attempts, csv_cell(outcome.host), outcome.started, outcome.ended,
+                   csv_cell(outcome.folder), csv_cell(outcome.message));
   }
   return text;
 }
