@@ -2,36 +2,24 @@
 // names; skipped where there is none.
 #include <gtest/gtest.h>
 #include <signal.h>
-#include <unistd.h>
 
-#include <cstdlib>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <sstream>
 #include <string>
 #include <vector>
 
 #include "tests/support/command.h"
 #include "tests/support/files.h"
 #include "tests/support/marked_processes.h"
+#include "tests/support/real_server.h"
 #include "tests/support/temporary_folder.h"
 
 namespace {
 
 using cls::tests::cls_binary;
 using cls::tests::Command;
+using cls::tests::real_server;
 using cls::tests::TemporaryFolder;
-
-/// Empty when there is none.
-std::string real_server() {
-  if (const char* named = std::getenv("CLS_RCSSSERVER")) return named;
-  std::istringstream path(std::getenv("PATH") == nullptr ? "" : std::getenv("PATH"));
-  for (std::string folder; std::getline(path, folder, ':');) {
-    const std::string program = folder + "/rcssserver";
-    if (::access(program.c_str(), X_OK) == 0) return program;
-  }
-  return "";
-}
 
 /// The real server with two teams of `cls proxy` that ask one `cls mock`.
 class RealServer : public testing::Test {

@@ -7,6 +7,7 @@
 #include "proxy/skills/kick.h"
 #include "proxy/skills/motion.h"
 #include "tests/proxy/known_pitch.h"
+#include "tests/proxy/wire_vector.h"
 
 namespace cls::proxy {
 namespace {
@@ -17,11 +18,7 @@ using soccer::PlayMode;
 using soccer::Vec2;
 using tests::KnownPitch;
 using tests::Noise;
-
-void set(protos::RpcVector2D* to, Vec2 v) {
-  to->set_x(static_cast<float>(v.x));
-  to->set_y(static_cast<float>(v.y));
-}
+using tests::set;
 
 auto smart_kick_to(Vec2 target, double speed, double threshold, int steps) {
   return [=](protos::PlayerActions& reply) {

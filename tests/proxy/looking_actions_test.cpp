@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "tests/proxy/known_pitch.h"
+#include "tests/proxy/wire_vector.h"
 
 namespace cls::proxy {
 namespace {
@@ -14,11 +15,7 @@ using soccer::AngleDeg;
 using soccer::Vec2;
 using soccer::ViewWidth;
 using tests::KnownPitch;
-
-void set(protos::RpcVector2D* to, Vec2 v) {
-  to->set_x(static_cast<float>(v.x));
-  to->set_y(static_cast<float>(v.y));
-}
+using tests::set;
 
 /// Keeps the proxy's own choice of view out of the test.
 void keep_view(PlayerActions& reply) { reply.add_actions()->mutable_view_synch(); }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "tests/proxy/known_pitch.h"
+#include "tests/proxy/wire_vector.h"
 
 namespace cls::proxy {
 namespace {
@@ -13,11 +14,7 @@ using soccer::AngleDeg;
 using soccer::PlayMode;
 using soccer::Vec2;
 using tests::KnownPitch;
-
-void set(protos::RpcVector2D* to, Vec2 v) {
-  to->set_x(static_cast<float>(v.x));
-  to->set_y(static_cast<float>(v.y));
-}
+using tests::set;
 
 std::function<void(protos::PlayerActions&)> go_to(Vec2 target, double threshold,
                                                   double power = 100.0) {

@@ -5,6 +5,7 @@
 
 #include "soccer/random.h"
 #include "tests/proxy/known_pitch.h"
+#include "tests/proxy/wire_vector.h"
 
 namespace cls::proxy {
 namespace {
@@ -14,11 +15,7 @@ using soccer::AngleDeg;
 using soccer::Vec2;
 using tests::KnownPitch;
 using tests::Noise;
-
-void set(protos::RpcVector2D* to, Vec2 v) {
-  to->set_x(static_cast<float>(v.x));
-  to->set_y(static_cast<float>(v.y));
-}
+using tests::set;
 
 /// Somewhere all around, between two distances.
 Vec2 around(soccer::RandomStream& random, double nearest, double farthest) {

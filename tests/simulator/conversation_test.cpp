@@ -9,6 +9,7 @@
 #include "tests/simulator/real_host.h"
 #include "tests/support/command.h"
 #include "tests/support/files.h"
+#include "tests/support/real_server.h"
 
 namespace cls::tests {
 namespace {

@@ -9,8 +9,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstdlib>
-#include <sstream>
 #include <stdexcept>
 #include <thread>
 
@@ -120,16 +118,6 @@ class RealHost : public Host {
 };
 
 }  // namespace
-
-std::string real_server() {
-  if (const char* named = std::getenv("CLS_RCSSSERVER")) return named;
-  std::istringstream path(std::getenv("PATH") == nullptr ? "" : std::getenv("PATH"));
-  for (std::string folder; std::getline(path, folder, ':');) {
-    const std::string program = folder + "/rcssserver";
-    if (::access(program.c_str(), X_OK) == 0) return program;
-  }
-  return "";
-}
 
 std::unique_ptr<Host> make_real_host(const std::vector<std::string>& command,
                                      const std::vector<std::string>& settings) {

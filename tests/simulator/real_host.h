@@ -10,9 +10,6 @@
 
 namespace cls::tests {
 
-/// `rcssserver` on PATH, or the program that CLS_RCSSSERVER names; empty when there is none.
-std::string real_server();
-
 /// A server of its own that `command` starts, with those settings, in real time at free ports, and
 /// that ends with the host. Throws when it does not start.
 std::unique_ptr<Host> make_real_host(const std::vector<std::string>& command,
