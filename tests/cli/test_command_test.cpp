@@ -92,7 +92,8 @@ TEST(TestCommand, ChoosesByNameFilterAndShard) {
   using Names = std::vector<std::string>;
   EXPECT_EQ(names({"--filter", "*corner_kick"}),
             (Names{"referee_corner_kick", "team_takes_a_corner_kick"}));
-  EXPECT_EQ(names({"--filter", "referee_o"}), (Names{"referee_offside", "referee_onside"}));
+  EXPECT_EQ(names({"--filter", "eree_onside"}),
+            (Names{"referee_onside", "referee_onside_behind_the_ball"}));
   EXPECT_EQ(names({"referee_goal"}), Names{"referee_goal"});
   const Names all = names({});
   Names parts;
