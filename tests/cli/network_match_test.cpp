@@ -68,7 +68,7 @@ class NetworkMatch : public testing::Test {
 
   Words arguments(const std::string& right, const std::string& server, const Words& more,
                   const Words& settings = {"--set", "server::kick_off_wait=3"}) const {
-    Words words = {cls::tests::cls_binary(), "match",    "mock:hold", right, "--seed", "7", "--dir",
+    Words words = {cls::tests::cls_binary(), "match",    left_, right, "--seed", "7", "--dir",
                    match_folder(),           "--server", server};
     words.insert(words.end(), settings.begin(), settings.end());
     words.insert(words.end(), more.begin(), more.end());
@@ -111,6 +111,7 @@ class NetworkMatch : public testing::Test {
 
   cls::tests::TemporaryFolder folder_;
   const std::string mark_ = cls::tests::new_mark();
+  std::string left_ = "mock:hold";
   CommandResult played_;
   json result_;
   std::chrono::steady_clock::duration took_{};
@@ -185,6 +186,17 @@ TEST_F(NetworkMatch, StartsAForeignTeamAndEndsIt) {
   EXPECT_EQ(result_["right"]["name"], "Guests");
   EXPECT_GT(result_["right"]["cpu_seconds"], 0.0);
   EXPECT_EQ(result_["processes"][1]["name"], "right team");
+}
+
+// Logs hold no cycle while the clock stands, and come in blocks: of such a short match the server
+// writes nothing before its end.
+TEST_F(NetworkMatch, ForeignTeamsAloneMayStandBeforeKickOffForLongerThanTheStallLimit) {
+  left_ = team("");
+  play(left_, server(""), {"--half-time", "1", "--stall-after", "1"},
+       {"--set", "server::kick_off_wait=60"});
+  expect_finished();
+  EXPECT_EQ(result_["cycles"], 20);
+  EXPECT_GT(took_, 60 * 50ms) << "the server did not stand as long as this test needs";
 }
 
 TEST_F(NetworkMatch, StartsEachAgentInItsTurn) {

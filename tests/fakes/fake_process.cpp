@@ -2,7 +2,6 @@
 #include <arpa/inet.h>
 #include <fcntl.h>
 #include <netinet/in.h>
-#include <sched.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -18,6 +17,8 @@
 #include <string>
 #include <thread>
 #include <vector>
+
+#include "tests/fakes/flags.h"
 
 namespace {
 
@@ -110,16 +111,6 @@ void print_signals() {
   say(text);
 }
 
-void print_processors() {
-  cpu_set_t set;
-  ::sched_getaffinity(0, sizeof set, &set);
-  std::string text = "cpus:";
-  for (std::size_t cpu = 0; cpu < CPU_SETSIZE; ++cpu) {
-    if (CPU_ISSET(cpu, &set)) text += " " + std::to_string(cpu);
-  }
-  say(text);
-}
-
 void spoil_signals() {
   for (const int signal : {SIGCHLD, SIGPIPE, SIGHUP, SIGUSR1}) ::signal(signal, SIG_IGN);
   sigset_t all;
@@ -143,7 +134,7 @@ const std::map<std::string, Action>& questions() {
   static const std::map<std::string, Action> table = {
       {"print-fds", [](Script&) { print_descriptors(); }},
       {"print-signals", [](Script&) { print_signals(); }},
-      {"print-cpus", [](Script&) { print_processors(); }},
+      {"print-cpus", [](Script&) { cls::fakes::print_processors(); }},
       {"print-folder", [](Script&) { say("folder: " + std::filesystem::current_path().string()); }},
       {"print-variable",
        [](Script& script) {

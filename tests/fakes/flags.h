@@ -3,11 +3,14 @@
 
 #include <arpa/inet.h>
 #include <netinet/in.h>
+#include <sched.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <csignal>
+#include <cstddef>
+#include <cstdio>
 #include <cstdlib>
 #include <map>
 #include <string>
@@ -57,8 +60,21 @@ inline void leave_grandchild() {
   ::waitpid(child, nullptr, 0);
 }
 
+/// "cpus: 0 1": where the process may run.
+inline void print_processors() {
+  cpu_set_t set;
+  ::sched_getaffinity(0, sizeof set, &set);
+  std::string text = "cpus:";
+  for (std::size_t cpu = 0; cpu < CPU_SETSIZE; ++cpu) {
+    if (CPU_ISSET(cpu, &set)) text += " " + std::to_string(cpu);
+  }
+  std::printf("%s\n", text.c_str());
+  std::fflush(stdout);
+}
+
 /// What all fakes can be asked for at their start.
 inline void misbehave_at_start(const Flags& flags) {
+  if (flags.has("print-cpus")) print_processors();
   if (flags.has("ignore-term")) ::signal(SIGTERM, SIG_IGN);
   if (flags.has("grandchild")) leave_grandchild();
 }

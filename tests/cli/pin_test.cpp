@@ -1,0 +1,164 @@
+// `--pin`: programs and agents of each side run on that side's half of the processors.
+#include <gtest/gtest.h>
+#include <sched.h>
+#include <signal.h>
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "orchestration/host.h"
+#include "tests/support/command.h"
+#include "tests/support/files.h"
+#include "tests/support/temporary_folder.h"
+
+namespace {
+
+namespace fs = std::filesystem;
+using namespace std::chrono_literals;
+using cls::tests::Command;
+using Processors = std::vector<int>;
+using Words = std::vector<std::string>;
+
+std::string built(const std::string& name) { return std::string(CLS_BUILD_DIR) + "/bin/" + name; }
+
+cpu_set_t set_of(const Processors& processors) {
+  cpu_set_t set;
+  CPU_ZERO(&set);
+  for (const int processor : processors) CPU_SET(static_cast<std::size_t>(processor), &set);
+  return set;
+}
+
+/// How many threads of the process may run on exactly these.
+long threads_on(int pid, const Processors& processors) {
+  const cpu_set_t wanted = set_of(processors);
+  long count = 0;
+  std::error_code code;
+  for (fs::directory_iterator task("/proc/" + std::to_string(pid) + "/task", code), end;
+       !code && task != end; task.increment(code)) {
+    cpu_set_t set;
+    CPU_ZERO(&set);
+    const int thread = std::stoi(task->path().filename());
+    if (::sched_getaffinity(thread, sizeof set, &set) != 0) continue;
+    if (CPU_EQUAL(&set, &wanted)) ++count;
+  }
+  return count;
+}
+
+std::string line_of(Processors processors) {
+  std::sort(processors.begin(), processors.end());
+  std::string line = "cpus:";
+  for (const int processor : processors) line += " " + std::to_string(processor);
+  return line + "\n";
+}
+
+class Pin : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (halves_[0].empty()) GTEST_SKIP() << "there is only one processor to use";
+  }
+
+  static std::string playmaker() {
+    return "run:exec " + built("cls_fake_playmaker") + " --port {port} --print-cpus 1";
+  }
+
+  Words match(const std::string& left, const std::string& right, const Words& more = {}) const {
+    Words words = {
+        cls::tests::cls_binary(), "match", left, right, "--pin", "--dir", match(), "--set",
+        "server::kick_off_wait=3"};
+    words.insert(words.end(), more.begin(), more.end());
+    return words;
+  }
+  std::string match() const { return folder_.path() / "match"; }
+
+  std::string log(const std::string& name) const {
+    const fs::path file = fs::path(match()) / name;
+    return fs::exists(file) ? cls::tests::read_file(file) : std::string();
+  }
+
+  /// Waits, as long as the match runs.
+  static bool wait_for(const std::function<bool()>& reached) {
+    const auto begin = std::chrono::steady_clock::now();
+    while (!reached() && std::chrono::steady_clock::now() - begin < 30s) {
+      std::this_thread::sleep_for(5ms);
+    }
+    return reached();
+  }
+
+  cls::tests::TemporaryFolder folder_;
+  const std::array<Processors, 2> halves_ =
+      cls::orchestration::halves_of(cls::orchestration::allowed_cores());
+};
+
+TEST_F(Pin, PlaymakersAndAgentsOfBothSidesHaveTheirHalves) {
+  Command command(match(playmaker(), playmaker()));
+  EXPECT_TRUE(wait_for(
+      [&] { return !log("left-playmaker.log").empty() && !log("right-playmaker.log").empty(); }));
+  EXPECT_EQ(log("left-playmaker.log"), line_of(halves_[0]));
+  EXPECT_EQ(log("right-playmaker.log"), line_of(halves_[1]));
+  for (const Processors& half : halves_) {
+    EXPECT_TRUE(wait_for([&] { return threads_on(command.pid(), half) > 0; }));
+  }
+  // What belongs to neither side is tied to nothing.
+  EXPECT_GT(threads_on(command.pid(), cls::orchestration::allowed_processors()), 0);
+  command.send_signal(SIGTERM);
+  EXPECT_EQ(command.finish().exit_code, 143);
+}
+
+TEST_F(Pin, ProcessesOfAForeignTeamHaveTheirHalf) {
+  const fs::path team = folder_.path() / "team";
+  fs::create_directory(team);
+  std::ofstream(team / "start.sh")
+      << "#!/bin/sh\nwhile [ $# -gt 0 ]; do case $1 in -p) port=$2;; -t) name=$2;; esac; shift 2; "
+         "done\nexec "
+      << built("cls_fake_player") << " --port $port --name $name --players 11 --print-cpus 1\n";
+  ::chmod((team / "start.sh").c_str(), 0755);
+  Command command(match("mock:hold", "team:" + team.string()));
+  EXPECT_TRUE(wait_for([&] { return !log("right-team.log").empty(); }));
+  EXPECT_EQ(log("right-team.log").substr(0, line_of(halves_[1]).size()), line_of(halves_[1]));
+  EXPECT_TRUE(wait_for([&] { return threads_on(command.pid(), halves_[0]) > 0; }));
+  EXPECT_EQ(threads_on(command.pid(), halves_[1]), 0) << "the right side has no agents of ours";
+  command.send_signal(SIGTERM);
+  EXPECT_EQ(command.finish().exit_code, 143);
+}
+
+TEST_F(Pin, NothingIsTiedWithoutIt) {
+  Words words = match(playmaker(), "mock:hold");
+  words.erase(std::find(words.begin(), words.end(), "--pin"));
+  Command command(words);
+  EXPECT_TRUE(wait_for([&] { return !log("left-playmaker.log").empty(); }));
+  EXPECT_EQ(log("left-playmaker.log"), line_of(cls::orchestration::allowed_processors()));
+  command.send_signal(SIGTERM);
+  EXPECT_EQ(command.finish().exit_code, 143);
+}
+
+TEST_F(Pin, TheCommandsOfADryRunSayIt) {
+  const auto printed = cls::tests::run(match(playmaker(), playmaker(), {"--dry-run"}));
+  EXPECT_EQ(printed.exit_code, 0) << printed.err;
+  for (const Processors& half : halves_) {
+    EXPECT_NE(printed.out.find("taskset -c " + std::to_string(half.front())), std::string::npos)
+        << printed.out;
+  }
+}
+
+TEST(PinOnOneProcessor, IsAMistakeThatIsTold) {
+  const Processors all = cls::orchestration::allowed_processors();
+  const cpu_set_t before = set_of(all);
+  const cpu_set_t one = set_of({all.front()});
+  ASSERT_EQ(::sched_setaffinity(0, sizeof one, &one), 0);
+  const auto answer =
+      cls::tests::run({cls::tests::cls_binary(), "match", "mock", "mock", "--pin", "--dry-run"});
+  ASSERT_EQ(::sched_setaffinity(0, sizeof before, &before), 0);
+  EXPECT_EQ(answer.exit_code, 2);
+  EXPECT_NE(answer.err.find("--pin: there is only one processor to use"), std::string::npos)
+      << answer.err;
+}
+
+}  // namespace
