@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "proxy/behaviours/goalie_place.h"
 #include "proxy/skills/clear_ball.h"
 #include "proxy/skills/intercept.h"
 #include "proxy/skills/motion.h"
@@ -177,27 +178,10 @@ bool in_own_penalty_area(Vec2 point, double inset) {
          std::fabs(point.y) < soccer::kPenaltyAreaWidth / 2.0 - inset && point.x > kGoalX - 1.0;
 }
 
-Vec2 goalie_place(const WorldModel& world, Vec2 ball) {
-  constexpr double kLine = -50.0;
-  constexpr double kBehind = 7.0;  // metres behind the goal line where the angles are bisected
-  const double post = world.server().goal_width / 2.0 - 0.5;
-  // Beside the goal the near post is what counts.
-  if (ball.x < -46.0 && std::fabs(ball.y) > 8.0) {
-    const double side = ball.y > 0.0 ? 1.0 : -1.0;
-    return {kGoalX + 1.0, side * (post + 0.1)};
-  }
-  const Vec2 goal{kGoalX - kBehind, 0.0};
-  const double far = distance(ball, {kGoalX, 0.0});
-  // Farther out the farther the ball is, within reach of the line.
-  const double x = far > 40.0 ? -48.0 : kLine;
-  const double share = (x - goal.x) / std::max(0.5, ball.x - goal.x);
-  const double y = ball.y * std::clamp(share, 0.0, 1.0);
-  return {x, std::clamp(y, -post, post)};
-}
-
 bool goalie_move(ActionContext& c) {
   if (c.world.self.frozen()) return false;
-  if (wants_to_come_out(c.world) && chase(c)) return true;
+  const bool dead_ball_of_ours = is_set_play_of(c.world.game, c.world.our_side);
+  if (!dead_ball_of_ours && wants_to_come_out(c.world) && chase(c)) return true;
   return take_place(c);
 }
 

@@ -14,9 +14,6 @@ bool goalie_move(ActionContext& context);
 /// Kicks the ball out of danger: to a free teammate when there is a sure one, else away.
 bool goalie_kick(ActionContext& context);
 
-/// Where the goalie stands for a ball at that place.
-soccer::Vec2 goalie_place(const WorldModel& world, soccer::Vec2 ball);
-
 /// True for points of the own penalty area, at least `inset` metres inside.
 bool in_own_penalty_area(soccer::Vec2 point, double inset = 0.0);
 

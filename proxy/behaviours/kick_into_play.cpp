@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "proxy/planner/field.h"
+#include "proxy/planner/outlet.h"
 #include "proxy/planner/planned_action.h"
 #include "proxy/planner/search.h"
 #include "proxy/skills/clear_ball.h"
@@ -55,6 +56,16 @@ bool play_planned_pass(ActionContext& c) {
     return best != 0 && act_on_plan(c, plan, best);
   }
   return act_on_plan(c, plan, plan.best);
+}
+
+bool kick_outlet(ActionContext& c) {
+  const WorldModel& world = c.world;
+  if (!world.self.kickable) return false;
+  const PlannerField field(world);
+  const std::optional<Outlet> outlet = best_outlet(field);
+  if (!outlet) return clear_ball(world, c.slots);
+  c.neck.kind = NeckPlan::Kind::kScan;
+  return kick_one_step(world, c.slots, outlet->target, outlet->speed, true);
 }
 
 bool kick_into_play(ActionContext& c) {

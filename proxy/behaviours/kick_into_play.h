@@ -9,6 +9,10 @@ namespace cls::proxy {
 /// only when the ball is not kickable.
 bool kick_into_play(ActionContext& context);
 
+/// The best outlet (planner/outlet.h), for where a lost ball costs a goal. False only when the ball
+/// is not kickable.
+bool kick_outlet(ActionContext& context);
+
 /// The planned pass alone; false when there is none.
 bool play_planned_pass(ActionContext& context);
 

@@ -10,6 +10,7 @@
 #include "proxy/home_positions.h"
 #include "proxy/skills/basic_move.h"
 #include "proxy/skills/intercept.h"
+#include "proxy/skills/mark.h"
 #include "proxy/skills/motion.h"
 #include "proxy/skills/movement.h"
 #include "soccer/mode_kind.h"
@@ -72,7 +73,8 @@ Vec2 around_circle(Vec2 from, Vec2 to, Vec2 ball) {
 
 bool their_set_play(ActionContext& c) {
   const WorldModel& world = c.world;
-  Vec2 place = own_home_position(world);
+  const TeamPoints homes = home_positions(world);
+  Vec2 place = homes[static_cast<std::size_t>(world.unum - 1)];
   const PlayMode kind = kind_of(world.game.mode);
   if (kind == PlayMode::kKickOffLeft) {
     place.x = std::min(place.x, -0.5);
@@ -89,6 +91,8 @@ bool their_set_play(ActionContext& c) {
       return intercept(world, c.slots, true, {soccer::kHalfLength, 0.0});
     }
     return take_place(c, place);
+  } else if (const auto mark = mark_point(world, homes, kMarkAtDeadBall)) {
+    place = *mark;
   }
   place = keep_off(place, world.ball.position);
   return take_place(c, around_circle(world.self.position, place, world.ball.position));
@@ -108,13 +112,15 @@ Vec2 shake_off(const WorldModel& world, Vec2 place) {
 }
 
 /// Our kicked ball counts as dead until it has left the area, or the referee has called: it is to
-/// be fetched all the same. The goalie is not the one.
+/// be fetched all the same. Neither the goalie nor who kicked it is the one.
 bool fetch_kicked_ball(ActionContext& c) {
   const WorldModel& world = c.world;
   constexpr double kRolls = 0.3;
   const InterceptTable& table = world.intercept;
   const bool rolls = world.ball.vel_count <= 1 && world.ball.velocity.length() > kRolls;
-  if (!rolls || world.self.kickable || table.best_self_steps() >= kNever) return false;
+  const bool own_kick =
+      world.last_kick.side == world.our_side && world.last_kick.unum == world.unum;
+  if (own_kick || !rolls || world.self.kickable || table.best_self_steps() >= kNever) return false;
   const PlayerState* first = world.player_by_id(table.first_teammate_id);
   const bool goalie_first = first != nullptr && first->goalie;
   const int others = goalie_first ? table.second_teammate_steps : table.first_teammate_steps;
@@ -149,8 +155,6 @@ bool goalie_in_set_play(ActionContext& c) {
   const WorldModel& world = c.world;
   const bool ours = is_set_play_of(world.game, world.our_side);
   if (world.game.goalie_catch && ours) return goalie_free_kick(c);
-  // Our goal kick is the goalie's.
-  if (kind_of(world.game.mode) == PlayMode::kGoalKickLeft && ours) return kick_set_play(c);
   return goalie_move(c);
 }
 
@@ -164,7 +168,8 @@ bool play_set_play(ActionContext& c) {
   if (ours && fetch_kicked_ball(c)) return true;
   if (ours && world.game.goalie_catch) return take_place(c, own_home_position(world));
   if (ours && kind_of(world.game.mode) == PlayMode::kGoalKickLeft) {
-    return take_place(c, own_home_position(world));
+    return set_play_kicker(world) == world.unum ? kick_set_play(c)
+                                                : take_place(c, own_home_position(world));
   }
   if (ours) return our_set_play(c);
   if (is_set_play_of(world.game, world.their_side())) return their_set_play(c);

@@ -126,6 +126,7 @@ bool kick_set_play(ActionContext& c) {
   const bool due = since >= world.server().drop_ball_time - 5;
   c.neck.kind = NeckPlan::Kind::kScan;
   if (wait && !due) return turn_to_angle(world, c.slots, waiting_direction(world, direction));
+  if (kind_of(world.game.mode) == PlayMode::kGoalKickLeft) return kick_outlet(c);
   constexpr int kPassPatience = 45;
   if (play_planned_pass(c)) return true;
   if (!due && since < kPassPatience) {

@@ -48,10 +48,15 @@ double ball_value(const PlannerField& field, const PlanNode& state, const FieldW
 }
 
 /// The default: as upstream's, but beside their goal the goal line is no better than a few metres
-/// before it, an opponent close by costs, and so does a long wait with the ball.
+/// before it, an opponent close by costs, and so does a long wait with the ball. What is sooner and
+/// takes fewer steps is worth more: of ways that end alike the direct one is meant.
 double default_value(const PlannerField& field, const PlanNode& state) {
+  constexpr double kCycle = 0.25;
+  constexpr double kLaterAction = 1.0;
   double value = ball_value(field, state, {});
-  if (std::fabs(value) >= kShot) return value;
+  if (value == -kImpossible) return value;
+  value -= kCycle * state.time + kLaterAction * std::max(0, state.depth - 1);
+  if (std::fabs(value) >= kShot / 2.0) return value;
   const Vec2 ball = state.ball;
   constexpr double kDeep = 45.0;
   if (std::fabs(ball.y) > 10.0) value -= 1.5 * std::max(0.0, ball.x - kDeep);

@@ -10,6 +10,7 @@
 #include "proxy/skills/mark.h"
 #include "proxy/skills/motion.h"
 #include "proxy/skills/movement.h"
+#include "proxy/skills/support.h"
 #include "proxy/skills/tackle.h"
 #include "soccer/pitch.h"
 
@@ -65,6 +66,12 @@ bool basic_move(const WorldModel& world, CommandSlots& slots, NeckPlan& neck, bo
     return turn_to_ball(world, slots) || slots.has_body();
   }
   const TeamPoints homes = home_positions(world);
+  if (const std::optional<Vec2> support = support_point(world, homes)) {
+    neck.kind = NeckPlan::Kind::kBallOrScan;
+    const double power = safe_dash_power(world, world.server().max_dash_power);
+    if (!go_to_point(world, slots, *support, 1.0, power)) turn_to_ball(world, slots);
+    return slots.has_body();
+  }
   const std::optional<Vec2> mark = mark_point(world, homes);
   const Vec2 home = mark ? *mark : homes[static_cast<std::size_t>(world.unum - 1)];
   const double threshold = mark ? 0.5 : std::max(1.0, 0.1 * world.ball.dist_from_self);

@@ -86,12 +86,36 @@ bool called_for(const WorldModel& world) {
   return self >= 5 && facing && distance(world.ball.position, goal) < 10.0;
 }
 
+bool in_own_area(const WorldModel& world) {
+  const Vec2 ball = world.ball.position;
+  return ball.x < -soccer::kHalfLength + soccer::kPenaltyAreaLength + 0.5 &&
+         std::fabs(ball.y) < soccer::kPenaltyAreaWidth / 2.0 + 0.5;
+}
+
+/// A tackle through an opponent's back: the referee calls every second one. He looks for those who
+/// have the ball, stand between it and the tackler and do not face him.
+bool from_behind(const WorldModel& world) {
+  const Vec2 to_ball = world.ball.position - world.self.position;
+  const AngleDeg way = AngleDeg::of(to_ball);
+  for (const PlayerState& opponent : world.opponents) {
+    const soccer::PlayerType& type = world.type_of(opponent);
+    constexpr double kSightError = 0.15;
+    const bool has_ball =
+        opponent.dist_from_ball < type.kickable_area(world.server().ball_size) + kSightError;
+    if (!has_ball || opponent.ghost()) continue;
+    const Vec2 relative = opponent.position - world.self.position;
+    if (relative.length() > to_ball.length() + kSightError || dot(relative, to_ball) < 0.0)
+      continue;
+    const double beside = std::fabs(cross(to_ball, relative)) / std::max(0.01, to_ball.length());
+    if (beside > type.player_size + world.self_type().player_size + kSightError) continue;
+    if (opponent.body_count > 1 || (opponent.body - way).abs() < 100.0) return true;
+  }
+  return false;
+}
+
 /// A foul may be called against us, but near our goal or with a card that costs too much.
 bool with_intent(const WorldModel& world) {
-  const Vec2 ball = world.ball.position;
-  const bool own_area = ball.x < -soccer::kHalfLength + soccer::kPenaltyAreaLength + 0.5 &&
-                        std::fabs(ball.y) < soccer::kPenaltyAreaWidth / 2.0 + 0.5;
-  return world.self.card == soccer::Card::kNone && !own_area &&
+  return world.self.card == soccer::Card::kNone && !in_own_area(world) &&
          world.self.foul_probability > world.self.tackle_probability;
 }
 
@@ -113,6 +137,9 @@ bool basic_tackle(const WorldModel& world, CommandSlots& slots, double min_proba
   const bool foul = with_intent(world);
   const double probability = foul ? world.self.foul_probability : world.self.tackle_probability;
   if (probability < min_probability || probability <= 0.0 || !called_for(world)) return false;
+  // An indirect free kick before our goal is worth more to them than the ball he has now.
+  const bool goal_in_danger = rolls_into_goal(world, world.ball.velocity, -soccer::kHalfLength);
+  if (in_own_area(world) && !goal_in_danger && from_behind(world)) return false;
   return slots.tackle(best_direction(world), foul);
 }
 

@@ -369,6 +369,21 @@ TEST(HeliosBasicTackle, TakesTheBallFromAnOpponent) {
   EXPECT_GE(taken, 14);
 }
 
+TEST(HeliosBasicTackle, GivesNoFreeKickAwayBeforeOurGoal) {
+  const auto tackles = [](Vec2 self, Vec2 opponent, double opponent_body) {
+    KnownPitch pitch;
+    pitch.place_self(self);
+    pitch.place_ball(self + Vec2{1.4, 0.0});
+    pitch.add_opponent(9, self + opponent, opponent_body);
+    pitch.act(basic_tackle);
+    return pitch.sent<soccer::Tackle>() != nullptr;
+  };
+  const Vec2 before_goal{-45.0, 3.0};
+  EXPECT_FALSE(tackles(before_goal, {0.9, 0.1}, 10.0)) << "through his back";
+  EXPECT_TRUE(tackles(before_goal, {2.0, 0.1}, 180.0)) << "the ball lies between us";
+  EXPECT_TRUE(tackles({-20.0, 3.0}, {0.9, 0.1}, 10.0)) << "far from our goal";
+}
+
 TEST(HeliosBasicTackle, FoulsWhereThatPays) {
   KnownPitch pitch;
   pitch.place_ball({1.4, 0.0});

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "proxy/behaviours/goalie.h"
+#include "proxy/behaviours/goalie_place.h"
 #include "proxy/behaviours/penalty.h"
 #include "proxy/behaviours/set_play_kicker.h"
 #include "proxy/home_positions.h"

@@ -1,0 +1,215 @@
+// What the team's play rests on: outlets, marking, support, the goalie's place.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "proxy/behaviours/goalie_place.h"
+#include "proxy/behaviours/set_play_kicker.h"
+#include "proxy/home_positions.h"
+#include "proxy/planner/evaluation.h"
+#include "proxy/planner/outlet.h"
+#include "proxy/skills/mark.h"
+#include "proxy/skills/support.h"
+#include "tests/proxy/known_pitch.h"
+
+namespace cls::proxy {
+namespace {
+
+using protos::PlayerAction;
+using protos::PlayerActions;
+using soccer::PlayMode;
+using soccer::Vec2;
+using tests::KnownPitch;
+
+const auto kSetPlay = [](PlayerActions& reply) { reply.add_actions()->mutable_helios_set_play(); };
+const auto kGoalie = [](PlayerActions& reply) { reply.add_actions()->mutable_helios_goalie(); };
+
+/// Our goal kick on the left, attackers waiting at the edge of the area.
+KnownPitch goal_kick() {
+  KnownPitch pitch;
+  pitch.set_mode(PlayMode::kGoalKickLeft);
+  pitch.place_self({-47.7, -9.3}, 0.0);
+  pitch.place_ball({-47.0, -9.16});
+  pitch.add_opponent(9, {-34.0, 12.0});
+  pitch.add_opponent(10, {-34.0, -12.0});
+  pitch.add_opponent(11, {-33.0, 0.0});
+  pitch.add_opponent(8, {-22.0, -8.0});
+  return pitch;
+}
+
+TEST(Outlet, GoesToTheTeammateWithTimeToSpare) {
+  KnownPitch pitch = goal_kick();
+  pitch.add_teammate(4, {-38.0, -31.0}, 180.0);
+  pitch.add_teammate(6, {-30.0, 0.0}, 180.0);
+  const PlannerField field(pitch.world);
+  const auto outlet = best_outlet(field);
+  ASSERT_TRUE(outlet);
+  EXPECT_TRUE(outlet->ours);
+  EXPECT_LT(distance(outlet->target, {-38.0, -31.0}), 12.0);
+}
+
+TEST(Outlet, WithNobodyFreeLeavesTheBallFarFromOurGoal) {
+  KnownPitch pitch = goal_kick();
+  const PlannerField field(pitch.world);
+  const auto outlet = best_outlet(field);
+  ASSERT_TRUE(outlet);
+  EXPECT_FALSE(outlet->ours);
+  EXPECT_GT(distance(outlet->target, {-52.5, 0.0}), 30.0);
+  EXPECT_TRUE(outlet->target.x > -20.0 || std::fabs(outlet->target.y) > 28.0)
+      << outlet->target.x << " " << outlet->target.y;
+}
+
+TEST(OurGoalKick, IsTakenByTheFullBackOfItsSideWhileTheGoalieStays) {
+  KnownPitch pitch = goal_kick();
+  EXPECT_EQ(set_play_kicker(pitch.world), 2);
+  pitch.place_ball({-47.0, 9.16});
+  EXPECT_EQ(set_play_kicker(pitch.world), 3);
+  KnownPitch goal = goal_kick();
+  goal.make_goalie();
+  goal.place_self({-50.0, -3.0});
+  for (int i = 0; i < 40; ++i) goal.act(kSetPlay);
+  EXPECT_LT(goal.world.self.position.x, -48.5);
+  EXPECT_LT(std::fabs(goal.world.self.position.y), 7.01);
+}
+
+TEST(OurGoalKick, LeavesTheArea) {
+  KnownPitch pitch = goal_kick();
+  pitch.world.unum = 2;
+  pitch.add_teammate(4, {-36.0, -31.0}, 180.0);
+  pitch.world.game.last_set_play_start = 100;
+  for (int cycle = 1; cycle <= 60; ++cycle) {
+    pitch.world.game.set_play_count = cycle;
+    pitch.act(kSetPlay);
+  }
+  const Vec2 ball = pitch.world.ball.position;
+  EXPECT_TRUE(ball.x > -36.0 || std::fabs(ball.y) > 20.16) << ball.x << " " << ball.y;
+}
+
+TEST(Marking, NobodyIsLeftAloneAtTheirKickIn) {
+  KnownPitch pitch;
+  pitch.world.unum = 4;
+  pitch.set_mode(PlayMode::kKickInRight);
+  pitch.place_ball({-20.0, -34.0});
+  pitch.place_self(own_home_position(pitch.world));
+  const Vec2 alone{-40.0, -26.0};  // beyond our line: at a kick-in nobody is offside
+  pitch.add_opponent(10, alone);
+  ASSERT_GT(distance(pitch.world.self.position, alone), 8.0);
+  for (int i = 0; i < 40; ++i) pitch.act(kSetPlay);
+  EXPECT_LT(distance(pitch.world.self.position, alone), 4.0);
+  EXPECT_LT(distance(pitch.world.self.position, {-52.5, 0.0}), distance(alone, {-52.5, 0.0}));
+}
+
+TEST(Marking, OneOfUsGoesToEachOfThem) {
+  KnownPitch pitch;
+  pitch.set_mode(PlayMode::kKickInRight);
+  pitch.place_ball({-20.0, -34.0});
+  const TeamPoints homes = home_positions(pitch.world);
+  pitch.add_opponent(10, {-40.0, -26.0});
+  pitch.add_opponent(11, {-38.0, -10.0});
+  for (int unum = 2; unum <= 8; ++unum) {
+    if (unum != 7) pitch.add_teammate(unum, homes[static_cast<std::size_t>(unum - 1)]);
+  }
+  pitch.place_self(homes[6]);
+  int markers = 0;
+  for (int unum = 2; unum <= 8; ++unum) {
+    KnownPitch other = pitch;
+    if (unum != 7) {  // the same pitch with another's eyes
+      other.world.unum = unum;
+      other.place_self(homes[static_cast<std::size_t>(unum - 1)]);
+      for (PlayerState& mate : other.world.teammates) {
+        if (mate.unum != unum) continue;
+        mate.unum = 7;
+        mate.position = homes[6];
+      }
+    }
+    if (mark_point(other.world, homes, kMarkAtDeadBall)) ++markers;
+  }
+  EXPECT_EQ(markers, 2);
+}
+
+/// Our winger has the ball, the agent waits in front of their goal.
+KnownPitch attack() {
+  KnownPitch pitch;
+  pitch.world.unum = 11;
+  pitch.place_ball({40.0, 25.0});
+  pitch.add_teammate(10, {39.4, 25.0});
+  pitch.add_opponent(1, {50.0, 2.0});
+  pitch.add_opponent(2, {44.0, 14.0});  // in the straight way
+  pitch.add_opponent(3, {46.0, 0.0});
+  pitch.add_opponent(5, {48.0, -8.0});
+  pitch.place_self(own_home_position(pitch.world));
+  return pitch;
+}
+
+double beside_the_way(const KnownPitch& pitch, Vec2 point) {
+  const soccer::Segment way{pitch.world.ball.position, point};
+  double least = 100.0;
+  for (const PlayerState& opponent : pitch.world.opponents) {
+    least = std::min(least, distance(way, opponent.position));
+  }
+  return least;
+}
+
+TEST(Support, OpensTheWayForAPass) {
+  const KnownPitch pitch = attack();
+  const TeamPoints homes = home_positions(pitch.world);
+  const auto place = support_point(pitch.world, homes);
+  ASSERT_TRUE(place);
+  EXPECT_GT(beside_the_way(pitch, *place), beside_the_way(pitch, homes[10]));
+  EXPECT_GT(beside_the_way(pitch, *place), 2.0);
+  EXPECT_LT(place->x, pitch.world.lines.offside);
+  EXPECT_LT(distance(*place, homes[10]), 8.0);
+}
+
+TEST(Support, IsForOurAttackAlone) {
+  KnownPitch pitch = attack();
+  const TeamPoints homes = home_positions(pitch.world);
+  pitch.set_stamina(3000.0);
+  EXPECT_FALSE(support_point(pitch.world, homes)) << "out of breath";
+  KnownPitch own_half = attack();
+  own_half.place_ball({-20.0, 25.0});
+  EXPECT_FALSE(support_point(own_half.world, home_positions(own_half.world)));
+  KnownPitch theirs;
+  theirs.world.unum = 11;
+  theirs.place_ball({40.0, 25.0});
+  theirs.add_opponent(4, {40.3, 25.0});
+  theirs.place_self(own_home_position(theirs.world));
+  EXPECT_FALSE(support_point(theirs.world, home_positions(theirs.world)));
+}
+
+TEST(GoaliePlace, KeepsBothCornersOfTheGoalFromTheWing) {
+  int saved = 0;
+  for (const double aim : {-6.0, -4.0, -2.0, 0.0, 2.0, 4.0, 6.0}) {
+    KnownPitch pitch;
+    pitch.make_goalie();
+    const Vec2 from{-45.0, -12.0};
+    pitch.place_ball(from);
+    pitch.add_opponent(11, from + Vec2{0.6, 0.0});
+    pitch.place_self(goalie_place(pitch.world, from), 90.0);
+    pitch.place_ball(from, soccer::with_length(Vec2{-52.5, aim} - from, 2.6));
+    pitch.act_until(20, kGoalie, [&] {
+      return pitch.sent<soccer::Catch>() != nullptr || pitch.world.ball.position.x < -52.5;
+    });
+    if (pitch.sent<soccer::Catch>() != nullptr) ++saved;
+  }
+  EXPECT_GE(saved, 5);
+}
+
+TEST(PlannerEvaluation, OfLikeStatesTheSoonerIsWorthMore) {
+  KnownPitch pitch;
+  pitch.place_ball({0.6, 0.0});
+  const PlannerField field(pitch.world);
+  Plan plan;
+  PlanNode node;
+  node.holder = 7;
+  node.depth = 2;
+  node.ball = {10.0, 0.0};
+  node.time = 30;
+  plan.nodes.push_back(node);
+  const double late = evaluate(field, plan, 0, nullptr);
+  plan.nodes[0].time = 12;
+  EXPECT_GT(evaluate(field, plan, 0, nullptr), late);
+}
+
+}  // namespace
+}  // namespace cls::proxy
