@@ -7,7 +7,6 @@
 
 #include "proxy/behaviours/goalie.h"
 #include "proxy/behaviours/kick_into_play.h"
-#include "proxy/skills/clear_ball.h"
 #include "proxy/skills/looking.h"
 
 namespace cls::proxy {
@@ -50,10 +49,13 @@ bool goalie_free_kick(ActionContext& c) {
   const WorldModel& world = c.world;
   if (world.self.frozen()) return false;
   GoalieKickMemory& memory = c.memory.goalie_kick;
-  if (!holds_caught_ball(world) || !world.self.kickable) {
+  if (!holds_caught_ball(world)) {
     memory = {};
     return goalie_move(c);
   }
+  // After a move the ball is believed elsewhere for a while. It is in our hands all the same, and
+  // would come along into our goal.
+  if (!world.self.kickable) return neck_body_to_ball(world, c.memory.sight, c.slots, 0.0);
   const int since = world.game.time.cycle - std::max(0, world.game.caught_time);
   constexpr int kSettle = 3;
   constexpr int kPatience = 50;  // the others run to their places meanwhile
@@ -73,8 +75,7 @@ bool goalie_free_kick(ActionContext& c) {
   if (!due && (world.game.time.cycle - memory.move_cycle < kAfterMove || !seen)) return wait(c);
   if (play_planned_pass(c)) return true;
   if (!due && world.game.time.cycle - memory.move_cycle < 3 * kAfterMove) return wait(c);
-  c.neck.kind = NeckPlan::Kind::kScan;
-  return clear_ball(world, c.slots);
+  return kick_outlet(c);
 }
 
 }  // namespace cls::proxy

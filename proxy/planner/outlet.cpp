@@ -113,7 +113,8 @@ class OutletSearch {
   /// `ahead`: cycles that the nearest opponent comes later than the ball.
   static double value_of_gain(Vec2 ball, int ahead) {
     constexpr double kSafe = 7.0;
-    const double share = std::clamp(ahead / kSafe, 0.0, 1.0);
+    constexpr double kTouchLine = soccer::kHalfWidth - 3.0;  // missed there, it is theirs
+    const double share = std::clamp(ahead / kSafe, 0.0, std::fabs(ball.y) < kTouchLine ? 1.0 : 0.7);
     // Taken off its receiver it is a loss there.
     return share * (30.0 + ball.x + soccer::kHalfLength) + (1.0 - share) * value_of_loss(ball);
   }

@@ -127,6 +127,22 @@ TEST(BhvGoalieFreeKick, WaitsMovesAndKicks) {
   EXPECT_NE(pitch.sent<soccer::Kick>(), nullptr);
 }
 
+TEST(BhvGoalieFreeKick, NeverCarriesTheBallAbout) {
+  KnownPitch pitch;
+  pitch.make_goalie();
+  pitch.place_self({-43.0, -10.0});
+  pitch.place_ball({-37.0, 2.0});  // believed where it was before the move
+  pitch.set_mode(PlayMode::kFreeKickLeft);
+  pitch.world.game.goalie_catch = true;
+  pitch.world.game.caught_time = 100;
+  for (int cycle = 151; cycle < 160; ++cycle) {
+    pitch.set_time(cycle);
+    pitch.act(kFreeKick);
+    EXPECT_EQ(pitch.sent<soccer::Dash>(), nullptr);
+    EXPECT_EQ(pitch.sent<soccer::Move>(), nullptr);
+  }
+}
+
 TEST(BhvGoalieFreeKick, IsOrdinaryGoaliePlayOtherwise) {
   KnownPitch pitch;
   pitch.make_goalie();
