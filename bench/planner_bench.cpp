@@ -35,7 +35,8 @@ void plans_of(const std::string& file, std::vector<double>& times, std::size_t& 
   options.team_name = "PROXY";
   proxy::PlayerAgent agent(std::move(ours), options);
   const protos::PlayerActions nothing;
-  for (const tests::Spoken& spoken : tests::read_transcript(tests::read_file(*path))) {
+  const std::string text = tests::read_file(*path);  // what is spoken refers to it
+  for (const tests::Spoken& spoken : tests::read_transcript(text)) {
     if (!spoken.by_server) continue;
     servers->send(spoken.message);
     agent.perceive();
