@@ -101,8 +101,8 @@ void add_simple_dribbles(const CoarseState& state, std::vector<PlanAction>& out)
       const int cycles = 2 + holder->reach->cycles(far - 0.5 * holder->control);
       const bool open = std::none_of(
           field.opponents.begin(), field.opponents.end(), [&](const FieldOpponent& opponent) {
-            const double run = distance(opponent.position, end) - opponent.control;
-            return 1 + opponent.reach->cycles(run) - 2 <= cycles;
+            const double grasp = opponent.control + opponent.reach->run(cycles + 1);
+            return squared_distance(opponent.position, end) <= grasp * grasp;
           });
       if (!open) continue;
       PlanAction action;

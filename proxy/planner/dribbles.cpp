@@ -183,7 +183,7 @@ void add_self_passes(const PlannerField& field, std::vector<PlanAction>& out) {
       StopRules rules;
       rules.extra_reach = 0.2;
       if (is_stopped(field, {velocity / length, length, course.steps}, rules)) continue;
-      if (opponents_cycles_to(field, end, true) <= course.steps) continue;
+      if (opponent_gets_there(field, end, course.steps, true)) continue;
       const double turn = (heading - world.self.body).degrees();
       out.push_back(dribble(field, PlanTag::kSelfPass, end, velocity, turn, turns, dashes));
       ++found;

@@ -17,6 +17,7 @@ using soccer::Vec2;
 // Added to everybody's reach for what is seen inexactly and for the noise of kicks and dashes.
 constexpr double kSightError = 0.15;
 constexpr int kUnknownTeamAge = 6;
+constexpr int kGettingUp = 5;  ///< cycles until somebody on the ground runs
 constexpr int kStale = 20;
 
 /// What a player may have run since it was last seen: less and less likely more.
@@ -40,11 +41,14 @@ FieldPlayer field_player(const WorldModel& world, const PlayerState& player,
   out.position = player.position;
   out.velocity = player.velocity_valid() ? player.velocity : Vec2{};
   out.rest = rest_point(out.position, out.velocity, type.player_decay);
-  out.body = player.body;
+  out.body = soccer::polar(1.0, player.body);
   out.body_known = player.body_count <= 1 + std::min(2, player.pos_count);
   out.control = type.kickable_area(world.server().ball_size);
   out.unseen_run = unseen_run(player.pos_count, reach.settled_speed());
-  out.turn_resistance = turn_resistance(type, out.velocity);
+  constexpr double kMaxMoment = 180.0;
+  const double turn = soccer::math::to_radians(kMaxMoment / turn_resistance(type, out.velocity));
+  out.turn_cos = soccer::math::cos(turn);
+  out.turn_sin = soccer::math::sin(turn);
   out.type = &type;
   out.reach = &reach;
   return out;
@@ -63,9 +67,7 @@ void prepare(FieldOpponent& opponent, bool in_box_catches, double catch_reach) {
     opponent.drift[i] =
         coast(opponent.position, opponent.velocity, opponent.type->player_decay, cycle);
     // Somebody on the ground gets up after a while.
-    constexpr int kGettingUp = 5;
-    const double reach = grasp(opponent, opponent.lying ? cycle - kGettingUp : cycle);
-    opponent.grasp2[i] = reach * reach;
+    opponent.grasp[i] = grasp(opponent, opponent.lying ? cycle - kGettingUp : cycle);
   }
 }
 
@@ -135,34 +137,67 @@ const FieldPlayer* PlannerField::ours(int unum) const {
   return nullptr;
 }
 
-int turns_to_face(const FieldPlayer& player, Vec2 way, double slack_deg) {
-  if (!player.body_known) return 1;
-  const double error = (AngleDeg::of(way) - player.body).abs();
-  constexpr double kMaxMoment = 180.0;
-  const double turn = kMaxMoment / player.turn_resistance;
-  if (error <= slack_deg) return 0;
-  return error - slack_deg <= turn ? 1 : 2;
+Slack slack_for(double reach, double distance, const Slack& least) {
+  const double sin = std::min(1.0, reach / distance);
+  if (sin <= least.sin) return least;
+  return {std::sqrt(1.0 - sin * sin), sin};
 }
+
+int turns_to_face(const FieldPlayer& player, Vec2 way, double length, const Slack& slack) {
+  if (!player.body_known) return 1;
+  const double error_cos = dot(way, player.body) / length;
+  if (error_cos >= slack.cos) return 0;
+  if (player.turn_cos <= -slack.cos) return 1;  // one turn leads anywhere
+  return error_cos >= player.turn_cos * slack.cos - player.turn_sin * slack.sin ? 1 : 2;
+}
+
+namespace {
+
+constexpr Slack kTwentyDegrees{0.93969262078590838, 0.34202014332566873};
+
+/// Cycles before the player runs towards a point that far along `way`.
+int cycles_before_run(const FieldPlayer& player, Vec2 way, double length) {
+  return turns_to_face(player, way, length, slack_for(player.control, length, kFifteenDegrees)) +
+         (player.lying ? kGettingUp : 0);
+}
+
+int age_credit(const FieldPlayer& player, bool count_age) {
+  constexpr int kMost = 5;
+  return count_age ? std::min(player.age, kMost) : 0;
+}
+
+}  // namespace
 
 int cycles_to_get(const FieldPlayer& player, Vec2 point) {
   const Vec2 way = point - player.rest;
-  const double dist = way.length();
-  const double run = dist - player.control;
+  const double length = way.length();
+  const double run = length - player.control;
   if (run <= 0.0) return 0;
-  const double slack =
-      std::max(15.0, soccer::math::to_degrees(soccer::math::asin(player.control / dist)));
-  constexpr int kGettingUp = 5;
-  return turns_to_face(player, way, slack) + player.reach->cycles(run) +
-         (player.lying ? kGettingUp : 0);
+  return cycles_before_run(player, way, length) + player.reach->cycles(run);
 }
 
 int opponents_cycles_to(const PlannerField& field, Vec2 point, bool count_age) {
   int least = kNever;
   for (const FieldOpponent& opponent : field.opponents) {
-    const int age = count_age ? std::min(opponent.age, 5) : 0;
-    least = std::min(least, std::max(0, cycles_to_get(opponent, point) - age));
+    const int cycles = cycles_to_get(opponent, point) - age_credit(opponent, count_age);
+    least = std::min(least, std::max(0, cycles));
   }
   return least;
+}
+
+bool opponent_gets_there(const PlannerField& field, Vec2 point, int cycles, bool count_age) {
+  for (const FieldOpponent& opponent : field.opponents) {
+    const int time = cycles + age_credit(opponent, count_age);
+    const Vec2 way = point - opponent.rest;
+    const double far = opponent.control + opponent.reach->run(time);
+    const double length2 = way.squared_length();
+    if (length2 > far * far) continue;  // not even straight ahead
+    const double length = std::sqrt(length2);
+    const double run = length - opponent.control;
+    if (run <= 0.0) return true;
+    if (opponent.reach->run(time - cycles_before_run(opponent, way, length)) >= run) return true;
+  }
+  return false;
 }
 
 double nearest_opponent(const PlannerField& field, Vec2 point) {
@@ -173,41 +208,62 @@ double nearest_opponent(const PlannerField& field, Vec2 point) {
   return std::sqrt(least);
 }
 
-bool is_stopped(const PlannerField& field, const BallRoll& roll, const StopRules& rules) {
+namespace {
+
+/// True when the opponent has the ball `now` cycles from now, were it at the end of `way` then, as
+/// seen from where he coasts to. A turn costs a cycle or two.
+bool stops_there(const FieldOpponent& opponent, Vec2 way, double length, int now,
+                 const StopRules& rules) {
+  const double unseen = rules.count_age ? opponent.unseen_run : 0.0;
+  const double run = length - opponent.control - kSightError - unseen - rules.extra_reach;
+  if (run <= 0.0) return true;
+  constexpr double kArmsLength = 0.2;
+  const Slack slack = slack_for(opponent.control + kArmsLength, length, kTwentyDegrees);
+  const int turns = turns_to_face(opponent, way, length, slack);
+  constexpr int kMostCredit = 3;
+  const int credit = rules.count_age ? std::min(kMostCredit, opponent.age) : 0;
+  return opponent.reach->run(now + credit - turns - (opponent.lying ? kGettingUp : 0)) >= run;
+}
+
+bool stops(const PlannerField& field, const BallRoll& roll, const StopRules& rules,
+           const FieldOpponent& opponent) {
+  const double way_length = roll.speed * field.roll(roll.cycles);
+  const auto at = [&](int cycle) {
+    return static_cast<std::size_t>(std::min(kPlannerHorizon, cycle + rules.head_start));
+  };
+  // Farther from the whole way than he can come by its end: out of the question.
+  const Vec2 relative = opponent.drift[at(roll.cycles)] - field.ball;
+  const double along = std::clamp(dot(relative, roll.direction), 0.0, way_length);
+  const double speed = opponent.velocity.length();
+  const double far = opponent.grasp[at(roll.cycles)] + speed * 2.0 + rules.extra_reach;
+  if ((relative - roll.direction * along).squared_length() > far * far) return false;
+  // In a cycle ball and he come closer by no more than this.
+  const double closing = roll.speed + speed + opponent.type->player_speed_max;
   const Vec2 step = roll.direction * roll.speed;
-  const double length = roll.speed * field.roll(roll.cycles);
-  for (const FieldOpponent& opponent : field.opponents) {
-    const auto last =
-        static_cast<std::size_t>(std::min(kPlannerHorizon, roll.cycles + rules.head_start));
-    // Farther from the whole way than he can come by its end: out of the question.
-    const Vec2 relative = opponent.drift[last] - field.ball;
-    const double along = std::clamp(dot(relative, roll.direction), 0.0, length);
-    const double off2 = (relative - roll.direction * along).squared_length();
-    const double allowance = opponent.velocity.length() * 2.0 + rules.extra_reach;
-    const double far = std::sqrt(opponent.grasp2[last]) + allowance;
-    if (off2 > far * far) continue;
-    for (int cycle = 1; cycle <= roll.cycles; ++cycle) {
-      const int now = std::min(kPlannerHorizon, cycle + rules.head_start);
-      const auto i = static_cast<std::size_t>(now);
-      const Vec2 ball = field.ball + step * field.roll(cycle);
-      const Vec2 way = ball - opponent.drift[i];
-      const double extra = rules.extra_reach;
-      const double dist2 = way.squared_length();
-      const double reach = std::sqrt(opponent.grasp2[i]) + extra;
-      if (dist2 > reach * reach) continue;
-      // In reach for one who looks that way; a turn costs others a cycle or two.
-      const double dist = std::sqrt(dist2);
-      const double unseen = rules.count_age ? opponent.unseen_run : 0.0;
-      const double run = dist - opponent.control - kSightError - unseen - extra;
-      if (run <= 0.0) return true;
-      const double slack = std::max(20.0, soccer::math::to_degrees(soccer::math::asin(
-                                              std::min(1.0, (opponent.control + 0.2) / dist))));
-      const int turns = turns_to_face(opponent, way, slack);
-      const int credit = rules.count_age ? std::min(3, opponent.age) : 0;
-      constexpr int kGettingUp = 5;
-      const int needed = turns + opponent.reach->cycles(run) + (opponent.lying ? kGettingUp : 0);
-      if (needed <= now + credit) return true;
+  for (int cycle = 1; cycle <= roll.cycles; ++cycle) {
+    const Vec2 way = field.ball + step * field.roll(cycle) - opponent.drift[at(cycle)];
+    const double length = way.length();
+    const double gap = length - opponent.grasp[at(cycle)] - rules.extra_reach;
+    if (gap > 0.0) {
+      cycle += static_cast<int>(gap / closing);
+    } else if (stops_there(opponent, way, length, static_cast<int>(at(cycle)), rules)) {
+      return true;
     }
+  }
+  return false;
+}
+
+}  // namespace
+
+bool is_stopped(const PlannerField& field, const BallRoll& roll, const StopRules& rules) {
+  const auto& opponents = field.opponents;
+  // Balls that are tried one after another differ little: who stopped the last one is asked first.
+  const std::size_t last = field.last_stopper;
+  if (last < opponents.size() && stops(field, roll, rules, opponents[last])) return true;
+  for (std::size_t i = 0; i < opponents.size(); ++i) {
+    if (i == last || !stops(field, roll, rules, opponents[i])) continue;
+    field.last_stopper = i;
+    return true;
   }
   return false;
 }

@@ -22,11 +22,12 @@ struct FieldPlayer {
   soccer::Vec2 position;
   soccer::Vec2 velocity;
   soccer::Vec2 rest;  ///< where it comes to when it never dashes again
-  soccer::AngleDeg body;
   bool body_known = false;
-  double control = 0.0;        ///< distance within which it kicks
-  double unseen_run = 0.0;     ///< metres it may have run since it was seen
-  double turn_resistance = 1;  ///< a turn of M degrees takes a moment of M times this
+  soccer::Vec2 body;       ///< unit vector
+  double turn_cos = -1.0;  ///< of the largest turn of one cycle
+  double turn_sin = 0.0;
+  double control = 0.0;     ///< distance within which it kicks
+  double unseen_run = 0.0;  ///< metres it may have run since it was seen
   const soccer::PlayerType* type = nullptr;
   const ReachTable* reach = nullptr;
 };
@@ -34,8 +35,8 @@ struct FieldPlayer {
 /// An opponent as the stopper of balls.
 struct FieldOpponent : FieldPlayer {
   std::array<soccer::Vec2, kPlannerHorizon + 1> drift;  ///< places by cycles when it only coasts
-  /// Farthest from there that it can have the ball by then, squared.
-  std::array<double, kPlannerHorizon + 1> grasp2;
+  /// Farthest from there that it can have the ball by then.
+  std::array<double, kPlannerHorizon + 1> grasp;
 };
 
 /// Made once per decision in which the agent has the ball; refers to the world, which must outlive
@@ -56,6 +57,7 @@ class PlannerField {
   FieldPlayer self;
   FixedList<FieldPlayer, 22> mates;
   std::vector<FieldOpponent> opponents;  ///< with those whose team is not known
+  mutable std::size_t last_stopper = 0;  ///< index of who stopped the last ball; for speed only
 
   /// Distance a ball covers in n cycles per unit of first speed.
   double roll(int cycles) const { return roll_[static_cast<std::size_t>(cycles)]; }
@@ -95,11 +97,22 @@ bool is_stopped(const PlannerField& field, const BallRoll& roll, const StopRules
 
 /// Cycles a player needs until it can have a ball at rest at `point`, turns included.
 int cycles_to_get(const FieldPlayer& player, soccer::Vec2 point);
-/// Turns (cycles) until the player can run toward `direction`.
-int turns_to_face(const FieldPlayer& player, soccer::Vec2 way, double slack_deg);
+
+/// How far off its way a runner's body may point.
+struct Slack {
+  double cos = 1.0;
+  double sin = 0.0;
+};
+constexpr Slack kFifteenDegrees{0.96592582628906829, 0.25881904510252076};
+/// So that a run over `distance` metres passes within `reach` of its end; at least `least`.
+Slack slack_for(double reach, double distance, const Slack& least);
+/// Turns (cycles) until the player can run along `way`, which is `length` metres long.
+int turns_to_face(const FieldPlayer& player, soccer::Vec2 way, double length, const Slack& slack);
 
 /// The opponent that is first at `point` by cycles_to_get(); kNever without any.
 int opponents_cycles_to(const PlannerField& field, soccer::Vec2 point, bool count_age);
+/// True when that is not later than `cycles`.
+bool opponent_gets_there(const PlannerField& field, soccer::Vec2 point, int cycles, bool count_age);
 /// Metres to the opponent nearest to the point; 1000 without any.
 double nearest_opponent(const PlannerField& field, soccer::Vec2 point);
 

@@ -52,9 +52,10 @@ class PassSearch {
     const Vec2 way = point - receiver.rest;
     double dist = way.length();
     if (!free_run) dist = 1.05 * dist + receiver.unseen_run;
-    const double slack = std::max(15.0, soccer::math::to_degrees(soccer::math::asin(
-                                            std::min(1.0, receiver.control / (dist + 1e-9)))));
-    const int turns = dist < receiver.control ? 0 : turns_to_face(receiver, way, slack);
+    const int turns = dist < receiver.control
+                          ? 0
+                          : turns_to_face(receiver, way, way.length(),
+                                          slack_for(receiver.control, dist, kFifteenDegrees));
     return turns + receiver.reach->cycles(dist) + (turns > 0 ? 1 : 0);
   }
 
@@ -93,11 +94,11 @@ class PassSearch {
       rules.count_age = tag != PlanTag::kStrictThrough ||
                         (point.x < field_.world.lines.offside && point.x < 30.0);
       rules.extra_reach = point.x < 25.0 ? 0.35 : 0.1;
-      if (is_stopped(field_, {direction, speed, n}, rules)) continue;
       if (tag != PlanTag::kStrictDirect &&
-          opponents_cycles_to(field_, point, rules.count_age) <= n + kicks - 1) {
+          opponent_gets_there(field_, point, n + kicks - 1, rules.count_age)) {
         continue;
       }
+      if (is_stopped(field_, {direction, speed, n}, rules)) continue;
       add(receiver, point, speed, n, kicks, tag);
       return true;
     }

@@ -18,7 +18,10 @@ ReachTable::ReachTable(const soccer::ServerParams& server, const soccer::PlayerT
 
 int ReachTable::cycles(double distance) const {
   if (distance <= 0.0) return 0;
-  return static_cast<int>(std::lower_bound(run_.begin(), run_.end(), distance) - run_.begin());
+  // From rest nobody is quicker than at his settled speed all the way.
+  std::size_t cycle = static_cast<std::size_t>(std::min(distance / settled_speed_, 1.0 * kCycles));
+  while (cycle < run_.size() && run_[cycle] < distance) ++cycle;
+  return static_cast<int>(cycle);
 }
 
 }  // namespace cls::proxy
