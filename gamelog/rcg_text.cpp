@@ -7,36 +7,36 @@
 #include "soccer/parameter.h"
 #include "soccer/protocol/number_text.h"
 #include "soccer/protocol/parameter_message.h"
+#include "soccer/protocol/text_writer.h"
 
 namespace cls::gamelog {
 namespace {
 
-using soccer::append_g;
-using soccer::append_int;
+using soccer::TextWriter;
 
 constexpr double kLengthStep = 0.0001;
 constexpr double kAngleStep = 0.001;
 
-void append_number(double value, std::string& out) {
+void append_number(double value, TextWriter& out) {
   out += ' ';
-  append_g(value, out);
+  out.append_number(value);
 }
 
-void append_count(int value, std::string& out) {
+void append_count(int value, TextWriter& out) {
   out += ' ';
-  append_int(value, out);
+  out.append_number(value);
 }
 
-void append_lengths(soccer::Vec2 v, std::string& out) {
+void append_lengths(soccer::Vec2 v, TextWriter& out) {
   append_number(soccer::math::quantize(v.x, kLengthStep), out);
   append_number(soccer::math::quantize(v.y, kLengthStep), out);
 }
 
-void append_angle(double degrees, std::string& out) {
+void append_angle(double degrees, TextWriter& out) {
   append_number(soccer::math::quantize(degrees, kAngleStep), out);
 }
 
-void append_state(std::uint32_t state, std::string& out) {
+void append_state(std::uint32_t state, TextWriter& out) {
   if (state == 0) {
     out += " 0";
     return;
@@ -48,7 +48,7 @@ void append_state(std::uint32_t state, std::string& out) {
   for (; shift >= 0; shift -= 4) out += kDigits[(state >> shift) & 0xF];
 }
 
-void append_counts(const CommandCounts& c, RcgVersion version, std::string& out) {
+void append_counts(const CommandCounts& c, RcgVersion version, TextWriter& out) {
   out += " (c";
   for (const int count : {c.kick, c.dash, c.turn, c.catches, c.move, c.turn_neck, c.change_view,
                           c.say, c.tackle, c.pointto, c.attentionto}) {
@@ -58,7 +58,7 @@ void append_counts(const CommandCounts& c, RcgVersion version, std::string& out)
   out += ')';
 }
 
-void append_view(const PlayerFrame& player, RcgVersion version, std::string& out) {
+void append_view(const PlayerFrame& player, RcgVersion version, TextWriter& out) {
   out += player.high_quality ? " (v h" : " (v l";
   append_number(player.view_width, out);
   out += ')';
@@ -69,7 +69,7 @@ void append_view(const PlayerFrame& player, RcgVersion version, std::string& out
   out += ')';
 }
 
-void append_stamina(const PlayerFrame& player, RcgVersion version, std::string& out) {
+void append_stamina(const PlayerFrame& player, RcgVersion version, TextWriter& out) {
   out += " (s";
   append_number(player.stamina, out);
   append_number(player.effort, out);
@@ -78,7 +78,7 @@ void append_stamina(const PlayerFrame& player, RcgVersion version, std::string& 
   out += ')';
 }
 
-void append_player(int slot, const PlayerFrame& player, RcgVersion version, std::string& out) {
+void append_player(int slot, const PlayerFrame& player, RcgVersion version, TextWriter& out) {
   out += " ((";
   out += soccer::letter(soccer::side_of_slot(slot));
   append_count(soccer::unum_of_slot(slot), out);
@@ -102,6 +102,16 @@ void append_player(int slot, const PlayerFrame& player, RcgVersion version, std:
   out += ')';
 }
 
+void append_frame(const Frame& frame, RcgVersion version, TextWriter& out) {
+  out += " ((b)";
+  append_lengths(frame.ball_position, out);
+  append_lengths(frame.ball_velocity, out);
+  out += ')';
+  for (int slot = 0; slot < soccer::kPlayersOnPitch; ++slot) {
+    append_player(slot, frame.players[static_cast<std::size_t>(slot)], version, out);
+  }
+}
+
 }  // namespace
 
 void append_version(RcgVersion version, std::string& out) {
@@ -123,7 +133,8 @@ void append_header(const soccer::ServerParams& server, const soccer::PlayerParam
   }
 }
 
-void append_play_mode(int time, soccer::PlayMode mode, std::string& out) {
+void append_play_mode(int time, soccer::PlayMode mode, std::string& text) {
+  TextWriter out(text);
   out += "(playmode";
   append_count(time, out);
   out += ' ';
@@ -131,7 +142,8 @@ void append_play_mode(int time, soccer::PlayMode mode, std::string& out) {
   out += ")\n";
 }
 
-void append_team(int time, const TeamFrames& teams, std::string& out) {
+void append_team(int time, const TeamFrames& teams, std::string& text) {
+  TextWriter out(text);
   out += "(team";
   append_count(time, out);
   for (const TeamFrame& team : teams) {
@@ -148,27 +160,24 @@ void append_team(int time, const TeamFrames& teams, std::string& out) {
   out += ")\n";
 }
 
-void append_show(const Frame& frame, std::string& out, RcgVersion version) {
+void append_show(const Frame& frame, std::string& text, RcgVersion version) {
+  TextWriter out(text);
   out += "(show";
   append_count(frame.time, out);
-  append_objects(frame, out, version);
+  append_frame(frame, version, out);
   out += ")\n";
 }
 
-void append_objects(const Frame& frame, std::string& out, RcgVersion version) {
-  out += " ((b)";
-  append_lengths(frame.ball_position, out);
-  append_lengths(frame.ball_velocity, out);
-  out += ')';
-  for (int slot = 0; slot < soccer::kPlayersOnPitch; ++slot) {
-    append_player(slot, frame.players[static_cast<std::size_t>(slot)], version, out);
-  }
+void append_objects(const Frame& frame, std::string& text, RcgVersion version) {
+  TextWriter out(text);
+  append_frame(frame, version, out);
 }
 
 void append_message(int time, int board, std::string_view text, std::string& out) {
-  out += "(msg";
-  append_count(time, out);
-  append_count(board, out);
+  out += "(msg ";
+  soccer::append_int(time, out);
+  out += ' ';
+  soccer::append_int(board, out);
   out += " \"";
   const std::size_t begin = out.size();
   out += text;

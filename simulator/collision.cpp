@@ -94,24 +94,39 @@ bool collide_with_ball(World& world, Resolution& resolution, Events& events) {
   return found;
 }
 
+/// What of a player matters here, side by side: most pairs are looked at to no avail.
+struct Body {
+  Vec2 position;
+  double size;
+  Slot slot;
+};
+
+void collide(World& world, const Body& first, const Body& second, Resolution& resolution) {
+  for (const Slot slot : {first.slot, second.slot}) {
+    world.player(slot).state |= state::kPlayerCollide;
+    world.player(slot).contacts.player = true;
+  }
+  const Apart apart =
+      separated(first.position, second.position, first.size + second.size, world.random.collision);
+  resolution.push(first.slot, apart.first);
+  resolution.push(second.slot, apart.second);
+}
+
 bool collide_players(World& world, Resolution& resolution) {
+  std::array<Body, soccer::kPlayersOnPitch> bodies;
+  std::size_t count = 0;
+  for (const Player& player : world.players) {
+    if (!player.enabled) continue;
+    bodies[count++] = {player.position, world.type_of(player).player_size, player.slot()};
+  }
   bool found = false;
-  for (Slot i = 0; i < soccer::kPlayersOnPitch; ++i) {
-    Player& first = world.player(i);
-    if (!first.enabled) continue;
-    for (Slot j = i + 1; j < soccer::kPlayersOnPitch; ++j) {
-      Player& second = world.player(j);
-      if (!second.enabled) continue;
-      const double radii = world.type_of(first).player_size + world.type_of(second).player_size;
-      if (!overlap(first.position, second.position, radii)) continue;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Body& first = bodies[i];
+    for (std::size_t j = i + 1; j < count; ++j) {
+      const Body& second = bodies[j];
+      if (!overlap(first.position, second.position, first.size + second.size)) continue;
       found = true;
-      for (Player* player : {&first, &second}) {
-        player->state |= state::kPlayerCollide;
-        player->contacts.player = true;
-      }
-      const Apart apart = separated(first.position, second.position, radii, world.random.collision);
-      resolution.push(i, apart.first);
-      resolution.push(j, apart.second);
+      collide(world, first, second, resolution);
     }
   }
   return found;

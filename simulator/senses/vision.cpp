@@ -1,6 +1,7 @@
 // Seeing: geometry of an observation, its errors, and what of it is told (simulation model 7).
 #include "simulator/senses/vision.h"
 
+#include <bit>
 #include <cmath>
 #include <optional>
 
@@ -89,7 +90,8 @@ struct Sighting {
   double direction;  ///< radians, relative to the face
 };
 
-std::optional<Sighting> sight(const Eyes& eyes, Vec2 object, double reach) {
+// By reference: of two numbers that came in registers the compiler would make one by way of memory.
+std::optional<Sighting> sight(const Eyes& eyes, const Vec2& object, double reach) {
   const Vec2 offset = object - eyes.player.position;
   const double squared = offset.squared_length();
   if (squared > eyes.reach_around && signed_square(dot(offset, eyes.face)) < squared * eyes.edge) {
@@ -254,6 +256,12 @@ void see_lines(const VisionModel& model, const Eyes& eyes, soccer::See& out) {
   }
 }
 
+constexpr int kMantissaBits = 6;
+constexpr int kRestBits = 52 - kMantissaBits;
+
+/// Exponent and the beginning of the mantissa: grows with a positive number.
+std::uint64_t first_bits(double value) { return std::bit_cast<std::uint64_t>(value) >> kRestBits; }
+
 }  // namespace
 
 DistanceSteps::DistanceSteps(double step) : step_(step) {
@@ -266,10 +274,39 @@ DistanceSteps::DistanceSteps(double step) : step_(step) {
   if (last - first > kMostValues) return;
   first_ = static_cast<int>(first);
   for (double k = first; k <= last; k += 1.0) values_.push_back(math::exp(k * step_));
+  for (double k = first; k <= last + 1.0; k += 1.0) edges_.push_back(math::exp((k - 0.5) * step_));
+  make_table();
+}
+
+// Only for steps so long that few edges have the same first bits.
+void DistanceSteps::make_table() {
+  constexpr double kShortestStep = 0.5 / (1 << kMantissaBits);
+  if (step_ < kShortestStep) return;
+  first_bits_ = first_bits(edges_.front()) + 1;
+  const std::uint64_t last_bits = first_bits(edges_.back());
+  std::uint32_t edge = 0;
+  for (std::uint64_t bits = first_bits_; bits < last_bits; ++bits) {
+    const double least = std::bit_cast<double>(bits << kRestBits);
+    while (edges_[edge + 1] < least) ++edge;
+    begins_.push_back(edge);
+  }
+}
+
+// Null where the table does not reach, and so near to an edge that only the logarithm decides.
+const double* DistanceSteps::look_up(double distance) const {
+  constexpr double kMargin = 1e-12;
+  const std::uint64_t bits = first_bits(distance) - first_bits_;
+  if (bits >= begins_.size()) return nullptr;
+  std::size_t edge = begins_[bits];
+  while (edges_[edge + 1] < distance) ++edge;
+  const double margin = distance * kMargin;
+  if (distance - edges_[edge] < margin || edges_[edge + 1] - distance < margin) return nullptr;
+  return &values_[edge];
 }
 
 double DistanceSteps::operator()(double distance) const {
   if (step_ < math::kEps) return distance + math::kEps;
+  if (const double* value = look_up(distance + math::kEps)) return *value;
   const double multiple = std::rint(math::log(distance + math::kEps) / step_);
   const double index = multiple - first_;
   if (index >= 0.0 && index < static_cast<double>(values_.size())) {

@@ -1,6 +1,7 @@
 // What a player sees: the world turned into a see message.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "simulator/world.h"
@@ -9,7 +10,7 @@
 namespace cls::simulator {
 
 /// Distances as eyes tell them apart: exp of a multiple of `step` (simulation model 7.4). Looks
-/// common distances up instead of calling exp for each; the values are the same.
+/// common distances up instead of calling log and exp for each; the values are the same.
 class DistanceSteps {
  public:
   /// A step below 1e-10 means exact distances.
@@ -18,9 +19,18 @@ class DistanceSteps {
   double operator()(double distance) const;
 
  private:
+  void make_table();
+  const double* look_up(double distance) const;
+
   double step_;
   int first_ = 0;  ///< multiple of step_ that values_ begins with
   std::vector<double> values_;
+
+  // values_[i] is told between edges_[i] and edges_[i + 1]; begins_ tells where to look for a
+  // distance by its first bits.
+  std::vector<double> edges_;
+  std::vector<std::uint32_t> begins_;
+  std::uint64_t first_bits_ = 0;  ///< of begins_
 };
 
 /// What does not change during a match; made once from the parameters.

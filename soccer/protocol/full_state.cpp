@@ -79,7 +79,7 @@ bool read_player(Scanner& in, bool has_focus, FullStatePlayer& player) {
   return in.literal(")");
 }
 
-void append_counts(const CommandCounts& counts, int version, std::string& out) {
+void append_counts(const CommandCounts& counts, int version, TextWriter& out) {
   append(out, " (count ", counts.kick);
   for (const int count : {counts.dash, counts.turn, counts.catches, counts.move, counts.turn_neck,
                           counts.change_view, counts.say}) {
@@ -89,7 +89,7 @@ void append_counts(const CommandCounts& counts, int version, std::string& out) {
   out.append(") ");
 }
 
-void append_name(const FullStatePlayer& player, int version, std::string& out) {
+void append_name(const FullStatePlayer& player, int version, TextWriter& out) {
   out.append(" ((p ");
   out.push_back(letter(player.side));
   append(out, " ", player.unum);
@@ -107,7 +107,7 @@ ActionMark mark_shown(const FullStatePlayer& player, int version) {
   return player.mark;
 }
 
-void append_player(const FullStatePlayer& player, int version, std::string& out) {
+void append_player(const FullStatePlayer& player, int version, TextWriter& out) {
   append_name(player, version, out);
   append_motion(player.position, player.velocity, out);
   append(out, " ", player.body);
@@ -155,7 +155,8 @@ Result<void> parse(std::string_view message, FullState& out) {
   return in.error("fullstate");
 }
 
-void format(const FullState& state, int version, std::string& out) {
+void format(const FullState& state, int version, std::string& text) {
+  TextWriter out(text);
   append(out, "(fullstate ", state.time);
   out.append(" (pmode ");
   if (state.ball_caught) {

@@ -49,7 +49,8 @@ Result<void> parse(std::string_view message, GlobalView& out) {
   return in.error("see_global");
 }
 
-void format(const GlobalView& view, std::string& out) {
+void format(const GlobalView& view, std::string& text) {
+  TextWriter out(text);
   append(out, view.is_look_reply ? "(ok look " : "(see_global ", view.time);
   out.append(kGoals);
   append_motion(view.ball_position, view.ball_velocity, out);

@@ -59,8 +59,37 @@ char* write_fixed(char* to, unsigned digits, int exponent) {
   return to;
 }
 
-// The usual case: plain notation, and not near the border between two roundings, where the error
-// of one multiplication (about 1e-10 of a unit in the sixth digit) could matter. Null: not usual.
+char* write_digits(char* to, unsigned value, int count) {
+  for (int i = count - 1; i >= 0; --i) {
+    to[i] = static_cast<char>('0' + value % 10);
+    value /= 10;
+  }
+  return to + count;
+}
+
+// Most numbers of the protocol are rounded to few decimals: a value within 1e-11 of a multiple of
+// 0.0001 below 100 is printed as that multiple, which six digits show in full. Null: another one.
+char* write_round(char* to, double value) {
+  constexpr double kTenThousandths = 1e4;
+  const double magnitude = std::fabs(value);
+  if (!(magnitude < 99.5)) return nullptr;
+  const double scaled = magnitude * kTenThousandths;
+  const auto whole = static_cast<unsigned>(scaled + 0.5);
+  if (std::fabs(scaled - whole) > 1e-7 || (whole == 0 && magnitude != 0.0)) return nullptr;
+  if (std::signbit(value)) *to++ = '-';
+  const unsigned before = whole / 10000;
+  const unsigned after = whole % 10000;
+  to = write_digits(to, before, before < 10 ? 1 : 2);
+  if (after == 0) return to;
+  *to++ = '.';
+  to = write_digits(to, after, 4);
+  while (to[-1] == '0') --to;
+  return to;
+}
+
+// The usual case otherwise: plain notation, and not near the border between two roundings, where
+// the error of one multiplication (about 1e-10 of a unit in the sixth digit) could matter. Null:
+// not usual.
 char* write_usual(char* to, double value) {
   const double magnitude = std::fabs(value);
   if (!(magnitude >= 1e-4 && magnitude < 999999.0)) return nullptr;
@@ -141,25 +170,28 @@ double value_of(const Decimal& decimal, std::string_view number) {
 
 }  // namespace
 
+char* write_g(double value, char* to) {
+  if (char* end = write_round(to, value)) return end;
+  if (char* end = write_usual(to, value)) return end;
+  return std::to_chars(to, to + kNumberRoom, value, std::chars_format::general, kSignificantDigits)
+      .ptr;
+}
+
+char* write_int(std::int64_t value, char* to) {
+  if (value >= 0 && value < 1000) {
+    return write_digits(to, static_cast<unsigned>(value), value < 10 ? 1 : value < 100 ? 2 : 3);
+  }
+  return std::to_chars(to, to + kNumberRoom, value).ptr;
+}
+
 void append_g(double value, std::string& out) {
-  std::array<char, 32> text;
-  if (value == 0.0) {
-    out.append(std::signbit(value) ? "-0" : "0");
-    return;
-  }
-  const char* end = write_usual(text.data(), value);
-  if (end == nullptr) {
-    end = std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general,
-                        kSignificantDigits)
-              .ptr;
-  }
-  out.append(text.data(), static_cast<std::size_t>(end - text.data()));
+  std::array<char, kNumberRoom> text;
+  out.append(text.data(), static_cast<std::size_t>(write_g(value, text.data()) - text.data()));
 }
 
 void append_int(std::int64_t value, std::string& out) {
-  std::array<char, 24> text;
-  const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), value);
-  out.append(text.data(), static_cast<std::size_t>(end - text.data()));
+  std::array<char, kNumberRoom> text;
+  out.append(text.data(), static_cast<std::size_t>(write_int(value, text.data()) - text.data()));
 }
 
 void append_shortest(double value, std::string& out) {

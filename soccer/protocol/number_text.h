@@ -17,6 +17,12 @@ void append_g(double value, std::string& out);
 /// Appends `value` as a plain decimal integer.
 void append_int(std::int64_t value, std::string& out);
 
+/// The same at `to`, where kNumberRoom characters have room; they return the end of what they
+/// wrote.
+constexpr std::size_t kNumberRoom = 32;
+char* write_g(double value, char* to);
+char* write_int(std::int64_t value, char* to);
+
 /// Appends the shortest text that reads back as exactly `value`. `value` must be finite.
 void append_shortest(double value, std::string& out);
 

@@ -80,12 +80,17 @@ bool read_player(Scanner& in, TeamName& team, int& unum, bool& goalie) {
   return true;
 }
 
-void append_player(const TeamName& team, int unum, bool goalie, std::string& out) {
+void append_player(const TeamName& team, int unum, bool goalie, TextWriter& out) {
   out.push_back('"');
   out.append(team.view());
   out.append("\" ");
-  append_int(unum, out);
+  out.append_number(unum);
   if (goalie) out.append(" goalie");
+}
+
+void append_player(const TeamName& team, int unum, bool goalie, std::string& out) {
+  TextWriter writer(out);
+  append_player(team, unum, goalie, writer);
 }
 
 }  // namespace cls::soccer

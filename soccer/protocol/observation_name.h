@@ -6,6 +6,7 @@
 
 #include "soccer/protocol/scanner.h"
 #include "soccer/protocol/team_name.h"
+#include "soccer/protocol/text_writer.h"
 
 namespace cls::soccer {
 
@@ -17,6 +18,7 @@ bool read_team(Scanner& in, TeamName& team);
 
 /// Reads `"TEAM" UNUM` or `"TEAM" UNUM goalie`.
 bool read_player(Scanner& in, TeamName& team, int& unum, bool& goalie);
+void append_player(const TeamName& team, int unum, bool goalie, TextWriter& out);
 void append_player(const TeamName& team, int unum, bool goalie, std::string& out);
 
 }  // namespace cls::soccer

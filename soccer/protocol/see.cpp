@@ -133,7 +133,7 @@ bool read_object(Scanner& in, Observation& object) {
   return assign(numbers, object) || in.fail("another set of numbers before this");
 }
 
-void append_name(const Observation& object, std::string& out) {
+void append_name(const Observation& object, TextWriter& out) {
   switch (object.kind) {
     case ObservedKind::kLandmark:
       assert(object.index < kLandmarkCount);
@@ -174,7 +174,7 @@ void append_name(const Observation& object, std::string& out) {
   }
 }
 
-void append_numbers(const Observation& object, std::string& out) {
+void append_numbers(const Observation& object, TextWriter& out) {
   if (object.detail != ObservedDetail::kDirection) append(out, " ", object.distance);
   append(out, " ", object.direction);
   if (object.detail >= ObservedDetail::kMotion) {
@@ -207,7 +207,8 @@ Result<void> parse(std::string_view message, See& out) {
   return in.error("see");
 }
 
-void format(const See& see, std::string& out) {
+void format(const See& see, std::string& text) {
+  TextWriter out(text);
   append(out, "(see ", see.time);
   for (const Observation& object : see.objects) {
     out.append(" ((");

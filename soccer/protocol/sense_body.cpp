@@ -85,7 +85,7 @@ bool read_focus_point(Scanner& in, SenseBody& out) {
          in.number(out.focus_direction) && in.literal(")");
 }
 
-void append_counts(const CommandCounts& counts, int version, std::string& out) {
+void append_counts(const CommandCounts& counts, int version, TextWriter& out) {
   append(out, " (kick ", counts.kick);
   append(out, ") (dash ", counts.dash);
   append(out, ") (turn ", counts.turn);
@@ -98,7 +98,7 @@ void append_counts(const CommandCounts& counts, int version, std::string& out) {
   out.append(") ");
 }
 
-void append_attention(const SenseBody& sense, std::string& out) {
+void append_attention(const SenseBody& sense, TextWriter& out) {
   out.append(" (focus (target ");
   if (sense.attention_side == Side::kNeutral) {
     out.append("none");
@@ -109,7 +109,7 @@ void append_attention(const SenseBody& sense, std::string& out) {
   append(out, ") (count ", sense.attention_count);
 }
 
-void append_collision(const SenseBody& sense, std::string& out) {
+void append_collision(const SenseBody& sense, TextWriter& out) {
   out.append(" (collision ");
   std::string_view separator;
   const auto add = [&](bool collided, std::string_view text) {
@@ -128,9 +128,11 @@ std::string_view name(Card card) {
   return card == Card::kNone ? "none" : card == Card::kYellow ? "yellow" : "red";
 }
 
-void append_foul(const SenseBody& sense, std::string& out) {
+void append_foul(const SenseBody& sense, TextWriter& out) {
   append(out, " (foul (charged ", sense.foul_charged);
-  out.append(") (card ").append(name(sense.card)).append("))");
+  out.append(") (card ");
+  out.append(name(sense.card));
+  out.append("))");
 }
 
 }  // namespace
@@ -147,7 +149,8 @@ Result<void> parse(std::string_view message, SenseBody& out) {
   return in.error("sense_body");
 }
 
-void format(const SenseBody& sense, int version, std::string& out) {
+void format(const SenseBody& sense, int version, std::string& text) {
+  TextWriter out(text);
   append(out, "(sense_body ", sense.time);
   out.append(" (view_mode ");
   append_view_mode(sense.quality, sense.width, out);

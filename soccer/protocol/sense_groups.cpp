@@ -19,7 +19,7 @@ bool read_view_mode(Scanner& in, ViewQuality& quality, ViewWidth& width) {
   return in.fail("narrow, normal or wide");
 }
 
-void append_view_mode(ViewQuality quality, ViewWidth width, std::string& out) {
+void append_view_mode(ViewQuality quality, ViewWidth width, TextWriter& out) {
   out.append(name(quality));
   out.push_back(' ');
   out.append(name(width));
@@ -32,7 +32,7 @@ bool read_arm(Scanner& in, ArmState& arm) {
          in.integer(arm.count) && in.literal("))");
 }
 
-void append_arm(const ArmState& arm, std::string& out) {
+void append_arm(const ArmState& arm, TextWriter& out) {
   append(out, "(arm (movable ", arm.movable_in);
   append(out, ") (expires ", arm.expires_in);
   append(out, ") (target ", arm.target_distance);
@@ -57,8 +57,8 @@ bool read_motion(Scanner& in, Vec2& position, Vec2& velocity) {
          in.number(velocity.x) && in.literal(" ") && in.number(velocity.y);
 }
 
-void append_motion(Vec2 position, Vec2 velocity, std::string& out) {
-  append_g(position.x, out);
+void append_motion(Vec2 position, Vec2 velocity, TextWriter& out) {
+  out.append_number(position.x);
   append(out, " ", position.y);
   append(out, " ", velocity.x);
   append(out, " ", velocity.y);
@@ -83,7 +83,7 @@ void read_marks(Scanner& in, ActionMark& mark, Card& card) {
   }
 }
 
-void append_marks(ActionMark mark, Card card, std::string& out) {
+void append_marks(ActionMark mark, Card card, TextWriter& out) {
   if (mark == ActionMark::kTackling) out.append(" t");
   if (mark == ActionMark::kKicked) out.append(" k");
   if (mark == ActionMark::kFoulCharged) out.append(" f");

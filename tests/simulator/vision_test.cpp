@@ -217,5 +217,24 @@ TEST(DistanceSteps, AreTheSameFromTheTableAndComputed) {
   EXPECT_NEAR(DistanceSteps(0.0)(17.3), 17.3, 1e-9);
 }
 
+// Around every border between two values, and anywhere.
+TEST(DistanceSteps, AreTheSameFromTheTableAndComputedOnBothSidesOfEveryBorder) {
+  for (const double step : {0.5, 0.1, 0.01, 0.002}) {
+    const DistanceSteps steps(step);
+    const auto expect_computed = [&](double distance) {
+      const double multiple = std::rint(math::log(distance + 1e-10) / step);
+      ASSERT_EQ(steps(distance), math::exp(multiple * step)) << distance << " in steps of " << step;
+    };
+    for (double k = math::log(0.04) / step; k * step < math::log(300.0); k += 0.25) {
+      const double near = math::exp((std::floor(k) + 0.5) * step) - 1e-10;
+      for (const double off : {0.0, 1e-16, 1e-14, 1e-12, 1e-11, 1e-9}) {
+        expect_computed(near * (1.0 + off));
+        expect_computed(near * (1.0 - off));
+      }
+      expect_computed(math::exp(k * step));
+    }
+  }
+}
+
 }  // namespace
 }  // namespace cls::simulator

@@ -11,6 +11,7 @@
 #include <string>
 
 #include "soccer/protocol/number_text.h"
+#include "soccer/protocol/text_writer.h"
 
 namespace cls::soccer {
 namespace {
@@ -101,6 +102,9 @@ class RandomValues {
         const std::uint64_t choice = engine_() % 3;
         return choice == 0 ? tie : std::nextafter(tie, choice == 1 ? 0.0 : 1e9);
       }
+      case 5:  // not quite a multiple of 0.0001
+        return steps * 0.0001 +
+               (uniform - 0.5) * std::pow(10.0, -8.0 - static_cast<double>(engine_() % 5));
       default: {
         const double any = std::bit_cast<double>(engine_());
         return std::isnan(any) ? 0.0 : any;
@@ -116,7 +120,7 @@ TEST(ProtocolNumber, PrintsMillionsOfRandomValuesAsPrintfDoes) {
   RandomValues values;
   std::string text;
   for (int i = 0; i < 3000000; ++i) {
-    const double value = values.next(i % 6);
+    const double value = values.next(i % 7);
     text.clear();
     append_g(value, text);
     ASSERT_EQ(text, printf_g(value)) << std::hexfloat << value;
@@ -126,7 +130,7 @@ TEST(ProtocolNumber, PrintsMillionsOfRandomValuesAsPrintfDoes) {
 TEST(ProtocolNumber, ReadsWhatStrtodReads) {
   RandomValues values;
   for (int i = 0; i < 1000000; ++i) {
-    const double value = values.next(i % 6);
+    const double value = values.next(i % 7);
     if (std::isinf(value)) continue;
     char text[64];
     std::snprintf(text, sizeof text, i % 2 == 0 ? "%g" : "%.17g", value);
@@ -179,7 +183,7 @@ TEST(ProtocolNumber, KeepsIntegersInRange) {
 TEST(ProtocolNumber, ShortestTextReadsBackExactly) {
   RandomValues values;
   for (int i = 0; i < 200000; ++i) {
-    const double value = values.next(i % 6);
+    const double value = values.next(i % 7);
     if (std::isinf(value)) continue;
     std::string text;
     append_shortest(value, text);
@@ -187,6 +191,27 @@ TEST(ProtocolNumber, ShortestTextReadsBackExactly) {
     ASSERT_TRUE(read) << text;
     ASSERT_EQ(*read, value) << text;
   }
+}
+
+TEST(TextWriter, AppendsWhatAStringWouldHoweverLong) {
+  std::string plain = "before ";
+  std::string text = plain;
+  {
+    TextWriter out(text);
+    for (int i = 0; i < 2000; ++i) {
+      append(out, "(n ", i - 1000);
+      append(out, " ", 0.25 * i);
+      out.push_back(')');
+      out += std::string(static_cast<std::size_t>(i % 50), 'x');
+      append(plain, "(n ", i - 1000);
+      plain += ' ';
+      append_g(0.25 * i, plain);
+      plain += ')' + std::string(static_cast<std::size_t>(i % 50), 'x');
+    }
+    out.append(std::string(10000, 'y'));
+    plain += std::string(10000, 'y');
+  }
+  EXPECT_EQ(text, plain);
 }
 
 }  // namespace
