@@ -1,75 +1,121 @@
-// What a cycle costs the server when its clients are programs of their own.
+// What a match over UDP costs the server: ours, and the real one beside it.
 #include <benchmark/benchmark.h>
+#include <poll.h>
+#include <signal.h>
 #include <sys/resource.h>
 
-#include <atomic>
+#include <algorithm>
 #include <memory>
-#include <thread>
+#include <stdexcept>
+#include <string>
+#include <utility>
 #include <vector>
 
-#include "simulator/server/udp_server.h"
+#include "tests/support/command.h"
+#include "tests/support/real_server.h"
 #include "tests/support/scripted_player.h"
+#include "tests/support/temporary_folder.h"
 #include "tests/support/udp_client.h"
 
 namespace {
 
 using namespace cls;
 
-constexpr int kCycles = 500;
+constexpr int kSecondsOfAHalf = 300;
+constexpr int kMostRequests = 50;  // to be let in, five a second
 
-double thread_cpu_seconds() {
+/// Of all children that have ended.
+double children_cpu_seconds() {
   rusage usage{};
-  getrusage(RUSAGE_THREAD, &usage);
+  getrusage(RUSAGE_CHILDREN, &usage);
   const auto seconds = [](const timeval& time) {
     return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
   };
   return seconds(usage.ru_utime) + seconds(usage.ru_stime);
 }
 
-simulator::UdpConfig short_match() {
-  simulator::UdpConfig config;
-  config.port = 0;
-  config.match.seed = 1;
-  config.match.cycle_limit = kCycles;
-  config.match.server.synch_mode = true;
-  config.match.server.auto_mode = true;
-  config.match.server.kick_off_wait = 5;
-  config.match.server.connect_wait = 1'000'000;
-  config.pause_before_start = std::chrono::milliseconds(1);
-  return config;
+/// A program in rcssserver's place, with both logs.
+std::unique_ptr<tests::Command> start_server(std::vector<std::string> words, int port,
+                                             const std::string& folder) {
+  for (const std::string& setting :
+       {std::string("synch_mode=on"), std::string("auto_mode=on"), std::string("kick_off_wait=5"),
+        std::string("connect_wait=1000000"), std::string("game_over_wait=5"),
+        std::string("nr_extra_halfs=0"), std::string("penalty_shoot_outs=off"),
+        "half_time=" + std::to_string(kSecondsOfAHalf), "port=" + std::to_string(port),
+        "coach_port=" + std::to_string(tests::free_udp_port()),
+        "olcoach_port=" + std::to_string(tests::free_udp_port())}) {
+    words.push_back("server::" + setting);
+  }
+  return std::make_unique<tests::Command>(
+      words, std::vector<std::string>{"RCSS_CONF_DIR=" + folder + "/conf", "USER=nobody"}, folder);
 }
 
-/// 22 scripted clients on loopback; the time is the processor's that the server's thread takes for
-/// a cycle, its share of the network included.
-void server_cycle_over_udp(benchmark::State& state) {
-  for (auto _ : state) {
-    auto server = std::move(*simulator::UdpServer::open(short_match()));
-    std::atomic<bool> stop{false};
-    std::atomic<bool> ended{false};
-    double cpu = 0.0;
-    std::thread thread([&] {
-      server->run(stop);
-      cpu = thread_cpu_seconds();
-      ended = true;
-    });
-    std::vector<std::unique_ptr<tests::ScriptedPlayer>> players;
+/// Two teams that sleep until they are told something, as real ones do.
+class Teams {
+ public:
+  /// Returns when all are let in.
+  explicit Teams(int port) {
     const auto places = tests::formation(true);
     for (const char* team : {"Left", "Right"}) {
       for (std::size_t i = 0; i < places.size(); ++i) {
-        auto& player = *players.emplace_back(std::make_unique<tests::ScriptedPlayer>(
-            std::make_unique<tests::UdpClient>(server->port()), team));
-        player.stand_at(places[i]);
-        player.join(i == 0);
-        while (player.unum() == 0) player.act();
+        auto channel = std::make_unique<tests::UdpClient>(port);
+        sockets_.push_back({channel->descriptor(), POLLIN, 0});
+        players_.push_back(std::make_unique<tests::ScriptedPlayer>(std::move(channel), team));
+        players_.back()->stand_at(places[i]);
+        for (int asked = 0; players_.back()->unum() == 0; ++asked) {
+          if (asked == kMostRequests) throw std::runtime_error("the server does not answer");
+          players_.back()->join(i == 0);  // again, while the server is not there yet
+          ::poll(&sockets_.back(), 1, 200);
+          players_.back()->act();
+        }
       }
     }
-    while (!ended) {
-      for (auto& player : players) player->act();
+  }
+
+  void play() {
+    while (!is_over()) {
+      ::poll(sockets_.data(), sockets_.size(), 1000);
+      for (std::size_t i = 0; i < sockets_.size(); ++i) {
+        if (sockets_[i].revents != 0) players_[i]->act();
+      }
     }
-    thread.join();
-    state.SetIterationTime(cpu / kCycles);
+    for (auto& player : players_) player->send("(bye)");
+  }
+
+ private:
+  bool is_over() const {
+    return std::any_of(players_.begin(), players_.end(),
+                       [](const auto& player) { return player->heard_time_over(); });
+  }
+
+  std::vector<pollfd> sockets_;
+  std::vector<std::unique_ptr<tests::ScriptedPlayer>> players_;
+};
+
+/// A match of 6000 cycles with 22 scripted clients on loopback; the time is the processor's that
+/// the server takes, the kernel's for its messages included.
+void match_over_udp(benchmark::State& state, const std::string& program) {
+  if (program.empty()) return state.SkipWithError("no rcssserver on PATH nor in CLS_RCSSSERVER");
+  std::vector<std::string> words = {program};
+  if (program == tests::cls_binary()) words.push_back("server");
+  for (auto _ : state) {
+    const tests::TemporaryFolder folder;
+    const int port = tests::free_udp_port();
+    const double before = children_cpu_seconds();
+    const auto server = start_server(words, port, folder.path());
+    Teams(port).play();
+    server->send_signal(SIGINT);
+    server->finish();
+    state.SetIterationTime(children_cpu_seconds() - before);
   }
 }
-BENCHMARK(server_cycle_over_udp)->UseManualTime()->Iterations(1)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(match_over_udp, cls, tests::cls_binary().string())
+    ->UseManualTime()
+    ->Iterations(1)
+    ->Unit(benchmark::kSecond);
+BENCHMARK_CAPTURE(match_over_udp, rcssserver, tests::real_server())
+    ->UseManualTime()
+    ->Iterations(1)
+    ->Unit(benchmark::kSecond);
 
 }  // namespace

@@ -1,7 +1,6 @@
 // Sockets, and the thread that reads them.
 #include "soccer/udp_channel.h"
 
-#include <netdb.h>
 #include <netinet/in.h>
 #include <poll.h>
 #include <sys/eventfd.h>
@@ -14,13 +13,14 @@
 #include <atomic>
 #include <cerrno>
 #include <condition_variable>
-#include <cstring>
 #include <deque>
 #include <mutex>
 #include <string_view>
 #include <thread>
 #include <utility>
 #include <vector>
+
+#include "soccer/udp_address.h"
 
 namespace cls::soccer {
 namespace {
@@ -31,48 +31,6 @@ constexpr std::size_t kBufferSize = 8192;     // the server's messages are never
 constexpr int kReceiveBuffer = 1 << 20;       // a team that is slow for seconds loses nothing
 constexpr std::size_t kMostWaiting = 10'000;  // beyond that nobody reads any more
 
-/// An IPv4 or IPv6 address with port.
-struct Address {
-  sockaddr_storage bytes{};
-  socklen_t size = 0;
-
-  const sockaddr* get() const { return reinterpret_cast<const sockaddr*>(&bytes); }
-  sockaddr* get() { return reinterpret_cast<sockaddr*>(&bytes); }
-
-  in_port_t port() const {
-    return bytes.ss_family == AF_INET6 ? reinterpret_cast<const sockaddr_in6*>(&bytes)->sin6_port
-                                       : reinterpret_cast<const sockaddr_in*>(&bytes)->sin_port;
-  }
-  bool same_host(const Address& other) const {
-    if (bytes.ss_family != other.bytes.ss_family) return false;
-    if (bytes.ss_family == AF_INET6) {
-      const auto& mine = reinterpret_cast<const sockaddr_in6*>(&bytes)->sin6_addr;
-      const auto& its = reinterpret_cast<const sockaddr_in6*>(&other.bytes)->sin6_addr;
-      return std::memcmp(&mine, &its, sizeof mine) == 0;
-    }
-    return reinterpret_cast<const sockaddr_in*>(&bytes)->sin_addr.s_addr ==
-           reinterpret_cast<const sockaddr_in*>(&other.bytes)->sin_addr.s_addr;
-  }
-};
-
-Result<Address> resolve(const std::string& host, int port) {
-  addrinfo hints{};
-  hints.ai_socktype = SOCK_DGRAM;
-  int error = 0;
-  for (const int family : {AF_INET, AF_INET6}) {
-    hints.ai_family = family;
-    addrinfo* list = nullptr;
-    error = ::getaddrinfo(host.c_str(), std::to_string(port).c_str(), &hints, &list);
-    if (error != 0) continue;
-    Address address;
-    std::memcpy(&address.bytes, list->ai_addr, list->ai_addrlen);
-    address.size = list->ai_addrlen;
-    ::freeaddrinfo(list);
-    return address;
-  }
-  return Error{"soccer server host '" + host + "': " + ::gai_strerror(error)};
-}
-
 struct Message {
   std::string text;
   Time arrived;
@@ -81,7 +39,7 @@ struct Message {
 /// One client's socket. Used by one thread at a time, apart from `gone`.
 class Socket {
  public:
-  explicit Socket(const Address& server)
+  explicit Socket(const UdpAddress& server)
       : server_(server),
         fd_(::socket(server.bytes.ss_family, SOCK_DGRAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0)) {
     if (fd_ < 0) return;
@@ -117,8 +75,7 @@ class Socket {
   /// The view holds until the next call.
   bool receive(std::string_view& text) {
     while (!gone()) {
-      Address from;
-      from.size = sizeof from.bytes;
+      UdpAddress from;
       const ssize_t size =
           ::recvfrom(fd_, buffer_.data(), buffer_.size(), 0, from.get(), &from.size);
       if (size < 0) {
@@ -145,13 +102,13 @@ class Socket {
     }
   }
 
-  void stay_with(const Address& port) {
+  void stay_with(const UdpAddress& port) {
     if (::connect(fd_, port.get(), port.size) != 0) return;
     has_own_port_ = true;
     report_errors(0);
   }
 
-  Address server_;
+  UdpAddress server_;
   int fd_;
   std::atomic<bool> has_own_port_{false};
   std::atomic<bool> gone_{false};
@@ -162,13 +119,13 @@ class Socket {
 
 struct UdpClients::Sockets {
   struct Line {
-    explicit Line(const Address& server) : socket(server) {}
+    explicit Line(const UdpAddress& server) : socket(server) {}
     Socket socket;
     std::deque<Message> waiting;  // filled by the thread; under `mutex`
   };
   class LineChannel;
 
-  explicit Sockets(const Address& to) : server(to) {}
+  explicit Sockets(const UdpAddress& to) : server(to) {}
   ~Sockets() { stop(); }
 
   bool has_thread() const { return wake >= 0; }
@@ -255,7 +212,7 @@ struct UdpClients::Sockets {
     return ::ppoll(polled.data(), polled.size(), &limit, nullptr) > 0;
   }
 
-  const Address server;
+  const UdpAddress server;
   std::mutex mutex;
   std::condition_variable arrived;
   std::vector<std::weak_ptr<Line>> lines;
@@ -298,8 +255,8 @@ class UdpClients::Sockets::LineChannel : public Channel {
 };
 
 Result<std::unique_ptr<UdpClients>> UdpClients::create(const std::string& host, int port) {
-  const Result<Address> server = resolve(host, port);
-  if (!server) return server.error();
+  const Result<UdpAddress> server = find_address(host, port);
+  if (!server) return Error{"soccer server host '" + host + "': " + server.error().message};
   return std::unique_ptr<UdpClients>(new UdpClients(std::make_shared<Sockets>(*server)));
 }
 

@@ -59,6 +59,7 @@ void LockstepServer::run_cycle() {
   match_->step();
   match_->sense();
   match_->think();
+  if (network_ != nullptr) network_->flush();
 }
 
 bool LockstepServer::awaits(ClientId client) {

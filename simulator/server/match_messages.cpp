@@ -59,7 +59,7 @@ void MatchServer::tell_referee(Clock clock, const std::string& words) {
 }
 
 void MatchServer::tell_said(Clock clock, const PlayerSaid& said) {
-  tell_monitors_of_words(clock, speaker_name(said.speaker), said.text);
+  if (monitors_hear()) tell_monitors_of_words(clock, speaker_name(said.speaker), said.text);
   for (auto& client : sessions_) {
     if (client != nullptr) overhear(world_, said, client->slot(), client->hearing);
   }

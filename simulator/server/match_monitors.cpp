@@ -97,6 +97,10 @@ void MatchServer::compress_monitor(Connection& monitor, int level) {
   monitor.channel->compress(level);
 }
 
+bool MatchServer::monitors_hear() const {
+  return world_.params().send_comms && monitors_.connected() > 0;
+}
+
 void MatchServer::tell_monitors_of_words(Clock clock, const CoachWords& words) {
   if (words.side == Side::kNeutral) {
     return tell_monitors_of_words(clock, "referee", words.said.text);
@@ -108,7 +112,7 @@ void MatchServer::tell_monitors_of_words(Clock clock, const CoachWords& words) {
 
 void MatchServer::tell_monitors_of_words(Clock clock, std::string_view speaker,
                                          std::string_view words) {
-  if (!world_.params().send_comms || monitors_.connected() == 0) return;
+  if (!monitors_hear()) return;
   std::string text = "(";
   text += speaker;
   text += ' ';

@@ -160,6 +160,7 @@ class MatchServer {
   void tell_type(Clock clock, const TypeChanged& change);
   void tell_goalie(Clock clock, const GoalieAppointed& change);
   std::string speaker_name(Slot slot) const;
+  bool monitors_hear() const;
   void tell_monitors_of_words(Clock clock, std::string_view speaker, std::string_view words);
   void tell_monitors_of_words(Clock clock, const CoachWords& words);
   void broadcast(std::string_view message);

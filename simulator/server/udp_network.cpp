@@ -1,25 +1,30 @@
 // Sockets around the match server.
 #include "simulator/server/udp_network.h"
 
+#include <sys/epoll.h>
+#include <unistd.h>
+
+#include <algorithm>
 #include <array>
-#include <boost/asio.hpp>
+#include <cerrno>
+#include <cstdint>
+#include <cstring>
 #include <deque>
 #include <utility>
 #include <variant>
 #include <vector>
 
 #include "simulator/server/message_compression.h"
+#include "simulator/server/udp_socket.h"
 
 namespace cls::simulator {
 namespace {
 
-namespace asio = boost::asio;
-using asio::ip::udp;
+using soccer::UdpAddress;
 
-constexpr std::size_t kBufferSize = 8192;
-
-/// Of one client in one turn; what it sends beyond waits, so that a flood delays nobody else.
-constexpr int kDatagramsInARow = 64;
+/// Reads of one socket in one turn; what waits beyond is left for the next, so that a flood delays
+/// nobody else.
+constexpr int kReadsInARow = 4;
 
 /// Text as it came: without the closing NUL, and up to the first one.
 struct Datagram {
@@ -32,47 +37,48 @@ Datagram strip(std::string_view bytes) {
   return {bytes.substr(0, bytes.find('\0')), terminated};
 }
 
-/// The server's end of one client: a socket of its own, connected to the client's.
+/// The server's end of one client: a socket of its own, connected to the client's. What is sent
+/// waits for flush(): a client gets all that it is told in a cycle by one system call, and wakes up
+/// once.
 class UdpChannel : public soccer::Channel {
  public:
-  UdpChannel(udp::socket socket, bool with_nul) : socket_(std::move(socket)), nul_(with_nul) {}
+  /// `talkative` lists the channels with messages to flush.
+  UdpChannel(UdpSocket socket, bool with_nul, std::vector<UdpChannel*>& talkative)
+      : socket_(std::move(socket)), nul_(with_nul), talkative_(talkative) {}
+  UdpChannel(const UdpChannel&) = delete;
+  UdpChannel& operator=(const UdpChannel&) = delete;
+
+  ~UdpChannel() override {
+    talkative_.erase(std::remove(talkative_.begin(), talkative_.end(), this), talkative_.end());
+    flush();
+  }
 
   bool send(std::string_view message) override {
-    boost::system::error_code error;
-    if (compression_ != nullptr) {
-      whole_ = message;
-      if (nul_) whole_ += '\0';
-      socket_.send(asio::buffer(compression_->packed(whole_)), 0, error);
-      return !is_gone(error);
+    if (gone_) return false;
+    if (outgoing_.empty()) talkative_.push_back(this);
+    if (compression_ == nullptr) {
+      outgoing_.add(message, nul_);
+      return true;
     }
-    constexpr char kNul = '\0';
-    const std::array<asio::const_buffer, 2> buffers = {asio::buffer(message),
-                                                       asio::buffer(&kNul, nul_ ? 1 : 0)};
-    socket_.send(buffers, 0, error);
-    return !is_gone(error);
-  }
-
-  bool receive(std::string& message) override {
-    Datagram datagram;
-    if (!receive(datagram)) return false;
-    message = datagram.text;
+    whole_ = message;
+    if (nul_) whole_ += '\0';
+    outgoing_.add(compression_->packed(whole_), false);
     return true;
   }
 
-  /// The view holds until the next call.
-  bool receive(Datagram& datagram) {
-    boost::system::error_code error;
-    const std::size_t size = socket_.receive(asio::buffer(buffer_), 0, error);
-    gone_ = gone_ || is_gone(error);
-    if (error) return false;
-    std::string_view bytes(buffer_.data(), size);
+  void flush() {
+    if (!outgoing_.send(socket_)) gone_ = true;
+  }
+
+  /// The network reads.
+  bool receive(std::string&) override { return false; }
+
+  /// What came in; holds until the next call.
+  Datagram read(std::string_view bytes) {
+    if (compression_ == nullptr) return strip(bytes);
     // What cannot be unpacked is an empty message: the client is told that it makes no sense.
-    if (compression_ != nullptr) {
-      if (!compression_->unpack(bytes, kBufferSize, whole_)) whole_.clear();
-      bytes = whole_;
-    }
-    datagram = strip(bytes);
-    return true;
+    if (!compression_->unpack(bytes, IncomingDatagrams::kLongest, whole_)) whole_.clear();
+    return strip(whole_);
   }
 
   bool can_compress() const override { return true; }
@@ -80,100 +86,131 @@ class UdpChannel : public soccer::Channel {
     compression_ = level < 0 ? nullptr : std::make_unique<MessageCompression>(level);
   }
 
-  /// The other side has closed its port.
-  bool gone() const { return gone_; }
-
-  udp::socket& socket() { return socket_; }
+  const UdpSocket& socket() const { return socket_; }
 
  private:
-  // A full buffer loses a datagram, as networks do; only a closed port is the end.
-  static bool is_gone(const boost::system::error_code& error) {
-    return error == asio::error::connection_refused;
-  }
-
-  udp::socket socket_;
-  bool nul_;  ///< closes every message
-  bool gone_ = false;
+  UdpSocket socket_;
+  bool nul_;           ///< closes every message
+  bool gone_ = false;  ///< the other side has closed its port
+  OutgoingDatagrams outgoing_;
+  std::vector<UdpChannel*>& talkative_;
   std::unique_ptr<MessageCompression> compression_;
   std::string whole_;
-  std::array<char, kBufferSize> buffer_;
 };
 
 }  // namespace
 
 class UdpNetwork::Sockets {
  public:
-  explicit Sockets(MatchServer& match) : match_(match) {}
+  explicit Sockets(MatchServer& match) : match_(match), epoll_(::epoll_create1(EPOLL_CLOEXEC)) {}
+  Sockets(const Sockets&) = delete;
+  Sockets& operator=(const Sockets&) = delete;
+  ~Sockets() {
+    if (epoll_ >= 0) ::close(epoll_);
+  }
 
   soccer::Result<void> open(Door door, const std::string& address, int port) {
-    boost::system::error_code error;
-    const auto ip = asio::ip::make_address(address, error);
-    const udp::endpoint local(ip, static_cast<unsigned short>(port));
-    udp::socket socket(io_);
-    if (!error) socket.open(local.protocol(), error);
-    if (!error) socket.bind(local, error);
-    if (!error) socket.non_blocking(true, error);
-    if (error) {
+    const auto error = [&](const std::string& cause) {
       return soccer::Error{"cannot listen on " + address + " port " + std::to_string(port) + ": " +
-                           error.message()};
-    }
-    listen_at(doors_.emplace_back(OpenDoor{door, ip, std::move(socket)}));
+                           cause};
+    };
+    const auto local = soccer::numeric_address(address, port);
+    if (!local) return error(local.error().message);
+    auto socket = UdpSocket::bound_to(*local);
+    if (!socket) return error(socket.error().message);
+    if (!watch(*socket, door_mark(doors_.size()))) return error(std::strerror(errno));
+    doors_.push_back({door, *local, std::move(*socket)});
     return {};
   }
 
   int port(Door kind) const {
     for (const OpenDoor& door : doors_) {
-      if (door.kind == kind) return door.socket.local_endpoint().port();
+      if (door.kind == kind) return door.socket.local_port();
     }
     return 0;
   }
 
   void poll(Time deadline) {
-    while (io_.poll_one() > 0 && std::chrono::steady_clock::now() < deadline) {
+    while (handle_ready(0) && std::chrono::steady_clock::now() < deadline) {
     }
   }
 
   void receive_until(Time deadline, const std::function<bool()>& enough) {
-    poll(deadline);
-    while (!enough() && std::chrono::steady_clock::now() < deadline) io_.run_one_until(deadline);
+    bool waits = !enough();
+    do {
+      if (waits) flush();
+      handle_ready(waits ? milliseconds_until(deadline) : 0);
+      waits = !enough();
+    } while (waits && std::chrono::steady_clock::now() < deadline);
+  }
+
+  void flush() {
+    for (UdpChannel* channel : talkative_) channel->flush();
+    talkative_.clear();
   }
 
  private:
   struct OpenDoor {
     Door kind;
-    asio::ip::address address;
-    udp::socket socket;
+    UdpAddress address;
+    UdpSocket socket;
   };
 
   struct Client {
-    udp::endpoint address;
+    UdpAddress address;
     const OpenDoor* door = nullptr;
     UdpChannel* channel = nullptr;  ///< valid while is_connected()
-    int generation = 0;
+    std::uint32_t generation = 0;
   };
 
-  void listen_at(OpenDoor& door) {
-    door.socket.async_wait(udp::socket::wait_read,
-                           [this, &door](const boost::system::error_code& error) {
-                             if (error) return;
-                             receive_at(door);
-                             listen_at(door);
-                           });
+  // What the system gives back with an event: a door, or a client and its generation.
+  static constexpr std::uint64_t kDoorMark = std::uint64_t{1} << 63;
+  static std::uint64_t door_mark(std::size_t index) { return kDoorMark | index; }
+  static std::uint64_t client_mark(ClientId id, std::uint32_t generation) {
+    return std::uint64_t{generation} << 16 | static_cast<std::uint64_t>(id);
+  }
+
+  // A socket leaves with its end.
+  bool watch(const UdpSocket& socket, std::uint64_t mark) {
+    epoll_event event{};
+    event.events = EPOLLIN;
+    event.data.u64 = mark;
+    return ::epoll_ctl(epoll_, EPOLL_CTL_ADD, socket.fd(), &event) == 0;
+  }
+
+  static int milliseconds_until(Time deadline) {
+    const auto left = deadline - std::chrono::steady_clock::now();
+    return std::max(0,
+                    static_cast<int>(std::chrono::ceil<std::chrono::milliseconds>(left).count()));
+  }
+
+  // Everybody who has sent something has a turn. False if nobody has.
+  bool handle_ready(int timeout_ms) {
+    std::array<epoll_event, 128> ready;  // more than there can be clients and doors
+    const int count = ::epoll_wait(epoll_, ready.data(), ready.size(), timeout_ms);
+    for (int i = 0; i < count; ++i) {
+      const std::uint64_t mark = ready[static_cast<std::size_t>(i)].data.u64;
+      if ((mark & kDoorMark) != 0) {
+        receive_at(doors_[mark & ~kDoorMark]);
+      } else {
+        receive_from(static_cast<ClientId>(mark & 0xffff), static_cast<std::uint32_t>(mark >> 16));
+      }
+    }
+    return count > 0;
   }
 
   void receive_at(OpenDoor& door) {
-    udp::endpoint sender;
-    for (int i = 0; i < kDatagramsInARow;) {
-      boost::system::error_code error;
-      const std::size_t size = door.socket.receive_from(asio::buffer(buffer_), sender, 0, error);
-      if (error == asio::error::connection_refused) continue;  // an answer that nobody wanted
-      if (error) return;
-      answer(door, strip({buffer_.data(), size}), sender);
-      ++i;
+    for (int i = 0; i < kReadsInARow; ++i) {
+      const int error = incoming_.receive(door.socket);
+      if (error == ECONNREFUSED) continue;  // an answer that nobody wanted
+      for (std::size_t k = 0; k < incoming_.size(); ++k) {
+        answer(door, strip(incoming_.bytes(k)), incoming_.sender(k));
+      }
+      if (incoming_.size() < IncomingDatagrams::kMost) return;
     }
   }
 
-  void answer(OpenDoor& door, const Datagram& datagram, const udp::endpoint& sender) {
+  void answer(OpenDoor& door, const Datagram& datagram, const UdpAddress& sender) {
     std::string_view text = datagram.text;
     if (const Connection* known = connection_of(door, sender)) {
       return match_.receive_at_door(known->client, text, datagram.null_terminated);
@@ -188,62 +225,48 @@ class UdpNetwork::Sockets {
   }
 
   void welcome(OpenDoor& door, const Admission& admission, std::string_view request,
-               const udp::endpoint& sender) {
-    boost::system::error_code error;
-    udp::socket socket(io_);
-    socket.open(sender.protocol(), error);
-    if (!error) socket.bind(udp::endpoint(door.address, 0), error);
-    if (!error) socket.connect(sender, error);
-    if (!error) socket.non_blocking(true, error);
-    if (error) {
-      match_.withdraw(admission);
-      refuse(door, soccer::ErrorCode::kSocketOpenFailed, sender);
-      return;
-    }
-    auto channel = std::make_unique<UdpChannel>(std::move(socket), !admission.binary);
+               const UdpAddress& sender) {
     Client& client = client_at(admission.client);
+    UdpAddress local = door.address;
+    local.set_port(0);
+    auto socket = UdpSocket::bound_to(local);
+    if (!socket || !socket->connect(sender) ||
+        !watch(*socket, client_mark(admission.client, client.generation + 1))) {
+      match_.withdraw(admission);
+      return refuse(door, soccer::ErrorCode::kSocketOpenFailed, sender);
+    }
+    auto channel = std::make_unique<UdpChannel>(std::move(*socket), !admission.binary, talkative_);
     client = {sender, &door, channel.get(), client.generation + 1};
     match_.greet(admission, std::move(channel), request);
-    listen_to(admission.client, client.generation);
   }
 
-  void refuse(OpenDoor& door, soccer::ErrorCode code, const udp::endpoint& sender) {
+  void refuse(OpenDoor& door, soccer::ErrorCode code, const UdpAddress& sender) {
     std::string refusal;
     soccer::format(code, refusal);
-    boost::system::error_code ignored;
-    door.socket.send_to(asio::buffer(refusal.c_str(), refusal.size() + 1), sender, 0, ignored);
+    door.socket.send_to(sender, {refusal.c_str(), refusal.size() + 1});
   }
 
-  void listen_to(ClientId id, int generation) {
-    client_at(id).channel->socket().async_wait(
-        udp::socket::wait_read, [this, id, generation](const boost::system::error_code& error) {
-          // The socket may have gone, or another client taken the place, while this was due.
-          if (error || !is_connected(id, generation)) return;
-          receive_from(id, generation);
-          if (is_connected(id, generation)) listen_to(id, generation);
-        });
-  }
-
-  bool is_connected(ClientId id, int generation) {
+  bool is_connected(ClientId id, std::uint32_t generation) {
     const Client& client = client_at(id);
     const Connection* connection = match_.connection(id);
     return client.generation == generation && connection != nullptr &&
            connection->channel.get() == client.channel;
   }
 
-  void receive_from(ClientId id, int generation) {
-    Datagram datagram;
-    for (int i = 0; i < kDatagramsInARow && is_connected(id, generation); ++i) {
+  // The socket may have gone, or another client taken the place, while an event was due.
+  void receive_from(ClientId id, std::uint32_t generation) {
+    for (int i = 0; i < kReadsInARow && is_connected(id, generation); ++i) {
       UdpChannel& channel = *client_at(id).channel;
-      if (!channel.receive(datagram)) {
-        if (channel.gone()) match_.lose(id);
-        return;
+      if (incoming_.receive(channel.socket()) == ECONNREFUSED) return match_.lose(id);
+      for (std::size_t k = 0; k < incoming_.size() && is_connected(id, generation); ++k) {
+        const Datagram datagram = channel.read(incoming_.bytes(k));
+        match_.receive(id, datagram.text, datagram.null_terminated);
       }
-      match_.receive(id, datagram.text, datagram.null_terminated);
+      if (incoming_.size() < IncomingDatagrams::kMost) return;
     }
   }
 
-  Connection* connection_of(const OpenDoor& door, const udp::endpoint& sender) {
+  Connection* connection_of(const OpenDoor& door, const UdpAddress& sender) {
     for (std::size_t i = 0; i < clients_.size(); ++i) {
       const Client& client = clients_[i];
       const auto id = static_cast<ClientId>(i);
@@ -261,10 +284,11 @@ class UdpNetwork::Sockets {
   }
 
   MatchServer& match_;
-  asio::io_context io_;
+  int epoll_;
   std::deque<OpenDoor> doors_;  ///< whose places stay
   std::vector<Client> clients_;
-  std::array<char, kBufferSize> buffer_;
+  std::vector<UdpChannel*> talkative_;
+  IncomingDatagrams incoming_;
 };
 
 UdpNetwork::UdpNetwork(MatchServer& match) : sockets_(std::make_unique<Sockets>(match)) {}
@@ -281,5 +305,7 @@ void UdpNetwork::poll(Time deadline) { sockets_->poll(deadline); }
 void UdpNetwork::receive_until(Time deadline, const std::function<bool()>& enough) {
   sockets_->receive_until(deadline, enough);
 }
+
+void UdpNetwork::flush() { sockets_->flush(); }
 
 }  // namespace cls::simulator

@@ -13,7 +13,8 @@ namespace cls::simulator {
 
 /// Passes datagrams between the network and a match: requests that arrive at a door to
 /// MatchServer::admit, what a client sends to receive(); each client is answered from a socket of
-/// its own (protocol 1.1), which the match owns by its connections. Used on one thread.
+/// its own (protocol 1.1), which the match owns by its connections. What the match says goes out
+/// with flush(), or when receive_until() waits. Used on one thread.
 class UdpNetwork {
  public:
   using Time = std::chrono::steady_clock::time_point;
@@ -35,6 +36,9 @@ class UdpNetwork {
   /// Takes in what arrives until `deadline` or until `enough()`. What has arrived already counts
   /// even if that is so at once.
   void receive_until(Time deadline, const std::function<bool()>& enough);
+
+  /// Sends what clients have been told since the last time.
+  void flush();
 
  private:
   class Sockets;

@@ -49,6 +49,7 @@ const World& UdpServer::world() const { return match_->world(); }
 
 UdpEnd UdpServer::run(const std::atomic<bool>& stop) {
   const UdpEnd end = world().params().synch_mode ? run_synchronous(stop) : run_in_real_time(stop);
+  network_->flush();
   match_->finish();
   return end;
 }
@@ -127,6 +128,7 @@ void UdpServer::receive_until(StepClock::Time next_step, int step_ms,
   const std::chrono::milliseconds tick(params.recv_step);
   for (auto due = next_step - std::chrono::milliseconds(step_ms) + tick; !stop.load();
        due = std::min(due + tick, next_step)) {
+    network_->flush();
     std::this_thread::sleep_until(due);
     network_->poll(WallClock::now() + tick / 2);
     execute();

@@ -1,11 +1,7 @@
 // Starting servers and talking to them.
 #include "tests/simulator/real_host.h"
 
-#include <arpa/inet.h>
-#include <netinet/in.h>
 #include <signal.h>
-#include <sys/socket.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
@@ -13,6 +9,7 @@
 #include <thread>
 
 #include "tests/support/command.h"
+#include "tests/support/real_server.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/udp_client.h"
 
@@ -22,23 +19,10 @@ namespace {
 using simulator::Door;
 using std::chrono::milliseconds;
 
-/// As good as free: nobody had it a moment ago.
-int free_port() {
-  const int socket = ::socket(AF_INET, SOCK_DGRAM, 0);
-  sockaddr_in address{};
-  address.sin_family = AF_INET;
-  socklen_t size = sizeof address;
-  const bool named = ::bind(socket, reinterpret_cast<const sockaddr*>(&address), size) == 0 &&
-                     ::getsockname(socket, reinterpret_cast<sockaddr*>(&address), &size) == 0;
-  ::close(socket);
-  if (!named) throw std::runtime_error("no free UDP port");
-  return ntohs(address.sin_port);
-}
-
 class RealHost : public Host {
  public:
   RealHost(std::vector<std::string> words, const std::vector<std::string>& settings) {
-    for (int& port : ports_) port = free_port();
+    for (int& port : ports_) port = free_udp_port();
     for (const std::string& word :
          {"server::port=" + std::to_string(ports_[0]),
           "server::coach_port=" + std::to_string(ports_[1]),

@@ -182,7 +182,7 @@ TEST(UdpServer, NamesAnAddressThatIsNone) {
   config.address = "localhorst";
   const auto server = UdpServer::open(config);
   ASSERT_FALSE(server);
-  EXPECT_EQ(server.error().message, "cannot listen on localhorst port 0: Invalid argument");
+  EXPECT_EQ(server.error().message, "cannot listen on localhorst port 0: not an IP address");
 }
 
 using Clock = std::chrono::steady_clock;

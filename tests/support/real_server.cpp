@@ -1,10 +1,13 @@
-// Looking for rcssserver.
+// Looking for a program and for ports.
 #include "tests/support/real_server.h"
 
+#include <netinet/in.h>
+#include <sys/socket.h>
 #include <unistd.h>
 
 #include <cstdlib>
 #include <sstream>
+#include <stdexcept>
 
 namespace cls::tests {
 
@@ -16,6 +19,18 @@ std::string real_server() {
     if (::access(program.c_str(), X_OK) == 0) return program;
   }
   return "";
+}
+
+int free_udp_port() {
+  const int socket = ::socket(AF_INET, SOCK_DGRAM, 0);
+  sockaddr_in address{};
+  address.sin_family = AF_INET;
+  socklen_t size = sizeof address;
+  const bool named = ::bind(socket, reinterpret_cast<const sockaddr*>(&address), size) == 0 &&
+                     ::getsockname(socket, reinterpret_cast<sockaddr*>(&address), &size) == 0;
+  ::close(socket);
+  if (!named) throw std::runtime_error("no free UDP port");
+  return ntohs(address.sin_port);
 }
 
 }  // namespace cls::tests

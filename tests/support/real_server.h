@@ -1,4 +1,4 @@
-// The real soccer server, where there is one.
+// Where the real rcssserver is, and ports for it.
 #pragma once
 
 #include <string>
@@ -7,5 +7,8 @@ namespace cls::tests {
 
 /// `rcssserver` on PATH, or the program that CLS_RCSSSERVER names; empty when there is none.
 std::string real_server();
+
+/// A UDP port as good as free: nobody had it a moment ago.
+int free_udp_port();
 
 }  // namespace cls::tests

@@ -33,6 +33,9 @@ class UdpClient : public soccer::Channel {
   std::string wait(std::chrono::milliseconds longest = std::chrono::seconds(10));
   std::string wait_bytes(std::chrono::milliseconds longest = std::chrono::seconds(10));
 
+  /// For poll() and its like.
+  int descriptor() const { return socket_; }
+
   /// Where it receives.
   int own_port() const;
 
