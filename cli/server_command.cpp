@@ -224,15 +224,17 @@ simulator::UdpConfig config_of(const Arguments& arguments, const ServerSettings&
   config.match.player = settings.player;
   config.match.seed = arguments.seed.value_or(std::random_device()());
   config.match.cycle_limit = arguments.cycles;
-  config.address = arguments.host;
-  config.port = settings.server.port;
-  config.trainer_port = settings.server.coach_port;
-  config.coach_port = settings.server.olcoach_port;
+  // Clients and logs are told the ports that were asked for, as by server::port.
+  soccer::ServerParams& told = config.match.server;
   if (arguments.port) {
-    config.port = *arguments.port;
-    config.trainer_port = *arguments.port == 0 ? 0 : *arguments.port + 1;
-    config.coach_port = *arguments.port == 0 ? 0 : *arguments.port + 2;
+    told.port = *arguments.port;
+    told.coach_port = *arguments.port == 0 ? 0 : *arguments.port + 1;
+    told.olcoach_port = *arguments.port == 0 ? 0 : *arguments.port + 2;
   }
+  config.address = arguments.host;
+  config.port = told.port;
+  config.trainer_port = told.coach_port;
+  config.coach_port = told.olcoach_port;
   config.max_wait = std::chrono::milliseconds(settings.max_wait_ms);
   config.max_missed = settings.max_missed;
   return config;

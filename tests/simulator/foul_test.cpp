@@ -148,26 +148,5 @@ TEST(IllegalDefense, TooManyDefendersForTooLong) {
   EXPECT_EQ(stage.world.mode, PlayMode::kFreeKickLeft);
 }
 
-TEST(Keepaway, EpisodesEndWhenTheTakersHaveTheBallOrItLeaves) {
-  soccer::ServerParams server = quiet_params();
-  server.keepaway = true;
-  Stage stage(server);
-  for (int i = 0; i < 3; ++i) stage.add(Side::kLeft, {-5.0 * i, 0});
-  for (int i = 0; i < 2; ++i) stage.add(Side::kRight, {5.0 * i + 1, 5});
-  stage.step();
-  expect_near(stage.world.ball.position, {-6, -6});
-  EXPECT_EQ(stage.world.referee.keepaway.episode, 1);
-  stage.place_ball({9.9, 0}, {0.3, 0});
-  stage.step();
-  EXPECT_EQ(stage.world.referee.keepaway.episode, 2);
-  Player& taker = stage.world.player(Side::kRight, 1);
-  for (int i = 0; i < 5; ++i) {
-    stage.place(taker, {0, 0});
-    stage.place_ball({0.6, 0});
-    stage.step();
-  }
-  EXPECT_EQ(stage.world.referee.keepaway.episode, 3);
-}
-
 }  // namespace
 }  // namespace cls::tests

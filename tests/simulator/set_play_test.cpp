@@ -178,6 +178,72 @@ TEST(GoalKick, IsRepeatedWhenAnOpponentTakesIt) {
   expect_near(stage.world.ball.acceleration, {0, 0}, 0.0);
 }
 
+// A goalie that does not get the ball out of its area, again and again.
+class ProperGoalKicks : public ::testing::Test {
+ protected:
+  static soccer::ServerParams params(bool free_kick_faults) {
+    soccer::ServerParams server = quiet_params();
+    server.proper_goal_kicks = true;
+    server.free_kick_faults = free_kick_faults;
+    return server;
+  }
+
+  // Awards the goal kick to the left and lets the goalie kick so weakly that the ball stays in.
+  explicit ProperGoalKicks(bool free_kick_faults = true) : stage(params(free_kick_faults)) {
+    simulator::award_goal_kick(stage.world, Side::kLeft, stage.events);
+    kick_weakly(stage.add(Side::kLeft, {0, 0}, true));
+  }
+
+  void kick_weakly(Player& kicker) {
+    stage.place(kicker, stage.world.ball.position - Vec2{0.5, 0});
+    stage.words();
+    stage.command(kicker, "(kick 5 90)");
+    stage.step();
+  }
+
+  Stage stage;
+};
+
+class ProperGoalKicksWithoutFaults : public ProperGoalKicks {
+ protected:
+  ProperGoalKicksWithoutFaults() : ProperGoalKicks(false) {}
+};
+
+TEST_F(ProperGoalKicks, AreRepeatedWhenTheBallStopsInTheAreaAndTheThirdTimeItIsTheOthers) {
+  Player& goalie = stage.world.player(Side::kLeft, 1);
+  for (int repetition = 1; repetition < 3; ++repetition) {
+    while (stage.world.ball.velocity.length() >= 0.01 * 0.94) stage.step();
+    EXPECT_EQ(stage.words().size(), 1u);
+    EXPECT_EQ(stage.world.mode, PlayMode::kGoalKickLeft);
+    kick_weakly(goalie);
+  }
+  stage.step_until_mode_changes();
+  EXPECT_EQ(stage.world.mode, PlayMode::kFreeKickRight);
+}
+
+TEST_F(ProperGoalKicks, AreRepeatedWhenAnotherPlayerKicksBeforeTheBallIsOut) {
+  kick_weakly(stage.add(Side::kLeft, {0, 0}));
+  EXPECT_EQ(stage.words().front().substr(3), "goal_kick_l");
+  EXPECT_EQ(stage.world.mode, PlayMode::kGoalKickLeft);
+}
+
+TEST_F(ProperGoalKicks, ASecondTouchIsAFault) {
+  Player& goalie = stage.world.player(Side::kLeft, 1);
+  stage.command(goalie, "(dash 10)");
+  stage.step();
+  kick_weakly(goalie);
+  EXPECT_EQ(stage.world.mode, PlayMode::kFreeKickFaultLeft);
+}
+
+TEST_F(ProperGoalKicksWithoutFaults, ASecondTouchRepeatsThem) {
+  Player& goalie = stage.world.player(Side::kLeft, 1);
+  stage.command(goalie, "(dash 10)");
+  stage.step();
+  kick_weakly(goalie);
+  EXPECT_EQ(stage.words().front().substr(3), "goal_kick_l");
+  EXPECT_EQ(stage.world.mode, PlayMode::kGoalKickLeft);
+}
+
 TEST(BallStuck, IsDroppedAfterAHundredCycles) {
   Stage stage;
   stage.place_ball({20, 5});
