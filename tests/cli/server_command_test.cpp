@@ -113,7 +113,8 @@ TEST(ServerCommand, WritesLogsAndTableWhereRcssserverWould) {
                                       << "server::text_logging = off\n"
                                       << "server::game_log_dated = off\n";
   setenv("RCSS_CONF_DIR", folder.path().c_str(), 1);
-  Command server({cls_binary(), "server", "--server::port=0", "CSVSaver::save=on",
+  Command server({cls_binary(), "server", "--server::port=0", "server::coach_port=0",
+                  "server::olcoach_port=0", "CSVSaver::save=on",
                   "CSVSaver::filename=" + (here / "table.csv").string()});
   setenv("RCSS_CONF_DIR", "/nonexistent", 1);
   ASSERT_TRUE(server.wait_for_output("listening on "));
