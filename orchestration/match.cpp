@@ -141,7 +141,7 @@ Result<MatchResult> play_network(const MatchContext& context, ProcessHost& host)
                                     context.stop_signal, host, context.folder);
   if (!match) return refused(context, match.error().message);
   (*match)->play(context.observer);
-  MatchResult result = (*match)->result();
+  MatchResult result = (*match)->result(context.observer);
   (*match)->write_events(events, result);
   if (const auto closed = (*file)->close(); !closed) result.write_error = closed.error().message;
   return result;

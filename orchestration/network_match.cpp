@@ -27,6 +27,8 @@ constexpr milliseconds kServerEndsItself{10'000};
 // A team may hear of the end of the match, and leave, before we do.
 constexpr milliseconds kEndBecomesKnown{2000};
 constexpr int kCyclesUntilEndIsKnown = 15;
+// For how long a server in synchronous mode waits for its clients' (done).
+constexpr milliseconds kServerWaits{1250};
 
 }  // namespace
 
@@ -297,12 +299,23 @@ void NetworkMatch::await_gone() {
   }
 }
 
+void NetworkMatch::warn_of_deadline(MatchObserver& observer) {
+  const bool ours = sides_[0].own || sides_[1].own;
+  const auto deadline = decision_deadline(options_);
+  if (!ours || mode_of(options_) != MatchMode::kSynch || !deadline) return;
+  if (*deadline <= kServerWaits) return;
+  warn(observer, fmt::format("--rpc-deadline {} ms: a soccer server in synchronous mode goes on "
+                             "without an answer after {} ms",
+                             deadline->count(), kServerWaits.count()));
+}
+
 void NetworkMatch::play(MatchObserver& observer) {
   if (const std::string taken = taken_port(plan_); !taken.empty()) {
     try_again_ = true;
     end(EndReason::kRefused, taken);
   } else {
     start_sides();
+    warn_of_deadline(observer);
     wait_for_playmakers(observer);
     start_server(observer);
     join(0, observer);

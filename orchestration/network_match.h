@@ -58,8 +58,8 @@ class NetworkMatch {
   /// Starts everything in order, plays to the end, and leaves nothing running.
   void play(MatchObserver& observer);
 
-  /// What came of it, from the server's own log where there is one.
-  MatchResult result() const;
+  /// What came of it, from the server's own log where there is one. Tells what is odd about it.
+  MatchResult result(MatchObserver& observer) const;
 
   /// Goals and play modes from the server's log, once the match is over.
   void write_events(EventLog& events, const MatchResult& result) const;
@@ -86,6 +86,7 @@ class NetworkMatch {
                ProcessHost& host, std::filesystem::path folder);
 
   void start_sides();
+  void warn_of_deadline(MatchObserver& observer);
   void wait_for_playmakers(MatchObserver& observer);
   void start_server(MatchObserver& observer);
   void wait_for_address(MatchObserver& observer);

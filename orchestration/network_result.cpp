@@ -113,7 +113,7 @@ void NetworkMatch::write_events(EventLog& events, const MatchResult& result) con
               {"score", {result.left.score, result.right.score}}});
 }
 
-MatchResult NetworkMatch::result() const {
+MatchResult NetworkMatch::result(MatchObserver& observer) const {
   MatchResult result;
   const std::array<TeamResult*, 2> teams = {&result.left, &result.right};
   for (std::size_t i = 0; i < 2; ++i) {
@@ -148,6 +148,9 @@ MatchResult NetworkMatch::result() const {
   result.warnings = warnings_;
   take_own_view(result);
   read_log(result);
+  for (std::size_t i = warnings_.size(); i < result.warnings.size(); ++i) {
+    observer.on_warning(result.warnings[i]);
+  }
   const double seconds = std::chrono::duration<double>(last_cycle_ - first_cycle_).count();
   if (seconds > 0.0) result.cycles_per_second = result.cycles / seconds;
   return result;

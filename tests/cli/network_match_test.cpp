@@ -199,6 +199,16 @@ TEST_F(NetworkMatch, ForeignTeamsAloneMayStandBeforeKickOffForLongerThanTheStall
   EXPECT_GT(took_, 60 * 50ms) << "the server did not stand as long as this test needs";
 }
 
+TEST_F(NetworkMatch, ADeadlineBeyondTheServersPatienceIsWarnedOf) {
+  play("mock", server(""), {"--cycles", "5", "--rpc-deadline", "5000"});
+  expect_finished();
+  EXPECT_EQ(
+      played_.err.find("cls: warning: --rpc-deadline 5000 ms: a soccer server in synchronous mode "
+                       "goes on without an answer after 1250 ms\n"),
+      0U)
+      << played_.err;
+}
+
 TEST_F(NetworkMatch, StartsEachAgentInItsTurn) {
   const cls::tests::PortLock lock;
   script("team/kill", "echo ended > killed");
@@ -306,6 +316,52 @@ TEST_F(ServerFault, LeavesAGrandchild) {
 TEST_F(ServerFault, NobodyAnswersAtTheAddress) {
   play("mock", "127.0.0.1:9", {"--start-timeout", "1"}, {});
   expect_end("refused", 69, "no soccer server answers at 127.0.0.1:9 within the start limit");
+}
+
+// Somebody was quicker, after the port was chosen.
+TEST_F(ServerFault, FindsItsPortTaken) {
+  const std::string bound = folder_.path() / "bound";
+  const std::string program =
+      script("server", "for word; do case $word in server::port=*) port=${word#*=};; esac; done\n" +
+                           built("cls_fake_process") + " bind-udp $port print bound hang > " +
+                           bound + " &\nwhile ! [ -s " + bound + " ]; do sleep 0.01; done\nexec " +
+                           built("cls_fake_server") + " \"$@\"");
+  play("mock", program);
+  expect_end("refused", 69, "the soccer server ended before the match: exit code 1");
+  expect_failed("soccer server", "");
+}
+
+/// A server that does something to its log after the match.
+std::string then(const std::string& deed) {
+  return built("cls_fake_server") + " \"$@\"\ncode=$?\n" + deed + "\nexit $code";
+}
+
+TEST_F(ServerFault, WritesAnotherScoreThanItTellsThePlayers) {
+  play("mock",
+       script("server", then("sed -i 's/ hold mock [0-9]* [0-9]*)/ hold mock 7 8)/' match.rcg")),
+       {"--half-time", "2"});
+  expect_finished();
+  EXPECT_EQ(result_["left"]["score"], 7);
+  EXPECT_EQ(result_["right"]["score"], 8);
+  EXPECT_NE(played_.err.find("the log says 7 : 8, but the players of hold counted "),
+            std::string::npos)
+      << played_.err;
+}
+
+TEST_F(ServerFault, LeavesNoLogAndThePlayersTellTheScore) {
+  play("mock", script("server", then("rm match.rcg")), {"--half-time", "2"});
+  expect_finished();
+  EXPECT_EQ(result_["cycles"], 40);
+  EXPECT_TRUE(result_["log_files"]["rcg"].is_null());
+  EXPECT_NE(played_.err.find("score and cycles are those that our players heard: "),
+            std::string::npos)
+      << played_.err;
+}
+
+TEST_F(ServerFault, LeavesNoLogAndNobodyElseKnowsTheScore) {
+  left_ = team("");
+  play(left_, script("server", then("rm match.rcg")), {"--half-time", "1"});
+  expect_end("server_failed", 1, "the result is not known: ");
 }
 
 TEST_F(TeamFault, EndsAtItsStart) {
@@ -416,6 +472,19 @@ TEST_F(TeamFault, HasAKillScriptThatHangs) {
   EXPECT_EQ(result_["processes"].back()["exit"], "ended by cls (killed by SIGKILL)");
 }
 
+TEST_F(TeamFault, LastWordsAreFiveLinesOnTheTerminalAndFiftyInTheResult) {
+  script("team/start.sh", "for i in $(seq 100); do echo line $i; done; exit 1");
+  play("team:" + (folder_.path() / "team").string(), server(""));
+  expect_end("refused", 69, "the process of right team ended before the match: exit code 1");
+  const json& output = result_["failure"]["output"];
+  ASSERT_EQ(output.size(), 50U);
+  EXPECT_EQ(output.front(), "line 51");
+  EXPECT_EQ(output.back(), "line 100");
+  EXPECT_EQ(played_.err.find("line 95\n"), std::string::npos) << played_.err;
+  EXPECT_NE(played_.err.find("  right team: line 96\n"), std::string::npos) << played_.err;
+  EXPECT_NE(played_.err.find("  right team: line 100\n"), std::string::npos) << played_.err;
+}
+
 TEST_F(TeamFault, FloodsItsOutputAndPlaysOn) {
   play(team("--flood 1"), server(""), {"--cycles", "10"});
   expect_finished();
@@ -461,6 +530,24 @@ TEST_F(NetworkMatch, AnInterruptedOneEndsInOrder) {
     EXPECT_EQ(result["end_reason"], "interrupted");
     EXPECT_GT(result["cycles"], 0);
   }
+}
+
+TEST_F(NetworkMatch, OneThatIsInterruptedAtItsStartLeavesNothing) {
+  Command command(
+      arguments(team("--never-join 1 --ignore-term 1"), server(""), {"--start-timeout", "60"}),
+      environment());
+  const auto begin = std::chrono::steady_clock::now();
+  while (cls::tests::marked_processes(mark_).size() < 14 &&
+         std::chrono::steady_clock::now() - begin < 40s) {
+    std::this_thread::sleep_for(10ms);
+  }
+  command.send_signal(SIGINT);
+  const CommandResult ended = command.finish();
+  EXPECT_EQ(ended.exit_code, 130) << ended.err;
+  EXPECT_TRUE(cls::tests::marked_processes(mark_).empty());
+  const json result = json::parse(cls::tests::read_file(match_folder() + "/result.json"));
+  EXPECT_EQ(result["end_reason"], "interrupted");
+  EXPECT_EQ(result["cycles"], 0);
 }
 
 TEST_F(NetworkMatch, NothingSurvivesKillNine) {

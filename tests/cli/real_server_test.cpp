@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 
+#include <filesystem>
+#include <fstream>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -117,6 +119,31 @@ TEST_F(RealServer, IsStartedByMatchAndLeavesNothing) {
   EXPECT_NE(log.find("Simulator Random Seed: " + result["server"]["seed"].dump()),
             std::string::npos);
   EXPECT_NE(log.find(folder + "/server-conf/server.conf"), std::string::npos);
+}
+
+// It reads ~/.rcssserver, and renames what it finds under the user's name, unless it is kept from
+// it.
+TEST_F(RealServer, NeitherReadsNorWritesTheUsersConfiguration) {
+  const std::filesystem::path home = folder_.path() / "home";
+  std::filesystem::create_directories(home / ".rcssserver");
+  const std::string mine = "server::half_time = 1\n";
+  std::ofstream(home / ".rcssserver/server.conf") << mine;
+  std::ofstream(home / ".rcssserver-server.conf") << mine;
+  const auto played = cls::tests::run(
+      {cls_binary(), "match", "mock", "mock", "--server", real_server(), "--half-time", "2",
+       "--dir", folder_.path() / "match", "--set", "server::kick_off_wait=5"},
+      {"HOME=" + home.string(), "USER=root", "USERNAME=root"});
+  EXPECT_EQ(played.exit_code, 0) << played.err;
+  const auto result =
+      nlohmann::json::parse(cls::tests::read_file(folder_.path() / "match/result.json"));
+  EXPECT_EQ(result["cycles"], 40);
+  std::size_t files = 0;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(home)) {
+    if (!entry.is_regular_file()) continue;
+    ++files;
+    EXPECT_EQ(cls::tests::read_file(entry.path()), mine) << entry.path();
+  }
+  EXPECT_EQ(files, 2U);
 }
 
 TEST_F(RealServer, IsStartedByMatchInRealTime) {
