@@ -15,6 +15,7 @@
 #include "cli/exit_code.h"
 #include "cli/interrupt.h"
 #include "cli/progress_line.h"
+#include "cli/script_options.h"
 #include "cli/terminal.h"
 #include "orchestration/endpoint.h"
 #include "orchestration/lone_team.h"
@@ -181,7 +182,13 @@ void add_proxy_command(CLI::App& app, int& exit_code) {
   const auto arguments = std::make_shared<Arguments>();
   CLI::App* command = app.add_subcommand("proxy", kDescription);
   add_options(*command, *arguments);
-  command->callback([arguments, &exit_code] { exit_code = run_proxy(*arguments); });
+  add_script_options(*command);
+  command->callback([arguments, command, &exit_code] {
+    for (const std::string& option : given_script_options(*command)) {
+      if (!arguments->quiet) fmt::print(stderr, "cls: warning: {} does nothing here\n", option);
+    }
+    exit_code = run_proxy(*arguments);
+  });
 }
 
 }  // namespace cls::cli

@@ -17,6 +17,7 @@
 #include "tests/support/command.h"
 #include "tests/support/marked_processes.h"
 #include "tests/support/port_lock.h"
+#include "tests/support/real_server.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/udp_client.h"
 
@@ -286,12 +287,11 @@ TEST_F(DoctorServer, OurOwnToo) {
 }
 
 TEST_F(DoctorServer, TheRealOneToo) {
-  if (std::system("command -v rcssserver >/dev/null 2>&1") != 0) {
-    GTEST_SKIP() << "no rcssserver on PATH";
-  }
+  const std::string program = cls::tests::real_server();
+  if (program.empty()) GTEST_SKIP() << "no rcssserver on PATH nor in CLS_RCSSSERVER";
   const std::string conf = folder_.path() / "home";
   CommandResult result = cls::tests::run(
-      words({"--json", "--server", "rcssserver", "--start-timeout", "50"}), {"HOME=" + conf});
+      words({"--json", "--server", program, "--start-timeout", "50"}), {"HOME=" + conf});
   EXPECT_EQ(result.exit_code, 0) << result.out;
   expect(item(json::parse(result.out), "server"), "ok", "before_kick_off, cycle 0, nobody");
   EXPECT_FALSE(std::filesystem::exists(conf)) << "the user's configuration is not touched";

@@ -172,6 +172,63 @@ TEST(ProxyCommand, SaysThatThePlaymakerIsMissing) {
   EXPECT_NE(alone.err.find("localhost:1"), std::string::npos) << alone.err;
 }
 
+TEST(ProxyCommand, TakesTheOptionsOfUpstreamsStartScript) {
+  Command proxy({cls_binary(),
+                 "proxy",
+                 "-h",
+                 "127.0.0.1",
+                 "-p",
+                 "9",
+                 "-P",
+                 "9",
+                 "-t",
+                 "Reds",
+                 "-n",
+                 "11",
+                 "-C",
+                 "--rpc-host",
+                 "127.0.0.1",
+                 "--rpc-port",
+                 "9",
+                 "--rpc-port-step",
+                 "--rpc-add-20-to-port-for-right",
+                 "--rpc-type",
+                 "grpc",
+                 "--rpc-timeout",
+                 "6",
+                 "--fullstate",
+                 "ignore",
+                 "--team-graphic",
+                 "logo.xpm",
+                 "--offline-logging",
+                 "--offline-client-mode",
+                 "--debug",
+                 "--debug-start-time",
+                 "1",
+                 "--debug-end-time",
+                 "2",
+                 "--debug-server-connect",
+                 "--debug-server-host",
+                 "localhost",
+                 "--debug-server-port",
+                 "6032",
+                 "--debug-server-logging",
+                 "--log-dir",
+                 "/tmp",
+                 "--debug-log-ext",
+                 ".log",
+                 "--start-timeout",
+                 "0.1"});
+  const auto ended = proxy.finish();
+  EXPECT_EQ(ended.exit_code, 69) << ended.err;
+  for (const char* option : {"--offline-logging", "--debug", "--team-graphic", "--log-dir"}) {
+    EXPECT_NE(ended.err.find("cls: warning: " + std::string(option) + " does nothing here\n"),
+              std::string::npos)
+        << ended.err;
+  }
+  EXPECT_EQ(std::count(ended.err.begin(), ended.err.end(), '\n'), 12 + 1) << ended.err;
+}
+
 TEST(ProxyCommand, MistakesAreUsageErrors) {
   EXPECT_EQ(run({cls_binary(), "proxy", "--rpc-type", "thrift"}).exit_code, 2);
   EXPECT_EQ(run({cls_binary(), "proxy", "-t", "much_too_long_a_name"}).exit_code, 2);
