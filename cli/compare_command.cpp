@@ -140,7 +140,7 @@ int run(const Arguments& arguments) {
   if (!*lock) return complain(kTryAgain, options.folder.string() + " is in use by another cls");
   TournamentProgress progress(stderr_is_terminal() && !arguments.quiet, arguments.quiet);
   const auto make = [&](const TournamentConfig& config) {
-    return local_executor(config, options.folder, own_program());
+    return make_executor(config, options.folder, own_program());
   };
   const auto summary = run_tournament(options, make, progress, watch_interrupts());
   progress.clear();

@@ -111,7 +111,7 @@ int run(const Arguments& arguments) {
   options.config = chosen.config;
   TournamentProgress progress(stderr_is_terminal() && !arguments.quiet, arguments.quiet);
   const auto make = [&](const TournamentConfig& config) {
-    return local_executor(config, folder, own_program());
+    return make_executor(config, folder, own_program());
   };
   const auto summary = run_tournament(options, make, progress, watch_interrupts());
   progress.clear();

@@ -35,6 +35,7 @@ struct Arguments {
   TournamentOptions tournament;
   int index = 0;
   int attempt = 1;
+  std::string schedule;
 };
 
 // A folder that was never run gets its plan and first schedule now.
@@ -58,10 +59,12 @@ int make_ready(const Arguments& arguments) {
 int run(const Arguments& arguments) {
   if (const int exit_code = make_ready(arguments); exit_code != kDone) return exit_code;
   const fs::path folder = arguments.tournament.folder;
-  const auto fixture = read_fixture(folder, arguments.index);
+  const auto fixture = read_fixture(
+      arguments.schedule.empty() ? folder / kScheduleFile : fs::path(arguments.schedule),
+      arguments.index);
   if (!fixture) return complain(kNoInput, fixture.error().message);
   const std::atomic<int>& signal = watch_interrupts();
-  const auto outcome = work(folder, arguments.index, arguments.attempt, own_program(), signal);
+  const auto outcome = work(folder, *fixture, arguments.attempt, own_program(), signal);
   if (!outcome) return complain(kWriteFailed, outcome.error().message);
   if (!*outcome) return signal == SIGTERM ? kTerminated : kInterrupted;
   const auto config = read_plan(folder);
@@ -85,6 +88,8 @@ void add_tournament_work_command(CLI::App& app, int& exit_code) {
       ->check(CLI::PositiveNumber);
   command->add_option("--attempt", arguments->attempt, "number of the attempt (1)")
       ->check(CLI::PositiveNumber);
+  command->add_option("--schedule", arguments->schedule,
+                      "file with the match's line (DIR/schedule.jsonl)");
   command->add_option("--config", arguments->tournament.config_file,
                       "configuration, where DIR holds no plan yet");
   command->callback([arguments, &exit_code] { exit_code = run(*arguments); });

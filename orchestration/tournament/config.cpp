@@ -159,6 +159,10 @@ std::string_view name(OnCrash on_crash) {
   return "";
 }
 
+std::string_view name(ExecutorKind executor) {
+  return executor == ExecutorKind::kSlurm ? "slurm" : "local";
+}
+
 std::string_view name(KeepLogs keep) {
   switch (keep) {
     case KeepLogs::kAll:

@@ -31,6 +31,12 @@ enum class OnCrash {
 
 enum class KeepLogs { kAll, kFailed, kNone };
 
+/// Where matches are played.
+enum class ExecutorKind {
+  kLocal,  ///< on this machine
+  kSlurm,  ///< by a Slurm cluster that sees the tournament's folder
+};
+
 /// Criteria that separate teams with the same points, see standings.h.
 enum class TieBreaker {
   kHeadToHead,
@@ -88,6 +94,10 @@ struct TournamentConfig {
   // How it is carried out; may change from run to run.
   int concurrency = 0;  ///< matches at once; 0: automatic
   bool pin = false;     ///< each running match on processors of its own
+  ExecutorKind executor = ExecutorKind::kLocal;
+  std::vector<std::string> slurm_options;  ///< words for sbatch, such as "--partition=short"
+  int slurm_tasks = 1000;                  ///< matches that wait or run in Slurm, at most
+  std::optional<double> slurm_poll_s;      ///< between questions to squeue; else 10
   OnCrash on_crash = OnCrash::kStop;
   int max_reruns = 2;
   KeepLogs keep_logs = KeepLogs::kAll;
@@ -110,6 +120,7 @@ int team_index(const TournamentConfig& config, std::string_view name);
 std::string_view name(Format format);
 std::string_view name(OnCrash on_crash);
 std::string_view name(KeepLogs keep);
+std::string_view name(ExecutorKind executor);
 std::string_view name(TieBreaker breaker);
 
 /// Everything in `config` that contradicts itself or cannot be played, one line each, without the

@@ -136,6 +136,7 @@ constexpr std::array kFormats = {Format::kRoundRobin, Format::kGauntlet, Format:
                                  Format::kGroups,     Format::kKnockout, Format::kDoubleElimination,
                                  Format::kSwiss};
 constexpr std::array kOnCrash = {OnCrash::kStop, OnCrash::kForfeit, OnCrash::kRerun};
+constexpr std::array kExecutors = {ExecutorKind::kLocal, ExecutorKind::kSlurm};
 constexpr std::array kKeepLogs = {KeepLogs::kAll, KeepLogs::kFailed, KeepLogs::kNone};
 constexpr std::array kTieBreakers = {
     TieBreaker::kHeadToHead, TieBreaker::kGoalDifference, TieBreaker::kGoalDifferenceAmong,
@@ -163,6 +164,17 @@ Result<void> read_gauntlet(Config& config, const ConfigValue& value) {
   } else {
     return Error{"must be a list of team names"};
   }
+  return {};
+}
+
+Result<void> read_slurm_options(Config& config, const ConfigValue& value) {
+  const auto* words = std::get_if<std::vector<std::string>>(&value);
+  if (words == nullptr) return Error{"must be a list of options, [\"--partition=short\", ...]"};
+  for (const std::string& word : *words) {
+    if (!word.starts_with("-"))
+      return Error{fmt::format("'{}': write options of sbatch as --name=value", word)};
+  }
+  config.slurm_options = *words;
   return {};
 }
 
@@ -273,6 +285,17 @@ std::vector<Row> execution_rows() {
       Row{"concurrency", kGroup, "matches at once: a number, or \"auto\" (by processors)",
           "\"auto\"", read_concurrency, write_concurrency},
       flag("pin", kGroup, &Config::pin, "false", "each running match on processors of its own"),
+      choice("executor", kGroup, &Config::executor, kExecutors, "\"local\"",
+             "where matches are played: local or slurm"),
+      Row{"slurm_options", kGroup, "slurm: options for sbatch", "[\"--partition=short\"]",
+          read_slurm_options,
+          [](const Config& config) {
+            return config.slurm_options.empty() ? std::string() : toml_list(config.slurm_options);
+          }},
+      whole("slurm_tasks", kGroup, &Config::slurm_tasks, 1, 1'000'000, "1000",
+            "slurm: matches that wait or run there at once"),
+      seconds("slurm_poll", kGroup, &Config::slurm_poll_s, "10",
+              "slurm: seconds between questions to squeue"),
       choice("on_crash", kGroup, &Config::on_crash, kOnCrash, "\"stop\"",
              "after a fault: stop, forfeit (0:3) or rerun"),
       whole("max_reruns", kGroup, &Config::max_reruns, 0, 1000, "2",
@@ -326,6 +349,7 @@ ConfigValue value_from_text(const ConfigKey& key, std::string_view text) {
     }
     return parts;
   };
+  if (key.name == "slurm_options") return split(text, ' ');
   if (key.name == "gauntlet" || key.name == "tie_breakers") return split(text, ',');
   if (key.name == "matches") {
     std::vector<std::vector<std::string>> pairings;

@@ -38,6 +38,10 @@ fs::path result_file(int index, int attempt) {
   return fs::path(kResultsFolder) / fmt::format("{:06}.{}.json", index, attempt);
 }
 
+fs::path unfinished_folder(int index, int attempt, std::string_view here) {
+  return fs::path(kUnfinishedFolder) / fmt::format("{:06}.{}.{}", index, attempt, here);
+}
+
 Result<std::optional<FolderLock>> FolderLock::take(const fs::path& folder) {
   const fs::path path = folder / kLockFile;
   UniqueFd file(::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666));
@@ -107,8 +111,7 @@ namespace {
 
 // Calls `take` with each line's fixture until it returns false.
 template <typename Take>
-Result<void> read_schedule(const fs::path& folder, Take take) {
-  const fs::path path = folder / kScheduleFile;
+Result<void> read_schedule(const fs::path& path, Take take) {
   std::ifstream stream(path);
   if (!stream) return Error{fmt::format("{}: no such file", path.string())};
   std::string line;
@@ -124,14 +127,14 @@ Result<void> read_schedule(const fs::path& folder, Take take) {
 
 }  // namespace
 
-Result<Fixture> read_fixture(const fs::path& folder, int index) {
+Result<Fixture> read_fixture(const fs::path& schedule, int index) {
   std::optional<Fixture> found;
-  const auto read = read_schedule(folder, [&](Fixture fixture) {
+  const auto read = read_schedule(schedule, [&](Fixture fixture) {
     if (fixture.index == index) found = std::move(fixture);
     return !found;
   });
   if (!read) return read.error();
-  if (!found) return Error{fmt::format("{} has no match {} yet", folder.string(), index)};
+  if (!found) return Error{fmt::format("{} has no match {} yet", schedule.string(), index)};
   return *std::move(found);
 }
 
@@ -154,7 +157,7 @@ Result<TournamentState> read_tournament(const fs::path& folder) {
       state.running = *std::move(running);
     }
   } else if (fs::exists(folder / kScheduleFile, code)) {
-    const auto read = read_schedule(folder, [&](Fixture fixture) {
+    const auto read = read_schedule(folder / kScheduleFile, [&](Fixture fixture) {
       state.matches.push_back(planned(std::move(fixture)));
       return true;
     });

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "orchestration/process/unique_fd.h"
@@ -19,7 +20,9 @@ inline constexpr const char* kStoreFile = "tournament.db";      ///< see store.h
 inline constexpr const char* kScheduleFile = "schedule.jsonl";  ///< a line a match, for `work`
 inline constexpr const char* kTournamentEvents = "events.jsonl";
 inline constexpr const char* kMatchesFolder = "matches";
-inline constexpr const char* kResultsFolder = "results";  ///< outcomes that `work` left
+inline constexpr const char* kResultsFolder = "results";        ///< outcomes that `work` left
+inline constexpr const char* kUnfinishedFolder = "unfinished";  ///< matches that `work` plays
+inline constexpr const char* kSlurmFolder = "slurm";            ///< job arrays, see slurm_batch.h
 inline constexpr const char* kStopFile = "stop";
 inline constexpr const char* kLockFile = "lock";
 
@@ -29,6 +32,9 @@ std::filesystem::path match_folder(const TournamentConfig& config, const Fixture
 
 /// "results/000017.1.json".
 std::filesystem::path result_file(int index, int attempt);
+
+/// "unfinished/000017.1.HERE": match folder of one execution of `work`; `here` is its own.
+std::filesystem::path unfinished_folder(int index, int attempt, std::string_view here);
 
 /// Held by the one `cls tournament run` that may write to a folder; ends with the process.
 class FolderLock {
@@ -55,10 +61,11 @@ bool holds_plan(const std::filesystem::path& folder);
 /// Renames an existing folder to NAME.old, NAME.old2, ...; returns the new name.
 soccer::Result<std::filesystem::path> set_aside(const std::filesystem::path& folder);
 
-/// Writes schedule.jsonl; read_fixture finds one match in it, or the nothing that is there.
+/// Writes schedule.jsonl; read_fixture finds one match in such a file. The error says that there
+/// is no such match in it.
 soccer::Result<void> write_schedule(const std::filesystem::path& folder,
                                     const std::vector<ScheduledMatch>& matches);
-soccer::Result<Fixture> read_fixture(const std::filesystem::path& folder, int index);
+soccer::Result<Fixture> read_fixture(const std::filesystem::path& schedule, int index);
 
 /// Everything known of a tournament at this moment, without writing.
 struct TournamentState {

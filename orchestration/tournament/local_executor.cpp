@@ -33,7 +33,7 @@ class LocalExecutor : public MatchExecutor {
     for (const Assignment& assignment : assignments) {
       const int slot = free_slot();
       auto attempt = MatchAttempt::start(host_, config_, assignment.fixture, assignment.number,
-                                         folder_, program_, cpus_of(slot));
+                                         {folder_, {}, program_, cpus_of(slot)});
       if (!attempt) return attempt.error();
       attempts_.emplace(slot, *std::move(attempt));
     }
@@ -106,6 +106,13 @@ class LocalExecutor : public MatchExecutor {
 };
 
 }  // namespace
+
+Result<std::unique_ptr<MatchExecutor>> make_executor(const TournamentConfig& config,
+                                                     const fs::path& folder,
+                                                     const fs::path& program) {
+  return config.executor == ExecutorKind::kSlurm ? slurm_executor(config, folder, program)
+                                                 : local_executor(config, folder, program);
+}
 
 Result<std::unique_ptr<MatchExecutor>> local_executor(const TournamentConfig& config,
                                                       const fs::path& folder,

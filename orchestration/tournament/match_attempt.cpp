@@ -35,6 +35,16 @@ void add_option(std::vector<std::string>& argv, const char* option, const std::o
 
 std::string text_of(const fs::path& file) { return read_file(file).value_or(""); }
 
+// What executions of `work` left that were killed.
+void remove_unfinished(const fs::path& tournament, int index, int attempt) {
+  const std::string prefix = unfinished_folder(index, attempt, "").filename().string();
+  std::error_code code;
+  for (const auto& entry : fs::directory_iterator(tournament / kUnfinishedFolder, code)) {
+    std::error_code ignored;
+    if (entry.path().filename().string().starts_with(prefix)) fs::remove_all(entry.path(), ignored);
+  }
+}
+
 bool interrupted(const Outcome& outcome) { return outcome.end_reason == "interrupted"; }
 
 }  // namespace
@@ -81,21 +91,21 @@ CommandPlan match_plan(const TournamentConfig& config, const Fixture& fixture,
 }
 
 Result<MatchAttempt> MatchAttempt::start(ProcessHost& host, const TournamentConfig& config,
-                                         const Fixture& fixture, int attempt,
-                                         const fs::path& tournament, const fs::path& program,
-                                         std::vector<int> cpus) {
+                                         const Fixture& fixture, int attempt, AttemptPlace place) {
   MatchAttempt started;
   started.fixture_ = fixture;
   started.number_ = attempt;
-  started.tournament_ = fs::absolute(tournament);
-  started.folder_ = match_folder(config, fixture, attempt);
+  started.tournament_ = fs::absolute(place.tournament);
+  started.folder_ =
+      place.folder.empty() ? match_folder(config, fixture, attempt) : std::move(place.folder);
   started.begin_ = std::chrono::steady_clock::now();
   started.limit_s_ = config.time_limit_s;
   started.started_ = utc_now();
   std::error_code code;
-  fs::create_directories(started.tournament_ / kMatchesFolder, code);
-  CommandPlan plan = match_plan(config, fixture, program, started.tournament_ / started.folder_);
-  plan.cpus = std::move(cpus);
+  fs::create_directories((started.tournament_ / started.folder_).parent_path(), code);
+  CommandPlan plan =
+      match_plan(config, fixture, place.program, started.tournament_ / started.folder_);
+  plan.cpus = std::move(place.cpus);
   auto child = host.start(plan);
   if (!child) return child.error();
   started.child_ = *std::move(child);
@@ -178,6 +188,7 @@ void clean_up(const TournamentConfig& config, const Fixture& fixture, const Outc
     }
     std::error_code code;
     if (!keep) fs::remove_all(folder, code);
+    remove_unfinished(tournament, fixture.index, attempt);
   }
 }
 

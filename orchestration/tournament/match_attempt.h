@@ -23,15 +23,21 @@ std::filesystem::path own_program();
 CommandPlan match_plan(const TournamentConfig& config, const Fixture& fixture,
                        const std::filesystem::path& program, const std::filesystem::path& folder);
 
+/// Where and with what an attempt is played.
+struct AttemptPlace {
+  std::filesystem::path tournament;  ///< the tournament's folder
+  std::filesystem::path folder;      ///< match folder below it; empty: as match_folder names it
+  std::filesystem::path program;     ///< `cls`
+  std::vector<int> cpus;             ///< processors it may run on; empty: all
+};
+
 /// An attempt under way.
 class MatchAttempt {
  public:
-  /// Starts `cls match` in its folder below `tournament`. The error says why it cannot be started.
+  /// Starts `cls match`. The error says why it cannot be started.
   static soccer::Result<MatchAttempt> start(ProcessHost& host, const TournamentConfig& config,
                                             const Fixture& fixture, int attempt,
-                                            const std::filesystem::path& tournament,
-                                            const std::filesystem::path& program,
-                                            std::vector<int> cpus = {});
+                                            AttemptPlace place);
 
   const Fixture& fixture() const { return fixture_; }
   int number() const { return number_; }

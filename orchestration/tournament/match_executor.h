@@ -49,6 +49,16 @@ class MatchExecutor {
   /// Matches under way.
   virtual int running() const = 0;
 
+  /// Asks for those matches back that were handed over and that nobody plays yet; wait() then
+  /// returns them without an outcome. Matches that are being played go on.
+  virtual void withdraw() {}
+
+  /// Called once, before anything else: numbers of those of `matches` (all, by number) that an
+  /// earlier run handed over and that may still be played. They are under way now.
+  virtual soccer::Result<std::vector<int>> take_over(std::span<const ScheduledMatch> /*matches*/) {
+    return std::vector<int>();
+  }
+
   /// What is worth telling since the last call, such as a change of concurrency.
   virtual std::vector<std::string> take_notes() { return {}; }
 };
@@ -60,5 +70,16 @@ class MatchExecutor {
 soccer::Result<std::unique_ptr<MatchExecutor>> local_executor(const TournamentConfig& config,
                                                               const std::filesystem::path& folder,
                                                               const std::filesystem::path& program);
+
+/// A Slurm cluster that sees `folder` and `program` under the same names: job arrays of `cls
+/// tournament work`, whose results are collected from the folder. See slurm_executor.cpp.
+soccer::Result<std::unique_ptr<MatchExecutor>> slurm_executor(const TournamentConfig& config,
+                                                              const std::filesystem::path& folder,
+                                                              const std::filesystem::path& program);
+
+/// The one that config.executor names.
+soccer::Result<std::unique_ptr<MatchExecutor>> make_executor(const TournamentConfig& config,
+                                                             const std::filesystem::path& folder,
+                                                             const std::filesystem::path& program);
 
 }  // namespace cls::orchestration

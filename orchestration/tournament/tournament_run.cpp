@@ -8,6 +8,7 @@
 #include <deque>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "orchestration/tournament/collector.h"
@@ -85,25 +86,36 @@ class TournamentRun {
     for (const ScheduledMatch& match : matches_) {
       if (match.outcome) note_done(*match.outcome);
     }
-    return take_up_earlier();
+    if (auto taken = take_up_results(); !taken) return taken;
+    const auto elsewhere = executor_->take_over(matches_);
+    if (!elsewhere) return elsewhere.error();
+    return take_up_left_behind({elsewhere->begin(), elsewhere->end()});
   }
 
-  // Outcomes that nobody committed: of `work`, and of matches that ended when cls did.
-  Result<void> take_up_earlier() {
+  // Outcomes of `work` that nobody committed.
+  Result<void> take_up_results() {
     for (Delivery& delivery : collect_results(options_.folder, matches_)) {
       if (auto taken = take_outcome(delivery.index, std::move(delivery.outcome)); !taken) {
         return taken;
       }
     }
+    return {};
+  }
+
+  // Those of matches that ended when cls did; what then is left waits to be played. `elsewhere`:
+  // numbers of matches that are under way.
+  Result<void> take_up_left_behind(const std::set<int>& elsewhere = {}) {
     for (ScheduledMatch& match : matches_) {
       if (match.outcome || match.attempts <= match.settled) continue;
+      if (elsewhere.contains(match.fixture.index)) continue;
       auto outcome = left_behind(config_, match.fixture, match.attempts, options_.folder);
       if (!outcome) continue;
       if (auto taken = take_outcome(match.fixture.index, *std::move(outcome)); !taken) return taken;
     }
     waiting_.clear();
     for (const ScheduledMatch& match : matches_) {
-      if (!match.outcome) waiting_.push_back(match.fixture.index);
+      const int index = match.fixture.index;
+      if (!match.outcome && !elsewhere.contains(index)) waiting_.push_back(index);
     }
     return {};
   }
@@ -133,7 +145,8 @@ class TournamentRun {
         !told) {
       return told;
     }
-    return take_up_earlier();
+    if (auto taken = take_up_results(); !taken) return taken;
+    return take_up_left_behind();
   }
 
   Result<void> start_matches() {
@@ -257,7 +270,11 @@ class TournamentRun {
     summary_.end = ending_.value_or(RunEnd::kComplete);
     const bool gently = summary_.end == RunEnd::kStopRequested;
     while (executor_->running() > 0) {
-      if (!gently || stop_signal_ != 0) executor_->interrupt();
+      if (!gently || stop_signal_ != 0) {
+        executor_->interrupt();
+      } else {
+        executor_->withdraw();
+      }
       if (auto taken = take_finished(kLook); !taken) return taken;
       observer_.on_progress(progress());
     }
