@@ -76,6 +76,8 @@ void add_options(CLI::App& command, Arguments& arguments) {
   command.add_option("--half-time", arguments.half_time, "length of a half in seconds (300)");
   command.add_option("--left-name", options.left_name, "team name of the left side");
   command.add_option("--right-name", options.right_name, "team name of the right side");
+  command.add_flag("--own-names", options.own_names,
+                   "foreign teams may play under names of their own");
   command.add_option("--dir", arguments.folder, "match folder (./runs/<UTC>-<left>-vs-<right>)");
   command.add_option("--config", arguments.config_file,
                      "cls.toml whose team names are sides (the one here or above)");
@@ -223,10 +225,15 @@ int print_dry_run(const MatchOptions& options) {
 }
 
 int resolve_names(Arguments& arguments) {
-  const int left =
-      resolve_named_side(arguments.left, arguments.options.left_name, arguments.config_file);
+  MatchOptions& options = arguments.options;
+  const bool asked_for = !options.left_name.empty() || !options.right_name.empty();
+  const int left = resolve_named_side(arguments.left, options.left_name, arguments.config_file);
   if (left != kDone) return left;
-  return resolve_named_side(arguments.right, arguments.options.right_name, arguments.config_file);
+  const int right = resolve_named_side(arguments.right, options.right_name, arguments.config_file);
+  // Names of cls.toml are the user's; what a foreign team calls itself is its own affair.
+  const bool named = !options.left_name.empty() || !options.right_name.empty();
+  if (named && !asked_for) options.own_names = true;
+  return right;
 }
 
 int run_match_command(Arguments& arguments) {

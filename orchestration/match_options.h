@@ -27,6 +27,7 @@ struct MatchOptions {
   Endpoint right;
   std::string left_name;   ///< empty: from the endpoint
   std::string right_name;  ///< empty: from the endpoint
+  bool own_names = false;  ///< foreign teams may play under other names than these
 
   std::optional<std::uint64_t> seed;  ///< none: drawn, and told
   std::optional<int> cycles;          ///< end when game time reaches this

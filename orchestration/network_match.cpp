@@ -52,7 +52,8 @@ Result<std::unique_ptr<NetworkMatch>> NetworkMatch::create(
   for (std::size_t i = 0; i < 2; ++i) {
     Side& side = match->sides_[i];
     side.name = i == 0 ? names.left : names.right;
-    side.name_is_asked_for = !(i == 0 ? options.left_name : options.right_name).empty();
+    side.name_is_asked_for =
+        !options.own_names && !(i == 0 ? options.left_name : options.right_name).empty();
     side.endpoint = (i == 0 ? options.left : options.right).text;
   }
   return match;

@@ -2,6 +2,9 @@
 #include "orchestration/tournament/concurrency.h"
 
 #include <algorithm>
+#include <filesystem>
+
+#include "orchestration/endpoint.h"
 
 namespace cls::orchestration {
 namespace {
@@ -15,8 +18,22 @@ bool waits_for_everybody(const TournamentConfig& config) {
 
 }  // namespace
 
+std::string team_of_fixed_ports(const TournamentConfig& config) {
+  for (const TeamEntry& team : config.teams) {
+    const auto endpoint = parse_endpoint(team.endpoint);
+    if (!endpoint || endpoint->kind != Endpoint::Kind::kTeam) continue;
+    std::error_code code;
+    if (std::filesystem::exists(config.folder / endpoint->path / "start", code)) return team.name;
+  }
+  return "";
+}
+
 Concurrency::Concurrency(const TournamentConfig& config, int cores)
     : automatic_(config.concurrency == 0) {
+  if (!team_of_fixed_ports(config).empty()) {
+    automatic_ = false;
+    return;
+  }
   if (!automatic_) {
     now_ = most_ = config.concurrency;
     return;

@@ -1,10 +1,16 @@
 // How many matches at once: given, or found out while playing.
 #pragma once
 
+#include <string>
+
 #include "orchestration/tournament/config.h"
 #include "orchestration/tournament/fixture.h"
 
 namespace cls::orchestration {
+
+/// The first team whose soccer server must be at the ports 6000 to 6002 (`team:DIR` with a `start`,
+/// which knows no ports): a machine has room for one such match. Empty when there is none.
+std::string team_of_fixed_ports(const TournamentConfig& config);
 
 /// A number of matches at once that adapts to what matches tell, see local_executor.
 class Concurrency {

@@ -24,7 +24,11 @@ class LocalExecutor : public MatchExecutor {
         program_(std::move(program)),
         concurrency_(config, usable_cores()),
         cpus_(config.pin ? allowed_processors() : std::vector<int>()),
-        host_(std::move(host)) {}
+        host_(std::move(host)) {
+    const std::string team = team_of_fixed_ports(config);
+    if (team.empty() || config.concurrency == 1) return;
+    notes_.push_back(fmt::format("one match at a time: {} knows no ports but 6000 to 6002", team));
+  }
 
   int room() const override { return std::max(0, concurrency_.now() - running()); }
   int running() const override { return static_cast<int>(attempts_.size()); }

@@ -6,6 +6,7 @@
 
 #include <utility>
 
+#include "orchestration/endpoint.h"
 #include "orchestration/host.h"
 #include "orchestration/match_folder.h"
 #include "orchestration/tournament/folder.h"
@@ -34,6 +35,11 @@ void add_option(std::vector<std::string>& argv, const char* option, const std::o
 }
 
 std::string text_of(const fs::path& file) { return read_file(file).value_or(""); }
+
+bool is_foreign(const TeamEntry& team) {
+  const auto endpoint = parse_endpoint(team.endpoint);
+  return endpoint && endpoint->kind == Endpoint::Kind::kTeam;
+}
 
 // What executions of `work` left that were killed.
 void remove_unfinished(const fs::path& tournament, int index, int attempt) {
@@ -68,6 +74,7 @@ CommandPlan match_plan(const TournamentConfig& config, const Fixture& fixture,
   plan.argv = {program.string(), "match", left.endpoint, right.endpoint};
   add_option(plan.argv, "--left-name", left.name);
   add_option(plan.argv, "--right-name", right.name);
+  if (is_foreign(left) || is_foreign(right)) plan.argv.emplace_back("--own-names");
   add_option(plan.argv, "--seed", fmt::to_string(fixture.seed));
   add_option(plan.argv, "--cycles", config.cycles);
   add_option(plan.argv, "--half-time", config.half_time);

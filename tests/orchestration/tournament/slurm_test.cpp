@@ -140,5 +140,56 @@ TEST_F(SlurmTest, ANodesDaemonIsKilledAndTheTableIsComplete) {
   EXPECT_EQ(slurm_->ask({"squeue", "--noheader"}), "") << "no task is left";
 }
 
+TEST_F(SlurmTest, ScancelRequeueAndADeadCollectorLoseNothing) {
+  const int cycles = 200;
+  Command playing(slurm_words(1, cycles), slurm_->environment());
+  const auto seen = [&](const std::string& words) {
+    return slurm_->ask({"scontrol", "--oneliner", "show", "job"}).find(words) != std::string::npos;
+  };
+  // A task may end while it is being cancelled or requeued: then the next one.
+  ASSERT_TRUE(wait_for(playing, [&] {
+    const std::string task = running_task();
+    if (!task.empty()) slurm_->ask({"scancel", task});
+    return seen("JobState=CANCELLED");
+  })) << slurm_->logs();
+  ASSERT_TRUE(wait_for(playing, [&] {
+    const std::string task = running_task();
+    if (!task.empty()) slurm_->ask({"scontrol", "requeue", task});
+    return seen("Restarts=1");
+  })) << slurm_->logs();
+  playing.send_signal(SIGKILL);
+  EXPECT_EQ(playing.finish().signal, SIGKILL);
+  Command again(slurm_words(1, cycles), slurm_->environment());
+  expect_like_here(again.finish(kLimit), 1, cycles);
+}
+
+TEST_F(SlurmTest, AnInterruptionLeavesNoJob) {
+  Command playing(slurm_words(3, 300), slurm_->environment());
+  ASSERT_TRUE(wait_for(playing, [&] { return !running_task().empty(); })) << slurm_->logs();
+  playing.send_signal(SIGINT);
+  EXPECT_EQ(playing.finish(kLimit).exit_code, 130);
+  const auto limit = std::chrono::steady_clock::now() + kLimit;
+  while (slurm_->ask({"squeue", "--noheader"}) != "") {
+    ASSERT_LT(std::chrono::steady_clock::now(), limit) << "cancelled jobs do not end";
+    std::this_thread::sleep_for(100ms);
+  }
+}
+
+TEST_F(SlurmTest, APowerCutOfANodeIsSurvived) {
+  if (std::getenv("CLS_FULL") == nullptr) GTEST_SKIP() << "takes a minute: CLS_FULL=1";
+  const int cycles = 600;
+  Command playing(slurm_words(3, cycles), slurm_->environment());
+  for (const int node : {1, 0, 1}) {
+    const std::string name = "cls" + std::to_string(node);
+    const std::size_t before = results();
+    ASSERT_TRUE(wait_for(playing, [&] {
+      return results() > before && !running_task(name).empty();
+    })) << slurm_->logs();
+    slurm_->cut_power(node);
+    slurm_->start_node(node);
+  }
+  expect_like_here(playing.finish(kLimit), 3, cycles);
+}
+
 }  // namespace
 }  // namespace cls::orchestration

@@ -1,0 +1,120 @@
+// `cls tournament work`: tasks that are killed, repeated, and run twice at once.
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "tests/support/command.h"
+#include "tests/support/files.h"
+#include "tests/support/marked_processes.h"
+#include "tests/support/temporary_folder.h"
+
+namespace {
+
+namespace fs = std::filesystem;
+using namespace std::chrono_literals;
+using cls::tests::cls_binary;
+using cls::tests::Command;
+using cls::tests::CommandResult;
+using nlohmann::json;
+using Words = std::vector<std::string>;
+
+class TournamentWork : public testing::Test {
+ protected:
+  void SetUp() override { write_config(40); }
+
+  void write_config(int cycles) const {
+    std::ofstream(cup() / "cls.toml") << "[tournament]\ncycles = " << cycles
+                                      << "\n[server]\nkick_off_wait = 2\n"
+                                         "[teams.RED]\nendpoint = \"mock\"\n"
+                                         "[teams.BLUE]\nendpoint = \"mock\"\n";
+  }
+
+  Words work(int index) const {
+    return {cls_binary(), "tournament", "work", cup(), "--index", std::to_string(index)};
+  }
+
+  std::size_t entries(const char* folder) const {
+    std::error_code code;
+    std::size_t count = 0;
+    for (const auto& entry : fs::directory_iterator(cup() / folder, code)) {
+      count += !entry.path().empty();
+    }
+    return count;
+  }
+
+  void wait_until_playing() const {
+    while (entries("unfinished") == 0) std::this_thread::sleep_for(5ms);
+  }
+
+  json result(int index) const {
+    return json::parse(
+        cls::tests::read_file(cup() / "results" / ("00000" + std::to_string(index) + ".1.json")));
+  }
+
+  void expect_whole(int index) const {
+    const json outcome = result(index);
+    EXPECT_EQ(outcome["end_reason"], "finished");
+    const fs::path folder = cup() / outcome["folder"].get<std::string>();
+    EXPECT_TRUE(fs::exists(folder / "match.rcg")) << folder;
+    EXPECT_EQ(entries("results"), 1u) << "no temporary file is left";
+    EXPECT_EQ(entries("unfinished"), 0u);
+  }
+
+  fs::path cup() const { return folder_.path(); }
+
+  cls::tests::TemporaryFolder folder_;
+  const std::string mark_ = cls::tests::new_mark();
+  const Words environment_ = {std::string(cls::tests::kMarkVariable) + "=" + mark_};
+};
+
+TEST_F(TournamentWork, TheSameMatchTwiceAtOnceHasOneResult) {
+  cls::tests::run(work(2));  // so that plan and schedule are there
+  fs::remove_all(cup() / "results");
+  Command first(work(1));
+  Command second(work(1));
+  const CommandResult one = first.finish();
+  const CommandResult other = second.finish();
+  EXPECT_EQ(one.exit_code, 0) << one.err;
+  EXPECT_EQ(other.exit_code, 0) << other.err;
+  EXPECT_EQ(one.out, other.out);
+  expect_whole(1);
+}
+
+TEST_F(TournamentWork, EndedInOrderItLeavesNothing) {
+  write_config(100000);
+  Command working(work(1), environment_);
+  wait_until_playing();
+  working.send_signal(SIGTERM);
+  EXPECT_EQ(working.finish(10s).exit_code, 143);
+  EXPECT_EQ(entries("results"), 0u);
+  EXPECT_EQ(entries("unfinished"), 0u);
+  EXPECT_TRUE(cls::tests::all_marked_gone(mark_, 3s));
+}
+
+TEST_F(TournamentWork, KilledItIsRepeatedAndWhatItLeftIsRemoved) {
+  cls::tests::run(work(2));
+  fs::remove_all(cup() / "results");
+  Command working(work(1), environment_);
+  wait_until_playing();
+  working.send_signal(SIGKILL);
+  working.finish();
+  EXPECT_TRUE(cls::tests::all_marked_gone(mark_, 3s));
+  EXPECT_EQ(entries("results"), 0u);
+  EXPECT_EQ(entries("unfinished"), 1u);
+  EXPECT_EQ(cls::tests::run(work(1)).exit_code, 0);
+  ASSERT_EQ(cls::tests::run({cls_binary(), "tournament", "run", cup()}).exit_code, 0);
+  expect_whole(1);
+}
+
+TEST_F(TournamentWork, ABrokenResultIsReplaced) {
+  fs::create_directories(cup() / "results");
+  std::ofstream(cup() / "results/000001.1.json") << "{ half";
+  EXPECT_EQ(cls::tests::run(work(1)).exit_code, 0);
+  expect_whole(1);
+}
+
+}  // namespace
