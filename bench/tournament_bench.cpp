@@ -118,10 +118,11 @@ void matches_of_mocks(benchmark::State& state) {
   const tests::TemporaryFolder folder;
   for (auto _ : state) {
     const auto begin = Clock::now();
-    const auto played =
-        tests::run({tests::cls_binary(), "tournament", "run", folder.path(), "--team", "RED=mock",
-                    "--team", "BLUE=mock", "--rounds", "4", "--cycles", "1500", "--concurrency",
-                    std::to_string(kConcurrency), "--keep-logs", "none", "--json"});
+    tests::Command playing({tests::cls_binary(), "tournament", "run", folder.path(), "--team",
+                            "RED=mock", "--team", "BLUE=mock", "--rounds", "4", "--cycles", "1500",
+                            "--concurrency", std::to_string(kConcurrency), "--keep-logs", "none",
+                            "--json"});
+    const auto played = playing.finish(std::chrono::minutes(15));
     const double elapsed = seconds_since(begin);
     if (played.exit_code != 0) {
       state.SkipWithError(played.err.c_str());

@@ -44,15 +44,18 @@ Estimate estimate(double score, double variance, int count) {
   const double error = std::sqrt(variance / count);
   const double least_points = count * std::min(score, 1 - score);
   result.score = score;
-  result.score_interval = count < kFew || least_points < kOneSided
-                              ? wilson(score * count, count)
+  const bool few = count < kFew || least_points < kOneSided;
+  result.score_interval = few ? wilson(score * count, count)
                               : Interval{std::max(0.0, score - kNormal95 * error),
                                          std::min(1.0, score + kNormal95 * error)};
   result.elo = elo_from_score(score);
   result.elo_interval = {elo_from_score(result.score_interval.low),
                          elo_from_score(result.score_interval.high)};
   if (error > 0) {
-    result.superiority = normal_cdf((score - 0.5) / error);
+    // Few results hardly show their own variance: that of a score of one half instead, as in
+    // Wilson's interval, so that both tell the same.
+    const double expected = few ? 0.5 / std::sqrt(count) : error;
+    result.superiority = normal_cdf((score - 0.5) / expected);
   } else if (score != 0.5) {
     const double doubt = std::pow(0.5, count + 1);
     result.superiority = score > 0.5 ? 1 - doubt : doubt;

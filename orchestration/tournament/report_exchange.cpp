@@ -79,11 +79,11 @@ std::string report_junit(const Report& report) {
     ++(match.outcome->fault ? failures : errors);
   }
   const std::string totals = fmt::format(
-      "name=\"cls tournament\" tests=\"{}\" failures=\"{}\" errors=\"{}\" "
-      "skipped=\"{}\" time=\"{:.3f}\"",
-      report.matches.size(), failures, errors, report.counts.open, seconds);
+      "name=\"cls tournament\" tests=\"{}\" failures=\"{}\" errors=\"{}\" time=\"{:.3f}\"",
+      report.matches.size(), failures, errors, seconds);
   std::string text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
-  text += fmt::format("<testsuites {}>\n  <testsuite {}>\n", totals, totals);
+  text += fmt::format("<testsuites {}>\n  <testsuite {} skipped=\"{}\">\n", totals, totals,
+                      report.counts.open);
   for (const ScheduledMatch& match : report.matches) add_case(text, report, match);
   return text + "  </testsuite>\n</testsuites>\n";
 }

@@ -4,16 +4,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numeric>
 
 namespace cls::orchestration {
 namespace {
 
 std::string percent(const Estimate& strength) {
+  if (strength.count == 0) return "-";
   return fmt::format("{:.1f}", 100 * strength.score);
 }
 
 std::string percent_interval(const Estimate& strength) {
+  if (strength.count == 0) return "-";
   return fmt::format("{:.1f}..{:.1f}", 100 * strength.score_interval.low,
                      100 * strength.score_interval.high);
 }
@@ -115,8 +116,10 @@ Grid ratings_grid(const Report& report) {
   Grid grid;
   const std::size_t teams = report.config->teams.size();
   if (teams < 3 || report.duels.empty()) return grid;
-  std::vector<std::size_t> order(teams);
-  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::vector<std::size_t> order;  // nothing is known of a team that has only forfeits
+  for (std::size_t team = 0; team < teams; ++team) {
+    if (report.records[team].games() > 0) order.push_back(team);
+  }
   const Ratings& ratings = report.ratings;
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return ratings.elo[a] > ratings.elo[b]; });
@@ -127,13 +130,13 @@ Grid ratings_grid(const Report& report) {
       "is better than the next one.";
   grid.words = {0};
   grid.rows = {{"team", "Elo", "+- 95 %", "better", "matches"}};
-  for (std::size_t i = 0; i < teams; ++i) {
+  for (std::size_t i = 0; i < order.size(); ++i) {
     const std::size_t team = order[i];
-    grid.rows.push_back({report.team(static_cast<int>(team)),
-                         fmt::format("{:+.0f}", ratings.elo[team]),
-                         fmt::format("{:.0f}", ratings.error[team]),
-                         i + 1 < teams ? superiority(ratings.superiority[team][order[i + 1]]) : "",
-                         fmt::to_string(report.records[team].games())});
+    grid.rows.push_back(
+        {report.team(static_cast<int>(team)), fmt::format("{:+.0f}", ratings.elo[team]),
+         fmt::format("{:.0f}", ratings.error[team]),
+         i + 1 < order.size() ? superiority(ratings.superiority[team][order[i + 1]]) : "",
+         fmt::to_string(report.records[team].games())});
   }
   return grid;
 }

@@ -57,6 +57,21 @@ TEST(Rating, EdgesGiveFiniteEstimates) {
   EXPECT_LT(all_drawn.score_interval.low, 0.25) << "ten draws prove no equality";
 }
 
+TEST(Rating, IntervalAndSuperiorityTellTheSame) {
+  for (int games = 2; games <= 29; ++games) {
+    for (int won = 0; won <= games; ++won) {
+      for (int lost = 0; won + lost <= games; ++lost) {
+        const WinDrawLoss record{won, games - won - lost, lost};
+        if (record.variance() == 0.0) continue;
+        const Estimate strength = estimate(record.score(), record.variance(), games);
+        EXPECT_EQ(strength.superiority > 0.975, strength.score_interval.low > 0.5)
+            << won << " won, " << lost << " lost of " << games;
+        EXPECT_EQ(strength.superiority < 0.025, strength.score_interval.high < 0.5);
+      }
+    }
+  }
+}
+
 TEST(Sprt, LikelihoodRatiosAreThoseOfOtherTools) {
   const auto llr = [](const Frequencies& seen, double elo0, double elo1) {
     return log_likelihood_ratio(seen, score_from_elo(elo0), score_from_elo(elo1));
