@@ -49,8 +49,8 @@ struct Estimate {
 
 /// From mean and variance of independent results within [0, 1], games or pairs. The interval is
 /// the normal one; with fewer than 30 results, or fewer than 5 points lost or won, Wilson's, which
-/// is also right for all wins; the likelihood of superiority fits to either. Without any variance the likelihood of superiority follows from a
-/// flat prior: 1 - 2^-(count + 1) for all wins.
+/// is also right for all wins; the likelihood of superiority fits to either. Without any variance
+/// it follows from a flat prior: 1 - 2^-(count + 1) for all wins.
 Estimate estimate(double score, double variance, int count);
 
 }  // namespace cls::orchestration
