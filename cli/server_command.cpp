@@ -11,6 +11,7 @@
 #include <ctime>
 #include <filesystem>
 #include <fstream>
+#include <future>
 #include <memory>
 #include <optional>
 #include <random>
@@ -123,19 +124,19 @@ void print_notice(const UdpServer& server, const simulator::UdpNotice& notice) {
   std::fflush(stdout);
 }
 
-/// Serves on a thread of its own, so that a signal is noticed at once.
+/// Serves on a thread of its own, so that a signal is noticed soon. The match costs little: what is
+/// not needed does not wake up either.
 UdpEnd serve(UdpServer& server, const std::atomic<int>& signal) {
+  constexpr std::chrono::milliseconds kLook{100};
   std::atomic<bool> stop{false};
-  std::atomic<bool> ended{false};
-  UdpEnd end = UdpEnd::kStopped;
-  std::thread thread([&] {
-    end = server.run(stop);
-    ended = true;
-  });
-  while (!ended && signal.load() == 0) std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  std::promise<UdpEnd> result;
+  std::future<UdpEnd> end = result.get_future();
+  std::thread thread([&] { result.set_value(server.run(stop)); });
+  while (end.wait_for(kLook) != std::future_status::ready && signal.load() == 0) {
+  }
   stop = true;
   thread.join();
-  return end;
+  return end.get();
 }
 
 orchestration::ReportedTeam reported(const UdpServer& server, soccer::Side side) {
@@ -265,8 +266,26 @@ int serve_match(const Arguments& arguments, const ServerSettings& settings) {
   return exit_code_of(end, signal.load());
 }
 
+/// A mistyped option of ours, which cannot be meant for rcssserver: there dashes stand before
+/// settings.
+std::optional<std::string> unknown_option(const std::vector<std::string>& words) {
+  const auto is_option = [](const std::string& word) {
+    return word.starts_with('-') && word.find("::") == std::string::npos &&
+           word.find('=') == std::string::npos && !word.ends_with("help");
+  };
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const bool is_value = i > 0 && words[i - 1].ends_with('=');
+    const bool has_value = i + 1 < words.size() && words[i + 1].starts_with('=');
+    if (is_option(words[i]) && !is_value && !has_value) return words[i];
+  }
+  return std::nullopt;
+}
+
 int run_server(const Arguments& arguments, const CLI::App& command) {
   int problem = kUsage;
+  if (const auto option = unknown_option(command.remaining())) {
+    return report_mistakes({fmt::format("unknown option '{}' (see cls server --help)", *option)});
+  }
   const auto settings = read_settings(arguments, command.remaining(), problem);
   if (!settings) return report_mistakes({settings.error().message}, problem);
   if (settings->help) {

@@ -11,6 +11,7 @@
 
 #include "tests/support/command.h"
 #include "tests/support/files.h"
+#include "tests/support/real_server.h"
 #include "tests/support/temporary_folder.h"
 
 namespace {
@@ -80,12 +81,29 @@ TEST(ServerCommand, EndsOnASignalWithItsResult) {
   EXPECT_NE(served.out.find("; steps late by "), std::string::npos) << served.out;
 }
 
+TEST(ServerCommand, TellsThePortsThatWereAskedFor) {
+  const int port = cls::tests::free_udp_port();
+  cls::tests::TemporaryFolder folder;
+  Command server({cls_binary(), "server", "--port", std::to_string(port), "--dir", folder.path()});
+  EXPECT_EQ(port_in(server), std::to_string(port));
+  server.send_signal(SIGINT);
+  EXPECT_EQ(server.finish().exit_code, 130);
+  const std::string log = cls::tests::read_file(folder.path() / "match.rcg");
+  for (const std::string& told :
+       {"(port " + std::to_string(port) + ')', "(coach_port " + std::to_string(port + 1) + ')',
+        "(olcoach_port " + std::to_string(port + 2) + ')'}) {
+    EXPECT_NE(log.find(told), std::string::npos) << told;
+  }
+}
+
 TEST(ServerCommand, RefusesWhatItCannotDoYet) {
   const std::pair<const char*, const char*> wishes[] = {
       {"server::team_l_start=./start.sh", "starting teams"},
       {"server::game_log_version=3", "version 6"},
       {"server::no_such=1", "no_such"},
       {"server::half_time", "server::NAME=VALUE"},
+      {"--prot", "unknown option '--prot' (see cls server --help)"},
+      {"server::half_time=-x", "'-x' is not a whole number"},
   };
   for (const auto& [setting, reason] : wishes) {
     const auto refused = run({cls_binary(), "server", "--port", "0", setting});
