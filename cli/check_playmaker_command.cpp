@@ -12,6 +12,7 @@
 
 #include "cli/exit_code.h"
 #include "cli/interrupt.h"
+#include "cli/tls_options.h"
 #include "orchestration/checks/playmaker_check.h"
 
 namespace cls::cli {
@@ -32,10 +33,11 @@ constexpr const char* kDescription =
     "Handshake, every rpc, States from the edges of the game, 22 agents at once, broken "
     "connections,\n"
     "second matches, memory: each step says what was seen, and a failed one why it matters.\n"
-    "ENDPOINT is HOST:PORT, unix:PATH, run:COMMAND ({port} is filled in) or mock.";
+    "ENDPOINT is HOST:PORT, tls:HOST:PORT, unix:PATH, run:COMMAND ({port} is filled in) or mock.";
 
 struct Arguments {
   std::string endpoint;
+  TlsOptions tls;
   double start_timeout_s = 20.0;
   int deadline_ms = 3000;
   int calls = 10'000;
@@ -51,12 +53,13 @@ int exit_code_of(const CheckReport& report, int interrupted) {
 }
 
 int run_check_playmaker(const Arguments& arguments) {
-  const auto endpoint = orchestration::parse_endpoint(arguments.endpoint);
+  auto endpoint = orchestration::parse_endpoint(arguments.endpoint);
   if (!endpoint || !endpoint->has_playmaker()) {
     fmt::print(stderr, "cls: {}\n",
                endpoint ? "team:DIR has no Playmaker to check" : endpoint.error().message);
     return kUsage;
   }
+  if (const int read = read_tls_files(*endpoint, arguments.tls); read != kDone) return read;
   orchestration::PlaymakerCheckOptions options;
   options.endpoint = *endpoint;
   options.start_timeout =
@@ -86,6 +89,7 @@ void add_check_playmaker_command(CLI::App& check, int& exit_code) {
   CLI::App* command = check.add_subcommand("playmaker", kDescription);
   command->add_option("ENDPOINT", arguments->endpoint, "the Playmaker")->required();
   command->add_flag("--json", arguments->json, "one JSON document at the end instead of lines");
+  add_tls_options(*command, arguments->tls);
   command
       ->add_option("--start-timeout", arguments->start_timeout_s,
                    "seconds until it must answer first (20)")

@@ -14,6 +14,7 @@
 #include "cli/exit_code.h"
 #include "cli/interrupt.h"
 #include "cli/terminal.h"
+#include "cli/tls_options.h"
 #include "orchestration/doctor/doctor.h"
 
 namespace cls::cli {
@@ -41,6 +42,7 @@ constexpr const char* kDescription =
 struct Arguments {
   std::string server;
   std::string playmaker;
+  TlsOptions tls;
   double limit_s = 5.0;
   bool json = false;
   bool no_colour = false;
@@ -108,6 +110,7 @@ int run_doctor(const Arguments& arguments) {
     if (!endpoint->has_playmaker()) {
       return complain("--playmaker: team:DIR has no Playmaker to ask");
     }
+    if (const int read = read_tls_files(*endpoint, arguments.tls); read != kDone) return read;
     options.playmaker = *std::move(endpoint);
   }
   const std::atomic<int>& interrupted = watch_interrupts();
@@ -132,7 +135,9 @@ void add_doctor_command(CLI::App& app, int& exit_code) {
   command->add_option("--server", arguments->server,
                       "try a server: rcssserver, PATH, embedded (started for a moment), HOST:PORT");
   command->add_option("--playmaker", arguments->playmaker,
-                      "try a Playmaker: HOST:PORT, HOST:PORT+step, unix:PATH, run:COMMAND");
+                      "try a Playmaker: HOST:PORT, HOST:PORT+step, tls:HOST:PORT, unix:PATH, "
+                      "run:COMMAND");
+  add_tls_options(*command, arguments->tls);
   command
       ->add_option("--start-timeout", arguments->limit_s,
                    "seconds that each program and each probe has to answer (5)")

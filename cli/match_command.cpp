@@ -19,6 +19,7 @@
 #include "cli/progress_line.h"
 #include "cli/side_script.h"
 #include "cli/terminal.h"
+#include "cli/tls_options.h"
 #include "orchestration/dry_run.h"
 #include "orchestration/match.h"
 #include "soccer/parameter.h"
@@ -29,7 +30,6 @@ namespace {
 using orchestration::EndReason;
 using orchestration::MatchOptions;
 using orchestration::MatchResult;
-using proxy::OnLate;
 
 constexpr const char* kDescription =
     "Plays one match and prints its result.\n"
@@ -42,8 +42,8 @@ constexpr const char* kDescription =
     "  cls match mock mock --server rcssserver --mode realtime\n"
     "\n"
     "A side is  mock | mock:planner | mock:hold | mock:FILE.json | HOST:PORT | HOST:PORT+step |\n"
-    "unix:PATH | run:COMMAND | team:DIR  (+step: player n asks PORT + n; team: DIR/start or\n"
-    "DIR/start.sh), or the name of a team in cls.toml. See docs/matches.md.";
+    "tls:HOST:PORT | unix:PATH | run:COMMAND | team:DIR  (+step: player n asks PORT + n; team:\n"
+    "DIR/start or DIR/start.sh), or the name of a team in cls.toml. See docs/matches.md.";
 
 // What CLI11 fills in; turned into MatchOptions once everything is read.
 struct Arguments {
@@ -55,6 +55,7 @@ struct Arguments {
   std::string on_late = "hold";
   std::string server = "embedded";
   std::string mode;
+  TlsOptions tls;
   bool dry_run = false;
   bool pin = false;
   std::string folder;
@@ -102,6 +103,10 @@ void add_options(CLI::App& command, Arguments& arguments) {
                      "commands of a cycle without an answer: hold, last or default (hold)");
   command.add_option("--max-missed", options.max_missed,
                      "missed answers in a row that end the match (20)");
+  command.add_option("--reconnect-within", options.reconnect_within_s,
+                     "seconds that a Playmaker lost in mid-match may take to come back where the "
+                     "server waits (3)");
+  add_tls_options(command, arguments.tls);
   command.add_option("--start-timeout", options.start_timeout_s,
                      "seconds until a Playmaker must answer first (20)");
   command.add_option("--stall-after", options.stall_after_s,
@@ -137,11 +142,6 @@ void check_word(std::vector<std::string>& mistakes, std::string_view option,
   mistakes.push_back(std::move(message));
 }
 
-OnLate on_late_of(const std::string& word) {
-  if (word == "last") return OnLate::kLast;
-  return word == "default" ? OnLate::kDefault : OnLate::kHold;
-}
-
 // Everything that is wrong with the arguments, and the options they make.
 std::vector<std::string> complete(Arguments& arguments) {
   std::vector<std::string> mistakes;
@@ -165,7 +165,7 @@ std::vector<std::string> complete(Arguments& arguments) {
     if (!mode) mistakes.push_back(mode.error().message);
   }
   check_word(mistakes, "--on-late", arguments.on_late, {"hold", "last", "default"});
-  options.on_late = on_late_of(arguments.on_late);
+  options.on_late = proxy::on_late_from_name(arguments.on_late).value_or(options.on_late);
   if (arguments.half_time) options.server.half_time = *arguments.half_time;
   for (const std::string& setting : arguments.settings) {
     const auto applied = apply_setting(options, setting);
@@ -242,8 +242,8 @@ int run_match_command(Arguments& arguments) {
   for (const std::string& mistake : mistakes) fmt::print(stderr, "cls: {}\n", mistake);
   if (!mistakes.empty()) return kUsage;
   for (orchestration::Endpoint* side : {&arguments.options.left, &arguments.options.right}) {
-    const int read = read_script_of(*side);
-    if (read != kDone) return read;
+    if (const int read = read_script_of(*side); read != kDone) return read;
+    if (const int read = read_tls_files(*side, arguments.tls); read != kDone) return read;
   }
 
   if (arguments.dry_run) return print_dry_run(arguments.options);

@@ -28,18 +28,18 @@ std::int64_t commands(const TeamResult& team, const std::string& kind) {
   });
 }
 
-// Percentiles of a team: the middle player's median, the worst player's 99th percentile.
-std::string latency(const TeamResult& team) {
-  std::vector<double> medians;
-  double worst = 0.0;
-  for (const PlayerResult& player : team.players) {
-    medians.push_back(player.rpc_us.p50);
-    worst = std::max(worst, player.rpc_us.p99);
-  }
-  if (medians.empty()) return "-";
-  std::nth_element(medians.begin(), medians.begin() + static_cast<long>(medians.size() / 2),
-                   medians.end());
-  return fmt::format("{:.0f} / {:.0f} us", medians[medians.size() / 2], worst);
+// Two figures of a team: `worst` says whose, the middle player's or that of the slowest one.
+std::string latency(const TeamResult& team, double orchestration::RpcLatency::*first,
+                    double orchestration::RpcLatency::*second, bool worst) {
+  const auto figure = [&](double orchestration::RpcLatency::*which) {
+    std::vector<double> values;
+    for (const PlayerResult& player : team.players) values.push_back(player.rpc_us.*which);
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return worst ? *std::max_element(values.begin(), values.end()) : *middle;
+  };
+  if (team.players.empty()) return "-";
+  return fmt::format("{:.0f} / {:.0f} us", figure(first), figure(second));
 }
 
 // A command may be long; its beginning says which it is.
@@ -91,6 +91,21 @@ std::string goals_line(const MatchResult& result) {
   return line;
 }
 
+std::string missed(const TeamResult& team) {
+  if (team.players.empty()) return "-";
+  return fmt::format("{}, {}",
+                     total(team, [](const PlayerResult& player) { return player.missed; }),
+                     total(team, [](const PlayerResult& player) { return player.late; }));
+}
+
+// Only where there was one: it is not part of an ordinary match.
+void add_reconnects(Rows& rows, const MatchResult& result) {
+  const auto count = [](const TeamResult& team) {
+    return total(team, [](const PlayerResult& player) { return player.reconnects; });
+  };
+  if (count(result.left) + count(result.right) > 0) rows.add("reconnects", count);
+}
+
 // What can be lost only where the server does not wait.
 void add_losses(Rows& rows) {
   using Count = std::int64_t PlayerResult::*;
@@ -122,10 +137,13 @@ std::string figures(const MatchResult& result) {
   rows.add("decisions", [](const TeamResult& team) {
     return total(team, [](const PlayerResult& player) { return player.decisions; });
   });
-  rows.add("late + missed", [](const TeamResult& team) {
-    return total(team, [](const PlayerResult& player) { return player.late + player.missed; });
-  });
-  rows.add("rpc p50 / worst p99", latency(result.left), latency(result.right));
+  rows.add("missed, of them late", missed(result.left), missed(result.right));
+  add_reconnects(rows, result);
+  using Latency = orchestration::RpcLatency;
+  rows.add("rpc p50 / p95", latency(result.left, &Latency::p50, &Latency::p95, false),
+           latency(result.right, &Latency::p50, &Latency::p95, false));
+  rows.add("rpc worst p99 / max", latency(result.left, &Latency::p99, &Latency::max, true),
+           latency(result.right, &Latency::p99, &Latency::max, true));
   for (const char* kind : {"kick", "dash", "turn", "tackle", "catch"}) {
     rows.add(kind, [kind](const TeamResult& team) { return commands(team, kind); });
   }

@@ -8,9 +8,11 @@
 #include <CLI/CLI.hpp>
 #include <atomic>
 #include <chrono>
+#include <condition_variable>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <thread>
@@ -138,7 +140,9 @@ class ServingProcess {
     }
     mock.die = [this, restarts] {
       if (!restarts) kill(getpid(), SIGKILL);
+      const std::lock_guard lock(mutex_);
       restart_due_ = true;
+      due_.notify_one();
     };
     auto server = Server::start(std::move(mock), arguments_.host, port());
     if (!server) return server.error();
@@ -147,7 +151,11 @@ class ServingProcess {
     return {};
   }
 
-  bool restart_due() const { return restart_due_; }
+  // Waits until a restart is due, as short as it may be: every call before it is refused.
+  bool wait_restart_due(milliseconds longest) {
+    std::unique_lock lock(mutex_);
+    return due_.wait_for(lock, longest, [this] { return restart_due_; });
+  }
 
   // Back on the same port, without faults of its own end, knowing nobody.
   soccer::Result<void> restart(Mock mock, const std::atomic<int>& signal) {
@@ -159,6 +167,7 @@ class ServingProcess {
     auto server = Server::start(std::move(mock), arguments_.host, port());
     if (!server) return server.error();
     server_ = *std::move(server);
+    const std::lock_guard lock(mutex_);
     restart_due_ = false;
     return {};
   }
@@ -169,7 +178,9 @@ class ServingProcess {
  private:
   const Arguments& arguments_;
   std::unique_ptr<Server> server_;
-  std::atomic<bool> restart_due_{false};
+  std::mutex mutex_;
+  std::condition_variable due_;
+  bool restart_due_ = false;
   int port_ = 0;
 };
 
@@ -216,8 +227,7 @@ int run_mock(const Arguments& arguments) {
   fmt::print("listening on {}:{}\n", arguments.host, process.port());
   std::fflush(stdout);
   while (signal.load() == 0) {
-    wait(milliseconds(50), signal);
-    if (!process.restart_due()) continue;
+    if (!process.wait_restart_due(milliseconds(50))) continue;
     auto again = make(arguments, failure);
     if (!again) return report(failure, again.error());
     if (const auto back = process.restart(*std::move(again), signal); !back) {

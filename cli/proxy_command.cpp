@@ -4,10 +4,13 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
 #include <csignal>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -17,8 +20,11 @@
 #include "cli/progress_line.h"
 #include "cli/script_options.h"
 #include "cli/terminal.h"
+#include "cli/tls_options.h"
 #include "orchestration/endpoint.h"
 #include "orchestration/lone_team.h"
+#include "orchestration/playmaker_link.h"
+#include "orchestration/whole_file.h"
 #include "proxy/formation/formation_set.h"
 #include "soccer/side_name.h"
 
@@ -49,6 +55,11 @@ struct Arguments {
   int number = soccer::kPlayersPerTeam;
   int unum = 0;
   int timeout_s = 3;
+  std::optional<int> deadline_ms;
+  std::string on_late = "hold";
+  std::string playmaker;
+  TlsOptions tls;
+  std::string result_file;
   std::string rpc_type = "grpc";
   bool quiet = false;
   std::string formation;
@@ -75,6 +86,9 @@ void add_options(CLI::App& command, Arguments& arguments) {
       ->check(CLI::Range(soccer::kOldestProtocolVersion, soccer::kNewestProtocolVersion));
   command.add_flag("-r,--reconnect", options.team.reconnect,
                    "take over players who lost their connection");
+  command.add_option("--playmaker", arguments.playmaker,
+                     "HOST:PORT, HOST:PORT+step, tls:HOST:PORT or unix:PATH, in place of the next "
+                     "three");
   command.add_option("--rpc-host", options.playmaker.host, "of the Playmaker (localhost)");
   command.add_option("--rpc-port", options.playmaker.port, "of the Playmaker (50051)")->check(port);
   command.add_flag("--rpc-port-step", options.playmaker.port_step, "player n asks port + n");
@@ -84,6 +98,16 @@ void add_options(CLI::App& command, Arguments& arguments) {
       .add_option("--rpc-timeout", arguments.timeout_s,
                   "seconds for an answer (3); in real time the cycle is the limit")
       ->check(CLI::Range(1, 3600));
+  command
+      .add_option("--rpc-deadline", arguments.deadline_ms, "the same in milliseconds, if shorter")
+      ->check(CLI::PositiveNumber);
+  command
+      .add_option("--on-late", arguments.on_late,
+                  "commands of a cycle without an answer: hold, last or default (hold)")
+      ->check(CLI::IsMember({"hold", "last", "default"}));
+  add_tls_options(command, arguments.tls);
+  command.add_option("--result", arguments.result_file,
+                     "file for the result in JSON, players one by one");
   command.add_option("--rpc-type", arguments.rpc_type, "grpc");
   command
       .add_option("--start-timeout", options.start_timeout_s,
@@ -97,6 +121,21 @@ void add_options(CLI::App& command, Arguments& arguments) {
   command.add_option("--debug-log", options.team.debug_log,
                      "folder for what the Playmaker logs, TEAM-NUMBER.log");
   command.add_option("--fullstate", arguments.fullstate, "accepted; senses alone are used");
+}
+
+// The Playmaker where one option names it; the exit code.
+int read_playmaker(Arguments& arguments) {
+  if (arguments.playmaker.empty()) return kDone;
+  auto endpoint = orchestration::parse_endpoint(arguments.playmaker);
+  using Kind = orchestration::Endpoint::Kind;
+  if (!endpoint || (endpoint->kind != Kind::kAddress && endpoint->kind != Kind::kUnixSocket)) {
+    fmt::print(stderr, "cls: --playmaker '{}': must be HOST:PORT, tls:HOST:PORT or unix:PATH\n",
+               arguments.playmaker);
+    return kUsage;
+  }
+  if (const int code = read_tls_files(*endpoint, arguments.tls); code != kDone) return code;
+  arguments.options.playmaker = target_of(*endpoint);
+  return kDone;
 }
 
 std::vector<std::string> complete(Arguments& arguments) {
@@ -122,6 +161,7 @@ std::vector<std::string> complete(Arguments& arguments) {
   if (!options.team.debug_log.empty() && !std::filesystem::is_directory(options.team.debug_log)) {
     mistakes.push_back(fmt::format("--debug-log '{}': no such folder", options.team.debug_log));
   }
+  options.team.one_playmaker = !options.playmaker.port_step;
   const int highest = options.playmaker.port + (options.playmaker.port_step ? kHighestStep : 0) +
                       (options.add_20_for_right ? kRightPortOffset : 0);
   if (highest > 65535) mistakes.push_back("--rpc-port: the steps lead beyond port 65535");
@@ -129,6 +169,11 @@ std::vector<std::string> complete(Arguments& arguments) {
   options.team.first_unum = arguments.unum != 0 ? arguments.unum : 1;
   options.team.goalie = options.team.first_unum == 1;
   options.team.decision_timeout = std::chrono::seconds(arguments.timeout_s);
+  if (arguments.deadline_ms) {
+    options.team.decision_timeout =
+        std::min(options.team.decision_timeout, proxy::RpcTimeout(*arguments.deadline_ms));
+  }
+  options.team.on_late = *proxy::on_late_from_name(arguments.on_late);
   options.team.start_timeout = std::chrono::duration_cast<proxy::RpcTimeout>(
       std::chrono::duration<double>(options.start_timeout_s));
   return mistakes;
@@ -155,7 +200,43 @@ void tell_ready(const proxy::Team& team) {
   std::fflush(stdout);
 }
 
+// Of the slowest player, as each of them can lose a match.
+orchestration::RpcLatency worst_latency(const LoneTeamResult& result) {
+  orchestration::RpcLatency worst;
+  for (const orchestration::PlayerResult& player : result.players) {
+    worst.p50 = std::max(worst.p50, player.rpc_us.p50);
+    worst.p95 = std::max(worst.p95, player.rpc_us.p95);
+    worst.p99 = std::max(worst.p99, player.rpc_us.p99);
+    worst.max = std::max(worst.max, player.rpc_us.max);
+  }
+  return worst;
+}
+
+void tell_result(const Arguments& arguments, const LoneTeamResult& result) {
+  using orchestration::PlayerResult;
+  const auto total = [&](std::int64_t PlayerResult::*count) {
+    std::int64_t sum = 0;
+    for (const PlayerResult& player : result.players) sum += player.*count;
+    return sum;
+  };
+  if (total(&PlayerResult::decisions) == 0) return;
+  fmt::print(
+      "{} on the {}: {} to {} at cycle {}; {} decisions, {} without an answer, {} cycles "
+      "missed, {} commands too late, {} late wake-ups of ours\n",
+      arguments.team_name, result.right_side ? "right" : "left", result.our_score,
+      result.their_score, result.cycles, total(&PlayerResult::decisions),
+      total(&PlayerResult::missed), total(&PlayerResult::undecided),
+      total(&PlayerResult::lost_commands), total(&PlayerResult::late_wakeups));
+  const orchestration::RpcLatency worst = worst_latency(result);
+  fmt::print(
+      "answers of the slowest player: p50 {:.0f} p95 {:.0f} p99 {:.0f} max {:.0f} us; {} "
+      "late, {} reconnects\n",
+      worst.p50, worst.p95, worst.p99, worst.max, total(&PlayerResult::late),
+      total(&PlayerResult::reconnects));
+}
+
 int run_proxy(Arguments& arguments) {
+  if (const int code = read_playmaker(arguments); code != kDone) return code;
   const std::vector<std::string> mistakes = complete(arguments);
   for (const std::string& mistake : mistakes) fmt::print(stderr, "cls: {}\n", mistake);
   if (!mistakes.empty()) return kUsage;
@@ -165,13 +246,14 @@ int run_proxy(Arguments& arguments) {
   const LoneTeamResult result = run_lone_team(arguments.options, progress, watch_interrupts());
   progress.clear();
   if (!result.message.empty()) fmt::print(stderr, "cls: {}\n", result.message);
-  if (result.decisions > 0) {
-    fmt::print(
-        "{} on the {}: {} to {} at cycle {}; {} decisions, {} without an answer, {} cycles "
-        "missed, {} commands too late, {} late wake-ups of ours\n",
-        arguments.team_name, result.right_side ? "right" : "left", result.our_score,
-        result.their_score, result.cycles, result.decisions, result.missed, result.undecided,
-        result.lost_commands, result.late_wakeups);
+  tell_result(arguments, result);
+  if (!arguments.result_file.empty()) {
+    const auto written =
+        orchestration::write_file(arguments.result_file, to_json(arguments.options, result));
+    if (!written) {
+      fmt::print(stderr, "cls: {}\n", written.error().message);
+      return kCannotCreate;
+    }
   }
   return exit_code_of(result);
 }

@@ -19,6 +19,7 @@
 #include "cli/exit_code.h"
 #include "cli/interrupt.h"
 #include "cli/side_script.h"
+#include "cli/tls_options.h"
 #include "mock-server/json_text.h"
 #include "orchestration/rpc_replay.h"
 #include "orchestration/scenario/scenario_library.h"
@@ -46,6 +47,7 @@ constexpr const char* kDescription =
     "  cls test --replay FILE localhost:50051     a recorded match: which replies differ?";
 
 struct Arguments {
+  TlsOptions tls;
   std::vector<std::string> scenarios;
   std::string filter;
   std::string shard;
@@ -173,7 +175,8 @@ std::optional<Refusal> complete(const Arguments& arguments, SuiteOptions& option
   if (!endpoint->has_playmaker()) {
     return Refusal{kUsage, "--against: a scenario needs a Playmaker, not a foreign team"};
   }
-  const int read = read_script_of(*endpoint);
+  int read = read_script_of(*endpoint);
+  if (read == kDone) read = read_tls_files(*endpoint, arguments.tls);
   if (read != kDone) return Refusal{static_cast<ExitCode>(read), ""};
   options.against = *std::move(endpoint);
   options.against_text = arguments.against;
@@ -258,7 +261,8 @@ std::optional<Refusal> complete(const Arguments& arguments, orchestration::Repla
   auto endpoint = orchestration::parse_endpoint(arguments.scenarios.front());
   if (!endpoint) return Refusal{kUsage, endpoint.error().message};
   if (!endpoint->has_playmaker()) return Refusal{kUsage, "--replay asks a Playmaker, not a team"};
-  const int read = read_script_of(*endpoint);
+  int read = read_script_of(*endpoint);
+  if (read == kDone) read = read_tls_files(*endpoint, arguments.tls);
   if (read != kDone) return Refusal{static_cast<ExitCode>(read), ""};
   options.endpoint = *std::move(endpoint);
   options.file = arguments.replay;
@@ -334,6 +338,7 @@ void add_test_command(CLI::App& app, int& exit_code) {
   command->add_option("--replay", a.replay,
                       "asks the Playmaker ENDPOINT what `cls match --record-rpc` recorded");
   command->add_option("--side", a.side, "whose calls --replay asks: left or right");
+  add_tls_options(*command, a.tls);
   command->add_flag("--quiet", a.quiet, "only failures and the summary");
   command->callback([arguments, &exit_code] { exit_code = run_test_command(*arguments); });
 }

@@ -30,9 +30,8 @@ Error unknown_form(std::string_view text) {
   const std::string_view near = soccer::nearest_name(text, {"mock", "mock:hold"});
   if (!near.empty()) message += fmt::format("; did you mean '{}'?", near);
   message +=
-      " (a side is mock, mock:BEHAVIOUR, mock:FILE.json, HOST:PORT, HOST:PORT+step, unix:PATH, "
-      "run:COMMAND or "
-      "team:DIR)";
+      " (a side is mock, mock:BEHAVIOUR, mock:FILE.json, HOST:PORT, HOST:PORT+step, "
+      "tls:HOST:PORT, unix:PATH, run:COMMAND or team:DIR)";
   return Error{std::move(message)};
 }
 
@@ -83,6 +82,16 @@ Result<Endpoint> parse_endpoint(std::string_view text) {
     endpoint.path = text.substr(5);
     if (endpoint.path.empty()) return Error{"side 'unix:': no path after the colon"};
     return endpoint;
+  }
+  if (text.starts_with("tls:")) {
+    if (text.find(':', 4) == std::string_view::npos) {
+      return Error{fmt::format("side '{}': after tls: comes HOST:PORT", text)};
+    }
+    auto secure = parse_address(text.substr(4));
+    if (!secure) return secure;
+    secure->text = text;
+    secure->tls = std::make_shared<proxy::TlsFiles>();
+    return secure;
   }
   if (text.starts_with("run:")) {
     endpoint.kind = Endpoint::Kind::kRun;

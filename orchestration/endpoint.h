@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "proxy/grpc_target.h"
 #include "soccer/result.h"
 
 namespace cls::mock_server {
@@ -17,7 +18,7 @@ namespace cls::orchestration {
 struct Endpoint {
   enum class Kind {
     kMock,        ///< `mock`, `mock:NAME`, `mock:FILE.json`: the bundled Playmaker, in process
-    kAddress,     ///< `HOST:PORT`, `HOST:PORT+step`: a running Playmaker
+    kAddress,     ///< `HOST:PORT`, `HOST:PORT+step`, `tls:HOST:PORT`: a running Playmaker
     kUnixSocket,  ///< `unix:PATH`: a running Playmaker on a local socket
     kRun,         ///< `run:COMMAND`: a Playmaker that we start
     kTeam,        ///< `team:DIR`: a foreign team that we start; it needs no proxies
@@ -31,8 +32,10 @@ struct Endpoint {
   std::string host;        ///< kAddress; IPv6 addresses keep their brackets
   int port = 0;            ///< kAddress
   bool port_step = false;  ///< kAddress: player n asks port + n, the coach port + 13
-  std::string path;        ///< kUnixSocket: the socket; kTeam: the folder
-  std::string command;     ///< kRun: for /bin/sh, with placeholders (run_command.h)
+  /// kAddress: null for plain text; `tls:` alone trusts the system's authorities.
+  std::shared_ptr<const proxy::TlsFiles> tls;
+  std::string path;     ///< kUnixSocket: the socket; kTeam: the folder
+  std::string command;  ///< kRun: for /bin/sh, with placeholders (run_command.h)
 
   /// True for a side whose agents are ours and ask a Playmaker.
   bool has_playmaker() const { return kind != Kind::kTeam; }

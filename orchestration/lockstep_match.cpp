@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "orchestration/match_end.h"
+#include "orchestration/playmaker_link.h"
 
 namespace cls::orchestration {
 namespace {
@@ -77,9 +78,11 @@ void LockstepMatch::wait_for(MatchSide& side) {
     const bool at_fault = *limit == EndReason::kRefused || *limit == EndReason::kStalled;
     const std::string whose =
         at_fault ? fmt::format("{} ({}): ", side.name(), side.endpoint().text) : "";
-    const std::string hint = *limit == EndReason::kRefused && side.program() != nullptr
-                                 ? side.program()->port_hint()
-                                 : "";
+    std::string hint;
+    if (*limit == EndReason::kRefused) {
+      hint =
+          side.program() != nullptr ? side.program()->port_hint() : silence_hint(side.endpoint());
+    }
     end(*limit, whose + describe_limit(*limit, options_) + hint, at_fault ? &side : nullptr);
     if (side.program() != nullptr && at_fault) failure_ = failure_of(side.program()->child());
     left_->playmaker().cancel();
@@ -296,7 +299,7 @@ MatchResult LockstepMatch::result() const {
     told.score = team.score;
     if (team.penalty_kicks > 0) told.penalty_score = team.penalty_goals;
     for (const PlayerResult& player : told.players) {
-      if (player.missed > 0) result.deterministic = false;
+      if (player.missed > 0 || player.reconnects > 0) result.deterministic = false;
     }
   }
   result.end_reason = end_reason_.value_or(EndReason::kFinished);

@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <chrono>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <thread>
 
+#include "orchestration/match_side.h"
 #include "proxy/grpc_playmaker.h"
 #include "proxy/team_driver.h"
 
@@ -104,6 +106,7 @@ class LoneTeam {
     observer_.on_phase(fmt::format("waiting for the Playmaker at {}", where));
     const Canceller canceller(*playmaker_, signal_);
     const proxy::RpcStatus status = team_.introduce();
+    for (const std::string& line : team_.take_warnings()) observer_.on_warning(line);
     if (!status.ok()) end(EndReason::kRefused, status.message);
     return status.ok();
   }
@@ -127,12 +130,7 @@ class LoneTeam {
 
   void take_figures() {
     for (const auto& player : team_.players()) {
-      const proxy::AgentStatistics& statistics = player->statistics();
-      result_.decisions += statistics.decisions;
-      result_.missed += statistics.missed;
-      result_.undecided += statistics.undecided;
-      result_.lost_commands += statistics.lost_commands;
-      result_.late_wakeups += statistics.late_wakeups;
+      result_.players.push_back(result_of(*player));
       const proxy::GameState& game = player->world().game;
       result_.cycles = std::max(result_.cycles, game.time.cycle);
       result_.our_score = game.our_score;
@@ -150,6 +148,21 @@ class LoneTeam {
 };
 
 }  // namespace
+
+std::string to_json(const LoneTeamOptions& options, const LoneTeamResult& result) {
+  using Json = nlohmann::ordered_json;
+  const Json document = {{"schema", "cls.proxy/1"},
+                         {"team", options.team.name.view()},
+                         {"side", result.right_side ? "right" : "left"},
+                         {"playmaker", address(options.playmaker, 0)},
+                         {"end_reason", name(result.end_reason)},
+                         {"message", result.message.empty() ? Json(nullptr) : Json(result.message)},
+                         {"our_score", result.our_score},
+                         {"their_score", result.their_score},
+                         {"cycles", result.cycles},
+                         {"players", Json::parse(to_json(result.players))}};
+  return document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
 
 LoneTeamResult run_lone_team(const LoneTeamOptions& options, MatchObserver& observer,
                              const std::atomic<int>& stop_signal) {

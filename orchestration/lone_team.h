@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "orchestration/end_reason.h"
 #include "orchestration/match_observer.h"
@@ -34,12 +35,11 @@ struct LoneTeamResult {
   int our_score = 0;
   int their_score = 0;
   int cycles = 0;
-  std::int64_t decisions = 0;
-  std::int64_t missed = 0;         ///< decisions without a usable answer of the Playmaker
-  std::int64_t undecided = 0;      ///< cycles without a decision
-  std::int64_t lost_commands = 0;  ///< too late for the server
-  std::int64_t late_wakeups = 0;   ///< decisions that we began late
+  std::vector<PlayerResult> players;
 };
+
+/// The document `cls.proxy/1`, indented, with a newline at its end.
+std::string to_json(const LoneTeamOptions& options, const LoneTeamResult& result);
 
 /// Waits for the server, joins, plays until the match is over and the server silent, leaves.
 LoneTeamResult run_lone_team(const LoneTeamOptions& options, MatchObserver& observer,

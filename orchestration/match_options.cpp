@@ -123,6 +123,7 @@ std::vector<std::string> mistakes_in(const MatchOptions& options) {
   check_server_and_mode(options, demand);
   demand(options.max_missed >= 0, "--max-missed must not be negative");
   demand(options.start_timeout_s > 0, "--start-timeout must be positive");
+  demand(options.reconnect_within_s >= 0, "--reconnect-within must not be negative");
   demand(options.stall_after_s > 0, "--stall-after must be positive");
   demand(!options.time_limit_s || *options.time_limit_s > 0, "--time-limit must be positive");
   demand(!options.monitor_port || (*options.monitor_port >= 0 && *options.monitor_port <= 65535),

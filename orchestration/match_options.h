@@ -49,6 +49,7 @@ struct MatchOptions {
   proxy::OnLate on_late = proxy::OnLate::kHold;
   int max_missed = 20;                 ///< missed decisions in a row of one player
   double start_timeout_s = 20.0;       ///< until a Playmaker must have answered Register
+  double reconnect_within_s = 3.0;     ///< for a lost Playmaker to come back: proxy::AskingTime
   double stall_after_s = 10.0;         ///< without a new cycle
   std::optional<double> time_limit_s;  ///< for the whole match
 

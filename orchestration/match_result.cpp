@@ -20,6 +20,8 @@ Json json_of(const PlayerResult& player) {
           {"decisions", player.decisions},
           {"late", player.late},
           {"missed", player.missed},
+          {"missed_by", player.missed_by},
+          {"reconnects", player.reconnects},
           {"undecided", player.undecided},
           {"lost_commands", player.lost_commands},
           {"late_wakeups", player.late_wakeups},
@@ -65,6 +67,12 @@ Json json_of(const ProcessFailure& failure) {
 }
 
 }  // namespace
+
+std::string to_json(const std::vector<PlayerResult>& players) {
+  Json list = Json::array();
+  for (const PlayerResult& player : players) list.push_back(json_of(player));
+  return list.dump();
+}
 
 std::optional<std::string> winner(const MatchResult& result) {
   if (!result.valid()) return std::nullopt;

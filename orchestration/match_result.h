@@ -23,9 +23,11 @@ struct RpcLatency {
 
 struct PlayerResult {
   int unum = 0;
-  std::int64_t decisions = 0;      ///< asked for
-  std::int64_t late = 0;           ///< answered after the deadline
-  std::int64_t missed = 0;         ///< cycles without an answer of their own
+  std::int64_t decisions = 0;  ///< asked for
+  std::int64_t late = 0;       ///< without an answer at the deadline
+  std::int64_t missed = 0;     ///< without a usable answer for any reason, late ones included
+  std::map<std::string, std::int64_t> missed_by;  ///< reason ("deadline", "error"), without zeros
+  std::int64_t reconnects = 0;     ///< times that a Playmaker that was lost answered again
   std::int64_t undecided = 0;      ///< cycles that the server passed without a decision of ours
   std::int64_t lost_commands = 0;  ///< came too late for the server, or not at all
   std::int64_t late_wakeups = 0;   ///< real time: decisions that we, not the Playmaker, began late
@@ -98,6 +100,9 @@ struct MatchResult {
 
   bool valid() const { return end_reason == EndReason::kFinished; }
 };
+
+/// What players did, as in `cls.match/1`: a list, not indented.
+std::string to_json(const std::vector<PlayerResult>& players);
 
 /// "left", "right" or "draw"; nothing for an invalid match.
 std::optional<std::string> winner(const MatchResult& result);

@@ -16,15 +16,30 @@ proxy::RpcTimeout milliseconds_of(double seconds) {
   return std::chrono::duration_cast<proxy::RpcTimeout>(std::chrono::duration<double>(seconds));
 }
 
-proxy::TeamOptions team_options(const std::string& name, const MatchOptions& options) {
+proxy::TeamOptions team_options(const std::string& name, const Endpoint& endpoint,
+                                const MatchOptions& options) {
   proxy::TeamOptions team;
   team.name = soccer::TeamName(name);
   team.protocol = options.protocol;
   team.on_late = options.on_late;
   team.decision_timeout = decision_deadline(options).value_or(proxy::kNoTimeout);
   team.start_timeout = milliseconds_of(options.start_timeout_s);
+  team.reconnect_within = milliseconds_of(options.reconnect_within_s);
+  team.one_playmaker = !endpoint.port_step;
   return team;
 }
+
+std::map<std::string, std::int64_t> missed_by(const proxy::AgentStatistics& statistics) {
+  std::map<std::string, std::int64_t> by_outcome;
+  for (int i = 1; i < proxy::kRpcOutcomes; ++i) {
+    const std::int64_t n = statistics.outcomes[static_cast<std::size_t>(i)];
+    const bool ours = static_cast<proxy::RpcOutcome>(i) == proxy::RpcOutcome::kCancelled;
+    if (n != 0 && !ours) by_outcome.emplace(name(static_cast<proxy::RpcOutcome>(i)), n);
+  }
+  return by_outcome;
+}
+
+}  // namespace
 
 PlayerResult result_of(const proxy::PlayerAgent& agent) {
   const proxy::AgentStatistics& statistics = agent.statistics();
@@ -42,10 +57,10 @@ PlayerResult result_of(const proxy::PlayerAgent& agent) {
   result.rpc_us.max = statistics.rpc_us.max();
   result.commands = statistics.commands_by_name();
   result.unimplemented_actions = statistics.unimplemented_by_name();
+  result.missed_by = missed_by(statistics);
+  result.reconnects = statistics.reconnects;
   return result;
 }
-
-}  // namespace
 
 Result<std::unique_ptr<MatchSide>> MatchSide::create(const Endpoint& endpoint,
                                                      const SideSetup& setup,
@@ -71,8 +86,8 @@ Result<std::unique_ptr<MatchSide>> MatchSide::create(const Endpoint& endpoint,
     side->playmaker_ = proxy::make_grpc_playmaker(target_of(endpoint));
   }
   side->worker_.run_on(setup.cpus);
-  side->team_ =
-      std::make_unique<proxy::Team>(team_options(side->name_, options), *side->playmaker_);
+  side->team_ = std::make_unique<proxy::Team>(team_options(side->name_, endpoint, options),
+                                              *side->playmaker_);
   return side;
 }
 

@@ -27,6 +27,9 @@ struct SideSetup {
   std::vector<int> cpus;         ///< processors of agents and Playmaker; empty: all
 };
 
+/// What a player of ours did.
+PlayerResult result_of(const proxy::PlayerAgent& agent);
+
 /// Owns everything of one side. The team is used by `worker` only while work is under way there.
 class MatchSide {
  public:

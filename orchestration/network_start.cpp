@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "orchestration/network_match.h"
+#include "orchestration/playmaker_link.h"
 #include "orchestration/playmaker_program.h"
 
 namespace cls::orchestration {
@@ -157,7 +158,10 @@ void NetworkMatch::introduce(MatchObserver& observer) {
     if (ended() || !side.own) continue;
     observer.on_phase(fmt::format("waiting for {}", side.own->who()));
     wait_until([&] { return side.own->stage() > OwnTeam::Stage::kIntroducing; },
-               [&] { return fmt::format("{}: no answer", side.own->who()); });
+               [&] {
+                 return fmt::format("{}: no answer{}", side.own->who(),
+                                    silence_hint(side.own->side().endpoint()));
+               });
   }
 }
 

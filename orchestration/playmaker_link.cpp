@@ -3,6 +3,8 @@
 
 #include <utility>
 
+#include "proxy/tls_probe.h"
+
 namespace cls::orchestration {
 
 proxy::GrpcTarget target_of(const Endpoint& endpoint) {
@@ -11,7 +13,15 @@ proxy::GrpcTarget target_of(const Endpoint& endpoint) {
   target.port = endpoint.port;
   target.port_step = endpoint.port_step;
   target.unix_path = endpoint.path;
+  target.tls = endpoint.tls;
   return target;
+}
+
+std::string silence_hint(const Endpoint& endpoint) {
+  constexpr int kGoalie = 1;
+  if (endpoint.kind != Endpoint::Kind::kAddress) return {};
+  const std::string trouble = proxy::tls_trouble(target_of(endpoint), kGoalie);
+  return trouble.empty() ? trouble : "; " + trouble;
 }
 
 soccer::Result<std::unique_ptr<mock_server::Server>> start_mock(const Endpoint& endpoint) {

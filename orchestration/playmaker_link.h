@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 
 #include "mock-server/server.h"
 #include "orchestration/endpoint.h"
@@ -12,6 +13,10 @@ namespace cls::orchestration {
 
 /// Where a running Playmaker listens; for kAddress and kUnixSocket.
 proxy::GrpcTarget target_of(const Endpoint& endpoint);
+
+/// What there is to say of a Playmaker that did not answer in time: "; it speaks TLS (say
+/// tls:...)", or nothing. Asks it once, for a second at most.
+std::string silence_hint(const Endpoint& endpoint);
 
 /// The bundled Playmaker with the endpoint's script or behaviour; for kMock. The error says which
 /// behaviour is unknown.

@@ -34,8 +34,10 @@ std::string_view command_kind_name(std::size_t index) {
 }
 
 void AgentStatistics::count(const Reply& reply) {
-  ++decisions;
   ++outcomes[static_cast<std::size_t>(reply.status.outcome)];
+  // Called back by us at the end of a match: nobody failed.
+  if (reply.status.outcome == RpcOutcome::kCancelled) return;
+  ++decisions;
   if (reply.status.ok()) {
     missed_in_a_row = 0;
     rpc_us.add(reply.latency);

@@ -49,6 +49,7 @@ struct AgentStatistics {
   RpcStatus last_failure;  ///< of the latest missed decision; ok when none was missed
   LatencySamples rpc_us;   ///< of the answered ones
 
+  std::int64_t reconnects = 0;      ///< times that a Playmaker that was lost answered again
   std::int64_t planner_asked = 0;   ///< choices left to the Playmaker (GetBestPlannerAction)
   std::int64_t planner_failed = 0;  ///< those without a usable answer
 

@@ -1,13 +1,18 @@
 // Calls in flight together on one completion queue.
 #include "proxy/grpc_playmaker.h"
 
+#include <grpc/support/log.h>
+
 #include <array>
 #include <atomic>
 #include <cassert>
+#include <climits>
+#include <cstdlib>
 #include <utility>
 #include <vector>
 
 #include "proxy/grpc_call.h"
+#include "proxy/tls_probe.h"
 
 namespace cls::proxy {
 namespace {
@@ -18,13 +23,25 @@ constexpr int kCancelCheckMs = 50;
 // For finding out why a Playmaker cannot be reached.
 constexpr RpcTimeout kProbeTimeout{500};
 
-grpc::ChannelArguments channel_arguments() {
+std::shared_ptr<grpc::ChannelCredentials> credentials_for(const GrpcTarget& target) {
+  if (target.tls == nullptr) return grpc::InsecureChannelCredentials();
+  // gRPC writes a line to stderr for every handshake that fails; tls_trouble() says it once.
+  if (std::getenv("GRPC_VERBOSITY") == nullptr) gpr_set_log_function([](gpr_log_func_args*) {});
+  return grpc::SslCredentials({target.tls->authorities, target.tls->key, target.tls->certificate});
+}
+
+grpc::ChannelArguments channel_arguments(const GrpcTarget& target) {
   grpc::ChannelArguments arguments;
+  if (target.tls != nullptr && !target.tls->server_name.empty()) {
+    arguments.SetSslTargetNameOverride(target.tls->server_name);
+  }
   // Not the minimum: it is also how long an attempt may take, and a busy Playmaker takes long.
   arguments.SetInt(GRPC_ARG_MAX_RECONNECT_BACKOFF_MS, kReconnectBackoffMs);
   arguments.SetInt(GRPC_ARG_INITIAL_RECONNECT_BACKOFF_MS, kReconnectBackoffMs / 4);
   // Two teams that ask the same Playmaker keep a connection each.
   arguments.SetInt(GRPC_ARG_USE_LOCAL_SUBCHANNEL_POOL, 1);
+  // A connection at rest, as when the Playmaker is looked at in a debugger, must not look lost.
+  arguments.SetInt(GRPC_ARG_CLIENT_IDLE_TIMEOUT_MS, INT_MAX);
   arguments.SetMaxReceiveMessageSize(-1);
   arguments.SetMaxSendMessageSize(-1);
   // A decision asked twice would count twice; and retries keep copies of every request.
@@ -43,15 +60,15 @@ class GrpcPlaymaker : public Playmaker {
     make_stubs();
   }
 
-  explicit GrpcPlaymaker(const GrpcTarget& target) {
-    const grpc::ChannelArguments arguments = channel_arguments();
+  explicit GrpcPlaymaker(const GrpcTarget& target) : target_(target) {
+    const grpc::ChannelArguments arguments = channel_arguments(target);
+    const auto credentials = credentials_for(target);
     for (int agent = 1; agent < kAgentNumbers; ++agent) {
       const auto i = static_cast<std::size_t>(agent);
       names_[i] = address(target, agent);
       const bool own = agent == 1 || names_[i] != names_[i - 1];
       channels_[i] =
-          own ? grpc::CreateCustomChannel(names_[i], grpc::InsecureChannelCredentials(), arguments)
-              : channels_[i - 1];
+          own ? grpc::CreateCustomChannel(names_[i], credentials, arguments) : channels_[i - 1];
     }
     make_stubs();
   }
@@ -70,6 +87,11 @@ class GrpcPlaymaker : public Playmaker {
 
   RpcStatus register_agent(int agent, const protos::RegisterRequest& request, RpcTimeout timeout,
                            protos::RegisterResponse& response) override {
+    if (target_ && target_->tls != nullptr) {
+      // A certificate that is no good will be none later: no need to wait.
+      RpcStatus status = tls_status(agent);
+      if (!status.ok()) return status;
+    }
     RpcStatus status = ask(agent, "Register", request, GrpcCall::Answer::kRegister, timeout, true);
     if (status.outcome == RpcOutcome::kDeadline) status = explain_silence(agent, request, timeout);
     if (status.ok()) {
@@ -113,6 +135,26 @@ class GrpcPlaymaker : public Playmaker {
   void begin_best_planner_action(int agent, const protos::BestPlannerActionRequest& request,
                                  RpcTimeout timeout) override {
     begin(agent, "GetBestPlannerAction", request, GrpcCall::Answer::kPlanner, timeout);
+  }
+
+  void begin_introduction(int agent, proto::Rpc rpc, const google::protobuf::Message& request,
+                          RpcTimeout timeout, bool wait) override {
+    const bool registers = rpc == proto::Rpc::kRegister;
+    begin(agent, name_of(rpc), request,
+          registers ? GrpcCall::Answer::kRegister : GrpcCall::Answer::kEmpty, timeout, wait);
+  }
+
+  // A channel that has lost its connection is idle until somebody asks; only then does it connect
+  // again. So its state, looked at before a call, tells of every loss.
+  bool take_lost_connection(int agent) override {
+    const auto i = static_cast<std::size_t>(agent);
+    if (target_ && answered_[i] && channels_[i]->GetState(false) != GRPC_CHANNEL_READY) {
+      for (std::size_t other = 1; other < channels_.size(); ++other) {
+        if (channels_[other] != channels_[i]) continue;
+        lost_[other] = std::exchange(answered_[other], false) || lost_[other];
+      }
+    }
+    return std::exchange(lost_[i], false);
   }
 
   std::optional<Reply> next_reply() override {
@@ -196,24 +238,44 @@ class GrpcPlaymaker : public Playmaker {
                 GrpcCall::Answer answer, RpcTimeout timeout, bool wait_for_ready = false) {
     if (cancelled()) return cancelled_status();
     start_alone(agent, method, request, answer, timeout, wait_for_ready);
-    return wait(true).status();
+    const RpcStatus& status = wait(true).status();
+    answered_[static_cast<std::size_t>(agent)] |= status.ok();
+    return status;
   }
 
+  // The transport wants a text that lives as long as the program.
+  static const char* name_of(proto::Rpc rpc) { return proto::name(rpc).data(); }
+
   void begin(int agent, const char* method, const google::protobuf::MessageLite& request,
-             GrpcCall::Answer answer, RpcTimeout timeout) {
+             GrpcCall::Answer answer, RpcTimeout timeout, bool wait_for_ready = false) {
     if (cancelled()) {
       never_asked_.push_back(agent);
       return;
     }
-    call_of(agent).start(stub_of(agent), queue_, method, request, answer, timeout, false);
+    call_of(agent).start(stub_of(agent), queue_, method, request, answer, timeout, wait_for_ready);
     ++outstanding_;
   }
 
-  Reply reply_of(const GrpcCall& call) const {
+  // To a caller who waited for the connection, a deadline without one means that nobody is there.
+  void blame_absence(RpcStatus& status, const GrpcCall& call) const {
+    const auto i = static_cast<std::size_t>(agent_of(call));
+    const bool absent = target_ && call.answer() == GrpcCall::Answer::kRegister &&
+                        status.outcome == RpcOutcome::kDeadline &&
+                        channels_[i]->GetState(false) != GRPC_CHANNEL_READY;
+    if (!absent) return;
+    const auto waited = std::chrono::duration_cast<std::chrono::milliseconds>(call.latency());
+    status.outcome = RpcOutcome::kUnavailable;
+    status.message = names_[i] + " is gone and did not come back within " +
+                     std::to_string(waited.count()) + " ms";
+  }
+
+  Reply reply_of(const GrpcCall& call) {
     Reply reply;
     reply.agent = agent_of(call);
     reply.status = call.status();
     reply.latency = call.latency();
+    blame_absence(reply.status, call);
+    answered_[static_cast<std::size_t>(reply.agent)] |= reply.status.ok();
     if (call.message() == nullptr) return reply;
     switch (call.answer()) {
       case GrpcCall::Answer::kPlayer:
@@ -228,11 +290,20 @@ class GrpcPlaymaker : public Playmaker {
       case GrpcCall::Answer::kPlanner:
         reply.planner = static_cast<const protos::BestPlannerActionResponse*>(call.message());
         break;
-      case GrpcCall::Answer::kEmpty:
       case GrpcCall::Answer::kRegister:
+        reply.identity = static_cast<const protos::RegisterResponse*>(call.message());
+        break;
+      case GrpcCall::Answer::kEmpty:
         break;
     }
     return reply;
+  }
+
+  RpcStatus tls_status(int agent) const {
+    const std::string trouble = target_ ? tls_trouble(*target_, agent) : std::string();
+    if (trouble.empty()) return {};
+    return {RpcOutcome::kUnavailable, static_cast<int>(grpc::StatusCode::UNAVAILABLE),
+            names_[static_cast<std::size_t>(agent)] + ": " + trouble};
   }
 
   // Register waits for the Playmaker to come up, so a missing one looks like a slow one. Asking
@@ -244,6 +315,7 @@ class GrpcPlaymaker : public Playmaker {
       return {RpcOutcome::kDeadline, static_cast<int>(grpc::StatusCode::DEADLINE_EXCEEDED),
               names_[i] + " did not answer Register within " + limit};
     }
+    if (RpcStatus trouble = tls_status(agent); !trouble.ok()) return trouble;
     RpcStatus status = ask(agent, "Register", request, GrpcCall::Answer::kRegister, kProbeTimeout);
     if (status.outcome != RpcOutcome::kUnavailable) return status;
     status.message =
@@ -251,11 +323,14 @@ class GrpcPlaymaker : public Playmaker {
     return status;
   }
 
+  std::optional<GrpcTarget> target_;  // else the channel was given, and its state tells nothing
   std::array<std::shared_ptr<grpc::Channel>, kAgentNumbers> channels_;
   std::array<std::string, kAgentNumbers> names_;
   std::array<std::unique_ptr<grpc::GenericStub>, kAgentNumbers> stubs_;
   grpc::CompletionQueue queue_;
   std::array<GrpcCall, kAgentNumbers> calls_;
+  std::array<bool, kAgentNumbers> answered_{};  // over the connection of now
+  std::array<bool, kAgentNumbers> lost_{};      // that connection, not told yet
   int outstanding_ = 0;
   std::vector<int> never_asked_;  // begun after cancel()
   std::atomic<bool> cancelled_{false};

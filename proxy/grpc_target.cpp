@@ -3,12 +3,16 @@
 
 namespace cls::proxy {
 
-std::string address(const GrpcTarget& target, int agent) {
-  if (!target.unix_path.empty()) return "unix:" + target.unix_path;
+int port_of(const GrpcTarget& target, int agent) {
   constexpr int kCoachStep = 13;
   // Coach and trainer have the numbers 12 and 13, but share a port.
   const int step = !target.port_step ? 0 : agent > 11 ? kCoachStep : agent;
-  return target.host + ":" + std::to_string(target.port + step);
+  return target.port + step;
+}
+
+std::string address(const GrpcTarget& target, int agent) {
+  if (!target.unix_path.empty()) return "unix:" + target.unix_path;
+  return target.host + ":" + std::to_string(port_of(target, agent));
 }
 
 }  // namespace cls::proxy

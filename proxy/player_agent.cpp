@@ -62,6 +62,13 @@ bool is_counted(const soccer::PlayerCommand& command, soccer::PlayMode mode) {
 
 }  // namespace
 
+std::optional<OnLate> on_late_from_name(std::string_view name) {
+  if (name == "hold") return OnLate::kHold;
+  if (name == "last") return OnLate::kLast;
+  if (name == "default") return OnLate::kDefault;
+  return std::nullopt;
+}
+
 PlayerAgent::PlayerAgent(std::unique_ptr<soccer::Channel> channel, AgentOptions options)
     : channel_(std::move(channel)), options_(std::move(options)) {
   if (options_.formations != nullptr) world_.formations = options_.formations;
@@ -89,10 +96,6 @@ bool PlayerAgent::refused_for_now() const {
 
 bool PlayerAgent::ready() const {
   return admitted_ && types_known_ > 0 && types_known_ >= world_.parameters->player.player_types;
-}
-
-void PlayerAgent::set_identity(const protos::RegisterResponse& identity) {
-  *state_.mutable_register_response() = identity;
 }
 
 void PlayerAgent::perceive() {

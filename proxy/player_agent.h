@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "proto/playmaker.pb.h"
@@ -34,6 +35,9 @@ enum class OnLate : std::uint8_t {
   kLast,     ///< does once more what the last answer said
   kDefault,  ///< plays by itself: see fallback.h
 };
+
+/// "hold", "last" and "default".
+std::optional<OnLate> on_late_from_name(std::string_view name);
 
 struct AgentOptions {
   soccer::TeamName team_name;
@@ -81,6 +85,8 @@ class PlayerAgent {
   /// The State for the decision that is due; completes the world model. Once per decision. Lives
   /// until the next call.
   const protos::State& state(Instant now = {});
+  /// The same State again; its register_response is the caller's to keep.
+  protos::State& question() { return state_; }
   /// Carries out the answer, sends the commands and (done). False when the Playmaker has to choose
   /// among planned actions first: ask it with planner_request(), then act_on_choice().
   bool act(const protos::PlayerActions& actions);
@@ -96,7 +102,6 @@ class PlayerAgent {
 
   /// What the Playmaker gave this agent as its identity; part of every State.
   const protos::RegisterResponse& identity() const { return state_.register_response(); }
-  void set_identity(const protos::RegisterResponse& identity);
   bool has_identity() const { return state_.has_register_response(); }
 
   int unum() const { return world_.unum; }

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "proto/playmaker.pb.h"
+#include "proto/rpc.h"
 
 namespace cls::proxy {
 
@@ -44,10 +45,12 @@ struct RpcStatus {
 };
 
 /// The answer to one begin_...(): exactly one of the pointers is set when `status` is ok, none
-/// otherwise. What they point to is the Playmaker's and lives until the next call for that agent.
+/// otherwise and none for the calls of the hand-shake that answer nothing. What they point to is
+/// the Playmaker's and lives until the next call for that agent.
 struct Reply {
   int agent = 0;
   RpcStatus status;
+  const protos::RegisterResponse* identity = nullptr;
   const protos::PlayerActions* player = nullptr;
   const protos::CoachActions* coach = nullptr;
   const protos::TrainerActions* trainer = nullptr;
@@ -56,7 +59,8 @@ struct Reply {
 };
 
 /// The Playmaker of one team as its agents see it. One thread uses it (only cancel() may come from
-/// another). The hand-shake calls block; they must not be made while decisions are outstanding.
+/// another). The calls named after what they send block; they must not be made while others are
+/// outstanding.
 class Playmaker {
  public:
   virtual ~Playmaker() = default;
@@ -83,8 +87,18 @@ class Playmaker {
   virtual void begin_best_planner_action(int agent, const protos::BestPlannerActionRequest& request,
                                          RpcTimeout timeout) = 0;
 
-  /// Waits for any outstanding decision and returns it; nothing when none is outstanding. Replies
-  /// come in any order.
+  /// The same for one call of the hand-shake (Register to SendInitMessage). With `wait`, for the
+  /// Playmaker to come up, as long as the timeout allows.
+  virtual void begin_introduction(int agent, proto::Rpc rpc,
+                                  const google::protobuf::Message& request, RpcTimeout timeout,
+                                  bool wait) = 0;
+
+  /// True once after the connection over which this agent was answered has gone: at its other end
+  /// there may now be a Playmaker that does not know it.
+  virtual bool take_lost_connection(int agent) = 0;
+
+  /// Waits for any outstanding call and returns its answer; nothing when none is outstanding.
+  /// Replies come in any order.
   virtual std::optional<Reply> next_reply() = 0;
 
   /// The same, but nothing as well when no reply is there within `longest`.

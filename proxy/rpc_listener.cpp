@@ -71,6 +71,13 @@ class ListenedPlaymaker : public Playmaker {
     inner_.begin_best_planner_action(agent, request, timeout);
   }
 
+  void begin_introduction(int agent, Rpc rpc, const Message& request, RpcTimeout timeout,
+                          bool wait) override {
+    keep(agent, rpc, request);
+    inner_.begin_introduction(agent, rpc, request, timeout, wait);
+  }
+  bool take_lost_connection(int agent) override { return inner_.take_lost_connection(agent); }
+
   std::optional<Reply> next_reply() override { return heard(inner_.next_reply()); }
   std::optional<Reply> next_reply_within(std::chrono::microseconds longest) override {
     return heard(inner_.next_reply_within(longest));
@@ -95,9 +102,11 @@ class ListenedPlaymaker : public Playmaker {
     if (!reply) return reply;
     const Question& question = questions_.at(static_cast<std::size_t>(reply->agent));
     const Message* answer = reply->player;
+    if (reply->identity != nullptr) answer = reply->identity;
     if (reply->coach != nullptr) answer = reply->coach;
     if (reply->trainer != nullptr) answer = reply->trainer;
     if (reply->planner != nullptr) answer = reply->planner;
+    if (reply->status.ok() && answer == nullptr) answer = &proto::reply_prototype(question.rpc);
     listener_.on_call(
         {reply->agent, question.rpc, *question.request, answer, reply->status, reply->latency});
     return reply;

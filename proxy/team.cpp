@@ -3,9 +3,8 @@
 
 #include <algorithm>
 #include <cassert>
+#include <map>
 #include <utility>
-
-#include "proxy/parameter_messages.h"
 
 namespace cls::proxy {
 namespace {
@@ -28,9 +27,12 @@ class StopWatch {
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
-// Calls that inform a Playmaker may fail without harm, as long as it is there and speaks at all.
-bool harmless(const RpcStatus& status) {
-  return status.outcome == RpcOutcome::kUnimplemented || status.outcome == RpcOutcome::kError;
+// A Playmaker that tells its agents apart by what it gave them cannot do so when all got the same.
+constexpr int kNoClientId = 0;
+
+bool reacts_to_bye(const RpcStatus& status) {
+  return status.ok() || status.outcome == RpcOutcome::kUnimplemented ||
+         status.outcome == RpcOutcome::kError;
 }
 
 protos::RegisterRequest register_request(const PlayerAgent& agent) {
@@ -39,15 +41,6 @@ protos::RegisterRequest register_request(const PlayerAgent& agent) {
   request.set_team_name(std::string(agent.options().team_name.view()));
   request.set_uniform_number(agent.unum());
   return request;
-}
-
-// For Playmakers of the first interface, which do not hand out identities.
-protos::RegisterResponse own_identity(const protos::RegisterRequest& request) {
-  protos::RegisterResponse identity;
-  identity.set_agent_type(request.agent_type());
-  identity.set_team_name(request.team_name());
-  identity.set_uniform_number(request.uniform_number());
-  return identity;
 }
 
 }  // namespace
@@ -97,63 +90,37 @@ soccer::Result<void> Team::connect_one(const OpenChannel& open, const Serve& ser
 
 RpcStatus Team::introduce() {
   for (const auto& agent : players_) {
-    RpcStatus status = introduce_one(*agent);
+    Correspondence& calls = correspondence_[static_cast<std::size_t>(agent->unum())].emplace(
+        agent->unum(), proto::Rpc::kGetPlayerActions, register_request(*agent),
+        agent->world().parameters);
+    RpcStatus status = calls.introduce(*playmaker_, options_.start_timeout, agent->question());
+    if (const std::string remark = calls.take_remark(); !remark.empty()) warn_once(remark);
     if (!status.ok()) {
       status.message = "player " + std::to_string(agent->unum()) + ": " + status.message;
       return status;
     }
   }
+  warn_of_shared_identity();
   return {};
 }
 
-RpcStatus Team::introduce_one(PlayerAgent& agent) {
-  const protos::RegisterRequest request = register_request(agent);
-  protos::RegisterResponse identity;
-  const RpcStatus status =
-      playmaker_->register_agent(agent.unum(), request, options_.start_timeout, identity);
-  if (status.outcome == RpcOutcome::kUnimplemented) {
-    identity = own_identity(request);
-    warn_once("the Playmaker has no Register: taken for one of the first interface");
-  } else if (!status.ok()) {
-    return status;
+void Team::warn_of_shared_identity() {
+  if (!options_.one_playmaker) return;
+  std::map<int, int> holders;  // unum by client id
+  for (const auto& agent : players_) {
+    const int id = agent->identity().client_id();
+    const auto [holder, fresh] = holders.emplace(id, agent->unum());
+    if (fresh || id == kNoClientId) continue;
+    warn_once("the Playmaker gave players " + std::to_string(holder->second) + " and " +
+              std::to_string(agent->unum()) + " the same client_id " + std::to_string(id));
+    return;
   }
-  agent.set_identity(identity);
-  return send_parameters(agent);
 }
 
-RpcStatus Team::send_parameters(PlayerAgent& agent) {
-  const int unum = agent.unum();
-  const MatchParameters& parameters = *agent.world().parameters;
-  const auto introduced = [&](auto message) {
-    *message.mutable_register_response() = agent.identity();
-    return message;
-  };
-  const auto tolerated = [&](RpcStatus& status) {
-    if (harmless(status)) {
-      warn_once(status.message);
-      status = {};
-    }
-    return status.ok();
-  };
-  protos::ServerParam server;
-  protos::PlayerParam player;
-  fill(parameters.server, server);
-  fill(parameters.player, player);
-  RpcStatus status =
-      playmaker_->send_server_params(unum, introduced(server), options_.start_timeout);
-  if (!tolerated(status)) return status;
-  status = playmaker_->send_player_params(unum, introduced(player), options_.start_timeout);
-  if (!tolerated(status)) return status;
-  for (const soccer::PlayerType& each : parameters.types) {
-    protos::PlayerType type;
-    fill(each, parameters.server, type);
-    status = playmaker_->send_player_type(unum, introduced(type), options_.start_timeout);
-    if (!tolerated(status)) return status;
-  }
-  status = playmaker_->send_init_message(unum, introduced(protos::InitMessage()),
-                                         options_.start_timeout);
-  tolerated(status);
-  return status;
+Correspondence& Team::correspondence(int unum) {
+  std::optional<Correspondence>& calls = correspondence_.at(static_cast<std::size_t>(unum));
+  assert(calls && "a team is introduced before it asks");
+  return *calls;
 }
 
 PlayerAgent& Team::agent(int unum) {
@@ -172,9 +139,9 @@ int Team::ask(Instant now) {
     agent->perceive();
     watch.lap(times_.perceive);
     if (!agent->decision_due(now)) continue;
-    const protos::State& state = agent->state(now);
+    agent->state(now);
     watch.lap(times_.state);
-    playmaker_->begin_player_actions(agent->unum(), state, decision_timeout(*agent, now));
+    correspondence(agent->unum()).ask(*playmaker_, agent->question(), asking_time(*agent, now));
     watch.lap(times_.begin);
     ++asked;
   }
@@ -209,6 +176,14 @@ Instant Team::next_due() const {
   return next;
 }
 
+AskingTime Team::asking_time(const PlayerAgent& agent, Instant now) const {
+  AskingTime time;
+  time.timeout = decision_timeout(agent, now);
+  time.server_waits = agent.timer().synchronous();
+  time.reconnect_within = options_.reconnect_within;
+  return time;
+}
+
 // In real time, an answer after the end of the cycle would be of no use.
 RpcTimeout Team::decision_timeout(const PlayerAgent& agent, Instant now) const {
   const bool unlimited = options_.decision_timeout == kNoTimeout;
@@ -225,14 +200,19 @@ int Team::run_cycle() {
   return asked;
 }
 
-void Team::carry_out(const Reply& reply) {
-  --outstanding_;
+void Team::carry_out(Reply reply) {
   PlayerAgent& asker = agent(reply.agent);
   if (asker.awaits_choice()) {
+    --outstanding_;
     carry_out_choice(asker, reply);
     return;
   }
-  asker.statistics().count(reply);
+  Correspondence& calls = correspondence(reply.agent);
+  const bool decided = calls.take(*playmaker_, reply);
+  if (const std::string remark = calls.take_remark(); !remark.empty()) warn_once(remark);
+  if (!decided) return;
+  --outstanding_;
+  note(asker, calls, reply);
   if (reply.player == nullptr) {
     asker.act_without_reply();
   } else if (!asker.act(*reply.player)) {
@@ -241,6 +221,15 @@ void Team::carry_out(const Reply& reply) {
   }
   warn_of_unimplemented(asker);
   warn_of_server(asker);
+}
+
+void Team::note(PlayerAgent& asker, const Correspondence& calls, const Reply& reply) {
+  AgentStatistics& statistics = asker.statistics();
+  statistics.count(reply);
+  if (calls.reconnects() == statistics.reconnects) return;
+  statistics.reconnects = calls.reconnects();
+  warn_once("the Playmaker was lost and came back: told of its players again at cycle " +
+            std::to_string(asker.world().game.time.cycle));
 }
 
 void Team::ask_for_choice(PlayerAgent& asker) {
@@ -267,7 +256,7 @@ void Team::leave() {
   for (const auto& agent : players_) {
     if (reacts && agent->has_identity()) {
       const RpcStatus status = playmaker_->send_bye(agent->unum(), agent->identity(), kByeTimeout);
-      reacts = status.ok() || harmless(status);
+      reacts = reacts_to_bye(status);
     }
     agent->leave();
   }

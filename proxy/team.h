@@ -5,9 +5,11 @@
 #include <chrono>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "proxy/correspondence.h"
 #include "proxy/player_agent.h"
 #include "proxy/playmaker.h"
 #include "soccer/channel.h"
@@ -23,6 +25,8 @@ struct TeamOptions {
   OnLate on_late = OnLate::kHold;
   RpcTimeout decision_timeout{10'000};  ///< kNoTimeout: wait for ever
   RpcTimeout start_timeout{20'000};     ///< for the Playmaker to come up and answer Register
+  RpcTimeout reconnect_within{3'000};   ///< for it to come back in mid-match: see AskingTime
+  bool one_playmaker = true;            ///< for all agents; else (ports that step) one for each
   int first_unum = 1;                   ///< of those to take over with `reconnect`
   bool reconnect = false;               ///< take over players who lost their connection
   bool goalie = true;                   ///< the first one is the goalie
@@ -103,11 +107,13 @@ class Team {
 
  private:
   soccer::Result<void> connect_one(const OpenChannel& open, const Serve& serve, bool goalie);
-  RpcStatus introduce_one(PlayerAgent& agent);
-  RpcStatus send_parameters(PlayerAgent& agent);
+  void warn_of_shared_identity();
+  Correspondence& correspondence(int unum);
+  AskingTime asking_time(const PlayerAgent& agent, Instant now) const;
   RpcTimeout decision_timeout(const PlayerAgent& agent, Instant now) const;
   PlayerAgent& agent(int unum);
-  void carry_out(const Reply& reply);
+  void carry_out(Reply reply);
+  void note(PlayerAgent& asker, const Correspondence& calls, const Reply& reply);
   void carry_out_choice(PlayerAgent& asker, const Reply& reply);
   void ask_for_choice(PlayerAgent& asker);
   void warn_once(const std::string& line);
@@ -118,6 +124,7 @@ class Team {
   std::string name_;
   Playmaker* playmaker_;
   std::vector<std::unique_ptr<PlayerAgent>> players_;
+  std::array<std::optional<Correspondence>, kAgentNumbers> correspondence_;  // by agent number
   int outstanding_ = 0;
   TeamTimes times_;
   std::array<bool, kActionKinds> told_actions_{};

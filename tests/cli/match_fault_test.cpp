@@ -81,7 +81,7 @@ TEST(MatchFaults, APlaymakerThatDiesInPlayIsACrash) {
     changed.wait_for(lock, std::chrono::seconds(30), [&] { return calls >= 300; });
     server.stop();
   });
-  const Played played = play_against(port, {"--max-missed", "5"});
+  const Played played = play_against(port, {"--max-missed", "5", "--reconnect-within", "0"});
   killer.join();
   expect_invalid(played, "crashed", 1);
   expect_line(played, port, "had no usable answer for 6 cycles, at cycle ");

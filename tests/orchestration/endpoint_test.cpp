@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "orchestration/playmaker_link.h"
+
 namespace cls::orchestration {
 namespace {
 
@@ -21,6 +23,14 @@ TEST(Endpoint, ReadsEveryForm) {
   EXPECT_FALSE(address->port_step);
   EXPECT_TRUE(parse_endpoint("10.0.0.1:5000+step")->port_step);
   EXPECT_EQ(parse_endpoint("[::1]:50051")->host, "[::1]");
+  EXPECT_EQ(address->tls, nullptr);
+  const auto secure = parse_endpoint("tls:brain.example:443+step");
+  EXPECT_EQ(secure->kind, Endpoint::Kind::kAddress);
+  EXPECT_EQ(secure->text, "tls:brain.example:443+step");
+  EXPECT_EQ(secure->host, "brain.example");
+  EXPECT_TRUE(secure->port_step);
+  EXPECT_NE(secure->tls, nullptr);
+  EXPECT_EQ(target_of(*secure).tls, secure->tls);
   EXPECT_EQ(parse_endpoint("unix:/run/brain.sock")->path, "/run/brain.sock");
   const auto run = parse_endpoint("run:./brain --port {port}");
   EXPECT_EQ(run->kind, Endpoint::Kind::kRun);
@@ -36,7 +46,8 @@ TEST(Endpoint, ReadsEveryForm) {
 TEST(Endpoint, NamesTheMistakeAndTheForms) {
   EXPECT_EQ(error_of("moc"),
             "unknown side 'moc'; did you mean 'mock'? (a side is mock, mock:BEHAVIOUR, "
-            "mock:FILE.json, HOST:PORT, HOST:PORT+step, unix:PATH, run:COMMAND or team:DIR)");
+            "mock:FILE.json, HOST:PORT, HOST:PORT+step, tls:HOST:PORT, unix:PATH, "
+            "run:COMMAND or team:DIR)");
   EXPECT_NE(error_of("brain").find("unknown side 'brain' (a side is"), std::string::npos);
   EXPECT_EQ(error_of("localhost:0"), "side 'localhost:0': port 0 is not within 1 to 65535");
   EXPECT_EQ(error_of("localhost:70000"),
@@ -46,6 +57,7 @@ TEST(Endpoint, NamesTheMistakeAndTheForms) {
   EXPECT_EQ(error_of(":50051"), "side ':50051': no host before the port");
   EXPECT_EQ(error_of("mock:"), "side 'mock:': no behaviour after the colon");
   EXPECT_EQ(error_of("team:"), "side 'team:': no folder after the colon");
+  EXPECT_EQ(error_of("tls:brain"), "side 'tls:brain': after tls: comes HOST:PORT");
   EXPECT_EQ(error_of("run: "), "side 'run: ': no command after 'run:'");
   EXPECT_EQ(error_of("run:./brain"),
             "side 'run:./brain': the command needs {port}, where the Playmaker shall listen (or "

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <utility>
 
 namespace cls::tests {
 
@@ -14,14 +15,32 @@ RpcStatus FakePlaymaker::note(const std::string& method, int agent) {
   return answer ? answer(method, agent) : RpcStatus{};
 }
 
-RpcStatus FakePlaymaker::register_agent(int agent, const protos::RegisterRequest& request,
-                                        RpcTimeout, protos::RegisterResponse& response) {
+RpcStatus FakePlaymaker::let_in(int agent, const protos::RegisterRequest& request,
+                                protos::RegisterResponse& response) {
   RpcStatus status = note("Register", agent);
   if (!status.ok()) return status;
-  response.set_client_id(100 + agent);
+  ++registered_[agent];
+  response.set_client_id(client_id(agent));
   response.set_team_name(request.team_name());
   response.set_uniform_number(request.uniform_number());
   return status;
+}
+
+RpcStatus FakePlaymaker::register_agent(int agent, const protos::RegisterRequest& request,
+                                        RpcTimeout, protos::RegisterResponse& response) {
+  return let_in(agent, request, response);
+}
+
+void FakePlaymaker::begin_introduction(int agent, proto::Rpc rpc,
+                                       const google::protobuf::Message& request, RpcTimeout, bool) {
+  if (rpc == proto::Rpc::kRegister) {
+    introductions_[agent] =
+        let_in(agent, static_cast<const protos::RegisterRequest&>(request), identities_[agent]);
+  } else {
+    introductions_[agent] = note(std::string(proto::name(rpc)), agent);
+    identities_.erase(agent);
+  }
+  outstanding_.push_back(agent);
 }
 
 RpcStatus FakePlaymaker::send_server_params(int agent, const protos::ServerParam&, RpcTimeout) {
@@ -65,6 +84,12 @@ std::optional<proxy::Reply> FakePlaymaker::next_reply() {
   proxy::Reply reply;
   reply.agent = *position;
   outstanding_.erase(position);
+  if (auto& introduction = introductions_[reply.agent]) {
+    reply.status = *std::exchange(introduction, std::nullopt);
+    const auto identity = identities_.find(reply.agent);
+    if (reply.status.ok() && identity != identities_.end()) reply.identity = &identity->second;
+    return reply;
+  }
   protos::PlayerActions& actions = replies_[reply.agent];
   actions.Clear();
   if (decide) reply.status = decide(reply.agent, states_[reply.agent], actions);

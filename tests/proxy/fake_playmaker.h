@@ -3,6 +3,8 @@
 
 #include <functional>
 #include <map>
+#include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -19,6 +21,10 @@ class FakePlaymaker : public proxy::Playmaker {
   std::function<std::size_t(const std::vector<int>& outstanding)> order;
   /// Status of a hand-shake call; default: ok.
   std::function<proxy::RpcStatus(const std::string& method, int agent)> answer;
+  /// Agents whose connection is gone, until they are told.
+  std::set<int> lost;
+  /// What Register gives: 100 + agent, with 1000 more each time.
+  int client_id(int agent) const { return 100 + agent + 1000 * (registered_.at(agent) - 1); }
 
   /// "METHOD AGENT" of every call, in order.
   const std::vector<std::string>& calls() const { return calls_; }
@@ -45,6 +51,9 @@ class FakePlaymaker : public proxy::Playmaker {
                              proxy::RpcTimeout timeout) override;
   void begin_best_planner_action(int agent, const protos::BestPlannerActionRequest& request,
                                  proxy::RpcTimeout timeout) override;
+  void begin_introduction(int agent, proto::Rpc rpc, const google::protobuf::Message& request,
+                          proxy::RpcTimeout timeout, bool wait) override;
+  bool take_lost_connection(int agent) override { return lost.erase(agent) > 0; }
   std::optional<proxy::Reply> next_reply() override;
   std::optional<proxy::Reply> next_reply_within(std::chrono::microseconds) override {
     return next_reply();
@@ -53,10 +62,15 @@ class FakePlaymaker : public proxy::Playmaker {
 
  private:
   proxy::RpcStatus note(const std::string& method, int agent);
+  proxy::RpcStatus let_in(int agent, const protos::RegisterRequest& request,
+                          protos::RegisterResponse& response);
 
   std::vector<std::string> calls_;
   std::vector<int> outstanding_;
   std::size_t most_outstanding_ = 0;
+  std::map<int, std::optional<proxy::RpcStatus>> introductions_;  // status of the call in flight
+  std::map<int, protos::RegisterResponse> identities_;
+  std::map<int, int> registered_;  // times
   std::map<int, protos::State> states_;
   std::map<int, protos::PlayerActions> replies_;
 };

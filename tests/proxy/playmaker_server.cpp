@@ -66,10 +66,10 @@ grpc::Status GameService::SendByeCommand(grpc::ServerContext*,
   return note("SendByeCommand", request->uniform_number());
 }
 
-PlaymakerServer::PlaymakerServer(grpc::Service& service, int port) {
+PlaymakerServer::PlaymakerServer(grpc::Service& service, int port,
+                                 std::shared_ptr<grpc::ServerCredentials> credentials) {
   grpc::ServerBuilder builder;
-  builder.AddListeningPort("127.0.0.1:" + std::to_string(port), grpc::InsecureServerCredentials(),
-                           &port_);
+  builder.AddListeningPort("127.0.0.1:" + std::to_string(port), credentials, &port_);
   builder.RegisterService(&service);
   server_ = builder.BuildAndStart();
   if (server_ == nullptr) throw std::runtime_error("no port for the test's Playmaker");

@@ -54,7 +54,9 @@ class GameService : public protos::Game::Service {
 /// A service listening on a loopback port; port 0 takes a free one.
 class PlaymakerServer {
  public:
-  explicit PlaymakerServer(grpc::Service& service, int port = 0);
+  explicit PlaymakerServer(
+      grpc::Service& service, int port = 0,
+      std::shared_ptr<grpc::ServerCredentials> credentials = grpc::InsecureServerCredentials());
   /// For answers that are not messages: one handler for every method.
   explicit PlaymakerServer(grpc::CallbackGenericService& service);
   ~PlaymakerServer() { stop(); }

@@ -1,0 +1,57 @@
+// Whole short matches in each version of the text protocol that our agents speak, on the embedded
+// server and on the real one (skipped where there is none): nobody complains of anybody.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "tests/support/command.h"
+#include "tests/support/files.h"
+#include "tests/support/real_server.h"
+#include "tests/support/temporary_folder.h"
+
+namespace {
+
+using cls::tests::real_server;
+using nlohmann::json;
+using Words = std::vector<std::string>;
+
+class ProtocolVersion : public testing::TestWithParam<int> {
+ protected:
+  void play_on(const std::string& server, const std::string& mode) const {
+    const cls::tests::TemporaryFolder folder;
+    const std::string match_folder = folder.path() / "match";
+    const auto played = cls::tests::run(
+        {cls::tests::cls_binary(), "match", "mock", "mock", "--server", server, "--mode", mode,
+         "--protocol", std::to_string(GetParam()), "--half-time", "3", "--seed", "7", "--set",
+         "server::kick_off_wait=3", "--dir", match_folder});
+    EXPECT_EQ(played.exit_code, 0) << played.err;
+    EXPECT_EQ(played.err, "") << "what the server says against us is a warning";
+    const json result = json::parse(cls::tests::read_file(match_folder + "/result.json"));
+    EXPECT_EQ(result["end_reason"], "finished");
+    EXPECT_EQ(result["cycles"], 60);
+    EXPECT_TRUE(result["warnings"].empty()) << result["warnings"];
+    for (const char* side : {"left", "right"}) {
+      for (const json& player : result[side]["players"]) {
+        EXPECT_EQ(player["missed"], 0) << player;
+        EXPECT_EQ(player["undecided"], 0) << player;
+        EXPECT_GE(player["decisions"], 60) << player;
+        EXPECT_GT(player["commands"].value("turn_neck", 0), 0) << player;
+      }
+    }
+  }
+};
+INSTANTIATE_TEST_SUITE_P(, ProtocolVersion, testing::Values(14, 15, 16, 17, 18, 19),
+                         [](const auto& version) { return "V" + std::to_string(version.param); });
+
+TEST_P(ProtocolVersion, PlaysInLockstep) { play_on("embedded", "lockstep"); }
+
+TEST_P(ProtocolVersion, PlaysOnTheEmbeddedServerOverUdp) { play_on("embedded", "synch"); }
+
+TEST_P(ProtocolVersion, PlaysOnTheRealServer) {
+  if (real_server().empty()) GTEST_SKIP() << "no rcssserver on PATH nor in CLS_RCSSSERVER";
+  play_on(real_server(), "synch");
+}
+
+}  // namespace
