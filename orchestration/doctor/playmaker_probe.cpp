@@ -76,12 +76,15 @@ Symptom probe_playmaker(const Endpoint& endpoint, std::chrono::milliseconds limi
   };
   const auto report = check_playmaker(options, on_step, enough);
   if (!report) return unreachable(std::move(symptom), report.error().message);
+  // Left out when the program had ended before it could be asked.
+  const CheckStep& reach = report->steps.front();
+  if (reach.result != StepResult::kPass) {
+    return unreachable(std::move(symptom), fmt::format("{}: {}", endpoint.text, reach.evidence));
+  }
   if (failed.name.empty()) {
     symptom.found = std::move(found);
     return symptom;
   }
-  const std::string what = fmt::format("{}: {}", endpoint.text, failed.evidence);
-  if (failed.name == kReach) return unreachable(std::move(symptom), what);
   symptom.health = Health::kWrong;
   symptom.found = fmt::format("{}: {}: {}", endpoint.text, failed.name, failed.evidence);
   symptom.remedy = fmt::format("{} All steps: cls check playmaker {}", failed.why, endpoint.text);

@@ -193,6 +193,7 @@ TEST_F(Doctor, ProgramsThatHangAreGivenUpAndEnded) {
   for (const std::string& name : kPrograms) {
     put(name, "trap '' TERM\nexec " + built("cls_fake_process") + " stubborn-grandchild hang");
   }
+  put("node", "while :; do echo flood; done");
   const auto begin = std::chrono::steady_clock::now();
   const json document = examine(0, {}, "0.5");
   // Asked one after the other, or waited for, they would take far longer.
@@ -215,12 +216,10 @@ TEST_F(Doctor, ProgramsThatDieOrCannotBeStartedAreTold) {
   put("rcssserver", "kill -SEGV $$");
   put("python3", "exit 3");
   put("node", "", "#!/no/such/interpreter");
-  put("protoc", "yes() { while :; do echo y; done; }; yes");
-  const json document = examine(0, {}, "3");
+  const json document = examine(0);
   expect(item(document, "rcssserver"), "wrong", "prints nothing, killed by SIGSEGV", " ");
   expect(item(document, "python3"), "wrong", "prints nothing, exit code 3", " ");
   expect(item(document, "node"), "wrong", "/node", " ");
-  expect(item(document, "protoc"), "wrong", "no answer within the time limit", " ");
 }
 
 TEST_F(Doctor, PrintsOneTable) {
