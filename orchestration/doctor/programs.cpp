@@ -179,7 +179,7 @@ Symptom judge_slurm(const ProgramAnswer& answer) {
     return symptom;
   }
   std::string absent;
-  for (const char* command : {"srun", "squeue", "sacct", "scancel"}) {
+  for (const char* command : {"squeue", "scancel", "scontrol"}) {
     if (!find_program(command)) absent += fmt::format(", {} missing", command);
   }
   const bool fails = symptom.health == Health::kWrong && answer.exit && answer.exit->number != 0;

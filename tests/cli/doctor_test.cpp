@@ -53,7 +53,7 @@ class Doctor : public testing::Test {
     put("protoc", "echo libprotoc 3.21.12");
     put("grpc_python_plugin", "");
     put("sbatch", "echo slurm 22.05.8");
-    for (const char* name : {"srun", "squeue", "sacct", "scancel"}) put(name, "");
+    for (const char* name : {"squeue", "scancel", "scontrol"}) put(name, "");
   }
 
   Words environment() const {
@@ -158,7 +158,7 @@ TEST_F(Doctor, NamesMissingPackagesOfAProgramThatIsThere) {
       "echo python 3.12.1; echo grpc broken: TypeError too new; echo google.protobuf 4.25");
   put("node", "echo node 20.1.0; echo @grpc/grpc-js missing");
   std::filesystem::remove(path() / "grpc_python_plugin");
-  std::filesystem::remove(path() / "sacct");
+  std::filesystem::remove(path() / "scontrol");
   const json document = examine(0);
   expect(item(document, "python3"), "missing", "grpc broken: TypeError too new",
          (path() / "python3").string() + " -m pip install grpcio protobuf");
@@ -166,7 +166,7 @@ TEST_F(Doctor, NamesMissingPackagesOfAProgramThatIsThere) {
   expect(item(document, "node"), "missing", "@grpc/proto-loader missing", "apt-get install npm");
   expect(item(document, "protoc"), "missing", "grpc_python_plugin missing",
          "apt-get install protobuf-compiler");
-  expect(item(document, "slurm"), "missing", "sacct missing", "apt-get install slurm-client");
+  expect(item(document, "slurm"), "missing", "scontrol missing", "apt-get install slurm-client");
 }
 
 TEST_F(Doctor, AnotherReleaseOfTheServerIsTold) {
