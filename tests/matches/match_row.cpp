@@ -42,6 +42,9 @@ MatchOptions options_of(int index, char** words) {
   options.seed = static_cast<std::uint64_t>(index + 1);
   options.cycles = 10;
   options.server.kick_off_wait = 2;
+  // How busy the machine is must not matter.
+  options.start_timeout_s = 300;
+  options.stall_after_s = 300;
   options.folder = fs::path(words[0]) / std::to_string(index);
   if (index % 2 == 0) {
     options.right = side(words[1]);
