@@ -98,7 +98,7 @@ class OutletSearch {
   bool mate_gets(Vec2 ball, int cycle) const {
     // A goal kick is in play once it has left the area.
     if (goal_kick_ && in_own_box(ball)) return false;
-    constexpr int kSurprise = 2;  // cycles until everybody has seen where it goes
+    constexpr int kSurprise = 4;  // cycles until everybody has seen where it goes and runs
     return std::any_of(mates_.begin(), mates_.end(), [&](const FieldPlayer* mate) {
       return gets(*mate, ball, cycle - kSurprise);
     });

@@ -92,23 +92,25 @@ bool in_own_area(const WorldModel& world) {
          std::fabs(ball.y) < soccer::kPenaltyAreaWidth / 2.0 + 0.5;
 }
 
-/// A tackle through an opponent's back: the referee calls every second one. He looks for those who
-/// have the ball, stand between it and the tackler and do not face him.
-bool from_behind(const WorldModel& world) {
+/// A tackle through the back of an opponent who faces away from our goal: the referee calls every
+/// second one. He looks for those who have the ball, stand between it and the tackler and do not
+/// face him. Who faces our goal is to be stopped all the same.
+bool through_a_back(const WorldModel& world) {
   const Vec2 to_ball = world.ball.position - world.self.position;
-  const AngleDeg way = AngleDeg::of(to_ball);
   for (const PlayerState& opponent : world.opponents) {
     const soccer::PlayerType& type = world.type_of(opponent);
     constexpr double kSightError = 0.15;
     const bool has_ball =
         opponent.dist_from_ball < type.kickable_area(world.server().ball_size) + kSightError;
-    if (!has_ball || opponent.ghost()) continue;
+    if (!has_ball || opponent.ghost() || opponent.body_count > 1) continue;
     const Vec2 relative = opponent.position - world.self.position;
     if (relative.length() > to_ball.length() + kSightError || dot(relative, to_ball) < 0.0)
       continue;
     const double beside = std::fabs(cross(to_ball, relative)) / std::max(0.01, to_ball.length());
     if (beside > type.player_size + world.self_type().player_size + kSightError) continue;
-    if (opponent.body_count > 1 || (opponent.body - way).abs() < 100.0) return true;
+    const AngleDeg to_goal = AngleDeg::of(Vec2{-soccer::kHalfLength, 0.0} - opponent.position);
+    const bool harmless = (opponent.body - to_goal).abs() > 100.0;
+    if (harmless && (opponent.body - AngleDeg::of(to_ball)).abs() < 90.0) return true;
   }
   return false;
 }
@@ -139,7 +141,7 @@ bool basic_tackle(const WorldModel& world, CommandSlots& slots, double min_proba
   if (probability < min_probability || probability <= 0.0 || !called_for(world)) return false;
   // An indirect free kick before our goal is worth more to them than the ball he has now.
   const bool goal_in_danger = rolls_into_goal(world, world.ball.velocity, -soccer::kHalfLength);
-  if (in_own_area(world) && !goal_in_danger && from_behind(world)) return false;
+  if (in_own_area(world) && !goal_in_danger && through_a_back(world)) return false;
   return slots.tackle(best_direction(world), foul);
 }
 

@@ -372,8 +372,8 @@ TEST(HeliosBasicTackle, TakesTheBallFromAnOpponent) {
 TEST(HeliosBasicTackle, GivesNoFreeKickAwayBeforeOurGoal) {
   const auto tackles = [](Vec2 self, Vec2 opponent, double opponent_body) {
     KnownPitch pitch;
-    pitch.place_self(self);
-    pitch.place_ball(self + Vec2{1.4, 0.0});
+    pitch.place_self(self, opponent.x > 0.0 ? 0.0 : 180.0);
+    pitch.place_ball(self + Vec2{opponent.x > 0.0 ? 1.4 : -1.4, 0.0});
     pitch.add_opponent(9, self + opponent, opponent_body);
     pitch.act(basic_tackle);
     return pitch.sent<soccer::Tackle>() != nullptr;
@@ -381,6 +381,7 @@ TEST(HeliosBasicTackle, GivesNoFreeKickAwayBeforeOurGoal) {
   const Vec2 before_goal{-45.0, 3.0};
   EXPECT_FALSE(tackles(before_goal, {0.9, 0.1}, 10.0)) << "through his back";
   EXPECT_TRUE(tackles(before_goal, {2.0, 0.1}, 180.0)) << "the ball lies between us";
+  EXPECT_TRUE(tackles(before_goal, {-0.9, 0.1}, 175.0)) << "he is about to shoot";
   EXPECT_TRUE(tackles({-20.0, 3.0}, {0.9, 0.1}, 10.0)) << "far from our goal";
 }
 
