@@ -78,7 +78,9 @@ bool wants_to_come_out(const WorldModel& world) {
   const Vec2 next = ball_after(world, 1);
   const bool in_mouth = next.x < -44.5 && std::fabs(next.y) < 10.0;
   const int opponent = table.first_opponent_steps;
-  if (in_mouth && self <= opponent + 3) return true;
+  // With the ball at an opponent's feet whoever runs at him leaves the goal open behind himself.
+  constexpr int kDuel = 1;
+  if (in_mouth && self <= (world.kickable_opponent() ? kDuel : opponent + 1)) return true;
   if (shot_at_us(world)) return true;
   if (!in_own_penalty_area(meeting, 0.5)) return false;
   // Teammates there in time leave the goalie where he belongs.

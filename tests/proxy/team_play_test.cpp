@@ -195,6 +195,18 @@ TEST(GoaliePlace, KeepsBothCornersOfTheGoalFromTheWing) {
   EXPECT_GE(saved, 5);
 }
 
+TEST(HeliosGoalieMove, StaysInTheGoalWhileAnOpponentHasTheBallBesideIt) {
+  KnownPitch pitch;
+  pitch.make_goalie();
+  pitch.place_self({-50.5, -6.0}, -90.0);
+  pitch.add_opponent(11, {-49.4, -9.4});
+  for (int cycle = 0; cycle < 10; ++cycle) {
+    pitch.place_ball({-49.9, -9.3});
+    pitch.act([](PlayerActions& reply) { reply.add_actions()->mutable_helios_goalie_move(); });
+  }
+  EXPECT_LT(std::fabs(pitch.world.self.position.y), 7.3);
+}
+
 TEST(PlannerEvaluation, OfLikeStatesTheSoonerIsWorthMore) {
   KnownPitch pitch;
   pitch.place_ball({0.6, 0.0});
