@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cstddef>
-#include <cstring>
 #include <string>
 #include <string_view>
 
@@ -27,8 +26,7 @@ class TextWriter {
   void append(std::string_view text) {
     if (text.size() > kSize) return append_long(text);
     make_room(text.size());
-    std::memcpy(buffer_.data() + size_, text.data(), text.size());
-    size_ += text.size();
+    size_ += text.copy(buffer_.data() + size_, text.size());
   }
   /// As append_g and append_int do.
   void append_number(double value) {

@@ -208,6 +208,7 @@ TEST(TextWriter, AppendsWhatAStringWouldHoweverLong) {
       append_g(0.25 * i, plain);
       plain += ')' + std::string(static_cast<std::size_t>(i % 50), 'x');
     }
+    out.append({});
     out.append(std::string(10000, 'y'));
     plain += std::string(10000, 'y');
   }
