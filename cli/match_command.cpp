@@ -22,6 +22,7 @@
 #include "cli/tls_options.h"
 #include "orchestration/dry_run.h"
 #include "orchestration/match.h"
+#include "proxy/formation/formation_set.h"
 #include "soccer/parameter.h"
 
 namespace cls::cli {
@@ -56,6 +57,10 @@ struct Arguments {
   std::string server = "embedded";
   std::string mode;
   TlsOptions tls;
+  std::string trainer;
+  std::string formation;
+  std::string left_formation;
+  std::string right_formation;
   bool dry_run = false;
   bool pin = false;
   std::string folder;
@@ -91,8 +96,13 @@ void add_options(CLI::App& command, Arguments& arguments) {
   command.add_option("--mode", arguments.mode,
                      "how time runs: lockstep, synch or realtime (lockstep; synch with a foreign "
                      "server or team)");
-  command.add_flag("--coach,!--no-coach", options.coach,
-                   "start the coaches of foreign teams (yes)");
+  command.add_flag("--coach,!--no-coach", options.coach, "both teams bring their coach (yes)");
+  command.add_option("--trainer", arguments.trainer,
+                     "a side form: who is asked GetTrainerActions (nobody)");
+  command.add_option("--formation", arguments.formation,
+                     "folder with formations for our agents, see docs/formations.md (built-in)");
+  command.add_option("--left-formation", arguments.left_formation, "the same for the left side");
+  command.add_option("--right-formation", arguments.right_formation, "the same for the right side");
   command.add_flag("--pin", arguments.pin, "give each side half of the processors for itself");
   command.add_flag("--dry-run", arguments.dry_run, "print what would be started, start nothing");
   command.add_option("--rpc-deadline", options.rpc_deadline_ms,
@@ -142,6 +152,22 @@ void check_word(std::vector<std::string>& mistakes, std::string_view option,
   mistakes.push_back(std::move(message));
 }
 
+void read_formations_of(Arguments& arguments, std::vector<std::string>& mistakes) {
+  const auto read = [&](const std::string& own, const char* option,
+                        std::shared_ptr<const proxy::FormationSet>& out) {
+    const std::string& folder = own.empty() ? arguments.formation : own;
+    if (folder.empty()) return;
+    if (auto set = proxy::read_formations(folder)) {
+      out = std::move(*set);
+    } else {
+      mistakes.push_back(
+          fmt::format("{}: {}", own.empty() ? "--formation" : option, set.error().message));
+    }
+  };
+  read(arguments.left_formation, "--left-formation", arguments.options.left_formations);
+  read(arguments.right_formation, "--right-formation", arguments.options.right_formations);
+}
+
 // Everything that is wrong with the arguments, and the options they make.
 std::vector<std::string> complete(Arguments& arguments) {
   std::vector<std::string> mistakes;
@@ -156,6 +182,7 @@ std::vector<std::string> complete(Arguments& arguments) {
   };
   read_side(arguments.left, options.left);
   read_side(arguments.right, options.right);
+  if (!arguments.trainer.empty()) read_side(arguments.trainer, options.trainer.emplace());
   const auto server = orchestration::parse_server(arguments.server);
   if (server) options.server_choice = *server;
   if (!server) mistakes.push_back(server.error().message);
@@ -166,6 +193,7 @@ std::vector<std::string> complete(Arguments& arguments) {
   }
   check_word(mistakes, "--on-late", arguments.on_late, {"hold", "last", "default"});
   options.on_late = proxy::on_late_from_name(arguments.on_late).value_or(options.on_late);
+  read_formations_of(arguments, mistakes);
   if (arguments.half_time) options.server.half_time = *arguments.half_time;
   for (const std::string& setting : arguments.settings) {
     const auto applied = apply_setting(options, setting);
@@ -229,6 +257,12 @@ int resolve_names(Arguments& arguments) {
   const bool asked_for = !options.left_name.empty() || !options.right_name.empty();
   const int left = resolve_named_side(arguments.left, options.left_name, arguments.config_file);
   if (left != kDone) return left;
+  std::string trainer_name;
+  const int trainer =
+      arguments.trainer.empty()
+          ? kDone
+          : resolve_named_side(arguments.trainer, trainer_name, arguments.config_file);
+  if (trainer != kDone) return trainer;
   const int right = resolve_named_side(arguments.right, options.right_name, arguments.config_file);
   // Names of cls.toml are the user's; what a foreign team calls itself is its own affair.
   const bool named = !options.left_name.empty() || !options.right_name.empty();
@@ -241,7 +275,9 @@ int run_match_command(Arguments& arguments) {
   const std::vector<std::string> mistakes = complete(arguments);
   for (const std::string& mistake : mistakes) fmt::print(stderr, "cls: {}\n", mistake);
   if (!mistakes.empty()) return kUsage;
-  for (orchestration::Endpoint* side : {&arguments.options.left, &arguments.options.right}) {
+  std::vector<orchestration::Endpoint*> sides = {&arguments.options.left, &arguments.options.right};
+  if (arguments.options.trainer) sides.push_back(&*arguments.options.trainer);
+  for (orchestration::Endpoint* side : sides) {
     if (const int read = read_script_of(*side); read != kDone) return read;
     if (const int read = read_tls_files(*side, arguments.tls); read != kDone) return read;
   }

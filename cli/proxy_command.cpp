@@ -36,14 +36,16 @@ using orchestration::LoneTeamOptions;
 using orchestration::LoneTeamResult;
 
 constexpr const char* kDescription =
-    "Runs a team of players alone, for a soccer server that runs already.\n"
+    "Runs a team of players and their coach alone, for a soccer server that runs already.\n"
     "\n"
-    "  cls proxy --teamname Blue --rpc-port 50051                 all eleven\n"
+    "  cls proxy --teamname Blue --rpc-port 50051                 all twelve\n"
     "  cls proxy --teamname Blue --rpc-port 50051 --unum 5        one of them\n"
     "  cls proxy --teamname Blue --rpc-port 50051 --reconnect     back after a crash\n"
     "\n"
-    "Takes the options of the start.sh of the Cross Language Soccer framework's proxy. There is\n"
-    "no coach yet.";
+    "  cls proxy --teamname Blue --rpc-port 50051 --coach         the coach alone\n"
+    "  cls proxy --teamname Gym --rpc-port 50051 -n 1 --trainer   a player and a trainer\n"
+    "\n"
+    "Takes the options of the start.sh of the Cross Language Soccer framework's proxy.";
 
 constexpr int kCoach = 12;
 constexpr int kHighestStep = 13;
@@ -63,10 +65,12 @@ struct Arguments {
   std::string rpc_type = "grpc";
   bool quiet = false;
   std::string formation;
-  // Accepted because scripts say them.
-  int coach_port = 0;
+  int coach_port = 0;    // 0: two above the players'
+  int trainer_port = 0;  // 0: one above the players'
   bool without_coach = false;
-  std::string fullstate;
+  bool coach_alone = false;
+  bool trainer = false;
+  std::string fullstate;  // accepted because scripts say it
 };
 
 void add_options(CLI::App& command, Arguments& arguments) {
@@ -80,7 +84,7 @@ void add_options(CLI::App& command, Arguments& arguments) {
   command.add_option("-t,--teamname,--team_name", arguments.team_name, "name of the team (SSP)");
   command.add_option("-n,--number", arguments.number, "players, goalie first (11)")
       ->check(CLI::Range(1, soccer::kPlayersPerTeam));
-  command.add_option("-u,--unum", arguments.unum, "only this one; 1 is the goalie")
+  command.add_option("-u,--unum", arguments.unum, "only this one; 1 is the goalie, 12 the coach")
       ->check(CLI::Range(1, kCoach));
   command.add_option("-v,--version", options.team.protocol, "of the text protocol, 14 to 19 (18)")
       ->check(CLI::Range(soccer::kOldestProtocolVersion, soccer::kNewestProtocolVersion));
@@ -114,8 +118,17 @@ void add_options(CLI::App& command, Arguments& arguments) {
                   "seconds until server and Playmaker must answer (20)")
       ->check(CLI::PositiveNumber);
   command.add_flag("--quiet", arguments.quiet, "no progress, no warnings");
-  command.add_option("-P,--coach-port", arguments.coach_port, "accepted, of no use yet");
-  command.add_flag("-C,--without-coach", arguments.without_coach, "accepted: there is none yet");
+  command
+      .add_option("-P,--coach-port", arguments.coach_port,
+                  "of the soccer server (two above --port)")
+      ->check(port);
+  command.add_flag("-C,--without-coach", arguments.without_coach, "only the players");
+  command.add_flag("--coach", arguments.coach_alone, "only the coach");
+  command.add_flag("--trainer", arguments.trainer, "a trainer in place of the coach");
+  command
+      .add_option("--trainer-port", arguments.trainer_port,
+                  "of the soccer server (one above --port)")
+      ->check(port);
   command.add_option("-f,--formation", arguments.formation,
                      "folder with formations (built-in ones); see docs/formations.md");
   command.add_option("--debug-log", options.team.debug_log,
@@ -138,6 +151,32 @@ int read_playmaker(Arguments& arguments) {
   return kDone;
 }
 
+// Coach and trainer.
+void complete_sideline(Arguments& arguments, std::vector<std::string>& mistakes) {
+  LoneTeamOptions& options = arguments.options;
+  if (arguments.unum == kCoach) {
+    arguments.coach_alone = true;
+    arguments.unum = 0;
+  }
+  if (arguments.coach_alone && (arguments.without_coach || arguments.unum != 0)) {
+    mistakes.push_back("--coach is the coach alone: no --without-coach, no --unum");
+  }
+  if (arguments.coach_alone && arguments.trainer) {
+    mistakes.push_back("--trainer takes the place of the coach: no --coach");
+  }
+  // Single players, and those who come back, have their coach already.
+  const bool whole = arguments.unum == 0 && !options.team.reconnect;
+  const bool coach =
+      arguments.coach_alone || (whole && !arguments.without_coach && !arguments.trainer);
+  if (coach) {
+    options.coach_port = arguments.coach_port != 0 ? arguments.coach_port : options.server_port + 2;
+  }
+  if (arguments.trainer) {
+    options.trainer_port =
+        arguments.trainer_port != 0 ? arguments.trainer_port : options.server_port + 1;
+  }
+}
+
 std::vector<std::string> complete(Arguments& arguments) {
   std::vector<std::string> mistakes;
   LoneTeamOptions& options = arguments.options;
@@ -150,7 +189,7 @@ std::vector<std::string> complete(Arguments& arguments) {
   if (arguments.rpc_type != "grpc") {
     mistakes.push_back(fmt::format("--rpc-type '{}': only grpc is spoken", arguments.rpc_type));
   }
-  if (arguments.unum == kCoach) mistakes.push_back("--unum 12: there is no coach yet");
+  complete_sideline(arguments, mistakes);
   if (!arguments.formation.empty()) {
     if (auto set = proxy::read_formations(arguments.formation)) {
       options.team.formations = std::move(*set);
@@ -165,7 +204,7 @@ std::vector<std::string> complete(Arguments& arguments) {
   const int highest = options.playmaker.port + (options.playmaker.port_step ? kHighestStep : 0) +
                       (options.add_20_for_right ? kRightPortOffset : 0);
   if (highest > 65535) mistakes.push_back("--rpc-port: the steps lead beyond port 65535");
-  options.team.players = arguments.unum != 0 ? 1 : arguments.number;
+  options.team.players = arguments.coach_alone ? 0 : arguments.unum != 0 ? 1 : arguments.number;
   options.team.first_unum = arguments.unum != 0 ? arguments.unum : 1;
   options.team.goalie = options.team.first_unum == 1;
   options.team.decision_timeout = std::chrono::seconds(arguments.timeout_s);
@@ -194,9 +233,16 @@ int exit_code_of(const LoneTeamResult& result) {
 
 // For scripts that wait for it.
 void tell_ready(const proxy::Team& team) {
-  fmt::print("{} plays on the {} in {}, players {} to {}\n", team.name(), side_name(team.side()),
-             team.players().front()->timer().synchronous() ? "synchronous mode" : "real time",
-             team.players().front()->unum(), team.players().back()->unum());
+  std::string who;
+  if (!team.players().empty()) {
+    who = fmt::format("players {} to {}", team.players().front()->unum(),
+                      team.players().back()->unum());
+  }
+  if (team.coach() != nullptr) {
+    who += fmt::format("{}{}", who.empty() ? "" : " and the ", team.coach()->word());
+  }
+  fmt::print("{} plays on the {} in {}, {}\n", team.name(), side_name(team.side()),
+             team.synchronous() ? "synchronous mode" : "real time", who);
   std::fflush(stdout);
 }
 

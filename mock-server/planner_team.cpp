@@ -34,4 +34,10 @@ void PlannerTeam::decide(const protos::State& state, protos::PlayerActions& acti
   }
 }
 
+void PlannerTeam::decide_as_coach(const protos::State& /*state*/,
+                                  protos::CoachActions& actions) const {
+  actions.add_actions()->mutable_do_helios_substitute();
+  actions.add_actions()->mutable_do_helios_say_player_types();
+}
+
 }  // namespace cls::mock_server

@@ -11,6 +11,7 @@ namespace cls::mock_server {
 class PlannerTeam : public Behaviour {
  public:
   void decide(const protos::State& state, protos::PlayerActions& actions) const override;
+  void decide_as_coach(const protos::State& state, protos::CoachActions& actions) const override;
 };
 
 }  // namespace cls::mock_server

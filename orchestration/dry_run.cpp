@@ -23,11 +23,12 @@ void add(std::string& text, const CommandPlan& plan) {
 // The Playmaker of a side that we start, or a comment on the one that is there.
 Result<void> add_playmaker(std::string& text, const MatchOptions& options, const TeamNames& names,
                            soccer::Side side, const fs::path& folder) {
-  const bool left = side == soccer::Side::kLeft;
-  const Endpoint& endpoint = left ? options.left : options.right;
+  const bool left = side != soccer::Side::kRight;
+  const bool trainer = side == soccer::Side::kNeutral;
+  const Endpoint& endpoint = trainer ? *options.trainer : left ? options.left : options.right;
   if (endpoint.kind != Endpoint::Kind::kRun) {
-    fmt::format_to(std::back_inserter(text), "# {} Playmaker: {}\n", side_name(side),
-                   endpoint.text);
+    fmt::format_to(std::back_inserter(text), "# {} Playmaker: {}\n",
+                   trainer ? "trainer" : side_name(side), endpoint.text);
     return {};
   }
   const auto port = ReservedPort::choose(1);
@@ -35,7 +36,7 @@ Result<void> add_playmaker(std::string& text, const MatchOptions& options, const
   const RunValues values = {port->front().number(), side, left ? names.left : names.right,
                             options.seed.value_or(0)};
   CommandPlan plan = run_plan(endpoint.command, values, folder);
-  plan.cpus = left ? options.left_cpus : options.right_cpus;
+  if (!trainer) plan.cpus = left ? options.left_cpus : options.right_cpus;
   add(text, plan);
   return {};
 }
@@ -66,6 +67,10 @@ Result<std::string> dry_run(const MatchOptions& options) {
     }
     for (const CommandPlan& agent : team->agents) add(text, agent);
     if (team->kill) add(text, *team->kill);
+  }
+  if (options.trainer) {
+    const auto added = add_playmaker(text, options, names, soccer::Side::kNeutral, folder);
+    if (!added) return added.error();
   }
   return text;
 }

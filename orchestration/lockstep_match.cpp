@@ -31,7 +31,7 @@ constexpr std::chrono::milliseconds kEndBecomesKnown{500};
 
 simulator::MatchConfig server_config(const MatchOptions& options, std::uint64_t seed) {
   simulator::MatchConfig config;
-  config.server = options.server;
+  config.server = server_params(options);
   config.server.auto_mode = true;
   config.player = options.player;
   config.seed = seed;
@@ -56,14 +56,29 @@ Result<std::unique_ptr<LockstepMatch>> LockstepMatch::create(
       options);
   if (!right) return right.error();
   match->right_ = std::move(*right);
+  if (!options.trainer) return match;
+  auto trainer = MatchSide::create(
+      *options.trainer, {soccer::Side::kNeutral, names.left, seed, folder, host, {}}, options);
+  if (!trainer) return trainer.error();
+  match->trainer_ = std::move(*trainer);
   return match;
+}
+
+std::vector<MatchSide*> LockstepMatch::sides() const {
+  std::vector<MatchSide*> all = {left_.get(), right_.get()};
+  if (trainer_ != nullptr) all.push_back(trainer_.get());
+  return all;
+}
+
+void LockstepMatch::cancel_calls() {
+  for (MatchSide* side : sides()) side->playmaker().cancel();
 }
 
 void LockstepMatch::end(EndReason reason, std::string message, const MatchSide* at_fault) {
   if (ended()) return;
   end_reason_ = reason;
-  if (at_fault != nullptr)
-    fault_ = at_fault == left_.get() ? soccer::Side::kLeft : soccer::Side::kRight;
+  if (at_fault == left_.get()) fault_ = soccer::Side::kLeft;
+  if (at_fault == right_.get()) fault_ = soccer::Side::kRight;
   message_ = std::move(message);
 }
 
@@ -85,15 +100,14 @@ void LockstepMatch::wait_for(MatchSide& side) {
     }
     end(*limit, whose + describe_limit(*limit, options_) + hint, at_fault ? &side : nullptr);
     if (side.program() != nullptr && at_fault) failure_ = failure_of(side.program()->child());
-    left_->playmaker().cancel();
-    right_->playmaker().cancel();
+    cancel_calls();
   }
 }
 
 // A Playmaker that died is told as such, with its last words, before anything is made of the calls
 // that fail because of it.
 void LockstepMatch::check_programs() {
-  for (MatchSide* side : {left_.get(), right_.get()}) {
+  for (MatchSide* side : sides()) {
     if (ended() || side->program() == nullptr || !side->program()->ended()) continue;
     // Whoever ends us may have ended the Playmaker in the same breath.
     if (watch_.interrupted_within(kSignalsTogether)) return;
@@ -104,44 +118,57 @@ void LockstepMatch::check_programs() {
         fmt::format("{} ({}): its process ended {}: {}", side->name(), side->endpoint().text, when,
                     failure_->exit),
         side);
-    left_->playmaker().cancel();
-    right_->playmaker().cancel();
+    cancel_calls();
   }
 }
 
 void LockstepMatch::end_programs() {
-  for (MatchSide* side : {left_.get(), right_.get()}) {
+  for (MatchSide* side : sides()) {
     if (side->program() != nullptr) side->program()->child().end(kProgramGrace);
   }
-  for (MatchSide* side : {left_.get(), right_.get()}) {
+  for (MatchSide* side : sides()) {
     if (side->program() == nullptr) continue;
     side->program()->child().wait_gone(kProgramGrace + kProgramGrace);
     processes_.push_back(result_of(side->program()->child()));
   }
 }
 
-void LockstepMatch::run_on_both(const std::function<void(MatchSide&)>& work) {
-  for (MatchSide* side : {left_.get(), right_.get()}) {
+void LockstepMatch::run_on_all(const std::function<void(MatchSide&)>& work) {
+  for (MatchSide* side : sides()) {
     side->worker().start([side, &work] { work(*side); });
   }
-  wait_for(*left_);
-  wait_for(*right_);
+  for (MatchSide* side : sides()) wait_for(*side);
 }
 
 void LockstepMatch::connect(MatchObserver& observer) {
   observer.on_phase("connecting the players");
-  for (MatchSide* side : {left_.get(), right_.get()}) {
-    const auto serve = [this] {
-      server_->answer_requests();
-      return true;
-    };
-    const auto connected = side->team().connect([this] { return server_->connect(); }, serve);
+  for (MatchSide* side : sides()) {
+    const auto connected = connect(*side);
     if (!connected) end(EndReason::kServerFailed, connected.error().message);
   }
 }
 
+Result<void> LockstepMatch::connect(MatchSide& side) {
+  const auto serve = [this] {
+    server_->answer_requests();
+    return true;
+  };
+  const auto open = [this](simulator::Door door) {
+    return [this, door] { return server_->connect(door); };
+  };
+  proxy::Team& team = side.team();
+  if (&side == trainer_.get()) {
+    return team.connect_coach(soccer::CoachRole::kTrainer, open(simulator::Door::kOfflineCoach),
+                              serve);
+  }
+  if (auto done = team.connect(open(simulator::Door::kGame), serve); !done) return done;
+  if (!options_.coach) return {};
+  return team.connect_coach(soccer::CoachRole::kOnlineCoach, open(simulator::Door::kOnlineCoach),
+                            serve);
+}
+
 void LockstepMatch::introduce(MatchObserver& observer) {
-  for (MatchSide* side : {left_.get(), right_.get()}) {
+  for (MatchSide* side : sides()) {
     if (ended()) return;
     observer.on_phase(fmt::format("waiting for {} ({})", side->name(), side->endpoint().text));
     proxy::RpcStatus status;
@@ -173,7 +200,7 @@ void LockstepMatch::check_answers(const MatchSide& side) {
 }
 
 void LockstepMatch::pass_on_warnings(MatchObserver& observer) {
-  for (MatchSide* side : {left_.get(), right_.get()}) {
+  for (MatchSide* side : sides()) {
     for (const std::string& line : side->team().take_warnings()) {
       warnings_.push_back(fmt::format("{}: {}", side->name(), line));
       observer.on_warning(warnings_.back());
@@ -182,7 +209,7 @@ void LockstepMatch::pass_on_warnings(MatchObserver& observer) {
 }
 
 void LockstepMatch::report_expectations(MatchObserver& observer) {
-  for (MatchSide* side : {left_.get(), right_.get()}) {
+  for (MatchSide* side : sides()) {
     for (const std::string& line : side->failed_expectations()) {
       warnings_.push_back(fmt::format("{}: {}", side->name(), line));
       observer.on_warning(warnings_.back());
@@ -254,12 +281,11 @@ void LockstepMatch::play_cycles(MatchObserver& observer, MatchChronicle& chronic
     if (!directors_.empty()) watch_.cycle_begins();
     const Clock::time_point asked = Clock::now();
     times_.simulator += seconds_between(now, asked);
-    run_on_both([](MatchSide& side) { side.team().run_cycle(); });
+    run_on_all([](MatchSide& side) { side.team().run_cycle(); });
     now = Clock::now();
     times_.sides += seconds_between(asked, now);
     check_programs();
-    check_answers(*left_);
-    check_answers(*right_);
+    for (const MatchSide* side : sides()) check_answers(*side);
     pass_on_warnings(observer);
     for (MatchDirector* director : directors_) {
       if (!director->after_cycle(server_->world())) end(EndReason::kFinished, "");
@@ -270,7 +296,7 @@ void LockstepMatch::play_cycles(MatchObserver& observer, MatchChronicle& chronic
 }
 
 void LockstepMatch::leave() {
-  run_on_both([](MatchSide& side) { side.team().leave(); });
+  run_on_all([](MatchSide& side) { side.team().leave(); });
 }
 
 void LockstepMatch::play(MatchObserver& observer, MatchChronicle& chronicle) {
@@ -301,7 +327,10 @@ MatchResult LockstepMatch::result() const {
     for (const PlayerResult& player : told.players) {
       if (player.missed > 0 || player.reconnects > 0) result.deterministic = false;
     }
+    if (told.coach && told.coach->missed > 0) result.deterministic = false;
   }
+  if (trainer_ != nullptr) result.trainer = trainer_->result().coach;
+  if (result.trainer && result.trainer->missed > 0) result.deterministic = false;
   result.end_reason = end_reason_.value_or(EndReason::kFinished);
   result.message = message_;
   result.fault = fault_;

@@ -76,7 +76,11 @@ class LockstepMatch {
   void play_cycles(MatchObserver& observer, MatchChronicle& chronicle);
   void leave();
 
-  void run_on_both(const std::function<void(MatchSide&)>& work);
+  /// Left, right, and the trainer if there is one.
+  std::vector<MatchSide*> sides() const;
+  void run_on_all(const std::function<void(MatchSide&)>& work);
+  soccer::Result<void> connect(MatchSide& side);
+  void cancel_calls();
   void wait_for(MatchSide& side);
   void check_programs();
   void end_programs();
@@ -94,6 +98,7 @@ class LockstepMatch {
   std::unique_ptr<simulator::LockstepServer> server_;
   std::unique_ptr<MatchSide> left_;
   std::unique_ptr<MatchSide> right_;
+  std::unique_ptr<MatchSide> trainer_;  ///< null: none
   std::vector<MatchDirector*> directors_;
   bool playing_ = false;
   std::optional<EndReason> end_reason_;

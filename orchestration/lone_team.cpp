@@ -59,6 +59,8 @@ class LoneTeam {
     }
     proxy::DriverOptions settings;
     settings.leave_at_time_over = false;
+    settings.coach_port = options_.coach_port;
+    settings.trainer_port = options_.trainer_port;
     proxy::TeamDriver driver(team_, **clients, settings);
     if (join(driver, **clients) && introduce()) play(driver);
     {
@@ -102,7 +104,9 @@ class LoneTeam {
       playmaker_ = proxy::make_grpc_playmaker(target);
       team_.set_playmaker(*playmaker_);
     }
-    const std::string where = address(target, team_.players().front()->unum());
+    const std::string where =
+        address(target, team_.players().empty() ? team_.coach()->number()
+                                                : team_.players().front()->unum());
     observer_.on_phase(fmt::format("waiting for the Playmaker at {}", where));
     const Canceller canceller(*playmaker_, signal_);
     const proxy::RpcStatus status = team_.introduce();
@@ -117,7 +121,7 @@ class LoneTeam {
     const Canceller canceller(*playmaker_, signal_);
     const proxy::DriveEnd reason = driver.run([this] {
       for (const std::string& line : team_.take_warnings()) observer_.on_warning(line);
-      const proxy::GameState& game = team_.players().front()->world().game;
+      const proxy::GameState& game = team_.world().game;
       observer_.on_cycle({game.time.cycle, 0, game.our_score, game.their_score, game.mode});
       over_ = over_ || game.mode == soccer::PlayMode::kTimeOver;
       return signal_.load() == 0;
@@ -129,13 +133,23 @@ class LoneTeam {
   }
 
   void take_figures() {
+    if (const proxy::CoachAgent* coach = team_.coach()) take_figures(*coach);
     for (const auto& player : team_.players()) {
-      result_.players.push_back(result_of(*player));
+      result_.players.push_back(result_of(player->unum(), player->statistics()));
       const proxy::GameState& game = player->world().game;
       result_.cycles = std::max(result_.cycles, game.time.cycle);
       result_.our_score = game.our_score;
       result_.their_score = game.their_score;
     }
+  }
+
+  void take_figures(const proxy::CoachAgent& coach) {
+    result_.players.push_back(result_of(coach.number(), coach.statistics()));
+    result_.players.back().commands = coach.commands();
+    const proxy::GameState& game = coach.world().game;
+    result_.cycles = std::max(result_.cycles, game.time.cycle);
+    result_.our_score = game.our_score;
+    result_.their_score = game.their_score;
   }
 
   const LoneTeamOptions& options_;

@@ -18,6 +18,8 @@ namespace cls::orchestration {
 struct LoneTeamOptions {
   std::string server_host = "localhost";
   int server_port = 6000;
+  int coach_port = 0;    ///< 0: no coach
+  int trainer_port = 0;  ///< 0: no trainer
   proxy::GrpcTarget playmaker;
   bool add_20_for_right = false;  ///< a team on the right asks at ports that are 20 higher
   proxy::TeamOptions team;

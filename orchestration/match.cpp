@@ -149,8 +149,10 @@ Result<MatchResult> play_network(const MatchContext& context, ProcessHost& host)
 
 Result<MatchResult> play(const MatchContext& context) {
   const bool lockstep = mode_of(context.options) == MatchMode::kLockstep;
+  const std::optional<Endpoint>& trainer = context.options.trainer;
   const bool alone = lockstep && !context.options.left.starts_programs() &&
-                     !context.options.right.starts_programs();
+                     !context.options.right.starts_programs() &&
+                     !(trainer && trainer->starts_programs());
   if (alone) return play_lockstep(context, nullptr);
   auto host = ProcessHost::create();
   if (!host) return host.error();

@@ -39,8 +39,12 @@ std::optional<MatchEnd> end_by_missing_answers(const proxy::MissingAnswers& miss
   if (missing.in_a_row <= options.max_missed) return std::nullopt;
   MatchEnd end;
   end.reason = reason_of(missing.last.outcome);
-  end.message = fmt::format("{}: player {} had no usable answer for {} cycles, at cycle {}: {}",
-                            who, missing.unum, missing.in_a_row, cycle, missing.last.message);
+  const std::string agent = missing.unum == proxy::kCoachNumber ? "the coach"
+                            : missing.unum == proxy::kTrainerNumber
+                                ? "the trainer"
+                                : fmt::format("player {}", missing.unum);
+  end.message = fmt::format("{}: {} had no usable answer for {} cycles, at cycle {}: {}", who,
+                            agent, missing.in_a_row, cycle, missing.last.message);
   return end;
 }
 

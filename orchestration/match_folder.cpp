@@ -76,6 +76,8 @@ std::string manifest_json(const MatchOptions& options, const TeamNames& names, s
                          {"seed", seed},
                          {"left", side(names.left, options.left, options.left_cpus)},
                          {"right", side(names.right, options.right, options.right_cpus)},
+                         {"coach", options.coach},
+                         {"trainer", options.trainer ? Json(options.trainer->text) : Json(nullptr)},
                          {"cycles", options.cycles ? Json(*options.cycles) : Json(nullptr)},
                          {"protocol", options.protocol},
                          {"rpc_deadline_ms", deadline ? Json(deadline->count()) : Json(nullptr)},

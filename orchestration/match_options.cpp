@@ -42,6 +42,12 @@ Result<void> apply_setting(MatchOptions& options, std::string_view setting) {
   return Error{fmt::format("'{}': the module is server or player, not '{}'", setting, module)};
 }
 
+soccer::ServerParams server_params(const MatchOptions& options) {
+  soccer::ServerParams params = options.server;
+  if (options.trainer && !params.coach) params.coach_w_referee = true;
+  return params;
+}
+
 MatchMode mode_of(const MatchOptions& options) {
   if (options.mode) return *options.mode;
   const bool foreign = options.server_choice.kind != ServerChoice::Kind::kEmbedded ||
@@ -135,7 +141,13 @@ std::vector<std::string> mistakes_in(const MatchOptions& options) {
          "players do");
   demand(options.server.half_time > 0 || options.cycles,
          "without a time limit of halves (server::half_time) give --cycles");
-  for (const Endpoint* side : {&options.left, &options.right}) {
+  if (options.trainer) {
+    demand(options.trainer->has_playmaker(),
+           fmt::format("--trainer '{}': a foreign team brings its own", options.trainer->text));
+  }
+  std::vector<const Endpoint*> asked = {&options.left, &options.right};
+  if (options.trainer) asked.push_back(&*options.trainer);
+  for (const Endpoint* side : asked) {
     if (side->kind != Endpoint::Kind::kMock || side->script != nullptr) continue;
     if (mock_server::names_script(side->behaviour)) continue;
     const auto behaviour = mock_server::make_behaviour(side->behaviour);

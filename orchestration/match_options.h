@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -35,10 +36,15 @@ struct MatchOptions {
   soccer::PlayerParams player;
 
   ServerChoice server_choice;
-  std::optional<MatchMode> mode;  ///< none: see mode_of()
-  bool coach = true;              ///< foreign teams start their coach
-  std::vector<int> left_cpus;     ///< processors of that side's programs and agents; empty: all
-  std::vector<int> right_cpus;    ///< see pin_sides()
+  std::optional<MatchMode> mode;    ///< none: see mode_of()
+  bool coach = true;                ///< both teams bring their coach
+  std::optional<Endpoint> trainer;  ///< who is asked GetTrainerActions; none: no trainer
+  std::vector<int> left_cpus;       ///< processors of that side's programs and agents; empty: all
+  std::vector<int> right_cpus;      ///< see pin_sides()
+
+  // Where our agents belong on the pitch; null: the built-in formations.
+  std::shared_ptr<const proxy::FormationSet> left_formations;
+  std::shared_ptr<const proxy::FormationSet> right_formations;
 
   std::filesystem::path record_rpc;  ///< file for all requests and replies; empty: none
   std::filesystem::path folder;      ///< empty: ./runs/<UTC>-<left>-vs-<right>
@@ -65,6 +71,11 @@ soccer::Result<void> apply_setting(MatchOptions& options, std::string_view setti
 /// Gives each side half of the processors that this process may use. The error says that there is
 /// only one.
 soccer::Result<void> pin_sides(MatchOptions& options);
+
+/// What the match sets of the server's parameters, with the user's wishes for all else: a trainer
+/// needs a server that lets him in, with the referees at work (server::coach_w_referee) unless the
+/// user has sent them away (server::coach).
+soccer::ServerParams server_params(const MatchOptions& options);
 
 /// The mode asked for; else lockstep, or synch when the server or a team is foreign.
 MatchMode mode_of(const MatchOptions& options);

@@ -42,7 +42,8 @@ Json json_of(const TeamResult& team) {
           {"score", team.score},
           {"penalty_score", team.penalty_score ? Json(*team.penalty_score) : Json(nullptr)},
           {"cpu_seconds", rounded(team.cpu_seconds, 1000)},
-          {"players", std::move(players)}};
+          {"players", std::move(players)},
+          {"coach", team.coach ? json_of(*team.coach) : Json(nullptr)}};
 }
 
 Json json_of(const Goal& goal) {
@@ -93,6 +94,7 @@ std::string to_json(const MatchResult& result) {
   const Json document = {{"schema", "cls.match/1"},
                          {"left", json_of(result.left)},
                          {"right", json_of(result.right)},
+                         {"trainer", result.trainer ? json_of(*result.trainer) : Json(nullptr)},
                          {"winner", won ? Json(*won) : Json(nullptr)},
                          {"valid", result.valid()},
                          {"end_reason", name(result.end_reason)},

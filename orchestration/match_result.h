@@ -43,6 +43,7 @@ struct TeamResult {
   std::optional<int> penalty_score;  ///< only after a shoot-out
   double cpu_seconds = 0.0;          ///< of this side's agents
   std::vector<PlayerResult> players;
+  std::optional<PlayerResult> coach;  ///< of ours, with the number 12
 };
 
 struct Goal {
@@ -71,6 +72,7 @@ struct ProcessFailure {
 struct MatchResult {
   TeamResult left;
   TeamResult right;
+  std::optional<PlayerResult> trainer;  ///< of ours, with the number 13
   EndReason end_reason = EndReason::kFinished;
   std::string message;  ///< one line on what went wrong; empty when finished
   std::optional<soccer::Side>

@@ -16,10 +16,13 @@ proxy::RpcTimeout milliseconds_of(double seconds) {
   return std::chrono::duration_cast<proxy::RpcTimeout>(std::chrono::duration<double>(seconds));
 }
 
-proxy::TeamOptions team_options(const std::string& name, const Endpoint& endpoint,
+proxy::TeamOptions team_options(const SideSetup& setup, const Endpoint& endpoint,
                                 const MatchOptions& options) {
   proxy::TeamOptions team;
-  team.name = soccer::TeamName(name);
+  team.name = soccer::TeamName(setup.name);
+  if (setup.side == soccer::Side::kNeutral) team.players = 0;
+  team.formations =
+      setup.side == soccer::Side::kRight ? options.right_formations : options.left_formations;
   team.protocol = options.protocol;
   team.on_late = options.on_late;
   team.decision_timeout = decision_deadline(options).value_or(proxy::kNoTimeout);
@@ -41,10 +44,9 @@ std::map<std::string, std::int64_t> missed_by(const proxy::AgentStatistics& stat
 
 }  // namespace
 
-PlayerResult result_of(const proxy::PlayerAgent& agent) {
-  const proxy::AgentStatistics& statistics = agent.statistics();
+PlayerResult result_of(int number, const proxy::AgentStatistics& statistics) {
   PlayerResult result;
-  result.unum = agent.unum();
+  result.unum = number;
   result.decisions = statistics.decisions;
   result.late = statistics.late;
   result.missed = statistics.missed;
@@ -66,7 +68,8 @@ Result<std::unique_ptr<MatchSide>> MatchSide::create(const Endpoint& endpoint,
                                                      const SideSetup& setup,
                                                      const MatchOptions& options) {
   std::unique_ptr<MatchSide> side(new MatchSide);
-  side->name_ = setup.name;
+  side->is_trainer_ = setup.side == soccer::Side::kNeutral;
+  side->name_ = side->is_trainer_ ? "trainer" : setup.name;
   side->endpoint_ = endpoint;
   if (endpoint.kind == Endpoint::Kind::kMock) {
     auto mock = start_mock(endpoint);
@@ -86,8 +89,8 @@ Result<std::unique_ptr<MatchSide>> MatchSide::create(const Endpoint& endpoint,
     side->playmaker_ = proxy::make_grpc_playmaker(target_of(endpoint));
   }
   side->worker_.run_on(setup.cpus);
-  side->team_ = std::make_unique<proxy::Team>(team_options(side->name_, endpoint, options),
-                                              *side->playmaker_);
+  side->team_ =
+      std::make_unique<proxy::Team>(team_options(setup, endpoint, options), *side->playmaker_);
   return side;
 }
 
@@ -103,7 +106,13 @@ TeamResult MatchSide::result() const {
   result.endpoint = endpoint_.text;
   result.cpu_seconds = worker_.cpu_seconds() + mock_cpu_seconds();
   if (program_ != nullptr) result.cpu_seconds += program_->child().cpu_seconds();
-  for (const auto& agent : team_->players()) result.players.push_back(result_of(*agent));
+  for (const auto& agent : team_->players()) {
+    result.players.push_back(result_of(agent->unum(), agent->statistics()));
+  }
+  if (const proxy::CoachAgent* coach = team_->coach()) {
+    result.coach = result_of(coach->number(), coach->statistics());
+    result.coach->commands = coach->commands();
+  }
   return result;
 }
 

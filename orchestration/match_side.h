@@ -19,8 +19,8 @@ namespace cls::orchestration {
 
 /// What a side needs to know of its match.
 struct SideSetup {
-  soccer::Side side = soccer::Side::kLeft;
-  std::string name;  ///< of the team
+  soccer::Side side = soccer::Side::kLeft;  ///< neutral: the trainer, who has no players
+  std::string name;                         ///< of the team; a trainer's is the left one
   std::uint64_t seed = 0;
   std::filesystem::path folder;  ///< of the match
   ProcessHost* host = nullptr;   ///< for sides that start programs
@@ -28,7 +28,7 @@ struct SideSetup {
 };
 
 /// What a player of ours did.
-PlayerResult result_of(const proxy::PlayerAgent& agent);
+PlayerResult result_of(int number, const proxy::AgentStatistics& statistics);
 
 /// Owns everything of one side. The team is used by `worker` only while work is under way there.
 class MatchSide {
@@ -47,6 +47,7 @@ class MatchSide {
   proxy::Playmaker& playmaker() { return *playmaker_; }
   Worker& worker() { return worker_; }
   const std::string& name() const { return name_; }
+  bool is_trainer() const { return is_trainer_; }
   const Endpoint& endpoint() const { return endpoint_; }
   /// The Playmaker as a process of ours; nullptr when it is none.
   const PlaymakerProgram* program() const { return program_.get(); }
@@ -63,6 +64,7 @@ class MatchSide {
   MatchSide() = default;
 
   std::string name_;
+  bool is_trainer_ = false;
   Endpoint endpoint_;
   std::unique_ptr<mock_server::Server> mock_;
   std::unique_ptr<PlaymakerProgram> program_;

@@ -49,12 +49,13 @@ Result<std::unique_ptr<NetworkMatch>> NetworkMatch::create(
   auto plan = plan_network_match(options, names, seed, folder);
   if (!plan) return plan.error();
   match->plan_ = std::move(*plan);
-  for (std::size_t i = 0; i < 2; ++i) {
+  match->sides_.resize(options.trainer ? 3 : 2);
+  for (std::size_t i = 0; i < match->sides_.size(); ++i) {
     Side& side = match->sides_[i];
-    side.name = i == 0 ? names.left : names.right;
+    side.name = i == 1 ? names.right : names.left;
     side.name_is_asked_for =
-        !options.own_names && !(i == 0 ? options.left_name : options.right_name).empty();
-    side.endpoint = (i == 0 ? options.left : options.right).text;
+        !options.own_names && !(i == 1 ? options.right_name : options.left_name).empty();
+    side.endpoint = match->endpoint_of(i).text;
   }
   return match;
 }
@@ -109,7 +110,7 @@ void NetworkMatch::check_server() {
 
 void NetworkMatch::end_by_death(const Side& side, const Child& child, int cycle) {
   if (ended() || watch_.interrupted_within(kSignalsTogether)) return;
-  fault_ = side_of(side);
+  if (side_of(side) != soccer::Side::kNeutral) fault_ = side_of(side);
   const std::string exit = to_text(child.status().exit.value_or(ProcessExit{}));
   const std::string when = playing_ ? fmt::format("at cycle {}", cycle) : "before the match";
   end(playing_ ? EndReason::kCrashed : EndReason::kRefused,
@@ -141,7 +142,7 @@ void NetworkMatch::check_side(Side& side) {
   if (program != nullptr && own_end) program->child().wait_exit(milliseconds(500));
   if (program != nullptr && program->ended()) end_by_death(side, program->child(), cycle_now());
   if (own_end && !ended()) {
-    fault_ = side_of(side);
+    if (side_of(side) != soccer::Side::kNeutral) fault_ = side_of(side);
     end(own_end->reason, own_end->message, program == nullptr ? nullptr : &program->child());
   }
 }
@@ -214,7 +215,7 @@ void NetworkMatch::tell_news(MatchObserver& observer) {
   for (Side& side : sides_) {
     if (!side.own) continue;
     for (const std::string& line : side.own->take_warnings()) {
-      warn(observer, fmt::format("{}: {}", side.name, line));
+      warn(observer, fmt::format("{}: {}", side.own->side().name(), line));
     }
   }
   if (match_is_over()) return;
@@ -321,6 +322,7 @@ void NetworkMatch::play(MatchObserver& observer) {
     start_server(observer);
     join(0, observer);
     join(1, observer);
+    if (sides_.size() > 2) join(2, observer);
     introduce(observer);
     play_cycles(observer);
   }

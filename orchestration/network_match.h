@@ -115,7 +115,11 @@ class NetworkMatch {
   bool match_is_over() const;
   void end(EndReason reason, std::string message, const Child* failed = nullptr);
   soccer::Side side_of(const Side& side) const {
+    if (&side != &sides_[0] && &side != &sides_[1]) return soccer::Side::kNeutral;
     return &side == &sides_[0] ? soccer::Side::kLeft : soccer::Side::kRight;
+  }
+  const Endpoint& endpoint_of(std::size_t index) const {
+    return index == 0 ? options_.left : index == 1 ? options_.right : *options_.trainer;
   }
   bool ended() const { return end_.has_value(); }
   void tell_news(MatchObserver& observer);
@@ -138,7 +142,7 @@ class NetworkMatch {
   ServerOutput output_;
   GameLogFollower log_;
   std::shared_ptr<Child> server_;
-  std::array<Side, 2> sides_;
+  std::vector<Side> sides_;  ///< left, right, and the trainer if there is one
   std::optional<MatchEnd> end_;
   std::function<std::string()> waiting_for_;
   std::optional<soccer::Side> fault_;

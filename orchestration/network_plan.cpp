@@ -101,7 +101,7 @@ Result<NetworkPlan> plan_network_match(const MatchOptions& options, const TeamNa
   setup.folder = folder;
   setup.ports = plan.ports;
   setup.mode = mode_of(options);
-  setup.server = options.server;
+  setup.server = server_params(options);
   setup.player = options.player;
   if (setup.server.game_over_wait == soccer::ServerParams().game_over_wait) {
     setup.server.game_over_wait = kGameOverWait;

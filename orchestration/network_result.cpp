@@ -123,6 +123,7 @@ MatchResult NetworkMatch::result(MatchObserver& observer) const {
     teams[i]->endpoint = side.endpoint;
     if (side.foreign) teams[i]->cpu_seconds = side.foreign->cpu_seconds();
   }
+  if (sides_.size() > 2 && sides_[2].own) result.trainer = sides_[2].own->side().result().coach;
   const ServerNews news = output_.news();
   result.end_reason = end_->reason;
   result.message = end_->message;

@@ -19,26 +19,26 @@ constexpr milliseconds kPortLook{30};
 }  // namespace
 
 void NetworkMatch::start_sides() {
-  for (std::size_t i = 0; i < 2; ++i) {
+  for (std::size_t i = 0; i < sides_.size(); ++i) {
     Side& side = sides_[i];
-    if (plan_.teams[i]) {
+    if (i < plan_.teams.size() && plan_.teams[i]) {
       side.foreign = std::make_unique<ForeignTeam>(std::move(*plan_.teams[i]), host_);
       continue;
     }
-    const Endpoint& endpoint = i == 0 ? options_.left : options_.right;
     SideSetup setup;
-    setup.side = i == 0 ? soccer::Side::kLeft : soccer::Side::kRight;
+    setup.side = side_of(side);
     setup.name = side.name;
     setup.seed = seed_;
     setup.folder = folder_;
     setup.host = &host_;
-    setup.cpus = i == 0 ? options_.left_cpus : options_.right_cpus;
-    auto created = MatchSide::create(endpoint, setup, options_);
+    if (i < 2) setup.cpus = i == 0 ? options_.left_cpus : options_.right_cpus;
+    auto created = MatchSide::create(endpoint_of(i), setup, options_);
     if (!created) return end(EndReason::kRefused, created.error().message);
     // Our own server counts the cycles itself.
     const bool embedded = options_.server_choice.kind == ServerChoice::Kind::kEmbedded;
-    auto own = OwnTeam::create(std::move(*created), plan_.server_host, plan_.ports.player, options_,
-                               embedded ? std::nullopt : options_.cycles);
+    const bool counts = !embedded && i < 2;
+    auto own = OwnTeam::create(std::move(*created), plan_.server_host, plan_.ports, options_,
+                               counts ? options_.cycles : std::nullopt);
     if (!own) return end(EndReason::kRefused, own.error().message);
     side.own = std::move(*own);
   }
@@ -101,7 +101,7 @@ void NetworkMatch::wait_for_address(MatchObserver& observer) {
 void NetworkMatch::join(std::size_t index, MatchObserver& observer) {
   if (ended()) return;
   Side& side = sides_[index];
-  observer.on_phase(fmt::format("{} joins", side.name));
+  observer.on_phase(fmt::format("{} joins", side.own ? side.own->side().name() : side.name));
   if (side.foreign) return join_foreign(side, observer);
   side.own->start();
   wait_until([&] { return side.own->stage() > OwnTeam::Stage::kJoining; },

@@ -17,14 +17,22 @@ constexpr std::chrono::milliseconds kLook{5};
 }  // namespace
 
 Result<std::unique_ptr<OwnTeam>> OwnTeam::create(std::unique_ptr<MatchSide> side,
-                                                 const std::string& server_host, int server_port,
+                                                 const std::string& server_host,
+                                                 const ServerPorts& ports,
                                                  const MatchOptions& options,
                                                  std::optional<int> cycle_limit) {
   std::unique_ptr<OwnTeam> team(new OwnTeam(std::move(side), options, cycle_limit));
-  auto clients = soccer::UdpClients::create(server_host, server_port);
+  auto clients = soccer::UdpClients::create(server_host, ports.player);
   if (!clients) return clients.error();
   team->clients_ = std::move(*clients);
-  team->driver_ = std::make_unique<proxy::TeamDriver>(team->side_->team(), *team->clients_);
+  proxy::DriverOptions settings;
+  if (team->side_->is_trainer()) {
+    settings.trainer_port = ports.trainer;
+  } else if (options.coach) {
+    settings.coach_port = ports.coach;
+  }
+  team->driver_ =
+      std::make_unique<proxy::TeamDriver>(team->side_->team(), *team->clients_, settings);
   return team;
 }
 
@@ -91,8 +99,7 @@ bool OwnTeam::join() {
   const auto connected = driver_->connect([this] { return !stop_.load(); });
   if (!connected) fail(EndReason::kRefused, connected.error().message);
   if (!connected) return false;
-  const bool synchronous = side_->team().players().front()->timer().synchronous();
-  mode_ = synchronous ? MatchMode::kSynch : MatchMode::kRealtime;
+  mode_ = side_->team().synchronous() ? MatchMode::kSynch : MatchMode::kRealtime;
   stage_ = Stage::kIntroducing;
   return true;
 }
@@ -136,8 +143,8 @@ bool OwnTeam::cycle_limit_near() const {
 
 bool OwnTeam::look_and_go_on() {
   const proxy::Team& team = side_->team();
-  const proxy::GameState& game = team.players().front()->world().game;
-  const bool left = team.side() == soccer::Side::kLeft;
+  const proxy::GameState& game = team.world().game;
+  const bool left = team.side() != soccer::Side::kRight;
   limit_near_ = cycle_limit_near();
   const std::lock_guard lock(mutex_);
   MatchProgress& progress = moment_.progress;
@@ -148,6 +155,9 @@ bool OwnTeam::look_and_go_on() {
   progress.right_score = left ? game.their_score : game.our_score;
   for (const auto& player : team.players()) {
     moment_.cycles_seen = std::max(moment_.cycles_seen, player->statistics().decisions);
+  }
+  if (const proxy::CoachAgent* coach = team.coach()) {
+    moment_.cycles_seen = std::max(moment_.cycles_seen, coach->statistics().decisions);
   }
   for (std::string& line : side_->team().take_warnings()) warnings_.push_back(std::move(line));
   if (auto end = end_by_missing_answers(team.missing_answers(), who(), game.time.cycle, options_)) {

@@ -12,6 +12,7 @@
 #include "orchestration/match_end.h"
 #include "orchestration/match_observer.h"
 #include "orchestration/match_side.h"
+#include "orchestration/server_command.h"
 #include "proxy/team_driver.h"
 #include "soccer/result.h"
 
@@ -39,7 +40,7 @@ class OwnTeam {
   /// cycle, and stays silent in it.
   static soccer::Result<std::unique_ptr<OwnTeam>> create(std::unique_ptr<MatchSide> side,
                                                          const std::string& server_host,
-                                                         int server_port,
+                                                         const ServerPorts& ports,
                                                          const MatchOptions& options,
                                                          std::optional<int> cycle_limit);
   /// Stops the team and waits until it has left: a second, should its Playmaker not react.

@@ -50,6 +50,11 @@ bool is_known(std::string_view word) {
   return std::find(placeholders().begin(), placeholders().end(), word) != placeholders().end();
 }
 
+// A trainer's Playmaker is of no side.
+std::string_view side_word(soccer::Side side) {
+  return side == soccer::Side::kNeutral ? "trainer" : side_name(side);
+}
+
 std::vector<std::string_view> words_of(std::string_view text) {
   std::vector<std::string_view> words;
   while (true) {
@@ -103,7 +108,7 @@ Result<void> check_run_command(std::string_view command) {
 std::string fill_in(std::string_view command, const RunValues& values) {
   return replaced(command, [&](std::string_view word) {
     if (word == "port") return std::to_string(values.port);
-    if (word == "side") return std::string(side_name(values.side));
+    if (word == "side") return std::string(side_word(values.side));
     if (word == "name") return shell_quoted(values.team_name);
     if (word == "seed") return std::to_string(values.seed);
     return fmt::format("{{{}}}", word);
@@ -112,9 +117,9 @@ std::string fill_in(std::string_view command, const RunValues& values) {
 
 CommandPlan run_plan(std::string_view command, const RunValues& values,
                      const std::filesystem::path& folder) {
-  const std::string name = fmt::format("{} Playmaker", side_name(values.side));
+  const std::string name = fmt::format("{} Playmaker", side_word(values.side));
   CommandPlan plan = shell_command(name, fill_in(command, values));
-  plan.log = folder / fmt::format("{}-playmaker.log", side_name(values.side));
+  plan.log = folder / fmt::format("{}-playmaker.log", side_word(values.side));
   // Python keeps output to a pipe back, and a killed one would take its last words along.
   plan.environment.push_back({"PYTHONUNBUFFERED", "1"});
   return plan;

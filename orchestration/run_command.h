@@ -15,7 +15,7 @@ namespace cls::orchestration {
 /// What the placeholders {port}, {side}, {name} and {seed} stand for.
 struct RunValues {
   int port = 0;
-  soccer::Side side = soccer::Side::kLeft;  ///< written left or right
+  soccer::Side side = soccer::Side::kLeft;  ///< written left, right or, neutral, trainer
   std::string team_name;
   std::uint64_t seed = 0;
 };

@@ -12,6 +12,7 @@
 #include <utility>
 #include <variant>
 
+#include "proxy/world/dash_model.h"
 #include "soccer/pitch.h"
 
 namespace cls::proxy {
@@ -101,24 +102,6 @@ double catch_distance(const soccer::ServerParams& server, double stretch) {
   return std::sqrt(half_width * half_width + length * length);
 }
 
-double real_speed_max(const soccer::PlayerType& type, const soccer::ServerParams& server) {
-  return std::min(type.real_speed_max(server.max_dash_power), type.player_speed_max);
-}
-
-int cycles_to_reach_max_speed(const soccer::PlayerType& type, const soccer::ServerParams& server) {
-  constexpr double kCloseEnough = 0.01;
-  constexpr int kLongest = 50;
-  const double top = real_speed_max(type, server) - kCloseEnough;
-  const double push = server.max_dash_power * type.dash_power_rate * type.effort_max;
-  double speed = 0.0;
-  int cycles = 0;
-  while (speed < top && cycles < kLongest) {
-    speed = speed * type.player_decay + push;
-    ++cycles;
-  }
-  return cycles;
-}
-
 // Client-side constants that the server does not announce (any more) but the wire has.
 void fill_unannounced(protos::ServerParam& out) {
   constexpr float kDirQuantum = 0.1F;
@@ -169,7 +152,7 @@ void fill(const soccer::ServerParams& params, protos::ServerParam& out) {
   out.set_control_radius_width(static_cast<float>(params.control_radius - params.player_size));
   out.set_kickable_area(static_cast<float>(type.kickable_area(params.ball_size)));
   out.set_catchable_area(static_cast<float>(catch_distance(params, 1.0)));
-  out.set_real_speed_max(static_cast<float>(real_speed_max(type, params)));
+  out.set_real_speed_max(static_cast<float>(top_speed(params, type)));
   out.set_lcm_step(std::lcm(std::lcm(params.simulator_step, params.send_step),
                             std::lcm(params.recv_step, params.sense_body_step)));
   fill_unannounced(out);
@@ -185,7 +168,7 @@ void fill(const soccer::PlayerType& type, const soccer::ServerParams& server,
           protos::PlayerType& out) {
   clear_but_identity(out);
   fill_from_table(type, soccer::player_type_table(), out);
-  const double speed = real_speed_max(type, server);
+  const double speed = top_speed(server, type);
   out.set_kickable_area(static_cast<float>(type.kickable_area(server.ball_size)));
   out.set_reliable_catchable_dist(
       static_cast<float>(catch_distance(server, 2.0 - type.catchable_area_l_stretch)));
@@ -194,7 +177,7 @@ void fill(const soccer::PlayerType& type, const soccer::ServerParams& server,
   out.set_real_speed_max(static_cast<float>(speed));
   out.set_player_speed_max2(static_cast<float>(type.player_speed_max * type.player_speed_max));
   out.set_real_speed_max2(static_cast<float>(speed * speed));
-  out.set_cycles_to_reach_max_speed(cycles_to_reach_max_speed(type, server));
+  out.set_cycles_to_reach_max_speed(cycles_to_top_speed(server, type));
 }
 
 }  // namespace cls::proxy

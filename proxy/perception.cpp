@@ -13,6 +13,8 @@
 #include "proxy/world/self_localization.h"
 #include "proxy/world/team_lines.h"
 #include "soccer/pitch.h"
+#include "soccer/protocol/message_kind.h"
+#include "soccer/protocol/parameter_message.h"
 
 namespace cls::proxy {
 namespace {
@@ -23,12 +25,6 @@ MatchParameters& own_parameters(WorldModel& world) {
   MatchParameters& out = *copy;
   world.parameters = std::move(copy);
   return out;
-}
-
-/// While the clock stands, moments are counted: the first one that stands is number 1.
-void set_time(GameState& game, int cycle) {
-  const int before = cycle == game.time.cycle ? game.time.stopped : 0;
-  game.time = {cycle, clock_stands(game.mode) ? before + 1 : 0};
 }
 
 void age_self(SelfState& self, int cycles) {
@@ -178,6 +174,30 @@ void on_init(WorldModel& world, const soccer::PlayerInitReply& reply, soccer::Te
   world.game.mode = reply.mode;
 }
 
+soccer::Result<void> on_parameter_message(WorldModel& world, std::string_view message) {
+  soccer::Result<void> result;
+  switch (soccer::message_kind(message)) {
+    case soccer::MessageKind::kServerParam: {
+      soccer::ServerParams params;
+      result = soccer::parse(message, params);
+      if (result) on_server_param(world, params);
+      break;
+    }
+    case soccer::MessageKind::kPlayerParam: {
+      soccer::PlayerParams params;
+      result = soccer::parse(message, params);
+      if (result) on_player_param(world, params);
+      break;
+    }
+    default: {
+      soccer::PlayerType type = soccer::default_player_type(world.server());
+      result = soccer::parse(message, type);
+      if (result) on_player_type(world, type);
+    }
+  }
+  return result;
+}
+
 void on_server_param(WorldModel& world, const soccer::ServerParams& params) {
   MatchParameters& match = own_parameters(world);
   match.server = params;
@@ -212,7 +232,10 @@ void on_change_player_type(WorldModel& world, const soccer::PlayerTypeChange& ch
         change.unum;
     return;
   }
-  if (!change.type) return;  // an opponent's: to which type is not told
+  if (!change.type) {  // an opponent's: to which type is not told
+    world.their_types[static_cast<std::size_t>(change.unum - 1)] = -1;
+    return;
+  }
   world.our_types[static_cast<std::size_t>(change.unum - 1)] = *change.type;
   if (change.unum != world.unum) return;
   // A substitute comes with all his strength.
@@ -224,7 +247,7 @@ void on_change_player_type(WorldModel& world, const soccer::PlayerTypeChange& ch
 void on_sense_body(WorldModel& world, const soccer::SenseBody& sense) {
   SelfState& self = world.self;
   const int before = world.game.time.cycle;
-  set_time(world.game, sense.time);
+  open_moment(world.game, sense.time);
   const int cycles = std::max(1, before < 0 ? 1 : sense.time - before);
   age_self(self, cycles);
   world.ball_tracker.pushed = false;

@@ -1,6 +1,7 @@
 // From server messages to beliefs: each function takes one typed message into a world model.
 #pragma once
 
+#include <string_view>
 #include <vector>
 
 #include "proxy/world_model.h"
@@ -9,6 +10,7 @@
 #include "soccer/protocol/see.h"
 #include "soccer/protocol/sense_body.h"
 #include "soccer/protocol/server_reply.h"
+#include "soccer/result.h"
 
 namespace cls::proxy {
 
@@ -21,6 +23,8 @@ namespace cls::proxy {
 void on_init(WorldModel& world, const soccer::PlayerInitReply& reply, soccer::TeamName team_name,
              bool goalie);
 
+/// Any of server_param, player_param and player_type. The error says why it is not understood.
+soccer::Result<void> on_parameter_message(WorldModel& world, std::string_view message);
 void on_server_param(WorldModel& world, const soccer::ServerParams& params);
 void on_player_param(WorldModel& world, const soccer::PlayerParams& params);
 void on_player_type(WorldModel& world, const soccer::PlayerType& type);

@@ -14,14 +14,12 @@
 #include "proxy/state_message.h"
 #include "soccer/protocol/connection_request.h"
 #include "soccer/protocol/message_kind.h"
-#include "soccer/protocol/parameter_message.h"
 
 namespace cls::proxy {
 namespace {
 
 // From this version on players see in synchronous mode without asking.
 constexpr int kSynchronousVersion = 18;
-constexpr std::size_t kQuotedLength = 60;
 
 template <typename... Handlers>
 struct Overloaded : Handlers... {
@@ -37,6 +35,10 @@ std::string settings(int protocol) {
   // What opponents shout is noise to us and would use up hearing capacity.
   commands.push_back(
       soccer::Ear{false, soccer::TeamReference{soccer::TeamReference::Kind::kOpponent, ""}, {}});
+  // Who does not say this is not told what the coach says.
+  constexpr int kOldestCoachLanguage = 7;
+  constexpr int kNewestCoachLanguage = 8;
+  commands.push_back(soccer::Clang{kOldestCoachLanguage, kNewestCoachLanguage});
   std::string datagram;
   for (const soccer::PlayerCommand& command : commands) {
     const bool formatted = soccer::format(command, datagram);
@@ -106,7 +108,7 @@ void PlayerAgent::perceive() {
 void PlayerAgent::take_in(const std::string& message) {
   const auto parsed = [&](auto& out) {
     const soccer::Result<void> result = soccer::parse(message, out);
-    if (!result) note_unreadable(result.error(), message);
+    if (!result) trouble_.note_unreadable(result.error().message, message);
     return result.ok();
   };
   switch (soccer::message_kind(message)) {
@@ -133,7 +135,7 @@ void PlayerAgent::take_in(const std::string& message) {
     case soccer::MessageKind::kGlobalView:  // for coaches
       break;
     case soccer::MessageKind::kUnknown:
-      note_unreadable({"unknown message"}, message);
+      trouble_.note_unreadable("unknown message", message);
       break;
   }
 }
@@ -167,37 +169,19 @@ void PlayerAgent::begin_part(const soccer::PlayerInitReply& init) {
 }
 
 void PlayerAgent::take_in_parameters(const std::string& message) {
-  soccer::Result<void> result;
-  switch (soccer::message_kind(message)) {
-    case soccer::MessageKind::kServerParam: {
-      soccer::ServerParams params;
-      result = soccer::parse(message, params);
-      if (!result) break;
-      on_server_param(world_, params);
-      timer_.set_synchronous(params.synch_mode);
-      timer_.set_slow_down(params.slow_down_factor);
-      break;
-    }
-    case soccer::MessageKind::kPlayerParam: {
-      soccer::PlayerParams params;
-      result = soccer::parse(message, params);
-      if (result) on_player_param(world_, params);
-      break;
-    }
-    default: {
-      soccer::PlayerType type = soccer::default_player_type(world_.server());
-      result = soccer::parse(message, type);
-      if (result) on_player_type(world_, type);
-      if (result) ++types_known_;
-    }
-  }
-  if (!result) note_unreadable(result.error(), message);
+  const soccer::Result<void> result = on_parameter_message(world_, message);
+  if (!result) return trouble_.note_unreadable(result.error().message, message);
+  const soccer::MessageKind kind = soccer::message_kind(message);
+  if (kind == soccer::MessageKind::kPlayerType) ++types_known_;
+  if (kind != soccer::MessageKind::kServerParam) return;
+  timer_.set_synchronous(world_.server().synch_mode);
+  timer_.set_slow_down(world_.server().slow_down_factor);
 }
 
 void PlayerAgent::take_in_reply(const std::string& message) {
   soccer::ServerReply reply;
   if (const soccer::Result<void> result = soccer::parse(message, reply); !result) {
-    note_unreadable(result.error(), message);
+    trouble_.note_unreadable(result.error().message, message);
     return;
   }
   std::visit(
@@ -213,19 +197,12 @@ void PlayerAgent::take_in_reply(const std::string& message) {
           [this](const soccer::PlayerTypeChange& change) { on_change_player_type(world_, change); },
           [this](const soccer::ErrorReply& error) {
             if (!admitted_) refusal_ = error.text;
-            if (!refused_for_now() && trouble_.errors++ == 0) trouble_.first_error = error.text;
+            if (!refused_for_now()) trouble_.note_error(error.text);
           },
-          [this](const soccer::WarningReply& warning) {
-            if (trouble_.warnings++ == 0) trouble_.first_warning = warning.text;
-          },
+          [this](const soccer::WarningReply& warning) { trouble_.note_warning(warning.text); },
           [](const auto&) {},
       },
       reply);
-}
-
-void PlayerAgent::note_unreadable(const soccer::Error& error, const std::string& message) {
-  if (trouble_.unreadable++ != 0) return;
-  trouble_.first_unreadable = error.message + ": " + message.substr(0, kQuotedLength);
 }
 
 const protos::State& PlayerAgent::state(Instant now) {

@@ -17,6 +17,7 @@
 #include "proxy/decision_timer.h"
 #include "proxy/formation/formation_set.h"
 #include "proxy/perception.h"
+#include "proxy/server_trouble.h"
 #include "proxy/world_model.h"
 #include "soccer/channel.h"
 #include "soccer/protocol/hear.h"
@@ -47,16 +48,6 @@ struct AgentOptions {
   int reconnect_unum = 0;  ///< not 0: takes over this player, who lost his connection
   std::shared_ptr<const FormationSet> formations;  ///< null: the built-in ones
   std::string debug_log;  ///< folder for what Playmakers log; empty: nowhere
-};
-
-/// The messages of the server that this agent could not use; none in a healthy match.
-struct ServerTrouble {
-  std::int64_t unreadable = 0;   ///< messages that do not parse
-  std::int64_t errors = 0;       ///< (error ...) replies
-  std::int64_t warnings = 0;     ///< (warning ...) replies
-  std::string first_unreadable;  ///< why, and the beginning of the message
-  std::string first_error;
-  std::string first_warning;
 };
 
 /// Meets the server through its channel only. Order: connect(); perceive() until ready(); then per
@@ -115,7 +106,6 @@ class PlayerAgent {
   void take_in(const std::string& message);
   void take_in_reply(const std::string& message);
   void take_in_parameters(const std::string& message);
-  void note_unreadable(const soccer::Error& error, const std::string& message);
   void take_in_sense_body();
   void note_lost_commands();
   void begin_part(const soccer::PlayerInitReply& init);

@@ -67,9 +67,8 @@ constexpr std::array<protos::GameModeType, soccer::kPlayModeCount> kWireModes = 
     protos::IllegalDefense_,
     protos::IllegalDefense_};
 
-protos::GameModeType wire_mode(const GameState& game) {
-  if (game.goalie_catch) return protos::GoalieCatch_;
-  return kWireModes.at(static_cast<std::size_t>(game.mode));
+protos::GameModeType wire_mode_of(const GameState& game) {
+  return game.goalie_catch ? protos::GoalieCatch_ : wire_mode(game.mode);
 }
 
 void assign(std::string_view text, std::string* out) {
@@ -208,7 +207,7 @@ void fill_game(const WorldModel& world, protos::WorldModel& out) {
   out.set_cycle(game.time.cycle);
   out.set_time_stopped(game.time.stopped);
   out.set_see_time(game.see_time);
-  out.set_game_mode_type(wire_mode(game));
+  out.set_game_mode_type(wire_mode_of(game));
   out.set_game_mode_side(wire_side(game.mode_side()));
   out.set_stoped_cycle(game.mode_start.stopped);
   out.set_last_set_play_start_time(game.last_set_play_start);
@@ -244,7 +243,7 @@ void fill_teams(const WorldModel& world, protos::WorldModel& out) {
   out.set_kickable_opponent_id(world.kickable_opponent_id);
   out.set_kickable_teammate_existance(world.kickable_teammate());
   out.set_kickable_opponent_existance(world.kickable_opponent());
-  fill_team(world, world.teammates, true, *out.mutable_teammates(),
+  fill_team(world, world.teammates, !world.sideline, *out.mutable_teammates(),
             *out.mutable_our_players_dict());
   fill_team(world, world.opponents, false, *out.mutable_opponents(),
             *out.mutable_their_players_dict());
@@ -252,6 +251,19 @@ void fill_teams(const WorldModel& world, protos::WorldModel& out) {
 }
 
 }  // namespace
+
+protos::GameModeType wire_mode(soccer::PlayMode mode) {
+  return kWireModes.at(static_cast<std::size_t>(mode));
+}
+
+void fill_coach_state(const WorldModel& world, soccer::CoachRole role, protos::State& out) {
+  protos::WorldModel& model = *out.mutable_world_model();
+  fill_ball(world.ball, *model.mutable_ball());
+  fill_teams(world, model);
+  fill_game(world, model);
+  fill_lines(world.lines, model);
+  if (role == soccer::CoachRole::kTrainer) model.set_our_side(protos::UNKNOWN);
+}
 
 void fill_state(const WorldModel& world, const HomePositions& home, bool need_preprocess,
                 protos::State& out) {

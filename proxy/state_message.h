@@ -5,6 +5,8 @@
 
 #include "proto/playmaker.pb.h"
 #include "proxy/world_model.h"
+#include "soccer/play_mode.h"
+#include "soccer/protocol/coach_command.h"
 
 namespace cls::proxy {
 
@@ -16,5 +18,13 @@ using HomePositions = std::array<soccer::Vec2, soccer::kPlayersPerTeam>;
 /// with the age 1000, never infinite. full_world_model stays unset.
 void fill_state(const WorldModel& world, const HomePositions& home, bool need_preprocess,
                 protos::State& out);
+
+/// The same for a coach or trainer, completed by proxy/coach/global_perception.h: without self,
+/// intercept table and home positions. Counts are 0 and places the server's, since it sees all.
+/// A trainer's side is unknown; "our" means the left team.
+void fill_coach_state(const WorldModel& world, soccer::CoachRole role, protos::State& out);
+
+/// The mode's word on the wire. drop_ball, which has none, is PlayOn.
+protos::GameModeType wire_mode(soccer::PlayMode mode);
 
 }  // namespace cls::proxy

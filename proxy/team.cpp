@@ -101,7 +101,7 @@ RpcStatus Team::introduce() {
     }
   }
   warn_of_shared_identity();
-  return {};
+  return coach_ == nullptr ? RpcStatus{} : introduce_coach();
 }
 
 void Team::warn_of_shared_identity() {
@@ -145,6 +145,7 @@ int Team::ask(Instant now) {
     watch.lap(times_.begin);
     ++asked;
   }
+  asked += ask_coach(now);
   outstanding_ += asked;
   return asked;
 }
@@ -201,6 +202,7 @@ int Team::run_cycle() {
 }
 
 void Team::carry_out(Reply reply) {
+  if (reply.agent >= kCoachNumber) return carry_out_coach(std::move(reply));
   PlayerAgent& asker = agent(reply.agent);
   if (asker.awaits_choice()) {
     --outstanding_;
@@ -220,7 +222,7 @@ void Team::carry_out(Reply reply) {
     return;
   }
   warn_of_unimplemented(asker);
-  warn_of_server(asker);
+  warn_of_server(asker.server_trouble());
 }
 
 void Team::note(PlayerAgent& asker, const Correspondence& calls, const Reply& reply) {
@@ -248,7 +250,7 @@ void Team::carry_out_choice(PlayerAgent& asker, const Reply& reply) {
     asker.act_on_choice(std::nullopt);
   }
   warn_of_unimplemented(asker);
-  warn_of_server(asker);
+  warn_of_server(asker.server_trouble());
 }
 
 void Team::leave() {
@@ -260,10 +262,16 @@ void Team::leave() {
     }
     agent->leave();
   }
+  if (coach_ != nullptr && reacts && coach_->has_identity()) {
+    playmaker_->send_bye(coach_->number(), coach_->identity(), kByeTimeout);
+  }
+  if (coach_ != nullptr) coach_->leave();
 }
 
 soccer::Side Team::side() const {
-  return players_.empty() ? soccer::Side::kNeutral : players_.front()->world().our_side;
+  const bool trains = coach_ != nullptr && coach_->is_trainer();
+  if (players_.empty() && (coach_ == nullptr || trains)) return soccer::Side::kNeutral;
+  return world().our_side;
 }
 
 MissingAnswers Team::missing_answers() const {
@@ -272,6 +280,13 @@ MissingAnswers Team::missing_answers() const {
     const AgentStatistics& statistics = agent->statistics();
     if (statistics.missed_in_a_row <= worst.in_a_row) continue;
     worst = {agent->unum(), statistics.missed_in_a_row, statistics.last_failure};
+  }
+  if (coach_ == nullptr) return worst;
+  // A team plays on with a coach that fails; one that does not answer holds up the match.
+  const AgentStatistics& statistics = coach_->statistics();
+  const bool fails = statistics.last_failure.outcome == RpcOutcome::kError;
+  if (statistics.missed_in_a_row > worst.in_a_row && (coach_->is_trainer() || !fails)) {
+    worst = {coach_->number(), statistics.missed_in_a_row, statistics.last_failure};
   }
   return worst;
 }
@@ -296,8 +311,7 @@ void Team::warn_of_unimplemented(const PlayerAgent& agent) {
   warn(report.say, told_say_, "says", say_name);
 }
 
-void Team::warn_of_server(const PlayerAgent& agent) {
-  const ServerTrouble& trouble = agent.server_trouble();
+void Team::warn_of_server(const ServerTrouble& trouble) {
   if (trouble.unreadable != 0) {
     warn_once("a message of the soccer server is not understood: " + trouble.first_unreadable);
   }

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "proxy/coach/coach_agent.h"
 #include "proxy/correspondence.h"
 #include "proxy/player_agent.h"
 #include "proxy/playmaker.h"
@@ -43,9 +44,9 @@ struct TeamTimes {
   std::chrono::nanoseconds act{0};       ///< skills and commands
 };
 
-/// The player that has now gone longest without a usable answer.
+/// The agent that has now gone longest without a usable answer.
 struct MissingAnswers {
-  int unum = 0;  ///< 0: nobody lacks one
+  int unum = 0;  ///< 0: nobody lacks one; kCoachNumber, kTrainerNumber
   int in_a_row = 0;
   RpcStatus last;  ///< why the latest one is missing
 };
@@ -68,6 +69,11 @@ class Team {
   /// Connects the players one after the other, goalie first, each until it has its number, the
   /// parameters and all player types.
   soccer::Result<void> connect(const OpenChannel& open, const Serve& serve);
+
+  /// The same for the team's coach, once its players are connected, or for a trainer, with a team
+  /// of its own without players. `open` opens a connection to the server's door for them.
+  soccer::Result<void> connect_coach(soccer::CoachRole role, const OpenChannel& open,
+                                     const Serve& serve);
 
   /// Introduces the players to the Playmaker one after the other: Register, parameters, player
   /// types, init message. A Playmaker without Register (of the first interface) is served all the
@@ -100,8 +106,16 @@ class Team {
   const std::string& name() const { return name_; }
   soccer::Side side() const;
   const std::vector<std::unique_ptr<PlayerAgent>>& players() const { return players_; }
+  /// What its first player believes, or, without players, its coach or trainer. Once connected.
+  const WorldModel& world() const;
+  /// The server waits for everybody, by what it told.
+  bool synchronous() const { return world().server().synch_mode; }
+  /// The coach, or the trainer; null when there is none.
+  const CoachAgent* coach() const { return coach_.get(); }
   const TeamTimes& times() const { return times_; }
   MissingAnswers missing_answers() const;
+  /// Adds a line to those that take_warnings() gives, unless it was there before.
+  void warn_once(const std::string& line);
   /// Lines worth a user's notice that came up since the last call, each cause once per team.
   std::vector<std::string> take_warnings();
 
@@ -110,21 +124,25 @@ class Team {
   void warn_of_shared_identity();
   Correspondence& correspondence(int unum);
   AskingTime asking_time(const PlayerAgent& agent, Instant now) const;
+  RpcStatus introduce_coach();
+  int ask_coach(Instant now);
+  RpcTimeout coach_timeout(Instant now) const;
+  void carry_out_coach(Reply reply);
   RpcTimeout decision_timeout(const PlayerAgent& agent, Instant now) const;
   PlayerAgent& agent(int unum);
   void carry_out(Reply reply);
   void note(PlayerAgent& asker, const Correspondence& calls, const Reply& reply);
   void carry_out_choice(PlayerAgent& asker, const Reply& reply);
   void ask_for_choice(PlayerAgent& asker);
-  void warn_once(const std::string& line);
   void warn_of_unimplemented(const PlayerAgent& agent);
-  void warn_of_server(const PlayerAgent& agent);
+  void warn_of_server(const ServerTrouble& trouble);
 
   TeamOptions options_;
   std::string name_;
   Playmaker* playmaker_;
   std::vector<std::unique_ptr<PlayerAgent>> players_;
   std::array<std::optional<Correspondence>, kAgentNumbers> correspondence_;  // by agent number
+  std::unique_ptr<CoachAgent> coach_;
   int outstanding_ = 0;
   TeamTimes times_;
   std::array<bool, kActionKinds> told_actions_{};

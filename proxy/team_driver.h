@@ -28,6 +28,8 @@ enum class DriveEnd {
 struct DriverOptions {
   bool leave_at_time_over = true;  ///< else play on until the server falls silent
   std::chrono::milliseconds silence{5000};
+  int coach_port = 0;    ///< of the server; 0: the team has no coach
+  int trainer_port = 0;  ///< the same for a trainer
 };
 
 /// Plays in the way that the server asks for: in synchronous mode by (think), else in real time.
@@ -38,13 +40,15 @@ class TeamDriver {
   TeamDriver(Team& team, soccer::UdpClients& clients, DriverOptions options = {})
       : team_(team), clients_(clients), options_(options) {}
 
-  /// See Team::connect.
+  /// See Team::connect. A team that the server gives no coach plays without one.
   soccer::Result<void> connect(const GoOn& go_on);
 
   /// `go_on` is asked after every round too, in which decisions may have been carried out.
   DriveEnd run(const GoOn& go_on);
 
  private:
+  soccer::Result<void> connect_all(const GoOn& go_on);
+  soccer::Result<void> connect_coach(const Team::Serve& serve);
   void finish_answers();
   bool time_over() const;
 

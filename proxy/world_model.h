@@ -52,7 +52,8 @@ struct WorldModel {
   // Who we are.
   soccer::Side our_side = soccer::Side::kLeft;
   int unum = 0;
-  bool goalie = false;  ///< connected as goalie
+  bool goalie = false;    ///< connected as goalie
+  bool sideline = false;  ///< a coach or trainer: `self` means nothing, all of ours are teammates
   soccer::TeamName our_team_name;
   soccer::TeamName their_team_name;                   ///< empty until somebody of theirs was seen
   std::shared_ptr<const MatchParameters> parameters;  ///< never null
@@ -72,7 +73,7 @@ struct WorldModel {
   int our_goalie_unum = 0;  ///< 0: not known
   int their_goalie_unum = 0;
   std::array<int, soccer::kPlayersPerTeam> our_types{};    ///< type id by unum - 1
-  std::array<int, soccer::kPlayersPerTeam> their_types{};  ///< default until a coach tells
+  std::array<int, soccer::kPlayersPerTeam> their_types{};  ///< -1: changed, to what is not known
   FixedList<HeardMessage, 8> heard;                        ///< of the present moment
 
   SelfTracker self_tracker;  ///< perception's own memory of the localisation

@@ -268,8 +268,10 @@ void UdpClients::read_on_thread() {
   if (!sockets_->has_thread()) sockets_->start();
 }
 
-std::unique_ptr<Channel> UdpClients::connect() {
-  auto line = std::make_shared<Sockets::Line>(sockets_->server);
+std::unique_ptr<Channel> UdpClients::connect(int port) {
+  UdpAddress server = sockets_->server;
+  if (port != 0) server.set_port(port);
+  auto line = std::make_shared<Sockets::Line>(server);
   if (line->socket.fd() < 0) return nullptr;
   {
     const std::lock_guard lock(sockets_->mutex);

@@ -27,8 +27,9 @@ class UdpClients {
   void read_on_thread();
 
   /// A new socket. send() is false once the server's port is known to be closed. Null when the
-  /// system has no socket left.
-  std::unique_ptr<Channel> connect();
+  /// system has no socket left. `port`: another door of the same server; 0: the one it was made
+  /// for.
+  std::unique_ptr<Channel> connect(int port = 0);
 
   /// Waits until a message arrives that no earlier call has reported, or a connection turns out to
   /// be gone; false when `deadline` passes first. Without a thread: true while any message waits.

@@ -51,6 +51,8 @@ struct Scenario {
   soccer::Vec2 ball_velocity;
   std::array<ScenarioSide, 2> sides;  ///< left, right
   std::optional<soccer::Side> under_test;
+  bool coach = false;               ///< both teams bring one
+  std::optional<Endpoint> trainer;  ///< who is asked GetTrainerActions
 
   int steps = 100;
   std::vector<StepTest> until;  ///< any of them ends the run

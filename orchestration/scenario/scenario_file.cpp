@@ -184,6 +184,16 @@ Result<void> parse_situation(const JsonValue& json, Scenario& scenario) {
   return {};
 }
 
+Result<void> parse_sideline(const JsonValue& json, Scenario& scenario) {
+  if (json.has("coach")) {
+    const auto coach = json["coach"].boolean();
+    if (!coach) return coach.error();
+    scenario.coach = *coach;
+  }
+  if (!json.has("trainer")) return {};
+  return parse_playmaker(json["trainer"], scenario.trainer.emplace());
+}
+
 Result<void> parse_run(const JsonValue& json, Scenario& scenario) {
   for (const auto& [key, member, high] :
        {std::tuple{"steps", &scenario.steps, kMostSteps},
@@ -250,9 +260,10 @@ Result<void> parse_checks(const JsonValue& json, const Json& golden, Scenario& s
 
 Result<Scenario> parse_scenario(const JsonText& text, const Json& golden) {
   const JsonValue json(text);
-  const auto keys = json.object_of({"about", "seed", "seeds", "noise", "server", "player", "mode",
-                                    "cycle", "score", "ball", "left", "right", "under_test",
-                                    "steps", "until", "rpc_deadline_ms", "max_missed", "expect"});
+  const auto keys = json.object_of({"about",  "seed",  "seeds",           "noise",      "server",
+                                    "player", "mode",  "cycle",           "score",      "ball",
+                                    "left",   "right", "under_test",      "coach",      "trainer",
+                                    "steps",  "until", "rpc_deadline_ms", "max_missed", "expect"});
   if (!keys) return keys.error();
   Scenario scenario;
   scenario.file = scenario.argument = text.name();
@@ -263,7 +274,8 @@ Result<Scenario> parse_scenario(const JsonText& text, const Json& golden) {
     if (!about) return about.error();
     scenario.about = *about;
   }
-  for (const auto& parse : {parse_seeds, parse_server, parse_situation, parse_run}) {
+  for (const auto& parse :
+       {parse_seeds, parse_server, parse_situation, parse_sideline, parse_run}) {
     if (const auto parsed = parse(json, scenario); !parsed) return parsed.error();
   }
   for (const Side side : {Side::kLeft, Side::kRight}) {

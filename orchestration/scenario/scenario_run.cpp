@@ -22,6 +22,8 @@ MatchOptions match_options(const Scenario& scenario, const RunSettings& settings
     (*scenario.under_test == soccer::Side::kLeft ? options.left : options.right) =
         *settings.against;
   }
+  options.coach = scenario.coach;
+  options.trainer = scenario.trainer;
   options.seed = settings.seed;
   options.server = scenario.server;
   options.player = scenario.player;

@@ -15,6 +15,24 @@ double dash_direction_rate(const soccer::ServerParams& server, double direction)
   return std::clamp(rate, 0.0, 1.0);
 }
 
+double top_speed(const soccer::ServerParams& server, const soccer::PlayerType& type) {
+  return std::min(type.real_speed_max(server.max_dash_power), type.player_speed_max);
+}
+
+int cycles_to_top_speed(const soccer::ServerParams& server, const soccer::PlayerType& type) {
+  constexpr double kCloseEnough = 0.01;
+  constexpr int kLongest = 50;
+  const double top = top_speed(server, type) - kCloseEnough;
+  const double push = server.max_dash_power * type.dash_power_rate * type.effort_max;
+  double speed = 0.0;
+  int cycles = 0;
+  while (speed < top && cycles < kLongest) {
+    speed = speed * type.player_decay + push;
+    ++cycles;
+  }
+  return cycles;
+}
+
 void Stamina::step(const soccer::ServerParams& server, const soccer::PlayerType& type,
                    double cost) {
   stamina = std::max(0.0, stamina - cost);

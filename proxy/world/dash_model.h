@@ -10,6 +10,12 @@ namespace cls::proxy {
 /// model 4.3).
 double dash_direction_rate(const soccer::ServerParams& server, double direction);
 
+/// Speed that full dashes settle at, with full effort; metres per cycle.
+double top_speed(const soccer::ServerParams& server, const soccer::PlayerType& type);
+
+/// Full dashes from rest until top speed is reached but for a centimetre per cycle.
+int cycles_to_top_speed(const soccer::ServerParams& server, const soccer::PlayerType& type);
+
 /// A player's strength, followed over the cycles (simulation model 5).
 struct Stamina {
   double stamina = 0.0;

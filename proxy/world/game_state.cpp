@@ -30,6 +30,11 @@ bool is_set_play_of(const GameState& game, Side side) {
   }
 }
 
+void open_moment(GameState& game, int cycle) {
+  const int before = cycle == game.time.cycle ? game.time.stopped : 0;
+  game.time = {cycle, clock_stands(game.mode) ? before + 1 : 0};
+}
+
 int default_penalty_taker(int n) {
   constexpr std::array<int, 11> kOrder = {10, 9, 2, 11, 3, 4, 1, 5, 6, 7, 8};
   return kOrder[static_cast<std::size_t>(n > 0 ? (n - 1) % 11 : 0)];

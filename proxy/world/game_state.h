@@ -44,6 +44,10 @@ bool is_set_play_of(const GameState& game, soccer::Side side);
 /// Modes during which the server's clock stands.
 bool clock_stands(soccer::PlayMode mode);
 
+/// A new moment at that cycle. While the clock stands, moments are counted: the first one that
+/// stands is number 1.
+void open_moment(GameState& game, int cycle);
+
 /// The number that takes the n-th (from 1) kick of a shoot-out when nobody decides otherwise.
 int default_penalty_taker(int n);
 

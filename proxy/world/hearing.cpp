@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "proxy/coach/player_types_message.h"
 #include "proxy/world/ball_tracking.h"
 #include "proxy/world/heard_news.h"
 #include "proxy/world/player_tracking.h"
@@ -124,6 +125,15 @@ bool hear_goal(WorldModel& world, std::string_view word, int time) {
   return true;
 }
 
+/// The opponents' types, as far as our coach knows them.
+void hear_types(WorldModel& world, std::string_view text) {
+  const std::optional<TypeIds> said = read_player_types(text);
+  if (!said) return;
+  for (std::size_t i = 0; i < said->size(); ++i) {
+    if ((*said)[i] >= 0) world.their_types[i] = (*said)[i];
+  }
+}
+
 }  // namespace
 
 void hear_referee(WorldModel& world, int time, std::string_view word) {
@@ -164,12 +174,10 @@ void hear_message(WorldModel& world, const soccer::Hear& hear) {
       message.unum = world.unum;
       break;
     case Sender::kOnlineCoachLeft:
-      message.side = Side::kLeft;
-      message.coach = true;
-      break;
     case Sender::kOnlineCoachRight:
-      message.side = Side::kRight;
+      message.side = hear.sender == Sender::kOnlineCoachLeft ? Side::kLeft : Side::kRight;
       message.coach = true;
+      if (message.side == world.our_side) hear_types(world, hear.text);
       break;
     case Sender::kTrainer:
       message.coach = true;

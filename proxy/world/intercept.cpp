@@ -36,6 +36,7 @@ int turns_needed(const soccer::ServerParams& server, const soccer::PlayerType& t
 }
 
 bool table_is_empty(const WorldModel& world) {
+  if (world.sideline) return !world.ball.position_valid();
   return world.game.mode == PlayMode::kBeforeKickOff || world.game.mode == PlayMode::kTimeOver ||
          !world.self.position_valid() || !world.ball.position_valid();
 }
@@ -135,7 +136,7 @@ void reckon_intercepts(WorldModel& world) {
     }
   } else {
     const BallPath path = ball_path(world);
-    plan_own_intercept(world, path, table);
+    if (!world.sideline) plan_own_intercept(world, path, table);
     opponents = rank(world, world.opponents, world.kickable_opponent_id, kOldestOpponent, path);
     BallPath resting;
     resting.fill(world.ball.position);

@@ -104,13 +104,13 @@ TEST(MockCommand, ARestartedMockListensAgain) {
 TEST(MockCommand, ScriptsAreReadAndTheirExpectationsTold) {
   cls::tests::TemporaryFolder folder;
   const std::string script = folder.path() / "script.json";
-  std::ofstream(script) << "{\"expect\": [{\"rpc\": \"Register\", \"count\": 12}]}";
+  std::ofstream(script) << "{\"expect\": [{\"rpc\": \"Register\", \"count\": 13}]}";
   cls::tests::TemporaryFolder match;
   const auto played =
       cls::tests::run({cls::tests::cls_binary(), "match", "mock:" + script, "mock:hold", "--cycles",
                        "5", "--set", "server::kick_off_wait=3", "--dir", match.path()});
   EXPECT_EQ(played.exit_code, 0) << played.err;
-  EXPECT_NE(played.err.find("script: expected (line 1): 11 calls of Register, not == 12"),
+  EXPECT_NE(played.err.find("script: expected (line 1): 12 calls of Register, not == 13"),
             std::string::npos)
       << played.err;
 }

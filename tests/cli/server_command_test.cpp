@@ -250,7 +250,7 @@ TEST(ProxyCommand, TakesTheOptionsOfUpstreamsStartScript) {
 TEST(ProxyCommand, MistakesAreUsageErrors) {
   EXPECT_EQ(run({cls_binary(), "proxy", "--rpc-type", "thrift"}).exit_code, 2);
   EXPECT_EQ(run({cls_binary(), "proxy", "-t", "much_too_long_a_name"}).exit_code, 2);
-  EXPECT_EQ(run({cls_binary(), "proxy", "-u", "12"}).exit_code, 2);
+  EXPECT_EQ(run({cls_binary(), "proxy", "-u", "12", "-C"}).exit_code, 2);
   EXPECT_EQ(run({cls_binary(), "proxy", "--rpc-prot", "1"}).exit_code, 2);
   const auto formation = run({cls_binary(), "proxy", "--formation", "no/such/folder"});
   EXPECT_EQ(formation.exit_code, 2);

@@ -37,6 +37,8 @@ std::unique_ptr<simulator::UdpServer> open(const fakes::Flags& flags) {
   config.match.seed = 7;
   if (flags.has("until-cycle")) config.match.cycle_limit = flags.number("until-cycle");
   config.port = options.server.port + flags.number("port-offset");
+  config.trainer_port = options.server.coach_port;
+  config.coach_port = options.server.olcoach_port;
   auto server = simulator::UdpServer::open(std::move(config));
   if (!server) {
     std::fprintf(stderr, "fake_server: %s\n", server.error().message.c_str());

@@ -1,0 +1,124 @@
+// Fast players first, fresh players last.
+#include "proxy/coach/substitution.h"
+
+#include <algorithm>
+#include <array>
+
+namespace cls::proxy {
+namespace {
+
+using Commands = std::vector<soccer::CoachCommand>;
+
+// Moments before the kick-off, so that all players are on the pitch.
+constexpr int kMomentsBefore = 10;
+constexpr int kLastCycles = 500;
+constexpr double kTired = 0.002;  // recovery lost
+// Who gets the fastest type left, in this order; the goalie's number is passed over.
+constexpr std::array<int, soccer::kPlayersPerTeam> kOrder = {11, 2, 3, 10, 9, 6, 4, 5, 7, 8, 1};
+
+/// How often each type can still be given out.
+using Pool = std::vector<int>;
+
+// Power that keeps top speed, beyond what a cycle gives back.
+double cost_of_top_speed(const soccer::ServerParams& server, const soccer::PlayerType& type) {
+  const double push = top_speed(server, type) * (1.0 - type.player_decay);
+  return push / (type.dash_power_rate * type.effort_max) - type.stamina_inc_max;
+}
+
+// -1 when the pool is empty.
+int fastest(const MatchParameters& parameters, const Pool& pool) {
+  constexpr double kAlike = 0.01;  // metres per cycle
+  const auto speed = [&](int id) { return top_speed(parameters.server, parameters.type(id)); };
+  double best_speed = 0.0;
+  for (int id = 0; id < static_cast<int>(pool.size()); ++id) {
+    if (pool[static_cast<std::size_t>(id)] > 0) best_speed = std::max(best_speed, speed(id));
+  }
+  int best = -1;
+  const auto is_better = [&](int id) {
+    if (best < 0) return true;
+    const soccer::PlayerType& one = parameters.type(id);
+    const soccer::PlayerType& other = parameters.type(best);
+    const int cycles = cycles_to_top_speed(parameters.server, one);
+    const int other_cycles = cycles_to_top_speed(parameters.server, other);
+    if (cycles != other_cycles) return cycles < other_cycles;
+    return cost_of_top_speed(parameters.server, one) < cost_of_top_speed(parameters.server, other);
+  };
+  for (int id = 0; id < static_cast<int>(pool.size()); ++id) {
+    if (pool[static_cast<std::size_t>(id)] <= 0 || speed(id) < best_speed - kAlike) continue;
+    if (is_better(id)) best = id;
+  }
+  return best;
+}
+
+Pool whole_pool(const soccer::PlayerParams& params) {
+  Pool pool(static_cast<std::size_t>(params.player_types), params.pt_max);
+  if (params.allow_mult_default_type) pool[0] = soccer::kPlayersPerTeam + 1;
+  return pool;
+}
+
+void choose_lineup(const WorldModel& world, Commands& out) {
+  const MatchParameters& parameters = *world.parameters;
+  Pool pool = whole_pool(parameters.player);
+  const int goalie = world.our_goalie_unum != 0 ? world.our_goalie_unum : 1;
+  if (world.teammate(goalie) != nullptr) out.push_back(soccer::ChangePlayerType{goalie, 0});
+  --pool[0];
+  for (const int unum : kOrder) {
+    if (unum == goalie || world.teammate(unum) == nullptr) continue;
+    const int type = fastest(parameters, pool);
+    if (type < 0) return;
+    --pool[static_cast<std::size_t>(type)];
+    out.push_back(soccer::ChangePlayerType{unum, type});
+  }
+}
+
+std::vector<int> tired_players(const WorldModel& world, const CoachNotes& notes) {
+  std::vector<int> tired;
+  for (const PlayerState& mate : world.teammates) {
+    const double recovery = notes.strength.of(mate.unum).recovery;
+    if (recovery < world.server().recover_init - kTired) tired.push_back(mate.unum);
+  }
+  std::stable_sort(tired.begin(), tired.end(), [&](int a, int b) {
+    return notes.strength.of(a).recovery < notes.strength.of(b).recovery;
+  });
+  return tired;
+}
+
+void replace_tired(const WorldModel& world, const CoachNotes& notes, Commands& out) {
+  const MatchParameters& parameters = *world.parameters;
+  Pool pool = whole_pool(parameters.player);
+  for (std::size_t id = 0; id < pool.size() && id < notes.used.size(); ++id) {
+    pool[id] -= notes.used[id];
+  }
+  int left = parameters.player.subs_max - notes.substitutions;
+  for (const int unum : tired_players(world, notes)) {
+    const int type = fastest(parameters, pool);
+    if (left-- <= 0 || type < 0) return;
+    --pool[static_cast<std::size_t>(type)];
+    out.push_back(soccer::ChangePlayerType{unum, type});
+  }
+}
+
+bool play_rests(const WorldModel& world) {
+  const soccer::PlayMode mode = world.game.mode;
+  return mode != soccer::PlayMode::kPlayOn && mode != soccer::PlayMode::kTimeOver &&
+         !soccer::is_penalty_mode(mode);
+}
+
+}  // namespace
+
+void substitute(const WorldModel& world, CoachNotes& notes, Commands& out) {
+  const GameTime now = world.game.time;
+  if (now.cycle <= 0) {
+    if (now.stopped <= kMomentsBefore || notes.lineup_chosen) return;
+    notes.lineup_chosen = true;
+    choose_lineup(world, out);
+    return;
+  }
+  const int end = world.server().normal_time_cycles();
+  // Nobody is fresh for more than a match: after normal time the server asks for no reason.
+  if (end <= 0 || now.cycle < end - kLastCycles || !play_rests(world)) return;
+  if (now.cycle >= world.server().total_time_cycles()) return;
+  replace_tired(world, notes, out);
+}
+
+}  // namespace cls::proxy
