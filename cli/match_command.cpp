@@ -73,6 +73,23 @@ struct Arguments {
   bool no_colour = false;
 };
 
+// What a Playmaker is given, and what becomes of answers that do not come.
+void add_answer_options(CLI::App& command, Arguments& arguments) {
+  MatchOptions& options = arguments.options;
+  command.add_option("--rpc-deadline", options.rpc_deadline_ms,
+                     "time a Playmaker has for an answer, in ms (lockstep 10000, synch 1000, "
+                     "realtime 70)");
+  command.add_flag("--no-deadline", options.no_deadline, "wait for ever (a debugger at work)");
+  command.add_option("--on-late", arguments.on_late,
+                     "commands of a cycle without an answer: hold, last or default (hold)");
+  command.add_option("--max-missed", options.max_missed,
+                     "missed answers in a row that end the match (20)");
+  command.add_option("--reconnect-within", options.reconnect_within_s,
+                     "seconds that a Playmaker lost in mid-match may take to come back where the "
+                     "server waits (3)");
+  add_tls_options(command, arguments.tls);
+}
+
 void add_options(CLI::App& command, Arguments& arguments) {
   MatchOptions& options = arguments.options;
   command.add_option("LEFT", arguments.left, "left side")->required();
@@ -105,18 +122,7 @@ void add_options(CLI::App& command, Arguments& arguments) {
   command.add_option("--right-formation", arguments.right_formation, "the same for the right side");
   command.add_flag("--pin", arguments.pin, "give each side half of the processors for itself");
   command.add_flag("--dry-run", arguments.dry_run, "print what would be started, start nothing");
-  command.add_option("--rpc-deadline", options.rpc_deadline_ms,
-                     "time a Playmaker has for an answer, in ms (lockstep 10000, synch 1000, "
-                     "realtime 70)");
-  command.add_flag("--no-deadline", options.no_deadline, "wait for ever (a debugger at work)");
-  command.add_option("--on-late", arguments.on_late,
-                     "commands of a cycle without an answer: hold, last or default (hold)");
-  command.add_option("--max-missed", options.max_missed,
-                     "missed answers in a row that end the match (20)");
-  command.add_option("--reconnect-within", options.reconnect_within_s,
-                     "seconds that a Playmaker lost in mid-match may take to come back where the "
-                     "server waits (3)");
-  add_tls_options(command, arguments.tls);
+  add_answer_options(command, arguments);
   command.add_option("--start-timeout", options.start_timeout_s,
                      "seconds until a Playmaker must answer first (20)");
   command.add_option("--stall-after", options.stall_after_s,

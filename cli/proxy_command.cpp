@@ -73,23 +73,9 @@ struct Arguments {
   std::string fullstate;  // accepted because scripts say it
 };
 
-void add_options(CLI::App& command, Arguments& arguments) {
+void add_playmaker_options(CLI::App& command, Arguments& arguments) {
   LoneTeamOptions& options = arguments.options;
-  command.set_help_flag("--help", "print this help");
-  options.playmaker.host = "localhost";
-  options.playmaker.port = 50051;
   const CLI::Range port(1, 65535);
-  command.add_option("-h,--host", options.server_host, "of the soccer server (localhost)");
-  command.add_option("-p,--port", options.server_port, "of the soccer server (6000)")->check(port);
-  command.add_option("-t,--teamname,--team_name", arguments.team_name, "name of the team (SSP)");
-  command.add_option("-n,--number", arguments.number, "players, goalie first (11)")
-      ->check(CLI::Range(1, soccer::kPlayersPerTeam));
-  command.add_option("-u,--unum", arguments.unum, "only this one; 1 is the goalie, 12 the coach")
-      ->check(CLI::Range(1, kCoach));
-  command.add_option("-v,--version", options.team.protocol, "of the text protocol, 14 to 19 (18)")
-      ->check(CLI::Range(soccer::kOldestProtocolVersion, soccer::kNewestProtocolVersion));
-  command.add_flag("-r,--reconnect", options.team.reconnect,
-                   "take over players who lost their connection");
   command.add_option("--playmaker", arguments.playmaker,
                      "HOST:PORT, HOST:PORT+step, tls:HOST:PORT or unix:PATH, in place of the next "
                      "three");
@@ -113,6 +99,26 @@ void add_options(CLI::App& command, Arguments& arguments) {
   command.add_option("--result", arguments.result_file,
                      "file for the result in JSON, players one by one");
   command.add_option("--rpc-type", arguments.rpc_type, "grpc");
+}
+
+void add_options(CLI::App& command, Arguments& arguments) {
+  LoneTeamOptions& options = arguments.options;
+  command.set_help_flag("--help", "print this help");
+  options.playmaker.host = "localhost";
+  options.playmaker.port = 50051;
+  const CLI::Range port(1, 65535);
+  command.add_option("-h,--host", options.server_host, "of the soccer server (localhost)");
+  command.add_option("-p,--port", options.server_port, "of the soccer server (6000)")->check(port);
+  command.add_option("-t,--teamname,--team_name", arguments.team_name, "name of the team (SSP)");
+  command.add_option("-n,--number", arguments.number, "players, goalie first (11)")
+      ->check(CLI::Range(1, soccer::kPlayersPerTeam));
+  command.add_option("-u,--unum", arguments.unum, "only this one; 1 is the goalie, 12 the coach")
+      ->check(CLI::Range(1, kCoach));
+  command.add_option("-v,--version", options.team.protocol, "of the text protocol, 14 to 19 (18)")
+      ->check(CLI::Range(soccer::kOldestProtocolVersion, soccer::kNewestProtocolVersion));
+  command.add_flag("-r,--reconnect", options.team.reconnect,
+                   "take over players who lost their connection");
+  add_playmaker_options(command, arguments);
   command
       .add_option("--start-timeout", options.start_timeout_s,
                   "seconds until server and Playmaker must answer (20)")
