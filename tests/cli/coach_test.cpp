@@ -30,7 +30,7 @@ constexpr const char* kTrainer = R"({
   "rules": [
     {"rpc": "GetTrainerActions", "when": {"cycle": 10, "mode": "PlayOn"},
      "reply": [{"do_move_ball": {"position": {"x": 51.5, "y": 3}, "velocity": {"x": 2.5}}}]},
-    {"rpc": "GetTrainerActions", "when": {"mode": "KickOff"},
+    {"rpc": "GetTrainerActions", "when": {"mode": "KickOff", "cycle": [5, 9]},
      "reply": [{"do_change_mode": {"game_mode_type": "PlayOn"}}]}
   ],
   "otherwise": "hold"
