@@ -10,6 +10,7 @@
 #include <memory>
 #include <string>
 
+#include "cli/ci_reports.h"
 #include "cli/exit_code.h"
 #include "cli/interrupt.h"
 #include "cli/tls_options.h"
@@ -43,6 +44,7 @@ struct Arguments {
   int calls = 10'000;
   int latency_limit_ms = 100;
   bool json = false;
+  CiReports reports;
 };
 
 int exit_code_of(const CheckReport& report, int interrupted) {
@@ -79,7 +81,9 @@ int run_check_playmaker(const Arguments& arguments) {
     return endpoint->kind == Endpoint::Kind::kMock ? kBadData : kUnavailable;
   }
   fmt::print("{}", arguments.json ? to_json(*report) : summary(*report));
-  return exit_code_of(*report, interrupted);
+  const ExitCode handed_out =
+      hand_out(arguments.reports, to_junit(*report), to_annotations(*report));
+  return handed_out == kDone ? exit_code_of(*report, interrupted) : handed_out;
 }
 
 }  // namespace
@@ -90,6 +94,7 @@ void add_check_playmaker_command(CLI::App& check, int& exit_code) {
   command->add_option("ENDPOINT", arguments->endpoint, "the Playmaker")->required();
   command->add_flag("--json", arguments->json, "one JSON document at the end instead of lines");
   add_tls_options(*command, arguments->tls);
+  add_ci_options(*command, arguments->reports);
   command
       ->add_option("--start-timeout", arguments->start_timeout_s,
                    "seconds until it must answer first (20)")

@@ -11,6 +11,7 @@
 #include <memory>
 #include <string>
 
+#include "cli/ci_reports.h"
 #include "cli/exit_code.h"
 #include "cli/interrupt.h"
 #include "orchestration/checks/server_check.h"
@@ -38,6 +39,7 @@ struct Arguments {
   std::string server;
   double start_timeout_s = 20.0;
   bool json = false;
+  CiReports reports;
 };
 
 int exit_code_of(const CheckReport& report, int interrupted) {
@@ -70,7 +72,9 @@ int run_check_server(const Arguments& arguments) {
     return kUnavailable;
   }
   fmt::print("{}", arguments.json ? to_json(*report) : summary(*report));
-  return exit_code_of(*report, interrupted);
+  const ExitCode handed_out =
+      hand_out(arguments.reports, to_junit(*report), to_annotations(*report));
+  return handed_out == kDone ? exit_code_of(*report, interrupted) : handed_out;
 }
 
 }  // namespace
@@ -83,6 +87,7 @@ void add_check_server_command(CLI::App& check, int& exit_code) {
                    "HOST:PORT, a program (PATH or a name), or embedded")
       ->required();
   command->add_flag("--json", arguments->json, "one JSON document at the end instead of lines");
+  add_ci_options(*command, arguments->reports);
   command
       ->add_option("--start-timeout", arguments->start_timeout_s,
                    "seconds until it must answer first (20)")

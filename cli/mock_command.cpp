@@ -33,6 +33,8 @@ using mock_server::Mock;
 using mock_server::Server;
 using std::chrono::milliseconds;
 
+constexpr int kHighestNumber = 13;  // the trainer's
+
 constexpr const char* kDescription =
     "Runs the mock Playmaker alone, for agents that ask over the network.\n"
     "\n"
@@ -113,7 +115,16 @@ std::optional<std::string> complete(const Arguments& arguments, Faults& faults) 
     }
     faults.unimplemented.push_back(*rpc);
   }
+  for (const int unum : flags.unums) {
+    if (unum >= 1 && unum <= kHighestNumber) continue;
+    return fmt::format("--fault-unum: {} is no uniform number (1 to 11, 12 coach, 13 trainer)",
+                       unum);
+  }
   if (!arguments.only_cycles.empty()) {
+    if (arguments.only_cycles[0] > arguments.only_cycles[1]) {
+      return fmt::format("--fault-cycles: {} is after {}", arguments.only_cycles[0],
+                         arguments.only_cycles[1]);
+    }
     faults.cycles = {arguments.only_cycles[0], arguments.only_cycles[1], 1};
   }
   return std::nullopt;
@@ -245,8 +256,9 @@ int run_mock(const Arguments& arguments) {
 void add_mock_command(CLI::App& app, int& exit_code) {
   const auto arguments = std::make_shared<Arguments>();
   CLI::App* command = app.add_subcommand("mock", kDescription);
-  command->add_option("BEHAVIOUR", arguments->behaviour,
-                      "simple, planner, hold, random, random:SEED or FILE.json (simple)");
+  command->add_option(
+      "BEHAVIOUR", arguments->behaviour,
+      "simple, planner, hold, random, random:SEED, replay:FILE or FILE.json (simple)");
   command->add_option("--port", arguments->port, "0: a free one (0)")->check(CLI::Range(0, 65535));
   command->add_option("--host", arguments->host, "address to listen on (127.0.0.1)");
   add_fault_options(*command, *arguments);

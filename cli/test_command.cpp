@@ -8,7 +8,6 @@
 #include <charconv>
 #include <chrono>
 #include <csignal>
-#include <cstdlib>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -16,6 +15,7 @@
 #include <thread>
 #include <vector>
 
+#include "cli/ci_reports.h"
 #include "cli/exit_code.h"
 #include "cli/interrupt.h"
 #include "cli/side_script.h"
@@ -55,15 +55,14 @@ struct Arguments {
   std::optional<std::uint64_t> seed;
   std::string against;
   std::string folder = "runs/test";
-  std::string junit;
   std::string export_folder;
   std::string replay;
   std::string side;
   bool json = false;
-  bool github = false;
   bool list = false;
   bool bless = false;
   bool quiet = false;
+  CiReports reports;
 };
 
 /// A mistake with the exit code it leads to.
@@ -172,9 +171,6 @@ std::optional<Refusal> complete(const Arguments& arguments, SuiteOptions& option
   if (arguments.against.empty()) return std::nullopt;
   auto endpoint = orchestration::parse_endpoint(arguments.against);
   if (!endpoint) return Refusal{kUsage, "--against: " + endpoint.error().message};
-  if (!endpoint->has_playmaker()) {
-    return Refusal{kUsage, "--against: a scenario needs a Playmaker, not a foreign team"};
-  }
   int read = read_script_of(*endpoint);
   if (read == kDone) read = read_tls_files(*endpoint, arguments.tls);
   if (read != kDone) return Refusal{static_cast<ExitCode>(read), ""};
@@ -227,17 +223,8 @@ int tell(const Arguments& arguments, const SuiteVerdict& suite, double seconds) 
   } else {
     fmt::print("{}", summary(suite, seconds));
   }
-  const char* actions = std::getenv("GITHUB_ACTIONS");
-  const bool github =
-      arguments.github || (actions != nullptr && std::string_view(actions) == "true");
-  if (github) fmt::print(stderr, "{}", to_annotations(suite));
-  if (!arguments.junit.empty()) {
-    const auto written = orchestration::write_file(arguments.junit, to_junit(suite));
-    if (!written) {
-      fmt::print(stderr, "cls: {}\n", written.error().message);
-      return kCannotCreate;
-    }
-  }
+  const ExitCode handed_out = hand_out(arguments.reports, to_junit(suite), to_annotations(suite));
+  if (handed_out != kDone) return handed_out;
   if (arguments.bless) {
     const auto blessed = bless(suite);
     if (!blessed) {
@@ -328,9 +315,8 @@ void add_test_command(CLI::App& app, int& exit_code) {
   command->add_option("--shard", a.shard, "K/N: the K-th of N parts");
   command->add_option("--jobs", a.jobs, "runs at once (processors; 1 against your Playmaker)")
       ->check(CLI::Range(1, 1000));
-  command->add_option("--junit", a.junit, "write a JUnit report");
+  add_ci_options(*command, a.reports);
   command->add_flag("--json", a.json, "print the result document, nothing else");
-  command->add_flag("--github", a.github, "annotations on stderr (on by itself in GitHub Actions)");
   command->add_option("--dir", a.folder, "where failing runs are kept (runs/test)");
   command->add_flag("--bless", a.bless, "take what golden checks find as right");
   command->add_flag("--list", a.list, "only names and descriptions");

@@ -56,6 +56,11 @@ Result<std::unique_ptr<LockstepMatch>> LockstepMatch::create(
       options);
   if (!right) return right.error();
   match->right_ = std::move(*right);
+  if (host != nullptr) {
+    auto guests = ForeignGuests::create(options, names, *match->server_, *host, folder);
+    if (!guests) return guests.error();
+    match->guests_ = *std::move(guests);
+  }
   if (!options.trainer) return match;
   auto trainer = MatchSide::create(
       *options.trainer, {soccer::Side::kNeutral, names.left, seed, folder, host, {}}, options);
@@ -88,6 +93,7 @@ void LockstepMatch::wait_for(MatchSide& side) {
   constexpr std::chrono::milliseconds kLook{20};
   while (!side.worker().wait_for(kLook)) {
     check_programs();
+    if (guests_ != nullptr && !playing_ && !ended()) guests_->pass_time();
     const auto limit = watch_.exceeded();
     if (!limit || ended()) continue;
     const bool at_fault = *limit == EndReason::kRefused || *limit == EndReason::kStalled;
@@ -107,6 +113,7 @@ void LockstepMatch::wait_for(MatchSide& side) {
 // A Playmaker that died is told as such, with its last words, before anything is made of the calls
 // that fail because of it.
 void LockstepMatch::check_programs() {
+  check_guests();
   for (MatchSide* side : sides()) {
     if (ended() || side->program() == nullptr || !side->program()->ended()) continue;
     // Whoever ends us may have ended the Playmaker in the same breath.
@@ -122,7 +129,47 @@ void LockstepMatch::check_programs() {
   }
 }
 
+void LockstepMatch::check_guests() {
+  if (guests_ == nullptr || ended()) return;
+  auto loss = guests_->loss();
+  if (!loss || watch_.interrupted_within(kSignalsTogether)) return;
+  const MatchSide& side = loss->side == soccer::Side::kLeft ? *left_ : *right_;
+  failure_ = std::move(loss->failure);
+  const std::string when =
+      playing_ ? fmt::format("at cycle {}", server_->world().clock.time) : "before the match";
+  end(playing_ ? EndReason::kCrashed : EndReason::kRefused,
+      fmt::format("{} ({}): {} ({})", side.name(), side.endpoint().text, loss->what, when), &side);
+}
+
+// Foreign agents have as long as a Playmaker, and are missed as often.
+void LockstepMatch::wait_for_guests() {
+  constexpr std::chrono::milliseconds kLook{20};
+  if (guests_ == nullptr || ended()) return;
+  const auto limit = decision_deadline(options_);
+  const Clock::time_point asked = Clock::now();
+  while (!guests_->answered(Clock::now() + kLook)) {
+    check_guests();
+    if (ended() || watch_.exceeded()) return;
+    if (!limit || Clock::now() < asked + *limit) continue;
+    if (++cycles_without_guests_ > options_.max_missed) {
+      const MatchSide& side = guests_->has(soccer::Side::kLeft) ? *left_ : *right_;
+      end(EndReason::kLate,
+          fmt::format("{} ({}): not all its players said (done) in {} cycles in a row, up to "
+                      "cycle {}",
+                      side.name(), side.endpoint().text, cycles_without_guests_,
+                      server_->world().clock.time),
+          &side);
+    }
+    return;
+  }
+  cycles_without_guests_ = 0;
+}
+
 void LockstepMatch::end_programs() {
+  if (guests_ != nullptr) {
+    guests_->end();
+    processes_ = guests_->results();
+  }
   for (MatchSide* side : sides()) {
     if (side->program() != nullptr) side->program()->child().end(kProgramGrace);
   }
@@ -143,6 +190,10 @@ void LockstepMatch::run_on_all(const std::function<void(MatchSide&)>& work) {
 void LockstepMatch::connect(MatchObserver& observer) {
   observer.on_phase("connecting the players");
   for (MatchSide* side : sides()) {
+    if (!side->endpoint().has_playmaker()) {
+      join_guests(*side, observer);
+      continue;
+    }
     const auto connected = connect(*side);
     if (!connected) end(EndReason::kServerFailed, connected.error().message);
   }
@@ -165,6 +216,27 @@ Result<void> LockstepMatch::connect(MatchSide& side) {
   if (!options_.coach) return {};
   return team.connect_coach(soccer::CoachRole::kOnlineCoach, open(simulator::Door::kOnlineCoach),
                             serve);
+}
+
+void LockstepMatch::join_guests(const MatchSide& side, MatchObserver& observer) {
+  observer.on_phase(fmt::format("{} joins", side.name()));
+  const soccer::Side which = &side == left_.get() ? soccer::Side::kLeft : soccer::Side::kRight;
+  const std::string who = fmt::format("{} ({}): ", side.name(), side.endpoint().text);
+  while (!ended() && !guests_->joined(which)) {
+    if (const auto step = guests_->join(which); !step) {
+      end(EndReason::kRefused, who + step.error().message, &side);
+    }
+    guests_->pass_time();
+    check_guests();
+    if (const auto limit = watch_.exceeded()) {
+      const bool late = *limit == EndReason::kRefused;
+      end(*limit,
+          late ? fmt::format("{}{} within the start limit of {} s", who,
+                             guests_->waiting_for(which), options_.start_timeout_s)
+               : describe_limit(*limit, options_),
+          late ? &side : nullptr);
+    }
+  }
 }
 
 void LockstepMatch::introduce(MatchObserver& observer) {
@@ -282,6 +354,7 @@ void LockstepMatch::play_cycles(MatchObserver& observer, MatchChronicle& chronic
     const Clock::time_point asked = Clock::now();
     times_.simulator += seconds_between(now, asked);
     run_on_all([](MatchSide& side) { side.team().run_cycle(); });
+    wait_for_guests();
     now = Clock::now();
     times_.sides += seconds_between(asked, now);
     check_programs();
@@ -306,6 +379,7 @@ void LockstepMatch::play(MatchObserver& observer, MatchChronicle& chronicle) {
   pass_on_warnings(observer);
   playing_ = !ended();
   if (playing_) arrange();
+  if (playing_ && guests_ != nullptr) guests_->begin();
   if (playing_) play_cycles(observer, chronicle);
   end(EndReason::kFinished, "");
   server_->finish();
@@ -323,6 +397,10 @@ MatchResult LockstepMatch::result() const {
     const simulator::Team& team = world.team(side);
     TeamResult& told = side == soccer::Side::kLeft ? result.left : result.right;
     told.score = team.score;
+    if (guests_ != nullptr && guests_->has(side)) {
+      told.cpu_seconds = guests_->cpu_seconds(side);
+      result.deterministic = false;
+    }
     if (team.penalty_kicks > 0) told.penalty_score = team.penalty_goals;
     for (const PlayerResult& player : told.players) {
       if (player.missed > 0 || player.reconnects > 0) result.deterministic = false;

@@ -11,6 +11,7 @@
 
 #include "gamelog/byte_sink.h"
 #include "orchestration/deadline_watch.h"
+#include "orchestration/foreign_guests.h"
 #include "orchestration/match_chronicle.h"
 #include "orchestration/match_director.h"
 #include "orchestration/match_observer.h"
@@ -27,7 +28,8 @@ simulator::MatchConfig server_config(const MatchOptions& options, std::uint64_t 
 
 /// One match in lockstep. Use: create, record, play once, then read result(). The two sides run on
 /// threads of their own, the server on the caller's, never at the same time; so what happens
-/// depends on seed, parameters and the Playmakers' answers only.
+/// depends on seed, parameters and the Playmakers' answers only. Foreign teams play along over UDP:
+/// what happens then depends on their commands too.
 class LockstepMatch {
  public:
   /// Where a match's wall time went, in seconds.
@@ -37,8 +39,8 @@ class LockstepMatch {
     double play = 0.0;       ///< from the first step to the last
   };
 
-  /// `host` starts the programs of `run:` sides, with their logs in `folder`; nullptr when no side
-  /// needs it. It must outlive the match.
+  /// `host` starts the programs of `run:` and `team:` sides, with their logs in `folder`; nullptr
+  /// when no side needs it. It must outlive the match.
   static soccer::Result<std::unique_ptr<LockstepMatch>> create(
       const MatchOptions& options, const TeamNames& names, std::uint64_t seed,
       const std::atomic<int>& stop_signal, ProcessHost* host = nullptr,
@@ -69,6 +71,7 @@ class LockstepMatch {
       : options_(options), seed_(seed), watch_(options, stop_signal) {}
 
   void connect(MatchObserver& observer);
+  void join_guests(const MatchSide& side, MatchObserver& observer);
   void introduce(MatchObserver& observer);
   void arrange();
   void open_to_monitors(MatchObserver& observer);
@@ -82,6 +85,8 @@ class LockstepMatch {
   soccer::Result<void> connect(MatchSide& side);
   void cancel_calls();
   void wait_for(MatchSide& side);
+  void wait_for_guests();
+  void check_guests();
   void check_programs();
   void end_programs();
   void end(EndReason reason, std::string message, const MatchSide* at_fault = nullptr);
@@ -98,7 +103,9 @@ class LockstepMatch {
   std::unique_ptr<simulator::LockstepServer> server_;
   std::unique_ptr<MatchSide> left_;
   std::unique_ptr<MatchSide> right_;
-  std::unique_ptr<MatchSide> trainer_;  ///< null: none
+  std::unique_ptr<MatchSide> trainer_;     ///< null: none
+  std::unique_ptr<ForeignGuests> guests_;  ///< null: both sides are ours
+  int cycles_without_guests_ = 0;          ///< in a row, in which they did not answer
   std::vector<MatchDirector*> directors_;
   bool playing_ = false;
   std::optional<EndReason> end_reason_;

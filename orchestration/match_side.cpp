@@ -20,7 +20,8 @@ proxy::TeamOptions team_options(const SideSetup& setup, const Endpoint& endpoint
                                 const MatchOptions& options) {
   proxy::TeamOptions team;
   team.name = soccer::TeamName(setup.name);
-  if (setup.side == soccer::Side::kNeutral) team.players = 0;
+  // A trainer has none, and of a foreign team's side there is only the name (see ForeignGuests).
+  if (setup.side == soccer::Side::kNeutral || !endpoint.has_playmaker()) team.players = 0;
   team.formations =
       setup.side == soccer::Side::kRight ? options.right_formations : options.left_formations;
   team.protocol = options.protocol;
@@ -85,6 +86,8 @@ Result<std::unique_ptr<MatchSide>> MatchSide::create(const Endpoint& endpoint,
     target.host = "localhost";
     target.port = side->program_->port();
     side->playmaker_ = proxy::make_grpc_playmaker(target);
+  } else if (endpoint.kind == Endpoint::Kind::kTeam) {
+    side->playmaker_ = proxy::make_grpc_playmaker(proxy::GrpcTarget());  // nobody asks it
   } else {
     side->playmaker_ = proxy::make_grpc_playmaker(target_of(endpoint));
   }

@@ -1,12 +1,17 @@
 // Escaping the characters that XML reads as its own.
 #include "orchestration/xml.h"
 
+#include <algorithm>
+
+#include "orchestration/utf8.h"
+
 namespace cls::orchestration {
 
 std::string xml_escaped(std::string_view text) {
   std::string escaped;
-  for (const char c : text) {
-    switch (c) {
+  while (!text.empty()) {
+    const std::size_t length = utf8_length(text);
+    switch (const char c = text.front()) {
       case '&':
         escaped += "&amp;";
         break;
@@ -20,8 +25,13 @@ std::string xml_escaped(std::string_view text) {
         escaped += "&quot;";
         break;
       default:
-        escaped += static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\t' ? '?' : c;
+        if (length == 0 || (static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\t')) {
+          escaped += '?';
+        } else {
+          escaped += text.substr(0, length);
+        }
     }
+    text.remove_prefix(std::max<std::size_t>(length, 1));
   }
   return escaped;
 }

@@ -6,8 +6,8 @@
 
 namespace cls::orchestration {
 
-/// For the content of an element and for a value in double quotes. Control characters that XML
-/// cannot hold at all become '?'.
+/// For the content of an element and for a value in double quotes. What XML cannot hold at all,
+/// control characters and bytes that are no UTF-8, becomes '?'.
 std::string xml_escaped(std::string_view text);
 
 }  // namespace cls::orchestration

@@ -4,8 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <nlohmann/json.hpp>
 #include <utility>
+
+#include "orchestration/github.h"
+#include "orchestration/junit.h"
 
 namespace cls::orchestration {
 namespace {
@@ -26,6 +30,14 @@ const char* name(StepResult result) {
 Finding pass(std::string evidence) { return {StepResult::kPass, std::move(evidence)}; }
 Finding fail(std::string evidence) { return {StepResult::kFail, std::move(evidence)}; }
 Finding skip(std::string evidence) { return {StepResult::kSkip, std::move(evidence)}; }
+
+void take(CheckStep& step, const std::function<Finding()>& run) {
+  const auto start = std::chrono::steady_clock::now();
+  Finding found = run();
+  step.result = found.result;
+  step.evidence = std::move(found.evidence);
+  step.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
 
 int CheckReport::count(StepResult result) const {
   return static_cast<int>(std::count_if(
@@ -60,6 +72,36 @@ std::string to_json(const CheckReport& report) {
                      {"why", step.why}});
   }
   return document.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
+std::string to_junit(const CheckReport& report) {
+  std::vector<JunitCase> cases;
+  for (const CheckStep& step : report.steps) {
+    JunitCase& one = cases.emplace_back();
+    one.group = fmt::format("{} {}", report.command, report.subject);
+    one.name = step.name;
+    one.seconds = step.seconds;
+    if (step.result == StepResult::kPass) {
+      one.text = step.evidence;
+      continue;
+    }
+    const bool failed = step.result == StepResult::kFail;
+    one.result = failed ? JunitCase::Result::kFailed : JunitCase::Result::kSkipped;
+    one.message = step.evidence;
+    if (failed) one.type = "step";
+    if (failed) one.text = fmt::format("{}\nwhy: {}\n", step.evidence, step.why);
+  }
+  return junit(report.command, cases);
+}
+
+std::string to_annotations(const CheckReport& report) {
+  std::string text;
+  for (const CheckStep& step : report.steps) {
+    if (step.result != StepResult::kFail) continue;
+    text += github_error({}, fmt::format("{} {}: {}", report.command, report.subject, step.name),
+                         fmt::format("{}\nwhy: {}", step.evidence, step.why));
+  }
+  return text;
 }
 
 }  // namespace cls::orchestration

@@ -1,6 +1,7 @@
 // Named steps of a conformance check: what was tried, what came of it, why it matters.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -22,10 +23,15 @@ struct CheckStep {
   std::string why;   ///< one sentence: why it matters
   StepResult result = StepResult::kSkip;
   std::string evidence;  ///< what was seen
+  double seconds = 0.0;  ///< that it took
 };
+
+/// Takes a step: what it finds, and how long that takes, is written down.
+void take(CheckStep& step, const std::function<Finding()>& run);
 
 struct CheckReport {
   std::string schema;   ///< of the JSON document
+  std::string command;  ///< "cls check playmaker"
   std::string subject;  ///< what was checked, as the user named it
   std::vector<CheckStep> steps;
 
@@ -38,5 +44,8 @@ std::string to_text(const CheckStep& step);
 /// The last line: how many steps passed.
 std::string summary(const CheckReport& report);
 std::string to_json(const CheckReport& report);
+std::string to_junit(const CheckReport& report);
+/// Annotations of GitHub Actions, one for each failed step.
+std::string to_annotations(const CheckReport& report);
 
 }  // namespace cls::orchestration

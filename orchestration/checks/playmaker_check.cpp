@@ -116,15 +116,14 @@ soccer::Result<CheckReport> check_playmaker(const PlaymakerCheckOptions& options
   if (const auto prepared = prepare(options, around, subject); !prepared) return prepared.error();
   CheckReport report;
   report.schema = "cls.check/1";
+  report.command = "cls check playmaker";
   report.subject = options.endpoint.text;
   for (const PlaymakerStep& step : steps_to_take(options.only)) {
     CheckStep& taken = report.steps.emplace_back();
     taken.name = step.name;
     taken.why = step.why;
     const std::string why_not = hopeless(around, report, stop);
-    Finding found = why_not.empty() ? step.run(subject) : skip(why_not);
-    taken.result = found.result;
-    taken.evidence = std::move(found.evidence);
+    take(taken, [&] { return why_not.empty() ? step.run(subject) : skip(why_not); });
     if (taken.result == StepResult::kFail && around.program != nullptr) {
       taken.evidence += around.program->port_hint();
     }

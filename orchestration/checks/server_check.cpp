@@ -66,6 +66,7 @@ soccer::Result<CheckReport> check_server(const ServerCheckOptions& options,
   if (const auto prepared = prepare(options, server, subject); !prepared) return prepared.error();
   CheckReport report;
   report.schema = "cls.check/1";
+  report.command = "cls check server";
   report.subject = options.server.text;
   std::vector<ServerStep> steps = server_connection_steps();
   for (const ServerStep& step : server_play_steps()) steps.push_back(step);
@@ -74,9 +75,7 @@ soccer::Result<CheckReport> check_server(const ServerCheckOptions& options,
     taken.name = step.name;
     taken.why = step.why;
     const std::string why_not = hopeless(server, report, stop);
-    Finding found = why_not.empty() ? step.run(subject) : skip(why_not);
-    taken.result = found.result;
-    taken.evidence = std::move(found.evidence);
+    take(taken, [&] { return why_not.empty() ? step.run(subject) : skip(why_not); });
     on_step(taken);
   }
   return report;

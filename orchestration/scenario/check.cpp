@@ -241,8 +241,11 @@ std::string failure(const MissedCheck& check, const RunRecord& record) {
 std::string failure(const EndCheck& check, const RunRecord& record) {
   const std::string_view reason = name(record.result.end_reason);
   if (reason == check.reason) return {};
-  return fmt::format("the run ended as {}, not {}{}{}", reason, check.reason,
-                     record.result.message.empty() ? "" : ": ", record.result.message);
+  const auto& failure = record.result.failure;
+  const bool spoke = failure && !failure->output.empty();
+  return fmt::format("the run ended as {}, not {}{}{}{}", reason, check.reason,
+                     record.result.message.empty() ? "" : ": ", record.result.message,
+                     spoke ? "; its last words: " + failure->output.back() : "");
 }
 
 std::string failure(const GoldenCheck& check, const RunRecord& record) {
@@ -311,6 +314,20 @@ bool StepTest::holds(const StepFrame& frame, const RunRecord& record) const {
 
 std::string failure(const Check& check, const RunRecord& record) {
   return std::visit([&record](const auto& what) { return failure(what, record); }, check.what);
+}
+
+std::optional<Side> playmaker_of(const Check& check) {
+  return std::visit(
+      [](const auto& what) -> std::optional<Side> {
+        using What = std::decay_t<decltype(what)>;
+        if constexpr (std::is_same_v<What, ActionCheck> || std::is_same_v<What, CommandCheck> ||
+                      std::is_same_v<What, RpcCheck> || std::is_same_v<What, LatencyCheck>) {
+          return what.side;
+        } else {
+          return std::nullopt;
+        }
+      },
+      check.what);
 }
 
 std::string fingerprint(const GoldenCheck& check, const RunRecord& record) {

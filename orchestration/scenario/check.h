@@ -142,6 +142,10 @@ struct Check {
 /// Empty when it holds, else what was found instead.
 std::string failure(const Check& check, const RunRecord& record);
 
+/// The side whose Playmaker, or whose agents, a check looks into: nothing for checks that a foreign
+/// team's side can pass too.
+std::optional<soccer::Side> playmaker_of(const Check& check);
+
 /// What a golden check compares.
 std::string fingerprint(const GoldenCheck& check, const RunRecord& record);
 

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "orchestration/scenario/areas.h"
+#include "orchestration/scenario/referee_words.h"
 #include "orchestration/scenario/scenario.h"
 #include "proto/playmaker.pb.h"
 #include "soccer/side_name.h"
@@ -226,6 +227,10 @@ Parsed parse_referee(const JsonValue& json) {
   if (const auto known = only(json, {"referee", "count"}); !known) return known.error();
   const auto word = json["referee"].string();
   if (!word) return word.error();
+  if (!is_referee_word(*word)) {
+    return json["referee"].error(fmt::format("the referee never says '{}'{}", *word,
+                                             mock_server::did_you_mean(*word, referee_words())));
+  }
   const auto count = parse_count(json);
   if (!count) return count.error();
   return {RefereeCheck{*word, *count}};

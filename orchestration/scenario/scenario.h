@@ -11,6 +11,7 @@
 
 #include "orchestration/endpoint.h"
 #include "orchestration/scenario/check.h"
+#include "proxy/player_agent.h"
 #include "soccer/geometry.h"
 #include "soccer/play_mode.h"
 #include "soccer/player_params.h"
@@ -25,7 +26,13 @@ struct StartingPlace {
   soccer::Vec2 velocity;
   std::optional<double> body;  ///< degrees on the pitch; else towards the other goal
   std::optional<double> stamina;
+  int cards = 0;  ///< 1: has been shown the yellow card
 };
+
+/// Why a check about calls, actions, commands or latencies is not for a `team:` side.
+inline constexpr const char* kForeignTeamHasNoPlaymaker =
+    "a foreign team has no Playmaker: neither its actions, commands and calls nor their times are "
+    "known, only what happens on the pitch";
 
 struct ScenarioSide {
   Endpoint playmaker;
@@ -58,6 +65,7 @@ struct Scenario {
   std::vector<StepTest> until;  ///< any of them ends the run
   int rpc_deadline_ms = 10'000;
   int max_missed = 20;
+  proxy::OnLate on_late = proxy::OnLate::kHold;
 
   std::vector<Check> checks;
 };

@@ -35,7 +35,7 @@ constexpr std::array<Vec2, soccer::kPlayersPerTeam> kKickOffPlaces = {{{-50.0, 0
 
 StartingPlace kick_off_place(Side side, int unum) {
   const Vec2 place = kKickOffPlaces[static_cast<std::size_t>(unum - 1)];
-  return {side == Side::kLeft ? place : -place, {}, {}, {}};
+  return {side == Side::kLeft ? place : -place, {}, {}, {}, 0};
 }
 
 ObjectFrame frame_of(const simulator::Player& player) {
@@ -119,7 +119,10 @@ void ScenarioDirector::place_side(World& world, Events& events, Side side) const
     const StartingPlace place = placed.empty() ? kick_off_place(side, unum) : found->second;
     const double body = place.body.value_or(side == Side::kLeft ? 0.0 : 180.0);
     simulator::move_player(world, slot, place.position, body, place.velocity, events);
-    if (place.stamina) world.player(slot).stamina.value = *place.stamina;
+    simulator::Player& player = world.player(slot);
+    if (place.stamina) player.stamina.value = *place.stamina;
+    player.cards = place.cards;
+    if (place.cards > 0) player.state |= simulator::state::kYellowCard;
   }
 }
 

@@ -78,7 +78,7 @@ Result<void> parse_seeds(const JsonValue& json, Scenario& scenario) {
 }
 
 Result<StartingPlace> parse_place(const JsonValue& json) {
-  if (const auto keys = json.object_of({"at", "velocity", "body", "stamina"}); !keys) {
+  if (const auto keys = json.object_of({"at", "velocity", "body", "stamina", "cards"}); !keys) {
     return keys.error();
   }
   StartingPlace place;
@@ -97,6 +97,11 @@ Result<StartingPlace> parse_place(const JsonValue& json) {
     if (!value) return value.error();
     *member = *value;
   }
+  if (json.has("cards")) {
+    const auto cards = json["cards"].integer(0, 1);
+    if (!cards) return cards.error();
+    place.cards = *cards;
+  }
   return place;
 }
 
@@ -114,10 +119,8 @@ Result<void> parse_playmaker(const JsonValue& json, Endpoint& endpoint) {
   if (!text) return text.error();
   auto parsed = parse_endpoint(*text);
   if (!parsed) return json.error(parsed.error().message);
-  if (!parsed->has_playmaker()) {
-    return json.error("a scenario is played in lockstep: it needs a Playmaker, not a foreign team");
-  }
   endpoint = *std::move(parsed);
+  if (endpoint.kind == Endpoint::Kind::kTeam) endpoint.path = (folder / endpoint.path).string();
   if (endpoint.kind != Endpoint::Kind::kMock) return {};
   if (mock_server::names_script(endpoint.behaviour)) {
     endpoint.behaviour = (folder / endpoint.behaviour).string();
@@ -204,6 +207,13 @@ Result<void> parse_run(const JsonValue& json, Scenario& scenario) {
     if (!value) return value.error();
     *member = *value;
   }
+  if (json.has("on_late")) {
+    const auto word = json["on_late"].word({"hold", "last", "default"});
+    if (!word) return word.error();
+    scenario.on_late = *word == "hold"   ? proxy::OnLate::kHold
+                       : *word == "last" ? proxy::OnLate::kLast
+                                         : proxy::OnLate::kDefault;
+  }
   if (!json.has("until")) return {};
   const JsonValue until = json["until"];
   for (std::size_t i = 0; i < (until.is_list() ? until.size() : 1); ++i) {
@@ -250,6 +260,10 @@ Result<void> parse_checks(const JsonValue& json, const Json& golden, Scenario& s
     auto check = parse_check(expect[i], scenario.steps, golden);
     if (!check) return check.error();
     if (auto* rpc = std::get_if<RpcCheck>(&check->what)) rpc->index = rpcs++;
+    const auto asked = playmaker_of(*check);
+    if (asked && !scenario.sides[index_of(*asked)].playmaker.has_playmaker()) {
+      return expect[i].error(kForeignTeamHasNoPlaymaker);
+    }
     scenario.checks.push_back(*std::move(check));
   }
   add_implied_checks(scenario, expect);
@@ -260,10 +274,11 @@ Result<void> parse_checks(const JsonValue& json, const Json& golden, Scenario& s
 
 Result<Scenario> parse_scenario(const JsonText& text, const Json& golden) {
   const JsonValue json(text);
-  const auto keys = json.object_of({"about",  "seed",  "seeds",           "noise",      "server",
-                                    "player", "mode",  "cycle",           "score",      "ball",
-                                    "left",   "right", "under_test",      "coach",      "trainer",
-                                    "steps",  "until", "rpc_deadline_ms", "max_missed", "expect"});
+  const auto keys =
+      json.object_of({"about",      "seed",    "seeds",   "noise", "server", "player",
+                      "mode",       "cycle",   "score",   "ball",  "left",   "right",
+                      "under_test", "coach",   "trainer", "steps", "until",  "rpc_deadline_ms",
+                      "max_missed", "on_late", "expect"});
   if (!keys) return keys.error();
   Scenario scenario;
   scenario.file = scenario.argument = text.name();

@@ -29,6 +29,11 @@ MatchOptions match_options(const Scenario& scenario, const RunSettings& settings
   options.player = scenario.player;
   options.rpc_deadline_ms = scenario.rpc_deadline_ms;
   options.max_missed = scenario.max_missed;
+  options.on_late = scenario.on_late;
+  // Eleven programs, one after the other, on a machine that may be busy.
+  constexpr double kTimeToJoin = 60.0;
+  const bool guests = !options.left.has_playmaker() || !options.right.has_playmaker();
+  if (guests) options.start_timeout_s = kTimeToJoin;
   return options;
 }
 

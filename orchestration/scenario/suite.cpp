@@ -22,26 +22,38 @@ struct RunOutcome {
   std::vector<std::string> failures;  ///< by check; empty: held
   std::vector<std::string> script_failures;
   std::vector<std::string> fingerprints;
-  std::string folder;  ///< where its logs are, when something did not hold
+  bool against = false;  ///< it speaks against a check
+  std::string folder;    ///< where its logs are, when it is not good
   double seconds = 0.0;
 
-  bool good() const {
-    return problem.empty() && script_failures.empty() &&
-           std::all_of(failures.begin(), failures.end(),
-                       [](const std::string& line) { return line.empty(); });
-  }
+  bool good() const { return problem.empty() && script_failures.empty() && !against; }
 };
+
+// Whether a single run is as the check does not want it. Of a check that is to hold in some runs
+// only, one that did not hold is; of one that is to hold in none, one that did.
+bool speaks_against(const Check& check, bool held) {
+  if (!check.runs) return !held;
+  const bool may_fail_in_all = check.runs->holds(0.0);
+  return held ? may_fail_in_all && !check.runs->holds(1.0) : !may_fail_in_all;
+}
+
+bool starts_programs(const Scenario& scenario, const SuiteOptions& options) {
+  return (options.against && options.against->starts_programs()) ||
+         scenario.sides[0].playmaker.starts_programs() ||
+         scenario.sides[1].playmaker.starts_programs();
+}
 
 class SuiteRun {
  public:
   SuiteRun(const std::vector<Scenario>& scenarios, const SuiteOptions& options,
            const std::function<void(const ScenarioVerdict&)>& on_done,
-           const std::atomic<int>& stop_signal, ProcessHost* host)
+           const std::atomic<int>& stop_signal, ProcessHost* host, std::string host_problem)
       : scenarios_(scenarios),
         options_(options),
         on_done_(on_done),
         stop_signal_(stop_signal),
-        host_(host) {
+        host_(host),
+        host_problem_(std::move(host_problem)) {
     for (const Scenario& scenario : scenarios) {
       verdicts_.scenarios.emplace_back().scenario = &scenario;
       outcomes_.emplace_back();
@@ -74,12 +86,33 @@ class SuiteRun {
       on_done_(verdict);
       return;
     }
+    if (const Check* check = unknown_of_guests(scenario)) {
+      verdict.verdict = Verdict::kSkipped;
+      verdict.reason = fmt::format("line {}: {}", check->line, kForeignTeamHasNoPlaymaker);
+      on_done_(verdict);
+      return;
+    }
     verdict.seeds = options_.seed ? std::vector<std::uint64_t>{*options_.seed} : scenario.seeds;
     outcomes_[index].resize(verdict.seeds.size());
     open_[index] = verdict.seeds.size();
     for (std::size_t run = 0; run < verdict.seeds.size(); ++run) {
       tasks_.push_back({index, run, verdict.seeds[run]});
     }
+  }
+
+  // The first check that cannot be asked when a foreign team plays the side under test.
+  const Check* unknown_of_guests(const Scenario& scenario) const {
+    if (!options_.against || options_.against->has_playmaker()) return nullptr;
+    for (const Check& check : scenario.checks) {
+      if (playmaker_of(check) == scenario.under_test) return &check;
+    }
+    return nullptr;
+  }
+
+  bool has_guests(const Scenario& scenario) const {
+    return (options_.against && !options_.against->has_playmaker()) ||
+           !scenario.sides[0].playmaker.has_playmaker() ||
+           !scenario.sides[1].playmaker.has_playmaker();
   }
 
   void work() {
@@ -100,12 +133,20 @@ class SuiteRun {
 
   void play(const Task& task, RunOutcome& outcome) {
     const Scenario& scenario = scenarios_[task.scenario];
+    if (host_ == nullptr && starts_programs(scenario, options_)) {
+      outcome.problem = host_problem_;
+      return;
+    }
     RunSettings settings;
     settings.seed = task.seed;
     settings.against = options_.against;
     settings.host = host_;
-    settings.folder = options_.folder / fmt::format("{}-seed-{}", scenario.name, task.seed);
+    settings.folder =
+        fs::absolute(options_.folder / fmt::format("{}-seed-{}", scenario.name, task.seed));
     if (host_ != nullptr) fs::create_directories(settings.folder);
+    // Teams that know one port only cannot play two matches at once.
+    const auto alone =
+        has_guests(scenario) ? std::unique_lock(guests_) : std::unique_lock<std::mutex>();
     const auto record = run_scenario(scenario, settings, stop_signal_);
     if (!record) {
       outcome.problem = record.error().message;
@@ -115,11 +156,14 @@ class SuiteRun {
     outcome.script_failures = record->script_failures;
     for (const Check& check : scenario.checks) {
       outcome.failures.push_back(failure(check, *record));
+      if (speaks_against(check, outcome.failures.back().empty())) outcome.against = true;
       if (const auto* golden = std::get_if<GoldenCheck>(&check.what)) {
         outcome.fingerprints.push_back(fingerprint(*golden, *record));
       }
     }
-    if (!outcome.good()) keep(settings.folder, *record, outcome);
+    if (!outcome.good()) {
+      keep(options_.folder / settings.folder.filename(), *record, outcome);
+    }
   }
 
   static void keep(const fs::path& folder, const RunRecord& record, RunOutcome& outcome) {
@@ -165,7 +209,7 @@ class SuiteRun {
       verdict.verdict = Verdict::kSkipped;
     } else if (!good) {
       verdict.verdict = Verdict::kFailed;
-      // Too many runs may have held a check that is to hold in a few only.
+      // It may be that no single run is to blame, but their number.
       auto bad =
           std::find_if(runs.begin(), runs.end(), [](const RunOutcome& run) { return !run.good(); });
       if (bad == runs.end()) bad = runs.begin();
@@ -175,7 +219,7 @@ class SuiteRun {
     on_done_(verdict);
   }
 
-  // How many of its runs hold a check says nothing where one seed was asked for: that run has to.
+  // How many runs hold a check says nothing where one seed was asked for: that run is judged alone.
   static CheckVerdict conclude_check(const Check& check, std::size_t index,
                                      const std::vector<RunOutcome>& runs, bool one_seed) {
     const bool counts = check.runs && !one_seed;
@@ -192,8 +236,10 @@ class SuiteRun {
         verdict.detail = run.failures[index];
       }
     }
-    verdict.passed = counts ? check.runs->holds(static_cast<double>(verdict.held))
-                            : verdict.held == verdict.runs;
+    verdict.passed = counts              ? check.runs->holds(static_cast<double>(verdict.held))
+                     : verdict.runs == 0 ? true
+                                         : !speaks_against(check, verdict.held == verdict.runs);
+    if (!verdict.passed && verdict.detail.empty()) verdict.detail = "held";
     if (counts && !verdict.passed) {
       verdict.detail =
           fmt::format("held in {} of {} runs, not {}{}{}", verdict.held, verdict.runs,
@@ -224,22 +270,16 @@ class SuiteRun {
   const std::function<void(const ScenarioVerdict&)>& on_done_;
   const std::atomic<int>& stop_signal_;
   ProcessHost* host_;
+  std::string host_problem_;  ///< why there is none although programs are to be started
 
   std::vector<Task> tasks_;
   std::atomic<std::size_t> next_{0};
+  std::mutex guests_;  ///< of runs with foreign teams
   std::mutex mutex_;
   std::vector<std::vector<RunOutcome>> outcomes_;
   std::vector<std::size_t> open_;  ///< runs to come, by scenario
   SuiteVerdict verdicts_;
 };
-
-bool starts_programs(const std::vector<Scenario>& scenarios, const SuiteOptions& options) {
-  if (options.against && options.against->starts_programs()) return true;
-  return std::any_of(scenarios.begin(), scenarios.end(), [](const Scenario& scenario) {
-    return scenario.sides[0].playmaker.starts_programs() ||
-           scenario.sides[1].playmaker.starts_programs();
-  });
-}
 
 }  // namespace
 
@@ -253,11 +293,15 @@ SuiteVerdict run_suite(const std::vector<Scenario>& scenarios, const SuiteOption
                        const std::function<void(const ScenarioVerdict&)>& on_done,
                        const std::atomic<int>& stop_signal) {
   std::optional<ProcessHost> host;
-  if (starts_programs(scenarios, options)) {
+  std::string problem;
+  const auto starts = [&](const Scenario& scenario) { return starts_programs(scenario, options); };
+  if (std::any_of(scenarios.begin(), scenarios.end(), starts)) {
     auto created = ProcessHost::create();
     if (created) host.emplace(*std::move(created));
+    if (!created) problem = created.error().message;
   }
-  return SuiteRun(scenarios, options, on_done, stop_signal, host ? &*host : nullptr).play();
+  return SuiteRun(scenarios, options, on_done, stop_signal, host ? &*host : nullptr, problem)
+      .play();
 }
 
 }  // namespace cls::orchestration

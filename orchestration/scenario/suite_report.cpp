@@ -5,8 +5,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include "orchestration/github.h"
+#include "orchestration/junit.h"
 #include "orchestration/version.h"
-#include "orchestration/xml.h"
 
 namespace cls::orchestration {
 namespace {
@@ -41,16 +42,6 @@ std::string failures(const ScenarioVerdict& verdict) {
   return text;
 }
 
-// GitHub reads % and line ends as escapes; in properties also , and :.
-std::string annotation(std::string_view text, bool property) {
-  std::string escaped;
-  for (const char c : text) {
-    const bool special = c == '%' || c == '\n' || c == '\r' || (property && (c == ',' || c == ':'));
-    escaped += special ? fmt::format("%{:02X}", c) : std::string(1, c);
-  }
-  return escaped;
-}
-
 Json json_of(const CheckVerdict& check) {
   Json json = {{"name", check.name},
                {"line", check.line},
@@ -79,12 +70,6 @@ Json json_of(const ScenarioVerdict& verdict) {
   }
   json["seconds"] = verdict.seconds;
   return json;
-}
-
-double total_seconds(const SuiteVerdict& suite) {
-  double seconds = 0.0;
-  for (const ScenarioVerdict& verdict : suite.scenarios) seconds += verdict.seconds;
-  return seconds;
 }
 
 }  // namespace
@@ -127,35 +112,26 @@ std::string to_json(const SuiteVerdict& suite) {
 }
 
 std::string to_junit(const SuiteVerdict& suite) {
-  const std::string totals =
-      fmt::format("tests=\"{}\" failures=\"{}\" errors=\"0\" skipped=\"{}\" time=\"{:.3f}\"",
-                  suite.scenarios.size(), suite.count(Verdict::kFailed),
-                  suite.count(Verdict::kSkipped), total_seconds(suite));
-  std::string text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
-  text += fmt::format("<testsuites name=\"cls test\" tests=\"{}\" failures=\"{}\" errors=\"0\">\n",
-                      suite.scenarios.size(), suite.count(Verdict::kFailed));
-  text += fmt::format("  <testsuite name=\"cls test\" {}>\n", totals);
+  std::vector<JunitCase> cases;
   for (const ScenarioVerdict& verdict : suite.scenarios) {
     const Scenario& scenario = *verdict.scenario;
-    text +=
-        fmt::format("    <testcase classname=\"scenarios\" name=\"{}\" file=\"{}\" time=\"{:.3f}\"",
-                    xml_escaped(scenario.name), xml_escaped(scenario.file), verdict.seconds);
-    if (verdict.verdict == Verdict::kPassed) {
-      text += "/>\n";
-      continue;
-    }
-    text += ">\n";
+    JunitCase& one = cases.emplace_back();
+    one.group = "scenarios";
+    one.name = scenario.name;
+    one.file = scenario.file;
+    one.seconds = verdict.seconds;
     if (verdict.verdict == Verdict::kSkipped) {
-      text += fmt::format("      <skipped message=\"{}\"/>\n", xml_escaped(verdict.reason));
-    } else {
+      one.result = JunitCase::Result::kSkipped;
+      one.message = verdict.reason;
+    } else if (verdict.verdict == Verdict::kFailed) {
       const std::string lines = failures(verdict);
-      text += fmt::format("      <failure type=\"check\" message=\"{}\">{}again: {}\n</failure>\n",
-                          xml_escaped(lines.substr(0, lines.find('\n'))), xml_escaped(lines),
-                          xml_escaped(verdict.repeat));
+      one.result = JunitCase::Result::kFailed;
+      one.type = "check";
+      one.message = lines.substr(0, lines.find('\n'));
+      one.text = fmt::format("{}again: {}\n", lines, verdict.repeat);
     }
-    text += "    </testcase>\n";
   }
-  return text + "  </testsuite>\n</testsuites>\n";
+  return junit("cls test", cases);
 }
 
 std::string to_annotations(const SuiteVerdict& suite) {
@@ -164,9 +140,8 @@ std::string to_annotations(const SuiteVerdict& suite) {
     if (verdict.verdict != Verdict::kFailed) continue;
     const Scenario& scenario = *verdict.scenario;
     const auto add = [&](int line, const std::string& what) {
-      text += fmt::format("::error file={},line={},title={}::{}\n", annotation(scenario.file, true),
-                          line, annotation("scenario " + scenario.name, true),
-                          annotation(what + "\nagain: " + verdict.repeat, false));
+      text += github_error({scenario.file, line}, "scenario " + scenario.name,
+                           what + "\nagain: " + verdict.repeat);
     };
     for (const CheckVerdict& check : verdict.checks) {
       if (!check.passed) add(check.line, describe(check));

@@ -4,8 +4,8 @@
 #include <iterator>
 
 #include "gamelog/csv_cell.h"
+#include "orchestration/junit.h"
 #include "orchestration/tournament/report_document.h"
-#include "orchestration/xml.h"
 
 namespace cls::orchestration {
 namespace {
@@ -16,27 +16,28 @@ std::string number_or_empty(const std::optional<int>& number) {
   return number ? fmt::to_string(*number) : "";
 }
 
-void add_case(std::string& text, const Report& report, const ScheduledMatch& match) {
+JunitCase junit_case(const Report& report, const ScheduledMatch& match) {
   const Fixture& fixture = match.fixture;
-  auto out = std::back_inserter(text);
-  fmt::format_to(
-      out, "    <testcase classname=\"{}\" name=\"{}\" time=\"{:.3f}\">\n",
-      xml_escaped(fixture.stage.empty() ? fmt::format("round {}", fixture.round) : fixture.stage),
-      xml_escaped(fmt::format("{} {} - {}", fixture.index, report.team(fixture.left),
-                              report.team(fixture.right))),
-      match.outcome ? match.outcome->wall_seconds : 0.0);
+  JunitCase one;
+  one.group = fixture.stage.empty() ? fmt::format("round {}", fixture.round) : fixture.stage;
+  one.name = fmt::format("{} {} - {}", fixture.index, report.team(fixture.left),
+                         report.team(fixture.right));
   if (!match.outcome) {
-    text += "      <skipped message=\"not played\"/>\n";
-  } else if (!match.outcome->played()) {
-    const Outcome& outcome = *match.outcome;
-    const char* kind = outcome.fault ? "failure" : "error";
-    fmt::format_to(out, "      <{} type=\"{}\" message=\"{}\">{}</{}>\n", kind,
-                   xml_escaped(outcome.end_reason), xml_escaped(outcome.message),
-                   xml_escaped("again: " + rerun_line(*report.config, fixture)), kind);
-  } else {
-    fmt::format_to(out, "      <system-out>{}</system-out>\n", xml_escaped(score_text(match)));
+    one.result = JunitCase::Result::kSkipped;
+    one.message = "not played";
+    return one;
   }
-  text += "    </testcase>\n";
+  const Outcome& outcome = *match.outcome;
+  one.seconds = outcome.wall_seconds;
+  if (outcome.played()) {
+    one.text = score_text(match);
+    return one;
+  }
+  one.result = outcome.fault ? JunitCase::Result::kFailed : JunitCase::Result::kError;
+  one.type = outcome.end_reason;
+  one.message = outcome.message;
+  one.text = "again: " + rerun_line(*report.config, fixture);
+  return one;
 }
 
 }  // namespace
@@ -69,23 +70,9 @@ std::string report_csv(const Report& report) {
 }
 
 std::string report_junit(const Report& report) {
-  int failures = 0;
-  int errors = 0;
-  double seconds = 0.0;
-  for (const ScheduledMatch& match : report.matches) {
-    if (!match.outcome) continue;
-    seconds += match.outcome->wall_seconds;
-    if (match.outcome->played()) continue;
-    ++(match.outcome->fault ? failures : errors);
-  }
-  const std::string totals = fmt::format(
-      "name=\"cls tournament\" tests=\"{}\" failures=\"{}\" errors=\"{}\" time=\"{:.3f}\"",
-      report.matches.size(), failures, errors, seconds);
-  std::string text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
-  text += fmt::format("<testsuites {}>\n  <testsuite {} skipped=\"{}\">\n", totals, totals,
-                      report.counts.open);
-  for (const ScheduledMatch& match : report.matches) add_case(text, report, match);
-  return text + "  </testsuite>\n</testsuites>\n";
+  std::vector<JunitCase> cases;
+  for (const ScheduledMatch& match : report.matches) cases.push_back(junit_case(report, match));
+  return junit("cls tournament", cases);
 }
 
 }  // namespace cls::orchestration

@@ -42,10 +42,41 @@ void LockstepServer::answer_requests() {
 
 soccer::Result<int> LockstepServer::open_to_monitors(const std::string& address, int port) {
   match_->let_monitors_only_watch();
-  network_ = std::make_unique<UdpNetwork>(*match_);
-  const auto opened = network_->open(Door::kMonitors, address, port);
+  return open(Door::kMonitors, address, port);
+}
+
+// The door of players is one for monitors too.
+soccer::Result<int> LockstepServer::open_to_players(const std::string& address, int port) {
+  match_->let_monitors_only_watch();
+  return open(Door::kGame, address, port);
+}
+
+soccer::Result<int> LockstepServer::open(Door door, const std::string& address, int port) {
+  if (network_ == nullptr) network_ = std::make_unique<UdpNetwork>(*match_);
+  const auto opened = network_->open(door, address, port);
   if (!opened) return opened.error();
-  return network_->port(Door::kMonitors);
+  return network_->port(door);
+}
+
+bool LockstepServer::wait_for_answers(Time deadline) {
+  const auto enough = [this] {
+    for (ClientId client = 0; client < kFirstMonitor; ++client) {
+      if (awaits(client)) return false;
+    }
+    return true;
+  };
+  network_->receive_until(deadline, enough);
+  return enough();
+}
+
+void LockstepServer::forget_commands() {
+  for (Slot slot = 0; slot < soccer::kPlayersOnPitch; ++slot) {
+    if (Session* player = match_->session(slot)) player->inbox.clear();
+  }
+}
+
+void LockstepServer::receive_until(Time deadline) {
+  network_->receive_until(deadline, [] { return false; });
 }
 
 void LockstepServer::run_cycle() {

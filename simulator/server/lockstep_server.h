@@ -53,6 +53,21 @@ class LockstepServer {
   /// port.
   soccer::Result<int> open_to_monitors(const std::string& address, int port);
 
+  /// Lets players come over UDP too, programs of their own, who take turns like everybody else:
+  /// what happens depends on what they send, not on when it arrives. See wait_for_answers.
+  soccer::Result<int> open_to_players(const std::string& address, int port);
+
+  using Time = UdpNetwork::Time;
+  /// Takes in what comes over UDP until nobody is awaited any more, or until `deadline`. True when
+  /// nobody is.
+  bool wait_for_answers(Time deadline);
+  /// Takes in what comes over UDP until then.
+  void receive_until(Time deadline);
+  /// Drops what players have sent since the last cycle: it was about another situation.
+  void forget_commands();
+  /// True while the client is connected.
+  bool is_connected(ClientId client) { return match_->connection(client) != nullptr; }
+
   /// Executes what the clients have sent, makes one step, tells everybody the new state of the
   /// world and asks them to think.
   void run_cycle();
@@ -83,9 +98,10 @@ class LockstepServer {
     std::unique_ptr<soccer::Channel> channel;
   };
 
+  soccer::Result<int> open(Door door, const std::string& address, int port);
   void collect(ClientId client);
 
-  std::unique_ptr<UdpNetwork> network_;  ///< outlives the monitors' sockets, which the match has
+  std::unique_ptr<UdpNetwork> network_;  ///< outlives the clients' sockets, which the match has
   std::unique_ptr<MatchServer> match_;
   std::vector<Waiting> waiting_;
   std::array<std::int64_t, kFirstMonitor> missed_ = {};

@@ -6,6 +6,8 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/support/command.h"
+#include "tests/support/files.h"
+#include "tests/support/junit.h"
 #include "tests/support/temporary_folder.h"
 
 namespace {
@@ -99,6 +101,21 @@ TEST(CheckPlaymaker, TellsEachFailureByItsExitCode) {
   EXPECT_EQ(check({"nonsense"}).exit_code, 2);
   EXPECT_EQ(check({"mock:nowhere.json"}).exit_code, 65);
   EXPECT_EQ(check({}).exit_code, 2);
+}
+
+TEST(CheckPlaymaker, ReportsToCi) {
+  const TemporaryFolder folder;
+  const std::string file = folder.path() / "junit.xml";
+  const CommandResult result = check({program_line("--unimplemented SendPlayerType"), "--calls",
+                                      "100", "--junit", file, "--github"});
+  EXPECT_EQ(result.exit_code, 1) << result.out << result.err;
+  const std::string xml = cls::tests::read_file(file);
+  EXPECT_NE(xml.find("name=\"all_parameters\""), std::string::npos) << xml;
+  EXPECT_EQ(cls::tests::junit_mistakes(xml).value_or(""), "");
+  EXPECT_NE(result.err.find("::error title=cls check playmaker run"), std::string::npos)
+      << result.err;
+  EXPECT_NE(result.err.find(" all_parameters::"), std::string::npos) << result.err;
+  EXPECT_EQ(check({"mock", "--calls", "10", "--junit", "/no/such/folder/junit.xml"}).exit_code, 73);
 }
 
 }  // namespace

@@ -5,6 +5,9 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/support/command.h"
+#include "tests/support/files.h"
+#include "tests/support/junit.h"
+#include "tests/support/temporary_folder.h"
 
 namespace {
 
@@ -27,7 +30,14 @@ void expect_all_passed(const CommandResult& result) {
 }
 
 TEST(CheckServer, TheEmbeddedServerPassesEveryStep) {
-  expect_all_passed(check({"embedded", "--json"}));
+  const cls::tests::TemporaryFolder folder;
+  const std::string file = folder.path() / "junit.xml";
+  expect_all_passed(check({"embedded", "--json", "--junit", file}));
+  const std::string xml = cls::tests::read_file(file);
+  EXPECT_NE(xml.find("<testsuite name=\"cls check server\" tests=\"32\" failures=\"0\""),
+            std::string::npos)
+      << xml;
+  EXPECT_EQ(cls::tests::junit_mistakes(xml).value_or(""), "");
 }
 
 TEST(CheckServer, TheRealServerPassesEveryStep) {

@@ -29,6 +29,20 @@ TEST(MockCommand, ServesAMatchOnAFreePortAndEndsOnASignal) {
   EXPECT_EQ(mock.finish().exit_code, 143);
 }
 
+TEST(MockCommand, FaultsThatConcernNobodyAreMistakes) {
+  const auto mock = [](std::vector<std::string> flags) {
+    flags.insert(flags.begin(), {cls::tests::cls_binary(), "mock"});
+    return cls::tests::run(flags);
+  };
+  const auto cycles = mock({"--drop", "1", "--fault-cycles", "20", "10"});
+  EXPECT_EQ(cycles.exit_code, 2);
+  EXPECT_EQ(cycles.err, "cls: --fault-cycles: 20 is after 10\n");
+  const auto number = mock({"--drop", "1", "--fault-unum", "7,14"});
+  EXPECT_EQ(number.exit_code, 2);
+  EXPECT_EQ(number.err,
+            "cls: --fault-unum: 14 is no uniform number (1 to 11, 12 coach, 13 trainer)\n");
+}
+
 TEST(MockCommand, UnknownBehavioursAndTakenPortsAreTold) {
   const auto unknown = cls::tests::run({cls::tests::cls_binary(), "mock", "hodl"});
   EXPECT_EQ(unknown.exit_code, 2);

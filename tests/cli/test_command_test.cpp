@@ -11,6 +11,7 @@
 
 #include "tests/support/command.h"
 #include "tests/support/files.h"
+#include "tests/support/junit.h"
 #include "tests/support/temporary_folder.h"
 
 namespace {
@@ -67,6 +68,7 @@ TEST(TestCommand, AFailureIsToldKeptAndRepeatable) {
   EXPECT_NE(failed.out.find("again: cls test " + file + " --seed 5"), std::string::npos);
   EXPECT_EQ(failed.err.rfind("::error file=", 0), 0u) << failed.err;
   EXPECT_NE(cls::tests::read_file(junit).find("<failure "), std::string::npos);
+  EXPECT_EQ(cls::tests::junit_mistakes(cls::tests::read_file(junit)).value_or(""), "");
   const fs::path logs = fs::path(kept) / "no_goal-seed-5";
   EXPECT_TRUE(fs::exists(logs / "match.rcg"));
   const auto results = cls::tests::run({cls_binary(), "results", logs / "match.rcg"});
@@ -118,6 +120,56 @@ TEST(TestCommand, PutsAnotherPlaymakerOnTheSideUnderTest) {
   const auto skipped = cls_test({"referee_goal", "--against", "mock", "--dir", folder.path()});
   EXPECT_EQ(skipped.exit_code, 0);
   EXPECT_NE(skipped.out.find("skip  referee_goal: has no side under test"), std::string::npos);
+}
+
+TEST(TestCommand, AProgramCanTakeTheSideUnderTest) {
+  TemporaryFolder folder;
+  const std::string program = "run:" + cls_binary().string() + " mock --port {port}";
+  const auto played = cls_test({"team_goes_for_the_ball", "team_finds_a_lost_ball", "--against",
+                                program, "--dir", folder.path()});
+  EXPECT_EQ(played.exit_code, 0) << played.out << played.err;
+  EXPECT_NE(played.out.find("2 passed, 0 failed"), std::string::npos) << played.out;
+  const auto gone = cls_test(
+      {"team_goes_for_the_ball", "--against", "run:exit 3 # {port}", "--dir", folder.path()});
+  EXPECT_EQ(gone.exit_code, 1);
+  EXPECT_NE(gone.out.find("the run ended as refused, not finished: left (run:exit 3 # {port}): its "
+                          "process ended before it answered: exit code 3"),
+            std::string::npos)
+      << gone.out;
+}
+
+TEST(TestCommand, ACheckMayHoldInSomeOfTheSeedsOnly) {
+  TemporaryFolder folder;
+  const std::string file = folder.path() / "roll.json";
+  const auto play = [&](const std::string& runs, const std::vector<std::string>& more = {}) {
+    // Noise lets the ball end above or below the line, by seed.
+    std::ofstream(file) << R"({"mode": "play_on", "ball": {"at": [-20, 0], "velocity": [2, 0]},
+      "left": {"playmaker": "mock:hold", "players": {"9": {"at": [-40, 30]}}},
+      "right": {"playmaker": "mock:hold", "players": {"9": {"at": [40, 30]}}},
+      "seeds": 8, "steps": 40, "expect": [{"ball": {"y": {"<": 0}}, "runs": )"
+                        << runs << "}]}";
+    std::vector<std::string> words = {file, "--dir", folder.path() / "kept"};
+    words.insert(words.end(), more.begin(), more.end());
+    return cls_test(words);
+  };
+  EXPECT_EQ(play(R"({"between": [1, 7]})").exit_code, 0);
+  for (const char* runs : {R"({">=": 8})", "0"}) {
+    const auto failed = play(runs);
+    EXPECT_EQ(failed.exit_code, 1) << runs;
+    EXPECT_NE(failed.out.find(" of 8 runs, not "), std::string::npos) << failed.out;
+    // The command that is printed shows a run that is to blame, by itself.
+    const std::size_t seed = failed.out.find("--seed ");
+    ASSERT_NE(seed, std::string::npos) << failed.out;
+    const std::string number = failed.out.substr(seed + 7, failed.out.find('\n', seed) - seed - 7);
+    EXPECT_EQ(play(runs, {"--seed", number}).exit_code, 1) << runs;
+    EXPECT_NE(failed.out.find("      logs: "), std::string::npos) << failed.out;
+  }
+  // Nothing wrong with a seed in which it does not hold, if it need not.
+  EXPECT_EQ(play(R"({"<=": 8})", {"--seed", "1"}).exit_code, 0);
+  EXPECT_EQ(cls_test({"physics_noise_spreads_the_ball", "--seed", "3", "--filter", "noise", "--dir",
+                      folder.path() / "kept"})
+                .exit_code,
+            0);
 }
 
 TEST(TestCommand, BlessesGoldenValues) {
@@ -259,6 +311,36 @@ TEST_F(Recording, AMatchCanBeWalkedCycleByCycle) {
   const auto all = cls::tests::run({"/bin/sh", "-c", "printf 'c\\n' | " + command});
   EXPECT_EQ(all.exit_code, 0);
   EXPECT_NE(all.out.find("30 cycles"), std::string::npos) << all.out;
+}
+
+TEST_F(Recording, StepStopsBeforeTheFirstCycleAndAnEndOfTheInputGoesOn) {
+  const std::string command = std::string(cls_binary()) +
+                              " match mock:hold mock:hold --seed 1 --step --cycles 3 --set "
+                              "server::kick_off_wait=3 --dir " +
+                              folder() + "/steps";
+  const auto walked = cls::tests::run({"/bin/sh", "-c", "printf '\\n2\\n' | " + command});
+  EXPECT_EQ(walked.exit_code, 0) << walked.err;
+  EXPECT_EQ(walked.err.rfind("cycle 0", 0), 0u) << walked.err;
+  EXPECT_NE(walked.err.find(" before_kick_off  0 : 0"), std::string::npos) << walked.err;
+  EXPECT_NE(walked.out.find("3 cycles"), std::string::npos) << walked.out;
+}
+
+// What a breakpoint does to a Playmaker: it answers after every deadline.
+TEST_F(Recording, WithoutDeadlineNoAnswerIsTooLate) {
+  std::ofstream(folder() + "/slow.json")
+      << R"({"faults": {"delay_ms": 150, "only": {"cycle": [1, 2], "unum": 7}}})";
+  const std::string slow = "mock:" + folder() + "/slow.json";
+  const auto late = match("late", {slow, "mock:hold", "--rpc-deadline", "20"});
+  EXPECT_EQ(late.exit_code, 0) << late.err;
+  const auto missed = [this](const char* name) {
+    return nlohmann::json::parse(
+               file(std::string(name) + "/result.json"))["left"]["players"][6]["missed"]
+        .get<int>();
+  };
+  EXPECT_GE(missed("late"), 1);
+  const auto patient = match("patient", {slow, "mock:hold", "--no-deadline"});
+  EXPECT_EQ(patient.exit_code, 0) << patient.err;
+  EXPECT_EQ(missed("patient"), 0);
 }
 
 }  // namespace

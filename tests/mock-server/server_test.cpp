@@ -1,6 +1,7 @@
 // The mock Playmaker as a gRPC server, in process and on a port.
 #include "mock-server/server.h"
 
+#include <grpcpp/generic/generic_stub.h>
 #include <gtest/gtest.h>
 
 #include "proto/playmaker.grpc.pb.h"
@@ -77,6 +78,49 @@ TEST(MockServer, ListensOnAFreePortAndRefusesATakenOne) {
   ASSERT_FALSE(second);
   EXPECT_EQ(second.error().message,
             "the mock Playmaker cannot listen on 127.0.0.1:" + std::to_string((*first)->port()));
+}
+
+// What a call on one of the standard services answers first, as bytes: asked in raw bytes too, so
+// that their .proto files are not needed.
+std::string ask(const Server& server, const std::string& method, const std::string& request) {
+  void* const tag = &const_cast<Server&>(server);
+  grpc::GenericStub stub(grpc::CreateChannel("127.0.0.1:" + std::to_string(server.port()),
+                                             grpc::InsecureChannelCredentials()));
+  grpc::ClientContext context;
+  grpc::CompletionQueue queue;
+  const auto next = [&queue] {
+    void* got = nullptr;
+    bool ok = false;
+    return queue.Next(&got, &ok) && ok;
+  };
+  const grpc::Slice slice(request);
+  const grpc::ByteBuffer message(&slice, 1);
+  grpc::ByteBuffer answer;
+  grpc::Status status;
+  const auto call = stub.PrepareCall(&context, method, &queue);
+  call->StartCall(tag);
+  EXPECT_TRUE(next());
+  call->WriteLast(message, {}, tag);
+  EXPECT_TRUE(next());
+  call->Read(&answer, tag);
+  EXPECT_TRUE(next()) << method;
+  call->Finish(&status, tag);
+  EXPECT_TRUE(next());
+  grpc::Slice bytes;
+  EXPECT_TRUE(answer.DumpToSingleSlice(&bytes).ok());
+  return {reinterpret_cast<const char*>(bytes.begin()), bytes.size()};
+}
+
+TEST(MockServer, HasTheHealthAndReflectionServicesOnAPort) {
+  const auto server = Server::start(std::move(*make_behaviour("")), "127.0.0.1", 0);
+  ASSERT_TRUE(server);
+  const std::string serving = "\x08\x01";  // status: SERVING
+  EXPECT_EQ(ask(**server, "/grpc.health.v1.Health/Check", ""), serving);
+  const std::string list_services("\x3a\x00", 2);
+  EXPECT_NE(
+      ask(**server, "/grpc.reflection.v1alpha.ServerReflection/ServerReflectionInfo", list_services)
+          .find("protos.Game"),
+      std::string::npos);
 }
 
 TEST(Behaviours, UnknownNamesAreToldWithASuggestion) {

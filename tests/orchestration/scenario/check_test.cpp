@@ -148,6 +148,17 @@ TEST(Check, AnswersAndTheEnd) {
   EXPECT_FAILS(R"({"end": "crashed"})", "the run ended as finished, not crashed");
 }
 
+TEST(Check, AProgramsLastWordsAreTold) {
+  RunRecord run = record();
+  run.result.end_reason = EndReason::kRefused;
+  run.result.message = "left (run:x): its process ended before it answered: exit code 1";
+  run.result.failure =
+      ProcessFailure{"left Playmaker", "exit code 1", "", {"in line 3", "no module"}};
+  EXPECT_EQ(failure({EndCheck{"finished"}, "", 1, {}}, run),
+            "the run ended as refused, not finished: left (run:x): its process ended before it "
+            "answered: exit code 1; its last words: no module");
+}
+
 TEST(Check, GoldenValues) {
   EXPECT_EQ(ask(R"({"golden": "score"})", {{"score", "1 : 0 at step 10"}}), "");
   EXPECT_EQ(ask(R"({"golden": "score"})", {{"score", "0 : 0 at step 10"}}),

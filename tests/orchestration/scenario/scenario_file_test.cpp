@@ -71,9 +71,6 @@ TEST(ScenarioFile, MistakesNameLinePlaceAndWhatMayBeMeant) {
   EXPECT_EQ(
       error("{\"left\": {\"playmaker\": \"mock:hodl\"}" + end),
       "a/corner.json:1: /left/playmaker: unknown mock behaviour 'hodl'; did you mean 'hold'?");
-  EXPECT_EQ(error("{\"left\": {\"playmaker\": \"team:helios\"}" + end),
-            "a/corner.json:1: /left/playmaker: a scenario is played in lockstep: it needs a "
-            "Playmaker, not a foreign team");
   EXPECT_EQ(error("{\"steps\": 3}"), "a/corner.json:1: needs \"expect\": a list of checks");
 }
 
@@ -90,9 +87,37 @@ TEST(ScenarioFile, MistakesOfChecksAreToldToo) {
   EXPECT_EQ(check(R"({"actions": "body_smart_kik", "side": "left"})"),
             "a/corner.json:1: /expect/0/actions: unknown 'body_smart_kik'; did you mean "
             "'body_smart_kick'?");
+  EXPECT_EQ(check(R"({"referee": "ofside_l", "count": 0})"),
+            "a/corner.json:1: /expect/0/referee: the referee never says 'ofside_l'; did you mean "
+            "'offside_l'?");
+  EXPECT_EQ(check(R"({"referee": "goal_l"})"),
+            "a/corner.json:1: /expect/0/referee: the referee never says 'goal_l'; did you mean "
+            "'foul_l'?");
+  EXPECT_EQ(check(R"({"referee": "yellow_card_l_11"}, {"referee": "goal_r_12"})"), "");
+  EXPECT_EQ(check(R"({"referee": "yellow_card_l_12"})").substr(0, 71),
+            "a/corner.json:1: /expect/0/referee: the referee never says 'yellow_card");
   EXPECT_EQ(check(R"({"actions": "dash"})"), "a/corner.json:1: /expect/0: needs \"side\"");
   EXPECT_EQ(check(R"({"ball": {"near": [0, 0]}})"),
             "a/corner.json:1: /expect/0/ball: \"near\" needs \"within\", in metres");
+}
+
+TEST(ScenarioFile, AForeignTeamIsASideWhoseFolderLiesBesideTheFile) {
+  const std::string side = R"({"right": {"playmaker": "team:helios"}, "expect": [)";
+  const auto scenario = parse(side + R"({"score": [0, 0]}, {"missed": 0, "side": "right"}]})");
+  ASSERT_TRUE(scenario) << scenario.error().message;
+  EXPECT_EQ(scenario->sides[1].playmaker.path, "a/helios");
+  for (const char* check :
+       {R"({"actions": "*", "side": "right"})", R"({"commands": "dash", "side": "right"})",
+        R"({"rpc": "Register", "side": "right", "count": 11})",
+        R"({"latency_ms": {"p99": 1}, "side": "right"})"}) {
+    EXPECT_EQ(error(side + check + "]}")
+                  .rfind("a/corner.json:1: /expect/0: a foreign team has no Playmaker: ", 0),
+              0u)
+        << check;
+    EXPECT_EQ(
+        error("{\"left\": {\"playmaker\": \"team:x\"}, \"expect\": [" + std::string(check) + "]}"),
+        "");
+  }
 }
 
 TEST(ScenarioLibrary, EveryShippedScenarioIsReadAndSaysWhatItIsAbout) {

@@ -3,12 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "tests/support/command.h"
-#include "tests/support/files.h"
-#include "tests/support/temporary_folder.h"
+#include "tests/support/junit.h"
 
 namespace cls::orchestration {
 namespace {
@@ -86,14 +83,9 @@ TEST(SuiteReport, JUnitFollowsItsSchema) {
   const Sample sample;
   const std::string xml = to_junit(sample.suite);
   EXPECT_NE(xml.find("a &lt;name&gt; &amp; &quot;more&quot;"), std::string::npos) << xml;
-  tests::TemporaryFolder folder;
-  const std::string file = folder.path() / "junit.xml";
-  std::ofstream(file) << xml;
-  const auto there = tests::run({"/bin/sh", "-c", "command -v xmllint"});
-  if (there.exit_code != 0) GTEST_SKIP() << "no xmllint (package libxml2-utils)";
-  const auto valid =
-      tests::run({"xmllint", "--noout", "--schema", tests::fixture("junit/junit.xsd"), file});
-  EXPECT_EQ(valid.exit_code, 0) << valid.err;
+  const auto mistakes = tests::junit_mistakes(xml);
+  if (!mistakes) GTEST_SKIP() << "no xmllint (package libxml2-utils)";
+  EXPECT_EQ(*mistakes, "");
 }
 
 }  // namespace

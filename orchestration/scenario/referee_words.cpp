@@ -1,0 +1,60 @@
+// Play modes, announcements, and words with a number.
+#include "orchestration/scenario/referee_words.h"
+
+#include <algorithm>
+#include <array>
+
+#include "soccer/play_mode.h"
+#include "soccer/protocol/number_text.h"
+#include "soccer/side.h"
+
+namespace cls::orchestration {
+namespace {
+
+constexpr std::array<std::string_view, 16> kAnnouncements = {
+    "half_time",           "time_extended",       "time_up",        "time_up_without_a_team",
+    "goalie_catch_ball_l", "goalie_catch_ball_r", "foul_l",         "foul_r",
+    "penalty_onfield_l",   "penalty_onfield_r",   "penalty_foul_l", "penalty_foul_r",
+    "penalty_winner_l",    "penalty_winner_r",    "penalty_draw",   "training Keepaway 1"};
+
+/// A word that ends with a number: of a goal, or of a player.
+struct Numbered {
+  std::string_view begin;
+  int most;
+};
+constexpr int kManyGoals = 1000;
+constexpr std::array<Numbered, 6> kNumbered = {{{"goal_l_", kManyGoals},
+                                                {"goal_r_", kManyGoals},
+                                                {"yellow_card_l_", soccer::kPlayersPerTeam},
+                                                {"yellow_card_r_", soccer::kPlayersPerTeam},
+                                                {"red_card_l_", soccer::kPlayersPerTeam},
+                                                {"red_card_r_", soccer::kPlayersPerTeam}}};
+
+}  // namespace
+
+bool is_referee_word(std::string_view word) {
+  const auto& plain = referee_words();
+  if (std::find(plain.begin(), plain.end(), word) != plain.end()) return true;
+  return std::any_of(kNumbered.begin(), kNumbered.end(), [word](const Numbered& kind) {
+    if (!word.starts_with(kind.begin)) return false;
+    const auto number = soccer::int_from_text(word.substr(kind.begin.size()));
+    return number && *number >= 1 && *number <= kind.most;
+  });
+}
+
+const std::vector<std::string_view>& referee_words() {
+  static const std::vector<std::string_view> words = [] {
+    std::vector<std::string_view> all(kAnnouncements.begin(), kAnnouncements.end());
+    for (int i = 1; i < soccer::kPlayModeCount; ++i) {
+      const auto mode = static_cast<soccer::PlayMode>(i);
+      const bool goal = mode == soccer::PlayMode::kGoalLeft || mode == soccer::PlayMode::kGoalRight;
+      if (!goal) all.push_back(name(mode));  // goals are said with their number
+    }
+    all.insert(all.end(), {"goal_l_1", "goal_r_1", "yellow_card_l_1", "yellow_card_r_1",
+                           "red_card_l_1", "red_card_r_1"});
+    return all;
+  }();
+  return words;
+}
+
+}  // namespace cls::orchestration

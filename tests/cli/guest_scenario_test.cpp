@@ -1,0 +1,158 @@
+// Scenarios with a foreign team on one side: programs that play over UDP.
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "tests/support/command.h"
+#include "tests/support/marked_processes.h"
+#include "tests/support/port_lock.h"
+#include "tests/support/temporary_folder.h"
+
+namespace {
+
+using cls::tests::CommandResult;
+namespace fs = std::filesystem;
+
+class GuestScenario : public testing::Test {
+ protected:
+  void script(const std::string& name, const std::string& text) {
+    const fs::path file = folder_.path() / name;
+    fs::create_directories(file.parent_path());
+    std::ofstream(file) << "#!/bin/sh\n" << text << "\n";
+    ::chmod(file.c_str(), 0755);
+  }
+
+  /// A team folder whose start.sh starts players who turn by 10 degrees a cycle, and returns.
+  void team(const std::string& flags = "", int players = 11) {
+    script("guests/start.sh",
+           "while [ $# -gt 0 ]; do case $1 in -p) port=$2;; -t) name=$2;; esac; shift; done\n"
+           "for i in $(seq " +
+               std::to_string(players) + "); do\n  goalie=; [ $i = 1 ] && goalie='--goalie 1'\n  " +
+               player() + " --port $port --name $name $goalie " + flags + " &\n  sleep 0.02\ndone");
+  }
+  static std::string player() { return std::string(CLS_BUILD_DIR) + "/bin/cls_fake_player"; }
+
+  /// A left striker shoots at the goal behind the guests' number 5.
+  CommandResult play(const std::string& expect, const std::vector<std::string>& more = {},
+                     const std::string& right = "team:guests") {
+    const std::string file = folder_.path() / "guests.json";
+    std::ofstream(file) << R"({"noise": false, "mode": "play_on", "steps": 20,
+      "ball": {"at": [40.6, 3]},
+      "left": {"playmaker": {"rules": [{"when": {"state": {"self.is_kickable": true}},
+                                        "reply": [{"kick": {"power": 100}}]}]},
+               "players": {"9": {"at": [40, 3]}}},
+      "right": {"playmaker": ")"
+                        << right << R"(", "players": {"1": {"at": [50, -3]},
+                                              "5": {"at": [30, 10], "body": 90}}},
+      "under_test": "right", "expect": [)"
+                        << expect << "]}";
+    std::vector<std::string> words = {cls::tests::cls_binary(), "test", file, "--dir",
+                                      folder_.path() / "kept"};
+    words.insert(words.end(), more.begin(), more.end());
+    CommandResult result =
+        cls::tests::run(words, {std::string(cls::tests::kMarkVariable) + "=" + mark_});
+    EXPECT_TRUE(cls::tests::marked_processes(mark_).empty());
+    return result;
+  }
+
+  std::string path(const std::string& name) const { return folder_.path() / name; }
+
+ private:
+  cls::tests::TemporaryFolder folder_;
+  const std::string mark_ = cls::tests::new_mark();
+};
+
+// The world is placed by the server itself: guests stand where the scenario says, and act.
+TEST_F(GuestScenario, GuestsStandWhereTheyArePutAndPlay) {
+  team();
+  const CommandResult result = play(R"(
+    {"player": "right 5", "is": {"near": [30, 10], "within": 0.1}, "always": true},
+    {"player": "right 5", "is": {"body": {"between": [99, 101]}}, "at": 2},
+    {"player": "right 4", "is": {"on_pitch": false}, "always": true},
+    {"first_touch": "left 9"}, {"score": [1, 0]}, {"referee": "goal_l_1", "count": 1})");
+  EXPECT_EQ(result.exit_code, 0) << result.out << result.err;
+}
+
+TEST_F(GuestScenario, SingleAgentsWhoKnowNoPortsPlayToo) {
+  const cls::tests::PortLock lock;
+  script("guests/start",
+         "[ $3 = 1 ] && more='--goalie 1'\nexec " + player() + " --name Guests $more");
+  const CommandResult result =
+      play(R"({"score": [1, 0]}, {"player": "right 5", "is": {"on_pitch": true}})");
+  if (result.out.find("is taken by") != std::string::npos) GTEST_SKIP() << "port 6000 is taken";
+  EXPECT_EQ(result.exit_code, 0) << result.out << result.err;
+}
+
+TEST_F(GuestScenario, TheProgramOfADeadPlayerIsTold) {
+  const cls::tests::PortLock lock;
+  script("guests/start",
+         "[ $3 = 1 ] && more='--goalie 1'\n[ $3 = 5 ] && more='--exit-at-cycle 5'\n" +
+             std::string("exec ") + player() + " --name Guests $more");
+  const CommandResult told =
+      play(R"({"score": [0, 0]}], "rpc_deadline_ms": 300, "until": [{"goals": 9})");
+  if (told.out.find("is taken by") != std::string::npos) GTEST_SKIP() << "port 6000 is taken";
+  EXPECT_EQ(told.exit_code, 1);
+  EXPECT_NE(told.out.find("the process of right player 5 ended: exit code 4 (at cycle "),
+            std::string::npos)
+      << told.out;
+  EXPECT_NE(told.out.find("its last words: lost my boots"), std::string::npos) << told.out;
+}
+
+TEST_F(GuestScenario, TheyCanTakeTheSideUnderTest) {
+  team();
+  const CommandResult result = play(R"({"score": [1, 0]},
+                  {"player": "right 5", "is": {"body": {"between": [99, 101]}}, "at": 2})",
+                                    {"--against", "team:" + path("guests")}, "mock:hold");
+  EXPECT_EQ(result.exit_code, 0) << result.out << result.err;
+}
+
+TEST_F(GuestScenario, WhatCannotBeAskedOfThemIsSaid) {
+  team();
+  const CommandResult written = play(R"({"actions": "dash", "side": "right"})");
+  EXPECT_EQ(written.exit_code, 65);
+  EXPECT_NE(written.err.find("/expect/0: a foreign team has no Playmaker: "), std::string::npos)
+      << written.err;
+  const CommandResult against = play(R"({"commands": "dash", "side": "right"})",
+                                     {"--against", "team:" + path("guests")}, "mock:hold");
+  EXPECT_EQ(against.exit_code, 0);
+  EXPECT_NE(against.out.find("skip  guests: line "), std::string::npos) << against.out;
+}
+
+// Who ends after the question is missed once; the next one does not reach him.
+TEST_F(GuestScenario, PlayersWhoLeaveEndTheRunAsCrashed) {
+  team("--exit-at-cycle 5");
+  const std::string impatient = R"(], "rpc_deadline_ms": 300, "until": [{"goals": 9})";
+  const CommandResult result = play(R"({"end": "crashed"})" + impatient);
+  EXPECT_EQ(result.exit_code, 0) << result.out << result.err;
+  const CommandResult told = play(R"({"score": [0, 0]})" + impatient);
+  EXPECT_EQ(told.exit_code, 1);
+  EXPECT_NE(told.out.find("the run ended as crashed, not finished: right (team:"),
+            std::string::npos)
+      << told.out;
+  EXPECT_NE(told.out.find(" has left (at cycle "), std::string::npos) << told.out;
+}
+
+TEST_F(GuestScenario, GuestsWhoDoNotAnswerEndTheRunAsLate) {
+  team("--hang-at-cycle 5");
+  const std::string expect =
+      R"({"end": "late"}], "rpc_deadline_ms": 100, "max_missed": 2, "until": [{"goals": 9})";
+  const CommandResult result = play(expect);
+  EXPECT_EQ(result.exit_code, 0) << result.out << result.err;
+}
+
+TEST_F(GuestScenario, ATeamThatIsNoneIsToldInOneLine) {
+  const CommandResult none = play(R"({"score": [0, 0]})");
+  EXPECT_EQ(none.exit_code, 1);
+  EXPECT_NE(none.out.find("guests: no such folder"), std::string::npos) << none.out;
+  script("guests/start.sh", "echo no formation found; exit 3");
+  const CommandResult dead = play(R"({"score": [0, 0]})");
+  EXPECT_EQ(dead.exit_code, 1);
+  EXPECT_NE(dead.out.find("the process of right team ended: exit code 3"), std::string::npos)
+      << dead.out;
+}
+
+}  // namespace
