@@ -28,6 +28,17 @@ std::string team_of_fixed_ports(const TournamentConfig& config) {
   return "";
 }
 
+std::vector<int> share_of(const std::vector<std::vector<int>>& cores, int slot, int matches) {
+  const std::size_t share =
+      std::max<std::size_t>(1, cores.size() / static_cast<std::size_t>(std::max(1, matches)));
+  std::vector<int> processors;
+  for (std::size_t i = 0; i < share && !cores.empty(); ++i) {
+    const auto& core = cores[(static_cast<std::size_t>(slot) * share + i) % cores.size()];
+    processors.insert(processors.end(), core.begin(), core.end());
+  }
+  return processors;
+}
+
 Concurrency::Concurrency(const TournamentConfig& config, int cores)
     : automatic_(config.concurrency == 0) {
   if (!team_of_fixed_ports(config).empty()) {

@@ -23,7 +23,7 @@ class LocalExecutor : public MatchExecutor {
         folder_(std::move(folder)),
         program_(std::move(program)),
         concurrency_(config, usable_cores()),
-        cpus_(config.pin ? allowed_processors() : std::vector<int>()),
+        cores_(config.pin ? allowed_cores() : std::vector<std::vector<int>>()),
         host_(std::move(host)) {
     const std::string team = team_of_fixed_ports(config);
     if (team.empty() || config.concurrency == 1) return;
@@ -36,8 +36,9 @@ class LocalExecutor : public MatchExecutor {
   Result<void> start(std::span<const Assignment> assignments) override {
     for (const Assignment& assignment : assignments) {
       const int slot = free_slot();
-      auto attempt = MatchAttempt::start(host_, config_, assignment.fixture, assignment.number,
-                                         {folder_, {}, program_, cpus_of(slot)});
+      auto attempt =
+          MatchAttempt::start(host_, config_, assignment.fixture, assignment.number,
+                              {folder_, {}, program_, share_of(cores_, slot, concurrency_.now())});
       if (!attempt) return attempt.error();
       attempts_.emplace(slot, *std::move(attempt));
     }
@@ -79,17 +80,6 @@ class LocalExecutor : public MatchExecutor {
     return slot;
   }
 
-  // An equal share of the processors for each match at once.
-  std::vector<int> cpus_of(int slot) const {
-    const auto share = std::max<std::size_t>(
-        1, cpus_.size() / static_cast<std::size_t>(std::max(1, concurrency_.now())));
-    std::vector<int> cpus;
-    for (std::size_t i = 0; i < share && !cpus_.empty(); ++i) {
-      cpus.push_back(cpus_[(static_cast<std::size_t>(slot) * share + i) % cpus_.size()]);
-    }
-    return cpus;
-  }
-
   void learn(const Outcome& outcome) {
     const int before = concurrency_.now();
     if (!concurrency_.learn(outcome)) return;
@@ -103,7 +93,7 @@ class LocalExecutor : public MatchExecutor {
   fs::path folder_;
   fs::path program_;
   Concurrency concurrency_;
-  std::vector<int> cpus_;
+  std::vector<std::vector<int>> cores_;  // to share out; empty: nobody is pinned
   ProcessHost host_;
   std::map<int, MatchAttempt> attempts_;  // by slot
   std::vector<std::string> notes_;

@@ -302,6 +302,15 @@ TEST(Concurrency, GoesDownWhenCyclesAreMissed) {
   EXPECT_EQ(automatic.now(), 1);
 }
 
+TEST(Concurrency, EachMatchHasWholeCoresOfItsOwn) {
+  const std::vector<std::vector<int>> cores = {{0, 4}, {1, 5}, {2, 6}, {3, 7}, {8}};
+  EXPECT_EQ(share_of(cores, 0, 2), (std::vector<int>{0, 4, 1, 5}));
+  EXPECT_EQ(share_of(cores, 1, 2), (std::vector<int>{2, 6, 3, 7}));
+  EXPECT_EQ(share_of(cores, 4, 5), (std::vector<int>{8}));
+  EXPECT_EQ(share_of(cores, 6, 9), (std::vector<int>{1, 5})) << "more matches than cores";
+  EXPECT_TRUE(share_of({}, 1, 2).empty()) << "nobody is pinned";
+}
+
 TEST(Concurrency, AgainstTheClockItBeginsLowAndGrows) {
   TournamentConfig config;
   config.mode = "realtime";
