@@ -66,7 +66,10 @@ class SlurmTest : public testing::Test {
   }
 
   Words slurm_words(int rounds, int cycles) const {
-    return run_words(cup(), rounds, cycles, {"--executor", "slurm", "--slurm-poll", "1"});
+    Words words = run_words(cup(), rounds, cycles, {"--executor", "slurm", "--slurm-poll", "1"});
+    // Whatever ends this process ends the one that would wait for its Slurm, too.
+    words.insert(words.begin(), {"setpriv", "--pdeathsig", "KILL"});
+    return words;
   }
 
   std::size_t results() const {
@@ -115,7 +118,7 @@ class SlurmTest : public testing::Test {
     const json report = json::parse(played.out);
     EXPECT_TRUE(report["complete"]);
     const tests::TemporaryFolder other;
-    const CommandResult here = tests::run(run_words(other.path(), rounds, cycles, {}));
+    const CommandResult here = Command(run_words(other.path(), rounds, cycles, {})).finish(kLimit);
     ASSERT_EQ(here.exit_code, 0) << here.err;
     EXPECT_EQ(bare(report), bare(json::parse(here.out)));
     for (const json& match : report["matches"]) {
@@ -179,7 +182,7 @@ TEST_F(SlurmTest, AnInterruptionLeavesNoJob) {
 
 TEST_F(SlurmTest, APowerCutOfANodeIsSurvived) {
   if (std::getenv("CLS_FULL") == nullptr) GTEST_SKIP() << "takes a minute: CLS_FULL=1";
-  const int cycles = 600;
+  const int cycles = 300;
   Command playing(slurm_words(3, cycles), slurm_->environment());
   for (const int node : {1, 0, 1}) {
     const std::string name = "cls" + std::to_string(node);
