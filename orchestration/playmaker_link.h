@@ -15,7 +15,7 @@ namespace cls::orchestration {
 proxy::GrpcTarget target_of(const Endpoint& endpoint);
 
 /// What there is to say of a Playmaker that did not answer in time: "; it speaks TLS (say
-/// tls:...)", or nothing. Asks it once, for a second at most.
+/// tls:...)", or nothing. Asks it once, for five seconds at most.
 std::string silence_hint(const Endpoint& endpoint);
 
 /// The bundled Playmaker with the endpoint's script or behaviour; for kMock. The error says which

@@ -21,7 +21,7 @@ namespace cls::proxy {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-constexpr std::chrono::milliseconds kLimit{1000};
+constexpr std::chrono::milliseconds kLimit{5000};
 constexpr const char* kAsksForCertificate =
     "it asks for a certificate of ours (say --tls-cert and --tls-key)";
 constexpr const char* kRefusesCertificate = "it does not accept our certificate";

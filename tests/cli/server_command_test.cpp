@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -48,7 +49,11 @@ TEST(ServerCommand, ServesTwoTeamsOfProxiesToTheEnd) {
     return words;
   };
   Command left(side("Reds"));
-  Command right(side("Blues"));
+  const std::string result = folder.path() / "blues.json";
+  auto blues = side("Blues");
+  blues.insert(blues.end(), {"--playmaker", "127.0.0.1:" + rpc_port, "--on-late", "last",
+                             "--rpc-deadline", "2900", "--result", result});
+  Command right(blues);
   const auto served = server.finish();
   EXPECT_EQ(served.exit_code, 0) << served.err;
   EXPECT_NE(served.out.find("\n100 cycles, 0 of them missed"), std::string::npos) << served.out;
@@ -63,6 +68,15 @@ TEST(ServerCommand, ServesTwoTeamsOfProxiesToTheEnd) {
     EXPECT_NE(played.out.find(" 0 without an answer, 0 cycles missed, 0 commands too late"),
               std::string::npos)
         << played.out << played.err;
+  }
+  const auto told = nlohmann::json::parse(cls::tests::read_file(result));
+  EXPECT_EQ(told["schema"], "cls.proxy/1");
+  EXPECT_EQ(told["end_reason"], "server_failed");
+  ASSERT_EQ(told["players"].size(), 11U);
+  for (const auto& player : told["players"]) {
+    EXPECT_GE(player["decisions"], 100);
+    EXPECT_EQ(player["missed"], 0);
+    EXPECT_GT(player["rpc_us"]["p50"], 0);
   }
   const std::string log = cls::tests::read_file(std::filesystem::path(folder.path()) / "match.rcg");
   EXPECT_NE(log.find("Reds"), std::string::npos);
