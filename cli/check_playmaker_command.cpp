@@ -50,7 +50,7 @@ struct Arguments {
 int exit_code_of(const CheckReport& report, int interrupted) {
   if (interrupted == SIGINT) return kInterrupted;
   if (interrupted == SIGTERM) return kTerminated;
-  if (report.steps.front().result == StepResult::kFail) return kUnavailable;
+  if (report.steps.front().result != StepResult::kPass) return kUnavailable;
   return report.passed() ? kDone : kAnswerIsNo;
 }
 

@@ -97,6 +97,8 @@ TEST(CheckPlaymaker, TellsEachFailureByItsExitCode) {
   const CommandResult nobody = check({"127.0.0.1:9", "--start-timeout", "0.3", "--json"});
   EXPECT_EQ(nobody.exit_code, 69) << nobody.out << nobody.err;
   EXPECT_EQ(results_of(json::parse(nobody.out)).at("bye"), "skip");
+  // Also who has ended before the first step, which is skipped then, was not reached.
+  EXPECT_EQ(check({"run:exit 3; : {port}", "--start-timeout", "0.5"}).exit_code, 69);
   EXPECT_EQ(check({"team:somewhere"}).exit_code, 2);
   EXPECT_EQ(check({"nonsense"}).exit_code, 2);
   EXPECT_EQ(check({"mock:nowhere.json"}).exit_code, 65);
