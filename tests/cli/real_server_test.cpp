@@ -51,7 +51,7 @@ class RealServer : public testing::Test {
                                       "server::penalty_shoot_outs=off",
                                       "server::port=" + port,
                                       "server::coach_port=" + std::to_string(free_port()),
-                                      "server::olcoach_port=" + std::to_string(free_port()),
+                                      "server::olcoach_port=" + coach_port_,
                                       "server::game_logging=off",
                                       "server::text_logging=off"};
     words.insert(words.end(), settings.begin(), settings.end());
@@ -59,13 +59,14 @@ class RealServer : public testing::Test {
         words, std::vector<std::string>{"RCSS_CONF_DIR=" + path + "/conf", "USER=nobody"}, path);
   }
 
-  static std::vector<std::string> team(const std::string& name, const std::string& port,
-                                       const std::string& rpc_port) {
-    return {cls_binary(), "proxy", "-h",         "127.0.0.1", "-p",         port,
-            "-t",         name,    "--rpc-port", rpc_port,    "--rpc-host", "127.0.0.1"};
+  std::vector<std::string> team(const std::string& name, const std::string& port,
+                                const std::string& rpc_port) const {
+    return {cls_binary(), "proxy", "-h", "127.0.0.1",  "-p",     port,         "-P",
+            coach_port_,  "-t",    name, "--rpc-port", rpc_port, "--rpc-host", "127.0.0.1"};
   }
 
   TemporaryFolder folder_;
+  const std::string coach_port_ = std::to_string(free_port());
 };
 
 std::string rpc_port_of(Command& mock) {
@@ -80,7 +81,7 @@ TEST_F(RealServer, PlaysInSynchronousModeWithoutAMissedCycle) {
   const std::string rpc_port = rpc_port_of(mock);
   const auto server = start_server(port, {"server::synch_mode=on", "server::half_time=10"});
   Command left(team("Reds", port, rpc_port));
-  ASSERT_TRUE(left.wait_for_output("on the left in synchronous mode, players 1 to 11\n"));
+  ASSERT_TRUE(left.wait_for_output("on the left in synchronous mode, players 1 to 11"));
   Command right(team("Blues", port, rpc_port));
   const auto served = server->finish();
   EXPECT_EQ(served.exit_code, 0) << served.err;
@@ -164,7 +165,7 @@ TEST_F(RealServer, PlaysInRealTime) {
   const std::string rpc_port = rpc_port_of(mock);
   const auto server = start_server(port, {"server::synch_mode=off", "server::half_time=2"});
   Command left(team("Reds", port, rpc_port));
-  ASSERT_TRUE(left.wait_for_output("on the left in real time, players 1 to 11\n"));
+  ASSERT_TRUE(left.wait_for_output("on the left in real time, players 1 to 11"));
   Command right(team("Blues", port, rpc_port));
   const auto served = server->finish();
   EXPECT_EQ(served.exit_code, 0) << served.err;
