@@ -12,6 +12,7 @@
 #include "proxy/planner/planner_messages.h"
 #include "proxy/shoot_out_view.h"
 #include "proxy/state_message.h"
+#include "soccer/overloaded.h"
 #include "soccer/protocol/connection_request.h"
 #include "soccer/protocol/message_kind.h"
 
@@ -20,13 +21,6 @@ namespace {
 
 // From this version on players see in synchronous mode without asking.
 constexpr int kSynchronousVersion = 18;
-
-template <typename... Handlers>
-struct Overloaded : Handlers... {
-  using Handlers::operator()...;
-};
-template <typename... Handlers>
-Overloaded(Handlers...) -> Overloaded<Handlers...>;
 
 // The agents' own settings, sent once the server has let them in.
 std::string settings(int protocol) {
@@ -185,7 +179,7 @@ void PlayerAgent::take_in_reply(const std::string& message) {
     return;
   }
   std::visit(
-      Overloaded{
+      soccer::Overloaded{
           [this](const soccer::Think&) { timer_.on_think(channel_->arrived()); },
           [this](const soccer::PlayerInitReply& init) { begin_part(init); },
           [this](const soccer::OkSynchSee&) { timer_.set_synch_see(true); },

@@ -8,18 +8,12 @@
 #include "proxy/coach/global_perception.h"
 #include "proxy/perception.h"
 #include "proxy/state_message.h"
+#include "soccer/overloaded.h"
 #include "soccer/protocol/connection_request.h"
 #include "soccer/protocol/message_kind.h"
 
 namespace cls::proxy {
 namespace {
-
-template <typename... Handlers>
-struct Overloaded : Handlers... {
-  using Handlers::operator()...;
-};
-template <typename... Handlers>
-Overloaded(Handlers...) -> Overloaded<Handlers...>;
 
 // "(move (ball) 1 2)" -> "move"
 std::string word_of(std::string_view command) {
@@ -101,7 +95,7 @@ void CoachAgent::take_in_reply(const std::string& message) {
     return;
   }
   std::visit(
-      Overloaded{
+      soccer::Overloaded{
           [this](const soccer::Think&) { due_ = true; },
           [this](const soccer::CoachInitReply& init) {
             on_coach_init(world_, init.side, options_.team_name);

@@ -5,6 +5,7 @@
 #include "simulator/senses/body_sense.h"
 #include "simulator/senses/full_view.h"
 #include "simulator/server/match_server.h"
+#include "soccer/overloaded.h"
 #include "soccer/protocol/hear.h"
 #include "soccer/protocol/sense_body.h"
 
@@ -15,13 +16,6 @@ constexpr int kFirstGoalieChangeVersion = 16;
 
 /// Heard by players that have not said that they understand it.
 constexpr const char* kUnsupported = "(unsupported_clang)";
-
-template <typename... Cases>
-struct Overloaded : Cases... {
-  using Cases::operator()...;
-};
-template <typename... Cases>
-Overloaded(Cases...) -> Overloaded<Cases...>;
 
 }  // namespace
 
@@ -37,13 +31,13 @@ void MatchServer::dispatch_events() {
 }
 
 void MatchServer::dispatch(const Event& event) {
-  std::visit(
-      Overloaded{[&](const RefereeSaid& said) { tell_referee(event.clock, said.text); },
+  std::visit(soccer::Overloaded{
+                 [&](const RefereeSaid& said) { tell_referee(event.clock, said.text); },
                  [&](const PlayerSaid& said) { tell_said(event.clock, said); },
                  [&](const TypeChanged& change) { tell_type(event.clock, change); },
                  [&](const GoalieAppointed& change) { tell_goalie(event.clock, change); },
                  [&](const SentOff& sent_off) { lose(sent_off.slot); }, [](const ModeChanged&) {}},
-      event.what);
+             event.what);
 }
 
 void MatchServer::tell_referee(Clock clock, const std::string& words) {

@@ -13,6 +13,7 @@
 #include "tests/support/files.h"
 #include "tests/support/marked_processes.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/tournament_outcome.h"
 
 namespace {
 
@@ -45,19 +46,6 @@ class Tournament : public testing::Test {
   CommandResult tournament(Words arguments) const { return cls::tests::run(words(arguments)); }
 
   json report() const { return json::parse(tournament({"report", cup(), "--format", "json"}).out); }
-
-  // The matches as they ended, without what depends on time and place.
-  static json bare(const json& report) {
-    json matches = json::array();
-    for (const json& match : report["matches"]) {
-      json one;
-      for (const char* key : {"index", "left", "right", "seed", "end_reason", "score", "cycles"}) {
-        one[key] = match[key];
-      }
-      matches.push_back(one);
-    }
-    return {{"matches", matches}, {"standings", report["standings"]}};
-  }
 
   fs::path cup() const { return folder_.path(); }
 
@@ -252,7 +240,7 @@ TEST_F(Tournament, KillNineLosesOnlyMatchesInFlight) {
   fs::copy_file(cup() / "cls.toml", other.path() / "cls.toml");
   const CommandResult unbroken = tournament({"run", other.path(), "--json"});
   ASSERT_EQ(unbroken.exit_code, 0) << unbroken.err;
-  EXPECT_EQ(bare(broken), bare(json::parse(unbroken.out)));
+  EXPECT_EQ(cls::tests::outcome_of(broken), cls::tests::outcome_of(json::parse(unbroken.out)));
 }
 
 TEST_F(Tournament, TeamNamesAreSidesOfAMatch) {

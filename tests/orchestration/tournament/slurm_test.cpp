@@ -13,6 +13,7 @@
 #include "tests/support/command.h"
 #include "tests/support/files.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/tournament_outcome.h"
 
 namespace cls::orchestration {
 namespace {
@@ -100,19 +101,6 @@ class SlurmTest : public testing::Test {
     return line.substr(0, line.find('\n'));
   }
 
-  // What must not depend on who plays the matches.
-  static json bare(const json& report) {
-    json matches = json::array();
-    for (const json& match : report["matches"]) {
-      json one;
-      for (const char* key : {"index", "left", "right", "seed", "end_reason", "score", "cycles"}) {
-        one[key] = match[key];
-      }
-      matches.push_back(one);
-    }
-    return {{"matches", matches}, {"standings", report["standings"]}};
-  }
-
   void expect_like_here(const CommandResult& played, int rounds, int cycles) const {
     ASSERT_EQ(played.exit_code, 0) << played.err << slurm_->logs();
     const json report = json::parse(played.out);
@@ -120,7 +108,7 @@ class SlurmTest : public testing::Test {
     const tests::TemporaryFolder other;
     const CommandResult here = Command(run_words(other.path(), rounds, cycles, {})).finish(kLimit);
     ASSERT_EQ(here.exit_code, 0) << here.err;
-    EXPECT_EQ(bare(report), bare(json::parse(here.out)));
+    EXPECT_EQ(tests::outcome_of(report), tests::outcome_of(json::parse(here.out)));
     for (const json& match : report["matches"]) {
       EXPECT_TRUE(fs::exists(cup() / match["folder"].get<std::string>() / "match.rcg")) << match;
     }

@@ -1,0 +1,20 @@
+// Keys of matches that a repetition must repeat.
+#include "tests/support/tournament_outcome.h"
+
+namespace cls::tests {
+
+using nlohmann::json;
+
+json outcome_of(const json& report) {
+  json matches = json::array();
+  for (const json& match : report["matches"]) {
+    json one;
+    for (const char* key : {"index", "left", "right", "seed", "end_reason", "score", "cycles"}) {
+      one[key] = match[key];
+    }
+    matches.push_back(one);
+  }
+  return {{"matches", matches}, {"standings", report["standings"]}};
+}
+
+}  // namespace cls::tests
