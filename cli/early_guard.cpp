@@ -9,8 +9,8 @@
 namespace cls::cli {
 namespace {
 
-constexpr std::array<std::string_view, 6> kCommands = {"match", "tournament", "compare",
-                                                       "test",  "check",      "doctor"};
+constexpr std::array<std::string_view, 7> kCommands = {"match", "tournament", "compare", "test",
+                                                       "check", "doctor",     "server"};
 
 }  // namespace
 

@@ -25,6 +25,7 @@
 #include "orchestration/server_logs.h"
 #include "orchestration/server_report.h"
 #include "orchestration/server_settings.h"
+#include "orchestration/server_teams.h"
 #include "simulator/server/udp_server.h"
 
 namespace cls::cli {
@@ -62,8 +63,6 @@ std::vector<std::string> refusals(const soccer::ServerParams& server) {
   const auto refuse = [&lines](bool asked, const char* what) {
     if (asked) lines.push_back(fmt::format("{}: not in this server", what));
   };
-  refuse(!server.team_l_start.empty() || !server.team_r_start.empty(),
-         "starting teams (server::team_l_start, team_r_start)");
   refuse(server.game_logging && server.game_log_version != 6,
          "a game log that is not of version 6 (server::game_log_version; see cls convert)");
   return lines;
@@ -241,6 +240,11 @@ simulator::UdpConfig config_of(const Arguments& arguments, const ServerSettings&
   return config;
 }
 
+orchestration::ServerPorts ports_of(const UdpServer& server) {
+  return {server.port(), server.port(simulator::Door::kOfflineCoach),
+          server.port(simulator::Door::kOnlineCoach)};
+}
+
 /// Everything from open doors to closed logs.
 int serve_match(const Arguments& arguments, const ServerSettings& settings) {
   const simulator::UdpConfig config = config_of(arguments, settings);
@@ -251,14 +255,21 @@ int serve_match(const Arguments& arguments, const ServerSettings& settings) {
   auto logs = orchestration::ServerLogs::open(settings.server, start);
   if (!logs) return report_mistakes({logs.error().message}, kCannotCreate);
   (*server)->record(logs->game(), logs->text());
+  const orchestration::ServerPorts ports = ports_of(**server);
+  auto teams = orchestration::ServerTeams::create(settings.server, ports);
+  if (!teams) return report_mistakes({teams.error().message}, kInternalError);
+  (*server)->on_step([&teams](const simulator::World& world) {
+    teams->look(world.mode == soccer::PlayMode::kPlayOn,
+                !world.team(soccer::Side::kLeft).name.empty());
+  });
   (*server)->on_notice([&](const simulator::UdpNotice& notice) { print_notice(**server, notice); });
   fmt::print(
       "listening on {}:{}, trainer {}, coaches {}\nSimulator Random Seed: {}\nHit CTRL-C to exit\n",
-      arguments.host, (*server)->port(), (*server)->port(simulator::Door::kOfflineCoach),
-      (*server)->port(simulator::Door::kOnlineCoach), config.match.seed);
+      arguments.host, ports.player, ports.trainer, ports.coach, config.match.seed);
   std::fflush(stdout);
 
   const UdpEnd end = serve(**server, signal);
+  teams->end();
   if (end == UdpEnd::kFinished) fmt::print("\nGame Over. Exiting...\n");
   if (end == UdpEnd::kStopped) fmt::print("\nServer Killed. Exiting...\n");
   const auto finished = finish(**server, settings, *logs, start);

@@ -69,7 +69,7 @@ UdpEnd UdpServer::run_synchronous(const std::atomic<bool>& stop) {
 }
 
 bool UdpServer::run_cycle(const std::atomic<bool>& stop) {
-  match_->step();
+  make_step();
   match_->sense();
   const bool started = world().clock.time > 0;
   if (!started) {
@@ -113,7 +113,7 @@ UdpEnd UdpServer::run_in_real_time(const std::atomic<bool>& stop) {
   while (!stop.load()) {
     receive_until(clock.due(), step_ms, stop);
     clock.made(WallClock::now());
-    match_->step();
+    make_step();
     match_->sense();
     lateness_ = clock.lateness();
     if (is_over()) return UdpEnd::kFinished;
@@ -136,6 +136,11 @@ void UdpServer::receive_until(StepClock::Time next_step, int step_ms,
     const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(next_step - due);
     match_->see((step_ms - static_cast<int>(left.count())) / params.slow_down_factor);
   }
+}
+
+void UdpServer::make_step() {
+  match_->step();
+  if (look_) look_(world());
 }
 
 void UdpServer::execute() {

@@ -82,6 +82,10 @@ class UdpServer {
   using OnNotice = std::function<void(const UdpNotice&)>;
   void on_notice(OnNotice tell) { tell_ = std::move(tell); }
 
+  /// Called on the thread of run() after every step, before the senses of it. Must return quickly.
+  using OnStep = std::function<void(const World&)>;
+  void on_step(OnStep look) { look_ = std::move(look); }
+
   /// Plays to the end and writes the result into the logs. After time over in auto mode the clients
   /// are given game_over_wait cycles to leave; without auto mode only `stop` or the cycle limit end
   /// it. `stop` may be set by another thread or a signal.
@@ -103,6 +107,7 @@ class UdpServer {
   bool run_cycle(const std::atomic<bool>& stop);
   bool wait_for_answers(const std::atomic<bool>& stop);
   void receive_until(StepClock::Time next_step, int step_ms, const std::atomic<bool>& stop);
+  void make_step();
   void execute();
   bool is_over() const;
   void tell_connections();
@@ -114,6 +119,7 @@ class UdpServer {
   std::unique_ptr<MatchServer> match_;
   std::unique_ptr<UdpNetwork> network_;
   OnNotice tell_;
+  OnStep look_;
   std::array<const Connection*, MatchServer::kMostClients> told_{};  ///< what was told of
   std::int64_t missed_cycles_ = 0;
   int missed_in_a_row_ = 0;

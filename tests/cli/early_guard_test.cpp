@@ -17,6 +17,7 @@ TEST(EarlyGuard, IsForCommandsThatStartPrograms) {
   EXPECT_TRUE(guarded({"match", "mock", "mock"}));
   EXPECT_TRUE(guarded({"--quiet", "match", "mock", "mock"}));
   EXPECT_TRUE(guarded({"doctor"}));
+  EXPECT_TRUE(guarded({"server", "server::team_l_start=./start.sh"}));
   EXPECT_FALSE(guarded({"version"}));
   EXPECT_FALSE(guarded({"convert", "match", "x"}));
   EXPECT_FALSE(guarded({"--help"}));

@@ -112,7 +112,6 @@ TEST(ServerCommand, TellsThePortsThatWereAskedFor) {
 
 TEST(ServerCommand, RefusesWhatItCannotDoYet) {
   const std::pair<const char*, const char*> wishes[] = {
-      {"server::team_l_start=./start.sh", "starting teams"},
       {"server::game_log_version=3", "version 6"},
       {"server::no_such=1", "no_such"},
       {"server::half_time", "server::NAME=VALUE"},
