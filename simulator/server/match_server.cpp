@@ -25,6 +25,11 @@ int view_interval(const View& view) {
   return view.quality == soccer::ViewQuality::kHigh ? rounds : rounds / 2;
 }
 
+/// On rcssserver coaches are asked last and answer fast: in 60 matches of helios-base they knew of
+/// 8 of 147 fouls in the cycle of the foul, and made 3.0 of 6 substitutions that need a word of the
+/// same cycle. With this share they make as many here.
+constexpr double kLateCoaches = 1.0 / 16.0;
+
 }  // namespace
 
 soccer::Result<std::unique_ptr<MatchServer>> MatchServer::create(const MatchConfig& config) {
@@ -221,6 +226,10 @@ void MatchServer::think_coaches() {
   text_.clear();
   soccer::format(soccer::ServerReply(soccer::Think{}), text_);
   coaches_.ask(text_);
+}
+
+bool MatchServer::coaches_are_late() const {
+  return stream("late coaches", 0).bernoulli(kLateCoaches);
 }
 
 bool MatchServer::awaits(ClientId client) const {

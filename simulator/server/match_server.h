@@ -100,8 +100,7 @@ class MatchServer {
   /// in order of arrival. Replies, and what others hear of it, go out at once.
   void execute();
 
-  // The two halves of it, for a driver that lets coaches think when they have heard what players
-  // said in this cycle.
+  // The two halves of it, for a driver that asks coaches in between.
   void execute_players();
   void execute_coaches();
 
@@ -120,6 +119,10 @@ class MatchServer {
   void think();
   void think_players();
   void think_coaches();
+
+  /// Whether coaches and trainer come to think in this cycle only after what players say and do in
+  /// it, drawn from the seed. With programs that race each other that happens now and then.
+  bool coaches_are_late() const;
 
   /// True while a client who was asked to think has not sent (done).
   bool awaits(ClientId client) const;

@@ -75,13 +75,16 @@ bool UdpServer::run_cycle(const std::atomic<bool>& stop) {
   if (!started) {
     network_->receive_until(WallClock::now() + config_.pause_before_start, [] { return false; });
   }
+  const bool coaches_are_late = match_->coaches_are_late();
   match_->think_players();
+  if (!coaches_are_late) match_->think_coaches();
   bool missed = !wait_for_answers(stop);
   tell_connections();
-  // Coaches think when they have heard what was said, so that it does not matter who is faster.
   match_->execute_players();
-  match_->think_coaches();
-  missed = !wait_for_answers(stop) || missed;
+  if (coaches_are_late) {
+    match_->think_coaches();
+    missed = !wait_for_answers(stop) || missed;
+  }
   match_->execute_coaches();
   tell_connections();
   if (missed) {

@@ -58,8 +58,8 @@ struct UdpNotice {
 
 /// Listens where rcssserver does and answers each client from a port of its own (protocol 1.1).
 /// In synchronous mode, what clients send in a cycle is executed when all are done, in an order
-/// drawn from the seed; coaches and the trainer are asked
-/// to think after that, so that they know what was said. So a match depends on when clients join
+/// drawn from the seed; coaches and the trainer are asked with the players, and in a few cycles,
+/// drawn too, only after that. So a match depends on when clients join
 /// and on what they send, not on who is faster. In real time, a step is made every simulator_step
 /// times slow_down_factor, and what has arrived is executed every recv_step, the last time right
 /// before the step (protocol 8.1). Sockets are used on the calling thread only.
