@@ -1,6 +1,7 @@
 // Seeing: geometry of an observation, its errors, and what of it is told (simulation model 7).
 #include "simulator/senses/vision.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <optional>
@@ -87,8 +88,47 @@ struct Sighting {
   bool in_view;
   Vec2 offset;
   double distance;
-  double direction;  ///< radians, relative to the face
+  double direction;  ///< radians, relative to the face; right in whole degrees
 };
+
+/// As soccer::direction_radians, several times as fast, but only within kRough of it. The
+/// polynomial is Abramowitz and Stegun's 4.4.47.
+double rough_direction(const Vec2& offset) {
+  const double x = std::fabs(offset.x);
+  const double y = std::fabs(offset.y);
+  const double slope = std::min(x, y) / std::max(x, y);
+  const double square = slope * slope;
+  double angle =
+      slope *
+      (0.9998660 +
+       square * (-0.3302995 + square * (0.1801410 + square * (-0.0851330 + square * 0.0208351))));
+  if (y > x) angle = math::kPi / 2.0 - angle;
+  if (offset.x < 0.0) angle = math::kPi - angle;
+  return std::copysign(angle, offset.y);
+}
+constexpr double kRough = 2e-5;
+
+/// Could a direction that is off by kRough be told, or be in view, where the right one is not?
+bool is_doubtful(const Eyes& eyes, double direction) {
+  const double magnitude = std::fabs(direction);
+  const double degrees = math::to_degrees(magnitude);
+  const double from_rounding = std::fabs(degrees - std::floor(degrees) - 0.5);
+  return from_rounding < math::to_degrees(kRough) ||
+         std::fabs(magnitude - eyes.half_cone) < kRough || magnitude > math::kPi - kRough;
+}
+
+double relative_to_face(const Eyes& eyes, double direction) {
+  return math::normalize_radians(math::normalize_radians(direction - eyes.player.body) -
+                                 eyes.player.neck);
+}
+
+double direction_seen(const Eyes& eyes, const Vec2& offset, double squared_distance) {
+  if (squared_distance > 0.0) {
+    const double rough = relative_to_face(eyes, rough_direction(offset));
+    if (!is_doubtful(eyes, rough)) return rough;
+  }
+  return relative_to_face(eyes, soccer::direction_radians(offset));
+}
 
 // By reference: of two numbers that came in registers the compiler would make one by way of memory.
 std::optional<Sighting> sight(const Eyes& eyes, const Vec2& object, double reach) {
@@ -99,9 +139,7 @@ std::optional<Sighting> sight(const Eyes& eyes, const Vec2& object, double reach
   }
   const double distance = std::sqrt(squared);
   const bool near = distance <= eyes.params.visible_distance;
-  const double direction = math::normalize_radians(
-      math::normalize_radians(soccer::direction_radians(offset) - eyes.player.body) -
-      eyes.player.neck);
+  const double direction = direction_seen(eyes, offset, squared);
   const bool in_view = std::fabs(direction) < eyes.half_cone && distance < reach;
   if (!in_view && !near) return std::nullopt;
   return Sighting{in_view, offset, distance, direction};

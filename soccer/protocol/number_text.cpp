@@ -59,12 +59,39 @@ char* write_fixed(char* to, unsigned digits, int exponent) {
   return to;
 }
 
-char* write_digits(char* to, unsigned value, int count) {
-  for (int i = count - 1; i >= 0; --i) {
-    to[i] = static_cast<char>('0' + value % 10);
-    value /= 10;
+// 00 to 99.
+constexpr std::array<char, 200> kPairs = [] {
+  std::array<char, 200> pairs{};
+  for (std::size_t i = 0; i < 100; ++i) {
+    pairs[2 * i] = static_cast<char>('0' + i / 10);
+    pairs[2 * i + 1] = static_cast<char>('0' + i % 10);
   }
-  return to + count;
+  return pairs;
+}();
+
+char* write_digit(char* to, unsigned value) {
+  *to = static_cast<char>('0' + value);
+  return to + 1;
+}
+
+// `value` is below 100.
+char* write_pair(char* to, unsigned value) {
+  to[0] = kPairs[2 * value];
+  to[1] = kPairs[2 * value + 1];
+  return to + 2;
+}
+
+// `value` is below 1000.
+char* write_short(char* to, unsigned value) {
+  if (value < 10) return write_digit(to, value);
+  if (value < 100) return write_pair(to, value);
+  return write_pair(write_digit(to, value / 100), value % 100);
+}
+
+// Two decimals or fewer: without zeros at the end.
+char* write_decimals(char* to, unsigned hundredths) {
+  if (hundredths % 10 == 0) return write_digit(to, hundredths / 10);
+  return write_pair(to, hundredths);
 }
 
 // Most numbers of the protocol are rounded to few decimals: a value within 1e-11 of a multiple of
@@ -79,12 +106,11 @@ char* write_round(char* to, double value) {
   if (std::signbit(value)) *to++ = '-';
   const unsigned before = whole / 10000;
   const unsigned after = whole % 10000;
-  to = write_digits(to, before, before < 10 ? 1 : 2);
+  to = write_short(to, before);
   if (after == 0) return to;
   *to++ = '.';
-  to = write_digits(to, after, 4);
-  while (to[-1] == '0') --to;
-  return to;
+  if (after % 100 == 0) return write_decimals(to, after / 100);
+  return write_decimals(write_pair(to, after / 100), after % 100);
 }
 
 // The usual case otherwise: plain notation, and not near the border between two roundings, where
@@ -179,7 +205,7 @@ char* write_g(double value, char* to) {
 
 char* write_int(std::int64_t value, char* to) {
   if (value >= 0 && value < 1000) {
-    return write_digits(to, static_cast<unsigned>(value), value < 10 ? 1 : value < 100 ? 2 : 3);
+    return write_short(to, static_cast<unsigned>(value));
   }
   return std::to_chars(to, to + kNumberRoom, value).ptr;
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "soccer/math.h"
+#include "soccer/pitch.h"
 #include "tests/simulator/scene.h"
 
 namespace cls::simulator {
@@ -94,6 +95,40 @@ TEST(Vision, TellsMotionInStepsOfTheDistance) {
   world.ball.velocity = {-1, 0.5};
   // -1.2 / 10 = -0.12 of 10 m a cycle; 0.5 / 10 rad = 2.86 degrees a cycle.
   EXPECT_EQ(see_part(see_text(world, me), "(b)"), "((b) 10 0 -1.2 2.9)");
+}
+
+// Also where the direction lies next to the border between two degrees, or of the view cone.
+TEST(Vision, TellsDirectionsRoundedFromExactOnes) {
+  World world = empty_pitch();
+  Player& me = place(world, Side::kLeft, 1, {0, 0});
+  const VisionModel model(world.params());
+  RandomStream random(1, "places");
+  RandomStream noise(1, "noise");
+  soccer::See seen;
+  int count = 0;
+  for (int i = 0; i < 4000; ++i) {
+    me.position = {random.uniform(-60.0, 60.0), random.uniform(-40.0, 40.0)};
+    me.body = random.uniform(-math::kPi, math::kPi);
+    me.neck = random.uniform(-1.5, 1.5);
+    const auto direction_to = [&me](std::size_t landmark) {
+      const Vec2 offset = soccer::kLandmarks[landmark].position - me.position;
+      return math::normalize_radians(
+          math::normalize_radians(soccer::direction_radians(offset) - me.body) - me.neck);
+    };
+    if (i % 2 == 0) {
+      const double to_border =
+          direction_to(static_cast<std::size_t>(i) % soccer::kLandmarks.size()) -
+          math::to_radians(i % 90 + 0.5) + random.uniform(-4e-5, 4e-5);
+      me.body = math::normalize_radians(me.body + to_border);
+    }
+    see(model, world, me.slot(), noise, seen);
+    for (const soccer::Observation& object : seen.objects) {
+      if (object.kind != soccer::ObservedKind::kLandmark) continue;
+      ++count;
+      ASSERT_EQ(object.direction, std::rint(math::to_degrees(direction_to(object.index))));
+    }
+  }
+  EXPECT_GT(count, 50000);
 }
 
 TEST(Vision, ReachesToTheSidesAndThreeMetresAround) {
