@@ -1,6 +1,7 @@
 // Sockets around the match server.
 #include "simulator/server/udp_network.h"
 
+#include <poll.h>
 #include <sys/epoll.h>
 #include <unistd.h>
 
@@ -139,7 +140,7 @@ class UdpNetwork::Sockets {
     bool waits = !enough();
     do {
       if (waits) flush();
-      handle_ready(waits ? milliseconds_until(deadline) : 0);
+      handle_ready(waits ? wait(milliseconds_until(deadline)) : 0);
       waits = !enough();
     } while (waits && std::chrono::steady_clock::now() < deadline);
   }
@@ -182,6 +183,28 @@ class UdpNetwork::Sockets {
     const auto left = deadline - std::chrono::steady_clock::now();
     return std::max(0,
                     static_cast<int>(std::chrono::ceil<std::chrono::milliseconds>(left).count()));
+  }
+
+  // Where the match waits for answers it sleeps until one of those who owe one has sent something,
+  // the last that was asked: what the others have sent by then is taken in together. To wake up for
+  // each would cost more than to read. Returns the time that is left to wait for anybody: none
+  // then.
+  int wait(int timeout_ms) {
+    const UdpChannel* awaited = last_awaited();
+    if (awaited == nullptr) return timeout_ms;
+    pollfd socket{awaited->socket().fd(), POLLIN, 0};
+    ::poll(&socket, 1, timeout_ms);
+    return 0;
+  }
+
+  // Of the network's clients; null if none is awaited.
+  const UdpChannel* last_awaited() {
+    for (ClientId id = kFirstMonitor - 1; id >= 0; --id) {
+      if (match_.awaits(id) && is_connected(id, client_at(id).generation)) {
+        return client_at(id).channel;
+      }
+    }
+    return nullptr;
   }
 
   // Everybody who has sent something has a turn. False if nobody has.
