@@ -2,9 +2,12 @@
 #include "orchestration/checks/playmaker_check.h"
 
 #include <algorithm>
+#include <functional>
 #include <iterator>
+#include <thread>
 #include <utility>
 
+#include "orchestration/checks/ended_program.h"
 #include "orchestration/checks/scratch_folder.h"
 #include "orchestration/playmaker_link.h"
 #include "orchestration/playmaker_program.h"
@@ -12,6 +15,8 @@
 
 namespace cls::orchestration {
 namespace {
+
+constexpr std::chrono::milliseconds kLook{20};
 
 /// Whatever the subject needs to live; the subject is destroyed first.
 struct Surroundings {
@@ -92,19 +97,40 @@ std::vector<PlaymakerStep> steps_to_take(const std::vector<std::string>& only) {
   return steps;
 }
 
-// Why it is of no use to go on; empty if it is.
-std::string hopeless(const Surroundings& around, const CheckReport& report,
-                     const std::atomic<int>& stop) {
-  if (stop != 0) return "interrupted";
-  if (around.program != nullptr && around.program->ended()) {
-    std::string why = "the program has ended";
-    const auto lines = around.program->child().last_lines(1);
-    if (!lines.empty()) why += "; its last words: " + lines.front();
-    return why;
-  }
-  const bool unreachable =
-      !report.steps.empty() && report.steps.front().result == StepResult::kFail;
-  return unreachable ? "the Playmaker was not reached" : "";
+/// Why nothing can come of asking the Playmaker; empty while something can. Called from two
+/// threads.
+using Hopeless = std::function<std::string()>;
+
+// The first step waits for the Playmaker to come up, but not when none can come any more.
+Finding take_first(const PlaymakerStep& step, PlaymakerSubject& subject, const Hopeless& hopeless) {
+  std::atomic<bool> taken = false;
+  bool called_back = false;
+  std::thread watch([&] {
+    while (!taken && hopeless().empty()) std::this_thread::sleep_for(kLook);
+    if (taken) return;
+    called_back = true;
+    subject.left().cancel();
+  });
+  Finding found = step.run(subject);
+  taken = true;
+  watch.join();
+  const bool failed = found.result == StepResult::kFail;
+  return called_back && failed ? fail("no answer") : found;
+}
+
+Finding take_step(const PlaymakerStep& step, PlaymakerSubject& subject, const CheckReport& report,
+                  const Hopeless& hopeless) {
+  if (std::string reason = hopeless(); !reason.empty()) return skip(std::move(reason));
+  const bool first = report.steps.size() == 1;
+  if (first) return take_first(step, subject, hopeless);
+  const bool reached = report.steps.front().result != StepResult::kFail;
+  return reached ? step.run(subject) : skip("the Playmaker was not reached");
+}
+
+// What may be behind a step's failure.
+std::string hint(const Surroundings& around, const Hopeless& hopeless) {
+  if (const std::string reason = hopeless(); !reason.empty()) return "; " + reason;
+  return around.program == nullptr ? "" : around.program->port_hint();
 }
 
 }  // namespace
@@ -114,6 +140,11 @@ soccer::Result<CheckReport> check_playmaker(const PlaymakerCheckOptions& options
   Surroundings around;
   PlaymakerSubject subject;
   if (const auto prepared = prepare(options, around, subject); !prepared) return prepared.error();
+  const Hopeless hopeless = [&around, &stop]() -> std::string {
+    if (stop != 0) return "interrupted";
+    if (around.program == nullptr) return {};
+    return account_of_end("the program", around.program->child());
+  };
   CheckReport report;
   report.schema = "cls.check/1";
   report.command = "cls check playmaker";
@@ -122,11 +153,8 @@ soccer::Result<CheckReport> check_playmaker(const PlaymakerCheckOptions& options
     CheckStep& taken = report.steps.emplace_back();
     taken.name = step.name;
     taken.why = step.why;
-    const std::string why_not = hopeless(around, report, stop);
-    take(taken, [&] { return why_not.empty() ? step.run(subject) : skip(why_not); });
-    if (taken.result == StepResult::kFail && around.program != nullptr) {
-      taken.evidence += around.program->port_hint();
-    }
+    take(taken, [&] { return take_step(step, subject, report, hopeless); });
+    if (taken.result == StepResult::kFail) taken.evidence += hint(around, hopeless);
     on_step(taken);
   }
   return report;

@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "orchestration/checks/ended_program.h"
 #include "orchestration/checks/server_subject.h"
 #include "orchestration/checks/started_server.h"
 
@@ -11,8 +12,13 @@ namespace cls::orchestration {
 namespace {
 
 soccer::Result<void> prepare(const ServerCheckOptions& options,
-                             std::optional<StartedServer>& server, ServerSubject& subject) {
+                             std::optional<StartedServer>& server, ServerSubject& subject,
+                             const std::atomic<int>& stop) {
   subject.start_timeout = options.start_timeout;
+  subject.hopeless = [&server, &stop]() -> std::string {
+    if (stop != 0) return "interrupted";
+    return server ? account_of_end("the server", server->child()) : "";
+  };
   if (options.server.kind == ServerChoice::Kind::kAddress) {
     subject.host = options.server.host;
     const int port = options.server.port;
@@ -42,15 +48,8 @@ soccer::Result<void> prepare(const ServerCheckOptions& options,
 }
 
 // Why it is of no use to go on; empty if it is.
-std::string hopeless(const std::optional<StartedServer>& server, const CheckReport& report,
-                     const std::atomic<int>& stop) {
-  if (stop != 0) return "interrupted";
-  if (server && has_ended(server->child().status())) {
-    std::string why = "the server has ended";
-    const auto lines = server->child().last_lines(1);
-    if (!lines.empty()) why += "; its last words: " + lines.front();
-    return why;
-  }
+std::string why_not(const ServerSubject& subject, const CheckReport& report) {
+  if (std::string reason = subject.hopeless(); !reason.empty()) return reason;
   const bool unreachable =
       report.steps.size() > 1 && report.steps.front().result != StepResult::kPass;
   return unreachable ? "the server was not reached" : "";
@@ -63,7 +62,8 @@ soccer::Result<CheckReport> check_server(const ServerCheckOptions& options,
                                          const std::atomic<int>& stop) {
   std::optional<StartedServer> server;
   ServerSubject subject;
-  if (const auto prepared = prepare(options, server, subject); !prepared) return prepared.error();
+  if (const auto prepared = prepare(options, server, subject, stop); !prepared)
+    return prepared.error();
   CheckReport report;
   report.schema = "cls.check/1";
   report.command = "cls check server";
@@ -74,8 +74,8 @@ soccer::Result<CheckReport> check_server(const ServerCheckOptions& options,
     CheckStep& taken = report.steps.emplace_back();
     taken.name = step.name;
     taken.why = step.why;
-    const std::string why_not = hopeless(server, report, stop);
-    take(taken, [&] { return why_not.empty() ? step.run(subject) : skip(why_not); });
+    const std::string reason = why_not(subject, report);
+    take(taken, [&] { return reason.empty() ? step.run(subject) : skip(reason); });
     on_step(taken);
   }
   return report;

@@ -38,6 +38,9 @@ Finding reach(ServerSubject& subject) {
     if (answer && answer->starts_with("(init")) return pass(*answer);
     if (answer) return fail(*answer);
     subject.clients.clear();
+    if (const std::string reason = subject.hopeless(); !reason.empty()) {
+      return fail("no answer to (init ...); " + reason);
+    }
   }
   return fail("no answer to (init ...)");
 }

@@ -25,6 +25,8 @@ struct ServerSubject {
   ServerPorts ports;
   std::chrono::milliseconds start_timeout{20'000};
   std::chrono::milliseconds patience{3'000};  ///< for an answer
+  /// Why nothing can come of waiting for it; empty while something can.
+  std::function<std::string()> hopeless;
 
   std::unique_ptr<soccer::UdpClients> player_door;
   std::unique_ptr<soccer::UdpClients> trainer_door;

@@ -93,6 +93,19 @@ TEST(CheckPlaymaker, SkipsTheRestWhenTheProgramHasEnded) {
             std::string::npos);
 }
 
+TEST(CheckPlaymaker, EndsWithAProgramThatEndsBeforeItAnswers) {
+  // Whoever waits for the whole start timeout is killed long before.
+  const CommandResult result = check(
+      {"run:sleep 1; echo no formation; exit 3; : {port}", "--start-timeout", "600", "--json"});
+  EXPECT_EQ(result.exit_code, 69) << result.out << result.err;
+  const json reach = json::parse(result.out)["steps"].front();
+  EXPECT_NE(reach["result"], "pass");
+  EXPECT_NE(reach["evidence"].get<std::string>().find(
+                "the program has ended (exit code 3); its last words: no formation"),
+            std::string::npos)
+      << reach["evidence"];
+}
+
 TEST(CheckPlaymaker, TellsEachFailureByItsExitCode) {
   const CommandResult nobody = check({"127.0.0.1:9", "--start-timeout", "0.3", "--json"});
   EXPECT_EQ(nobody.exit_code, 69) << nobody.out << nobody.err;
