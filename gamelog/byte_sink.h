@@ -18,6 +18,10 @@ class ByteSink {
 
   virtual void write(std::string_view bytes) = 0;
 
+  /// Lets who reads along see everything written so far, where that costs nothing but time. An
+  /// error is told by close().
+  virtual void flush() {}
+
   /// Everything written so far is out of our hands afterwards. The first error since the start.
   virtual soccer::Result<void> close() = 0;
 };
@@ -43,11 +47,11 @@ class FileSink : public ByteSink {
   ~FileSink() override;
 
   void write(std::string_view bytes) override;
+  void flush() override;
   soccer::Result<void> close() override;
 
  private:
   FileSink(std::string path, std::FILE* file);
-  void flush();
   void fail();
 
   std::string path_;

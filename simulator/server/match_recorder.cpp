@@ -60,6 +60,7 @@ void describe(const World& world, gamelog::Frame& out) {
 
 void MatchRecorder::begin(gamelog::ByteSink* game_log, gamelog::ByteSink* text_log,
                           const Rules& rules) {
+  game_log_ = game_log;
   if (game_log != nullptr) {
     rcg_.emplace(*game_log);
     rcg_->begin(rules.server, rules.player, rules.types);
@@ -69,8 +70,11 @@ void MatchRecorder::begin(gamelog::ByteSink* game_log, gamelog::ByteSink* text_l
 
 void MatchRecorder::step(const World& world) {
   if (!rcg_ || world.mode == PlayMode::kBeforeKickOff) return;
+  const PlayMode last_mode = frame_.mode;
   describe(world, frame_);
   rcg_->step(frame_);
+  // Who follows the log of a match that is being played learns of the game's turns at once.
+  if (world.mode != last_mode) game_log_->flush();
 }
 
 void MatchRecorder::command(const World& world, ClientId client, std::string_view text) {

@@ -24,7 +24,8 @@ class MatchRecorder {
   /// recorder.
   void begin(gamelog::ByteSink* game_log, gamelog::ByteSink* text_log, const Rules& rules);
 
-  /// Every step, after it (simulation model 12.4).
+  /// Every step, after it (simulation model 12.4). When the play mode has changed, the game log is
+  /// flushed.
   void step(const World& world);
 
   /// What the client of that player, coach or trainer has sent.
@@ -39,6 +40,7 @@ class MatchRecorder {
   void finish(const World& world);
 
  private:
+  gamelog::ByteSink* game_log_ = nullptr;
   std::optional<gamelog::RcgWriter> rcg_;
   std::optional<gamelog::RclWriter> rcl_;
   gamelog::Frame frame_;

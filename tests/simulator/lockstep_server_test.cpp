@@ -80,6 +80,31 @@ bool contains(const std::vector<std::string>& lines, std::string_view part) {
   });
 }
 
+/// Remembers what a reader of a file that is being written could see.
+class LiveSink : public gamelog::StringSink {
+ public:
+  void flush() override { visible = bytes(); }
+  std::string visible;
+};
+
+TEST(LockstepServer, WhoReadsTheLogAlongSeesATurnOfTheGameAtOnce) {
+  Match match(quick_match());
+  LiveSink log;
+  match.server->record(&log, nullptr);
+  int turns = 0;
+  std::size_t last = std::string::npos;
+  while (!match.server->finished()) {
+    match.run_cycle();
+    const std::size_t turn = log.bytes().rfind("(playmode ");
+    if (turn == last) continue;
+    last = turn;
+    ++turns;
+    EXPECT_GT(log.visible.size(), turn);
+  }
+  EXPECT_NE(log.visible.find("(playmode 400 time_over)"), std::string::npos);
+  EXPECT_GE(turns, 4);
+}
+
 TEST(LockstepServer, PlaysAMatchFromKickOffToTimeOver) {
   Match match(quick_match());
   match.run_to_end();
