@@ -26,6 +26,7 @@
 #include "orchestration/server_report.h"
 #include "orchestration/server_settings.h"
 #include "orchestration/server_teams.h"
+#include "simulator/server/keepaway_recorder.h"
 #include "simulator/server/udp_server.h"
 
 namespace cls::cli {
@@ -83,11 +84,10 @@ soccer::Result<ServerSettings> read_settings(const Arguments& arguments,
   if (arguments.folder.empty()) return settings;
   // A folder of its own needs no other names.
   soccer::ServerParams& server = settings.server;
-  for (std::string* folder : {&server.game_log_dir, &server.text_log_dir}) {
-    *folder = arguments.folder;
-  }
-  server.game_log_fixed = server.text_log_fixed = true;
+  server.game_log_dir = server.text_log_dir = server.keepaway_log_dir = arguments.folder;
+  server.game_log_fixed = server.text_log_fixed = server.keepaway_log_fixed = true;
   server.game_log_fixed_name = server.text_log_fixed_name = "match";
+  server.keepaway_log_fixed_name = "match";
   return settings;
 }
 
@@ -255,10 +255,13 @@ int serve_match(const Arguments& arguments, const ServerSettings& settings) {
   auto logs = orchestration::ServerLogs::open(settings.server, start);
   if (!logs) return report_mistakes({logs.error().message}, kCannotCreate);
   (*server)->record(logs->game(), logs->text());
+  std::optional<simulator::KeepawayRecorder> keepaway;
+  if (logs->keepaway() != nullptr) keepaway.emplace(*logs->keepaway());
   const orchestration::ServerPorts ports = ports_of(**server);
   auto teams = orchestration::ServerTeams::create(settings.server, ports);
   if (!teams) return report_mistakes({teams.error().message}, kInternalError);
-  (*server)->on_step([&teams](const simulator::World& world) {
+  (*server)->on_step([&](const simulator::World& world) {
+    if (keepaway) keepaway->step(world);
     teams->look(world.mode == soccer::PlayMode::kPlayOn,
                 !world.team(soccer::Side::kLeft).name.empty());
   });
@@ -326,7 +329,7 @@ void add_server_command(CLI::App& app, int& exit_code) {
   command->add_option("--seed", arguments->seed, "of the match (else drawn and told)");
   command->add_option("--cycles", arguments->cycles, "end when game time reaches this");
   command->add_option("--dir", arguments->folder,
-                      "for match.rcg and match.rcl (else rcssserver's folders and names)");
+                      "for match.rcg, match.rcl, match.kwy (else rcssserver's folders and names)");
   command->callback(
       [arguments, command, &exit_code] { exit_code = run_server(*arguments, *command); });
 }

@@ -61,16 +61,21 @@ Result<ServerLogs::Log> ServerLogs::open(const Wish& wish, const std::string& da
 Result<ServerLogs> ServerLogs::open(const soccer::ServerParams& p, std::time_t start) {
   const std::string date = formatted(p.log_date_format, start);
   ServerLogs logs;
-  auto game = open({p.game_logging, p.game_log_dir, p.game_log_fixed, p.game_log_fixed_name,
-                    p.game_log_dated, p.game_log_compression, "rcg"},
-                   date);
-  if (!game) return game.error();
-  logs.game_ = std::move(*game);
-  auto text = open({p.text_logging, p.text_log_dir, p.text_log_fixed, p.text_log_fixed_name,
-                    p.text_log_dated, p.text_log_compression, "rcl"},
-                   date);
-  if (!text) return text.error();
-  logs.text_ = std::move(*text);
+  const std::pair<Log*, Wish> wishes[] = {
+      {&logs.game_,
+       {p.game_logging, p.game_log_dir, p.game_log_fixed, p.game_log_fixed_name, p.game_log_dated,
+        p.game_log_compression, "rcg"}},
+      {&logs.text_,
+       {p.text_logging, p.text_log_dir, p.text_log_fixed, p.text_log_fixed_name, p.text_log_dated,
+        p.text_log_compression, "rcl"}},
+      {&logs.keepaway_,
+       {p.keepaway && p.keepaway_logging, p.keepaway_log_dir, p.keepaway_log_fixed,
+        p.keepaway_log_fixed_name, p.keepaway_log_dated, 0, "kwy"}}};
+  for (const auto& [log, wish] : wishes) {
+    auto opened = open(wish, date);
+    if (!opened) return opened.error();
+    *log = std::move(*opened);
+  }
   return logs;
 }
 
@@ -92,14 +97,17 @@ Result<void> ServerLogs::finish(const gamelog::TeamFrames& teams) {
   // Team names may hold a slash.
   std::string match = gamelog::match_name(teams);
   std::replace(match.begin(), match.end(), '/', '_');
-  auto game = finish(game_, match);
-  auto text = finish(text_, match);
-  return game ? std::move(text) : std::move(game);
+  Result<void> result;
+  for (Log* log : {&game_, &text_, &keepaway_}) {
+    auto finished = finish(*log, match);
+    if (result) result = std::move(finished);
+  }
+  return result;
 }
 
 std::vector<std::filesystem::path> ServerLogs::paths() const {
   std::vector<std::filesystem::path> paths;
-  for (const Log* log : {&game_, &text_}) {
+  for (const Log* log : {&game_, &text_, &keepaway_}) {
     if (log->sink != nullptr) paths.push_back(log->path);
   }
   return paths;

@@ -14,10 +14,10 @@
 
 namespace cls::orchestration {
 
-/// Opens the logs that the parameters want (game_logging, text_logging): game_log_dir,
-/// game_log_fixed_name, game_log_dated, game_log_compression and so on. While the match runs they
-/// are called incomplete.rcg and incomplete.rcl; finish() gives them their names
-/// (`20261120203857-A_1-vs-B_0.rcg`), unless these are fixed.
+/// Opens the logs that the parameters want (game_logging, text_logging; keepaway_logging in
+/// keepaway): game_log_dir, game_log_fixed_name, game_log_dated, game_log_compression and so on.
+/// While the match runs they are called incomplete.rcg, .rcl and .kwy; finish() gives them their
+/// names (`20261120203857-A_1-vs-B_0.rcg`), unless these are fixed.
 class ServerLogs {
  public:
   /// The error names the file or folder that cannot be created.
@@ -26,6 +26,7 @@ class ServerLogs {
   /// Null where no such log is wanted.
   gamelog::ByteSink* game() { return game_.sink.get(); }
   gamelog::ByteSink* text() { return text_.sink.get(); }
+  gamelog::ByteSink* keepaway() { return keepaway_.sink.get(); }
 
   /// Closes and names them. The error is the first one since the start.
   soccer::Result<void> finish(const gamelog::TeamFrames& teams);
@@ -48,6 +49,7 @@ class ServerLogs {
 
   Log game_;
   Log text_;
+  Log keepaway_;
 };
 
 }  // namespace cls::orchestration

@@ -1,4 +1,6 @@
 // Keepaway: keepers (left) hold the ball from takers (right) in a small area (10.3).
+#include "simulator/referee/keepaway.h"
+
 #include <cmath>
 
 #include "simulator/referee.h"
@@ -11,6 +13,9 @@ namespace {
 
 // Takers own the ball when they could kick it in so many cycles.
 constexpr int kPossession = 4;
+
+// In place of a count until the next step, when they have ended an episode.
+constexpr int kJustTaken = -1;
 constexpr double kBallInset = 4.0;
 constexpr double kCornerSpread = 3.0;
 
@@ -72,10 +77,11 @@ void begin(World& world) {
   start_episode(world);
 }
 
-void end_episode(World& world, Events& events) {
+void end_episode(World& world, bool taken, Events& events) {
   announce(world, "training Keepaway 1", events);
   ++world.referee.keepaway.episode;
   start_episode(world);
+  if (taken) world.referee.keepaway.possession = kJustTaken;
 }
 
 bool is_ball_outside(const World& world) {
@@ -103,6 +109,7 @@ void analyse(World& world, Events& events) {
   const soccer::ServerParams& server = world.params();
   KeepawayRule& memory = world.referee.keepaway;
   if (!server.keepaway) return;
+  if (was_taken(memory)) memory.possession = 0;
   if (world.mode != PlayMode::kPlayOn) {
     // The server waits for real seconds; here a second is as many steps as it should have.
     const int waited = world.clock.time + world.clock.stoppage;
@@ -111,14 +118,18 @@ void analyse(World& world, Events& events) {
     if (is_over) change_mode(world, PlayMode::kPlayOn, events);
   } else if (memory.episode == 0) {
     begin(world);
-  } else if (is_ball_outside(world) || memory.possession >= kPossession) {
-    end_episode(world, events);
+  } else if (is_ball_outside(world)) {
+    end_episode(world, false, events);
+  } else if (memory.possession >= kPossession) {
+    end_episode(world, true, events);
   } else {
     count_possession(world);
   }
 }
 
 }  // namespace
+
+bool was_taken(const KeepawayRule& rule) { return rule.possession == kJustTaken; }
 
 const Rule kKeepawayRule = {.analyse = analyse};
 

@@ -1,0 +1,175 @@
+// The logs of `cls server` beside those of the real server, of the same match cycle by cycle.
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <regex>
+#include <string>
+#include <vector>
+
+#include "tests/support/command.h"
+#include "tests/support/files.h"
+#include "tests/support/real_server.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/support/udp_client.h"
+
+namespace cls::tests {
+namespace {
+
+namespace fs = std::filesystem;
+
+using Words = std::vector<std::string>;
+
+/// What is sent before a cycle ends.
+struct Cycle {
+  Words trainer;
+  std::string left;
+  std::string right;
+};
+
+/// A server with a player a side and a trainer, in synchronous mode, so that every cycle has just
+/// the commands it is given.
+class ScriptedServer {
+ public:
+  ScriptedServer(Words command, const Words& settings) {
+    for (int& port : ports_) port = free_udp_port();
+    const std::string path = folder_.path();
+    for (const std::string& word :
+         Words{"server::port=" + std::to_string(ports_[0]),
+               "server::coach_port=" + std::to_string(ports_[1]),
+               "server::olcoach_port=" + std::to_string(ports_[2]), "server::synch_mode=on",
+               "server::coach_w_referee=on", "server::ball_rand=0", "server::player_rand=0",
+               "server::kick_rand=0", "server::wind_rand=0", "server::wind_force=0",
+               "player::player_types=1", "player::random_seed=1", "server::game_log_dated=off",
+               "server::text_log_dated=off", "server::keepaway_log_dated=off"}) {
+      command.push_back(word);
+    }
+    command.insert(command.end(), settings.begin(), settings.end());
+    server_ = std::make_unique<Command>(
+        command, Words{"RCSS_CONF_DIR=" + path + "/conf", "USER=nobody"}, path);
+    wait_for_start();
+    left_ = join("(init A (version 18))", ports_[0]);
+    right_ = join("(init B (version 18))", ports_[0]);
+    trainer_ = join("(init (version 18))", ports_[1]);
+    settle();
+  }
+
+  void play(const Cycle& cycle) {
+    for (const std::string& order : cycle.trainer) trainer_->send(order);
+    if (!cycle.left.empty()) left_->send(cycle.left);
+    if (!cycle.right.empty()) right_->send(cycle.right);
+    be_done();
+    for (std::size_t i = 0; i < cycle.trainer.size(); ++i) wait_for("(ok ", *trainer_);
+    await_think();
+  }
+
+  /// Ends it; the log of that kind.
+  std::string log(const std::string& ending) {
+    server_->send_signal(SIGINT);
+    server_->finish();
+    for (const auto& entry : fs::directory_iterator(folder_.path())) {
+      if (entry.path().extension() == ending) return read_file(entry.path());
+    }
+    ADD_FAILURE() << "no log " << ending << "\n" << server_->out();
+    return {};
+  }
+
+ private:
+  static constexpr std::chrono::seconds kPatience{20};
+
+  void wait_for_start() const {
+    for (int i = 0; i < 400; ++i) {
+      UdpClient probe(ports_[0]);
+      probe.send("(anybody)");
+      if (probe.wait(std::chrono::milliseconds(50)) == "(error unknown_command)") return;
+    }
+    throw std::runtime_error("the server does not start: " + server_->out());
+  }
+
+  static std::unique_ptr<UdpClient> join(const std::string& request, int port) {
+    auto client = std::make_unique<UdpClient>(port);
+    client->send(request);
+    wait_for("(init ", *client);
+    return client;
+  }
+
+  // While others joined, cycles have passed without an answer of who was there first.
+  void settle() {
+    for (int i = 0; i < 3; ++i) {
+      await_think();
+      std::string missed;
+      for (UdpClient* player : {left_.get(), right_.get()}) {
+        while (player->receive(missed)) {
+        }
+      }
+      be_done();
+    }
+    await_think();
+  }
+
+  void await_think() {
+    wait_for("(think)", *left_);
+    wait_for("(think)", *right_);
+  }
+
+  void be_done() {
+    left_->send("(done)");
+    right_->send("(done)");
+  }
+
+  static void wait_for(const std::string& start, UdpClient& client) {
+    for (;;) {
+      const std::string message = client.wait(kPatience);
+      if (message.empty()) throw std::runtime_error("nobody says " + start);
+      if (message.starts_with(start)) return;
+    }
+  }
+
+  int ports_[3] = {};
+  TemporaryFolder folder_;
+  std::unique_ptr<Command> server_;
+  std::unique_ptr<UdpClient> left_;
+  std::unique_ptr<UdpClient> right_;
+  std::unique_ptr<UdpClient> trainer_;
+};
+
+std::string log_of(const Words& command, const Words& settings, const std::vector<Cycle>& match,
+                   const std::string& ending) {
+  ScriptedServer server(command, settings);
+  for (const Cycle& cycle : match) server.play(cycle);
+  return server.log(ending);
+}
+
+const Words kOurs = {cls_binary(), "server"};
+
+/// The ball leaves the area, a taker has it, and has it at the moment when it leaves.
+std::vector<Cycle> three_episodes() {
+  std::vector<Cycle> match(30);
+  match[1].trainer = {"(start)"};
+  match[8].trainer = {"(move (ball) 10.5 0)"};
+  const Words taken = {"(move (ball) 0 0)", "(move (player B 1) 0.6 0)", "(move (player A 1) 8 8)"};
+  for (std::size_t i = 12; i < 17; ++i) match[i].trainer = taken;
+  for (std::size_t i = 20; i < 24; ++i) match[i].trainer = taken;
+  match[24].trainer = {"(move (ball) 0 12)"};
+  return match;
+}
+
+TEST(KeepawayLogs, TellEpisodesAndWhatEndedThem) {
+  const std::string log = log_of(kOurs, {"server::keepaway=on"}, three_episodes(), ".kwy");
+  EXPECT_TRUE(log.starts_with("# Keepers: 1\n# Takers:  1\n# Region:  20 x 20\n#\n")) << log;
+  EXPECT_TRUE(std::regex_search(log, std::regex("\n1\t0\t(\\d+)\t\\1\to\n2\t\\1\t\\d+\t\\d+\tt\n3\t"
+                                                "\\d+\t\\d+\t\\d+\to\n$")))
+      << log;
+}
+
+TEST(KeepawayLogs, AreThoseOfTheRealServer) {
+  if (real_server().empty()) GTEST_SKIP() << "no rcssserver on PATH nor in CLS_RCSSSERVER";
+  const Words keepaway = {"server::keepaway=on"};
+  EXPECT_EQ(log_of({real_server()}, keepaway, three_episodes(), ".kwy"),
+            log_of(kOurs, keepaway, three_episodes(), ".kwy"));
+}
+
+}  // namespace
+}  // namespace cls::tests
