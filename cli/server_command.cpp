@@ -22,6 +22,7 @@
 
 #include "cli/exit_code.h"
 #include "cli/interrupt.h"
+#include "cli/server_lines.h"
 #include "orchestration/server_logs.h"
 #include "orchestration/server_report.h"
 #include "orchestration/server_settings.h"
@@ -89,38 +90,6 @@ soccer::Result<ServerSettings> read_settings(const Arguments& arguments,
   server.game_log_fixed_name = server.text_log_fixed_name = "match";
   server.keepaway_log_fixed_name = "match";
   return settings;
-}
-
-/// "player (TA 1)", "online coach (TA)", "offline coach", "monitor".
-std::string name_of(simulator::ClientId client, const simulator::World& world) {
-  const auto team = [&world](soccer::Side side) { return world.team(side).name.view(); };
-  if (simulator::is_player(client)) {
-    return fmt::format("player ({} {})", team(soccer::side_of_slot(client)),
-                       soccer::unum_of_slot(client));
-  }
-  if (client == simulator::kTrainer) return "offline coach";
-  if (simulator::is_monitor(client)) return "monitor";
-  const bool left = client == simulator::kLeftCoach;
-  return fmt::format("online coach ({})", team(left ? soccer::Side::kLeft : soccer::Side::kRight));
-}
-
-/// What rcssserver writes too, so that scripts that wait for its lines find them here.
-void print_notice(const UdpServer& server, const simulator::UdpNotice& notice) {
-  const simulator::World& world = server.world();
-  if (notice.kind == simulator::UdpNotice::Kind::kMissedCycle) {
-    fmt::print(stderr, "Someone missed a cycle at {}\n", world.clock.time);
-    return;
-  }
-  const std::string who = name_of(notice.client, world);
-  if (notice.kind == simulator::UdpNotice::Kind::kConnected) {
-    fmt::print("A new (v{}) {} connected.\n", notice.version, who);
-  } else if (simulator::is_player(notice.client)) {
-    const std::size_t blank = who.find(' ');
-    fmt::print("A player disconnected :{}\n", who.substr(blank));
-  } else {
-    fmt::print("A {} disconnected\n", who);
-  }
-  std::fflush(stdout);
 }
 
 /// Serves on a thread of its own, so that a signal is noticed soon. The match costs little: what is
@@ -245,10 +214,21 @@ orchestration::ServerPorts ports_of(const UdpServer& server) {
           server.port(simulator::Door::kOnlineCoach)};
 }
 
+/// A closed terminal ends the match in order, as Ctrl-C does; not under nohup.
+void watch_hang_up() {
+  struct sigaction now = {};
+  sigaction(SIGHUP, nullptr, &now);
+  if (now.sa_handler == SIG_IGN) return;
+  struct sigaction interrupt = {};
+  sigaction(SIGINT, nullptr, &interrupt);
+  sigaction(SIGHUP, &interrupt, nullptr);
+}
+
 /// Everything from open doors to closed logs.
 int serve_match(const Arguments& arguments, const ServerSettings& settings) {
   const simulator::UdpConfig config = config_of(arguments, settings);
   const std::atomic<int>& signal = watch_interrupts();
+  watch_hang_up();
   const std::time_t start = std::time(nullptr);
   auto server = UdpServer::open(config);
   if (!server) return report_mistakes({server.error().message}, kTryAgain);
@@ -260,12 +240,14 @@ int serve_match(const Arguments& arguments, const ServerSettings& settings) {
   const orchestration::ServerPorts ports = ports_of(**server);
   auto teams = orchestration::ServerTeams::create(settings.server, ports);
   if (!teams) return report_mistakes({teams.error().message}, kInternalError);
+  ServerLines lines(**server);
   (*server)->on_step([&](const simulator::World& world) {
+    lines.step(world);
     if (keepaway) keepaway->step(world);
     teams->look(world.mode == soccer::PlayMode::kPlayOn,
                 !world.team(soccer::Side::kLeft).name.empty());
   });
-  (*server)->on_notice([&](const simulator::UdpNotice& notice) { print_notice(**server, notice); });
+  (*server)->on_notice([&lines](const simulator::UdpNotice& notice) { lines.notice(notice); });
   fmt::print(
       "listening on {}:{}, trainer {}, coaches {}\nSimulator Random Seed: {}\nHit CTRL-C to exit\n",
       arguments.host, ports.player, ports.trainer, ports.coach, config.match.seed);

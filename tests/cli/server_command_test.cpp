@@ -61,6 +61,10 @@ TEST(ServerCommand, ServesTwoTeamsOfProxiesToTheEnd) {
   EXPECT_NE(served.out.find("A new (v18) player (Reds 1) connected.\n"), std::string::npos);
   EXPECT_NE(served.out.find("A new (v18) player (Blues 11) connected.\n"), std::string::npos);
   EXPECT_NE(served.out.find("Game Over. Exiting...\n"), std::string::npos) << served.out;
+  for (const char* line :
+       {"\nWaiting for players to connect\n", "\nWaiting to kick off\n", "\nKick_off_left\n"}) {
+    EXPECT_NE(served.out.find(line), std::string::npos) << line << served.out;
+  }
   for (Command* team : {&left, &right}) {
     const auto played = team->finish();
     // The server ends at its cycle limit without a whistle: to a team that looks like a failure.
@@ -93,6 +97,16 @@ TEST(ServerCommand, EndsOnASignalWithItsResult) {
   EXPECT_NE(served.out.find("\nServer Killed. Exiting...\n"), std::string::npos) << served.out;
   EXPECT_NE(served.out.find("\tnull vs null\n\tScore: 0 - 0\n"), std::string::npos) << served.out;
   EXPECT_NE(served.out.find("; steps late by "), std::string::npos) << served.out;
+}
+
+TEST(ServerCommand, AClosedTerminalEndsItInOrder) {
+  cls::tests::TemporaryFolder folder;
+  Command server({cls_binary(), "server", "--port", "0", "--dir", folder.path()});
+  port_in(server);
+  server.send_signal(SIGHUP);
+  const auto served = server.finish();
+  EXPECT_EQ(served.exit_code, 130);
+  EXPECT_NE(served.out.find("\nServer Killed. Exiting...\n"), std::string::npos) << served.out;
 }
 
 TEST(ServerCommand, TellsThePortsThatWereAskedFor) {
