@@ -1,5 +1,6 @@
 // The shoot-out: its start, its phases, and what ends each kick (9.14).
 #include <cmath>
+#include <optional>
 
 #include "simulator/referee.h"
 #include "simulator/referee/areas.h"
@@ -17,21 +18,19 @@ namespace {
 
 constexpr Vec2 kGoalieStart = {42.5, 10.0};
 
-void freeze_ball(World& world) {
-  world.ball.velocity = {};
-  world.ball.acceleration = {};
+void freeze_ball(World& world, Side kick_off_side) {
+  place_ball(world, kick_off_side, world.ball.position);
 }
 
-PlayMode taker_mode(const World& world, PlayMode mode) {
-  return for_side(mode, world.referee.penalty.taker_side);
-}
-
+// A trainer may set the modes of a shoot-out when there is none, or of the side whose turn it is
+// not: then the mode's side is not the taker's, which may be neutral. Each decision looks at the
+// one that the real server looks at.
 void prepare_kick(World& world, Events& events) {
   PenaltyRule& memory = world.referee.penalty;
-  memory.taker_side = opponent(memory.taker_side);
+  memory.taker_side = memory.taker_side == Side::kLeft ? Side::kRight : Side::kLeft;
   const double x = -sign(memory.goal_side) * (soccer::kHalfLength - world.params().pen_dist_x);
-  place_ball(world, taker_mode(world, PlayMode::kPenaltySetupLeft), Side::kNeutral, {x, 0.0},
-             events);
+  place_ball(world, for_side(PlayMode::kPenaltySetupLeft, memory.taker_side), Side::kNeutral,
+             {x, 0.0}, events);
 }
 
 bool is_due(const World& world) {
@@ -66,17 +65,13 @@ void start(World& world, Events& events) {
 }
 
 void call_penalty_foul(World& world, Side offender, Events& events) {
-  announce(world, "penalty_foul", offender, events);
-  if (offender == world.referee.penalty.taker_side) {
-    count_miss(world, events);
+  const bool left = offender == Side::kLeft;
+  announce(world, "penalty_foul", left ? Side::kLeft : Side::kRight, events);
+  if (offender != Side::kNeutral && offender == world.referee.penalty.taker_side) {
+    count_miss(world, offender, events);
   } else {
-    count_goal(world, events);
+    count_goal(world, left ? Side::kRight : Side::kLeft, events);
   }
-}
-
-void punish_misplaced(World& world, bool taker_is_ok, Events& events) {
-  const Side taker = world.referee.penalty.taker_side;
-  call_penalty_foul(world, taker_is_ok ? opponent(taker) : taker, events);
 }
 
 void watch_ball(World& world, Events& events) {
@@ -85,35 +80,42 @@ void watch_ball(World& world, Events& events) {
   const Vec2 ball = world.ball.position;
   const bool taken = is_taken(world.mode);
   if (crossed_goal_line(world, memory.goal_side, memory.previous_ball)) {
-    if (taken) count_goal(world, events);
-    freeze_ball(world);
+    if (taken) count_goal(world, soccer::side(world.mode), events);
+    freeze_ball(world, memory.goal_side);
   } else if (std::fabs(ball.x) > soccer::kHalfLength + margin ||
              std::fabs(ball.y) > soccer::kHalfWidth + margin) {
-    freeze_ball(world);
-    if (taken) count_miss(world, events);
+    freeze_ball(world, memory.goal_side);
+    if (taken) count_miss(world, soccer::side(world.mode), events);
   }
 }
 
-/// Who stands where the rules want him.
+/// Which team stands where the rules want it.
 struct Placement {
-  bool taker;
-  bool defender;
-  bool both() const { return taker && defender; }
+  bool left;
+  bool right;
+  bool both() const { return left && right; }
+  bool of(Side side) const { return side == Side::kLeft ? left : right; }
 };
 
 void replace_misplaced(World& world, Placement& placement) {
-  if (!placement.taker) place_taker_team(world);
-  if (!placement.defender) place_defending_team(world);
+  if (!placement.left) place_team(world, Side::kLeft);
+  if (!placement.right) place_team(world, Side::kRight);
   placement = {true, true};
+}
+
+void punish_misplaced(World& world, Placement placement, Events& events) {
+  const Side taker = world.referee.penalty.taker_side;
+  if (taker == Side::kNeutral) return;
+  call_penalty_foul(world, placement.of(taker) ? opponent(taker) : taker, events);
 }
 
 void run(World& world, Placement placement, Events& events) {
   if (is_between_kicks(world.mode)) {
-    freeze_ball(world);
+    freeze_ball(world, world.referee.penalty.taker_side);
   } else if (placement.both()) {
     watch_ball(world, events);
   } else if (!is_setup(world.mode)) {
-    punish_misplaced(world, placement.taker, events);
+    punish_misplaced(world, placement, events);
   }
 }
 
@@ -126,11 +128,11 @@ void time_out(World& world, Placement placement, Events& events) {
     replace_misplaced(world, placement);
   }
   if (!placement.both()) {
-    punish_misplaced(world, placement.taker, events);
+    punish_misplaced(world, placement, events);
   } else if (is_setup(world.mode)) {
-    change_mode(world, taker_mode(world, PlayMode::kPenaltyReadyLeft), events);
+    change_mode(world, for_side(PlayMode::kPenaltyReadyLeft, soccer::side(world.mode)), events);
   } else {
-    count_miss(world, events);
+    count_miss(world, soccer::side(world.mode), events);
   }
 }
 
@@ -141,13 +143,13 @@ void analyse_kick(World& world, Events& events) {
     return;
   }
   const PlayMode mode = world.mode;
-  Placement placement = {is_taker_team_placed(world), is_defending_team_placed(world)};
+  Placement placement = {is_team_placed(world, Side::kLeft), is_team_placed(world, Side::kRight)};
   if ((is_ready(mode) || is_taken(mode)) && world.params().pen_coach_moves_players) {
     replace_misplaced(world, placement);
   }
   if (memory.timer == 0) {
     time_out(world, placement, events);
-  } else {
+  } else if (memory.timer > 0) {
     --memory.timer;
     run(world, placement, events);
   }
@@ -160,8 +162,8 @@ void analyse(World& world, Events& events) {
   memory.previous_ball = world.ball.position;
 }
 
-// Who may kick now; the side at fault, neutral if none.
-Side offender_of_kick(World& world, const Player& kicker) {
+// Who may kick now; the side at fault, if any.
+std::optional<Side> offender_of_kick(World& world, const Player& kicker) {
   PenaltyRule& memory = world.referee.penalty;
   const Side taker_side = memory.taker_side;
   const bool by_taker_side = kicker.side == taker_side;
@@ -175,28 +177,31 @@ Side offender_of_kick(World& world, const Player& kicker) {
   const bool somebody_has =
       memory.last_taker != kNobody && world.player(memory.last_taker).side == taker_side;
   if (somebody_has && memory.last_taker != kicker.slot()) return taker_side;
-  if (!by_taker_side && !kicker.goalie) return kicker.side;
+  if (!by_taker_side && !kicker.goalie) return opponent(taker_side);
   memory.last_taker = kicker.slot();
-  return Side::kNeutral;
+  return std::nullopt;
 }
 
 void kick_taken(World& world, Player& kicker, double, Events& events) {
   if (!soccer::is_penalty_mode(world.mode) || world.ball_catcher != kNobody) return;
   if (!is_between_kicks(world.mode)) {
-    const Side offender = offender_of_kick(world, kicker);
-    if (offender != Side::kNeutral) call_penalty_foul(world, offender, events);
+    const std::optional<Side> offender = offender_of_kick(world, kicker);
+    if (offender) call_penalty_foul(world, *offender, events);
   }
   if (is_ready(world.mode)) {
-    note_kicker(world, kicker);
-    change_mode(world, taker_mode(world, PlayMode::kPenaltyTakenLeft), events);
+    const Side side = soccer::side(world.mode);
+    note_kicker(world, side, kicker);
+    change_mode(world, for_side(PlayMode::kPenaltyTakenLeft, side), events);
+  } else if (!is_taken(world.mode)) {
+    freeze_ball(world, world.referee.penalty.goal_side);
   }
-  if (!is_taken(world.mode)) freeze_ball(world);
 }
 
 void tackle_taken(World& world, Player& tackler, double acceleration, bool foul, Events& events) {
   if (!soccer::is_penalty_mode(world.mode) || is_between_kicks(world.mode)) return;
   if (detect_foul(world, tackler, foul) != FoulCall::kNone) {
-    call_penalty_foul(world, tackler.side, events);
+    const Side taker = world.referee.penalty.taker_side;
+    call_penalty_foul(world, tackler.side == taker ? taker : opponent(taker), events);
   } else {
     kick_taken(world, tackler, acceleration, events);
   }
@@ -211,12 +216,12 @@ void ball_held(World& world, Player& catcher, Events& events) {
     } else if (!in_penalty_area(memory.goal_side, world.ball.position)) {
       call_penalty_foul(world, opponent(memory.taker_side), events);
     } else {
-      count_miss(world, events);
+      count_miss(world, memory.taker_side, events);
     }
   } else if (is_ready(world.mode)) {
     call_penalty_foul(world, catcher.side, events);
   }
-  freeze_ball(world);
+  freeze_ball(world, Side::kNeutral);
 }
 
 void mode_changed(World& world, PlayMode mode, Events&) {

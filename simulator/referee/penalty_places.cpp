@@ -77,10 +77,7 @@ void bring_into(const Circle& circle, Player& player) {
   if (!circle.contains(player.position)) player.position = nearest_edge(circle, player.position);
 }
 
-}  // namespace
-
 bool is_taker_team_placed(const World& world) {
-  if (is_between_kicks(world.mode)) return true;
   const Slot goalie_slot = goalie_of(world, taker_side(world));
   if (goalie_slot == kNobody) return false;
   const Player& goalie = world.player(goalie_slot);
@@ -96,12 +93,12 @@ bool is_taker_team_placed(const World& world) {
       return false;
     }
   }
-  return taker == kNobody || !is_setup(world.mode) || !has_kicked(world, world.player(taker));
+  return taker == kNobody ||
+         world.mode != for_side(PlayMode::kPenaltySetupLeft, taker_side(world)) ||
+         !has_kicked(world, world.player(taker));
 }
 
-bool is_defending_team_placed(const World& world) {
-  if (is_between_kicks(world.mode)) return true;
-  const Side side = opponent(taker_side(world));
+bool is_defending_team_placed(const World& world, Side side) {
   const Slot goalie_slot = goalie_of(world, side);
   if (goalie_slot == kNobody) return false;
   const Vec2 goalie = world.player(goalie_slot).position;
@@ -132,17 +129,34 @@ void place_taker_team(World& world) {
   }
 }
 
-void place_defending_team(World& world) {
+// All but the taker's team.
+void place_others(World& world) {
   const soccer::ServerParams& server = world.params();
-  const double end = -sign(world.referee.penalty.goal_side);
+  const double end = world.referee.penalty.goal_side == Side::kLeft ? -1.0 : 1.0;
   const double limit = soccer::kHalfLength - server.pen_max_goalie_dist_x;
   for (Player& player : world.players) {
-    if (!player.enabled || player.side != opponent(taker_side(world))) continue;
+    if (!player.enabled || player.side == taker_side(world)) continue;
     if (!player.goalie) {
       bring_into(centre_circle(world, player), player);
     } else if (!is_taken(world.mode) && player.position.x * end < limit) {
       player.position = {(limit + kGoalieTolerance) * end, 0.0};
     }
+  }
+}
+
+}  // namespace
+
+bool is_team_placed(const World& world, Side side) {
+  if (is_between_kicks(world.mode)) return true;
+  return side == taker_side(world) ? is_taker_team_placed(world)
+                                   : is_defending_team_placed(world, side);
+}
+
+void place_team(World& world, Side side) {
+  if (side == taker_side(world)) {
+    place_taker_team(world);
+  } else {
+    place_others(world);
   }
 }
 

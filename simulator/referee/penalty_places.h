@@ -5,11 +5,9 @@
 
 namespace cls::simulator {
 
-bool is_taker_team_placed(const World& world);
-bool is_defending_team_placed(const World& world);
+bool is_team_placed(const World& world, Side side);
 
-// Puts the team's players where they must be; velocities stay.
-void place_taker_team(World& world);
-void place_defending_team(World& world);
+/// Puts the team's players where they must be; velocities stay.
+void place_team(World& world, Side side);
 
 }  // namespace cls::simulator

@@ -40,12 +40,12 @@ void decide_early(World& world, int kicks, Side just_kicked, Events& events) {
   }
 }
 
-void count(World& world, bool goal, Events& events) {
-  const Side side = world.referee.penalty.taker_side;
-  change_mode(world,
-              for_side(goal ? PlayMode::kPenaltyScoreLeft : PlayMode::kPenaltyMissLeft, side),
-              events);
-  Team& team = world.team(side);
+// For a neutral side the mode of a miss is the right one's, the miss the left one's.
+void count(World& world, Side side, bool goal, Events& events) {
+  const PlayMode mode = goal ? PlayMode::kPenaltyScoreLeft : PlayMode::kPenaltyMissLeft;
+  const bool for_right = side == Side::kRight || (side == Side::kNeutral && !goal);
+  change_mode(world, for_side(mode, for_right ? Side::kRight : Side::kLeft), events);
+  Team& team = world.team(side == Side::kRight ? Side::kRight : Side::kLeft);
   ++team.penalty_kicks;
   if (goal) ++team.penalty_goals;
 
@@ -60,19 +60,18 @@ void count(World& world, bool goal, Events& events) {
       announce_winner(world, lead > 0 ? Side::kLeft : Side::kRight, events);
     }
   } else {
-    decide_early(world, kicks, side, events);
+    decide_early(world, kicks, world.referee.penalty.taker_side, events);
   }
 }
 
 }  // namespace
 
-void count_goal(World& world, Events& events) { count(world, true, events); }
+void count_goal(World& world, Side side, Events& events) { count(world, side, true, events); }
 
-void count_miss(World& world, Events& events) { count(world, false, events); }
+void count_miss(World& world, Side side, Events& events) { count(world, side, false, events); }
 
-void note_kicker(World& world, const Player& kicker) {
-  PenaltyRule& memory = world.referee.penalty;
-  auto& kicked = memory.has_kicked[index_of(memory.taker_side)];
+void note_kicker(World& world, Side side, const Player& kicker) {
+  auto& kicked = world.referee.penalty.has_kicked[index_of(side)];
   kicked.set(static_cast<std::size_t>(kicker.unum));
   if (kicked.count() >= soccer::kPlayersPerTeam) kicked.reset();
 }
