@@ -1,6 +1,7 @@
 // Illegal defence: too many players in front of the own goal for too long (9.13).
 #include <cmath>
 
+#include "simulator/referee.h"
 #include "simulator/referee/calls.h"
 #include "simulator/referee/modes.h"
 #include "simulator/referee/rule.h"
@@ -47,39 +48,52 @@ void clear_marks(World& world, Side side) {
 
 void call_illegal_defense(World& world, Side side, Events& events) {
   world.ball_catcher = kNobody;
-  world.referee.illegal_defense.counter = 0;
-  world.referee.illegal_defense.counters = {};
   place_ball(world, for_side(PlayMode::kIllegalDefenseLeft, side), opponent(side),
              {-kFreeKickX * sign(side), 0.0}, events);
 }
 
-void watch(World& world, Side side, Events& events) {
-  const soccer::ServerParams& server = world.params();
-  int& cycles = world.referee.illegal_defense.counters[side == Side::kRight ? 1 : 0];
-  if (count_defenders(world, side) < server.illegal_defense_number) {
-    cycles = 0;
-    clear_marks(world, side);
-    return;
-  }
-  if (++cycles >= server.illegal_defense_duration) call_illegal_defense(world, side, events);
+int& cycles_of(World& world, Side side) {
+  return world.referee.illegal_defense.counters[side == Side::kRight ? 1 : 0];
 }
 
+void watch(World& world, Side side) {
+  int& cycles = cycles_of(world, side);
+  if (count_defenders(world, side) >= world.params().illegal_defense_number) {
+    ++cycles;
+  } else {
+    cycles = 0;
+    clear_marks(world, side);
+  }
+}
+
+// With no time allowed both sides can be called in one step; the right one's call stands.
 void analyse(World& world, Events& events) {
-  if (world.params().illegal_defense_number == 0) return;
+  const soccer::ServerParams& server = world.params();
+  if (server.illegal_defense_number <= 0) return;
   if (is_either(world.mode, PlayMode::kIllegalDefenseLeft)) {
     const Side offender = soccer::side(world.mode);
     if (wait_out_offence(world, world.referee.illegal_defense.counter, offender, events)) {
-      award_free_kick(world, opponent(offender), world.ball.position, events);
+      change_mode(world, for_side(PlayMode::kFreeKickLeft, opponent(offender)), events);
     }
     return;
   }
+  if (world.mode != PlayMode::kPlayOn) return;
+  for (const Side side : {Side::kLeft, Side::kRight}) watch(world, side);
   for (const Side side : {Side::kLeft, Side::kRight}) {
-    if (world.mode == PlayMode::kPlayOn) watch(world, side, events);
+    int& cycles = cycles_of(world, side);
+    if (cycles < server.illegal_defense_duration) continue;
+    cycles = 0;
+    call_illegal_defense(world, side, events);
   }
+}
+
+void mode_changed(World& world, PlayMode mode, Events&) {
+  if (is_either(mode, PlayMode::kIllegalDefenseLeft)) world.referee.illegal_defense.counter = 0;
 }
 
 }  // namespace
 
-const Rule kIllegalDefenseRule = {.analyse = analyse, .kick_taken = kick_taken};
+const Rule kIllegalDefenseRule = {
+    .analyse = analyse, .kick_taken = kick_taken, .mode_changed = mode_changed};
 
 }  // namespace cls::simulator
