@@ -108,8 +108,8 @@ void append_player(int slot, const PlayerFrame& player, JsonShow form, std::stri
   append_word("vq", player.high_quality ? "h" : "l", out);
   append_field("vw", player.view_width, out);
   if (form == JsonShow::kMonitor) {
-    append_field("fdist", player.focus_distance, out);
-    append_field("fdir", player.focus_direction, out);
+    append_length("fdist", player.focus_distance, out);
+    append_angle("fdir", player.focus_direction, out);
   }
   append_field("stamina", player.stamina, out);
   append_field("effort", player.effort, out);

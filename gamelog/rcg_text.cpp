@@ -64,8 +64,8 @@ void append_view(const PlayerFrame& player, RcgVersion version, TextWriter& out)
   out += ')';
   if (version < RcgVersion::kV6) return;
   out += " (fp";
-  append_number(player.focus_distance, out);
-  append_number(player.focus_direction, out);
+  append_number(soccer::math::quantize(player.focus_distance, kLengthStep), out);
+  append_number(soccer::math::quantize(player.focus_direction, kLengthStep), out);
   out += ')';
 }
 

@@ -54,8 +54,9 @@ struct Executor {
     return soccer::OkGaussianSee{};
   }
   Reply operator()(const soccer::AskScore&) {
+    const Team& others = world.team(opponent(player.side));
     return soccer::ScoreReply{world.clock.time, world.team(player.side).score,
-                              world.team(opponent(player.side)).score};
+                              others.connected ? others.score : 0};
   }
   // The session's business.
   Reply operator()(const soccer::Clang&) { return {}; }

@@ -48,7 +48,8 @@ bool is_freeform(std::string_view inside) {
   if (!in.token("\"")) return false;
   const std::size_t length = in.rest().find('"');
   if (length == std::string_view::npos || !is_sayable(in.rest().substr(0, length))) return false;
-  return in.token(in.rest().substr(0, length + 1)) && (in.skip_blanks(), in.at_end());
+  in.skip_to('"');
+  return in.token("\"") && (in.skip_blanks(), in.at_end());
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <string_view>
 
-#include "soccer/protocol/number_text.h"
+#include "soccer/protocol/wrapped_int.h"
 
 namespace cls::soccer {
 
@@ -50,7 +50,7 @@ class LooseScanner {
   /// Blanks, then an integer.
   bool integer(int& value) {
     skip_blanks();
-    const std::size_t length = read_int(rest(), value);
+    const std::size_t length = read_wrapped_int(rest(), value);
     at_ += length;
     return length > 0;
   }

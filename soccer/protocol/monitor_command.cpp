@@ -27,8 +27,9 @@ bool read_place(LooseScanner& in, Vec2& place) {
 bool read_player(LooseScanner& in, Side& side, int& unum) {
   int sign = 0;
   if (!in.integer(sign) || !in.integer(unum)) return false;
-  side = sign > 0 ? Side::kLeft : Side::kRight;
-  return (sign == 1 || sign == -1) && unum >= 1 && unum <= kPlayersPerTeam;
+  side = sign == 1 ? Side::kLeft : sign == -1 ? Side::kRight : Side::kNeutral;
+  if (unum < 1 || unum > kPlayersPerTeam) side = Side::kNeutral;
+  return true;
 }
 
 Read read_foul(LooseScanner& in) {
@@ -120,11 +121,12 @@ struct Formatter {
 }  // namespace
 
 std::optional<MonitorCommand> parse_monitor_command(std::string_view datagram) {
-  LooseScanner in(datagram);
-  if (!in.token("(")) return std::nullopt;
+  if (!datagram.starts_with('(')) return std::nullopt;
+  LooseScanner in(datagram.substr(1));
+  if (LooseScanner::is_blank(in.peek())) return std::nullopt;
   const std::string_view word = in.run(is_word_character, kLongestWord);
-  if (word == "dispstart") return DispStart{};
-  if (word == "dispbye") return DispBye{};
+  if (datagram == "(dispstart)") return DispStart{};
+  if (datagram == "(dispbye)") return DispBye{};
   if (word == "dispfoul") return read_foul(in);
   if (word == "dispplayer") return read_placement(in);
   if (word == "dispdiscard") return read_discard(in);

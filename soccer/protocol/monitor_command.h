@@ -42,8 +42,8 @@ using MonitorCommand =
     std::variant<DispStart, DispBye, DispFoul, DispPlayer, DispDiscard, DispCard, Compression>;
 
 /// Reads the one command of a datagram; what follows it is ignored. Places are sent in sixteenths
-/// of a metre, sides as 1 and -1 (protocol 6.5). Nothing when there is no such command: a player
-/// must be one of eleven, a card yellow or red.
+/// of a metre, sides as 1 and -1 (protocol 6.5). Nothing when there is no such command: a card must
+/// be yellow or red. Who is none of the 22 is read as of the neutral side.
 std::optional<MonitorCommand> parse_monitor_command(std::string_view datagram);
 
 /// Appends the command as monitors write it; places are rounded to sixteenths of a metre.

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "soccer/protocol/number_text.h"
+#include "soccer/protocol/wrapped_int.h"
 
 namespace cls::soccer {
 namespace {
@@ -121,9 +122,9 @@ CommandToken CommandLexer::next() {
   const std::size_t number_length = read_number(rest, number);
   const std::size_t word_length = run_length(rest, is_word_character);
   if (number_length > 0 && number_length >= word_length) {
-    const bool whole = read_int(rest, integer) == number_length;
+    const bool whole = read_wrapped_int(rest, integer) == number_length;
     token = take(whole ? Kind::kInteger : Kind::kReal, number_length);
-    token.number = number;
+    token.number = whole ? integer : number;
     token.integer = integer;
     return token;
   }

@@ -1,0 +1,34 @@
+// Integers as the real server reads what clients send.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <string_view>
+
+#include "soccer/protocol/number_text.h"
+
+namespace cls::soccer {
+
+/// As read_int, but of a value beyond the range of an int the lowest 32 bits, and of one beyond 64
+/// bits those of the nearest: what atoi and sscanf make of it there.
+inline std::size_t read_wrapped_int(std::string_view text, int& value) {
+  const std::size_t length = read_int(text, value);
+  if (length == 0) return 0;
+  const bool negative = text[0] == '-';
+  const std::size_t first = negative || text[0] == '+' ? 1 : 0;
+  std::int64_t wide = 0;
+  for (const char digit : text.substr(first, length - first)) {
+    const std::int64_t next = negative ? '0' - digit : digit - '0';
+    if (__builtin_mul_overflow(wide, std::int64_t{10}, &wide) ||
+        __builtin_add_overflow(wide, next, &wide)) {
+      using Limits = std::numeric_limits<std::int64_t>;
+      wide = negative ? Limits::min() : Limits::max();
+      break;
+    }
+  }
+  value = static_cast<int>(static_cast<std::uint32_t>(wide));
+  return length;
+}
+
+}  // namespace cls::soccer
