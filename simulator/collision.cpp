@@ -46,8 +46,9 @@ Apart separated(Vec2 a, Vec2 b, double radii, RandomStream& stream) {
   Vec2 to_a = a - middle;
   Vec2 to_b = b - middle;
   if (a == b || (to_a.length() < math::kEps && to_b.length() < math::kEps)) {
-    to_a = soccer::polar_radians(half, stream.uniform(-math::kPi, math::kPi));
-    to_b = -to_a;
+    const double direction = stream.uniform(-math::kPi, math::kPi);
+    to_a = soccer::polar_radians(half, direction);
+    to_b = soccer::polar_radians(half, math::normalize_radians(direction + math::kPi));
   } else {
     to_a = soccer::with_length(to_a, half);
     to_b = soccer::with_length(to_b, half);

@@ -3,6 +3,8 @@
 
 #include <variant>
 
+#include "simulator/angles.h"
+#include "simulator/collision.h"
 #include "simulator/referee.h"
 #include "simulator/referee/areas.h"
 #include "simulator/referee/calls.h"
@@ -21,33 +23,37 @@ struct Executor {
   void operator()(const soccer::DispStart&) const { kick_off(world, events); }
 
   void operator()(const soccer::DispFoul& foul) const {
+    if (foul.side == Side::kNeutral) return drop_ball(world, truncated(foul.position), events);
     if (soccer::is_penalty_mode(world.mode)) return;
-    world.ball_catcher = kNobody;
-    const Vec2 place = truncated(foul.position);
-    if (foul.side == Side::kNeutral) {
-      world.ball = {place, {}, {}};
-      drop_ball(world, events);
-      return;
-    }
     announce(world, "foul", opponent(foul.side), events);
+    world.ball_catcher = kNobody;
+    place_ball(world, for_side(PlayMode::kFreeKickLeft, foul.side), foul.side,
+               truncated(foul.position), events);
     keep_players_in_field(world);
-    place_ball(world, for_side(PlayMode::kFreeKickLeft, foul.side), foul.side, place, events);
+    world.ball_catcher = kNobody;
   }
 
   void operator()(const soccer::DispPlayer& placed) const {
-    if (!world.player(placed.side, placed.unum).enabled) return;
-    move_player(world, soccer::slot_of(placed.side, placed.unum), placed.position, placed.body,
-                Vec2{}, events);
+    if (placed.side == Side::kNeutral) return;
+    Player& player = world.player(placed.side, placed.unum);
+    player.position = placed.position;
+    player.velocity = {};
+    player.body = exact_radians(placed.body);  // not clamped, as a trainer's is
+    player.pending_body = player.body;
+    resolve_collisions(world, events);
   }
 
   void operator()(const soccer::DispDiscard& discard) const {
+    if (discard.side == Side::kNeutral) return;
     Player& player = world.player(discard.side, discard.unum);
     if (!player.enabled) return;
     leave(world, player.slot());
     player.state |= state::kDiscard;
+    report(events, world, SentOff{player.slot()});
   }
 
   void operator()(const soccer::DispCard& card) const {
+    if (card.side == Side::kNeutral) return;
     Player& player = world.player(card.side, card.unum);
     if (!player.enabled) return;
     if (card.red) {

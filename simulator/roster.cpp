@@ -37,6 +37,8 @@ std::optional<Slot> join(World& world, Side side, bool goalie, int client_versio
   player.client_version = client_version;
   player.view.synchronous = client_version >= kFirstSynchronousVersion;
   player.state = state::kStand | (goalie ? state::kGoalie : 0);
+  // Only the committed angle: the next step turns the right team to 0 as well (15.1).
+  player.body = side == Side::kRight ? soccer::math::kPi : 0.0;
   put_on_bench(player);
   world.team(side).connected = true;
   return player.slot();

@@ -44,10 +44,12 @@ struct Obedience {
     move_ball(world, command.position, command.velocity.value_or(Vec2{}));
     return soccer::OkMove{};
   }
-  // An unknown player is moved as well, says the real server.
+  // A player who is not there is moved as well; one of an unknown team is said to be.
   Reply operator()(const soccer::MovePlayer& command) {
-    if (const auto slot = find_player(world, side_called(world, command.team), command.unum)) {
-      move_player(world, *slot, command.position, command.angle, command.velocity, events);
+    const Side side = side_called(world, command.team);
+    if (side != Side::kNeutral) {
+      move_player(world, soccer::slot_of(side, command.unum), command.position, command.angle,
+                  command.velocity, events);
     }
     return soccer::OkMove{};
   }

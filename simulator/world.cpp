@@ -13,8 +13,6 @@ Player make_player(Slot slot, const Rules& rules) {
   player.side = soccer::side_of_slot(slot);
   player.unum = soccer::unum_of_slot(slot);
   player.position = bench_place(player);
-  // Only the committed angle: the first step turns the right team to 0 as well (15.1).
-  player.body = player.side == Side::kRight ? math::kPi : 0.0;
   player.arm.age = rules.server.point_to_duration;
   const soccer::PlayerType& type = rules.types.front();
   player.stamina = {rules.server.stamina_max, type.effort_max, 1.0, rules.server.stamina_capacity};

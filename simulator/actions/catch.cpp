@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "simulator/actions/commands.h"
+#include "simulator/angles.h"
 #include "simulator/collision.h"
 #include "simulator/referee.h"
 #include "simulator/referee/calls.h"
@@ -103,8 +104,8 @@ void catch_ball(World& world, Player& player, const soccer::Catch& command, Even
   }
   player.catch_ban = server.catch_ban_cycle;
   const double direction =
-      player.body + math::to_radians(std::clamp(command.direction, server.min_catch_angle,
-                                                server.max_catch_angle));
+      player.body +
+      exact_radians(std::clamp(command.direction, server.min_catch_angle, server.max_catch_angle));
   const CatchArea area = catch_area(server, world.type_of(player));
   const Vec2 ball = ball_relative_to(world, player, direction);
   if (!area.contains(ball)) {

@@ -4,6 +4,7 @@
 
 #include "simulator/actions.h"
 #include "simulator/actions/commands.h"
+#include "simulator/angles.h"
 #include "simulator/roster.h"
 
 namespace cls::simulator {
@@ -51,8 +52,10 @@ void set_ear(Ears& ears, Side side, const soccer::Ear& command) {
 
 void point_to(World& world, Player& player, const soccer::PointTo& command) {
   if (!can_point(world, player)) return;
-  const double direction = player.body + player.neck + soccer::math::to_radians(command.direction);
-  player.arm = {player.position + soccer::polar_radians(command.distance, direction), 0};
+  // By way of the point relative to the face: then the length of a huge distance is infinite.
+  const Vec2 to = soccer::polar_radians(command.distance, exact_radians(command.direction));
+  const double direction = soccer::direction_radians(to) + (player.body + player.neck);
+  player.arm = {soccer::polar_radians(to.length(), direction) + player.position, 0};
   ++player.counters.point_to;
 }
 

@@ -4,6 +4,7 @@
 
 #include "simulator/actions/commands.h"
 #include "simulator/actions/legs.h"
+#include "simulator/angles.h"
 #include "simulator/motion.h"
 
 namespace cls::simulator {
@@ -35,7 +36,7 @@ Vec2 leg_acceleration(const World& world, const Player& player, const Leg& leg, 
       std::fabs(player.stamina.effort * power * direction_rate(server, leg.direction) *
                 world.type_of(player).dash_power_rate) /
       slowness_on_top(world, player);
-  const double direction = math::normalize_radians(player.body + math::to_radians(leg.direction));
+  const double direction = math::normalize_radians(player.body + exact_radians(leg.direction));
   const Vec2 push = soccer::polar_radians(length, direction);
   return power < 0.0 ? -push : push;
 }

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "simulator/actions/commands.h"
+#include "simulator/angles.h"
 #include "simulator/referee.h"
 
 namespace cls::simulator::actions {
@@ -28,7 +29,7 @@ void kick(World& world, Player& player, const soccer::Kick& command, Events& eve
   const soccer::PlayerType& type = world.type_of(player);
   const double power = std::clamp(command.power, server.minpower, server.maxpower);
   const double direction =
-      math::to_radians(std::clamp(command.direction, server.minmoment, server.maxmoment));
+      exact_radians(std::clamp(command.direction, server.minmoment, server.maxmoment));
   const Vec2 to_ball = world.ball.position - player.position;
   // Both 0 at best; the gap is negative while the ball overlaps the player.
   const double angle_off =

@@ -34,7 +34,7 @@ void change_focus(World& world, Player& player, const soccer::ChangeFocus& comma
   view.focus_distance =
       std::clamp(view.focus_distance + command.moment_distance, 0.0, kMaxFocusDistance);
   const double direction =
-      math::normalize_radians(view.focus_direction + math::to_radians(command.moment_direction));
+      math::normalize_radians(view.focus_direction + exact_radians(command.moment_direction));
   view.focus_direction = clamp_to_view(world, view, direction);
   ++player.counters.change_focus;
 }

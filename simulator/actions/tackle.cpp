@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "simulator/actions/commands.h"
+#include "simulator/angles.h"
 #include "simulator/referee.h"
 
 namespace cls::simulator::actions {
@@ -46,7 +47,7 @@ bool moves_the_ball(PlayMode mode) {
 
 Push push_by_angle(const soccer::ServerParams& server, const Player& player, double degrees,
                    double side_rate) {
-  const double angle = math::to_radians(std::clamp(degrees, server.minmoment, server.maxmoment));
+  const double angle = exact_radians(std::clamp(degrees, server.minmoment, server.maxmoment));
   const double power =
       server.max_back_tackle_power + (server.max_tackle_power - server.max_back_tackle_power) *
                                          (1.0 - std::fabs(angle) / math::kPi);

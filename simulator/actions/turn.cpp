@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "simulator/actions/commands.h"
+#include "simulator/angles.h"
 #include "simulator/motion.h"
 
 namespace cls::simulator::actions {
@@ -17,7 +18,7 @@ double turned_share(World& world, const Player& player, double planned) {
   const auto slot = static_cast<std::size_t>(player.slot());
   const double drawn = 1.0 + world.random.turn[slot].uniform(-rand, rand);
   if (!world.forced || !world.forced->body[slot]) return drawn;
-  const double rounding = math::to_radians(0.1);  // of the speed that the inertia counts with
+  const double rounding = exact_radians(0.1);  // of the speed that the inertia counts with
   const double more = math::normalize_radians(*world.forced->body[slot] - (player.body + planned));
   const bool explained = rand > 0.0 && std::fabs(more) <= rand * std::fabs(planned) + rounding;
   return explained && planned != 0.0 ? 1.0 + more / planned : 1.0;
@@ -29,7 +30,7 @@ void turn(World& world, Player& player, const soccer::Turn& command) {
   if (player.command_done) return;
   const soccer::ServerParams& server = world.params();
   const double moment =
-      math::to_radians(std::clamp(command.moment, server.minmoment, server.maxmoment));
+      exact_radians(std::clamp(command.moment, server.minmoment, server.maxmoment));
   const double inertia = 1.0 + world.type_of(player).inertia_moment * player.velocity.length();
   const double share = turned_share(world, player, moment / inertia);
   player.pending_body = math::normalize_radians(player.body + share * moment / inertia);

@@ -62,8 +62,11 @@ void award_kick_in(World& world, Side side, Events& events) {
 }
 
 void drop_ball(World& world, Events& events) {
+  drop_ball(world, out_of_penalty_area(Side::kNeutral, truncated(world.ball.position)), events);
+}
+
+void drop_ball(World& world, Vec2 place, Events& events) {
   world.ball_catcher = kNobody;
-  const Vec2 place = out_of_penalty_area(Side::kNeutral, truncated(world.ball.position));
   place_ball(world, PlayMode::kDropBall, Side::kNeutral, place, events);
   keep_players_in_field(world);
   if (!soccer::is_penalty_mode(world.mode)) change_mode(world, PlayMode::kPlayOn, events);

@@ -28,4 +28,7 @@ void award_kick_in(World& world, Side side, Events& events);
 /// Everybody is sent away from the ball, and play goes on in the same call.
 void drop_ball(World& world, Events& events);
 
+/// That, with the ball at `place`, which may be in a penalty area.
+void drop_ball(World& world, Vec2 place, Events& events);
+
 }  // namespace cls::simulator

@@ -83,7 +83,13 @@ void analyse(World& world, Events& events) {
 std::optional<int> starting_half(const World& world) {
   const Rules& rules = *world.rules;
   const int time = world.clock.time;
-  if (rules.half_time <= 0) return 0;
+  if (rules.half_time <= 0) {  // at any time; counted as if there were an end to it
+    // The real server rounds a negative half up: -1 s is -9 cycles.
+    const int half = rules.half_time < 0 ? rules.half_time + 1 : 0;
+    const int normal = half * rules.server.nr_normal_halfs;
+    const int length = time > normal ? rules.extra_half_time : half;
+    return length <= 0 ? 0 : (time - normal) / length;
+  }
   if (time <= rules.normal_time && time % rules.half_time == 0) return time / rules.half_time;
   const int extra = time - rules.normal_time;
   if (extra > 0 && rules.extra_half_time > 0 && extra % rules.extra_half_time == 0) {

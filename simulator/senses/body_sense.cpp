@@ -28,16 +28,24 @@ soccer::Card card(const Player& player) {
   return player.has(state::kYellowCard) ? soccer::Card::kYellow : soccer::Card::kNone;
 }
 
+// In two turns, as the real server does it: where a player points at himself or infinitely far away
+// that decides the direction.
+ArmAim arm_aim(const Player& player) {
+  const Vec2 offset = player.arm.target - player.position;
+  const double direction = math::atan2(offset.y, offset.x) - (player.body + player.neck);
+  const Vec2 target = soccer::polar_radians(offset.length(), direction);
+  return {target.length(), math::atan2(target.y, target.x)};
+}
+
 soccer::ArmState arm_state(const World& world, const Player& player, bool rounded) {
   soccer::ArmState arm;
   arm.movable_in = std::max(0, world.params().point_to_ban - player.arm.age);
   arm.expires_in = std::max(0, world.params().point_to_duration - player.arm.age);
   arm.count = player.counters.point_to;
   if (!is_pointing(world, player)) return arm;
-  const Vec2 offset = player.arm.target - player.position;
-  const double direction = math::to_degrees(
-      math::normalize_radians(soccer::direction_radians(offset) - player.body - player.neck));
-  const double distance = offset.length();
+  const ArmAim aim = arm_aim(player);
+  const double direction = exact_degrees(aim.direction);
+  const double distance = aim.distance;
   if (rounded) {
     arm.target_distance = std::rint(distance * 10.0) * 0.1;
     arm.target_direction = static_cast<int>(std::rint(direction * 10.0) * 0.1);
@@ -77,7 +85,7 @@ soccer::SenseBody sense_body(const World& world, Slot slot) {
   sense.card = card(player);
   sense.has_focus_point = true;
   sense.focus_distance = player.view.focus_distance;
-  sense.focus_direction = math::to_degrees(player.view.focus_direction);
+  sense.focus_direction = exact_degrees(player.view.focus_direction);
   return sense;
 }
 

@@ -14,6 +14,13 @@ soccer::SenseBody sense_body(const World& world, Slot slot);
 /// truncated, as in sense_body; else the exact distance and the rounded direction.
 soccer::ArmState arm_state(const World& world, const Player& player, bool rounded);
 
+/// Where a player who points does so, relative to where he looks; radians.
+struct ArmAim {
+  double distance;
+  double direction;
+};
+ArmAim arm_aim(const Player& player);
+
 soccer::CommandCounts command_counts(const Counters& counters);
 
 soccer::Card card(const Player& player);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "simulator/actions.h"
+#include "simulator/angles.h"
 #include "simulator/roster.h"
 #include "simulator/senses/body_sense.h"
 #include "soccer/math.h"
@@ -18,9 +19,7 @@ constexpr int kFirstWithArm = 8;
 constexpr int kFirstWithKick = 13;
 constexpr int kFirstWithFoulAndCard = 14;
 
-int rounded_degrees(double radians) {
-  return static_cast<int>(std::rint(math::to_degrees(radians)));
-}
+int rounded_degrees(double radians) { return static_cast<int>(std::rint(exact_degrees(radians))); }
 
 soccer::ActionMark mark(const Player& player, int level, bool pointing) {
   if (player.tackle_cycles > 0) return soccer::ActionMark::kTackling;
@@ -49,9 +48,8 @@ soccer::GlobalViewPlayer describe(const World& world, const Player& player, int 
   if (level < kFirstWithArm) return out;
   out.pointing = is_pointing(world, player);
   if (out.pointing) {
-    const Vec2 offset = player.arm.target - player.position;
-    out.point_direction =
-        rounded_degrees(math::normalize_radians(soccer::direction_radians(offset)));
+    out.point_direction = rounded_degrees(
+        math::normalize_radians(arm_aim(player).direction + player.neck + player.body));
   }
   out.mark = mark(player, level, out.pointing);
   if (level >= kFirstWithFoulAndCard) out.card = card(player);

@@ -2,6 +2,7 @@
 #include "simulator/senses/full_view.h"
 
 #include "simulator/actions.h"
+#include "simulator/angles.h"
 #include "simulator/senses/body_sense.h"
 #include "soccer/math.h"
 
@@ -25,17 +26,16 @@ soccer::FullStatePlayer describe(const World& world, const Player& player) {
   out.type = player.type;
   out.position = player.position;
   out.velocity = player.velocity;
-  out.body = math::to_degrees(player.body);
-  out.neck = math::to_degrees(player.neck);
+  out.body = exact_degrees(player.body);
+  out.neck = exact_degrees(player.neck);
   if (is_pointing(world, player)) {
-    const Vec2 offset = player.arm.target - player.position;
+    const ArmAim aim = arm_aim(player);
     out.pointing = true;
-    out.point_distance = offset.length();
-    out.point_direction_radians =
-        math::normalize_radians(soccer::direction_radians(offset) - player.body - player.neck);
+    out.point_distance = aim.distance;
+    out.point_direction_radians = aim.direction;
   }
   out.focus_distance = player.view.focus_distance;
-  out.focus_direction = math::to_degrees(player.view.focus_direction);
+  out.focus_direction = exact_degrees(player.view.focus_direction);
   out.stamina = player.stamina.value;
   out.effort = player.stamina.effort;
   out.recovery = player.stamina.recovery;

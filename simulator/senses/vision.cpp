@@ -7,7 +7,9 @@
 #include <optional>
 
 #include "simulator/actions.h"
+#include "simulator/angles.h"
 #include "simulator/roster.h"
+#include "simulator/senses/body_sense.h"
 #include "simulator/senses/sight_lines.h"
 #include "soccer/math.h"
 #include "soccer/pitch.h"
@@ -145,7 +147,7 @@ std::optional<Sighting> sight(const Eyes& eyes, const Vec2& object, double reach
   return Sighting{in_view, offset, distance, direction};
 }
 
-int whole_degrees(double radians) { return static_cast<int>(std::rint(math::to_degrees(radians))); }
+int whole_degrees(double radians) { return static_cast<int>(std::rint(exact_degrees(radians))); }
 
 int seen_angle(const Eyes& eyes, double angle) {
   return whole_degrees(math::normalize_radians(angle - eyes.player.body - eyes.player.neck));
@@ -183,7 +185,7 @@ void tell_motion(const Eyes& eyes, const Sighting& seen, Vec2 velocity, Observat
   const Vec2 relative = velocity - eyes.player.velocity;
   const Vec2 away = seen.offset / seen.distance;
   const double radial = dot(relative, away);
-  const double turning = math::to_degrees(cross(away, relative) / seen.distance);
+  const double turning = exact_degrees(cross(away, relative) / seen.distance);
   if (turning != 0.0) out.direction_change = math::quantize(turning, kDirectionChangeStep);
   out.distance_change =
       eyes.player.view.gaussian
@@ -246,8 +248,8 @@ void tell_arm(const World& world, const Eyes& eyes, const Player& other, double 
   const double least = math::to_radians(kPointDeviation);
   const double share = distance / eyes.type.team_too_far_length;
   const double deviation = share * share * share * share * (math::kPi - least) + least;
-  const double direction = soccer::direction_radians(other.arm.target - other.position) -
-                           eyes.player.body - eyes.player.neck;
+  const double direction =
+      arm_aim(other).direction + (other.neck + other.body - eyes.player.body - eyes.player.neck);
   out.pointing = true;
   out.point_direction = static_cast<std::int16_t>(
       whole_degrees(math::normalize_radians(noise.normal(direction, deviation))));

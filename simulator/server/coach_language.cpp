@@ -52,7 +52,7 @@ bool is_freeform_time(const World& world) {
   if (world.mode != PlayMode::kPlayOn) return true;
   const soccer::ServerParams& params = world.params();
   const int played = world.clock.time - world.last_play_on;
-  return played > params.freeform_wait_period && params.freeform_wait_period > 0 &&
+  return played > params.freeform_wait_period && params.freeform_wait_period != 0 &&
          played % params.freeform_wait_period < params.freeform_send_period;
 }
 

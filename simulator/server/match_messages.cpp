@@ -19,9 +19,12 @@ constexpr const char* kUnsupported = "(unsupported_clang)";
 
 }  // namespace
 
+// Who is sent off is off the pitch already, but hears of his card before he loses his connection.
 void MatchServer::broadcast(std::string_view message) {
   for (auto& client : sessions_) {
-    if (client != nullptr && world_.player(client->slot()).enabled) client->send(message);
+    if (client == nullptr || client->lost) continue;
+    const Player& player = world_.player(client->slot());
+    if (player.enabled || player.has(state::kRedCard)) client->send(message);
   }
 }
 

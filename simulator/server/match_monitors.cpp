@@ -22,13 +22,31 @@ std::string text_of(const Message& message) {
   return text;
 }
 
-bool moves_the_world(const soccer::CoachCommand& command) {
-  return std::holds_alternative<soccer::Start>(command) ||
-         std::holds_alternative<soccer::ChangeMode>(command) ||
-         std::holds_alternative<soccer::MoveBall>(command) ||
-         std::holds_alternative<soccer::MovePlayer>(command) ||
-         std::holds_alternative<soccer::Recover>(command) ||
-         std::holds_alternative<soccer::CheckBall>(command);
+// True if it begins as one of the monitors' own commands, to the letter, whatever follows.
+bool is_own_command(std::string_view datagram) {
+  const auto begins = [&](std::string_view start) { return datagram.starts_with(start); };
+  return begins("(dispplayer") || begins("(dispdiscard") || begins("(compression") ||
+         begins("(dispfoul") || begins("(dispcard");
+}
+
+// A trainer's order as monitors may give it: told by how the datagram begins, to the letter.
+std::optional<ErrorCode> read_order(std::string_view datagram, soccer::CoachCommand& out) {
+  const auto begins = [&](std::string_view start) { return datagram.starts_with(start); };
+  const bool moves = begins("(move");
+  if (begins("(start)")) {
+    out = soccer::Start{};
+  } else if (begins("(recover")) {
+    out = soccer::Recover{};
+  } else if (begins("(check_ball")) {
+    out = soccer::CheckBall{};
+  } else if (moves || begins("(change_mode")) {
+    const auto error = soccer::parse(datagram, soccer::CoachRole::kTrainer, out);
+    if (error != ErrorCode::kUnknownCommand) return error;
+    return moves ? ErrorCode::kIllegalObjectForm : ErrorCode::kIllegalCommandForm;
+  } else {
+    return ErrorCode::kIllegalCommandForm;
+  }
+  return std::nullopt;
 }
 
 }  // namespace
@@ -54,7 +72,9 @@ void MatchServer::obey_monitor(ClientId id, std::string_view datagram, bool null
     monitors_.tell(id, world_.clock, text_of(WarningCode::kMessageNotNullTerminated));
   }
   const auto command = soccer::parse_monitor_command(datagram);
-  if (!command) {
+  if (!command && is_own_command(datagram)) {
+    monitors_.tell(id, world_.clock, text_of(ErrorCode::kIllegalCommandForm));
+  } else if (!command) {
     obey_as_trainer(id, datagram);
   } else if (std::holds_alternative<soccer::DispBye>(*command)) {
     client->lost = true;
@@ -72,8 +92,7 @@ void MatchServer::obey_as_trainer(ClientId id, std::string_view datagram) {
   soccer::CoachCommand order;
   std::optional<ErrorCode> error = ErrorCode::kIllegalCommandForm;
   if ((params.coach || params.coach_w_referee) && !monitors_only_watch_) {
-    error = soccer::parse(datagram, soccer::CoachRole::kTrainer, order);
-    if (!error && !moves_the_world(order)) error = ErrorCode::kIllegalCommandForm;
+    error = read_order(datagram, order);
   }
   if (error) return monitors_.tell(id, world_.clock, text_of(*error));
   const auto answer = obey(world_, order, events_);

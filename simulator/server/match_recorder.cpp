@@ -2,6 +2,7 @@
 #include "simulator/server/match_recorder.h"
 
 #include "simulator/actions.h"
+#include "simulator/angles.h"
 #include "simulator/logged_counters.h"
 #include "soccer/math.h"
 
@@ -15,14 +16,14 @@ void describe(const World& world, const Player& player, gamelog::PlayerFrame& ou
   out.type = player.type;
   out.position = player.position;
   out.velocity = player.velocity;
-  out.body = math::to_degrees(player.body);
-  out.neck = math::to_degrees(player.neck);
+  out.body = exact_degrees(player.body);
+  out.neck = exact_degrees(player.neck);
   out.pointing_at.reset();
   if (is_pointing(world, player)) out.pointing_at = player.arm.target;
   out.high_quality = player.view.quality == soccer::ViewQuality::kHigh;
-  out.view_width = math::to_degrees(view_cone(player.view, world.params().visible_angle));
+  out.view_width = exact_degrees(view_cone(player.view, world.params().visible_angle));
   out.focus_distance = player.view.focus_distance;
-  out.focus_direction = math::to_degrees(player.view.focus_direction);
+  out.focus_direction = exact_degrees(player.view.focus_direction);
   out.stamina = player.stamina.value;
   out.effort = player.stamina.effort;
   out.recovery = player.stamina.recovery;

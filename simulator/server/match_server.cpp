@@ -160,7 +160,9 @@ void MatchServer::execute(CoachSession& coach) {
 void MatchServer::remove_lost() {
   for (auto& client : sessions_) {
     if (client == nullptr || !client->lost) continue;
-    if (world_.player(client->slot()).enabled) leave(world_, client->slot());
+    Player& player = world_.player(client->slot());
+    if (player.enabled) leave(world_, player.slot());
+    player.state &= ~state::kDiscard;  // shown until the connection is closed
     client.reset();
   }
   coaches_.remove_lost();

@@ -215,9 +215,9 @@ Door door_of(const std::string& client) {
 bool counts(std::string_view message, const std::vector<std::string>& shown) {
   const auto begins = [message](std::string_view start) { return message.starts_with(start); };
   if (std::any_of(shown.begin(), shown.end(), begins)) return true;
-  const std::string_view left_out[] = {"(sense_body ",   "(see ",        "(see_global ",
-                                       "(fullstate ",    "(think)",      "(server_param ",
-                                       "(player_param ", "(player_type "};
+  const std::string_view left_out[] = {"(sense_body ",   "(see ",         "(see_global ",
+                                       "(fullstate ",    "(think)",       "(server_param ",
+                                       "(player_param ", "(player_type ", "(show "};
   return std::none_of(std::begin(left_out), std::end(left_out), begins);
 }
 

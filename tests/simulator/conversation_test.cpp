@@ -45,7 +45,7 @@ TEST(ConversationOverUdp, OnlineCoachesTalkToTheProgramAlike) {
 INSTANTIATE_TEST_SUITE_P(Recorded, Conversations,
                          testing::Values("versions", "players", "trainer", "online-coach",
                                          "coach-language", "referee", "referee-time", "keepaway",
-                                         "sight", "shoot-out-draw", "shoot-out-coin"),
+                                         "sight", "shoot-out-draw", "shoot-out-coin", "unexpected"),
                          [](const auto& one) {
                            std::string name = one.param;
                            std::replace(name.begin(), name.end(), '-', '_');

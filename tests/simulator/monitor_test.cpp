@@ -175,9 +175,33 @@ TEST_F(MonitorTest, MovesDiscardsAndBooksPlayers) {
   EXPECT_TRUE(world().player(Side::kLeft, 2).has(state::kDiscard));
   server_->receive(monitor, "(dispcard 1 1 red)");
   EXPECT_FALSE(world().player(Side::kLeft, 1).enabled);
-  // Nobody is there to be moved.
-  server_->receive(monitor, "(dispplayer -1 5 0 0 0)");
-  EXPECT_NE(world().player(Side::kRight, 5).position, (Vec2{0.0, 0.0}));
+  // Who is not there is moved as well, who does not exist is not; an angle may be any.
+  server_->receive(monitor, "(dispplayer -1 5 16 0 378)");
+  EXPECT_EQ(world().player(Side::kRight, 5).position, (Vec2{1.0, 0.0}));
+  EXPECT_NEAR(world().player(Side::kRight, 5).body, 6.5973, 1e-4);
+  EXPECT_EQ(answers(monitor, "(dispplayer 2 5 0 0 0)"), std::vector<std::string>());
+}
+
+TEST_F(MonitorTest, APlayerLooksAlongThePitchFromWhenHeIsThere) {
+  const ClientId monitor = connect("(dispinit version 3)");
+  EXPECT_EQ(world().player(Side::kRight, 1).body, 0.0);
+  connect("(init A (version 18))");
+  connect("(init B (version 18))");
+  EXPECT_NEAR(world().player(Side::kRight, 1).body, 3.1416, 1e-4);
+  EXPECT_EQ(world().player(Side::kRight, 2).body, 0.0);
+  messages(monitor);
+}
+
+TEST_F(MonitorTest, IsShownFocusPointsInTenThousandths) {
+  const ClientId player = connect("(init A (version 18))");
+  const ClientId text = connect("(dispinit version 5)");
+  const ClientId json = connect("(dispinit version -1)");
+  messages(text);
+  messages(json);
+  server_->receive(player, "(change_focus 1.00004 0.00002)");
+  step();
+  EXPECT_NE(messages(text).at(0).find("(fp 1 0)"), std::string::npos);
+  EXPECT_NE(messages(json).at(0).find("\"fdist\":1,\"fdir\":0,"), std::string::npos);
 }
 
 TEST_F(MonitorTest, HearsWordsIfTheParametersSaySo) {

@@ -32,11 +32,18 @@ TEST(MonitorCommand, PlacesAreSixteenthsAndSidesAreSigns) {
 }
 
 TEST(MonitorCommand, WhatIsNoneIsRefused) {
-  for (const char* text : {"", "(", "dispstart", "(foo)", "(dispfoul)", "(dispfoul 1 2)",
-                           "(dispfoul a b c)", "(dispplayer 1 12 0 0 0)", "(dispplayer 1 0 0 0 0)",
-                           "(dispplayer 2 1 0 0 0)", "(dispplayer 0 1 0 0 0)", "(dispdiscard 1)",
-                           "(dispcard 1 1 green)", "(dispcard 1 1)", "(compression)"}) {
+  for (const char* text :
+       {"", "(", "dispstart", "(foo)", "(dispfoul)", "(dispfoul 1 2)", "(dispfoul a b c)",
+        " (dispstart)", "( dispfoul 1 2 1)", "(dispstart)x", "(dispdiscard 1)",
+        "(dispcard 1 1 green)", "(dispcard 1 1)", "(compression)"}) {
     EXPECT_FALSE(parse_monitor_command(text)) << text;
+  }
+}
+
+TEST(MonitorCommand, WhoIsNoneOfTheTwentyTwoIsOfNoSide) {
+  for (const char* text : {"(dispplayer 1 12 0 0 0)", "(dispplayer 1 0 0 0 0)",
+                           "(dispplayer 2 1 0 0 0)", "(dispplayer 0 1 0 0 0)"}) {
+    EXPECT_EQ(read<DispPlayer>(text).side, Side::kNeutral) << text;
   }
 }
 
