@@ -18,6 +18,9 @@ struct Kind {
   double speed_max;
   double acceleration_max;
   double push_noise_max = 0.0;  ///< what kicks can add; for forced arrivals only
+
+  // A ball that noise made faster has more noise of motion.
+  double push_reach() const { return push_noise_max * (1.0 + rand); }
 };
 
 Kind ball_kind(const soccer::ServerParams& server) {
@@ -94,7 +97,7 @@ bool increment(const World& world, Object& object, const Kind& kind, RandomStrea
     shown->noise_max = noise_max;
     const double wind_max = strongest_wind(world.wind, speed, kind.weight);
     object.velocity += explained_noise(object.position + object.velocity,
-                                       noise_max + kind.push_noise_max + wind_max, *shown);
+                                       noise_max + kind.push_reach() + wind_max, *shown);
   } else {
     object.velocity += noise;
     object.velocity += wind_push(world.wind, object.velocity.length(), kind.weight, stream);
@@ -145,9 +148,7 @@ void turn_players(World& world) {
 void move_objects(World& world, Events& events) {
   Kind ball = ball_kind(world.params());
   ForcedOutcomes* forced = world.forced ? &*world.forced : nullptr;
-  if (forced != nullptr && !world.ball.acceleration.is_zero()) {
-    ball.push_noise_max = forced->push_noise_max;
-  }
+  if (forced != nullptr) ball.push_noise_max = forced->push_noise_max;
   increment(world, world.ball, ball, world.random.ball_motion,
             forced != nullptr ? &forced->ball : nullptr);
   for (std::size_t i = 0; i < world.players.size(); ++i) {

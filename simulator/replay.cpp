@@ -135,10 +135,16 @@ void force_arrivals(ForcedOutcomes& outcomes, const World& world, const gamelog:
   }
 }
 
-void force_fouls(ForcedOutcomes& outcomes, const std::vector<std::string>& referee_words) {
-  const auto set = [&](Side side, FoulCall call) {
+void force_fouls(ForcedOutcomes& outcomes, const std::vector<std::string>& referee_words,
+                 const std::vector<Slot>& called_after) {
+  const auto charge = [&](Side side, Slot last) {
+    const bool is_known = last != kNobody && soccer::side_of_slot(last) == side &&
+                          outcomes.tackle[static_cast<std::size_t>(last)].value_or(false);
     for (int unum = 1; unum <= soccer::kPlayersPerTeam; ++unum) {
-      outcomes.foul[static_cast<std::size_t>(soccer::slot_of(side, unum))] = call;
+      const Slot slot = soccer::slot_of(side, unum);
+      if (!is_known || slot == last) {
+        outcomes.foul[static_cast<std::size_t>(slot)] = FoulCall::kCharge;
+      }
     }
   };
   const auto card = [&](const std::string& word, std::string_view prefix, FoulCall call) {
@@ -148,9 +154,10 @@ void force_fouls(ForcedOutcomes& outcomes, const std::vector<std::string>& refer
     if (unum < 1 || unum > soccer::kPlayersPerTeam) return;
     outcomes.foul[static_cast<std::size_t>(soccer::slot_of(side, unum))] = call;
   };
-  for (const std::string& word : referee_words) {
-    if (word == "foul_charge_l") set(Side::kLeft, FoulCall::kCharge);
-    if (word == "foul_charge_r") set(Side::kRight, FoulCall::kCharge);
+  for (std::size_t i = 0; i < referee_words.size(); ++i) {
+    const Slot last = i < called_after.size() ? called_after[i] : kNobody;
+    if (referee_words[i] == "foul_charge_l") charge(Side::kLeft, last);
+    if (referee_words[i] == "foul_charge_r") charge(Side::kRight, last);
   }
   for (const std::string& word : referee_words) {
     card(word, "yellow_card_", FoulCall::kYellow);

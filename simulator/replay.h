@@ -27,8 +27,11 @@ ForcedOutcomes shown_outcomes(const gamelog::Frame& after);
 void force_arrivals(ForcedOutcomes& outcomes, const World& world, const gamelog::Frame& after);
 
 /// Adds what the referee said of fouls in the step: foul_charge_l, yellow_card_r_7, red_card_l_3.
-/// All other tackles of the step were none.
-void force_fouls(ForcedOutcomes& outcomes, const std::vector<std::string>& referee_words);
+/// All other tackles of the step were none. `called_after` names, for each word, whose command was
+/// received last before it: the server calls a foul at once. Where that is no tackler of the side,
+/// every tackle of the side was one.
+void force_fouls(ForcedOutcomes& outcomes, const std::vector<std::string>& referee_words,
+                 const std::vector<Slot>& called_after);
 
 /// Adds what the referee said of a shoot-out's start: penalty_onfield_l, penalty_setup_r.
 void force_shoot_out(ForcedOutcomes& outcomes, const std::vector<std::string>& referee_words);

@@ -8,7 +8,8 @@ namespace cls::simulator {
 namespace {
 
 constexpr std::array<std::string_view, kExcuseCount> kExcuses = {
-    "tackle", "catch", "foul", "random_place", "half_time", "noise", "came_or_left"};
+    "tackle", "catch", "foul",    "random_place", "half_time",
+    "noise",  "line",  "toucher", "came_or_left"};
 
 }  // namespace
 

@@ -43,6 +43,8 @@ enum class Excuse : std::uint8_t {
   kRandomPlace,  ///< the referee puts a player anywhere in its own half
   kHalfTime,     ///< of the pause nothing is recorded; not counted where it differs
   kNoise,        ///< a contact whose noise cannot be told; only where it differs, and not counted
+  kLine,         ///< noise decided over which line or past which post the ball went
+  kToucher,      ///< noise decided which of two contacts in one cycle was the stronger
   kCameOrLeft,   ///< joined, or was lost without a bye; not counted
 };
 constexpr std::size_t kExcuseCount = static_cast<std::size_t>(Excuse::kCameOrLeft) + 1;

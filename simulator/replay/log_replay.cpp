@@ -2,6 +2,7 @@
 #include "simulator/replay/log_replay.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <set>
@@ -11,7 +12,9 @@
 #include "simulator/referee.h"
 #include "simulator/referee/modes.h"
 #include "simulator/replay.h"
+#include "simulator/replay/recorded_step.h"
 #include "simulator/replay/step_comparison.h"
+#include "simulator/replay/stronger_push.h"
 #include "simulator/replay/text_log_index.h"
 #include "simulator/roster.h"
 #include "simulator/step.h"
@@ -115,7 +118,7 @@ class LogReplay {
         // Calls of what is missing are nobody's mistake.
         unheard_.push_back({{now.time, game_.stopped[i]}, clock});
       } else {
-        compare_step({before_, world_, next, clock, way == Way::kHalfTime, pushed_cut_off_},
+        compare_step({before_, world_, next, clock, way == Way::kHalfTime, pushed_cut_off_, open_},
                      result_);
       }
       finish_step(world_, events_);
@@ -148,6 +151,7 @@ class LogReplay {
       force(after);
       apply_commands();
       if (result_.has_noise) force_arrivals(*world_.forced, world_, after);
+      forget_lost_pushes();
       note_push();
       step_like(after);
       if (world_.mode != PlayMode::kBeforeKickOff || after.mode == PlayMode::kBeforeKickOff) {
@@ -160,36 +164,54 @@ class LogReplay {
     return Way::kBroken;
   }
 
-  // Where the ball goes over a line or past a post, its noise can decide, and the record no longer
-  // shows it: any noise that leads to the recorded mode will do.
   void step_like(const Frame& after) {
-    constexpr int kDirections = 16;
-    const World start = world_;
-    const std::size_t events = events_.size();
-    step(world_, events_);
-    const ShownMotion shown = world_.forced->ball;
-    if (!result_.has_noise || world_.mode == after.mode || shown.reach == 0.0) return;
-    const World first = world_;
-    const Events first_events = events_;
-    for (int i = 0; i < 2 * kDirections; ++i) {
-      const double share = i < kDirections ? 0.999 : 0.5;
-      world_ = start;
-      world_.forced->ball.arrival =
-          shown.expected +
-          soccer::polar_degrees(share * shown.reach, 360.0 / kDirections * (i % kDirections));
-      events_.resize(events);
-      step(world_, events_);
-      if (world_.mode == after.mode) return;
+    open_ = {};
+    if (!result_.has_noise) return step(world_, events_);
+    note_contest(after);
+    open_ = step_as_recorded(world_, events_, after, contestants_);
+  }
+
+  // Who touched the ball last may show only when it leaves the pitch, many cycles later.
+  void note_contest(const Frame& after) {
+    TouchRule& memory = world_.referee.touch;
+    const bool counts = memory.touch_time == world_.clock.time &&
+                        std::any_of(pushes_.begin(), pushes_.end(), [&](const BallPush& push) {
+                          return push.slot == memory.toucher;
+                        });
+    if (counts) {
+      contestants_ = strongest_pushers(world_, pushes_, way_of_ball(after));
+      contest_time_ = memory.touch_time;
+      if (contestants_.size() == 1) memory.toucher = contestants_.front();
+      // With noise no push is so weak that a mere touch outdoes it.
+      memory.touch_acceleration = std::max(memory.touch_acceleration, soccer::math::kEps);
     }
-    world_ = first;
-    events_ = first_events;
+    const bool is_one_of_them =
+        std::find(contestants_.begin(), contestants_.end(), memory.toucher) != contestants_.end();
+    if (memory.touch_time != contest_time_ || !is_one_of_them) contestants_.clear();
+  }
+
+  // Nothing if something else than kicks and noise moved it.
+  std::optional<Vec2> way_of_ball(const Frame& after) const {
+    constexpr double kSamePlace = 5e-4;
+    const bool touched =
+        std::any_of(after.players.begin(), after.players.end(), [](const auto& player) {
+          return (player.state & (state::kBallCollide | state::kCatch)) != 0;
+        });
+    if (touched || after.ball_velocity.is_zero()) return std::nullopt;
+    const Vec2 way = after.ball_position - world_.ball.position;
+    const Vec2 kept = after.ball_velocity / world_.params().ball_decay;
+    if (distance(way, kept) > kSamePlace) return std::nullopt;
+    return way;
   }
 
   void force(const Frame& after) {
     world_.forced = shown_outcomes(after);
+    for (std::size_t i = 0; i < meets_ball_.size(); ++i) {
+      meets_ball_[i] = (after.players[i].state & state::kBallCollide) != 0;
+    }
     force_shoot_out(*world_.forced, all_words_);
     if (const LogMoment* moment = text_.at(world_.clock)) {
-      force_fouls(*world_.forced, moment->words);
+      force_fouls(*world_.forced, moment->words, moment->called_after);
     }
   }
 
@@ -203,6 +225,7 @@ class LogReplay {
   }
 
   void apply_commands() {
+    pushes_.clear();
     const LogMoment* moment = text_.at(world_.clock);
     if (moment == nullptr) return;
     for (const SentText& sent : moment->sent) {
@@ -219,9 +242,34 @@ class LogReplay {
     for (const soccer::PlayerCommand& command : commands_) {
       if (std::holds_alternative<soccer::Bye>(command)) {
         leave(world_, slot);
+      } else if (std::holds_alternative<soccer::Catch>(command)) {
+        apply_catch(slot, command);
       } else {
+        const Vec2 given = world_.ball.acceleration;
+        const double noise = world_.forced->push_noise_max;
         apply(world_, slot, command, events_);
+        const double more_noise = world_.forced->push_noise_max - noise;
+        if (more_noise > 0.0) {
+          pushes_.push_back({slot, world_.ball.acceleration - given, more_noise});
+        }
       }
+    }
+  }
+
+  // A goalie comes to touch the ball exactly, and the last digit decides whether they overlap: then
+  // the ball, too, says how far the goalie gives way to somebody else. A record shows it by a bit.
+  void apply_catch(Slot slot, const soccer::PlayerCommand& command) {
+    constexpr int kTries = 20;
+    constexpr double kBelowRounding = 1e-8;
+    const World start = world_;
+    const std::size_t said = events_.size();
+    const bool recorded = meets_ball_[static_cast<std::size_t>(slot)];
+    apply(world_, slot, command, events_);
+    for (int i = 1; i <= kTries && world_.player(slot).has(state::kBallCollide) != recorded; ++i) {
+      world_ = start;
+      events_.resize(said);
+      world_.ball.position.x += kBelowRounding * i;
+      apply(world_, slot, command, events_);
     }
   }
 
@@ -251,6 +299,15 @@ class LogReplay {
     if (const auto* init = std::get_if<soccer::PlayerInit>(&request)) {
       world_.player(sent.side, sent.unum).client_version = static_cast<int>(init->version);
     }
+  }
+
+  // Somebody stopped or placed the ball after it was kicked. Tackles backwards give noise alone.
+  void forget_lost_pushes() {
+    if (!world_.ball.acceleration.is_zero()) return;
+    Vec2 sum;
+    for (const BallPush& push : pushes_) sum += push.acceleration;
+    const bool is_in_play = soccer::mode_class(world_.mode) == soccer::ModeClass::kRunning;
+    if (!is_in_play || !sum.is_zero()) world_.forced->push_noise_max = 0.0;
   }
 
   void note_push() {
@@ -335,6 +392,11 @@ class LogReplay {
   std::multiset<Word> our_words_;
   std::vector<std::pair<Clock, Clock>> unheard_;
   bool pushed_cut_off_ = false;
+  std::array<bool, soccer::kPlayersOnPitch> meets_ball_ = {};  ///< by the record
+  std::vector<BallPush> pushes_;   ///< of the step, in the order of the commands
+  std::vector<Slot> contestants_;  ///< each may be who touched the ball last
+  int contest_time_ = -1;
+  OpenOutcomes open_;
   LogAgreement result_;
 };
 

@@ -77,11 +77,13 @@ StepClass ball_class(const World& before, const World& after) {
   const bool caught = anybody(before, after, [](const Player& was, const Player& now) {
     return now.counters.catch_ball > was.counters.catch_ball;
   });
-  if (caught) return StepClass::kBallCatch;
-  if (after.ball_catcher != kNobody) {
-    const bool pushed = after.player(after.ball_catcher).has(state::kPlayerCollide);
-    return pushed ? StepClass::kBallCollision : StepClass::kBallHeld;
+  // Who pushes the goalie pushes the ball in its hands.
+  const Slot catcher = after.ball_catcher;
+  if (catcher != kNobody && after.player(catcher).has(state::kPlayerCollide)) {
+    return StepClass::kBallCollision;
   }
+  if (caught) return StepClass::kBallCatch;
+  if (catcher != kNobody) return StepClass::kBallHeld;
   if (anybody(before, after, collided)) return StepClass::kBallCollision;
   const bool free = moved_by_itself(before.ball.position, after.ball.position, after.ball.velocity,
                                     after.params().ball_decay);

@@ -76,6 +76,8 @@ class Comparison {
     if (step_.half_time) excuse(Excuse::kHalfTime);
     if (forced_.tackle_drawn.any()) excuse(Excuse::kTackle);
     if (forced_.catch_drawn.any()) excuse(Excuse::kCatch);
+    if (step_.open.line) excuse(Excuse::kLine);
+    if (step_.open.toucher) excuse(Excuse::kToucher);
     const Deviation off = ball_deviation(step_.after, step_.recorded);
     Tolerance allowed;
     if (magnifies_rounding(kind)) widen(allowed);
@@ -117,7 +119,7 @@ class Comparison {
     if (shown.capacity >= 0.0) add(misses, "capacity", off.capacity, allowed.capacity);
     // Who came too near to a set play stands still where he was put.
     const bool cleared = shown.velocity.is_zero() && !now.velocity.is_zero();
-    const bool touched = (shown.state & kContacts) != 0 || cleared;
+    const bool touched = (shown.state & kContacts & ~state::kPostCollide) != 0 || cleared;
     count(result_.players, {kind, slot, touched}, off, std::move(misses));
     sample_player_noise(slot, kind);
   }
@@ -195,7 +197,10 @@ class Comparison {
   };
 
   void count(Tally& tally, Subject what, const Deviation& off, std::string misses) {
-    const bool noise_matters = result_.has_noise && (magnifies_rounding(what.kind) || what.touched);
+    // The noise of a bounce off a post is found as surely as that of a way without one.
+    const bool is_bounce = what.kind == StepClass::kBallPost || what.kind == StepClass::kPlayerPost;
+    const bool noise_matters =
+        result_.has_noise && (what.touched || (magnifies_rounding(what.kind) && !is_bounce));
     if ((noise_matters || step_.half_time) && !misses.empty()) {
       if (!step_.half_time) excuse(Excuse::kNoise);
       ++result_.uncounted;

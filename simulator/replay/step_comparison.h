@@ -3,6 +3,7 @@
 
 #include "gamelog/frame.h"
 #include "simulator/replay/log_agreement.h"
+#include "simulator/replay/recorded_step.h"
 
 namespace cls::simulator {
 
@@ -13,6 +14,7 @@ struct ReckonedStep {
   Clock clock;  ///< of the recorded frame
   bool half_time = false;
   bool push_cut_off = false;  ///< a limit may have cut what a kick gave the ball
+  OpenOutcomes open;          ///< what noise decided
 };
 
 void compare_step(const ReckonedStep& step, LogAgreement& result);

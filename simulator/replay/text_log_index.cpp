@@ -6,6 +6,15 @@ namespace cls::simulator {
 using gamelog::RclLine;
 using gamelog::RclSource;
 
+namespace {
+
+Slot last_player(const LogMoment& moment) {
+  if (moment.sent.empty() || moment.sent.back().source != RclSource::kPlayer) return kNobody;
+  return soccer::slot_of(moment.sent.back().side, moment.sent.back().unum);
+}
+
+}  // namespace
+
 TextLogIndex::TextLogIndex(const gamelog::RclRecord& text, const gamelog::TeamFrames& teams) {
   is_damaged_ = !text.damage.empty();
   std::vector<Side> sides;
@@ -21,6 +30,7 @@ TextLogIndex::TextLogIndex(const gamelog::RclRecord& text, const gamelog::TeamFr
     const std::string_view words = text.text_of(line);
     if (line.source == RclSource::kReferee) {
       moment.words.emplace_back(words);
+      moment.called_after.push_back(last_player(moment));
     } else if (line.source == RclSource::kTrainer) {
       moment.sent.push_back({line.source, Side::kNeutral, 0, words});
     } else if (line.source != RclSource::kOther && sides[line.team] != Side::kNeutral) {

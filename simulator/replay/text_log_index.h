@@ -25,6 +25,7 @@ struct SentText {
 struct LogMoment {
   std::vector<SentText> sent;
   std::vector<std::string> words;  ///< of the referee
+  std::vector<Slot> called_after;  ///< by word: the player heard last before it, or kNobody
 };
 
 /// Refers to the record's text, which must outlive it. Senders of unknown teams are left out.
