@@ -79,7 +79,13 @@ void overhear(const World& world, const PlayerSaid& said, Slot listener, Hearing
     const std::size_t side = index(soccer::side_of_slot(said.speaker));
     if (!player.ears.complete[side] && !player.ears.partial[side]) return;
   }
-  hearing.waiting.push_back({said.speaker, said.text});
+  const auto of_speaker = [&](const Hearing::Words& words) {
+    return words.speaker == said.speaker;
+  };
+  if (std::count_if(hearing.waiting.begin(), hearing.waiting.end(), of_speaker) <
+      Hearing::kMostOfOneSpeaker) {
+    hearing.waiting.push_back({said.speaker, said.text});
+  }
 }
 
 void hear(World& world, Slot slot, Hearing& hearing, RandomStream& choice,

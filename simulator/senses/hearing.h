@@ -16,6 +16,9 @@ struct Hearing {
     Slot speaker = kNobody;
     std::string text;
   };
+  /// More than this of one speaker in a cycle are not kept: nobody who plays says so much.
+  static constexpr int kMostOfOneSpeaker = 16;
+
   std::vector<Words> waiting;           ///< in order of speaking
   std::vector<std::string> of_trainer;  ///< heard by all, before anything else
 };

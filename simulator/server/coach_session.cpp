@@ -6,7 +6,6 @@
 namespace cls::simulator {
 
 bool CoachInbox::add(std::string_view text, bool null_terminated, soccer::CoachRole role) {
-  if (datagrams_.size() == Inbox::kMaxDatagrams) return text.starts_with("(done)");
   Datagram& datagram = datagrams_.emplace_back();
   datagram.text = text;
   datagram.null_terminated = null_terminated;

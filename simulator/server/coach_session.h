@@ -22,7 +22,7 @@ class CoachInbox {
     bool null_terminated = true;
   };
 
-  /// True if the command is (done) or (bye). Too many waiting datagrams are dropped, as in Inbox.
+  /// True if the command is (done) or (bye).
   bool add(std::string_view text, bool null_terminated, soccer::CoachRole role);
 
   const std::vector<Datagram>& datagrams() const { return datagrams_; }
@@ -33,6 +33,8 @@ class CoachInbox {
 };
 
 struct CoachSession : Connection {
+  CoachSession() : Connection(Allowance::kCoachBytes) {}
+
   bool is_trainer() const { return client == kTrainer; }
   soccer::CoachRole role() const {
     return is_trainer() ? soccer::CoachRole::kTrainer : soccer::CoachRole::kOnlineCoach;

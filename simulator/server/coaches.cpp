@@ -18,8 +18,7 @@ using soccer::ErrorCode;
 constexpr int kFirstGoalieChangeVersion = 16;
 
 bool is_spoken(double version) {
-  const int whole = static_cast<int>(version);
-  return whole >= soccer::kOldestServedVersion && whole <= soccer::kNewestProtocolVersion;
+  return version >= soccer::kOldestServedVersion && version < soccer::kNewestProtocolVersion + 1;
 }
 
 bool has_trainer_mode(const World& world) {
@@ -86,7 +85,7 @@ void Coaches::remove_lost() {
 
 void Coaches::begin_step(const World& world, std::vector<CoachWords>& out) {
   for (auto& coach : sessions_) {
-    if (coach != nullptr) coach->asked = coach->done = false;
+    if (coach != nullptr) coach->begin_step();
   }
   for (const Side side : {Side::kLeft, Side::kRight}) {
     due_.clear();

@@ -1,11 +1,13 @@
 // What every client of a match has in common: who it is, its channel, and what it owes.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <string>
 #include <string_view>
 
+#include "simulator/server/allowance.h"
 #include "simulator/world.h"
 #include "soccer/channel.h"
 #include "soccer/protocol/hear.h"
@@ -41,6 +43,9 @@ struct Admission {
 };
 
 struct Connection {
+  explicit Connection(std::size_t bytes_a_step = Allowance::kPlayerBytes)
+      : allowance(bytes_a_step) {}
+
   ClientId client = kNobody;
   int version = 0;
   std::unique_ptr<soccer::Channel> channel;
@@ -48,6 +53,12 @@ struct Connection {
   bool asked = false;  ///< to think, since the last step
   bool done = false;   ///< since the last step
   bool lost = false;   ///< the connection is gone; the client leaves after the commands
+  Allowance allowance;
+
+  void begin_step() {
+    asked = done = false;
+    allowance.renew();
+  }
 
   /// True if the client was asked to think and has not sent (done).
   bool is_awaited() const { return asked && !done && !lost; }

@@ -57,6 +57,7 @@ void MatchServer::receive_at_door(ClientId id, std::string_view datagram, bool n
   const bool strict = is_monitor(id) ? client->version != kFirstMonitorVersion
                                      : client->version >= kFirstStrictPlayerVersion;
   if (!strict) return receive(id, datagram, null_terminated);
+  if (!client->allowance.take(datagram.size())) return;
   const std::string refusal = text_of(ErrorCode::kOnlyInitAllowedOnInitPort);
   if (is_monitor(id)) {
     monitors_.tell(id, world_.clock, refusal);

@@ -61,15 +61,19 @@ void MatchServer::arrange(const std::function<void(World&, Events&)>& change) {
 }
 
 void MatchServer::receive(ClientId id, std::string_view datagram, bool null_terminated) {
-  if (is_monitor(id)) return obey_monitor(id, datagram, null_terminated);
-  if (is_player(id)) {
-    Session* player = session(id);
-    if (player != nullptr && player->inbox.add(datagram, null_terminated)) player->done = true;
-    return;
+  Connection* client = connection(id);
+  if (client == nullptr) return;
+  if (!client->allowance.take(datagram.size())) {
+    // Whoever floods us must not make the others wait for its (done) as well.
+    if (datagram.find("(done)") != std::string_view::npos) client->done = true;
+  } else if (is_monitor(id)) {
+    obey_monitor(id, datagram, null_terminated);
+  } else if (is_player(id)) {
+    if (session(id)->inbox.add(datagram, null_terminated)) client->done = true;
+  } else {
+    CoachSession& coach = *coaches_.session(id);
+    if (coach.inbox.add(datagram, null_terminated, coach.role())) coach.done = true;
   }
-  CoachSession* coach = coaches_.session(id);
-  if (coach == nullptr) return;
-  if (coach->inbox.add(datagram, null_terminated, coach->role())) coach->done = true;
 }
 
 void MatchServer::lose(ClientId id) {
@@ -172,8 +176,9 @@ void MatchServer::remove_lost() {
 void MatchServer::step() {
   see(world_.params().simulator_step - 1);
   for (auto& client : sessions_) {
-    if (client != nullptr) client->asked = client->done = false;
+    if (client != nullptr) client->begin_step();
   }
+  monitors_.begin_step();
   coach_words_.clear();
   coaches_.begin_step(world_, coach_words_);
   for (const CoachWords& words : coach_words_) tell_words(words);
@@ -248,6 +253,10 @@ bool MatchServer::awaits_anybody() const {
     if (awaits(client)) return true;
   }
   return false;
+}
+
+bool MatchServer::awaits_coaches() const {
+  return awaits(kLeftCoach) || awaits(kRightCoach) || awaits(kTrainer);
 }
 
 bool MatchServer::finished() const {

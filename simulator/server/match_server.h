@@ -69,7 +69,8 @@ class MatchServer {
   /// Changes the world as a trainer may, between cycles; what happens by it is told to everybody.
   void arrange(const std::function<void(World&, Events&)>& change);
 
-  /// Keeps what a player, coach or trainer sent until execute(); obeys a monitor at once.
+  /// Keeps what a player, coach or trainer sent until execute(); obeys a monitor at once. What is
+  /// beyond the client's Allowance is dropped.
   void receive(ClientId id, std::string_view datagram, bool null_terminated = true);
 
   /// A client that is in has sent this to the door again. Old versions may; others are told that
@@ -127,6 +128,7 @@ class MatchServer {
   /// True while a client who was asked to think has not sent (done).
   bool awaits(ClientId client) const;
   bool awaits_anybody() const;
+  bool awaits_coaches() const;  ///< or the trainer
 
   /// Time over, or the cycle limit is reached.
   bool finished() const;

@@ -57,6 +57,12 @@ void MonitorDesk::attach(ClientId id, int version, std::unique_ptr<soccer::Chann
                                 [&](std::string_view message) { monitor->send(message); });
 }
 
+void MonitorDesk::begin_step() {
+  for (auto& monitor : monitors_) {
+    if (monitor != nullptr) monitor->begin_step();
+  }
+}
+
 void MonitorDesk::show(const World& world) {
   if (connected() == 0) return;
   describe(world, frame_);

@@ -38,6 +38,8 @@ class MonitorDesk {
   void attach(ClientId id, int version, std::unique_ptr<soccer::Channel> channel,
               const Rules& rules);
 
+  void begin_step();
+
   /// Every step: the world to everybody.
   void show(const World& world);
 

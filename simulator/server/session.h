@@ -25,10 +25,6 @@ class Inbox {
     bool null_terminated = true;  ///< as it should be on a network
   };
 
-  /// More than this many waiting datagrams are dropped: no client needs them, and a flood must not
-  /// take the server's memory.
-  static constexpr std::size_t kMaxDatagrams = 256;
-
   /// True if (done) or (bye) is among the commands: there is nothing more to wait for.
   bool add(std::string_view text, bool null_terminated);
 

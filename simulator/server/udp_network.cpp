@@ -23,10 +23,6 @@ namespace {
 
 using soccer::UdpAddress;
 
-/// Reads of one socket in one turn; what waits beyond is left for the next, so that a flood delays
-/// nobody else.
-constexpr int kReadsInARow = 4;
-
 /// Text as it came: without the closing NUL, and up to the first one.
 struct Datagram {
   std::string_view text;
@@ -207,7 +203,8 @@ class UdpNetwork::Sockets {
     return nullptr;
   }
 
-  // Everybody who has sent something has a turn. False if nobody has.
+  // Everybody who has sent something has a turn: one read. What waits beyond is left for the next,
+  // so that a flood delays nobody else. False if nobody has.
   bool handle_ready(int timeout_ms) {
     std::array<epoll_event, 128> ready;  // more than there can be clients and doors
     const int count = ::epoll_wait(epoll_, ready.data(), ready.size(), timeout_ms);
@@ -223,13 +220,9 @@ class UdpNetwork::Sockets {
   }
 
   void receive_at(OpenDoor& door) {
-    for (int i = 0; i < kReadsInARow; ++i) {
-      const int error = incoming_.receive(door.socket);
-      if (error == ECONNREFUSED) continue;  // an answer that nobody wanted
-      for (std::size_t k = 0; k < incoming_.size(); ++k) {
-        answer(door, strip(incoming_.bytes(k)), incoming_.sender(k));
-      }
-      if (incoming_.size() < IncomingDatagrams::kMost) return;
+    incoming_.receive(door.socket);
+    for (std::size_t k = 0; k < incoming_.size(); ++k) {
+      answer(door, strip(incoming_.bytes(k)), incoming_.sender(k));
     }
   }
 
@@ -278,14 +271,12 @@ class UdpNetwork::Sockets {
 
   // The socket may have gone, or another client taken the place, while an event was due.
   void receive_from(ClientId id, std::uint32_t generation) {
-    for (int i = 0; i < kReadsInARow && is_connected(id, generation); ++i) {
-      UdpChannel& channel = *client_at(id).channel;
-      if (incoming_.receive(channel.socket()) == ECONNREFUSED) return match_.lose(id);
-      for (std::size_t k = 0; k < incoming_.size() && is_connected(id, generation); ++k) {
-        const Datagram datagram = channel.read(incoming_.bytes(k));
-        match_.receive(id, datagram.text, datagram.null_terminated);
-      }
-      if (incoming_.size() < IncomingDatagrams::kMost) return;
+    if (!is_connected(id, generation)) return;
+    UdpChannel& channel = *client_at(id).channel;
+    if (incoming_.receive(channel.socket()) == ECONNREFUSED) return match_.lose(id);
+    for (std::size_t k = 0; k < incoming_.size() && is_connected(id, generation); ++k) {
+      const Datagram datagram = channel.read(incoming_.bytes(k));
+      match_.receive(id, datagram.text, datagram.null_terminated);
     }
   }
 

@@ -12,6 +12,9 @@ namespace {
 
 using WallClock = std::chrono::steady_clock;
 
+/// Everybody has had a turn at once; only who sends on and on is cut short.
+constexpr std::chrono::milliseconds kLastLook{1};
+
 }  // namespace
 
 soccer::Result<std::unique_ptr<UdpServer>> UdpServer::open(UdpConfig config) {
@@ -78,12 +81,13 @@ bool UdpServer::run_cycle(const std::atomic<bool>& stop) {
   const bool coaches_are_late = match_->coaches_are_late();
   match_->think_players();
   if (!coaches_are_late) match_->think_coaches();
-  bool missed = !wait_for_answers(stop);
+  bool missed = !wait_for_answers(stop, [this] { return !match_->awaits_anybody(); });
   tell_connections();
   match_->execute_players();
   if (coaches_are_late) {
     match_->think_coaches();
-    missed = !wait_for_answers(stop) || missed;
+    const auto coaches_are_done = [this] { return !match_->awaits_coaches(); };
+    missed = !wait_for_answers(stop, coaches_are_done) || missed;
   }
   match_->execute_coaches();
   tell_connections();
@@ -98,9 +102,9 @@ bool UdpServer::run_cycle(const std::atomic<bool>& stop) {
 }
 
 // In slices, so that a wish to stop is noticed.
-bool UdpServer::wait_for_answers(const std::atomic<bool>& stop) {
+bool UdpServer::wait_for_answers(const std::atomic<bool>& stop,
+                                 const std::function<bool()>& enough) {
   constexpr std::chrono::milliseconds kLook{20};
-  const auto enough = [this] { return !match_->awaits_anybody(); };
   const auto deadline = WallClock::now() + config_.max_wait;
   do {
     network_->receive_until(std::min(deadline, WallClock::now() + kLook), enough);
@@ -124,7 +128,8 @@ UdpEnd UdpServer::run_in_real_time(const std::atomic<bool>& stop) {
   return UdpEnd::kStopped;
 }
 
-// One look at the sockets every recv_step, and one right before the step.
+// One look at the sockets every recv_step, and one right before the step, which is short: a flood
+// must not make the step late.
 void UdpServer::receive_until(StepClock::Time next_step, int step_ms,
                               const std::atomic<bool>& stop) {
   const soccer::ServerParams& params = world().params();
@@ -133,9 +138,10 @@ void UdpServer::receive_until(StepClock::Time next_step, int step_ms,
        due = std::min(due + tick, next_step)) {
     network_->flush();
     std::this_thread::sleep_until(due);
-    network_->poll(WallClock::now() + tick / 2);
+    const bool last = due >= next_step;
+    network_->poll(WallClock::now() + (last ? kLastLook : tick / 2));
     execute();
-    if (due >= next_step) return;
+    if (last) return;
     const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(next_step - due);
     match_->see((step_ms - static_cast<int>(left.count())) / params.slow_down_factor);
   }

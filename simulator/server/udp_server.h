@@ -105,7 +105,7 @@ class UdpServer {
   UdpEnd run_synchronous(const std::atomic<bool>& stop);
   UdpEnd run_in_real_time(const std::atomic<bool>& stop);
   bool run_cycle(const std::atomic<bool>& stop);
-  bool wait_for_answers(const std::atomic<bool>& stop);
+  bool wait_for_answers(const std::atomic<bool>& stop, const std::function<bool()>& enough);
   void receive_until(StepClock::Time next_step, int step_ms, const std::atomic<bool>& stop);
   void make_step();
   void execute();

@@ -247,8 +247,63 @@ TEST_F(MatchServerTest, AFloodOfOneClientIsCutAndHarmsNobody) {
   messages(slot_);
   messages(flooding);
   server_->execute();
-  EXPECT_EQ(messages(flooding).size(), Inbox::kMaxDatagrams);
+  EXPECT_EQ(messages(flooding).size(), static_cast<std::size_t>(Allowance::kDatagrams));
   EXPECT_EQ(messages(slot_), (Texts{"(score 0 0 0)"}));
+}
+
+TEST_F(MatchServerTest, AnAllowanceLastsUntilTheNextStep) {
+  connect("(init A (version 18))");
+  messages(slot_);
+  const auto answers_to = [this](const std::string& datagram, int times) {
+    for (int i = 0; i < times; ++i) server_->receive(slot_, datagram);
+    server_->execute();
+    return messages(slot_).size();
+  };
+  EXPECT_EQ(answers_to("(score)", 200), 200U);
+  EXPECT_EQ(answers_to("(score)", 200), 56U);
+  server_->step();
+  messages(slot_);
+  EXPECT_EQ(answers_to("(score)", 1), 1U);
+
+  // Long datagrams use it up sooner.
+  std::string many;
+  while (many.size() < 8000) many += "(sense_body)";
+  const std::size_t each = many.size() / std::string("(sense_body)").size();
+  EXPECT_EQ(answers_to(many, 10), 2 * each);
+}
+
+TEST_F(MatchServerTest, DoneIsSeenBeyondTheAllowance) {
+  connect("(init A (version 18))");
+  server_->think();
+  for (int i = 0; i < 300; ++i) server_->receive(slot_, "(score)");
+  EXPECT_TRUE(server_->awaits(slot_));
+  server_->receive(slot_, "(turn 10)(done)");
+  EXPECT_FALSE(server_->awaits(slot_));
+}
+
+// Else a cycle would wait twice for a player who does not answer.
+TEST_F(MatchServerTest, ASilentPlayerIsNotAwaitedWithTheCoaches) {
+  connect("(init A (version 18))");
+  server_->think();
+  EXPECT_TRUE(server_->awaits_anybody());
+  EXPECT_FALSE(server_->awaits_coaches());
+}
+
+TEST_F(MatchServerTest, AFloodOfWordsIsHeardInPart) {
+  connect("(init A (version 18))");
+  const Slot flooding = slot_;
+  connect("(init A (version 18))");
+  std::string words;
+  for (int i = 0; i < 700; ++i) words += "(say \"abc\")";
+  server_->receive(flooding, words);
+  server_->receive(slot_, "(ear (on our partial))");
+  server_->execute();
+  server_->step();
+  messages(slot_);
+  server_->sense();
+  Texts heard = messages(slot_);
+  std::erase_if(heard, [](const std::string& text) { return !text.starts_with("(hear "); });
+  EXPECT_EQ(heard.size(), static_cast<std::size_t>(Hearing::kMostOfOneSpeaker));
 }
 
 }  // namespace

@@ -126,6 +126,34 @@ TEST(UdpStorm, AFloodOfOneClientHoldsUpNobody) {
   EXPECT_GT(running.server->world().player(Side::kRight, 1).counters.turn, 0);
 }
 
+// Each of these datagrams asks for work a thousand times its size.
+TEST(UdpStorm, AFloodOfRequestsHoldsUpNobody) {
+  for (const std::string request : {"(sense_body)", "(say \"abc\")", "(clang (ver 7 8))"}) {
+    RunningServer running(match_in_real_time());
+    UdpClient client(running.port);
+    client.send("(init A (version 18))");
+    ASSERT_EQ(client.wait(), "(init l 1 before_kick_off)");
+    std::string datagram;
+    while (datagram.size() < 8000) datagram += request;
+    std::atomic<bool> stop{false};
+    std::thread flood([&] {
+      UdpClient other(running.port);
+      other.send("(init A (version 18))");
+      other.wait();
+      while (!stop) other.send(datagram);
+    });
+    int senses = 0;
+    while (senses < 20) {
+      const std::string message = client.wait();
+      if (message.empty()) break;
+      senses += message.starts_with("(sense_body") ? 1 : 0;
+    }
+    stop = true;
+    flood.join();
+    EXPECT_EQ(senses, 20) << request;
+  }
+}
+
 TEST(UdpStorm, AFloodAtTheDoorHoldsUpNobody) {
   RunningServer running(match_in_real_time());
   UdpClient client(running.port);
