@@ -1,6 +1,7 @@
 // Laying out binary messages to monitors.
 #include "gamelog/monitor_binary.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "gamelog/binary_params.h"
@@ -52,7 +53,10 @@ void add_head(const Frame& frame, Datagram& datagram) {
   }
 }
 
-int rounded(double value) { return static_cast<int>(std::rint(value)); }
+// A place outside what the field can say, where only a trainer puts things, becomes the nearest.
+int rounded(double value) {
+  return static_cast<int>(std::rint(std::clamp(value, -32768.0, 32767.0)));
+}
 
 void add_short_object(int state, int side, int unum, int angle, soccer::Vec2 place,
                       Datagram& datagram) {
