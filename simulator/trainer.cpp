@@ -25,6 +25,12 @@ bool is_in_goal_box(const World& world, double end) {
       .contains(world.ball.position);
 }
 
+// Farther and faster there is nothing to see, and squares of numbers without end are no numbers.
+Vec2 limited(Vec2 wished) {
+  constexpr double kMost = 1e6;
+  return {std::clamp(wished.x, -kMost, kMost), std::clamp(wished.y, -kMost, kMost)};
+}
+
 using Reply = std::optional<soccer::ServerReply>;
 
 /// One overload per command that changes or asks the world.
@@ -77,19 +83,19 @@ Reply obey(World& world, const soccer::CoachCommand& command, Events& events) {
 
 void move_ball(World& world, Vec2 position, Vec2 velocity) {
   world.ball_catcher = kNobody;
-  world.ball = {position, velocity, {}};
+  world.ball = {limited(position), limited(velocity), {}};
 }
 
 void move_player(World& world, Slot slot, Vec2 position, std::optional<double> body_degrees,
                  std::optional<Vec2> velocity, Events& events) {
   Player& player = world.player(slot);
-  player.position = position;
+  player.position = limited(position);
   if (body_degrees) {
     const soccer::ServerParams& server = world.params();
     player.body = exact_radians(std::clamp(*body_degrees, server.minmoment, server.maxmoment));
   }
   player.pending_body = player.body;  // a turn of this cycle is forgotten
-  if (velocity) player.velocity = *velocity;
+  if (velocity) player.velocity = limited(*velocity);
   resolve_collisions(world, events);
 }
 

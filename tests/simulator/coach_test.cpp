@@ -1,6 +1,7 @@
 // Coaches and the trainer in a match, beyond what conversations show.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <fstream>
 
 #include "gamelog/byte_sink.h"
@@ -79,6 +80,23 @@ TEST_F(CoachTest, AnotherCoachMayComeWhenTheFirstHasLeft) {
   EXPECT_EQ(server_->connection(first), nullptr);
   EXPECT_EQ(coach("A"), first);
   EXPECT_EQ(messages(first).front(), "(init l ok)");
+}
+
+// Such numbers, squared, are infinite, and what is reckoned from them is no number.
+TEST_F(CoachTest, ATrainerCannotMakeThePlaceOfAPlayerOrBallNoNumber) {
+  player("A");
+  const ClientId client = trainer();
+  for (const char* order :
+       {"(move (ball) 1e308 -1e308 0 1e308 1e308)", "(move (player A 1) 1 1 0 1e308 1e308)",
+        "(move (player A 1) 1e308 1e308 0 -1e308 1e308)"}) {
+    EXPECT_EQ(answers(client, order), Texts{"(ok move)"});
+    for (int i = 0; i < 3; ++i) cycle();
+    const World& world = server_->world();
+    for (const Vec2 place : {world.ball.position, world.ball.velocity, world.players[0].position,
+                             world.players[0].velocity}) {
+      EXPECT_TRUE(std::isfinite(place.x) && std::isfinite(place.y)) << order;
+    }
+  }
 }
 
 TEST_F(CoachTest, ATrainerNeedsTheMode) {
