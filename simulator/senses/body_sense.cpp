@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "simulator/actions.h"
 #include "simulator/angles.h"
@@ -14,6 +15,12 @@ namespace {
 namespace math = soccer::math;
 
 constexpr double kSpeedStep = 0.01;
+
+// Who points infinitely far away points in no direction: that is told as the processor of the real
+// server converts it.
+int whole(double value) {
+  return std::isnan(value) ? std::numeric_limits<int>::min() : static_cast<int>(value);
+}
 
 }  // namespace
 
@@ -48,10 +55,10 @@ soccer::ArmState arm_state(const World& world, const Player& player, bool rounde
   const double distance = aim.distance;
   if (rounded) {
     arm.target_distance = std::rint(distance * 10.0) * 0.1;
-    arm.target_direction = static_cast<int>(std::rint(direction * 10.0) * 0.1);
+    arm.target_direction = whole(std::rint(direction * 10.0) * 0.1);
   } else {
     arm.target_distance = distance;
-    arm.target_direction = static_cast<int>(std::rint(direction));
+    arm.target_direction = whole(std::rint(direction));
   }
   return arm;
 }
