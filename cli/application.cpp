@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 #include <memory>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -23,20 +24,24 @@
 #include "cli/test_command.h"
 #include "cli/tournament_command.h"
 #include "cli/version_command.h"
+#include "orchestration/wrapped_text.h"
 #include "soccer/parameter.h"
 
 namespace cls::cli {
 namespace {
 
 constexpr const char* kDescription =
-    "cls plays, evaluates and tests RoboCup 2D soccer matches between gRPC Playmakers.\n"
+    "cls plays, evaluates and tests RoboCup 2D soccer matches of gRPC Playmakers.\n"
     "\n"
     "  cls match mock mock                    the bundled team against itself\n"
     "  cls match mock localhost:50051         against your Playmaker\n"
     "  cls match --help                       all about matches";
 
-// Help that starts with the examples of the description; of commands, the list shows the first
-// line.
+constexpr std::size_t kWidth = 80;
+constexpr std::size_t kCommandColumn = 16;
+
+// Help that starts with the examples of the description and fits a terminal; of commands, the list
+// shows the first line.
 class Help : public CLI::Formatter {
  public:
   std::string make_usage(const CLI::App* app, std::string name) const override {
@@ -44,8 +49,16 @@ class Help : public CLI::Formatter {
   }
   std::string make_subcommand(const CLI::App* command) const override {
     const std::string description = command->get_description();
-    return fmt::format("  {:<14}{}\n", command->get_name(),
-                       description.substr(0, description.find('\n')));
+    std::stringstream out;
+    CLI::detail::format_help(out, command->get_name(),
+                             orchestration::wrapped(description.substr(0, description.find('\n')),
+                                                    kWidth - kCommandColumn),
+                             kCommandColumn);
+    return out.str();
+  }
+  std::string make_option_desc(const CLI::Option* option) const override {
+    return orchestration::wrapped(CLI::Formatter::make_option_desc(option),
+                                  kWidth - get_column_width());
   }
 };
 

@@ -30,8 +30,8 @@ namespace fs = std::filesystem;
 using namespace orchestration;
 
 constexpr const char* kDescription =
-    "Is NEW better than BASE? Plays pairs of matches, sides swapped on one seed, until a\n"
-    "sequential test (SPRT) knows.\n"
+    "Is NEW better than BASE? Plays matches until that is known.\n"
+    "They come in pairs, sides swapped on one seed; a sequential test (SPRT) tells when to stop.\n"
     "\n"
     "  cls compare NEW OLD                          teams of cls.toml\n"
     "  cls compare localhost:50051 mock --elo1 80   or any sides\n"

@@ -11,7 +11,7 @@
 namespace cls::cli {
 
 void add_version_command(CLI::App& app, int& exit_code) {
-  CLI::App* command = app.add_subcommand("version", "print the version");
+  CLI::App* command = app.add_subcommand("version", "Prints the version.");
   command->callback([&exit_code] {
     fmt::print("cls {}\n", orchestration::kVersion);
     exit_code = kDone;

@@ -21,9 +21,13 @@ std::string percent_interval(const Estimate& strength) {
 
 std::string superiority(double likelihood) { return fmt::format("{:.1f} %", 100 * likelihood); }
 
+std::string counted(int number, const char* one, const char* many) {
+  return fmt::format("{} {}", number, number == 1 ? one : many);
+}
+
 std::string sample_text(const Duel& duel) {
-  if (!duel.paired()) return fmt::format("{} matches", duel.games.games());
-  std::string text = fmt::format("{} pairs", total(duel.pairs));
+  if (!duel.paired()) return counted(duel.games.games(), "match", "matches");
+  std::string text = counted(static_cast<int>(total(duel.pairs)), "pair", "pairs");
   if (duel.single_games > 0) text += fmt::format(", not {} single", duel.single_games);
   return text;
 }
@@ -53,8 +57,12 @@ Grid standings_grid(const Report& report, const RankedTable& table) {
   grid.rows = {{"#", "team", "played", "won", "drawn", "lost", "goals", "diff", "points", "score %",
                 "95 %"}};
   if (swiss) grid.rows.front().push_back("buchholz");
-  grid.rows.front().push_back("");
-  grid.words.push_back(grid.rows.front().size() - 1);
+  const bool separated = std::any_of(table.standings.begin(), table.standings.end(),
+                                     [](const Standing& row) { return !row.separated_by.empty(); });
+  if (separated) {
+    grid.rows.front().push_back("");
+    grid.words.push_back(grid.rows.front().size() - 1);
+  }
   for (const Standing& row : table.standings) {
     const Estimate strength = strength_of(report.records[static_cast<std::size_t>(row.team)]);
     grid.rows.push_back(
@@ -63,6 +71,7 @@ Grid standings_grid(const Report& report, const RankedTable& table) {
          goals(row.goals_for, row.goals_against), fmt::format("{:+}", row.goal_difference()),
          fmt::to_string(row.points), percent(strength), percent_interval(strength)});
     if (swiss) grid.rows.back().push_back(fmt::format("{}", row.buchholz));
+    if (!separated) continue;
     grid.rows.back().push_back(row.separated_by.empty() ? "" : "by " + row.separated_by);
   }
   return grid;
@@ -126,8 +135,7 @@ Grid ratings_grid(const Report& report) {
   grid.title = "rating";
   grid.note =
       "Bradley-Terry over all matches; 0 is the mean of the teams. Better: likelihood that the "
-      "team "
-      "is better than the next one.";
+      "team is better than the next one.";
   grid.words = {0};
   grid.rows = {{"team", "Elo", "+- 95 %", "better", "matches"}};
   for (std::size_t i = 0; i < order.size(); ++i) {

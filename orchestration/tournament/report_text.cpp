@@ -8,10 +8,13 @@
 
 #include "orchestration/tournament/report_grid.h"
 #include "orchestration/version.h"
+#include "orchestration/wrapped_text.h"
 #include "orchestration/xml.h"
 
 namespace cls::orchestration {
 namespace {
+
+constexpr std::size_t kTextWidth = 78;
 
 bool is_word(const Grid& grid, std::size_t column) {
   return std::find(grid.words.begin(), grid.words.end(), column) != grid.words.end();
@@ -33,7 +36,7 @@ std::string as_text(const Grid& grid) {
     line.erase(line.find_last_not_of(' ') + 1);
     text += line + "\n";
   }
-  if (!grid.note.empty()) text += grid.note + "\n";
+  if (!grid.note.empty()) text += wrapped(grid.note, kTextWidth) + "\n";
   return text;
 }
 

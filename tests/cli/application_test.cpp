@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -43,6 +44,17 @@ TEST(Application, HelpIsAResultNotAMistake) {
       << answer.out;
   EXPECT_LT(answer.out.find("cls match mock mock"), answer.out.find("Usage: cls"))
       << "examples come first";
+}
+
+TEST(Application, HelpFitsATerminal) {
+  for (const char* command : {"match", "compare", "tournament", "proxy", "test"}) {
+    std::istringstream help(run({command, "--help"}).out);
+    for (std::string line; std::getline(help, line);) {
+      EXPECT_LE(line.size(), 100u) << line;
+    }
+  }
+  std::istringstream help(run({"--help"}).out);
+  for (std::string line; std::getline(help, line);) EXPECT_LE(line.size(), 80u) << line;
 }
 
 TEST(Application, AnUnknownCommandIsOneLineThatNamesItAndExitsWithUsage) {
