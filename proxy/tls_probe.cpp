@@ -17,6 +17,8 @@
 #include <memory>
 #include <utility>
 
+#include "proxy/openssl_objects.h"
+
 namespace cls::proxy {
 namespace {
 
@@ -27,18 +29,12 @@ constexpr const char* kAsksForCertificate =
 constexpr const char* kRefusesCertificate = "it does not accept our certificate";
 constexpr unsigned char kHttp2[] = "\x02h2";  // as ALPN writes it
 
-template <auto Free>
-struct Freer {
-  template <typename Object>
-  void operator()(Object* object) const {
-    Free(object);
-  }
-};
+using openssl::Bytes;
+using openssl::Certificate;
+using openssl::Freer;
+using openssl::Key;
 using Context = std::unique_ptr<SSL_CTX, Freer<SSL_CTX_free>>;
 using Connection = std::unique_ptr<SSL, Freer<SSL_free>>;
-using Bytes = std::unique_ptr<BIO, Freer<BIO_free>>;
-using Certificate = std::unique_ptr<X509, Freer<X509_free>>;
-using Key = std::unique_ptr<EVP_PKEY, Freer<EVP_PKEY_free>>;
 
 class Socket {
  public:

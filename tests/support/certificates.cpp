@@ -9,21 +9,16 @@
 #include <cctype>
 #include <stdexcept>
 
+#include "proxy/openssl_objects.h"
+
 namespace cls::tests {
 namespace {
 
 constexpr long kDay = 24L * 60L * 60L;
 
-template <auto Free>
-struct Freer {
-  template <typename Object>
-  void operator()(Object* object) const {
-    Free(object);
-  }
-};
-using Certificate = std::unique_ptr<X509, Freer<X509_free>>;
-using Key = std::unique_ptr<EVP_PKEY, Freer<EVP_PKEY_free>>;
-using Bytes = std::unique_ptr<BIO, Freer<BIO_free>>;
+using proxy::openssl::Bytes;
+using proxy::openssl::Certificate;
+using proxy::openssl::Key;
 
 void check(bool good) {
   if (!good) throw std::runtime_error("OpenSSL refuses to make a certificate");
