@@ -66,70 +66,57 @@ std::optional<OnLate> on_late_from_name(std::string_view name) {
 }
 
 PlayerAgent::PlayerAgent(std::unique_ptr<soccer::Channel> channel, AgentOptions options)
-    : channel_(std::move(channel)), options_(std::move(options)) {
+    : server_(std::move(channel)), options_(std::move(options)) {
   if (options_.formations != nullptr) world_.formations = options_.formations;
 }
 
 bool PlayerAgent::connect() {
-  refusal_.clear();
-  datagram_.clear();
   if (options_.reconnect_unum != 0) {
     const std::string team(options_.team_name.view());
-    soccer::format(soccer::PlayerReconnect{team, options_.reconnect_unum}, datagram_);
-    return channel_->send(datagram_);
+    return request_entry(server_, soccer::PlayerReconnect{team, options_.reconnect_unum});
   }
   soccer::PlayerInit request;
   request.team = options_.team_name;
   request.version = options_.protocol;
   request.goalie = options_.goalie;
-  soccer::format(request, datagram_);
-  return channel_->send(datagram_);
-}
-
-bool PlayerAgent::refused_for_now() const {
-  return refusal_ == soccer::name(soccer::ErrorCode::kCannotReconnectWhilePlayOn);
-}
-
-bool PlayerAgent::ready() const {
-  return admitted_ && types_known_ > 0 && types_known_ >= world_.parameters->player.player_types;
+  return request_entry(server_, request);
 }
 
 void PlayerAgent::perceive() {
-  while (!deciding_ && channel_->receive(message_)) take_in(message_);
+  while (!deciding_ && server_.channel->receive(server_.message)) take_in_message();
   statistics_.undecided = timer_.undecided();
 }
 
-void PlayerAgent::take_in(const std::string& message) {
-  const auto parsed = [&](auto& out) {
-    const soccer::Result<void> result = soccer::parse(message, out);
-    if (!result) trouble_.note_unreadable(result.error().message, message);
-    return result.ok();
-  };
-  switch (soccer::message_kind(message)) {
+void PlayerAgent::take_in_message() {
+  switch (soccer::message_kind(server_.message)) {
     case soccer::MessageKind::kSenseBody:
-      if (parsed(sense_)) take_in_sense_body();
+      if (read(server_, sense_)) take_in_sense_body();
       break;
     case soccer::MessageKind::kSee:
-      if (!parsed(see_)) break;
+      if (!read(server_, see_)) break;
       on_see(world_, see_);
-      if (see_.time == world_.game.time.cycle) timer_.on_see(channel_->arrived());
+      if (see_.time == world_.game.time.cycle) timer_.on_see(server_.channel->arrived());
       break;
     case soccer::MessageKind::kHear:
-      if (parsed(hear_)) on_hear(world_, hear_);
+      if (read(server_, hear_)) on_hear(world_, hear_);
       break;
     case soccer::MessageKind::kServerParam:
+      if (!read_parameters(server_, world_)) break;
+      timer_.set_synchronous(world_.server().synch_mode);
+      timer_.set_slow_down(world_.server().slow_down_factor);
+      break;
     case soccer::MessageKind::kPlayerParam:
     case soccer::MessageKind::kPlayerType:
-      take_in_parameters(message);
+      read_parameters(server_, world_);
       break;
     case soccer::MessageKind::kReply:
-      take_in_reply(message);
+      take_in_reply();
       break;
     case soccer::MessageKind::kFullState:   // the world model lives on senses alone
     case soccer::MessageKind::kGlobalView:  // for coaches
       break;
     case soccer::MessageKind::kUnknown:
-      trouble_.note_unreadable("unknown message", message);
+      server_.trouble.note_unreadable("unknown message", server_.message);
       break;
   }
 }
@@ -137,7 +124,7 @@ void PlayerAgent::take_in(const std::string& message) {
 void PlayerAgent::take_in_sense_body() {
   note_lost_commands();
   on_sense_body(world_, sense_);
-  timer_.on_sense_body(channel_->arrived(), sense_.width);
+  timer_.on_sense_body(server_.channel->arrived(), sense_.width);
 }
 
 // The server counts what it carries out. Nothing of it is due from a player who was frozen, or was
@@ -158,29 +145,16 @@ void PlayerAgent::note_lost_commands() {
 
 void PlayerAgent::begin_part(const soccer::PlayerInitReply& init) {
   on_init(world_, init, options_.team_name, options_.goalie);
-  admitted_ = true;
-  channel_->send(settings(options_.protocol));
+  server_.admitted = true;
+  server_.channel->send(settings(options_.protocol));
 }
 
-void PlayerAgent::take_in_parameters(const std::string& message) {
-  const soccer::Result<void> result = on_parameter_message(world_, message);
-  if (!result) return trouble_.note_unreadable(result.error().message, message);
-  const soccer::MessageKind kind = soccer::message_kind(message);
-  if (kind == soccer::MessageKind::kPlayerType) ++types_known_;
-  if (kind != soccer::MessageKind::kServerParam) return;
-  timer_.set_synchronous(world_.server().synch_mode);
-  timer_.set_slow_down(world_.server().slow_down_factor);
-}
-
-void PlayerAgent::take_in_reply(const std::string& message) {
+void PlayerAgent::take_in_reply() {
   soccer::ServerReply reply;
-  if (const soccer::Result<void> result = soccer::parse(message, reply); !result) {
-    trouble_.note_unreadable(result.error().message, message);
-    return;
-  }
+  if (!read(server_, reply)) return;
   std::visit(
       soccer::Overloaded{
-          [this](const soccer::Think&) { timer_.on_think(channel_->arrived()); },
+          [this](const soccer::Think&) { timer_.on_think(server_.channel->arrived()); },
           [this](const soccer::PlayerInitReply& init) { begin_part(init); },
           [this](const soccer::OkSynchSee&) { timer_.set_synch_see(true); },
           [this](const soccer::ReconnectReply& back) {
@@ -189,11 +163,8 @@ void PlayerAgent::take_in_reply(const std::string& message) {
             begin_part({back.side, options_.reconnect_unum, back.mode});
           },
           [this](const soccer::PlayerTypeChange& change) { on_change_player_type(world_, change); },
-          [this](const soccer::ErrorReply& error) {
-            if (!admitted_) refusal_ = error.text;
-            if (!refused_for_now()) trouble_.note_error(error.text);
-          },
-          [this](const soccer::WarningReply& warning) { trouble_.note_warning(warning.text); },
+          [this](const soccer::ErrorReply& error) { note(server_, error); },
+          [this](const soccer::WarningReply& warning) { note(server_, warning); },
           [](const auto&) {},
       },
       reply);
@@ -282,24 +253,24 @@ void PlayerAgent::write_debug_log() {
 
 void PlayerAgent::send(const CommandSlots& slots) {
   slots.compose(commands_, timer_.synchronous());
-  datagram_.clear();
+  server_.datagram.clear();
   for (const soccer::PlayerCommand& command : commands_) {
-    const bool formatted = soccer::format(command, datagram_);
+    const bool formatted = soccer::format(command, server_.datagram);
     assert(formatted && "slots hold what the grammar can say");
     if (!std::holds_alternative<soccer::Done>(command)) statistics_.count(command);
     awaits_count_ = awaits_count_ || is_counted(command, world_.game.mode);
   }
-  channel_->send(datagram_);
+  server_.channel->send(server_.datagram);
   note_sent_commands(world_, commands_);
   deciding_ = false;
   write_debug_log();
 }
 
 void PlayerAgent::leave() {
-  datagram_.clear();
-  const bool formatted = soccer::format(soccer::PlayerCommand(soccer::Bye{}), datagram_);
+  server_.datagram.clear();
+  const bool formatted = soccer::format(soccer::PlayerCommand(soccer::Bye{}), server_.datagram);
   assert(formatted);
-  channel_->send(datagram_);
+  server_.channel->send(server_.datagram);
 }
 
 }  // namespace cls::proxy

@@ -17,7 +17,7 @@
 #include "proxy/decision_timer.h"
 #include "proxy/formation/formation_set.h"
 #include "proxy/perception.h"
-#include "proxy/server_trouble.h"
+#include "proxy/server_connection.h"
 #include "proxy/world_model.h"
 #include "soccer/channel.h"
 #include "soccer/protocol/hear.h"
@@ -25,7 +25,6 @@
 #include "soccer/protocol/protocol_version.h"
 #include "soccer/protocol/see.h"
 #include "soccer/protocol/sense_body.h"
-#include "soccer/protocol/server_reply.h"
 #include "soccer/protocol/team_name.h"
 
 namespace cls::proxy {
@@ -63,11 +62,8 @@ class PlayerAgent {
   /// Takes in all messages that wait; none while an answer of the Playmaker is awaited.
   void perceive();
   /// True when number, parameters and all player types are known.
-  bool ready() const;
-  /// The server's reason not to let the agent in; empty when it did or has not answered yet.
-  const std::string& refusal() const { return refusal_; }
-  /// The refusal ends by itself: nobody can come back while the ball is in play.
-  bool refused_for_now() const;
+  bool ready() const { return proxy::ready(server_, world_); }
+  const ServerConnection& server() const { return server_; }
 
   /// `now` counts in real time only.
   bool decision_due(Instant now = {}) const { return !deciding_ && timer_.due(now); }
@@ -100,12 +96,10 @@ class PlayerAgent {
   const AgentOptions& options() const { return options_; }
   AgentStatistics& statistics() { return statistics_; }
   const AgentStatistics& statistics() const { return statistics_; }
-  const ServerTrouble& server_trouble() const { return trouble_; }
 
  private:
-  void take_in(const std::string& message);
-  void take_in_reply(const std::string& message);
-  void take_in_parameters(const std::string& message);
+  void take_in_message();
+  void take_in_reply();
   void take_in_sense_body();
   void note_lost_commands();
   void begin_part(const soccer::PlayerInitReply& init);
@@ -113,15 +107,11 @@ class PlayerAgent {
   const WorldModel& decision_world() const { return view_ ? *view_ : world_; }
   void write_debug_log();
 
-  std::unique_ptr<soccer::Channel> channel_;
+  ServerConnection server_;
   AgentOptions options_;
   WorldModel world_;
   ActionMemory memory_;
   AgentStatistics statistics_;
-  ServerTrouble trouble_;
-  std::string refusal_;
-  bool admitted_ = false;
-  int types_known_ = 0;
   DecisionTimer timer_;
   bool deciding_ = false;      ///< state() was asked for, the answer not carried out yet
   bool awaits_count_ = false;  ///< sent a command that the next sense_body must count
@@ -135,12 +125,10 @@ class PlayerAgent {
   std::ofstream debug_log_;
 
   // Reused, so that a steady match does not allocate.
-  std::string message_;
   soccer::SenseBody sense_;
   soccer::See see_;
   soccer::Hear hear_;
   std::vector<soccer::PlayerCommand> commands_;
-  std::string datagram_;
 };
 
 }  // namespace cls::proxy

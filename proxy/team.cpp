@@ -71,18 +71,8 @@ soccer::Result<void> Team::connect_one(const OpenChannel& open, const Serve& ser
     options.reconnect_unum = options_.first_unum + static_cast<int>(players_.size());
   }
   auto agent = std::make_unique<PlayerAgent>(std::move(channel), options);
-  if (!agent->connect()) return soccer::Error{who + "the soccer server closed the connection"};
-  while (!agent->ready()) {
-    const bool go_on = serve();
-    agent->perceive();
-    if (agent->refused_for_now() && go_on) {
-      agent->connect();
-    } else if (!agent->refusal().empty()) {
-      return soccer::Error{who + "the soccer server refused it (" + agent->refusal() + ")"};
-    }
-    if (!go_on && !agent->ready()) {
-      return soccer::Error{who + "the soccer server did not answer"};
-    }
+  if (const soccer::Result<void> entered = enter(*agent, serve); !entered) {
+    return soccer::Error{who + entered.error().message};
   }
   players_.push_back(std::move(agent));
   return {};
@@ -222,7 +212,7 @@ void Team::carry_out(Reply reply) {
     return;
   }
   warn_of_unimplemented(asker);
-  warn_of_server(asker.server_trouble());
+  warn_of_server(asker.server().trouble);
 }
 
 void Team::note(PlayerAgent& asker, const Correspondence& calls, const Reply& reply) {
@@ -250,7 +240,7 @@ void Team::carry_out_choice(PlayerAgent& asker, const Reply& reply) {
     asker.act_on_choice(std::nullopt);
   }
   warn_of_unimplemented(asker);
-  warn_of_server(asker.server_trouble());
+  warn_of_server(asker.server().trouble);
 }
 
 void Team::leave() {

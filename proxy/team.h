@@ -63,8 +63,6 @@ class Team {
 
   /// Opens a new connection to the server.
   using OpenChannel = std::function<std::unique_ptr<soccer::Channel>()>;
-  /// Lets the server handle what it was sent (or waits for it); false to give up.
-  using Serve = std::function<bool()>;
 
   /// Connects the players one after the other, goalie first, each until it has its number, the
   /// parameters and all player types.

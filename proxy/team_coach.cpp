@@ -17,16 +17,8 @@ soccer::Result<void> Team::connect_coach(soccer::CoachRole role, const OpenChann
   options.team_name = trainer ? soccer::TeamName() : options_.name;
   options.protocol = options_.protocol;
   auto coach = std::make_unique<CoachAgent>(std::move(channel), options);
-  if (!coach->connect()) return soccer::Error{who + "the soccer server closed the connection"};
-  while (!coach->ready()) {
-    const bool go_on = serve();
-    coach->perceive();
-    if (!coach->refusal().empty()) {
-      return soccer::Error{who + "the soccer server refused it (" + coach->refusal() + ")"};
-    }
-    if (!go_on && !coach->ready()) {
-      return soccer::Error{who + "the soccer server did not answer"};
-    }
+  if (const soccer::Result<void> entered = enter(*coach, serve); !entered) {
+    return soccer::Error{who + entered.error().message};
   }
   coach_ = std::move(coach);
   return {};
@@ -104,7 +96,7 @@ void Team::carry_out_coach(Reply reply) {
     warn_once(std::string("the Playmaker's ") + coach_->word() +
               " asks for an action that this proxy does not have: skipped");
   }
-  warn_of_server(coach_->server_trouble());
+  warn_of_server(coach_->server().trouble);
 }
 
 }  // namespace cls::proxy

@@ -66,7 +66,7 @@ soccer::Result<void> TeamDriver::connect_all(const GoOn& go_on) {
       serve);
 }
 
-soccer::Result<void> TeamDriver::connect_coach(const Team::Serve& serve) {
+soccer::Result<void> TeamDriver::connect_coach(const Serve& serve) {
   const auto until = steady_clock::now() + kCoachWait;
   if (!answers(clients_, options_.coach_port, until)) {
     return soccer::Error{"nobody lets coaches in at port " + std::to_string(options_.coach_port)};

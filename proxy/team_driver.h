@@ -48,7 +48,7 @@ class TeamDriver {
 
  private:
   soccer::Result<void> connect_all(const GoOn& go_on);
-  soccer::Result<void> connect_coach(const Team::Serve& serve);
+  soccer::Result<void> connect_coach(const Serve& serve);
   void finish_answers();
   bool time_over() const;
 

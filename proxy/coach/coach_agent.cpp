@@ -24,44 +24,31 @@ std::string word_of(std::string_view command) {
 }  // namespace
 
 CoachAgent::CoachAgent(std::unique_ptr<soccer::Channel> channel, CoachOptions options)
-    : channel_(std::move(channel)), options_(options) {}
+    : server_(std::move(channel)), options_(options) {}
 
 bool CoachAgent::connect() {
-  refusal_.clear();
-  datagram_.clear();
   if (is_trainer()) {
-    soccer::format(soccer::TrainerInit{static_cast<double>(options_.protocol)}, datagram_);
-  } else {
-    soccer::CoachInit request;
-    request.team = options_.team_name;
-    request.version = options_.protocol;
-    soccer::format(request, datagram_);
+    return request_entry(server_, soccer::TrainerInit{static_cast<double>(options_.protocol)});
   }
-  return channel_->send(datagram_);
-}
-
-bool CoachAgent::ready() const {
-  return admitted_ && types_known_ > 0 && types_known_ >= world_.parameters->player.player_types;
+  soccer::CoachInit request;
+  request.team = options_.team_name;
+  request.version = options_.protocol;
+  return request_entry(server_, request);
 }
 
 void CoachAgent::perceive() {
-  while (!deciding_ && channel_->receive(message_)) take_in(message_);
+  while (!deciding_ && server_.channel->receive(server_.message)) take_in_message();
 }
 
-void CoachAgent::take_in(const std::string& message) {
-  const auto parsed = [&](auto& out) {
-    const soccer::Result<void> result = soccer::parse(message, out);
-    if (!result) trouble_.note_unreadable(result.error().message, message);
-    return result.ok();
-  };
-  switch (soccer::message_kind(message)) {
+void CoachAgent::take_in_message() {
+  switch (soccer::message_kind(server_.message)) {
     case soccer::MessageKind::kGlobalView:
-      if (!parsed(view_)) break;
+      if (!read(server_, view_)) break;
       on_global_view(world_, view_);
       if (!world_.server().synch_mode) due_ = true;
       break;
     case soccer::MessageKind::kHear:
-      if (!parsed(hear_)) break;
+      if (!read(server_, hear_)) break;
       on_coach_hear(world_, hear_);
       if (hear_.sender == soccer::Hear::Sender::kPlayer && hear_.team == world_.our_team_name) {
         notes_.strength.hear(world_, hear_.unum, hear_.text);
@@ -69,16 +56,11 @@ void CoachAgent::take_in(const std::string& message) {
       break;
     case soccer::MessageKind::kServerParam:
     case soccer::MessageKind::kPlayerParam:
-    case soccer::MessageKind::kPlayerType: {
-      const soccer::Result<void> result = on_parameter_message(world_, message);
-      if (!result) trouble_.note_unreadable(result.error().message, message);
-      if (result && soccer::message_kind(message) == soccer::MessageKind::kPlayerType) {
-        ++types_known_;
-      }
+    case soccer::MessageKind::kPlayerType:
+      read_parameters(server_, world_);
       break;
-    }
     case soccer::MessageKind::kReply:
-      take_in_reply(message);
+      take_in_reply();
       break;
     case soccer::MessageKind::kSenseBody:  // for players
     case soccer::MessageKind::kSee:
@@ -88,44 +70,37 @@ void CoachAgent::take_in(const std::string& message) {
   }
 }
 
-void CoachAgent::take_in_reply(const std::string& message) {
+void CoachAgent::take_in_reply() {
   soccer::ServerReply reply;
-  if (const soccer::Result<void> result = soccer::parse(message, reply); !result) {
-    trouble_.note_unreadable(result.error().message, message);
-    return;
-  }
-  std::visit(
-      soccer::Overloaded{
-          [this](const soccer::Think&) { due_ = true; },
-          [this](const soccer::CoachInitReply& init) {
-            on_coach_init(world_, init.side, options_.team_name);
-            admitted_ = true;
-            send(soccer::Eye{true});
-            if (is_trainer()) send(soccer::TrainerEar{true});
-          },
-          [this](const soccer::PlayerTypeChange& change) { change_type(change); },
-          [this](const soccer::OkChangePlayerType& change) {
-            // A trainer is told by this alone; what online coaches do is not said to him.
-            if (!is_trainer() || !change.type) return;
-            auto& types =
-                change.team == world_.our_team_name ? world_.our_types : world_.their_types;
-            if (change.unum < 1 || change.unum > soccer::kPlayersPerTeam) return;
-            types[static_cast<std::size_t>(change.unum - 1)] = *change.type;
-          },
-          [this](const soccer::OkTeamNames& names) {
-            if (!is_trainer()) return;
-            world_.our_team_name = names.left;
-            world_.their_team_name = names.right;
-            names_complete_ = !names.left.empty() && !names.right.empty();
-          },
-          [this](const soccer::ErrorReply& error) {
-            if (!admitted_) refusal_ = error.text;
-            trouble_.note_error(error.text);
-          },
-          [this](const soccer::WarningReply& warning) { trouble_.note_warning(warning.text); },
-          [](const auto&) {},
-      },
-      reply);
+  if (!read(server_, reply)) return;
+  std::visit(soccer::Overloaded{
+                 [this](const soccer::Think&) { due_ = true; },
+                 [this](const soccer::CoachInitReply& init) {
+                   on_coach_init(world_, init.side, options_.team_name);
+                   server_.admitted = true;
+                   send(soccer::Eye{true});
+                   if (is_trainer()) send(soccer::TrainerEar{true});
+                 },
+                 [this](const soccer::PlayerTypeChange& change) { change_type(change); },
+                 [this](const soccer::OkChangePlayerType& change) {
+                   // A trainer is told by this alone; what online coaches do is not said to him.
+                   if (!is_trainer() || !change.type) return;
+                   auto& types =
+                       change.team == world_.our_team_name ? world_.our_types : world_.their_types;
+                   if (change.unum < 1 || change.unum > soccer::kPlayersPerTeam) return;
+                   types[static_cast<std::size_t>(change.unum - 1)] = *change.type;
+                 },
+                 [this](const soccer::OkTeamNames& names) {
+                   if (!is_trainer()) return;
+                   world_.our_team_name = names.left;
+                   world_.their_team_name = names.right;
+                   names_complete_ = !names.left.empty() && !names.right.empty();
+                 },
+                 [this](const soccer::ErrorReply& error) { note(server_, error); },
+                 [this](const soccer::WarningReply& warning) { note(server_, warning); },
+                 [](const auto&) {},
+             },
+             reply);
 }
 
 void CoachAgent::change_type(const soccer::PlayerTypeChange& change) {
@@ -182,11 +157,11 @@ void CoachAgent::send_orders() {
 
 // The server reads the first command of a datagram only.
 void CoachAgent::send(const soccer::CoachCommand& command) {
-  datagram_.clear();
-  const bool formatted = soccer::format(command, datagram_);
+  server_.datagram.clear();
+  const bool formatted = soccer::format(command, server_.datagram);
   assert(formatted && "orders hold what the grammar can say");
-  channel_->send(datagram_);
-  if (!std::holds_alternative<soccer::Done>(command)) ++sent_[word_of(datagram_)];
+  server_.channel->send(server_.datagram);
+  if (!std::holds_alternative<soccer::Done>(command)) ++sent_[word_of(server_.datagram)];
 }
 
 // A trainer has no word for leaving; the server need not wait for one that does not look.

@@ -14,7 +14,7 @@
 #include "proxy/coach/coach_notes.h"
 #include "proxy/coach/coach_orders.h"
 #include "proxy/playmaker.h"
-#include "proxy/server_trouble.h"
+#include "proxy/server_connection.h"
 #include "proxy/world_model.h"
 #include "soccer/channel.h"
 #include "soccer/protocol/coach_command.h"
@@ -44,9 +44,8 @@ class CoachAgent {
   /// Takes in all messages that wait; none while an answer of the Playmaker is awaited.
   void perceive();
   /// True when parameters and all player types are known.
-  bool ready() const;
-  /// The server's reason not to let the agent in; empty when it did or has not answered yet.
-  const std::string& refusal() const { return refusal_; }
+  bool ready() const { return proxy::ready(server_, world_); }
+  const ServerConnection& server() const { return server_; }
 
   bool decision_due() const { return due_ && !deciding_; }
   /// The decision that is due is the Playmaker's: it has the call, and there is something to tell.
@@ -78,27 +77,22 @@ class CoachAgent {
   AgentStatistics& statistics() { return statistics_; }
   const AgentStatistics& statistics() const { return statistics_; }
   const CoachReport& report() const { return report_; }
-  const ServerTrouble& server_trouble() const { return trouble_; }
   /// Sent, by protocol word, without zeros; (done) is not counted.
   const std::map<std::string, std::int64_t>& commands() const { return sent_; }
 
  private:
-  void take_in(const std::string& message);
-  void take_in_reply(const std::string& message);
+  void take_in_message();
+  void take_in_reply();
   void change_type(const soccer::PlayerTypeChange& change);
   void send(const soccer::CoachCommand& command);
   void send_orders();
 
-  std::unique_ptr<soccer::Channel> channel_;
+  ServerConnection server_;
   CoachOptions options_;
   WorldModel world_;
   CoachNotes notes_;
   AgentStatistics statistics_;
   CoachReport report_;
-  ServerTrouble trouble_;
-  std::string refusal_;
-  bool admitted_ = false;
-  int types_known_ = 0;
   bool due_ = false;
   bool deciding_ = false;
   bool asks_ = true;
@@ -107,11 +101,9 @@ class CoachAgent {
   std::map<std::string, std::int64_t> sent_;
 
   // Reused from cycle to cycle.
-  std::string message_;
   soccer::GlobalView view_;
   soccer::Hear hear_;
   std::vector<soccer::CoachCommand> orders_;
-  std::string datagram_;
 };
 
 }  // namespace cls::proxy

@@ -91,7 +91,7 @@ TEST(ChangePlayerTypes, DoesNothingForWhoOrWhatThereIsNot) {
   EXPECT_EQ(match.coach().report().invalid[1], 4);
   EXPECT_EQ(match.coach().report().unknown, 1);
   EXPECT_EQ(match.coach().commands().count("change_player_type"), 0u);
-  EXPECT_EQ(match.coach().server_trouble().errors, 0);
+  EXPECT_EQ(match.coach().server().trouble.errors, 0);
 }
 
 TEST(DoHeliosSubstitute, GivesEveryFieldPlayerAFastTypeOfHisOwnBeforeTheKickOff) {
@@ -108,8 +108,8 @@ TEST(DoHeliosSubstitute, GivesEveryFieldPlayerAFastTypeOfHisOwnBeforeTheKickOff)
   EXPECT_EQ(world.player(Side::kRight, 1).type, 0) << "the goalie";
   EXPECT_GE(speed_of(11), speed_of(8)) << "forwards are quicker than midfielders";
   EXPECT_EQ(match.coach().commands().at("change_player_type"), 11) << "once";
-  EXPECT_EQ(match.coach().server_trouble().warnings, 0)
-      << match.coach().server_trouble().first_warning;
+  EXPECT_EQ(match.coach().server().trouble.warnings, 0)
+      << match.coach().server().trouble.first_warning;
 }
 
 TEST(DoHeliosSubstitute, ReplacesTheTiredWhenPlayRests) {
@@ -148,8 +148,8 @@ TEST(DoHeliosSubstitute, ReplacesTheTiredWhenPlayRests) {
   }
   EXPECT_EQ(fresh, 3) << "as many as the rules allow";
   EXPECT_EQ(match.world().team(Side::kLeft).substitutions, 3);
-  EXPECT_EQ(match.coach().server_trouble().warnings, 0)
-      << match.coach().server_trouble().first_warning;
+  EXPECT_EQ(match.coach().server().trouble.warnings, 0)
+      << match.coach().server().trouble.first_warning;
 }
 
 // The types of the others are found out by watching them run, told to the players, and stand in
@@ -168,7 +168,7 @@ TEST(DoHeliosSayPlayerTypes, TellsThePlayersWhatTheirOpponentsAre) {
   match.set_mode(PlayMode::kFreeKickLeft);
   for (int i = 0; i < 4; ++i) match.step_as_coach(say_types);
   EXPECT_EQ(match.coach().commands().at("say"), 1) << "nothing new, nothing said";
-  EXPECT_EQ(match.coach().server_trouble().errors, 0) << match.coach().server_trouble().first_error;
+  EXPECT_EQ(match.coach().server().trouble.errors, 0) << match.coach().server().trouble.first_error;
   for (int unum = 1; unum <= 11; ++unum) {
     const int type = match.world().player(Side::kLeft, unum).type;
     EXPECT_EQ(numbered(match.state().world_model().opponents(), unum).type_id(), type) << unum;
@@ -355,7 +355,7 @@ TEST_P(DoChangeMode, PutsTheMatchIntoTheMode) {
     EXPECT_EQ(match.coach().commands().at("change_mode"), 1);
     EXPECT_EQ(match.world().mode, side == protos::LEFT ? c.left : c.right);
     EXPECT_EQ(match.coach().world().game.mode, match.world().mode) << "as everybody hears";
-    EXPECT_EQ(match.coach().server_trouble().errors, 0);
+    EXPECT_EQ(match.coach().server().trouble.errors, 0);
   }
 }
 
@@ -431,7 +431,7 @@ TEST(TrainerActions, WishesThatMakeNoSenseAreLeftOut) {
   EXPECT_EQ(report.unknown, 1);
   EXPECT_EQ(match.world().mode, PlayMode::kPlayOn);
   EXPECT_EQ(match.world().ball.position, ball);
-  EXPECT_EQ(match.coach().server_trouble().errors, 0) << match.coach().server_trouble().first_error;
+  EXPECT_EQ(match.coach().server().trouble.errors, 0) << match.coach().server().trouble.first_error;
 }
 
 TEST(TrainerState, IsTheTruthInTheAxesOfTheLeftTeam) {

@@ -149,7 +149,7 @@ TEST(CoachReplay, SeesWhatUpstreamsCoachSawAndSubstitutesAsItDid) {
     ADD_FAILURE() << name << " differs in " << testing::PrintToString(cycles);
   }
   EXPECT_EQ(ours, theirs);
-  EXPECT_EQ(coach.server_trouble().unreadable, 0) << coach.server_trouble().first_unreadable;
+  EXPECT_EQ(coach.server().trouble.unreadable, 0) << coach.server().trouble.first_unreadable;
 }
 
 }  // namespace

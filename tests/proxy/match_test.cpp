@@ -32,9 +32,9 @@ TEST(Match, AsksEveryPlayerInEveryCycleAndUnderstandsTheServer) {
       const proxy::AgentStatistics& statistics = player->statistics();
       EXPECT_EQ(statistics.decisions, kSteps);
       EXPECT_EQ(statistics.missed, 0);
-      EXPECT_EQ(player->server_trouble().unreadable, 0)
-          << player->server_trouble().first_unreadable;
-      EXPECT_EQ(player->server_trouble().errors, 0) << player->server_trouble().first_error;
+      EXPECT_EQ(player->server().trouble.unreadable, 0)
+          << player->server().trouble.first_unreadable;
+      EXPECT_EQ(player->server().trouble.errors, 0) << player->server().trouble.first_error;
       EXPECT_EQ(match.server().missed_cycles(soccer::slot_of(
                     side == 0 ? soccer::Side::kLeft : soccer::Side::kRight, player->unum())),
                 0);

@@ -303,7 +303,7 @@ void replay(const std::string& player, const std::function<void(const protos::St
     show(agent.state());
     agent.act(protos::PlayerActions());
   }
-  EXPECT_EQ(agent.server_trouble().unreadable, 0) << agent.server_trouble().first_unreadable;
+  EXPECT_EQ(agent.server().trouble.unreadable, 0) << agent.server().trouble.first_unreadable;
 }
 
 /// What upstream's proxy made of the same.

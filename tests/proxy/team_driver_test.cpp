@@ -132,9 +132,9 @@ TEST_P(UdpMatch, BothTeamsPlayInSynchronousModeWithoutAMissedCycle) {
       EXPECT_EQ(player->statistics().missed, 0);
       EXPECT_EQ(player->statistics().undecided, 0);
       EXPECT_EQ(player->statistics().lost_commands, 0);
-      EXPECT_EQ(player->server_trouble().unreadable, 0);
-      EXPECT_EQ(player->server_trouble().errors, 0) << player->server_trouble().first_error;
-      EXPECT_EQ(player->server_trouble().warnings, 0) << player->server_trouble().first_warning;
+      EXPECT_EQ(player->server().trouble.unreadable, 0);
+      EXPECT_EQ(player->server().trouble.errors, 0) << player->server().trouble.first_error;
+      EXPECT_EQ(player->server().trouble.warnings, 0) << player->server().trouble.first_warning;
     }
   }
 }
