@@ -58,6 +58,9 @@ int rounded(double value) {
   return static_cast<int>(std::rint(std::clamp(value, -32768.0, 32767.0)));
 }
 
+// There is room for sixteen; those of fouls, cards and illegal defence are left out.
+int low_bits(std::uint32_t state) { return static_cast<int>(state & 0xffff); }
+
 void add_short_object(int state, int side, int unum, int angle, soccer::Vec2 place,
                       Datagram& datagram) {
   for (const int value :
@@ -68,7 +71,7 @@ void add_short_object(int state, int side, int unum, int angle, soccer::Vec2 pla
 
 void add_long_player(const PlayerFrame& player, Datagram& datagram) {
   using soccer::math::to_radians;
-  datagram.int16(static_cast<int>(player.state));
+  datagram.int16(low_bits(player.state));
   datagram.int16(player.type);
   datagram.point(player.position);
   datagram.point(player.velocity);
@@ -104,8 +107,8 @@ void append_short_show(const Frame& frame, std::string& out) {
   for (int slot = 0; slot < soccer::kPlayersOnPitch; ++slot) {
     const PlayerFrame& player = frame.players[static_cast<std::size_t>(slot)];
     const int side = soccer::side_of_slot(slot) == soccer::Side::kLeft ? 1 : -1;
-    add_short_object(static_cast<int>(player.state), side, soccer::unum_of_slot(slot),
-                     rounded(player.body), player.position, datagram);
+    add_short_object(low_bits(player.state), side, soccer::unum_of_slot(slot), rounded(player.body),
+                     player.position, datagram);
   }
   datagram.int16(frame.time);
   datagram.pad_to(kShortSize);

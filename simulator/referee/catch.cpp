@@ -1,4 +1,5 @@
 // The goalie's hands: where it may catch, and the back pass (9.11).
+#include "simulator/referee.h"
 #include "simulator/referee/areas.h"
 #include "simulator/referee/calls.h"
 #include "simulator/referee/modes.h"
@@ -117,13 +118,8 @@ void analyse(World& world, Events& events) {
   if (is_back_pass || is_either(mode, PlayMode::kCatchFaultLeft)) {
     const Side offender = soccer::side(mode);
     if (!wait_out_offence(world, memory.counter, offender, events)) return;
-    const Side kicker = opponent(offender);
-    if (is_back_pass) {
-      place_ball(world, for_side(PlayMode::kIndirectFreeKickLeft, kicker), kicker,
-                 world.ball.position, events);
-    } else {
-      award_free_kick(world, kicker, world.ball.position, events);
-    }
+    const PlayMode kick = is_back_pass ? PlayMode::kIndirectFreeKickLeft : PlayMode::kFreeKickLeft;
+    change_mode(world, for_side(kick, opponent(offender)), events);
     return;
   }
   if (world.ball_catcher == kNobody) return;

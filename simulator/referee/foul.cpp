@@ -1,4 +1,5 @@
 // Fouls: what follows a tackle that the referee saw (9.10).
+#include "simulator/referee.h"
 #include "simulator/referee/areas.h"
 #include "simulator/referee/calls.h"
 #include "simulator/referee/cards.h"
@@ -32,13 +33,10 @@ void analyse(World& world, Events& events) {
   if (!is_foul(world.mode)) return;
   const Side offender = soccer::side(world.mode);
   if (!wait_out_offence(world, world.referee.foul.counter, offender, events)) return;
-  const Side kicker = opponent(offender);
-  if (in_penalty_area(offender, world.ball.position)) {
-    place_ball(world, for_side(PlayMode::kIndirectFreeKickLeft, kicker), kicker,
-               world.ball.position, events);
-  } else {
-    award_free_kick(world, kicker, world.ball.position, events);
-  }
+  const PlayMode kick = in_penalty_area(offender, world.ball.position)
+                            ? PlayMode::kIndirectFreeKickLeft
+                            : PlayMode::kFreeKickLeft;
+  change_mode(world, for_side(kick, opponent(offender)), events);
 }
 
 }  // namespace

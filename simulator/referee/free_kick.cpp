@@ -134,7 +134,7 @@ void analyse(World& world, Events& events) {
   if (is_either(mode, PlayMode::kFreeKickFaultLeft)) {
     const Side offender = soccer::side(mode);
     if (wait_out_offence(world, world.referee.free_kick.counter, offender, events)) {
-      award_free_kick(world, opponent(offender), world.ball.position, events);
+      change_mode(world, for_side(PlayMode::kFreeKickLeft, opponent(offender)), events);
     }
     return;
   }

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "simulator/referee.h"
 #include "simulator/referee/areas.h"
 #include "simulator/referee/calls.h"
 #include "simulator/referee/clearing.h"
@@ -126,6 +127,9 @@ void mode_changed(World& world, PlayMode mode, Events&) {
   if (mode != PlayMode::kPlayOn) world.referee.offside.marks = {};
 }
 
+// Not offside_active_area_size, which happens to be the same by default.
+constexpr double kClearedRadius = 2.5;
+
 // Behind the line goes who is beside or beyond it, and nobody stays around the place (15.3).
 void send_back(World& world, Side offender) {
   const soccer::ServerParams& server = world.params();
@@ -133,7 +137,7 @@ void send_back(World& world, Side offender) {
   const double own_goal_line = -soccer::kHalfLength * sign(offender);
   const Rect onside = {std::min(own_goal_line, mark.x), std::max(own_goal_line, mark.x),
                        -soccer::kHalfWidth, soccer::kHalfWidth};
-  const Circle around{mark, server.offside_active_area_size};
+  const Circle around{mark, kClearedRadius};
   for (Player& player : world.players) {
     if (!player.enabled || player.side != offender) continue;
     if (around.contains(player.position)) player.position = nearest_edge(around, player.position);
@@ -151,7 +155,7 @@ void analyse(World& world, Events& events) {
     const Side offender = soccer::side(mode);
     const bool over = wait_out_offence(world, world.referee.offside.counter, offender, events);
     send_back(world, offender);
-    if (over) award_free_kick(world, opponent(offender), world.ball.position, events);
+    if (over) change_mode(world, for_side(PlayMode::kFreeKickLeft, opponent(offender)), events);
     return;
   }
   if (mode == PlayMode::kPlayOn) return;
