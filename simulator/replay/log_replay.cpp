@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <iterator>
 #include <set>
 #include <utility>
@@ -12,6 +11,7 @@
 #include "simulator/referee.h"
 #include "simulator/referee/modes.h"
 #include "simulator/replay.h"
+#include "simulator/replay/logged_frames.h"
 #include "simulator/replay/recorded_step.h"
 #include "simulator/replay/step_comparison.h"
 #include "simulator/replay/stronger_push.h"
@@ -43,43 +43,6 @@ bool is_noisy(const Rules& rules) {
   return server.player_rand != 0.0 || server.ball_rand != 0.0 || windy ||
          std::any_of(rules.types.begin(), rules.types.end(),
                      [](const soccer::PlayerType& type) { return type.kick_rand != 0.0; });
-}
-
-// The decimals that were printed: a record holds them in single precision, in which what touches
-// may no longer do so.
-double printed(double value, double decimals) {
-  constexpr double kSingle = 0.1;  // more than single precision can be off
-  const double whole = std::rint(value * decimals);
-  return std::fabs(value * decimals - whole) < kSingle ? whole / decimals : value;
-}
-
-Vec2 printed(Vec2 v) { return {printed(v.x, 1e4), printed(v.y, 1e4)}; }
-
-Frame printed_frame(const MatchRecord& game, std::size_t i) {
-  Frame frame = frame_at(game, i);
-  frame.ball_position = printed(frame.ball_position);
-  frame.ball_velocity = printed(frame.ball_velocity);
-  for (gamelog::PlayerFrame& player : frame.players) {
-    player.position = printed(player.position);
-    player.velocity = printed(player.velocity);
-    player.body = printed(player.body, 1e3);
-    player.neck = printed(player.neck, 1e3);
-  }
-  return frame;
-}
-
-bool follows(Clock after, Clock before) {
-  return after == Clock{before.time, before.stoppage + 1} || after == Clock{before.time + 1, 0};
-}
-
-// Frames up to the end of the text log, which may be cut off.
-std::size_t covered_frames(const MatchRecord& game, const TextLogIndex& text) {
-  std::size_t frames = game.frames();
-  const int last = text.moments().empty() ? 0 : text.moments().rbegin()->first.first;
-  // Commands of a cycle lead to the frame of the next.
-  const int covered = text.is_damaged() ? last : last + 1;
-  while (frames > 1 && game.time[frames - 1] > covered) --frames;
-  return frames;
 }
 
 class LogReplay {
@@ -399,27 +362,6 @@ class LogReplay {
   OpenOutcomes open_;
   LogAgreement result_;
 };
-
-// Most changes of mode in the game log are called at that very time in the text log.
-bool same_match(const MatchRecord& game, const TextLogIndex& text) {
-  int changes = 0;
-  int called = 0;
-  for (std::size_t i = 1; i < covered_frames(game, text); ++i) {
-    if (game.mode[i] == game.mode[i - 1] || is_goal(game.mode[i])) continue;
-    ++changes;
-    const std::string_view mode = soccer::name(game.mode[i]);
-    // A call carries the time before or after the clock ran.
-    auto moment = text.moments().lower_bound({game.time[i] - 1, 0});
-    for (; moment != text.moments().end() && moment->first.first <= game.time[i]; ++moment) {
-      const std::vector<std::string>& words = moment->second.words;
-      if (std::find(words.begin(), words.end(), mode) != words.end()) {
-        ++called;
-        break;
-      }
-    }
-  }
-  return 2 * called >= changes;
-}
 
 }  // namespace
 
