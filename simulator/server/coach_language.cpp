@@ -52,8 +52,10 @@ bool is_freeform_time(const World& world) {
   if (world.mode != PlayMode::kPlayOn) return true;
   const soccer::ServerParams& params = world.params();
   const int played = world.clock.time - world.last_play_on;
-  return played > params.freeform_wait_period && params.freeform_wait_period != 0 &&
-         played % params.freeform_wait_period < params.freeform_send_period;
+  // A negative period is a very long one.
+  const auto period = static_cast<unsigned>(params.freeform_wait_period);
+  return played > params.freeform_wait_period && period != 0 &&
+         static_cast<int>(static_cast<unsigned>(played) % period) < params.freeform_send_period;
 }
 
 }  // namespace
