@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "orchestration/process/ports.h"
+#include "tests/support/built.h"
 #include "tests/support/command.h"
 #include "tests/support/marked_processes.h"
 #include "tests/support/port_lock.h"
@@ -24,13 +25,12 @@
 namespace {
 
 using namespace std::chrono_literals;
+using cls::tests::built;
 using cls::tests::cls_binary;
 using cls::tests::Command;
 using cls::tests::CommandResult;
 using nlohmann::json;
 using Words = std::vector<std::string>;
-
-std::string built(const std::string& name) { return std::string(CLS_BUILD_DIR) + "/bin/" + name; }
 
 /// A machine whose PATH holds what the test puts there and nothing else.
 class Doctor : public testing::Test {

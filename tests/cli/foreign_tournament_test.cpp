@@ -6,6 +6,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "tests/support/built.h"
 #include "tests/support/command.h"
 #include "tests/support/files.h"
 #include "tests/support/marked_processes.h"
@@ -14,11 +15,10 @@
 namespace {
 
 namespace fs = std::filesystem;
+using cls::tests::built;
 using cls::tests::CommandResult;
 using nlohmann::json;
 using Words = std::vector<std::string>;
-
-std::string built(const std::string& name) { return std::string(CLS_BUILD_DIR) + "/bin/" + name; }
 
 // A mock and a foreign team of eleven fake players on the fake server: two matches, sides swapped.
 class ForeignTournament : public testing::Test {

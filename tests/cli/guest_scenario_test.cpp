@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/built.h"
 #include "tests/support/command.h"
 #include "tests/support/marked_processes.h"
 #include "tests/support/port_lock.h"
@@ -34,7 +35,7 @@ class GuestScenario : public testing::Test {
                std::to_string(players) + "); do\n  goalie=; [ $i = 1 ] && goalie='--goalie 1'\n  " +
                player() + " --port $port --name $name $goalie " + flags + " &\n  sleep 0.02\ndone");
   }
-  static std::string player() { return std::string(CLS_BUILD_DIR) + "/bin/cls_fake_player"; }
+  static std::string player() { return cls::tests::built("cls_fake_player"); }
 
   /// A left striker shoots at the goal behind the guests' number 5.
   CommandResult play(const std::string& expect, const std::vector<std::string>& more = {},

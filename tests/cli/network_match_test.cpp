@@ -12,6 +12,7 @@
 #include <thread>
 #include <vector>
 
+#include "tests/support/built.h"
 #include "tests/support/command.h"
 #include "tests/support/files.h"
 #include "tests/support/marked_processes.h"
@@ -21,12 +22,11 @@
 namespace {
 
 using namespace std::chrono_literals;
+using cls::tests::built;
 using cls::tests::Command;
 using cls::tests::CommandResult;
 using nlohmann::json;
 using Words = std::vector<std::string>;
-
-std::string built(const std::string& name) { return std::string(CLS_BUILD_DIR) + "/bin/" + name; }
 
 /// A match with a mark of its own, so that survivors are seen whatever they do.
 class NetworkMatch : public testing::Test {

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "orchestration/host.h"
+#include "tests/support/built.h"
 #include "tests/support/command.h"
 #include "tests/support/files.h"
 #include "tests/support/temporary_folder.h"
@@ -23,11 +24,10 @@ namespace {
 
 namespace fs = std::filesystem;
 using namespace std::chrono_literals;
+using cls::tests::built;
 using cls::tests::Command;
 using Processors = std::vector<int>;
 using Words = std::vector<std::string>;
-
-std::string built(const std::string& name) { return std::string(CLS_BUILD_DIR) + "/bin/" + name; }
 
 cpu_set_t set_of(const Processors& processors) {
   cpu_set_t set;

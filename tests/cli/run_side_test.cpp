@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/built.h"
 #include "tests/support/command.h"
 #include "tests/support/files.h"
 #include "tests/support/marked_processes.h"
@@ -26,8 +27,7 @@ using Words = std::vector<std::string>;
 class RunSide : public testing::Test {
  protected:
   static std::string fake(const std::string& flags) {
-    return "run:exec " + std::string(CLS_BUILD_DIR) + "/bin/cls_fake_playmaker --port {port} " +
-           flags;
+    return "run:exec " + cls::tests::built("cls_fake_playmaker") + " --port {port} " + flags;
   }
 
   Words arguments(const std::string& right, const Words& more) const {

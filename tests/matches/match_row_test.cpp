@@ -12,6 +12,7 @@
 
 #include "orchestration/process/ports.h"
 #include "tests/matches/full_form.h"
+#include "tests/support/built.h"
 #include "tests/support/command.h"
 #include "tests/support/files.h"
 #include "tests/support/marked_processes.h"
@@ -20,8 +21,7 @@
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string built(const std::string& name) { return std::string(CLS_BUILD_DIR) + "/bin/" + name; }
+using cls::tests::built;
 
 void write_script(const fs::path& file, const std::string& text) {
   fs::create_directories(file.parent_path());

@@ -10,6 +10,7 @@
 
 #include "orchestration/process/process_tree.h"
 #include "tests/orchestration/process/test_guard.h"
+#include "tests/support/built.h"
 #include "tests/support/files.h"
 #include "tests/support/marked_processes.h"
 #include "tests/support/temporary_folder.h"
@@ -25,20 +26,20 @@ class GuardDeath : public testing::Test {
   // `before`: actions of the fake process that spoil what the driver inherits.
   void start(std::vector<std::string> arguments, std::vector<std::string> before = {}) {
     before.push_back("exec");
-    before.push_back(built_program("cls_process_driver"));
+    before.push_back(tests::built("cls_process_driver"));
     before.insert(before.end(), arguments.begin(), arguments.end());
     driver_ = processes_.start(fake(std::move(before)));
     ASSERT_TRUE(saw_line(*driver_, "ready")) << testing::PrintToString(driver_->last_lines());
   }
 
   static std::string fake_line(const std::string& actions) {
-    return "exec " + built_program("cls_fake_process") + " " + actions;
+    return "exec " + tests::built("cls_fake_process") + " " + actions;
   }
 
   std::vector<std::string> usual_children() const {
     return {fake_line("hang"), fake_line("ignore-term hang"),
             fake_line("grandchild stubborn-grandchild hang"),
-            built_program("cls_fake_process") + " hang & wait"};
+            tests::built("cls_fake_process") + " hang & wait"};
   }
 
   int guard_pid() const { return std::stoi(driver_->last_lines().front().substr(6)); }

@@ -13,6 +13,7 @@
 
 #include "orchestration/process/process_tree.h"
 #include "tests/orchestration/process/test_guard.h"
+#include "tests/support/built.h"
 #include "tests/support/files.h"
 #include "tests/support/marked_processes.h"
 #include "tests/support/temporary_folder.h"
@@ -207,7 +208,7 @@ TEST(ProcessHost, AFailedScriptHasEndedWhateverItLeft) {
 TEST(ProcessHost, EndsGentlyFirstTheProgramThenTheRest) {
   MarkedHost processes;
   // The shell waits for its worker, so a signal to the shell alone leaves the worker.
-  const std::string worker = built_program("cls_fake_process");
+  const std::string worker = tests::built("cls_fake_process");
   const auto child = processes.start(shell_command(
       "shell", "trap 'echo asked; exit 7' TERM; " + worker + " exit-on-term hang & echo up; wait"));
   ASSERT_TRUE(saw_line(*child, "up"));

@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "orchestration/process/guard.h"
+#include "tests/support/built.h"
 #include "tests/support/marked_processes.h"
 
 namespace cls::orchestration {
@@ -38,15 +39,11 @@ ProcessHost new_host() {
 
 }  // namespace
 
-std::string built_program(const std::string& name) {
-  return std::string(CLS_BUILD_DIR) + "/bin/" + name;
-}
-
 CommandPlan fake(std::vector<std::string> actions) {
   CommandPlan plan;
   plan.name = "the fake";
   plan.argv = std::move(actions);
-  plan.argv.insert(plan.argv.begin(), built_program("cls_fake_process"));
+  plan.argv.insert(plan.argv.begin(), tests::built("cls_fake_process"));
   return plan;
 }
 

@@ -12,9 +12,6 @@ namespace cls::orchestration {
 /// A plan that runs the fake process with these actions (tests/fakes/fake_process.cpp).
 CommandPlan fake(std::vector<std::string> actions);
 
-/// Path of a program that the build has made.
-std::string built_program(const std::string& name);
-
 /// A host whose children carry `mark` in their environment (tests/support/marked_processes.h).
 class MarkedHost {
  public:
