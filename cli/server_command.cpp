@@ -23,6 +23,7 @@
 #include "cli/exit_code.h"
 #include "cli/interrupt.h"
 #include "cli/server_lines.h"
+#include "gamelog/rcg_writer.h"
 #include "orchestration/server_logs.h"
 #include "orchestration/server_report.h"
 #include "orchestration/server_settings.h"
@@ -58,17 +59,6 @@ struct Arguments {
   std::optional<int> cycles;
   std::string folder;
 };
-
-// What was asked for and cannot be had.
-std::vector<std::string> refusals(const soccer::ServerParams& server) {
-  std::vector<std::string> lines;
-  const auto refuse = [&lines](bool asked, const char* what) {
-    if (asked) lines.push_back(fmt::format("{}: not in this server", what));
-  };
-  refuse(server.game_logging && server.game_log_version != 6,
-         "a game log that is not of version 6 (server::game_log_version; see cls convert)");
-  return lines;
-}
 
 /// All that was asked for, in the order in which later words win.
 soccer::Result<ServerSettings> read_settings(const Arguments& arguments,
@@ -234,7 +224,7 @@ int serve_match(const Arguments& arguments, const ServerSettings& settings) {
   if (!server) return report_mistakes({server.error().message}, kTryAgain);
   auto logs = orchestration::ServerLogs::open(settings.server, start);
   if (!logs) return report_mistakes({logs.error().message}, kCannotCreate);
-  (*server)->record(logs->game(), logs->text());
+  (*server)->record(logs->sinks());
   std::optional<simulator::KeepawayRecorder> keepaway;
   if (logs->keepaway() != nullptr) keepaway.emplace(*logs->keepaway());
   const orchestration::ServerPorts ports = ports_of(**server);
@@ -288,8 +278,10 @@ int run_server(const Arguments& arguments, const CLI::App& command) {
     fmt::print("{}", command.help());
     return kDone;
   }
-  if (const auto mistakes = refusals(settings->server); !mistakes.empty()) {
-    return report_mistakes(mistakes);
+  const soccer::ServerParams& server = settings->server;
+  if (server.game_logging && !gamelog::rcg_version(server.game_log_version)) {
+    return report_mistakes({fmt::format("server::game_log_version={}: must be 1 to 6, or -1 (JSON)",
+                                        server.game_log_version)});
   }
   const auto made = simulator::MatchServer::create(config_of(arguments, *settings).match);
   if (!made) return report_mistakes({made.error().message});

@@ -120,9 +120,10 @@ void append_version(RcgVersion version, std::string& out) {
   out += '\n';
 }
 
-void append_header(const soccer::ServerParams& server, const soccer::PlayerParams& player,
-                   const std::vector<soccer::PlayerType>& types, std::string& out) {
-  append_version(RcgVersion::kV6, out);
+void append_header(RcgVersion version, const soccer::ServerParams& server,
+                   const soccer::PlayerParams& player, const std::vector<soccer::PlayerType>& types,
+                   std::string& out) {
+  append_version(version, out);
   soccer::format(server, soccer::kAllVersions, out);
   out += '\n';
   soccer::format(player, soccer::kAllVersions, out);

@@ -20,9 +20,10 @@ namespace cls::gamelog {
 /// `ULG4` to `ULG6`.
 void append_version(RcgVersion version, std::string& out);
 
-/// The first lines of a version 6 log: version, parameters, player types.
-void append_header(const soccer::ServerParams& server, const soccer::PlayerParams& player,
-                   const std::vector<soccer::PlayerType>& types, std::string& out);
+/// The first lines of a log: version, parameters, player types.
+void append_header(RcgVersion version, const soccer::ServerParams& server,
+                   const soccer::PlayerParams& player, const std::vector<soccer::PlayerType>& types,
+                   std::string& out);
 
 void append_play_mode(int time, soccer::PlayMode mode, std::string& out);
 

@@ -1,12 +1,15 @@
-// Writing a game log (rcg, version 6) while a match runs.
+// Writing a game log (rcg, all versions) while a match runs.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "gamelog/byte_sink.h"
 #include "gamelog/frame.h"
+#include "gamelog/rcg_version.h"
+#include "gamelog/rcl_writer.h"
 #include "soccer/player_params.h"
 #include "soccer/player_type.h"
 #include "soccer/server_params.h"
@@ -22,29 +25,45 @@ std::string match_name(const TeamFrames& teams);
 /// default, so that a log does not depend on where and by whom a match was played.
 soccer::ServerParams without_places(const soccer::ServerParams& params);
 
-/// Decides which lines a log gets (simulation-model 12.4, log-formats 1.7) and writes them into
-/// `sink`, which must outlive the writer. The bytes depend on nothing but the arguments: dates
-/// are 197001010000.
+/// When the match began, as logs tell it. The same for all matches unless somebody wants to know.
+struct LogDate {
+  std::string minute = "197001010000";              ///< behind the result
+  std::string second = "1970-01-01T00:00:00+0000";  ///< in JSON
+};
+
+/// What server::game_log_version asks for: 1 to 6, -1 is JSON. Nothing for another number.
+std::optional<RcgVersion> rcg_version(int game_log_version);
+
+/// Decides which records a log gets (simulation-model 12.4, log-formats 1.4 to 1.10) and writes
+/// them into `sink`, which must outlive the writer. The bytes depend on nothing but the arguments.
 class RcgWriter {
  public:
-  explicit RcgWriter(ByteSink& sink) : sink_(sink) {}
+  explicit RcgWriter(ByteSink& sink, RcgVersion version = RcgVersion::kV6, LogDate date = {});
 
   /// Once, before anything else.
   void begin(const soccer::ServerParams& server, const soccer::PlayerParams& player,
              const std::vector<soccer::PlayerType>& types);
 
   /// Once per simulation step, in every play mode. Nothing is written before kick-off, and after
-  /// time over only the first frame; lines on play mode and teams are added where they changed.
+  /// time over only the first frame; records of play mode and teams are added where they changed.
   void step(const Frame& frame);
 
   /// A message at the place in the log that is reached.
-  void message(int time, int board, std::string_view text);
+  void message(Stamp stamp, int board, std::string_view text);
 
   /// Once, after everything else: the result.
-  void end(int time, const TeamFrames& teams);
+  void end(const Frame& last);
 
  private:
+  bool is_binary() const { return version_ <= RcgVersion::kV3; }
+  void add_play_mode(const Frame& frame);
+  void add_teams(const Frame& frame);
+  void add_show(const Frame& frame);
+  void write();
+
   ByteSink& sink_;
+  RcgVersion version_;
+  LogDate date_;
   std::string line_;
   soccer::PlayMode written_mode_ = soccer::PlayMode::kNull;
   bool team_written_ = false;

@@ -10,30 +10,51 @@ namespace {
 
 constexpr std::size_t kMaxText = 8191;
 
+void append_text(std::string_view text, std::string& out) {
+  out += ": ";
+  out += text.substr(0, std::min(text.find('\0'), text.size()));
+}
+
 }  // namespace
+
+void append_player_command(std::string_view team, int unum, std::string_view text,
+                           std::string& out) {
+  out += "Recv ";
+  out += team;
+  out += '_';
+  soccer::append_int(unum, out);
+  append_text(text, out);
+}
+
+void append_coach_command(std::string_view team, std::string_view text, std::string& out) {
+  out += "Recv ";
+  out += team;
+  out += "_Coach";
+  append_text(text, out);
+}
+
+void append_trainer_command(std::string_view text, std::string& out) {
+  out += "Recv Coach";
+  append_text(text, out);
+}
 
 void RclWriter::player_command(Stamp stamp, std::string_view team, int unum,
                                std::string_view text) {
   begin(stamp);
-  line_ += "Recv ";
-  line_ += team;
-  line_ += '_';
-  soccer::append_int(unum, line_);
-  end(text);
+  append_player_command(team, unum, text, line_);
+  end();
 }
 
 void RclWriter::coach_command(Stamp stamp, std::string_view team, std::string_view text) {
   begin(stamp);
-  line_ += "Recv ";
-  line_ += team;
-  line_ += "_Coach";
-  end(text);
+  append_coach_command(team, text, line_);
+  end();
 }
 
 void RclWriter::trainer_command(Stamp stamp, std::string_view text) {
   begin(stamp);
-  line_ += "Recv Coach";
-  end(text);
+  append_trainer_command(text, line_);
+  end();
 }
 
 void RclWriter::referee(Stamp stamp, std::string_view message) {
@@ -52,10 +73,8 @@ void RclWriter::begin(Stamp stamp) {
   line_ += '\t';
 }
 
-void RclWriter::end(std::string_view text) {
+void RclWriter::end() {
   const std::size_t stamp_end = line_.find('\t') + 1;
-  line_ += ": ";
-  line_ += text.substr(0, std::min(text.find('\0'), text.size()));
   if (line_.size() > stamp_end + kMaxText) line_.resize(stamp_end + kMaxText);
   line_ += '\n';
   sink_.write(line_);

@@ -14,6 +14,12 @@ struct Stamp {
   int stopped = 0;
 };
 
+// What a line says behind its stamp: the received text up to a NUL byte.
+void append_player_command(std::string_view team, int unum, std::string_view text,
+                           std::string& out);
+void append_coach_command(std::string_view team, std::string_view text, std::string& out);
+void append_trainer_command(std::string_view text, std::string& out);
+
 /// One line per call into `sink`, which must outlive the writer (log-formats 2). Received text is
 /// logged as it came, before it is read: illegal commands too, up to a NUL byte; a line is cut at
 /// 8191 characters behind its stamp, as in the real server.
@@ -30,7 +36,7 @@ class RclWriter {
 
  private:
   void begin(Stamp stamp);
-  void end(std::string_view text);
+  void end();
 
   ByteSink& sink_;
   std::string line_;

@@ -61,6 +61,10 @@ Result<ServerLogs::Log> ServerLogs::open(const Wish& wish, const std::string& da
 Result<ServerLogs> ServerLogs::open(const soccer::ServerParams& p, std::time_t start) {
   const std::string date = formatted(p.log_date_format, start);
   ServerLogs logs;
+  logs.version_ = gamelog::rcg_version(p.game_log_version).value_or(gamelog::RcgVersion::kV6);
+  if (p.game_log_dated && !p.game_log_fixed) {
+    logs.date_ = {formatted("%Y%m%d%H%M", start), formatted("%FT%T%z", start)};
+  }
   const std::pair<Log*, Wish> wishes[] = {
       {&logs.game_,
        {p.game_logging, p.game_log_dir, p.game_log_fixed, p.game_log_fixed_name, p.game_log_dated,
@@ -77,6 +81,10 @@ Result<ServerLogs> ServerLogs::open(const soccer::ServerParams& p, std::time_t s
     *log = std::move(*opened);
   }
   return logs;
+}
+
+simulator::LogSinks ServerLogs::sinks() const {
+  return {game_.sink.get(), text_.sink.get(), version_, date_};
 }
 
 Result<void> ServerLogs::finish(Log& log, const std::string& match) {

@@ -9,6 +9,7 @@
 
 #include "gamelog/byte_sink.h"
 #include "gamelog/frame.h"
+#include "simulator/server/match_recorder.h"
 #include "soccer/result.h"
 #include "soccer/server_params.h"
 
@@ -17,15 +18,16 @@ namespace cls::orchestration {
 /// Opens the logs that the parameters want (game_logging, text_logging; keepaway_logging in
 /// keepaway): game_log_dir, game_log_fixed_name, game_log_dated, game_log_compression and so on.
 /// While the match runs they are called incomplete.rcg, .rcl and .kwy; finish() gives them their
-/// names (`20261120203857-A_1-vs-B_0.rcg`), unless these are fixed.
+/// names (`20261120203857-A_1-vs-B_0.rcg`), unless these are fixed. Where the name of the game log
+/// tells the date, the log does too: only logs of other names can be the same bytes twice.
 class ServerLogs {
  public:
-  /// The error names the file or folder that cannot be created.
+  /// The error names the file or folder that cannot be created. game_log_version must be one (see
+  /// gamelog::rcg_version).
   static soccer::Result<ServerLogs> open(const soccer::ServerParams& params, std::time_t start);
 
   /// Null where no such log is wanted.
-  gamelog::ByteSink* game() { return game_.sink.get(); }
-  gamelog::ByteSink* text() { return text_.sink.get(); }
+  simulator::LogSinks sinks() const;
   gamelog::ByteSink* keepaway() { return keepaway_.sink.get(); }
 
   /// Closes and names them. The error is the first one since the start.
@@ -50,6 +52,8 @@ class ServerLogs {
   Log game_;
   Log text_;
   Log keepaway_;
+  gamelog::RcgVersion version_ = gamelog::RcgVersion::kV6;
+  gamelog::LogDate date_;
 };
 
 }  // namespace cls::orchestration

@@ -45,7 +45,7 @@ void MatchServer::dispatch(const Event& event) {
 
 void MatchServer::tell_referee(Clock clock, const std::string& words) {
   recorder_.referee(clock, words);
-  tell_monitors_of_words(clock, "referee", words);
+  if (monitors_hear()) monitors_.tell(clock, "(referee " + words + ')');
   soccer::Hear hear;
   hear.time = clock.time;
   hear.text = words;
@@ -56,7 +56,7 @@ void MatchServer::tell_referee(Clock clock, const std::string& words) {
 }
 
 void MatchServer::tell_said(Clock clock, const PlayerSaid& said) {
-  if (monitors_hear()) tell_monitors_of_words(clock, speaker_name(said.speaker), said.text);
+  if (audience_hears()) tell_audience(clock, speaker_name(said.speaker), said.text);
   for (auto& client : sessions_) {
     if (client != nullptr) overhear(world_, said, client->slot(), client->hearing);
   }
@@ -83,7 +83,7 @@ void MatchServer::tell_words(const CoachWords& words) {
     client->send(text_);
   }
   coaches_.tell_words(world_, words);
-  tell_monitors_of_words(world_.clock, words);
+  tell_audience(world_.clock, words);
 }
 
 void MatchServer::declare(Session& client, const soccer::Clang& versions) {
@@ -110,8 +110,10 @@ std::string MatchServer::speaker_name(Slot slot) const {
 }
 
 void MatchServer::tell_type(Clock clock, const TypeChanged& change) {
-  monitors_.tell(clock, "(change_player_type " + std::string(1, letter(change.side)) + ' ' +
-                            std::to_string(change.unum) + ' ' + std::to_string(change.type) + ')');
+  const std::string words = "(change_player_type " + std::string(1, letter(change.side)) + ' ' +
+                            std::to_string(change.unum) + ' ' + std::to_string(change.type) + ')';
+  monitors_.tell(clock, words);
+  recorder_.substitution(world_, clock, words);
   for (auto& client : sessions_) {
     if (client == nullptr) continue;
     soccer::PlayerTypeChange told{change.unum, std::nullopt};
@@ -122,8 +124,10 @@ void MatchServer::tell_type(Clock clock, const TypeChanged& change) {
 }
 
 void MatchServer::tell_goalie(Clock clock, const GoalieAppointed& change) {
-  monitors_.tell(clock, "(change_player_type " + std::string(1, letter(change.side)) + ' ' +
-                            std::to_string(change.unum) + " goalie)");
+  const std::string words = "(change_player_type " + std::string(1, letter(change.side)) + ' ' +
+                            std::to_string(change.unum) + " goalie)";
+  monitors_.tell(clock, words);
+  recorder_.substitution(world_, clock, words);
   for (auto& client : sessions_) {
     if (client == nullptr || client->version < kFirstGoalieChangeVersion) continue;
     client->reply(soccer::PlayerTypeChange{change.unum, std::nullopt, change.side});

@@ -121,24 +121,23 @@ bool MatchServer::monitors_hear() const {
   return world_.params().send_comms && monitors_.connected() > 0;
 }
 
-void MatchServer::tell_monitors_of_words(Clock clock, const CoachWords& words) {
-  if (words.side == Side::kNeutral) {
-    return tell_monitors_of_words(clock, "referee", words.said.text);
-  }
+void MatchServer::tell_audience(Clock clock, const CoachWords& words) {
+  if (words.side == Side::kNeutral) return tell_audience(clock, "referee", words.said.text);
   const bool left = words.side == Side::kLeft;
-  tell_monitors_of_words(clock, left ? "online_coach_left" : "online_coach_right",
-                         std::to_string(words.received) + ' ' + words.said.text);
+  tell_audience(clock, left ? "online_coach_left" : "online_coach_right",
+                std::to_string(words.received) + ' ' + words.said.text);
 }
 
-void MatchServer::tell_monitors_of_words(Clock clock, std::string_view speaker,
-                                         std::string_view words) {
-  if (!monitors_hear()) return;
+// Who watches: monitors, and whoever reads the game log.
+void MatchServer::tell_audience(Clock clock, std::string_view speaker, std::string_view words) {
+  if (!audience_hears()) return;
   std::string text = "(";
   text += speaker;
   text += ' ';
   text += words;
   text += ')';
-  monitors_.tell(clock, text);
+  if (monitors_hear()) monitors_.tell(clock, text);
+  recorder_.said(world_, clock, text);
 }
 
 }  // namespace cls::simulator

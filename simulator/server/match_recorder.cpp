@@ -43,6 +43,11 @@ void describe(const Team& team, gamelog::TeamFrame& out) {
   out.penalty_missed = team.penalty_kicks - team.penalty_goals;
 }
 
+// Boards of a game log's messages, and the longest message.
+constexpr int kMessageBoard = 1;
+constexpr int kCommandBoard = 2;
+constexpr std::size_t kLongestMessage = 2047;
+
 gamelog::Stamp stamp(Clock clock) { return {clock.time, clock.stoppage}; }
 
 }  // namespace
@@ -59,14 +64,15 @@ void describe(const World& world, gamelog::Frame& out) {
   }
 }
 
-void MatchRecorder::begin(gamelog::ByteSink* game_log, gamelog::ByteSink* text_log,
-                          const Rules& rules) {
-  game_log_ = game_log;
-  if (game_log != nullptr) {
-    rcg_.emplace(*game_log);
+void MatchRecorder::begin(const LogSinks& sinks, const Rules& rules) {
+  if (sinks.game != nullptr) {
+    game_log_ = sinks.game;
+    rcg_.emplace(*sinks.game, sinks.version, sinks.date);
     rcg_->begin(rules.server, rules.player, rules.types);
   }
-  if (text_log != nullptr) rcl_.emplace(*text_log);
+  if (sinks.text != nullptr) rcl_.emplace(*sinks.text);
+  records_messages_ = rules.server.record_messages;
+  records_referee_ = records_messages_ || sinks.version == gamelog::RcgVersion::kV1;
 }
 
 void MatchRecorder::step(const World& world) {
@@ -79,29 +85,59 @@ void MatchRecorder::step(const World& world) {
 }
 
 void MatchRecorder::command(const World& world, ClientId client, std::string_view text) {
-  if (!rcl_) return;
+  const bool into_rcg = hears() && world.mode != PlayMode::kTimeOver;
+  if (!rcl_ && !into_rcg) return;
   const gamelog::Stamp now = stamp(world.clock);
-  if (client == kTrainer) return rcl_->trainer_command(now, text);
-  const Side side = is_player(client)      ? soccer::side_of_slot(client)
+  const bool trainer = client == kTrainer;
+  const Side side = trainer                ? Side::kNeutral
+                    : is_player(client)    ? soccer::side_of_slot(client)
                     : client == kLeftCoach ? Side::kLeft
                                            : Side::kRight;
-  const soccer::TeamName& team = world.team(side).name;
-  if (!is_player(client)) return rcl_->coach_command(now, team.view(), text);
-  rcl_->player_command(now, team.view(), soccer::unum_of_slot(client), text);
+  const std::string_view team = trainer ? std::string_view() : world.team(side).name.view();
+  const int unum = is_player(client) ? soccer::unum_of_slot(client) : 0;
+  text_.clear();
+  if (trainer) {
+    if (rcl_) rcl_->trainer_command(now, text);
+    if (into_rcg) gamelog::append_trainer_command(text, text_);
+  } else if (unum == 0) {
+    if (rcl_) rcl_->coach_command(now, team, text);
+    if (into_rcg) gamelog::append_coach_command(team, text, text_);
+  } else {
+    if (rcl_) rcl_->player_command(now, team, unum, text);
+    if (into_rcg) gamelog::append_player_command(team, unum, text, text_);
+  }
+  if (into_rcg) rcg_->message(now, kCommandBoard, text_.substr(0, kLongestMessage));
 }
 
 void MatchRecorder::tile(const World& world, const Tile& tile) {
-  if (rcg_) rcg_->message(world.clock.time, 1, text_of(tile));
+  if (rcg_) rcg_->message(stamp(world.clock), kMessageBoard, text_of(tile));
 }
 
 void MatchRecorder::referee(Clock clock, std::string_view text) {
   if (rcl_) rcl_->referee(stamp(clock), text);
+  if (!rcg_ || !records_referee_) return;
+  text_ = "(referee ";
+  text_ += text;
+  text_ += ')';
+  rcg_->message(stamp(clock), kMessageBoard, text_);
+}
+
+void MatchRecorder::said(const World& world, Clock clock, std::string_view text) {
+  if (!hears() || world.mode == PlayMode::kBeforeKickOff || world.mode == PlayMode::kTimeOver) {
+    return;
+  }
+  rcg_->message(stamp(clock), kMessageBoard, text.substr(0, kLongestMessage));
+}
+
+void MatchRecorder::substitution(const World& world, Clock clock, std::string_view text) {
+  if (!hears() || world.mode == PlayMode::kTimeOver) return;
+  rcg_->message(stamp(clock), kCommandBoard, text);
 }
 
 void MatchRecorder::finish(const World& world) {
   if (!rcg_) return;
   describe(world, frame_);
-  rcg_->end(frame_.time, frame_.teams);
+  rcg_->end(frame_);
 }
 
 }  // namespace cls::simulator

@@ -1,7 +1,8 @@
-// Writing a running match into its two logs.
+// Writing a running match into its logs.
 #pragma once
 
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include "gamelog/byte_sink.h"
@@ -17,12 +18,20 @@ namespace cls::simulator {
 /// The world as game logs show it.
 void describe(const World& world, gamelog::Frame& out);
 
-/// Feeds a game log (rcg) and a text log (rcl).
+/// Where logs go; a null pointer means no such log. The sinks must outlive who writes.
+struct LogSinks {
+  gamelog::ByteSink* game = nullptr;  ///< rcg
+  gamelog::ByteSink* text = nullptr;  ///< rcl
+  gamelog::RcgVersion version = gamelog::RcgVersion::kV6;
+  gamelog::LogDate date = {};
+};
+
+/// Feeds the logs. With server::record_messages the game log holds words and commands too; one of
+/// version 1 always holds the referee's words.
 class MatchRecorder {
  public:
-  /// A null pointer means no such log; until now there is none. The sinks must outlive the
-  /// recorder.
-  void begin(gamelog::ByteSink* game_log, gamelog::ByteSink* text_log, const Rules& rules);
+  /// Until now there is no log.
+  void begin(const LogSinks& sinks, const Rules& rules);
 
   /// Every step, after it (simulation model 12.4). When the play mode has changed, the game log is
   /// flushed.
@@ -36,6 +45,15 @@ class MatchRecorder {
 
   void referee(Clock clock, std::string_view text);
 
+  /// True if said() does something.
+  bool hears() const { return rcg_ && records_messages_; }
+
+  /// What was said by a player, a coach or the trainer: `(SPEAKER WORDS)`.
+  void said(const World& world, Clock clock, std::string_view text);
+
+  /// A player's new type, or a new goalie.
+  void substitution(const World& world, Clock clock, std::string_view text);
+
   /// The result; nothing may follow.
   void finish(const World& world);
 
@@ -43,7 +61,10 @@ class MatchRecorder {
   gamelog::ByteSink* game_log_ = nullptr;
   std::optional<gamelog::RcgWriter> rcg_;
   std::optional<gamelog::RclWriter> rcl_;
+  bool records_messages_ = false;
+  bool records_referee_ = false;
   gamelog::Frame frame_;
+  std::string text_;
 };
 
 }  // namespace cls::simulator

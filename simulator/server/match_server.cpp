@@ -46,9 +46,7 @@ MatchServer::MatchServer(std::shared_ptr<const Rules> rules, const MatchConfig& 
   see_.objects.reserve(soccer::kMaxObservations);
 }
 
-void MatchServer::record(gamelog::ByteSink* game_log, gamelog::ByteSink* text_log) {
-  recorder_.begin(game_log, text_log, *world_.rules);
-}
+void MatchServer::record(const LogSinks& sinks) { recorder_.begin(sinks, *world_.rules); }
 
 Connection* MatchServer::connection(ClientId client) {
   if (is_player(client)) return session(client);

@@ -51,9 +51,12 @@ class MatchServer {
   /// The error names the parameter that makes no match.
   static soccer::Result<std::unique_ptr<MatchServer>> create(const MatchConfig& config);
 
-  /// Writes logs from now on; a null pointer means no such log. Call before anybody connects. The
-  /// sinks must live until the server is gone.
-  void record(gamelog::ByteSink* game_log, gamelog::ByteSink* text_log);
+  /// Writes logs from now on. Call before anybody connects. The sinks must live until the server is
+  /// gone.
+  void record(const LogSinks& sinks);
+  void record(gamelog::ByteSink* game_log, gamelog::ByteSink* text_log) {
+    record(LogSinks{.game = game_log, .text = text_log});
+  }
 
   /// Reads a connection request. On success the client takes part from now on, and greet() must
   /// follow; else the error to answer with.
@@ -166,8 +169,9 @@ class MatchServer {
   void tell_goalie(Clock clock, const GoalieAppointed& change);
   std::string speaker_name(Slot slot) const;
   bool monitors_hear() const;
-  void tell_monitors_of_words(Clock clock, std::string_view speaker, std::string_view words);
-  void tell_monitors_of_words(Clock clock, const CoachWords& words);
+  bool audience_hears() const { return monitors_hear() || recorder_.hears(); }
+  void tell_audience(Clock clock, std::string_view speaker, std::string_view words);
+  void tell_audience(Clock clock, const CoachWords& words);
   void broadcast(std::string_view message);
 
   void send_sense_body(Session& session);

@@ -42,10 +42,6 @@ UdpServer::~UdpServer() { match_->disconnect_all(); }
 
 int UdpServer::port(Door door) const { return network_->port(door); }
 
-void UdpServer::record(gamelog::ByteSink* game_log, gamelog::ByteSink* text_log) {
-  match_->record(game_log, text_log);
-}
-
 std::int64_t UdpServer::missed_cycles() const { return missed_cycles_; }
 
 const World& UdpServer::world() const { return match_->world(); }

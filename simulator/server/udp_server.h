@@ -76,7 +76,7 @@ class UdpServer {
   const std::string& coach_name(Side side) const { return match_->coaches().name(side); }
 
   /// See MatchServer::record.
-  void record(gamelog::ByteSink* game_log, gamelog::ByteSink* text_log);
+  void record(const LogSinks& sinks) { match_->record(sinks); }
 
   /// Called on the thread of run() whenever there is something to tell. Must return quickly.
   using OnNotice = std::function<void(const UdpNotice&)>;

@@ -126,7 +126,7 @@ TEST(ServerCommand, TellsThePortsThatWereAskedFor) {
 
 TEST(ServerCommand, RefusesWhatItCannotDoYet) {
   const std::pair<const char*, const char*> wishes[] = {
-      {"server::game_log_version=3", "version 6"},
+      {"server::game_log_version=7", "game_log_version=7: must be 1 to 6, or -1 (JSON)"},
       {"server::no_such=1", "no_such"},
       {"server::half_time", "server::NAME=VALUE"},
       {"--prot", "unknown option '--prot' (see cls server --help)"},

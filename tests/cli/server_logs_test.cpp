@@ -11,6 +11,7 @@
 
 #include "tests/support/command.h"
 #include "tests/support/files.h"
+#include "tests/support/rcg_lines.h"
 #include "tests/support/real_server.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/udp_client.h"
@@ -170,6 +171,62 @@ TEST(KeepawayLogs, AreThoseOfTheRealServer) {
   EXPECT_EQ(log_of({real_server()}, keepaway, three_episodes(), ".kwy"),
             log_of(kOurs, keepaway, three_episodes(), ".kwy"));
 }
+
+std::vector<Cycle> short_match() {
+  std::vector<Cycle> match(14);
+  match[0] = {{"(move (player A 1) -10 0 30)", "(move (player B 1) 20 5 -90)"}, "", ""};
+  match[1].trainer = {"(start)"};
+  match[3].left = "(dash 50)(say hi)";
+  match[4].right = "(turn 40)(turn_neck -20)(change_view narrow)";
+  match[5].trainer = {"(move (ball) -10 0.5)", "(say (hello there))"};
+  match[6].left = "(kick 60 10)";
+  match[7].right = "(pointto 10 20)(attentionto opp 1)";
+  match[8].right = "(dash 100 90)(change_focus 3 20)";
+  match[9].trainer = {"(change_mode free_kick_r)"};
+  match[11].left = "(catch 0)(tackle 0)";
+  return match;
+}
+
+/// What may differ: the date, the ports, how long the servers waited for clients, the body of who
+/// never came, and commands, behind which the real server leaves the end of a longer one before.
+Words without_circumstances(std::string log) {
+  for (const auto& [pattern, text] : std::vector<std::pair<const char*, const char*>>{
+           {"\\(result [0-9]+ ", "(result DATE "},
+           {"\"timestamp\":\"[^\"]*\"", "\"timestamp\":\"DATE\""},
+           {"\"stime\":[0-9]+,?", ""},
+           {" 180 0 \\(v h 90\\)", " 0 0 (v h 90)"},
+           {"\"body\":180,", "\"body\":0,"},
+           {"(coach_port|olcoach_port|port)( |\":)[0-9]+", "$1$2PORT"}}) {
+    log = std::regex_replace(log, std::regex(pattern), text);
+  }
+  Words lines;
+  for (const std::string_view line : split_lines(log)) {
+    if (line.find("Recv ") == line.npos) lines.emplace_back(line);
+  }
+  return lines;
+}
+
+TEST(GameLogMessages, HoldCommandsAndWords) {
+  const std::string log = log_of(kOurs, {"server::record_messages=on"}, short_match(), ".rcg");
+  for (const char* line :
+       {"(msg 0 2 \"Recv A_1: (init A (version 18))\")\n", "(msg 0 1 \"(referee kick_off_l)\")\n",
+        "2 \"Recv Coach: (start)\")\n", "2 \"Recv B_1: (pointto 10 20)(attentionto opp 1)\")\n",
+        "1 \"((player A 1) hi)\")\n", "1 \"(referee (hello there))\")\n"}) {
+    EXPECT_NE(log.find(line), std::string::npos) << line;
+  }
+}
+
+class GameLogVersions : public testing::TestWithParam<int> {};
+
+TEST_P(GameLogVersions, AreThoseOfTheRealServer) {
+  if (real_server().empty()) GTEST_SKIP() << "no rcssserver on PATH nor in CLS_RCSSSERVER";
+  const Words settings = {"server::game_log_version=" + std::to_string(GetParam()),
+                          "server::record_messages=on"};
+  EXPECT_EQ(without_circumstances(log_of({real_server()}, settings, short_match(), ".rcg")),
+            without_circumstances(log_of(kOurs, settings, short_match(), ".rcg")));
+}
+
+INSTANTIATE_TEST_SUITE_P(Text, GameLogVersions, testing::Values(4, 5, 6, -1));
 
 }  // namespace
 }  // namespace cls::tests

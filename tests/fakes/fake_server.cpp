@@ -76,7 +76,7 @@ int main(int argc, char** argv) {
   auto text = gamelog::FileSink::create("match.rcl");
   if (!game || !text) return 1;
   auto server = open(flags);
-  server->record(game->get(), text->get());
+  server->record({game->get(), text->get()});
   server->on_notice([&](const simulator::UdpNotice& notice) { print_joined(*server, notice); });
   std::printf("Hit CTRL-C to exit\n");
   std::fflush(stdout);

@@ -39,7 +39,7 @@ std::string written_again(std::string_view log) {
     tests::read_show(line, frame);
     writer.step(frame);
   }
-  writer.end(frame.time, frame.teams);
+  writer.end(frame);
   return sink.bytes();
 }
 

@@ -95,8 +95,8 @@ TEST(ServerLogs, AreNamedAfterTheMatchAtItsEnd) {
   params.log_date_format = "D-";
   auto logs = ServerLogs::open(params, 0);
   ASSERT_TRUE(logs) << logs.error().message;
-  logs->game()->write("game");
-  logs->text()->write("text");
+  logs->sinks().game->write("game");
+  logs->sinks().text->write("text");
   EXPECT_TRUE(std::filesystem::exists(here / "new/incomplete.rcg.gz"));
   ASSERT_TRUE(logs->finish(result_3_1()));
   EXPECT_EQ(tests::read_file(here / "new/D-A_B_3-vs-null.rcg.gz"), "game");
@@ -113,7 +113,7 @@ TEST(ServerLogs, MayKeepTheirNameOrNotBe) {
   params.text_logging = false;
   auto logs = ServerLogs::open(params, 0);
   ASSERT_TRUE(logs);
-  EXPECT_EQ(logs->text(), nullptr);
+  EXPECT_EQ(logs->sinks().text, nullptr);
   ASSERT_TRUE(logs->finish(result_3_1()));
   ASSERT_EQ(logs->paths().size(), 1u);
   EXPECT_EQ(logs->paths()[0].filename(), "mine.rcg");

@@ -32,7 +32,7 @@ inline UdpConfig quick_match() {
 class RunningServer {
  public:
   explicit RunningServer(const UdpConfig& config) : server(std::move(*UdpServer::open(config))) {
-    server->record(&game_log, &text_log);
+    server->record({&game_log, &text_log});
     port = server->port();
     thread_ = std::thread([this] {
       result_ = server->run(stop_);
