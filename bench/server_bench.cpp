@@ -2,64 +2,37 @@
 #include <benchmark/benchmark.h>
 
 #include <ctime>
-#include <memory>
 #include <vector>
 
-#include "bench/allocation_count.h"
-#include "gamelog/byte_sink.h"
 #include "gamelog/rcg_text.h"
 #include "simulator/senses/body_sense.h"
 #include "simulator/senses/vision.h"
-#include "simulator/server/lockstep_server.h"
 #include "simulator/server/match_recorder.h"
 #include "simulator/step.h"
-#include "tests/support/scripted_player.h"
+#include "tests/support/allocation_count.h"
+#include "tests/support/bare_server.h"
 
 namespace {
 
 using namespace cls;
-using simulator::LockstepServer;
 
-class NullSink : public gamelog::ByteSink {
- public:
-  void write(std::string_view bytes) override { bytes_ += bytes.size(); }
-  soccer::Result<void> close() override { return {}; }
+simulator::MatchConfig endless() {
+  simulator::MatchConfig config;
+  config.seed = 1;
+  config.server.auto_mode = true;
+  config.server.kick_off_wait = 5;
+  config.server.half_time = -1;
+  return config;
+}
 
- private:
-  std::size_t bytes_ = 0;
-};
-
-/// 22 scripted players in the middle of an endless match.
-struct Match {
-  explicit Match(bool logs = true) {
-    simulator::MatchConfig config;
-    config.seed = 1;
-    config.server.auto_mode = true;
-    config.server.kick_off_wait = 5;
-    config.server.half_time = -1;
-    server = std::move(*LockstepServer::create(config));
-    if (logs) server->record(&game_log, &text_log);
-    const auto places = tests::formation(true);
-    for (const char* team : {"Left", "Right"}) {
-      for (std::size_t i = 0; i < places.size(); ++i) {
-        players.push_back(std::make_unique<tests::ScriptedPlayer>(server->connect(), team));
-        players.back()->stand_at(places[i]);
-        players.back()->join(i == 0);
-        server->answer_requests();
-      }
+/// The middle of a match.
+struct Match : tests::BareServer {
+  explicit Match(bool logs = true) : tests::BareServer(endless(), logs) {
+    for (int i = 0; i < 300; ++i) {
+      serve();
+      act();
     }
-    for (int i = 0; i < 300; ++i) run_cycle();
   }
-
-  void run_cycle() {
-    server->run_cycle();
-    for (auto& player : players) player->act();
-  }
-
-  NullSink game_log;
-  NullSink text_log;
-  std::unique_ptr<LockstepServer> server;
-  std::vector<std::unique_ptr<tests::ScriptedPlayer>> players;
 };
 
 /// CPU time of this thread, which other work on the machine does not lengthen.
@@ -74,12 +47,12 @@ void server_cycle(benchmark::State& state, bool logs) {
   Match match(logs);
   std::int64_t allocations = 0;
   for (auto _ : state) {
-    const std::int64_t allocated = bench::allocation_count();
+    const std::int64_t allocated = tests::allocation_count();
     const double begin = thread_seconds();
-    match.server->run_cycle();
+    match.serve();
     state.SetIterationTime(thread_seconds() - begin);
-    allocations += bench::allocation_count() - allocated;
-    for (auto& player : match.players) player->act();
+    allocations += tests::allocation_count() - allocated;
+    match.act();
   }
   state.counters["allocations"] =
       static_cast<double>(allocations) / static_cast<double>(state.iterations());
@@ -91,7 +64,7 @@ BENCHMARK_CAPTURE(server_cycle, without_logs, false)
 
 void server_step(benchmark::State& state) {
   Match match;
-  simulator::World world = match.server->world();
+  simulator::World world = match.world();
   simulator::Events events;
   for (auto _ : state) {
     simulator::step(world, events);
@@ -103,7 +76,7 @@ BENCHMARK(server_step)->Unit(benchmark::kMicrosecond);
 
 void server_see(benchmark::State& state) {
   Match match;
-  const simulator::World& world = match.server->world();
+  const simulator::World& world = match.world();
   const simulator::VisionModel model(world.params());
   soccer::See message;
   std::string text;
@@ -125,7 +98,7 @@ void server_sense_body(benchmark::State& state) {
   simulator::Slot slot = 0;
   for (auto _ : state) {
     text.clear();
-    soccer::format(simulator::sense_body(match.server->world(), slot), 18, text);
+    soccer::format(simulator::sense_body(match.world(), slot), 18, text);
     slot = (slot + 1) % soccer::kPlayersOnPitch;
   }
 }
@@ -136,7 +109,7 @@ void server_log_frame(benchmark::State& state) {
   gamelog::Frame frame;
   std::string line;
   for (auto _ : state) {
-    simulator::describe(match.server->world(), frame);
+    simulator::describe(match.world(), frame);
     line.clear();
     gamelog::append_show(frame, line);
   }

@@ -25,7 +25,7 @@ void append_trainer_command(std::string_view text, std::string& out);
 /// 8191 characters behind its stamp, as in the real server.
 class RclWriter {
  public:
-  explicit RclWriter(ByteSink& sink) : sink_(sink) {}
+  explicit RclWriter(ByteSink& sink) : sink_(sink) { line_.reserve(kUsualLine); }
 
   void player_command(Stamp stamp, std::string_view team, int unum, std::string_view text);
   void coach_command(Stamp stamp, std::string_view team, std::string_view text);
@@ -37,6 +37,8 @@ class RclWriter {
  private:
   void begin(Stamp stamp);
   void end();
+
+  static constexpr std::size_t kUsualLine = 1024;  ///< bytes
 
   ByteSink& sink_;
   std::string line_;

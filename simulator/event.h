@@ -1,7 +1,9 @@
 // What happened in the world that others must be told, in order.
 #pragma once
 
+#include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -13,7 +15,12 @@ namespace cls::simulator {
 /// The referee says something: a mode string (never goal_l or goal_r) or a word such as goal_l_1
 /// (9.18). Everybody hears it at once.
 struct RefereeSaid {
-  std::string text;
+  std::string_view word;        ///< a literal or the name of a mode: it is never freed
+  Side side = Side::kNeutral;   ///< follows as a letter, unless neutral: penalty_foul_l
+  std::optional<int> number{};  ///< follows that: goal_l_1, yellow_card_r_7
+
+  void append_to(std::string& out) const;
+  std::string text() const;
 };
 
 /// Comes before the RefereeSaid with the mode's name.

@@ -25,7 +25,7 @@ struct Executor {
   void operator()(const soccer::DispFoul& foul) const {
     if (foul.side == Side::kNeutral) return drop_ball(world, truncated(foul.position), events);
     if (soccer::is_penalty_mode(world.mode)) return;
-    announce(world, "foul", opponent(foul.side), events);
+    announce(world, {"foul", opponent(foul.side)}, events);
     world.ball_catcher = kNobody;
     place_ball(world, for_side(PlayMode::kFreeKickLeft, foul.side), foul.side,
                truncated(foul.position), events);

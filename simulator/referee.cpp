@@ -75,7 +75,7 @@ void change_mode(World& world, PlayMode mode, Events& events) {
   world.kick_off_side = kick_off_side_of(mode, world.kick_off_side);
   if (mode == PlayMode::kPlayOn) world.last_play_on = world.clock.time;
   report(events, world, ModeChanged{mode});
-  if (!is_goal(mode)) announce(world, name(mode), events);
+  if (!is_goal(mode)) announce(world, {name(mode)}, events);
 }
 
 bool wait_out_offence(World& world, int& counter, Side offender, Events& events) {

@@ -7,25 +7,42 @@
 namespace cls::soccer {
 namespace {
 
-// Messages waiting in one direction. Slots keep their capacity after they are taken.
+// Messages waiting in one direction, one behind the other in memory that is reused.
 class Mailbox {
  public:
+  Mailbox() {
+    bytes_.reserve(kUsualBytes);
+    ends_.reserve(kUsualMessages);
+  }
+
   void put(std::string_view message) {
-    if (end_ == slots_.size()) slots_.emplace_back();
-    slots_[end_++].assign(message);
+    bytes_ += message;
+    ends_.push_back(bytes_.size());
   }
 
   bool take(std::string& message) {
-    if (begin_ == end_) return false;
-    std::swap(message, slots_[begin_++]);
-    if (begin_ == end_) begin_ = end_ = 0;
+    if (next_ == ends_.size()) return false;
+    const std::size_t begin = next_ == 0 ? 0 : ends_[next_ - 1];
+    message.assign(bytes_, begin, ends_[next_] - begin);
+    ++next_;
+    if (next_ == ends_.size()) clear();
     return true;
   }
 
  private:
-  std::vector<std::string> slots_;
-  std::size_t begin_ = 0;
-  std::size_t end_ = 0;
+  // More than a client is told in a cycle.
+  static constexpr std::size_t kUsualBytes = 16384;
+  static constexpr std::size_t kUsualMessages = 64;
+
+  void clear() {
+    bytes_.clear();
+    ends_.clear();
+    next_ = 0;
+  }
+
+  std::string bytes_;
+  std::vector<std::size_t> ends_;
+  std::size_t next_ = 0;  ///< to take
 };
 
 struct Link {

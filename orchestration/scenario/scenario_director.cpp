@@ -1,8 +1,6 @@
 // Placing everything, and reading the world after every step.
 #include "orchestration/scenario/scenario_director.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <tuple>
 #include <utility>
@@ -54,11 +52,10 @@ void announce_score(const World& world, Events& events) {
   for (const Side side : {Side::kLeft, Side::kRight}) {
     const int score = world.team(side).score;
     if (score == 0) continue;
-    const char letter = side == Side::kLeft ? 'l' : 'r';
-    report(events, world, simulator::RefereeSaid{fmt::format("goal_{}_{}", letter, score)});
+    report(events, world, simulator::RefereeSaid{"goal", side, score});
   }
   if (!events.empty() && world.mode == soccer::PlayMode::kBeforeKickOff) {
-    report(events, world, simulator::RefereeSaid{std::string(name(world.mode))});
+    report(events, world, simulator::RefereeSaid{name(world.mode)});
   }
 }
 

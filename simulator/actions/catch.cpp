@@ -64,8 +64,7 @@ void take_ball(World& world, Player& player, Events& events) {
   player.pending_body = soccer::direction_radians(way);
   player.velocity = {};
   if (!soccer::is_penalty_mode(world.mode)) {
-    announce(world, player.side == Side::kLeft ? "goalie_catch_ball_l" : "goalie_catch_ball_r",
-             events);
+    announce(world, {"goalie_catch_ball", player.side}, events);
   }
   resolve_collisions(world, events);
   on_ball_touched(world, player.slot(), events);

@@ -1,8 +1,6 @@
 // Placing the ball for what comes next.
 #include "simulator/referee/calls.h"
 
-#include <string>
-
 #include "simulator/referee.h"
 #include "simulator/referee/areas.h"
 #include "simulator/referee/clearing.h"
@@ -15,12 +13,8 @@ double away_from_centre(double y, double distance) { return y > 0.0 ? distance :
 
 }  // namespace
 
-void announce(World& world, std::string_view word, Events& events) {
-  report(events, world, RefereeSaid{std::string(word)});
-}
-
-void announce(World& world, std::string_view word, Side side, Events& events) {
-  announce(world, std::string(word) + '_' + letter(side), events);
+void announce(World& world, const RefereeSaid& words, Events& events) {
+  report(events, world, words);
 }
 
 void place_ball(World& world, Side side, Vec2 position) {

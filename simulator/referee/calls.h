@@ -1,17 +1,12 @@
 // What the rules decide: words, the ball's new place, the mode that follows (9.2).
 #pragma once
 
-#include <string_view>
-
 #include "simulator/event.h"
 
 namespace cls::simulator {
 
-/// Everybody hears the referee say it.
-void announce(World& world, std::string_view word, Events& events);
-
-/// A word with a side letter at its end, as in penalty_foul_l.
-void announce(World& world, std::string_view word, Side side, Events& events);
+/// Everybody hears the referee say it; see RefereeSaid.
+void announce(World& world, const RefereeSaid& words, Events& events);
 
 /// The ball lies still at `position`, and the next set play is that side's.
 void place_ball(World& world, Side side, Vec2 position);

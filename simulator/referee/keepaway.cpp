@@ -78,7 +78,7 @@ void begin(World& world) {
 }
 
 void end_episode(World& world, bool taken, Events& events) {
-  announce(world, "training Keepaway 1", events);
+  announce(world, {"training Keepaway 1"}, events);
   ++world.referee.keepaway.episode;
   start_episode(world);
   if (taken) world.referee.keepaway.possession = kJustTaken;

@@ -53,7 +53,7 @@ void start(World& world, Events& events) {
   memory.started = true;
   memory.goal_side = draw_side(forced.shoot_out_goal);
   world.ball_catcher = kNobody;
-  announce(world, "penalty_onfield", memory.goal_side, events);
+  announce(world, {"penalty_onfield", memory.goal_side}, events);
   // The first kick is prepared like all others, by changing sides.
   memory.taker_side = opponent(draw_side(forced.first_penalty_taker));
   for (Player& player : world.players) {
@@ -66,7 +66,7 @@ void start(World& world, Events& events) {
 
 void call_penalty_foul(World& world, Side offender, Events& events) {
   const bool left = offender == Side::kLeft;
-  announce(world, "penalty_foul", left ? Side::kLeft : Side::kRight, events);
+  announce(world, {"penalty_foul", left ? Side::kLeft : Side::kRight}, events);
   if (offender != Side::kNeutral && offender == world.referee.penalty.taker_side) {
     count_miss(world, offender, events);
   } else {

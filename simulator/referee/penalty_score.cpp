@@ -10,13 +10,13 @@ namespace {
 std::size_t index_of(Side side) { return side == Side::kRight ? 1 : 0; }
 
 void announce_winner(World& world, Side side, Events& events) {
-  announce(world, "penalty_winner", side, events);
+  announce(world, {"penalty_winner", side}, events);
   world.referee.penalty.decided = true;
 }
 
 void end_without_goals(World& world, Events& events) {
   if (!world.params().pen_random_winner) {
-    announce(world, "penalty_draw", events);
+    announce(world, {"penalty_draw"}, events);
     world.referee.penalty.decided = true;
     return;
   }

@@ -16,7 +16,7 @@ bool is_level(const World& world) {
 Side kick_off_side_of_half(int half) { return half % 2 == 0 ? Side::kLeft : Side::kRight; }
 
 void end_match(World& world, std::string_view word, Events& events) {
-  announce(world, word, events);
+  announce(world, {word}, events);
   change_mode(world, PlayMode::kTimeOver, events);
 }
 
@@ -35,7 +35,7 @@ void restore_capacity(World& world) {
 
 void end_half(World& world, std::string_view word, Events& events) {
   const int half = ++world.referee.time.finished_halves;
-  announce(world, word, events);
+  announce(world, {word}, events);
   world.ball_catcher = kNobody;
   place_ball(world, PlayMode::kBeforeKickOff, kick_off_side_of_half(half), {}, events);
   world.clock.time = start_of_half(world, half);

@@ -1,6 +1,5 @@
 // The ball over the lines: goals, corners, goal kicks and kick-ins (9.9).
 #include <cmath>
-#include <string>
 
 #include "simulator/referee.h"
 #include "simulator/referee/calls.h"
@@ -71,7 +70,7 @@ void score_goal(World& world, Side scorer, Events& events) {
   const Rules& rules = *world.rules;
   Team& team = world.team(scorer);
   ++team.score;
-  announce(world, std::string("goal_") + letter(scorer) + '_' + std::to_string(team.score), events);
+  announce(world, {"goal", scorer, team.score}, events);
   place_ball(world, opponent(scorer), world.ball.position);
   world.referee.touch.counter = 0;
   const bool decides =

@@ -308,7 +308,7 @@ class LogReplay {
   void collect_our_words() {
     for (const Event& event : events_) {
       if (const auto* said = std::get_if<RefereeSaid>(&event.what)) {
-        our_words_.insert({{event.clock.time, event.clock.stoppage}, said->text});
+        our_words_.insert({{event.clock.time, event.clock.stoppage}, said->text()});
       }
     }
     events_.clear();

@@ -12,6 +12,8 @@ namespace cls::simulator {
 
 /// Says on their way to one listener, its own ones too. A plain value; memory is reused.
 struct Hearing {
+  Hearing() { waiting.reserve(soccer::kPlayersOnPitch); }
+
   struct Words {
     Slot speaker = kNobody;
     std::string text;

@@ -110,13 +110,9 @@ void Coaches::send(CoachSession& coach, const soccer::Hear& words) {
   coach.send(text_);
 }
 
-void Coaches::tell_referee(int time, const std::string& words) {
+void Coaches::tell_referee(const soccer::Hear& words) {
   for (auto& coach : sessions_) {
-    if (coach == nullptr || (coach->is_trainer() && !coach->ear)) continue;
-    soccer::Hear hear;
-    hear.time = time;
-    hear.text = words;
-    send(*coach, hear);
+    if (coach != nullptr && (!coach->is_trainer() || coach->ear)) send(*coach, words);
   }
 }
 

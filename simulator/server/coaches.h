@@ -68,7 +68,7 @@ class Coaches {
   void end_step(const World& world);
 
   // What everybody hears.
-  void tell_referee(int time, const std::string& words);
+  void tell_referee(const soccer::Hear& words);
   void tell_said(const World& world, const PlayerSaid& said);
   void tell_words(const World& world, const CoachWords& words);
   void tell_type(const TypeChanged& change);

@@ -44,7 +44,9 @@ struct Admission {
 
 struct Connection {
   explicit Connection(std::size_t bytes_a_step = Allowance::kPlayerBytes)
-      : allowance(bytes_a_step) {}
+      : allowance(bytes_a_step) {
+    text_.reserve(kUsualReply);
+  }
 
   ClientId client = kNobody;
   int version = 0;
@@ -89,6 +91,8 @@ struct Connection {
     soccer::format(message, text_);
     send(text_);
   }
+
+  static constexpr std::size_t kUsualReply = 128;  ///< bytes
 
   std::string text_;  ///< reused
 };

@@ -35,7 +35,7 @@ void MatchServer::dispatch_events() {
 
 void MatchServer::dispatch(const Event& event) {
   std::visit(soccer::Overloaded{
-                 [&](const RefereeSaid& said) { tell_referee(event.clock, said.text); },
+                 [&](const RefereeSaid& said) { tell_referee(event.clock, said); },
                  [&](const PlayerSaid& said) { tell_said(event.clock, said); },
                  [&](const TypeChanged& change) { tell_type(event.clock, change); },
                  [&](const GoalieAppointed& change) { tell_goalie(event.clock, change); },
@@ -43,16 +43,16 @@ void MatchServer::dispatch(const Event& event) {
              event.what);
 }
 
-void MatchServer::tell_referee(Clock clock, const std::string& words) {
-  recorder_.referee(clock, words);
-  if (monitors_hear()) monitors_.tell(clock, "(referee " + words + ')');
-  soccer::Hear hear;
-  hear.time = clock.time;
-  hear.text = words;
+void MatchServer::tell_referee(Clock clock, const RefereeSaid& said) {
+  referee_.time = clock.time;
+  referee_.text.clear();
+  said.append_to(referee_.text);
+  recorder_.referee(clock, referee_.text);
+  if (monitors_hear()) monitors_.tell(clock, "(referee " + referee_.text + ')');
   text_.clear();
-  soccer::format(hear, soccer::Listener::kPlayer, text_);
+  soccer::format(referee_, soccer::Listener::kPlayer, text_);
   broadcast(text_);
-  coaches_.tell_referee(clock.time, words);
+  coaches_.tell_referee(referee_);
 }
 
 void MatchServer::tell_said(Clock clock, const PlayerSaid& said) {

@@ -17,6 +17,11 @@
 namespace cls::simulator {
 namespace {
 
+// Room for what a cycle may need, from the beginning: a cycle does not allocate.
+constexpr std::size_t kLongMessage = 8192;  // bytes
+constexpr std::size_t kLongWord = 64;       // of the referee
+constexpr std::size_t kManyEvents = 64;
+
 /// Rounds after which a see is due (simulation model 7.2).
 int view_interval(const View& view) {
   const int width = static_cast<int>(view.width);
@@ -44,6 +49,10 @@ MatchServer::MatchServer(std::shared_ptr<const Rules> rules, const MatchConfig& 
       coaches_(rules->server),
       cycle_limit_(config.cycle_limit) {
   see_.objects.reserve(soccer::kMaxObservations);
+  text_.reserve(kLongMessage);
+  referee_.text.reserve(kLongWord);
+  events_.reserve(kManyEvents);
+  heard_.reserve(soccer::kPlayersOnPitch);
 }
 
 void MatchServer::record(const LogSinks& sinks) { recorder_.begin(sinks, *world_.rules); }

@@ -162,7 +162,7 @@ class MatchServer {
   void remove_lost();
   void dispatch_events();
   void dispatch(const Event& event);
-  void tell_referee(Clock clock, const std::string& words);
+  void tell_referee(Clock clock, const RefereeSaid& said);
   void tell_said(Clock clock, const PlayerSaid& said);
   void tell_words(const CoachWords& words);
   void tell_type(Clock clock, const TypeChanged& change);
@@ -202,6 +202,7 @@ class MatchServer {
   Events events_;
   std::string text_;
   soccer::See see_;
+  soccer::Hear referee_;  ///< its last words
   soccer::FullState full_state_;
   std::vector<soccer::Hear> heard_;
   std::vector<CoachWords> coach_words_;

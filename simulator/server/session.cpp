@@ -7,7 +7,7 @@
 namespace cls::simulator {
 
 bool Inbox::add(std::string_view text, bool null_terminated) {
-  if (count_ == datagrams_.size()) datagrams_.emplace_back();
+  if (count_ == datagrams_.size()) datagrams_.emplace_back().text.reserve(kUsualSize);
   Datagram& datagram = datagrams_[count_++];
   datagram.text = text;
   datagram.null_terminated = null_terminated;

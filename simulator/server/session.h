@@ -25,6 +25,11 @@ class Inbox {
     bool null_terminated = true;  ///< as it should be on a network
   };
 
+  Inbox() {
+    datagrams_.reserve(kUsualDatagrams);
+    commands_.reserve(kUsualCommands);
+  }
+
   /// True if (done) or (bye) is among the commands: there is nothing more to wait for.
   bool add(std::string_view text, bool null_terminated);
 
@@ -34,6 +39,11 @@ class Inbox {
   void clear();
 
  private:
+  // Room from the beginning for what players send in a cycle.
+  static constexpr std::size_t kUsualSize = 512;  ///< of a datagram, in bytes
+  static constexpr std::size_t kUsualDatagrams = 8;
+  static constexpr std::size_t kUsualCommands = 32;
+
   std::vector<Datagram> datagrams_;
   std::size_t count_ = 0;
   std::vector<soccer::PlayerCommand> commands_;

@@ -74,7 +74,7 @@ std::vector<std::string> Stage::words() {
   std::vector<std::string> result;
   for (const Event& event : events) {
     if (const auto* said = std::get_if<RefereeSaid>(&event.what)) {
-      result.push_back(std::to_string(event.clock.time) + ' ' + said->text);
+      result.push_back(std::to_string(event.clock.time) + ' ' + said->text());
     }
   }
   events.clear();

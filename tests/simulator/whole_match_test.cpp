@@ -88,8 +88,8 @@ TEST(WholeMatch, EverythingHappensAndEndsInTime) {
     for (const auto& event : events) {
       const auto* said = std::get_if<simulator::RefereeSaid>(&event.what);
       if (said == nullptr) continue;
-      // Without side and number: goal_l_3 is a goal.
-      std::string word = said->text;
+      // Without the side that modes have in their names.
+      std::string word(said->word);
       for (const char* side : {"_l", "_r"}) {
         if (const auto at = word.rfind(side); at != std::string::npos) word.resize(at);
       }

@@ -3,9 +3,12 @@
 
 #include <cstdint>
 
-namespace cls::bench {
+namespace cls::tests {
+
+/// False under sanitizers, which bring their own allocator: then nothing is counted.
+bool counts_allocations();
 
 /// Calls of operator new so far, on all threads.
 std::int64_t allocation_count();
 
-}  // namespace cls::bench
+}  // namespace cls::tests

@@ -1,0 +1,42 @@
+// A server in memory with two teams of scripted players and nothing else.
+#pragma once
+
+#include <memory>
+#include <string_view>
+#include <vector>
+
+#include "gamelog/byte_sink.h"
+#include "simulator/server/lockstep_server.h"
+#include "tests/support/scripted_player.h"
+
+namespace cls::tests {
+
+/// A log that nobody reads.
+class NullSink : public gamelog::ByteSink {
+ public:
+  void write(std::string_view) override {}
+  soccer::Result<void> close() override { return {}; }
+};
+
+class BareServer {
+ public:
+  /// 22 players are let in; nobody has kicked off yet.
+  explicit BareServer(const simulator::MatchConfig& config, bool logs = true);
+  BareServer(const BareServer&) = delete;
+  BareServer& operator=(const BareServer&) = delete;
+
+  /// The server's turn alone, of a cycle.
+  void serve() { server_->run_cycle(); }
+  /// The players' turn.
+  void act();
+
+  const simulator::World& world() const { return server_->world(); }
+
+ private:
+  NullSink game_log_;
+  NullSink text_log_;
+  std::unique_ptr<simulator::LockstepServer> server_;
+  std::vector<std::unique_ptr<ScriptedPlayer>> players_;
+};
+
+}  // namespace cls::tests
