@@ -1,6 +1,7 @@
 // Wins, goals and points of teams over many matches.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -16,11 +17,11 @@ struct Standing {
   int won = 0;
   int drawn = 0;
   int lost = 0;
-  int goals_for = 0;
-  int goals_against = 0;
+  std::int64_t goals_for = 0;  ///< of any number of logs, damaged ones too
+  std::int64_t goals_against = 0;
   int points = 0;  ///< three for a win, one for a draw
 
-  int goal_difference() const { return goals_for - goals_against; }
+  std::int64_t goal_difference() const { return goals_for - goals_against; }
 };
 
 struct Standings {

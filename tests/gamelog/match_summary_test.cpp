@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <limits>
 
 #include "gamelog/rcg_reader.h"
 #include "gamelog/rcl_reader.h"
@@ -227,6 +228,20 @@ TEST(Standings, AddUpAndSort) {
   EXPECT_EQ(standings.rows[1].goals_against, 3);
   EXPECT_EQ(standings.rows[1].lost, 1);
   EXPECT_EQ(standings.rows[2].goal_difference(), -2);
+}
+
+// A damaged log may tell any score.
+TEST(Standings, AddUpScoresBeyondAnInt) {
+  constexpr int kMost = std::numeric_limits<int>::max();
+  constexpr int kLeast = std::numeric_limits<int>::min();
+  const Standings standings = standings_of({
+      result("A", kMost, "B", kLeast, Winner::kLeft),
+      result("A", kMost, "B", kLeast, Winner::kLeft),
+  });
+  ASSERT_EQ(standings.rows.size(), 2u);
+  EXPECT_EQ(standings.rows[0].goals_for, 2LL * kMost);
+  EXPECT_EQ(standings.rows[0].goal_difference(), 2LL * kMost - 2LL * kLeast);
+  EXPECT_EQ(standings.rows[1].goal_difference(), 2LL * kLeast - 2LL * kMost);
 }
 
 }  // namespace
