@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "gamelog/binary_params.h"
+#include "gamelog/rcg_binary_layout.h"
 #include "gamelog/record_damage.h"
 #include "soccer/math.h"
 #include "soccer/protocol/parameter_message.h"
@@ -13,25 +14,10 @@
 namespace cls::gamelog {
 namespace {
 
-enum Kind : int {
-  kNothing = 0,
-  kShow = 1,
-  kMessage = 2,
-  kDraw = 3,
-  kBlank = 4,
-  kMode = 5,
-  kTeams = 6,
-  kType = 7,
-  kServerParam = 8,
-  kPlayerParam = 9,
-};
+using namespace rcg_binary;
 
-constexpr std::size_t kKindSize = 2;
 constexpr std::size_t kFixedRecord = 2052;  // every record of version 1
-constexpr std::size_t kShortShowSize = 316;
-constexpr std::size_t kLongShowSize = 1428;
 constexpr std::size_t kDrawSize = 74;
-constexpr std::size_t kNameSize = 16;
 constexpr std::size_t kTeamSize = 18;
 constexpr std::size_t kObjectSize = 12;
 constexpr std::size_t kPlayerSize = 64;

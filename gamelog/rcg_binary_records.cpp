@@ -3,25 +3,14 @@
 
 #include "gamelog/binary_params.h"
 #include "gamelog/monitor_binary.h"
+#include "gamelog/rcg_binary_layout.h"
 
 namespace cls::gamelog {
 namespace {
 
-enum Kind : int {
-  kShow = 1,
-  kMessage = 2,
-  kMode = 5,
-  kTeams = 6,
-  kType = 7,
-  kServerParam = 8,
-  kPlayerParam = 9,
-};
+using namespace rcg_binary;
 
-constexpr std::size_t kKindSize = 2;
-constexpr std::size_t kShortShowSize = 316;
-constexpr std::size_t kLongShowSize = 1428;
 constexpr std::size_t kLongObjects = 44;  // where they begin in what monitors get
-constexpr std::size_t kNameSize = 16;
 constexpr std::size_t kLongestMessage = 2048;
 
 void append_team(const TeamFrame& team, std::string& out) {
