@@ -38,23 +38,11 @@ void append_trainer_command(std::string_view text, std::string& out) {
   append_text(text, out);
 }
 
-void RclWriter::player_command(Stamp stamp, std::string_view team, int unum,
-                               std::string_view text) {
+void RclWriter::command(Stamp stamp, std::string_view received) {
   begin(stamp);
-  append_player_command(team, unum, text, line_);
-  end();
-}
-
-void RclWriter::coach_command(Stamp stamp, std::string_view team, std::string_view text) {
-  begin(stamp);
-  append_coach_command(team, text, line_);
-  end();
-}
-
-void RclWriter::trainer_command(Stamp stamp, std::string_view text) {
-  begin(stamp);
-  append_trainer_command(text, line_);
-  end();
+  line_ += received.substr(0, kMaxText);
+  line_ += '\n';
+  sink_.write(line_);
 }
 
 void RclWriter::referee(Stamp stamp, std::string_view message) {
@@ -71,13 +59,6 @@ void RclWriter::begin(Stamp stamp) {
   line_ += ',';
   soccer::append_int(stamp.stopped, line_);
   line_ += '\t';
-}
-
-void RclWriter::end() {
-  const std::size_t stamp_end = line_.find('\t') + 1;
-  if (line_.size() > stamp_end + kMaxText) line_.resize(stamp_end + kMaxText);
-  line_ += '\n';
-  sink_.write(line_);
 }
 
 }  // namespace cls::gamelog

@@ -48,7 +48,19 @@ constexpr int kMessageBoard = 1;
 constexpr int kCommandBoard = 2;
 constexpr std::size_t kLongestMessage = 2047;
 
+constexpr std::size_t kUsualText = 1024;  // bytes
+
 gamelog::Stamp stamp(Clock clock) { return {clock.time, clock.stoppage}; }
+
+void append_received(const World& world, ClientId client, std::string_view text, std::string& out) {
+  if (client == kTrainer) return gamelog::append_trainer_command(text, out);
+  const Side side = is_player(client)      ? soccer::side_of_slot(client)
+                    : client == kLeftCoach ? Side::kLeft
+                                           : Side::kRight;
+  const std::string_view team = world.team(side).name.view();
+  if (!is_player(client)) return gamelog::append_coach_command(team, text, out);
+  gamelog::append_player_command(team, soccer::unum_of_slot(client), text, out);
+}
 
 }  // namespace
 
@@ -71,6 +83,7 @@ void MatchRecorder::begin(const LogSinks& sinks, const Rules& rules) {
     rcg_->begin(rules.server, rules.player, rules.types);
   }
   if (sinks.text != nullptr) rcl_.emplace(*sinks.text);
+  text_.reserve(kUsualText);
   records_messages_ = rules.server.record_messages;
   records_referee_ = records_messages_ || sinks.version == gamelog::RcgVersion::kV1;
 }
@@ -87,26 +100,13 @@ void MatchRecorder::step(const World& world) {
 void MatchRecorder::command(const World& world, ClientId client, std::string_view text) {
   const bool into_rcg = hears() && world.mode != PlayMode::kTimeOver;
   if (!rcl_ && !into_rcg) return;
-  const gamelog::Stamp now = stamp(world.clock);
-  const bool trainer = client == kTrainer;
-  const Side side = trainer                ? Side::kNeutral
-                    : is_player(client)    ? soccer::side_of_slot(client)
-                    : client == kLeftCoach ? Side::kLeft
-                                           : Side::kRight;
-  const std::string_view team = trainer ? std::string_view() : world.team(side).name.view();
-  const int unum = is_player(client) ? soccer::unum_of_slot(client) : 0;
   text_.clear();
-  if (trainer) {
-    if (rcl_) rcl_->trainer_command(now, text);
-    if (into_rcg) gamelog::append_trainer_command(text, text_);
-  } else if (unum == 0) {
-    if (rcl_) rcl_->coach_command(now, team, text);
-    if (into_rcg) gamelog::append_coach_command(team, text, text_);
-  } else {
-    if (rcl_) rcl_->player_command(now, team, unum, text);
-    if (into_rcg) gamelog::append_player_command(team, unum, text, text_);
+  append_received(world, client, text, text_);
+  if (rcl_) rcl_->command(stamp(world.clock), text_);
+  if (into_rcg) {
+    rcg_->message(stamp(world.clock), kCommandBoard,
+                  std::string_view(text_).substr(0, kLongestMessage));
   }
-  if (into_rcg) rcg_->message(now, kCommandBoard, text_.substr(0, kLongestMessage));
 }
 
 void MatchRecorder::tile(const World& world, const Tile& tile) {

@@ -6,6 +6,24 @@
 namespace cls::gamelog {
 namespace {
 
+std::string of_player(std::string_view team, int unum, std::string_view text) {
+  std::string line;
+  append_player_command(team, unum, text, line);
+  return line;
+}
+
+std::string of_coach(std::string_view team, std::string_view text) {
+  std::string line;
+  append_coach_command(team, text, line);
+  return line;
+}
+
+std::string of_trainer(std::string_view text) {
+  std::string line;
+  append_trainer_command(text, line);
+  return line;
+}
+
 class RclWriterTest : public testing::Test {
  protected:
   StringSink sink_;
@@ -13,12 +31,13 @@ class RclWriterTest : public testing::Test {
 };
 
 TEST_F(RclWriterTest, WritesRealLines) {
-  writer_.player_command({0, 0}, "HELIOS_L", 1, "(init HELIOS_L (version 18) (goalie))");
-  writer_.coach_command({0, 10}, "HELIOS_L", "(eye on)");
-  writer_.player_command({13, 0}, "HELIOS_R", 11,
-                         "(dash 65.276)(turn_neck -3)(attentionto off)(done)(say \"R<yPPpzYy2\")");
+  writer_.command({0, 0}, of_player("HELIOS_L", 1, "(init HELIOS_L (version 18) (goalie))"));
+  writer_.command({0, 10}, of_coach("HELIOS_L", "(eye on)"));
+  writer_.command(
+      {13, 0}, of_player("HELIOS_R", 11,
+                         "(dash 65.276)(turn_neck -3)(attentionto off)(done)(say \"R<yPPpzYy2\")"));
   writer_.referee({177, 31}, "free_kick_l");
-  writer_.trainer_command({0, 0}, "(init (version 15))");
+  writer_.command({0, 0}, of_trainer("(init (version 15))"));
   EXPECT_EQ(sink_.bytes(),
             "0,0\tRecv HELIOS_L_1: (init HELIOS_L (version 18) (goalie))\n"
             "0,10\tRecv HELIOS_L_Coach: (eye on)\n"
@@ -29,12 +48,12 @@ TEST_F(RclWriterTest, WritesRealLines) {
 }
 
 TEST_F(RclWriterTest, LogsTextUpToANulByteAndKeepsLineFeeds) {
-  writer_.player_command({1, 0}, "A", 2, std::string_view("(turn 1)\n\0(turn 2)", 18));
+  writer_.command({1, 0}, of_player("A", 2, std::string_view("(turn 1)\n\0(turn 2)", 18)));
   EXPECT_EQ(sink_.bytes(), "1,0\tRecv A_2: (turn 1)\n\n");
 }
 
 TEST_F(RclWriterTest, CutsEndlessText) {
-  writer_.player_command({1, 0}, "A", 2, std::string(9000, 'x'));
+  writer_.command({1, 0}, of_player("A", 2, std::string(9000, 'x')));
   EXPECT_EQ(sink_.bytes(), "1,0\tRecv A_2: " + std::string(8191 - 10, 'x') + "\n");
 }
 
