@@ -109,11 +109,16 @@ std::string MatchServer::speaker_name(Slot slot) const {
   return name + ')';
 }
 
-void MatchServer::tell_type(Clock clock, const TypeChanged& change) {
-  const std::string words = "(change_player_type " + std::string(1, letter(change.side)) + ' ' +
-                            std::to_string(change.unum) + ' ' + std::to_string(change.type) + ')';
+// Monitors, and whoever reads the game log; `what` the player is now.
+void MatchServer::tell_substitution(Clock clock, Side side, int unum, const std::string& what) {
+  const std::string words = "(change_player_type " + std::string(1, letter(side)) + ' ' +
+                            std::to_string(unum) + ' ' + what + ')';
   monitors_.tell(clock, words);
   recorder_.substitution(world_, clock, words);
+}
+
+void MatchServer::tell_type(Clock clock, const TypeChanged& change) {
+  tell_substitution(clock, change.side, change.unum, std::to_string(change.type));
   for (auto& client : sessions_) {
     if (client == nullptr) continue;
     soccer::PlayerTypeChange told{change.unum, std::nullopt};
@@ -124,10 +129,7 @@ void MatchServer::tell_type(Clock clock, const TypeChanged& change) {
 }
 
 void MatchServer::tell_goalie(Clock clock, const GoalieAppointed& change) {
-  const std::string words = "(change_player_type " + std::string(1, letter(change.side)) + ' ' +
-                            std::to_string(change.unum) + " goalie)";
-  monitors_.tell(clock, words);
-  recorder_.substitution(world_, clock, words);
+  tell_substitution(clock, change.side, change.unum, "goalie");
   for (auto& client : sessions_) {
     if (client == nullptr || client->version < kFirstGoalieChangeVersion) continue;
     client->reply(soccer::PlayerTypeChange{change.unum, std::nullopt, change.side});

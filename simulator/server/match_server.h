@@ -165,6 +165,7 @@ class MatchServer {
   void tell_referee(Clock clock, const RefereeSaid& said);
   void tell_said(Clock clock, const PlayerSaid& said);
   void tell_words(const CoachWords& words);
+  void tell_substitution(Clock clock, Side side, int unum, const std::string& what);
   void tell_type(Clock clock, const TypeChanged& change);
   void tell_goalie(Clock clock, const GoalieAppointed& change);
   std::string speaker_name(Slot slot) const;
