@@ -156,11 +156,9 @@ class LogReplay {
   // Nothing if something else than kicks and noise moved it.
   std::optional<Vec2> way_of_ball(const Frame& after) const {
     constexpr double kSamePlace = 5e-4;
-    const bool touched =
-        std::any_of(after.players.begin(), after.players.end(), [](const auto& player) {
-          return (player.state & (state::kBallCollide | state::kCatch)) != 0;
-        });
-    if (touched || after.ball_velocity.is_zero()) return std::nullopt;
+    if (shows_any(after, state::kBallCollide | state::kCatch) || after.ball_velocity.is_zero()) {
+      return std::nullopt;
+    }
     const Vec2 way = after.ball_position - world_.ball.position;
     const Vec2 kept = after.ball_velocity / world_.params().ball_decay;
     if (distance(way, kept) > kSamePlace) return std::nullopt;

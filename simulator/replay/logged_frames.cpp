@@ -36,6 +36,11 @@ Frame printed_frame(const MatchRecord& game, std::size_t i) {
   return frame;
 }
 
+bool shows_any(const Frame& frame, std::uint32_t state_bits) {
+  return std::any_of(frame.players.begin(), frame.players.end(),
+                     [=](const auto& player) { return (player.state & state_bits) != 0; });
+}
+
 bool follows(Clock after, Clock before) {
   return after == Clock{before.time, before.stoppage + 1} || after == Clock{before.time + 1, 0};
 }

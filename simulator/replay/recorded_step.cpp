@@ -1,9 +1,8 @@
 // Trying outcomes.
 #include "simulator/replay/recorded_step.h"
 
-#include <algorithm>
-
 #include "simulator/replay.h"
+#include "simulator/replay/logged_frames.h"
 #include "simulator/replay/post_bounce.h"
 #include "simulator/step.h"
 
@@ -37,9 +36,7 @@ PostBounce recorded_bounce(const World& start, const ShownMotion& motion, Vec2 f
 // could do, `start` gets the noise that explains the record.
 bool find_bounces(World& start, const World& stepped, const gamelog::Frame& after) {
   bool found = false;
-  const bool touched =
-      std::any_of(after.players.begin(), after.players.end(),
-                  [](const auto& player) { return (player.state & state::kBallCollide) != 0; });
+  const bool touched = shows_any(after, state::kBallCollide);
   if (!touched && stepped.forced->ball.arrival && is_off(ball_deviation(stepped, after))) {
     PostBounce bounce = recorded_bounce(start, stepped.forced->ball, start.ball.position);
     bounce.radius = start.params().ball_size;

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "simulator/replay.h"
+#include "simulator/replay/logged_frames.h"
 
 namespace cls::simulator {
 namespace {
@@ -81,10 +82,7 @@ class Comparison {
     const Deviation off = ball_deviation(step_.after, step_.recorded);
     Tolerance allowed;
     if (magnifies_rounding(kind)) widen(allowed);
-    const auto& shown = step_.recorded.players;
-    const bool touched = std::any_of(shown.begin(), shown.end(), [](const auto& player) {
-      return (player.state & state::kBallCollide) != 0;
-    });
+    const bool touched = shows_any(step_.recorded, state::kBallCollide);
     count(result_.ball, {kind, kNobody, touched}, off, motion_misses(off, allowed));
     sample_ball_noise(kind);
   }
