@@ -17,6 +17,7 @@ inline std::size_t read_wrapped_int(std::string_view text, int& value) {
   if (length == 0) return 0;
   const bool negative = text[0] == '-';
   const std::size_t first = negative || text[0] == '+' ? 1 : 0;
+  if (length - first <= std::numeric_limits<int>::digits10) return length;  // in range
   std::int64_t wide = 0;
   for (const char digit : text.substr(first, length - first)) {
     const std::int64_t next = negative ? '0' - digit : digit - '0';
