@@ -87,12 +87,16 @@ TEST(ServerCommand, ServesTwoTeamsOfProxiesToTheEnd) {
   EXPECT_NE(log.find("Blues"), std::string::npos);
 }
 
-TEST(ServerCommand, EndsOnASignalWithItsResult) {
+cls::tests::CommandResult end_server_by(int signal) {
   cls::tests::TemporaryFolder folder;
   Command server({cls_binary(), "server", "--port", "0", "--dir", folder.path()});
   port_in(server);
-  server.send_signal(SIGTERM);
-  const auto served = server.finish();
+  server.send_signal(signal);
+  return server.finish();
+}
+
+TEST(ServerCommand, EndsOnASignalWithItsResult) {
+  const auto served = end_server_by(SIGTERM);
   EXPECT_EQ(served.exit_code, 143);
   EXPECT_NE(served.out.find("\nServer Killed. Exiting...\n"), std::string::npos) << served.out;
   EXPECT_NE(served.out.find("\tnull vs null\n\tScore: 0 - 0\n"), std::string::npos) << served.out;
@@ -100,11 +104,7 @@ TEST(ServerCommand, EndsOnASignalWithItsResult) {
 }
 
 TEST(ServerCommand, AClosedTerminalEndsItInOrder) {
-  cls::tests::TemporaryFolder folder;
-  Command server({cls_binary(), "server", "--port", "0", "--dir", folder.path()});
-  port_in(server);
-  server.send_signal(SIGHUP);
-  const auto served = server.finish();
+  const auto served = end_server_by(SIGHUP);
   EXPECT_EQ(served.exit_code, 130);
   EXPECT_NE(served.out.find("\nServer Killed. Exiting...\n"), std::string::npos) << served.out;
 }

@@ -5,12 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "gamelog/rcg_reader.h"
-#include "gamelog/rcl_reader.h"
 #include "simulator/goal_post.h"
-#include "simulator/replay/log_replay.h"
 #include "simulator/replay/post_bounce.h"
 #include "simulator/replay/stronger_push.h"
+#include "tests/simulator/replayed_logs.h"
 #include "tests/simulator/stage.h"
 #include "tests/support/files.h"
 
@@ -18,34 +16,9 @@ namespace cls::simulator {
 namespace {
 
 using gamelog::MatchRecord;
-using gamelog::RclRecord;
-
-struct Logs {
-  MatchRecord game;
-  RclRecord text;
-};
 
 Logs read_excerpt(const std::string& name) {
-  const std::string stem = tests::fixture("simulator/excerpts/" + name).string();
-  return {*gamelog::read_rcg_file(stem + ".rcg.gz"), *gamelog::read_rcl_file(stem + ".rcl.gz")};
-}
-
-LogAgreement replay(const Logs& logs) {
-  auto agreement = replay_log(logs.game, logs.text);
-  if (!agreement) throw std::runtime_error(agreement.error().message);
-  return *std::move(agreement);
-}
-
-std::string all_misses(const LogAgreement& agreement) {
-  std::string text;
-  for (const Miss& miss : agreement.misses) {
-    text += std::to_string(miss.clock.time) + " slot " + std::to_string(miss.slot) + ' ' +
-            std::string(name(miss.step_class)) + ": " + miss.what + '\n';
-  }
-  for (const std::string& miss : agreement.game_misses) text += miss + '\n';
-  for (const std::string& word : agreement.missing_words) text += "only theirs " + word + '\n';
-  for (const std::string& word : agreement.added_words) text += "only ours " + word + '\n';
-  return text;
+  return read_logs(tests::fixture("simulator/excerpts/" + name));
 }
 
 int excused(const LogAgreement& agreement, Excuse why) {

@@ -1,14 +1,11 @@
 // One step from each recorded state of the real server must give its next recorded state.
-#include "simulator/replay/log_replay.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <set>
 #include <tuple>
 
-#include "gamelog/rcg_reader.h"
-#include "gamelog/rcl_reader.h"
+#include "tests/simulator/replayed_logs.h"
 #include "tests/support/files.h"
 
 namespace cls::simulator {
@@ -16,35 +13,6 @@ namespace {
 
 using gamelog::MatchRecord;
 using gamelog::RclRecord;
-
-struct Logs {
-  MatchRecord game;
-  RclRecord text;
-};
-
-Logs read(const std::filesystem::path& stem) {
-  return {*gamelog::read_rcg_file(stem.string() + ".rcg.gz"),
-          *gamelog::read_rcl_file(stem.string() + ".rcl.gz")};
-}
-
-LogAgreement replay(const Logs& logs) {
-  auto agreement = replay_log(logs.game, logs.text);
-  if (!agreement) throw std::runtime_error(agreement.error().message);
-  return *std::move(agreement);
-}
-
-std::string all_misses(const LogAgreement& agreement) {
-  std::string text;
-  for (const Miss& miss : agreement.misses) {
-    text += std::to_string(miss.clock.time) + ',' + std::to_string(miss.clock.stoppage) + " slot " +
-            std::to_string(miss.slot) + ' ' + std::string(name(miss.step_class)) + ": " +
-            miss.what + '\n';
-  }
-  for (const std::string& miss : agreement.game_misses) text += miss + '\n';
-  for (const std::string& word : agreement.missing_words) text += "only theirs " + word + '\n';
-  for (const std::string& word : agreement.added_words) text += "only ours " + word + '\n';
-  return text;
-}
 
 void expect_same_game(const LogAgreement& agreement) {
   EXPECT_GT(agreement.mode.steps, 0);
@@ -56,7 +24,7 @@ void expect_same_game(const LogAgreement& agreement) {
 
 // The whole match is not in the repository; its first 395 cycles are.
 TEST(Replay, AgreesWithTheRealServerInAnExcerptWithoutNoise) {
-  const LogAgreement agreement = replay(read(tests::fixture("simulator/noise-free")));
+  const LogAgreement agreement = replay(read_logs(tests::fixture("simulator/noise-free")));
   EXPECT_FALSE(agreement.has_noise);
   EXPECT_EQ(agreement.ball.steps, 424);
   EXPECT_EQ(agreement.players.steps, 22 * 424);
@@ -67,7 +35,7 @@ TEST(Replay, AgreesWithTheRealServerInAnExcerptWithoutNoise) {
 TEST(Replay, AgreesWithTheRealServerInAMatchWithoutNoise) {
   const auto game = tests::data("noise-free/game.rcg.gz");
   if (!game) GTEST_SKIP() << "no data: set CLS_DATA";
-  const LogAgreement agreement = replay(read(game->parent_path() / "game"));
+  const LogAgreement agreement = replay(read_logs(game->parent_path() / "game"));
   EXPECT_EQ(agreement.ball.steps, 2158);
   EXPECT_EQ(agreement.players.steps, 47476);
   EXPECT_EQ(agreement.agreed(), agreement.steps()) << all_misses(agreement);
@@ -110,7 +78,7 @@ bool is_lonely_ball(const MatchRecord& game, std::size_t frame) {
 }
 
 TEST(Replay, ReportsExactlyTheStepsOfShiftedRecords) {
-  Logs logs = read(tests::fixture("simulator/noise-free"));
+  Logs logs = read_logs(tests::fixture("simulator/noise-free"));
   using Place = std::tuple<int, int, Slot>;
   std::set<Place> expected;
   int shifted = 0;
@@ -140,7 +108,7 @@ TEST(Replay, ReportsExactlyTheStepsOfShiftedRecords) {
 }
 
 TEST(Replay, NamesAStepWhoseRecordIsWrongInOneValue) {
-  Logs logs = read(tests::fixture("simulator/noise-free"));
+  Logs logs = read_logs(tests::fixture("simulator/noise-free"));
   const std::size_t frame = 200;
   const std::size_t entry = frame * gamelog::kSlots + 4;
   logs.game.players.body[entry] += 1.0f;
@@ -156,7 +124,7 @@ TEST(Replay, NamesAStepWhoseRecordIsWrongInOneValue) {
 }
 
 TEST(Replay, LeavesOutWhatIsMissingBetweenFrames) {
-  Logs logs = read(tests::fixture("simulator/noise-free"));
+  Logs logs = read_logs(tests::fixture("simulator/noise-free"));
   MatchRecord cut = logs.game;
   gamelog::resize_frames(cut, 300);
   for (std::size_t i = 200; i < 300; ++i) {
@@ -202,7 +170,7 @@ void expect_uniform(const NoiseSample& sample, std::size_t least) {
 TEST_P(NoisyReplay, CallsWhatTheRealRefereeCalledAndNeedsNoMoreNoise) {
   const auto game = tests::data(std::string(GetParam()) + ".rcg.gz");
   if (!game) GTEST_SKIP() << "no data: set CLS_DATA";
-  const LogAgreement agreement = replay(read(game->parent_path() / game->stem().stem()));
+  const LogAgreement agreement = replay(read_logs(game->parent_path() / game->stem().stem()));
   EXPECT_TRUE(agreement.has_noise);
   expect_same_game(agreement);
   EXPECT_EQ(agreement.agreed(), agreement.steps()) << all_misses(agreement);
@@ -221,7 +189,7 @@ INSTANTIATE_TEST_SUITE_P(Logs, NoisyReplay,
                                            "aligned/game"));
 
 TEST(Replay, RefusesLogsThatTellNothing) {
-  const Logs logs = read(tests::fixture("simulator/noise-free"));
+  const Logs logs = read_logs(tests::fixture("simulator/noise-free"));
   const auto message = [](const MatchRecord& game, const RclRecord& text) {
     const auto agreement = replay_log(game, text);
     return agreement ? std::string() : agreement.error().message;
