@@ -12,9 +12,9 @@
 #include <string>
 #include <vector>
 
-#include "proxy/home_positions.h"
-#include "proxy/player_agent.h"
-#include "proxy/state_message.h"
+#include "proxy/agent/player_agent.h"
+#include "proxy/messages/state_message.h"
+#include "proxy/movement/home_positions.h"
 #include "soccer/memory_channel.h"
 #include "soccer/protocol/message_kind.h"
 #include "tests/support/files.h"

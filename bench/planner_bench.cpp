@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "proxy/agent/player_agent.h"
 #include "proxy/planner/field.h"
 #include "proxy/planner/search.h"
-#include "proxy/player_agent.h"
 #include "soccer/memory_channel.h"
 #include "tests/support/files.h"
 #include "tests/support/transcript.h"

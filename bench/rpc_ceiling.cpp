@@ -13,9 +13,9 @@
 #include <string>
 #include <thread>
 
-#include "mock-server/message_pool.h"
+#include "mock-server/script/message_pool.h"
 #include "proto/playmaker.grpc.pb.h"
-#include "proxy/grpc_playmaker.h"
+#include "proxy/playmaker/grpc_playmaker.h"
 #include "tests/support/files.h"
 #include "tests/support/message_stream.h"
 #include "tests/support/temporary_folder.h"

@@ -4,10 +4,10 @@
 #include <ctime>
 #include <vector>
 
-#include "gamelog/rcg_text.h"
+#include "gamelog/rcg/rcg_text.h"
 #include "simulator/senses/body_sense.h"
 #include "simulator/senses/vision.h"
-#include "simulator/server/match_recorder.h"
+#include "simulator/sessions/match_recorder.h"
 #include "simulator/step.h"
 #include "tests/support/allocation_count.h"
 #include "tests/support/bare_server.h"

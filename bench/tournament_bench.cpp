@@ -8,18 +8,18 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "orchestration/tournament/folder.h"
-#include "orchestration/tournament/match_executor.h"
-#include "orchestration/tournament/schedule.h"
-#include "orchestration/tournament/store.h"
-#include "orchestration/tournament/tournament_run.h"
+#include "orchestration/tournament/run/match_executor.h"
+#include "orchestration/tournament/run/tournament_run.h"
+#include "orchestration/tournament/schedule/schedule.h"
+#include "orchestration/tournament/store/folder.h"
+#include "orchestration/tournament/store/store.h"
 #include "tests/support/command.h"
 #include "tests/support/temporary_folder.h"
 
 namespace cls::bench {
 namespace {
 
-using namespace orchestration;
+using namespace orchestration::tournament;
 using Clock = std::chrono::steady_clock;
 
 double peak_megabytes() {
@@ -71,7 +71,7 @@ class NoMatches : public MatchExecutor {
  public:
   int room() const override { return 2 - running(); }
   int running() const override { return static_cast<int>(ended_.size()); }
-  soccer::Result<void> start(std::span<const Assignment> assignments) override {
+  base::Result<void> start(std::span<const Assignment> assignments) override {
     for (const Assignment& one : assignments) {
       Outcome outcome;
       outcome.end_reason = "finished";
@@ -80,7 +80,7 @@ class NoMatches : public MatchExecutor {
     }
     return {};
   }
-  soccer::Result<std::vector<Finished>> wait(std::chrono::milliseconds) override {
+  base::Result<std::vector<Finished>> wait(std::chrono::milliseconds) override {
     return std::exchange(ended_, {});
   }
   void interrupt() override {}
@@ -103,7 +103,7 @@ void bookkeeping_per_match(benchmark::State& state) {
     const auto summary = run_tournament(
         options,
         [](const TournamentConfig&) {
-          return soccer::Result<std::unique_ptr<MatchExecutor>>(std::make_unique<NoMatches>());
+          return base::Result<std::unique_ptr<MatchExecutor>>(std::make_unique<NoMatches>());
         },
         nobody, no_signal);
     if (!summary || summary->progress.done != kMatches) state.SkipWithError("run");

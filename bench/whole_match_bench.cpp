@@ -7,10 +7,10 @@
 #include <ctime>
 #include <memory>
 
+#include "base/io/byte_sink.h"
 #include "bench/rpc_ceiling.h"
-#include "gamelog/byte_sink.h"
-#include "orchestration/lockstep_match.h"
-#include "orchestration/match_chronicle.h"
+#include "orchestration/match/hooks/match_chronicle.h"
+#include "orchestration/match/lockstep_match.h"
 
 namespace cls::bench {
 namespace {
@@ -38,8 +38,8 @@ double agent_seconds(const proxy::TeamTimes& times) {
 // The times of the sides run side by side on two cores, so those of both teams add up to CPU time
 // as long as nothing else runs. What neither simulator, agents nor mock account for is RPC:
 // serialising, gRPC's client and server, its threads.
-void report(benchmark::State& bench, const orchestration::LockstepMatch& match, double cpu) {
-  const orchestration::MatchResult result = match.result();
+void report(benchmark::State& bench, const orchestration::match::LockstepMatch& match, double cpu) {
+  const orchestration::match::MatchResult result = match.result();
   const auto steps = static_cast<double>(result.steps);
   const double agents =
       agent_seconds(match.left().team().times()) + agent_seconds(match.right().team().times());
@@ -66,15 +66,16 @@ void whole_match(benchmark::State& bench) {
           .cycles_per_second;
     };
     const double before = ceiling();
-    const orchestration::MatchOptions options;
+    const orchestration::match::MatchOptions options;
     const std::atomic<int> no_signal{0};
-    auto match = orchestration::LockstepMatch::create(options, {"mock_l", "mock_r"}, 7, no_signal);
-    gamelog::StringSink game_log;
-    gamelog::StringSink text_log;
-    gamelog::StringSink event_lines;
-    orchestration::EventLog events(event_lines);
-    orchestration::MatchChronicle chronicle(events);
-    orchestration::MatchObserver nobody;
+    auto match =
+        orchestration::match::LockstepMatch::create(options, {"mock_l", "mock_r"}, 7, no_signal);
+    base::StringSink game_log;
+    base::StringSink text_log;
+    base::StringSink event_lines;
+    orchestration::match::EventLog events(event_lines);
+    orchestration::match::MatchChronicle chronicle(events);
+    orchestration::match::MatchObserver nobody;
     (*match)->record(game_log, text_log);
     const double cpu = process_cpu_seconds();
     (*match)->play(nobody, chronicle);

@@ -9,23 +9,23 @@
 #include <string>
 #include <vector>
 
-#include "cli/check_command.h"
-#include "cli/compare_command.h"
-#include "cli/convert_command.h"
-#include "cli/doctor_command.h"
-#include "cli/exit_code.h"
-#include "cli/init_command.h"
-#include "cli/match_command.h"
-#include "cli/mock_command.h"
-#include "cli/proxy_command.h"
-#include "cli/results_command.h"
-#include "cli/server_command.h"
-#include "cli/stats_command.h"
-#include "cli/test_command.h"
-#include "cli/tournament_command.h"
+#include "base/text/suggestion.h"
+#include "base/text/wrapped_text.h"
+#include "cli/check/check_command.h"
+#include "cli/check/doctor_command.h"
+#include "cli/logs/convert_command.h"
+#include "cli/logs/results_command.h"
+#include "cli/logs/stats_command.h"
+#include "cli/match/match_command.h"
+#include "cli/match/mock_command.h"
+#include "cli/match/proxy_command.h"
+#include "cli/match/server_command.h"
+#include "cli/match/test_command.h"
+#include "cli/support/exit_code.h"
+#include "cli/tournament/compare_command.h"
+#include "cli/tournament/init_command.h"
+#include "cli/tournament/tournament_command.h"
 #include "cli/version_command.h"
-#include "orchestration/wrapped_text.h"
-#include "soccer/parameter.h"
 
 namespace cls::cli {
 namespace {
@@ -50,15 +50,14 @@ class Help : public CLI::Formatter {
   std::string make_subcommand(const CLI::App* command) const override {
     const std::string description = command->get_description();
     std::stringstream out;
-    CLI::detail::format_help(out, command->get_name(),
-                             orchestration::wrapped(description.substr(0, description.find('\n')),
-                                                    kWidth - kCommandColumn),
-                             kCommandColumn);
+    CLI::detail::format_help(
+        out, command->get_name(),
+        base::wrapped(description.substr(0, description.find('\n')), kWidth - kCommandColumn),
+        kCommandColumn);
     return out.str();
   }
   std::string make_option_desc(const CLI::Option* option) const override {
-    return orchestration::wrapped(CLI::Formatter::make_option_desc(option),
-                                  kWidth - get_column_width());
+    return base::wrapped(CLI::Formatter::make_option_desc(option), kWidth - get_column_width());
   }
 };
 
@@ -93,7 +92,7 @@ int report_mistake(const CLI::App& app, const CLI::ParseError& error) {
   }
   const std::string& word = unknown.front();
   std::vector<std::string> storage;
-  const std::string_view near = soccer::nearest_name(word, known_words(place, storage));
+  const std::string_view near = base::nearest_name(word, known_words(place, storage));
   const bool has_commands = !place.get_subcommands({}).empty();
   const char* kind = word.starts_with("-") ? "option" : has_commands ? "command" : "argument";
   fmt::print(stderr, "cls: unknown {} '{}'", kind, word);

@@ -5,8 +5,8 @@
 #include <exception>
 
 #include "cli/application.h"
-#include "cli/early_guard.h"
-#include "cli/exit_code.h"
+#include "cli/support/early_guard.h"
+#include "cli/support/exit_code.h"
 
 int main(int argc, char** argv) {
   // A file that hits the size limit is a failed write like any other, not the end of the process.

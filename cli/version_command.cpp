@@ -5,15 +5,15 @@
 
 #include <CLI/CLI.hpp>
 
-#include "cli/exit_code.h"
-#include "orchestration/version.h"
+#include "base/system/version.h"
+#include "cli/support/exit_code.h"
 
 namespace cls::cli {
 
 void add_version_command(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand("version", "Prints the version.");
   command->callback([&exit_code] {
-    fmt::print("cls {}\n", orchestration::kVersion);
+    fmt::print("cls {}\n", base::kVersion);
     exit_code = kDone;
   });
 }

@@ -1,6 +1,6 @@
 # Text files as part of a library.
 
-# cls_embed(<output.cpp> <file...>): generates the definition of cls::orchestration::shipped_files().
+# cls_embed(<output.cpp> <file...>): generates the definition of cls::orchestration::scenario::shipped_files().
 function(cls_embed output)
   set(script "${CMAKE_SOURCE_DIR}/cmake/EmbedFiles.cmake")
   list(JOIN ARGN "|" files)

@@ -9,7 +9,7 @@ endforeach()
 file(WRITE "${OUTPUT}" "// Generated from examples/scenarios.
 #include \"orchestration/scenario/scenario_library.h\"
 
-namespace cls::orchestration {
+namespace cls::orchestration::scenario {
 
 const std::vector<ShippedFile>& shipped_files() {
   static const std::vector<ShippedFile> files = {
@@ -17,5 +17,5 @@ ${entries}  };
   return files;
 }
 
-}  // namespace cls::orchestration
+}  // namespace cls::orchestration::scenario
 ")

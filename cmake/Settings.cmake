@@ -16,6 +16,9 @@ set(CMAKE_CXX_FLAGS_RELEASE "-O2")
 # Same bits on every machine: no fused multiply-add, and never -ffast-math or -march (a test looks).
 add_compile_options(-ffp-contract=off)
 
+# Everywhere, not only where a library asks for it: precompiled headers want equal flags.
+add_compile_options(-pthread)
+
 find_program(CLS_CCACHE ccache)
 if(CLS_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   set(CMAKE_CXX_COMPILER_LAUNCHER "${CLS_CCACHE}")

@@ -1,35 +1,32 @@
 # Two helpers that keep the folders' CMakeLists.txt plain lists.
 
-# cls_library(<target> SOURCES <files...> LINK <targets...>)
+# cls_library(<target> SOURCES <files...> LINK <targets...> [PCH <name>])
 # The static library of a folder. LINK states what the folder may include (and libraries that its
-# headers or sources use). Without sources it is an INTERFACE library: the first .cpp in the list
-# makes it a real one.
+# headers or sources use). PCH names precompiled headers (cmake/PrecompiledHeaders.cmake).
 function(cls_library target)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;LINK")
-  if(arg_SOURCES)
-    add_library(${target} STATIC ${arg_SOURCES})
-    target_include_directories(${target} PUBLIC "${CMAKE_SOURCE_DIR}")
-    target_link_libraries(${target} PUBLIC ${arg_LINK} PRIVATE cls_warnings)
-  else()
-    add_library(${target} INTERFACE)
-    target_include_directories(${target} INTERFACE "${CMAKE_SOURCE_DIR}")
-    target_link_libraries(${target} INTERFACE ${arg_LINK})
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "PCH" "SOURCES;LINK")
+  add_library(${target} STATIC ${arg_SOURCES})
+  target_include_directories(${target} PUBLIC "${CMAKE_SOURCE_DIR}")
+  target_link_libraries(${target} PUBLIC ${arg_LINK} PRIVATE cls_warnings)
+  if(arg_PCH)
+    target_precompile_headers(${target} REUSE_FROM cls_pch_${arg_PCH})
   endif()
 endfunction()
 
-# cls_test(<folder> SOURCES <files...> [LINK <targets...>] [NEEDS <targets...>] [TIMEOUT <seconds>])
+# cls_test(<folder> SOURCES <files...> [LINK <targets...>] [NEEDS <targets...>] [TIMEOUT <seconds>]
+#   [PCH <name>])
 # One GoogleTest binary for tests/<folder>, `cls_<folder>_tests`, linked with the folder's library.
 # In CTest a test is named <folder>.<Suite>.<Case> and labelled <folder>. NEEDS lists what must be
 # built although it is not linked (the binary `cls`). Paths: see tests/support/files.h.
 function(cls_test folder)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "TIMEOUT" "SOURCES;LINK;NEEDS")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "TIMEOUT;PCH" "SOURCES;LINK;NEEDS")
   if(NOT arg_SOURCES)
     return()
   endif()
   if(NOT arg_TIMEOUT)
     set(arg_TIMEOUT 120)
   endif()
-  string(REPLACE "-" "_" name ${folder})
+  string(REGEX REPLACE "[-/]" "_" name ${folder})
   set(target cls_${name}_tests)
   add_executable(${target} ${arg_SOURCES})
   if(TARGET cls_${name})
@@ -38,6 +35,10 @@ function(cls_test folder)
   target_link_libraries(${target} PRIVATE
     ${arg_LINK} cls_test_support GTest::gtest_main cls_warnings)
   target_compile_definitions(${target} PRIVATE CLS_BUILD_DIR="${CMAKE_BINARY_DIR}")
+  if(NOT arg_PCH)
+    set(arg_PCH tests)
+  endif()
+  target_precompile_headers(${target} REUSE_FROM cls_pch_${arg_PCH})
   if(arg_NEEDS)
     add_dependencies(${target} ${arg_NEEDS})
   endif()

@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "base/result.h"
 #include "proto/playmaker.pb.h"
-#include "soccer/result.h"
 
 namespace cls::mock_server {
 
@@ -31,6 +31,6 @@ std::vector<std::string_view> behaviour_names();
 
 /// The behaviour with that name; an empty name is the simple team. "random" may be followed by a
 /// seed, "random:7"; "replay:FILE" says again what is in a recording. The error suggests a name.
-soccer::Result<std::unique_ptr<Behaviour>> make_behaviour(std::string_view name);
+base::Result<std::unique_ptr<Behaviour>> make_behaviour(std::string_view name);
 
 }  // namespace cls::mock_server

@@ -12,8 +12,8 @@
 namespace cls::mock_server {
 namespace {
 
-using soccer::Error;
-using soccer::Result;
+using base::Error;
+using base::Result;
 
 constexpr int kLongest = 3'600'000;
 constexpr int kLastCycle = 1'000'000;
@@ -47,7 +47,7 @@ Result<void> keep(const Result<T>& value, U& member) {
   return {};
 }
 
-Result<void> parse_only(const JsonValue& json, Faults& faults) {
+Result<void> parse_only(const base::JsonValue& json, Faults& faults) {
   if (const auto keys = json.object_of({"cycle", "unum"}); !keys) return keys;
   if (json.has("cycle")) {
     if (const auto kept = keep(parse_cycles(json["cycle"]), faults.cycles); !kept) return kept;
@@ -56,7 +56,7 @@ Result<void> parse_only(const JsonValue& json, Faults& faults) {
   return {};
 }
 
-Result<void> parse_rpcs(const JsonValue& json, std::vector<proto::Rpc>& rpcs) {
+Result<void> parse_rpcs(const base::JsonValue& json, std::vector<proto::Rpc>& rpcs) {
   if (!json.is_list()) return json.error("must be a list of rpcs");
   for (std::size_t i = 0; i < json.size(); ++i) {
     const auto word = json[i].word(proto::rpc_names());
@@ -66,7 +66,7 @@ Result<void> parse_rpcs(const JsonValue& json, std::vector<proto::Rpc>& rpcs) {
   return {};
 }
 
-Result<void> parse_fault(std::string_view key, const JsonValue& json, Faults& faults) {
+Result<void> parse_fault(std::string_view key, const base::JsonValue& json, Faults& faults) {
   if (key == "delay_ms") return keep(json.integer(0, kLongest), faults.delay_ms);
   if (key == "jitter_ms") return keep(json.integer(0, kLongest), faults.jitter_ms);
   if (key == "drop") return keep(json.number(0, 1), faults.drop);
@@ -99,7 +99,7 @@ bool Faults::any() const {
          !unimplemented.empty() || slow_start_ms > 0;
 }
 
-Result<Faults> parse_faults(const JsonValue& json) {
+Result<Faults> parse_faults(const base::JsonValue& json) {
   const auto keys =
       json.object_of({"delay_ms", "jitter_ms", "drop", "error", "garbage", "oversize", "status",
                       "crash_at_cycle", "hang_at_cycle", "restart_at_cycle", "restart_cycles",
@@ -116,7 +116,7 @@ Result<int> status_code(std::string_view name) {
   const auto& names = status_names();
   const auto found = std::find(names.begin(), names.end(), name);
   if (found == names.end()) {
-    return Error{fmt::format("no gRPC status '{}'{}", name, did_you_mean(name, names))};
+    return Error{fmt::format("no gRPC status '{}'{}", name, base::did_you_mean(name, names))};
   }
   return static_cast<int>(found - names.begin());
 }

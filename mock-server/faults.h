@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "mock-server/situation_filter.h"
+#include "base/result.h"
+#include "mock-server/script/situation_filter.h"
 #include "proto/rpc.h"
-#include "soccer/result.h"
 
 namespace cls::mock_server {
 
@@ -39,10 +39,10 @@ struct Faults {
 };
 
 /// The object after "faults", keys as the members above, with "only": {"cycle", "unum"}.
-soccer::Result<Faults> parse_faults(const JsonValue& json);
+base::Result<Faults> parse_faults(const base::JsonValue& json);
 
 /// The number of a gRPC status such as "UNAVAILABLE".
-soccer::Result<int> status_code(std::string_view name);
+base::Result<int> status_code(std::string_view name);
 
 /// What happens to one call.
 struct Fate {

@@ -7,7 +7,7 @@
 #include <cstdint>
 
 #include "mock-server/behaviour.h"
-#include "mock-server/expectations.h"
+#include "mock-server/script/expectations.h"
 #include "proto/rpc.h"
 
 namespace cls::mock_server {

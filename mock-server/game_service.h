@@ -2,7 +2,7 @@
 #pragma once
 
 #include "mock-server/game_logic.h"
-#include "mock-server/message_pool.h"
+#include "mock-server/script/message_pool.h"
 #include "proto/playmaker.grpc.pb.h"
 
 namespace cls::mock_server {

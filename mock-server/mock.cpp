@@ -10,7 +10,7 @@ Mock::Mock(std::shared_ptr<const Script> script)
 
 bool names_script(std::string_view name) { return name.ends_with(".json"); }
 
-soccer::Result<Mock> make_mock(std::string_view name) {
+base::Result<Mock> make_mock(std::string_view name) {
   if (names_script(name)) {
     auto script = read_script(name);
     if (!script) return script.error();

@@ -6,11 +6,11 @@
 #include <string_view>
 #include <vector>
 
+#include "base/result.h"
 #include "mock-server/behaviour.h"
-#include "mock-server/expectations.h"
 #include "mock-server/faults.h"
-#include "mock-server/script.h"
-#include "soccer/result.h"
+#include "mock-server/script/expectations.h"
+#include "mock-server/script/script.h"
 
 namespace cls::mock_server {
 
@@ -33,6 +33,6 @@ bool names_script(std::string_view name);
 
 /// The behaviour of that name, or the script in that file; empty: the simple team. Errors of
 /// scripts name file and line.
-soccer::Result<Mock> make_mock(std::string_view name);
+base::Result<Mock> make_mock(std::string_view name);
 
 }  // namespace cls::mock_server

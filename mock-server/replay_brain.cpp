@@ -8,7 +8,7 @@
 
 namespace cls::mock_server {
 
-using soccer::Error;
+using base::Error;
 
 ReplayBrain::Moment ReplayBrain::moment_of(const protos::State& state) {
   const protos::WorldModel& world = state.world_model();
@@ -16,7 +16,7 @@ ReplayBrain::Moment ReplayBrain::moment_of(const protos::State& state) {
           world.cycle(), world.time_stopped()};
 }
 
-soccer::Result<std::unique_ptr<Behaviour>> ReplayBrain::read(const std::string& path) {
+base::Result<std::unique_ptr<Behaviour>> ReplayBrain::read(const std::string& path) {
   std::string error;
   const auto reader = proto::RecordingReader::open(path, error);
   if (reader == nullptr) return Error{error};

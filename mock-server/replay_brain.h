@@ -5,8 +5,8 @@
 #include <memory>
 #include <string>
 
+#include "base/result.h"
 #include "mock-server/behaviour.h"
-#include "soccer/result.h"
 
 namespace cls::mock_server {
 
@@ -15,7 +15,7 @@ namespace cls::mock_server {
 class ReplayBrain : public Behaviour {
  public:
   /// Reads the replies of both sides. The error names the file.
-  static soccer::Result<std::unique_ptr<Behaviour>> read(const std::string& path);
+  static base::Result<std::unique_ptr<Behaviour>> read(const std::string& path);
 
   void decide(const protos::State& state, protos::PlayerActions& actions) const override;
   void decide_as_coach(const protos::State& state, protos::CoachActions& actions) const override;

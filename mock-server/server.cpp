@@ -12,8 +12,8 @@
 
 namespace cls::mock_server {
 
-using soccer::Error;
-using soccer::Result;
+using base::Error;
+using base::Result;
 
 Server::Server(Mock mock)
     : mock_(std::move(mock)),

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "base/result.h"
 #include "mock-server/game_logic.h"
 #include "mock-server/mock.h"
-#include "soccer/result.h"
 
 namespace cls::mock_server {
 
@@ -17,12 +17,11 @@ namespace cls::mock_server {
 class Server {
  public:
   /// Serves in-process channels only.
-  static soccer::Result<std::unique_ptr<Server>> start(Mock mock);
+  static base::Result<std::unique_ptr<Server>> start(Mock mock);
 
   /// Serves HOST:PORT too (port 0: a free one, see `port()`), with the standard health and
   /// reflection services.
-  static soccer::Result<std::unique_ptr<Server>> start(Mock mock, const std::string& host,
-                                                       int port);
+  static base::Result<std::unique_ptr<Server>> start(Mock mock, const std::string& host, int port);
 
   ~Server();
   Server(const Server&) = delete;
@@ -45,7 +44,7 @@ class Server {
 
  private:
   explicit Server(Mock mock);
-  soccer::Result<void> listen(const std::string& address);
+  base::Result<void> listen(const std::string& address);
 
   Mock mock_;
   Expectations expectations_;

@@ -4,10 +4,10 @@
 #include <algorithm>
 
 #include "simulator/actions/legs.h"
-#include "simulator/auto_mode.h"
-#include "simulator/motion.h"
-#include "simulator/referee.h"
-#include "simulator/stamina.h"
+#include "simulator/motion/motion.h"
+#include "simulator/referee/auto_mode.h"
+#include "simulator/referee/referee.h"
+#include "simulator/world/stamina.h"
 
 namespace cls::simulator {
 namespace {

@@ -1,7 +1,7 @@
 // One simulation step, cut in two where the frame is sent and logged.
 #pragma once
 
-#include "simulator/event.h"
+#include "simulator/world/event.h"
 
 namespace cls::simulator {
 

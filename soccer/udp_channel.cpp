@@ -20,7 +20,7 @@
 #include <utility>
 #include <vector>
 
-#include "soccer/udp_address.h"
+#include "base/system/udp_address.h"
 
 namespace cls::soccer {
 namespace {
@@ -39,7 +39,7 @@ struct Message {
 /// One client's socket. Used by one thread at a time, apart from `gone`.
 class Socket {
  public:
-  explicit Socket(const UdpAddress& server)
+  explicit Socket(const base::UdpAddress& server)
       : server_(server),
         fd_(::socket(server.bytes.ss_family, SOCK_DGRAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0)) {
     if (fd_ < 0) return;
@@ -75,7 +75,7 @@ class Socket {
   /// The view holds until the next call.
   bool receive(std::string_view& text) {
     while (!gone()) {
-      UdpAddress from;
+      base::UdpAddress from;
       const ssize_t size =
           ::recvfrom(fd_, buffer_.data(), buffer_.size(), 0, from.get(), &from.size);
       if (size < 0) {
@@ -102,13 +102,13 @@ class Socket {
     }
   }
 
-  void stay_with(const UdpAddress& port) {
+  void stay_with(const base::UdpAddress& port) {
     if (::connect(fd_, port.get(), port.size) != 0) return;
     has_own_port_ = true;
     report_errors(0);
   }
 
-  UdpAddress server_;
+  base::UdpAddress server_;
   int fd_;
   std::atomic<bool> has_own_port_{false};
   std::atomic<bool> gone_{false};
@@ -119,13 +119,13 @@ class Socket {
 
 struct UdpClients::Sockets {
   struct Line {
-    explicit Line(const UdpAddress& server) : socket(server) {}
+    explicit Line(const base::UdpAddress& server) : socket(server) {}
     Socket socket;
     std::deque<Message> waiting;  // filled by the thread; under `mutex`
   };
   class LineChannel;
 
-  explicit Sockets(const UdpAddress& to) : server(to) {}
+  explicit Sockets(const base::UdpAddress& to) : server(to) {}
   ~Sockets() { stop(); }
 
   bool has_thread() const { return wake >= 0; }
@@ -212,7 +212,7 @@ struct UdpClients::Sockets {
     return ::ppoll(polled.data(), polled.size(), &limit, nullptr) > 0;
   }
 
-  const UdpAddress server;
+  const base::UdpAddress server;
   std::mutex mutex;
   std::condition_variable arrived;
   std::vector<std::weak_ptr<Line>> lines;
@@ -254,9 +254,9 @@ class UdpClients::Sockets::LineChannel : public Channel {
   Time arrived_;
 };
 
-Result<std::unique_ptr<UdpClients>> UdpClients::create(const std::string& host, int port) {
-  const Result<UdpAddress> server = find_address(host, port);
-  if (!server) return Error{"soccer server host '" + host + "': " + server.error().message};
+base::Result<std::unique_ptr<UdpClients>> UdpClients::create(const std::string& host, int port) {
+  const base::Result<base::UdpAddress> server = base::find_address(host, port);
+  if (!server) return base::Error{"soccer server host '" + host + "': " + server.error().message};
   return std::unique_ptr<UdpClients>(new UdpClients(std::make_shared<Sockets>(*server)));
 }
 
@@ -269,7 +269,7 @@ void UdpClients::read_on_thread() {
 }
 
 std::unique_ptr<Channel> UdpClients::connect(int port) {
-  UdpAddress server = sockets_->server;
+  base::UdpAddress server = sockets_->server;
   if (port != 0) server.set_port(port);
   auto line = std::make_shared<Sockets::Line>(server);
   if (line->socket.fd() < 0) return nullptr;

@@ -5,8 +5,8 @@
 #include <memory>
 #include <string>
 
+#include "base/result.h"
 #include "soccer/channel.h"
-#include "soccer/result.h"
 
 namespace cls::soccer {
 
@@ -18,7 +18,7 @@ class UdpClients {
  public:
   /// `host` is a name or a number; IPv4 is preferred, as soccer servers listen there. The error
   /// names host and cause. Nothing is sent yet.
-  static Result<std::unique_ptr<UdpClients>> create(const std::string& host, int port);
+  static base::Result<std::unique_ptr<UdpClients>> create(const std::string& host, int port);
   /// Channels may outlive the object; after read_on_thread() they receive nothing more then.
   ~UdpClients();
 

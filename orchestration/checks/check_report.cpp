@@ -8,10 +8,10 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "orchestration/github.h"
-#include "orchestration/junit.h"
+#include "base/report/github.h"
+#include "base/report/junit.h"
 
-namespace cls::orchestration {
+namespace cls::orchestration::checks {
 namespace {
 
 const char* name(StepResult result) {
@@ -75,9 +75,9 @@ std::string to_json(const CheckReport& report) {
 }
 
 std::string to_junit(const CheckReport& report) {
-  std::vector<JunitCase> cases;
+  std::vector<base::JunitCase> cases;
   for (const CheckStep& step : report.steps) {
-    JunitCase& one = cases.emplace_back();
+    base::JunitCase& one = cases.emplace_back();
     one.group = fmt::format("{} {}", report.command, report.subject);
     one.name = step.name;
     one.seconds = step.seconds;
@@ -86,22 +86,23 @@ std::string to_junit(const CheckReport& report) {
       continue;
     }
     const bool failed = step.result == StepResult::kFail;
-    one.result = failed ? JunitCase::Result::kFailed : JunitCase::Result::kSkipped;
+    one.result = failed ? base::JunitCase::Result::kFailed : base::JunitCase::Result::kSkipped;
     one.message = step.evidence;
     if (failed) one.type = "step";
     if (failed) one.text = fmt::format("{}\nwhy: {}\n", step.evidence, step.why);
   }
-  return junit(report.command, cases);
+  return base::junit(report.command, cases);
 }
 
 std::string to_annotations(const CheckReport& report) {
   std::string text;
   for (const CheckStep& step : report.steps) {
     if (step.result != StepResult::kFail) continue;
-    text += github_error({}, fmt::format("{} {}: {}", report.command, report.subject, step.name),
-                         fmt::format("{}\nwhy: {}", step.evidence, step.why));
+    text +=
+        base::github_error({}, fmt::format("{} {}: {}", report.command, report.subject, step.name),
+                           fmt::format("{}\nwhy: {}", step.evidence, step.why));
   }
   return text;
 }
 
-}  // namespace cls::orchestration
+}  // namespace cls::orchestration::checks

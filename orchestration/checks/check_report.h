@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace cls::orchestration {
+namespace cls::orchestration::checks {
 
 enum class StepResult { kPass, kFail, kSkip };
 
@@ -48,4 +48,4 @@ std::string to_junit(const CheckReport& report);
 /// Annotations of GitHub Actions, one for each failed step.
 std::string to_annotations(const CheckReport& report);
 
-}  // namespace cls::orchestration
+}  // namespace cls::orchestration::checks

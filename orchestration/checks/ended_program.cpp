@@ -1,11 +1,11 @@
 // Exit and last words.
 #include "orchestration/checks/ended_program.h"
 
-namespace cls::orchestration {
+namespace cls::orchestration::checks {
 
-std::string account_of_end(const std::string& what, const Child& child) {
-  const Child::Status status = child.status();
-  if (!has_ended(status)) return {};
+std::string account_of_end(const std::string& what, const process::Child& child) {
+  const process::Child::Status status = child.status();
+  if (!process::has_ended(status)) return {};
   std::string account = what + " has ended";
   if (status.exit) account += " (" + to_text(*status.exit) + ")";
   const auto lines = child.last_lines(1);
@@ -13,4 +13,4 @@ std::string account_of_end(const std::string& what, const Child& child) {
   return account;
 }
 
-}  // namespace cls::orchestration
+}  // namespace cls::orchestration::checks

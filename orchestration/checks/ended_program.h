@@ -5,10 +5,10 @@
 
 #include "orchestration/process/process_host.h"
 
-namespace cls::orchestration {
+namespace cls::orchestration::checks {
 
 /// "the program has ended (exit code 3); its last words: cannot load the formation", where `what`
 /// is "the program"; empty while it has not ended.
-std::string account_of_end(const std::string& what, const Child& child);
+std::string account_of_end(const std::string& what, const process::Child& child);
 
-}  // namespace cls::orchestration
+}  // namespace cls::orchestration::checks

@@ -11,7 +11,7 @@
 
 #include "soccer/side_name.h"
 
-namespace cls::orchestration {
+namespace cls::orchestration::checks {
 namespace {
 
 using gamelog::MatchRecord;
@@ -62,19 +62,19 @@ bool same_types(const proxy::MatchParameters& told, const MatchRecord& log) {
   return true;
 }
 
-soccer::Result<void> belong_together(const proxy::WorldModel& world, const MatchRecord& log) {
+base::Result<void> belong_together(const proxy::WorldModel& world, const MatchRecord& log) {
   if (world.unum == 0) {
-    return soccer::Error{"no player joins in it (no answer to init or reconnect that we can read)"};
+    return base::Error{"no player joins in it (no answer to init or reconnect that we can read)"};
   }
   const gamelog::TeamFrames& teams = log.final_teams();
   const std::string_view recorded = teams[world.our_side == Side::kRight ? 1 : 0].name;
   const std::string_view name = world.our_team_name.view();
   if (!name.empty() && !recorded.empty() && name != recorded) {
-    return soccer::Error{fmt::format("its player is of team '{}' on the {}, the log has '{}' there",
-                                     name, side_name(world.our_side), recorded)};
+    return base::Error{fmt::format("its player is of team '{}' on the {}, the log has '{}' there",
+                                   name, side_name(world.our_side), recorded)};
   }
   if (!same_types(*world.parameters, log)) {
-    return soccer::Error{"its player types are not those of the log: another match"};
+    return base::Error{"its player types are not those of the log: another match"};
   }
   return {};
 }
@@ -97,8 +97,8 @@ std::vector<Row> rows(const proxy::PerceptionError& errors) {
 
 }  // namespace
 
-soccer::Result<PerceptionCheck> check_perception(std::string_view transcript,
-                                                 const MatchRecord& log) {
+base::Result<PerceptionCheck> check_perception(std::string_view transcript,
+                                               const MatchRecord& log) {
   PerceptionCheck check;
   const FrameIndex frames = index_frames(log);
   proxy::TranscriptReplay replay =
@@ -110,7 +110,7 @@ soccer::Result<PerceptionCheck> check_perception(std::string_view transcript,
       });
   if (const auto fits = belong_together(replay.world, log); !fits) return fits.error();
   if (check.decisions == 0) {
-    return soccer::Error{"its player decides in no cycle that the log has"};
+    return base::Error{"its player decides in no cycle that the log has"};
   }
   check.team = replay.world.our_team_name.view();
   check.side = replay.world.our_side;
@@ -151,4 +151,4 @@ std::string to_json(const PerceptionCheck& check) {
   return document.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
-}  // namespace cls::orchestration
+}  // namespace cls::orchestration::checks

@@ -4,11 +4,11 @@
 #include <string>
 #include <string_view>
 
-#include "gamelog/match_record.h"
-#include "proxy/perception_error.h"
-#include "proxy/transcript.h"
+#include "gamelog/record/match_record.h"
+#include "proxy/perception/perception_error.h"
+#include "proxy/perception/transcript.h"
 
-namespace cls::orchestration {
+namespace cls::orchestration::checks {
 
 struct PerceptionCheck {
   std::string team;
@@ -22,11 +22,11 @@ struct PerceptionCheck {
 /// Replays the transcript (proxy/transcript.h). The k-th sense_body of a time belongs to the k-th
 /// frame of that time. The error says why the two tell nothing: no player in the transcript, a team
 /// or a side that the log does not know, no common cycle.
-soccer::Result<PerceptionCheck> check_perception(std::string_view transcript,
-                                                 const gamelog::MatchRecord& log);
+base::Result<PerceptionCheck> check_perception(std::string_view transcript,
+                                               const gamelog::MatchRecord& log);
 
 /// A table for people, and the document of `cls check perception --json`.
 std::string to_text(const PerceptionCheck& check);
 std::string to_json(const PerceptionCheck& check);
 
-}  // namespace cls::orchestration
+}  // namespace cls::orchestration::checks

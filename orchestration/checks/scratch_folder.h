@@ -7,7 +7,7 @@
 #include <string>
 #include <system_error>
 
-namespace cls::orchestration {
+namespace cls::orchestration::checks {
 
 /// Gone with its content at the end of the scope. The path is empty where none can be created.
 class ScratchFolder {
@@ -29,4 +29,4 @@ class ScratchFolder {
   std::filesystem::path path_;
 };
 
-}  // namespace cls::orchestration
+}  // namespace cls::orchestration::checks

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-namespace cls::orchestration {
+namespace cls::orchestration::checks {
 namespace {
 
 using nlohmann::ordered_json;
@@ -243,4 +243,4 @@ std::string to_json(const LogAgreement& agreement, const std::vector<Demand>& de
   return document.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }
 
-}  // namespace cls::orchestration
+}  // namespace cls::orchestration::checks

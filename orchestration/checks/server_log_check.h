@@ -6,7 +6,7 @@
 
 #include "simulator/replay/log_replay.h"
 
-namespace cls::orchestration {
+namespace cls::orchestration::checks {
 
 struct Demand {
   std::string what;
@@ -23,4 +23,4 @@ bool passed(const std::vector<Demand>& demands);
 std::string to_text(const simulator::LogAgreement& agreement, const std::vector<Demand>& demands);
 std::string to_json(const simulator::LogAgreement& agreement, const std::vector<Demand>& demands);
 
-}  // namespace cls::orchestration
+}  // namespace cls::orchestration::checks

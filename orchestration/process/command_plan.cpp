@@ -6,12 +6,12 @@
 
 #include <cstdlib>
 
-namespace cls::orchestration {
+namespace cls::orchestration::process {
 namespace {
 
 namespace fs = std::filesystem;
-using soccer::Error;
-using soccer::Result;
+using base::Error;
+using base::Result;
 
 bool is_plain(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
@@ -93,4 +93,4 @@ Result<fs::path> find_program(const std::string& program) {
   return Error{fmt::format("{}: no such program on PATH", program)};
 }
 
-}  // namespace cls::orchestration
+}  // namespace cls::orchestration::process

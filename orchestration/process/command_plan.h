@@ -7,9 +7,9 @@
 #include <string_view>
 #include <vector>
 
-#include "soccer/result.h"
+#include "base/result.h"
 
-namespace cls::orchestration {
+namespace cls::orchestration::process {
 
 /// One difference to our own environment; without a value the variable is taken out.
 struct EnvironmentChange {
@@ -42,6 +42,6 @@ std::string to_shell(const CommandPlan& plan);
 
 /// The file that `program` names: itself when it has a slash, else the first on PATH. The error
 /// names the program and says what is wrong (missing, a folder, not executable).
-soccer::Result<std::filesystem::path> find_program(const std::string& program);
+base::Result<std::filesystem::path> find_program(const std::string& program);
 
-}  // namespace cls::orchestration
+}  // namespace cls::orchestration::process

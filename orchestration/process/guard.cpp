@@ -22,7 +22,7 @@
 #include "orchestration/process/packet.h"
 #include "orchestration/process/process_tree.h"
 
-namespace cls::orchestration {
+namespace cls::orchestration::process {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -198,12 +198,12 @@ Guard::~Guard() {
 
 const Guard* Guard::active() { return the_guard; }
 
-soccer::Result<Guard> Guard::start(int argc, char** argv) {
+base::Result<Guard> Guard::start(int argc, char** argv) {
   open_closed_standard_streams();
   auto sockets = make_socket_pair();
-  if (!sockets) return soccer::Error{fmt::format("no guard process: {}", std::strerror(errno))};
+  if (!sockets) return base::Error{fmt::format("no guard process: {}", std::strerror(errno))};
   const pid_t pid = ::fork();
-  if (pid < 0) return soccer::Error{fmt::format("no guard process: {}", std::strerror(errno))};
+  if (pid < 0) return base::Error{fmt::format("no guard process: {}", std::strerror(errno))};
   if (pid == 0) {
     sockets->first.reset();
     run_guard(std::move(sockets->second), ProcessTitle(argc, argv));
@@ -211,4 +211,4 @@ soccer::Result<Guard> Guard::start(int argc, char** argv) {
   return Guard(std::move(sockets->first), pid);
 }
 
-}  // namespace cls::orchestration
+}  // namespace cls::orchestration::process

@@ -3,10 +3,10 @@
 
 #include <sys/types.h>
 
+#include "base/result.h"
 #include "orchestration/process/unique_fd.h"
-#include "soccer/result.h"
 
-namespace cls::orchestration {
+namespace cls::orchestration::process {
 
 /// The connection to the guard process; at most one in a process.
 ///
@@ -19,7 +19,7 @@ class Guard {
   /// Forks the guard. Call it at the start of main, before any thread or gRPC object exists, and
   /// once only. Also opens /dev/null for those of stdin, stdout and stderr that are closed, lest
   /// later files take their numbers. `argv` of main is used to name the process for ps.
-  static soccer::Result<Guard> start(int argc, char** argv);
+  static base::Result<Guard> start(int argc, char** argv);
 
   Guard(Guard&& other) noexcept;
   Guard& operator=(Guard&&) = delete;
@@ -41,4 +41,4 @@ class Guard {
   pid_t pid_ = 0;
 };
 
-}  // namespace cls::orchestration
+}  // namespace cls::orchestration::process

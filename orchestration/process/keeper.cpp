@@ -19,7 +19,7 @@
 #include "orchestration/process/packet.h"
 #include "orchestration/process/process_tree.h"
 
-namespace cls::orchestration {
+namespace cls::orchestration::process {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -177,4 +177,4 @@ void run_keeper(UniqueFd control, UniqueFd output, const CommandPlan& plan) {
   Keeper(std::move(control), launched.pid).run(child_signals.get());
 }
 
-}  // namespace cls::orchestration
+}  // namespace cls::orchestration::process

@@ -4,7 +4,7 @@
 #include "orchestration/process/command_plan.h"
 #include "orchestration/process/unique_fd.h"
 
-namespace cls::orchestration {
+namespace cls::orchestration::process {
 
 /// Runs the plan and never returns: the body of a keeper process. All that descends from the
 /// program stays below the keeper, which adopts whatever loses its parent; so it knows what
@@ -13,4 +13,4 @@ namespace cls::orchestration {
 /// more, ends everything: SIGTERM, 1 s, SIGKILL. It lives as long as anything below it.
 [[noreturn]] void run_keeper(UniqueFd control, UniqueFd output, const CommandPlan& plan);
 
-}  // namespace cls::orchestration
+}  // namespace cls::orchestration::process

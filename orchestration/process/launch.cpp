@@ -18,7 +18,7 @@
 #include <csignal>
 #include <system_error>
 
-namespace cls::orchestration {
+namespace cls::orchestration::process {
 namespace {
 
 namespace bp = boost::process;
@@ -103,4 +103,4 @@ Launch launch(const CommandPlan& plan, int output) {
   return result;
 }
 
-}  // namespace cls::orchestration
+}  // namespace cls::orchestration::process

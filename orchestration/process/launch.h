@@ -5,7 +5,7 @@
 
 #include "orchestration/process/command_plan.h"
 
-namespace cls::orchestration {
+namespace cls::orchestration::process {
 
 /// What came of a start. `pid` 0: not started, `error` says why (errno) and `in_folder` whether
 /// changing to the working directory failed rather than the program.
@@ -21,4 +21,4 @@ struct Launch {
 /// is given to /bin/sh, as shells do. Only for a process that has one thread.
 Launch launch(const CommandPlan& plan, int output);
 
-}  // namespace cls::orchestration
+}  // namespace cls::orchestration::process

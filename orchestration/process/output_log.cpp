@@ -6,14 +6,14 @@
 #include <algorithm>
 #include <cerrno>
 
-#include "orchestration/utf8.h"
+#include "base/text/utf8.h"
 
-namespace cls::orchestration {
+namespace cls::orchestration::process {
 
 std::string printable(std::string_view text) {
   std::string result;
   while (!text.empty()) {
-    const std::size_t length = utf8_length(text);
+    const std::size_t length = base::utf8_length(text);
     const auto first = static_cast<unsigned char>(text.front());
     if (text.front() == '\t') {
       result += ' ';
@@ -110,4 +110,4 @@ std::vector<std::string> OutputLog::last_lines(std::size_t count) const {
   return lines;
 }
 
-}  // namespace cls::orchestration
+}  // namespace cls::orchestration::process

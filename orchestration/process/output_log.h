@@ -11,7 +11,7 @@
 
 #include "orchestration/process/unique_fd.h"
 
-namespace cls::orchestration {
+namespace cls::orchestration::process {
 
 /// Takes output as it comes and cuts it into lines. A line that repeats the one before is not
 /// written again; when another follows, a line "  xN" tells how often it stood there. Once the file
@@ -62,4 +62,4 @@ class OutputLog {
 /// `text` with everything that a terminal or JSON cannot take replaced by '?'; tabs become blanks.
 std::string printable(std::string_view text);
 
-}  // namespace cls::orchestration
+}  // namespace cls::orchestration::process

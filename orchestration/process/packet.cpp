@@ -8,7 +8,7 @@
 #include <cstring>
 #include <type_traits>
 
-namespace cls::orchestration {
+namespace cls::orchestration::process {
 namespace {
 
 constexpr std::size_t kMaxPacket = 256 * 1024;
@@ -162,4 +162,4 @@ std::optional<CommandPlan> decode_plan(std::string_view bytes) {
   return plan;
 }
 
-}  // namespace cls::orchestration
+}  // namespace cls::orchestration::process

@@ -10,7 +10,7 @@
 #include "orchestration/process/command_plan.h"
 #include "orchestration/process/unique_fd.h"
 
-namespace cls::orchestration {
+namespace cls::orchestration::process {
 
 /// From a keeper to cls.
 struct KeeperReport {
@@ -70,4 +70,4 @@ std::optional<KeeperRequest> read_request(const Packet& packet);
 std::string encode(const CommandPlan& plan);
 std::optional<CommandPlan> decode_plan(std::string_view bytes);
 
-}  // namespace cls::orchestration
+}  // namespace cls::orchestration::process

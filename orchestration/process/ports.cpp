@@ -24,7 +24,7 @@
 
 #include "orchestration/process/process_tree.h"
 
-namespace cls::orchestration {
+namespace cls::orchestration::process {
 namespace {
 
 namespace fs = std::filesystem;
@@ -190,7 +190,7 @@ std::vector<int> ports_of(Protocol protocol, int pid) {
   return {ports.begin(), ports.end()};
 }
 
-soccer::Result<std::vector<ReservedPort>> ReservedPort::choose(int count) {
+base::Result<std::vector<ReservedPort>> ReservedPort::choose(int count) {
   std::vector<ReservedPort> ports;
   for (int attempt = 0; attempt < kAttempts; ++attempt) {
     if (static_cast<int>(ports.size()) == count) return ports;
@@ -199,7 +199,7 @@ soccer::Result<std::vector<ReservedPort>> ReservedPort::choose(int count) {
     const bool free = port_is_free(Protocol::kTcp, number) && port_is_free(Protocol::kUdp, number);
     if (mark && free) ports.push_back(ReservedPort(number, *std::move(mark)));
   }
-  return soccer::Error{
+  return base::Error{
       fmt::format("no {} free ports between {} and {}", count, kLowestPort, kHighestPort)};
 }
 
@@ -228,4 +228,4 @@ bool tcp_answers(const std::string& host, int port, int limit_ms) {
   return false;
 }
 
-}  // namespace cls::orchestration
+}  // namespace cls::orchestration::process

@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
+#include "base/result.h"
 #include "orchestration/process/unique_fd.h"
-#include "soccer/result.h"
 
-namespace cls::orchestration {
+namespace cls::orchestration::process {
 
 enum class Protocol { kTcp, kUdp };
 
@@ -35,7 +35,7 @@ class ReservedPort {
  public:
   /// Chooses `count` ports below those that the kernel gives out by itself. The error says that
   /// none was found.
-  static soccer::Result<std::vector<ReservedPort>> choose(int count);
+  static base::Result<std::vector<ReservedPort>> choose(int count);
 
   int number() const { return number_; }
 
@@ -49,4 +49,4 @@ class ReservedPort {
 /// True when something accepts a connection at host:port within `limit_ms`.
 bool tcp_answers(const std::string& host, int port, int limit_ms);
 
-}  // namespace cls::orchestration
+}  // namespace cls::orchestration::process

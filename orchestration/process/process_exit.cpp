@@ -5,7 +5,7 @@
 
 #include <cstring>
 
-namespace cls::orchestration {
+namespace cls::orchestration::process {
 namespace {
 
 // A shell whose command was killed by signal N returns this plus N.
@@ -27,4 +27,4 @@ std::string to_text(const ProcessExit& exit) {
   return fmt::format("exit code {}{}", exit.number, hint);
 }
 
-}  // namespace cls::orchestration
+}  // namespace cls::orchestration::process

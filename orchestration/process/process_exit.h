@@ -3,7 +3,7 @@
 
 #include <string>
 
-namespace cls::orchestration {
+namespace cls::orchestration::process {
 
 /// The end of a process as the operating system tells it.
 struct ProcessExit {
@@ -18,4 +18,4 @@ std::string to_text(const ProcessExit& exit);
 /// "SIGTERM" for 15; "signal 77" where there is no name.
 std::string signal_name(int number);
 
-}  // namespace cls::orchestration
+}  // namespace cls::orchestration::process

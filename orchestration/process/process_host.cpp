@@ -13,11 +13,11 @@
 #include "orchestration/process/guard.h"
 #include "orchestration/process/process_host_core.h"
 
-namespace cls::orchestration {
+namespace cls::orchestration::process {
 namespace {
 
-using soccer::Error;
-using soccer::Result;
+using base::Error;
+using base::Result;
 using std::chrono::milliseconds;
 
 constexpr milliseconds kStartLimit{10'000};  // a loaded machine; the keeper answers in 1 ms
@@ -205,4 +205,4 @@ Readiness wait_until_ready(const Child& child, const std::function<bool()>& read
   }
 }
 
-}  // namespace cls::orchestration
+}  // namespace cls::orchestration::process

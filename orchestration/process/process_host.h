@@ -12,11 +12,11 @@
 #include <string_view>
 #include <vector>
 
+#include "base/result.h"
 #include "orchestration/process/command_plan.h"
 #include "orchestration/process/process_exit.h"
-#include "soccer/result.h"
 
-namespace cls::orchestration {
+namespace cls::orchestration::process {
 
 struct ChildRecord;
 struct ProcessHostCore;
@@ -77,14 +77,14 @@ class ProcessHost {
   static constexpr std::size_t kLogLimit = 10 << 20;  ///< bytes of one log
 
   /// An error when Guard::start was not called in main.
-  static soccer::Result<ProcessHost> create(std::size_t log_limit = kLogLimit);
+  static base::Result<ProcessHost> create(std::size_t log_limit = kLogLimit);
   ProcessHost(ProcessHost&&) = default;
   ProcessHost& operator=(ProcessHost&&) = delete;
   ~ProcessHost();
 
   /// Starts a program. The error names it and says why not: no such program, folder or right; the
   /// log cannot be created; no processes left.
-  soccer::Result<std::shared_ptr<Child>> start(const CommandPlan& plan, OnLine on_line = {});
+  base::Result<std::shared_ptr<Child>> start(const CommandPlan& plan, OnLine on_line = {});
 
   /// Counts up whenever a child's status changes: a cheap look for loops that have other work.
   std::uint64_t changes() const;
@@ -116,4 +116,4 @@ Readiness wait_until_ready(const Child& child, const std::function<bool()>& read
 /// True when the program has failed, or has ended and left nothing behind that could do its work.
 bool has_ended(const Child::Status& status);
 
-}  // namespace cls::orchestration
+}  // namespace cls::orchestration::process

@@ -11,7 +11,7 @@
 #include <cerrno>
 #include <csignal>
 
-namespace cls::orchestration {
+namespace cls::orchestration::process {
 namespace {
 
 constexpr std::size_t kReadSize = 64 * 1024;
@@ -144,4 +144,4 @@ void ProcessHostCore::run() {
   records.clear();
 }
 
-}  // namespace cls::orchestration
+}  // namespace cls::orchestration::process

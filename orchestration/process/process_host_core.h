@@ -15,7 +15,7 @@
 #include "orchestration/process/process_host.h"
 #include "orchestration/process/unique_fd.h"
 
-namespace cls::orchestration {
+namespace cls::orchestration::process {
 
 /// One child; all but `plan` under the core's mutex.
 struct ChildRecord {
@@ -61,4 +61,4 @@ struct ProcessHostCore {
   std::thread thread_;
 };
 
-}  // namespace cls::orchestration
+}  // namespace cls::orchestration::process

@@ -14,7 +14,7 @@
 
 #include "orchestration/process/unique_fd.h"
 
-namespace cls::orchestration {
+namespace cls::orchestration::process {
 namespace {
 
 double ticks_to_seconds(unsigned long long ticks) {
@@ -95,4 +95,4 @@ double living_cpu_seconds(pid_t root) {
   return seconds;
 }
 
-}  // namespace cls::orchestration
+}  // namespace cls::orchestration::process

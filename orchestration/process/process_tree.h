@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace cls::orchestration {
+namespace cls::orchestration::process {
 
 /// One process of a tree. A zombie is not listed: it is dead and only waits to be fetched.
 struct ProcessEntry {
@@ -23,4 +23,4 @@ std::vector<ProcessEntry> descendants_of(pid_t root);
 /// `root` itself has waited for is not in it.
 double living_cpu_seconds(pid_t root);
 
-}  // namespace cls::orchestration
+}  // namespace cls::orchestration::process

@@ -5,7 +5,7 @@
 
 #include <utility>
 
-namespace cls::orchestration {
+namespace cls::orchestration::process {
 
 /// Owns one descriptor; -1 means none.
 class UniqueFd {
@@ -33,4 +33,4 @@ class UniqueFd {
   int fd_ = -1;
 };
 
-}  // namespace cls::orchestration
+}  // namespace cls::orchestration::process

@@ -5,11 +5,11 @@
 
 #include <algorithm>
 
-#include "orchestration/scenario/areas.h"
 #include "orchestration/scenario/scenario.h"
+#include "soccer/areas.h"
 #include "soccer/side_name.h"
 
-namespace cls::orchestration {
+namespace cls::orchestration::scenario {
 namespace {
 
 using mock_server::Value;
@@ -188,13 +188,13 @@ std::string failure(const ActionCheck& check, const RunRecord& record) {
                      side_name(check.side), check.count.text());
 }
 
-const TeamResult& team_of(const RunRecord& record, Side side) {
+const match::TeamResult& team_of(const RunRecord& record, Side side) {
   return side == Side::kRight ? record.result.right : record.result.left;
 }
 
 std::string failure(const CommandCheck& check, const RunRecord& record) {
   double count = 0;
-  for (const PlayerResult& player : team_of(record, check.side).players) {
+  for (const match::PlayerResult& player : team_of(record, check.side).players) {
     if (!concerns(check.unums, player.unum)) continue;
     const auto found = player.commands.find(check.kind);
     if (found != player.commands.end()) count += static_cast<double>(found->second);
@@ -212,8 +212,8 @@ std::string failure(const LatencyCheck& check, const RunRecord& record) {
   constexpr double kMicrosecond = 1e-3;  // in ms
   for (const auto& [which, demand] : check.percentiles_ms) {
     double worst = 0.0;
-    for (const PlayerResult& player : team_of(record, check.side).players) {
-      const RpcLatency& us = player.rpc_us;
+    for (const match::PlayerResult& player : team_of(record, check.side).players) {
+      const match::RpcLatency& us = player.rpc_us;
       const double value = which == "p50"   ? us.p50
                            : which == "p95" ? us.p95
                            : which == "p99" ? us.p99
@@ -230,7 +230,7 @@ std::string failure(const LatencyCheck& check, const RunRecord& record) {
 
 std::string failure(const MissedCheck& check, const RunRecord& record) {
   double missed = 0;
-  for (const PlayerResult& player : team_of(record, check.side).players) {
+  for (const match::PlayerResult& player : team_of(record, check.side).players) {
     missed += static_cast<double>(player.missed);
   }
   if (check.count.holds(missed)) return {};
@@ -272,7 +272,7 @@ bool ObjectTest::holds(const StepFrame& frame) const {
     if (!quantity.demand.holds(value_of(it, quantity.what))) return false;
   }
   if (!areas.empty() && std::none_of(areas.begin(), areas.end(), [&](const std::string& area) {
-        return is_in_area(area, it.position);
+        return soccer::is_in_area(area, it.position);
       })) {
     return false;
   }
@@ -343,4 +343,4 @@ std::string fingerprint(const GoldenCheck& check, const RunRecord& record) {
   return fmt::format("{}", fmt::join(touches, ", "));
 }
 
-}  // namespace cls::orchestration
+}  // namespace cls::orchestration::scenario

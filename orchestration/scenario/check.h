@@ -8,13 +8,13 @@
 #include <variant>
 #include <vector>
 
-#include "mock-server/comparison.h"
-#include "mock-server/expectations.h"
-#include "mock-server/field_path.h"
+#include "mock-server/script/comparison.h"
+#include "mock-server/script/expectations.h"
+#include "mock-server/script/field_path.h"
 #include "orchestration/scenario/run_record.h"
 #include "soccer/geometry.h"
 
-namespace cls::orchestration {
+namespace cls::orchestration::scenario {
 
 /// Player by slot (soccer::slot_of), or the ball.
 constexpr int kBallObject = -1;
@@ -149,4 +149,4 @@ std::optional<soccer::Side> playmaker_of(const Check& check);
 /// What a golden check compares.
 std::string fingerprint(const GoldenCheck& check, const RunRecord& record);
 
-}  // namespace cls::orchestration
+}  // namespace cls::orchestration::scenario

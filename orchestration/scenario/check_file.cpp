@@ -6,21 +6,21 @@
 #include <charconv>
 #include <nlohmann/json.hpp>
 
-#include "orchestration/scenario/areas.h"
 #include "orchestration/scenario/referee_words.h"
 #include "orchestration/scenario/scenario.h"
 #include "proto/playmaker.pb.h"
+#include "soccer/areas.h"
 #include "soccer/side_name.h"
 
-namespace cls::orchestration {
+namespace cls::orchestration::scenario {
 namespace {
 
+using base::Error;
+using base::JsonText;
+using base::JsonValue;
+using base::Result;
 using mock_server::Comparison;
-using mock_server::JsonText;
-using mock_server::JsonValue;
-using soccer::Error;
 using soccer::PlayMode;
-using soccer::Result;
 using soccer::Side;
 using Words = std::vector<std::string_view>;
 
@@ -105,7 +105,7 @@ Result<void> parse_is(const JsonValue& json, ObjectTest& test) {
   if (json.has("in")) {
     const JsonValue areas = json["in"];
     for (std::size_t i = 0; i < (areas.is_list() ? areas.size() : 1); ++i) {
-      const auto area = (areas.is_list() ? areas[i] : areas).word(area_names());
+      const auto area = (areas.is_list() ? areas[i] : areas).word(soccer::area_names());
       if (!area) return area.error();
       test.areas.push_back(*area);
     }
@@ -229,7 +229,7 @@ Parsed parse_referee(const JsonValue& json) {
   if (!word) return word.error();
   if (!is_referee_word(*word)) {
     return json["referee"].error(fmt::format("the referee never says '{}'{}", *word,
-                                             mock_server::did_you_mean(*word, referee_words())));
+                                             base::did_you_mean(*word, referee_words())));
   }
   const auto count = parse_count(json);
   if (!count) return count.error();
@@ -368,14 +368,14 @@ Parsed parse_end(const JsonValue& json) {
   return {EndCheck{*reason}};
 }
 
-Parsed parse_golden(const JsonValue& json, const mock_server::Json& golden) {
+Parsed parse_golden(const JsonValue& json, const base::Json& golden) {
   if (const auto known = only(json, {"golden"}); !known) return known.error();
   const auto what = json["golden"].word({"game_log", "score", "touches"});
   if (!what) return what.error();
   return {GoldenCheck{*what, golden.is_object() ? golden.value(*what, "") : ""}};
 }
 
-Parsed parse_what(const JsonValue& json, int steps, const mock_server::Json& golden) {
+Parsed parse_what(const JsonValue& json, int steps, const base::Json& golden) {
   if (!json.is_object()) return json.error("must be an object");
   if (json.has("ball")) return parse_step_check(json, steps, {"ball"});
   if (json.has("player")) return parse_step_check(json, steps, {"player", "is"});
@@ -396,7 +396,7 @@ Parsed parse_what(const JsonValue& json, int steps, const mock_server::Json& gol
                        "first_touch", "last_touch", "actions", "commands", "rpc",     "order",
                        "latency_ms",  "missed",     "end",     "golden"};
   for (const std::string& key : json.keys()) {
-    const std::string hint = mock_server::did_you_mean(key, kinds);
+    const std::string hint = base::did_you_mean(key, kinds);
     if (!hint.empty()) return json.error(fmt::format("unknown kind of check '{}'{}", key, hint));
   }
   return json.error(fmt::format("no kind of check (known: {})", fmt::join(kinds, ", ")));
@@ -441,7 +441,7 @@ Result<StepTest> parse_step_test(const JsonValue& json) {
   return json.error(fmt::format("ends at nothing (known: {})", fmt::join(kinds, ", ")));
 }
 
-Result<Check> parse_check(const JsonValue& json, int steps, const mock_server::Json& golden) {
+Result<Check> parse_check(const JsonValue& json, int steps, const base::Json& golden) {
   auto what = parse_what(json, steps, golden);
   if (!what) return what.error();
   Check check;
@@ -461,4 +461,4 @@ Result<Check> parse_check(const JsonValue& json, int steps, const mock_server::J
   return check;
 }
 
-}  // namespace cls::orchestration
+}  // namespace cls::orchestration::scenario

@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <array>
 
+#include "base/text/number_text.h"
 #include "soccer/play_mode.h"
-#include "soccer/protocol/number_text.h"
 #include "soccer/side.h"
 
-namespace cls::orchestration {
+namespace cls::orchestration::scenario {
 namespace {
 
 constexpr std::array<std::string_view, 16> kAnnouncements = {
@@ -37,7 +37,7 @@ bool is_referee_word(std::string_view word) {
   if (std::find(plain.begin(), plain.end(), word) != plain.end()) return true;
   return std::any_of(kNumbered.begin(), kNumbered.end(), [word](const Numbered& kind) {
     if (!word.starts_with(kind.begin)) return false;
-    const auto number = soccer::int_from_text(word.substr(kind.begin.size()));
+    const auto number = base::int_from_text(word.substr(kind.begin.size()));
     return number && *number >= 1 && *number <= kind.most;
   });
 }
@@ -57,4 +57,4 @@ const std::vector<std::string_view>& referee_words() {
   return words;
 }
 
-}  // namespace cls::orchestration
+}  // namespace cls::orchestration::scenario

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-namespace cls::orchestration {
+namespace cls::orchestration::scenario {
 
 /// True for what the referee can say: play modes, "half_time", "goal_l_2", "yellow_card_r_5", ...
 bool is_referee_word(std::string_view word);
@@ -12,4 +12,4 @@ bool is_referee_word(std::string_view word);
 /// All of them that carry no number, and one of each kind that does.
 const std::vector<std::string_view>& referee_words();
 
-}  // namespace cls::orchestration
+}  // namespace cls::orchestration::scenario

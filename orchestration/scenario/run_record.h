@@ -7,14 +7,14 @@
 #include <string>
 #include <vector>
 
-#include "mock-server/expectations.h"
-#include "orchestration/match_result.h"
+#include "mock-server/script/expectations.h"
+#include "orchestration/match/result/match_result.h"
 #include "proto/playmaker.pb.h"
 #include "soccer/geometry.h"
 #include "soccer/play_mode.h"
 #include "soccer/side.h"
 
-namespace cls::orchestration {
+namespace cls::orchestration::scenario {
 
 /// One thing on the pitch after a step. What does not apply to the ball is 0.
 struct ObjectFrame {
@@ -65,10 +65,10 @@ struct RunRecord {
   std::vector<std::vector<std::string>> rpc_failures;
   /// What the scripts of mock sides expected and did not get.
   std::vector<std::string> script_failures;
-  MatchResult result;
+  match::MatchResult result;
   std::string game_log;
   std::string text_log;
   double seconds = 0.0;  ///< wall time, for people; no check knows it
 };
 
-}  // namespace cls::orchestration
+}  // namespace cls::orchestration::scenario

@@ -9,16 +9,16 @@
 #include <string>
 #include <vector>
 
-#include "orchestration/endpoint.h"
+#include "orchestration/match/options/endpoint.h"
 #include "orchestration/scenario/check.h"
-#include "proxy/player_agent.h"
+#include "proxy/agent/player_agent.h"
 #include "soccer/geometry.h"
+#include "soccer/parameters/player_params.h"
+#include "soccer/parameters/server_params.h"
 #include "soccer/play_mode.h"
-#include "soccer/player_params.h"
-#include "soccer/server_params.h"
 #include "soccer/side.h"
 
-namespace cls::orchestration {
+namespace cls::orchestration::scenario {
 
 /// Where a player starts, in the server's axes (the left team attacks +x).
 struct StartingPlace {
@@ -35,7 +35,7 @@ inline constexpr const char* kForeignTeamHasNoPlaymaker =
     "known, only what happens on the pitch";
 
 struct ScenarioSide {
-  Endpoint playmaker;
+  match::Endpoint playmaker;
   /// By number. Empty: everybody plays, from the places of a kick-off; else only these do.
   std::map<int, StartingPlace> players;
 };
@@ -58,8 +58,8 @@ struct Scenario {
   soccer::Vec2 ball_velocity;
   std::array<ScenarioSide, 2> sides;  ///< left, right
   std::optional<soccer::Side> under_test;
-  bool coach = false;               ///< both teams bring one
-  std::optional<Endpoint> trainer;  ///< who is asked GetTrainerActions
+  bool coach = false;                      ///< both teams bring one
+  std::optional<match::Endpoint> trainer;  ///< who is asked GetTrainerActions
 
   int steps = 100;
   std::vector<StepTest> until;  ///< any of them ends the run
@@ -73,4 +73,4 @@ struct Scenario {
 /// Index of a side in arrays of two.
 constexpr std::size_t index_of(soccer::Side side) { return side == soccer::Side::kRight ? 1 : 0; }
 
-}  // namespace cls::orchestration
+}  // namespace cls::orchestration::scenario

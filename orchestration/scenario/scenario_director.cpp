@@ -5,12 +5,12 @@
 #include <tuple>
 #include <utility>
 
-#include "simulator/referee.h"
-#include "simulator/roster.h"
-#include "simulator/trainer.h"
+#include "simulator/actions/trainer.h"
+#include "simulator/referee/referee.h"
+#include "simulator/world/roster.h"
 #include "soccer/math.h"
 
-namespace cls::orchestration {
+namespace cls::orchestration::scenario {
 namespace {
 
 using simulator::Events;
@@ -91,7 +91,7 @@ void SideEar::tell(RunRecord& record) {
   }
 }
 
-ScenarioDirector::ScenarioDirector(const Scenario& scenario, const gamelog::StringSink& text_log,
+ScenarioDirector::ScenarioDirector(const Scenario& scenario, const base::StringSink& text_log,
                                    RunRecord& record)
     : scenario_(scenario),
       text_log_(text_log),
@@ -209,4 +209,4 @@ void ScenarioDirector::finish() {
   for (SideEar& ear : ears_) ear.tell(record_);
 }
 
-}  // namespace cls::orchestration
+}  // namespace cls::orchestration::scenario

@@ -6,12 +6,12 @@
 #include <memory>
 #include <vector>
 
-#include "gamelog/byte_sink.h"
-#include "orchestration/match_director.h"
+#include "base/io/byte_sink.h"
+#include "orchestration/match/hooks/match_director.h"
 #include "orchestration/scenario/run_record.h"
 #include "orchestration/scenario/scenario.h"
 
-namespace cls::orchestration {
+namespace cls::orchestration::scenario {
 
 /// Hears one side for the checks about actions and rpcs.
 class SideEar : public proxy::RpcListener {
@@ -33,10 +33,9 @@ class SideEar : public proxy::RpcListener {
 };
 
 /// `text_log` is what the match writes into; all must outlive the director.
-class ScenarioDirector : public MatchDirector {
+class ScenarioDirector : public match::MatchDirector {
  public:
-  ScenarioDirector(const Scenario& scenario, const gamelog::StringSink& text_log,
-                   RunRecord& record);
+  ScenarioDirector(const Scenario& scenario, const base::StringSink& text_log, RunRecord& record);
 
   proxy::RpcListener* listener(soccer::Side side) override;
   void arrange(simulator::World& world, simulator::Events& events) override;
@@ -54,7 +53,7 @@ class ScenarioDirector : public MatchDirector {
   void note_words();
 
   const Scenario& scenario_;
-  const gamelog::StringSink& text_log_;
+  const base::StringSink& text_log_;
   RunRecord& record_;
   int step_ = 0;
   std::array<SideEar, 2> ears_;
@@ -66,4 +65,4 @@ class ScenarioDirector : public MatchDirector {
   int catcher_ = -1;
 };
 
-}  // namespace cls::orchestration
+}  // namespace cls::orchestration::scenario

@@ -8,37 +8,38 @@
 #include <nlohmann/json.hpp>
 
 #include "mock-server/mock.h"
-#include "mock-server/script.h"
-#include "orchestration/match_options.h"
+#include "mock-server/script/script.h"
+#include "orchestration/match/options/match_options.h"
 #include "orchestration/scenario/check_file.h"
 #include "soccer/side_name.h"
 
-namespace cls::orchestration {
+namespace cls::orchestration::scenario {
 namespace {
 
-using mock_server::Json;
-using mock_server::JsonText;
-using mock_server::JsonValue;
-using soccer::Error;
-using soccer::Result;
+using base::Error;
+using base::Json;
+using base::JsonText;
+using base::JsonValue;
+using base::Result;
 using soccer::Side;
 
 constexpr int kMostSeeds = 1000;
 constexpr int kMostSteps = 100'000;
 
-Result<void> parse_settings(const JsonValue& json, const char* module, MatchOptions& options) {
+Result<void> parse_settings(const JsonValue& json, const char* module,
+                            match::MatchOptions& options) {
   if (!json.is_object()) return json.error("must be an object of parameters");
   for (const std::string& key : json.keys()) {
     const JsonValue value = json[key];
     const std::string text = value.is_string() ? *value.string() : value.json().dump();
-    const auto set = apply_setting(options, fmt::format("{}::{}={}", module, key, text));
+    const auto set = match::apply_setting(options, fmt::format("{}::{}={}", module, key, text));
     if (!set) return value.error(set.error().message);
   }
   return {};
 }
 
 Result<void> parse_server(const JsonValue& json, Scenario& scenario) {
-  MatchOptions options;
+  match::MatchOptions options;
   // A scenario begins at once, and is an ordinary match otherwise.
   options.server.kick_off_wait = 5;
   if (json.has("noise")) {
@@ -105,7 +106,7 @@ Result<StartingPlace> parse_place(const JsonValue& json) {
   return place;
 }
 
-Result<void> parse_playmaker(const JsonValue& json, Endpoint& endpoint) {
+Result<void> parse_playmaker(const JsonValue& json, match::Endpoint& endpoint) {
   const std::filesystem::path folder = std::filesystem::path(json.text().name()).parent_path();
   if (json.is_object()) {
     const auto script = mock_server::parse_script(json);
@@ -117,14 +118,15 @@ Result<void> parse_playmaker(const JsonValue& json, Endpoint& endpoint) {
   }
   const auto text = json.string();
   if (!text) return text.error();
-  auto parsed = parse_endpoint(*text);
+  auto parsed = match::parse_endpoint(*text);
   if (!parsed) return json.error(parsed.error().message);
   endpoint = *std::move(parsed);
-  if (endpoint.kind == Endpoint::Kind::kTeam) endpoint.path = (folder / endpoint.path).string();
-  if (endpoint.kind != Endpoint::Kind::kMock) return {};
+  if (endpoint.kind == match::Endpoint::Kind::kTeam)
+    endpoint.path = (folder / endpoint.path).string();
+  if (endpoint.kind != match::Endpoint::Kind::kMock) return {};
   if (mock_server::names_script(endpoint.behaviour)) {
     endpoint.behaviour = (folder / endpoint.behaviour).string();
-    return load_script(endpoint);
+    return match::load_script(endpoint);
   }
   const auto known = mock_server::make_behaviour(endpoint.behaviour);
   if (!known) return json.error(known.error().message);
@@ -309,4 +311,4 @@ Result<Scenario> parse_scenario(const JsonText& text, const Json& golden) {
   return scenario;
 }
 
-}  // namespace cls::orchestration
+}  // namespace cls::orchestration::scenario

@@ -3,15 +3,14 @@
 
 #include <string>
 
-#include "mock-server/json_text.h"
+#include "base/result.h"
+#include "base/text/json_text.h"
 #include "orchestration/scenario/scenario.h"
-#include "soccer/result.h"
 
-namespace cls::orchestration {
+namespace cls::orchestration::scenario {
 
 /// `golden` are the blessed values of this scenario, an object by key, or null. Errors name file,
 /// line and place. Script files of mocks are read, relative to the scenario's folder.
-soccer::Result<Scenario> parse_scenario(const mock_server::JsonText& text,
-                                        const mock_server::Json& golden);
+base::Result<Scenario> parse_scenario(const base::JsonText& text, const base::Json& golden);
 
-}  // namespace cls::orchestration
+}  // namespace cls::orchestration::scenario

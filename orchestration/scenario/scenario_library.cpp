@@ -7,18 +7,18 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "mock-server/json_text.h"
+#include "base/io/whole_file.h"
+#include "base/text/json_text.h"
 #include "orchestration/scenario/scenario_file.h"
-#include "orchestration/whole_file.h"
 
-namespace cls::orchestration {
+namespace cls::orchestration::scenario {
 namespace {
 
 namespace fs = std::filesystem;
-using mock_server::Json;
-using mock_server::JsonText;
-using soccer::Error;
-using soccer::Result;
+using base::Error;
+using base::Json;
+using base::JsonText;
+using base::Result;
 
 constexpr std::string_view kShippedFolder = "examples/scenarios/";
 
@@ -117,11 +117,11 @@ Result<int> bless(const SuiteVerdict& suite) {
       (*golden)[name] = values;
     }
     const std::map<std::string, Json> sorted = golden->get<std::map<std::string, Json>>();
-    if (const auto written = write_file(file, Json(sorted).dump(2) + "\n"); !written) {
+    if (const auto written = base::write_file(file, Json(sorted).dump(2) + "\n"); !written) {
       return written.error();
     }
   }
   return changed;
 }
 
-}  // namespace cls::orchestration
+}  // namespace cls::orchestration::scenario

@@ -5,11 +5,11 @@
 #include <string_view>
 #include <vector>
 
+#include "base/result.h"
 #include "orchestration/scenario/scenario.h"
 #include "orchestration/scenario/suite.h"
-#include "soccer/result.h"
 
-namespace cls::orchestration {
+namespace cls::orchestration::scenario {
 
 /// A file of examples/scenarios as it was when `cls` was built.
 struct ShippedFile {
@@ -22,13 +22,13 @@ const std::vector<ShippedFile>& shipped_files();
 inline constexpr const char* kGoldenFile = "golden.json";
 
 /// All that are part of the binary, by name.
-soccer::Result<std::vector<Scenario>> shipped_scenarios();
+base::Result<std::vector<Scenario>> shipped_scenarios();
 
 /// A file, or all *.json of a folder in the order of their names. Errors name file and line.
-soccer::Result<std::vector<Scenario>> read_scenarios(const std::filesystem::path& path);
+base::Result<std::vector<Scenario>> read_scenarios(const std::filesystem::path& path);
 
 /// Writes what the golden checks of these scenarios found into the golden files beside them;
 /// returns how many values are new or other than before. Shipped ones without a file are left out.
-soccer::Result<int> bless(const SuiteVerdict& suite);
+base::Result<int> bless(const SuiteVerdict& suite);
 
-}  // namespace cls::orchestration
+}  // namespace cls::orchestration::scenario

@@ -4,18 +4,18 @@
 #include <chrono>
 #include <utility>
 
-#include "gamelog/byte_sink.h"
-#include "orchestration/event_log.h"
-#include "orchestration/lockstep_match.h"
-#include "orchestration/match_chronicle.h"
-#include "orchestration/match_options.h"
+#include "base/io/byte_sink.h"
+#include "orchestration/match/hooks/match_chronicle.h"
+#include "orchestration/match/lockstep_match.h"
+#include "orchestration/match/options/match_options.h"
+#include "orchestration/match/result/event_log.h"
 #include "orchestration/scenario/scenario_director.h"
 
-namespace cls::orchestration {
+namespace cls::orchestration::scenario {
 namespace {
 
-MatchOptions match_options(const Scenario& scenario, const RunSettings& settings) {
-  MatchOptions options;
+match::MatchOptions match_options(const Scenario& scenario, const RunSettings& settings) {
+  match::MatchOptions options;
   options.left = scenario.sides[0].playmaker;
   options.right = scenario.sides[1].playmaker;
   if (settings.against && scenario.under_test) {
@@ -39,22 +39,22 @@ MatchOptions match_options(const Scenario& scenario, const RunSettings& settings
 
 }  // namespace
 
-soccer::Result<RunRecord> run_scenario(const Scenario& scenario, const RunSettings& settings,
-                                       const std::atomic<int>& stop_signal) {
+base::Result<RunRecord> run_scenario(const Scenario& scenario, const RunSettings& settings,
+                                     const std::atomic<int>& stop_signal) {
   const auto start = std::chrono::steady_clock::now();
-  const MatchOptions options = match_options(scenario, settings);
-  const TeamNames names{"left", "right"};
-  gamelog::StringSink game_log;
-  gamelog::StringSink text_log;
-  gamelog::StringSink event_lines;
-  EventLog events(event_lines);
-  MatchChronicle chronicle(events);
-  MatchObserver observer;
+  const match::MatchOptions options = match_options(scenario, settings);
+  const match::TeamNames names{"left", "right"};
+  base::StringSink game_log;
+  base::StringSink text_log;
+  base::StringSink event_lines;
+  match::EventLog events(event_lines);
+  match::MatchChronicle chronicle(events);
+  match::MatchObserver observer;
   RunRecord record;
   record.seed = settings.seed;
   ScenarioDirector director(scenario, text_log, record);
-  auto match = LockstepMatch::create(options, names, settings.seed, stop_signal, settings.host,
-                                     settings.folder);
+  auto match = match::LockstepMatch::create(options, names, settings.seed, stop_signal,
+                                            settings.host, settings.folder);
   if (!match) return match.error();
   (*match)->record(game_log, text_log);
   (*match)->direct(director);
@@ -62,7 +62,7 @@ soccer::Result<RunRecord> run_scenario(const Scenario& scenario, const RunSettin
   (*match)->play(observer, chronicle);
   director.finish();
   record.result = (*match)->result();
-  for (const MatchSide* side : {&(*match)->left(), &(*match)->right()}) {
+  for (const match::MatchSide* side : {&(*match)->left(), &(*match)->right()}) {
     for (std::string& line : side->failed_expectations()) {
       record.script_failures.push_back(side->name() + ": " + std::move(line));
     }
@@ -73,4 +73,4 @@ soccer::Result<RunRecord> run_scenario(const Scenario& scenario, const RunSettin
   return record;
 }
 
-}  // namespace cls::orchestration
+}  // namespace cls::orchestration::scenario

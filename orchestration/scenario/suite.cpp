@@ -7,10 +7,10 @@
 #include <mutex>
 #include <thread>
 
+#include "base/io/whole_file.h"
 #include "orchestration/scenario/scenario_run.h"
-#include "orchestration/whole_file.h"
 
-namespace cls::orchestration {
+namespace cls::orchestration::scenario {
 namespace {
 
 namespace fs = std::filesystem;
@@ -47,7 +47,8 @@ class SuiteRun {
  public:
   SuiteRun(const std::vector<Scenario>& scenarios, const SuiteOptions& options,
            const std::function<void(const ScenarioVerdict&)>& on_done,
-           const std::atomic<int>& stop_signal, ProcessHost* host, std::string host_problem)
+           const std::atomic<int>& stop_signal, process::ProcessHost* host,
+           std::string host_problem)
       : scenarios_(scenarios),
         options_(options),
         on_done_(on_done),
@@ -174,9 +175,9 @@ class SuiteRun {
       if (!line.empty()) report += line + "\n";
     }
     for (const std::string& line : outcome.script_failures) report += line + "\n";
-    const bool kept = write_file(folder / "match.rcg", record.game_log) &&
-                      write_file(folder / "match.rcl", record.text_log) &&
-                      write_file(folder / "failures.txt", report);
+    const bool kept = base::write_file(folder / "match.rcg", record.game_log) &&
+                      base::write_file(folder / "match.rcl", record.text_log) &&
+                      base::write_file(folder / "failures.txt", report);
     outcome.folder = kept ? folder.string() : "";
   }
 
@@ -269,7 +270,7 @@ class SuiteRun {
   const SuiteOptions& options_;
   const std::function<void(const ScenarioVerdict&)>& on_done_;
   const std::atomic<int>& stop_signal_;
-  ProcessHost* host_;
+  process::ProcessHost* host_;
   std::string host_problem_;  ///< why there is none although programs are to be started
 
   std::vector<Task> tasks_;
@@ -292,11 +293,11 @@ int SuiteVerdict::count(Verdict verdict) const {
 SuiteVerdict run_suite(const std::vector<Scenario>& scenarios, const SuiteOptions& options,
                        const std::function<void(const ScenarioVerdict&)>& on_done,
                        const std::atomic<int>& stop_signal) {
-  std::optional<ProcessHost> host;
+  std::optional<process::ProcessHost> host;
   std::string problem;
   const auto starts = [&](const Scenario& scenario) { return starts_programs(scenario, options); };
   if (std::any_of(scenarios.begin(), scenarios.end(), starts)) {
-    auto created = ProcessHost::create();
+    auto created = process::ProcessHost::create();
     if (created) host.emplace(*std::move(created));
     if (!created) problem = created.error().message;
   }
@@ -304,4 +305,4 @@ SuiteVerdict run_suite(const std::vector<Scenario>& scenarios, const SuiteOption
       .play();
 }
 
-}  // namespace cls::orchestration
+}  // namespace cls::orchestration::scenario

@@ -9,16 +9,16 @@
 #include <string>
 #include <vector>
 
+#include "base/result.h"
 #include "orchestration/scenario/run_record.h"
 #include "orchestration/scenario/scenario.h"
-#include "soccer/result.h"
 
-namespace cls::orchestration {
+namespace cls::orchestration::scenario {
 
 struct SuiteOptions {
   int jobs = 1;
   std::optional<std::uint64_t> seed;  ///< instead of the scenarios' own
-  std::optional<Endpoint> against;
+  std::optional<match::Endpoint> against;
   std::string against_text;      ///< for the command that repeats a run
   std::filesystem::path folder;  ///< where failing runs are kept; created when one fails
 };
@@ -60,4 +60,4 @@ SuiteVerdict run_suite(const std::vector<Scenario>& scenarios, const SuiteOption
                        const std::function<void(const ScenarioVerdict&)>& on_done,
                        const std::atomic<int>& stop_signal);
 
-}  // namespace cls::orchestration
+}  // namespace cls::orchestration::scenario

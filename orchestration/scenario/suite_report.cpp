@@ -5,11 +5,11 @@
 
 #include <nlohmann/json.hpp>
 
-#include "orchestration/github.h"
-#include "orchestration/junit.h"
-#include "orchestration/version.h"
+#include "base/report/github.h"
+#include "base/report/junit.h"
+#include "base/system/version.h"
 
-namespace cls::orchestration {
+namespace cls::orchestration::scenario {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -100,7 +100,7 @@ std::string summary(const SuiteVerdict& suite, double seconds) {
 
 std::string to_json(const SuiteVerdict& suite) {
   Json json = {{"schema", "cls.test/1"},
-               {"version", kVersion},
+               {"version", base::kVersion},
                {"passed", suite.count(Verdict::kPassed)},
                {"failed", suite.count(Verdict::kFailed)},
                {"skipped", suite.count(Verdict::kSkipped)}};
@@ -112,26 +112,26 @@ std::string to_json(const SuiteVerdict& suite) {
 }
 
 std::string to_junit(const SuiteVerdict& suite) {
-  std::vector<JunitCase> cases;
+  std::vector<base::JunitCase> cases;
   for (const ScenarioVerdict& verdict : suite.scenarios) {
     const Scenario& scenario = *verdict.scenario;
-    JunitCase& one = cases.emplace_back();
+    base::JunitCase& one = cases.emplace_back();
     one.group = "scenarios";
     one.name = scenario.name;
     one.file = scenario.file;
     one.seconds = verdict.seconds;
     if (verdict.verdict == Verdict::kSkipped) {
-      one.result = JunitCase::Result::kSkipped;
+      one.result = base::JunitCase::Result::kSkipped;
       one.message = verdict.reason;
     } else if (verdict.verdict == Verdict::kFailed) {
       const std::string lines = failures(verdict);
-      one.result = JunitCase::Result::kFailed;
+      one.result = base::JunitCase::Result::kFailed;
       one.type = "check";
       one.message = lines.substr(0, lines.find('\n'));
       one.text = fmt::format("{}again: {}\n", lines, verdict.repeat);
     }
   }
-  return junit("cls test", cases);
+  return base::junit("cls test", cases);
 }
 
 std::string to_annotations(const SuiteVerdict& suite) {
@@ -140,8 +140,8 @@ std::string to_annotations(const SuiteVerdict& suite) {
     if (verdict.verdict != Verdict::kFailed) continue;
     const Scenario& scenario = *verdict.scenario;
     const auto add = [&](int line, const std::string& what) {
-      text += github_error({scenario.file, line}, "scenario " + scenario.name,
-                           what + "\nagain: " + verdict.repeat);
+      text += base::github_error({scenario.file, line}, "scenario " + scenario.name,
+                                 what + "\nagain: " + verdict.repeat);
     };
     for (const CheckVerdict& check : verdict.checks) {
       if (!check.passed) add(check.line, describe(check));
@@ -151,4 +151,4 @@ std::string to_annotations(const SuiteVerdict& suite) {
   return text;
 }
 
-}  // namespace cls::orchestration
+}  // namespace cls::orchestration::scenario

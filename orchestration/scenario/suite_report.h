@@ -5,7 +5,7 @@
 
 #include "orchestration/scenario/suite.h"
 
-namespace cls::orchestration {
+namespace cls::orchestration::scenario {
 
 /// One scenario as lines of text: verdict, and of a failure what, where and how to repeat it.
 std::string to_text(const ScenarioVerdict& verdict);
@@ -22,4 +22,4 @@ std::string to_junit(const SuiteVerdict& suite);
 /// GitHub annotations, one ::error line a failed check.
 std::string to_annotations(const SuiteVerdict& suite);
 
-}  // namespace cls::orchestration
+}  // namespace cls::orchestration::scenario

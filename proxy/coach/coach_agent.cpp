@@ -5,11 +5,11 @@
 #include <string_view>
 #include <utility>
 
+#include "base/overloaded.h"
 #include "proxy/coach/global_perception.h"
-#include "proxy/perception.h"
-#include "proxy/state_message.h"
-#include "soccer/overloaded.h"
-#include "soccer/protocol/connection_request.h"
+#include "proxy/messages/state_message.h"
+#include "proxy/perception/perception.h"
+#include "soccer/commands/connection_request.h"
 #include "soccer/protocol/message_kind.h"
 
 namespace cls::proxy {
@@ -73,7 +73,7 @@ void CoachAgent::take_in_message() {
 void CoachAgent::take_in_reply() {
   soccer::ServerReply reply;
   if (!read(server_, reply)) return;
-  std::visit(soccer::Overloaded{
+  std::visit(base::Overloaded{
                  [this](const soccer::Think&) { due_ = true; },
                  [this](const soccer::CoachInitReply& init) {
                    on_coach_init(world_, init.side, options_.team_name);

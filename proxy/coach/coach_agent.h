@@ -10,18 +10,18 @@
 #include <vector>
 
 #include "proto/playmaker.pb.h"
-#include "proxy/agent_statistics.h"
 #include "proxy/coach/coach_notes.h"
 #include "proxy/coach/coach_orders.h"
-#include "proxy/playmaker.h"
-#include "proxy/server_connection.h"
-#include "proxy/world_model.h"
+#include "proxy/connection/agent_statistics.h"
+#include "proxy/connection/server_connection.h"
+#include "proxy/playmaker/playmaker.h"
+#include "proxy/world/world_model.h"
 #include "soccer/channel.h"
-#include "soccer/protocol/coach_command.h"
-#include "soccer/protocol/global_view.h"
-#include "soccer/protocol/hear.h"
+#include "soccer/commands/coach_command.h"
+#include "soccer/messages/global_view.h"
+#include "soccer/messages/hear.h"
+#include "soccer/messages/server_reply.h"
 #include "soccer/protocol/protocol_version.h"
-#include "soccer/protocol/server_reply.h"
 #include "soccer/protocol/team_name.h"
 
 namespace cls::proxy {

@@ -5,10 +5,10 @@
 #include <string_view>
 #include <vector>
 
-#include "proxy/coach/player_types_message.h"
 #include "proxy/coach/strength_estimate.h"
 #include "proxy/coach/type_analysis.h"
-#include "proxy/world_model.h"
+#include "proxy/perception/player_types_message.h"
+#include "proxy/world/world_model.h"
 
 namespace cls::proxy {
 

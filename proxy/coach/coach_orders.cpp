@@ -5,9 +5,9 @@
 #include <optional>
 #include <string>
 
-#include "proxy/coach/player_types_message.h"
 #include "proxy/coach/substitution.h"
-#include "proxy/state_message.h"
+#include "proxy/messages/state_message.h"
+#include "proxy/perception/player_types_message.h"
 #include "soccer/play_mode.h"
 
 namespace cls::proxy {

@@ -7,8 +7,8 @@
 
 #include "proto/playmaker.pb.h"
 #include "proxy/coach/coach_notes.h"
-#include "proxy/world_model.h"
-#include "soccer/protocol/coach_command.h"
+#include "proxy/world/world_model.h"
+#include "soccer/commands/coach_command.h"
 
 namespace cls::proxy {
 

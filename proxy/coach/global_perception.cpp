@@ -1,10 +1,10 @@
 // The whole truth as beliefs.
 #include "proxy/coach/global_perception.h"
 
-#include "proxy/world/hearing.h"
-#include "proxy/world/intercept.h"
-#include "proxy/world/kickers.h"
-#include "proxy/world/team_lines.h"
+#include "proxy/estimates/intercept.h"
+#include "proxy/estimates/kickers.h"
+#include "proxy/estimates/team_lines.h"
+#include "proxy/perception/hearing.h"
 
 namespace cls::proxy {
 namespace {

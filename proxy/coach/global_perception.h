@@ -1,9 +1,9 @@
 // What coaches and trainers are told, taken into a world model: everything, without noise.
 #pragma once
 
-#include "proxy/world_model.h"
-#include "soccer/protocol/global_view.h"
-#include "soccer/protocol/hear.h"
+#include "proxy/world/world_model.h"
+#include "soccer/messages/global_view.h"
+#include "soccer/messages/hear.h"
 #include "soccer/side.h"
 
 namespace cls::proxy {

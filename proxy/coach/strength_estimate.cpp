@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <variant>
 
-#include "proxy/say_message.h"
+#include "proxy/perception/say_message.h"
 
 namespace cls::proxy {
 namespace {

@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "proxy/world/dash_model.h"
-#include "proxy/world_model.h"
+#include "proxy/world/world_model.h"
 
 namespace cls::proxy {
 

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "proxy/coach/coach_notes.h"
-#include "proxy/world_model.h"
-#include "soccer/protocol/coach_command.h"
+#include "proxy/world/world_model.h"
+#include "soccer/commands/coach_command.h"
 
 namespace cls::proxy {
 

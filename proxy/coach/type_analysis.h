@@ -3,8 +3,8 @@
 
 #include <array>
 
-#include "proxy/coach/player_types_message.h"
-#include "proxy/world_model.h"
+#include "proxy/perception/player_types_message.h"
+#include "proxy/world/world_model.h"
 
 namespace cls::proxy {
 

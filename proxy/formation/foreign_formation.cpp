@@ -14,8 +14,8 @@
 namespace cls::proxy {
 namespace {
 
-using soccer::Error;
-using soccer::Result;
+using base::Error;
+using base::Result;
 using soccer::Vec2;
 
 using Samples = std::vector<FormationSample>;

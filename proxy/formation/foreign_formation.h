@@ -5,14 +5,14 @@
 #include <string_view>
 #include <vector>
 
+#include "base/result.h"
 #include "proxy/formation/formation.h"
-#include "soccer/result.h"
 
 namespace cls::proxy {
 
 /// The samples of a file in one of librcsc's forms (formation_file.h); roles and marks are passed
 /// over. Other methods than Static and DelaunayTriangulation are named in the error.
-soccer::Result<std::vector<FormationSample>> read_foreign_formation(std::string_view text,
-                                                                    const std::string& name);
+base::Result<std::vector<FormationSample>> read_foreign_formation(std::string_view text,
+                                                                  const std::string& name);
 
 }  // namespace cls::proxy

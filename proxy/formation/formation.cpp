@@ -43,14 +43,14 @@ std::vector<std::array<std::size_t, 2>> chain_of(const std::vector<Vec2>& points
 
 }  // namespace
 
-soccer::Result<Formation> Formation::make(std::vector<FormationSample> samples) {
-  if (samples.empty()) return soccer::Error{"a formation without samples"};
+base::Result<Formation> Formation::make(std::vector<FormationSample> samples) {
+  if (samples.empty()) return base::Error{"a formation without samples"};
   constexpr double kSame = 0.05;
   std::vector<Vec2> points;
   for (const FormationSample& sample : samples) {
     for (const Vec2 other : points) {
       if (distance(other, sample.ball) >= kSame) continue;
-      return soccer::Error{
+      return base::Error{
           fmt::format("two samples with the ball at ({}, {})", sample.ball.x, sample.ball.y)};
     }
     points.push_back(sample.ball);

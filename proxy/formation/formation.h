@@ -4,9 +4,9 @@
 #include <array>
 #include <vector>
 
+#include "base/result.h"
 #include "proxy/formation/triangulation.h"
 #include "soccer/geometry.h"
-#include "soccer/result.h"
 #include "soccer/side.h"
 
 namespace cls::proxy {
@@ -22,7 +22,7 @@ struct FormationSample {
 class Formation {
  public:
   /// Not ok without samples, and when two of them have the ball at the same place (within 5 cm).
-  static soccer::Result<Formation> make(std::vector<FormationSample> samples);
+  static base::Result<Formation> make(std::vector<FormationSample> samples);
 
   /// Linear within the triangle of samples around the ball; a ball outside all triangles counts as
   /// being at the nearest point of their hull. One sample alone is the same everywhere.

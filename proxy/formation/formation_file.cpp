@@ -15,8 +15,8 @@
 namespace cls::proxy {
 namespace {
 
-using soccer::Error;
-using soccer::Result;
+using base::Error;
+using base::Result;
 using soccer::Vec2;
 
 constexpr std::string_view kHeader = "cls-formation";

@@ -15,8 +15,8 @@
 namespace cls::proxy {
 namespace {
 
-using soccer::Error;
-using soccer::Result;
+using base::Error;
+using base::Result;
 
 constexpr std::array<std::string_view, kFormationKinds> kFileNames{
     "before-kick-off",

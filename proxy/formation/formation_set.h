@@ -7,8 +7,8 @@
 #include <string>
 #include <string_view>
 
+#include "base/result.h"
 #include "proxy/formation/formation.h"
-#include "soccer/result.h"
 
 namespace cls::proxy {
 
@@ -52,6 +52,6 @@ std::shared_ptr<const FormationSet> built_in_formations();
 
 /// One file for each kind from a folder: NAME.formation, else NAME.conf, else NAME. Not ok when one
 /// is missing or does not parse; the message names the file.
-soccer::Result<std::shared_ptr<const FormationSet>> read_formations(const std::string& folder);
+base::Result<std::shared_ptr<const FormationSet>> read_formations(const std::string& folder);
 
 }  // namespace cls::proxy

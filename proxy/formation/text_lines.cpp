@@ -36,7 +36,7 @@ std::vector<std::string_view> TextLines::words(char separator) const {
   return words;
 }
 
-soccer::Error TextLines::error(const std::string& what) const {
+base::Error TextLines::error(const std::string& what) const {
   return {fmt::format("{}:{}: {}", *name_, number_, what)};
 }
 

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "base/result.h"
 #include "soccer/geometry.h"
-#include "soccer/result.h"
 
 namespace cls::proxy {
 
@@ -23,7 +23,7 @@ class TextLines {
   std::vector<std::string_view> words(char separator = ' ') const;
 
   /// Names the file and the present line.
-  soccer::Error error(const std::string& what) const;
+  base::Error error(const std::string& what) const;
 
   static std::optional<double> number(std::string_view word);
   static std::optional<soccer::Vec2> point(std::string_view x, std::string_view y);

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "proxy/skills/kick.h"
-#include "proxy/skills/motion.h"
+#include "proxy/ball_skills/kick.h"
+#include "proxy/world/motion.h"
 #include "soccer/pitch.h"
 
 namespace cls::proxy {

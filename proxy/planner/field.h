@@ -6,7 +6,7 @@
 
 #include "proxy/planner/reach.h"
 #include "proxy/world/fixed_list.h"
-#include "proxy/world_model.h"
+#include "proxy/world/world_model.h"
 
 namespace cls::proxy {
 

@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "proxy/skills/kick.h"
+#include "proxy/ball_skills/kick.h"
 #include "soccer/pitch.h"
 
 namespace cls::proxy {

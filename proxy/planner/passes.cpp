@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "proxy/planner/generators.h"
-#include "proxy/skills/motion.h"
+#include "proxy/world/motion.h"
 #include "soccer/pitch.h"
 
 namespace cls::proxy {

@@ -4,15 +4,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "proxy/ball_skills/clear_ball.h"
+#include "proxy/ball_skills/hold_ball.h"
+#include "proxy/ball_skills/kick.h"
+#include "proxy/ball_skills/smart_kick.h"
+#include "proxy/movement/movement.h"
+#include "proxy/perception/say_message.h"
 #include "proxy/planner/field.h"
 #include "proxy/planner/search.h"
-#include "proxy/say_message.h"
-#include "proxy/skills/clear_ball.h"
-#include "proxy/skills/hold_ball.h"
-#include "proxy/skills/kick.h"
-#include "proxy/skills/motion.h"
-#include "proxy/skills/movement.h"
-#include "proxy/skills/smart_kick.h"
+#include "proxy/world/motion.h"
 #include "soccer/pitch.h"
 
 namespace cls::proxy {

@@ -1,7 +1,7 @@
 // Carrying out the first action of a plan.
 #pragma once
 
-#include "proxy/action_context.h"
+#include "proxy/planner/action_context.h"
 #include "proxy/planner/plan.h"
 
 namespace cls::proxy {

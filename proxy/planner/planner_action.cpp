@@ -2,11 +2,11 @@
 #include "proxy/planner/planner_action.h"
 
 #include "proto/playmaker.pb.h"
+#include "proxy/ball_skills/hold_ball.h"
 #include "proxy/planner/field.h"
 #include "proxy/planner/planned_action.h"
 #include "proxy/planner/planner_messages.h"
 #include "proxy/planner/search.h"
-#include "proxy/skills/hold_ball.h"
 
 namespace cls::proxy {
 namespace {

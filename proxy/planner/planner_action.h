@@ -1,7 +1,7 @@
 // The planner as an action of the wire.
 #pragma once
 
-#include "proxy/action_context.h"
+#include "proxy/planner/action_context.h"
 
 namespace protos {
 class HeliosOffensivePlanner;

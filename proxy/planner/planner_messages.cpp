@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "proto/playmaker.pb.h"
-#include "proxy/object_messages.h"
+#include "proxy/messages/object_messages.h"
 
 namespace cls::proxy {
 namespace {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "proxy/planner/plan.h"
-#include "proxy/world_model.h"
+#include "proxy/world/world_model.h"
 
 namespace protos {
 class BestPlannerActionRequest;

@@ -3,8 +3,8 @@
 
 #include <array>
 
-#include "soccer/player_type.h"
-#include "soccer/server_params.h"
+#include "soccer/parameters/player_type.h"
+#include "soccer/parameters/server_params.h"
 
 namespace cls::proxy {
 

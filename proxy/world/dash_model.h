@@ -1,8 +1,8 @@
 // How dashing moves a player and what it costs, as the server reckons.
 #pragma once
 
-#include "soccer/player_type.h"
-#include "soccer/server_params.h"
+#include "soccer/parameters/player_type.h"
+#include "soccer/parameters/server_params.h"
 
 namespace cls::proxy {
 

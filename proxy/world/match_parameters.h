@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "proxy/world/seen_distance.h"
-#include "soccer/player_params.h"
-#include "soccer/player_type.h"
-#include "soccer/server_params.h"
+#include "soccer/parameters/player_params.h"
+#include "soccer/parameters/player_type.h"
+#include "soccer/parameters/server_params.h"
 
 namespace cls::proxy {
 

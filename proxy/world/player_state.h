@@ -8,7 +8,7 @@
 #include "proxy/world/fixed_list.h"
 #include "soccer/angle.h"
 #include "soccer/geometry.h"
-#include "soccer/protocol/see.h"
+#include "soccer/messages/see.h"
 #include "soccer/side.h"
 
 namespace cls::proxy {

@@ -4,7 +4,7 @@
 #include "proxy/world/age.h"
 #include "soccer/angle.h"
 #include "soccer/geometry.h"
-#include "soccer/protocol/sense_body.h"
+#include "soccer/messages/sense_body.h"
 
 namespace cls::proxy {
 

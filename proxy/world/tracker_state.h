@@ -5,8 +5,8 @@
 #include <optional>
 
 #include "proxy/world/gaussian.h"
+#include "soccer/commands/player_command.h"
 #include "soccer/geometry.h"
-#include "soccer/protocol/player_command.h"
 
 namespace cls::proxy {
 

@@ -3,10 +3,10 @@
 #include <cmath>
 
 #include "simulator/actions/commands.h"
-#include "simulator/angles.h"
-#include "simulator/collision.h"
-#include "simulator/referee.h"
 #include "simulator/referee/calls.h"
+#include "simulator/referee/collision.h"
+#include "simulator/referee/referee.h"
+#include "simulator/world/angles.h"
 
 namespace cls::simulator::actions {
 namespace {

@@ -3,9 +3,9 @@
 
 #include <optional>
 
-#include "simulator/event.h"
-#include "soccer/protocol/player_command.h"
-#include "soccer/protocol/server_reply.h"
+#include "simulator/world/event.h"
+#include "soccer/commands/player_command.h"
+#include "soccer/messages/server_reply.h"
 
 namespace cls::simulator::actions {
 

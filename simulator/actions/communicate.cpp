@@ -2,10 +2,10 @@
 #include <optional>
 #include <utility>
 
-#include "simulator/actions.h"
+#include "simulator/actions/actions.h"
 #include "simulator/actions/commands.h"
-#include "simulator/angles.h"
-#include "simulator/roster.h"
+#include "simulator/world/angles.h"
+#include "simulator/world/roster.h"
 
 namespace cls::simulator {
 

@@ -4,8 +4,8 @@
 
 #include "simulator/actions/commands.h"
 #include "simulator/actions/legs.h"
-#include "simulator/angles.h"
-#include "simulator/motion.h"
+#include "simulator/motion/motion.h"
+#include "simulator/world/angles.h"
 
 namespace cls::simulator {
 namespace {

@@ -1,7 +1,7 @@
 // The part of a dash that waits for the step (4.3).
 #pragma once
 
-#include "simulator/world.h"
+#include "simulator/world/world.h"
 
 namespace cls::simulator {
 

@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "simulator/actions/commands.h"
-#include "simulator/angles.h"
+#include "simulator/world/angles.h"
 
 namespace cls::simulator::actions {
 namespace {

@@ -1,6 +1,6 @@
 // move: takes the place at kick-offs, and the goalie's walk with a caught ball (4.8).
 #include "simulator/actions/commands.h"
-#include "simulator/collision.h"
+#include "simulator/referee/collision.h"
 
 namespace cls::simulator::actions {
 namespace {

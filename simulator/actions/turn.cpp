@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "simulator/actions/commands.h"
-#include "simulator/angles.h"
-#include "simulator/motion.h"
+#include "simulator/motion/motion.h"
+#include "simulator/world/angles.h"
 
 namespace cls::simulator::actions {
 

@@ -1,7 +1,7 @@
 // Parts of the pitch that the rules speak of, and how a point is moved out of them (9.2).
 #pragma once
 
-#include "simulator/player.h"
+#include "simulator/world/player.h"
 
 namespace cls::simulator {
 

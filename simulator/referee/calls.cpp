@@ -1,9 +1,9 @@
 // Placing the ball for what comes next.
 #include "simulator/referee/calls.h"
 
-#include "simulator/referee.h"
 #include "simulator/referee/areas.h"
 #include "simulator/referee/clearing.h"
+#include "simulator/referee/referee.h"
 #include "soccer/pitch.h"
 
 namespace cls::simulator {

@@ -1,7 +1,7 @@
 // What the rules decide: words, the ball's new place, the mode that follows (9.2).
 #pragma once
 
-#include "simulator/event.h"
+#include "simulator/world/event.h"
 
 namespace cls::simulator {
 

@@ -2,7 +2,7 @@
 #include "simulator/referee/cards.h"
 
 #include "simulator/referee/calls.h"
-#include "simulator/roster.h"
+#include "simulator/world/roster.h"
 
 namespace cls::simulator {
 void show_red_card(World& world, Player& player, Events& events) {

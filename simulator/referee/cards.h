@@ -1,7 +1,7 @@
 // Showing cards.
 #pragma once
 
-#include "simulator/event.h"
+#include "simulator/world/event.h"
 
 namespace cls::simulator {
 

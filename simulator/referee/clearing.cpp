@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "simulator/collision.h"
 #include "simulator/referee/areas.h"
+#include "simulator/referee/collision.h"
 #include "simulator/referee/modes.h"
 #include "soccer/pitch.h"
 

@@ -1,7 +1,7 @@
 // Where the referee sends players: onto the field, into their half, away from the ball.
 #pragma once
 
-#include "simulator/event.h"
+#include "simulator/world/event.h"
 
 namespace cls::simulator {
 

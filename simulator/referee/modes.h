@@ -1,7 +1,7 @@
 // Telling kinds of play modes apart.
 #pragma once
 
-#include "simulator/world.h"
+#include "simulator/world/world.h"
 
 namespace cls::simulator {
 

@@ -1,7 +1,7 @@
 // What a rule of the game is: functions that are called when something happens.
 #pragma once
 
-#include "simulator/event.h"
+#include "simulator/world/event.h"
 
 namespace cls::simulator {
 

@@ -7,22 +7,22 @@
 #include <set>
 #include <utility>
 
-#include "simulator/actions.h"
-#include "simulator/referee.h"
+#include "simulator/actions/actions.h"
+#include "simulator/actions/trainer.h"
 #include "simulator/referee/modes.h"
-#include "simulator/replay.h"
+#include "simulator/referee/referee.h"
+#include "simulator/referee/substitution.h"
 #include "simulator/replay/logged_frames.h"
 #include "simulator/replay/recorded_step.h"
+#include "simulator/replay/replay.h"
 #include "simulator/replay/step_comparison.h"
 #include "simulator/replay/stronger_push.h"
 #include "simulator/replay/text_log_index.h"
-#include "simulator/roster.h"
 #include "simulator/step.h"
-#include "simulator/substitution.h"
-#include "simulator/trainer.h"
-#include "soccer/protocol/coach_command.h"
-#include "soccer/protocol/connection_request.h"
-#include "soccer/protocol/player_command.h"
+#include "simulator/world/roster.h"
+#include "soccer/commands/coach_command.h"
+#include "soccer/commands/connection_request.h"
+#include "soccer/commands/player_command.h"
 
 namespace cls::simulator {
 namespace {
@@ -363,19 +363,19 @@ class LogReplay {
 
 }  // namespace
 
-soccer::Result<LogAgreement> replay_log(const MatchRecord& game, const gamelog::RclRecord& text) {
+base::Result<LogAgreement> replay_log(const MatchRecord& game, const gamelog::RclRecord& text) {
   if (game.version <= RcgVersion::kV3) {
-    return soccer::Error{
+    return base::Error{
         "game logs of versions 1 to 3 hold too few digits to reckon with; 4 to 6 and JSON do"};
   }
-  if (game.frames() < 2) return soccer::Error{"the game log has no two frames"};
+  if (game.frames() < 2) return base::Error{"the game log has no two frames"};
   const TextLogIndex index(text, game.final_teams());
   if (!index.knows_a_team()) {
-    return soccer::Error{"no team of the game log ('" + game.final_teams()[0].name + "', '" +
-                         game.final_teams()[1].name + "') sent anything in the text log"};
+    return base::Error{"no team of the game log ('" + game.final_teams()[0].name + "', '" +
+                       game.final_teams()[1].name + "') sent anything in the text log"};
   }
   if (!same_match(game, index)) {
-    return soccer::Error{"the logs are of different matches: the text log calls other play modes"};
+    return base::Error{"the logs are of different matches: the text log calls other play modes"};
   }
   auto rules = make_rules(game.server, game.player, game.types);
   if (!rules) return rules.error();

@@ -1,10 +1,10 @@
 // Replaying a match from its two logs, one step at a time.
 #pragma once
 
-#include "gamelog/match_record.h"
-#include "gamelog/rcl_record.h"
+#include "base/result.h"
+#include "gamelog/rcl/rcl_record.h"
+#include "gamelog/record/match_record.h"
 #include "simulator/replay/log_agreement.h"
-#include "soccer/result.h"
 
 namespace cls::simulator {
 
@@ -13,7 +13,7 @@ namespace cls::simulator {
 /// differ: then they go on as recorded. Outcomes of draws are taken from the record, and so is
 /// noise, as far as noise can do it. The error says why the logs cannot be replayed: too few digits
 /// (versions 1 to 3), logs of different matches, parameters that make no match.
-soccer::Result<LogAgreement> replay_log(const gamelog::MatchRecord& game,
-                                        const gamelog::RclRecord& text);
+base::Result<LogAgreement> replay_log(const gamelog::MatchRecord& game,
+                                      const gamelog::RclRecord& text);
 
 }  // namespace cls::simulator

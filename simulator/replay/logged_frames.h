@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "gamelog/match_record.h"
+#include "gamelog/record/match_record.h"
 #include "simulator/replay/text_log_index.h"
 
 namespace cls::simulator {

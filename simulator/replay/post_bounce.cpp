@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "simulator/goal_post.h"
+#include "simulator/motion/goal_post.h"
 #include "soccer/pitch.h"
 
 namespace cls::simulator {

@@ -1,9 +1,9 @@
 // Trying outcomes.
 #include "simulator/replay/recorded_step.h"
 
-#include "simulator/replay.h"
 #include "simulator/replay/logged_frames.h"
 #include "simulator/replay/post_bounce.h"
+#include "simulator/replay/replay.h"
 #include "simulator/step.h"
 
 namespace cls::simulator {

@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "gamelog/frame.h"
-#include "simulator/event.h"
+#include "gamelog/record/frame.h"
+#include "simulator/world/event.h"
 
 namespace cls::simulator {
 

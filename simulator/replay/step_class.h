@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string_view>
 
-#include "simulator/event.h"
+#include "simulator/world/event.h"
 
 namespace cls::simulator {
 

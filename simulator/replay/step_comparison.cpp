@@ -7,8 +7,8 @@
 #include <string>
 #include <utility>
 
-#include "simulator/replay.h"
 #include "simulator/replay/logged_frames.h"
+#include "simulator/replay/replay.h"
 
 namespace cls::simulator {
 namespace {

@@ -1,7 +1,7 @@
 // Comparing one reckoned step with the recorded frame.
 #pragma once
 
-#include "gamelog/frame.h"
+#include "gamelog/record/frame.h"
 #include "simulator/replay/log_agreement.h"
 #include "simulator/replay/recorded_step.h"
 

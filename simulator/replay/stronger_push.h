@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "simulator/world.h"
+#include "simulator/world/world.h"
 
 namespace cls::simulator {
 

@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include "gamelog/frame.h"
-#include "gamelog/rcl_record.h"
-#include "simulator/world.h"
+#include "gamelog/rcl/rcl_record.h"
+#include "gamelog/record/frame.h"
+#include "simulator/world/world.h"
 
 namespace cls::simulator {
 

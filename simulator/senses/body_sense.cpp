@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "simulator/actions.h"
-#include "simulator/angles.h"
+#include "simulator/actions/actions.h"
+#include "simulator/world/angles.h"
 #include "soccer/math.h"
 
 namespace cls::simulator {

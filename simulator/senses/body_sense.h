@@ -1,8 +1,8 @@
 // What a player feels of itself: the sense_body message.
 #pragma once
 
-#include "simulator/world.h"
-#include "soccer/protocol/sense_body.h"
+#include "simulator/world/world.h"
+#include "soccer/messages/sense_body.h"
 
 namespace cls::simulator {
 

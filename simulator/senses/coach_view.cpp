@@ -3,10 +3,10 @@
 
 #include <cmath>
 
-#include "simulator/actions.h"
-#include "simulator/angles.h"
-#include "simulator/roster.h"
+#include "simulator/actions/actions.h"
 #include "simulator/senses/body_sense.h"
+#include "simulator/world/angles.h"
+#include "simulator/world/roster.h"
 #include "soccer/math.h"
 
 namespace cls::simulator {

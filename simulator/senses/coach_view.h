@@ -1,8 +1,8 @@
 // What coaches and trainers see: the whole pitch without noise (protocol 5.2).
 #pragma once
 
-#include "simulator/world.h"
-#include "soccer/protocol/global_view.h"
+#include "simulator/world/world.h"
+#include "soccer/messages/global_view.h"
 
 namespace cls::simulator {
 

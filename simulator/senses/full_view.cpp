@@ -1,9 +1,9 @@
 // The noise-free world for one player.
 #include "simulator/senses/full_view.h"
 
-#include "simulator/actions.h"
-#include "simulator/angles.h"
+#include "simulator/actions/actions.h"
 #include "simulator/senses/body_sense.h"
+#include "simulator/world/angles.h"
 #include "soccer/math.h"
 
 namespace cls::simulator {

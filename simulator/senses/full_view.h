@@ -1,8 +1,8 @@
 // What a player may know exactly: the fullstate message.
 #pragma once
 
-#include "simulator/world.h"
-#include "soccer/protocol/full_state.h"
+#include "simulator/world/world.h"
+#include "soccer/messages/full_state.h"
 
 namespace cls::simulator {
 

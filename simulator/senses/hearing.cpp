@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "simulator/angles.h"
+#include "simulator/world/angles.h"
 #include "soccer/math.h"
 
 namespace cls::simulator {

@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
-#include "simulator/event.h"
-#include "soccer/protocol/hear.h"
+#include "simulator/world/event.h"
+#include "soccer/messages/hear.h"
 
 namespace cls::simulator {
 

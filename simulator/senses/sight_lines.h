@@ -4,7 +4,7 @@
 #include <array>
 #include <cstddef>
 
-#include "simulator/player.h"
+#include "simulator/world/player.h"
 #include "soccer/pitch.h"
 
 namespace cls::simulator {

@@ -6,11 +6,11 @@
 #include <cmath>
 #include <optional>
 
-#include "simulator/actions.h"
-#include "simulator/angles.h"
-#include "simulator/roster.h"
+#include "simulator/actions/actions.h"
 #include "simulator/senses/body_sense.h"
 #include "simulator/senses/sight_lines.h"
+#include "simulator/world/angles.h"
+#include "simulator/world/roster.h"
 #include "soccer/math.h"
 #include "soccer/pitch.h"
 

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "simulator/world.h"
-#include "soccer/protocol/see.h"
+#include "simulator/world/world.h"
+#include "soccer/messages/see.h"
 
 namespace cls::simulator {
 

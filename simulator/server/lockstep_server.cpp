@@ -10,7 +10,7 @@
 
 namespace cls::simulator {
 
-soccer::Result<std::unique_ptr<LockstepServer>> LockstepServer::create(MatchConfig config) {
+base::Result<std::unique_ptr<LockstepServer>> LockstepServer::create(MatchConfig config) {
   config.server.synch_mode = true;
   auto match = MatchServer::create(config);
   if (!match) return match.error();
@@ -40,18 +40,18 @@ void LockstepServer::answer_requests() {
   waiting_.erase(std::remove_if(waiting_.begin(), waiting_.end(), is_admitted), waiting_.end());
 }
 
-soccer::Result<int> LockstepServer::open_to_monitors(const std::string& address, int port) {
+base::Result<int> LockstepServer::open_to_monitors(const std::string& address, int port) {
   match_->let_monitors_only_watch();
   return open(Door::kMonitors, address, port);
 }
 
 // The door of players is one for monitors too.
-soccer::Result<int> LockstepServer::open_to_players(const std::string& address, int port) {
+base::Result<int> LockstepServer::open_to_players(const std::string& address, int port) {
   match_->let_monitors_only_watch();
   return open(Door::kGame, address, port);
 }
 
-soccer::Result<int> LockstepServer::open(Door door, const std::string& address, int port) {
+base::Result<int> LockstepServer::open(Door door, const std::string& address, int port) {
   if (network_ == nullptr) network_ = std::make_unique<UdpNetwork>(*match_);
   const auto opened = network_->open(door, address, port);
   if (!opened) return opened.error();

@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "simulator/server/match_server.h"
+#include "base/result.h"
 #include "simulator/server/udp_network.h"
+#include "simulator/sessions/match_server.h"
 #include "soccer/channel.h"
-#include "soccer/result.h"
 
 namespace cls::simulator {
 
@@ -31,10 +31,10 @@ namespace cls::simulator {
 class LockstepServer {
  public:
   /// server.synch_mode is switched on. The error names the parameter that makes no match.
-  static soccer::Result<std::unique_ptr<LockstepServer>> create(MatchConfig config);
+  static base::Result<std::unique_ptr<LockstepServer>> create(MatchConfig config);
 
   /// See MatchServer::record.
-  void record(gamelog::ByteSink* game_log, gamelog::ByteSink* text_log) {
+  void record(base::ByteSink* game_log, base::ByteSink* text_log) {
     match_->record(game_log, text_log);
   }
 
@@ -51,11 +51,11 @@ class LockstepServer {
   /// Lets monitors attach over UDP from now on, to watch only: what they send changes nothing. They
   /// are heard and shown once a cycle. `address` is a number; port 0 takes a free one. Returns the
   /// port.
-  soccer::Result<int> open_to_monitors(const std::string& address, int port);
+  base::Result<int> open_to_monitors(const std::string& address, int port);
 
   /// Lets players come over UDP too, programs of their own, who take turns like everybody else:
   /// what happens depends on what they send, not on when it arrives. See wait_for_answers.
-  soccer::Result<int> open_to_players(const std::string& address, int port);
+  base::Result<int> open_to_players(const std::string& address, int port);
 
   using Time = UdpNetwork::Time;
   /// Takes in what comes over UDP until nobody is awaited any more, or until `deadline`. True when
@@ -98,7 +98,7 @@ class LockstepServer {
     std::unique_ptr<soccer::Channel> channel;
   };
 
-  soccer::Result<int> open(Door door, const std::string& address, int port);
+  base::Result<int> open(Door door, const std::string& address, int port);
   void collect(ClientId client);
 
   std::unique_ptr<UdpNetwork> network_;  ///< outlives the clients' sockets, which the match has

@@ -21,7 +21,7 @@
 namespace cls::simulator {
 namespace {
 
-using soccer::UdpAddress;
+using base::UdpAddress;
 
 /// Text as it came: without the closing NUL, and up to the first one.
 struct Datagram {
@@ -106,12 +106,12 @@ class UdpNetwork::Sockets {
     if (epoll_ >= 0) ::close(epoll_);
   }
 
-  soccer::Result<void> open(Door door, const std::string& address, int port) {
+  base::Result<void> open(Door door, const std::string& address, int port) {
     const auto error = [&](const std::string& cause) {
-      return soccer::Error{"cannot listen on " + address + " port " + std::to_string(port) + ": " +
-                           cause};
+      return base::Error{"cannot listen on " + address + " port " + std::to_string(port) + ": " +
+                         cause};
     };
-    const auto local = soccer::numeric_address(address, port);
+    const auto local = base::numeric_address(address, port);
     if (!local) return error(local.error().message);
     auto socket = UdpSocket::bound_to(*local);
     if (!socket) return error(socket.error().message);
@@ -308,7 +308,7 @@ class UdpNetwork::Sockets {
 UdpNetwork::UdpNetwork(MatchServer& match) : sockets_(std::make_unique<Sockets>(match)) {}
 UdpNetwork::~UdpNetwork() = default;
 
-soccer::Result<void> UdpNetwork::open(Door door, const std::string& address, int port) {
+base::Result<void> UdpNetwork::open(Door door, const std::string& address, int port) {
   return sockets_->open(door, address, port);
 }
 

@@ -6,8 +6,8 @@
 #include <memory>
 #include <string>
 
-#include "simulator/server/match_server.h"
-#include "soccer/result.h"
+#include "base/result.h"
+#include "simulator/sessions/match_server.h"
 
 namespace cls::simulator {
 
@@ -25,7 +25,7 @@ class UdpNetwork {
   ~UdpNetwork();
 
   /// Listens for requests; `address` is a number, port 0 a free one. The error names both.
-  soccer::Result<void> open(Door door, const std::string& address, int port);
+  base::Result<void> open(Door door, const std::string& address, int port);
 
   /// The port of an open door.
   int port(Door door) const;

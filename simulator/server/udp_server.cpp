@@ -17,7 +17,7 @@ constexpr std::chrono::milliseconds kLastLook{1};
 
 }  // namespace
 
-soccer::Result<std::unique_ptr<UdpServer>> UdpServer::open(UdpConfig config) {
+base::Result<std::unique_ptr<UdpServer>> UdpServer::open(UdpConfig config) {
   auto match = MatchServer::create(config.match);
   if (!match) return match.error();
   std::unique_ptr<UdpServer> server(new UdpServer(std::move(config), std::move(*match)));

@@ -10,9 +10,9 @@
 #include <string>
 #include <utility>
 
-#include "simulator/server/match_server.h"
+#include "base/result.h"
 #include "simulator/server/step_clock.h"
-#include "soccer/result.h"
+#include "simulator/sessions/match_server.h"
 
 namespace cls::simulator {
 
@@ -66,7 +66,7 @@ struct UdpNotice {
 class UdpServer {
  public:
   /// The error names the address that cannot be used, or the parameter that makes no match.
-  static soccer::Result<std::unique_ptr<UdpServer>> open(UdpConfig config);
+  static base::Result<std::unique_ptr<UdpServer>> open(UdpConfig config);
   ~UdpServer();
 
   /// The port to connect to.

@@ -9,13 +9,13 @@
 
 namespace cls::simulator {
 
-using soccer::UdpAddress;
+using base::UdpAddress;
 
-soccer::Result<UdpSocket> UdpSocket::bound_to(const UdpAddress& local) {
+base::Result<UdpSocket> UdpSocket::bound_to(const UdpAddress& local) {
   const int type = SOCK_DGRAM | SOCK_NONBLOCK | SOCK_CLOEXEC;
   UdpSocket socket(::socket(local.bytes.ss_family, type, 0));
   if (socket.fd() < 0 || ::bind(socket.fd(), local.get(), local.size) != 0) {
-    return soccer::Error{std::strerror(errno)};
+    return base::Error{std::strerror(errno)};
   }
   return socket;
 }

@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
-#include "soccer/result.h"
-#include "soccer/udp_address.h"
+#include "base/result.h"
+#include "base/system/udp_address.h"
 
 namespace cls::simulator {
 
@@ -19,7 +19,7 @@ namespace cls::simulator {
 class UdpSocket {
  public:
   /// Errors are causes in the system's words. Port 0 takes a free one.
-  static soccer::Result<UdpSocket> bound_to(const soccer::UdpAddress& local);
+  static base::Result<UdpSocket> bound_to(const base::UdpAddress& local);
 
   UdpSocket(UdpSocket&& other) noexcept : fd_(std::exchange(other.fd_, -1)) {}
   UdpSocket& operator=(UdpSocket&& other) noexcept {
@@ -32,10 +32,10 @@ class UdpSocket {
   int local_port() const;
 
   /// Talks to that address only from now on; false if it cannot.
-  bool connect(const soccer::UdpAddress& peer);
+  bool connect(const base::UdpAddress& peer);
 
   /// A full buffer loses the datagram, as networks do.
-  void send_to(const soccer::UdpAddress& peer, std::string_view bytes);
+  void send_to(const base::UdpAddress& peer, std::string_view bytes);
 
  private:
   explicit UdpSocket(int fd) : fd_(fd) {}
@@ -57,11 +57,11 @@ class IncomingDatagrams {
 
   std::size_t size() const { return count_; }
   std::string_view bytes(std::size_t i) const { return {buffers_[i].data(), headers_[i].msg_len}; }
-  const soccer::UdpAddress& sender(std::size_t i) const { return senders_[i]; }
+  const base::UdpAddress& sender(std::size_t i) const { return senders_[i]; }
 
  private:
   std::array<std::array<char, kLongest>, kMost> buffers_;
-  std::array<soccer::UdpAddress, kMost> senders_;
+  std::array<base::UdpAddress, kMost> senders_;
   std::array<iovec, kMost> parts_;
   std::array<mmsghdr, kMost> headers_;
   std::size_t count_ = 0;

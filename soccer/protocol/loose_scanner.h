@@ -41,7 +41,7 @@ class LooseScanner {
   /// Blanks, then a number; unlike in player commands "5." is one.
   bool number(double& value) {
     skip_blanks();
-    const std::size_t length = read_number(rest(), value);
+    const std::size_t length = base::read_number(rest(), value);
     at_ += length;
     if (length > 0 && peek() == '.') ++at_;
     return length > 0;

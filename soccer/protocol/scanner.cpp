@@ -21,12 +21,12 @@ std::string shown(std::string_view text) {
 
 }  // namespace
 
-Error Scanner::error(std::string_view message_name) const {
+base::Error Scanner::error(std::string_view message_name) const {
   assert(!expected_.empty());
   const std::string_view found = text_.substr(failed_at_);
-  return Error{fmt::format("{}: byte {}: expected '{}', found {}", message_name, failed_at_,
-                           expected_,
-                           found.empty() ? std::string("the end") : "'" + shown(found) + "'")};
+  return base::Error{
+      fmt::format("{}: byte {}: expected '{}', found {}", message_name, failed_at_, expected_,
+                  found.empty() ? std::string("the end") : "'" + shown(found) + "'")};
 }
 
 }  // namespace cls::soccer

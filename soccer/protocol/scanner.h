@@ -6,8 +6,8 @@
 #include <string>
 #include <string_view>
 
-#include "soccer/protocol/number_text.h"
-#include "soccer/result.h"
+#include "base/result.h"
+#include "base/text/number_text.h"
 
 namespace cls::soccer {
 
@@ -41,13 +41,13 @@ class Scanner {
   }
 
   bool number(double& value) {
-    const std::size_t length = read_number(rest(), value);
+    const std::size_t length = base::read_number(rest(), value);
     at_ += length;
     return length > 0 || fail("a number");
   }
 
   bool integer(int& value) {
-    const std::size_t length = read_int(rest(), value);
+    const std::size_t length = base::read_int(rest(), value);
     at_ += length;
     return length > 0 || fail("an integer");
   }
@@ -93,7 +93,7 @@ class Scanner {
   bool end() { return at_end() || fail("the end"); }
 
   /// "see: byte 17: expected 'a number', found 'x'". There must have been a failure.
-  Error error(std::string_view message_name) const;
+  base::Error error(std::string_view message_name) const;
 
  private:
   std::string_view text_;

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "soccer/protocol/number_text.h"
+#include "base/text/number_text.h"
 
 namespace cls::soccer {
 
@@ -30,12 +30,13 @@ class TextWriter {
   }
   /// As append_g and append_int do.
   void append_number(double value) {
-    make_room(kNumberRoom);
-    size_ = static_cast<std::size_t>(write_g(value, buffer_.data() + size_) - buffer_.data());
+    make_room(base::kNumberRoom);
+    size_ = static_cast<std::size_t>(base::write_g(value, buffer_.data() + size_) - buffer_.data());
   }
   void append_number(int value) {
-    make_room(kNumberRoom);
-    size_ = static_cast<std::size_t>(write_int(value, buffer_.data() + size_) - buffer_.data());
+    make_room(base::kNumberRoom);
+    size_ =
+        static_cast<std::size_t>(base::write_int(value, buffer_.data() + size_) - buffer_.data());
   }
 
   TextWriter& operator+=(char c) {
@@ -79,7 +80,7 @@ inline void append(TextWriter& out, std::string_view before, double value) {
 }
 inline void append(std::string& out, std::string_view before, int value) {
   out.append(before);
-  append_int(value, out);
+  base::append_int(value, out);
 }
 
 }  // namespace cls::soccer

@@ -6,14 +6,14 @@
 #include <limits>
 #include <string_view>
 
-#include "soccer/protocol/number_text.h"
+#include "base/text/number_text.h"
 
 namespace cls::soccer {
 
 /// As read_int, but of a value beyond the range of an int the lowest 32 bits, and of one beyond 64
 /// bits those of the nearest: what atoi and sscanf make of it there.
 inline std::size_t read_wrapped_int(std::string_view text, int& value) {
-  const std::size_t length = read_int(text, value);
+  const std::size_t length = base::read_int(text, value);
   if (length == 0) return 0;
   const bool negative = text[0] == '-';
   const std::size_t first = negative || text[0] == '+' ? 1 : 0;

@@ -10,30 +10,87 @@ namespace {
 
 using Folders = std::set<std::string>;
 
-/// The table of arrows (docs/architecture.md has the same for people).
-const std::map<std::string, Folders>& arrows() {
-  static const std::map<std::string, Folders> table = {
-      {"soccer", {"soccer"}},
-      {"proto", {"proto"}},
-      {"gamelog", {"gamelog", "soccer"}},
-      {"proxy", {"proxy", "soccer", "proto"}},
-      {"mock-server", {"mock-server", "soccer", "proto"}},
-      {"simulator", {"simulator", "soccer", "gamelog"}},
-      {"viewer", {"viewer", "soccer", "gamelog"}},
-      {"orchestration",
-       {"orchestration", "soccer", "proto", "gamelog", "proxy", "mock-server", "simulator",
-        "viewer"}},
+/// A folder with a library of its own. Its sub-folders are layers: a file may include files of its
+/// own layer and of the layers listed before it. "" is the folder itself.
+struct Room {
+  Folders may_include;              ///< rooms below it; a room may always include itself
+  std::vector<std::string> layers;  ///< lowest first; empty: no sub-folders
+};
+
+/// All rooms, lowest first; docs/architecture.md has the same table for people.
+const std::map<std::string, Room>& rooms() {
+  static const std::map<std::string, Room> table = {
+      {"base", {{}, {"", "text", "io", "system", "report"}}},
+      {"proto", {}},
+      {"soccer", {{"base"}, {"", "parameters", "protocol", "commands", "messages"}}},
+      {"gamelog", {{"base", "soccer"}, {"record", "rcl", "rcg", "files"}}},
+      {"proxy",
+       {{"base", "soccer", "proto"},
+        {"formation", "world", "estimates", "tracking", "perception", "commands", "messages",
+         "playmaker", "looking", "movement", "ball_skills", "connection", "coach", "planner",
+         "behaviors", "actions", "agent"}}},
+      {"mock-server", {{"base", "soccer", "proto"}, {"", "script", "simple_team"}}},
+      {"analysis", {{"base", "soccer", "gamelog"}, {"play", "measures", "results", "statistics"}}},
+      {"simulator",
+       {{"base", "soccer", "gamelog"},
+        {"world", "referee", "rules", "motion", "actions", "", "senses", "replay", "sessions",
+         "server"}}},
+      {"viewer", {{"base", "soccer", "gamelog", "analysis"}, {}}},
+      {"training",
+       {{"base", "soccer", "proto", "gamelog", "proxy", "mock-server", "simulator"}, {}}},
+      {"orchestration/process", {{"base"}, {}}},
+      {"orchestration/match",
+       {{"base", "soccer", "proto", "gamelog", "proxy", "mock-server", "analysis", "simulator",
+         "viewer", "orchestration/process"},
+        {"options", "result", "server", "sides", "hooks", ""}}},
+      {"orchestration/tournament",
+       {{"base", "soccer", "viewer", "orchestration/process", "orchestration/match"},
+        {"rating", "config", "schedule", "store", "report", "run"}}},
+      {"orchestration/scenario",
+       {{"base", "soccer", "proto", "proxy", "mock-server", "simulator", "viewer",
+         "orchestration/process", "orchestration/match"},
+        {}}},
+      {"orchestration/checks",
+       {{"base", "soccer", "proto", "gamelog", "proxy", "simulator", "orchestration/process",
+         "orchestration/match"},
+        {"", "playmaker", "server", "doctor"}}},
       {"cli",
-       {"cli", "soccer", "proto", "gamelog", "proxy", "mock-server", "simulator", "viewer",
-        "orchestration"}},
+       {{"base", "soccer", "proto", "gamelog", "proxy", "mock-server", "analysis", "simulator",
+         "viewer", "training", "orchestration/process", "orchestration/match",
+         "orchestration/tournament", "orchestration/scenario", "orchestration/checks"},
+        {"support", "terminal", "logs", "check", "tournament", "match", ""}}},
       {"bench",
-       {"bench", "soccer", "proto", "gamelog", "proxy", "mock-server", "simulator", "viewer",
-        "orchestration", "tests"}},
+       {{"base", "soccer", "proto", "gamelog", "proxy", "mock-server", "analysis", "simulator",
+         "viewer", "training", "orchestration/process", "orchestration/match",
+         "orchestration/tournament", "orchestration/scenario", "orchestration/checks", "tests"},
+        {}}},
       {"tests",
-       {"tests", "soccer", "proto", "gamelog", "proxy", "mock-server", "simulator", "viewer",
-        "orchestration", "cli"}},
+       {{"base", "soccer", "proto", "gamelog", "proxy", "mock-server", "analysis", "simulator",
+         "viewer", "training", "orchestration/process", "orchestration/match",
+         "orchestration/tournament", "orchestration/scenario", "orchestration/checks", "cli"},
+        {}}},
   };
   return table;
+}
+
+/// The layer of a file in its room: "world" for "simulator/world/player.h".
+std::string layer_of(const std::string& room, const std::string& path) {
+  const std::string inside = path.substr(room.size() + 1);
+  const std::size_t slash = inside.rfind('/');
+  return slash == std::string::npos ? "" : inside.substr(0, slash);
+}
+
+/// What is wrong with an include from one file of a room to another; empty: nothing.
+std::string layer_fault(const std::string& room, const std::string& from, const std::string& to) {
+  const std::vector<std::string>& layers = rooms().at(room).layers;
+  if (layers.empty()) return "";
+  const auto position = [&](const std::string& path) {
+    return std::find(layers.begin(), layers.end(), layer_of(room, path));
+  };
+  if (position(from) == layers.end()) return "a new sub-folder: give it its place in rooms()";
+  if (position(to) == layers.end()) return "includes a sub-folder without a place in rooms()";
+  if (position(from) >= position(to)) return "";
+  return layer_of(room, from) + " must not include " + layer_of(room, to) + ", a layer above it";
 }
 
 /// A header that some folders must not include; `except` is the start of paths that may.
@@ -46,7 +103,7 @@ struct ForbiddenHeader {
 
 const std::vector<ForbiddenHeader>& forbidden_headers() {
   static const std::vector<ForbiddenHeader> table = {
-      {{"soccer", "gamelog", "simulator", "viewer"},
+      {{"base", "soccer", "gamelog", "analysis", "simulator", "viewer", "orchestration/process"},
        "",
        {"grpc/", "grpcpp/", "grpc++/", "google/protobuf/"},
        "the wire to Playmakers is no business of this folder"},
@@ -58,7 +115,11 @@ const std::vector<ForbiddenHeader>& forbidden_headers() {
         "future", "mutex", "netinet/", "poll.h", "pthread.h", "sys/epoll.h", "sys/select.h",
         "sys/socket.h", "sys/time.h", "thread", "time.h"},
        "no clocks, threads or sockets below simulator/server*"},
-      {{"soccer", "gamelog", "simulator", "proxy", "mock-server"},
+      {{"simulator"},
+       "simulator/server",
+       {"base/system/"},
+       "no threads, sockets or host facts below simulator/server*"},
+      {{"base", "soccer", "gamelog", "analysis", "simulator", "proxy", "mock-server"},
        "",
        {"math.h"},
        "include <cmath> for exact functions, soccer/math.h for the others"},
@@ -80,15 +141,15 @@ const std::vector<ForbiddenCode>& forbidden_code() {
       "(sin|cos|tan|asin|acos|atan|atan2|sinh|cosh|tanh|asinh|acosh|atanh|exp|exp2|expm1|log|log2|"
       "log10|log1p|pow|hypot|cbrt|erf|erfc|tgamma|lgamma)[fl]?";
   static const std::vector<ForbiddenCode> table = {
-      {{"soccer", "simulator", "proxy", "mock-server"},
+      {{"base", "soccer", "simulator", "proxy", "mock-server"},
        "soccer/math.",
        std::regex(R"((\bstd::|(^|[^\w:])::|(^|[^\w:.>])))" + functions + R"(\s*\()"),
        "its last bits depend on the processor: use soccer/math.h"},
-      {{"soccer", "simulator", "proxy", "mock-server"},
+      {{"base", "soccer", "simulator", "proxy", "mock-server"},
        "",
        std::regex(R"(\bstd::(\w+_distribution|random_device|shuffle|sample|generate_canonical)\b)"),
        "differs between libraries or runs: use the seeded streams of soccer/random.h"},
-      {{"soccer", "simulator", "proxy", "mock-server"},
+      {{"base", "soccer", "simulator", "proxy", "mock-server"},
        "",
        std::regex(R"((\bstd::|(^|[^\w:.>]))(rand|srand|random|drand48)\s*\()"),
        "hidden global state: use the seeded streams of soccer/random.h"},
@@ -109,7 +170,7 @@ bool starts_with(std::string_view text, std::string_view start) {
 }
 
 bool applies(const Folders& folders, const std::string& except, const std::string& path) {
-  return folders.count(folder_of(path)) != 0 && (except.empty() || !starts_with(path, except));
+  return folders.count(room_of(path)) != 0 && (except.empty() || !starts_with(path, except));
 }
 
 bool is_header(const std::string& name, const std::string& entry) {
@@ -130,43 +191,52 @@ std::string to_text(const std::vector<Violation>& violations) {
   return text;
 }
 
-const std::set<std::string>& known_folders() {
-  static const std::set<std::string> folders = [] {
-    std::set<std::string> names;
-    for (const auto& [folder, unused] : arrows()) names.insert(folder);
-    return names;
+const std::set<std::string>& known_rooms() {
+  static const std::set<std::string> names = [] {
+    std::set<std::string> all;
+    for (const auto& [room, unused] : rooms()) all.insert(room);
+    return all;
   }();
-  return folders;
+  return names;
 }
 
-const std::set<std::string>& allowed_folders(const std::string& folder) {
-  static const std::set<std::string> none;
-  const auto found = arrows().find(folder);
-  return found == arrows().end() ? none : found->second;
+std::set<std::string> allowed_rooms(const std::string& room) {
+  const auto found = rooms().find(room);
+  if (found == rooms().end()) return {};
+  std::set<std::string> allowed = found->second.may_include;
+  allowed.insert(room);
+  return allowed;
 }
 
-std::string folder_of(const std::string& path) {
-  const std::size_t slash = path.find('/');
-  return slash == std::string::npos ? "" : path.substr(0, slash);
+std::string room_of(const std::string& path) {
+  for (std::size_t end = path.rfind('/'); end != std::string::npos && end > 0;
+       end = path.rfind('/', end - 1)) {
+    if (rooms().count(path.substr(0, end)) != 0) return path.substr(0, end);
+  }
+  return "";
 }
 
 std::vector<Violation> check_arrows(const SourceFile& file) {
   std::vector<Violation> violations;
-  const std::string folder = folder_of(file.path);
-  if (known_folders().count(folder) == 0) {
-    return {{file.path, 0, "a new folder: give it its arrows in tests/architecture/rules.cpp"}};
+  const std::string room = room_of(file.path);
+  if (room.empty()) {
+    return {{file.path, 0, "a new folder: give it its place in tests/architecture/rules.cpp"}};
   }
+  const std::set<std::string> allowed = allowed_rooms(room);
   for (const Include& include : includes_of(file.text)) {
-    const std::string target = folder_of(include.path);
-    const bool ours = known_folders().count(target) != 0;
-    if (include.quoted && !ours) {
-      violations.push_back({file.path, include.line,
-                            "\"" + include.path +
-                                "\": quotes are for our own headers, written "
-                                "from the root of the repository"});
-    } else if (ours && allowed_folders(folder).count(target) == 0) {
-      violations.push_back({file.path, include.line,
-                            folder + " must not include " + target + " (" + include.path + ")"});
+    const std::string target = room_of(include.path);
+    std::string fault;
+    if (target.empty()) {
+      if (include.quoted) {
+        fault = "quotes are for headers of this project, written from the root of the repository";
+      }
+    } else if (allowed.count(target) == 0) {
+      fault = room + " must not include " + target;
+    } else if (target == room) {
+      fault = layer_fault(room, file.path, include.path);
+    }
+    if (!fault.empty()) {
+      violations.push_back({file.path, include.line, include.path + ": " + fault});
     }
   }
   return violations;
@@ -239,8 +309,9 @@ std::vector<Violation> check_process_wrapper(const std::vector<SourceFile>& file
   for (const SourceFile& file : files) {
     for (const Include& include : includes_of(file.text)) {
       if (!starts_with(include.path, "boost/process")) continue;
-      if (folder_of(file.path) != "orchestration") {
-        violations.push_back({file.path, include.line, "Boost.Process belongs in orchestration"});
+      if (room_of(file.path) != "orchestration/process") {
+        violations.push_back(
+            {file.path, include.line, "Boost.Process belongs in orchestration/process"});
       } else if (wrapper.empty()) {
         wrapper = file.path;
       } else if (wrapper != file.path) {

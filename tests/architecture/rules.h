@@ -19,16 +19,18 @@ struct Violation {
 /// "path:line: message", one a line.
 std::string to_text(const std::vector<Violation>& violations);
 
-/// Folders that may hold C++ at all. A new folder must first get its arrows.
-const std::set<std::string>& known_folders();
+/// Folders that may hold C++, each with a library of its own: "soccer", "orchestration/match". A
+/// new one must first get its place in the table.
+const std::set<std::string>& known_rooms();
 
-/// The folders whose files `folder` may include, itself among them.
-const std::set<std::string>& allowed_folders(const std::string& folder);
+/// The rooms whose files `room` may include, itself among them.
+std::set<std::string> allowed_rooms(const std::string& room);
 
-/// The first part of a path: "simulator/server/udp.cpp" lies in "simulator".
-std::string folder_of(const std::string& path);
+/// The room of a path: "simulator" for "simulator/server/udp.cpp"; empty: in none.
+std::string room_of(const std::string& path);
 
-/// Includes of ours point down, and are written from the root of the repository.
+/// Includes of this project point to lower rooms and, within a room, to lower layers; they are
+/// written from the root of the repository.
 std::vector<Violation> check_arrows(const SourceFile& file);
 
 /// Libraries and system headers that a folder must do without.
@@ -42,7 +44,7 @@ std::vector<Violation> check_determinism(const SourceFile& file);
 /// put off.
 std::vector<Violation> check_shape(const SourceFile& file);
 
-/// Boost.Process is wrapped once: in one file, in orchestration.
+/// Boost.Process is wrapped once: in one file, in orchestration/process.
 std::vector<Violation> check_process_wrapper(const std::vector<SourceFile>& files);
 
 }  // namespace cls::tests

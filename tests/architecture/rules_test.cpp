@@ -7,17 +7,22 @@ namespace cls::tests {
 namespace {
 
 TEST(Arrows, AnIncludeThatPointsUpOrAcrossIsCaught) {
-  for (const auto& [from, to] :
-       std::vector<std::pair<std::string, std::string>>{{"soccer/a.h", "proto/playmaker.pb.h"},
-                                                        {"soccer/a.h", "gamelog/b.h"},
-                                                        {"gamelog/a.cpp", "simulator/b.h"},
-                                                        {"simulator/a.cpp", "proxy/b.h"},
-                                                        {"simulator/a.cpp", "proto/playmaker.pb.h"},
-                                                        {"proxy/deep/a.cpp", "simulator/deep/b.h"},
-                                                        {"proxy/a.cpp", "mock-server/b.h"},
-                                                        {"mock-server/a.cpp", "gamelog/b.h"},
-                                                        {"orchestration/a.cpp", "cli/b.h"},
-                                                        {"cli/a.cpp", "tests/b.h"}}) {
+  for (const auto& [from, to] : std::vector<std::pair<std::string, std::string>>{
+           {"soccer/a.h", "proto/playmaker.pb.h"},
+           {"base/a.h", "soccer/b.h"},
+           {"soccer/a.h", "gamelog/b.h"},
+           {"gamelog/rcg/a.cpp", "simulator/b.h"},
+           {"simulator/world/a.cpp", "proxy/world/b.h"},
+           {"simulator/a.cpp", "proto/playmaker.pb.h"},
+           {"proxy/deep/a.cpp", "simulator/deep/b.h"},
+           {"proxy/a.cpp", "mock-server/b.h"},
+           {"mock-server/a.cpp", "gamelog/b.h"},
+           {"orchestration/match/a.cpp", "orchestration/scenario/b.h"},
+           {"orchestration/match/a.cpp", "cli/b.h"},
+           {"simulator/world/a.h", "simulator/referee/b.h"},
+           {"proxy/world/a.h", "proxy/agent/b.h"},
+           {"proxy/unknown/a.h", "proxy/world/b.h"},
+           {"cli/a.cpp", "tests/b.h"}}) {
     const auto found = check_arrows({from, "// x\n\n#include \"" + to + "\"\n"});
     ASSERT_EQ(found.size(), 1u) << from << " -> " << to;
     EXPECT_EQ(found[0].line, 3);
@@ -27,12 +32,13 @@ TEST(Arrows, AnIncludeThatPointsUpOrAcrossIsCaught) {
 
 TEST(Arrows, AnIncludeThatPointsDownPasses) {
   EXPECT_EQ(to_text(check_arrows({"simulator/a.cpp",
-                                  "#include \"simulator/world.h\"\n"
+                                  "#include \"simulator/world/world.h\"\n"
                                   "#include \"soccer/side.h\"\n"
-                                  "#include \"gamelog/rcg.h\"\n"
+                                  "#include \"gamelog/rcg/rcg.h\"\n"
                                   "#include <vector>\n"})),
             "");
-  EXPECT_EQ(to_text(check_arrows({"cli/a.cpp", "#include \"orchestration/match.h\"\n"})), "");
+  EXPECT_EQ(
+      to_text(check_arrows({"cli/match/a.cpp", "#include \"orchestration/match/match.h\"\n"})), "");
 }
 
 TEST(Arrows, ARelativeIncludeIsCaught) {
@@ -84,7 +90,7 @@ TEST(Determinism, ReproducibleAndExactFunctionsPass) {
                  "logger.log(x); p->exp(x); design(x); std::logic_error(e); v.cos;\n"})),
             "");
   EXPECT_EQ(to_text(check_determinism({"soccer/math.cpp", "double sin(double x);\n"})), "");
-  EXPECT_EQ(to_text(check_determinism({"orchestration/a.cpp", "std::log(x);\n"})), "");
+  EXPECT_EQ(to_text(check_determinism({"orchestration/match/a.cpp", "std::log(x);\n"})), "");
 }
 
 TEST(Determinism, ForeignRandomnessIsCaught) {
@@ -133,9 +139,9 @@ TEST(Shape, AFileWithoutPurposeOrWithWorkPutOffIsCaught) {
 
 TEST(ProcessWrapper, OnlyOneFileOfOrchestrationMayUseBoostProcess) {
   const std::string text = "#include <boost/process.hpp>\n#include <boost/process/extend.hpp>\n";
-  const SourceFile wrapper{"orchestration/child.cpp", text};
+  const SourceFile wrapper{"orchestration/process/child.cpp", text};
   EXPECT_EQ(check_process_wrapper({wrapper}).size(), 0u);
-  EXPECT_EQ(check_process_wrapper({wrapper, {"orchestration/b.cpp", text}}).size(), 2u);
+  EXPECT_EQ(check_process_wrapper({wrapper, {"orchestration/process/b.cpp", text}}).size(), 2u);
   EXPECT_EQ(check_process_wrapper({{"cli/a.cpp", text}}).size(), 2u);
 }
 

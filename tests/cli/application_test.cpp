@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/exit_code.h"
+#include "cli/support/exit_code.h"
 
 namespace {
 

@@ -407,7 +407,7 @@ TEST_F(DoctorPlaymaker, OneThatCannotTakeTheHandshakeIsToldWhichCallFailed) {
 }
 
 TEST_F(DoctorPlaymaker, NobodyAtTheAddressIsTold) {
-  const auto ports = cls::orchestration::ReservedPort::choose(1);
+  const auto ports = orchestration::process::ReservedPort::choose(1);
   const std::string address = "127.0.0.1:" + std::to_string((*ports)[0].number());
   expect(item(examine(69, {"--playmaker", address}), "playmaker"), "unreachable",
          address + ": nobody accepts a connection", "start it first");
@@ -418,7 +418,7 @@ TEST_F(DoctorPlaymaker, NobodyAtTheAddressIsTold) {
 }
 
 TEST_F(DoctorPlaymaker, OneThatAcceptsAndNeverAnswersIsGivenUp) {
-  const auto ports = cls::orchestration::ReservedPort::choose(1);
+  const auto ports = orchestration::process::ReservedPort::choose(1);
   const std::string port = std::to_string((*ports)[0].number());
   Command silent({built("cls_fake_process"), "listen-tcp", port, "print", "bound", "hang"});
   ASSERT_TRUE(silent.wait_for_output("bound"));

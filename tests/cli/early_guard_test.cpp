@@ -1,5 +1,5 @@
 // Which commands get a guard process.
-#include "cli/early_guard.h"
+#include "cli/support/early_guard.h"
 
 #include <gtest/gtest.h>
 

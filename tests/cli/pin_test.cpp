@@ -14,7 +14,7 @@
 #include <thread>
 #include <vector>
 
-#include "orchestration/host.h"
+#include "base/system/host.h"
 #include "tests/support/built.h"
 #include "tests/support/command.h"
 #include "tests/support/files.h"
@@ -93,8 +93,7 @@ class Pin : public testing::Test {
   }
 
   cls::tests::TemporaryFolder folder_;
-  const std::array<Processors, 2> halves_ =
-      cls::orchestration::halves_of(cls::orchestration::allowed_cores());
+  const std::array<Processors, 2> halves_ = base::halves_of(base::allowed_cores());
 };
 
 TEST_F(Pin, PlaymakersAndAgentsOfBothSidesHaveTheirHalves) {
@@ -107,7 +106,7 @@ TEST_F(Pin, PlaymakersAndAgentsOfBothSidesHaveTheirHalves) {
     EXPECT_TRUE(wait_for([&] { return threads_on(command.pid(), half) > 0; }));
   }
   // What belongs to neither side is tied to nothing.
-  EXPECT_GT(threads_on(command.pid(), cls::orchestration::allowed_processors()), 0);
+  EXPECT_GT(threads_on(command.pid(), base::allowed_processors()), 0);
   command.send_signal(SIGTERM);
   EXPECT_EQ(command.finish().exit_code, 143);
 }
@@ -134,7 +133,7 @@ TEST_F(Pin, NothingIsTiedWithoutIt) {
   words.erase(std::find(words.begin(), words.end(), "--pin"));
   Command command(words);
   EXPECT_TRUE(wait_for([&] { return !log("left-playmaker.log").empty(); }));
-  EXPECT_EQ(log("left-playmaker.log"), line_of(cls::orchestration::allowed_processors()));
+  EXPECT_EQ(log("left-playmaker.log"), line_of(base::allowed_processors()));
   command.send_signal(SIGTERM);
   EXPECT_EQ(command.finish().exit_code, 143);
 }
@@ -149,7 +148,7 @@ TEST_F(Pin, TheCommandsOfADryRunSayIt) {
 }
 
 TEST(PinOnOneProcessor, IsAMistakeThatIsTold) {
-  const Processors all = cls::orchestration::allowed_processors();
+  const Processors all = base::allowed_processors();
   const cpu_set_t before = set_of(all);
   const cpu_set_t one = set_of({all.front()});
   ASSERT_EQ(::sched_setaffinity(0, sizeof one, &one), 0);

@@ -5,8 +5,8 @@
 #include <memory>
 #include <string>
 
-#include "gamelog/byte_sink.h"
-#include "orchestration/match_options.h"
+#include "base/io/byte_sink.h"
+#include "orchestration/match/options/match_options.h"
 #include "simulator/server/udp_server.h"
 #include "soccer/side.h"
 #include "tests/fakes/flags.h"
@@ -17,8 +17,8 @@ using namespace cls;
 
 std::atomic<bool> stop{false};
 
-orchestration::MatchOptions options_of(const fakes::Flags& flags) {
-  orchestration::MatchOptions options;
+orchestration::match::MatchOptions options_of(const fakes::Flags& flags) {
+  orchestration::match::MatchOptions options;
   options.server = soccer::ServerParams();
   for (const std::string& word : flags.rest()) {
     const auto applied = apply_setting(options, word);
@@ -30,7 +30,7 @@ orchestration::MatchOptions options_of(const fakes::Flags& flags) {
 }
 
 std::unique_ptr<simulator::UdpServer> open(const fakes::Flags& flags) {
-  const orchestration::MatchOptions options = options_of(flags);
+  const orchestration::match::MatchOptions options = options_of(flags);
   simulator::UdpConfig config;
   config.match.server = options.server;
   config.match.player = options.player;
@@ -72,8 +72,8 @@ int main(int argc, char** argv) {
     fakes::open_silently(SOCK_DGRAM, options_of(flags).server.port);
     fakes::hang();
   }
-  auto game = gamelog::FileSink::create("match.rcg");
-  auto text = gamelog::FileSink::create("match.rcl");
+  auto game = base::FileSink::create("match.rcg");
+  auto text = base::FileSink::create("match.rcl");
   if (!game || !text) return 1;
   auto server = open(flags);
   server->record({game->get(), text->get()});

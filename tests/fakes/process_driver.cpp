@@ -13,7 +13,7 @@
 // Starts every argument as a shell command, prints "ready" and the pids, and waits for ever. The
 // argument "return" makes it end in order instead, once all others are started.
 int main(int argc, char** argv) {
-  using namespace cls::orchestration;
+  using namespace cls::orchestration::process;
   const std::vector<std::string> arguments(argv + 1, argv + argc);
   auto guard = Guard::start(argc, argv);
   if (!guard) {

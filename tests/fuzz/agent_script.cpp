@@ -12,12 +12,12 @@
 #include <utility>
 #include <vector>
 
+#include "base/text/number_text.h"
+#include "proxy/agent/player_agent.h"
 #include "proxy/coach/coach_agent.h"
-#include "proxy/player_agent.h"
+#include "soccer/commands/coach_command.h"
+#include "soccer/commands/player_command.h"
 #include "soccer/memory_channel.h"
-#include "soccer/protocol/coach_command.h"
-#include "soccer/protocol/number_text.h"
-#include "soccer/protocol/player_command.h"
 
 namespace cls::tests {
 namespace {
@@ -128,7 +128,7 @@ int play(std::string_view script, soccer::Channel& server, Agent& agent) {
       answer.missing = false;
     } else if (line.starts_with("n ")) {
       int node = 0;
-      if (soccer::read_int(line.substr(2), node) > 0) answer.node = node;
+      if (base::read_int(line.substr(2), node) > 0) answer.node = node;
     } else if (line == "l") {
       answer.missing = true;
     } else {

@@ -6,16 +6,16 @@
 #include <memory>
 #include <string>
 
-#include "gamelog/byte_sink.h"
-#include "gamelog/logged_commands.h"
-#include "gamelog/rcg_reader.h"
-#include "gamelog/rcl_reader.h"
-#include "gamelog/record_writer.h"
-#include "gamelog/results/match_summary.h"
-#include "gamelog/results/results_text.h"
-#include "gamelog/statistics/match_statistics.h"
-#include "gamelog/statistics/statistics_json.h"
-#include "gamelog/statistics/statistics_text.h"
+#include "analysis/results/match_summary.h"
+#include "analysis/results/results_text.h"
+#include "analysis/statistics/match_statistics.h"
+#include "analysis/statistics/statistics_json.h"
+#include "analysis/statistics/statistics_text.h"
+#include "base/io/byte_sink.h"
+#include "gamelog/rcg/rcg_reader.h"
+#include "gamelog/rcg/record_writer.h"
+#include "gamelog/rcl/logged_commands.h"
+#include "gamelog/rcl/rcl_reader.h"
 
 namespace cls::tests {
 namespace {

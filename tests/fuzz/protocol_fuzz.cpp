@@ -5,18 +5,18 @@
 #include <string_view>
 #include <vector>
 
-#include "soccer/configuration.h"
-#include "soccer/protocol/coach_command.h"
-#include "soccer/protocol/connection_request.h"
-#include "soccer/protocol/full_state.h"
-#include "soccer/protocol/global_view.h"
-#include "soccer/protocol/hear.h"
-#include "soccer/protocol/monitor_command.h"
-#include "soccer/protocol/parameter_message.h"
-#include "soccer/protocol/player_command.h"
-#include "soccer/protocol/see.h"
-#include "soccer/protocol/sense_body.h"
-#include "soccer/protocol/server_reply.h"
+#include "soccer/commands/coach_command.h"
+#include "soccer/commands/connection_request.h"
+#include "soccer/commands/monitor_command.h"
+#include "soccer/commands/player_command.h"
+#include "soccer/messages/full_state.h"
+#include "soccer/messages/global_view.h"
+#include "soccer/messages/hear.h"
+#include "soccer/messages/parameter_message.h"
+#include "soccer/messages/see.h"
+#include "soccer/messages/sense_body.h"
+#include "soccer/messages/server_reply.h"
+#include "soccer/parameters/configuration.h"
 
 namespace {
 

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "gamelog/byte_sink.h"
-#include "simulator/server/match_server.h"
+#include "base/io/byte_sink.h"
+#include "simulator/sessions/match_server.h"
 #include "soccer/memory_channel.h"
 
 namespace cls::tests {
@@ -98,8 +98,8 @@ class Party {
   }
 
   std::unique_ptr<MatchServer> server_;
-  gamelog::StringSink game_log_;
-  gamelog::StringSink text_log_;
+  base::StringSink game_log_;
+  base::StringSink text_log_;
   std::vector<Client> clients_;
   std::string message_;
 };

@@ -1,5 +1,5 @@
 // The log of keepaway.
-#include "gamelog/keepaway_log.h"
+#include "gamelog/rcl/keepaway_log.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@ namespace cls::gamelog {
 namespace {
 
 TEST(KeepawayLog, HasAHeadAndALineForEachEpisode) {
-  StringSink sink;
+  base::StringSink sink;
   KeepawayLogWriter writer(sink);
   writer.begin(3, 2, 20, 17.5);
   writer.episode(1, 0, 93, KeepawayLoss::kOutOfBounds);

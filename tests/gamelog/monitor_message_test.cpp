@@ -1,5 +1,5 @@
 // Messages to monitors, held against those that rcssserver 19 sent to six monitors at once.
-#include "gamelog/monitor_message.h"
+#include "gamelog/rcg/monitor_message.h"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +10,8 @@
 #include <sstream>
 #include <vector>
 
-#include "gamelog/binary_params.h"
-#include "soccer/protocol/parameter_message.h"
+#include "gamelog/rcg/binary_params.h"
+#include "soccer/messages/parameter_message.h"
 #include "tests/support/files.h"
 
 namespace cls::gamelog {

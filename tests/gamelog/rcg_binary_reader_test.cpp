@@ -1,11 +1,11 @@
 // Binary logs: values that another decoder (written apart, in another language) found in real ones.
-#include "gamelog/rcg_binary_reader.h"
+#include "gamelog/rcg/rcg_binary_reader.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "gamelog/rcg_reader.h"
+#include "gamelog/rcg/rcg_reader.h"
 #include "tests/support/files.h"
 
 namespace cls::gamelog {
@@ -15,7 +15,7 @@ using soccer::PlayMode;
 using soccer::Vec2;
 
 MatchRecord read(std::string_view log) {
-  MemorySource source(log);
+  base::MemorySource source(log);
   return read_rcg(source);
 }
 

@@ -1,9 +1,9 @@
 // JSON logs of servers 17, 18 and 19, and lines that are no JSON.
-#include "gamelog/rcg_json_reader.h"
+#include "gamelog/rcg/rcg_json_reader.h"
 
 #include <gtest/gtest.h>
 
-#include "gamelog/rcg_reader.h"
+#include "gamelog/rcg/rcg_reader.h"
 #include "tests/support/files.h"
 
 namespace cls::gamelog {
@@ -12,7 +12,7 @@ namespace {
 using soccer::PlayMode;
 
 MatchRecord read(std::string_view log) {
-  MemorySource source(log);
+  base::MemorySource source(log);
   return read_rcg(source);
 }
 

@@ -1,5 +1,5 @@
 // Text logs read into records: against literal lines, against a second reader, cut at every byte.
-#include "gamelog/rcg_reader.h"
+#include "gamelog/rcg/rcg_reader.h"
 
 #include <gtest/gtest.h>
 
@@ -17,7 +17,7 @@ using soccer::PlayMode;
 using soccer::Side;
 
 MatchRecord read(std::string_view log) {
-  MemorySource source(log);
+  base::MemorySource source(log);
   return read_rcg(source);
 }
 

@@ -4,16 +4,16 @@
 #include <algorithm>
 #include <variant>
 
-#include "gamelog/rcg_reader.h"
-#include "gamelog/rcg_writer.h"
-#include "gamelog/record_writer.h"
+#include "gamelog/rcg/rcg_reader.h"
+#include "gamelog/rcg/rcg_writer.h"
+#include "gamelog/rcg/record_writer.h"
 #include "tests/support/files.h"
 
 namespace cls::gamelog {
 namespace {
 
 MatchRecord read(std::string_view log) {
-  MemorySource source(log);
+  base::MemorySource source(log);
   return read_rcg(source);
 }
 
@@ -31,7 +31,7 @@ std::string date_of_result(const MatchRecord& record) {
 
 /// What the writer makes of a log's parameters, frames and messages.
 std::string played_back(const MatchRecord& record) {
-  StringSink sink;
+  base::StringSink sink;
   LogDate date{date_of_result(record), record.timestamp};
   RcgWriter writer(sink, record.version, date);
   writer.begin(record.server, record.player, record.types);
@@ -100,8 +100,8 @@ TEST(RcgVersions, BinaryLogsComeOutAsTheyWere) {
     const MatchRecord again = read(written);
     EXPECT_TRUE(again.damage.empty());
     EXPECT_EQ(again.version, record.version);
-    StringSink expected;
-    StringSink actual;
+    base::StringSink expected;
+    base::StringSink actual;
     write_rcg(record, RcgVersion::kV6, expected);
     write_rcg(again, RcgVersion::kV6, actual);
     expect_same(expected.bytes(), actual.bytes());

@@ -1,12 +1,12 @@
 // Game logs of rcssserver 19, taken apart and written again: every byte must come out the same.
-#include "gamelog/rcg_writer.h"
+#include "gamelog/rcg/rcg_writer.h"
 
 #include <gtest/gtest.h>
 
 #include <cstdlib>
 
-#include "gamelog/rcg_text.h"
-#include "soccer/protocol/parameter_message.h"
+#include "gamelog/rcg/rcg_text.h"
+#include "soccer/messages/parameter_message.h"
 #include "tests/support/files.h"
 #include "tests/support/rcg_lines.h"
 
@@ -18,7 +18,7 @@ using soccer::Side;
 
 /// What the writer makes of the parameters, frames and messages in a real log.
 std::string written_again(std::string_view log) {
-  StringSink sink;
+  base::StringSink sink;
   RcgWriter writer(sink);
   soccer::ServerParams server;
   soccer::PlayerParams player;
@@ -26,7 +26,7 @@ std::string written_again(std::string_view log) {
   Frame frame;
   bool begun = false;
   for (const std::string_view line : tests::split_lines(log)) {
-    soccer::Result<void> read;
+    base::Result<void> read;
     if (line.starts_with("(server_param ")) read = soccer::parse(line, server);
     if (line.starts_with("(player_param ")) read = soccer::parse(line, player);
     if (line.starts_with("(player_type ")) read = soccer::parse(line, types.emplace_back());
@@ -167,7 +167,7 @@ TEST(RcgText, KeepsAMessageOnOneLine) {
 }
 
 TEST(RcgWriter, WritesNothingBeforeKickOffAndOnceAfterTimeOver) {
-  StringSink sink;
+  base::StringSink sink;
   RcgWriter writer(sink);
   Frame frame;
   frame.mode = PlayMode::kBeforeKickOff;
@@ -186,7 +186,7 @@ TEST(RcgWriter, WritesNothingBeforeKickOffAndOnceAfterTimeOver) {
 }
 
 TEST(RcgWriter, LeavesModesOutThatBeginAndEndBetweenFrames) {
-  StringSink sink;
+  base::StringSink sink;
   RcgWriter writer(sink);
   Frame frame;
   frame.mode = PlayMode::kPlayOn;

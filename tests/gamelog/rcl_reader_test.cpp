@@ -1,12 +1,12 @@
 // Text logs: literal lines with every trap, and whole real logs against the protocol's own parser.
-#include "gamelog/rcl_reader.h"
+#include "gamelog/rcl/rcl_reader.h"
 
 #include <gtest/gtest.h>
 
 #include <map>
 
-#include "gamelog/logged_commands.h"
-#include "soccer/protocol/player_command.h"
+#include "gamelog/rcl/logged_commands.h"
+#include "soccer/commands/player_command.h"
 #include "tests/support/files.h"
 #include "tests/support/rcg_lines.h"
 
@@ -14,7 +14,7 @@ namespace cls::gamelog {
 namespace {
 
 RclRecord read(std::string_view log) {
-  MemorySource source(log);
+  base::MemorySource source(log);
   return read_rcl(source);
 }
 

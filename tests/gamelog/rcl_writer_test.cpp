@@ -1,5 +1,5 @@
 // Text log lines as rcssserver 19 wrote them.
-#include "gamelog/rcl_writer.h"
+#include "gamelog/rcl/rcl_writer.h"
 
 #include <gtest/gtest.h>
 
@@ -26,7 +26,7 @@ std::string of_trainer(std::string_view text) {
 
 class RclWriterTest : public testing::Test {
  protected:
-  StringSink sink_;
+  base::StringSink sink_;
   RclWriter writer_{sink_};
 };
 

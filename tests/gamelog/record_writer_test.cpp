@@ -1,10 +1,10 @@
 // Real logs read and written again, in their own version and in others.
-#include "gamelog/record_writer.h"
+#include "gamelog/rcg/record_writer.h"
 
 #include <gtest/gtest.h>
 
-#include "gamelog/gzip_sink.h"
-#include "gamelog/rcg_reader.h"
+#include "base/io/gzip_sink.h"
+#include "gamelog/rcg/rcg_reader.h"
 #include "tests/support/files.h"
 #include "tests/support/rcg_lines.h"
 #include "tests/support/temporary_folder.h"
@@ -13,12 +13,12 @@ namespace cls::gamelog {
 namespace {
 
 MatchRecord read(std::string_view log) {
-  MemorySource source(log);
+  base::MemorySource source(log);
   return read_rcg(source);
 }
 
 std::string written(const MatchRecord& record, RcgVersion version) {
-  StringSink sink;
+  base::StringSink sink;
   write_rcg(record, version, sink);
   return sink.bytes();
 }
@@ -146,7 +146,7 @@ TEST(GzipSink, CompressesWhatIsReadBackTheSame) {
   const std::string log = fixture("match-start");
   const MatchRecord record = read(log);
   for (const char* name : {"a.rcg.gz", "b.rcg.gz", "c.rcg"}) {
-    auto sink = create_sink((folder.path() / name).string());
+    auto sink = base::create_sink((folder.path() / name).string());
     ASSERT_TRUE(sink);
     write_rcg(record, RcgVersion::kV6, **sink);
     ASSERT_TRUE((*sink)->close());
@@ -156,7 +156,7 @@ TEST(GzipSink, CompressesWhatIsReadBackTheSame) {
 }
 
 TEST(GzipSink, TellsWhatItCannotWrite) {
-  EXPECT_EQ(create_sink("/nonexistent-folder/a.rcg.gz").error().message,
+  EXPECT_EQ(base::create_sink("/nonexistent-folder/a.rcg.gz").error().message,
             "cannot create '/nonexistent-folder/a.rcg.gz': No such file or directory");
 }
 

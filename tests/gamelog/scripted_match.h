@@ -1,8 +1,8 @@
 // Matches made up frame by frame, for tests of what is reckoned from them.
 #pragma once
 
-#include "gamelog/match_record.h"
-#include "gamelog/record_builder.h"
+#include "gamelog/record/match_record.h"
+#include "gamelog/record/record_builder.h"
 
 namespace cls::tests {
 

@@ -9,13 +9,13 @@
 #include <iterator>
 #include <string>
 
-#include "orchestration/match.h"
+#include "orchestration/match/match.h"
 #include "orchestration/process/guard.h"
 
 namespace {
 
 namespace fs = std::filesystem;
-using namespace cls::orchestration;
+using namespace cls::orchestration::match;
 
 /// Memory that is handed out and not given back, of all arenas; what is resident also has holes.
 long kilobytes_in_use() {

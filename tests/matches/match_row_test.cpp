@@ -94,7 +94,8 @@ TEST_F(MatchRow, LeavesNothingBehind) {
     const std::vector<int> ports = numbers_behind(name, words);
     EXPECT_EQ(ports.size(), static_cast<std::size_t>(count / 2));
     for (const int port : ports) {
-      EXPECT_TRUE(cls::orchestration::port_is_free(cls::orchestration::Protocol::kUdp, port))
+      EXPECT_TRUE(
+          orchestration::process::port_is_free(orchestration::process::Protocol::kUdp, port))
           << port;
     }
   }

@@ -5,7 +5,7 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
-#include "gamelog/rcg_reader.h"
+#include "gamelog/rcg/rcg_reader.h"
 #include "soccer/pitch.h"
 #include "soccer/play_mode.h"
 #include "tests/matches/full_form.h"

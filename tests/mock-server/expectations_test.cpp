@@ -1,5 +1,5 @@
 // What a mock must have been told and asked.
-#include "mock-server/expectations.h"
+#include "mock-server/script/expectations.h"
 
 #include <gtest/gtest.h>
 
@@ -9,8 +9,8 @@ namespace cls::mock_server {
 namespace {
 
 Expectations expecting(const std::string& text) {
-  const JsonText json = *JsonText::parse("s.json", text);
-  auto list = parse_expectations(JsonValue(json));
+  const base::JsonText json = *base::JsonText::parse("s.json", text);
+  auto list = parse_expectations(base::JsonValue(json));
   EXPECT_TRUE(list) << list.error().message;
   return Expectations(list ? *list : std::vector<Expectation>());
 }
@@ -90,8 +90,8 @@ TEST(Expectations, OrderIsThatOfEachAgent) {
 
 TEST(Expectations, MistakesAreTold) {
   const auto error = [](const std::string& text) {
-    const JsonText json = *JsonText::parse("s.json", text);
-    const auto list = parse_expectations(JsonValue(json));
+    const base::JsonText json = *base::JsonText::parse("s.json", text);
+    const auto list = parse_expectations(base::JsonValue(json));
     return list ? "" : list.error().message;
   };
   EXPECT_EQ(error(R"([{"rpc": "GetPlayerAction", "count": 1}])"),

@@ -17,9 +17,9 @@ using std::chrono::milliseconds;
 class FaultyMock {
  public:
   explicit FaultyMock(const std::string& faults) {
-    const JsonText json = *JsonText::parse("f.json", faults);
+    const base::JsonText json = *base::JsonText::parse("f.json", faults);
     Mock mock(std::move(*make_behaviour("hold")));
-    auto parsed = parse_faults(JsonValue(json));
+    auto parsed = parse_faults(base::JsonValue(json));
     EXPECT_TRUE(parsed) << parsed.error().message;
     mock.faults = *parsed;
     server_ = std::move(*Server::start(std::move(mock)));
@@ -175,8 +175,8 @@ TEST(Faults, AreLimitedToCyclesAndNumbers) {
 
 TEST(Faults, MistakesAreTold) {
   const auto error = [](const std::string& text) {
-    const JsonText json = *JsonText::parse("f.json", text);
-    const auto faults = parse_faults(JsonValue(json));
+    const base::JsonText json = *base::JsonText::parse("f.json", text);
+    const auto faults = parse_faults(base::JsonValue(json));
     return faults ? "" : faults.error().message;
   };
   EXPECT_EQ(error(R"({"delay": 3})"),

@@ -1,5 +1,5 @@
 // Conditions on the fields of a State.
-#include "mock-server/field_path.h"
+#include "mock-server/script/field_path.h"
 
 #include <gtest/gtest.h>
 
@@ -27,8 +27,8 @@ protos::State state() {
 }
 
 bool holds(const std::string& conditions) {
-  const JsonText text = *JsonText::parse("test", conditions);
-  const auto parsed = parse_conditions(*protos::State::descriptor(), JsonValue(text));
+  const base::JsonText text = *base::JsonText::parse("test", conditions);
+  const auto parsed = parse_conditions(*protos::State::descriptor(), base::JsonValue(text));
   EXPECT_TRUE(parsed) << parsed.error().message;
   if (!parsed) return false;
   for (const Condition& condition : *parsed) {
@@ -38,8 +38,8 @@ bool holds(const std::string& conditions) {
 }
 
 std::string error(const std::string& conditions) {
-  const JsonText text = *JsonText::parse("test", conditions);
-  const auto parsed = parse_conditions(*protos::State::descriptor(), JsonValue(text));
+  const base::JsonText text = *base::JsonText::parse("test", conditions);
+  const auto parsed = parse_conditions(*protos::State::descriptor(), base::JsonValue(text));
   return parsed ? "" : parsed.error().message;
 }
 
@@ -107,8 +107,9 @@ TEST(FieldPath, MistakesAreToldWithTheirPlace) {
 }
 
 TEST(FieldPath, ComplaintsSayWhatIsThere) {
-  const JsonText text = *JsonText::parse("test", R"({"teammates.*.uniform_number": {">": 9}})");
-  const auto parsed = parse_conditions(*protos::State::descriptor(), JsonValue(text));
+  const base::JsonText text =
+      *base::JsonText::parse("test", R"({"teammates.*.uniform_number": {">": 9}})");
+  const auto parsed = parse_conditions(*protos::State::descriptor(), base::JsonValue(text));
   EXPECT_EQ(parsed->front().complaint(state()), "teammates.*.uniform_number is 3, 9, not > 9");
 }
 

@@ -1,5 +1,5 @@
 // Scripts: which rule answers, and how mistakes are told.
-#include "mock-server/script.h"
+#include "mock-server/script/script.h"
 
 #include <gtest/gtest.h>
 
@@ -9,15 +9,15 @@ namespace cls::mock_server {
 namespace {
 
 std::shared_ptr<const Script> script(const std::string& text) {
-  const JsonText json = *JsonText::parse("s.json", text);
-  auto parsed = parse_script(JsonValue(json));
+  const base::JsonText json = *base::JsonText::parse("s.json", text);
+  auto parsed = parse_script(base::JsonValue(json));
   EXPECT_TRUE(parsed) << parsed.error().message;
   return parsed ? *parsed : nullptr;
 }
 
 std::string error(const std::string& text) {
-  const JsonText json = *JsonText::parse("s.json", text);
-  const auto parsed = parse_script(JsonValue(json));
+  const base::JsonText json = *base::JsonText::parse("s.json", text);
+  const auto parsed = parse_script(base::JsonValue(json));
   return parsed ? "" : parsed.error().message;
 }
 

@@ -3,9 +3,9 @@
 
 #include <cmath>
 
-#include "proxy/home_positions.h"
-#include "proxy/skills/kick.h"
-#include "proxy/skills/motion.h"
+#include "proxy/ball_skills/kick.h"
+#include "proxy/movement/home_positions.h"
+#include "proxy/world/motion.h"
 #include "tests/proxy/known_pitch.h"
 #include "tests/proxy/wire_vector.h"
 

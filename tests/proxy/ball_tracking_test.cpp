@@ -1,7 +1,7 @@
 // The ball: rolling, kicked, vanished, put down by the referee.
 #include <gtest/gtest.h>
 
-#include "proxy/perception.h"
+#include "proxy/perception/perception.h"
 #include "soccer/pitch.h"
 #include "soccer/random.h"
 #include "tests/proxy/synthetic_senses.h"

@@ -8,7 +8,7 @@
 
 #include "proxy/coach/coach_orders.h"
 #include "proxy/coach/global_perception.h"
-#include "proxy/state_message.h"
+#include "proxy/messages/state_message.h"
 #include "tests/proxy/coached_match.h"
 
 namespace cls::tests {

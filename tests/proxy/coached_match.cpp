@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "simulator/referee.h"
+#include "simulator/referee/referee.h"
 
 namespace cls::tests {
 namespace {

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "proto/playmaker.pb.h"
+#include "proxy/agent/player_agent.h"
 #include "proxy/coach/coach_agent.h"
-#include "proxy/player_agent.h"
 #include "simulator/server/lockstep_server.h"
 
 namespace cls::tests {

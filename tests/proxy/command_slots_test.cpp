@@ -1,5 +1,5 @@
 // What commands are refused, clamped and in which order they leave.
-#include "proxy/command_slots.h"
+#include "proxy/commands/command_slots.h"
 
 #include <gtest/gtest.h>
 

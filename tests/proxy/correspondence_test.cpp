@@ -1,6 +1,6 @@
 // A Playmaker that is lost and found in mid-match: who is introduced again, when, and what it
 // costs.
-#include "proxy/correspondence.h"
+#include "proxy/playmaker/correspondence.h"
 
 #include <gtest/gtest.h>
 
@@ -13,8 +13,8 @@
 #include <utility>
 #include <vector>
 
-#include "proxy/grpc_playmaker.h"
-#include "proxy/team.h"
+#include "proxy/agent/team.h"
+#include "proxy/playmaker/grpc_playmaker.h"
 #include "tests/proxy/fake_playmaker.h"
 #include "tests/proxy/playmaker_server.h"
 #include "tests/proxy/scripted_server.h"

@@ -1,5 +1,5 @@
 // Moments of decision: (think) in synchronous mode, see or the clock in real time.
-#include "proxy/decision_timer.h"
+#include "proxy/connection/decision_timer.h"
 
 #include <gtest/gtest.h>
 

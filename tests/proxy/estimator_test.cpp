@@ -6,7 +6,7 @@
 #include <numeric>
 #include <vector>
 
-#include "proxy/world/assignment.h"
+#include "proxy/tracking/assignment.h"
 #include "proxy/world/gaussian.h"
 #include "proxy/world/seen_distance.h"
 #include "proxy/world/truncated_normal.h"

@@ -1,11 +1,11 @@
 // The order of a decision, what the proxy does by itself, and the counts.
-#include "proxy/executor.h"
+#include "proxy/actions/executor.h"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 
-#include "proxy/action_handlers.h"
+#include "proxy/actions/action_handlers.h"
 #include "tests/proxy/known_pitch.h"
 
 namespace cls::proxy {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "proxy/playmaker.h"
+#include "proxy/playmaker/playmaker.h"
 
 namespace cls::tests {
 

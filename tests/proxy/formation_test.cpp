@@ -9,7 +9,7 @@
 #include "proxy/formation/formation_file.h"
 #include "proxy/formation/formation_set.h"
 #include "proxy/formation/triangulation.h"
-#include "proxy/home_positions.h"
+#include "proxy/movement/home_positions.h"
 #include "tests/proxy/known_pitch.h"
 #include "tests/support/temporary_folder.h"
 

@@ -1,5 +1,5 @@
 // Calls to a Playmaker over real gRPC, and everything that can go wrong with one.
-#include "proxy/grpc_playmaker.h"
+#include "proxy/playmaker/grpc_playmaker.h"
 
 #include <gtest/gtest.h>
 

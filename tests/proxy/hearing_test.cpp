@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "proxy/perception.h"
-#include "proxy/say_message.h"
+#include "proxy/perception/perception.h"
+#include "proxy/perception/say_message.h"
 
 namespace cls::proxy {
 namespace {

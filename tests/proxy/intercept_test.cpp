@@ -1,12 +1,12 @@
 // Ways to the ball: every plan is carried out by the rules of motion and must end at the ball.
-#include "proxy/world/intercept.h"
+#include "proxy/estimates/intercept.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "proxy/perception.h"
+#include "proxy/perception/perception.h"
 #include "soccer/math.h"
 #include "soccer/random.h"
 

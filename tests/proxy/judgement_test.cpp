@@ -1,8 +1,8 @@
 // What is derived for a decision: kick, catch and tackle chances, kickers, lines, stamina.
 #include <gtest/gtest.h>
 
-#include "proxy/perception.h"
-#include "proxy/world/chances.h"
+#include "proxy/estimates/chances.h"
+#include "proxy/perception/perception.h"
 #include "proxy/world/dash_model.h"
 
 namespace cls::proxy {

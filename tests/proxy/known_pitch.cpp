@@ -4,13 +4,13 @@
 #include <memory>
 #include <stdexcept>
 
-#include "proxy/command_slots.h"
-#include "proxy/executor.h"
-#include "proxy/perception.h"
-#include "proxy/sight_memory.h"
-#include "simulator/actions.h"
-#include "simulator/roster.h"
+#include "proxy/actions/executor.h"
+#include "proxy/commands/command_slots.h"
+#include "proxy/perception/perception.h"
+#include "proxy/world/sight_memory.h"
+#include "simulator/actions/actions.h"
 #include "simulator/step.h"
+#include "simulator/world/roster.h"
 
 namespace cls::tests {
 namespace {

@@ -6,12 +6,12 @@
 #include <vector>
 
 #include "proto/playmaker.pb.h"
-#include "proxy/action_memory.h"
-#include "proxy/action_report.h"
-#include "proxy/world_model.h"
-#include "simulator/event.h"
-#include "simulator/world.h"
-#include "soccer/protocol/player_command.h"
+#include "proxy/connection/action_report.h"
+#include "proxy/planner/action_memory.h"
+#include "proxy/world/world_model.h"
+#include "simulator/world/event.h"
+#include "simulator/world/world.h"
+#include "soccer/commands/player_command.h"
 
 namespace cls::tests {
 

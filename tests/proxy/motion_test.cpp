@@ -1,5 +1,5 @@
 // Motion against numbers worked out by hand from the simulation model.
-#include "proxy/skills/motion.h"
+#include "proxy/world/motion.h"
 
 #include <gtest/gtest.h>
 

@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "proto/rpc.h"
-#include "proxy/grpc_playmaker.h"
-#include "proxy/team.h"
+#include "proxy/agent/team.h"
+#include "proxy/playmaker/grpc_playmaker.h"
 #include "tests/proxy/playmaker_server.h"
 #include "tests/proxy/scripted_server.h"
 

@@ -1,5 +1,5 @@
 // Parameter messages say what the soccer server announced, as a real proxy said it.
-#include "proxy/parameter_messages.h"
+#include "proxy/messages/parameter_messages.h"
 
 #include <google/protobuf/descriptor.h>
 #include <google/protobuf/message.h>
@@ -13,8 +13,8 @@
 #include <variant>
 #include <vector>
 
+#include "soccer/messages/parameter_message.h"
 #include "soccer/protocol/message_kind.h"
-#include "soccer/protocol/parameter_message.h"
 #include "tests/support/files.h"
 #include "tests/support/message_stream.h"
 #include "tests/support/transcript.h"

@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include "proxy/perception_error.h"
-#include "proxy/transcript.h"
-#include "soccer/protocol/number_text.h"
+#include "base/text/number_text.h"
+#include "proxy/perception/perception_error.h"
+#include "proxy/perception/transcript.h"
 #include "tests/support/files.h"
 #include "tests/support/rcg_lines.h"
 

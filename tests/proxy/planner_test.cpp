@@ -6,14 +6,14 @@
 #include <cmath>
 #include <vector>
 
-#include "proxy/executor.h"
+#include "proxy/actions/executor.h"
+#include "proxy/perception/say_message.h"
 #include "proxy/planner/evaluation.h"
 #include "proxy/planner/field.h"
 #include "proxy/planner/generators.h"
 #include "proxy/planner/planner_messages.h"
 #include "proxy/planner/search.h"
-#include "proxy/say_message.h"
-#include "proxy/skills/motion.h"
+#include "proxy/world/motion.h"
 #include "tests/proxy/known_pitch.h"
 
 namespace cls::proxy {

@@ -1,7 +1,7 @@
 // The other players: who is who, who is gone.
 #include <gtest/gtest.h>
 
-#include "proxy/perception.h"
+#include "proxy/perception/perception.h"
 #include "tests/proxy/synthetic_senses.h"
 
 namespace cls::proxy {

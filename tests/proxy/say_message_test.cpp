@@ -1,6 +1,6 @@
 // Say messages: real ones against the truth of the match they were said in, and all kinds there and
 // back.
-#include "proxy/say_message.h"
+#include "proxy/perception/say_message.h"
 
 #include <gtest/gtest.h>
 

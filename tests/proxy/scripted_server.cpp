@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "soccer/memory_channel.h"
-#include "soccer/protocol/parameter_message.h"
+#include "soccer/messages/parameter_message.h"
 
 namespace cls::tests {
 namespace {

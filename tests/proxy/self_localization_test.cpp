@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "proxy/perception.h"
+#include "proxy/perception/perception.h"
 #include "soccer/math.h"
 #include "soccer/pitch.h"
 #include "soccer/random.h"

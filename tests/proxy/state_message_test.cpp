@@ -1,5 +1,5 @@
 // A State says all that an agent believes, in the conventions of the wire.
-#include "proxy/state_message.h"
+#include "proxy/messages/state_message.h"
 
 #include <google/protobuf/util/message_differencer.h>
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "proxy/player_agent.h"
+#include "proxy/agent/player_agent.h"
 #include "soccer/memory_channel.h"
 #include "tests/proxy/field_paths.h"
 #include "tests/support/files.h"

@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "soccer/geometry.h"
-#include "soccer/player_type.h"
-#include "soccer/protocol/see.h"
-#include "soccer/protocol/sense_body.h"
+#include "soccer/messages/see.h"
+#include "soccer/messages/sense_body.h"
+#include "soccer/parameters/player_type.h"
 #include "soccer/side.h"
 
 namespace cls::tests {

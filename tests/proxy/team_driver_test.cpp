@@ -1,15 +1,15 @@
 // Teams on the embedded server over real sockets, and in real time.
-#include "proxy/team_driver.h"
+#include "proxy/agent/team_driver.h"
 
 #include <gtest/gtest.h>
 
 #include <atomic>
 #include <thread>
 
-#include "gamelog/byte_sink.h"
+#include "base/io/byte_sink.h"
 #include "mock-server/behaviour.h"
 #include "mock-server/server.h"
-#include "proxy/grpc_playmaker.h"
+#include "proxy/playmaker/grpc_playmaker.h"
 #include "simulator/server/udp_server.h"
 #include "tests/proxy/fake_playmaker.h"
 #include "tests/proxy/scripted_server.h"

@@ -3,13 +3,13 @@
 
 #include <cmath>
 
-#include "proxy/behaviours/goalie_place.h"
-#include "proxy/behaviours/set_play_kicker.h"
-#include "proxy/home_positions.h"
+#include "proxy/behaviors/goalie_place.h"
+#include "proxy/behaviors/set_play_kicker.h"
+#include "proxy/movement/home_positions.h"
+#include "proxy/movement/mark.h"
+#include "proxy/movement/support.h"
 #include "proxy/planner/evaluation.h"
 #include "proxy/planner/outlet.h"
-#include "proxy/skills/mark.h"
-#include "proxy/skills/support.h"
 #include "tests/proxy/known_pitch.h"
 
 namespace cls::proxy {

@@ -1,5 +1,5 @@
 // A team's life: connecting, introducing itself, deciding, failing gracefully, leaving.
-#include "proxy/team.h"
+#include "proxy/agent/team.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "proxy/grpc_playmaker.h"
+#include "proxy/playmaker/grpc_playmaker.h"
 #include "tests/proxy/fake_playmaker.h"
 #include "tests/proxy/playmaker_server.h"
 #include "tests/proxy/scripted_server.h"
@@ -29,7 +29,7 @@ TeamOptions options(OnLate on_late = OnLate::kHold) {
   return options;
 }
 
-soccer::Result<void> connect(Team& team, ScriptedServer& server) {
+base::Result<void> connect(Team& team, ScriptedServer& server) {
   return team.connect([&] { return server.open(); },
                       [&, tries = 0]() mutable {
                         server.serve();
@@ -290,7 +290,7 @@ TEST(Team, SaysWhyTheSoccerServerLeftAPlayerOut) {
   ScriptedServer server;
   server.refusal = "(error no_more_team_or_player_or_goalie)";
   Team team(options(), playmaker);
-  const soccer::Result<void> done = connect(team, server);
+  const base::Result<void> done = connect(team, server);
   ASSERT_FALSE(done);
   EXPECT_EQ(done.error().message,
             "us, player 1: the soccer server refused it (no_more_team_or_player_or_goalie)");
@@ -300,8 +300,7 @@ TEST(Team, GivesUpOnASilentSoccerServer) {
   FakePlaymaker playmaker;
   ScriptedServer server;
   Team team(options(), playmaker);
-  const soccer::Result<void> done =
-      team.connect([&] { return server.open(); }, [] { return false; });
+  const base::Result<void> done = team.connect([&] { return server.open(); }, [] { return false; });
   ASSERT_FALSE(done);
   EXPECT_NE(done.error().message.find("did not answer"), std::string::npos);
 }

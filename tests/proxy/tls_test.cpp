@@ -7,8 +7,8 @@
 #include <memory>
 #include <string>
 
-#include "proxy/grpc_playmaker.h"
-#include "proxy/tls_probe.h"
+#include "proxy/playmaker/grpc_playmaker.h"
+#include "proxy/playmaker/tls_probe.h"
 #include "tests/proxy/playmaker_server.h"
 #include "tests/support/certificates.h"
 

@@ -3,13 +3,13 @@
 
 #include <cmath>
 
-#include "proxy/behaviours/goalie_place.h"
-#include "proxy/behaviours/penalty.h"
-#include "proxy/behaviours/set_play_kicker.h"
-#include "proxy/home_positions.h"
-#include "proxy/say_message.h"
-#include "proxy/shoot_out_view.h"
-#include "proxy/world/team_lines.h"
+#include "proxy/behaviors/goalie_place.h"
+#include "proxy/behaviors/penalty.h"
+#include "proxy/behaviors/set_play_kicker.h"
+#include "proxy/estimates/team_lines.h"
+#include "proxy/messages/shoot_out_view.h"
+#include "proxy/movement/home_positions.h"
+#include "proxy/perception/say_message.h"
 #include "tests/proxy/known_pitch.h"
 
 namespace cls::proxy {

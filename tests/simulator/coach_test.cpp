@@ -4,9 +4,9 @@
 #include <cmath>
 #include <fstream>
 
-#include "gamelog/byte_sink.h"
+#include "base/io/byte_sink.h"
 #include "simulator/server/lockstep_server.h"
-#include "simulator/server/match_server.h"
+#include "simulator/sessions/match_server.h"
 #include "soccer/memory_channel.h"
 #include "tests/support/temporary_folder.h"
 
@@ -67,8 +67,8 @@ class CoachTest : public testing::Test {
 
   MatchConfig config_;
   std::unique_ptr<MatchServer> server_;
-  gamelog::StringSink game_log_;
-  gamelog::StringSink text_log_;
+  base::StringSink game_log_;
+  base::StringSink text_log_;
   std::map<ClientId, std::unique_ptr<soccer::Channel>> clients_;
 };
 

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "simulator/server/match_server.h"
+#include "simulator/sessions/match_server.h"
 
 namespace cls::tests {
 

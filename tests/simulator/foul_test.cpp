@@ -1,7 +1,7 @@
 // Which tackles are fouls, and what follows (simulation model 4.15, 9.10).
 #include <gtest/gtest.h>
 
-#include "simulator/referee/foul_detection.h"
+#include "simulator/rules/foul_detection.h"
 #include "tests/simulator/stage.h"
 
 namespace cls::tests {

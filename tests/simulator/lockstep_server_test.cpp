@@ -7,8 +7,8 @@
 #include <cmath>
 #include <set>
 
-#include "gamelog/byte_sink.h"
-#include "simulator/actions.h"
+#include "base/io/byte_sink.h"
+#include "simulator/actions/actions.h"
 #include "simulator/step.h"
 #include "tests/support/rcg_lines.h"
 #include "tests/support/scripted_player.h"
@@ -60,8 +60,8 @@ struct Match {
 
   ScriptedPlayer& first() { return *clients.front(); }
 
-  gamelog::StringSink game_log;
-  gamelog::StringSink text_log;
+  base::StringSink game_log;
+  base::StringSink text_log;
   std::unique_ptr<LockstepServer> server;
   std::vector<std::unique_ptr<ScriptedPlayer>> clients;
 };
@@ -81,7 +81,7 @@ bool contains(const std::vector<std::string>& lines, std::string_view part) {
 }
 
 /// Remembers what a reader of a file that is being written could see.
-class LiveSink : public gamelog::StringSink {
+class LiveSink : public base::StringSink {
  public:
   void flush() override { visible = bytes(); }
   std::string visible;

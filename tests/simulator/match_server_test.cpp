@@ -1,10 +1,10 @@
 // The conversation between server and players, held against the real server's.
-#include "simulator/server/match_server.h"
+#include "simulator/sessions/match_server.h"
 
 #include <gtest/gtest.h>
 
 #include "soccer/memory_channel.h"
-#include "soccer/protocol/parameter_message.h"
+#include "soccer/messages/parameter_message.h"
 #include "tests/support/files.h"
 #include "tests/support/transcript.h"
 
@@ -55,7 +55,7 @@ class MatchServerTest : public testing::Test {
   using Texts = std::vector<std::string>;
 
   std::unique_ptr<MatchServer> server_;
-  gamelog::StringSink text_log_;
+  base::StringSink text_log_;
   std::map<Slot, std::unique_ptr<soccer::Channel>> clients_;
   Slot slot_ = kNobody;  ///< of the last client
 };

@@ -1,7 +1,7 @@
 // Halves, extra time, and the automatic kick-off (simulation model 9.3, 9.6, 9.16).
 #include <gtest/gtest.h>
 
-#include "simulator/auto_mode.h"
+#include "simulator/referee/auto_mode.h"
 #include "tests/simulator/stage.h"
 
 namespace cls::tests {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "simulator/server/match_server.h"
+#include "simulator/sessions/match_server.h"
 #include "soccer/memory_channel.h"
 
 namespace cls::simulator {

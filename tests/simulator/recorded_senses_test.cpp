@@ -3,11 +3,11 @@
 
 #include <map>
 
+#include "base/text/number_text.h"
 #include "simulator/senses/body_sense.h"
 #include "simulator/senses/vision.h"
 #include "soccer/pitch.h"
 #include "soccer/protocol/message_kind.h"
-#include "soccer/protocol/number_text.h"
 #include "tests/simulator/recorded_world.h"
 #include "tests/support/files.h"
 #include "tests/support/transcript.h"
@@ -21,7 +21,7 @@ using soccer::ObservedKind;
 
 std::string text(double value) {
   std::string out;
-  soccer::append_g(value, out);
+  base::append_g(value, out);
   return out;
 }
 

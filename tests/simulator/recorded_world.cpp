@@ -1,9 +1,9 @@
 // From recorded frames to worlds.
 #include "tests/simulator/recorded_world.h"
 
-#include "simulator/logged_counters.h"
+#include "simulator/world/logged_counters.h"
 #include "soccer/math.h"
-#include "soccer/player_type.h"
+#include "soccer/parameters/player_type.h"
 #include "tests/support/rcg_lines.h"
 
 namespace cls::simulator {

@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
-#include "gamelog/frame.h"
-#include "simulator/world.h"
+#include "gamelog/record/frame.h"
+#include "simulator/world/world.h"
 
 namespace cls::simulator {
 

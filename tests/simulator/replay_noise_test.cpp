@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "simulator/goal_post.h"
+#include "simulator/motion/goal_post.h"
 #include "simulator/replay/post_bounce.h"
 #include "simulator/replay/stronger_push.h"
 #include "tests/simulator/replayed_logs.h"

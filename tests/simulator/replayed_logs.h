@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <string>
 
-#include "gamelog/rcg_reader.h"
-#include "gamelog/rcl_reader.h"
+#include "gamelog/rcg/rcg_reader.h"
+#include "gamelog/rcl/rcl_reader.h"
 #include "simulator/replay/log_replay.h"
 
 namespace cls::simulator {

@@ -1,12 +1,12 @@
 // Joining, leaving, types, energy, parameters.
-#include "simulator/roster.h"
+#include "simulator/world/roster.h"
 
 #include <gtest/gtest.h>
 
 #include <set>
 
-#include "simulator/stamina.h"
-#include "simulator/substitution.h"
+#include "simulator/referee/substitution.h"
+#include "simulator/world/stamina.h"
 #include "tests/simulator/stage.h"
 
 namespace cls::tests {

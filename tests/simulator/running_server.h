@@ -6,7 +6,7 @@
 #include <thread>
 #include <utility>
 
-#include "gamelog/byte_sink.h"
+#include "base/io/byte_sink.h"
 #include "simulator/server/udp_server.h"
 
 namespace cls::simulator {
@@ -56,8 +56,8 @@ class RunningServer {
   }
 
   std::unique_ptr<UdpServer> server;
-  gamelog::StringSink game_log;
-  gamelog::StringSink text_log;
+  base::StringSink game_log;
+  base::StringSink text_log;
   int port = 0;
 
  private:

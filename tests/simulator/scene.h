@@ -4,7 +4,7 @@
 #include <string>
 
 #include "simulator/senses/vision.h"
-#include "simulator/world.h"
+#include "simulator/world/world.h"
 
 namespace cls::simulator {
 

@@ -4,10 +4,10 @@
 #include <bit>
 #include <cmath>
 
-#include "simulator/actions.h"
-#include "simulator/referee.h"
-#include "simulator/roster.h"
+#include "simulator/actions/actions.h"
+#include "simulator/referee/referee.h"
 #include "simulator/step.h"
+#include "simulator/world/roster.h"
 #include "tests/simulator/stage.h"
 
 namespace cls::tests {

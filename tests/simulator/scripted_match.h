@@ -3,8 +3,8 @@
 
 #include <cstdint>
 
-#include "simulator/event.h"
-#include "simulator/world.h"
+#include "simulator/world/event.h"
+#include "simulator/world/world.h"
 
 namespace cls::tests {
 

@@ -1,7 +1,7 @@
 // The shoot-out: its clock as observed on the real server (14.4), and how it is decided (9.14).
 #include <gtest/gtest.h>
 
-#include "simulator/referee/penalty_score.h"
+#include "simulator/rules/penalty_score.h"
 #include "tests/simulator/stage.h"
 
 namespace cls::tests {

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "soccer/protocol/player_command.h"
+#include "soccer/commands/player_command.h"
 
 namespace cls::tests {
 

@@ -5,13 +5,13 @@
 #include <string>
 #include <vector>
 
-#include "simulator/actions.h"
-#include "simulator/event.h"
-#include "simulator/referee.h"
-#include "simulator/roster.h"
+#include "simulator/actions/actions.h"
+#include "simulator/actions/trainer.h"
+#include "simulator/referee/referee.h"
 #include "simulator/step.h"
-#include "simulator/trainer.h"
-#include "simulator/world.h"
+#include "simulator/world/event.h"
+#include "simulator/world/roster.h"
+#include "simulator/world/world.h"
 
 namespace cls::tests {
 

@@ -1,5 +1,5 @@
 // rcssserver's configuration language.
-#include "soccer/configuration.h"
+#include "soccer/parameters/configuration.h"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
 // Parameters: defaults, look-up, values from text.
-#include "soccer/parameter.h"
+#include "soccer/parameters/parameter.h"
 
 #include <gtest/gtest.h>
 
-#include "soccer/player_params.h"
-#include "soccer/server_params.h"
+#include "soccer/parameters/player_params.h"
+#include "soccer/parameters/server_params.h"
 
 namespace cls::soccer {
 namespace {

@@ -1,5 +1,5 @@
 // Player types against what rcssserver 19 sent for player::random_seed = 1.
-#include "soccer/player_type.h"
+#include "soccer/parameters/player_type.h"
 
 #include <gtest/gtest.h>
 

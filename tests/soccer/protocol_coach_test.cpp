@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "soccer/protocol/coach_command.h"
+#include "soccer/commands/coach_command.h"
 
 namespace cls::soccer {
 namespace {

@@ -1,7 +1,7 @@
 // Requests to take part, with the answers the real server gave to good and bad ones.
 #include <gtest/gtest.h>
 
-#include "soccer/protocol/connection_request.h"
+#include "soccer/commands/connection_request.h"
 
 namespace cls::soccer {
 namespace {

@@ -1,7 +1,7 @@
 // hear messages of the real server, for every sender and listener.
 #include <gtest/gtest.h>
 
-#include "soccer/protocol/hear.h"
+#include "soccer/messages/hear.h"
 
 namespace cls::soccer {
 namespace {
@@ -45,7 +45,7 @@ constexpr Case kRecorded[] = {
 TEST(Hear, ReadsAndWritesEveryForm) {
   Hear hear;
   for (const Case& one : kRecorded) {
-    const Result<void> done = parse(one.text, hear);
+    const base::Result<void> done = parse(one.text, hear);
     ASSERT_TRUE(done) << done.error().message;
     EXPECT_EQ(hear.sender, one.sender) << one.text;
     EXPECT_EQ(hear.time, one.time) << one.text;

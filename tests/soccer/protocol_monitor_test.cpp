@@ -1,7 +1,7 @@
 // Commands of monitors.
 #include <gtest/gtest.h>
 
-#include "soccer/protocol/monitor_command.h"
+#include "soccer/commands/monitor_command.h"
 
 namespace cls::soccer {
 namespace {

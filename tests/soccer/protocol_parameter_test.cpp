@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "soccer/protocol/parameter_message.h"
+#include "soccer/messages/parameter_message.h"
 
 namespace cls::soccer {
 namespace {
@@ -67,7 +67,7 @@ TEST(ParameterMessage, SkipsNamesOfNewerServers) {
 TEST(ParameterMessage, ErrorsNameTheByte) {
   const auto error = [](std::string_view text) {
     ServerParams params;
-    const Result<void> done = parse(text, params);
+    const base::Result<void> done = parse(text, params);
     return done ? "no error" : done.error().message;
   };
   EXPECT_EQ(error("(server_param (goal_width x))"),

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "soccer/protocol/player_command.h"
+#include "soccer/commands/player_command.h"
 
 namespace cls::soccer {
 namespace {

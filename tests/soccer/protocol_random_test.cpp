@@ -5,17 +5,17 @@
 #include <string>
 #include <vector>
 
+#include "soccer/commands/coach_command.h"
+#include "soccer/commands/connection_request.h"
+#include "soccer/commands/player_command.h"
+#include "soccer/messages/full_state.h"
+#include "soccer/messages/global_view.h"
+#include "soccer/messages/hear.h"
+#include "soccer/messages/parameter_message.h"
+#include "soccer/messages/see.h"
+#include "soccer/messages/sense_body.h"
+#include "soccer/messages/server_reply.h"
 #include "soccer/pitch.h"
-#include "soccer/protocol/coach_command.h"
-#include "soccer/protocol/connection_request.h"
-#include "soccer/protocol/full_state.h"
-#include "soccer/protocol/global_view.h"
-#include "soccer/protocol/hear.h"
-#include "soccer/protocol/parameter_message.h"
-#include "soccer/protocol/player_command.h"
-#include "soccer/protocol/see.h"
-#include "soccer/protocol/sense_body.h"
-#include "soccer/protocol/server_reply.h"
 #include "tests/soccer/transcript.h"
 #include "tests/support/files.h"
 
@@ -55,7 +55,7 @@ void expect_round_trip(const Message& message, Write write) {
   std::string text;
   write(message, text);
   Message again;
-  const Result<void> done = parse(text, again);
+  const base::Result<void> done = parse(text, again);
   ASSERT_TRUE(done) << done.error().message << "\n" << text;
   std::string text_again;
   write(again, text_again);

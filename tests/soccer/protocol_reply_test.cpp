@@ -1,8 +1,8 @@
 // Short server messages, and telling messages apart.
 #include <gtest/gtest.h>
 
+#include "soccer/messages/server_reply.h"
 #include "soccer/protocol/message_kind.h"
-#include "soccer/protocol/server_reply.h"
 
 namespace cls::soccer {
 namespace {
@@ -10,7 +10,7 @@ namespace {
 template <typename Reply>
 Reply read(std::string_view text) {
   ServerReply reply;
-  const Result<void> done = parse(text, reply);
+  const base::Result<void> done = parse(text, reply);
   EXPECT_TRUE(done) << (done ? "" : done.error().message);
   return std::get<Reply>(reply);
 }
@@ -58,7 +58,7 @@ TEST(ServerReply, FormatsBackWhatTheRealServerSends) {
                            "(ok move)",
                            "(ok recover)\n"}) {
     ServerReply reply;
-    const Result<void> done = parse(text, reply);
+    const base::Result<void> done = parse(text, reply);
     ASSERT_TRUE(done) << done.error().message;
     std::string again;
     format(reply, again);

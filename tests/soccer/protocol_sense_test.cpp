@@ -1,11 +1,11 @@
 // Senses of the real server mean what the structs say: sense_body, see, fullstate, see_global.
 #include <gtest/gtest.h>
 
+#include "soccer/messages/full_state.h"
+#include "soccer/messages/global_view.h"
+#include "soccer/messages/see.h"
+#include "soccer/messages/sense_body.h"
 #include "soccer/pitch.h"
-#include "soccer/protocol/full_state.h"
-#include "soccer/protocol/global_view.h"
-#include "soccer/protocol/see.h"
-#include "soccer/protocol/sense_body.h"
 
 namespace cls::soccer {
 namespace {
@@ -13,7 +13,7 @@ namespace {
 template <typename Message>
 Message read(std::string_view text) {
   Message message;
-  const Result<void> done = parse(text, message);
+  const base::Result<void> done = parse(text, message);
   EXPECT_TRUE(done) << (done ? "" : done.error().message);
   return message;
 }
@@ -21,7 +21,7 @@ Message read(std::string_view text) {
 template <typename Message>
 std::string error_of(std::string_view text) {
   Message message;
-  const Result<void> done = parse(text, message);
+  const base::Result<void> done = parse(text, message);
   return done ? "no error" : done.error().message;
 }
 

@@ -9,18 +9,18 @@
 #include <set>
 #include <sstream>
 
-#include "soccer/protocol/coach_command.h"
-#include "soccer/protocol/connection_request.h"
-#include "soccer/protocol/full_state.h"
-#include "soccer/protocol/global_view.h"
-#include "soccer/protocol/hear.h"
+#include "soccer/commands/coach_command.h"
+#include "soccer/commands/connection_request.h"
+#include "soccer/commands/player_command.h"
+#include "soccer/messages/full_state.h"
+#include "soccer/messages/global_view.h"
+#include "soccer/messages/hear.h"
+#include "soccer/messages/parameter_message.h"
+#include "soccer/messages/see.h"
+#include "soccer/messages/sense_body.h"
+#include "soccer/messages/server_reply.h"
 #include "soccer/protocol/message_kind.h"
-#include "soccer/protocol/parameter_message.h"
-#include "soccer/protocol/player_command.h"
 #include "soccer/protocol/protocol_version.h"
-#include "soccer/protocol/see.h"
-#include "soccer/protocol/sense_body.h"
-#include "soccer/protocol/server_reply.h"
 #include "tests/soccer/transcript.h"
 #include "tests/support/files.h"
 
@@ -48,7 +48,7 @@ void print(const std::string& title, const Counts& counts) {
 template <typename Message, typename Format>
 void check(const RecordedMessage& recorded, const std::string& kind, Format format_back,
            Counts& counts, Message message = {}) {
-  const Result<void> parsed = parse(recorded.text, message);
+  const base::Result<void> parsed = parse(recorded.text, message);
   ASSERT_TRUE(parsed) << recorded.place << ": " << parsed.error().message << "\n" << recorded.text;
   std::string text;
   format_back(message, text);

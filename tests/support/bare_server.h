@@ -5,17 +5,17 @@
 #include <string_view>
 #include <vector>
 
-#include "gamelog/byte_sink.h"
+#include "base/io/byte_sink.h"
 #include "simulator/server/lockstep_server.h"
 #include "tests/support/scripted_player.h"
 
 namespace cls::tests {
 
 /// A log that nobody reads.
-class NullSink : public gamelog::ByteSink {
+class NullSink : public base::ByteSink {
  public:
   void write(std::string_view) override {}
-  soccer::Result<void> close() override { return {}; }
+  base::Result<void> close() override { return {}; }
 };
 
 class BareServer {

@@ -9,7 +9,7 @@
 #include <cctype>
 #include <stdexcept>
 
-#include "proxy/openssl_objects.h"
+#include "proxy/playmaker/openssl_objects.h"
 
 namespace cls::tests {
 namespace {

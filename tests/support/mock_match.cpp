@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "mock-server/behaviour.h"
-#include "proxy/grpc_playmaker.h"
+#include "proxy/playmaker/grpc_playmaker.h"
 
 namespace cls::tests {
 
@@ -45,7 +45,7 @@ class MockMatch::Worker {
 namespace {
 
 template <typename T>
-T taken(soccer::Result<T> result) {
+T taken(base::Result<T> result) {
   if (!result) throw std::runtime_error(result.error().message);
   return std::move(result).value();
 }

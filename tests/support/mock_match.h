@@ -6,10 +6,10 @@
 #include <memory>
 #include <string>
 
-#include "gamelog/byte_sink.h"
+#include "base/io/byte_sink.h"
 #include "mock-server/server.h"
-#include "proxy/playmaker.h"
-#include "proxy/team.h"
+#include "proxy/agent/team.h"
+#include "proxy/playmaker/playmaker.h"
 #include "simulator/server/lockstep_server.h"
 
 namespace cls::tests {
@@ -37,8 +37,8 @@ class MockMatch {
  private:
   void run_teams();
 
-  gamelog::StringSink game_log_;
-  gamelog::StringSink text_log_;
+  base::StringSink game_log_;
+  base::StringSink text_log_;
   std::unique_ptr<simulator::LockstepServer> server_;
   std::array<std::unique_ptr<mock_server::Server>, 2> mocks_;
   std::array<std::unique_ptr<proxy::Playmaker>, 2> playmakers_;

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "gamelog/frame.h"
+#include "gamelog/record/frame.h"
 
 namespace cls::tests {
 

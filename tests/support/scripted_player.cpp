@@ -5,9 +5,9 @@
 #include <cmath>
 #include <utility>
 
+#include "base/text/number_text.h"
+#include "soccer/messages/server_reply.h"
 #include "soccer/pitch.h"
-#include "soccer/protocol/number_text.h"
-#include "soccer/protocol/server_reply.h"
 
 namespace cls::tests {
 namespace {
@@ -16,7 +16,7 @@ void append_command(std::string_view name, double first, std::string& out) {
   out += '(';
   out += name;
   out += ' ';
-  soccer::append_shortest(first, out);
+  base::append_shortest(first, out);
   out += ')';
 }
 
@@ -24,9 +24,9 @@ void append_command(std::string_view name, double first, double second, std::str
   out += '(';
   out += name;
   out += ' ';
-  soccer::append_shortest(first, out);
+  base::append_shortest(first, out);
   out += ' ';
-  soccer::append_shortest(second, out);
+  base::append_shortest(second, out);
   out += ')';
 }
 

@@ -9,7 +9,7 @@
 
 #include "soccer/channel.h"
 #include "soccer/geometry.h"
-#include "soccer/protocol/see.h"
+#include "soccer/messages/see.h"
 
 namespace cls::tests {
 

@@ -11,7 +11,7 @@
 #include "orchestration/process/process_exit.h"
 #include "tests/support/temporary_folder.h"
 
-namespace cls::orchestration {
+namespace cls::orchestration::process {
 namespace {
 
 namespace fs = std::filesystem;
@@ -79,4 +79,4 @@ TEST(ProcessExit, IsToldByCodeOrNameOfTheSignal) {
 }
 
 }  // namespace
-}  // namespace cls::orchestration
+}  // namespace cls::orchestration::process

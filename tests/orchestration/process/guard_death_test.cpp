@@ -15,7 +15,7 @@
 #include "tests/support/marked_processes.h"
 #include "tests/support/temporary_folder.h"
 
-namespace cls::orchestration {
+namespace cls::orchestration::process {
 namespace {
 
 using namespace std::chrono_literals;
@@ -115,4 +115,4 @@ TEST_F(GuardDeath, TheGuardHoldsNoFileOfTheUsers) {
 }
 
 }  // namespace
-}  // namespace cls::orchestration
+}  // namespace cls::orchestration::process

@@ -9,7 +9,7 @@
 #include "tests/support/files.h"
 #include "tests/support/temporary_folder.h"
 
-namespace cls::orchestration {
+namespace cls::orchestration::process {
 namespace {
 
 class OutputLogTest : public testing::Test {
@@ -99,4 +99,4 @@ TEST_F(OutputLogTest, TellsEachLineAsItComes) {
 }
 
 }  // namespace
-}  // namespace cls::orchestration
+}  // namespace cls::orchestration::process

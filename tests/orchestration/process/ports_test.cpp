@@ -8,7 +8,7 @@
 
 #include "tests/orchestration/process/test_guard.h"
 
-namespace cls::orchestration {
+namespace cls::orchestration::process {
 namespace {
 
 TEST(Ports, ChosenOnesDifferAndAreFree) {
@@ -55,4 +55,4 @@ TEST(Ports, AnswersAreNotWaitedForLongerThanAsked) {
 }
 
 }  // namespace
-}  // namespace cls::orchestration
+}  // namespace cls::orchestration::process

@@ -12,7 +12,7 @@
 #include "tests/support/built.h"
 #include "tests/support/marked_processes.h"
 
-namespace cls::orchestration {
+namespace cls::orchestration::process {
 namespace {
 
 class GuardEnvironment : public testing::Environment {
@@ -73,4 +73,4 @@ bool saw_line(const Child& child, const std::string& line) {
   return wait_until_ready(child, there, std::chrono::seconds(10), never) == Readiness::kReady;
 }
 
-}  // namespace cls::orchestration
+}  // namespace cls::orchestration::process

@@ -7,7 +7,7 @@
 
 #include "orchestration/process/process_host.h"
 
-namespace cls::orchestration {
+namespace cls::orchestration::process {
 
 /// A plan that runs the fake process with these actions (tests/fakes/fake_process.cpp).
 CommandPlan fake(std::vector<std::string> actions);
@@ -31,4 +31,4 @@ class MarkedHost {
 /// Waits until `line` is among the child's last lines.
 bool saw_line(const Child& child, const std::string& line);
 
-}  // namespace cls::orchestration
+}  // namespace cls::orchestration::process

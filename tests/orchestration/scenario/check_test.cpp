@@ -7,12 +7,12 @@
 
 #include "orchestration/scenario/check_file.h"
 
-namespace cls::orchestration {
+namespace cls::orchestration::scenario {
 namespace {
 
-using mock_server::Json;
-using mock_server::JsonText;
-using mock_server::JsonValue;
+using base::Json;
+using base::JsonText;
+using base::JsonValue;
 using soccer::PlayMode;
 using soccer::Side;
 
@@ -47,7 +47,7 @@ RunRecord record() {
   record.result.left.players[0].missed = 2;
   record.result.left.players[0].commands = {{"dash", 7}};
   record.result.left.players[0].rpc_us = {500.0, 900.0, 2000.0, 3000.0};
-  record.result.end_reason = EndReason::kFinished;
+  record.result.end_reason = match::EndReason::kFinished;
   record.game_log = "log";
   return record;
 }
@@ -150,10 +150,10 @@ TEST(Check, AnswersAndTheEnd) {
 
 TEST(Check, AProgramsLastWordsAreTold) {
   RunRecord run = record();
-  run.result.end_reason = EndReason::kRefused;
+  run.result.end_reason = match::EndReason::kRefused;
   run.result.message = "left (run:x): its process ended before it answered: exit code 1";
   run.result.failure =
-      ProcessFailure{"left Playmaker", "exit code 1", "", {"in line 3", "no module"}};
+      match::ProcessFailure{"left Playmaker", "exit code 1", "", {"in line 3", "no module"}};
   EXPECT_EQ(failure({EndCheck{"finished"}, "", 1, {}}, run),
             "the run ended as refused, not finished: left (run:x): its process ended before it "
             "answered: exit code 1; its last words: no module");
@@ -186,4 +186,4 @@ TEST(Check, TestsThatEndARun) {
 }
 
 }  // namespace
-}  // namespace cls::orchestration
+}  // namespace cls::orchestration::scenario

@@ -7,14 +7,14 @@
 
 #include "orchestration/scenario/scenario_library.h"
 
-namespace cls::orchestration {
+namespace cls::orchestration::scenario {
 namespace {
 
-using mock_server::Json;
-using mock_server::JsonText;
+using base::Json;
+using base::JsonText;
 using soccer::PlayMode;
 
-soccer::Result<Scenario> parse(const std::string& text) {
+base::Result<Scenario> parse(const std::string& text) {
   const auto json = JsonText::parse("a/corner.json", text);
   EXPECT_TRUE(json) << json.error().message;
   return parse_scenario(*json, Json());
@@ -128,4 +128,4 @@ TEST(ScenarioLibrary, EveryShippedScenarioIsReadAndSaysWhatItIsAbout) {
 }
 
 }  // namespace
-}  // namespace cls::orchestration
+}  // namespace cls::orchestration::scenario

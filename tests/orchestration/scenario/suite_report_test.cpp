@@ -7,7 +7,7 @@
 
 #include "tests/support/junit.h"
 
-namespace cls::orchestration {
+namespace cls::orchestration::scenario {
 namespace {
 
 Scenario scenario(const std::string& name) {
@@ -89,4 +89,4 @@ TEST(SuiteReport, JUnitFollowsItsSchema) {
 }
 
 }  // namespace
-}  // namespace cls::orchestration
+}  // namespace cls::orchestration::scenario

@@ -3,12 +3,12 @@
 
 #include <fstream>
 
-#include "orchestration/tournament/config.h"
-#include "orchestration/tournament/config_file.h"
-#include "orchestration/tournament/config_keys.h"
+#include "orchestration/tournament/config/config.h"
+#include "orchestration/tournament/config/config_file.h"
+#include "orchestration/tournament/config/config_keys.h"
 #include "tests/support/temporary_folder.h"
 
-namespace cls::orchestration {
+namespace cls::orchestration::tournament {
 namespace {
 
 constexpr const char* kWhole = R"([tournament]
@@ -186,4 +186,4 @@ TEST(Config, EndpointsOfAFileElsewhereKeepTheirMeaning) {
 }
 
 }  // namespace
-}  // namespace cls::orchestration
+}  // namespace cls::orchestration::tournament

@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <fstream>
 
-namespace cls::orchestration {
+namespace cls::orchestration::tournament {
 namespace {
 
 constexpr const char* kBegin =
@@ -147,4 +147,4 @@ std::vector<std::string> FakeSlurm::lines(const std::string& name) const {
   return all;
 }
 
-}  // namespace cls::orchestration
+}  // namespace cls::orchestration::tournament

@@ -7,7 +7,7 @@
 
 #include "tests/support/temporary_folder.h"
 
-namespace cls::orchestration {
+namespace cls::orchestration::tournament {
 
 /// While it lives, PATH begins with sbatch, squeue, scancel, scontrol and sacct that work on a
 /// list of tasks. Nothing is ever played: the test says what becomes of the tasks.
@@ -46,4 +46,4 @@ class FakeSlurm {
   std::string path_before_;
 };
 
-}  // namespace cls::orchestration
+}  // namespace cls::orchestration::tournament

@@ -3,9 +3,9 @@
 
 #include <thread>
 
-#include "orchestration/tournament/schedule.h"
+#include "orchestration/tournament/schedule/schedule.h"
 
-namespace cls::orchestration {
+namespace cls::orchestration::tournament {
 
 TournamentConfig config_of(Format format, int teams) {
   TournamentConfig config;
@@ -81,7 +81,7 @@ std::vector<std::string> ranking(const TournamentConfig& config,
   return names;
 }
 
-soccer::Result<void> FakeExecutor::start(std::span<const Assignment> assignments) {
+base::Result<void> FakeExecutor::start(std::span<const Assignment> assignments) {
   for (const Assignment& assignment : assignments) {
     record_.started.push_back(assignment);
     under_way_.push_back(assignment);
@@ -89,7 +89,7 @@ soccer::Result<void> FakeExecutor::start(std::span<const Assignment> assignments
   return {};
 }
 
-soccer::Result<std::vector<Finished>> FakeExecutor::wait(std::chrono::milliseconds) {
+base::Result<std::vector<Finished>> FakeExecutor::wait(std::chrono::milliseconds) {
   std::vector<Finished> finished;
   std::vector<Assignment> still;
   for (const Assignment& assignment : under_way_) {
@@ -111,4 +111,4 @@ void FakeExecutor::interrupt() {
   ++record_.interruptions;
 }
 
-}  // namespace cls::orchestration
+}  // namespace cls::orchestration::tournament

@@ -6,11 +6,11 @@
 #include <utility>
 #include <vector>
 
-#include "orchestration/tournament/config.h"
-#include "orchestration/tournament/fixture.h"
-#include "orchestration/tournament/match_executor.h"
+#include "orchestration/tournament/config/config.h"
+#include "orchestration/tournament/run/match_executor.h"
+#include "orchestration/tournament/schedule/fixture.h"
 
-namespace cls::orchestration {
+namespace cls::orchestration::tournament {
 
 /// Teams A, B, C, ... on mocks.
 TournamentConfig config_of(Format format, int teams);
@@ -53,8 +53,8 @@ class FakeExecutor : public MatchExecutor {
 
   int room() const override { return room_ - running(); }
   int running() const override { return static_cast<int>(under_way_.size()); }
-  soccer::Result<void> start(std::span<const Assignment> assignments) override;
-  soccer::Result<std::vector<Finished>> wait(std::chrono::milliseconds limit) override;
+  base::Result<void> start(std::span<const Assignment> assignments) override;
+  base::Result<std::vector<Finished>> wait(std::chrono::milliseconds limit) override;
   void interrupt() override;
 
  private:
@@ -65,4 +65,4 @@ class FakeExecutor : public MatchExecutor {
   bool interrupted_ = false;
 };
 
-}  // namespace cls::orchestration
+}  // namespace cls::orchestration::tournament

@@ -15,7 +15,7 @@
 #include "tests/support/files.h"
 #include "tests/support/marked_processes.h"
 
-namespace cls::orchestration {
+namespace cls::orchestration::tournament {
 namespace {
 
 namespace fs = std::filesystem;
@@ -86,7 +86,7 @@ std::string PrivateSlurm::missing() {
 }
 
 PrivateSlurm::PrivateSlurm(int max_array_size) : max_array_size_(max_array_size) {
-  auto ports = ReservedPort::choose(3);
+  auto ports = process::ReservedPort::choose(3);
   if (!ports) throw std::runtime_error(ports.error().message);
   ports_ = *std::move(ports);
   write_files();
@@ -97,7 +97,8 @@ PrivateSlurm::PrivateSlurm(int max_array_size) : max_array_size_(max_array_size)
                    "--log-file=" + munge + "/log", "--seed-file=" + munge + "/seed"});
   const std::atomic<int> never{0};
   const auto listens = [&] { return fs::exists(munge + "/socket"); };
-  if (orchestration::wait_until_ready(*munged_, listens, kReadyLimit, never) != Readiness::kReady) {
+  if (process::wait_until_ready(*munged_, listens, kReadyLimit, never) !=
+      process::Readiness::kReady) {
     throw std::runtime_error("munged does not start: " + logs());
   }
   controller_ = start("controller",
@@ -154,8 +155,9 @@ std::string PrivateSlurm::logs() const {
   return text;
 }
 
-std::shared_ptr<Child> PrivateSlurm::start(const std::string& name, std::vector<std::string> argv) {
-  CommandPlan plan;
+std::shared_ptr<process::Child> PrivateSlurm::start(const std::string& name,
+                                                    std::vector<std::string> argv) {
+  process::CommandPlan plan;
   plan.name = name;
   plan.argv = std::move(argv);
   plan.folder = folder_.path();
@@ -179,4 +181,4 @@ void PrivateSlurm::write_files() {
                      fmt::arg("port1", ports_[1].number()), fmt::arg("port2", ports_[2].number()));
 }
 
-}  // namespace cls::orchestration
+}  // namespace cls::orchestration::tournament

@@ -14,7 +14,7 @@
 #include "tests/support/command.h"
 #include "tests/support/temporary_folder.h"
 
-namespace cls::orchestration {
+namespace cls::orchestration::tournament {
 
 /// Daemons on loopback ports that nobody else has, with configuration, keys and state in a folder
 /// of their own. All of them, and all that their jobs started, end with this object, and with this
@@ -46,16 +46,16 @@ class PrivateSlurm {
   std::string logs() const;
 
  private:
-  std::shared_ptr<Child> start(const std::string& name, std::vector<std::string> argv);
+  std::shared_ptr<process::Child> start(const std::string& name, std::vector<std::string> argv);
   void write_files();
 
   tests::TemporaryFolder folder_;
   int max_array_size_;
-  std::vector<ReservedPort> ports_;  // of the controller and the nodes
+  std::vector<process::ReservedPort> ports_;  // of the controller and the nodes
   MarkedHost host_;
-  std::shared_ptr<Child> munged_;
-  std::shared_ptr<Child> controller_;
-  std::array<std::shared_ptr<Child>, 2> nodes_;
+  std::shared_ptr<process::Child> munged_;
+  std::shared_ptr<process::Child> controller_;
+  std::array<std::shared_ptr<process::Child>, 2> nodes_;
 };
 
-}  // namespace cls::orchestration
+}  // namespace cls::orchestration::tournament

@@ -8,21 +8,21 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "orchestration/match_result.h"
-#include "orchestration/tournament/collector.h"
-#include "orchestration/tournament/concurrency.h"
-#include "orchestration/tournament/folder.h"
-#include "orchestration/tournament/match_document.h"
-#include "orchestration/tournament/report_model.h"
-#include "orchestration/tournament/schedule.h"
-#include "orchestration/tournament/store.h"
-#include "orchestration/tournament/tournament_run.h"
-#include "orchestration/whole_file.h"
+#include "base/io/whole_file.h"
+#include "orchestration/match/result/match_result.h"
+#include "orchestration/tournament/report/report_model.h"
+#include "orchestration/tournament/run/concurrency.h"
+#include "orchestration/tournament/run/tournament_run.h"
+#include "orchestration/tournament/schedule/schedule.h"
+#include "orchestration/tournament/store/collector.h"
+#include "orchestration/tournament/store/folder.h"
+#include "orchestration/tournament/store/match_document.h"
+#include "orchestration/tournament/store/store.h"
 #include "tests/orchestration/tournament/played.h"
 #include "tests/support/files.h"
 #include "tests/support/temporary_folder.h"
 
-namespace cls::orchestration {
+namespace cls::orchestration::tournament {
 namespace {
 
 namespace fs = std::filesystem;
@@ -38,7 +38,7 @@ class TournamentRunTest : public testing::Test {
     options.config = std::move(config);
     options.enough = enough_;
     const auto make = [&](const TournamentConfig&) {
-      return soccer::Result<std::unique_ptr<MatchExecutor>>(
+      return base::Result<std::unique_ptr<MatchExecutor>>(
           std::make_unique<FakeExecutor>(judge, record_));
     };
     TournamentObserver nobody;
@@ -193,7 +193,8 @@ TEST_F(TournamentRunTest, WhatWorkLeftIsTakenUp) {
   fs::create_directories(folder_.path() / "results");
   Outcome outcome = score(4, 2);
   ASSERT_TRUE(
-      write_file(folder_.path() / result_file(2, 1), outcome_document(fixtures[1], outcome)).ok());
+      base::write_file(folder_.path() / result_file(2, 1), outcome_document(fixtures[1], outcome))
+          .ok());
   std::ofstream(folder_.path() / "results" / "000001.1.json.tmp") << "{";
   std::ofstream(folder_.path() / "results" / "000001.1.json") << "{ half";
   const std::vector<ScheduledMatch> planned_ones = {planned(fixtures[0]), planned(fixtures[1])};
@@ -212,16 +213,16 @@ TEST_F(TournamentRunTest, AMatchThatEndedWhenClsDidIsNotPlayedAgain) {
     ASSERT_TRUE(store->add(next_fixtures(config, {})).ok());
     ASSERT_TRUE(store->begin_attempts(std::vector{1, 2}).ok());
   }
-  MatchResult result;
+  match::MatchResult result;
   result.left.name = "A";
   result.left.score = 2;
   const fs::path finished = folder_.path() / match_folder(config, next_fixtures(config, {})[0], 1);
   fs::create_directories(finished);
-  ASSERT_TRUE(write_file(finished / "result.json", to_json(result)).ok());
-  result.end_reason = EndReason::kInterrupted;
+  ASSERT_TRUE(base::write_file(finished / "result.json", to_json(result)).ok());
+  result.end_reason = match::EndReason::kInterrupted;
   const fs::path broken = folder_.path() / match_folder(config, next_fixtures(config, {})[1], 1);
   fs::create_directories(broken);
-  ASSERT_TRUE(write_file(broken / "result.json", to_json(result)).ok());
+  ASSERT_TRUE(base::write_file(broken / "result.json", to_json(result)).ok());
   run(config, fair);
   EXPECT_EQ(starts().count(1), 0u);
   EXPECT_EQ(starts()[2], 1);
@@ -327,4 +328,4 @@ TEST(Concurrency, AgainstTheClockItBeginsLowAndGrows) {
 }
 
 }  // namespace
-}  // namespace cls::orchestration
+}  // namespace cls::orchestration::tournament

@@ -1,5 +1,5 @@
 // Schedules: who meets whom, on which side and seed.
-#include "orchestration/tournament/schedule.h"
+#include "orchestration/tournament/schedule/schedule.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 
 #include "tests/orchestration/tournament/played.h"
 
-namespace cls::orchestration {
+namespace cls::orchestration::tournament {
 namespace {
 
 using Pairs = std::vector<std::string>;
@@ -235,4 +235,4 @@ TEST(Schedule, ADrawByLotIsAnotherSeedingOrder) {
 }
 
 }  // namespace
-}  // namespace cls::orchestration
+}  // namespace cls::orchestration::tournament

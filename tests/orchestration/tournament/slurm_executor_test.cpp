@@ -7,20 +7,20 @@
 #include <set>
 #include <thread>
 
-#include "orchestration/tournament/collector.h"
-#include "orchestration/tournament/folder.h"
-#include "orchestration/tournament/match_document.h"
-#include "orchestration/tournament/schedule.h"
-#include "orchestration/tournament/slurm_batch.h"
-#include "orchestration/tournament/slurm_client.h"
-#include "orchestration/tournament/tournament_run.h"
-#include "orchestration/whole_file.h"
+#include "base/io/whole_file.h"
+#include "orchestration/tournament/run/slurm_batch.h"
+#include "orchestration/tournament/run/slurm_client.h"
+#include "orchestration/tournament/run/tournament_run.h"
+#include "orchestration/tournament/schedule/schedule.h"
+#include "orchestration/tournament/store/collector.h"
+#include "orchestration/tournament/store/folder.h"
+#include "orchestration/tournament/store/match_document.h"
 #include "tests/orchestration/tournament/fake_slurm.h"
 #include "tests/orchestration/tournament/played.h"
 #include "tests/support/files.h"
 #include "tests/support/temporary_folder.h"
 
-namespace cls::orchestration {
+namespace cls::orchestration::tournament {
 namespace {
 
 namespace fs = std::filesystem;
@@ -83,8 +83,8 @@ class SlurmExecutorTest : public testing::Test {
     fs::create_directories(folder_.path() / kResultsFolder);
     Outcome outcome = better_wins(fixture);
     outcome.attempts = attempt;
-    ASSERT_TRUE(write_file(folder_.path() / result_file(fixture.index, attempt),
-                           outcome_document(fixture, outcome))
+    ASSERT_TRUE(base::write_file(folder_.path() / result_file(fixture.index, attempt),
+                                 outcome_document(fixture, outcome))
                     .ok());
   }
   void deliver(int index) { deliver(assignments(index).back().fixture); }
@@ -452,8 +452,8 @@ class Cluster {
           rounds.insert(fixture->round);
           Outcome outcome = better_wins(*fixture);
           outcome.attempts = task.attempt;
-          write_file(folder_ / result_file(task.index, task.attempt),
-                     outcome_document(*fixture, outcome));
+          base::write_file(folder_ / result_file(task.index, task.attempt),
+                           outcome_document(*fixture, outcome));
         }
         batches_.push_back(rounds);
       }
@@ -528,4 +528,4 @@ TEST(SlurmSubmission, IsToldByItsWords) {
 }
 
 }  // namespace
-}  // namespace cls::orchestration
+}  // namespace cls::orchestration::tournament

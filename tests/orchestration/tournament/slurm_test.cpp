@@ -15,7 +15,7 @@
 #include "tests/support/temporary_folder.h"
 #include "tests/support/tournament_outcome.h"
 
-namespace cls::orchestration {
+namespace cls::orchestration::tournament {
 namespace {
 
 namespace fs = std::filesystem;
@@ -185,4 +185,4 @@ TEST_F(SlurmTest, APowerCutOfANodeIsSurvived) {
 }
 
 }  // namespace
-}  // namespace cls::orchestration
+}  // namespace cls::orchestration::tournament

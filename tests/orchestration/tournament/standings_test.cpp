@@ -1,11 +1,11 @@
 // Tables: counting, and who stands before whom at the same points.
-#include "orchestration/tournament/standings.h"
+#include "orchestration/tournament/schedule/standings.h"
 
 #include <gtest/gtest.h>
 
 #include "tests/orchestration/tournament/played.h"
 
-namespace cls::orchestration {
+namespace cls::orchestration::tournament {
 namespace {
 
 ScheduledMatch match(int left, int right, Outcome outcome) {
@@ -136,4 +136,4 @@ TEST(Standings, CriteriaAreThoseOfTheConfiguration) {
 }
 
 }  // namespace
-}  // namespace cls::orchestration
+}  // namespace cls::orchestration::tournament

@@ -1,0 +1,227 @@
+// Pairs of touches that make a pass.
+#include "analysis/play/passes.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "analysis/play/offside_line.h"
+#include "analysis/play/places.h"
+#include "soccer/pitch.h"
+
+namespace cls::analysis {
+namespace {
+
+using soccer::Vec2;
+
+constexpr double kPlayedSpeed = 0.6;
+constexpr double kPlayedDistance = 3.0;
+constexpr int kOneTwoCycles = 40;
+constexpr double kOneTwoGain = 5.0;
+
+constexpr std::array<std::string_view, 6> kOutcomeNames = {"completed", "intercepted", "contested",
+                                                           "out",       "offside",     "stopped"};
+
+PassDirection direction_of(Vec2 way) {
+  if (way.x >= std::fabs(way.y)) return PassDirection::kForward;
+  if (-way.x >= std::fabs(way.y)) return PassDirection::kBack;
+  return way.y < 0.0 ? PassDirection::kLeft : PassDirection::kRight;
+}
+
+Vec2 seen(const gamelog::MatchRecord& record, std::size_t entry, double sign) {
+  return Vec2(record.players.position[entry]) * sign;
+}
+
+// Everything about the pair of frames in which a pass leaves and arrives.
+class PassView {
+ public:
+  PassView(const gamelog::MatchRecord& record, std::size_t launch, std::size_t end, Pass& pass)
+      : record_(record),
+        launch_(launch),
+        end_(end),
+        pass_(pass),
+        team_(team_of(static_cast<std::size_t>(pass.passer))),
+        sign_(attack_sign(static_cast<std::size_t>(pass.passer))) {}
+
+  void mark_completed() {
+    const auto receiver = static_cast<std::size_t>(pass_.receiver);
+    const double line = offside_line(record_, launch_, team_);
+    const double start_x = seen(record_, entry_of(launch_, receiver), sign_).x;
+    pass_.through =
+        start_x <= line + 0.5 && pass_.to.x > line && pass_.gain() >= 5.0 && pass_.to.x > 15.0;
+    pass_.cutback = pass_.from.x > 44.0 && pass_.gain() < 0.0 && pass_.to.x > 36.0 &&
+                    std::fabs(pass_.to.y) < 16.0;
+    const Vec2 reception = seen(record_, entry_of(end_, receiver), sign_);
+    pass_.nearest_opponent = std::numeric_limits<double>::max();
+    const std::size_t opponents = team_ == 0 ? gamelog::kSlots / 2 : 0;
+    for (std::size_t slot = opponents; slot < opponents + gamelog::kSlots / 2; ++slot) {
+      if (!gamelog::is_enabled(record_, entry_of(end_, slot))) continue;
+      const Vec2 now = seen(record_, entry_of(end_, slot), sign_);
+      const double before_x = seen(record_, entry_of(launch_, slot), sign_).x;
+      pass_.nearest_opponent = std::min(pass_.nearest_opponent, soccer::distance(now, reception));
+      pass_.overtaken += before_x > pass_.from.x && before_x < pass_.to.x && now.x < pass_.to.x;
+    }
+    if (pass_.nearest_opponent > soccer::kPitchLength * 2) pass_.nearest_opponent = 0.0;
+  }
+
+  void mark_attempt() {
+    pass_.cross = std::fabs(pass_.from.y) > 20.0 && pass_.from.x > 30.0 &&
+                  std::fabs(pass_.to.y) < 16.0 && pass_.to.x > 36.0;
+    pass_.switched = pass_.length() > 25.0 && std::fabs(pass_.to.y - pass_.from.y) > 20.0;
+    pass_.clearance = is_clearance();
+  }
+
+ private:
+  // Hard, out of the own third, off the pitch or to where no team mate waits.
+  bool is_clearance() const {
+    if (pass_.completed() || pass_.from.x > -kThirdBorder || pass_.speed < 2.0) return false;
+    const double range = pass_.speed / (1.0 - record_.server.ball_decay);
+    const Vec2 launch = record_.ball_position[launch_ + 1];
+    const Vec2 way = launch * sign_ - pass_.from;
+    const double length = way.length();
+    if (length == 0.0) return false;
+    const Vec2 landing = pass_.from + way * (range / length);
+    if (std::fabs(landing.x) > soccer::kHalfLength || std::fabs(landing.y) > soccer::kHalfWidth) {
+      return true;
+    }
+    if (landing.x - pass_.from.x <= 25.0) return false;
+    const std::size_t mates = team_ * gamelog::kSlots / 2;
+    for (std::size_t slot = mates; slot < mates + gamelog::kSlots / 2; ++slot) {
+      const std::size_t entry = entry_of(launch_, slot);
+      if (gamelog::is_enabled(record_, entry) &&
+          soccer::distance(seen(record_, entry, sign_), landing) <= 10.0) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  const gamelog::MatchRecord& record_;
+  std::size_t launch_;
+  std::size_t end_;
+  Pass& pass_;
+  std::size_t team_;
+  double sign_;
+};
+
+PassOutcome outcome_of_dead_ball(const Flow& flow, std::size_t end) {
+  const soccer::PlayMode mode = flow.record->mode[end];
+  switch (mode) {
+    case soccer::PlayMode::kOffsideLeft:
+    case soccer::PlayMode::kOffsideRight:
+      return PassOutcome::kOffside;
+    case soccer::PlayMode::kKickInLeft:
+    case soccer::PlayMode::kKickInRight:
+    case soccer::PlayMode::kCornerKickLeft:
+    case soccer::PlayMode::kCornerKickRight:
+    case soccer::PlayMode::kGoalKickLeft:
+    case soccer::PlayMode::kGoalKickRight:
+      return PassOutcome::kOut;
+    default:
+      return PassOutcome::kStopped;
+  }
+}
+
+// Who touches the ball from an offside position has not received a pass.
+bool offside_at(const Flow& flow, const Touch& touch, std::size_t team) {
+  const soccer::PlayMode mode = flow.record->mode[touch.frame];
+  return mode == (team == 0 ? soccer::PlayMode::kOffsideLeft : soccer::PlayMode::kOffsideRight);
+}
+
+struct PassBuilder {
+  const Flow& flow;
+
+  // The pass that a touch is, with what follows it; the outcome tells whether it reached a mate.
+  Pass build(std::size_t index) const {
+    const Touch& touch = flow.touches[index];
+    const gamelog::MatchRecord& record = *flow.record;
+    const auto passer = static_cast<std::size_t>(touch.slot);
+    const double sign = attack_sign(passer);
+    Pass pass;
+    pass.touch = static_cast<std::uint32_t>(index);
+    pass.passer = touch.slot;
+    pass.from = touch.contact * sign;
+    pass.speed = touch.launch.length();
+    const Touch* next = next_in_play(index);
+    std::size_t end = 0;
+    if (next != nullptr) {
+      end = next->frame - 1;  // where the ball was when it was touched
+      pass.to = next->contact * sign;
+      pass.receiver = next->slot;
+      pass.outcome = offside_at(flow, *next, team_of(passer)) ? PassOutcome::kOffside
+                     : next->contested()                      ? PassOutcome::kContested
+                     : same_team(passer, static_cast<std::size_t>(next->slot))
+                         ? PassOutcome::kCompleted
+                         : PassOutcome::kIntercepted;
+    } else {
+      end = std::min(flow.end_of_play(touch), record.frames() - 1);
+      // A dropped ball lies where the referee has put it.
+      const bool dropped = std::binary_search(flow.placed.begin(), flow.placed.end(), end);
+      pass.to = Vec2(record.ball_position[dropped ? end - 1 : end]) * sign;
+      pass.outcome = outcome_of_dead_ball(flow, end);
+    }
+    pass.frames = static_cast<std::uint32_t>(end + 1 - touch.frame);
+    pass.direction = direction_of(pass.to - pass.from);
+    PassView view(record, touch.frame - 1, end, pass);
+    if (pass.completed()) view.mark_completed();
+    view.mark_attempt();
+    return pass;
+  }
+
+  const Touch* next_in_play(std::size_t index) const {
+    if (index + 1 >= flow.touches.size()) return nullptr;
+    const Touch& next = flow.touches[index + 1];
+    return next.live_phase == flow.touches[index].live_phase ? &next : nullptr;
+  }
+};
+
+bool was_played(const Pass& pass) {
+  return pass.completed() || pass.speed >= kPlayedSpeed || pass.length() >= kPlayedDistance;
+}
+
+}  // namespace
+
+std::string_view name(PassOutcome outcome) {
+  return kOutcomeNames[static_cast<std::size_t>(outcome)];
+}
+
+std::vector<Pass> passes_of(const Flow& flow, const std::vector<Shot>& shots) {
+  std::vector<Pass> passes;
+  const PassBuilder builder{flow};
+  auto shot = shots.begin();
+  for (std::size_t i = 0; i < flow.touches.size(); ++i) {
+    while (shot != shots.end() && shot->touch < i) ++shot;
+    const Touch& touch = flow.touches[i];
+    const bool played = touch.kind == TouchKind::kKick || touch.kind == TouchKind::kTackle;
+    const bool is_shot = shot != shots.end() && shot->touch == i;
+    if (touch.live_phase < 0 || touch.contested() || !played || is_shot) continue;
+    const Touch* next = builder.next_in_play(i);
+    if (next != nullptr && next->slot == touch.slot) continue;  // a carry
+    const Pass pass = builder.build(i);
+    if (was_played(pass)) passes.push_back(pass);
+  }
+  return passes;
+}
+
+PerTeam<int> one_twos(const Flow& flow, const std::vector<Pass>& passes) {
+  PerTeam<int> count = {};
+  for (std::size_t i = 0; i + 1 < passes.size(); ++i) {
+    const Pass& there = passes[i];
+    const Pass& back = passes[i + 1];
+    if (!there.completed() || !back.completed() || back.receiver != there.passer ||
+        back.passer != there.receiver) {
+      continue;
+    }
+    const Touch& first = flow.touches[there.touch];
+    const Touch& second = flow.touches[back.touch];
+    const bool one_phase = first.live_phase == second.live_phase;
+    const auto frames = second.frame + back.frames - first.frame;
+    if (one_phase && frames <= kOneTwoCycles && back.to.x - there.from.x >= kOneTwoGain) {
+      ++count[team_of(static_cast<std::size_t>(there.passer))];
+    }
+  }
+  return count;
+}
+
+}  // namespace cls::analysis

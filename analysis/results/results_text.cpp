@@ -1,0 +1,210 @@
+// Result tables as text, Markdown and CSV; JSON is next door.
+#include "analysis/results/results_text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "analysis/results/results_json.h"
+#include "analysis/results/standings.h"
+#include "base/text/text_table.h"
+
+namespace cls::analysis {
+namespace {
+
+using Align = base::TextTable::Align;
+
+template <typename Event, typename Extra>
+std::string list_of(const std::vector<Event>& events, Extra extra) {
+  std::string text;
+  for (const Event& event : events) {
+    if (!text.empty()) text += "; ";
+    text += fmt::format("{} {} {}", event.cycle, soccer::letter(event.side),
+                        event.unum == 0 ? std::string("?") : std::to_string(event.unum));
+    text += extra(event);
+  }
+  return text;
+}
+
+std::string goals_text(const MatchSummary& match) {
+  return list_of(match.goals, [](const GoalSummary& goal) { return goal.own_goal ? " own" : ""; });
+}
+
+std::string cards_text(const MatchSummary& match) {
+  return list_of(match.cards, [](const CardSummary& card) { return card.red ? " red" : ""; });
+}
+
+std::string substitutions_text(const MatchSummary& match) {
+  return list_of(match.substitutions, [](const SubstitutionSummary& change) {
+    return fmt::format(" {}>{}", change.from_type, change.to_type);
+  });
+}
+
+std::string players_text(const std::vector<PlayerEvent>& events) {
+  return list_of(events, [](const PlayerEvent&) { return ""; });
+}
+
+std::string name_of(const TeamSummary& team) { return team.name.empty() ? "-" : team.name; }
+
+std::string winner_text(const MatchSummary& match) {
+  switch (match.winner) {
+    case Winner::kLeft:
+      return name_of(match.teams[0]);
+    case Winner::kRight:
+      return name_of(match.teams[1]);
+    case Winner::kDraw:
+      return "draw";
+    case Winner::kNone:
+      break;
+  }
+  return "incomplete";
+}
+
+// What is seldom, counted; the lists are in CSV and JSON.
+std::string remarks_text(const MatchSummary& match) {
+  std::string text;
+  const auto add = [&text](std::size_t count, std::string_view what) {
+    if (count == 0) return;
+    if (!text.empty()) text += ", ";
+    text += fmt::format("{} {}", count, what);
+  };
+  const auto red = static_cast<std::size_t>(std::count_if(
+      match.cards.begin(), match.cards.end(), [](const CardSummary& card) { return card.red; }));
+  if (match.coin_toss) text = "coin toss";
+  add(match.cards.size() - red, "yellow");
+  add(red, "red");
+  add(match.substitutions.size(), "substituted");
+  add(match.disconnections.size(), "lost");
+  add(match.late_starts.size(), "late");
+  add(match.never_connected.size(), "missing");
+  add(match.damage, "damaged places");
+  if (!match.complete && !match.end_reason.empty()) {
+    text = match.end_reason + (text.empty() ? "" : ", ") + text;
+  }
+  return text;
+}
+
+// File names, or where two logs have the same, paths without the folders that all share.
+std::vector<std::string> short_names(const std::vector<MatchSummary>& matches) {
+  std::vector<std::string> names;
+  std::set<std::string> distinct;
+  std::string shared = matches.empty() ? "" : matches.front().file;
+  for (const MatchSummary& match : matches) {
+    names.push_back(match.file.substr(match.file.rfind('/') + 1));
+    distinct.insert(names.back());
+    const auto differ =
+        std::mismatch(shared.begin(), shared.end(), match.file.begin(), match.file.end());
+    shared.erase(differ.first, shared.end());
+  }
+  if (distinct.size() == names.size()) return names;
+  const std::size_t start = shared.rfind('/') + 1;
+  for (std::size_t i = 0; i < names.size(); ++i) names[i] = matches[i].file.substr(start);
+  return names;
+}
+
+base::TextTable table_for_people(const std::vector<MatchSummary>& matches) {
+  base::TextTable table;
+  table.add_column("left");
+  table.add_column("score", Align::kRight);
+  table.add_column("right");
+  table.add_column("winner");
+  table.add_column("cycles", Align::kRight);
+  table.add_column("goals");
+  table.add_column("remarks");
+  table.add_column("log");
+  const std::vector<std::string> names = short_names(matches);
+  for (std::size_t i = 0; i < matches.size(); ++i) {
+    const MatchSummary& match = matches[i];
+    table.add_row({name_of(match.teams[0]), score_text(match), name_of(match.teams[1]),
+                   winner_text(match), std::to_string(match.cycles), goals_text(match),
+                   remarks_text(match), names[i]});
+  }
+  return table;
+}
+
+base::TextTable table_for_programs(const std::vector<MatchSummary>& matches) {
+  base::TextTable table;
+  for (const char* head : {"file",           "date",           "version",
+                           "left",           "right",          "left_score",
+                           "right_score",    "left_penalties", "right_penalties",
+                           "winner",         "complete",       "cycles",
+                           "goals",          "cards",          "substitutions",
+                           "disconnections", "late_starts",    "never_connected",
+                           "damage",         "end_reason"}) {
+    table.add_column(head);
+  }
+  for (const MatchSummary& match : matches) {
+    const auto& [left, right] = match.teams;
+    const auto penalties = [&match](const TeamSummary& team) {
+      return match.penalties ? std::to_string(team.penalty_score) : std::string();
+    };
+    table.add_row({match.file,
+                   match.date,
+                   match.version,
+                   left.name,
+                   right.name,
+                   std::to_string(left.score),
+                   std::to_string(right.score),
+                   penalties(left),
+                   penalties(right),
+                   std::string(winner_word(match.winner)),
+                   match.complete ? "true" : "false",
+                   std::to_string(match.cycles),
+                   goals_text(match),
+                   cards_text(match),
+                   substitutions_text(match),
+                   players_text(match.disconnections),
+                   players_text(match.late_starts),
+                   players_text(match.never_connected),
+                   std::to_string(match.damage),
+                   match.end_reason});
+  }
+  return table;
+}
+
+base::TextTable table_of_teams(const Standings& standings) {
+  base::TextTable table;
+  table.add_column("team");
+  for (const char* head : {"played", "won", "drawn", "lost", "goals", "difference", "points"}) {
+    table.add_column(head, Align::kRight);
+  }
+  for (const Standing& row : standings.rows) {
+    table.add_row({row.team, std::to_string(row.played), std::to_string(row.won),
+                   std::to_string(row.drawn), std::to_string(row.lost),
+                   fmt::format("{}:{}", row.goals_for, row.goals_against),
+                   fmt::format("{:+}", row.goal_difference()), std::to_string(row.points)});
+  }
+  return table;
+}
+
+}  // namespace
+
+std::string score_text(const MatchSummary& match) {
+  const auto& [left, right] = match.teams;
+  std::string text = fmt::format("{}:{}", left.score, right.score);
+  if (match.penalties) {
+    text += fmt::format(" ({}:{} pen.)", left.penalty_score, right.penalty_score);
+  }
+  return text;
+}
+
+std::string format_results(const std::vector<MatchSummary>& matches, ResultsFormat format) {
+  if (format == ResultsFormat::kJson) return results_json(matches);
+  if (format == ResultsFormat::kCsv) return table_for_programs(matches).csv();
+  const bool markdown = format == ResultsFormat::kMarkdown;
+  const base::TextTable table = table_for_people(matches);
+  std::string text = markdown ? table.markdown() : table.plain();
+  const Standings standings = standings_of(matches);
+  if (matches.size() > 1 && !standings.rows.empty()) {
+    const base::TextTable teams = table_of_teams(standings);
+    text += '\n';
+    text += markdown ? teams.markdown() : teams.plain();
+    if (standings.not_counted > 0) {
+      text += fmt::format("\n{} incomplete not counted\n", standings.not_counted);
+    }
+  }
+  return text;
+}
+
+}  // namespace cls::analysis

@@ -1,0 +1,49 @@
+// Adding up results.
+#include "analysis/results/standings.h"
+
+#include <algorithm>
+#include <map>
+#include <tuple>
+
+namespace cls::analysis {
+namespace {
+
+constexpr int kPointsForWin = 3;
+
+void add(const TeamSummary& own, const TeamSummary& other, bool won, bool drawn, Standing& row) {
+  row.team = own.name;
+  ++row.played;
+  row.won += won;
+  row.drawn += drawn;
+  row.lost += !won && !drawn;
+  row.goals_for += own.score;
+  row.goals_against += other.score;
+  row.points += won ? kPointsForWin : drawn ? 1 : 0;
+}
+
+auto order(const Standing& row) {
+  return std::make_tuple(-row.points, -row.goal_difference(), -row.goals_for, row.team);
+}
+
+}  // namespace
+
+Standings standings_of(const std::vector<MatchSummary>& matches) {
+  Standings standings;
+  std::map<std::string, Standing> by_name;
+  for (const MatchSummary& match : matches) {
+    const auto& [left, right] = match.teams;
+    if (match.winner == Winner::kNone || left.name.empty() || right.name.empty()) {
+      ++standings.not_counted;
+      continue;
+    }
+    const bool drawn = match.winner == Winner::kDraw;
+    add(left, right, match.winner == Winner::kLeft, drawn, by_name[left.name]);
+    add(right, left, match.winner == Winner::kRight, drawn, by_name[right.name]);
+  }
+  for (auto& [name, row] : by_name) standings.rows.push_back(std::move(row));
+  std::sort(standings.rows.begin(), standings.rows.end(),
+            [](const Standing& a, const Standing& b) { return order(a) < order(b); });
+  return standings;
+}
+
+}  // namespace cls::analysis

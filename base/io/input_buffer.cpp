@@ -1,0 +1,97 @@
+// One growing block of bytes that slides over the source.
+#include "base/io/input_buffer.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace cls::base {
+namespace {
+
+constexpr std::size_t kBlock = 256 * 1024;  // stays in the second-level cache
+constexpr std::size_t kLookAhead = 64;
+constexpr std::size_t kShownOfLongLine = 1024;
+
+}  // namespace
+
+InputBuffer::InputBuffer(ByteSource& source) : source_(source) {
+  bytes_.resize(kBlock + kLookAhead, '\n');
+}
+
+bool InputBuffer::fill(std::size_t wanted) {
+  if (available() >= wanted) return true;
+  if (begin_ > 0) {
+    std::memmove(bytes_.data(), bytes_.data() + begin_, available());
+    end_ -= begin_;
+    begin_ = 0;
+  }
+  if (bytes_.size() < wanted + kLookAhead) bytes_.resize(wanted + kLookAhead);
+  while (!at_end_ && end_ < wanted) {
+    const std::size_t count = source_.read(bytes_.data() + end_, bytes_.size() - kLookAhead - end_);
+    end_ += count;
+    at_end_ = count == 0;
+  }
+  std::fill_n(bytes_.begin() + static_cast<std::ptrdiff_t>(end_), kLookAhead, '\n');
+  return available() >= wanted;
+}
+
+void InputBuffer::advance(std::size_t size) {
+  begin_ += size;
+  begin_offset_ += size;
+}
+
+InputBuffer::Line InputBuffer::next_line(std::string_view& line) {
+  offset_ = begin_offset_;
+  std::size_t searched = 0;
+  for (;;) {
+    const char* start = bytes_.data() + begin_;
+    const void* found = std::memchr(start + searched, '\n', available() - searched);
+    if (found != nullptr) {
+      const auto length = static_cast<std::size_t>(static_cast<const char*>(found) - start);
+      line = std::string_view(start, length);
+      advance(length + 1);
+      ++line_number_;
+      return Line::kWhole;
+    }
+    searched = available();
+    if (searched >= kMaxLine) {
+      ++line_number_;
+      long_line_.assign(start, kShownOfLongLine);
+      line = long_line_;
+      skip_line();
+      return Line::kTooLong;
+    }
+    if (fill(std::min(std::max(searched * 2, kBlock), kMaxLine)) || available() > searched)
+      continue;
+    if (searched == 0) return Line::kEnd;
+    ++line_number_;
+    line = std::string_view(bytes_.data() + begin_, searched);
+    advance(searched);
+    return Line::kUnfinished;
+  }
+}
+
+void InputBuffer::skip_line() {
+  do {
+    const void* found = std::memchr(bytes_.data() + begin_, '\n', available());
+    if (found != nullptr) {
+      advance(static_cast<std::size_t>(static_cast<const char*>(found) - bytes_.data()) + 1 -
+              begin_);
+      return;
+    }
+    advance(available());
+  } while (fill(1));
+}
+
+std::string_view InputBuffer::take(std::size_t size) {
+  const std::string_view bytes = peek(size);
+  offset_ = begin_offset_;
+  advance(bytes.size());
+  return bytes;
+}
+
+std::string_view InputBuffer::peek(std::size_t size) {
+  fill(size);
+  return {bytes_.data() + begin_, std::min(size, available())};
+}
+
+}  // namespace cls::base

@@ -1,0 +1,71 @@
+// Writing JUnit XML.
+#include "base/report/junit.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/text/xml.h"
+
+namespace cls::base {
+namespace {
+
+using Result = JunitCase::Result;
+
+const char* element_of(Result result) {
+  switch (result) {
+    case Result::kFailed:
+      return "failure";
+    case Result::kError:
+      return "error";
+    case Result::kSkipped:
+      return "skipped";
+    case Result::kPassed:
+      break;
+  }
+  return "system-out";
+}
+
+void add_case(std::string& out, const JunitCase& one) {
+  const auto attribute = [&out](const char* name, const std::string& value) {
+    if (!value.empty()) out += fmt::format(" {}=\"{}\"", name, xml_escaped(value));
+  };
+  out += "    <testcase";
+  attribute("classname", one.group);
+  attribute("name", one.name);
+  attribute("file", one.file);
+  out += fmt::format(" time=\"{:.3f}\"", one.seconds);
+  if (one.result == Result::kPassed && one.text.empty()) {
+    out += "/>\n";
+    return;
+  }
+  const char* element = element_of(one.result);
+  out += fmt::format(">\n      <{}", element);
+  if (one.result != Result::kPassed) {
+    attribute("type", one.type);
+    attribute("message", one.message);
+  }
+  out += fmt::format(">{}</{}>\n    </testcase>\n", xml_escaped(one.text), element);
+}
+
+}  // namespace
+
+std::string junit(const std::string& suite, const std::vector<JunitCase>& cases) {
+  const auto count = [&cases](Result result) {
+    return std::count_if(cases.begin(), cases.end(),
+                         [result](const JunitCase& one) { return one.result == result; });
+  };
+  double seconds = 0.0;
+  for (const JunitCase& one : cases) seconds += one.seconds;
+  const std::string totals = fmt::format(
+      "name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"{}\" time=\"{:.3f}\"", xml_escaped(suite),
+      cases.size(), count(Result::kFailed), count(Result::kError), seconds);
+  std::string text = fmt::format(
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites {0}>\n"
+      "  <testsuite {0} skipped=\"{1}\">\n",
+      totals, count(Result::kSkipped));
+  for (const JunitCase& one : cases) add_case(text, one);
+  return text + "  </testsuite>\n</testsuites>\n";
+}
+
+}  // namespace cls::base

@@ -1,0 +1,87 @@
+// Asking the operating system.
+#include "base/system/host.h"
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+#include <sched.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstddef>
+#include <cstdlib>
+#include <ctime>
+#include <fstream>
+#include <map>
+#include <string>
+#include <utility>
+
+namespace cls::base {
+namespace {
+
+std::tm utc() {
+  return fmt::gmtime(std::chrono::system_clock::to_time_t(std::chrono::system_clock::now()));
+}
+
+}  // namespace
+
+std::string utc_now() { return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", utc()); }
+
+std::string utc_stamp() { return fmt::format("{:%Y%m%dT%H%M%SZ}", utc()); }
+
+std::string host_name() {
+  char buffer[256] = {};
+  return gethostname(buffer, sizeof buffer - 1) == 0 ? buffer : "";
+}
+
+double load_average() {
+  double load = 0.0;
+  return getloadavg(&load, 1) == 1 ? load : 0.0;
+}
+
+std::vector<int> allowed_processors() {
+  std::vector<int> processors;
+  cpu_set_t allowed;
+  CPU_ZERO(&allowed);
+  if (sched_getaffinity(0, sizeof allowed, &allowed) != 0) return processors;
+  for (int cpu = 0; cpu < CPU_SETSIZE; ++cpu) {
+    if (CPU_ISSET(static_cast<std::size_t>(cpu), &allowed)) processors.push_back(cpu);
+  }
+  return processors;
+}
+
+std::vector<std::vector<int>> allowed_cores() {
+  // Threads of one core share the list of their siblings.
+  std::map<std::string, std::vector<int>> cores;
+  for (const int cpu : allowed_processors()) {
+    std::ifstream file(
+        fmt::format("/sys/devices/system/cpu/cpu{}/topology/thread_siblings_list", cpu));
+    std::string siblings;
+    if (!std::getline(file, siblings)) siblings = fmt::to_string(cpu);
+    cores[siblings].push_back(cpu);
+  }
+  std::vector<std::vector<int>> in_order;
+  for (auto& [siblings, processors] : cores) in_order.push_back(std::move(processors));
+  std::sort(in_order.begin(), in_order.end());
+  return in_order;
+}
+
+std::array<std::vector<int>, 2> halves_of(const std::vector<std::vector<int>>& cores) {
+  std::array<std::vector<int>, 2> halves;
+  if (cores.size() == 1) {
+    std::vector<std::vector<int>> threads;
+    for (const int processor : cores.front()) threads.push_back({processor});
+    if (threads.size() >= 2) halves = halves_of(threads);
+    return halves;
+  }
+  for (std::size_t i = 0; i < cores.size() / 2; ++i) {
+    const std::vector<int>& right = cores[cores.size() - cores.size() / 2 + i];
+    halves[0].insert(halves[0].end(), cores[i].begin(), cores[i].end());
+    halves[1].insert(halves[1].end(), right.begin(), right.end());
+  }
+  return halves;
+}
+
+int usable_cores() { return std::max(1, static_cast<int>(allowed_cores().size())); }
+
+}  // namespace cls::base

@@ -1,0 +1,70 @@
+// Handing work to a thread and waiting for it.
+#include "base/system/worker.h"
+
+#include <pthread.h>
+#include <sched.h>
+
+#include <cassert>
+#include <ctime>
+#include <utility>
+
+namespace cls::base {
+namespace {
+
+double thread_cpu_seconds() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec) * 1e-9;
+}
+
+}  // namespace
+
+Worker::Worker() : thread_([this] { loop(); }) {}
+
+Worker::~Worker() {
+  {
+    const std::lock_guard lock(mutex_);
+    leaving_ = true;
+  }
+  changed_.notify_all();
+  thread_.join();
+}
+
+void Worker::start(std::function<void()> work) {
+  {
+    const std::lock_guard lock(mutex_);
+    assert(!busy_);
+    work_ = std::move(work);
+    busy_ = true;
+  }
+  changed_.notify_all();
+}
+
+bool Worker::wait_for(std::chrono::milliseconds limit) {
+  std::unique_lock lock(mutex_);
+  return changed_.wait_for(lock, limit, [this] { return !busy_; });
+}
+
+void Worker::loop() {
+  std::unique_lock lock(mutex_);
+  for (;;) {
+    changed_.wait(lock, [this] { return busy_ || leaving_; });
+    if (!busy_) return;
+    lock.unlock();
+    work_();
+    lock.lock();
+    cpu_seconds_ = thread_cpu_seconds();
+    busy_ = false;
+    changed_.notify_all();
+  }
+}
+
+void Worker::run_on(const std::vector<int>& cpus) {
+  if (cpus.empty()) return;
+  cpu_set_t set;
+  CPU_ZERO(&set);
+  for (const int cpu : cpus) CPU_SET(static_cast<std::size_t>(cpu), &set);
+  ::pthread_setaffinity_np(thread_.native_handle(), sizeof set, &set);
+}
+
+}  // namespace cls::base

@@ -1,0 +1,43 @@
+// The numbers that the quick scanners leave aside.
+#include "base/text/number_scan.h"
+
+#include <cmath>
+#include <string_view>
+
+#include "base/text/number_text.h"
+
+namespace cls::base::detail {
+namespace {
+
+constexpr std::size_t kLongestNumber = 48;
+
+// A number ends within its line.
+std::string_view word_at(const char* at) {
+  std::size_t length = 0;
+  while (length < kLongestNumber && at[length] != ' ' && at[length] != ')' && at[length] != '\n') {
+    ++length;
+  }
+  return {at, length};
+}
+
+}  // namespace
+
+bool scan_any_number(const char*& at, float& value) {
+  double read = 0.0;
+  const std::size_t length = read_number(word_at(at), read);
+  if (length == 0 || !(std::fabs(read) <= kLargestNumber)) return false;
+  value = static_cast<float>(read);
+  at += length;
+  return true;
+}
+
+bool scan_any_integer(const char*& at, std::int32_t& value) {
+  int read = 0;
+  const std::size_t length = read_int(word_at(at), read);
+  if (length == 0) return false;
+  value = read;
+  at += length;
+  return true;
+}
+
+}  // namespace cls::base::detail

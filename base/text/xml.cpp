@@ -1,0 +1,39 @@
+// Escaping the characters that XML reads as its own.
+#include "base/text/xml.h"
+
+#include <algorithm>
+
+#include "base/text/utf8.h"
+
+namespace cls::base {
+
+std::string xml_escaped(std::string_view text) {
+  std::string escaped;
+  while (!text.empty()) {
+    const std::size_t length = utf8_length(text);
+    switch (const char c = text.front()) {
+      case '&':
+        escaped += "&amp;";
+        break;
+      case '<':
+        escaped += "&lt;";
+        break;
+      case '>':
+        escaped += "&gt;";
+        break;
+      case '"':
+        escaped += "&quot;";
+        break;
+      default:
+        if (length == 0 || (static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\t')) {
+          escaped += '?';
+        } else {
+          escaped += text.substr(0, length);
+        }
+    }
+    text.remove_prefix(std::max<std::size_t>(length, 1));
+  }
+  return escaped;
+}
+
+}  // namespace cls::base

@@ -1,0 +1,95 @@
+// `cls results LOG...`: a row a match and a table of the teams.
+#include "cli/logs/results_command.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "analysis/results/read_results.h"
+#include "analysis/results/results_text.h"
+#include "base/system/parallel.h"
+#include "cli/support/damage_report.h"
+#include "cli/support/exit_code.h"
+#include "cli/terminal/log_progress.h"
+#include "gamelog/files/log_files.h"
+
+namespace cls::cli {
+namespace {
+
+using analysis::ReadResult;
+using analysis::ResultsFormat;
+
+constexpr const char* kDescription =
+    "Prints the results of matches from their logs.\n"
+    "Score, goals with cycle and scorer, cards, substitutions, players that were lost; over "
+    "several\n"
+    "logs the table of the teams too.\n"
+    "\n"
+    "  cls results game.rcg.gz\n"
+    "  cls results runs/ --format markdown\n"
+    "  cls results 'logs/*.rcg' --json\n"
+    "\n"
+    "LOG is a game log (rcg), a text log (rcl), a folder, a pattern, or - for standard input.\n"
+    "A match without its end is \"incomplete\"; where cls match has left a result.json beside the\n"
+    "log, that decides: a match ended by --cycles is finished.\n"
+    "Goals read \"cycle side number\": 169 l 11.";
+
+struct Arguments {
+  std::vector<std::string> logs;
+  std::string format = "table";
+  bool json = false;
+  std::size_t jobs = base::default_jobs();
+};
+
+std::optional<ResultsFormat> format_of(const Arguments& arguments) {
+  if (arguments.json || arguments.format == "json") return ResultsFormat::kJson;
+  if (arguments.format == "table") return ResultsFormat::kTable;
+  if (arguments.format == "csv") return ResultsFormat::kCsv;
+  if (arguments.format == "markdown") return ResultsFormat::kMarkdown;
+  return std::nullopt;
+}
+
+std::vector<ReadResult> read_all(const std::vector<gamelog::MatchLogs>& matches, std::size_t jobs) {
+  LogProgress progress(matches.size());
+  return analysis::read_results(matches, jobs, [&](std::size_t count) { progress.done(count); });
+}
+
+int run_results_command(const Arguments& arguments) {
+  const auto format = format_of(arguments);
+  if (!format) {
+    fmt::print(stderr, "cls: --format '{}': must be table, json, csv or markdown\n",
+               arguments.format);
+    return kUsage;
+  }
+  const gamelog::FoundLogs found = gamelog::find_logs(arguments.logs);
+  int exit_code = report_missing(found);
+  std::vector<analysis::MatchSummary> summaries;
+  for (ReadResult& result : read_all(found.matches, arguments.jobs)) {
+    exit_code = report_log(exit_code, result.unreadable, result.damaged_file, result.damage);
+    if (result.usable) summaries.push_back(std::move(result.summary));
+  }
+  if (!summaries.empty() || *format == ResultsFormat::kJson) {
+    fmt::print("{}", format_results(summaries, *format));
+  }
+  return exit_code;
+}
+
+}  // namespace
+
+void add_results_command(CLI::App& app, int& exit_code) {
+  const auto arguments = std::make_shared<Arguments>();
+  CLI::App* command = app.add_subcommand("results", kDescription);
+  command->add_option("LOG", arguments->logs, "logs, folders or patterns")->required();
+  command->add_option("--format", arguments->format, "table, json, csv or markdown (table)");
+  command->add_flag("--json", arguments->json, "the same as --format json");
+  command->add_option("--jobs", arguments->jobs, "logs read at once (one a processor)")
+      ->check(CLI::PositiveNumber);
+  command->callback([arguments, &exit_code] { exit_code = run_results_command(*arguments); });
+}
+
+}  // namespace cls::cli

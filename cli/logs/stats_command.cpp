@@ -1,0 +1,92 @@
+// `cls stats LOG...`: possession, passes, shots, movement and much more of each match.
+#include "cli/logs/stats_command.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "analysis/statistics/read_statistics.h"
+#include "base/system/parallel.h"
+#include "cli/support/damage_report.h"
+#include "cli/support/exit_code.h"
+#include "cli/terminal/log_progress.h"
+#include "gamelog/files/log_files.h"
+
+namespace cls::cli {
+namespace {
+
+using analysis::StatisticsFormat;
+
+constexpr const char* kDescription =
+    "Prints statistics of matches from their logs.\n"
+    "Possession, passes and who passes to whom, shots, tackles, territory, set plays, positions,\n"
+    "distance and stamina; with the text log (rcl) beside the game log also how the players\n"
+    "answered the server.\n"
+    "\n"
+    "  cls stats game.rcg.gz                  teams and players\n"
+    "  cls stats game.rcg --json --events     everything, every pass and shot too\n"
+    "  cls stats runs/ --format csv           a row a team and match\n"
+    "\n"
+    "LOG is a game log (rcg), a folder, a pattern, or - for standard input.";
+
+struct Arguments {
+  std::vector<std::string> logs;
+  std::string format = "text";
+  bool json = false;
+  bool events = false;
+  std::size_t jobs = base::default_jobs();
+};
+
+std::optional<StatisticsFormat> format_of(const Arguments& arguments) {
+  if (arguments.json || arguments.format == "json") return StatisticsFormat::kJson;
+  if (arguments.format == "text") return StatisticsFormat::kText;
+  if (arguments.format == "csv") return StatisticsFormat::kCsv;
+  if (arguments.format == "csv-players") return StatisticsFormat::kCsvPlayers;
+  if (arguments.format == "csv-events") return StatisticsFormat::kCsvEvents;
+  return std::nullopt;
+}
+
+analysis::StatisticsOutput read_all(const std::vector<gamelog::MatchLogs>& matches,
+                                    StatisticsFormat format, const Arguments& arguments) {
+  LogProgress progress(matches.size());
+  return read_statistics(matches, format, arguments.events, arguments.jobs,
+                         [&](std::size_t count) { progress.done(count); });
+}
+
+int run_stats_command(const Arguments& arguments) {
+  const auto format = format_of(arguments);
+  if (!format) {
+    fmt::print(stderr, "cls: --format '{}': must be text, json, csv, csv-players or csv-events\n",
+               arguments.format);
+    return kUsage;
+  }
+  const gamelog::FoundLogs found = gamelog::find_logs(arguments.logs);
+  int exit_code = report_missing(found);
+  const analysis::StatisticsOutput output = read_all(found.matches, *format, arguments);
+  for (const analysis::ReadProblem& problem : output.problems) {
+    exit_code = report_log(exit_code, problem.unreadable, problem.file, problem.damage);
+  }
+  fmt::print("{}", output.text);
+  return exit_code;
+}
+
+}  // namespace
+
+void add_stats_command(CLI::App& app, int& exit_code) {
+  const auto arguments = std::make_shared<Arguments>();
+  CLI::App* command = app.add_subcommand("stats", kDescription);
+  command->add_option("LOG", arguments->logs, "game logs, folders or patterns")->required();
+  command->add_option("--format", arguments->format,
+                      "text, json, csv (teams), csv-players or csv-events (text)");
+  command->add_flag("--json", arguments->json, "the same as --format json");
+  command->add_flag("--events", arguments->events, "with JSON: every pass, shot, tackle, foul");
+  command->add_option("--jobs", arguments->jobs, "logs read at once (one a processor)")
+      ->check(CLI::PositiveNumber);
+  command->callback([arguments, &exit_code] { exit_code = run_stats_command(*arguments); });
+}
+
+}  // namespace cls::cli

@@ -1,0 +1,176 @@
+// Result table of one match.
+#include "cli/match/match_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+#include <iterator>
+
+namespace cls::cli {
+namespace {
+
+using orchestration::match::MatchResult;
+using orchestration::match::PlayerResult;
+using orchestration::match::TeamResult;
+
+std::int64_t total(const TeamResult& team,
+                   const std::function<std::int64_t(const PlayerResult&)>& value) {
+  std::int64_t sum = 0;
+  for (const PlayerResult& player : team.players) sum += value(player);
+  return sum;
+}
+
+std::int64_t commands(const TeamResult& team, const std::string& kind) {
+  return total(team, [&](const PlayerResult& player) {
+    const auto found = player.commands.find(kind);
+    return found == player.commands.end() ? 0 : found->second;
+  });
+}
+
+// Two figures of a team: `worst` says whose, the middle player's or that of the slowest one.
+std::string latency(const TeamResult& team, double orchestration::match::RpcLatency::*first,
+                    double orchestration::match::RpcLatency::*second, bool worst) {
+  const auto figure = [&](double orchestration::match::RpcLatency::*which) {
+    std::vector<double> values;
+    for (const PlayerResult& player : team.players) values.push_back(player.rpc_us.*which);
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return worst ? *std::max_element(values.begin(), values.end()) : *middle;
+  };
+  if (team.players.empty()) return "-";
+  return fmt::format("{:.0f} / {:.0f} us", figure(first), figure(second));
+}
+
+// A command may be long; its beginning says which it is.
+std::string shortened(const std::string& text) {
+  constexpr std::size_t kWidth = 18;
+  return text.size() <= kWidth ? text : text.substr(0, kWidth - 3) + "...";
+}
+
+class Rows {
+ public:
+  explicit Rows(const MatchResult& result) : result_(result) {}
+
+  void add(std::string_view label, const std::string& left, const std::string& right) {
+    fmt::format_to(std::back_inserter(text_), "  {:<22} {:>18} {:>18}\n", label, left, right);
+  }
+  void add(std::string_view label, const std::function<std::int64_t(const TeamResult&)>& value) {
+    // A foreign team's doings are not ours to count.
+    const auto text = [&value](const TeamResult& team) {
+      return team.players.empty() ? "-" : fmt::to_string(value(team));
+    };
+    add(label, text(result_.left), text(result_.right));
+  }
+  std::string take() { return std::move(text_); }
+
+ private:
+  const MatchResult& result_;
+  std::string text_;
+};
+
+std::string score_line(const MatchResult& result) {
+  std::string line = fmt::format("{} {} : {} {}", result.left.name, result.left.score,
+                                 result.right.score, result.right.name);
+  if (result.left.penalty_score && result.right.penalty_score) {
+    line += fmt::format(" ({} : {} on penalties)", *result.left.penalty_score,
+                        *result.right.penalty_score);
+  }
+  return line;
+}
+
+std::string goals_line(const MatchResult& result) {
+  if (result.goals.empty()) return {};
+  std::string line = "  goals:";
+  for (const auto& goal : result.goals) {
+    const TeamResult& team = goal.side == soccer::Side::kLeft ? result.left : result.right;
+    fmt::format_to(std::back_inserter(line), " {} {}", goal.cycle, team.name);
+    if (goal.unum > 0) fmt::format_to(std::back_inserter(line), " {}", goal.unum);
+    line += &goal == &result.goals.back() ? "\n" : ",";
+  }
+  return line;
+}
+
+std::string missed(const TeamResult& team) {
+  if (team.players.empty()) return "-";
+  return fmt::format("{}, {}",
+                     total(team, [](const PlayerResult& player) { return player.missed; }),
+                     total(team, [](const PlayerResult& player) { return player.late; }));
+}
+
+// Only where there was one: it is not part of an ordinary match.
+void add_reconnects(Rows& rows, const MatchResult& result) {
+  const auto count = [](const TeamResult& team) {
+    return total(team, [](const PlayerResult& player) { return player.reconnects; });
+  };
+  if (count(result.left) + count(result.right) > 0) rows.add("reconnects", count);
+}
+
+// What can be lost only where the server does not wait.
+void add_losses(Rows& rows) {
+  using Count = std::int64_t PlayerResult::*;
+  const std::pair<const char*, Count> losses[] = {
+      {"cycles not decided", &PlayerResult::undecided},
+      {"commands too late", &PlayerResult::lost_commands},
+      {"late wake-ups", &PlayerResult::late_wakeups}};
+  for (const auto& [label, count] : losses) {
+    rows.add(label, [count = count](const TeamResult& team) {
+      return total(team, [count](const PlayerResult& player) { return player.*count; });
+    });
+  }
+}
+
+std::string server_line(const MatchResult& result) {
+  std::string line = fmt::format("  {}", result.server_kind);
+  if (!result.server_version.empty()) line += fmt::format(" {}", result.server_version);
+  if (result.server_seed) line += fmt::format(", its seed {}", *result.server_seed);
+  line += fmt::format(", cycles somebody missed: {}", result.server_missed_cycles);
+  if (result.server_cpu_seconds)
+    line += fmt::format(", {:.2f} s of CPU", *result.server_cpu_seconds);
+  return line + "\n";
+}
+
+std::string figures(const MatchResult& result) {
+  Rows rows(result);
+  rows.add("", result.left.name, result.right.name);
+  rows.add("playmaker", shortened(result.left.endpoint), shortened(result.right.endpoint));
+  rows.add("decisions", [](const TeamResult& team) {
+    return total(team, [](const PlayerResult& player) { return player.decisions; });
+  });
+  rows.add("missed, of them late", missed(result.left), missed(result.right));
+  add_reconnects(rows, result);
+  using Latency = orchestration::match::RpcLatency;
+  rows.add("rpc p50 / p95", latency(result.left, &Latency::p50, &Latency::p95, false),
+           latency(result.right, &Latency::p50, &Latency::p95, false));
+  rows.add("rpc worst p99 / max", latency(result.left, &Latency::p99, &Latency::max, true),
+           latency(result.right, &Latency::p99, &Latency::max, true));
+  for (const char* kind : {"kick", "dash", "turn", "tackle", "catch"}) {
+    rows.add(kind, [kind](const TeamResult& team) { return commands(team, kind); });
+  }
+  if (result.mode != "lockstep") add_losses(rows);
+  rows.add("cpu seconds", fmt::format("{:.2f}", result.left.cpu_seconds),
+           fmt::format("{:.2f}", result.right.cpu_seconds));
+  return rows.take();
+}
+
+}  // namespace
+
+std::string match_report(const MatchResult& result, bool colour) {
+  const std::string score = score_line(result);
+  std::string text = colour ? fmt::format("\x1b[1m{}\x1b[0m\n", score) : score + "\n";
+  if (!result.valid()) {
+    fmt::format_to(std::back_inserter(text), "  invalid match: {} at cycle {}\n",
+                   name(result.end_reason), result.cycles);
+  }
+  text += goals_line(result);
+  text += "\n" + figures(result) + "\n";
+  fmt::format_to(std::back_inserter(text),
+                 "  {} cycles in {:.1f} s ({:.0f} cycles/s), {}, seed {}{}\n", result.cycles,
+                 result.wall_seconds, result.cycles_per_second, result.mode, result.seed,
+                 result.deterministic ? "" : ", not deterministic");
+  if (result.mode != "lockstep") text += server_line(result);
+  fmt::format_to(std::back_inserter(text), "  {}/\n", result.folder);
+  return text;
+}
+
+}  // namespace cls::cli

@@ -1,0 +1,33 @@
+// Which commands need a guard is decided from the first word alone: parsing comes later.
+#include "cli/support/early_guard.h"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+#include <utility>
+
+namespace cls::cli {
+namespace {
+
+constexpr std::array<std::string_view, 7> kCommands = {"match", "tournament", "compare", "test",
+                                                       "check", "doctor",     "server"};
+
+}  // namespace
+
+bool may_start_programs(int argc, const char* const* argv) {
+  for (int i = 1; i < argc; ++i) {
+    const std::string_view word = argv[i];
+    if (word.starts_with("-")) continue;
+    return std::find(kCommands.begin(), kCommands.end(), word) != kCommands.end();
+  }
+  return false;
+}
+
+std::optional<orchestration::process::Guard> start_early_guard(int argc, char** argv) {
+  if (!may_start_programs(argc, argv)) return std::nullopt;
+  auto guard = orchestration::process::Guard::start(argc, argv);
+  if (!guard) return std::nullopt;
+  return *std::move(guard);
+}
+
+}  // namespace cls::cli

@@ -1,0 +1,43 @@
+// The one line that follows a running match on a terminal.
+#pragma once
+
+#include <chrono>
+#include <string>
+#include <string_view>
+
+#include "cli/terminal/terminal_line.h"
+#include "orchestration/match/result/match_observer.h"
+
+namespace cls::cli {
+
+/// Rewrites one line on stderr a few times a second; warnings go above it. Without a terminal it
+/// shows warnings only, so that a log file stays readable.
+class ProgressLine : public orchestration::match::MatchObserver {
+ public:
+  /// `shown` is false without a terminal and with --quiet;
+  ProgressLine(bool shown, bool quiet) : shown_(shown), quiet_(quiet) {}
+
+  void on_phase(std::string_view what) override;
+  void on_cycle(const orchestration::match::MatchProgress& progress) override;
+  void on_notice(std::string_view line) override;
+  void on_warning(std::string_view line) override;
+
+  /// Removes the line, so that what is printed next starts on a clean one.
+  void clear() { line_.clear(); }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  bool shown_;
+  bool quiet_;
+  TerminalLine line_;
+  Clock::time_point last_shown_{};
+  Clock::time_point first_cycle_{};
+  int cycles_at_start_ = -1;
+};
+
+/// The text of the line: game time, score, mode, speed and the time left.
+std::string progress_text(const orchestration::match::MatchProgress& progress,
+                          double cycles_per_second);
+
+}  // namespace cls::cli

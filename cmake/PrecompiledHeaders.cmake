@@ -1,0 +1,20 @@
+# Precompiled headers: one per family of folders, so that each large library header is parsed once.
+# -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON builds without them (CI does, to find missing includes).
+
+# cls_pch(<name> LINK <targets...> HEADERS <headers...>)
+# Precompiles the headers as target cls_pch_<name>; a cls_library() or cls_test() takes it by
+# `PCH <name>`. LINK brings the include folders and definitions of the headers' libraries.
+function(cls_pch name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "LINK;HEADERS")
+  set(source "${CMAKE_BINARY_DIR}/pch/${name}.cpp")
+  file(CONFIGURE OUTPUT "${source}" CONTENT "// Carries the precompiled headers '${name}'.\n")
+  add_library(cls_pch_${name} STATIC "${source}")
+  target_include_directories(cls_pch_${name} PUBLIC "${CMAKE_SOURCE_DIR}")
+  target_link_libraries(cls_pch_${name} PUBLIC ${arg_LINK} PRIVATE cls_warnings)
+  target_precompile_headers(cls_pch_${name} PRIVATE ${arg_HEADERS})
+endfunction()
+
+set(CLS_STANDARD_HEADERS
+  <algorithm> <array> <atomic> <chrono> <cmath> <cstdint> <filesystem> <functional> <map> <memory>
+  <mutex> <optional> <set> <string> <string_view> <thread> <utility> <variant> <vector>
+  <fmt/format.h>)

@@ -1,0 +1,41 @@
+// Telling text logs from game logs.
+#include "gamelog/files/log_reader.h"
+
+#include <string_view>
+
+#include "base/io/input_buffer.h"
+#include "gamelog/rcg/rcg_reader.h"
+#include "gamelog/rcl/rcl_reader.h"
+
+namespace cls::gamelog {
+namespace {
+
+constexpr std::size_t kLongestStamp = 24;
+
+bool skip_digits(std::string_view& text) {
+  const std::size_t size = text.size();
+  while (!text.empty() && text.front() >= '0' && text.front() <= '9') text.remove_prefix(1);
+  return text.size() < size;
+}
+
+// `time,stopped` and a tab, or the time alone as before server 13.
+bool starts_text_log(std::string_view text) {
+  if (!skip_digits(text)) return false;
+  if (text.starts_with(',')) {
+    text.remove_prefix(1);
+    if (!skip_digits(text)) return false;
+  }
+  return text.starts_with('\t');
+}
+
+}  // namespace
+
+base::Result<AnyLog> read_log_file(const std::string& path) {
+  auto source = base::open_source(path);
+  if (!source) return source.error();
+  base::InputBuffer input(**source);
+  if (starts_text_log(input.peek(kLongestStamp))) return AnyLog(read_rcl(input));
+  return AnyLog(read_rcg(input));
+}
+
+}  // namespace cls::gamelog

@@ -1,0 +1,84 @@
+// Telling versions of game logs apart, and whether a log has its end.
+#include "gamelog/rcg/rcg_reader.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "base/io/input_buffer.h"
+#include "gamelog/rcg/rcg_binary_reader.h"
+#include "gamelog/rcg/rcg_json_reader.h"
+#include "gamelog/rcg/rcg_text_reader.h"
+#include "gamelog/record/record_builder.h"
+#include "gamelog/record/record_damage.h"
+
+namespace cls::gamelog {
+namespace {
+
+constexpr std::size_t kHeaderSize = 5;
+constexpr std::size_t kBinaryHeaderSize = 4;
+
+bool has_end(const MatchRecord& record) {
+  if (!record.mode.empty() && record.mode.back() == soccer::PlayMode::kTimeOver) return true;
+  return std::any_of(record.notes.rbegin(), record.notes.rend(), [](const Note& note) {
+    const auto* message = std::get_if<Message>(&note.content);
+    return message != nullptr && message->text.starts_with("(result ");
+  });
+}
+
+void check_end(const base::InputBuffer& input, MatchRecord& record) {
+  if (!input.source().problem().empty()) {
+    record.damage.add_reason(damage_at(input, record, input.source().problem()));
+  } else if (record.damage.empty() && !has_end(record)) {
+    record.damage.add(
+        damage_at(input, record, "the match has no end here: the log was interrupted"));
+  }
+}
+
+/// What the first bytes say (log-formats 1.2). Server 17 wrote JSON behind the header of version 6.
+void read_by_kind(base::InputBuffer& input, RecordBuilder& builder) {
+  MatchRecord& record = builder.record();
+  const std::string start(input.peek(kHeaderSize + 1));
+  std::string_view header;
+  if (start.starts_with('[') || start == "ULG6\n[" || start == "JSON\n[") {
+    record.version = RcgVersion::kJson;
+    if (!start.starts_with('[')) input.next_line(header);
+    read_rcg_json(input, builder);
+  } else if (start.starts_with("ULG4\n") || start.starts_with("ULG5\n") ||
+             start.starts_with("ULG6\n")) {
+    record.version = static_cast<RcgVersion>(start[3] - '0');
+    input.next_line(header);
+    read_rcg_text(input, builder);
+  } else if (start.starts_with("ULG\x02") || start.starts_with("ULG\x03")) {
+    record.version = static_cast<RcgVersion>(start[3]);
+    input.take(kBinaryHeaderSize);
+    read_rcg_binary(input, builder);
+  } else if (looks_like_version_1(start)) {
+    record.version = RcgVersion::kV1;
+    read_rcg_binary(input, builder);
+  } else {
+    record.damage.add(damage_at(input, record, "this is no game log"));
+  }
+}
+
+}  // namespace
+
+MatchRecord read_rcg(base::ByteSource& source) {
+  base::InputBuffer input(source);
+  return read_rcg(input);
+}
+
+MatchRecord read_rcg(base::InputBuffer& input) {
+  MatchRecord record;
+  RecordBuilder builder(record);
+  read_by_kind(input, builder);
+  check_end(input, record);
+  return record;
+}
+
+base::Result<MatchRecord> read_rcg_file(const std::string& path) {
+  auto source = base::open_source(path);
+  if (!source) return source.error();
+  return read_rcg(**source);
+}
+
+}  // namespace cls::gamelog

@@ -1,0 +1,44 @@
+// The lines of a text game log (rcg), one function each.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "gamelog/record/frame.h"
+#include "gamelog/record/rcg_version.h"
+#include "soccer/parameters/player_params.h"
+#include "soccer/parameters/player_type.h"
+#include "soccer/parameters/server_params.h"
+
+namespace cls::gamelog {
+
+// Every function appends one line with its line feed, laid out as rcssserver 19 writes it
+// (log-formats 1.7): positions and velocities to 0.0001, angles to 0.001, all with six significant
+// digits, negative zero as "-0".
+
+/// `ULG4` to `ULG6`.
+void append_version(RcgVersion version, std::string& out);
+
+/// The first lines of a log: version, parameters, player types.
+void append_header(RcgVersion version, const soccer::ServerParams& server,
+                   const soccer::PlayerParams& player, const std::vector<soccer::PlayerType>& types,
+                   std::string& out);
+
+void append_play_mode(int time, soccer::PlayMode mode, std::string& out);
+
+/// The four penalty numbers appear once either team has taken a kick.
+void append_team(int time, const TeamFrames& teams, std::string& out);
+
+/// In versions 4 to 6: version 4 knows no stamina capacity, only version 6 has the focus point and
+/// the count of its changes.
+void append_show(const Frame& frame, std::string& out, RcgVersion version = RcgVersion::kV6);
+
+/// Of such a line only ball and players, each behind a blank; nothing else, no line feed.
+void append_objects(const Frame& frame, std::string& out, RcgVersion version);
+
+/// `board` 1: referee, says, result, team graphics; 2: commands. Line feeds in the text become
+/// blanks; nothing else is escaped, as in the real log.
+void append_message(int time, int board, std::string_view text, std::string& out);
+
+}  // namespace cls::gamelog

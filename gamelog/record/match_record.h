@@ -1,0 +1,170 @@
+// A whole match as its game log tells it: one array per property, by frame and player slot.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "gamelog/record/damage.h"
+#include "gamelog/record/frame.h"
+#include "gamelog/record/rcg_version.h"
+#include "soccer/geometry.h"
+#include "soccer/parameters/player_params.h"
+#include "soccer/parameters/player_type.h"
+#include "soccer/parameters/server_params.h"
+#include "soccer/play_mode.h"
+#include "soccer/side.h"
+
+namespace cls::gamelog {
+
+/// Leaves new elements uninitialised: columns are written right after they grow.
+template <typename T>
+struct UninitializedAllocator : std::allocator<T> {
+  template <typename U>
+  struct rebind {
+    using other = UninitializedAllocator<U>;
+  };
+  UninitializedAllocator() = default;
+  template <typename U>
+  UninitializedAllocator(const UninitializedAllocator<U>&) {}
+
+  template <typename U>
+  void construct(U* at) {
+    ::new (static_cast<void*>(at)) U;
+  }
+  template <typename U, typename... Arguments>
+  void construct(U* at, Arguments&&... arguments) {
+    ::new (static_cast<void*>(at)) U(std::forward<Arguments>(arguments)...);
+  }
+};
+
+template <typename T>
+using Column = std::vector<T, UninitializedAllocator<T>>;
+
+/// A point or vector in single precision, which holds six significant digits, as logs print them,
+/// without loss.
+struct Point {
+  float x;
+  float y;
+
+  operator soccer::Vec2() const { return {x, y}; }
+};
+
+/// What a player's commands are counted by, in the order of text logs.
+enum class Counter : std::uint8_t {
+  kKick,
+  kDash,
+  kTurn,
+  kCatch,
+  kMove,
+  kTurnNeck,
+  kChangeView,
+  kSay,
+  kTackle,
+  kPointto,
+  kAttentionto,
+  kChangeFocus,
+};
+constexpr std::size_t kCounterCount = 12;
+using Counters = std::array<std::int32_t, kCounterCount>;
+
+/// The name of the counted command: "kick", "dash", "turn", "catch", "move", "turn_neck", ...
+std::string_view name(Counter counter);
+
+/// Twenty-two entries a frame: entry `frame * 22 + slot` (soccer/side.h). Metres, degrees.
+struct PlayerColumns {
+  Column<std::uint32_t> state;  ///< bits of player_state.h
+  Column<std::int16_t> type;
+  Column<Point> position;
+  Column<Point> velocity;
+  Column<float> body;
+  Column<float> neck;         ///< relative to body
+  Column<Point> pointing_at;  ///< x is NaN while the arm is down
+  Column<float> view_width;
+  Column<std::uint8_t> high_quality;
+  Column<Point> focus;  ///< x distance, y direction; 0 before version 6 and in JSON
+  Column<float> stamina;
+  Column<float> effort;
+  Column<float> recovery;
+  Column<float> capacity;         ///< -1: unlimited, or not in the log (before version 5)
+  Column<std::int8_t> attention;  ///< slot; -1: nobody
+  Column<Counters> counters;      ///< since the server started
+};
+
+/// Text inside a log: referee, says, result, team graphics (board 1) or commands (board 2).
+struct Message {
+  int board = 1;
+  std::string text;
+
+  friend bool operator==(const Message&, const Message&) = default;
+};
+
+/// A whole line of a text log that says nothing we know; kept so that nothing is lost.
+struct UnknownLine {
+  std::string text;
+};
+
+/// What stands between two frames of a log.
+struct Note {
+  std::uint32_t frame = 0;  ///< how many frames stand before it
+  std::int32_t time = 0;
+  std::int32_t stopped = 0;  ///< as Frame::stopped
+  std::variant<soccer::PlayMode, TeamFrames, Message, UnknownLine> content;
+};
+
+/// Everything in a game log. Frames are in the order of the log.
+struct MatchRecord {
+  RcgVersion version = RcgVersion::kV6;
+  std::string server_version;  ///< in JSON logs only
+  std::string timestamp;       ///< in JSON logs only
+
+  /// Defaults where the log is silent (versions 1 and 2 have none).
+  soccer::ServerParams server;
+  soccer::PlayerParams player;
+  std::vector<soccer::PlayerType> types;
+  /// The same as lines of a text log, in their order; for versions that have none, none.
+  std::vector<std::string> parameter_lines;
+
+  // One entry a frame.
+  Column<std::int32_t> time;
+  Column<std::int32_t> stopped;  ///< cycles that the clock has stood at this time, from 0
+  Column<soccer::PlayMode> mode;
+  Column<std::uint32_t> team_state;  ///< index into `teams`
+  Column<Point> ball_position;
+  Column<Point> ball_velocity;  ///< zero in versions 1 and 2
+
+  PlayerColumns players;
+
+  /// Every state of names and scores, in order; the first is "nobody, 0:0" and may be unused.
+  std::vector<TeamFrames> teams = {TeamFrames{}};
+  std::vector<Note> notes;
+
+  /// Empty if the log is whole. What stands before and behind damaged lines is kept.
+  DamageList damage;
+
+  std::size_t frames() const { return time.size(); }
+  const TeamFrames& final_teams() const { return teams.back(); }
+};
+
+constexpr std::size_t kSlots = soccer::kPlayersOnPitch;
+
+/// Makes room for `frames` frames in all.
+void reserve_frames(MatchRecord& record, std::size_t frames);
+
+/// Adds frames without giving them values, or takes the last ones away.
+void resize_frames(MatchRecord& record, std::size_t frames);
+
+/// One frame with all that holds for it.
+Frame frame_at(const MatchRecord& record, std::size_t frame);
+
+inline bool is_enabled(const MatchRecord& record, std::size_t entry) {
+  return (record.players.state[entry] & kStateEnabled) != 0;
+}
+
+}  // namespace cls::gamelog

@@ -1,0 +1,143 @@
+// Reading and asking the parts of "when".
+#include "mock-server/script/situation_filter.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "proto/playmaker.pb.h"
+
+namespace cls::mock_server {
+namespace {
+
+using base::Result;
+
+constexpr int kLastCycle = std::numeric_limits<int>::max() / 2;
+constexpr int kHighestNumber = 13;
+
+// The names of play modes in a list of them, or of one.
+Result<std::vector<std::string>> parse_modes(const base::JsonValue& json) {
+  std::vector<std::string> modes;
+  std::vector<std::string_view> known;
+  const auto& names = *protos::GameModeType_descriptor();
+  for (int i = 0; i < names.value_count(); ++i) known.push_back(names.value(i)->name());
+  const bool list = json.is_list();
+  for (std::size_t i = 0; i < (list ? json.size() : 1); ++i) {
+    const base::JsonValue each = list ? json[i] : json;
+    const auto text = each.string();
+    if (!text) return text.error();
+    if (names.FindValueByName(*text + "_") != nullptr) {
+      modes.push_back(*text + "_");
+      continue;
+    }
+    const auto word = each.word(known);
+    if (!word) return word.error();
+    modes.push_back(*word);
+  }
+  return modes;
+}
+
+}  // namespace
+
+Result<CycleRange> parse_cycles(const base::JsonValue& json) {
+  CycleRange range;
+  if (json.is_list()) {
+    if (json.size() != 2) return json.error("a range of cycles is [from, to]");
+    const auto first = json[0].integer(0, kLastCycle);
+    if (!first) return first.error();
+    const auto last = json[1].integer(*first, kLastCycle);
+    if (!last) return last.error();
+    return CycleRange{*first, *last, 1};
+  }
+  if (!json.is_object()) {
+    const auto cycle = json.integer(0, kLastCycle);
+    if (!cycle) return cycle.error();
+    return CycleRange{*cycle, *cycle, 1};
+  }
+  if (const auto keys = json.object_of({"from", "to", "every"}); !keys) return keys.error();
+  range.last = kLastCycle;
+  for (const auto& [key, member, low] :
+       {std::tuple{"from", &range.first, 0}, {"to", &range.last, 0}, {"every", &range.every, 1}}) {
+    if (!json.has(key)) continue;
+    const auto value = json[key].integer(low, kLastCycle);
+    if (!value) return value.error();
+    *member = *value;
+  }
+  return range;
+}
+
+Result<std::vector<int>> parse_numbers(const base::JsonValue& json) {
+  std::vector<int> numbers;
+  const bool list = json.is_list();
+  for (std::size_t i = 0; i < (list ? json.size() : 1); ++i) {
+    const auto number = (list ? json[i] : json).integer(0, kLastCycle);
+    if (!number) return number.error();
+    numbers.push_back(*number);
+  }
+  return numbers;
+}
+
+Result<std::vector<int>> parse_unums(const base::JsonValue& json) {
+  auto numbers = parse_numbers(json);
+  if (!numbers) return numbers;
+  for (const int number : *numbers) {
+    if (number < 1 || number > kHighestNumber) {
+      return json.error(
+          fmt::format("{} is no uniform number (1 to 11, 12 coach, 13 trainer)", number));
+    }
+  }
+  return numbers;
+}
+
+Result<SituationFilter> SituationFilter::parse(const base::JsonValue& json, proto::Rpc rpc) {
+  if (const auto keys = json.object_of({"cycle", "mode", "unum", "state"}); !keys) {
+    return keys.error();
+  }
+  SituationFilter filter;
+  for (const char* key : {"cycle", "mode"}) {
+    if (json.has(key) && !is_decision(rpc)) {
+      return json[key].error(fmt::format("{} carries no {}", name(rpc), key));
+    }
+  }
+  if (json.has("cycle")) {
+    const auto cycles = parse_cycles(json["cycle"]);
+    if (!cycles) return cycles.error();
+    filter.cycles_ = *cycles;
+  }
+  if (json.has("mode")) {
+    const auto modes = parse_modes(json["mode"]);
+    if (!modes) return modes.error();
+    for (const std::string& mode : *modes) filter.modes_.emplace_back(mode);
+  }
+  if (json.has("unum")) {
+    const auto unums = parse_unums(json["unum"]);
+    if (!unums) return unums.error();
+    filter.unums_ = *unums;
+  }
+  if (json.has("state")) {
+    auto conditions = parse_conditions(*request_prototype(rpc).GetDescriptor(), json["state"]);
+    if (!conditions) return conditions.error();
+    filter.conditions_ = *std::move(conditions);
+  }
+  return filter;
+}
+
+bool SituationFilter::matches(proto::Rpc rpc, const google::protobuf::Message& request) const {
+  if (!unums_.empty()) {
+    const int unum = caller_of(rpc, request).unum;
+    if (std::find(unums_.begin(), unums_.end(), unum) == unums_.end()) return false;
+  }
+  if (cycles_ || !modes_.empty()) {
+    const protos::WorldModel& world = static_cast<const protos::State&>(request).world_model();
+    if (cycles_ && !cycles_->contains(world.cycle())) return false;
+    const Value mode(protos::GameModeType_Name(world.game_mode_type()));
+    if (!modes_.empty() && std::find(modes_.begin(), modes_.end(), mode) == modes_.end()) {
+      return false;
+    }
+  }
+  return std::all_of(conditions_.begin(), conditions_.end(),
+                     [&](const Condition& condition) { return condition.holds(request); });
+}
+
+}  // namespace cls::mock_server

@@ -1,0 +1,118 @@
+// Asking a Playmaker.
+#include "orchestration/checks/playmaker/playmaker_subject.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "orchestration/checks/playmaker/sample_states.h"
+#include "proxy/messages/parameter_messages.h"
+#include "soccer/parameters/player_params.h"
+#include "soccer/parameters/player_type.h"
+#include "soccer/parameters/server_params.h"
+
+namespace cls::orchestration::checks {
+namespace {
+
+constexpr int kSeed = 1;
+
+protos::AgentType type_of(int agent) {
+  if (agent == proxy::kCoachNumber) return protos::CoachT;
+  return agent == proxy::kTrainerNumber ? protos::TrainerT : protos::PlayerT;
+}
+
+}  // namespace
+
+std::string team_name(int team) { return team == 0 ? "Check_L" : "Check_R"; }
+
+protos::State PlaymakerSubject::next_state(int agent) {
+  return ordinary_state(identity(agent), ++cycle);
+}
+
+proxy::RpcStatus register_agent(PlaymakerSubject& subject, int team, int agent) {
+  protos::RegisterRequest request;
+  request.set_agent_type(type_of(agent));
+  request.set_team_name(team_name(team));
+  request.set_uniform_number(agent);
+  request.set_rpc_version(1);
+  const auto t = static_cast<std::size_t>(team);
+  return subject.teams[t]->register_agent(agent, request, subject.start_timeout,
+                                          subject.identities[t][static_cast<std::size_t>(agent)]);
+}
+
+proxy::RpcStatus send_parameters(PlaymakerSubject& subject, int team, int agent) {
+  const auto t = static_cast<std::size_t>(team);
+  proxy::Playmaker& playmaker = *subject.teams[t];
+  const protos::RegisterResponse& identity = subject.identities[t][static_cast<std::size_t>(agent)];
+  const soccer::ServerParams server;
+  const soccer::PlayerParams player;
+  protos::ServerParam server_message;
+  proxy::fill(server, server_message);
+  *server_message.mutable_register_response() = identity;
+  auto status = playmaker.send_server_params(agent, server_message, subject.deadline);
+  if (!status.ok()) return status;
+  protos::PlayerParam player_message;
+  proxy::fill(player, player_message);
+  *player_message.mutable_register_response() = identity;
+  status = playmaker.send_player_params(agent, player_message, subject.deadline);
+  for (const soccer::PlayerType& type : soccer::draw_player_types(server, player, kSeed)) {
+    if (!status.ok()) return status;
+    protos::PlayerType message;
+    proxy::fill(type, server, message);
+    *message.mutable_register_response() = identity;
+    status = playmaker.send_player_type(agent, message, subject.deadline);
+  }
+  return status;
+}
+
+proxy::RpcStatus shake_hands(PlaymakerSubject& subject, int team) {
+  proxy::RpcStatus status;
+  for (int agent = 1; agent <= proxy::kCoachNumber && status.ok(); ++agent) {
+    status = register_agent(subject, team, agent);
+    if (status.ok()) status = send_parameters(subject, team, agent);
+    if (!status.ok()) return status;
+    const auto t = static_cast<std::size_t>(team);
+    protos::InitMessage message;
+    *message.mutable_register_response() = subject.identities[t][static_cast<std::size_t>(agent)];
+    status = subject.teams[t]->send_init_message(agent, message, subject.deadline);
+  }
+  return status;
+}
+
+Answer ask(proxy::Playmaker& playmaker, int agent, const protos::State& state,
+           Milliseconds deadline) {
+  playmaker.begin_player_actions(agent, state, deadline);
+  const std::optional<proxy::Reply> reply = playmaker.next_reply();
+  Answer answer;
+  if (!reply) {
+    answer.status = {proxy::RpcOutcome::kError, 0, "the call gave no reply"};
+    return answer;
+  }
+  answer.status = reply->status;
+  answer.latency = reply->latency;
+  if (reply->player != nullptr) answer.actions = *reply->player;
+  return answer;
+}
+
+Answer ask(PlaymakerSubject& subject, int agent, const protos::State& state) {
+  return ask(subject.left(), agent, state, subject.deadline);
+}
+
+std::string to_text(const proxy::RpcStatus& status) {
+  if (status.ok()) return "ok";
+  return fmt::format("{} (gRPC status {}): {}", name(status.outcome), status.code, status.message);
+}
+
+Finding finding(const proxy::RpcStatus& status, std::string evidence) {
+  if (!status.ok()) return fail(to_text(status));
+  return pass(evidence.empty() ? "answered" : std::move(evidence));
+}
+
+Finding survives(PlaymakerSubject& subject, const std::string& before) {
+  constexpr int kAgent = 7;
+  const Answer answer = ask(subject, kAgent, subject.next_state(kAgent));
+  if (answer.status.ok()) return pass(before + "; answers the next ordinary question");
+  return fail(before + "; then an ordinary question: " + to_text(answer.status));
+}
+
+}  // namespace cls::orchestration::checks

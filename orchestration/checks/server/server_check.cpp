@@ -1,0 +1,83 @@
+// Taking the steps.
+#include "orchestration/checks/server/server_check.h"
+
+#include <optional>
+#include <utility>
+
+#include "orchestration/checks/ended_program.h"
+#include "orchestration/checks/server/server_subject.h"
+#include "orchestration/checks/server/started_server.h"
+
+namespace cls::orchestration::checks {
+namespace {
+
+base::Result<void> prepare(const ServerCheckOptions& options, std::optional<StartedServer>& server,
+                           ServerSubject& subject, const std::atomic<int>& stop) {
+  subject.start_timeout = options.start_timeout;
+  subject.hopeless = [&server, &stop]() -> std::string {
+    if (stop != 0) return "interrupted";
+    return server ? account_of_end("the server", server->child()) : "";
+  };
+  if (options.server.kind == match::ServerChoice::Kind::kAddress) {
+    subject.host = options.server.host;
+    const int port = options.server.port;
+    subject.ports = {port, port + 1, port + 2};
+  } else {
+    soccer::ServerParams params;
+    params.coach = true;
+    params.coach_w_referee = true;
+    auto started = StartedServer::start(options.server, options.own_program, params);
+    if (!started) return started.error();
+    server.emplace(*std::move(started));
+    subject.host = server->host();
+    subject.ports = server->ports();
+  }
+  struct Door {
+    std::unique_ptr<soccer::UdpClients>& clients;
+    int port;
+  };
+  for (const Door& door : {Door{subject.player_door, subject.ports.player},
+                           Door{subject.trainer_door, subject.ports.trainer},
+                           Door{subject.coach_door, subject.ports.coach}}) {
+    auto created = soccer::UdpClients::create(subject.host, door.port);
+    if (!created) return created.error();
+    door.clients = *std::move(created);
+  }
+  return {};
+}
+
+// Why it is of no use to go on; empty if it is.
+std::string why_not(const ServerSubject& subject, const CheckReport& report) {
+  if (std::string reason = subject.hopeless(); !reason.empty()) return reason;
+  const bool unreachable =
+      report.steps.size() > 1 && report.steps.front().result != StepResult::kPass;
+  return unreachable ? "the server was not reached" : "";
+}
+
+}  // namespace
+
+base::Result<CheckReport> check_server(const ServerCheckOptions& options,
+                                       const std::function<void(const CheckStep&)>& on_step,
+                                       const std::atomic<int>& stop) {
+  std::optional<StartedServer> server;
+  ServerSubject subject;
+  if (const auto prepared = prepare(options, server, subject, stop); !prepared)
+    return prepared.error();
+  CheckReport report;
+  report.schema = "cls.check/1";
+  report.command = "cls check server";
+  report.subject = options.server.text;
+  std::vector<ServerStep> steps = server_connection_steps();
+  for (const ServerStep& step : server_play_steps()) steps.push_back(step);
+  for (const ServerStep& step : steps) {
+    CheckStep& taken = report.steps.emplace_back();
+    taken.name = step.name;
+    taken.why = step.why;
+    const std::string reason = why_not(subject, report);
+    take(taken, [&] { return reason.empty() ? step.run(subject) : skip(reason); });
+    on_step(taken);
+  }
+  return report;
+}
+
+}  // namespace cls::orchestration::checks

@@ -1,0 +1,27 @@
+// `cls check server`: is it a soccer server that teams can play on?
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <functional>
+#include <string>
+
+#include "base/result.h"
+#include "orchestration/checks/check_report.h"
+#include "orchestration/match/options/server_choice.h"
+
+namespace cls::orchestration::checks {
+
+struct ServerCheckOptions {
+  match::ServerChoice server;  ///< embedded: `own_program server` is started
+  std::string own_program;     ///< path of this binary
+  std::chrono::milliseconds start_timeout{20'000};
+};
+
+/// Takes all steps on a server that nobody has joined yet; what was started is ended. The error
+/// says why nothing could be tried. `stop` nonzero skips what is left.
+base::Result<CheckReport> check_server(const ServerCheckOptions& options,
+                                       const std::function<void(const CheckStep&)>& on_step,
+                                       const std::atomic<int>& stop);
+
+}  // namespace cls::orchestration::checks

@@ -1,0 +1,51 @@
+// Folder, ports, process.
+#include "orchestration/checks/server/started_server.h"
+
+#include <utility>
+
+#include "orchestration/checks/scratch_folder.h"
+
+namespace cls::orchestration::checks {
+
+using base::Error;
+using base::Result;
+
+StartedServer::StartedServer() : folder_(std::make_unique<ScratchFolder>()) {}
+StartedServer::StartedServer(StartedServer&&) noexcept = default;
+StartedServer::~StartedServer() = default;
+
+match::ServerPorts StartedServer::ports() const {
+  return {reserved_[0].number(), reserved_[1].number(), reserved_[2].number()};
+}
+
+Result<StartedServer> StartedServer::start(const match::ServerChoice& choice,
+                                           const std::string& own_program,
+                                           const soccer::ServerParams& params) {
+  StartedServer server;
+  if (server.folder_->path().empty()) return Error{"no folder for its logs can be created"};
+  match::ServerSetup setup;
+  if (choice.kind == match::ServerChoice::Kind::kEmbedded) {
+    setup.program = {own_program, "server"};
+  } else {
+    const auto program = process::find_program(choice.program);
+    if (!program) return program.error();
+    setup.program = {program->string()};
+  }
+  auto ports = process::ReservedPort::choose(3);
+  if (!ports) return ports.error();
+  server.reserved_ = *std::move(ports);
+  setup.folder = server.folder_->path();
+  setup.ports = server.ports();
+  setup.server = params;
+  auto host = process::ProcessHost::create();
+  if (!host) return host.error();
+  server.host_ = std::make_unique<process::ProcessHost>(*std::move(host));
+  auto child = server.host_->start(
+      server_plan(setup),
+      [output = server.output_](std::string_view line) { output->read_line(line); });
+  if (!child) return child.error();
+  server.child_ = *std::move(child);
+  return server;
+}
+
+}  // namespace cls::orchestration::checks

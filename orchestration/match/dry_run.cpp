@@ -1,0 +1,78 @@
+// Plans, printed.
+#include "orchestration/match/dry_run.h"
+
+#include <fmt/format.h>
+
+#include <iterator>
+
+#include "orchestration/match/match.h"
+#include "orchestration/match/network_match.h"
+#include "orchestration/match/options/run_command.h"
+#include "soccer/side_name.h"
+
+namespace cls::orchestration::match {
+namespace {
+
+namespace fs = std::filesystem;
+using base::Result;
+
+void add(std::string& text, const process::CommandPlan& plan) {
+  fmt::format_to(std::back_inserter(text), "# {}\n{}\n", plan.name, process::to_shell(plan));
+}
+
+// The Playmaker of a side that we start, or a comment on the one that is there.
+Result<void> add_playmaker(std::string& text, const MatchOptions& options, const TeamNames& names,
+                           soccer::Side side, const fs::path& folder) {
+  const bool left = side != soccer::Side::kRight;
+  const bool trainer = side == soccer::Side::kNeutral;
+  const Endpoint& endpoint = trainer ? *options.trainer : left ? options.left : options.right;
+  if (endpoint.kind != Endpoint::Kind::kRun) {
+    fmt::format_to(std::back_inserter(text), "# {} Playmaker: {}\n",
+                   trainer ? "trainer" : side_name(side), endpoint.text);
+    return {};
+  }
+  const auto port = process::ReservedPort::choose(1);
+  if (!port) return port.error();
+  const RunValues values = {port->front().number(), side, left ? names.left : names.right,
+                            options.seed.value_or(0)};
+  process::CommandPlan plan = run_plan(endpoint.command, values, folder);
+  if (!trainer) plan.cpus = left ? options.left_cpus : options.right_cpus;
+  add(text, plan);
+  return {};
+}
+
+}  // namespace
+
+Result<std::string> dry_run(const MatchOptions& options) {
+  const TeamNames names = team_names(options);
+  const fs::path folder =
+      fs::absolute(options.folder.empty()
+                       ? fs::path("runs") / fmt::format("UTC-{}-vs-{}", names.left, names.right)
+                       : options.folder);
+  NetworkPlan plan;
+  std::string text = "# soccer server: embedded, in this process\n";
+  if (mode_of(options) != MatchMode::kLockstep) {
+    auto planned = plan_network_match(options, names, options.seed.value_or(0), folder);
+    if (!planned) return planned.error();
+    plan = std::move(*planned);
+    text = fmt::format("# soccer server: {}\n", options.server_choice.text);
+    if (plan.server) add(text, *plan.server);
+  }
+  for (const auto side : {soccer::Side::kLeft, soccer::Side::kRight}) {
+    const auto& team = plan.teams[side == soccer::Side::kLeft ? 0 : 1];
+    if (!team) {
+      const auto added = add_playmaker(text, options, names, side, folder);
+      if (!added) return added.error();
+      continue;
+    }
+    for (const process::CommandPlan& agent : team->agents) add(text, agent);
+    if (team->kill) add(text, *team->kill);
+  }
+  if (options.trainer) {
+    const auto added = add_playmaker(text, options, names, soccer::Side::kNeutral, folder);
+    if (!added) return added.error();
+  }
+  return text;
+}
+
+}  // namespace cls::orchestration::match

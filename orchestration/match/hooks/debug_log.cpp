@@ -1,0 +1,105 @@
+// Debug actions as JSON lines.
+#include "orchestration/match/hooks/debug_log.h"
+
+#include <google/protobuf/util/json_util.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "proto/playmaker.pb.h"
+
+namespace cls::orchestration::match {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// The fields of a message under their names in the .proto file.
+Json fields_of(const google::protobuf::Message& message) {
+  google::protobuf::util::JsonPrintOptions options;
+  options.preserve_proto_field_names = true;
+  std::string text;
+  const auto status = google::protobuf::util::MessageToJsonString(message, &text, options);
+  return status.ok() ? Json::parse(text) : Json::object();
+}
+
+// "add_circle" is a "circle".
+std::string kind_of(const protos::Log& log) {
+  const auto* field = protos::Log::descriptor()->FindFieldByNumber(log.log_case());
+  return field == nullptr ? "nothing" : field->name().substr(4);
+}
+
+Json json_of(int time, int unum, const protos::PlayerAction& action) {
+  Json json = {{"t", time}, {"unum", unum}};
+  if (action.has_debug_client()) {
+    json["kind"] = "debug_client";
+    json["message"] = action.debug_client().message();
+    return json;
+  }
+  const protos::Log& log = action.log();
+  json["kind"] = kind_of(log);
+  const Json all = fields_of(log);
+  for (const auto& [unused, shape] : all.items()) {
+    for (const auto& [key, value] : shape.items()) json[key] = value;
+  }
+  return json;
+}
+
+}  // namespace
+
+DebugLog::DebugLog(const std::filesystem::path& folder)
+    : ears_{Ear(folder / kLeftDebugFile, time_), Ear(folder / kRightDebugFile, time_)} {}
+
+proxy::RpcListener* DebugLog::listener(soccer::Side side) {
+  return &ears_[side == soccer::Side::kRight ? 1 : 0];
+}
+
+void DebugLog::Ear::on_call(const proxy::RpcCall& call) {
+  if (call.rpc != proto::Rpc::kGetPlayerActions || call.reply == nullptr) return;
+  for (const auto& action : static_cast<const protos::PlayerActions&>(*call.reply).actions()) {
+    if (!action.has_log() && !action.has_debug_client()) continue;
+    // A Playmaker may say what is no text at all.
+    lines_.emplace_back(
+        call.agent,
+        json_of(time_, call.agent, action).dump(-1, ' ', false, Json::error_handler_t::replace));
+  }
+}
+
+void DebugLog::Ear::flush() {
+  if (lines_.empty() || !problem_.empty()) return;
+  if (sink_ == nullptr) {
+    auto created = base::FileSink::create(file_.string());
+    if (!created) {
+      problem_ = created.error().message;
+      return;
+    }
+    sink_ = *std::move(created);
+  }
+  std::stable_sort(lines_.begin(), lines_.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  for (const auto& [unused, line] : lines_) sink_->write(line + "\n");
+  lines_.clear();
+}
+
+std::string DebugLog::Ear::close() {
+  flush();
+  if (sink_ != nullptr && problem_.empty()) {
+    const auto closed = sink_->close();
+    if (!closed) problem_ = closed.error().message;
+  }
+  return problem_;
+}
+
+void DebugLog::before_decisions(const simulator::World& world) { time_ = world.clock.time; }
+
+bool DebugLog::after_cycle(const simulator::World& /*world*/) {
+  for (Ear& ear : ears_) ear.flush();
+  return true;
+}
+
+std::string DebugLog::close() {
+  std::string problem = ears_[0].close();
+  const std::string right = ears_[1].close();
+  return problem.empty() ? right : problem;
+}
+
+}  // namespace cls::orchestration::match

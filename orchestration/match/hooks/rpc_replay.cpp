@@ -1,0 +1,261 @@
+// Asking again and comparing.
+#include "orchestration/match/hooks/rpc_replay.h"
+
+#include <fmt/format.h>
+#include <google/protobuf/util/message_differencer.h>
+
+#include <algorithm>
+#include <array>
+#include <nlohmann/json.hpp>
+
+#include "orchestration/match/options/match_options.h"
+#include "orchestration/match/sides/match_side.h"
+#include "proto/rpc.h"
+#include "proxy/playmaker/playmaker.h"
+#include "soccer/side_name.h"
+
+namespace cls::orchestration::match {
+namespace {
+
+using base::Error;
+using base::Result;
+using google::protobuf::Message;
+using proto::Rpc;
+using recording::RecordedCall;
+using soccer::Side;
+
+int number_of(Side side) { return side == Side::kRight ? 2 : 1; }
+
+Side side_to_ask(const ReplayOptions& options, const recording::RecordingHeader& header) {
+  if (options.side) return *options.side;
+  const bool left_is_mock = header.left_endpoint().rfind("mock", 0) == 0;
+  const bool right_is_mock = header.right_endpoint().rfind("mock", 0) == 0;
+  return left_is_mock && !right_is_mock ? Side::kRight : Side::kLeft;
+}
+
+// "modified: actions[0].dash.power: 100 -> 80" without its first word.
+std::vector<std::string> differing_fields(const Message& recorded, const Message& now) {
+  google::protobuf::util::MessageDifferencer differencer;
+  std::string report;
+  differencer.ReportDifferencesToString(&report);
+  if (differencer.Compare(recorded, now)) return {};
+  std::vector<std::string> fields;
+  for (std::size_t at = 0; at < report.size();) {
+    const std::size_t end = std::min(report.find('\n', at), report.size());
+    std::string line = report.substr(at, end - at);
+    if (line.rfind("modified: ", 0) == 0) line = line.substr(10);
+    if (!line.empty()) fields.push_back(std::move(line));
+    at = end + 1;
+  }
+  return fields;
+}
+
+class Replay {
+ public:
+  Replay(const ReplayOptions& options, proxy::Playmaker& playmaker, ReplayResult& result)
+      : options_(options), playmaker_(playmaker), result_(result) {}
+
+  // One call of the side; the error ends the replay.
+  Result<void> take(const RecordedCall& call) {
+    const auto rpc = proto::rpc_from_name(call.rpc());
+    if (!rpc) return {};
+    ++result_.calls;
+    if (call.step() != step_) finish_step();
+    step_ = call.step();
+    std::unique_ptr<Message> request(proto::request_prototype(*rpc).New());
+    if (!request->ParseFromString(call.request())) {
+      return Error{fmt::format("{}: call {} is damaged", options_.file, result_.calls)};
+    }
+    introduce(*rpc, call.agent(), *request);
+    if (is_decision(*rpc)) {
+      begin(*rpc, call, static_cast<const protos::State&>(*request));
+      return {};
+    }
+    finish_step();
+    return ask(*rpc, call, *request);
+  }
+
+  void finish_step() {
+    while (const auto reply = playmaker_.next_reply()) {
+      const RecordedCall& call = asked_.at(static_cast<std::size_t>(reply->agent));
+      const Message* now = reply->player;
+      if (reply->coach != nullptr) now = reply->coach;
+      if (reply->trainer != nullptr) now = reply->trainer;
+      compare(call, now, reply->status);
+    }
+    std::sort(fresh_.begin(), fresh_.end(),
+              [](const auto& a, const auto& b) { return a.agent < b.agent; });
+    for (ReplyDifference& each : fresh_) result_.differences.push_back(std::move(each));
+    fresh_.clear();
+  }
+
+ private:
+  // Puts the identity that the Playmaker gave this time into a request.
+  void introduce(Rpc rpc, int agent, Message& request) {
+    const protos::RegisterResponse& identity = identities_.at(static_cast<std::size_t>(agent));
+    if (rpc == Rpc::kRegister) return;
+    if (rpc == Rpc::kSendByeCommand) {
+      request.CopyFrom(identity);
+      return;
+    }
+    const auto* field = request.GetDescriptor()->FindFieldByName("register_response");
+    request.GetReflection()->MutableMessage(&request, field)->CopyFrom(identity);
+  }
+
+  void begin(Rpc rpc, const RecordedCall& call, const protos::State& state) {
+    asked_.at(static_cast<std::size_t>(call.agent())) = call;
+    const proxy::RpcTimeout deadline(options_.rpc_deadline_ms);
+    if (rpc == Rpc::kGetPlayerActions) {
+      playmaker_.begin_player_actions(call.agent(), state, deadline);
+    } else if (rpc == Rpc::kGetCoachActions) {
+      playmaker_.begin_coach_actions(call.agent(), state, deadline);
+    } else {
+      playmaker_.begin_trainer_actions(call.agent(), state, deadline);
+    }
+  }
+
+  Result<void> ask(Rpc rpc, const RecordedCall& call, const Message& request) {
+    const int agent = call.agent();
+    const proxy::RpcTimeout limit(static_cast<int>(options_.start_timeout_s * 1000));
+    proxy::RpcStatus status;
+    protos::RegisterResponse identity;
+    const Message* now = &proto::reply_prototype(rpc);
+    if (rpc == Rpc::kRegister) {
+      status = playmaker_.register_agent(
+          agent, static_cast<const protos::RegisterRequest&>(request), limit, identity);
+      if (!status.ok() && status.outcome != proxy::RpcOutcome::kUnimplemented) {
+        return Error{status.message};
+      }
+      identities_.at(static_cast<std::size_t>(agent)) = identity;
+      now = &identity;
+    } else if (rpc == Rpc::kSendServerParams) {
+      status = playmaker_.send_server_params(
+          agent, static_cast<const protos::ServerParam&>(request), limit);
+    } else if (rpc == Rpc::kSendPlayerParams) {
+      status = playmaker_.send_player_params(
+          agent, static_cast<const protos::PlayerParam&>(request), limit);
+    } else if (rpc == Rpc::kSendPlayerType) {
+      status = playmaker_.send_player_type(agent, static_cast<const protos::PlayerType&>(request),
+                                           limit);
+    } else if (rpc == Rpc::kSendInitMessage) {
+      status = playmaker_.send_init_message(agent, static_cast<const protos::InitMessage&>(request),
+                                            limit);
+    } else if (rpc == Rpc::kSendByeCommand) {
+      status =
+          playmaker_.send_bye(agent, static_cast<const protos::RegisterResponse&>(request), limit);
+    } else {
+      ++result_.skipped;  // the planner's calls belong to a decision under way
+      return {};
+    }
+    compare(call, status.ok() ? now : nullptr, status);
+    finish_step();
+    return {};
+  }
+
+  void compare(const RecordedCall& call, const Message* now, const proxy::RpcStatus& status) {
+    if (call.status() != 0) {
+      ++result_.skipped;
+      return;
+    }
+    const Rpc rpc = *proto::rpc_from_name(call.rpc());
+    std::unique_ptr<Message> recorded(proto::reply_prototype(rpc).New());
+    recorded->ParseFromString(call.reply());
+    // Which number an agent gets is the Playmaker's affair.
+    if (rpc == Rpc::kRegister && now != nullptr) {
+      static_cast<protos::RegisterResponse&>(*recorded).set_client_id(
+          static_cast<const protos::RegisterResponse&>(*now).client_id());
+    }
+    std::vector<std::string> fields = now == nullptr
+                                          ? std::vector<std::string>{"no reply: " + status.message}
+                                          : differing_fields(*recorded, *now);
+    if (fields.empty()) {
+      ++result_.same;
+      return;
+    }
+    fresh_.push_back({call.step(), cycle_of(rpc, call), call.agent(), call.rpc(), fields});
+  }
+
+  static int cycle_of(Rpc rpc, const RecordedCall& call) {
+    protos::State state;
+    if (!is_decision(rpc) || !state.ParseFromString(call.request())) return 0;
+    return state.world_model().cycle();
+  }
+
+  const ReplayOptions& options_;
+  proxy::Playmaker& playmaker_;
+  ReplayResult& result_;
+  int step_ = 0;
+  std::array<protos::RegisterResponse, proxy::kAgentNumbers> identities_;
+  std::array<RecordedCall, proxy::kAgentNumbers> asked_;
+  std::vector<ReplyDifference> fresh_;
+};
+
+}  // namespace
+
+Result<ReplayResult> replay_recording(const ReplayOptions& options,
+                                      const std::atomic<int>& stop_signal) {
+  std::string error;
+  const auto reader = proto::RecordingReader::open(options.file, error);
+  if (reader == nullptr) return Error{error};
+  ReplayResult result;
+  result.header = reader->header();
+  result.side = side_to_ask(options, result.header);
+  std::optional<process::ProcessHost> host;
+  if (options.endpoint.starts_programs()) {
+    auto created = process::ProcessHost::create();
+    if (!created) return created.error();
+    host.emplace(*std::move(created));
+  }
+  const std::string team =
+      result.side == Side::kLeft ? result.header.left_name() : result.header.right_name();
+  auto side = MatchSide::create(
+      options.endpoint,
+      {result.side, team, result.header.seed(), options.folder, host ? &*host : nullptr, {}},
+      MatchOptions());
+  if (!side) return side.error();
+  Replay replay(options, (*side)->playmaker(), result);
+  RecordedCall call;
+  while (reader->next(call)) {
+    result.interrupted = stop_signal.load() != 0;
+    if (result.interrupted) break;
+    if (call.side() != number_of(result.side)) continue;
+    if (const auto taken = replay.take(call); !taken) return taken.error();
+  }
+  replay.finish_step();
+  if (!reader->damage().empty()) return Error{reader->damage()};
+  return result;
+}
+
+std::string to_json(const ReplayResult& result) {
+  using Json = nlohmann::ordered_json;
+  Json json = {{"schema", "cls.replay/1"},  {"side", side_name(result.side)},
+               {"calls", result.calls},     {"same", result.same},
+               {"skipped", result.skipped}, {"different", result.differences.size()}};
+  json["differences"] = Json::array();
+  for (const ReplyDifference& each : result.differences) {
+    json["differences"].push_back({{"step", each.step},
+                                   {"cycle", each.cycle},
+                                   {"agent", each.agent},
+                                   {"rpc", each.rpc},
+                                   {"fields", each.fields}});
+  }
+  return json.dump(2) + "\n";
+}
+
+std::string to_text(const ReplayResult& result, std::size_t most) {
+  std::string text;
+  for (std::size_t i = 0; i < std::min(most, result.differences.size()); ++i) {
+    const ReplyDifference& each = result.differences[i];
+    text += fmt::format("cycle {} (step {}), player {}, {}:\n", each.cycle, each.step, each.agent,
+                        each.rpc);
+    for (const std::string& field : each.fields) text += fmt::format("    {}\n", field);
+  }
+  if (result.differences.size() > most) {
+    text += fmt::format("... and {} more (--json has all)\n", result.differences.size() - most);
+  }
+  return text + fmt::format("{} calls of the {} side: {} replies as recorded, {} different\n",
+                            result.calls, side_name(result.side), result.same,
+                            result.differences.size());
+}
+
+}  // namespace cls::orchestration::match

@@ -1,0 +1,170 @@
+// Parsing of side forms and the team names that follow from them.
+#include "orchestration/match/options/endpoint.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <filesystem>
+
+#include "base/text/suggestion.h"
+#include "mock-server/mock.h"
+#include "orchestration/match/options/run_command.h"
+
+namespace cls::orchestration::match {
+namespace {
+
+using base::Error;
+using base::Result;
+
+constexpr std::size_t kMaxTeamName = 15;
+constexpr int kMaxPort = 65535;
+constexpr int kHighestStep = 13;
+
+bool is_team_character(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ||
+         c == '_' || c == '+';
+}
+
+Error unknown_form(std::string_view text) {
+  std::string message = fmt::format("unknown side '{}'", text);
+  const std::string_view near = base::nearest_name(text, {"mock", "mock:hold"});
+  if (!near.empty()) message += fmt::format("; did you mean '{}'?", near);
+  message +=
+      " (a side is mock, mock:BEHAVIOUR, mock:FILE.json, HOST:PORT, HOST:PORT+step, "
+      "tls:HOST:PORT, unix:PATH, run:COMMAND or team:DIR)";
+  return Error{std::move(message)};
+}
+
+Result<Endpoint> parse_address(std::string_view text) {
+  const std::size_t colon = text.rfind(':');
+  Endpoint endpoint;
+  endpoint.kind = Endpoint::Kind::kAddress;
+  endpoint.text = text;
+  endpoint.host = text.substr(0, colon);
+  std::string_view port = text.substr(colon + 1);
+  if (const std::size_t plus = port.find('+'); plus != std::string_view::npos) {
+    if (port.substr(plus) != "+step") return unknown_form(text);
+    endpoint.port_step = true;
+    port = port.substr(0, plus);
+  }
+  const auto [end, error] = std::from_chars(port.data(), port.data() + port.size(), endpoint.port);
+  if (port.empty() || error == std::errc::invalid_argument || end != port.data() + port.size()) {
+    return unknown_form(text);
+  }
+  const int highest = endpoint.port + (endpoint.port_step ? kHighestStep : 0);
+  if (error != std::errc{} || endpoint.port < 1 || highest > kMaxPort) {
+    return Error{fmt::format("side '{}': port {} is not within 1 to 65535", text, port)};
+  }
+  if (endpoint.host.empty()) return Error{fmt::format("side '{}': no host before the port", text)};
+  return endpoint;
+}
+
+// "teams/helios/" is "helios", "." the name of the folder we are in.
+std::string folder_name(const std::string& path) {
+  std::error_code code;
+  const std::filesystem::path whole = std::filesystem::absolute(path, code).lexically_normal();
+  return (whole.has_filename() ? whole : whole.parent_path()).filename().string();
+}
+
+}  // namespace
+
+Result<Endpoint> parse_endpoint(std::string_view text) {
+  Endpoint endpoint;
+  endpoint.text = text;
+  if (text == "mock") return endpoint;
+  if (text.starts_with("mock:")) {
+    endpoint.behaviour = text.substr(5);
+    if (endpoint.behaviour.empty()) return Error{"side 'mock:': no behaviour after the colon"};
+    return endpoint;
+  }
+  if (text.starts_with("unix:")) {
+    endpoint.kind = Endpoint::Kind::kUnixSocket;
+    endpoint.path = text.substr(5);
+    if (endpoint.path.empty()) return Error{"side 'unix:': no path after the colon"};
+    return endpoint;
+  }
+  if (text.starts_with("tls:")) {
+    if (text.find(':', 4) == std::string_view::npos) {
+      return Error{fmt::format("side '{}': after tls: comes HOST:PORT", text)};
+    }
+    auto secure = parse_address(text.substr(4));
+    if (!secure) return secure;
+    secure->text = text;
+    secure->tls = std::make_shared<proxy::TlsFiles>();
+    return secure;
+  }
+  if (text.starts_with("run:")) {
+    endpoint.kind = Endpoint::Kind::kRun;
+    endpoint.command = text.substr(4);
+    if (const auto good = check_run_command(endpoint.command); !good) {
+      return Error{fmt::format("side '{}': {}", text, good.error().message)};
+    }
+    return endpoint;
+  }
+  if (text.starts_with("team:")) {
+    endpoint.kind = Endpoint::Kind::kTeam;
+    endpoint.path = text.substr(5);
+    if (endpoint.path.empty()) return Error{"side 'team:': no folder after the colon"};
+    return endpoint;
+  }
+  if (text.find(':') == std::string_view::npos) return unknown_form(text);
+  return parse_address(text);
+}
+
+Result<void> load_script(Endpoint& endpoint) {
+  const bool named = endpoint.kind == Endpoint::Kind::kMock && endpoint.script == nullptr &&
+                     mock_server::names_script(endpoint.behaviour);
+  if (!named) return {};
+  auto script = mock_server::read_script(endpoint.behaviour);
+  if (!script) return script.error();
+  endpoint.script = *std::move(script);
+  return {};
+}
+
+std::string default_team_name(const Endpoint& endpoint) {
+  std::string source;
+  switch (endpoint.kind) {
+    case Endpoint::Kind::kMock:
+      source = endpoint.behaviour.empty()
+                   ? "mock"
+                   : std::filesystem::path(endpoint.behaviour).stem().string();
+      break;
+    case Endpoint::Kind::kAddress:
+      source = fmt::format("{}_{}", endpoint.host, endpoint.port);
+      break;
+    case Endpoint::Kind::kUnixSocket:
+      source = std::filesystem::path(endpoint.path).stem().string();
+      break;
+    case Endpoint::Kind::kRun:
+      source = program_in(endpoint.command);
+      break;
+    case Endpoint::Kind::kTeam:
+      source = folder_name(endpoint.path);
+      break;
+  }
+  std::string name;
+  for (const char c : source) name += is_team_character(c) ? c : '_';
+  if (name.size() > kMaxTeamName) name = name.substr(name.size() - kMaxTeamName);
+  return name.empty() ? "team" : name;
+}
+
+Result<std::string> check_team_name(std::string_view name) {
+  if (name.empty()) return Error{"a team name must not be empty"};
+  if (name.size() > kMaxTeamName) {
+    return Error{fmt::format("team name '{}' is longer than {} characters", name, kMaxTeamName)};
+  }
+  for (const char c : name) {
+    if (!is_team_character(c)) {
+      return Error{fmt::format("team name '{}': only letters, digits, '-', '+' and '_'", name)};
+    }
+  }
+  return std::string(name);
+}
+
+TeamNames distinct_names(std::string left, std::string right) {
+  if (left != right) return {std::move(left), std::move(right)};
+  const std::string stem = left.substr(0, kMaxTeamName - 2);
+  return {stem + "_l", stem + "_r"};
+}
+
+}  // namespace cls::orchestration::match

@@ -1,0 +1,79 @@
+// Parsing of --server and --mode.
+#include "orchestration/match/options/server_choice.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <charconv>
+#include <vector>
+
+#include "base/text/suggestion.h"
+
+namespace cls::orchestration::match {
+namespace {
+
+using base::Error;
+using base::Result;
+
+constexpr std::array<MatchMode, 3> kModes = {MatchMode::kLockstep, MatchMode::kSynch,
+                                             MatchMode::kRealtime};
+
+// Digits only, or 0 when they are no port.
+int port_in(std::string_view text) {
+  int port = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), port);
+  const bool whole = error == std::errc{} && end == text.data() + text.size();
+  return whole && port >= 1 && port <= 65535 ? port : 0;
+}
+
+}  // namespace
+
+Result<ServerChoice> parse_server(std::string_view text) {
+  ServerChoice choice;
+  choice.text = text;
+  if (text == "embedded") return choice;
+  const std::size_t colon = text.rfind(':');
+  if (colon != std::string_view::npos && text.find('/') == std::string_view::npos) {
+    choice.kind = ServerChoice::Kind::kAddress;
+    choice.host = text.substr(0, colon);
+    choice.port = port_in(text.substr(colon + 1));
+    if (choice.host.empty() || choice.port == 0) {
+      return Error{fmt::format("--server '{}': HOST:PORT with a port from 1 to 65535", text)};
+    }
+    return choice;
+  }
+  choice.kind = ServerChoice::Kind::kProgram;
+  choice.program = text;
+  const std::string_view near = base::nearest_name(text, {"embedded", "rcssserver"});
+  if (text.empty() || (near != text && !near.empty())) {
+    const std::string hint = near.empty() ? "" : fmt::format("did you mean '{}'? ", near);
+    return Error{fmt::format(
+        "--server '{}': {}(embedded, rcssserver, the PATH of a server, or HOST:PORT)", text, hint)};
+  }
+  return choice;
+}
+
+std::string_view name(MatchMode mode) {
+  switch (mode) {
+    case MatchMode::kSynch:
+      return "synch";
+    case MatchMode::kRealtime:
+      return "realtime";
+    case MatchMode::kLockstep:
+      break;
+  }
+  return "lockstep";
+}
+
+Result<MatchMode> parse_mode(std::string_view text) {
+  std::vector<std::string_view> names;
+  for (const MatchMode mode : kModes) {
+    if (name(mode) == text) return mode;
+    names.push_back(name(mode));
+  }
+  const std::string_view near = base::nearest_name(text, names);
+  if (!near.empty()) return Error{fmt::format("--mode '{}': did you mean '{}'?", text, near)};
+  return Error{fmt::format("--mode '{}': must be {}", text, fmt::join(names, " or "))};
+}
+
+}  // namespace cls::orchestration::match

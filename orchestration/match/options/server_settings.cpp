@@ -1,0 +1,157 @@
+// Settings from words and files.
+#include "orchestration/match/options/server_settings.h"
+
+#include <fmt/format.h>
+
+#include <cstdlib>
+
+#include "base/io/whole_file.h"
+#include "soccer/parameters/configuration.h"
+#include "soccer/parameters/parameter.h"
+
+namespace cls::orchestration::match {
+namespace {
+
+using base::Error;
+using base::Result;
+using soccer::ConfigurationItem;
+
+constexpr int kDeepestInclude = 16;
+
+// The parameters that rcssserver does not have in a table, in the same form.
+struct OtherSettings {
+  bool save = false;
+  std::string filename;
+  int max_wait_ms = 0;
+  int max_missed = 0;
+};
+
+using OtherTable = soccer::ParameterTable<OtherSettings>;
+
+const OtherTable& csv_table() {
+  static const OtherTable table = {
+      {"save", &OtherSettings::save, 0, "", "append a result line at the end"},
+      {"filename", &OtherSettings::filename, 0, "", "to this file"}};
+  return table;
+}
+
+const OtherTable& sync_table() {
+  static const OtherTable table = {
+      {"max_wait_ms", &OtherSettings::max_wait_ms, 0, "ms", "longest wait for (done)"},
+      {"max_missed", &OtherSettings::max_missed, 0, "cyc",
+       "cycles in a row with an answer missing"}};
+  return table;
+}
+
+Result<void> set_other(ServerSettings& settings, const OtherTable& table,
+                       const ConfigurationItem& item) {
+  OtherSettings other{settings.save_csv, settings.csv_file, settings.max_wait_ms,
+                      settings.max_missed};
+  const auto done = set_parameter(other, table, item.name, item.value);
+  if (!done) return done.error();
+  if (other.max_wait_ms <= 0 || other.max_missed < 0) {
+    return Error{fmt::format("parameter '{}': {} is too small", item.name, item.value)};
+  }
+  settings.save_csv = other.save;
+  settings.csv_file = other.filename;
+  settings.max_wait_ms = other.max_wait_ms;
+  settings.max_missed = other.max_missed;
+  return {};
+}
+
+Result<void> apply_file(ServerSettings& settings, const std::filesystem::path& file, int depth);
+
+// "sync.max_missed" is the same as "sync::max_missed".
+ConfigurationItem with_module(ConfigurationItem item) {
+  constexpr std::string_view kSync = "sync.";
+  if (item.module.empty() && item.name.starts_with(kSync)) {
+    item.module = "sync";
+    item.name.erase(0, kSync.size());
+  }
+  return item;
+}
+
+Result<void> apply_item(ServerSettings& settings, const ConfigurationItem& written,
+                        const std::filesystem::path& folder, int depth) {
+  const ConfigurationItem item = with_module(written);
+  if (item.name == "help") {
+    settings.help = true;
+    return {};
+  }
+  if (item.module.empty() && item.name == "include") {
+    return apply_file(settings, folder / item.value, depth + 1);
+  }
+  if (item.name == "version") {
+    if (item.value == kConfigurationVersion) return {};
+    return Error{
+        fmt::format("a configuration of version {}, not {}", item.value, kConfigurationVersion)};
+  }
+  if (item.module == "server") {
+    return set_parameter(settings.server, soccer::server_param_table(), item.name, item.value);
+  }
+  if (item.module == "player") {
+    return set_parameter(settings.player, soccer::player_param_table(), item.name, item.value);
+  }
+  if (item.module == "CSVSaver") return set_other(settings, csv_table(), item);
+  if (item.module == "sync") return set_other(settings, sync_table(), item);
+  return Error{fmt::format("'{}': the module is server, player, CSVSaver or sync, not '{}'",
+                           item.name, item.module)};
+}
+
+Result<void> apply_file(ServerSettings& settings, const std::filesystem::path& file, int depth) {
+  if (depth > kDeepestInclude) {
+    return Error{fmt::format("{}: files that include each other", file.string())};
+  }
+  const auto text = base::read_file(file);
+  if (!text) return Error{fmt::format("cannot read {}", file.string())};
+  const auto items = soccer::parse_configuration(*text);
+  if (!items) return Error{fmt::format("{}: {}", file.string(), items.error().message)};
+  for (const ConfigurationItem& item : *items) {
+    const auto done = apply_item(settings, item, file.parent_path(), depth);
+    if (!done) {
+      return Error{fmt::format("{}:{}: {}", file.string(), item.line, done.error().message)};
+    }
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<void> apply_arguments(ServerSettings& settings, const std::vector<std::string>& arguments) {
+  const auto items = soccer::parse_configuration(soccer::join_arguments(arguments));
+  if (!items) {
+    // A command line has one line only.
+    const std::string& message = items.error().message;
+    return Error{message.substr(message.find(": ") + 2)};
+  }
+  for (const ConfigurationItem& item : *items) {
+    if (auto done = apply_item(settings, item, {}, 0); !done) return done.error();
+  }
+  return {};
+}
+
+Result<void> apply_file(ServerSettings& settings, const std::filesystem::path& file) {
+  return apply_file(settings, file, 0);
+}
+
+Result<std::vector<std::filesystem::path>> apply_folder(ServerSettings& settings,
+                                                        const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> found;
+  if (folder.empty()) return found;
+  for (const char* name : {"server.conf", "player.conf", "CSVSaver.conf"}) {
+    const std::filesystem::path file = folder / name;
+    std::error_code error;
+    if (!std::filesystem::exists(file, error)) continue;
+    if (auto done = apply_file(settings, file); !done) return done.error();
+    found.push_back(file);
+  }
+  return found;
+}
+
+std::filesystem::path configuration_folder() {
+  if (const char* named = std::getenv("RCSS_CONF_DIR")) return named;
+  const char* home = std::getenv("HOME");
+  return home == nullptr ? std::filesystem::path() : std::filesystem::path(home) / ".rcssserver";
+}
+
+}  // namespace cls::orchestration::match

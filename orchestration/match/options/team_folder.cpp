@@ -1,0 +1,86 @@
+// The start contracts of foreign teams as command plans.
+#include "orchestration/match/options/team_folder.h"
+
+#include <fmt/format.h>
+
+#include "soccer/side_name.h"
+
+namespace cls::orchestration::match {
+namespace {
+
+namespace fs = std::filesystem;
+using base::Error;
+using base::Result;
+
+constexpr int kPlayers = 11;
+constexpr int kCoach = 12;
+
+process::CommandPlan plan_of(const fs::path& team, const TeamValues& values,
+                             const fs::path& program, const std::string& who,
+                             const std::string& log) {
+  process::CommandPlan plan;
+  plan.name = fmt::format("{} {}", side_name(values.side), who);
+  plan.argv = {program.string()};
+  plan.folder = team;
+  plan.log = values.folder / fmt::format("{}-{}.log", side_name(values.side), log);
+  plan.cpus = values.cpus;
+  return plan;
+}
+
+process::CommandPlan agent_plan(const fs::path& team, const TeamValues& values, int number) {
+  const std::string who = number == kCoach ? "coach" : fmt::format("player {}", number);
+  const std::string log = number == kCoach ? "coach" : fmt::format("player-{:02}", number);
+  process::CommandPlan plan = plan_of(team, values, team / "start", who, log);
+  for (const std::string& word : {values.host, team.string(), std::to_string(number)}) {
+    plan.argv.push_back(word);
+  }
+  return plan;
+}
+
+process::CommandPlan whole_team_plan(const fs::path& team, const TeamValues& values) {
+  process::CommandPlan plan = plan_of(team, values, team / "start.sh", "team", "team");
+  for (const std::string& word :
+       {std::string("-h"), values.host, std::string("-p"), std::to_string(values.ports.player),
+        std::string("-P"), std::to_string(values.ports.coach), std::string("-t"),
+        values.team_name}) {
+    plan.argv.push_back(word);
+  }
+  if (!values.coach) plan.argv.push_back("-C");
+  return plan;
+}
+
+}  // namespace
+
+Result<TeamPlan> team_plan(const fs::path& folder, const TeamValues& values) {
+  std::error_code code;
+  if (!fs::is_directory(folder, code)) {
+    return Error{fmt::format("team folder {}: no such folder", folder.string())};
+  }
+  const fs::path team = fs::canonical(folder, code);
+  const bool each = fs::exists(team / "start", code);
+  const fs::path program = team / (each ? "start" : "start.sh");
+  if (!fs::exists(program, code)) {
+    return Error{fmt::format("team folder {}: neither start nor start.sh in it", folder.string())};
+  }
+  if (const auto found = process::find_program(program.string()); !found) {
+    return Error{fmt::format("team folder {}: {}", folder.string(), found.error().message)};
+  }
+  TeamPlan plan;
+  if (each) {
+    const int last = values.coach ? kCoach : kPlayers;
+    for (int number = 1; number <= last; ++number) {
+      plan.agents.push_back(agent_plan(team, values, number));
+    }
+  } else {
+    plan.contract = TeamPlan::Contract::kStartAll;
+    plan.takes_ports = true;
+    plan.takes_name = true;
+    plan.agents.push_back(whole_team_plan(team, values));
+  }
+  if (process::find_program((team / "kill").string())) {
+    plan.kill = plan_of(team, values, team / "kill", "kill script", "kill");
+  }
+  return plan;
+}
+
+}  // namespace cls::orchestration::match

@@ -1,0 +1,59 @@
+// The log files of a soccer server that runs alone, named as rcssserver names them.
+#pragma once
+
+#include <ctime>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/io/byte_sink.h"
+#include "base/result.h"
+#include "gamelog/record/frame.h"
+#include "simulator/sessions/match_recorder.h"
+#include "soccer/parameters/server_params.h"
+
+namespace cls::orchestration::match {
+
+/// Opens the logs that the parameters want (game_logging, text_logging; keepaway_logging in
+/// keepaway): game_log_dir, game_log_fixed_name, game_log_dated, game_log_compression and so on.
+/// While the match runs they are called incomplete.rcg, .rcl and .kwy; finish() gives them their
+/// names (`20261120203857-A_1-vs-B_0.rcg`), unless these are fixed. Where the name of the game log
+/// tells the date, the log does too: only logs of other names can be the same bytes twice.
+class ServerLogs {
+ public:
+  /// The error names the file or folder that cannot be created. game_log_version must be one (see
+  /// gamelog::rcg_version).
+  static base::Result<ServerLogs> open(const soccer::ServerParams& params, std::time_t start);
+
+  /// Null where no such log is wanted.
+  simulator::LogSinks sinks() const;
+  base::ByteSink* keepaway() { return keepaway_.sink.get(); }
+
+  /// Closes and names them. The error is the first one since the start.
+  base::Result<void> finish(const gamelog::TeamFrames& teams);
+
+  /// Where they are: the last names once finished.
+  std::vector<std::filesystem::path> paths() const;
+
+ private:
+  struct Log {
+    std::unique_ptr<base::ByteSink> sink;
+    std::filesystem::path path;
+    std::string ending;
+    std::string date;    ///< before the name of the match
+    bool fixed = false;  ///< keeps its name
+  };
+  struct Wish;
+
+  static base::Result<Log> open(const Wish& wish, const std::string& date);
+  static base::Result<void> finish(Log& log, const std::string& match);
+
+  Log game_;
+  Log text_;
+  Log keepaway_;
+  gamelog::RcgVersion version_ = gamelog::RcgVersion::kV6;
+  gamelog::LogDate date_;
+};
+
+}  // namespace cls::orchestration::match

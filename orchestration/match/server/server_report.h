@@ -1,0 +1,34 @@
+// How rcssserver tells the result of a match, for the scripts that read it.
+#pragma once
+
+#include <ctime>
+#include <optional>
+#include <string>
+
+#include "soccer/side.h"
+
+namespace cls::orchestration::match {
+
+struct ReportedTeam {
+  std::string name;   ///< empty: never connected
+  std::string coach;  ///< empty: none
+  int score = 0;
+  int penalties_taken = 0;
+  int penalties_scored = 0;
+};
+
+struct ServerReport {
+  std::time_t start = 0;
+  ReportedTeam left;
+  ReportedTeam right;
+  soccer::Side coin_toss_winner = soccer::Side::kNeutral;
+};
+
+/// What rcssserver prints at its end (protocol 7.4); `csv`: what became of the table.
+std::string console_report(const ServerReport& report, bool csv_saved);
+
+/// A line of the table of results, and its first line.
+std::string csv_line(const ServerReport& report);
+std::string csv_header();
+
+}  // namespace cls::orchestration::match

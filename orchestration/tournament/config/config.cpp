@@ -1,0 +1,202 @@
+// Names of the words in a configuration and the checks of the whole.
+#include "orchestration/tournament/config/config.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "base/text/suggestion.h"
+#include "orchestration/match/options/endpoint.h"
+#include "orchestration/match/options/match_options.h"
+
+namespace cls::orchestration::tournament {
+namespace {
+
+std::string unknown_team(const TournamentConfig& config, std::string_view key,
+                         std::string_view name) {
+  std::vector<std::string_view> known;
+  for (const TeamEntry& team : config.teams) known.push_back(team.name);
+  const std::string_view near = base::nearest_name(name, known);
+  return fmt::format("{}: there is no team '{}'{}", key, name,
+                     near.empty() ? "" : fmt::format("; did you mean '{}'?", near));
+}
+
+class Mistakes {
+ public:
+  void demand(bool holds, std::string message) {
+    if (!holds) lines_.push_back(std::move(message));
+  }
+  std::vector<std::string> take() { return std::move(lines_); }
+
+ private:
+  std::vector<std::string> lines_;
+};
+
+void check_teams(Mistakes& mistakes, const TournamentConfig& config) {
+  mistakes.demand(config.teams.size() >= 2,
+                  fmt::format("a tournament needs two teams at least, there {} (give [teams.NAME] "
+                              "with an endpoint for each)",
+                              config.teams.empty() ? "is none" : "is one"));
+  std::set<std::string> seen;
+  for (const TeamEntry& team : config.teams) {
+    mistakes.demand(seen.insert(team.name).second,
+                    fmt::format("there are two teams named '{}'", team.name));
+  }
+}
+
+void check_pairings(Mistakes& mistakes, const TournamentConfig& config) {
+  for (const std::string& subject : config.gauntlet) {
+    mistakes.demand(team_index(config, subject) >= 0, unknown_team(config, "gauntlet", subject));
+  }
+  for (const auto& pairing : config.matches) {
+    for (const std::string& team : pairing) {
+      mistakes.demand(team_index(config, team) >= 0, unknown_team(config, "matches", team));
+    }
+    mistakes.demand(
+        pairing.size() == 2 && pairing[0] != pairing[1],
+        fmt::format("matches: [{}] does not name two different teams", fmt::join(pairing, ", ")));
+  }
+  mistakes.demand(config.format != Format::kGauntlet || !config.gauntlet.empty(),
+                  "format 'gauntlet' needs the key gauntlet with the teams that meet all others");
+  mistakes.demand(config.format != Format::kList || !config.matches.empty(),
+                  "format 'list' needs the key matches");
+}
+
+void check_groups(Mistakes& mistakes, const TournamentConfig& config) {
+  if (config.format != Format::kGroups) return;
+  const int teams = static_cast<int>(config.teams.size());
+  mistakes.demand(teams >= 2 * config.groups,
+                  fmt::format("{} groups need {} teams at least, there are {}", config.groups,
+                              2 * config.groups, teams));
+  mistakes.demand(config.advance <= teams / std::max(1, config.groups),
+                  fmt::format("advance = {}: the smallest group has {} teams only", config.advance,
+                              teams / std::max(1, config.groups)));
+  mistakes.demand(config.groups * config.advance >= 2,
+                  "one team alone cannot play a knock-out: raise groups or advance");
+}
+
+void check_conditions(Mistakes& mistakes, const TournamentConfig& config) {
+  match::MatchOptions options;
+  for (const ServerSetting& setting : config.settings) {
+    const auto applied = match::apply_setting(options, setting.name + "=" + setting.value);
+    mistakes.demand(applied.ok(), applied ? "" : "[server] " + applied.error().message);
+  }
+}
+
+}  // namespace
+
+namespace {
+
+// More would have two teams meet twice.
+int most_swiss_rounds(const TournamentConfig& config) {
+  const int teams = static_cast<int>(config.teams.size());
+  return teams % 2 == 0 ? teams - 1 : teams;
+}
+
+}  // namespace
+
+int rounds_of(const TournamentConfig& config) {
+  if (config.rounds) return *config.rounds;
+  if (config.format != Format::kSwiss) return 1;
+  int rounds = 1;
+  for (std::size_t reach = 1; reach < config.teams.size(); reach *= 2) ++rounds;
+  return std::min(rounds, most_swiss_rounds(config));
+}
+
+int team_index(const TournamentConfig& config, std::string_view name) {
+  const auto found = std::find_if(config.teams.begin(), config.teams.end(),
+                                  [name](const TeamEntry& team) { return team.name == name; });
+  return found == config.teams.end() ? -1 : static_cast<int>(found - config.teams.begin());
+}
+
+std::vector<std::string> mistakes_in(const TournamentConfig& config) {
+  Mistakes mistakes;
+  check_teams(mistakes, config);
+  check_pairings(mistakes, config);
+  check_groups(mistakes, config);
+  check_conditions(mistakes, config);
+  const int teams = static_cast<int>(config.teams.size());
+  mistakes.demand(config.format != Format::kSwiss || teams < 2 ||
+                      rounds_of(config) <= most_swiss_rounds(config),
+                  fmt::format("rounds = {}: {} teams can play {} Swiss rounds without meeting "
+                              "twice",
+                              rounds_of(config), teams, most_swiss_rounds(config)));
+  mistakes.demand(config.cycles || !config.half_time || *config.half_time > 0,
+                  "without a time limit of halves (half_time) give cycles");
+  return mistakes.take();
+}
+
+std::string_view name(Format format) {
+  switch (format) {
+    case Format::kRoundRobin:
+      return "round-robin";
+    case Format::kGauntlet:
+      return "gauntlet";
+    case Format::kList:
+      return "list";
+    case Format::kGroups:
+      return "groups";
+    case Format::kKnockout:
+      return "knockout";
+    case Format::kDoubleElimination:
+      return "double-elimination";
+    case Format::kSwiss:
+      return "swiss";
+  }
+  return "";
+}
+
+std::string_view name(OnCrash on_crash) {
+  switch (on_crash) {
+    case OnCrash::kStop:
+      return "stop";
+    case OnCrash::kForfeit:
+      return "forfeit";
+    case OnCrash::kRerun:
+      return "rerun";
+  }
+  return "";
+}
+
+std::string_view name(ExecutorKind executor) {
+  return executor == ExecutorKind::kSlurm ? "slurm" : "local";
+}
+
+std::string_view name(KeepLogs keep) {
+  switch (keep) {
+    case KeepLogs::kAll:
+      return "all";
+    case KeepLogs::kFailed:
+      return "failed";
+    case KeepLogs::kNone:
+      return "none";
+  }
+  return "";
+}
+
+std::string_view name(TieBreaker breaker) {
+  switch (breaker) {
+    case TieBreaker::kHeadToHead:
+      return "head-to-head";
+    case TieBreaker::kGoalDifference:
+      return "goal-difference";
+    case TieBreaker::kGoalDifferenceAmong:
+      return "goal-difference-among";
+    case TieBreaker::kGoals:
+      return "goals";
+    case TieBreaker::kGoalsAmong:
+      return "goals-among";
+    case TieBreaker::kWins:
+      return "wins";
+    case TieBreaker::kBuchholz:
+      return "buchholz";
+    case TieBreaker::kMedianBuchholz:
+      return "median-buchholz";
+    case TieBreaker::kSonnebornBerger:
+      return "sonneborn-berger";
+  }
+  return "";
+}
+
+}  // namespace cls::orchestration::tournament

@@ -1,0 +1,136 @@
+// Newton for the ratings, Gauss-Jordan for their covariance.
+#include "orchestration/tournament/rating/bradley_terry.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+#include <utility>
+
+#include "orchestration/tournament/rating/statistics.h"
+
+namespace cls::orchestration::tournament {
+namespace {
+
+using Matrix = std::vector<std::vector<double>>;
+
+constexpr double kEloPerUnit = 173.71779276130073;  // 400 / ln 10
+constexpr double kVirtualGames = 1.0;
+
+std::size_t place(int team) { return static_cast<std::size_t>(team); }
+
+double chance(double rating, double other) { return 1 / (1 + std::exp(other - rating)); }
+
+// Points above those that the ratings expect.
+std::vector<double> gradient(const std::vector<double>& rating,
+                             std::span<const PairResults> results) {
+  std::vector<double> missing;
+  for (const double one : rating) missing.push_back(kVirtualGames * (0.5 - chance(one, 0.0)));
+  for (const PairResults& pair : results) {
+    const double expected =
+        pair.games * chance(rating[place(pair.first)], rating[place(pair.second)]);
+    missing[place(pair.first)] += pair.first_points - expected;
+    missing[place(pair.second)] -= pair.first_points - expected;
+  }
+  return missing;
+}
+
+Matrix information(const std::vector<double>& rating, std::span<const PairResults> results) {
+  Matrix matrix(rating.size(), std::vector<double>(rating.size()));
+  for (std::size_t i = 0; i < rating.size(); ++i) {
+    const double p = chance(rating[i], 0.0);
+    matrix[i][i] = kVirtualGames * p * (1 - p);
+  }
+  for (const PairResults& pair : results) {
+    const std::size_t i = place(pair.first);
+    const std::size_t j = place(pair.second);
+    const double p = chance(rating[i], rating[j]);
+    const double known = pair.games * p * (1 - p);
+    matrix[i][i] += known;
+    matrix[j][j] += known;
+    matrix[i][j] -= known;
+    matrix[j][i] -= known;
+  }
+  return matrix;
+}
+
+// Diagonally dominant, so no pivot is ever small.
+Matrix inverse(Matrix matrix) {
+  const std::size_t size = matrix.size();
+  Matrix result(size, std::vector<double>(size));
+  for (std::size_t i = 0; i < size; ++i) result[i][i] = 1.0;
+  for (std::size_t column = 0; column < size; ++column) {
+    const double pivot = matrix[column][column];
+    for (std::size_t k = 0; k < size; ++k) {
+      matrix[column][k] /= pivot;
+      result[column][k] /= pivot;
+    }
+    for (std::size_t row = 0; row < size; ++row) {
+      const double factor = matrix[row][column];
+      if (row == column || factor == 0.0) continue;
+      for (std::size_t k = 0; k < size; ++k) {
+        matrix[row][k] -= factor * matrix[column][k];
+        result[row][k] -= factor * result[column][k];
+      }
+    }
+  }
+  return result;
+}
+
+// Newton's method on ln of the strengths; the average team has 0.
+std::vector<double> fit(std::size_t teams, std::span<const PairResults> results) {
+  constexpr int kMostRounds = 100;
+  constexpr double kSettled = 1e-12;
+  constexpr double kLongestStep = 1.0;
+  std::vector<double> rating(teams);
+  for (int round = 0; round < kMostRounds; ++round) {
+    const std::vector<double> missing = gradient(rating, results);
+    const Matrix covariance = inverse(information(rating, results));
+    double change = 0.0;
+    for (std::size_t i = 0; i < teams; ++i) {
+      const double step =
+          std::inner_product(missing.begin(), missing.end(), covariance[i].begin(), 0.0);
+      rating[i] += std::clamp(step, -kLongestStep, kLongestStep);
+      change = std::max(change, std::abs(step));
+    }
+    if (change < kSettled) break;
+  }
+  return rating;
+}
+
+// Variance of team i's rating against the mean of all.
+double variance_against_mean(const Matrix& covariance, std::size_t i) {
+  const auto count = static_cast<double>(covariance.size());
+  double row = 0.0;
+  double all = 0.0;
+  for (std::size_t j = 0; j < covariance.size(); ++j) {
+    row += covariance[i][j];
+    all += std::accumulate(covariance[j].begin(), covariance[j].end(), 0.0);
+  }
+  return covariance[i][i] - 2 * row / count + all / (count * count);
+}
+
+}  // namespace
+
+Ratings fit_bradley_terry(int teams, std::span<const PairResults> results) {
+  const auto count = static_cast<std::size_t>(teams);
+  const std::vector<double> rating = fit(count, results);
+  const Matrix covariance = inverse(information(rating, results));
+  const double middle =
+      std::accumulate(rating.begin(), rating.end(), 0.0) / static_cast<double>(count);
+  Ratings ratings;
+  for (std::size_t i = 0; i < count; ++i) {
+    ratings.elo.push_back(kEloPerUnit * (rating[i] - middle));
+    ratings.error.push_back(kEloPerUnit * kNormal95 *
+                            std::sqrt(std::max(0.0, variance_against_mean(covariance, i))));
+    ratings.superiority.emplace_back();
+    for (std::size_t j = 0; j < count; ++j) {
+      const double spread = covariance[i][i] + covariance[j][j] - 2 * covariance[i][j];
+      const double away = rating[i] - rating[j];
+      ratings.superiority.back().push_back(i == j ? 0.5 : normal_cdf(away / std::sqrt(spread)));
+    }
+  }
+  return ratings;
+}
+
+}  // namespace cls::orchestration::tournament

@@ -1,0 +1,108 @@
+// Generalised test on a multinomial distribution.
+#include "orchestration/tournament/rating/sprt.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace cls::orchestration::tournament {
+namespace {
+
+constexpr double kNeverSeen = 1e-3;
+
+double score_at(std::size_t outcome, std::size_t outcomes) {
+  return static_cast<double>(outcome) / static_cast<double>(outcomes - 1);
+}
+
+// The Lagrange multiplier that gives the likeliest distribution with expectation `target`: the
+// root of sum p (a - s) / (1 + x (a - s)), which falls between two poles.
+double multiplier(const std::vector<double>& share, double target) {
+  constexpr double kMargin = 1e-9;
+  constexpr int kHalvings = 100;
+  double low = -1 / (1 - target);
+  double high = 1 / target;
+  const double width = high - low;
+  low += kMargin * width;
+  high -= kMargin * width;
+  for (int i = 0; i < kHalvings; ++i) {
+    const double x = (low + high) / 2;
+    double sum = 0.0;
+    for (std::size_t k = 0; k < share.size(); ++k) {
+      const double away = score_at(k, share.size()) - target;
+      sum += share[k] * away / (1 + x * away);
+    }
+    (sum > 0 ? low : high) = x;
+  }
+  return (low + high) / 2;
+}
+
+}  // namespace
+
+double SprtSettings::lower() const { return std::log(beta / (1 - alpha)); }
+double SprtSettings::upper() const { return std::log((1 - beta) / alpha); }
+
+std::string_view name(SprtAnswer answer) {
+  switch (answer) {
+    case SprtAnswer::kOpen:
+      return "open";
+    case SprtAnswer::kH0:
+      return "H0";
+    case SprtAnswer::kH1:
+      return "H1";
+  }
+  return "";
+}
+
+double total(const Frequencies& frequencies) {
+  return std::accumulate(frequencies.begin(), frequencies.end(), 0.0);
+}
+
+double mean(const Frequencies& frequencies) {
+  const double count = total(frequencies);
+  if (count <= 0) return 0.5;
+  double sum = 0.0;
+  for (std::size_t k = 0; k < frequencies.size(); ++k) {
+    sum += frequencies[k] * score_at(k, frequencies.size());
+  }
+  return sum / count;
+}
+
+double variance(const Frequencies& frequencies) {
+  const double count = total(frequencies);
+  if (count <= 0) return 0.0;
+  const double centre = mean(frequencies);
+  double sum = 0.0;
+  for (std::size_t k = 0; k < frequencies.size(); ++k) {
+    const double away = score_at(k, frequencies.size()) - centre;
+    sum += frequencies[k] * away * away;
+  }
+  return sum / count;
+}
+
+double log_likelihood_ratio(const Frequencies& frequencies, double score0, double score1) {
+  if (total(frequencies) <= 0) return 0.0;
+  std::vector<double> share(frequencies);
+  for (double& one : share) one = std::max(one, kNeverSeen);
+  const double count = total(share);
+  for (double& one : share) one /= count;
+  const double x0 = multiplier(share, score0);
+  const double x1 = multiplier(share, score1);
+  double sum = 0.0;
+  for (std::size_t k = 0; k < share.size(); ++k) {
+    const double at = score_at(k, share.size());
+    sum += share[k] * std::log((1 + x0 * (at - score0)) / (1 + x1 * (at - score1)));
+  }
+  return count * sum;
+}
+
+SprtState sprt_state(const Frequencies& frequencies, double score0, double score1,
+                     const SprtSettings& settings) {
+  SprtState state;
+  state.llr = log_likelihood_ratio(frequencies, score0, score1);
+  if (total(frequencies) < kSprtMinimum) return state;
+  if (state.llr >= settings.upper()) state.answer = SprtAnswer::kH1;
+  if (state.llr <= settings.lower()) state.answer = SprtAnswer::kH0;
+  return state;
+}
+
+}  // namespace cls::orchestration::tournament

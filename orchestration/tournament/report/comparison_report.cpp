@@ -1,0 +1,139 @@
+// Every figure says whose it is: NEW against BASE.
+#include "orchestration/tournament/report/comparison_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <nlohmann/json.hpp>
+
+#include "base/system/version.h"
+#include "orchestration/tournament/report/report_model.h"
+#include "orchestration/tournament/store/match_document.h"
+
+namespace cls::orchestration::tournament {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+double rounded(double value) { return std::round(value * 1e4) / 1e4; }
+
+struct Names {
+  std::string ours;
+  std::string base;
+  bool direct = true;  // NEW plays BASE
+};
+
+Names names_of(const Comparison& comparison) {
+  const auto& teams = comparison.config.teams;
+  return {teams[0].name, teams[1].name, teams.size() == 2};
+}
+
+std::string answer_text(const Names& names, const ComparisonVerdict& verdict) {
+  switch (verdict.state.answer) {
+    case SprtAnswer::kH1:
+      return fmt::format("{} is better than {} (H1 accepted)", names.ours, names.base);
+    case SprtAnswer::kH0:
+      return fmt::format("{} is not better than {} (H0 accepted)", names.ours, names.base);
+    case SprtAnswer::kOpen:
+      return "not known yet";
+  }
+  return {};
+}
+
+// Twice the distance from 1/2: the difference of the two score rates.
+double gain(double score) { return 2 * (score - 0.5); }
+
+std::string strength_text(const Names& names, const ComparisonVerdict& verdict) {
+  const Estimate& strength = verdict.strength;
+  if (names.direct) {
+    return fmt::format(
+        "{} against {}: {:+.1f} Elo (95 %: {:+.1f} to {:+.1f}), score {:.1f} % ({:.1f} to {:.1f}), "
+        "likelihood of superiority {:.1f} %",
+        names.ours, names.base, strength.elo, strength.elo_interval.low, strength.elo_interval.high,
+        100 * strength.score, 100 * strength.score_interval.low, 100 * strength.score_interval.high,
+        100 * strength.superiority);
+  }
+  return fmt::format(
+      "{} against the same opponents as {}: {:+.1f} % of the points (95 %: {:+.1f} to {:+.1f}), "
+      "likelihood of superiority {:.1f} %",
+      names.ours, names.base, 100 * gain(strength.score), 100 * gain(strength.score_interval.low),
+      100 * gain(strength.score_interval.high), 100 * strength.superiority);
+}
+
+}  // namespace
+
+std::string_view verdict_word(const ComparisonVerdict& verdict) {
+  switch (verdict.state.answer) {
+    case SprtAnswer::kH1:
+      return "better";
+    case SprtAnswer::kH0:
+      return "not better";
+    case SprtAnswer::kOpen:
+      return "undecided";
+  }
+  return "";
+}
+
+std::string comparison_text(const Comparison& comparison, std::span<const ScheduledMatch> matches) {
+  const ComparisonVerdict known = verdict(comparison, matches);
+  const Names names = names_of(comparison);
+  std::string text = fmt::format("verdict: {}\n", answer_text(names, known));
+  auto out = std::back_inserter(text);
+  fmt::format_to(out, "{}\n", strength_text(names, known));
+  fmt::format_to(out, "{} {}, from worst to best: {}", total(known.samples),
+                 names.direct ? "pairs" : "quartets", fmt::join(known.samples, " "));
+  if (known.left_out > 0) fmt::format_to(out, "; {} left out (INVALID matches)", known.left_out);
+  fmt::format_to(out, "\nLLR {:+.2f} between {:+.2f} and {:+.2f}\n{}\n", known.state.llr,
+                 comparison.sprt.lower(), comparison.sprt.upper(), known.model);
+  if (known.state.answer != SprtAnswer::kOpen) {
+    text += "a test that stops early overstates the difference a little; the verdict holds\n";
+  }
+  return text;
+}
+
+std::string comparison_json(const Comparison& comparison, std::span<const ScheduledMatch> matches) {
+  const ComparisonVerdict known = verdict(comparison, matches);
+  const Names names = names_of(comparison);
+  const Estimate& strength = known.strength;
+  const MatchCounts counts = count(matches);
+  Json rows = Json::array();
+  for (const ScheduledMatch& match : matches) {
+    if (match.outcome) rows.push_back(json_of(comparison.config, match));
+  }
+  Json document = {{"schema", "cls.compare/1"},
+                   {"new", names.ours},
+                   {"base", names.base},
+                   {"verdict", verdict_word(known)},
+                   {"answer", name(known.state.answer)},
+                   {"llr", rounded(known.state.llr)},
+                   {"lower", rounded(comparison.sprt.lower())},
+                   {"upper", rounded(comparison.sprt.upper())},
+                   {"elo0", comparison.sprt.elo0},
+                   {"elo1", comparison.sprt.elo1},
+                   {"alpha", comparison.sprt.alpha},
+                   {"beta", comparison.sprt.beta},
+                   {"model", known.model},
+                   {"samples", known.samples},
+                   {"left_out", known.left_out},
+                   {"superiority", rounded(strength.superiority)}};
+  if (names.direct) {
+    document["score"] = rounded(strength.score);
+    document["score_interval"] = {rounded(strength.score_interval.low),
+                                  rounded(strength.score_interval.high)};
+    document["elo"] = rounded(strength.elo);
+    document["elo_interval"] = {rounded(strength.elo_interval.low),
+                                rounded(strength.elo_interval.high)};
+  } else {
+    document["gain"] = rounded(gain(strength.score));
+    document["gain_interval"] = {rounded(gain(strength.score_interval.low)),
+                                 rounded(gain(strength.score_interval.high))};
+  }
+  document["counts"] = {{"finished", counts.finished}, {"invalid", counts.invalid}};
+  document["matches"] = std::move(rows);
+  document["versions"] = {{"cls", base::kVersion}, {"wire", base::kWireVersion}};
+  return document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace cls::orchestration::tournament

@@ -1,0 +1,73 @@
+// Reckoning once for all formats.
+#include "orchestration/tournament/report/report_model.h"
+
+#include <fmt/format.h>
+
+#include "orchestration/tournament/store/match_attempt.h"
+
+namespace cls::orchestration::tournament {
+
+MatchCounts count(std::span<const ScheduledMatch> matches) {
+  MatchCounts counts;
+  counts.scheduled = static_cast<int>(matches.size());
+  for (const ScheduledMatch& match : matches) {
+    if (!match.outcome) {
+      ++counts.open;
+    } else if (match.outcome->forfeit) {
+      ++counts.forfeits;
+    } else {
+      ++(match.outcome->played() ? counts.finished : counts.invalid);
+    }
+  }
+  return counts;
+}
+
+Report make_report(const TournamentConfig& config, std::span<const ScheduledMatch> matches,
+                   const std::filesystem::path& folder) {
+  Report report;
+  report.config = &config;
+  report.matches = matches;
+  report.folder = folder;
+  report.counts = count(matches);
+  report.complete = report.counts.open == 0 && report.counts.scheduled > 0 &&
+                    next_fixtures(config, matches).empty();
+  report.tables = tables(config, matches);
+  report.duels = duels(matches);
+  const int teams = static_cast<int>(config.teams.size());
+  report.ratings = fit_bradley_terry(teams, results_of(report.duels));
+  for (int team = 0; team < teams; ++team) {
+    report.records.push_back(record_of(team, report.duels));
+  }
+  return report;
+}
+
+Estimate strength_of(const WinDrawLoss& record) {
+  return estimate(record.score(), record.variance(), record.games());
+}
+
+std::optional<Duel> find_duel(const Report& report, int first, int second) {
+  for (const Duel& duel : report.duels) {
+    if (duel.first == first && duel.second == second) return duel;
+    if (duel.first == second && duel.second == first) return turned(duel);
+  }
+  return std::nullopt;
+}
+
+std::string rerun_line(const TournamentConfig& config, const Fixture& fixture) {
+  return process::to_shell(match_plan(config, fixture, "cls", ""));
+}
+
+std::string score_text(const ScheduledMatch& match) {
+  if (!match.outcome) return "-";
+  const Outcome& outcome = *match.outcome;
+  if (!outcome.counts()) return outcome.end_reason;
+  std::string text = fmt::format("{} : {}", outcome.left_score, outcome.right_score);
+  if (outcome.left_penalties && outcome.right_penalties) {
+    text +=
+        fmt::format(" ({} : {} on penalties)", *outcome.left_penalties, *outcome.right_penalties);
+  }
+  if (outcome.forfeit) text += " (forfeit)";
+  return text;
+}
+
+}  // namespace cls::orchestration::tournament

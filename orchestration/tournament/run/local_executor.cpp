@@ -1,0 +1,121 @@
+// Matches as processes of this machine.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <thread>
+
+#include "base/system/host.h"
+#include "orchestration/tournament/run/concurrency.h"
+#include "orchestration/tournament/run/match_executor.h"
+#include "orchestration/tournament/store/match_attempt.h"
+
+namespace cls::orchestration::tournament {
+namespace {
+
+namespace fs = std::filesystem;
+using base::Result;
+
+class LocalExecutor : public MatchExecutor {
+ public:
+  LocalExecutor(const TournamentConfig& config, fs::path folder, fs::path program,
+                process::ProcessHost host)
+      : config_(config),
+        folder_(std::move(folder)),
+        program_(std::move(program)),
+        concurrency_(config, base::usable_cores()),
+        cores_(config.pin ? base::allowed_cores() : std::vector<std::vector<int>>()),
+        host_(std::move(host)) {
+    const std::string team = team_of_fixed_ports(config);
+    if (team.empty() || config.concurrency == 1) return;
+    notes_.push_back(fmt::format("one match at a time: {} knows no ports but 6000 to 6002", team));
+  }
+
+  int room() const override { return std::max(0, concurrency_.now() - running()); }
+  int running() const override { return static_cast<int>(attempts_.size()); }
+
+  Result<void> start(std::span<const Assignment> assignments) override {
+    for (const Assignment& assignment : assignments) {
+      const int slot = free_slot();
+      auto attempt =
+          MatchAttempt::start(host_, config_, assignment.fixture, assignment.number,
+                              {folder_, {}, program_, share_of(cores_, slot, concurrency_.now())});
+      if (!attempt) return attempt.error();
+      attempts_.emplace(slot, *std::move(attempt));
+    }
+    return {};
+  }
+
+  Result<std::vector<Finished>> wait(std::chrono::milliseconds limit) override {
+    constexpr std::chrono::milliseconds kLook{2};
+    const auto end = std::chrono::steady_clock::now() + limit;
+    std::vector<Finished> finished;
+    while (true) {
+      for (auto at = attempts_.begin(); at != attempts_.end();) {
+        at->second.enforce_limit();
+        if (!at->second.ended()) {
+          ++at;
+          continue;
+        }
+        auto outcome = at->second.outcome();
+        if (!outcome) return outcome.error();
+        if (*outcome) learn(**outcome);
+        finished.push_back({at->second.fixture().index, *std::move(outcome)});
+        at = attempts_.erase(at);
+      }
+      if (!finished.empty() || std::chrono::steady_clock::now() >= end) return finished;
+      std::this_thread::sleep_for(kLook);
+    }
+  }
+
+  void interrupt() override {
+    for (auto& [slot, attempt] : attempts_) attempt.interrupt();
+  }
+
+  std::vector<std::string> take_notes() override { return std::exchange(notes_, {}); }
+
+ private:
+  int free_slot() const {
+    int slot = 0;
+    while (attempts_.contains(slot)) ++slot;
+    return slot;
+  }
+
+  void learn(const Outcome& outcome) {
+    const int before = concurrency_.now();
+    if (!concurrency_.learn(outcome)) return;
+    notes_.push_back(
+        fmt::format("{} matches at once now, {} before: {}", concurrency_.now(), before,
+                    concurrency_.now() < before ? "a match missed cycles, the machine was too busy"
+                                                : "no match missed a cycle"));
+  }
+
+  const TournamentConfig& config_;
+  fs::path folder_;
+  fs::path program_;
+  Concurrency concurrency_;
+  std::vector<std::vector<int>> cores_;  // to share out; empty: nobody is pinned
+  process::ProcessHost host_;
+  std::map<int, MatchAttempt> attempts_;  // by slot
+  std::vector<std::string> notes_;
+};
+
+}  // namespace
+
+Result<std::unique_ptr<MatchExecutor>> make_executor(const TournamentConfig& config,
+                                                     const fs::path& folder,
+                                                     const fs::path& program) {
+  return config.executor == ExecutorKind::kSlurm ? slurm_executor(config, folder, program)
+                                                 : local_executor(config, folder, program);
+}
+
+Result<std::unique_ptr<MatchExecutor>> local_executor(const TournamentConfig& config,
+                                                      const fs::path& folder,
+                                                      const fs::path& program) {
+  auto host = process::ProcessHost::create();
+  if (!host) return host.error();
+  return std::unique_ptr<MatchExecutor>(
+      std::make_unique<LocalExecutor>(config, folder, program, *std::move(host)));
+}
+
+}  // namespace cls::orchestration::tournament

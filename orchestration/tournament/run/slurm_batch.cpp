@@ -1,0 +1,165 @@
+// Names, script and record of a batch.
+#include "orchestration/tournament/run/slurm_batch.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <charconv>
+#include <chrono>
+#include <nlohmann/json.hpp>
+
+#include "base/io/whole_file.h"
+#include "orchestration/process/command_plan.h"
+#include "orchestration/tournament/store/folder.h"
+#include "orchestration/tournament/store/match_document.h"
+
+namespace cls::orchestration::tournament {
+namespace {
+
+namespace fs = std::filesystem;
+using base::Result;
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t kMostOfFolderName = 24;
+
+fs::path file_of(const SlurmBatch& batch, std::string_view ending) {
+  return fs::path(kSlurmFolder) / fmt::format("{:06}{}", batch.number, ending);
+}
+
+// Letters and digits of the folder's name, for people who look at squeue.
+std::string short_name(const fs::path& folder) {
+  fs::path whole = fs::absolute(folder).lexically_normal();
+  if (!whole.has_filename()) whole = whole.parent_path();
+  std::string name = whole.filename().string();
+  std::erase_if(name, [](unsigned char c) { return std::isalnum(c) == 0; });
+  return name.substr(0, kMostOfFolderName);
+}
+
+// Positional parameters carry the list: the script is one file that the controller keeps.
+std::string script_of(const fs::path& folder, const SlurmBatch& batch, const fs::path& program) {
+  std::string list;
+  for (const SlurmBatch::Task& task : batch.tasks) {
+    list += fmt::format(" {} {}", task.index, task.attempt);
+  }
+  return fmt::format(
+      "#!/bin/sh\n"
+      "# A job array of cls tournament: task K plays the K-th pair of match and attempt.\n"
+      "set --{}\n"
+      "shift $((2 * SLURM_ARRAY_TASK_ID))\n"
+      "exec {} tournament work {} --index \"$1\" --attempt \"$2\" --schedule {}\n",
+      list, process::shell_quoted(program.string()), process::shell_quoted(folder.string()),
+      process::shell_quoted((folder / file_of(batch, ".jsonl")).string()));
+}
+
+// sbatch fills in what follows a percent sign.
+std::string percents_doubled(std::string_view text) {
+  std::string doubled;
+  for (const char c : text) doubled.append(c == '%' ? 2 : 1, c);
+  return doubled;
+}
+
+std::optional<SlurmBatch> batch_in(const fs::path& file) {
+  const auto text = base::read_file(file);
+  try {
+    const Json json = Json::parse(text.value_or(""));
+    SlurmBatch batch;
+    batch.number = json.at("number").get<int>();
+    batch.name = json.at("name").get<std::string>();
+    for (const Json& task : json.at("tasks")) {
+      batch.tasks.push_back({task.at(0).get<int>(), task.at(1).get<int>()});
+    }
+    return batch;
+  } catch (const nlohmann::json::exception&) {
+    return std::nullopt;
+  }
+}
+
+}  // namespace
+
+SlurmBatch make_batch(int number, const fs::path& folder, std::span<const Assignment> assignments) {
+  const auto now = std::chrono::system_clock::now().time_since_epoch().count();
+  SlurmBatch batch;
+  batch.number = number;
+  batch.name = fmt::format("cls-{}-{}-{:x}-{:x}", short_name(folder), number, ::getpid(), now);
+  for (const Assignment& one : assignments) {
+    batch.tasks.push_back({one.fixture.index, one.number});
+  }
+  return batch;
+}
+
+Result<void> write_batch(const fs::path& folder, const SlurmBatch& batch,
+                         std::span<const Assignment> assignments, const fs::path& program) {
+  std::string schedule;
+  Json tasks = Json::array();
+  for (const Assignment& one : assignments) {
+    schedule += schedule_line(one.fixture);
+    tasks.push_back({one.fixture.index, one.number});
+  }
+  const Json record = {{"schema", "cls.slurm/1"},
+                       {"number", batch.number},
+                       {"name", batch.name},
+                       {"tasks", std::move(tasks)}};
+  std::error_code code;
+  fs::create_directories(folder / kSlurmFolder, code);
+  const std::array<std::pair<const char*, std::string>, 3> files = {
+      {{".jsonl", schedule}, {".sh", script_of(folder, batch, program)}, {".json", record.dump()}}};
+  for (const auto& [ending, text] : files) {
+    if (auto written = base::write_file(folder / file_of(batch, ending), text); !written)
+      return written;
+  }
+  return {};
+}
+
+std::vector<std::string> submit_words(const fs::path& folder, const SlurmBatch& batch,
+                                      const std::vector<std::string>& options, int parallel) {
+  std::vector<std::string> words = {"--requeue", "--open-mode=append"};
+  words.insert(words.end(), options.begin(), options.end());
+  words.insert(words.end(), {"--parsable", "--job-name=" + batch.name,
+                             fmt::format("--array=0-{}{}", batch.tasks.size() - 1,
+                                         parallel > 0 ? fmt::format("%{}", parallel) : ""),
+                             "--chdir=" + folder.string(),
+                             fmt::format("--output={}-%a.out",
+                                         percents_doubled((folder / file_of(batch, "")).string())),
+                             (folder / file_of(batch, ".sh")).string()});
+  return words;
+}
+
+std::vector<SlurmBatch> read_batches(const fs::path& folder) {
+  std::vector<SlurmBatch> batches;
+  std::error_code code;
+  for (const auto& entry : fs::directory_iterator(folder / kSlurmFolder, code)) {
+    if (entry.path().extension() != ".json") continue;
+    if (auto batch = batch_in(entry.path())) batches.push_back(*std::move(batch));
+  }
+  std::sort(batches.begin(), batches.end(),
+            [](const SlurmBatch& a, const SlurmBatch& b) { return a.number < b.number; });
+  return batches;
+}
+
+int next_batch_number(const fs::path& folder) {
+  int last = 0;
+  std::error_code code;
+  for (const auto& entry : fs::directory_iterator(folder / kSlurmFolder, code)) {
+    const std::string name = entry.path().filename().string();
+    int number = 0;
+    std::from_chars(name.data(), name.data() + name.size(), number);
+    last = std::max(last, number);
+  }
+  return last + 1;
+}
+
+void remove_batch(const fs::path& folder, const SlurmBatch& batch) {
+  std::error_code code;
+  for (const char* ending : {".json", ".sh", ".jsonl"}) {
+    fs::remove(folder / file_of(batch, ending), code);
+  }
+}
+
+fs::path task_log(const SlurmBatch& batch, int task) {
+  return fs::path(kSlurmFolder) / fmt::format("{:06}-{}.out", batch.number, task);
+}
+
+}  // namespace cls::orchestration::tournament

@@ -1,0 +1,371 @@
+// Matches as tasks of Slurm job arrays.
+//
+// The cluster needs nothing of this process: every task plays its match with `cls tournament work`
+// and leaves a result file in the shared folder, which this executor collects. So it may be killed;
+// the next run finds its batches by their records (slurm_batch.h) and their jobs by name. squeue is
+// asked now and then for one thing only: which tasks are over and have left no result. Those were
+// lost (node failure, scancel, time limit, ...) and their matches are handed back to be played
+// again. Slurm itself repeats a task whose node failed; if both live, the first result counts.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <deque>
+#include <fstream>
+#include <map>
+#include <set>
+#include <thread>
+
+#include "orchestration/tournament/run/match_executor.h"
+#include "orchestration/tournament/run/slurm_batch.h"
+#include "orchestration/tournament/run/slurm_client.h"
+#include "orchestration/tournament/store/collector.h"
+#include "orchestration/tournament/store/folder.h"
+
+namespace cls::orchestration::tournament {
+namespace {
+
+namespace fs = std::filesystem;
+using base::Error;
+using base::Result;
+using Clock = std::chrono::steady_clock;
+using Seconds = std::chrono::duration<double>;
+
+constexpr double kPollS = 10.0;
+// A shared folder may show a result a little later than squeue shows its task as over.
+constexpr int kTimesSeenOver = 2;
+constexpr int kMostLosses = 3;
+// However long it takes, with many files or a busy controller: most of the time nobody is asked.
+constexpr double kPausePerLook = 5.0;
+
+/// Something done again and again, less often when it takes long.
+class Rhythm {
+ public:
+  explicit Rhythm(Seconds pause) : pause_(pause) {}
+
+  bool due() const { return Clock::now() >= next_; }
+  void begin() { begun_ = Clock::now(); }
+  void done() {
+    const auto now = Clock::now();
+    const Seconds took = now - begun_;
+    next_ = now + std::chrono::duration_cast<Clock::duration>(
+                      std::max(pause_, Seconds(took.count() * kPausePerLook)));
+  }
+
+ private:
+  Seconds pause_;
+  Clock::time_point begun_;
+  Clock::time_point next_ = Clock::now();
+};
+
+std::string last_line_of(const fs::path& file) {
+  std::ifstream stream(file);
+  std::string last;
+  for (std::string line; std::getline(stream, line);) {
+    if (!line.empty()) last = line;
+  }
+  return last;
+}
+
+class SlurmExecutor : public MatchExecutor {
+ public:
+  SlurmExecutor(const TournamentConfig& config, const fs::path& folder, fs::path program,
+                SlurmClient client, int array_size)
+      : config_(config),
+        folder_(fs::absolute(folder).lexically_normal()),
+        program_(std::move(program)),
+        client_(std::move(client)),
+        array_size_(array_size),
+        chunk_(array_size),
+        next_number_(next_batch_number(folder_)),
+        asking_(Seconds(config.slurm_poll_s.value_or(kPollS))),
+        submitting_(Seconds(config.slurm_poll_s.value_or(kPollS))),
+        looking_(Seconds(std::min(1.0, config.slurm_poll_s.value_or(kPollS) / 10))) {}
+
+  // Many at a time, so that arrays are long. With a limit of matches at once, one array after the
+  // other: Slurm holds the limit within an array only.
+  int room() const override {
+    const int free = config_.slurm_tasks - running();
+    if (config_.concurrency > 0) return running() == 0 ? free : 0;
+    return 2 * free >= config_.slurm_tasks ? free : 0;
+  }
+
+  int running() const override { return static_cast<int>(tasks_.size() + waiting_.size()); }
+
+  Result<void> start(std::span<const Assignment> assignments) override {
+    waiting_.insert(waiting_.end(), assignments.begin(), assignments.end());
+    return submit();
+  }
+
+  Result<std::vector<int>> take_over(std::span<const ScheduledMatch> matches) override {
+    std::vector<int> taken;
+    for (SlurmBatch& batch : read_batches(folder_)) {
+      std::size_t live = 0;
+      for (std::size_t i = 0; i < batch.tasks.size(); ++i) {
+        const auto [index, attempt] = batch.tasks[i];
+        if (index < 1 || index > static_cast<int>(matches.size())) continue;
+        const ScheduledMatch& match = matches[static_cast<std::size_t>(index) - 1];
+        if (match.outcome || attempt <= match.settled || attempt < match.attempts) continue;
+        tasks_.emplace(index, Task{{match.fixture, attempt}, batch.number, static_cast<int>(i)});
+        taken.push_back(index);
+        ++live;
+      }
+      if (live == 0) {
+        remove_batch(folder_, batch);
+        continue;
+      }
+      const int number = batch.number;
+      batches_.emplace(number, Batch{std::move(batch), live});
+    }
+    if (!taken.empty()) {
+      notes_.push_back(fmt::format("{} matches are with Slurm since an earlier run", taken.size()));
+    }
+    return taken;
+  }
+
+  Result<std::vector<Finished>> wait(std::chrono::milliseconds limit) override {
+    constexpr std::chrono::milliseconds kLook{10};
+    const auto end = Clock::now() + limit;
+    while (true) {
+      if (!waiting_.empty() && submitting_.due()) {
+        if (auto submitted = submit(); !submitted) return submitted.error();
+      }
+      const bool asked = asking_.due() && !tasks_.empty() && ask();
+      if (asked || looking_.due()) collect();
+      if (asked) {
+        if (auto given = give_back_lost(); !given) return given.error();
+      }
+      if (!finished_.empty() || Clock::now() >= end) return std::exchange(finished_, {});
+      std::this_thread::sleep_for(kLook);
+    }
+  }
+
+  void withdraw() override {
+    give_back_waiting();
+    if (std::exchange(withdrawn_, true)) return;
+    for (const auto& [number, batch] : batches_) cancel(batch.batch, true);
+  }
+
+  // Tasks that end in order leave no result; whatever does come of them is collected by the next
+  // run. Where Slurm cannot be told, the records stay and the next run takes the matches over.
+  void interrupt() override {
+    give_back_waiting();
+    for (const auto& [number, batch] : batches_) {
+      if (cancel(batch.batch, false)) remove_batch(folder_, batch.batch);
+    }
+    for (const auto& [index, task] : tasks_) finished_.push_back({index, std::nullopt});
+    tasks_.clear();
+    batches_.clear();
+  }
+
+  std::vector<std::string> take_notes() override { return std::exchange(notes_, {}); }
+
+ private:
+  struct Task {
+    Assignment assignment;
+    int batch = 0;
+    int position = 0;     // in the array
+    int seen_over = 0;    // times in a row that squeue did not show it as alive
+    std::string state{};  // the last word of squeue about it
+  };
+  struct Batch {
+    SlurmBatch batch;
+    std::size_t live = 0;   // tasks without an end
+    bool submitted = true;  // for certain
+  };
+
+  // As much as the site takes, in arrays as long as it takes them.
+  Result<void> submit() {
+    using End = Submission::End;
+    submitting_.begin();
+    while (!waiting_.empty()) {
+      const std::size_t size = std::min(waiting_.size(), static_cast<std::size_t>(chunk_));
+      const auto submission =
+          submit_array({waiting_.begin(), waiting_.begin() + static_cast<std::ptrdiff_t>(size)});
+      if (!submission) return submission.error();
+      if (submission->end == End::kAccepted || submission->end == End::kUnknown) {
+        waiting_.erase(waiting_.begin(), waiting_.begin() + static_cast<std::ptrdiff_t>(size));
+        chunk_ = std::min(array_size_, 2 * chunk_);
+        if (submission->end == End::kAccepted) continue;
+        note_once("sbatch: " + submission->message);
+      } else if (submission->end == End::kTooMuch && size > 1) {
+        chunk_ = static_cast<int>(size / 2);
+        continue;
+      } else if (submission->end == End::kRefused) {
+        return Error{"Slurm refuses the job: " + submission->message};
+      } else {
+        note_once(fmt::format("sbatch: {}; tried again every {} s", submission->message,
+                              config_.slurm_poll_s.value_or(kPollS)));
+      }
+      break;
+    }
+    submitting_.done();
+    return {};
+  }
+
+  Result<Submission> submit_array(const std::vector<Assignment>& assignments) {
+    const SlurmBatch batch = make_batch(next_number_++, folder_, assignments);
+    if (auto written = write_batch(folder_, batch, assignments, program_); !written) {
+      return written.error();
+    }
+    Submission submission =
+        client_.submit(submit_words(folder_, batch, config_.slurm_options, config_.concurrency));
+    using End = Submission::End;
+    if (submission.end != End::kAccepted && submission.end != End::kUnknown) {
+      remove_batch(folder_, batch);
+      return submission;
+    }
+    for (std::size_t i = 0; i < assignments.size(); ++i) {
+      tasks_.emplace(assignments[i].fixture.index,
+                     Task{assignments[i], batch.number, static_cast<int>(i)});
+    }
+    batches_.emplace(batch.number,
+                     Batch{batch, assignments.size(), submission.end == End::kAccepted});
+    return submission;
+  }
+
+  // What squeue says of all tasks under way; false when it says nothing.
+  bool ask() {
+    asking_.begin();
+    std::vector<std::string> names;
+    for (const auto& [number, batch] : batches_) names.push_back(batch.batch.name);
+    const auto states = client_.tasks(names);
+    asking_.done();
+    if (!states) {
+      note_once(fmt::format("squeue: {}; results are collected on", states.error().message));
+      return false;
+    }
+    for (auto& [index, task] : tasks_) {
+      Batch& batch = batches_.at(task.batch);
+      const auto found = states->find({batch.batch.name, task.position});
+      if (found == states->end()) {
+        ++task.seen_over;
+        continue;
+      }
+      batch.submitted = true;
+      task.state = found->second.word;
+      task.seen_over = may_still_run(found->second) ? 0 : task.seen_over + 1;
+      note_held(batch.batch, found->second);
+    }
+    return true;
+  }
+
+  void note_held(const SlurmBatch& batch, const TaskState& state) {
+    if (state.reason.find("eld") == std::string::npos) return;  // JobHeldUser, requeued held
+    note_once(fmt::format("tasks of {} are held ({}): scontrol release", batch.name, state.reason));
+  }
+
+  void collect() {
+    looking_.begin();
+    for (const ResultName& name : result_names(folder_)) {
+      const auto found = tasks_.find(name.index);
+      if (found == tasks_.end() || found->second.assignment.number != name.attempt) continue;
+      auto outcome = read_result(folder_, found->second.assignment.fixture, name.attempt);
+      if (!outcome) continue;
+      if (outcome->played()) {
+        std::error_code code;
+        fs::remove(folder_ / log_of(found->second), code);
+      }
+      finished_.push_back({name.index, std::move(outcome)});
+      settle(found);
+    }
+    looking_.done();
+  }
+
+  Result<void> give_back_lost() {
+    for (auto at = tasks_.begin(); at != tasks_.end();) {
+      const auto found = at++;
+      const Task& task = found->second;
+      if (task.seen_over < kTimesSeenOver) continue;
+      if (!withdrawn_) {
+        if (auto counted = count_loss(task); !counted) return counted;
+      }
+      finished_.push_back({found->first, std::nullopt});
+      settle(found);
+    }
+    return {};
+  }
+
+  // Three losses of one match are no accident: a time limit, memory, a wrong path on the nodes.
+  Result<void> count_loss(const Task& task) {
+    const Batch& batch = batches_.at(task.batch);
+    if (!batch.submitted) return {};
+    const int index = task.assignment.fixture.index;
+    const std::string state = task.state.empty() ? "unknown to squeue" : task.state;
+    const std::string line = last_line_of(folder_ / log_of(task));
+    const std::string told =
+        fmt::format("match {}: task {} of {} left no result ({}){}", index, task.position,
+                    batch.batch.name, state, line.empty() ? "" : ": " + line);
+    if (++losses_[index] >= kMostLosses) {
+      return Error{fmt::format("{}, for the {}rd time; see {}", told, kMostLosses,
+                               (folder_ / log_of(task)).string())};
+    }
+    notes_.push_back(told + "; it is played again");
+    return {};
+  }
+
+  void settle(std::map<int, Task>::iterator at) {
+    const auto batch = batches_.find(at->second.batch);
+    tasks_.erase(at);
+    if (--batch->second.live > 0) return;
+    // Repetitions of tasks whose first run brought the result after all.
+    cancel(batch->second.batch, true);
+    remove_batch(folder_, batch->second.batch);
+    batches_.erase(batch);
+  }
+
+  void give_back_waiting() {
+    for (const Assignment& one : waiting_) {
+      finished_.push_back({one.fixture.index, std::nullopt});
+    }
+    waiting_.clear();
+  }
+
+  bool cancel(const SlurmBatch& batch, bool waiting_only) {
+    const auto cancelled = client_.cancel(batch.name, waiting_only);
+    if (!cancelled) note_once(fmt::format("scancel: {}", cancelled.error().message));
+    return cancelled.ok();
+  }
+
+  fs::path log_of(const Task& task) const {
+    return task_log(batches_.at(task.batch).batch, task.position);
+  }
+
+  void note_once(const std::string& note) {
+    if (noted_.insert(note).second) notes_.push_back(note);
+  }
+
+  const TournamentConfig& config_;
+  fs::path folder_;
+  fs::path program_;
+  SlurmClient client_;
+  int array_size_;
+  int chunk_;  // tasks of the next array: fewer after a limit was met
+  int next_number_;
+  std::deque<Assignment> waiting_;  // not taken by Slurm yet
+  std::map<int, Task> tasks_;       // by match
+  std::map<int, Batch> batches_;    // by number
+  std::map<int, int> losses_;       // by match
+  std::vector<Finished> finished_;
+  std::vector<std::string> notes_;
+  std::set<std::string> noted_;
+  Rhythm asking_;
+  Rhythm submitting_;
+  Rhythm looking_;
+  bool withdrawn_ = false;
+};
+
+}  // namespace
+
+Result<std::unique_ptr<MatchExecutor>> slurm_executor(const TournamentConfig& config,
+                                                      const fs::path& folder,
+                                                      const fs::path& program) {
+  auto client = SlurmClient::create();
+  if (!client) return client.error();
+  const auto size = client->max_array_size();
+  if (!size) return Error{"executor slurm: " + size.error().message};
+  return std::unique_ptr<MatchExecutor>(
+      std::make_unique<SlurmExecutor>(config, folder, program, *std::move(client), *size));
+}
+
+}  // namespace cls::orchestration::tournament

@@ -1,0 +1,65 @@
+// Inside of the schedule: where formats put the matches they want played.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "orchestration/tournament/config/config.h"
+#include "orchestration/tournament/schedule/fixture.h"
+#include "orchestration/tournament/schedule/standings.h"
+
+namespace cls::orchestration::tournament {
+
+/// The matches so far, and those that are to follow. Numbers and seeds come from here.
+class FixtureList {
+ public:
+  FixtureList(const TournamentConfig& config, std::span<const ScheduledMatch> so_far);
+
+  const TournamentConfig& config() const { return config_; }
+  std::span<const ScheduledMatch> so_far() const { return so_far_; }
+
+  /// Appends a pairing: two matches with sides swapped on one seed, or one match. `swapped`: the
+  /// second team begins on the left.
+  void add_pairing(int round, std::string_view stage, int first, int second, bool swapped = false);
+  /// Appends one match that must have a winner.
+  void add_decider(int round, std::string_view stage, int left, int right);
+
+  /// The matches so far of a stage.
+  std::vector<ScheduledMatch> of_stage(std::string_view stage) const;
+
+  std::vector<Fixture> take() { return std::move(added_); }
+  bool added_any() const { return !added_.empty(); }
+
+ private:
+  void add(int round, std::string_view stage, int left, int right, bool decides);
+
+  const TournamentConfig& config_;
+  std::span<const ScheduledMatch> so_far_;
+  std::vector<Fixture> added_;
+  int last_pairing_ = 0;
+};
+
+/// Team indices in seeding order: that of the file, or by lot.
+std::vector<int> seeding(const TournamentConfig& config);
+
+/// Rounds of a round robin by the circle method, each a list of disjoint pairs; everybody is on
+/// the left about as often as on the right.
+std::vector<std::vector<std::pair<int, int>>> circle(std::span<const int> teams);
+
+// The formats; each appends what can be played next. Knock-outs also tell the places as far as
+// they are known: places[i] is a set of teams that share a place, best first.
+void schedule_swiss(FixtureList& list);
+std::vector<Bye> swiss_byes(const TournamentConfig& config, std::span<const ScheduledMatch> so_far);
+std::vector<std::vector<int>> schedule_knockout(FixtureList& list, std::vector<int> seeds,
+                                                int first_round);
+std::vector<std::vector<int>> schedule_double_elimination(FixtureList& list,
+                                                          std::vector<int> seeds);
+
+/// The groups: team indices by group, dealt out to and fro in seeding order.
+std::vector<std::vector<int>> groups_of(const TournamentConfig& config);
+std::string group_name(std::size_t group);
+
+}  // namespace cls::orchestration::tournament

@@ -1,0 +1,255 @@
+// Single and double elimination: the whole bracket is walked anew each time; what is not known yet
+// stays unknown, and ties whose two teams are known get their matches.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+#include <optional>
+
+#include "orchestration/tournament/schedule/fixture_list.h"
+#include "soccer/random.h"
+
+namespace cls::orchestration::tournament {
+namespace {
+
+constexpr int kBye = -1;
+constexpr int kMaxDeciders = 3;
+
+/// A team, kBye, or nothing while it is not known.
+using Entrant = std::optional<int>;
+
+struct Tie {
+  Entrant winner;
+  Entrant loser;
+};
+
+// Match points, then goals, over the matches that do not have to decide.
+int aggregate_sign(const std::vector<ScheduledMatch>& matches, int first) {
+  int points = 0;
+  int goals = 0;
+  for (const ScheduledMatch& match : matches) {
+    if (match.fixture.decides || !match.outcome->counts()) continue;
+    const int side = match.fixture.left == first ? 1 : -1;
+    points += side * winner_sign(*match.outcome);
+    goals += side * (match.outcome->left_score - match.outcome->right_score);
+  }
+  const int sign = points != 0 ? points : goals;
+  return sign > 0 ? 1 : sign < 0 ? -1 : 0;
+}
+
+// Deciders come after the others; the last one with a winner counts.
+int decider_sign(const std::vector<ScheduledMatch>& matches, int first) {
+  for (auto match = matches.rbegin(); match != matches.rend(); ++match) {
+    if (!match->fixture.decides || !match->outcome->counts()) continue;
+    const int sign = winner_sign(*match->outcome);
+    if (sign != 0) return match->fixture.left == first ? sign : -sign;
+  }
+  return 0;
+}
+
+int lot(const TournamentConfig& config, const std::vector<ScheduledMatch>& matches) {
+  const auto key = static_cast<std::uint64_t>(matches.front().fixture.pairing);
+  soccer::RandomStream random(config.seed, "lot", key);
+  return random.integer(2) == 0 ? 1 : -1;
+}
+
+class Bracket {
+ public:
+  explicit Bracket(FixtureList& list) : list_(list) {}
+
+  // +1 when `first` wins the tie, -1 when `second` does, 0 while it is open.
+  int play(int round, const std::string& stage, int first, int second) {
+    const TournamentConfig& config = list_.config();
+    const std::vector<ScheduledMatch> matches = list_.of_stage(stage);
+    if (matches.empty()) {
+      begin(round, stage, first, second);
+      return 0;
+    }
+    for (const ScheduledMatch& match : matches) {
+      if (!match.outcome) return 0;
+    }
+    if (const int sign = decider_sign(matches, first)) return sign;
+    if (const int sign = aggregate_sign(matches, first)) return sign;
+    const auto deciders =
+        std::count_if(matches.begin(), matches.end(),
+                      [](const ScheduledMatch& match) { return match.fixture.decides; });
+    if (deciders >= kMaxDeciders) return lot(config, matches);
+    const bool swapped = deciders % 2 == 1;
+    list_.add_decider(round, stage, swapped ? second : first, swapped ? first : second);
+    return 0;
+  }
+
+  Tie tie(int round, const std::string& stage, Entrant first, Entrant second) {
+    if (!first || !second) return {};
+    if (*first == kBye) return {second, first};
+    if (*second == kBye) return {first, second};
+    const int sign = play(round, stage, *first, *second);
+    if (sign == 0) return {};
+    return sign > 0 ? Tie{first, second} : Tie{second, first};
+  }
+
+ private:
+  void begin(int round, const std::string& stage, int first, int second) {
+    const TournamentConfig& config = list_.config();
+    const int rounds = config.format == Format::kGroups ? 1 : rounds_of(config);
+    if (!config.swap_sides && rounds == 1) {
+      list_.add_decider(round, stage, first, second);
+      return;
+    }
+    for (int i = 0; i < rounds; ++i) list_.add_pairing(round, stage, first, second, i % 2 == 1);
+  }
+
+  FixtureList& list_;
+};
+
+// First against last, second against last but one, and so that the first two meet in the final.
+std::vector<Entrant> bracket_slots(const std::vector<int>& seeds) {
+  std::vector<std::size_t> order = {0};
+  while (order.size() < seeds.size()) {
+    const std::size_t size = order.size() * 2;
+    std::vector<std::size_t> next;
+    for (const std::size_t place : order) {
+      next.push_back(place);
+      next.push_back(size - 1 - place);
+    }
+    order = std::move(next);
+  }
+  std::vector<Entrant> slots;
+  for (const std::size_t place : order) {
+    slots.push_back(place < seeds.size() ? seeds[place] : kBye);
+  }
+  return slots;
+}
+
+std::string stage_name(std::size_t ties, std::size_t number) {
+  if (ties == 1) return "final";
+  if (ties == 2) return fmt::format("semi-final {}", number);
+  if (ties == 4) return fmt::format("quarter-final {}", number);
+  return fmt::format("last {}, tie {}", 2 * ties, number);
+}
+
+/// Teams as they go out, latest last; then the places are told from behind.
+class Departures {
+ public:
+  void add(std::vector<Entrant> together) {
+    std::vector<int> teams;
+    for (const Entrant& team : together) {
+      if (team && *team != kBye) teams.push_back(*team);
+    }
+    if (!teams.empty()) groups_.push_back(std::move(teams));
+  }
+  std::vector<std::vector<int>> places(const std::vector<int>& seeds) const {
+    std::vector<int> still_in;
+    for (const int team : seeds) {
+      const auto left = [team](const std::vector<int>& group) {
+        return std::find(group.begin(), group.end(), team) != group.end();
+      };
+      if (std::none_of(groups_.begin(), groups_.end(), left)) still_in.push_back(team);
+    }
+    std::vector<std::vector<int>> result;
+    if (!still_in.empty()) result.push_back(still_in);
+    result.insert(result.end(), groups_.rbegin(), groups_.rend());
+    return result;
+  }
+
+ private:
+  std::vector<std::vector<int>> groups_;
+};
+
+std::vector<Entrant> losers_of(const std::vector<Tie>& ties) {
+  std::vector<Entrant> losers;
+  for (const Tie& tie : ties) losers.push_back(tie.loser);
+  return losers;
+}
+
+std::vector<Entrant> winners_of(const std::vector<Tie>& ties) {
+  std::vector<Entrant> winners;
+  for (const Tie& tie : ties) winners.push_back(tie.winner);
+  return winners;
+}
+
+// Neighbours against each other.
+std::vector<Tie> play_neighbours(Bracket& bracket, int round, const std::vector<Entrant>& slots,
+                                 const std::function<std::string(std::size_t)>& stage) {
+  std::vector<Tie> ties;
+  for (std::size_t i = 0; i + 1 < slots.size(); i += 2) {
+    ties.push_back(bracket.tie(round, stage(i / 2 + 1), slots[i], slots[i + 1]));
+  }
+  return ties;
+}
+
+}  // namespace
+
+std::vector<std::vector<int>> schedule_knockout(FixtureList& list, std::vector<int> seeds,
+                                                int first_round) {
+  Bracket bracket(list);
+  Departures gone;
+  std::vector<Entrant> slots = bracket_slots(seeds);
+  for (int round = first_round; slots.size() > 1; ++round) {
+    const std::size_t ties = slots.size() / 2;
+    const std::vector<Tie> played = play_neighbours(
+        bracket, round, slots, [ties](std::size_t number) { return stage_name(ties, number); });
+    const std::vector<Entrant> losers = losers_of(played);
+    if (ties == 2 && list.config().third_place) {
+      const Tie third = bracket.tie(round + 1, "third place", losers[0], losers[1]);
+      if (third.winner) {
+        gone.add({third.loser});
+        gone.add({third.winner});
+      } else {
+        gone.add(losers);
+      }
+    } else {
+      gone.add(losers);
+    }
+    slots = winners_of(played);
+  }
+  return gone.places(seeds);
+}
+
+std::vector<std::vector<int>> schedule_double_elimination(FixtureList& list,
+                                                          std::vector<int> seeds) {
+  Bracket bracket(list);
+  Departures gone;
+  const auto losers_round = [&](int round, const std::vector<Entrant>& slots, int number) {
+    const std::vector<Tie> played = play_neighbours(
+        bracket, round, slots,
+        [number](std::size_t tie) { return fmt::format("losers' round {}, tie {}", number, tie); });
+    gone.add(losers_of(played));
+    return winners_of(played);
+  };
+  std::vector<Entrant> upper = bracket_slots(seeds);
+  std::vector<Entrant> lower;
+  int lower_rounds = 0;
+  for (int round = 1; upper.size() > 1; ++round) {
+    const std::vector<Tie> played = play_neighbours(
+        bracket, round, upper,
+        [round](std::size_t tie) { return fmt::format("winners' round {}, tie {}", round, tie); });
+    upper = winners_of(played);
+    std::vector<Entrant> dropped = losers_of(played);
+    if (round == 1) {
+      lower = std::move(dropped);
+    } else {
+      // Backwards, so that those who met in the winners' bracket meet again late.
+      std::reverse(dropped.begin(), dropped.end());
+      std::vector<Entrant> mixed;
+      for (std::size_t i = 0; i < lower.size(); ++i) {
+        mixed.push_back(lower[i]);
+        mixed.push_back(dropped[i]);
+      }
+      lower = losers_round(round + 1, mixed, ++lower_rounds);
+    }
+    if (lower.size() > 1) lower = losers_round(round + 1, lower, ++lower_rounds);
+  }
+  const int last_round = lower_rounds + 2;
+  const Entrant undefeated = upper.front();
+  const Entrant challenger = lower.empty() ? Entrant(kBye) : lower.front();
+  const Tie first = bracket.tie(last_round, "grand final", undefeated, challenger);
+  if (first.winner && first.winner == undefeated) {
+    gone.add({first.loser});
+  } else if (first.winner) {
+    gone.add({bracket.tie(last_round + 1, "grand final, second", undefeated, challenger).loser});
+  }
+  return gone.places(seeds);
+}
+
+}  // namespace cls::orchestration::tournament

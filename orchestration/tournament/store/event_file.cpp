@@ -1,0 +1,61 @@
+// Append, then fdatasync.
+#include "orchestration/tournament/store/event_file.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+#include <nlohmann/json.hpp>
+
+#include "base/io/whole_file.h"
+#include "base/system/host.h"
+
+namespace cls::orchestration::tournament {
+
+using base::Error;
+using base::Result;
+using Json = nlohmann::ordered_json;
+
+EventFile::EventFile(process::UniqueFd file, std::string name, std::int64_t next)
+    : file_(std::move(file)),
+      name_(std::move(name)),
+      next_(next),
+      begin_(std::chrono::steady_clock::now()) {}
+
+Result<EventFile> EventFile::open(const std::filesystem::path& file) {
+  std::int64_t lines = 0;
+  bool whole = true;
+  if (const auto text = base::read_file(file)) {
+    lines = std::count(text->begin(), text->end(), '\n');
+    whole = text->empty() || text->back() == '\n';
+  }
+  process::UniqueFd opened(::open(file.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666));
+  if (!opened) {
+    return Error{fmt::format("cannot create {}: {}", file.string(), std::strerror(errno))};
+  }
+  if (!whole && ::write(opened.get(), "\n", 1) != 1) {
+    return Error{fmt::format("cannot write {}: {}", file.string(), std::strerror(errno))};
+  }
+  return EventFile(std::move(opened), file.string(), lines + (whole ? 0 : 1));
+}
+
+Result<void> EventFile::add(std::string_view type, const Json& fields) {
+  const double t = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+  Json line = {{"schema", "cls.events/1"},
+               {"seq", next_++},
+               {"t", std::round(t * 1000) / 1000},
+               {"time", base::utc_now()},
+               {"type", type}};
+  line.update(fields);
+  const std::string text = line.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+  const ssize_t written = ::write(file_.get(), text.data(), text.size());
+  if (written != static_cast<ssize_t>(text.size()) || ::fdatasync(file_.get()) != 0) {
+    return Error{fmt::format("cannot write {}: {}", name_, std::strerror(errno))};
+  }
+  return {};
+}
+
+}  // namespace cls::orchestration::tournament

@@ -1,0 +1,35 @@
+// events.jsonl of a tournament: what happened, one JSON object a line, on disk before it goes on.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <string_view>
+
+#include "base/result.h"
+#include "orchestration/process/unique_fd.h"
+
+namespace cls::orchestration::tournament {
+
+/// Lines {"schema": "cls.events/1", "seq": n, "t": seconds since this run began, "time": UTC,
+/// "type": ...}; `seq` goes on over all runs of a tournament. A last line that a crash left
+/// unfinished is ended first.
+class EventFile {
+ public:
+  static base::Result<EventFile> open(const std::filesystem::path& file);
+
+  /// Appends and syncs a line; `fields` follow the common members.
+  base::Result<void> add(std::string_view type, const nlohmann::ordered_json& fields);
+
+ private:
+  EventFile(process::UniqueFd file, std::string name, std::int64_t next);
+
+  process::UniqueFd file_;
+  std::string name_;
+  std::int64_t next_ = 0;
+  std::chrono::steady_clock::time_point begin_;
+};
+
+}  // namespace cls::orchestration::tournament

@@ -1,0 +1,173 @@
+// Files of a tournament's folder.
+#include "orchestration/tournament/store/folder.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+
+#include "base/io/whole_file.h"
+#include "orchestration/tournament/config/config_file.h"
+#include "orchestration/tournament/store/collector.h"
+#include "orchestration/tournament/store/match_document.h"
+#include "orchestration/tournament/store/store.h"
+
+namespace cls::orchestration::tournament {
+namespace {
+
+namespace fs = std::filesystem;
+using base::Error;
+using base::Result;
+
+}  // namespace
+
+fs::path match_folder(const TournamentConfig& config, const Fixture& fixture, int attempt) {
+  const auto team = [&config](int index) {
+    return config.teams[static_cast<std::size_t>(index)].name;
+  };
+  const std::string stem =
+      fmt::format("{:06}-{}-vs-{}", fixture.index, team(fixture.left), team(fixture.right));
+  return fs::path(kMatchesFolder) / (attempt == 1 ? stem : fmt::format("{}.{}", stem, attempt));
+}
+
+fs::path result_file(int index, int attempt) {
+  return fs::path(kResultsFolder) / fmt::format("{:06}.{}.json", index, attempt);
+}
+
+fs::path unfinished_folder(int index, int attempt, std::string_view here) {
+  return fs::path(kUnfinishedFolder) / fmt::format("{:06}.{}.{}", index, attempt, here);
+}
+
+Result<std::optional<FolderLock>> FolderLock::take(const fs::path& folder) {
+  const fs::path path = folder / kLockFile;
+  process::UniqueFd file(::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666));
+  if (!file) {
+    return Error{fmt::format("cannot create {}: {}", path.string(), std::strerror(errno))};
+  }
+  if (::flock(file.get(), LOCK_EX | LOCK_NB) != 0) return std::optional<FolderLock>();
+  return std::optional<FolderLock>(FolderLock(std::move(file)));
+}
+
+bool holds_plan(const fs::path& folder) {
+  std::error_code code;
+  return fs::exists(folder / kPlanFile, code);
+}
+
+Result<TournamentConfig> read_plan(const fs::path& folder) {
+  if (!holds_plan(folder)) {
+    return Error{fmt::format("{} holds no tournament (no {})", folder.string(), kPlanFile)};
+  }
+  ConfigReading reading = read_config(folder / kPlanFile);
+  if (!reading.mistakes.empty()) return Error{reading.mistakes.front()};
+  return std::move(reading.config);
+}
+
+Result<void> prepare_folder(const fs::path& folder, const TournamentConfig& config) {
+  std::error_code code;
+  fs::create_directories(folder, code);
+  if (code || !fs::is_directory(folder, code)) {
+    return Error{fmt::format("cannot create folder {}: {}", folder.string(),
+                             code ? code.message() : "not a folder")};
+  }
+  if (holds_plan(folder)) {
+    const auto before = read_plan(folder);
+    if (!before) return before.error();
+    const std::string difference = first_difference(config, *before);
+    if (!difference.empty()) {
+      return Error{
+          fmt::format("{} holds another plan: {} (--force starts anew and keeps the old "
+                      "folder under a new name)",
+                      folder.string(), difference)};
+    }
+  }
+  return base::write_file(folder / kPlanFile, config_text(config));
+}
+
+Result<fs::path> set_aside(const fs::path& folder) {
+  fs::path whole = fs::absolute(folder).lexically_normal();
+  if (!whole.has_filename()) whole = whole.parent_path();
+  std::error_code code;
+  fs::path aside = whole.string() + ".old";
+  for (int i = 2; fs::exists(aside, code); ++i) aside = fmt::format("{}.old{}", whole.string(), i);
+  fs::rename(whole, aside, code);
+  if (code) {
+    return Error{
+        fmt::format("cannot rename {} to {}: {}", whole.string(), aside.string(), code.message())};
+  }
+  return aside;
+}
+
+Result<void> write_schedule(const fs::path& folder, const std::vector<ScheduledMatch>& matches) {
+  std::string text;
+  for (const ScheduledMatch& match : matches) text += schedule_line(match.fixture);
+  return base::write_file(folder / kScheduleFile, text);
+}
+
+namespace {
+
+// Calls `take` with each line's fixture until it returns false.
+template <typename Take>
+Result<void> read_schedule(const fs::path& path, Take take) {
+  std::ifstream stream(path);
+  if (!stream) return Error{fmt::format("{}: no such file", path.string())};
+  std::string line;
+  for (int number = 1; std::getline(stream, line); ++number) {
+    auto fixture = fixture_from_line(line);
+    if (!fixture) {
+      return Error{fmt::format("{}:{}: {}", path.string(), number, fixture.error().message)};
+    }
+    if (!take(*std::move(fixture))) break;
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<Fixture> read_fixture(const fs::path& schedule, int index) {
+  std::optional<Fixture> found;
+  const auto read = read_schedule(schedule, [&](Fixture fixture) {
+    if (fixture.index == index) found = std::move(fixture);
+    return !found;
+  });
+  if (!read) return read.error();
+  if (!found) return Error{fmt::format("{} has no match {} yet", schedule.string(), index)};
+  return *std::move(found);
+}
+
+Result<TournamentState> read_tournament(const fs::path& folder) {
+  TournamentState state;
+  auto config = read_plan(folder);
+  if (!config) return config.error();
+  state.config = *std::move(config);
+  std::error_code code;
+  if (fs::exists(folder / kStoreFile, code)) {
+    const auto store = Store::open_to_read(folder / kStoreFile);
+    if (!store) return store.error();
+    auto matches = store->matches();
+    if (!matches) return matches.error();
+    state.matches = *std::move(matches);
+    const auto lock = FolderLock::take(folder);
+    if (lock && !*lock) {
+      auto running = store->running();
+      if (!running) return running.error();
+      state.running = *std::move(running);
+    }
+  } else if (fs::exists(folder / kScheduleFile, code)) {
+    const auto read = read_schedule(folder / kScheduleFile, [&](Fixture fixture) {
+      state.matches.push_back(planned(std::move(fixture)));
+      return true;
+    });
+    if (!read) return read.error();
+  }
+  for (Delivery& delivery : collect_results(folder, state.matches)) {
+    state.matches[static_cast<std::size_t>(delivery.index) - 1].outcome =
+        std::move(delivery.outcome);
+  }
+  return state;
+}
+
+}  // namespace cls::orchestration::tournament

@@ -1,0 +1,202 @@
+// Starting `cls match`, reading its result.
+#include "orchestration/tournament/store/match_attempt.h"
+
+#include <fmt/format.h>
+#include <signal.h>
+
+#include <utility>
+
+#include "base/io/whole_file.h"
+#include "base/system/host.h"
+#include "orchestration/match/options/endpoint.h"
+#include "orchestration/match/result/match_folder.h"
+#include "orchestration/tournament/store/folder.h"
+#include "orchestration/tournament/store/match_document.h"
+
+namespace cls::orchestration::tournament {
+namespace {
+
+namespace fs = std::filesystem;
+using base::Error;
+using base::Result;
+
+// A match that obeys its own limit has ended long before.
+constexpr double kBeyondLimitS = 15.0;
+constexpr std::chrono::milliseconds kGrace{4000};
+
+void add_option(std::vector<std::string>& argv, const char* option, const std::string& value) {
+  argv.emplace_back(option);
+  argv.push_back(value);
+}
+
+template <typename T>
+void add_option(std::vector<std::string>& argv, const char* option, const std::optional<T>& value) {
+  if (value) add_option(argv, option, fmt::format("{}", *value));
+}
+
+std::string text_of(const fs::path& file) { return base::read_file(file).value_or(""); }
+
+bool is_foreign(const TeamEntry& team) {
+  const auto endpoint = match::parse_endpoint(team.endpoint);
+  return endpoint && endpoint->kind == match::Endpoint::Kind::kTeam;
+}
+
+// What executions of `work` left that were killed.
+void remove_unfinished(const fs::path& tournament, int index, int attempt) {
+  const std::string prefix = unfinished_folder(index, attempt, "").filename().string();
+  std::error_code code;
+  for (const auto& entry : fs::directory_iterator(tournament / kUnfinishedFolder, code)) {
+    std::error_code ignored;
+    if (entry.path().filename().string().starts_with(prefix)) fs::remove_all(entry.path(), ignored);
+  }
+}
+
+bool interrupted(const Outcome& outcome) { return outcome.end_reason == "interrupted"; }
+
+}  // namespace
+
+fs::path own_program() {
+  std::error_code code;
+  std::string path = fs::read_symlink("/proc/self/exe", code).string();
+  // The kernel's note when the file was replaced, by a new build for example.
+  constexpr std::string_view kReplaced = " (deleted)";
+  if (path.ends_with(kReplaced)) path.resize(path.size() - kReplaced.size());
+  return path;
+}
+
+process::CommandPlan match_plan(const TournamentConfig& config, const Fixture& fixture,
+                                const fs::path& program, const fs::path& folder) {
+  const TeamEntry& left = config.teams[static_cast<std::size_t>(fixture.left)];
+  const TeamEntry& right = config.teams[static_cast<std::size_t>(fixture.right)];
+  process::CommandPlan plan;
+  plan.name = fmt::format("match {}", fixture.index);
+  plan.folder = config.folder;
+  plan.argv = {program.string(), "match", left.endpoint, right.endpoint};
+  add_option(plan.argv, "--left-name", left.name);
+  add_option(plan.argv, "--right-name", right.name);
+  if (is_foreign(left) || is_foreign(right)) plan.argv.emplace_back("--own-names");
+  add_option(plan.argv, "--seed", fmt::to_string(fixture.seed));
+  add_option(plan.argv, "--cycles", config.cycles);
+  add_option(plan.argv, "--half-time", config.half_time);
+  if (!config.mode.empty()) add_option(plan.argv, "--mode", config.mode);
+  if (!config.server.empty()) add_option(plan.argv, "--server", config.server);
+  add_option(plan.argv, "--rpc-deadline", config.rpc_deadline_ms);
+  add_option(plan.argv, "--max-missed", config.max_missed);
+  add_option(plan.argv, "--start-timeout", config.start_timeout_s);
+  add_option(plan.argv, "--stall-after", config.stall_after_s);
+  add_option(plan.argv, "--time-limit", config.time_limit_s);
+  for (const ServerSetting& setting : config.settings) {
+    add_option(plan.argv, "--set", setting.name + "=" + setting.value);
+  }
+  if (fixture.decides) {
+    add_option(plan.argv, "--set", std::string("server::nr_extra_halfs=2"));
+    add_option(plan.argv, "--set", std::string("server::penalty_shoot_outs=on"));
+  }
+  if (!folder.empty()) add_option(plan.argv, "--dir", folder.string());
+  plan.argv.emplace_back("--quiet");
+  return plan;
+}
+
+Result<MatchAttempt> MatchAttempt::start(process::ProcessHost& host, const TournamentConfig& config,
+                                         const Fixture& fixture, int attempt, AttemptPlace place) {
+  MatchAttempt started;
+  started.fixture_ = fixture;
+  started.number_ = attempt;
+  started.tournament_ = fs::absolute(place.tournament);
+  started.folder_ =
+      place.folder.empty() ? match_folder(config, fixture, attempt) : std::move(place.folder);
+  started.begin_ = std::chrono::steady_clock::now();
+  started.limit_s_ = config.time_limit_s;
+  started.started_ = base::utc_now();
+  std::error_code code;
+  fs::create_directories((started.tournament_ / started.folder_).parent_path(), code);
+  process::CommandPlan plan =
+      match_plan(config, fixture, place.program, started.tournament_ / started.folder_);
+  plan.cpus = std::move(place.cpus);
+  auto child = host.start(plan);
+  if (!child) return child.error();
+  started.child_ = *std::move(child);
+  return started;
+}
+
+void MatchAttempt::enforce_limit() {
+  if (!limit_s_ || timed_out_) return;
+  const auto now = std::chrono::steady_clock::now();
+  if (std::chrono::duration<double>(now - begin_).count() < *limit_s_ + kBeyondLimitS) return;
+  timed_out_ = true;
+  child_->end(std::chrono::milliseconds(0));
+}
+
+void MatchAttempt::interrupt() {
+  if (std::exchange(interrupted_, true)) return;
+  child_->end(kGrace, true);
+}
+
+Result<std::optional<Outcome>> MatchAttempt::outcome() const {
+  const process::Child::Status status = child_->status();
+  auto read = outcome_from_result(text_of(tournament_ / folder_ / match::kResultFile));
+  if (read && interrupted(*read)) return std::optional<Outcome>();
+  Outcome outcome;
+  if (read) {
+    outcome = *std::move(read);
+  } else if (interrupted_) {
+    return std::optional<Outcome>();
+  } else if (timed_out_) {
+    outcome.end_reason = "timed_out";
+    outcome.message = fmt::format("did not end at its time limit of {} s", *limit_s_);
+  } else if (status.exit && status.exit->by_signal) {
+    // The embedded server lives in this process.
+    outcome.end_reason = "server_failed";
+    outcome.message = "cls match was " + to_text(*status.exit);
+  } else {
+    const std::vector<std::string> lines = child_->last_lines(1);
+    return Error{fmt::format(
+        "match {} cannot be played: {}", fixture_.index,
+        lines.empty() ? to_text(status.exit.value_or(process::ProcessExit{})) : lines.front())};
+  }
+  outcome.attempts = number_;
+  outcome.folder = folder_.string();
+  outcome.started = started_;
+  outcome.ended = base::utc_now();
+  outcome.host = base::host_name();
+  outcome.load = base::load_average();
+  outcome.run_seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+  return std::optional<Outcome>(std::move(outcome));
+}
+
+std::optional<Outcome> left_behind(const TournamentConfig& config, const Fixture& fixture,
+                                   int attempt, const fs::path& tournament) {
+  const fs::path folder = match_folder(config, fixture, attempt);
+  auto outcome = outcome_from_result(text_of(tournament / folder / match::kResultFile));
+  if (!outcome || interrupted(*outcome) || outcome->end_reason != "finished") return std::nullopt;
+  outcome->attempts = attempt;
+  outcome->folder = folder.string();
+  outcome->ended = base::utc_now();
+  outcome->started = outcome->ended;
+  outcome->host = base::host_name();
+  outcome->run_seconds = outcome->wall_seconds;
+  return *std::move(outcome);
+}
+
+bool keeps_folder(const TournamentConfig& config, const Outcome& outcome) {
+  if (config.keep_logs == KeepLogs::kAll) return true;
+  return config.keep_logs == KeepLogs::kFailed && !outcome.played();
+}
+
+void clean_up(const TournamentConfig& config, const Fixture& fixture, const Outcome& outcome,
+              const fs::path& tournament) {
+  for (int attempt = 1; attempt <= outcome.attempts; ++attempt) {
+    const fs::path folder = tournament / match_folder(config, fixture, attempt);
+    bool keep = attempt == outcome.attempts && keeps_folder(config, outcome);
+    if (attempt < outcome.attempts && config.keep_logs != KeepLogs::kNone) {
+      const auto earlier = outcome_from_result(text_of(folder / match::kResultFile));
+      keep = earlier && !interrupted(*earlier);
+    }
+    std::error_code code;
+    if (!keep) fs::remove_all(folder, code);
+    remove_unfinished(tournament, fixture.index, attempt);
+  }
+}
+
+}  // namespace cls::orchestration::tournament

@@ -1,0 +1,259 @@
+// From wire messages to skills, one line or two for each kind of action.
+#include "proxy/actions/action_handlers.h"
+
+#include <array>
+#include <optional>
+
+#include "proxy/actions/debug_log.h"
+#include "proxy/ball_skills/clear_ball.h"
+#include "proxy/ball_skills/dribble.h"
+#include "proxy/ball_skills/hold_ball.h"
+#include "proxy/ball_skills/kick.h"
+#include "proxy/ball_skills/shoot.h"
+#include "proxy/ball_skills/smart_kick.h"
+#include "proxy/behaviors/basic_move.h"
+#include "proxy/behaviors/communication.h"
+#include "proxy/behaviors/goalie.h"
+#include "proxy/behaviors/goalie_free_kick.h"
+#include "proxy/behaviors/heard_pass.h"
+#include "proxy/behaviors/penalty.h"
+#include "proxy/behaviors/set_play.h"
+#include "proxy/looking/looking.h"
+#include "proxy/looking/neck.h"
+#include "proxy/looking/view.h"
+#include "proxy/messages/say_payload.h"
+#include "proxy/movement/intercept.h"
+#include "proxy/movement/movement.h"
+#include "proxy/movement/tackle.h"
+#include "proxy/planner/planned_action.h"
+#include "proxy/planner/planner_action.h"
+
+namespace cls::proxy {
+namespace {
+
+using soccer::AngleDeg;
+using soccer::Vec2;
+using soccer::ViewWidth;
+
+using Action = protos::PlayerAction;
+using Context = ActionContext;
+
+Vec2 vec(const protos::RpcVector2D& v) { return {v.x(), v.y()}; }
+
+soccer::Side side(protos::Side side) {
+  return side == protos::RIGHT ? soccer::Side::kRight : soccer::Side::kLeft;
+}
+
+/// The player a neck action names; null when it is not tracked.
+const PlayerState* player(const WorldModel& world, protos::Side team, int unum) {
+  return side(team) == world.our_side ? world.teammate(unum) : world.opponent(unum);
+}
+
+bool change_width(Context& c, protos::ViewWidth width) {
+  switch (width) {
+    case protos::NARROW:
+      return c.slots.change_view(ViewWidth::kNarrow);
+    case protos::NORMAL:
+      return c.slots.change_view(ViewWidth::kNormal);
+    case protos::WIDE:
+      return c.slots.change_view(ViewWidth::kWide);
+    default:
+      return false;
+  }
+}
+
+bool say(const protos::Say& say, Context& c) {
+  const auto kind = static_cast<std::size_t>(say.message_case());
+  ActionCounts& counts = c.report.say[kind < c.report.say.size() ? kind : 0];
+  const std::optional<SayMessage> message = say_message_of(say, c.world.server());
+  if (!message) {
+    ++counts.unimplemented;  // of a later version
+    return false;
+  }
+  std::string text;
+  const bool fits = append_say_message(*message, c.world.server(), text) && c.slots.say(text);
+  ++(fits ? counts.done : counts.failed);
+  return fits;
+}
+
+bool log_text(const std::string& text, Context& c) {
+  append_debug_text(text, c.world.game.time, c.memory.debug);
+  return true;
+}
+
+/// Play with the ball by the default plan; without it, without the ball.
+bool basic_offensive(Context& c) {
+  if (act_on_default_plan(c)) return true;
+  if (c.world.self.kickable) return hold_ball(c.world, c.slots, false, {});
+  return basic_move(c.world, c.slots, c.neck, c.memory.recovering);
+}
+
+bool basic_tackle_and_look(const protos::HeliosBasicTackle& action, Context& c) {
+  if (!basic_tackle(c.world, c.slots, action.min_prob())) return false;
+  c.neck.kind = NeckPlan::Kind::kBall;
+  return true;
+}
+
+bool shoot_and_look(Context& c) {
+  Vec2 aim;
+  if (!shoot(c.world, c.slots, &aim)) return false;
+  c.neck = {NeckPlan::Kind::kPoint, aim};
+  return true;
+}
+
+bool kick_and_scan(bool kicked, Context& c) {
+  if (kicked) c.neck.kind = NeckPlan::Kind::kScan;
+  return kicked;
+}
+
+bool dribble(const protos::Body_Dribble& action, Context& c) {
+  return dribble(
+      c.world, c.memory.intention, c.slots, vec(action.target_point()),
+      {action.distance_threshold(), action.dash_power(), action.dash_count(), action.dodge()});
+}
+
+bool hold(const protos::Body_HoldBall& action, Context& c) {
+  return hold_ball(c.world, c.slots, action.do_turn(), vec(action.turn_target_point()));
+}
+
+constexpr ActionClass kMain = ActionClass::kMain;
+constexpr ActionClass kSide = ActionClass::kSide;
+
+// clang-format off
+// Inside an expression, m is the member's message and c the context.
+#define CLS_ACTION(kind, member, name, expression)                   \
+  ActionEntry{Action::member, kind,                                  \
+              [](const Action& action, [[maybe_unused]] Context& c) -> bool { \
+                [[maybe_unused]] const auto& m = action.name();      \
+                return expression;                                   \
+              }}
+#define CLS_MAIN(...) CLS_ACTION(kMain, __VA_ARGS__)
+#define CLS_SIDE(...) CLS_ACTION(kSide, __VA_ARGS__)
+
+/// In the order of the wire; null: nothing is set.
+constexpr std::array kEntries{
+    ActionEntry{Action::ACTION_NOT_SET, kSide, nullptr},
+    CLS_MAIN(kDash, dash, c.slots.dash(m.power(), m.relative_direction())),
+    CLS_MAIN(kTurn, turn, c.slots.turn(m.relative_direction())),
+    CLS_MAIN(kKick, kick, c.slots.kick(m.power(), m.relative_direction())),
+    CLS_MAIN(kTackle, tackle, c.slots.tackle(m.power_or_dir(), m.foul())),
+    CLS_MAIN(kCatch, catch_, c.slots.catch_ball()),
+    CLS_MAIN(kMove, move, c.slots.move({m.x(), m.y()})),
+    CLS_SIDE(kTurnNeck, turn_neck, c.slots.turn_neck(m.moment())),
+    CLS_SIDE(kChangeView, change_view, change_width(c, m.view_width())),
+    CLS_SIDE(kSay, say, say(m, c)),
+    CLS_SIDE(kPointTo, point_to, c.slots.point_to({m.x(), m.y()})),
+    CLS_SIDE(kPointToOf, point_to_of, c.slots.point_to_off()),
+    CLS_SIDE(kAttentionTo, attention_to, c.slots.attention_to(side(m.side()), m.unum())),
+    CLS_SIDE(kAttentionToOf, attention_to_of, c.slots.attention_to_off()),
+    CLS_SIDE(kLog, log, append_debug(m, c.world.game.time, c.memory.debug)),
+    CLS_SIDE(kDebugClient, debug_client, log_text(m.message(), c)),
+    CLS_MAIN(kBodyGoToPoint, body_go_to_point,
+             go_to_point(c.world, c.slots, vec(m.target_point()), m.distance_threshold(),
+                 m.max_dash_power())),
+    CLS_MAIN(kBodySmartKick, body_smart_kick,
+             smart_kick(c.world, c.slots, vec(m.target_point()), m.first_speed(),
+                 m.first_speed_threshold(), m.max_steps())),
+    CLS_MAIN(kBhvBeforeKickOff, bhv_before_kick_off,
+             before_kick_off(c.world, c.memory.sight, c.slots, vec(m.point()))),
+    CLS_MAIN(kBhvBodyNeckToBall, bhv_body_neck_to_ball,
+             body_neck_to_ball(c.world, c.memory.sight, c.slots)),
+    CLS_MAIN(kBhvBodyNeckToPoint, bhv_body_neck_to_point,
+             body_neck_to_point(c.world, c.memory.sight, c.slots, vec(m.point()))),
+    CLS_SIDE(kBhvEmergency, bhv_emergency, emergency(c.world, c.memory.sight, c.slots)),
+    CLS_MAIN(kBhvGoToPointLookBall, bhv_go_to_point_look_ball,
+             go_to_point_look_ball(c.world, c.memory.sight, c.slots, c.neck,
+                 vec(m.target_point()), m.distance_threshold(), m.max_dash_power())),
+    CLS_MAIN(kBhvNeckBodyToBall, bhv_neck_body_to_ball,
+             neck_body_to_ball(c.world, c.memory.sight, c.slots, m.angle_buf())),
+    CLS_MAIN(kBhvNeckBodyToPoint, bhv_neck_body_to_point,
+             neck_body_to_point(c.world, c.memory.sight, c.slots, vec(m.point()), m.angle_buf())),
+    CLS_MAIN(kBhvScanField, bhv_scan_field, scan_field(c.world, c.memory.sight, c.slots)),
+    CLS_MAIN(kBodyAdvanceBall, body_advance_ball, advance_ball(c.world, c.slots)),
+    CLS_MAIN(kBodyClearBall, body_clear_ball, clear_ball(c.world, c.slots)),
+    CLS_MAIN(kBodyDribble, body_dribble, dribble(m, c)),
+    CLS_MAIN(kBodyGoToPointDodge, body_go_to_point_dodge,
+             go_to_point_dodge(c.world, c.slots, vec(m.target_point()), m.dash_power())),
+    CLS_MAIN(kBodyHoldBall, body_hold_ball, hold(m, c)),
+    CLS_MAIN(kBodyIntercept, body_intercept,
+             intercept(c.world, c.slots, m.save_recovery(), vec(m.face_point()))),
+    CLS_MAIN(kBodyKickOneStep, body_kick_one_step,
+             kick_one_step(c.world, c.slots, vec(m.target_point()), m.first_speed(),
+                 m.force_mode())),
+    CLS_MAIN(kBodyStopBall, body_stop_ball, stop_ball(c.world, c.slots)),
+    CLS_MAIN(kBodyStopDash, body_stop_dash, stop_dash(c.world, c.slots, m.save_recovery())),
+    CLS_MAIN(kBodyTackleToPoint, body_tackle_to_point,
+             tackle_to_point(c.world, c.slots, vec(m.target_point()), m.min_probability(),
+                 m.min_speed())),
+    CLS_MAIN(kBodyTurnToAngle, body_turn_to_angle,
+             turn_to_angle(c.world, c.slots, AngleDeg(m.angle()))),
+    CLS_MAIN(kBodyTurnToBall, body_turn_to_ball, turn_to_ball(c.world, c.slots, m.cycle())),
+    CLS_MAIN(kBodyTurnToPoint, body_turn_to_point,
+             turn_to_point(c.world, c.slots, vec(m.target_point()), m.cycle())),
+    CLS_SIDE(kFocusMoveToPoint, focus_move_to_point,
+             focus_to_point(c.world, c.slots, vec(m.target_point()))),
+    CLS_SIDE(kFocusReset, focus_reset, focus_reset(c.world, c.slots)),
+    CLS_SIDE(kNeckScanField, neck_scan_field, neck_scan_field(c.world, c.memory.sight, c.slots)),
+    CLS_SIDE(kNeckScanPlayers, neck_scan_players,
+             neck_scan_players(c.world, c.memory.sight, c.slots)),
+    CLS_SIDE(kNeckTurnToBallAndPlayer, neck_turn_to_ball_and_player,
+             neck_turn_to_ball_and_player(c.world, c.memory.sight, c.slots,
+                 player(c.world, m.side(), m.uniform_number()), m.count_threshold())),
+    CLS_SIDE(kNeckTurnToBallOrScan, neck_turn_to_ball_or_scan,
+             neck_turn_to_ball_or_scan(c.world, c.memory.sight, c.slots, m.count_threshold())),
+    CLS_SIDE(kNeckTurnToBall, neck_turn_to_ball,
+             neck_turn_to_ball(c.world, c.memory.sight, c.slots)),
+    CLS_SIDE(kNeckTurnToGoalieOrScan, neck_turn_to_goalie_or_scan,
+             neck_turn_to_goalie_or_scan(c.world, c.memory.sight, c.slots, m.count_threshold())),
+    CLS_SIDE(kNeckTurnToLowConfTeammate, neck_turn_to_low_conf_teammate,
+             neck_turn_to_low_conf_teammate(c.world, c.memory.sight, c.slots)),
+    CLS_SIDE(kNeckTurnToPlayerOrScan, neck_turn_to_player_or_scan,
+             neck_turn_to_player_or_scan(c.world, c.memory.sight, c.slots,
+                 player(c.world, m.side(), m.uniform_number()), m.count_threshold())),
+    CLS_SIDE(kNeckTurnToPoint, neck_turn_to_point,
+             neck_turn_to_point(c.world, c.memory.sight, c.slots, vec(m.target_point()))),
+    CLS_SIDE(kNeckTurnToRelative, neck_turn_to_relative,
+             neck_turn_to_relative(c.world, c.slots, m.angle())),
+    CLS_SIDE(kViewChangeWidth, view_change_width, change_width(c, m.view_width())),
+    CLS_SIDE(kViewNormal, view_normal, c.slots.change_view(ViewWidth::kNormal)),
+    CLS_SIDE(kViewSynch, view_synch, view_synch(c.slots)),
+    CLS_SIDE(kViewWide, view_wide, c.slots.change_view(ViewWidth::kWide)),
+    CLS_MAIN(kHeliosGoalie, helios_goalie, play_goalie(c)),
+    CLS_MAIN(kHeliosGoalieMove, helios_goalie_move, goalie_move(c)),
+    CLS_MAIN(kHeliosGoalieKick, helios_goalie_kick, goalie_kick(c)),
+    CLS_MAIN(kHeliosShoot, helios_shoot, shoot_and_look(c)),
+    CLS_MAIN(kHeliosOffensivePlanner, helios_offensive_planner, offensive_planner(m, c)),
+    CLS_MAIN(kHeliosBasicOffensive, helios_basic_offensive, basic_offensive(c)),
+    CLS_MAIN(kHeliosBasicMove, helios_basic_move,
+             basic_move(c.world, c.slots, c.neck, c.memory.recovering)),
+    CLS_MAIN(kHeliosSetPlay, helios_set_play, play_set_play(c)),
+    CLS_MAIN(kHeliosPenalty, helios_penalty, play_penalty(c)),
+    CLS_SIDE(kHeliosCommunication, helios_communication, communicate(c)),
+    CLS_MAIN(kBhvDoForceKick, bhv_do_force_kick, kick_and_scan(force_kick(c.world, c.slots), c)),
+    CLS_MAIN(kBhvDoHeardPassRecieve, bhv_do_heard_pass_recieve, receive_heard_pass(c)),
+    CLS_MAIN(kHeliosBasicTackle, helios_basic_tackle, basic_tackle_and_look(m, c)),
+    CLS_SIDE(kNeckOffensiveInterceptNeck, neck_offensive_intercept_neck,
+             neck_offensive_intercept(c.world, c.memory.sight, c.slots)),
+    CLS_MAIN(kBhvGoalieFreeKick, bhv_goalie_free_kick, goalie_free_kick(c)),
+};
+#undef CLS_SIDE
+#undef CLS_MAIN
+#undef CLS_ACTION
+// clang-format on
+
+constexpr bool in_wire_order() {
+  for (std::size_t i = 0; i < kEntries.size(); ++i) {
+    if (static_cast<std::size_t>(kEntries[i].member) != i) return false;
+  }
+  return true;
+}
+static_assert(kEntries.size() == kActionKinds && in_wire_order());
+
+}  // namespace
+
+const ActionEntry& action_entry(int member) {
+  const auto index = static_cast<std::size_t>(member);
+  return kEntries[member > 0 && index < kEntries.size() ? index : 0];
+}
+
+}  // namespace cls::proxy

@@ -1,0 +1,25 @@
+// The table of actions: for each member of PlayerAction how it is carried out.
+#pragma once
+
+#include "proto/playmaker.pb.h"
+#include "proxy/planner/action_context.h"
+
+namespace cls::proxy {
+
+/// Main actions exclude each other, the first success wins; side actions always run.
+enum class ActionClass : unsigned char { kMain, kSide };
+
+/// True when the action succeeded. The named member is set and its numbers are finite.
+using ActionHandler = bool (*)(const protos::PlayerAction& action, ActionContext& context);
+
+struct ActionEntry {
+  protos::PlayerAction::ActionCase member;
+  ActionClass kind;
+  ActionHandler handler;  ///< null: no member
+};
+
+/// The entry of a member; for a value that is no member the entry of ACTION_NOT_SET, which has no
+/// handler.
+const ActionEntry& action_entry(int member);
+
+}  // namespace cls::proxy

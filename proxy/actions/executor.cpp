@@ -1,0 +1,185 @@
+// The order in which a decision's parts are tried.
+#include "proxy/actions/executor.h"
+
+#include <google/protobuf/message.h>
+
+#include <cmath>
+
+#include "proto/playmaker.pb.h"
+#include "proxy/actions/action_handlers.h"
+#include "proxy/actions/preprocess.h"
+#include "proxy/ball_skills/clear_ball.h"
+#include "proxy/ball_skills/dribble.h"
+#include "proxy/ball_skills/shoot.h"
+#include "proxy/behaviors/communication.h"
+#include "proxy/behaviors/heard_pass.h"
+#include "proxy/looking/view.h"
+#include "proxy/world/motion.h"
+
+namespace cls::proxy {
+namespace {
+
+namespace pb = google::protobuf;
+
+bool finite_field(const pb::Message& message, const pb::Reflection& reflection,
+                  const pb::FieldDescriptor& field);
+
+/// False when any number in the message, at any depth, is infinite or not a number.
+bool all_finite(const pb::Message& message) {
+  const pb::Descriptor& type = *message.GetDescriptor();
+  const pb::Reflection& reflection = *message.GetReflection();
+  for (int i = 0; i < type.field_count(); ++i) {
+    if (!finite_field(message, reflection, *type.field(i))) return false;
+  }
+  return true;
+}
+
+bool finite_field(const pb::Message& message, const pb::Reflection& reflection,
+                  const pb::FieldDescriptor& field) {
+  const bool number = field.cpp_type() == pb::FieldDescriptor::CPPTYPE_FLOAT;
+  const bool nested = field.cpp_type() == pb::FieldDescriptor::CPPTYPE_MESSAGE;
+  if (field.is_repeated()) {
+    const int size = number || nested ? reflection.FieldSize(message, &field) : 0;
+    for (int i = 0; i < size; ++i) {
+      if (number && !std::isfinite(reflection.GetRepeatedFloat(message, &field, i))) return false;
+      if (nested && !all_finite(reflection.GetRepeatedMessage(message, &field, i))) return false;
+    }
+    return true;
+  }
+  if (number) return std::isfinite(reflection.GetFloat(message, &field));
+  if (nested && reflection.HasField(message, &field)) {
+    return all_finite(reflection.GetMessage(message, &field));
+  }
+  return true;
+}
+
+/// A ball kicked ahead is still ours as long as nobody else has it.
+void note_possession(const WorldModel& world, ActionMemory& memory) {
+  constexpr double kNear = 4.0;
+  const bool open = world.game.mode == soccer::PlayMode::kPlayOn;
+  const bool lost =
+      world.kickable_teammate() || world.kickable_opponent() || world.ball.dist_from_self > kNear;
+  if (!open || (lost && !world.self.kickable)) memory.ball_since = -1;
+  if (open && world.self.kickable && memory.ball_since < 0) {
+    memory.ball_since = world.game.time.cycle;
+  }
+}
+
+/// Runs the list: main actions until one succeeds, side actions all.
+void run_list(const protos::PlayerActions& reply, ActionContext& context) {
+  bool main_done = false;
+  for (const protos::PlayerAction& action : reply.actions()) {
+    const int member = action.action_case();
+    const ActionEntry& entry = action_entry(member);
+    ActionCounts& counts = context.report.actions[static_cast<std::size_t>(entry.member)];
+    if (entry.kind == ActionClass::kMain && main_done) {
+      ++counts.skipped;
+    } else if (entry.handler == nullptr) {
+      ++counts.unimplemented;
+    } else if (!all_finite(action)) {
+      ++counts.invalid;
+    } else {
+      const bool success = entry.handler(action, context);
+      ++(success ? counts.done : counts.failed);
+      if (entry.kind == ActionClass::kMain && success) main_done = true;
+    }
+  }
+}
+
+bool run_preprocess(ActionContext& context) {
+  const auto reason = preprocess_reason(context.world);
+  if (!reason) return false;
+  preprocess(*reason, context.world, context.memory.sight, context.slots, context.neck);
+  ++context.report.preprocess;
+  return true;
+}
+
+bool run_sure_shot(ActionContext& context) {
+  soccer::Vec2 aim;
+  if (!shoot(context.world, context.slots, &aim)) return false;
+  context.memory.intention.clear();
+  context.neck = {NeckPlan::Kind::kPoint, aim};
+  ++context.report.sure_shot;
+  return true;
+}
+
+bool run_intention(ActionContext& context) {
+  Intention& intention = context.memory.intention;
+  switch (intention.kind) {
+    case Intention::Kind::kNone:
+      return false;
+    case Intention::Kind::kReceive:
+      if (!continue_reception(context)) return false;
+      break;
+    case Intention::Kind::kDribble:
+      if (!continue_dribble(context.world, intention, context.slots)) return false;
+      context.neck.kind = NeckPlan::Kind::kBallOrScan;
+      break;
+  }
+  ++context.report.intention;
+  return true;
+}
+
+bool run_heard_pass(ActionContext& context) {
+  if (!receive_heard_pass(context)) return false;
+  ++context.report.heard_pass;
+  return true;
+}
+
+bool run_force_kick(ActionContext& context) {
+  if (!force_kick(context.world, context.slots)) return false;
+  context.neck.kind = NeckPlan::Kind::kScan;
+  ++context.report.force_kick;
+  return true;
+}
+
+/// What happens in every decision once the actions are through: the queued look, the width of view
+/// and the focus when nobody chose them.
+void finish(ActionContext& context) {
+  const WorldModel& world = context.world;
+  if (!context.slots.view_asked()) view_tactical(world, context.slots);
+  carry_out(context.neck, world, context.memory.sight, context.slots);
+  if (!context.slots.has_focus() && world.ball.position_valid()) {
+    focus_to_point(world, context.slots, ball_after(world, 1));
+  }
+  communicate(context);
+}
+
+}  // namespace
+
+bool needs_preprocess(const WorldModel& world) { return preprocess_reason(world).has_value(); }
+
+void execute(const protos::PlayerActions& reply, const WorldModel& world, ActionMemory& memory,
+             CommandSlots& slots, ActionReport& report, PlanChoice& choice) {
+  NeckPlan neck;
+  ActionContext context{world, memory, slots, neck, report, choice, &reply};
+  memory.debug.clear();
+  note_sight(memory.sight, world);
+  note_possession(world, memory);
+  const bool by_itself = (!reply.ignore_preprocess() && run_preprocess(context)) ||
+                         (!reply.ignore_shootinpreprocess() && run_sure_shot(context)) ||
+                         (!reply.ignore_dointention() && run_intention(context)) ||
+                         (!reply.ignore_doforcekick() && run_force_kick(context)) ||
+                         (!reply.ignore_doheardpassrecieve() && run_heard_pass(context));
+  if (!by_itself) run_list(reply, context);
+  if (choice.chooser != PlanChoice::Chooser::kWanted) finish(context);
+}
+
+void execute(const protos::PlayerActions& reply, const WorldModel& world, ActionMemory& memory,
+             CommandSlots& slots, ActionReport& report) {
+  PlanChoice choice;
+  execute(reply, world, memory, slots, report, choice);
+}
+
+void execute_without_reply(const WorldModel& world, ActionMemory& memory, CommandSlots& slots,
+                           ActionReport& report) {
+  NeckPlan neck;
+  PlanChoice choice;
+  ActionContext context{world, memory, slots, neck, report, choice};
+  memory.debug.clear();
+  note_sight(memory.sight, world);
+  if (!run_preprocess(context)) neck.kind = NeckPlan::Kind::kBallOrScan;
+  finish(context);
+}
+
+}  // namespace cls::proxy

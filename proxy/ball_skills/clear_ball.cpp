@@ -1,0 +1,137 @@
+// Directions for long kicks.
+#include "proxy/ball_skills/clear_ball.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "proxy/ball_skills/kick.h"
+#include "proxy/ball_skills/smart_kick.h"
+#include "proxy/world/motion.h"
+#include "soccer/pitch.h"
+
+namespace cls::proxy {
+namespace {
+
+using soccer::AngleDeg;
+using soccer::PlayMode;
+using soccer::Vec2;
+
+/// Room along a direction: large where opponents stand far from the line of the ball.
+double advance_score(const WorldModel& world, AngleDeg direction) {
+  constexpr double kConeDeg = 30.0;
+  double score = 1000.0;
+  const Vec2 way = soccer::polar(1.0, direction);
+  for (const PlayerState& opponent : world.opponents) {
+    if (opponent.ghost() || !opponent.position_valid()) continue;
+    const Vec2 relative = opponent.position - world.ball.position;
+    if ((AngleDeg::of(relative) - direction).abs() > kConeDeg) continue;
+    const double along = std::max(0.1, dot(relative, way));
+    const double beside = std::fabs(cross(way, relative));
+    score *= std::max(0.0, beside - 1.2) / along;
+    if (opponent.pos_count > 3) score *= power_of(0.95, opponent.pos_count - 3);
+  }
+  return score;
+}
+
+/// Smallest angle between the direction and any opponent who could stop the ball.
+double free_angle(const WorldModel& world, AngleDeg direction) {
+  constexpr double kFar = 30.0;
+  double gap = 180.0;
+  for (const PlayerState& opponent : world.opponents) {
+    if (opponent.ghost() || opponent.pos_count > 20 || opponent.dist_from_ball > kFar) continue;
+    gap = std::min(gap, (opponent.angle_from_ball - direction).abs());
+  }
+  return gap;
+}
+
+/// Directions in order of preference, tried until `visit` accepts one.
+template <typename Visit>
+std::optional<AngleDeg> first_direction(Vec2 ball, const Visit& visit) {
+  const double side = ball.y < 0.0 ? -1.0 : 1.0;
+  for (double ahead = 50.0; ahead >= 20.0; ahead -= 5.0) {
+    const Vec2 point{std::min(ball.x + ahead, soccer::kHalfLength), side * soccer::kHalfWidth};
+    const AngleDeg direction = AngleDeg::of(point - ball);
+    if (visit(direction)) return direction;
+  }
+  for (double off = 30.0; off <= 75.0; off += 5.0) {
+    for (const double sign : {side, -side}) {
+      if (visit(AngleDeg(sign * off))) return AngleDeg(sign * off);
+    }
+  }
+  for (double off = 25.0; off >= 0.0; off -= 5.0) {
+    for (const double sign : {side, -side}) {
+      if (visit(AngleDeg(sign * off))) return AngleDeg(sign * off);
+    }
+  }
+  return std::nullopt;
+}
+
+AngleDeg clear_direction(const WorldModel& world) {
+  double wanted = 25.0;
+  for (int attempt = 0; attempt < 5; ++attempt, wanted *= 0.7) {
+    const auto direction = first_direction(world.ball.position, [&](AngleDeg candidate) {
+      return free_angle(world, candidate) >= wanted;
+    });
+    if (direction) return *direction;
+  }
+  return AngleDeg::of(world.ball.position - Vec2{-soccer::kHalfLength, 0.0});
+}
+
+bool opponent_within(const WorldModel& world, double radius) {
+  for (const PlayerState& opponent : world.opponents) {
+    if (opponent.position_valid() && opponent.dist_from_ball < radius) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+bool advance_ball(const WorldModel& world, CommandSlots& slots) {
+  if (!world.self.kickable) return false;
+  AngleDeg best;
+  double best_score = -1.0;
+  for (double off = 0.0; off <= 65.0; off += 6.5) {
+    for (const double sign : {1.0, -1.0}) {
+      const double score = advance_score(world, AngleDeg(sign * off));
+      if (score > best_score) {
+        best_score = score;
+        best = AngleDeg(sign * off);
+      }
+    }
+  }
+  const double max = world.server().ball_speed_max;
+  const Vec2 target = world.ball.position + soccer::polar(30.0, best);
+  const double one_kick =
+      max_speed_along(world.ball.velocity, soccer::polar(1.0, best), kick_limit(world), max);
+  if (world.game.mode != PlayMode::kPlayOn || one_kick >= 0.7 * max) {
+    return kick_one_step(world, slots, target, max, true);
+  }
+  if (smart_kick(world, slots, target, max, 0.9 * max, 3)) return true;
+  return kick_one_step(world, slots, target, max, true);
+}
+
+bool clear_ball(const WorldModel& world, CommandSlots& slots) {
+  if (!world.self.kickable) return false;
+  const double max = world.server().ball_speed_max;
+  if (world.kickable_opponent()) {
+    return kick_one_step(world, slots, world.ball.position + Vec2{10.0, 0.0}, max, true);
+  }
+  const Vec2 target = world.ball.position + soccer::polar(30.0, clear_direction(world));
+  if (world.game.mode == PlayMode::kPlayOn && !opponent_within(world, 1.5) &&
+      smart_kick(world, slots, target, max, std::max(2.5, 0.85 * max), 2)) {
+    return true;
+  }
+  return kick_one_step(world, slots, target, max, true);
+}
+
+bool force_kick(const WorldModel& world, CommandSlots& slots) {
+  if (world.game.mode != PlayMode::kPlayOn || world.goalie) return false;
+  if (!world.self.kickable || !world.kickable_opponent()) return false;
+  const Vec2 here = world.self.position;
+  const bool wing = here.x > 36.0 && std::fabs(here.y) > 10.0;
+  const Vec2 target{wing ? 45.0 : soccer::kHalfLength, 0.0};
+  return kick_one_step(world, slots, target, world.server().ball_speed_max, true);
+}
+
+}  // namespace cls::proxy

@@ -1,0 +1,15 @@
+// Kicking the ball faster than one kick can: sequences of up to three.
+#pragma once
+
+#include "proxy/commands/command_slots.h"
+#include "proxy/world/world_model.h"
+
+namespace cls::proxy {
+
+/// Plans one to `max_steps` (at most 3) kicks that send the ball toward `target` with
+/// `first_speed` and issues the first of them. When no sequence reaches `speed_threshold` the ball
+/// is held and the answer is false; also false when the ball is not kickable.
+bool smart_kick(const WorldModel& world, CommandSlots& slots, soccer::Vec2 target,
+                double first_speed, double speed_threshold, int max_steps);
+
+}  // namespace cls::proxy

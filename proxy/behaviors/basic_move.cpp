@@ -1,0 +1,86 @@
+// Play without the ball.
+#include "proxy/behaviors/basic_move.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "proxy/movement/block.h"
+#include "proxy/movement/home_positions.h"
+#include "proxy/movement/intercept.h"
+#include "proxy/movement/mark.h"
+#include "proxy/movement/movement.h"
+#include "proxy/movement/support.h"
+#include "proxy/movement/tackle.h"
+#include "proxy/world/motion.h"
+#include "soccer/pitch.h"
+
+namespace cls::proxy {
+
+using soccer::Vec2;
+
+double normal_dash_power(const WorldModel& world, bool& recovering) {
+  const SelfState& self = world.self;
+  const double max = world.server().max_dash_power;
+  const double stamina_max = world.server().stamina_max;
+  if (self.stamina < 0.5 * stamina_max) recovering = true;
+  if (self.stamina > 0.7 * stamina_max) recovering = false;
+  const double income = world.self_type().stamina_inc_max * self.recovery;
+  const InterceptTable& table = world.intercept;
+  const Vec2 ball = first_reach_point(world);
+  if (self.capacity == 0.0) {
+    return std::min(max, self.stamina + world.self_type().extra_stamina);
+  }
+  if (self.position.x < world.lines.our_defense && ball.x < world.lines.our_defense + 20.0) {
+    return max;
+  }
+  if (recovering) return std::max(0.0, income - 25.0);
+  if (world.kickable_teammate() && world.ball.dist_from_self < 20.0) {
+    return std::min(max, 1.1 * income);
+  }
+  if (self.position.x > world.lines.offside) return max;
+  const int ours = std::min(table.best_self_steps(), table.first_teammate_steps);
+  if (ball.x > 25.0 && ball.x > self.position.x + 10.0 && ours < table.first_opponent_steps - 6) {
+    return std::clamp(0.5 * income, 10.0, max);
+  }
+  return std::min(max, 1.7 * income);
+}
+
+bool basic_move(const WorldModel& world, CommandSlots& slots, NeckPlan& neck, bool& recovering) {
+  constexpr double kTackleProbability = 0.8;
+  if (basic_tackle(world, slots, kTackleProbability)) {
+    neck.kind = NeckPlan::Kind::kBall;
+    return true;
+  }
+  const InterceptTable& table = world.intercept;
+  const int self = table.best_self_steps();
+  const bool ours_to_get =
+      self <= 3 || (self <= table.first_teammate_steps && self < table.first_opponent_steps + 3);
+  if (!world.kickable_teammate() && ours_to_get && self < kNever) {
+    neck.kind = NeckPlan::Kind::kOffensiveIntercept;
+    return intercept(world, slots, true, {soccer::kHalfLength, 0.0});
+  }
+  if (const std::optional<Vec2> block = block_point(world)) {
+    neck.kind = NeckPlan::Kind::kBall;
+    const double max = world.server().max_dash_power;
+    if (go_to_point(world, slots, *block, 0.4, max, {3, 20.0, true})) return true;
+    return turn_to_ball(world, slots) || slots.has_body();
+  }
+  const TeamPoints homes = home_positions(world);
+  if (const std::optional<Vec2> support = support_point(world, homes)) {
+    neck.kind = NeckPlan::Kind::kBallOrScan;
+    const double power = safe_dash_power(world, world.server().max_dash_power);
+    if (!go_to_point(world, slots, *support, 1.0, power)) turn_to_ball(world, slots);
+    return slots.has_body();
+  }
+  const std::optional<Vec2> mark = mark_point(world, homes);
+  const Vec2 home = mark ? *mark : homes[static_cast<std::size_t>(world.unum - 1)];
+  const double threshold = mark ? 0.5 : std::max(1.0, 0.1 * world.ball.dist_from_self);
+  const double usual = normal_dash_power(world, recovering);
+  const double power = mark ? world.server().max_dash_power : usual;
+  if (!go_to_point(world, slots, home, threshold, power)) turn_to_ball(world, slots);
+  const bool duel = world.kickable_opponent() && world.ball.dist_from_self < 18.0;
+  neck.kind = duel ? NeckPlan::Kind::kBall : NeckPlan::Kind::kBallOrScan;
+  return slots.has_body();
+}
+
+}  // namespace cls::proxy

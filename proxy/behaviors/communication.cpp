@@ -1,0 +1,142 @@
+// Ten characters a cycle: the most useful ones.
+#include "proxy/behaviors/communication.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <vector>
+
+#include "proxy/perception/say_message.h"
+#include "proxy/world/motion.h"
+#include "soccer/pitch.h"
+
+namespace cls::proxy {
+namespace {
+
+using soccer::PlayMode;
+using soccer::Vec2;
+
+bool silent_mode(PlayMode mode) {
+  return mode == PlayMode::kBeforeKickOff || mode == PlayMode::kGoalLeft ||
+         mode == PlayMode::kGoalRight || mode == PlayMode::kTimeOver ||
+         soccer::is_penalty_mode(mode);
+}
+
+int number_of(const WorldModel& world, const PlayerState& player) {
+  return player.side == world.our_side ? player.unum : player.unum + soccer::kPlayersPerTeam;
+}
+
+struct Seen {
+  const PlayerState* player;
+  double worth;
+};
+
+/// Players seen just now, the most interesting first: near the ball, opponents before teammates.
+std::vector<Seen> seen_now(const WorldModel& world) {
+  std::vector<Seen> seen;
+  for (const PlayerList* list : {&world.opponents, &world.teammates}) {
+    for (const PlayerState& player : *list) {
+      constexpr int kSure = 10;
+      const bool sure = player.seen_pos_count == 0 && player.unum != 0 &&
+                        player.unum_count < kSure && !player.ghost();
+      if (!sure) continue;
+      const bool theirs = list == &world.opponents;
+      const double near =
+          60.0 / (5.0 + player.dist_from_ball) + 10.0 / (5.0 + player.dist_from_self);
+      seen.push_back({&player, near * (theirs ? 1.5 : 1.0)});
+    }
+  }
+  std::stable_sort(seen.begin(), seen.end(),
+                   [](const Seen& a, const Seen& b) { return a.worth > b.worth; });
+  return seen;
+}
+
+bool say(ActionContext& c, const SayMessage& message) {
+  std::string text;
+  return append_say_message(message, c.world.server(), text) && c.slots.say(text);
+}
+
+/// Where the ball will be in the next cycle; a kick of ours in this one included.
+SayBall next_ball(const ActionContext& c) {
+  const WorldModel& world = c.world;
+  Vec2 velocity = world.ball.velocity;
+  if (const auto* kick = std::get_if<soccer::Kick>(&c.slots.body())) {
+    const soccer::AngleDeg direction = world.self.body + kick->direction;
+    velocity += soccer::polar(kick->power * world.self.kick_rate, direction);
+    velocity = speed_limited(velocity, world.server().ball_speed_max);
+  }
+  return {world.ball.position + velocity, velocity * world.server().ball_decay};
+}
+
+bool say_ball(ActionContext& c, const std::vector<Seen>& seen) {
+  const SayBall ball = next_ball(c);
+  for (const Seen& each : seen) {
+    if (each.player->side == c.world.our_side || each.player->body_count > 0) continue;
+    SayBallPlayer message;
+    message.ball = ball;
+    message.player = {number_of(c.world, *each.player),
+                      each.player->position + each.player->velocity};
+    message.body = each.player->body.degrees();
+    if (say(c, message)) return true;
+    break;
+  }
+  return say(c, ball);
+}
+
+bool say_players(ActionContext& c, const std::vector<Seen>& seen) {
+  for (std::size_t count = std::min<std::size_t>(3, seen.size()); count > 0; --count) {
+    SayPlayers message;
+    for (std::size_t i = 0; i < count; ++i) {
+      const PlayerState& player = *seen[i].player;
+      message.players.push_back({number_of(c.world, player), player.position + player.velocity});
+    }
+    if (say(c, message)) return true;
+  }
+  return false;
+}
+
+/// The ball is news to others when we are near it.
+bool ball_is_worth_telling(const WorldModel& world) {
+  const BallState& ball = world.ball;
+  if (ball.seen_pos_count > 0 || ball.seen_vel_count > 1) return false;
+  const int nearest = std::min(world.intercept.first_teammate_steps, kNever);
+  return world.self.kickable || world.intercept.best_self_steps() <= nearest ||
+         ball.dist_from_self < 12.0;
+}
+
+/// Who is to be listened to: the teammate that has the ball or gets it first; for that one itself
+/// the teammate ahead of it whom it may pass to next.
+int speaker_of_choice(const WorldModel& world) {
+  const PlayerState* first = world.player_by_id(world.kickable_teammate_id);
+  const InterceptTable& table = world.intercept;
+  const bool self_first =
+      world.self.kickable || table.best_self_steps() < table.first_teammate_steps;
+  if (first == nullptr && !self_first) first = world.player_by_id(table.first_teammate_id);
+  if (first != nullptr && first->unum != 0) return first->unum;
+  const PlayerState* best = nullptr;
+  for (const PlayerState& mate : world.teammates) {
+    if (mate.unum == 0 || mate.goalie || mate.dist_from_self > 40.0) continue;
+    if (best == nullptr || mate.dist_from_ball < best->dist_from_ball) best = &mate;
+  }
+  return best == nullptr ? 0 : best->unum;
+}
+
+}  // namespace
+
+bool communicate(ActionContext& c) {
+  const WorldModel& world = c.world;
+  if (silent_mode(world.game.mode)) return false;
+  bool added = false;
+  const int speaker = speaker_of_choice(world);
+  const bool listening =
+      world.self.attention_side == world.our_side && world.self.attention_unum == speaker;
+  if (speaker != 0 && !c.slots.has_attention() && !listening) {
+    added = c.slots.attention_to(world.our_side, speaker);
+  }
+  if (!world.self.position_valid() || world.game.see_time != world.game.time.cycle) return added;
+  const std::vector<Seen> seen = seen_now(world);
+  if (ball_is_worth_telling(world) && say_ball(c, seen)) added = true;
+  return say_players(c, seen) || added;
+}
+
+}  // namespace cls::proxy

@@ -1,0 +1,156 @@
+// Everybody else's way to the ball, and the table of all.
+#include "proxy/estimates/intercept.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "soccer/math.h"
+
+namespace cls::proxy {
+namespace {
+
+namespace math = soccer::math;
+using soccer::PlayMode;
+using soccer::Vec2;
+
+// Players not seen for longer are not reckoned.
+constexpr int kOldestTeammate = 10;
+constexpr int kOldestOpponent = 15;
+
+/// Cycles a player spends turning before it runs towards `heading`.
+int turns_needed(const soccer::ServerParams& server, const soccer::PlayerType& type,
+                 const PlayerState& player, Vec2 offset, double control) {
+  if (player.body_count > player.pos_count + 1) return 0;  // its body is not known: in its favour
+  const double distance = offset.length();
+  if (distance <= control) return 0;
+  const double slack = math::to_degrees(math::asin(control / distance));
+  double missing = (soccer::AngleDeg::of(offset) - player.body).abs();
+  double speed = player.velocity.length();
+  int turns = 0;
+  while (missing > slack && turns < 5) {
+    missing -= server.maxmoment / (1.0 + type.inertia_moment * speed);
+    speed *= type.player_decay;
+    ++turns;
+  }
+  return turns;
+}
+
+bool table_is_empty(const WorldModel& world) {
+  if (world.sideline) return !world.ball.position_valid();
+  return world.game.mode == PlayMode::kBeforeKickOff || world.game.mode == PlayMode::kTimeOver ||
+         !world.self.position_valid() || !world.ball.position_valid();
+}
+
+struct Ranking {
+  int first = kNever;
+  int second = kNever;
+  int first_id = 0;
+  int second_id = 0;
+
+  void add(int steps, int id) {
+    if (steps < first) {
+      second = first;
+      second_id = first_id;
+      first = steps;
+      first_id = id;
+    } else if (steps < second) {
+      second = steps;
+      second_id = id;
+    }
+  }
+};
+
+Ranking rank(const WorldModel& world, PlayerList& players, int kicker_id, int oldest,
+             const BallPath& path) {
+  Ranking ranking;
+  for (PlayerState& player : players) {
+    player.ball_reach_steps = kNever;
+    if (player.pos_count >= oldest || player.ghost()) continue;
+    player.ball_reach_steps = player.id == kicker_id ? 0 : reach_steps(world, player, path);
+    if (player.ball_reach_steps < kNever) ranking.add(player.ball_reach_steps, player.id);
+  }
+  return ranking;
+}
+
+}  // namespace
+
+BallPath ball_path(const WorldModel& world) {
+  BallPath path;
+  Vec2 position = world.ball.position;
+  Vec2 velocity = world.ball.velocity_valid() ? world.ball.velocity : Vec2{};
+  const double decay = world.server().ball_decay;
+  for (Vec2& point : path) {
+    point = position;
+    position += velocity;
+    velocity *= decay;
+  }
+  return path;
+}
+
+int reach_steps(const WorldModel& world, const PlayerState& player, const BallPath& path) {
+  const soccer::ServerParams& server = world.server();
+  const soccer::PlayerType& type = world.type_of(player);
+  const double control = type.kickable_area(server.ball_size);
+  const double push = server.max_dash_power * type.dash_power_rate * type.effort_max;
+  const double top_speed = std::min(push / (1.0 - type.player_decay), type.player_speed_max);
+  // Since it was seen it may have run anywhere.
+  constexpr int kMostCredit = 10;
+  const double credit = 0.5 * top_speed * std::min(player.pos_count, kMostCredit);
+  const Vec2 velocity = player.velocity_valid() ? player.velocity : Vec2{};
+
+  std::array<double, kInterceptHorizon + 1> run{};  // full dashes from rest, by their number
+  double speed = 0.0;
+  double drift = 0.0;  // share of the velocity that coasting has covered
+  double fading = 1.0;
+  for (int n = 0; n <= kInterceptHorizon; ++n) {
+    const auto i = static_cast<std::size_t>(n);
+    if (n > 0) {
+      speed = std::min(speed + push, type.player_speed_max);
+      run[i] = run[i - 1] + speed;
+      speed *= type.player_decay;
+      drift += fading;
+      fading *= type.player_decay;
+    }
+    const Vec2 offset = path[i] - (player.position + velocity * drift);
+    const double far = run[i] + control + credit;
+    if (offset.squared_length() > far * far) continue;
+    const int turns = turns_needed(server, type, player, offset, control);
+    const int dashes = n - turns;
+    const double distance = offset.length() - control - credit;
+    if (distance <= 0.0 || (dashes >= 0 && distance <= run[static_cast<std::size_t>(dashes)])) {
+      return n;
+    }
+  }
+  return kNever;
+}
+
+void reckon_intercepts(WorldModel& world) {
+  InterceptTable& table = world.intercept;
+  table.plans.clear();
+  Ranking mates;
+  Ranking opponents;
+  if (table_is_empty(world)) {
+    table.self_steps = table.self_exhausting_steps = kNever;
+    for (PlayerList* list : {&world.teammates, &world.opponents}) {
+      for (PlayerState& player : *list) player.ball_reach_steps = kNever;
+    }
+  } else {
+    const BallPath path = ball_path(world);
+    if (!world.sideline) plan_own_intercept(world, path, table);
+    opponents = rank(world, world.opponents, world.kickable_opponent_id, kOldestOpponent, path);
+    BallPath resting;
+    resting.fill(world.ball.position);
+    mates = rank(world, world.teammates, world.kickable_teammate_id, kOldestTeammate,
+                 world.kickable_opponent() ? resting : path);
+  }
+  table.first_teammate_steps = mates.first;
+  table.second_teammate_steps = mates.second;
+  table.first_teammate_id = mates.first_id;
+  table.second_teammate_id = mates.second_id;
+  table.first_opponent_steps = opponents.first;
+  table.second_opponent_steps = opponents.second;
+  table.first_opponent_id = opponents.first_id;
+  table.second_opponent_id = opponents.second_id;
+}
+
+}  // namespace cls::proxy

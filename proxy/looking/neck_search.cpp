@@ -1,0 +1,121 @@
+// Scores of neck angles.
+#include "proxy/looking/neck_search.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "soccer/pitch.h"
+
+namespace cls::proxy {
+namespace {
+
+using soccer::AngleDeg;
+using soccer::Vec2;
+
+constexpr double kSectorDegrees = 360.0 / SightMemory::kSectors;
+
+/// Unit vectors along the middles of the sectors.
+const std::array<Vec2, SightMemory::kSectors>& sector_directions() {
+  static const auto directions = [] {
+    std::array<Vec2, SightMemory::kSectors> table;
+    for (int i = 0; i < SightMemory::kSectors; ++i) {
+      table[i] = soccer::polar_degrees(1.0, (i + 0.5) * kSectorDegrees - 180.0);
+    }
+    return table;
+  }();
+  return directions;
+}
+
+/// How far the pitch extends from `from` along `direction`; 0 outside of it.
+double pitch_ahead(Vec2 from, Vec2 direction) {
+  const auto one = [](double at, double step, double half) {
+    if (std::fabs(step) < 1e-9) return 1000.0;
+    return ((step > 0.0 ? half : -half) - at) / step;
+  };
+  return std::max(0.0, std::min(one(from.x, direction.x, soccer::kHalfLength),
+                                one(from.y, direction.y, soccer::kHalfWidth)));
+}
+
+}  // namespace
+
+NeckSearch::NeckSearch(const WorldModel& world, const SightMemory& sight, const CommandSlots& slots)
+    : half_view_(view_angle(world.server(), slots.next_view_width()) / 2.0),
+      neck_now_(world.self.neck.degrees()),
+      body_(slots.next_body()) {
+  // Little is to be seen where the pitch ends close by.
+  constexpr double kWorthwhile = 8.0;
+  const Vec2 here = slots.next_position();
+  for (int i = 0; i < SightMemory::kSectors; ++i) {
+    const double ahead = pitch_ahead(here, sector_directions()[i]);
+    field_[i] = ahead < kWorthwhile ? 0.0 : std::min(sight.ages[i], 100);
+  }
+  all_players_ = world.teammates.size() >= soccer::kPlayersPerTeam - 1 &&
+                 world.opponents.size() >= soccer::kPlayersPerTeam;
+  if (!all_players_) return;
+  add_players(world, world.teammates, here, true);
+  add_players(world, world.opponents, here, false);
+}
+
+void NeckSearch::add_players(const WorldModel& world, const PlayerList& list, Vec2 here,
+                             bool ours) {
+  const bool attack = world.self.kickable || world.kickable_teammate() ||
+                      world.intercept.first_teammate_steps < world.intercept.first_opponent_steps;
+  for (const PlayerState& player : list) {
+    const Vec2 relative = player.position - here;
+    const double age = std::min(player.seen_pos_count, 100) + 1.0;
+    double weight = age * age * soccer::math::exp(-relative.squared_length() / 800.0);
+    if (ours && attack && player.position.x > here.x) weight *= 4.0;
+    players_.push_back({(AngleDeg::of(relative) - body_).degrees(), weight});
+  }
+}
+
+double NeckSearch::player_score(double neck) const {
+  double score = 0.0;
+  for (const Sight& player : players_) {
+    const double off = std::fabs(soccer::math::normalize_degrees(player.relative - neck));
+    const double margin = half_view_ - off;
+    if (margin > 0.0) score += player.weight * (1.0 + margin / 90.0);
+  }
+  return score;
+}
+
+double NeckSearch::field_score(double neck) const {
+  const double centre = ((body_ + neck).degrees() + 180.0) / kSectorDegrees - 0.5;
+  const double reach = half_view_ / kSectorDegrees;
+  const int first = static_cast<int>(std::ceil(centre - reach));
+  const int last = static_cast<int>(std::floor(centre + reach));
+  double score = 0.0;
+  for (int i = first; i <= last; ++i) {
+    score += field_[(i + 2 * SightMemory::kSectors) % SightMemory::kSectors];
+  }
+  return score;
+}
+
+template <typename Score>
+double NeckSearch::best(double low, double high, const Score& score) const {
+  constexpr double kStep = 5.0;
+  const int steps = static_cast<int>(std::floor((high - low) / kStep + 1e-9));
+  double best_neck = low;
+  double best_score = -1.0;
+  for (int i = 0; i <= steps; ++i) {
+    const double neck = low + i * kStep;
+    const double value = score(neck);
+    // Of equals the one nearest to the neck now: the head need not swing for nothing.
+    const bool nearer = std::fabs(neck - neck_now_) < std::fabs(best_neck - neck_now_);
+    if (value > best_score || (value == best_score && nearer)) {
+      best_score = value;
+      best_neck = neck;
+    }
+  }
+  return best_neck;
+}
+
+double NeckSearch::best_field(double low, double high) const {
+  return best(low, high, [this](double neck) { return field_score(neck); });
+}
+
+double NeckSearch::best_players(double low, double high) const {
+  return best(low, high, [this](double neck) { return player_score(neck); });
+}
+
+}  // namespace cls::proxy

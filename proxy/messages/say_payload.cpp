@@ -1,0 +1,137 @@
+// One line or two for each payload.
+#include "proxy/messages/say_payload.h"
+
+#include <algorithm>
+
+#include "proto/playmaker.pb.h"
+#include "soccer/side.h"
+
+namespace cls::proxy {
+namespace {
+
+soccer::Vec2 vec(const protos::RpcVector2D& v) { return {v.x(), v.y()}; }
+
+template <typename Message>
+SayBall ball(const Message& m) {
+  return {vec(m.ball_position()), vec(m.ball_velocity())};
+}
+
+template <typename Message>
+SayGoalie goalie(const Message& m) {
+  return {vec(m.goalie_position()), m.goalie_body_direction()};
+}
+
+double share(double value, double least, double full) {
+  return full > least ? std::clamp((value - least) / (full - least), 0.0, 1.0) : 0.0;
+}
+
+SayPlayers players(const protos::OnePlayerMessage& m) {
+  SayPlayers said;
+  said.players.push_back({m.uniform_number(), vec(m.position())});
+  return said;
+}
+
+SayPlayers players(const protos::TwoPlayerMessage& m) {
+  SayPlayers said;
+  said.players.push_back({m.first_uniform_number(), vec(m.first_position())});
+  said.players.push_back({m.second_uniform_number(), vec(m.second_position())});
+  return said;
+}
+
+SayPlayers players(const protos::ThreePlayerMessage& m) {
+  SayPlayers said;
+  said.players.push_back({m.first_uniform_number(), vec(m.first_position())});
+  said.players.push_back({m.second_uniform_number(), vec(m.second_position())});
+  said.players.push_back({m.third_uniform_number(), vec(m.third_position())});
+  return said;
+}
+
+/// Payloads of a word or two.
+std::optional<SayMessage> short_message(const protos::Say& say,
+                                        const soccer::ServerParams& server) {
+  using Say = protos::Say;
+  switch (say.message_case()) {
+    case Say::kInterceptMessage: {
+      const auto& m = say.intercept_message();
+      const int first = m.our() ? 0 : soccer::kPlayersPerTeam;
+      const bool known = m.uniform_number() >= 1 && m.uniform_number() <= soccer::kPlayersPerTeam;
+      return SayIntercept{known ? first + m.uniform_number() : 0, m.cycle()};
+    }
+    case Say::kOffsideLineMessage:
+      return SayOffsideLine{say.offside_line_message().offside_line_x()};
+    case Say::kDefenseLineMessage:
+      return SayDefenseLine{say.defense_line_message().defense_line_x()};
+    case Say::kWaitRequestMessage:
+      return SayWaitRequest{};
+    case Say::kSetplayMessage:
+      return SaySetplay{say.setplay_message().wait_step()};
+    case Say::kPassRequestMessage:
+      return SayPassRequest{vec(say.pass_request_message().target_point())};
+    case Say::kStaminaMessage:
+      return SayStamina{share(say.stamina_message().stamina(), 0.0, server.stamina_max)};
+    case Say::kRecoveryMessage:
+      return SayRecovery{
+          share(say.recovery_message().recovery(), server.recover_min, server.recover_init)};
+    case Say::kStaminaCapacityMessage:
+      return SayCapacity{
+          share(say.stamina_capacity_message().stamina_capacity(), 0.0, server.stamina_capacity)};
+    case Say::kDribbleMessage:
+      return SayDribble{vec(say.dribble_message().target_point()),
+                        say.dribble_message().queue_count()};
+    default:
+      return std::nullopt;
+  }
+}
+
+}  // namespace
+
+std::optional<SayMessage> say_message_of(const protos::Say& say,
+                                         const soccer::ServerParams& server) {
+  using Say = protos::Say;
+  switch (say.message_case()) {
+    case Say::kBallMessage:
+      return ball(say.ball_message());
+    case Say::kPassMessage: {
+      const auto& m = say.pass_message();
+      return SayPass{m.receiver_uniform_number(), vec(m.receiver_point()), ball(m)};
+    }
+    case Say::kGoalieMessage:
+      return goalie(say.goalie_message());
+    case Say::kGoalieAndPlayerMessage: {
+      const auto& m = say.goalie_and_player_message();
+      return SayGoalieAndPlayer{goalie(m), {m.player_uniform_number(), vec(m.player_position())}};
+    }
+    case Say::kBallGoalieMessage: {
+      const auto& m = say.ball_goalie_message();
+      return SayBallGoalie{ball(m), goalie(m)};
+    }
+    case Say::kOnePlayerMessage:
+      return players(say.one_player_message());
+    case Say::kTwoPlayerMessage:
+      return players(say.two_player_message());
+    case Say::kThreePlayerMessage:
+      return players(say.three_player_message());
+    case Say::kSelfMessage: {
+      const auto& m = say.self_message();
+      return SaySelf{vec(m.self_position()), m.self_body_direction(),
+                     share(m.self_stamina(), 0.0, server.stamina_max)};
+    }
+    case Say::kTeammateMessage: {
+      const auto& m = say.teammate_message();
+      return SayTeammate{m.uniform_number(), vec(m.position()), m.body_direction()};
+    }
+    case Say::kOpponentMessage: {
+      const auto& m = say.opponent_message();
+      return SayOpponent{m.uniform_number(), vec(m.position()), m.body_direction()};
+    }
+    case Say::kBallPlayerMessage: {
+      const auto& m = say.ball_player_message();
+      return SayBallPlayer{
+          ball(m), {m.uniform_number(), vec(m.player_position())}, m.body_direction()};
+    }
+    default:
+      return short_message(say, server);
+  }
+}
+
+}  // namespace cls::proxy

@@ -1,0 +1,100 @@
+// Choice of formation, and the limits that rules put on it.
+#include "proxy/movement/home_positions.h"
+
+#include <algorithm>
+
+#include "proxy/world/motion.h"
+#include "soccer/mode_kind.h"
+#include "soccer/pitch.h"
+
+namespace cls::proxy {
+namespace {
+
+using soccer::PlayMode;
+using soccer::Vec2;
+
+bool before_play(PlayMode mode) {
+  return mode == PlayMode::kBeforeKickOff || kind_of(mode) == PlayMode::kGoalLeft;
+}
+
+int our_steps(const WorldModel& world) {
+  return std::min(world.intercept.best_self_steps(), world.intercept.first_teammate_steps);
+}
+
+FormationKind in_open_play(const WorldModel& world) {
+  constexpr int kClearly = 2;
+  const int ours = our_steps(world);
+  const int theirs = world.intercept.first_opponent_steps;
+  if (theirs <= ours - kClearly) return FormationKind::kDefense;
+  if (ours <= theirs - kClearly) return FormationKind::kOffense;
+  return FormationKind::kNormal;
+}
+
+bool in_a_penalty_area(Vec2 ball) {
+  return std::fabs(ball.x) > soccer::kHalfLength - soccer::kPenaltyAreaLength &&
+         std::fabs(ball.y) < soccer::kPenaltyAreaWidth / 2.0;
+}
+
+Vec2 ball_of_interest(const WorldModel& world) {
+  const PlayMode kind = kind_of(world.game.mode);
+  const bool rolling = kind == PlayMode::kPlayOn || kind == PlayMode::kGoalKickLeft;
+  return rolling ? first_reach_point(world) : world.ball.position;
+}
+
+/// As far forward as a player may stand without being offside.
+double farthest_x(const WorldModel& world) {
+  if (before_play(world.game.mode)) return 0.0;
+  const int ours = our_steps(world);
+  double line = world.lines.offside;
+  if (ours < 50) line = std::max(line, ball_after(world, ours).x);
+  return line - 1.0;
+}
+
+}  // namespace
+
+FormationKind formation_kind(const WorldModel& world) {
+  const PlayMode mode = world.game.mode;
+  const bool ours = is_set_play_of(world.game, world.our_side);
+  const auto pick = [ours](FormationKind our, FormationKind their) { return ours ? our : their; };
+  if (before_play(mode)) return FormationKind::kBeforeKickOff;
+  if (world.game.goalie_catch) {
+    return pick(FormationKind::kGoalieCatchOur, FormationKind::kGoalieCatchTheir);
+  }
+  switch (kind_of(mode)) {
+    case PlayMode::kPlayOn:
+      return in_open_play(world);
+    case PlayMode::kKickInLeft:
+    case PlayMode::kCornerKickLeft:
+      return pick(FormationKind::kKickInOur, FormationKind::kSetPlayTheir);
+    case PlayMode::kGoalKickLeft:
+      return pick(FormationKind::kGoalKickOur, FormationKind::kGoalKickTheir);
+    case PlayMode::kBackPassLeft:
+    case PlayMode::kIndirectFreeKickLeft:
+      return pick(FormationKind::kIndirectOur, FormationKind::kIndirectTheir);
+    case PlayMode::kFoulChargeLeft:
+    case PlayMode::kFoulPushLeft:
+      if (in_a_penalty_area(world.ball.position)) {
+        return pick(FormationKind::kIndirectOur, FormationKind::kIndirectTheir);
+      }
+      [[fallthrough]];
+    default:
+      return pick(FormationKind::kSetPlayOur, FormationKind::kSetPlayTheir);
+  }
+}
+
+TeamPoints home_positions(const WorldModel& world) {
+  const Formation& formation = world.formations->of(formation_kind(world));
+  TeamPoints points = formation.positions(ball_of_interest(world));
+  const double max_x = farthest_x(world);
+  for (Vec2& point : points) {
+    point.x = std::clamp(std::min(point.x, max_x), -soccer::kHalfLength, soccer::kHalfLength);
+    point.y = std::clamp(point.y, -soccer::kHalfWidth, soccer::kHalfWidth);
+  }
+  return points;
+}
+
+Vec2 own_home_position(const WorldModel& world) {
+  return home_positions(world)[static_cast<std::size_t>(world.unum - 1)];
+}
+
+}  // namespace cls::proxy

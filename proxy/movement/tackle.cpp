@@ -1,0 +1,148 @@
+// When to tackle, and where to.
+#include "proxy/movement/tackle.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "proxy/world/motion.h"
+#include "soccer/pitch.h"
+
+namespace cls::proxy {
+namespace {
+
+using soccer::AngleDeg;
+using soccer::Vec2;
+
+/// The ball's velocity after a successful tackle in `direction` (degrees off the body).
+Vec2 tackled_velocity(const WorldModel& world, double direction) {
+  const auto& server = world.server();
+  const double ball = (world.ball.angle_from_self - world.self.body).abs();
+  const double share = 1.0 - std::fabs(soccer::math::normalize_degrees(direction)) / 180.0;
+  const double power = server.max_back_tackle_power +
+                       (server.max_tackle_power - server.max_back_tackle_power) * share;
+  const double push = power * server.tackle_power_rate * (1.0 - 0.5 * ball / 180.0);
+  const Vec2 velocity =
+      world.ball.velocity +
+      speed_limited(soccer::polar(push, world.self.body + direction), server.ball_accel_max);
+  return speed_limited(velocity, server.ball_speed_max);
+}
+
+/// Where the ball's line meets x = `x`, as far as it rolls there; nothing beyond its reach.
+bool rolls_into_goal(const WorldModel& world, Vec2 velocity, double x) {
+  if (velocity.x * x <= 0.0) return false;
+  const double share = (x - world.ball.position.x) / velocity.x;
+  const double roll = 1.0 / (1.0 - world.server().ball_decay);
+  if (share < 0.0 || share > roll) return false;
+  const double y = world.ball.position.y + velocity.y * share;
+  return std::fabs(y) < world.server().goal_width / 2.0 + 1.0;
+}
+
+int opponent_steps_to(const WorldModel& world, Vec2 point) {
+  int best = 1000;
+  for (const PlayerState& opponent : world.opponents) {
+    if (opponent.ghost() || opponent.pos_count > 15) continue;
+    const soccer::PlayerType& type = world.type_of(opponent);
+    const double gap =
+        distance(opponent.position, point) - type.kickable_area(world.server().ball_size);
+    best = std::min(best, cycles_to_run(world.server(), type, gap));
+  }
+  return best;
+}
+
+double outcome(const WorldModel& world, Vec2 velocity) {
+  if (rolls_into_goal(world, velocity, soccer::kHalfLength)) return 1e6;
+  if (rolls_into_goal(world, velocity, -soccer::kHalfLength)) return -1e6;
+  // Where it is after five cycles tells enough about who gets it.
+  const Vec2 there = coast(world.ball.position, velocity, world.server().ball_decay, 5);
+  const double from_goal = distance(there, {-soccer::kHalfLength, 0.0});
+  const double outwards = std::fabs(there.y) - std::fabs(world.ball.position.y);
+  return 2.0 * from_goal + outwards + 3.0 * std::min(10, opponent_steps_to(world, there));
+}
+
+double best_direction(const WorldModel& world) {
+  constexpr int kDirections = 40;
+  double best = 0.0;
+  double best_value = -1e9;
+  for (int i = 0; i < kDirections; ++i) {
+    const double direction = 360.0 * i / kDirections - 180.0;
+    const double value = outcome(world, tackled_velocity(world, direction));
+    if (value > best_value) {
+      best_value = value;
+      best = direction;
+    }
+  }
+  return best;
+}
+
+bool called_for(const WorldModel& world) {
+  const InterceptTable& table = world.intercept;
+  if (world.kickable_opponent()) return true;
+  if (rolls_into_goal(world, world.ball.velocity, -soccer::kHalfLength)) return true;
+  const int self = table.best_self_steps();
+  const int ours = std::min(self, table.first_teammate_steps);
+  if (table.first_opponent_steps < ours - 3) return true;
+  const Vec2 goal{soccer::kHalfLength, 0.0};
+  const bool facing = (AngleDeg::of(goal - world.self.position) - world.self.body).abs() < 45.0;
+  return self >= 5 && facing && distance(world.ball.position, goal) < 10.0;
+}
+
+bool in_own_area(const WorldModel& world) {
+  const Vec2 ball = world.ball.position;
+  return ball.x < -soccer::kHalfLength + soccer::kPenaltyAreaLength + 0.5 &&
+         std::fabs(ball.y) < soccer::kPenaltyAreaWidth / 2.0 + 0.5;
+}
+
+/// A tackle through the back of an opponent who faces away from our goal: the referee calls every
+/// second one. He looks for those who have the ball, stand between it and the tackler and do not
+/// face him. Who faces our goal is to be stopped all the same.
+bool through_a_back(const WorldModel& world) {
+  const Vec2 to_ball = world.ball.position - world.self.position;
+  for (const PlayerState& opponent : world.opponents) {
+    const soccer::PlayerType& type = world.type_of(opponent);
+    constexpr double kSightError = 0.15;
+    const bool has_ball =
+        opponent.dist_from_ball < type.kickable_area(world.server().ball_size) + kSightError;
+    if (!has_ball || opponent.ghost() || opponent.body_count > 1) continue;
+    const Vec2 relative = opponent.position - world.self.position;
+    if (relative.length() > to_ball.length() + kSightError || dot(relative, to_ball) < 0.0)
+      continue;
+    const double beside = std::fabs(cross(to_ball, relative)) / std::max(0.01, to_ball.length());
+    if (beside > type.player_size + world.self_type().player_size + kSightError) continue;
+    const AngleDeg to_goal = AngleDeg::of(Vec2{-soccer::kHalfLength, 0.0} - opponent.position);
+    const bool harmless = (opponent.body - to_goal).abs() > 100.0;
+    if (harmless && (opponent.body - AngleDeg::of(to_ball)).abs() < 90.0) return true;
+  }
+  return false;
+}
+
+/// A foul may be called against us, but near our goal or with a card that costs too much.
+bool with_intent(const WorldModel& world) {
+  return world.self.card == soccer::Card::kNone && !in_own_area(world) &&
+         world.self.foul_probability > world.self.tackle_probability;
+}
+
+}  // namespace
+
+bool tackle_to_point(const WorldModel& world, CommandSlots& slots, Vec2 target,
+                     double min_probability, double min_speed) {
+  if (world.self.tackle_probability < min_probability) return false;
+  const AngleDeg wanted = AngleDeg::of(target - world.ball.position);
+  const double direction = (wanted - world.self.body).degrees();
+  const Vec2 velocity = tackled_velocity(world, direction);
+  if (velocity.length() < min_speed || (AngleDeg::of(velocity) - wanted).abs() > 90.0) {
+    return false;
+  }
+  return slots.tackle(direction);
+}
+
+bool basic_tackle(const WorldModel& world, CommandSlots& slots, double min_probability) {
+  const bool foul = with_intent(world);
+  const double probability = foul ? world.self.foul_probability : world.self.tackle_probability;
+  if (probability < min_probability || probability <= 0.0 || !called_for(world)) return false;
+  // An indirect free kick before our goal is worth more to them than the ball he has now.
+  const bool goal_in_danger = rolls_into_goal(world, world.ball.velocity, -soccer::kHalfLength);
+  if (in_own_area(world) && !goal_in_danger && through_a_back(world)) return false;
+  return slots.tackle(best_direction(world), foul);
+}
+
+}  // namespace cls::proxy

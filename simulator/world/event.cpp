@@ -1,0 +1,26 @@
+// The referee's words as text.
+#include "simulator/world/event.h"
+
+#include "base/text/number_text.h"
+
+namespace cls::simulator {
+
+void RefereeSaid::append_to(std::string& out) const {
+  out += word;
+  if (side != Side::kNeutral) {
+    out += '_';
+    out += letter(side);
+  }
+  if (number) {
+    out += '_';
+    base::append_int(*number, out);
+  }
+}
+
+std::string RefereeSaid::text() const {
+  std::string result;
+  append_to(result);
+  return result;
+}
+
+}  // namespace cls::simulator

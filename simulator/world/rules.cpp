@@ -1,0 +1,55 @@
+// Checking parameters and drawing player types.
+#include "simulator/world/rules.h"
+
+#include <string>
+#include <utility>
+
+namespace cls::simulator {
+namespace {
+
+using base::Error;
+using base::Result;
+
+// Nothing here guards against odd matches, only against those that cannot be reckoned with.
+Result<void> check(const soccer::ServerParams& server, const soccer::PlayerParams& player) {
+  if (server.simulator_step <= 0) return Error{"server::simulator_step must be positive"};
+  if (server.send_step <= 0) return Error{"server::send_step must be positive"};
+  if (server.recv_step <= 0) return Error{"server::recv_step must be positive"};
+  if (server.slow_down_factor <= 0) return Error{"server::slow_down_factor must be positive"};
+  if (server.ball_size <= 0) return Error{"server::ball_size must be positive"};
+  if (server.player_size <= 0) return Error{"server::player_size must be positive"};
+  if (server.maxpower <= 0) return Error{"server::maxpower must be positive"};
+  if (player.player_types < 1 || player.player_types > kMaxPlayerTypes) {
+    return Error{"player::player_types must be within 1.." + std::to_string(kMaxPlayerTypes)};
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<std::shared_ptr<const Rules>> make_rules(const soccer::ServerParams& server,
+                                                soccer::PlayerParams player, std::uint64_t seed) {
+  if (Result<void> checked = check(server, player); !checked) return checked.error();
+  // The parameter that tells clients the seed is an int.
+  if (player.random_seed < 0) player.random_seed = static_cast<int>(seed & 0x7FFFFFFFU);
+  return make_rules(
+      server, player,
+      draw_player_types(server, player, static_cast<std::uint32_t>(player.random_seed)));
+}
+
+Result<std::shared_ptr<const Rules>> make_rules(const soccer::ServerParams& server,
+                                                const soccer::PlayerParams& player,
+                                                std::vector<soccer::PlayerType> types) {
+  if (Result<void> checked = check(server, player); !checked) return checked.error();
+  if (types.size() != static_cast<std::size_t>(player.player_types)) {
+    return Error{"there must be player::player_types player types"};
+  }
+  Rules rules{server, player, std::move(types)};
+  rules.half_time = server.half_time_cycles();
+  rules.extra_half_time = server.extra_half_time_cycles();
+  rules.normal_time = server.normal_time_cycles();
+  rules.total_time = server.total_time_cycles();
+  return std::make_shared<const Rules>(std::move(rules));
+}
+
+}  // namespace cls::simulator

@@ -1,0 +1,61 @@
+// The world before the match.
+#include "simulator/world/world.h"
+
+#include <utility>
+
+namespace cls::simulator {
+namespace {
+
+namespace math = soccer::math;
+
+Player make_player(Slot slot, const Rules& rules) {
+  Player player;
+  player.side = soccer::side_of_slot(slot);
+  player.unum = soccer::unum_of_slot(slot);
+  player.position = bench_place(player);
+  player.arm.age = rules.server.point_to_duration;
+  const soccer::PlayerType& type = rules.types.front();
+  player.stamina = {rules.server.stamina_max, type.effort_max, 1.0, rules.server.stamina_capacity};
+  player.ears.teammate_capacity = rules.server.hear_max;
+  player.ears.opponent_capacity = rules.server.hear_max;
+  return player;
+}
+
+// The ranges of a random wind are the server's own (3.2).
+Wind make_wind(const soccer::ServerParams& server, std::uint64_t seed) {
+  if (server.wind_none) return {};
+  if (!server.wind_random) {
+    return {soccer::polar_degrees(server.wind_force, server.wind_dir), server.wind_rand};
+  }
+  RandomStream stream(seed, "wind");
+  const double force = stream.uniform(0.0, 100.0);
+  const double direction = stream.uniform(-math::kPi, math::kPi);
+  return {soccer::polar_radians(force, direction), stream.uniform(0.0, 0.5)};
+}
+
+}  // namespace
+
+Vec2 bench_place(const Player& player) { return {-3.0 * player.unum * sign(player.side), -37.0}; }
+
+World make_world(std::shared_ptr<const Rules> rules, std::uint64_t seed) {
+  World world;
+  world.seed = seed;
+  world.random = RandomStreams(seed);
+  for (Slot slot = 0; slot < soccer::kPlayersOnPitch; ++slot) {
+    world.player(slot) = make_player(slot, *rules);
+  }
+  const soccer::ServerParams& server = rules->server;
+  world.team(Side::kLeft).score = server.start_goal_l;
+  world.team(Side::kRight).score = server.start_goal_r;
+  world.wind = make_wind(server, seed);
+  world.auto_mode = {server.kick_off_wait, server.connect_wait, server.game_over_wait, false};
+  world.rules = std::move(rules);
+  return world;
+}
+
+bool is_kickable(const World& world, const Player& player) {
+  const double area = world.type_of(player).kickable_area(world.params().ball_size);
+  return squared_distance(world.ball.position, player.position) <= area * area;
+}
+
+}  // namespace cls::simulator

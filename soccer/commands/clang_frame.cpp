@@ -1,0 +1,75 @@
+// Frames of coach language messages.
+#include "soccer/commands/clang_frame.h"
+
+#include <array>
+#include <utility>
+
+#include "soccer/commands/player_command_lexer.h"
+#include "soccer/protocol/loose_scanner.h"
+
+namespace cls::soccer {
+namespace {
+
+constexpr std::array<std::pair<std::string_view, ClangKind>, 7> kKinds = {
+    {{"freeform", ClangKind::kFreeform},
+     {"info", ClangKind::kInfo},
+     {"advice", ClangKind::kAdvice},
+     {"define", ClangKind::kDefine},
+     {"meta", ClangKind::kMeta},
+     {"rule", ClangKind::kRule},
+     {"delete", ClangKind::kDelete}}};
+
+bool is_letter(char c) { return (c >= 'a' && c <= 'z') || c == '_'; }
+
+std::optional<ClangKind> kind_of(std::string_view word) {
+  for (const auto& [name, kind] : kKinds) {
+    if (name == word) return kind;
+  }
+  return std::nullopt;
+}
+
+// Length of the bracketed expression at the start of `text`, brackets in quotes not counted; 0 if
+// it never closes.
+std::size_t bracketed_length(std::string_view text) {
+  int depth = 0;
+  bool quoted = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '"') quoted = !quoted;
+    if (quoted) continue;
+    if (text[i] == '(') ++depth;
+    if (text[i] == ')' && --depth == 0) return i + 1;
+  }
+  return 0;
+}
+
+// `inside` is what stands between "(freeform" and its ")".
+bool is_freeform(std::string_view inside) {
+  LooseScanner in(inside);
+  if (!in.token("\"")) return false;
+  const std::size_t length = in.rest().find('"');
+  if (length == std::string_view::npos || !is_sayable(in.rest().substr(0, length))) return false;
+  in.skip_to('"');
+  return in.token("\"") && (in.skip_blanks(), in.at_end());
+}
+
+}  // namespace
+
+std::optional<CoachSay> read_clang_say(std::string_view text) {
+  LooseScanner in(text);
+  in.skip_blanks();
+  const std::string_view message = in.rest().substr(0, bracketed_length(in.rest()));
+  if (message.empty() || message.front() != '(') return std::nullopt;
+  LooseScanner inner(message.substr(1, message.size() - 2));
+  const std::optional<ClangKind> kind = kind_of(inner.run(is_letter, message.size()));
+  if (!kind || (*kind == ClangKind::kFreeform && !is_freeform(inner.rest()))) return std::nullopt;
+  if (!in.token(message) || !in.token(")")) return std::nullopt;
+  in.skip_blanks();
+  if (!in.at_end()) return std::nullopt;
+  CoachSay said{*kind, std::string(message)};
+  if (*kind == ClangKind::kFreeform) {  // heard without the blanks around the words
+    said.text = "(freeform \"" + std::string(said.freeform()) + "\")";
+  }
+  return said;
+}
+
+}  // namespace cls::soccer

@@ -1,0 +1,102 @@
+// What online coaches and trainers say to the server: one struct per command.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "soccer/commands/player_command.h"
+#include "soccer/geometry.h"
+#include "soccer/play_mode.h"
+#include "soccer/protocol/reply_code.h"
+
+namespace cls::soccer {
+
+struct Look {};
+struct Eye {
+  bool on = true;
+};
+/// Trainer only.
+struct TrainerEar {
+  bool on = true;
+};
+struct AskTeamNames {};
+struct CheckBall {};
+
+/// Online coach: `(change_player_type UNUM TYPE)`; without a type the goalie form.
+struct ChangePlayerType {
+  int unum = 0;
+  std::optional<int> type;
+};
+/// Trainer: `(change_player_type TEAM UNUM TYPE)`.
+struct TrainerChangePlayerType {
+  std::string team;
+  int unum = 0;
+  int type = 0;
+};
+
+enum class ClangKind : std::uint8_t { kFreeform, kInfo, kAdvice, kDefine, kMeta, kRule, kDelete };
+
+/// Online coach: `(say MSG)` with MSG in the coach language. `text` is MSG with its brackets, for
+/// example `(freeform "hello")`; of the kinds other than freeform only the frame is checked.
+struct CoachSay {
+  ClangKind kind = ClangKind::kFreeform;
+  std::string text;
+
+  /// The words of a freeform message, without quotes; empty for other kinds.
+  std::string_view freeform() const;
+};
+/// Trainer: `(say MSG)` with plain text, uncut (the server cuts at say_coach_msg_size).
+struct TrainerSay {
+  std::string text;
+};
+
+/// `(team_graphic (X Y "..." "..." ...))`: an XPM tile, header line first, lines without quotes.
+struct TeamGraphic {
+  int x = 0;
+  int y = 0;
+  std::vector<std::string> xpm;
+};
+
+struct Start {};
+struct ChangeMode {
+  PlayMode mode = PlayMode::kPlayOn;
+};
+/// `(move (ball) X Y [ANG [VX VY]])`. The angle has no effect on a ball.
+struct MoveBall {
+  Vec2 position;
+  std::optional<double> angle;
+  std::optional<Vec2> velocity;
+};
+/// `(move (player TEAM UNUM) X Y [ANG [VX VY]])`, global coordinates and degrees. A velocity
+/// comes only together with an angle.
+struct MovePlayer {
+  std::string team;
+  int unum = 0;
+  Vec2 position;
+  std::optional<double> angle;
+  std::optional<Vec2> velocity;
+};
+struct Recover {};
+
+/// Done, Bye and Compression are those of players. A trainer has no Bye.
+using CoachCommand =
+    std::variant<Look, Eye, TrainerEar, AskTeamNames, CheckBall, ChangePlayerType,
+                 TrainerChangePlayerType, CoachSay, TrainerSay, TeamGraphic, Start, ChangeMode,
+                 MoveBall, MovePlayer, Recover, Done, Bye, Compression>;
+
+enum class CoachRole : std::uint8_t { kOnlineCoach, kTrainer };
+
+/// Reads the first command of a datagram; what follows it is ignored, as in the real server
+/// (except that an online coach's say must be the whole datagram). Nothing when a command was
+/// read, else the error to answer with.
+std::optional<ErrorCode> parse(std::string_view datagram, CoachRole role, CoachCommand& out);
+
+/// Appends the command; numbers in the shortest form that reads back exactly. False, appending
+/// nothing, when a number is not finite or a text has characters the server would refuse.
+[[nodiscard]] bool format(const CoachCommand& command, std::string& out);
+
+}  // namespace cls::soccer

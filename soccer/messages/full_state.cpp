@@ -1,0 +1,182 @@
+// fullstate, read and written.
+#include "soccer/messages/full_state.h"
+
+#include "soccer/messages/sense_groups.h"
+#include "soccer/protocol/scanner.h"
+
+namespace cls::soccer {
+namespace {
+
+constexpr std::string_view kCatchPrefix = "goalie_catch_ball_";
+
+// Client versions from which on something is sent.
+constexpr int kFirstWithMarks = 13;  // and the capacity
+constexpr int kFirstWithGoalieType = 14;
+constexpr int kFirstWithCards = 14;  // and the mark of a fouled player
+constexpr int kFirstWithFocus = 18;
+
+bool read_mode(Scanner& in, FullState& out) {
+  std::string_view mode;
+  const std::size_t start = in.position();
+  if (!in.word(mode)) return false;
+  out.ball_caught = mode == "goalie_catch_ball_l" || mode == "goalie_catch_ball_r";
+  if (out.ball_caught) {
+    out.mode = mode.back() == 'l' ? PlayMode::kFreeKickLeft : PlayMode::kFreeKickRight;
+    return true;
+  }
+  const std::optional<PlayMode> known = play_mode_from_name(mode);
+  if (!known) return in.fail_at(start, "a play mode");
+  out.mode = *known;
+  return true;
+}
+
+bool read_counts(Scanner& in, CommandCounts& counts, bool& has_focus) {
+  counts.change_focus = 0;
+  if (!(in.literal(" (count ") && in.integer(counts.kick) && in.literal(" ") &&
+        in.integer(counts.dash) && in.literal(" ") && in.integer(counts.turn) && in.literal(" ") &&
+        in.integer(counts.catches) && in.literal(" ") && in.integer(counts.move) &&
+        in.literal(" ") && in.integer(counts.turn_neck) && in.literal(" ") &&
+        in.integer(counts.change_view) && in.literal(" ") && in.integer(counts.say))) {
+    return false;
+  }
+  has_focus = in.optional(" ");
+  return (!has_focus || in.integer(counts.change_focus)) && in.literal(")");
+}
+
+bool read_name(Scanner& in, FullStatePlayer& player) {
+  if (!(in.literal(" ((p ") && read_side(in, player.side) && in.literal(" ") &&
+        in.integer(player.unum, 1, kPlayersPerTeam) && in.literal(" "))) {
+    return false;
+  }
+  player.goalie = in.optional("g ");
+  return in.integer(player.type) && in.literal(") ");
+}
+
+bool read_pointing(Scanner& in, FullStatePlayer& player) {
+  player.pointing = !in.looking_at(" (");
+  return !player.pointing || (in.literal(" ") && in.number(player.point_distance) &&
+                              in.literal(" ") && in.number(player.point_direction_radians));
+}
+
+bool read_stamina(Scanner& in, FullStatePlayer& player) {
+  return in.literal(" (stamina ") && in.number(player.stamina) && in.literal(" ") &&
+         in.number(player.effort) && in.literal(" ") && in.number(player.recovery) &&
+         in.literal(" ") && in.number(player.capacity) && in.literal(")");
+}
+
+bool read_player(Scanner& in, bool has_focus, FullStatePlayer& player) {
+  if (!(read_name(in, player) && read_motion(in, player.position, player.velocity) &&
+        in.literal(" ") && in.number(player.body) && in.literal(" ") && in.number(player.neck) &&
+        read_pointing(in, player))) {
+    return false;
+  }
+  if (has_focus && !(in.literal(" (focus_point ") && in.number(player.focus_distance) &&
+                     in.literal(" ") && in.number(player.focus_direction) && in.literal(")"))) {
+    return false;
+  }
+  if (!read_stamina(in, player)) return false;
+  read_marks(in, player.mark, player.card);
+  return in.literal(")");
+}
+
+void append_counts(const CommandCounts& counts, int version, TextWriter& out) {
+  append(out, " (count ", counts.kick);
+  for (const int count : {counts.dash, counts.turn, counts.catches, counts.move, counts.turn_neck,
+                          counts.change_view, counts.say}) {
+    append(out, " ", count);
+  }
+  if (version >= kFirstWithFocus) append(out, " ", counts.change_focus);
+  out.append(") ");
+}
+
+void append_name(const FullStatePlayer& player, int version, TextWriter& out) {
+  out.append(" ((p ");
+  out.push_back(letter(player.side));
+  append(out, " ", player.unum);
+  if (player.goalie) out.append(" g");
+  if (!player.goalie || version >= kFirstWithGoalieType) append(out, " ", player.type);
+  out.append(") ");
+}
+
+// Which of the marks at the end of a player a version knows.
+ActionMark mark_shown(const FullStatePlayer& player, int version) {
+  if (version < kFirstWithMarks) return ActionMark::kNone;
+  if (version < kFirstWithCards && player.mark == ActionMark::kFoulCharged) {
+    return ActionMark::kNone;
+  }
+  return player.mark;
+}
+
+void append_player(const FullStatePlayer& player, int version, TextWriter& out) {
+  append_name(player, version, out);
+  append_motion(player.position, player.velocity, out);
+  append(out, " ", player.body);
+  append(out, " ", player.neck);
+  if (player.pointing) {
+    append(out, " ", player.point_distance);
+    append(out, " ", player.point_direction_radians);
+  }
+  if (version >= kFirstWithFocus) {
+    append(out, " (focus_point ", player.focus_distance);
+    append(out, " ", player.focus_direction);
+    out.push_back(')');
+  }
+  append(out, " (stamina ", player.stamina);
+  append(out, " ", player.effort);
+  append(out, " ", player.recovery);
+  if (version >= kFirstWithMarks) append(out, " ", player.capacity);
+  out.push_back(')');
+  append_marks(mark_shown(player, version), version >= kFirstWithCards ? player.card : Card::kNone,
+               out);
+  out.push_back(')');
+}
+
+}  // namespace
+
+base::Result<void> parse(std::string_view message, FullState& out) {
+  Scanner in(message);
+  bool has_focus = false;
+  out.players.clear();
+  bool ok = in.literal("(fullstate ") && in.integer(out.time) && in.literal(" (pmode ") &&
+            read_mode(in, out) && in.literal(") (vmode ") &&
+            read_view_mode(in, out.quality, out.width) && in.literal(")") &&
+            read_counts(in, out.counts, has_focus) && in.literal(" ") && read_arm(in, out.arm) &&
+            in.literal(" (score ") && in.integer(out.our_score) && in.literal(" ") &&
+            in.integer(out.opponent_score) && in.literal(") ((b) ") &&
+            read_motion(in, out.ball_position, out.ball_velocity) && in.literal(")");
+  while (ok && in.peek() == ' ') {
+    if (out.players.size() == kPlayersOnPitch) {
+      ok = in.fail("no more players");
+    } else {
+      ok = read_player(in, has_focus, out.players.emplace_back());
+    }
+  }
+  if (ok && in.literal(")") && in.end()) return {};
+  return in.error("fullstate");
+}
+
+void format(const FullState& state, int version, std::string& text) {
+  TextWriter out(text);
+  append(out, "(fullstate ", state.time);
+  out.append(" (pmode ");
+  if (state.ball_caught) {
+    out.append(kCatchPrefix);
+    out.push_back(letter(side(state.mode)));
+  } else {
+    out.append(name(state.mode));
+  }
+  out.append(") (vmode ");
+  append_view_mode(state.quality, state.width, out);
+  out.push_back(')');
+  append_counts(state.counts, version, out);
+  append_arm(state.arm, out);
+  append(out, " (score ", state.our_score);
+  append(out, " ", state.opponent_score);
+  out.append(") ((b) ");
+  append_motion(state.ball_position, state.ball_velocity, out);
+  out.push_back(')');
+  for (const FullStatePlayer& player : state.players) append_player(player, version, out);
+  out.push_back(')');
+}
+
+}  // namespace cls::soccer

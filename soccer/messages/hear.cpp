@@ -1,0 +1,167 @@
+// hear, in the forms of players, online coaches and trainers.
+#include "soccer/messages/hear.h"
+
+#include <cassert>
+
+#include "soccer/messages/sense_groups.h"
+#include "soccer/protocol/observation_name.h"
+#include "soccer/protocol/scanner.h"
+#include "soccer/side.h"
+
+namespace cls::soccer {
+namespace {
+
+using Sender = Hear::Sender;
+
+// Takes the text of the rest of the message, in quotes or not.
+bool read_text(Scanner& in, bool quoted, std::string& out) {
+  std::string_view text;
+  if (quoted && !in.literal("\"")) return false;
+  if (!in.rest_before(quoted ? "\")" : ")", text)) return false;
+  if (text.empty()) return in.fail("a text");
+  out.assign(text);
+  return true;
+}
+
+// Behind "(hear T referee ": quotes are the trainer's way of hearing itself.
+bool read_referee_or_trainer(Scanner& in, Hear& out) {
+  const bool quoted = in.peek() == '"';
+  out.sender = quoted ? Sender::kTrainer : Sender::kReferee;
+  return read_text(in, quoted, out.text);
+}
+
+bool read_speaker(Scanner& in, Hear& out) {
+  out.sender = Sender::kPlayer;
+  return read_player(in, out.team, out.unum, out.goalie) && in.literal(") ") &&
+         read_text(in, true, out.text);
+}
+
+// "our UNUM" or "opp", then a text unless partial.
+bool read_side_and_text(Scanner& in, Hear& out) {
+  if (in.optional("our ")) {
+    out.sender = Sender::kTeammate;
+    if (!in.integer(out.unum, 1, kPlayersPerTeam)) return false;
+  } else if (in.optional("opp")) {
+    out.sender = Sender::kOpponent;
+  } else {
+    return in.fail("our or opp");
+  }
+  if (out.partial) return in.literal(")");
+  return in.literal(" ") && read_text(in, true, out.text);
+}
+
+bool read_sender(Scanner& in, Hear& out) {
+  if (in.optional("referee ")) return read_referee_or_trainer(in, out);
+  if (in.optional("coach ")) {
+    out.sender = Sender::kTrainer;
+    return read_text(in, true, out.text);
+  }
+  if (in.optional("self ")) {
+    out.sender = Sender::kSelf;
+    return read_text(in, true, out.text);
+  }
+  if (in.optional("(p ")) return read_speaker(in, out);
+  const bool left = in.optional("online_coach_left ");
+  if (left || in.optional("online_coach_right ")) {
+    out.sender = left ? Sender::kOnlineCoachLeft : Sender::kOnlineCoachRight;
+    return read_text(in, in.peek() == '"', out.text);
+  }
+  out.partial = in.peek() == 'o';
+  return (out.partial || (in.integer(out.direction) && in.literal(" "))) &&
+         read_side_and_text(in, out);
+}
+
+bool read_message(Scanner& in, Hear& out) {
+  if (!in.literal("(hear ")) return false;
+  if (in.optional("referee ")) {  // to a trainer, name before time
+    out.sender = Sender::kReferee;
+    return in.integer(out.time) && in.literal(" ") && read_text(in, false, out.text);
+  }
+  return in.integer(out.time) && in.literal(" ") && read_sender(in, out);
+}
+
+void append_quoted(std::string_view before, std::string_view text, std::string& out) {
+  out.append(before);
+  out.push_back('"');
+  out.append(text);
+  out.push_back('"');
+}
+
+void append_coach(const Hear& hear, Listener listener, std::string& out) {
+  out.append(hear.sender == Sender::kOnlineCoachLeft ? "online_coach_left" : "online_coach_right");
+  if (listener == Listener::kTrainer) return append_quoted(" ", hear.text, out);
+  out.push_back(' ');
+  out.append(hear.text);
+}
+
+void append_trainer(const Hear& hear, Listener listener, std::string& out) {
+  if (listener == Listener::kPlayer) return append_quoted("coach ", hear.text, out);
+  if (listener == Listener::kTrainer) return append_quoted("referee ", hear.text, out);
+  out.append("referee ");
+  out.append(hear.text);
+}
+
+void append_colleague(const Hear& hear, std::string& out) {
+  if (!hear.partial) {
+    base::append_int(hear.direction, out);
+    out.push_back(' ');
+  }
+  if (hear.sender == Sender::kTeammate) {
+    append(out, "our ", hear.unum);
+  } else {
+    out.append("opp");
+  }
+  if (!hear.partial) append_quoted(" ", hear.text, out);
+}
+
+}  // namespace
+
+base::Result<void> parse(std::string_view message, Hear& out) {
+  out.partial = out.goalie = false;
+  out.direction = out.unum = 0;
+  out.team = TeamName();
+  out.text.clear();
+  Scanner in(message);
+  if (read_message(in, out) && in.end()) return {};
+  return in.error("hear");
+}
+
+void format(const Hear& hear, Listener listener, std::string& out) {
+  if (hear.sender == Sender::kReferee && listener == Listener::kTrainer) {
+    append(out, "(hear referee ", hear.time);
+    out.push_back(' ');
+    out.append(hear.text);
+    out.push_back(')');
+    return;
+  }
+  append(out, "(hear ", hear.time);
+  out.push_back(' ');
+  switch (hear.sender) {
+    case Sender::kReferee:
+      out.append("referee ");
+      out.append(hear.text);
+      break;
+    case Sender::kTrainer:
+      append_trainer(hear, listener, out);
+      break;
+    case Sender::kOnlineCoachLeft:
+    case Sender::kOnlineCoachRight:
+      append_coach(hear, listener, out);
+      break;
+    case Sender::kSelf:
+      append_quoted("self ", hear.text, out);
+      break;
+    case Sender::kTeammate:
+    case Sender::kOpponent:
+      append_colleague(hear, out);
+      break;
+    case Sender::kPlayer:
+      out.append("(p ");
+      append_player(hear.team, hear.unum, hear.goalie, out);
+      append_quoted(") ", hear.text, out);
+      break;
+  }
+  out.push_back(')');
+}
+
+}  // namespace cls::soccer

@@ -1,0 +1,70 @@
+// Parameter values from text.
+#include "soccer/parameters/parameter.h"
+
+#include <charconv>
+#include <cmath>
+#include <limits>
+
+namespace cls::soccer {
+namespace {
+
+std::string lower(std::string_view text) {
+  std::string result(text);
+  for (char& c : result) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  }
+  return result;
+}
+
+base::Error not_a(std::string_view kind, std::string_view text) {
+  return base::Error{"'" + std::string(text) + "' is not " + std::string(kind)};
+}
+
+}  // namespace
+
+namespace detail {
+
+base::Result<void> assign(double& value, std::string_view text) {
+  const std::string_view digits = text.starts_with('+') ? text.substr(1) : text;
+  double read = 0.0;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), read);
+  if (error != std::errc{} || end != digits.data() + digits.size() || !std::isfinite(read)) {
+    return not_a("a number", text);
+  }
+  value = read;
+  return {};
+}
+
+base::Result<void> assign(int& value, std::string_view text) {
+  double read = 0.0;
+  if (!assign(read, text) || read != std::rint(read) || read < std::numeric_limits<int>::min() ||
+      read > std::numeric_limits<int>::max()) {
+    return not_a("a whole number", text);
+  }
+  value = static_cast<int>(read);
+  return {};
+}
+
+base::Result<void> assign(bool& value, std::string_view text) {
+  const std::string word = lower(text);
+  if (word == "on" || word == "true" || word == "1") {
+    value = true;
+  } else if (word == "off" || word == "false" || word == "0") {
+    value = false;
+  } else {
+    return not_a("on or off", text);
+  }
+  return {};
+}
+
+base::Result<void> assign(std::string& value, std::string_view text) {
+  if (text.size() >= 2 && (text.front() == '"' || text.front() == '\'') &&
+      text.back() == text.front()) {
+    text = text.substr(1, text.size() - 2);
+  }
+  value = text;
+  return {};
+}
+
+}  // namespace detail
+}  // namespace cls::soccer

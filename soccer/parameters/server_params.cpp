@@ -1,0 +1,29 @@
+// The table of server:: parameters.
+#include "soccer/parameters/server_params.h"
+
+#include <cmath>
+
+namespace cls::soccer {
+namespace {
+
+int cycles_of(int seconds, const ServerParams& params) {
+  const double step = static_cast<double>(params.simulator_step) / params.slow_down_factor;
+  return static_cast<int>(std::floor(seconds * 1000.0 / step + 0.5));
+}
+
+}  // namespace
+
+int ServerParams::half_time_cycles() const { return cycles_of(half_time, *this); }
+int ServerParams::extra_half_time_cycles() const { return cycles_of(extra_half_time, *this); }
+
+const ParameterTable<ServerParams>& server_param_table() {
+  static const ParameterTable<ServerParams> table = sorted_by_name(ParameterTable<ServerParams>{
+#define CLS_SERVER_PARAM(type, name, value, since, unit, effect) \
+  {#name, &ServerParams::name, since, unit, effect},
+#include "soccer/parameters/server_params.inc"
+#undef CLS_SERVER_PARAM
+  });
+  return table;
+}
+
+}  // namespace cls::soccer

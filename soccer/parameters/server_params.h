@@ -1,0 +1,32 @@
+// The server:: parameters: one struct and one table out of one list.
+#pragma once
+
+#include <string>
+
+#include "soccer/parameters/parameter.h"
+
+namespace cls::soccer {
+
+/// Every server:: parameter of rcssserver 19 with its default (server-protocol 10.3). Members are
+/// named as on the wire. half_time and extra_half_time are seconds, as users write them; use the
+/// functions below for cycles.
+struct ServerParams {
+#define CLS_SERVER_PARAM(type, name, value, since, unit, effect) type name = value;
+#include "soccer/parameters/server_params.inc"
+#undef CLS_SERVER_PARAM
+
+  /// Length of a normal half in cycles; zero or negative: no time limit.
+  int half_time_cycles() const;
+  /// Length of an extra half in cycles.
+  int extra_half_time_cycles() const;
+  /// End of normal time, and of extra time, in cycles.
+  int normal_time_cycles() const { return half_time_cycles() * nr_normal_halfs; }
+  int total_time_cycles() const {
+    return normal_time_cycles() + extra_half_time_cycles() * nr_extra_halfs;
+  }
+};
+
+/// All rows, sorted by name as the server sends them.
+const ParameterTable<ServerParams>& server_param_table();
+
+}  // namespace cls::soccer

@@ -1,0 +1,197 @@
+// Statistics of real matches against what the text log and the rules of the game say.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+
+#include "analysis/statistics/match_statistics.h"
+#include "analysis/statistics/team_totals.h"
+#include "gamelog/rcg/rcg_reader.h"
+#include "gamelog/rcl/rcl_reader.h"
+#include "tests/support/files.h"
+
+namespace cls::analysis {
+namespace {
+
+struct RealMatch {
+  gamelog::MatchRecord record;
+  gamelog::RclRecord text;
+};
+
+RealMatch read_both(const std::filesystem::path& stem) {
+  auto record = gamelog::read_rcg_file(stem.string() + ".rcg.gz");
+  auto text = gamelog::read_rcl_file(stem.string() + ".rcl.gz");
+  EXPECT_TRUE(record && text);
+  return {std::move(*record), std::move(*text)};
+}
+
+// How often the referee said each word.
+std::map<std::string, int> referee_words(const gamelog::RclRecord& text) {
+  std::map<std::string, int> words;
+  for (const gamelog::RclLine& line : text.lines) {
+    if (line.source == gamelog::RclSource::kReferee) ++words[std::string(text.text_of(line))];
+  }
+  return words;
+}
+
+void expect_agreement_with_referee(const RealMatch& match, const MatchStatistics& all) {
+  std::map<std::string, int> words = referee_words(match.text);
+  for (const char side : {'l', 'r'}) {
+    const TeamStoppages& s = all.stoppages.teams[side == 'l' ? 0 : 1];
+    const auto said = [&](const char* word) { return words[word + std::string(1, side)]; };
+    EXPECT_EQ(s.kick_offs, said("kick_off_"));
+    EXPECT_EQ(s.kick_ins, said("kick_in_"));
+    EXPECT_EQ(s.corners, said("corner_kick_"));
+    EXPECT_EQ(s.goal_kicks, said("goal_kick_"));
+    EXPECT_EQ(s.free_kicks + s.goalie_catches, said("free_kick_"));
+    EXPECT_EQ(s.indirect_free_kicks, said("indirect_free_kick_"));
+    EXPECT_EQ(s.goalie_catches, said("goalie_catch_ball_"));
+    EXPECT_EQ(s.offsides, said("offside_"));
+    EXPECT_EQ(s.fouls, said("foul_charge_") + said("foul_push_"));
+    const Goalkeeping& keeper = all.goalkeeping[side == 'l' ? 0 : 1];
+    EXPECT_EQ(keeper.catches, said("goalie_catch_ball_"));
+  }
+  EXPECT_EQ(all.flow.placed.size(), static_cast<std::size_t>(words["drop_ball"]));
+}
+
+// What the counters grew by between the first frame and time_over, and what was asked for.
+void expect_counts_to_add_up(const RealMatch& match, const MatchStatistics& all) {
+  const gamelog::MatchRecord& record = match.record;
+  for (std::size_t slot = 0; slot < gamelog::kSlots; ++slot) {
+    const Responsiveness& answers = (*all.responsiveness)[slot];
+    const auto asked = [&](gamelog::CommandKind kind) {
+      return answers.commands[static_cast<std::size_t>(kind)];
+    };
+    const auto grew = [&](gamelog::Counter counter) {
+      const auto index = static_cast<std::size_t>(counter);
+      return record.players.counters[entry_of(record.frames() - 1, slot)][index] -
+             record.players.counters[slot][index];
+    };
+    EXPECT_EQ(asked(gamelog::CommandKind::kKick) - answers.rejected_kicks,
+              grew(gamelog::Counter::kKick))
+        << slot;
+    EXPECT_EQ(asked(gamelog::CommandKind::kTackle) - answers.rejected_tackles,
+              grew(gamelog::Counter::kTackle));
+    // Half time hides the commands of a cycle, and who lies on the ground dashes in vain.
+    EXPECT_NEAR(asked(gamelog::CommandKind::kDash), grew(gamelog::Counter::kDash), 1) << slot;
+    EXPECT_EQ(all.tackles[slot].tried, grew(gamelog::Counter::kTackle));
+    // helios and cyrus answer every step in synchronous mode.
+    EXPECT_EQ(answers.silent, 0);
+    EXPECT_EQ(answers.answered, answers.steps);
+  }
+}
+
+// Nobody can use more than two stores a half; who is exhausted has used exactly that.
+void expect_possible_stamina(const RealMatch& match, const MatchStatistics& all) {
+  const double store = match.record.server.stamina_max + match.record.server.stamina_capacity;
+  int exhausted = 0;
+  for (std::size_t slot = 0; slot < gamelog::kSlots; ++slot) {
+    const Stamina& s = all.stamina[slot];
+    EXPECT_LE(s.used, store * (s.refills + 1) + 0.5) << slot;
+    EXPECT_GE(s.refills, 1);
+    const bool empty_twice =
+        s.lowest == 0.0 && s.refills == 1 && s.last_capacity == 0.0 && s.last == 0.0;
+    exhausted += empty_twice;
+    if (empty_twice) {
+      EXPECT_NEAR(s.used, 2 * store, 1.0) << slot;
+    }
+  }
+  EXPECT_GE(exhausted, 3);
+}
+
+// Plain conditions that hold whatever the definitions.
+void expect_consistency(const MatchStatistics& all) {
+  for (std::size_t team = 0; team < 2; ++team) {
+    const TeamTotals t = totals_of(all, team);
+    int shots = 0;
+    for (const int count : t.shots.outcomes) shots += count;
+    EXPECT_EQ(shots, t.shots.total);
+    int passes = 0;
+    for (const int count : t.passes.outcomes) passes += count;
+    EXPECT_EQ(passes, t.passes.attempted);
+    EXPECT_EQ(t.passes.completed, all.networks[team].passes);
+    EXPECT_LE(t.passes.completed, t.passes.attempted);
+    int chain_passes = 0;
+    for (const Chain& chain : all.chains) chain_passes += chain.team == team ? chain.passes : 0;
+    EXPECT_EQ(chain_passes, t.passes.completed);
+    const Possession& p = all.possession;
+    EXPECT_LE(p.last_touch[team], p.live_frames);
+    EXPECT_LE(p.fastest[team], p.live_frames);
+    EXPECT_EQ(t.interceptions,
+              totals_of(all, 1 - team)
+                  .passes.outcomes[static_cast<std::size_t>(PassOutcome::kIntercepted)]);
+  }
+  for (std::size_t slot = 0; slot < gamelog::kSlots; ++slot) {
+    int frames = 0;
+    for (const int count : all.positions.players[slot].heat) frames += count;
+    EXPECT_EQ(frames, all.territory.live_frames);
+  }
+}
+
+TEST(RealStatistics, AgreeWithTheTextLogAtTheStartOfAMatch) {
+  const RealMatch match = read_both(tests::fixture("gamelog/match-start"));
+  const MatchStatistics all = statistics_of(match.record, &match.text);
+  expect_agreement_with_referee(match, all);
+  expect_counts_to_add_up(match, all);
+  expect_consistency(all);
+  ASSERT_EQ(all.goals.size(), 1u);
+  EXPECT_EQ(all.goals[0].scorer, 10);
+}
+
+TEST(RealStatistics, AgreeWithTheTextLogOfWholeMatches) {
+  struct Figures {
+    const char* name;
+    PerTeam<int> completed;
+    PerTeam<int> shots;
+    PerTeam<int> tackles;
+    double possession;
+  };
+  // The figures keep definitions from drifting; docs/formats/statistics.md explains them.
+  for (const auto& [name, completed, shots, tackles, possession] :
+       {Figures{"helios-vs-helios-full", {69, 76}, {5, 4}, {26, 16}, 0.5463},
+        Figures{"cyrus-vs-helios-full", {136, 88}, {12, 0}, {43, 18}, 0.6157}}) {
+    const auto data = tests::data("logs/" + std::string(name) + ".rcg.gz");
+    if (!data) GTEST_SKIP() << "no data: set CLS_DATA";
+    SCOPED_TRACE(name);
+    const RealMatch match = read_both(data->parent_path() / name);
+    const MatchStatistics all = statistics_of(match.record, &match.text);
+    expect_agreement_with_referee(match, all);
+    expect_counts_to_add_up(match, all);
+    expect_possible_stamina(match, all);
+    expect_consistency(all);
+    EXPECT_TRUE(doubts_about(summarize(match.record, &match.text), all).empty());
+    EXPECT_NEAR(left_share(all.possession.last_touch), possession, 1e-4);
+    for (std::size_t team = 0; team < 2; ++team) {
+      const TeamTotals t = totals_of(all, team);
+      EXPECT_EQ(t.passes.completed, completed[team]);
+      EXPECT_EQ(t.shots.total, shots[team]);
+      EXPECT_EQ(t.tackles.succeeded, tackles[team]);
+      // Field players run 1.7 to 2.9 km, goalkeepers 0.1 to 0.5 (match-statistics 4.1).
+      for (std::size_t slot = team * kTeamSize; slot < (team + 1) * kTeamSize; ++slot) {
+        const double distance = all.movement[slot].distance();
+        const bool keeper = slot % kTeamSize == 0;
+        EXPECT_GT(distance, keeper ? 100 : 1700) << slot;
+        EXPECT_LT(distance, keeper ? 500 : 2900) << slot;
+      }
+    }
+  }
+}
+
+TEST(RealStatistics, WorkOnEveryVersionOfTheLog) {
+  for (const char* name : {"rcg-v1", "rcg-v2", "rcg-v3", "rcg-v4", "rcg-v5", "rcg-json"}) {
+    SCOPED_TRACE(name);
+    const auto record = gamelog::read_rcg_file(
+        tests::fixture("gamelog/" + std::string(name) + "-excerpt.rcg.gz").string());
+    ASSERT_TRUE(record);
+    const MatchStatistics all = statistics_of(*record, nullptr);
+    EXPECT_GT(all.possession.live_frames, 0);
+    EXPECT_GT(all.flow.touches.size(), 0u);
+    expect_consistency(all);
+    for (std::size_t slot = 0; slot < gamelog::kSlots; ++slot) {
+      EXPECT_FALSE(std::isnan(all.movement[slot].distance()));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace cls::analysis

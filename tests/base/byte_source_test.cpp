@@ -1,0 +1,166 @@
+// Bytes out of files and memory, packed, cut off, damaged; and lines out of bytes.
+#include "base/io/byte_source.h"
+
+#include <gtest/gtest.h>
+#include <zlib.h>
+
+#include <fstream>
+
+#include "base/io/input_buffer.h"
+#include "tests/support/temporary_folder.h"
+
+namespace cls::base {
+namespace {
+
+std::string packed(const std::string& text) {
+  z_stream stream = {};
+  EXPECT_EQ(deflateInit2(&stream, 6, Z_DEFLATED, 15 + 16, 8, Z_DEFAULT_STRATEGY), Z_OK);
+  std::string out(deflateBound(&stream, text.size()) + 64, '\0');
+  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(text.data()));
+  stream.avail_in = static_cast<uInt>(text.size());
+  stream.next_out = reinterpret_cast<Bytef*>(out.data());
+  stream.avail_out = static_cast<uInt>(out.size());
+  EXPECT_EQ(deflate(&stream, Z_FINISH), Z_STREAM_END);
+  out.resize(stream.total_out);
+  deflateEnd(&stream);
+  return out;
+}
+
+std::string some_text() {
+  std::string text;
+  for (int i = 0; i < 30000; ++i) text += "line " + std::to_string(i * 7919) + "\n";
+  return text;
+}
+
+struct Everything {
+  std::string bytes;
+  std::string problem;
+};
+
+Everything read_in_chunks(ByteSource& source, std::size_t block = 1000) {
+  Everything result;
+  std::string buffer(block, '\0');
+  while (const std::size_t count = source.read(buffer.data(), buffer.size())) {
+    result.bytes.append(buffer, 0, count);
+  }
+  result.problem = source.problem();
+  return result;
+}
+
+Everything unpack(std::string_view bytes) {
+  return read_in_chunks(*unpacked(std::make_unique<MemorySource>(bytes)));
+}
+
+TEST(Unpacked, GivesPlainBytesAsTheyAre) {
+  for (const std::string& text :
+       {std::string(), std::string("a"), std::string("\x1f"), some_text()}) {
+    const Everything result = unpack(text);
+    EXPECT_EQ(result.bytes, text);
+    EXPECT_EQ(result.problem, "");
+  }
+}
+
+TEST(Unpacked, UnpacksGzipOfOneOrSeveralMembers) {
+  const std::string text = some_text();
+  const std::string once = packed(text);
+  EXPECT_EQ(unpack(once).bytes, text);
+  const Everything twice = unpack(once + packed("the end\n") + std::string(512, '\0'));
+  EXPECT_EQ(twice.bytes, text + "the end\n");
+  EXPECT_EQ(twice.problem, "");
+}
+
+TEST(Unpacked, KeepsWhatACutOffArchiveStillHolds) {
+  const std::string text = some_text();
+  const std::string whole = packed(text);
+  for (const std::size_t size : {whole.size() / 2, whole.size() - 1, std::size_t{12}}) {
+    const Everything result = unpack(std::string_view(whole).substr(0, size));
+    EXPECT_EQ(result.problem, "gzip data is cut off");
+    EXPECT_EQ(result.bytes, text.substr(0, result.bytes.size()));
+    if (size > 1000) {
+      EXPECT_GT(result.bytes.size(), text.size() / 4);
+    }
+  }
+}
+
+TEST(Unpacked, NamesADamagedArchive) {
+  std::string bytes = packed(some_text());
+  bytes[bytes.size() / 2] = static_cast<char>(bytes[bytes.size() / 2] ^ 0x55);
+  EXPECT_EQ(unpack(bytes).problem.substr(0, 20), "gzip data is damaged");
+}
+
+TEST(OpenSource, ReadsAFileAndNamesOneThatIsNotThere) {
+  const tests::TemporaryFolder folder;
+  const std::string path = (folder.path() / "game.rcg").string();
+  std::ofstream(path) << "ULG6\n";
+  auto source = open_source(path);
+  ASSERT_TRUE(source);
+  EXPECT_EQ(read_in_chunks(**source).bytes, "ULG6\n");
+  EXPECT_EQ(open_source("/nonexistent/game.rcg").error().message,
+            "cannot open '/nonexistent/game.rcg': No such file or directory");
+  EXPECT_EQ(open_source(folder.path().string()).error().message,
+            "cannot read '" + folder.path().string() + "': it is a folder");
+}
+
+// Hands out a few bytes at a time.
+class DripSource : public ByteSource {
+ public:
+  DripSource(std::string_view bytes, std::size_t step) : bytes_(bytes), step_(step) {}
+  std::size_t read(char* to, std::size_t size) override {
+    return bytes_.read(to, std::min(size, step_));
+  }
+
+ private:
+  MemorySource bytes_;
+  std::size_t step_;
+};
+
+TEST(InputBuffer, FindsLinesHoweverTheBytesArrive) {
+  const std::string text = some_text() + "\n\nthe rest";
+  for (const std::size_t step : {std::size_t{1000000}, std::size_t{4096}, std::size_t{13}}) {
+    DripSource source(text, step);
+    InputBuffer input(source);
+    std::string again;
+    std::string_view line;
+    InputBuffer::Line kind;
+    std::uint64_t number = 0;
+    while ((kind = input.next_line(line)) == InputBuffer::Line::kWhole) {
+      EXPECT_EQ(input.offset(), again.size());
+      EXPECT_EQ(input.line_number(), ++number);
+      again += line;
+      again += '\n';
+      ASSERT_EQ(line.data()[line.size()], '\n');
+    }
+    EXPECT_EQ(kind, InputBuffer::Line::kUnfinished);
+    EXPECT_EQ(line, "the rest");
+    EXPECT_EQ(again + "the rest", text);
+    EXPECT_EQ(input.next_line(line), InputBuffer::Line::kEnd);
+  }
+}
+
+TEST(InputBuffer, SkipsALineThatIsTooLongAndGoesOnBehindIt) {
+  const std::string text = "a\n" + std::string(5 * 1024 * 1024, 'x') + "\nb\n";
+  MemorySource source(text);
+  InputBuffer input(source);
+  std::string_view line;
+  EXPECT_EQ(input.next_line(line), InputBuffer::Line::kWhole);
+  EXPECT_EQ(input.next_line(line), InputBuffer::Line::kTooLong);
+  EXPECT_EQ(line.substr(0, 3), "xxx");
+  EXPECT_EQ(input.next_line(line), InputBuffer::Line::kWhole);
+  EXPECT_EQ(line, "b");
+  EXPECT_EQ(input.line_number(), 3u);
+  EXPECT_EQ(input.offset(), text.size() - 2);
+}
+
+TEST(InputBuffer, TakesBlocks) {
+  MemorySource source("abcdefgh");
+  InputBuffer input(source);
+  EXPECT_EQ(input.peek(3), "abc");
+  EXPECT_EQ(input.take(3), "abc");
+  EXPECT_EQ(input.take(3), "def");
+  EXPECT_EQ(input.offset(), 3u);
+  EXPECT_EQ(input.take(3), "gh");
+  EXPECT_EQ(input.take(3), "");
+}
+
+}  // namespace
+}  // namespace cls::base

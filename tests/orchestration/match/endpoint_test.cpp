@@ -1,0 +1,104 @@
+// Side forms: what is understood, what is told about the rest, and which names follow.
+#include "orchestration/match/options/endpoint.h"
+
+#include <gtest/gtest.h>
+
+#include "orchestration/match/sides/playmaker_link.h"
+
+namespace cls::orchestration::match {
+namespace {
+
+std::string error_of(std::string_view text) {
+  const auto endpoint = parse_endpoint(text);
+  return endpoint ? "accepted" : endpoint.error().message;
+}
+
+TEST(Endpoint, ReadsEveryForm) {
+  EXPECT_EQ(parse_endpoint("mock")->kind, Endpoint::Kind::kMock);
+  EXPECT_EQ(parse_endpoint("mock:hold")->behaviour, "hold");
+  const auto address = parse_endpoint("localhost:50051");
+  EXPECT_EQ(address->kind, Endpoint::Kind::kAddress);
+  EXPECT_EQ(address->host, "localhost");
+  EXPECT_EQ(address->port, 50051);
+  EXPECT_FALSE(address->port_step);
+  EXPECT_TRUE(parse_endpoint("10.0.0.1:5000+step")->port_step);
+  EXPECT_EQ(parse_endpoint("[::1]:50051")->host, "[::1]");
+  EXPECT_EQ(address->tls, nullptr);
+  const auto secure = parse_endpoint("tls:brain.example:443+step");
+  EXPECT_EQ(secure->kind, Endpoint::Kind::kAddress);
+  EXPECT_EQ(secure->text, "tls:brain.example:443+step");
+  EXPECT_EQ(secure->host, "brain.example");
+  EXPECT_TRUE(secure->port_step);
+  EXPECT_NE(secure->tls, nullptr);
+  EXPECT_EQ(target_of(*secure).tls, secure->tls);
+  EXPECT_EQ(parse_endpoint("unix:/run/brain.sock")->path, "/run/brain.sock");
+  const auto run = parse_endpoint("run:./brain --port {port}");
+  EXPECT_EQ(run->kind, Endpoint::Kind::kRun);
+  EXPECT_EQ(run->command, "./brain --port {port}");
+  EXPECT_TRUE(run->starts_programs());
+  EXPECT_TRUE(run->has_playmaker());
+  const auto team = parse_endpoint("team:teams/helios");
+  EXPECT_EQ(team->kind, Endpoint::Kind::kTeam);
+  EXPECT_EQ(team->path, "teams/helios");
+  EXPECT_FALSE(team->has_playmaker());
+}
+
+TEST(Endpoint, NamesTheMistakeAndTheForms) {
+  EXPECT_EQ(error_of("moc"),
+            "unknown side 'moc'; did you mean 'mock'? (a side is mock, mock:BEHAVIOUR, "
+            "mock:FILE.json, HOST:PORT, HOST:PORT+step, tls:HOST:PORT, unix:PATH, "
+            "run:COMMAND or team:DIR)");
+  EXPECT_NE(error_of("brain").find("unknown side 'brain' (a side is"), std::string::npos);
+  EXPECT_EQ(error_of("localhost:0"), "side 'localhost:0': port 0 is not within 1 to 65535");
+  EXPECT_EQ(error_of("localhost:70000"),
+            "side 'localhost:70000': port 70000 is not within 1 to 65535");
+  EXPECT_EQ(error_of("localhost:65530+step"),
+            "side 'localhost:65530+step': port 65530 is not within 1 to 65535");
+  EXPECT_EQ(error_of(":50051"), "side ':50051': no host before the port");
+  EXPECT_EQ(error_of("mock:"), "side 'mock:': no behaviour after the colon");
+  EXPECT_EQ(error_of("team:"), "side 'team:': no folder after the colon");
+  EXPECT_EQ(error_of("tls:brain"), "side 'tls:brain': after tls: comes HOST:PORT");
+  EXPECT_EQ(error_of("run: "), "side 'run: ': no command after 'run:'");
+  EXPECT_EQ(error_of("run:./brain"),
+            "side 'run:./brain': the command needs {port}, where the Playmaker shall listen (or "
+            "start it yourself and name HOST:PORT)");
+  EXPECT_EQ(error_of("run:./brain {prot}"),
+            "side 'run:./brain {prot}': unknown placeholder {prot}; did you mean {port}?");
+  for (const char* text : {"", "localhost:", "localhost:x", "localhost:5+stop", "a:5x"}) {
+    EXPECT_NE(error_of(text).find("unknown side"), std::string::npos) << text;
+  }
+}
+
+TEST(TeamNames, ComeFromTheEndpoint) {
+  const auto name = [](std::string_view text) { return default_team_name(*parse_endpoint(text)); };
+  EXPECT_EQ(name("mock"), "mock");
+  EXPECT_EQ(name("mock:hold"), "hold");
+  EXPECT_EQ(name("mock:dir/press high.json"), "press_high");
+  EXPECT_EQ(name("localhost:50051"), "localhost_50051");
+  EXPECT_EQ(name("10.11.12.13:50051"), "_11_12_13_50051");
+  EXPECT_EQ(name("unix:/run/brain.sock"), "brain");
+  EXPECT_EQ(name("run:python3 -u examples/playmaker.py --port {port}"), "playmaker");
+  EXPECT_EQ(name("run:cd brain && HOME=/x node server.js {port}"), "server");
+  EXPECT_EQ(name("run:exec './my brain' {port}"), "my");
+  EXPECT_EQ(name("run:python3 {port}"), "python3");
+  EXPECT_EQ(name("team:teams/helios/"), "helios");
+}
+
+TEST(TeamNames, AreToldApartWithinTheProtocolsLength) {
+  EXPECT_EQ(distinct_names("mock", "mock").left, "mock_l");
+  EXPECT_EQ(distinct_names("mock", "mock").right, "mock_r");
+  EXPECT_EQ(distinct_names("a", "b").left, "a");
+  EXPECT_EQ(distinct_names("localhost_50051", "localhost_50051").right, "localhost_500_r");
+}
+
+TEST(TeamNames, AreCheckedBeforeTheServerWould) {
+  EXPECT_TRUE(check_team_name("My-Team_1"));
+  EXPECT_EQ(check_team_name("two words").error().message,
+            "team name 'two words': only letters, digits, '-', '+' and '_'");
+  EXPECT_EQ(check_team_name("sixteen_letters_").error().message,
+            "team name 'sixteen_letters_' is longer than 15 characters");
+  EXPECT_FALSE(check_team_name(""));
+}
+
+}  // namespace
+}  // namespace cls::orchestration::match

@@ -1,0 +1,150 @@
+// Settings of a server that runs alone, its logs and its report.
+#include "orchestration/match/options/server_settings.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "orchestration/match/server/server_logs.h"
+#include "orchestration/match/server/server_report.h"
+#include "tests/support/files.h"
+#include "tests/support/temporary_folder.h"
+
+namespace cls::orchestration::match {
+namespace {
+
+using tests::TemporaryFolder;
+
+void write(const std::filesystem::path& path, const std::string& text) {
+  std::ofstream(path) << text;
+}
+
+TEST(ServerSettings, LaterWordsWin) {
+  ServerSettings settings;
+  ASSERT_TRUE(apply_arguments(
+      settings, {"server::half_time=100", "--server::synch_mode=on", "server::half_time", "=", "50",
+                 "player::random_seed=5", "CSVSaver::save=on", "CSVSaver::filename='a b'",
+                 "sync.max_wait_ms=300", "sync::max_missed=3"}));
+  EXPECT_EQ(settings.server.half_time, 50);
+  EXPECT_TRUE(settings.server.synch_mode);
+  EXPECT_EQ(settings.player.random_seed, 5);
+  EXPECT_TRUE(settings.save_csv);
+  EXPECT_EQ(settings.csv_file, "a b");
+  EXPECT_EQ(settings.max_wait_ms, 300);
+  EXPECT_EQ(settings.max_missed, 3);
+}
+
+TEST(ServerSettings, FilesIncludeOthersAndNameTheirMistakes) {
+  TemporaryFolder folder;
+  const std::filesystem::path here = folder.path();
+  write(here / "server.conf", "server::version = '19.0.0'\nserver::half_time = 7\n");
+  write(here / "player.conf", "include = 'more.conf'\n");
+  write(here / "more.conf", "# types\nplayer::player_types = 3\n");
+  ServerSettings settings;
+  const auto found = apply_folder(settings, here);
+  ASSERT_TRUE(found) << found.error().message;
+  EXPECT_EQ(found->size(), 2u);
+  EXPECT_EQ(settings.server.half_time, 7);
+  EXPECT_EQ(settings.player.player_types, 3);
+
+  write(here / "more.conf", "# types\nplayer::player_type = 3\n");
+  const auto wrong = apply_folder(settings, here);
+  ASSERT_FALSE(wrong);
+  EXPECT_EQ(wrong.error().message,
+            (here / "player.conf").string() + ":1: " + (here / "more.conf").string() +
+                ":2: unknown parameter 'player_type'; did you mean 'player_types'?");
+  write(here / "player.conf", "include = 'player.conf'\n");
+  EXPECT_NE(apply_folder(settings, here).error().message.find("include each other"),
+            std::string::npos);
+  write(here / "server.conf", "server::version = '18.1.0'\n");
+  EXPECT_EQ(apply_folder(settings, here).error().message,
+            (here / "server.conf").string() + ":1: a configuration of version 18.1.0, not 19.0.0");
+}
+
+TEST(ServerSettings, MistakesAreNamed) {
+  const std::pair<const char*, const char*> mistakes[] = {
+      {"server::no_such=1", "unknown parameter 'no_such'"},
+      {"trainer::a=1", "'a': the module is server, player, CSVSaver or sync, not 'trainer'"},
+      {"server::half_time=long", "parameter 'half_time': 'long' is not a whole number"},
+      {"sync::max_wait_ms=0", "parameter 'max_wait_ms': 0 is too small"},
+      {"include=/no/such.conf", "cannot read /no/such.conf"},
+  };
+  for (const auto& [word, message] : mistakes) {
+    ServerSettings settings;
+    const auto done = apply_arguments(settings, {word});
+    ASSERT_FALSE(done) << word;
+    EXPECT_TRUE(done.error().message.starts_with(message)) << done.error().message;
+  }
+}
+
+gamelog::TeamFrames result_3_1() {
+  gamelog::TeamFrames teams;
+  teams[0].name = "A/B";
+  teams[0].score = 3;
+  teams[1].score = 1;
+  return teams;
+}
+
+TEST(ServerLogs, AreNamedAfterTheMatchAtItsEnd) {
+  TemporaryFolder folder;
+  const std::filesystem::path here = folder.path();
+  soccer::ServerParams params;
+  params.game_log_dir = params.text_log_dir = (here / "new").string();
+  params.game_log_compression = 6;
+  params.text_log_dated = false;
+  params.log_date_format = "D-";
+  auto logs = ServerLogs::open(params, 0);
+  ASSERT_TRUE(logs) << logs.error().message;
+  logs->sinks().game->write("game");
+  logs->sinks().text->write("text");
+  EXPECT_TRUE(std::filesystem::exists(here / "new/incomplete.rcg.gz"));
+  ASSERT_TRUE(logs->finish(result_3_1()));
+  EXPECT_EQ(tests::read_file(here / "new/D-A_B_3-vs-null.rcg.gz"), "game");
+  EXPECT_EQ(tests::read_file(here / "new/A_B_3-vs-null.rcl"), "text");
+  EXPECT_FALSE(std::filesystem::exists(here / "new/incomplete.rcg.gz"));
+}
+
+TEST(ServerLogs, MayKeepTheirNameOrNotBe) {
+  TemporaryFolder folder;
+  soccer::ServerParams params;
+  params.game_log_dir = folder.path();
+  params.game_log_fixed = true;
+  params.game_log_fixed_name = "mine";
+  params.text_logging = false;
+  auto logs = ServerLogs::open(params, 0);
+  ASSERT_TRUE(logs);
+  EXPECT_EQ(logs->sinks().text, nullptr);
+  ASSERT_TRUE(logs->finish(result_3_1()));
+  ASSERT_EQ(logs->paths().size(), 1u);
+  EXPECT_EQ(logs->paths()[0].filename(), "mine.rcg");
+}
+
+TEST(ServerReport, IsThatOfTheRealServer) {
+  setenv("TZ", "UTC", 1);
+  ServerReport report;
+  report.start = 1795207137;  // 2026-11-20 20:38:57
+  report.left.name = "TA";
+  report.left.coach = "Cch";
+  report.right.name = "TB";
+  EXPECT_EQ(console_report(report, false),
+            "\nSaving Results:\n\tCSVSaver: saving...\n\tCSVSaver: ...disabled\n"
+            "\tSTDOutSaver: saving...\n\nGame Results:\n\t2026-11-20 20:38:57\n\t'TA' vs 'TB'\n"
+            "\tLeft Coach: 'Cch'\n\tScore: 0 - 0\n \n\tSTDOutSaver: ...saved\n\n"
+            "Saving Results Complete\n");
+  EXPECT_EQ(csv_line(report),
+            "2026-11-20 20:38:57, \"TA\", \"TB\", \"Cch\", NULL, 0, 0, NULL, NULL, NULL, NULL, "
+            "NULL\n");
+  report.right = {};
+  report.left.penalties_taken = 3;
+  report.left.penalties_scored = 2;
+  report.coin_toss_winner = soccer::Side::kRight;
+  const std::string text = console_report(report, true);
+  EXPECT_NE(text.find("\t'TA' vs null\n"), std::string::npos);
+  EXPECT_NE(text.find(" \tPenalties: 2 (3) - 0 (0)\n\tCoin Toss Winner: Right Team\n\n"),
+            std::string::npos)
+      << text;
+  EXPECT_NE(csv_line(report).find("0, 0, 3, 0, 2, 0, RIGHT\n"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace cls::orchestration::match
