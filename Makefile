@@ -1,18 +1,31 @@
-# Daily work; `./bootstrap` is for machines that have nothing yet.
+# Daily work. `./bootstrap` is for machines that have nothing installed yet.
 JOBS ?= $(shell nproc)
 TEST_JOBS ?= 2
+FUZZ_SECONDS ?= 60
+LINT_BASE ?= main
 CXX_FILES = git ls-files --cached --others --exclude-standard -- '*.h' '*.cpp'
 
-.PHONY: help build test full bench asan tsan format format-check lint clean
+# Rooms that parse foreign input: logs, protocol, JSON and TOML files, replies.
+INPUT_TESTS = cls_base_tests cls_soccer_tests cls_gamelog_tests cls_analysis_tests \
+  cls_mock_server_tests cls_simulator_tests
+INPUT_LABELS = ^(base|soccer|gamelog|analysis|mock-server|simulator)$$
+FUZZERS = protocol rcg rcl session agent
+
+.PHONY: help build test full bench asan tsan asan-input fuzz clang same-bytes format format-check \
+  lint clean
 
 help:
 	@echo 'make build         release build in build/'
-	@echo 'make test          build, then all tests'
-	@echo 'make full          whole matches: 20 of 6000 cycles, and one twice'
-	@echo 'make bench         how fast the parts are'
-	@echo 'make asan | tsan   the same tests with sanitizers, in build-asan/ or build-tsan/'
-	@echo 'make format        clang-format every source; format-check only looks'
-	@echo 'make lint          clang-tidy on the sources that differ from main'
+	@echo 'make test          build, run all tests with the short forms of slow suites'
+	@echo 'make full          long forms: 20 whole matches, all tests under ASan, UBSan and TSan'
+	@echo 'make bench         benchmarks (needs libbenchmark-dev)'
+	@echo 'make asan | tsan   all tests under ASan and UBSan, or TSan, in build-asan/ or build-tsan/'
+	@echo 'make asan-input    the same for the rooms that read foreign input (Clang, build-fuzz/)'
+	@echo 'make fuzz          each fuzzer for FUZZ_SECONDS, default 60 (Clang, build-fuzz/)'
+	@echo 'make clang         Clang build of cls without precompiled headers, in build-clang/'
+	@echo 'make same-bytes    play one match with the GCC and the Clang build, compare the logs'
+	@echo 'make format        clang-format all sources; format-check only compares'
+	@echo 'make lint          clang-tidy on sources that differ from LINT_BASE, default main'
 	@echo 'make clean         remove all build folders'
 
 build/build.ninja:
@@ -21,13 +34,20 @@ build/build.ninja:
 build: build/build.ninja
 	@cmake --build --preset release -j $(JOBS)
 
-test: build
+# A folder that `./bootstrap match` configured has no tests yet.
+test: build/build.ninja
+	@grep -q '^BUILD_TESTING:BOOL=ON' build/CMakeCache.txt || cmake --preset release -DBUILD_TESTING=ON
+	@cmake --build --preset release -j $(JOBS)
 	@ctest --test-dir build -j $(TEST_JOBS) --output-on-failure
 
-full: build
+full: test
 	@CLS_FULL=1 ctest --test-dir build -L '^matches$$' -V
+	@$(MAKE) --no-print-directory asan
+	@$(MAKE) --no-print-directory tsan
 
-bench: build
+bench:
+	@cmake --preset release -DCLS_BUILD_BENCH=ON
+	@cmake --build --preset release -j $(JOBS) --target cls_bench
 	@build/bin/cls_bench
 
 asan tsan:
@@ -35,15 +55,36 @@ asan tsan:
 	@cmake --build --preset $@ -j $(JOBS)
 	@ctest --test-dir build-$@ -j $(TEST_JOBS) --output-on-failure
 
+asan-input:
+	@cmake --preset fuzz
+	@cmake --build --preset fuzz -j $(JOBS) --target $(INPUT_TESTS)
+	@ctest --test-dir build-fuzz -j $(TEST_JOBS) -L '$(INPUT_LABELS)' --output-on-failure
+
+fuzz:
+	@cmake --preset fuzz
+	@cmake --build --preset fuzz -j $(JOBS) --target $(FUZZERS:%=%_fuzz)
+	@printf '%s\n' $(FUZZERS) | xargs -P $(TEST_JOBS) -I NAME tests/fuzz/run NAME $(FUZZ_SECONDS)
+
+clang:
+	@cmake --preset clang
+	@cmake --build --preset clang -j $(JOBS) --target cls
+
+same-bytes: build clang
+	@tests/same_bytes build/bin/cls build-clang/bin/cls
+
 format:
 	@files=$$($(CXX_FILES)) && clang-format -i $$files
 
 format-check:
 	@files=$$($(CXX_FILES)) && clang-format --dry-run -Werror $$files
 
-lint: build
-	@files=$$(git diff --name-only --diff-filter=d $$(git merge-base HEAD main) -- '*.cpp') && \
-	  if [ -n "$$files" ]; then clang-tidy -p build --quiet $$files; fi
+# With Clang's flags: it cannot read the precompiled headers of GCC.
+lint:
+	@cmake --preset clang >/dev/null
+	@cmake --build --preset clang -j $(JOBS) --target cls_proto_generated
+	@files=$$(git diff --name-only --diff-filter=d $$(git merge-base HEAD $(LINT_BASE)) -- '*.cpp') && \
+	  if [ -n "$$files" ]; then printf '%s\n' $$files | \
+	    xargs -P $(JOBS) -n 1 clang-tidy -p build-clang --quiet; fi
 
 clean:
-	rm -rf build build-debug build-asan build-tsan
+	rm -rf build build-debug build-asan build-tsan build-fuzz build-clang

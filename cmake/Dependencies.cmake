@@ -1,4 +1,4 @@
-# Every library we use. All are Debian 12 packages: nothing is downloaded at configure time.
+# All libraries. All are Debian 12 packages: nothing is downloaded at configure time.
 
 # cls_need(<package> <debian package> <find_package arguments...>): a missing one is one clear line.
 macro(cls_need package debian)
@@ -20,8 +20,12 @@ cls_need(SQLiteCpp libsqlitecpp-dev CONFIG)
 cls_need(ZLIB zlib1g-dev)
 cls_need(OpenSSL libssl-dev)
 cls_need(Boost libboost-dev 1.74 CONFIG)
-cls_need(GTest libgtest-dev CONFIG)
-cls_need(benchmark libbenchmark-dev CONFIG)
+if(BUILD_TESTING)
+  cls_need(GTest libgtest-dev CONFIG)
+endif()
+if(CLS_BUILD_BENCH)
+  cls_need(benchmark libbenchmark-dev CONFIG)
+endif()
 
 # SLEEF brings a pkg-config file only.
 find_path(CLS_SLEEF_INCLUDE sleef.h)

@@ -5,7 +5,7 @@ set(CLS_SANITIZE "" CACHE STRING "sanitizers for the whole build, e.g. address,u
 if(CLS_SANITIZE)
   add_compile_options(-fsanitize=${CLS_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
   add_link_options(-fsanitize=${CLS_SANITIZE})
-  # GCC sees uninitialised values that are none in instrumented library headers, and warns of the
+  # GCC sees uninitialized values that are none in instrumented library headers, and warns of the
   # fences in Boost.Asio's, which thread sanitizer does not follow.
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     add_compile_options(-Wno-maybe-uninitialized -Wno-tsan)

@@ -1,4 +1,4 @@
-# Two helpers that keep the folders' CMakeLists.txt plain lists.
+# Two functions that keep the CMakeLists.txt of the folders plain lists.
 
 # cls_library(<target> SOURCES <files...> LINK <targets...> [PCH <name>])
 # The static library of a folder. LINK states what the folder may include (and libraries that its
