@@ -1,4 +1,4 @@
-// One function object of several: for std::visit, a case for each alternative.
+// A visitor for std::visit, made of one lambda per alternative.
 #pragma once
 
 namespace cls::base {

@@ -1,4 +1,4 @@
-// A value or a clear error message: how every function here reports bad input.
+// Result<T>: a value or an error message. All functions report invalid input this way.
 #pragma once
 
 #include <optional>
@@ -8,13 +8,13 @@
 
 namespace cls::base {
 
-/// What went wrong and where. `message` is one line, names the thing and its place (file, line,
-/// byte, cycle) and needs no further context to be shown to a user.
+/// `message` is one line that can be shown to a user without further context. It names the place
+/// (file, line, byte, cycle) and the problem.
 struct Error {
   std::string message;
 };
 
-/// Either a T or an Error. Check with `if (result)`; reading the absent side is a programming
+/// Either a T or an Error. Check with `if (result)`; access to the absent one is a programming
 /// error and throws std::bad_variant_access.
 template <typename T>
 class Result {

@@ -1,4 +1,4 @@
-// Buffered log files.
+// Buffered output files.
 #include "base/io/byte_sink.h"
 
 #include <unistd.h>

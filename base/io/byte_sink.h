@@ -1,4 +1,4 @@
-// Where the bytes of a log go: a file, or a string in memory.
+// Byte output: the interface, files, and strings in memory.
 #pragma once
 
 #include <cstdio>
@@ -10,23 +10,21 @@
 
 namespace cls::base {
 
-/// The seam between log formats and storage. Writing never fails at the call; the first error is
-/// kept and told by close().
+/// Separates log formats from storage. write() reports no errors: close() returns the first one.
 class ByteSink {
  public:
   virtual ~ByteSink() = default;
 
   virtual void write(std::string_view bytes) = 0;
 
-  /// Lets who reads along see everything written so far, where that costs nothing but time. An
-  /// error is told by close().
+  /// Makes everything written so far visible to concurrent readers, if the sink supports it.
   virtual void flush() {}
 
-  /// Everything written so far is out of our hands afterwards. The first error since the start.
+  /// Passes everything written so far to the system. Returns the first error since creation.
   virtual Result<void> close() = 0;
 };
 
-/// Keeps the bytes in memory.
+/// Collects the bytes in memory.
 class StringSink : public ByteSink {
  public:
   void write(std::string_view bytes) override { bytes_ += bytes; }
@@ -38,9 +36,8 @@ class StringSink : public ByteSink {
   std::string bytes_;
 };
 
-/// A new file (an old one of that name is emptied), written in blocks of 64 KiB; "-" is standard
-/// output. An error names the file and the reason. Closing twice is allowed; the destructor closes
-/// and drops the error.
+/// A new or truncated file, written in blocks of 64 KiB; "-" is standard output. Errors name the
+/// file and the cause. close() may be called twice; the destructor closes and ignores errors.
 class FileSink : public ByteSink {
  public:
   static Result<std::unique_ptr<FileSink>> create(const std::string& path);

@@ -1,4 +1,4 @@
-// Reading files and unpacking gzip.
+// File input and gzip decompression.
 #include "base/io/byte_source.h"
 
 #include <fcntl.h>
@@ -15,8 +15,8 @@
 namespace cls::base {
 namespace {
 
-// Read instead of mapped: a log that a server is about to start anew shrinks while we look at it,
-// which is a short read here and a bus error there. The speed is the same (docs/formats/rcg.md).
+// Uses read() instead of mmap(): a server may truncate a log while it is read, which is a short
+// read here and a bus error with mmap(). The speed is the same (docs/formats/rcg.md).
 class FileSource : public ByteSource {
  public:
   explicit FileSource(int descriptor) : descriptor_(descriptor) {}
@@ -46,7 +46,7 @@ class FileSource : public ByteSource {
   int descriptor_;
 };
 
-constexpr int kWindowBitsOfGzip = 15 + 16;
+constexpr int kGzipWindowBits = 15 + 16;
 
 class InflatedSource : public ByteSource {
  public:
@@ -55,7 +55,7 @@ class InflatedSource : public ByteSource {
     std::copy(first.begin(), first.end(), packed_.begin());
     stream_.next_in = packed_.data();
     stream_.avail_in = static_cast<uInt>(first.size());
-    usable_ = inflateInit2(&stream_, kWindowBitsOfGzip) == Z_OK;
+    usable_ = inflateInit2(&stream_, kGzipWindowBits) == Z_OK;
     if (!usable_) fail("cannot unpack: out of memory");
   }
   ~InflatedSource() override {
@@ -65,7 +65,7 @@ class InflatedSource : public ByteSource {
   InflatedSource& operator=(const InflatedSource&) = delete;
 
   std::size_t read(char* to, std::size_t size) override {
-    if (!usable_ || !problem().empty()) return 0;
+    if (!usable_ || !error().empty()) return 0;
     stream_.next_out = reinterpret_cast<Bytef*>(to);
     stream_.avail_out = static_cast<uInt>(std::min(size, std::size_t{1} << 30));
     const uInt wanted = stream_.avail_out;
@@ -75,11 +75,11 @@ class InflatedSource : public ByteSource {
   }
 
  private:
-  // One call of inflate; false when nothing more will come.
+  // Calls inflate() once; false at the end of the stream and after an error.
   bool step() {
     if (stream_.avail_in == 0 && !refill()) {
       if (within_member_)
-        fail(inner_->problem().empty() ? "gzip data is cut off" : inner_->problem());
+        fail(inner_->error().empty() ? "gzip data is truncated" : inner_->error());
       return false;
     }
     within_member_ = true;
@@ -89,7 +89,7 @@ class InflatedSource : public ByteSource {
       return start_next_member();
     }
     if (outcome == Z_OK || outcome == Z_BUF_ERROR) return true;
-    fail(std::string("gzip data is damaged: ") + (stream_.msg != nullptr ? stream_.msg : "?"));
+    fail(std::string("gzip data is corrupt: ") + (stream_.msg != nullptr ? stream_.msg : "?"));
     return false;
   }
 
@@ -100,11 +100,11 @@ class InflatedSource : public ByteSource {
     return count > 0;
   }
 
-  // Zeros may pad the end of the last member.
+  // Zero bytes may follow the last member.
   bool start_next_member() {
     for (;;) {
       if (stream_.avail_in == 0 && !refill()) {
-        if (!inner_->problem().empty()) fail(inner_->problem());
+        if (!inner_->error().empty()) fail(inner_->error());
         return stream_.avail_out == 0;
       }
       if (*stream_.next_in != 0) break;
@@ -121,7 +121,7 @@ class InflatedSource : public ByteSource {
   bool within_member_ = true;
 };
 
-// Gives back what was read to find out the kind.
+// Returns the bytes that were read for gzip detection first.
 class PlainSource : public ByteSource {
  public:
   PlainSource(std::unique_ptr<ByteSource> inner, std::string_view first)
@@ -135,7 +135,7 @@ class PlainSource : public ByteSource {
       return count;
     }
     const std::size_t count = inner_->read(to, size);
-    if (count == 0 && !inner_->problem().empty()) fail(inner_->problem());
+    if (count == 0 && !inner_->error().empty()) fail(inner_->error());
     return count;
   }
   std::uint64_t size_hint() const override { return inner_->size_hint(); }
@@ -156,7 +156,7 @@ std::size_t MemorySource::read(char* to, std::size_t size) {
   return count;
 }
 
-std::unique_ptr<ByteSource> unpacked(std::unique_ptr<ByteSource> inner) {
+std::unique_ptr<ByteSource> decompress(std::unique_ptr<ByteSource> inner) {
   std::array<char, 2> start;
   std::size_t count = 0;
   while (count < start.size()) {
@@ -170,7 +170,7 @@ std::unique_ptr<ByteSource> unpacked(std::unique_ptr<ByteSource> inner) {
 }
 
 Result<std::unique_ptr<ByteSource>> open_source(const std::string& path) {
-  if (path == "-") return unpacked(std::make_unique<FileSource>(STDIN_FILENO));
+  if (path == "-") return decompress(std::make_unique<FileSource>(STDIN_FILENO));
   const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
   if (descriptor < 0) {
     return Error{"cannot open '" + path + "': " + std::strerror(errno)};
@@ -180,7 +180,7 @@ Result<std::unique_ptr<ByteSource>> open_source(const std::string& path) {
   if (::fstat(descriptor, &status) == 0 && S_ISDIR(status.st_mode)) {
     return Error{"cannot read '" + path + "': it is a folder"};
   }
-  return unpacked(std::move(file));
+  return decompress(std::move(file));
 }
 
 std::string read_all(ByteSource& source) {

@@ -1,4 +1,4 @@
-// Where the bytes of a log come from: a file, standard input or memory; plain or gzip.
+// Byte input: files, standard input and memory, plain or gzip.
 #pragma once
 
 #include <cstddef>
@@ -11,29 +11,29 @@
 
 namespace cls::base {
 
-/// The seam between storage and log formats: bytes in order, once.
+/// Separates storage from log formats: a sequential stream of bytes.
 class ByteSource {
  public:
   virtual ~ByteSource() = default;
 
-  /// Puts up to `size` (> 0) bytes into `to` and returns how many; 0 at the end and after a
-  /// problem, which problem() then tells.
+  /// Reads up to `size` (> 0) bytes into `to` and returns their number; 0 at the end of the stream
+  /// and after an error.
   virtual std::size_t read(char* to, std::size_t size) = 0;
 
-  /// Why the bytes ended before their end; empty while all is well.
-  const std::string& problem() const { return problem_; }
+  /// Why the stream ended early; empty without an error.
+  const std::string& error() const { return error_; }
 
-  /// Size of the whole in bytes where it is known beforehand, else 0.
+  /// Total size in bytes if it is known in advance, otherwise 0.
   virtual std::uint64_t size_hint() const { return 0; }
 
  protected:
-  void fail(std::string why) { problem_ = std::move(why); }
+  void fail(std::string error) { error_ = std::move(error); }
 
  private:
-  std::string problem_;
+  std::string error_;
 };
 
-/// Bytes that are in memory already and stay there.
+/// Reads from memory, which must outlive the source.
 class MemorySource : public ByteSource {
  public:
   explicit MemorySource(std::string_view bytes) : rest_(bytes), size_(bytes.size()) {}
@@ -45,15 +45,15 @@ class MemorySource : public ByteSource {
   std::uint64_t size_;
 };
 
-/// What `inner` holds if it is gzip (one member or several, known by its first bytes, not by a
-/// name), else its bytes as they are. Compressed bytes that end early or are damaged give what
-/// could be unpacked, then a problem.
-std::unique_ptr<ByteSource> unpacked(std::unique_ptr<ByteSource> inner);
+/// Decompresses `inner` if it is gzip (detected by its first bytes; one or more members), otherwise
+/// passes its bytes through. Truncated or corrupt gzip data yields the bytes decompressed before
+/// the error.
+std::unique_ptr<ByteSource> decompress(std::unique_ptr<ByteSource> inner);
 
-/// The unpacked bytes of a file; "-" is standard input. The error names the path and the reason.
+/// The decompressed bytes of a file; "-" is standard input. The error names the path and the cause.
 Result<std::unique_ptr<ByteSource>> open_source(const std::string& path);
 
-/// Everything that is left; whether that is the whole, problem() of the source tells.
+/// Reads to the end of the stream. Check `source.error()` afterwards.
 std::string read_all(ByteSource& source);
 
 }  // namespace cls::base

@@ -1,4 +1,4 @@
-// Compressing with zlib.
+// Gzip compression with zlib.
 #include "base/io/gzip_sink.h"
 
 #include <zlib.h>
@@ -10,7 +10,7 @@
 namespace cls::base {
 namespace {
 
-constexpr int kWindowBitsOfGzip = 15 + 16;
+constexpr int kGzipWindowBits = 15 + 16;
 constexpr int kMemoryLevel = 8;
 
 }  // namespace
@@ -22,7 +22,7 @@ struct GzipSink::Stream {
 
 GzipSink::GzipSink(std::unique_ptr<ByteSink> inner, int level)
     : inner_(std::move(inner)), stream_(std::make_unique<Stream>()) {
-  const int outcome = deflateInit2(&stream_->z, level, Z_DEFLATED, kWindowBitsOfGzip, kMemoryLevel,
+  const int outcome = deflateInit2(&stream_->z, level, Z_DEFLATED, kGzipWindowBits, kMemoryLevel,
                                    Z_DEFAULT_STRATEGY);
   assert(outcome == Z_OK);
   static_cast<void>(outcome);
@@ -43,7 +43,7 @@ Result<void> GzipSink::close() {
 
 void GzipSink::compress(std::string_view bytes, bool finish) {
   z_stream& z = stream_->z;
-  // zlib only reads there.
+  // zlib does not write to next_in.
   z.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));
   z.avail_in = static_cast<uInt>(bytes.size());
   do {

@@ -1,4 +1,4 @@
-// Compressed log files.
+// Gzip-compressed output.
 #pragma once
 
 #include <memory>
@@ -10,8 +10,8 @@
 
 namespace cls::base {
 
-/// Compresses what is written (gzip) and hands it on to `inner`. The bytes depend on nothing but
-/// what is written: no name, no time. Without close() the end is missing.
+/// Compresses to gzip and writes to `inner`. The output depends on the input bytes only: its header
+/// has no name and no time. Without close() the output is truncated.
 class GzipSink : public ByteSink {
  public:
   static constexpr int kDefaultLevel = 6;

@@ -1,4 +1,4 @@
-// One growing block of bytes that slides over the source.
+// A buffer that slides over the source and grows for long lines.
 #include "base/io/input_buffer.h"
 
 #include <algorithm>
@@ -7,9 +7,9 @@
 namespace cls::base {
 namespace {
 
-constexpr std::size_t kBlock = 256 * 1024;  // stays in the second-level cache
+constexpr std::size_t kBlock = 256 * 1024;  // fits into the L2 cache
 constexpr std::size_t kLookAhead = 64;
-constexpr std::size_t kShownOfLongLine = 1024;
+constexpr std::size_t kLongLinePrefix = 1024;
 
 }  // namespace
 
@@ -55,7 +55,7 @@ InputBuffer::Line InputBuffer::next_line(std::string_view& line) {
     searched = available();
     if (searched >= kMaxLine) {
       ++line_number_;
-      long_line_.assign(start, kShownOfLongLine);
+      long_line_.assign(start, kLongLinePrefix);
       line = long_line_;
       skip_line();
       return Line::kTooLong;

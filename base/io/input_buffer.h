@@ -1,4 +1,4 @@
-// Lines and blocks out of a byte source, without copying each of them.
+// Reads lines and blocks of bytes from a byte source without copying each of them.
 #pragma once
 
 #include <cstddef>
@@ -11,20 +11,20 @@
 
 namespace cls::base {
 
-/// Views stay valid until the next call. Behind each view lie a line feed and 64 readable bytes,
-/// so that a scanner may look ahead without checking for the end.
+/// Views are valid until the next call. A line feed and 64 readable bytes follow each view, so that
+/// scanners may read ahead without bounds checks.
 class InputBuffer {
  public:
-  /// Longer lines are no log.
+  /// Longer lines are corrupt input.
   static constexpr std::size_t kMaxLine = 1024 * 1024;
 
   explicit InputBuffer(ByteSource& source);
 
   enum class Line {
-    kWhole,       ///< ended by a line feed
-    kUnfinished,  ///< the last one, without a line feed
-    kTooLong,     ///< `line` is its beginning; the rest is skipped
-    kEnd,         ///< there is none
+    kWhole,       ///< terminated by a line feed
+    kUnfinished,  ///< the last line, without a line feed
+    kTooLong,     ///< `line` is its start; the rest is skipped
+    kEnd,         ///< end of input
   };
 
   /// The next line, without its line feed.
@@ -33,13 +33,13 @@ class InputBuffer {
   /// The next `size` (<= kMaxLine) bytes; fewer only at the end.
   std::string_view take(std::size_t size);
 
-  /// The next bytes without consuming them, up to `size` (<= kMaxLine).
+  /// Up to `size` (<= kMaxLine) next bytes, without consuming them.
   std::string_view peek(std::size_t size);
 
-  /// Position in the unpacked bytes of what was returned last, from 0.
+  /// Offset of the last returned view in the decompressed bytes, from 0.
   std::uint64_t offset() const { return offset_; }
 
-  /// Number of the line that was returned last, from 1.
+  /// Number of the last returned line, from 1.
   std::uint64_t line_number() const { return line_number_; }
 
   const ByteSource& source() const { return source_; }

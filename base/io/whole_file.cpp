@@ -1,4 +1,4 @@
-// Out of a stream; into a temporary file, then rename.
+// Atomic writes by rename.
 #include "base/io/whole_file.h"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// Reading and writing a small file at once.
+// Reads and writes small files as a whole.
 #pragma once
 
 #include <filesystem>
@@ -10,11 +10,11 @@
 
 namespace cls::base {
 
-/// All bytes of a file; nothing where there is none, or a folder, or no right to read it.
+/// All bytes of a file; nothing if it does not exist, is a folder or is not readable.
 std::optional<std::string> read_file(const std::filesystem::path& path);
 
-/// Writes a whole file by way of a temporary one beside it and a rename, so that a reader never
-/// sees half of it. The error names the file and the reason.
+/// Writes a file atomically: to a temporary file in the same folder, then renames it. The error
+/// names the file and the cause.
 Result<void> write_file(const std::filesystem::path& path, std::string_view bytes);
 
 }  // namespace cls::base

@@ -1,4 +1,4 @@
-// Writing workflow commands.
+// Workflow commands of GitHub Actions.
 #include "base/report/github.h"
 
 #include <fmt/format.h>
@@ -6,7 +6,7 @@
 namespace cls::base {
 namespace {
 
-// % and line ends are read as escapes; in properties also , and :.
+// % and line ends must be escaped; in properties , and : too.
 std::string escaped(std::string_view text, bool property) {
   std::string out;
   for (const char c : text) {
@@ -18,8 +18,8 @@ std::string escaped(std::string_view text, bool property) {
 
 }  // namespace
 
-std::string github_error(const AnnotationPlace& place, std::string_view title,
-                         std::string_view message) {
+std::string format_github_error(const AnnotationPlace& place, std::string_view title,
+                                std::string_view message) {
   const std::string where =
       place.file.empty() ? ""
                          : fmt::format("file={},line={},", escaped(place.file, true), place.line);

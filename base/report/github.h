@@ -1,4 +1,4 @@
-// Annotations of GitHub Actions: lines that its log viewer turns into marks at a file's line.
+// Error annotations of GitHub Actions: log lines that its viewer shows at a line of a source file.
 #pragma once
 
 #include <string>
@@ -6,14 +6,14 @@
 
 namespace cls::base {
 
-/// Where an annotation stands; without a file it stands at the job.
+/// Source line of an annotation; without a file it belongs to the job.
 struct AnnotationPlace {
   std::string file;
   int line = 1;
 };
 
-/// One error, as a line for the log; `message` may have several lines.
-std::string github_error(const AnnotationPlace& place, std::string_view title,
-                         std::string_view message);
+/// One log line that reports an error; `message` may have several lines.
+std::string format_github_error(const AnnotationPlace& place, std::string_view title,
+                                std::string_view message);
 
 }  // namespace cls::base

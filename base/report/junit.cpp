@@ -1,4 +1,4 @@
-// Writing JUnit XML.
+// JUnit XML elements and attributes.
 #include "base/report/junit.h"
 
 #include <fmt/format.h>
@@ -28,7 +28,7 @@ const char* element_of(Result result) {
 
 void add_case(std::string& out, const JunitCase& one) {
   const auto attribute = [&out](const char* name, const std::string& value) {
-    if (!value.empty()) out += fmt::format(" {}=\"{}\"", name, xml_escaped(value));
+    if (!value.empty()) out += fmt::format(" {}=\"{}\"", name, escape_xml(value));
   };
   out += "    <testcase";
   attribute("classname", one.group);
@@ -45,12 +45,12 @@ void add_case(std::string& out, const JunitCase& one) {
     attribute("type", one.type);
     attribute("message", one.message);
   }
-  out += fmt::format(">{}</{}>\n    </testcase>\n", xml_escaped(one.text), element);
+  out += fmt::format(">{}</{}>\n    </testcase>\n", escape_xml(one.text), element);
 }
 
 }  // namespace
 
-std::string junit(const std::string& suite, const std::vector<JunitCase>& cases) {
+std::string format_junit(const std::string& suite, const std::vector<JunitCase>& cases) {
   const auto count = [&cases](Result result) {
     return std::count_if(cases.begin(), cases.end(),
                          [result](const JunitCase& one) { return one.result == result; });
@@ -58,7 +58,7 @@ std::string junit(const std::string& suite, const std::vector<JunitCase>& cases)
   double seconds = 0.0;
   for (const JunitCase& one : cases) seconds += one.seconds;
   const std::string totals = fmt::format(
-      "name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"{}\" time=\"{:.3f}\"", xml_escaped(suite),
+      "name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"{}\" time=\"{:.3f}\"", escape_xml(suite),
       cases.size(), count(Result::kFailed), count(Result::kError), seconds);
   std::string text = fmt::format(
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites {0}>\n"

@@ -1,4 +1,4 @@
-// JUnit XML, the form of results that CI systems read. fixtures/junit/junit.xsd is its schema.
+// JUnit XML test reports for CI systems. Schema: fixtures/junit/junit.xsd.
 #pragma once
 
 #include <string>
@@ -9,22 +9,22 @@ namespace cls::base {
 struct JunitCase {
   enum class Result {
     kPassed,
-    kFailed,  ///< the answer is no
-    kError,   ///< there is no answer: something else went wrong
+    kFailed,  ///< an expectation was not met
+    kError,   ///< the test could not be completed
     kSkipped,
   };
 
-  std::string group;  ///< what CI systems list it under
+  std::string group;  ///< class name in CI systems
   std::string name;
-  std::string file;  ///< where it is written down; empty: nowhere
+  std::string file;  ///< source of the test; may be empty
   double seconds = 0.0;
   Result result = Result::kPassed;
   std::string type;     ///< kind of failure or error
   std::string message;  ///< one line: why it failed or was skipped
-  std::string text;     ///< all there is to say
+  std::string text;     ///< full output
 };
 
-/// A whole report: one suite of that name.
-std::string junit(const std::string& suite, const std::vector<JunitCase>& cases);
+/// A report with one suite named `suite`.
+std::string format_junit(const std::string& suite, const std::vector<JunitCase>& cases);
 
 }  // namespace cls::base

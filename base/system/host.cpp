@@ -1,4 +1,4 @@
-// Asking the operating system.
+// Queries of the operating system.
 #include "base/system/host.h"
 
 #include <fmt/chrono.h>
@@ -51,7 +51,7 @@ std::vector<int> allowed_processors() {
 }
 
 std::vector<std::vector<int>> allowed_cores() {
-  // Threads of one core share the list of their siblings.
+  // The hardware threads of one core have the same list of siblings.
   std::map<std::string, std::vector<int>> cores;
   for (const int cpu : allowed_processors()) {
     std::ifstream file(
@@ -60,18 +60,18 @@ std::vector<std::vector<int>> allowed_cores() {
     if (!std::getline(file, siblings)) siblings = fmt::to_string(cpu);
     cores[siblings].push_back(cpu);
   }
-  std::vector<std::vector<int>> in_order;
-  for (auto& [siblings, processors] : cores) in_order.push_back(std::move(processors));
-  std::sort(in_order.begin(), in_order.end());
-  return in_order;
+  std::vector<std::vector<int>> sorted;
+  for (auto& [siblings, processors] : cores) sorted.push_back(std::move(processors));
+  std::sort(sorted.begin(), sorted.end());
+  return sorted;
 }
 
-std::array<std::vector<int>, 2> halves_of(const std::vector<std::vector<int>>& cores) {
+std::array<std::vector<int>, 2> split_in_half(const std::vector<std::vector<int>>& cores) {
   std::array<std::vector<int>, 2> halves;
   if (cores.size() == 1) {
     std::vector<std::vector<int>> threads;
     for (const int processor : cores.front()) threads.push_back({processor});
-    if (threads.size() >= 2) halves = halves_of(threads);
+    if (threads.size() >= 2) halves = split_in_half(threads);
     return halves;
   }
   for (std::size_t i = 0; i < cores.size() / 2; ++i) {

@@ -1,4 +1,4 @@
-// A handful of threads that draw numbers until none is left.
+// Threads that share an atomic index.
 #include "base/system/parallel.h"
 
 #include <algorithm>
@@ -10,12 +10,11 @@ namespace cls::base {
 
 std::size_t default_jobs() { return std::max(1U, std::thread::hardware_concurrency()); }
 
-void for_each_index(std::size_t count, std::size_t jobs,
-                    const std::function<void(std::size_t)>& work,
-                    const std::function<void(std::size_t)>& on_done) {
+void parallel_for(std::size_t count, std::size_t jobs, const std::function<void(std::size_t)>& work,
+                  const std::function<void(std::size_t)>& on_done) {
   std::atomic<std::size_t> next = 0;
   std::atomic<std::size_t> done = 0;
-  const auto draw = [&] {
+  const auto run = [&] {
     for (std::size_t i = next++; i < count; i = next++) {
       work(i);
       const std::size_t so_far = ++done;
@@ -23,8 +22,8 @@ void for_each_index(std::size_t count, std::size_t jobs,
     }
   };
   std::vector<std::thread> others;
-  for (std::size_t i = 1; i < std::min(jobs, count); ++i) others.emplace_back(draw);
-  draw();
+  for (std::size_t i = 1; i < std::min(jobs, count); ++i) others.emplace_back(run);
+  run();
   for (std::thread& other : others) other.join();
 }
 

@@ -1,4 +1,4 @@
-// The release number, given by CMake.
+// The release version, set by CMake.
 #include "base/system/version.h"
 
 namespace cls::base {

@@ -1,11 +1,11 @@
-// Which release this is.
+// Version numbers.
 #pragma once
 
 #include <string_view>
 
 namespace cls::base {
 
-extern const std::string_view kVersion;            ///< of cls, from CMake
+extern const std::string_view kVersion;            ///< release of cls, set by CMake
 constexpr std::string_view kWireVersion = "1.10";  ///< of proto/playmaker.proto
 
 }  // namespace cls::base

@@ -1,4 +1,4 @@
-// Handing work to a thread and waiting for it.
+// Hands work to a thread and waits for it.
 #include "base/system/worker.h"
 
 #include <pthread.h>
@@ -24,7 +24,7 @@ Worker::Worker() : thread_([this] { loop(); }) {}
 Worker::~Worker() {
   {
     const std::lock_guard lock(mutex_);
-    leaving_ = true;
+    stopping_ = true;
   }
   changed_.notify_all();
   thread_.join();
@@ -40,15 +40,15 @@ void Worker::start(std::function<void()> work) {
   changed_.notify_all();
 }
 
-bool Worker::wait_for(std::chrono::milliseconds limit) {
+bool Worker::wait_for(std::chrono::milliseconds timeout) {
   std::unique_lock lock(mutex_);
-  return changed_.wait_for(lock, limit, [this] { return !busy_; });
+  return changed_.wait_for(lock, timeout, [this] { return !busy_; });
 }
 
 void Worker::loop() {
   std::unique_lock lock(mutex_);
   for (;;) {
-    changed_.wait(lock, [this] { return busy_ || leaving_; });
+    changed_.wait(lock, [this] { return busy_ || stopping_; });
     if (!busy_) return;
     lock.unlock();
     work_();
@@ -59,7 +59,7 @@ void Worker::loop() {
   }
 }
 
-void Worker::run_on(const std::vector<int>& cpus) {
+void Worker::set_affinity(const std::vector<int>& cpus) {
   if (cpus.empty()) return;
   cpu_set_t set;
   CPU_ZERO(&set);

@@ -1,4 +1,4 @@
-// A thread that does one piece of work at a time for somebody who can stop waiting.
+// A worker thread whose owner waits for one task at a time, with a timeout.
 #pragma once
 
 #include <chrono>
@@ -10,26 +10,26 @@
 
 namespace cls::base {
 
-/// One side's thread: all that touches a team happens here, while the match's own thread watches
-/// the clock and the signals. Work must not throw.
+/// Runs all code of one side of a match, while the thread of the match watches clock and signals.
+/// Work must not throw.
 class Worker {
  public:
   Worker();
-  /// Waits for the work at hand, then ends the thread.
+  /// Waits for the running work, then joins the thread.
   ~Worker();
   Worker(const Worker&) = delete;
   Worker& operator=(const Worker&) = delete;
 
-  /// Begins `work`; the work before it must be done.
+  /// Starts `work`; the previous work must be done.
   void start(std::function<void()> work);
 
-  /// True when the work is done, false when it is not yet after `limit`.
-  bool wait_for(std::chrono::milliseconds limit);
+  /// Waits until the work is done; false after `timeout`.
+  bool wait_for(std::chrono::milliseconds timeout);
 
-  /// Ties the thread to these processors (none: no change). Before the first work.
-  void run_on(const std::vector<int>& cpus);
+  /// Restricts the thread to these processors (none: no change). Call before the first start().
+  void set_affinity(const std::vector<int>& cpus);
 
-  /// CPU time of the thread so far. Call while no work is under way.
+  /// CPU time of the thread so far. Call only while no work is running.
   double cpu_seconds() const { return cpu_seconds_; }
 
  private:
@@ -39,7 +39,7 @@ class Worker {
   std::condition_variable changed_;
   std::function<void()> work_;
   bool busy_ = false;
-  bool leaving_ = false;
+  bool stopping_ = false;
   double cpu_seconds_ = 0.0;
   std::thread thread_;
 };

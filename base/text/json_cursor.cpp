@@ -1,4 +1,4 @@
-// Steps over JSON.
+// Tokens, separators and escapes of JSON.
 #include "base/text/json_cursor.h"
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 namespace cls::base {
 namespace {
 
-constexpr int kDeepest = 32;
+constexpr int kMaxDepth = 32;
 
 void append_utf8(unsigned code, std::string& out) {
   if (code < 0x80) {
@@ -25,7 +25,7 @@ void append_utf8(unsigned code, std::string& out) {
   }
 }
 
-// Four hexadecimal digits behind \u; nothing is taken if they are not there.
+// Four hexadecimal digits after \u; consumes nothing if they are missing.
 void append_unicode(std::string_view& rest, std::string& out) {
   unsigned code = 0;
   for (std::size_t i = 0; i < 4; ++i) {
@@ -59,12 +59,12 @@ void append_unescaped(std::string_view raw, std::string& out) {
 
 }  // namespace
 
-void JsonCursor::blanks() {
+void JsonCursor::skip_space() {
   while (at_ < end_ && (*at_ == ' ' || *at_ == '\t' || *at_ == '\r')) ++at_;
 }
 
 char JsonCursor::peek() {
-  blanks();
+  skip_space();
   return at_ < end_ ? *at_ : '\0';
 }
 
@@ -77,7 +77,7 @@ bool JsonCursor::open(char bracket) {
   return true;
 }
 
-// A comma between elements, none before the first, the bracket behind the last.
+// A comma between elements, none before the first, the closing bracket after the last.
 bool JsonCursor::separator(char closing) {
   if (!good_) return false;
   const char c = peek();
@@ -103,7 +103,7 @@ bool JsonCursor::next_key(std::string_view& key) {
   return true;
 }
 
-std::string JsonCursor::unescaped(std::string_view raw) {
+std::string JsonCursor::unescape(std::string_view raw) {
   std::string text;
   append_unescaped(raw, text);
   return text;
@@ -137,7 +137,7 @@ bool JsonCursor::string_or_null(std::string& value) {
 }
 
 bool JsonCursor::number(double& value) {
-  blanks();
+  skip_space();
   float read = 0.0F;
   const char* at = at_;
   if (!scan_number(at, read) || at > end_) return fail();
@@ -147,7 +147,7 @@ bool JsonCursor::number(double& value) {
 }
 
 bool JsonCursor::integer(int& value) {
-  blanks();
+  skip_space();
   const char* at = at_;
   if (!scan_integer(at, value) || at > end_) return fail();
   at_ = at;
@@ -166,13 +166,13 @@ bool JsonCursor::scalar_text(std::string& out) {
   }
   const char* first = at_;
   while (at_ < end_ && *at_ != ',' && *at_ != '}' && *at_ != ']' && *at_ != ' ') ++at_;
-  const std::string_view word(first, static_cast<std::size_t>(at_ - first));
-  if (word == "true" || word == "false") {
-    out += word == "true" ? '1' : '0';
+  const std::string_view token(first, static_cast<std::size_t>(at_ - first));
+  if (token == "true" || token == "false") {
+    out += token == "true" ? '1' : '0';
     return true;
   }
-  if (!number_from_text(word)) return fail();
-  out += word;
+  if (!parse_number(token)) return fail();
+  out += token;
   return true;
 }
 
@@ -184,7 +184,7 @@ bool JsonCursor::skip_value() {
     if (c == '"') {
       if (!raw_string(ignored)) return false;
     } else if (c == '{' || c == '[') {
-      if (++depth > kDeepest) return fail();
+      if (++depth > kMaxDepth) return fail();
       ++at_;
     } else if (c == '}' || c == ']') {
       if (--depth < 0) return fail();

@@ -1,4 +1,4 @@
-// A forgiving walk through one line of JSON.
+// A tolerant pull parser for one line of JSON (game logs are parsed in the hot path).
 #pragma once
 
 #include <cstddef>
@@ -7,34 +7,34 @@
 
 namespace cls::base {
 
-/// Steps return false once something is not as expected; where, position() tells. Strings may hold
-/// any bytes (a real server writes control characters and broken UTF-8). Behind the text there must
-/// be a line feed and 64 readable bytes (InputBuffer).
+/// Functions return false from the first syntax error on; position() is its offset. Strings may
+/// hold any bytes, because rcssserver writes control characters and invalid UTF-8. A line feed and
+/// 64 readable bytes must follow the text (InputBuffer).
 class JsonCursor {
  public:
   explicit JsonCursor(std::string_view text)
       : start_(text.data()), at_(text.data()), end_(text.data() + text.size()) {}
 
-  /// For objects: `if (in.open('{')) while (in.next_key(key)) ...; in.good()`. Between two keys the
-  /// value must be consumed. False at the closing bracket, and when something is wrong.
+  /// For objects: `if (in.open('{')) while (in.next_key(key)) ...; in.good()`. The caller consumes
+  /// the value after each key. False at the closing bracket and after an error.
   bool next_key(std::string_view& key);
 
-  /// A key as it is meant: next_key() gives it with its escapes.
-  static std::string unescaped(std::string_view raw);
+  /// Resolves the escapes in a key returned by next_key().
+  static std::string unescape(std::string_view raw);
 
-  /// The same for arrays: true if there is another element.
+  /// For arrays: true if there is another element.
   bool next_element();
 
   bool open(char bracket);
 
   bool number(double& value);
   bool integer(int& value);
-  bool string(std::string& value);          ///< without quotes and escapes
-  bool string_or_null(std::string& value);  ///< null is the empty string
+  bool string(std::string& value);          ///< without quotes, escapes resolved
+  bool string_or_null(std::string& value);  ///< null yields the empty string
   bool skip_value();
 
-  /// The value as text: a number as it stands, true and false as 1 and 0, a string in quotes
-  /// without escapes. False for anything else.
+  /// The value as text: a number unchanged, true and false as 1 and 0, a string in quotes with its
+  /// escapes resolved. False for any other value.
   bool scalar_text(std::string& out);
 
   char peek();
@@ -47,7 +47,7 @@ class JsonCursor {
     good_ = false;
     return false;
   }
-  void blanks();
+  void skip_space();
   bool raw_string(std::string_view& value);
   bool separator(char closing);
 

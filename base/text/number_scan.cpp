@@ -1,4 +1,4 @@
-// The numbers that the quick scanners leave aside.
+// The slow path of the number scanners.
 #include "base/text/number_scan.h"
 
 #include <cmath>
@@ -9,12 +9,13 @@
 namespace cls::base::detail {
 namespace {
 
-constexpr std::size_t kLongestNumber = 48;
+constexpr std::size_t kMaxNumberLength = 48;
 
 // A number ends within its line.
-std::string_view word_at(const char* at) {
+std::string_view token_at(const char* at) {
   std::size_t length = 0;
-  while (length < kLongestNumber && at[length] != ' ' && at[length] != ')' && at[length] != '\n') {
+  while (length < kMaxNumberLength && at[length] != ' ' && at[length] != ')' &&
+         at[length] != '\n') {
     ++length;
   }
   return {at, length};
@@ -24,8 +25,8 @@ std::string_view word_at(const char* at) {
 
 bool scan_any_number(const char*& at, float& value) {
   double read = 0.0;
-  const std::size_t length = read_number(word_at(at), read);
-  if (length == 0 || !(std::fabs(read) <= kLargestNumber)) return false;
+  const std::size_t length = parse_number_prefix(token_at(at), read);
+  if (length == 0 || !(std::fabs(read) <= kMaxNumber)) return false;
   value = static_cast<float>(read);
   at += length;
   return true;
@@ -33,7 +34,7 @@ bool scan_any_number(const char*& at, float& value) {
 
 bool scan_any_integer(const char*& at, std::int32_t& value) {
   int read = 0;
-  const std::size_t length = read_int(word_at(at), read);
+  const std::size_t length = parse_int_prefix(token_at(at), read);
   if (length == 0) return false;
   value = read;
   at += length;

@@ -1,4 +1,4 @@
-// Reading the short numbers of game logs eight characters at a time.
+// Fast scanners for the short numbers of game logs: eight characters at a time (SWAR).
 #pragma once
 
 #include <array>
@@ -9,11 +9,12 @@
 
 namespace cls::base {
 
-// All functions look at up to 16 bytes behind `at`, whatever they hold: callers see to it that
-// these are readable. They leave `at` behind the number and return true, or leave it where it is.
+// Hand-written because game logs are parsed in the hot path (bench/log_bench.cpp). All functions
+// may read 16 bytes after `at`, which must be readable. They move `at` behind the number and return
+// true, or leave it unchanged and return false.
 
-/// Numbers in logs are positions, angles and stamina; beyond this nothing is one.
-constexpr double kLargestNumber = 1e9;
+/// Logs hold positions, angles and stamina; larger values are errors.
+constexpr double kMaxNumber = 1e9;
 
 namespace detail {
 
@@ -27,12 +28,12 @@ inline std::uint64_t load8(const char* at) {
   return bytes;
 }
 
-/// How many of the first characters have the bit that all digits have, and '.', ' ', ')' have not.
+/// Number of leading characters with a bit that all digits have, and '.', ' ' and ')' have not.
 inline int count_digit_like(std::uint64_t bytes) {
   return std::countr_zero(~bytes & repeat(0x10)) / 8;
 }
 
-/// The value of the first `count` (1 to 8) characters; `ok` is cleared if one is no digit.
+/// The value of the first `count` (1 to 8) characters; clears `ok` if one is not a digit.
 inline std::uint32_t digits_value(std::uint64_t bytes, int count, bool& ok) {
   std::uint64_t digits = (bytes ^ repeat('0')) << (64 - 8 * count);
   ok = ok && ((((digits + repeat(6)) | digits) & repeat(0xF0)) == 0);
@@ -45,7 +46,7 @@ inline std::uint32_t digits_value(std::uint64_t bytes, int count, bool& ok) {
 
 constexpr std::array<double, 8> kTenths = {1e0, 1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7};
 
-/// Any number at all: exponents, many digits. Slow and exact.
+/// Numbers of any form: exponents, many digits. Slow and exact.
 bool scan_any_number(const char*& at, float& value);
 bool scan_any_integer(const char*& at, std::int32_t& value);
 

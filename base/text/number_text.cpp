@@ -1,4 +1,5 @@
-// Number printing and reading, with fast paths that give the same digits as the slow ones.
+// Number formatting and parsing. Hand-written, because observations and logs are parsed and written
+// in the hot path; the fast paths give the same digits as the standard library (tests).
 #include "base/text/number_text.h"
 
 #include <algorithm>
@@ -31,7 +32,7 @@ int decimal_exponent(double magnitude) {
   return -4;
 }
 
-// Writes `digits` (six of them, the first standing for 10^exponent) without trailing zeros.
+// Writes six `digits`, the first of which has the weight 10^exponent, without trailing zeros.
 char* write_fixed(char* to, unsigned digits, int exponent) {
   int count = kSignificantDigits;
   while (digits % 10 == 0 && count > 1) {
@@ -88,14 +89,14 @@ char* write_short(char* to, unsigned value) {
   return write_pair(write_digit(to, value / 100), value % 100);
 }
 
-// Two decimals or fewer: without zeros at the end.
+// Two decimals, without a trailing zero.
 char* write_decimals(char* to, unsigned hundredths) {
   if (hundredths % 10 == 0) return write_digit(to, hundredths / 10);
   return write_pair(to, hundredths);
 }
 
-// Most numbers of the protocol are rounded to few decimals: a value within 1e-11 of a multiple of
-// 0.0001 below 100 is printed as that multiple, which six digits show in full. Null: another one.
+// Most numbers of the protocol are rounded to few decimals: prints a value below 100 within 1e-11
+// of a multiple of 0.0001 as that multiple, which has at most six digits. Null for other values.
 char* write_round(char* to, double value) {
   constexpr double kTenThousandths = 1e4;
   const double magnitude = std::fabs(value);
@@ -113,10 +114,10 @@ char* write_round(char* to, double value) {
   return write_decimals(write_pair(to, after / 100), after % 100);
 }
 
-// The usual case otherwise: plain notation, and not near the border between two roundings, where
-// the error of one multiplication (about 1e-10 of a unit in the sixth digit) could matter. Null:
-// not usual.
-char* write_usual(char* to, double value) {
+// Fixed notation, for values that are not close to the tie between two roundings, where the error
+// of one multiplication (about 1e-10 of a unit in the sixth digit) could matter. Null for other
+// values.
+char* write_common(char* to, double value) {
   const double magnitude = std::fabs(value);
   if (!(magnitude >= 1e-4 && magnitude < 999999.0)) return nullptr;
   int exponent = decimal_exponent(magnitude);
@@ -139,14 +140,14 @@ bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 struct Decimal {
   std::uint64_t mantissa = 0;
-  int kept_digits = 0;  // significant digits in the mantissa, at most 19
-  int exponent = 0;     // value = mantissa * 10^exponent, exact when nothing was dropped
+  int digits = 0;    // significant digits in the mantissa, at most 19
+  int exponent = 0;  // value = mantissa * 10^exponent, exact when nothing was dropped
   bool dropped = false;
 
   void add(char c, bool fraction) {
-    if (kept_digits < 19) {
+    if (digits < 19) {
       mantissa = mantissa * 10 + static_cast<unsigned>(c - '0');
-      if (mantissa != 0) ++kept_digits;
+      if (mantissa != 0) ++digits;
       if (fraction) --exponent;
     } else {
       dropped = true;
@@ -157,7 +158,7 @@ struct Decimal {
 
 constexpr int kExponentLimit = 100000;
 
-std::size_t read_exponent(std::string_view text, int& value) {
+std::size_t parse_exponent(std::string_view text, int& value) {
   std::size_t at = 1;
   bool negative = false;
   if (at < text.size() && (text[at] == '+' || text[at] == '-')) negative = text[at++] == '-';
@@ -171,12 +172,12 @@ std::size_t read_exponent(std::string_view text, int& value) {
   return at;
 }
 
-// Correct for every text; `number` has no plus sign.
-double read_slowly(std::string_view number, const Decimal& decimal) {
+// Exact for all texts; `number` has no plus sign.
+double parse_slowly(std::string_view number, const Decimal& decimal) {
   double value = 0.0;
   const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), value);
   if (error != std::errc::result_out_of_range) return value;
-  const bool huge = decimal.kept_digits + decimal.exponent > 0;
+  const bool huge = decimal.digits + decimal.exponent > 0;
   const double magnitude = huge ? std::numeric_limits<double>::max() : 0.0;
   return number.front() == '-' ? -magnitude : magnitude;
 }
@@ -191,15 +192,16 @@ double value_of(const Decimal& decimal, std::string_view number) {
                                  : exact * kPowersOfTen[static_cast<std::size_t>(decimal.exponent)];
     return negative ? -magnitude : magnitude;
   }
-  return read_slowly(number.front() == '+' ? number.substr(1) : number, decimal);
+  return parse_slowly(number.front() == '+' ? number.substr(1) : number, decimal);
 }
 
 }  // namespace
 
 char* write_g(double value, char* to) {
   if (char* end = write_round(to, value)) return end;
-  if (char* end = write_usual(to, value)) return end;
-  return std::to_chars(to, to + kNumberRoom, value, std::chars_format::general, kSignificantDigits)
+  if (char* end = write_common(to, value)) return end;
+  return std::to_chars(to, to + kMaxNumberLength, value, std::chars_format::general,
+                       kSignificantDigits)
       .ptr;
 }
 
@@ -207,16 +209,16 @@ char* write_int(std::int64_t value, char* to) {
   if (value >= 0 && value < 1000) {
     return write_short(to, static_cast<unsigned>(value));
   }
-  return std::to_chars(to, to + kNumberRoom, value).ptr;
+  return std::to_chars(to, to + kMaxNumberLength, value).ptr;
 }
 
 void append_g(double value, std::string& out) {
-  std::array<char, kNumberRoom> text;
+  std::array<char, kMaxNumberLength> text;
   out.append(text.data(), static_cast<std::size_t>(write_g(value, text.data()) - text.data()));
 }
 
 void append_int(std::int64_t value, std::string& out) {
-  std::array<char, kNumberRoom> text;
+  std::array<char, kMaxNumberLength> text;
   out.append(text.data(), static_cast<std::size_t>(write_int(value, text.data()) - text.data()));
 }
 
@@ -227,7 +229,7 @@ void append_shortest(double value, std::string& out) {
   out.append(text.data(), static_cast<std::size_t>(end - text.data()));
 }
 
-std::size_t read_number(std::string_view text, double& value) {
+std::size_t parse_number_prefix(std::string_view text, double& value) {
   std::size_t at = !text.empty() && (text[0] == '+' || text[0] == '-') ? 1 : 0;
   const std::size_t first = at;
   Decimal decimal;
@@ -240,14 +242,14 @@ std::size_t read_number(std::string_view text, double& value) {
   }
   if (at < text.size() && (text[at] == 'e' || text[at] == 'E')) {
     int exponent = 0;
-    at += read_exponent(text.substr(at), exponent);
+    at += parse_exponent(text.substr(at), exponent);
     decimal.exponent += exponent;
   }
   value = value_of(decimal, text.substr(0, at));
   return at;
 }
 
-std::size_t read_int(std::string_view text, int& value) {
+std::size_t parse_int_prefix(std::string_view text, int& value) {
   std::size_t at = !text.empty() && (text[0] == '+' || text[0] == '-') ? 1 : 0;
   const std::size_t first = at;
   const bool negative = at == 1 && text[0] == '-';
@@ -265,15 +267,15 @@ std::size_t read_int(std::string_view text, int& value) {
   return at;
 }
 
-std::optional<double> number_from_text(std::string_view text) {
+std::optional<double> parse_number(std::string_view text) {
   double value = 0.0;
-  if (text.empty() || read_number(text, value) != text.size()) return std::nullopt;
+  if (text.empty() || parse_number_prefix(text, value) != text.size()) return std::nullopt;
   return value;
 }
 
-std::optional<int> int_from_text(std::string_view text) {
+std::optional<int> parse_int(std::string_view text) {
   int value = 0;
-  if (text.empty() || read_int(text, value) != text.size()) return std::nullopt;
+  if (text.empty() || parse_int_prefix(text, value) != text.size()) return std::nullopt;
   return value;
 }
 

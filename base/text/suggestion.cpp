@@ -1,9 +1,10 @@
-// Suggestions for mistyped names.
+// Case-insensitive edit distance (Damerau-Levenshtein).
 #include "base/text/suggestion.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <numeric>
-#include <string>
 
 namespace cls::base {
 namespace {
@@ -16,7 +17,7 @@ std::string lower(std::string_view text) {
   return result;
 }
 
-// Insertions, deletions, replacements and swaps of neighbours, one each.
+// Insertions, deletions, substitutions and transpositions count 1 each.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> before(b.size() + 1);
   std::vector<std::size_t> last(b.size() + 1);
@@ -48,6 +49,14 @@ std::string_view nearest_name(std::string_view word, const std::vector<std::stri
     }
   }
   return best;
+}
+
+std::string did_you_mean(std::string_view word, const std::vector<std::string_view>& names) {
+  std::string_view nearest = nearest_name(word, names);
+  for (const std::string_view name : names) {
+    if (nearest.empty() && !word.empty() && name.starts_with(word)) nearest = name;
+  }
+  return nearest.empty() ? "" : fmt::format("; did you mean '{}'?", nearest);
 }
 
 }  // namespace cls::base

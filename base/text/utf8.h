@@ -1,4 +1,4 @@
-// UTF-8 in the bytes of other programs.
+// UTF-8 validation.
 #pragma once
 
 #include <cstddef>
@@ -6,8 +6,8 @@
 
 namespace cls::base {
 
-/// Length of the well-formed UTF-8 sequence at the start of `text`, which is not empty; 0 when
+/// Length of the well-formed UTF-8 sequence at the start of `text`, which must not be empty; 0 if
 /// there is none.
-std::size_t utf8_length(std::string_view text);
+std::size_t utf8_sequence_length(std::string_view text);
 
 }  // namespace cls::base

@@ -1,4 +1,4 @@
-// Escaping the characters that XML reads as its own.
+// Escapes characters that are markup in XML.
 #include "base/text/xml.h"
 
 #include <algorithm>
@@ -7,10 +7,10 @@
 
 namespace cls::base {
 
-std::string xml_escaped(std::string_view text) {
+std::string escape_xml(std::string_view text) {
   std::string escaped;
   while (!text.empty()) {
-    const std::size_t length = utf8_length(text);
+    const std::size_t length = utf8_sequence_length(text);
     switch (const char c = text.front()) {
       case '&':
         escaped += "&amp;";

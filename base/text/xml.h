@@ -1,4 +1,4 @@
-// Text as XML and HTML hold it.
+// Escaping for XML and HTML.
 #pragma once
 
 #include <string>
@@ -6,8 +6,8 @@
 
 namespace cls::base {
 
-/// For the content of an element and for a value in double quotes. What XML cannot hold at all,
-/// control characters and bytes that are no UTF-8, becomes '?'.
-std::string xml_escaped(std::string_view text);
+/// Escapes text for element content and double-quoted attribute values. Control characters and
+/// invalid UTF-8, which XML cannot represent, become '?'.
+std::string escape_xml(std::string_view text);
 
 }  // namespace cls::base

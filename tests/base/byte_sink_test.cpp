@@ -1,4 +1,4 @@
-// Log files: what is written arrives, and what fails is told.
+// Output files: contents and errors.
 #include "base/io/byte_sink.h"
 
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 namespace cls::base {
 namespace {
 
-TEST(FileSink, HoldsEverythingWritten) {
+TEST(FileSink, WritesAllBytes) {
   const tests::TemporaryFolder folder;
   const auto path = folder.path() / "a.log";
   std::string expected;
@@ -27,14 +27,14 @@ TEST(FileSink, HoldsEverythingWritten) {
   EXPECT_EQ(tests::read_file(path), expected);
 }
 
-TEST(FileSink, NamesAFileThatCannotBeCreated) {
+TEST(FileSink, ReportsFileThatCannotBeCreated) {
   const auto sink = FileSink::create("/nonexistent-folder/game.rcg");
   ASSERT_FALSE(sink);
   EXPECT_EQ(sink.error().message,
             "cannot create '/nonexistent-folder/game.rcg': No such file or directory");
 }
 
-TEST(FileSink, TellsWhenTheDiskIsFull) {
+TEST(FileSink, ReportsFullDiskOnClose) {
   auto sink = FileSink::create("/dev/full");
   ASSERT_TRUE(sink);
   (*sink)->write("x");

@@ -1,4 +1,4 @@
-// Bytes out of files and memory, packed, cut off, damaged; and lines out of bytes.
+// Byte sources: plain, gzip, truncated and corrupt; lines and blocks from an input buffer.
 #include "base/io/byte_source.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@
 namespace cls::base {
 namespace {
 
-std::string packed(const std::string& text) {
+std::string gzip(const std::string& text) {
   z_stream stream = {};
   EXPECT_EQ(deflateInit2(&stream, 6, Z_DEFLATED, 15 + 16, 8, Z_DEFAULT_STRATEGY), Z_OK);
   std::string out(deflateBound(&stream, text.size()) + 64, '\0');
@@ -32,49 +32,49 @@ std::string some_text() {
   return text;
 }
 
-struct Everything {
+struct Contents {
   std::string bytes;
-  std::string problem;
+  std::string error;
 };
 
-Everything read_in_chunks(ByteSource& source, std::size_t block = 1000) {
-  Everything result;
+Contents read_in_chunks(ByteSource& source, std::size_t block = 1000) {
+  Contents result;
   std::string buffer(block, '\0');
   while (const std::size_t count = source.read(buffer.data(), buffer.size())) {
     result.bytes.append(buffer, 0, count);
   }
-  result.problem = source.problem();
+  result.error = source.error();
   return result;
 }
 
-Everything unpack(std::string_view bytes) {
-  return read_in_chunks(*unpacked(std::make_unique<MemorySource>(bytes)));
+Contents decompress_all(std::string_view bytes) {
+  return read_in_chunks(*decompress(std::make_unique<MemorySource>(bytes)));
 }
 
-TEST(Unpacked, GivesPlainBytesAsTheyAre) {
+TEST(Decompress, PassesPlainBytesThrough) {
   for (const std::string& text :
        {std::string(), std::string("a"), std::string("\x1f"), some_text()}) {
-    const Everything result = unpack(text);
+    const Contents result = decompress_all(text);
     EXPECT_EQ(result.bytes, text);
-    EXPECT_EQ(result.problem, "");
+    EXPECT_EQ(result.error, "");
   }
 }
 
-TEST(Unpacked, UnpacksGzipOfOneOrSeveralMembers) {
+TEST(Decompress, ReadsGzipOfOneOrMoreMembers) {
   const std::string text = some_text();
-  const std::string once = packed(text);
-  EXPECT_EQ(unpack(once).bytes, text);
-  const Everything twice = unpack(once + packed("the end\n") + std::string(512, '\0'));
+  const std::string once = gzip(text);
+  EXPECT_EQ(decompress_all(once).bytes, text);
+  const Contents twice = decompress_all(once + gzip("the end\n") + std::string(512, '\0'));
   EXPECT_EQ(twice.bytes, text + "the end\n");
-  EXPECT_EQ(twice.problem, "");
+  EXPECT_EQ(twice.error, "");
 }
 
-TEST(Unpacked, KeepsWhatACutOffArchiveStillHolds) {
+TEST(Decompress, ReturnsBytesBeforeTruncation) {
   const std::string text = some_text();
-  const std::string whole = packed(text);
+  const std::string whole = gzip(text);
   for (const std::size_t size : {whole.size() / 2, whole.size() - 1, std::size_t{12}}) {
-    const Everything result = unpack(std::string_view(whole).substr(0, size));
-    EXPECT_EQ(result.problem, "gzip data is cut off");
+    const Contents result = decompress_all(std::string_view(whole).substr(0, size));
+    EXPECT_EQ(result.error, "gzip data is truncated");
     EXPECT_EQ(result.bytes, text.substr(0, result.bytes.size()));
     if (size > 1000) {
       EXPECT_GT(result.bytes.size(), text.size() / 4);
@@ -82,13 +82,13 @@ TEST(Unpacked, KeepsWhatACutOffArchiveStillHolds) {
   }
 }
 
-TEST(Unpacked, NamesADamagedArchive) {
-  std::string bytes = packed(some_text());
+TEST(Decompress, ReportsCorruptData) {
+  std::string bytes = gzip(some_text());
   bytes[bytes.size() / 2] = static_cast<char>(bytes[bytes.size() / 2] ^ 0x55);
-  EXPECT_EQ(unpack(bytes).problem.substr(0, 20), "gzip data is damaged");
+  EXPECT_EQ(decompress_all(bytes).error.substr(0, 20), "gzip data is corrupt");
 }
 
-TEST(OpenSource, ReadsAFileAndNamesOneThatIsNotThere) {
+TEST(OpenSource, ReadsFileAndReportsMissingFile) {
   const tests::TemporaryFolder folder;
   const std::string path = (folder.path() / "game.rcg").string();
   std::ofstream(path) << "ULG6\n";
@@ -101,10 +101,10 @@ TEST(OpenSource, ReadsAFileAndNamesOneThatIsNotThere) {
             "cannot read '" + folder.path().string() + "': it is a folder");
 }
 
-// Hands out a few bytes at a time.
-class DripSource : public ByteSource {
+// Returns a few bytes per read.
+class SlowSource : public ByteSource {
  public:
-  DripSource(std::string_view bytes, std::size_t step) : bytes_(bytes), step_(step) {}
+  SlowSource(std::string_view bytes, std::size_t step) : bytes_(bytes), step_(step) {}
   std::size_t read(char* to, std::size_t size) override {
     return bytes_.read(to, std::min(size, step_));
   }
@@ -114,10 +114,10 @@ class DripSource : public ByteSource {
   std::size_t step_;
 };
 
-TEST(InputBuffer, FindsLinesHoweverTheBytesArrive) {
+TEST(InputBuffer, FindsLinesForAllReadSizes) {
   const std::string text = some_text() + "\n\nthe rest";
   for (const std::size_t step : {std::size_t{1000000}, std::size_t{4096}, std::size_t{13}}) {
-    DripSource source(text, step);
+    SlowSource source(text, step);
     InputBuffer input(source);
     std::string again;
     std::string_view line;
@@ -137,7 +137,7 @@ TEST(InputBuffer, FindsLinesHoweverTheBytesArrive) {
   }
 }
 
-TEST(InputBuffer, SkipsALineThatIsTooLongAndGoesOnBehindIt) {
+TEST(InputBuffer, SkipsLineThatIsTooLong) {
   const std::string text = "a\n" + std::string(5 * 1024 * 1024, 'x') + "\nb\n";
   MemorySource source(text);
   InputBuffer input(source);
@@ -151,7 +151,7 @@ TEST(InputBuffer, SkipsALineThatIsTooLongAndGoesOnBehindIt) {
   EXPECT_EQ(input.offset(), text.size() - 2);
 }
 
-TEST(InputBuffer, TakesBlocks) {
+TEST(InputBuffer, ReturnsBlocks) {
   MemorySource source("abcdefgh");
   InputBuffer input(source);
   EXPECT_EQ(input.peek(3), "abc");

@@ -1,4 +1,4 @@
-// Sharing out processors between two sides.
+// Splitting processors between two sides.
 #include "base/system/host.h"
 
 #include <gtest/gtest.h>
@@ -11,30 +11,30 @@ namespace {
 using Cores = std::vector<std::vector<int>>;
 using Halves = std::array<std::vector<int>, 2>;
 
-TEST(Halves, GiveEachSideAsMuchAsTheOther) {
-  EXPECT_EQ(halves_of(Cores{{0}, {1}}), (Halves{{{0}, {1}}}));
-  EXPECT_EQ(halves_of(Cores{{0}, {1}, {2}}), (Halves{{{0}, {2}}}));
-  EXPECT_EQ(halves_of(Cores{{2}, {3}, {6}, {7}}), (Halves{{{2, 3}, {6, 7}}}));
+TEST(SplitInHalf, MakesHalvesOfEqualSize) {
+  EXPECT_EQ(split_in_half(Cores{{0}, {1}}), (Halves{{{0}, {1}}}));
+  EXPECT_EQ(split_in_half(Cores{{0}, {1}, {2}}), (Halves{{{0}, {2}}}));
+  EXPECT_EQ(split_in_half(Cores{{2}, {3}, {6}, {7}}), (Halves{{{2, 3}, {6, 7}}}));
 }
 
-TEST(Halves, DoNotShareAPhysicalCore) {
-  // Four cores of two threads, numbered as most machines do.
-  EXPECT_EQ(halves_of(Cores{{0, 4}, {1, 5}, {2, 6}, {3, 7}}),
+TEST(SplitInHalf, SharesNoPhysicalCore) {
+  // Four cores with two threads each, numbered as Linux usually does.
+  EXPECT_EQ(split_in_half(Cores{{0, 4}, {1, 5}, {2, 6}, {3, 7}}),
             (Halves{{{0, 4, 1, 5}, {2, 6, 3, 7}}}));
-  EXPECT_EQ(halves_of(Cores{{0, 3}, {1, 4}, {2, 5}}), (Halves{{{0, 3}, {2, 5}}}));
+  EXPECT_EQ(split_in_half(Cores{{0, 3}, {1, 4}, {2, 5}}), (Halves{{{0, 3}, {2, 5}}}));
 }
 
-TEST(Halves, AreThreadsWhereThereIsOnlyOneCore) {
-  EXPECT_EQ(halves_of(Cores{{0, 1}}), (Halves{{{0}, {1}}}));
-  EXPECT_EQ(halves_of(Cores{{0, 1, 2}}), (Halves{{{0}, {2}}}));
+TEST(SplitInHalf, SplitsThreadsOfSingleCore) {
+  EXPECT_EQ(split_in_half(Cores{{0, 1}}), (Halves{{{0}, {1}}}));
+  EXPECT_EQ(split_in_half(Cores{{0, 1, 2}}), (Halves{{{0}, {2}}}));
 }
 
-TEST(Halves, AreEmptyForOneProcessor) {
-  EXPECT_EQ(halves_of(Cores{{5}}), Halves());
-  EXPECT_EQ(halves_of(Cores{}), Halves());
+TEST(SplitInHalf, IsEmptyForOneProcessor) {
+  EXPECT_EQ(split_in_half(Cores{{5}}), Halves());
+  EXPECT_EQ(split_in_half(Cores{}), Halves());
 }
 
-TEST(Host, CoresHoldAllProcessorsOnce) {
+TEST(Host, CoresContainEachProcessorOnce) {
   std::vector<int> all;
   for (const auto& core : allowed_cores()) all.insert(all.end(), core.begin(), core.end());
   std::sort(all.begin(), all.end());

@@ -1,5 +1,5 @@
-// Parsing with positions: a small walk over the text finds the line of a pointer.
-#include "base/text/json_text.h"
+// Checks of values, and the line of a JSON pointer, found by a scan of the text.
+#include "base/text/json_document.h"
 
 #include <fmt/format.h>
 
@@ -15,10 +15,10 @@
 namespace cls::base {
 namespace {
 
-// Moves over the text of a document that is known to be valid.
-class Walk {
+// Scans the text of a valid document.
+class Scan {
  public:
-  explicit Walk(std::string_view text) : text_(text) {}
+  explicit Scan(std::string_view text) : text_(text) {}
 
   std::size_t position() const { return at_; }
 
@@ -36,7 +36,7 @@ class Walk {
     }
   }
 
-  // Into the member or element `key` of the value here; false when there is none.
+  // Moves to the member or element `key` of the current value; false if there is none.
   bool enter(const std::string& key) {
     const std::size_t start = at_;
     const char open = text_[at_];
@@ -103,15 +103,17 @@ int line_at(std::string_view text, std::size_t position) {
 
 }  // namespace
 
-JsonPlace JsonPlace::operator/(std::string_view key) const {
-  JsonPlace place = *this;
-  place.keys_.emplace_back(key);
-  return place;
+JsonPointer JsonPointer::operator/(std::string_view key) const {
+  JsonPointer child = *this;
+  child.keys_.emplace_back(key);
+  return child;
 }
 
-JsonPlace JsonPlace::operator/(std::size_t index) const { return *this / std::to_string(index); }
+JsonPointer JsonPointer::operator/(std::size_t index) const {
+  return *this / std::to_string(index);
+}
 
-std::string JsonPlace::text() const {
+std::string JsonPointer::text() const {
   std::string text;
   for (const std::string& key : keys_) {
     text += '/';
@@ -120,8 +122,8 @@ std::string JsonPlace::text() const {
   return text;
 }
 
-Result<JsonText> JsonText::parse(std::string name, std::string text) {
-  JsonText result;
+Result<JsonDocument> JsonDocument::parse(std::string name, std::string text) {
+  JsonDocument result;
   result.name_ = std::move(name);
   result.text_ = std::move(text);
   try {
@@ -143,7 +145,7 @@ Result<JsonText> JsonText::parse(std::string name, std::string text) {
   return result;
 }
 
-Result<JsonText> JsonText::read(const std::filesystem::path& path) {
+Result<JsonDocument> JsonDocument::read(const std::filesystem::path& path) {
   std::error_code code;
   if (std::filesystem::is_directory(path, code)) {
     return Error{fmt::format("{}: is a folder", path.string())};
@@ -153,23 +155,23 @@ Result<JsonText> JsonText::read(const std::filesystem::path& path) {
   return parse(path.string(), {std::istreambuf_iterator<char>(file), {}});
 }
 
-int JsonText::line_of(const JsonPlace& place) const {
-  Walk walk(text_);
-  walk.skip_space();
-  for (const std::string& key : place.keys()) {
-    if (!walk.enter(key)) break;
+int JsonDocument::line_of(const JsonPointer& pointer) const {
+  Scan scan(text_);
+  scan.skip_space();
+  for (const std::string& key : pointer.keys()) {
+    if (!scan.enter(key)) break;
   }
-  return line_at(text_, walk.position());
+  return line_at(text_, scan.position());
 }
 
-Error JsonText::error(const JsonPlace& place, std::string_view message) const {
-  const std::string where = place.text();
-  return Error{fmt::format("{}:{}: {}{}{}", name_, line_of(place), where, where.empty() ? "" : ": ",
-                           message)};
+Error JsonDocument::error(const JsonPointer& pointer, std::string_view message) const {
+  const std::string where = pointer.text();
+  return Error{fmt::format("{}:{}: {}{}{}", name_, line_of(pointer), where,
+                           where.empty() ? "" : ": ", message)};
 }
 
 bool JsonValue::is_object() const { return value_->is_object(); }
-bool JsonValue::is_list() const { return value_->is_array(); }
+bool JsonValue::is_array() const { return value_->is_array(); }
 bool JsonValue::is_string() const { return value_->is_string(); }
 bool JsonValue::has(std::string_view key) const { return value_->contains(std::string(key)); }
 std::size_t JsonValue::size() const { return value_->size(); }
@@ -181,14 +183,14 @@ std::vector<std::string> JsonValue::keys() const {
 }
 
 JsonValue JsonValue::operator[](std::string_view key) const {
-  return {*text_, value_->at(std::string(key)), place_ / key};
+  return {*text_, value_->at(std::string(key)), pointer_ / key};
 }
 
 JsonValue JsonValue::operator[](std::size_t index) const {
-  return {*text_, value_->at(index), place_ / index};
+  return {*text_, value_->at(index), pointer_ / index};
 }
 
-Result<void> JsonValue::object_of(const std::vector<std::string_view>& keys) const {
+Result<void> JsonValue::expect_keys(const std::vector<std::string_view>& keys) const {
   if (!value_->is_object()) {
     return error(fmt::format("must be an object, not {}", value_->type_name()));
   }
@@ -197,7 +199,7 @@ Result<void> JsonValue::object_of(const std::vector<std::string_view>& keys) con
     std::string message = fmt::format("unknown key '{}'", key);
     const std::string hint = did_you_mean(key, keys);
     message += hint.empty() ? fmt::format(" (known: {})", fmt::join(keys, ", ")) : hint;
-    return text_->error(place_ / key, message);
+    return text_->error(pointer_ / key, message);
   }
   return {};
 }
@@ -241,22 +243,14 @@ Result<std::string> JsonValue::string() const {
   return value_->get<std::string>();
 }
 
-Result<std::string> JsonValue::word(const std::vector<std::string_view>& words) const {
+Result<std::string> JsonValue::one_of(const std::vector<std::string_view>& names) const {
   auto value = string();
   if (!value) return value;
-  if (std::find(words.begin(), words.end(), *value) != words.end()) return value;
-  const std::string hint = did_you_mean(*value, words);
+  if (std::find(names.begin(), names.end(), *value) != names.end()) return value;
+  const std::string hint = did_you_mean(*value, names);
   return error(
       fmt::format("unknown '{}'{}", *value,
-                  hint.empty() ? fmt::format(" (known: {})", fmt::join(words, ", ")) : hint));
-}
-
-std::string did_you_mean(std::string_view word, const std::vector<std::string_view>& names) {
-  std::string_view near = nearest_name(word, names);
-  for (const std::string_view name : names) {
-    if (near.empty() && !word.empty() && name.starts_with(word)) near = name;
-  }
-  return near.empty() ? "" : fmt::format("; did you mean '{}'?", near);
+                  hint.empty() ? fmt::format(" (known: {})", fmt::join(names, ", ")) : hint));
 }
 
 }  // namespace cls::base

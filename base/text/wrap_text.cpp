@@ -1,12 +1,12 @@
-// Breaking lines at blanks.
-#include "base/text/wrapped_text.h"
+// Greedy line breaking at spaces.
+#include "base/text/wrap_text.h"
 
 namespace cls::base {
 
-std::string wrapped(std::string_view text, std::size_t width) {
+std::string wrap_text(std::string_view text, std::size_t width) {
   std::string lines(text);
-  std::size_t line = 0;                  // where the line at hand begins
-  std::size_t last = std::string::npos;  // its last blank so far
+  std::size_t line = 0;                  // start of the current line
+  std::size_t last = std::string::npos;  // its last space so far
   for (std::size_t i = 0; i < lines.size(); ++i) {
     if (lines[i] == '\n') {
       line = i + 1;

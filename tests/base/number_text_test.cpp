@@ -1,4 +1,4 @@
-// Numbers print as printf's %g prints them and read back correctly rounded.
+// Number formatting and parsing compared with printf's %g and strtod.
 #include <gtest/gtest.h>
 
 #include <bit>
@@ -11,12 +11,11 @@
 #include <string>
 
 #include "base/text/number_text.h"
-#include "soccer/protocol/text_writer.h"
 
 namespace cls::base {
 namespace {
 
-std::string ours(double value) {
+std::string formatted(double value) {
   std::string text;
   append_g(value, text);
   return text;
@@ -28,19 +27,19 @@ std::string printf_g(double value) {
   return text;
 }
 
-TEST(ProtocolNumber, PrintsNumbersTheRealServerSent) {
-  EXPECT_EQ(ours(130600), "130600");
-  EXPECT_EQ(ours(0.0), "0");
-  EXPECT_EQ(ours(-0.0), "-0");
-  EXPECT_EQ(ours(125.0959631642844), "125.096");
-  EXPECT_EQ(ours(0.00645004), "0.00645004");
-  EXPECT_EQ(ours(-0.349066), "-0.349066");
-  EXPECT_EQ(ours(1e-5), "1e-05");
-  EXPECT_EQ(ours(55.7), "55.7");
-  EXPECT_EQ(ours(90), "90");
+TEST(NumberText, FormatsNumbersLikeRcssserver) {
+  EXPECT_EQ(formatted(130600), "130600");
+  EXPECT_EQ(formatted(0.0), "0");
+  EXPECT_EQ(formatted(-0.0), "-0");
+  EXPECT_EQ(formatted(125.0959631642844), "125.096");
+  EXPECT_EQ(formatted(0.00645004), "0.00645004");
+  EXPECT_EQ(formatted(-0.349066), "-0.349066");
+  EXPECT_EQ(formatted(1e-5), "1e-05");
+  EXPECT_EQ(formatted(55.7), "55.7");
+  EXPECT_EQ(formatted(90), "90");
 }
 
-TEST(ProtocolNumber, PrintsBordersAsPrintfDoes) {
+TEST(NumberText, FormatsBoundaryValuesLikePrintf) {
   for (const double value : {0.1,
                              0.5,
                              1.0,
@@ -72,15 +71,15 @@ TEST(ProtocolNumber, PrintsBordersAsPrintfDoes) {
                              0.30000000000000004,
                              1.0 / 3.0,
                              2.0 / 3.0}) {
-    EXPECT_EQ(ours(value), printf_g(value));
-    EXPECT_EQ(ours(-value), printf_g(-value));
+    EXPECT_EQ(formatted(value), printf_g(value));
+    EXPECT_EQ(formatted(-value), printf_g(-value));
   }
   const double infinity = std::numeric_limits<double>::infinity();
-  EXPECT_EQ(ours(infinity), "inf");
-  EXPECT_EQ(ours(-infinity), "-inf");
+  EXPECT_EQ(formatted(infinity), "inf");
+  EXPECT_EQ(formatted(-infinity), "-inf");
 }
 
-// Values of every kind that senses hold, ties between two roundings, and any bits at all.
+// Values of all kinds in sensor messages, ties between two roundings, and arbitrary bits.
 class RandomValues {
  public:
   double next(int kind) {
@@ -96,13 +95,13 @@ class RandomValues {
         return (uniform - 0.5) * 240;
       case 3:
         return uniform * std::pow(10.0, static_cast<double>(engine_() % 16) - 8);
-      case 4: {  // a tie, or one step beside it
+      case 4: {  // a tie, or a neighbor of a tie
         const double tie =
             (std::fabs(steps) + 0.5) / std::pow(10.0, static_cast<double>(engine_() % 9));
         const std::uint64_t choice = engine_() % 3;
         return choice == 0 ? tie : std::nextafter(tie, choice == 1 ? 0.0 : 1e9);
       }
-      case 5:  // not quite a multiple of 0.0001
+      case 5:  // close to a multiple of 0.0001
         return steps * 0.0001 +
                (uniform - 0.5) * std::pow(10.0, -8.0 - static_cast<double>(engine_() % 5));
       default: {
@@ -116,7 +115,7 @@ class RandomValues {
   std::mt19937_64 engine_{7};
 };
 
-TEST(ProtocolNumber, PrintsMillionsOfRandomValuesAsPrintfDoes) {
+TEST(NumberText, FormatsMillionsOfRandomValuesLikePrintf) {
   RandomValues values;
   std::string text;
   for (int i = 0; i < 3000000; ++i) {
@@ -127,14 +126,14 @@ TEST(ProtocolNumber, PrintsMillionsOfRandomValuesAsPrintfDoes) {
   }
 }
 
-TEST(ProtocolNumber, ReadsWhatStrtodReads) {
+TEST(NumberText, ParsesRandomNumbersLikeStrtod) {
   RandomValues values;
   for (int i = 0; i < 1000000; ++i) {
     const double value = values.next(i % 7);
     if (std::isinf(value)) continue;
     char text[64];
     std::snprintf(text, sizeof text, i % 2 == 0 ? "%g" : "%.17g", value);
-    const std::optional<double> read = number_from_text(text);
+    const std::optional<double> read = parse_number(text);
     ASSERT_TRUE(read) << text;
     ASSERT_EQ(std::bit_cast<std::uint64_t>(*read),
               std::bit_cast<std::uint64_t>(std::strtod(text, nullptr)))
@@ -142,77 +141,55 @@ TEST(ProtocolNumber, ReadsWhatStrtodReads) {
   }
 }
 
-TEST(ProtocolNumber, ReadsLongAndOddlyWrittenNumbers) {
+TEST(NumberText, ParsesLongAndUnusualNumbers) {
   for (const char* text :
        {"+5", "-.5", "007", "1e2", "1E-2", "1.5e+3", "123456789012345678901234567890",
         "0.000000000000000000000000000000000000000000012345", "9007199254740993",
         "9007199254740992.9999999999999999999", "179769313486231570000000000000000e276", "1e-400",
         "0e999999999999", "1234567890123456789.5", "2.2250738585072011e-308"}) {
-    const std::optional<double> read = number_from_text(text);
+    const std::optional<double> read = parse_number(text);
     ASSERT_TRUE(read) << text;
     EXPECT_EQ(*read, std::strtod(text, nullptr)) << text;
   }
 }
 
-TEST(ProtocolNumber, NeverReadsInfinity) {
-  EXPECT_EQ(number_from_text("1e999"), std::numeric_limits<double>::max());
-  EXPECT_EQ(number_from_text("-1e999999999999999999"), -std::numeric_limits<double>::max());
-  EXPECT_EQ(number_from_text(std::string(5000, '9')), std::numeric_limits<double>::max());
-  EXPECT_EQ(number_from_text("-1e-999"), 0.0);
-  EXPECT_FALSE(number_from_text("inf"));
-  EXPECT_FALSE(number_from_text("nan"));
+TEST(NumberText, NeverParsesInfinity) {
+  EXPECT_EQ(parse_number("1e999"), std::numeric_limits<double>::max());
+  EXPECT_EQ(parse_number("-1e999999999999999999"), -std::numeric_limits<double>::max());
+  EXPECT_EQ(parse_number(std::string(5000, '9')), std::numeric_limits<double>::max());
+  EXPECT_EQ(parse_number("-1e-999"), 0.0);
+  EXPECT_FALSE(parse_number("inf"));
+  EXPECT_FALSE(parse_number("nan"));
 }
 
-TEST(ProtocolNumber, RefusesWhatIsNotANumber) {
+TEST(NumberText, RejectsInvalidNumbers) {
   for (const char* text : {"", "+", "-", ".", "5.", "1e", "1e+", "e5", "0x10", " 5", "5 ", "--5"}) {
-    EXPECT_FALSE(number_from_text(text)) << text;
+    EXPECT_FALSE(parse_number(text)) << text;
   }
   for (const char* text : {"", "+", "1.5", "1e2", "abc", " 5", "5 "}) {
-    EXPECT_FALSE(int_from_text(text)) << text;
+    EXPECT_FALSE(parse_int(text)) << text;
   }
 }
 
-TEST(ProtocolNumber, KeepsIntegersInRange) {
-  EXPECT_EQ(int_from_text("-2147483648"), std::numeric_limits<int>::min());
-  EXPECT_EQ(int_from_text("2147483647"), std::numeric_limits<int>::max());
-  EXPECT_EQ(int_from_text("99999999999999999999"), std::numeric_limits<int>::max());
-  EXPECT_EQ(int_from_text("-99999999999999999999"), std::numeric_limits<int>::min());
-  EXPECT_EQ(int_from_text("+0012"), 12);
+TEST(NumberText, ClampsIntegersToRange) {
+  EXPECT_EQ(parse_int("-2147483648"), std::numeric_limits<int>::min());
+  EXPECT_EQ(parse_int("2147483647"), std::numeric_limits<int>::max());
+  EXPECT_EQ(parse_int("99999999999999999999"), std::numeric_limits<int>::max());
+  EXPECT_EQ(parse_int("-99999999999999999999"), std::numeric_limits<int>::min());
+  EXPECT_EQ(parse_int("+0012"), 12);
 }
 
-TEST(ProtocolNumber, ShortestTextReadsBackExactly) {
+TEST(NumberText, ShortestTextParsesToSameValue) {
   RandomValues values;
   for (int i = 0; i < 200000; ++i) {
     const double value = values.next(i % 7);
     if (std::isinf(value)) continue;
     std::string text;
     append_shortest(value, text);
-    const std::optional<double> read = number_from_text(text);
+    const std::optional<double> read = parse_number(text);
     ASSERT_TRUE(read) << text;
     ASSERT_EQ(*read, value) << text;
   }
-}
-
-TEST(TextWriter, AppendsWhatAStringWouldHoweverLong) {
-  std::string plain = "before ";
-  std::string text = plain;
-  {
-    soccer::TextWriter out(text);
-    for (int i = 0; i < 2000; ++i) {
-      soccer::append(out, "(n ", i - 1000);
-      soccer::append(out, " ", 0.25 * i);
-      out.push_back(')');
-      out += std::string(static_cast<std::size_t>(i % 50), 'x');
-      soccer::append(plain, "(n ", i - 1000);
-      plain += ' ';
-      append_g(0.25 * i, plain);
-      plain += ')' + std::string(static_cast<std::size_t>(i % 50), 'x');
-    }
-    out.append({});
-    out.append(std::string(10000, 'y'));
-    plain += std::string(10000, 'y');
-  }
-  EXPECT_EQ(text, plain);
 }
 
 }  // namespace

@@ -1,0 +1,20 @@
+// TCP connections with a timeout.
+#pragma once
+
+#include <chrono>
+#include <string>
+
+#include "base/system/unique_fd.h"
+
+namespace cls::base {
+
+/// A connected, non-blocking socket, or none if no address of `host` accepts a connection before
+/// `deadline`. `host` is a name or an IP address, with or without brackets.
+UniqueFd connect_tcp(const std::string& host, int port,
+                     std::chrono::steady_clock::time_point deadline);
+
+/// Waits until poll() reports one of `events` for `fd`; false if `deadline` passes or a signal
+/// interrupts.
+bool wait_for_events(int fd, short events, std::chrono::steady_clock::time_point deadline);
+
+}  // namespace cls::base

@@ -1,0 +1,63 @@
+// Errors in JSON files name their line.
+#include "base/text/json_document.h"
+
+#include <gtest/gtest.h>
+
+namespace cls::base {
+namespace {
+
+JsonDocument document() {
+  return *JsonDocument::parse("script.json",
+                              "{\n"                                     // 1
+                              "  // a comment with \"quotes\" and {\n"  // 2
+                              "  \"name\": \"a \\\" , b\",\n"           // 3
+                              "  \"list\": [1, {\"x\": [ ]},\n"         // 4
+                              "    /* , */ {\"deep\":\n"                // 5
+                              "      {\"a/b\": true}}]\n"               // 6
+                              "}\n");
+}
+
+TEST(JsonDocument, FindsLineOfPointer) {
+  const JsonDocument text = document();
+  EXPECT_EQ(text.line_of({}), 1);
+  EXPECT_EQ(text.line_of(JsonPointer() / "name"), 3);
+  EXPECT_EQ(text.line_of(JsonPointer() / "list"), 4);
+  EXPECT_EQ(text.line_of(JsonPointer() / "list" / 2), 5);
+  EXPECT_EQ(text.line_of(JsonPointer() / "list" / 2 / "deep" / "a/b"), 6);
+}
+
+TEST(JsonDocument, ErrorsNameFileLineAndPointer) {
+  const JsonDocument text = document();
+  const JsonValue flag = JsonValue(text)["list"][2]["deep"]["a/b"];
+  EXPECT_EQ(flag.number().error().message,
+            "script.json:6: /list/2/deep/a~1b: must be a number, not true");
+}
+
+TEST(JsonDocument, SyntaxErrorsNameLineAndColumn) {
+  const auto bad = JsonDocument::parse("script.json", "{\n  \"a\": 1\n  \"b\": 2\n}\n");
+  ASSERT_FALSE(bad);
+  EXPECT_EQ(bad.error().message.rfind("script.json:3:5: syntax error", 0), 0u)
+      << bad.error().message;
+}
+
+TEST(JsonDocument, ReportsMissingFile) {
+  EXPECT_EQ(JsonDocument::read("/nowhere/a.json").error().message,
+            "/nowhere/a.json: No such file or directory");
+}
+
+TEST(JsonValue, SuggestsSimilarKeyForUnknownKey) {
+  const JsonDocument text = document();
+  EXPECT_EQ(JsonValue(text).expect_keys({"names", "list"}).error().message,
+            "script.json:3: /name: unknown key 'name'; did you mean 'names'?");
+  EXPECT_TRUE(JsonValue(text).expect_keys({"name", "list", "more"}));
+}
+
+TEST(JsonValue, ChecksRangesOfNumbers) {
+  const JsonDocument text = document();
+  const JsonValue one = JsonValue(text)["list"][0];
+  EXPECT_EQ(*one.integer(1, 5), 1);
+  EXPECT_EQ(one.integer(2, 5).error().message, "script.json:4: /list/0: 1 is not within 2 to 5");
+}
+
+}  // namespace
+}  // namespace cls::base

@@ -1,0 +1,24 @@
+// Line wrapping.
+#include "base/text/wrap_text.h"
+
+#include <gtest/gtest.h>
+
+namespace cls::base {
+namespace {
+
+TEST(WrapText, BreaksAtLastSpaceThatFits) {
+  EXPECT_EQ(wrap_text("one two three four", 9), "one two\nthree\nfour");
+  EXPECT_EQ(wrap_text("one two three four", 7), "one two\nthree\nfour");
+  EXPECT_EQ(wrap_text("one two three four", 80), "one two three four");
+  EXPECT_EQ(wrap_text("one two three four", 10), "one two\nthree four");
+}
+
+TEST(WrapText, PreservesLongWordsAndExistingLines) {
+  EXPECT_EQ(wrap_text("a incomprehensible b c", 5), "a\nincomprehensible\nb c");
+  EXPECT_EQ(wrap_text("one\ntwo three", 8), "one\ntwo\nthree");
+  EXPECT_EQ(wrap_text("one two\nthree", 7), "one two\nthree");
+  EXPECT_EQ(wrap_text("", 5), "");
+}
+
+}  // namespace
+}  // namespace cls::base
