@@ -1,4 +1,4 @@
-// An angle in degrees, always within [-180, 180].
+// An angle in degrees, normalized to [-180, 180].
 #pragma once
 
 #include <cmath>
@@ -7,8 +7,8 @@
 
 namespace cls::soccer {
 
-/// Direction on the pitch or difference of two directions. 0 is +x, positive turns clockwise on a
-/// picture. What the proxy reckons in; the simulator keeps radians as the real server does.
+/// A direction on the pitch, or a difference of directions. 0 is +x; positive angles turn clockwise
+/// (y points down). Used by the proxy; the simulator uses radians like rcssserver.
 class AngleDeg {
  public:
   constexpr AngleDeg() = default;

@@ -1,4 +1,4 @@
-// The areas as predicates.
+// Predicates of the named areas.
 #include "soccer/areas.h"
 
 #include <array>
@@ -10,8 +10,6 @@
 namespace cls::soccer {
 namespace {
 
-using soccer::Vec2;
-
 constexpr double kGoalHalfWidth = 7.01;
 
 struct Area {
@@ -19,21 +17,22 @@ struct Area {
   bool (*contains)(Vec2);
 };
 
-// Seen from the goal at -x; the right side's areas are mirrored.
+// Areas of the left side; those of the right side are mirrored.
 bool in_penalty_area(Vec2 p) {
-  return p.x >= -soccer::kHalfLength && p.x <= -soccer::kHalfLength + soccer::kPenaltyAreaLength &&
-         std::fabs(p.y) <= soccer::kPenaltyAreaWidth / 2;
+  return p.x >= -kHalfLength && p.x <= -kHalfLength + kPenaltyAreaLength &&
+         std::fabs(p.y) <= kPenaltyAreaWidth / 2;
 }
 bool in_goal_area(Vec2 p) {
-  return p.x >= -soccer::kHalfLength && p.x <= -soccer::kHalfLength + soccer::kGoalAreaLength &&
-         std::fabs(p.y) <= soccer::kGoalAreaWidth / 2;
+  return p.x >= -kHalfLength && p.x <= -kHalfLength + kGoalAreaLength &&
+         std::fabs(p.y) <= kGoalAreaWidth / 2;
 }
-bool in_goal(Vec2 p) { return p.x < -soccer::kHalfLength && std::fabs(p.y) < kGoalHalfWidth; }
-bool on_pitch(Vec2 p) {
-  return std::fabs(p.x) <= soccer::kHalfLength && std::fabs(p.y) <= soccer::kHalfWidth;
+bool in_goal(Vec2 p) { return p.x < -kHalfLength && std::fabs(p.y) < kGoalHalfWidth; }
+bool in_center_circle(Vec2 p) {
+  return p.x * p.x + p.y * p.y <= kCenterCircleRadius * kCenterCircleRadius;
 }
+bool on_pitch(Vec2 p) { return std::fabs(p.x) <= kHalfLength && std::fabs(p.y) <= kHalfWidth; }
 
-constexpr std::array<Area, 10> kAreas = {{
+constexpr std::array<Area, 11> kAreas = {{
     {"pitch", on_pitch},
     {"left_half", [](Vec2 p) { return on_pitch(p) && p.x <= 0.0; }},
     {"right_half", [](Vec2 p) { return on_pitch(p) && p.x >= 0.0; }},
@@ -52,10 +51,8 @@ constexpr std::array<Area, 10> kAreas = {{
      [](Vec2 p) {
        return in_goal({-p.x, p.y});
      }},
-    {"centre_circle",
-     [](Vec2 p) {
-       return p.x * p.x + p.y * p.y <= soccer::kCentreCircleRadius * soccer::kCentreCircleRadius;
-     }},
+    {"center_circle", in_center_circle},
+    {"centre_circle", in_center_circle},  // former spelling, still accepted
 }};
 
 }  // namespace
@@ -73,7 +70,7 @@ bool is_in_area(std::string_view name, Vec2 position) {
   for (const Area& area : kAreas) {
     if (area.name == name) return area.contains(position);
   }
-  assert(false && "an area of the table");
+  assert(false && "unknown area");
   return false;
 }
 

@@ -1,4 +1,4 @@
-// Areas of the pitch that scenarios name.
+// Named areas of the pitch, for scenarios.
 #pragma once
 
 #include <string_view>
@@ -8,10 +8,10 @@
 
 namespace cls::soccer {
 
-/// left_penalty_area, right_goal, centre_circle, pitch, ... in the server's axes.
+/// left_penalty_area, right_goal, center_circle, pitch, ... in server coordinates.
 const std::vector<std::string_view>& area_names();
 
-/// `name` must be one of them. A goal is what lies behind the line between the posts.
+/// `name` must be one of area_names(). A goal is the area behind the goal line between the posts.
 bool is_in_area(std::string_view name, soccer::Vec2 position);
 
 }  // namespace cls::soccer

@@ -1,4 +1,4 @@
-// The seam between a team and a soccer server: datagrams one way and the other.
+// The interface between agents and a soccer server: messages in both directions.
 #pragma once
 
 #include <chrono>
@@ -7,30 +7,29 @@
 
 namespace cls::soccer {
 
-/// One end of a connection that carries whole messages, as UDP does. Messages are the text of the
-/// protocol without the closing NUL: the UDP implementation adds and strips it. An agent sees
-/// nothing else of the server, so it plays the same over memory and over a network.
+/// One end of a connection that carries whole messages, like UDP. Messages are protocol text
+/// without the closing NUL, which the UDP implementation adds and removes. Agents have no other
+/// connection to the server, so they play the same in memory and over a network.
 class Channel {
  public:
   virtual ~Channel() = default;
 
-  /// Queues one message to the other side. False when the connection is known to be gone.
+  /// Queues one message to the peer. False if the connection is known to be closed.
   virtual bool send(std::string_view message) = 0;
 
-  /// Takes the oldest waiting message into `message` (its capacity is reused). False, leaving
-  /// `message` alone, when none waits. Never blocks.
+  /// Receives the oldest waiting message into `message`, reusing its capacity. False, with
+  /// `message` unchanged, if there is none. Never blocks.
   virtual bool receive(std::string& message) = 0;
 
-  /// True if messages can be compressed on the way, as over a network.
+  /// True if messages can be compressed, as over a network.
   virtual bool can_compress() const { return false; }
 
-  /// Compresses what is sent, and expects the same of what is received, from now on (zlib, level 0
-  /// to 9); a negative level ends it. Only where can_compress().
+  /// From now on compresses sent messages and expects compressed ones (zlib level 0 to 9); a
+  /// negative level stops compression. Requires can_compress().
   virtual void compress(int /*level*/) {}
 
-  /// When the message taken last reached this process; the clock's epoch where nobody notes it, as
-  /// in memory.
-  virtual std::chrono::steady_clock::time_point arrived() const { return {}; }
+  /// Arrival time of the last received message; the epoch of the clock for channels in memory.
+  virtual std::chrono::steady_clock::time_point received_at() const { return {}; }
 };
 
 }  // namespace cls::soccer

@@ -1,4 +1,4 @@
-// Plane geometry with the real server's edge cases.
+// Plane geometry with the edge cases of rcssserver.
 #include "soccer/geometry.h"
 
 #include <algorithm>
@@ -44,9 +44,9 @@ Vec2 nearest_edge(const Rect& rect, Vec2 p) {
 }
 
 Vec2 nearest_edge(const Circle& circle, Vec2 p) {
-  Vec2 away = p - circle.centre;
+  Vec2 away = p - circle.center;
   if (away.is_zero()) away = {math::kEps, math::kEps};
-  return circle.centre + with_length(away, circle.radius);
+  return circle.center + with_length(away, circle.radius);
 }
 
 Vec2 nearest_point(const Segment& segment, Vec2 p) {

@@ -1,4 +1,5 @@
-// Points, vectors, rectangles and circles on the pitch, in metres; angles as said in the name.
+// Points, vectors, rectangles and circles on the pitch in meters; function names state the angle
+// unit.
 #pragma once
 
 #include <cmath>
@@ -7,7 +8,7 @@
 
 namespace cls::soccer {
 
-/// A point or a vector. x to the right, y down, so angles grow clockwise on a picture.
+/// A point or a vector. x points right, y down, so positive angles turn clockwise.
 struct Vec2 {
   double x = 0.0;
   double y = 0.0;
@@ -41,24 +42,24 @@ double direction_degrees(Vec2 v);
 Vec2 polar_radians(double length, double angle);
 Vec2 polar_degrees(double length, double angle);
 
-/// `v` turned by `angle` radians, clockwise on a picture for positive angles.
+/// `v` rotated by `angle` radians, clockwise for positive angles.
 Vec2 rotated_radians(Vec2 v, double angle);
 Vec2 rotated_degrees(Vec2 v, double angle);
 
-/// `v` scaled to `length`; a vector shorter than 1e-10 is divided by 1e-10 instead of its length,
-/// and a negative length reverses, both as in the real server.
+/// `v` scaled to `length`. Vectors shorter than 1e-10 are divided by 1e-10 instead of their length;
+/// a negative length reverses the direction (both as in rcssserver).
 Vec2 with_length(Vec2 v, double length);
 
-/// An axis-parallel rectangle; its border belongs to it.
+/// An axis-parallel rectangle, including its border.
 struct Rect {
   double left = 0.0;
   double right = 0.0;
   double top = 0.0;  ///< smaller y
   double bottom = 0.0;
 
-  static constexpr Rect centred(Vec2 centre, double width, double height) {
-    return {centre.x - width / 2, centre.x + width / 2, centre.y - height / 2,
-            centre.y + height / 2};
+  static constexpr Rect centered(Vec2 center, double width, double height) {
+    return {center.x - width / 2, center.x + width / 2, center.y - height / 2,
+            center.y + height / 2};
   }
   constexpr bool contains(Vec2 p) const {
     return p.x >= left && p.x <= right && p.y >= top && p.y <= bottom;
@@ -69,21 +70,21 @@ struct Rect {
 Vec2 nearest_horizontal_edge(const Rect& rect, Vec2 p);
 /// Nearest point on the left or right line (left only if strictly nearer), y clamped.
 Vec2 nearest_vertical_edge(const Rect& rect, Vec2 p);
-/// Nearest of both; the horizontal one when they are equally near.
+/// The nearer of both; the horizontal one for equal distances.
 Vec2 nearest_edge(const Rect& rect, Vec2 p);
 
-/// A circle; its border belongs to it.
+/// A circle, including its border.
 struct Circle {
-  Vec2 centre;
+  Vec2 center;
   double radius = 0.0;
 
-  constexpr bool contains(Vec2 p) const { return squared_distance(p, centre) <= radius * radius; }
+  constexpr bool contains(Vec2 p) const { return squared_distance(p, center) <= radius * radius; }
 };
 
-/// Point of the circle in the direction of `p`; diagonal when `p` is the centre.
+/// Point of the circle in the direction of `p`; diagonal when `p` is the center.
 Vec2 nearest_edge(const Circle& circle, Vec2 p);
 
-/// A straight piece between two points.
+/// A line segment.
 struct Segment {
   Vec2 from;
   Vec2 to;

@@ -1,4 +1,4 @@
-// Transcendental functions with the same bits on every x86-64 machine, and angle arithmetic.
+// Transcendental functions with identical results on all x86-64 CPUs, and angle arithmetic.
 #pragma once
 
 namespace cls::soccer::math {
@@ -6,9 +6,9 @@ namespace cls::soccer::math {
 constexpr double kPi = 3.14159265358979323846;
 constexpr double kEps = 1e-10;
 
-/// These go through SLEEF's FMA-free scalar code, which rounds the same on every CPU; the C
-/// library picks other code (and other last bits) where the CPU has FMA. Simulator, world model
-/// and mock use no other. Error at most 1 ulp. Arguments and results in radians.
+/// Based on the FMA-free scalar code of SLEEF, which rounds equally on all CPUs; the C library uses
+/// other code, with other last bits, on CPUs with FMA. Simulator, world model and mock use only
+/// these functions. Error at most 1 ulp. Angles in radians.
 double sin(double x);
 double cos(double x);
 double tan(double x);
@@ -24,19 +24,19 @@ struct SinCos {
   double sin;
   double cos;
 };
-/// Both at once, cheaper than one after the other.
+/// Cheaper than sin() and cos().
 SinCos sincos(double x);
 
 constexpr double to_radians(double degrees) { return degrees * kPi / 180.0; }
 constexpr double to_degrees(double radians) { return radians * 180.0 / kPi; }
 
-/// An angle in radians brought into [-pi, pi]; both ends are possible, as in the real server.
+/// Normalizes an angle to [-pi, pi]; both ends are possible, as in rcssserver.
 double normalize_radians(double angle);
 
-/// An angle in degrees brought into [-180, 180].
+/// Normalizes an angle to [-180, 180].
 double normalize_degrees(double angle);
 
-/// Rounds to a multiple of `step`, half to even; a step below 1e-10 leaves the value alone.
+/// Rounds to a multiple of `step`, half to even; a step below 1e-10 leaves the value unchanged.
 double quantize(double value, double step);
 
 }  // namespace cls::soccer::math

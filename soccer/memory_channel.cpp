@@ -30,7 +30,7 @@ class Mailbox {
   }
 
  private:
-  // More than a client is told in a cycle.
+  // More messages than a client receives in a cycle.
   static constexpr std::size_t kUsualBytes = 16384;
   static constexpr std::size_t kUsualMessages = 64;
 

@@ -1,4 +1,4 @@
-// A connection inside one process: what one end sends the other receives, in order.
+// A connection within one process, first in, first out.
 #pragma once
 
 #include <memory>
@@ -8,9 +8,9 @@
 
 namespace cls::soccer {
 
-/// Two connected ends. They share their queues without a lock: in lockstep, server and agent take
-/// turns, and whoever moves an end to another thread orders the turns. Memory of messages is
-/// reused, so a steady exchange does not allocate.
+/// Two connected ends. Their queues have no lock: in lockstep, server and agent take turns; callers
+/// that move an end to another thread must synchronize. Message memory is reused, so a steady
+/// exchange does not allocate.
 std::pair<std::unique_ptr<Channel>, std::unique_ptr<Channel>> make_memory_channel();
 
 }  // namespace cls::soccer

@@ -1,4 +1,4 @@
-// The pitch: fixed sizes, lines and the landmarks players see.
+// The pitch: sizes, lines and landmarks.
 #pragma once
 
 #include <array>
@@ -9,13 +9,13 @@
 
 namespace cls::soccer {
 
-// Sizes in metres (simulation model 1.2). Goal width, ball and player size are parameters.
+// Sizes in meters (simulation model 1.2). Goal width, ball and player size are parameters.
 constexpr double kPitchLength = 105.0;
 constexpr double kPitchWidth = 68.0;
 constexpr double kPitchMargin = 5.0;
 constexpr double kHalfLength = kPitchLength / 2;
 constexpr double kHalfWidth = kPitchWidth / 2;
-constexpr double kCentreCircleRadius = 9.15;
+constexpr double kCenterCircleRadius = 9.15;
 constexpr double kPenaltyAreaLength = 16.5;
 constexpr double kPenaltyAreaWidth = 40.32;
 constexpr double kGoalAreaLength = 5.5;
@@ -25,12 +25,12 @@ constexpr double kGoalDepth = 2.44;
 constexpr double kGoalPostRadius = 0.06;
 constexpr double kCornerArcRadius = 1.0;
 
-/// Players are kept within this distance of the centre lines: pitch plus margin.
+/// Players stay within this distance of the center lines: pitch plus margin.
 constexpr double kOuterHalfLength = kHalfLength + kPitchMargin;
 constexpr double kOuterHalfWidth = kHalfWidth + kPitchMargin;
 
-/// A flag or goal. `name` is the short name without brackets ("f r t 20", "g l"); `first_version`
-/// the lowest client version that sees it.
+/// A flag or goal. `name` is its short name without parentheses ("f r t 20", "g l"),
+/// `first_version` the lowest client version that sees it.
 struct Landmark {
   std::string_view name;
   Vec2 position;
@@ -44,7 +44,7 @@ constexpr int kLandmarkCount = 55;
 /// All landmarks, in the order of see messages.
 extern const std::array<Landmark, kLandmarkCount> kLandmarks;
 
-/// Index into kLandmarks of a short name; nothing if there is no such landmark.
+/// Index in kLandmarks of a short name; nothing for unknown names.
 std::optional<int> landmark_index(std::string_view name);
 
 /// The four border lines, in the order of see messages: (l l), (l r), (l t), (l b).

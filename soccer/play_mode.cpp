@@ -68,7 +68,7 @@ int index_of(PlayMode mode) { return static_cast<int>(mode); }
 
 std::string_view name(PlayMode mode) { return kNames[static_cast<std::size_t>(mode)]; }
 
-std::optional<PlayMode> play_mode_from_name(std::string_view name) {
+std::optional<PlayMode> parse_play_mode(std::string_view name) {
   if (name.empty()) return std::nullopt;
   for (std::size_t i = 0; i < kNames.size(); ++i) {
     if (kNames[i] == name) return static_cast<PlayMode>(i);

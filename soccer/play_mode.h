@@ -1,4 +1,4 @@
-// Play modes: their numbers on the wire and in logs, their names, and how the clock runs in them.
+// Play modes: numbers on the wire and in logs, names, sides, and how the clock runs.
 #pragma once
 
 #include <cstdint>
@@ -9,9 +9,9 @@
 
 namespace cls::soccer {
 
-/// Numbers are those of monitor protocol and rcg (rcssserver 19). The side in kick_off, kick_in,
-/// free_kick, corner_kick, goal_kick, goal and penalty modes is the one that benefits; in offside,
-/// foul, back_pass, catch_fault, free_kick_fault and illegal_defense the one at fault.
+/// Numbers of the monitor protocol and rcg (rcssserver 19). In kick_off, kick_in, free_kick,
+/// corner_kick, goal_kick, goal and penalty modes the side is the one that benefits; in offside,
+/// foul, back_pass, catch_fault, free_kick_fault and illegal_defense it is the side at fault.
 enum class PlayMode : std::uint8_t {
   kNull = 0,
   kBeforeKickOff = 1,
@@ -71,25 +71,29 @@ constexpr int kPlayModeCount = 52;
 
 /// How a simulation step treats the world in a mode (simulation model, "Clock variables").
 enum class ModeClass : std::uint8_t {
-  kWaiting,  ///< before_kick_off: players only turn, the clock stands
-  kStopped,  ///< after a goal or an offence: full motion, the clock stands
+  kWaiting,  ///< before_kick_off: players only turn, stopped clock
+  kStopped,  ///< after a goal or an offence: full motion, stopped clock
   kRunning,  ///< everything else: full motion, the clock runs
   kOver,     ///< time_over: nothing moves
 };
 
-/// The string of referee messages and of rcg; empty for kNull.
+/// The name in referee messages and rcg; empty for kNull.
 std::string_view name(PlayMode mode);
 
-/// The mode of a referee string; nothing for an unknown string.
-std::optional<PlayMode> play_mode_from_name(std::string_view name);
+/// The mode of a referee message; nothing for other text.
+std::optional<PlayMode> parse_play_mode(std::string_view name);
 
-/// The side a mode belongs to, kNeutral for modes without one.
+/// The side of a mode; kNeutral for modes without a side.
 Side side(PlayMode mode);
 
-/// The left (benefits or at fault, see PlayMode) variant for kLeft, the right one for kRight.
-/// `mode` must be one of a pair and `side` not neutral; passing the left variant is customary:
-/// `for_side(PlayMode::kKickInLeft, side)`.
+/// The variant of `mode` for `side`, which must not be neutral; `mode` must have a side. By
+/// convention callers pass the left variant: `for_side(PlayMode::kKickInLeft, side)`.
 PlayMode for_side(PlayMode mode, Side side);
+
+/// The left variant of a mode with a side, other modes unchanged.
+inline PlayMode without_side(PlayMode mode) {
+  return side(mode) == Side::kNeutral ? mode : for_side(mode, Side::kLeft);
+}
 
 ModeClass mode_class(PlayMode mode);
 

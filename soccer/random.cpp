@@ -18,7 +18,7 @@ std::uint64_t split_mix(std::uint64_t& state) {
   return z ^ (z >> 31);
 }
 
-// FNV-1a, enough to tell the few stream names apart.
+// FNV-1a; sufficient to distinguish the few stream names.
 std::uint64_t hash_name(std::string_view name) {
   std::uint64_t hash = 0xCBF29CE484222325ULL;
   for (const char c : name) {

@@ -1,4 +1,4 @@
-// Seeded random streams whose every draw is ours, so that a seed means the same match everywhere.
+// Seeded random streams with our own distributions, so that a seed gives the same match everywhere.
 #pragma once
 
 #include <array>
@@ -11,12 +11,12 @@ namespace cls::soccer {
 
 /// One stream of random numbers (xoshiro256++), determined by a seed and a purpose. Streams of
 /// different purposes are independent, so a new draw in one place does not shift the others.
-/// A plain value: copy it to fork a match. Distributions follow simulation-model 0 and 11.2 in
-/// when they consume a number.
+/// A plain value: copy it to fork a match. Distributions consume numbers as in simulation-model 0
+/// and 11.2.
 class RandomStream {
  public:
-  /// `purpose` names the stream; `key_a` and `key_b` make a family of streams out of one name,
-  /// for example one per observer and cycle.
+  /// `purpose` names the stream; `key_a` and `key_b` select one of a family of streams, for example
+  /// one per observer and cycle.
   RandomStream(std::uint64_t seed, std::string_view purpose, std::uint64_t key_a = 0,
                std::uint64_t key_b = 0);
 
@@ -25,8 +25,8 @@ class RandomStream {
   /// Uniform in [0, 1), 53 bits.
   double unit();
 
-  /// Uniform in [low, high); operands are swapped when out of order. A range below 1e-10 returns
-  /// its middle without consuming a number.
+  /// Uniform in [low, high), or [high, low) if high < low. A range below 1e-10 returns its middle
+  /// without consuming a number.
   double uniform(double low, double high);
 
   /// True with the given probability; always consumes one number.

@@ -1,11 +1,8 @@
-// Sockets, and the thread that reads them.
+// Client sockets, and the thread that reads them.
 #include "soccer/udp_channel.h"
 
-#include <netinet/in.h>
 #include <poll.h>
 #include <sys/eventfd.h>
-#include <sys/socket.h>
-#include <sys/uio.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -20,72 +17,55 @@
 #include <utility>
 #include <vector>
 
-#include "base/system/udp_address.h"
+#include "base/system/udp_socket.h"
 
 namespace cls::soccer {
 namespace {
 
 using Time = std::chrono::steady_clock::time_point;
 
-constexpr std::size_t kBufferSize = 8192;     // the server's messages are never longer
-constexpr int kReceiveBuffer = 1 << 20;       // a team that is slow for seconds loses nothing
-constexpr std::size_t kMostWaiting = 10'000;  // beyond that nobody reads any more
+constexpr std::size_t kBufferSize = 8192;    // server messages are never longer
+constexpr int kReceiveBuffer = 1 << 20;      // bytes; enough for a team that stalls for seconds
+constexpr std::size_t kMaxWaiting = 10'000;  // messages; the client has stopped reading
 
 struct Message {
   std::string text;
-  Time arrived;
+  Time received_at;
 };
 
-/// One client's socket. Used by one thread at a time, apart from `gone`.
-class Socket {
+/// One client's connection to the server. Used by one thread at a time, apart from `gone`.
+class Connection {
  public:
-  explicit Socket(const base::UdpAddress& server)
-      : server_(server),
-        fd_(::socket(server.bytes.ss_family, SOCK_DGRAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0)) {
-    if (fd_ < 0) return;
-    ::setsockopt(fd_, SOL_SOCKET, SO_RCVBUF, &kReceiveBuffer, sizeof kReceiveBuffer);
-    report_errors(1);
-  }
-  Socket(const Socket&) = delete;
-  Socket& operator=(const Socket&) = delete;
-  ~Socket() {
-    if (fd_ >= 0) ::close(fd_);
+  Connection(base::UdpSocket socket, const base::SocketAddress& server)
+      : server_(server), socket_(std::move(socket)) {
+    socket_.set_receive_buffer(kReceiveBuffer);
+    socket_.report_errors(true);
   }
 
-  int fd() const { return fd_; }
+  int fd() const { return socket_.fd(); }
   bool gone() const { return gone_.load(); }
 
+  /// A full buffer loses the datagram, as networks do; only a closed port ends the connection.
   bool send(std::string_view message) {
     if (gone()) return false;
-    char nul = '\0';
-    std::array<iovec, 2> parts = {iovec{const_cast<char*>(message.data()), message.size()},
-                                  iovec{&nul, 1}};
-    msghdr header{};
-    header.msg_iov = parts.data();
-    header.msg_iovlen = parts.size();
-    if (!has_own_port_) {
-      header.msg_name = server_.get();
-      header.msg_namelen = server_.size;
+    if (socket_.send(message, true, has_own_port_ ? nullptr : &server_) == ECONNREFUSED) {
+      gone_ = true;
     }
-    // A full buffer loses a datagram, as networks do; only a closed port is the end.
-    if (::sendmsg(fd_, &header, 0) < 0 && errno == ECONNREFUSED) gone_ = true;
     return !gone();
   }
 
-  /// The view holds until the next call.
+  /// The view is valid until the next call.
   bool receive(std::string_view& text) {
     while (!gone()) {
-      base::UdpAddress from;
-      const ssize_t size =
-          ::recvfrom(fd_, buffer_.data(), buffer_.size(), 0, from.get(), &from.size);
-      if (size < 0) {
-        if (errno == EINTR) continue;
-        if (errno == ECONNREFUSED) gone_ = true;
+      base::SocketAddress sender;
+      std::size_t size = 0;
+      if (const int error = socket_.receive(buffer_, size, sender); error != 0) {
+        if (error == ECONNREFUSED) gone_ = true;
         return false;
       }
-      if (!has_own_port_ && !from.same_host(server_)) continue;
-      if (!has_own_port_ && from.port() != server_.port()) stay_with(from);
-      text = std::string_view(buffer_.data(), static_cast<std::size_t>(size));
+      if (!has_own_port_ && !sender.same_host(server_)) continue;
+      if (!has_own_port_ && sender.port() != server_.port()) connect(sender);
+      text = std::string_view(buffer_.data(), size);
       if (text.ends_with('\0')) text.remove_suffix(1);
       return true;
     }
@@ -93,23 +73,15 @@ class Socket {
   }
 
  private:
-  // A socket that is not connected hears of a closed port only on demand.
-  void report_errors(int on) const {
-    if (server_.bytes.ss_family == AF_INET6) {
-      ::setsockopt(fd_, IPPROTO_IPV6, IPV6_RECVERR, &on, sizeof on);
-    } else {
-      ::setsockopt(fd_, IPPROTO_IP, IP_RECVERR, &on, sizeof on);
-    }
-  }
-
-  void stay_with(const base::UdpAddress& port) {
-    if (::connect(fd_, port.get(), port.size) != 0) return;
+  // A connected socket reports a closed port without report_errors().
+  void connect(const base::SocketAddress& own_port) {
+    if (!socket_.connect(own_port)) return;
     has_own_port_ = true;
-    report_errors(0);
+    socket_.report_errors(false);
   }
 
-  base::UdpAddress server_;
-  int fd_;
+  base::SocketAddress server_;
+  base::UdpSocket socket_;
   std::atomic<bool> has_own_port_{false};
   std::atomic<bool> gone_{false};
   std::array<char, kBufferSize> buffer_;
@@ -118,48 +90,48 @@ class Socket {
 }  // namespace
 
 struct UdpClients::Sockets {
-  struct Line {
-    explicit Line(const base::UdpAddress& server) : socket(server) {}
-    Socket socket;
-    std::deque<Message> waiting;  // filled by the thread; under `mutex`
+  struct Client {
+    Client(base::UdpSocket socket, const base::SocketAddress& server)
+        : connection(std::move(socket), server) {}
+    Connection connection;
+    std::deque<Message> waiting;  // filled by the thread; guarded by `mutex`
   };
-  class LineChannel;
+  class ClientChannel;
 
-  explicit Sockets(const base::UdpAddress& to) : server(to) {}
+  explicit Sockets(const base::SocketAddress& to) : server(to) {}
   ~Sockets() { stop(); }
 
-  bool has_thread() const { return wake >= 0; }
+  bool has_thread() const { return static_cast<bool>(wake); }
 
   void start() {
-    wake = ::eventfd(0, EFD_NONBLOCK | EFD_CLOEXEC);
+    wake = base::UniqueFd(::eventfd(0, EFD_NONBLOCK | EFD_CLOEXEC));
     thread = std::thread([this] { read_all(); });
   }
 
   void stop() {
     if (!thread.joinable()) return;
     stopping = true;
-    nudge();
-    thread.join();
-    ::close(wake);
+    wake_up();
+    thread.join();  // `wake` stays open, so that has_thread() remains true
   }
 
-  void nudge() const {
+  void wake_up() const {
     const std::uint64_t one = 1;
-    [[maybe_unused]] const ssize_t written = ::write(wake, &one, sizeof one);
+    [[maybe_unused]] const ssize_t written = ::write(wake.get(), &one, sizeof one);
   }
 
-  // The lines that can still receive, and what poll needs of them.
-  std::vector<std::shared_ptr<Line>> collect(std::vector<pollfd>& polled) {
-    std::vector<std::shared_ptr<Line>> open;
+  // The open connections, and their entries for poll().
+  std::vector<std::shared_ptr<Client>> collect(std::vector<pollfd>& polled) {
+    std::vector<std::shared_ptr<Client>> open;
     const std::lock_guard lock(mutex);
-    lines.erase(
-        std::remove_if(lines.begin(), lines.end(), [](const auto& line) { return line.expired(); }),
-        lines.end());
-    for (const std::weak_ptr<Line>& each : lines) {
-      std::shared_ptr<Line> line = each.lock();
-      if (line == nullptr || line->socket.gone()) continue;
-      polled.push_back({line->socket.fd(), POLLIN, 0});
-      open.push_back(std::move(line));
+    clients.erase(std::remove_if(clients.begin(), clients.end(),
+                                 [](const auto& client) { return client.expired(); }),
+                  clients.end());
+    for (const std::weak_ptr<Client>& each : clients) {
+      std::shared_ptr<Client> client = each.lock();
+      if (client == nullptr || client->connection.gone()) continue;
+      polled.push_back({client->connection.fd(), POLLIN, 0});
+      open.push_back(std::move(client));
     }
     return open;
   }
@@ -167,27 +139,27 @@ struct UdpClients::Sockets {
   void read_all() {
     std::vector<pollfd> polled;
     while (!stopping) {
-      polled.assign(1, {wake, POLLIN, 0});
+      polled.assign(1, {wake.get(), POLLIN, 0});
       const auto open = collect(polled);
       if (::poll(polled.data(), polled.size(), -1) < 0 && errno != EINTR) return;
-      std::uint64_t nudges = 0;
-      [[maybe_unused]] const ssize_t taken = ::read(wake, &nudges, sizeof nudges);
+      std::uint64_t wakeups = 0;
+      [[maybe_unused]] const ssize_t taken = ::read(wake.get(), &wakeups, sizeof wakeups);
       for (std::size_t i = 0; i < open.size(); ++i) {
         if (polled[i + 1].revents != 0) read(*open[i]);
       }
     }
   }
 
-  void read(Line& line) {
+  void read(Client& client) {
     std::string_view text;
-    bool news = false;
-    while (line.socket.receive(text)) {
+    bool changed = false;
+    while (client.connection.receive(text)) {
       const Time now = std::chrono::steady_clock::now();
       const std::lock_guard lock(mutex);
-      if (line.waiting.size() < kMostWaiting) line.waiting.push_back({std::string(text), now});
-      news = true;
+      if (client.waiting.size() < kMaxWaiting) client.waiting.push_back({std::string(text), now});
+      changed = true;
     }
-    if (!news && !line.socket.gone()) return;
+    if (!changed && !client.connection.gone()) return;
     {
       const std::lock_guard lock(mutex);
       ++arrivals;
@@ -197,9 +169,10 @@ struct UdpClients::Sockets {
 
   bool wait_for_thread(Time deadline) {
     std::unique_lock lock(mutex);
-    const bool news = arrived.wait_until(lock, deadline, [this] { return arrivals != reported; });
+    const bool arrived_in_time =
+        arrived.wait_until(lock, deadline, [this] { return arrivals != reported; });
     reported = arrivals;
-    return news;
+    return arrived_in_time;
   }
 
   bool wait_for_sockets(Time deadline) {
@@ -212,50 +185,50 @@ struct UdpClients::Sockets {
     return ::ppoll(polled.data(), polled.size(), &limit, nullptr) > 0;
   }
 
-  const base::UdpAddress server;
+  const base::SocketAddress server;
   std::mutex mutex;
   std::condition_variable arrived;
-  std::vector<std::weak_ptr<Line>> lines;
+  std::vector<std::weak_ptr<Client>> clients;
   std::uint64_t arrivals = 0;
   std::uint64_t reported = 0;
   std::atomic<bool> stopping{false};
-  int wake = -1;
+  base::UniqueFd wake;
   std::thread thread;
 };
 
-class UdpClients::Sockets::LineChannel : public Channel {
+class UdpClients::Sockets::ClientChannel : public Channel {
  public:
-  LineChannel(std::shared_ptr<Sockets> sockets, std::shared_ptr<Line> line)
-      : sockets_(std::move(sockets)), line_(std::move(line)) {}
+  ClientChannel(std::shared_ptr<Sockets> sockets, std::shared_ptr<Client> client)
+      : sockets_(std::move(sockets)), client_(std::move(client)) {}
 
-  bool send(std::string_view message) override { return line_->socket.send(message); }
+  bool send(std::string_view message) override { return client_->connection.send(message); }
 
   bool receive(std::string& message) override {
     if (!sockets_->has_thread()) {
       std::string_view text;
-      if (!line_->socket.receive(text)) return false;
+      if (!client_->connection.receive(text)) return false;
       message = text;
-      arrived_ = std::chrono::steady_clock::now();
+      received_at_ = std::chrono::steady_clock::now();
       return true;
     }
     const std::lock_guard lock(sockets_->mutex);
-    if (line_->waiting.empty()) return false;
-    message.swap(line_->waiting.front().text);
-    arrived_ = line_->waiting.front().arrived;
-    line_->waiting.pop_front();
+    if (client_->waiting.empty()) return false;
+    message.swap(client_->waiting.front().text);
+    received_at_ = client_->waiting.front().received_at;
+    client_->waiting.pop_front();
     return true;
   }
 
-  Time arrived() const override { return arrived_; }
+  Time received_at() const override { return received_at_; }
 
  private:
   std::shared_ptr<Sockets> sockets_;
-  std::shared_ptr<Line> line_;
-  Time arrived_;
+  std::shared_ptr<Client> client_;
+  Time received_at_;
 };
 
 base::Result<std::unique_ptr<UdpClients>> UdpClients::create(const std::string& host, int port) {
-  const base::Result<base::UdpAddress> server = base::find_address(host, port);
+  const base::Result<base::SocketAddress> server = base::resolve_udp(host, port);
   if (!server) return base::Error{"soccer server host '" + host + "': " + server.error().message};
   return std::unique_ptr<UdpClients>(new UdpClients(std::make_shared<Sockets>(*server)));
 }
@@ -269,16 +242,17 @@ void UdpClients::read_on_thread() {
 }
 
 std::unique_ptr<Channel> UdpClients::connect(int port) {
-  base::UdpAddress server = sockets_->server;
+  base::SocketAddress server = sockets_->server;
   if (port != 0) server.set_port(port);
-  auto line = std::make_shared<Sockets::Line>(server);
-  if (line->socket.fd() < 0) return nullptr;
+  auto socket = base::UdpSocket::open(server.family());
+  if (!socket) return nullptr;
+  auto client = std::make_shared<Sockets::Client>(*std::move(socket), server);
   {
     const std::lock_guard lock(sockets_->mutex);
-    sockets_->lines.push_back(line);
+    sockets_->clients.push_back(client);
   }
-  if (sockets_->has_thread()) sockets_->nudge();
-  return std::make_unique<Sockets::LineChannel>(sockets_, std::move(line));
+  if (sockets_->has_thread()) sockets_->wake_up();
+  return std::make_unique<Sockets::ClientChannel>(sockets_, std::move(client));
 }
 
 bool UdpClients::wait_until(std::chrono::steady_clock::time_point deadline) {

@@ -1,4 +1,4 @@
-// Connections of clients to a soccer server over UDP.
+// UDP connections of clients to a soccer server.
 #pragma once
 
 #include <chrono>
@@ -10,29 +10,28 @@
 
 namespace cls::soccer {
 
-/// Channels from this process to one server. The server answers each client from a port of its own
-/// (protocol 1.1): a channel talks to the well-known port until a message comes from another one,
-/// and to that one only from then on. Messages that do not come from the server's address are
-/// ignored. One thread uses an object and all its channels.
+/// Channels from this process to one server. The server answers each client from a separate port
+/// (protocol 1.1): a channel sends to the well-known port until a message arrives from another
+/// port, and from then on uses that port only. Messages from other hosts are ignored. An object and
+/// its channels must be used on one thread.
 class UdpClients {
  public:
-  /// `host` is a name or a number; IPv4 is preferred, as soccer servers listen there. The error
-  /// names host and cause. Nothing is sent yet.
+  /// `host` is a name or an IP address; prefers IPv4. The error names host and cause. Sends
+  /// nothing.
   static base::Result<std::unique_ptr<UdpClients>> create(const std::string& host, int port);
-  /// Channels may outlive the object; after read_on_thread() they receive nothing more then.
+  /// Channels may outlive the object, but after read_on_thread() receive no further messages.
   ~UdpClients();
 
-  /// From now on a thread of their own reads the sockets, and notes when each message came: for
-  /// real time. Before, receive() reads, which is quicker where the server waits for us.
+  /// From now on a thread reads the sockets and records arrival times, for real-time matches. Until
+  /// then receive() reads, which is faster if the server waits for the client.
   void read_on_thread();
 
-  /// A new socket. send() is false once the server's port is known to be closed. Null when the
-  /// system has no socket left. `port`: another door of the same server; 0: the one it was made
-  /// for.
+  /// Opens a socket. Null if the system has no sockets left. send() returns false once the server's
+  /// port is known to be closed. `port` is another port of the same server; 0: the one of create().
   std::unique_ptr<Channel> connect(int port = 0);
 
-  /// Waits until a message arrives that no earlier call has reported, or a connection turns out to
-  /// be gone; false when `deadline` passes first. Without a thread: true while any message waits.
+  /// Waits for a new message or a closed connection; false after `deadline`. Without the thread it
+  /// returns true as long as any message waits.
   bool wait_until(std::chrono::steady_clock::time_point deadline);
 
  private:

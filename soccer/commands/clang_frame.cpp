@@ -1,4 +1,4 @@
-// Frames of coach language messages.
+// Kinds, parentheses and freeform text of coach language messages.
 #include "soccer/commands/clang_frame.h"
 
 #include <array>
@@ -21,16 +21,16 @@ constexpr std::array<std::pair<std::string_view, ClangKind>, 7> kKinds = {
 
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || c == '_'; }
 
-std::optional<ClangKind> kind_of(std::string_view word) {
+std::optional<ClangKind> parse_kind(std::string_view text) {
   for (const auto& [name, kind] : kKinds) {
-    if (name == word) return kind;
+    if (name == text) return kind;
   }
   return std::nullopt;
 }
 
-// Length of the bracketed expression at the start of `text`, brackets in quotes not counted; 0 if
-// it never closes.
-std::size_t bracketed_length(std::string_view text) {
+// Length of the parenthesized expression at the start of `text`, ignoring parentheses in quotes; 0
+// if it is not closed.
+std::size_t expression_length(std::string_view text) {
   int depth = 0;
   bool quoted = false;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -42,31 +42,31 @@ std::size_t bracketed_length(std::string_view text) {
   return 0;
 }
 
-// `inside` is what stands between "(freeform" and its ")".
+// `inside` is the text between "(freeform" and its ")".
 bool is_freeform(std::string_view inside) {
   LooseScanner in(inside);
   if (!in.token("\"")) return false;
   const std::size_t length = in.rest().find('"');
   if (length == std::string_view::npos || !is_sayable(in.rest().substr(0, length))) return false;
   in.skip_to('"');
-  return in.token("\"") && (in.skip_blanks(), in.at_end());
+  return in.token("\"") && (in.skip_space(), in.at_end());
 }
 
 }  // namespace
 
-std::optional<CoachSay> read_clang_say(std::string_view text) {
+std::optional<CoachSay> parse_clang_say(std::string_view text) {
   LooseScanner in(text);
-  in.skip_blanks();
-  const std::string_view message = in.rest().substr(0, bracketed_length(in.rest()));
+  in.skip_space();
+  const std::string_view message = in.rest().substr(0, expression_length(in.rest()));
   if (message.empty() || message.front() != '(') return std::nullopt;
   LooseScanner inner(message.substr(1, message.size() - 2));
-  const std::optional<ClangKind> kind = kind_of(inner.run(is_letter, message.size()));
+  const std::optional<ClangKind> kind = parse_kind(inner.run(is_letter, message.size()));
   if (!kind || (*kind == ClangKind::kFreeform && !is_freeform(inner.rest()))) return std::nullopt;
   if (!in.token(message) || !in.token(")")) return std::nullopt;
-  in.skip_blanks();
+  in.skip_space();
   if (!in.at_end()) return std::nullopt;
   CoachSay said{*kind, std::string(message)};
-  if (*kind == ClangKind::kFreeform) {  // heard without the blanks around the words
+  if (*kind == ClangKind::kFreeform) {  // delivered without the spaces around the text
     said.text = "(freeform \"" + std::string(said.freeform()) + "\")";
   }
   return said;

@@ -1,4 +1,4 @@
-// The outer frame of coach language messages; what is inside is not interpreted.
+// The outer form of coach language (CLang) messages; their contents are not interpreted.
 #pragma once
 
 #include <optional>
@@ -8,9 +8,9 @@
 
 namespace cls::soccer {
 
-/// Reads what follows "(say" in an online coach's datagram: one coach language message, the
-/// closing bracket of the say, and nothing else but blanks. A freeform text must be one quoted
-/// string of say characters; the other kinds must have balanced brackets.
-std::optional<CoachSay> read_clang_say(std::string_view text);
+/// Parses the text after "(say" in a datagram of an online coach: one coach language message and
+/// the closing parenthesis. Freeform messages must be one quoted string of say characters; the
+/// other kinds must have balanced parentheses.
+std::optional<CoachSay> parse_clang_say(std::string_view text);
 
 }  // namespace cls::soccer

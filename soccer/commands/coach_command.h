@@ -1,4 +1,4 @@
-// What online coaches and trainers say to the server: one struct per command.
+// Commands of online coaches and trainers: one struct per command.
 #pragma once
 
 #include <cstdint>
@@ -23,10 +23,10 @@ struct Eye {
 struct TrainerEar {
   bool on = true;
 };
-struct AskTeamNames {};
+struct RequestTeamNames {};
 struct CheckBall {};
 
-/// Online coach: `(change_player_type UNUM TYPE)`; without a type the goalie form.
+/// Online coach: `(change_player_type UNUM TYPE)`; without a type: the goalie form.
 struct ChangePlayerType {
   int unum = 0;
   std::optional<int> type;
@@ -40,16 +40,16 @@ struct TrainerChangePlayerType {
 
 enum class ClangKind : std::uint8_t { kFreeform, kInfo, kAdvice, kDefine, kMeta, kRule, kDelete };
 
-/// Online coach: `(say MSG)` with MSG in the coach language. `text` is MSG with its brackets, for
-/// example `(freeform "hello")`; of the kinds other than freeform only the frame is checked.
+/// Online coach: `(say MSG)` with MSG in the coach language. `text` is MSG with parentheses, for
+/// example `(freeform "hello")`; for kinds other than freeform only the outer form is checked.
 struct CoachSay {
   ClangKind kind = ClangKind::kFreeform;
   std::string text;
 
-  /// The words of a freeform message, without quotes; empty for other kinds.
+  /// The text of a freeform message, without quotes; empty for other kinds.
   std::string_view freeform() const;
 };
-/// Trainer: `(say MSG)` with plain text, uncut (the server cuts at say_coach_msg_size).
+/// Trainer: `(say MSG)` with plain text; the server truncates it to say_coach_msg_size.
 struct TrainerSay {
   std::string text;
 };
@@ -82,21 +82,20 @@ struct MovePlayer {
 };
 struct Recover {};
 
-/// Done, Bye and Compression are those of players. A trainer has no Bye.
+/// Done, Bye and Compression are shared with players. A trainer has no Bye.
 using CoachCommand =
-    std::variant<Look, Eye, TrainerEar, AskTeamNames, CheckBall, ChangePlayerType,
+    std::variant<Look, Eye, TrainerEar, RequestTeamNames, CheckBall, ChangePlayerType,
                  TrainerChangePlayerType, CoachSay, TrainerSay, TeamGraphic, Start, ChangeMode,
                  MoveBall, MovePlayer, Recover, Done, Bye, Compression>;
 
 enum class CoachRole : std::uint8_t { kOnlineCoach, kTrainer };
 
-/// Reads the first command of a datagram; what follows it is ignored, as in the real server
-/// (except that an online coach's say must be the whole datagram). Nothing when a command was
-/// read, else the error to answer with.
+/// Parses the first command of a datagram and ignores the rest, like rcssserver, except that the
+/// say command of an online coach must be the whole datagram. Returns the error reply, or nothing.
 std::optional<ErrorCode> parse(std::string_view datagram, CoachRole role, CoachCommand& out);
 
-/// Appends the command; numbers in the shortest form that reads back exactly. False, appending
-/// nothing, when a number is not finite or a text has characters the server would refuse.
+/// Appends the command, with numbers in the shortest form that parses to the same value. False,
+/// appending nothing, for numbers that are not finite and texts that the server would reject.
 [[nodiscard]] bool format(const CoachCommand& command, std::string& out);
 
 }  // namespace cls::soccer

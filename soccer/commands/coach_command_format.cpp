@@ -1,4 +1,4 @@
-// Writing coach and trainer commands.
+// Formatting of coach and trainer commands.
 #include "soccer/commands/clang_frame.h"
 #include "soccer/commands/coach_command.h"
 #include "soccer/commands/command_writing.h"
@@ -6,11 +6,11 @@
 namespace cls::soccer {
 namespace {
 
-bool is_word(std::string_view text) {
+bool is_token(std::string_view text) {
   return !text.empty() && text.find_first_of(" \t\n\v\f\r()") == std::string_view::npos;
 }
 
-// "X Y [ANG [VX VY]])" behind the object.
+// "X Y [ANG [VX VY]])" after the object.
 bool write_placement(Vec2 position, const std::optional<double>& angle,
                      const std::optional<Vec2>& velocity, std::string& out) {
   if (velocity && !angle) return false;
@@ -37,7 +37,7 @@ bool write(const ChangePlayerType& c, std::string& out) {
 }
 
 bool write(const TrainerChangePlayerType& c, std::string& out) {
-  if (!is_word(c.team)) return false;
+  if (!is_token(c.team)) return false;
   out.append("(change_player_type ").append(c.team).push_back(' ');
   base::append_int(c.unum, out);
   out.push_back(' ');
@@ -47,7 +47,7 @@ bool write(const TrainerChangePlayerType& c, std::string& out) {
 
 bool write(const CoachSay& c, std::string& out) {
   const std::string message = c.text + ")";
-  const std::optional<CoachSay> read = read_clang_say(message);
+  const std::optional<CoachSay> read = parse_clang_say(message);
   if (!read || read->kind != c.kind) return false;
   out.append("(say ").append(message);
   return true;
@@ -83,7 +83,7 @@ bool write(const MoveBall& c, std::string& out) {
 }
 
 bool write(const MovePlayer& c, std::string& out) {
-  if (!is_word(c.team)) return false;
+  if (!is_token(c.team)) return false;
   out.append("(move (player ").append(c.team).push_back(' ');
   base::append_int(c.unum, out);
   out.push_back(')');
@@ -91,7 +91,7 @@ bool write(const MovePlayer& c, std::string& out) {
 }
 
 bool write(Look, std::string& out) { return write_text("(look)", out); }
-bool write(AskTeamNames, std::string& out) { return write_text("(team_names)", out); }
+bool write(RequestTeamNames, std::string& out) { return write_text("(team_names)", out); }
 bool write(CheckBall, std::string& out) { return write_text("(check_ball)", out); }
 bool write(Start, std::string& out) { return write_text("(start)", out); }
 bool write(Recover, std::string& out) { return write_text("(recover)", out); }
@@ -99,7 +99,8 @@ bool write(Recover, std::string& out) { return write_text("(recover)", out); }
 }  // namespace
 
 bool format(const CoachCommand& command, std::string& out) {
-  return write_whole(command, out, [](const auto& one, std::string& to) { return write(one, to); });
+  return write_command(command, out,
+                       [](const auto& one, std::string& to) { return write(one, to); });
 }
 
 }  // namespace cls::soccer

@@ -1,4 +1,4 @@
-// What the writers of player, coach and trainer commands share.
+// Helpers for formatting player, coach and trainer commands.
 #pragma once
 
 #include <cmath>
@@ -11,14 +11,14 @@
 
 namespace cls::soccer {
 
-// All of these append to `out` and return false when something cannot be said.
+// All functions append to `out` and return false for commands that the grammar cannot express.
 
 inline bool write_text(std::string_view text, std::string& out) {
   out.append(text);
   return true;
 }
 
-/// A blank and the number.
+/// A space and the number.
 inline bool write_number(double value, std::string& out) {
   if (!std::isfinite(value)) return false;
   out.push_back(' ');
@@ -35,9 +35,9 @@ inline bool write(const Compression& c, std::string& out) {
 inline bool write(Done, std::string& out) { return write_text("(done)", out); }
 inline bool write(Bye, std::string& out) { return write_text("(bye)", out); }
 
-/// A command of several kinds by the `write_one` of its kind; `out` is as it was when it is false.
+/// Writes the alternative of a variant with `write_one`; leaves `out` unchanged on failure.
 template <typename Command, typename Write>
-bool write_whole(const Command& command, std::string& out, Write write_one) {
+bool write_command(const Command& command, std::string& out, Write write_one) {
   const std::size_t size = out.size();
   const bool written = std::visit([&](const auto& one) { return write_one(one, out); }, command);
   if (!written) out.resize(size);

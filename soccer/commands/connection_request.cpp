@@ -1,4 +1,4 @@
-// Requests to take part, read with the leniency and the errors of the real server.
+// Parsers of connection requests, as lenient as rcssserver and with its errors.
 #include "soccer/commands/connection_request.h"
 
 #include "base/text/number_text.h"
@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::size_t kMaxLongNameSize = 127;  // coach names, team names of reconnect
 
-// The real server's pattern reads "+-_" as a range; its effect is kept (protocol 1.2).
+// The pattern of rcssserver contains the range "+-_", reproduced here (protocol 1.2).
 bool is_name_character(char c) { return (c >= '+' && c <= '_') || (c >= 'a' && c <= 'z'); }
 
 bool is_command_character(char c) {
@@ -21,12 +21,12 @@ std::string_view without_line_feed(std::string_view datagram) {
   return datagram.ends_with('\n') ? datagram.substr(0, datagram.size() - 1) : datagram;
 }
 
-bool at_bracket(const LooseScanner& in) { return in.peek() == '(' || in.peek() == ')'; }
+bool at_parenthesis(const LooseScanner& in) { return in.peek() == '(' || in.peek() == ')'; }
 
-// "(version V)" and the blanks behind it.
+// "(version V)" and white space after it.
 bool read_version(LooseScanner& in, double& version) {
   if (!(in.token("(") && in.token("version") && in.number(version) && in.token(")"))) return false;
-  in.skip_blanks();
+  in.skip_space();
   return true;
 }
 
@@ -34,26 +34,26 @@ std::optional<ErrorCode> parse_player_init(LooseScanner& in, PlayerInit& out) {
   const std::string_view team = in.run(is_name_character, TeamName::kMaxSize);
   if (team.empty()) return ErrorCode::kIllegalTeamName;
   out.team = TeamName(team);
-  in.skip_blanks();
-  if (!at_bracket(in)) return ErrorCode::kIllegalTeamNameOrTooLong;
+  in.skip_space();
+  if (!at_parenthesis(in)) return ErrorCode::kIllegalTeamNameOrTooLong;
   in.skip_to('(');
   while (!in.at_end() && in.peek() != ')') {
     if (in.looking_at("(version ")) {
       if (!read_version(in, out.version)) return ErrorCode::kIllegalCommandForm;
     } else if (in.token("(goalie)")) {
       out.goalie = true;
-      in.skip_blanks();
+      in.skip_space();
     } else {
       return ErrorCode::kIllegalCommandForm;
     }
-    if (!at_bracket(in)) return ErrorCode::kIllegalCommandForm;
+    if (!at_parenthesis(in)) return ErrorCode::kIllegalCommandForm;
   }
   return std::nullopt;
 }
 
 std::optional<ErrorCode> parse_reconnect(LooseScanner& in, PlayerReconnect& out) {
-  const auto not_blank = [](char c) { return !LooseScanner::is_blank(c); };
-  out.team = in.run(not_blank, kMaxLongNameSize);
+  const auto not_space = [](char c) { return !LooseScanner::is_space(c); };
+  out.team = in.run(not_space, kMaxLongNameSize);
   if (out.team.empty() || !in.integer(out.unum)) return ErrorCode::kIllegalCommandForm;
   return std::nullopt;
 }
@@ -98,17 +98,17 @@ std::optional<ErrorCode> parse(std::string_view datagram, CoachInit& out) {
   const std::string_view team = in.run(is_name_character, TeamName::kMaxSize);
   if (team.empty()) return ErrorCode::kIllegalCommandForm;
   out.team = TeamName(team);
-  in.skip_blanks();
+  in.skip_space();
   if (in.peek() != '(') {
     out.coach_name = in.run(is_name_character, kMaxLongNameSize);
     if (out.coach_name.empty()) return ErrorCode::kIllegalCommandForm;
-    in.skip_blanks();
-    if (!at_bracket(in)) return ErrorCode::kIllegalCoachNameOrTooLong;
+    in.skip_space();
+    if (!at_parenthesis(in)) return ErrorCode::kIllegalCoachNameOrTooLong;
   }
   in.skip_to('(');
   if (!in.looking_at("(version")) return std::nullopt;
   if (!read_version(in, out.version)) return ErrorCode::kIllegalCommandForm;
-  if (!at_bracket(in)) return ErrorCode::kIllegalClientVersion;
+  if (!at_parenthesis(in)) return ErrorCode::kIllegalClientVersion;
   return std::nullopt;
 }
 

@@ -1,4 +1,4 @@
-// How clients ask to take part: init, reconnect and dispinit of each role.
+// Connection requests of clients: init, reconnect and dispinit.
 #pragma once
 
 #include <optional>
@@ -11,9 +11,9 @@
 
 namespace cls::soccer {
 
-// All requests are read as rcssserver 19 reads them (protocol 1.2 to 1.6). A parser returns
-// nothing when the text is well formed, else the error to answer with. Whether the version, the
-// team or the number is acceptable is the server's decision, not the parser's.
+// Requests are parsed like in rcssserver 19 (protocol 1.2 to 1.6). Parsers return nothing for
+// well-formed text, otherwise the error reply. The server, not the parser, decides whether version,
+// team and uniform number are acceptable.
 
 /// `(init TEAM (version V) (goalie))`. A missing version means 3.
 struct PlayerInit {
@@ -22,8 +22,7 @@ struct PlayerInit {
   bool goalie = false;
 };
 
-/// `(reconnect TEAM UNUM)`. After a form error the real server answers with
-/// kNoSuchTeamOrPlayer as well.
+/// `(reconnect TEAM UNUM)`. rcssserver replies kNoSuchTeamOrPlayer to malformed requests too.
 struct PlayerReconnect {
   std::string team;
   int unum = 0;
@@ -46,7 +45,7 @@ struct TrainerInit {
   double version = 3.0;
 };
 
-/// What an unknown address may send to the port of players and monitors.
+/// Requests of a new client on the port of players and monitors.
 using GameRequest = std::variant<PlayerInit, PlayerReconnect, MonitorInit>;
 
 std::optional<ErrorCode> parse(std::string_view datagram, GameRequest& out);

@@ -1,4 +1,4 @@
-// Reading and writing monitor commands.
+// Parsing and formatting of monitor commands.
 #include "soccer/commands/monitor_command.h"
 
 #include <cmath>
@@ -10,11 +10,11 @@ namespace cls::soccer {
 namespace {
 
 constexpr double kScale = 16.0;
-constexpr std::size_t kLongestWord = 15;
+constexpr std::size_t kMaxTokenSize = 15;
 
 using Read = std::optional<MonitorCommand>;
 
-bool is_word_character(char c) { return c >= 'a' && c <= 'z'; }
+bool is_lower(char c) { return c >= 'a' && c <= 'z'; }
 
 bool read_place(LooseScanner& in, Vec2& place) {
   int x = 0;
@@ -60,9 +60,9 @@ Read read_discard(LooseScanner& in) {
 Read read_card(LooseScanner& in) {
   DispCard card;
   if (!read_player(in, card.side, card.unum)) return std::nullopt;
-  const std::string_view colour = in.run(is_word_character, kLongestWord);
-  if (colour != "yellow" && colour != "red") return std::nullopt;
-  card.red = colour == "red";
+  const std::string_view color = in.run(is_lower, kMaxTokenSize);
+  if (color != "yellow" && color != "red") return std::nullopt;
+  card.red = color == "red";
   return card;
 }
 
@@ -123,15 +123,15 @@ struct Formatter {
 std::optional<MonitorCommand> parse_monitor_command(std::string_view datagram) {
   if (!datagram.starts_with('(')) return std::nullopt;
   LooseScanner in(datagram.substr(1));
-  if (LooseScanner::is_blank(in.peek())) return std::nullopt;
-  const std::string_view word = in.run(is_word_character, kLongestWord);
+  if (LooseScanner::is_space(in.peek())) return std::nullopt;
+  const std::string_view token = in.run(is_lower, kMaxTokenSize);
   if (datagram == "(dispstart)") return DispStart{};
   if (datagram == "(dispbye)") return DispBye{};
-  if (word == "dispfoul") return read_foul(in);
-  if (word == "dispplayer") return read_placement(in);
-  if (word == "dispdiscard") return read_discard(in);
-  if (word == "dispcard") return read_card(in);
-  if (word == "compression") return read_compression(in);
+  if (token == "dispfoul") return read_foul(in);
+  if (token == "dispplayer") return read_placement(in);
+  if (token == "dispdiscard") return read_discard(in);
+  if (token == "dispcard") return read_card(in);
+  if (token == "compression") return read_compression(in);
   return std::nullopt;
 }
 

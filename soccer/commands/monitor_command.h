@@ -1,4 +1,4 @@
-// What monitors say to the server: one struct per command.
+// Commands of monitors: one struct per command.
 #pragma once
 
 #include <optional>
@@ -15,19 +15,19 @@ namespace cls::soccer {
 /// Kick-off.
 struct DispStart {};
 struct DispBye {};
-/// A free kick for `side`; neutral: a drop ball.
+/// A free kick for `side`, or a drop ball if neutral.
 struct DispFoul {
   Vec2 position;
   Side side = Side::kNeutral;
 };
-/// Puts a player somewhere, standing still.
+/// Moves a player and sets its velocity to 0.
 struct DispPlayer {
   Side side = Side::kLeft;
   int unum = 0;
   Vec2 position;
   double body = 0.0;  ///< degrees
 };
-/// Takes a player off the pitch.
+/// Removes a player from the pitch.
 struct DispDiscard {
   Side side = Side::kLeft;
   int unum = 0;
@@ -41,12 +41,12 @@ struct DispCard {
 using MonitorCommand =
     std::variant<DispStart, DispBye, DispFoul, DispPlayer, DispDiscard, DispCard, Compression>;
 
-/// Reads the one command of a datagram; what follows it is ignored. Places are sent in sixteenths
-/// of a metre, sides as 1 and -1 (protocol 6.5). Nothing when there is no such command: a card must
-/// be yellow or red. Who is none of the 22 is read as of the neutral side.
+/// Parses the command of a datagram and ignores the rest. Positions are sent in 1/16 m, sides as 1
+/// and -1 (protocol 6.5). Nothing for unknown commands and cards that are not yellow or red.
+/// Players that do not exist get the neutral side.
 std::optional<MonitorCommand> parse_monitor_command(std::string_view datagram);
 
-/// Appends the command as monitors write it; places are rounded to sixteenths of a metre.
+/// Appends the command as monitors send it; positions are rounded to 1/16 m.
 void format(const MonitorCommand& command, std::string& out);
 
 }  // namespace cls::soccer

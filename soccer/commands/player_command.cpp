@@ -1,4 +1,4 @@
-// Reading player commands: the real server's grammar as a recursive descent.
+// Recursive descent parser of the player command grammar of rcssserver.
 #include "soccer/commands/player_command.h"
 
 #include <array>
@@ -10,8 +10,8 @@ namespace {
 
 using Kind = CommandToken::Kind;
 
-// One token of look-ahead. Functions named after a part of the grammar consume it and return
-// true, or return false at the token that does not fit.
+// One token of lookahead. Functions named after a part of the grammar consume it and return true,
+// or return false at the first token that does not match.
 class CommandParser {
  public:
   CommandParser(std::string_view datagram, std::vector<PlayerCommand>& out)
@@ -33,11 +33,11 @@ class CommandParser {
   };
 
   void advance() { token_ = lexer_.next(); }
-  bool at_word(std::string_view word) const {
-    return token_.kind == Kind::kWord && token_.text == word;
+  bool at_keyword(std::string_view keyword) const {
+    return token_.kind == Kind::kName && token_.text == keyword;
   }
-  bool accept_word(std::string_view word) {
-    if (!at_word(word)) return false;
+  bool accept_keyword(std::string_view keyword) {
+    if (!at_keyword(keyword)) return false;
     advance();
     return true;
   }
@@ -62,7 +62,7 @@ class CommandParser {
     return true;
   }
 
-  // Ends a command: the closing bracket makes it valid.
+  // The closing parenthesis completes a command.
   template <typename Command>
   bool finish(Command command) {
     if (!close()) return false;
@@ -123,8 +123,8 @@ const std::array<CommandParser::Entry, 22> CommandParser::kEntries = {{
     {"catch", &CommandParser::one_number<Catch>},
     {"move", &CommandParser::two_numbers<Move>},
     {"long_kick", &CommandParser::two_numbers<LongKick>},
-    {"sense_body", &CommandParser::plain<AskSenseBody>},
-    {"score", &CommandParser::plain<AskScore>},
+    {"sense_body", &CommandParser::plain<RequestSenseBody>},
+    {"score", &CommandParser::plain<RequestScore>},
     {"bye", &CommandParser::plain<Bye>},
     {"synch_see", &CommandParser::plain<SynchSee>},
     {"gaussian_see", &CommandParser::plain<GaussianSee>},
@@ -141,7 +141,7 @@ bool CommandParser::command() {
   }
   if (!open()) return false;
   for (const Entry& entry : kEntries) {
-    if (accept_word(entry.name)) return (this->*entry.arguments)();
+    if (accept_keyword(entry.name)) return (this->*entry.arguments)();
   }
   return false;
 }
@@ -154,11 +154,11 @@ bool CommandParser::dash() {
   return finish(dash);
 }
 
-// "(l P D)" of a leg that has not been given yet.
+// "(l P D)" for a leg that is not set yet.
 bool CommandParser::dash_leg(LegDash& legs) {
   if (!open()) return false;
-  const bool left = at_word("l") || at_word("left");
-  if (!left && !at_word("r") && !at_word("right")) return false;
+  const bool left = at_keyword("l") || at_keyword("left");
+  if (!left && !at_keyword("r") && !at_keyword("right")) return false;
   std::optional<Dash>& leg = left ? legs.left : legs.right;
   if (leg) return false;
   advance();
@@ -168,7 +168,7 @@ bool CommandParser::dash_leg(LegDash& legs) {
   return true;
 }
 
-// The real server acts on each leg at its own closing bracket, so legs before an error stay.
+// rcssserver executes each leg at its closing parenthesis, so legs before an error remain.
 bool CommandParser::leg_dash() {
   LegDash legs;
   const bool complete = dash_leg(legs) && (token_.kind != Kind::kOpen || dash_leg(legs)) && close();
@@ -178,21 +178,21 @@ bool CommandParser::leg_dash() {
 
 bool CommandParser::say() {
   const bool quoted = token_.kind == Kind::kQuoted;
-  if (!quoted && (token_.kind != Kind::kWord || is_command_keyword(token_.text))) return false;
+  if (!quoted && (token_.kind != Kind::kName || is_command_keyword(token_.text))) return false;
   const std::string_view text = token_.text;
   advance();
   return finish(Say{std::string(quoted ? text.substr(1, text.size() - 2) : text)});
 }
 
 bool CommandParser::change_view() {
-  if (token_.kind != Kind::kWord) return false;
+  if (token_.kind != Kind::kName) return false;
   ChangeView view;
-  const std::optional<ViewWidth> width = view_width_from_name(token_.text);
+  const std::optional<ViewWidth> width = parse_view_width(token_.text);
   if (!width) return false;
   view.width = *width;
   advance();
-  if (token_.kind == Kind::kWord) {
-    view.quality = view_quality_from_name(token_.text);
+  if (token_.kind == Kind::kName) {
+    view.quality = parse_view_quality(token_.text);
     if (!view.quality) return false;
     advance();
   }
@@ -200,11 +200,11 @@ bool CommandParser::change_view() {
 }
 
 bool CommandParser::point_to() {
-  if (accept_word("off")) return plain<PointToOff>();
+  if (accept_keyword("off")) return plain<PointToOff>();
   return two_numbers<PointTo>();
 }
 
-// Nothing in `team` when the next token names none.
+// Leaves `team` empty if the next token is not a team.
 bool CommandParser::team(std::optional<TeamReference>& team) {
   using Team = TeamReference::Kind;
   struct Name {
@@ -218,12 +218,12 @@ bool CommandParser::team(std::optional<TeamReference>& team) {
                                            {"r", Team::kRight},
                                            {"right", Team::kRight}}};
   for (const Name& name : kNames) {
-    if (!accept_word(name.text)) continue;
+    if (!accept_keyword(name.text)) continue;
     team = TeamReference{name.kind, {}};
     return true;
   }
   const bool named = token_.kind == Kind::kQuoted ||
-                     (token_.kind == Kind::kWord && !is_command_keyword(token_.text));
+                     (token_.kind == Kind::kName && !is_command_keyword(token_.text));
   if (!named) return false;
   team = TeamReference{Team::kNamed, std::string(token_.text)};
   advance();
@@ -231,15 +231,15 @@ bool CommandParser::team(std::optional<TeamReference>& team) {
 }
 
 bool CommandParser::attention_to() {
-  if (accept_word("off")) return plain<AttentionToOff>();
+  if (accept_keyword("off")) return plain<AttentionToOff>();
   std::optional<TeamReference> reference;
   int unum = 0;
   return team(reference) && integer(unum) && finish(AttentionTo{std::move(*reference), unum});
 }
 
 bool CommandParser::boolean(bool& value) {
-  value = at_word("on") || at_word("true");
-  if (!value && !at_word("off") && !at_word("false")) return false;
+  value = at_keyword("on") || at_keyword("true");
+  if (!value && !at_keyword("off") && !at_keyword("false")) return false;
   advance();
   return true;
 }
@@ -253,24 +253,24 @@ bool CommandParser::tackle() {
 
 bool CommandParser::clang() {
   Clang clang;
-  return open() && accept_word("ver") && integer(clang.min_version) && integer(clang.max_version) &&
-         close() && finish(clang);
+  return open() && accept_keyword("ver") && integer(clang.min_version) &&
+         integer(clang.max_version) && close() && finish(clang);
 }
 
 bool CommandParser::ear() {
   Ear ear;
   if (!open()) return false;
-  if (accept_word("on")) {
+  if (accept_keyword("on")) {
     ear.on = true;
-  } else if (accept_word("off")) {
+  } else if (accept_keyword("off")) {
     ear.on = false;
   } else {
     return false;
   }
   team(ear.team);
-  if (accept_word("partial") || accept_word("p")) {
+  if (accept_keyword("partial") || accept_keyword("p")) {
     ear.mode = EarMode::kPartial;
-  } else if (accept_word("complete") || accept_word("c")) {
+  } else if (accept_keyword("complete") || accept_keyword("c")) {
     ear.mode = EarMode::kComplete;
   }
   return close() && finish(std::move(ear));

@@ -1,4 +1,4 @@
-// What a player says to the server: one plain struct per command, parsed and formatted.
+// Player commands: one struct per command.
 #pragma once
 
 #include <cstddef>
@@ -13,21 +13,21 @@
 
 namespace cls::soccer {
 
-// Angles are in degrees, relative as the command has it (body for turn, kick, dash, catch and
-// tackle; body plus neck for pointto and change_focus); powers are unclipped: a parsed command
-// holds what the client wrote. Source: rcssserver 19 player command grammar (protocol 3).
+// Angles are in degrees relative to the body (turn, kick, dash, catch, tackle) or to body plus neck
+// (pointto, change_focus). Parsed commands hold the values of the client, unclipped. Source:
+// rcssserver 19 player command grammar (protocol 3).
 
 struct Turn {
   double moment = 0.0;
 };
 
-/// Both legs with the same power and direction.
+/// Both legs, with the same power and direction.
 struct Dash {
   double power = 0.0;
   double direction = 0.0;
 };
 
-/// One or both legs with their own power and direction; at least one leg is present.
+/// One or both legs, each with power and direction; at least one leg is present.
 struct LegDash {
   std::optional<Dash> left;
   std::optional<Dash> right;
@@ -37,7 +37,7 @@ struct TurnNeck {
   double moment = 0.0;
 };
 
-/// Moves the focus point: a change of its distance (metres) and of its direction.
+/// Changes distance (meters) and direction of the focus point.
 struct ChangeFocus {
   double moment_distance = 0.0;
   double moment_direction = 0.0;
@@ -48,7 +48,7 @@ struct Kick {
   double direction = 0.0;
 };
 
-/// Part of the grammar without an effect in the game.
+/// Part of the grammar, without effect.
 struct LongKick {
   double power = 0.0;
   double direction = 0.0;
@@ -64,13 +64,13 @@ struct Tackle {
   bool foul = false;
 };
 
-/// In the player's own frame: the right team's coordinates are mirrored by the server.
+/// In the frame of the own team: the server mirrors the coordinates of the right team.
 struct Move {
   double x = 0.0;
   double y = 0.0;
 };
 
-/// Without a quality the server takes high.
+/// Without a quality the server uses high.
 struct ChangeView {
   ViewWidth width = ViewWidth::kNormal;
   std::optional<ViewQuality> quality;
@@ -79,7 +79,7 @@ struct ChangeView {
 struct SynchSee {};
 struct GaussianSee {};
 
-/// Text without quotes: one or more of 0-9 A-Z a-z blank ( ) . + * / ? < > _ -
+/// Text without quotes: one or more of 0-9 A-Z a-z space ( ) . + * / ? < > _ -
 struct Say {
   std::string text;
 };
@@ -90,8 +90,8 @@ struct PointTo {
 };
 struct PointToOff {};
 
-/// A team as attentionto and ear name it. `name` is used with kNamed only and is the word as
-/// written (quotes included if the client quoted it).
+/// A team in attentionto and ear. `name` is for kNamed only: the token as sent, with quotes if the
+/// client quoted it.
 struct TeamReference {
   enum class Kind : std::uint8_t { kOur, kOpponent, kLeft, kRight, kNamed };
   Kind kind = Kind::kOur;
@@ -113,41 +113,40 @@ struct Ear {
   std::optional<EarMode> mode;
 };
 
-/// The coach language versions the player understands.
+/// The coach language versions that the player supports.
 struct Clang {
   int min_version = 0;
   int max_version = 0;
 };
 
-struct AskSenseBody {};
-struct AskScore {};
+struct RequestSenseBody {};
+struct RequestScore {};
 struct Done {};
 struct Bye {};
 struct Compression {
   int level = 0;
 };
 
-using PlayerCommand =
-    std::variant<Turn, Dash, LegDash, TurnNeck, ChangeFocus, Kick, LongKick, Catch, Tackle, Move,
-                 ChangeView, SynchSee, GaussianSee, Say, PointTo, PointToOff, AttentionTo,
-                 AttentionToOff, Ear, Clang, AskSenseBody, AskScore, Done, Bye, Compression>;
+using PlayerCommand = std::variant<Turn, Dash, LegDash, TurnNeck, ChangeFocus, Kick, LongKick,
+                                   Catch, Tackle, Move, ChangeView, SynchSee, GaussianSee, Say,
+                                   PointTo, PointToOff, AttentionTo, AttentionToOff, Ear, Clang,
+                                   RequestSenseBody, RequestScore, Done, Bye, Compression>;
 
-/// Reads a datagram, a list of one or more commands, and appends them to `out` (its capacity is
-/// reused). The result is nothing when all of it was read, else the byte offset of the syntax
-/// error: the commands before it stand, as the real server has executed them by then, the rest
-/// is dropped and `(error illegal_command_form)` is due. An empty or blank datagram is such an
-/// error. A leg of a dash counts as a command of its own here: an error behind it keeps it.
+/// Parses a datagram of one or more commands and appends them to `out`, reusing its capacity.
+/// Returns the byte offset of a syntax error, or nothing. After an error the commands before it
+/// remain, because rcssserver has executed them by then, and the server replies
+/// `(error illegal_command_form)`. An empty datagram is an error. A leg of a dash counts as a
+/// command: it remains if an error follows.
 std::optional<std::size_t> parse_player_commands(std::string_view datagram,
                                                  std::vector<PlayerCommand>& out);
 
-/// Appends the command as the grammar wants it; numbers in the shortest form that reads back
-/// exactly, say texts in quotes. False, appending nothing, for a command the grammar cannot say:
-/// a number that is not finite, a say text that is empty or has other characters, a team word of
-/// other characters than [-_a-zA-Z0-9] or that is a keyword or number, a LegDash without legs.
+/// Appends the command, with numbers in the shortest form that parses to the same value and say
+/// texts in quotes. False, appending nothing, for commands that the grammar cannot express: numbers
+/// that are not finite, say texts that are empty or have other characters, team names with
+/// characters other than [-_a-zA-Z0-9] or equal to a keyword or number, a LegDash without legs.
 [[nodiscard]] bool format(const PlayerCommand& command, std::string& out);
 
-/// True if every character may be said and there is at least one. Length is the server's matter
-/// (`say_msg_size`).
+/// True for one or more say characters. The server checks the length (`say_msg_size`).
 bool is_sayable(std::string_view text);
 
 }  // namespace cls::soccer

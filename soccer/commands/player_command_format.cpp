@@ -1,4 +1,4 @@
-// Writing player commands.
+// Formatting of player commands.
 #include <algorithm>
 #include <initializer_list>
 
@@ -9,7 +9,7 @@
 namespace cls::soccer {
 namespace {
 
-// "(NAME A B)"; false if a number cannot be said.
+// "(NAME A B)"; false if a number is not finite.
 bool write(std::string_view name, std::initializer_list<double> numbers, std::string& out) {
   out.append("(").append(name);
   for (const double number : numbers) {
@@ -33,8 +33,8 @@ bool write(const TeamReference& team, std::string& out) {
       break;
   }
   const CommandToken token = CommandLexer(team.name).next();
-  const bool word = token.kind == CommandToken::Kind::kWord && !is_command_keyword(token.text);
-  if (!word && token.kind != CommandToken::Kind::kQuoted) return false;
+  const bool plain = token.kind == CommandToken::Kind::kName && !is_command_keyword(token.text);
+  if (!plain && token.kind != CommandToken::Kind::kQuoted) return false;
   return token.text == team.name && write_text(team.name, out);
 }
 
@@ -116,8 +116,8 @@ bool write(SynchSee, std::string& out) { return write_text("(synch_see)", out); 
 bool write(GaussianSee, std::string& out) { return write_text("(gaussian_see)", out); }
 bool write(PointToOff, std::string& out) { return write_text("(pointto off)", out); }
 bool write(AttentionToOff, std::string& out) { return write_text("(attentionto off)", out); }
-bool write(AskSenseBody, std::string& out) { return write_text("(sense_body)", out); }
-bool write(AskScore, std::string& out) { return write_text("(score)", out); }
+bool write(RequestSenseBody, std::string& out) { return write_text("(sense_body)", out); }
+bool write(RequestScore, std::string& out) { return write_text("(score)", out); }
 
 }  // namespace
 
@@ -126,7 +126,8 @@ bool is_sayable(std::string_view text) {
 }
 
 bool format(const PlayerCommand& command, std::string& out) {
-  return write_whole(command, out, [](const auto& one, std::string& to) { return write(one, to); });
+  return write_command(command, out,
+                       [](const auto& one, std::string& to) { return write(one, to); });
 }
 
 }  // namespace cls::soccer

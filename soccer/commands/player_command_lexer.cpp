@@ -1,4 +1,4 @@
-// Tokens of player commands.
+// Longest-match lexer of player commands.
 #include "soccer/commands/player_command_lexer.h"
 
 #include <algorithm>
@@ -16,7 +16,7 @@ bool is_alphanumeric(char c) {
   return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
 }
 
-bool is_word_character(char c) { return is_alphanumeric(c) || c == '-' || c == '_'; }
+bool is_name_character(char c) { return is_alphanumeric(c) || c == '-' || c == '_'; }
 
 template <typename Accepted>
 std::size_t run_length(std::string_view text, Accepted accepted) {
@@ -24,7 +24,7 @@ std::size_t run_length(std::string_view text, Accepted accepted) {
                                   text.begin());
 }
 
-// Length of `"..."` with at least one say character inside, else 0.
+// Length of `"..."` with at least one say character inside, otherwise 0.
 std::size_t quoted_length(std::string_view text) {
   if (!text.starts_with('"')) return 0;
   const std::size_t inside = run_length(text.substr(1), is_say_character);
@@ -37,7 +37,7 @@ bool is_say_character(char c) {
   return is_alphanumeric(c) || std::string_view(" ().+-*/?<>_").find(c) != std::string_view::npos;
 }
 
-bool is_command_keyword(std::string_view word) {
+bool is_command_keyword(std::string_view token) {
   constexpr std::array kKeywords = std::to_array<std::string_view>({
       "dash",
       "turn",
@@ -82,7 +82,7 @@ bool is_command_keyword(std::string_view word) {
       "true",
       "false",
   });
-  return std::find(kKeywords.begin(), kKeywords.end(), word) != kKeywords.end();
+  return std::find(kKeywords.begin(), kKeywords.end(), token) != kKeywords.end();
 }
 
 CommandToken CommandLexer::take(Kind kind, std::size_t length) {
@@ -119,16 +119,16 @@ CommandToken CommandLexer::next() {
   if (rest[0] == ')') return take(Kind::kClose, 1);
   double number = 0.0;
   int integer = 0;
-  const std::size_t number_length = base::read_number(rest, number);
-  const std::size_t word_length = run_length(rest, is_word_character);
-  if (number_length > 0 && number_length >= word_length) {
-    const bool whole = read_wrapped_int(rest, integer) == number_length;
+  const std::size_t number_length = base::parse_number_prefix(rest, number);
+  const std::size_t name_length = run_length(rest, is_name_character);
+  if (number_length > 0 && number_length >= name_length) {
+    const bool whole = parse_wrapped_int(rest, integer) == number_length;
     token = take(whole ? Kind::kInteger : Kind::kReal, number_length);
     token.number = whole ? integer : number;
     token.integer = integer;
     return token;
   }
-  if (word_length > 0) return take(Kind::kWord, word_length);
+  if (name_length > 0) return take(Kind::kName, name_length);
   if (const std::size_t length = quoted_length(rest); length > 0)
     return take(Kind::kQuoted, length);
   return take(Kind::kInvalid, 1);

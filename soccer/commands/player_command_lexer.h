@@ -1,4 +1,4 @@
-// Cuts a player's datagram into tokens exactly as the real server's lexer does.
+// Tokenizes player commands exactly like the lexer of rcssserver.
 #pragma once
 
 #include <cstddef>
@@ -13,9 +13,9 @@ struct CommandToken {
     kClose,
     kInteger,
     kReal,
-    kWord,         ///< command names and other keywords too
+    kName,         ///< any name, including command names and keywords
     kQuoted,       ///< `text` with its quotes
-    kUnquotedSay,  ///< a whole `(say ...)` without quotes; `text` is what is said
+    kUnquotedSay,  ///< a whole `(say ...)` without quotes; `text` is the message
     kEnd,
     kInvalid,
   };
@@ -27,8 +27,8 @@ struct CommandToken {
   int integer = 0;      ///< kInteger
 };
 
-/// The longest match wins, so `(say a)(turn 5)` is one token and `10-5` a word. Blanks, tabs and
-/// line feeds separate tokens and mean nothing else.
+/// The longest match wins, so `(say a)(turn 5)` is one token and `10-5` is a name. Spaces, tabs and
+/// line feeds separate tokens.
 class CommandLexer {
  public:
   explicit CommandLexer(std::string_view text) : text_(text) {}
@@ -44,9 +44,9 @@ class CommandLexer {
 };
 
 /// True for the keywords of the grammar, which cannot be team names.
-bool is_command_keyword(std::string_view word);
+bool is_command_keyword(std::string_view token);
 
-/// True for characters that may be said.
+/// True for characters that are allowed in say messages.
 bool is_say_character(char c);
 
 }  // namespace cls::soccer

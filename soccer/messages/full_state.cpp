@@ -1,4 +1,4 @@
-// fullstate, read and written.
+// Parsing and formatting of fullstate.
 #include "soccer/messages/full_state.h"
 
 #include "soccer/messages/sense_groups.h"
@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::string_view kCatchPrefix = "goalie_catch_ball_";
 
-// Client versions from which on something is sent.
+// First client versions that receive a field.
 constexpr int kFirstWithMarks = 13;  // and the capacity
 constexpr int kFirstWithGoalieType = 14;
 constexpr int kFirstWithCards = 14;  // and the mark of a fouled player
@@ -18,13 +18,13 @@ constexpr int kFirstWithFocus = 18;
 bool read_mode(Scanner& in, FullState& out) {
   std::string_view mode;
   const std::size_t start = in.position();
-  if (!in.word(mode)) return false;
+  if (!in.token(mode)) return false;
   out.ball_caught = mode == "goalie_catch_ball_l" || mode == "goalie_catch_ball_r";
   if (out.ball_caught) {
     out.mode = mode.back() == 'l' ? PlayMode::kFreeKickLeft : PlayMode::kFreeKickRight;
     return true;
   }
-  const std::optional<PlayMode> known = play_mode_from_name(mode);
+  const std::optional<PlayMode> known = parse_play_mode(mode);
   if (!known) return in.fail_at(start, "a play mode");
   out.mode = *known;
   return true;
@@ -98,7 +98,7 @@ void append_name(const FullStatePlayer& player, int version, TextWriter& out) {
   out.append(") ");
 }
 
-// Which of the marks at the end of a player a version knows.
+// The mark of a player in a client version.
 ActionMark mark_shown(const FullStatePlayer& player, int version) {
   if (version < kFirstWithMarks) return ActionMark::kNone;
   if (version < kFirstWithCards && player.mark == ActionMark::kFoulCharged) {

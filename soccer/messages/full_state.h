@@ -1,4 +1,4 @@
-// The fullstate message: the noise-free world, for players whose team may have it.
+// The fullstate message: the full state without noise, for players with server::fullstate.
 #pragma once
 
 #include <string>
@@ -26,7 +26,7 @@ struct FullStatePlayer {
   double neck = 0.0;  ///< relative to body
   bool pointing = false;
   double point_distance = 0.0;
-  double point_direction_radians = 0.0;  ///< relative to body plus neck; radians in the real server
+  double point_direction_radians = 0.0;  ///< relative to body plus neck; radians in rcssserver
   double focus_distance = 0.0;           ///< version 18 and later
   double focus_direction = 0.0;
   double stamina = 0.0;
@@ -40,7 +40,7 @@ struct FullStatePlayer {
 struct FullState {
   int time = 0;
   PlayMode mode = PlayMode::kBeforeKickOff;
-  bool ball_caught = false;  ///< a goalie holds the ball: the mode is sent as goalie_catch_ball_X
+  bool ball_caught = false;  ///< a goalie holds the ball; sent as mode goalie_catch_ball_X
   ViewQuality quality = ViewQuality::kHigh;
   ViewWidth width = ViewWidth::kNormal;
   CommandCounts counts;
@@ -49,13 +49,14 @@ struct FullState {
   int opponent_score = 0;
   Vec2 ball_position;
   Vec2 ball_velocity;
-  std::vector<FullStatePlayer> players;  ///< enabled ones, the receiver too, left first
+  std::vector<FullStatePlayer>
+      players;  ///< enabled players including the receiver, left team first
 };
 
-/// Reads a fullstate of version 14 or later. On failure the message names the byte.
+/// Parses a fullstate of version 14 or later. Errors name the byte.
 base::Result<void> parse(std::string_view message, FullState& out);
 
-/// Appends the message as a client of `version` (8 to 19) gets it.
+/// Appends the message for a client of `version` (8 to 19).
 void format(const FullState& state, int version, std::string& out);
 
 }  // namespace cls::soccer

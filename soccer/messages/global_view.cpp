@@ -1,4 +1,4 @@
-// see_global and (ok look ...), read and written.
+// Parsing and formatting of see_global and (ok look ...).
 #include "soccer/messages/global_view.h"
 
 #include "soccer/messages/sense_groups.h"

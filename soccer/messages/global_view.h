@@ -1,4 +1,4 @@
-// see_global and the reply to look: the noise-free world of coaches and trainers.
+// see_global and the reply to look: the noise-free view of coaches and trainers.
 #pragma once
 
 #include <string>
@@ -33,14 +33,14 @@ struct GlobalView {
   int time = 0;
   Vec2 ball_position;
   Vec2 ball_velocity;
-  std::vector<GlobalViewPlayer> players;  ///< enabled ones, left first
+  std::vector<GlobalViewPlayer> players;  ///< enabled players, left team first
 };
 
-/// Reads either form (version 7 and later). On failure the message names the byte.
+/// Parses either form (version 7 and later). Errors name the byte.
 base::Result<void> parse(std::string_view message, GlobalView& out);
 
-/// Appends the message. Of the marks the real server sends a look reply only "tackling" and no
-/// cards; leaving the others out is the caller's part.
+/// Appends the message. Look replies of rcssserver have no cards and no mark but "tackling"; the
+/// caller omits the others.
 void format(const GlobalView& view, std::string& out);
 
 }  // namespace cls::soccer

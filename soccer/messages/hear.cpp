@@ -1,4 +1,4 @@
-// hear, in the forms of players, online coaches and trainers.
+// The forms of hear for players, online coaches and trainers.
 #include "soccer/messages/hear.h"
 
 #include <cassert>
@@ -13,7 +13,7 @@ namespace {
 
 using Sender = Hear::Sender;
 
-// Takes the text of the rest of the message, in quotes or not.
+// The rest of the message as text, with or without quotes.
 bool read_text(Scanner& in, bool quoted, std::string& out) {
   std::string_view text;
   if (quoted && !in.literal("\"")) return false;
@@ -23,7 +23,7 @@ bool read_text(Scanner& in, bool quoted, std::string& out) {
   return true;
 }
 
-// Behind "(hear T referee ": quotes are the trainer's way of hearing itself.
+// After "(hear T referee ": quotes mean a message of the trainer to itself.
 bool read_referee_or_trainer(Scanner& in, Hear& out) {
   const bool quoted = in.peek() == '"';
   out.sender = quoted ? Sender::kTrainer : Sender::kReferee;
@@ -87,21 +87,21 @@ void append_quoted(std::string_view before, std::string_view text, std::string& 
   out.push_back('"');
 }
 
-void append_coach(const Hear& hear, Listener listener, std::string& out) {
+void append_coach(const Hear& hear, Recipient recipient, std::string& out) {
   out.append(hear.sender == Sender::kOnlineCoachLeft ? "online_coach_left" : "online_coach_right");
-  if (listener == Listener::kTrainer) return append_quoted(" ", hear.text, out);
+  if (recipient == Recipient::kTrainer) return append_quoted(" ", hear.text, out);
   out.push_back(' ');
   out.append(hear.text);
 }
 
-void append_trainer(const Hear& hear, Listener listener, std::string& out) {
-  if (listener == Listener::kPlayer) return append_quoted("coach ", hear.text, out);
-  if (listener == Listener::kTrainer) return append_quoted("referee ", hear.text, out);
+void append_trainer(const Hear& hear, Recipient recipient, std::string& out) {
+  if (recipient == Recipient::kPlayer) return append_quoted("coach ", hear.text, out);
+  if (recipient == Recipient::kTrainer) return append_quoted("referee ", hear.text, out);
   out.append("referee ");
   out.append(hear.text);
 }
 
-void append_colleague(const Hear& hear, std::string& out) {
+void append_player_message(const Hear& hear, std::string& out) {
   if (!hear.partial) {
     base::append_int(hear.direction, out);
     out.push_back(' ');
@@ -126,8 +126,8 @@ base::Result<void> parse(std::string_view message, Hear& out) {
   return in.error("hear");
 }
 
-void format(const Hear& hear, Listener listener, std::string& out) {
-  if (hear.sender == Sender::kReferee && listener == Listener::kTrainer) {
+void format(const Hear& hear, Recipient recipient, std::string& out) {
+  if (hear.sender == Sender::kReferee && recipient == Recipient::kTrainer) {
     append(out, "(hear referee ", hear.time);
     out.push_back(' ');
     out.append(hear.text);
@@ -142,18 +142,18 @@ void format(const Hear& hear, Listener listener, std::string& out) {
       out.append(hear.text);
       break;
     case Sender::kTrainer:
-      append_trainer(hear, listener, out);
+      append_trainer(hear, recipient, out);
       break;
     case Sender::kOnlineCoachLeft:
     case Sender::kOnlineCoachRight:
-      append_coach(hear, listener, out);
+      append_coach(hear, recipient, out);
       break;
     case Sender::kSelf:
       append_quoted("self ", hear.text, out);
       break;
     case Sender::kTeammate:
     case Sender::kOpponent:
-      append_colleague(hear, out);
+      append_player_message(hear, out);
       break;
     case Sender::kPlayer:
       out.append("(p ");

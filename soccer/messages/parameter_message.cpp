@@ -1,4 +1,4 @@
-// Parameter messages out of the parameter tables.
+// Parameter messages from the parameter tables.
 #include "soccer/messages/parameter_message.h"
 
 #include <variant>
@@ -22,7 +22,7 @@ bool read_value(Scanner& in, bool& value) {
   value = in.optional("1");
   return value || in.optional("0") || in.fail("0 or 1");
 }
-// Strings are not escaped; one ends at the quote before the next bracket.
+// Strings are not escaped: they end at the quote before the next parenthesis.
 bool read_value(Scanner& in, std::string& value) {
   if (!in.literal("\"")) return false;
   const std::size_t length = in.rest().find("\")");
@@ -34,8 +34,8 @@ bool read_value(Scanner& in, std::string& value) {
 
 bool skip_value(Scanner& in) {
   std::string ignored;
-  std::string_view word;
-  return in.peek() == '"' ? read_value(in, ignored) : in.word(word);
+  std::string_view token;
+  return in.peek() == '"' ? read_value(in, ignored) : in.token(token);
 }
 
 template <typename Params>
@@ -54,7 +54,7 @@ void format_all(std::string_view start, const Params& params, const ParameterTab
 template <typename Params>
 bool read_pair(Scanner& in, const ParameterTable<Params>& table, Params& out) {
   std::string_view name;
-  if (!(in.literal("(") && in.word(name) && in.literal(" "))) return false;
+  if (!(in.literal("(") && in.token(name) && in.literal(" "))) return false;
   const Parameter<Params>* row = find_parameter(table, name);
   const bool read =
       row == nullptr

@@ -1,4 +1,4 @@
-// The messages server_param, player_param and player_type, derived from the parameter tables.
+// The messages server_param, player_param and player_type, generated from the parameter tables.
 #pragma once
 
 #include <string>
@@ -11,10 +11,10 @@
 
 namespace cls::soccer {
 
-// Format: what a client of `version` is sent (kAllVersions: monitors of version 3 and later, game
-// logs), values as the struct holds them. Parse: names that are not in the table are skipped, as
-// clients of an older version meet newer servers; parameters that are not mentioned keep the value
-// `out` has. A known name with a value of the wrong kind is an error that names the byte.
+// format() writes the parameters that a client of `version` receives (kAllVersions: monitors of
+// version 3 and later, game logs). parse() skips unknown names, which newer servers may send, and
+// leaves parameters that are not in the message unchanged. A value of the wrong type is an error
+// that names the byte.
 
 void format(const ServerParams& params, int version, std::string& out);
 void format(const PlayerParams& params, int version, std::string& out);

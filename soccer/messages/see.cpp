@@ -1,4 +1,4 @@
-// see, read and written object by object.
+// Parsing and formatting of see.
 #include "soccer/messages/see.h"
 
 #include <array>
@@ -35,7 +35,7 @@ bool read_player_name(Scanner& in, Observation& object) {
   return true;
 }
 
-// The name without its brackets.
+// The name without parentheses.
 bool read_name(Scanner& in, Observation& object) {
   struct Plain {
     std::string_view text;
@@ -93,7 +93,7 @@ bool whole(double value, std::int16_t& out) {
   return static_cast<double>(out) == value;
 }
 
-// Gives the numbers behind a name their meaning, which follows from how many there are.
+// Assigns the numbers after a name; their meaning depends on their count.
 bool assign(const Numbers& numbers, Observation& object) {
   const auto& v = numbers.values;
   const bool player = object.kind == ObservedKind::kPlayer;

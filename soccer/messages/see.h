@@ -1,4 +1,4 @@
-// The see message: what a player sees from where it stands.
+// The see message: the objects that a player sees.
 #pragma once
 
 #include <cstdint>
@@ -12,44 +12,44 @@
 namespace cls::soccer {
 
 enum class ObservedKind : std::uint8_t {
-  kLandmark,     ///< flag or goal; `index` counts as kLandmarks in soccer/pitch.h
+  kLandmark,     ///< flag or goal; `index` into kLandmarks
   kBall,         ///< (b)
-  kPlayer,       ///< (p ...), with what could be recognised of team and number
+  kPlayer,       ///< (p ...), with team and uniform number if recognized
   kLine,         ///< (l l) ..; `index` is a PitchLine
-  kCloseFlag,    ///< (F): near but outside the view cone, unnamed
+  kCloseFlag,    ///< (F): close but outside the view cone, unnamed
   kCloseGoal,    ///< (G)
   kCloseBall,    ///< (B)
   kClosePlayer,  ///< (P)
 };
 
-/// How much of an object a message tells; each step has all before it except that direction-only
-/// (low quality) has no distance.
+/// The data of an object in a message. Each level includes the previous ones.
 enum class ObservedDetail : std::uint8_t {
   kDirection,  ///< direction
   kPosition,   ///< distance, direction
-  kMotion,     ///< and distance_change, direction_change
-  kPose,       ///< and body, head (players whose number is seen)
+  kMotion,     ///< plus distance_change, direction_change
+  kPose,       ///< plus body, head (players with known uniform number)
 };
 
-/// What a seen player does.
+/// The visible action of a player.
 enum class ActionMark : std::uint8_t { kNone, kTackling, kKicked, kFoulCharged };
 
-/// One object of a see message. Metres and degrees; directions relative to body plus neck.
+/// One object of a see message. Meters and degrees; directions relative to body plus neck.
 struct Observation {
   ObservedKind kind = ObservedKind::kLandmark;
   ObservedDetail detail = ObservedDetail::kPosition;
   std::uint8_t index = 0;
-  std::uint8_t unum = 0;  ///< 0: not recognised
+  std::uint8_t unum = 0;  ///< 0: unknown
   bool goalie = false;
-  bool pointing = false;  ///< point_direction holds
+  bool pointing = false;  ///< point_direction is valid
   ActionMark mark = ActionMark::kNone;
   std::int16_t direction = 0;
-  std::int16_t body = 0;  ///< the other's body angle, seen from here
-  std::int16_t head = 0;  ///< the other's body plus neck angle, seen from here
+  std::int16_t body = 0;  ///< body angle of the other player, relative to own body plus neck
+  std::int16_t head =
+      0;  ///< body plus neck angle of the other player, relative to own body plus neck
   std::int16_t point_direction = 0;
-  TeamName team;  ///< empty: not recognised
+  TeamName team;  ///< empty: unknown
   double distance = 0.0;
-  double distance_change = 0.0;   ///< metres per cycle
+  double distance_change = 0.0;   ///< meters per cycle
   double direction_change = 0.0;  ///< degrees per cycle
 };
 
@@ -58,12 +58,12 @@ struct See {
   std::vector<Observation> objects;  ///< in message order
 };
 
-/// Most objects a real message can have: landmarks, ball, other players, lines.
+/// Maximum number of objects in a message: landmarks, ball, other players, lines.
 constexpr std::size_t kMaxObservations = 55 + 1 + 21 + 4;
 
-/// Reads a see message of version 8 or later. On failure the message names the byte and `out` is
-/// unspecified. Does not allocate on success once `out.objects` has grown; more than
-/// kMaxObservations objects are refused.
+/// Parses a see message of version 8 or later. Errors name the byte and leave `out` unspecified.
+/// More than kMaxObservations objects are an error. Does not allocate once `out.objects` has enough
+/// capacity.
 base::Result<void> parse(std::string_view message, See& out);
 
 /// Appends the message; its form is the same for versions 8 to 19.

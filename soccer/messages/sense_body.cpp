@@ -1,4 +1,4 @@
-// sense_body, read and written group by group in the order of the message.
+// Parsing and formatting of sense_body, in the order of the message.
 #include "soccer/messages/sense_body.h"
 
 #include "soccer/messages/sense_groups.h"
@@ -6,7 +6,7 @@
 namespace cls::soccer {
 namespace {
 
-// Client versions from which on a field is sent.
+// First client versions that receive a field.
 constexpr int kFirstWithCollision = 12;
 constexpr int kFirstWithCapacity = 13;
 constexpr int kFirstWithFoul = 14;

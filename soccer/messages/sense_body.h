@@ -1,4 +1,4 @@
-// The sense_body message: what a player feels of itself every cycle.
+// The sense_body message: the state of the player itself, every cycle.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace cls::soccer {
 
-/// How many commands of each kind the server has carried out for a player.
+/// Number of commands of each kind that the server has executed for a player.
 struct CommandCounts {
   int kick = 0;
   int dash = 0;
@@ -40,12 +40,12 @@ struct SenseBody {
   double stamina = 0.0;
   double effort = 0.0;
   double capacity = 0.0;
-  double speed = 0.0;       ///< metres per cycle, in steps of 0.01
+  double speed = 0.0;       ///< meters per cycle, in steps of 0.01
   int speed_direction = 0;  ///< relative to body plus neck, truncated
   int head_angle = 0;       ///< neck relative to body, truncated
   CommandCounts counts;
   ArmState arm;
-  Side attention_side = Side::kNeutral;  ///< neutral: attention to nobody
+  Side attention_side = Side::kNeutral;  ///< neutral: no attentionto
   int attention_unum = 0;
   int attention_count = 0;
   int tackle_expires_in = 0;  ///< cycles the player stays frozen, 0 = free
@@ -55,16 +55,16 @@ struct SenseBody {
   bool collided_with_post = false;
   int foul_charged = 0;  ///< cycles the player stays frozen after being fouled
   Card card = Card::kNone;
-  bool has_focus_point = false;  ///< set by parse; format goes by the version
-  double focus_distance = 0.0;   ///< metres
+  bool has_focus_point = false;  ///< set by parse(); format() depends on the version only
+  double focus_distance = 0.0;   ///< meters
   double focus_direction = 0.0;  ///< degrees, relative to the neck
 };
 
-/// Reads a sense_body of version 14 or later. On failure the message names the byte and `out`
-/// is unspecified. Does not allocate on success.
+/// Parses a sense_body of version 14 or later. Errors name the byte and leave `out` unspecified.
+/// Does not allocate on success.
 base::Result<void> parse(std::string_view message, SenseBody& out);
 
-/// Appends the message as a client of `version` (8 to 19) gets it.
+/// Appends the message for a client of `version` (8 to 19).
 void format(const SenseBody& sense, int version, std::string& out);
 
 }  // namespace cls::soccer

@@ -1,4 +1,4 @@
-// The common groups of sense_body, fullstate and see_global.
+// Shared groups of sense_body, fullstate and see_global.
 #include "soccer/messages/sense_groups.h"
 
 namespace cls::soccer {

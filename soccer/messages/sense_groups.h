@@ -1,4 +1,4 @@
-// Groups that several sense messages have in common, read and written once.
+// Groups of fields that several sensor messages share.
 #pragma once
 
 #include <string>

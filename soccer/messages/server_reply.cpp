@@ -1,4 +1,4 @@
-// Reading short server messages.
+// Parsing of short server messages.
 #include "soccer/messages/server_reply.h"
 
 #include "soccer/messages/sense_groups.h"
@@ -11,17 +11,17 @@ namespace {
 bool read_mode(Scanner& in, PlayMode& mode) {
   std::string_view text;
   const std::size_t start = in.position();
-  if (!in.word(text)) return false;
-  const std::optional<PlayMode> known = play_mode_from_name(text);
+  if (!in.token(text)) return false;
+  const std::optional<PlayMode> known = parse_play_mode(text);
   if (!known) return in.fail_at(start, "a play mode");
   mode = *known;
   return true;
 }
 
-bool read_word_team(Scanner& in, TeamName& team) {
+bool read_plain_team(Scanner& in, TeamName& team) {
   std::string_view text;
   const std::size_t start = in.position();
-  if (!in.word(text)) return false;
+  if (!in.token(text)) return false;
   if (text.size() > TeamName::kMaxSize) return in.fail_at(start, "a team name");
   team = TeamName(text);
   return true;
@@ -59,14 +59,14 @@ bool read_reconnect(Scanner& in, ServerReply& out) {
 bool read_error(Scanner& in, ServerReply& out) {
   std::string_view text;
   if (!in.rest_before(")", text)) return false;
-  out = ErrorReply{std::string(text), error_code_from_name(text)};
+  out = ErrorReply{std::string(text), parse_error_code(text)};
   return true;
 }
 
 bool read_warning(Scanner& in, ServerReply& out) {
   std::string_view text;
   if (!in.rest_before(")", text)) return false;
-  out = WarningReply{std::string(text), warning_code_from_name(text)};
+  out = WarningReply{std::string(text), parse_warning_code(text)};
   return true;
 }
 
@@ -118,10 +118,10 @@ bool read_ok_compression(Scanner& in, ServerReply& out) {
 
 bool read_ok_team_names(Scanner& in, ServerReply& out) {
   auto& reply = out.emplace<OkTeamNames>();
-  if (in.optional(" (team l ") && !(read_word_team(in, reply.left) && in.literal(")"))) {
+  if (in.optional(" (team l ") && !(read_plain_team(in, reply.left) && in.literal(")"))) {
     return false;
   }
-  if (in.optional(" (team r ") && !(read_word_team(in, reply.right) && in.literal(")"))) {
+  if (in.optional(" (team r ") && !(read_plain_team(in, reply.right) && in.literal(")"))) {
     return false;
   }
   if (!in.literal(")")) return false;
@@ -141,12 +141,12 @@ bool read_ok_check_ball(Scanner& in, ServerReply& out) {
   return in.fail("a place");
 }
 
-// "UNUM TYPE", "UNUM goalie" or "TEAM UNUM TYPE"; a team may be called 7, so the words are counted.
+// "UNUM TYPE", "UNUM goalie" or "TEAM UNUM TYPE"; a team may be named 7, so the tokens are counted.
 bool read_ok_change_player_type(Scanner& in, ServerReply& out) {
   auto& reply = out.emplace<OkChangePlayerType>();
   const std::string_view rest = in.rest();
   const bool has_team = rest.find(' ') != rest.rfind(' ');
-  if (has_team && !(read_word_team(in, reply.team) && in.literal(" "))) return false;
+  if (has_team && !(read_plain_team(in, reply.team) && in.literal(" "))) return false;
   if (!(in.integer(reply.unum, 1, kPlayersPerTeam) && in.literal(" "))) return false;
   if (!has_team && in.optional("goalie)")) return true;
   return in.integer(reply.type.emplace()) && in.literal(")");
@@ -157,7 +157,7 @@ bool read_ok_team_graphic(Scanner& in, ServerReply& out) {
   return in.integer(reply.x) && in.literal(" ") && in.integer(reply.y) && in.literal(")");
 }
 
-// Takes `text`, the rest of a reply without parameters.
+// Consumes `text`, the rest of a reply without parameters.
 template <typename Reply>
 bool read_plain(Scanner& in, std::string_view text, ServerReply& out) {
   if (!in.optional(text)) return false;

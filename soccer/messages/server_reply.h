@@ -30,7 +30,7 @@ struct ReconnectReply {
 struct CoachInitReply {
   Side side = Side::kNeutral;
 };
-/// `(error X)`; `code` is empty for a text that is not one of the fixed ones.
+/// `(error X)`; `code` is empty for unknown texts.
 struct ErrorReply {
   std::string text;
   std::optional<ErrorCode> code;
@@ -40,7 +40,7 @@ struct WarningReply {
   std::string text;
   std::optional<WarningCode> code;
 };
-/// `(think)`: in synch mode, the server now waits for (done).
+/// `(think)`: in synch mode, the server waits for (done).
 struct Think {};
 /// `(score T OUR OPP)`
 struct ScoreReply {
@@ -55,7 +55,7 @@ struct PlayerTypeChange {
   std::optional<int> type;
   Side goalie_side = Side::kNeutral;  ///< not neutral: the goalie form
 };
-/// `(clang (ver (p "TEAM" UNUM) MIN MAX))`: a player told its coach language versions.
+/// `(clang (ver (p "TEAM" UNUM) MIN MAX))`: a player has sent its coach language versions.
 struct ClangSupport {
   TeamName team;
   int unum = 0;
@@ -63,7 +63,7 @@ struct ClangSupport {
   int min_version = 0;
   int max_version = 0;
 };
-/// `(include N TEXT)`: the server's coach message file.
+/// `(include N TEXT)`: the coach message file of the server.
 struct CoachInclude {
   std::string text;
 };
@@ -84,7 +84,7 @@ struct OkEye {
 struct OkEar {
   bool on = true;
 };
-/// `(ok team_names (team l A) (team r B))`; empty names are left out.
+/// `(ok team_names (team l A) (team r B))`; empty names are omitted.
 struct OkTeamNames {
   TeamName left;
   TeamName right;
@@ -119,11 +119,11 @@ using ServerReply = std::variant<PlayerInitReply, ReconnectReply, CoachInitReply
                                  OkEye, OkEar, OkTeamNames, OkCheckBall, OkChangePlayerType, OkSay,
                                  OkTeamGraphic, OkStart, OkChangeMode, OkMove, OkRecover>;
 
-/// Reads any of the above; the error names the byte. `(ok look ...)` is a GlobalView.
+/// Parses any of these messages; errors name the byte. `(ok look ...)` is a GlobalView.
 base::Result<void> parse(std::string_view message, ServerReply& out);
 
-/// Appends the message as rcssserver 19 writes it; the replies to team_names and recover end in a
-/// line feed. An ErrorReply or WarningReply is written from its text.
+/// Appends the message like rcssserver 19; replies to team_names and recover end with a line feed.
+/// ErrorReply and WarningReply are written from their text.
 void format(const ServerReply& reply, std::string& out);
 
 }  // namespace cls::soccer

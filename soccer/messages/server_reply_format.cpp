@@ -1,4 +1,4 @@
-// Writing short server messages.
+// Formatting of short server messages.
 #include "soccer/messages/sense_groups.h"
 #include "soccer/messages/server_reply.h"
 #include "soccer/protocol/observation_name.h"

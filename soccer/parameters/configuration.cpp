@@ -1,4 +1,4 @@
-// Reading parameters as rcssserver writes them.
+// Parser of configuration text.
 #include "soccer/parameters/configuration.h"
 
 #include <algorithm>
@@ -8,27 +8,27 @@
 namespace cls::soccer {
 namespace {
 
-constexpr std::string_view kBlanks = " \t\r\n\v\f";
+constexpr std::string_view kSpaces = " \t\r\n\v\f";
 
-bool is_blank(char c) { return kBlanks.find(c) != std::string_view::npos; }
+bool is_space(char c) { return kSpaces.find(c) != std::string_view::npos; }
 
 bool is_name_character(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
          c == '.';
 }
 
-class Reader {
+class ConfigurationParser {
  public:
-  explicit Reader(std::string_view text) : text_(text) {}
+  explicit ConfigurationParser(std::string_view text) : text_(text) {}
 
-  base::Result<std::vector<ConfigurationItem>> read_all() {
+  base::Result<std::vector<ConfigurationItem>> parse_all() {
     std::vector<ConfigurationItem> items;
     while (skip()) {
-      std::optional<ConfigurationItem> item = read_item();
-      if (!item) return base::Error{"line " + std::to_string(line_) + ": " + problem_};
+      std::optional<ConfigurationItem> item = parse_item();
+      if (!item) return base::Error{"line " + std::to_string(line_) + ": " + error_};
       items.push_back(std::move(*item));
     }
-    if (!problem_.empty()) return base::Error{"line " + std::to_string(line_) + ": " + problem_};
+    if (!error_.empty()) return base::Error{"line " + std::to_string(line_) + ": " + error_};
     return items;
   }
 
@@ -42,13 +42,13 @@ class Reader {
     at_ += passed.size();
   }
 
-  // Blanks and comments; false at the end of the text or of what can be read.
+  // Skips white space and comments; false at the end of the text and after an error.
   bool skip() {
     for (;;) {
-      while (!at_end() && is_blank(text_[at_])) advance(1);
+      while (!at_end() && is_space(text_[at_])) advance(1);
       if (rest().starts_with("/*")) {
         const std::size_t end = rest().find("*/", 2);
-        if (end == std::string_view::npos) return fail("a comment without an end");
+        if (end == std::string_view::npos) return fail("unterminated comment");
         advance(end + 2);
       } else if (rest().starts_with('#') || rest().starts_with("//")) {
         advance(std::min(rest().find('\n'), rest().size()));
@@ -58,16 +58,16 @@ class Reader {
     }
   }
 
-  bool fail(std::string problem) {
-    if (problem_.empty()) problem_ = std::move(problem);
+  bool fail(std::string message) {
+    if (error_.empty()) error_ = std::move(message);
     return false;
   }
 
-  std::string_view word() const {
-    return rest().substr(0, std::min(rest().find_first_of(kBlanks), rest().size()));
+  std::string_view token() const {
+    return rest().substr(0, std::min(rest().find_first_of(kSpaces), rest().size()));
   }
 
-  std::string_view read_name() {
+  std::string_view parse_name() {
     std::size_t size = 0;
     while (size < rest().size() && is_name_character(rest()[size])) ++size;
     const std::string_view name = rest().substr(0, size);
@@ -75,15 +75,15 @@ class Reader {
     return name;
   }
 
-  std::optional<ConfigurationItem> read_item() {
+  std::optional<ConfigurationItem> parse_item() {
     ConfigurationItem item;
     item.line = line_;
-    const std::string_view begin = word();
+    const std::string_view begin = token();
     for (int dashes = 0; dashes < 2 && rest().starts_with('-'); ++dashes) ++at_;
-    item.name = read_name();
+    item.name = parse_name();
     if (rest().starts_with("::")) {
       at_ += 2;
-      item.module = std::exchange(item.name, std::string(read_name()));
+      item.module = std::exchange(item.name, std::string(parse_name()));
     }
     if (item.name == "help") return item;
     if (item.name.empty() || !skip() || !rest().starts_with('=')) {
@@ -91,22 +91,22 @@ class Reader {
       return std::nullopt;
     }
     ++at_;
-    if (!skip() || !read_value(item.value)) {
+    if (!skip() || !parse_value(item.value)) {
       fail("'" + std::string(begin) + "' has no value");
       return std::nullopt;
     }
     return item;
   }
 
-  bool read_value(std::string& value) {
+  bool parse_value(std::string& value) {
     const char quote = rest().front();
     if (quote != '\'' && quote != '"') {
-      value = word();
+      value = token();
       at_ += value.size();
       return true;
     }
     const std::size_t end = rest().find(quote, 1);
-    if (end == std::string_view::npos) return fail("a quote without an end");
+    if (end == std::string_view::npos) return fail("unterminated quote");
     value = rest().substr(1, end - 1);
     advance(end + 1);
     return true;
@@ -115,12 +115,12 @@ class Reader {
   std::string_view text_;
   std::size_t at_ = 0;
   int line_ = 1;
-  std::string problem_;
+  std::string error_;
 };
 
-// A value with blanks gets the quotes that the shell took away.
+// Restores the quotes around a value with spaces, which the shell has removed.
 std::string quoted(const std::string& argument) {
-  if (argument.find_first_of(kBlanks) == std::string::npos) return argument;
+  if (argument.find_first_of(kSpaces) == std::string::npos) return argument;
   const char quote = argument.find('\'') == std::string::npos ? '\'' : '"';
   const std::size_t equals = argument.find('=');
   const std::size_t begin = equals == std::string::npos ? 0 : equals + 1;
@@ -132,7 +132,7 @@ std::string quoted(const std::string& argument) {
 }  // namespace
 
 base::Result<std::vector<ConfigurationItem>> parse_configuration(std::string_view text) {
-  return Reader(text).read_all();
+  return ConfigurationParser(text).parse_all();
 }
 
 std::string join_arguments(const std::vector<std::string>& arguments) {

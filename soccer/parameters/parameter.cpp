@@ -1,4 +1,4 @@
-// Parameter values from text.
+// Parsing of parameter values.
 #include "soccer/parameters/parameter.h"
 
 #include <charconv>
@@ -16,8 +16,8 @@ std::string lower(std::string_view text) {
   return result;
 }
 
-base::Error not_a(std::string_view kind, std::string_view text) {
-  return base::Error{"'" + std::string(text) + "' is not " + std::string(kind)};
+base::Error type_error(std::string_view type, std::string_view text) {
+  return base::Error{"'" + std::string(text) + "' is not " + std::string(type)};
 }
 
 }  // namespace
@@ -29,7 +29,7 @@ base::Result<void> assign(double& value, std::string_view text) {
   double read = 0.0;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), read);
   if (error != std::errc{} || end != digits.data() + digits.size() || !std::isfinite(read)) {
-    return not_a("a number", text);
+    return type_error("a number", text);
   }
   value = read;
   return {};
@@ -39,20 +39,20 @@ base::Result<void> assign(int& value, std::string_view text) {
   double read = 0.0;
   if (!assign(read, text) || read != std::rint(read) || read < std::numeric_limits<int>::min() ||
       read > std::numeric_limits<int>::max()) {
-    return not_a("a whole number", text);
+    return type_error("a whole number", text);
   }
   value = static_cast<int>(read);
   return {};
 }
 
 base::Result<void> assign(bool& value, std::string_view text) {
-  const std::string word = lower(text);
-  if (word == "on" || word == "true" || word == "1") {
+  const std::string token = lower(text);
+  if (token == "on" || token == "true" || token == "1") {
     value = true;
-  } else if (word == "off" || word == "false" || word == "0") {
+  } else if (token == "off" || token == "false" || token == "0") {
     value = false;
   } else {
-    return not_a("on or off", text);
+    return type_error("on or off", text);
   }
   return {};
 }

@@ -1,4 +1,4 @@
-// What the parameter tables have in common: entries, look-up by name, values as text.
+// Parameter tables: rows, lookup by name, values from text.
 #pragma once
 
 #include <algorithm>
@@ -13,11 +13,11 @@
 
 namespace cls::soccer {
 
-/// Clients below a version are not sent what came later; monitors and game logs get everything.
+/// Clients receive the parameters of their version and older; monitors and game logs receive all.
 constexpr int kAllVersions = 999;
 
-/// One row of a parameter table: the member it describes, since when it is sent to clients, and
-/// what it means (for help texts).
+/// One row of a parameter table: the member, the first client version that receives it, and its
+/// unit and effect for help texts.
 template <typename Params>
 struct Parameter {
   using Member =
@@ -33,7 +33,7 @@ struct Parameter {
 template <typename Params>
 using ParameterTable = std::vector<Parameter<Params>>;
 
-/// The rows in the alphabetical order in which the server sends them.
+/// Rows in alphabetical order, as the server sends them.
 template <typename Params>
 ParameterTable<Params> sorted_by_name(ParameterTable<Params> table) {
   std::sort(table.begin(), table.end(),
@@ -50,16 +50,16 @@ const Parameter<Params>* find_parameter(const ParameterTable<Params>& table,
 }
 
 namespace detail {
-// Text to value with the server's rules (server-protocol 10.2): on/off/true/false/0/1 for bool,
-// a real without fraction for int, quotes optional for strings.
+// Parse values by the rules of the server (server-protocol 10.2): on/off/true/false/0/1 for bool, a
+// real number without fraction for int, optional quotes for strings.
 base::Result<void> assign(double& value, std::string_view text);
 base::Result<void> assign(int& value, std::string_view text);
 base::Result<void> assign(bool& value, std::string_view text);
 base::Result<void> assign(std::string& value, std::string_view text);
 }  // namespace detail
 
-/// Sets the parameter `name` of `params` from text. An unknown name is an error that suggests the
-/// nearest one; a value of the wrong kind is an error that names parameter and value.
+/// Sets the parameter `name` of `params` from text. Errors: an unknown name, with a suggestion; a
+/// value of the wrong type, with parameter and value.
 template <typename Params>
 base::Result<void> set_parameter(Params& params, const ParameterTable<Params>& table,
                                  std::string_view name, std::string_view text) {
@@ -68,8 +68,8 @@ base::Result<void> set_parameter(Params& params, const ParameterTable<Params>& t
     std::vector<std::string_view> names;
     for (const auto& known : table) names.push_back(known.name);
     std::string message = "unknown parameter '" + std::string(name) + "'";
-    const std::string_view near = base::nearest_name(name, names);
-    if (!near.empty()) message += "; did you mean '" + std::string(near) + "'?";
+    const std::string_view nearest = base::nearest_name(name, names);
+    if (!nearest.empty()) message += "; did you mean '" + std::string(nearest) + "'?";
     return base::Error{std::move(message)};
   }
   const base::Result<void> done =

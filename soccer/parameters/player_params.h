@@ -1,4 +1,4 @@
-// The player:: parameters, which govern heterogeneous types and substitutions.
+// The player:: parameters of rcssserver: heterogeneous types and substitutions.
 #pragma once
 
 #include "soccer/parameters/parameter.h"

@@ -1,4 +1,4 @@
-// Drawing the heterogeneous player types.
+// The draw of heterogeneous player types.
 #include "soccer/parameters/player_type.h"
 
 #include <cmath>
@@ -10,8 +10,9 @@
 namespace cls::soccer {
 namespace {
 
-// The draw of the real server: mt19937 is fixed by the C++ standard, the way from its words to a
-// real is libstdc++'s and repeated here, because std distributions may differ between libraries.
+// The random numbers of rcssserver. The C++ standard defines mt19937; the conversion to a real
+// number is that of libstdc++, repeated here because std distributions may differ between
+// libraries.
 class TypeDraw {
  public:
   explicit TypeDraw(std::uint32_t seed) : engine_(seed) {}
@@ -29,7 +30,7 @@ class TypeDraw {
   std::mt19937 engine_;
 };
 
-// One trial; nothing when a value is out of bounds (the draws made so far stay consumed).
+// One trial; nothing if a value is out of bounds (its draws stay consumed).
 std::optional<PlayerType> trial(const ServerParams& server, const PlayerParams& player,
                                 TypeDraw& draw) {
   PlayerType type = default_player_type(server);

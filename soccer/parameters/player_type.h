@@ -1,4 +1,4 @@
-// Heterogeneous player types: what a type says, and how the server draws them.
+// Heterogeneous player types, and how the server draws them.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace cls::soccer {
 
-/// Diagonal of the pitch in metres, sqrt(105^2 + 68^2): as far as anything can be seen.
+/// Diagonal of the pitch in meters, sqrt(105^2 + 68^2): the maximum view distance.
 constexpr double kPitchDiagonal = 125.0959631642844;
 
 /// One player type; members are named and ordered as in the player_type message.
@@ -19,10 +19,10 @@ struct PlayerType {
 #include "soccer/parameters/player_type.inc"
 #undef CLS_PLAYER_TYPE
 
-  /// Centre distance within which the ball can be kicked.
+  /// Maximum distance of the centers at which the ball can be kicked.
   double kickable_area(double ball_size) const { return player_size + ball_size + kickable_margin; }
 
-  /// Speed a dash of full power settles at, with full effort.
+  /// Terminal speed of dashes with full power and effort.
   double real_speed_max(double max_power) const {
     return max_power * dash_power_rate * effort_max / (1.0 - player_decay);
   }
@@ -34,8 +34,8 @@ const ParameterTable<PlayerType>& player_type_table();
 /// Type 0, built from the server parameters.
 PlayerType default_player_type(const ServerParams& server);
 
-/// All types of a match: type 0, then player_types - 1 drawn ones, bit for bit as rcssserver 19
-/// (libstdc++) draws them from the same seed (simulation model 6.1, vectors in 14.1).
+/// All types of a match: type 0 and player_types - 1 drawn ones, identical to those that rcssserver
+/// 19 (libstdc++) draws from the same seed (simulation model 6.1, vectors in 14.1).
 std::vector<PlayerType> draw_player_types(const ServerParams& server, const PlayerParams& player,
                                           std::uint32_t seed);
 

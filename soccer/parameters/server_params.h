@@ -1,4 +1,4 @@
-// The server:: parameters: one struct and one table out of one list.
+// The server:: parameters of rcssserver: a struct and a table, both generated from one list.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 namespace cls::soccer {
 
 /// Every server:: parameter of rcssserver 19 with its default (server-protocol 10.3). Members are
-/// named as on the wire. half_time and extra_half_time are seconds, as users write them; use the
+/// named as on the wire. half_time and extra_half_time are in seconds, as users write them; use the
 /// functions below for cycles.
 struct ServerParams {
 #define CLS_SERVER_PARAM(type, name, value, since, unit, effect) type name = value;

@@ -1,4 +1,4 @@
-// First words of server messages.
+// First tokens of server messages.
 #include "soccer/protocol/message_kind.h"
 
 #include <array>
@@ -10,7 +10,7 @@ MessageKind message_kind(std::string_view message) {
     std::string_view text;
     MessageKind kind;
   };
-  // The frequent ones first; "(ok look " before "(ok ".
+  // Frequent messages first; "(ok look " before "(ok ".
   constexpr std::array kStarts = std::to_array<Start>({
       {"(see ", MessageKind::kSee},
       {"(sense_body ", MessageKind::kSenseBody},

@@ -1,4 +1,4 @@
-// Telling server messages apart by their first word.
+// Classifies server messages by their first token.
 #pragma once
 
 #include <cstdint>
@@ -6,7 +6,7 @@
 
 namespace cls::soccer {
 
-/// Which parser a server message belongs to.
+/// The parser for a server message.
 enum class MessageKind : std::uint8_t {
   kSenseBody,
   kSee,
@@ -20,7 +20,7 @@ enum class MessageKind : std::uint8_t {
   kUnknown,
 };
 
-/// Looks at the first word only; the message may still be malformed.
+/// Reads the first token only; the message may still be malformed.
 MessageKind message_kind(std::string_view message);
 
 }  // namespace cls::soccer

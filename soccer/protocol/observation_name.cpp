@@ -1,4 +1,4 @@
-// Object names: landmarks by a small hash table, players by their parts.
+// Landmark names by a hash table; player names.
 #include "soccer/protocol/observation_name.h"
 
 #include <array>
@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t kMaxNameSize = 8;  // "f r t 20"
 
-// Landmark names fit a machine word each; a see message has up to 55 of them.
+// A landmark name fits into 64 bits; a see message has up to 55 of them.
 class LandmarkNames {
  public:
   LandmarkNames() {

@@ -1,4 +1,4 @@
-// The names of observed objects, "(f r t 20)", "(p \"TEAM\" 7 goalie)", read and written.
+// Names of observed objects: "(f r t 20)", "(p \"TEAM\" 7 goalie)".
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace cls::soccer {
 
-/// Reads the short name of a landmark, "f r t 20", up to its closing bracket.
+/// Reads the short name of a landmark, "f r t 20", up to its closing parenthesis.
 bool read_landmark(Scanner& in, std::uint8_t& index);
 
 /// Reads `"TEAM"`: one to fifteen characters between quotes.

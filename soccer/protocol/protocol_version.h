@@ -1,17 +1,18 @@
-// Which versions of the text protocol are spoken here.
+// Supported versions of the text protocol.
 #pragma once
 
 namespace cls::soccer {
 
-/// Oldest and newest client versions whose messages can be written and read (rcssserver 19).
-/// A version of 18.9 counts as 18. For "everything" see kAllVersions in soccer/parameter.h.
-constexpr int kOldestProtocolVersion = 14;
+/// Range of client versions whose messages can be formatted and parsed (rcssserver 19).
+/// Version 18.9 counts as 18.
+constexpr int kMinProtocolVersion = 14;
+constexpr int kMaxProtocolVersion = 19;
 
-/// Oldest version whose messages can be written: of clients that our server lets in.
-constexpr int kOldestServedVersion = 8;
-constexpr int kNewestProtocolVersion = 19;
+/// Oldest version of clients that the embedded server accepts; older than kMinProtocolVersion,
+/// because their messages can be formatted.
+constexpr int kMinServedVersion = 8;
 
-/// What our own agents speak.
+/// Version of the cls agents.
 constexpr int kDefaultProtocolVersion = 18;
 
 }  // namespace cls::soccer

@@ -79,10 +79,10 @@ std::optional<Code> find(const std::array<std::string_view, size>& names, std::s
 std::string_view name(ErrorCode code) { return kErrors[static_cast<std::size_t>(code)]; }
 std::string_view name(WarningCode code) { return kWarnings[static_cast<std::size_t>(code)]; }
 
-std::optional<ErrorCode> error_code_from_name(std::string_view text) {
+std::optional<ErrorCode> parse_error_code(std::string_view text) {
   return find<ErrorCode>(kErrors, text);
 }
-std::optional<WarningCode> warning_code_from_name(std::string_view text) {
+std::optional<WarningCode> parse_warning_code(std::string_view text) {
   return find<WarningCode>(kWarnings, text);
 }
 

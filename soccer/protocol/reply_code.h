@@ -1,4 +1,4 @@
-// The fixed texts of the server's (error ...) and (warning ...) replies.
+// Codes of the server's (error ...) and (warning ...) replies.
 #pragma once
 
 #include <cstdint>
@@ -71,8 +71,8 @@ enum class WarningCode : std::uint8_t {
 
 std::string_view name(ErrorCode code);
 std::string_view name(WarningCode code);
-std::optional<ErrorCode> error_code_from_name(std::string_view text);
-std::optional<WarningCode> warning_code_from_name(std::string_view text);
+std::optional<ErrorCode> parse_error_code(std::string_view text);
+std::optional<WarningCode> parse_warning_code(std::string_view text);
 
 /// Appends `(error X)` or `(warning X)`.
 void format(ErrorCode code, std::string& out);

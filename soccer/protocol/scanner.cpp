@@ -1,4 +1,4 @@
-// The one line that says where a message could not be read.
+// Error messages of the scanner.
 #include "soccer/protocol/scanner.h"
 
 #include <fmt/format.h>
@@ -6,17 +6,17 @@
 namespace cls::soccer {
 namespace {
 
-constexpr std::size_t kShown = 16;
+constexpr std::size_t kMaxQuoted = 16;
 
-// Printable and short: messages come from the network.
-std::string shown(std::string_view text) {
+// Short and printable, because messages come from the network.
+std::string printable(std::string_view text) {
   std::string result;
-  for (const char c : text.substr(0, kShown)) {
-    const bool printable = c >= ' ' && c <= '~';
+  for (const char c : text.substr(0, kMaxQuoted)) {
+    const bool is_printable = c >= ' ' && c <= '~';
     result +=
-        printable ? std::string(1, c) : fmt::format("\\x{:02x}", static_cast<unsigned char>(c));
+        is_printable ? std::string(1, c) : fmt::format("\\x{:02x}", static_cast<unsigned char>(c));
   }
-  return text.size() > kShown ? result + "..." : result;
+  return text.size() > kMaxQuoted ? result + "..." : result;
 }
 
 }  // namespace
@@ -26,7 +26,7 @@ base::Error Scanner::error(std::string_view message_name) const {
   const std::string_view found = text_.substr(failed_at_);
   return base::Error{
       fmt::format("{}: byte {}: expected '{}', found {}", message_name, failed_at_, expected_,
-                  found.empty() ? std::string("the end") : "'" + shown(found) + "'")};
+                  found.empty() ? std::string("the end") : "'" + printable(found) + "'")};
 }
 
 }  // namespace cls::soccer

@@ -1,4 +1,4 @@
-// A cursor over a server message: single pass, no allocation, remembers where it failed.
+// A cursor over a server message: single pass, no allocation, records the first error.
 #pragma once
 
 #include <cassert>
@@ -11,9 +11,9 @@
 
 namespace cls::soccer {
 
-/// Every step consumes and returns true, or leaves the cursor where it stands, notes what it
-/// expected there and returns false; so a message is one chain of steps joined with &&.
-/// What is "expected" must outlive the scanner (string literals do).
+/// Each function consumes its text and returns true, or leaves the cursor unchanged, records the
+/// expected text and returns false; a message is one chain of calls joined with &&. Expected texts
+/// must outlive the scanner, as string literals do.
 class Scanner {
  public:
   explicit Scanner(std::string_view text) : text_(text) {}
@@ -26,14 +26,14 @@ class Scanner {
   char peek() const { return at_end() ? '\0' : text_[at_]; }
   bool looking_at(std::string_view expected) const { return rest().starts_with(expected); }
 
-  /// Consumes `expected`; a mismatch is a failure.
+  /// Consumes `expected`; a mismatch is an error.
   bool literal(std::string_view expected) {
     if (!looking_at(expected)) return fail(expected);
     at_ += expected.size();
     return true;
   }
 
-  /// Consumes `wanted` if it is there; its absence is not a failure.
+  /// Consumes `wanted` if it is next; its absence is not an error.
   bool optional(std::string_view wanted) {
     if (!looking_at(wanted)) return false;
     at_ += wanted.size();
@@ -41,13 +41,13 @@ class Scanner {
   }
 
   bool number(double& value) {
-    const std::size_t length = base::read_number(rest(), value);
+    const std::size_t length = base::parse_number_prefix(rest(), value);
     at_ += length;
     return length > 0 || fail("a number");
   }
 
   bool integer(int& value) {
-    const std::size_t length = base::read_int(rest(), value);
+    const std::size_t length = base::parse_int_prefix(rest(), value);
     at_ += length;
     return length > 0 || fail("an integer");
   }
@@ -59,16 +59,16 @@ class Scanner {
     return (value >= low && value <= high) || fail_at(start, "an integer in range");
   }
 
-  /// Characters up to the next blank, bracket, quote or the end; at least one.
-  bool word(std::string_view& value) {
+  /// One or more characters up to the next space, parenthesis, quote or the end.
+  bool token(std::string_view& value) {
     const std::size_t end = text_.find_first_of(" ()\"", at_);
     const std::size_t length = (end == std::string_view::npos ? text_.size() : end) - at_;
     value = text_.substr(at_, length);
     at_ += length;
-    return length > 0 || fail("a word");
+    return length > 0 || fail("a token");
   }
 
-  /// Everything up to but without `closing`, which must be the end of the message.
+  /// All text before `closing`, which must be the end of the message.
   bool rest_before(std::string_view closing, std::string_view& value) {
     if (rest().size() < closing.size() || !rest().ends_with(closing)) {
       at_ = text_.size();
@@ -79,7 +79,7 @@ class Scanner {
     return true;
   }
 
-  /// Notes the first failure; always false.
+  /// Records the first error; always false.
   bool fail(std::string_view expected) { return fail_at(at_, expected); }
   bool fail_at(std::size_t position, std::string_view expected) {
     if (expected_.empty()) {
@@ -89,10 +89,10 @@ class Scanner {
     return false;
   }
 
-  /// True at the end of the message; something left over is a failure.
+  /// True at the end of the message; remaining text is an error.
   bool end() { return at_end() || fail("the end"); }
 
-  /// "see: byte 17: expected 'a number', found 'x'". There must have been a failure.
+  /// "see: byte 17: expected 'a number', found 'x'". Requires a recorded error.
   base::Error error(std::string_view message_name) const;
 
  private:

@@ -1,4 +1,4 @@
-// A team name as the protocol carries it: at most 15 characters, held inline.
+// Team names of the protocol: at most 15 characters, stored inline.
 #pragma once
 
 #include <array>
@@ -7,14 +7,14 @@
 
 namespace cls::soccer {
 
-/// Messages name a team for every player they show, so a name is a small value that never
-/// allocates. Empty means "not known".
+/// Messages name the team of each player, so a name is a small value that never allocates. Empty
+/// means unknown.
 class TeamName {
  public:
   static constexpr std::size_t kMaxSize = 15;
 
   constexpr TeamName() = default;
-  /// Text beyond 15 characters is cut off; parsers refuse longer names before they get here.
+  /// Truncates text to 15 characters; parsers reject longer names.
   constexpr TeamName(std::string_view text) {
     for (const char c : text.substr(0, kMaxSize)) text_[size_++] = c;
   }

@@ -1,4 +1,4 @@
-// Putting a message together from many small pieces.
+// Builds messages from many small pieces.
 #pragma once
 
 #include <array>
@@ -10,8 +10,8 @@
 
 namespace cls::soccer {
 
-/// Collects pieces in a buffer of its own and appends them to a string in large parts, the last one
-/// at the end of its life: several times as fast as a string that grows by every piece.
+/// Buffers pieces and appends them to a string in large parts, the last one in the destructor.
+/// Several times as fast as appending each piece to the string.
 class TextWriter {
  public:
   explicit TextWriter(std::string& out) : out_(out) {}
@@ -28,13 +28,13 @@ class TextWriter {
     make_room(text.size());
     size_ += text.copy(buffer_.data() + size_, text.size());
   }
-  /// As append_g and append_int do.
+  /// Formats like append_g and append_int.
   void append_number(double value) {
-    make_room(base::kNumberRoom);
+    make_room(base::kMaxNumberLength);
     size_ = static_cast<std::size_t>(base::write_g(value, buffer_.data() + size_) - buffer_.data());
   }
   void append_number(int value) {
-    make_room(base::kNumberRoom);
+    make_room(base::kMaxNumberLength);
     size_ =
         static_cast<std::size_t>(base::write_int(value, buffer_.data() + size_) - buffer_.data());
   }

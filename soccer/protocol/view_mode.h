@@ -1,4 +1,4 @@
-// How a player looks: view width and quality, as commands and senses name them.
+// View width and quality, as named in commands and sensor messages.
 #pragma once
 
 #include <cstdint>
@@ -17,19 +17,19 @@ constexpr std::string_view name(ViewQuality quality) {
   return quality == ViewQuality::kHigh ? "high" : "low";
 }
 
-constexpr std::optional<ViewWidth> view_width_from_name(std::string_view text) {
+constexpr std::optional<ViewWidth> parse_view_width(std::string_view text) {
   if (text == "narrow") return ViewWidth::kNarrow;
   if (text == "normal") return ViewWidth::kNormal;
   if (text == "wide") return ViewWidth::kWide;
   return std::nullopt;
 }
-constexpr std::optional<ViewQuality> view_quality_from_name(std::string_view text) {
+constexpr std::optional<ViewQuality> parse_view_quality(std::string_view text) {
   if (text == "high") return ViewQuality::kHigh;
   if (text == "low") return ViewQuality::kLow;
   return std::nullopt;
 }
 
-/// A player's card as senses report it.
+/// The card of a player.
 enum class Card : std::uint8_t { kNone, kYellow, kRed };
 
 }  // namespace cls::soccer

@@ -1,4 +1,4 @@
-// Integers as the real server reads what clients send.
+// Integers in client messages, with the overflow behavior of rcssserver.
 #pragma once
 
 #include <cstddef>
@@ -10,10 +10,10 @@
 
 namespace cls::soccer {
 
-/// As read_int, but of a value beyond the range of an int the lowest 32 bits, and of one beyond 64
-/// bits those of the nearest: what atoi and sscanf make of it there.
-inline std::size_t read_wrapped_int(std::string_view text, int& value) {
-  const std::size_t length = base::read_int(text, value);
+/// Like parse_int_prefix, but values beyond the range of an int wrap to their lowest 32 bits, after
+/// clamping to 64 bits, as with atoi and sscanf in rcssserver.
+inline std::size_t parse_wrapped_int(std::string_view text, int& value) {
+  const std::size_t length = base::parse_int_prefix(text, value);
   if (length == 0) return 0;
   const bool negative = text[0] == '-';
   const std::size_t first = negative || text[0] == '+' ? 1 : 0;

@@ -1,4 +1,4 @@
-// The smallest words: angles, shapes, sides, play modes, landmarks, channels.
+// Angles, shapes, sides, play modes, landmarks and channels in memory.
 #include <gtest/gtest.h>
 
 #include "soccer/angle.h"
@@ -11,7 +11,7 @@
 namespace cls::soccer {
 namespace {
 
-TEST(Angles, NormaliseIntoAClosedHalfTurnEitherWay) {
+TEST(Angles, NormalizeToClosedRange) {
   EXPECT_EQ(math::normalize_degrees(190), -170);
   EXPECT_EQ(math::normalize_degrees(-190), 170);
   EXPECT_EQ(math::normalize_degrees(180), 180);
@@ -27,8 +27,8 @@ TEST(Angles, QuantizeRoundsHalfToEven) {
   EXPECT_EQ(math::quantize(0.123, 0.0), 0.123);
 }
 
-TEST(Shapes, NearestEdgePrefersTheHorizontalOneWhenEquallyNear) {
-  const Rect rect = Rect::centred({0, 0}, 4, 2);
+TEST(Shapes, NearestEdgePrefersHorizontalEdgeForEqualDistances) {
+  const Rect rect = Rect::centered({0, 0}, 4, 2);
   EXPECT_EQ(nearest_edge(rect, {1.9, 0.2}), (Vec2{2.0, 0.2}));
   EXPECT_EQ(nearest_edge(rect, {1.5, 0.5}), (Vec2{1.5, 1.0}));
   EXPECT_EQ(nearest_horizontal_edge(rect, {5, 0}), (Vec2{2.0, 1.0}));
@@ -36,19 +36,19 @@ TEST(Shapes, NearestEdgePrefersTheHorizontalOneWhenEquallyNear) {
   EXPECT_FALSE(rect.contains({2.0001, 1}));
 }
 
-TEST(Shapes, NearestEdgeOfACircleFromItsCentreIsDiagonal) {
+TEST(Shapes, NearestEdgeOfCircleFromItsCenterIsDiagonal) {
   const Vec2 edge = nearest_edge(Circle{{1, 1}, 2}, {1, 1});
   EXPECT_DOUBLE_EQ(edge.x, edge.y);
   EXPECT_NEAR(nearest_edge(Circle{{0, 0}, 2}, {0, 0.5}).y, 2.0, 1e-12);
 }
 
-TEST(Shapes, DistanceToASegmentEndsAtItsEnds) {
+TEST(Shapes, DistanceToSegmentIsClampedToItsEnds) {
   const Segment segment{{0, 0}, {10, 0}};
   EXPECT_DOUBLE_EQ(distance(segment, {5, 3}), 3);
   EXPECT_DOUBLE_EQ(distance(segment, {13, 4}), 5);
 }
 
-TEST(Slots, RunLeftThenRight) {
+TEST(Slots, NumberLeftPlayersBeforeRightPlayers) {
   EXPECT_EQ(slot_of(Side::kLeft, 1), 0);
   EXPECT_EQ(slot_of(Side::kRight, 11), 21);
   EXPECT_EQ(side_of_slot(10), Side::kLeft);
@@ -56,18 +56,18 @@ TEST(Slots, RunLeftThenRight) {
   EXPECT_EQ(opponent(Side::kLeft), Side::kRight);
 }
 
-TEST(PlayModes, NamesAndNumbersAreThoseOfTheServer) {
+TEST(PlayModes, HaveNamesAndNumbersOfRcssserver) {
   EXPECT_EQ(name(PlayMode::kGoalKickLeft), "goal_kick_l");
-  EXPECT_EQ(static_cast<int>(*play_mode_from_name("indirect_free_kick_r")), 39);
-  EXPECT_EQ(static_cast<int>(*play_mode_from_name("illegal_defense_r")), 51);
-  EXPECT_FALSE(play_mode_from_name("half_time"));
-  EXPECT_FALSE(play_mode_from_name(""));
+  EXPECT_EQ(static_cast<int>(*parse_play_mode("indirect_free_kick_r")), 39);
+  EXPECT_EQ(static_cast<int>(*parse_play_mode("illegal_defense_r")), 51);
+  EXPECT_FALSE(parse_play_mode("half_time"));
+  EXPECT_FALSE(parse_play_mode(""));
   for (int i = 1; i < kPlayModeCount; ++i) {
-    EXPECT_EQ(play_mode_from_name(name(static_cast<PlayMode>(i))), static_cast<PlayMode>(i));
+    EXPECT_EQ(parse_play_mode(name(static_cast<PlayMode>(i))), static_cast<PlayMode>(i));
   }
 }
 
-TEST(PlayModes, KnowTheirSideAndTheirTwin) {
+TEST(PlayModes, MapToSideAndToOtherVariant) {
   EXPECT_EQ(side(PlayMode::kGoalRight), Side::kRight);
   EXPECT_EQ(side(PlayMode::kPlayOn), Side::kNeutral);
   EXPECT_EQ(side(PlayMode::kDropBall), Side::kNeutral);
@@ -79,7 +79,7 @@ TEST(PlayModes, KnowTheirSideAndTheirTwin) {
   EXPECT_FALSE(is_set_play(PlayMode::kDropBall));
 }
 
-TEST(Landmarks, AreTheServersList) {
+TEST(Landmarks, MatchRcssserver) {
   EXPECT_EQ(kLandmarks[9].name, "f g r t");
   EXPECT_EQ(kLandmarks[9].position, (Vec2{52.5, -7.01}));
   EXPECT_TRUE(kLandmarks[*landmark_index("g l")].is_goal());
@@ -87,7 +87,7 @@ TEST(Landmarks, AreTheServersList) {
   EXPECT_FALSE(landmark_index("f x"));
 }
 
-TEST(MemoryChannel, KeepsOrderAndNoticesTheOtherEndLeaving) {
+TEST(MemoryChannel, PreservesOrderAndDetectsClosedPeer) {
   auto [server, client] = make_memory_channel();
   EXPECT_TRUE(server->send("one"));
   EXPECT_TRUE(server->send("two"));

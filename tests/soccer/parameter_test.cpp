@@ -1,4 +1,4 @@
-// Parameters: defaults, look-up, values from text.
+// Parameters: defaults, lookup, values from text.
 #include "soccer/parameters/parameter.h"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ int sent_to(int version) {
   return count;
 }
 
-TEST(ServerParams, EachVersionIsSentAsManyAsTheRealServerSends) {
+TEST(ServerParams, HaveAsManyRowsPerVersionAsRcssserver) {
   EXPECT_EQ(sent_to(14), 187);
   EXPECT_EQ(sent_to(15), 188);
   EXPECT_EQ(sent_to(16), 194);
@@ -26,7 +26,7 @@ TEST(ServerParams, EachVersionIsSentAsManyAsTheRealServerSends) {
   EXPECT_EQ(player_param_table().size(), 29u);
 }
 
-TEST(ServerParams, HalvesAreCountedInCycles) {
+TEST(ServerParams, ConvertHalfTimeToCycles) {
   ServerParams params;
   EXPECT_EQ(params.half_time_cycles(), 3000);
   EXPECT_EQ(params.normal_time_cycles(), 6000);
@@ -37,7 +37,7 @@ TEST(ServerParams, HalvesAreCountedInCycles) {
   EXPECT_LT(params.half_time_cycles(), 0);
 }
 
-TEST(SetParameter, TakesTheServersSpellings) {
+TEST(SetParameter, AcceptsSpellingsOfRcssserver) {
   ServerParams params;
   const auto set = [&](std::string_view name, std::string_view text) {
     return set_parameter(params, server_param_table(), name, text);
@@ -55,7 +55,7 @@ TEST(SetParameter, TakesTheServersSpellings) {
   EXPECT_EQ(params.game_log_dir, "./a b");
 }
 
-TEST(SetParameter, SaysWhatIsWrong) {
+TEST(SetParameter, ReportsInvalidNamesAndValues) {
   ServerParams params;
   const auto message = [&](std::string_view name, std::string_view text) {
     const auto result = set_parameter(params, server_param_table(), name, text);

@@ -1,4 +1,4 @@
-// Player types against what rcssserver 19 sent for player::random_seed = 1.
+// Player types compared with those of rcssserver 19 for player::random_seed = 1.
 #include "soccer/parameters/player_type.h"
 
 #include <gtest/gtest.h>
@@ -32,12 +32,12 @@ constexpr double kSeedOne[17][10] = {
     {49.6972, 0.40165, 5.04124, 0.00521714, 0.609861, 0.00986085, 75.9431, 0.896228, 0.496228, 1.05168}};
 // clang-format on
 
-// Six significant digits were printed, so half a unit of the sixth may be off.
+// The expected values have six significant digits.
 void expect_printed(double printed, double value) {
   EXPECT_NEAR(printed, value, std::fabs(printed) * 5.1e-6);
 }
 
-TEST(PlayerTypes, RepeatTheRealServersDrawOfSeedOne) {
+TEST(PlayerTypes, MatchRcssserverForSeedOne) {
   const auto types = draw_player_types(ServerParams{}, PlayerParams{}, 1);
   ASSERT_EQ(types.size(), 18u);
   for (std::size_t i = 1; i < types.size(); ++i) {
@@ -53,7 +53,7 @@ TEST(PlayerTypes, RepeatTheRealServersDrawOfSeedOne) {
   }
 }
 
-TEST(PlayerTypes, TypeZeroHasTheServerParameters) {
+TEST(PlayerTypes, TypeZeroHasServerParameters) {
   ServerParams server;
   server.player_decay = 0.45;
   server.effort_init = 0.9;
@@ -64,7 +64,7 @@ TEST(PlayerTypes, TypeZeroHasTheServerParameters) {
   EXPECT_EQ(types[0].catchable_area_l_stretch, 1.0);
 }
 
-TEST(PlayerTypes, ImpossibleBoundsFallBackToTheDefaultType) {
+TEST(PlayerTypes, UseDefaultTypeForImpossibleBounds) {
   PlayerParams player;
   player.player_decay_delta_min = player.player_decay_delta_max = -0.5;  // decay below zero
   const auto types = draw_player_types(ServerParams{}, player, 3);
@@ -73,7 +73,7 @@ TEST(PlayerTypes, ImpossibleBoundsFallBackToTheDefaultType) {
   EXPECT_EQ(types[5].player_decay, 0.4);
 }
 
-TEST(PlayerTypes, DiagonalOfThePitchIsHowFarOneSees) {
+TEST(PlayerTypes, MaximumViewDistanceIsPitchDiagonal) {
   EXPECT_DOUBLE_EQ(kPitchDiagonal, std::sqrt(105.0 * 105.0 + 68.0 * 68.0));
 }
 

@@ -1,4 +1,4 @@
-// Commands of online coaches and trainers, with the real server's answers to bad ones.
+// Commands of online coaches and trainers, and the error replies of rcssserver.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -25,7 +25,7 @@ constexpr std::string_view kGraphic =
     "(team_graphic (0 0 \"8 8 2 1\" \"a c #FFFFFF\" \"b c #000000\" \"aaaaaaaa\" \"aaaaaaaa\" "
     "\"aaaaaaaa\" \"aaaaaaaa\" \"aaaaaaaa\" \"aaaaaaaa\" \"aaaaaaaa\" \"abababab\"))";
 
-TEST(CoachCommand, ReadsWhatRealOnlineCoachesSend) {
+TEST(CoachCommand, ParsesRecordedOnlineCoachCommands) {
   for (const std::string_view text :
        {std::string_view("(look)"), std::string_view("(eye on)"), std::string_view("(eye off)"),
         std::string_view("(team_names)"), std::string_view("(check_ball)"),
@@ -39,7 +39,7 @@ TEST(CoachCommand, ReadsWhatRealOnlineCoachesSend) {
   }
 }
 
-TEST(CoachCommand, ReadsWhatRealTrainersSend) {
+TEST(CoachCommand, ParsesRecordedTrainerCommands) {
   for (const char* text :
        {"(look)", "(eye on)", "(ear on)", "(ear off)", "(team_names)", "(check_ball)", "(start)",
         "(change_player_type HELIOS_L 7 3)", "(say hello_everyone)", "(say hello world)",
@@ -50,7 +50,7 @@ TEST(CoachCommand, ReadsWhatRealTrainersSend) {
   }
 }
 
-TEST(CoachCommand, AnswersBadOnesAsTheRealServer) {
+TEST(CoachCommand, ReturnsErrorsOfRcssserver) {
   EXPECT_EQ(coach("(foo)"), "unknown_command");
   EXPECT_EQ(coach("(ear on)"), "unknown_command");
   EXPECT_EQ(coach("(eye maybe)"), "illegal_command_form");
@@ -71,19 +71,19 @@ TEST(CoachCommand, AnswersBadOnesAsTheRealServer) {
   EXPECT_EQ(trainer("(say )"), "illegal_command_form");
 }
 
-TEST(CoachCommand, OnlyTheFirstCommandOfADatagramCounts) {
+TEST(CoachCommand, ParsesOnlyFirstCommandOfDatagram) {
   EXPECT_EQ(trainer("(eye on)(ear on)"), "(eye on)");
   EXPECT_EQ(coach("(change_player_type 3 4)(done)"), "(change_player_type 3 4)");
   EXPECT_EQ(trainer("  ( start"), "(start)");
 }
 
-TEST(CoachCommand, TrainerTextEndsAtTheFirstOtherCharacter) {
+TEST(CoachCommand, TrainerSayEndsAtFirstInvalidCharacter) {
   CoachCommand command;
   ASSERT_FALSE(parse("(say (freeform \"hello\"))", CoachRole::kTrainer, command));
   EXPECT_EQ(std::get<TrainerSay>(command).text, "(freeform ");
 }
 
-TEST(CoachCommand, FreeformTextIsBetweenTheQuotes) {
+TEST(CoachCommand, FreeformReturnsTextBetweenQuotes) {
   CoachCommand command;
   ASSERT_FALSE(parse("(say (freeform \"a b(c)\"))", CoachRole::kOnlineCoach, command));
   EXPECT_EQ(std::get<CoachSay>(command).kind, ClangKind::kFreeform);
@@ -96,7 +96,7 @@ TEST(CoachCommand, FreeformTextIsBetweenTheQuotes) {
   }
 }
 
-TEST(CoachCommand, ABadPictureKeepsItsPlace) {
+TEST(CoachCommand, InvalidXpmKeepsTileLocation) {
   CoachCommand command;
   EXPECT_EQ(parse("(team_graphic (3 4 \"8 8 1 1\"))", CoachRole::kOnlineCoach, command),
             ErrorCode::kInvalidXpmData);
@@ -108,7 +108,7 @@ TEST(CoachCommand, ABadPictureKeepsItsPlace) {
   EXPECT_EQ(coach("(team_graphic (0 0 \"1 2147483647 1 1\" \"a\" \"a\"))"), "invalid_xpm_data");
 }
 
-TEST(CoachCommand, WillNotWriteWhatTheServerWouldRefuse) {
+TEST(CoachCommand, DoesNotFormatWhatServerRejects) {
   std::string text = "before";
   for (const CoachCommand& command : std::vector<CoachCommand>{
            MoveBall{{std::nan(""), 0}, {}, {}}, MoveBall{{0, 0}, {}, Vec2{1, 1}},

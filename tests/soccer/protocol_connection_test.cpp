@@ -1,4 +1,4 @@
-// Requests to take part, with the answers the real server gave to good and bad ones.
+// Connection requests, and the replies of rcssserver to valid and invalid ones.
 #include <gtest/gtest.h>
 
 #include "soccer/commands/connection_request.h"
@@ -37,7 +37,7 @@ std::string trainer(std::string_view datagram) {
   return text;
 }
 
-TEST(ConnectionRequest, ReadsPlayersAsTheRealServerDid) {
+TEST(ConnectionRequest, ParsesPlayerInitLikeRcssserver) {
   EXPECT_EQ(game("(init LeftTeam (version 19))"), "(init LeftTeam (version 19))");
   EXPECT_EQ(game("(init LeftTeam (version 18) (goalie))"), "(init LeftTeam (version 18) (goalie))");
   EXPECT_EQ(game("(init A/B:C@D[E (version 18))"), "(init A/B:C@D[E (version 18))");
@@ -49,7 +49,7 @@ TEST(ConnectionRequest, ReadsPlayersAsTheRealServerDid) {
   EXPECT_EQ(game("(init A)"), "(init A (version 3))");
 }
 
-TEST(ConnectionRequest, RefusesPlayersAsTheRealServerDid) {
+TEST(ConnectionRequest, RejectsPlayerInitLikeRcssserver) {
   EXPECT_EQ(game("(init  (version 19))"), "illegal_teamname");
   EXPECT_EQ(game("(init T\xc3\xab\x61m (version 19))"), "illegal_teamname_or_too_long_teamname");
   EXPECT_EQ(game("(init ThisNameIsTooLong (version 19))"), "illegal_teamname_or_too_long_teamname");
@@ -65,18 +65,18 @@ TEST(ConnectionRequest, RefusesPlayersAsTheRealServerDid) {
   EXPECT_EQ(game(""), "unknown_command");
 }
 
-TEST(ConnectionRequest, LeavesAcceptableVersionsToTheServer) {
+TEST(ConnectionRequest, DoesNotValidateVersions) {
   EXPECT_EQ(game("(init LeftTeam (version 20))"), "(init LeftTeam (version 20))");
 }
 
-TEST(ConnectionRequest, ReadsReconnects) {
+TEST(ConnectionRequest, ParsesReconnect) {
   EXPECT_EQ(game("(reconnect LeftTeam 1)"), "(reconnect LeftTeam 1)");
   EXPECT_EQ(game("(reconnect A/B:C@D[E 5)"), "(reconnect A/B:C@D[E 5)");
   EXPECT_EQ(game("(reconnect A/B:C@D[E)"), "illegal_command_form");
   EXPECT_EQ(game("(reconnect )"), "illegal_command_form");
 }
 
-TEST(ConnectionRequest, ReadsMonitors) {
+TEST(ConnectionRequest, ParsesMonitorInit) {
   EXPECT_EQ(game("(dispinit)"), "(dispinit)");
   EXPECT_EQ(game("(dispinit version 3)"), "(dispinit version 3)");
   EXPECT_EQ(game("(dispinit version -1)"), "(dispinit version -1)");
@@ -84,7 +84,7 @@ TEST(ConnectionRequest, ReadsMonitors) {
   EXPECT_EQ(game("(dispinit version x)"), "unknown_command");
 }
 
-TEST(ConnectionRequest, ReadsOnlineCoaches) {
+TEST(ConnectionRequest, ParsesOnlineCoachInit) {
   EXPECT_EQ(coach("(init LeftTeam MyCoach (version 18))"), "(init LeftTeam MyCoach (version 18))");
   EXPECT_EQ(coach("(init HELIOS_L (version 18))"), "(init HELIOS_L (version 18))");
   EXPECT_EQ(coach("(init A C)"), "(init A C (version 5))");
@@ -98,7 +98,7 @@ TEST(ConnectionRequest, ReadsOnlineCoaches) {
   EXPECT_EQ(coach("(init A (version x))"), "illegal_command_form");
 }
 
-TEST(ConnectionRequest, ReadsTrainers) {
+TEST(ConnectionRequest, ParsesTrainerInit) {
   EXPECT_EQ(trainer("(init (version 18))"), "(init (version 18))");
   EXPECT_EQ(trainer("(init)"), "(init (version 3))");
   EXPECT_EQ(trainer("(init (version 0.5))"), "illegal_command_form");

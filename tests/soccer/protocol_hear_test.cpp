@@ -1,4 +1,4 @@
-// hear messages of the real server, for every sender and listener.
+// hear messages of rcssserver for all senders and recipients.
 #include <gtest/gtest.h>
 
 #include "soccer/messages/hear.h"
@@ -10,39 +10,39 @@ using Sender = Hear::Sender;
 
 struct Case {
   const char* text;
-  Listener listener;
+  Recipient recipient;
   Sender sender;
   int time;
   const char* said;
 };
 
 constexpr Case kRecorded[] = {
-    {"(hear 0 referee kick_off_l)", Listener::kPlayer, Sender::kReferee, 0, "kick_off_l"},
-    {"(hear 36 referee goal_l_1)", Listener::kPlayer, Sender::kReferee, 36, "goal_l_1"},
-    {"(hear 0 self \"hello\")", Listener::kPlayer, Sender::kSelf, 0, "hello"},
-    {"(hear 0 180 our 3 \"x2\")", Listener::kPlayer, Sender::kTeammate, 0, "x2"},
-    {"(hear 30 106 opp \"one\")", Listener::kPlayer, Sender::kOpponent, 30, "one"},
-    {"(hear 36 our 1)", Listener::kPlayer, Sender::kTeammate, 36, ""},
-    {"(hear 36 opp)", Listener::kPlayer, Sender::kOpponent, 36, ""},
-    {"(hear 10 coach \"hello_everyone\")", Listener::kPlayer, Sender::kTrainer, 10,
+    {"(hear 0 referee kick_off_l)", Recipient::kPlayer, Sender::kReferee, 0, "kick_off_l"},
+    {"(hear 36 referee goal_l_1)", Recipient::kPlayer, Sender::kReferee, 36, "goal_l_1"},
+    {"(hear 0 self \"hello\")", Recipient::kPlayer, Sender::kSelf, 0, "hello"},
+    {"(hear 0 180 our 3 \"x2\")", Recipient::kPlayer, Sender::kTeammate, 0, "x2"},
+    {"(hear 30 106 opp \"one\")", Recipient::kPlayer, Sender::kOpponent, 30, "one"},
+    {"(hear 36 our 1)", Recipient::kPlayer, Sender::kTeammate, 36, ""},
+    {"(hear 36 opp)", Recipient::kPlayer, Sender::kOpponent, 36, ""},
+    {"(hear 10 coach \"hello_everyone\")", Recipient::kPlayer, Sender::kTrainer, 10,
      "hello_everyone"},
-    {"(hear 0 online_coach_left (freeform \"hello world\"))", Listener::kPlayer,
+    {"(hear 0 online_coach_left (freeform \"hello world\"))", Recipient::kPlayer,
      Sender::kOnlineCoachLeft, 0, "(freeform \"hello world\")"},
-    {"(hear 0 online_coach_right (unsupported_clang))", Listener::kPlayer,
+    {"(hear 0 online_coach_right (unsupported_clang))", Recipient::kPlayer,
      Sender::kOnlineCoachRight, 0, "(unsupported_clang)"},
-    {"(hear 9 referee hello_everyone)", Listener::kOnlineCoach, Sender::kReferee, 9,
+    {"(hear 9 referee hello_everyone)", Recipient::kOnlineCoach, Sender::kReferee, 9,
      "hello_everyone"},
-    {"(hear 0 referee (freeform )", Listener::kOnlineCoach, Sender::kReferee, 0, "(freeform "},
-    {"(hear referee 0 free_kick_l)", Listener::kTrainer, Sender::kReferee, 0, "free_kick_l"},
-    {"(hear 0 referee \"hello world\")", Listener::kTrainer, Sender::kTrainer, 0, "hello world"},
-    {"(hear 29 (p \"TB\" 1) \"three\")", Listener::kTrainer, Sender::kPlayer, 29, "three"},
-    {"(hear 6 (p \"HELIOS_R\" 1 goalie) \"BybAr6rnqC\")", Listener::kOnlineCoach, Sender::kPlayer,
+    {"(hear 0 referee (freeform )", Recipient::kOnlineCoach, Sender::kReferee, 0, "(freeform "},
+    {"(hear referee 0 free_kick_l)", Recipient::kTrainer, Sender::kReferee, 0, "free_kick_l"},
+    {"(hear 0 referee \"hello world\")", Recipient::kTrainer, Sender::kTrainer, 0, "hello world"},
+    {"(hear 29 (p \"TB\" 1) \"three\")", Recipient::kTrainer, Sender::kPlayer, 29, "three"},
+    {"(hear 6 (p \"HELIOS_R\" 1 goalie) \"BybAr6rnqC\")", Recipient::kOnlineCoach, Sender::kPlayer,
      6, "BybAr6rnqC"},
-    {"(hear 5 online_coach_left \"(freeform \"hi\")\")", Listener::kTrainer,
+    {"(hear 5 online_coach_left \"(freeform \"hi\")\")", Recipient::kTrainer,
      Sender::kOnlineCoachLeft, 5, "(freeform \"hi\")"},
 };
 
-TEST(Hear, ReadsAndWritesEveryForm) {
+TEST(Hear, ParsesAndFormatsAllForms) {
   Hear hear;
   for (const Case& one : kRecorded) {
     const base::Result<void> done = parse(one.text, hear);
@@ -51,12 +51,12 @@ TEST(Hear, ReadsAndWritesEveryForm) {
     EXPECT_EQ(hear.time, one.time) << one.text;
     EXPECT_EQ(hear.text, one.said) << one.text;
     std::string text;
-    format(hear, one.listener, text);
+    format(hear, one.recipient, text);
     EXPECT_EQ(text, one.text);
   }
 }
 
-TEST(Hear, TellsWhoSpokeAndFromWhere) {
+TEST(Hear, ParsesSenderAndDirection) {
   Hear hear;
   ASSERT_TRUE(parse("(hear 36 -89 our 1 \"p2\")", hear));
   EXPECT_EQ(hear.direction, -89);
@@ -71,17 +71,17 @@ TEST(Hear, TellsWhoSpokeAndFromWhere) {
   EXPECT_FALSE(hear.partial);
 }
 
-TEST(Hear, OnlineCoachesHearTheTrainerAsReferee) {
+TEST(Hear, SendsTrainerAsRefereeToOnlineCoaches) {
   Hear hear;
   hear.time = 9;
   hear.sender = Sender::kTrainer;
   hear.text = "hello_everyone";
   std::string text;
-  format(hear, Listener::kOnlineCoach, text);
+  format(hear, Recipient::kOnlineCoach, text);
   EXPECT_EQ(text, "(hear 9 referee hello_everyone)");
 }
 
-TEST(Hear, RefusesWrongForms) {
+TEST(Hear, RejectsInvalidForms) {
   for (const char* text :
        {"", "(hear", "(hear )", "(hear x referee a)", "(hear 1 referee )", "(hear 1 referee a",
         "(hear 1 nobody \"a\")", "(hear 1 self a)", "(hear 1 self \"a)", "(hear 1 self \"\")",

@@ -13,7 +13,7 @@ Command read(std::string_view text) {
   return std::get<Command>(*command);
 }
 
-TEST(MonitorCommand, PlacesAreSixteenthsAndSidesAreSigns) {
+TEST(MonitorCommand, ParsesPositionsInSixteenthsAndSidesAsSigns) {
   read<DispStart>("(dispstart)");
   read<DispBye>("(dispbye)");
   const auto foul = read<DispFoul>("(dispfoul -160 80 -1)");
@@ -31,7 +31,7 @@ TEST(MonitorCommand, PlacesAreSixteenthsAndSidesAreSigns) {
   EXPECT_EQ(read<Compression>("(compression 6)").level, 6);
 }
 
-TEST(MonitorCommand, WhatIsNoneIsRefused) {
+TEST(MonitorCommand, RejectsUnknownCommands) {
   for (const char* text :
        {"", "(", "dispstart", "(foo)", "(dispfoul)", "(dispfoul 1 2)", "(dispfoul a b c)",
         " (dispstart)", "( dispfoul 1 2 1)", "(dispstart)x", "(dispdiscard 1)",
@@ -40,14 +40,14 @@ TEST(MonitorCommand, WhatIsNoneIsRefused) {
   }
 }
 
-TEST(MonitorCommand, WhoIsNoneOfTheTwentyTwoIsOfNoSide) {
+TEST(MonitorCommand, MapsUnknownPlayersToNeutralSide) {
   for (const char* text : {"(dispplayer 1 12 0 0 0)", "(dispplayer 1 0 0 0 0)",
                            "(dispplayer 2 1 0 0 0)", "(dispplayer 0 1 0 0 0)"}) {
     EXPECT_EQ(read<DispPlayer>(text).side, Side::kNeutral) << text;
   }
 }
 
-TEST(MonitorCommand, IsWrittenAsMonitorsWriteIt) {
+TEST(MonitorCommand, FormatsLikeMonitors) {
   for (const char* text : {"(dispstart)", "(dispbye)", "(dispfoul -160 80 -1)", "(dispfoul 0 0 0)",
                            "(dispfoul 1 2 1)", "(dispplayer -1 11 -8 16 -90)", "(dispdiscard 1 3)",
                            "(dispcard -1 3 red)", "(dispcard 1 3 yellow)", "(compression 9)"}) {

@@ -1,4 +1,4 @@
-// Parameter messages follow the tables and the client's version.
+// Parameter messages by table and client version.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,7 +15,7 @@ int pairs_for(int version) {
   return static_cast<int>(std::count(text.begin(), text.end(), '(')) - 1;
 }
 
-TEST(ParameterMessage, SendsEachVersionWhatItKnows) {
+TEST(ParameterMessage, ContainsParametersOfClientVersion) {
   EXPECT_EQ(pairs_for<ServerParams>(14), 187);
   EXPECT_EQ(pairs_for<ServerParams>(15), 188);
   EXPECT_EQ(pairs_for<ServerParams>(16), 194);
@@ -29,7 +29,7 @@ TEST(ParameterMessage, SendsEachVersionWhatItKnows) {
   EXPECT_EQ(pairs_for<PlayerType>(19), 30);
 }
 
-TEST(ParameterMessage, WritesTheDefaultTypeAsTheRealServer) {
+TEST(ParameterMessage, FormatsDefaultTypeLikeRcssserver) {
   std::string text;
   format(PlayerType{}, 18, text);
   EXPECT_EQ(text,
@@ -44,7 +44,7 @@ TEST(ParameterMessage, WritesTheDefaultTypeAsTheRealServer) {
             "(flag_chg_too_far_length 40)(flag_max_observation_length 125.096))");
 }
 
-TEST(ParameterMessage, ReadsEveryKindOfValue) {
+TEST(ParameterMessage, ParsesAllTypesOfValues) {
   ServerParams params;
   ASSERT_TRUE(
       parse("(server_param (goal_width 7.32)(half_time -1)(synch_mode 1)(use_offside 0)"
@@ -58,13 +58,13 @@ TEST(ParameterMessage, ReadsEveryKindOfValue) {
   EXPECT_EQ(params.ball_decay, 0.94);
 }
 
-TEST(ParameterMessage, SkipsNamesOfNewerServers) {
+TEST(ParameterMessage, SkipsUnknownNames) {
   ServerParams params;
   ASSERT_TRUE(parse("(server_param (new_thing 1.5)(new_text \"(a) b\")(goal_width 7))", params));
   EXPECT_EQ(params.goal_width, 7);
 }
 
-TEST(ParameterMessage, ErrorsNameTheByte) {
+TEST(ParameterMessage, ReportsByteOfError) {
   const auto error = [](std::string_view text) {
     ServerParams params;
     const base::Result<void> done = parse(text, params);

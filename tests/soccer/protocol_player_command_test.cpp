@@ -1,4 +1,4 @@
-// Player commands parse as the real server's grammar has them.
+// Player commands by the grammar of rcssserver.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -15,7 +15,7 @@ std::string text_of(const std::vector<PlayerCommand>& commands) {
   return text;
 }
 
-// The commands of a datagram in our own spelling, then " !" and the byte of a syntax error.
+// The commands of a datagram, formatted again, then " !" and the byte of a syntax error.
 std::string read(std::string_view datagram) {
   std::vector<PlayerCommand> commands;
   const std::optional<std::size_t> error = parse_player_commands(datagram, commands);
@@ -30,7 +30,7 @@ Command only(std::string_view datagram) {
   return std::get<Command>(commands.at(0));
 }
 
-TEST(PlayerCommand, ReadsDatagramsOfRealPlayers) {
+TEST(PlayerCommand, ParsesRecordedDatagrams) {
   const Dash dash = only<Dash>("(dash 100 -30)");
   EXPECT_EQ(dash.power, 100);
   EXPECT_EQ(dash.direction, -30);
@@ -60,7 +60,7 @@ TEST(PlayerCommand, ReadsDatagramsOfRealPlayers) {
   }
 }
 
-TEST(PlayerCommand, ReadsOtherSpellingsOfTheSame) {
+TEST(PlayerCommand, ParsesAlternativeSpellings) {
   EXPECT_EQ(read("(turn  -.5 )"), "(turn -0.5)");
   EXPECT_EQ(read("(turn .5)"), "(turn 0.5)");
   EXPECT_EQ(read("(turn 1e2)"), "(turn 100)");
@@ -81,7 +81,7 @@ TEST(PlayerCommand, ReadsOtherSpellingsOfTheSame) {
             "(change_view normal high)(long_kick 1 2)");
 }
 
-TEST(PlayerCommand, UnquotedSayTakesAllUpToTheLastBracketOfTheRun) {
+TEST(PlayerCommand, UnquotedSayExtendsToLastParenthesis) {
   EXPECT_EQ(only<Say>("(say hello)").text, "hello");
   EXPECT_EQ(only<Say>("(say hello)(turn 10)(dash 5)").text, "hello)(turn 10)(dash 5");
   EXPECT_EQ(only<Say>("(say  two words)").text, " two words");
@@ -92,21 +92,21 @@ TEST(PlayerCommand, UnquotedSayTakesAllUpToTheLastBracketOfTheRun) {
   EXPECT_EQ(read("(say hello)(say \"x\")"), "(say \"hello\")(say \"x\")");
 }
 
-TEST(PlayerCommand, CommandsBeforeASyntaxErrorStand) {
+TEST(PlayerCommand, KeepsCommandsBeforeSyntaxError) {
   EXPECT_EQ(read("(turn 10)(foo)(turn_neck 5)"), "(turn 10) !10");
   EXPECT_EQ(read("(turn 10)("), "(turn 10) !10");
   EXPECT_EQ(read("(turn 10)x"), "(turn 10) !9");
   EXPECT_EQ(read("(turn 10"), " !8");
 }
 
-TEST(PlayerCommand, ALegBeforeASyntaxErrorStands) {
+TEST(PlayerCommand, KeepsLegBeforeSyntaxError) {
   EXPECT_EQ(read("(dash (l 50 10)(x 50 10))"), "(dash (l 50 10)) !16");
   EXPECT_EQ(read("(dash (l 50 10)(l 50 10))"), "(dash (l 50 10)) !16");
   EXPECT_EQ(read("(dash (l 50 10) foo"), "(dash (l 50 10)) !16");
   EXPECT_EQ(read("(dash (l 50))"), " !11");
 }
 
-TEST(PlayerCommand, RefusesWhatTheRealServerRefused) {
+TEST(PlayerCommand, RejectsWhatRcssserverRejected) {
   EXPECT_EQ(read("(turn abc)"), " !6");
   EXPECT_EQ(read("(turn 5.)"), " !7");
   EXPECT_EQ(read("(dash 10 nan)"), " !9");
@@ -117,7 +117,7 @@ TEST(PlayerCommand, RefusesWhatTheRealServerRefused) {
   EXPECT_EQ(read(" "), " !1");
 }
 
-TEST(PlayerCommand, RefusesOtherWrongForms) {
+TEST(PlayerCommand, RejectsOtherInvalidForms) {
   for (const char* datagram : {"turn 10",
                                "(turn)",
                                "(turn 1 2)",
@@ -169,13 +169,13 @@ TEST(PlayerCommand, RefusesOtherWrongForms) {
   }
 }
 
-TEST(PlayerCommand, AddsToWhatIsThere) {
+TEST(PlayerCommand, AppendsToExistingCommands) {
   std::vector<PlayerCommand> commands = {Done{}};
   EXPECT_FALSE(parse_player_commands("(turn 1)", commands));
   EXPECT_EQ(text_of(commands), "(done)(turn 1)");
 }
 
-TEST(PlayerCommand, WillNotSayWhatTheGrammarCannot) {
+TEST(PlayerCommand, DoesNotFormatWhatGrammarCannotExpress) {
   const double infinity = std::numeric_limits<double>::infinity();
   const auto named = [](std::string name) {
     return TeamReference{TeamReference::Kind::kNamed, std::move(name)};
@@ -192,7 +192,7 @@ TEST(PlayerCommand, WillNotSayWhatTheGrammarCannot) {
   }
 }
 
-TEST(PlayerCommand, WritesNumbersInTheShortestForm) {
+TEST(PlayerCommand, FormatsNumbersInShortestForm) {
   std::string text;
   EXPECT_TRUE(format(Dash{100, 0}, text));
   EXPECT_TRUE(format(Turn{0.1 + 0.2}, text));

@@ -1,4 +1,4 @@
-// Random messages survive a round trip, and no bytes at all confuse a parser.
+// Random messages round-trip; random bytes crash no parser.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -185,13 +185,13 @@ GlobalView random_view(Dice& dice) {
   return view;
 }
 
-Hear random_hear(Dice& dice, Listener& listener) {
+Hear random_hear(Dice& dice, Recipient& recipient) {
   using Sender = Hear::Sender;
   Hear hear;
   hear.time = dice.integer(0, 6000);
   hear.sender = static_cast<Sender>(dice.integer(0, 7));
-  listener = Listener::kPlayer;
-  if (hear.sender == Sender::kPlayer) listener = Listener::kTrainer;
+  recipient = Recipient::kPlayer;
+  if (hear.sender == Sender::kPlayer) recipient = Recipient::kTrainer;
   hear.team = dice.team();
   hear.unum = dice.unum();
   hear.direction = dice.integer(-180, 180);
@@ -201,7 +201,7 @@ Hear random_hear(Dice& dice, Listener& listener) {
   return hear;
 }
 
-TEST(ProtocolRandom, MessagesSurviveARoundTrip) {
+TEST(ProtocolRandom, MessagesRoundTrip) {
   Dice dice;
   for (int i = 0; i < 5000; ++i) {
     const int version = dice.integer(14, 19);
@@ -212,13 +212,14 @@ TEST(ProtocolRandom, MessagesSurviveARoundTrip) {
     See see;
     see.time = dice.integer(0, 6000);
     for (int k = dice.integer(0, 81); k > 0; --k) see.objects.push_back(random_object(dice));
-    Listener listener;
-    const Hear hear = random_hear(dice, listener);
+    Recipient recipient;
+    const Hear hear = random_hear(dice, recipient);
     expect_round_trip(random_sense(dice), versioned);
     expect_round_trip(see, plain);
     expect_round_trip(random_full_state(dice), versioned);
     expect_round_trip(random_view(dice), plain);
-    expect_round_trip(hear, [&](const Hear& one, std::string& out) { format(one, listener, out); });
+    expect_round_trip(hear,
+                      [&](const Hear& one, std::string& out) { format(one, recipient, out); });
     if (HasFatalFailure()) return;
   }
 }
@@ -269,7 +270,7 @@ PlayerCommand random_command(Dice& dice) {
   }
 }
 
-TEST(ProtocolRandom, CommandListsSurviveARoundTrip) {
+TEST(ProtocolRandom, CommandListsRoundTrip) {
   Dice dice;
   for (int i = 0; i < 20000; ++i) {
     std::string text;
@@ -284,7 +285,7 @@ TEST(ProtocolRandom, CommandListsSurviveARoundTrip) {
   }
 }
 
-// Whatever the bytes, every parser comes back; what it accepts it can format.
+// All parsers return for any bytes, and accepted messages can be formatted.
 class AllParsers {
  public:
   void feed(const std::string& text) {
@@ -299,7 +300,7 @@ class AllParsers {
     if (!parse(text, trainer_init_)) format(trainer_init_, out_);
     if (parse(text, sense_)) format(sense_, 18, out_);
     if (parse(text, see_)) format(see_, out_);
-    if (parse(text, hear_)) format(hear_, Listener::kPlayer, out_);
+    if (parse(text, hear_)) format(hear_, Recipient::kPlayer, out_);
     if (parse(text, full_)) format(full_, 18, out_);
     if (parse(text, view_)) format(view_, out_);
     if (parse(text, reply_)) format(reply_, out_);
@@ -325,7 +326,7 @@ class AllParsers {
   std::string out_;
 };
 
-TEST(ProtocolRandom, DamagedMessagesDoNoHarm) {
+TEST(ProtocolRandom, CorruptMessagesDoNotCrash) {
   Dice dice;
   AllParsers parsers;
   for (const char* file : {"player-synch-v18.txt.gz", "scripted-clients-9.log.gz",
@@ -359,7 +360,7 @@ TEST(ProtocolRandom, DamagedMessagesDoNoHarm) {
   }
 }
 
-TEST(ProtocolRandom, LongHostileMessagesTakeNoTime) {
+TEST(ProtocolRandom, LongHostileMessagesTakeLinearTime) {
   AllParsers parsers;
   for (const char* piece : {"(", ")", "(say ", "(say a", "\"", "(dash ", "9", "(turn 1)", "(p \"",
                             "((f c t) ", " ", "(move (", "(say (freeform (", "-", "e9"}) {

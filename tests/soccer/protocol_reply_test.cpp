@@ -1,4 +1,4 @@
-// Short server messages, and telling messages apart.
+// Short server messages and message kinds.
 #include <gtest/gtest.h>
 
 #include "soccer/messages/server_reply.h"
@@ -15,7 +15,7 @@ Reply read(std::string_view text) {
   return std::get<Reply>(reply);
 }
 
-TEST(ServerReply, FormatsBackWhatTheRealServerSends) {
+TEST(ServerReply, RoundTripsMessagesOfRcssserver) {
   for (const char* text : {"(init l 1 before_kick_off)",
                            "(init r 11 play_on)",
                            "(init l ok)",
@@ -66,7 +66,7 @@ TEST(ServerReply, FormatsBackWhatTheRealServerSends) {
   }
 }
 
-TEST(ServerReply, HasTheFieldsOfTheMessage) {
+TEST(ServerReply, ParsesAllFields) {
   const auto init = read<PlayerInitReply>("(init r 7 kick_off_l)");
   EXPECT_EQ(init.side, Side::kRight);
   EXPECT_EQ(init.unum, 7);
@@ -88,7 +88,7 @@ TEST(ServerReply, HasTheFieldsOfTheMessage) {
   EXPECT_EQ(read<OkCheckBall>("(ok check_ball 12 goal_l)").place, BallPlace::kGoalLeft);
 }
 
-TEST(ServerReply, RefusesWrongForms) {
+TEST(ServerReply, RejectsInvalidForms) {
   for (const char* text : {"",
                            "(",
                            "(init)",
@@ -117,7 +117,7 @@ TEST(ServerReply, RefusesWrongForms) {
   }
 }
 
-TEST(ReplyCode, NamesAreTheTextsOfTheServer) {
+TEST(ReplyCode, HasTextsOfRcssserver) {
   std::string text;
   format(ErrorCode::kNoMorePlayerOrGoalieOrIllegalVersion, text);
   format(WarningCode::kMovingToOpponentField, text);
@@ -130,10 +130,10 @@ TEST(ReplyCode, NamesAreTheTextsOfTheServer) {
   EXPECT_EQ(name(ErrorCode::kTooManyMoves), "too_many_moves");
   EXPECT_EQ(name(ErrorCode::kSaidTooManyDelete), "said_too_many_del_messages");
   EXPECT_EQ(name(WarningCode::kNoLeftOfThatType), "no_left_of_that_type");
-  EXPECT_FALSE(error_code_from_name("nonsense"));
+  EXPECT_FALSE(parse_error_code("nonsense"));
 }
 
-TEST(MessageKind, GoesByTheFirstWord) {
+TEST(MessageKind, DependsOnFirstToken) {
   EXPECT_EQ(message_kind("(see 0)"), MessageKind::kSee);
   EXPECT_EQ(message_kind("(see_global 0 "), MessageKind::kGlobalView);
   EXPECT_EQ(message_kind("(ok look 0 "), MessageKind::kGlobalView);

@@ -1,4 +1,4 @@
-// Senses of the real server mean what the structs say: sense_body, see, fullstate, see_global.
+// Sensor messages of rcssserver: sense_body, see, fullstate, see_global.
 #include <gtest/gtest.h>
 
 #include "soccer/messages/full_state.h"
@@ -32,7 +32,7 @@ constexpr std::string_view kSense18 =
     "(focus (target l 2) (count 1)) (tackle (expires 9) (count 3)) (collision (ball) (post)) "
     "(foul (charged 4) (card yellow)) (focus_point 10 -12.5))";
 
-TEST(SenseBody, HasTheFieldsOfTheMessage) {
+TEST(SenseBody, ParsesAllFields) {
   const SenseBody sense = read<SenseBody>(kSense18);
   EXPECT_EQ(sense.time, 12);
   EXPECT_EQ(sense.width, ViewWidth::kNarrow);
@@ -73,7 +73,7 @@ TEST(SenseBody, HasTheFieldsOfTheMessage) {
   EXPECT_EQ(text, kSense18);
 }
 
-TEST(SenseBody, OlderClientsGetNoFocusPoint) {
+TEST(SenseBody, OmitsFocusPointForOlderClients) {
   constexpr std::string_view kSense14 =
       "(sense_body 0 (view_mode high normal) (stamina 8000 1 130600) (speed 0 0) (head_angle 0) "
       "(kick 0) (dash 0) (turn 0) (say 0) (turn_neck 0) (catch 0) (move 0) (change_view 0) "
@@ -87,7 +87,7 @@ TEST(SenseBody, OlderClientsGetNoFocusPoint) {
   EXPECT_EQ(text, kSense14);
 }
 
-TEST(SenseBody, ErrorsNameTheByte) {
+TEST(SenseBody, ReportsByteOfError) {
   EXPECT_EQ(error_of<SenseBody>("(sense_body 5 (view_mode high odd)"),
             "sense_body: byte 30: expected 'narrow, normal or wide', found 'odd)'");
   EXPECT_EQ(error_of<SenseBody>("(sense_body x"),
@@ -98,7 +98,7 @@ TEST(SenseBody, ErrorsNameTheByte) {
             "sense_body: byte 403: expected 'the end', found '\\x0a'");
 }
 
-TEST(See, HasEveryFormOfAnObject) {
+TEST(See, ParsesAllFormsOfObjects) {
   constexpr std::string_view kText =
       "(see 86 ((f c t) 4.3 15 0 -0) ((g l) 66.7 34) ((f l b 30) 27) ((b) 13.5 -20 0.27 -1.5) "
       "((P) 3 150) ((F) 1.5 -170) ((G) 2 99) ((B) 0.7 -100) "
@@ -147,7 +147,7 @@ TEST(See, HasEveryFormOfAnObject) {
   EXPECT_EQ(text, kText);
 }
 
-TEST(See, KnowsAllLandmarks) {
+TEST(See, ParsesAllLandmarks) {
   for (int i = 0; i < kLandmarkCount; ++i) {
     const std::string text = "(see 1 ((" + std::string(kLandmarks[i].name) + ") 5 6))";
     const See see = read<See>(text);
@@ -158,7 +158,7 @@ TEST(See, KnowsAllLandmarks) {
 
 TEST(See, MayBeEmpty) { EXPECT_TRUE(read<See>("(see 0)").objects.empty()); }
 
-TEST(See, RefusesWrongForms) {
+TEST(See, RejectsInvalidForms) {
   for (const char* text : {"",
                            "(see",
                            "(see 0",
@@ -186,7 +186,7 @@ TEST(See, RefusesWrongForms) {
   }
 }
 
-TEST(See, BoundsTheNumberOfObjects) {
+TEST(See, LimitsNumberOfObjects) {
   std::string text = "(see 0";
   for (int i = 0; i < 5000; ++i) text += " ((b) 1 2)";
   text += ")";
@@ -195,7 +195,7 @@ TEST(See, BoundsTheNumberOfObjects) {
   EXPECT_EQ(see.objects.size(), kMaxObservations);
 }
 
-TEST(See, ReusesItsMemory) {
+TEST(See, ReusesMemory) {
   See see;
   const std::string text = "(see 0 ((f c) 1 2) ((b) 1 2) ((p \"A\" 1) 1 2 3 4 5 6))";
   ASSERT_TRUE(parse(text, see));
@@ -204,7 +204,7 @@ TEST(See, ReusesItsMemory) {
   EXPECT_EQ(see.objects.data(), memory);
 }
 
-TEST(FullState, HasTheFieldsOfTheMessage) {
+TEST(FullState, ParsesAllFields) {
   constexpr std::string_view kText =
       "(fullstate 3 (pmode goalie_catch_ball_r) (vmode high narrow) (count 1 2 3 4 5 6 7 8 9) "
       "(arm (movable 4) (expires 19) (target 10 20) (count 1)) (score 2 3) ((b) -1.5 0.25 1 -0) "
@@ -246,7 +246,7 @@ TEST(FullState, HasTheFieldsOfTheMessage) {
   EXPECT_EQ(text, kText);
 }
 
-TEST(GlobalView, HasTheFieldsOfTheMessage) {
+TEST(GlobalView, ParsesAllFields) {
   constexpr std::string_view kText =
       "(see_global 7 ((g r) 52.5 0) ((g l) -52.5 0) ((b) 10 5 1 0) "
       "((p \"LeftTeam\" 1) -10.2542 -9.52485 0 0.1 19 90) "
@@ -274,7 +274,7 @@ TEST(GlobalView, HasTheFieldsOfTheMessage) {
   EXPECT_EQ(text, kText);
 }
 
-TEST(GlobalView, ReadsTheReplyToLook) {
+TEST(GlobalView, ParsesReplyToLook) {
   constexpr std::string_view kText =
       "(ok look 0 ((g r) 52.5 0) ((g l) -52.5 0) ((b) 0 0 0 0) ((p \"HELIOS_L\" 1 goalie) -3 -37 0 "
       "0 0 0))";

@@ -1,4 +1,4 @@
-// Every recorded message of the real server parses, and formats back to the same bytes.
+// All recorded messages of rcssserver parse and format to the same bytes.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -30,7 +30,7 @@ namespace {
 using tests::RecordedMessage;
 using tests::Role;
 
-// Counts what went through, so that an empty run is not a green one.
+// Counts messages, so that a run without messages fails.
 struct Counts {
   std::map<std::string, int> passed;
 
@@ -56,14 +56,14 @@ void check(const RecordedMessage& recorded, const std::string& kind, Format form
   ++counts.passed[kind];
 }
 
-Listener listener_of(Role role) {
-  return role == Role::kTrainer       ? Listener::kTrainer
-         : role == Role::kOnlineCoach ? Listener::kOnlineCoach
-                                      : Listener::kPlayer;
+Recipient recipient_of(Role role) {
+  return role == Role::kTrainer       ? Recipient::kTrainer
+         : role == Role::kOnlineCoach ? Recipient::kOnlineCoach
+                                      : Recipient::kPlayer;
 }
 
 void check_server_message(const RecordedMessage& recorded, Counts& counts) {
-  if (recorded.role == Role::kPlayer && recorded.version < kOldestProtocolVersion) {
+  if (recorded.role == Role::kPlayer && recorded.version < kMinProtocolVersion) {
     ++counts.passed["messages of older versions, left out"];
     return;
   }
@@ -80,7 +80,7 @@ void check_server_message(const RecordedMessage& recorded, Counts& counts) {
       return check<Hear>(
           recorded, "hear",
           [&](const Hear& hear, std::string& out) {
-            format(hear, listener_of(recorded.role), out);
+            format(hear, recipient_of(recorded.role), out);
           },
           counts);
     case MessageKind::kFullState:
@@ -171,29 +171,29 @@ std::vector<std::filesystem::path> files_in(const std::filesystem::path& folder)
   return files;
 }
 
-TEST(ProtocolTranscript, ExcerptsOfRecordedSessionsRoundTripByteForByte) {
+TEST(ProtocolTranscript, ExcerptsRoundTripByteForByte) {
   const Counts counts = check_files(files_in(tests::fixture("protocol")));
-  print("messages of the excerpts that went through:", counts);
-  for (const auto& [kind, least] : std::map<std::string, int>{{"sense_body", 500},
-                                                              {"see", 300},
-                                                              {"hear", 400},
-                                                              {"fullstate", 100},
-                                                              {"see_global", 100},
-                                                              {"player_type", 300},
-                                                              {"server_param", 20},
-                                                              {"player_param", 20},
-                                                              {"reply ok", 90},
-                                                              {"player commands", 300},
-                                                              {"coach commands", 100}}) {
-    EXPECT_GE(counts.of(kind), least) << kind;
+  print("parsed messages in excerpts:", counts);
+  for (const auto& [kind, min_count] : std::map<std::string, int>{{"sense_body", 500},
+                                                                  {"see", 300},
+                                                                  {"hear", 400},
+                                                                  {"fullstate", 100},
+                                                                  {"see_global", 100},
+                                                                  {"player_type", 300},
+                                                                  {"server_param", 20},
+                                                                  {"player_param", 20},
+                                                                  {"reply ok", 90},
+                                                                  {"player commands", 300},
+                                                                  {"coach commands", 100}}) {
+    EXPECT_GE(counts.of(kind), min_count) << kind;
   }
 }
 
-// Errors of one client: what the parsers say its datagrams deserve, and what the server sent.
+// Errors of one client: those of the parsers and those that the server sent.
 struct Errors {
   std::map<std::string, int> expected;
   std::map<std::string, int> received;
-  bool connecting = false;  ///< the last datagram was an init or reconnect, with errors of its own
+  bool connecting = false;  ///< the last datagram was an init or reconnect, which have other errors
 };
 
 // The errors that depend on the text alone.
@@ -226,7 +226,7 @@ void note_error(const RecordedMessage& recorded, Errors& errors) {
     return;
   }
   errors.connecting = recorded.text.starts_with("(init") || recorded.text.starts_with("(reconnect");
-  // A trainer says bye to a server that has gone already.
+  // A trainer sends bye to a server that has exited.
   if (errors.connecting || recorded.text == "(bye)") return;
   const std::optional<ErrorCode> error = error_of(recorded);
   if (error && is_form_error(std::string(name(*error)))) {
@@ -234,7 +234,7 @@ void note_error(const RecordedMessage& recorded, Errors& errors) {
   }
 }
 
-TEST(ProtocolTranscript, ParsersFindFormErrorsWhereTheRealServerFoundThem) {
+TEST(ProtocolTranscript, ParsersReturnSyntaxErrorsOfRcssserver) {
   int total = 0;
   for (const std::filesystem::path& file : files_in(tests::fixture("protocol"))) {
     std::map<std::string, Errors> clients;
@@ -250,7 +250,7 @@ TEST(ProtocolTranscript, ParsersFindFormErrorsWhereTheRealServerFoundThem) {
   EXPECT_GE(total, 20);
 }
 
-TEST(ProtocolTranscript, AllRecordedMessagesOfTheRealServerRoundTripByteForByte) {
+TEST(ProtocolTranscript, AllRecordedMessagesRoundTripByteForByte) {
   const auto udp = tests::data("udp");
   const auto aligned = tests::data("aligned/udp");
   if (!udp || !aligned) GTEST_SKIP() << "no data: set CLS_DATA";
@@ -258,25 +258,25 @@ TEST(ProtocolTranscript, AllRecordedMessagesOfTheRealServerRoundTripByteForByte)
   const std::vector<std::filesystem::path> more = files_in(*aligned);
   files.insert(files.end(), more.begin(), more.end());
   const Counts counts = check_files(files);
-  print("recorded messages that went through:", counts);
-  for (const auto& [kind, least] : std::map<std::string, int>{{"sense_body", 7000},
-                                                              {"see", 4000},
-                                                              {"hear", 11000},
-                                                              {"fullstate", 1200},
-                                                              {"see_global", 2900},
-                                                              {"player_type", 900},
-                                                              {"server_param", 50},
-                                                              {"player_param", 50},
-                                                              {"reply think", 7000},
-                                                              {"reply ok", 150},
-                                                              {"player commands", 24000},
-                                                              {"coach commands", 2000}}) {
-    EXPECT_GE(counts.of(kind), least) << kind;
+  print("parsed recorded messages:", counts);
+  for (const auto& [kind, min_count] : std::map<std::string, int>{{"sense_body", 7000},
+                                                                  {"see", 4000},
+                                                                  {"hear", 11000},
+                                                                  {"fullstate", 1200},
+                                                                  {"see_global", 2900},
+                                                                  {"player_type", 900},
+                                                                  {"server_param", 50},
+                                                                  {"player_param", 50},
+                                                                  {"reply think", 7000},
+                                                                  {"reply ok", 150},
+                                                                  {"player commands", 24000},
+                                                                  {"coach commands", 2000}}) {
+    EXPECT_GE(counts.of(kind), min_count) << kind;
   }
 }
 
-// "12,0<tab>Recv TEAM_7: (dash 100)(turn 5)": what players sent in a whole match.
-TEST(ProtocolTranscript, EveryCommandInTheTextLogsOfRealMatchesParses) {
+// "12,0<tab>Recv TEAM_7: (dash 100)(turn 5)": the player commands of a whole match.
+TEST(ProtocolTranscript, AllCommandsInTextLogsParse) {
   int datagrams = 0;
   std::vector<PlayerCommand> commands;
   for (const char* log : {"logs/helios-vs-helios-full.rcl.gz", "logs/cyrus-vs-helios-full.rcl.gz",
@@ -298,7 +298,7 @@ TEST(ProtocolTranscript, EveryCommandInTheTextLogsOfRealMatchesParses) {
       ++datagrams;
     }
   }
-  std::cout << datagrams << " datagrams of players went through\n";
+  std::cout << datagrams << " player datagrams parsed\n";
   EXPECT_GT(datagrams, 300000);
 }
 

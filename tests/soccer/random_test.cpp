@@ -1,4 +1,4 @@
-// Random streams: reproducible, independent, distributed as they say.
+// Random streams: reproducibility, independence, distributions.
 #include "soccer/random.h"
 
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 namespace cls::soccer {
 namespace {
 
-TEST(RandomStream, IsAFunctionOfSeedPurposeAndKeys) {
+TEST(RandomStream, DependsOnSeedPurposeAndKeys) {
   RandomStream a(7, "kick");
   RandomStream b(7, "kick");
   EXPECT_EQ(a.next(), b.next());
@@ -19,8 +19,8 @@ TEST(RandomStream, IsAFunctionOfSeedPurposeAndKeys) {
   EXPECT_NE(RandomStream(7, "see", 1, 2).next(), RandomStream(7, "see", 2, 1).next());
 }
 
-TEST(RandomStream, FirstWordsNeverChange) {
-  // Written down once: a change here changes every match of every seed.
+TEST(RandomStream, FirstNumbersNeverChange) {
+  // A change of these values changes all matches.
   RandomStream stream(1, "physics");
   EXPECT_EQ(stream.next(), 4544142669314693174ULL);
   EXPECT_EQ(stream.next(), 17296175377362183327ULL);
@@ -34,7 +34,7 @@ TEST(RandomStream, EmptyRangesConsumeNothing) {
   EXPECT_EQ(a.next(), b.next());
 }
 
-TEST(RandomStream, UniformFillsItsRangeWithTheRightMoments) {
+TEST(RandomStream, UniformHasExpectedMoments) {
   RandomStream stream(3, "uniform");
   double sum = 0.0;
   double squares = 0.0;
@@ -50,7 +50,7 @@ TEST(RandomStream, UniformFillsItsRangeWithTheRightMoments) {
   EXPECT_NEAR(squares / kDraws, 1.0 / 3.0, 0.01);
 }
 
-TEST(RandomStream, NormalHasItsMeanAndDeviation) {
+TEST(RandomStream, NormalHasExpectedMoments) {
   RandomStream stream(3, "normal");
   double sum = 0.0;
   double squares = 0.0;
@@ -64,7 +64,7 @@ TEST(RandomStream, NormalHasItsMeanAndDeviation) {
   EXPECT_NEAR(squares / kDraws, 4.0, 0.06);
 }
 
-TEST(RandomStream, ShufflesEveryElementEverywhere) {
+TEST(RandomStream, ShufflesAllElementsToAllPositions) {
   RandomStream stream(3, "order");
   std::vector<std::vector<int>> seen(5, std::vector<int>(5, 0));
   for (int i = 0; i < 5000; ++i) {

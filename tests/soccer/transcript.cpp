@@ -1,4 +1,4 @@
-// Two file formats of recorded conversations.
+// Two file formats of recorded sessions.
 #include "tests/soccer/transcript.h"
 
 #include <algorithm>
@@ -92,8 +92,8 @@ class Reader {
     add(true, client, bytes);
   }
 
-  // Learns from a request what the client is going to be. A reconnected player has the version of
-  // the first time, a slot that was never taken version 3.
+  // Gets role and version of a client from its connection request. A reconnected player has its
+  // first version, or version 3 if it never connected before.
   void note_request(const std::string& text, Client& client) const {
     if (text.starts_with("(dispinit")) {
       become(client, Role::kMonitor, version_in(text, 1) >= 3 ? 999 : 1);

@@ -1,4 +1,4 @@
-// Recorded conversations between clients and the real server, as lists of messages.
+// Recorded sessions of clients and rcssserver as lists of messages.
 #pragma once
 
 #include <filesystem>
@@ -9,7 +9,7 @@ namespace cls::tests {
 
 enum class Role { kUnknown, kPlayer, kOnlineCoach, kTrainer, kMonitor };
 
-/// One message without its closing NUL, and who was talking.
+/// One message without its closing NUL, and its client.
 struct RecordedMessage {
   bool from_server = false;
   Role role = Role::kUnknown;  ///< of the client
@@ -20,8 +20,8 @@ struct RecordedMessage {
 };
 
 /// Reads a recorded file (gzip), either of the form "S>C<tab>seconds<tab>text" or a log of scripted
-/// clients, "seconds client << [port length] b'text'". Binary, compressed and shortened messages
-/// are left out.
+/// clients, "seconds client << [port length] b'text'". Skips binary, compressed and truncated
+/// messages.
 std::vector<RecordedMessage> read_transcript(const std::filesystem::path& path);
 
 }  // namespace cls::tests

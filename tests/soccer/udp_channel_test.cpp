@@ -1,16 +1,15 @@
-// A client's channel against sockets that answer as a soccer server does.
+// Client channels against sockets that reply like a soccer server.
 #include "soccer/udp_channel.h"
 
-#include <arpa/inet.h>
 #include <gtest/gtest.h>
-#include <netinet/in.h>
 #include <poll.h>
-#include <sys/socket.h>
-#include <unistd.h>
 
 #include <array>
+#include <optional>
 #include <string>
 #include <thread>
+
+#include "base/system/udp_socket.h"
 
 namespace cls::soccer {
 namespace {
@@ -18,48 +17,36 @@ namespace {
 using std::chrono::milliseconds;
 using std::chrono::steady_clock;
 
-/// A bound socket of the server's: a well-known port, or one of its own for a client.
-class Door {
+/// A server socket: the well-known port, or the port for one client.
+class ServerSocket {
  public:
-  explicit Door(const char* host = "127.0.0.1") : fd_(::socket(AF_INET, SOCK_DGRAM, 0)) {
-    sockaddr_in any{};
-    any.sin_family = AF_INET;
-    ::inet_pton(AF_INET, host, &any.sin_addr);
-    EXPECT_EQ(::bind(fd_, reinterpret_cast<sockaddr*>(&any), sizeof any), 0);
-    socklen_t size = sizeof any;
-    ::getsockname(fd_, reinterpret_cast<sockaddr*>(&any), &size);
-    port_ = ntohs(any.sin_port);
-  }
-  ~Door() { close(); }
-  void close() {
-    if (fd_ >= 0) ::close(fd_);
-    fd_ = -1;
-  }
+  explicit ServerSocket(const char* host = "127.0.0.1")
+      : socket_(*base::UdpSocket::bind(*base::parse_ip_address(host, 0))),
+        port_(socket_->local_port()) {}
+  void close() { socket_.reset(); }
 
   int port() const { return port_; }
 
-  /// What came, NUL and all; empty when nothing comes within a second.
+  /// The received datagram with its NUL; empty if none arrives within a second.
   std::string receive() {
-    pollfd ready{fd_, POLLIN, 0};
+    pollfd ready{socket_->fd(), POLLIN, 0};
     if (::poll(&ready, 1, 1000) != 1) return "";
     std::array<char, 9000> buffer;
-    socklen_t size = sizeof client_;
-    const ssize_t count = ::recvfrom(fd_, buffer.data(), buffer.size(), 0,
-                                     reinterpret_cast<sockaddr*>(&client_), &size);
-    return {buffer.data(), static_cast<std::size_t>(count)};
+    std::size_t size = 0;
+    EXPECT_EQ(socket_->receive(buffer, size, client_), 0);
+    return {buffer.data(), size};
   }
 
-  void send_to(const sockaddr_in& client, const std::string& bytes) {
-    ::sendto(fd_, bytes.data(), bytes.size(), 0, reinterpret_cast<const sockaddr*>(&client),
-             sizeof client);
+  void send_to(const base::SocketAddress& client, const std::string& bytes) {
+    EXPECT_EQ(socket_->send(bytes, false, &client), 0);
   }
 
-  const sockaddr_in& client() const { return client_; }
+  const base::SocketAddress& client() const { return client_; }
 
  private:
-  int fd_;
-  int port_ = 0;
-  sockaddr_in client_{};
+  std::optional<base::UdpSocket> socket_;
+  int port_;
+  base::SocketAddress client_;
 };
 
 std::string with_nul(std::string text) { return text + '\0'; }
@@ -74,7 +61,7 @@ class UdpChannelTest : public testing::TestWithParam<bool> {
   }
 };
 
-/// The next message within two seconds; empty when none comes.
+/// The next message within two seconds; empty if there is none.
 std::string next(UdpClients& clients, Channel& channel) {
   const auto end = steady_clock::now() + std::chrono::seconds(2);
   std::string message;
@@ -87,65 +74,65 @@ std::string next(UdpClients& clients, Channel& channel) {
 INSTANTIATE_TEST_SUITE_P(, UdpChannelTest, testing::Bool(),
                          [](const auto& which) { return which.param ? "OnThread" : "OnReceive"; });
 
-TEST_P(UdpChannelTest, EndsMessagesWithNulAndStripsIt) {
-  Door door;
-  const auto all = clients(door.port());
+TEST_P(UdpChannelTest, AddsAndRemovesNul) {
+  ServerSocket listener;
+  const auto all = clients(listener.port());
   const auto channel = all->connect();
   EXPECT_TRUE(channel->send("(init us (version 18))"));
-  EXPECT_EQ(door.receive(), with_nul("(init us (version 18))"));
-  door.send_to(door.client(), with_nul("(init l 1 before_kick_off)"));
+  EXPECT_EQ(listener.receive(), with_nul("(init us (version 18))"));
+  listener.send_to(listener.client(), with_nul("(init l 1 before_kick_off)"));
   EXPECT_EQ(next(*all, *channel), "(init l 1 before_kick_off)");
 }
 
-TEST_P(UdpChannelTest, StaysWithThePortThatAnswered) {
-  Door door;
-  Door own;
-  const auto all = clients(door.port());
+TEST_P(UdpChannelTest, SwitchesToPortOfReply) {
+  ServerSocket listener;
+  ServerSocket own;
+  const auto all = clients(listener.port());
   const auto channel = all->connect();
   channel->send("(init us)");
-  door.receive();
-  own.send_to(door.client(), with_nul("(init l 1 before_kick_off)"));
+  listener.receive();
+  own.send_to(listener.client(), with_nul("(init l 1 before_kick_off)"));
   EXPECT_EQ(next(*all, *channel), "(init l 1 before_kick_off)");
   channel->send("(turn 10)");
   EXPECT_EQ(own.receive(), with_nul("(turn 10)"));
 
-  door.send_to(door.client(), with_nul("(error from elsewhere)"));
-  own.send_to(door.client(), with_nul("(think)"));
+  listener.send_to(listener.client(), with_nul("(error from elsewhere)"));
+  own.send_to(listener.client(), with_nul("(think)"));
   EXPECT_EQ(next(*all, *channel), "(think)");
 }
 
-TEST_P(UdpChannelTest, AsksAgainAtTheWellKnownPortAfterARefusal) {
-  Door door;
-  Door own;
-  const auto all = clients(door.port());
+TEST_P(UdpChannelTest, RetriesAtWellKnownPortAfterRefusal) {
+  ServerSocket listener;
+  ServerSocket own;
+  const auto all = clients(listener.port());
   const auto channel = all->connect();
   channel->send("(reconnect us 3)");
-  door.receive();
-  door.send_to(door.client(), with_nul("(error cannot_reconnect_while_playon)"));
+  listener.receive();
+  listener.send_to(listener.client(), with_nul("(error cannot_reconnect_while_playon)"));
   EXPECT_EQ(next(*all, *channel), "(error cannot_reconnect_while_playon)");
   channel->send("(reconnect us 3)");
-  EXPECT_EQ(door.receive(), with_nul("(reconnect us 3)"));
-  own.send_to(door.client(), with_nul("(reconnect l goal_l)"));
+  EXPECT_EQ(listener.receive(), with_nul("(reconnect us 3)"));
+  own.send_to(listener.client(), with_nul("(reconnect l goal_l)"));
   EXPECT_EQ(next(*all, *channel), "(reconnect l goal_l)");
 }
 
-TEST_P(UdpChannelTest, DoesNotListenToStrangers) {
-  Door door;
-  Door stranger("127.0.0.2");
-  const auto all = clients(door.port());
+TEST_P(UdpChannelTest, IgnoresMessagesOfOtherHosts) {
+  ServerSocket listener;
+  ServerSocket stranger("127.0.0.2");
+  const auto all = clients(listener.port());
   const auto channel = all->connect();
   channel->send("(init us)");
-  door.receive();
-  stranger.send_to(door.client(), with_nul("(think)"));
-  door.send_to(door.client(), with_nul("(init r 2 play_on)"));
+  listener.receive();
+  stranger.send_to(listener.client(), with_nul("(think)"));
+  listener.send_to(listener.client(), with_nul("(init r 2 play_on)"));
   EXPECT_EQ(next(*all, *channel), "(init r 2 play_on)");
 }
 
-TEST_P(UdpChannelTest, KnowsThatNobodyIsThere) {
+TEST_P(UdpChannelTest, DetectsClosedServerPort) {
   int port = 0;
   {
-    const Door door;
-    port = door.port();
+    const ServerSocket listener;
+    port = listener.port();
   }
   const auto all = clients(port);
   const auto channel = all->connect();
@@ -156,14 +143,14 @@ TEST_P(UdpChannelTest, KnowsThatNobodyIsThere) {
   EXPECT_FALSE(channel->send("(init us)"));
 }
 
-TEST_P(UdpChannelTest, KnowsThatTheServerHasGone) {
-  Door door;
-  Door own;
-  const auto all = clients(door.port());
+TEST_P(UdpChannelTest, DetectsServerExit) {
+  ServerSocket listener;
+  ServerSocket own;
+  const auto all = clients(listener.port());
   const auto channel = all->connect();
   channel->send("(init us)");
-  door.receive();
-  own.send_to(door.client(), with_nul("(init l 1 before_kick_off)"));
+  listener.receive();
+  own.send_to(listener.client(), with_nul("(init l 1 before_kick_off)"));
   next(*all, *channel);
   own.close();
   channel->send("(turn 10)");
@@ -173,27 +160,27 @@ TEST_P(UdpChannelTest, KnowsThatTheServerHasGone) {
   EXPECT_FALSE(channel->send("(turn 10)"));
 }
 
-TEST_P(UdpChannelTest, WaitsNoLongerThanAsked) {
-  Door door;
-  const auto all = clients(door.port());
+TEST_P(UdpChannelTest, WaitsUntilDeadline) {
+  ServerSocket listener;
+  const auto all = clients(listener.port());
   const auto channel = all->connect();
   const auto begin = steady_clock::now();
   EXPECT_FALSE(all->wait_until(begin + milliseconds(30)));
   EXPECT_GE(steady_clock::now() - begin, milliseconds(30));
 }
 
-TEST_P(UdpChannelTest, KeepsTheMessagesOfManyChannelsApartAndInOrder) {
+TEST_P(UdpChannelTest, SeparatesChannelsAndPreservesOrder) {
   constexpr int kClients = 11;
   constexpr int kMessages = 40;
-  Door door;
-  const auto all = clients(door.port(), "localhost");
+  ServerSocket listener;
+  const auto all = clients(listener.port(), "localhost");
   std::vector<std::unique_ptr<Channel>> channels;
   for (int i = 0; i < kClients; ++i) {
     channels.push_back(all->connect());
     channels.back()->send("(init us)");
-    door.receive();
+    listener.receive();
     for (int k = 0; k < kMessages; ++k) {
-      door.send_to(door.client(), with_nul(std::to_string(100 * i + k)));
+      listener.send_to(listener.client(), with_nul(std::to_string(100 * i + k)));
     }
   }
   for (int i = 0; i < kClients; ++i) {
@@ -203,37 +190,37 @@ TEST_P(UdpChannelTest, KeepsTheMessagesOfManyChannelsApartAndInOrder) {
   }
 }
 
-TEST(UdpChannelOnThread, NotesWhenMessagesCameNotWhenTheyWereTaken) {
-  Door door;
-  const auto made = UdpClients::create("127.0.0.1", door.port());
+TEST(UdpChannelOnThread, RecordsArrivalTimesOfMessages) {
+  ServerSocket listener;
+  const auto made = UdpClients::create("127.0.0.1", listener.port());
   (*made)->read_on_thread();
   const auto channel = (*made)->connect();
   channel->send("(init us)");
-  door.receive();
+  listener.receive();
   const auto sent = steady_clock::now();
-  door.send_to(door.client(), with_nul("(think)"));
+  listener.send_to(listener.client(), with_nul("(think)"));
   ASSERT_TRUE((*made)->wait_until(sent + std::chrono::seconds(2)));
   const auto noticed = steady_clock::now();
   std::this_thread::sleep_for(milliseconds(20));
   std::string message;
   ASSERT_TRUE(channel->receive(message));
-  EXPECT_GE(channel->arrived(), sent);
-  EXPECT_LE(channel->arrived(), noticed);
+  EXPECT_GE(channel->received_at(), sent);
+  EXPECT_LE(channel->received_at(), noticed);
 }
 
-TEST(UdpChannelOnThread, ChannelsMayOutliveTheReader) {
-  Door door;
-  auto made = UdpClients::create("127.0.0.1", door.port());
+TEST(UdpChannelOnThread, ChannelsOutliveReader) {
+  ServerSocket listener;
+  auto made = UdpClients::create("127.0.0.1", listener.port());
   (*made)->read_on_thread();
   const auto channel = (*made)->connect();
   made->reset();
   std::string message;
   EXPECT_FALSE(channel->receive(message));
   EXPECT_TRUE(channel->send("(bye)"));
-  EXPECT_EQ(door.receive(), with_nul("(bye)"));
+  EXPECT_EQ(listener.receive(), with_nul("(bye)"));
 }
 
-TEST(UdpClientsCreate, NamesTheHostThatDoesNotExist) {
+TEST(UdpClients, ReportsUnknownHost) {
   const auto made = UdpClients::create("no.such.host.invalid", 6000);
   ASSERT_FALSE(made);
   EXPECT_NE(made.error().message.find("no.such.host.invalid"), std::string::npos);
