@@ -1,4 +1,4 @@
-// Looking for logs.
+// Finds logs in folders and by patterns.
 #include "gamelog/files/log_files.h"
 
 #include <glob.h>
@@ -22,7 +22,7 @@ bool has_ending(std::string_view path, std::string_view ending) {
 bool is_text_log(std::string_view path) { return has_ending(path, ".rcl"); }
 bool is_game_log(std::string_view path) { return has_ending(path, ".rcg"); }
 
-// Without .rcg, .rcl and .gz: the same for the two logs of a match.
+// The path without .rcg, .rcl and .gz: equal for the two logs of a match.
 std::string stem_of(std::string path) {
   if (path.ends_with(".gz")) path.resize(path.size() - 3);
   if (is_text_log(path) || is_game_log(path)) path.resize(path.size() - 4);
@@ -59,7 +59,7 @@ std::vector<std::string> matches_of(const std::string& pattern) {
   return found;
 }
 
-// The files that one argument stands for.
+// The log files that one argument refers to.
 std::vector<std::string> files_of(const std::string& argument) {
   if (argument == "-") return {argument};
   std::error_code ignored;
@@ -103,8 +103,8 @@ FoundLogs find_logs(const std::vector<std::string>& arguments) {
         stems.push_back(known->first);
       }
       MatchLogs& logs = found.matches[known->second];
-      std::string& place = is_text_log(file) ? logs.text : logs.game;
-      if (place.empty()) place = file;
+      std::string& path = is_text_log(file) ? logs.text : logs.game;
+      if (path.empty()) path = file;
     }
   }
   for (std::size_t i = 0; i < stems.size(); ++i) find_text_log(stems[i], found.matches[i]);

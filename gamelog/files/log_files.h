@@ -1,4 +1,4 @@
-// Which logs a user means: files, folders, patterns; and which two belong to one match.
+// Finds the logs that command arguments refer to, and pairs game logs with text logs.
 #pragma once
 
 #include <string>
@@ -6,21 +6,21 @@
 
 namespace cls::gamelog {
 
-/// The logs of one match. One of both may be empty; "-" is standard input.
+/// The logs of one match. One of them may be empty; "-" is standard input.
 struct MatchLogs {
   std::string game;  ///< rcg
   std::string text;  ///< rcl
 };
 
 struct FoundLogs {
-  std::vector<MatchLogs> matches;    ///< in the order of the arguments, folders by name
-  std::vector<std::string> missing;  ///< arguments that stand for nothing
+  std::vector<MatchLogs> matches;    ///< in the order of the arguments; inside a folder by name
+  std::vector<std::string> missing;  ///< arguments without any log
 };
 
-/// Files are game logs unless they end in .rcl or .rcl.gz. A folder stands for all logs in and
-/// below it (.rcg, .rcg.gz, .rcl, .rcl.gz), a pattern with * ? [ that is no file for what it
-/// matches. Logs that differ in the ending alone belong to one match; the text log beside a game
-/// log is found without being named.
+/// A file is a game log unless it ends in .rcl or .rcl.gz. A folder stands for all logs in and
+/// below it (.rcg, .rcg.gz, .rcl, .rcl.gz). A pattern with * ? [ stands for the paths that it
+/// matches, unless a file has that name. Logs that differ only in the extension belong to one
+/// match. The text log beside a game log is found automatically.
 FoundLogs find_logs(const std::vector<std::string>& arguments);
 
 }  // namespace cls::gamelog

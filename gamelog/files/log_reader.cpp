@@ -1,4 +1,4 @@
-// Telling text logs from game logs.
+// Detects text logs by their first bytes.
 #include "gamelog/files/log_reader.h"
 
 #include <string_view>
@@ -10,7 +10,7 @@
 namespace cls::gamelog {
 namespace {
 
-constexpr std::size_t kLongestStamp = 24;
+constexpr std::size_t kMaxStampLength = 24;
 
 bool skip_digits(std::string_view& text) {
   const std::size_t size = text.size();
@@ -18,7 +18,7 @@ bool skip_digits(std::string_view& text) {
   return text.size() < size;
 }
 
-// `time,stopped` and a tab, or the time alone as before server 13.
+// `time,stopped` and a tab, or only the time before server version 13.
 bool starts_text_log(std::string_view text) {
   if (!skip_digits(text)) return false;
   if (text.starts_with(',')) {
@@ -34,7 +34,7 @@ base::Result<AnyLog> read_log_file(const std::string& path) {
   auto source = base::open_source(path);
   if (!source) return source.error();
   base::InputBuffer input(**source);
-  if (starts_text_log(input.peek(kLongestStamp))) return AnyLog(read_rcl(input));
+  if (starts_text_log(input.peek(kMaxStampLength))) return AnyLog(read_rcl(input));
   return AnyLog(read_rcg(input));
 }
 

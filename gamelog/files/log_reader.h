@@ -1,4 +1,4 @@
-// Reading a log whose kind only its bytes tell.
+// Reads a log and detects its kind by its first bytes.
 #pragma once
 
 #include <string>
@@ -13,8 +13,8 @@ namespace cls::gamelog {
 /// A game log, or a text log if the bytes start with a time and a tab.
 using AnyLog = std::variant<MatchRecord, RclRecord>;
 
-/// Plain or gzip, "-" for standard input. An error means that there is no such file or that it
-/// cannot be opened; what makes no sense is in the record's damage.
+/// Reads a plain or gzip file, "-" for standard input. Fails if the file does not exist or cannot
+/// be opened; parse errors are in the record.
 base::Result<AnyLog> read_log_file(const std::string& path);
 
 }  // namespace cls::gamelog

@@ -1,8 +1,8 @@
-// Choosing the form by version; the text forms.
+// Selects the format by version and formats the text versions.
 #include "gamelog/rcg/monitor_message.h"
 
 #include "base/text/number_text.h"
-#include "gamelog/rcg/monitor_binary.h"
+#include "gamelog/rcg/binary_writer.h"
 #include "gamelog/rcg/rcg_json_text.h"
 #include "gamelog/rcg/rcg_text.h"
 #include "soccer/messages/parameter_message.h"
@@ -13,7 +13,7 @@ namespace {
 
 using base::append_int;
 
-// Shows of monitors are laid out as those of logs that are one version ahead.
+// Shows sent to monitors have the layout of logs one version higher.
 RcgVersion log_version(MonitorVersion version) {
   if (version == MonitorVersion::k3) return RcgVersion::kV4;
   return version == MonitorVersion::k4 ? RcgVersion::kV5 : RcgVersion::kV6;
@@ -87,7 +87,7 @@ void append_monitor_text(MonitorVersion version, int time, int stopped, int boar
     message.text = text;
     return append_json_message(time, stopped, message, out);
   }
-  if (is_binary(version)) return append_binary_text(version, board, text, out);
+  if (is_binary(version)) return append_binary_text(static_cast<int>(version), board, text, out);
   out += "(msg ";
   append_int(time, out);
   out += ' ';

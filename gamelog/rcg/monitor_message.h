@@ -1,4 +1,4 @@
-// What a soccer server sends to its monitors, in every version of their protocol.
+// Messages to monitors, in every version of the monitor protocol.
 #pragma once
 
 #include <string>
@@ -12,22 +12,22 @@
 
 namespace cls::gamelog {
 
-/// By which a monitor introduces itself (protocol 1.6, 6). Versions 1 and 2 are binary: datagrams
-/// of a fixed size without a closing NUL.
+/// Version that a monitor requests (protocol 1.6, 6). Versions 1 and 2 are binary: datagrams of
+/// fixed size without a closing NUL.
 enum class MonitorVersion { kJson = -1, k1 = 1, k2 = 2, k3 = 3, k4 = 4, k5 = 5 };
 
 constexpr bool is_binary(MonitorVersion version) {
   return version == MonitorVersion::k1 || version == MonitorVersion::k2;
 }
 
-/// Calls `send` for each message that a new monitor gets: parameters and player types. Version 1
-/// gets none.
+/// Calls `send` for each message to a new monitor: parameters and player types. Version 1 gets
+/// none.
 template <typename Send>
-void introduce_to_monitor(MonitorVersion version, const soccer::ServerParams& server,
-                          const soccer::PlayerParams& player,
-                          const std::vector<soccer::PlayerType>& types, Send&& send);
+void send_monitor_parameters(MonitorVersion version, const soccer::ServerParams& server,
+                             const soccer::PlayerParams& player,
+                             const std::vector<soccer::PlayerType>& types, Send&& send);
 
-// Each appends one message.
+// Each of these appends one message.
 
 void append_monitor_parameters(MonitorVersion version, const soccer::ServerParams& params,
                                std::string& out);
@@ -36,17 +36,18 @@ void append_monitor_parameters(MonitorVersion version, const soccer::PlayerParam
 void append_monitor_parameters(MonitorVersion version, const soccer::PlayerType& type,
                                std::string& out);
 
-/// The pitch, the play mode, the teams and the score.
+/// Positions, play mode, teams and score.
 void append_monitor_show(MonitorVersion version, const Frame& frame, std::string& out);
 
-/// `board` 1: referee and says, 2: commands. Versions 1 and 2 have room for 2047 characters.
+/// `board` 1: referee and say messages, 2: commands. Versions 1 and 2 are limited to 2047
+/// characters.
 void append_monitor_text(MonitorVersion version, int time, int stopped, int board,
                          std::string_view text, std::string& out);
 
 template <typename Send>
-void introduce_to_monitor(MonitorVersion version, const soccer::ServerParams& server,
-                          const soccer::PlayerParams& player,
-                          const std::vector<soccer::PlayerType>& types, Send&& send) {
+void send_monitor_parameters(MonitorVersion version, const soccer::ServerParams& server,
+                             const soccer::PlayerParams& player,
+                             const std::vector<soccer::PlayerType>& types, Send&& send) {
   if (version == MonitorVersion::k1) return;
   std::string message;
   const auto send_one = [&](const auto& params) {

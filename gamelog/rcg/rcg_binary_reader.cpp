@@ -1,13 +1,11 @@
-// Binary records: a kind, then a body of fixed or stated size.
-#include "gamelog/rcg/rcg_binary_reader.h"
+// Reads binary logs: each record is a kind and a body of fixed or stated size.
+#include "gamelog/rcg/format_readers.h"
 
 #include <algorithm>
 #include <string>
 #include <utility>
 
-#include "gamelog/rcg/binary_params.h"
-#include "gamelog/rcg/rcg_binary_layout.h"
-#include "gamelog/record/record_damage.h"
+#include "gamelog/rcg/binary_format.h"
 #include "soccer/math.h"
 #include "soccer/messages/parameter_message.h"
 
@@ -21,10 +19,9 @@ constexpr std::size_t kDrawSize = 74;
 constexpr std::size_t kTeamSize = 18;
 constexpr std::size_t kObjectSize = 12;
 constexpr std::size_t kPlayerSize = 64;
-constexpr std::size_t kLongestMessage = 8192;
-constexpr double kShortScale = 16.0;
+constexpr std::size_t kMaxMessage = 8192;
 
-// What text logs would have printed, without the negative zero that integers do not know.
+// Rounds to the precision of text logs; adding 0.0 removes the negative zero.
 double length_of(double value) { return soccer::math::quantize(value, 1e-4) + 0.0; }
 double degrees_of(double radians) {
   return soccer::math::quantize(soccer::math::to_degrees(radians), 1e-3) + 0.0;
@@ -34,7 +31,7 @@ soccer::Vec2 read_point(const char* at) {
   return {length_of(read_real(at)), length_of(read_real(at + 4))};
 }
 
-// Behind the NUL lies garbage; a team that is not there has no name, and garbage for a score.
+// Bytes after the NUL are undefined; an absent team has an empty name and an undefined score.
 TeamFrame read_team(const char* at) {
   TeamFrame team;
   team.name.assign(at, std::find(at, at + kNameSize, '\0'));
@@ -50,11 +47,11 @@ void read_short_player(const char* at, PlayerFrame& player) {
   player.view_width = 0.0;
 }
 
-// The order of counters is not that of text logs.
+// The order of counters differs from text logs.
 void read_long_player(const char* at, PlayerFrame& player) {
   player = PlayerFrame{};
   player.state = static_cast<std::uint16_t>(read_int16(at));
-  player.type = std::clamp(read_int16(at + 2), -1, kHighestType);
+  player.type = std::clamp(read_int16(at + 2), -1, kMaxPlayerType);
   player.position = read_point(at + 4);
   player.velocity = read_point(at + 12);
   player.body = degrees_of(read_real(at + 20));
@@ -82,7 +79,7 @@ class BinaryReader {
   void read_all() {
     while (read_record()) {
     }
-    if (teams_ != builder_.record().final_teams()) builder_.teams(last_time(), teams_);
+    if (teams_ != builder_.record().final_teams()) builder_.add_teams(last_time(), teams_);
     if (has_parameters_) write_parameter_lines();
   }
 
@@ -90,15 +87,15 @@ class BinaryReader {
   bool read_record() {
     const std::string_view start = input_.take(kKindSize);
     if (start.empty()) return false;
-    if (start.size() < kKindSize) return damage(kCutOff);
-    if (!builder_.has_room()) return damage(kNoMoreRoom);
+    if (start.size() < kKindSize) return fail(kTruncated);
+    if (!builder_.has_room()) return fail(kTooManyRecords);
     const int kind = read_int16(start.data());
     return version_ == RcgVersion::kV1 ? read_fixed(kind) : read_packed(kind);
   }
 
   bool read_fixed(int kind) {
     const std::string_view body = input_.take(kFixedRecord - kKindSize);
-    if (body.size() < kFixedRecord - kKindSize) return damage(kCutOff);
+    if (body.size() < kFixedRecord - kKindSize) return fail(kTruncated);
     if (kind == kShow) {
       read_short_show(body);
     } else if (kind == kMessage) {
@@ -106,7 +103,7 @@ class BinaryReader {
       add_message(read_int16(body.data()),
                   {text, std::find(text, body.data() + body.size(), '\0')});
     } else if (kind < kNothing || kind > kBlank) {
-      return damage("a record of unknown kind " + std::to_string(kind));
+      return fail("unknown record kind " + std::to_string(kind));
     }
     return true;
   }
@@ -114,9 +111,9 @@ class BinaryReader {
   bool read_packed(int kind) {
     if (kind == kMessage) return read_message();
     const std::size_t size = body_size(kind);
-    if (size == kUnknownSize) return damage("a record of unknown kind " + std::to_string(kind));
+    if (size == kUnknownSize) return fail("unknown record kind " + std::to_string(kind));
     const std::string_view body = input_.take(size);
-    if (body.size() < size) return damage(kCutOff);
+    if (body.size() < size) return fail(kTruncated);
     switch (kind) {
       case kShow:
         version_ == RcgVersion::kV2 ? read_short_show(body) : read_long_show(body);
@@ -172,18 +169,18 @@ class BinaryReader {
 
   bool read_message() {
     const std::string head = std::string(input_.take(4));
-    if (head.size() < 4) return damage(kCutOff);
+    if (head.size() < 4) return fail(kTruncated);
     const auto size = static_cast<std::size_t>(std::max(read_int16(head.data() + 2), 0));
-    if (size > kLongestMessage) return damage("a message of impossible length");
+    if (size > kMaxMessage) return fail("message longer than 8192 bytes");
     std::string_view text = input_.take(size);
-    if (text.size() < size) return damage(kCutOff);
+    if (text.size() < size) return fail(kTruncated);
     while (text.ends_with('\0')) text.remove_suffix(1);
     add_message(read_int16(head.data()), std::string(text));
     return true;
   }
 
-  // Binary messages have no time: that of the frame before is meant.
-  void add_message(int board, std::string text) { builder_.message(last_time(), board, text); }
+  // Binary messages have no time: the previous frame's is used.
+  void add_message(int board, std::string text) { builder_.add_message(last_time(), board, text); }
 
   void read_short_show(std::string_view body) {
     const char* at = body.data();
@@ -208,15 +205,15 @@ class BinaryReader {
     append(read_int16(at + 1424));
   }
 
-  // Sixteen bits end at 32767.
+  // Times above 32767 overflow the sixteen bits.
   void append(int time) {
     if (time < 0) {
-      damage("a negative time");
+      fail("negative time");
       return;
     }
     frame_.time = time;
     frame_.teams = teams_;
-    builder_.append(frame_);
+    builder_.append_frame(frame_);
   }
 
   void set_mode(int id) {
@@ -226,19 +223,19 @@ class BinaryReader {
   void read_type(std::string_view body) {
     soccer::PlayerType type;
     read_player_type(body, type);
-    builder_.player_type(type);
+    builder_.set_player_type(type);
   }
 
   void write_parameter_lines() {
     const MatchRecord& record = builder_.record();
     std::string line;
     soccer::format(record.server, soccer::kAllVersions, line);
-    builder_.parameter_line(std::exchange(line, {}));
+    builder_.add_parameter_line(std::exchange(line, {}));
     soccer::format(record.player, soccer::kAllVersions, line);
-    builder_.parameter_line(std::exchange(line, {}));
+    builder_.add_parameter_line(std::exchange(line, {}));
     for (const soccer::PlayerType& type : record.types) {
       soccer::format(type, soccer::kAllVersions, line);
-      builder_.parameter_line(std::exchange(line, {}));
+      builder_.add_parameter_line(std::exchange(line, {}));
     }
   }
 
@@ -249,10 +246,9 @@ class BinaryReader {
     return record.time.empty() ? 0 : record.time.back();
   }
 
-  // Always false, for those after whom there is no finding the next record.
-  bool damage(std::string what) {
-    MatchRecord& record = builder_.record();
-    record.damage.add(damage_at(input_, record, std::move(what)));
+  // Returns false: the next record cannot be found.
+  bool fail(std::string message) {
+    builder_.add_error(input_, std::move(message));
     return false;
   }
 

@@ -1,5 +1,5 @@
-// The objects of a JSON log that are not shows, and which reader gets which line.
-#include "gamelog/rcg/rcg_json_reader.h"
+// Reads JSON logs: selects the parser of each line, and parses all objects except shows.
+#include "gamelog/rcg/format_readers.h"
 
 #include <algorithm>
 #include <string>
@@ -7,7 +7,6 @@
 
 #include "base/text/json_cursor.h"
 #include "gamelog/rcg/rcg_json_show.h"
-#include "gamelog/record/record_damage.h"
 #include "soccer/messages/parameter_message.h"
 
 namespace cls::gamelog {
@@ -22,16 +21,18 @@ class JsonReader {
   JsonReader(base::InputBuffer& input, RecordBuilder& builder) : input_(input), builder_(builder) {}
 
   void read_all() {
-    read_lines(input_, builder_, [this](std::string_view line, base::InputBuffer::Line kind) {
-      if (!read_line(line)) damage_in(kind);
+    for_each_line(input_, builder_, [this](std::string_view line, base::InputBuffer::Line kind) {
+      if (read_line(line)) return;
+      const bool truncated = kind == base::InputBuffer::Line::kUnfinished;
+      add_error(column_, truncated ? kTruncated : "not an element of a JSON game log");
     });
-    if (!closed_ && input_.source().problem().empty() && builder_.record().damage.empty()) {
-      damage(0, "the closing bracket is missing: the log was interrupted");
+    if (!closed_ && input_.source().error().empty() && builder_.record().errors.empty()) {
+      add_error(0, "closing bracket missing: the log is incomplete");
     }
   }
 
  private:
-  // One element of the array, with a comma before or behind it; or a bracket of the array.
+  // Parses one element of the array, with a comma before or after it, or a bracket of the array.
   bool read_line(std::string_view line) {
     column_ = 0;
     const std::size_t first = line.find_first_not_of(" \t\r,[");
@@ -78,7 +79,7 @@ class JsonReader {
     return key == "version" ? builder_.record().server_version : builder_.record().timestamp;
   }
 
-  // Behind the opening bracket, up to and with the closing one.
+  // Parses the members and the closing bracket.
   bool read_body(const std::string& kind, base::JsonCursor& in) {
     if (kind == "show") return read_show(in);
     if (kind == "playmode") return read_play_mode(in);
@@ -92,21 +93,21 @@ class JsonReader {
     while (in.next_key(key)) {
       if (!in.skip_value()) return false;
     }
-    return in.good() && keep_unknown();
+    return in.good() && add_unknown();
   }
 
-  bool keep_unknown() {
-    builder_.unknown_line(std::string(element_));
+  bool add_unknown() {
+    builder_.add_unknown_line(std::string(element_));
     return true;
   }
 
   bool read_show(base::JsonCursor& in) {
     if (!read_json_show(in, frame_)) return false;
-    builder_.fill(builder_.begin_frame(frame_.time, frame_.stopped), frame_);
+    builder_.fill_frame(builder_.begin_frame(frame_.time, frame_.stopped), frame_);
     return true;
   }
 
-  // The keys that all notes have. False if `key` is none of them or its value is wrong.
+  // Parses the keys of all notes. False if `key` is none of them or its value is invalid.
   static bool read_time(std::string_view key, base::JsonCursor& in, int& time, int& stopped) {
     return (key == "time" && in.integer(time)) || (key == "stime" && in.integer(stopped));
   }
@@ -122,10 +123,10 @@ class JsonReader {
                             : read_time(key, in, time, stopped) || (in.good() && in.skip_value());
       if (!read) return false;
     }
-    const auto mode = soccer::play_mode_from_name(name);
-    if (!mode) return in.good() && keep_unknown();
-    builder_.play_mode(time, *mode);
-    tell_stopped(stopped);
+    const auto mode = soccer::parse_play_mode(name);
+    if (!mode) return in.good() && add_unknown();
+    builder_.add_play_mode(time, *mode);
+    set_stopped(stopped);
     return in.good();
   }
 
@@ -145,15 +146,15 @@ class JsonReader {
       }
       if (!read) return false;
     }
-    builder_.teams(time, teams);
-    tell_stopped(stopped);
+    builder_.add_teams(time, teams);
+    set_stopped(stopped);
     return in.good();
   }
 
   static constexpr int kNoTeam = -2;
 
-  // Returns the side as a number (soccer::Side) if the object names one, 0 if not, kNoTeam for
-  // damage.
+  // Returns the side as a number (soccer::Side) if the object has one, otherwise 0; kNoTeam for a
+  // parse error.
   static int read_one_team(base::JsonCursor& in, TeamFrame& team) {
     Side side = Side::kNeutral;
     std::string_view key;
@@ -166,7 +167,7 @@ class JsonReader {
                                              : in.skip_value();
       if (!read) return kNoTeam;
     }
-    if (!in.good() || team.name.size() > kLongestName) return kNoTeam;
+    if (!in.good() || team.name.size() > kMaxNameLength) return kNoTeam;
     return soccer::sign(side);
   }
 
@@ -195,12 +196,12 @@ class JsonReader {
                             : read_time(key, in, time, stopped) || (in.good() && in.skip_value());
       if (!read) return false;
     }
-    builder_.message(time, board, std::move(text));
-    tell_stopped(stopped);
+    builder_.add_message(time, board, std::move(text));
+    set_stopped(stopped);
     return in.good();
   }
 
-  // As the message that text logs have, which ends with one bracket although two are open.
+  // Stores the message of text logs, which opens two brackets and closes one.
   bool read_team_graphic(base::JsonCursor& in) {
     std::string side = "l";
     int x = 0;
@@ -223,15 +224,16 @@ class JsonReader {
       }
       if (!read || !in.good()) return false;
     }
-    builder_.message(0, 1,
-                     "(team_graphic_" + side + " (" + std::to_string(x) + " " + std::to_string(y) +
-                         picture + ")");
+    builder_.add_message(0, 1,
+                         "(team_graphic_" + side + " (" + std::to_string(x) + " " +
+                             std::to_string(y) + picture + ")");
     return in.good();
   }
 
-  // `(name value)` as in text logs. What would end there where it does not is refused.
+  // Appends `(name value)` as in text logs. False if the text log's parser would end the value
+  // elsewhere.
   static bool append_parameter(std::string_view raw_name, base::JsonCursor& in, std::string& line) {
-    const std::string name = base::JsonCursor::unescaped(raw_name);
+    const std::string name = base::JsonCursor::unescape(raw_name);
     std::string value;
     if (!in.scalar_text(value)) return false;
     if (name.empty() || name.find_first_of(" ()\"\n") != std::string::npos ||
@@ -242,7 +244,7 @@ class JsonReader {
     return true;
   }
 
-  // Into the text form, which the rest of the program knows how to read.
+  // Converts parameters to the text form, for which a parser exists.
   static bool append_parameters(base::JsonCursor& in, bool nested, std::string& line) {
     std::string_view key;
     while (in.next_key(key)) {
@@ -261,9 +263,9 @@ class JsonReader {
     line += ')';
     const base::Result<void> read = soccer::parse(line, params);
     if (!read) {
-      damage(0, read.error().message);
+      add_error(0, read.error().message);
     } else {
-      builder_.parameter_line(std::move(line));
+      builder_.add_parameter_line(std::move(line));
     }
     return true;
   }
@@ -272,28 +274,22 @@ class JsonReader {
     soccer::PlayerType type;
     type.id = kNoType;
     if (!read_parameters("player_type", in, type)) return false;
-    return builder_.player_type(type);
+    return builder_.set_player_type(type);
   }
 
-  // Where the log is silent, the builder finds out.
-  void tell_stopped(int stopped) {
-    if (stopped > 0) builder_.note_stopped(stopped);
+  // Without a recorded value, the builder counts stopped cycles.
+  void set_stopped(int stopped) {
+    if (stopped > 0) builder_.set_stopped(stopped);
   }
 
-  void damage_in(base::InputBuffer::Line kind) {
-    damage(column_, kind == base::InputBuffer::Line::kUnfinished ? kCutOff
-                                                                 : "this is no JSON of a game log");
-  }
-
-  void damage(std::size_t column, std::string what) {
-    MatchRecord& record = builder_.record();
-    record.damage.add(damage_at(input_, record, std::move(what), column));
+  void add_error(std::size_t column, std::string message) {
+    builder_.add_error(input_, std::move(message), column);
   }
 
   base::InputBuffer& input_;
   RecordBuilder& builder_;
   Frame frame_;
-  std::string_view element_;  // without comma and blanks around it
+  std::string_view element_;  // without the surrounding comma and spaces
   std::size_t column_ = 0;
   bool closed_ = false;
 };

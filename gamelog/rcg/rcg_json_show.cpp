@@ -1,4 +1,4 @@
-// The shows of a JSON log: twenty-two players with up to 36 named values each.
+// Parses the shows of JSON logs: 22 players with up to 36 named values each.
 #include "gamelog/rcg/rcg_json_show.h"
 
 #include <array>
@@ -49,7 +49,7 @@ enum class PlayerKey : std::uint8_t {
   kChangeFocus,
 };
 
-// In the order in which the server writes them.
+// In the order of rcssserver.
 constexpr std::array kPlayerKeys = std::to_array<std::string_view>(
     {"side",        "unum", "type",    "state",   "x",           "y",           "vx",
      "vy",          "body", "neck",    "px",      "py",          "vq",          "vw",
@@ -59,7 +59,7 @@ constexpr std::array kPlayerKeys = std::to_array<std::string_view>(
 
 constexpr std::string_view kNestedCounters = "count";
 
-// The key is usually the next one or one of the next few.
+// Starts at the expected key, because keys usually follow in this order.
 std::size_t find_key(std::string_view key, std::size_t expected) {
   for (std::size_t i = 0; i < kPlayerKeys.size(); ++i) {
     const std::size_t at = (expected + i) % kPlayerKeys.size();
@@ -127,7 +127,7 @@ bool read_state(base::JsonCursor& in, std::uint32_t& state) {
 }
 
 bool read_player_value(base::JsonCursor& in, PlayerKey key, ReadPlayer& player) {
-  std::string word;
+  std::string text;
   switch (key) {
     case PlayerKey::kSide:
       return read_side(in, player.side);
@@ -138,8 +138,8 @@ bool read_player_value(base::JsonCursor& in, PlayerKey key, ReadPlayer& player) 
     case PlayerKey::kState:
       return read_state(in, player.frame.state);
     case PlayerKey::kQuality:
-      if (!in.string(word)) return false;
-      player.frame.high_quality = word != "l";
+      if (!in.string(text)) return false;
+      player.frame.high_quality = text != "l";
       return true;
     case PlayerKey::kAttentionSide:
       return read_side(in, player.frame.attention_side);
@@ -155,7 +155,7 @@ bool read_player_value(base::JsonCursor& in, PlayerKey key, ReadPlayer& player) 
   return in.number(*real(key, player));
 }
 
-// Behind the opening bracket. Server 17 has the counters in an object of their own.
+// Parses the members of a player. Server 17 nests the counters in an object.
 bool read_player_fields(base::JsonCursor& in, ReadPlayer& player, bool within_counts) {
   std::size_t expected = 0;
   std::string_view name;
@@ -180,8 +180,8 @@ bool is_possible(const ReadPlayer& player) {
       frame.attention_side == Side::kNeutral ||
       (frame.attention_unum >= 1 && frame.attention_unum <= soccer::kPlayersPerTeam);
   return player.side != Side::kNeutral && player.unum >= 1 &&
-         player.unum <= soccer::kPlayersPerTeam && frame.type >= -1 && frame.type <= kHighestType &&
-         attention;
+         player.unum <= soccer::kPlayersPerTeam && frame.type >= -1 &&
+         frame.type <= kMaxPlayerType && attention;
 }
 
 bool read_players(base::JsonCursor& in, Frame& frame) {
@@ -215,14 +215,14 @@ bool read_ball(base::JsonCursor& in, Frame& frame) {
 }  // namespace
 
 bool read_side(base::JsonCursor& in, Side& side) {
-  std::string word;
-  if (!in.string(word)) return false;
-  side = word == "l" ? Side::kLeft : word == "r" ? Side::kRight : Side::kNeutral;
+  std::string text;
+  if (!in.string(text)) return false;
+  side = text == "l" ? Side::kLeft : text == "r" ? Side::kRight : Side::kNeutral;
   return true;
 }
 
 bool read_json_show(base::JsonCursor& in, Frame& frame) {
-  constexpr int kLongestStop = 1'000'000'000;
+  constexpr int kMaxStopped = 1'000'000'000;
   frame = Frame{};
   std::string_view key;
   while (in.next_key(key)) {
@@ -240,7 +240,7 @@ bool read_json_show(base::JsonCursor& in, Frame& frame) {
     }
     if (!read) return false;
   }
-  return in.good() && frame.time >= 0 && frame.stopped >= 0 && frame.stopped <= kLongestStop;
+  return in.good() && frame.time >= 0 && frame.stopped >= 0 && frame.stopped <= kMaxStopped;
 }
 
 }  // namespace cls::gamelog

@@ -1,4 +1,4 @@
-// Reading the shows of JSON logs.
+// Parses the shows of JSON logs.
 #pragma once
 
 #include "base/text/json_cursor.h"
@@ -6,12 +6,11 @@
 
 namespace cls::gamelog {
 
-/// Reads what follows behind the opening bracket of a show. Players that are not in it are not
-/// connected; mode and teams, which monitors have in their shows, are left to the records of their
-/// own. Without a stopped clock Frame::stopped is 0.
+/// Parses a show after its opening bracket. Players that it lacks are not connected. Mode and
+/// teams, which shows of monitors contain, are ignored. Frame::stopped is 0 if the show has none.
 bool read_json_show(base::JsonCursor& in, Frame& frame);
 
-/// "l" or "r"; any other word is neutral.
+/// "l" or "r"; any other string is neutral.
 bool read_side(base::JsonCursor& in, soccer::Side& side);
 
 }  // namespace cls::gamelog

@@ -40,7 +40,7 @@ void append_string(std::string_view text, std::string& out) {
   out += '"';
 }
 
-// `"key":`, behind a comma unless the object begins here.
+// Appends `"key":`, after a comma unless the object begins here.
 void append_key(std::string_view key, std::string& out) {
   if (!out.ends_with('{')) out += ',';
   append_string(key, out);
@@ -65,12 +65,12 @@ void append_angle(std::string_view key, double value, std::string& out) {
   append_field(key, soccer::math::quantize(value, kAngleStep), out);
 }
 
-void append_word(std::string_view key, std::string_view value, std::string& out) {
+void append_text(std::string_view key, std::string_view value, std::string& out) {
   append_key(key, out);
   append_string(value, out);
 }
 
-void begin(std::string_view kind, std::string& out) {
+void begin_object(std::string_view kind, std::string& out) {
   out += "{\"";
   out += kind;
   out += "\":{";
@@ -91,7 +91,7 @@ void append_counters(const CommandCounts& c, std::string& out) {
 
 void append_player(int slot, const PlayerFrame& player, JsonShow form, std::string& out) {
   out += '{';
-  append_word("side", std::string(1, soccer::letter(soccer::side_of_slot(slot))), out);
+  append_text("side", std::string(1, soccer::letter(soccer::side_of_slot(slot))), out);
   append_field("unum", soccer::unum_of_slot(slot), out);
   append_field("type", player.type, out);
   append_field("state", static_cast<int>(player.state), out);
@@ -105,7 +105,7 @@ void append_player(int slot, const PlayerFrame& player, JsonShow form, std::stri
     append_length("px", player.pointing_at->x, out);
     append_length("py", player.pointing_at->y, out);
   }
-  append_word("vq", player.high_quality ? "h" : "l", out);
+  append_text("vq", player.high_quality ? "h" : "l", out);
   append_field("vw", player.view_width, out);
   if (form == JsonShow::kMonitor) {
     append_length("fdist", player.focus_distance, out);
@@ -116,7 +116,7 @@ void append_player(int slot, const PlayerFrame& player, JsonShow form, std::stri
   append_field("recovery", player.recovery, out);
   append_field("capacity", player.capacity, out);
   if (player.attention_side != soccer::Side::kNeutral && (player.state & kStateEnabled) != 0) {
-    append_word("fside", std::string(1, soccer::letter(player.attention_side)), out);
+    append_text("fside", std::string(1, soccer::letter(player.attention_side)), out);
     append_field("fnum", player.attention_unum, out);
   }
   if (form == JsonShow::kLog) append_counters(player.counts, out);
@@ -155,9 +155,9 @@ bool is_bool(std::string_view kind, std::string_view name) {
   return false;
 }
 
-// Numbers as they stand, but for forms that JSON does not know: "+1", ".5", "05".
+// Numbers are copied, except forms that JSON does not allow: "+1", ".5", "05".
 bool append_number(std::string_view text, std::string& out) {
-  const auto value = base::number_from_text(text);
+  const auto value = base::parse_number(text);
   if (!value) return false;
   const std::string_view digits = text.substr(text.starts_with('-') ? 1 : 0);
   const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
@@ -182,8 +182,8 @@ void append_value(std::string_view kind, std::string_view name, std::string_view
   }
 }
 
-// The quoted strings of a text, without their quotes.
-std::vector<std::string_view> quoted(std::string_view text) {
+// The quoted strings in a text, without quotes.
+std::vector<std::string_view> quoted_strings(std::string_view text) {
   std::vector<std::string_view> found;
   for (;;) {
     const std::size_t open = text.find('"');
@@ -194,7 +194,7 @@ std::vector<std::string_view> quoted(std::string_view text) {
   }
 }
 
-// `(team_graphic_l (22 3 "8 8 1 1" ...)`; false if it is something else.
+// Appends `(team_graphic_l (22 3 "8 8 1 1" ...)`; false if the text is something else.
 bool append_team_graphic(std::string_view text, std::string& out) {
   if (!text.starts_with(kTeamGraphic)) return false;
   text.remove_prefix(kTeamGraphic.size());
@@ -203,17 +203,17 @@ bool append_team_graphic(std::string_view text, std::string& out) {
   text.remove_prefix(3);
   int x = 0;
   int y = 0;
-  const std::size_t x_size = base::read_int(text, x);
+  const std::size_t x_size = base::parse_int_prefix(text, x);
   if (x_size == 0 || text.substr(x_size, 1) != " ") return false;
   text.remove_prefix(x_size + 1);
-  if (base::read_int(text, y) == 0) return false;
-  begin("team_graphic", out);
-  append_word("side", side, out);
+  if (base::parse_int_prefix(text, y) == 0) return false;
+  begin_object("team_graphic", out);
+  append_text("side", side, out);
   append_field("x", x, out);
   append_field("y", y, out);
   append_key("xpm", out);
   out += '[';
-  for (const std::string_view line : quoted(text)) {
+  for (const std::string_view line : quoted_strings(text)) {
     if (!out.ends_with('[')) out += ',';
     append_string(line, out);
   }
@@ -225,11 +225,11 @@ bool append_team_graphic(std::string_view text, std::string& out) {
 
 void append_json_text(std::string_view key, std::string_view value, std::string& out) {
   out += '{';
-  append_word(key, value, out);
+  append_text(key, value, out);
   out += '}';
 }
 
-// Strings are not escaped there; one ends at the quote before the next bracket.
+// Strings in parameter lines are not escaped; each ends at the quote before the next bracket.
 void append_json_parameters(std::string_view line, std::string& out) {
   const std::size_t kind_end = std::min(line.find(' '), line.size());
   const std::string_view kind = line.substr(std::min<std::size_t>(1, kind_end), kind_end - 1);
@@ -239,10 +239,10 @@ void append_json_parameters(std::string_view line, std::string& out) {
   line.remove_prefix(kind_end);
   for (;;) {
     const std::size_t open = line.find('(');
-    const std::size_t blank = open == std::string_view::npos ? open : line.find(' ', open);
-    if (blank == std::string_view::npos) break;
-    const std::string_view name = line.substr(open + 1, blank - open - 1);
-    line.remove_prefix(blank + 1);
+    const std::size_t space = open == std::string_view::npos ? open : line.find(' ', open);
+    if (space == std::string_view::npos) break;
+    const std::string_view name = line.substr(open + 1, space - open - 1);
+    line.remove_prefix(space + 1);
     const bool text = line.starts_with('"');
     const std::size_t close = text ? line.find("\")") : line.find(')');
     if (close == std::string_view::npos) break;
@@ -253,24 +253,24 @@ void append_json_parameters(std::string_view line, std::string& out) {
 }
 
 void append_json_play_mode(int time, int stopped, soccer::PlayMode mode, std::string& out) {
-  begin("playmode", out);
+  begin_object("playmode", out);
   append_time(time, stopped, out);
-  append_word("mode", soccer::name(mode), out);
+  append_text("mode", soccer::name(mode), out);
   out += "}}";
 }
 
 void append_json_team(int time, int stopped, const TeamFrames& teams, std::string& out) {
-  begin("team", out);
+  begin_object("team", out);
   append_time(time, stopped, out);
   append_teams(teams, out);
   out += "}}";
 }
 
 void append_json_show(const Frame& frame, std::string& out, JsonShow form) {
-  begin("show", out);
+  begin_object("show", out);
   append_time(frame.time, frame.stopped, out);
   if (form == JsonShow::kMonitor) {
-    append_word("mode", soccer::name(frame.mode), out);
+    append_text("mode", soccer::name(frame.mode), out);
     append_key("team", out);
     out += '{';
     append_teams(frame.teams, out);
@@ -292,10 +292,10 @@ void append_json_show(const Frame& frame, std::string& out, JsonShow form) {
 
 void append_json_message(int time, int stopped, const Message& message, std::string& out) {
   if (append_team_graphic(message.text, out)) return;
-  begin("msg", out);
+  begin_object("msg", out);
   append_time(time, stopped, out);
   append_field("board", message.board, out);
-  append_word("message", message.text, out);
+  append_text("message", message.text, out);
   out += "}}";
 }
 

@@ -1,15 +1,12 @@
-// Telling versions of game logs apart, and whether a log has its end.
+// Detects the version of a game log and checks that the log is complete.
 #include "gamelog/rcg/rcg_reader.h"
 
 #include <algorithm>
 #include <utility>
 
 #include "base/io/input_buffer.h"
-#include "gamelog/rcg/rcg_binary_reader.h"
-#include "gamelog/rcg/rcg_json_reader.h"
-#include "gamelog/rcg/rcg_text_reader.h"
+#include "gamelog/rcg/format_readers.h"
 #include "gamelog/record/record_builder.h"
-#include "gamelog/record/record_damage.h"
 
 namespace cls::gamelog {
 namespace {
@@ -25,16 +22,16 @@ bool has_end(const MatchRecord& record) {
   });
 }
 
-void check_end(const base::InputBuffer& input, MatchRecord& record) {
-  if (!input.source().problem().empty()) {
-    record.damage.add_reason(damage_at(input, record, input.source().problem()));
-  } else if (record.damage.empty() && !has_end(record)) {
-    record.damage.add(
-        damage_at(input, record, "the match has no end here: the log was interrupted"));
+void check_end(const base::InputBuffer& input, RecordBuilder& builder) {
+  if (!input.source().error().empty()) {
+    builder.add_cause(input, input.source().error());
+  } else if (builder.record().errors.empty() && !has_end(builder.record())) {
+    builder.add_error(input, "no end of the match: the log is incomplete");
   }
 }
 
-/// What the first bytes say (log-formats 1.2). Server 17 wrote JSON behind the header of version 6.
+/// Selects the reader by the first bytes (log-formats 1.2). Server 17 wrote JSON after the header
+/// of version 6.
 void read_by_kind(base::InputBuffer& input, RecordBuilder& builder) {
   MatchRecord& record = builder.record();
   const std::string start(input.peek(kHeaderSize + 1));
@@ -56,7 +53,7 @@ void read_by_kind(base::InputBuffer& input, RecordBuilder& builder) {
     record.version = RcgVersion::kV1;
     read_rcg_binary(input, builder);
   } else {
-    record.damage.add(damage_at(input, record, "this is no game log"));
+    builder.add_error(input, "not a game log (rcg)");
   }
 }
 
@@ -71,7 +68,7 @@ MatchRecord read_rcg(base::InputBuffer& input) {
   MatchRecord record;
   RecordBuilder builder(record);
   read_by_kind(input, builder);
-  check_end(input, record);
+  check_end(input, builder);
   return record;
 }
 

@@ -1,4 +1,4 @@
-// Reading a game log (rcg) of any version.
+// Reads a game log (rcg) of any version.
 #pragma once
 
 #include <string>
@@ -10,14 +10,14 @@
 
 namespace cls::gamelog {
 
-/// Reads to the end or to where the bytes make no sense any more. Never fails: what could not be
-/// read is in MatchRecord::damage, with everything before it in the record. A log without the end
-/// of its match (neither a result nor time_over: killed or still being written) is damaged too.
+/// Reads as far as the log can be parsed. Never fails: errors are in MatchRecord::errors, and the
+/// record holds everything before them. A log without the end of its match (neither a result nor
+/// time_over) has an error too.
 MatchRecord read_rcg(base::ByteSource& source);
 MatchRecord read_rcg(base::InputBuffer& input);
 
-/// The same for a file, plain or gzip, "-" for standard input. An error means that there is no
-/// such file or that it cannot be opened.
+/// The same for a plain or gzip file, "-" for standard input. Fails if the file does not exist or
+/// cannot be opened.
 base::Result<MatchRecord> read_rcg_file(const std::string& path);
 
 }  // namespace cls::gamelog

@@ -1,4 +1,4 @@
-// Formatting the lines of text game logs.
+// Formats the lines of text game logs.
 #include "gamelog/rcg/rcg_text.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// The lines of a text game log (rcg), one function each.
+// Formats the lines of text game logs.
 #pragma once
 
 #include <string>
@@ -13,9 +13,9 @@
 
 namespace cls::gamelog {
 
-// Every function appends one line with its line feed, laid out as rcssserver 19 writes it
-// (log-formats 1.7): positions and velocities to 0.0001, angles to 0.001, all with six significant
-// digits, negative zero as "-0".
+// Every function appends one line with its line feed in the form of rcssserver 19 (log-formats
+// 1.7): positions and velocities to 0.0001, angles to 0.001, all with six significant digits,
+// negative zero as "-0".
 
 /// `ULG4` to `ULG6`.
 void append_version(RcgVersion version, std::string& out);
@@ -27,18 +27,18 @@ void append_header(RcgVersion version, const soccer::ServerParams& server,
 
 void append_play_mode(int time, soccer::PlayMode mode, std::string& out);
 
-/// The four penalty numbers appear once either team has taken a kick.
+/// The four penalty numbers appear after the first kick of either team.
 void append_team(int time, const TeamFrames& teams, std::string& out);
 
-/// In versions 4 to 6: version 4 knows no stamina capacity, only version 6 has the focus point and
-/// the count of its changes.
+/// Versions 4 to 6: version 4 has no stamina capacity, only version 6 has the focus point and its
+/// counter.
 void append_show(const Frame& frame, std::string& out, RcgVersion version = RcgVersion::kV6);
 
-/// Of such a line only ball and players, each behind a blank; nothing else, no line feed.
+/// Appends only ball and players, each after a space, without a line feed.
 void append_objects(const Frame& frame, std::string& out, RcgVersion version);
 
-/// `board` 1: referee, says, result, team graphics; 2: commands. Line feeds in the text become
-/// blanks; nothing else is escaped, as in the real log.
+/// `board` 1: referee, say messages, result, team graphics; 2: commands. Line feeds in the text
+/// become spaces; nothing else is escaped, as in rcssserver.
 void append_message(int time, int board, std::string_view text, std::string& out);
 
 }  // namespace cls::gamelog

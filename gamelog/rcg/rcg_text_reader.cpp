@@ -1,13 +1,15 @@
-// The lines of text logs that are not shows, and which reader gets which line.
-#include "gamelog/rcg/rcg_text_reader.h"
+// Reads text logs: selects the parser of each line, and parses all lines except shows.
+#include "gamelog/rcg/format_readers.h"
 
 #include <algorithm>
+#include <array>
+#include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
+#include "base/text/number_text.h"
 #include "gamelog/rcg/show_scanner.h"
-#include "gamelog/record/blank_names.h"
-#include "gamelog/record/record_damage.h"
 #include "soccer/messages/parameter_message.h"
 #include "soccer/protocol/scanner.h"
 
@@ -18,15 +20,103 @@ using soccer::Scanner;
 
 constexpr std::string_view kNoTeam = "null";
 
+constexpr std::string_view kTeam = "(team ";
+constexpr std::size_t kScores = 2;
+constexpr std::size_t kScoresAndPenalties = 6;
+
+// The words of `text` between spaces, as views into it.
+std::vector<std::string_view> split_at_spaces(std::string_view text) {
+  std::vector<std::string_view> words;
+  for (std::size_t start = text.find_first_not_of(' '); start != std::string_view::npos;
+       start = text.find_first_not_of(' ', start)) {
+    const std::size_t end = std::min(text.find(' ', start), text.size());
+    words.push_back(text.substr(start, end - start));
+    start = end;
+  }
+  return words;
+}
+
+std::string_view joined(std::string_view first, std::string_view last) {
+  return {first.data(), static_cast<std::size_t>(last.data() + last.size() - first.data())};
+}
+
+// True if a result message, `(result DATE LEFT_1-vs-RIGHT_2)`, names these two teams.
+bool names_teams(std::string_view result, std::string_view left, std::string_view right) {
+  const std::size_t start = result.find(std::string(" ") + std::string(left) + "_");
+  return start != std::string_view::npos &&
+         result.find("-vs-" + std::string(right) + "_", start) != std::string_view::npos;
+}
+
+void set_numbers(const std::vector<int>& numbers, TeamFrames& teams) {
+  for (std::size_t i = 0; i < teams.size(); ++i) {
+    teams[i].score = numbers[i];
+    if (numbers.size() < kScoresAndPenalties) continue;
+    teams[i].penalty_scored = numbers[2 + 2 * i];
+    teams[i].penalty_missed = numbers[3 + 2 * i];
+  }
+}
+
+// A `(team ...)` record whose names contain spaces, which rcssserver does not allow but other
+// writers produce.
+struct SpacedNames {
+  int time = 0;
+  TeamFrames teams;
+  std::string names;  ///< both, as in the record
+};
+
+// Parses the numbers from the end of the line; split_names() sets the team names. False if the line
+// is not such a record.
+bool parse_spaced_names(std::string_view line, SpacedNames& record) {
+  if (!line.starts_with(kTeam) || !line.ends_with(')')) return false;
+  line = line.substr(kTeam.size(), line.size() - kTeam.size() - 1);
+  if (line.find_first_of("()") != std::string_view::npos) return false;
+  const std::vector<std::string_view> words = split_at_spaces(line);
+  std::vector<int> numbers;
+  while (numbers.size() < kScoresAndPenalties && words.size() > numbers.size() + 3) {
+    const auto number = base::parse_int(words[words.size() - 1 - numbers.size()]);
+    if (!number) break;
+    numbers.push_back(*number);
+  }
+  if (numbers.size() < kScores) return false;
+  if (numbers.size() < kScoresAndPenalties) numbers.resize(kScores);
+  std::reverse(numbers.begin(), numbers.end());
+  const auto time = base::parse_int(words.front());
+  if (!time || *time < 0) return false;
+  const std::string_view names = joined(words[1], words[words.size() - 1 - numbers.size()]);
+  if (names.size() > 2 * kMaxNameLength) return false;
+  record = {*time, {}, std::string(names)};
+  set_numbers(numbers, record.teams);
+  return true;
+}
+
+// Splits the names where the result message does. Without a fitting result, splits at the middle
+// space.
+void split_names(std::string_view names, std::string_view result, TeamFrames& teams) {
+  const std::vector<std::string_view> words = split_at_spaces(names);
+  std::size_t left_words = (words.size() + 1) / 2;
+  if (words.front() == kNoTeam) left_words = 1;
+  if (words.back() == kNoTeam) left_words = words.size() - 1;
+  for (std::size_t i = 1; i < words.size(); ++i) {
+    if (names_teams(result, joined(words.front(), words[i - 1]), joined(words[i], words.back()))) {
+      left_words = i;
+    }
+  }
+  const std::array<std::string_view, 2> parts = {joined(words.front(), words[left_words - 1]),
+                                                 joined(words[left_words], words.back())};
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    teams[i].name = parts[i] == kNoTeam ? std::string_view() : parts[i];
+  }
+}
+
 bool read_team_state(Scanner& in, TeamFrames& teams) {
   for (TeamFrame& team : teams) {
     const std::size_t start = in.position();
     std::string_view name;
     if (!in.literal(" ")) return false;
-    // A name holds neither blanks nor brackets, but perhaps quotes of a foreign server.
+    // A name contains neither spaces nor brackets, but other servers allow quotes.
     const std::size_t length = std::min(in.rest().find_first_of(" ()"), in.rest().size());
     name = in.rest().substr(0, length);
-    if (name.empty() || length > kLongestName) return in.fail_at(start, "a team name");
+    if (name.empty() || length > kMaxNameLength) return in.fail_at(start, "a team name");
     in.literal(name);
     team.name = name == kNoTeam ? std::string_view() : name;
   }
@@ -48,7 +138,7 @@ class TextReader {
   TextReader(base::InputBuffer& input, RecordBuilder& builder) : input_(input), builder_(builder) {}
 
   void read_all() {
-    read_lines(input_, builder_, [this](std::string_view line, base::InputBuffer::Line kind) {
+    for_each_line(input_, builder_, [this](std::string_view line, base::InputBuffer::Line kind) {
       read(line, kind == base::InputBuffer::Line::kUnfinished);
     });
   }
@@ -56,9 +146,9 @@ class TextReader {
  private:
   void read(std::string_view line, bool unfinished) {
     if (line.starts_with("(show ")) {
-      LineProblem problem;
-      if (!read_show(line, builder_, problem)) {
-        damage(problem.column, unfinished ? kCutOff : problem.what);
+      LineError error;
+      if (!read_show(line, builder_, error)) {
+        add_error(error.column, unfinished ? kTruncated : error.message);
       } else if (builder_.record().frames() == 1) {
         reserve(line.size());
       }
@@ -67,7 +157,7 @@ class TextReader {
     Scanner in(line);
     if (!read_other(in, line)) {
       const base::Error error = in.error("record");
-      damage(0, unfinished ? std::string_view(kCutOff) : std::string_view(error.message));
+      add_error(0, unfinished ? std::string_view(kTruncated) : std::string_view(error.message));
     }
   }
 
@@ -78,23 +168,23 @@ class TextReader {
     if (line.starts_with("(server_param ")) return read_parameters(line, builder_.record().server);
     if (line.starts_with("(player_param ")) return read_parameters(line, builder_.record().player);
     if (line.starts_with("(player_type ")) return read_player_type(line);
-    if (!line.starts_with('(') || !line.ends_with(')')) return in.fail("a record in brackets");
-    builder_.unknown_line(std::string(line));
+    if (!line.starts_with('(') || !line.ends_with(')')) return in.fail("a record in parentheses");
+    builder_.add_unknown_line(std::string(line));
     return true;
   }
 
   bool read_play_mode(Scanner& in, std::string_view line) {
     int time = 0;
     std::string_view name;
-    if (!(in.integer(time) && in.literal(" ") && in.word(name) && in.literal(")") && in.end())) {
+    if (!(in.integer(time) && in.literal(" ") && in.token(name) && in.literal(")") && in.end())) {
       return false;
     }
-    // A mode that later servers know: the one before goes on as far as we can tell.
-    const auto mode = soccer::play_mode_from_name(name);
+    // An unknown mode of a later server: the previous mode stays in force.
+    const auto mode = soccer::parse_play_mode(name);
     if (mode) {
-      builder_.play_mode(time, *mode);
+      builder_.add_play_mode(time, *mode);
     } else {
-      builder_.unknown_line(std::string(line));
+      builder_.add_unknown_line(std::string(line));
     }
     return true;
   }
@@ -103,22 +193,22 @@ class TextReader {
     int time = 0;
     TeamFrames teams;
     if (in.integer(time) && read_team_state(in, teams) && in.literal(")") && in.end()) {
-      builder_.teams(time, teams);
+      builder_.add_teams(time, teams);
       return true;
     }
-    if (!read_blank_names(line, blank_names_)) return false;
-    split_names(blank_names_.names, result_, blank_names_.teams);
-    builder_.teams(blank_names_.time, blank_names_.teams);
+    if (!parse_spaced_names(line, spaced_names_)) return false;
+    split_names(spaced_names_.names, result_, spaced_names_.teams);
+    builder_.add_teams(spaced_names_.time, spaced_names_.teams);
     return true;
   }
 
-  // Only the result of a match tells where a name with blanks ends.
-  void take_result(std::string_view result) {
+  // Only the result message shows where a name with spaces ends.
+  void set_result(std::string_view result) {
     result_ = result;
-    if (blank_names_.names.empty()) return;
-    const TeamFrames before = blank_names_.teams;
-    split_names(blank_names_.names, result_, blank_names_.teams);
-    builder_.rename(before, blank_names_.teams);
+    if (spaced_names_.names.empty()) return;
+    const TeamFrames before = spaced_names_.teams;
+    split_names(spaced_names_.names, result_, spaced_names_.teams);
+    builder_.rename_teams(before, spaced_names_.teams);
   }
 
   bool read_message(Scanner& in) {
@@ -129,19 +219,19 @@ class TextReader {
           in.rest_before("\")", text))) {
       return false;
     }
-    if (text.starts_with("(result ")) take_result(text);
-    builder_.message(time, board, std::string(text));
+    if (text.starts_with("(result ")) set_result(text);
+    builder_.add_message(time, board, std::string(text));
     return true;
   }
 
-  // Values that cannot be read keep their defaults: the rest of the log is worth more.
+  // Values that cannot be parsed keep their defaults, so that the rest of the log is read.
   template <typename Params>
   bool read_parameters(std::string_view line, Params& params) {
     const base::Result<void> read = soccer::parse(line, params);
     if (!read) {
-      damage(0, read.error().message);
+      add_error(0, read.error().message);
     } else {
-      builder_.parameter_line(std::string(line));
+      builder_.add_parameter_line(std::string(line));
     }
     return true;
   }
@@ -150,27 +240,26 @@ class TextReader {
     soccer::PlayerType type;
     type.id = -1;
     read_parameters(line, type);
-    if (!builder_.player_type(type)) damage(0, "a player type without a number from 0 to 255");
+    if (!builder_.set_player_type(type)) add_error(0, "player type without an id from 0 to 255");
     return true;
   }
 
-  // Shows grow longer with their numbers, so the first one tells a little too much room. A tiny one
-  // must not claim room for millions.
+  // Estimates the number of frames by the first show, which is shorter than later ones. The limit
+  // applies to very short shows.
   void reserve(std::size_t show_size) {
     constexpr std::uint64_t kLongMatch = 20'000;
     const std::uint64_t rest = input_.source().size_hint();
     reserve_frames(builder_.record(), std::min<std::uint64_t>(rest / show_size + 1, kLongMatch));
   }
 
-  void damage(std::size_t column, std::string_view what) {
-    MatchRecord& record = builder_.record();
-    record.damage.add(damage_at(input_, record, std::string(what), column));
+  void add_error(std::size_t column, std::string_view message) {
+    builder_.add_error(input_, std::string(message), column);
   }
 
   base::InputBuffer& input_;
   RecordBuilder& builder_;
-  BlankNames blank_names_;  // the last such record
-  std::string result_;      // the last result message
+  SpacedNames spaced_names_;  // of the last such record
+  std::string result_;        // the last result message
 };
 
 }  // namespace

@@ -1,10 +1,10 @@
-// The rules by which a game log gets its lines.
+// Selects the records of a game log and their format.
 #include "gamelog/rcg/rcg_writer.h"
 
 #include <utility>
 
 #include "base/text/number_text.h"
-#include "gamelog/rcg/rcg_binary_records.h"
+#include "gamelog/rcg/binary_writer.h"
 #include "gamelog/rcg/rcg_json_text.h"
 #include "gamelog/rcg/rcg_text.h"
 #include "gamelog/record/match_record.h"
@@ -16,10 +16,10 @@ namespace {
 using soccer::PlayMode;
 
 constexpr int kMessageBoard = 1;
-constexpr std::string_view kServerVersion = "19.0.0";  // the one that is stood in for
+constexpr std::string_view kServerVersion = "19.0.0";  // the emulated version
 constexpr std::string_view kNextElement = ",\n";
 
-// A log in JSON has every parameter message as an element.
+// In JSON logs every parameter message is an element.
 template <typename Parameters>
 void append_json_element(const Parameters& parameters, std::string& out) {
   std::string line;
@@ -66,7 +66,7 @@ std::string match_name(const TeamFrames& teams) {
   return name;
 }
 
-soccer::ServerParams without_places(const soccer::ServerParams& params) {
+soccer::ServerParams without_local_paths(const soccer::ServerParams& params) {
   const soccer::ServerParams defaults;
   soccer::ServerParams result = params;
   for (const auto member :
@@ -89,9 +89,9 @@ std::optional<RcgVersion> rcg_version(int game_log_version) {
 RcgWriter::RcgWriter(base::ByteSink& sink, RcgVersion version, LogDate date)
     : sink_(sink), version_(version), date_(std::move(date)) {}
 
-void RcgWriter::begin(const soccer::ServerParams& server, const soccer::PlayerParams& player,
-                      const std::vector<soccer::PlayerType>& types) {
-  const soccer::ServerParams shown = without_places(server);
+void RcgWriter::write_header(const soccer::ServerParams& server, const soccer::PlayerParams& player,
+                             const std::vector<soccer::PlayerType>& types) {
+  const soccer::ServerParams shown = without_local_paths(server);
   if (is_binary()) {
     append_binary_header(version_, shown, player, types, line_);
   } else if (version_ == RcgVersion::kJson) {
@@ -99,10 +99,10 @@ void RcgWriter::begin(const soccer::ServerParams& server, const soccer::PlayerPa
   } else {
     append_header(version_, shown, player, types, line_);
   }
-  write();
+  flush();
 }
 
-void RcgWriter::step(const Frame& frame) {
+void RcgWriter::write_step(const Frame& frame) {
   if (frame.mode == PlayMode::kBeforeKickOff) return;
   if (frame.mode == PlayMode::kTimeOver && written_mode_ == PlayMode::kTimeOver) return;
   if (frame.mode != written_mode_) {
@@ -115,10 +115,10 @@ void RcgWriter::step(const Frame& frame) {
     team_written_ = true;
   }
   add_show(frame);
-  write();
+  flush();
 }
 
-void RcgWriter::message(Stamp stamp, int board, std::string_view text) {
+void RcgWriter::write_message(Stamp stamp, int board, std::string_view text) {
   if (is_binary()) {
     append_binary_message(version_, board, text, line_);
   } else if (version_ == RcgVersion::kJson) {
@@ -127,16 +127,16 @@ void RcgWriter::message(Stamp stamp, int board, std::string_view text) {
   } else {
     append_message(stamp.time, board, text, line_);
   }
-  write();
+  flush();
 }
 
-void RcgWriter::end(const Frame& last) {
-  message({last.time, last.stopped}, kMessageBoard,
-          "(result " + date_.minute + ' ' + match_name(last.teams) + ')');
+void RcgWriter::write_end(const Frame& last) {
+  write_message({last.time, last.stopped}, kMessageBoard,
+                "(result " + date_.minute + ' ' + match_name(last.teams) + ')');
   if (is_binary()) return;
   add_teams(last);
   if (version_ == RcgVersion::kJson) line_ += "\n]\n";
-  write();
+  flush();
 }
 
 void RcgWriter::add_play_mode(const Frame& frame) {
@@ -160,7 +160,7 @@ void RcgWriter::add_show(const Frame& frame) {
   append_json_show(frame, line_);
 }
 
-void RcgWriter::write() {
+void RcgWriter::flush() {
   sink_.write(line_);
   line_.clear();
 }

@@ -1,4 +1,4 @@
-// Writing a game log (rcg, all versions) while a match runs.
+// Writes a game log (rcg, all versions) while a match runs.
 #pragma once
 
 #include <optional>
@@ -16,50 +16,52 @@
 
 namespace cls::gamelog {
 
-/// The part of the result line and of log file names that names the teams and the score:
-/// `A_1-vs-B_0`; `null` for a team that never connected; with the penalty score behind a score
-/// that is level when both teams took kicks: `A_0_2-vs-B_0_1` (log-formats 1.12).
+/// The part of the result line and of log file names with teams and score: `A_1-vs-B_0`; `null` for
+/// a team that never connected. After a level score, the penalty score follows if both teams took
+/// kicks: `A_0_2-vs-B_0_1` (log-formats 1.12).
 std::string match_name(const TeamFrames& teams);
 
-/// The parameters as a log shows them: what names folders, files and start commands is at its
-/// default, so that a log does not depend on where and by whom a match was played.
-soccer::ServerParams without_places(const soccer::ServerParams& params);
+/// Parameters for the log: paths, file names and start commands have their defaults, so that a log
+/// does not depend on where and by whom a match was played.
+soccer::ServerParams without_local_paths(const soccer::ServerParams& params);
 
-/// When the match began, as logs tell it. The same for all matches unless somebody wants to know.
+/// Start of the match as written in logs. Constant by default, so that equal matches give equal
+/// logs.
 struct LogDate {
-  std::string minute = "197001010000";              ///< behind the result
+  std::string minute = "197001010000";              ///< in the result message
   std::string second = "1970-01-01T00:00:00+0000";  ///< in JSON
 };
 
-/// What server::game_log_version asks for: 1 to 6, -1 is JSON. Nothing for another number.
+/// The version for a value of server::game_log_version: 1 to 6, or -1 for JSON. Nothing for another
+/// number.
 std::optional<RcgVersion> rcg_version(int game_log_version);
 
-/// Decides which records a log gets (simulation-model 12.4, log-formats 1.4 to 1.10) and writes
-/// them into `sink`, which must outlive the writer. The bytes depend on nothing but the arguments.
+/// Selects the records of a log (simulation-model 12.4, log-formats 1.4 to 1.10) and writes them
+/// into `sink`, which must outlive the writer. The bytes depend only on the arguments.
 class RcgWriter {
  public:
   explicit RcgWriter(base::ByteSink& sink, RcgVersion version = RcgVersion::kV6, LogDate date = {});
 
-  /// Once, before anything else.
-  void begin(const soccer::ServerParams& server, const soccer::PlayerParams& player,
-             const std::vector<soccer::PlayerType>& types);
+  /// Called once, before everything else.
+  void write_header(const soccer::ServerParams& server, const soccer::PlayerParams& player,
+                    const std::vector<soccer::PlayerType>& types);
 
-  /// Once per simulation step, in every play mode. Nothing is written before kick-off, and after
-  /// time over only the first frame; records of play mode and teams are added where they changed.
-  void step(const Frame& frame);
+  /// Called once per simulation step, in every play mode. Writes nothing before kick-off and only
+  /// the first frame after time_over. Adds records of play mode and teams when they change.
+  void write_step(const Frame& frame);
 
-  /// A message at the place in the log that is reached.
-  void message(Stamp stamp, int board, std::string_view text);
+  /// Writes a message at the current position of the log.
+  void write_message(Stamp stamp, int board, std::string_view text);
 
-  /// Once, after everything else: the result.
-  void end(const Frame& last);
+  /// Called once, after everything else: writes the result.
+  void write_end(const Frame& last);
 
  private:
   bool is_binary() const { return version_ <= RcgVersion::kV3; }
   void add_play_mode(const Frame& frame);
   void add_teams(const Frame& frame);
   void add_show(const Frame& frame);
-  void write();
+  void flush();
 
   base::ByteSink& sink_;
   RcgVersion version_;

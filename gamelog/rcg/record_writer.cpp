@@ -1,4 +1,4 @@
-// The order of a game log's lines, in text and in JSON.
+// Writes the lines of a game log in order, as text or JSON.
 #include "gamelog/rcg/record_writer.h"
 
 #include <cassert>
@@ -19,7 +19,7 @@ std::vector<std::string> parameter_lines(const MatchRecord& record) {
   return lines;
 }
 
-// Calls `note` and `frame` for every line in the order of the log.
+// Calls `note` and `frame` for each line, in the order of the log.
 template <typename OnNote, typename OnFrame>
 void for_each_line(const MatchRecord& record, OnNote note, OnFrame frame) {
   std::size_t next = 0;
@@ -31,7 +31,7 @@ void for_each_line(const MatchRecord& record, OnNote note, OnFrame frame) {
   }
 }
 
-// Names of other programs' JSON logs may hold what cuts the lines of text logs.
+// Team names in JSON logs of other programs may contain separators of text logs.
 TeamFrames with_text_names(TeamFrames teams) {
   for (TeamFrame& team : teams) {
     for (char& c : team.name) {
@@ -98,7 +98,7 @@ void write_text(const MatchRecord& record, RcgVersion version, base::ByteSink& s
       });
 }
 
-// Puts commas between elements.
+// Writes array elements with commas between them.
 class JsonArray {
  public:
   explicit JsonArray(base::ByteSink& sink) : sink_(sink) { sink_.write("[\n"); }
@@ -108,7 +108,7 @@ class JsonArray {
     return line_;
   }
 
-  // An element that says nothing leaves no trace.
+  // Empty elements are left out.
   void end() {
     if (line_.size() <= 2) return;
     sink_.write(line_);

@@ -1,4 +1,4 @@
-// One pass over a show line, straight into the columns.
+// Parses a show line in one pass, straight into the columns.
 #include "gamelog/rcg/show_scanner.h"
 
 #include <cstring>
@@ -20,32 +20,32 @@ class ShowScanner {
         players_(players),
         first_entry_(first_entry) {}
 
-  bool header(std::int32_t& time) {
-    return literal("(show ") && integer(time) && (time >= 0 || fail("the time is negative"));
+  bool scan_header(std::int32_t& time) {
+    return literal("(show ") && integer(time) && (time >= 0 || fail("negative time"));
   }
 
-  // Monitors' own recordings have `(pm 3)` and `(tm ...)` here.
+  // Logs recorded by monitors have `(pm 3)` and `(tm ...)` here.
   bool skip_monitor_parts() {
-    blanks();
+    skip_spaces();
     while (*at_ == '(' && (at_[1] == 'p' || at_[1] == 't')) {
       const void* closing = std::memchr(at_, ')', static_cast<std::size_t>(end_ - at_));
       if (closing == nullptr) return fail("expected ')'");
       at_ = static_cast<const char*>(closing) + 1;
-      blanks();
+      skip_spaces();
     }
     return true;
   }
 
-  bool ball(Point& position, Point& velocity) {
+  bool scan_ball(Point& position, Point& velocity) {
     return literal("((b)") && point(position) && point(velocity) && literal(")");
   }
 
-  bool all_players() {
+  bool scan_players() {
     std::uint32_t seen = 0;
-    blanks();
+    skip_spaces();
     while (*at_ == '(') {
       if (!player(seen)) return false;
-      blanks();
+      skip_spaces();
     }
     for (std::size_t slot = 0; slot < kSlots; ++slot) {
       if ((seen >> slot & 1) == 0) clear_player(players_, first_entry_ + slot);
@@ -53,40 +53,42 @@ class ShowScanner {
     return true;
   }
 
-  bool end() { return literal(")") && (blanks(), at_ == end_ || fail("expected the end")); }
+  bool scan_end() {
+    return literal(")") && (skip_spaces(), at_ == end_ || fail("expected the end"));
+  }
 
-  LineProblem problem() const { return {static_cast<std::size_t>(problem_at_ - start_), problem_}; }
+  LineError error() const { return {static_cast<std::size_t>(error_at_ - start_), error_}; }
 
  private:
-  bool fail(std::string_view what) {
-    problem_ = what;
-    problem_at_ = at_;
+  bool fail(std::string_view message) {
+    error_ = message;
+    error_at_ = at_;
     return false;
   }
 
-  void blanks() {
+  void skip_spaces() {
     while (*at_ == ' ') ++at_;
   }
 
   template <std::size_t kSize>
-  bool looking_at(const char (&text)[kSize]) const {
+  bool starts_with(const char (&text)[kSize]) const {
     return std::memcmp(at_, text, kSize - 1) == 0;
   }
 
   template <std::size_t kSize>
   bool literal(const char (&text)[kSize]) {
-    if (!looking_at(text)) return fail("expected another word or bracket");
+    if (!starts_with(text)) return fail("expected another keyword or bracket");
     at_ += kSize - 1;
     return true;
   }
 
   bool number(float& value) {
-    blanks();
+    skip_spaces();
     return base::scan_number(at_, value) || fail("expected a number");
   }
 
   bool integer(std::int32_t& value) {
-    blanks();
+    skip_spaces();
     return base::scan_integer(at_, value) || fail("expected an integer");
   }
 
@@ -104,7 +106,7 @@ class ShowScanner {
   }
 
   bool state(std::uint32_t& value) {
-    blanks();
+    skip_spaces();
     if (*at_ != '0') return fail("expected a state");
     ++at_;
     value = 0;
@@ -126,7 +128,7 @@ class ShowScanner {
   bool player(std::uint32_t& seen) {
     int slot = 0;
     if (!literal("((") || !side_and_unum(slot)) return false;
-    if ((seen >> slot & 1) != 0) return fail("the same player twice");
+    if ((seen >> slot & 1) != 0) return fail("duplicate player");
     seen |= std::uint32_t{1} << slot;
     const std::size_t entry = first_entry_ + static_cast<std::size_t>(slot);
     return body(entry) && view(entry) && stamina(entry) && attention(entry) && counters(entry) &&
@@ -135,24 +137,24 @@ class ShowScanner {
 
   bool body(std::size_t entry) {
     std::int32_t type = 0;
-    blanks();
+    skip_spaces();
     const bool unknown_type = *at_ == '-';
     if (unknown_type) ++at_;
     if (!integer(type)) return false;
-    if (type > kHighestType) return fail("no such player type");
+    if (type > kMaxPlayerType) return fail("player type above 255");
     players_.type[entry] = static_cast<std::int16_t>(unknown_type ? -type : type);
     if (!(state(players_.state[entry]) && point(players_.position[entry]) &&
           point(players_.velocity[entry]) && number(players_.body[entry]) &&
           number(players_.neck[entry]))) {
       return false;
     }
-    blanks();
+    skip_spaces();
     Point& arm = players_.pointing_at[entry];
     if (*at_ == '(') {
       arm = {kNoNumber, kNoNumber};
       return true;
     }
-    return point(arm) && (blanks(), true);
+    return point(arm) && (skip_spaces(), true);
   }
 
   bool view(std::size_t entry) {
@@ -161,11 +163,11 @@ class ShowScanner {
     players_.high_quality[entry] = *at_ == 'h' ? 1 : 0;
     ++at_;
     if (!(number(players_.view_width[entry]) && literal(")"))) return false;
-    blanks();
-    if (looking_at("(fp ")) {
+    skip_spaces();
+    if (starts_with("(fp ")) {
       at_ += 4;
       if (!(point(players_.focus[entry]) && literal(")"))) return false;
-      blanks();
+      skip_spaces();
     } else {
       players_.focus[entry] = {0.0F, 0.0F};
     }
@@ -177,20 +179,20 @@ class ShowScanner {
           number(players_.recovery[entry]))) {
       return false;
     }
-    blanks();
+    skip_spaces();
     players_.capacity[entry] = -1.0F;
     if (*at_ != ')' && !number(players_.capacity[entry])) return false;
-    return literal(")") && (blanks(), true);
+    return literal(")") && (skip_spaces(), true);
   }
 
   bool attention(std::size_t entry) {
     players_.attention[entry] = -1;
-    if (!looking_at("(f ")) return true;
+    if (!starts_with("(f ")) return true;
     at_ += 3;
     int slot = 0;
     if (!side_and_unum(slot)) return false;
     players_.attention[entry] = static_cast<std::int8_t>(slot);
-    blanks();
+    skip_spaces();
     return true;
   }
 
@@ -201,7 +203,7 @@ class ShowScanner {
     for (std::size_t i = 0; i < kInAllVersions; ++i) {
       if (!integer(counters[i])) return false;
     }
-    blanks();
+    skip_spaces();
     counters[kInAllVersions] = 0;
     if (*at_ != ')' && !integer(counters[kInAllVersions])) return false;
     return literal(")");
@@ -212,29 +214,29 @@ class ShowScanner {
   const char* at_;
   PlayerColumns& players_;
   std::size_t first_entry_;
-  std::string_view problem_;
-  const char* problem_at_ = nullptr;
+  std::string_view error_;
+  const char* error_at_ = nullptr;
 };
 
 }  // namespace
 
-bool read_show(std::string_view line, RecordBuilder& builder, LineProblem& problem) {
+bool read_show(std::string_view line, RecordBuilder& builder, LineError& error) {
   MatchRecord& record = builder.record();
   const std::size_t index = record.frames();
   ShowScanner scanner(line, record.players, index * kSlots);
   std::int32_t time = 0;
-  if (!scanner.header(time)) {
-    problem = scanner.problem();
+  if (!scanner.scan_header(time)) {
+    error = scanner.error();
     return false;
   }
   builder.begin_frame(time);
   if (scanner.skip_monitor_parts() &&
-      scanner.ball(record.ball_position[index], record.ball_velocity[index]) &&
-      scanner.all_players() && scanner.end()) {
+      scanner.scan_ball(record.ball_position[index], record.ball_velocity[index]) &&
+      scanner.scan_players() && scanner.scan_end()) {
     return true;
   }
   builder.drop_frame();
-  problem = scanner.problem();
+  error = scanner.error();
   return false;
 }
 

@@ -1,4 +1,5 @@
-// Reading the `(show ...)` lines of text logs: nearly all bytes of a game log.
+// Parses the `(show ...)` lines of text logs. Hand-written because they are nearly all bytes of a
+// game log.
 #pragma once
 
 #include <string_view>
@@ -7,15 +8,15 @@
 
 namespace cls::gamelog {
 
-/// What went wrong in a line, and where in it.
-struct LineProblem {
+/// An error in a line and its position.
+struct LineError {
   std::size_t column = 0;  ///< from 0
-  std::string_view what;
+  std::string_view message;
 };
 
-/// Reads a line that starts with "(show " (log-formats 1.7, versions 4 to 6 and the forms of
-/// monitors) and appends its frame. Behind the line there must be a line feed and 64 readable
-/// bytes (InputBuffer). False on a damaged line; then the record is as before.
-bool read_show(std::string_view line, RecordBuilder& builder, LineProblem& problem);
+/// Parses a line that starts with "(show " (log-formats 1.7, versions 4 to 6 and the forms of
+/// monitors) and appends its frame. A line feed and 64 readable bytes must follow the line
+/// (InputBuffer). Returns false for a corrupt line; then the record is unchanged.
+bool read_show(std::string_view line, RecordBuilder& builder, LineError& error);
 
 }  // namespace cls::gamelog

@@ -1,4 +1,4 @@
-// Head and lines, separated by tabs.
+// Formats the header and lines of a keepaway log.
 #include "gamelog/rcl/keepaway_log.h"
 
 #include "base/text/number_text.h"
@@ -8,7 +8,7 @@ namespace cls::gamelog {
 using base::append_g;
 using base::append_int;
 
-void KeepawayLogWriter::begin(int keepers, int takers, double length, double width) {
+void KeepawayLogWriter::write_header(int keepers, int takers, double length, double width) {
   text_ = "# Keepers: ";
   append_int(keepers, text_);
   text_ += "\n# Takers:  ";
@@ -29,7 +29,7 @@ void KeepawayLogWriter::begin(int keepers, int takers, double length, double wid
   sink_.write(text_);
 }
 
-void KeepawayLogWriter::episode(int number, int start, int end, KeepawayLoss loss) {
+void KeepawayLogWriter::write_episode(int number, int start, int end, KeepawayLoss loss) {
   text_.clear();
   for (const int value : {number, start, end, end - start}) {
     append_int(value, text_);

@@ -1,4 +1,4 @@
-// Writing a keepaway log (kwy): one line an episode.
+// Writes a keepaway log (kwy): one line per episode.
 #pragma once
 
 #include <string>
@@ -10,16 +10,16 @@ namespace cls::gamelog {
 /// How the keepers lost the ball.
 enum class KeepawayLoss : char { kOutOfBounds = 'o', kTaken = 't' };
 
-/// Writes into `sink`, which must outlive the writer, as rcssserver 19 does.
+/// Writes the format of rcssserver 19 into `sink`, which must outlive the writer.
 class KeepawayLogWriter {
  public:
   explicit KeepawayLogWriter(base::ByteSink& sink) : sink_(sink) {}
 
-  /// Once, before the first episode; the size of the area in metres.
-  void begin(int keepers, int takers, double length, double width);
+  /// Writes the header, once before the first episode. Size of the area in meters.
+  void write_header(int keepers, int takers, double length, double width);
 
   /// `number` from 1; start and end in cycles.
-  void episode(int number, int start, int end, KeepawayLoss loss);
+  void write_episode(int number, int start, int end, KeepawayLoss loss);
 
  private:
   base::ByteSink& sink_;

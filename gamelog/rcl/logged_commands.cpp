@@ -1,4 +1,4 @@
-// Bracket matching and names of commands.
+// Splits logged datagrams into commands.
 #include "gamelog/rcl/logged_commands.h"
 
 #include <algorithm>
@@ -17,7 +17,7 @@ constexpr std::array<std::string_view, kCommandKindCount> kNames = {
 
 constexpr std::string_view kUnquotedSay = "(say ";
 
-// The kinds by first letter: the kinds whose names begin with 'a' + i are those in `order` from
+// Command kinds by first letter: `order` lists those whose names begin with 'a' + i from index
 // `first[i]` to `first[i + 1]`.
 struct LetterIndex {
   std::array<CommandKind, kCommandKindCount - 1> order = {};
@@ -50,7 +50,7 @@ CommandKind kind_of(std::string_view name) {
   return CommandKind::kOther;
 }
 
-// Length of the expression at the start of `text` up to its closing bracket; 0 if it has none.
+// Length of the expression at the start of `text` up to its closing bracket; 0 if it is not closed.
 std::size_t expression_length(std::string_view text) {
   int depth = 0;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -66,7 +66,7 @@ std::size_t expression_length(std::string_view text) {
   return 0;
 }
 
-// The server's lexer takes everything that may be said, up to the last closing bracket in it.
+// rcssserver's lexer consumes all say characters, up to the last closing bracket among them.
 std::size_t unquoted_say_length(std::string_view text) {
   if (!text.starts_with(kUnquotedSay)) return 0;
   const auto end =

@@ -1,4 +1,5 @@
-// The commands in a logged datagram, cut apart quickly and told by kind.
+// Splits a logged datagram into commands and their kinds. Faster than the protocol's parser,
+// because statistics read every datagram of a match.
 #pragma once
 
 #include <cstddef>
@@ -7,7 +8,7 @@
 
 namespace cls::gamelog {
 
-/// What a player, coach or trainer asked for. kOther: not a command of the player grammar.
+/// Commands of players, coaches and trainers. kOther: not a command of the player grammar.
 enum class CommandKind : std::uint8_t {
   kDash,
   kTurn,
@@ -40,17 +41,17 @@ constexpr std::size_t kCommandKindCount = static_cast<std::size_t>(CommandKind::
 /// "dash", "turn", ...; "other" for kOther.
 std::string_view name(CommandKind kind);
 
-/// Of these the first one in a cycle counts, the others are ignored by the server.
+/// Body commands: the server executes only the first of a cycle.
 bool is_body_command(CommandKind kind);
 
 struct LoggedCommand {
   CommandKind kind = CommandKind::kOther;
-  std::string_view arguments;  ///< between name and closing bracket, without the blank before
+  std::string_view arguments;  ///< between the name's space and the closing bracket
 };
 
-/// Goes through the bracketed expressions of a datagram. Quoted texts hide brackets; a say without
-/// quotes reaches to the last bracket it can, as in the server. What stands outside of brackets is
-/// skipped, an expression without its closing bracket ends the datagram.
+/// Iterates over the bracketed expressions of a datagram. Brackets in quoted text do not count; a
+/// say without quotes extends to its last bracket, as in rcssserver. Text outside brackets is
+/// skipped. An expression without its closing bracket ends the datagram.
 class CommandCursor {
  public:
   explicit CommandCursor(std::string_view datagram) : rest_(datagram) {}

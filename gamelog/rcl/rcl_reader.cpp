@@ -1,4 +1,4 @@
-// Lines of text logs, taken apart at the places that are safe to cut at.
+// Parses text logs line by line.
 #include "gamelog/rcl/rcl_reader.h"
 
 #include <algorithm>
@@ -29,25 +29,25 @@ class RclReader {
       const base::InputBuffer::Line kind = input_.next_line(line);
       if (kind == base::InputBuffer::Line::kEnd) break;
       if (kind == base::InputBuffer::Line::kTooLong) {
-        damage("a line of more than a megabyte");
+        add_error("line longer than 1 MiB");
       } else if (!read(line)) {
         return;
       } else if (kind == base::InputBuffer::Line::kUnfinished) {
-        damage("the log is cut off here");
+        add_error("truncated log");
       }
     }
-    if (!input_.source().problem().empty()) {
-      record_.damage.add_reason(damage_here(input_.source().problem()));
+    if (!input_.source().error().empty()) {
+      record_.errors.add_cause(error_here(input_.source().error()));
     } else if (record_.lines.empty()) {
-      damage("the log is empty");
+      add_error("the log is empty");
     }
   }
 
  private:
-  // False when there is no use in going on.
+  // False if the rest of the log cannot be read.
   bool read(std::string_view line) {
     if (record_.text.size() + line.size() > kMaxText) {
-      damage("more text than any match has: the rest is left out");
+      add_error("more than 1 GiB of text; the rest is ignored");
       return false;
     }
     RclLine entry;
@@ -57,7 +57,7 @@ class RclReader {
     return true;
   }
 
-  // `time,stopped` and a tab; before server 13 the time alone.
+  // `time,stopped` and a tab, or only the time before server version 13.
   static bool read_stamp(const char*& at, RclLine& entry) {
     if (*at < '0' || *at > '9' || !base::scan_integer(at, entry.time)) return false;
     if (*at == ',') {
@@ -67,10 +67,10 @@ class RclReader {
     return *at++ == '\t';
   }
 
-  // A datagram may hold line feeds.
+  // Appends to the last line, because a datagram may contain line feeds.
   bool continuation(std::string_view line) {
     if (record_.lines.empty()) {
-      damage("this is no text log");
+      add_error("not a text log (rcl)");
       return false;
     }
     record_.text += '\n';
@@ -96,7 +96,7 @@ class RclReader {
     record_.lines.push_back(entry);
   }
 
-  // Names hold no blanks but may hold underscores and colons: cut at the last underscore.
+  // Splits at the last underscore: names contain no spaces but may contain underscores and colons.
   bool read_sender(std::string_view sender, RclLine& entry) {
     if (sender == kCoach) {
       entry.source = RclSource::kTrainer;
@@ -104,10 +104,10 @@ class RclReader {
     }
     const std::size_t cut = sender.rfind('_');
     if (cut == std::string_view::npos || cut == 0) return false;
-    const std::string_view who = sender.substr(cut + 1);
-    const std::optional<int> unum = base::int_from_text(who);
+    const std::string_view role = sender.substr(cut + 1);
+    const std::optional<int> unum = base::parse_int(role);
     const bool player = unum && *unum >= 1 && *unum <= soccer::kPlayersPerTeam;
-    if (!player && who != kCoach) return false;
+    if (!player && role != kCoach) return false;
     const std::optional<std::uint8_t> team = team_index(sender.substr(0, cut));
     if (!team) return false;
     entry.team = *team;
@@ -125,12 +125,12 @@ class RclReader {
     return static_cast<std::uint8_t>(found - record_.teams.begin());
   }
 
-  Damage damage_here(std::string what) const {
+  ParseError error_here(std::string message) const {
     const int cycle = record_.lines.empty() ? 0 : record_.lines.back().time;
-    return {input_.line_number(), input_.offset(), cycle, std::move(what)};
+    return {input_.line_number(), input_.offset(), cycle, std::move(message)};
   }
 
-  void damage(std::string what) { record_.damage.add(damage_here(std::move(what))); }
+  void add_error(std::string message) { record_.errors.add(error_here(std::move(message))); }
 
   base::InputBuffer& input_;
   RclRecord& record_;

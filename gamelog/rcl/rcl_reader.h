@@ -1,4 +1,4 @@
-// Reading a text log (rcl).
+// Reads a text log (rcl).
 #pragma once
 
 #include <string>
@@ -10,13 +10,13 @@
 
 namespace cls::gamelog {
 
-/// Reads to the end (log-formats 2). Lines that do not start with a time belong to the datagram
-/// before them. Never fails: what makes no sense is in RclRecord::damage.
+/// Reads to the end (log-formats 2). A line that does not start with a time continues the previous
+/// datagram. Never fails: parse errors are in RclRecord::errors.
 RclRecord read_rcl(base::ByteSource& source);
 RclRecord read_rcl(base::InputBuffer& input);
 
-/// The same for a file, plain or gzip, "-" for standard input. An error means that there is no
-/// such file or that it cannot be opened.
+/// The same for a plain or gzip file, "-" for standard input. Fails if the file does not exist or
+/// cannot be opened.
 base::Result<RclRecord> read_rcl_file(const std::string& path);
 
 }  // namespace cls::gamelog

@@ -1,4 +1,4 @@
-// A text log (rcl) in memory: who sent what when, and every word of the referee.
+// A text log (rcl) in memory: received commands and referee messages with their clock.
 #pragma once
 
 #include <cstdint>
@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "gamelog/record/damage.h"
+#include "gamelog/record/parse_errors.h"
 
 namespace cls::gamelog {
 
@@ -15,11 +15,11 @@ enum class RclSource : std::uint8_t {
   kCoach,    ///< online coach
   kTrainer,  ///< offline coach
   kReferee,
-  kOther,  ///< measurements of the server, or something unknown
+  kOther,  ///< measurements of the server, or unknown
 };
 
-/// One record. The clock is that of reception: commands of (time, stopped) are carried out in the
-/// step that leads to the next frame.
+/// One record with the clock of its reception. The server executes commands of (time, stopped) in
+/// the step that leads to the next frame.
 struct RclLine {
   std::int32_t time = 0;
   std::int32_t stopped = 0;
@@ -31,12 +31,12 @@ struct RclLine {
 };
 
 struct RclRecord {
-  /// All texts, one behind the other: datagrams as received, referee words without brackets.
+  /// All texts, concatenated: datagrams as received, referee messages without brackets.
   std::string text;
   std::vector<RclLine> lines;
-  /// Names in the order in which they first appear: usually left, then right.
+  /// Names in order of first appearance: usually left, then right.
   std::vector<std::string> teams;
-  DamageList damage;
+  ParseErrors errors;
 
   std::string_view text_of(const RclLine& line) const {
     return std::string_view(text).substr(line.offset, line.length);

@@ -1,4 +1,4 @@
-// The lines of a text log.
+// Formats the lines of a text log.
 #include "gamelog/rcl/rcl_writer.h"
 
 #include <algorithm>
@@ -38,22 +38,22 @@ void append_trainer_command(std::string_view text, std::string& out) {
   append_text(text, out);
 }
 
-void RclWriter::command(Stamp stamp, std::string_view received) {
-  begin(stamp);
+void RclWriter::write_command(Stamp stamp, std::string_view received) {
+  start_line(stamp);
   line_ += received.substr(0, kMaxText);
   line_ += '\n';
   sink_.write(line_);
 }
 
-void RclWriter::referee(Stamp stamp, std::string_view message) {
-  begin(stamp);
+void RclWriter::write_referee(Stamp stamp, std::string_view message) {
+  start_line(stamp);
   line_ += "(referee ";
   line_ += message;
   line_ += ")\n";
   sink_.write(line_);
 }
 
-void RclWriter::begin(Stamp stamp) {
+void RclWriter::start_line(Stamp stamp) {
   line_.clear();
   base::append_int(stamp.time, line_);
   line_ += ',';

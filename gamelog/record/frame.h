@@ -1,4 +1,4 @@
-// One recorded moment of a match, as game logs hold it.
+// One frame of a game log: ball, players, play mode and teams after one step.
 #pragma once
 
 #include <array>
@@ -6,14 +6,34 @@
 #include <optional>
 #include <string>
 
-#include "gamelog/record/player_state.h"
 #include "soccer/geometry.h"
 #include "soccer/play_mode.h"
 #include "soccer/side.h"
 
 namespace cls::gamelog {
 
-/// Commands carried out since the match began, in the order of the log.
+// Bits of a player's state (log-formats 1.3). Bits of actions last one frame, those of a tackle or
+// a foul as long as the player cannot move, cards and kGoalie until the end. Versions 1 to 3 have
+// only the low sixteen bits.
+constexpr std::uint32_t kStateEnabled = 0x1;  ///< if unset, the slot is not connected
+constexpr std::uint32_t kStateKick = 0x2;
+constexpr std::uint32_t kStateKickFailed = 0x4;  ///< always with kStateKick
+constexpr std::uint32_t kStateGoalie = 0x8;
+constexpr std::uint32_t kStateCatch = 0x10;
+constexpr std::uint32_t kStateCatchFailed = 0x20;  ///< always with kStateCatch
+constexpr std::uint32_t kStateBallContact = 0x40;
+constexpr std::uint32_t kStateBallCollision = 0x400;
+constexpr std::uint32_t kStateTackle = 0x1000;
+constexpr std::uint32_t kStateTackleFailed = 0x2000;  ///< without kStateTackle: ball out of reach
+constexpr std::uint32_t kStateBackPass = 0x4000;
+constexpr std::uint32_t kStateFreeKickFault = 0x8000;
+constexpr std::uint32_t kStateHitPost = 0x10000;
+constexpr std::uint32_t kStateCharged = 0x20000;  ///< cannot move after being fouled
+constexpr std::uint32_t kStateYellowCard = 0x40000;
+constexpr std::uint32_t kStateRedCard = 0x80000;
+constexpr std::uint32_t kStateIllegalDefense = 0x100000;
+
+/// Numbers of commands executed since the start of the match, in the order of the log.
 struct CommandCounts {
   int kick = 0;
   int dash = 0;
@@ -29,9 +49,9 @@ struct CommandCounts {
   int change_focus = 0;
 };
 
-/// A player slot, connected or not. Metres, degrees; the same frame for both teams.
+/// A player slot, connected or not. Meters and degrees in one coordinate system for both teams.
 struct PlayerFrame {
-  std::uint32_t state = 0;  ///< bits of player_state.h
+  std::uint32_t state = 0;  ///< bits kState... above
   int type = 0;
   soccer::Vec2 position;
   soccer::Vec2 velocity;
@@ -46,12 +66,12 @@ struct PlayerFrame {
   double effort = 0.0;
   double recovery = 0.0;
   double capacity = 0.0;                                 ///< -1: unlimited
-  soccer::Side attention_side = soccer::Side::kNeutral;  ///< neutral: attention to nobody
+  soccer::Side attention_side = soccer::Side::kNeutral;  ///< neutral: no attention target
   int attention_unum = 0;
   CommandCounts counts;
 };
 
-/// Name and score of a team. An empty name means that it never connected.
+/// Name and score of a team. The name is empty if the team never connected.
 struct TeamFrame {
   std::string name;
   int score = 0;
@@ -68,7 +88,7 @@ using TeamFrames = std::array<TeamFrame, 2>;
 /// The whole pitch after one step.
 struct Frame {
   int time = 0;
-  int stopped = 0;  ///< cycles for which the clock has stood at `time`; only JSON logs show it
+  int stopped = 0;  ///< cycles that the clock has been stopped at `time`; only JSON logs record it
   soccer::PlayMode mode = soccer::PlayMode::kNull;
   TeamFrames teams;
   soccer::Vec2 ball_position;

@@ -1,4 +1,4 @@
-// Sizes of the columns, and a frame out of them.
+// Resizes the columns of a record and copies frames out of them.
 #include "gamelog/record/match_record.h"
 
 #include <cmath>

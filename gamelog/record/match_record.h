@@ -1,4 +1,4 @@
-// A whole match as its game log tells it: one array per property, by frame and player slot.
+// A whole match in memory: one array per property, by frame and player slot.
 #pragma once
 
 #include <array>
@@ -11,8 +11,8 @@
 #include <variant>
 #include <vector>
 
-#include "gamelog/record/damage.h"
 #include "gamelog/record/frame.h"
+#include "gamelog/record/parse_errors.h"
 #include "gamelog/record/rcg_version.h"
 #include "soccer/geometry.h"
 #include "soccer/parameters/player_params.h"
@@ -23,7 +23,7 @@
 
 namespace cls::gamelog {
 
-/// Leaves new elements uninitialised: columns are written right after they grow.
+/// Leaves new elements uninitialized, because columns are written right after they grow.
 template <typename T>
 struct UninitializedAllocator : std::allocator<T> {
   template <typename U>
@@ -47,8 +47,8 @@ struct UninitializedAllocator : std::allocator<T> {
 template <typename T>
 using Column = std::vector<T, UninitializedAllocator<T>>;
 
-/// A point or vector in single precision, which holds six significant digits, as logs print them,
-/// without loss.
+/// A point or vector in single precision, which holds the six significant digits of logs without
+/// loss.
 struct Point {
   float x;
   float y;
@@ -56,7 +56,7 @@ struct Point {
   operator soccer::Vec2() const { return {x, y}; }
 };
 
-/// What a player's commands are counted by, in the order of text logs.
+/// Command counters of a player, in the order of text logs.
 enum class Counter : std::uint8_t {
   kKick,
   kDash,
@@ -74,12 +74,12 @@ enum class Counter : std::uint8_t {
 constexpr std::size_t kCounterCount = 12;
 using Counters = std::array<std::int32_t, kCounterCount>;
 
-/// The name of the counted command: "kick", "dash", "turn", "catch", "move", "turn_neck", ...
+/// Name of the counted command: "kick", "dash", "turn", "catch", "move", "turn_neck", ...
 std::string_view name(Counter counter);
 
-/// Twenty-two entries a frame: entry `frame * 22 + slot` (soccer/side.h). Metres, degrees.
+/// Twenty-two entries per frame, at `frame * 22 + slot` (soccer/side.h). Meters, degrees.
 struct PlayerColumns {
-  Column<std::uint32_t> state;  ///< bits of player_state.h
+  Column<std::uint32_t> state;  ///< bits kState... of frame.h
   Column<std::int16_t> type;
   Column<Point> position;
   Column<Point> velocity;
@@ -93,11 +93,11 @@ struct PlayerColumns {
   Column<float> effort;
   Column<float> recovery;
   Column<float> capacity;         ///< -1: unlimited, or not in the log (before version 5)
-  Column<std::int8_t> attention;  ///< slot; -1: nobody
+  Column<std::int8_t> attention;  ///< slot; -1: none
   Column<Counters> counters;      ///< since the server started
 };
 
-/// Text inside a log: referee, says, result, team graphics (board 1) or commands (board 2).
+/// A text message in a log: referee, say, result, team graphic (board 1) or commands (board 2).
 struct Message {
   int board = 1;
   std::string text;
@@ -105,35 +105,35 @@ struct Message {
   friend bool operator==(const Message&, const Message&) = default;
 };
 
-/// A whole line of a text log that says nothing we know; kept so that nothing is lost.
+/// A line of unknown kind, stored as text so that conversion does not lose it.
 struct UnknownLine {
   std::string text;
 };
 
-/// What stands between two frames of a log.
+/// A record between two frames of a log.
 struct Note {
-  std::uint32_t frame = 0;  ///< how many frames stand before it
+  std::uint32_t frame = 0;  ///< number of frames before it
   std::int32_t time = 0;
   std::int32_t stopped = 0;  ///< as Frame::stopped
   std::variant<soccer::PlayMode, TeamFrames, Message, UnknownLine> content;
 };
 
-/// Everything in a game log. Frames are in the order of the log.
+/// Contents of a game log. Frames are in the order of the log.
 struct MatchRecord {
   RcgVersion version = RcgVersion::kV6;
   std::string server_version;  ///< in JSON logs only
   std::string timestamp;       ///< in JSON logs only
 
-  /// Defaults where the log is silent (versions 1 and 2 have none).
+  /// Parameters that the log lacks have their defaults (versions 1 and 2 have none).
   soccer::ServerParams server;
   soccer::PlayerParams player;
   std::vector<soccer::PlayerType> types;
-  /// The same as lines of a text log, in their order; for versions that have none, none.
+  /// The same as lines of a text log, in the order of the log; empty for versions without them.
   std::vector<std::string> parameter_lines;
 
-  // One entry a frame.
+  // One entry per frame.
   Column<std::int32_t> time;
-  Column<std::int32_t> stopped;  ///< cycles that the clock has stood at this time, from 0
+  Column<std::int32_t> stopped;  ///< cycles that the clock has been stopped at this time, from 0
   Column<soccer::PlayMode> mode;
   Column<std::uint32_t> team_state;  ///< index into `teams`
   Column<Point> ball_position;
@@ -141,12 +141,13 @@ struct MatchRecord {
 
   PlayerColumns players;
 
-  /// Every state of names and scores, in order; the first is "nobody, 0:0" and may be unused.
+  /// Each change of names and scores, in order. The first, without names and with 0:0, may be
+  /// unused.
   std::vector<TeamFrames> teams = {TeamFrames{}};
   std::vector<Note> notes;
 
-  /// Empty if the log is whole. What stands before and behind damaged lines is kept.
-  DamageList damage;
+  /// Empty if the log is complete. Records before and after corrupt lines are read.
+  ParseErrors errors;
 
   std::size_t frames() const { return time.size(); }
   const TeamFrames& final_teams() const { return teams.back(); }
@@ -154,13 +155,13 @@ struct MatchRecord {
 
 constexpr std::size_t kSlots = soccer::kPlayersOnPitch;
 
-/// Makes room for `frames` frames in all.
+/// Reserves memory for `frames` frames in total.
 void reserve_frames(MatchRecord& record, std::size_t frames);
 
-/// Adds frames without giving them values, or takes the last ones away.
+/// Appends uninitialized frames, or removes the last ones.
 void resize_frames(MatchRecord& record, std::size_t frames);
 
-/// One frame with all that holds for it.
+/// A copy of one frame.
 Frame frame_at(const MatchRecord& record, std::size_t frame);
 
 inline bool is_enabled(const MatchRecord& record, std::size_t entry) {

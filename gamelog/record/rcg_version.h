@@ -1,4 +1,4 @@
-// The versions of game logs.
+// Versions of game logs.
 #pragma once
 
 #include <cstdint>

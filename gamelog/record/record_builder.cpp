@@ -1,4 +1,4 @@
-// Notes, frames and the counting of the stopped clock.
+// Appends notes and frames, and counts stopped cycles.
 #include "gamelog/record/record_builder.h"
 
 #include <limits>
@@ -49,18 +49,18 @@ void RecordBuilder::add(int time, decltype(Note::content) content) {
   note_bytes_ += sizeof(Note);
 }
 
-void RecordBuilder::play_mode(int time, soccer::PlayMode mode) {
+void RecordBuilder::add_play_mode(int time, soccer::PlayMode mode) {
   add(time, mode);
   mode_ = mode;
 }
 
-void RecordBuilder::teams(int time, const TeamFrames& teams) {
+void RecordBuilder::add_teams(int time, const TeamFrames& teams) {
   add(time, teams);
   record_.teams.push_back(teams);
   note_bytes_ += sizeof(TeamFrames);
 }
 
-void RecordBuilder::rename(const TeamFrames& before, const TeamFrames& now) {
+void RecordBuilder::rename_teams(const TeamFrames& before, const TeamFrames& now) {
   const auto correct = [&](TeamFrames& teams) {
     if (teams[0].name != before[0].name || teams[1].name != before[1].name) return;
     teams[0].name = now[0].name;
@@ -72,30 +72,30 @@ void RecordBuilder::rename(const TeamFrames& before, const TeamFrames& now) {
   }
 }
 
-void RecordBuilder::message(int time, int board, std::string text) {
+void RecordBuilder::add_message(int time, int board, std::string text) {
   note_bytes_ += text.size();
   add(time, Message{board, std::move(text)});
 }
 
-void RecordBuilder::unknown_line(std::string text) {
+void RecordBuilder::add_unknown_line(std::string text) {
   note_bytes_ += text.size();
   add(record_.time.empty() ? 0 : record_.time.back(), UnknownLine{std::move(text)});
 }
 
-void RecordBuilder::parameter_line(std::string text) {
+void RecordBuilder::add_parameter_line(std::string text) {
   note_bytes_ += text.size();
   record_.parameter_lines.push_back(std::move(text));
 }
 
-bool RecordBuilder::player_type(const soccer::PlayerType& type) {
-  if (type.id < 0 || type.id > kHighestType) return false;
+bool RecordBuilder::set_player_type(const soccer::PlayerType& type) {
+  if (type.id < 0 || type.id > kMaxPlayerType) return false;
   const auto id = static_cast<std::size_t>(type.id);
   if (record_.types.size() <= id) record_.types.resize(id + 1);
   record_.types[id] = type;
   return true;
 }
 
-void RecordBuilder::note_stopped(int stopped) { record_.notes.back().stopped = stopped; }
+void RecordBuilder::set_stopped(int stopped) { record_.notes.back().stopped = stopped; }
 
 std::size_t RecordBuilder::begin_frame(int time, int stopped) {
   const std::size_t index = record_.frames();
@@ -114,7 +114,7 @@ std::size_t RecordBuilder::begin_frame(int time, int stopped) {
 
 void RecordBuilder::drop_frame() { resize_frames(record_, record_.frames() - 1); }
 
-void RecordBuilder::fill(std::size_t index, const Frame& frame) {
+void RecordBuilder::fill_frame(std::size_t index, const Frame& frame) {
   record_.ball_position[index] = point(frame.ball_position);
   record_.ball_velocity[index] = point(frame.ball_velocity);
   for (std::size_t slot = 0; slot < kSlots; ++slot) {
@@ -122,18 +122,34 @@ void RecordBuilder::fill(std::size_t index, const Frame& frame) {
   }
 }
 
-void RecordBuilder::append(const Frame& frame) {
+void RecordBuilder::append_frame(const Frame& frame) {
   if (frame.mode != mode_ && frame.mode != soccer::PlayMode::kNull) {
-    play_mode(frame.time, frame.mode);
+    add_play_mode(frame.time, frame.mode);
   }
   if (record_.teams.size() == 1 || frame.teams != record_.teams.back()) {
-    teams(frame.time, frame.teams);
+    add_teams(frame.time, frame.teams);
   }
-  fill(begin_frame(frame.time), frame);
+  fill_frame(begin_frame(frame.time), frame);
 }
 
 bool RecordBuilder::has_room() const {
   return record_.frames() < kMaxFrames && note_bytes_ < kMaxNoteBytes;
+}
+
+void RecordBuilder::add_error(const base::InputBuffer& input, std::string message,
+                              std::size_t column) {
+  record_.errors.add(error_at(input, std::move(message), column));
+}
+
+void RecordBuilder::add_cause(const base::InputBuffer& input, std::string message) {
+  record_.errors.add_cause(error_at(input, std::move(message), 0));
+}
+
+ParseError RecordBuilder::error_at(const base::InputBuffer& input, std::string message,
+                                   std::size_t column) const {
+  const int cycle = record_.time.empty() ? 0 : record_.time.back();
+  const bool text = record_.version >= RcgVersion::kV4;
+  return {text ? input.line_number() : 0, input.offset() + column, cycle, std::move(message)};
 }
 
 void clear_player(PlayerColumns& players, std::size_t entry) {

@@ -1,4 +1,4 @@
-// The log of keepaway.
+// Keepaway logs (kwy).
 #include "gamelog/rcl/keepaway_log.h"
 
 #include <gtest/gtest.h>
@@ -6,12 +6,12 @@
 namespace cls::gamelog {
 namespace {
 
-TEST(KeepawayLog, HasAHeadAndALineForEachEpisode) {
+TEST(KeepawayLog, WritesHeaderAndOneLinePerEpisode) {
   base::StringSink sink;
   KeepawayLogWriter writer(sink);
-  writer.begin(3, 2, 20, 17.5);
-  writer.episode(1, 0, 93, KeepawayLoss::kOutOfBounds);
-  writer.episode(2, 93, 120, KeepawayLoss::kTaken);
+  writer.write_header(3, 2, 20, 17.5);
+  writer.write_episode(1, 0, 93, KeepawayLoss::kOutOfBounds);
+  writer.write_episode(2, 93, 120, KeepawayLoss::kTaken);
   EXPECT_EQ(sink.bytes(),
             "# Keepers: 3\n# Takers:  2\n# Region:  20 x 17.5\n#\n# Description of Fields:\n"
             "# 1) Episode number\n# 2) Start time in simulator steps (100ms)\n"

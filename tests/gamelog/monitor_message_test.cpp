@@ -1,4 +1,4 @@
-// Messages to monitors, held against those that rcssserver 19 sent to six monitors at once.
+// Monitor messages compared with those that rcssserver 19 sent to six monitors in parallel.
 #include "gamelog/rcg/monitor_message.h"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 #include <sstream>
 #include <vector>
 
-#include "gamelog/rcg/binary_params.h"
+#include "gamelog/rcg/binary_format.h"
 #include "soccer/messages/parameter_message.h"
 #include "tests/support/files.h"
 
@@ -19,11 +19,11 @@ namespace {
 
 using nlohmann::json;
 
-/// What the real server sent: by kind, place in the sequence, and version. Binary messages are in
-/// hexadecimal digits, without the NULs at their end.
-class RealMessages {
+/// Messages sent by rcssserver, by kind, index in the sequence and version. Binary messages are in
+/// hexadecimal digits, without trailing NULs.
+class RcssserverMessages {
  public:
-  RealMessages() {
+  RcssserverMessages() {
     std::istringstream lines(tests::read_file(tests::fixture("protocol/monitors.txt.gz")));
     for (std::string line; std::getline(lines, line);) {
       std::vector<std::string> fields;
@@ -97,7 +97,7 @@ PlayerFrame player_of(const json& player) {
   return frame;
 }
 
-// The library takes -0 for an integer, which has no sign.
+// nlohmann::json parses -0 as an integer, which loses the sign.
 std::string with_real_zeros(std::string text) {
   for (std::size_t at = 0; (at = text.find(":-0,", at)) != std::string::npos;) {
     text.insert(at + 3, ".0");
@@ -105,13 +105,13 @@ std::string with_real_zeros(std::string text) {
   return text;
 }
 
-/// The frame that a JSON show tells; the counters from the same show as text.
+/// The frame of a JSON show, with the counters of the same show as text.
 Frame frame_of(const std::string& json_text, const std::string& text) {
   const json show = json::parse(with_real_zeros(json_text)).at("show");
   Frame frame;
   frame.time = show.at("time");
   frame.stopped = show.value("stime", 0);
-  frame.mode = *soccer::play_mode_from_name(show.at("mode").get<std::string>());
+  frame.mode = *soccer::parse_play_mode(show.at("mode").get<std::string>());
   for (int i = 0; i < 2; ++i) {
     const json& team = show.at("team").at(i == 0 ? "l" : "r");
     TeamFrame& out = frame.teams[static_cast<std::size_t>(i)];
@@ -134,10 +134,10 @@ std::string show_of(const Frame& frame, MonitorVersion version) {
   return text;
 }
 
-TEST(MonitorMessage, TextAndJsonShowsAreThoseOfTheRealServer) {
-  RealMessages real;
+TEST(MonitorMessage, TextAndJsonShowsMatchRcssserver) {
+  RcssserverMessages rcssserver;
   std::map<int, int> compared;
-  for (const auto& [place, by_version] : real.of("show")) {
+  for (const auto& [index, by_version] : rcssserver.of("show")) {
     std::string text;
     for (const int version : {3, 4, 5}) {
       if (by_version.count(version) > 0) text = by_version.at(version);
@@ -152,20 +152,20 @@ TEST(MonitorMessage, TextAndJsonShowsAreThoseOfTheRealServer) {
   for (const int version : {-1, 3, 4, 5}) EXPECT_GE(compared[version], 2) << version;
 }
 
-// Places are rounded to sixteenths of a metre, those that we know were rounded before.
-void expect_short_show(const std::string& ours, const std::string& theirs) {
-  ASSERT_EQ(ours.size(), theirs.size());
-  EXPECT_EQ(ours.substr(0, 40), theirs.substr(0, 40));  // mode and teams
-  EXPECT_EQ(ours.substr(316), theirs.substr(316));      // cycle
-  EXPECT_EQ(ours.substr(48, 4), theirs.substr(48, 4));  // ball; before it lies garbage
+// Positions are rounded to sixteenths of a meter; the expected ones were rounded before.
+void expect_short_show(const std::string& actual, const std::string& expected) {
+  ASSERT_EQ(actual.size(), expected.size());
+  EXPECT_EQ(actual.substr(0, 40), expected.substr(0, 40));  // mode and teams
+  EXPECT_EQ(actual.substr(316), expected.substr(316));      // cycle
+  EXPECT_EQ(actual.substr(48, 4), expected.substr(48, 4));  // the bytes before it are undefined
   for (std::size_t at = 52; at < 316; at += 2) {
-    EXPECT_NEAR(read_int16(&ours[at]), read_int16(&theirs[at]), at % 12 < 4 + 6 ? 1 : 0) << at;
+    EXPECT_NEAR(read_int16(&actual[at]), read_int16(&expected[at]), at % 12 < 4 + 6 ? 1 : 0) << at;
   }
 }
 
-TEST(MonitorMessage, ShowsOfVersion1AreThoseOfTheRealServer) {
-  RealMessages real;
-  for (const auto& [place, by_version] : real.of("show")) {
+TEST(MonitorMessage, Version1ShowsMatchRcssserver) {
+  RcssserverMessages rcssserver;
+  for (const auto& [index, by_version] : rcssserver.of("show")) {
     std::string text;
     for (const auto& [version, message] : by_version) {
       if (version >= 3) text = message;
@@ -175,30 +175,30 @@ TEST(MonitorMessage, ShowsOfVersion1AreThoseOfTheRealServer) {
   }
 }
 
-// Reals times 65536; the text has four decimals of metres, three of degrees.
-void expect_long_show(const std::string& ours, const std::string& theirs) {
-  ASSERT_EQ(ours.size(), theirs.size());
-  EXPECT_EQ(ours.substr(0, 42), theirs.substr(0, 42));
+// Reals times 65536; the text has four decimals for meters, three for degrees.
+void expect_long_show(const std::string& actual, const std::string& expected) {
+  ASSERT_EQ(actual.size(), expected.size());
+  EXPECT_EQ(actual.substr(0, 42), expected.substr(0, 42));
   for (std::size_t at = 44; at < 60; at += 4) {
-    EXPECT_NEAR(read_int32(&ours[at]), read_int32(&theirs[at]), 4) << at;
+    EXPECT_NEAR(read_int32(&actual[at]), read_int32(&expected[at]), 4) << at;
   }
   for (std::size_t player = 60; player < 1468; player += 64) {
-    EXPECT_EQ(ours.substr(player, 4), theirs.substr(player, 4));
+    EXPECT_EQ(actual.substr(player, 4), expected.substr(player, 4));
     for (std::size_t at = player + 4; at < player + 32; at += 4) {
-      EXPECT_NEAR(read_int32(&ours[at]), read_int32(&theirs[at]), 4) << player << ' ' << at;
+      EXPECT_NEAR(read_int32(&actual[at]), read_int32(&expected[at]), 4) << player << ' ' << at;
     }
-    EXPECT_EQ(ours.substr(player + 32, 2), theirs.substr(player + 32, 2));
+    EXPECT_EQ(actual.substr(player + 32, 2), expected.substr(player + 32, 2));
     for (std::size_t at = player + 36; at < player + 48; at += 4) {  // six digits of stamina
-      EXPECT_NEAR(read_real(&ours[at]), read_real(&theirs[at]), 0.006) << player << ' ' << at;
+      EXPECT_NEAR(read_real(&actual[at]), read_real(&expected[at]), 0.006) << player << ' ' << at;
     }
-    EXPECT_EQ(ours.substr(player + 48, 16), theirs.substr(player + 48, 16));
+    EXPECT_EQ(actual.substr(player + 48, 16), expected.substr(player + 48, 16));
   }
-  EXPECT_EQ(ours.substr(1468, 2), theirs.substr(1468, 2));
+  EXPECT_EQ(actual.substr(1468, 2), expected.substr(1468, 2));
 }
 
-TEST(MonitorMessage, ShowsOfVersion2AreThoseOfTheRealServer) {
-  RealMessages real;
-  for (const auto& [place, by_version] : real.of("show")) {
+TEST(MonitorMessage, Version2ShowsMatchRcssserver) {
+  RcssserverMessages rcssserver;
+  for (const auto& [index, by_version] : rcssserver.of("show")) {
     std::string text;
     for (const auto& [version, message] : by_version) {
       if (version >= 3) text = message;
@@ -208,33 +208,33 @@ TEST(MonitorMessage, ShowsOfVersion2AreThoseOfTheRealServer) {
   }
 }
 
-TEST(MonitorMessage, TextsAreThoseOfTheRealServer) {
-  RealMessages real;
+TEST(MonitorMessage, TextsMatchRcssserver) {
+  RcssserverMessages rcssserver;
   int stopped = 20;
-  for (const auto& [place, by_version] : real.of("msg")) {
-    const json told = json::parse(by_version.at(-1)).at("msg");
-    stopped = told.value("stime", 0);
+  for (const auto& [index, by_version] : rcssserver.of("msg")) {
+    const json message_json = json::parse(by_version.at(-1)).at("msg");
+    stopped = message_json.value("stime", 0);
     for (const auto& [version, message] : by_version) {
-      std::string ours;
-      append_monitor_text(static_cast<MonitorVersion>(version), told.at("time"), stopped, 1,
-                          told.at("message").get<std::string>(), ours);
+      std::string actual;
+      append_monitor_text(static_cast<MonitorVersion>(version), message_json.at("time"), stopped, 1,
+                          message_json.at("message").get<std::string>(), actual);
       const bool binary = version == 1 || version == 2;
       if (!binary) {
-        EXPECT_EQ(ours, message);
+        EXPECT_EQ(actual, message);
         continue;
       }
-      EXPECT_EQ(ours.size(), version == 1 ? 2052u : 2056u);
-      const std::string theirs = bytes_of(message, ours.size());
-      const std::size_t board = version == 1 ? 2 : 4;  // version 2 has garbage before it
-      EXPECT_EQ(ours.substr(0, 2), theirs.substr(0, 2));
-      EXPECT_EQ(ours.substr(board, 2), theirs.substr(board, 2));
-      EXPECT_STREQ(ours.c_str() + board + 2, theirs.c_str() + board + 2);
+      EXPECT_EQ(actual.size(), version == 1 ? 2052u : 2056u);
+      const std::string expected = bytes_of(message, actual.size());
+      const std::size_t board = version == 1 ? 2 : 4;  // version 2 has undefined bytes before it
+      EXPECT_EQ(actual.substr(0, 2), expected.substr(0, 2));
+      EXPECT_EQ(actual.substr(board, 2), expected.substr(board, 2));
+      EXPECT_STREQ(actual.c_str() + board + 2, expected.c_str() + board + 2);
     }
   }
-  EXPECT_EQ(real.of("msg").size(), 2u);
+  EXPECT_EQ(rcssserver.of("msg").size(), 2u);
 }
 
-TEST(MonitorMessage, ATextIsNotEscapedExceptInJson) {
+TEST(MonitorMessage, EscapesTextOnlyInJson) {
   std::string text;
   append_monitor_text(MonitorVersion::k5, 40, 0, 1, "(team_graphic_l (0 0 \"8 8 2 1\"))", text);
   EXPECT_EQ(text, "(msg 40 1 \"(team_graphic_l (0 0 \"8 8 2 1\"))\")");
@@ -248,67 +248,67 @@ TEST(MonitorMessage, ATextIsNotEscapedExceptInJson) {
 }
 
 template <typename Params>
-void expect_parameters(RealMessages& real, const std::string& kind) {
-  for (const auto& [place, by_version] : real.of(kind)) {
+void expect_parameters(RcssserverMessages& rcssserver, const std::string& kind) {
+  for (const auto& [index, by_version] : rcssserver.of(kind)) {
     Params params;
     ASSERT_TRUE(soccer::parse(by_version.at(5), params));
     for (const int version : {-1, 5}) {
-      std::string ours;
-      append_monitor_parameters(static_cast<MonitorVersion>(version), params, ours);
-      EXPECT_EQ(ours, by_version.at(version));
+      std::string actual;
+      append_monitor_parameters(static_cast<MonitorVersion>(version), params, actual);
+      EXPECT_EQ(actual, by_version.at(version));
     }
   }
 }
 
-TEST(MonitorMessage, ParametersAreThoseOfTheRealServer) {
-  RealMessages real;
-  expect_parameters<soccer::ServerParams>(real, "server_param");
-  expect_parameters<soccer::PlayerParams>(real, "player_param");
-  expect_parameters<soccer::PlayerType>(real, "player_type");
+TEST(MonitorMessage, ParametersMatchRcssserver) {
+  RcssserverMessages rcssserver;
+  expect_parameters<soccer::ServerParams>(rcssserver, "server_param");
+  expect_parameters<soccer::PlayerParams>(rcssserver, "player_param");
+  expect_parameters<soccer::PlayerType>(rcssserver, "player_type");
 }
 
 template <typename Params>
-void expect_binary(RealMessages& real, const std::string& kind, std::size_t size,
+void expect_binary(RcssserverMessages& rcssserver, const std::string& kind, std::size_t size,
                    std::int32_t tolerance) {
-  for (const auto& [place, by_version] : real.of(kind)) {
+  for (const auto& [index, by_version] : rcssserver.of(kind)) {
     Params params;
     ASSERT_TRUE(soccer::parse(by_version.at(5), params));
-    std::string ours;
-    append_monitor_parameters(MonitorVersion::k2, params, ours);
-    const std::string theirs = bytes_of(by_version.at(2), 2056);
-    ASSERT_EQ(ours.size(), theirs.size());
-    EXPECT_EQ(ours.substr(0, 2), theirs.substr(0, 2));
-    // Behind it, and behind the numbers of two bytes that stand alone, is garbage.
+    std::string actual;
+    append_monitor_parameters(MonitorVersion::k2, params, actual);
+    const std::string expected = bytes_of(by_version.at(2), 2056);
+    ASSERT_EQ(actual.size(), expected.size());
+    EXPECT_EQ(actual.substr(0, 2), expected.substr(0, 2));
+    // Bytes after it, and after single two-byte numbers, are undefined.
     for (std::size_t at = 4; at < 4 + size; at += 4) {
       const bool alone = kind == "player_type" ? at == 4 : kind == "player_param" && at == 8;
       if (alone) {
-        EXPECT_EQ(read_int16(&ours[at]), read_int16(&theirs[at]));
+        EXPECT_EQ(read_int16(&actual[at]), read_int16(&expected[at]));
         continue;
       }
-      EXPECT_NEAR(read_int32(&ours[at]), read_int32(&theirs[at]), tolerance)
+      EXPECT_NEAR(read_int32(&actual[at]), read_int32(&expected[at]), tolerance)
           << kind << ' ' << at - 4;
     }
   }
 }
 
-TEST(MonitorMessage, BinaryParametersAreThoseOfTheRealServer) {
-  RealMessages real;
-  expect_binary<soccer::ServerParams>(real, "server_param", kServerParamSize, 0);
-  expect_binary<soccer::PlayerParams>(real, "player_param", 108, 0);
-  expect_binary<soccer::PlayerType>(real, "player_type", 60, 4);  // known to six digits
+TEST(MonitorMessage, BinaryParametersMatchRcssserver) {
+  RcssserverMessages rcssserver;
+  expect_binary<soccer::ServerParams>(rcssserver, "server_param", kServerParamSize, 0);
+  expect_binary<soccer::PlayerParams>(rcssserver, "player_param", 108, 0);
+  expect_binary<soccer::PlayerType>(rcssserver, "player_type", 60, 4);  // known to six digits
 }
 
-TEST(MonitorMessage, Version1IsToldNoParametersVersion5All) {
+TEST(MonitorMessage, SendsNoParametersToVersion1AndAllToVersion5) {
   const std::vector<soccer::PlayerType> types(3);
-  std::vector<std::string> told;
-  const auto tell = [&told](std::string_view message) { told.emplace_back(message); };
-  introduce_to_monitor(MonitorVersion::k1, {}, {}, types, tell);
-  EXPECT_TRUE(told.empty());
-  introduce_to_monitor(MonitorVersion::k5, {}, {}, types, tell);
-  ASSERT_EQ(told.size(), 5u);
-  EXPECT_TRUE(told[0].starts_with("(server_param (audio_cut_dist 50)"));
-  EXPECT_TRUE(told[1].starts_with("(player_param "));
-  EXPECT_TRUE(told[4].starts_with("(player_type (id "));
+  std::vector<std::string> sent;
+  const auto send = [&sent](std::string_view message) { sent.emplace_back(message); };
+  send_monitor_parameters(MonitorVersion::k1, {}, {}, types, send);
+  EXPECT_TRUE(sent.empty());
+  send_monitor_parameters(MonitorVersion::k5, {}, {}, types, send);
+  ASSERT_EQ(sent.size(), 5u);
+  EXPECT_TRUE(sent[0].starts_with("(server_param (audio_cut_dist 50)"));
+  EXPECT_TRUE(sent[1].starts_with("(player_param "));
+  EXPECT_TRUE(sent[4].starts_with("(player_type (id "));
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-// Binary logs: values that another decoder (written apart, in another language) found in real ones.
-#include "gamelog/rcg/rcg_binary_reader.h"
+// Binary logs compared with values from an independent decoder in another language.
+#include "gamelog/rcg/format_readers.h"
 
 #include <gtest/gtest.h>
 
@@ -34,7 +34,7 @@ std::vector<std::string> messages(const MatchRecord& record) {
 TEST(ReadRcgVersion1, ReadsShowsAndMessages) {
   const MatchRecord record = read(excerpt("rcg-v1"));
   EXPECT_EQ(record.version, RcgVersion::kV1);
-  EXPECT_TRUE(record.damage.empty());
+  EXPECT_TRUE(record.errors.empty());
   ASSERT_EQ(record.frames(), 59u);
   EXPECT_EQ(messages(record).front(), "(referee kick_off_l)");
   EXPECT_EQ(messages(record).back(), "(result 202611202100 HELIOS_L_1-vs-HELIOS_R_0)");
@@ -54,10 +54,10 @@ TEST(ReadRcgVersion1, ReadsShowsAndMessages) {
   EXPECT_EQ(record.final_teams()[0].score, 1);
 }
 
-TEST(ReadRcgVersion2, ReadsShowsWithTheStoppedClock) {
+TEST(ReadRcgVersion2, ReadsShowsWithStoppedClock) {
   const MatchRecord record = read(excerpt("rcg-v2"));
   EXPECT_EQ(record.version, RcgVersion::kV2);
-  EXPECT_TRUE(record.damage.empty());
+  EXPECT_TRUE(record.errors.empty());
   ASSERT_EQ(record.frames(), 63u);
   const Frame playing = frame_at(record, 30);
   EXPECT_EQ(playing.time, 31);
@@ -74,7 +74,7 @@ TEST(ReadRcgVersion2, ReadsShowsWithTheStoppedClock) {
 TEST(ReadRcgVersion3, ReadsParametersAndTypes) {
   const MatchRecord record = read(excerpt("rcg-v3"));
   EXPECT_EQ(record.version, RcgVersion::kV3);
-  EXPECT_TRUE(record.damage.empty());
+  EXPECT_TRUE(record.errors.empty());
   EXPECT_EQ(record.server.half_time, 20);
   EXPECT_EQ(record.server.ball_decay, 0.94);
   EXPECT_EQ(record.server.tackle_width, 1.25);
@@ -90,7 +90,7 @@ TEST(ReadRcgVersion3, ReadsParametersAndTypes) {
   EXPECT_EQ(record.parameter_lines.size(), 20u);
 }
 
-TEST(ReadRcgVersion3, ReadsShowsInDegreesAndTheCountersInTheirOwnOrder) {
+TEST(ReadRcgVersion3, ReadsShowsInDegreesAndReorderedCounters) {
   const MatchRecord record = read(excerpt("rcg-v3"));
   ASSERT_EQ(record.frames(), 63u);
   const Frame frame = frame_at(record, 44);
@@ -120,31 +120,31 @@ TEST(ReadRcgVersion3, ReadsShowsInDegreesAndTheCountersInTheirOwnOrder) {
   EXPECT_EQ(record.final_teams()[1].name, "HELIOS_R");
 }
 
-TEST(ReadRcgBinary, KeepsWhatStandsBeforeTheCut) {
+TEST(ReadRcgBinary, ReadsRecordsBeforeTruncation) {
   for (const char* name : {"rcg-v1", "rcg-v2", "rcg-v3"}) {
     const std::string log = excerpt(name);
     const std::size_t frames = read(log).frames();
     for (const std::size_t size : {log.size() - 1, log.size() / 2, log.size() / 3 + 1}) {
       const MatchRecord record = read(std::string_view(log).substr(0, size));
-      EXPECT_GE(record.damage.count, 1u) << name;
-      EXPECT_EQ(record.damage.first.at(0).line, 0u);
-      EXPECT_LE(record.damage.first.at(0).byte, size);
+      EXPECT_GE(record.errors.count, 1u) << name;
+      EXPECT_EQ(record.errors.first.at(0).line, 0u);
+      EXPECT_LE(record.errors.first.at(0).byte, size);
       EXPECT_LE(record.frames(), frames);
       EXPECT_GE(record.frames() + 1, frames * size / log.size() * 9 / 10) << name;
     }
   }
 }
 
-TEST(ReadRcgBinary, StopsAtARecordItDoesNotKnow) {
+TEST(ReadRcgBinary, StopsAtUnknownRecordKind) {
   std::string log = excerpt("rcg-v2");
   log[4 + 318 * 10 + 1] = 9;
   const MatchRecord record = read(log);
   EXPECT_EQ(record.frames(), 10u);
-  EXPECT_EQ(to_text("a.rcg", record.damage.first.at(0)),
-            "a.rcg: byte 3184, cycle 10: a record of unknown kind 9");
+  EXPECT_EQ(format_error("a.rcg", record.errors.first.at(0)),
+            "a.rcg: byte 3184, cycle 10: unknown record kind 9");
 }
 
-TEST(ReadRcgVersion1, ReadsNamesOfSixteenCharactersAndNoneAsNoTeam) {
+TEST(ReadRcgVersion1, ReadsSixteenCharacterNamesAndEmptyNames) {
   std::string log = excerpt("rcg-v1").substr(2052, 2052);
   const std::string name = "ABCDEFGHIJKLMNOP";
   std::copy(name.begin(), name.end(), log.begin() + 4);

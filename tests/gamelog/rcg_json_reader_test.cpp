@@ -1,5 +1,5 @@
-// JSON logs of servers 17, 18 and 19, and lines that are no JSON.
-#include "gamelog/rcg/rcg_json_reader.h"
+// JSON logs of servers 17, 18 and 19, and invalid lines.
+#include "gamelog/rcg/format_readers.h"
 
 #include <gtest/gtest.h>
 
@@ -33,9 +33,9 @@ std::string log_of(const std::string& element) {
   return "[\n" + element + kEnd + show(kPlayer) + "\n]\n";
 }
 
-TEST(ReadRcgJson, ReadsEverythingAPlayerCanHave) {
+TEST(ReadRcgJson, ReadsAllPlayerMembers) {
   const MatchRecord record = read(log_of(show(kPlayer)));
-  ASSERT_TRUE(record.damage.empty()) << to_text("", record.damage.first[0]);
+  ASSERT_TRUE(record.errors.empty()) << format_error("", record.errors.first[0]);
   EXPECT_EQ(record.version, RcgVersion::kJson);
   const Frame frame = frame_at(record, 0);
   EXPECT_EQ(frame.time, 43);
@@ -62,7 +62,7 @@ TEST(ReadRcgJson, ReadsEverythingAPlayerCanHave) {
   EXPECT_EQ(frame.players[0].state, 0u);
 }
 
-TEST(ReadRcgJson, ReadsTheOtherElements) {
+TEST(ReadRcgJson, ReadsOtherElements) {
   const MatchRecord record = read(
       "[\n{\"version\":\"19.0.0\"},\n{\"timestamp\":\"2026-11-20T20:39:55+0000\"},\n"
       "{\"server_param\":{\"auto_mode\":true,\"ball_decay\":0.9,\"half_time\":20,"
@@ -76,7 +76,7 @@ TEST(ReadRcgJson, ReadsTheOtherElements) {
       "\\\"\\u00fc\x01\xff\\\")\"}},\n"
       "{\"news\":{\"a\":[1,{\"b\":null}]}},\n" +
       show(kPlayer) + kEnd + show("") + "\n]\n");
-  ASSERT_TRUE(record.damage.empty()) << to_text("", record.damage.first[0]);
+  ASSERT_TRUE(record.errors.empty()) << format_error("", record.errors.first[0]);
   EXPECT_EQ(record.server_version, "19.0.0");
   EXPECT_EQ(record.timestamp, "2026-11-20T20:39:55+0000");
   EXPECT_TRUE(record.server.auto_mode);
@@ -97,7 +97,7 @@ TEST(ReadRcgJson, ReadsTheOtherElements) {
             "{\"news\":{\"a\":[1,{\"b\":null}]}}");
 }
 
-TEST(ReadRcgJson, ReadsTheTaggedFormOfServers17And18) {
+TEST(ReadRcgJson, ReadsTaggedFormOfServers17And18) {
   const std::string player =
       R"({"side":"l","unum":1,"type":0,"state":9,"x":-49,"y":0,"vx":0,"vy":0,"body":1,"neck":2,)"
       R"("vq":"h","vw":120,"stamina":8000,"effort":1,"recovery":1,"capacity":130600,)"
@@ -114,7 +114,7 @@ TEST(ReadRcgJson, ReadsTheTaggedFormOfServers17And18) {
       "\n]\n";
   for (const char* header : {"ULG6\n", "JSON\n", ""}) {
     const MatchRecord record = read(header + ("[\n" + elements));
-    ASSERT_TRUE(record.damage.empty()) << to_text("", record.damage.first[0]);
+    ASSERT_TRUE(record.errors.empty()) << format_error("", record.errors.first[0]);
     EXPECT_EQ(record.version, RcgVersion::kJson);
     EXPECT_EQ(record.server_version, "18.1.3");
     EXPECT_EQ(record.server.half_time, 20);
@@ -126,7 +126,7 @@ TEST(ReadRcgJson, ReadsTheTaggedFormOfServers17And18) {
   }
 }
 
-TEST(ReadRcgJson, NamesLinesThatAreNoJsonAndKeepsTheRest) {
+TEST(ReadRcgJson, ReportsInvalidLinesAndReadsTheRest) {
   for (const char* bad :
        {"{\"show\":{\"time\":43", "{\"msg\":{\"time\":1,\"board\":1,\"message\":\"half", "nonsense",
         "{\"show\":{\"time\":-1}}", "{\"team\":5}", "{}", "{\"playmode\":{\"time\":x}}",
@@ -135,30 +135,30 @@ TEST(ReadRcgJson, NamesLinesThatAreNoJsonAndKeepsTheRest) {
     const std::string before = "[\n" + show(kPlayer) + ",\n";
     const MatchRecord record = read(before + bad + kEnd + show(kPlayer) + "\n]\n");
     EXPECT_EQ(record.frames(), 2u) << bad;
-    ASSERT_EQ(record.damage.count, 1u) << bad;
-    EXPECT_EQ(record.damage.first[0].line, 3u);
-    EXPECT_GE(record.damage.first[0].byte, before.size());
+    ASSERT_EQ(record.errors.count, 1u) << bad;
+    EXPECT_EQ(record.errors.first[0].line, 3u);
+    EXPECT_GE(record.errors.first[0].byte, before.size());
   }
 }
 
-TEST(ReadRcgJson, NeedsTheClosingBracket) {
+TEST(ReadRcgJson, ReportsMissingClosingBracket) {
   const MatchRecord record = read("[\n" + show(kPlayer) + kEnd + show(kPlayer) + ",\n");
   EXPECT_EQ(record.frames(), 2u);
-  ASSERT_EQ(record.damage.count, 1u);
-  EXPECT_EQ(record.damage.first[0].what, "the closing bracket is missing: the log was interrupted");
+  ASSERT_EQ(record.errors.count, 1u);
+  EXPECT_EQ(record.errors.first[0].message, "closing bracket missing: the log is incomplete");
 }
 
 TEST(ReadRcgJson, SurvivesDeepNesting) {
   const MatchRecord record = read("[\n{\"x\":{\"a\":" + std::string(100000, '[') +
                                   "\n{\"y\":{\"a\":" + std::string(100000, '{'));
-  EXPECT_GE(record.damage.count, 2u);
+  EXPECT_GE(record.errors.count, 2u);
 }
 
-TEST(ReadRcgJson, CountsTheStoppedClockAsTheServerDoes) {
-  // The text reader counts repeated times; here the server tells.
+TEST(ReadRcgJson, UsesRecordedStoppedClock) {
+  // The text reader counts repeated times; here the log records them.
   const MatchRecord record =
       read(tests::read_file(tests::fixture("gamelog/rcg-json-excerpt.rcg.gz")));
-  EXPECT_TRUE(record.damage.empty());
+  EXPECT_TRUE(record.errors.empty());
   ASSERT_EQ(record.frames(), 52u);
   int stopped = 0;
   for (std::size_t i = 1; i < record.frames(); ++i) {

@@ -1,4 +1,4 @@
-// Text logs read into records: against literal lines, against a second reader, cut at every byte.
+// Text logs: literal lines, a second reader, and truncation at every byte.
 #include "gamelog/rcg/rcg_reader.h"
 
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ std::string player(const char* name, const char* rest = "") {
          rest + " (c 0 0 0 0 0 0 0 0 0 0 0 0))";
 }
 
-// One player of a real show with everything a player can have, twenty-one plain ones.
+// A player of an rcssserver show with all values, and twenty-one plain players.
 constexpr const char* kFullPlayer =
     " ((l 1) 2 0x40009 -50.5897 -0.0123 -0 0.1 165.21 -89.5 10.0001 -3.1416 (v l 45) (fp 10.5 -20) "
     "(s 6107.07 0.980041 0.998 130552) (f r 11) (c 1 2 3 4 5 6 7 8 9 10 11 12))";
@@ -40,9 +40,9 @@ std::string show(int time, const std::string& first_player = player("l 1")) {
 
 constexpr const char* kEnd = "(playmode 9 time_over)\n";
 
-TEST(ReadRcg, ReadsEverythingAPlayerCanHave) {
+TEST(ReadRcg, ReadsAllPlayerValues) {
   const MatchRecord record = read("ULG6\n" + show(7, kFullPlayer) + kEnd + show(9));
-  ASSERT_TRUE(record.damage.empty()) << to_text("", record.damage.first[0]);
+  ASSERT_TRUE(record.errors.empty()) << format_error("", record.errors.first[0]);
   ASSERT_EQ(record.frames(), 2u);
   const Frame frame = frame_at(record, 0);
   EXPECT_EQ(frame.time, 7);
@@ -84,20 +84,20 @@ TEST(ReadRcg, ReadsVersion4WithoutCapacityFocusAndTwelfthCounter) {
       "(c 0 1 123 0 1 125 2 1 0 0 1))";
   const MatchRecord record = read(log + ")\n" + kEnd + show(9));
   EXPECT_EQ(record.version, RcgVersion::kV4);
-  ASSERT_TRUE(record.damage.empty()) << to_text("", record.damage.first[0]);
+  ASSERT_TRUE(record.errors.empty()) << format_error("", record.errors.first[0]);
   EXPECT_EQ(record.players.capacity[0], -1.0F);
   EXPECT_EQ(record.players.counters[0][2], 123);
   EXPECT_EQ(record.players.counters[0][11], 0);
-  // Slots that are not in the line are not connected.
+  // Slots missing in the line are not connected.
   EXPECT_TRUE(is_enabled(record, 0));
   for (std::size_t slot = 1; slot < kSlots; ++slot) EXPECT_EQ(record.players.state[slot], 0u);
 }
 
-TEST(ReadRcg, CountsTheStoppedClockAndTracksModeAndTeamsByOrder) {
+TEST(ReadRcg, CountsStoppedCyclesAndTracksModeAndTeams) {
   const MatchRecord record = read("ULG6\n(playmode 1 kick_off_l)\n(team 1 A B 0 0)\n" + show(1) +
                                   show(2) + "(playmode 2 goal_l)\n(team 2 A B 1 0)\n" + show(2) +
                                   show(2) + "(playmode 3 kick_off_r)\n" + show(3) + kEnd + show(9));
-  ASSERT_TRUE(record.damage.empty());
+  ASSERT_TRUE(record.errors.empty());
   ASSERT_EQ(record.frames(), 6u);
   EXPECT_EQ(std::vector<int>(record.stopped.begin(), record.stopped.end()),
             (std::vector<int>{0, 0, 1, 2, 0, 0}));
@@ -109,12 +109,12 @@ TEST(ReadRcg, CountsTheStoppedClockAndTracksModeAndTeamsByOrder) {
   EXPECT_EQ(record.final_teams()[1].name, "B");
 }
 
-TEST(ReadRcg, KeepsMessagesAsTheyAreAndLinesItDoesNotKnow) {
+TEST(ReadRcg, StoresMessagesAndUnknownLinesUnchanged) {
   const MatchRecord record = read(
       "ULG6\n(msg 0 1 \"(team_graphic_l (22 3 \"8 8 1 1\" \"w c gray100\")\")\n"
       "(msg 3 2 \"Recv A_1: (say \")\") \xff\xfe\")\n(draw 3 (clear))\n(playmode 3 siesta)\n" +
       show(3) + "(msg 3 1 \"(result 202611202101 A_0-vs-B_0)\")\n");
-  ASSERT_TRUE(record.damage.empty()) << to_text("", record.damage.first[0]);
+  ASSERT_TRUE(record.errors.empty()) << format_error("", record.errors.first[0]);
   ASSERT_EQ(record.notes.size(), 5u);
   EXPECT_EQ(std::get<Message>(record.notes[0].content),
             (Message{1, "(team_graphic_l (22 3 \"8 8 1 1\" \"w c gray100\")"}));
@@ -124,12 +124,12 @@ TEST(ReadRcg, KeepsMessagesAsTheyAreAndLinesItDoesNotKnow) {
   EXPECT_EQ(record.notes[4].frame, 1u);
 }
 
-TEST(ReadRcg, TakesAnyTeamNameTheServerAllows) {
+TEST(ReadRcg, ReadsAllTeamNamesAllowedByServer) {
   for (const char* name :
        {"A-vs-B", "A_1", "T,1:2_3", "a.b", "Coach", "^\\[]@", "\xc3\xbc\xe2\x9a\xbd"}) {
     const MatchRecord record =
         read("ULG6\n(team 1 " + std::string(name) + " null 2 0 3 1 2 2)\n" + kEnd + show(9));
-    ASSERT_TRUE(record.damage.empty()) << name;
+    ASSERT_TRUE(record.errors.empty()) << name;
     EXPECT_EQ(record.final_teams()[0], (TeamFrame{name, 2, 3, 1}));
     EXPECT_EQ(record.final_teams()[1], (TeamFrame{"", 0, 2, 2}));
   }
@@ -137,12 +137,12 @@ TEST(ReadRcg, TakesAnyTeamNameTheServerAllows) {
 
 using Names = std::pair<std::string, std::string>;
 
-TEST(ReadRcg, ReadsNamesWithBlanksAndSplitsThemByTheResult) {
+TEST(ReadRcg, SplitsNamesWithSpacesByResult) {
   const auto names = [](const std::string& both, const std::string& result) {
     const MatchRecord record = read(
         "ULG6\n(team 1 " + both + " 2 1)\n" + show(1) + "(team 2 " + both + " 3 1)\n" + show(2) +
         "(msg 2 1 \"(result 202611202127 " + result + ")\")\n(team 2 " + both + " 3 1 4 0 2 2)\n");
-    EXPECT_TRUE(record.damage.empty()) << both;
+    EXPECT_TRUE(record.errors.empty()) << both;
     EXPECT_EQ(record.teams[1][0].name, record.final_teams()[0].name);
     EXPECT_EQ(record.teams[1][0].score, 2);
     EXPECT_EQ(record.final_teams()[0].score, 3);
@@ -156,32 +156,32 @@ TEST(ReadRcg, ReadsNamesWithBlanksAndSplitsThemByTheResult) {
   EXPECT_EQ(names("null my team", ""), Names("", "my team"));
   EXPECT_EQ(names("A-vs-B C  D null", ""), Names("A-vs-B C  D", ""));
   EXPECT_FALSE(read("ULG6\n(team 1 my team 0 0)\n(team 1 a b c)\n" + std::string(kEnd) + show(9))
-                   .damage.empty());
+                   .errors.empty());
 }
 
-TEST(ReadRcg, AcceptsTheShowsOfMonitorsAndRunsOfBlanks) {
+TEST(ReadRcg, ReadsMonitorShowsAndRepeatedSpaces) {
   const MatchRecord record = read("ULG5\n(show 4 (pm 3) (tm A B 0 0)  ((b)  1 2  0 0)  " +
                                   player("l 1") + "  " + player("r 3") + " )\n" + kEnd + show(9));
-  ASSERT_TRUE(record.damage.empty()) << to_text("", record.damage.first[0]);
+  ASSERT_TRUE(record.errors.empty()) << format_error("", record.errors.first[0]);
   EXPECT_TRUE(is_enabled(record, 0));
   EXPECT_TRUE(is_enabled(record, 13));
 }
 
-TEST(ReadRcg, NamesADamagedLineAndKeepsTheRest) {
+TEST(ReadRcg, ReportsCorruptLineAndReadsTheRest) {
   std::string broken = show(2);
   const std::size_t at = broken.find("8000");
   broken[at] = 'x';
   const std::string before = "ULG6\n" + show(1);
   const MatchRecord record = read(before + broken + show(3) + kEnd + show(9));
   EXPECT_EQ(record.frames(), 3u);
-  ASSERT_EQ(record.damage.count, 1u);
-  EXPECT_EQ(to_text("game.rcg", record.damage.first[0]), "game.rcg: line 3, byte " +
-                                                             std::to_string(before.size() + at) +
-                                                             ", cycle 1: expected a number");
+  ASSERT_EQ(record.errors.count, 1u);
+  EXPECT_EQ(format_error("game.rcg", record.errors.first[0]),
+            "game.rcg: line 3, byte " + std::to_string(before.size() + at) +
+                ", cycle 1: expected a number");
   EXPECT_EQ(record.time[1], 3);
 }
 
-TEST(ReadRcg, RefusesShowsThatCannotBeTrue) {
+TEST(ReadRcg, RejectsInvalidShows) {
   const std::string whole = show(2);
   struct Case {
     const char* old;
@@ -196,35 +196,35 @@ TEST(ReadRcg, RefusesShowsThatCannotBeTrue) {
     std::string broken = whole;
     broken.replace(broken.find(old), std::string(old).size(), with);
     const MatchRecord record = read("ULG6\n" + show(1) + broken + kEnd + show(9));
-    EXPECT_EQ(record.damage.count, 1u) << old << " -> " << with;
+    EXPECT_EQ(record.errors.count, 1u) << old << " -> " << with;
     EXPECT_EQ(record.frames(), 2u) << old << " -> " << with;
   }
 }
 
-TEST(ReadRcg, TellsALogThatWasInterruptedFromOneWithItsEnd) {
+TEST(ReadRcg, ReportsLogWithoutEndOfMatch) {
   const MatchRecord interrupted = read("ULG6\n(playmode 1 play_on)\n" + show(1) + show(2));
   EXPECT_EQ(interrupted.frames(), 2u);
-  ASSERT_EQ(interrupted.damage.count, 1u);
-  EXPECT_EQ(interrupted.damage.first[0].what, "the match has no end here: the log was interrupted");
-  EXPECT_EQ(interrupted.damage.first[0].cycle, 2);
-  // Ended by its operator before time: whole, if short.
+  ASSERT_EQ(interrupted.errors.count, 1u);
+  EXPECT_EQ(interrupted.errors.first[0].message, "no end of the match: the log is incomplete");
+  EXPECT_EQ(interrupted.errors.first[0].cycle, 2);
+  // Ended by its operator before time: complete, but short.
   const MatchRecord ended =
       read("ULG6\n" + show(1) + "(msg 1 1 \"(result 202611202101 null-vs-null)\")\n");
-  EXPECT_TRUE(ended.damage.empty());
+  EXPECT_TRUE(ended.errors.empty());
 }
 
-TEST(ReadRcg, RefusesWhatIsNoLog) {
+TEST(ReadRcg, RejectsOtherFiles) {
   for (const char* text : {"", "ULG6", "ULG9\n", "hello\n", "{}", "(show 1)\n"}) {
     const MatchRecord record = read(text);
     EXPECT_EQ(record.frames(), 0u) << text;
-    EXPECT_GE(record.damage.count, 1u) << text;
+    EXPECT_GE(record.errors.count, 1u) << text;
   }
 }
 
-TEST(ReadRcg, ReadsUpToWhereALogIsCutOff) {
+TEST(ReadRcg, ReadsUpToTruncation) {
   const std::string log = tests::read_file(tests::fixture("gamelog/rcg-v6-excerpt.rcg.gz"));
   const MatchRecord whole = read(log);
-  ASSERT_TRUE(whole.damage.empty());
+  ASSERT_TRUE(whole.errors.empty());
   for (std::size_t size = 0; size < log.size(); size += size < 2000 || size % 7 == 0 ? 1 : 97) {
     const MatchRecord record = read(std::string_view(log).substr(0, size));
     const std::size_t lines = static_cast<std::size_t>(
@@ -235,15 +235,15 @@ TEST(ReadRcg, ReadsUpToWhereALogIsCutOff) {
       ASSERT_EQ(record.time.back(), whole.time[record.frames() - 1]);
     }
     if (record.frames() + 1 < whole.frames()) {
-      ASSERT_GE(record.damage.count, 1u) << size;
+      ASSERT_GE(record.errors.count, 1u) << size;
     }
   }
 }
 
-/// Everything that tests::read_frames (written apart, slow and strict) finds.
+/// Compares with everything that tests::read_frames finds (independent, slow and strict).
 void expect_same_frames(const std::string& log) {
   const MatchRecord record = read(log);
-  ASSERT_TRUE(record.damage.empty()) << to_text("", record.damage.first[0]);
+  ASSERT_TRUE(record.errors.empty()) << format_error("", record.errors.first[0]);
   const std::vector<Frame> expected = tests::read_frames(log);
   ASSERT_EQ(record.frames(), expected.size());
   const auto same = [](double a, double b) {
@@ -277,11 +277,11 @@ void expect_same_frames(const std::string& log) {
   }
 }
 
-TEST(ReadRcg, AgreesWithASlowStrictReaderOnAnExcerpt) {
+TEST(ReadRcg, MatchesStrictReaderOnExcerpt) {
   expect_same_frames(tests::read_file(tests::fixture("gamelog/rcg-v6-excerpt.rcg.gz")));
 }
 
-TEST(ReadRcg, AgreesWithASlowStrictReaderOnWholeMatches) {
+TEST(ReadRcg, MatchesStrictReaderOnWholeMatches) {
   for (const char* name : {"helios-vs-helios-full", "cyrus-vs-helios-full",
                            "extra-time-and-penalties", "rcg-v6", "team-graphic-v6"}) {
     const auto path = tests::data("logs/" + std::string(name) + ".rcg.gz");
@@ -291,7 +291,7 @@ TEST(ReadRcg, AgreesWithASlowStrictReaderOnWholeMatches) {
   }
 }
 
-TEST(ReadRcgFile, NamesAFileThatIsNotThere) {
+TEST(ReadRcgFile, ReportsMissingFile) {
   EXPECT_EQ(read_rcg_file("/nonexistent/game.rcg").error().message,
             "cannot open '/nonexistent/game.rcg': No such file or directory");
 }

@@ -1,4 +1,4 @@
-// Real logs of every version, played back into the writer of running matches.
+// Rcssserver logs of every version, replayed into the writer of running matches.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -29,29 +29,29 @@ std::string date_of_result(const MatchRecord& record) {
   return {};
 }
 
-/// What the writer makes of a log's parameters, frames and messages.
+/// Writes the parameters, frames and messages of a log.
 std::string played_back(const MatchRecord& record) {
   base::StringSink sink;
   LogDate date{date_of_result(record), record.timestamp};
   RcgWriter writer(sink, record.version, date);
-  writer.begin(record.server, record.player, record.types);
+  writer.write_header(record.server, record.player, record.types);
   std::size_t next = 0;
   const auto notes_until = [&](std::size_t frame) {
     for (; next < record.notes.size() && record.notes[next].frame <= frame; ++next) {
       const Note& note = record.notes[next];
       const auto* message = std::get_if<Message>(&note.content);
       if (message == nullptr || message->text.starts_with(kResult)) continue;
-      writer.message({note.time, note.stopped}, message->board, message->text);
+      writer.write_message({note.time, note.stopped}, message->board, message->text);
     }
   };
   for (std::size_t i = 0; i < record.frames(); ++i) {
     notes_until(i);
-    writer.step(frame_at(record, i));
+    writer.write_step(frame_at(record, i));
   }
   notes_until(record.frames());
   Frame last = frame_at(record, record.frames() - 1);
-  last.stopped = record.notes.back().stopped;  // it goes on behind the last frame
-  writer.end(last);
+  last.stopped = record.notes.back().stopped;  // it continues after the last frame
+  writer.write_end(last);
   return sink.bytes();
 }
 
@@ -70,7 +70,7 @@ void expect_same(const std::string& expected, const std::string& actual) {
                 << actual.substr(from, 120);
 }
 
-/// A log does not tell where it was written.
+/// Removes the folder, which logs of cls do not contain.
 std::string without_folders(std::string log) {
   for (const std::string name : {"game_log_dir", "text_log_dir"}) {
     const std::size_t at = log.find(name);
@@ -82,7 +82,7 @@ std::string without_folders(std::string log) {
   return log;
 }
 
-TEST(RcgVersions, TextAndJsonComeOutByteForByte) {
+TEST(RcgVersions, ReproducesTextAndJsonByteForByte) {
   for (const char* name : {"rcg-v4-excerpt", "rcg-v6-excerpt", "rcg-json-excerpt"}) {
     SCOPED_TRACE(name);
     const std::string log = fixture(name);
@@ -90,15 +90,15 @@ TEST(RcgVersions, TextAndJsonComeOutByteForByte) {
   }
 }
 
-// Their spare bytes are what was in the real server's memory, so they are compared by what is read.
-TEST(RcgVersions, BinaryLogsComeOutAsTheyWere) {
+// Unused bytes are uninitialized memory of rcssserver, so only parsed records are compared.
+TEST(RcgVersions, ReproducesRecordsOfBinaryLogs) {
   for (const char* name : {"rcg-v1-excerpt", "rcg-v2-excerpt", "rcg-v3-excerpt"}) {
     SCOPED_TRACE(name);
     const std::string log = fixture(name);
     const MatchRecord record = read(log);
     const std::string written = played_back(record);
     const MatchRecord again = read(written);
-    EXPECT_TRUE(again.damage.empty());
+    EXPECT_TRUE(again.errors.empty());
     EXPECT_EQ(again.version, record.version);
     base::StringSink expected;
     base::StringSink actual;
@@ -109,7 +109,7 @@ TEST(RcgVersions, BinaryLogsComeOutAsTheyWere) {
   }
 }
 
-TEST(RcgVersions, OnlyThoseOfTheRealServerExist) {
+TEST(RcgVersions, AcceptsOnlyVersionsOfRcssserver) {
   for (int version = 1; version <= 6; ++version) {
     EXPECT_EQ(rcg_version(version), static_cast<RcgVersion>(version));
   }

@@ -1,4 +1,4 @@
-// Game logs of rcssserver 19, taken apart and written again: every byte must come out the same.
+// Game logs of rcssserver 19, parsed and written again: every byte must be equal.
 #include "gamelog/rcg/rcg_writer.h"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ namespace {
 using soccer::PlayMode;
 using soccer::Side;
 
-/// What the writer makes of the parameters, frames and messages in a real log.
+/// Writes the parameters, frames and messages of an rcssserver log.
 std::string written_again(std::string_view log) {
   base::StringSink sink;
   RcgWriter writer(sink);
@@ -24,7 +24,7 @@ std::string written_again(std::string_view log) {
   soccer::PlayerParams player;
   std::vector<soccer::PlayerType> types;
   Frame frame;
-  bool begun = false;
+  bool header_written = false;
   for (const std::string_view line : tests::split_lines(log)) {
     base::Result<void> read;
     if (line.starts_with("(server_param ")) read = soccer::parse(line, server);
@@ -34,12 +34,12 @@ std::string written_again(std::string_view log) {
     if (line.starts_with("(playmode ")) tests::read_play_mode(line, frame);
     if (line.starts_with("(team ")) tests::read_team(line, frame);
     if (!line.starts_with("(show ")) continue;
-    if (!begun) writer.begin(server, player, types);
-    begun = true;
+    if (!header_written) writer.write_header(server, player, types);
+    header_written = true;
     tests::read_show(line, frame);
-    writer.step(frame);
+    writer.write_step(frame);
   }
-  writer.end(frame);
+  writer.write_end(frame);
   return sink.bytes();
 }
 
@@ -50,7 +50,7 @@ std::string replaced(std::string text, std::string_view old, std::string_view wi
   return text;
 }
 
-/// Expected and actual are tens of megabytes: say only the first line that differs.
+/// Reports only the first line that differs, because the logs have tens of megabytes.
 void expect_same_lines(std::string_view expected, std::string_view actual) {
   const auto expected_lines = tests::split_lines(expected);
   const auto actual_lines = tests::split_lines(actual);
@@ -61,19 +61,19 @@ void expect_same_lines(std::string_view expected, std::string_view actual) {
   EXPECT_EQ(expected, actual);
 }
 
-TEST(RcgWriter, WritesARealLogByteForByte) {
+TEST(RcgWriter, ReproducesRcssserverLogByteForByte) {
   const std::string log = tests::read_file(tests::fixture("gamelog/rcg-v6-excerpt.rcg.gz"));
   expect_same_lines(replaced(log, "(result 202611202101 ", "(result 197001010000 "),
                     written_again(log));
 }
 
-TEST(RcgWriter, WritesWholeRealMatchesByteForByte) {
+TEST(RcgWriter, ReproducesWholeRcssserverMatchesByteForByte) {
   for (const char* name : {"helios-vs-helios-full", "extra-time-and-penalties", "rcg-v6"}) {
     const auto path = tests::data("logs/" + std::string(name) + ".rcg.gz");
     if (!path) GTEST_SKIP() << "no data: set CLS_DATA";
     SCOPED_TRACE(name);
     const std::string log = tests::read_file(*path);
-    // Date and folders are the only bytes that may differ.
+    // Only date and folders may differ.
     const std::size_t result = log.find("(result ") + 8;
     std::string expected = log;
     expected.replace(result, 12, "197001010000");
@@ -103,8 +103,8 @@ std::string show_of_first_player(const PlayerFrame& player) {
   return line.substr(0, line.find(" ((l 2)"));
 }
 
-TEST(RcgText, ShowsEverythingAPlayerCanHave) {
-  // Player 1 of a show that the real server sent to a version 5 monitor.
+TEST(RcgText, FormatsAllPlayerValues) {
+  // Player 1 of a show that rcssserver sent to a version 5 monitor.
   PlayerFrame player = standing();
   player.type = 2;
   player.state = 0x1;
@@ -123,7 +123,7 @@ TEST(RcgText, ShowsEverythingAPlayerCanHave) {
             "1 130600) (f l 2) (c 0 2 2 0 2 2 2 2 1 1 1 1))");
 }
 
-TEST(RcgText, ShowsAnEmptySlotWithoutPrefixAndWithoutAttention) {
+TEST(RcgText, FormatsEmptySlotWithoutPrefixAndAttention) {
   PlayerFrame player = standing();
   player.position = {-9, -37};
   player.attention_side = Side::kRight;
@@ -133,7 +133,7 @@ TEST(RcgText, ShowsAnEmptySlotWithoutPrefixAndWithoutAttention) {
             "(c 0 0 0 0 0 0 0 0 0 0 0 0))");
 }
 
-TEST(RcgText, RoundsLengthsAnglesAndStaminaDifferently) {
+TEST(RcgText, RoundsLengthsAnglesAndStaminaSeparately) {
   PlayerFrame player = standing();
   player.state = 0x140803;
   player.position = {-50.58973, 0.00004};
@@ -151,7 +151,7 @@ TEST(RcgText, RoundsLengthsAnglesAndStaminaDifferently) {
             "-3.1416 (v l 45) (fp 0 0) (s 6107.07 0.980041 1 130552) (c 0 0 0 0 0 0 0 0 0 0 0 0))");
 }
 
-TEST(RcgText, TellsPenaltiesOfBothTeamsOnceOneHasTakenAKick) {
+TEST(RcgText, WritesPenaltiesOfBothTeamsAfterFirstKick) {
   TeamFrames teams = {TeamFrame{"HELIOS_L", 0, 0, 0}, TeamFrame{"HELIOS_R", 0, 0, 0}};
   std::string line;
   append_team(1, teams, line);
@@ -160,47 +160,47 @@ TEST(RcgText, TellsPenaltiesOfBothTeamsOnceOneHasTakenAKick) {
   EXPECT_EQ(line, "(team 1 HELIOS_L HELIOS_R 0 0)\n(team 481 HELIOS_L HELIOS_R 0 0 0 1 0 0)\n");
 }
 
-TEST(RcgText, KeepsAMessageOnOneLine) {
+TEST(RcgText, ReplacesLineFeedsInMessages) {
   std::string line;
   append_message(7, 1, "(referee a\nb \"c\")", line);
   EXPECT_EQ(line, "(msg 7 1 \"(referee a b \"c\")\")\n");
 }
 
-TEST(RcgWriter, WritesNothingBeforeKickOffAndOnceAfterTimeOver) {
+TEST(RcgWriter, WritesNothingBeforeKickOffAndOneFrameAfterTimeOver) {
   base::StringSink sink;
   RcgWriter writer(sink);
   Frame frame;
   frame.mode = PlayMode::kBeforeKickOff;
-  writer.step(frame);
+  writer.write_step(frame);
   EXPECT_EQ(sink.bytes(), "");
   frame.time = 6000;
   frame.mode = PlayMode::kTimeOver;
-  writer.step(frame);
+  writer.write_step(frame);
   const auto lines = tests::split_lines(sink.bytes());
   ASSERT_EQ(lines.size(), 3u);
   EXPECT_EQ(lines[0], "(playmode 6000 time_over)");
   EXPECT_EQ(lines[1], "(team 6000 null null 0 0)");
   EXPECT_TRUE(lines[2].starts_with("(show 6000 "));
-  writer.step(frame);
+  writer.write_step(frame);
   EXPECT_EQ(tests::split_lines(sink.bytes()).size(), 3u);
 }
 
-TEST(RcgWriter, LeavesModesOutThatBeginAndEndBetweenFrames) {
+TEST(RcgWriter, SkipsPlayModesBetweenFrames) {
   base::StringSink sink;
   RcgWriter writer(sink);
   Frame frame;
   frame.mode = PlayMode::kPlayOn;
-  writer.step(frame);
+  writer.write_step(frame);
   frame.mode = PlayMode::kBeforeKickOff;
-  writer.step(frame);
+  writer.write_step(frame);
   frame.mode = PlayMode::kPlayOn;
-  writer.step(frame);
+  writer.write_step(frame);
   int modes = 0;
   for (const auto line : tests::split_lines(sink.bytes())) modes += line.starts_with("(playmode");
   EXPECT_EQ(modes, 1);
 }
 
-TEST(MatchName, TellsScoresAndThePenaltiesThatDecide) {
+TEST(MatchName, IncludesScoresAndDecidingPenalties) {
   TeamFrames teams = {TeamFrame{"HELIOS_L", 0, 2, 2}, TeamFrame{"HELIOS_R", 0, 4, 0}};
   EXPECT_EQ(match_name(teams), "HELIOS_L_0_2-vs-HELIOS_R_0_4");
   teams[0].score = 1;
@@ -209,13 +209,13 @@ TEST(MatchName, TellsScoresAndThePenaltiesThatDecide) {
   EXPECT_EQ(match_name(teams), "HELIOS_L_1-vs-null");
 }
 
-TEST(WithoutPlaces, ForgetsFoldersFilesAndCommandsOnly) {
+TEST(WithoutLocalPaths, ResetsOnlyFoldersFilesAndCommands) {
   soccer::ServerParams params;
   params.game_log_dir = "/somewhere";
   params.landmark_file = "/somewhere/else";
   params.team_l_start = "./start.sh";
   params.half_time = 20;
-  const soccer::ServerParams shown = without_places(params);
+  const soccer::ServerParams shown = without_local_paths(params);
   EXPECT_EQ(shown.game_log_dir, "./");
   EXPECT_EQ(shown.landmark_file, "~/.rcssserver-landmark.xml");
   EXPECT_EQ(shown.team_l_start, "");

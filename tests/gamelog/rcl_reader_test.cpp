@@ -1,4 +1,5 @@
-// Text logs: literal lines with every trap, and whole real logs against the protocol's own parser.
+// Text logs: literal lines with special cases, and whole rcssserver logs compared with the
+// protocol's parser.
 #include "gamelog/rcl/rcl_reader.h"
 
 #include <gtest/gtest.h>
@@ -26,7 +27,7 @@ TEST(ReadRcl, ReadsPlayersCoachesTrainerAndReferee) {
       "177,31\t(referee free_kick_l)\n"
       "178,0\tSIM: 2.5e-05\n"
       "13,0\tRecv HELIOS_R_11: (dash 65.276)(done)\n");
-  ASSERT_TRUE(record.damage.empty());
+  ASSERT_TRUE(record.errors.empty());
   ASSERT_EQ(record.lines.size(), 6u);
   EXPECT_EQ(record.teams, (std::vector<std::string>{"HELIOS_L", "HELIOS_R"}));
   const RclSource sources[] = {RclSource::kPlayer,  RclSource::kCoach, RclSource::kTrainer,
@@ -41,7 +42,7 @@ TEST(ReadRcl, ReadsPlayersCoachesTrainerAndReferee) {
   EXPECT_EQ(record.text_of(record.lines[5]), "(dash 65.276)(done)");
 }
 
-TEST(ReadRcl, CutsSendersWhereTheyCanBeCut) {
+TEST(ReadRcl, SplitsSenderAtLastUnderscore) {
   const RclRecord record = read(
       "1,0\tRecv T,1:2_3_4: (turn 1)\n"
       "1,0\tRecv Coach_7: (say \"a: b\")\n"
@@ -59,27 +60,27 @@ TEST(ReadRcl, CutsSendersWhereTheyCanBeCut) {
   for (std::size_t i = 4; i < 7; ++i) EXPECT_EQ(record.lines[i].source, RclSource::kOther) << i;
 }
 
-TEST(ReadRcl, JoinsDatagramsThatHoldLineFeeds) {
+TEST(ReadRcl, JoinsDatagramsWithLineFeeds) {
   const RclRecord record = read("5,0\tRecv A_2: (turn 1)\n(dash 2)\n\n6,0\t(referee play_on)\n");
   ASSERT_EQ(record.lines.size(), 2u);
   EXPECT_EQ(record.text_of(record.lines[0]), "(turn 1)\n(dash 2)\n");
   EXPECT_EQ(record.text_of(record.lines[1]), "play_on");
 }
 
-TEST(ReadRcl, ReadsStampsWithoutStoppedClock) {
+TEST(ReadRcl, ReadsTimesWithoutStoppedClock) {
   const RclRecord record = read("5\tRecv A_2: (turn 1)\n");
   ASSERT_EQ(record.lines.size(), 1u);
   EXPECT_EQ(record.lines[0].time, 5);
 }
 
-TEST(ReadRcl, NamesWhatIsNoTextLogOrIsCutOff) {
-  EXPECT_EQ(read("ULG6\n(show\n").damage.first.at(0).what, "this is no text log");
-  EXPECT_EQ(read("").damage.first.at(0).what, "the log is empty");
+TEST(ReadRcl, ReportsOtherFilesAndTruncation) {
+  EXPECT_EQ(read("ULG6\n(show\n").errors.first.at(0).message, "not a text log (rcl)");
+  EXPECT_EQ(read("").errors.first.at(0).message, "the log is empty");
   const RclRecord cut = read("5,0\tRecv A_2: (turn 1)\n6,0\tRecv A_2: (tu");
   ASSERT_EQ(cut.lines.size(), 2u);
-  ASSERT_EQ(cut.damage.count, 1u);
-  EXPECT_EQ(to_text("a.rcl", cut.damage.first[0]),
-            "a.rcl: line 2, byte 23, cycle 6: the log is cut off here");
+  ASSERT_EQ(cut.errors.count, 1u);
+  EXPECT_EQ(format_error("a.rcl", cut.errors.first[0]),
+            "a.rcl: line 2, byte 23, cycle 6: truncated log");
 }
 
 std::vector<std::pair<CommandKind, std::string>> commands(std::string_view datagram) {
@@ -90,7 +91,7 @@ std::vector<std::pair<CommandKind, std::string>> commands(std::string_view datag
   return result;
 }
 
-TEST(CommandCursor, TellsCommandsAndTheirArguments) {
+TEST(CommandCursor, FindsCommandsAndArguments) {
   using Kind = CommandKind;
   const auto found = commands(
       "(dash (l 50 10)(r 40))(turn_neck 44)(attentionto our 5)(pointto off) (done)(chase ball)");
@@ -103,25 +104,25 @@ TEST(CommandCursor, TellsCommandsAndTheirArguments) {
   EXPECT_EQ(found[5].first, Kind::kOther);
 }
 
-TEST(CommandCursor, FindsNoCommandsInWhatIsSaid) {
+TEST(CommandCursor, FindsNoCommandsInSayText) {
   const auto quoted = commands("(say \"he(kick 1 2)o)1\")(kick 10 0)");
   ASSERT_EQ(quoted.size(), 2u);
   EXPECT_EQ(quoted[0].second, "\"he(kick 1 2)o)1\"");
   EXPECT_EQ(quoted[1].first, CommandKind::kKick);
-  // Without quotes the server takes as much as it can.
+  // Without quotes the server consumes as much as it can.
   const auto unquoted = commands("(turn 1)(say a(b)c)(turn 5)");
   ASSERT_EQ(unquoted.size(), 2u);
   EXPECT_EQ(unquoted[1].second, "a(b)c)(turn 5");
 }
 
-TEST(CommandCursor, EndsAtWhatIsNotClosed) {
+TEST(CommandCursor, StopsAtUnclosedExpression) {
   EXPECT_TRUE(commands("").empty());
   EXPECT_TRUE(commands("(dash 100").empty());
   EXPECT_EQ(commands("(done)(say \"a").size(), 1u);
   EXPECT_EQ(commands(")))((done)").size(), 0u);
 }
 
-/// Number of commands of each sort, as the protocol's parser sees them.
+/// Number of commands of each kind, by the protocol's parser.
 std::map<std::string, int> sorts_by_parser(const std::vector<soccer::PlayerCommand>& parsed) {
   static const char* const kSorts[] = {
       "turn",        "dash",        "dash",         "turn_neck", "change_focus",
@@ -152,23 +153,23 @@ void expect_same_commands_as_the_protocol(const RclRecord& record) {
   EXPECT_GT(compared + 100, record.lines.size() * 4 / 5);
 }
 
-TEST(ReadRcl, ReadsTheStartOfARealMatch) {
+TEST(ReadRcl, ReadsStartOfRcssserverMatch) {
   const std::string log = tests::read_file(tests::fixture("gamelog/match-start.rcl.gz"));
   const RclRecord record = read(log);
-  EXPECT_TRUE(record.damage.empty());
+  EXPECT_TRUE(record.errors.empty());
   EXPECT_EQ(record.lines.size(), tests::split_lines(log).size());
   EXPECT_EQ(record.teams, (std::vector<std::string>{"HELIOS_L", "HELIOS_R"}));
   expect_same_commands_as_the_protocol(record);
 }
 
-TEST(ReadRcl, FindsTheSameCommandsAsTheProtocolInWholeMatches) {
+TEST(ReadRcl, MatchesProtocolParserOnWholeMatches) {
   for (const char* name : {"helios-vs-helios-full", "cyrus-vs-helios-full", "recorded-messages"}) {
     const auto path = tests::data("logs/" + std::string(name) + ".rcl.gz");
     if (!path) GTEST_SKIP() << "no data: set CLS_DATA";
     SCOPED_TRACE(name);
     const auto record = read_rcl_file(path->string());
     ASSERT_TRUE(record);
-    EXPECT_TRUE(record->damage.empty());
+    EXPECT_TRUE(record->errors.empty());
     if (std::string(name) != "recorded-messages") expect_same_commands_as_the_protocol(*record);
   }
 }

@@ -30,14 +30,14 @@ class RclWriterTest : public testing::Test {
   RclWriter writer_{sink_};
 };
 
-TEST_F(RclWriterTest, WritesRealLines) {
-  writer_.command({0, 0}, of_player("HELIOS_L", 1, "(init HELIOS_L (version 18) (goalie))"));
-  writer_.command({0, 10}, of_coach("HELIOS_L", "(eye on)"));
-  writer_.command(
+TEST_F(RclWriterTest, MatchesRcssserverLines) {
+  writer_.write_command({0, 0}, of_player("HELIOS_L", 1, "(init HELIOS_L (version 18) (goalie))"));
+  writer_.write_command({0, 10}, of_coach("HELIOS_L", "(eye on)"));
+  writer_.write_command(
       {13, 0}, of_player("HELIOS_R", 11,
                          "(dash 65.276)(turn_neck -3)(attentionto off)(done)(say \"R<yPPpzYy2\")"));
-  writer_.referee({177, 31}, "free_kick_l");
-  writer_.command({0, 0}, of_trainer("(init (version 15))"));
+  writer_.write_referee({177, 31}, "free_kick_l");
+  writer_.write_command({0, 0}, of_trainer("(init (version 15))"));
   EXPECT_EQ(sink_.bytes(),
             "0,0\tRecv HELIOS_L_1: (init HELIOS_L (version 18) (goalie))\n"
             "0,10\tRecv HELIOS_L_Coach: (eye on)\n"
@@ -47,13 +47,13 @@ TEST_F(RclWriterTest, WritesRealLines) {
             "0,0\tRecv Coach: (init (version 15))\n");
 }
 
-TEST_F(RclWriterTest, LogsTextUpToANulByteAndKeepsLineFeeds) {
-  writer_.command({1, 0}, of_player("A", 2, std::string_view("(turn 1)\n\0(turn 2)", 18)));
+TEST_F(RclWriterTest, StopsAtNulByteAndPreservesLineFeeds) {
+  writer_.write_command({1, 0}, of_player("A", 2, std::string_view("(turn 1)\n\0(turn 2)", 18)));
   EXPECT_EQ(sink_.bytes(), "1,0\tRecv A_2: (turn 1)\n\n");
 }
 
-TEST_F(RclWriterTest, CutsEndlessText) {
-  writer_.command({1, 0}, of_player("A", 2, std::string(9000, 'x')));
+TEST_F(RclWriterTest, TruncatesLongText) {
+  writer_.write_command({1, 0}, of_player("A", 2, std::string(9000, 'x')));
   EXPECT_EQ(sink_.bytes(), "1,0\tRecv A_2: " + std::string(8191 - 10, 'x') + "\n");
 }
 

@@ -1,4 +1,4 @@
-// Real logs read and written again, in their own version and in others.
+// Rcssserver logs read and written again, in their own version and in others.
 #include "gamelog/rcg/record_writer.h"
 
 #include <gtest/gtest.h>
@@ -27,7 +27,7 @@ std::string fixture(const std::string& name) {
   return tests::read_file(tests::fixture("gamelog/" + name + ".rcg.gz"));
 }
 
-/// Expected and actual are tens of megabytes: say only the first line that differs.
+/// Reports only the first line that differs, because the logs have tens of megabytes.
 void expect_same(std::string_view expected, std::string_view actual) {
   if (expected == actual) return;
   const auto expected_lines = tests::split_lines(expected);
@@ -38,7 +38,7 @@ void expect_same(std::string_view expected, std::string_view actual) {
   FAIL() << expected_lines.size() << " lines expected, " << actual_lines.size() << " written";
 }
 
-TEST(WriteRcg, GivesRealLogsBackByteForByte) {
+TEST(WriteRcg, ReproducesRcssserverLogsByteForByte) {
   for (const char* name : {"rcg-v4-excerpt", "rcg-v5-excerpt", "rcg-v6-excerpt",
                            "recorded-messages-excerpt", "team-graphic-v6-excerpt", "match-start",
                            "rcg-json-excerpt", "team-graphic-json-excerpt"}) {
@@ -49,7 +49,7 @@ TEST(WriteRcg, GivesRealLogsBackByteForByte) {
   }
 }
 
-TEST(WriteRcg, GivesWholeRealLogsBackByteForByte) {
+TEST(WriteRcg, ReproducesWholeRcssserverLogsByteForByte) {
   for (const char* name :
        {"logs/rcg-v4", "logs/rcg-v5", "logs/rcg-v6", "logs/rcg-json", "logs/team-graphic-v6",
         "logs/team-graphic-json", "logs/recorded-messages", "logs/extra-time-and-penalties",
@@ -59,12 +59,12 @@ TEST(WriteRcg, GivesWholeRealLogsBackByteForByte) {
     SCOPED_TRACE(name);
     const std::string log = tests::read_file(*path);
     const MatchRecord record = read(log);
-    EXPECT_TRUE(record.damage.empty());
+    EXPECT_TRUE(record.errors.empty());
     expect_same(log, written(record, record.version));
   }
 }
 
-TEST(WriteRcg, TextSurvivesTheWayThroughJson) {
+TEST(WriteRcg, RoundTripsTextThroughJson) {
   for (const char* name : {"rcg-v6-excerpt", "match-start", "team-graphic-v6-excerpt"}) {
     SCOPED_TRACE(name);
     const std::string log = fixture(name);
@@ -75,7 +75,7 @@ TEST(WriteRcg, TextSurvivesTheWayThroughJson) {
   }
 }
 
-TEST(WriteRcg, JsonSurvivesTheWayThroughTextButForItsDate) {
+TEST(WriteRcg, RoundTripsJsonThroughTextExceptDate) {
   const std::string log = fixture("rcg-json-excerpt");
   const std::string back = written(read(written(read(log), RcgVersion::kV6)), RcgVersion::kJson);
   const auto expected = tests::split_lines(log);
@@ -91,7 +91,7 @@ std::string first_player(const std::string& log) {
   return log.substr(at, log.find("((l 3)", at) - at);
 }
 
-TEST(WriteRcg, LeavesOutWhatAVersionDoesNotKnow) {
+TEST(WriteRcg, OmitsDataUnknownToVersion) {
   const MatchRecord record = read(fixture("rcg-v6-excerpt"));
   EXPECT_EQ(first_player(written(record, RcgVersion::kV6)),
             "((l 2) 11 0x1 -24.4213 -4.8806 0.2302 0.0475 13.549 -90 (v h 180) (fp 0 0) (s 7940.75 "
@@ -105,17 +105,17 @@ TEST(WriteRcg, LeavesOutWhatAVersionDoesNotKnow) {
   for (const RcgVersion version : {RcgVersion::kV4, RcgVersion::kV5}) {
     const MatchRecord again = read(written(record, version));
     EXPECT_EQ(again.version, version);
-    EXPECT_TRUE(again.damage.empty());
+    EXPECT_TRUE(again.errors.empty());
     EXPECT_EQ(again.frames(), record.frames());
   }
 }
 
-TEST(WriteRcg, MakesTextOfBinaryLogs) {
+TEST(WriteRcg, ConvertsBinaryLogsToText) {
   for (const char* name : {"rcg-v1-excerpt", "rcg-v2-excerpt", "rcg-v3-excerpt"}) {
     SCOPED_TRACE(name);
     const MatchRecord record = read(fixture(name));
     const MatchRecord again = read(written(record, RcgVersion::kV6));
-    EXPECT_TRUE(again.damage.empty());
+    EXPECT_TRUE(again.errors.empty());
     ASSERT_EQ(again.frames(), record.frames());
     EXPECT_EQ(again.final_teams(), record.final_teams());
     EXPECT_EQ(again.server.half_time, record.server.half_time);
@@ -141,7 +141,7 @@ TEST(WriteRcg, EscapesStringsInJson) {
       std::string::npos);
 }
 
-TEST(GzipSink, CompressesWhatIsReadBackTheSame) {
+TEST(GzipSink, RoundTripsCompressedData) {
   const tests::TemporaryFolder folder;
   const std::string log = fixture("match-start");
   const MatchRecord record = read(log);
@@ -155,7 +155,7 @@ TEST(GzipSink, CompressesWhatIsReadBackTheSame) {
   EXPECT_LT(file_size(folder.path() / "a.rcg.gz") * 3, file_size(folder.path() / "c.rcg"));
 }
 
-TEST(GzipSink, TellsWhatItCannotWrite) {
+TEST(GzipSink, ReportsWriteErrors) {
   EXPECT_EQ(base::create_sink("/nonexistent-folder/a.rcg.gz").error().message,
             "cannot create '/nonexistent-folder/a.rcg.gz': No such file or directory");
 }

@@ -1,4 +1,4 @@
-// A ball that rolls and players who stand.
+// Simulates a rolling ball and standing players.
 #include "tests/gamelog/scripted_match.h"
 
 namespace cls::tests {
@@ -13,24 +13,26 @@ ScriptedMatch::ScriptedMatch() {
   for (int slot = 0; slot < static_cast<int>(kSlots); ++slot) {
     const int unum = soccer::unum_of_slot(slot);
     const double side = soccer::sign(soccer::side_of_slot(slot));
-    gamelog::PlayerFrame& who = player(slot);
-    who.state = unum == 1 ? gamelog::kStateEnabled | gamelog::kStateGoalie : gamelog::kStateEnabled;
-    who.position = {-40.0 * side, 3.0 * (unum - 6)};
-    if (unum == 1) who.position = {-50.0 * side, 0.0};
-    who.stamina = 8000;
-    who.effort = 1;
-    who.recovery = 1;
-    who.capacity = 130600;
-    who.view_width = 120;
+    gamelog::PlayerFrame& player_frame = player(slot);
+    player_frame.state =
+        unum == 1 ? gamelog::kStateEnabled | gamelog::kStateGoalie : gamelog::kStateEnabled;
+    player_frame.position = {-40.0 * side, 3.0 * (unum - 6)};
+    if (unum == 1) player_frame.position = {-50.0 * side, 0.0};
+    player_frame.stamina = 8000;
+    player_frame.effort = 1;
+    player_frame.recovery = 1;
+    player_frame.capacity = 130600;
+    player_frame.view_width = 120;
   }
   append();
 }
 
 void ScriptedMatch::append() {
-  builder_.append(next_);
-  for (gamelog::PlayerFrame& who : next_.players) {
-    who.state &= ~(gamelog::kStateKick | gamelog::kStateTackle | gamelog::kStateTackleFailed |
-                   gamelog::kStateCatch | gamelog::kStateCatchFailed);
+  builder_.append_frame(next_);
+  for (gamelog::PlayerFrame& player_frame : next_.players) {
+    player_frame.state &=
+        ~(gamelog::kStateKick | gamelog::kStateTackle | gamelog::kStateTackleFailed |
+          gamelog::kStateCatch | gamelog::kStateCatchFailed);
   }
 }
 

@@ -1,4 +1,4 @@
-// Matches made up frame by frame, for tests of what is reckoned from them.
+// Builds matches frame by frame, for tests of statistics.
 #pragma once
 
 #include "gamelog/record/match_record.h"
@@ -6,31 +6,31 @@
 
 namespace cls::tests {
 
-/// Twenty-two players stand in two lines, left ones at x = -40 and right ones at x = 40 with
-/// y = 3 * (number - 6), the goalkeepers (number 1) before their goals; the ball lies in the
-/// centre; play_on. Each of the functions that say so appends one frame.
+/// Twenty-two players stand in two lines, the left team at x = -40 and the right team at x = 40
+/// with y = 3 * (unum - 6), the goalies (unum 1) in front of their goals. The ball lies in the
+/// center; the mode is play_on. Functions that append a frame say so.
 class ScriptedMatch {
  public:
   ScriptedMatch();
 
-  /// What the next frame will show, to be changed at will.
+  /// The player in the next frame, for changes.
   gamelog::Frame& next() { return next_; }
   gamelog::PlayerFrame& player(int slot) { return next_.players[static_cast<std::size_t>(slot)]; }
 
-  /// Appends a frame: the ball rolls on, time goes on unless the mode stops it.
+  /// Appends a frame: the ball moves, time advances unless the mode stops the clock.
   void step();
   void steps(int count);
 
-  /// Appends a frame in which the player has kicked the ball off by `launch`.
+  /// Appends a frame in which the player has kicked the ball with velocity `launch`.
   void kick(int slot, soccer::Vec2 launch);
 
   /// Appends a frame in which the player's tackle has hit the ball.
   void tackle(int slot, soccer::Vec2 launch);
 
-  /// The frames from now on are in this mode.
+  /// Sets the play mode of the following frames.
   void mode(soccer::PlayMode mode) { next_.mode = mode; }
 
-  /// Puts the ball there, at rest.
+  /// Places the ball, at rest.
   void place_ball(soccer::Vec2 position);
 
   void score(int left, int right);

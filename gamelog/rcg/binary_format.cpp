@@ -1,5 +1,5 @@
-// Where each parameter lies in the binary blocks.
-#include "gamelog/rcg/binary_params.h"
+// Offsets of the parameters in the binary blocks.
+#include "gamelog/rcg/binary_format.h"
 
 #include <algorithm>
 #include <cassert>
@@ -21,7 +21,7 @@ struct Field {
   std::variant<double Params::*, int Params::*, bool Params::*> member;
 };
 
-// Server parameters were cut, not rounded, to 1/65536; all have at most four decimals.
+// rcssserver truncates server parameters to 1/65536; all have at most four decimals.
 void assign(const char* at, double& value) { value = std::rint(read_real(at) * 1e4) / 1e4; }
 void assign(const char* at, int& value) { value = read_int16(at); }
 void assign(const char* at, bool& value) { value = read_int16(at) != 0; }
@@ -37,7 +37,7 @@ void read_fields(std::string_view block, const Field<Params> (&fields)[kCount], 
 
 using S = soccer::ServerParams;
 
-// The right side's slowness is left out: the server writes the left one's in its place.
+// slowness_on_top_for_right_team is left out: rcssserver writes the left one in its place.
 constexpr Field<S> kServerFields[] = {
     {0, &S::goal_width},
     {4, &S::inertia_moment},
@@ -182,11 +182,11 @@ constexpr Field<P> kPlayerFields[] = {
 };
 constexpr std::size_t kRandomSeedOffset = 72;
 
-// Quantisation steps that the server has no parameters for.
+// Quantization steps without a server parameter.
 constexpr std::size_t kFirstUnset = 300;
 constexpr std::size_t kLastUnset = 324;
 
-/// After how many ms everything that has a step of its own falls together again.
+/// Least common multiple of the periods in ms, limited to 16 bits.
 int common_step(const soccer::ServerParams& params) {
   int step = 1;
   for (const int one : {params.simulator_step, params.send_step, params.recv_step,
@@ -196,7 +196,7 @@ int common_step(const soccer::ServerParams& params) {
   return step;
 }
 
-// In a type they are rounded, and have more than four decimals.
+// In a player type they are rounded and have more than four decimals.
 constexpr double soccer::PlayerType::*kTypeFields[] = {
     &soccer::PlayerType::player_speed_max,
     &soccer::PlayerType::stamina_inc_max,
@@ -219,7 +219,7 @@ void put(std::string& block, std::size_t offset, std::string_view bytes) {
   block.replace(offset, bytes.size(), bytes);
 }
 
-// Both kinds of block hold reals as they were cut or rounded by the server.
+// Writes values at their offset into a block.
 struct BlockWriter {
   std::string& block;
   std::size_t offset;
@@ -297,16 +297,16 @@ void write_int32(std::int64_t value, std::string& out) {
 void write_real(double value, Rounding rounding, std::string& out) {
   double scaled = std::clamp(value * kRealScale, -2147483648.0, 2147483647.0);
   if (rounding == Rounding::kNearest) scaled = std::rint(scaled);
-  if (rounding == Rounding::kHalfAndCut) scaled += 0.5;
+  if (rounding == Rounding::kAddHalfAndTruncate) scaled += 0.5;
   write_int32(static_cast<std::int64_t>(scaled), out);
 }
 
 void write_server_params(const soccer::ServerParams& params, std::string& out) {
-  std::string block = block_of(params, kServerFields, kServerParamSize, Rounding::kCut);
+  std::string block = block_of(params, kServerFields, kServerParamSize, Rounding::kTruncate);
   const auto write = [&block](std::size_t offset, auto value) {
-    BlockWriter{block, offset, Rounding::kCut}(value);
+    BlockWriter{block, offset, Rounding::kTruncate}(value);
   };
-  // What follows from others.
+  // Values derived from other parameters.
   write(144, params.control_radius - params.player_size);
   write(204, params.kickable_margin + params.ball_size + params.player_size);
   write(264, common_step(params));
@@ -316,7 +316,8 @@ void write_server_params(const soccer::ServerParams& params, std::string& out) {
 }
 
 void write_player_params(const soccer::PlayerParams& params, std::string& out) {
-  std::string block = block_of(params, kPlayerFields, kPlayerParamSize, Rounding::kHalfAndCut);
+  std::string block =
+      block_of(params, kPlayerFields, kPlayerParamSize, Rounding::kAddHalfAndTruncate);
   std::string seed;
   write_int32(params.random_seed, seed);
   put(block, kRandomSeedOffset, seed);
@@ -327,7 +328,8 @@ void write_player_type(const soccer::PlayerType& type, std::string& out) {
   std::string block;
   write_int16(type.id, block);
   block.resize(kFirstTypeField, '\0');
-  for (const auto member : kTypeFields) write_real(type.*member, Rounding::kHalfAndCut, block);
+  for (const auto member : kTypeFields)
+    write_real(type.*member, Rounding::kAddHalfAndTruncate, block);
   block.resize(kPlayerTypeSize, '\0');
   out += block;
 }

@@ -1,24 +1,25 @@
-// Laying out binary messages to monitors.
-#include "gamelog/rcg/monitor_binary.h"
+// Binary records; shows of logs are parts of those sent to monitors of versions 1 and 2.
+#include "gamelog/rcg/binary_writer.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "gamelog/rcg/binary_params.h"
+#include "gamelog/rcg/binary_format.h"
 #include "soccer/math.h"
 
 namespace cls::gamelog {
 namespace {
 
-enum Kind : int { kShow = 1, kText = 2, kType = 7, kServerParam = 8, kPlayerParam = 9 };
+using namespace rcg_binary;
 
-constexpr std::size_t kShortSize = 2052;
-constexpr std::size_t kLongSize = 2056;
-constexpr std::size_t kNameSize = 16;
-constexpr std::size_t kLongestText = 2047;
-constexpr double kShortScale = 16.0;
+// Bytes.
+constexpr std::size_t kShortSize = 2052;  // datagrams to version 1 monitors
+constexpr std::size_t kLongSize = 2056;   // datagrams to version 2 monitors
+constexpr std::size_t kMaxText = 2047;
+constexpr std::size_t kMaxMessage = 2048;
+constexpr std::size_t kLongObjectsOffset = 44;  // of ball and players in a version 2 datagram
 
-/// A datagram that grows at the end of a text.
+/// Appends the fields of a datagram to a string.
 class Datagram {
  public:
   Datagram(int kind, std::string& out) : out_(out), start_(out.size()) { int16(kind); }
@@ -30,7 +31,7 @@ class Datagram {
     real(value.x);
     real(value.y);
   }
-  /// Cut or padded to `size`.
+  /// Truncated or padded to `size`.
   void text(std::string_view value, std::size_t size) {
     value = value.substr(0, size);
     out_ += value;
@@ -53,18 +54,18 @@ void add_head(const Frame& frame, Datagram& datagram) {
   }
 }
 
-// A place outside what the field can say, where only a trainer puts things, becomes the nearest.
+// Positions outside the range of the field, which only a trainer can set, are clamped.
 int rounded(double value) {
   return static_cast<int>(std::rint(std::clamp(value, -32768.0, 32767.0)));
 }
 
-// There is room for sixteen; those of fouls, cards and illegal defence are left out.
+// The field has sixteen bits: those of fouls, cards and illegal defense are left out.
 int low_bits(std::uint32_t state) { return static_cast<int>(state & 0xffff); }
 
-void add_short_object(int state, int side, int unum, int angle, soccer::Vec2 place,
+void add_short_object(int state, int side, int unum, int angle, soccer::Vec2 position,
                       Datagram& datagram) {
-  for (const int value :
-       {state, side, unum, angle, rounded(place.x * kShortScale), rounded(place.y * kShortScale)}) {
+  for (const int value : {state, side, unum, angle, rounded(position.x * kShortScale),
+                          rounded(position.y * kShortScale)}) {
     datagram.int16(value);
   }
 }
@@ -91,11 +92,18 @@ void add_long_player(const PlayerFrame& player, Datagram& datagram) {
 }
 
 template <typename Params, typename Write>
-void add_parameters(Kind kind, const Params& params, Write write, std::string& out) {
+void add_parameters(int kind, const Params& params, Write write, std::string& out) {
   Datagram datagram(kind, out);
   datagram.int16(0);
   write(params, datagram.bytes());
   datagram.pad_to(kLongSize);
+}
+
+void append_team(const TeamFrame& team, std::string& out) {
+  std::string name = team.name;
+  name.resize(kNameSize, '\0');
+  out += name;
+  write_int16(team.score, out);
 }
 
 }  // namespace
@@ -126,13 +134,12 @@ void append_long_show(const Frame& frame, std::string& out) {
   datagram.pad_to(kLongSize);
 }
 
-void append_binary_text(MonitorVersion version, int board, std::string_view text,
-                        std::string& out) {
-  const bool first = version == MonitorVersion::k1;
-  Datagram datagram(kText, out);
+void append_binary_text(int version, int board, std::string_view text, std::string& out) {
+  const bool first = version == 1;
+  Datagram datagram(kMessage, out);
   if (!first) datagram.int16(0);
   datagram.int16(board);
-  datagram.text(text.substr(0, kLongestText), kLongestText + 1);
+  datagram.text(text.substr(0, kMaxText), kMaxText + 1);
   datagram.pad_to(first ? kShortSize : kLongSize);
 }
 
@@ -146,6 +153,58 @@ void append_binary_parameters(const soccer::PlayerParams& params, std::string& o
 
 void append_binary_parameters(const soccer::PlayerType& type, std::string& out) {
   add_parameters(kType, type, write_player_type, out);
+}
+
+void append_binary_header(RcgVersion version, const soccer::ServerParams& server,
+                          const soccer::PlayerParams& player,
+                          const std::vector<soccer::PlayerType>& types, std::string& out) {
+  if (version == RcgVersion::kV1) return;
+  out += "ULG";
+  out += static_cast<char>(version);
+  if (version == RcgVersion::kV2) return;
+  write_int16(kServerParam, out);
+  write_server_params(server, out);
+  write_int16(kPlayerParam, out);
+  write_player_params(player, out);
+  for (const soccer::PlayerType& type : types) {
+    write_int16(kType, out);
+    write_player_type(type, out);
+  }
+}
+
+void append_binary_play_mode(RcgVersion version, soccer::PlayMode mode, std::string& out) {
+  if (version != RcgVersion::kV3) return;
+  write_int16(kMode, out);
+  out += static_cast<char>(mode);
+}
+
+void append_binary_teams(RcgVersion version, const TeamFrames& teams, std::string& out) {
+  if (version != RcgVersion::kV3) return;
+  write_int16(kTeams, out);
+  for (const TeamFrame& team : teams) append_team(team, out);
+}
+
+void append_binary_show(RcgVersion version, const Frame& frame, std::string& out) {
+  if (version == RcgVersion::kV1) return append_short_show(frame, out);
+  const std::size_t start = out.size();
+  if (version == RcgVersion::kV2) {
+    append_short_show(frame, out);
+    out.resize(start + kKindSize + kShortShowSize);
+    return;
+  }
+  append_long_show(frame, out);
+  out.erase(start + kKindSize, kLongObjectsOffset - kKindSize);
+  out.resize(start + kKindSize + kLongShowSize);
+}
+
+void append_binary_message(RcgVersion version, int board, std::string_view text, std::string& out) {
+  if (version == RcgVersion::kV1) return append_binary_text(1, board, text, out);
+  text = text.substr(0, kMaxMessage);
+  if (text.empty()) text = std::string_view("\0", 1);
+  write_int16(kMessage, out);
+  write_int16(board, out);
+  write_int16(static_cast<int>(text.size()), out);
+  out += text;
 }
 
 }  // namespace cls::gamelog

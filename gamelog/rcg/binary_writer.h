@@ -1,4 +1,4 @@
-// The records of binary game logs (rcg, versions 1 to 3), one function each.
+// Formats binary game log records (rcg versions 1 to 3) and monitor datagrams (versions 1 and 2).
 #pragma once
 
 #include <string>
@@ -13,8 +13,8 @@
 
 namespace cls::gamelog {
 
-// Every function appends what the version has for it (log-formats 1.4 to 1.6), perhaps nothing.
-// Where the real server leaves what was in memory, there are NULs.
+// Each of these appends the records of one version of the log (log-formats 1.4 to 1.6), nothing if
+// the version has none. Bytes that rcssserver leaves uninitialized are NUL.
 
 /// Version and, in version 3, parameters.
 void append_binary_header(RcgVersion version, const soccer::ServerParams& server,
@@ -29,5 +29,22 @@ void append_binary_show(RcgVersion version, const Frame& frame, std::string& out
 
 /// At most 2048 bytes of the text, 2047 in version 1.
 void append_binary_message(RcgVersion version, int board, std::string_view text, std::string& out);
+
+// Each of these appends one datagram of the fixed size of its monitor version (protocol 6.4),
+// padded with NULs.
+
+/// Version 1: positions in sixteenths of a meter, whole degrees.
+void append_short_show(const Frame& frame, std::string& out);
+
+/// Version 2: reals times 65536.
+void append_long_show(const Frame& frame, std::string& out);
+
+/// `version` is 1 or 2.
+void append_binary_text(int version, int board, std::string_view text, std::string& out);
+
+// Version 2.
+void append_binary_parameters(const soccer::ServerParams& params, std::string& out);
+void append_binary_parameters(const soccer::PlayerParams& params, std::string& out);
+void append_binary_parameters(const soccer::PlayerType& type, std::string& out);
 
 }  // namespace cls::gamelog

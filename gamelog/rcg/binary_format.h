@@ -1,4 +1,5 @@
-// Parameters as version 3 logs and version 2 monitors have them: fixed places in binary blocks.
+// Layout of binary game logs (rcg versions 1 to 3) and binary monitor messages (log-formats 1.4 to
+// 1.6).
 #pragma once
 
 #include <cstddef>
@@ -12,32 +13,57 @@
 
 namespace cls::gamelog {
 
-// Sizes of the blocks (log-formats 1.6).
+namespace rcg_binary {
+
+/// The first two bytes of a record.
+enum Kind : int {
+  kNothing = 0,
+  kShow = 1,
+  kMessage = 2,
+  kDraw = 3,
+  kBlank = 4,
+  kMode = 5,
+  kTeams = 6,
+  kType = 7,
+  kServerParam = 8,
+  kPlayerParam = 9,
+};
+
+// Sizes in bytes; those of shows do not include the kind.
+constexpr std::size_t kKindSize = 2;
+constexpr std::size_t kShortShowSize = 316;  // version 2
+constexpr std::size_t kLongShowSize = 1428;  // version 3
+constexpr std::size_t kNameSize = 16;
+constexpr double kShortScale = 16.0;  // units per meter in short shows
+
+}  // namespace rcg_binary
+
+// Sizes of the parameter blocks (log-formats 1.6).
 constexpr std::size_t kPlayerTypeSize = 88;
 constexpr std::size_t kServerParamSize = 396;
 constexpr std::size_t kPlayerParamSize = 132;
 
-// Big-endian integers, and reals times 65536. Behind `at` there must be as many bytes.
+// Big-endian integers, and reals times 65536. Their bytes must be readable at `at`.
 int read_int16(const char* at);
 int read_int32(const char* at);
 double read_real(const char* at);
 
-// Each takes a block of the size above; what it does not hold keeps its value.
+// Each reads a block of the size above; parameters that it lacks keep their values.
 void read_server_params(std::string_view block, soccer::ServerParams& params);
 void read_player_params(std::string_view block, soccer::PlayerParams& params);
 void read_player_type(std::string_view block, soccer::PlayerType& type);
 
-// The other way: each appends its bytes. What is out of a number's range is cut to it.
+// Each appends its bytes. Values are clamped to the range of the type.
 enum class Rounding : std::uint8_t {
   kNearest,
-  kCut,        ///< towards zero
-  kHalfAndCut  ///< a half is added, then towards zero
+  kTruncate,            ///< toward zero
+  kAddHalfAndTruncate,  ///< adds 0.5, then toward zero, as rcssserver does
 };
 void write_int16(int value, std::string& out);
 void write_int32(std::int64_t value, std::string& out);
 void write_real(double value, Rounding rounding, std::string& out);
 
-// Each appends a block of the size above; spare places are NUL.
+// Each appends a block of the size above; unused bytes are NUL.
 void write_server_params(const soccer::ServerParams& params, std::string& out);
 void write_player_params(const soccer::PlayerParams& params, std::string& out);
 void write_player_type(const soccer::PlayerType& type, std::string& out);
