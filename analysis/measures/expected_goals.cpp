@@ -1,4 +1,4 @@
-// The geometry of a shot and the logistic function.
+// Computes goal probabilities from the geometry of shots.
 #include "analysis/measures/expected_goals.h"
 
 #include <algorithm>
@@ -23,15 +23,15 @@ bool in_triangle(Vec2 p, Vec2 a, Vec2 b, Vec2 c) {
   return (ab >= 0.0 && bc >= 0.0 && ca >= 0.0) || (ab <= 0.0 && bc <= 0.0 && ca <= 0.0);
 }
 
-// The goalkeeper's distance from the ball's path minus the way he can make until it crosses.
-double keeper_margin(const gamelog::MatchRecord& record, std::size_t entry, const Shot& shot,
+// The goalie's distance from the ball's path minus its reach until the ball crosses.
+double goalie_margin(const gamelog::MatchRecord& record, std::size_t entry, const Shot& shot,
                      Vec2 from, double sign) {
-  const Vec2 keeper = Vec2(record.players.position[entry]) * sign;
-  const double away =
-      soccer::distance(soccer::Segment{from, {soccer::kHalfLength, shot.goal_y}}, keeper);
+  const Vec2 goalie = Vec2(record.players.position[entry]) * sign;
+  const double distance =
+      soccer::distance(soccer::Segment{from, {soccer::kHalfLength, shot.goal_y}}, goalie);
   const double speed = type_of(record, entry).player_speed_max * kShareOfTopSpeed;
-  const double way = std::max(0.0, shot.cycles - kReactionCycles) * speed;
-  return away - way - record.server.catchable_area_l;
+  const double reach = std::max(0.0, shot.cycles - kReactionCycles) * speed;
+  return distance - reach - record.server.catchable_area_l;
 }
 
 }  // namespace
@@ -39,7 +39,7 @@ double keeper_margin(const gamelog::MatchRecord& record, std::size_t entry, cons
 ShotSituation situation_of(const Flow& flow, const Shot& shot) {
   const gamelog::MatchRecord& record = *flow.record;
   const Touch& touch = flow.touches[shot.touch];
-  const auto slot = static_cast<std::size_t>(shot.slot);
+  const auto slot = slot_index(shot.slot);
   const double sign = attack_sign(slot);
   const Vec2 from = touch.contact * sign;
   const double half_width = record.server.goal_width / 2;
@@ -50,13 +50,12 @@ ShotSituation situation_of(const Flow& flow, const Shot& shot) {
   situation.cycles = shot.cycles;
   situation.opening = std::fabs(soccer::math::to_radians(soccer::math::normalize_degrees(
       soccer::direction_degrees(bottom - from) - soccer::direction_degrees(top - from))));
-  situation.keeper_margin = std::numeric_limits<double>::max();
-  const std::size_t opponents = team_of(slot) == 0 ? gamelog::kSlots / 2 : 0;
-  for (std::size_t other = opponents; other < opponents + gamelog::kSlots / 2; ++other) {
+  situation.goalie_margin = std::numeric_limits<double>::max();
+  for (const std::size_t other : kTeamSlots[1 - team_of(slot)]) {
     const std::size_t entry = entry_of(touch.frame - 1, other);
     if (!gamelog::is_enabled(record, entry)) continue;
     if (is_goalie(record, entry)) {
-      situation.keeper_margin = keeper_margin(record, entry, shot, from, sign);
+      situation.goalie_margin = goalie_margin(record, entry, shot, from, sign);
     } else {
       const Vec2 position = Vec2(record.players.position[entry]) * sign;
       situation.opponents_between += in_triangle(position, from, top, bottom);
@@ -67,7 +66,7 @@ ShotSituation situation_of(const Flow& flow, const Shot& shot) {
 
 double goal_probability(const ShotSituation& situation) {
   const double score = 1.2 - 0.12 * situation.distance + 1.0 * situation.opening -
-                       0.35 * situation.cycles + (situation.keeper_margin > 0.0 ? 0.6 : 0.0);
+                       0.35 * situation.cycles + (situation.goalie_margin > 0.0 ? 0.6 : 0.0);
   return 1.0 / (1.0 + soccer::math::exp(-score));
 }
 

@@ -1,4 +1,4 @@
-// How likely shots are to score.
+// Goal probabilities of shots (xG).
 #pragma once
 
 #include <vector>
@@ -8,24 +8,24 @@
 
 namespace cls::analysis {
 
-/// What the estimate looks at, at the moment of the shot.
+/// Inputs of the estimate at the time of the shot.
 struct ShotSituation {
-  double distance = 0.0;      ///< metres to the goal's centre
+  double distance = 0.0;      ///< meters to the goal's center
   double opening = 0.0;       ///< radians between the posts, seen from the ball
   double cycles = 0.0;        ///< until the ball crosses the line
-  int opponents_between = 0;  ///< in the triangle of ball and posts, goalkeeper not counted
-  /// Metres that the goalkeeper lacks to meet the ball on its way; below 0: he gets there.
-  double keeper_margin = 0.0;
+  int opponents_between = 0;  ///< in the triangle of ball and posts, without the goalie
+  /// Meters that the goalie lacks to reach the ball's path; negative: reaches it.
+  double goalie_margin = 0.0;
 };
 
 ShotSituation situation_of(const Flow& flow, const Shot& shot);
 
-/// Probability of a goal: a logistic function with start values that are not fitted to data
+/// Probability of a goal: a logistic function with initial coefficients, not fitted to data
 /// (match-statistics 3.5): 1.2 - 0.12 distance + 1.0 opening - 0.35 cycles, and 0.6 more if the
-/// goalkeeper does not get there.
+/// goalie does not reach the ball's path.
 double goal_probability(const ShotSituation& situation);
 
-/// One entry a shot.
+/// One entry per shot.
 std::vector<double> expected_goals(const Flow& flow, const std::vector<Shot>& shots);
 
 }  // namespace cls::analysis

@@ -16,10 +16,10 @@ constexpr double kFar = std::numeric_limits<double>::infinity();
 void add_passes(const std::vector<Pass>& passes, const ThreatGrid& grid, std::size_t team,
                 PassNetwork& network) {
   for (const Pass& pass : passes) {
-    const auto passer = static_cast<std::size_t>(pass.passer);
+    const auto passer = slot_index(pass.passer);
     if (!pass.completed() || team_of(passer) != team) continue;
     const std::size_t from = passer % kTeamSize;
-    const std::size_t to = static_cast<std::size_t>(pass.receiver) % kTeamSize;
+    const std::size_t to = slot_index(pass.receiver) % kTeamSize;
     PassEdge& edge = network.edges[from][to];
     ++edge.passes;
     edge.length += pass.length();
@@ -65,7 +65,7 @@ void set_partners(PassNetwork& network) {
   }
 }
 
-// A player without passes hands his rank to all alike.
+// A player without passes distributes its rank evenly.
 void set_page_rank(PassNetwork& network) {
   std::array<double, kTeamSize> rank;
   rank.fill(1.0 / kTeamSize);
@@ -88,18 +88,18 @@ void set_page_rank(PassNetwork& network) {
 }
 
 struct Paths {
-  std::array<std::array<double, kTeamSize>, kTeamSize> way;
+  std::array<std::array<double, kTeamSize>, kTeamSize> length;
   std::array<std::array<double, kTeamSize>, kTeamSize> count;  ///< of shortest ones
 };
 
-// Floyd and Warshall with counts; ways are compared with a little tolerance.
+// Floyd-Warshall with path counts; lengths are compared with a tolerance.
 Paths shortest_paths(const PassNetwork& network) {
   constexpr double kSame = 1e-12;
   Paths paths;
   for (std::size_t i = 0; i < kTeamSize; ++i) {
     for (std::size_t j = 0; j < kTeamSize; ++j) {
       const int passes = network.edges[i][j].passes;
-      paths.way[i][j] = passes > 0 && i != j ? 1.0 / passes : kFar;
+      paths.length[i][j] = passes > 0 && i != j ? 1.0 / passes : kFar;
       paths.count[i][j] = passes > 0 && i != j ? 1.0 : 0.0;
     }
   }
@@ -107,11 +107,11 @@ Paths shortest_paths(const PassNetwork& network) {
     for (std::size_t i = 0; i < kTeamSize; ++i) {
       for (std::size_t j = 0; j < kTeamSize; ++j) {
         if (i == j || i == k || j == k) continue;
-        const double over = paths.way[i][k] + paths.way[k][j];
-        if (over < paths.way[i][j] - kSame) {
-          paths.way[i][j] = over;
+        const double over = paths.length[i][k] + paths.length[k][j];
+        if (over < paths.length[i][j] - kSame) {
+          paths.length[i][j] = over;
           paths.count[i][j] = paths.count[i][k] * paths.count[k][j];
-        } else if (over < kFar && over <= paths.way[i][j] + kSame) {
+        } else if (over < kFar && over <= paths.length[i][j] + kSame) {
           paths.count[i][j] += paths.count[i][k] * paths.count[k][j];
         }
       }
@@ -127,9 +127,9 @@ void set_betweenness(PassNetwork& network) {
     double sum = 0.0;
     for (std::size_t i = 0; i < kTeamSize; ++i) {
       for (std::size_t j = 0; j < kTeamSize; ++j) {
-        if (i == j || i == k || j == k || paths.way[i][j] == kFar) continue;
-        const double over = paths.way[i][k] + paths.way[k][j];
-        if (over > paths.way[i][j] + 1e-9) continue;
+        if (i == j || i == k || j == k || paths.length[i][j] == kFar) continue;
+        const double over = paths.length[i][k] + paths.length[k][j];
+        if (over > paths.length[i][j] + 1e-9) continue;
         sum += paths.count[i][k] * paths.count[k][j] / paths.count[i][j];
       }
     }

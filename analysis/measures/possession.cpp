@@ -1,4 +1,4 @@
-// Counting frames by owner.
+// Counts frames by the team in possession.
 #include "analysis/measures/possession.h"
 
 #include "analysis/play/interception_time.h"
@@ -7,10 +7,11 @@ namespace cls::analysis {
 namespace {
 
 void count(std::int8_t slot, PerTeam<int>& frames) {
-  if (slot != kNobody) ++frames[team_of(static_cast<std::size_t>(slot))];
+  if (slot != kNoPlayer) ++frames[team_of(slot_index(slot))];
 }
 
-// Frames before a touch belong to who touches, back to the touch before or the start of the phase.
+// Frames before a touch count for the toucher, back to the previous touch or the start of the live
+// phase.
 void count_next_kickers(const Flow& flow, Possession& result) {
   std::size_t touch = 0;
   for (std::size_t i = 0; i < flow.phase.size(); ++i) {
@@ -42,7 +43,7 @@ void count_at_feet(const gamelog::MatchRecord& record, std::size_t frame, Posses
 
 }  // namespace
 
-Possession possession_of(const Flow& flow) {
+Possession measure_possession(const Flow& flow) {
   const gamelog::MatchRecord& record = *flow.record;
   Possession result;
   for (std::size_t i = 0; i < record.frames(); ++i) {

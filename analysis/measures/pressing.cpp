@@ -1,4 +1,4 @@
-// Losses, recoveries and pressure.
+// Counts losses, recoveries and pressure.
 #include "analysis/measures/pressing.h"
 
 #include "soccer/pitch.h"
@@ -10,24 +10,21 @@ using soccer::Vec2;
 
 constexpr double kPressureDistance = 3.0;
 constexpr std::uint32_t kSoon = 20;
-constexpr double kOpponentsPart = -soccer::kHalfLength + 0.6 * soccer::kPitchLength;
+constexpr double kOpponents60Percent = -soccer::kHalfLength + 0.6 * soccer::kPitchLength;
 constexpr std::size_t kTackle = static_cast<std::size_t>(gamelog::Counter::kTackle);
 
-std::size_t index(std::int8_t slot) { return static_cast<std::size_t>(slot); }
-
-// `seen` by the team in possession: its own 60 % of the pitch.
-bool in_opponents_part(Vec2 seen) { return seen.x < kOpponentsPart; }
+// True inside the own 60 % of the pitch of the team in possession, which sees the pitch as `seen`.
+bool in_opponents_60_percent(Vec2 seen) { return seen.x < kOpponents60Percent; }
 
 void add_pressure(const Flow& flow, PressingStats& result) {
   const gamelog::MatchRecord& record = *flow.record;
   for (std::size_t i = 0; i < record.frames(); ++i) {
-    if (!flow.is_live(i) || flow.owner[i] == kNobody) continue;
-    const std::size_t owner = index(flow.owner[i]);
+    if (!flow.is_live(i) || flow.owner[i] == kNoPlayer) continue;
+    const std::size_t owner = slot_index(flow.owner[i]);
     Pressing& team = result.teams[1 - team_of(owner)];
     ++team.opponent_frames;
     const Vec2 at = record.players.position[entry_of(i, owner)];
-    const std::size_t first = team_of(owner) == 0 ? gamelog::kSlots / 2 : 0;
-    for (std::size_t slot = first; slot < first + gamelog::kSlots / 2; ++slot) {
+    for (const std::size_t slot : kTeamSlots[1 - team_of(owner)]) {
       const std::size_t entry = entry_of(i, slot);
       if (gamelog::is_enabled(record, entry) &&
           soccer::squared_distance(record.players.position[entry], at) <=
@@ -43,11 +40,11 @@ void add_actions(const Flow& flow, const std::vector<Pass>& passes, const Stoppa
                  PressingStats& result) {
   const gamelog::MatchRecord& record = *flow.record;
   for (const Pass& pass : passes) {
-    const std::size_t opponents = 1 - team_of(index(pass.passer));
-    result.teams[opponents].opponent_passes += in_opponents_part(pass.from);
+    const std::size_t opponents = 1 - team_of(slot_index(pass.passer));
+    result.teams[opponents].opponent_passes += in_opponents_60_percent(pass.from);
     if (pass.outcome != PassOutcome::kIntercepted) continue;
-    ++result.interceptions[index(pass.receiver)];
-    result.teams[opponents].defensive_actions += in_opponents_part(pass.to);
+    ++result.interceptions[slot_index(pass.receiver)];
+    result.teams[opponents].defensive_actions += in_opponents_60_percent(pass.to);
   }
   for (std::size_t i = 1; i < record.frames(); ++i) {
     if (!flow.is_live(i) || record.time[i] < record.time[i - 1]) continue;
@@ -58,26 +55,26 @@ void add_actions(const Flow& flow, const std::vector<Pass>& passes, const Stoppa
         continue;
       }
       const Vec2 seen = Vec2(record.ball_position[i - 1]) * -attack_sign(slot);
-      result.teams[team_of(slot)].defensive_actions += in_opponents_part(seen);
+      result.teams[team_of(slot)].defensive_actions += in_opponents_60_percent(seen);
     }
   }
   for (const Foul& foul : stoppages.fouls) {
     const bool left = soccer::side(foul.mode) == soccer::Side::kLeft;
     const Vec2 seen = Vec2(record.ball_position[foul.frame]) * (left ? -1.0 : 1.0);
-    result.teams[left ? 0 : 1].defensive_actions += in_opponents_part(seen);
+    result.teams[left ? 0 : 1].defensive_actions += in_opponents_60_percent(seen);
   }
 }
 
 void add_recoveries(const Flow& flow, PressingStats& result) {
-  PerTeam<std::int64_t> lost_at = {-1, -1};  // frame of a loss not made good yet
-  PerTeam<std::int32_t> lost_in = {-1, -1};  // its live phase
-  std::int8_t before = kNobody;
+  PerTeam<std::int64_t> lost_at = {-1, -1};  // frame of a loss that is not regained yet
+  PerTeam<std::int32_t> lost_in = {-1, -1};  // live phase of that loss
+  std::int8_t before = kNoPlayer;
   std::int32_t phase_before = -1;
   for (const Touch& touch : flow.touches) {
     if (touch.contested() || touch.live_phase < 0) continue;
-    const std::size_t slot = index(touch.slot);
+    const std::size_t slot = slot_index(touch.slot);
     const std::size_t team = team_of(slot);
-    if (before != kNobody && team_of(index(before)) != team) {
+    if (before != kNoPlayer && team_of(slot_index(before)) != team) {
       ++result.recoveries[slot];
       ++result.teams[team].recoveries;
       if (lost_in[team] == touch.live_phase) {
@@ -103,8 +100,8 @@ void add_recoveries(const Flow& flow, PressingStats& result) {
 
 }  // namespace
 
-PressingStats pressing_of(const Flow& flow, const std::vector<Pass>& passes,
-                          const Stoppages& stoppages) {
+PressingStats measure_pressing(const Flow& flow, const std::vector<Pass>& passes,
+                               const Stoppages& stoppages) {
   PressingStats result;
   add_pressure(flow, result);
   add_actions(flow, passes, stoppages, result);

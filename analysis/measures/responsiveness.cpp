@@ -1,4 +1,4 @@
-// Walking through both logs side by side.
+// Compares the commands in the text log with the game log, step by step.
 #include "analysis/measures/responsiveness.h"
 
 #include <algorithm>
@@ -11,8 +11,8 @@ namespace {
 constexpr std::uint32_t kImmobile =
     gamelog::kStateTackle | gamelog::kStateTackleFailed | gamelog::kStateCharged;
 
-// What one player sent at one clock.
-struct Sent {
+// Commands of one player at one clock.
+struct SentCommands {
   int datagrams = 0;
   int body = 0;
   int kicks = 0;
@@ -20,14 +20,14 @@ struct Sent {
   int turn_necks = 0;
   bool done = false;
 
-  void clear() { *this = Sent{}; }
+  void clear() { *this = SentCommands{}; }
 };
 
-bool asks_for_foul(std::string_view arguments) {
+bool requests_foul(std::string_view arguments) {
   return arguments.ends_with(" true") || arguments.ends_with(" on");
 }
 
-void add_datagram(std::string_view datagram, Sent& sent, Responsiveness& player) {
+void add_datagram(std::string_view datagram, SentCommands& sent, Responsiveness& player) {
   ++sent.datagrams;
   ++player.datagrams;
   gamelog::CommandCursor cursor(datagram);
@@ -41,7 +41,7 @@ void add_datagram(std::string_view datagram, Sent& sent, Responsiveness& player)
         break;
       case gamelog::CommandKind::kTackle:
         ++sent.tackles;
-        player.intentional_fouls += asks_for_foul(command.arguments);
+        player.intentional_fouls += requests_foul(command.arguments);
         break;
       case gamelog::CommandKind::kTurnNeck:
         ++sent.turn_necks;
@@ -66,22 +66,22 @@ int clock_order(const gamelog::RclLine& line, const gamelog::MatchRecord& record
   return line.stopped < record.stopped[frame] ? -1 : 1;
 }
 
-class Walk {
+class LogWalker {
  public:
-  Walk(const Flow& flow, const gamelog::RclRecord& text)
+  LogWalker(const Flow& flow, const gamelog::RclRecord& text)
       : flow_(flow),
         record_(*flow.record),
         text_(text),
-        sides_(sides_of_names(record_, text)),
+        sides_(assign_sides(record_, text)),
         synchronous_(record_.server.synch_mode) {}
 
   PerPlayer<Responsiveness> walk() {
     for (std::size_t i = 0; i + 1 < record_.frames(); ++i) {
-      if (record_.time[i + 1] < record_.time[i]) break;  // another match follows
-      for (Sent& sent : sent_) sent.clear();
+      if (record_.time[i + 1] < record_.time[i]) break;  // another match begins
+      for (SentCommands& sent : sent_) sent.clear();
       collect(i);
       const bool match_goes_on = flow_.phase[i + 1] != Phase::kOver;
-      for (std::size_t slot = 0; slot < gamelog::kSlots && match_goes_on; ++slot) judge(i, slot);
+      for (std::size_t slot = 0; slot < gamelog::kSlots && match_goes_on; ++slot) evaluate(i, slot);
     }
     return players_;
   }
@@ -97,41 +97,42 @@ class Walk {
       if (order < 0 || line.source != gamelog::RclSource::kPlayer || sides_[line.team] < 0)
         continue;
       const std::size_t slot =
-          static_cast<std::size_t>(sides_[line.team]) * (gamelog::kSlots / 2) + line.unum - 1U;
+          static_cast<std::size_t>(sides_[line.team]) * (kTeamSize) + line.unum - 1U;
       add_datagram(text_.text_of(line), sent_[slot], players_[slot]);
     }
   }
 
-  int grew(std::size_t entry, gamelog::Counter counter) const {
+  int increase(std::size_t entry, gamelog::Counter counter) const {
     const auto index = static_cast<std::size_t>(counter);
     return record_.players.counters[entry + gamelog::kSlots][index] -
            record_.players.counters[entry][index];
   }
 
-  void judge(std::size_t frame, std::size_t slot) {
+  void evaluate(std::size_t frame, std::size_t slot) {
     const std::size_t entry = entry_of(frame, slot);
     if (!gamelog::is_enabled(record_, entry) ||
         !gamelog::is_enabled(record_, entry + gamelog::kSlots))
       return;
-    const Sent& sent = sent_[slot];
+    const SentCommands& sent = sent_[slot];
     Responsiveness& player = players_[slot];
     ++player.steps;
     player.answered += sent.datagrams > 0;
     player.silent += synchronous_ ? !sent.done : sent.datagrams == 0;
-    // Where the clock stands only turns help, and nobody needs them.
+    // While the clock is stopped, only turns have an effect, and players do not need them.
     const bool could_act =
         (record_.players.state[entry] & kImmobile) == 0 && flow_.phase[frame] != Phase::kStopped;
     const bool idle = sent.body == 0;
     player.no_body_command += idle && could_act;
     player.several_body += sent.body > 1;
-    if (was_double_[slot] ? idle : (sent.body > 1 && was_idle_[slot])) ++player.slips;
+    if (was_double_[slot] ? idle : (sent.body > 1 && was_idle_[slot])) ++player.late_steps;
     was_double_[slot] = sent.body > 1;
     was_idle_[slot] = idle && could_act;
-    player.rejected_kicks += std::max(0, sent.kicks - grew(entry, gamelog::Counter::kKick));
+    player.rejected_kicks += std::max(0, sent.kicks - increase(entry, gamelog::Counter::kKick));
     player.rejected_turn_necks +=
-        std::max(0, sent.turn_necks - grew(entry, gamelog::Counter::kTurnNeck));
+        std::max(0, sent.turn_necks - increase(entry, gamelog::Counter::kTurnNeck));
     if (record_.version >= gamelog::RcgVersion::kV4) {
-      player.rejected_tackles += std::max(0, sent.tackles - grew(entry, gamelog::Counter::kTackle));
+      player.rejected_tackles +=
+          std::max(0, sent.tackles - increase(entry, gamelog::Counter::kTackle));
     }
   }
 
@@ -141,7 +142,7 @@ class Walk {
   std::array<std::int8_t, 256> sides_;
   bool synchronous_;
   std::size_t line_ = 0;
-  PerPlayer<Sent> sent_ = {};
+  PerPlayer<SentCommands> sent_ = {};
   PerPlayer<Responsiveness> players_ = {};
   PerPlayer<bool> was_double_ = {};
   PerPlayer<bool> was_idle_ = {};
@@ -149,8 +150,8 @@ class Walk {
 
 }  // namespace
 
-std::array<std::int8_t, 256> sides_of_names(const gamelog::MatchRecord& record,
-                                            const gamelog::RclRecord& text) {
+std::array<std::int8_t, 256> assign_sides(const gamelog::MatchRecord& record,
+                                          const gamelog::RclRecord& text) {
   std::array<std::int8_t, 256> sides;
   sides.fill(-1);
   const auto& [left, right] = record.final_teams();
@@ -167,11 +168,11 @@ std::array<std::int8_t, 256> sides_of_names(const gamelog::MatchRecord& record,
   return sides;
 }
 
-PerPlayer<Responsiveness> responsiveness_of(const Flow& flow, const gamelog::RclRecord& text) {
-  return Walk(flow, text).walk();
+PerPlayer<Responsiveness> measure_responsiveness(const Flow& flow, const gamelog::RclRecord& text) {
+  return LogWalker(flow, text).walk();
 }
 
-PerPlayer<Attention> attention_of(const gamelog::MatchRecord& record) {
+PerPlayer<Attention> measure_attention(const gamelog::MatchRecord& record) {
   constexpr float kNormal = 90.0F;
   constexpr float kWide = 150.0F;
   PerPlayer<Attention> result;

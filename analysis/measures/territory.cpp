@@ -1,11 +1,11 @@
-// Thirds, penalty areas and who is nearer to each part of the pitch.
+// Computes ball positions by area, and pitch control.
 #include "analysis/measures/territory.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "analysis/play/places.h"
+#include "analysis/play/pitch_areas.h"
 #include "soccer/pitch.h"
 
 namespace cls::analysis {
@@ -22,7 +22,8 @@ std::size_t third_of(double x) { return x < -kThirdBorder ? 0 : x <= kThirdBorde
 
 std::size_t quarter_of(double x) { return x < -kQuarter ? 0 : x < 0.0 ? 1 : x < kQuarter ? 2 : 3; }
 
-// Squared time that the team's first player needs to get to a point; top speeds differ by type.
+// Squared times in which the first player of each team reaches a point; top speeds depend on the
+// player type.
 class ControlMap {
  public:
   ControlMap(const gamelog::MatchRecord& record, std::size_t frame) {
@@ -36,7 +37,7 @@ class ControlMap {
     }
   }
 
-  // Left's share of the cells, from 0 to 1; what nobody can reach counts for nobody.
+  // Share of the cells of each team, from 0 to 1; cells without a first team count for none.
   PerTeam<double> shares() const {
     PerTeam<int> cells = {};
     for (int column = 0; column < kControlColumns; ++column) {
@@ -71,7 +72,7 @@ class ControlMap {
     return best;
   }
 
-  PerTeam<std::array<Runner, gamelog::kSlots / 2>> runners_ = {};
+  PerTeam<std::array<Runner, kTeamSize>> runners_ = {};
   PerTeam<std::size_t> count_ = {};
 };
 
@@ -93,11 +94,11 @@ void add_touches(const Flow& flow, Territory& result) {
   for (const Touch& touch : flow.touches) {
     if (touch.live_phase < 0) continue;
     for (const std::int8_t player : touch.nearest) {
-      if (player == kNobody) continue;
-      const auto slot = static_cast<std::size_t>(player);
+      if (player == kNoPlayer) continue;
+      const auto slot = slot_index(player);
       const Vec2 seen = touch.contact * attack_sign(slot);
       TeamTerritory& team = result.teams[team_of(slot)];
-      team.box_touches += in_opponents_box(seen);
+      team.box_touches += in_opponent_box(seen);
       team.final_third_touches += third_of(seen.x) == 2;
     }
   }
@@ -110,7 +111,7 @@ double Territory::field_tilt() const {
   return both == 0 ? 0.5 : static_cast<double>(teams[0].final_third_touches) / both;
 }
 
-Territory territory_of(const Flow& flow) {
+Territory measure_territory(const Flow& flow) {
   const gamelog::MatchRecord& record = *flow.record;
   Territory result;
   result.frames = static_cast<int>(record.frames());
@@ -122,14 +123,14 @@ Territory territory_of(const Flow& flow) {
     ++result.thirds[third_of(ball.x)];
     ++result.quarters[quarter_of(ball.x)];
     sum_x += ball.x;
-    if (flow.owner[i] == kNobody) continue;
+    if (flow.owner[i] == kNoPlayer) continue;
     const auto owner = static_cast<std::size_t>(flow.owner[i]);
     const double sign = attack_sign(owner);
     TeamTerritory& team = result.teams[team_of(owner)];
     ++team.thirds_owned[third_of(ball.x * sign)];
-    const bool goes_on = i > 0 && flow.live_phase[i] == flow.live_phase[i - 1];
-    team.box_entries += goes_on && in_opponents_box(ball * sign) &&
-                        !in_opponents_box(Vec2(record.ball_position[i - 1]) * sign);
+    const bool continues = i > 0 && flow.live_phase[i] == flow.live_phase[i - 1];
+    team.box_entries += continues && in_opponent_box(ball * sign) &&
+                        !in_opponent_box(Vec2(record.ball_position[i - 1]) * sign);
   }
   if (result.live_frames > 0) result.mean_ball_x = sum_x / result.live_frames;
   add_touches(flow, result);

@@ -1,4 +1,4 @@
-// Value iteration over the cells of the pitch.
+// Computes the threat grid by value iteration.
 #include "analysis/measures/threat.h"
 
 #include <algorithm>
@@ -30,7 +30,7 @@ std::size_t threat_cell(soccer::Vec2 seen) {
 ThreatGrid threat_grid(const Flow& flow, const std::vector<Pass>& passes,
                        const std::vector<Carry>& carries, const std::vector<Shot>& shots,
                        const std::vector<double>& expected) {
-  ThreatGrid actions = {};  // all that began in a cell, lost balls too
+  ThreatGrid actions = {};  // all actions that began in a cell, including lost balls
   ThreatGrid shot_worth = {};
   std::vector<Move> moves;
   for (const Pass& pass : passes) {
@@ -63,12 +63,10 @@ PerPlayer<double> threat_added(const ThreatGrid& grid, const std::vector<Pass>& 
   PerPlayer<double> added = {};
   for (const Pass& pass : passes) {
     if (!pass.completed()) continue;
-    added[static_cast<std::size_t>(pass.passer)] +=
-        grid[threat_cell(pass.to)] - grid[threat_cell(pass.from)];
+    added[slot_index(pass.passer)] += grid[threat_cell(pass.to)] - grid[threat_cell(pass.from)];
   }
   for (const Carry& carry : carries) {
-    added[static_cast<std::size_t>(carry.slot)] +=
-        grid[threat_cell(carry.to)] - grid[threat_cell(carry.from)];
+    added[slot_index(carry.slot)] += grid[threat_cell(carry.to)] - grid[threat_cell(carry.from)];
   }
   return added;
 }

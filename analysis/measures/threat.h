@@ -1,4 +1,4 @@
-// Expected threat: how much closer to a goal passes and carries bring the ball.
+// Expected threat (xT): change of the scoring probability by passes and carries.
 #pragma once
 
 #include <array>
@@ -12,22 +12,23 @@
 
 namespace cls::analysis {
 
-/// A grid over the pitch as a team sees it; column 0 is its own goal line.
+/// Grid over the pitch as a team sees it; column 0 is at its own goal line.
 constexpr std::size_t kThreatColumns = 16;
 constexpr std::size_t kThreatRows = 12;
 using ThreatGrid = std::array<double, kThreatColumns * kThreatRows>;
 
 std::size_t threat_cell(soccer::Vec2 seen);
 
-/// What a cell is worth: the chance that the next thing from there is a shot times how likely shots
-/// from there score, plus the chance of a move times what the cells that moves lead to are worth
-/// (match-statistics 3.5), estimated from both teams' play in this match. A lost ball is worth
-/// nothing. `expected` holds a probability for each shot.
+/// Value of each cell: probability of a shot as the next action times its goal probability, plus
+/// the probability of a move times the value of its target cells (match-statistics 3.5). Estimated
+/// from both teams' actions in this match; a lost ball has value 0. `expected` holds the goal
+/// probability of each shot.
 ThreatGrid threat_grid(const Flow& flow, const std::vector<Pass>& passes,
                        const std::vector<Carry>& carries, const std::vector<Shot>& shots,
                        const std::vector<double>& expected);
 
-/// Sum over each player's completed passes and carries: worth of the end minus that of the start.
+/// Per player: sum over completed passes and carries of the value at the end minus the value at the
+/// start.
 PerPlayer<double> threat_added(const ThreatGrid& grid, const std::vector<Pass>& passes,
                                const std::vector<Carry>& carries);
 

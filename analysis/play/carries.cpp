@@ -1,4 +1,4 @@
-// Pairs of touches by the same player.
+// Finds carries: consecutive touches of one player.
 #include "analysis/play/carries.h"
 
 namespace cls::analysis {
@@ -6,22 +6,21 @@ namespace {
 
 using soccer::Vec2;
 
-constexpr double kShortestDribble = 1.0;
-constexpr double kInFront = 3.0;
+constexpr double kMinDribble = 1.0;
+constexpr double kMaxDistanceInFront = 3.0;
 constexpr std::size_t kDash = static_cast<std::size_t>(gamelog::Counter::kDash);
 
 int opponents_passed(const gamelog::MatchRecord& record, const Carry& carry, std::size_t first,
                      std::size_t last) {
-  const auto slot = static_cast<std::size_t>(carry.slot);
+  const auto slot = slot_index(carry.slot);
   const double sign = attack_sign(slot);
-  const std::size_t opponents = team_of(slot) == 0 ? gamelog::kSlots / 2 : 0;
   int passed = 0;
-  for (std::size_t other = opponents; other < opponents + gamelog::kSlots / 2; ++other) {
+  for (const std::size_t other : kTeamSlots[1 - team_of(slot)]) {
     const std::size_t entry = entry_of(first, other);
     if (!gamelog::is_enabled(record, entry)) continue;
     const Vec2 before = Vec2(record.players.position[entry]) * sign;
     const double dx = before.x - carry.from.x;
-    const bool in_front = dx >= 0.0 && soccer::distance(before, carry.from) <= kInFront;
+    const bool in_front = dx >= 0.0 && soccer::distance(before, carry.from) <= kMaxDistanceInFront;
     const double now_x = record.players.position[entry_of(last, other)].x * sign;
     passed += in_front && now_x < carry.to.x;
   }
@@ -30,7 +29,7 @@ int opponents_passed(const gamelog::MatchRecord& record, const Carry& carry, std
 
 }  // namespace
 
-std::vector<Carry> carries_of(const Flow& flow) {
+std::vector<Carry> find_carries(const Flow& flow) {
   const gamelog::MatchRecord& record = *flow.record;
   std::vector<Carry> carries;
   for (std::size_t i = 0; i + 1 < flow.touches.size(); ++i) {
@@ -40,7 +39,7 @@ std::vector<Carry> carries_of(const Flow& flow) {
         touch.live_phase != next.live_phase) {
       continue;
     }
-    const auto slot = static_cast<std::size_t>(touch.slot);
+    const auto slot = slot_index(touch.slot);
     const double sign = attack_sign(slot);
     Carry carry;
     carry.touch = static_cast<std::uint32_t>(i);
@@ -51,10 +50,10 @@ std::vector<Carry> carries_of(const Flow& flow) {
     const auto dashes = [&](std::size_t frame) {
       return record.players.counters[entry_of(frame, slot)][kDash];
     };
-    // Versions 1 and 2 do not count dashes.
+    // Versions 1 and 2 have no dash counter.
     const bool ran =
         record.version < gamelog::RcgVersion::kV3 || dashes(last) > dashes(touch.frame);
-    carry.dribble = ran && carry.distance() >= kShortestDribble;
+    carry.dribble = ran && carry.distance() >= kMinDribble;
     carry.passed = opponents_passed(record, carry, touch.frame - 1, last);
     carries.push_back(carry);
   }

@@ -1,4 +1,4 @@
-// Going on with the ball: carries, dribbles, take-ons.
+// Carries, dribbles and take-ons.
 #pragma once
 
 #include <cstdint>
@@ -8,19 +8,19 @@
 
 namespace cls::analysis {
 
-/// Two touches of one player in a row, within a live phase (match-statistics 3.1).
+/// Two consecutive touches of one player within a live phase (match-statistics 3.1).
 struct Carry {
   std::uint32_t touch = 0;  ///< index of the first into Flow::touches
-  std::int8_t slot = kNobody;
-  soccer::Vec2 from;  ///< contact points, as the player's team sees them
+  std::int8_t slot = kNoPlayer;
+  soccer::Vec2 from;  ///< contact points, as the player's team sees the pitch
   soccer::Vec2 to;
-  bool dribble = false;  ///< he ran, and got 1 m further at least
-  int passed = 0;        ///< opponents who stood up to 3 m in front of him and are behind the ball
+  bool dribble = false;  ///< the player dashed and moved at least 1 m
+  int passed = 0;        ///< opponents ahead within 3 m, then behind the ball
 
   double distance() const { return soccer::distance(from, to); }
   double gain() const { return to.x - from.x; }
 };
 
-std::vector<Carry> carries_of(const Flow& flow);
+std::vector<Carry> find_carries(const Flow& flow);
 
 }  // namespace cls::analysis

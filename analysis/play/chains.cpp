@@ -1,11 +1,11 @@
-// Cutting the touches into chains.
+// Splits touches into possession chains.
 #include "analysis/play/chains.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "analysis/play/places.h"
+#include "analysis/play/pitch_areas.h"
 #include "soccer/pitch.h"
 
 namespace cls::analysis {
@@ -17,12 +17,12 @@ constexpr int kAssistCycles = 60;
 
 bool continues(const Touch& next, const Chain& chain, const Touch& last) {
   return !next.contested() && next.live_phase == last.live_phase &&
-         team_of(static_cast<std::size_t>(next.slot)) == chain.team;
+         team_of(slot_index(next.slot)) == chain.team;
 }
 
-class ChainJudge {
+class ChainClassifier {
  public:
-  ChainJudge(const Flow& flow, const std::vector<Pass>& passes, const std::vector<Shot>& shots)
+  ChainClassifier(const Flow& flow, const std::vector<Pass>& passes, const std::vector<Shot>& shots)
       : flow_(flow), passes_(passes), shots_(shots) {}
 
   void judge(Chain& chain) {
@@ -53,7 +53,7 @@ class ChainJudge {
         next < flow_.touches.size() && flow_.touches[next].live_phase == last.live_phase;
     const std::size_t end = touched ? flow_.touches[next].frame : flow_.end_of_play(last);
     for (std::size_t i = flow_.touches[chain.first_touch].frame; i < end; ++i) {
-      if (in_opponents_box(soccer::Vec2(flow_.record->ball_position[i]) * sign)) {
+      if (in_opponent_box(soccer::Vec2(flow_.record->ball_position[i]) * sign)) {
         return ChainResult::kBoxEntry;
       }
     }
@@ -71,10 +71,10 @@ class ChainJudge {
 
 std::string_view name(ChainResult result) { return kResultNames[static_cast<std::size_t>(result)]; }
 
-std::vector<Chain> chains_of(const Flow& flow, const std::vector<Pass>& passes,
-                             const std::vector<Shot>& shots) {
+std::vector<Chain> find_chains(const Flow& flow, const std::vector<Pass>& passes,
+                               const std::vector<Shot>& shots) {
   std::vector<Chain> chains;
-  ChainJudge judge(flow, passes, shots);
+  ChainClassifier judge(flow, passes, shots);
   for (std::size_t i = 0; i < flow.touches.size();) {
     const Touch& first = flow.touches[i];
     if (first.contested() || first.live_phase < 0) {
@@ -82,7 +82,7 @@ std::vector<Chain> chains_of(const Flow& flow, const std::vector<Pass>& passes,
       continue;
     }
     Chain chain;
-    chain.team = team_of(static_cast<std::size_t>(first.slot));
+    chain.team = team_of(slot_index(first.slot));
     chain.first_touch = static_cast<std::uint32_t>(i);
     while (i + 1 < flow.touches.size() && continues(flow.touches[i + 1], chain, flow.touches[i])) {
       ++i;
@@ -94,18 +94,18 @@ std::vector<Chain> chains_of(const Flow& flow, const std::vector<Pass>& passes,
   return chains;
 }
 
-Assist assist_of(const Flow& flow, const std::vector<Pass>& passes, const Shot& shot) {
+Assist find_assist(const Flow& flow, const std::vector<Pass>& passes, const Shot& shot) {
   Assist assist;
   const Touch& taken = flow.touches[shot.touch];
   const gamelog::MatchRecord& record = *flow.record;
   std::int8_t receiver = shot.slot;
-  const std::size_t team = team_of(static_cast<std::size_t>(shot.slot));
-  // Nobody else touched the ball between the pass and the shot.
+  const std::size_t team = team_of(slot_index(shot.slot));
+  // No opponent touched the ball between pass and shot.
   const auto in_chain = [&](const Pass& pass) {
     return std::all_of(flow.touches.begin() + pass.touch, flow.touches.begin() + shot.touch,
                        [&](const Touch& touch) {
                          return touch.live_phase == taken.live_phase && !touch.contested() &&
-                                team_of(static_cast<std::size_t>(touch.slot)) == team;
+                                team_of(slot_index(touch.slot)) == team;
                        });
   };
   auto at =
@@ -116,7 +116,7 @@ Assist assist_of(const Flow& flow, const std::vector<Pass>& passes, const Shot& 
     const std::uint32_t frame = flow.touches[at->touch].frame;
     const bool recent = record.time[taken.frame] - record.time[frame] <= kAssistCycles;
     if (!at->completed() || at->receiver != receiver || !in_chain(*at)) return assist;
-    if (assist.passer != kNobody) {
+    if (assist.passer != kNoPlayer) {
       assist.second = at->passer;
       return assist;
     }

@@ -1,4 +1,4 @@
-// Finding touches in the counters and following the ball from one to the next.
+// Detects touches from counters, and assigns the ball to the last toucher.
 #include "analysis/play/flow.h"
 
 #include <limits>
@@ -11,20 +11,20 @@ constexpr std::size_t kKick = static_cast<std::size_t>(gamelog::Counter::kKick);
 constexpr std::size_t kCatch = static_cast<std::size_t>(gamelog::Counter::kCatch);
 constexpr std::size_t kTackle = static_cast<std::size_t>(gamelog::Counter::kTackle);
 
-// Beyond what a ball can do in a step: the referee has put it somewhere.
+// A larger displacement than ball_speed_max plus this margin (m) means that the ball was placed.
 constexpr double kPlacedMargin = 0.3;
-// A ball that rolled faster than this does not come to rest by itself in one step.
+// Above this speed (m per cycle) a free ball cannot stop within one step.
 constexpr double kStillRolls = 1e-3;
 
-// Counters only grow, unless another match begins.
+// Counters only grow until another match begins.
 bool follows(const gamelog::MatchRecord& record, std::size_t frame) {
   return frame > 0 && record.time[frame] >= record.time[frame - 1];
 }
 
-// What a player did to the ball between two frames.
-class TouchTest {
+// Detects a player's touch between two frames.
+class TouchDetector {
  public:
-  TouchTest(const gamelog::MatchRecord& record, std::size_t entry)
+  TouchDetector(const gamelog::MatchRecord& record, std::size_t entry)
       : before_(record.players.state[entry - gamelog::kSlots]),
         now_(record.players.state[entry]),
         counters_before_(record.players.counters[entry - gamelog::kSlots]),
@@ -45,23 +45,24 @@ class TouchTest {
   }
 
  private:
-  bool grew(std::size_t counter) const {
+  bool increased(std::size_t counter) const {
     return counters_now_[counter] > counters_before_[counter];
   }
-  bool began(std::uint32_t bit) const { return (now_ & bit) != 0 && (before_ & bit) == 0; }
+  bool was_set(std::uint32_t bit) const { return (now_ & bit) != 0 && (before_ & bit) == 0; }
 
-  // Versions 1 and 2 have no counters, version 3 none for tackles: their bits must do.
+  // Versions 1 and 2 have no counters and version 3 none for tackles: the state bits are used.
   bool kicked() const {
-    if (version_ >= gamelog::RcgVersion::kV3) return grew(kKick);
+    if (version_ >= gamelog::RcgVersion::kV3) return increased(kKick);
     return (now_ & gamelog::kStateKick) != 0 && (now_ & gamelog::kStateKickFailed) == 0;
   }
   bool tackled() const {
-    return version_ >= gamelog::RcgVersion::kV4 ? grew(kTackle) : began(gamelog::kStateTackle);
+    return version_ >= gamelog::RcgVersion::kV4 ? increased(kTackle)
+                                                : was_set(gamelog::kStateTackle);
   }
   bool caught() const {
     return version_ >= gamelog::RcgVersion::kV3
-               ? grew(kCatch)
-               : (now_ & gamelog::kStateCatchFailed) == 0 && began(gamelog::kStateCatch);
+               ? increased(kCatch)
+               : (now_ & gamelog::kStateCatchFailed) == 0 && was_set(gamelog::kStateCatch);
   }
 
   std::uint32_t before_;
@@ -71,8 +72,8 @@ class TouchTest {
   gamelog::RcgVersion version_;
 };
 
-// The logged velocity is zero where the referee stops the ball in the same step: the displacement
-// is not, unless the ball was put elsewhere.
+// The logged velocity is zero if the referee stops the ball in the same step. The displacement is
+// not, unless the ball was placed.
 soccer::Vec2 launch_of(const gamelog::MatchRecord& record, std::size_t frame) {
   const soccer::Vec2 moved =
       soccer::Vec2(record.ball_position[frame]) - record.ball_position[frame - 1];
@@ -80,8 +81,8 @@ soccer::Vec2 launch_of(const gamelog::MatchRecord& record, std::size_t frame) {
   return soccer::Vec2(record.ball_velocity[frame]) / record.server.ball_decay;
 }
 
-// Within play_on the referee drops a ball that got stuck, and a trainer may move it. No mode of the
-// log says so, the ball does: it jumps, or stands still at once.
+// In play_on the referee drops a stuck ball and a trainer may move the ball. No play mode shows
+// this, but the ball jumps or stops abruptly.
 bool was_placed(const gamelog::MatchRecord& record, std::size_t frame) {
   const soccer::Vec2 before = record.ball_velocity[frame - 1];
   const soccer::Vec2 now = record.ball_velocity[frame];
@@ -91,7 +92,7 @@ bool was_placed(const gamelog::MatchRecord& record, std::size_t frame) {
          (now == soccer::Vec2{} && before.length() > kStillRolls);
 }
 
-// All who touched the ball in the step to `frame`, as one event.
+// The touch in the step to `frame` by all its touchers.
 std::optional<Touch> touch_in(const gamelog::MatchRecord& record, std::size_t frame) {
   Touch touch;
   const soccer::Vec2 ball = record.ball_position[frame - 1];
@@ -100,20 +101,21 @@ std::optional<Touch> touch_in(const gamelog::MatchRecord& record, std::size_t fr
   PerTeam<TouchKind> kinds = {};
   for (std::size_t slot = 0; slot < gamelog::kSlots; ++slot) {
     const std::size_t entry = entry_of(frame, slot);
-    const auto kind = TouchTest(record, entry).kind();
+    const auto kind = TouchDetector(record, entry).kind();
     if (!kind) continue;
     touch.touchers |= std::uint32_t{1} << slot;
     const std::size_t team = team_of(slot);
-    const double away = soccer::distance(record.players.position[entry - gamelog::kSlots], ball);
-    if (away >= nearest[team]) continue;
-    nearest[team] = away;
+    const double distance =
+        soccer::distance(record.players.position[entry - gamelog::kSlots], ball);
+    if (distance >= nearest[team]) continue;
+    nearest[team] = distance;
     touch.nearest[team] = static_cast<std::int8_t>(slot);
     kinds[team] = *kind;
   }
   if (touch.touchers == 0) return std::nullopt;
-  const bool both = touch.nearest[0] != kNobody && touch.nearest[1] != kNobody;
+  const bool both = touch.nearest[0] != kNoPlayer && touch.nearest[1] != kNoPlayer;
   const std::size_t first = nearest[0] <= nearest[1] ? 0 : 1;
-  touch.slot = both ? kNobody : touch.nearest[first];
+  touch.slot = both ? kNoPlayer : touch.nearest[first];
   touch.kind = kinds[first];
   touch.frame = static_cast<std::uint32_t>(frame);
   touch.contact = ball;
@@ -126,18 +128,18 @@ void find_phases(Flow& flow) {
   std::int32_t phases = 0;
   for (std::size_t i = 0; i < record.frames(); ++i) {
     flow.phase.push_back(phase_of(record.mode[i]));
-    bool goes_on = i > 0 && flow.is_live(i) && flow.is_live(i - 1) && follows(record, i);
-    if (goes_on && was_placed(record, i)) {
+    bool continues = i > 0 && flow.is_live(i) && flow.is_live(i - 1) && follows(record, i);
+    if (continues && was_placed(record, i)) {
       flow.placed.push_back(static_cast<std::uint32_t>(i));
-      goes_on = false;
+      continues = false;
     }
-    if (flow.is_live(i) && !goes_on) ++phases;
+    if (flow.is_live(i) && !continues) ++phases;
     flow.live_phase.push_back(flow.is_live(i) ? phases - 1 : -1);
   }
 }
 
-// A goal kick is in play once it has left the penalty area: the touch lies some frames before the
-// live phase that it starts.
+// A goal kick is in play when it leaves the penalty area: the touch precedes its live phase by some
+// frames.
 void attach_goal_kick(Flow& flow, std::size_t frame) {
   if (flow.touches.empty() || flow.phase[frame - 1] != Phase::kSet) return;
   Touch& touch = flow.touches.back();
@@ -151,35 +153,43 @@ void attach_goal_kick(Flow& flow, std::size_t frame) {
 
 }  // namespace
 
+Phase phase_of(soccer::PlayMode mode) {
+  if (mode == soccer::PlayMode::kPlayOn) return Phase::kLive;
+  if (mode == soccer::PlayMode::kTimeOver) return Phase::kOver;
+  if (soccer::is_set_play(mode)) return Phase::kSet;
+  if (soccer::is_penalty_mode(mode)) return Phase::kPenalty;
+  return Phase::kStopped;
+}
+
 std::size_t Flow::end_of_play(const Touch& touch) const {
   std::size_t frame = touch.frame;
   const bool ends_here =
       live_phase[frame] != touch.live_phase && live_phase[frame - 1] == touch.live_phase;
   if (ends_here) return frame;
-  // The phase that a goal kick starts begins some frames later.
+  // The live phase of a goal kick begins some frames after the touch.
   while (frame < live_phase.size() && live_phase[frame] != touch.live_phase) ++frame;
   while (frame < live_phase.size() && live_phase[frame] == touch.live_phase) ++frame;
   return frame;
 }
 
-Flow flow_of(const gamelog::MatchRecord& record) {
+Flow build_flow(const gamelog::MatchRecord& record) {
   Flow flow;
   flow.record = &record;
   find_phases(flow);
-  flow.owner.assign(record.frames(), kNobody);
+  flow.owner.assign(record.frames(), kNoPlayer);
   for (std::size_t i = 1; i < record.frames(); ++i) {
     if (!follows(record, i)) continue;
     const bool live = flow.is_live(i);
-    const bool goes_on = live && flow.live_phase[i] == flow.live_phase[i - 1];
+    const bool continues = live && flow.live_phase[i] == flow.live_phase[i - 1];
     const bool begins = live && !flow.is_live(i - 1);
-    if (goes_on) flow.owner[i] = flow.owner[i - 1];
+    if (continues) flow.owner[i] = flow.owner[i - 1];
     auto touch = touch_in(record, i);
     if (touch) {
-      // Where the referee put the ball afterwards, the touch is the last of what was before.
+      // If the referee then placed the ball, the touch ends the previous phase.
       touch->live_phase = flow.live_phase[begins ? i : i - 1];
-      if (goes_on || begins) flow.owner[i] = touch->slot;
+      if (continues || begins) flow.owner[i] = touch->slot;
       flow.touches.push_back(*touch);
-    } else if (live && !goes_on) {
+    } else if (live && !continues) {
       attach_goal_kick(flow, i);
     }
   }

@@ -1,86 +1,104 @@
-// The flow of play: phases, touches of the ball and whose ball it is. The base of all statistics.
+// Phases, touches and ball ownership: the basis of all statistics.
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <vector>
 
-#include "analysis/play/phase.h"
 #include "gamelog/record/match_record.h"
 #include "soccer/geometry.h"
+#include "soccer/play_mode.h"
 
 namespace cls::analysis {
 
-constexpr std::int8_t kNobody = -1;
+constexpr std::int8_t kNoPlayer = -1;
+
+/// Kind of play of a frame. Statistics count kLive unless they say otherwise
+/// (match-statistics 1.1).
+enum class Phase : std::uint8_t {
+  kLive,     ///< play_on
+  kSet,      ///< a team may restart play; the clock runs
+  kStopped,  ///< after a goal or an offense, before kick-off, pauses
+  kPenalty,  ///< shoot-out
+  kOver,
+};
+Phase phase_of(soccer::PlayMode mode);
 
 enum class TouchKind : std::uint8_t {
   kKick,
-  kTackle,  ///< one that reached the ball
+  kTackle,  ///< that hit the ball
   kCatch,
-  kPunch,  ///< a catch that failed by chance: the ball is deflected
+  kPunch,  ///< a catch that failed by chance and deflected the ball
 };
 
-/// The ball was played between frame - 1 and frame, by one player or by several at once.
+/// The ball was touched between frame - 1 and frame, by one or more players.
 struct Touch {
   std::uint32_t frame = 0;
-  /// Who: of several players of one team the nearest; kNobody when both teams touched it.
-  std::int8_t slot = kNobody;
+  /// The toucher: of several players of one team the nearest; kNoPlayer if both teams touched the
+  /// ball.
+  std::int8_t slot = kNoPlayer;
   TouchKind kind = TouchKind::kKick;
-  std::uint32_t touchers = 0;  ///< bit per slot
-  /// The nearest toucher of each team, for contested touches.
-  std::array<std::int8_t, 2> nearest = {kNobody, kNobody};
-  soccer::Vec2 contact;  ///< where the ball was
-  soccer::Vec2 launch;   ///< its displacement in the step, which is its new velocity
-  /// Number of the live phase that the touch starts, belongs to or ends; -1: none.
+  std::uint32_t touchers = 0;  ///< one bit per slot
+  /// Nearest toucher of each team, for contested touches.
+  std::array<std::int8_t, 2> nearest = {kNoPlayer, kNoPlayer};
+  soccer::Vec2 contact;  ///< position of the ball
+  soccer::Vec2 launch;   ///< displacement of the ball in the step: its new velocity
+  /// Live phase that the touch starts, belongs to or ends; -1: none.
   std::int32_t live_phase = -1;
 
-  bool contested() const { return slot == kNobody; }
+  bool contested() const { return slot == kNoPlayer; }
 };
 
-/// Derived from a record, which must outlive it.
+/// Derived from a record, which must outlive the flow.
 struct Flow {
   const gamelog::MatchRecord* record = nullptr;
 
-  // One entry a frame.
+  // One entry per frame.
   std::vector<Phase> phase;
-  /// Number of the run of live frames, from 0; -1 elsewhere. A ball that was put somewhere while
-  /// play went on (a dropped ball) starts a new one.
+  /// Live phase of each frame, from 0; -1 if not live. A drop ball starts a new live phase.
   std::vector<std::int32_t> live_phase;
   std::vector<std::int8_t> owner;  ///< last toucher within the live phase
 
-  std::vector<Touch> touches;         ///< of all phases, by frame
+  std::vector<Touch> touches;         ///< in all phases, by frame
   std::vector<std::uint32_t> placed;  ///< live frames in which the ball was dropped or moved
 
   bool is_live(std::size_t frame) const { return phase[frame] == Phase::kLive; }
 
-  /// The first frame behind a touch that is not of the touch's live phase any more; the number of
-  /// frames if there is none. The touch must have a live phase.
+  /// The first frame after a touch that is outside the touch's live phase, or the number of frames.
+  /// The touch must have a live phase.
   std::size_t end_of_play(const Touch& touch) const;
 };
 
-Flow flow_of(const gamelog::MatchRecord& record);
-
-// --- small things that all statistics need ---
+Flow build_flow(const gamelog::MatchRecord& record);
 
 inline std::size_t entry_of(std::size_t frame, std::size_t slot) {
   return frame * gamelog::kSlots + slot;
 }
 
-/// +1 for left, -1 for right: multiplying a position makes its team attack +x.
-inline double attack_sign(std::size_t slot) { return slot < gamelog::kSlots / 2 ? 1.0 : -1.0; }
-inline std::size_t team_of(std::size_t slot) { return slot < gamelog::kSlots / 2 ? 0 : 1; }
-inline bool same_team(std::size_t a, std::size_t b) { return team_of(a) == team_of(b); }
-
-/// One value for the left team, one for the right.
+/// One value per team: left, right.
 template <typename T>
 using PerTeam = std::array<T, 2>;
 template <typename T>
 using PerPlayer = std::array<T, gamelog::kSlots>;
 
-/// The player type of a slot in a frame; type 0 of the record's parameters if the log has none.
+constexpr std::size_t kTeamSize = gamelog::kSlots / 2;
+
+/// The slots of each team's players.
+constexpr PerTeam<std::array<std::size_t, kTeamSize>> kTeamSlots = {
+    {{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10}, {11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21}}};
+
+/// A slot other than kNoPlayer as an index.
+inline std::size_t slot_index(std::int8_t slot) { return static_cast<std::size_t>(slot); }
+
+/// +1 for left, -1 for right: multiplied by it, a position is seen by a team that attacks +x.
+inline double attack_sign(std::size_t slot) { return slot < kTeamSize ? 1.0 : -1.0; }
+inline std::size_t team_of(std::size_t slot) { return slot < kTeamSize ? 0 : 1; }
+inline bool same_team(std::size_t a, std::size_t b) { return team_of(a) == team_of(b); }
+
+/// Player type of an entry; the default type if the log has none.
 const soccer::PlayerType& type_of(const gamelog::MatchRecord& record, std::size_t entry);
 
-/// Distance of centres within which this player can kick.
+/// Maximum distance between the centers of player and ball for a kick.
 double kickable_radius(const gamelog::MatchRecord& record, std::size_t entry);
 
 inline bool is_goalie(const gamelog::MatchRecord& record, std::size_t entry) {

@@ -1,9 +1,9 @@
-// Following the goalie bit.
+// Counts the actions of the player with the goalie bit.
 #include "analysis/play/goalkeeping.h"
 
 #include <algorithm>
 
-#include "analysis/play/places.h"
+#include "analysis/play/pitch_areas.h"
 #include "soccer/pitch.h"
 
 namespace cls::analysis {
@@ -14,50 +14,50 @@ using soccer::Vec2;
 constexpr std::size_t kCatch = static_cast<std::size_t>(gamelog::Counter::kCatch);
 constexpr std::size_t kMove = static_cast<std::size_t>(gamelog::Counter::kMove);
 
-// Sums of the positions while the ball is near.
-struct Places {
+// Sum of the goalie's positions while the ball is near.
+struct PositionSum {
   Vec2 sum;
   int count = 0;
 };
 
 void add_actions(const gamelog::MatchRecord& record, std::size_t entry, bool holds_ball,
-                 Goalkeeping& keeper) {
+                 Goalkeeping& goalie) {
   const std::size_t before = entry - gamelog::kSlots;
   const std::uint32_t state = record.players.state[entry];
-  const auto grew = [&](std::size_t counter) {
+  const auto increase = [&](std::size_t counter) {
     return record.players.counters[entry][counter] - record.players.counters[before][counter];
   };
   if ((state & gamelog::kStateCatch) != 0) {
-    // Without counters (versions 1 and 2) punches look like the other failures.
+    // Without counters (versions 1 and 2) punches cannot be distinguished from other failures.
     const bool counted = record.version >= gamelog::RcgVersion::kV3
-                             ? grew(kCatch) > 0
+                             ? increase(kCatch) > 0
                              : (state & gamelog::kStateCatchFailed) == 0;
     const bool failed = (state & gamelog::kStateCatchFailed) != 0;
-    keeper.catches += counted && !failed;
-    keeper.punches += counted && failed;
-    keeper.failed_catches += !counted;
+    goalie.catches += counted && !failed;
+    goalie.punches += counted && failed;
+    goalie.failed_catches += !counted;
   }
-  if (holds_ball) keeper.moves_after_catch += std::max(0, grew(kMove));
+  if (holds_ball) goalie.moves_after_catch += std::max(0, increase(kMove));
 }
 
-void add_place(const Flow& flow, std::size_t frame, std::size_t slot, Places& places,
-               Goalkeeping& keeper) {
+void add_position(const Flow& flow, std::size_t frame, std::size_t slot, PositionSum& positions,
+                  Goalkeeping& goalie) {
   const double sign = attack_sign(slot);
   const Vec2 seen = Vec2(flow.record->players.position[entry_of(frame, slot)]) * sign;
   const double rush = soccer::distance(seen, {-soccer::kHalfLength, 0.0});
-  keeper.furthest_rush = std::max(keeper.furthest_rush, rush);
+  goalie.furthest_rush = std::max(goalie.furthest_rush, rush);
   if (flow.record->ball_position[frame].x * sign < -kThirdBorder) {
-    places.sum += seen;
-    ++places.count;
+    positions.sum += seen;
+    ++positions.count;
   }
 }
 
 }  // namespace
 
-PerTeam<Goalkeeping> goalkeeping_of(const Flow& flow, const std::vector<Shot>& shots) {
+PerTeam<Goalkeeping> measure_goalkeeping(const Flow& flow, const std::vector<Shot>& shots) {
   const gamelog::MatchRecord& record = *flow.record;
-  PerTeam<Goalkeeping> keepers;
-  PerTeam<Places> places;
+  PerTeam<Goalkeeping> goalies;
+  PerTeam<PositionSum> positions;
   PerTeam<bool> holds = {};
   for (std::size_t i = 1; i < record.frames(); ++i) {
     const bool free_kick = record.mode[i] == soccer::PlayMode::kFreeKickLeft ||
@@ -67,25 +67,25 @@ PerTeam<Goalkeeping> goalkeeping_of(const Flow& flow, const std::vector<Shot>& s
       const std::size_t team = team_of(slot);
       if (!is_goalie(record, entry) || !gamelog::is_enabled(record, entry)) continue;
       if (flow.phase[i] == Phase::kPenalty || record.time[i] < record.time[i - 1]) continue;
-      add_actions(record, entry, holds[team], keepers[team]);
+      add_actions(record, entry, holds[team], goalies[team]);
       const bool caught =
           (record.players.state[entry] & (gamelog::kStateCatch | gamelog::kStateCatchFailed)) ==
           gamelog::kStateCatch;
       holds[team] = free_kick && (holds[team] || caught);
-      if (flow.is_live(i)) add_place(flow, i, slot, places[team], keepers[team]);
+      if (flow.is_live(i)) add_position(flow, i, slot, positions[team], goalies[team]);
     }
   }
   for (std::size_t team = 0; team < 2; ++team) {
-    if (places[team].count > 0) {
-      keepers[team].mean_position = places[team].sum / places[team].count;
+    if (positions[team].count > 0) {
+      goalies[team].mean_position = positions[team].sum / positions[team].count;
     }
   }
   for (const Shot& shot : shots) {
-    Goalkeeping& keeper = keepers[1 - team_of(static_cast<std::size_t>(shot.slot))];
-    keeper.saves += shot.outcome == ShotOutcome::kSaved;
-    keeper.conceded_on_target += shot.outcome == ShotOutcome::kGoal && shot.on_target;
+    Goalkeeping& goalie = goalies[1 - team_of(slot_index(shot.slot))];
+    goalie.saves += shot.outcome == ShotOutcome::kSaved;
+    goalie.conceded_on_target += shot.outcome == ShotOutcome::kGoal && shot.on_target;
   }
-  return keepers;
+  return goalies;
 }
 
 }  // namespace cls::analysis

@@ -1,4 +1,4 @@
-// What the goalkeepers did.
+// Statistics of the goalies.
 #pragma once
 
 #include <vector>
@@ -8,24 +8,25 @@
 
 namespace cls::analysis {
 
-/// One team's goalkeeper (whoever has the goalie bit).
+/// Goalie of one team: the player with the goalie bit.
 struct Goalkeeping {
   int catches = 0;
   int punches = 0;         ///< catches that failed by chance
-  int failed_catches = 0;  ///< out of reach, or not allowed
-  int saves = 0;           ///< shots that he stopped
+  int failed_catches = 0;  ///< out of reach, or illegal
+  int saves = 0;           ///< shots stopped
   int conceded_on_target = 0;
   int moves_after_catch = 0;
-  soccer::Vec2 mean_position;  ///< ball in the own third, as his team sees it; live frames
-  double furthest_rush = 0.0;  ///< metres from the centre of the own goal; live frames
+  soccer::Vec2 mean_position;  ///< while the ball is in the own third, as the team sees the pitch;
+                               ///< live frames
+  double furthest_rush = 0.0;  ///< meters from the center of the own goal; live frames
 
-  /// Saves of all shots on target that were saved or went in; 0 without any.
+  /// Share of saves in shots on target; 0 without any.
   double save_rate() const {
     const int faced = saves + conceded_on_target;
     return faced == 0 ? 0.0 : static_cast<double>(saves) / faced;
   }
 };
 
-PerTeam<Goalkeeping> goalkeeping_of(const Flow& flow, const std::vector<Shot>& shots);
+PerTeam<Goalkeeping> measure_goalkeeping(const Flow& flow, const std::vector<Shot>& shots);
 
 }  // namespace cls::analysis

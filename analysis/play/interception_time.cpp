@@ -1,4 +1,4 @@
-// A race to the ball, cycle by cycle.
+// Steps the ball until a player can reach it.
 #include "analysis/play/interception_time.h"
 
 #include <array>
@@ -15,25 +15,25 @@ using soccer::Vec2;
 constexpr double kShareOfTopSpeed = 0.95;
 constexpr double kSmallTurn = 15.0;
 constexpr double kWideTurn = 90.0;
-constexpr double kRunning = 0.4;  // share of the top speed
+constexpr double kRunning = 0.4;  // share of top speed
 
 int turning_cycles(const gamelog::MatchRecord& record, std::size_t entry, Vec2 target) {
-  const Vec2 way = target - record.players.position[entry];
-  const double off = std::fabs(
-      soccer::math::normalize_degrees(soccer::direction_degrees(way) - record.players.body[entry]));
+  const Vec2 path = target - record.players.position[entry];
+  const double off = std::fabs(soccer::math::normalize_degrees(soccer::direction_degrees(path) -
+                                                               record.players.body[entry]));
   if (off < kSmallTurn) return 0;
   const double speed = Vec2(record.players.velocity[entry]).length();
   const bool runs = speed > kRunning * type_of(record, entry).player_speed_max;
   return off > kWideTurn && runs ? 2 : 1;
 }
 
-// What does not change from cycle to cycle.
+// A player's values that are constant over all cycles.
 struct Runner {
   std::size_t entry = 0;
   Vec2 position;
   double radius = 0.0;
   double speed = 0.0;
-  int turns = -1;  ///< not reckoned yet
+  int turns = -1;  ///< not computed yet
 
   double reach(int cycles, int standing) const {
     return radius + std::max(0, cycles - standing) * speed;
@@ -49,7 +49,7 @@ Runner runner_at(const gamelog::MatchRecord& record, std::size_t entry) {
   return runner;
 }
 
-// Most players are out of reach even if they need not turn: only the others' turns are reckoned.
+// Turning cycles are computed only for players that could reach the ball without turning.
 bool reaches(const gamelog::MatchRecord& record, Runner& runner, Vec2 ball, int cycles) {
   const double squared = soccer::squared_distance(runner.position, ball);
   const double furthest = runner.reach(cycles, 1);
@@ -59,7 +59,7 @@ bool reaches(const gamelog::MatchRecord& record, Runner& runner, Vec2 ball, int 
   return squared <= reach * reach;
 }
 
-// Steps the ball ahead; its velocity decays.
+// Predicts the ball; its velocity decays.
 class RollingBall {
  public:
   RollingBall(const gamelog::MatchRecord& record, std::size_t frame)
@@ -89,7 +89,7 @@ std::optional<Interception> first_to_ball(const gamelog::MatchRecord& record, st
     if (gamelog::is_enabled(record, entry)) runners[count++] = runner_at(record, entry);
   }
   RollingBall ball(record, frame);
-  for (int cycles = 0; cycles <= kLongestInterception; ++cycles, ball.step()) {
+  for (int cycles = 0; cycles <= kMaxInterceptionCycles; ++cycles, ball.step()) {
     std::optional<Interception> first;
     double nearest = std::numeric_limits<double>::max();
     bool both = false;
@@ -97,9 +97,9 @@ std::optional<Interception> first_to_ball(const gamelog::MatchRecord& record, st
       if (!reaches(record, runners[i], ball.position(), cycles)) continue;
       const std::size_t slot = runners[i].entry - entry_of(frame, 0);
       both = both || (first && !same_team(first->slot, slot));
-      const double away = soccer::distance(runners[i].position, ball.position());
-      if (away < nearest) {
-        nearest = away;
+      const double distance = soccer::distance(runners[i].position, ball.position());
+      if (distance < nearest) {
+        nearest = distance;
         first = Interception{slot, cycles};
       }
     }
@@ -112,7 +112,7 @@ std::optional<int> cycles_to_ball(const gamelog::MatchRecord& record, std::size_
                                   std::size_t slot) {
   Runner runner = runner_at(record, entry_of(frame, slot));
   RollingBall ball(record, frame);
-  for (int cycles = 0; cycles <= kLongestInterception; ++cycles, ball.step()) {
+  for (int cycles = 0; cycles <= kMaxInterceptionCycles; ++cycles, ball.step()) {
     if (reaches(record, runner, ball.position(), cycles)) return cycles;
   }
   return std::nullopt;

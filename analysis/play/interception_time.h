@@ -1,4 +1,4 @@
-// How soon players can reach a rolling ball: a simple bound.
+// Lower bound of the cycles until players reach a rolling ball.
 #pragma once
 
 #include <cstddef>
@@ -8,19 +8,19 @@
 
 namespace cls::analysis {
 
-/// Nobody is asked further ahead.
-constexpr int kLongestInterception = 50;
+/// Maximum prediction in cycles.
+constexpr int kMaxInterceptionCycles = 50;
 
-/// The first player to reach the ball of a frame if nobody touches it, and after how many cycles.
+/// The first player to reach the ball if it is not touched before.
 struct Interception {
   std::size_t slot = 0;
   int cycles = 0;
 };
 
-/// A player stands for one cycle, turns for none (less than 15 degrees off), one or two (more than
-/// 90 degrees and running), then runs at 95 % of his top speed until the ball is within his
-/// kickable radius (match-statistics 3.11). Of several players at once the nearer one counts.
-/// Nothing if nobody gets there in time, or both teams do at once (then nobody is first).
+/// A player stands for one cycle and turns for none (less than 15 degrees off), one or two (more
+/// than 90 degrees off and running). Then it runs at 95 % of its top speed until the ball is
+/// kickable (match-statistics 3.11). Of several players in the same cycle the nearest one counts.
+/// Nothing if no player reaches the ball in time, or both teams do in the same cycle.
 std::optional<Interception> first_to_ball(const gamelog::MatchRecord& record, std::size_t frame);
 
 /// Cycles until this player reaches the ball; nothing beyond the limit.

@@ -1,4 +1,4 @@
-// Pairs of touches that make a pass.
+// Finds and classifies passes.
 #include "analysis/play/passes.h"
 
 #include <algorithm>
@@ -6,8 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "analysis/play/offside_line.h"
-#include "analysis/play/places.h"
+#include "analysis/play/pitch_areas.h"
 #include "soccer/pitch.h"
 
 namespace cls::analysis {
@@ -23,29 +22,30 @@ constexpr double kOneTwoGain = 5.0;
 constexpr std::array<std::string_view, 6> kOutcomeNames = {"completed", "intercepted", "contested",
                                                            "out",       "offside",     "stopped"};
 
-PassDirection direction_of(Vec2 way) {
-  if (way.x >= std::fabs(way.y)) return PassDirection::kForward;
-  if (-way.x >= std::fabs(way.y)) return PassDirection::kBack;
-  return way.y < 0.0 ? PassDirection::kLeft : PassDirection::kRight;
+PassDirection direction_of(Vec2 path) {
+  if (path.x >= std::fabs(path.y)) return PassDirection::kForward;
+  if (-path.x >= std::fabs(path.y)) return PassDirection::kBack;
+  return path.y < 0.0 ? PassDirection::kLeft : PassDirection::kRight;
 }
 
 Vec2 seen(const gamelog::MatchRecord& record, std::size_t entry, double sign) {
   return Vec2(record.players.position[entry]) * sign;
 }
 
-// Everything about the pair of frames in which a pass leaves and arrives.
-class PassView {
+// Classifies a pass by the frames in which it leaves and arrives.
+class PassClassifier {
  public:
-  PassView(const gamelog::MatchRecord& record, std::size_t launch, std::size_t end, Pass& pass)
+  PassClassifier(const gamelog::MatchRecord& record, std::size_t launch, std::size_t end,
+                 Pass& pass)
       : record_(record),
         launch_(launch),
         end_(end),
         pass_(pass),
-        team_(team_of(static_cast<std::size_t>(pass.passer))),
-        sign_(attack_sign(static_cast<std::size_t>(pass.passer))) {}
+        team_(team_of(slot_index(pass.passer))),
+        sign_(attack_sign(slot_index(pass.passer))) {}
 
   void mark_completed() {
-    const auto receiver = static_cast<std::size_t>(pass_.receiver);
+    const auto receiver = slot_index(pass_.receiver);
     const double line = offside_line(record_, launch_, team_);
     const double start_x = seen(record_, entry_of(launch_, receiver), sign_).x;
     pass_.through =
@@ -54,8 +54,7 @@ class PassView {
                     std::fabs(pass_.to.y) < 16.0;
     const Vec2 reception = seen(record_, entry_of(end_, receiver), sign_);
     pass_.nearest_opponent = std::numeric_limits<double>::max();
-    const std::size_t opponents = team_ == 0 ? gamelog::kSlots / 2 : 0;
-    for (std::size_t slot = opponents; slot < opponents + gamelog::kSlots / 2; ++slot) {
+    for (const std::size_t slot : kTeamSlots[1 - team_]) {
       if (!gamelog::is_enabled(record_, entry_of(end_, slot))) continue;
       const Vec2 now = seen(record_, entry_of(end_, slot), sign_);
       const double before_x = seen(record_, entry_of(launch_, slot), sign_).x;
@@ -73,21 +72,21 @@ class PassView {
   }
 
  private:
-  // Hard, out of the own third, off the pitch or to where no team mate waits.
+  // True for a hard kick out of the own third that leaves the pitch or lands away from all
+  // teammates.
   bool is_clearance() const {
     if (pass_.completed() || pass_.from.x > -kThirdBorder || pass_.speed < 2.0) return false;
     const double range = pass_.speed / (1.0 - record_.server.ball_decay);
     const Vec2 launch = record_.ball_position[launch_ + 1];
-    const Vec2 way = launch * sign_ - pass_.from;
-    const double length = way.length();
+    const Vec2 path = launch * sign_ - pass_.from;
+    const double length = path.length();
     if (length == 0.0) return false;
-    const Vec2 landing = pass_.from + way * (range / length);
+    const Vec2 landing = pass_.from + path * (range / length);
     if (std::fabs(landing.x) > soccer::kHalfLength || std::fabs(landing.y) > soccer::kHalfWidth) {
       return true;
     }
     if (landing.x - pass_.from.x <= 25.0) return false;
-    const std::size_t mates = team_ * gamelog::kSlots / 2;
-    for (std::size_t slot = mates; slot < mates + gamelog::kSlots / 2; ++slot) {
+    for (const std::size_t slot : kTeamSlots[team_]) {
       const std::size_t entry = entry_of(launch_, slot);
       if (gamelog::is_enabled(record_, entry) &&
           soccer::distance(seen(record_, entry, sign_), landing) <= 10.0) {
@@ -123,7 +122,7 @@ PassOutcome outcome_of_dead_ball(const Flow& flow, std::size_t end) {
   }
 }
 
-// Who touches the ball from an offside position has not received a pass.
+// A touch from an offside position does not complete a pass.
 bool offside_at(const Flow& flow, const Touch& touch, std::size_t team) {
   const soccer::PlayMode mode = flow.record->mode[touch.frame];
   return mode == (team == 0 ? soccer::PlayMode::kOffsideLeft : soccer::PlayMode::kOffsideRight);
@@ -132,11 +131,11 @@ bool offside_at(const Flow& flow, const Touch& touch, std::size_t team) {
 struct PassBuilder {
   const Flow& flow;
 
-  // The pass that a touch is, with what follows it; the outcome tells whether it reached a mate.
+  // Builds the pass of a touch. The next touch or stoppage decides the outcome.
   Pass build(std::size_t index) const {
     const Touch& touch = flow.touches[index];
     const gamelog::MatchRecord& record = *flow.record;
-    const auto passer = static_cast<std::size_t>(touch.slot);
+    const auto passer = slot_index(touch.slot);
     const double sign = attack_sign(passer);
     Pass pass;
     pass.touch = static_cast<std::uint32_t>(index);
@@ -146,24 +145,23 @@ struct PassBuilder {
     const Touch* next = next_in_play(index);
     std::size_t end = 0;
     if (next != nullptr) {
-      end = next->frame - 1;  // where the ball was when it was touched
+      end = next->frame - 1;  // position of the ball when it was touched
       pass.to = next->contact * sign;
       pass.receiver = next->slot;
-      pass.outcome = offside_at(flow, *next, team_of(passer)) ? PassOutcome::kOffside
-                     : next->contested()                      ? PassOutcome::kContested
-                     : same_team(passer, static_cast<std::size_t>(next->slot))
-                         ? PassOutcome::kCompleted
-                         : PassOutcome::kIntercepted;
+      pass.outcome = offside_at(flow, *next, team_of(passer))    ? PassOutcome::kOffside
+                     : next->contested()                         ? PassOutcome::kContested
+                     : same_team(passer, slot_index(next->slot)) ? PassOutcome::kCompleted
+                                                                 : PassOutcome::kIntercepted;
     } else {
       end = std::min(flow.end_of_play(touch), record.frames() - 1);
-      // A dropped ball lies where the referee has put it.
+      // A dropped ball was moved by the referee: the pass ended in the frame before.
       const bool dropped = std::binary_search(flow.placed.begin(), flow.placed.end(), end);
       pass.to = Vec2(record.ball_position[dropped ? end - 1 : end]) * sign;
       pass.outcome = outcome_of_dead_ball(flow, end);
     }
     pass.frames = static_cast<std::uint32_t>(end + 1 - touch.frame);
     pass.direction = direction_of(pass.to - pass.from);
-    PassView view(record, touch.frame - 1, end, pass);
+    PassClassifier view(record, touch.frame - 1, end, pass);
     if (pass.completed()) view.mark_completed();
     view.mark_attempt();
     return pass;
@@ -182,11 +180,30 @@ bool was_played(const Pass& pass) {
 
 }  // namespace
 
+double offside_line(const gamelog::MatchRecord& record, std::size_t frame,
+                    std::size_t attacking_team) {
+  const double sign = attacking_team == 0 ? 1.0 : -1.0;
+  double last = 0.0;  // opponents behind the half line do not count
+  double second = 0.0;
+  for (const std::size_t slot : kTeamSlots[1 - attacking_team]) {
+    const std::size_t entry = entry_of(frame, slot);
+    if (!gamelog::is_enabled(record, entry)) continue;
+    const double x = record.players.position[entry].x * sign;
+    if (x > last) {
+      second = last;
+      last = x;
+    } else {
+      second = std::max(second, x);
+    }
+  }
+  return std::max({second, 0.0, record.ball_position[frame].x * sign});
+}
+
 std::string_view name(PassOutcome outcome) {
   return kOutcomeNames[static_cast<std::size_t>(outcome)];
 }
 
-std::vector<Pass> passes_of(const Flow& flow, const std::vector<Shot>& shots) {
+std::vector<Pass> find_passes(const Flow& flow, const std::vector<Shot>& shots) {
   std::vector<Pass> passes;
   const PassBuilder builder{flow};
   auto shot = shots.begin();
@@ -218,7 +235,7 @@ PerTeam<int> one_twos(const Flow& flow, const std::vector<Pass>& passes) {
     const bool one_phase = first.live_phase == second.live_phase;
     const auto frames = second.frame + back.frames - first.frame;
     if (one_phase && frames <= kOneTwoCycles && back.to.x - there.from.x >= kOneTwoGain) {
-      ++count[team_of(static_cast<std::size_t>(there.passer))];
+      ++count[team_of(slot_index(there.passer))];
     }
   }
   return count;

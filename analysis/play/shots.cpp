@@ -1,4 +1,4 @@
-// Which touches are shots, and what ended them.
+// Finds shots and their outcomes.
 #include "analysis/play/shots.h"
 
 #include <algorithm>
@@ -14,12 +14,13 @@ namespace {
 using soccer::PlayMode;
 using soccer::Vec2;
 
-constexpr double kFarthestContact = 40.0;
-constexpr double kMostCycles = 15.0;
+constexpr double kMaxDistance = 40.0;
+constexpr double kMaxCycles = 15.0;
 constexpr double kWideMargin = 2.0;
-constexpr std::uint32_t kSecondTouch = 3;  // frames in which a second touch unmakes a shot
-constexpr std::uint32_t kDeflection = 10;  // frames from an opponent's touch to the goal
-constexpr double kNearPost = 1.0;
+// A touch of the same player within these frames cancels the shot.
+constexpr std::uint32_t kSecondTouchFrames = 3;
+constexpr std::uint32_t kDeflectionFrames = 10;  // from an opponent's touch to the goal
+constexpr double kPostRadius = 1.0;
 
 constexpr std::array<std::string_view, 6> kOutcomeNames = {"goal", "saved", "blocked",
                                                            "wide", "post",  "other"};
@@ -32,7 +33,7 @@ bool goal_at(const Flow& flow, std::size_t frame, std::size_t team) {
   return frame < flow.phase.size() && flow.record->mode[frame] == goal_mode(team);
 }
 
-// The ball turned round next to a post although nobody touched it.
+// True if the ball reversed near a post without a touch.
 bool hit_post(const Flow& flow, std::size_t first, std::size_t last, double sign) {
   const gamelog::MatchRecord& record = *flow.record;
   const double half_width = record.server.goal_width / 2;
@@ -41,31 +42,31 @@ bool hit_post(const Flow& flow, std::size_t first, std::size_t last, double sign
     const Vec2 post = {soccer::kHalfLength, std::copysign(half_width, ball.y)};
     const bool reversed =
         record.ball_velocity[i - 1].x * sign > 0.0F && record.ball_velocity[i].x * sign < 0.0F;
-    if (reversed && soccer::distance(ball, post) < kNearPost) return true;
+    if (reversed && soccer::distance(ball, post) < kPostRadius) return true;
   }
   return false;
 }
 
-// True for touches after a shot by `slot` that end it, not just go on with it.
+// True for a touch of the opponent, which ends a shot by `slot`.
 bool ends_shot(const Touch& next, std::size_t slot) {
-  return next.contested() || !same_team(static_cast<std::size_t>(next.slot), slot);
+  return next.contested() || !same_team(slot_index(next.slot), slot);
 }
 
-// Whether the goal follows an opponent's touch so soon that the shot has made it.
+// True if the goal follows an opponent's touch so soon that it counts for the shot.
 bool deflected_into_goal(const Flow& flow, std::size_t touch, std::size_t team) {
   const Touch& deflection = flow.touches[touch];
   const std::size_t end = flow.end_of_play(deflection);
-  if (!goal_at(flow, end, team) || end - deflection.frame > kDeflection) return false;
+  if (!goal_at(flow, end, team) || end - deflection.frame > kDeflectionFrames) return false;
   for (std::size_t i = touch; i < flow.touches.size() && flow.touches[i].frame <= end; ++i) {
-    if (flow.touches[i].nearest[team] != kNobody) return false;
+    if (flow.touches[i].nearest[team] != kNoPlayer) return false;
   }
   return true;
 }
 
-// What follows a shot. False if a team mate or the player himself goes on: no shot then.
+// Sets the outcome. False if a teammate or the shooter touches next: then it was not a shot.
 bool find_outcome(const Flow& flow, Shot& shot) {
   const Touch& touch = flow.touches[shot.touch];
-  const auto slot = static_cast<std::size_t>(shot.slot);
+  const auto slot = slot_index(shot.slot);
   const std::size_t team = team_of(slot);
   const std::size_t end = flow.end_of_play(touch);
   const std::size_t next = shot.touch + 1;
@@ -73,7 +74,7 @@ bool find_outcome(const Flow& flow, Shot& shot) {
     const Touch& after = flow.touches[next];
     if (!ends_shot(after, slot)) return false;
     const std::int8_t opponent = after.nearest[1 - team];
-    const std::size_t entry = entry_of(after.frame, static_cast<std::size_t>(opponent));
+    const std::size_t entry = entry_of(after.frame, slot_index(opponent));
     if (deflected_into_goal(flow, next, team)) {
       shot.outcome = ShotOutcome::kGoal;
     } else {
@@ -92,7 +93,7 @@ bool find_outcome(const Flow& flow, Shot& shot) {
 }
 
 bool touches_again(const Flow& flow, std::size_t touch, std::size_t slot) {
-  const std::uint32_t last = flow.touches[touch].frame + kSecondTouch;
+  const std::uint32_t last = flow.touches[touch].frame + kSecondTouchFrames;
   for (std::size_t i = touch + 1; i < flow.touches.size() && flow.touches[i].frame <= last; ++i) {
     if ((flow.touches[i].touchers >> slot & 1) != 0) return true;
   }
@@ -112,26 +113,26 @@ bool heads_for_goal(const gamelog::MatchRecord& record, const Touch& touch, std:
   const Vec2 launch = touch.launch * attack_sign(slot);
   shot.distance = soccer::distance(from, {soccer::kHalfLength, 0.0});
   shot.speed = launch.length();
-  if (launch.x <= 0.0 || shot.distance > kFarthestContact) return false;
+  if (launch.x <= 0.0 || shot.distance > kMaxDistance) return false;
   const double steps = std::max(0.0, (soccer::kHalfLength - from.x) / launch.x);
   shot.goal_y = from.y + steps * launch.y;
   const double decay = record.server.ball_decay;
-  const double left_over = 1.0 - steps * (1.0 - decay);  // steps = way / speed
+  const double left_over = 1.0 - steps * (1.0 - decay);  // steps = distance / speed
   if (left_over <= 0.0 || decay <= 0.0 || decay >= 1.0) return false;
   shot.cycles = soccer::math::log(left_over) / soccer::math::log(decay);
   const double half_width = record.server.goal_width / 2;
   shot.on_target = std::fabs(shot.goal_y) <= half_width;
-  return shot.cycles <= kMostCycles && std::fabs(shot.goal_y) <= half_width + kWideMargin;
+  return shot.cycles <= kMaxCycles && std::fabs(shot.goal_y) <= half_width + kWideMargin;
 }
 
-std::vector<Shot> shots_of(const Flow& flow) {
+std::vector<Shot> find_shots(const Flow& flow) {
   std::vector<Shot> shots;
   for (std::size_t i = 0; i < flow.touches.size(); ++i) {
     const Touch& touch = flow.touches[i];
     if (touch.live_phase < 0) continue;
     for (const std::int8_t player : touch.nearest) {
-      if (player == kNobody) continue;
-      const auto slot = static_cast<std::size_t>(player);
+      if (player == kNoPlayer) continue;
+      const auto slot = slot_index(player);
       Shot shot;
       if (!heads_for_goal(*flow.record, touch, slot, shot) || touches_again(flow, i, slot))
         continue;

@@ -1,4 +1,4 @@
-// Changes of the play mode, counted.
+// Counts changes of the play mode.
 #include "analysis/play/stoppages.h"
 
 #include <algorithm>
@@ -10,7 +10,7 @@ namespace {
 using soccer::PlayMode;
 using soccer::Side;
 
-constexpr std::size_t kFreshTackle = 2;  // frames
+constexpr std::size_t kTackleFrames = 2;  // frames before the foul
 constexpr std::size_t kTackle = static_cast<std::size_t>(gamelog::Counter::kTackle);
 
 int* counter_of(PlayMode mode, TeamStoppages& team) {
@@ -51,12 +51,11 @@ bool is_foul(PlayMode mode) {
          mode == PlayMode::kFoulPushLeft || mode == PlayMode::kFoulPushRight;
 }
 
-// A goalkeeper's catch leads to a free kick of his side at once.
+// A goalie's catch immediately leads to a free kick of the same side.
 bool is_goalie_catch(const Flow& flow, std::size_t frame, std::size_t team) {
   const PlayMode mode = flow.record->mode[frame];
   if (mode != PlayMode::kFreeKickLeft && mode != PlayMode::kFreeKickRight) return false;
-  for (std::size_t slot = team * gamelog::kSlots / 2; slot < (team + 1) * gamelog::kSlots / 2;
-       ++slot) {
+  for (const std::size_t slot : kTeamSlots[team]) {
     const std::uint32_t state = flow.record->players.state[entry_of(frame, slot)];
     if ((state & gamelog::kStateGoalie) != 0 && (state & gamelog::kStateCatch) != 0 &&
         (state & gamelog::kStateCatchFailed) == 0) {
@@ -66,13 +65,12 @@ bool is_goalie_catch(const Flow& flow, std::size_t frame, std::size_t team) {
   return false;
 }
 
-// The player of the side with a fresh tackle who was nearest to the ball.
+// The player of the team that started a tackle within kTackleFrames, nearest to the ball.
 std::int8_t fouler_of(const gamelog::MatchRecord& record, std::size_t frame, std::size_t team) {
-  std::int8_t found = kNobody;
+  std::int8_t found = kNoPlayer;
   double nearest = std::numeric_limits<double>::max();
-  const std::size_t first = frame > kFreshTackle ? frame - kFreshTackle : 1;
-  for (std::size_t slot = team * gamelog::kSlots / 2; slot < (team + 1) * gamelog::kSlots / 2;
-       ++slot) {
+  const std::size_t first = frame > kTackleFrames ? frame - kTackleFrames : 1;
+  for (const std::size_t slot : kTeamSlots[team]) {
     for (std::size_t i = first; i <= frame; ++i) {
       const std::size_t entry = entry_of(i, slot);
       const bool counted = record.players.counters[entry][kTackle] >
@@ -80,9 +78,10 @@ std::int8_t fouler_of(const gamelog::MatchRecord& record, std::size_t frame, std
       const bool began =
           (record.players.state[entry] & gamelog::kStateTackle) != 0 &&
           (record.players.state[entry - gamelog::kSlots] & gamelog::kStateTackle) == 0;
-      const double away = soccer::distance(record.players.position[entry], record.ball_position[i]);
-      if ((counted || began) && away < nearest) {
-        nearest = away;
+      const double distance =
+          soccer::distance(record.players.position[entry], record.ball_position[i]);
+      if ((counted || began) && distance < nearest) {
+        nearest = distance;
         found = static_cast<std::int8_t>(slot);
       }
     }
@@ -91,17 +90,16 @@ std::int8_t fouler_of(const gamelog::MatchRecord& record, std::size_t frame, std
 }
 
 std::int8_t victim_of(const gamelog::MatchRecord& record, std::size_t frame, std::size_t team) {
-  const std::size_t first = frame > kFreshTackle ? frame - kFreshTackle : 1;
-  for (std::size_t slot = team * gamelog::kSlots / 2; slot < (team + 1) * gamelog::kSlots / 2;
-       ++slot) {
+  const std::size_t first = frame > kTackleFrames ? frame - kTackleFrames : 1;
+  for (const std::size_t slot : kTeamSlots[team]) {
     for (std::size_t i = first; i <= std::min(frame + 1, record.frames() - 1); ++i) {
       const std::size_t entry = entry_of(i, slot);
-      const std::uint32_t fresh =
+      const std::uint32_t newly_set =
           record.players.state[entry] & ~record.players.state[entry - gamelog::kSlots];
-      if ((fresh & gamelog::kStateCharged) != 0) return static_cast<std::int8_t>(slot);
+      if ((newly_set & gamelog::kStateCharged) != 0) return static_cast<std::int8_t>(slot);
     }
   }
-  return kNobody;
+  return kNoPlayer;
 }
 
 void add_foul(const gamelog::MatchRecord& record, std::size_t frame, std::size_t team,
@@ -111,18 +109,18 @@ void add_foul(const gamelog::MatchRecord& record, std::size_t frame, std::size_t
   foul.mode = record.mode[frame];
   foul.fouler = fouler_of(record, frame, team);
   foul.victim = victim_of(record, frame, 1 - team);
-  if (foul.fouler != kNobody) ++result.fouls_by[static_cast<std::size_t>(foul.fouler)];
-  if (foul.victim != kNobody) ++result.fouls_against[static_cast<std::size_t>(foul.victim)];
+  if (foul.fouler != kNoPlayer) ++result.fouls_by[slot_index(foul.fouler)];
+  if (foul.victim != kNoPlayer) ++result.fouls_against[slot_index(foul.victim)];
   result.fouls.push_back(foul);
 }
 
 void add_cards(const gamelog::MatchRecord& record, std::size_t frame, Stoppages& result) {
   for (std::size_t slot = 0; slot < gamelog::kSlots; ++slot) {
     const std::size_t entry = entry_of(frame, slot);
-    const std::uint32_t fresh =
+    const std::uint32_t newly_set =
         record.players.state[entry] & ~record.players.state[entry - gamelog::kSlots];
-    const bool yellow = (fresh & gamelog::kStateYellowCard) != 0;
-    const bool red = (fresh & gamelog::kStateRedCard) != 0;
+    const bool yellow = (newly_set & gamelog::kStateYellowCard) != 0;
+    const bool red = (newly_set & gamelog::kStateRedCard) != 0;
     result.yellow_cards[slot] += yellow;
     result.red_cards[slot] += red;
     result.teams[team_of(slot)].yellow_cards += yellow;
@@ -132,7 +130,7 @@ void add_cards(const gamelog::MatchRecord& record, std::size_t frame, Stoppages&
 
 }  // namespace
 
-Stoppages stoppages_of(const Flow& flow) {
+Stoppages count_stoppages(const Flow& flow) {
   const gamelog::MatchRecord& record = *flow.record;
   Stoppages result;
   for (std::size_t i = 0; i < record.frames(); ++i) {

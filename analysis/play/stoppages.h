@@ -1,4 +1,4 @@
-// What the referee did: restarts, offsides, fouls, cards.
+// Referee calls: restarts, offsides, fouls, cards.
 #pragma once
 
 #include <cstdint>
@@ -9,13 +9,13 @@
 
 namespace cls::analysis {
 
-/// A team's part. Restarts are counted for who takes them, offences for who commits them.
+/// Counts of one team: restarts that it takes, offenses that it commits.
 struct TeamStoppages {
   int kick_offs = 0;
   int kick_ins = 0;
   int corners = 0;
   int goal_kicks = 0;
-  int free_kicks = 0;  ///< those after the own goalkeeper's catch not counted
+  int free_kicks = 0;  ///< except after the own goalie's catch
   int indirect_free_kicks = 0;
   int goalie_catches = 0;
   int offsides = 0;
@@ -26,7 +26,7 @@ struct TeamStoppages {
   int illegal_defenses = 0;
   int yellow_cards = 0;
   int red_cards = 0;
-  int restart_frames = 0;  ///< spent until the ball was played
+  int restart_frames = 0;  ///< until the ball was played
 
   int set_plays() const {
     return kick_offs + kick_ins + corners + goal_kicks + free_kicks + indirect_free_kicks;
@@ -36,8 +36,8 @@ struct TeamStoppages {
 struct Foul {
   std::uint32_t frame = 0;
   soccer::PlayMode mode = soccer::PlayMode::kNull;
-  std::int8_t fouler = kNobody;
-  std::int8_t victim = kNobody;
+  std::int8_t fouler = kNoPlayer;
+  std::int8_t victim = kNoPlayer;
 };
 
 struct Stoppages {
@@ -49,8 +49,8 @@ struct Stoppages {
   PerPlayer<int> red_cards = {};
 };
 
-/// By the modes of the frames: one that begins and ends between two frames is not seen. The shoot-
-/// out is left out.
-Stoppages stoppages_of(const Flow& flow);
+/// Counts by the play modes of frames: a mode that begins and ends between two frames is missed.
+/// Shoot-outs are excluded.
+Stoppages count_stoppages(const Flow& flow);
 
 }  // namespace cls::analysis

@@ -1,4 +1,4 @@
-// Counting tackles where they begin.
+// Counts tackles in their first frame.
 #include "analysis/play/tackles.h"
 
 namespace cls::analysis {
@@ -17,14 +17,14 @@ bool begins(const gamelog::MatchRecord& record, std::size_t entry) {
          (record.players.state[before] & kTackleBits) == 0;
 }
 
-void judge_hits(const Flow& flow, PerPlayer<Tackles>& tackles) {
+void classify_hits(const Flow& flow, PerPlayer<Tackles>& tackles) {
   for (std::size_t i = 0; i < flow.touches.size(); ++i) {
     const Touch& touch = flow.touches[i];
     if (touch.kind != TouchKind::kTackle || touch.contested()) continue;
-    const auto slot = static_cast<std::size_t>(touch.slot);
+    const auto slot = slot_index(touch.slot);
     const std::int8_t owner = flow.owner[touch.frame - 1];
-    if (owner == kNobody) continue;
-    if (same_team(static_cast<std::size_t>(owner), slot)) {
+    if (owner == kNoPlayer) continue;
+    if (same_team(slot_index(owner), slot)) {
       ++tackles[slot].as_kick;
       continue;
     }
@@ -39,7 +39,7 @@ void judge_hits(const Flow& flow, PerPlayer<Tackles>& tackles) {
 
 }  // namespace
 
-PerPlayer<Tackles> tackles_of(const Flow& flow) {
+PerPlayer<Tackles> count_tackles(const Flow& flow) {
   const gamelog::MatchRecord& record = *flow.record;
   PerPlayer<Tackles> tackles;
   for (std::size_t i = 1; i < record.frames(); ++i) {
@@ -54,7 +54,7 @@ PerPlayer<Tackles> tackles_of(const Flow& flow) {
       tackles[slot].out_of_reach += bits == gamelog::kStateTackleFailed;
     }
   }
-  judge_hits(flow, tackles);
+  classify_hits(flow, tackles);
   return tackles;
 }
 

@@ -1,4 +1,4 @@
-// Reading a match's result out of its logs.
+// Derives the result of a match from its logs.
 #include "analysis/results/match_summary.h"
 
 #include <algorithm>
@@ -26,7 +26,7 @@ std::string version_name(gamelog::RcgVersion version) {
   return version == gamelog::RcgVersion::kJson ? "json" : std::to_string(static_cast<int>(version));
 }
 
-// The last names that are not empty, and the last score.
+// Stores the last non-empty names and the last score.
 void read_teams(const gamelog::MatchRecord& record, MatchSummary& summary) {
   for (std::size_t i = 0; i < 2; ++i) {
     TeamSummary& team = summary.teams[i];
@@ -41,7 +41,7 @@ void read_teams(const gamelog::MatchRecord& record, MatchSummary& summary) {
   }
 }
 
-// The score of the last frame that is not beyond the first half.
+// Stores the score of the last frame of the first half.
 void read_half_score(const gamelog::MatchRecord& record, MatchSummary& summary) {
   const double half = half_time_cycles(record.server);
   for (std::size_t i = record.frames(); half > 0.0 && i > 0; --i) {
@@ -61,10 +61,10 @@ void read_messages(const gamelog::MatchRecord& record, MatchSummary& summary) {
   }
 }
 
-// What the state bits and types of one player tell.
+// Events of one player in state bits and player types.
 void read_player(const gamelog::MatchRecord& record, std::size_t slot, MatchSummary& summary) {
-  const PlayerEvent who = {0, side_of(slot), unum_of(slot)};
-  const auto at = [&who](int cycle) { return PlayerEvent{cycle, who.side, who.unum}; };
+  const PlayerEvent player = {0, side_of(slot), unum_of(slot)};
+  const auto at = [&player](int cycle) { return PlayerEvent{cycle, player.side, player.unum}; };
   bool seen = false;
   bool gone = false;
   std::uint32_t before = 0;
@@ -97,7 +97,7 @@ void read_player(const gamelog::MatchRecord& record, std::size_t slot, MatchSumm
     }
     before = state;
   }
-  if (!seen && record.frames() > 0) summary.never_connected.push_back(who);
+  if (!seen && record.frames() > 0) summary.never_connected.push_back(player);
 }
 
 template <typename Event>
@@ -107,27 +107,28 @@ void sort_by_cycle(std::vector<Event>& events) {
 }
 
 void read_goals(const gamelog::MatchRecord& record, MatchSummary& summary) {
-  const Flow flow = flow_of(record);
-  for (const Goal& goal : goals_of(flow, shots_of(flow))) {
-    const int unum = goal.scorer == kNobody ? 0 : unum_of(static_cast<std::size_t>(goal.scorer));
+  const Flow flow = build_flow(record);
+  for (const Goal& goal : find_goals(flow, find_shots(flow))) {
+    const int unum = goal.scorer == kNoPlayer ? 0 : unum_of(slot_index(goal.scorer));
     summary.goals.push_back({goal.cycle, goal.side, unum, goal.own_goal});
   }
 }
 
-// "goal_l_3" and the like: what stands before the side, the side, and a number behind it.
-struct RefereeWord {
+// A referee message such as "goal_l_3": kind, side and number.
+struct RefereeMessage {
   std::string_view what;
   Side side = Side::kNeutral;
   int number = 0;
 };
 
-std::optional<RefereeWord> numbered_word(std::string_view text) {
+std::optional<RefereeMessage> parse_referee_message(std::string_view text) {
   const std::size_t last = text.rfind('_');
   if (last == std::string_view::npos || last < 2 || text[last - 2] != '_') return std::nullopt;
-  const auto number = base::int_from_text(text.substr(last + 1));
+  const auto number = base::parse_int(text.substr(last + 1));
   const char side = text[last - 1];
   if (!number || (side != 'l' && side != 'r')) return std::nullopt;
-  return RefereeWord{text.substr(0, last - 2), side == 'l' ? Side::kLeft : Side::kRight, *number};
+  return RefereeMessage{text.substr(0, last - 2), side == 'l' ? Side::kLeft : Side::kRight,
+                        *number};
 }
 
 bool is_unum(int number) { return number >= 1 && number <= soccer::kPlayersPerTeam; }
@@ -135,26 +136,26 @@ bool is_unum(int number) { return number >= 1 && number <= soccer::kPlayersPerTe
 void read_cards(const gamelog::RclRecord& text, MatchSummary& summary) {
   for (const gamelog::RclLine& line : text.lines) {
     if (line.source != gamelog::RclSource::kReferee) continue;
-    const auto word = numbered_word(text.text_of(line));
-    if (!word || !is_unum(word->number)) continue;
-    const bool red = word->what == "red_card";
-    if (!red && word->what != "yellow_card") continue;
-    summary.cards.push_back({{line.time, word->side, word->number}, red});
+    const auto message = parse_referee_message(text.text_of(line));
+    if (!message || !is_unum(message->number)) continue;
+    const bool red = message->what == "red_card";
+    if (!red && message->what != "yellow_card") continue;
+    summary.cards.push_back({{line.time, message->side, message->number}, red});
   }
 }
 
 void read_coin_toss(const gamelog::RclRecord& text, MatchSummary& summary, Winner& tossed) {
   for (const gamelog::RclLine& line : text.lines) {
     if (line.source != gamelog::RclSource::kReferee) continue;
-    const std::string_view word = text.text_of(line);
-    if (word == "penalty_winner_l") tossed = Winner::kLeft;
-    if (word == "penalty_winner_r") tossed = Winner::kRight;
+    const std::string_view message = text.text_of(line);
+    if (message == "penalty_winner_l") tossed = Winner::kLeft;
+    if (message == "penalty_winner_r") tossed = Winner::kRight;
   }
   summary.coin_toss = summary.penalties && tossed != Winner::kNone &&
                       summary.teams[0].penalty_score == summary.teams[1].penalty_score;
 }
 
-// time_over, or normal time is played out and nothing more can follow.
+// True after time_over, or after normal time if nothing can follow.
 bool is_complete(const gamelog::MatchRecord& record) {
   if (record.frames() == 0) return false;
   if (record.mode.back() == PlayMode::kTimeOver) return true;
@@ -174,7 +175,28 @@ double half_time_cycles(const soccer::ServerParams& server) {
   return std::isfinite(cycles) ? cycles : 0.0;
 }
 
-void decide_winner(MatchSummary& summary, Winner tossed) {
+std::string_view winner_name(Winner winner) {
+  switch (winner) {
+    case Winner::kLeft:
+      return "left";
+    case Winner::kRight:
+      return "right";
+    case Winner::kDraw:
+      return "draw";
+    case Winner::kNone:
+      break;
+  }
+  return "";
+}
+
+void set_end(const RecordedEnd& end, MatchSummary& summary) {
+  summary.end_reason = end.reason;
+  if (end.finished == summary.complete) return;
+  summary.complete = end.finished;
+  set_winner(summary, Winner::kNone);
+}
+
+void set_winner(MatchSummary& summary, Winner tossed) {
   const TeamSummary& left = summary.teams[0];
   const TeamSummary& right = summary.teams[1];
   if (!summary.complete) {
@@ -207,8 +229,8 @@ MatchSummary summarize(const gamelog::MatchRecord& record, const gamelog::RclRec
   read_goals(record, summary);
   Winner tossed = Winner::kNone;
   if (text != nullptr) read_coin_toss(*text, summary, tossed);
-  decide_winner(summary, tossed);
-  summary.damage = record.damage.count + (text != nullptr ? text->damage.count : 0);
+  set_winner(summary, tossed);
+  summary.parse_errors = record.errors.count + (text != nullptr ? text->errors.count : 0);
   return summary;
 }
 
@@ -221,26 +243,26 @@ MatchSummary summarize(const gamelog::RclRecord& text) {
   for (const gamelog::RclLine& line : text.lines) {
     summary.cycles = line.time;
     if (line.source != gamelog::RclSource::kReferee) continue;
-    const std::string_view word = text.text_of(line);
-    summary.complete = summary.complete || word == "time_over";
-    const auto numbered = numbered_word(word);
-    if (numbered && numbered->what == "goal") {
-      summary.goals.push_back({line.time, numbered->side, 0, false});
-      summary.teams[numbered->side == Side::kLeft ? 0 : 1].score = numbered->number;
+    const std::string_view message = text.text_of(line);
+    summary.complete = summary.complete || message == "time_over";
+    const auto scored = parse_referee_message(message);
+    if (scored && scored->what == "goal") {
+      summary.goals.push_back({line.time, scored->side, 0, false});
+      summary.teams[scored->side == Side::kLeft ? 0 : 1].score = scored->number;
     }
     for (std::size_t i = 0; i < 2; ++i) {
       TeamSummary& team = summary.teams[i];
-      if (word == "half_time" && team.first_half == 0) team.first_half = team.score;
-      team.penalty_score += word == (i == 0 ? "penalty_score_l" : "penalty_score_r");
-      team.penalty_missed += word == (i == 0 ? "penalty_miss_l" : "penalty_miss_r");
+      if (message == "half_time" && team.first_half == 0) team.first_half = team.score;
+      team.penalty_score += message == (i == 0 ? "penalty_score_l" : "penalty_score_r");
+      team.penalty_missed += message == (i == 0 ? "penalty_miss_l" : "penalty_miss_r");
       summary.penalties = summary.penalties || team.penalty_score + team.penalty_missed > 0;
     }
   }
   read_cards(text, summary);
   Winner tossed = Winner::kNone;
   read_coin_toss(text, summary, tossed);
-  decide_winner(summary, tossed);
-  summary.damage = text.damage.count;
+  set_winner(summary, tossed);
+  summary.parse_errors = text.errors.count;
   return summary;
 }
 

@@ -1,10 +1,11 @@
-// What one match came to: a row of a result table.
+// The result of a match: a row of the result table.
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "gamelog/rcl/rcl_record.h"
@@ -14,24 +15,27 @@
 namespace cls::analysis {
 
 struct TeamSummary {
-  std::string name;  ///< empty: never connected
+  std::string name;  ///< empty if the team never connected
   int score = 0;
   int first_half = 0;  ///< score after the first half
   int penalty_score = 0;
   int penalty_missed = 0;
 };
 
-/// Who won; kNone for a match that did not reach its end.
+/// Winner; kNone for an incomplete match.
 enum class Winner : std::uint8_t { kLeft, kRight, kDraw, kNone };
+
+/// "left", "right", "draw"; empty for kNone, which is null in JSON.
+std::string_view winner_name(Winner winner);
 
 struct GoalSummary {
   int cycle = 0;
-  soccer::Side side = soccer::Side::kNeutral;  ///< whose score grew
-  int unum = 0;  ///< scorer; 0: not known. Of the other side for an own goal
+  soccer::Side side = soccer::Side::kNeutral;  ///< scoring side
+  int unum = 0;  ///< scorer, 0 if unknown; a player of the other side for an own goal
   bool own_goal = false;
 };
 
-/// A player and when it happened to him.
+/// A player and the cycle of an event.
 struct PlayerEvent {
   int cycle = 0;
   soccer::Side side = soccer::Side::kNeutral;
@@ -48,44 +52,54 @@ struct SubstitutionSummary : PlayerEvent {
 };
 
 struct MatchSummary {
-  std::string file;      ///< the game log, or the text log where there is no game log
-  std::string text_log;  ///< the text log that belongs to it; empty: none
+  std::string file;      ///< the game log, or the text log if there is no game log
+  std::string text_log;  ///< the text log of the match; empty if none
   std::string version;   ///< "1" to "6", "json", "rcl"
-  std::string date;      ///< of the result message, YYYYMMDDhhmm; empty where there is none
+  std::string date;      ///< of the result message, YYYYMMDDhhmm; may be empty
 
   std::array<TeamSummary, 2> teams;
   Winner winner = Winner::kNone;
-  bool penalties = false;  ///< there was a shoot-out
-  bool coin_toss = false;  ///< the shoot-out was level too, and the coin decided
-  bool complete = false;   ///< reached its end
-  std::string end_reason;  ///< in the words of `cls match`; empty where it has left none
+  bool penalties = false;  ///< the match had a shoot-out
+  bool coin_toss = false;  ///< the shoot-out was level, and the coin decided
+  bool complete = false;   ///< reached the end of the match
+  std::string end_reason;  ///< recorded by `cls match`; empty if not recorded
   int cycles = 0;          ///< last game time
-  int frames = 0;          ///< stopped cycles counted too
+  int frames = 0;          ///< including stopped cycles
 
   std::vector<GoalSummary> goals;
   std::vector<CardSummary> cards;
   std::vector<SubstitutionSummary> substitutions;
-  std::vector<PlayerEvent> disconnections;  ///< left before the end without a red card
+  std::vector<PlayerEvent> disconnections;  ///< disconnected before the end without a red card
   std::vector<PlayerEvent> reconnections;
-  std::vector<PlayerEvent> late_starts;      ///< first seen after the first frame
+  std::vector<PlayerEvent> late_starts;      ///< first connected after the first frame
   std::vector<PlayerEvent> never_connected;  ///< cycle 0
 
-  std::uint64_t damage = 0;  ///< damaged places in both logs
+  std::uint64_t parse_errors = 0;  ///< in both logs
 };
 
-/// From a game log, and its text log if there is one (which adds the coin toss and the cards that
-/// versions 1 to 3 cannot show). Source: log-formats 5.
+/// Summarizes a game log and its text log, if any, which adds the coin toss and the cards of
+/// versions 1 to 3. Source: log-formats 5.
 MatchSummary summarize(const gamelog::MatchRecord& record, const gamelog::RclRecord* text);
 
-/// Sets the winner by score, shoot-out and coin (`tossed`), in this order; nobody's while the match
-/// is not complete.
-void decide_winner(MatchSummary& summary, Winner tossed);
+/// How a match ended, as recorded outside its logs. The logs of a match with a limit of cycles look
+/// like those of an aborted match.
+struct RecordedEnd {
+  std::string reason;     ///< "finished", "stalled", ...
+  bool finished = false;  ///< ended as planned: the match is complete
+};
 
-/// Cycles of a half in normal time; 0 or less if the match has no limit. As a real number: logs may
-/// state lengths that no match can have.
+/// Sets the end reason, and by it whether the match is complete and the winner.
+void set_end(const RecordedEnd& end, MatchSummary& summary);
+
+/// Sets the winner by score, shoot-out and coin (`tossed`), in this order; kNone while the match is
+/// incomplete.
+void set_winner(MatchSummary& summary, Winner tossed);
+
+/// Cycles of a half in normal time, 0 or less if unlimited. A real number, because corrupt logs may
+/// state any length.
 double half_time_cycles(const soccer::ServerParams& server);
 
-/// From a text log alone: no scorers, no substitutions, no disconnections.
+/// Summarizes a text log alone: no scorers, substitutions or disconnections.
 MatchSummary summarize(const gamelog::RclRecord& text);
 
 }  // namespace cls::analysis

@@ -1,10 +1,10 @@
-// The results document.
-#include "analysis/results/results_json.h"
+// Formats the JSON document of results.
+#include "analysis/results/results_text.h"
 
 #include <nlohmann/json.hpp>
 
-#include "analysis/results/standings.h"
-#include "soccer/side_name.h"
+#include "analysis/results/team_table.h"
+#include "soccer/side.h"
 
 namespace cls::analysis {
 namespace {
@@ -54,7 +54,7 @@ Json team_json(const MatchSummary& match, std::size_t index) {
 }
 
 Json match_json(const MatchSummary& match) {
-  const std::string_view winner = winner_word(match.winner);
+  const std::string_view winner = winner_name(match.winner);
   Json json;
   json["file"] = match.file;
   if (!match.text_log.empty()) json["text_log"] = match.text_log;
@@ -77,12 +77,12 @@ Json match_json(const MatchSummary& match) {
   json["never_connected"] = list_json(match.never_connected, [](const PlayerEvent& event) {
     return Json{{"side", side_name(event.side)}, {"unum", event.unum}};
   });
-  json["damage"] = match.damage;
+  json["damage"] = match.parse_errors;
   return json;
 }
 
-Json standings_json(const Standings& standings) {
-  return list_json(standings.rows, [](const Standing& row) {
+Json standings_json(const TeamTable& standings) {
+  return list_json(standings.rows, [](const TeamResults& row) {
     return Json{{"team", row.team},
                 {"played", row.played},
                 {"won", row.won},
@@ -96,22 +96,8 @@ Json standings_json(const Standings& standings) {
 
 }  // namespace
 
-std::string_view winner_word(Winner winner) {
-  switch (winner) {
-    case Winner::kLeft:
-      return "left";
-    case Winner::kRight:
-      return "right";
-    case Winner::kDraw:
-      return "draw";
-    case Winner::kNone:
-      break;
-  }
-  return "";
-}
-
 std::string results_json(const std::vector<MatchSummary>& matches) {
-  const Standings standings = standings_of(matches);
+  const TeamTable standings = team_table(matches);
   Json json;
   json["schema"] = "cls.results/1";
   json["matches"] = list_json(matches, match_json);

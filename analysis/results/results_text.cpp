@@ -1,4 +1,4 @@
-// Result tables as text, Markdown and CSV; JSON is next door.
+// Formats result tables as text, Markdown and CSV.
 #include "analysis/results/results_text.h"
 
 #include <fmt/format.h>
@@ -6,14 +6,13 @@
 #include <algorithm>
 #include <set>
 
-#include "analysis/results/results_json.h"
-#include "analysis/results/standings.h"
-#include "base/text/text_table.h"
+#include "analysis/results/team_table.h"
+#include "base/text/table.h"
 
 namespace cls::analysis {
 namespace {
 
-using Align = base::TextTable::Align;
+using Align = base::Table::Align;
 
 template <typename Event, typename Extra>
 std::string list_of(const std::vector<Event>& events, Extra extra) {
@@ -61,7 +60,7 @@ std::string winner_text(const MatchSummary& match) {
   return "incomplete";
 }
 
-// What is seldom, counted; the lists are in CSV and JSON.
+// Counts of rare events; CSV and JSON list them.
 std::string remarks_text(const MatchSummary& match) {
   std::string text;
   const auto add = [&text](std::size_t count, std::string_view what) {
@@ -75,17 +74,17 @@ std::string remarks_text(const MatchSummary& match) {
   add(match.cards.size() - red, "yellow");
   add(red, "red");
   add(match.substitutions.size(), "substituted");
-  add(match.disconnections.size(), "lost");
-  add(match.late_starts.size(), "late");
-  add(match.never_connected.size(), "missing");
-  add(match.damage, "damaged places");
+  add(match.disconnections.size(), "disconnected");
+  add(match.late_starts.size(), "connected late");
+  add(match.never_connected.size(), "never connected");
+  add(match.parse_errors, match.parse_errors == 1 ? "parse error" : "parse errors");
   if (!match.complete && !match.end_reason.empty()) {
     text = match.end_reason + (text.empty() ? "" : ", ") + text;
   }
   return text;
 }
 
-// File names, or where two logs have the same, paths without the folders that all share.
+// File names, or paths without their common folders if two file names are equal.
 std::vector<std::string> short_names(const std::vector<MatchSummary>& matches) {
   std::vector<std::string> names;
   std::set<std::string> distinct;
@@ -103,8 +102,8 @@ std::vector<std::string> short_names(const std::vector<MatchSummary>& matches) {
   return names;
 }
 
-base::TextTable table_for_people(const std::vector<MatchSummary>& matches) {
-  base::TextTable table;
+base::Table summary_table(const std::vector<MatchSummary>& matches) {
+  base::Table table;
   table.add_column("left");
   table.add_column("score", Align::kRight);
   table.add_column("right");
@@ -123,8 +122,8 @@ base::TextTable table_for_people(const std::vector<MatchSummary>& matches) {
   return table;
 }
 
-base::TextTable table_for_programs(const std::vector<MatchSummary>& matches) {
-  base::TextTable table;
+base::Table csv_table(const std::vector<MatchSummary>& matches) {
+  base::Table table;
   for (const char* head : {"file",           "date",           "version",
                            "left",           "right",          "left_score",
                            "right_score",    "left_penalties", "right_penalties",
@@ -148,7 +147,7 @@ base::TextTable table_for_programs(const std::vector<MatchSummary>& matches) {
                    std::to_string(right.score),
                    penalties(left),
                    penalties(right),
-                   std::string(winner_word(match.winner)),
+                   std::string(winner_name(match.winner)),
                    match.complete ? "true" : "false",
                    std::to_string(match.cycles),
                    goals_text(match),
@@ -157,19 +156,19 @@ base::TextTable table_for_programs(const std::vector<MatchSummary>& matches) {
                    players_text(match.disconnections),
                    players_text(match.late_starts),
                    players_text(match.never_connected),
-                   std::to_string(match.damage),
+                   std::to_string(match.parse_errors),
                    match.end_reason});
   }
   return table;
 }
 
-base::TextTable table_of_teams(const Standings& standings) {
-  base::TextTable table;
+base::Table team_table_text(const TeamTable& standings) {
+  base::Table table;
   table.add_column("team");
   for (const char* head : {"played", "won", "drawn", "lost", "goals", "difference", "points"}) {
     table.add_column(head, Align::kRight);
   }
-  for (const Standing& row : standings.rows) {
+  for (const TeamResults& row : standings.rows) {
     table.add_row({row.team, std::to_string(row.played), std::to_string(row.won),
                    std::to_string(row.drawn), std::to_string(row.lost),
                    fmt::format("{}:{}", row.goals_for, row.goals_against),
@@ -191,15 +190,15 @@ std::string score_text(const MatchSummary& match) {
 
 std::string format_results(const std::vector<MatchSummary>& matches, ResultsFormat format) {
   if (format == ResultsFormat::kJson) return results_json(matches);
-  if (format == ResultsFormat::kCsv) return table_for_programs(matches).csv();
+  if (format == ResultsFormat::kCsv) return csv_table(matches).format_csv();
   const bool markdown = format == ResultsFormat::kMarkdown;
-  const base::TextTable table = table_for_people(matches);
-  std::string text = markdown ? table.markdown() : table.plain();
-  const Standings standings = standings_of(matches);
+  const base::Table table = summary_table(matches);
+  std::string text = markdown ? table.format_markdown() : table.format_text();
+  const TeamTable standings = team_table(matches);
   if (matches.size() > 1 && !standings.rows.empty()) {
-    const base::TextTable teams = table_of_teams(standings);
+    const base::Table teams = team_table_text(standings);
     text += '\n';
-    text += markdown ? teams.markdown() : teams.plain();
+    text += markdown ? teams.format_markdown() : teams.format_text();
     if (standings.not_counted > 0) {
       text += fmt::format("\n{} incomplete not counted\n", standings.not_counted);
     }

@@ -1,4 +1,4 @@
-// Result tables for people and programs.
+// Formats result tables.
 #pragma once
 
 #include <string>
@@ -10,11 +10,16 @@ namespace cls::analysis {
 
 enum class ResultsFormat : unsigned char { kTable, kJson, kCsv, kMarkdown };
 
-/// All matches and, where there are several (in JSON always), the table of teams. JSON: schema
-/// "cls.results/1" (docs/formats/results.md). CSV: one row a match, lists as "169 l 11; 1313 r 10".
+/// Formats all matches and, for several matches (in JSON always), the table of teams. JSON has the
+/// schema "cls.results/1" (docs/formats/results.md). CSV has one row per match, with lists as "169
+/// l 11; 1313 r 10".
 std::string format_results(const std::vector<MatchSummary>& matches, ResultsFormat format);
 
-/// "0:0 (2:4 pen.)", with the shoot-out only where there was one.
+/// The document "cls.results/1", indented, with a line feed at the end. Bytes in names that are not
+/// UTF-8 become U+FFFD.
+std::string results_json(const std::vector<MatchSummary>& matches);
+
+/// "0:0 (2:4 pen.)"; the shoot-out only if there was one.
 std::string score_text(const MatchSummary& match);
 
 }  // namespace cls::analysis

@@ -1,4 +1,4 @@
-// Merging the lists of the families.
+// Merges events of all kinds by frame.
 #include "analysis/statistics/event_list.h"
 
 #include <algorithm>
@@ -37,7 +37,7 @@ class EventList {
     return event;
   }
 
-  static double sign(std::int8_t slot) { return attack_sign(static_cast<std::size_t>(slot)); }
+  static double sign(std::int8_t slot) { return attack_sign(slot_index(slot)); }
 
   void add_pass(const Pass& pass) {
     Event& event = add(all_.flow.touches[pass.touch].frame, "pass", pass.passer);
@@ -46,8 +46,8 @@ class EventList {
     event.other = pass.receiver;
     event.result = name(pass.outcome);
     event.pass = static_cast<std::int32_t>(&pass - all_.passes.data());
-    const auto mark = [&event](bool is_so, std::string_view word) {
-      if (is_so) event.marks.push_back(word);
+    const auto mark = [&event](bool applies, std::string_view text) {
+      if (applies) event.marks.push_back(text);
     };
     mark(pass.through, "through");
     mark(pass.cross, "cross");
@@ -104,7 +104,7 @@ class EventList {
 
 }  // namespace
 
-std::vector<Event> events_of(const MatchStatistics& statistics) {
+std::vector<Event> list_events(const MatchStatistics& statistics) {
   return EventList(statistics).collect();
 }
 

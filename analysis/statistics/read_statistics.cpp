@@ -1,9 +1,8 @@
-// Each match becomes its part of the output at once, so that no record outlives its turn.
+// Reads matches in parallel. Each match is formatted immediately, so that its record is freed.
 #include "analysis/statistics/read_statistics.h"
 
 #include <utility>
 
-#include "analysis/results/match_document.h"
 #include "analysis/results/match_summary.h"
 #include "analysis/statistics/match_statistics.h"
 #include "analysis/statistics/statistics_json.h"
@@ -17,12 +16,12 @@ namespace {
 
 struct Part {
   std::string text;
-  base::TextTable rows;
-  std::vector<ReadProblem> problems;
+  base::Table rows;
+  std::vector<LogProblem> problems;
   bool usable = false;
 };
 
-base::TextTable empty_table(StatisticsFormat format) {
+base::Table empty_table(StatisticsFormat format) {
   return format == StatisticsFormat::kCsvPlayers  ? player_table()
          : format == StatisticsFormat::kCsvEvents ? event_table()
                                                   : team_table();
@@ -49,11 +48,12 @@ void write_part(const MatchSummary& summary, const MatchStatistics& statistics,
   }
 }
 
-Part read_part(const gamelog::MatchLogs& logs, StatisticsFormat format, bool events) {
+Part read_part(const MatchInput& input, StatisticsFormat format, bool events) {
+  const gamelog::MatchLogs& logs = input.logs;
   Part part;
   part.rows = empty_table(format);
   if (logs.game.empty()) {
-    part.problems.push_back({logs.text, "'" + logs.text + "' has no game log (rcg) beside it", {}});
+    part.problems.push_back({logs.text, logs.text + ": no game log (rcg) beside it", {}});
     return part;
   }
   const auto record = gamelog::read_rcg_file(logs.game);
@@ -61,7 +61,7 @@ Part read_part(const gamelog::MatchLogs& logs, StatisticsFormat format, bool eve
     part.problems.push_back({logs.game, record.error().message, {}});
     return part;
   }
-  if (!record->damage.empty()) part.problems.push_back({logs.game, "", record->damage});
+  if (!record->errors.empty()) part.problems.push_back({logs.game, "", record->errors});
   if (record->frames() == 0) return part;
   std::optional<gamelog::RclRecord> text;
   if (!logs.text.empty()) {
@@ -70,16 +70,16 @@ Part read_part(const gamelog::MatchLogs& logs, StatisticsFormat format, bool eve
       part.problems.push_back({logs.text, read.error().message, {}});
     } else {
       text = std::move(*read);
-      if (!text->damage.empty()) part.problems.push_back({logs.text, "", text->damage});
+      if (!text->errors.empty()) part.problems.push_back({logs.text, "", text->errors});
     }
   }
   const gamelog::RclRecord* text_log = text ? &*text : nullptr;
   MatchSummary summary = summarize(*record, text_log);
   summary.file = logs.game;
   summary.text_log = text ? logs.text : "";
-  add_end_reason(logs.game, summary);
+  if (input.end) set_end(*input.end, summary);
   part.usable = true;
-  write_part(summary, statistics_of(*record, text_log), format, events, part);
+  write_part(summary, compute_statistics(*record, text_log), format, events, part);
   return part;
 }
 
@@ -99,22 +99,22 @@ std::string joined(std::vector<Part>& parts, StatisticsFormat format) {
     }
     return text;
   }
-  base::TextTable table = empty_table(format);
-  for (Part& part : parts) table.take_rows(part.rows);
-  return table.csv();
+  base::Table table = empty_table(format);
+  for (Part& part : parts) table.append_rows(std::move(part.rows));
+  return table.format_csv();
 }
 
 }  // namespace
 
-StatisticsOutput read_statistics(const std::vector<gamelog::MatchLogs>& matches,
-                                 StatisticsFormat format, bool events, std::size_t jobs,
+StatisticsOutput read_statistics(const std::vector<MatchInput>& matches, StatisticsFormat format,
+                                 bool events, std::size_t jobs,
                                  const std::function<void(std::size_t)>& on_done) {
   std::vector<Part> parts(matches.size());
   const auto work = [&](std::size_t i) { parts[i] = read_part(matches[i], format, events); };
-  base::for_each_index(matches.size(), jobs, work, on_done);
+  base::parallel_for(matches.size(), jobs, work, on_done);
   StatisticsOutput output;
   for (Part& part : parts) {
-    for (ReadProblem& problem : part.problems) output.problems.push_back(std::move(problem));
+    for (LogProblem& problem : part.problems) output.problems.push_back(std::move(problem));
   }
   output.text = joined(parts, format);
   return output;

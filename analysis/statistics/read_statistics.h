@@ -1,4 +1,4 @@
-// Statistics of many logs, read side by side.
+// Reads statistics of many logs in parallel.
 #pragma once
 
 #include <functional>
@@ -6,29 +6,29 @@
 #include <string>
 #include <vector>
 
-#include "gamelog/files/log_files.h"
-#include "gamelog/record/damage.h"
+#include "analysis/results/read_results.h"
+#include "gamelog/record/parse_errors.h"
 
 namespace cls::analysis {
 
 enum class StatisticsFormat : unsigned char { kText, kJson, kCsv, kCsvPlayers, kCsvEvents };
 
-/// What became of one log.
-struct ReadProblem {
+/// Errors of one log.
+struct LogProblem {
   std::string file;
-  std::string unreadable;  ///< why it could not be opened; empty: it could
-  gamelog::DamageList damage;
+  std::string unreadable;  ///< why the log could not be opened; empty if it was opened
+  gamelog::ParseErrors errors;
 };
 
 struct StatisticsOutput {
-  std::string text;  ///< all matches in the wanted format; empty if there is nothing to tell
-  std::vector<ReadProblem> problems;
+  std::string text;  ///< all matches in the requested format; may be empty
+  std::vector<LogProblem> problems;
 };
 
-/// Statistics need the game log; a text log alone is a problem. JSON is schema "cls.stats/1".
-/// `on_done` as of read_results().
-StatisticsOutput read_statistics(const std::vector<gamelog::MatchLogs>& matches,
-                                 StatisticsFormat format, bool events, std::size_t jobs,
+/// Statistics require the game log; a text log alone is a problem. JSON has the schema
+/// "cls.stats/1". `on_done` as for read_results().
+StatisticsOutput read_statistics(const std::vector<MatchInput>& matches, StatisticsFormat format,
+                                 bool events, std::size_t jobs,
                                  const std::function<void(std::size_t)>& on_done = nullptr);
 
 }  // namespace cls::analysis

@@ -1,4 +1,4 @@
-// Match statistics as JSON.
+// Formats match statistics as JSON.
 #pragma once
 
 #include <string>
@@ -9,12 +9,12 @@
 
 namespace cls::analysis {
 
-/// One match of the document, schema "cls.stats/1" (docs/formats/statistics.md), indented as an
-/// element of its array. With `events`, every pass, carry, shot, tackle and foul one by one.
+/// One match of the document "cls.stats/1" (docs/formats/statistics.md). With `events`, includes
+/// every pass, carry, shot, tackle and foul.
 std::string statistics_json(const MatchSummary& summary, const MatchStatistics& statistics,
                             bool events);
 
-/// The whole document around elements made by the above.
+/// The document of matches formatted by statistics_json().
 std::string statistics_document(const std::vector<std::string>& matches);
 
 }  // namespace cls::analysis

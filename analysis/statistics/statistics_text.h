@@ -1,26 +1,24 @@
-// Match statistics for people, and as CSV.
+// Formats match statistics as text and CSV.
 #pragma once
 
 #include <string>
 
 #include "analysis/results/match_summary.h"
 #include "analysis/statistics/match_statistics.h"
-#include "base/text/text_table.h"
+#include "base/text/table.h"
 
 namespace cls::analysis {
 
-/// Two columns of figures for the teams, then a table of the players.
+/// The table of the teams, then the table of the players.
 std::string statistics_text(const MatchSummary& summary, const MatchStatistics& statistics);
 
-/// Tables that grow by a match at a time; the first column names the log.
-base::TextTable team_table();
-void add_teams(const MatchSummary& summary, const MatchStatistics& statistics,
-               base::TextTable& table);
-base::TextTable player_table();
+/// CSV tables to which matches are added one by one; the first column is the file.
+base::Table team_table();
+void add_teams(const MatchSummary& summary, const MatchStatistics& statistics, base::Table& table);
+base::Table player_table();
 void add_players(const MatchSummary& summary, const MatchStatistics& statistics,
-                 base::TextTable& table);
-base::TextTable event_table();
-void add_events(const MatchSummary& summary, const MatchStatistics& statistics,
-                base::TextTable& table);
+                 base::Table& table);
+base::Table event_table();
+void add_events(const MatchSummary& summary, const MatchStatistics& statistics, base::Table& table);
 
 }  // namespace cls::analysis

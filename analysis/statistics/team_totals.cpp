@@ -1,4 +1,4 @@
-// Adding up a team.
+// Sums the statistics of a team.
 #include "analysis/statistics/team_totals.h"
 
 #include <map>
@@ -6,13 +6,11 @@
 namespace cls::analysis {
 namespace {
 
-std::size_t index(std::int8_t slot) { return static_cast<std::size_t>(slot); }
-
 PassTotals pass_totals(const MatchStatistics& all, std::size_t team) {
   PassTotals totals;
   double length = 0.0;
   for (const Pass& pass : all.passes) {
-    if (team_of(index(pass.passer)) != team) continue;
+    if (team_of(slot_index(pass.passer)) != team) continue;
     ++totals.attempted;
     ++totals.outcomes[static_cast<std::size_t>(pass.outcome)];
     totals.crosses += pass.cross;
@@ -33,10 +31,10 @@ PassTotals pass_totals(const MatchStatistics& all, std::size_t team) {
 
 ShotTotals shot_totals(const MatchStatistics& all, std::size_t team) {
   ShotTotals totals;
-  std::map<std::size_t, double> misses;  // by chain: probability that no shot of it scores
+  std::map<std::size_t, double> misses;  // by chain: probability that none of its shots scores
   for (std::size_t i = 0; i < all.shots.size(); ++i) {
     const Shot& shot = all.shots[i];
-    if (team_of(index(shot.slot)) != team) continue;
+    if (team_of(slot_index(shot.slot)) != team) continue;
     ++totals.total;
     totals.on_target += shot.on_target;
     ++totals.outcomes[static_cast<std::size_t>(shot.outcome)];
@@ -68,7 +66,7 @@ ChainTotals chain_totals(const MatchStatistics& all, std::size_t team) {
 }
 
 void add_player(const MatchStatistics& all, std::size_t slot, TeamTotals& totals) {
-  const BallWork& work = all.ball_work[slot];
+  const BallActions& work = all.ball_actions[slot];
   totals.touches += work.touches;
   totals.dribbles += work.dribbles;
   totals.take_ons += work.take_ons;
@@ -96,12 +94,12 @@ void add_player(const MatchStatistics& all, std::size_t slot, TeamTotals& totals
 
 }  // namespace
 
-TeamTotals totals_of(const MatchStatistics& all, std::size_t team) {
+TeamTotals sum_team(const MatchStatistics& all, std::size_t team) {
   TeamTotals totals;
-  for (std::size_t slot = team * kTeamSize; slot < (team + 1) * kTeamSize; ++slot) {
+  for (const std::size_t slot : kTeamSlots[team]) {
     add_player(all, slot, totals);
   }
-  for (const Carry& carry : all.carries) totals.carries += team_of(index(carry.slot)) == team;
+  for (const Carry& carry : all.carries) totals.carries += team_of(slot_index(carry.slot)) == team;
   totals.passes = pass_totals(all, team);
   totals.shots = shot_totals(all, team);
   totals.chains = chain_totals(all, team);

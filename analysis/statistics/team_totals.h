@@ -1,4 +1,4 @@
-// Sums over the players and events of one team.
+// Sums over the players and events of a team.
 #pragma once
 
 #include <array>
@@ -12,8 +12,8 @@ struct PassTotals {
   int attempted = 0;
   int completed = 0;
   std::array<int, 6> outcomes = {};    ///< by PassOutcome
-  std::array<int, 4> directions = {};  ///< completed ones, by PassDirection
-  double mean_length = 0.0;            ///< of completed ones
+  std::array<int, 4> directions = {};  ///< of completed passes, by PassDirection
+  double mean_length = 0.0;            ///< of completed passes
   int through = 0;
   int crosses = 0;
   int switches = 0;
@@ -27,8 +27,8 @@ struct ShotTotals {
   int total = 0;
   int on_target = 0;
   std::array<int, 6> outcomes = {};  ///< by ShotOutcome
-  double expected = 0.0;             ///< sum of the probabilities
-  double expected_by_chain = 0.0;    ///< of at least one goal per chain, summed over chains
+  double expected = 0.0;             ///< sum of goal probabilities
+  double expected_by_chain = 0.0;    ///< of at least one goal per chain, summed
 };
 
 struct ChainTotals {
@@ -55,11 +55,11 @@ struct TeamTotals {
   double distance = 0.0;
   double stamina_used = 0.0;
   int exhausted_frames = 0;
-  int steps = 0;  ///< with a text log only, as the next two
+  int steps = 0;  ///< only with a text log, as the next two
   int silent = 0;
   int rejected = 0;
 };
 
-TeamTotals totals_of(const MatchStatistics& statistics, std::size_t team);
+TeamTotals sum_team(const MatchStatistics& statistics, std::size_t team);
 
 }  // namespace cls::analysis

@@ -1,4 +1,4 @@
-// Phases, touches, owners, shots and goals in made-up matches.
+// Phases, touches, owners, shots and goals in scripted matches.
 #include "analysis/play/flow.h"
 
 #include <gtest/gtest.h>
@@ -30,7 +30,7 @@ TEST(Flow, FindsTouchesWithContactAndLaunch) {
   match.kick(left(5), {1.0, 0.5});
   match.steps(2);
   match.tackle(right(7), {-2.0, 0.0});
-  const Flow flow = flow_of(match.record());
+  const Flow flow = build_flow(match.record());
   ASSERT_EQ(flow.touches.size(), 2u);
   EXPECT_EQ(flow.touches[0].frame, 1u);
   EXPECT_EQ(flow.touches[0].slot, left(5));
@@ -39,10 +39,10 @@ TEST(Flow, FindsTouchesWithContactAndLaunch) {
   EXPECT_EQ(flow.touches[0].launch, (Vec2{1.0, 0.5}));
   EXPECT_EQ(flow.touches[1].slot, right(7));
   EXPECT_EQ(flow.touches[1].kind, TouchKind::kTackle);
-  EXPECT_EQ(flow.owner, (std::vector<std::int8_t>{kNobody, left(5), left(5), left(5), right(7)}));
+  EXPECT_EQ(flow.owner, (std::vector<std::int8_t>{kNoPlayer, left(5), left(5), left(5), right(7)}));
 }
 
-TEST(Flow, CountsOnlyTacklesAndCatchesThatReachTheBall) {
+TEST(Flow, CountsOnlyTacklesAndCatchesThatHitTheBall) {
   ScriptedMatch match;
   ++match.player(left(2)).counts.tackle;
   match.player(left(2)).state |= gamelog::kStateTackle | gamelog::kStateTackleFailed;
@@ -53,13 +53,13 @@ TEST(Flow, CountsOnlyTacklesAndCatchesThatReachTheBall) {
   ++match.player(right(1)).counts.catches;
   match.player(right(1)).state |= gamelog::kStateCatch;
   match.step();
-  const Flow flow = flow_of(match.record());
+  const Flow flow = build_flow(match.record());
   ASSERT_EQ(flow.touches.size(), 2u);
   EXPECT_EQ(flow.touches[0].kind, TouchKind::kPunch);
   EXPECT_EQ(flow.touches[1].kind, TouchKind::kCatch);
 }
 
-TEST(Flow, ATouchOfBothTeamsBelongsToNobodyOfOneTeamToTheNearest) {
+TEST(Flow, AssignsTouchToNearestPlayerUnlessContested) {
   ScriptedMatch match;
   match.player(left(3)).position = {0.5, 0};
   match.player(left(4)).position = {0.2, 0};
@@ -68,16 +68,16 @@ TEST(Flow, ATouchOfBothTeamsBelongsToNobodyOfOneTeamToTheNearest) {
   match.kick(left(4), {1, 0});
   ++match.player(left(4)).counts.kick;
   match.kick(right(9), {1, 0});
-  const Flow flow = flow_of(match.record());
+  const Flow flow = build_flow(match.record());
   ASSERT_EQ(flow.touches.size(), 2u);
   EXPECT_EQ(flow.touches[0].slot, left(4));
   EXPECT_TRUE(flow.touches[1].contested());
   EXPECT_EQ(flow.touches[1].nearest[0], left(4));
   EXPECT_EQ(flow.touches[1].nearest[1], right(9));
-  EXPECT_EQ(flow.owner.back(), kNobody);
+  EXPECT_EQ(flow.owner.back(), kNoPlayer);
 }
 
-TEST(Flow, ForgetsTheOwnerWhenPlayStopsAndNumbersLivePhases) {
+TEST(Flow, ResetsOwnerAtStoppagesAndNumbersLivePhases) {
   ScriptedMatch match;
   match.kick(left(5), {1, 0});
   match.mode(PlayMode::kKickInRight);
@@ -85,13 +85,14 @@ TEST(Flow, ForgetsTheOwnerWhenPlayStopsAndNumbersLivePhases) {
   match.mode(PlayMode::kPlayOn);
   match.kick(right(2), {1, 0});
   match.step();
-  const Flow flow = flow_of(match.record());
+  const Flow flow = build_flow(match.record());
   EXPECT_EQ(flow.live_phase, (std::vector<std::int32_t>{0, 0, -1, 1, 1}));
-  EXPECT_EQ(flow.owner, (std::vector<std::int8_t>{kNobody, left(5), kNobody, right(2), right(2)}));
+  EXPECT_EQ(flow.owner,
+            (std::vector<std::int8_t>{kNoPlayer, left(5), kNoPlayer, right(2), right(2)}));
   EXPECT_EQ(flow.touches[1].live_phase, 1);
 }
 
-TEST(Flow, AGoalKickStartsThePhaseThatItLeadsTo) {
+TEST(Flow, AssignsGoalKickToFollowingLivePhase) {
   ScriptedMatch match;
   match.mode(PlayMode::kGoalKickLeft);
   match.step();
@@ -101,41 +102,41 @@ TEST(Flow, AGoalKickStartsThePhaseThatItLeadsTo) {
   match.mode(PlayMode::kPlayOn);
   match.step();
   match.kick(left(5), {1, 0});
-  const Flow flow = flow_of(match.record());
+  const Flow flow = build_flow(match.record());
   ASSERT_EQ(flow.touches.size(), 3u);
   EXPECT_EQ(flow.touches[0].live_phase, -1);
   EXPECT_EQ(flow.touches[1].live_phase, 1);
   EXPECT_EQ(flow.touches[2].live_phase, 1);
   EXPECT_EQ(flow.owner[7], left(2));
-  const auto passes = passes_of(flow, {});
+  const auto passes = find_passes(flow, {});
   ASSERT_EQ(passes.size(), 2u);
   EXPECT_TRUE(passes[0].completed());
   EXPECT_EQ(passes[0].passer, left(2));
 }
 
-TEST(Flow, ADroppedBallEndsAPhaseAlthoughTheModeGoesOn) {
+TEST(Flow, DropBallStartsNewLivePhase) {
   ScriptedMatch match;
   match.place_ball({-51.9, 11.2});
   match.step();
   match.kick(right(9), {-0.05, 0.01});
-  ++match.player(right(9)).counts.kick;  // and the referee drops the ball at the area's corner
+  ++match.player(right(9)).counts.kick;  // and the referee drops the ball at the corner of the area
   match.place_ball({-36.0, 20.16});
   match.steps(3);
   match.kick(right(7), {1.0, 0.0});
-  const Flow flow = flow_of(match.record());
+  const Flow flow = build_flow(match.record());
   ASSERT_EQ(flow.touches.size(), 3u);
   EXPECT_EQ(flow.placed, (std::vector<std::uint32_t>{1, 3}));
   EXPECT_EQ(flow.touches[1].live_phase, 1);
   EXPECT_EQ(flow.touches[2].live_phase, 2);
   EXPECT_EQ(flow.owner[2], right(9));
-  EXPECT_EQ(flow.owner[3], kNobody);
+  EXPECT_EQ(flow.owner[3], kNoPlayer);
   EXPECT_EQ(flow.end_of_play(flow.touches[1]), 3u);
-  const auto passes = passes_of(flow, {});
-  ASSERT_EQ(passes.size(), 1u);  // the ball has not gone from the first player to the second
+  const auto passes = find_passes(flow, {});
+  ASSERT_EQ(passes.size(), 1u);  // the ball did not move from the first player to the second
   EXPECT_EQ(passes[0].passer, right(7));
 }
 
-TEST(Flow, ABallThatStopsDeadWasDroppedAndOneThatRollsOutWasNot) {
+TEST(Flow, DetectsDropBallByAbruptStop) {
   ScriptedMatch match;
   match.kick(left(10), {0.06, 0.1});
   match.place_ball(match.next().ball_position);
@@ -143,25 +144,25 @@ TEST(Flow, ABallThatStopsDeadWasDroppedAndOneThatRollsOutWasNot) {
   match.kick(left(10), {5e-4, 0.0});
   match.place_ball(match.next().ball_position);
   match.step();
-  EXPECT_EQ(flow_of(match.record()).placed, std::vector<std::uint32_t>{2});
+  EXPECT_EQ(build_flow(match.record()).placed, std::vector<std::uint32_t>{2});
 }
 
-TEST(Flow, StartsAnewWhereAnotherMatchBegins) {
+TEST(Flow, RestartsWhenAnotherMatchBegins) {
   ScriptedMatch match;
   match.kick(left(5), {1, 0});
   match.next().time = 0;
   match.kick(left(6), {1, 0});
-  EXPECT_EQ(flow_of(match.record()).touches.size(), 1u);
+  EXPECT_EQ(build_flow(match.record()).touches.size(), 1u);
 }
 
-TEST(Flow, TakesTheVelocityWhereTheRefereeMovedTheBall) {
+TEST(Flow, UsesVelocityWhenRefereeMovedBall) {
   ScriptedMatch match;
   match.kick(left(5), {2, 0});
   match.next().ball_position = {30, 20};
   ++match.player(left(6)).counts.kick;
   match.next().ball_velocity = {0.94, 0};
   match.step();
-  const Flow flow = flow_of(match.record());
+  const Flow flow = build_flow(match.record());
   ASSERT_EQ(flow.touches.size(), 2u);
   EXPECT_NEAR(flow.touches[1].launch.x, 0.94, 1e-6);
 }
@@ -174,7 +175,7 @@ void shoot(ScriptedMatch& match, int slot) {
   match.kick(slot, {2.5 * side, 0.6 * side});
 }
 
-TEST(Shots, AGoalBelongsToTheShooter) {
+TEST(Shots, CreditsGoalToShooter) {
   for (const int shooter : {left(9), right(9)}) {
     ScriptedMatch match;
     shoot(match, shooter);
@@ -183,8 +184,8 @@ TEST(Shots, AGoalBelongsToTheShooter) {
     match.mode(left_side ? PlayMode::kGoalLeft : PlayMode::kGoalRight);
     match.score(left_side ? 1 : 0, left_side ? 0 : 1);
     match.step();
-    const Flow flow = flow_of(match.record());
-    const auto shots = shots_of(flow);
+    const Flow flow = build_flow(match.record());
+    const auto shots = find_shots(flow);
     ASSERT_EQ(shots.size(), 1u);
     EXPECT_EQ(shots[0].slot, shooter);
     EXPECT_TRUE(shots[0].on_target);
@@ -192,7 +193,7 @@ TEST(Shots, AGoalBelongsToTheShooter) {
     EXPECT_NEAR(shots[0].distance, 12.5, 1e-9);
     EXPECT_NEAR(shots[0].goal_y, 3.0, 1e-6);
     EXPECT_NEAR(shots[0].cycles, 5.77, 0.01);  // ln(1 - 12.5 * 0.06 / 2.5) / ln(0.94)
-    const auto goals = goals_of(flow, shots);
+    const auto goals = find_goals(flow, shots);
     ASSERT_EQ(goals.size(), 1u);
     EXPECT_EQ(goals[0].scorer, shooter);
     EXPECT_EQ(goals[0].side, left_side ? Side::kLeft : Side::kRight);
@@ -202,20 +203,20 @@ TEST(Shots, AGoalBelongsToTheShooter) {
   }
 }
 
-TEST(Shots, TellsSavedBlockedAndWide) {
+TEST(Shots, ClassifiesSavedBlockedAndWide) {
   ScriptedMatch saved;
   shoot(saved, left(9));
   saved.step();
   ++saved.player(right(1)).counts.catches;
   saved.player(right(1)).state |= gamelog::kStateCatch;
   saved.step();
-  EXPECT_EQ(shots_of(flow_of(saved.record())).at(0).outcome, ShotOutcome::kSaved);
+  EXPECT_EQ(find_shots(build_flow(saved.record())).at(0).outcome, ShotOutcome::kSaved);
 
   ScriptedMatch blocked;
   shoot(blocked, left(9));
   blocked.step();
   blocked.kick(right(3), {-1, 0});
-  EXPECT_EQ(shots_of(flow_of(blocked.record())).at(0).outcome, ShotOutcome::kBlocked);
+  EXPECT_EQ(find_shots(build_flow(blocked.record())).at(0).outcome, ShotOutcome::kBlocked);
 
   ScriptedMatch wide;
   wide.place_ball({40, 0});
@@ -224,26 +225,26 @@ TEST(Shots, TellsSavedBlockedAndWide) {
   wide.steps(4);
   wide.mode(PlayMode::kGoalKickRight);
   wide.step();
-  const auto shots = shots_of(flow_of(wide.record()));
+  const auto shots = find_shots(build_flow(wide.record()));
   EXPECT_EQ(shots.at(0).outcome, ShotOutcome::kWide);
   EXPECT_FALSE(shots[0].on_target);
 }
 
-TEST(Shots, ATouchOfTheSamePlayerOrAMateUnmakesAShot) {
+TEST(Shots, IsNoShotWhenTeammateOrShooterTouchesNext) {
   ScriptedMatch dribble;
   shoot(dribble, left(9));
   dribble.kick(left(9), {0.5, 0});
   dribble.steps(3);
-  EXPECT_TRUE(shots_of(flow_of(dribble.record())).empty());
+  EXPECT_TRUE(find_shots(build_flow(dribble.record())).empty());
 
   ScriptedMatch pass;
   shoot(pass, left(9));
   pass.steps(3);
   pass.kick(left(10), {-1, 0});
-  EXPECT_TRUE(shots_of(flow_of(pass.record())).empty());
+  EXPECT_TRUE(find_shots(build_flow(pass.record())).empty());
 }
 
-TEST(Shots, IsNoShotIfTooFarTooSlowOrOffTheGoal) {
+TEST(Shots, IsNoShotWhenTooFarTooSlowOrWide) {
   struct Case {
     Vec2 from;
     Vec2 launch;
@@ -255,11 +256,11 @@ TEST(Shots, IsNoShotIfTooFarTooSlowOrOffTheGoal) {
     match.step();
     match.kick(left(9), launch);
     match.steps(4);
-    EXPECT_TRUE(shots_of(flow_of(match.record())).empty()) << from.x << " " << launch.x;
+    EXPECT_TRUE(find_shots(build_flow(match.record())).empty()) << from.x << " " << launch.x;
   }
 }
 
-TEST(Goals, ADeflectedShotCountsForTheShooter) {
+TEST(Goals, CreditsDeflectedShotToShooter) {
   ScriptedMatch match;
   shoot(match, left(9));
   match.step();
@@ -268,14 +269,14 @@ TEST(Goals, ADeflectedShotCountsForTheShooter) {
   match.mode(PlayMode::kGoalLeft);
   match.score(1, 0);
   match.step();
-  const Flow flow = flow_of(match.record());
-  const auto shots = shots_of(flow);
+  const Flow flow = build_flow(match.record());
+  const auto shots = find_shots(flow);
   ASSERT_EQ(shots.size(), 1u);
   EXPECT_EQ(shots[0].outcome, ShotOutcome::kGoal);
-  EXPECT_EQ(goals_of(flow, shots).at(0).scorer, left(9));
+  EXPECT_EQ(find_goals(flow, shots).at(0).scorer, left(9));
 }
 
-TEST(Goals, AGoalOfTheLastOpponentIsAnOwnGoal) {
+TEST(Goals, CountsOwnGoalOfLastToucher) {
   ScriptedMatch match;
   match.kick(left(9), {1, 0});
   match.place_ball({45, 0});
@@ -285,8 +286,8 @@ TEST(Goals, AGoalOfTheLastOpponentIsAnOwnGoal) {
   match.mode(PlayMode::kGoalLeft);
   match.score(1, 0);
   match.step();
-  const Flow flow = flow_of(match.record());
-  const auto goals = goals_of(flow, shots_of(flow));
+  const Flow flow = build_flow(match.record());
+  const auto goals = find_goals(flow, find_shots(flow));
   ASSERT_EQ(goals.size(), 1u);
   EXPECT_EQ(goals[0].side, Side::kLeft);
   EXPECT_EQ(goals[0].scorer, right(4));
@@ -294,17 +295,17 @@ TEST(Goals, AGoalOfTheLastOpponentIsAnOwnGoal) {
   EXPECT_EQ(goals[0].shot, -1);
 }
 
-TEST(Goals, AScoreThatATrainerSetsHasNoScorer) {
+TEST(Goals, HasNoScorerWhenTrainerSetsScore) {
   ScriptedMatch match;
   match.score(0, 2);
   match.step();
-  const Flow flow = flow_of(match.record());
-  const auto goals = goals_of(flow, shots_of(flow));
+  const Flow flow = build_flow(match.record());
+  const auto goals = find_goals(flow, find_shots(flow));
   ASSERT_EQ(goals.size(), 2u);
-  EXPECT_EQ(goals[0].scorer, kNobody);
+  EXPECT_EQ(goals[0].scorer, kNoPlayer);
 }
 
-TEST(Goals, EveryGoalOfRealMatchesIsOneShot) {
+TEST(Goals, MatchShotsInRcssserverLogs) {
   struct Match {
     const char* name;
     int goals;
@@ -315,9 +316,9 @@ TEST(Goals, EveryGoalOfRealMatchesIsOneShot) {
     if (!path) GTEST_SKIP() << "no data: set CLS_DATA";
     const auto record = gamelog::read_rcg_file(path->string());
     ASSERT_TRUE(record);
-    const Flow flow = flow_of(*record);
-    const auto shots = shots_of(flow);
-    const auto goals = goals_of(flow, shots);
+    const Flow flow = build_flow(*record);
+    const auto shots = find_shots(flow);
+    const auto goals = find_goals(flow, shots);
     ASSERT_EQ(goals.size(), static_cast<std::size_t>(expected)) << name;
     std::set<int> used;
     for (const Goal& goal : goals) {
@@ -331,7 +332,7 @@ TEST(Goals, EveryGoalOfRealMatchesIsOneShot) {
   }
 }
 
-// Every kick that the counters show was asked for at the clock of the frame before.
+// Every kick in the counters was sent at the clock of the frame before.
 void expect_kicks_in_text_log(const gamelog::MatchRecord& record, const gamelog::RclRecord& text) {
   std::set<std::tuple<int, int, int>> asked;
   for (const gamelog::RclLine& line : text.lines) {
@@ -345,7 +346,7 @@ void expect_kicks_in_text_log(const gamelog::MatchRecord& record, const gamelog:
     }
   }
   int kicks = 0;
-  for (const Touch& touch : flow_of(record).touches) {
+  for (const Touch& touch : build_flow(record).touches) {
     if (touch.kind != TouchKind::kKick || touch.contested()) continue;
     ++kicks;
     const std::size_t before = touch.frame - 1;
@@ -355,7 +356,7 @@ void expect_kicks_in_text_log(const gamelog::MatchRecord& record, const gamelog:
   EXPECT_GT(kicks, 10);
 }
 
-TEST(Flow, EveryKickWasAskedForInTheTextLog) {
+TEST(Flow, MatchesKicksInTextLog) {
   const auto record = gamelog::read_rcg_file(tests::fixture("gamelog/match-start.rcg.gz").string());
   const auto text = gamelog::read_rcl_file(tests::fixture("gamelog/match-start.rcl.gz").string());
   ASSERT_TRUE(record && text);

@@ -1,4 +1,4 @@
-// Results out of logs: made-up cases, and real matches against what else is known of them.
+// Results of scripted matches, and of rcssserver matches compared with other sources.
 #include "analysis/results/match_summary.h"
 
 #include <gtest/gtest.h>
@@ -6,7 +6,7 @@
 #include <fstream>
 #include <limits>
 
-#include "analysis/results/standings.h"
+#include "analysis/results/team_table.h"
 #include "gamelog/rcg/rcg_reader.h"
 #include "gamelog/rcl/rcl_reader.h"
 #include "tests/gamelog/scripted_match.h"
@@ -31,7 +31,7 @@ void end(ScriptedMatch& match) {
   match.step();
 }
 
-TEST(MatchSummary, TellsScoreWinnerAndWhetherItIsComplete) {
+TEST(MatchSummary, ReportsScoreWinnerAndCompleteness) {
   ScriptedMatch match;
   match.score(2, 1);
   match.steps(3);
@@ -48,7 +48,7 @@ TEST(MatchSummary, TellsScoreWinnerAndWhetherItIsComplete) {
   EXPECT_EQ(summary.version, "6");
 }
 
-TEST(MatchSummary, TakesTheFirstHalfFromItsLastFrame) {
+TEST(MatchSummary, TakesHalfTimeScoreFromLastFrameOfHalf) {
   ScriptedMatch match;
   match.record().server.half_time = 1;  // ten cycles
   match.score(1, 0);
@@ -64,7 +64,7 @@ TEST(MatchSummary, TakesTheFirstHalfFromItsLastFrame) {
   EXPECT_EQ(summarize(match.record(), nullptr).teams[0].first_half, 1);
 }
 
-TEST(MatchSummary, AShootOutDecidesALevelMatchAndTheCoinALevelShootOut) {
+TEST(MatchSummary, DecidesLevelMatchByShootOutThenCoin) {
   ScriptedMatch match;
   match.next().teams[0].penalty_scored = 2;
   match.next().teams[0].penalty_missed = 2;
@@ -83,9 +83,9 @@ TEST(MatchSummary, AShootOutDecidesALevelMatchAndTheCoinALevelShootOut) {
   EXPECT_EQ(tossed.winner, Winner::kLeft);
 }
 
-TEST(MatchSummary, TellsCardsSubstitutionsAndWhoCameLateOrLeft) {
+TEST(MatchSummary, ReportsCardsSubstitutionsAndDisconnections) {
   ScriptedMatch match;
-  match.player(left(11)).state = 0;  // from the second frame on
+  match.player(left(11)).state = 0;  // from the second frame
   match.player(right(4)).state = 0;
   match.steps(2);
   match.player(left(11)).state = gamelog::kStateEnabled;
@@ -105,7 +105,7 @@ TEST(MatchSummary, TellsCardsSubstitutionsAndWhoCameLateOrLeft) {
   EXPECT_EQ(summary.substitutions[0].side, Side::kRight);
   EXPECT_EQ(summary.substitutions[0].unum, 3);
   EXPECT_EQ(summary.substitutions[0].to_type, 7);
-  // A red card is no disconnection.
+  // A red card is not a disconnection.
   ASSERT_EQ(summary.disconnections.size(), 2u);
   EXPECT_EQ(summary.disconnections[0].unum, 11);
   EXPECT_EQ(summary.disconnections[1].unum, 4);
@@ -114,16 +114,16 @@ TEST(MatchSummary, TellsCardsSubstitutionsAndWhoCameLateOrLeft) {
   EXPECT_TRUE(summary.late_starts.empty());
 }
 
-TEST(MatchSummary, TellsWhoCameLateOrNever) {
+TEST(MatchSummary, ReportsLateAndMissingPlayers) {
   ScriptedMatch match;
-  gamelog::MatchRecord record = match.record();  // one frame; two players are not there
+  gamelog::MatchRecord record = match.record();  // one frame; two players are missing
   gamelog::RecordBuilder builder(record);
   record.players.state[5] = 0;
   record.players.state[6] = 0;
   gamelog::Frame frame = gamelog::frame_at(match.record(), 0);
   frame.time = 2;
   frame.players[6].state = 0;
-  builder.append(frame);
+  builder.append_frame(frame);
   const MatchSummary summary = summarize(record, nullptr);
   ASSERT_EQ(summary.late_starts.size(), 1u);
   EXPECT_EQ(summary.late_starts[0].unum, 6);
@@ -132,7 +132,7 @@ TEST(MatchSummary, TellsWhoCameLateOrNever) {
   EXPECT_EQ(summary.never_connected[0].unum, 7);
 }
 
-TEST(MatchSummary, ReadsATextLogAlone) {
+TEST(MatchSummary, SummarizesTextLogAlone) {
   const MatchSummary summary = summarize(text_log(
       "0,0\tRecv A_b_1: (init A_b (version 18))\n0,0\tRecv B_Coach: (init B (version 18))\n"
       "169,0\t(referee goal_l_1)\n300,0\t(referee half_time)\n400,3\t(referee yellow_card_r_5)\n"
@@ -152,7 +152,7 @@ TEST(MatchSummary, ReadsATextLogAlone) {
   EXPECT_TRUE(summary.complete);
 }
 
-// The last line of the server's own result file: names, scores and penalties.
+// The last line of rcssserver's result file: names, scores and penalties.
 std::string csv_result(const std::string& name) {
   std::ifstream file(*tests::data("logs/" + name + ".csv"));
   std::string line;
@@ -173,7 +173,7 @@ std::string as_csv_result(const MatchSummary& summary) {
   return text + ", NULL";
 }
 
-TEST(MatchSummary, AgreesWithTheServersResultFileAndTextLog) {
+TEST(MatchSummary, MatchesRcssserverResultFileAndTextLog) {
   for (const char* name :
        {"helios-vs-helios-full", "cyrus-vs-helios-full", "extra-time-and-penalties"}) {
     const auto game = tests::data("logs/" + std::string(name) + ".rcg.gz");
@@ -211,8 +211,8 @@ MatchSummary result(const char* left_name, int left_score, const char* right_nam
   return match;
 }
 
-TEST(Standings, AddUpAndSort) {
-  const Standings standings = standings_of({
+TEST(TeamTable, SumsAndSortsResults) {
+  const TeamTable standings = team_table({
       result("A", 3, "B", 1, Winner::kLeft),
       result("B", 0, "C", 0, Winner::kDraw),
       result("C", 2, "A", 2, Winner::kLeft),  // after a shoot-out
@@ -231,18 +231,18 @@ TEST(Standings, AddUpAndSort) {
   EXPECT_EQ(standings.rows[2].goal_difference(), -2);
 }
 
-// A damaged log may tell any score.
-TEST(Standings, AddUpScoresBeyondAnInt) {
-  constexpr int kMost = std::numeric_limits<int>::max();
-  constexpr int kLeast = std::numeric_limits<int>::min();
-  const Standings standings = standings_of({
-      result("A", kMost, "B", kLeast, Winner::kLeft),
-      result("A", kMost, "B", kLeast, Winner::kLeft),
+// A corrupt log may contain any score.
+TEST(TeamTable, SumsScoresBeyondInt) {
+  constexpr int kMax = std::numeric_limits<int>::max();
+  constexpr int kMin = std::numeric_limits<int>::min();
+  const TeamTable standings = team_table({
+      result("A", kMax, "B", kMin, Winner::kLeft),
+      result("A", kMax, "B", kMin, Winner::kLeft),
   });
   ASSERT_EQ(standings.rows.size(), 2u);
-  EXPECT_EQ(standings.rows[0].goals_for, 2LL * kMost);
-  EXPECT_EQ(standings.rows[0].goal_difference(), 2LL * kMost - 2LL * kLeast);
-  EXPECT_EQ(standings.rows[1].goal_difference(), 2LL * kLeast - 2LL * kMost);
+  EXPECT_EQ(standings.rows[0].goals_for, 2LL * kMax);
+  EXPECT_EQ(standings.rows[0].goal_difference(), 2LL * kMax - 2LL * kMin);
+  EXPECT_EQ(standings.rows[1].goal_difference(), 2LL * kMin - 2LL * kMax);
 }
 
 }  // namespace

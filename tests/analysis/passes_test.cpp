@@ -1,4 +1,4 @@
-// Passes, carries, chains, assists, threat and the pass network in made-up matches.
+// Passes, carries, chains, assists, threat and the pass network in scripted matches.
 #include "analysis/play/passes.h"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,6 @@
 #include "analysis/measures/threat.h"
 #include "analysis/play/carries.h"
 #include "analysis/play/chains.h"
-#include "analysis/play/offside_line.h"
 #include "tests/gamelog/scripted_match.h"
 
 namespace cls::analysis {
@@ -23,11 +22,11 @@ using tests::right;
 using tests::ScriptedMatch;
 
 std::vector<Pass> passes_in(const ScriptedMatch& match) {
-  const Flow flow = flow_of(match.record());
-  return passes_of(flow, shots_of(flow));
+  const Flow flow = build_flow(match.record());
+  return find_passes(flow, find_shots(flow));
 }
 
-TEST(Passes, ACompletedPassGoesFromContactToContact) {
+TEST(Passes, MeasuresCompletedPassBetweenContacts) {
   for (const bool from_left : {true, false}) {
     ScriptedMatch match;
     const auto own = [&](int unum) { return from_left ? left(unum) : right(unum); };
@@ -51,7 +50,7 @@ TEST(Passes, ACompletedPassGoesFromContactToContact) {
   }
 }
 
-TEST(Passes, TellsDirectionsAsTheTeamSeesThem) {
+TEST(Passes, ClassifiesDirectionsFromTeamView) {
   struct Case {
     Vec2 launch;
     PassDirection direction;
@@ -70,7 +69,7 @@ TEST(Passes, TellsDirectionsAsTheTeamSeesThem) {
   }
 }
 
-TEST(Passes, TellsWhatBecameOfTheOthers) {
+TEST(Passes, ClassifiesIncompletePasses) {
   const auto outcome = [](auto follow) {
     ScriptedMatch match;
     match.kick(left(5), {1.5, 0});
@@ -97,7 +96,7 @@ TEST(Passes, TellsWhatBecameOfTheOthers) {
             PassOutcome::kStopped);
 }
 
-TEST(Passes, ATouchFromAnOffsidePositionIsNoReception) {
+TEST(Passes, IgnoresReceptionFromOffsidePosition) {
   ScriptedMatch match;
   match.kick(left(5), {1.5, 0});
   match.mode(PlayMode::kOffsideLeft);
@@ -105,7 +104,7 @@ TEST(Passes, ATouchFromAnOffsidePositionIsNoReception) {
   EXPECT_EQ(passes_in(match).at(0).outcome, PassOutcome::kOffside);
 }
 
-TEST(Passes, ASoftTouchThatIsLostIsNoAttempt) {
+TEST(Passes, IgnoresSoftTouchThatIsLost) {
   ScriptedMatch soft;
   soft.kick(left(5), {0.3, 0});
   soft.kick(right(5), {0, 0});
@@ -117,7 +116,7 @@ TEST(Passes, ASoftTouchThatIsLostIsNoAttempt) {
   EXPECT_EQ(passes_in(far).size(), 1u);
 }
 
-TEST(Passes, DoesNotReachAcrossAStoppage) {
+TEST(Passes, EndsAtStoppage) {
   ScriptedMatch match;
   match.kick(left(5), {1.5, 0});
   match.mode(PlayMode::kKickInLeft);
@@ -129,7 +128,7 @@ TEST(Passes, DoesNotReachAcrossAStoppage) {
   EXPECT_EQ(passes[0].outcome, PassOutcome::kOut);
 }
 
-TEST(OffsideLine, IsTheSecondLastOpponentTheBallOrTheHalfLine) {
+TEST(OffsideLine, UsesSecondLastOpponentBallOrHalfLine) {
   ScriptedMatch match;
   EXPECT_EQ(offside_line(match.record(), 0, 0), 40.0);
   match.place_ball({45, 0});
@@ -140,14 +139,14 @@ TEST(OffsideLine, IsTheSecondLastOpponentTheBallOrTheHalfLine) {
   match.place_ball({-30, 0});
   match.step();
   EXPECT_EQ(offside_line(match.record(), 2, 0), 0.0);
-  // Who is not connected does not count.
+  // Disconnected players do not count.
   match.player(left(3)).state = 0;
   match.player(left(3)).position.x = -52;
   match.step();
   EXPECT_EQ(offside_line(match.record(), 3, 1), 40.0);
 }
 
-TEST(Passes, AThroughPassIsReceivedBehindTheLine) {
+TEST(Passes, DetectsThroughPassBeyondOffsideLine) {
   const auto through = [](double receiver_x) {
     ScriptedMatch match;
     match.place_ball({30, 0});
@@ -159,10 +158,10 @@ TEST(Passes, AThroughPassIsReceivedBehindTheLine) {
     return passes_in(match).at(0).through;
   };
   EXPECT_TRUE(through(39));
-  EXPECT_FALSE(through(42));  // he stood offside
+  EXPECT_FALSE(through(42));  // the receiver was offside
 }
 
-TEST(Passes, TellsCrossesSwitchesAndCutbacks) {
+TEST(Passes, DetectsCrossesSwitchesAndCutbacks) {
   ScriptedMatch cross;
   cross.place_ball({45, 30});
   cross.step();
@@ -182,7 +181,7 @@ TEST(Passes, TellsCrossesSwitchesAndCutbacks) {
   EXPECT_TRUE(passes_in(switched).at(0).switched);
 }
 
-TEST(Passes, CountsOvertakenOpponentsAndThePressureOnTheReceiver) {
+TEST(Passes, CountsOvertakenOpponentsAndPressureOnReceiver) {
   ScriptedMatch match;
   match.player(right(5)).position = {3, 0};
   match.player(right(6)).position = {5, 1};
@@ -203,20 +202,20 @@ TEST(Passes, FindsOneTwos) {
   match.kick(left(6), {1.5, 0});
   match.steps(2);
   match.kick(left(5), {0, 0});
-  const Flow flow = flow_of(match.record());
-  const auto passes = passes_of(flow, {});
+  const Flow flow = build_flow(match.record());
+  const auto passes = find_passes(flow, {});
   EXPECT_EQ(one_twos(flow, passes)[0], 1);
   EXPECT_EQ(one_twos(flow, passes)[1], 0);
 }
 
-TEST(Carries, ADribbleNeedsARunAndAMetre) {
+TEST(Carries, RequiresDashAndOneMeterForDribble) {
   const auto carry = [](bool dash, double speed) {
     ScriptedMatch match;
     match.kick(left(5), {speed, 0});
     if (dash) ++match.player(left(5)).counts.dash;
     match.step();
     match.kick(left(5), {0, 0});
-    return carries_of(flow_of(match.record())).at(0);
+    return find_carries(build_flow(match.record())).at(0);
   };
   EXPECT_TRUE(carry(true, 0.6).dribble);
   EXPECT_NEAR(carry(true, 0.6).distance(), 0.6 * 1.94, 1e-6);
@@ -224,7 +223,7 @@ TEST(Carries, ADribbleNeedsARunAndAMetre) {
   EXPECT_FALSE(carry(true, 0.4).dribble);
 }
 
-TEST(Carries, CountsOpponentsLeftBehind) {
+TEST(Carries, CountsTakeOns) {
   ScriptedMatch match;
   match.player(right(5)).position = {2, 0.5};
   match.player(right(6)).position = {2.5, 2.5};  // more than 3 m away
@@ -232,13 +231,13 @@ TEST(Carries, CountsOpponentsLeftBehind) {
   match.step();
   match.kick(left(5), {2, 0});
   match.step();
-  match.player(right(7)).position = {8, 0};  // still in front
+  match.player(right(7)).position = {8, 0};  // still ahead
   match.step();
   match.kick(left(5), {0, 0});
-  EXPECT_EQ(carries_of(flow_of(match.record())).at(0).passed, 1);
+  EXPECT_EQ(find_carries(build_flow(match.record())).at(0).passed, 1);
 }
 
-TEST(Chains, EndWithTheTeamsLastTouchAndTellWhatCameOfIt) {
+TEST(Chains, EndAtLastTouchWithBestOutcome) {
   ScriptedMatch match;
   match.kick(left(5), {1, 0});
   match.kick(left(6), {1, 0});
@@ -252,9 +251,9 @@ TEST(Chains, EndWithTheTeamsLastTouchAndTellWhatCameOfIt) {
   match.mode(PlayMode::kGoalLeft);
   match.score(1, 0);
   match.step();
-  const Flow flow = flow_of(match.record());
-  const auto shots = shots_of(flow);
-  const auto chains = chains_of(flow, passes_of(flow, shots), shots);
+  const Flow flow = build_flow(match.record());
+  const auto shots = find_shots(flow);
+  const auto chains = find_chains(flow, find_passes(flow, shots), shots);
   ASSERT_EQ(chains.size(), 3u);
   EXPECT_EQ(chains[0].passes, 1);
   EXPECT_EQ(chains[0].result, ChainResult::kLost);
@@ -265,7 +264,7 @@ TEST(Chains, EndWithTheTeamsLastTouchAndTellWhatCameOfIt) {
   EXPECT_FALSE(chains[0].from_set_play);
 }
 
-TEST(Assists, BelongToTheLastTwoPassersOfTheChain) {
+TEST(Assists, CreditLastTwoPassersOfChain) {
   ScriptedMatch match;
   match.place_ball({30, 0});
   match.step();
@@ -279,15 +278,15 @@ TEST(Assists, BelongToTheLastTwoPassersOfTheChain) {
   match.mode(PlayMode::kGoalLeft);
   match.score(1, 0);
   match.step();
-  const Flow flow = flow_of(match.record());
-  const auto shots = shots_of(flow);
+  const Flow flow = build_flow(match.record());
+  const auto shots = find_shots(flow);
   ASSERT_EQ(shots.size(), 1u);
-  const Assist assist = assist_of(flow, passes_of(flow, shots), shots[0]);
+  const Assist assist = find_assist(flow, find_passes(flow, shots), shots[0]);
   EXPECT_EQ(assist.passer, left(7));
   EXPECT_EQ(assist.second, left(6));
 }
 
-TEST(Assists, AnOpponentsTouchBreaksTheChain) {
+TEST(Assists, EndAtOpponentTouch) {
   ScriptedMatch match;
   match.place_ball({35, 0});
   match.step();
@@ -297,24 +296,24 @@ TEST(Assists, AnOpponentsTouchBreaksTheChain) {
   match.steps(4);
   match.kick(left(9), {2.6, 0.3});
   match.steps(6);
-  const Flow flow = flow_of(match.record());
-  const auto shots = shots_of(flow);
+  const Flow flow = build_flow(match.record());
+  const auto shots = find_shots(flow);
   ASSERT_EQ(shots.size(), 1u);
-  EXPECT_EQ(assist_of(flow, passes_of(flow, shots), shots[0]).passer, kNobody);
+  EXPECT_EQ(find_assist(flow, find_passes(flow, shots), shots[0]).passer, kNoPlayer);
 }
 
-TEST(ExpectedGoals, FollowTheStatedFunction) {
+TEST(ExpectedGoals, FollowDocumentedFunction) {
   ShotSituation situation;
   situation.distance = 10;
   situation.opening = 1.0;
   situation.cycles = 4;
-  situation.keeper_margin = -1;
+  situation.goalie_margin = -1;
   EXPECT_NEAR(goal_probability(situation), 1 / (1 + std::exp(-(1.2 - 1.2 + 1.0 - 1.4))), 1e-12);
-  situation.keeper_margin = 1;
+  situation.goalie_margin = 1;
   EXPECT_NEAR(goal_probability(situation), 1 / (1 + std::exp(-0.2)), 1e-12);
 }
 
-TEST(ExpectedGoals, SeesTheOpeningOpponentsAndTheKeeper) {
+TEST(ExpectedGoals, MeasureOpeningOpponentsAndGoalie) {
   ScriptedMatch match;
   match.place_ball({42.5, 0});
   match.player(right(5)).position = {47, 0.2};
@@ -322,18 +321,18 @@ TEST(ExpectedGoals, SeesTheOpeningOpponentsAndTheKeeper) {
   match.step();
   match.kick(left(9), {2.5, 0.6});
   match.steps(3);
-  const Flow flow = flow_of(match.record());
-  const auto shots = shots_of(flow);
+  const Flow flow = build_flow(match.record());
+  const auto shots = find_shots(flow);
   ASSERT_EQ(shots.size(), 1u);
   const ShotSituation situation = situation_of(flow, shots[0]);
   EXPECT_NEAR(situation.distance, 10, 1e-9);
   EXPECT_NEAR(situation.opening, 2 * std::atan(0.701), 1e-9);
   EXPECT_EQ(situation.opponents_between, 1);
-  // The keeper stands 1.75 m off the path and has 3.5 cycles: he gets there.
-  EXPECT_LT(situation.keeper_margin, 0);
+  // The goalie stands 1.75 m off the path and has 3.5 cycles: it reaches the ball.
+  EXPECT_LT(situation.goalie_margin, 0);
 }
 
-TEST(Threat, RewardsMovesTowardsShots) {
+TEST(Threat, RewardsMovesTowardShots) {
   ScriptedMatch match;
   match.place_ball({10, 0});
   match.step();
@@ -343,10 +342,10 @@ TEST(Threat, RewardsMovesTowardsShots) {
   match.steps(8);
   match.kick(left(9), {2.5, 0.6});
   match.steps(6);
-  const Flow flow = flow_of(match.record());
-  const auto shots = shots_of(flow);
-  const auto passes = passes_of(flow, shots);
-  const auto carries = carries_of(flow);
+  const Flow flow = build_flow(match.record());
+  const auto shots = find_shots(flow);
+  const auto passes = find_passes(flow, shots);
+  const auto carries = find_carries(flow);
   ASSERT_EQ(shots.size(), 1u);
   const ThreatGrid grid = threat_grid(flow, passes, carries, shots, {0.5});
   EXPECT_EQ(grid[threat_cell({-40, 0})], 0.0);
@@ -354,11 +353,11 @@ TEST(Threat, RewardsMovesTowardsShots) {
   const auto added = threat_added(grid, passes, carries);
   double sum = 0.0;
   for (const double value : added) sum += value;
-  EXPECT_NEAR(sum, 0.0, 1e-9);  // every move led where the shot came from: worth the same
+  EXPECT_NEAR(sum, 0.0, 1e-9);  // every move led to the position of the shot: equal value
   EXPECT_DOUBLE_EQ(grid[threat_cell({10, 0})], 0.5);
 }
 
-TEST(Threat, PutsEveryPointIntoACell) {
+TEST(Threat, MapsEveryPointToACell) {
   EXPECT_EQ(threat_cell({-60, -40}), 0u);
   EXPECT_EQ(threat_cell({60, 40}), kThreatColumns * kThreatRows - 1);
   EXPECT_EQ(threat_cell({1e9, 0}) % kThreatColumns, kThreatColumns - 1);
@@ -373,7 +372,7 @@ Pass completed(int passer, int receiver) {
   return pass;
 }
 
-TEST(PassNetwork, MeasuresAChainOfThree) {
+TEST(PassNetwork, MeasuresChainOfThree) {
   // 1 -> 2 -> 3, twice each, and 2 -> 1 once.
   const std::vector<Pass> passes = {completed(left(1), left(2)), completed(left(1), left(2)),
                                     completed(left(2), left(3)), completed(left(2), left(3)),
@@ -389,7 +388,7 @@ TEST(PassNetwork, MeasuresAChainOfThree) {
   EXPECT_EQ(network.nodes[1].given, 3);
   EXPECT_EQ(network.nodes[1].received, 2);
   EXPECT_EQ(network.nodes[1].partners, 2);
-  EXPECT_NEAR(network.nodes[1].betweenness, 1.0 / 90, 1e-12);  // only 1 -> 3 goes over 2
+  EXPECT_NEAR(network.nodes[1].betweenness, 1.0 / 90, 1e-12);  // only 1 -> 3 passes through 2
   EXPECT_EQ(network.nodes[0].betweenness, 0.0);
   EXPECT_EQ(network.nodes[1].clustering, 0.0);
   double ranks = 0.0;
@@ -398,8 +397,8 @@ TEST(PassNetwork, MeasuresAChainOfThree) {
   EXPECT_GT(network.nodes[1].page_rank, network.nodes[3].page_rank);
 }
 
-TEST(PassNetwork, PageRankIsTheStationaryOne) {
-  // In a cycle of three everybody is alike, and so are the eight without passes.
+TEST(PassNetwork, ComputesStationaryPageRank) {
+  // In a cycle of three all have the same rank, and so do the eight without passes.
   const std::vector<Pass> passes = {completed(left(1), left(2)), completed(left(2), left(3)),
                                     completed(left(3), left(1))};
   const PassNetwork network = pass_network(passes, ThreatGrid{}, 0);

@@ -1,4 +1,4 @@
-// Statistics of real matches against what the text log and the rules of the game say.
+// Statistics of rcssserver matches compared with text logs and the rules of the game.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -25,36 +25,36 @@ RealMatch read_both(const std::filesystem::path& stem) {
   return {std::move(*record), std::move(*text)};
 }
 
-// How often the referee said each word.
-std::map<std::string, int> referee_words(const gamelog::RclRecord& text) {
-  std::map<std::string, int> words;
+// Number of each referee message.
+std::map<std::string, int> count_referee_messages(const gamelog::RclRecord& text) {
+  std::map<std::string, int> messages;
   for (const gamelog::RclLine& line : text.lines) {
-    if (line.source == gamelog::RclSource::kReferee) ++words[std::string(text.text_of(line))];
+    if (line.source == gamelog::RclSource::kReferee) ++messages[std::string(text.text_of(line))];
   }
-  return words;
+  return messages;
 }
 
 void expect_agreement_with_referee(const RealMatch& match, const MatchStatistics& all) {
-  std::map<std::string, int> words = referee_words(match.text);
+  std::map<std::string, int> messages = count_referee_messages(match.text);
   for (const char side : {'l', 'r'}) {
     const TeamStoppages& s = all.stoppages.teams[side == 'l' ? 0 : 1];
-    const auto said = [&](const char* word) { return words[word + std::string(1, side)]; };
-    EXPECT_EQ(s.kick_offs, said("kick_off_"));
-    EXPECT_EQ(s.kick_ins, said("kick_in_"));
-    EXPECT_EQ(s.corners, said("corner_kick_"));
-    EXPECT_EQ(s.goal_kicks, said("goal_kick_"));
-    EXPECT_EQ(s.free_kicks + s.goalie_catches, said("free_kick_"));
-    EXPECT_EQ(s.indirect_free_kicks, said("indirect_free_kick_"));
-    EXPECT_EQ(s.goalie_catches, said("goalie_catch_ball_"));
-    EXPECT_EQ(s.offsides, said("offside_"));
-    EXPECT_EQ(s.fouls, said("foul_charge_") + said("foul_push_"));
+    const auto count = [&](const char* prefix) { return messages[prefix + std::string(1, side)]; };
+    EXPECT_EQ(s.kick_offs, count("kick_off_"));
+    EXPECT_EQ(s.kick_ins, count("kick_in_"));
+    EXPECT_EQ(s.corners, count("corner_kick_"));
+    EXPECT_EQ(s.goal_kicks, count("goal_kick_"));
+    EXPECT_EQ(s.free_kicks + s.goalie_catches, count("free_kick_"));
+    EXPECT_EQ(s.indirect_free_kicks, count("indirect_free_kick_"));
+    EXPECT_EQ(s.goalie_catches, count("goalie_catch_ball_"));
+    EXPECT_EQ(s.offsides, count("offside_"));
+    EXPECT_EQ(s.fouls, count("foul_charge_") + count("foul_push_"));
     const Goalkeeping& keeper = all.goalkeeping[side == 'l' ? 0 : 1];
-    EXPECT_EQ(keeper.catches, said("goalie_catch_ball_"));
+    EXPECT_EQ(keeper.catches, count("goalie_catch_ball_"));
   }
-  EXPECT_EQ(all.flow.placed.size(), static_cast<std::size_t>(words["drop_ball"]));
+  EXPECT_EQ(all.flow.placed.size(), static_cast<std::size_t>(messages["drop_ball"]));
 }
 
-// What the counters grew by between the first frame and time_over, and what was asked for.
+// Increase of the counters between the first frame and time_over, and number of commands sent.
 void expect_counts_to_add_up(const RealMatch& match, const MatchStatistics& all) {
   const gamelog::MatchRecord& record = match.record;
   for (std::size_t slot = 0; slot < gamelog::kSlots; ++slot) {
@@ -72,16 +72,16 @@ void expect_counts_to_add_up(const RealMatch& match, const MatchStatistics& all)
         << slot;
     EXPECT_EQ(asked(gamelog::CommandKind::kTackle) - answers.rejected_tackles,
               grew(gamelog::Counter::kTackle));
-    // Half time hides the commands of a cycle, and who lies on the ground dashes in vain.
+    // Half time hides the commands of a cycle, and dashes of tackled players have no effect.
     EXPECT_NEAR(asked(gamelog::CommandKind::kDash), grew(gamelog::Counter::kDash), 1) << slot;
     EXPECT_EQ(all.tackles[slot].tried, grew(gamelog::Counter::kTackle));
-    // helios and cyrus answer every step in synchronous mode.
+    // helios and cyrus respond in every step of synch mode.
     EXPECT_EQ(answers.silent, 0);
     EXPECT_EQ(answers.answered, answers.steps);
   }
 }
 
-// Nobody can use more than two stores a half; who is exhausted has used exactly that.
+// No player can use more than two capacities per half; an exhausted one has used exactly that.
 void expect_possible_stamina(const RealMatch& match, const MatchStatistics& all) {
   const double store = match.record.server.stamina_max + match.record.server.stamina_capacity;
   int exhausted = 0;
@@ -99,10 +99,10 @@ void expect_possible_stamina(const RealMatch& match, const MatchStatistics& all)
   EXPECT_GE(exhausted, 3);
 }
 
-// Plain conditions that hold whatever the definitions.
+// Conditions that hold for any definition.
 void expect_consistency(const MatchStatistics& all) {
   for (std::size_t team = 0; team < 2; ++team) {
-    const TeamTotals t = totals_of(all, team);
+    const TeamTotals t = sum_team(all, team);
     int shots = 0;
     for (const int count : t.shots.outcomes) shots += count;
     EXPECT_EQ(shots, t.shots.total);
@@ -118,7 +118,7 @@ void expect_consistency(const MatchStatistics& all) {
     EXPECT_LE(p.last_touch[team], p.live_frames);
     EXPECT_LE(p.fastest[team], p.live_frames);
     EXPECT_EQ(t.interceptions,
-              totals_of(all, 1 - team)
+              sum_team(all, 1 - team)
                   .passes.outcomes[static_cast<std::size_t>(PassOutcome::kIntercepted)]);
   }
   for (std::size_t slot = 0; slot < gamelog::kSlots; ++slot) {
@@ -128,9 +128,9 @@ void expect_consistency(const MatchStatistics& all) {
   }
 }
 
-TEST(RealStatistics, AgreeWithTheTextLogAtTheStartOfAMatch) {
+TEST(RealStatistics, MatchTextLogAtStartOfMatch) {
   const RealMatch match = read_both(tests::fixture("gamelog/match-start"));
-  const MatchStatistics all = statistics_of(match.record, &match.text);
+  const MatchStatistics all = compute_statistics(match.record, &match.text);
   expect_agreement_with_referee(match, all);
   expect_counts_to_add_up(match, all);
   expect_consistency(all);
@@ -138,7 +138,7 @@ TEST(RealStatistics, AgreeWithTheTextLogAtTheStartOfAMatch) {
   EXPECT_EQ(all.goals[0].scorer, 10);
 }
 
-TEST(RealStatistics, AgreeWithTheTextLogOfWholeMatches) {
+TEST(RealStatistics, MatchTextLogOfWholeMatches) {
   struct Figures {
     const char* name;
     PerTeam<int> completed;
@@ -146,7 +146,7 @@ TEST(RealStatistics, AgreeWithTheTextLogOfWholeMatches) {
     PerTeam<int> tackles;
     double possession;
   };
-  // The figures keep definitions from drifting; docs/formats/statistics.md explains them.
+  // These values detect changes of definitions; docs/formats/statistics.md explains them.
   for (const auto& [name, completed, shots, tackles, possession] :
        {Figures{"helios-vs-helios-full", {69, 76}, {5, 4}, {26, 16}, 0.5463},
         Figures{"cyrus-vs-helios-full", {136, 88}, {12, 0}, {43, 18}, 0.6157}}) {
@@ -154,20 +154,20 @@ TEST(RealStatistics, AgreeWithTheTextLogOfWholeMatches) {
     if (!data) GTEST_SKIP() << "no data: set CLS_DATA";
     SCOPED_TRACE(name);
     const RealMatch match = read_both(data->parent_path() / name);
-    const MatchStatistics all = statistics_of(match.record, &match.text);
+    const MatchStatistics all = compute_statistics(match.record, &match.text);
     expect_agreement_with_referee(match, all);
     expect_counts_to_add_up(match, all);
     expect_possible_stamina(match, all);
     expect_consistency(all);
-    EXPECT_TRUE(doubts_about(summarize(match.record, &match.text), all).empty());
+    EXPECT_TRUE(exclusion_reasons(summarize(match.record, &match.text), all).empty());
     EXPECT_NEAR(left_share(all.possession.last_touch), possession, 1e-4);
     for (std::size_t team = 0; team < 2; ++team) {
-      const TeamTotals t = totals_of(all, team);
+      const TeamTotals t = sum_team(all, team);
       EXPECT_EQ(t.passes.completed, completed[team]);
       EXPECT_EQ(t.shots.total, shots[team]);
       EXPECT_EQ(t.tackles.succeeded, tackles[team]);
-      // Field players run 1.7 to 2.9 km, goalkeepers 0.1 to 0.5 (match-statistics 4.1).
-      for (std::size_t slot = team * kTeamSize; slot < (team + 1) * kTeamSize; ++slot) {
+      // Field players run 1.7 to 2.9 km, goalies 0.1 to 0.5 (match-statistics 4.1).
+      for (const std::size_t slot : kTeamSlots[team]) {
         const double distance = all.movement[slot].distance();
         const bool keeper = slot % kTeamSize == 0;
         EXPECT_GT(distance, keeper ? 100 : 1700) << slot;
@@ -177,13 +177,13 @@ TEST(RealStatistics, AgreeWithTheTextLogOfWholeMatches) {
   }
 }
 
-TEST(RealStatistics, WorkOnEveryVersionOfTheLog) {
+TEST(RealStatistics, ReadEveryLogVersion) {
   for (const char* name : {"rcg-v1", "rcg-v2", "rcg-v3", "rcg-v4", "rcg-v5", "rcg-json"}) {
     SCOPED_TRACE(name);
     const auto record = gamelog::read_rcg_file(
         tests::fixture("gamelog/" + std::string(name) + "-excerpt.rcg.gz").string());
     ASSERT_TRUE(record);
-    const MatchStatistics all = statistics_of(*record, nullptr);
+    const MatchStatistics all = compute_statistics(*record, nullptr);
     EXPECT_GT(all.possession.live_frames, 0);
     EXPECT_GT(all.flow.touches.size(), 0u);
     expect_consistency(all);

@@ -1,12 +1,12 @@
-// The other families of statistics in made-up matches: possession, tackles, territory, stoppages,
-// goalkeeping, pressing, movement, stamina, positions, answers to the server.
+// Statistics of scripted matches: possession, tackles, territory, stoppages, goalkeeping, pressing,
+// movement, stamina, positions, responsiveness.
 #include "analysis/statistics/match_statistics.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "analysis/measures/team_shape.h"
+#include "analysis/measures/positions.h"
 #include "analysis/play/interception_time.h"
 #include "analysis/statistics/statistics_text.h"
 #include "gamelog/rcl/rcl_reader.h"
@@ -21,15 +21,15 @@ using tests::left;
 using tests::right;
 using tests::ScriptedMatch;
 
-TEST(Possession, CountsByLastAndByNextToucher) {
-  ScriptedMatch match;                // frame 0: nobody's
-  match.step();                       // 1: nobody's, left next
+TEST(Possession, CountsByLastAndNextToucher) {
+  ScriptedMatch match;                // frame 0: no owner
+  match.step();                       // 1: no owner, left next
   match.kick(left(5), {1, 0});        // 2
   match.steps(2);                     // 3, 4
   match.kick(right(5), {0.1, 0});     // 5
   match.mode(PlayMode::kKickInLeft);  // 6
   match.step();
-  const Possession p = possession_of(flow_of(match.record()));
+  const Possession p = measure_possession(build_flow(match.record()));
   EXPECT_EQ(p.live_frames, 6);
   EXPECT_EQ(p.last_touch, (PerTeam<int>{3, 1}));
   EXPECT_EQ(p.next_kicker, (PerTeam<int>{2, 3}));
@@ -38,7 +38,7 @@ TEST(Possession, CountsByLastAndByNextToucher) {
   EXPECT_DOUBLE_EQ(left_share({0, 0}), 0.5);
 }
 
-TEST(Possession, TellsWhoHasTheBallAtHisFeet) {
+TEST(Possession, CountsFramesWithKickableBall) {
   ScriptedMatch match;
   match.player(left(5)).position = {1.0, 0};  // kickable radius 1.085
   match.step();
@@ -46,12 +46,12 @@ TEST(Possession, TellsWhoHasTheBallAtHisFeet) {
   match.step();
   match.player(left(5)).position = {1.1, 0};
   match.step();
-  const Possession p = possession_of(flow_of(match.record()));
+  const Possession p = measure_possession(build_flow(match.record()));
   EXPECT_EQ(p.at_feet, (PerTeam<int>{1, 1}));
   EXPECT_EQ(p.at_feet_contested, 1);
 }
 
-TEST(Interception, GoesToWhoGetsThereFirst) {
+TEST(Interception, FindsFirstPlayerAtBall) {
   ScriptedMatch match;
   match.player(left(5)).position = {-3, 0};  // faces the ball
   match.player(right(5)).position = {3.5, 0};
@@ -60,15 +60,15 @@ TEST(Interception, GoesToWhoGetsThereFirst) {
   const auto first = first_to_ball(match.record(), 1);
   ASSERT_TRUE(first);
   EXPECT_EQ(first->slot, static_cast<std::size_t>(left(5)));
-  // 3 - 1.085 = 1.915 m at 0.9975 a cycle, behind one cycle of standing.
+  // after one cycle of standing
   EXPECT_EQ(first->cycles, 3);
   EXPECT_EQ(cycles_to_ball(match.record(), 1, static_cast<std::size_t>(right(5))), 4);
-  // Turned away he needs a cycle more.
+  // Turned away, the player needs one more cycle.
   match.player(left(5)).body = 90;
   match.step();
   EXPECT_EQ(cycles_to_ball(match.record(), 2, static_cast<std::size_t>(left(5))), 4);
-  EXPECT_FALSE(first_to_ball(match.record(), 2));  // both at once
-  // A ball that rolls towards him takes less.
+  EXPECT_FALSE(first_to_ball(match.record(), 2));  // both in the same cycle
+  // A ball that rolls toward the player takes less.
   match.player(left(5)).body = 0;
   match.next().ball_velocity = {-1, 0};
   match.next().ball_position = {1, 0};
@@ -76,13 +76,13 @@ TEST(Interception, GoesToWhoGetsThereFirst) {
   EXPECT_EQ(cycles_to_ball(match.record(), 3, static_cast<std::size_t>(left(5))), 2);
 }
 
-TEST(Tackles, TellsHitsMissesAndWhetherTheyWonTheBall) {
+TEST(Tackles, CountsHitsMissesAndEffectiveTackles) {
   ScriptedMatch match;
   match.kick(right(5), {0.5, 0});
-  match.tackle(left(5), {0.5, 0});  // from the opponent, and left goes on
+  match.tackle(left(5), {0.5, 0});  // from the opponent, and left touches next
   match.kick(left(6), {0.5, 0});
-  match.tackle(left(7), {0.5, 0});   // of an own ball: a kick
-  match.tackle(right(8), {0.5, 0});  // from the opponent, but left goes on
+  match.tackle(left(7), {0.5, 0});   // of the own team's ball: a kick
+  match.tackle(right(8), {0.5, 0});  // from the opponent, but left touches next
   match.kick(left(9), {0.5, 0});
   ++match.player(right(3)).counts.tackle;
   match.player(right(3)).state |= gamelog::kStateTackle | gamelog::kStateTackleFailed;
@@ -90,7 +90,7 @@ TEST(Tackles, TellsHitsMissesAndWhetherTheyWonTheBall) {
   ++match.player(right(3)).counts.tackle;
   match.player(right(3)).state |= gamelog::kStateTackleFailed;
   match.step();
-  const auto tackles = tackles_of(flow_of(match.record()));
+  const auto tackles = count_tackles(build_flow(match.record()));
   EXPECT_EQ(tackles[left(5)], (Tackles{1, 1, 0, 0, 1, 0}));
   EXPECT_EQ(tackles[left(7)], (Tackles{1, 1, 0, 0, 0, 1}));
   EXPECT_EQ(tackles[right(8)], (Tackles{1, 1, 0, 0, 0, 0}));
@@ -107,7 +107,7 @@ TEST(Territory, CountsThirdsQuartersAndBoxEntries) {
     }
   };
   for (const double x : {-20.0, 37.0, 34.0, 37.0}) roll_to(x);
-  const Territory t = territory_of(flow_of(match.record()));
+  const Territory t = measure_territory(build_flow(match.record()));
   EXPECT_EQ(t.live_frames, 30);
   EXPECT_EQ(t.thirds, (std::array<int, 3>{1, 20, 9}));
   EXPECT_EQ(t.quarters, (std::array<int, 4>{0, 13, 11, 6}));
@@ -116,13 +116,13 @@ TEST(Territory, CountsThirdsQuartersAndBoxEntries) {
   EXPECT_EQ(t.teams[1].box_entries, 0);
 }
 
-TEST(Territory, MirrorsTheRightTeamAndSharesThePitch) {
+TEST(Territory, MirrorsRightTeamAndComputesPitchControl) {
   ScriptedMatch match;
   match.place_ball({-35, 0});
   match.step();
   match.kick(right(9), {-2.0, 0});
   match.step();
-  Territory t = territory_of(flow_of(match.record()));
+  Territory t = measure_territory(build_flow(match.record()));
   EXPECT_EQ(t.teams[1].box_entries, 1);
   EXPECT_EQ(t.teams[1].final_third_touches, 1);
   EXPECT_DOUBLE_EQ(t.field_tilt(), 0.0);
@@ -130,7 +130,7 @@ TEST(Territory, MirrorsTheRightTeamAndSharesThePitch) {
   EXPECT_NEAR(t.teams[0].pitch_control, t.teams[1].pitch_control, 1e-9);
 }
 
-TEST(Stoppages, CountsRestartsAndOffencesForTheRightSide) {
+TEST(Stoppages, CountsRestartsAndOffensesBySide) {
   ScriptedMatch match;
   for (const PlayMode mode :
        {PlayMode::kKickInLeft, PlayMode::kPlayOn, PlayMode::kCornerKickRight, PlayMode::kPlayOn,
@@ -141,7 +141,7 @@ TEST(Stoppages, CountsRestartsAndOffencesForTheRightSide) {
     match.mode(mode);
     match.steps(2);
   }
-  const Stoppages s = stoppages_of(flow_of(match.record()));
+  const Stoppages s = count_stoppages(build_flow(match.record()));
   const TeamStoppages& l = s.teams[0];
   const TeamStoppages& r = s.teams[1];
   EXPECT_EQ(l.kick_ins, 1);
@@ -158,7 +158,7 @@ TEST(Stoppages, CountsRestartsAndOffencesForTheRightSide) {
   EXPECT_EQ(l.fouls + l.offsides + r.kick_ins + r.free_kicks, 0);
 }
 
-TEST(Stoppages, NamesWhoFouledWhom) {
+TEST(Stoppages, IdentifiesFoulerAndVictim) {
   ScriptedMatch match;
   match.player(left(5)).position = {0.5, 0};
   match.player(right(6)).position = {1, 0};
@@ -168,7 +168,7 @@ TEST(Stoppages, NamesWhoFouledWhom) {
   match.player(right(6)).state |= gamelog::kStateCharged | gamelog::kStateYellowCard;
   match.mode(PlayMode::kFoulChargeLeft);
   match.step();
-  const Stoppages s = stoppages_of(flow_of(match.record()));
+  const Stoppages s = count_stoppages(build_flow(match.record()));
   ASSERT_EQ(s.fouls.size(), 1u);
   EXPECT_EQ(s.fouls[0].fouler, left(5));
   EXPECT_EQ(s.fouls[0].victim, right(6));
@@ -178,14 +178,14 @@ TEST(Stoppages, NamesWhoFouledWhom) {
   EXPECT_EQ(s.teams[1].yellow_cards, 1);
 }
 
-TEST(Stoppages, AFreeKickAfterACatchIsNone) {
+TEST(Stoppages, ExcludesFreeKicksAfterCatch) {
   ScriptedMatch match;
   ++match.player(left(1)).counts.catches;
   match.player(left(1)).state |= gamelog::kStateCatch;
   match.mode(PlayMode::kFreeKickLeft);
   match.step();
   match.step();
-  const Stoppages s = stoppages_of(flow_of(match.record()));
+  const Stoppages s = count_stoppages(build_flow(match.record()));
   EXPECT_EQ(s.teams[0].goalie_catches, 1);
   EXPECT_EQ(s.teams[0].free_kicks, 0);
 }
@@ -209,8 +209,8 @@ TEST(Goalkeeping, CountsCatchesSavesAndMoves) {
   match.player(right(1)).state |=
       gamelog::kStateCatch | gamelog::kStateCatchFailed;  // out of reach: not counted
   match.step();
-  const Flow flow = flow_of(match.record());
-  const auto keepers = goalkeeping_of(flow, shots_of(flow));
+  const Flow flow = build_flow(match.record());
+  const auto keepers = measure_goalkeeping(flow, find_shots(flow));
   EXPECT_EQ(keepers[1].catches, 1);
   EXPECT_EQ(keepers[1].saves, 1);
   EXPECT_EQ(keepers[1].moves_after_catch, 2);
@@ -230,8 +230,8 @@ TEST(Pressing, CountsLossesRecoveriesAndPressure) {
   match.kick(right(5), {0.5, 0});  // left loses, right recovers
   match.steps(9);
   match.kick(left(6), {0.5, 0});  // regained after ten frames
-  const Flow flow = flow_of(match.record());
-  const PressingStats p = pressing_of(flow, passes_of(flow, {}), stoppages_of(flow));
+  const Flow flow = build_flow(match.record());
+  const PressingStats p = measure_pressing(flow, find_passes(flow, {}), count_stoppages(flow));
   EXPECT_EQ(p.teams[0].losses, 1);
   EXPECT_EQ(p.teams[1].losses, 1);
   EXPECT_EQ(p.recoveries[right(5)], 1);
@@ -246,7 +246,7 @@ TEST(Pressing, CountsLossesRecoveriesAndPressure) {
   EXPECT_EQ(p.teams[1].defensive_actions, 1);
 }
 
-TEST(Movement, AddsStepsButNotPlacements) {
+TEST(Movement, SumsStepsWithoutPlacements) {
   ScriptedMatch match;
   match.player(left(5)).position.x += 1.0;
   match.step();
@@ -257,14 +257,14 @@ TEST(Movement, AddsStepsButNotPlacements) {
   match.mode(PlayMode::kKickInLeft);
   match.player(left(5)).position.y += 0.5;
   match.step();
-  const Movement m = movement_of(flow_of(match.record()))[left(5)];
+  const Movement m = measure_movement(build_flow(match.record()))[left(5)];
   EXPECT_NEAR(m.live_distance, 1.1, 1e-5);
   EXPECT_NEAR(m.other_distance, 0.5, 1e-5);
   EXPECT_NEAR(m.top_speed, 1.0, 1e-5);
   EXPECT_EQ(m.bands, (std::array<int, 4>{1, 0, 0, 1}));
 }
 
-TEST(Stamina, IsTheSumOfWhatIsMissingFromBothStores) {
+TEST(Stamina, SumsConsumptionOfStaminaAndCapacity) {
   ScriptedMatch match;
   const auto set = [&](double stamina, double capacity) {
     match.player(left(5)).stamina = stamina;
@@ -276,34 +276,34 @@ TEST(Stamina, IsTheSumOfWhatIsMissingFromBothStores) {
   set(3000, 130000);
   set(8000, 130600);  // second half
   set(2000, 130000);
-  const Stamina s = stamina_of(match.record())[left(5)];
+  const Stamina s = measure_stamina(match.record())[left(5)];
   EXPECT_NEAR(s.used, (8000 - 3000 + 600) + (8000 - 2000 + 600), 1e-6);
   EXPECT_EQ(s.refills, 1);
   EXPECT_EQ(s.lowest, 2000);
   EXPECT_EQ(s.exhausted_frames, 1);  // below 0.3 * 8000
-  // An extra half refills the capacity alone.
+  // An extra half refills only the capacity.
   set(1950, 130600);
-  EXPECT_NEAR(stamina_of(match.record())[left(5)].used, s.used + 50, 1e-6);
+  EXPECT_NEAR(measure_stamina(match.record())[left(5)].used, s.used + 50, 1e-6);
 }
 
-TEST(Stamina, IsReckonedByTheRulesWithoutCapacity) {
+TEST(Stamina, EstimatesConsumptionWithoutCapacity) {
   ScriptedMatch match;
   match.record().version = gamelog::RcgVersion::kV4;
   match.player(left(5)).stamina = 7900;
   match.step();
-  match.player(left(5)).stamina = 7900;  // used what he recovered
+  match.player(left(5)).stamina = 7900;  // used the recovered stamina
   match.step();
-  EXPECT_NEAR(stamina_of(match.record())[left(5)].used, 100 + 45, 1e-6);
+  EXPECT_NEAR(measure_stamina(match.record())[left(5)].used, 100 + 45, 1e-6);
 }
 
-TEST(Positions, AreMeansAsTheTeamSeesThem) {
+TEST(Positions, AverageFromTeamView) {
   ScriptedMatch match;
   match.player(right(5)).position = {30, 10};
   match.step();
   match.player(right(5)).position = {32, 14};
   match.step();
   match.record().time[0] = 0;
-  const PositionStats p = positions_of(flow_of(match.record()));
+  const PositionStats p = measure_positions(build_flow(match.record()));
   const Cloud& cloud = p.players[right(5)].all;
   EXPECT_EQ(cloud.count, 3);
   EXPECT_NEAR(cloud.mean.x, -(40 + 30 + 32) / 3.0, 1e-5);
@@ -312,10 +312,10 @@ TEST(Positions, AreMeansAsTheTeamSeesThem) {
   int cells = 0;
   for (const int count : p.players[right(5)].heat) cells += count;
   EXPECT_EQ(cells, 3);
-  EXPECT_EQ(p.ball[7 * kHeatColumns + 10], 3);  // the centre
+  EXPECT_EQ(p.ball[7 * kHeatColumns + 10], 3);  // the center
 }
 
-TEST(Positions, FindTheShapeOfATeam) {
+TEST(Positions, MeasureTeamShape) {
   EXPECT_DOUBLE_EQ(hull_area({{0, 0}, {2, 0}, {2, 2}, {0, 2}, {1, 1}, {1, 0}}), 4.0);
   EXPECT_EQ(hull_area({{0, 0}, {1, 1}}), 0.0);
   TeamShape shape;
@@ -326,10 +326,10 @@ TEST(Positions, FindTheShapeOfATeam) {
   set_formation({-30, -31, -29, -30.5, -18, 0, 1, 2, 20, 21}, four);
   EXPECT_EQ(four.formation, "4-1-3-2");
   ScriptedMatch match;
-  const TeamShape line = positions_of(flow_of(match.record())).teams[0];
-  EXPECT_NEAR(line.width, 27, 1e-5);  // numbers 2 to 11 in one line
+  const TeamShape line = measure_positions(build_flow(match.record())).teams[0];
+  EXPECT_NEAR(line.width, 27, 1e-5);  // players 2 to 11 in one line
   EXPECT_NEAR(line.length, 0, 1e-5);
-  EXPECT_NEAR(line.defence_x, -40, 1e-5);
+  EXPECT_NEAR(line.defense_x, -40, 1e-5);
 }
 
 gamelog::RclRecord text_log(std::string_view log) {
@@ -337,7 +337,7 @@ gamelog::RclRecord text_log(std::string_view log) {
   return gamelog::read_rcl(source);
 }
 
-TEST(Responsiveness, HoldsCommandsAgainstWhatWasCarriedOut) {
+TEST(Responsiveness, ComparesSentWithExecutedCommands) {
   ScriptedMatch match;
   match.record().server.synch_mode = true;
   match.kick(left(5), {1, 0});  // clock 1 to 2
@@ -350,14 +350,14 @@ TEST(Responsiveness, HoldsCommandsAgainstWhatWasCarriedOut) {
       "3,0\tRecv A_5: (turn_neck 3)(turn_neck 4)(done)\n"
       "4,0\tRecv A_5: (tackle 10 true)\n"
       "4,0\tRecv X_5: (tackle 10 true)\n");
-  const auto all = responsiveness_of(flow_of(match.record()), text);
+  const auto all = measure_responsiveness(build_flow(match.record()), text);
   const Responsiveness& r = all[left(5)];
   EXPECT_EQ(r.steps, 4);
   EXPECT_EQ(r.answered, 4);
   EXPECT_EQ(r.silent, 1);  // no (done) at 4
   EXPECT_EQ(r.no_body_command, 1);
   EXPECT_EQ(r.several_body, 1);
-  EXPECT_EQ(r.slips, 1);
+  EXPECT_EQ(r.late_steps, 1);
   EXPECT_EQ(r.rejected_kicks, 1);
   EXPECT_EQ(r.rejected_turn_necks, 3);
   EXPECT_EQ(r.rejected_tackles, 1);
@@ -369,19 +369,19 @@ TEST(Responsiveness, HoldsCommandsAgainstWhatWasCarriedOut) {
   EXPECT_EQ(all[left(6)].silent, 4);
 }
 
-TEST(Responsiveness, TakesTheOrderOfAppearanceWhereNamesAreNoHelp) {
+TEST(Responsiveness, AssignsTeamsByOrderWhenNamesAreEqual) {
   ScriptedMatch match;
   match.next().teams[0].name = "same";
   match.next().teams[1].name = "same";
   match.step();
   const auto sides =
-      sides_of_names(match.record(), text_log("1,0\tRecv x_1: (done)\n1,0\tRecv y_1: (done)\n"));
+      assign_sides(match.record(), text_log("1,0\tRecv x_1: (done)\n1,0\tRecv y_1: (done)\n"));
   EXPECT_EQ(sides[0], 0);
   EXPECT_EQ(sides[1], 1);
   EXPECT_EQ(sides[2], -1);
 }
 
-TEST(Attention, SharesFramesByViewAndTarget) {
+TEST(Attention, CountsFramesByViewAndTarget) {
   ScriptedMatch match;
   match.player(left(5)).view_width = 60;
   match.player(left(5)).attention_side = soccer::Side::kRight;
@@ -391,7 +391,7 @@ TEST(Attention, SharesFramesByViewAndTarget) {
   match.player(left(5)).high_quality = false;
   match.player(left(5)).pointing_at = Vec2{1, 2};
   match.step();
-  const Attention a = attention_of(match.record())[left(5)];
+  const Attention a = measure_attention(match.record())[left(5)];
   EXPECT_EQ(a.frames, 3);
   EXPECT_EQ(a.narrow, 1);
   EXPECT_EQ(a.normal, 1);
@@ -403,39 +403,39 @@ TEST(Attention, SharesFramesByViewAndTarget) {
   EXPECT_NEAR(a.mean_view_width, 120, 1e-9);
 }
 
-std::vector<std::string> doubts(const gamelog::MatchRecord& record, const gamelog::RclRecord* text,
-                                const std::string& end_reason = "") {
+std::vector<std::string> reasons(const gamelog::MatchRecord& record, const gamelog::RclRecord* text,
+                                 const std::string& end_reason = "") {
   MatchSummary summary = summarize(record, text);
   summary.end_reason = end_reason;
   if (!end_reason.empty()) summary.complete = end_reason == "finished";
-  return doubts_about(summary, statistics_of(record, text));
+  return exclusion_reasons(summary, compute_statistics(record, text));
 }
 
-TEST(Doubts, NameWhatSpeaksAgainstAMatch) {
+TEST(ExclusionReasons, ListDisconnectionsSilenceAndMissingEnd) {
   ScriptedMatch match;
   match.step();
   match.player(left(4)).state = 0;
   match.step();
-  EXPECT_EQ(doubts(match.record(), nullptr),
-            (std::vector<std::string>{"no time_over", "l 4 was lost"}));
+  EXPECT_EQ(reasons(match.record(), nullptr),
+            (std::vector<std::string>{"no time_over", "l 4 disconnected"}));
   match.player(left(4)).state = gamelog::kStateEnabled;
   match.step();
-  EXPECT_EQ(doubts(match.record(), nullptr, "stalled"),
-            std::vector<std::string>{"ended as stalled"});
-  EXPECT_TRUE(doubts(match.record(), nullptr, "finished").empty());
+  EXPECT_EQ(reasons(match.record(), nullptr, "stalled"),
+            std::vector<std::string>{"end reason: stalled"});
+  EXPECT_TRUE(reasons(match.record(), nullptr, "finished").empty());
   match.mode(PlayMode::kTimeOver);
   match.step();
-  EXPECT_TRUE(doubts(match.record(), nullptr).empty());
+  EXPECT_TRUE(reasons(match.record(), nullptr).empty());
   const gamelog::RclRecord silence = text_log("1,0\t(referee play_on)\n");
-  EXPECT_EQ(doubts(match.record(), &silence).size(), 22u);
+  EXPECT_EQ(reasons(match.record(), &silence).size(), 22u);
 }
 
-TEST(MatchStatistics, SurvivesEmptyAndTinyRecords) {
+TEST(MatchStatistics, HandlesEmptyAndTinyRecords) {
   const gamelog::MatchRecord empty;
-  EXPECT_TRUE(statistics_of(empty, nullptr).shots.empty());
-  EXPECT_EQ(doubts(empty, nullptr), std::vector<std::string>{"no frames"});
+  EXPECT_TRUE(compute_statistics(empty, nullptr).shots.empty());
+  EXPECT_EQ(reasons(empty, nullptr), std::vector<std::string>{"no frames"});
   ScriptedMatch one;
-  EXPECT_EQ(statistics_of(one.record(), nullptr).possession.live_frames, 1);
+  EXPECT_EQ(compute_statistics(one.record(), nullptr).possession.live_frames, 1);
 }
 
 TEST(StatisticsText, WritesNoNegativeZero) {
@@ -443,7 +443,7 @@ TEST(StatisticsText, WritesNoNegativeZero) {
   match.player(left(5)).position = {0.5, 0};
   match.place_ball({0, 0});
   match.step();
-  MatchStatistics all = statistics_of(match.record(), nullptr);
+  MatchStatistics all = compute_statistics(match.record(), nullptr);
   all.ratings[left(5)].passing = -0.04;
   all.ratings[right(5)].passing = -0.06;
   const std::string text = statistics_text(summarize(match.record(), nullptr), all);

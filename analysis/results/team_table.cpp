@@ -1,5 +1,5 @@
-// Adding up results.
-#include "analysis/results/standings.h"
+// Sums results per team.
+#include "analysis/results/team_table.h"
 
 #include <algorithm>
 #include <map>
@@ -10,7 +10,7 @@ namespace {
 
 constexpr int kPointsForWin = 3;
 
-void add(const TeamSummary& own, const TeamSummary& other, bool won, bool drawn, Standing& row) {
+void add(const TeamSummary& own, const TeamSummary& other, bool won, bool drawn, TeamResults& row) {
   row.team = own.name;
   ++row.played;
   row.won += won;
@@ -21,15 +21,15 @@ void add(const TeamSummary& own, const TeamSummary& other, bool won, bool drawn,
   row.points += won ? kPointsForWin : drawn ? 1 : 0;
 }
 
-auto order(const Standing& row) {
+auto order(const TeamResults& row) {
   return std::make_tuple(-row.points, -row.goal_difference(), -row.goals_for, row.team);
 }
 
 }  // namespace
 
-Standings standings_of(const std::vector<MatchSummary>& matches) {
-  Standings standings;
-  std::map<std::string, Standing> by_name;
+TeamTable team_table(const std::vector<MatchSummary>& matches) {
+  TeamTable standings;
+  std::map<std::string, TeamResults> by_name;
   for (const MatchSummary& match : matches) {
     const auto& [left, right] = match.teams;
     if (match.winner == Winner::kNone || left.name.empty() || right.name.empty()) {
@@ -42,7 +42,7 @@ Standings standings_of(const std::vector<MatchSummary>& matches) {
   }
   for (auto& [name, row] : by_name) standings.rows.push_back(std::move(row));
   std::sort(standings.rows.begin(), standings.rows.end(),
-            [](const Standing& a, const Standing& b) { return order(a) < order(b); });
+            [](const TeamResults& a, const TeamResults& b) { return order(a) < order(b); });
   return standings;
 }
 

@@ -1,4 +1,4 @@
-// Raised scores and who raised them.
+// Finds goals and their scorers.
 #include <algorithm>
 
 #include "analysis/play/shots.h"
@@ -10,13 +10,13 @@ using soccer::Side;
 
 constexpr std::int32_t kDeflectionCycles = 5;
 
-// The shot with which a goal came about: the last one of the side before it.
+// The shot that led to a goal: the last one of the side before it.
 std::int32_t shot_before(const Flow& flow, const std::vector<Shot>& shots, const Goal& goal,
                          std::size_t team) {
   for (std::size_t i = shots.size(); i > 0; --i) {
     const Shot& shot = shots[i - 1];
     const std::uint32_t frame = flow.touches[shot.touch].frame;
-    if (frame > goal.frame || team_of(static_cast<std::size_t>(shot.slot)) != team) continue;
+    if (frame > goal.frame || team_of(slot_index(shot.slot)) != team) continue;
     const bool this_one = shot.outcome == ShotOutcome::kGoal &&
                           (goal.frame == frame ||
                            flow.live_phase[goal.frame - 1] == flow.touches[shot.touch].live_phase);
@@ -25,7 +25,7 @@ std::int32_t shot_before(const Flow& flow, const std::vector<Shot>& shots, const
   return -1;
 }
 
-// A goalkeeper's touch just behind a shot on target does not make the goal his.
+// The goalie's touch just after a shot on target does not take the goal from the shooter.
 std::int8_t shooter_deflected_by(const Flow& flow, std::size_t touch, std::size_t team) {
   const gamelog::MatchRecord& record = *flow.record;
   const Touch& deflection = flow.touches[touch];
@@ -33,13 +33,13 @@ std::int8_t shooter_deflected_by(const Flow& flow, std::size_t touch, std::size_
     const Touch& before = flow.touches[i - 1];
     const std::int8_t shooter = before.nearest[team];
     if (record.time[deflection.frame] - record.time[before.frame] > kDeflectionCycles) break;
-    if (shooter == kNobody) continue;
+    if (shooter == kNoPlayer) continue;
     Shot shot;
     const bool on_target =
-        heads_for_goal(record, before, static_cast<std::size_t>(shooter), shot) && shot.on_target;
-    return on_target && deflection.kind != TouchKind::kKick ? shooter : kNobody;
+        heads_for_goal(record, before, slot_index(shooter), shot) && shot.on_target;
+    return on_target && deflection.kind != TouchKind::kKick ? shooter : kNoPlayer;
   }
-  return kNobody;
+  return kNoPlayer;
 }
 
 void find_scorer(const Flow& flow, std::size_t team, Goal& goal) {
@@ -51,12 +51,12 @@ void find_scorer(const Flow& flow, std::size_t team, Goal& goal) {
       goal.frame > 0 && touch.live_phase >= 0 &&
       (touch.frame == goal.frame || touch.live_phase == flow.live_phase[goal.frame - 1]);
   if (!in_play) return;
-  if (touch.nearest[team] != kNobody) {
+  if (touch.nearest[team] != kNoPlayer) {
     goal.scorer = touch.nearest[team];
     return;
   }
   goal.scorer = shooter_deflected_by(flow, last - 1, team);
-  if (goal.scorer != kNobody) return;
+  if (goal.scorer != kNoPlayer) return;
   goal.scorer = touch.nearest[1 - team];
   goal.own_goal = true;
 }
@@ -72,7 +72,7 @@ void add_goals(const Flow& flow, const std::vector<Shot>& shots, const gamelog::
     } else {
       find_scorer(flow, team, goal);
     }
-    // Only a trainer raises a score by more than one.
+    // Only a trainer can raise a score by more than one.
     for (int i = before[team].score; i < std::min(now[team].score, before[team].score + 100); ++i) {
       goals.push_back(goal);
     }
@@ -81,7 +81,7 @@ void add_goals(const Flow& flow, const std::vector<Shot>& shots, const gamelog::
 
 }  // namespace
 
-std::vector<Goal> goals_of(const Flow& flow, const std::vector<Shot>& shots) {
+std::vector<Goal> find_goals(const Flow& flow, const std::vector<Shot>& shots) {
   std::vector<Goal> goals;
   const gamelog::MatchRecord& record = *flow.record;
   if (record.frames() == 0) return goals;

@@ -1,19 +1,29 @@
-// Stamina and capacity between two refills.
-#include "analysis/measures/stamina.h"
+// Sums steps of players, and consumed stamina from stamina and capacity between two refills.
+#include "analysis/measures/physical.h"
 
 #include <algorithm>
 
 namespace cls::analysis {
 namespace {
 
+constexpr double kMaxStepFactor = 1.5;
+constexpr std::array<double, kSpeedBandCount - 1> kBandLimits = {0.2, 0.6, 0.85};
+
+std::size_t band_of(double share) {
+  std::size_t band = 0;
+  while (band < kBandLimits.size() && share >= kBandLimits[band]) ++band;
+  return band;
+}
+
 constexpr double kNoCapacity = -1.0;
-// A capacity of six digits is printed without decimals: less is noise.
+// Logs print a capacity of six digits without decimals: smaller increases are rounding.
 constexpr float kRefill = 2.0F;
 
-// The consumption of one player; a segment ends where capacity grows.
-class Meter {
+// Measures the consumption of one player; a segment ends where the capacity grows.
+class StaminaMeter {
  public:
-  Meter(const gamelog::MatchRecord& record, std::size_t slot) : record_(record), slot_(slot) {}
+  StaminaMeter(const gamelog::MatchRecord& record, std::size_t slot)
+      : record_(record), slot_(slot) {}
 
   Stamina measure() {
     for (std::size_t i = 0; i < record_.frames(); ++i) {
@@ -63,7 +73,7 @@ class Meter {
                                      static_cast<float>(type_of(record_, entry).effort_max) - 1e-5F;
   }
 
-  // An extra half refills the capacity only; everything else both.
+  // An extra half refills only the capacity; all other refills both.
   void refill(std::size_t frame) {
     end_segment();
     ++result_.refills;
@@ -72,14 +82,14 @@ class Meter {
     start_capacity_ = record_.server.stamina_capacity;
   }
 
-  // What is recovered comes out of the capacity, so the sum of both only sinks by what is used.
+  // Recovery is taken from the capacity, so the sum of both only decreases by consumption.
   void end_segment() {
     if (!has_capacity()) return;
     const double used = start_stamina_ - stamina(last_) + start_capacity_ - capacity(last_);
     result_.used += std::max(0.0, used);
   }
 
-  // Before version 5: what he had and recovered, and has no more.
+  // Before version 5: previous stamina plus recovery minus current stamina.
   double used_by_rules(std::size_t frame) const {
     const std::size_t entry = entry_of(frame, slot_);
     const double recovered = std::min<double>(
@@ -99,11 +109,38 @@ class Meter {
 
 }  // namespace
 
-PerPlayer<Stamina> stamina_of(const gamelog::MatchRecord& record) {
+PerPlayer<Movement> measure_movement(const Flow& flow) {
+  const gamelog::MatchRecord& record = *flow.record;
+  PerPlayer<Movement> result;
+  for (std::size_t i = 1; i < record.frames(); ++i) {
+    if (record.time[i] < record.time[i - 1]) continue;
+    for (std::size_t slot = 0; slot < gamelog::kSlots; ++slot) {
+      const std::size_t entry = entry_of(i, slot);
+      if (!gamelog::is_enabled(record, entry) ||
+          !gamelog::is_enabled(record, entry - gamelog::kSlots))
+        continue;
+      const double step = soccer::distance(record.players.position[entry],
+                                           record.players.position[entry - gamelog::kSlots]);
+      const double top_speed = type_of(record, entry).player_speed_max;
+      if (step > kMaxStepFactor * top_speed) continue;
+      Movement& player = result[slot];
+      if (!flow.is_live(i)) {
+        player.other_distance += step;
+        continue;
+      }
+      player.live_distance += step;
+      player.top_speed = std::max(player.top_speed, step);
+      ++player.bands[band_of(step / top_speed)];
+    }
+  }
+  return result;
+}
+
+PerPlayer<Stamina> measure_stamina(const gamelog::MatchRecord& record) {
   PerPlayer<Stamina> result;
   if (record.version < gamelog::RcgVersion::kV3) return result;
   for (std::size_t slot = 0; slot < gamelog::kSlots; ++slot)
-    result[slot] = Meter(record, slot).measure();
+    result[slot] = StaminaMeter(record, slot).measure();
   return result;
 }
 
