@@ -1,27 +1,26 @@
-// The cycle.
+// Runs the simulation step: commands, motion, clock, referee, stamina, auto mode.
 #include "simulator/step.h"
 
 #include <algorithm>
 
-#include "simulator/actions/legs.h"
+#include "simulator/actions/actions.h"
 #include "simulator/motion/motion.h"
-#include "simulator/referee/auto_mode.h"
 #include "simulator/referee/referee.h"
 #include "simulator/world/stamina.h"
 
 namespace cls::simulator {
 namespace {
 
-void count_down(int& counter, int floor) {
-  if (counter > floor) --counter;
+void decrement(int& counter, int min) {
+  if (counter > min) --counter;
 }
 
-// Frees the commands of a new cycle; a tackling or fouled player stays blocked (2.4).
+// Allows the commands of a new cycle; a tackling or fouled player stays blocked (2.4).
 void reset_commands(Player& player) {
-  count_down(player.kick_cycles, -1);
-  count_down(player.dash_cycles, -1);
-  count_down(player.tackle_cycles, 0);
-  count_down(player.foul_cycles, 0);
+  decrement(player.kick_cycles, -1);
+  decrement(player.dash_cycles, -1);
+  decrement(player.tackle_cycles, 0);
+  decrement(player.foul_cycles, 0);
   if (player.kick_cycles <= 0 && player.tackle_cycles == 0 && player.foul_cycles == 0) {
     player.command_done = false;
   }
@@ -29,9 +28,9 @@ void reset_commands(Player& player) {
   player.legs = {};
 }
 
-void use_commands(World& world) {
+void apply_dashes(World& world) {
   for (Player& player : world.players) {
-    use_legs(world, player);
+    apply_dash(world, player);
     reset_commands(player);
     ++player.arm.age;
   }
@@ -39,7 +38,7 @@ void use_commands(World& world) {
 
 void advance_clock(Clock& clock) { clock = {clock.time + 1, 0}; }
 
-void run_waiting(World& world, Events& events) {
+void run_before_kick_off(World& world, Events& events) {
   turn_players(world);
   ++world.clock.stoppage;
   run_referee(world, events);
@@ -47,21 +46,21 @@ void run_waiting(World& world, Events& events) {
 
 void run_stopped(World& world, Events& events) {
   const PlayMode before = world.mode;
-  world.ball_catcher = kNobody;
+  world.ball_catcher = kNoPlayer;
   move_objects(world, events);
   ++world.clock.stoppage;
   run_referee(world, events);
   if (world.mode != before) advance_clock(world.clock);
 }
 
-// The clock runs between motion and referee: contacts carry the old time, calls the new one.
+// The clock advances between motion and referee: contacts have the old time, calls the new one.
 void run_playing(World& world, Events& events) {
   move_objects(world, events);
   advance_clock(world.clock);
   run_referee(world, events);
 }
 
-void rest(World& world) {
+void recover_stamina_and_hearing(World& world) {
   const soccer::ServerParams& server = world.params();
   for (Player& player : world.players) {
     if (!player.enabled) continue;
@@ -69,27 +68,39 @@ void rest(World& world) {
     Ears& ears = player.ears;
     ears.teammate_capacity = std::min(ears.teammate_capacity + server.hear_inc, server.hear_max);
     ears.opponent_capacity = std::min(ears.opponent_capacity + server.hear_inc, server.hear_max);
-    count_down(player.catch_ban, 0);
+    decrement(player.catch_ban, 0);
   }
 }
 
-// What a frame shows once; tackles and fouls are shown as long as they block (12.2).
+// Clears the bits that one frame shows; tackle and foul bits last while they block (12.2).
 void clear_transient_state(Player& player) {
-  std::uint32_t kept =
+  std::uint32_t retained =
       state::kStand | state::kGoalie | state::kDiscard | state::kYellowCard | state::kRedCard;
-  if (player.kick_cycles > 0) kept |= state::kKick | state::kKickFault;
-  if (player.tackle_cycles > 0) kept |= state::kTackle | state::kTackleFault;
-  if (player.foul_cycles > 0) kept |= state::kFoulCharged;
-  player.state &= kept;
+  if (player.kick_cycles > 0) retained |= state::kKick | state::kKickFault;
+  if (player.tackle_cycles > 0) retained |= state::kTackle | state::kTackleFault;
+  if (player.foul_cycles > 0) retained |= state::kFoulCharged;
+  player.state &= retained;
+}
+
+bool all_players_enabled(const World& world) {
+  return std::all_of(world.players.begin(), world.players.end(),
+                     [](const Player& player) { return player.enabled; });
+}
+
+void wait_for_kick_off(World& world, Events& events) {
+  AutoMode& state = world.auto_mode;
+  int& wait =
+      all_players_enabled(world) || world.clock.time > 0 ? state.kick_off_wait : state.connect_wait;
+  if (--wait <= 0) kick_off(world, events);
 }
 
 }  // namespace
 
 void step(World& world, Events& events) {
-  use_commands(world);
+  apply_dashes(world);
   switch (soccer::mode_class(world.mode)) {
     case soccer::ModeClass::kWaiting:
-      run_waiting(world, events);
+      run_before_kick_off(world, events);
       break;
     case soccer::ModeClass::kStopped:
       run_stopped(world, events);
@@ -101,12 +112,29 @@ void step(World& world, Events& events) {
       ++world.clock.stoppage;
       break;
   }
-  rest(world);
+  recover_stamina_and_hearing(world);
 }
 
 void finish_step(World& world, Events& events) {
   for (Player& player : world.players) clear_transient_state(player);
   run_auto_mode(world, events);
+}
+
+void run_auto_mode(World& world, Events& events) {
+  const soccer::ServerParams& server = world.params();
+  if (!server.auto_mode) return;
+  AutoMode& state = world.auto_mode;
+  if (world.mode == PlayMode::kTimeOver) {
+    if (--state.game_over_wait <= 0) state.ended = true;
+    return;
+  }
+  const bool can_start = world.rules->half_time <= 0 || world.clock.time < world.rules->total_time;
+  if (world.mode == PlayMode::kBeforeKickOff && can_start) {
+    wait_for_kick_off(world, events);
+  } else {
+    state.kick_off_wait = server.kick_off_wait;
+    state.connect_wait = server.connect_wait;
+  }
 }
 
 }  // namespace cls::simulator

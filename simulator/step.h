@@ -1,16 +1,21 @@
-// One simulation step, cut in two where the frame is sent and logged.
+// One simulation step, in two parts: the frame is sent and logged between them.
 #pragma once
 
 #include "simulator/world/event.h"
 
 namespace cls::simulator {
 
-/// Legs, motion, clock, referee, stamina: steps 1 to 4 of the cycle (simulation model 2.2). What
-/// the world says afterwards is the frame of the new cycle for monitors and the game log. Clearing
-/// "done" of coaches and handing them new messages is up to whoever keeps the coaches.
+/// Applies dashes, motion, clock, referee and stamina: steps 1 to 4 of the cycle (simulation model
+/// 2.2). The world then holds the frame of the new cycle for monitors and the game log. The caller
+/// resets the "done" flags of coaches and sends them new messages.
 void step(World& world, Events& events);
 
-/// After the frame: transient state bits go, then auto mode counts (steps 7 and 8).
+/// Finishes the step after the frame was sent: clears transient state bits, then runs auto mode
+/// (steps 7 and 8).
 void finish_step(World& world, Events& events);
+
+/// Counts one step of auto mode (server::auto_mode, 9.16): kicks off when a wait is over and sets
+/// auto_mode.ended game_over_wait steps after the match. Does nothing if auto_mode is off.
+void run_auto_mode(World& world, Events& events);
 
 }  // namespace cls::simulator

@@ -1,4 +1,4 @@
-// From a command to its effect.
+// Dispatches a player command to its implementation.
 #include "simulator/actions/actions.h"
 
 #include <variant>
@@ -16,7 +16,7 @@ struct Executor {
   Player& player;
   Events& events;
 
-  Reply operator()(const soccer::Turn& c) { return done(actions::turn, c); }
+  Reply operator()(const soccer::Turn& c) { return run(actions::turn, c); }
   Reply operator()(const soccer::Dash& c) {
     actions::dash(world, player, c);
     return {};
@@ -25,15 +25,15 @@ struct Executor {
     actions::dash(world, player, c);
     return {};
   }
-  Reply operator()(const soccer::TurnNeck& c) { return done(actions::turn_neck, c); }
-  Reply operator()(const soccer::ChangeFocus& c) { return done(actions::change_focus, c); }
-  Reply operator()(const soccer::ChangeView& c) { return done(actions::change_view, c); }
-  Reply operator()(const soccer::PointTo& c) { return done(actions::point_to, c); }
-  Reply operator()(const soccer::AttentionTo& c) { return done(actions::attend, c); }
-  Reply operator()(const soccer::Kick& c) { return told(actions::kick, c); }
-  Reply operator()(const soccer::Tackle& c) { return told(actions::tackle, c); }
-  Reply operator()(const soccer::Catch& c) { return told(actions::catch_ball, c); }
-  Reply operator()(const soccer::Say& c) { return told(actions::say, c); }
+  Reply operator()(const soccer::TurnNeck& c) { return run(actions::turn_neck, c); }
+  Reply operator()(const soccer::ChangeFocus& c) { return run(actions::change_focus, c); }
+  Reply operator()(const soccer::ChangeView& c) { return run(actions::change_view, c); }
+  Reply operator()(const soccer::PointTo& c) { return run(actions::point_to, c); }
+  Reply operator()(const soccer::AttentionTo& c) { return run(actions::attend, c); }
+  Reply operator()(const soccer::Kick& c) { return run_with_events(actions::kick, c); }
+  Reply operator()(const soccer::Tackle& c) { return run_with_events(actions::tackle, c); }
+  Reply operator()(const soccer::Catch& c) { return run_with_events(actions::catch_ball, c); }
+  Reply operator()(const soccer::Say& c) { return run_with_events(actions::say, c); }
   Reply operator()(const soccer::Move& c) { return actions::move(world, player, c, events); }
   Reply operator()(const soccer::Ear& c) { return actions::set_ears(world, player, c); }
   Reply operator()(const soccer::PointToOff&) {
@@ -53,28 +53,28 @@ struct Executor {
     player.view.gaussian = true;
     return soccer::OkGaussianSee{};
   }
-  Reply operator()(const soccer::AskScore&) {
+  Reply operator()(const soccer::RequestScore&) {
     const Team& others = world.team(opponent(player.side));
     return soccer::ScoreReply{world.clock.time, world.team(player.side).score,
                               others.connected ? others.score : 0};
   }
-  // The session's business.
+  // Handled by the session.
   Reply operator()(const soccer::Clang&) { return {}; }
-  Reply operator()(const soccer::AskSenseBody&) { return {}; }
+  Reply operator()(const soccer::RequestSenseBody&) { return {}; }
   Reply operator()(const soccer::Done&) { return {}; }
   Reply operator()(const soccer::Bye&) { return {}; }
   Reply operator()(const soccer::Compression&) { return {}; }
-  // Known to the server's grammar, without an effect (4.5).
+  // In the grammar of rcssserver, without an effect (4.5).
   Reply operator()(const soccer::LongKick&) { return {}; }
 
  private:
   template <typename Action, typename Command>
-  Reply done(Action action, const Command& command) {
+  Reply run(Action action, const Command& command) {
     action(world, player, command);
     return {};
   }
   template <typename Action, typename Command>
-  Reply told(Action action, const Command& command) {
+  Reply run_with_events(Action action, const Command& command) {
     action(world, player, command, events);
     return {};
   }

@@ -1,4 +1,4 @@
-// What a player's command does to the world, at once.
+// Effects of player commands on the world.
 #pragma once
 
 #include <optional>
@@ -9,13 +9,17 @@
 
 namespace cls::simulator {
 
-/// Executes a command of the player in `slot`, who must be enabled (a disabled one is ignored), and
-/// returns what its client must be answered, if anything. Done, Bye, Clang, Compression and
-/// AskSenseBody are the session's business and have no effect here.
+/// Executes a command of the player in `slot` immediately and returns the reply to its client, if
+/// any. Ignores disabled players. Done, Bye, Clang, Compression and RequestSenseBody have no effect
+/// here; the session handles them.
 std::optional<soccer::ServerReply> apply(World& world, Slot slot,
                                          const soccer::PlayerCommand& command, Events& events);
 
-/// True if `slot`'s arm points somewhere, and if it may be moved.
+/// The part of a dash that takes effect in the step (4.3): converts the commands of the legs into
+/// acceleration, rotation and stamina cost.
+void apply_dash(World& world, Player& player);
+
+/// True while the player's arm points, and if it may be moved.
 bool is_pointing(const World& world, const Player& player);
 bool can_point(const World& world, const Player& player);
 

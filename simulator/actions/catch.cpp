@@ -1,4 +1,4 @@
-// catch: the goalie takes the ball, or punches it away (4.6).
+// catch: the goalie catches the ball or punches it away (4.6).
 #include <algorithm>
 #include <cmath>
 
@@ -13,9 +13,9 @@ namespace {
 
 namespace math = soccer::math;
 
-/// Where the goalie reaches, in a frame that looks in the direction of the catch.
+/// Reach of the goalie; the x axis is the direction of the catch.
 struct CatchArea {
-  double sure_length;
+  double reliable_length;
   double length;
   double width;
 
@@ -32,36 +32,35 @@ CatchArea catch_area(const soccer::ServerParams& server, const soccer::PlayerTyp
 
 bool succeeds(World& world, const Player& player, const CatchArea& area, Vec2 ball) {
   double probability = world.params().catch_probability;
-  if (ball.x > area.sure_length) {
-    const double beyond = (ball.x - area.sure_length) / (area.length - area.sure_length);
+  if (ball.x > area.reliable_length) {
+    const double beyond = (ball.x - area.reliable_length) / (area.length - area.reliable_length);
     probability = std::clamp(probability * (1.0 - beyond), 0.0, 1.0);
   }
-  const auto slot = static_cast<std::size_t>(player.slot());
-  const bool drawn = world.random.catch_ball[slot].bernoulli(probability);
-  if (!world.forced) return drawn;
-  if (probability < 1.0) world.forced->catch_drawn.set(slot);
-  return world.forced->catch_ball[slot].value_or(drawn);
+  const Slot slot = player.slot();
+  const bool drawn = world.random.catch_ball[static_cast<std::size_t>(slot)].bernoulli(probability);
+  if (!world.overrides) return drawn;
+  return world.overrides->catch_ball.replace(slot, drawn, probability < 1.0);
 }
 
-// How far the goalie is from touching the ball; negative if they overlap. Where a record has
-// rounded that away, it is for the recorded body to say on which side.
+// Distance between goalie and ball surfaces; negative if they overlap. During log replay the
+// recorded body angle decides the sign where the rounding of the log lost it.
 double gap_to_ball(const World& world, const Player& player, Vec2 to_ball) {
   constexpr double kRounding = 3e-4;
   const double gap =
       to_ball.length() - world.params().ball_size - world.type_of(player).player_size;
-  if (!world.forced || std::fabs(gap) > kRounding) return gap;
-  const auto body = world.forced->body[static_cast<std::size_t>(player.slot())];
+  if (!world.overrides || std::fabs(gap) > kRounding) return gap;
+  const auto body = world.overrides->body[static_cast<std::size_t>(player.slot())];
   if (!body) return gap;
   const double turned = math::normalize_radians(*body - soccer::direction_radians(to_ball));
   return std::fabs(turned) > math::kPi / 2.0 ? -std::fabs(gap) : std::fabs(gap);
 }
 
-// The goalie goes to the ball until they touch; back from it if they overlap.
+// Moves the goalie until it touches the ball.
 void take_ball(World& world, Player& player, Events& events) {
   const Vec2 to_ball = world.ball.position - player.position;
-  const Vec2 way = soccer::with_length(to_ball, gap_to_ball(world, player, to_ball));
-  player.position += way;
-  player.pending_body = soccer::direction_radians(way);
+  const Vec2 move = soccer::with_length(to_ball, gap_to_ball(world, player, to_ball));
+  player.position += move;
+  player.pending_body = soccer::direction_radians(move);
   player.velocity = {};
   if (!soccer::is_penalty_mode(world.mode)) {
     announce(world, {"goalie_catch_ball", player.side}, events);
@@ -116,7 +115,7 @@ void catch_ball(World& world, Player& player, const soccer::Catch& command, Even
   } else {
     punch_ball(world, player, direction, events);
   }
-  ++player.counters.catch_ball;
+  ++player.counters.catches;
   player.moves_since_catch = 0;
 }
 

@@ -1,4 +1,4 @@
-// What several commands have in common.
+// Helpers shared by several commands.
 #include "simulator/actions/commands.h"
 
 #include <cmath>
@@ -20,9 +20,9 @@ bool ball_is_dead(PlayMode mode) { return soccer::mode_class(mode) != soccer::Mo
 Vec2 ball_noise(World& world, double radius, RandomStream& stream) {
   const double length = stream.uniform(0.0, radius);
   const double direction = stream.uniform(-math::kPi, math::kPi);
-  if (world.forced) {
-    world.forced->push_noise_max += std::fabs(radius);
-    world.forced->push_noise_mean2 += radius * radius / 3.0;
+  if (world.overrides) {
+    world.overrides->push_noise_max += std::fabs(radius);
+    world.overrides->push_noise_mean2 += radius * radius / 3.0;
     return {};
   }
   return soccer::polar_radians(length, direction);
@@ -30,9 +30,10 @@ Vec2 ball_noise(World& world, double radius, RandomStream& stream) {
 
 double kick_rand(const World& world, const Player& player) {
   const soccer::ServerParams& server = world.params();
-  const double own = world.type_of(player).kick_rand;
-  if (!server.team_actuator_noise) return own;
-  return own * (player.side == Side::kLeft ? server.kick_rand_factor_l : server.kick_rand_factor_r);
+  const double rand = world.type_of(player).kick_rand;
+  if (!server.team_actuator_noise) return rand;
+  return rand *
+         (player.side == Side::kLeft ? server.kick_rand_factor_l : server.kick_rand_factor_r);
 }
 
 double ball_speed_noise_rate(const World& world) {

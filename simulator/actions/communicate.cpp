@@ -22,7 +22,7 @@ namespace {
 
 using soccer::TeamReference;
 
-// Neutral for a name that no team has.
+// Returns neutral for an unknown team name.
 Side referred_side(const World& world, const Player& player, const TeamReference& team) {
   switch (team.kind) {
     case TeamReference::Kind::kOur:
@@ -42,7 +42,7 @@ Side referred_side(const World& world, const Player& player, const TeamReference
   return Side::kNeutral;
 }
 
-void set_ear(Ears& ears, Side side, const soccer::Ear& command) {
+void set_ear_mode(Ears& ears, Side side, const soccer::Ear& command) {
   const std::size_t index = side == Side::kRight ? 1 : 0;
   if (command.mode != soccer::EarMode::kPartial) ears.complete[index] = command.on;
   if (command.mode != soccer::EarMode::kComplete) ears.partial[index] = command.on;
@@ -52,17 +52,18 @@ void set_ear(Ears& ears, Side side, const soccer::Ear& command) {
 
 void point_to(World& world, Player& player, const soccer::PointTo& command) {
   if (!can_point(world, player)) return;
-  // By way of the point relative to the face: then the length of a huge distance is infinite.
+  // Computed from the point relative to the face, as in rcssserver: a huge distance becomes
+  // infinite.
   const Vec2 to = soccer::polar_radians(command.distance, exact_radians(command.direction));
   const double direction = soccer::direction_radians(to) + (player.body + player.neck);
   player.arm = {soccer::polar_radians(to.length(), direction) + player.position, 0};
-  ++player.counters.point_to;
+  ++player.counters.pointto;
 }
 
 void stop_pointing(World& world, Player& player) {
   if (!can_point(world, player)) return;
   player.arm = {{}, world.params().point_to_duration};
-  ++player.counters.point_to;
+  ++player.counters.pointto;
 }
 
 void attend(World& world, Player& player, const soccer::AttentionTo& command) {
@@ -72,12 +73,12 @@ void attend(World& world, Player& player, const soccer::AttentionTo& command) {
   const Slot slot = soccer::slot_of(side, command.unum);
   if (slot == player.slot()) return;
   player.attention = slot;
-  ++player.counters.attention_to;
+  ++player.counters.attentionto;
 }
 
 void stop_attending(Player& player) {
-  player.attention = kNobody;
-  ++player.counters.attention_to;
+  player.attention = kNoPlayer;
+  ++player.counters.attentionto;
 }
 
 void say(World& world, Player& player, const soccer::Say& command, Events& events) {
@@ -89,15 +90,15 @@ void say(World& world, Player& player, const soccer::Say& command, Events& event
 std::optional<soccer::ServerReply> set_ears(World& world, Player& player,
                                             const soccer::Ear& command) {
   if (!command.team) {
-    set_ear(player.ears, Side::kLeft, command);
-    set_ear(player.ears, Side::kRight, command);
+    set_ear_mode(player.ears, Side::kLeft, command);
+    set_ear_mode(player.ears, Side::kRight, command);
     return std::nullopt;
   }
   const Side side = referred_side(world, player, *command.team);
   if (side == Side::kNeutral) {
     return soccer::ErrorReply{"no team with name " + command.team->name, std::nullopt};
   }
-  set_ear(player.ears, side, command);
+  set_ear_mode(player.ears, side, command);
   return std::nullopt;
 }
 

@@ -1,9 +1,9 @@
-// dash: remembered by the legs now, felt in the step (4.3).
+// dash: stored per leg when received, applied in the step (4.3).
 #include <algorithm>
 #include <cmath>
 
+#include "simulator/actions/actions.h"
 #include "simulator/actions/commands.h"
-#include "simulator/actions/legs.h"
 #include "simulator/motion/motion.h"
 #include "simulator/world/angles.h"
 
@@ -17,7 +17,7 @@ double leg_cost(const Leg& leg) {
   return leg.power >= 0.0 ? leg.power / 2.0 : -leg.power;
 }
 
-// How much of its power a dash in this direction has, 1 straight ahead.
+// Share of the power that is effective in this direction; 1 straight ahead.
 double direction_rate(const soccer::ServerParams& server, double direction) {
   const double off = std::fabs(direction);
   const double side = server.side_dash_rate;
@@ -41,7 +41,7 @@ Vec2 leg_acceleration(const World& world, const Player& player, const Leg& leg, 
   return power < 0.0 ? -push : push;
 }
 
-// The server asks the left leg only: with the right one alone the player does not rotate (15.1).
+// rcssserver checks the left leg only: with the right leg alone the player does not rotate (15.1).
 void rotate(World& world, Player& player, Vec2 left, Vec2 right) {
   if (!player.legs[0].dashes) return;
   const Vec2 forward = soccer::polar_radians(1.0, player.body);
@@ -52,7 +52,7 @@ void rotate(World& world, Player& player, Vec2 left, Vec2 right) {
   player.pending_body = math::normalize_radians(player.body + noise * turned);
 }
 
-void tell_leg(const soccer::ServerParams& server, Leg& leg, const soccer::Dash& command) {
+void command_leg(const soccer::ServerParams& server, Leg& leg, const soccer::Dash& command) {
   const double power = std::clamp(command.power, server.min_dash_power, server.max_dash_power);
   const double direction =
       std::clamp(command.direction, server.min_dash_angle, server.max_dash_angle);
@@ -61,7 +61,7 @@ void tell_leg(const soccer::ServerParams& server, Leg& leg, const soccer::Dash& 
 
 }  // namespace
 
-void use_legs(World& world, Player& player) {
+void apply_dash(World& world, Player& player) {
   const auto& [left, right] = player.legs;
   if (!left.dashes && !right.dashes) return;
   ++player.counters.dash;
@@ -72,8 +72,8 @@ void use_legs(World& world, Player& player) {
 
   Stamina& stamina = player.stamina;
   const double spent = std::min(wanted, stamina.value + world.type_of(player).extra_stamina);
-  // The right leg's share is reckoned with the left one's reduced cost, so short of stamina the
-  // legs differ (15.1).
+  // The right leg's share uses the reduced cost of the left leg, so the legs differ when stamina is
+  // short (15.1).
   const double left_share = spent * left_cost / wanted;
   const double right_share = spent * right_cost / (left_share + right_cost);
   const Vec2 left_push = leg_acceleration(world, player, left, left_share);
@@ -88,17 +88,18 @@ namespace actions {
 void dash(World& world, Player& player, const soccer::Dash& command) {
   if (player.command_done) return;
   for (Leg& leg : player.legs) {
-    if (!leg.commanded) tell_leg(world.params(), leg, command);
+    if (!leg.commanded) command_leg(world.params(), leg, command);
   }
   player.dash_cycles = 1;
   player.command_done = true;
 }
 
 void dash(World& world, Player& player, const soccer::LegDash& command) {
-  const std::array<const std::optional<soccer::Dash>*, 2> orders = {&command.left, &command.right};
-  for (std::size_t i = 0; i < orders.size(); ++i) {
-    if (!orders[i]->has_value() || player.legs[i].commanded) continue;
-    tell_leg(world.params(), player.legs[i], **orders[i]);
+  const std::array<const std::optional<soccer::Dash>*, 2> commands = {&command.left,
+                                                                      &command.right};
+  for (std::size_t i = 0; i < commands.size(); ++i) {
+    if (!commands[i]->has_value() || player.legs[i].commanded) continue;
+    command_leg(world.params(), player.legs[i], **commands[i]);
     player.dash_cycles = 1;
     player.command_done = true;
   }

@@ -1,4 +1,4 @@
-// kick: strong and exact when the ball is near and in front (4.4).
+// kick: strongest and most accurate when the ball is close and in front (4.4).
 #include <algorithm>
 #include <cmath>
 
@@ -31,7 +31,7 @@ void kick(World& world, Player& player, const soccer::Kick& command, Events& eve
   const double direction =
       exact_radians(std::clamp(command.direction, server.minmoment, server.maxmoment));
   const Vec2 to_ball = world.ball.position - player.position;
-  // Both 0 at best; the gap is negative while the ball overlaps the player.
+  // 0 is the best value of both; the gap is negative while the ball overlaps the player.
   const double angle_off =
       std::fabs(math::normalize_radians(soccer::direction_radians(to_ball) - player.body)) /
       math::kPi;
@@ -44,7 +44,7 @@ void kick(World& world, Player& player, const soccer::Kick& command, Events& eve
   push += ball_noise(world, kick_rand(world, player) * (power / server.maxpower) * noise_rate,
                      world.random.kick_noise[static_cast<std::size_t>(player.slot())]);
 
-  world.ball_catcher = kNobody;
+  world.ball_catcher = kNoPlayer;
   world.ball.acceleration += push;
   ++player.counters.kick;
   on_kick_taken(world, player.slot(), push.length(), events);

@@ -1,4 +1,4 @@
-// move: takes the place at kick-offs, and the goalie's walk with a caught ball (4.8).
+// move: positions before kick-offs, and moves of the goalie with a caught ball (4.8).
 #include "simulator/actions/commands.h"
 #include "simulator/referee/collision.h"
 
@@ -17,8 +17,9 @@ bool may_move_with_ball(const World& world, const Player& player) {
          (world.mode == PlayMode::kFreeKickLeft || world.mode == PlayMode::kFreeKickRight);
 }
 
-// Allowed all the same: the referee puts the player back.
-std::optional<ServerReply> warning_about(const World& world, const Player& player, double x) {
+// The move is executed; the referee moves the player back later.
+std::optional<ServerReply> opponent_field_warning(const World& world, const Player& player,
+                                                  double x) {
   if (world.mode != PlayMode::kBeforeKickOff || !world.params().forbid_kick_off_offside ||
       x < -world.type_of(player).player_size) {
     return std::nullopt;
@@ -28,8 +29,8 @@ std::optional<ServerReply> warning_about(const World& world, const Player& playe
 }
 
 bool has_move_left(const World& world, const Player& player) {
-  const int most = world.params().goalie_max_moves;
-  return most < 0 || player.moves_since_catch < most;
+  const int max_moves = world.params().goalie_max_moves;
+  return max_moves < 0 || player.moves_since_catch < max_moves;
 }
 
 }  // namespace
@@ -37,15 +38,15 @@ bool has_move_left(const World& world, const Player& player) {
 std::optional<ServerReply> move(World& world, Player& player, const soccer::Move& command,
                                 Events& events) {
   if (player.command_done) return std::nullopt;
-  const Vec2 place = Vec2{command.x, command.y} * sign(player.side);
+  const Vec2 position = Vec2{command.x, command.y} * sign(player.side);
   std::optional<ServerReply> reply;
   if (may_move_anywhere(world.mode)) {
-    player.position = place;
+    player.position = position;
     resolve_collisions(world, events);
-    reply = warning_about(world, player, command.x);
+    reply = opponent_field_warning(world, player, command.x);
   } else if (may_move_with_ball(world, player)) {
     if (has_move_left(world, player)) {
-      player.position = place;
+      player.position = position;
       ++player.moves_since_catch;
     } else {
       constexpr auto kCode = soccer::ErrorCode::kTooManyMoves;

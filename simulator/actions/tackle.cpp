@@ -1,4 +1,4 @@
-// tackle: reaches further than a kick, may fail, and costs ten cycles (4.7).
+// tackle: reaches farther than a kick, may fail, and blocks the player for ten cycles (4.7).
 #include <algorithm>
 #include <cmath>
 
@@ -11,7 +11,7 @@ namespace {
 
 namespace math = soccer::math;
 
-// Clients of version 12 and later give an angle, older ones a power.
+// Clients of version 12 and later send an angle, older clients a power.
 constexpr int kFirstVersionWithAngle = 12;
 
 struct Push {
@@ -32,14 +32,12 @@ double failure_probability(const soccer::ServerParams& server, Vec2 ball, double
 }
 
 bool succeeds(World& world, const Player& player, double failure) {
-  const auto slot = static_cast<std::size_t>(player.slot());
-  const bool drawn = world.random.tackle[slot].bernoulli(1.0 - failure);
-  if (!world.forced) return drawn;
-  if (failure > 0.0) world.forced->tackle_drawn.set(slot);
-  return world.forced->tackle[slot].value_or(drawn);
+  const Slot slot = player.slot();
+  const bool drawn = world.random.tackle[static_cast<std::size_t>(slot)].bernoulli(1.0 - failure);
+  return world.overrides ? world.overrides->tackle.replace(slot, drawn, failure > 0.0) : drawn;
 }
 
-// A catch fault does not stop a tackle from moving the ball: the server forgot that mode (15.2).
+// Bug in rcssserver: a tackle moves the ball during a catch fault too (15.2).
 bool moves_the_ball(PlayMode mode) {
   return !ball_is_dead(mode) || mode == PlayMode::kCatchFaultLeft ||
          mode == PlayMode::kCatchFaultRight;
@@ -55,9 +53,10 @@ Push push_by_angle(const soccer::ServerParams& server, const Player& player, dou
           1.0};
 }
 
-Push push_by_power(const soccer::ServerParams& server, const Player& player, double wanted,
+Push push_by_power(const soccer::ServerParams& server, const Player& player, double commanded_power,
                    double side_rate) {
-  const double power = std::clamp(wanted, -server.max_back_tackle_power, server.max_tackle_power);
+  const double power =
+      std::clamp(commanded_power, -server.max_back_tackle_power, server.max_tackle_power);
   double rate = 1.0;
   if (power >= 0.0) {
     rate = power / server.max_tackle_power;
@@ -111,7 +110,7 @@ void tackle(World& world, Player& player, const soccer::Tackle& command, Events&
   push.acceleration += ball_noise(
       world, kick_rand(world, player) * server.tackle_rand_factor * push.power_rate * noise_rate,
       world.random.tackle_noise[static_cast<std::size_t>(player.slot())]);
-  world.ball_catcher = kNobody;
+  world.ball_catcher = kNoPlayer;
   world.ball.acceleration += push.acceleration;
   on_tackle_taken(world, player.slot(), push.acceleration.length(), foul, events);
 }

@@ -1,4 +1,4 @@
-// Moving things by hand.
+// Commands of trainers.
 #include "simulator/actions/trainer.h"
 
 #include <algorithm>
@@ -16,25 +16,25 @@
 namespace cls::simulator {
 namespace {
 
-// Behind the line, between the posts, no deeper than the net.
+// Behind the goal line, between the posts, no deeper than the net.
 bool is_in_goal_box(const World& world, double end) {
   const soccer::ServerParams& server = world.params();
-  const double centre = (soccer::kPitchLength + soccer::kGoalDepth) / 2.0 + server.ball_size;
-  return soccer::Rect::centred({centre * end, 0.0}, soccer::kGoalDepth,
-                               server.goal_width + soccer::kGoalPostRadius)
+  const double center = (soccer::kPitchLength + soccer::kGoalDepth) / 2.0 + server.ball_size;
+  return soccer::Rect::centered({center * end, 0.0}, soccer::kGoalDepth,
+                                server.goal_width + soccer::kGoalPostRadius)
       .contains(world.ball.position);
 }
 
-// Farther and faster there is nothing to see, and squares of numbers without end are no numbers.
-Vec2 limited(Vec2 wished) {
-  constexpr double kMost = 1e6;
-  return {std::clamp(wished.x, -kMost, kMost), std::clamp(wished.y, -kMost, kMost)};
+// Limits positions and velocities, because squares of huge numbers are infinite.
+Vec2 limited(Vec2 v) {
+  constexpr double kMax = 1e6;
+  return {std::clamp(v.x, -kMax, kMax), std::clamp(v.y, -kMax, kMax)};
 }
 
 using Reply = std::optional<soccer::ServerReply>;
 
-/// One overload per command that changes or asks the world.
-struct Obedience {
+/// One overload per command that reads or changes the world.
+struct Executor {
   World& world;
   Events& events;
 
@@ -50,9 +50,9 @@ struct Obedience {
     move_ball(world, command.position, command.velocity.value_or(Vec2{}));
     return soccer::OkMove{};
   }
-  // A player who is not there is moved as well; one of an unknown team is said to be.
+  // Players that are not connected are moved too. A player of an unknown team gets an ok reply.
   Reply operator()(const soccer::MovePlayer& command) {
-    const Side side = side_called(world, command.team);
+    const Side side = find_side(world, command.team);
     if (side != Side::kNeutral) {
       move_player(world, soccer::slot_of(side, command.unum), command.position, command.angle,
                   command.velocity, events);
@@ -64,7 +64,7 @@ struct Obedience {
     return soccer::OkRecover{};
   }
   Reply operator()(const soccer::CheckBall&) {
-    return soccer::OkCheckBall{world.clock.time, ball_place(world)};
+    return soccer::OkCheckBall{world.clock.time, locate_ball(world)};
   }
   Reply operator()(const soccer::TrainerChangePlayerType& command) {
     return change_type(world, command, events);
@@ -77,12 +77,12 @@ struct Obedience {
 
 }  // namespace
 
-Reply obey(World& world, const soccer::CoachCommand& command, Events& events) {
-  return std::visit(Obedience{world, events}, command);
+Reply apply(World& world, const soccer::CoachCommand& command, Events& events) {
+  return std::visit(Executor{world, events}, command);
 }
 
 void move_ball(World& world, Vec2 position, Vec2 velocity) {
-  world.ball_catcher = kNobody;
+  world.ball_catcher = kNoPlayer;
   world.ball = {limited(position), limited(velocity), {}};
 }
 
@@ -94,12 +94,12 @@ void move_player(World& world, Slot slot, Vec2 position, std::optional<double> b
     const soccer::ServerParams& server = world.params();
     player.body = exact_radians(std::clamp(*body_degrees, server.minmoment, server.maxmoment));
   }
-  player.pending_body = player.body;  // a turn of this cycle is forgotten
+  player.pending_body = player.body;  // discards a turn of this cycle
   if (velocity) player.velocity = limited(*velocity);
   resolve_collisions(world, events);
 }
 
-soccer::BallPlace ball_place(const World& world) {
+soccer::BallPlace locate_ball(const World& world) {
   if (is_in_goal_box(world, -1.0)) return soccer::BallPlace::kGoalLeft;
   if (is_in_goal_box(world, 1.0)) return soccer::BallPlace::kGoalRight;
   const double margin = world.params().ball_size;

@@ -1,26 +1,31 @@
-// What trainers and monitors may do to the world directly (section 10).
+// Effects of trainer and monitor commands on the world (section 10).
 #pragma once
 
 #include <optional>
 
 #include "simulator/world/event.h"
 #include "soccer/commands/coach_command.h"
+#include "soccer/commands/monitor_command.h"
 #include "soccer/messages/server_reply.h"
 
 namespace cls::simulator {
 
 void move_ball(World& world, Vec2 position, Vec2 velocity);
 
-/// Angle in degrees; what is not given stays.
+/// Angle in degrees; values that are not given stay unchanged.
 void move_player(World& world, Slot slot, Vec2 position, std::optional<double> body_degrees,
                  std::optional<Vec2> velocity, Events& events);
 
-/// Where the ball is, as check_ball says it (1.4).
-soccer::BallPlace ball_place(const World& world);
+/// Result of check_ball (1.4).
+soccer::BallPlace locate_ball(const World& world);
 
-/// Executes what a trainer or monitor may command the world, and returns the answer; nothing,
-/// without an effect, for commands that are the session's business.
-std::optional<soccer::ServerReply> obey(World& world, const soccer::CoachCommand& command,
-                                        Events& events);
+/// Executes a command of a trainer, or of a monitor acting as one, and returns the reply. Commands
+/// that the session handles have no effect and no reply.
+std::optional<soccer::ServerReply> apply(World& world, const soccer::CoachCommand& command,
+                                         Events& events);
+
+/// Executes a monitor command: the human referee (simulation model 10.2). No effect for commands
+/// that the session handles, players that are not on the pitch, and set plays during a shoot-out.
+void apply(World& world, const soccer::MonitorCommand& command, Events& events);
 
 }  // namespace cls::simulator

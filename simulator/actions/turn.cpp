@@ -1,4 +1,4 @@
-// turn: how far depends on the speed (4.2).
+// turn: the angle depends on the speed (4.2).
 #include <algorithm>
 #include <cmath>
 
@@ -12,16 +12,17 @@ namespace math = soccer::math;
 
 namespace {
 
-// How much of the turn is carried out; of a recorded one as much as noise can explain.
-double turned_share(World& world, const Player& player, double planned) {
+// Executed share of the turn. During log replay: the recorded share, if noise can explain it.
+double executed_share(World& world, const Player& player, double planned) {
   const double rand = player_rand(world, player);
   const auto slot = static_cast<std::size_t>(player.slot());
   const double drawn = 1.0 + world.random.turn[slot].uniform(-rand, rand);
-  if (!world.forced || !world.forced->body[slot]) return drawn;
-  const double rounding = exact_radians(0.1);  // of the speed that the inertia counts with
-  const double more = math::normalize_radians(*world.forced->body[slot] - (player.body + planned));
-  const bool explained = rand > 0.0 && std::fabs(more) <= rand * std::fabs(planned) + rounding;
-  return explained && planned != 0.0 ? 1.0 + more / planned : 1.0;
+  if (!world.overrides || !world.overrides->body[slot]) return drawn;
+  const double rounding = exact_radians(0.1);  // effect of the rounded speed on the inertia
+  const double noise =
+      math::normalize_radians(*world.overrides->body[slot] - (player.body + planned));
+  const bool explained = rand > 0.0 && std::fabs(noise) <= rand * std::fabs(planned) + rounding;
+  return explained && planned != 0.0 ? 1.0 + noise / planned : 1.0;
 }
 
 }  // namespace
@@ -32,7 +33,7 @@ void turn(World& world, Player& player, const soccer::Turn& command) {
   const double moment =
       exact_radians(std::clamp(command.moment, server.minmoment, server.maxmoment));
   const double inertia = 1.0 + world.type_of(player).inertia_moment * player.velocity.length();
-  const double share = turned_share(world, player, moment / inertia);
+  const double share = executed_share(world, player, moment / inertia);
   player.pending_body = math::normalize_radians(player.body + share * moment / inertia);
   occupy_legs(player);
   player.command_done = true;

@@ -1,4 +1,4 @@
-// Motion of a cycle.
+// Motion of ball and players in one cycle.
 #include "simulator/motion/motion.h"
 
 #include "simulator/motion/goal_post.h"
@@ -9,26 +9,26 @@ namespace {
 
 namespace math = soccer::math;
 
-/// What motion needs to know of a kind of object (the table of section 3).
-struct Kind {
+/// Physical constants of an object (the table of section 3).
+struct Physics {
   double radius;
   double decay;
   double rand;
   double weight;
   double speed_max;
   double acceleration_max;
-  double push_noise_max = 0.0;  ///< what kicks can add; for forced arrivals only
+  double push_noise_max = 0.0;  ///< maximum kick noise; used during log replay only
 
-  // A ball that noise made faster has more noise of motion.
+  // A ball that kick noise accelerated has more motion noise.
   double push_reach() const { return push_noise_max * (1.0 + rand); }
 };
 
-Kind ball_kind(const soccer::ServerParams& server) {
+Physics ball_physics(const soccer::ServerParams& server) {
   return {server.ball_size,   server.ball_decay,     server.ball_rand,
           server.ball_weight, server.ball_speed_max, server.ball_accel_max};
 }
 
-Kind player_kind(const World& world, const Player& player) {
+Physics player_physics(const World& world, const Player& player) {
   const soccer::ServerParams& server = world.params();
   const soccer::PlayerType& type = world.type_of(player);
   const double slowness = slowness_on_top(world, player);
@@ -44,14 +44,14 @@ void limit(Vec2& v, double length) {
   if (v.squared_length() > length * length) v = soccer::with_length(v, length);
 }
 
-void accelerate(Vec2& velocity, Vec2 acceleration, const Kind& kind) {
+void accelerate(Vec2& velocity, Vec2 acceleration, const Physics& physics) {
   if (acceleration.is_zero()) return;
-  limit(acceleration, kind.acceleration_max);
+  limit(acceleration, physics.acceleration_max);
   velocity += acceleration;
-  limit(velocity, kind.speed_max);
+  limit(velocity, physics.speed_max);
 }
 
-// Uniform in radius and angle, so it is densest in the middle of its disc.
+// Uniform in radius and angle, so the density is highest at the center of the disc.
 Vec2 motion_noise(double radius_max, RandomStream& stream) {
   const double radius = stream.uniform(0.0, radius_max);
   const double angle = stream.uniform(-math::kPi, math::kPi);
@@ -59,20 +59,20 @@ Vec2 motion_noise(double radius_max, RandomStream& stream) {
   return soccer::polar_radians(radius, angle);
 }
 
-// What took the object from where it would be without noise to where it was seen; zero if that is
-// more than noise (and the rounding of the record) can do.
-Vec2 explained_noise(Vec2 expected, double radius_max, ShownMotion& shown) {
+// Noise that leads from `expected` to the recorded arrival; zero if it exceeds the possible noise
+// plus the rounding of the log.
+Vec2 explaining_noise(Vec2 expected, double radius_max, RecordedMotion& recorded) {
   constexpr double kRounding = 3e-4;
-  shown.expected = expected;
-  shown.reach = radius_max;
-  const Vec2 noise = *shown.arrival - expected;
-  shown.explained = radius_max > 0.0 && noise.length() <= radius_max + kRounding;
-  shown.noise = shown.explained ? noise : Vec2{};
-  return shown.noise;
+  recorded.expected = expected;
+  recorded.reach = radius_max;
+  const Vec2 noise = *recorded.arrival - expected;
+  recorded.explained = radius_max > 0.0 && noise.length() <= radius_max + kRounding;
+  recorded.noise = recorded.explained ? noise : Vec2{};
+  return recorded.noise;
 }
 
-// Each coordinate of the vector gets its own draw.
-double strongest_wind(const Wind& wind, double speed, double weight) {
+// Maximum acceleration by wind; each coordinate has its own draw.
+double max_wind(const Wind& wind, double speed, double weight) {
   if (wind.rand < math::kEps) return 0.0;
   return (wind.vector.length() + 2.0 * wind.rand) * speed / (weight * 10000.0);
 }
@@ -85,26 +85,26 @@ Vec2 wind_push(const Wind& wind, double speed, double weight, RandomStream& stre
   return Vec2{x, y} * scale;
 }
 
-/// One object's increment; true if it hit a goal post.
+/// Moves one object (rcssserver MPObject::_inc); returns true if it hit a goal post.
 template <typename Object>
-bool increment(const World& world, Object& object, const Kind& kind, RandomStream& stream,
-               ShownMotion* shown) {
-  accelerate(object.velocity, object.acceleration, kind);
+bool increment(const World& world, Object& object, const Physics& physics, RandomStream& stream,
+               RecordedMotion* recorded) {
+  accelerate(object.velocity, object.acceleration, physics);
   const double speed = object.velocity.length();
-  const double noise_max = kind.rand * speed;
+  const double noise_max = physics.rand * speed;
   const Vec2 noise = motion_noise(noise_max, stream);
-  if (shown != nullptr && shown->arrival) {
-    shown->noise_max = noise_max;
-    const double wind_max = strongest_wind(world.wind, speed, kind.weight);
-    object.velocity += explained_noise(object.position + object.velocity,
-                                       noise_max + kind.push_reach() + wind_max, *shown);
+  if (recorded != nullptr && recorded->arrival) {
+    recorded->noise_max = noise_max;
+    const double wind_max = max_wind(world.wind, speed, physics.weight);
+    object.velocity += explaining_noise(object.position + object.velocity,
+                                        noise_max + physics.push_reach() + wind_max, *recorded);
   } else {
     object.velocity += noise;
-    object.velocity += wind_push(world.wind, object.velocity.length(), kind.weight, stream);
+    object.velocity += wind_push(world.wind, object.velocity.length(), physics.weight, stream);
   }
-  const bool hit = advance_past_posts(object.position, object.velocity, kind.radius,
+  const bool hit = advance_past_posts(object.position, object.velocity, physics.radius,
                                       world.params().goal_width, stream);
-  object.velocity *= kind.decay;
+  object.velocity *= physics.decay;
   object.acceleration = {};
   return hit;
 }
@@ -115,7 +115,7 @@ void commit_angles(Player& player) {
 }
 
 void carry_ball(World& world) {
-  if (world.ball_catcher == kNobody) return;
+  if (world.ball_catcher == kNoPlayer) return;
   const Player& catcher = world.player(world.ball_catcher);
   const double reach = world.type_of(catcher).player_size + world.params().ball_size;
   world.ball.position = catcher.position + soccer::polar_radians(reach, catcher.body);
@@ -146,17 +146,17 @@ void turn_players(World& world) {
 }
 
 void move_objects(World& world, Events& events) {
-  Kind ball = ball_kind(world.params());
-  ForcedOutcomes* forced = world.forced ? &*world.forced : nullptr;
-  if (forced != nullptr) ball.push_noise_max = forced->push_noise_max;
+  Physics ball = ball_physics(world.params());
+  ReplayOverrides* overrides = world.overrides ? &*world.overrides : nullptr;
+  if (overrides != nullptr) ball.push_noise_max = overrides->push_noise_max;
   increment(world, world.ball, ball, world.random.ball_motion,
-            forced != nullptr ? &forced->ball : nullptr);
+            overrides != nullptr ? &overrides->ball : nullptr);
   for (std::size_t i = 0; i < world.players.size(); ++i) {
     Player& player = world.players[i];
     if (!player.enabled) continue;
     commit_angles(player);
-    if (increment(world, player, player_kind(world, player), world.random.player_motion[i],
-                  forced != nullptr ? &forced->players[i] : nullptr)) {
+    if (increment(world, player, player_physics(world, player), world.random.player_motion[i],
+                  overrides != nullptr ? &overrides->players[i] : nullptr)) {
       player.state |= state::kPostCollide;
       player.contacts.post = true;
     }

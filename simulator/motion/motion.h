@@ -1,20 +1,20 @@
-// How everything moves in a cycle: acceleration, noise, wind, posts, decay (3.1 to 3.3).
+// Motion in one cycle: acceleration, noise, wind, goal posts, decay (3.1 to 3.3).
 #pragma once
 
 #include "simulator/world/event.h"
 
 namespace cls::simulator {
 
-/// Before kick-off: players take their new angles and stand still.
+/// Before kick-off: commits the angles of players and stops them.
 void turn_players(World& world);
 
-/// Ball and players move, collide, and a caught ball goes with its catcher.
+/// Moves ball and players, resolves collisions and carries a caught ball with its catcher.
 void move_objects(World& world, Events& events);
 
-/// Noise of movement and turns of this player, relative to its speed or moment.
+/// Relative noise of the player's motion and turns.
 double player_rand(const World& world, const Player& player);
 
-/// Factor on the player's limits in the upper half of the pitch, usually 1.
+/// Factor on the player's speed and acceleration limits in the upper half of the pitch; default 1.
 double slowness_on_top(const World& world, const Player& player);
 
 }  // namespace cls::simulator

@@ -1,29 +1,35 @@
-// What the rules decide: words, the ball's new place, the mode that follows (9.2).
+// Referee decisions: messages, the new ball position, the next play mode (9.2), cards.
 #pragma once
 
 #include "simulator/world/event.h"
 
 namespace cls::simulator {
 
-/// Everybody hears the referee say it; see RefereeSaid.
-void announce(World& world, const RefereeSaid& words, Events& events);
+/// Sends a referee message to all clients.
+void announce(World& world, const RefereeMessage& message, Events& events);
 
-/// The ball lies still at `position`, and the next set play is that side's.
+/// Stops the ball at `position`; the next set play is that side's.
 void place_ball(World& world, Side side, Vec2 position);
 
-/// That, then the mode. During a shoot-out a request for play_on or drop_ball keeps the mode.
+/// Places the ball, then changes the mode. During a shoot-out play_on and drop_ball keep the mode.
 void place_ball(World& world, PlayMode mode, Side side, Vec2 position, Events& events);
 
-// Set plays for `side`; those without a position take the ball's place.
+// Award a set play to `side`, at the ball's position if there is no parameter for it.
 void award_free_kick(World& world, Side side, Vec2 position, Events& events);
 void award_goal_kick(World& world, Side side, Events& events);
 void award_corner_kick(World& world, Side side, Events& events);
 void award_kick_in(World& world, Side side, Events& events);
 
-/// Everybody is sent away from the ball, and play goes on in the same call.
+/// Clears all players from the ball and resumes play in the same call.
 void drop_ball(World& world, Events& events);
 
-/// That, with the ball at `place`, which may be in a penalty area.
-void drop_ball(World& world, Vec2 place, Events& events);
+/// Same with the ball at `position`, which may be inside a penalty area.
+void drop_ball(World& world, Vec2 position, Events& events);
+
+/// Announces the card; a second yellow card is also a red card.
+void show_yellow_card(World& world, Player& player, Events& events);
+
+/// Announces the card and sends the player off.
+void show_red_card(World& world, Player& player, Events& events);
 
 }  // namespace cls::simulator

@@ -1,4 +1,4 @@
-// Pushing apart what overlaps.
+// Separates overlapping objects.
 #include "simulator/referee/collision.h"
 
 #include <array>
@@ -12,9 +12,9 @@ namespace math = soccer::math;
 
 constexpr int kMaxRounds = 10;
 constexpr int kBallIndex = soccer::kPlayersOnPitch;
-constexpr double kSpeedKept = -0.1;
+constexpr double kVelocityFactor = -0.1;
 
-/// Where a round would put an object: the mean of what its contacts say.
+/// New position of an object in one round: the mean over its contacts.
 struct Pushes {
   Vec2 sum;
   int count = 0;
@@ -25,22 +25,22 @@ struct Resolution {
   std::array<bool, soccer::kPlayersOnPitch + 1> collided = {};
 
   void push(int index, Vec2 to) {
-    Pushes& mine = pushes[static_cast<std::size_t>(index)];
-    mine.sum += to;
-    ++mine.count;
+    Pushes& own = pushes[static_cast<std::size_t>(index)];
+    own.sum += to;
+    ++own.count;
     collided[static_cast<std::size_t>(index)] = true;
   }
 };
 
-struct Apart {
+struct Separated {
   Vec2 first;
   Vec2 second;
 };
 
 bool overlap(Vec2 a, Vec2 b, double radii) { return squared_distance(a, b) < radii * radii; }
 
-// Both move the same way, whatever their masses.
-Apart separated(Vec2 a, Vec2 b, double radii, RandomStream& stream) {
+// Both objects move the same distance, whatever their masses.
+Separated separated(Vec2 a, Vec2 b, double radii, RandomStream& stream) {
   const Vec2 middle = (a + b) / 2.0;
   const double half = radii / 2.0 + math::kEps;
   Vec2 to_a = a - middle;
@@ -60,12 +60,12 @@ Apart separated(Vec2 a, Vec2 b, double radii, RandomStream& stream) {
   return {middle + to_a, middle + to_b};
 }
 
-// Outside play_on the ball stays where it is and only the player gives way.
+// Outside play_on the ball stays in place and only the player moves.
 void push_off_ball(World& world, Slot slot, double radii, Resolution& resolution) {
   const Vec2 ball = world.ball.position;
   const Vec2 player = world.player(slot).position;
   if (world.mode == PlayMode::kPlayOn) {
-    const Apart apart = separated(ball, player, radii, world.random.collision);
+    const Separated apart = separated(ball, player, radii, world.random.collision);
     resolution.push(kBallIndex, apart.first);
     resolution.push(slot, apart.second);
     return;
@@ -95,7 +95,7 @@ bool collide_with_ball(World& world, Resolution& resolution, Events& events) {
   return found;
 }
 
-/// What of a player matters here, side by side: most pairs are looked at to no avail.
+/// The fields of a player that are needed here, packed for the loop over all pairs.
 struct Body {
   Vec2 position;
   double size;
@@ -107,7 +107,7 @@ void collide(World& world, const Body& first, const Body& second, Resolution& re
     world.player(slot).state |= state::kPlayerCollide;
     world.player(slot).contacts.player = true;
   }
-  const Apart apart =
+  const Separated apart =
       separated(first.position, second.position, first.size + second.size, world.random.collision);
   resolution.push(first.slot, apart.first);
   resolution.push(second.slot, apart.second);
@@ -151,9 +151,9 @@ void resolve_collisions(World& world, Events& events) {
       settle(resolution.pushes[i], world.players[i].position);
     }
   }
-  if (resolution.collided[kBallIndex]) world.ball.velocity *= kSpeedKept;
+  if (resolution.collided[kBallIndex]) world.ball.velocity *= kVelocityFactor;
   for (std::size_t i = 0; i < world.players.size(); ++i) {
-    if (resolution.collided[i]) world.players[i].velocity *= kSpeedKept;
+    if (resolution.collided[i]) world.players[i].velocity *= kVelocityFactor;
   }
 }
 

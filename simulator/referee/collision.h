@@ -1,12 +1,12 @@
-// Ball and players that overlap are pushed apart (3.4).
+// Collisions of players with the ball and with each other (3.4).
 #pragma once
 
 #include "simulator/world/event.h"
 
 namespace cls::simulator {
 
-/// Pushes apart until nothing overlaps, at most ten rounds. A contact with the ball is reported to
-/// the referee, which may change the mode and move the ball.
+/// Separates overlapping objects in at most ten rounds. Contacts with the ball are reported to the
+/// referee, which may change the mode and move the ball.
 void resolve_collisions(World& world, Events& events);
 
 }  // namespace cls::simulator

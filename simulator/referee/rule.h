@@ -1,25 +1,25 @@
-// What a rule of the game is: functions that are called when something happens.
+// Interface of a referee rule: a table of event handlers.
 #pragma once
 
 #include "simulator/world/event.h"
 
 namespace cls::simulator {
 
-/// A rule leaves out what does not interest it. Its memory is its part of World::referee.
+/// Handlers that a rule does not need stay null. Its state is a member of World::referee.
 struct Rule {
-  /// The world has moved.
-  void (*analyse)(World&, Events&) = nullptr;
-  /// The ball was kicked, `acceleration` is what it was given.
+  /// Called in every step, after motion.
+  void (*analyze)(World&, Events&) = nullptr;
+  /// `acceleration`: length of the acceleration given to the ball.
   void (*kick_taken)(World&, Player& kicker, double acceleration, Events&) = nullptr;
-  /// The ball was tackled; without this a tackle is taken for a kick.
+  /// Without this handler a tackle is passed to kick_taken.
   void (*tackle_taken)(World&, Player& tackler, double acceleration, bool foul, Events&) = nullptr;
   /// A kick or tackle did not reach the ball.
   void (*ball_missed)(World&, Player& player, Events&) = nullptr;
-  /// Ball and player collided, or a goalie has it.
+  /// The ball collided with the player, or a goalie caught or punched it.
   void (*ball_touched)(World&, Player& player, Events&) = nullptr;
   void (*ball_caught)(World&, Player& catcher, Events&) = nullptr;
   void (*ball_punched)(World&, Player& catcher, Events&) = nullptr;
-  /// The world has this mode now.
+  /// Called after the mode was set.
   void (*mode_changed)(World&, PlayMode, Events&) = nullptr;
 };
 
@@ -34,8 +34,8 @@ extern const Rule kIllegalDefenseRule;
 extern const Rule kKeepawayRule;
 extern const Rule kPenaltyRule;
 
-/// One cycle of the pause after an offence of `offender`, whose players are cleared from the ball
-/// towards its end. True when it is over (9.5).
-bool wait_out_offence(World& world, int& counter, Side offender, Events& events);
+/// Counts one cycle of the pause after an offense; near its end clears the offender's players from
+/// the ball. Returns true when the pause is over (9.5).
+bool wait_after_offense(World& world, int& counter, Side offender, Events& events);
 
 }  // namespace cls::simulator

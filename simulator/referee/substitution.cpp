@@ -1,4 +1,4 @@
-// Changing player types.
+// Changes of player types and goalies.
 #include "simulator/referee/substitution.h"
 
 #include <algorithm>
@@ -14,7 +14,7 @@ using soccer::ErrorCode;
 using soccer::ServerReply;
 using soccer::WarningCode;
 
-constexpr std::uint32_t kKeptState = state::kStand | state::kGoalie | state::kDiscard;
+constexpr std::uint32_t kRetainedState = state::kStand | state::kGoalie | state::kDiscard;
 
 ServerReply warning(WarningCode code) {
   return soccer::WarningReply{std::string(name(code)), code};
@@ -26,7 +26,7 @@ int& used(World& world, Side side, int type) {
   return world.team(side).used[static_cast<std::size_t>(type)];
 }
 
-// Players keep the default type until they are given one, so it is not counted for them.
+// Players have the default type until one is assigned, so it is not counted for them.
 int on_field(const World& world, Side side, int type) {
   return static_cast<int>(
       std::count_if(world.players.begin(), world.players.end(), [=](const Player& player) {
@@ -42,8 +42,8 @@ bool is_after_the_match(const World& world) {
   return world.params().half_time >= 0 && world.clock.time >= world.rules->total_time;
 }
 
-// Nothing if the rules allow it; checked in the server's order.
-std::optional<ServerReply> objection(World& world, Side side, int unum, int type) {
+// Returns no reply if the rules allow the substitution. Same order of checks as in rcssserver.
+std::optional<ServerReply> reject_substitution(World& world, Side side, int unum, int type) {
   const soccer::PlayerParams& params = world.rules->player;
   if (world.mode == PlayMode::kPlayOn) return warning(WarningCode::kCannotSubstituteWhilePlayOn);
   if (is_after_the_match(world)) {
@@ -59,8 +59,8 @@ std::optional<ServerReply> objection(World& world, Side side, int unum, int type
   }
   if (!find_player(world, side, unum)) return warning(WarningCode::kNoSuchPlayer);
   const Player& player = world.player(side, unum);
-  const bool has_it = player.substituted && player.type == type;
-  if (on_field(world, side, type) >= params.pt_max && !is_unlimited(world, type) && !has_it) {
+  const bool has_type = player.substituted && player.type == type;
+  if (on_field(world, side, type) >= params.pt_max && !is_unlimited(world, type) && !has_type) {
     return warning(WarningCode::kMaxOfThatTypeOnField);
   }
   return std::nullopt;
@@ -76,11 +76,11 @@ void count_used(World& world, Side side) {
 }
 
 void assign_type(World& world, Player& player, Events& events) {
-  const int most = world.rules->player.pt_max;
+  const int max_uses = world.rules->player.pt_max;
   const Side side = player.side;
-  if (player.substituted && used(world, side, player.type) <= most) return;
+  if (player.substituted && used(world, side, player.type) <= max_uses) return;
   for (int type = 0; type < world.rules->player.player_types; ++type) {
-    if (used(world, side, type) >= most) continue;
+    if (used(world, side, type) >= max_uses) continue;
     if (player.substituted) --used(world, side, player.type);
     ++used(world, side, type);
     if (type != player.type) substitute(world, player.slot(), type, events);
@@ -95,7 +95,7 @@ void substitute(World& world, Slot slot, int type, Events& events) {
   player.type = type;
   player.substituted = true;
   player.cards = 0;
-  player.state &= kKeptState;
+  player.state &= kRetainedState;
   recover(world, player);
   if (world.clock.time > 0) {
     ++world.team(player.side).substitutions;
@@ -105,14 +105,16 @@ void substitute(World& world, Slot slot, int type, Events& events) {
 }
 
 ServerReply change_type(World& world, Side side, int unum, int type, Events& events) {
-  if (std::optional<ServerReply> no = objection(world, side, unum, type)) return *std::move(no);
+  if (std::optional<ServerReply> refusal = reject_substitution(world, side, unum, type)) {
+    return *std::move(refusal);
+  }
   substitute(world, soccer::slot_of(side, unum), type, events);
   return soccer::OkChangePlayerType{{}, unum, type};
 }
 
 ServerReply change_type(World& world, const soccer::TrainerChangePlayerType& command,
                         Events& events) {
-  const Side side = side_called(world, command.team);
+  const Side side = find_side(world, command.team);
   if (side == Side::kNeutral) return warning(WarningCode::kNoTeamFound);
   if (command.type < 0 || command.type >= world.rules->player.player_types) {
     return error(ErrorCode::kOutOfRangePlayerType);

@@ -1,4 +1,4 @@
-// Sums.
+// Statistics of a log replay.
 #include "simulator/replay/log_agreement.h"
 
 #include <algorithm>

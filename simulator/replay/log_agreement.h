@@ -1,4 +1,4 @@
-// How far the simulator agrees with a recorded match: figures, misses, noise.
+// Agreement of the simulator with a recorded match: tallies, misses, noise samples.
 #pragma once
 
 #include <array>
@@ -19,48 +19,48 @@ struct Tally {
     if (agrees) ++agreed;
   }
   int misses() const { return steps - agreed; }
-  /// 1 where there is nothing to disagree on.
+  /// 1 if there are no steps.
   double share() const { return steps == 0 ? 1.0 : static_cast<double>(agreed) / steps; }
 };
 
 struct ClassTally : Tally {
-  double worst = 0.0;  ///< largest difference of position or velocity; metres, metres per cycle
+  double worst = 0.0;  ///< largest difference of position or velocity; meters, meters per cycle
 };
 
-/// A step of one object that came out otherwise than recorded.
+/// A step of one object whose result differs from the record.
 struct Miss {
-  Clock clock;          ///< of the recorded frame
-  Slot slot = kNobody;  ///< kNobody: the ball
+  Clock clock;            ///< of the recorded frame
+  Slot slot = kNoPlayer;  ///< kNoPlayer: the ball
   StepClass step_class = StepClass::kBallFree;
   std::string what;  ///< "position 0.0123 > 0.0002, body 0.2 > 0.001"
 };
 
-/// Why a step was not reckoned from the frame before alone.
+/// Why the previous frame alone does not determine a step.
 enum class Excuse : std::uint8_t {
-  kTackle,  ///< its outcome is drawn: taken from the record
+  kTackle,  ///< random outcome, taken from the record
   kCatch,
   kFoul,
-  kRandomPlace,  ///< the referee puts a player anywhere in its own half
-  kHalfTime,     ///< of the pause nothing is recorded; not counted where it differs
-  kNoise,        ///< a contact whose noise cannot be told; only where it differs, and not counted
-  kLine,         ///< noise decided over which line or past which post the ball went
-  kToucher,      ///< noise decided which of two contacts in one cycle was the stronger
-  kCameOrLeft,   ///< joined, or was lost without a bye; not counted
+  kRandomPlace,  ///< the referee moves a player to a random position in its own half
+  kHalfTime,     ///< the pause is not recorded; not counted if it differs
+  kNoise,        ///< a contact whose noise is unknown; only if it differs, and not counted
+  kLine,         ///< noise decided which line the ball crossed or which post it passed
+  kToucher,      ///< noise decided which of two contacts in one cycle was stronger
+  kCameOrLeft,   ///< connected, or disconnected without bye; not counted
 };
 constexpr std::size_t kExcuseCount = static_cast<std::size_t>(Excuse::kCameOrLeft) + 1;
 std::string_view name(Excuse excuse);
 
-/// Lengths of noise as shares of the largest possible: uniform in 0 to 1 says the specification.
+/// Lengths of noise divided by the maximum; specified as uniform in 0 to 1.
 struct NoiseSample {
   std::vector<double> shares;
 
   double mean() const;
   double largest() const;
-  /// Largest distance between the shares' distribution and the uniform one (Kolmogorov-Smirnov).
+  /// Kolmogorov-Smirnov distance between the distribution of `shares` and the uniform one.
   double distance_to_uniform() const;
 };
 
-/// Squares of kick noise as shares of their expectation: mean 1.
+/// Squares of kick noise divided by their expectation; the expected mean is 1.
 struct KickNoise {
   double sum = 0.0;
   int n = 0;
@@ -69,17 +69,17 @@ struct KickNoise {
 };
 
 struct LogAgreement {
-  static constexpr std::size_t kMostMisses = 5000;
+  static constexpr std::size_t kMaxMisses = 5000;
 
   bool has_noise = false;
   int frames = 0;
-  int skipped = 0;  ///< pairs of frames with something missing between them, or without a text log
+  int skipped = 0;  ///< pairs of frames with a gap between them or without a text log
 
   Tally ball;
   Tally players;
   std::array<ClassTally, kStepClassCount> by_class;
-  int excused = 0;    ///< steps of objects with an excuse
-  int uncounted = 0;  ///< of these, left out of ball and players
+  int excused = 0;    ///< steps with an excuse
+  int uncounted = 0;  ///< excused steps not counted in `ball` and `players`
   std::array<int, kExcuseCount> by_cause = {};
 
   Tally state;  ///< bits of players
@@ -87,12 +87,12 @@ struct LogAgreement {
   Tally mode;
   Tally clock;
   Tally score;
-  Tally words;                             ///< of the referee
-  std::vector<std::string> missing_words;  ///< recorded only, "TIME,STOPPED WORD"
-  std::vector<std::string> added_words;    ///< ours only
+  Tally calls;                             ///< referee messages
+  std::vector<std::string> missing_calls;  ///< recorded only, "TIME,STOPPED MESSAGE"
+  std::vector<std::string> extra_calls;    ///< simulated only
   std::vector<std::string> game_misses;    ///< mode, clock, score, counters, state bits
 
-  std::vector<Miss> misses;  ///< of ball and players, the first kMostMisses
+  std::vector<Miss> misses;  ///< of ball and players; the first kMaxMisses
 
   NoiseSample player_noise;
   NoiseSample ball_noise;

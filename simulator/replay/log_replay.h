@@ -1,4 +1,4 @@
-// Replaying a match from its two logs, one step at a time.
+// Replays a match from its game log and text log, step by step.
 #pragma once
 
 #include "base/result.h"
@@ -8,11 +8,11 @@
 
 namespace cls::simulator {
 
-/// Each step starts from the recorded frame with the commands of the text log and is compared with
-/// the next frame; clock, mode, score and the referee's memory are ours throughout, until they
-/// differ: then they go on as recorded. Outcomes of draws are taken from the record, and so is
-/// noise, as far as noise can do it. The error says why the logs cannot be replayed: too few digits
-/// (versions 1 to 3), logs of different matches, parameters that make no match.
+/// Simulates each step from the recorded frame and the commands of the text log, and compares it
+/// with the next frame. Clock, mode, score and referee state are simulated; after a difference they
+/// continue as recorded. Random outcomes and noise are taken from the record where noise can
+/// explain it. Errors: too little precision (rcg versions 1 to 3), logs of different matches,
+/// invalid parameters.
 base::Result<LogAgreement> replay_log(const gamelog::MatchRecord& game,
                                       const gamelog::RclRecord& text);
 

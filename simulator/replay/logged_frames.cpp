@@ -1,4 +1,4 @@
-// Rounding back, counting, comparing calls.
+// Restores printed decimals and matches frames with a text log.
 #include "simulator/replay/logged_frames.h"
 
 #include <algorithm>
@@ -14,7 +14,7 @@ using gamelog::MatchRecord;
 namespace {
 
 double printed(double value, double decimals) {
-  constexpr double kSingle = 0.1;  // more than single precision can be off
+  constexpr double kSingle = 0.1;  // exceeds the error of single precision
   const double whole = std::rint(value * decimals);
   return std::fabs(value * decimals - whole) < kSingle ? whole / decimals : value;
 }
@@ -47,9 +47,9 @@ bool follows(Clock after, Clock before) {
 
 std::size_t covered_frames(const MatchRecord& game, const TextLogIndex& text) {
   std::size_t frames = game.frames();
-  const int last = text.moments().empty() ? 0 : text.moments().rbegin()->first.first;
-  // Commands of a cycle lead to the frame of the next.
-  const int covered = text.is_damaged() ? last : last + 1;
+  const int last = text.steps().empty() ? 0 : text.steps().rbegin()->first.first;
+  // The commands of a cycle lead to the frame of the next cycle.
+  const int covered = text.is_truncated() ? last : last + 1;
   while (frames > 1 && game.time[frames - 1] > covered) --frames;
   return frames;
 }
@@ -61,11 +61,11 @@ bool same_match(const MatchRecord& game, const TextLogIndex& text) {
     if (game.mode[i] == game.mode[i - 1] || is_goal(game.mode[i])) continue;
     ++changes;
     const std::string_view mode = soccer::name(game.mode[i]);
-    // A call carries the time before or after the clock ran.
-    auto moment = text.moments().lower_bound({game.time[i] - 1, 0});
-    for (; moment != text.moments().end() && moment->first.first <= game.time[i]; ++moment) {
-      const std::vector<std::string>& words = moment->second.words;
-      if (std::find(words.begin(), words.end(), mode) != words.end()) {
+    // The time of a call is from before or after the clock advanced.
+    auto step = text.steps().lower_bound({game.time[i] - 1, 0});
+    for (; step != text.steps().end() && step->first.first <= game.time[i]; ++step) {
+      const std::vector<std::string>& calls = step->second.calls;
+      if (std::find(calls.begin(), calls.end(), mode) != calls.end()) {
         ++called;
         break;
       }

@@ -1,4 +1,4 @@
-// Frames of a game log as the server printed them, and which of them a text log explains.
+// Frames of a game log with the printed decimals, and their relation to a text log.
 #pragma once
 
 #include <cstddef>
@@ -9,20 +9,20 @@
 
 namespace cls::simulator {
 
-/// Frame `i` with the decimals that were printed: a record holds them in single precision, in which
-/// what touches may no longer do so.
+/// Frame `i` with the decimals that the server printed. Records hold single precision, in which
+/// objects that touch may no longer do so.
 gamelog::Frame printed_frame(const gamelog::MatchRecord& game, std::size_t i);
 
-/// True if one of these bits is shown of any player.
+/// True if any player has one of these state bits.
 bool shows_any(const gamelog::Frame& frame, std::uint32_t state_bits);
 
 /// True if one step leads from `before` to `after`.
 bool follows(Clock after, Clock before);
 
-/// How many frames there are up to the end of the text log, which may be cut off.
+/// Number of frames up to the end of the text log, which may be truncated.
 std::size_t covered_frames(const gamelog::MatchRecord& game, const TextLogIndex& text);
 
-/// True if most changes of mode in the game log are called at that very time in the text log.
+/// True if the text log has calls for most mode changes of the game log at the same times.
 bool same_match(const gamelog::MatchRecord& game, const TextLogIndex& text);
 
 }  // namespace cls::simulator

@@ -1,4 +1,4 @@
-// Searching the direction.
+// Searches for the direction of motion before a bounce.
 #include "simulator/replay/post_bounce.h"
 
 #include <algorithm>
@@ -13,12 +13,12 @@ namespace {
 using soccer::Vec2;
 namespace math = soccer::math;
 
-constexpr double kRounding = 3e-4;  // of the record, in what noise must reach
+constexpr double kRounding = 3e-4;  // of the log, added to the reach of noise
 constexpr int kDirections = 4000;
 constexpr int kRefinements = 6;
-constexpr int kFiner = 10;  // each refinement's step
+constexpr int kFiner = 10;  // divisor of the step per refinement
 
-bool is_near_a_post(const PostBounce& bounce) {
+bool is_near_post(const PostBounce& bounce) {
   const double x = soccer::kHalfLength - soccer::kGoalPostRadius;
   const double y = bounce.goal_width / 2.0 + soccer::kGoalPostRadius;
   const double travel = distance(bounce.from, bounce.expected) + bounce.reach + bounce.radius +
@@ -27,10 +27,10 @@ bool is_near_a_post(const PostBounce& bounce) {
   return off.length() <= travel;
 }
 
-/// How a step in one direction comes out.
+/// Result of a simulated step in one direction.
 struct Trial {
   double direction = 0.0;
-  double off = 0.0;  ///< from the record
+  double off = 0.0;  ///< distance from the record
 };
 
 class Search {
@@ -42,7 +42,7 @@ class Search {
     return bounce_.from + soccer::polar_radians(speed_, direction);
   }
 
-  /// The best of the directions around `middle` that noise can reach and that meet a post.
+  /// Best direction around `middle` that noise can reach and that hits a post.
   std::optional<Trial> best(double middle, double step, int steps) {
     std::optional<Trial> found;
     for (int i = -steps; i <= steps; ++i) {
@@ -66,21 +66,21 @@ class Search {
 
   const PostBounce& bounce_;
   double speed_;
-  soccer::RandomStream stream_{0, "post bounce"};  // for what lies on the centre of a post
+  soccer::RandomStream stream_{0, "post bounce"};  // for objects at the center of a post
 };
 
 }  // namespace
 
 std::optional<Vec2> arrival_without_post(const PostBounce& bounce) {
-  if (bounce.decay == 0.0 || bounce.velocity.is_zero() || !is_near_a_post(bounce)) return {};
-  const Vec2 way = bounce.expected - bounce.from;
-  const double length = way.length();
+  if (bounce.decay == 0.0 || bounce.velocity.is_zero() || !is_near_post(bounce)) return {};
+  const Vec2 path = bounce.expected - bounce.from;
+  const double length = path.length();
   const double reach = bounce.reach + kRounding;
-  // No arc sine rises faster than this.
-  const double widest = reach >= length ? math::kPi : math::kPi / 2.0 * reach / length;
+  // Upper bound of the arc sine.
+  const double max_angle = reach >= length ? math::kPi : math::kPi / 2.0 * reach / length;
   Search search(bounce);
-  double step = widest / kDirections;
-  std::optional<Trial> found = search.best(soccer::direction_radians(way), step, kDirections);
+  double step = max_angle / kDirections;
+  std::optional<Trial> found = search.best(soccer::direction_radians(path), step, kDirections);
   for (int i = 0; i < kRefinements && found; ++i) {
     step /= kFiner;
     const auto finer = search.best(found->direction, step, 2 * kFiner);

@@ -1,4 +1,4 @@
-// Which noise led an object to where it bounced off a goal post.
+// Reconstructs the noise of an object that bounced off a goal post.
 #pragma once
 
 #include <optional>
@@ -7,11 +7,11 @@
 
 namespace cls::simulator {
 
-/// One object's recorded step.
+/// Recorded step of one object.
 struct PostBounce {
   soccer::Vec2 from;
-  soccer::Vec2 expected;  ///< where it would come without noise if there were no post
-  double reach = 0.0;     ///< how far from there noise can take it
+  soccer::Vec2 expected;  ///< arrival without noise and without the post
+  double reach = 0.0;     ///< maximum distance from `expected` by noise
   double radius = 0.0;    ///< of the object
   double decay = 1.0;
   soccer::Vec2 to;        ///< recorded
@@ -19,10 +19,10 @@ struct PostBounce {
   double goal_width = 0.0;
 };
 
-/// Where noise would have taken the object if there were no post: the place within reach whose
-/// bounce comes nearest to the record. Nothing if no way within reach meets a post. A bounce keeps
-/// the speed, so the recorded one leaves only the direction to be found; position and direction of
-/// the bounce, three more numbers, tell whether it is the right one.
+/// Returns where noise would have moved the object without the post: the position within reach
+/// whose bounce is closest to the record. Returns no value if no path within reach hits a post. A
+/// bounce keeps the speed, so only the direction is unknown; recorded position and direction verify
+/// it.
 std::optional<soccer::Vec2> arrival_without_post(const PostBounce& bounce);
 
 }  // namespace cls::simulator

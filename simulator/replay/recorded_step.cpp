@@ -1,9 +1,9 @@
-// Trying outcomes.
+// Tries possible outcomes of a step until one matches the record.
 #include "simulator/replay/recorded_step.h"
 
+#include "simulator/replay/frame_replay.h"
 #include "simulator/replay/logged_frames.h"
 #include "simulator/replay/post_bounce.h"
-#include "simulator/replay/replay.h"
 #include "simulator/step.h"
 
 namespace cls::simulator {
@@ -16,14 +16,14 @@ bool is_off(const Deviation& deviation) {
   return deviation.position > kRounding || deviation.velocity > kRounding;
 }
 
-// Takes over what a search finds; true if it found anything.
-bool take(ShownMotion& motion, const PostBounce& bounce) {
+// Sets the arrival to the result of the search; returns false if there is none.
+bool set_arrival(RecordedMotion& motion, const PostBounce& bounce) {
   const std::optional<Vec2> arrival = arrival_without_post(bounce);
   if (arrival) motion.arrival = *arrival;
   return arrival.has_value();
 }
 
-PostBounce recorded_bounce(const World& start, const ShownMotion& motion, Vec2 from) {
+PostBounce recorded_bounce(const World& start, const RecordedMotion& motion, Vec2 from) {
   PostBounce bounce;
   bounce.from = from;
   bounce.expected = motion.expected;
@@ -32,66 +32,70 @@ PostBounce recorded_bounce(const World& start, const ShownMotion& motion, Vec2 f
   return bounce;
 }
 
-// What bounced off a post came from where its place no longer says: `stepped` tells what noise
-// could do, `start` gets the noise that explains the record.
+// A bounce off a post hides where the object came from. Reads the possible noise from `stepped` and
+// writes the noise that explains the record to `start`.
 bool find_bounces(World& start, const World& stepped, const gamelog::Frame& after) {
   bool found = false;
   const bool touched = shows_any(after, state::kBallCollide);
-  if (!touched && stepped.forced->ball.arrival && is_off(ball_deviation(stepped, after))) {
-    PostBounce bounce = recorded_bounce(start, stepped.forced->ball, start.ball.position);
+  if (!touched && stepped.overrides->ball.arrival && is_off(ball_deviation(stepped, after))) {
+    PostBounce bounce = recorded_bounce(start, stepped.overrides->ball, start.ball.position);
     bounce.radius = start.params().ball_size;
     bounce.decay = start.params().ball_decay;
     bounce.to = after.ball_position;
     bounce.velocity = after.ball_velocity;
-    found = take(start.forced->ball, bounce);
+    found = set_arrival(start.overrides->ball, bounce);
   }
   for (Slot slot = 0; slot < soccer::kPlayersOnPitch; ++slot) {
     const auto i = static_cast<std::size_t>(slot);
     const gamelog::PlayerFrame& shown = after.players[i];
     const bool hit = ((shown.state | stepped.player(slot).state) & state::kPostCollide) != 0;
-    if (!hit || !stepped.forced->players[i].arrival ||
+    if (!hit || !stepped.overrides->players[i].arrival ||
         !is_off(player_deviation(stepped, after, slot))) {
       continue;
     }
     PostBounce bounce =
-        recorded_bounce(start, stepped.forced->players[i], start.player(slot).position);
+        recorded_bounce(start, stepped.overrides->players[i], start.player(slot).position);
     const soccer::PlayerType& type = start.type_of(start.player(slot));
     bounce.radius = type.player_size;
     bounce.decay = type.player_decay;
     bounce.to = shown.position;
     bounce.velocity = shown.velocity;
-    found = take(start.forced->players[i], bounce) || found;
+    found = set_arrival(start.overrides->players[i], bounce) || found;
   }
   return found;
 }
 
-/// Steps again and again from one start, until the mode is the recorded one.
+/// Repeats a step from the same start until the mode is as recorded.
 class Trials {
  public:
   Trials(World& world, Events& events, PlayMode wanted)
-      : world_(world), events_(events), start_(world), said_(events.size()), wanted_(wanted) {}
+      : world_(world),
+        events_(events),
+        start_(world),
+        event_count_(events.size()),
+        wanted_(wanted) {}
 
   World& start() { return start_; }
 
-  bool step_from_start() { return step_with(start_.forced->ball.arrival, kNobody); }
+  bool step_from_start() { return step_with(start_.overrides->ball.arrival, kNoPlayer); }
 
-  /// As it is for no toucher.
+  /// kNoPlayer leaves the toucher unchanged.
   bool step_with(std::optional<Vec2> ball_arrival, Slot toucher) {
     world_ = start_;
-    events_.resize(said_);
-    world_.forced->ball.arrival = ball_arrival;
-    if (toucher != kNobody) world_.referee.touch.toucher = toucher;
+    events_.resize(event_count_);
+    world_.overrides->ball.arrival = ball_arrival;
+    if (toucher != kNoPlayer) world_.referee.touch.toucher = toucher;
     step(world_, events_);
     return world_.mode == wanted_;
   }
 
-  bool step_along_other_lines(const ShownMotion& shown, Slot toucher) {
-    if (shown.reach == 0.0) return false;
+  bool step_with_other_noise(const RecordedMotion& recorded, Slot toucher) {
+    if (recorded.reach == 0.0) return false;
     for (int i = 0; i < 2 * kDirections; ++i) {
       const double share = i < kDirections ? 0.999 : 0.5;
       const Vec2 noise =
-          soccer::polar_degrees(share * shown.reach, 360.0 / kDirections * (i % kDirections));
-      if (step_with(shown.expected + noise, toucher)) return true;
+          soccer::polar_degrees(share * recorded.reach, 360.0 / kDirections * (i % kDirections));
+      if (step_with(recorded.expected + noise, toucher)) return true;
     }
     return false;
   }
@@ -100,26 +104,26 @@ class Trials {
   World& world_;
   Events& events_;
   World start_;
-  std::size_t said_;
+  std::size_t event_count_;
   PlayMode wanted_;
 };
 
 }  // namespace
 
-OpenOutcomes step_as_recorded(World& world, Events& events, const gamelog::Frame& after,
-                              const std::vector<Slot>& contestants) {
+NoiseDecisions step_as_recorded(World& world, Events& events, const gamelog::Frame& after,
+                                const std::vector<Slot>& contestants) {
   Trials trials(world, events, after.mode);
   bool same_mode = trials.step_from_start();
   if (find_bounces(trials.start(), world, after)) same_mode = trials.step_from_start();
   if (same_mode) return {};
-  const ShownMotion shown = world.forced->ball;
-  const std::optional<Vec2> arrival = trials.start().forced->ball.arrival;
+  const RecordedMotion recorded = world.overrides->ball;
+  const std::optional<Vec2> arrival = trials.start().overrides->ball.arrival;
   for (const Slot toucher : contestants) {
     if (trials.step_with(arrival, toucher)) return {false, true};
   }
-  if (trials.step_along_other_lines(shown, kNobody)) return {true, false};
+  if (trials.step_with_other_noise(recorded, kNoPlayer)) return {true, false};
   for (const Slot toucher : contestants) {
-    if (trials.step_along_other_lines(shown, toucher)) return {true, true};
+    if (trials.step_with_other_noise(recorded, toucher)) return {true, true};
   }
   trials.step_from_start();
   return {};

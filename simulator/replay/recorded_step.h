@@ -1,5 +1,4 @@
-// A step as it was recorded: where noise decides what a frame no longer shows, the one of its
-// possible outcomes that the record tells of.
+// Simulates a step so that outcomes decided by noise match the record.
 #pragma once
 
 #include <vector>
@@ -9,16 +8,16 @@
 
 namespace cls::simulator {
 
-/// What noise decided; both would have been possible.
-struct OpenOutcomes {
-  bool line = false;     ///< over which line or past which post the ball went
-  bool toucher = false;  ///< which of two contacts in one cycle was the stronger
+/// Outcomes of a step that noise decided.
+struct NoiseDecisions {
+  bool line = false;     ///< which line the ball crossed or which post it passed
+  bool toucher = false;  ///< which of two contacts in one cycle was stronger
 };
 
-/// Steps `world`, whose outcomes must be forced. If the mode comes out otherwise than recorded,
-/// other noises of the ball are tried, and each of `contestants` as the one who touched it last; if
-/// no trial leads to the recorded mode, the first stands.
-OpenOutcomes step_as_recorded(World& world, Events& events, const gamelog::Frame& after,
-                              const std::vector<Slot>& contestants);
+/// Steps `world`, which must have overrides. If the mode differs from the record, tries other noise
+/// of the ball and each of `contestants` as the last toucher. Keeps the first trial if none leads
+/// to the recorded mode.
+NoiseDecisions step_as_recorded(World& world, Events& events, const gamelog::Frame& after,
+                                const std::vector<Slot>& contestants);
 
 }  // namespace cls::simulator

@@ -1,4 +1,4 @@
-// Telling classes from two worlds.
+// Classifies steps by the worlds before and after.
 #include "simulator/replay/step_class.h"
 
 #include <algorithm>
@@ -14,8 +14,8 @@ constexpr std::array<std::string_view, kStepClassCount> kNames = {
     "player_tackle", "player_catch",    "player_move", "player_collision", "player_post",
     "player_placed", "player_half_time"};
 
-// Where it is follows from where it was and the velocity that it has kept.
-bool moved_by_itself(Vec2 from, Vec2 to, Vec2 velocity_after, double decay) {
+// True if the motion follows from the velocity alone.
+bool moved_freely(Vec2 from, Vec2 to, Vec2 velocity_after, double decay) {
   constexpr double kExact = 1e-6;
   if (decay == 0.0) return true;
   const Vec2 off = to - (from + velocity_after / decay);
@@ -26,15 +26,15 @@ bool kicked(const Player& before, const Player& after) {
   return after.counters.kick > before.counters.kick;
 }
 
-bool tackled_well(const Player& before, const Player& after) {
+bool tackled_successfully(const Player& before, const Player& after) {
   return after.counters.tackle > before.counters.tackle && after.has(state::kTackle) &&
          !after.has(state::kTackleFault);
 }
 
-template <typename Question>
-bool anybody(const World& before, const World& after, Question question) {
+template <typename Predicate>
+bool any_player(const World& before, const World& after, Predicate predicate) {
   for (std::size_t i = 0; i < after.players.size(); ++i) {
-    if (question(before.players[i], after.players[i])) return true;
+    if (predicate(before.players[i], after.players[i])) return true;
   }
   return false;
 }
@@ -74,24 +74,24 @@ StepClass ball_class(const World& before, const World& after) {
   const auto collided = [](const Player&, const Player& now) {
     return now.has(state::kBallCollide);
   };
-  const bool caught = anybody(before, after, [](const Player& was, const Player& now) {
-    return now.counters.catch_ball > was.counters.catch_ball;
+  const bool caught = any_player(before, after, [](const Player& was, const Player& now) {
+    return now.counters.catches > was.counters.catches;
   });
-  // Who pushes the goalie pushes the ball in its hands.
+  // Pushing the goalie moves the ball in its hands.
   const Slot catcher = after.ball_catcher;
-  if (catcher != kNobody && after.player(catcher).has(state::kPlayerCollide)) {
+  if (catcher != kNoPlayer && after.player(catcher).has(state::kPlayerCollide)) {
     return StepClass::kBallCollision;
   }
   if (caught) return StepClass::kBallCatch;
-  if (catcher != kNobody) return StepClass::kBallHeld;
-  if (anybody(before, after, collided)) return StepClass::kBallCollision;
-  const bool free = moved_by_itself(before.ball.position, after.ball.position, after.ball.velocity,
-                                    after.params().ball_decay);
+  if (catcher != kNoPlayer) return StepClass::kBallHeld;
+  if (any_player(before, after, collided)) return StepClass::kBallCollision;
+  const bool free = moved_freely(before.ball.position, after.ball.position, after.ball.velocity,
+                                 after.params().ball_decay);
   if (!free) {
     return after.ball.velocity.is_zero() ? StepClass::kBallPlaced : StepClass::kBallPost;
   }
-  if (anybody(before, after, tackled_well)) return StepClass::kBallTackle;
-  if (anybody(before, after, kicked)) return StepClass::kBallKick;
+  if (any_player(before, after, tackled_successfully)) return StepClass::kBallTackle;
+  if (any_player(before, after, kicked)) return StepClass::kBallKick;
   return soccer::mode_class(before.mode) == soccer::ModeClass::kRunning ? StepClass::kBallFree
                                                                         : StepClass::kBallStopped;
 }
@@ -104,7 +104,7 @@ StepClass player_class(const World& before, const World& after, Slot slot) {
   if (now.has(state::kBallCollide | state::kPlayerCollide)) return StepClass::kPlayerCollision;
   if (command == StepClass::kPlayerMove || command == StepClass::kPlayerCatch) return command;
   const bool free =
-      moved_by_itself(was.position, now.position, now.velocity, after.type_of(now).player_decay);
+      moved_freely(was.position, now.position, now.velocity, after.type_of(now).player_decay);
   return free ? command : StepClass::kPlayerPlaced;
 }
 

@@ -1,4 +1,4 @@
-// What happened to ball and players in a step, by which a replay sorts its steps.
+// Classes of steps: what happened to an object in a step.
 #pragma once
 
 #include <array>
@@ -9,9 +9,9 @@
 
 namespace cls::simulator {
 
-/// Most specific last: a player that dashed into another one collided.
+/// The most specific class applies: a player that dashed into another one collided.
 enum class StepClass : std::uint8_t {
-  kBallFree,  ///< nobody touched it
+  kBallFree,  ///< no contact
   kBallStopped,
   kBallKick,
   kBallTackle,
@@ -31,7 +31,7 @@ enum class StepClass : std::uint8_t {
   kPlayerMove,
   kPlayerCollision,
   kPlayerPost,
-  kPlayerPlaced,  ///< by the referee (cleared from the ball, put into the own half) or a trainer
+  kPlayerPlaced,  ///< by the referee (cleared from the ball, moved to the own half) or a trainer
   kPlayerHalfTime,
 };
 constexpr std::size_t kStepClassCount = static_cast<std::size_t>(StepClass::kPlayerHalfTime) + 1;
@@ -39,10 +39,10 @@ constexpr std::size_t kStepClassCount = static_cast<std::size_t>(StepClass::kPla
 /// "ball_free", "player_dash", ...
 std::string_view name(StepClass step_class);
 
-/// Contacts and places next to something magnify the rounding of a record.
+/// True for contacts and placements, which magnify the rounding of a log.
 bool magnifies_rounding(StepClass step_class);
 
-/// `before` is the world ahead of the commands, `after` that of step(); one step lies between.
+/// `before` is the world before the commands, `after` the world after step().
 StepClass ball_class(const World& before, const World& after);
 StepClass player_class(const World& before, const World& after, Slot slot);
 

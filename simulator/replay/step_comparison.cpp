@@ -1,4 +1,4 @@
-// What counts as the same, per kind of value.
+// Compares a simulated step with the recorded frame, with a tolerance per kind of value.
 #include "simulator/replay/step_comparison.h"
 
 #include <algorithm>
@@ -7,13 +7,13 @@
 #include <string>
 #include <utility>
 
+#include "simulator/replay/frame_replay.h"
 #include "simulator/replay/logged_frames.h"
-#include "simulator/replay/replay.h"
 
 namespace cls::simulator {
 namespace {
 
-/// Largest differences that the rounding of a record explains.
+/// Maximum differences that the rounding of a log explains.
 struct Tolerance {
   double position = 2e-4;
   double velocity = 2e-4;
@@ -25,26 +25,26 @@ struct Tolerance {
 };
 
 constexpr double kBodyAfterTurn = 0.1;
-constexpr double kRoughPosition = 5e-3;  // where rounding is magnified
+constexpr double kRoughPosition = 5e-3;  // where contacts magnify rounding
 constexpr double kRoughVelocity = 1e-2;
-// A record holds printed decimals in single precision.
+// Records hold printed decimals in single precision.
 constexpr double kRepresentation = 1.01;
-// Noise is told from rounding where it can be this large.
-constexpr double kLeastNoise = 0.02;
-constexpr std::size_t kMostGameMisses = 200;
+// Minimum radius of noise that can be distinguished from rounding.
+constexpr double kMinNoise = 0.02;
+constexpr std::size_t kMaxGameMisses = 200;
 
 std::string stamp(Clock clock) {
   return std::to_string(clock.time) + ',' + std::to_string(clock.stoppage);
 }
 
-std::string who(const Player& player) {
+std::string player_name(const Player& player) {
   return std::string(1, soccer::letter(player.side)) + std::to_string(player.unum);
 }
 
 class Comparison {
  public:
-  Comparison(const ReckonedStep& step, LogAgreement& result)
-      : step_(step), result_(result), forced_(*step.after.forced) {}
+  Comparison(const SimulatedStep& step, LogAgreement& result)
+      : step_(step), result_(result), overrides_(*step.after.overrides) {}
 
   void run() {
     compare_game();
@@ -54,19 +54,20 @@ class Comparison {
 
  private:
   void compare_game() {
-    const World& ours = step_.after;
-    const gamelog::Frame& theirs = step_.recorded;
-    note(result_.mode, ours.mode == theirs.mode, [&] {
-      return "mode " + std::string(soccer::name(ours.mode)) + ", recorded " +
-             std::string(soccer::name(theirs.mode));
+    const World& simulated = step_.after;
+    const gamelog::Frame& recorded = step_.recorded;
+    note(result_.mode, simulated.mode == recorded.mode, [&] {
+      return "mode " + std::string(soccer::name(simulated.mode)) + ", recorded " +
+             std::string(soccer::name(recorded.mode));
     });
-    note(result_.clock, ours.clock == step_.clock, [&] { return "clock " + stamp(ours.clock); });
+    note(result_.clock, simulated.clock == step_.clock,
+         [&] { return "clock " + stamp(simulated.clock); });
     bool same = true;
-    for (std::size_t i = 0; i < ours.teams.size(); ++i) {
-      const gamelog::TeamFrame& team = theirs.teams[i];
-      same = same && ours.teams[i].score == team.score &&
-             ours.teams[i].penalty_goals == team.penalty_scored &&
-             ours.teams[i].penalty_kicks == team.penalties_taken();
+    for (std::size_t i = 0; i < simulated.teams.size(); ++i) {
+      const gamelog::TeamFrame& team = recorded.teams[i];
+      same = same && simulated.teams[i].score == team.score &&
+             simulated.teams[i].penalty_goals == team.penalty_scored &&
+             simulated.teams[i].penalty_kicks == team.penalties_taken();
     }
     note(result_.score, same, [] { return std::string("score"); });
   }
@@ -75,15 +76,15 @@ class Comparison {
     const StepClass kind =
         step_.half_time ? StepClass::kBallHalfTime : ball_class(step_.before, step_.after);
     if (step_.half_time) excuse(Excuse::kHalfTime);
-    if (forced_.tackle_drawn.any()) excuse(Excuse::kTackle);
-    if (forced_.catch_drawn.any()) excuse(Excuse::kCatch);
-    if (step_.open.line) excuse(Excuse::kLine);
-    if (step_.open.toucher) excuse(Excuse::kToucher);
+    if (overrides_.tackle.drawn.any()) excuse(Excuse::kTackle);
+    if (overrides_.catch_ball.drawn.any()) excuse(Excuse::kCatch);
+    if (step_.noise_decided.line) excuse(Excuse::kLine);
+    if (step_.noise_decided.toucher) excuse(Excuse::kToucher);
     const Deviation off = ball_deviation(step_.after, step_.recorded);
     Tolerance allowed;
     if (magnifies_rounding(kind)) widen(allowed);
     const bool touched = shows_any(step_.recorded, state::kBallCollide);
-    count(result_.ball, {kind, kNobody, touched}, off, motion_misses(off, allowed));
+    count(result_.ball, {kind, kNoPlayer, touched}, off, motion_misses(off, allowed));
     sample_ball_noise(kind);
   }
 
@@ -92,21 +93,21 @@ class Comparison {
     const Player& was = step_.before.player(slot);
     const Player& now = step_.after.player(slot);
     const gamelog::PlayerFrame& shown = step_.recorded.players[i];
-    const bool is_there = (shown.state & state::kStand) != 0;
-    if (was.enabled != is_there && now.enabled == was.enabled) {
+    const bool is_enabled = (shown.state & state::kStand) != 0;
+    if (was.enabled != is_enabled && now.enabled == was.enabled) {
       excuse(Excuse::kCameOrLeft);
       ++result_.uncounted;
       return close_step();
     }
     compare_bits(slot);
-    if (!now.enabled || !is_there) return;
+    if (!now.enabled || !is_enabled) return;
     const StepClass kind = step_.half_time ? StepClass::kPlayerHalfTime
                                            : player_class(step_.before, step_.after, slot);
     if (step_.half_time) excuse(Excuse::kHalfTime);
-    if (forced_.tackle_drawn[i]) excuse(Excuse::kTackle);
-    if (forced_.catch_drawn[i]) excuse(Excuse::kCatch);
-    if (forced_.foul_drawn[i]) excuse(Excuse::kFoul);
-    if (forced_.placement_drawn[i]) excuse(Excuse::kRandomPlace);
+    if (overrides_.tackle.drawn[i]) excuse(Excuse::kTackle);
+    if (overrides_.catch_ball.drawn[i]) excuse(Excuse::kCatch);
+    if (overrides_.foul.drawn[i]) excuse(Excuse::kFoul);
+    if (overrides_.placement.drawn[i]) excuse(Excuse::kRandomPlace);
     const Deviation off = player_deviation(step_.after, step_.recorded, slot);
     const Tolerance allowed = tolerance(was, now, kind);
     std::string misses = motion_misses(off, allowed);
@@ -115,7 +116,7 @@ class Comparison {
     add(misses, "stamina", off.stamina, allowed.stamina);
     add(misses, "effort or recovery", off.effort, allowed.effort);
     if (shown.capacity >= 0.0) add(misses, "capacity", off.capacity, allowed.capacity);
-    // Who came too near to a set play stands still where he was put.
+    // The referee stops players that it clears from the ball.
     const bool cleared = shown.velocity.is_zero() && !now.velocity.is_zero();
     const bool touched = (shown.state & kContacts & ~state::kPostCollide) != 0 || cleared;
     count(result_.players, {kind, slot, touched}, off, std::move(misses));
@@ -127,37 +128,38 @@ class Comparison {
     const std::uint32_t shown = step_.recorded.players[static_cast<std::size_t>(slot)].state;
     const std::uint32_t differs = now.state ^ shown;
     const bool only_contacts = differs != 0 && (differs & ~kContacts) == 0;
-    if (!only_contacts || (!result_.has_noise && !touches_just(slot))) {
+    if (!only_contacts || (!result_.has_noise && !is_borderline_contact(slot))) {
       note(result_.state, differs == 0, [&] {
         char text[64];
         std::snprintf(text, sizeof text, " state 0x%x, recorded 0x%x", now.state, shown);
-        return who(now) + text;
+        return player_name(now) + text;
       });
     }
     const Deviation off = player_deviation(step_.after, step_.recorded, slot);
-    note(result_.counters, off.same_counters, [&] { return who(now) + " counters"; });
+    note(result_.counters, off.same_counters, [&] { return player_name(now) + " counters"; });
   }
 
-  // Whether what just touches overlaps, rounding decides: where no contact is, the gap is tiny.
-  bool touches_just(Slot slot) const {
+  // True if rounding decides whether the player overlaps another object: the gap is tiny.
+  bool is_borderline_contact(Slot slot) const {
     constexpr double kRounding = 5e-4;
-    const Player& ours = step_.after.player(slot);
-    const gamelog::PlayerFrame& theirs = step_.recorded.players[static_cast<std::size_t>(slot)];
-    const bool we_touch = ours.has(kContacts);
-    const double size = step_.after.type_of(ours).player_size;
-    const Vec2 at = we_touch ? theirs.position : ours.position;
-    const Vec2 ball = we_touch ? step_.recorded.ball_position : step_.after.ball.position;
+    const Player& simulated = step_.after.player(slot);
+    const gamelog::PlayerFrame& recorded = step_.recorded.players[static_cast<std::size_t>(slot)];
+    const bool touches = simulated.has(kContacts);
+    const double size = step_.after.type_of(simulated).player_size;
+    const Vec2 at = touches ? recorded.position : simulated.position;
+    const Vec2 ball = touches ? step_.recorded.ball_position : step_.after.ball.position;
     const double ball_gap = distance(at, ball) - size - step_.after.params().ball_size;
-    bool just = std::fabs(ball_gap) < kRounding;
+    bool is_borderline = std::fabs(ball_gap) < kRounding;
     for (Slot other = 0; other < soccer::kPlayersOnPitch; ++other) {
       const Player& player = step_.after.player(other);
       if (other == slot || !player.enabled) continue;
-      const Vec2 place = we_touch ? step_.recorded.players[static_cast<std::size_t>(other)].position
-                                  : player.position;
-      const double gap = distance(at, place) - size - step_.after.type_of(player).player_size;
-      just = just || std::fabs(gap) < kRounding;
+      const Vec2 position = touches
+                                ? step_.recorded.players[static_cast<std::size_t>(other)].position
+                                : player.position;
+      const double gap = distance(at, position) - size - step_.after.type_of(player).player_size;
+      is_borderline = is_borderline || std::fabs(gap) < kRounding;
     }
-    return just;
+    return is_borderline;
   }
 
   Tolerance tolerance(const Player& was, const Player& now, StepClass kind) const {
@@ -191,11 +193,11 @@ class Comparison {
   struct Subject {
     StepClass kind;
     Slot slot;
-    bool touched;  ///< or cleared in the record; noise decides whether in our step as well
+    bool touched;  ///< or was cleared in the record; noise decides whether in the simulation too
   };
 
   void count(Tally& tally, Subject what, const Deviation& off, std::string misses) {
-    // The noise of a bounce off a post is found as surely as that of a way without one.
+    // The noise of a bounce off a post can be reconstructed (post_bounce.h).
     const bool is_bounce = what.kind == StepClass::kBallPost || what.kind == StepClass::kPlayerPost;
     const bool noise_matters =
         result_.has_noise && (what.touched || (magnifies_rounding(what.kind) && !is_bounce));
@@ -209,7 +211,7 @@ class Comparison {
     of_class.worst = std::max({of_class.worst, off.position, off.velocity});
     tally.add(misses.empty());
     of_class.add(misses.empty());
-    if (misses.empty() || result_.misses.size() >= LogAgreement::kMostMisses) return;
+    if (misses.empty() || result_.misses.size() >= LogAgreement::kMaxMisses) return;
     result_.misses.push_back({step_.clock, what.slot, what.kind, std::move(misses)});
   }
 
@@ -225,27 +227,27 @@ class Comparison {
   template <typename Text>
   void note(Tally& tally, bool same, Text text) {
     tally.add(same);
-    if (same || result_.game_misses.size() >= kMostGameMisses) return;
+    if (same || result_.game_misses.size() >= kMaxGameMisses) return;
     result_.game_misses.push_back(stamp(step_.clock) + ' ' + text());
   }
 
   void sample_ball_noise(StepClass kind) {
-    const ShownMotion& motion = forced_.ball;
+    const RecordedMotion& motion = overrides_.ball;
     if (!motion.explained || step_.after.wind.rand > 0.0) return;
-    if (kind == StepClass::kBallFree && motion.noise_max >= kLeastNoise) {
+    if (kind == StepClass::kBallFree && motion.noise_max >= kMinNoise) {
       result_.ball_noise.shares.push_back(motion.noise.length() / motion.noise_max);
     }
-    const double expected = forced_.push_noise_mean2 + motion.noise_max * motion.noise_max / 3.0;
+    const double expected = overrides_.push_noise_mean2 + motion.noise_max * motion.noise_max / 3.0;
     if (kind == StepClass::kBallKick && !step_.push_cut_off &&
-        forced_.push_noise_max >= kLeastNoise) {
+        overrides_.push_noise_max >= kMinNoise) {
       result_.kick_noise.sum += motion.noise.squared_length() / expected;
       ++result_.kick_noise.n;
     }
   }
 
   void sample_player_noise(Slot slot, StepClass kind) {
-    const ShownMotion& motion = forced_.players[static_cast<std::size_t>(slot)];
-    if (!motion.explained || motion.noise_max < kLeastNoise || magnifies_rounding(kind) ||
+    const RecordedMotion& motion = overrides_.players[static_cast<std::size_t>(slot)];
+    if (!motion.explained || motion.noise_max < kMinNoise || magnifies_rounding(kind) ||
         step_.half_time || step_.after.wind.rand > 0.0) {
       return;
     }
@@ -255,15 +257,15 @@ class Comparison {
   static constexpr std::uint32_t kContacts =
       state::kBallToPlayer | state::kBallCollide | state::kPlayerCollide | state::kPostCollide;
 
-  const ReckonedStep& step_;
+  const SimulatedStep& step_;
   LogAgreement& result_;
-  const ForcedOutcomes& forced_;
+  const ReplayOverrides& overrides_;
   bool excused_ = false;
 };
 
 }  // namespace
 
-void compare_step(const ReckonedStep& step, LogAgreement& result) {
+void compare_step(const SimulatedStep& step, LogAgreement& result) {
   Comparison(step, result).run();
 }
 

@@ -1,4 +1,4 @@
-// Comparing one reckoned step with the recorded frame.
+// Compares a simulated step with the recorded frame.
 #pragma once
 
 #include "gamelog/record/frame.h"
@@ -7,16 +7,16 @@
 
 namespace cls::simulator {
 
-struct ReckonedStep {
-  const World& before;  ///< ahead of the commands, as recorded
-  const World& after;   ///< its `forced` tells what was drawn
+struct SimulatedStep {
+  const World& before;  ///< before the commands, as recorded
+  const World& after;   ///< its overrides contain the drawn outcomes
   const gamelog::Frame& recorded;
   Clock clock;  ///< of the recorded frame
   bool half_time = false;
-  bool push_cut_off = false;  ///< a limit may have cut what a kick gave the ball
-  OpenOutcomes open;          ///< what noise decided
+  bool push_cut_off = false;  ///< a speed or acceleration limit may have reduced a kick
+  NoiseDecisions noise_decided;
 };
 
-void compare_step(const ReckonedStep& step, LogAgreement& result);
+void compare_step(const SimulatedStep& step, LogAgreement& result);
 
 }  // namespace cls::simulator

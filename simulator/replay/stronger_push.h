@@ -1,5 +1,5 @@
-// Who pushed the ball hardest: of two contacts in one cycle the stronger counts as the last touch
-// (9.9), and a record shows only what their pushes, noise included, came to together.
+// Finds the strongest push of the ball. Of two contacts in one cycle the stronger counts as the
+// last touch (9.9), but a log shows only the sum of the pushes and their noise.
 #pragma once
 
 #include <optional>
@@ -9,17 +9,18 @@
 
 namespace cls::simulator {
 
-/// What one kick or tackle gives the ball.
+/// Acceleration of the ball by one kick or tackle.
 struct BallPush {
-  Slot slot = kNobody;
+  Slot slot = kNoPlayer;
   Vec2 acceleration;       ///< without noise
-  double noise_max = 0.0;  ///< radius of its noise
+  double noise_max = 0.0;  ///< radius of the noise
 };
 
-/// Those whose push may have been the strongest, in the order of the commands; one if noise cannot
-/// have changed it, none if nobody pushed. `world` is that before the step; `way` is how far the
-/// ball came if nothing else turned, stopped or placed it.
+/// Players whose push may have been the strongest, in the order of the commands: one if noise
+/// cannot change the order, none without pushes. `world` is the world before the step.
+/// `displacement` is the recorded motion of the ball, if nothing else deflected, stopped or placed
+/// it.
 std::vector<Slot> strongest_pushers(const World& world, const std::vector<BallPush>& pushes,
-                                    std::optional<Vec2> way);
+                                    std::optional<Vec2> displacement);
 
 }  // namespace cls::simulator

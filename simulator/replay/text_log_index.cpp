@@ -1,4 +1,4 @@
-// Sorting lines.
+// Groups the lines of a text log by step.
 #include "simulator/replay/text_log_index.h"
 
 namespace cls::simulator {
@@ -8,15 +8,15 @@ using gamelog::RclSource;
 
 namespace {
 
-Slot last_player(const LogMoment& moment) {
-  if (moment.sent.empty() || moment.sent.back().source != RclSource::kPlayer) return kNobody;
-  return soccer::slot_of(moment.sent.back().side, moment.sent.back().unum);
+Slot last_player(const LoggedStep& step) {
+  if (step.received.empty() || step.received.back().source != RclSource::kPlayer) return kNoPlayer;
+  return soccer::slot_of(step.received.back().side, step.received.back().unum);
 }
 
 }  // namespace
 
 TextLogIndex::TextLogIndex(const gamelog::RclRecord& text, const gamelog::TeamFrames& teams) {
-  is_damaged_ = !text.damage.empty();
+  is_truncated_ = !text.errors.empty();
   std::vector<Side> sides;
   for (const std::string& team : text.teams) {
     const Side side = team == teams[0].name   ? Side::kLeft
@@ -26,22 +26,22 @@ TextLogIndex::TextLogIndex(const gamelog::RclRecord& text, const gamelog::TeamFr
     knows_a_team_ = knows_a_team_ || side != Side::kNeutral;
   }
   for (const RclLine& line : text.lines) {
-    LogMoment& moment = moments_[{line.time, line.stopped}];
-    const std::string_view words = text.text_of(line);
+    LoggedStep& step = steps_[{line.time, line.stopped}];
+    const std::string_view message = text.text_of(line);
     if (line.source == RclSource::kReferee) {
-      moment.words.emplace_back(words);
-      moment.called_after.push_back(last_player(moment));
+      step.calls.emplace_back(message);
+      step.called_after.push_back(last_player(step));
     } else if (line.source == RclSource::kTrainer) {
-      moment.sent.push_back({line.source, Side::kNeutral, 0, words});
+      step.received.push_back({line.source, Side::kNeutral, 0, message});
     } else if (line.source != RclSource::kOther && sides[line.team] != Side::kNeutral) {
-      moment.sent.push_back({line.source, sides[line.team], line.unum, words});
+      step.received.push_back({line.source, sides[line.team], line.unum, message});
     }
   }
 }
 
-const LogMoment* TextLogIndex::at(Clock clock) const {
-  const auto found = moments_.find({clock.time, clock.stoppage});
-  return found == moments_.end() ? nullptr : &found->second;
+const LoggedStep* TextLogIndex::at(Clock clock) const {
+  const auto found = steps_.find({clock.time, clock.stoppage});
+  return found == steps_.end() ? nullptr : &found->second;
 }
 
 }  // namespace cls::simulator

@@ -1,4 +1,4 @@
-// The lines of a text log by the step they belong to.
+// Lines of a text log, indexed by step.
 #pragma once
 
 #include <map>
@@ -13,38 +13,38 @@
 
 namespace cls::simulator {
 
-/// A datagram as it was received.
-struct SentText {
+/// A received datagram.
+struct LoggedDatagram {
   gamelog::RclSource source = gamelog::RclSource::kPlayer;
-  Side side = Side::kNeutral;  ///< neutral: a trainer
-  int unum = 0;                ///< 0: a coach or trainer
+  Side side = Side::kNeutral;  ///< neutral for a trainer
+  int unum = 0;                ///< 0 for a coach or trainer
   std::string_view text;
 };
 
-/// What was received and called while the clock showed one time.
-struct LogMoment {
-  std::vector<SentText> sent;
-  std::vector<std::string> words;  ///< of the referee
-  std::vector<Slot> called_after;  ///< by word: the player heard last before it, or kNobody
+/// Datagrams and referee messages at one clock.
+struct LoggedStep {
+  std::vector<LoggedDatagram> received;
+  std::vector<std::string> calls;  ///< referee messages
+  std::vector<Slot> called_after;  ///< by call: sender of the last datagram before it, or kNoPlayer
 };
 
-/// Refers to the record's text, which must outlive it. Senders of unknown teams are left out.
+/// Refers to the text of the record, which must outlive it. Ignores senders of unknown teams.
 class TextLogIndex {
  public:
   TextLogIndex(const gamelog::RclRecord& text, const gamelog::TeamFrames& teams);
 
-  /// Null when nothing happened.
-  const LogMoment* at(Clock clock) const;
+  /// Null if the log has no line for this clock.
+  const LoggedStep* at(Clock clock) const;
   /// By time and stoppage.
-  const std::map<std::pair<int, int>, LogMoment>& moments() const { return moments_; }
+  const std::map<std::pair<int, int>, LoggedStep>& steps() const { return steps_; }
   bool knows_a_team() const { return knows_a_team_; }
-  /// True if the last moment may lack lines.
-  bool is_damaged() const { return is_damaged_; }
+  /// True if the last step may lack lines.
+  bool is_truncated() const { return is_truncated_; }
 
  private:
-  std::map<std::pair<int, int>, LogMoment> moments_;
+  std::map<std::pair<int, int>, LoggedStep> steps_;
   bool knows_a_team_ = false;
-  bool is_damaged_ = false;
+  bool is_truncated_ = false;
 };
 
 }  // namespace cls::simulator

@@ -1,26 +1,26 @@
-// Ball stuck: a ball that stays in one place too long is dropped (9.12).
+// Ball stuck rule: drop ball after the ball stays in one area too long (9.12).
 #include "simulator/referee/calls.h"
 #include "simulator/referee/rule.h"
 
 namespace cls::simulator {
 namespace {
 
-void analyse(World& world, Events& events) {
+void analyze(World& world, Events& events) {
   const soccer::ServerParams& server = world.params();
   if (server.ball_stuck_area <= 0.0 || server.drop_ball_time <= 0) return;
-  BallStuckRule& memory = world.referee.ball_stuck;
-  const bool stays = distance(world.ball.position, memory.reference) <= server.ball_stuck_area;
-  if (world.mode != PlayMode::kPlayOn || !stays) {
-    memory = {world.ball.position, 0};
+  BallStuckState& state = world.referee.ball_stuck;
+  const bool stuck = distance(world.ball.position, state.reference) <= server.ball_stuck_area;
+  if (world.mode != PlayMode::kPlayOn || !stuck) {
+    state = {world.ball.position, 0};
     return;
   }
-  if (++memory.counter < server.drop_ball_time) return;
-  memory = {world.ball.position, 0};
+  if (++state.counter < server.drop_ball_time) return;
+  state = {world.ball.position, 0};
   drop_ball(world, events);
 }
 
 }  // namespace
 
-const Rule kBallStuckRule = {.analyse = analyse};
+const Rule kBallStuckRule = {.analyze = analyze};
 
 }  // namespace cls::simulator

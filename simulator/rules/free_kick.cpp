@@ -1,4 +1,4 @@
-// Set plays: who may take them, how near the others may come, and the double touch (9.7).
+// Free kick rule: takers of set plays, distance of opponents, double touches (9.7).
 #include "simulator/referee/areas.h"
 #include "simulator/referee/calls.h"
 #include "simulator/referee/clearing.h"
@@ -12,10 +12,10 @@ namespace {
 void call_double_touch(World& world, Player& player, Events& events) {
   player.state |= state::kFreeKickFault;
   const Side side = player.side;
-  world.ball_catcher = kNobody;
+  world.ball_catcher = kNoPlayer;
   world.referee.free_kick.counter = 0;
   place_ball(world, for_side(PlayMode::kFreeKickFaultLeft, side), opponent(side),
-             out_of_penalty_area(side, truncated(world.ball.position)), events);
+             move_out_of_penalty_area(side, clamp_to_pitch(world.ball.position)), events);
 }
 
 void repeat_goal_kick(World& world, Side side, Events& events) {
@@ -24,42 +24,42 @@ void repeat_goal_kick(World& world, Side side, Events& events) {
   world.referee.free_kick.taken = false;
 }
 
-void remember_taker(World& world, const Player& player) {
-  FreeKickRule& memory = world.referee.free_kick;
-  memory.taken = true;
-  memory.taker = player.slot();
-  memory.taker_dashes = player.counters.dash;
+void record_taker(World& world, const Player& player) {
+  FreeKickState& state = world.referee.free_kick;
+  state.taken = true;
+  state.taker = player.slot();
+  state.taker_dashes = player.counters.dash;
 }
 
 void kick_at_goal_kick(World& world, Player& kicker, Events& events) {
   const soccer::ServerParams& server = world.params();
-  const FreeKickRule& memory = world.referee.free_kick;
+  const FreeKickState& state = world.referee.free_kick;
   const Side side = soccer::side(world.mode);
   if (kicker.side != side) {
     repeat_goal_kick(world, side, events);
     return;
   }
-  if (memory.taken) {
-    const bool is_other = memory.taker != kicker.slot();
-    const bool is_second_touch = !is_other && memory.taker_dashes != kicker.counters.dash;
+  if (state.taken) {
+    const bool is_other_player = state.taker != kicker.slot();
+    const bool is_second_touch = !is_other_player && state.taker_dashes != kicker.counters.dash;
     if (is_second_touch && server.free_kick_faults) {
       call_double_touch(world, kicker, events);
-    } else if ((is_other || is_second_touch) && server.proper_goal_kicks) {
+    } else if ((is_other_player || is_second_touch) && server.proper_goal_kicks) {
       award_goal_kick(world, side, events);
     }
   }
-  remember_taker(world, kicker);
+  record_taker(world, kicker);
 }
 
-// Kicks without a dash in between are one kick; a dash makes the next one a second touch.
-void check_double_touch(World& world, Player& player, bool rule_off_forgets, Events& events) {
-  FreeKickRule& memory = world.referee.free_kick;
-  if (!memory.taken) return;
-  if (memory.taker != player.slot()) {
-    memory.taken = false;
+// Kicks without a dash in between count as one kick; after a dash the next is a second touch.
+void check_double_touch(World& world, Player& player, bool reset_without_rule, Events& events) {
+  FreeKickState& state = world.referee.free_kick;
+  if (!state.taken) return;
+  if (state.taker != player.slot()) {
+    state.taken = false;
   } else if (!world.params().free_kick_faults) {
-    if (rule_off_forgets) memory.taken = false;
-  } else if (player.counters.dash > memory.taker_dashes) {
+    if (reset_without_rule) state.taken = false;
+  } else if (player.counters.dash > state.taker_dashes) {
     call_double_touch(world, player, events);
   }
 }
@@ -72,7 +72,7 @@ void kick_taken(World& world, Player& kicker, double, Events& events) {
   } else if (mode == PlayMode::kPlayOn) {
     check_double_touch(world, kicker, true, events);
   } else {
-    remember_taker(world, kicker);
+    record_taker(world, kicker);
     change_mode(world, PlayMode::kPlayOn, events);
   }
 }
@@ -85,15 +85,15 @@ void ball_touched(World& world, Player& player, Events& events) {
 }
 
 void mode_changed(World& world, PlayMode mode, Events& events) {
-  FreeKickRule& memory = world.referee.free_kick;
-  if (mode != PlayMode::kPlayOn) memory.taken = false;
+  FreeKickState& state = world.referee.free_kick;
+  if (mode != PlayMode::kPlayOn) state.taken = false;
   if (soccer::is_set_play(mode)) {
     clear_players_from_ball(world, opponent(soccer::side(mode)), events);
   } else if (mode == PlayMode::kDropBall) {
     clear_players_from_ball(world, Side::kNeutral, events);
   }
-  memory.goal_kicks = is_goal_kick(mode) ? memory.goal_kicks + 1 : 0;
-  memory.timer = soccer::is_set_play(mode) ? world.params().drop_ball_time : -1;
+  state.goal_kicks = is_goal_kick(mode) ? state.goal_kicks + 1 : 0;
+  state.timer = soccer::is_set_play(mode) ? world.params().drop_ball_time : -1;
 }
 
 void count_down_to_drop(World& world, Events& events) {
@@ -101,18 +101,18 @@ void count_down_to_drop(World& world, Events& events) {
   if (timer > 0 && --timer == 0) drop_ball(world, events);
 }
 
-void analyse_goal_kick(World& world, Events& events) {
+void analyze_goal_kick(World& world, Events& events) {
   const soccer::ServerParams& server = world.params();
-  const FreeKickRule& memory = world.referee.free_kick;
+  const FreeKickState& state = world.referee.free_kick;
   const Side side = soccer::side(world.mode);
   clear_penalty_area(world, side);
   keep_players_in_field(world);
   if (!in_penalty_area(Side::kNeutral, world.ball.position)) {
     change_mode(world, PlayMode::kPlayOn, events);
-  } else if (!memory.taken || !server.proper_goal_kicks) {
+  } else if (!state.taken || !server.proper_goal_kicks) {
     count_down_to_drop(world, events);
   } else if (world.ball.velocity.length() < server.stopped_ball_vel) {
-    if (memory.goal_kicks >= server.max_goal_kicks) {
+    if (state.goal_kicks >= server.max_goal_kicks) {
       award_free_kick(world, opponent(side), world.ball.position, events);
     } else {
       award_goal_kick(world, side, events);
@@ -120,20 +120,20 @@ void analyse_goal_kick(World& world, Events& events) {
   }
 }
 
-bool starts_by_a_moving_ball(PlayMode mode) {
-  return soccer::is_set_play(mode) || mode == PlayMode::kDropBall || is_unusual(mode);
+bool resumes_when_ball_moves(PlayMode mode) {
+  return soccer::is_set_play(mode) || mode == PlayMode::kDropBall || is_trainer_only_mode(mode);
 }
 
-bool keeps_distance(PlayMode mode) {
-  return mode == PlayMode::kBeforeKickOff || is_goal(mode) || starts_by_a_moving_ball(mode);
+bool requires_distance(PlayMode mode) {
+  return mode == PlayMode::kBeforeKickOff || is_goal(mode) || resumes_when_ball_moves(mode);
 }
 
-void analyse(World& world, Events& events) {
+void analyze(World& world, Events& events) {
   const PlayMode mode = world.mode;
   if (soccer::is_penalty_mode(mode)) return;
   if (is_either(mode, PlayMode::kFreeKickFaultLeft)) {
     const Side offender = soccer::side(mode);
-    if (wait_out_offence(world, world.referee.free_kick.counter, offender, events)) {
+    if (wait_after_offense(world, world.referee.free_kick.counter, offender, events)) {
       change_mode(world, for_side(PlayMode::kFreeKickLeft, opponent(offender)), events);
     }
     return;
@@ -142,21 +142,21 @@ void analyse(World& world, Events& events) {
     return;
   }
   if (is_goal_kick(mode)) {
-    analyse_goal_kick(world, events);
+    analyze_goal_kick(world, events);
     return;
   }
-  if (starts_by_a_moving_ball(mode) && !world.ball.velocity.is_zero()) {
+  if (resumes_when_ball_moves(mode) && !world.ball.velocity.is_zero()) {
     change_mode(world, PlayMode::kPlayOn, events);
   }
   keep_players_in_field(world);
-  if (!keeps_distance(mode)) return;
+  if (!requires_distance(mode)) return;
   clear_players_from_ball(world, opponent(world.kick_off_side), events);
   count_down_to_drop(world, events);
 }
 
 }  // namespace
 
-const Rule kFreeKickRule = {.analyse = analyse,
+const Rule kFreeKickRule = {.analyze = analyze,
                             .kick_taken = kick_taken,
                             .ball_touched = ball_touched,
                             .mode_changed = mode_changed};

@@ -1,4 +1,4 @@
-// Illegal defence: too many players in front of the own goal for too long (9.13).
+// Illegal defense rule: too many players in front of the own goal for too long (9.13).
 #include <cmath>
 
 #include "simulator/referee/calls.h"
@@ -13,10 +13,10 @@ namespace {
 constexpr double kFreeKickX = 41.5;
 
 void kick_taken(World& world, Player& kicker, double, Events&) {
-  IllegalDefenseRule& memory = world.referee.illegal_defense;
-  const bool both = memory.kick_time == world.clock.time && memory.kicker_side != kicker.side;
-  memory.kicker_side = both ? Side::kNeutral : kicker.side;
-  memory.kick_time = world.clock.time;
+  IllegalDefenseState& state = world.referee.illegal_defense;
+  const bool both = state.kick_time == world.clock.time && state.kicker_side != kicker.side;
+  state.kicker_side = both ? Side::kNeutral : kicker.side;
+  state.kick_time = world.clock.time;
 }
 
 bool is_in_area(const World& world, const Player& player) {
@@ -40,14 +40,14 @@ int count_defenders(World& world, Side side) {
   return count;
 }
 
-void clear_marks(World& world, Side side) {
+void clear_state_bits(World& world, Side side) {
   for (Player& player : world.players) {
     if (player.side == side) player.state &= ~state::kIllegalDefense;
   }
 }
 
 void call_illegal_defense(World& world, Side side, Events& events) {
-  world.ball_catcher = kNobody;
+  world.ball_catcher = kNoPlayer;
   place_ball(world, for_side(PlayMode::kIllegalDefenseLeft, side), opponent(side),
              {-kFreeKickX * sign(side), 0.0}, events);
 }
@@ -56,29 +56,29 @@ int& cycles_of(World& world, Side side) {
   return world.referee.illegal_defense.counters[side == Side::kRight ? 1 : 0];
 }
 
-void watch(World& world, Side side) {
+void count_cycles(World& world, Side side) {
   int& cycles = cycles_of(world, side);
   if (count_defenders(world, side) >= world.params().illegal_defense_number) {
     ++cycles;
   } else {
     cycles = 0;
-    clear_marks(world, side);
+    clear_state_bits(world, side);
   }
 }
 
-// With no time allowed both sides can be called in one step; the right one's call stands.
-void analyse(World& world, Events& events) {
+// With duration 0 both sides can be called in one step; the call of the right side prevails.
+void analyze(World& world, Events& events) {
   const soccer::ServerParams& server = world.params();
   if (server.illegal_defense_number <= 0) return;
   if (is_either(world.mode, PlayMode::kIllegalDefenseLeft)) {
     const Side offender = soccer::side(world.mode);
-    if (wait_out_offence(world, world.referee.illegal_defense.counter, offender, events)) {
+    if (wait_after_offense(world, world.referee.illegal_defense.counter, offender, events)) {
       change_mode(world, for_side(PlayMode::kFreeKickLeft, opponent(offender)), events);
     }
     return;
   }
   if (world.mode != PlayMode::kPlayOn) return;
-  for (const Side side : {Side::kLeft, Side::kRight}) watch(world, side);
+  for (const Side side : {Side::kLeft, Side::kRight}) count_cycles(world, side);
   for (const Side side : {Side::kLeft, Side::kRight}) {
     int& cycles = cycles_of(world, side);
     if (cycles < server.illegal_defense_duration) continue;
@@ -94,6 +94,6 @@ void mode_changed(World& world, PlayMode mode, Events&) {
 }  // namespace
 
 const Rule kIllegalDefenseRule = {
-    .analyse = analyse, .kick_taken = kick_taken, .mode_changed = mode_changed};
+    .analyze = analyze, .kick_taken = kick_taken, .mode_changed = mode_changed};
 
 }  // namespace cls::simulator

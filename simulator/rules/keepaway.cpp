@@ -1,6 +1,4 @@
-// Keepaway: keepers (left) hold the ball from takers (right) in a small area (10.3).
-#include "simulator/rules/keepaway.h"
-
+// Keepaway rule: keepers (left) keep the ball from takers (right) in a small area (10.3).
 #include <cmath>
 
 #include "simulator/referee/calls.h"
@@ -11,11 +9,8 @@
 namespace cls::simulator {
 namespace {
 
-// Takers own the ball when they could kick it in so many cycles.
-constexpr int kPossession = 4;
-
-// In place of a count until the next step, when they have ended an episode.
-constexpr int kJustTaken = -1;
+// The takers win the ball after so many cycles in which one of them could kick it.
+constexpr int kPossessionCycles = 4;
 constexpr double kBallInset = 4.0;
 constexpr double kCornerSpread = 3.0;
 
@@ -28,7 +23,7 @@ Area area_of(const World& world) {
   return {world.params().keepaway_length / 2.0, world.params().keepaway_width / 2.0};
 }
 
-Vec2 keeper_place(World& world, int corner) {
+Vec2 keeper_position(World& world, int corner) {
   const Area area = area_of(world);
   RandomStream& stream = world.random.placement;
   if (corner > 2) {
@@ -41,7 +36,7 @@ Vec2 keeper_place(World& world, int corner) {
           corner == 2 ? area.half_width - inset_y : -area.half_width + inset_y};
 }
 
-Vec2 taker_place(World& world) {
+Vec2 taker_position(World& world) {
   const Area area = area_of(world);
   const double x = world.random.placement.uniform(0.0, kCornerSpread);
   const double y = world.random.placement.uniform(0.0, kCornerSpread);
@@ -49,15 +44,15 @@ Vec2 taker_place(World& world) {
 }
 
 void start_episode(World& world) {
-  KeepawayRule& memory = world.referee.keepaway;
-  int corner = world.random.placement.integer(memory.keepers);
+  KeepawayState& state = world.referee.keepaway;
+  int corner = world.random.placement.integer(state.keepers);
   for (Player& player : world.players) {
     if (!player.enabled) continue;
     if (player.side == Side::kLeft) {
-      player.position = keeper_place(world, corner);
-      corner = (corner + 1) % memory.keepers;
+      player.position = keeper_position(world, corner);
+      corner = (corner + 1) % state.keepers;
     } else {
-      player.position = taker_place(world);
+      player.position = taker_position(world);
     }
     player.velocity = {};
   }
@@ -65,23 +60,23 @@ void start_episode(World& world) {
   place_ball(world, world.kick_off_side,
              {-area.half_length + kBallInset, -area.half_width + kBallInset});
   recover_all(world);
-  memory.possession = 0;
+  state.possession = 0;
 }
 
-void begin(World& world) {
-  KeepawayRule& memory = world.referee.keepaway;
+void start_game(World& world) {
+  KeepawayState& state = world.referee.keepaway;
   for (const Player& player : world.players) {
-    if (player.enabled) ++(player.side == Side::kLeft ? memory.keepers : memory.takers);
+    if (player.enabled) ++(player.side == Side::kLeft ? state.keepers : state.takers);
   }
-  memory.episode = 1;
+  state.episode = 1;
   start_episode(world);
 }
 
-void end_episode(World& world, bool taken, Events& events) {
+void end_episode(World& world, bool won_by_takers, Events& events) {
   announce(world, {"training Keepaway 1"}, events);
   ++world.referee.keepaway.episode;
   start_episode(world);
-  if (taken) world.referee.keepaway.possession = kJustTaken;
+  if (won_by_takers) world.referee.keepaway.possession = KeepawayState::kWonByTakers;
 }
 
 bool is_ball_outside(const World& world) {
@@ -91,7 +86,7 @@ bool is_ball_outside(const World& world) {
 }
 
 void count_possession(World& world) {
-  KeepawayRule& memory = world.referee.keepaway;
+  KeepawayState& state = world.referee.keepaway;
   const soccer::ServerParams& server = world.params();
   const double reach = server.player_size + server.ball_size + server.kickable_margin;
   bool keepers_have_it = false;
@@ -99,28 +94,28 @@ void count_possession(World& world) {
     if (!player.enabled || distance(player.position, world.ball.position) > reach) continue;
     keepers_have_it = player.side == Side::kLeft;
     if (keepers_have_it) continue;
-    ++memory.possession;
+    ++state.possession;
     break;
   }
-  if (keepers_have_it) memory.possession = 0;
+  if (keepers_have_it) state.possession = 0;
 }
 
-void analyse(World& world, Events& events) {
+void analyze(World& world, Events& events) {
   const soccer::ServerParams& server = world.params();
-  KeepawayRule& memory = world.referee.keepaway;
+  KeepawayState& state = world.referee.keepaway;
   if (!server.keepaway) return;
-  if (was_taken(memory)) memory.possession = 0;
+  if (state.won_by_takers()) state.possession = 0;
   if (world.mode != PlayMode::kPlayOn) {
-    // The server waits for real seconds; here a second is as many steps as it should have.
+    // rcssserver waits in wall-clock seconds; here a second is 1000 / simulator_step steps.
     const int waited = world.clock.time + world.clock.stoppage;
-    const bool is_over = server.keepaway_start >= 0 &&
-                         waited * server.simulator_step >= server.keepaway_start * 1000;
-    if (is_over) change_mode(world, PlayMode::kPlayOn, events);
-  } else if (memory.episode == 0) {
-    begin(world);
+    const bool starts = server.keepaway_start >= 0 &&
+                        waited * server.simulator_step >= server.keepaway_start * 1000;
+    if (starts) change_mode(world, PlayMode::kPlayOn, events);
+  } else if (state.episode == 0) {
+    start_game(world);
   } else if (is_ball_outside(world)) {
     end_episode(world, false, events);
-  } else if (memory.possession >= kPossession) {
+  } else if (state.possession >= kPossessionCycles) {
     end_episode(world, true, events);
   } else {
     count_possession(world);
@@ -129,8 +124,6 @@ void analyse(World& world, Events& events) {
 
 }  // namespace
 
-bool was_taken(const KeepawayRule& rule) { return rule.possession == kJustTaken; }
-
-const Rule kKeepawayRule = {.analyse = analyse};
+const Rule kKeepawayRule = {.analyze = analyze};
 
 }  // namespace cls::simulator

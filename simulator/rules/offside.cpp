@@ -1,4 +1,4 @@
-// Offside: who was in front at a pass may not play the ball next (9.8).
+// Offside rule: a player beyond the offside line at a pass may not play the ball next (9.8).
 #include <algorithm>
 #include <limits>
 
@@ -16,7 +16,7 @@ namespace {
 using soccer::Circle;
 using soccer::Rect;
 
-Vec2 ball_place(const World& world, Vec2 mark) {
+Vec2 ball_position_after_offside(const World& world, Vec2 mark) {
   const double margin = world.params().ckick_margin;
   const double goal_kick_x = soccer::kHalfLength - soccer::kGoalAreaLength;
   const double goal_kick_y = soccer::kGoalAreaWidth / 2.0;
@@ -27,24 +27,24 @@ Vec2 ball_place(const World& world, Vec2 mark) {
     }
   }
   const Rect inner =
-      Rect::centred({}, soccer::kPitchLength - 2.0 * margin, soccer::kPitchWidth - 2.0 * margin);
+      Rect::centered({}, soccer::kPitchLength - 2.0 * margin, soccer::kPitchWidth - 2.0 * margin);
   return inner.contains(mark) ? mark : nearest_edge(inner, mark);
 }
 
 void call_offside(World& world, Events& events) {
-  OffsideRule& memory = world.referee.offside;
-  if (soccer::is_penalty_mode(world.mode) || memory.kicker_side == Side::kNeutral) return;
-  const Side offender = memory.kicker_side;
-  world.ball_catcher = kNobody;
-  memory.marks = {};
-  memory.counter = 0;
+  OffsideState& state = world.referee.offside;
+  if (soccer::is_penalty_mode(world.mode) || state.kicker_side == Side::kNeutral) return;
+  const Side offender = state.kicker_side;
+  world.ball_catcher = kNoPlayer;
+  state.marks = {};
+  state.counter = 0;
   place_ball(world, for_side(PlayMode::kOffsideLeft, offender), opponent(offender),
-             ball_place(world, memory.offence), events);
+             ball_position_after_offside(world, state.offense_position), events);
   keep_players_in_field(world);
 }
 
-// How far to the front, seen by `side`, the second last opponent or the ball is; at least the
-// middle line.
+// Offside line for attackers of `side`, in the direction of attack: the second last opponent or the
+// ball, at least the center line.
 double offside_line(const World& world, Side side) {
   double last = 0.0;
   double second_last = 0.0;
@@ -72,36 +72,36 @@ void mark_candidates(World& world, const Player& kicker) {
   }
 }
 
-// Two contacts in one step cancel offside.
+// Two contacts in one step cancel an offside.
 bool is_second_contact(const World& world) {
-  const OffsideRule& memory = world.referee.offside;
-  return memory.has_kick && memory.kick_time == world.clock.time &&
-         memory.kick_stoppage == world.clock.stoppage;
+  const OffsideState& state = world.referee.offside;
+  return state.has_kick && state.kick_time == world.clock.time &&
+         state.kick_stoppage == world.clock.stoppage;
 }
 
-void contact(World& world, Player& player, double acceleration, Events& events) {
+void ball_contact(World& world, Player& player, double acceleration, Events& events) {
   if (!world.params().use_offside) return;
-  OffsideRule& memory = world.referee.offside;
+  OffsideState& state = world.referee.offside;
   if (is_second_contact(world)) {
-    memory.kicker_side = Side::kNeutral;
-    memory.marks = {};
+    state.kicker_side = Side::kNeutral;
+    state.marks = {};
     return;
   }
-  if (!memory.has_kick || memory.kick_time != world.clock.time) memory.kick_acceleration = 0.0;
-  memory.has_kick = true;
-  memory.kick_time = world.clock.time;
-  memory.kick_stoppage = world.clock.stoppage;
-  // A mere touch never changes whose pass it is.
-  if (memory.kick_acceleration < acceleration) {
-    memory.kicker_side = player.side;
-    memory.kick_acceleration = acceleration;
+  if (!state.has_kick || state.kick_time != world.clock.time) state.kick_acceleration = 0.0;
+  state.has_kick = true;
+  state.kick_time = world.clock.time;
+  state.kick_stoppage = world.clock.stoppage;
+  // A touch without acceleration never changes the passing side.
+  if (state.kick_acceleration < acceleration) {
+    state.kicker_side = player.side;
+    state.kick_acceleration = acceleration;
   }
-  if (const auto& mark = memory.marks[static_cast<std::size_t>(player.slot())]) {
-    memory.offence = *mark;
+  if (const auto& mark = state.marks[static_cast<std::size_t>(player.slot())]) {
+    state.offense_position = *mark;
     call_offside(world, events);
     return;
   }
-  memory.marks = {};
+  state.marks = {};
   const PlayMode mode = world.mode;
   if (is_goal_kick(mode) || is_either(mode, PlayMode::kKickInLeft) ||
       is_either(mode, PlayMode::kCornerKickLeft)) {
@@ -110,16 +110,18 @@ void contact(World& world, Player& player, double acceleration, Events& events) 
   mark_candidates(world, player);
 }
 
-void touched(World& world, Player& player, Events& events) { contact(world, player, 0.0, events); }
+void ball_touched(World& world, Player& player, Events& events) {
+  ball_contact(world, player, 0.0, events);
+}
 
-void missed(World& world, Player& player, Events& events) {
-  OffsideRule& memory = world.referee.offside;
-  const auto& mark = memory.marks[static_cast<std::size_t>(player.slot())];
+void ball_missed(World& world, Player& player, Events& events) {
+  OffsideState& state = world.referee.offside;
+  const auto& mark = state.marks[static_cast<std::size_t>(player.slot())];
   if (!mark ||
       distance(player.position, world.ball.position) >= world.params().offside_active_area_size) {
     return;
   }
-  memory.offence = *mark;
+  state.offense_position = *mark;
   call_offside(world, events);
 }
 
@@ -127,13 +129,13 @@ void mode_changed(World& world, PlayMode mode, Events&) {
   if (mode != PlayMode::kPlayOn) world.referee.offside.marks = {};
 }
 
-// Not offside_active_area_size, which happens to be the same by default.
+// Not the parameter offside_active_area_size, which has the same default.
 constexpr double kClearedRadius = 2.5;
 
-// Behind the line goes who is beside or beyond it, and nobody stays around the place (15.3).
+// Moves offenders at or beyond the line behind it and away from the offense (15.3).
 void send_back(World& world, Side offender) {
   const soccer::ServerParams& server = world.params();
-  const Vec2 mark = world.referee.offside.offence;
+  const Vec2 mark = world.referee.offside.offense_position;
   const double own_goal_line = -soccer::kHalfLength * sign(offender);
   const Rect onside = {std::min(own_goal_line, mark.x), std::max(own_goal_line, mark.x),
                        -soccer::kHalfWidth, soccer::kHalfWidth};
@@ -147,15 +149,15 @@ void send_back(World& world, Side offender) {
   }
 }
 
-void analyse(World& world, Events& events) {
+void analyze(World& world, Events& events) {
   const soccer::ServerParams& server = world.params();
   if (!server.use_offside) return;
   const PlayMode mode = world.mode;
   if (is_either(mode, PlayMode::kOffsideLeft)) {
     const Side offender = soccer::side(mode);
-    const bool over = wait_out_offence(world, world.referee.offside.counter, offender, events);
+    const bool is_over = wait_after_offense(world, world.referee.offside.counter, offender, events);
     send_back(world, offender);
-    if (over) change_mode(world, for_side(PlayMode::kFreeKickLeft, opponent(offender)), events);
+    if (is_over) change_mode(world, for_side(PlayMode::kFreeKickLeft, opponent(offender)), events);
     return;
   }
   if (mode == PlayMode::kPlayOn) return;
@@ -168,10 +170,10 @@ void analyse(World& world, Events& events) {
 
 }  // namespace
 
-const Rule kOffsideRule = {.analyse = analyse,
-                           .kick_taken = contact,
-                           .ball_missed = missed,
-                           .ball_touched = touched,
+const Rule kOffsideRule = {.analyze = analyze,
+                           .kick_taken = ball_contact,
+                           .ball_missed = ball_missed,
+                           .ball_touched = ball_touched,
                            .mode_changed = mode_changed};
 
 }  // namespace cls::simulator

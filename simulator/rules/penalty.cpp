@@ -1,16 +1,15 @@
-// The shoot-out: its start, its phases, and what ends each kick (9.14).
+// Penalty rule: start, phases and results of the kicks of a shoot-out (9.14).
+#include "simulator/rules/penalty.h"
+
 #include <cmath>
 #include <optional>
 
 #include "simulator/referee/areas.h"
 #include "simulator/referee/calls.h"
+#include "simulator/referee/modes.h"
 #include "simulator/referee/referee.h"
 #include "simulator/referee/rule.h"
-#include "simulator/rules/foul_detection.h"
-#include "simulator/rules/penalty_modes.h"
-#include "simulator/rules/penalty_places.h"
-#include "simulator/rules/penalty_score.h"
-#include "simulator/rules/touch.h"
+#include "simulator/rules/foul.h"
 #include "soccer/pitch.h"
 
 namespace cls::simulator {
@@ -22,14 +21,14 @@ void freeze_ball(World& world, Side kick_off_side) {
   place_ball(world, kick_off_side, world.ball.position);
 }
 
-// A trainer may set the modes of a shoot-out when there is none, or of the side whose turn it is
-// not: then the mode's side is not the taker's, which may be neutral. Each decision looks at the
-// one that the real server looks at.
+// A trainer may set a shoot-out mode outside a shoot-out or for the wrong side. The mode's side
+// then differs from the taker's, which may be neutral. Each decision uses the same side as
+// rcssserver.
 void prepare_kick(World& world, Events& events) {
-  PenaltyRule& memory = world.referee.penalty;
-  memory.taker_side = memory.taker_side == Side::kLeft ? Side::kRight : Side::kLeft;
-  const double x = -sign(memory.goal_side) * (soccer::kHalfLength - world.params().pen_dist_x);
-  place_ball(world, for_side(PlayMode::kPenaltySetupLeft, memory.taker_side), Side::kNeutral,
+  PenaltyState& state = world.referee.penalty;
+  state.taker_side = state.taker_side == Side::kLeft ? Side::kRight : Side::kLeft;
+  const double x = -sign(state.goal_side) * (soccer::kHalfLength - world.params().pen_dist_x);
+  place_ball(world, for_side(PlayMode::kPenaltySetupLeft, state.taker_side), Side::kNeutral,
              {x, 0.0}, events);
 }
 
@@ -43,22 +42,22 @@ bool is_due(const World& world) {
   return rules.server.nr_normal_halfs == 0 && rules.server.nr_extra_halfs == 0;
 }
 
-void start(World& world, Events& events) {
-  PenaltyRule& memory = world.referee.penalty;
-  const auto draw_side = [&](std::optional<Side> forced) {
+void start_shoot_out(World& world, Events& events) {
+  PenaltyState& state = world.referee.penalty;
+  const auto draw_side = [&](std::optional<Side> ReplayOverrides::*recorded) {
     const bool left = world.random.shoot_out.uniform(0.0, 1.0) < 0.5;
-    return forced.value_or(left ? Side::kLeft : Side::kRight);
+    const Side drawn = left ? Side::kLeft : Side::kRight;
+    return world.overrides ? ((*world.overrides).*recorded).value_or(drawn) : drawn;
   };
-  const ForcedOutcomes forced = world.forced.value_or(ForcedOutcomes{});
-  memory.started = true;
-  memory.goal_side = draw_side(forced.shoot_out_goal);
-  world.ball_catcher = kNobody;
-  announce(world, {"penalty_onfield", memory.goal_side}, events);
-  // The first kick is prepared like all others, by changing sides.
-  memory.taker_side = opponent(draw_side(forced.first_penalty_taker));
+  state.started = true;
+  state.goal_side = draw_side(&ReplayOverrides::shoot_out_goal);
+  world.ball_catcher = kNoPlayer;
+  announce(world, {"penalty_onfield", state.goal_side}, events);
+  // prepare_kick() changes sides before each kick.
+  state.taker_side = opponent(draw_side(&ReplayOverrides::first_penalty_taker));
   for (Player& player : world.players) {
-    if (player.enabled && player.goalie && player.side == opponent(memory.goal_side)) {
-      player.position = {kGoalieStart.x * -sign(memory.goal_side), kGoalieStart.y};
+    if (player.enabled && player.goalie && player.side == opponent(state.goal_side)) {
+      player.position = {kGoalieStart.x * -sign(state.goal_side), kGoalieStart.y};
     }
   }
   prepare_kick(world, events);
@@ -74,22 +73,22 @@ void call_penalty_foul(World& world, Side offender, Events& events) {
   }
 }
 
-void watch_ball(World& world, Events& events) {
-  PenaltyRule& memory = world.referee.penalty;
+void check_ball(World& world, Events& events) {
+  PenaltyState& state = world.referee.penalty;
   const double margin = world.params().ball_size;
   const Vec2 ball = world.ball.position;
-  const bool taken = is_taken(world.mode);
-  if (crossed_goal_line(world, memory.goal_side, memory.previous_ball)) {
+  const bool taken = is_penalty_taken(world.mode);
+  if (crossed_goal_line(world, state.goal_side, state.previous_ball)) {
     if (taken) count_goal(world, soccer::side(world.mode), events);
-    freeze_ball(world, memory.goal_side);
+    freeze_ball(world, state.goal_side);
   } else if (std::fabs(ball.x) > soccer::kHalfLength + margin ||
              std::fabs(ball.y) > soccer::kHalfWidth + margin) {
-    freeze_ball(world, memory.goal_side);
+    freeze_ball(world, state.goal_side);
     if (taken) count_miss(world, soccer::side(world.mode), events);
   }
 }
 
-/// Which team stands where the rules want it.
+/// Teams that stand as the rules require.
 struct Placement {
   bool left;
   bool right;
@@ -109,96 +108,97 @@ void punish_misplaced(World& world, Placement placement, Events& events) {
   call_penalty_foul(world, placement.of(taker) ? opponent(taker) : taker, events);
 }
 
-void run(World& world, Placement placement, Events& events) {
-  if (is_between_kicks(world.mode)) {
+void check_kick(World& world, Placement placement, Events& events) {
+  if (is_between_penalties(world.mode)) {
     freeze_ball(world, world.referee.penalty.taker_side);
   } else if (placement.both()) {
-    watch_ball(world, events);
-  } else if (!is_setup(world.mode)) {
+    check_ball(world, events);
+  } else if (!is_penalty_setup(world.mode)) {
     punish_misplaced(world, placement, events);
   }
 }
 
-void time_out(World& world, Placement placement, Events& events) {
-  if (is_between_kicks(world.mode)) {
+void handle_timeout(World& world, Placement placement, Events& events) {
+  if (is_between_penalties(world.mode)) {
     prepare_kick(world, events);
     return;
   }
-  if (is_setup(world.mode) && world.params().pen_coach_moves_players) {
+  if (is_penalty_setup(world.mode) && world.params().pen_coach_moves_players) {
     replace_misplaced(world, placement);
   }
   if (!placement.both()) {
     punish_misplaced(world, placement, events);
-  } else if (is_setup(world.mode)) {
+  } else if (is_penalty_setup(world.mode)) {
     change_mode(world, for_side(PlayMode::kPenaltyReadyLeft, soccer::side(world.mode)), events);
   } else {
     count_miss(world, soccer::side(world.mode), events);
   }
 }
 
-void analyse_kick(World& world, Events& events) {
-  PenaltyRule& memory = world.referee.penalty;
-  if (memory.decided) {
+void analyze_kick(World& world, Events& events) {
+  PenaltyState& state = world.referee.penalty;
+  if (state.decided) {
     change_mode(world, PlayMode::kTimeOver, events);
     return;
   }
   const PlayMode mode = world.mode;
   Placement placement = {is_team_placed(world, Side::kLeft), is_team_placed(world, Side::kRight)};
-  if ((is_ready(mode) || is_taken(mode)) && world.params().pen_coach_moves_players) {
+  if ((is_penalty_ready(mode) || is_penalty_taken(mode)) &&
+      world.params().pen_coach_moves_players) {
     replace_misplaced(world, placement);
   }
-  if (memory.timer == 0) {
-    time_out(world, placement, events);
-  } else if (memory.timer > 0) {
-    --memory.timer;
-    run(world, placement, events);
+  if (state.timer == 0) {
+    handle_timeout(world, placement, events);
+  } else if (state.timer > 0) {
+    --state.timer;
+    check_kick(world, placement, events);
   }
 }
 
-void analyse(World& world, Events& events) {
-  PenaltyRule& memory = world.referee.penalty;
-  if (!memory.started && is_due(world)) start(world, events);
-  if (soccer::is_penalty_mode(world.mode)) analyse_kick(world, events);
-  memory.previous_ball = world.ball.position;
+void analyze(World& world, Events& events) {
+  PenaltyState& state = world.referee.penalty;
+  if (!state.started && is_due(world)) start_shoot_out(world, events);
+  if (soccer::is_penalty_mode(world.mode)) analyze_kick(world, events);
+  state.previous_ball = world.ball.position;
 }
 
-// Who may kick now; the side at fault, if any.
+// Checks whether the kicker may kick; returns the side at fault, if any.
 std::optional<Side> offender_of_kick(World& world, const Player& kicker) {
-  PenaltyRule& memory = world.referee.penalty;
-  const Side taker_side = memory.taker_side;
+  PenaltyState& state = world.referee.penalty;
+  const Side taker_side = state.taker_side;
   const bool by_taker_side = kicker.side == taker_side;
-  if (is_setup(world.mode)) return kicker.side;
-  if (is_taken(world.mode) && by_taker_side && !world.params().pen_allow_mult_kicks) {
+  if (is_penalty_setup(world.mode)) return kicker.side;
+  if (is_penalty_taken(world.mode) && by_taker_side && !world.params().pen_allow_mult_kicks) {
     return taker_side;
   }
-  if (is_ready(world.mode) && by_taker_side && has_kicked(world, kicker)) return taker_side;
-  // Asked of opponents too: once the taker has kicked, also the defending goalie's kick is a fault
-  // of the taker's side (15.2).
-  const bool somebody_has =
-      memory.last_taker != kNobody && world.player(memory.last_taker).side == taker_side;
-  if (somebody_has && memory.last_taker != kicker.slot()) return taker_side;
+  if (is_penalty_ready(world.mode) && by_taker_side && has_kicked(world, kicker)) return taker_side;
+  // Also checked for opponents: once the taker has kicked, a kick of the defending goalie is a
+  // fault of the taker's side (15.2).
+  const bool taker_has_kicked =
+      state.last_taker != kNoPlayer && world.player(state.last_taker).side == taker_side;
+  if (taker_has_kicked && state.last_taker != kicker.slot()) return taker_side;
   if (!by_taker_side && !kicker.goalie) return opponent(taker_side);
-  memory.last_taker = kicker.slot();
+  state.last_taker = kicker.slot();
   return std::nullopt;
 }
 
 void kick_taken(World& world, Player& kicker, double, Events& events) {
-  if (!soccer::is_penalty_mode(world.mode) || world.ball_catcher != kNobody) return;
-  if (!is_between_kicks(world.mode)) {
+  if (!soccer::is_penalty_mode(world.mode) || world.ball_catcher != kNoPlayer) return;
+  if (!is_between_penalties(world.mode)) {
     const std::optional<Side> offender = offender_of_kick(world, kicker);
     if (offender) call_penalty_foul(world, *offender, events);
   }
-  if (is_ready(world.mode)) {
+  if (is_penalty_ready(world.mode)) {
     const Side side = soccer::side(world.mode);
-    note_kicker(world, side, kicker);
+    record_kicker(world, side, kicker);
     change_mode(world, for_side(PlayMode::kPenaltyTakenLeft, side), events);
-  } else if (!is_taken(world.mode)) {
+  } else if (!is_penalty_taken(world.mode)) {
     freeze_ball(world, world.referee.penalty.goal_side);
   }
 }
 
 void tackle_taken(World& world, Player& tackler, double acceleration, bool foul, Events& events) {
-  if (!soccer::is_penalty_mode(world.mode) || is_between_kicks(world.mode)) return;
+  if (!soccer::is_penalty_mode(world.mode) || is_between_penalties(world.mode)) return;
   if (detect_foul(world, tackler, foul) != FoulCall::kNone) {
     const Side taker = world.referee.penalty.taker_side;
     call_penalty_foul(world, tackler.side == taker ? taker : opponent(taker), events);
@@ -209,16 +209,16 @@ void tackle_taken(World& world, Player& tackler, double acceleration, bool foul,
 
 void ball_held(World& world, Player& catcher, Events& events) {
   if (!soccer::is_penalty_mode(world.mode)) return;
-  const PenaltyRule& memory = world.referee.penalty;
-  if (is_taken(world.mode)) {
-    if (catcher.side == memory.taker_side) {
+  const PenaltyState& state = world.referee.penalty;
+  if (is_penalty_taken(world.mode)) {
+    if (catcher.side == state.taker_side) {
       call_penalty_foul(world, catcher.side, events);
-    } else if (!in_penalty_area(memory.goal_side, world.ball.position)) {
-      call_penalty_foul(world, opponent(memory.taker_side), events);
+    } else if (!in_penalty_area(state.goal_side, world.ball.position)) {
+      call_penalty_foul(world, opponent(state.taker_side), events);
     } else {
-      count_miss(world, memory.taker_side, events);
+      count_miss(world, state.taker_side, events);
     }
-  } else if (is_ready(world.mode)) {
+  } else if (is_penalty_ready(world.mode)) {
     call_penalty_foul(world, catcher.side, events);
   }
   freeze_ball(world, Side::kNeutral);
@@ -227,22 +227,22 @@ void ball_held(World& world, Player& catcher, Events& events) {
 void mode_changed(World& world, PlayMode mode, Events&) {
   if (!soccer::is_penalty_mode(mode)) return;
   const soccer::ServerParams& server = world.params();
-  PenaltyRule& memory = world.referee.penalty;
-  if (!is_taken(mode)) memory.last_taker = kNobody;
-  if (is_setup(mode)) {
-    memory.timer = server.pen_setup_wait;
-  } else if (is_ready(mode)) {
-    memory.timer = server.pen_ready_wait;
-  } else if (is_taken(mode)) {
-    memory.timer = server.pen_taken_wait;
+  PenaltyState& state = world.referee.penalty;
+  if (!is_penalty_taken(mode)) state.last_taker = kNoPlayer;
+  if (is_penalty_setup(mode)) {
+    state.timer = server.pen_setup_wait;
+  } else if (is_penalty_ready(mode)) {
+    state.timer = server.pen_ready_wait;
+  } else if (is_penalty_taken(mode)) {
+    state.timer = server.pen_taken_wait;
   } else {
-    memory.timer = server.pen_before_setup_wait;
+    state.timer = server.pen_before_setup_wait;
   }
 }
 
 }  // namespace
 
-const Rule kPenaltyRule = {.analyse = analyse,
+const Rule kPenaltyRule = {.analyze = analyze,
                            .kick_taken = kick_taken,
                            .tackle_taken = tackle_taken,
                            .ball_caught = ball_held,

@@ -1,5 +1,5 @@
-// When a shoot-out is decided.
-#include "simulator/rules/penalty_score.h"
+// Counts the kicks of a shoot-out and decides it.
+#include "simulator/rules/penalty.h"
 
 #include "simulator/referee/calls.h"
 #include "simulator/referee/referee.h"
@@ -25,7 +25,7 @@ void end_without_goals(World& world, Events& events) {
   announce_winner(world, side, events);
 }
 
-// Can the side behind still catch up with its regular kicks?
+// Ends the shoot-out when a side can no longer catch up with its regular kicks.
 void decide_early(World& world, int kicks, Side just_kicked, Events& events) {
   const int remaining = world.params().pen_nr_kicks - kicks / 2;
   const auto best = [&](Side side) {
@@ -40,7 +40,7 @@ void decide_early(World& world, int kicks, Side just_kicked, Events& events) {
   }
 }
 
-// For a neutral side the mode of a miss is the right one's, the miss the left one's.
+// For a neutral side, a miss sets the mode of the right side and counts for the left side.
 void count(World& world, Side side, bool goal, Events& events) {
   const PlayMode mode = goal ? PlayMode::kPenaltyScoreLeft : PlayMode::kPenaltyMissLeft;
   const bool for_right = side == Side::kRight || (side == Side::kNeutral && !goal);
@@ -51,7 +51,7 @@ void count(World& world, Side side, bool goal, Events& events) {
 
   const soccer::ServerParams& server = world.params();
   const int kicks = ++world.referee.penalty.kicks;
-  // More, not as many: the draw comes after one kick too many (15.1).
+  // rcssserver compares with `>`: the draw comes one kick late (15.1).
   if (kicks > 2 * (server.pen_nr_kicks + server.pen_max_extra_kicks)) {
     end_without_goals(world, events);
   } else if (kicks > 2 * server.pen_nr_kicks) {
@@ -70,7 +70,7 @@ void count_goal(World& world, Side side, Events& events) { count(world, side, tr
 
 void count_miss(World& world, Side side, Events& events) { count(world, side, false, events); }
 
-void note_kicker(World& world, Side side, const Player& kicker) {
+void record_kicker(World& world, Side side, const Player& kicker) {
   auto& kicked = world.referee.penalty.has_kicked[index_of(side)];
   kicked.set(static_cast<std::size_t>(kicker.unum));
   if (kicked.count() >= soccer::kPlayersPerTeam) kicked.reset();

@@ -1,4 +1,4 @@
-// Time: ends of halves and of the match, and the kick-off command that starts a half (9.6).
+// Time rule: ends halves and the match; the kick-off command starts a half (9.6).
 #include "simulator/referee/calls.h"
 #include "simulator/referee/clearing.h"
 #include "simulator/referee/referee.h"
@@ -15,8 +15,8 @@ bool is_level(const World& world) {
 
 Side kick_off_side_of_half(int half) { return half % 2 == 0 ? Side::kLeft : Side::kRight; }
 
-void end_match(World& world, std::string_view word, Events& events) {
-  announce(world, {word}, events);
+void end_match(World& world, std::string_view message, Events& events) {
+  announce(world, {message}, events);
   change_mode(world, PlayMode::kTimeOver, events);
 }
 
@@ -26,17 +26,17 @@ int start_of_half(const World& world, int half) {
   return extra >= 0 ? rules.normal_time + rules.extra_half_time * extra : rules.half_time * half;
 }
 
-// The capacity alone comes back, and only before the first extra half (section 5).
+// Restores only the capacity, and only before the first extra half (section 5).
 void restore_capacity(World& world) {
   for (Player& player : world.players) {
     if (player.enabled) player.stamina.capacity = world.params().stamina_capacity;
   }
 }
 
-void end_half(World& world, std::string_view word, Events& events) {
+void end_half(World& world, std::string_view message, Events& events) {
   const int half = ++world.referee.time.finished_halves;
-  announce(world, {word}, events);
-  world.ball_catcher = kNobody;
+  announce(world, {message}, events);
+  world.ball_catcher = kNoPlayer;
   place_ball(world, PlayMode::kBeforeKickOff, kick_off_side_of_half(half), {}, events);
   world.clock.time = start_of_half(world, half);
   if (half == world.params().nr_normal_halfs) restore_capacity(world);
@@ -44,7 +44,7 @@ void end_half(World& world, std::string_view word, Events& events) {
   keep_players_in_own_half(world);
 }
 
-void analyse_extra_time(World& world, Events& events) {
+void analyze_extra_time(World& world, Events& events) {
   const Rules& rules = *world.rules;
   if (!world.team(Side::kLeft).connected || !world.team(Side::kRight).connected) {
     end_match(world, "time_up_without_a_team", events);
@@ -63,28 +63,28 @@ void analyse_extra_time(World& world, Events& events) {
   }
 }
 
-void analyse(World& world, Events& events) {
+void analyze(World& world, Events& events) {
   const Rules& rules = *world.rules;
   if (soccer::mode_class(world.mode) != soccer::ModeClass::kRunning || rules.half_time <= 0) {
     return;
   }
   const int time = world.clock.time;
   if (time >= rules.total_time) {
-    const bool shoots_out = rules.server.penalty_shoot_outs && is_level(world);
-    if (!shoots_out) end_match(world, "time_up", events);
+    const bool has_shoot_out = rules.server.penalty_shoot_outs && is_level(world);
+    if (!has_shoot_out) end_match(world, "time_up", events);
   } else if (time >= rules.normal_time) {
-    analyse_extra_time(world, events);
+    analyze_extra_time(world, events);
   } else if (time >= rules.half_time * (world.referee.time.finished_halves + 1)) {
     end_half(world, "half_time", events);
   }
 }
 
-/// Which half starts at this time; nothing if none does.
+/// Index of the half that starts at the current time, if any.
 std::optional<int> starting_half(const World& world) {
   const Rules& rules = *world.rules;
   const int time = world.clock.time;
-  if (rules.half_time <= 0) {  // at any time; counted as if there were an end to it
-    // The real server rounds a negative half up: -1 s is -9 cycles.
+  if (rules.half_time <= 0) {  // unlimited halves may start at any time
+    // rcssserver rounds a negative half up: -1 s is -9 cycles.
     const int half = rules.half_time < 0 ? rules.half_time + 1 : 0;
     const int normal = half * rules.server.nr_normal_halfs;
     const int length = time > normal ? rules.extra_half_time : half;
@@ -100,7 +100,7 @@ std::optional<int> starting_half(const World& world) {
 
 }  // namespace
 
-const Rule kTimeRule = {.analyse = analyse};
+const Rule kTimeRule = {.analyze = analyze};
 
 void kick_off(World& world, Events& events) {
   if (world.params().keepaway) {

@@ -16,9 +16,9 @@ namespace math = soccer::math;
 
 constexpr double kSpeedStep = 0.01;
 
-// Who points infinitely far away points in no direction: that is told as the processor of the real
-// server converts it.
-int whole(double value) {
+// A player that points infinitely far away has a NaN direction; rcssserver on x86 converts it to
+// the smallest int.
+int to_int(double value) {
   return std::isnan(value) ? std::numeric_limits<int>::min() : static_cast<int>(value);
 }
 
@@ -26,7 +26,7 @@ int whole(double value) {
 
 soccer::CommandCounts command_counts(const Counters& counters) {
   return {counters.kick, counters.dash,        counters.turn,
-          counters.say,  counters.turn_neck,   counters.catch_ball,
+          counters.say,  counters.turn_neck,   counters.catches,
           counters.move, counters.change_view, counters.change_focus};
 }
 
@@ -35,8 +35,8 @@ soccer::Card card(const Player& player) {
   return player.has(state::kYellowCard) ? soccer::Card::kYellow : soccer::Card::kNone;
 }
 
-// In two turns, as the real server does it: where a player points at himself or infinitely far away
-// that decides the direction.
+// Converts to polar coordinates twice, as rcssserver does: this decides the direction of a player
+// that points at itself or infinitely far away.
 ArmAim arm_aim(const Player& player) {
   const Vec2 offset = player.arm.target - player.position;
   const double direction = math::atan2(offset.y, offset.x) - (player.body + player.neck);
@@ -48,17 +48,17 @@ soccer::ArmState arm_state(const World& world, const Player& player, bool rounde
   soccer::ArmState arm;
   arm.movable_in = std::max(0, world.params().point_to_ban - player.arm.age);
   arm.expires_in = std::max(0, world.params().point_to_duration - player.arm.age);
-  arm.count = player.counters.point_to;
+  arm.count = player.counters.pointto;
   if (!is_pointing(world, player)) return arm;
   const ArmAim aim = arm_aim(player);
   const double direction = exact_degrees(aim.direction);
   const double distance = aim.distance;
   if (rounded) {
     arm.target_distance = std::rint(distance * 10.0) * 0.1;
-    arm.target_direction = whole(std::rint(direction * 10.0) * 0.1);
+    arm.target_direction = to_int(std::rint(direction * 10.0) * 0.1);
   } else {
     arm.target_distance = distance;
-    arm.target_direction = whole(std::rint(direction));
+    arm.target_direction = to_int(std::rint(direction));
   }
   return arm;
 }
@@ -78,11 +78,11 @@ soccer::SenseBody sense_body(const World& world, Slot slot) {
   sense.head_angle = truncated_degrees(player.neck);
   sense.counts = command_counts(player.counters);
   sense.arm = arm_state(world, player, true);
-  if (player.attention != kNobody) {
+  if (player.attention != kNoPlayer) {
     sense.attention_side = soccer::side_of_slot(player.attention);
     sense.attention_unum = soccer::unum_of_slot(player.attention);
   }
-  sense.attention_count = player.counters.attention_to;
+  sense.attention_count = player.counters.attentionto;
   sense.tackle_expires_in = player.tackle_cycles;
   sense.tackle_count = player.counters.tackle;
   sense.collided_with_ball = player.contacts.ball;

@@ -1,4 +1,4 @@
-// What a player feels of itself: the sense_body message.
+// sense_body: a player's own state.
 #pragma once
 
 #include "simulator/world/world.h"
@@ -6,15 +6,16 @@
 
 namespace cls::simulator {
 
-/// The sense_body of the player in `slot` as the world stands. Player::contacts are told, and
-/// stay: whoever sends the message in its turn clears them.
+/// Builds the sense_body message of the player in `slot`. Does not clear Player::contacts; the
+/// sender does.
 soccer::SenseBody sense_body(const World& world, Slot slot);
 
-/// The arm as sense_body and fullstate tell it. `rounded`: distance to 0.1 and direction
-/// truncated, as in sense_body; else the exact distance and the rounded direction.
+/// State of the arm for sense_body and fullstate. With `rounded` (sense_body) the distance is
+/// rounded to 0.1 and the direction truncated; otherwise the distance is exact and the direction
+/// rounded.
 soccer::ArmState arm_state(const World& world, const Player& player, bool rounded);
 
-/// Where a player who points does so, relative to where he looks; radians.
+/// Target of the pointing arm relative to the face direction; radians.
 struct ArmAim {
   double distance;
   double direction;

@@ -1,4 +1,4 @@
-// Ears: distance, modes, attention and capacity (simulation model 8).
+// Audio model: distance, ear modes, attention and capacity (simulation model 8).
 #include "simulator/senses/hearing.h"
 
 #include <algorithm>
@@ -13,21 +13,22 @@ namespace math = soccer::math;
 
 std::size_t index(Side side) { return side == Side::kRight ? 1 : 0; }
 
-/// Takes the next words: of the attended player while there are any, else of anybody.
-Hearing::Words take_next(const Player& listener, std::vector<Hearing::Words>& waiting,
-                         RandomStream& choice) {
-  const auto is_attended = [&](const Hearing::Words& words) {
-    return words.speaker == listener.attention;
+/// Removes and returns the next message: one of the attended player if there is any, else a random
+/// one.
+PendingMessages::Say take_next(const Player& listener, std::vector<PendingMessages::Say>& says,
+                               RandomStream& choice) {
+  const auto is_attended = [&](const PendingMessages::Say& say) {
+    return say.speaker == listener.attention;
   };
-  auto count = std::count_if(waiting.begin(), waiting.end(), is_attended);
+  auto count = std::count_if(says.begin(), says.end(), is_attended);
   const bool attended = count > 0;
-  if (!attended) count = static_cast<std::ptrdiff_t>(waiting.size());
+  if (!attended) count = static_cast<std::ptrdiff_t>(says.size());
   int skip = choice.integer(static_cast<int>(count));
-  auto chosen = waiting.begin();
+  auto chosen = says.begin();
   while ((attended && !is_attended(*chosen)) || skip-- > 0) ++chosen;
-  Hearing::Words words = std::move(*chosen);
-  waiting.erase(chosen);
-  return words;
+  PendingMessages::Say say = std::move(*chosen);
+  says.erase(chosen);
+  return say;
 }
 
 int direction_to(const Player& listener, const Player& speaker) {
@@ -35,7 +36,7 @@ int direction_to(const Player& listener, const Player& speaker) {
       soccer::direction_radians(speaker.position - listener.position) - listener.body));
 }
 
-soccer::Hear heard(const World& world, const Player& listener, const Player& speaker) {
+soccer::Hear make_hear(const World& world, const Player& listener, const Player& speaker) {
   soccer::Hear hear;
   hear.time = world.clock.time;
   hear.sender = speaker.side == listener.side ? soccer::Hear::Sender::kTeammate
@@ -44,33 +45,34 @@ soccer::Hear heard(const World& world, const Player& listener, const Player& spe
   return hear;
 }
 
-void hear_trainer(const World& world, std::vector<std::string>& waiting,
+void hear_trainer(const World& world, std::vector<std::string>& messages,
                   std::vector<soccer::Hear>& out) {
-  for (std::string& words : waiting) {
+  for (std::string& message : messages) {
     soccer::Hear& hear = out.emplace_back();
     hear.time = world.clock.time;
     hear.sender = soccer::Hear::Sender::kTrainer;
-    hear.text = std::move(words);
+    hear.text = std::move(message);
   }
-  waiting.clear();
+  messages.clear();
 }
 
-void hear_own_words(const World& world, Slot listener, std::vector<Hearing::Words>& waiting,
-                    std::vector<soccer::Hear>& out) {
-  for (Hearing::Words& words : waiting) {
-    if (words.speaker != listener) continue;
+void hear_own_says(const World& world, Slot listener, std::vector<PendingMessages::Say>& says,
+                   std::vector<soccer::Hear>& out) {
+  for (PendingMessages::Say& say : says) {
+    if (say.speaker != listener) continue;
     soccer::Hear& own = out.emplace_back();
     own.time = world.clock.time;
     own.sender = soccer::Hear::Sender::kSelf;
-    own.text = std::move(words.text);
+    own.text = std::move(say.text);
   }
-  const auto is_own = [&](const Hearing::Words& words) { return words.speaker == listener; };
-  waiting.erase(std::remove_if(waiting.begin(), waiting.end(), is_own), waiting.end());
+  const auto is_own = [&](const PendingMessages::Say& say) { return say.speaker == listener; };
+  says.erase(std::remove_if(says.begin(), says.end(), is_own), says.end());
 }
 
 }  // namespace
 
-void overhear(const World& world, const PlayerSaid& said, Slot listener, Hearing& hearing) {
+void queue_say(const World& world, const PlayerSaid& said, Slot listener,
+               PendingMessages& pending) {
   const Player& player = world.player(listener);
   if (!player.enabled) return;
   if (listener != said.speaker) {
@@ -79,35 +81,35 @@ void overhear(const World& world, const PlayerSaid& said, Slot listener, Hearing
     const std::size_t side = index(soccer::side_of_slot(said.speaker));
     if (!player.ears.complete[side] && !player.ears.partial[side]) return;
   }
-  const auto of_speaker = [&](const Hearing::Words& words) {
-    return words.speaker == said.speaker;
+  const auto of_speaker = [&](const PendingMessages::Say& say) {
+    return say.speaker == said.speaker;
   };
-  if (std::count_if(hearing.waiting.begin(), hearing.waiting.end(), of_speaker) <
-      Hearing::kMostOfOneSpeaker) {
-    hearing.waiting.push_back({said.speaker, said.text});
+  if (std::count_if(pending.says.begin(), pending.says.end(), of_speaker) <
+      PendingMessages::kMaxMessagesPerSpeaker) {
+    pending.says.push_back({said.speaker, said.text});
   }
 }
 
-void hear(World& world, Slot slot, Hearing& hearing, RandomStream& choice,
+void hear(World& world, Slot slot, PendingMessages& pending, RandomStream& choice,
           std::vector<soccer::Hear>& out) {
-  hear_trainer(world, hearing.of_trainer, out);
-  hear_own_words(world, slot, hearing.waiting, out);
+  hear_trainer(world, pending.trainer, out);
+  hear_own_says(world, slot, pending.says, out);
   Player& listener = world.player(slot);
   const int cost = world.params().hear_decay;
-  while (!hearing.waiting.empty()) {
-    Hearing::Words words = take_next(listener, hearing.waiting, choice);
-    const Player& speaker = world.player(words.speaker);
+  while (!pending.says.empty()) {
+    PendingMessages::Say say = take_next(listener, pending.says, choice);
+    const Player& speaker = world.player(say.speaker);
     const std::size_t side = index(speaker.side);
     int& capacity = speaker.side == listener.side ? listener.ears.teammate_capacity
                                                   : listener.ears.opponent_capacity;
     if (capacity >= cost) {
       if (!listener.ears.complete[side]) continue;
       capacity -= cost;
-      out.push_back(heard(world, listener, speaker));
+      out.push_back(make_hear(world, listener, speaker));
       out.back().direction = direction_to(listener, speaker);
-      out.back().text = std::move(words.text);
+      out.back().text = std::move(say.text);
     } else if (listener.ears.partial[side]) {
-      out.push_back(heard(world, listener, speaker));
+      out.push_back(make_hear(world, listener, speaker));
       out.back().partial = true;
     }
   }

@@ -1,4 +1,4 @@
-// What a player hears of others: says wait until the next sense_body, then ears decide.
+// Audio model: say messages wait for the next sense_body, then ear modes and capacity filter them.
 #pragma once
 
 #include <string>
@@ -10,29 +10,29 @@
 
 namespace cls::simulator {
 
-/// Says on their way to one listener, its own ones too. A plain value; memory is reused.
-struct Hearing {
-  Hearing() { waiting.reserve(soccer::kPlayersOnPitch); }
+/// Messages for one listener that wait for its next sense_body. Memory is reused.
+struct PendingMessages {
+  PendingMessages() { says.reserve(soccer::kPlayersOnPitch); }
 
-  struct Words {
-    Slot speaker = kNobody;
+  struct Say {
+    Slot speaker = kNoPlayer;
     std::string text;
   };
-  /// More than this of one speaker in a cycle are not kept: nobody who plays says so much.
-  static constexpr int kMostOfOneSpeaker = 16;
+  /// Further messages of one speaker in a cycle are dropped.
+  static constexpr int kMaxMessagesPerSpeaker = 16;
 
-  std::vector<Words> waiting;           ///< in order of speaking
-  std::vector<std::string> of_trainer;  ///< heard by all, before anything else
+  std::vector<Say> says;             ///< in order of speaking; includes the listener's own
+  std::vector<std::string> trainer;  ///< delivered first, to all players
 };
 
-/// A player has spoken: keeps it if the listener is on the pitch, near enough and has an ear for
-/// that side (simulation model 8.2). Speakers hear themselves.
-void overhear(const World& world, const PlayerSaid& said, Slot listener, Hearing& hearing);
+/// Queues a say message if the listener is on the pitch, within audio_cut_dist, and listens to that
+/// side (simulation model 8.2). Speakers hear their own messages.
+void queue_say(const World& world, const PlayerSaid& said, Slot listener, PendingMessages& pending);
 
-/// After sense_body: appends to `out` what the listener hears of all that waits: the trainer's
-/// words, own words, then as attention and capacity (which it uses up) allow. `choice` picks among
-/// several.
-void hear(World& world, Slot listener, Hearing& hearing, RandomStream& choice,
+/// Appends the messages that the listener hears after its sense_body to `out`: the trainer's, its
+/// own, then those that attention and capacity admit. Uses up hearing capacity. `choice` picks
+/// among several candidates.
+void hear(World& world, Slot listener, PendingMessages& pending, RandomStream& choice,
           std::vector<soccer::Hear>& out);
 
 }  // namespace cls::simulator

@@ -1,4 +1,4 @@
-// Line of sight and border lines.
+// Intersects the line of sight with the border lines.
 #include "simulator/senses/sight_lines.h"
 
 #include <cmath>
@@ -32,7 +32,7 @@ std::array<Border, soccer::kPitchLineCount> borders_from(Vec2 p) {
         p.y > kHalfWidth ? -kRightAngle : kRightAngle}}};
 }
 
-std::optional<SightLine> meet(const Player& player, const Border& border) {
+std::optional<SightLine> intersect(const Player& player, const Border& border) {
   constexpr double kRightAngle = math::kPi / 2.0;
   const double angle = math::normalize_radians(border.normal - player.body - player.neck);
   if (std::fabs(angle) >= kRightAngle) return std::nullopt;
@@ -50,11 +50,11 @@ std::optional<SightLine> meet(const Player& player, const Border& border) {
 SightLines lines_in_sight(const Player& player) {
   const Vec2 p = player.position;
   const bool inside = std::fabs(p.x) < kHalfLength && std::fabs(p.y) < kHalfWidth;
-  const std::size_t most = inside ? 1 : 2;
+  const std::size_t max_lines = inside ? 1 : 2;
   SightLines lines;
   for (const Border& border : borders_from(p)) {
-    if (lines.size() == most) break;
-    if (const auto line = meet(player, border)) lines.add(*line);
+    if (lines.size() == max_lines) break;
+    if (const auto line = intersect(player, border)) lines.add(*line);
   }
   return lines;
 }

@@ -1,4 +1,4 @@
-// Which border lines of the pitch a player looks at.
+// Border lines of the pitch in the line of sight of a player.
 #pragma once
 
 #include <array>
@@ -9,11 +9,11 @@
 
 namespace cls::simulator {
 
-/// Where the line of sight meets a border line.
+/// Intersection of the line of sight with a border line.
 struct SightLine {
   soccer::PitchLine line = soccer::PitchLine::kLeft;
   double distance = 0.0;   ///< along the line of sight
-  double direction = 0.0;  ///< radians: the angle between sight and line, as see messages have it
+  double direction = 0.0;  ///< radians: angle between sight and line, as in see messages
 };
 
 /// At most two.
@@ -29,8 +29,8 @@ class SightLines {
   std::size_t count_ = 0;
 };
 
-/// In message order. One at most from inside the pitch, two from outside; the view cone plays no
-/// part (simulation model 7.8).
+/// In message order. At most one from inside the pitch, two from outside; independent of the view
+/// cone (simulation model 7.8).
 SightLines lines_in_sight(const Player& player);
 
 }  // namespace cls::simulator

@@ -1,4 +1,4 @@
-// What a player sees: the world turned into a see message.
+// Visual sensor of a player: builds see messages.
 #pragma once
 
 #include <cstdint>
@@ -9,12 +9,12 @@
 
 namespace cls::simulator {
 
-/// Distances as eyes tell them apart: exp of a multiple of `step` (simulation model 7.4). Looks
-/// common distances up instead of calling log and exp for each; the values are the same.
-class DistanceSteps {
+/// Quantizes distances to exp of a multiple of `step` (simulation model 7.4). A lookup table
+/// replaces log and exp for common distances, with the same results.
+class DistanceQuantizer {
  public:
   /// A step below 1e-10 means exact distances.
-  explicit DistanceSteps(double step);
+  explicit DistanceQuantizer(double step);
 
   double operator()(double distance) const;
 
@@ -23,29 +23,29 @@ class DistanceSteps {
   const double* look_up(double distance) const;
 
   double step_;
-  int first_ = 0;  ///< multiple of step_ that values_ begins with
+  int first_ = 0;  ///< multiple of step_ of values_[0]
   std::vector<double> values_;
 
-  // values_[i] is told between edges_[i] and edges_[i + 1]; begins_ tells where to look for a
-  // distance by its first bits.
+  // values_[i] is the result between edges_[i] and edges_[i + 1]; begins_ maps the leading bits of
+  // a distance to the first candidate edge.
   std::vector<double> edges_;
   std::vector<std::uint32_t> begins_;
-  std::uint64_t first_bits_ = 0;  ///< of begins_
+  std::uint64_t first_bits_ = 0;  ///< leading bits of begins_[0]
 };
 
-/// What does not change during a match; made once from the parameters.
+/// Constants of a match, built once from the parameters.
 struct VisionModel {
   explicit VisionModel(const soccer::ServerParams& params)
-      : things(params.quantize_step), landmarks(params.quantize_step_l) {}
+      : objects(params.quantize_step), landmarks(params.quantize_step_l) {}
 
-  DistanceSteps things;  ///< ball and players
-  DistanceSteps landmarks;
+  DistanceQuantizer objects;  ///< ball and players
+  DistanceQuantizer landmarks;
 };
 
-/// Fills `out` with what the enabled player in `observer` sees now, in the form of its client's
-/// version (8 to 19), view width, quality and noise model. `noise` decides what is missed beyond
-/// 20 m and draws the errors of the Gaussian model and of pointing arms.
-void see(const VisionModel& model, const World& world, Slot observer, RandomStream& noise,
+/// Fills `out` with the see message of the enabled player in `slot`, for its client version (8 to
+/// 19), view width, quality and noise model. `noise` decides which details beyond 20 m are missing
+/// and draws the noise of the Gaussian model and of pointing arms.
+void see(const VisionModel& model, const World& world, Slot slot, RandomStream& noise,
          soccer::See& out);
 
 }  // namespace cls::simulator

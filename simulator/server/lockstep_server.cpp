@@ -1,4 +1,4 @@
-// Taking turns with clients in memory.
+// Runs a match in lockstep with clients in memory or on UDP.
 #include "simulator/server/lockstep_server.h"
 
 #include <algorithm>
@@ -17,18 +17,18 @@ base::Result<std::unique_ptr<LockstepServer>> LockstepServer::create(MatchConfig
   return std::unique_ptr<LockstepServer>(new LockstepServer(std::move(*match)));
 }
 
-std::unique_ptr<soccer::Channel> LockstepServer::connect(Door door) {
+std::unique_ptr<soccer::Channel> LockstepServer::connect(ListeningPort port) {
   auto [server_end, client_end] = soccer::make_memory_channel();
-  waiting_.push_back({door, std::move(server_end)});
+  pending_.push_back({port, std::move(server_end)});
   return std::move(client_end);
 }
 
-void LockstepServer::answer_requests() {
-  for (auto& [door, channel] : waiting_) {
+void LockstepServer::accept_clients() {
+  for (auto& [port, channel] : pending_) {
     while (channel != nullptr && channel->receive(message_)) {
-      const auto admission = match_->admit(door, message_);
+      const auto admission = match_->admit(port, message_);
       if (const auto* admitted = std::get_if<Admission>(&admission)) {
-        match_->greet(*admitted, std::move(channel), message_);
+        match_->complete_handshake(*admitted, std::move(channel), message_);
         continue;
       }
       std::string refusal;
@@ -36,42 +36,42 @@ void LockstepServer::answer_requests() {
       channel->send(refusal);
     }
   }
-  const auto is_admitted = [](const Waiting& one) { return one.channel == nullptr; };
-  waiting_.erase(std::remove_if(waiting_.begin(), waiting_.end(), is_admitted), waiting_.end());
+  const auto is_admitted = [](const PendingConnection& each) { return each.channel == nullptr; };
+  pending_.erase(std::remove_if(pending_.begin(), pending_.end(), is_admitted), pending_.end());
 }
 
-base::Result<int> LockstepServer::open_to_monitors(const std::string& address, int port) {
-  match_->let_monitors_only_watch();
-  return open(Door::kMonitors, address, port);
+base::Result<int> LockstepServer::open_monitor_port(const std::string& address, int port) {
+  match_->make_monitors_read_only();
+  return open(ListeningPort::kMonitors, address, port);
 }
 
-// The door of players is one for monitors too.
-base::Result<int> LockstepServer::open_to_players(const std::string& address, int port) {
-  match_->let_monitors_only_watch();
-  return open(Door::kGame, address, port);
+// Monitors connect to the port of players too.
+base::Result<int> LockstepServer::open_player_port(const std::string& address, int port) {
+  match_->make_monitors_read_only();
+  return open(ListeningPort::kPlayers, address, port);
 }
 
-base::Result<int> LockstepServer::open(Door door, const std::string& address, int port) {
+base::Result<int> LockstepServer::open(ListeningPort role, const std::string& address, int port) {
   if (network_ == nullptr) network_ = std::make_unique<UdpNetwork>(*match_);
-  const auto opened = network_->open(door, address, port);
+  const auto opened = network_->open(role, address, port);
   if (!opened) return opened.error();
-  return network_->port(door);
+  return network_->port(role);
 }
 
-bool LockstepServer::wait_for_answers(Time deadline) {
-  const auto enough = [this] {
+bool LockstepServer::wait_for_clients(Time deadline) {
+  const auto no_client_awaited = [this] {
     for (ClientId client = 0; client < kFirstMonitor; ++client) {
       if (awaits(client)) return false;
     }
     return true;
   };
-  network_->receive_until(deadline, enough);
-  return enough();
+  network_->receive_until(deadline, no_client_awaited);
+  return no_client_awaited();
 }
 
-void LockstepServer::forget_commands() {
+void LockstepServer::discard_commands() {
   for (Slot slot = 0; slot < soccer::kPlayersOnPitch; ++slot) {
-    if (Session* player = match_->session(slot)) player->inbox.clear();
+    if (PlayerSession* player = match_->session(slot)) player->inbox.clear();
   }
 }
 
@@ -80,9 +80,9 @@ void LockstepServer::receive_until(Time deadline) {
 }
 
 void LockstepServer::run_cycle() {
-  constexpr std::chrono::milliseconds kTimeForMonitors{2};
-  if (network_ != nullptr) network_->poll(std::chrono::steady_clock::now() + kTimeForMonitors);
-  answer_requests();
+  constexpr std::chrono::milliseconds kMonitorPollLimit{2};
+  if (network_ != nullptr) network_->poll(std::chrono::steady_clock::now() + kMonitorPollLimit);
+  accept_clients();
   for (ClientId client = 0; client < kFirstMonitor; ++client) {
     if (awaits(client)) ++missed_[static_cast<std::size_t>(client)];
   }

@@ -1,4 +1,4 @@
-// A match in memory: as fast as its clients, and the same whatever their speed.
+// A soccer server in lockstep with its clients: reproducible, and independent of their speed.
 #pragma once
 
 #include <array>
@@ -15,22 +15,21 @@
 
 namespace cls::simulator {
 
-/// Server and clients take turns in one thread: run_cycle() is the server's turn, and it finds in
-/// the channels what the clients have sent in theirs. What happens depends on seed, parameters
-/// and the messages only; clients are told (synch_mode 1), act on (think) and end with (done), as
-/// with the real server in synch mode.
+/// Server and clients alternate on one thread: run_cycle() executes the commands that clients have
+/// put in their channels. The match depends only on seed, parameters and messages. Clients receive
+/// (synch_mode 1), act on (think) and reply with (done), as in synchronous mode of rcssserver.
 ///
 ///     auto server = LockstepServer::create(config);
-///     auto channel = (*server)->connect();   // once per client; it sends (init ...)
-///     (*server)->answer_requests();          // the client finds the reply and the parameters
+///     auto channel = (*server)->connect();   // per client, which sends (init ...)
+///     (*server)->accept_clients();           // sends replies and parameters
 ///     while (!(*server)->finished()) {
 ///       (*server)->run_cycle();              // step, senses, (think)
 ///       ...                                  // clients read, think, send commands and (done)
 ///     }
-///     (*server)->finish();                   // the result goes into the logs
+///     (*server)->finish();                   // writes the result to the logs
 class LockstepServer {
  public:
-  /// server.synch_mode is switched on. The error names the parameter that makes no match.
+  /// Turns server.synch_mode on. The error names the invalid parameter.
   static base::Result<std::unique_ptr<LockstepServer>> create(MatchConfig config);
 
   /// See MatchServer::record.
@@ -38,53 +37,52 @@ class LockstepServer {
     match_->record(game_log, text_log);
   }
 
-  /// The client's end of a new connection. Its first message must be an init (or a player's
-  /// reconnect) as `door` wants it; a refused one is answered with an error and may try again.
-  /// Destroying it means leaving.
-  std::unique_ptr<soccer::Channel> connect(Door door = Door::kGame);
+  /// Returns the client's end of a new connection. The first message must be an init or reconnect
+  /// for that port; after a refusal the client may try again. Destroying the channel disconnects.
+  std::unique_ptr<soccer::Channel> connect(ListeningPort port = ListeningPort::kPlayers);
 
-  /// Lets in the clients that have asked, in the order of connect(), and answers them.
-  void answer_requests();
+  /// Handles pending connection requests in the order of connect() and replies to them.
+  void accept_clients();
 
   /// See MatchServer::arrange.
-  void arrange(const std::function<void(World&, Events&)>& change) { match_->arrange(change); }
-  /// Lets monitors attach over UDP from now on, to watch only: what they send changes nothing. They
-  /// are heard and shown once a cycle. `address` is a number; port 0 takes a free one. Returns the
-  /// port.
-  base::Result<int> open_to_monitors(const std::string& address, int port);
+  void modify_world(const std::function<void(World&, Events&)>& change) {
+    match_->modify_world(change);
+  }
 
-  /// Lets players come over UDP too, programs of their own, who take turns like everybody else:
-  /// what happens depends on what they send, not on when it arrives. See wait_for_answers.
-  base::Result<int> open_to_players(const std::string& address, int port);
+  /// Accepts monitors over UDP. Their commands are ignored; they are served once per cycle.
+  /// `address` is numeric; port 0 selects a free port. Returns the port number.
+  base::Result<int> open_monitor_port(const std::string& address, int port);
+
+  /// Accepts players over UDP in lockstep: the match depends on their messages, not on the time of
+  /// arrival. See wait_for_clients().
+  base::Result<int> open_player_port(const std::string& address, int port);
 
   using Time = UdpNetwork::Time;
-  /// Takes in what comes over UDP until nobody is awaited any more, or until `deadline`. True when
-  /// nobody is.
-  bool wait_for_answers(Time deadline);
-  /// Takes in what comes over UDP until then.
+  /// Receives over UDP until no client is awaited, or until `deadline`. Returns false on timeout.
+  bool wait_for_clients(Time deadline);
+  /// Receives over UDP until `deadline`.
   void receive_until(Time deadline);
-  /// Drops what players have sent since the last cycle: it was about another situation.
-  void forget_commands();
+  /// Discards the commands that players have sent since the last cycle, after the world was
+  /// changed.
+  void discard_commands();
   /// True while the client is connected.
   bool is_connected(ClientId client) { return match_->connection(client) != nullptr; }
 
-  /// Executes what the clients have sent, makes one step, tells everybody the new state of the
-  /// world and asks them to think.
+  /// Executes received commands, runs one step, and sends senses and (think) to the clients.
   void run_cycle();
 
-  /// True while that client has not sent (done) since it was asked to think. Reads what has
-  /// arrived.
+  /// True while the client has received (think) and not sent (done). Receives pending messages.
   bool awaits(ClientId client);
 
-  /// Cycles in which the client was asked to think and let it pass without (done).
+  /// Cycles in which the client received (think) but did not send (done) in time.
   std::int64_t missed_cycles(ClientId client) const {
     return missed_[static_cast<std::size_t>(client)];
   }
 
-  /// Time over, or the cycle limit is reached.
+  /// True after time_over or at the cycle limit.
   bool finished() const { return match_->finished(); }
 
-  /// Writes the result into the logs. Once, after the last cycle.
+  /// Writes the result to the logs; call once, after the last cycle.
   void finish() { match_->finish(); }
 
   const World& world() const { return match_->world(); }
@@ -92,18 +90,18 @@ class LockstepServer {
  private:
   explicit LockstepServer(std::unique_ptr<MatchServer> match) : match_(std::move(match)) {}
 
-  /// A server end that is not admitted yet.
-  struct Waiting {
-    Door door;
+  /// Server end of a connection that is not admitted yet.
+  struct PendingConnection {
+    ListeningPort port;
     std::unique_ptr<soccer::Channel> channel;
   };
 
-  base::Result<int> open(Door door, const std::string& address, int port);
+  base::Result<int> open(ListeningPort role, const std::string& address, int port);
   void collect(ClientId client);
 
-  std::unique_ptr<UdpNetwork> network_;  ///< outlives the clients' sockets, which the match has
+  std::unique_ptr<UdpNetwork> network_;  ///< outlives the client sockets, owned by the match
   std::unique_ptr<MatchServer> match_;
-  std::vector<Waiting> waiting_;
+  std::vector<PendingConnection> pending_;
   std::array<std::int64_t, kFirstMonitor> missed_ = {};
   std::string message_;
 };

@@ -1,4 +1,4 @@
-// Compressed datagrams, as clients may ask for them.
+// Compression of datagrams, which clients may request.
 #pragma once
 
 #include <memory>
@@ -7,17 +7,17 @@
 
 namespace cls::simulator {
 
-/// Each message is the beginning of a zlib stream of its own, flushed but not ended (protocol 1.7).
+/// Each message is the start of its own zlib stream, flushed but not finished (protocol 1.7).
 class MessageCompression {
  public:
   explicit MessageCompression(int level);
   ~MessageCompression();
 
-  /// The view holds until the next call.
-  std::string_view packed(std::string_view message);
+  /// The view is valid until the next call.
+  std::string_view compress(std::string_view message);
 
-  /// False if it is no such beginning, or longer than `longest` when unpacked.
-  bool unpack(std::string_view datagram, std::size_t longest, std::string& message);
+  /// Returns false if the datagram is invalid or decompresses to more than `max_size` bytes.
+  bool decompress(std::string_view datagram, std::size_t max_size, std::string& message);
 
  private:
   struct Streams;

@@ -1,9 +1,8 @@
-// Sockets around the match server.
+// Implements UdpNetwork: listening sockets, one socket per client, one epoll instance.
 #include "simulator/server/udp_network.h"
 
 #include <poll.h>
 #include <sys/epoll.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -15,67 +14,68 @@
 #include <variant>
 #include <vector>
 
+#include "base/system/udp_socket.h"
 #include "simulator/server/message_compression.h"
-#include "simulator/server/udp_socket.h"
 
 namespace cls::simulator {
 namespace {
 
-using base::UdpAddress;
+using base::IncomingDatagrams;
+using base::SocketAddress;
+using base::UdpSocket;
 
-/// Text as it came: without the closing NUL, and up to the first one.
+/// Text of a datagram up to the first NUL.
 struct Datagram {
   std::string_view text;
   bool null_terminated = false;
 };
 
-Datagram strip(std::string_view bytes) {
+Datagram strip_nul(std::string_view bytes) {
   const bool terminated = !bytes.empty() && bytes.back() == '\0';
   return {bytes.substr(0, bytes.find('\0')), terminated};
 }
 
-/// The server's end of one client: a socket of its own, connected to the client's. What is sent
-/// waits for flush(): a client gets all that it is told in a cycle by one system call, and wakes up
-/// once.
+/// Channel to one client, with a socket of its own. Messages wait for flush(), so that a client
+/// receives all messages of a cycle by one system call and wakes up once.
 class UdpChannel : public soccer::Channel {
  public:
-  /// `talkative` lists the channels with messages to flush.
-  UdpChannel(UdpSocket socket, bool with_nul, std::vector<UdpChannel*>& talkative)
-      : socket_(std::move(socket)), nul_(with_nul), talkative_(talkative) {}
+  /// Adds itself to `unflushed` while it has messages to send.
+  UdpChannel(UdpSocket socket, bool with_nul, std::vector<UdpChannel*>& unflushed)
+      : socket_(std::move(socket)), with_nul_(with_nul), unflushed_(unflushed) {}
   UdpChannel(const UdpChannel&) = delete;
   UdpChannel& operator=(const UdpChannel&) = delete;
 
   ~UdpChannel() override {
-    talkative_.erase(std::remove(talkative_.begin(), talkative_.end(), this), talkative_.end());
+    unflushed_.erase(std::remove(unflushed_.begin(), unflushed_.end(), this), unflushed_.end());
     flush();
   }
 
   bool send(std::string_view message) override {
-    if (gone_) return false;
-    if (outgoing_.empty()) talkative_.push_back(this);
+    if (closed_) return false;
+    if (outgoing_.empty()) unflushed_.push_back(this);
     if (compression_ == nullptr) {
-      outgoing_.add(message, nul_);
+      outgoing_.add(message, with_nul_);
       return true;
     }
-    whole_ = message;
-    if (nul_) whole_ += '\0';
-    outgoing_.add(compression_->packed(whole_), false);
+    buffer_ = message;
+    if (with_nul_) buffer_ += '\0';
+    outgoing_.add(compression_->compress(buffer_), false);
     return true;
   }
 
   void flush() {
-    if (!outgoing_.send(socket_)) gone_ = true;
+    if (!outgoing_.send(socket_)) closed_ = true;
   }
 
-  /// The network reads.
+  /// Unused: UdpNetwork receives.
   bool receive(std::string&) override { return false; }
 
-  /// What came in; holds until the next call.
-  Datagram read(std::string_view bytes) {
-    if (compression_ == nullptr) return strip(bytes);
-    // What cannot be unpacked is an empty message: the client is told that it makes no sense.
-    if (!compression_->unpack(bytes, IncomingDatagrams::kLongest, whole_)) whole_.clear();
-    return strip(whole_);
+  /// Decodes a received datagram; the text is valid until the next call.
+  Datagram decode(std::string_view bytes) {
+    if (compression_ == nullptr) return strip_nul(bytes);
+    // A datagram that cannot be decompressed becomes an empty message, which is a syntax error.
+    if (!compression_->decompress(bytes, IncomingDatagrams::kMaxBytes, buffer_)) buffer_.clear();
+    return strip_nul(buffer_);
   }
 
   bool can_compress() const override { return true; }
@@ -87,12 +87,12 @@ class UdpChannel : public soccer::Channel {
 
  private:
   UdpSocket socket_;
-  bool nul_;           ///< closes every message
-  bool gone_ = false;  ///< the other side has closed its port
-  OutgoingDatagrams outgoing_;
-  std::vector<UdpChannel*>& talkative_;
+  bool with_nul_;        ///< appended to every message
+  bool closed_ = false;  ///< the client has closed its port
+  base::OutgoingDatagrams outgoing_;
+  std::vector<UdpChannel*>& unflushed_;
   std::unique_ptr<MessageCompression> compression_;
-  std::string whole_;
+  std::string buffer_;
 };
 
 }  // namespace
@@ -100,29 +100,24 @@ class UdpChannel : public soccer::Channel {
 class UdpNetwork::Sockets {
  public:
   explicit Sockets(MatchServer& match) : match_(match), epoll_(::epoll_create1(EPOLL_CLOEXEC)) {}
-  Sockets(const Sockets&) = delete;
-  Sockets& operator=(const Sockets&) = delete;
-  ~Sockets() {
-    if (epoll_ >= 0) ::close(epoll_);
-  }
 
-  base::Result<void> open(Door door, const std::string& address, int port) {
+  base::Result<void> open(ListeningPort role, const std::string& address, int port) {
     const auto error = [&](const std::string& cause) {
       return base::Error{"cannot listen on " + address + " port " + std::to_string(port) + ": " +
                          cause};
     };
-    const auto local = base::numeric_address(address, port);
+    const auto local = base::parse_ip_address(address, port);
     if (!local) return error(local.error().message);
-    auto socket = UdpSocket::bound_to(*local);
+    auto socket = UdpSocket::bind(*local);
     if (!socket) return error(socket.error().message);
-    if (!watch(*socket, door_mark(doors_.size()))) return error(std::strerror(errno));
-    doors_.push_back({door, *local, std::move(*socket)});
+    if (!watch(*socket, listening_mark(listening_.size()))) return error(std::strerror(errno));
+    listening_.push_back({role, *local, std::move(*socket)});
     return {};
   }
 
-  int port(Door kind) const {
-    for (const OpenDoor& door : doors_) {
-      if (door.kind == kind) return door.socket.local_port();
+  int port(ListeningPort role) const {
+    for (const ListeningSocket& listening : listening_) {
+      if (listening.role == role) return listening.socket.local_port();
     }
     return 0;
   }
@@ -142,37 +137,37 @@ class UdpNetwork::Sockets {
   }
 
   void flush() {
-    for (UdpChannel* channel : talkative_) channel->flush();
-    talkative_.clear();
+    for (UdpChannel* channel : unflushed_) channel->flush();
+    unflushed_.clear();
   }
 
  private:
-  struct OpenDoor {
-    Door kind;
-    UdpAddress address;
+  struct ListeningSocket {
+    ListeningPort role;
+    SocketAddress address;
     UdpSocket socket;
   };
 
   struct Client {
-    UdpAddress address;
-    const OpenDoor* door = nullptr;
+    SocketAddress address;
+    const ListeningSocket* listening = nullptr;
     UdpChannel* channel = nullptr;  ///< valid while is_connected()
     std::uint32_t generation = 0;
   };
 
-  // What the system gives back with an event: a door, or a client and its generation.
-  static constexpr std::uint64_t kDoorMark = std::uint64_t{1} << 63;
-  static std::uint64_t door_mark(std::size_t index) { return kDoorMark | index; }
+  // User data of epoll events: a listening socket, or a client and its generation.
+  static constexpr std::uint64_t kListeningMark = std::uint64_t{1} << 63;
+  static std::uint64_t listening_mark(std::size_t index) { return kListeningMark | index; }
   static std::uint64_t client_mark(ClientId id, std::uint32_t generation) {
     return std::uint64_t{generation} << 16 | static_cast<std::uint64_t>(id);
   }
 
-  // A socket leaves with its end.
+  // Closing a socket removes it from the epoll instance.
   bool watch(const UdpSocket& socket, std::uint64_t mark) {
     epoll_event event{};
     event.events = EPOLLIN;
     event.data.u64 = mark;
-    return ::epoll_ctl(epoll_, EPOLL_CTL_ADD, socket.fd(), &event) == 0;
+    return ::epoll_ctl(epoll_.get(), EPOLL_CTL_ADD, socket.fd(), &event) == 0;
   }
 
   static int milliseconds_until(Time deadline) {
@@ -181,10 +176,8 @@ class UdpNetwork::Sockets {
                     static_cast<int>(std::chrono::ceil<std::chrono::milliseconds>(left).count()));
   }
 
-  // Where the match waits for answers it sleeps until one of those who owe one has sent something,
-  // the last that was asked: what the others have sent by then is taken in together. To wake up for
-  // each would cost more than to read. Returns the time that is left to wait for anybody: none
-  // then.
+  // Sleeps until the last awaited client has sent a datagram, because waking up for each client
+  // costs more than reading. Returns the remaining timeout in ms, 0 after sleeping.
   int wait(int timeout_ms) {
     const UdpChannel* awaited = last_awaited();
     if (awaited == nullptr) return timeout_ms;
@@ -193,7 +186,7 @@ class UdpNetwork::Sockets {
     return 0;
   }
 
-  // Of the network's clients; null if none is awaited.
+  // Null if no client on this network is awaited.
   const UdpChannel* last_awaited() {
     for (ClientId id = kFirstMonitor - 1; id >= 0; --id) {
       if (match_.awaits(id) && is_connected(id, client_at(id).generation)) {
@@ -203,63 +196,65 @@ class UdpNetwork::Sockets {
     return nullptr;
   }
 
-  // Everybody who has sent something has a turn: one read. What waits beyond is left for the next,
-  // so that a flood delays nobody else. False if nobody has.
+  // Reads once from each socket with data; the rest waits for the next call, so that a flood delays
+  // no other client. Returns false if no socket had data.
   bool handle_ready(int timeout_ms) {
-    std::array<epoll_event, 128> ready;  // more than there can be clients and doors
-    const int count = ::epoll_wait(epoll_, ready.data(), ready.size(), timeout_ms);
+    std::array<epoll_event, 128> ready;  // exceeds the number of sockets
+    const int count = ::epoll_wait(epoll_.get(), ready.data(), ready.size(), timeout_ms);
     for (int i = 0; i < count; ++i) {
       const std::uint64_t mark = ready[static_cast<std::size_t>(i)].data.u64;
-      if ((mark & kDoorMark) != 0) {
-        receive_at(doors_[mark & ~kDoorMark]);
+      if ((mark & kListeningMark) != 0) {
+        receive_requests(listening_[mark & ~kListeningMark]);
       } else {
-        receive_from(static_cast<ClientId>(mark & 0xffff), static_cast<std::uint32_t>(mark >> 16));
+        receive_commands(static_cast<ClientId>(mark & 0xffff),
+                         static_cast<std::uint32_t>(mark >> 16));
       }
     }
     return count > 0;
   }
 
-  void receive_at(OpenDoor& door) {
-    incoming_.receive(door.socket);
+  void receive_requests(ListeningSocket& listening) {
+    incoming_.receive(listening.socket);
     for (std::size_t k = 0; k < incoming_.size(); ++k) {
-      answer(door, strip(incoming_.bytes(k)), incoming_.sender(k));
+      handle_request(listening, strip_nul(incoming_.bytes(k)), incoming_.sender(k));
     }
   }
 
-  void answer(OpenDoor& door, const Datagram& datagram, const UdpAddress& sender) {
+  void handle_request(ListeningSocket& listening, const Datagram& datagram,
+                      const SocketAddress& sender) {
     std::string_view text = datagram.text;
-    if (const Connection* known = connection_of(door, sender)) {
-      return match_.receive_at_door(known->client, text, datagram.null_terminated);
+    if (const Connection* known = connection_of(listening, sender)) {
+      return match_.receive_on_listening_port(known->client, text, datagram.null_terminated);
     }
     if (text.ends_with('\n')) text.remove_suffix(1);
-    const auto admission = match_.admit(door.kind, text);
+    const auto admission = match_.admit(listening.role, text);
     if (const auto* admitted = std::get_if<Admission>(&admission)) {
-      welcome(door, *admitted, text, sender);
+      accept(listening, *admitted, text, sender);
     } else {
-      refuse(door, std::get<soccer::ErrorCode>(admission), sender);
+      refuse(listening, std::get<soccer::ErrorCode>(admission), sender);
     }
   }
 
-  void welcome(OpenDoor& door, const Admission& admission, std::string_view request,
-               const UdpAddress& sender) {
+  void accept(ListeningSocket& listening, const Admission& admission, std::string_view request,
+              const SocketAddress& sender) {
     Client& client = client_at(admission.client);
-    UdpAddress local = door.address;
+    SocketAddress local = listening.address;
     local.set_port(0);
-    auto socket = UdpSocket::bound_to(local);
+    auto socket = UdpSocket::bind(local);
     if (!socket || !socket->connect(sender) ||
         !watch(*socket, client_mark(admission.client, client.generation + 1))) {
-      match_.withdraw(admission);
-      return refuse(door, soccer::ErrorCode::kSocketOpenFailed, sender);
+      match_.cancel(admission);
+      return refuse(listening, soccer::ErrorCode::kSocketOpenFailed, sender);
     }
-    auto channel = std::make_unique<UdpChannel>(std::move(*socket), !admission.binary, talkative_);
-    client = {sender, &door, channel.get(), client.generation + 1};
-    match_.greet(admission, std::move(channel), request);
+    auto channel = std::make_unique<UdpChannel>(std::move(*socket), !admission.binary, unflushed_);
+    client = {sender, &listening, channel.get(), client.generation + 1};
+    match_.complete_handshake(admission, std::move(channel), request);
   }
 
-  void refuse(OpenDoor& door, soccer::ErrorCode code, const UdpAddress& sender) {
+  void refuse(ListeningSocket& listening, soccer::ErrorCode code, const SocketAddress& sender) {
     std::string refusal;
     soccer::format(code, refusal);
-    door.socket.send_to(sender, {refusal.c_str(), refusal.size() + 1});
+    listening.socket.send(refusal, true, &sender);
   }
 
   bool is_connected(ClientId id, std::uint32_t generation) {
@@ -269,22 +264,23 @@ class UdpNetwork::Sockets {
            connection->channel.get() == client.channel;
   }
 
-  // The socket may have gone, or another client taken the place, while an event was due.
-  void receive_from(ClientId id, std::uint32_t generation) {
+  // The client of a pending event may be disconnected, or its id reused, by now.
+  void receive_commands(ClientId id, std::uint32_t generation) {
     if (!is_connected(id, generation)) return;
     UdpChannel& channel = *client_at(id).channel;
-    if (incoming_.receive(channel.socket()) == ECONNREFUSED) return match_.lose(id);
+    if (incoming_.receive(channel.socket()) == ECONNREFUSED) return match_.mark_lost(id);
     for (std::size_t k = 0; k < incoming_.size() && is_connected(id, generation); ++k) {
-      const Datagram datagram = channel.read(incoming_.bytes(k));
+      const Datagram datagram = channel.decode(incoming_.bytes(k));
       match_.receive(id, datagram.text, datagram.null_terminated);
     }
   }
 
-  Connection* connection_of(const OpenDoor& door, const UdpAddress& sender) {
+  Connection* connection_of(const ListeningSocket& listening, const SocketAddress& sender) {
     for (std::size_t i = 0; i < clients_.size(); ++i) {
       const Client& client = clients_[i];
       const auto id = static_cast<ClientId>(i);
-      if (client.door == &door && client.address == sender && is_connected(id, client.generation)) {
+      if (client.listening == &listening && client.address == sender &&
+          is_connected(id, client.generation)) {
         return match_.connection(id);
       }
     }
@@ -298,21 +294,21 @@ class UdpNetwork::Sockets {
   }
 
   MatchServer& match_;
-  int epoll_;
-  std::deque<OpenDoor> doors_;  ///< whose places stay
+  base::UniqueFd epoll_;
+  std::deque<ListeningSocket> listening_;  ///< a deque keeps addresses stable
   std::vector<Client> clients_;
-  std::vector<UdpChannel*> talkative_;
+  std::vector<UdpChannel*> unflushed_;
   IncomingDatagrams incoming_;
 };
 
 UdpNetwork::UdpNetwork(MatchServer& match) : sockets_(std::make_unique<Sockets>(match)) {}
 UdpNetwork::~UdpNetwork() = default;
 
-base::Result<void> UdpNetwork::open(Door door, const std::string& address, int port) {
-  return sockets_->open(door, address, port);
+base::Result<void> UdpNetwork::open(ListeningPort role, const std::string& address, int port) {
+  return sockets_->open(role, address, port);
 }
 
-int UdpNetwork::port(Door door) const { return sockets_->port(door); }
+int UdpNetwork::port(ListeningPort role) const { return sockets_->port(role); }
 
 void UdpNetwork::poll(Time deadline) { sockets_->poll(deadline); }
 

@@ -1,4 +1,4 @@
-// The sockets of a soccer server: a door for each kind of client, and one socket a client.
+// UDP sockets of a soccer server: one listening port per kind of client, one socket per client.
 #pragma once
 
 #include <chrono>
@@ -11,33 +11,33 @@
 
 namespace cls::simulator {
 
-/// Passes datagrams between the network and a match: requests that arrive at a door to
-/// MatchServer::admit, what a client sends to receive(); each client is answered from a socket of
-/// its own (protocol 1.1), which the match owns by its connections. What the match says goes out
-/// with flush(), or when receive_until() waits. Used on one thread.
+/// Passes datagrams between the network and a match: connection requests to MatchServer::admit,
+/// datagrams of clients to MatchServer::receive. Each client has a socket of its own
+/// (protocol 1.1), owned by its connection in the match. Messages are sent by flush(), and when
+/// receive_until() waits. Used on one thread.
 class UdpNetwork {
  public:
   using Time = std::chrono::steady_clock::time_point;
 
-  /// The match must outlive the network, and must drop its connections before the network goes:
-  /// MatchServer::disconnect_all.
+  /// The match must outlive the network, and must close its connections before the network is
+  /// destroyed (MatchServer::disconnect_all).
   explicit UdpNetwork(MatchServer& match);
   ~UdpNetwork();
 
-  /// Listens for requests; `address` is a number, port 0 a free one. The error names both.
-  base::Result<void> open(Door door, const std::string& address, int port);
+  /// Listens for requests. `address` is numeric; port 0 selects a free port. The error names both.
+  base::Result<void> open(ListeningPort role, const std::string& address, int port);
 
-  /// The port of an open door.
-  int port(Door door) const;
+  /// Number of an open port.
+  int port(ListeningPort role) const;
 
-  /// Takes in what has arrived, but stops at `deadline`: a flood must not hold up the match.
+  /// Receives pending datagrams, until `deadline`: a flood must not delay the match.
   void poll(Time deadline);
 
-  /// Takes in what arrives until `deadline` or until `enough()`. What has arrived already counts
-  /// even if that is so at once.
+  /// Receives datagrams until `deadline` or until `enough()`. Receives pending datagrams even if
+  /// `enough()` is true immediately.
   void receive_until(Time deadline, const std::function<bool()>& enough);
 
-  /// Sends what clients have been told since the last time.
+  /// Sends the messages queued since the last flush.
   void flush();
 
  private:

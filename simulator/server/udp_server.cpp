@@ -1,4 +1,4 @@
-// Driving a match over UDP.
+// Runs a match over UDP.
 #include "simulator/server/udp_server.h"
 
 #include <algorithm>
@@ -12,8 +12,9 @@ namespace {
 
 using WallClock = std::chrono::steady_clock;
 
-/// Everybody has had a turn at once; only who sends on and on is cut short.
-constexpr std::chrono::milliseconds kLastLook{1};
+/// Time limit of the last poll before a step. One pass reads from every client; only floods exceed
+/// it.
+constexpr std::chrono::milliseconds kLastPollLimit{1};
 
 }  // namespace
 
@@ -21,12 +22,13 @@ base::Result<std::unique_ptr<UdpServer>> UdpServer::open(UdpConfig config) {
   auto match = MatchServer::create(config.match);
   if (!match) return match.error();
   std::unique_ptr<UdpServer> server(new UdpServer(std::move(config), std::move(*match)));
-  const UdpConfig& asked = server->config_;
-  const std::pair<Door, int> doors[] = {{Door::kGame, asked.port},
-                                        {Door::kOfflineCoach, asked.trainer_port},
-                                        {Door::kOnlineCoach, asked.coach_port}};
-  for (const auto& [door, port] : doors) {
-    const auto opened = server->network_->open(door, asked.address, port);
+  const UdpConfig& options = server->config_;
+  const std::pair<ListeningPort, int> ports[] = {
+      {ListeningPort::kPlayers, options.port},
+      {ListeningPort::kTrainers, options.trainer_port},
+      {ListeningPort::kOnlineCoaches, options.coach_port}};
+  for (const auto& [role, port] : ports) {
+    const auto opened = server->network_->open(role, options.address, port);
     if (!opened) return opened.error();
   }
   return server;
@@ -37,17 +39,18 @@ UdpServer::UdpServer(UdpConfig config, std::unique_ptr<MatchServer> match)
       match_(std::move(match)),
       network_(std::make_unique<UdpNetwork>(*match_)) {}
 
-// Sessions own sockets that belong to the network's context: they go first.
+// Connections own sockets registered with the network, so they are destroyed first.
 UdpServer::~UdpServer() { match_->disconnect_all(); }
 
-int UdpServer::port(Door door) const { return network_->port(door); }
+int UdpServer::port(ListeningPort role) const { return network_->port(role); }
 
 std::int64_t UdpServer::missed_cycles() const { return missed_cycles_; }
 
 const World& UdpServer::world() const { return match_->world(); }
 
-UdpEnd UdpServer::run(const std::atomic<bool>& stop) {
-  const UdpEnd end = world().params().synch_mode ? run_synchronous(stop) : run_in_real_time(stop);
+UdpServerExit UdpServer::run(const std::atomic<bool>& stop) {
+  const UdpServerExit end =
+      world().params().synch_mode ? run_synchronous(stop) : run_in_real_time(stop);
   network_->flush();
   match_->finish();
   return end;
@@ -59,12 +62,12 @@ bool UdpServer::is_over() const {
   return world().params().auto_mode && (match_->connected() == 0 || world().auto_mode.ended);
 }
 
-UdpEnd UdpServer::run_synchronous(const std::atomic<bool>& stop) {
+UdpServerExit UdpServer::run_synchronous(const std::atomic<bool>& stop) {
   while (!stop.load()) {
-    if (!run_cycle(stop)) return UdpEnd::kUnanswered;
-    if (is_over()) return UdpEnd::kFinished;
+    if (!run_cycle(stop)) return UdpServerExit::kUnresponsiveClients;
+    if (is_over()) return UdpServerExit::kFinished;
   }
-  return UdpEnd::kStopped;
+  return UdpServerExit::kStopped;
 }
 
 bool UdpServer::run_cycle(const std::atomic<bool>& stop) {
@@ -77,56 +80,56 @@ bool UdpServer::run_cycle(const std::atomic<bool>& stop) {
   const bool coaches_are_late = match_->coaches_are_late();
   match_->think_players();
   if (!coaches_are_late) match_->think_coaches();
-  bool missed = !wait_for_answers(stop, [this] { return !match_->awaits_anybody(); });
-  tell_connections();
+  bool missed = !wait_for_clients(stop, [this] { return !match_->awaits_any_client(); });
+  report_connections();
   match_->execute_players();
   if (coaches_are_late) {
     match_->think_coaches();
     const auto coaches_are_done = [this] { return !match_->awaits_coaches(); };
-    missed = !wait_for_answers(stop, coaches_are_done) || missed;
+    missed = !wait_for_clients(stop, coaches_are_done) || missed;
   }
   match_->execute_coaches();
-  tell_connections();
+  report_connections();
   if (missed) {
     ++missed_cycles_;
     if (started) ++missed_in_a_row_;
-    if (started) tell(UdpNotice::Kind::kMissedCycle, kNobody);
+    if (started) report(UdpServerEvent::Kind::kMissedCycle, kNoClient);
   } else {
     missed_in_a_row_ = 0;
   }
   return missed_in_a_row_ <= config_.max_missed;
 }
 
-// In slices, so that a wish to stop is noticed.
-bool UdpServer::wait_for_answers(const std::atomic<bool>& stop,
+// Waits in short intervals to check `stop`.
+bool UdpServer::wait_for_clients(const std::atomic<bool>& stop,
                                  const std::function<bool()>& enough) {
-  constexpr std::chrono::milliseconds kLook{20};
+  constexpr std::chrono::milliseconds kPollInterval{20};
   const auto deadline = WallClock::now() + config_.max_wait;
   do {
-    network_->receive_until(std::min(deadline, WallClock::now() + kLook), enough);
+    network_->receive_until(std::min(deadline, WallClock::now() + kPollInterval), enough);
   } while (!enough() && !stop.load() && WallClock::now() < deadline);
   return enough();
 }
 
-UdpEnd UdpServer::run_in_real_time(const std::atomic<bool>& stop) {
+UdpServerExit UdpServer::run_in_real_time(const std::atomic<bool>& stop) {
   const soccer::ServerParams& params = world().params();
   const int step_ms = params.simulator_step * params.slow_down_factor;
   const std::chrono::milliseconds step(step_ms);
-  StepClock clock(step, WallClock::now() + step);
+  StepTimer timer(step, WallClock::now() + step);
   while (!stop.load()) {
-    receive_until(clock.due(), step_ms, stop);
-    clock.made(WallClock::now());
+    receive_until(timer.due(), step_ms, stop);
+    timer.record_step(WallClock::now());
     make_step();
     match_->sense();
-    lateness_ = clock.lateness();
-    if (is_over()) return UdpEnd::kFinished;
+    lateness_ = timer.lateness();
+    if (is_over()) return UdpServerExit::kFinished;
   }
-  return UdpEnd::kStopped;
+  return UdpServerExit::kStopped;
 }
 
-// One look at the sockets every recv_step, and one right before the step, which is short: a flood
-// must not make the step late.
-void UdpServer::receive_until(StepClock::Time next_step, int step_ms,
+// Polls the sockets every recv_step, and once more for a short time right before the step: a flood
+// must not delay the step.
+void UdpServer::receive_until(StepTimer::Time next_step, int step_ms,
                               const std::atomic<bool>& stop) {
   const soccer::ServerParams& params = world().params();
   const std::chrono::milliseconds tick(params.recv_step);
@@ -135,7 +138,7 @@ void UdpServer::receive_until(StepClock::Time next_step, int step_ms,
     network_->flush();
     std::this_thread::sleep_until(due);
     const bool last = due >= next_step;
-    network_->poll(WallClock::now() + (last ? kLastLook : tick / 2));
+    network_->poll(WallClock::now() + (last ? kLastPollLimit : tick / 2));
     execute();
     if (last) return;
     const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(next_step - due);
@@ -145,25 +148,25 @@ void UdpServer::receive_until(StepClock::Time next_step, int step_ms,
 
 void UdpServer::make_step() {
   match_->step();
-  if (look_) look_(world());
+  if (on_step_) on_step_(world());
 }
 
 void UdpServer::execute() {
-  tell_connections();
+  report_connections();
   match_->execute();
-  tell_connections();
+  report_connections();
 }
 
-// Looked at before and after the commands of a cycle, when the lost ones go.
-void UdpServer::tell_connections() {
-  for (std::size_t i = 0; i < told_.size(); ++i) {
+// Called before and after executing commands, which removes lost connections.
+void UdpServer::report_connections() {
+  for (std::size_t i = 0; i < reported_.size(); ++i) {
     const auto client = static_cast<ClientId>(i);
-    const Connection*& told = told_[i];
+    const Connection*& reported = reported_[i];
     const Connection* now = match_->connection(client);
-    if (now == told) continue;
-    if (now == nullptr) tell(UdpNotice::Kind::kDisconnected, client);
-    if (now != nullptr) tell(UdpNotice::Kind::kConnected, client, now->version);
-    told = now;
+    if (now == reported) continue;
+    if (now == nullptr) report(UdpServerEvent::Kind::kDisconnected, client);
+    if (now != nullptr) report(UdpServerEvent::Kind::kConnected, client, now->version);
+    reported = now;
   }
 }
 

@@ -1,4 +1,4 @@
-// Quotas and delays of the coach language.
+// Quotas and delays of coach language messages.
 #include "simulator/sessions/coach_language.h"
 
 namespace cls::simulator {
@@ -7,7 +7,7 @@ namespace {
 using soccer::ClangKind;
 using soccer::ErrorCode;
 
-ErrorCode too_many(ClangKind kind) {
+ErrorCode quota_error(ClangKind kind) {
   switch (kind) {
     case ClangKind::kFreeform:
       return ErrorCode::kSaidTooManyFreeform;
@@ -47,42 +47,43 @@ int window_quota(const soccer::ServerParams& params, ClangKind kind) {
   return 0;
 }
 
-// In play_on there is a short time for it now and then.
+// In play_on, freeform messages are allowed for freeform_send_period cycles per period.
 bool is_freeform_time(const World& world) {
   if (world.mode != PlayMode::kPlayOn) return true;
   const soccer::ServerParams& params = world.params();
-  const int played = world.clock.time - world.last_play_on;
-  // A negative period is a very long one.
+  const int elapsed = world.clock.time - world.last_play_on;
+  // As unsigned, a negative period is a very long one.
   const auto period = static_cast<unsigned>(params.freeform_wait_period);
-  return played > params.freeform_wait_period && period != 0 &&
-         static_cast<int>(static_cast<unsigned>(played) % period) < params.freeform_send_period;
+  return elapsed > params.freeform_wait_period && period != 0 &&
+         static_cast<int>(static_cast<unsigned>(elapsed) % period) < params.freeform_send_period;
 }
 
 }  // namespace
 
-std::optional<ErrorCode> CoachLanguage::say(const World& world, const soccer::CoachSay& said) {
-  if (said.kind == ClangKind::kFreeform) {
-    const auto longest = static_cast<std::size_t>(world.params().say_coach_msg_size);
-    if (said.freeform().size() > longest) return ErrorCode::kCouldNotParseSay;
+std::optional<ErrorCode> CoachLanguage::say(const World& world, const soccer::CoachSay& message) {
+  if (message.kind == ClangKind::kFreeform) {
+    const auto max_length = static_cast<std::size_t>(world.params().say_coach_msg_size);
+    if (message.freeform().size() > max_length) return ErrorCode::kCouldNotParseSay;
     if (!is_freeform_time(world)) return ErrorCode::kCannotSayFreeformWhilePlayOn;
-    if (freeform_allowed_ >= 0 && freeform_said_ >= freeform_allowed_) return too_many(said.kind);
+    if (freeform_allowed_ >= 0 && freeform_said_ >= freeform_allowed_)
+      return quota_error(message.kind);
     ++freeform_said_;
   } else if (world.mode == PlayMode::kPlayOn) {
-    int& left = left_[static_cast<std::size_t>(said.kind)];
-    if (left <= 0) return too_many(said.kind);
+    int& left = left_[static_cast<std::size_t>(message.kind)];
+    if (left <= 0) return quota_error(message.kind);
     --left;
   }
-  queue_.push_back({said, world.clock.time});
+  queue_.push_back({message, world.clock.time});
   return std::nullopt;
 }
 
-void CoachLanguage::begin_step(const World& world, std::vector<Words>& out) {
+void CoachLanguage::begin_step(const World& world, std::vector<Message>& out) {
   const soccer::ServerParams& params = world.params();
   const int now = world.clock.time;
-  const auto is_due = [&](const Words& words) {
-    return world.mode != PlayMode::kPlayOn || now - words.received >= params.clang_mess_delay;
+  const auto is_due = [&](const Message& message) {
+    return world.mode != PlayMode::kPlayOn || now - message.received >= params.clang_mess_delay;
   };
-  // A limit of messages per step exists by name; any but 0 has no effect in the real server.
+  // clang_mess_per_cycle is a limit by name only: in rcssserver any value but 0 has no effect.
   while (params.clang_mess_per_cycle > 0 && !queue_.empty() && is_due(queue_.front())) {
     out.push_back(std::move(queue_.front()));
     queue_.pop_front();
@@ -94,7 +95,7 @@ void CoachLanguage::begin_step(const World& world, std::vector<Words>& out) {
   }
 }
 
-void CoachLanguage::award(const soccer::ServerParams& params) {
+void CoachLanguage::extend_freeform_quota(const soccer::ServerParams& params) {
   if (freeform_allowed_ > 0) freeform_allowed_ += params.say_coach_cnt_max;
 }
 

@@ -1,4 +1,4 @@
-// What an online coach may say, how much of it, and when its players hear it (protocol 5.4).
+// Coach language: quotas of an online coach and delays of its messages (protocol 5.4).
 #pragma once
 
 #include <array>
@@ -13,39 +13,38 @@
 
 namespace cls::simulator {
 
-/// The quotas and the queue of one team's coach. They outlive its connection.
+/// Quotas and message queue of one team's coach. They outlive its connection.
 class CoachLanguage {
  public:
-  struct Words {
-    soccer::CoachSay said;
+  struct Message {
+    soccer::CoachSay say;
     int received = 0;  ///< game time
   };
 
   explicit CoachLanguage(const soccer::ServerParams& params)
       : freeform_allowed_(params.say_coach_cnt_max) {}
 
-  /// Takes the words into the queue, or says why not.
-  std::optional<soccer::ErrorCode> say(const World& world, const soccer::CoachSay& said);
+  /// Queues the message, or returns why it is refused.
+  std::optional<soccer::ErrorCode> say(const World& world, const soccer::CoachSay& message);
 
-  /// At the beginning of each step: appends to `out` what is heard now, oldest first, and renews
-  /// the quotas when a window is over.
-  void begin_step(const World& world, std::vector<Words>& out);
+  /// At the beginning of each step: appends the messages that are due to `out`, oldest first, and
+  /// resets the quotas when a window ends.
+  void begin_step(const World& world, std::vector<Message>& out);
 
-  /// At the end of each full game time: say_coach_cnt_max more freeform messages.
-  void award(const soccer::ServerParams& params);
+  /// At the end of each full game time: allows say_coach_cnt_max more freeform messages.
+  void extend_freeform_quota(const soccer::ServerParams& params);
 
  private:
   static constexpr std::size_t kKinds = static_cast<std::size_t>(soccer::ClangKind::kDelete) + 1;
 
-  std::deque<Words> queue_;
+  std::deque<Message> queue_;
   int freeform_said_ = 0;
   int freeform_allowed_;               ///< negative: any number
-  std::array<int, kKinds> left_ = {};  ///< in this window of play_on, by ClangKind
+  std::array<int, kKinds> left_ = {};  ///< quota left in this window of play_on, by ClangKind
   std::optional<int> window_start_;    ///< game time
 };
 
-/// True if a player that has declared `versions` understands words of that kind; players that have
-/// not declared any get a note instead.
+/// True if a player that has declared `versions` understands messages of that kind.
 bool understands(const soccer::Clang& versions, soccer::ClangKind kind);
 
 }  // namespace cls::simulator

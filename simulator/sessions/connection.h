@@ -1,4 +1,4 @@
-// What every client of a match has in common: who it is, its channel, and what it owes.
+// Connections of clients: identity, channel, quota and think/done state.
 #pragma once
 
 #include <cstddef>
@@ -6,8 +6,8 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <variant>
 
-#include "simulator/sessions/allowance.h"
 #include "simulator/world/world.h"
 #include "soccer/channel.h"
 #include "soccer/messages/hear.h"
@@ -16,8 +16,9 @@
 
 namespace cls::simulator {
 
-/// Index of a client of the match: players by their slots, then coaches and trainer, monitors.
+/// Index of a client: player slots first, then coaches, trainer and monitors.
 using ClientId = int;
+constexpr ClientId kNoClient = -1;
 constexpr ClientId kLeftCoach = soccer::kPlayersOnPitch;
 constexpr ClientId kRightCoach = kLeftCoach + 1;
 constexpr ClientId kTrainer = kLeftCoach + 2;
@@ -26,61 +27,94 @@ constexpr ClientId kFirstMonitor = kTrainer + 1;
 constexpr bool is_monitor(ClientId client) { return client >= kFirstMonitor; }
 constexpr bool is_player(ClientId client) { return client < soccer::kPlayersOnPitch; }
 
-/// Where clients ask to be let in: each is a port of its own on a network (protocol 1.1).
-enum class Door : std::uint8_t {
-  kGame,          ///< players and monitors
-  kOfflineCoach,  ///< the trainer
-  kOnlineCoach,
+/// Where connection requests arrive; each is a UDP port of its own on a network (protocol 1.1).
+enum class ListeningPort : std::uint8_t {
+  kPlayers,  ///< players and monitors (server::port)
+  kTrainers,
+  kOnlineCoaches,
   kMonitors,  ///< monitors only
 };
 
-/// A client that was let in. It hears nothing before MatchServer::greet.
+/// An accepted connection request. The client receives nothing before
+/// MatchServer::complete_handshake.
 struct Admission {
-  ClientId client = kNobody;
+  ClientId client = kNoClient;
   int version = 0;
   bool reconnected = false;
   bool binary = false;  ///< its messages have no closing NUL on a network
 };
+using AdmissionResult = std::variant<Admission, soccer::ErrorCode>;
 
-struct Connection {
-  explicit Connection(std::size_t bytes_a_step = Allowance::kPlayerBytes)
-      : allowance(bytes_a_step) {
-    text_.reserve(kUsualReply);
+/// Limits what a client may send between two steps, so that a flood uses neither the memory of the
+/// server nor the time of other clients. The rest is dropped.
+class ReceiveQuota {
+ public:
+  static constexpr int kMaxDatagrams = 256;
+  static constexpr std::size_t kMaxPlayerBytes = 16 << 10;
+  /// Tiles of team graphics are long, and a coach sends one command per datagram.
+  static constexpr std::size_t kMaxCoachBytes = 128 << 10;
+
+  explicit ReceiveQuota(std::size_t max_bytes) : max_bytes_(max_bytes) {}
+
+  /// Returns false if the datagram exceeds the quota.
+  bool consume(std::size_t datagram_bytes) {
+    if (datagrams_ == kMaxDatagrams || datagram_bytes > max_bytes_ - bytes_) return false;
+    ++datagrams_;
+    bytes_ += datagram_bytes;
+    return true;
   }
 
-  ClientId client = kNobody;
+  void reset() {
+    datagrams_ = 0;
+    bytes_ = 0;
+  }
+
+ private:
+  std::size_t max_bytes_;
+  std::size_t bytes_ = 0;
+  int datagrams_ = 0;
+};
+
+struct Connection {
+  explicit Connection(std::size_t max_bytes_per_step = ReceiveQuota::kMaxPlayerBytes)
+      : quota(max_bytes_per_step) {
+    text_.reserve(kReplyCapacity);
+  }
+
+  ClientId client = kNoClient;
   int version = 0;
   std::unique_ptr<soccer::Channel> channel;
 
-  bool asked = false;  ///< to think, since the last step
-  bool done = false;   ///< since the last step
-  bool lost = false;   ///< the connection is gone; the client leaves after the commands
-  Allowance allowance;
+  bool think_sent = false;  ///< received (think) since the last step
+  bool done = false;        ///< sent (done) since the last step
+  bool lost = false;        ///< disconnected; removed after the next commands
+  ReceiveQuota quota;
 
   void begin_step() {
-    asked = done = false;
-    allowance.renew();
+    think_sent = done = false;
+    quota.reset();
   }
 
-  /// True if the client was asked to think and has not sent (done).
-  bool is_awaited() const { return asked && !done && !lost; }
+  /// True if the client received (think) and has not sent (done).
+  bool is_awaited() const { return think_sent && !done && !lost; }
 
   /// Sends one message; a failure marks the connection as lost.
   void send(std::string_view message) {
     if (!lost && !channel->send(message)) lost = true;
   }
 
-  /// Higher levels than this there are not.
-  static constexpr int kMostCompression = 9;
+  /// Highest zlib compression level.
+  static constexpr int kMaxCompressionLevel = 9;
 
-  /// Answers (compression LEVEL) and obeys it, if the channel can; a negative level ends it.
+  /// Replies to (compression LEVEL) and applies it if the channel can; a negative level turns
+  /// compression off.
   void compress(int level) {
     if (!channel->can_compress()) return reply(soccer::WarningCode::kCompressionUnsupported);
     reply(soccer::OkCompression{level});
     channel->compress(level);
   }
 
-  void reply(const soccer::ServerReply& answer) { send_formatted(answer); }
+  void reply(const soccer::ServerReply& reply) { send_formatted(reply); }
   void reply(soccer::ErrorCode code) { send_formatted(code); }
   void reply(soccer::WarningCode code) { send_formatted(code); }
 
@@ -92,7 +126,7 @@ struct Connection {
     send(text_);
   }
 
-  static constexpr std::size_t kUsualReply = 128;  ///< bytes
+  static constexpr std::size_t kReplyCapacity = 128;  ///< bytes
 
   std::string text_;  ///< reused
 };

@@ -1,4 +1,4 @@
-// Writing a running match into its logs.
+// Writes a running match to its game log, text log and keepaway log.
 #pragma once
 
 #include <optional>
@@ -7,18 +7,19 @@
 
 #include "base/io/byte_sink.h"
 #include "gamelog/rcg/rcg_writer.h"
+#include "gamelog/rcl/keepaway_log.h"
 #include "gamelog/rcl/rcl_writer.h"
 #include "gamelog/record/frame.h"
 #include "simulator/sessions/connection.h"
-#include "simulator/sessions/tile.h"
+#include "simulator/sessions/team_graphic.h"
 #include "simulator/world/world.h"
 
 namespace cls::simulator {
 
-/// The world as game logs show it.
-void describe(const World& world, gamelog::Frame& out);
+/// Converts the world to a frame of game logs and monitors.
+void to_frame(const World& world, gamelog::Frame& out);
 
-/// Where logs go; a null pointer means no such log. The sinks must outlive who writes.
+/// Destinations of logs; null for no log. The sinks must outlive the recorder.
 struct LogSinks {
   base::ByteSink* game = nullptr;  ///< rcg
   base::ByteSink* text = nullptr;  ///< rcl
@@ -26,45 +27,59 @@ struct LogSinks {
   gamelog::LogDate date = {};
 };
 
-/// Feeds the logs. With server::record_messages the game log holds words and commands too; one of
-/// version 1 always holds the referee's words.
+/// With server::record_messages the game log also contains messages and commands. A game log of
+/// version 1 always contains referee messages.
 class MatchRecorder {
  public:
-  /// Until now there is no log.
+  /// Starts recording.
   void begin(const LogSinks& sinks, const Rules& rules);
 
-  /// Every step, after it (simulation model 12.4). When the play mode has changed, the game log is
-  /// flushed.
+  /// Records the frame after a step (simulation model 12.4). Flushes the game log when the play
+  /// mode has changed.
   void step(const World& world);
 
-  /// What the client of that player, coach or trainer has sent.
+  /// Records a datagram of a player, coach or trainer.
   void command(const World& world, ClientId client, std::string_view text);
 
-  /// A coach's picture.
-  void tile(const World& world, const Tile& tile);
+  void tile(const World& world, const TeamGraphicTile& tile);
 
   void referee(Clock clock, std::string_view text);
 
-  /// True if said() does something.
-  bool hears() const { return rcg_ && records_messages_; }
+  /// True if message() has an effect.
+  bool records_messages() const { return rcg_ && record_messages_; }
 
-  /// What was said by a player, a coach or the trainer: `(SPEAKER WORDS)`.
-  void said(const World& world, Clock clock, std::string_view text);
+  /// Records a message of a player, a coach or the trainer: `(SPEAKER TEXT)`.
+  void message(const World& world, Clock clock, std::string_view text);
 
-  /// A player's new type, or a new goalie.
+  /// Records a new player type or a new goalie.
   void substitution(const World& world, Clock clock, std::string_view text);
 
-  /// The result; nothing may follow.
+  /// Records the result; must be the last call.
   void finish(const World& world);
 
  private:
   base::ByteSink* game_log_ = nullptr;
   std::optional<gamelog::RcgWriter> rcg_;
   std::optional<gamelog::RclWriter> rcl_;
-  bool records_messages_ = false;
-  bool records_referee_ = false;
+  bool record_messages_ = false;
+  bool record_referee_ = false;
   gamelog::Frame frame_;
   std::string text_;
+};
+
+/// Detects episodes in the referee state. Writes nothing unless the match is keepaway.
+class KeepawayRecorder {
+ public:
+  /// The sink must outlive the recorder.
+  explicit KeepawayRecorder(base::ByteSink& sink) : log_(sink) {}
+
+  /// Called after every step.
+  void step(const World& world);
+
+ private:
+  gamelog::KeepawayLogWriter log_;
+  int episode_ = 0;  ///< current episode
+  int start_ = 0;    ///< start of the episode; 0 for the first, as in rcssserver
 };
 
 }  // namespace cls::simulator

@@ -1,39 +1,45 @@
-// A cycle of the server: commands, step, senses, think.
+// Handshakes and the cycle of the match server: commands, step, senses, think.
 #include "simulator/sessions/match_server.h"
 
-#include <algorithm>
-#include <cstddef>
+#include <array>
 #include <numeric>
 #include <span>
 #include <utility>
+#include <variant>
 
 #include "simulator/actions/actions.h"
-#include "simulator/senses/body_sense.h"
-#include "simulator/senses/full_view.h"
+#include "simulator/sessions/handshake.h"
 #include "simulator/step.h"
 #include "simulator/world/roster.h"
-#include "soccer/messages/sense_body.h"
+#include "soccer/commands/connection_request.h"
 
 namespace cls::simulator {
 namespace {
 
-// Room for what a cycle may need, from the beginning: a cycle does not allocate.
-constexpr std::size_t kLongMessage = 8192;  // bytes
-constexpr std::size_t kLongWord = 64;       // of the referee
-constexpr std::size_t kManyEvents = 64;
+using soccer::ErrorCode;
 
-/// Rounds after which a see is due (simulation model 7.2).
-int view_interval(const View& view) {
-  const int width = static_cast<int>(view.width);
-  if (view.synchronous) return width + 1;
-  const int rounds = 2 << width;
-  return view.quality == soccer::ViewQuality::kHigh ? rounds : rounds / 2;
+// Initial capacities, so that a cycle does not allocate.
+constexpr std::size_t kRefereeMessageCapacity = 64;  // bytes
+constexpr std::size_t kEventCapacity = 64;
+
+// First version of players that must not send commands to the listening port.
+constexpr int kFirstStrictPlayerVersion = 8;
+
+/// Share of cycles with late coaches. rcssserver sends (think) to coaches last, and they answer
+/// fast: in 60 matches of helios-base they knew of 8 of 147 fouls in the cycle of the foul, and
+/// made 3.0 of 6 substitutions that depend on a message of the same cycle. This share gives the
+/// same numbers here.
+constexpr double kLateCoachesShare = 1.0 / 16.0;
+
+// Accepts the versions of gamelog::MonitorVersion, truncated to integers as in rcssserver; else 0.
+int monitor_version(double version) {
+  return version > -2.0 && version < 6.0 ? static_cast<int>(version) : 0;
 }
 
-/// On rcssserver coaches are asked last and answer fast: in 60 matches of helios-base they knew of
-/// 8 of 147 fouls in the cycle of the foul, and made 3.0 of 6 substitutions that need a word of the
-/// same cycle. With this share they make as many here.
-constexpr double kLateCoaches = 1.0 / 16.0;
+bool may_use_listening_port(const Connection& client) {
+  return is_monitor(client.client) ? client.version == kLenientMonitorVersion
+                                   : client.version < kFirstStrictPlayerVersion;
+}
 
 }  // namespace
 
@@ -45,24 +51,91 @@ base::Result<std::unique_ptr<MatchServer>> MatchServer::create(const MatchConfig
 
 MatchServer::MatchServer(std::shared_ptr<const Rules> rules, const MatchConfig& config)
     : world_(make_world(rules, config.seed)),
-      vision_(rules->server),
+      players_(rules->server),
       coaches_(rules->server),
       cycle_limit_(config.cycle_limit) {
-  see_.objects.reserve(soccer::kMaxObservations);
-  text_.reserve(kLongMessage);
-  referee_.text.reserve(kLongWord);
-  events_.reserve(kManyEvents);
-  heard_.reserve(soccer::kPlayersOnPitch);
+  referee_message_.text.reserve(kRefereeMessageCapacity);
+  events_.reserve(kEventCapacity);
 }
 
 void MatchServer::record(const LogSinks& sinks) { recorder_.begin(sinks, *world_.rules); }
+
+AdmissionResult MatchServer::admit(ListeningPort port, std::string_view datagram) {
+  if (port == ListeningPort::kOnlineCoaches || port == ListeningPort::kTrainers) {
+    return coaches_.admit(world_, port, datagram);
+  }
+  soccer::GameRequest request;
+  if (const auto error = soccer::parse(datagram, request)) return *error;
+  if (const auto* init = std::get_if<soccer::MonitorInit>(&request)) return admit_monitor(*init);
+  if (port == ListeningPort::kMonitors) return ErrorCode::kUnknownCommand;
+  if (const auto* init = std::get_if<soccer::PlayerInit>(&request)) {
+    return PlayerRegistry::admit(world_, *init);
+  }
+  return PlayerRegistry::admit(world_, std::get<soccer::PlayerReconnect>(request));
+}
+
+AdmissionResult MatchServer::admit_monitor(const soccer::MonitorInit& init) {
+  const int version = monitor_version(init.version);
+  if (version == 0) return ErrorCode::kIllegalClientVersion;
+  const auto id = monitors_.admit(world_.params().max_monitors);
+  if (!id) return ErrorCode::kNoMoreMonitor;
+  return Admission{*id, version, false,
+                   gamelog::is_binary(static_cast<gamelog::MonitorVersion>(version))};
+}
+
+void MatchServer::complete_handshake(const Admission& admission,
+                                     std::unique_ptr<soccer::Channel> channel,
+                                     std::string_view request) {
+  if (is_monitor(admission.client)) {
+    monitors_.connect(admission.client, admission.version, std::move(channel), *world_.rules);
+    return;
+  }
+  recorder_.command(world_, admission.client, request);
+  if (!is_player(admission.client)) return connect_coach(admission, std::move(channel));
+  PlayerSession& session = players_.connect(world_, admission, std::move(channel));
+  if (!admission.reconnected && admission.version >= kFirstSynchronousVersion) {
+    execute(session, soccer::SynchSee{});
+  }
+}
+
+void MatchServer::connect_coach(const Admission& admission,
+                                std::unique_ptr<soccer::Channel> channel) {
+  CoachSession& coach = coaches_.connect(world_, admission, std::move(channel));
+  if (coach.is_trainer()) return;
+  for (Slot slot = 0; slot < soccer::kPlayersOnPitch; ++slot) {
+    if (players_.session(slot) == nullptr) continue;
+    const soccer::Clang& versions = players_.clang_versions(slot);
+    if (versions.min_version != 0 || versions.max_version != 0) send_clang_versions(coach, slot);
+  }
+  send_coach_file(world_, coach);
+}
+
+void MatchServer::cancel(const Admission& admission) {
+  if (is_player(admission.client)) leave(world_, admission.client);
+}
 
 Connection* MatchServer::connection(ClientId client) {
   if (is_player(client)) return session(client);
   return is_monitor(client) ? monitors_.connection(client) : coaches_.session(client);
 }
 
-void MatchServer::arrange(const std::function<void(World&, Events&)>& change) {
+void MatchServer::mark_lost(ClientId id) {
+  if (Connection* client = connection(id)) client->lost = true;
+}
+
+void MatchServer::disconnect_all() {
+  players_.disconnect_all();
+  coaches_.disconnect_all();
+  monitors_.disconnect_all();
+}
+
+void MatchServer::remove_lost() {
+  players_.remove_lost(world_);
+  coaches_.remove_lost();
+  monitors_.remove_lost();
+}
+
+void MatchServer::modify_world(const std::function<void(World&, Events&)>& change) {
   change(world_, events_);
   dispatch_events();
 }
@@ -70,11 +143,13 @@ void MatchServer::arrange(const std::function<void(World&, Events&)>& change) {
 void MatchServer::receive(ClientId id, std::string_view datagram, bool null_terminated) {
   Connection* client = connection(id);
   if (client == nullptr) return;
-  if (!client->allowance.take(datagram.size())) {
-    // Whoever floods us must not make the others wait for its (done) as well.
+  if (!client->quota.consume(datagram.size())) {
+    // A client that floods the server must not delay the others by its missing (done).
     if (datagram.find("(done)") != std::string_view::npos) client->done = true;
   } else if (is_monitor(id)) {
-    obey_monitor(id, datagram, null_terminated);
+    const std::string reply = monitors_.execute(world_, id, datagram, null_terminated, events_);
+    dispatch_events();
+    if (!reply.empty()) monitors_.send(id, world_.clock, reply);
   } else if (is_player(id)) {
     if (session(id)->inbox.add(datagram, null_terminated)) client->done = true;
   } else {
@@ -83,19 +158,19 @@ void MatchServer::receive(ClientId id, std::string_view datagram, bool null_term
   }
 }
 
-void MatchServer::lose(ClientId id) {
-  if (Connection* client = connection(id)) client->lost = true;
-}
-
-void MatchServer::disconnect_all() {
-  for (auto& client : sessions_) client.reset();
-  coaches_.disconnect_all();
-  monitors_.disconnect_all();
-}
-
-int MatchServer::connected() const {
-  return static_cast<int>(std::count_if(sessions_.begin(), sessions_.end(),
-                                        [](const auto& client) { return client != nullptr; }));
+void MatchServer::receive_on_listening_port(ClientId id, std::string_view datagram,
+                                            bool null_terminated) {
+  Connection* client = connection(id);
+  if (client == nullptr) return;
+  if (may_use_listening_port(*client)) return receive(id, datagram, null_terminated);
+  if (!client->quota.consume(datagram.size())) return;
+  std::string error;
+  soccer::format(ErrorCode::kOnlyInitAllowedOnInitPort, error);
+  if (is_monitor(id)) {
+    monitors_.send(id, world_.clock, error);
+  } else {
+    client->send(error);
+  }
 }
 
 void MatchServer::execute() {
@@ -106,47 +181,49 @@ void MatchServer::execute() {
 void MatchServer::execute_players() {
   std::array<Slot, soccer::kPlayersOnPitch> order;
   std::iota(order.begin(), order.end(), 0);
-  stream("command order", 0).shuffle(std::span<Slot>(order));
+  clock_stream(world_, "command order", 0).shuffle(std::span<Slot>(order));
   for (const Slot slot : order) {
-    if (Session* client = session(slot)) execute(*client);
+    if (PlayerSession* player = session(slot)) execute(*player);
   }
   remove_lost();
 }
 
 void MatchServer::execute_coaches() {
-  std::array<ClientId, 2> coach_order = {kLeftCoach, kRightCoach};
-  stream("coach order", 0).shuffle(std::span<ClientId>(coach_order));
-  for (const ClientId client : {coach_order[0], coach_order[1], kTrainer}) {
+  std::array<ClientId, 2> order = {kLeftCoach, kRightCoach};
+  clock_stream(world_, "coach order", 0).shuffle(std::span<ClientId>(order));
+  for (const ClientId client : {order[0], order[1], kTrainer}) {
     if (CoachSession* coach = coaches_.session(client)) execute(*coach);
   }
   remove_lost();
 }
 
-void MatchServer::execute(Session& client) {
-  for (std::size_t i = 0; i < client.inbox.size() && !client.lost; ++i) {
-    const Inbox::Datagram& datagram = client.inbox[i];
-    recorder_.command(world_, client.client, datagram.text);
-    if (!datagram.null_terminated) client.reply(soccer::WarningCode::kMessageNotNullTerminated);
-    for (std::size_t k = datagram.first; k < datagram.last && !client.lost; ++k) {
-      execute(client, client.inbox.commands()[k]);
+void MatchServer::execute(PlayerSession& session) {
+  for (std::size_t i = 0; i < session.inbox.size() && !session.lost; ++i) {
+    const PlayerInbox::Datagram& datagram = session.inbox[i];
+    recorder_.command(world_, session.client, datagram.text);
+    if (!datagram.null_terminated) session.reply(soccer::WarningCode::kMessageNotNullTerminated);
+    for (std::size_t k = datagram.first; k < datagram.last && !session.lost; ++k) {
+      execute(session, session.inbox.commands()[k]);
     }
-    if (!datagram.complete) client.reply(soccer::ErrorCode::kIllegalCommandForm);
+    if (!datagram.complete) session.reply(ErrorCode::kIllegalCommandForm);
   }
-  client.inbox.clear();
+  session.inbox.clear();
 }
 
-void MatchServer::execute(Session& client, const soccer::PlayerCommand& command) {
+void MatchServer::execute(PlayerSession& session, const soccer::PlayerCommand& command) {
   if (std::holds_alternative<soccer::Bye>(command)) {
-    leave(world_, client.slot());
-    client.lost = true;
-  } else if (std::holds_alternative<soccer::AskSenseBody>(command)) {
-    send_sense_body(client);
+    leave(world_, session.slot());
+    session.lost = true;
+  } else if (std::holds_alternative<soccer::RequestSenseBody>(command)) {
+    players_.send_sense_body(world_, session);
   } else if (const auto* clang = std::get_if<soccer::Clang>(&command)) {
-    declare(client, *clang);
+    declare_clang_versions(session, *clang);
   } else if (const auto* compression = std::get_if<soccer::Compression>(&command)) {
-    if (compression->level <= Connection::kMostCompression) client.compress(compression->level);
-  } else if (auto answer = apply(world_, client.slot(), command, events_)) {
-    client.reply(*answer);
+    if (compression->level <= Connection::kMaxCompressionLevel) {
+      session.compress(compression->level);
+    }
+  } else if (auto reply = apply(world_, session.slot(), command, events_)) {
+    session.reply(*reply);
   }
   dispatch_events();
 }
@@ -156,69 +233,50 @@ void MatchServer::execute(CoachSession& coach) {
     if (coach.lost) break;
     recorder_.command(world_, coach.client, datagram.text);
     if (!datagram.null_terminated) coach.reply(soccer::WarningCode::kMessageNotNullTerminated);
-    const CoachOutcome outcome = coaches_.execute(world_, coach, datagram, events_);
+    const CoachCommandResult result = coaches_.execute(world_, coach, datagram, events_);
     dispatch_events();
-    if (outcome.words) tell_words(*outcome.words);
-    if (outcome.tile) {
-      recorder_.tile(world_, *outcome.tile);
-      monitors_.add(*outcome.tile);
+    if (result.message) send_coach_message(*result.message);
+    if (result.tile) {
+      recorder_.tile(world_, *result.tile);
+      monitors_.add_tile(*result.tile);
     }
-    if (outcome.reply) coach.reply(*outcome.reply);
+    if (result.reply) coach.reply(*result.reply);
   }
   coach.inbox.clear();
 }
 
-void MatchServer::remove_lost() {
-  for (auto& client : sessions_) {
-    if (client == nullptr || !client->lost) continue;
-    Player& player = world_.player(client->slot());
-    if (player.enabled) leave(world_, player.slot());
-    player.state &= ~state::kDiscard;  // shown until the connection is closed
-    client.reset();
-  }
-  coaches_.remove_lost();
-  monitors_.remove_lost();
+void MatchServer::declare_clang_versions(PlayerSession& session, const soccer::Clang& versions) {
+  const Slot slot = session.slot();
+  players_.clang_versions(slot) = versions;
+  session.reply(soccer::OkClang{versions.min_version, versions.max_version});
+  const ClientId coach = soccer::side_of_slot(slot) == Side::kLeft ? kLeftCoach : kRightCoach;
+  if (coaches_.session(coach) != nullptr) send_clang_versions(*coaches_.session(coach), slot);
 }
 
 void MatchServer::step() {
   see(world_.params().simulator_step - 1);
-  for (auto& client : sessions_) {
-    if (client != nullptr) client->begin_step();
-  }
+  players_.begin_step();
   monitors_.begin_step();
-  coach_words_.clear();
-  coaches_.begin_step(world_, coach_words_);
-  for (const CoachWords& words : coach_words_) tell_words(words);
+  coach_messages_.clear();
+  coaches_.begin_step(world_, coach_messages_);
+  for (const CoachMessage& message : coach_messages_) send_coach_message(message);
   simulator::step(world_, events_);
   dispatch_events();
   coaches_.end_step(world_);
   recorder_.step(world_);
-  monitors_.show(world_);
+  monitors_.send_frame(world_);
   finish_step(world_, events_);
   dispatch_events();
-  ++steps_;
-  saw_ = false;
+  players_.end_step();
 }
 
 void MatchServer::sense() {
-  for (auto& client : sessions_) {
-    if (client == nullptr || !world_.player(client->slot()).enabled) continue;
-    Player& player = world_.player(client->slot());
-    send_sense_body(*client);
-    player.contacts = {};
-    if (has_full_state(world_, player)) send_full_state(*client);
-    send_hearing(*client);
-  }
+  players_.send_senses(world_);
   see(0);
   coaches_.send_views(world_);
 }
 
-void MatchServer::see(int ms) {
-  asynchronous_rounds(ms);
-  if (saw_ || ms < world_.params().synch_see_offset) return;
-  view_round(true);
-  saw_ = true;
-}
+void MatchServer::see(int ms) { players_.send_due_sees(world_, ms); }
 
 void MatchServer::think() {
   think_players();
@@ -227,23 +285,13 @@ void MatchServer::think() {
 
 void MatchServer::think_players() {
   see(world_.params().synch_offset);
-  text_.clear();
-  soccer::format(soccer::ServerReply(soccer::Think{}), text_);
-  for (auto& client : sessions_) {
-    if (client == nullptr || !world_.player(client->slot()).enabled) continue;
-    client->send(text_);
-    client->asked = true;
-  }
+  players_.send_think(world_);
 }
 
-void MatchServer::think_coaches() {
-  text_.clear();
-  soccer::format(soccer::ServerReply(soccer::Think{}), text_);
-  coaches_.ask(text_);
-}
+void MatchServer::think_coaches() { coaches_.send_think(); }
 
 bool MatchServer::coaches_are_late() const {
-  return stream("late coaches", 0).bernoulli(kLateCoaches);
+  return clock_stream(world_, "late coaches", 0).bernoulli(kLateCoachesShare);
 }
 
 bool MatchServer::awaits(ClientId client) const {
@@ -251,11 +299,11 @@ bool MatchServer::awaits(ClientId client) const {
     const CoachSession* coach = coaches_.session(client);
     return coach != nullptr && coach->is_awaited();
   }
-  const auto& player = sessions_[static_cast<std::size_t>(client)];
+  const PlayerSession* player = players_.session(client);
   return player != nullptr && player->is_awaited() && world_.player(client).enabled;
 }
 
-bool MatchServer::awaits_anybody() const {
+bool MatchServer::awaits_any_client() const {
   for (ClientId client = 0; client < kFirstMonitor; ++client) {
     if (awaits(client)) return true;
   }
@@ -269,33 +317,6 @@ bool MatchServer::awaits_coaches() const {
 bool MatchServer::finished() const {
   if (world_.mode == PlayMode::kTimeOver) return true;
   return cycle_limit_ && world_.clock.time >= *cycle_limit_;
-}
-
-void MatchServer::finish() { recorder_.finish(world_); }
-
-void MatchServer::view_round(bool synchronous) {
-  for (auto& client : sessions_) {
-    if (client == nullptr) continue;
-    const Player& player = world_.player(client->slot());
-    if (!player.enabled || player.view.synchronous != synchronous) continue;
-    if (++client->view_rounds < view_interval(player.view)) continue;
-    client->view_rounds = 0;
-    send_see(*client);
-  }
-}
-
-void MatchServer::asynchronous_rounds(int until_ms) {
-  // In virtual time; a round falls due every quarter of send_step, not always a whole millisecond.
-  const std::int64_t now = steps_ * world_.params().simulator_step + until_ms;
-  const std::int64_t due = now * 4 / world_.params().send_step;
-  for (; asynchronous_rounds_ < due; ++asynchronous_rounds_) view_round(false);
-}
-
-RandomStream MatchServer::stream(std::string_view purpose, Slot slot) const {
-  const auto time = static_cast<std::uint64_t>(world_.clock.time);
-  const auto stoppage = static_cast<std::uint64_t>(world_.clock.stoppage);
-  return RandomStream(world_.seed, purpose, static_cast<std::uint64_t>(slot),
-                      (time << 32) | stoppage);
 }
 
 }  // namespace cls::simulator

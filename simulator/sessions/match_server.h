@@ -1,32 +1,25 @@
-// A match and the clients connected to it, whatever carries their messages and drives the clock.
+// A match and its clients, independent of transport and wall clock.
 #pragma once
 
-#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <variant>
 #include <vector>
 
 #include "base/io/byte_sink.h"
 #include "base/result.h"
-#include "simulator/senses/vision.h"
-#include "simulator/sessions/coaches.h"
+#include "simulator/sessions/coach_registry.h"
 #include "simulator/sessions/connection.h"
 #include "simulator/sessions/match_recorder.h"
-#include "simulator/sessions/monitor_desk.h"
-#include "simulator/sessions/session.h"
+#include "simulator/sessions/monitor_registry.h"
+#include "simulator/sessions/player_registry.h"
 #include "simulator/world/event.h"
 #include "simulator/world/world.h"
 #include "soccer/channel.h"
-#include "soccer/commands/connection_request.h"
-#include "soccer/commands/monitor_command.h"
-#include "soccer/messages/full_state.h"
-#include "soccer/messages/server_reply.h"
-#include "soccer/protocol/reply_code.h"
 
 namespace cls::simulator {
 
@@ -35,178 +28,150 @@ struct MatchConfig {
   soccer::PlayerParams player;
   std::uint64_t seed = 0;
 
-  /// Ends the match when game time reaches this; otherwise it ends with time_over.
+  /// Game time at which the match ends; otherwise it ends with time_over.
   std::optional<int> cycle_limit;
 };
 
-/// The server without its network: who plays, what they sent, what they are told, what is logged.
-/// A driver calls, for every cycle: receive() for each datagram, then execute(), step(), sense(),
-/// think(). Draws of its own (order of execution, senses) come from streams keyed by seed, clock
-/// and player, so that a client that joins or leaves changes nothing for the others.
+/// The soccer server without its network: world, clients and logs. A driver (LockstepServer,
+/// UdpServer) calls in every cycle receive() for each datagram, then execute(), step(), sense() and
+/// think(). Random draws of the server use clock_stream(), so that a client that connects or leaves
+/// changes no draws of others.
 class MatchServer {
  public:
-  static constexpr std::size_t kMostClients =
-      static_cast<std::size_t>(kFirstMonitor) + MonitorDesk::kMostMonitors;
+  static constexpr std::size_t kMaxClients =
+      static_cast<std::size_t>(kFirstMonitor) + MonitorRegistry::kMaxMonitors;
 
-  /// The error names the parameter that makes no match.
+  /// The error names the invalid parameter.
   static base::Result<std::unique_ptr<MatchServer>> create(const MatchConfig& config);
 
-  /// Writes logs from now on. Call before anybody connects. The sinks must live until the server is
-  /// gone.
+  /// Starts writing logs. Call before any client connects. The sinks must outlive the server.
   void record(const LogSinks& sinks);
   void record(base::ByteSink* game_log, base::ByteSink* text_log) {
     record(LogSinks{.game = game_log, .text = text_log});
   }
 
-  /// Reads a connection request. On success the client takes part from now on, and greet() must
-  /// follow; else the error to answer with.
-  std::variant<Admission, soccer::ErrorCode> admit(Door door, std::string_view datagram);
+  // Handshake and disconnection of clients.
 
-  /// Gives the admitted client its channel and sends all that follows an init (protocol 2.1).
-  void greet(const Admission& admission, std::unique_ptr<soccer::Channel> channel,
-             std::string_view request);
+  /// Handles a connection request; returns an error to reply with if it is refused. An accepted
+  /// client belongs to the match, and complete_handshake() or cancel() must follow.
+  AdmissionResult admit(ListeningPort port, std::string_view datagram);
 
-  /// Instead of greet(), when the admitted client cannot be reached after all.
-  void withdraw(const Admission& admission);
+  /// Connects the admitted client and sends the reply and the parameters (protocol 2.1).
+  void complete_handshake(const Admission& admission, std::unique_ptr<soccer::Channel> channel,
+                          std::string_view request);
 
-  /// Changes the world as a trainer may, between cycles; what happens by it is told to everybody.
-  void arrange(const std::function<void(World&, Events&)>& change);
+  /// Undoes admit() if the client cannot be reached.
+  void cancel(const Admission& admission);
 
-  /// Keeps what a player, coach or trainer sent until execute(); obeys a monitor at once. What is
-  /// beyond the client's Allowance is dropped.
-  void receive(ClientId id, std::string_view datagram, bool null_terminated = true);
+  /// Marks a client as disconnected: a player leaves the pitch in the next execute().
+  void mark_lost(ClientId id);
 
-  /// A client that is in has sent this to the door again. Old versions may; others are told that
-  /// it is for requests only.
-  void receive_at_door(ClientId id, std::string_view datagram, bool null_terminated);
-
-  /// What monitors send has no effect on the match from now on, so that it stays repeatable.
-  void let_monitors_only_watch() { monitors_only_watch_ = true; }
-
-  /// The client is gone: a player leaves the pitch at the next execute().
-  void lose(ClientId id);
-
-  /// Drops all connections at once, without a word; the world stays as it is.
+  /// Drops all connections immediately without notifying clients; the world stays unchanged.
   void disconnect_all();
 
-  /// Players with a connection.
-  int connected() const;
+  /// Number of connected players.
+  int connected() const { return players_.connected(); }
 
-  /// The session of a connected player, else null.
-  Session* session(Slot slot) { return sessions_[static_cast<std::size_t>(slot)].get(); }
-
-  /// A client of any kind, else null.
+  // Clients; null if not connected.
+  PlayerSession* session(Slot slot) { return players_.session(slot); }
   Connection* connection(ClientId client);
+  const CoachRegistry& coaches() const { return coaches_; }
 
-  const Coaches& coaches() const { return coaches_; }
+  // Input.
 
-  /// Executes what was received: clients in an order drawn for this cycle, the datagrams of each
-  /// in order of arrival. Replies, and what others hear of it, go out at once.
+  /// Stores a datagram of a player, coach or trainer until execute(); executes one of a monitor
+  /// immediately. Drops what exceeds the client's ReceiveQuota.
+  void receive(ClientId id, std::string_view datagram, bool null_terminated = true);
+
+  /// Handles a datagram that a connected client sent to the listening port. Old versions may do so;
+  /// others receive an error.
+  void receive_on_listening_port(ClientId id, std::string_view datagram, bool null_terminated);
+
+  /// Ignores commands of monitors from now on, so that the match stays reproducible.
+  void make_monitors_read_only() { monitors_.make_read_only(); }
+
+  /// Changes the world between cycles, as a trainer may, and sends the resulting events.
+  void modify_world(const std::function<void(World&, Events&)>& change);
+
+  // The parts of a cycle, in this order.
+
+  /// Executes the received commands: clients in an order drawn for this cycle, datagrams in order
+  /// of arrival. Replies and messages to other clients are sent immediately.
   void execute();
 
-  // The two halves of it, for a driver that asks coaches in between.
+  // The two halves of execute(), for a driver that sends (think) to coaches in between.
   void execute_players();
   void execute_coaches();
 
-  /// One simulation step, logged; the referee's words go out.
+  /// Runs and logs one simulation step and sends the referee messages.
   void step();
 
-  /// sense_body, fullstate, what was heard, see and see_global, to everybody who is due at the step
-  /// itself.
+  /// Sends sense_body, fullstate, hear, see and see_global messages that are due at the step.
   void sense();
 
-  /// The see messages that fall due until `ms` after the step, in the time of the match.
+  /// Sends the see messages that are due until `ms` after the step, in match time.
   void see(int ms);
 
-  /// In synchronous mode: (think), and the see messages that fall before it. Coaches and the
-  /// trainer are asked if their eyes are open.
+  /// In synchronous mode: sends (think), after the see messages that are due before it. Coaches and
+  /// trainer receive it if eye is on.
   void think();
   void think_players();
   void think_coaches();
 
-  /// Whether coaches and trainer come to think in this cycle only after what players say and do in
-  /// it, drawn from the seed. With programs that race each other that happens now and then.
+  /// True if coaches and trainer receive (think) in this cycle only after the players' commands
+  /// were executed. Drawn from the seed: on rcssserver the race between clients has this result at
+  /// times.
   bool coaches_are_late() const;
 
-  /// True while a client who was asked to think has not sent (done).
+  /// True while the client has received (think) and not sent (done).
   bool awaits(ClientId client) const;
-  bool awaits_anybody() const;
-  bool awaits_coaches() const;  ///< or the trainer
+  bool awaits_any_client() const;
+  bool awaits_coaches() const;  ///< online coaches or trainer
 
-  /// Time over, or the cycle limit is reached.
+  /// True after time_over or at the cycle limit.
   bool finished() const;
 
-  /// Writes the result into the game log. Once, when no step will follow.
-  void finish();
+  /// Writes the result to the game log; call once, after the last step.
+  void finish() { recorder_.finish(world_); }
 
   const World& world() const { return world_; }
 
  private:
   explicit MatchServer(std::shared_ptr<const Rules> rules, const MatchConfig& config);
 
-  std::variant<Admission, soccer::ErrorCode> admit_player(const soccer::PlayerInit& init);
-  std::variant<Admission, soccer::ErrorCode> readmit_player(const soccer::PlayerReconnect& request);
-  std::optional<Side> side_for(std::string_view name);
-  void greet_player(const Admission& admission, std::unique_ptr<soccer::Channel> channel);
-  void greet_coach(const Admission& admission, std::unique_ptr<soccer::Channel> channel);
-  std::variant<Admission, soccer::ErrorCode> admit_monitor(const soccer::MonitorInit& init);
+  AdmissionResult admit_monitor(const soccer::MonitorInit& init);
+  void connect_coach(const Admission& admission, std::unique_ptr<soccer::Channel> channel);
 
-  void obey_monitor(ClientId id, std::string_view datagram, bool null_terminated);
-  void obey_as_trainer(ClientId id, std::string_view datagram);
-  void compress_monitor(Connection& monitor, int level);
-  void execute(Session& session);
-  void execute(Session& session, const soccer::PlayerCommand& command);
+  void execute(PlayerSession& session);
+  void execute(PlayerSession& session, const soccer::PlayerCommand& command);
   void execute(CoachSession& coach);
-  void declare(Session& session, const soccer::Clang& versions);
-  void tell_coach(CoachSession& coach, Slot player);
+  void declare_clang_versions(PlayerSession& session, const soccer::Clang& versions);
   void remove_lost();
+
+  // Events and messages (match_events.cpp).
   void dispatch_events();
   void dispatch(const Event& event);
-  void tell_referee(Clock clock, const RefereeSaid& said);
-  void tell_said(Clock clock, const PlayerSaid& said);
-  void tell_words(const CoachWords& words);
-  void tell_substitution(Clock clock, Side side, int unum, const std::string& what);
-  void tell_type(Clock clock, const TypeChanged& change);
-  void tell_goalie(Clock clock, const GoalieAppointed& change);
-  std::string speaker_name(Slot slot) const;
+  void send_referee_message(Clock clock, const RefereeMessage& message);
+  void send_say(Clock clock, const PlayerSaid& said);
+  void send_coach_message(const CoachMessage& message);
+  void send_type_change(Clock clock, const TypeChanged& change);
+  void send_goalie_change(Clock clock, const GoalieAppointed& change);
+  void send_clang_versions(CoachSession& coach, Slot player);
+  void record_substitution(Clock clock, Side side, int unum, const std::string& what);
   bool monitors_hear() const;
-  bool audience_hears() const { return monitors_hear() || recorder_.hears(); }
-  void tell_audience(Clock clock, std::string_view speaker, std::string_view words);
-  void tell_audience(Clock clock, const CoachWords& words);
-  void broadcast(std::string_view message);
-
-  void send_sense_body(Session& session);
-  void send_full_state(Session& session);
-  void send_hearing(Session& session);
-  void send_see(Session& session);
-  void view_round(bool synchronous);
-  void asynchronous_rounds(int until_ms);
-
-  /// A stream for one player's draws at this clock.
-  RandomStream stream(std::string_view purpose, Slot slot) const;
+  void record_message(Clock clock, std::string_view speaker, std::string_view text);
 
   World world_;
-  VisionModel vision_;
   MatchRecorder recorder_;
-  std::array<std::unique_ptr<Session>, soccer::kPlayersOnPitch> sessions_;
-  /// Coach language versions that the players have declared.
-  std::array<soccer::Clang, soccer::kPlayersOnPitch> clang_versions_ = {};
-  Coaches coaches_;
-  MonitorDesk monitors_;
-  bool monitors_only_watch_ = false;
+  PlayerRegistry players_;
+  CoachRegistry coaches_;
+  MonitorRegistry monitors_;
   std::optional<int> cycle_limit_;
-  std::int64_t steps_ = 0;
-  std::int64_t asynchronous_rounds_ = 0;
-  bool saw_ = true;  ///< since the last step, those with synch_see
 
   // Reused, so that a cycle does not allocate.
   Events events_;
-  std::string text_;
-  soccer::See see_;
-  soccer::Hear referee_;  ///< its last words
-  soccer::FullState full_state_;
-  std::vector<soccer::Hear> heard_;
-  std::vector<CoachWords> coach_words_;
+  soccer::Hear referee_message_;
+  std::vector<CoachMessage> coach_messages_;
 };
 
 }  // namespace cls::simulator

@@ -1,36 +1,38 @@
-// One connected player as the server keeps it beside the world.
+// Sessions of connected players and coaches, and their inboxes of received commands.
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "simulator/senses/hearing.h"
 #include "simulator/sessions/connection.h"
+#include "soccer/commands/coach_command.h"
 #include "soccer/commands/player_command.h"
 
 namespace cls::simulator {
 
-/// What a client has sent since its commands were last executed. Parsed on arrival, so that
-/// (done) is known at once; memory is reused.
-class Inbox {
+/// Datagrams of a player since its commands were last executed. They are parsed on arrival, so that
+/// (done) is known immediately. Memory is reused.
+class PlayerInbox {
  public:
-  /// One datagram: its text, its commands as a range of `commands()`, and what was wrong with it.
+  /// One datagram; its commands are the range [first, last) of commands().
   struct Datagram {
     std::string text;
     std::size_t first = 0;
     std::size_t last = 0;
     bool complete = true;         ///< no syntax error
-    bool null_terminated = true;  ///< as it should be on a network
+    bool null_terminated = true;  ///< as required on a network
   };
 
-  Inbox() {
-    datagrams_.reserve(kUsualDatagrams);
-    commands_.reserve(kUsualCommands);
+  PlayerInbox() {
+    datagrams_.reserve(kDatagramCapacity);
+    commands_.reserve(kCommandCapacity);
   }
 
-  /// True if (done) or (bye) is among the commands: there is nothing more to wait for.
+  /// Returns true if the commands include (done) or (bye): the server need not wait any longer.
   bool add(std::string_view text, bool null_terminated);
 
   std::size_t size() const { return count_; }
@@ -39,22 +41,67 @@ class Inbox {
   void clear();
 
  private:
-  // Room from the beginning for what players send in a cycle.
-  static constexpr std::size_t kUsualSize = 512;  ///< of a datagram, in bytes
-  static constexpr std::size_t kUsualDatagrams = 8;
-  static constexpr std::size_t kUsualCommands = 32;
+  // Initial capacity, enough for the usual commands of a cycle.
+  static constexpr std::size_t kTextCapacity = 512;  ///< of a datagram, in bytes
+  static constexpr std::size_t kDatagramCapacity = 8;
+  static constexpr std::size_t kCommandCapacity = 32;
 
   std::vector<Datagram> datagrams_;
   std::size_t count_ = 0;
   std::vector<soccer::PlayerCommand> commands_;
 };
 
-struct Session : Connection {
+struct PlayerSession : Connection {
   Slot slot() const { return client; }
 
-  Inbox inbox;
-  int view_rounds = 0;  ///< since the last see
-  Hearing hearing;
+  PlayerInbox inbox;
+  int view_rounds = 0;  ///< since the last see message
+  PendingMessages pending;
+};
+
+/// Datagrams of a coach or trainer since its commands were last executed: one command per datagram,
+/// parsed on arrival.
+class CoachInbox {
+ public:
+  struct Datagram {
+    std::string text;
+    soccer::CoachCommand command;
+    std::optional<soccer::ErrorCode> error;  ///< `command` is then a TeamGraphic or unset
+    bool null_terminated = true;
+  };
+
+  /// Returns true if the command is (done) or (bye).
+  bool add(std::string_view text, bool null_terminated, soccer::CoachRole role);
+
+  const std::vector<Datagram>& datagrams() const { return datagrams_; }
+  void clear() { datagrams_.clear(); }
+
+ private:
+  std::vector<Datagram> datagrams_;
+};
+
+struct CoachSession : Connection {
+  CoachSession() : Connection(ReceiveQuota::kMaxCoachBytes) {}
+
+  bool is_trainer() const { return client == kTrainer; }
+  soccer::CoachRole role() const {
+    return is_trainer() ? soccer::CoachRole::kTrainer : soccer::CoachRole::kOnlineCoach;
+  }
+  /// Neutral for the trainer.
+  Side side() const {
+    if (is_trainer()) return Side::kNeutral;
+    return client == kLeftCoach ? Side::kLeft : Side::kRight;
+  }
+  /// Form of its hear messages.
+  soccer::Recipient recipient() const {
+    return is_trainer() ? soccer::Recipient::kTrainer : soccer::Recipient::kOnlineCoach;
+  }
+
+  bool eye = false;  ///< receives see_global in every cycle
+  bool ear = false;  ///< the trainer receives hear messages; online coaches always do
+  CoachInbox inbox;
+
+  bool hears() const { return !is_trainer() || ear; }
 };
 
 }  // namespace cls::simulator

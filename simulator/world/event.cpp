@@ -1,12 +1,12 @@
-// The referee's words as text.
+// Formats referee messages.
 #include "simulator/world/event.h"
 
 #include "base/text/number_text.h"
 
 namespace cls::simulator {
 
-void RefereeSaid::append_to(std::string& out) const {
-  out += word;
+void RefereeMessage::append_to(std::string& out) const {
+  out += name;
   if (side != Side::kNeutral) {
     out += '_';
     out += letter(side);
@@ -17,7 +17,7 @@ void RefereeSaid::append_to(std::string& out) const {
   }
 }
 
-std::string RefereeSaid::text() const {
+std::string RefereeMessage::text() const {
   std::string result;
   append_to(result);
   return result;

@@ -1,4 +1,4 @@
-// What happened in the world that others must be told, in order.
+// Events of a step, in order, for messages, logs and sessions.
 #pragma once
 
 #include <optional>
@@ -12,56 +12,56 @@
 
 namespace cls::simulator {
 
-/// The referee says something: a mode string (never goal_l or goal_r) or a word such as goal_l_1
-/// (9.18). Everybody hears it at once.
-struct RefereeSaid {
-  std::string_view word;        ///< a literal or the name of a mode: it is never freed
-  Side side = Side::kNeutral;   ///< follows as a letter, unless neutral: penalty_foul_l
-  std::optional<int> number{};  ///< follows that: goal_l_1, yellow_card_r_7
+/// A referee message to all clients: the name of a play mode (never goal_l or goal_r) or a call
+/// such as goal_l_1 (9.18). All clients hear it immediately.
+struct RefereeMessage {
+  std::string_view name;        ///< static storage: a literal or the name of a play mode
+  Side side = Side::kNeutral;   ///< appended as a letter unless neutral: penalty_foul_l
+  std::optional<int> number{};  ///< appended last: goal_l_1, yellow_card_r_7
 
   void append_to(std::string& out) const;
   std::string text() const;
 };
 
-/// Comes before the RefereeSaid with the mode's name.
+/// Precedes the RefereeMessage with the name of the mode.
 struct ModeChanged {
   PlayMode mode = PlayMode::kNull;
 };
 
-/// A player's say command; `position` is where the speaker stood.
+/// A player's say command; `position` is the speaker's at that time.
 struct PlayerSaid {
-  Slot speaker = kNobody;
+  Slot speaker = kNoPlayer;
   Vec2 position;
   std::string text;
 };
 
-/// The player has got this type: by a coach, or by itself at the first kick-off.
+/// The player received this type: from a coach, or automatically at the first kick-off.
 struct TypeChanged {
   Side side = Side::kLeft;
   int unum = 0;
   int type = 0;
 };
 
-/// A coach made this player the goalie.
+/// A coach appointed this player goalie.
 struct GoalieAppointed {
   Side side = Side::kLeft;
   int unum = 0;
 };
 
-/// The player was sent off; its connection ends.
+/// The player was sent off; the server closes its connection.
 struct SentOff {
-  Slot slot = kNobody;
+  Slot slot = kNoPlayer;
 };
 
 struct Event {
-  Clock clock;  ///< when it happened; the clock of the step may have moved on since
-  std::variant<RefereeSaid, ModeChanged, PlayerSaid, TypeChanged, GoalieAppointed, SentOff> what;
+  Clock clock;  ///< time of the event; the clock may advance later in the same step
+  std::variant<RefereeMessage, ModeChanged, PlayerSaid, TypeChanged, GoalieAppointed, SentOff> what;
 };
 
-/// The simulator appends; whoever drives it reads and clears.
+/// The simulator appends; the caller reads and clears.
 using Events = std::vector<Event>;
 
-/// Appends what has just happened.
+/// Appends an event at the current clock.
 template <typename What>
 void report(Events& events, const World& world, What what) {
   Event& event = events.emplace_back();

@@ -1,4 +1,4 @@
-// Where a player looks.
+// View geometry of a player.
 #include "simulator/world/player.h"
 
 namespace cls::simulator {

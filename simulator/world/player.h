@@ -1,10 +1,10 @@
-// A player as the simulator keeps it: body, energy, what it has done in this cycle, what it
-// attends.
+// State of a player: body, stamina, commands of the cycle, view, hearing and contacts.
 #pragma once
 
 #include <array>
 #include <cstdint>
 
+#include "gamelog/record/frame.h"
 #include "soccer/geometry.h"
 #include "soccer/protocol/view_mode.h"
 #include "soccer/side.h"
@@ -14,9 +14,9 @@ namespace cls::simulator {
 using soccer::Side;
 using soccer::Vec2;
 
-/// Index of a player in every array of 22 (soccer::slot_of); kNobody where there is none.
+/// Index of a player in arrays of 22 (soccer::slot_of), or kNoPlayer.
 using Slot = int;
-constexpr Slot kNobody = -1;
+constexpr Slot kNoPlayer = -1;
 
 /// Bits of a player's state as logs and monitors show them (simulation model 12.1).
 namespace state {
@@ -41,23 +41,10 @@ constexpr std::uint32_t kRedCard = 0x80000;
 constexpr std::uint32_t kIllegalDefense = 0x100000;
 }  // namespace state
 
-/// What the player has done so far; in logs and sense_body (12.3).
-struct Counters {
-  int kick = 0;  ///< kicks that reached the ball
-  int dash = 0;
-  int turn = 0;
-  int catch_ball = 0;
-  int move = 0;
-  int turn_neck = 0;
-  int change_view = 0;
-  int say = 0;
-  int tackle = 0;
-  int point_to = 0;
-  int attention_to = 0;
-  int change_focus = 0;
-};
+/// Executed commands (12.3); `kick` counts only kicks that reached the ball.
+using Counters = gamelog::CommandCounts;
 
-/// One command per cycle is remembered for each leg (4.1); only a dash acts later, in the step.
+/// The command of one leg in this cycle (4.1). Only dashes take effect later, in the step.
 struct Leg {
   bool commanded = false;
   bool dashes = false;
@@ -78,20 +65,21 @@ struct Arm {
   int age = 0;
 };
 
-/// How the player looks (4.10, 4.11, 7.2).
+/// View mode and focus (4.10, 4.11, 7.2).
 struct View {
   soccer::ViewWidth width = soccer::ViewWidth::kNormal;
   soccer::ViewQuality quality = soccer::ViewQuality::kHigh;
-  bool synchronous = false;      ///< synch_see; there is no way back
-  bool gaussian = false;         ///< gaussian_see; there is no way back
-  double focus_distance = 0.0;   ///< metres
+  bool synchronous = false;      ///< synch_see; cannot be switched off
+  bool gaussian = false;         ///< gaussian_see; cannot be switched off
+  double focus_distance = 0.0;   ///< meters
   double focus_direction = 0.0;  ///< radians, relative to the face
 };
 
 /// Full width of the view cone in radians; `visible_angle` is the parameter, in degrees.
 double view_cone(const View& view, double visible_angle);
 
-/// What the player listens to (8.2, 8.5), by the speaker's side: index 0 left, 1 right.
+/// Hearing modes and capacity (8.2, 8.5). Arrays are indexed by the speaker's side: 0 left, 1
+/// right.
 struct Ears {
   std::array<bool, 2> complete = {true, true};
   std::array<bool, 2> partial = {false, false};
@@ -99,25 +87,25 @@ struct Ears {
   int opponent_capacity = 0;
 };
 
-/// What collided since the client was last told in a sense_body; whoever tells it clears them.
+/// Collisions since the last sense_body; the sender of sense_body clears them.
 struct Contacts {
   bool ball = false;
   bool player = false;
   bool post = false;
 };
 
-/// Angles are radians: the body's on the pitch, the neck's relative to the body. Commands set the
-/// pending ones, a step commits them.
+/// Angles are in radians: `body` in pitch coordinates, `neck` relative to the body. Commands set
+/// the pending angles; a step commits them.
 struct Player {
   Side side = Side::kLeft;
   int unum = 0;
 
-  bool joined = false;   ///< a client has (had) this player
-  bool enabled = false;  ///< takes part; a disabled one is on the bench and nothing touches it
+  bool joined = false;   ///< a client has, or had, this player
+  bool enabled = false;  ///< on the pitch; otherwise on the bench, untouched by the simulation
   bool goalie = false;
   int client_version = 3;
   int type = 0;
-  bool substituted = false;  ///< has a type that was given to it
+  bool substituted = false;  ///< its type was assigned by a coach or at the kick-off
 
   Vec2 position;
   Vec2 velocity;
@@ -127,24 +115,24 @@ struct Player {
   double neck = 0.0;
   double pending_neck = 0.0;
 
-  std::uint32_t state = 0;  ///< bits of namespace state
+  std::uint32_t state = 0;  ///< bits of namespace `state`
   Stamina stamina;
   Counters counters;
 
-  bool command_done = false;  ///< the body command of this cycle is used up
+  bool command_done = false;  ///< the body command of this cycle was executed
   bool turn_neck_done = false;
   std::array<Leg, 2> legs;  ///< left, right
   int kick_cycles = -1;     ///< >= 0: kicked recently (4.1)
   int dash_cycles = -1;
-  int tackle_cycles = 0;  ///< > 0: blocked by an own tackle
-  int foul_cycles = 0;    ///< > 0: blocked by a foul suffered
+  int tackle_cycles = 0;  ///< > 0: blocked by its tackle
+  int foul_cycles = 0;    ///< > 0: blocked by a foul it suffered
   int catch_ban = 0;
   int moves_since_catch = 0;
 
   Arm arm;
   View view;
   Ears ears;
-  Slot attention = kNobody;
+  Slot attention = kNoPlayer;
   Contacts contacts;
 
   int cards = 0;
@@ -154,10 +142,10 @@ struct Player {
   Slot slot() const { return soccer::slot_of(side, unum); }
 };
 
-/// Direction in which the player looks, on the pitch.
+/// Direction of the face in pitch coordinates, in radians.
 double face_direction(const Player& player);
 
-/// The point that the view is focused on, on the pitch.
+/// Focus point of the view in pitch coordinates.
 Vec2 focus_point(const Player& player);
 
 }  // namespace cls::simulator

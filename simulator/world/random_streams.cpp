@@ -1,4 +1,4 @@
-// The names of the streams; changing one changes every match.
+// Names the random streams; changing a name changes every match.
 #include "simulator/world/random_streams.h"
 
 #include <string_view>

@@ -1,4 +1,4 @@
-// One random stream per purpose, so that a draw in one place never shifts another.
+// One random stream per purpose, so that a draw for one purpose never shifts another.
 #pragma once
 
 #include <array>
@@ -12,21 +12,21 @@ namespace cls::simulator {
 using soccer::RandomStream;
 using PlayerStreams = std::array<RandomStream, soccer::kPlayersOnPitch>;
 
-/// The draws of the world itself. Whoever drives it (order of commands, senses) makes its own
-/// streams from World::seed.
+/// Streams of the simulation itself. The server derives its own streams (order of commands, senses)
+/// from World::seed.
 struct RandomStreams {
   explicit RandomStreams(std::uint64_t seed = 0);
 
   RandomStream ball_motion;
   PlayerStreams player_motion;
-  PlayerStreams turn;  ///< turns and the rotation of dashes
+  PlayerStreams turn;  ///< turns, and rotation by dashes
   PlayerStreams kick_noise;
-  PlayerStreams tackle;  ///< does it succeed
+  PlayerStreams tackle;  ///< success
   PlayerStreams tackle_noise;
   PlayerStreams catch_ball;
-  PlayerStreams foul;      ///< by tackler
-  RandomStream collision;  ///< directions of exact coincidences
-  RandomStream placement;  ///< where the referee puts players
+  PlayerStreams foul;      ///< indexed by tackler
+  RandomStream collision;  ///< directions for objects at the same position
+  RandomStream placement;  ///< random positions chosen by the referee
   RandomStream shoot_out;  ///< goal, first taker, coin toss
 };
 

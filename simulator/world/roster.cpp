@@ -1,4 +1,4 @@
-// Joining and leaving.
+// Connects players to slots, sends them off, finds teams and players.
 #include "simulator/world/roster.h"
 
 #include <algorithm>
@@ -6,18 +6,18 @@
 namespace cls::simulator {
 namespace {
 
-// From this version on clients look once a cycle without asking for it (7.1).
+// Clients of this version and later are in synchronous view mode from the start (7.1).
 constexpr int kFirstSynchronousVersion = 18;
 
 constexpr std::uint32_t kCards = state::kYellowCard | state::kRedCard;
 
-void put_on_bench(Player& player) {
-  player.position = bench_place(player);
+void move_to_bench(Player& player) {
+  player.position = bench_position(player);
   player.velocity = {};
   player.acceleration = {};
 }
 
-bool is_on(const Player& player, Side side) { return player.joined && player.side == side; }
+bool has_joined(const Player& player, Side side) { return player.joined && player.side == side; }
 
 }  // namespace
 
@@ -25,9 +25,9 @@ std::optional<Slot> join(World& world, Side side, bool goalie, int client_versio
   const auto free =
       std::find_if(world.players.begin(), world.players.end(),
                    [side](const Player& player) { return player.side == side && !player.joined; });
-  const bool has_goalie =
-      std::any_of(world.players.begin(), world.players.end(),
-                  [side](const Player& player) { return is_on(player, side) && player.goalie; });
+  const bool has_goalie = std::any_of(
+      world.players.begin(), world.players.end(),
+      [side](const Player& player) { return has_joined(player, side) && player.goalie; });
   if (free == world.players.end() || (goalie && has_goalie)) return std::nullopt;
 
   Player& player = *free;
@@ -37,9 +37,9 @@ std::optional<Slot> join(World& world, Side side, bool goalie, int client_versio
   player.client_version = client_version;
   player.view.synchronous = client_version >= kFirstSynchronousVersion;
   player.state = state::kStand | (goalie ? state::kGoalie : 0);
-  // Only the committed angle: the next step turns the right team to 0 as well (15.1).
+  // Sets only the committed angle: the next step turns the right team to 0 too (15.1).
   player.body = side == Side::kRight ? soccer::math::kPi : 0.0;
-  put_on_bench(player);
+  move_to_bench(player);
   world.team(side).connected = true;
   return player.slot();
 }
@@ -49,7 +49,7 @@ void rejoin(World& world, Slot slot) {
   player.joined = true;
   player.enabled = true;
   player.state = (player.state & kCards) | state::kStand | (player.goalie ? state::kGoalie : 0);
-  put_on_bench(player);
+  move_to_bench(player);
   world.team(player.side).connected = true;
 }
 
@@ -57,8 +57,8 @@ void leave(World& world, Slot slot) {
   Player& player = world.player(slot);
   player.enabled = false;
   player.state &= kCards;
-  put_on_bench(player);
-  if (world.ball_catcher == slot) world.ball_catcher = kNobody;
+  move_to_bench(player);
+  if (world.ball_catcher == slot) world.ball_catcher = kNoPlayer;
 }
 
 void send_off(World& world, Slot slot, Events& events) {
@@ -72,23 +72,23 @@ void send_off(World& world, Slot slot, Events& events) {
 int joined_count(const World& world, Side side) {
   return static_cast<int>(
       std::count_if(world.players.begin(), world.players.end(),
-                    [side](const Player& player) { return is_on(player, side); }));
+                    [side](const Player& player) { return has_joined(player, side); }));
 }
 
-Side side_called(const World& world, std::string_view team) {
+Side find_side(const World& world, std::string_view team) {
   for (const Side side : {Side::kLeft, Side::kRight}) {
     if (!team.empty() && world.team(side).name.view() == team) return side;
   }
   return Side::kNeutral;
 }
 
-soccer::TeamName shown_name(const World& world, Side watcher, Side side) {
-  const soccer::TeamName& real = world.team(side).name;
+soccer::TeamName visible_team_name(const World& world, Side viewer, Side side) {
+  const soccer::TeamName& name = world.team(side).name;
   const soccer::ServerParams& params = world.params();
   const std::string& fixed =
       side == Side::kLeft ? params.fixed_teamname_l : params.fixed_teamname_r;
-  const bool disguised = watcher == opponent(side) && !real.empty() && !fixed.empty();
-  return disguised ? soccer::TeamName(fixed) : real;
+  const bool replaced = viewer == opponent(side) && !name.empty() && !fixed.empty();
+  return replaced ? soccer::TeamName(fixed) : name;
 }
 
 std::optional<Slot> find_player(const World& world, Side side, int unum) {

@@ -1,4 +1,4 @@
-// Checking parameters and drawing player types.
+// Validates parameters and draws player types.
 #include "simulator/world/rules.h"
 
 #include <string>
@@ -10,8 +10,8 @@ namespace {
 using base::Error;
 using base::Result;
 
-// Nothing here guards against odd matches, only against those that cannot be reckoned with.
-Result<void> check(const soccer::ServerParams& server, const soccer::PlayerParams& player) {
+// Rejects only parameters that the simulation cannot compute with.
+Result<void> validate(const soccer::ServerParams& server, const soccer::PlayerParams& player) {
   if (server.simulator_step <= 0) return Error{"server::simulator_step must be positive"};
   if (server.send_step <= 0) return Error{"server::send_step must be positive"};
   if (server.recv_step <= 0) return Error{"server::recv_step must be positive"};
@@ -29,8 +29,8 @@ Result<void> check(const soccer::ServerParams& server, const soccer::PlayerParam
 
 Result<std::shared_ptr<const Rules>> make_rules(const soccer::ServerParams& server,
                                                 soccer::PlayerParams player, std::uint64_t seed) {
-  if (Result<void> checked = check(server, player); !checked) return checked.error();
-  // The parameter that tells clients the seed is an int.
+  if (Result<void> valid = validate(server, player); !valid) return valid.error();
+  // random_seed, which clients receive, is an int.
   if (player.random_seed < 0) player.random_seed = static_cast<int>(seed & 0x7FFFFFFFU);
   return make_rules(
       server, player,
@@ -40,7 +40,7 @@ Result<std::shared_ptr<const Rules>> make_rules(const soccer::ServerParams& serv
 Result<std::shared_ptr<const Rules>> make_rules(const soccer::ServerParams& server,
                                                 const soccer::PlayerParams& player,
                                                 std::vector<soccer::PlayerType> types) {
-  if (Result<void> checked = check(server, player); !checked) return checked.error();
+  if (Result<void> valid = validate(server, player); !valid) return valid.error();
   if (types.size() != static_cast<std::size_t>(player.player_types)) {
     return Error{"there must be player::player_types player types"};
   }

@@ -1,4 +1,4 @@
-// What stays the same during a match: parameters, player types and what follows from them.
+// Constants of a match: parameters, player types and derived lengths.
 #pragma once
 
 #include <cstdint>
@@ -12,32 +12,32 @@
 
 namespace cls::simulator {
 
-/// More types than this are refused (rcssserver plays with 18).
+/// Maximum of player::player_types (rcssserver default: 18).
 constexpr int kMaxPlayerTypes = 128;
 
-/// Parameters of a match. Worlds share one object and never change it.
+/// Immutable; shared by all copies of a World.
 struct Rules {
   soccer::ServerParams server;
-  soccer::PlayerParams player;  ///< random_seed is the seed that the types were drawn with
+  soccer::PlayerParams player;  ///< random_seed is the seed of the player types
   std::vector<soccer::PlayerType> types;
 
-  // In cycles, so that no step has to convert seconds.
+  // In cycles.
   int half_time = 0;
   int extra_half_time = 0;
   int normal_time = 0;  ///< end of the normal halves
   int total_time = 0;   ///< end of the extra halves
 
-  /// With a trainer and without referees no rule is applied and no mode changes by itself.
+  /// Without a referee no rule is applied and the play mode never changes automatically.
   bool has_referee() const { return !server.coach || server.coach_w_referee; }
 };
 
-/// Checks the parameters and draws the player types from player.random_seed, or, when that is
-/// negative, from `seed`. The error names the parameter that makes no match.
+/// Validates the parameters and draws the player types from player.random_seed, or from `seed` if
+/// that is negative. The error names the invalid parameter.
 base::Result<std::shared_ptr<const Rules>> make_rules(const soccer::ServerParams& server,
                                                       soccer::PlayerParams player,
                                                       std::uint64_t seed);
 
-/// The same with types that are known already, as those of a recorded match.
+/// Same with given player types, such as those of a recorded match.
 base::Result<std::shared_ptr<const Rules>> make_rules(const soccer::ServerParams& server,
                                                       const soccer::PlayerParams& player,
                                                       std::vector<soccer::PlayerType> types);

@@ -1,4 +1,4 @@
-// Energy of a player.
+// Stamina model.
 #include "simulator/world/stamina.h"
 
 #include <algorithm>

@@ -1,17 +1,17 @@
-// Energy: what a cycle gives back.
+// Stamina model: recovery per cycle and full recovery.
 #pragma once
 
 #include "simulator/world/world.h"
 
 namespace cls::simulator {
 
-/// One cycle's change of effort, recovery, stamina and capacity (section 5).
+/// Updates effort, recovery, stamina and capacity for one cycle (section 5).
 void update_stamina(const World& world, Player& player);
 
-/// Everything as at the start of the match, hearing included.
+/// Restores stamina and hearing capacity to their values at the start of the match.
 void recover(const World& world, Player& player);
 
-/// `recover` for every enabled player.
+/// Calls recover() for every enabled player.
 void recover_all(World& world);
 
 }  // namespace cls::simulator

@@ -1,4 +1,4 @@
-// The world before the match.
+// Creates the world before the match.
 #include "simulator/world/world.h"
 
 #include <utility>
@@ -12,7 +12,7 @@ Player make_player(Slot slot, const Rules& rules) {
   Player player;
   player.side = soccer::side_of_slot(slot);
   player.unum = soccer::unum_of_slot(slot);
-  player.position = bench_place(player);
+  player.position = bench_position(player);
   player.arm.age = rules.server.point_to_duration;
   const soccer::PlayerType& type = rules.types.front();
   player.stamina = {rules.server.stamina_max, type.effort_max, 1.0, rules.server.stamina_capacity};
@@ -21,7 +21,7 @@ Player make_player(Slot slot, const Rules& rules) {
   return player;
 }
 
-// The ranges of a random wind are the server's own (3.2).
+// Ranges of random wind as in rcssserver (3.2).
 Wind make_wind(const soccer::ServerParams& server, std::uint64_t seed) {
   if (server.wind_none) return {};
   if (!server.wind_random) {
@@ -35,7 +35,9 @@ Wind make_wind(const soccer::ServerParams& server, std::uint64_t seed) {
 
 }  // namespace
 
-Vec2 bench_place(const Player& player) { return {-3.0 * player.unum * sign(player.side), -37.0}; }
+Vec2 bench_position(const Player& player) {
+  return {-3.0 * player.unum * sign(player.side), -37.0};
+}
 
 World make_world(std::shared_ptr<const Rules> rules, std::uint64_t seed) {
   World world;
@@ -51,6 +53,13 @@ World make_world(std::shared_ptr<const Rules> rules, std::uint64_t seed) {
   world.auto_mode = {server.kick_off_wait, server.connect_wait, server.game_over_wait, false};
   world.rules = std::move(rules);
   return world;
+}
+
+RandomStream clock_stream(const World& world, std::string_view purpose, Slot slot) {
+  const auto time = static_cast<std::uint64_t>(world.clock.time);
+  const auto stoppage = static_cast<std::uint64_t>(world.clock.stoppage);
+  return RandomStream(world.seed, purpose, static_cast<std::uint64_t>(slot),
+                      (time << 32) | stoppage);
 }
 
 bool is_kickable(const World& world, const Player& player) {

@@ -1,4 +1,4 @@
-// libFuzzer target: any conversation of a server and a Playmaker with an agent of the proxy.
+// libFuzzer target: agent scripts on the agents of the proxy.
 #include <cstdint>
 #include <string_view>
 

@@ -1,4 +1,4 @@
-// Playing scripts to agents.
+// Plays agent scripts.
 #include "tests/fuzz/agent_script.h"
 
 #include <google/protobuf/stubs/logging.h>
@@ -26,10 +26,10 @@ void require(bool condition) {
   if (!condition) std::abort();
 }
 
-/// Later than all that an agent may wait for.
+/// Later than every deadline of an agent.
 constexpr proxy::Instant kMuchLater = proxy::Instant(std::chrono::hours(1));
 
-/// What a Playmaker says.
+/// Replies of the scripted Playmaker.
 struct Answer {
   std::string actions;
   std::optional<int> node;
@@ -52,7 +52,7 @@ class Player {
     agent_.connect();
   }
 
-  /// True if it decided.
+  /// Returns true after a decision.
   bool listen(const Answer& answer) {
     agent_.perceive();
     if (!agent_.ready() || !agent_.decision_due(kMuchLater)) return false;
@@ -60,7 +60,7 @@ class Player {
     if (answer.missing) {
       agent_.act_without_reply();
     } else if (!agent_.act(answer.as<protos::PlayerActions>())) {
-      agent_.act_on_choice(answer.node);
+      agent_.act_on_planner_choice(answer.node);
     }
     return true;
   }
@@ -73,7 +73,7 @@ class Player {
  private:
   static proxy::AgentOptions options(bool goalie) {
     proxy::AgentOptions options;
-    options.team_name = soccer::TeamName("Ours");
+    options.team_name = soccer::TeamName("Fuzz");
     options.goalie = goalie;
     options.on_late = proxy::OnLate::kLast;
     return options;
@@ -85,11 +85,11 @@ class Player {
 class Coach {
  public:
   Coach(std::unique_ptr<soccer::Channel> channel, soccer::CoachRole role)
-      : role_(role), agent_(std::move(channel), {role, soccer::TeamName("Ours")}) {
+      : role_(role), agent_(std::move(channel), {role, soccer::TeamName("Fuzz")}) {
     agent_.connect();
   }
 
-  /// True if it decided.
+  /// Returns true after a decision.
   bool listen(const Answer& answer) {
     agent_.perceive();
     if (!agent_.ready() || !agent_.decision_due()) return false;
@@ -119,7 +119,7 @@ int play(std::string_view script, soccer::Channel& server, Agent& agent) {
   int decisions = 0;
   Answer answer;
   std::string said;
-  server.receive(said);  // the request to be let in
+  server.receive(said);  // the init
   while (!script.empty()) {
     const std::string_view line = script.substr(0, script.find('\n'));
     script.remove_prefix(std::min(line.size() + 1, script.size()));
@@ -128,7 +128,7 @@ int play(std::string_view script, soccer::Channel& server, Agent& agent) {
       answer.missing = false;
     } else if (line.starts_with("n ")) {
       int node = 0;
-      if (base::read_int(line.substr(2), node) > 0) answer.node = node;
+      if (base::parse_int_prefix(line.substr(2), node) > 0) answer.node = node;
     } else if (line == "l") {
       answer.missing = true;
     } else {

@@ -1,18 +1,18 @@
-// A script of what a server and a Playmaker say to an agent, so that any bytes are a conversation.
+// Agent scripts: any bytes are a valid sequence of messages of a server and a Playmaker.
 #pragma once
 
 #include <string_view>
 
 namespace cls::tests {
 
-/// Plays it to a player, coach or trainer of the proxy, and aborts where the agent says something
-/// that no server could read. The first character of the script says who it is: p a player, g a
-/// goalie, c an online coach, t a trainer. Then lines:
-///     a ACTIONS      the Playmaker's answer from now on, in protobuf's text format
-///     n NUMBER       the node that it chooses when asked
-///     l              it does not answer from now on
-///     anything else  a datagram of the server; a decision that is due by it is made
-/// Returns how many decisions were made.
+/// Plays a script to an agent of the proxy; aborts if the agent sends a command that no server
+/// could parse. The first character selects the agent: p player, g goalie, c online coach, t
+/// trainer. Lines:
+///     a ACTIONS      reply of the Playmaker from now on, in protobuf text format
+///     n NUMBER       planner node that the Playmaker selects
+///     l              the Playmaker does not reply from now on
+///     anything else  a datagram of the server, followed by the decision that is due
+/// Returns the number of decisions.
 int play_agent_script(std::string_view script);
 
 }  // namespace cls::tests

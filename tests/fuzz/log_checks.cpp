@@ -1,4 +1,4 @@
-// Promises of readers, writers and statistics, as code.
+// Checks invariants of log readers, writers and statistics.
 #include "tests/fuzz/log_checks.h"
 
 #include <cstdio>
@@ -20,9 +20,11 @@
 namespace cls::tests {
 namespace {
 
+using namespace cls::base;
 using namespace cls::gamelog;
+using namespace cls::analysis;
 
-// Statistics of thousands of frames teach nothing that dozens do not.
+// More frames make statistics slower without finding more.
 constexpr std::size_t kEnoughFrames = 300;
 
 void require(bool condition, const char* promise) {
@@ -49,13 +51,13 @@ void check_record(const MatchRecord& record) {
   require(record.teams.size() >= 1, "a first state of the teams");
   for (std::size_t i = 0; i < frames; ++i) {
     require(record.team_state[i] < record.teams.size(), "frames name a state of the teams");
-    require(record.stopped[i] >= 0, "the clock stands for no negative time");
+    require(record.stopped[i] >= 0, "stopped time is not negative");
   }
-  for (const Note& note : record.notes) require(note.frame <= frames, "notes stand between frames");
-  require(record.damage.first.size() <= record.damage.count, "damage is counted");
+  for (const Note& note : record.notes) require(note.frame <= frames, "notes lie between frames");
+  require(record.errors.first.size() <= record.errors.count, "errors are counted");
 }
 
-// Once through a version everything has its form: a second time changes nothing.
+// After one round trip through a version, a second one changes nothing.
 void check_writing(const MatchRecord& record, RcgVersion version) {
   const std::string once = written(record, version);
   const MatchRecord again = read(once);
@@ -70,8 +72,8 @@ void check_reckoning(const MatchRecord& record, const RclRecord* text) {
   const auto format = static_cast<ResultsFormat>(record.notes.size() % 4);
   require(!format_results({summary, summary}, format).empty(), "a table of results");
   if (record.frames() > kEnoughFrames) return;
-  const MatchStatistics statistics = statistics_of(record, text);
-  // Slow to write, and little depends on the bytes.
+  const MatchStatistics statistics = compute_statistics(record, text);
+  // Slow to write, and hardly dependent on the input.
   if (record.notes.size() % 8 != 0) return;
   require(!statistics_json(summary, statistics, true).empty(), "statistics as JSON");
   require(!statistics_text(summary, statistics).empty(), "statistics as text");
@@ -89,17 +91,17 @@ constexpr std::string_view kMadeUpMatch =
 }  // namespace
 
 void check_game_log(std::string_view bytes) {
-  auto source = unpacked(std::make_unique<MemorySource>(bytes));
+  auto source = decompress(std::make_unique<MemorySource>(bytes));
   const MatchRecord record = read_rcg(*source);
   check_record(record);
-  // One of the four versions a time: a fuzzer gets to all of them.
+  // One of four versions per input; a fuzzer reaches all of them.
   check_writing(record, static_cast<RcgVersion>(static_cast<int>(RcgVersion::kV4) +
                                                 static_cast<int>(bytes.size() % 4)));
   check_reckoning(record, nullptr);
 }
 
 void check_text_log(std::string_view bytes) {
-  auto source = unpacked(std::make_unique<MemorySource>(bytes));
+  auto source = decompress(std::make_unique<MemorySource>(bytes));
   const RclRecord text = read_rcl(*source);
   for (const RclLine& line : text.lines) {
     require(line.offset + line.length <= text.text.size(), "texts lie within the text");

@@ -1,18 +1,17 @@
-// What must hold for any bytes that are taken for a log; shared by fuzzers and a test of the
-// corpus.
+// Invariants for any bytes read as a log; shared by fuzzers and a test of the corpus.
 #pragma once
 
 #include <string_view>
 
 namespace cls::tests {
 
-/// Reads the bytes as a game log of whatever version, packed or not; writes the record in every
-/// version and reads that again, which must give the same text; reckons results and statistics.
-/// Aborts where a promise is broken.
+/// Reads the bytes as a game log of any version, compressed or not. Writes the record in every
+/// version, reads it back, and expects the same text. Computes results and statistics. Aborts on a
+/// violation.
 void check_game_log(std::string_view bytes);
 
-/// The same for a text log: every datagram is cut into commands, results are told, and the players'
-/// answers are reckoned against a small made-up match.
+/// Same for a text log: parses every datagram into commands, finds results, and computes response
+/// times with a small synthetic match.
 void check_text_log(std::string_view bytes);
 
 }  // namespace cls::tests

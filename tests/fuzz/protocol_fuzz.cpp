@@ -1,4 +1,4 @@
-// libFuzzer target: any bytes through every parser of the text protocol.
+// libFuzzer target: arbitrary bytes in every parser of the text protocol.
 #include <cstdint>
 #include <cstdlib>
 #include <string>
@@ -26,7 +26,7 @@ void require(bool condition) {
   if (!condition) std::abort();
 }
 
-// What was accepted must be writable, and its text must mean the same again.
+// An accepted message must format, and the text must parse to the same message.
 template <typename Message, typename Write>
 void check_message(std::string_view text, Write write) {
   Message message;
@@ -112,7 +112,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   check_message<ServerParams>(text, newest);
   check_message<PlayerParams>(text, newest);
   check_message<PlayerType>(text, newest);
-  for (const Listener listener : {Listener::kPlayer, Listener::kOnlineCoach, Listener::kTrainer}) {
+  for (const Recipient listener :
+       {Recipient::kPlayer, Recipient::kOnlineCoach, Recipient::kTrainer}) {
     check_message<Hear>(
         text, [listener](const Hear& hear, std::string& out) { format(hear, listener, out); });
   }

@@ -1,4 +1,4 @@
-// libFuzzer target: any bytes as a game log.
+// libFuzzer target: arbitrary bytes as a game log.
 #include <cstddef>
 #include <cstdint>
 

@@ -1,4 +1,4 @@
-// libFuzzer target: any bytes as a text log.
+// libFuzzer target: arbitrary bytes as a text log.
 #include <cstddef>
 #include <cstdint>
 

@@ -1,4 +1,4 @@
-// libFuzzer target: any conversation of clients with the server.
+// libFuzzer target: session scripts on the match server.
 #include <cstdint>
 #include <string_view>
 

@@ -1,4 +1,4 @@
-// Playing scripts.
+// Plays session scripts.
 #include "tests/fuzz/session_script.h"
 
 #include <algorithm>
@@ -16,15 +16,15 @@ namespace {
 
 using namespace cls::simulator;
 
-constexpr std::size_t kLongestMessage = 8192;
+constexpr std::size_t kMaxMessageLength = 8192;
 
 void require(bool condition) {
   if (!condition) std::abort();
 }
 
-class Party {
+class ScriptedSessions {
  public:
-  Party() {
+  ScriptedSessions() {
     MatchConfig config;
     config.seed = 1;
     config.server.auto_mode = true;
@@ -38,28 +38,28 @@ class Party {
     server_->record(&game_log_, &text_log_);
   }
 
-  void ask(Door door, std::string_view request) {
-    const auto answer = server_->admit(door, request);
-    const auto* admission = std::get_if<Admission>(&answer);
+  void request_admission(ListeningPort port, std::string_view request) {
+    const auto result = server_->admit(port, request);
+    const auto* admission = std::get_if<Admission>(&result);
     if (admission == nullptr) return;
-    if (request.ends_with("w")) return server_->withdraw(*admission);
+    if (request.ends_with("w")) return server_->cancel(*admission);
     auto [server_end, client_end] = soccer::make_memory_channel();
-    server_->greet(*admission, std::move(server_end), request);
+    server_->complete_handshake(*admission, std::move(server_end), request);
     clients_.push_back({admission->client, admission->binary, std::move(client_end)});
   }
 
-  void send(char number, std::string_view datagram, bool null_terminated, bool to_door) {
+  void send(char number, std::string_view datagram, bool null_terminated, bool to_listening_port) {
     const Client* client = at(number);
     if (client == nullptr) return;
-    if (to_door) {
-      server_->receive_at_door(client->id, datagram, null_terminated);
+    if (to_listening_port) {
+      server_->receive_on_listening_port(client->id, datagram, null_terminated);
     } else {
       server_->receive(client->id, datagram, null_terminated);
     }
   }
 
-  void lose(char number) {
-    if (const Client* client = at(number)) server_->lose(client->id);
+  void disconnect(char number) {
+    if (const Client* client = at(number)) server_->mark_lost(client->id);
   }
 
   void cycle() {
@@ -87,10 +87,10 @@ class Party {
     return &clients_[static_cast<unsigned char>(number) % clients_.size()];
   }
 
-  // A datagram is a text in brackets that fits into a client's buffer, or a block of bytes.
+  // A message is a text in parentheses that fits into a client's buffer, or binary.
   void read(Client& client) {
     while (client.channel->receive(message_)) {
-      require(!message_.empty() && message_.size() < kLongestMessage);
+      require(!message_.empty() && message_.size() < kMaxMessageLength);
       if (client.binary) continue;
       require(message_.find('\0') == std::string::npos);
       require(message_.front() == '(' || message_.front() == '{');
@@ -107,29 +107,29 @@ class Party {
 }  // namespace
 
 void play_session_script(std::string_view script) {
-  Party party;
+  ScriptedSessions sessions;
   while (!script.empty()) {
     const std::string_view line = script.substr(0, script.find('\n'));
     script.remove_prefix(std::min(line.size() + 1, script.size()));
     const char kind = line.empty() ? '.' : line[0];
     const char number = line.size() > 1 ? line[1] : '0';
     if ((kind == 'c' || kind == 'o' || kind == 't') && line.size() > 1) {
-      const Door door = kind == 'c'   ? Door::kGame
-                        : kind == 'o' ? Door::kOnlineCoach
-                                      : Door::kOfflineCoach;
-      party.ask(door, line.substr(2));
+      const ListeningPort port = kind == 'c'   ? ListeningPort::kPlayers
+                                 : kind == 'o' ? ListeningPort::kOnlineCoaches
+                                               : ListeningPort::kTrainers;
+      sessions.request_admission(port, line.substr(2));
     } else if (kind >= '0' && kind <= '9') {
-      party.send(kind, line.substr(std::min<std::size_t>(2, line.size())), true, false);
+      sessions.send(kind, line.substr(std::min<std::size_t>(2, line.size())), true, false);
     } else if ((kind == '!' || kind == '=') && line.size() > 2) {
-      party.send(number, line.substr(3), kind == '=', kind == '=');
+      sessions.send(number, line.substr(3), kind == '=', kind == '=');
     } else if (kind == 'x') {
-      party.lose(number);
+      sessions.disconnect(number);
     } else {
-      party.cycle();
+      sessions.cycle();
     }
   }
-  party.cycle();
-  party.cycle();
+  sessions.cycle();
+  sessions.cycle();
 }
 
 }  // namespace cls::tests

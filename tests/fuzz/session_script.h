@@ -1,20 +1,20 @@
-// A script of what clients send to a server, so that any bytes are a conversation.
+// Session scripts: any bytes are a valid sequence of client actions.
 #pragma once
 
 #include <string_view>
 
 namespace cls::tests {
 
-/// Plays it to a server with memory for a network, and aborts where the server says something that
-/// no client could read. Lines:
-///     c REQUEST      a client asks at the players' and monitors' door; o: at the online coaches',
-///     t:
-///                    at the trainer's
-///     5 DATAGRAM     client 5 of those that are in (counted round) sends this; with a ! before
-///                    the number without the closing NUL
-///     x5             its connection is lost
-///     =5 DATAGRAM    it sends this to the door again
-///     anything else  a cycle
+/// Plays a script on a match server with clients in memory; aborts if the server sends a message
+/// that no client could parse. Lines:
+///     c REQUEST      a client sends a request to the port of players and monitors (o: online
+///     coaches,
+///                    t: trainers)
+///     5 DATAGRAM     client 5, modulo the number of clients, sends a datagram
+///     !5 DATAGRAM    same without the closing NUL
+///     =5 DATAGRAM    same to the listening port
+///     x5             client 5 loses its connection
+///     anything else  one cycle
 void play_session_script(std::string_view script);
 
 }  // namespace cls::tests

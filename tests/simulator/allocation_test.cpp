@@ -1,4 +1,4 @@
-// The bare server asks for no memory once it runs.
+// The match server does not allocate memory after the start.
 #include <gtest/gtest.h>
 
 #include <cstdint>
@@ -11,8 +11,8 @@ namespace {
 
 using simulator::MatchConfig;
 
-// With both logs, set plays, goals, words of everybody and the end of a half.
-TEST(BareServer, AllocatesNothingAfterTheStart) {
+// With both logs, set plays, goals, say messages and the end of a half.
+TEST(BareServer, AllocatesNothingAfterStart) {
   if (!counts_allocations()) GTEST_SKIP() << "sanitizers have an allocator of their own";
   constexpr int kStart = 100;
   MatchConfig config;
@@ -35,8 +35,8 @@ TEST(BareServer, AllocatesNothingAfterTheStart) {
     match.act();
   }
   const auto& teams = match.world().teams;
-  EXPECT_GT(teams[0].score + teams[1].score, 0);  // there was something to tell
-  EXPECT_GT(allocations, 0);                      // and they are counted
+  EXPECT_GT(teams[0].score + teams[1].score, 0);  // the match had events
+  EXPECT_GT(allocations, 0);                      // allocations are counted
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Teams without a brain.
+// Scripted teams.
 #include "tests/simulator/scripted_match.h"
 
 #include <bit>
@@ -23,11 +23,11 @@ Vec2 home_of(const Player& player) {
 }
 
 Slot nearest_to_ball(const World& world, Side side) {
-  Slot best = kNobody;
+  Slot best = kNoPlayer;
   for (const Player& player : world.players) {
     if (!player.enabled || player.side != side || player.goalie) continue;
-    if (best == kNobody || distance(player.position, world.ball.position) <
-                               distance(world.player(best).position, world.ball.position)) {
+    if (best == kNoPlayer || distance(player.position, world.ball.position) <
+                                 distance(world.player(best).position, world.ball.position)) {
       best = player.slot();
     }
   }
@@ -63,7 +63,7 @@ soccer::PlayerCommand decide(const World& world, const Player& player) {
     }
     return go_to(player, ball_soon);
   }
-  // One loiters in front of the other goal.
+  // Player 11 waits in front of the opponent goal.
   const double with_ball = player.unum == 11 ? 0.0 : 0.6;
   return go_to(player, home_of(player) + world.ball.position * with_ball);
 }
@@ -94,7 +94,7 @@ World full_match(const soccer::ServerParams& server, std::uint64_t seed) {
 void play_cycle(World& world, Events& events) {
   if (world.mode == PlayMode::kBeforeKickOff) kick_off(world, events);
   for (Slot i = 0; i < soccer::kPlayersOnPitch; ++i) {
-    // Sides take turns in being first.
+    // Sides alternate in acting first.
     const Slot slot =
         (i + (world.clock.time % 2) * soccer::kPlayersPerTeam) % soccer::kPlayersOnPitch;
     if (!world.player(slot).enabled) continue;

@@ -1,4 +1,4 @@
-// Two teams of simple reflexes: enough to make everything happen in a match.
+// Two scripted teams whose matches contain every kind of event.
 #pragma once
 
 #include <cstdint>
@@ -8,14 +8,15 @@
 
 namespace cls::tests {
 
-/// A world with two full teams, right before its first kick-off.
+/// A world with two full teams before the first kick-off.
 simulator::World full_match(const soccer::ServerParams& server, std::uint64_t seed);
 
-/// One cycle: everybody sees everything; whoever is nearest runs to the ball and kicks it towards
-/// the other goal, the others keep their places; goalies catch. Kicks off by itself.
+/// Plays one cycle with full information: the closest player of a team runs to the ball and kicks
+/// it toward the opponent goal, the others keep their positions, goalies catch. Kicks off
+/// automatically.
 void play_cycle(simulator::World& world, simulator::Events& events);
 
-/// A number that two worlds share only if every position, velocity, counter, mode and stream does.
+/// Hash over clock, mode, positions, velocities, angles, stamina, counters and random streams.
 std::uint64_t fingerprint(const simulator::World& world);
 
 }  // namespace cls::tests

@@ -1,4 +1,4 @@
-// Setting up worlds.
+// Sets up worlds and runs commands and steps.
 #include "tests/simulator/stage.h"
 
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@ namespace cls::tests {
 
 using namespace cls::simulator;
 
-soccer::ServerParams quiet_params() {
+soccer::ServerParams noise_free_params() {
   soccer::ServerParams server;
   server.player_rand = 0.0;
   server.ball_rand = 0.0;
@@ -60,21 +60,21 @@ void Stage::step(int count) {
   }
 }
 
-int Stage::step_until_mode_changes(int most) {
+int Stage::step_until_mode_changes(int max_steps) {
   const PlayMode before = world.mode;
   int steps = 0;
-  while (world.mode == before && steps < most) {
+  while (world.mode == before && steps < max_steps) {
     step();
     ++steps;
   }
   return steps;
 }
 
-std::vector<std::string> Stage::words() {
+std::vector<std::string> Stage::take_calls() {
   std::vector<std::string> result;
   for (const Event& event : events) {
-    if (const auto* said = std::get_if<RefereeSaid>(&event.what)) {
-      result.push_back(std::to_string(event.clock.time) + ' ' + said->text());
+    if (const auto* message = std::get_if<RefereeMessage>(&event.what)) {
+      result.push_back(std::to_string(event.clock.time) + ' ' + message->text());
     }
   }
   events.clear();

@@ -1,4 +1,4 @@
-// A world set up by hand: who stands where, one command, one step.
+// A world for tests of single commands and steps.
 #pragma once
 
 #include <optional>
@@ -19,33 +19,33 @@ using soccer::PlayMode;
 using soccer::Side;
 using soccer::Vec2;
 
-/// Parameters without any noise, default otherwise.
-soccer::ServerParams quiet_params();
+/// Default parameters without noise.
+soccer::ServerParams noise_free_params();
 
 simulator::World make_match(const soccer::ServerParams& server,
                             const soccer::PlayerParams& player = {}, std::uint64_t seed = 1);
 
-/// A world without noise and without players until they are added.
+/// A world without noise, initially without players.
 class Stage {
  public:
-  explicit Stage(const soccer::ServerParams& server = quiet_params());
+  explicit Stage(const soccer::ServerParams& server = noise_free_params());
 
-  /// The next player of a side, standing there at rest, with body 0.
+  /// Adds the next player of a side, at rest, with body angle 0.
   simulator::Player& add(Side side, Vec2 position, bool goalie = false);
   simulator::Player& place(simulator::Player& player, Vec2 position, Vec2 velocity = {});
   void place_ball(Vec2 position, Vec2 velocity = {});
   void set_mode(PlayMode mode);
 
-  /// Runs a datagram's commands; false if the grammar refuses it.
+  /// Executes the commands of a datagram; returns false on a syntax error.
   bool command(const simulator::Player& player, const std::string& datagram);
 
-  /// One step with the frame's end, or several.
+  /// Runs complete steps.
   void step(int count = 1);
-  /// Steps until the mode is another than now; how many that took.
-  int step_until_mode_changes(int most = 1000);
+  /// Steps until the mode changes; returns the number of steps.
+  int step_until_mode_changes(int max_steps = 1000);
 
-  /// The referee's words since the last call, as "TIME word".
-  std::vector<std::string> words();
+  /// Removes and returns the referee messages so far, as "TIME MESSAGE".
+  std::vector<std::string> take_calls();
 
   simulator::World world;
   simulator::Events events;

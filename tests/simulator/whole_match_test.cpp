@@ -1,4 +1,4 @@
-// Whole matches between scripted teams: the same seed is the same match, and nothing gets lost.
+// Whole matches of scripted teams: reproducible by seed, with all kinds of events.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -23,7 +23,7 @@ soccer::ServerParams short_match() {
   return server;
 }
 
-TEST(WholeMatch, TheSameSeedIsTheSameMatchAndAnotherIsNot) {
+TEST(WholeMatch, DependsOnSeedOnly) {
   World first = full_match(short_match(), 7);
   World second = full_match(short_match(), 7);
   World other = full_match(short_match(), 8);
@@ -36,15 +36,15 @@ TEST(WholeMatch, TheSameSeedIsTheSameMatchAndAnotherIsNot) {
   EXPECT_NE(fingerprint(first), fingerprint(other));
 }
 
-// The figure changes only when the game does; on any other machine it must be the same.
-TEST(WholeMatch, SeedSevenIsThisMatchOnEveryMachine) {
+// The fingerprint changes only with the simulation; it is the same on every host.
+TEST(WholeMatch, SeedSevenHasSameFingerprintOnEveryHost) {
   World world = full_match(short_match(), 7);
   Events events;
   for (int i = 0; i < 1500; ++i) play_cycle(world, events);
   EXPECT_EQ(fingerprint(world), 6451535778291104420ULL);
 }
 
-TEST(WholeMatch, ACopyGoesOnLikeTheOriginal) {
+TEST(WholeMatch, CopyContinuesLikeOriginal) {
   World world = full_match(short_match(), 3);
   Events events;
   for (int i = 0; i < 700; ++i) play_cycle(world, events);
@@ -54,14 +54,14 @@ TEST(WholeMatch, ACopyGoesOnLikeTheOriginal) {
   EXPECT_EQ(fingerprint(world), fingerprint(fork));
 }
 
-/// What is true in every cycle of every match.
+/// Invariants of every cycle.
 void expect_sane(const World& world) {
   const soccer::ServerParams& server = world.params();
   ASSERT_TRUE(std::isfinite(world.ball.position.x) && std::isfinite(world.ball.position.y));
   ASSERT_LE(world.ball.velocity.length(), server.ball_speed_max * 1.05 * server.ball_decay + 1e-9);
   for (const Player& player : world.players) {
     ASSERT_TRUE(std::isfinite(player.position.x) && std::isfinite(player.position.y));
-    // Some pauses go without the rule about the field; and collisions come after it.
+    // Some stoppages do not apply the field rule, and collisions are resolved after it.
     if (world.mode == PlayMode::kPlayOn) {
       ASSERT_LE(std::fabs(player.position.x), 57.5 + 1.0);
       ASSERT_LE(std::fabs(player.position.y), 39.0 + 1.0);
@@ -73,8 +73,8 @@ void expect_sane(const World& world) {
   }
 }
 
-TEST(WholeMatch, EverythingHappensAndEndsInTime) {
-  std::map<std::string, int> words;
+TEST(WholeMatch, PlaysWholeMatchWithAllEvents) {
+  std::map<std::string, int> calls;
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
     World world = full_match(short_match(), seed);
     Events events;
@@ -86,21 +86,21 @@ TEST(WholeMatch, EverythingHappensAndEndsInTime) {
     }
     EXPECT_EQ(world.clock.time, 1200);
     for (const auto& event : events) {
-      const auto* said = std::get_if<simulator::RefereeSaid>(&event.what);
-      if (said == nullptr) continue;
-      // Without the side that modes have in their names.
-      std::string word(said->word);
+      const auto* message = std::get_if<simulator::RefereeMessage>(&event.what);
+      if (message == nullptr) continue;
+      // Without the side suffix of mode names.
+      std::string call(message->name);
       for (const char* side : {"_l", "_r"}) {
-        if (const auto at = word.rfind(side); at != std::string::npos) word.resize(at);
+        if (const auto at = call.rfind(side); at != std::string::npos) call.resize(at);
       }
-      ++words[word];
+      ++calls[call];
     }
   }
-  EXPECT_EQ(words["half_time"], 10);
-  EXPECT_EQ(words["time_up"], 10);
-  for (const char* word : {"goal", "kick_in", "corner_kick", "goal_kick", "free_kick", "offside",
+  EXPECT_EQ(calls["half_time"], 10);
+  EXPECT_EQ(calls["time_up"], 10);
+  for (const char* call : {"goal", "kick_in", "corner_kick", "goal_kick", "free_kick", "offside",
                            "goalie_catch_ball", "foul_charge"}) {
-    EXPECT_GT(words[word], 0) << word;
+    EXPECT_GT(calls[call], 0) << call;
   }
 }
 

@@ -1,0 +1,54 @@
+// turn_neck, change_focus, change_view (4.9 to 4.11).
+#include <algorithm>
+
+#include "simulator/actions/commands.h"
+#include "simulator/world/angles.h"
+
+namespace cls::simulator::actions {
+namespace {
+
+namespace math = soccer::math;
+
+constexpr double kMaxFocusDistance = 40.0;
+
+double clamp_to_view(const World& world, const View& view, double direction) {
+  const double half = view_cone(view, world.params().visible_angle) / 2.0;
+  return std::clamp(direction, -half, half);
+}
+
+}  // namespace
+
+void turn_neck(World& world, Player& player, const soccer::TurnNeck& command) {
+  if (player.turn_neck_done) return;
+  const soccer::ServerParams& server = world.params();
+  const double moment = std::clamp(command.moment, server.minneckmoment, server.maxneckmoment);
+  player.pending_neck =
+      std::clamp(player.neck + exact_radians(moment), exact_radians(server.minneckang),
+                 exact_radians(server.maxneckang));
+  player.turn_neck_done = true;
+  ++player.counters.turn_neck;
+}
+
+void change_focus(World& world, Player& player, const soccer::ChangeFocus& command) {
+  View& view = player.view;
+  view.focus_distance =
+      std::clamp(view.focus_distance + command.moment_distance, 0.0, kMaxFocusDistance);
+  const double direction =
+      math::normalize_radians(view.focus_direction + exact_radians(command.moment_direction));
+  view.focus_direction = clamp_to_view(world, view, direction);
+  ++player.counters.change_focus;
+}
+
+void change_view(World& world, Player& player, const soccer::ChangeView& command) {
+  View& view = player.view;
+  if (view.synchronous && command.quality == soccer::ViewQuality::kLow) return;
+  view.width = command.width;
+  view.quality = command.quality.value_or(soccer::ViewQuality::kHigh);
+  // Only the form without a quality clamps the focus to the new view cone (15.2).
+  if (!command.quality) {
+    view.focus_direction = clamp_to_view(world, view, view.focus_direction);
+  }
+  ++player.counters.change_view;
+}
+
+}  // namespace cls::simulator::actions

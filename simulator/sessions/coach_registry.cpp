@@ -1,0 +1,182 @@
+// Admits coaches and sends them messages and views.
+#include "simulator/sessions/coach_registry.h"
+
+#include <utility>
+
+#include "simulator/senses/exact_view.h"
+#include "simulator/sessions/handshake.h"
+#include "simulator/world/roster.h"
+#include "soccer/commands/connection_request.h"
+#include "soccer/messages/hear.h"
+
+namespace cls::simulator {
+namespace {
+
+using soccer::ErrorCode;
+
+bool allows_trainer(const World& world) {
+  return world.params().coach || world.params().coach_w_referee;
+}
+
+}  // namespace
+
+const CoachSession* CoachRegistry::session(ClientId client) const {
+  return sessions_[static_cast<std::size_t>(client - kLeftCoach)].get();
+}
+
+AdmissionResult CoachRegistry::admit(const World& world, ListeningPort port,
+                                     std::string_view datagram) {
+  return port == ListeningPort::kTrainers ? admit_trainer(world, datagram)
+                                          : admit_coach(world, datagram);
+}
+
+AdmissionResult CoachRegistry::admit_coach(const World& world, std::string_view datagram) {
+  soccer::CoachInit init;
+  if (const auto error = soccer::parse(datagram, init)) return *error;
+  const Side side = find_side(world, init.team.view());
+  if (side == Side::kNeutral) return ErrorCode::kNoSuchTeam;
+  const ClientId client = side == Side::kLeft ? kLeftCoach : kRightCoach;
+  if (slot(client) != nullptr) return ErrorCode::kAlreadyHaveCoach;
+  if (!is_supported_version(init.version)) return ErrorCode::kIllegalClientVersion;
+  names_[index(side)] = std::move(init.coach_name);
+  return Admission{client, static_cast<int>(init.version), false};
+}
+
+AdmissionResult CoachRegistry::admit_trainer(const World& world, std::string_view datagram) {
+  if (!allows_trainer(world)) return ErrorCode::kTrainerWithoutCoachMode;
+  if (slot(kTrainer) != nullptr) return ErrorCode::kAlreadyHaveTrainer;
+  soccer::TrainerInit init;
+  if (const auto error = soccer::parse(datagram, init)) return *error;
+  if (!is_supported_version(init.version)) return ErrorCode::kIllegalClientVersion;
+  return Admission{kTrainer, static_cast<int>(init.version), false};
+}
+
+CoachSession& CoachRegistry::connect(const World& world, const Admission& admission,
+                                     std::unique_ptr<soccer::Channel> channel) {
+  slot(admission.client) = std::make_unique<CoachSession>();
+  CoachSession& coach = *slot(admission.client);
+  coach.client = admission.client;
+  coach.version = admission.version;
+  coach.channel = std::move(channel);
+  coach.reply(soccer::CoachInitReply{coach.side()});
+  send_parameters(world, coach);
+  if (!coach.is_trainer()) send_changed_types(world, coach.side(), coach);
+  return coach;
+}
+
+void CoachRegistry::disconnect_all() {
+  for (auto& coach : sessions_) coach.reset();
+}
+
+void CoachRegistry::remove_lost() {
+  for (auto& coach : sessions_) {
+    if (coach != nullptr && coach->lost) coach.reset();
+  }
+}
+
+void CoachRegistry::begin_step(const World& world, std::vector<CoachMessage>& out) {
+  for (auto& coach : sessions_) {
+    if (coach != nullptr) coach->begin_step();
+  }
+  for (const Side side : {Side::kLeft, Side::kRight}) {
+    due_.clear();
+    language_[index(side)].begin_step(world, due_);
+    for (auto& [say, received] : due_) out.push_back({side, std::move(say), received});
+  }
+}
+
+void CoachRegistry::end_step(const World& world) {
+  const soccer::ServerParams& params = world.params();
+  const int game_time = params.nr_normal_halfs * world.rules->half_time;
+  if (params.nr_normal_halfs <= 0 || game_time == 0) return;
+  if (world.clock.stoppage != 0 || world.clock.time <= 0 || world.clock.time % game_time != 0) {
+    return;
+  }
+  for (CoachLanguage& language : language_) language.extend_freeform_quota(params);
+}
+
+void CoachRegistry::send(CoachSession& coach, const soccer::Hear& message) {
+  text_.clear();
+  soccer::format(message, coach.recipient(), text_);
+  coach.send(text_);
+}
+
+void CoachRegistry::send_referee_message(const soccer::Hear& message) {
+  for (auto& coach : sessions_) {
+    if (coach != nullptr && coach->hears()) send(*coach, message);
+  }
+}
+
+void CoachRegistry::send_say(const World& world, const PlayerSaid& said) {
+  const Player& speaker = world.player(said.speaker);
+  for (auto& coach : sessions_) {
+    if (coach == nullptr || !coach->hears()) continue;
+    soccer::Hear hear;
+    hear.time = world.clock.time;
+    hear.sender = soccer::Hear::Sender::kPlayer;
+    hear.team = visible_team_name(world, coach->side(), speaker.side);
+    hear.unum = speaker.unum;
+    hear.goalie = speaker.goalie;
+    hear.text = said.text;
+    send(*coach, hear);
+  }
+}
+
+void CoachRegistry::send_coach_message(const World& world, const CoachMessage& message) {
+  soccer::Hear hear;
+  hear.time = world.clock.time;
+  hear.text = message.say.text;
+  if (message.side != Side::kNeutral) {
+    hear.sender = message.side == Side::kLeft ? soccer::Hear::Sender::kOnlineCoachLeft
+                                              : soccer::Hear::Sender::kOnlineCoachRight;
+    if (slot(kTrainer) != nullptr && slot(kTrainer)->ear) send(*slot(kTrainer), hear);
+    return;
+  }
+  hear.sender = soccer::Hear::Sender::kTrainer;
+  for (auto& coach : sessions_) {
+    if (coach != nullptr && coach->hears()) send(*coach, hear);
+  }
+}
+
+void CoachRegistry::send_type_change(const TypeChanged& change) {
+  for (auto& coach : sessions_) {
+    if (coach == nullptr || coach->is_trainer()) continue;
+    soccer::PlayerTypeChange message{change.unum, std::nullopt};
+    if (coach->side() == change.side) message.type = change.type;
+    coach->reply(message);
+  }
+}
+
+void CoachRegistry::send_goalie_change(const GoalieAppointed& change) {
+  for (auto& coach : sessions_) {
+    if (coach == nullptr || coach->is_trainer()) continue;
+    if (coach->version < kFirstGoalieChangeVersion) continue;
+    coach->reply(soccer::PlayerTypeChange{change.unum, std::nullopt, change.side});
+  }
+}
+
+void CoachRegistry::send_view(const World& world, CoachSession& coach, bool is_look_reply) {
+  coach_view(world, coach.side(), coach.version, is_look_reply, view_);
+  text_.clear();
+  soccer::format(view_, text_);
+  coach.send(text_);
+}
+
+void CoachRegistry::send_views(const World& world) {
+  for (const ClientId client : {kTrainer, kLeftCoach, kRightCoach}) {
+    const auto& coach = slot(client);
+    if (coach != nullptr && coach->eye) send_view(world, *coach, false);
+  }
+}
+
+void CoachRegistry::send_think() {
+  text_.clear();
+  soccer::format(soccer::ServerReply(soccer::Think{}), text_);
+  for (auto& coach : sessions_) {
+    if (coach == nullptr || !coach->eye) continue;
+    coach->send(text_);
+    coach->think_sent = true;
+  }
+}
+
+}  // namespace cls::simulator

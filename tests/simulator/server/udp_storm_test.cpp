@@ -1,0 +1,180 @@
+// Load tests of UdpServer: floods, reconnecting clients, restarts, concurrent servers.
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "tests/simulator/server/running_server.h"
+#include "tests/support/scripted_player.h"
+#include "tests/support/udp_client.h"
+
+namespace cls::simulator {
+namespace {
+
+using std::chrono::milliseconds;
+using tests::ScriptedPlayer;
+using tests::UdpClient;
+
+/// Plays during a flood; the messages that it receives show whether the flood affects it.
+class Witness {
+ public:
+  explicit Witness(int port) : player_(std::make_unique<UdpClient>(port), "Witness") {
+    player_.join();
+    while (player_.unum() == 0) player_.act();
+  }
+
+  /// Plays so many cycles.
+  void play(int cycles) {
+    for (int played = 0; played < cycles; played += player_.act() ? 1 : 0) {
+    }
+  }
+
+ private:
+  ScriptedPlayer player_;
+};
+
+UdpConfig endless() {
+  UdpConfig config = quick_match();
+  config.pause_before_start = milliseconds(1);
+  config.max_wait = milliseconds(20);  // most clients here never send (done)
+  return config;
+}
+
+TEST(UdpStorm, SurvivesHundredRestarts) {
+  for (int i = 0; i < 100; ++i) {
+    RunningServer running(endless());
+    UdpClient client(running.port);
+    client.send("(init A (version 18))");
+    ASSERT_EQ(client.wait(), "(init l 1 before_kick_off)") << i;
+    UdpClient monitor(running.port);
+    monitor.send("(dispinit version 5)");
+    ASSERT_TRUE(monitor.wait().starts_with("(server_param ")) << i;
+    ASSERT_EQ(running.stop(), UdpServerExit::kStopped);
+  }
+}
+
+TEST(UdpStorm, RunsManyServersConcurrently) {
+  std::vector<std::unique_ptr<RunningServer>> servers;
+  for (int i = 0; i < 10; ++i) servers.push_back(std::make_unique<RunningServer>(endless()));
+  for (const auto& server : servers) Witness(server->port).play(2);
+  for (const auto& server : servers) EXPECT_EQ(server->stop(), UdpServerExit::kStopped);
+}
+
+TEST(UdpStorm, SurvivesMonitorsThatConnectAndDisconnect) {
+  RunningServer running(endless());
+  Witness witness(running.port);
+  for (int round = 0; round < 10; ++round) {
+    std::vector<std::unique_ptr<UdpClient>> crowd;
+    for (int i = 0; i < 30; ++i) {
+      crowd.push_back(std::make_unique<UdpClient>(running.port));
+      crowd.back()->send("(dispinit version " + std::to_string(3 + i % 3) + ")");
+    }
+    witness.play(2);
+    // A third of the clients sends bye, the others only close their sockets.
+    for (int i = 0; i < 30; i += 3) {
+      auto& client = *crowd[static_cast<std::size_t>(i)];
+      client.wait();
+      client.send("(dispbye)");
+    }
+    witness.play(2);
+  }
+  UdpClient last(running.port);
+  last.send("(dispinit version 5)");
+  EXPECT_TRUE(last.wait().starts_with("(server_param "));
+  EXPECT_EQ(running.stop(), UdpServerExit::kStopped);
+}
+
+TEST(UdpStorm, SurvivesPlayersThatConnectAndDisconnect) {
+  RunningServer running(endless());
+  Witness witness(running.port);
+  int taken = 0;
+  for (int i = 0; i < 40; ++i) {
+    UdpClient client(running.port);
+    client.send(i % 2 == 0 ? "(init Storm (version 18))" : "(init Witness (version 14))");
+    if (client.wait().starts_with("(init")) ++taken;
+    if (i % 3 == 0) client.send("(bye)");
+    // Some clients closed their sockets; the server notices with the next message to them.
+    witness.play(1);
+  }
+  EXPECT_EQ(taken, 21);  // and the witness
+  UdpClient back(running.port);
+  back.send("(reconnect Storm 3)");
+  EXPECT_EQ(back.wait(), "(reconnect r before_kick_off)");
+}
+
+// Exceeds the receive quota of a client; its (done) is recognized anyway.
+TEST(UdpStorm, FloodOfOneClientDelaysNoOtherClient) {
+  UdpConfig config = endless();
+  config.max_wait = milliseconds(2000);
+  RunningServer running(config);
+  Witness witness(running.port);
+  std::atomic<bool> stop{false};
+  std::thread flood([&] {
+    UdpClient client(running.port);
+    client.send("(init Flood (version 18))");
+    while (!client.wait().starts_with("(ok synch_see)")) {
+    }
+    while (!stop) client.send("(turn 10)(say \"abc\")(done)");
+  });
+  const auto begin = std::chrono::steady_clock::now();
+  witness.play(50);
+  const auto needed = std::chrono::steady_clock::now() - begin;
+  stop = true;
+  flood.join();
+  EXPECT_LT(needed, std::chrono::seconds(20));
+  EXPECT_EQ(running.stop(), UdpServerExit::kStopped);
+  EXPECT_GT(running.server->world().player(Side::kRight, 1).counters.turn, 0);
+}
+
+// Receives up to so many sense_body messages, or fewer if the server stops sending.
+int count_senses(UdpClient& client, int most) {
+  int senses = 0;
+  while (senses < most) {
+    const std::string message = client.wait();
+    if (message.empty()) break;
+    senses += message.starts_with("(sense_body") ? 1 : 0;
+  }
+  return senses;
+}
+
+// Each of these datagrams causes work a thousand times its size.
+TEST(UdpStorm, FloodOfRequestsDelaysNoClient) {
+  for (const std::string request : {"(sense_body)", "(say \"abc\")", "(clang (ver 7 8))"}) {
+    RunningServer running(real_time_match());
+    UdpClient client(running.port);
+    client.send("(init A (version 18))");
+    ASSERT_EQ(client.wait(), "(init l 1 before_kick_off)");
+    std::string datagram;
+    while (datagram.size() < 8000) datagram += request;
+    std::atomic<bool> stop{false};
+    std::thread flood([&] {
+      UdpClient other(running.port);
+      other.send("(init A (version 18))");
+      other.wait();
+      while (!stop) other.send(datagram);
+    });
+    const int senses = count_senses(client, 20);
+    stop = true;
+    flood.join();
+    EXPECT_EQ(senses, 20) << request;
+  }
+}
+
+TEST(UdpStorm, FloodOnListeningPortDelaysNoClient) {
+  RunningServer running(real_time_match());
+  UdpClient client(running.port);
+  client.send("(init A (version 18))");
+  ASSERT_EQ(client.wait(), "(init l 1 before_kick_off)");
+  std::atomic<bool> stop{false};
+  std::thread flood([&] {
+    UdpClient stranger(running.port);
+    while (!stop) stranger.send("(dash 100)");
+  });
+  const int senses = count_senses(client, 20);
+  stop = true;
+  flood.join();
+  EXPECT_EQ(senses, 20);
+}
+
+}  // namespace
+}  // namespace cls::simulator
