@@ -1,4 +1,4 @@
-// Delimited protobuf messages in gzip.
+// Length-delimited protobuf messages, gzip-compressed.
 #include "proto/recording_file.h"
 
 #include <fcntl.h>
@@ -24,11 +24,13 @@ using google::protobuf::util::SerializeDelimitedToZeroCopyStream;
 constexpr const char* kFormat = "cls.rpc-recording";
 constexpr int kVersion = 1;
 
-std::string reason(const std::string& path, int code) { return path + ": " + std::strerror(code); }
+std::string error_text(const std::string& path, int code) {
+  return path + ": " + std::strerror(code);
+}
 
 GzipOutputStream::Options fast() {
   GzipOutputStream::Options options;
-  // A State a millisecond: speed counts for more than the last tenth of the size.
+  // About one State per millisecond: speed matters more than the last 10 % of size.
   options.compression_level = 1;
   return options;
 }
@@ -43,7 +45,7 @@ class RecordingWriter::File {
   std::string path;
   FileOutputStream file;
   GzipOutputStream gzip;
-  bool good = true;
+  bool ok = true;
   bool closed = false;
 };
 
@@ -55,28 +57,28 @@ std::unique_ptr<RecordingWriter> RecordingWriter::create(const std::string& path
                                                          std::string& error) {
   const int descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
   if (descriptor < 0) {
-    error = reason(path, errno);
+    error = error_text(path, errno);
     return nullptr;
   }
   auto file = std::make_unique<File>(path, descriptor);
   recording::RecordingHeader complete = header;
   complete.set_format(kFormat);
   complete.set_version(kVersion);
-  file->good = SerializeDelimitedToZeroCopyStream(complete, &file->gzip);
+  file->ok = SerializeDelimitedToZeroCopyStream(complete, &file->gzip);
   return std::unique_ptr<RecordingWriter>(new RecordingWriter(std::move(file)));
 }
 
 void RecordingWriter::write(const recording::RecordedCall& call) {
-  file_->good = file_->good && SerializeDelimitedToZeroCopyStream(call, &file_->gzip);
+  file_->ok = file_->ok && SerializeDelimitedToZeroCopyStream(call, &file_->gzip);
 }
 
 std::string RecordingWriter::close() {
   if (std::exchange(file_->closed, true)) return {};
   const bool flushed = file_->gzip.Close();
   const bool closed = file_->file.Close();
-  if (file_->good && flushed && closed) return {};
+  if (file_->ok && flushed && closed) return {};
   const int code = file_->file.GetErrno();
-  return code == 0 ? file_->path + ": cannot be written" : reason(file_->path, code);
+  return code == 0 ? file_->path + ": write failed" : error_text(file_->path, code);
 }
 
 class RecordingReader::File {
@@ -95,7 +97,7 @@ std::unique_ptr<RecordingReader> RecordingReader::open(const std::string& path,
                                                        std::string& error) {
   const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
   if (descriptor < 0) {
-    error = reason(path, errno);
+    error = error_text(path, errno);
     return nullptr;
   }
   std::unique_ptr<RecordingReader> reader(
@@ -104,12 +106,12 @@ std::unique_ptr<RecordingReader> RecordingReader::open(const std::string& path,
   const bool read =
       ParseDelimitedFromZeroCopyStream(&reader->header_, &reader->file_->gzip, &clean_end);
   if (!read || reader->header_.format() != kFormat) {
-    error = path + ": not a recording of rpcs (cls match --record-rpc)";
+    error = path + ": not an RPC recording; record one with cls match --record-rpc";
     return nullptr;
   }
   if (reader->header_.version() != kVersion) {
-    error = path + ": a recording of version " + std::to_string(reader->header_.version()) +
-            "; this cls reads version " + std::to_string(kVersion);
+    error = path + ": recording version " + std::to_string(reader->header_.version()) +
+            " is not supported; this cls reads version " + std::to_string(kVersion);
     return nullptr;
   }
   return reader;
@@ -122,8 +124,8 @@ bool RecordingReader::next(recording::RecordedCall& call) {
     ++calls_;
     return true;
   }
-  const bool broken = !clean_end || file_->gzip.ZlibErrorMessage() != nullptr;
-  if (broken) damage_ = path_ + ": damaged after call " + std::to_string(calls_);
+  const bool corrupt = !clean_end || file_->gzip.ZlibErrorMessage() != nullptr;
+  if (corrupt) parse_error_ = path_ + ": corrupt or truncated after call " + std::to_string(calls_);
   return false;
 }
 

@@ -1,4 +1,4 @@
-// Files of recorded rpcs: see rpc_recording.proto.
+// Reads and writes files of recorded RPCs (rpc_recording.proto).
 #pragma once
 
 #include <memory>
@@ -9,10 +9,10 @@
 
 namespace cls::proto {
 
-/// Writes one recording. The first thing that goes wrong is kept and told by close().
+/// Writes one recording. close() reports the first error.
 class RecordingWriter {
  public:
-  /// Creates the file; null, with the reason in `error`, when that is not possible.
+  /// Creates the file; null on failure, with the reason in `error`.
   static std::unique_ptr<RecordingWriter> create(const std::string& path,
                                                  const recording::RecordingHeader& header,
                                                  std::string& error);
@@ -20,7 +20,7 @@ class RecordingWriter {
 
   void write(const recording::RecordedCall& call);
 
-  /// Empty when every byte was written.
+  /// Empty, or the first write error.
   std::string close();
 
  private:
@@ -30,18 +30,19 @@ class RecordingWriter {
   std::unique_ptr<File> file_;
 };
 
-/// Reads one recording, call by call.
+/// Reads one recording call by call.
 class RecordingReader {
  public:
-  /// Null, with the reason in `error`, when the file cannot be read or is no recording.
+  /// Null when the file cannot be read or is not a recording, with the reason in `error`.
   static std::unique_ptr<RecordingReader> open(const std::string& path, std::string& error);
   ~RecordingReader();
 
   const recording::RecordingHeader& header() const { return header_; }
 
-  /// False at the end of the file, and where it is damaged: then damage() says so.
+  /// False at the end of the file, and where it is corrupt or truncated: see parse_error().
   bool next(recording::RecordedCall& call);
-  const std::string& damage() const { return damage_; }
+  /// Empty: the file was intact so far.
+  const std::string& parse_error() const { return parse_error_; }
 
  private:
   class File;
@@ -50,7 +51,7 @@ class RecordingReader {
   std::string path_;
   std::unique_ptr<File> file_;
   recording::RecordingHeader header_;
-  std::string damage_;
+  std::string parse_error_;
   std::int64_t calls_ = 0;
 };
 

@@ -1,34 +1,65 @@
-// Names and messages of the rpcs.
+// Names and message types of the RPCs, from the descriptor of the service.
 #include "proto/rpc.h"
 
 #include <algorithm>
+#include <array>
+#include <cassert>
 
 #include "proto/playmaker.pb.h"
 
 namespace cls::proto {
 namespace {
 
-Caller caller_from(const protos::RegisterResponse& identity) {
-  return {identity.team_name(), identity.uniform_number(), identity.client_id()};
+using google::protobuf::Message;
+
+struct RpcDescription {
+  std::string path;
+  std::string_view name;
+  const Message* request = nullptr;
+  const Message* reply = nullptr;
+  /// The sender's identity in the request; null where the request has no such field.
+  const google::protobuf::FieldDescriptor* identity = nullptr;
+};
+
+const RpcDescription& describe(Rpc rpc) {
+  static const auto descriptions = [] {
+    const auto* service = protos::State::descriptor()->file()->FindServiceByName("Game");
+    assert(service != nullptr && service->method_count() == kRpcs);
+    auto* messages = google::protobuf::MessageFactory::generated_factory();
+    std::array<RpcDescription, kRpcs> all;
+    for (int i = 0; i < kRpcs; ++i) {
+      const auto* method = service->method(i);
+      RpcDescription& description = all[static_cast<std::size_t>(i)];
+      description.path = "/" + service->full_name() + "/" + method->name();
+      description.name = method->name();
+      description.request = messages->GetPrototype(method->input_type());
+      description.reply = messages->GetPrototype(method->output_type());
+      description.identity = method->input_type()->FindFieldByName("register_response");
+    }
+    return all;
+  }();
+  return descriptions.at(static_cast<std::size_t>(rpc));
 }
 
-template <typename Request>
-Caller introduced(const google::protobuf::Message& request) {
-  return caller_from(static_cast<const Request&>(request).register_response());
+const protos::RegisterResponse& identity_in(Rpc rpc, const Message& request) {
+  const auto* field = describe(rpc).identity;
+  return static_cast<const protos::RegisterResponse&>(
+      field == nullptr ? request : request.GetReflection()->GetMessage(request, field));
 }
 
 }  // namespace
 
+std::string_view name(Rpc rpc) { return describe(rpc).name; }
+const std::string& path(Rpc rpc) { return describe(rpc).path; }
+
 const std::vector<std::string_view>& rpc_names() {
-  static const std::vector<std::string_view> names = {
-      "Register",        "SendServerParams",  "SendPlayerParams",
-      "SendPlayerType",  "SendInitMessage",   "GetPlayerActions",
-      "GetCoachActions", "GetTrainerActions", "GetBestPlannerAction",
-      "SendByeCommand"};
+  static const auto names = [] {
+    std::vector<std::string_view> all;
+    for (int i = 0; i < kRpcs; ++i) all.push_back(name(static_cast<Rpc>(i)));
+    return all;
+  }();
   return names;
 }
-
-std::string_view name(Rpc rpc) { return rpc_names().at(static_cast<std::size_t>(rpc)); }
 
 std::optional<Rpc> rpc_from_name(std::string_view name) {
   const auto& names = rpc_names();
@@ -37,74 +68,28 @@ std::optional<Rpc> rpc_from_name(std::string_view name) {
   return static_cast<Rpc>(found - names.begin());
 }
 
-const google::protobuf::Message& request_prototype(Rpc rpc) {
-  switch (rpc) {
-    case Rpc::kRegister:
-      return protos::RegisterRequest::default_instance();
-    case Rpc::kSendServerParams:
-      return protos::ServerParam::default_instance();
-    case Rpc::kSendPlayerParams:
-      return protos::PlayerParam::default_instance();
-    case Rpc::kSendPlayerType:
-      return protos::PlayerType::default_instance();
-    case Rpc::kSendInitMessage:
-      return protos::InitMessage::default_instance();
-    case Rpc::kGetBestPlannerAction:
-      return protos::BestPlannerActionRequest::default_instance();
-    case Rpc::kSendByeCommand:
-      return protos::RegisterResponse::default_instance();
-    case Rpc::kGetPlayerActions:
-    case Rpc::kGetCoachActions:
-    case Rpc::kGetTrainerActions:
-      break;
-  }
-  return protos::State::default_instance();
-}
+const Message& request_prototype(Rpc rpc) { return *describe(rpc).request; }
+const Message& reply_prototype(Rpc rpc) { return *describe(rpc).reply; }
 
-const google::protobuf::Message& reply_prototype(Rpc rpc) {
-  switch (rpc) {
-    case Rpc::kRegister:
-      return protos::RegisterResponse::default_instance();
-    case Rpc::kGetPlayerActions:
-      return protos::PlayerActions::default_instance();
-    case Rpc::kGetCoachActions:
-      return protos::CoachActions::default_instance();
-    case Rpc::kGetTrainerActions:
-      return protos::TrainerActions::default_instance();
-    case Rpc::kGetBestPlannerAction:
-      return protos::BestPlannerActionResponse::default_instance();
-    default:
-      return protos::Empty::default_instance();
+Caller caller_of(Rpc rpc, const Message& request) {
+  if (rpc == Rpc::kRegister) {
+    const auto& registration = static_cast<const protos::RegisterRequest&>(request);
+    return {registration.team_name(), registration.uniform_number(), 0};
   }
-}
-
-Caller caller_of(Rpc rpc, const google::protobuf::Message& request) {
-  switch (rpc) {
-    case Rpc::kRegister: {
-      const auto& introduction = static_cast<const protos::RegisterRequest&>(request);
-      return {introduction.team_name(), introduction.uniform_number(), 0};
-    }
-    case Rpc::kSendServerParams:
-      return introduced<protos::ServerParam>(request);
-    case Rpc::kSendPlayerParams:
-      return introduced<protos::PlayerParam>(request);
-    case Rpc::kSendPlayerType:
-      return introduced<protos::PlayerType>(request);
-    case Rpc::kSendInitMessage:
-      return introduced<protos::InitMessage>(request);
-    case Rpc::kGetBestPlannerAction:
-      return introduced<protos::BestPlannerActionRequest>(request);
-    case Rpc::kSendByeCommand:
-      return caller_from(static_cast<const protos::RegisterResponse&>(request));
-    case Rpc::kGetPlayerActions:
-    case Rpc::kGetCoachActions:
-    case Rpc::kGetTrainerActions:
-      break;
+  const protos::RegisterResponse& identity = identity_in(rpc, request);
+  Caller caller{identity.team_name(), identity.uniform_number(), identity.client_id()};
+  if (is_decision(rpc) && caller.unum == 0) {
+    caller.unum = static_cast<const protos::State&>(request).world_model().self().uniform_number();
   }
-  const auto& state = static_cast<const protos::State&>(request);
-  Caller caller = caller_from(state.register_response());
-  if (caller.unum == 0) caller.unum = state.world_model().self().uniform_number();
   return caller;
+}
+
+void set_identity(Rpc rpc, const protos::RegisterResponse& identity, Message& request) {
+  if (rpc == Rpc::kRegister) return;
+  const auto* field = describe(rpc).identity;
+  Message& target =
+      field == nullptr ? request : *request.GetReflection()->MutableMessage(&request, field);
+  target.CopyFrom(identity);
 }
 
 }  // namespace cls::proto

@@ -1,4 +1,4 @@
-// Messages of a real match: every byte is understood, and written again as it came.
+// Messages of a match with the upstream proxy: all fields are known, and all bytes round-trip.
 #include <google/protobuf/descriptor.h>
 #include <google/protobuf/io/coded_stream.h>
 #include <google/protobuf/io/zero_copy_stream_impl_lite.h>
@@ -26,7 +26,7 @@ namespace {
 namespace fs = std::filesystem;
 namespace pb = google::protobuf;
 
-/// Names every field and enum value in `message` and below that the interface does not know.
+/// Lists all fields and enum values in `message` that the interface does not define.
 void list_unknown(const pb::Message& message, std::vector<std::string>& found) {
   const pb::Reflection& reflection = *message.GetReflection();
   const pb::UnknownFieldSet& unknown = reflection.GetUnknownFields(message);
@@ -60,7 +60,7 @@ std::string varint(std::uint32_t value) {
   return bytes;
 }
 
-/// One field as it stands on the wire.
+/// One field in wire format.
 struct Piece {
   const pb::FieldDescriptor* field;
   std::int32_t map_key;  // 0 unless the field is a map
@@ -118,8 +118,7 @@ Piece read_piece(pb::io::CodedInputStream& in, const pb::Descriptor& type) {
   return piece;
 }
 
-/// `bytes` with the entries of each map in the order of their keys and nothing else changed: the
-/// order of a map's entries is up to the sender.
+/// `bytes` with the entries of each map sorted by key, because their order depends on the sender.
 std::string with_sorted_maps(const std::string& bytes, const pb::Descriptor& type) {
   pb::io::CodedInputStream in(reinterpret_cast<const std::uint8_t*>(bytes.data()),
                               static_cast<int>(bytes.size()));
@@ -149,7 +148,7 @@ std::string written(const pb::Message& message) {
   return bytes;
 }
 
-/// The message that `file` holds; its name ends in METHOD.req.pb.gz or METHOD.rsp.pb.gz.
+/// The message in `file`; its name ends with METHOD.req.pb.gz or METHOD.rsp.pb.gz.
 const pb::Descriptor& type_in(const fs::path& file) {
   const std::string stem = file.stem().stem().stem().string();  // [AGENT.]METHOD
   const bool reply = file.stem().stem().extension() == ".rsp";
@@ -160,7 +159,7 @@ const pb::Descriptor& type_in(const fs::path& file) {
   return reply ? *found->output_type() : *found->input_type();
 }
 
-/// Checks every message of the file; returns their number.
+/// Checks all messages of the file; returns their number.
 std::size_t check_file(const fs::path& file) {
   const pb::Descriptor& type = type_in(file);
   const std::vector<std::string> messages = split_messages(read_file(file));
@@ -195,11 +194,11 @@ std::vector<Message> parsed(const std::string& name) {
   return messages;
 }
 
-TEST(CapturedMessages, AreUnderstoodWholeAndWrittenAsTheyCame) {
+TEST(CapturedMessages, AreKnownAndRoundTrip) {
   EXPECT_EQ(check_folder(fixture("grpc")), 5u * 6 + 4 + 36 + 8 + 4 + 7 + 1);
 }
 
-TEST(CapturedMessages, AreUnderstoodWholeAndWrittenAsTheyCameInAWholeMatch) {
+TEST(CapturedMessages, OfWholeMatchAreKnownAndRoundTrip) {
   const auto folder = data("aligned/grpc");
   if (!folder) GTEST_SKIP() << "no data: set CLS_DATA";
   const std::string index = read_file(*folder / "index.tsv.gz");  // a heading and a line per call
@@ -208,7 +207,7 @@ TEST(CapturedMessages, AreUnderstoodWholeAndWrittenAsTheyCameInAWholeMatch) {
   EXPECT_EQ(check_folder(*folder), 2 * static_cast<std::size_t>(calls));
 }
 
-TEST(CapturedMessages, WouldShowAFieldOrEnumValueThatNobodyKnows) {
+TEST(CapturedMessages, ReportUnknownFieldsAndEnumValues) {
   protos::State state;  // field 99 of the first teammate
   ASSERT_TRUE(state.ParseFromString("\x12\x05\x42\x03\x98\x06\x01"));
   protos::RegisterRequest request;  // agent_type 9
@@ -220,7 +219,7 @@ TEST(CapturedMessages, WouldShowAFieldOrEnumValueThatNobodyKnows) {
                                                "protos.RegisterRequest.agent_type = 9"}));
 }
 
-TEST(CapturedMessages, AreComparedWithTheirMapsInOrderAndNothingElse) {
+TEST(CapturedMessages, AreComparedWithSortedMaps) {
   const pb::Descriptor& type = *protos::WorldModel::descriptor();
   const std::string two("\xfa\x01\x04\x08\x02\x12\x00", 7);  // helios_home_positions 2: empty
   const std::string one("\xfa\x01\x04\x08\x01\x12\x00", 7);  // and 1
@@ -229,7 +228,7 @@ TEST(CapturedMessages, AreComparedWithTheirMapsInOrderAndNothingElse) {
   EXPECT_EQ(with_sorted_maps(two + cycle + one, type), two + cycle + one);
 }
 
-TEST(CapturedMessages, IntroduceTheAgents) {
+TEST(CapturedMessages, RegisterAgents) {
   const auto request = parsed<protos::RegisterRequest>("Register.req.pb.gz").at(4);
   EXPECT_EQ(request.agent_type(), protos::CoachT);
   EXPECT_EQ(request.team_name(), "PROXY");
@@ -240,7 +239,7 @@ TEST(CapturedMessages, IntroduceTheAgents) {
   EXPECT_EQ(reply.uniform_number(), 7);
 }
 
-TEST(CapturedMessages, TellTheServersParametersUnderTheirNames) {
+TEST(CapturedMessages, ContainServerParameters) {
   const auto server = parsed<protos::ServerParam>("SendServerParams.req.pb.gz").at(0);
   EXPECT_EQ(server.register_response().client_id(), 8);
   EXPECT_FLOAT_EQ(server.player_decay(), 0.4f);
@@ -268,7 +267,7 @@ TEST(CapturedMessages, TellTheServersParametersUnderTheirNames) {
   EXPECT_FLOAT_EQ(type.player_speed_max(), 1.05f);
 }
 
-TEST(CapturedMessages, TellWhatAPlayerBelieves) {
+TEST(CapturedMessages, ContainWorldModel) {
   const auto state = parsed<protos::State>("GetPlayerActions.req.pb.gz").at(2);
   EXPECT_EQ(state.register_response().uniform_number(), 4);
   EXPECT_FALSE(state.need_preprocess());
@@ -283,7 +282,7 @@ TEST(CapturedMessages, TellWhatAPlayerBelieves) {
   EXPECT_FLOAT_EQ(world.self().stamina_capacity(), 118630);
   EXPECT_FLOAT_EQ(world.self().relative_neck_direction(), 89);
   EXPECT_FLOAT_EQ(world.self().get_safety_dash_power(), 100);
-  EXPECT_TRUE(std::isinf(world.self().heard_position().x()));  // never heard of
+  EXPECT_TRUE(std::isinf(world.self().heard_position().x()));  // never heard
   EXPECT_FLOAT_EQ(world.ball().relative_position().x(), 9.97662354f);
   EXPECT_EQ(world.ball().heard_vel_count(), 18);
   ASSERT_EQ(world.teammates_size(), 9);
@@ -293,7 +292,7 @@ TEST(CapturedMessages, TellWhatAPlayerBelieves) {
   EXPECT_EQ(world.helios_home_positions_size(), 11);
 }
 
-TEST(CapturedMessages, TellWhatAPlaymakerWants) {
+TEST(CapturedMessages, ContainPlayerActions) {
   const auto replies = parsed<protos::PlayerActions>("GetPlayerActions.rsp.pb.gz");
   const protos::PlayerActions& reply = replies.at(3);
   ASSERT_EQ(reply.actions_size(), 2);

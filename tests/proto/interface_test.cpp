@@ -1,4 +1,4 @@
-// The compiled interface against the listing of its specification: names, numbers, types, methods.
+// The compiled interface compared with its specification: names, numbers, types, methods.
 #include <google/protobuf/descriptor.h>
 #include <gtest/gtest.h>
 
@@ -95,7 +95,7 @@ Lines list_specified() {
   return lines;
 }
 
-/// What is in `left` and not in `right`, one line each.
+/// Lines that are in `left` but not in `right`.
 std::string missing(const Lines& left, const Lines& right) {
   std::vector<std::string> only_left;
   std::set_difference(left.begin(), left.end(), right.begin(), right.end(),
@@ -105,14 +105,14 @@ std::string missing(const Lines& left, const Lines& right) {
   return text;
 }
 
-TEST(PlaymakerInterface, IsTheSpecifiedOneInEveryNameNumberAndType) {
+TEST(PlaymakerInterface, MatchesSpecification) {
   const Lines compiled = list_compiled(*protos::Empty::descriptor()->file());
   const Lines specified = list_specified();
   EXPECT_EQ(missing(specified, compiled), "") << "specified, not compiled";
   EXPECT_EQ(missing(compiled, specified), "") << "compiled, not specified";
 }
 
-TEST(PlaymakerInterface, ListsTheWholeSpecification) {
+TEST(PlaymakerInterface, SpecificationIsComplete) {
   const Lines specified = list_specified();
   const auto count = [&](const std::string& word) {
     return std::count_if(specified.begin(), specified.end(),
@@ -125,7 +125,7 @@ TEST(PlaymakerInterface, ListsTheWholeSpecification) {
   EXPECT_EQ(count("field "), 837);
 }
 
-TEST(PlaymakerInterface, IsCalledUnderTheNameThatOtherProgramsUse) {
+TEST(PlaymakerInterface, HasServiceNameOfUpstream) {
   EXPECT_STREQ(protos::Game::service_full_name(), "protos.Game");
 }
 

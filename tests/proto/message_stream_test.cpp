@@ -8,7 +8,7 @@
 namespace cls::tests {
 namespace {
 
-TEST(MessageStream, SplitsAtTheLengths) {
+TEST(MessageStream, SplitsByLengthPrefix) {
   const std::string stream(
       "\x02"
       "ab"
@@ -19,12 +19,12 @@ TEST(MessageStream, SplitsAtTheLengths) {
   EXPECT_EQ(split_messages(stream), (std::vector<std::string>{"ab", "", "c"}));
 }
 
-TEST(MessageStream, ReadsLengthsOfSeveralBytes) {
+TEST(MessageStream, ReadsMultiByteLengths) {
   const std::string message(300, 'x');
   EXPECT_EQ(split_messages("\xac\x02" + message), std::vector<std::string>{message});
 }
 
-TEST(MessageStream, RefusesAStreamThatEndsTooEarly) {
+TEST(MessageStream, RejectsTruncatedStream) {
   EXPECT_THROW(split_messages("\x03"
                               "ab"),
                std::runtime_error);
