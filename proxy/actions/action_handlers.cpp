@@ -1,4 +1,4 @@
-// From wire messages to skills, one line or two for each kind of action.
+// From action messages to skills, one table entry per action.
 #include "proxy/actions/action_handlers.h"
 
 #include <array>
@@ -11,22 +11,16 @@
 #include "proxy/ball_skills/kick.h"
 #include "proxy/ball_skills/shoot.h"
 #include "proxy/ball_skills/smart_kick.h"
-#include "proxy/behaviors/basic_move.h"
-#include "proxy/behaviors/communication.h"
-#include "proxy/behaviors/goalie.h"
-#include "proxy/behaviors/goalie_free_kick.h"
-#include "proxy/behaviors/heard_pass.h"
-#include "proxy/behaviors/penalty.h"
-#include "proxy/behaviors/set_play.h"
-#include "proxy/looking/looking.h"
+#include "proxy/behaviors/behaviors.h"
+#include "proxy/looking/body_neck.h"
 #include "proxy/looking/neck.h"
 #include "proxy/looking/view.h"
 #include "proxy/messages/say_payload.h"
 #include "proxy/movement/intercept.h"
 #include "proxy/movement/movement.h"
 #include "proxy/movement/tackle.h"
-#include "proxy/planner/planned_action.h"
-#include "proxy/planner/planner_action.h"
+#include "proxy/planner/offensive_planner.h"
+#include "proxy/planner/plan_execution.h"
 
 namespace cls::proxy {
 namespace {
@@ -44,7 +38,7 @@ soccer::Side side(protos::Side side) {
   return side == protos::RIGHT ? soccer::Side::kRight : soccer::Side::kLeft;
 }
 
-/// The player a neck action names; null when it is not tracked.
+/// The player named by a neck action; null when not tracked.
 const PlayerState* player(const WorldModel& world, protos::Side team, int unum) {
   return side(team) == world.our_side ? world.teammate(unum) : world.opponent(unum);
 }
@@ -67,7 +61,7 @@ bool say(const protos::Say& say, Context& c) {
   ActionCounts& counts = c.report.say[kind < c.report.say.size() ? kind : 0];
   const std::optional<SayMessage> message = say_message_of(say, c.world.server());
   if (!message) {
-    ++counts.unimplemented;  // of a later version
+    ++counts.unimplemented;  // member of a later interface
     return false;
   }
   std::string text;
@@ -81,9 +75,9 @@ bool log_text(const std::string& text, Context& c) {
   return true;
 }
 
-/// Play with the ball by the default plan; without it, without the ball.
+/// Default plan with the ball, otherwise basic move.
 bool basic_offensive(Context& c) {
-  if (act_on_default_plan(c)) return true;
+  if (execute_default_plan(c)) return true;
   if (c.world.self.kickable) return hold_ball(c.world, c.slots, false, {});
   return basic_move(c.world, c.slots, c.neck, c.memory.recovering);
 }
@@ -130,7 +124,7 @@ constexpr ActionClass kSide = ActionClass::kSide;
 #define CLS_MAIN(...) CLS_ACTION(kMain, __VA_ARGS__)
 #define CLS_SIDE(...) CLS_ACTION(kSide, __VA_ARGS__)
 
-/// In the order of the wire; null: nothing is set.
+/// In the order of PlayerAction; null: no member set.
 constexpr std::array kEntries{
     ActionEntry{Action::ACTION_NOT_SET, kSide, nullptr},
     CLS_MAIN(kDash, dash, c.slots.dash(m.power(), m.relative_direction())),
@@ -146,7 +140,7 @@ constexpr std::array kEntries{
     CLS_SIDE(kPointToOf, point_to_of, c.slots.point_to_off()),
     CLS_SIDE(kAttentionTo, attention_to, c.slots.attention_to(side(m.side()), m.unum())),
     CLS_SIDE(kAttentionToOf, attention_to_of, c.slots.attention_to_off()),
-    CLS_SIDE(kLog, log, append_debug(m, c.world.game.time, c.memory.debug)),
+    CLS_SIDE(kLog, log, append_debug_action(m, c.world.game.time, c.memory.debug)),
     CLS_SIDE(kDebugClient, debug_client, log_text(m.message(), c)),
     CLS_MAIN(kBodyGoToPoint, body_go_to_point,
              go_to_point(c.world, c.slots, vec(m.target_point()), m.distance_threshold(),
@@ -155,20 +149,20 @@ constexpr std::array kEntries{
              smart_kick(c.world, c.slots, vec(m.target_point()), m.first_speed(),
                  m.first_speed_threshold(), m.max_steps())),
     CLS_MAIN(kBhvBeforeKickOff, bhv_before_kick_off,
-             before_kick_off(c.world, c.memory.sight, c.slots, vec(m.point()))),
+             before_kick_off(c.world, c.memory.view, c.slots, vec(m.point()))),
     CLS_MAIN(kBhvBodyNeckToBall, bhv_body_neck_to_ball,
-             body_neck_to_ball(c.world, c.memory.sight, c.slots)),
+             body_neck_to_ball(c.world, c.memory.view, c.slots)),
     CLS_MAIN(kBhvBodyNeckToPoint, bhv_body_neck_to_point,
-             body_neck_to_point(c.world, c.memory.sight, c.slots, vec(m.point()))),
-    CLS_SIDE(kBhvEmergency, bhv_emergency, emergency(c.world, c.memory.sight, c.slots)),
+             body_neck_to_point(c.world, c.memory.view, c.slots, vec(m.point()))),
+    CLS_SIDE(kBhvEmergency, bhv_emergency, emergency(c.world, c.memory.view, c.slots)),
     CLS_MAIN(kBhvGoToPointLookBall, bhv_go_to_point_look_ball,
-             go_to_point_look_ball(c.world, c.memory.sight, c.slots, c.neck,
+             go_to_point_look_ball(c.world, c.memory.view, c.slots, c.neck,
                  vec(m.target_point()), m.distance_threshold(), m.max_dash_power())),
     CLS_MAIN(kBhvNeckBodyToBall, bhv_neck_body_to_ball,
-             neck_body_to_ball(c.world, c.memory.sight, c.slots, m.angle_buf())),
+             neck_body_to_ball(c.world, c.memory.view, c.slots, m.angle_buf())),
     CLS_MAIN(kBhvNeckBodyToPoint, bhv_neck_body_to_point,
-             neck_body_to_point(c.world, c.memory.sight, c.slots, vec(m.point()), m.angle_buf())),
-    CLS_MAIN(kBhvScanField, bhv_scan_field, scan_field(c.world, c.memory.sight, c.slots)),
+             neck_body_to_point(c.world, c.memory.view, c.slots, vec(m.point()), m.angle_buf())),
+    CLS_MAIN(kBhvScanField, bhv_scan_field, scan_field(c.world, c.memory.view, c.slots)),
     CLS_MAIN(kBodyAdvanceBall, body_advance_ball, advance_ball(c.world, c.slots)),
     CLS_MAIN(kBodyClearBall, body_clear_ball, clear_ball(c.world, c.slots)),
     CLS_MAIN(kBodyDribble, body_dribble, dribble(m, c)),
@@ -193,25 +187,25 @@ constexpr std::array kEntries{
     CLS_SIDE(kFocusMoveToPoint, focus_move_to_point,
              focus_to_point(c.world, c.slots, vec(m.target_point()))),
     CLS_SIDE(kFocusReset, focus_reset, focus_reset(c.world, c.slots)),
-    CLS_SIDE(kNeckScanField, neck_scan_field, neck_scan_field(c.world, c.memory.sight, c.slots)),
+    CLS_SIDE(kNeckScanField, neck_scan_field, neck_scan_field(c.world, c.memory.view, c.slots)),
     CLS_SIDE(kNeckScanPlayers, neck_scan_players,
-             neck_scan_players(c.world, c.memory.sight, c.slots)),
+             neck_scan_players(c.world, c.memory.view, c.slots)),
     CLS_SIDE(kNeckTurnToBallAndPlayer, neck_turn_to_ball_and_player,
-             neck_turn_to_ball_and_player(c.world, c.memory.sight, c.slots,
+             neck_turn_to_ball_and_player(c.world, c.memory.view, c.slots,
                  player(c.world, m.side(), m.uniform_number()), m.count_threshold())),
     CLS_SIDE(kNeckTurnToBallOrScan, neck_turn_to_ball_or_scan,
-             neck_turn_to_ball_or_scan(c.world, c.memory.sight, c.slots, m.count_threshold())),
+             neck_turn_to_ball_or_scan(c.world, c.memory.view, c.slots, m.count_threshold())),
     CLS_SIDE(kNeckTurnToBall, neck_turn_to_ball,
-             neck_turn_to_ball(c.world, c.memory.sight, c.slots)),
+             neck_turn_to_ball(c.world, c.memory.view, c.slots)),
     CLS_SIDE(kNeckTurnToGoalieOrScan, neck_turn_to_goalie_or_scan,
-             neck_turn_to_goalie_or_scan(c.world, c.memory.sight, c.slots, m.count_threshold())),
+             neck_turn_to_goalie_or_scan(c.world, c.memory.view, c.slots, m.count_threshold())),
     CLS_SIDE(kNeckTurnToLowConfTeammate, neck_turn_to_low_conf_teammate,
-             neck_turn_to_low_conf_teammate(c.world, c.memory.sight, c.slots)),
+             neck_turn_to_low_conf_teammate(c.world, c.memory.view, c.slots)),
     CLS_SIDE(kNeckTurnToPlayerOrScan, neck_turn_to_player_or_scan,
-             neck_turn_to_player_or_scan(c.world, c.memory.sight, c.slots,
+             neck_turn_to_player_or_scan(c.world, c.memory.view, c.slots,
                  player(c.world, m.side(), m.uniform_number()), m.count_threshold())),
     CLS_SIDE(kNeckTurnToPoint, neck_turn_to_point,
-             neck_turn_to_point(c.world, c.memory.sight, c.slots, vec(m.target_point()))),
+             neck_turn_to_point(c.world, c.memory.view, c.slots, vec(m.target_point()))),
     CLS_SIDE(kNeckTurnToRelative, neck_turn_to_relative,
              neck_turn_to_relative(c.world, c.slots, m.angle())),
     CLS_SIDE(kViewChangeWidth, view_change_width, change_width(c, m.view_width())),
@@ -222,7 +216,7 @@ constexpr std::array kEntries{
     CLS_MAIN(kHeliosGoalieMove, helios_goalie_move, goalie_move(c)),
     CLS_MAIN(kHeliosGoalieKick, helios_goalie_kick, goalie_kick(c)),
     CLS_MAIN(kHeliosShoot, helios_shoot, shoot_and_look(c)),
-    CLS_MAIN(kHeliosOffensivePlanner, helios_offensive_planner, offensive_planner(m, c)),
+    CLS_MAIN(kHeliosOffensivePlanner, helios_offensive_planner, run_offensive_planner(m, c)),
     CLS_MAIN(kHeliosBasicOffensive, helios_basic_offensive, basic_offensive(c)),
     CLS_MAIN(kHeliosBasicMove, helios_basic_move,
              basic_move(c.world, c.slots, c.neck, c.memory.recovering)),
@@ -233,7 +227,7 @@ constexpr std::array kEntries{
     CLS_MAIN(kBhvDoHeardPassRecieve, bhv_do_heard_pass_recieve, receive_heard_pass(c)),
     CLS_MAIN(kHeliosBasicTackle, helios_basic_tackle, basic_tackle_and_look(m, c)),
     CLS_SIDE(kNeckOffensiveInterceptNeck, neck_offensive_intercept_neck,
-             neck_offensive_intercept(c.world, c.memory.sight, c.slots)),
+             neck_offensive_intercept(c.world, c.memory.view, c.slots)),
     CLS_MAIN(kBhvGoalieFreeKick, bhv_goalie_free_kick, goalie_free_kick(c)),
 };
 #undef CLS_SIDE
@@ -241,13 +235,13 @@ constexpr std::array kEntries{
 #undef CLS_ACTION
 // clang-format on
 
-constexpr bool in_wire_order() {
+constexpr bool in_field_order() {
   for (std::size_t i = 0; i < kEntries.size(); ++i) {
     if (static_cast<std::size_t>(kEntries[i].member) != i) return false;
   }
   return true;
 }
-static_assert(kEntries.size() == kActionKinds && in_wire_order());
+static_assert(kEntries.size() == kActionKinds && in_field_order());
 
 }  // namespace
 

@@ -1,4 +1,4 @@
-// The table of actions: for each member of PlayerAction how it is carried out.
+// Table of action handlers, one per member of PlayerAction.
 #pragma once
 
 #include "proto/playmaker.pb.h"
@@ -6,7 +6,7 @@
 
 namespace cls::proxy {
 
-/// Main actions exclude each other, the first success wins; side actions always run.
+/// Main actions: the first success ends them. Side actions always run.
 enum class ActionClass : unsigned char { kMain, kSide };
 
 /// True when the action succeeded. The named member is set and its numbers are finite.
@@ -18,8 +18,7 @@ struct ActionEntry {
   ActionHandler handler;  ///< null: no member
 };
 
-/// The entry of a member; for a value that is no member the entry of ACTION_NOT_SET, which has no
-/// handler.
+/// The entry of a member; for unknown values the entry of ACTION_NOT_SET, which has no handler.
 const ActionEntry& action_entry(int member);
 
 }  // namespace cls::proxy

@@ -1,4 +1,4 @@
-// One kind of line for each shape.
+// One line format per shape.
 #include "proxy/actions/debug_log.h"
 
 #include <fmt/format.h>
@@ -10,7 +10,7 @@
 namespace cls::proxy {
 namespace {
 
-/// A line of text stays one line.
+/// Replaces line breaks.
 std::string one_line(std::string_view text) {
   std::string line(text);
   for (char& c : line) {
@@ -33,7 +33,7 @@ class LineWriter {
     return *this;
   }
   LineWriter& point(const protos::RpcVector2D& p) { return number(p.x()).number(p.y()); }
-  /// Words to the end of the line.
+  /// Text to the end of the line.
   void rest(std::string_view text) {
     if (!text.empty()) fmt::format_to(std::back_inserter(out_), " {}", one_line(text));
     out_ += '\n';
@@ -43,12 +43,12 @@ class LineWriter {
   std::string& out_;
 };
 
-/// Filled shapes have the capital letter.
+/// Filled shapes use the capital letter.
 char letter(char plain, bool filled) {
   return filled ? static_cast<char>(plain - 'a' + 'A') : plain;
 }
 
-/// The shapes that may be filled.
+/// Shapes that can be filled.
 bool append_shape(const protos::Log& log, GameTime now, std::string& out) {
   using Log = protos::Log;
   const auto line = [&](const auto& m) { return LineWriter(now, m.level(), out); };
@@ -98,7 +98,7 @@ bool append_shape(const protos::Log& log, GameTime now, std::string& out) {
 
 }  // namespace
 
-bool append_debug(const protos::Log& log, GameTime now, std::string& out) {
+bool append_debug_action(const protos::Log& log, GameTime now, std::string& out) {
   using Log = protos::Log;
   const auto line = [&](const auto& m) { return LineWriter(now, m.level(), out); };
   switch (log.log_case()) {
@@ -130,8 +130,8 @@ bool append_debug(const protos::Log& log, GameTime now, std::string& out) {
     }
     case Log::kAddMessage: {
       const auto& m = log.add_message();
-      const std::string colour = m.color().empty() ? "" : "(c " + m.color() + ") ";
-      line(m).kind('m').point(m.position()).rest(colour + m.message());
+      const std::string color = m.color().empty() ? "" : "(c " + m.color() + ") ";
+      line(m).kind('m').point(m.position()).rest(color + m.message());
       return true;
     }
     default:

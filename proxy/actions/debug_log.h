@@ -1,4 +1,4 @@
-// Playmakers' debug texts and drawings, as lines of a log that soccerwindow2 shows.
+// Formats Playmakers' debug texts and drawings as lines of a soccerwindow2 debug log.
 #pragma once
 
 #include <string>
@@ -14,9 +14,9 @@ namespace cls::proxy {
 
 /// Appends one line for the text or shape: `CYCLE,STOPPED LEVEL KIND ...` (docs/actions.md). False,
 /// appending nothing, when no member is set.
-bool append_debug(const protos::Log& log, GameTime now, std::string& out);
+bool append_debug_action(const protos::Log& log, GameTime now, std::string& out);
 
-/// A text of the debug client, as a text of no level.
+/// Formats a debug_client message as a text of level 0.
 void append_debug_text(std::string_view text, GameTime now, std::string& out);
 
 }  // namespace cls::proxy

@@ -1,25 +1,77 @@
-// The order in which a decision's parts are tried.
+// Sequence of the parts of a decision.
 #include "proxy/actions/executor.h"
 
 #include <google/protobuf/message.h>
 
 #include <cmath>
+#include <optional>
 
 #include "proto/playmaker.pb.h"
 #include "proxy/actions/action_handlers.h"
-#include "proxy/actions/preprocess.h"
 #include "proxy/ball_skills/clear_ball.h"
 #include "proxy/ball_skills/dribble.h"
 #include "proxy/ball_skills/shoot.h"
-#include "proxy/behaviors/communication.h"
-#include "proxy/behaviors/heard_pass.h"
+#include "proxy/behaviors/behaviors.h"
+#include "proxy/looking/body_neck.h"
 #include "proxy/looking/view.h"
+#include "proxy/movement/home_positions.h"
+#include "proxy/movement/movement.h"
 #include "proxy/world/motion.h"
 
 namespace cls::proxy {
 namespace {
 
 namespace pb = google::protobuf;
+using soccer::PlayMode;
+
+/// Reasons for automatic actions that replace the Playmaker's, by precedence
+/// (proxy behaviour 2.4).
+enum class PreprocessReason : unsigned char { kFrozen, kNoPlay, kPositionUnknown, kBallLost };
+
+bool no_play(PlayMode mode) {
+  return mode == PlayMode::kBeforeKickOff || mode == PlayMode::kGoalLeft ||
+         mode == PlayMode::kGoalRight;
+}
+
+bool ball_lost(const WorldModel& world) {
+  const int limit = world.goalie ? 10 : 5;
+  const int seen_limit = world.goalie ? 20 : 15;
+  return world.ball.pos_count > limit ||
+         (world.game.mode != PlayMode::kPlayOn && world.ball.seen_pos_count > seen_limit);
+}
+
+std::optional<PreprocessReason> preprocess_reason(const WorldModel& world) {
+  if (world.self.frozen()) return PreprocessReason::kFrozen;
+  if (no_play(world.game.mode)) return PreprocessReason::kNoPlay;
+  if (!world.self.position_valid()) return PreprocessReason::kPositionUnknown;
+  if (ball_lost(world)) return PreprocessReason::kBallLost;
+  return std::nullopt;
+}
+
+void preprocess(PreprocessReason reason, const WorldModel& world, const ViewMemory& view,
+                CommandSlots& slots, NeckPlan& neck) {
+  switch (reason) {
+    case PreprocessReason::kFrozen:
+      view_tactical(world, slots);
+      neck.kind = NeckPlan::Kind::kBallOrScan;
+      return;
+    case PreprocessReason::kNoPlay:
+      view_tactical(world, slots);
+      before_kick_off(world, view, slots, own_home_position(world));
+      return;
+    case PreprocessReason::kPositionUnknown:
+      emergency(world, view, slots);
+      return;
+    case PreprocessReason::kBallLost:
+      view_tactical(world, slots);
+      if (world.ball.ghost_count > 0) {
+        scan_field(world, view, slots);  // not at the estimated position
+      } else {
+        neck_body_to_ball(world, view, slots, 0.0);
+      }
+      return;
+  }
+}
 
 bool finite_field(const pb::Message& message, const pb::Reflection& reflection,
                   const pb::FieldDescriptor& field);
@@ -53,8 +105,8 @@ bool finite_field(const pb::Message& message, const pb::Reflection& reflection,
   return true;
 }
 
-/// A ball kicked ahead is still ours as long as nobody else has it.
-void note_possession(const WorldModel& world, ActionMemory& memory) {
+/// Possession continues after a kick ahead until another player controls the ball.
+void update_possession(const WorldModel& world, ActionMemory& memory) {
   constexpr double kNear = 4.0;
   const bool open = world.game.mode == soccer::PlayMode::kPlayOn;
   const bool lost =
@@ -65,7 +117,7 @@ void note_possession(const WorldModel& world, ActionMemory& memory) {
   }
 }
 
-/// Runs the list: main actions until one succeeds, side actions all.
+/// Executes the list: main actions until one succeeds, all side actions.
 void run_list(const protos::PlayerActions& reply, ActionContext& context) {
   bool main_done = false;
   for (const protos::PlayerAction& action : reply.actions()) {
@@ -89,7 +141,7 @@ void run_list(const protos::PlayerActions& reply, ActionContext& context) {
 bool run_preprocess(ActionContext& context) {
   const auto reason = preprocess_reason(context.world);
   if (!reason) return false;
-  preprocess(*reason, context.world, context.memory.sight, context.slots, context.neck);
+  preprocess(*reason, context.world, context.memory.view, context.slots, context.neck);
   ++context.report.preprocess;
   return true;
 }
@@ -133,12 +185,11 @@ bool run_force_kick(ActionContext& context) {
   return true;
 }
 
-/// What happens in every decision once the actions are through: the queued look, the width of view
-/// and the focus when nobody chose them.
+/// Ends every decision: queued neck plan, default view width and focus, communication.
 void finish(ActionContext& context) {
   const WorldModel& world = context.world;
-  if (!context.slots.view_asked()) view_tactical(world, context.slots);
-  carry_out(context.neck, world, context.memory.sight, context.slots);
+  if (!context.slots.view_requested()) view_tactical(world, context.slots);
+  execute_neck_plan(context.neck, world, context.memory.view, context.slots);
   if (!context.slots.has_focus() && world.ball.position_valid()) {
     focus_to_point(world, context.slots, ball_after(world, 1));
   }
@@ -154,15 +205,15 @@ void execute(const protos::PlayerActions& reply, const WorldModel& world, Action
   NeckPlan neck;
   ActionContext context{world, memory, slots, neck, report, choice, &reply};
   memory.debug.clear();
-  note_sight(memory.sight, world);
-  note_possession(world, memory);
-  const bool by_itself = (!reply.ignore_preprocess() && run_preprocess(context)) ||
+  update_view_memory(memory.view, world);
+  update_possession(world, memory);
+  const bool automatic = (!reply.ignore_preprocess() && run_preprocess(context)) ||
                          (!reply.ignore_shootinpreprocess() && run_sure_shot(context)) ||
                          (!reply.ignore_dointention() && run_intention(context)) ||
                          (!reply.ignore_doforcekick() && run_force_kick(context)) ||
                          (!reply.ignore_doheardpassrecieve() && run_heard_pass(context));
-  if (!by_itself) run_list(reply, context);
-  if (choice.chooser != PlanChoice::Chooser::kWanted) finish(context);
+  if (!automatic) run_list(reply, context);
+  if (choice.chooser != PlanChoice::Chooser::kRequested) finish(context);
 }
 
 void execute(const protos::PlayerActions& reply, const WorldModel& world, ActionMemory& memory,
@@ -177,7 +228,7 @@ void execute_without_reply(const WorldModel& world, ActionMemory& memory, Comman
   PlanChoice choice;
   ActionContext context{world, memory, slots, neck, report, choice};
   memory.debug.clear();
-  note_sight(memory.sight, world);
+  update_view_memory(memory.view, world);
   if (!run_preprocess(context)) neck.kind = NeckPlan::Kind::kBallOrScan;
   finish(context);
 }

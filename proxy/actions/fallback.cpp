@@ -1,4 +1,4 @@
-// Actions of the wire, chosen by the proxy.
+// Actions chosen by the proxy.
 #include "proxy/actions/fallback.h"
 
 #include "proxy/movement/home_positions.h"
@@ -6,7 +6,7 @@
 namespace cls::proxy {
 namespace {
 
-constexpr float kArrived = 1.0F;
+constexpr float kHomeDistance = 1.0F;
 constexpr float kRunningPower = 70.0F;
 
 void go_home(const WorldModel& world, protos::PlayerActions& out) {
@@ -14,13 +14,13 @@ void go_home(const WorldModel& world, protos::PlayerActions& out) {
   protos::Body_GoToPoint& go = *out.add_actions()->mutable_body_go_to_point();
   go.mutable_target_point()->set_x(static_cast<float>(home.x));
   go.mutable_target_point()->set_y(static_cast<float>(home.y));
-  go.set_distance_threshold(kArrived);
+  go.set_distance_threshold(kHomeDistance);
   go.set_max_dash_power(kRunningPower);
 }
 
 }  // namespace
 
-void make_fallback(const WorldModel& world, protos::PlayerActions& out) {
+void choose_fallback_actions(const WorldModel& world, protos::PlayerActions& out) {
   out.Clear();
   const InterceptTable& table = world.intercept;
   const bool may_touch = !is_set_play_of(world.game, world.their_side());

@@ -1,4 +1,4 @@
-// What a player does by itself when its Playmaker does not answer and standing still is not wanted.
+// Automatic play for missed decisions (OnLate::kDefault).
 #pragma once
 
 #include "proto/playmaker.pb.h"
@@ -6,8 +6,8 @@
 
 namespace cls::proxy {
 
-/// Replaces `out` with plain soccer: clear the ball, go for it when nearest, else keep the place in
-/// the formation; and look at the ball.
-void make_fallback(const WorldModel& world, protos::PlayerActions& out);
+/// Replaces `out`: clear the ball, intercept it when first, otherwise move to the home position;
+/// look at the ball.
+void choose_fallback_actions(const WorldModel& world, protos::PlayerActions& out);
 
 }  // namespace cls::proxy

@@ -1,4 +1,4 @@
-// An agent's part of a cycle.
+// A player's part of a cycle.
 #include "proxy/agent/player_agent.h"
 
 #include <algorithm>
@@ -19,20 +19,20 @@
 namespace cls::proxy {
 namespace {
 
-// From this version on players see in synchronous mode without asking.
+// Protocol version since which players have synchronous see without a request.
 constexpr int kSynchronousVersion = 18;
 
-// The agents' own settings, sent once the server has let them in.
-std::string settings(int protocol) {
+// Settings, sent after the server has accepted the agent.
+std::string initial_commands(int protocol) {
   std::vector<soccer::PlayerCommand> commands;
   if (protocol < kSynchronousVersion) commands.push_back(soccer::SynchSee{});
-  // What opponents shout is noise to us and would use up hearing capacity.
+  // Opponents' say messages are noise and would use up hearing capacity.
   commands.push_back(
       soccer::Ear{false, soccer::TeamReference{soccer::TeamReference::Kind::kOpponent, ""}, {}});
-  // Who does not say this is not told what the coach says.
-  constexpr int kOldestCoachLanguage = 7;
-  constexpr int kNewestCoachLanguage = 8;
-  commands.push_back(soccer::Clang{kOldestCoachLanguage, kNewestCoachLanguage});
+  // Without (clang ...) the server does not forward coach messages.
+  constexpr int kMinCoachLanguage = 7;
+  constexpr int kMaxCoachLanguage = 8;
+  commands.push_back(soccer::Clang{kMinCoachLanguage, kMaxCoachLanguage});
   std::string datagram;
   for (const soccer::PlayerCommand& command : commands) {
     const bool formatted = soccer::format(command, datagram);
@@ -41,24 +41,24 @@ std::string settings(int protocol) {
   return datagram;
 }
 
-bool leaves_choice_open(const protos::PlayerActions& actions) {
+bool requests_choice(const protos::PlayerActions& actions) {
   return std::any_of(actions.actions().begin(), actions.actions().end(), [](const auto& action) {
     return action.has_helios_offensive_planner() &&
            action.helios_offensive_planner().server_side_decision();
   });
 }
 
-// Commands that the server counts whatever comes of them, one a cycle; a kick it does not when the
-// ball is out of reach.
+// Commands that the server counts even without effect, one per cycle. It does not count a kick when
+// the ball is out of reach.
 bool is_counted(const soccer::PlayerCommand& command, soccer::PlayMode mode) {
   return std::holds_alternative<soccer::Turn>(command) ||
          std::holds_alternative<soccer::Dash>(command) ||
-         (std::holds_alternative<soccer::Tackle>(command) && !clock_stands(mode));
+         (std::holds_alternative<soccer::Tackle>(command) && !clock_stopped(mode));
 }
 
 }  // namespace
 
-std::optional<OnLate> on_late_from_name(std::string_view name) {
+std::optional<OnLate> parse_on_late(std::string_view name) {
   if (name == "hold") return OnLate::kHold;
   if (name == "last") return OnLate::kLast;
   if (name == "default") return OnLate::kDefault;
@@ -73,29 +73,29 @@ PlayerAgent::PlayerAgent(std::unique_ptr<soccer::Channel> channel, AgentOptions 
 bool PlayerAgent::connect() {
   if (options_.reconnect_unum != 0) {
     const std::string team(options_.team_name.view());
-    return request_entry(server_, soccer::PlayerReconnect{team, options_.reconnect_unum});
+    return send_init(server_, soccer::PlayerReconnect{team, options_.reconnect_unum});
   }
   soccer::PlayerInit request;
   request.team = options_.team_name;
   request.version = options_.protocol;
   request.goalie = options_.goalie;
-  return request_entry(server_, request);
+  return send_init(server_, request);
 }
 
 void PlayerAgent::perceive() {
-  while (!deciding_ && server_.channel->receive(server_.message)) take_in_message();
+  while (!deciding() && server_.channel->receive(server_.message)) handle_message();
   statistics_.undecided = timer_.undecided();
 }
 
-void PlayerAgent::take_in_message() {
+void PlayerAgent::handle_message() {
   switch (soccer::message_kind(server_.message)) {
     case soccer::MessageKind::kSenseBody:
-      if (read(server_, sense_)) take_in_sense_body();
+      if (read(server_, sense_)) handle_sense_body();
       break;
     case soccer::MessageKind::kSee:
       if (!read(server_, see_)) break;
       on_see(world_, see_);
-      if (see_.time == world_.game.time.cycle) timer_.on_see(server_.channel->arrived());
+      if (see_.time == world_.game.time.cycle) timer_.on_see(server_.channel->received_at());
       break;
     case soccer::MessageKind::kHear:
       if (read(server_, hear_)) on_hear(world_, hear_);
@@ -110,26 +110,26 @@ void PlayerAgent::take_in_message() {
       read_parameters(server_, world_);
       break;
     case soccer::MessageKind::kReply:
-      take_in_reply();
+      handle_server_reply();
       break;
-    case soccer::MessageKind::kFullState:   // the world model lives on senses alone
+    case soccer::MessageKind::kFullState:   // not used by the world model
     case soccer::MessageKind::kGlobalView:  // for coaches
       break;
     case soccer::MessageKind::kUnknown:
-      server_.trouble.note_unreadable("unknown message", server_.message);
+      server_.errors.add_unreadable("unknown message", server_.message);
       break;
   }
 }
 
-void PlayerAgent::take_in_sense_body() {
-  note_lost_commands();
+void PlayerAgent::handle_sense_body() {
+  count_lost_commands();
   on_sense_body(world_, sense_);
-  timer_.on_sense_body(server_.channel->arrived(), sense_.width);
+  timer_.on_sense_body(server_.channel->received_at(), sense_.width);
 }
 
-// The server counts what it carries out. Nothing of it is due from a player who was frozen, or was
-// fouled before his command's turn came.
-void PlayerAgent::note_lost_commands() {
+// The server counts executed commands. It executes none of a player that was frozen, or that was
+// fouled before their command was handled.
+void PlayerAgent::count_lost_commands() {
   const auto total = [](const soccer::CommandCounts& counts, int tackles) {
     return counts.kick + counts.dash + counts.turn + counts.catches + counts.move + tackles;
   };
@@ -143,28 +143,29 @@ void PlayerAgent::note_lost_commands() {
   awaits_count_ = false;
 }
 
-void PlayerAgent::begin_part(const soccer::PlayerInitReply& init) {
+void PlayerAgent::on_connected(const soccer::PlayerInitReply& init) {
   on_init(world_, init, options_.team_name, options_.goalie);
-  server_.admitted = true;
-  server_.channel->send(settings(options_.protocol));
+  server_.accepted = true;
+  server_.channel->send(initial_commands(options_.protocol));
 }
 
-void PlayerAgent::take_in_reply() {
+void PlayerAgent::handle_server_reply() {
   soccer::ServerReply reply;
   if (!read(server_, reply)) return;
   std::visit(
       base::Overloaded{
-          [this](const soccer::Think&) { timer_.on_think(server_.channel->arrived()); },
-          [this](const soccer::PlayerInitReply& init) { begin_part(init); },
+          [this](const soccer::Think&) { timer_.on_think(server_.channel->received_at()); },
+          [this](const soccer::PlayerInitReply& init) { on_connected(init); },
           [this](const soccer::OkSynchSee&) { timer_.set_synch_see(true); },
-          [this](const soccer::ReconnectReply& back) {
-            // The server keeps what the lost connection had asked for, and does not repeat it.
+          [this](const soccer::ReconnectReply& reconnected) {
+            // The server retains the synch_see of the lost connection and does not confirm it
+            // again.
             if (options_.protocol >= kSynchronousVersion) timer_.set_synch_see(true);
-            begin_part({back.side, options_.reconnect_unum, back.mode});
+            on_connected({reconnected.side, options_.reconnect_unum, reconnected.mode});
           },
           [this](const soccer::PlayerTypeChange& change) { on_change_player_type(world_, change); },
-          [this](const soccer::ErrorReply& error) { note(server_, error); },
-          [this](const soccer::WarningReply& warning) { note(server_, warning); },
+          [this](const soccer::ErrorReply& error) { handle(server_, error); },
+          [this](const soccer::WarningReply& warning) { handle(server_, warning); },
           [](const auto&) {},
       },
       reply);
@@ -177,11 +178,11 @@ const protos::State& PlayerAgent::state(Instant now) {
     if (delay > kLateWakeup) ++statistics_.late_wakeups;
     statistics_.longest_wakeup = std::max(statistics_.longest_wakeup, delay);
   }
-  deciding_ = true;
+  phase_ = Phase::kAwaitingReply;
   timer_.decided();
-  complete(world_);
+  update_derived(world_);
   view_.reset();
-  if (turned_for_shoot_out(world_)) view_ = std::make_unique<WorldModel>(turned(world_));
+  if (needs_shoot_out_view(world_)) view_ = std::make_unique<WorldModel>(rotated(world_));
   const WorldModel& world = decision_world();
   fill_state(world, home_positions(world), needs_preprocess(world), state_);
   return state_;
@@ -191,17 +192,17 @@ bool PlayerAgent::act(const protos::PlayerActions& actions) {
   const WorldModel& world = decision_world();
   if (options_.on_late == OnLate::kLast) last_actions_ = actions;
   choice_ = {};
-  if (world.self.kickable && leaves_choice_open(actions)) {
-    // What is tried here is tried again with the answer.
-    choice_.chooser = PlanChoice::Chooser::kOpen;
+  if (world.self.kickable && requests_choice(actions)) {
+    // This attempt is repeated with the choice.
+    choice_.chooser = PlanChoice::Chooser::kPlaymaker;
     ActionMemory memory = memory_;
     CommandSlots slots(world);
     ActionReport report = statistics_.actions;
     execute(actions, world, memory, slots, report, choice_);
-    if (choice_.chooser == PlanChoice::Chooser::kWanted) {
+    if (choice_.chooser == PlanChoice::Chooser::kRequested) {
       chosen_from_ = actions;
       fill_planner_request(world, choice_.plan, state_, planner_request_);
-      awaits_choice_ = true;
+      phase_ = Phase::kAwaitingChoice;
       return false;
     }
     memory_ = std::move(memory);
@@ -215,13 +216,12 @@ bool PlayerAgent::act(const protos::PlayerActions& actions) {
   return true;
 }
 
-void PlayerAgent::act_on_choice(std::optional<int> node) {
-  assert(awaits_choice_);
-  awaits_choice_ = false;
+void PlayerAgent::act_on_planner_choice(std::optional<int> node) {
+  assert(awaits_planner_choice());
   const WorldModel& world = decision_world();
-  choice_.chooser = PlanChoice::Chooser::kAnswered;
+  choice_.chooser = PlanChoice::Chooser::kReplied;
   choice_.node = node.value_or(-1);
-  // An index that no node has is no failure: the plan's own best stands in for it.
+  // A negative index is not a failure: use the plan's best node.
   if (node && *node < 0) choice_.node = choice_.plan.best;
   CommandSlots slots(world);
   execute(chosen_from_, world, memory_, slots, statistics_.actions, choice_);
@@ -231,12 +231,12 @@ void PlayerAgent::act_on_choice(std::optional<int> node) {
 void PlayerAgent::act_without_reply() {
   const WorldModel& world = decision_world();
   CommandSlots slots(world);
-  if (options_.on_late == OnLate::kDefault) make_fallback(world, last_actions_);
+  if (options_.on_late == OnLate::kDefault) choose_fallback_actions(world, last_actions_);
   if (options_.on_late == OnLate::kHold || last_actions_.actions_size() == 0) {
     execute_without_reply(world, memory_, slots, statistics_.actions);
   } else {
-    ActionReport unasked;  // not what the Playmaker wanted in this cycle
-    execute(last_actions_, world, memory_, slots, unasked);
+    ActionReport uncounted;  // not requested in this cycle
+    execute(last_actions_, world, memory_, slots, uncounted);
   }
   send(slots);
 }
@@ -256,13 +256,13 @@ void PlayerAgent::send(const CommandSlots& slots) {
   server_.datagram.clear();
   for (const soccer::PlayerCommand& command : commands_) {
     const bool formatted = soccer::format(command, server_.datagram);
-    assert(formatted && "slots hold what the grammar can say");
+    assert(formatted && "slots hold only commands that can be formatted");
     if (!std::holds_alternative<soccer::Done>(command)) statistics_.count(command);
     awaits_count_ = awaits_count_ || is_counted(command, world_.game.mode);
   }
   server_.channel->send(server_.datagram);
-  note_sent_commands(world_, commands_);
-  deciding_ = false;
+  record_sent_commands(world_, commands_);
+  phase_ = Phase::kIdle;
   write_debug_log();
 }
 

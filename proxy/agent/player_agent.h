@@ -1,4 +1,4 @@
-// One player: server messages in, beliefs, a Playmaker's decision, commands out.
+// One player: server messages, world model, Playmaker's decision, commands.
 #pragma once
 
 #include <cstdint>
@@ -29,65 +29,64 @@
 
 namespace cls::proxy {
 
-/// What a player does in a cycle for which its Playmaker gave no usable answer.
+/// Behavior of a player in a cycle with a missed decision.
 enum class OnLate : std::uint8_t {
-  kHold,     ///< stands and looks at the ball
-  kLast,     ///< does once more what the last answer said
-  kDefault,  ///< plays by itself: see fallback.h
+  kHold,     ///< stands still and looks at the ball
+  kLast,     ///< repeats the actions of the last reply
+  kDefault,  ///< automatic play: see fallback.h
 };
 
 /// "hold", "last" and "default".
-std::optional<OnLate> on_late_from_name(std::string_view name);
+std::optional<OnLate> parse_on_late(std::string_view name);
 
 struct AgentOptions {
   soccer::TeamName team_name;
   bool goalie = false;
   int protocol = soccer::kDefaultProtocolVersion;  ///< version of the text protocol, 14 to 19
   OnLate on_late = OnLate::kHold;
-  int reconnect_unum = 0;  ///< not 0: takes over this player, who lost his connection
-  std::shared_ptr<const FormationSet> formations;  ///< null: the built-in ones
-  std::string debug_log;  ///< folder for what Playmakers log; empty: nowhere
+  int reconnect_unum = 0;                          ///< not 0: take over this disconnected player
+  std::shared_ptr<const FormationSet> formations;  ///< null: built-in
+  std::string debug_log;  ///< folder for debug logs of the Playmaker; empty: none
 };
 
-/// Meets the server through its channel only. Order: connect(); perceive() until ready(); then per
-/// cycle perceive() and, when a decision is due, state() and one of the act functions. It decides
-/// once per cycle: see decision_timer.h.
+/// Communicates with the server through its channel only. Sequence: connect(); perceive() until
+/// ready(); then per cycle perceive() and, when a decision is due, state() and one of the act
+/// functions. One decision per cycle: see decision_timer.h.
 class PlayerAgent {
  public:
   PlayerAgent(std::unique_ptr<soccer::Channel> channel, AgentOptions options);
 
-  /// Asks the server to take part; again when a refusal was for the moment only. False when the
-  /// connection is gone.
+  /// Sends the init command; again after a temporary refusal. False when the connection is closed.
   bool connect();
-  /// Takes in all messages that wait; none while an answer of the Playmaker is awaited.
+  /// Handles all received messages; none while a decision is pending.
   void perceive();
-  /// True when number, parameters and all player types are known.
+  /// True when uniform number, parameters and all player types are known.
   bool ready() const { return proxy::ready(server_, world_); }
   const ServerConnection& server() const { return server_; }
 
-  /// `now` counts in real time only.
-  bool decision_due(Instant now = {}) const { return !deciding_ && timer_.due(now); }
+  /// `now` is used in real time only.
+  bool decision_due(Instant now = {}) const { return !deciding() && timer_.due(now); }
   const DecisionTimer& timer() const { return timer_; }
-  bool deciding() const { return deciding_; }
-  /// The State for the decision that is due; completes the world model. Once per decision. Lives
+  bool deciding() const { return phase_ != Phase::kIdle; }
+  /// Completes the world model and returns the State for the due decision. Once per decision; valid
   /// until the next call.
   const protos::State& state(Instant now = {});
-  /// The same State again; its register_response is the caller's to keep.
-  protos::State& question() { return state_; }
-  /// Carries out the answer, sends the commands and (done). False when the Playmaker has to choose
-  /// among planned actions first: ask it with planner_request(), then act_on_choice().
+  /// The last State; the caller sets its register_response.
+  protos::State& mutable_state() { return state_; }
+  /// Executes the reply, sends the commands and (done). False when the Playmaker must choose among
+  /// planned actions first: send planner_request(), then call act_on_planner_choice().
   bool act(const protos::PlayerActions& actions);
-  /// Valid after act() returned false, until act_on_choice().
-  bool awaits_choice() const { return awaits_choice_; }
+  /// Valid after act() returned false, until act_on_planner_choice().
+  bool awaits_planner_choice() const { return phase_ == Phase::kAwaitingChoice; }
   const protos::BestPlannerActionRequest& planner_request() const { return planner_request_; }
-  /// Goes on with the chosen node's index; nothing: the Playmaker did not answer.
-  void act_on_choice(std::optional<int> node);
-  /// The same without an answer, as the options say.
+  /// Continues with the index of the chosen node; nullopt: no reply.
+  void act_on_planner_choice(std::optional<int> node);
+  /// Acts without a reply, as AgentOptions::on_late says.
   void act_without_reply();
-  /// Takes leave of the server.
+  /// Sends (bye).
   void leave();
 
-  /// What the Playmaker gave this agent as its identity; part of every State.
+  /// Identity assigned by the Playmaker; part of every State.
   const protos::RegisterResponse& identity() const { return state_.register_response(); }
   bool has_identity() const { return state_.has_register_response(); }
 
@@ -98,11 +97,17 @@ class PlayerAgent {
   const AgentStatistics& statistics() const { return statistics_; }
 
  private:
-  void take_in_message();
-  void take_in_reply();
-  void take_in_sense_body();
-  void note_lost_commands();
-  void begin_part(const soccer::PlayerInitReply& init);
+  enum class Phase : std::uint8_t {
+    kIdle,            ///< no decision pending
+    kAwaitingReply,   ///< state() was called
+    kAwaitingChoice,  ///< act() needs the Playmaker's choice of a planned action
+  };
+
+  void handle_message();
+  void handle_server_reply();
+  void handle_sense_body();
+  void count_lost_commands();
+  void on_connected(const soccer::PlayerInitReply& init);
   void send(const CommandSlots& slots);
   const WorldModel& decision_world() const { return view_ ? *view_ : world_; }
   void write_debug_log();
@@ -113,18 +118,17 @@ class PlayerAgent {
   ActionMemory memory_;
   AgentStatistics statistics_;
   DecisionTimer timer_;
-  bool deciding_ = false;      ///< state() was asked for, the answer not carried out yet
+  Phase phase_ = Phase::kIdle;
   bool awaits_count_ = false;  ///< sent a command that the next sense_body must count
   protos::State state_;
   protos::PlayerActions last_actions_;  // kLast, kDefault
-  std::unique_ptr<WorldModel> view_;    // in a shoot-out the other way round
-  bool awaits_choice_ = false;
+  std::unique_ptr<WorldModel> view_;    // rotated for a shoot-out
   PlanChoice choice_;
-  protos::PlayerActions chosen_from_;  // the list that waits for a choice
+  protos::PlayerActions chosen_from_;  // the action list that needs a choice
   protos::BestPlannerActionRequest planner_request_;
   std::ofstream debug_log_;
 
-  // Reused, so that a steady match does not allocate.
+  // Reused to avoid allocation.
   soccer::SenseBody sense_;
   soccer::See see_;
   soccer::Hear hear_;

@@ -10,9 +10,9 @@ namespace cls::proxy {
 namespace {
 
 constexpr RpcTimeout kByeTimeout{1000};
-// In real time: for the way to the server, and the least that a Playmaker is given.
+// In real time: reserve for the way to the server, and the minimum timeout.
 constexpr RpcTimeout kReserve{10};
-constexpr RpcTimeout kShortestTimeout{10};
+constexpr RpcTimeout kMinTimeout{10};
 
 /// Adds the time since the last lap to a sum.
 class StopWatch {
@@ -27,10 +27,10 @@ class StopWatch {
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
-// A Playmaker that tells its agents apart by what it gave them cannot do so when all got the same.
+// Playmakers of the first interface assign no client_id.
 constexpr int kNoClientId = 0;
 
-bool reacts_to_bye(const RpcStatus& status) {
+bool responds_to_bye(const RpcStatus& status) {
   return status.ok() || status.outcome == RpcOutcome::kUnimplemented ||
          status.outcome == RpcOutcome::kError;
 }
@@ -71,59 +71,60 @@ base::Result<void> Team::connect_one(const OpenChannel& open, const Serve& serve
     options.reconnect_unum = options_.first_unum + static_cast<int>(players_.size());
   }
   auto agent = std::make_unique<PlayerAgent>(std::move(channel), options);
-  if (const base::Result<void> entered = enter(*agent, serve); !entered) {
+  if (const base::Result<void> entered = connect_agent(*agent, serve); !entered) {
     return base::Error{who + entered.error().message};
   }
   players_.push_back(std::move(agent));
   return {};
 }
 
-RpcStatus Team::introduce() {
+RpcStatus Team::register_agents() {
   for (const auto& agent : players_) {
-    Correspondence& calls = correspondence_[static_cast<std::size_t>(agent->unum())].emplace(
+    PlaymakerClient& client = clients_[static_cast<std::size_t>(agent->unum())].emplace(
         agent->unum(), proto::Rpc::kGetPlayerActions, register_request(*agent),
         agent->world().parameters);
-    RpcStatus status = calls.introduce(*playmaker_, options_.start_timeout, agent->question());
-    if (const std::string remark = calls.take_remark(); !remark.empty()) warn_once(remark);
+    RpcStatus status =
+        client.register_agent(*playmaker_, options_.start_timeout, agent->mutable_state());
+    if (const std::string warning = client.take_warning(); !warning.empty()) warn_once(warning);
     if (!status.ok()) {
       status.message = "player " + std::to_string(agent->unum()) + ": " + status.message;
       return status;
     }
   }
   warn_of_shared_identity();
-  return coach_ == nullptr ? RpcStatus{} : introduce_coach();
+  return coach_ == nullptr ? RpcStatus{} : register_coach();
 }
 
 void Team::warn_of_shared_identity() {
-  if (!options_.one_playmaker) return;
+  if (!options_.shared_playmaker) return;
   std::map<int, int> holders;  // unum by client id
   for (const auto& agent : players_) {
     const int id = agent->identity().client_id();
     const auto [holder, fresh] = holders.emplace(id, agent->unum());
     if (fresh || id == kNoClientId) continue;
-    warn_once("the Playmaker gave players " + std::to_string(holder->second) + " and " +
+    warn_once("the Playmaker assigned players " + std::to_string(holder->second) + " and " +
               std::to_string(agent->unum()) + " the same client_id " + std::to_string(id));
     return;
   }
 }
 
-Correspondence& Team::correspondence(int unum) {
-  std::optional<Correspondence>& calls = correspondence_.at(static_cast<std::size_t>(unum));
-  assert(calls && "a team is introduced before it asks");
-  return *calls;
+PlaymakerClient& Team::client_of(int unum) {
+  std::optional<PlaymakerClient>& client = clients_.at(static_cast<std::size_t>(unum));
+  assert(client && "register_agents() comes before decisions");
+  return *client;
 }
 
-PlayerAgent& Team::agent(int unum) {
+PlayerAgent& Team::player(int unum) {
   const auto found = std::find_if(players_.begin(), players_.end(),
                                   [unum](const auto& agent) { return agent->unum() == unum; });
   assert(found != players_.end());
   return **found;
 }
 
-int Team::begin_cycle() { return ask({}); }
+int Team::begin_cycle() { return begin_decisions({}); }
 
-int Team::ask(Instant now) {
-  int asked = 0;
+int Team::begin_decisions(Instant now) {
+  int begun = 0;
   StopWatch watch;
   for (const auto& agent : players_) {
     agent->perceive();
@@ -131,30 +132,42 @@ int Team::ask(Instant now) {
     if (!agent->decision_due(now)) continue;
     agent->state(now);
     watch.lap(times_.state);
-    correspondence(agent->unum()).ask(*playmaker_, agent->question(), asking_time(*agent, now));
+    client_of(agent->unum())
+        .request_decision(*playmaker_, agent->mutable_state(), decision_limits(*agent, now));
     watch.lap(times_.begin);
-    ++asked;
+    ++begun;
   }
-  asked += ask_coach(now);
-  outstanding_ += asked;
-  return asked;
+  begun += begin_coach_decision(now);
+  outstanding_ += begun;
+  return begun;
 }
 
 void Team::finish_cycle() {
   StopWatch watch;
   while (const std::optional<Reply> reply = playmaker_->next_reply()) {
     watch.lap(times_.wait);
-    carry_out(*reply);
+    execute(*reply);
     watch.lap(times_.act);
   }
 }
 
-bool Team::take_reply(std::chrono::microseconds longest) {
+bool Team::begins_turn(Instant now) {
+  std::int64_t turn = 0;
+  for (const auto& agent : players_) {
+    agent->perceive();
+    if (agent->decision_due(now)) turn = std::max(turn, agent->statistics().decisions + 1);
+  }
+  const bool begins = turn > turn_;
+  turn_ = std::max(turn_, turn);
+  return begins;
+}
+
+bool Team::handle_reply(std::chrono::microseconds timeout) {
   StopWatch watch;
-  const std::optional<Reply> reply = playmaker_->next_reply_within(longest);
+  const std::optional<Reply> reply = playmaker_->next_reply_within(timeout);
   watch.lap(times_.wait);
   if (!reply) return false;
-  carry_out(*reply);
+  execute(*reply);
   watch.lap(times_.act);
   return true;
 }
@@ -167,93 +180,98 @@ Instant Team::next_due() const {
   return next;
 }
 
-AskingTime Team::asking_time(const PlayerAgent& agent, Instant now) const {
-  AskingTime time;
+DecisionLimits Team::decision_limits(const PlayerAgent& agent, Instant now) const {
+  DecisionLimits time;
   time.timeout = decision_timeout(agent, now);
   time.server_waits = agent.timer().synchronous();
   time.reconnect_within = options_.reconnect_within;
   return time;
 }
 
-// In real time, an answer after the end of the cycle would be of no use.
+// In real time, a reply after the end of the cycle is useless.
 RpcTimeout Team::decision_timeout(const PlayerAgent& agent, Instant now) const {
   const bool unlimited = options_.decision_timeout == kNoTimeout;
   if (agent.timer().synchronous() || unlimited) return options_.decision_timeout;
   const soccer::ServerParams& server = agent.world().server();
   const RpcTimeout cycle(server.simulator_step * server.slow_down_factor);
-  const auto gone = std::chrono::duration_cast<RpcTimeout>(now - agent.timer().cycle_began());
-  return std::min(options_.decision_timeout, std::max(kShortestTimeout, cycle - kReserve - gone));
+  const auto elapsed = std::chrono::duration_cast<RpcTimeout>(now - agent.timer().cycle_began());
+  return std::min(options_.decision_timeout, std::max(kMinTimeout, cycle - kReserve - elapsed));
 }
 
 int Team::run_cycle() {
-  const int asked = begin_cycle();
+  const int begun = begin_cycle();
   finish_cycle();
-  return asked;
+  return begun;
 }
 
-void Team::carry_out(Reply reply) {
-  if (reply.agent >= kCoachNumber) return carry_out_coach(std::move(reply));
-  PlayerAgent& asker = agent(reply.agent);
-  if (asker.awaits_choice()) {
+void Team::execute(Reply reply) {
+  if (reply.agent >= kCoachNumber) return handle_coach_reply(std::move(reply));
+  PlayerAgent& agent = player(reply.agent);
+  if (agent.awaits_planner_choice()) {
     --outstanding_;
-    carry_out_choice(asker, reply);
+    handle_planner_reply(agent, reply);
     return;
   }
-  Correspondence& calls = correspondence(reply.agent);
-  const bool decided = calls.take(*playmaker_, reply);
-  if (const std::string remark = calls.take_remark(); !remark.empty()) warn_once(remark);
+  PlaymakerClient& client = client_of(reply.agent);
+  const bool decided = client.handle_reply(*playmaker_, reply);
+  if (const std::string warning = client.take_warning(); !warning.empty()) warn_once(warning);
   if (!decided) return;
   --outstanding_;
-  note(asker, calls, reply);
-  if (reply.player == nullptr) {
-    asker.act_without_reply();
-  } else if (!asker.act(*reply.player)) {
-    ask_for_choice(asker);
+  count_reply(agent, client, reply);
+  const auto* actions = reply.as<protos::PlayerActions>();
+  if (actions == nullptr) {
+    agent.act_without_reply();
+  } else if (!agent.act(*actions)) {
+    request_planner_choice(agent);
     return;
   }
-  warn_of_unimplemented(asker);
-  warn_of_server(asker.server().trouble);
+  warn_of_unimplemented(agent);
+  warn_of_server(agent.server().errors);
 }
 
-void Team::note(PlayerAgent& asker, const Correspondence& calls, const Reply& reply) {
-  AgentStatistics& statistics = asker.statistics();
+void Team::count_reply(PlayerAgent& agent, const PlaymakerClient& client, const Reply& reply) {
+  AgentStatistics& statistics = agent.statistics();
   statistics.count(reply);
-  if (calls.reconnects() == statistics.reconnects) return;
-  statistics.reconnects = calls.reconnects();
-  warn_once("the Playmaker was lost and came back: told of its players again at cycle " +
-            std::to_string(asker.world().game.time.cycle));
+  if (client.reconnects() == statistics.reconnects) return;
+  statistics.reconnects = client.reconnects();
+  warn_once("connection to the Playmaker lost; players registered again at cycle " +
+            std::to_string(agent.world().game.time.cycle));
 }
 
-void Team::ask_for_choice(PlayerAgent& asker) {
-  ++asker.statistics().planner_asked;
-  const RpcTimeout timeout = decision_timeout(asker, std::chrono::steady_clock::now());
-  playmaker_->begin_best_planner_action(asker.unum(), asker.planner_request(), timeout);
+void Team::request_planner_choice(PlayerAgent& agent) {
+  ++agent.statistics().planner_asked;
+  const RpcTimeout timeout = decision_timeout(agent, std::chrono::steady_clock::now());
+  playmaker_->begin(agent.unum(), proto::Rpc::kGetBestPlannerAction, agent.planner_request(),
+                    timeout);
   ++outstanding_;
 }
 
-void Team::carry_out_choice(PlayerAgent& asker, const Reply& reply) {
-  if (reply.planner != nullptr) {
-    asker.act_on_choice(reply.planner->index());
+void Team::handle_planner_reply(PlayerAgent& agent, const Reply& reply) {
+  if (const auto* choice = reply.as<protos::BestPlannerActionResponse>()) {
+    agent.act_on_planner_choice(choice->index());
   } else {
-    ++asker.statistics().planner_failed;
-    warn_once("the Playmaker did not choose a planned action: " + reply.status.message);
-    asker.act_on_choice(std::nullopt);
+    ++agent.statistics().planner_failed;
+    warn_once("the Playmaker chose no planned action: " + reply.status.message);
+    agent.act_on_planner_choice(std::nullopt);
   }
-  warn_of_unimplemented(asker);
-  warn_of_server(asker.server().trouble);
+  warn_of_unimplemented(agent);
+  warn_of_server(agent.server().errors);
+}
+
+RpcStatus Team::send_bye(int agent, const protos::RegisterResponse& identity) {
+  return playmaker_->call(agent, proto::Rpc::kSendByeCommand, identity, kByeTimeout).status;
 }
 
 void Team::leave() {
-  bool reacts = true;
+  bool responds = true;
   for (const auto& agent : players_) {
-    if (reacts && agent->has_identity()) {
-      const RpcStatus status = playmaker_->send_bye(agent->unum(), agent->identity(), kByeTimeout);
-      reacts = reacts_to_bye(status);
+    if (responds && agent->has_identity()) {
+      responds = responds_to_bye(send_bye(agent->unum(), agent->identity()));
     }
     agent->leave();
   }
-  if (coach_ != nullptr && reacts && coach_->has_identity()) {
-    playmaker_->send_bye(coach_->number(), coach_->identity(), kByeTimeout);
+  if (coach_ != nullptr && responds && coach_->has_identity()) {
+    send_bye(coach_->number(), coach_->identity());
   }
   if (coach_ != nullptr) coach_->leave();
 }
@@ -264,19 +282,19 @@ soccer::Side Team::side() const {
   return world().our_side;
 }
 
-MissingAnswers Team::missing_answers() const {
-  MissingAnswers worst;
+MissedDecisions Team::missed_decisions() const {
+  MissedDecisions worst;
   for (const auto& agent : players_) {
     const AgentStatistics& statistics = agent->statistics();
-    if (statistics.missed_in_a_row <= worst.in_a_row) continue;
-    worst = {agent->unum(), statistics.missed_in_a_row, statistics.last_failure};
+    if (statistics.consecutive_missed <= worst.consecutive) continue;
+    worst = {agent->unum(), statistics.consecutive_missed, statistics.last_failure};
   }
   if (coach_ == nullptr) return worst;
-  // A team plays on with a coach that fails; one that does not answer holds up the match.
+  // The team continues with a coach whose calls fail; a coach without replies delays the match.
   const AgentStatistics& statistics = coach_->statistics();
   const bool fails = statistics.last_failure.outcome == RpcOutcome::kError;
-  if (statistics.missed_in_a_row > worst.in_a_row && (coach_->is_trainer() || !fails)) {
-    worst = {coach_->number(), statistics.missed_in_a_row, statistics.last_failure};
+  if (statistics.consecutive_missed > worst.consecutive && (coach_->is_trainer() || !fails)) {
+    worst = {coach_->number(), statistics.consecutive_missed, statistics.last_failure};
   }
   return worst;
 }
@@ -289,27 +307,26 @@ void Team::warn_once(const std::string& line) {
 
 void Team::warn_of_unimplemented(const PlayerAgent& agent) {
   const ActionReport& report = agent.statistics().actions;
-  const auto warn = [&](const auto& counts, auto& told, const char* verb, auto name_of) {
-    for (std::size_t kind = 0; kind < told.size(); ++kind) {
-      if (counts[kind].unimplemented == 0 || std::exchange(told[kind], true)) continue;
+  const auto warn = [&](const auto& counts, auto& warned, const char* verb, auto name_of) {
+    for (std::size_t kind = 0; kind < warned.size(); ++kind) {
+      if (counts[kind].unimplemented == 0 || std::exchange(warned[kind], true)) continue;
       warn_once(std::string("the Playmaker ") + verb + " " +
-                std::string(name_of(static_cast<int>(kind))) +
-                ", which this proxy does not have: skipped");
+                std::string(name_of(static_cast<int>(kind))) + ", unknown to this proxy: skipped");
     }
   };
-  warn(report.actions, told_actions_, "asks for", action_name);
-  warn(report.say, told_say_, "says", say_name);
+  warn(report.actions, warned_actions_, "sends action", action_name);
+  warn(report.say, warned_say_, "sends say message", say_name);
 }
 
-void Team::warn_of_server(const ServerTrouble& trouble) {
-  if (trouble.unreadable != 0) {
-    warn_once("a message of the soccer server is not understood: " + trouble.first_unreadable);
+void Team::warn_of_server(const ServerErrors& errors) {
+  if (errors.unreadable != 0) {
+    warn_once("unreadable message of the soccer server: " + errors.first_unreadable);
   }
-  if (trouble.errors != 0) {
-    warn_once("the soccer server complains: " + trouble.first_error);
+  if (errors.errors != 0) {
+    warn_once("error of the soccer server: " + errors.first_error);
   }
-  if (trouble.warnings != 0) {
-    warn_once("the soccer server warns: " + trouble.first_warning);
+  if (errors.warnings != 0) {
+    warn_once("warning of the soccer server: " + errors.first_warning);
   }
 }
 

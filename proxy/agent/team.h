@@ -1,4 +1,4 @@
-// A whole team of players in one process, asking one Playmaker.
+// A team of players, with coach or trainer, and their Playmaker, in one process.
 #pragma once
 
 #include <array>
@@ -12,8 +12,8 @@
 #include "base/result.h"
 #include "proxy/agent/player_agent.h"
 #include "proxy/coach/coach_agent.h"
-#include "proxy/playmaker/correspondence.h"
 #include "proxy/playmaker/playmaker.h"
+#include "proxy/playmaker/playmaker_client.h"
 #include "soccer/channel.h"
 #include "soccer/side.h"
 
@@ -24,127 +24,129 @@ struct TeamOptions {
   int players = soccer::kPlayersPerTeam;
   int protocol = soccer::kDefaultProtocolVersion;
   OnLate on_late = OnLate::kHold;
-  RpcTimeout decision_timeout{10'000};  ///< kNoTimeout: wait for ever
-  RpcTimeout start_timeout{20'000};     ///< for the Playmaker to come up and answer Register
-  RpcTimeout reconnect_within{3'000};   ///< for it to come back in mid-match: see AskingTime
-  bool one_playmaker = true;            ///< for all agents; else (ports that step) one for each
-  int first_unum = 1;                   ///< of those to take over with `reconnect`
-  bool reconnect = false;               ///< take over players who lost their connection
-  bool goalie = true;                   ///< the first one is the goalie
+  RpcTimeout decision_timeout{10'000};  ///< kNoTimeout: none
+  RpcTimeout start_timeout{20'000};     ///< for the Playmaker to start and answer Register
+  RpcTimeout reconnect_within{3'000};   ///< see DecisionLimits
+  bool shared_playmaker = true;         ///< by all agents; otherwise (port_step) one per agent
+  int first_unum = 1;                   ///< first player to take over with `reconnect`
+  bool reconnect = false;               ///< take over disconnected players
+  bool goalie = true;                   ///< the first player is the goalie
   std::shared_ptr<const FormationSet> formations;  ///< null: the built-in ones
-  std::string debug_log;  ///< folder for what the Playmaker logs; empty: nowhere
+  std::string debug_log;  ///< folder for debug logs of the Playmaker; empty: none
 };
 
-/// Where a team's time went, summed over all cycles.
+/// Time of a team by phase, summed over all cycles.
 struct TeamTimes {
   std::chrono::nanoseconds perceive{0};  ///< parsing and world model
   std::chrono::nanoseconds state{0};     ///< completing the world and filling the State
-  std::chrono::nanoseconds begin{0};     ///< serialising and handing over to gRPC
-  std::chrono::nanoseconds wait{0};      ///< for answers, and parsing them
+  std::chrono::nanoseconds begin{0};     ///< serializing and passing to gRPC
+  std::chrono::nanoseconds wait{0};      ///< for replies, including parsing
   std::chrono::nanoseconds act{0};       ///< skills and commands
 };
 
-/// The agent that has now gone longest without a usable answer.
-struct MissingAnswers {
-  int unum = 0;  ///< 0: nobody lacks one; kCoachNumber, kTrainerNumber
-  int in_a_row = 0;
-  RpcStatus last;  ///< why the latest one is missing
+/// The agent with most consecutive missed decisions now.
+struct MissedDecisions {
+  int unum = 0;  ///< 0: none; also kCoachNumber, kTrainerNumber
+  int consecutive = 0;
+  RpcStatus last;  ///< reason of the latest miss
 };
 
-/// One thread uses a team (Playmaker::cancel() apart). What players do does not depend on the order
-/// in which answers come.
+/// Used by one thread (except Playmaker::cancel()). Commands do not depend on the order of replies.
 class Team {
  public:
   /// `playmaker` must outlive the team.
   Team(TeamOptions options, Playmaker& playmaker);
 
-  /// Asks this Playmaker from now on; before introduce() only.
+  /// Replaces the Playmaker; before register_agents() only.
   void set_playmaker(Playmaker& playmaker) { playmaker_ = &playmaker; }
 
   /// Opens a new connection to the server.
   using OpenChannel = std::function<std::unique_ptr<soccer::Channel>()>;
 
-  /// Connects the players one after the other, goalie first, each until it has its number, the
+  /// Connects the players sequentially, goalie first, each until it has its uniform number, the
   /// parameters and all player types.
   base::Result<void> connect(const OpenChannel& open, const Serve& serve);
 
-  /// The same for the team's coach, once its players are connected, or for a trainer, with a team
-  /// of its own without players. `open` opens a connection to the server's door for them.
+  /// Connects the team's coach, after its players, or a trainer, in a team without players. `open`
+  /// connects to the coach or trainer port.
   base::Result<void> connect_coach(soccer::CoachRole role, const OpenChannel& open,
                                    const Serve& serve);
 
-  /// Introduces the players to the Playmaker one after the other: Register, parameters, player
-  /// types, init message. A Playmaker without Register (of the first interface) is served all the
-  /// same. Not ok when it cannot be reached or does not speak the interface; the message names the
-  /// player and the call.
-  RpcStatus introduce();
+  /// Performs the handshake of each agent: Register, parameters, player types, init message. Works
+  /// with a Playmaker of the first interface, without Register. Not ok when the Playmaker is
+  /// unreachable or does not implement the interface; the message names the player and the call.
+  RpcStatus register_agents();
 
-  /// One cycle. Takes in what the server sent and asks the Playmaker for everybody whose decision
-  /// is due; returns how many.
+  /// Handles the server's messages and requests all due decisions; returns their number.
   int begin_cycle();
-  /// Waits for the answers, carries each out as it comes, sends commands and (done).
+  /// Waits for the replies, executes each on arrival, sends commands and (done).
   void finish_cycle();
   int run_cycle();
 
-  // The same in smaller steps, for servers that do not take turns with us: ask() as often as
-  // messages come or next_due() is reached, take_reply() while answers are outstanding.
+  // The same in smaller steps, for real time: begin_decisions() whenever messages arrive or
+  // next_due() is reached, handle_reply() while replies are outstanding.
 
-  /// begin_cycle() at this moment; more calls may follow before the answers are there.
-  int ask(Instant now);
-  /// Carries out one answer; false when none is there within `longest`.
-  bool take_reply(std::chrono::microseconds longest);
+  /// begin_cycle() at the time `now`; may be repeated while replies are outstanding.
+  int begin_decisions(Instant now);
+  /// Executes one reply; false when none arrives within `timeout`.
+  bool handle_reply(std::chrono::microseconds timeout);
+  /// Perceives what has come; true once per cycle, when the first player's decision is due.
+  bool begins_turn(Instant now);
   int outstanding() const { return outstanding_; }
-  /// When the clock alone makes a decision due; the far future when only a message can.
+  /// Time of the next decision due by the clock; the far future when only a message can make one
+  /// due.
   Instant next_due() const;
 
-  /// Says goodbye to Playmaker and server. A Playmaker that does not react is waited for once, for
-  /// a second.
+  /// Disconnects: SendByeCommand to the Playmaker, (bye) to the server. Waits at most 1 s in all
+  /// for a Playmaker that does not respond.
   void leave();
 
   const std::string& name() const { return name_; }
   soccer::Side side() const;
   const std::vector<std::unique_ptr<PlayerAgent>>& players() const { return players_; }
-  /// What its first player believes, or, without players, its coach or trainer. Once connected.
+  /// World model of the first player, otherwise of coach or trainer. Valid after connecting.
   const WorldModel& world() const;
-  /// The server waits for everybody, by what it told.
+  /// True when the server runs in synchronous mode.
   bool synchronous() const { return world().server().synch_mode; }
-  /// The coach, or the trainer; null when there is none.
+  /// The coach or trainer; null: none.
   const CoachAgent* coach() const { return coach_.get(); }
   const TeamTimes& times() const { return times_; }
-  MissingAnswers missing_answers() const;
-  /// Adds a line to those that take_warnings() gives, unless it was there before.
+  MissedDecisions missed_decisions() const;
+  /// Adds a warning unless it was added before.
   void warn_once(const std::string& line);
-  /// Lines worth a user's notice that came up since the last call, each cause once per team.
+  /// Warnings since the last call, each once per team.
   std::vector<std::string> take_warnings();
 
  private:
   base::Result<void> connect_one(const OpenChannel& open, const Serve& serve, bool goalie);
   void warn_of_shared_identity();
-  Correspondence& correspondence(int unum);
-  AskingTime asking_time(const PlayerAgent& agent, Instant now) const;
-  RpcStatus introduce_coach();
-  int ask_coach(Instant now);
+  PlaymakerClient& client_of(int unum);
+  DecisionLimits decision_limits(const PlayerAgent& agent, Instant now) const;
+  RpcStatus register_coach();
+  int begin_coach_decision(Instant now);
   RpcTimeout coach_timeout(Instant now) const;
-  void carry_out_coach(Reply reply);
+  void handle_coach_reply(Reply reply);
   RpcTimeout decision_timeout(const PlayerAgent& agent, Instant now) const;
-  PlayerAgent& agent(int unum);
-  void carry_out(Reply reply);
-  void note(PlayerAgent& asker, const Correspondence& calls, const Reply& reply);
-  void carry_out_choice(PlayerAgent& asker, const Reply& reply);
-  void ask_for_choice(PlayerAgent& asker);
+  PlayerAgent& player(int unum);
+  void execute(Reply reply);
+  void count_reply(PlayerAgent& agent, const PlaymakerClient& client, const Reply& reply);
+  void handle_planner_reply(PlayerAgent& agent, const Reply& reply);
+  void request_planner_choice(PlayerAgent& agent);
+  RpcStatus send_bye(int agent, const protos::RegisterResponse& identity);
   void warn_of_unimplemented(const PlayerAgent& agent);
-  void warn_of_server(const ServerTrouble& trouble);
+  void warn_of_server(const ServerErrors& trouble);
 
   TeamOptions options_;
   std::string name_;
   Playmaker* playmaker_;
   std::vector<std::unique_ptr<PlayerAgent>> players_;
-  std::array<std::optional<Correspondence>, kAgentNumbers> correspondence_;  // by agent number
+  std::array<std::optional<PlaymakerClient>, kAgentNumbers> clients_;  // by agent number
   std::unique_ptr<CoachAgent> coach_;
   int outstanding_ = 0;
+  std::int64_t turn_ = 0;  ///< most decisions of any player, one that is due included
   TeamTimes times_;
-  std::array<bool, kActionKinds> told_actions_{};
-  std::array<bool, kSayKinds> told_say_{};
+  std::array<bool, kActionKinds> warned_actions_{};
+  std::array<bool, kSayKinds> warned_say_{};
   std::vector<std::string> warnings_;
   std::size_t warnings_taken_ = 0;
 };

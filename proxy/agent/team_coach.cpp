@@ -1,4 +1,4 @@
-// A team's coach, or a trainer, in the cycles of a team.
+// The coach or trainer of a team.
 #include <cassert>
 #include <utility>
 
@@ -17,86 +17,88 @@ base::Result<void> Team::connect_coach(soccer::CoachRole role, const OpenChannel
   options.team_name = trainer ? soccer::TeamName() : options_.name;
   options.protocol = options_.protocol;
   auto coach = std::make_unique<CoachAgent>(std::move(channel), options);
-  if (const base::Result<void> entered = enter(*coach, serve); !entered) {
+  if (const base::Result<void> entered = connect_agent(*coach, serve); !entered) {
     return base::Error{who + entered.error().message};
   }
   coach_ = std::move(coach);
   return {};
 }
 
-RpcStatus Team::introduce_coach() {
+RpcStatus Team::register_coach() {
   const bool trainer = coach_->is_trainer();
   protos::RegisterRequest who;
   who.set_agent_type(trainer ? protos::TrainerT : protos::CoachT);
   who.set_team_name(name_);
   who.set_uniform_number(coach_->number());
-  Correspondence& calls = correspondence_[static_cast<std::size_t>(coach_->number())].emplace(
+  PlaymakerClient& client = clients_[static_cast<std::size_t>(coach_->number())].emplace(
       coach_->number(), trainer ? proto::Rpc::kGetTrainerActions : proto::Rpc::kGetCoachActions,
       who, coach_->world().parameters);
-  RpcStatus status = calls.introduce(*playmaker_, options_.start_timeout, coach_->question());
-  if (const std::string remark = calls.take_remark(); !remark.empty()) warn_once(remark);
-  if (!status.ok()) status.message = coach_->word() + (": " + status.message);
+  RpcStatus status =
+      client.register_agent(*playmaker_, options_.start_timeout, coach_->mutable_state());
+  if (const std::string warning = client.take_warning(); !warning.empty()) warn_once(warning);
+  if (!status.ok()) status.message = coach_->role_name() + (": " + status.message);
   return status;
 }
 
 const WorldModel& Team::world() const {
-  assert((!players_.empty() || coach_ != nullptr) && "a team is connected before it believes");
+  assert((!players_.empty() || coach_ != nullptr) && "the team is connected");
   return players_.empty() ? coach_->world() : players_.front()->world();
 }
 
-// Its call flies with those of the players.
-int Team::ask_coach(Instant now) {
+// Its call is in flight together with those of the players.
+int Team::begin_coach_decision(Instant now) {
   if (coach_ == nullptr) return 0;
   coach_->perceive();
   if (!coach_->decision_due()) return 0;
-  if (!coach_->asks()) {
+  if (!coach_->requests_decisions()) {
     coach_->act_without_reply();
     return 0;
   }
   coach_->state();
-  AskingTime time;
+  DecisionLimits time;
   time.timeout = coach_timeout(now);
   time.server_waits = synchronous();
   time.reconnect_within = options_.reconnect_within;
-  correspondence(coach_->number()).ask(*playmaker_, coach_->question(), time);
+  client_of(coach_->number()).request_decision(*playmaker_, coach_->mutable_state(), time);
   return 1;
 }
 
-// In real time nobody waits for a coach; what comes in the next cycle is still of use.
+// In real time the server does not wait for a coach; a reply in the next cycle is still useful.
 RpcTimeout Team::coach_timeout(Instant now) const {
   return players_.empty() ? options_.decision_timeout : decision_timeout(*players_.front(), now);
 }
 
-void Team::carry_out_coach(Reply reply) {
-  Correspondence& calls = correspondence(reply.agent);
-  const bool decided = calls.take(*playmaker_, reply);
-  if (const std::string remark = calls.take_remark(); !remark.empty()) warn_once(remark);
+void Team::handle_coach_reply(Reply reply) {
+  PlaymakerClient& client = client_of(reply.agent);
+  const bool decided = client.handle_reply(*playmaker_, reply);
+  if (const std::string warning = client.take_warning(); !warning.empty()) warn_once(warning);
   if (!decided) return;
   --outstanding_;
   if (reply.status.outcome == RpcOutcome::kUnimplemented) {
-    // Playmakers need not have a coach. A trainer is there because somebody asked for one.
-    coach_->stop_asking();
-    if (coach_->is_trainer()) warn_once("the Playmaker has no GetTrainerActions: no trainer");
+    // GetCoachActions is optional. A trainer exists because the user requested one.
+    coach_->disable_requests();
+    if (coach_->is_trainer())
+      warn_once("the Playmaker does not implement GetTrainerActions: no trainer");
     coach_->act_without_reply();
     return;
   }
   coach_->statistics().count(reply);
-  if (reply.coach != nullptr) {
-    coach_->act(*reply.coach);
-  } else if (reply.trainer != nullptr) {
-    coach_->act(*reply.trainer);
+  if (const auto* orders = reply.as<protos::CoachActions>()) {
+    coach_->act(*orders);
+  } else if (const auto* trainer_orders = reply.as<protos::TrainerActions>()) {
+    coach_->act(*trainer_orders);
   } else {
     coach_->act_without_reply();
     if (reply.status.outcome == RpcOutcome::kError) {
-      warn_once(std::string("the Playmaker's ") + coach_->word() +
-                " fails: " + reply.status.message);
+      warn_once(std::string("the Playmaker's ") + coach_->role_name() +
+                " call fails: " + reply.status.message);
     }
   }
   if (coach_->report().unknown > 0) {
-    warn_once(std::string("the Playmaker's ") + coach_->word() +
-              " asks for an action that this proxy does not have: skipped");
+    warn_once(std::string("the Playmaker's ") + coach_->role_name() +
+              " sends an action unknown to this proxy: skipped");
   }
-  warn_of_server(coach_->server().trouble);
+  warn_of_server(coach_->server().errors);
 }
 
 }  // namespace cls::proxy

@@ -1,4 +1,4 @@
-// Waiting for two things at once: messages of the server and answers of the Playmaker.
+// Waiting for messages of the server and replies of the Playmaker concurrently.
 #include "proxy/agent/team_driver.h"
 
 #include <algorithm>
@@ -10,22 +10,22 @@ namespace {
 using std::chrono::milliseconds;
 using std::chrono::steady_clock;
 
-constexpr milliseconds kLook{50};
-constexpr milliseconds kProbePause{100};
-// A server that has no door for coaches does not say so.
-constexpr milliseconds kCoachWait{3000};
-// While answers are outstanding, how long one of both is waited for before the other gets its turn.
-constexpr std::chrono::microseconds kTurn{300};
+constexpr milliseconds kPollInterval{50};
+constexpr milliseconds kProbeInterval{100};
+// A server without a coach port does not reply.
+constexpr milliseconds kCoachTimeout{3000};
+// While replies are outstanding: waiting time for one source before polling the other.
+constexpr std::chrono::microseconds kReplyTimeout{300};
 
-// Whether something speaks at the server's door. No soccer server knows the word, so each answers
-// it with an error and nothing else. A closed port is known at once.
-bool answers(soccer::UdpClients& clients, int port, steady_clock::time_point until) {
+// True when a server replies at the port. No soccer server knows the command (hello), so each
+// replies with an error and does nothing else. A closed port fails immediately.
+bool server_replies(soccer::UdpClients& clients, int port, steady_clock::time_point deadline) {
   const std::unique_ptr<soccer::Channel> probe = clients.connect(port);
-  std::string answer;
-  while (probe != nullptr && steady_clock::now() < until && probe->send("(hello)")) {
-    const auto next = std::min(until, steady_clock::now() + kProbePause);
+  std::string reply;
+  while (probe != nullptr && steady_clock::now() < deadline && probe->send("(hello)")) {
+    const auto next = std::min(deadline, steady_clock::now() + kProbeInterval);
     while (steady_clock::now() < next && clients.wait_until(next)) {
-      if (probe->receive(answer)) return true;
+      if (probe->receive(reply)) return true;
     }
   }
   return false;
@@ -33,26 +33,26 @@ bool answers(soccer::UdpClients& clients, int port, steady_clock::time_point unt
 
 }  // namespace
 
-bool wait_for_server(soccer::UdpClients& clients, const GoOn& go_on) {
-  while (go_on()) {
-    const auto next = steady_clock::now() + kProbePause;
-    if (answers(clients, 0, next)) return true;
-    // A closed port is known at once: the next try still comes after the pause.
-    while (go_on() && steady_clock::now() < next) clients.wait_until(next);
+bool wait_for_server(soccer::UdpClients& clients, const ShouldContinue& should_continue) {
+  while (should_continue()) {
+    const auto next = steady_clock::now() + kProbeInterval;
+    if (server_replies(clients, 0, next)) return true;
+    // A closed port fails immediately: wait for the rest of the interval.
+    while (should_continue() && steady_clock::now() < next) clients.wait_until(next);
   }
   return false;
 }
 
-base::Result<void> TeamDriver::connect(const GoOn& go_on) {
-  const auto connected = connect_all(go_on);
+base::Result<void> TeamDriver::connect(const ShouldContinue& should_continue) {
+  const auto connected = connect_all(should_continue);
   if (connected && !team_.synchronous()) clients_.read_on_thread();
   return connected;
 }
 
-base::Result<void> TeamDriver::connect_all(const GoOn& go_on) {
+base::Result<void> TeamDriver::connect_all(const ShouldContinue& should_continue) {
   const auto serve = [&] {
-    clients_.wait_until(steady_clock::now() + kLook);
-    return go_on();
+    clients_.wait_until(steady_clock::now() + kPollInterval);
+    return should_continue();
   };
   if (auto done = team_.connect([this] { return clients_.connect(); }, serve); !done) return done;
   if (options_.coach_port != 0) {
@@ -67,9 +67,10 @@ base::Result<void> TeamDriver::connect_all(const GoOn& go_on) {
 }
 
 base::Result<void> TeamDriver::connect_coach(const Serve& serve) {
-  const auto until = steady_clock::now() + kCoachWait;
-  if (!answers(clients_, options_.coach_port, until)) {
-    return base::Error{"nobody lets coaches in at port " + std::to_string(options_.coach_port)};
+  const auto deadline = steady_clock::now() + kCoachTimeout;
+  if (!server_replies(clients_, options_.coach_port, deadline)) {
+    return base::Error{"no soccer server accepts coaches at port " +
+                       std::to_string(options_.coach_port)};
   }
   const auto open = [this] { return clients_.connect(options_.coach_port); };
   return team_.connect_coach(soccer::CoachRole::kOnlineCoach, open, serve);
@@ -79,35 +80,39 @@ bool TeamDriver::time_over() const {
   return team_.world().game.mode == soccer::PlayMode::kTimeOver;
 }
 
-void TeamDriver::finish_answers() {
-  while (team_.outstanding() > 0) team_.take_reply(kLook);
+void TeamDriver::finish_replies() {
+  while (team_.outstanding() > 0) team_.handle_reply(kPollInterval);
 }
 
-DriveEnd TeamDriver::run(const GoOn& go_on) {
+DriveResult TeamDriver::run(const ShouldContinue& should_continue) {
   auto last_message = steady_clock::now();
-  DriveEnd end = DriveEnd::kStopped;
-  while (go_on()) {
+  DriveResult end = DriveResult::kStopped;
+  while (should_continue()) {
+    if (options_.before_decisions && team_.begins_turn(steady_clock::now())) {
+      options_.before_decisions();
+      last_message = steady_clock::now();
+    }
     const auto now = steady_clock::now();
-    const bool asked = team_.ask(now) > 0;
+    const bool begun = team_.begin_decisions(now) > 0;
     if (team_.outstanding() > 0) {
-      const bool news = clients_.wait_until(now);
-      if (news) last_message = now;
-      // More messages may make more decisions due, which should be on their way first.
-      team_.take_reply(news && asked ? std::chrono::microseconds(0) : kTurn);
+      const bool received = clients_.wait_until(now);
+      if (received) last_message = now;
+      // More messages may make more decisions due, which should be requested first.
+      team_.handle_reply(received && begun ? std::chrono::microseconds(0) : kReplyTimeout);
       continue;
     }
     if (options_.leave_at_time_over && time_over()) {
-      end = DriveEnd::kTimeOver;
+      end = DriveResult::kTimeOver;
       break;
     }
-    if (clients_.wait_until(std::min(team_.next_due(), now + kLook))) {
+    if (clients_.wait_until(std::min(team_.next_due(), now + kPollInterval))) {
       last_message = steady_clock::now();
-    } else if (steady_clock::now() - last_message > options_.silence) {
-      end = DriveEnd::kServerSilent;
+    } else if (steady_clock::now() - last_message > options_.server_timeout) {
+      end = DriveResult::kServerUnresponsive;
       break;
     }
   }
-  finish_answers();
+  finish_replies();
   return end;
 }
 

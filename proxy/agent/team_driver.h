@@ -1,4 +1,4 @@
-// A team on a soccer server over UDP: waits for what comes and lets everybody decide in time.
+// Runs a team on a soccer server over UDP: waits for messages and replies, begins due decisions.
 #pragma once
 
 #include <chrono>
@@ -11,45 +11,49 @@
 
 namespace cls::proxy {
 
-/// Looked at every 50 ms or more often; false ends what is going on.
-using GoOn = std::function<bool()>;
+/// Called at least every 50 ms; false stops the operation.
+using ShouldContinue = std::function<bool()>;
 
-/// Waits until something answers at the server's port, however it answers. False when `go_on`
-/// ended the waiting. It does not join the match.
-bool wait_for_server(soccer::UdpClients& clients, const GoOn& go_on);
+/// Waits until any process replies at the server's port, without joining the match. False when
+/// `should_continue` stopped it.
+bool wait_for_server(soccer::UdpClients& clients, const ShouldContinue& should_continue);
 
-/// Why a team stopped playing.
-enum class DriveEnd {
-  kStopped,       ///< it was told to
-  kTimeOver,      ///< the match has ended
-  kServerSilent,  ///< no message for as long as the options allow
+/// Reason why run() returned.
+enum class DriveResult {
+  kStopped,             ///< should_continue returned false
+  kTimeOver,            ///< the match has ended
+  kServerUnresponsive,  ///< no message within server_timeout
 };
 
 struct DriverOptions {
-  bool leave_at_time_over = true;  ///< else play on until the server falls silent
-  std::chrono::milliseconds silence{5000};
-  int coach_port = 0;    ///< of the server; 0: the team has no coach
+  bool leave_at_time_over = true;  ///< otherwise until the server stops sending
+  std::chrono::milliseconds server_timeout{5000};
+  int coach_port = 0;    ///< of the server; 0: no coach
   int trainer_port = 0;  ///< the same for a trainer
+  /// Called once per cycle, before the first player's decision is requested; may block, may be
+  /// empty.
+  std::function<void()> before_decisions;
 };
 
-/// Plays in the way that the server asks for: in synchronous mode by (think), else in real time.
-/// Use: connect, introduce the team to its Playmaker, run, let the team leave. All on one thread.
+/// Plays in synchronous mode by (think), otherwise in real time, as the server's parameters say.
+/// Sequence: connect(), Team::register_agents(), run(), Team::leave(), all on one thread.
 class TeamDriver {
  public:
   /// Both must outlive the driver.
   TeamDriver(Team& team, soccer::UdpClients& clients, DriverOptions options = {})
       : team_(team), clients_(clients), options_(options) {}
 
-  /// See Team::connect. A team that the server gives no coach plays without one.
-  base::Result<void> connect(const GoOn& go_on);
+  /// See Team::connect(). Continues without a coach when the server accepts none.
+  base::Result<void> connect(const ShouldContinue& should_continue);
 
-  /// `go_on` is asked after every round too, in which decisions may have been carried out.
-  DriveEnd run(const GoOn& go_on);
+  /// `should_continue` is also called after every iteration, in which decisions may have been
+  /// executed.
+  DriveResult run(const ShouldContinue& should_continue);
 
  private:
-  base::Result<void> connect_all(const GoOn& go_on);
+  base::Result<void> connect_all(const ShouldContinue& should_continue);
   base::Result<void> connect_coach(const Serve& serve);
-  void finish_answers();
+  void finish_replies();
   bool time_over() const;
 
   Team& team_;

@@ -1,4 +1,4 @@
-// Directions for long kicks.
+// Selects directions for long kicks.
 #include "proxy/ball_skills/clear_ball.h"
 
 #include <algorithm>
@@ -17,7 +17,7 @@ using soccer::AngleDeg;
 using soccer::PlayMode;
 using soccer::Vec2;
 
-/// Room along a direction: large where opponents stand far from the line of the ball.
+/// Score of a direction: large if opponents are far from the ball's line.
 double advance_score(const WorldModel& world, AngleDeg direction) {
   constexpr double kConeDeg = 30.0;
   double score = 1000.0;
@@ -34,7 +34,7 @@ double advance_score(const WorldModel& world, AngleDeg direction) {
   return score;
 }
 
-/// Smallest angle between the direction and any opponent who could stop the ball.
+/// Minimum angle between the direction and an opponent near enough to stop the ball.
 double free_angle(const WorldModel& world, AngleDeg direction) {
   constexpr double kFar = 30.0;
   double gap = 180.0;
@@ -45,7 +45,7 @@ double free_angle(const WorldModel& world, AngleDeg direction) {
   return gap;
 }
 
-/// Directions in order of preference, tried until `visit` accepts one.
+/// First direction in order of preference that `visit` accepts.
 template <typename Visit>
 std::optional<AngleDeg> first_direction(Vec2 ball, const Visit& visit) {
   const double side = ball.y < 0.0 ? -1.0 : 1.0;
@@ -68,10 +68,10 @@ std::optional<AngleDeg> first_direction(Vec2 ball, const Visit& visit) {
 }
 
 AngleDeg clear_direction(const WorldModel& world) {
-  double wanted = 25.0;
-  for (int attempt = 0; attempt < 5; ++attempt, wanted *= 0.7) {
+  double min_angle = 25.0;
+  for (int attempt = 0; attempt < 5; ++attempt, min_angle *= 0.7) {
     const auto direction = first_direction(world.ball.position, [&](AngleDeg candidate) {
-      return free_angle(world, candidate) >= wanted;
+      return free_angle(world, candidate) >= min_angle;
     });
     if (direction) return *direction;
   }

@@ -1,4 +1,4 @@
-// Kicking the ball away: forward, out of danger, or out of a scramble.
+// Long kicks: advance, clear, force kick.
 #pragma once
 
 #include "proxy/commands/command_slots.h"
@@ -6,14 +6,14 @@
 
 namespace cls::proxy {
 
-/// A long kick upfield where opponents leave most room. False when the ball is not kickable.
+/// Kicks far upfield in the direction with the most space. False if the ball is not kickable.
 bool advance_ball(const WorldModel& world, CommandSlots& slots);
 
-/// The hardest kick into a free direction, toward the touch line ahead first.
+/// Kicks with full power in a free direction, preferably toward the touch line ahead.
 bool clear_ball(const WorldModel& world, CommandSlots& slots);
 
-/// In open play, when an opponent can kick the ball too (goalies excepted): at once at their goal,
-/// or in front of it from the wing. False when that is not the situation.
+/// In open play, when an opponent can also kick the ball: kicks immediately toward their goal, or
+/// in front of it from the wing. False otherwise, and for goalies.
 bool force_kick(const WorldModel& world, CommandSlots& slots);
 
 }  // namespace cls::proxy

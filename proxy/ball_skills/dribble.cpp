@@ -1,4 +1,4 @@
-// Running with the ball: turn, dash or kick ahead.
+// Dribbling: turn, dash, or kick the ball ahead.
 #include "proxy/ball_skills/dribble.h"
 
 #include <algorithm>
@@ -19,7 +19,7 @@ using soccer::AngleDeg;
 using soccer::Vec2;
 
 constexpr int kMaxDashes = 10;
-constexpr double kBodyGap = 0.05;  ///< metres kept between ball and body
+constexpr double kBodyGap = 0.05;  ///< minimum distance between ball and body, meters
 
 bool inside_pitch(Vec2 point) {
   constexpr double kInset = 0.3;
@@ -27,26 +27,28 @@ bool inside_pitch(Vec2 point) {
          std::fabs(point.y) < soccer::kHalfWidth - kInset;
 }
 
-/// The ball at `ball` is kickable, with room for noise, and does not touch a body at `self`.
+/// True if the ball is kickable for a player at `self`, with a noise margin, and does not collide
+/// with it.
 bool at_feet(const WorldModel& world, Vec2 ball, Vec2 self, double noise) {
   const double dist = distance(ball, self);
   return dist < kickable_area(world) - noise && dist > collide_distance(world) + kBodyGap;
 }
 
-/// Own places while kicking in this cycle and dashing in the next ones.
-std::array<Vec2, kMaxDashes + 2> places_dashing(const WorldModel& world, double power, int dashes) {
-  std::array<Vec2, kMaxDashes + 2> places;
-  Vec2 place = world.self.position;
+/// Own positions by cycle: kick in this cycle, dashes in the next ones.
+std::array<Vec2, kMaxDashes + 2> positions_while_dashing(const WorldModel& world, double power,
+                                                         int dashes) {
+  std::array<Vec2, kMaxDashes + 2> positions;
+  Vec2 position = world.self.position;
   Vec2 velocity = world.self.velocity;
   const Vec2 push = dash_acceleration(world, power, 0.0);
-  places[0] = place;
+  positions[0] = position;
   for (int cycle = 1; cycle <= dashes + 1; ++cycle) {
     if (cycle > 1) velocity = speed_limited(velocity + push, world.self_type().player_speed_max);
-    place += velocity;
+    position += velocity;
     velocity *= world.self_type().player_decay;
-    places[static_cast<std::size_t>(cycle)] = place;
+    positions[static_cast<std::size_t>(cycle)] = position;
   }
-  return places;
+  return positions;
 }
 
 struct KickAhead {
@@ -54,11 +56,11 @@ struct KickAhead {
   Vec2 velocity;
 };
 
-/// The best kick after which `dashes` dashes bring the ball to our feet again.
+/// Best kick after which the agent reaches the ball with `dashes` dashes.
 KickAhead kick_ahead(const WorldModel& world, const Threats& threats, double power, int dashes) {
   static constexpr std::array<double, 7> kOffsets{0.0, 25.0, -25.0, 50.0, -50.0, 80.0, -80.0};
   const double decay = world.server().ball_decay;
-  const auto self = places_dashing(world, power, dashes);
+  const auto self = positions_while_dashing(world, power, dashes);
   const Vec2 ball = world.ball.position;
   const int cycles = dashes + 1;
   const double radius = collide_distance(world) + 0.45 * world.self_type().kickable_margin;
@@ -83,8 +85,8 @@ KickAhead kick_ahead(const WorldModel& world, const Threats& threats, double pow
   return best;
 }
 
-/// A place around the body where the ball waits while we turn toward `heading`.
-bool keep_for_turn(const WorldModel& world, const Threats& threats, CommandSlots& slots,
+/// Kicks the ball to a safe point around the body for the time of turning toward `heading`.
+bool kick_for_turn(const WorldModel& world, const Threats& threats, CommandSlots& slots,
                    AngleDeg heading, int turns) {
   const double decay = world.server().ball_decay;
   const int cycles = turns + 1;
@@ -124,12 +126,12 @@ bool turn_with_ball(const WorldModel& world, const Threats& threats, CommandSlot
       world.server().maxmoment /
       turn_resistance(world.self_type(), world.self.velocity * world.self_type().player_decay);
   const int turns = std::fabs(error) > next_turn ? 2 : 1;
-  if (keep_for_turn(world, threats, slots, world.self.body + error, turns)) return true;
+  if (kick_for_turn(world, threats, slots, world.self.body + error, turns)) return true;
   return hold_ball(world, slots, true,
                    world.self.position + soccer::polar(10.0, world.self.body + error));
 }
 
-/// True when an opponent stands in the corridor ahead.
+/// True if an opponent is in the corridor ahead.
 bool blocked(const WorldModel& world, AngleDeg heading) {
   constexpr double kAhead = 5.0;
   constexpr double kBeside = 1.3;
@@ -143,7 +145,7 @@ bool blocked(const WorldModel& world, AngleDeg heading) {
   return false;
 }
 
-/// The heading nearest to `heading` that no opponent blocks; `heading` when all are blocked.
+/// Unblocked heading nearest to `heading`; `heading` if all are blocked.
 AngleDeg free_heading(const WorldModel& world, AngleDeg heading) {
   for (const double off : {0.0, 20.0, -20.0, 40.0, -40.0, 60.0, -60.0, 80.0, -80.0}) {
     if (!blocked(world, heading + off)) return heading + off;
@@ -151,8 +153,8 @@ AngleDeg free_heading(const WorldModel& world, AngleDeg heading) {
   return heading;
 }
 
-void leave_intention(const WorldModel& world, Intention& intention, Vec2 target, double power,
-                     int dashes) {
+void set_intention(const WorldModel& world, Intention& intention, Vec2 target, double power,
+                   int dashes) {
   intention.clear();
   intention.kind = Intention::Kind::kDribble;
   intention.target = target;
@@ -162,7 +164,7 @@ void leave_intention(const WorldModel& world, Intention& intention, Vec2 target,
   intention.last = world.game.time;
 }
 
-/// One dash if that leaves the ball at our feet, else a kick that as many dashes follow.
+/// One dash if the ball stays kickable, otherwise a kick followed by up to `dash_count` dashes.
 bool run_with_ball(const WorldModel& world, const Threats& threats, Intention& intention,
                    CommandSlots& slots, Vec2 target, double power, int dash_count) {
   const Vec2 next_self = world.self.position +
@@ -185,16 +187,16 @@ bool run_with_ball(const WorldModel& world, const Threats& threats, Intention& i
   }
   if (best_dashes == 0 || best.cost >= 600.0) return hold_ball(world, slots, true, target);
   if (!kick_to_velocity(world, slots, best.velocity)) return false;
-  leave_intention(world, intention, target, power, best_dashes);
+  set_intention(world, intention, target, power, best_dashes);
   return true;
 }
 
-bool turn_on(const WorldModel& world, Intention& intention, CommandSlots& slots) {
+bool continue_turn(const WorldModel& world, Intention& intention, CommandSlots& slots) {
   --intention.turns;
   return slots.turn((intention.heading - world.self.body).degrees());
 }
 
-bool dash_on(const WorldModel& world, Intention& intention, CommandSlots& slots) {
+bool continue_dash(const WorldModel& world, Intention& intention, CommandSlots& slots) {
   const Vec2 next_self = world.self.position + world.self.velocity +
                          dash_acceleration(world, intention.dash_power, 0.0);
   const Vec2 next_ball = ball_after(world, 1);
@@ -203,7 +205,7 @@ bool dash_on(const WorldModel& world, Intention& intention, CommandSlots& slots)
                              distance(next_ball, next_self) > kickable_area(world) - 0.1 &&
                              intention.dashes <= 1;
   if (bumps || leaves_behind) return false;
-  // A noisy turn may need a second one.
+  // Correct a noisy turn by a second one.
   constexpr double kOffCourse = 20.0;
   const double error = (intention.heading - world.self.body).degrees();
   if (std::fabs(error) > kOffCourse) return slots.turn(error);
@@ -233,17 +235,18 @@ bool continue_dribble(const WorldModel& world, Intention& intention, CommandSlot
   const int left = intention.turns + intention.dashes;
   const bool in_time = world.game.time.cycle == intention.last.cycle + 1;
   const bool arrived = distance(world.self.position, intention.target) < 1.0;
-  const bool ours = !world.kickable_opponent() && !world.kickable_teammate() &&
-                    world.intercept.first_opponent_steps > world.intercept.best_self_steps();
+  const bool in_possession =
+      !world.kickable_opponent() && !world.kickable_teammate() &&
+      world.intercept.first_opponent_steps > world.intercept.best_self_steps();
   const bool in_reach =
       world.ball.position_valid() && world.intercept.best_self_steps() <= left + 2;
-  if (!in_time || arrived || !ours || !in_reach || left <= 0) {
+  if (!in_time || arrived || !in_possession || !in_reach || left <= 0) {
     intention.clear();
     return false;
   }
-  const bool going =
-      intention.turns > 0 ? turn_on(world, intention, slots) : dash_on(world, intention, slots);
-  if (!going) {
+  const bool continued = intention.turns > 0 ? continue_turn(world, intention, slots)
+                                             : continue_dash(world, intention, slots);
+  if (!continued) {
     intention.clear();
     return false;
   }

@@ -1,4 +1,4 @@
-// Running with the ball.
+// Dribble action and its intention.
 #pragma once
 
 #include "proxy/commands/command_slots.h"
@@ -8,19 +8,19 @@
 namespace cls::proxy {
 
 struct DribbleOptions {
-  double threshold = 1.0;  ///< arrived when nearer, metres
+  double threshold = 1.0;  ///< arrived within this distance, meters
   double dash_power = 100.0;
-  int dash_count = 1;  ///< dashes between two kicks, 1 to 10
-  bool dodge = false;  ///< around opponents
+  int dash_count = 1;  ///< dashes between kicks, 1 to 10
+  bool dodge = false;  ///< avoid opponents
 };
 
-/// Takes the ball toward `target`: goes for it when it is not kickable, holds it when there. A kick
-/// ahead leaves an intention to run after it. False only on the ground.
+/// Dribbles toward `target`: intercepts the ball if it is not kickable, holds it at the target. A
+/// kick ahead leaves an intention to run after the ball. False only if frozen.
 bool dribble(const WorldModel& world, Intention& intention, CommandSlots& slots,
              soccer::Vec2 target, const DribbleOptions& options);
 
-/// Runs on after the ball. False, ending the intention, when that no longer makes sense: somebody
-/// else is at the ball, it is out of reach, or the way is done.
+/// Continues the dribble. False, clearing the intention, when it is invalid: another player has the
+/// ball, it is out of reach, or the dribble is finished.
 bool continue_dribble(const WorldModel& world, Intention& intention, CommandSlots& slots);
 
 }  // namespace cls::proxy

@@ -1,4 +1,4 @@
-// Keeping the ball at one's feet and away from opponents.
+// Hold action: keeps the ball away from opponents.
 #pragma once
 
 #include <optional>
@@ -8,8 +8,8 @@
 
 namespace cls::proxy {
 
-/// Turns toward `face_point` (their goal when none is given) while the ball is safe, else kicks it
-/// to the safest place within reach. False when the ball is not kickable.
+/// Turns toward `face_point` (default: their goal) while the ball is safe, otherwise kicks it to
+/// the safest point in reach. False if the ball is not kickable.
 bool hold_ball(const WorldModel& world, CommandSlots& slots, bool do_turn,
                std::optional<soccer::Vec2> face_point);
 

@@ -1,4 +1,4 @@
-// Single kicks.
+// Computes single kicks.
 #include "proxy/ball_skills/kick.h"
 
 #include <algorithm>
@@ -37,17 +37,17 @@ bool kick_one_step(const WorldModel& world, CommandSlots& slots, Vec2 target, do
   if (!world.ball.velocity_valid() && !force_mode) return stop_ball(world, slots);
   const Vec2 way = target - world.ball.position;
   const double length = way.length();
-  const double wanted = std::clamp(first_speed, 0.0, world.server().ball_speed_max);
-  if (length < 1e-6 || wanted < 1e-6) return stop_ball(world, slots);
+  const double desired = std::clamp(first_speed, 0.0, world.server().ball_speed_max);
+  if (length < 1e-6 || desired < 1e-6) return stop_ball(world, slots);
   const Vec2 direction = way / length;
   const double limit = kick_limit(world);
   const double possible =
       max_speed_along(world.ball.velocity, direction, limit, world.server().ball_speed_max);
-  const double speed = std::min(wanted, possible);
+  const double speed = std::min(desired, possible);
   const bool reachable =
       speed > 0.0 && (direction * speed - world.ball.velocity).length() <= limit + 1e-9;
   if (reachable || force_mode) {
-    return kick_to_velocity(world, slots, direction * (reachable ? speed : wanted));
+    return kick_to_velocity(world, slots, direction * (reachable ? speed : desired));
   }
   return hold_ball(world, slots, false, {});
 }
@@ -57,16 +57,16 @@ bool stop_ball(const WorldModel& world, CommandSlots& slots) {
   const Vec2 velocity = world.ball.velocity_valid() ? world.ball.velocity : Vec2{};
   const Vec2 relative = world.ball.position - world.self.position;
   const double dist = relative.length();
-  const double keep = std::clamp(dist, collide_distance(world) + 0.1, kickable_area(world) - 0.1);
+  const double gap = std::clamp(dist, collide_distance(world) + 0.1, kickable_area(world) - 0.1);
   const Vec2 outwards = dist > 1e-6 ? relative / dist : soccer::polar(1.0, world.self.body);
   const Vec2 next_self = self_after(world, 1);
   const double limit = kick_limit(world);
-  Vec2 wanted = next_self + outwards * keep - world.ball.position;
-  if ((wanted - velocity).length() > limit) {
-    // Too fast to be stopped beside us: take off what we can and let it come closer.
-    wanted = next_self + outwards * (collide_distance(world) + 0.1) - world.ball.position;
+  Vec2 desired = next_self + outwards * gap - world.ball.position;
+  if ((desired - velocity).length() > limit) {
+    // Too fast to stop: reduce the speed and let the ball come closer.
+    desired = next_self + outwards * (collide_distance(world) + 0.1) - world.ball.position;
   }
-  const Vec2 needed = wanted - velocity;
+  const Vec2 needed = desired - velocity;
   const double power = std::min(needed.length(), limit) / world.self.kick_rate;
   if (power < 0.5) {
     slots.turn(0.0);

@@ -1,4 +1,4 @@
-// Single kicks: the ball's next velocity as far as one kick can make it.
+// Single kicks.
 #pragma once
 
 #include "proxy/commands/command_slots.h"
@@ -6,26 +6,27 @@
 
 namespace cls::proxy {
 
-/// Largest acceleration that one kick gives the ball here and now, metres per cycle.
+/// Maximum ball acceleration by one kick now, meters per cycle.
 double kick_limit(const WorldModel& world);
-/// The same with the given ball acceleration per unit of power.
+/// The same for a given kick rate.
 double kick_limit(const WorldModel& world, double rate);
 
-/// Largest speed along the unit vector `direction` of a ball that moves with `velocity` and gets
-/// an acceleration of at most `limit`; negative when no such acceleration sends it that way.
+/// Maximum speed along the unit vector `direction` of a ball with `velocity` after an acceleration
+/// of at most `limit`; negative if that direction is impossible.
 double max_speed_along(soccer::Vec2 velocity, soccer::Vec2 direction, double limit,
                        double speed_max);
 
-/// Kicks so that the ball's velocity becomes `velocity`, or as near to it as full power does.
+/// Kicks so that the ball velocity becomes `velocity`, or as near as full power allows.
 bool kick_to_velocity(const WorldModel& world, CommandSlots& slots, soccer::Vec2 velocity);
 
-/// One kick toward the point with `first_speed`, or the largest possible below it. When that
-/// direction cannot be had: `force_mode` kicks as near to it as possible, else the ball is held.
+/// One kick toward the point with `first_speed`, or the highest possible speed below it. If the
+/// direction is impossible: with `force_mode` kicks as near to it as possible, otherwise holds the
+/// ball.
 bool kick_one_step(const WorldModel& world, CommandSlots& slots, soccer::Vec2 target,
                    double first_speed, bool force_mode);
 
-/// Keeps the ball where it is relative to the moving agent. False (and `turn 0`) when it already
-/// stays there by itself.
+/// Keeps the ball at its position relative to the moving agent. False (and `turn 0`) if no kick is
+/// needed.
 bool stop_ball(const WorldModel& world, CommandSlots& slots);
 
 }  // namespace cls::proxy

@@ -1,4 +1,4 @@
-// The search for a shot that cannot be stopped.
+// Searches for a shot that no opponent can stop.
 #include "proxy/ball_skills/shoot.h"
 
 #include <algorithm>
@@ -19,21 +19,21 @@ using soccer::PlayMode;
 using soccer::Vec2;
 
 constexpr int kMaxCycles = 30;
-constexpr int kMaxCredit = 5;  ///< cycles that somebody may have used unseen
+constexpr int kMaxCredit = 5;  ///< maximum unseen cycles credited to an opponent
 
-/// Somebody who may stop a shot: by cycles from now, where he coasts to and how far from there he
-/// gets the ball, running straight ahead or with a turn (or sideways) first.
+/// A player that may stop a shot. By cycle from now: coasting position, and reach from there when
+/// running straight ahead or with a turn (or sideways) first.
 struct Stopper {
   Vec2 position;
-  Vec2 body;  ///< unit vector; zero when not known
+  Vec2 body;  ///< unit vector; zero if unknown
   bool goalie;
-  std::array<Vec2, kMaxCycles + 1> places;
+  std::array<Vec2, kMaxCycles + 1> positions;
   std::array<double, kMaxCycles + 1> ahead;
   std::array<double, kMaxCycles + 1> aside;
 
   bool gets(Vec2 ball, std::size_t cycle) const {
     constexpr double kStraight = 0.9;  // cosine
-    const Vec2 way = ball - places[cycle];
+    const Vec2 way = ball - positions[cycle];
     const double dist = way.length();
     const bool straight = body.is_zero() || dot(way, body) > kStraight * dist;
     return dist < (straight ? ahead[cycle] : aside[cycle]);
@@ -52,7 +52,7 @@ Stopper stopper_of(const WorldModel& world, const PlayerState& player) {
   const double push = server.max_dash_power * type.dash_power_rate * type.effort_max;
   double speed = 0.0;
   double run = 0.0;
-  double run_before = 0.0;  // one cycle less: what a turn leaves
+  double run_before = 0.0;  // one cycle less, for a turn
   const auto dash = [&] {
     run_before = run;
     speed = std::min(speed * type.player_decay + push, type.player_speed_max);
@@ -60,7 +60,7 @@ Stopper stopper_of(const WorldModel& world, const PlayerState& player) {
   };
   for (int unseen = std::min(kMaxCredit, player.pos_count); unseen > 0; --unseen) dash();
   for (std::size_t cycle = 0; cycle <= kMaxCycles; ++cycle) {
-    stopper.places[cycle] =
+    stopper.positions[cycle] =
         coast(player.position, velocity, type.player_decay, static_cast<int>(cycle));
     stopper.ahead[cycle] = control + run;
     stopper.aside[cycle] = control + std::max(run_before, server.side_dash_rate * run);
@@ -70,11 +70,11 @@ Stopper stopper_of(const WorldModel& world, const PlayerState& player) {
 }
 
 Stoppers stoppers(const WorldModel& world) {
-  constexpr int kStale = 20;
+  constexpr int kMaxAge = 20;
   Stoppers list;
   for (const PlayerList* players : {&world.opponents, &world.unknowns}) {
     for (const PlayerState& player : *players) {
-      if (player.ghost() || player.pos_count > kStale || player.tackling) continue;
+      if (player.ghost() || player.pos_count > kMaxAge || player.tackling) continue;
       if (player.position.x < world.ball.position.x - 5.0) continue;
       list.push_back(stopper_of(world, player));
     }
@@ -82,8 +82,8 @@ Stoppers stoppers(const WorldModel& world) {
   return list;
 }
 
-/// True when nobody reaches the ball before it crosses the goal line, `line_dist` metres away.
-/// `head_start`: cycles that others have before the ball leaves.
+/// True if no stopper reaches the ball before it crosses the goal line, `line_dist` meters away.
+/// `head_start`: cycles before the ball leaves.
 bool unstoppable(const WorldModel& world, const Stoppers& list, Vec2 velocity, double line_dist,
                  int head_start) {
   Vec2 ball = world.ball.position;
@@ -117,7 +117,7 @@ double angle_to_goalie(const WorldModel& world, const Stoppers& list, Vec2 targe
   return 180.0;
 }
 
-double score_of(const WorldModel& world, const Stoppers& list, Vec2 target, int kicks) {
+double shot_score(const WorldModel& world, const Stoppers& list, Vec2 target, int kicks) {
   const double gap = angle_to_goalie(world, list, target) / 10.0;
   double score = kicks == 1 ? 251.0 : 201.0;
   score *= 1.0 - soccer::math::exp(-gap * gap / 2.0);
@@ -128,7 +128,7 @@ double score_of(const WorldModel& world, const Stoppers& list, Vec2 target, int 
   return score;
 }
 
-/// The slowest unstoppable shot at that point; score 0 when there is none.
+/// Slowest unstoppable shot at that point; score 0 if none.
 Shot shot_at(const WorldModel& world, const Stoppers& list, Vec2 target) {
   const auto& server = world.server();
   const Vec2 way = target - world.ball.position;
@@ -141,9 +141,9 @@ Shot shot_at(const WorldModel& world, const Stoppers& list, Vec2 target) {
        speed = std::min(speed + 0.3, server.ball_speed_max)) {
     const int kicks = speed <= one_kick + 1e-6 ? 1 : 3;
     if (unstoppable(world, list, direction * speed, dist, kicks / 2)) {
-      return {score_of(world, list, target, kicks), speed, kicks, target};
+      return {shot_score(world, list, target, kicks), speed, kicks, target};
     }
-    // Also where the ball's velocity is not a number: nothing is at least a maximum then.
+    // Negated comparison: also ends the loop for a NaN speed.
     if (!(speed < server.ball_speed_max)) return {};
   }
 }
@@ -151,7 +151,7 @@ Shot shot_at(const WorldModel& world, const Stoppers& list, Vec2 target) {
 bool allowed(const WorldModel& world) {
   const PlayMode mode = world.game.mode;
   return world.self.kickable && mode != PlayMode::kIndirectFreeKickLeft &&
-         mode != PlayMode::kIndirectFreeKickRight && !clock_stands(mode);
+         mode != PlayMode::kIndirectFreeKickRight && !clock_stopped(mode);
 }
 
 }  // namespace

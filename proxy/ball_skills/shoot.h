@@ -1,4 +1,4 @@
-// Shooting when nobody can stop the ball.
+// Shoot action.
 #pragma once
 
 #include "proxy/commands/command_slots.h"
@@ -6,9 +6,9 @@
 
 namespace cls::proxy {
 
-/// Shoots between the posts where neither goalie nor opponents reach the ball, from within 30 m.
-/// False when there is no such shot, in indirect free kicks, and while the clock stands.
-/// `aim`, if given, receives the point shot at.
+/// Shoots at the goal from within 30 m where no opponent can stop the ball. False if there is no
+/// such shot, in indirect free kicks, and while the clock is stopped. `aim`, if not null, receives
+/// the target.
 bool shoot(const WorldModel& world, CommandSlots& slots, soccer::Vec2* aim = nullptr);
 
 }  // namespace cls::proxy

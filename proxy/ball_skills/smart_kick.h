@@ -1,4 +1,4 @@
-// Kicking the ball faster than one kick can: sequences of up to three.
+// Kick sequences of up to three kicks for higher ball speeds.
 #pragma once
 
 #include "proxy/commands/command_slots.h"
@@ -7,8 +7,8 @@
 namespace cls::proxy {
 
 /// Plans one to `max_steps` (at most 3) kicks that send the ball toward `target` with
-/// `first_speed` and issues the first of them. When no sequence reaches `speed_threshold` the ball
-/// is held and the answer is false; also false when the ball is not kickable.
+/// `first_speed`, and executes the first. If no sequence reaches `speed_threshold`, holds the ball
+/// and returns false; also false if the ball is not kickable.
 bool smart_kick(const WorldModel& world, CommandSlots& slots, soccer::Vec2 target,
                 double first_speed, double speed_threshold, int max_steps);
 

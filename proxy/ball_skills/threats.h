@@ -1,4 +1,4 @@
-// How near opponents are to getting at a ball in the next few cycles.
+// Threats to the ball by nearby opponents in the next cycles.
 #pragma once
 
 #include "proxy/world/fixed_list.h"
@@ -6,29 +6,25 @@
 
 namespace cls::proxy {
 
-/// The opponents close enough to matter to a ball at our feet. Make it once per decision.
+/// Opponents close to a ball controlled by the agent. Create once per decision.
 class Threats {
  public:
   explicit Threats(const WorldModel& world);
 
-  bool empty() const { return near_.empty(); }
-  /// Metres by which the nearest opponent, dashing as it can, misses kicking a ball that is at
-  /// `ball` in `cycles` (0 to 3) cycles; negative when it gets it.
-  double kick_gap(soccer::Vec2 ball, int cycles) const;
-  /// Cost of leaving the ball there: 600 in somebody's kickable area as he moves now, 300 within
-  /// his tackle, 150 where a dash brings him to it, 0 otherwise.
+  /// Cost of a ball position: 600 in the kickable area of a coasting opponent, 300 in its tackle
+  /// area, 150 where a dash reaches it, 0 otherwise.
   double cost(soccer::Vec2 ball, int cycles) const;
-  /// Distance to the nearest opponent as he moves by himself; 1000 when none is near.
+  /// Distance to the nearest coasting opponent; 1000 if none is near.
   double nearest(soccer::Vec2 ball, int cycles) const;
 
  private:
   static constexpr int kCycles = 4;
   struct Opponent {
-    soccer::Vec2 places[kCycles];  ///< by cycles from now, coasting
-    double reach[kCycles];         ///< what dashing adds
+    soccer::Vec2 positions[kCycles];  ///< by cycles from now, coasting
+    double reach[kCycles];            ///< additional distance by dashing
     double kickable_area;
-    soccer::Vec2 body;  ///< unit vector; zero when the body is not known
-    bool lying;
+    soccer::Vec2 body;  ///< unit vector; zero if unknown
+    bool tackling;
   };
   FixedList<Opponent, 22> near_;
   double tackle_dist_;

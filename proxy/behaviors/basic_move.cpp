@@ -1,15 +1,13 @@
-// Play without the ball.
-#include "proxy/behaviors/basic_move.h"
+// Decides the move of a player without the ball.
+#include "proxy/behaviors/behaviors.h"
 
 #include <algorithm>
 #include <optional>
 
-#include "proxy/movement/block.h"
 #include "proxy/movement/home_positions.h"
 #include "proxy/movement/intercept.h"
-#include "proxy/movement/mark.h"
 #include "proxy/movement/movement.h"
-#include "proxy/movement/support.h"
+#include "proxy/movement/off_ball.h"
 #include "proxy/movement/tackle.h"
 #include "proxy/world/motion.h"
 #include "soccer/pitch.h"
@@ -38,8 +36,9 @@ double normal_dash_power(const WorldModel& world, bool& recovering) {
     return std::min(max, 1.1 * income);
   }
   if (self.position.x > world.lines.offside) return max;
-  const int ours = std::min(table.best_self_steps(), table.first_teammate_steps);
-  if (ball.x > 25.0 && ball.x > self.position.x + 10.0 && ours < table.first_opponent_steps - 6) {
+  const int our_cycles = std::min(table.best_self_steps(), table.first_teammate_steps);
+  if (ball.x > 25.0 && ball.x > self.position.x + 10.0 &&
+      our_cycles < table.first_opponent_steps - 6) {
     return std::clamp(0.5 * income, 10.0, max);
   }
   return std::min(max, 1.7 * income);

@@ -1,5 +1,5 @@
-// Ten characters a cycle: the most useful ones.
-#include "proxy/behaviors/communication.h"
+// Selects the most useful say messages for ten characters per cycle.
+#include "proxy/behaviors/behaviors.h"
 
 #include <algorithm>
 #include <array>
@@ -28,10 +28,10 @@ int number_of(const WorldModel& world, const PlayerState& player) {
 
 struct Seen {
   const PlayerState* player;
-  double worth;
+  double relevance;
 };
 
-/// Players seen just now, the most interesting first: near the ball, opponents before teammates.
+/// Players seen in this step by descending relevance: near the ball, opponents before teammates.
 std::vector<Seen> seen_now(const WorldModel& world) {
   std::vector<Seen> seen;
   for (const PlayerList* list : {&world.opponents, &world.teammates}) {
@@ -40,14 +40,14 @@ std::vector<Seen> seen_now(const WorldModel& world) {
       const bool sure = player.seen_pos_count == 0 && player.unum != 0 &&
                         player.unum_count < kSure && !player.ghost();
       if (!sure) continue;
-      const bool theirs = list == &world.opponents;
+      const bool is_opponent = list == &world.opponents;
       const double near =
           60.0 / (5.0 + player.dist_from_ball) + 10.0 / (5.0 + player.dist_from_self);
-      seen.push_back({&player, near * (theirs ? 1.5 : 1.0)});
+      seen.push_back({&player, near * (is_opponent ? 1.5 : 1.0)});
     }
   }
   std::stable_sort(seen.begin(), seen.end(),
-                   [](const Seen& a, const Seen& b) { return a.worth > b.worth; });
+                   [](const Seen& a, const Seen& b) { return a.relevance > b.relevance; });
   return seen;
 }
 
@@ -56,7 +56,7 @@ bool say(ActionContext& c, const SayMessage& message) {
   return append_say_message(message, c.world.server(), text) && c.slots.say(text);
 }
 
-/// Where the ball will be in the next cycle; a kick of ours in this one included.
+/// Ball in the next cycle, including the agent's kick in this cycle.
 SayBall next_ball(const ActionContext& c) {
   const WorldModel& world = c.world;
   Vec2 velocity = world.ball.velocity;
@@ -95,8 +95,8 @@ bool say_players(ActionContext& c, const std::vector<Seen>& seen) {
   return false;
 }
 
-/// The ball is news to others when we are near it.
-bool ball_is_worth_telling(const WorldModel& world) {
+/// True if the agent is near enough to the ball to report it.
+bool should_say_ball(const WorldModel& world) {
   const BallState& ball = world.ball;
   if (ball.seen_pos_count > 0 || ball.seen_vel_count > 1) return false;
   const int nearest = std::min(world.intercept.first_teammate_steps, kNever);
@@ -104,9 +104,9 @@ bool ball_is_worth_telling(const WorldModel& world) {
          ball.dist_from_self < 12.0;
 }
 
-/// Who is to be listened to: the teammate that has the ball or gets it first; for that one itself
-/// the teammate ahead of it whom it may pass to next.
-int speaker_of_choice(const WorldModel& world) {
+/// Teammate for attentionto: the one that has the ball or gets it first; for the agent with the
+/// ball, the field teammate nearest to the ball.
+int attention_target(const WorldModel& world) {
   const PlayerState* first = world.player_by_id(world.kickable_teammate_id);
   const InterceptTable& table = world.intercept;
   const bool self_first =
@@ -114,9 +114,9 @@ int speaker_of_choice(const WorldModel& world) {
   if (first == nullptr && !self_first) first = world.player_by_id(table.first_teammate_id);
   if (first != nullptr && first->unum != 0) return first->unum;
   const PlayerState* best = nullptr;
-  for (const PlayerState& mate : world.teammates) {
-    if (mate.unum == 0 || mate.goalie || mate.dist_from_self > 40.0) continue;
-    if (best == nullptr || mate.dist_from_ball < best->dist_from_ball) best = &mate;
+  for (const PlayerState& teammate : world.teammates) {
+    if (teammate.unum == 0 || teammate.goalie || teammate.dist_from_self > 40.0) continue;
+    if (best == nullptr || teammate.dist_from_ball < best->dist_from_ball) best = &teammate;
   }
   return best == nullptr ? 0 : best->unum;
 }
@@ -127,7 +127,7 @@ bool communicate(ActionContext& c) {
   const WorldModel& world = c.world;
   if (silent_mode(world.game.mode)) return false;
   bool added = false;
-  const int speaker = speaker_of_choice(world);
+  const int speaker = attention_target(world);
   const bool listening =
       world.self.attention_side == world.our_side && world.self.attention_unum == speaker;
   if (speaker != 0 && !c.slots.has_attention() && !listening) {
@@ -135,7 +135,7 @@ bool communicate(ActionContext& c) {
   }
   if (!world.self.position_valid() || world.game.see_time != world.game.time.cycle) return added;
   const std::vector<Seen> seen = seen_now(world);
-  if (ball_is_worth_telling(world) && say_ball(c, seen)) added = true;
+  if (should_say_ball(world) && say_ball(c, seen)) added = true;
   return say_players(c, seen) || added;
 }
 

@@ -1,12 +1,13 @@
-// Catch, clear, come out, or stand well.
-#include "proxy/behaviors/goalie.h"
+// Goalie: catches, clears, comes out, or takes a position; free kick after a catch.
+#include "proxy/behaviors/behaviors.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
 #include "proxy/ball_skills/clear_ball.h"
-#include "proxy/behaviors/goalie_place.h"
+#include "proxy/looking/body_neck.h"
 #include "proxy/movement/intercept.h"
 #include "proxy/movement/movement.h"
 #include "proxy/movement/tackle.h"
@@ -22,7 +23,7 @@ using soccer::Vec2;
 
 constexpr double kGoalX = -soccer::kHalfLength;
 
-/// Where and when a rolling ball crosses our goal line, if it does so between the posts.
+/// Where and when a rolling ball crosses our goal line between the posts.
 struct Shot {
   double y = 0.0;
   int cycles = 0;
@@ -31,10 +32,10 @@ struct Shot {
 std::optional<Shot> shot_at_us(const WorldModel& world) {
   const Vec2 velocity = world.ball.velocity;
   if (!world.ball.velocity_valid() || velocity.x > -0.1) return std::nullopt;
-  constexpr int kLongest = 40;
+  constexpr int kMaxCycles = 40;
   const double half_mouth = world.server().goal_width / 2.0 + 1.5;
   Vec2 before = world.ball.position;
-  for (int cycle = 1; cycle <= kLongest; ++cycle) {
+  for (int cycle = 1; cycle <= kMaxCycles; ++cycle) {
     const Vec2 now = ball_after(world, cycle);
     if (now.x <= kGoalX) {
       const double share = (before.x - kGoalX) / std::max(1e-9, before.x - now.x);
@@ -47,8 +48,8 @@ std::optional<Shot> shot_at_us(const WorldModel& world) {
   return std::nullopt;
 }
 
-/// A ball that a teammate passed back on purpose must not be caught.
-bool forbidden_to_catch(const WorldModel& world) {
+/// Back pass rule: a ball last kicked by a teammate must not be caught.
+bool is_back_pass(const WorldModel& world) {
   return world.server().back_passes && world.last_kick.side == world.our_side &&
          world.last_kick.unum != world.unum && world.last_kick.unum != 0;
 }
@@ -60,17 +61,17 @@ bool can_catch(const WorldModel& world) {
   const bool penalty = mode == PlayMode::kPenaltyTakenLeft || mode == PlayMode::kPenaltyTakenRight;
   if (mode != PlayMode::kPlayOn && !penalty) return false;
   if (!in_own_penalty_area(world.ball.position, kInset) && !penalty) return false;
-  if (world.self.catch_probability <= 0.0 || (forbidden_to_catch(world) && !penalty)) return false;
-  // Arms reach a quarter turn to either side, and the width of the catch area beyond that.
-  constexpr double kArms = 108.0;
-  if ((world.ball.angle_from_self - world.self.body).abs() > kArms) return false;
+  if (world.self.catch_probability <= 0.0 || (is_back_pass(world) && !penalty)) return false;
+  // Maximum angle of a catch: 90 degrees plus the width of the catch area.
+  constexpr double kMaxCatchAngle = 108.0;
+  if ((world.ball.angle_from_self - world.self.body).abs() > kMaxCatchAngle) return false;
   if (world.self.catch_probability >= kSure * world.server().catch_probability) return true;
-  // Now or never: a shot that passes by.
+  // Last chance for a shot that passes by.
   const std::optional<Shot> shot = shot_at_us(world);
   return shot && distance(ball_after(world, 1), self_after(world, 1)) > world.ball.dist_from_self;
 }
 
-bool wants_to_come_out(const WorldModel& world) {
+bool should_come_out(const WorldModel& world) {
   const InterceptTable& table = world.intercept;
   const int self = table.best_self_steps();
   if (self >= kNever || world.kickable_teammate()) return false;
@@ -78,19 +79,19 @@ bool wants_to_come_out(const WorldModel& world) {
   const Vec2 next = ball_after(world, 1);
   const bool in_mouth = next.x < -44.5 && std::fabs(next.y) < 10.0;
   const int opponent = table.first_opponent_steps;
-  // With the ball at an opponent's feet whoever runs at him leaves the goal open behind himself.
+  // Against an opponent with the ball, coming out opens the goal.
   constexpr int kDuel = 1;
   if (in_mouth && self <= (world.kickable_opponent() ? kDuel : opponent + 1)) return true;
   if (shot_at_us(world)) return true;
   if (!in_own_penalty_area(meeting, 0.5)) return false;
-  // Teammates there in time leave the goalie where he belongs.
+  // Stay if a teammate gets the ball in time.
   if (table.first_teammate_steps < self && table.first_teammate_steps < opponent) return false;
   return self < opponent || (world.ball.dist_from_self < 3.0 && self <= opponent + 1);
 }
 
-/// The point of a shot's line that the goalie can be at before the ball.
+/// Point on the line of a shot that the goalie reaches before the ball.
 Vec2 blocking_point(const WorldModel& world, const Shot& shot) {
-  const double speed = 0.8;  // what a goalie covers in a cycle of a short run
+  const double speed = 0.8;  // running speed on short distances, meters per cycle
   Vec2 best{kGoalX + 0.5, shot.y};
   double best_margin = -1e9;
   for (int cycle = 1; cycle <= shot.cycles; ++cycle) {
@@ -119,7 +120,7 @@ bool chase(ActionContext& c) {
     return intercept(world, c.slots, false, {0.0, world.ball.position.y});
   }
   if (!shot) return false;
-  // A ball behind the arms: turn to it while it comes.
+  // Ball outside the catch angle: turn toward it.
   const AngleDeg next_ball = AngleDeg::of(ball_after(world, 1) - self_after(world, 1));
   const double beside = (next_ball - world.self.body).degrees();
   constexpr double kReach = 1.5;
@@ -133,8 +134,8 @@ bool chase(ActionContext& c) {
   return c.slots.has_body();
 }
 
-/// Half towards the ball, half towards where more of the goal is open: dashes go there, and balls
-/// on either side can be caught. The nearer the ball, the more towards it.
+/// Body direction while waiting: between the ball and the more open side of the goal, so that
+/// dashes go there and balls on both sides can be caught; the nearer the ball, the more toward it.
 AngleDeg waiting_body(const WorldModel& world, Vec2 ball) {
   const Vec2 here = world.self.position;
   const AngleDeg to_ball = AngleDeg::of(ball - here);
@@ -142,12 +143,12 @@ AngleDeg waiting_body(const WorldModel& world, Vec2 ball) {
   const double side =
       middle ? (world.self.body.degrees() >= 0.0 ? 1.0 : -1.0) : (here.y < 0.0 ? 1.0 : -1.0);
   constexpr double kCloseBall = 13.0;
-  const double most = distance(ball, here) < kCloseBall ? 15.0 : 55.0;
+  const double max_angle = distance(ball, here) < kCloseBall ? 15.0 : 55.0;
   const double off = (AngleDeg(90.0 * side) - to_ball).degrees();
-  return to_ball + std::clamp(off, -most, most);
+  return to_ball + std::clamp(off, -max_angle, max_angle);
 }
 
-bool stand(ActionContext& c, Vec2 ball) {
+bool wait_in_position(ActionContext& c, Vec2 ball) {
   const WorldModel& world = c.world;
   const AngleDeg error = waiting_body(world, ball) - world.self.body;
   constexpr double kNear = 8.0;
@@ -155,20 +156,20 @@ bool stand(ActionContext& c, Vec2 ball) {
   return stop_dash(world, c.slots, true) || c.slots.turn(0.0);
 }
 
-bool take_place(ActionContext& c) {
+bool go_to_position(ActionContext& c) {
   const WorldModel& world = c.world;
   const int steps =
       std::min({5, world.intercept.first_opponent_steps, world.intercept.first_teammate_steps});
   const Vec2 ball = ball_after(world, steps);
-  const Vec2 place = goalie_place(world, ball);
+  const Vec2 position = goalie_position(world, ball);
   c.neck.kind = ball.x > 0.0 ? NeckPlan::Kind::kBallOrScan : NeckPlan::Kind::kBall;
-  const double away = distance(place, world.self.position);
+  const double away = distance(position, world.self.position);
   const bool hurry = ball.x < -20.0;
   const double threshold = hurry ? 0.4 : 1.0;
-  if (away < threshold) return stand(c, ball);
+  if (away < threshold) return wait_in_position(c, ball);
   const double power = hurry ? world.server().max_dash_power : 60.0;
-  if (!go_to_point(world, c.slots, place, threshold, safe_dash_power(world, power), {4})) {
-    return stand(c, ball);
+  if (!go_to_point(world, c.slots, position, threshold, safe_dash_power(world, power), {4})) {
+    return wait_in_position(c, ball);
   }
   return true;
 }
@@ -182,9 +183,9 @@ bool in_own_penalty_area(Vec2 point, double inset) {
 
 bool goalie_move(ActionContext& c) {
   if (c.world.self.frozen()) return false;
-  const bool dead_ball_of_ours = is_set_play_of(c.world.game, c.world.our_side);
-  if (!dead_ball_of_ours && wants_to_come_out(c.world) && chase(c)) return true;
-  return take_place(c);
+  const bool our_set_play = is_set_play_of(c.world.game, c.world.our_side);
+  if (!our_set_play && should_come_out(c.world) && chase(c)) return true;
+  return go_to_position(c);
 }
 
 bool goalie_kick(ActionContext& c) {
@@ -201,6 +202,72 @@ bool play_goalie(ActionContext& c) {
   }
   if (c.world.self.kickable && goalie_kick(c)) return true;
   return goalie_move(c);
+}
+
+namespace {
+
+bool holds_caught_ball(const WorldModel& world) {
+  return world.game.goalie_catch && world.game.mode_side() == world.our_side;
+}
+
+/// Candidate position farthest from opponents.
+Vec2 roomiest_position(const WorldModel& world) {
+  static constexpr std::array<Vec2, 3> kPlaces{{{-43.0, 10.0}, {-43.0, -10.0}, {-43.0, 0.0}}};
+  Vec2 best = kPlaces[0];
+  double best_room = -1.0;
+  for (const Vec2 position : kPlaces) {
+    double room = 100.0;
+    for (const PlayerState& opponent : world.opponents) {
+      if (opponent.position_valid()) room = std::min(room, distance(opponent.position, position));
+    }
+    if (room > best_room) {
+      best_room = room;
+      best = position;
+    }
+  }
+  return best;
+}
+
+bool wait(ActionContext& c) {
+  c.neck.kind = NeckPlan::Kind::kScan;
+  const WorldModel& world = c.world;
+  const Vec2 upfield{0.0, 0.0};
+  return body_neck_to_point(world, c.memory.view, c.slots, upfield);
+}
+
+}  // namespace
+
+bool goalie_free_kick(ActionContext& c) {
+  const WorldModel& world = c.world;
+  if (world.self.frozen()) return false;
+  GoalieKickMemory& memory = c.memory.goalie_kick;
+  if (!holds_caught_ball(world)) {
+    memory = {};
+    return goalie_move(c);
+  }
+  // After a move the ball estimate is outdated for a while, but the goalie still holds the ball:
+  // running would carry it toward our goal.
+  if (!world.self.kickable) return neck_body_to_ball(world, c.memory.view, c.slots, 0.0);
+  const int since = world.game.time.cycle - std::max(0, world.game.caught_time);
+  constexpr int kSettle = 3;
+  constexpr int kPatience = 50;  // teammates take positions meanwhile
+  constexpr int kAfterMove = 5;
+  const int limit = world.server().drop_ball_time - 10;
+  if (since < kSettle) return wait(c);
+  if (!memory.moved) {
+    const bool rested = since >= std::min(kPatience, limit - kAfterMove);
+    if (!rested) return wait(c);
+    memory.moved = true;
+    memory.move_cycle = world.game.time.cycle;
+    c.neck.kind = NeckPlan::Kind::kScan;
+    if (c.slots.move(roomiest_position(world))) return true;
+  }
+  const bool seen = world.game.see_time == world.game.time.cycle;
+  const bool due = since >= limit;
+  if (!due && (world.game.time.cycle - memory.move_cycle < kAfterMove || !seen)) return wait(c);
+  if (play_planned_pass(c)) return true;
+  if (!due && world.game.time.cycle - memory.move_cycle < 3 * kAfterMove) return wait(c);
+  return kick_outlet(c);
 }
 
 }  // namespace cls::proxy

@@ -1,5 +1,5 @@
-// Towards the announced ball.
-#include "proxy/behaviors/heard_pass.h"
+// Runs to the receive point of an announced pass.
+#include "proxy/behaviors/behaviors.h"
 
 #include <optional>
 
@@ -14,13 +14,13 @@ namespace {
 
 using soccer::Vec2;
 
-constexpr int kPatience = 5;  ///< cycles for which an announced pass is followed blindly
+constexpr int kPatience = 5;  ///< cycles to follow an announced pass without seeing it
 
 std::optional<Vec2> announced_point(const WorldModel& world) {
   for (const HeardMessage& heard : world.heard) {
     if (heard.coach || heard.side != world.our_side || heard.unum == world.unum) continue;
     std::string_view text = heard.text;
-    while (const auto message = take_say_message(text, world.server())) {
+    while (const auto message = parse_say_message(text, world.server())) {
       const auto* pass = std::get_if<SayPass>(&*message);
       if (pass != nullptr && pass->receiver == world.unum) return pass->point;
     }

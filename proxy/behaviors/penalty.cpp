@@ -1,5 +1,4 @@
-// Parts of a shoot-out.
-#include "proxy/behaviors/penalty.h"
+// Roles in a shoot-out: taker, goalie, waiting players.
 
 #include <algorithm>
 #include <cmath>
@@ -9,13 +8,13 @@
 #include "proxy/ball_skills/kick.h"
 #include "proxy/ball_skills/shoot.h"
 #include "proxy/ball_skills/smart_kick.h"
-#include "proxy/behaviors/goalie.h"
-#include "proxy/looking/looking.h"
+#include "proxy/behaviors/behaviors.h"
+#include "proxy/looking/body_neck.h"
 #include "proxy/movement/intercept.h"
 #include "proxy/movement/movement.h"
 #include "proxy/world/motion.h"
-#include "soccer/mode_kind.h"
 #include "soccer/pitch.h"
+#include "soccer/play_mode.h"
 
 namespace cls::proxy {
 namespace {
@@ -35,7 +34,7 @@ int left_in_mode(const WorldModel& world, int wait) {
   return wait - (world.game.time.cycle - world.game.penalty.cycle);
 }
 
-/// Hard and low beside the goalie: at the post farther from it.
+/// Hard shot at the post farther from the goalie.
 bool shoot_beside_goalie(ActionContext& c, double threshold) {
   const WorldModel& world = c.world;
   const PlayerState* goalie = their_goalie(world);
@@ -48,13 +47,13 @@ bool shoot_beside_goalie(ActionContext& c, double threshold) {
   return kick_one_step(world, c.slots, target, max, true);
 }
 
-/// Behind the ball, without touching it.
+/// Waits behind the ball without touching it.
 bool wait_behind_ball(ActionContext& c) {
   const WorldModel& world = c.world;
   const Vec2 ball = world.ball.position;
-  const Vec2 place = ball - Vec2{collide_distance(world) + 0.35, 0.0};
+  const Vec2 position = ball - Vec2{collide_distance(world) + 0.35, 0.0};
   c.neck.kind = NeckPlan::Kind::kBall;
-  if (go_to_point(world, c.slots, place, 0.25, safe_dash_power(world, 60.0), {10})) return true;
+  if (go_to_point(world, c.slots, position, 0.25, safe_dash_power(world, 60.0), {10})) return true;
   return turn_to_point(world, c.slots, {soccer::kHalfLength, 0.0}) || c.slots.turn(0.0);
 }
 
@@ -65,12 +64,12 @@ bool start_kick(ActionContext& c) {
   const bool due = left_in_mode(world, world.server().pen_ready_wait) <= 3;
   if (!fit && !due) return wait_behind_ball(c);
   if (!world.server().pen_allow_mult_kicks) return shoot_beside_goalie(c, 0.9);
-  // A touch ahead, to run with.
+  // A short kick ahead to dribble.
   c.neck.kind = NeckPlan::Kind::kGoalieOrScan;
   return kick_one_step(world, c.slots, {soccer::kHalfLength, 0.0}, 1.0, true);
 }
 
-/// Runs around a goalie who comes out, toward the side with more room.
+/// Dribble target around a goalie that comes out, on the side with more space.
 Vec2 dribble_target(const WorldModel& world) {
   const PlayerState* goalie = their_goalie(world);
   const Vec2 here = world.ball.position;
@@ -106,8 +105,8 @@ bool take_kick(ActionContext& c) {
   return dribble(world, c.memory.intention, c.slots, dribble_target(world), options);
 }
 
-bool taker(ActionContext& c) {
-  switch (kind_of(c.world.game.mode)) {
+bool play_taker(ActionContext& c) {
+  switch (without_side(c.world.game.mode)) {
     case PlayMode::kPenaltyReadyLeft:
       return start_kick(c);
     case PlayMode::kPenaltyTakenLeft:
@@ -117,24 +116,24 @@ bool taker(ActionContext& c) {
   }
 }
 
-bool keeper(ActionContext& c) {
+bool play_penalty_goalie(ActionContext& c) {
   const WorldModel& world = c.world;
   c.neck.kind = NeckPlan::Kind::kBall;
-  if (kind_of(world.game.mode) == PlayMode::kPenaltyTakenLeft) {
+  if (without_side(world.game.mode) == PlayMode::kPenaltyTakenLeft) {
     return play_goalie(c);
   }
   const double allowed = std::max(0.5, world.server().pen_max_goalie_dist_x - 1.0);
-  const Vec2 place{-soccer::kHalfLength + std::min(allowed, 2.0), 0.0};
-  if (go_to_point(world, c.slots, place, 0.5, safe_dash_power(world, 80.0), {10})) return true;
+  const Vec2 position{-soccer::kHalfLength + std::min(allowed, 2.0), 0.0};
+  if (go_to_point(world, c.slots, position, 0.5, safe_dash_power(world, 80.0), {10})) return true;
   return turn_to_ball(world, c.slots) || c.slots.turn(0.0);
 }
 
-/// In the centre circle, out of the way.
-bool onlooker(ActionContext& c) {
+/// Waits in the center circle.
+bool wait_in_circle(ActionContext& c) {
   const WorldModel& world = c.world;
-  const Vec2 place{-2.0, -9.8 + 1.5 * world.unum};
+  const Vec2 position{-2.0, -9.8 + 1.5 * world.unum};
   c.neck.kind = NeckPlan::Kind::kBallOrScan;
-  if (go_to_point(world, c.slots, place, 1.0, safe_dash_power(world, 50.0))) return true;
+  if (go_to_point(world, c.slots, position, 1.0, safe_dash_power(world, 50.0))) return true;
   return turn_to_ball(world, c.slots) || c.slots.turn(0.0);
 }
 
@@ -149,14 +148,14 @@ bool is_penalty_taker(const WorldModel& world) {
 bool play_penalty(ActionContext& c) {
   const WorldModel& world = c.world;
   if (!soccer::is_penalty_mode(world.game.mode) || world.self.frozen()) return false;
-  const bool ours = world.game.penalty.taker == world.our_side;
-  if (ours && is_penalty_taker(world)) return taker(c);
-  if (world.goalie && !ours) return keeper(c);
+  const bool our_kick = world.game.penalty.taker == world.our_side;
+  if (our_kick && is_penalty_taker(world)) return play_taker(c);
+  if (world.goalie && !our_kick) return play_penalty_goalie(c);
   if (world.goalie) {
     c.neck.kind = NeckPlan::Kind::kBall;
-    return neck_body_to_ball(world, c.memory.sight, c.slots, 0.0);
+    return neck_body_to_ball(world, c.memory.view, c.slots, 0.0);
   }
-  return onlooker(c);
+  return wait_in_circle(c);
 }
 
 }  // namespace cls::proxy

@@ -1,4 +1,4 @@
-// A coach's part of a cycle.
+// A coach's or trainer's part of a cycle.
 #include "proxy/coach/coach_agent.h"
 
 #include <cassert>
@@ -16,7 +16,7 @@ namespace cls::proxy {
 namespace {
 
 // "(move (ball) 1 2)" -> "move"
-std::string word_of(std::string_view command) {
+std::string name_of(std::string_view command) {
   const std::size_t end = command.find_first_of(" )");
   return std::string(command.substr(1, end - 1));
 }
@@ -28,19 +28,19 @@ CoachAgent::CoachAgent(std::unique_ptr<soccer::Channel> channel, CoachOptions op
 
 bool CoachAgent::connect() {
   if (is_trainer()) {
-    return request_entry(server_, soccer::TrainerInit{static_cast<double>(options_.protocol)});
+    return send_init(server_, soccer::TrainerInit{static_cast<double>(options_.protocol)});
   }
   soccer::CoachInit request;
   request.team = options_.team_name;
   request.version = options_.protocol;
-  return request_entry(server_, request);
+  return send_init(server_, request);
 }
 
 void CoachAgent::perceive() {
-  while (!deciding_ && server_.channel->receive(server_.message)) take_in_message();
+  while (!deciding_ && server_.channel->receive(server_.message)) handle_message();
 }
 
-void CoachAgent::take_in_message() {
+void CoachAgent::handle_message() {
   switch (soccer::message_kind(server_.message)) {
     case soccer::MessageKind::kGlobalView:
       if (!read(server_, view_)) break;
@@ -51,7 +51,7 @@ void CoachAgent::take_in_message() {
       if (!read(server_, hear_)) break;
       on_coach_hear(world_, hear_);
       if (hear_.sender == soccer::Hear::Sender::kPlayer && hear_.team == world_.our_team_name) {
-        notes_.strength.hear(world_, hear_.unum, hear_.text);
+        memory_.stamina.hear(world_, hear_.unum, hear_.text);
       }
       break;
     case soccer::MessageKind::kServerParam:
@@ -60,7 +60,7 @@ void CoachAgent::take_in_message() {
       read_parameters(server_, world_);
       break;
     case soccer::MessageKind::kReply:
-      take_in_reply();
+      handle_server_reply();
       break;
     case soccer::MessageKind::kSenseBody:  // for players
     case soccer::MessageKind::kSee:
@@ -70,20 +70,20 @@ void CoachAgent::take_in_message() {
   }
 }
 
-void CoachAgent::take_in_reply() {
+void CoachAgent::handle_server_reply() {
   soccer::ServerReply reply;
   if (!read(server_, reply)) return;
   std::visit(base::Overloaded{
                  [this](const soccer::Think&) { due_ = true; },
                  [this](const soccer::CoachInitReply& init) {
                    on_coach_init(world_, init.side, options_.team_name);
-                   server_.admitted = true;
+                   server_.accepted = true;
                    send(soccer::Eye{true});
                    if (is_trainer()) send(soccer::TrainerEar{true});
                  },
                  [this](const soccer::PlayerTypeChange& change) { change_type(change); },
                  [this](const soccer::OkChangePlayerType& change) {
-                   // A trainer is told by this alone; what online coaches do is not said to him.
+                   // Confirms a trainer's own change; other changes are not reported to trainers.
                    if (!is_trainer() || !change.type) return;
                    auto& types =
                        change.team == world_.our_team_name ? world_.our_types : world_.their_types;
@@ -96,8 +96,8 @@ void CoachAgent::take_in_reply() {
                    world_.their_team_name = names.right;
                    names_complete_ = !names.left.empty() && !names.right.empty();
                  },
-                 [this](const soccer::ErrorReply& error) { note(server_, error); },
-                 [this](const soccer::WarningReply& warning) { note(server_, warning); },
+                 [this](const soccer::ErrorReply& error) { handle(server_, error); },
+                 [this](const soccer::WarningReply& warning) { handle(server_, warning); },
                  [](const auto&) {},
              },
              reply);
@@ -108,9 +108,9 @@ void CoachAgent::change_type(const soccer::PlayerTypeChange& change) {
   const bool is_number = change.unum >= 1 && change.unum <= soccer::kPlayersPerTeam;
   if (change.goalie_side != soccer::Side::kNeutral || !is_number) return;
   if (change.type) {
-    note_own_change(notes_, world_, change.unum, *change.type);
+    record_type_change(memory_, world_, change.unum, *change.type);
   } else {
-    notes_.analysis.forget(change.unum);
+    memory_.analysis.forget(change.unum);
   }
 }
 
@@ -119,11 +119,11 @@ const protos::State& CoachAgent::state() {
   deciding_ = true;
   complete_global(world_);
   if (!is_trainer()) {
-    take_notes(notes_, world_);
+    update_memory(memory_, world_);
     for (PlayerState& opponent : world_.opponents) {
       const auto i = static_cast<std::size_t>(opponent.unum - 1);
       int& known = world_.their_types[i];
-      if (known < 0) known = notes_.analysis.found()[i];
+      if (known < 0) known = memory_.analysis.found()[i];
       opponent.type_id = known;
     }
   }
@@ -132,39 +132,39 @@ const protos::State& CoachAgent::state() {
 }
 
 void CoachAgent::act(const protos::CoachActions& actions) {
-  orders_.clear();
-  carry_out(actions, world_, notes_, report_, orders_);
-  send_orders();
+  commands_.clear();
+  execute(actions, world_, memory_, report_, commands_);
+  send_commands();
 }
 
 void CoachAgent::act(const protos::TrainerActions& actions) {
-  orders_.clear();
-  carry_out(actions, world_, report_, orders_);
-  send_orders();
+  commands_.clear();
+  execute(actions, world_, report_, commands_);
+  send_commands();
 }
 
 void CoachAgent::act_without_reply() {
-  orders_.clear();
-  send_orders();
+  commands_.clear();
+  send_commands();
 }
 
-void CoachAgent::send_orders() {
-  for (const soccer::CoachCommand& order : orders_) send(order);
-  if (is_trainer() && !names_complete_) send(soccer::AskTeamNames{});
+void CoachAgent::send_commands() {
+  for (const soccer::CoachCommand& command : commands_) send(command);
+  if (is_trainer() && !names_complete_) send(soccer::RequestTeamNames{});
   if (world_.server().synch_mode) send(soccer::Done{});
   due_ = deciding_ = false;
 }
 
-// The server reads the first command of a datagram only.
+// The server reads only the first command of a datagram.
 void CoachAgent::send(const soccer::CoachCommand& command) {
   server_.datagram.clear();
   const bool formatted = soccer::format(command, server_.datagram);
-  assert(formatted && "orders hold what the grammar can say");
+  assert(formatted && "commands can be formatted");
   server_.channel->send(server_.datagram);
-  if (!std::holds_alternative<soccer::Done>(command)) ++sent_[word_of(server_.datagram)];
+  if (!std::holds_alternative<soccer::Done>(command)) ++sent_[name_of(server_.datagram)];
 }
 
-// A trainer has no word for leaving; the server need not wait for one that does not look.
+// Trainers have no (bye). Without views the server does not wait for them.
 void CoachAgent::leave() {
   if (is_trainer()) {
     send(soccer::Eye{false});

@@ -1,4 +1,4 @@
-// What coaches and trainers are told, taken into a world model: everything, without noise.
+// World model of coaches and trainers, from exact views of the whole field.
 #pragma once
 
 #include "proxy/world/world_model.h"
@@ -8,20 +8,20 @@
 
 namespace cls::proxy {
 
-// Order within a cycle: hear messages, the view, complete_global(), the decision.
+// Sequence in a cycle: hear messages, the view, complete_global(), the decision.
 
-/// Side and name of the own team. A trainer (side neutral) has none: its team is the left one,
-/// whose name is learnt later.
+/// Side and name of the own team. For a trainer (side neutral) it is the left team, whose name
+/// arrives later.
 void on_coach_init(WorldModel& world, soccer::Side side, soccer::TeamName team_name);
 
-/// Opens a new moment: everything is where the view says, seen now. Players are ours by the name of
-/// their team, turned so that we attack +x.
+/// Begins a new cycle or stopped cycle with the exact positions of the view. Teammates are players
+/// with the own team name; coordinates are rotated so that the own team attacks +x.
 void on_global_view(WorldModel& world, const soccer::GlobalView& view);
 
-/// The referee's words; what others say is not kept.
+/// Handles referee messages; other messages are ignored.
 void on_coach_hear(WorldModel& world, const soccer::Hear& hear);
 
-/// Derives last kick, kickable flags, ways to the ball and lines. Call it once per decision.
+/// Derives last kick, kickable flags, intercept table and lines. Once per decision.
 void complete_global(WorldModel& world);
 
 }  // namespace cls::proxy

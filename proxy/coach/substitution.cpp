@@ -1,4 +1,4 @@
-// Fast players first, fresh players last.
+// Initial types, and substitutions of tired players.
 #include "proxy/coach/substitution.h"
 
 #include <algorithm>
@@ -9,17 +9,17 @@ namespace {
 
 using Commands = std::vector<soccer::CoachCommand>;
 
-// Moments before the kick-off, so that all players are on the pitch.
-constexpr int kMomentsBefore = 10;
+// Steps before the kick-off to wait until all players are connected.
+constexpr int kMinStoppedSteps = 10;
 constexpr int kLastCycles = 500;
 constexpr double kTired = 0.002;  // recovery lost
-// Who gets the fastest type left, in this order; the goalie's number is passed over.
+// Order in which players get the fastest remaining type; the goalie is skipped.
 constexpr std::array<int, soccer::kPlayersPerTeam> kOrder = {11, 2, 3, 10, 9, 6, 4, 5, 7, 8, 1};
 
-/// How often each type can still be given out.
+/// Remaining uses of each type.
 using Pool = std::vector<int>;
 
-// Power that keeps top speed, beyond what a cycle gives back.
+// Stamina per cycle at top speed, minus the recovery per cycle.
 double cost_of_top_speed(const soccer::ServerParams& server, const soccer::PlayerType& type) {
   const double push = top_speed(server, type) * (1.0 - type.player_decay);
   return push / (type.dash_power_rate * type.effort_max) - type.stamina_inc_max;
@@ -27,7 +27,7 @@ double cost_of_top_speed(const soccer::ServerParams& server, const soccer::Playe
 
 // -1 when the pool is empty.
 int fastest(const MatchParameters& parameters, const Pool& pool) {
-  constexpr double kAlike = 0.01;  // metres per cycle
+  constexpr double kAlike = 0.01;  // meters per cycle
   const auto speed = [&](int id) { return top_speed(parameters.server, parameters.type(id)); };
   double best_speed = 0.0;
   for (int id = 0; id < static_cast<int>(pool.size()); ++id) {
@@ -71,26 +71,26 @@ void choose_lineup(const WorldModel& world, Commands& out) {
   }
 }
 
-std::vector<int> tired_players(const WorldModel& world, const CoachNotes& notes) {
+std::vector<int> tired_players(const WorldModel& world, const CoachMemory& memory) {
   std::vector<int> tired;
-  for (const PlayerState& mate : world.teammates) {
-    const double recovery = notes.strength.of(mate.unum).recovery;
-    if (recovery < world.server().recover_init - kTired) tired.push_back(mate.unum);
+  for (const PlayerState& teammate : world.teammates) {
+    const double recovery = memory.stamina.of(teammate.unum).recovery;
+    if (recovery < world.server().recover_init - kTired) tired.push_back(teammate.unum);
   }
   std::stable_sort(tired.begin(), tired.end(), [&](int a, int b) {
-    return notes.strength.of(a).recovery < notes.strength.of(b).recovery;
+    return memory.stamina.of(a).recovery < memory.stamina.of(b).recovery;
   });
   return tired;
 }
 
-void replace_tired(const WorldModel& world, const CoachNotes& notes, Commands& out) {
+void replace_tired(const WorldModel& world, const CoachMemory& memory, Commands& out) {
   const MatchParameters& parameters = *world.parameters;
   Pool pool = whole_pool(parameters.player);
-  for (std::size_t id = 0; id < pool.size() && id < notes.used.size(); ++id) {
-    pool[id] -= notes.used[id];
+  for (std::size_t id = 0; id < pool.size() && id < memory.used.size(); ++id) {
+    pool[id] -= memory.used[id];
   }
-  int left = parameters.player.subs_max - notes.substitutions;
-  for (const int unum : tired_players(world, notes)) {
+  int left = parameters.player.subs_max - memory.substitutions;
+  for (const int unum : tired_players(world, memory)) {
     const int type = fastest(parameters, pool);
     if (left-- <= 0 || type < 0) return;
     --pool[static_cast<std::size_t>(type)];
@@ -98,7 +98,7 @@ void replace_tired(const WorldModel& world, const CoachNotes& notes, Commands& o
   }
 }
 
-bool play_rests(const WorldModel& world) {
+bool is_stoppage(const WorldModel& world) {
   const soccer::PlayMode mode = world.game.mode;
   return mode != soccer::PlayMode::kPlayOn && mode != soccer::PlayMode::kTimeOver &&
          !soccer::is_penalty_mode(mode);
@@ -106,19 +106,19 @@ bool play_rests(const WorldModel& world) {
 
 }  // namespace
 
-void substitute(const WorldModel& world, CoachNotes& notes, Commands& out) {
+void substitute(const WorldModel& world, CoachMemory& memory, Commands& out) {
   const GameTime now = world.game.time;
   if (now.cycle <= 0) {
-    if (now.stopped <= kMomentsBefore || notes.lineup_chosen) return;
-    notes.lineup_chosen = true;
+    if (now.stopped <= kMinStoppedSteps || memory.lineup_chosen) return;
+    memory.lineup_chosen = true;
     choose_lineup(world, out);
     return;
   }
   const int end = world.server().normal_time_cycles();
-  // Nobody is fresh for more than a match: after normal time the server asks for no reason.
-  if (end <= 0 || now.cycle < end - kLastCycles || !play_rests(world)) return;
+  // Only in normal time.
+  if (end <= 0 || now.cycle < end - kLastCycles || !is_stoppage(world)) return;
   if (now.cycle >= world.server().total_time_cycles()) return;
-  replace_tired(world, notes, out);
+  replace_tired(world, memory, out);
 }
 
 }  // namespace cls::proxy

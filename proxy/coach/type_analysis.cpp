@@ -1,4 +1,4 @@
-// Steps into decays, decays into types.
+// From movements to decays, from decays to types.
 #include "proxy/coach/type_analysis.h"
 
 #include <algorithm>
@@ -9,13 +9,13 @@ namespace {
 
 using soccer::Vec2;
 
-// Places come with six digits, four of them behind the point: what that does to a way along its
-// direction, four standard deviations of it.
-constexpr double kWayError = 4.0 * 4.1e-5;
-// Shorter ways tell too little, and may be nothing but a collision's push.
-constexpr double kShortestWay = 0.1;
-// So much way in all before a verdict, in square metres.
-constexpr double kEnough = 0.5;
+// Positions have four decimals: rounding error of a movement along its direction, four standard
+// deviations.
+constexpr double kMovementError = 4.0 * 4.1e-5;
+// Shorter movements are too inaccurate, and may come from a collision.
+constexpr double kMinMovement = 0.1;
+// Minimum sum of squared movements before a type is assigned, in square meters.
+constexpr double kMinEvidence = 0.5;
 
 }  // namespace
 
@@ -25,26 +25,27 @@ void TypeAnalysis::forget(int unum) {
   types_[i] = -1;
 }
 
-// A step that fits no type at all was a collision, or somebody moved the player.
-void TypeAnalysis::add_step(const MatchParameters& parameters, Track& track, Vec2 way,
+// A movement that fits no type came from a collision or a trainer.
+void TypeAnalysis::add_step(const MatchParameters& parameters, Track& track, Vec2 movement,
                             Vec2 velocity) {
-  const double squared = way.squared_length();
+  const double squared = movement.squared_length();
   const double length = std::sqrt(squared);
-  if (length < kShortestWay) return;
-  const double kept = soccer::dot(way, velocity) / squared;
-  if (std::fabs(soccer::cross(way, velocity)) > kWayError * length) return;
-  const bool fits = std::any_of(
-      parameters.types.begin(), parameters.types.end(), [&](const soccer::PlayerType& type) {
-        return std::fabs(kept - type.player_decay) < kWayError * type.player_decay / length;
-      });
+  if (length < kMinMovement) return;
+  const double decay_ratio = soccer::dot(movement, velocity) / squared;
+  if (std::fabs(soccer::cross(movement, velocity)) > kMovementError * length) return;
+  const bool fits = std::any_of(parameters.types.begin(), parameters.types.end(),
+                                [&](const soccer::PlayerType& type) {
+                                  return std::fabs(decay_ratio - type.player_decay) <
+                                         kMovementError * type.player_decay / length;
+                                });
   if (!fits) return;
-  track.kept += kept * squared;
-  track.moved += squared;
+  track.weighted_decay += decay_ratio * squared;
+  track.weight += squared;
 }
 
 int TypeAnalysis::type_by(const MatchParameters& parameters, const Track& track) {
-  const double decay = track.kept / track.moved;
-  const double error = kWayError * decay / std::sqrt(track.moved);
+  const double decay = track.weighted_decay / track.weight;
+  const double error = kMovementError * decay / std::sqrt(track.weight);
   int found = -1;
   for (std::size_t id = 0; id < parameters.types.size(); ++id) {
     if (std::fabs(parameters.types[id].player_decay - decay) > error) continue;
@@ -54,18 +55,18 @@ int TypeAnalysis::type_by(const MatchParameters& parameters, const Track& track)
   return found;
 }
 
-void TypeAnalysis::look(const WorldModel& world) {
-  const bool stands = clock_stands(world.game.mode);
+void TypeAnalysis::update(const WorldModel& world) {
+  const bool stopped = clock_stopped(world.game.mode);
   const int now = world.game.time.cycle;
   for (const PlayerState& opponent : world.opponents) {
     const auto i = static_cast<std::size_t>(opponent.unum - 1);
     Track& track = tracks_[i];
-    if (!stands && track.cycle == now - 1) {
+    if (!stopped && track.cycle == now - 1) {
       add_step(*world.parameters, track, opponent.position - track.position, opponent.velocity);
     }
     track.cycle = now;
     track.position = opponent.position;
-    if (track.moved > kEnough) types_[i] = type_by(*world.parameters, track);
+    if (track.weight > kMinEvidence) types_[i] = type_by(*world.parameters, track);
   }
 }
 

@@ -1,4 +1,4 @@
-// Which player types the opponents have: found out by watching them run.
+// Identifies the opponents' player types from their movement.
 #pragma once
 
 #include <array>
@@ -8,30 +8,30 @@
 
 namespace cls::proxy {
 
-/// A step moves a player by the very velocity of which the server then keeps the share
-/// `player_decay`, noise and wind included. A coach sees place and velocity without noise, so each
-/// step of a free run tells the decay to about four digits, which few types share.
+/// In a step the server moves a player by its velocity, noise and wind included, then multiplies
+/// the velocity by `player_decay`. A coach sees positions and velocities without noise, so each
+/// free movement gives the decay to about four digits, which few types share.
 class TypeAnalysis {
  public:
   TypeAnalysis() { types_.fill(-1); }
 
-  /// Takes in a view; moments of a standing clock teach nothing.
-  void look(const WorldModel& world);
-  /// The opponent of that number is another one from now on.
+  /// Evaluates a view; ignored while the clock is stopped.
+  void update(const WorldModel& world);
+  /// The opponent with that uniform number was substituted.
   void forget(int unum);
 
-  /// By unum - 1, for players whose type was changed; -1: not known yet, or two types too alike.
+  /// By unum - 1, for players whose type was changed; -1: unknown or ambiguous.
   const TypeIds& found() const { return types_; }
 
  private:
   struct Track {
     int cycle = -1;
     soccer::Vec2 position;
-    double kept = 0.0;   ///< sums over the steps: way times velocity kept,
-    double moved = 0.0;  ///< and way squared
+    double weighted_decay = 0.0;  ///< sum over steps: decay times squared movement
+    double weight = 0.0;          ///< sum over steps: squared movement
   };
 
-  void add_step(const MatchParameters& parameters, Track& track, soccer::Vec2 way,
+  void add_step(const MatchParameters& parameters, Track& track, soccer::Vec2 movement,
                 soccer::Vec2 velocity);
   static int type_by(const MatchParameters& parameters, const Track& track);
 

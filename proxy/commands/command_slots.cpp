@@ -1,11 +1,11 @@
-// Checks and clamps of each command, and what the chosen ones make of the next cycle.
+// Validates and clamps commands, and predicts their effect on the next cycle.
 #include "proxy/commands/command_slots.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "proxy/world/motion.h"
-#include "proxy/world/sight_memory.h"
+#include "proxy/world/view_cone.h"
 #include "soccer/pitch.h"
 
 namespace cls::proxy {
@@ -14,12 +14,12 @@ namespace {
 using soccer::AngleDeg;
 using soccer::Vec2;
 
-/// Numbers are sent with three decimals: more says nothing to the server, and logs stay readable.
+/// Rounds to three decimals: more has no effect in the server, and logs stay readable.
 double rounded(double value) { return std::rint(value * 1000.0) / 1000.0; }
 
 bool finite(Vec2 v) { return std::isfinite(v.x) && std::isfinite(v.y); }
 
-/// Our goalie holds the ball after a catch and it is us.
+/// The agent is the goalie and holds the ball after a catch.
 bool holds_caught_ball(const WorldModel& world) {
   return world.goalie && world.game.goalie_catch && world.game.mode_side() == world.our_side;
 }
@@ -73,7 +73,7 @@ bool CommandSlots::catch_ball() {
                        mode == soccer::PlayMode::kPenaltyTakenRight;
   if (!world_->goalie || !allowed || world_->self.frozen()) return false;
   if (!world_->ball.relative_position_valid()) return false;
-  // The far corner of the catch rectangle reaches farthest, so that corner points at the ball.
+  // The far corner of the catch rectangle has the longest reach: aim it at the ball.
   const double corner = soccer::math::to_degrees(
       soccer::math::atan2(server.catchable_area_w / 2.0, server.catchable_area_l));
   const double ball = (world_->ball.angle_from_self - world_->self.body).degrees();
@@ -108,10 +108,10 @@ bool CommandSlots::turn_neck(double moment) {
   const auto& server = world_->server();
   if (!std::isfinite(moment)) return false;
   const double neck = world_->self.neck.degrees();
-  const double wanted =
+  const double target =
       std::clamp(neck + std::clamp(moment, -360.0, 360.0), server.minneckang, server.maxneckang);
   turn_neck_ = soccer::TurnNeck{
-      std::clamp(std::rint(wanted - neck), server.minneckmoment, server.maxneckmoment)};
+      std::clamp(std::rint(target - neck), server.minneckmoment, server.maxneckmoment)};
   return true;
 }
 

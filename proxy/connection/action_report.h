@@ -1,4 +1,4 @@
-// What became of the actions that Playmakers asked for, counted by kind.
+// Results of the actions that Playmakers requested, counted by kind.
 #pragma once
 
 #include <array>
@@ -7,18 +7,18 @@
 
 namespace cls::proxy {
 
-/// Actions are named by their field number in PlayerAction; 0 stands for an action without a known
-/// member (nothing set, or a member of a later version).
+/// Index: the field number in PlayerAction; 0 is an action without a known member (nothing set, or
+/// a member of a later interface).
 constexpr int kActionKinds = 70;
 /// The same for the members of Say.
 constexpr int kSayKinds = 23;
 
 struct ActionCounts {
-  std::int64_t done = 0;           ///< a command was issued (or nothing was left to do)
-  std::int64_t failed = 0;         ///< tried, but the situation did not allow it
-  std::int64_t skipped = 0;        ///< not tried: an earlier main action had succeeded
-  std::int64_t invalid = 0;        ///< a number in it was not finite or an enum value unknown
-  std::int64_t unimplemented = 0;  ///< this proxy has no such action
+  std::int64_t done = 0;     ///< a command was issued, or none was needed
+  std::int64_t failed = 0;   ///< not possible in the situation
+  std::int64_t skipped = 0;  ///< not tried: an earlier main action succeeded
+  std::int64_t invalid = 0;  ///< contains a number that is not finite, or an unknown enum value
+  std::int64_t unimplemented = 0;  ///< unknown to this proxy
 };
 
 /// Plain sums over the decisions of an agent, a team or a match.
@@ -26,7 +26,7 @@ struct ActionReport {
   std::array<ActionCounts, kActionKinds> actions{};
   std::array<ActionCounts, kSayKinds> say{};
 
-  // Decisions that the proxy took by itself, so that the list's main actions were not tried.
+  // Decisions that the proxy made automatically; the main actions of the list were not tried.
   std::int64_t preprocess = 0;
   std::int64_t sure_shot = 0;
   std::int64_t intention = 0;
@@ -36,7 +36,7 @@ struct ActionReport {
 
 void add(ActionReport& into, const ActionReport& from);
 
-/// The member's name on the wire ("body_go_to_point"); "unknown" for 0 and what is out of range.
+/// The field name in playmaker.proto ("body_go_to_point"); "unknown" for 0 and out of range.
 std::string_view action_name(int kind);
 std::string_view say_name(int kind);
 

@@ -35,17 +35,17 @@ std::string_view command_kind_name(std::size_t index) {
 
 void AgentStatistics::count(const Reply& reply) {
   ++outcomes[static_cast<std::size_t>(reply.status.outcome)];
-  // Called back by us at the end of a match: nobody failed.
+  // Cancelled by the agent itself at the end of a match: not a failure.
   if (reply.status.outcome == RpcOutcome::kCancelled) return;
   ++decisions;
   if (reply.status.ok()) {
-    missed_in_a_row = 0;
+    consecutive_missed = 0;
     rpc_us.add(reply.latency);
     return;
   }
   ++missed;
   if (reply.status.outcome == RpcOutcome::kDeadline) ++late;
-  longest_missed_in_a_row = std::max(longest_missed_in_a_row, ++missed_in_a_row);
+  max_consecutive_missed = std::max(max_consecutive_missed, ++consecutive_missed);
   last_failure = reply.status;
 }
 

@@ -1,4 +1,4 @@
-// What an agent counts while it plays: decisions, latencies, commands, actions it could not do.
+// Counters of an agent: decisions, latencies, commands, results of actions.
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@
 
 namespace cls::proxy {
 
-/// Latencies in microseconds. All are kept, so percentiles are exact.
+/// Latencies in microseconds. All are stored, so percentiles are exact.
 class LatencySamples {
  public:
   void add(std::chrono::microseconds latency);
@@ -31,42 +31,41 @@ class LatencySamples {
 
 constexpr std::size_t kCommandKinds = std::variant_size_v<soccer::PlayerCommand>;
 
-/// The protocol's word for the command at that index of soccer::PlayerCommand, "dash" for both
-/// forms of it.
+/// Protocol name of the command at that index of soccer::PlayerCommand; "dash" for both forms.
 std::string_view command_kind_name(std::size_t index);
 
-/// In real time: a decision begun later than this after it was due is our delay (a loaded machine),
-/// not the Playmaker's.
+/// In real time: a decision that begins later than this after its due time was delayed by this
+/// process (busy host), not by the Playmaker.
 constexpr std::chrono::milliseconds kLateWakeup{10};
 
 struct AgentStatistics {
-  std::int64_t decisions = 0;  ///< asked for
-  std::int64_t late = 0;       ///< without an answer at the deadline
-  std::int64_t missed = 0;     ///< without a usable answer for any reason, late ones included
+  std::int64_t decisions = 0;  ///< requested
+  std::int64_t late = 0;       ///< no reply at the deadline
+  std::int64_t missed = 0;     ///< no usable reply for any reason, including late
   std::array<std::int64_t, kRpcOutcomes> outcomes{};  ///< by RpcOutcome
-  int missed_in_a_row = 0;                            ///< up to now
-  int longest_missed_in_a_row = 0;
-  RpcStatus last_failure;  ///< of the latest missed decision; ok when none was missed
-  LatencySamples rpc_us;   ///< of the answered ones
+  int consecutive_missed = 0;                         ///< so far
+  int max_consecutive_missed = 0;
+  RpcStatus last_failure;  ///< of the latest missed decision; ok: none
+  LatencySamples rpc_us;   ///< of successful decisions
 
-  std::int64_t reconnects = 0;      ///< times that a Playmaker that was lost answered again
-  std::int64_t planner_asked = 0;   ///< choices left to the Playmaker (GetBestPlannerAction)
-  std::int64_t planner_failed = 0;  ///< those without a usable answer
+  std::int64_t reconnects = 0;  ///< successful re-registrations after a connection loss or errors
+  std::int64_t planner_asked = 0;   ///< calls of GetBestPlannerAction
+  std::int64_t planner_failed = 0;  ///< of these, without a usable reply
 
-  std::int64_t undecided = 0;      ///< cycles that passed without a decision since the first one
-  std::int64_t lost_commands = 0;  ///< body commands that the server did not carry out: too late
-  std::int64_t late_wakeups = 0;   ///< decisions begun later than kLateWakeup after they were due
-  std::chrono::microseconds longest_wakeup{0};  ///< from being due to being begun
+  std::int64_t undecided = 0;      ///< cycles without a decision since the first decision
+  std::int64_t lost_commands = 0;  ///< body commands that arrived too late and were not executed
+  std::int64_t late_wakeups = 0;   ///< decisions begun later than kLateWakeup after their due time
+  std::chrono::microseconds longest_wakeup{0};  ///< maximum delay from due time to begin
 
   std::array<std::int64_t, kCommandKinds> commands{};  ///< sent, by index of the variant
-  ActionReport actions;                                ///< what became of the Playmaker's wishes
+  ActionReport actions;                                ///< results by kind
 
   void count(const Reply& reply);
   void count(const soccer::PlayerCommand& command) { ++commands[command.index()]; }
-  /// Commands by protocol word, without zeros.
+  /// Commands by protocol name, without zeros.
   std::map<std::string, std::int64_t> commands_by_name() const;
-  /// Actions asked for that this proxy has not got, by their name on the wire, without zeros. Parts
-  /// of Say are named "say.MEMBER".
+  /// Requested actions unknown to this proxy, by field name, without zeros. Members of Say are
+  /// named "say.MEMBER".
   std::map<std::string, std::int64_t> unimplemented_by_name() const;
 };
 

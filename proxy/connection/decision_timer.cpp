@@ -1,10 +1,10 @@
-// Moments of decision.
+// Due times of decisions.
 #include "proxy/connection/decision_timer.h"
 
 namespace cls::proxy {
 namespace {
 
-/// Sight comes every so many cycles where it comes with sense_body.
+/// Cycles between see messages in synchronous see mode.
 int see_period(soccer::ViewWidth width) {
   switch (width) {
     case soccer::ViewWidth::kNarrow:
@@ -18,15 +18,15 @@ int see_period(soccer::ViewWidth width) {
 
 }  // namespace
 
-// Where see messages have times of their own, every cycle may bring one.
+// Without synchronous see, a see message may arrive in every cycle.
 bool DecisionTimer::expects_see(soccer::ViewWidth width) const {
   return !synch_see_ || !seen_ || since_see_ >= see_period(width);
 }
 
-void DecisionTimer::on_sense_body(Instant arrived, soccer::ViewWidth width) {
+void DecisionTimer::on_sense_body(Instant received_at, soccer::ViewWidth width) {
   if (open_ && begun_) ++undecided_;
   open_ = true;
-  cycle_began_ = arrived;
+  cycle_began_ = received_at;
   ++since_see_;
   if (synchronous_) {
     due_at_ = Instant::max();
@@ -35,18 +35,18 @@ void DecisionTimer::on_sense_body(Instant arrived, soccer::ViewWidth width) {
   const auto delay = !expects_see(width) ? delays_.no_see
                      : synch_see_        ? delays_.synch_see
                                          : delays_.see;
-  due_at_ = arrived + delay * slow_down_;
+  due_at_ = received_at + delay * slow_down_;
 }
 
-void DecisionTimer::on_see(Instant arrived) {
+void DecisionTimer::on_see(Instant received_at) {
   seen_ = true;
   since_see_ = 0;
-  if (!synchronous_ && open_ && arrived < due_at_) due_at_ = arrived;
+  if (!synchronous_ && open_ && received_at < due_at_) due_at_ = received_at;
 }
 
-void DecisionTimer::on_think(Instant arrived) {
+void DecisionTimer::on_think(Instant received_at) {
   open_ = true;
-  due_at_ = arrived;
+  due_at_ = received_at;
 }
 
 }  // namespace cls::proxy

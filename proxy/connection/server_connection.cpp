@@ -1,4 +1,4 @@
-// What every agent makes of the server's parameters and complaints.
+// Parameters, errors and warnings of the server.
 #include "proxy/connection/server_connection.h"
 
 #include "proxy/perception/perception.h"
@@ -6,34 +6,34 @@
 
 namespace cls::proxy {
 
-bool refused_for_now(const ServerConnection& server) {
+bool is_temporary_refusal(const ServerConnection& server) {
   return server.refusal == soccer::name(soccer::ErrorCode::kCannotReconnectWhilePlayOn);
 }
 
 bool ready(const ServerConnection& server, const WorldModel& world) {
-  return server.admitted && server.types_known > 0 &&
-         server.types_known >= world.parameters->player.player_types;
+  return server.accepted && server.known_types > 0 &&
+         server.known_types >= world.parameters->player.player_types;
 }
 
 bool read_parameters(ServerConnection& server, WorldModel& world) {
   const base::Result<void> result = on_parameter_message(world, server.message);
   if (!result) {
-    server.trouble.note_unreadable(result.error().message, server.message);
+    server.errors.add_unreadable(result.error().message, server.message);
     return false;
   }
   if (soccer::message_kind(server.message) == soccer::MessageKind::kPlayerType) {
-    ++server.types_known;
+    ++server.known_types;
   }
   return true;
 }
 
-void note(ServerConnection& server, const soccer::ErrorReply& error) {
-  if (!server.admitted) server.refusal = error.text;
-  if (!refused_for_now(server)) server.trouble.note_error(error.text);
+void handle(ServerConnection& server, const soccer::ErrorReply& error) {
+  if (!server.accepted) server.refusal = error.text;
+  if (!is_temporary_refusal(server)) server.errors.add_error(error.text);
 }
 
-void note(ServerConnection& server, const soccer::WarningReply& warning) {
-  server.trouble.note_warning(warning.text);
+void handle(ServerConnection& server, const soccer::WarningReply& warning) {
+  server.errors.add_warning(warning.text);
 }
 
 }  // namespace cls::proxy

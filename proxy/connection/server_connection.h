@@ -1,6 +1,7 @@
-// An agent's connection to the soccer server: what is the same for players, coaches and trainers.
+// An agent's connection to the soccer server, common to players, coaches and trainers.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <string>
@@ -8,77 +9,96 @@
 #include <utility>
 
 #include "base/result.h"
-#include "proxy/connection/server_trouble.h"
 #include "proxy/world/world_model.h"
 #include "soccer/channel.h"
 #include "soccer/messages/server_reply.h"
 
 namespace cls::proxy {
 
-/// How far an agent has come with the server. Buffers are reused from message to message.
+/// Messages of the server that an agent could not use; none in a healthy match.
+struct ServerErrors {
+  std::int64_t unreadable = 0;   ///< messages that do not parse
+  std::int64_t errors = 0;       ///< (error ...) replies
+  std::int64_t warnings = 0;     ///< (warning ...) replies
+  std::string first_unreadable;  ///< reason, and the beginning of the message
+  std::string first_error;
+  std::string first_warning;
+
+  void add_unreadable(const std::string& reason, const std::string& message) {
+    constexpr std::size_t kQuotedLength = 60;
+    if (unreadable++ == 0) first_unreadable = reason + ": " + message.substr(0, kQuotedLength);
+  }
+  void add_error(const std::string& text) {
+    if (errors++ == 0) first_error = text;
+  }
+  void add_warning(const std::string& text) {
+    if (warnings++ == 0) first_warning = text;
+  }
+};
+
+/// Connection state of an agent. Buffers are reused from message to message.
 struct ServerConnection {
   explicit ServerConnection(std::unique_ptr<soccer::Channel> to_server)
       : channel(std::move(to_server)) {}
 
   std::unique_ptr<soccer::Channel> channel;
-  bool admitted = false;
-  int types_known = 0;  ///< player types that the server has told
-  std::string refusal;  ///< its reason not to let the agent in; empty when it gave none
-  ServerTrouble trouble;
+  bool accepted = false;
+  int known_types = 0;  ///< player types received
+  std::string refusal;  ///< the (error ...) that rejected the init command; empty: none
+  ServerErrors errors;
 
-  std::string message;   ///< taken last
+  std::string message;   ///< received last
   std::string datagram;  ///< sent last
 };
 
-/// Asks to take part: `request` is a PlayerInit, PlayerReconnect, CoachInit or TrainerInit. An
-/// older refusal is forgotten. False when the connection is gone.
+/// Sends an init command: PlayerInit, PlayerReconnect, CoachInit or TrainerInit. Clears an earlier
+/// refusal. False when the connection is closed.
 template <typename Request>
-bool request_entry(ServerConnection& server, const Request& request) {
+bool send_init(ServerConnection& server, const Request& request) {
   server.refusal.clear();
   server.datagram.clear();
   format(request, server.datagram);
   return server.channel->send(server.datagram);
 }
 
-/// The refusal ends by itself: nobody can come back while the ball is in play.
-bool refused_for_now(const ServerConnection& server);
+/// True when a later attempt may succeed: the server rejects (reconnect) during play_on.
+bool is_temporary_refusal(const ServerConnection& server);
 
-/// True when the agent is in and knows parameters and all player types.
+/// True when the server has accepted the agent and sent parameters and all player types.
 bool ready(const ServerConnection& server, const WorldModel& world);
 
-/// Reads the message taken last as the kind that it is; one that does not parse is noted.
+/// Parses the last message as `Message`; counts one that does not parse.
 template <typename Message>
 bool read(ServerConnection& server, Message& out) {
   const base::Result<void> result = parse(server.message, out);
-  if (!result) server.trouble.note_unreadable(result.error().message, server.message);
+  if (!result) server.errors.add_unreadable(result.error().message, server.message);
   return result.ok();
 }
 
 /// The same for server_param, player_param and player_type, into the world.
 bool read_parameters(ServerConnection& server, WorldModel& world);
 
-/// What an (error ...) or (warning ...) means to any agent: before it is let in, an error is the
-/// server's refusal.
-void note(ServerConnection& server, const soccer::ErrorReply& error);
-void note(ServerConnection& server, const soccer::WarningReply& warning);
+/// Counts an (error ...) or (warning ...). An error before acceptance is the refusal.
+void handle(ServerConnection& server, const soccer::ErrorReply& error);
+void handle(ServerConnection& server, const soccer::WarningReply& warning);
 
-/// Lets the server handle what it was sent (or waits for it); false to give up.
+/// Runs the server in process, or waits for it; false to give up.
 using Serve = std::function<bool()>;
 
-/// Brings a new agent to the point where it is ready; again and again when a refusal was for the
-/// moment only. The error does not say which agent it was.
+/// Connects a new agent until it is ready; repeats after temporary refusals. The error does not
+/// name the agent.
 template <typename Agent>
-base::Result<void> enter(Agent& agent, const Serve& serve) {
+base::Result<void> connect_agent(Agent& agent, const Serve& serve) {
   if (!agent.connect()) return base::Error{"the soccer server closed the connection"};
   while (!agent.ready()) {
-    const bool go_on = serve();
+    const bool should_continue = serve();
     agent.perceive();
-    if (refused_for_now(agent.server()) && go_on) {
+    if (is_temporary_refusal(agent.server()) && should_continue) {
       agent.connect();
     } else if (const std::string& refusal = agent.server().refusal; !refusal.empty()) {
-      return base::Error{"the soccer server refused it (" + refusal + ")"};
+      return base::Error{"rejected by the soccer server: " + refusal};
     }
-    if (!go_on && !agent.ready()) return base::Error{"the soccer server did not answer"};
+    if (!should_continue && !agent.ready()) return base::Error{"no reply from the soccer server"};
   }
   return {};
 }

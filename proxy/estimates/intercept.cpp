@@ -1,4 +1,4 @@
-// Everybody else's way to the ball, and the table of all.
+// Predicts when the other players intercept the ball, and fills the intercept table.
 #include "proxy/estimates/intercept.h"
 
 #include <algorithm>
@@ -13,14 +13,14 @@ namespace math = soccer::math;
 using soccer::PlayMode;
 using soccer::Vec2;
 
-// Players not seen for longer are not reckoned.
-constexpr int kOldestTeammate = 10;
-constexpr int kOldestOpponent = 15;
+// Players not seen for longer are ignored.
+constexpr int kMaxTeammateAge = 10;
+constexpr int kMaxOpponentAge = 15;
 
-/// Cycles a player spends turning before it runs towards `heading`.
+/// Cycles a player spends turning before it can run along `offset`.
 int turns_needed(const soccer::ServerParams& server, const soccer::PlayerType& type,
                  const PlayerState& player, Vec2 offset, double control) {
-  if (player.body_count > player.pos_count + 1) return 0;  // its body is not known: in its favour
+  if (player.body_count > player.pos_count + 1) return 0;  // unknown body: assume the best case
   const double distance = offset.length();
   if (distance <= control) return 0;
   const double slack = math::to_degrees(math::asin(control / distance));
@@ -93,14 +93,14 @@ int reach_steps(const WorldModel& world, const PlayerState& player, const BallPa
   const double control = type.kickable_area(server.ball_size);
   const double push = server.max_dash_power * type.dash_power_rate * type.effort_max;
   const double top_speed = std::min(push / (1.0 - type.player_decay), type.player_speed_max);
-  // Since it was seen it may have run anywhere.
-  constexpr int kMostCredit = 10;
-  const double credit = 0.5 * top_speed * std::min(player.pos_count, kMostCredit);
+  // It may have run in any direction since it was seen.
+  constexpr int kMaxCredit = 10;
+  const double credit = 0.5 * top_speed * std::min(player.pos_count, kMaxCredit);
   const Vec2 velocity = player.velocity_valid() ? player.velocity : Vec2{};
 
-  std::array<double, kInterceptHorizon + 1> run{};  // full dashes from rest, by their number
+  std::array<double, kInterceptHorizon + 1> run{};  // distance by number of full dashes from rest
   double speed = 0.0;
-  double drift = 0.0;  // share of the velocity that coasting has covered
+  double drift = 0.0;  // distance per unit of initial velocity
   double fading = 1.0;
   for (int n = 0; n <= kInterceptHorizon; ++n) {
     const auto i = static_cast<std::size_t>(n);
@@ -124,10 +124,10 @@ int reach_steps(const WorldModel& world, const PlayerState& player, const BallPa
   return kNever;
 }
 
-void reckon_intercepts(WorldModel& world) {
+void update_intercept_table(WorldModel& world) {
   InterceptTable& table = world.intercept;
   table.plans.clear();
-  Ranking mates;
+  Ranking teammates;
   Ranking opponents;
   if (table_is_empty(world)) {
     table.self_steps = table.self_exhausting_steps = kNever;
@@ -136,17 +136,17 @@ void reckon_intercepts(WorldModel& world) {
     }
   } else {
     const BallPath path = ball_path(world);
-    if (!world.sideline) plan_own_intercept(world, path, table);
-    opponents = rank(world, world.opponents, world.kickable_opponent_id, kOldestOpponent, path);
+    if (!world.sideline) plan_self_intercept(world, path, table);
+    opponents = rank(world, world.opponents, world.kickable_opponent_id, kMaxOpponentAge, path);
     BallPath resting;
     resting.fill(world.ball.position);
-    mates = rank(world, world.teammates, world.kickable_teammate_id, kOldestTeammate,
-                 world.kickable_opponent() ? resting : path);
+    teammates = rank(world, world.teammates, world.kickable_teammate_id, kMaxTeammateAge,
+                     world.kickable_opponent() ? resting : path);
   }
-  table.first_teammate_steps = mates.first;
-  table.second_teammate_steps = mates.second;
-  table.first_teammate_id = mates.first_id;
-  table.second_teammate_id = mates.second_id;
+  table.first_teammate_steps = teammates.first;
+  table.second_teammate_steps = teammates.second;
+  table.first_teammate_id = teammates.first_id;
+  table.second_teammate_id = teammates.second_id;
   table.first_opponent_steps = opponents.first;
   table.second_opponent_steps = opponents.second;
   table.first_opponent_id = opponents.first_id;

@@ -1,9 +1,10 @@
-// Defence and offside lines.
+// Computes defense and offside lines.
 #include "proxy/estimates/team_lines.h"
 
 #include <algorithm>
 #include <cmath>
 
+#include "proxy/world/motion.h"
 #include "soccer/pitch.h"
 
 namespace cls::proxy {
@@ -12,11 +13,11 @@ namespace {
 using soccer::PlayMode;
 using soccer::Side;
 
-/// The last and the second last of a team, as x towards its own goal line: larger is farther back.
+/// Rearmost and second rearmost player of a team, as x toward their own goal line.
 struct LastTwo {
   double last = 0.0;
   double second = 0.0;
-  int second_count = 0;  ///< age of the belief about the second last
+  int second_count = 0;  ///< age of the position of the second rearmost
   int last_count = 0;
 
   void add(double x, int count) {
@@ -32,19 +33,19 @@ struct LastTwo {
   }
 };
 
-/// When not all of a team are known the unknown ones may stand behind: a sudden step away from the
-/// own goal is believed only in part.
+/// With unknown players, who may stand farther back, limits sudden jumps of the line away from the
+/// own goal.
 double damped(double line, double previous, bool all_known) {
   const double forward = previous - line;
   if (all_known || forward < 5.0 || forward > 13.0) return line;
   return previous - 1.0;
 }
 
-/// An opponent that was not seen lately has had time to run back.
+/// Distance an opponent not seen recently may have run back.
 double run_back(const WorldModel& world, const PlayerState& player) {
-  constexpr int kMostCycles = 3;
+  constexpr int kMaxCycles = 3;
   const bool ahead = player.position.x > world.ball.position.x;
-  const int cycles = std::min(player.pos_count, kMostCycles);
+  const int cycles = std::min(player.pos_count, kMaxCycles);
   const soccer::PlayerType& type = world.type_of(player);
   return ahead ? 0.0 : cycles * type.real_speed_max(world.server().max_dash_power);
 }
@@ -52,7 +53,8 @@ double run_back(const WorldModel& world, const PlayerState& player) {
 double our_line(const WorldModel& world) {
   LastTwo two;
   if (world.self.position_valid()) two.add(-world.self.position.x, world.self.pos_count);
-  for (const PlayerState& mate : world.teammates) two.add(-mate.position.x, mate.pos_count);
+  for (const PlayerState& teammate : world.teammates)
+    two.add(-teammate.position.x, teammate.pos_count);
   const bool all = world.teammates.size() + 1 >= soccer::kPlayersPerTeam;
   double line = damped(two.second, -world.lines.our_defense, all);
   if (world.ball.position_valid()) line = std::max(line, -world.ball.position.x);
@@ -72,7 +74,7 @@ TheirLine their_line(const WorldModel& world) {
   TheirLine line{two.second, two.second_count};
   const double ball_x = world.ball.position.x;
   if (world.their_goalie_unum == 0 && ball_x > 20.0 && ball_x < 36.0 && two.last < 36.0) {
-    line = {two.last, two.last_count};  // the goalie, unseen, is behind them
+    line = {two.last, two.last_count};  // the unseen goalie is behind them
   }
   const bool all = world.opponents.size() >= soccer::kPlayersPerTeam;
   line.x = damped(line.x, world.lines.their_defense, all);
@@ -83,7 +85,7 @@ TheirLine their_line(const WorldModel& world) {
   return line;
 }
 
-/// Second last of the players alone; the last when a goalie must be behind that nobody has seen.
+/// Line of the second rearmost player; the rearmost if an unseen goalie must be behind.
 double player_line(const PlayerList& players, const SelfState* self, double toward,
                    bool goalie_known) {
   LastTwo two;
@@ -94,7 +96,7 @@ double player_line(const PlayerList& players, const SelfState* self, double towa
   return toward * (unseen_goalie ? two.last : two.second);
 }
 
-bool nobody_offside(const WorldModel& world) {
+bool offside_disabled(const WorldModel& world) {
   const GameState& game = world.game;
   if (!world.server().use_offside) return true;
   switch (game.mode) {
@@ -112,7 +114,7 @@ bool nobody_offside(const WorldModel& world) {
 
 }  // namespace
 
-void draw_lines(WorldModel& world) {
+void update_team_lines(WorldModel& world) {
   TeamLines lines;
   lines.our_defense = our_line(world);
   const TheirLine theirs = their_line(world);
@@ -135,7 +137,7 @@ void draw_lines(WorldModel& world) {
       lines.offside_count = world.ball.pos_count;
     }
   }
-  if (nobody_offside(world)) {
+  if (offside_disabled(world)) {
     lines.offside = soccer::kHalfLength;
     lines.offside_count = 0;
   }

@@ -1,11 +1,11 @@
-// Lines across the pitch that the last players of a team draw.
+// Defense lines and the offside line.
 #pragma once
 
 #include "proxy/world/world_model.h"
 
 namespace cls::proxy {
 
-/// Fills `world.lines` (proxy behaviour 3.7) from players, ball and intercept table.
-void draw_lines(WorldModel& world);
+/// Sets `world.lines` (proxy behaviour 3.7) from players, ball and intercept table.
+void update_team_lines(WorldModel& world);
 
 }  // namespace cls::proxy

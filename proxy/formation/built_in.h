@@ -1,12 +1,12 @@
-// The formations that come with the proxy, as the text of their files.
+// Built-in formations: the text of their files.
 #pragma once
 
 #include <string_view>
 
 namespace cls::proxy {
 
-/// Text of `<name>.formation` in proxy/formation/built_in, put in by the build; empty for a name
-/// that is not there.
+/// Text of proxy/formation/built_in/<name>.formation, embedded by the build; empty for an unknown
+/// name.
 std::string_view built_in_formation(std::string_view name);
 
 }  // namespace cls::proxy

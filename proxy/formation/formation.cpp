@@ -1,4 +1,4 @@
-// Interpolation between the samples of a formation.
+// Interpolates player positions between the samples of a formation.
 #include "proxy/formation/formation.h"
 
 #include <fmt/format.h>
@@ -12,7 +12,7 @@ namespace {
 
 using soccer::Vec2;
 
-std::vector<std::array<std::size_t, 2>> hull_of(const std::vector<Triangle>& triangles) {
+std::vector<std::array<std::size_t, 2>> hull_edges(const std::vector<Triangle>& triangles) {
   std::vector<std::array<std::size_t, 2>> edges;
   for (const Triangle& t : triangles) {
     for (std::size_t i = 0; i < 3; ++i) {
@@ -29,8 +29,8 @@ std::vector<std::array<std::size_t, 2>> hull_of(const std::vector<Triangle>& tri
   return edges;
 }
 
-/// Samples without triangles lie on a line: neighbours along it are joined.
-std::vector<std::array<std::size_t, 2>> chain_of(const std::vector<Vec2>& points) {
+/// Edges for samples without triangles, which lie on one line: joins neighbors along it.
+std::vector<std::array<std::size_t, 2>> chain_edges(const std::vector<Vec2>& points) {
   std::vector<std::size_t> order(points.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
   std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
@@ -44,7 +44,7 @@ std::vector<std::array<std::size_t, 2>> chain_of(const std::vector<Vec2>& points
 }  // namespace
 
 base::Result<Formation> Formation::make(std::vector<FormationSample> samples) {
-  if (samples.empty()) return base::Error{"a formation without samples"};
+  if (samples.empty()) return base::Error{"no samples"};
   constexpr double kSame = 0.05;
   std::vector<Vec2> points;
   for (const FormationSample& sample : samples) {
@@ -58,12 +58,13 @@ base::Result<Formation> Formation::make(std::vector<FormationSample> samples) {
   Formation formation;
   formation.samples_ = std::move(samples);
   formation.triangles_ = triangulate(points);
-  formation.hull_ = formation.triangles_.empty() ? chain_of(points) : hull_of(formation.triangles_);
+  formation.hull_ =
+      formation.triangles_.empty() ? chain_edges(points) : hull_edges(formation.triangles_);
   return formation;
 }
 
-TeamPoints Formation::between(const std::array<std::size_t, 3>& corners,
-                              const std::array<double, 3>& weights) const {
+TeamPoints Formation::interpolate(const std::array<std::size_t, 3>& corners,
+                                  const std::array<double, 3>& weights) const {
   TeamPoints points;
   for (std::size_t i = 0; i < points.size(); ++i) {
     points[i] = samples_[corners[0]].players[i] * weights[0] +
@@ -73,7 +74,7 @@ TeamPoints Formation::between(const std::array<std::size_t, 3>& corners,
   return points;
 }
 
-TeamPoints Formation::at_hull(Vec2 ball) const {
+TeamPoints Formation::nearest_on_hull(Vec2 ball) const {
   double least = 0.0;
   const std::array<std::size_t, 2>* nearest = nullptr;
   Vec2 foot;
@@ -90,7 +91,7 @@ TeamPoints Formation::at_hull(Vec2 ball) const {
   const Vec2 from = samples_[(*nearest)[0]].ball;
   const Vec2 way = samples_[(*nearest)[1]].ball - from;
   const double share = dot(foot - from, way) / way.squared_length();
-  return between({(*nearest)[0], (*nearest)[1], (*nearest)[1]}, {1.0 - share, share, 0.0});
+  return interpolate({(*nearest)[0], (*nearest)[1], (*nearest)[1]}, {1.0 - share, share, 0.0});
 }
 
 TeamPoints Formation::positions(Vec2 ball) const {
@@ -103,9 +104,9 @@ TeamPoints Formation::positions(Vec2 ball) const {
     const double of_c = cross(b - a, ball - a);
     if (of_a < 0.0 || of_b < 0.0 || of_c < 0.0) continue;
     const double whole = of_a + of_b + of_c;
-    return between(t, {of_a / whole, of_b / whole, of_c / whole});
+    return interpolate(t, {of_a / whole, of_b / whole, of_c / whole});
   }
-  return at_hull(ball);
+  return nearest_on_hull(ball);
 }
 
 }  // namespace cls::proxy

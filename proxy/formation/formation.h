@@ -1,4 +1,4 @@
-// Where eleven players belong for each place of the ball: samples, and what lies between them.
+// A formation: home positions of eleven players as a function of the ball position.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@
 
 namespace cls::proxy {
 
-/// Points by unum - 1; metres, own team attacking +x.
+/// Positions by unum - 1; meters, own team attacks +x.
 using TeamPoints = std::array<soccer::Vec2, soccer::kPlayersPerTeam>;
 
 struct FormationSample {
@@ -21,24 +21,24 @@ struct FormationSample {
 
 class Formation {
  public:
-  /// Not ok without samples, and when two of them have the ball at the same place (within 5 cm).
+  /// Fails without samples, and when two samples have the ball within 5 cm.
   static base::Result<Formation> make(std::vector<FormationSample> samples);
 
-  /// Linear within the triangle of samples around the ball; a ball outside all triangles counts as
-  /// being at the nearest point of their hull. One sample alone is the same everywhere.
+  /// Interpolates linearly within the triangle of samples around the ball. A ball outside all
+  /// triangles is moved to the nearest point of their hull. A single sample applies everywhere.
   TeamPoints positions(soccer::Vec2 ball) const;
 
   const std::vector<FormationSample>& samples() const { return samples_; }
 
  private:
   Formation() = default;
-  TeamPoints between(const std::array<std::size_t, 3>& corners,
-                     const std::array<double, 3>& weights) const;
-  TeamPoints at_hull(soccer::Vec2 ball) const;
+  TeamPoints interpolate(const std::array<std::size_t, 3>& corners,
+                         const std::array<double, 3>& weights) const;
+  TeamPoints nearest_on_hull(soccer::Vec2 ball) const;
 
   std::vector<FormationSample> samples_;
   std::vector<Triangle> triangles_;
-  std::vector<std::array<std::size_t, 2>> hull_;  ///< edges of one triangle only, or the chain
+  std::vector<std::array<std::size_t, 2>> hull_;  ///< edges of exactly one triangle, or the chain
 };
 
 }  // namespace cls::proxy

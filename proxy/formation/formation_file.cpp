@@ -1,4 +1,4 @@
-// Our own form of formation files, the choice of the form, and the writer.
+// The cls-formation format: parser and writer; detection of the format.
 #include "proxy/formation/formation_file.h"
 
 #include <fmt/format.h>
@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "proxy/formation/foreign_formation.h"
+#include "proxy/formation/librcsc_formation.h"
 #include "proxy/formation/text_lines.h"
 
 namespace cls::proxy {
@@ -21,7 +21,7 @@ using soccer::Vec2;
 
 constexpr std::string_view kHeader = "cls-formation";
 
-/// Who stands in for whom on the other side of the pitch, by unum - 1.
+/// Partner of each player in the mirror image, by unum - 1.
 using Pairs = std::array<std::size_t, soccer::kPlayersPerTeam>;
 
 FormationSample mirrored(const FormationSample& sample, const Pairs& pairs) {
@@ -32,31 +32,32 @@ FormationSample mirrored(const FormationSample& sample, const Pairs& pairs) {
   return other;
 }
 
-class OwnFormReader {
+class ClsFormatParser {
  public:
-  explicit OwnFormReader(TextLines& lines) : lines_(lines) {
+  explicit ClsFormatParser(TextLines& lines) : lines_(lines) {
     for (std::size_t i = 0; i < pairs_.size(); ++i) pairs_[i] = i;
   }
 
   Result<std::vector<FormationSample>> read() {
     while (lines_.next()) {
-      const std::vector<std::string_view> words = lines_.words();
-      if (const Result<void> done = take(words); !done) return done.error();
+      const std::vector<std::string_view> tokens = lines_.tokens();
+      if (const Result<void> done = parse_line(tokens); !done) return done.error();
     }
     if (const Result<void> done = finish_sample(); !done) return done.error();
     return add_mirrored();
   }
 
  private:
-  Result<void> take(const std::vector<std::string_view>& words) {
-    if (words.front() == "mirror" && words.size() == 1) {
+  Result<void> parse_line(const std::vector<std::string_view>& tokens) {
+    if (tokens.front() == "mirror" && tokens.size() == 1) {
       mirror_ = true;
       return {};
     }
-    if (words.front() == "pair") return take_pair(words);
-    if (words.front() == "ball") {
+    if (tokens.front() == "pair") return parse_pair(tokens);
+    if (tokens.front() == "ball") {
       if (const Result<void> done = finish_sample(); !done) return done;
-      const auto point = words.size() == 3 ? lines_.point(words[1], words[2]) : std::nullopt;
+      const auto point =
+          tokens.size() == 3 ? lines_.parse_point(tokens[1], tokens[2]) : std::nullopt;
       if (!point) return lines_.error("expected 'ball X Y'");
       open_ = true;
       sample_ = {};
@@ -64,27 +65,27 @@ class OwnFormReader {
       sample_.ball = *point;
       return {};
     }
-    const std::optional<int> unum = lines_.unum(words.front());
-    const auto point = words.size() == 3 ? lines_.point(words[1], words[2]) : std::nullopt;
+    const std::optional<int> unum = lines_.parse_unum(tokens.front());
+    const auto point = tokens.size() == 3 ? lines_.parse_point(tokens[1], tokens[2]) : std::nullopt;
     if (!unum || !point) {
       return lines_.error("expected 'ball X Y', 'UNUM X Y', 'pair UNUM UNUM' or 'mirror'");
     }
-    if (!open_) return lines_.error("a player before the first 'ball X Y'");
+    if (!open_) return lines_.error("player before the first 'ball X Y'");
     const auto index = static_cast<std::size_t>(*unum - 1);
     if (std::exchange(placed_[index], true)) {
-      return lines_.error(fmt::format("player {} for the second time", *unum));
+      return lines_.error(fmt::format("duplicate player {}", *unum));
     }
     sample_.players[index] = *point;
     return {};
   }
 
-  Result<void> take_pair(const std::vector<std::string_view>& words) {
-    const auto first = words.size() == 3 ? lines_.unum(words[1]) : std::nullopt;
-    const auto second = words.size() == 3 ? lines_.unum(words[2]) : std::nullopt;
+  Result<void> parse_pair(const std::vector<std::string_view>& tokens) {
+    const auto first = tokens.size() == 3 ? lines_.parse_unum(tokens[1]) : std::nullopt;
+    const auto second = tokens.size() == 3 ? lines_.parse_unum(tokens[2]) : std::nullopt;
     if (!first || !second || *first == *second) return lines_.error("expected 'pair UNUM UNUM'");
     const auto a = static_cast<std::size_t>(*first - 1);
     const auto b = static_cast<std::size_t>(*second - 1);
-    if (pairs_[a] != a || pairs_[b] != b) return lines_.error("a player has one partner only");
+    if (pairs_[a] != a || pairs_[b] != b) return lines_.error("player already has a partner");
     pairs_[a] = b;
     pairs_[b] = a;
     return {};
@@ -93,7 +94,7 @@ class OwnFormReader {
   Result<void> finish_sample() {
     if (!std::exchange(open_, false)) return {};
     for (std::size_t i = 0; i < placed_.size(); ++i) {
-      if (!placed_[i]) return lines_.error(fmt::format("a sample without player {}", i + 1));
+      if (!placed_[i]) return lines_.error(fmt::format("missing player {} in the sample", i + 1));
     }
     samples_.push_back(sample_);
     return {};
@@ -116,23 +117,23 @@ class OwnFormReader {
   std::vector<FormationSample> samples_;
 };
 
-Result<std::vector<FormationSample>> read_samples(std::string_view text, const std::string& name) {
+Result<std::vector<FormationSample>> parse_samples(std::string_view text, const std::string& name) {
   TextLines lines(text, name);
   if (!lines.next()) return Error{name + ": empty"};
-  const std::vector<std::string_view> words = lines.words();
-  if (words.front() == kHeader) {
-    if (words.size() != 2 || words[1] != "1") {
-      return lines.error("only version 1 of cls-formation is known");
+  const std::vector<std::string_view> tokens = lines.tokens();
+  if (tokens.front() == kHeader) {
+    if (tokens.size() != 2 || tokens[1] != "1") {
+      return lines.error("unsupported version; use cls-formation 1");
     }
-    return OwnFormReader(lines).read();
+    return ClsFormatParser(lines).read();
   }
-  return read_foreign_formation(text, name);
+  return parse_librcsc_formation(text, name);
 }
 
 }  // namespace
 
 Result<Formation> parse_formation(std::string_view text, const std::string& name) {
-  Result<std::vector<FormationSample>> samples = read_samples(text, name);
+  Result<std::vector<FormationSample>> samples = parse_samples(text, name);
   if (!samples) return samples.error();
   Result<Formation> formation = Formation::make(std::move(*samples));
   if (!formation) return Error{name + ": " + formation.error().message};

@@ -1,4 +1,4 @@
-// Formations as text: our own format, and the files of teams that use librcsc.
+// Formation files: the cls-formation format and the formats of librcsc.
 #pragma once
 
 #include <string>
@@ -9,12 +9,12 @@
 
 namespace cls::proxy {
 
-/// Reads a formation in any of the known forms (docs/formations.md): `cls-formation 1`; librcsc's
-/// JSON and CSV files, its "Formation Static" and its "Formation DelaunayTriangulation" without
-/// version and of version 2 and 3. `name` begins error messages ("name:12: ...").
+/// Parses a formation in any supported format (docs/formations.md): `cls-formation 1`, librcsc's
+/// JSON and CSV, "Formation Static", and "Formation DelaunayTriangulation" without version or of
+/// version 2 or 3. `name` starts the error messages ("name:12: ...").
 base::Result<Formation> parse_formation(std::string_view text, const std::string& name);
 
-/// Writes our own format, all samples in full; parse_formation() reads it back to the same bits.
+/// Formats all samples as cls-formation; parse_formation() restores the same bits.
 std::string format_formation(const Formation& formation);
 
 }  // namespace cls::proxy

@@ -1,4 +1,4 @@
-// Loading of formation folders.
+// Loads formation folders.
 #include "proxy/formation/formation_set.h"
 
 #include <cassert>
@@ -18,7 +18,7 @@ namespace {
 using base::Error;
 using base::Result;
 
-constexpr std::array<std::string_view, kFormationKinds> kFileNames{
+constexpr std::array<std::string_view, kFormationKindCount> kFileNames{
     "before-kick-off",
     "normal-formation",
     "defense-formation",
@@ -34,14 +34,14 @@ constexpr std::array<std::string_view, kFormationKinds> kFileNames{
     "indirect-freekick-opp-formation",
 };
 
-std::array<Formation, kFormationKinds> as_array(std::vector<Formation> list) {
+std::array<Formation, kFormationKindCount> as_array(std::vector<Formation> list) {
   const auto take = [&]<std::size_t... I>(std::index_sequence<I...>) {
-    return std::array<Formation, kFormationKinds>{std::move(list[I])...};
+    return std::array<Formation, kFormationKindCount>{std::move(list[I])...};
   };
-  return take(std::make_index_sequence<kFormationKinds>());
+  return take(std::make_index_sequence<kFormationKindCount>());
 }
 
-/// Makes a set of what `read` returns for each kind's file name.
+/// Builds a set from what `read` returns for the file name of each kind.
 template <typename Read>
 Result<std::shared_ptr<const FormationSet>> make_set(const Read& read) {
   std::vector<Formation> list;
@@ -54,7 +54,7 @@ Result<std::shared_ptr<const FormationSet>> make_set(const Read& read) {
       std::make_shared<FormationSet>(as_array(std::move(list))));
 }
 
-std::optional<std::string> content(const std::filesystem::path& path) {
+std::optional<std::string> read_if_exists(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
   if (!std::filesystem::is_regular_file(path) || !file) return std::nullopt;
   return std::string(std::istreambuf_iterator<char>(file), {});
@@ -82,9 +82,9 @@ Result<std::shared_ptr<const FormationSet>> read_formations(const std::string& f
     for (const char* ending : {".formation", ".conf", ""}) {
       const std::string path =
           (std::filesystem::path(folder) / (std::string(name) + ending)).string();
-      if (const auto text = content(path)) return parse_formation(*text, path);
+      if (const auto text = read_if_exists(path)) return parse_formation(*text, path);
     }
-    return Error{folder + ": no " + std::string(name) + ".formation or " + std::string(name) +
+    return Error{folder + ": missing " + std::string(name) + ".formation or " + std::string(name) +
                  ".conf"};
   });
 }

@@ -1,4 +1,4 @@
-// The formations a team plays in: one for each kind of situation.
+// The formations of a team: one per kind of situation.
 #pragma once
 
 #include <array>
@@ -12,7 +12,8 @@
 
 namespace cls::proxy {
 
-/// Kinds of situation (proxy behaviour 6.4). "Our" and "their" say whose dead ball it is.
+/// Kinds of situation (proxy behaviour 6.4). "Our" and "their" name the team that takes the set
+/// play.
 enum class FormationKind : std::uint8_t {
   kBeforeKickOff,
   kNormal,
@@ -28,15 +29,15 @@ enum class FormationKind : std::uint8_t {
   kIndirectOur,
   kIndirectTheir,
 };
-constexpr std::size_t kFormationKinds = 13;
+constexpr std::size_t kFormationKindCount = 13;
 
-/// The kind's file name without ending, as librcsc's teams call it ("normal-formation").
+/// File name of the kind without extension, as in librcsc teams ("normal-formation").
 std::string_view file_name(FormationKind kind);
 
-/// Shared by all agents of a team; never changed once made.
+/// Immutable; shared by all agents of a team.
 class FormationSet {
  public:
-  explicit FormationSet(std::array<Formation, kFormationKinds> formations)
+  explicit FormationSet(std::array<Formation, kFormationKindCount> formations)
       : formations_(std::move(formations)) {}
 
   const Formation& of(FormationKind kind) const {
@@ -44,14 +45,14 @@ class FormationSet {
   }
 
  private:
-  std::array<Formation, kFormationKinds> formations_;
+  std::array<Formation, kFormationKindCount> formations_;
 };
 
-/// Our own.
+/// The formations shipped with cls.
 std::shared_ptr<const FormationSet> built_in_formations();
 
-/// One file for each kind from a folder: NAME.formation, else NAME.conf, else NAME. Not ok when one
-/// is missing or does not parse; the message names the file.
+/// Reads one file per kind from a folder: NAME.formation, otherwise NAME.conf, otherwise NAME.
+/// Fails when one is missing or does not parse; the error names the file.
 base::Result<std::shared_ptr<const FormationSet>> read_formations(const std::string& folder);
 
 }  // namespace cls::proxy

@@ -1,4 +1,4 @@
-// Reading text line by line and word by word, with the place for error messages.
+// Reads text line by line and token by token, with file and line for error messages.
 #pragma once
 
 #include <optional>
@@ -11,24 +11,24 @@
 
 namespace cls::proxy {
 
-/// Lines without comments ('#' or "//" to the end of the line); empty ones are passed over.
+/// Skips comments ('#' or "//" to the end of the line) and empty lines.
 class TextLines {
  public:
   /// Both must outlive the object; `name` begins error messages.
   TextLines(std::string_view text, const std::string& name) : rest_(text), name_(&name) {}
 
-  /// Goes to the next line that holds something; false at the end.
+  /// Advances to the next non-empty line; false at the end.
   bool next();
-  /// The words of the present line, separated by blanks or by `separator`; at least one.
-  std::vector<std::string_view> words(char separator = ' ') const;
+  /// Tokens of the current line, separated by whitespace or `separator`; at least one.
+  std::vector<std::string_view> tokens(char separator = ' ') const;
 
-  /// Names the file and the present line.
+  /// Error with file name and current line number.
   base::Error error(const std::string& what) const;
 
-  static std::optional<double> number(std::string_view word);
-  static std::optional<soccer::Vec2> point(std::string_view x, std::string_view y);
+  static std::optional<double> parse_number(std::string_view token);
+  static std::optional<soccer::Vec2> parse_point(std::string_view x, std::string_view y);
   /// 1 to 11.
-  static std::optional<int> unum(std::string_view word);
+  static std::optional<int> parse_unum(std::string_view token);
 
  private:
   std::string_view rest_;

@@ -9,12 +9,12 @@
 
 namespace cls::proxy {
 
-/// Indices into the list of points, counter-clockwise in the mathematical sense (x right, y up).
+/// Indices into the list of points, counterclockwise (x right, y up).
 using Triangle = std::array<std::size_t, 3>;
 
-/// Every point a corner, no corner inside another triangle's circumcircle (Bowyer 1981). Points
-/// must differ by a centimetre or more; fewer than three, or points on one line, give no triangles.
-/// The same points in the same order give the same list.
+/// Delaunay triangulation (Bowyer 1981). Points must be at least one centimeter apart; fewer than
+/// three points, or points on one line, give no triangles. The result depends only on the points
+/// and their order.
 std::vector<Triangle> triangulate(const std::vector<soccer::Vec2>& points);
 
 }  // namespace cls::proxy

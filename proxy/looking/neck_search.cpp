@@ -1,4 +1,4 @@
-// Scores of neck angles.
+// Scores neck angles by direction ages and stale players.
 #include "proxy/looking/neck_search.h"
 
 #include <algorithm>
@@ -12,13 +12,13 @@ namespace {
 using soccer::AngleDeg;
 using soccer::Vec2;
 
-constexpr double kSectorDegrees = 360.0 / SightMemory::kSectors;
+constexpr double kSectorDegrees = 360.0 / ViewMemory::kSectors;
 
 /// Unit vectors along the middles of the sectors.
-const std::array<Vec2, SightMemory::kSectors>& sector_directions() {
+const std::array<Vec2, ViewMemory::kSectors>& sector_directions() {
   static const auto directions = [] {
-    std::array<Vec2, SightMemory::kSectors> table;
-    for (int i = 0; i < SightMemory::kSectors; ++i) {
+    std::array<Vec2, ViewMemory::kSectors> table;
+    for (int i = 0; i < ViewMemory::kSectors; ++i) {
       table[i] = soccer::polar_degrees(1.0, (i + 0.5) * kSectorDegrees - 180.0);
     }
     return table;
@@ -26,7 +26,7 @@ const std::array<Vec2, SightMemory::kSectors>& sector_directions() {
   return directions;
 }
 
-/// How far the pitch extends from `from` along `direction`; 0 outside of it.
+/// Distance from `from` to the border of the pitch along `direction`; 0 outside.
 double pitch_ahead(Vec2 from, Vec2 direction) {
   const auto one = [](double at, double step, double half) {
     if (std::fabs(step) < 1e-9) return 1000.0;
@@ -38,16 +38,16 @@ double pitch_ahead(Vec2 from, Vec2 direction) {
 
 }  // namespace
 
-NeckSearch::NeckSearch(const WorldModel& world, const SightMemory& sight, const CommandSlots& slots)
+NeckSearch::NeckSearch(const WorldModel& world, const ViewMemory& view, const CommandSlots& slots)
     : half_view_(view_angle(world.server(), slots.next_view_width()) / 2.0),
       neck_now_(world.self.neck.degrees()),
       body_(slots.next_body()) {
-  // Little is to be seen where the pitch ends close by.
+  // Ignore directions in which the pitch ends within this distance.
   constexpr double kWorthwhile = 8.0;
   const Vec2 here = slots.next_position();
-  for (int i = 0; i < SightMemory::kSectors; ++i) {
+  for (int i = 0; i < ViewMemory::kSectors; ++i) {
     const double ahead = pitch_ahead(here, sector_directions()[i]);
-    field_[i] = ahead < kWorthwhile ? 0.0 : std::min(sight.ages[i], 100);
+    field_[i] = ahead < kWorthwhile ? 0.0 : std::min(view.ages[i], 100);
   }
   all_players_ = world.teammates.size() >= soccer::kPlayersPerTeam - 1 &&
                  world.opponents.size() >= soccer::kPlayersPerTeam;
@@ -71,7 +71,7 @@ void NeckSearch::add_players(const WorldModel& world, const PlayerList& list, Ve
 
 double NeckSearch::player_score(double neck) const {
   double score = 0.0;
-  for (const Sight& player : players_) {
+  for (const WeightedDirection& player : players_) {
     const double off = std::fabs(soccer::math::normalize_degrees(player.relative - neck));
     const double margin = half_view_ - off;
     if (margin > 0.0) score += player.weight * (1.0 + margin / 90.0);
@@ -80,13 +80,13 @@ double NeckSearch::player_score(double neck) const {
 }
 
 double NeckSearch::field_score(double neck) const {
-  const double centre = ((body_ + neck).degrees() + 180.0) / kSectorDegrees - 0.5;
+  const double center = ((body_ + neck).degrees() + 180.0) / kSectorDegrees - 0.5;
   const double reach = half_view_ / kSectorDegrees;
-  const int first = static_cast<int>(std::ceil(centre - reach));
-  const int last = static_cast<int>(std::floor(centre + reach));
+  const int first = static_cast<int>(std::ceil(center - reach));
+  const int last = static_cast<int>(std::floor(center + reach));
   double score = 0.0;
   for (int i = first; i <= last; ++i) {
-    score += field_[(i + 2 * SightMemory::kSectors) % SightMemory::kSectors];
+    score += field_[(i + 2 * ViewMemory::kSectors) % ViewMemory::kSectors];
   }
   return score;
 }
@@ -100,7 +100,7 @@ double NeckSearch::best(double low, double high, const Score& score) const {
   for (int i = 0; i <= steps; ++i) {
     const double neck = low + i * kStep;
     const double value = score(neck);
-    // Of equals the one nearest to the neck now: the head need not swing for nothing.
+    // Ties: prefer the angle nearest to the current neck.
     const bool nearer = std::fabs(neck - neck_now_) < std::fabs(best_neck - neck_now_);
     if (value > best_score || (value == best_score && nearer)) {
       best_score = value;

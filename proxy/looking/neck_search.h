@@ -1,29 +1,29 @@
-// Which neck angle shows most of what has not been seen for long.
+// Search for the neck angle that shows what was unseen for longest.
 #pragma once
 
 #include <array>
 
 #include "proxy/commands/command_slots.h"
 #include "proxy/world/fixed_list.h"
-#include "proxy/world/sight_memory.h"
+#include "proxy/world/view_cone.h"
 #include "proxy/world/world_model.h"
 
 namespace cls::proxy {
 
-/// Made once per decision and asked with ranges of neck angles (degrees off the next body).
+/// Created once per decision; searches ranges of neck angles, degrees relative to the next body.
 class NeckSearch {
  public:
-  NeckSearch(const WorldModel& world, const SightMemory& sight, const CommandSlots& slots);
+  NeckSearch(const WorldModel& world, const ViewMemory& view, const CommandSlots& slots);
 
   bool knows_all_players() const { return all_players_; }
-  /// The angle in [low, high] in whose view the sum of ages over the pitch is largest.
+  /// Angle in [low, high] with the largest sum of direction ages over the pitch.
   double best_field(double low, double high) const;
-  /// The angle in [low, high] that shows the most and longest unseen players.
+  /// Angle in [low, high] that shows the most and longest unseen players.
   double best_players(double low, double high) const;
 
  private:
-  struct Sight {
-    double relative;  ///< degrees off the next body
+  struct WeightedDirection {
+    double relative;  ///< degrees relative to the next body
     double weight;
   };
 
@@ -37,8 +37,8 @@ class NeckSearch {
   double neck_now_;
   soccer::AngleDeg body_;
   bool all_players_ = false;
-  FixedList<Sight, 44> players_;
-  std::array<double, SightMemory::kSectors> field_;  ///< worth of each sector of directions
+  FixedList<WeightedDirection, 44> players_;
+  std::array<double, ViewMemory::kSectors> field_;  ///< score of each direction sector
 };
 
 }  // namespace cls::proxy

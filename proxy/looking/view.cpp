@@ -1,11 +1,11 @@
-// Width of view and focus point.
+// Selects view width and focus point.
 #include "proxy/looking/view.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "proxy/world/motion.h"
-#include "proxy/world/sight_memory.h"
+#include "proxy/world/view_cone.h"
 #include "soccer/pitch.h"
 
 namespace cls::proxy {
@@ -16,7 +16,7 @@ using soccer::PlayMode;
 using soccer::Vec2;
 using soccer::ViewWidth;
 
-bool calm(const WorldModel& world) {
+bool needs_wide_view(const WorldModel& world) {
   switch (world.game.mode) {
     case PlayMode::kBeforeKickOff:
     case PlayMode::kGoalLeft:
@@ -35,7 +35,7 @@ bool calm(const WorldModel& world) {
   }
 }
 
-bool anybody_near_ball(const WorldModel& world, double radius) {
+bool is_player_near_ball(const WorldModel& world, double radius) {
   for (const PlayerList* list : {&world.teammates, &world.opponents, &world.unknowns}) {
     for (const PlayerState& player : *list) {
       if (player.position_valid() && player.dist_from_ball < radius) return true;
@@ -44,7 +44,7 @@ bool anybody_near_ball(const WorldModel& world, double radius) {
   return false;
 }
 
-/// The goalie far from play looks wider the more the ball is beside its body.
+/// A goalie far from play widens its view the more the ball is off its body direction.
 bool goalie_far_from_play(const WorldModel& world, Vec2 play, double dist) {
   return world.goalie && !world.self.kickable &&
          (dist > 10.0 || play.x > -soccer::kHalfLength + soccer::kPenaltyAreaLength ||
@@ -52,7 +52,7 @@ bool goalie_far_from_play(const WorldModel& world, Vec2 play, double dist) {
 }
 
 ViewWidth tactical_width(const WorldModel& world) {
-  if (calm(world) || !world.ball.position_valid()) return ViewWidth::kWide;
+  if (needs_wide_view(world) || !world.ball.position_valid()) return ViewWidth::kWide;
   if (world.game.mode == PlayMode::kPenaltyTakenLeft ||
       world.game.mode == PlayMode::kPenaltyTakenRight) {
     return ViewWidth::kNarrow;
@@ -70,7 +70,7 @@ ViewWidth tactical_width(const WorldModel& world) {
   if (dist > 40.0) return ViewWidth::kWide;
   if (dist > 20.0) return ViewWidth::kNormal;
   if (dist > 10.0 && off_body > 120.0) return ViewWidth::kWide;
-  if (!world.goalie && world.ball.dist_from_self > 10.0 && !anybody_near_ball(world, 5.0)) {
+  if (!world.goalie && world.ball.dist_from_self > 10.0 && !is_player_near_ball(world, 5.0)) {
     return ViewWidth::kNormal;
   }
   return ViewWidth::kNarrow;
@@ -90,7 +90,7 @@ bool focus_to_point(const WorldModel& world, CommandSlots& slots, Vec2 point) {
   const double half = view_angle(world.server(), slots.next_view_width()) / 2.0;
   const double direction = (AngleDeg::of(relative) - slots.next_face()).degrees();
   const double inside = std::clamp(direction, -half, half);
-  // A point beside the cone: its foot on the edge is the nearest one in sight.
+  // Outside the view cone: use the nearest point on its edge.
   const double off = soccer::math::to_radians(direction - inside);
   const double reach = relative.length() * std::max(0.0, soccer::math::cos(off));
   return slots.change_focus(reach - world.self.focus_distance,

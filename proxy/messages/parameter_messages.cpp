@@ -12,7 +12,7 @@
 #include <utility>
 #include <variant>
 
-#include "proxy/world/dash_model.h"
+#include "proxy/world/running.h"
 #include "soccer/pitch.h"
 
 namespace cls::proxy {
@@ -21,7 +21,7 @@ namespace {
 using google::protobuf::FieldDescriptor;
 using google::protobuf::Message;
 
-// Names that differ between soccer server and wire. Everything else has one name for both.
+// Names that differ between server parameter and message field.
 constexpr std::pair<std::string_view, std::string_view> kWireNames[] = {
     {"catchable_area_l", "catch_area_l"},
     {"catchable_area_w", "catch_area_w"},
@@ -82,7 +82,7 @@ void set_field(Message& message, const FieldDescriptor& field, const Value& valu
   }
 }
 
-// Every row that the message has a field for. Rows younger than the wire have none.
+// Every row for which the message has a field; newer server parameters have none.
 template <typename Params>
 void fill_from_table(const Params& params, const soccer::ParameterTable<Params>& table,
                      Message& out) {
@@ -94,22 +94,21 @@ void fill_from_table(const Params& params, const soccer::ParameterTable<Params>&
   }
 }
 
-// Farthest points of the catch rectangle of a type, with the longest and the shortest reach that
-// its random stretch leaves.
+// Distance to the farthest point of the catch area with the given stretch.
 double catch_distance(const soccer::ServerParams& server, double stretch) {
   const double half_width = server.catchable_area_w / 2;
   const double length = server.catchable_area_l * stretch;
   return std::sqrt(half_width * half_width + length * length);
 }
 
-// Client-side constants that the server does not announce (any more) but the wire has.
+// Client-side constants of the message that the server does not send (any more).
 void fill_unannounced(protos::ServerParam& out) {
   constexpr float kDirQuantum = 0.1F;
   out.set_dir_quantize_step(kDirQuantum);
   out.set_dir_quantize_step_l(kDirQuantum);
   out.set_dir_quantize_step_r(kDirQuantum);
-  // Quantisation by team is history. Upstream gives the left team's players the quantum of
-  // landmarks, and Playmakers may have got used to it.
+  // Quantization by team is obsolete. Upstream uses the quantum of landmarks for the left team, and
+  // Playmakers may depend on it.
   out.set_dist_quantize_step_l(out.landmark_dist_quantize_step());
   out.set_dist_quantize_step_r(out.dist_quantize_step());
   out.set_landmark_dist_quantize_step_l(out.landmark_dist_quantize_step());
@@ -130,7 +129,7 @@ void fill_pitch(protos::ServerParam& out) {
   out.set_penalty_area_length(f(soccer::kPenaltyAreaLength));
   out.set_goal_area_width(f(soccer::kGoalAreaWidth));
   out.set_goal_area_length(f(soccer::kGoalAreaLength));
-  out.set_center_circle_r(f(soccer::kCentreCircleRadius));
+  out.set_center_circle_r(f(soccer::kCenterCircleRadius));
   out.set_goal_post_radius(f(soccer::kGoalPostRadius));
   out.set_pitch_margin(f(soccer::kPitchMargin));
 }

@@ -1,4 +1,4 @@
-// What a Playmaker is told about the match before it begins: parameters and player types.
+// Fills the handshake messages with server parameters, player parameters and player types.
 #pragma once
 
 #include "proto/playmaker.pb.h"
@@ -8,13 +8,13 @@
 
 namespace cls::proxy {
 
-// Values come from the parameter tables of soccer/, by name; to them come the sizes of the pitch
-// and what follows from the parameters. All replace what was in `out` except register_response.
-// Texts (paths, file names, commands) stay unset, as in upstream's messages.
+// Values come from the parameter tables of soccer/, by name, plus pitch sizes and derived values.
+// All functions replace the content of `out` except register_response. Texts (paths, file names,
+// commands) stay unset, as in upstream's messages.
 
 void fill(const soccer::ServerParams& params, protos::ServerParam& out);
 void fill(const soccer::PlayerParams& params, protos::PlayerParam& out);
-/// `server` says how far a goalie of default build reaches and how strong a dash may be.
+/// `server` provides the default catch area and the dash limits.
 void fill(const soccer::PlayerType& type, const soccer::ServerParams& server,
           protos::PlayerType& out);
 

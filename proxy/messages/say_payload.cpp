@@ -1,4 +1,4 @@
-// One line or two for each payload.
+// One case per member of Say.
 #include "proxy/messages/say_payload.h"
 
 #include <algorithm>
@@ -21,8 +21,8 @@ SayGoalie goalie(const Message& m) {
   return {vec(m.goalie_position()), m.goalie_body_direction()};
 }
 
-double share(double value, double least, double full) {
-  return full > least ? std::clamp((value - least) / (full - least), 0.0, 1.0) : 0.0;
+double fraction(double value, double min, double max) {
+  return max > min ? std::clamp((value - min) / (max - min), 0.0, 1.0) : 0.0;
 }
 
 SayPlayers players(const protos::OnePlayerMessage& m) {
@@ -46,7 +46,7 @@ SayPlayers players(const protos::ThreePlayerMessage& m) {
   return said;
 }
 
-/// Payloads of a word or two.
+/// Members with one or two values.
 std::optional<SayMessage> short_message(const protos::Say& say,
                                         const soccer::ServerParams& server) {
   using Say = protos::Say;
@@ -68,13 +68,13 @@ std::optional<SayMessage> short_message(const protos::Say& say,
     case Say::kPassRequestMessage:
       return SayPassRequest{vec(say.pass_request_message().target_point())};
     case Say::kStaminaMessage:
-      return SayStamina{share(say.stamina_message().stamina(), 0.0, server.stamina_max)};
+      return SayStamina{fraction(say.stamina_message().stamina(), 0.0, server.stamina_max)};
     case Say::kRecoveryMessage:
       return SayRecovery{
-          share(say.recovery_message().recovery(), server.recover_min, server.recover_init)};
+          fraction(say.recovery_message().recovery(), server.recover_min, server.recover_init)};
     case Say::kStaminaCapacityMessage:
-      return SayCapacity{
-          share(say.stamina_capacity_message().stamina_capacity(), 0.0, server.stamina_capacity)};
+      return SayCapacity{fraction(say.stamina_capacity_message().stamina_capacity(), 0.0,
+                                  server.stamina_capacity)};
     case Say::kDribbleMessage:
       return SayDribble{vec(say.dribble_message().target_point()),
                         say.dribble_message().queue_count()};
@@ -114,7 +114,7 @@ std::optional<SayMessage> say_message_of(const protos::Say& say,
     case Say::kSelfMessage: {
       const auto& m = say.self_message();
       return SaySelf{vec(m.self_position()), m.self_body_direction(),
-                     share(m.self_stamina(), 0.0, server.stamina_max)};
+                     fraction(m.self_stamina(), 0.0, server.stamina_max)};
     }
     case Say::kTeammateMessage: {
       const auto& m = say.teammate_message();

@@ -1,4 +1,4 @@
-// What a Playmaker wants said, in the words that helios teams understand.
+// Converts a Playmaker's Say action into a say message in the helios format.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@ class Say;
 
 namespace cls::proxy {
 
-/// Nothing for a payload without a known member.
+/// nullopt for a Say without a known member.
 std::optional<SayMessage> say_message_of(const protos::Say& say,
                                          const soccer::ServerParams& server);
 

@@ -1,18 +1,184 @@
-// The world around the objects: match, teams, lines, ways to the ball.
+// Filling the State: objects, match, teams, lines, intercept table.
 #include "proxy/messages/state_message.h"
 
 #include <string>
 
-#include "proxy/messages/object_messages.h"
+#include "proxy/world/motion.h"
+#include "soccer/angle.h"
 #include "soccer/play_mode.h"
 
 namespace cls::proxy {
 namespace {
 
 constexpr float f(double value) { return static_cast<float>(value); }
+float degrees(soccer::AngleDeg angle) { return f(angle.degrees()); }
+
+protos::CardType wire_card(soccer::Card card) {
+  return card == soccer::Card::kRed      ? protos::RED
+         : card == soccer::Card::kYellow ? protos::YELLOW
+                                         : protos::NO_CARD;
+}
+
+protos::ViewWidth wire_width(soccer::ViewWidth width) {
+  return width == soccer::ViewWidth::kNarrow   ? protos::NARROW
+         : width == soccer::ViewWidth::kNormal ? protos::NORMAL
+                                               : protos::WIDE;
+}
+
+float angle_from_ball(const BallState& ball) { return degrees(ball.angle_from_self + 180.0); }
+
+// Fields that Self and Player have in common, for the agent.
+template <typename Message>
+void fill_own(const WorldModel& world, Message& out) {
+  const SelfState& self = world.self;
+  fill(self.position, *out.mutable_position());
+  fill(self.seen_position, *out.mutable_seen_position());
+  fill({}, *out.mutable_heard_position());
+  fill(self.velocity, *out.mutable_velocity());
+  fill(self.seen_velocity, *out.mutable_seen_velocity());
+  out.set_pos_count(self.pos_count);
+  out.set_seen_pos_count(self.seen_pos_count);
+  out.set_heard_pos_count(kNever);
+  out.set_vel_count(self.vel_count);
+  out.set_seen_vel_count(self.seen_vel_count);
+  out.set_ghost_count(0);
+  out.set_id(0);
+  out.set_side(wire_side(world.our_side));
+  out.set_uniform_number(world.unum);
+  out.set_uniform_number_count(0);
+  out.set_is_goalie(world.goalie);
+  out.set_body_direction(degrees(self.body));
+  out.set_body_direction_count(self.body_count);
+  out.set_face_direction(degrees(self.face()));
+  out.set_face_direction_count(self.body_count);
+  out.set_point_to_direction(degrees(self.point_direction));
+  out.set_point_to_direction_count(self.point_count);
+  out.set_is_kicking(self.kicked);
+  out.set_dist_from_ball(f(world.ball.dist_from_self));
+  out.set_angle_from_ball(angle_from_ball(world.ball));
+  out.set_ball_reach_steps(world.intercept.best_self_steps());
+  out.set_is_tackling(self.tackling());
+  out.set_type_id(self.type_id);
+}
+
+}  // namespace
+
+protos::Side wire_side(soccer::Side side) {
+  return side == soccer::Side::kLeft    ? protos::LEFT
+         : side == soccer::Side::kRight ? protos::RIGHT
+                                        : protos::UNKNOWN;
+}
+
+void fill(soccer::Vec2 vector, protos::RpcVector2D& out, const protos::RpcVector2D* known) {
+  // + 0.0F removes the sign of zero, which would change the direction.
+  const float x = f(vector.x) + 0.0F;
+  const float y = f(vector.y) + 0.0F;
+  // Most of a State equals the previous cycle, and directions cost most.
+  if (out.x() == x && out.y() == y) return;
+  out.set_x(x);
+  out.set_y(y);
+  if (known != nullptr && known->x() == x && known->y() == y) {
+    out.set_dist(known->dist());
+    out.set_angle(known->angle());
+    return;
+  }
+  const soccer::Vec2 rounded{x, y};
+  out.set_dist(f(rounded.length()));
+  out.set_angle(rounded.is_zero() ? 0.0F : f(soccer::direction_degrees(rounded)));
+}
+
+void fill_self(const WorldModel& world, protos::Self& out) {
+  const SelfState& self = world.self;
+  fill_own(world, out);
+  out.set_relative_neck_direction(degrees(self.neck));
+  out.set_stamina(f(self.stamina));
+  out.set_is_kickable(self.kickable);
+  out.set_catch_probability(f(self.catch_probability));
+  out.set_tackle_probability(f(self.tackle_probability));
+  out.set_foul_probability(f(self.foul_probability));
+  out.set_view_width(wire_width(self.view_width));
+  out.set_kick_rate(f(self.kick_rate));
+  out.set_recovery(f(self.recovery));
+  out.set_stamina_capacity(f(self.capacity));
+  out.set_card(wire_card(self.card));
+  out.set_catch_time(self.catch_time);
+  out.set_effort(f(self.effort));
+  out.set_get_safety_dash_power(f(self.safety_dash_power));
+}
+
+void fill_self_as_player(const WorldModel& world, protos::Player& out) {
+  const SelfState& self = world.self;
+  fill_own(world, out);
+  out.set_dist_from_self(0.0F);
+  out.set_angle_from_self(0.0F);
+  const double decay = world.self_type().player_decay;
+  fill(rest_point(self.position, self.velocity, decay), *out.mutable_inertia_final_point());
+  out.set_body_count(self.body_count);
+}
+
+void fill_player(const PlayerState& player, double decay, const protos::Player* twin,
+                 protos::Player& out) {
+  const auto& known = twin != nullptr ? *twin : protos::Player::default_instance();
+  fill(player.position, *out.mutable_position(), &known.position());
+  fill(player.seen_position, *out.mutable_seen_position(), &known.seen_position());
+  fill(player.heard_position, *out.mutable_heard_position(), &known.heard_position());
+  fill(player.velocity, *out.mutable_velocity(), &known.velocity());
+  fill(player.seen_velocity, *out.mutable_seen_velocity(), &known.seen_velocity());
+  fill(rest_point(player.position, player.velocity, decay), *out.mutable_inertia_final_point(),
+       &known.inertia_final_point());
+  out.set_pos_count(player.pos_count);
+  out.set_seen_pos_count(player.seen_pos_count);
+  out.set_heard_pos_count(player.heard_pos_count);
+  out.set_vel_count(player.vel_count);
+  out.set_seen_vel_count(player.seen_vel_count);
+  out.set_ghost_count(player.ghost_count);
+  out.set_dist_from_self(f(player.dist_from_self));
+  out.set_angle_from_self(degrees(player.angle_from_self));
+  out.set_id(player.id);
+  out.set_side(wire_side(player.side));
+  out.set_uniform_number(player.unum == 0 ? -1 : player.unum);
+  out.set_uniform_number_count(player.unum_count);
+  out.set_is_goalie(player.goalie);
+  out.set_body_direction(degrees(player.body));
+  out.set_body_direction_count(player.body_count);
+  out.set_face_direction(degrees(player.face));
+  out.set_face_direction_count(player.face_count);
+  out.set_point_to_direction(degrees(player.point_direction));
+  out.set_point_to_direction_count(player.point_count);
+  out.set_is_kicking(player.kicking);
+  out.set_dist_from_ball(f(player.dist_from_ball));
+  out.set_angle_from_ball(degrees(player.angle_from_ball));
+  out.set_ball_reach_steps(player.ball_reach_steps);
+  out.set_is_tackling(player.tackling);
+  out.set_type_id(player.type_id);
+  out.set_body_count(player.body_count);
+}
+
+void fill_ball(const BallState& ball, protos::Ball& out) {
+  fill(ball.position, *out.mutable_position());
+  fill(ball.relative_position, *out.mutable_relative_position());
+  fill(ball.seen_position, *out.mutable_seen_position());
+  fill(ball.heard_position, *out.mutable_heard_position());
+  fill(ball.velocity, *out.mutable_velocity());
+  fill(ball.seen_velocity, *out.mutable_seen_velocity());
+  fill(ball.heard_velocity, *out.mutable_heard_velocity());
+  out.set_pos_count(ball.pos_count);
+  out.set_seen_pos_count(ball.seen_pos_count);
+  out.set_heard_pos_count(ball.heard_pos_count);
+  out.set_vel_count(ball.vel_count);
+  out.set_seen_vel_count(ball.seen_vel_count);
+  out.set_heard_vel_count(ball.heard_vel_count);
+  out.set_lost_count(ball.lost_count);
+  out.set_ghost_count(ball.ghost_count);
+  out.set_dist_from_self(f(ball.dist_from_self));
+  out.set_angle_from_self(degrees(ball.angle_from_self));
+}
+
+namespace {
+
 constexpr int wire_unum(int unum) { return unum == 0 ? -1 : unum; }
 
-// By number of the mode. drop_ball has no word of its own; play goes on in the same cycle.
+// By PlayMode. drop_ball has no GameModeType; play continues in the same cycle.
 constexpr std::array<protos::GameModeType, soccer::kPlayModeCount> kWireModes = {
     protos::BeforeKickOff,
     protos::BeforeKickOff,
@@ -87,7 +253,7 @@ protos::InterceptActionType wire_plan_kind(InterceptPlan::Kind kind) {
   return protos::UNKNOWN_Intercept_Action_Type;
 }
 
-// `value`, an evaluator's slot, stays unset: nothing has evaluated the plan.
+// `value`, the evaluation, stays unset.
 void fill_plan(const InterceptPlan& plan, protos::InterceptInfo& out) {
   out.set_action_type(wire_plan_kind(plan.kind));
   out.set_turn_steps(plan.turns);
@@ -100,7 +266,7 @@ void fill_plan(const InterceptPlan& plan, protos::InterceptInfo& out) {
   out.set_final_stamina(f(plan.stamina));
 }
 
-// The next element to fill: an old one as long as there are any.
+// The element to fill: an existing one if possible.
 template <typename Message>
 Message& element(google::protobuf::RepeatedPtrField<Message>& list, int index) {
   return index < list.size() ? *list.Mutable(index) : *list.Add();
@@ -130,38 +296,38 @@ void fill_intercept(const InterceptTable& table, protos::InterceptTable& out) {
 using PlayerMessages = google::protobuf::RepeatedPtrField<protos::Player>;
 using PlayerMap = google::protobuf::Map<google::protobuf::int32, protos::Player>;
 
-// Keys that a team's dictionary may have: the numbers, and -1, -2, ... for those without.
-constexpr int kLargestKey = 22;
+// Keys of a team's dictionary: uniform numbers, and -1, -2, ... for unknown ones.
+constexpr int kMaxKey = 22;
 
-// Removes entries of earlier cycles; `filled` tells which keys (shifted by kLargestKey) are new.
-void forget_others(const std::array<bool, 2 * kLargestKey + 1>& filled, PlayerMap& map) {
+// Removes entries of earlier cycles; `filled` marks current keys, shifted by kMaxKey.
+void remove_stale(const std::array<bool, 2 * kMaxKey + 1>& filled, PlayerMap& map) {
   for (auto entry = map.begin(); entry != map.end();) {
-    const bool keep = filled[static_cast<std::size_t>(entry->first + kLargestKey)];
-    entry = keep ? std::next(entry) : map.erase(entry);
+    const bool current = filled[static_cast<std::size_t>(entry->first + kMaxKey)];
+    entry = current ? std::next(entry) : map.erase(entry);
   }
 }
 
-// Players with a number go into the list and the dictionary, those without only into the latter.
-// `self`: the agent's own entry, in the dictionary only.
+// Players with a known uniform number go into list and dictionary, others into the dictionary only.
+// `with_self` adds the agent to the dictionary.
 void fill_team(const WorldModel& world, const PlayerList& players, bool with_self,
                PlayerMessages& list, PlayerMap& map) {
-  std::array<bool, 2 * kLargestKey + 1> filled{};
+  std::array<bool, 2 * kMaxKey + 1> filled{};
   const auto entry = [&](int key) -> protos::Player& {
-    filled[static_cast<std::size_t>(key + kLargestKey)] = true;
+    filled[static_cast<std::size_t>(key + kMaxKey)] = true;
     return map[key];
   };
   int numbered = 0;
-  int numberless = 0;
+  int unnumbered = 0;
   for (const PlayerState& player : players) {
     if (!player.position_valid()) continue;
     const double decay = world.type_of(player).player_decay;
-    protos::Player& keyed = entry(player.unum != 0 ? player.unum : --numberless);
+    protos::Player& keyed = entry(player.unum != 0 ? player.unum : --unnumbered);
     fill_player(player, decay, nullptr, keyed);
     if (player.unum != 0) fill_player(player, decay, &keyed, element(list, numbered++));
   }
   shrink(list, numbered);
   if (with_self) fill_self_as_player(world, entry(world.unum));
-  forget_others(filled, map);
+  remove_stale(filled, map);
 }
 
 void fill_unknowns(const WorldModel& world, PlayerMessages& list) {

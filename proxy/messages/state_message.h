@@ -1,4 +1,4 @@
-// What a Playmaker is told before every decision: an agent's beliefs as a State.
+// Writes an agent's world model into the State of a decision request.
 #pragma once
 
 #include <array>
@@ -12,19 +12,35 @@ namespace cls::proxy {
 
 using HomePositions = std::array<soccer::Vec2, soccer::kPlayersPerTeam>;
 
-/// Writes a completed world into `out`, which may be the State of the cycle before: memory is used
-/// again, register_response stays as it is. Every field that needs no planner is set as
-/// playmaker-wire and proxy-behaviour 3 define it, except that what was never observed is (0, 0)
-/// with the age 1000, never infinite. full_world_model stays unset.
+// All functions replace the content of `out` and reuse its memory.
+
+/// Writes a completed world into `out`, possibly the State of the previous cycle, and leaves
+/// register_response unchanged. Every field that needs no planner is set as
+/// playmaker-wire and proxy-behaviour 3 define it, except that objects never observed are at
+/// (0, 0) with age 1000, never infinite. full_world_model stays unset.
 void fill_state(const WorldModel& world, const HomePositions& home, bool need_preprocess,
                 protos::State& out);
 
 /// The same for a coach or trainer, completed by proxy/coach/global_perception.h: without self,
-/// intercept table and home positions. Counts are 0 and places the server's, since it sees all.
+/// intercept table and home positions. Counts are 0 and positions exact.
 /// A trainer's side is unknown; "our" means the left team.
 void fill_coach_state(const WorldModel& world, soccer::CoachRole role, protos::State& out);
 
-/// The mode's word on the wire. drop_ball, which has none, is PlayOn.
+/// drop_ball, which GameModeType lacks, becomes PlayOn.
 protos::GameModeType wire_mode(soccer::PlayMode mode);
+
+protos::Side wire_side(soccer::Side side);
+/// With length and direction, computed from the rounded coordinates. `known` is another message
+/// that may contain the same vector.
+void fill(soccer::Vec2 vector, protos::RpcVector2D& out,
+          const protos::RpcVector2D* known = nullptr);
+void fill_self(const WorldModel& world, protos::Self& out);
+void fill_ball(const BallState& ball, protos::Ball& out);
+/// `decay` is player_decay of the player's type; `twin` is a filled message about the same player,
+/// or null.
+void fill_player(const PlayerState& player, double decay, const protos::Player* twin,
+                 protos::Player& out);
+/// The agent as an entry of its team.
+void fill_self_as_player(const WorldModel& world, protos::Player& out);
 
 }  // namespace cls::proxy

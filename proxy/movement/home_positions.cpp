@@ -1,11 +1,11 @@
-// Choice of formation, and the limits that rules put on it.
+// Selects the formation and limits positions by offside and kick-off rules.
 #include "proxy/movement/home_positions.h"
 
 #include <algorithm>
 
 #include "proxy/world/motion.h"
-#include "soccer/mode_kind.h"
 #include "soccer/pitch.h"
+#include "soccer/play_mode.h"
 
 namespace cls::proxy {
 namespace {
@@ -14,7 +14,7 @@ using soccer::PlayMode;
 using soccer::Vec2;
 
 bool before_play(PlayMode mode) {
-  return mode == PlayMode::kBeforeKickOff || kind_of(mode) == PlayMode::kGoalLeft;
+  return mode == PlayMode::kBeforeKickOff || without_side(mode) == PlayMode::kGoalLeft;
 }
 
 int our_steps(const WorldModel& world) {
@@ -23,10 +23,10 @@ int our_steps(const WorldModel& world) {
 
 FormationKind in_open_play(const WorldModel& world) {
   constexpr int kClearly = 2;
-  const int ours = our_steps(world);
-  const int theirs = world.intercept.first_opponent_steps;
-  if (theirs <= ours - kClearly) return FormationKind::kDefense;
-  if (ours <= theirs - kClearly) return FormationKind::kOffense;
+  const int our_cycles = our_steps(world);
+  const int their_cycles = world.intercept.first_opponent_steps;
+  if (their_cycles <= our_cycles - kClearly) return FormationKind::kDefense;
+  if (our_cycles <= their_cycles - kClearly) return FormationKind::kOffense;
   return FormationKind::kNormal;
 }
 
@@ -36,17 +36,17 @@ bool in_a_penalty_area(Vec2 ball) {
 }
 
 Vec2 ball_of_interest(const WorldModel& world) {
-  const PlayMode kind = kind_of(world.game.mode);
+  const PlayMode kind = without_side(world.game.mode);
   const bool rolling = kind == PlayMode::kPlayOn || kind == PlayMode::kGoalKickLeft;
   return rolling ? first_reach_point(world) : world.ball.position;
 }
 
-/// As far forward as a player may stand without being offside.
+/// Maximum x that is not offside.
 double farthest_x(const WorldModel& world) {
   if (before_play(world.game.mode)) return 0.0;
-  const int ours = our_steps(world);
+  const int our_cycles = our_steps(world);
   double line = world.lines.offside;
-  if (ours < 50) line = std::max(line, ball_after(world, ours).x);
+  if (our_cycles < 50) line = std::max(line, ball_after(world, our_cycles).x);
   return line - 1.0;
 }
 
@@ -54,13 +54,15 @@ double farthest_x(const WorldModel& world) {
 
 FormationKind formation_kind(const WorldModel& world) {
   const PlayMode mode = world.game.mode;
-  const bool ours = is_set_play_of(world.game, world.our_side);
-  const auto pick = [ours](FormationKind our, FormationKind their) { return ours ? our : their; };
+  const bool our_set_play = is_set_play_of(world.game, world.our_side);
+  const auto pick = [our_set_play](FormationKind our, FormationKind their) {
+    return our_set_play ? our : their;
+  };
   if (before_play(mode)) return FormationKind::kBeforeKickOff;
   if (world.game.goalie_catch) {
     return pick(FormationKind::kGoalieCatchOur, FormationKind::kGoalieCatchTheir);
   }
-  switch (kind_of(mode)) {
+  switch (without_side(mode)) {
     case PlayMode::kPlayOn:
       return in_open_play(world);
     case PlayMode::kKickInLeft:

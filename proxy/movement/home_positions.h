@@ -1,4 +1,4 @@
-// Where each of our players belongs at the moment, by the team's formations.
+// Home positions of our players by the team's formations.
 #pragma once
 
 #include "proxy/formation/formation.h"
@@ -6,16 +6,16 @@
 
 namespace cls::proxy {
 
-/// The formation for the present mode: after their or our reach of the ball in open play, by who is
-/// to play a dead ball otherwise (proxy behaviour 6.4).
+/// Formation for the play mode: in open play by which team intercepts the ball first, otherwise by
+/// the team that takes the set play (proxy behaviour 6.4).
 FormationKind formation_kind(const WorldModel& world);
 
-/// Points by unum - 1, own team attacking +x: State.helios_home_positions. Depends on the mode and
-/// on where the ball will be reached first; respects the own half before kick-off and the offside
+/// Home positions by unum - 1, own team attacks +x (State.helios_home_positions). Depend on the
+/// mode and the expected intercept point; respect the own half before kick-off and the offside
 /// line.
 TeamPoints home_positions(const WorldModel& world);
 
-/// The agent's own point.
+/// Home position of the agent.
 soccer::Vec2 own_home_position(const WorldModel& world);
 
 }  // namespace cls::proxy

@@ -1,4 +1,4 @@
-// The choice among intercept plans and their first command.
+// Selects an intercept plan and executes its first command.
 #include "proxy/movement/intercept.h"
 
 #include <algorithm>
@@ -22,28 +22,28 @@ bool outside_pitch(Vec2 point) {
          std::fabs(point.y) > soccer::kHalfWidth - kInset;
 }
 
-/// How much sooner the others are at the ball than this plan: zero or negative.
+/// Penalty for players who reach the ball before this plan; zero or negative.
 double race_score(const WorldModel& world, int steps) {
   const InterceptTable& table = world.intercept;
   const PlayerState* opponent = world.player_by_id(table.first_opponent_id);
   const int age = opponent != nullptr ? std::min(5, opponent->pos_count) : 0;
   const double ahead_of_opponent = table.first_opponent_steps - age - (steps + 3);
-  const double ahead_of_mate = table.first_teammate_steps - (steps + 3);
-  return 5.0 * std::min(0.0, ahead_of_opponent) + 0.5 * std::min(0.0, ahead_of_mate);
+  const double ahead_of_teammate = table.first_teammate_steps - (steps + 3);
+  return 5.0 * std::min(0.0, ahead_of_opponent) + 0.5 * std::min(0.0, ahead_of_teammate);
 }
 
 double turn_score(const WorldModel& world, const InterceptPlan& plan) {
   if (plan.turns == 0) return 0.0;
   const double turn = std::fabs(plan.turn_angle);
-  // Upstream asks next to nothing for a turn and changes its mind on the way; a plan that goes on
-  // as we stand should win against one that is hardly better.
+  // helios penalizes turns less and oscillates between plans; prefer continuing without a turn
+  // unless the turn is clearly better.
   double score = -0.4;
   if (plan.ball_distance > kickable_area(world) - 0.3) score -= 0.025 * turn;
   if (plan.kind == Kind::kTurnBackwardDash && turn > 90.0) score -= 0.1 * (turn - 90.0);
   return score;
 }
 
-/// A ball that has become slow by then may be met sooner by somebody else.
+/// Penalty for a ball that will be slow: another player may intercept it earlier.
 double slow_ball_score(const WorldModel& world, const InterceptPlan& plan, Vec2 velocity) {
   const AngleDeg run = AngleDeg::of(plan.self_position - world.self.position);
   const double speed = velocity.length();
@@ -63,7 +63,7 @@ double plan_score(const WorldModel& world, const InterceptPlan& plan) {
   const Vec2 velocity = world.ball.velocity * power_of(world.server().ball_decay, steps);
   const double dx = ball.x - 44.0;
   const double dy = ball.y / 2.0;
-  // Likewise for time: the ball upfield is worth a little, the ball sooner is worth more.
+  // Cost per cycle: an earlier intercept is worth more than one farther upfield.
   constexpr double kStepCost = 0.35;
   double score = -0.2 * std::sqrt(dx * dx + dy * dy) - kStepCost * steps +
                  race_score(world, steps) + turn_score(world, plan) +
@@ -80,7 +80,7 @@ double plan_score(const WorldModel& world, const InterceptPlan& plan) {
   return score;
 }
 
-/// The goalie wants the ball soon and close: catching needs less than running it down.
+/// The goalie prefers an early and close intercept.
 double goalie_score(const WorldModel& world, const InterceptPlan& plan) {
   const Vec2 ball = ball_after(world, plan.steps());
   if (outside_pitch(ball)) return -1000.0 - plan.steps();
@@ -104,13 +104,13 @@ const InterceptPlan* best_plan(const WorldModel& world, bool save_recovery) {
   return best;
 }
 
-/// Keeps still until the ball is there: faces what it should, or at least keeps the ball in sight.
+/// Waits for the ball facing `face_point`, or the ball if the neck could not follow it.
 bool wait_for_ball(const WorldModel& world, CommandSlots& slots, Vec2 face_point, int steps) {
   const Vec2 here = self_after(world, steps);
-  const AngleDeg wanted = AngleDeg::of(face_point - here);
+  const AngleDeg desired = AngleDeg::of(face_point - here);
   const AngleDeg ball = AngleDeg::of(ball_after(world, 1) - self_after(world, 1));
   const double in_sight = world.server().maxneckang + 25.0;
-  const AngleDeg body = (ball - wanted).abs() < in_sight ? wanted : ball;
+  const AngleDeg body = (ball - desired).abs() < in_sight ? desired : ball;
   return slots.turn((body - world.self.body).degrees());
 }
 

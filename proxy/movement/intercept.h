@@ -1,4 +1,4 @@
-// Getting to the ball by the best of the plans in the intercept table.
+// Intercept action: executes the best plan of the intercept table.
 #pragma once
 
 #include "proxy/commands/command_slots.h"
@@ -6,8 +6,8 @@
 
 namespace cls::proxy {
 
-/// Begins the best plan, or goes where the ball comes to rest when there is none. `face_point` is
-/// what the body turns to when no running is needed. Always true, except on the ground.
+/// Executes the best plan, or runs to the ball's rest point without one. `face_point` is the body
+/// target while waiting. True unless the player is frozen.
 bool intercept(const WorldModel& world, CommandSlots& slots, bool save_recovery,
                soccer::Vec2 face_point);
 

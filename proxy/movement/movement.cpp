@@ -1,10 +1,10 @@
-// Running and turning.
+// Implements running and turning.
 #include "proxy/movement/movement.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "proxy/looking/looking.h"
+#include "proxy/looking/body_neck.h"
 #include "proxy/world/motion.h"
 #include "soccer/pitch.h"
 
@@ -14,27 +14,28 @@ namespace {
 using soccer::AngleDeg;
 using soccer::Vec2;
 
-/// Where `acceleration` applied now takes us, in metres per unit, within the horizon.
+/// Displacement within the horizon per unit of velocity.
 double travel_per_speed(const WorldModel& world, int horizon) {
   const double decay = world.self_type().player_decay;
   return (1.0 - power_of(decay, horizon)) / (1.0 - decay);
 }
 
-/// The point to aim at so as not to run into a goal post on the way.
+/// Intermediate target that avoids a goal post.
 Vec2 around_posts(const WorldModel& world, Vec2 from, Vec2 target) {
   const double clearance = world.self_type().player_size + soccer::kGoalPostRadius + 0.2;
   const Vec2 post{std::copysign(soccer::kHalfLength - soccer::kGoalPostRadius, from.x),
                   std::copysign(world.server().goal_width / 2.0 + soccer::kGoalPostRadius, from.y)};
   if (distance(post, target) < clearance || distance(post, from) > 15.0) return target;
   if (distance(soccer::Segment{from, target}, post) > clearance) return target;
-  // Pass on the side on which the straight way already lies.
+  // Pass the post on the side of the direct path.
   const Vec2 way = target - from;
   const Vec2 left = soccer::with_length({way.y, -way.x}, clearance + 0.3);
   const double side = cross(way, post - from) > 0.0 ? 1.0 : -1.0;
   return post + left * side;
 }
 
-/// The side that will kick off: the one a goal was scored against, else left and right by halves.
+/// True if our team takes the next kick-off: after conceding, otherwise left and right alternate by
+/// half.
 bool we_kick_off(const WorldModel& world) {
   if (world.game.mode != soccer::PlayMode::kBeforeKickOff) {
     return world.game.mode_side() != world.our_side;
@@ -44,7 +45,7 @@ bool we_kick_off(const WorldModel& world) {
   return (world.our_side == soccer::Side::kLeft) == left;
 }
 
-/// Close to the goal: dash into whatever direction it lies, when three dashes are enough.
+/// Near the target: dash directly in its direction if three dashes suffice.
 bool omni_dash(const WorldModel& world, CommandSlots& slots, Vec2 needed, double max_power,
                const RunOptions& options) {
   constexpr int kMaxDashes = 3;
@@ -57,7 +58,7 @@ bool omni_dash(const WorldModel& world, CommandSlots& slots, Vec2 needed, double
   return slots.dash(std::min(power, allowed), direction.degrees());
 }
 
-/// True when running backwards beats turning: near, behind us, and stamina to spare.
+/// True if dashing backward is better than turning: target near and behind, enough stamina.
 bool better_backwards(const WorldModel& world, double dist, double error) {
   return dist < 2.0 && error > 90.0 && error > max_turn(world) &&
          world.self.stamina > world.server().stamina_max * 0.5;
@@ -97,8 +98,8 @@ bool go_to_point(const WorldModel& world, CommandSlots& slots, Vec2 target, doub
     return slots.turn(direction.degrees());
   }
   const double forward = needed.length() * soccer::math::cos(direction.radians());
-  constexpr double kLeastAcceleration = 0.05;
-  if (forward < kLeastAcceleration) return false;
+  constexpr double kMinAcceleration = 0.05;
+  if (forward < kMinAcceleration) return false;
   double power = forward / (world.self_type().dash_power_rate * self.effort);
   power = std::min(power, max_dash_power);
   return slots.dash(options.save_recovery ? safe_dash_power(world, power) : power);
@@ -106,7 +107,7 @@ bool go_to_point(const WorldModel& world, CommandSlots& slots, Vec2 target, doub
 
 bool go_to_point_dodge(const WorldModel& world, CommandSlots& slots, Vec2 target,
                        double dash_power) {
-  constexpr double kNear = 2.5;  // farther than upstream looks: a runner needs a metre to turn
+  constexpr double kNear = 2.5;  // farther than in helios: turning takes about a meter
   const double size = world.self_type().player_size;
   const Vec2 from = world.self.position;
   const Vec2 way = target - from;
@@ -114,7 +115,7 @@ bool go_to_point_dodge(const WorldModel& world, CommandSlots& slots, Vec2 target
   if (length < 0.1) return go_to_point(world, slots, target, 0.1, dash_power, {3});
   Vec2 aim = target;
   double nearest = std::min(kNear, length);
-  const auto look = [&](Vec2 obstacle) {
+  const auto avoid = [&](Vec2 obstacle) {
     const Vec2 relative = obstacle - from;
     const double ahead = dot(relative, way) / length;
     const double beside = cross(way, relative) / length;
@@ -125,14 +126,14 @@ bool go_to_point_dodge(const WorldModel& world, CommandSlots& slots, Vec2 target
   };
   for (const PlayerList* list : {&world.teammates, &world.opponents, &world.unknowns}) {
     for (const PlayerState& player : *list) {
-      if (player.position_valid() && player.dist_from_self < kNear) look(player.position);
+      if (player.position_valid() && player.dist_from_self < kNear) avoid(player.position);
     }
   }
-  if (world.game.mode != soccer::PlayMode::kPlayOn) look(world.ball.position);
+  if (world.game.mode != soccer::PlayMode::kPlayOn) avoid(world.ball.position);
   return go_to_point(world, slots, aim, 0.1, dash_power, {3});
 }
 
-bool go_to_point_look_ball(const WorldModel& world, const SightMemory& sight, CommandSlots& slots,
+bool go_to_point_look_ball(const WorldModel& world, const ViewMemory& view, CommandSlots& slots,
                            NeckPlan& neck, Vec2 target, double threshold, double max_dash_power) {
   const SelfState& self = world.self;
   const Vec2 rest = rest_point(self.position, self.velocity, world.self_type().player_decay);
@@ -140,7 +141,7 @@ bool go_to_point_look_ball(const WorldModel& world, const SightMemory& sight, Co
     return go_to_point(world, slots, target, threshold, max_dash_power);
   }
   if (distance(rest, target) < threshold) {
-    if (world.ball.pos_count > 5) return body_neck_to_ball(world, sight, slots);
+    if (world.ball.pos_count > 5) return body_neck_to_ball(world, view, slots);
     neck.kind = NeckPlan::Kind::kBall;
     return slots.turn(0.0);
   }
@@ -148,7 +149,7 @@ bool go_to_point_look_ball(const WorldModel& world, const SightMemory& sight, Co
   const AngleDeg ball = AngleDeg::of(ball_after(world, 1) - self_after(world, 1));
   if ((ball - travel).abs() < world.server().maxneckang - 5.0) {
     if (!go_to_point(world, slots, target, threshold, max_dash_power)) {
-      neck_body_to_ball(world, sight, slots, 0.0);
+      neck_body_to_ball(world, view, slots, 0.0);
       return false;
     }
     neck.kind = NeckPlan::Kind::kBall;
@@ -205,19 +206,19 @@ bool turn_to_ball(const WorldModel& world, CommandSlots& slots, int cycles) {
   return turn_to_point(world, slots, ball_after(world, std::clamp(cycles, 0, 1000)), cycles);
 }
 
-bool before_kick_off(const WorldModel& world, const SightMemory& sight, CommandSlots& slots,
+bool before_kick_off(const WorldModel& world, const ViewMemory& view, CommandSlots& slots,
                      Vec2 point) {
   const GameState& game = world.game;
   if (game.time.cycle == 0 && game.time.stopped < 5) {
     slots.turn(0.0);
     return false;
   }
-  if (!world.self.position_valid()) return scan_field(world, sight, slots);
+  if (!world.self.position_valid()) return scan_field(world, view, slots);
   const bool after_goal = game.mode != soccer::PlayMode::kBeforeKickOff;
   if (after_goal && world.self.velocity.length() > 0.05) return slots.turn(180.0);
   if (world.server().forbid_kick_off_offside) point.x = std::min(point.x, -0.01);
-  // Whoever does not kick off keeps off the centre circle.
-  const double reach = soccer::kCentreCircleRadius + 0.1;
+  // Only the team with the kick-off may enter the center circle.
+  const double reach = soccer::kCenterCircleRadius + 0.1;
   if (!we_kick_off(world) && point.length() < reach) {
     const Vec2 outwards = point.length() < 0.1 ? Vec2{-1.0, 0.0} : point;
     point = soccer::with_length(outwards, reach + 0.4);
@@ -226,7 +227,7 @@ bool before_kick_off(const WorldModel& world, const SightMemory& sight, CommandS
     slots.turn_neck(-world.self.neck.degrees());
     return true;
   }
-  return look_around(world, sight, slots);
+  return look_around(world, view, slots);
 }
 
 }  // namespace cls::proxy

@@ -1,4 +1,4 @@
-// When to tackle, and where to.
+// Decides when to tackle and in which direction.
 #include "proxy/movement/tackle.h"
 
 #include <algorithm>
@@ -13,7 +13,7 @@ namespace {
 using soccer::AngleDeg;
 using soccer::Vec2;
 
-/// The ball's velocity after a successful tackle in `direction` (degrees off the body).
+/// Ball velocity after a successful tackle in `direction`, degrees relative to the body.
 Vec2 tackled_velocity(const WorldModel& world, double direction) {
   const auto& server = world.server();
   const double ball = (world.ball.angle_from_self - world.self.body).abs();
@@ -27,7 +27,7 @@ Vec2 tackled_velocity(const WorldModel& world, double direction) {
   return speed_limited(velocity, server.ball_speed_max);
 }
 
-/// Where the ball's line meets x = `x`, as far as it rolls there; nothing beyond its reach.
+/// True if the rolling ball crosses the goal line x = `x` between the posts.
 bool rolls_into_goal(const WorldModel& world, Vec2 velocity, double x) {
   if (velocity.x * x <= 0.0) return false;
   const double share = (x - world.ball.position.x) / velocity.x;
@@ -52,7 +52,7 @@ int opponent_steps_to(const WorldModel& world, Vec2 point) {
 double outcome(const WorldModel& world, Vec2 velocity) {
   if (rolls_into_goal(world, velocity, soccer::kHalfLength)) return 1e6;
   if (rolls_into_goal(world, velocity, -soccer::kHalfLength)) return -1e6;
-  // Where it is after five cycles tells enough about who gets it.
+  // The position after five cycles indicates who gets the ball.
   const Vec2 there = coast(world.ball.position, velocity, world.server().ball_decay, 5);
   const double from_goal = distance(there, {-soccer::kHalfLength, 0.0});
   const double outwards = std::fabs(there.y) - std::fabs(world.ball.position.y);
@@ -74,13 +74,13 @@ double best_direction(const WorldModel& world) {
   return best;
 }
 
-bool called_for(const WorldModel& world) {
+bool is_tackle_needed(const WorldModel& world) {
   const InterceptTable& table = world.intercept;
   if (world.kickable_opponent()) return true;
   if (rolls_into_goal(world, world.ball.velocity, -soccer::kHalfLength)) return true;
   const int self = table.best_self_steps();
-  const int ours = std::min(self, table.first_teammate_steps);
-  if (table.first_opponent_steps < ours - 3) return true;
+  const int our_cycles = std::min(self, table.first_teammate_steps);
+  if (table.first_opponent_steps < our_cycles - 3) return true;
   const Vec2 goal{soccer::kHalfLength, 0.0};
   const bool facing = (AngleDeg::of(goal - world.self.position) - world.self.body).abs() < 45.0;
   return self >= 5 && facing && distance(world.ball.position, goal) < 10.0;
@@ -92,10 +92,10 @@ bool in_own_area(const WorldModel& world) {
          std::fabs(ball.y) < soccer::kPenaltyAreaWidth / 2.0 + 0.5;
 }
 
-/// A tackle through the back of an opponent who faces away from our goal: the referee calls every
-/// second one. He looks for those who have the ball, stand between it and the tackler and do not
-/// face him. Who faces our goal is to be stopped all the same.
-bool through_a_back(const WorldModel& world) {
+/// True if the tackle would hit the back of an opponent with the ball who faces away from our goal:
+/// the referee calls about half of these tackles as fouls. Opponents facing our goal are tackled
+/// nevertheless.
+bool hits_back(const WorldModel& world) {
   const Vec2 to_ball = world.ball.position - world.self.position;
   for (const PlayerState& opponent : world.opponents) {
     const soccer::PlayerType& type = world.type_of(opponent);
@@ -115,8 +115,8 @@ bool through_a_back(const WorldModel& world) {
   return false;
 }
 
-/// A foul may be called against us, but near our goal or with a card that costs too much.
-bool with_intent(const WorldModel& world) {
+/// True if an intentional foul pays: not near our goal, and not with a card.
+bool should_foul(const WorldModel& world) {
   return world.self.card == soccer::Card::kNone && !in_own_area(world) &&
          world.self.foul_probability > world.self.tackle_probability;
 }
@@ -126,22 +126,22 @@ bool with_intent(const WorldModel& world) {
 bool tackle_to_point(const WorldModel& world, CommandSlots& slots, Vec2 target,
                      double min_probability, double min_speed) {
   if (world.self.tackle_probability < min_probability) return false;
-  const AngleDeg wanted = AngleDeg::of(target - world.ball.position);
-  const double direction = (wanted - world.self.body).degrees();
+  const AngleDeg desired = AngleDeg::of(target - world.ball.position);
+  const double direction = (desired - world.self.body).degrees();
   const Vec2 velocity = tackled_velocity(world, direction);
-  if (velocity.length() < min_speed || (AngleDeg::of(velocity) - wanted).abs() > 90.0) {
+  if (velocity.length() < min_speed || (AngleDeg::of(velocity) - desired).abs() > 90.0) {
     return false;
   }
   return slots.tackle(direction);
 }
 
 bool basic_tackle(const WorldModel& world, CommandSlots& slots, double min_probability) {
-  const bool foul = with_intent(world);
+  const bool foul = should_foul(world);
   const double probability = foul ? world.self.foul_probability : world.self.tackle_probability;
-  if (probability < min_probability || probability <= 0.0 || !called_for(world)) return false;
-  // An indirect free kick before our goal is worth more to them than the ball he has now.
+  if (probability < min_probability || probability <= 0.0 || !is_tackle_needed(world)) return false;
+  // An indirect free kick in front of our goal is worse than their current possession.
   const bool goal_in_danger = rolls_into_goal(world, world.ball.velocity, -soccer::kHalfLength);
-  if (in_own_area(world) && !goal_in_danger && through_a_back(world)) return false;
+  if (in_own_area(world) && !goal_in_danger && hits_back(world)) return false;
   return slots.tackle(best_direction(world), foul);
 }
 

@@ -1,4 +1,4 @@
-// Tackling: a kick from farther away, at the risk of lying on the ground.
+// Tackle actions.
 #pragma once
 
 #include "proxy/commands/command_slots.h"
@@ -6,13 +6,13 @@
 
 namespace cls::proxy {
 
-/// Tackles the ball toward the point. False when success is less likely than `min_probability`, or
-/// the ball would go more than 90 degrees off or slower than `min_speed`.
+/// Tackles the ball toward the point. False if the success probability is below `min_probability`,
+/// or the ball would go more than 90 degrees off or slower than `min_speed`.
 bool tackle_to_point(const WorldModel& world, CommandSlots& slots, soccer::Vec2 target,
                      double min_probability, double min_speed);
 
-/// Tackles when nothing better stops opponents from having the ball, or the ball from going into
-/// our goal, and success is at least that likely. With intent (foul) where that pays.
+/// Tackles when an opponent has or gets the ball, or it rolls into our goal, and the success
+/// probability is at least `min_probability`. Fouls intentionally where that pays.
 bool basic_tackle(const WorldModel& world, CommandSlots& slots, double min_probability);
 
 }  // namespace cls::proxy

@@ -1,4 +1,4 @@
-// Play modes and events as the referee calls them out.
+// Handles referee messages: play modes, goals, catches, shoot-out; and say messages.
 #include "proxy/perception/hearing.h"
 
 #include <algorithm>
@@ -6,12 +6,11 @@
 #include <optional>
 
 #include "base/text/number_text.h"
-#include "proxy/perception/heard_news.h"
 #include "proxy/perception/player_types_message.h"
 #include "proxy/tracking/ball_tracking.h"
 #include "proxy/tracking/player_tracking.h"
-#include "soccer/mode_kind.h"
 #include "soccer/pitch.h"
+#include "soccer/play_mode.h"
 
 namespace cls::proxy {
 namespace {
@@ -26,13 +25,14 @@ std::optional<Side> side_of_letter(char letter) {
   return std::nullopt;
 }
 
-/// Where the rules put the ball (simulation model 9.2); the exact place is known in a few modes.
+/// Places the ball by the rules of the mode (simulation model 9.2); exact in a few modes only.
 void set_ball(WorldModel& world, PlayMode mode) {
   constexpr double kExact = 0.02;
-  const double toward = soccer::side(mode) == world.our_side ? 1.0 : -1.0;  // their goal, or ours
-  const Vec2 believed = world.ball.position;
-  const double half = believed.y > 0.0 ? 1.0 : -1.0;
-  switch (kind_of(mode)) {
+  const double toward =
+      soccer::side(mode) == world.our_side ? 1.0 : -1.0;  // 1: their goal, -1: our goal
+  const Vec2 estimated = world.ball.position;
+  const double half = estimated.y > 0.0 ? 1.0 : -1.0;
+  switch (without_side(mode)) {
     case PlayMode::kBeforeKickOff:
     case PlayMode::kKickOffLeft:
       place_ball(world, {0.0, 0.0}, kExact);
@@ -52,14 +52,14 @@ void set_ball(WorldModel& world, PlayMode mode) {
       break;
     case PlayMode::kKickInLeft: {
       if (!world.ball_tracker.tracked) break;
-      const double x = std::clamp(believed.x, -soccer::kHalfLength, soccer::kHalfLength);
+      const double x = std::clamp(estimated.x, -soccer::kHalfLength, soccer::kHalfLength);
       place_ball(world, {x, half * soccer::kHalfWidth}, 1.0 + world.ball.position_deviation);
       break;
     }
     case PlayMode::kFreeKickLeft:
     case PlayMode::kIndirectFreeKickLeft:
       if (world.ball_tracker.tracked) {
-        place_ball(world, believed, 1.0 + world.ball.position_deviation);
+        place_ball(world, estimated, 1.0 + world.ball.position_deviation);
       }
       break;
     default:
@@ -67,19 +67,19 @@ void set_ball(WorldModel& world, PlayMode mode) {
   }
 }
 
-/// Modes in which players move themselves, or are moved, to where they want to be.
+/// Modes in which players use move commands or the server moves them.
 bool players_are_placed(PlayMode mode) {
-  const PlayMode kind = kind_of(mode);
+  const PlayMode kind = without_side(mode);
   return kind == PlayMode::kBeforeKickOff || kind == PlayMode::kGoalLeft ||
          kind == PlayMode::kPenaltySetupLeft;
 }
 
 void count_penalty(WorldModel& world, PlayMode mode, int time) {
   PenaltyState& penalty = world.game.penalty;
-  const bool ours = soccer::side(mode) == world.our_side;
-  switch (kind_of(mode)) {
+  const bool our_team = soccer::side(mode) == world.our_side;
+  switch (without_side(mode)) {
     case PlayMode::kPenaltySetupLeft:
-      ++(ours ? penalty.our_taken : penalty.their_taken);
+      ++(our_team ? penalty.our_taken : penalty.their_taken);
       penalty.taker = soccer::side(mode);
       penalty.cycle = time;
       break;
@@ -89,7 +89,7 @@ void count_penalty(WorldModel& world, PlayMode mode, int time) {
       penalty.cycle = time;
       break;
     case PlayMode::kPenaltyScoreLeft:
-      ++(ours ? penalty.our_score : penalty.their_score);
+      ++(our_team ? penalty.our_score : penalty.their_score);
       break;
     default:
       break;
@@ -99,7 +99,7 @@ void count_penalty(WorldModel& world, PlayMode mode, int time) {
 void change_mode(WorldModel& world, PlayMode mode, int time) {
   GameState& game = world.game;
   game.goalie_catch = game.caught_side != Side::kNeutral && game.caught_time == time &&
-                      kind_of(mode) == PlayMode::kFreeKickLeft &&
+                      without_side(mode) == PlayMode::kFreeKickLeft &&
                       soccer::side(mode) == game.caught_side;
   game.mode = mode;
   game.mode_start = time == game.time.cycle ? game.time : GameTime{time, 0};
@@ -110,24 +110,25 @@ void change_mode(WorldModel& world, PlayMode mode, int time) {
     game.set_play_count = 0;
   }
   if (!game.goalie_catch) set_ball(world, mode);
-  if (players_are_placed(mode)) forget_places(world);
+  if (players_are_placed(mode)) forget_positions(world);
 }
 
-/// "goal_l_2": the new score of that side, and the mode that is not called out itself.
-bool hear_goal(WorldModel& world, std::string_view word, int time) {
+/// Handles "goal_l_2": sets the score of that side and the goal mode, which has no message of its
+/// own.
+bool hear_goal(WorldModel& world, std::string_view message, int time) {
   constexpr std::string_view kStart = "goal_";
-  if (word.size() < 8 || !word.starts_with(kStart) || word[6] != '_') return false;
-  const std::optional<Side> side = side_of_letter(word[5]);
-  const std::optional<int> score = base::int_from_text(word.substr(7));
+  if (message.size() < 8 || !message.starts_with(kStart) || message[6] != '_') return false;
+  const std::optional<Side> side = side_of_letter(message[5]);
+  const std::optional<int> score = base::parse_int(message.substr(7));
   if (!side || !score) return false;
   (*side == world.our_side ? world.game.our_score : world.game.their_score) = *score;
   change_mode(world, soccer::for_side(PlayMode::kGoalLeft, *side), time);
   return true;
 }
 
-/// The opponents' types, as far as our coach knows them.
+/// Handles the opponents' player types sent by our coach.
 void hear_types(WorldModel& world, std::string_view text) {
-  const std::optional<TypeIds> said = read_player_types(text);
+  const std::optional<TypeIds> said = parse_player_types(text);
   if (!said) return;
   for (std::size_t i = 0; i < said->size(); ++i) {
     if ((*said)[i] >= 0) world.their_types[i] = (*said)[i];
@@ -136,18 +137,18 @@ void hear_types(WorldModel& world, std::string_view text) {
 
 }  // namespace
 
-void hear_referee(WorldModel& world, int time, std::string_view word) {
-  if (const std::optional<PlayMode> mode = soccer::play_mode_from_name(word)) {
+void hear_referee(WorldModel& world, int time, std::string_view message) {
+  if (const std::optional<PlayMode> mode = soccer::parse_play_mode(message)) {
     change_mode(world, *mode, time);
     return;
   }
-  if (hear_goal(world, word, time)) return;
-  const std::optional<Side> side = word.empty() ? std::nullopt : side_of_letter(word.back());
+  if (hear_goal(world, message, time)) return;
+  const std::optional<Side> side = message.empty() ? std::nullopt : side_of_letter(message.back());
   if (!side) return;
-  if (word.starts_with("goalie_catch_ball_")) {
+  if (message.starts_with("goalie_catch_ball_")) {
     world.game.caught_side = *side;
     world.game.caught_time = time;
-  } else if (word.starts_with("penalty_onfield_")) {
+  } else if (message.starts_with("penalty_onfield_")) {
     world.game.penalty.field_side = *side;
   }
 }
@@ -162,7 +163,7 @@ void hear_message(WorldModel& world, const soccer::Hear& hear) {
     case Sender::kTeammate:
       message.side = world.our_side;
       message.unum = hear.unum;
-      take_news(world, hear.unum, hear.text);
+      apply_say_messages(world, hear.unum, hear.text);
       message.direction = world.self.body + hear.direction;
       break;
     case Sender::kOpponent:

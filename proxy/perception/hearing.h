@@ -1,4 +1,4 @@
-// What is heard: the referee, and what others say.
+// Hear messages: referee messages and say messages.
 #pragma once
 
 #include <string_view>
@@ -8,11 +8,17 @@
 
 namespace cls::proxy {
 
-/// Takes a referee's word into clock, mode, score and shoot-out; the ball is put where the new mode
-/// puts it. Words that are neither a mode nor a known event change nothing.
-void hear_referee(WorldModel& world, int time, std::string_view word);
+/// Updates play mode, score, shoot-out and ball position by a referee message. Ignores unknown
+/// messages.
+void hear_referee(WorldModel& world, int time, std::string_view message);
 
-/// Keeps what a player or coach said for the decision of this moment.
+/// Handles a say message: stores it for the current decision, and updates estimates by teammates
+/// and coach.
 void hear_message(WorldModel& world, const soccer::Hear& hear);
+
+/// Updates ball and players by the say messages in `text` of teammate `speaker`: positions of
+/// unseen objects, numbers of unnumbered players. Heard values have age 1. Stops at the first
+/// invalid message.
+void apply_say_messages(WorldModel& world, int speaker, std::string_view text);
 
 }  // namespace cls::proxy

@@ -1,12 +1,11 @@
-// Takes messages into a world model; the estimators behind it are in proxy/world.
+// Updates a world model by server messages; estimators are in proxy/tracking and proxy/estimates.
 #include "proxy/perception/perception.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "proxy/estimates/chances.h"
+#include "proxy/estimates/ball_control.h"
 #include "proxy/estimates/intercept.h"
-#include "proxy/estimates/kickers.h"
 #include "proxy/estimates/team_lines.h"
 #include "proxy/perception/hearing.h"
 #include "proxy/tracking/ball_tracking.h"
@@ -19,8 +18,8 @@
 namespace cls::proxy {
 namespace {
 
-/// Parameters are shared by copies of a world: whoever changes them makes his own.
-MatchParameters& own_parameters(WorldModel& world) {
+/// Copy-on-write access: parameters are shared by copies of a world model.
+MatchParameters& mutable_parameters(WorldModel& world) {
   auto copy = std::make_shared<MatchParameters>(*world.parameters);
   MatchParameters& out = *copy;
   world.parameters = std::move(copy);
@@ -34,8 +33,8 @@ void age_self(SelfState& self, int cycles) {
   }
 }
 
-/// What sense_body says as it is.
-void absorb(WorldModel& world, const soccer::SenseBody& sense) {
+/// Copies the values of a sense_body message.
+void copy_sense_body(WorldModel& world, const soccer::SenseBody& sense) {
   SelfState& self = world.self;
   self.kicked = sense.counts.kick > self.counts.kick;
   self.stamina = sense.stamina;
@@ -57,24 +56,24 @@ void absorb(WorldModel& world, const soccer::SenseBody& sense) {
   self.card = sense.card;
 }
 
-/// The server tells stamina and effort, not recovery: that follows the rules.
-void reckon_recovery(WorldModel& world, const soccer::SenseBody& sense, int cycles) {
+/// Computes recovery by the server's rules, because sense_body has only stamina and effort.
+void update_recovery(WorldModel& world, const soccer::SenseBody& sense, int cycles) {
   SelfState& self = world.self;
   const soccer::ServerParams& server = world.server();
   if (sense.capacity > self.capacity && self.capacity >= 0.0 &&
       sense.stamina >= server.stamina_max) {
-    self.recovery = server.recover_init;  // a new half, or a substitution
+    self.recovery = server.recover_init;  // new half or substitution
     return;
   }
-  // What the rule looked at is the stamina before the cycle's gain.
+  // The rule uses the stamina before the gain of the cycle.
   const double gain =
       sense.capacity == 0.0 ? 0.0 : self.recovery * world.self_type().stamina_inc_max;
   if (sense.stamina - gain > server.recover_dec_thr * server.stamina_max) return;
   self.recovery = std::max(server.recover_min, self.recovery - cycles * server.recover_dec);
 }
 
-/// The pointing arm: where to, as long as the server says that it points.
-void follow_arm(WorldModel& world, const soccer::SenseBody& sense) {
+/// Updates the pointing arm while the server reports it.
+void update_arm(WorldModel& world, const soccer::SenseBody& sense) {
   SelfState& self = world.self;
   const bool moved = sense.arm.count > self.arm.count;
   self.arm = sense.arm;
@@ -86,8 +85,8 @@ void follow_arm(WorldModel& world, const soccer::SenseBody& sense) {
   self.point_direction = self.face() + sense.arm.target_direction;
 }
 
-/// Catches: when the last one was carried out, and how long another is forbidden after a try.
-void follow_catches(WorldModel& world, const soccer::SenseBody& sense, int cycles) {
+/// Updates the last executed catch and the catch ban after an attempt.
+void update_catches(WorldModel& world, const soccer::SenseBody& sense, int cycles) {
   SelfState& self = world.self;
   self.catch_ban = std::max(0, self.catch_ban - cycles);
   if (sense.counts.catches > self.counts.catches) self.catch_time = sense.time;
@@ -108,14 +107,14 @@ int type_of_number(const std::array<int, soccer::kPlayersPerTeam>& types, int un
   return unum == 0 ? -1 : types[static_cast<std::size_t>(unum - 1)];
 }
 
-/// Distances, marks and types of all players.
-void finish_players(WorldModel& world) {
+/// Sets distances, marks and types of all players.
+void update_players(WorldModel& world) {
   const soccer::Vec2 self = world.self.position;
   const soccer::Vec2 ball = world.ball.position;
   for (PlayerList* list : {&world.teammates, &world.opponents, &world.unknowns}) {
     for (PlayerState& player : *list) {
-      const bool ours = player.side == world.our_side;
-      player.type_id = type_of_number(ours ? world.our_types : world.their_types, player.unum);
+      const bool our_team = player.side == world.our_side;
+      player.type_id = type_of_number(our_team ? world.our_types : world.their_types, player.unum);
       player.kicking = player.kick_count == 0;
       player.tackling = player.tackle_count <= world.server().tackle_cycles - 2;
       player.dist_from_self = soccer::distance(player.position, self);
@@ -130,15 +129,14 @@ void finish_players(WorldModel& world) {
   }
 }
 
-void finish_ball(WorldModel& world) {
+void update_ball(WorldModel& world) {
   BallState& ball = world.ball;
   ball.relative_position = ball.position - world.self.position;
   ball.dist_from_self = ball.pos_count < kNever ? ball.relative_position.length() : kNever;
   ball.angle_from_self = soccer::AngleDeg::of(ball.relative_position);
 }
 
-/// The number of a team's goalie: the one seen with the mark, else the one farthest back in the own
-/// half when all the others are known.
+/// Uniform number of a team's goalie: the player seen with the goalie mark, otherwise `known`.
 int goalie_of(const PlayerList& players, int known) {
   for (const PlayerState& player : players) {
     if (player.goalie && player.unum != 0) return player.unum;
@@ -146,21 +144,21 @@ int goalie_of(const PlayerList& players, int known) {
   return known;
 }
 
-/// Distance within which a ball just seen is kickable after all: the margins that keep the agent
-/// from kicking at air make no sense when nobody will get it closer.
-void force_kickable(WorldModel& world) {
+/// Sets kickable without the safety margin when the ball is inside the kickable area and waiting is
+/// worse: late intercept, near opponent, or the ball leaves the pitch.
+void relax_kickable(WorldModel& world) {
   const InterceptTable& table = world.intercept;
   SelfState& self = world.self;
   if (self.kickable || world.ball.seen_pos_count != 0 || world.ball.ghost_count != 0) return;
   const double area = world.self_type().kickable_area(world.server().ball_size);
   if (world.ball.dist_from_self > area) return;
-  constexpr int kLate = 10;
+  constexpr int kLateIntercept = 10;
   const int own = table.best_self_steps();
   const BallPath path = ball_path(world);
   const soccer::Vec2 meeting = path[static_cast<std::size_t>(std::min(own, kInterceptHorizon))];
   const bool leaves =
       std::fabs(meeting.x) > soccer::kHalfLength || std::fabs(meeting.y) > soccer::kHalfWidth;
-  self.kickable = own >= kLate || table.first_opponent_steps + 2 <= own || leaves;
+  self.kickable = own >= kLateIntercept || table.first_opponent_steps + 2 <= own || leaves;
 }
 
 }  // namespace
@@ -199,7 +197,7 @@ base::Result<void> on_parameter_message(WorldModel& world, std::string_view mess
 }
 
 void on_server_param(WorldModel& world, const soccer::ServerParams& params) {
-  MatchParameters& match = own_parameters(world);
+  MatchParameters& match = mutable_parameters(world);
   match.server = params;
   match.types[0] = soccer::default_player_type(params);
   if (params.quantize_step_l != match.landmark_distances.step()) {
@@ -213,13 +211,13 @@ void on_server_param(WorldModel& world, const soccer::ServerParams& params) {
 }
 
 void on_player_param(WorldModel& world, const soccer::PlayerParams& params) {
-  own_parameters(world).player = params;
+  mutable_parameters(world).player = params;
 }
 
 void on_player_type(WorldModel& world, const soccer::PlayerType& type) {
-  constexpr int kMostTypes = 1000;  // no server has more
-  if (type.id < 0 || type.id >= kMostTypes) return;
-  MatchParameters& match = own_parameters(world);
+  constexpr int kMaxTypes = 1000;  // upper bound for any server
+  if (type.id < 0 || type.id >= kMaxTypes) return;
+  MatchParameters& match = mutable_parameters(world);
   const auto index = static_cast<std::size_t>(type.id);
   while (match.types.size() <= index) match.types.push_back(match.types.front());
   match.types[index] = type;
@@ -232,13 +230,13 @@ void on_change_player_type(WorldModel& world, const soccer::PlayerTypeChange& ch
         change.unum;
     return;
   }
-  if (!change.type) {  // an opponent's: to which type is not told
+  if (!change.type) {  // an opponent: the new type is not reported
     world.their_types[static_cast<std::size_t>(change.unum - 1)] = -1;
     return;
   }
   world.our_types[static_cast<std::size_t>(change.unum - 1)] = *change.type;
   if (change.unum != world.unum) return;
-  // A substitute comes with all his strength.
+  // A substitute has full stamina.
   world.self.type_id = *change.type;
   world.self.recovery = 1.0;
   world.self.effort = world.self_type().effort_max;
@@ -247,19 +245,19 @@ void on_change_player_type(WorldModel& world, const soccer::PlayerTypeChange& ch
 void on_sense_body(WorldModel& world, const soccer::SenseBody& sense) {
   SelfState& self = world.self;
   const int before = world.game.time.cycle;
-  open_moment(world.game, sense.time);
+  begin_step(world.game, sense.time);
   const int cycles = std::max(1, before < 0 ? 1 : sense.time - before);
   age_self(self, cycles);
   world.ball_tracker.pushed = false;
   advance_ball(world, sense, cycles);
   advance_players(world, cycles);
   advance_self(world, sense, cycles);
-  reckon_recovery(world, sense, cycles);
-  follow_catches(world, sense, cycles);
-  absorb(world, sense);
+  update_recovery(world, sense, cycles);
+  update_catches(world, sense, cycles);
+  copy_sense_body(world, sense);
   world.self_tracker.sent = {};
   publish_pose(world);
-  follow_arm(world, sense);
+  update_arm(world, sense);
   world.heard.clear();
 }
 
@@ -287,7 +285,7 @@ void on_hear(WorldModel& world, const soccer::Hear& hear) {
   }
 }
 
-void note_sent_commands(WorldModel& world, const std::vector<soccer::PlayerCommand>& commands) {
+void record_sent_commands(WorldModel& world, const std::vector<soccer::PlayerCommand>& commands) {
   SentCommands& sent = world.self_tracker.sent;
   sent = {};
   for (const soccer::PlayerCommand& command : commands) {
@@ -303,20 +301,20 @@ void note_sent_commands(WorldModel& world, const std::vector<soccer::PlayerComma
   }
 }
 
-void complete(WorldModel& world) {
+void update_derived(WorldModel& world) {
   ++world.game.set_play_count;
-  finish_ball(world);
-  finish_players(world);
+  update_ball(world);
+  update_players(world);
   if (world.goalie) world.our_goalie_unum = world.unum;
   world.our_goalie_unum = goalie_of(world.teammates, world.our_goalie_unum);
   world.their_goalie_unum = goalie_of(world.opponents, world.their_goalie_unum);
-  find_last_kick(world);
-  find_kickers(world);
-  judge_chances(world);
-  reckon_intercepts(world);
-  force_kickable(world);
+  update_last_kicker(world);
+  update_kickable_players(world);
+  update_action_probabilities(world);
+  update_intercept_table(world);
+  relax_kickable(world);
   if (world.intercept.first_opponent_steps > 0) world.self.foul_probability = 0.0;
-  draw_lines(world);
+  update_team_lines(world);
 }
 
 }  // namespace cls::proxy

@@ -1,4 +1,4 @@
-// From server messages to beliefs: each function takes one typed message into a world model.
+// Perception: updates a world model by one typed server message each.
 #pragma once
 
 #include <string_view>
@@ -14,37 +14,36 @@
 
 namespace cls::proxy {
 
-// Order within a cycle T: sense_body of T opens it, hear and see of T follow, then complete() and
-// the decision, then note_sent_commands() with what the agent sent. A sense_body that repeats T
-// opens a moment of a standing clock. Nothing here reads a clock, and after the first cycles
-// nothing allocates.
+// Order within cycle T: sense_body of T starts the step, hear and see of T follow, then
+// update_derived() and the decision, then record_sent_commands(). A repeated T is a step of a
+// stopped clock. Reads no clock; does not allocate after the first cycles.
 
-/// Side, number and mode. `team_name` and `goalie` are what the agent asked for.
+/// Sets side, number and mode; `team_name` and `goalie` as in the init request.
 void on_init(WorldModel& world, const soccer::PlayerInitReply& reply, soccer::TeamName team_name,
              bool goalie);
 
-/// Any of server_param, player_param and player_type. The error says why it is not understood.
+/// Handles server_param, player_param and player_type. Fails on parse errors.
 base::Result<void> on_parameter_message(WorldModel& world, std::string_view message);
 void on_server_param(WorldModel& world, const soccer::ServerParams& params);
 void on_player_param(WorldModel& world, const soccer::PlayerParams& params);
 void on_player_type(WorldModel& world, const soccer::PlayerType& type);
 void on_change_player_type(WorldModel& world, const soccer::PlayerTypeChange& change);
 
-/// Opens a new moment: ages grow, everything is advanced by one cycle, own commands are taken into
-/// account as far as the counters say that they were carried out.
+/// Starts a new step: increments ages, predicts all estimates one cycle ahead, applies own commands
+/// confirmed by the counters.
 void on_sense_body(WorldModel& world, const soccer::SenseBody& sense);
 
-/// Localises the agent, then ball and players. A see of another cycle than the present one is
-/// ignored (it came late and describes the past).
+/// Localizes the agent, then updates ball and players. Ignores a late see message of an earlier
+/// cycle.
 void on_see(WorldModel& world, const soccer::See& see);
 
 void on_hear(WorldModel& world, const soccer::Hear& hear);
 
-/// What the agent sends for the running cycle; call it once per decision.
-void note_sent_commands(WorldModel& world, const std::vector<soccer::PlayerCommand>& commands);
+/// Records the commands sent in the current cycle; call it once per decision.
+void record_sent_commands(WorldModel& world, const std::vector<soccer::PlayerCommand>& commands);
 
-/// Derives what a decision needs: identities of the goalies, distances, kickable flags,
-/// probabilities, lines, intercept table. Call it once per decision.
-void complete(WorldModel& world);
+/// Computes what a decision needs: goalie numbers, distances, kickable flags, probabilities, lines,
+/// intercept table. Call it once per decision.
+void update_derived(WorldModel& world);
 
 }  // namespace cls::proxy

@@ -1,11 +1,11 @@
-// Gathers and sums up errors.
+// Collects estimation errors against the ground truth.
 #include "proxy/perception/perception_error.h"
 
 #include <algorithm>
 
 namespace cls::proxy {
 
-void PerceptionError::add(const WorldModel& world, const Truth& truth) {
+void PerceptionError::add(const WorldModel& world, const GroundTruth& truth) {
   if (world.game.mode != soccer::PlayMode::kPlayOn) return;
   ++cycles_;
   const bool right = world.our_side == soccer::Side::kRight;
@@ -13,7 +13,7 @@ void PerceptionError::add(const WorldModel& world, const Truth& truth) {
   const auto slot = [](soccer::Side side, int unum) {
     return static_cast<std::size_t>(soccer::slot_of(side, unum));
   };
-  const Truth::Player& self = truth.players[slot(world.our_side, world.unum)];
+  const GroundTruth::Player& self = truth.players[slot(world.our_side, world.unum)];
   self_.push_back(soccer::distance(world.self.position, own(self.position)));
   const soccer::AngleDeg body(right ? self.body + 180.0 : self.body);
   body_angle_.push_back((world.self.body - body).abs());
@@ -26,7 +26,7 @@ void PerceptionError::add(const WorldModel& world, const Truth& truth) {
   const auto add_team = [&](const PlayerList& players, std::vector<double>& errors) {
     for (const PlayerState& player : players) {
       if (player.pos_count != 0 || player.unum == 0) continue;
-      const Truth::Player& real = truth.players[slot(player.side, player.unum)];
+      const GroundTruth::Player& real = truth.players[slot(player.side, player.unum)];
       if (real.present) errors.push_back(soccer::distance(player.position, own(real.position)));
     }
   };

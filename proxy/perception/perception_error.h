@@ -1,4 +1,4 @@
-// How far a player's beliefs are from the truth, as tables compare it.
+// Accuracy of a world model against the ground truth of a game log.
 #pragma once
 
 #include <array>
@@ -16,25 +16,24 @@ struct ErrorSummary {
   int n = 0;
 };
 
-/// The truth at one moment, in the server's coordinates.
-struct Truth {
+/// Ground truth of one step, in server coordinates.
+struct GroundTruth {
   struct Player {
     bool present = false;
     soccer::Vec2 position;
     double body = 0.0;  ///< degrees
   };
   soccer::Vec2 ball_position;
-  std::optional<soccer::Vec2> ball_velocity;            ///< game logs of versions 1 and 2 have none
+  std::optional<soccer::Vec2> ball_velocity;  ///< missing in game logs of versions 1 and 2
   std::array<Player, soccer::kPlayersOnPitch> players;  ///< by slot
 };
 
-/// Errors of one player over a match. Counted are decisions in play_on: own position and body
-/// always; the ball when its pos_count is 0, its velocity when its vel_count is 0; other players
-/// when their pos_count is 0 and their number is believed to be known. Metres, metres per cycle
-/// and degrees.
+/// Estimation errors of one player over a match, in play_on: own position and body always; the ball
+/// if its pos_count is 0, its velocity if vel_count is 0; other players with pos_count 0 and an
+/// estimated number. Meters, meters per cycle, degrees.
 class PerceptionError {
  public:
-  void add(const WorldModel& world, const Truth& truth);
+  void add(const WorldModel& world, const GroundTruth& truth);
 
   int cycles() const { return cycles_; }
   ErrorSummary self() const { return summary(self_); }

@@ -1,4 +1,4 @@
-// Writing and reading the list.
+// Formats and parses player_types messages.
 #include "proxy/perception/player_types_message.h"
 
 #include <charconv>
@@ -12,14 +12,14 @@ class Reader {
  public:
   explicit Reader(std::string_view text) : text_(text) {}
 
-  bool take(char wanted) {
-    skip_blanks();
-    if (text_.empty() || text_.front() != wanted) return false;
+  bool consume(char expected) {
+    skip_spaces();
+    if (text_.empty() || text_.front() != expected) return false;
     text_.remove_prefix(1);
     return true;
   }
-  bool take(int& number) {
-    skip_blanks();
+  bool parse(int& number) {
+    skip_spaces();
     const auto [end, code] = std::from_chars(text_.data(), text_.data() + text_.size(), number);
     if (code != std::errc{}) return false;
     text_.remove_prefix(static_cast<std::size_t>(end - text_.data()));
@@ -27,7 +27,7 @@ class Reader {
   }
 
  private:
-  void skip_blanks() {
+  void skip_spaces() {
     while (!text_.empty() && text_.front() == ' ') text_.remove_prefix(1);
   }
 
@@ -36,7 +36,7 @@ class Reader {
 
 }  // namespace
 
-std::string player_types_text(const TypeIds& types) {
+std::string format_player_types(const TypeIds& types) {
   std::string text(kHead);
   for (std::size_t i = 0; i < types.size(); ++i) {
     text += " (" + std::to_string(i + 1) + " " + std::to_string(types[i]) + ")";
@@ -44,20 +44,20 @@ std::string player_types_text(const TypeIds& types) {
   return text + ")";
 }
 
-std::optional<TypeIds> read_player_types(std::string_view text) {
+std::optional<TypeIds> parse_player_types(std::string_view text) {
   const std::size_t start = text.find(kHead);
   if (start == std::string_view::npos) return std::nullopt;
   Reader in(text.substr(start + kHead.size()));
   TypeIds types;
   types.fill(-1);
-  while (in.take('(')) {
+  while (in.consume('(')) {
     int unum = 0;
     int type = 0;
-    if (!in.take(unum) || !in.take(type) || !in.take(')')) return std::nullopt;
+    if (!in.parse(unum) || !in.parse(type) || !in.consume(')')) return std::nullopt;
     if (unum < 1 || unum > soccer::kPlayersPerTeam || type < -1) return std::nullopt;
     types[static_cast<std::size_t>(unum - 1)] = type;
   }
-  if (!in.take(')')) return std::nullopt;
+  if (!in.consume(')')) return std::nullopt;
   return types;
 }
 

@@ -1,4 +1,4 @@
-// What a coach tells its players of the opponents' types, as helios coaches write it.
+// The coach's freeform message with the opponents' player types, in the format of helios coaches.
 #pragma once
 
 #include <array>
@@ -10,14 +10,14 @@
 
 namespace cls::proxy {
 
-/// Type ids by unum - 1; -1: not known.
+/// Type ids by unum - 1; -1: unknown.
 using TypeIds = std::array<int, soccer::kPlayersPerTeam>;
 
-/// "(player_types (1 0) (2 -1) ... (11 17))", fit for a freeform message.
-std::string player_types_text(const TypeIds& types);
+/// Formats "(player_types (1 0) (2 -1) ... (11 17))" for a freeform message.
+std::string format_player_types(const TypeIds& types);
 
-/// The types in a text that holds such a message somewhere; players that it leaves out are not
-/// known. Nothing when there is none, or a number that no player has.
-std::optional<TypeIds> read_player_types(std::string_view text);
+/// Parses the first player_types message in `text`; omitted players are -1. Empty without a message
+/// or with an invalid number.
+std::optional<TypeIds> parse_player_types(std::string_view text);
 
 }  // namespace cls::proxy

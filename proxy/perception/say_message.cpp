@@ -1,4 +1,4 @@
-// The code of say messages: several numbers on grids, packed into one number in base 74.
+// Codec of say messages: values quantized to grids and packed into one number in base 74.
 #include "proxy/perception/say_message.h"
 
 #include <algorithm>
@@ -20,31 +20,31 @@ static_assert(kBase == 74);
 
 constexpr double kSpeedSteps = 31.0;
 
-/// Values low, low + step, ... low + (count - 1) step.
+/// Quantization grid: low, low + step, ... low + (count - 1) step.
 struct Grid {
   double low = 0.0;
   double step = 1.0;
   int count = 1;
 };
 
-/// Both directions visit the fields of a group from the least significant on.
-class Writer {
+/// Encoder; encoder and decoder visit the fields of a group from the least significant.
+class Encoder {
  public:
   void field(double& value, const Grid& grid) {
     const double index = std::rint((value - grid.low) / grid.step);
     const double last = grid.count - 1;
     push(static_cast<int>(std::clamp(std::isnan(index) ? 0.0 : index, 0.0, last)), grid.count);
   }
-  void whole(int& value, int low, int count) {
+  void integer(int& value, int low, int count) {
     ok_ &= value >= low && value < low + count;
     push(value - low, count);
   }
-  /// Sign and size of a speed, six bits.
-  void speed(double& value, double most) {
-    const double size = std::min(std::fabs(value), most) * kSpeedSteps / most;
+  /// Sign and magnitude of a speed component, six bits.
+  void speed(double& value, double max) {
+    const double size = std::min(std::fabs(value), max) * kSpeedSteps / max;
     push(static_cast<int>(std::rint(size)) + (std::signbit(value) ? 32 : 0), 64);
   }
-  void refuse() { ok_ = false; }
+  void fail() { ok_ = false; }
   bool ok() const { return ok_; }
 
   void finish(int digits, std::string& out) {
@@ -70,7 +70,7 @@ class Writer {
   bool ok_ = true;
 };
 
-class Reader {
+class Decoder {
  public:
   bool start(std::string_view digits) {
     value_ = 0;
@@ -82,10 +82,10 @@ class Reader {
     return true;
   }
   void field(double& value, const Grid& grid) { value = grid.low + grid.step * pop(grid.count); }
-  void whole(int& value, int low, int count) { value = low + pop(count); }
-  void speed(double& value, double most) {
+  void integer(int& value, int low, int count) { value = low + pop(count); }
+  void speed(double& value, double max) {
     const int bits = pop(64);
-    value = (bits % 32) * most / kSpeedSteps * (bits >= 32 ? -1.0 : 1.0);
+    value = (bits % 32) * max / kSpeedSteps * (bits >= 32 ? -1.0 : 1.0);
   }
 
  private:
@@ -104,44 +104,44 @@ Grid grid_y(double step, int count) { return {-34.0, step, count}; }
 Grid angles(int count) { return {-180.0, 360.0 / count, count}; }
 constexpr Grid kFraction{0.0, 1.0 / 73.0, 74};
 
-// The groups. A group is what is packed into one number.
+// Groups: fields packed into one number.
 
 template <typename Code>
-void exact_place(Code& code, Vec2& place) {
-  code.field(place.y, grid_y(68.0 / 511.0, 512));
-  code.field(place.x, grid_x(105.0 / 1023.0, 1024));
+void ball_position(Code& code, Vec2& position) {
+  code.field(position.y, grid_y(68.0 / 511.0, 512));
+  code.field(position.x, grid_x(105.0 / 1023.0, 1024));
 }
 
 template <typename Code>
-void ball(Code& code, SayBall& ball, double most_speed) {
-  code.speed(ball.velocity.y, most_speed);
-  code.speed(ball.velocity.x, most_speed);
-  exact_place(code, ball.position);
+void ball(Code& code, SayBall& ball, double max_speed) {
+  code.speed(ball.velocity.y, max_speed);
+  code.speed(ball.velocity.x, max_speed);
+  ball_position(code, ball.position);
 }
 
 template <typename Code>
 void receiver(Code& code, SayPass& pass) {
-  code.whole(pass.receiver, 0, 16);
-  exact_place(code, pass.point);
+  code.integer(pass.receiver, 0, 16);
+  ball_position(code, pass.point);
 }
 
 template <typename Code>
-void goalie(Code& code, SayGoalie& goalie, double least_x) {
+void goalie(Code& code, SayGoalie& goalie, double min_x) {
   code.field(goalie.body, angles(360));
   code.field(goalie.position.y, {-20.0, 0.1, 400});
-  code.field(goalie.position.x, {least_x, 0.1, 160});
+  code.field(goalie.position.x, {min_x, 0.1, 160});
 }
 
 template <typename Code>
 void player(Code& code, SaidPlayer& player, double step, int columns, int rows) {
   code.field(player.position.y, grid_y(step, rows));
   code.field(player.position.x, grid_x(step, columns));
-  code.whole(player.number, 1, 22);
+  code.integer(player.number, 1, 22);
 }
 
 template <typename Code>
-void ball_and_goalie(Code& code, SayBallGoalie& both, double most_speed) {
-  const Grid speeds{-most_speed, 2.0 * most_speed / 63.0, 63};
+void ball_and_goalie(Code& code, SayBallGoalie& both, double max_speed) {
+  const Grid speeds{-max_speed, 2.0 * max_speed / 63.0, 63};
   goalie(code, both.goalie, 36.5);
   code.field(both.ball.velocity.y, speeds);
   code.field(both.ball.velocity.x, speeds);
@@ -162,7 +162,7 @@ void numbered(Code& code, Player& player) {
   code.field(player.body, angles(180));
   code.field(player.position.y, grid_y(0.7, 98));
   code.field(player.position.x, grid_x(0.7, 151));
-  code.whole(player.unum, 1, 11);
+  code.integer(player.unum, 1, 11);
 }
 
 template <typename Code>
@@ -179,12 +179,12 @@ void request(Code& code, SayPassRequest& request) {
 
 template <typename Code>
 void dribble(Code& code, SayDribble& dribble) {
-  code.whole(dribble.count, 1, 10);
+  code.integer(dribble.count, 1, 10);
   code.field(dribble.target.y, grid_y(0.5, 136));
   code.field(dribble.target.x, grid_x(0.5, 211));
 }
 
-/// What a header stands for: how many characters follow it.
+/// Characters that follow a header; npos for an unknown header.
 std::size_t length_of(char header) {
   switch (header) {
     case 'w':
@@ -223,7 +223,7 @@ std::size_t length_of(char header) {
   }
 }
 
-/// Reads one message from its characters behind the header, whose number is right.
+/// Parses one message from the characters after the header; their number is checked before.
 class Parser {
  public:
   Parser(std::string_view digits, const soccer::ServerParams& server)
@@ -232,15 +232,15 @@ class Parser {
   std::optional<SayMessage> message(char header) {
     switch (header) {
       case 'b':
-        return whole<SayBall>([this](auto& m) { ball(code_, m, speed_); });
+        return parse_fields<SayBall>([this](auto& m) { ball(code_, m, speed_); });
       case 'p':
         return pass();
       case 'i':
         return intercept();
       case 'g':
-        return whole<SayGoalie>([this](auto& m) { goalie(code_, m, 37.0); });
+        return parse_fields<SayGoalie>([this](auto& m) { goalie(code_, m, 37.0); });
       case 'e':
-        return whole<SayGoalieAndPlayer>([this](auto& m) {
+        return parse_fields<SayGoalieAndPlayer>([this](auto& m) {
           player(code_, m.player, 0.555, 191, 124);
           goalie(code_, m.goalie, 37.0);
         });
@@ -251,17 +251,17 @@ class Parser {
       case 'w':
         return SayWaitRequest{};
       case 'F':
-        return whole<SaySetplay>([this](auto& m) { code_.whole(m.wait_cycles, 0, 74); });
+        return parse_fields<SaySetplay>([this](auto& m) { code_.integer(m.wait_cycles, 0, 74); });
       default:
-        return more(header);
+        return message_continued(header);
     }
   }
 
  private:
-  std::optional<SayMessage> more(char header) {
+  std::optional<SayMessage> message_continued(char header) {
     switch (header) {
       case 'h':
-        return whole<SayPassRequest>([this](auto& m) { request(code_, m); });
+        return parse_fields<SayPassRequest>([this](auto& m) { request(code_, m); });
       case 's':
         return fraction<SayStamina>();
       case 'r':
@@ -269,19 +269,19 @@ class Parser {
       case 'c':
         return fraction<SayCapacity>();
       case 'D':
-        return whole<SayDribble>([this](auto& m) { dribble(code_, m); });
+        return parse_fields<SayDribble>([this](auto& m) { dribble(code_, m); });
       case 'G':
-        return whole<SayBallGoalie>([this](auto& m) { ball_and_goalie(code_, m, speed_); });
+        return parse_fields<SayBallGoalie>([this](auto& m) { ball_and_goalie(code_, m, speed_); });
       case 'P':
       case 'Q':
       case 'R':
         return players();
       case 'S':
-        return whole<SaySelf>([this](auto& m) { self(code_, m); });
+        return parse_fields<SaySelf>([this](auto& m) { self(code_, m); });
       case 'T':
-        return whole<SayTeammate>([this](auto& m) { numbered(code_, m); });
+        return parse_fields<SayTeammate>([this](auto& m) { numbered(code_, m); });
       case 'O':
-        return whole<SayOpponent>([this](auto& m) { numbered(code_, m); });
+        return parse_fields<SayOpponent>([this](auto& m) { numbered(code_, m); });
       case 'B':
         return ball_player();
       default:
@@ -290,7 +290,7 @@ class Parser {
   }
 
   template <typename Message, typename Fields>
-  std::optional<SayMessage> whole(Fields fields) {
+  std::optional<SayMessage> parse_fields(Fields fields) {
     Message message;
     if (!code_.start(digits_)) return std::nullopt;
     fields(message);
@@ -299,19 +299,19 @@ class Parser {
 
   template <typename Line>
   std::optional<SayMessage> line(double low) {
-    return whole<Line>([&](auto& m) { code_.field(m.x, {low, 42.0 / 73.0, 74}); });
+    return parse_fields<Line>([&](auto& m) { code_.field(m.x, {low, 42.0 / 73.0, 74}); });
   }
 
   template <typename Fraction>
   std::optional<SayMessage> fraction() {
-    return whole<Fraction>([this](auto& m) { code_.field(m.fraction, kFraction); });
+    return parse_fields<Fraction>([this](auto& m) { code_.field(m.fraction, kFraction); });
   }
 
   std::optional<SayMessage> intercept() {
     SayIntercept message;
     if (!code_.start(digits_)) return std::nullopt;
-    code_.whole(message.cycles, 0, 74);
-    code_.whole(message.number, 0, 74);
+    code_.integer(message.cycles, 0, 74);
+    code_.integer(message.number, 0, 74);
     if (message.number < 1 || message.number > 22) return std::nullopt;
     return message;
   }
@@ -329,10 +329,10 @@ class Parser {
   std::optional<SayMessage> players() {
     SayPlayers message;
     if (!code_.start(digits_)) return std::nullopt;
-    std::array<SaidPlayer, 3> backwards;
+    std::array<SaidPlayer, 3> reversed;
     const std::size_t count = digits_.size() / 3;
-    for (std::size_t i = 0; i < count; ++i) player(code_, backwards[i], 0.63, 168, 109);
-    for (std::size_t i = count; i-- > 0;) message.players.push_back(backwards[i]);
+    for (std::size_t i = 0; i < count; ++i) player(code_, reversed[i], 0.63, 168, 109);
+    for (std::size_t i = count; i-- > 0;) message.players.push_back(reversed[i]);
     return message;
   }
 
@@ -347,10 +347,10 @@ class Parser {
 
   std::string_view digits_;
   double speed_;
-  Reader code_;
+  Decoder code_;
 };
 
-/// Writes one message, header and all.
+/// Formats one message including its header.
 class Formatter {
  public:
   Formatter(const soccer::ServerParams& server, std::string& out)
@@ -365,7 +365,7 @@ class Formatter {
   }
   void operator()(SayPass m) {
     header('p');
-    if (m.receiver < 1 || m.receiver > soccer::kPlayersPerTeam) code_.refuse();
+    if (m.receiver < 1 || m.receiver > soccer::kPlayersPerTeam) code_.fail();
     receiver(code_, m);
     code_.finish(4, out_);
     ball(code_, m.ball, speed_);
@@ -373,9 +373,9 @@ class Formatter {
   }
   void operator()(SayIntercept m) {
     header('i');
-    if (m.number < 1 || m.number > 22) code_.refuse();
-    code_.whole(m.cycles, 0, 74);
-    code_.whole(m.number, 0, 74);
+    if (m.number < 1 || m.number > 22) code_.fail();
+    code_.integer(m.cycles, 0, 74);
+    code_.integer(m.number, 0, 74);
     code_.finish(2, out_);
   }
   void operator()(SayGoalie m) {
@@ -392,17 +392,17 @@ class Formatter {
     code_.finish(7, out_);
   }
   void operator()(SayOffsideLine m) {
-    if (m.x < 10.0) code_.refuse();
+    if (m.x < 10.0) code_.fail();
     one('o', m.x, {10.0, 42.0 / 73.0, 74});
   }
   void operator()(SayDefenseLine m) {
-    if (m.x > -10.0) code_.refuse();
+    if (m.x > -10.0) code_.fail();
     one('d', m.x, {-52.0, 42.0 / 73.0, 74});
   }
   void operator()(SayWaitRequest) { header('w'); }
   void operator()(SaySetplay m) {
     header('F');
-    code_.whole(m.wait_cycles, 0, 74);
+    code_.integer(m.wait_cycles, 0, 74);
     code_.finish(1, out_);
   }
   void operator()(SayPassRequest m) {
@@ -426,7 +426,7 @@ class Formatter {
     code_.finish(9, out_);
   }
   void operator()(SayPlayers m) {
-    if (m.players.empty()) code_.refuse();
+    if (m.players.empty()) code_.fail();
     const auto count = static_cast<int>(m.players.size());
     header("PPQR"[count]);
     for (std::size_t i = m.players.size(); i-- > 0;) player(code_, m.players[i], 0.63, 168, 109);
@@ -462,23 +462,23 @@ class Formatter {
     code_.field(value, grid);
     code_.finish(1, out_);
   }
-  void check(const SayGoalie& goalie, double least_x) {
+  void check(const SayGoalie& goalie, double min_x) {
     constexpr double kGrid = 0.05;
-    if (goalie.position.x < least_x || goalie.position.x > least_x + 15.9 + kGrid ||
+    if (goalie.position.x < min_x || goalie.position.x > min_x + 15.9 + kGrid ||
         std::fabs(goalie.position.y) > 19.9 + kGrid) {
-      code_.refuse();
+      code_.fail();
     }
   }
 
   double speed_;
   std::string& out_;
-  Writer code_;
+  Encoder code_;
 };
 
 }  // namespace
 
-std::optional<SayMessage> take_say_message(std::string_view& text,
-                                           const soccer::ServerParams& server) {
+std::optional<SayMessage> parse_say_message(std::string_view& text,
+                                            const soccer::ServerParams& server) {
   if (text.empty()) return std::nullopt;
   const std::size_t length = length_of(text[0]);
   if (length == std::string_view::npos || text.size() < 1 + length) return std::nullopt;

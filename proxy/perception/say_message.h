@@ -1,4 +1,4 @@
-// What players tell each other: the ten-character messages that helios teams understand.
+// Say messages of players: the ten-character format of helios teams.
 #pragma once
 
 #include <optional>
@@ -12,21 +12,21 @@
 
 namespace cls::proxy {
 
-// Places and angles are in the speaker's frame: his team attacks +x. `number` is 1 to 11 for a
-// player of the speaker's team and 12 to 22 for the opponent with that number less 11. What is
-// written is rounded to the grid of the message (in brackets) and cut to its range.
+// Positions and angles are in the speaker's frame: its team attacks +x. `number` is 1 to 11 for a
+// teammate of the speaker and 12 to 22 for opponents 1 to 11. Values are rounded to the grid of the
+// message (in parentheses) and clamped to its range.
 
 struct SaidPlayer {
   int number = 0;
   soccer::Vec2 position;
 };
 
-/// 'b' + 5 characters: place (0.1 m), velocity (0.1 m per cycle), both of the next cycle.
+/// 'b' + 5 characters: position (0.1 m) and velocity (0.1 m per cycle) in the next cycle.
 struct SayBall {
   soccer::Vec2 position;
   soccer::Vec2 velocity;
 };
-/// 'p' + 9: to whom, where he is to receive it (0.1 m), and the ball.
+/// 'p' + 9: receiver, receive point (0.1 m), and the ball.
 struct SayPass {
   int receiver = 0;
   soccer::Vec2 point;
@@ -37,7 +37,7 @@ struct SayIntercept {
   int number = 0;
   int cycles = 0;
 };
-/// 'g' + 4: the opponents' goalie near his goal (0.1 m, 1 degree).
+/// 'g' + 4: the opponents' goalie near its goal (0.1 m, 1 degree).
 struct SayGoalie {
   soccer::Vec2 position;
   double body = 0.0;
@@ -65,7 +65,8 @@ struct SaySetplay {
 struct SayPassRequest {
   soccer::Vec2 point;
 };
-/// 's', 'r', 'c' + 1: what is left, as a fraction (of the way from its least to its full value).
+/// 's', 'r', 'c' + 1: remaining stamina, recovery, capacity as a fraction of the range from minimum
+/// to maximum.
 struct SayStamina {
   double fraction = 0.0;
 };
@@ -95,7 +96,7 @@ struct SaySelf {
   double body = 0.0;
   double stamina_fraction = 0.0;
 };
-/// 'T' and 'O' + 4 (0.7 m, 2 degrees); numbers 1 to 11 of the speaker's or the other team.
+/// 'T' and 'O' + 4 (0.7 m, 2 degrees): teammate or opponent, numbers 1 to 11.
 struct SayTeammate {
   int unum = 0;
   soccer::Vec2 position;
@@ -119,14 +120,14 @@ using SayMessage =
                  SayRecovery, SayCapacity, SayDribble, SayBallGoalie, SayPlayers, SaySelf,
                  SayTeammate, SayOpponent, SayBallPlayer>;
 
-/// Takes the first message off the front of `text` (a say may hold several). Nothing, leaving
-/// `text` as it is, for an unknown header, too few characters, or a number nobody has.
-std::optional<SayMessage> take_say_message(std::string_view& text,
-                                           const soccer::ServerParams& server);
+/// Parses and removes the first message of `text` (a say may contain several). Empty, leaving
+/// `text` unchanged, for an unknown header, too few characters or an invalid number.
+std::optional<SayMessage> parse_say_message(std::string_view& text,
+                                            const soccer::ServerParams& server);
 
-/// Appends the message. False, appending nothing, for what it cannot say: a number out of range, a
-/// goalie away from his goal (x 37 to 52.9 and |y| up to 19.9; in SayBallGoalie x from 36.5), an
-/// offside line below 10, a defence line above -10, no or more than three players.
+/// Appends the formatted message. False without change for unsupported values: an invalid number, a
+/// goalie away from its goal (outside x 37 to 52.9, |y| up to 19.9; in SayBallGoalie x from 36.5),
+/// an offside line below 10, a defense line above -10, no or more than three players.
 [[nodiscard]] bool append_say_message(const SayMessage& message, const soccer::ServerParams& server,
                                       std::string& out);
 

@@ -1,4 +1,4 @@
-// Dispatches recorded messages to perception.
+// Replays recorded messages through perception.
 #include "proxy/perception/transcript.h"
 
 #include <string>
@@ -19,7 +19,7 @@ class Replay {
  public:
   explicit Replay(const OnDecision& on_decision) : on_decision_(on_decision) {}
 
-  /// What the player sent.
+  /// Handles a message sent by the player.
   void sent(std::string_view text) {
     soccer::GameRequest request;
     if (!soccer::parse(text, request)) {
@@ -29,31 +29,31 @@ class Replay {
     }
     if (undecided_) {
       undecided_ = false;
-      complete(world_);
+      update_derived(world_);
       on_decision_(world_);
     }
     commands_.clear();
     soccer::parse_player_commands(text, commands_);
-    note_sent_commands(world_, commands_);
+    record_sent_commands(world_, commands_);
   }
 
-  /// What the player received.
+  /// Handles a message received by the player.
   Result<void> received(std::string_view text) {
     switch (soccer::message_kind(text)) {
       case MessageKind::kSenseBody:
         undecided_ = true;
-        return take(text, sense_, on_sense_body);
+        return apply(text, sense_, on_sense_body);
       case MessageKind::kSee:
-        return take(text, see_, on_see);
+        return apply(text, see_, on_see);
       case MessageKind::kHear:
-        return take(text, hear_, on_hear);
+        return apply(text, hear_, on_hear);
       case MessageKind::kServerParam:
-        return take(text, server_, on_server_param);
+        return apply(text, server_, on_server_param);
       case MessageKind::kPlayerParam:
-        return take(text, player_, on_player_param);
+        return apply(text, player_, on_player_param);
       case MessageKind::kPlayerType:
         type_ = soccer::default_player_type(server_);
-        return take(text, type_, on_player_type);
+        return apply(text, type_, on_player_type);
       case MessageKind::kReply:
         return reply(text);
       default:
@@ -65,10 +65,10 @@ class Replay {
 
  private:
   template <typename Message>
-  Result<void> take(std::string_view text, Message& message,
-                    void (*take_in)(WorldModel&, const Message&)) {
+  Result<void> apply(std::string_view text, Message& message,
+                     void (*update)(WorldModel&, const Message&)) {
     Result<void> parsed = soccer::parse(text, message);
-    if (parsed) take_in(world_, message);
+    if (parsed) update(world_, message);
     return parsed;
   }
 
@@ -116,14 +116,14 @@ TranscriptReplay replay_transcript(std::string_view transcript, const OnDecision
     const std::size_t second = first == std::string_view::npos ? first : line.find('\t', first + 1);
     const bool sent = line.starts_with("C>S\t");
     if (second == std::string_view::npos || (!sent && !line.starts_with("S>C\t"))) {
-      result.damage.push_back({number, "not a transcript line"});
+      result.errors.push_back({number, "not a transcript line"});
       continue;
     }
     const std::string_view message = line.substr(second + 1);
     if (sent) {
       replay.sent(message);
-    } else if (const Result<void> taken = replay.received(message); !taken) {
-      result.damage.push_back({number, taken.error().message});
+    } else if (const Result<void> applied = replay.received(message); !applied) {
+      result.errors.push_back({number, applied.error().message});
     }
   }
   result.world = std::move(replay).world();

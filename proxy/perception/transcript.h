@@ -1,4 +1,4 @@
-// Replaying what a player received and sent: from a recorded conversation to world models.
+// Replays a transcript of a player's messages through a world model.
 #pragma once
 
 #include <cstddef>
@@ -11,25 +11,23 @@
 
 namespace cls::proxy {
 
-/// Called when the player decided, with everything he had been told by then; the world model is
-/// complete().
+/// Called at each decision with the world model after update_derived().
 using OnDecision = std::function<void(const WorldModel& world)>;
 
-/// A line that is none, or a message that cannot be read.
-struct TranscriptDamage {
+/// An invalid line or a message that does not parse.
+struct TranscriptError {
   std::size_t line = 0;  ///< from 1
   std::string what;
 };
 
 struct TranscriptReplay {
-  WorldModel world;                      ///< at the end; its unum is 0 if no player joined
-  std::vector<TranscriptDamage> damage;  ///< in order; what stands behind it was replayed
+  WorldModel world;                     ///< final state; unum 0 if no player connected
+  std::vector<TranscriptError> errors;  ///< in line order; replay continues after an error
 };
 
-/// Replays a transcript of lines "S>C or C>S, seconds, message" separated by tabs (lines that begin
-/// with # are comments) through a fresh world model. Team name and goalie come from the player's
-/// init or reconnect request. A decision is the first thing the player sent after a sense_body.
-/// Messages that do not concern a world model are skipped.
+/// Replays lines of tab-separated "S>C or C>S, seconds, message" (# starts a comment line) through
+/// a new world model. Team name and goalie come from the init or reconnect request. A decision is
+/// the first command message after a sense_body. Skips messages irrelevant to the world model.
 TranscriptReplay replay_transcript(std::string_view transcript, const OnDecision& on_decision);
 
 }  // namespace cls::proxy

@@ -1,9 +1,9 @@
-// What the carrying out of an action works on.
+// Context in which actions are executed.
 #pragma once
 
 #include "proxy/commands/command_slots.h"
 #include "proxy/connection/action_report.h"
-#include "proxy/looking/neck_plan.h"
+#include "proxy/looking/neck.h"
 #include "proxy/planner/action_memory.h"
 #include "proxy/planner/plan.h"
 #include "proxy/world/world_model.h"
@@ -14,16 +14,16 @@ class PlayerActions;
 
 namespace cls::proxy {
 
-/// The plan of a decision, and who chooses from it.
+/// The plan of a decision, and the party that chooses its action.
 struct PlanChoice {
   enum class Chooser : unsigned char {
-    kProxy,     ///< nobody to ask: the plan's own best
-    kOpen,      ///< the Playmaker may be asked
-    kWanted,    ///< the Playmaker must be asked before the decision can go on
-    kAnswered,  ///< `node` is its answer
+    kProxy,      ///< the proxy: best node of the plan
+    kPlaymaker,  ///< the Playmaker may choose
+    kRequested,  ///< the Playmaker must choose before the decision continues
+    kReplied,    ///< the Playmaker chose `node`
   };
   Chooser chooser = Chooser::kProxy;
-  int node = -1;  ///< index of the chosen node; negative when the Playmaker did not answer
+  int node = -1;  ///< index of the chosen node; negative: no reply from the Playmaker
   Plan plan;      ///< empty until it is needed
 };
 
@@ -31,10 +31,10 @@ struct ActionContext {
   const WorldModel& world;
   ActionMemory& memory;
   CommandSlots& slots;
-  NeckPlan& neck;  ///< queued look; the last one stands
+  NeckPlan& neck;  ///< queued neck plan; the last one wins
   ActionReport& report;
   PlanChoice& choice;
-  const protos::PlayerActions* reply = nullptr;  ///< the list; null without an answer
+  const protos::PlayerActions* reply = nullptr;  ///< action list; null without a reply
 };
 
 }  // namespace cls::proxy

@@ -1,4 +1,4 @@
-// What could follow the first action, checked coarsely.
+// Generates later actions with coarse checks.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -18,7 +18,7 @@ double coarse_speed(double length) {
   return length >= 5.0 ? 1.8 : 1.5;
 }
 
-/// Cycles a ball of that first speed needs for the way; kPlannerHorizon when it does not get there.
+/// Cycles for a ball with that initial speed; kPlannerHorizon if it does not get there.
 int ball_cycles(const PlannerField& field, double length, double speed) {
   for (int n = 1; n < kPlannerHorizon; ++n) {
     if (speed * field.roll(n) >= length) return n;
@@ -26,7 +26,7 @@ int ball_cycles(const PlannerField& field, double length, double speed) {
   return kPlannerHorizon;
 }
 
-/// Nobody stands within `degrees` of the straight way.
+/// True if no opponent is within `degrees` of the pass lane.
 bool lane_open(const PlannerField& field, Vec2 from, Vec2 way, double length, double degrees) {
   const double tangent = soccer::math::tan(soccer::math::to_radians(degrees));
   for (const FieldOpponent& opponent : field.opponents) {
@@ -47,7 +47,7 @@ bool CoarseState::had_ball(int unum) const {
   return false;
 }
 
-Vec2 CoarseState::place_of(const FieldPlayer& player) const {
+Vec2 CoarseState::position_of(const FieldPlayer& player) const {
   for (int at = node; at > 0; at = plan.nodes[static_cast<std::size_t>(at)].parent) {
     const PlanNode& state = plan.nodes[static_cast<std::size_t>(at)];
     if (state.holder == player.unum) return state.ball;
@@ -58,23 +58,24 @@ Vec2 CoarseState::place_of(const FieldPlayer& player) const {
 void add_simple_passes(const CoarseState& state, std::vector<PlanAction>& out) {
   const PlannerField& field = state.field;
   const PlanNode& now = state.now();
-  for (const FieldPlayer& mate : field.mates) {
-    if (mate.unum == 0 || mate.age > 10 || mate.ghost || state.had_ball(mate.unum)) continue;
-    const Vec2 way = mate.position - now.ball;
+  for (const FieldPlayer& teammate : field.teammates) {
+    if (teammate.unum == 0 || teammate.age > 10 || teammate.ghost || state.had_ball(teammate.unum))
+      continue;
+    const Vec2 way = teammate.position - now.ball;
     const double length = way.length();
     if (length < 4.0 || length > 35.0) continue;
-    if (mate.position.x > std::max(field.world.lines.offside, now.ball.x)) continue;
-    const Vec2 to = mate.position;
+    if (teammate.position.x > std::max(field.world.lines.offside, now.ball.x)) continue;
+    const Vec2 to = teammate.position;
     if (to.x < -33.0 && std::fabs(to.y) < 23.0) continue;
     if (nearest_opponent(field, to) < 5.0) continue;
     const double speed = coarse_speed(length);
-    const double angle = (mate.goalie || way.x < 0.0 ? 17.5 : 14.5) * 2.5 / speed;
+    const double angle = (teammate.goalie || way.x < 0.0 ? 17.5 : 14.5) * 2.5 / speed;
     if (!lane_open(field, now.ball, way, length, angle)) continue;
     PlanAction action;
     action.category = PlanCategory::kPass;
     action.tag = PlanTag::kSimplePass;
     action.sender = now.holder;
-    action.target = mate.unum;
+    action.target = teammate.unum;
     action.target_point = to;
     action.first_speed = speed;
     action.kicks = 1;
@@ -86,7 +87,7 @@ void add_simple_passes(const CoarseState& state, std::vector<PlanAction>& out) {
 void add_simple_dribbles(const CoarseState& state, std::vector<PlanAction>& out) {
   const PlannerField& field = state.field;
   const PlanNode& now = state.now();
-  const FieldPlayer* holder = field.ours(now.holder);
+  const FieldPlayer* holder = field.our_player(now.holder);
   if (holder == nullptr || holder->age > 5) return;
   for (int i = 0; i < 8; ++i) {
     const AngleDeg heading(45.0 * i);
@@ -124,10 +125,10 @@ bool can_shoot_from(const PlannerField& field, Vec2 ball, int holder, int max_ag
   constexpr int kDirections = 15;
   const Vec2 goal{soccer::kHalfLength, 0.0};
   if (squared_distance(ball, goal) > kRange * kRange || ball.x >= soccer::kHalfLength) return false;
-  const FieldPlayer* player = field.ours(holder);
+  const FieldPlayer* player = field.our_player(holder);
   if (player == nullptr || player->age > max_age) return false;
   const bool self = holder == field.self.unum;
-  const double wanted = self ? 20.0 : 15.0;
+  const double min_gap = self ? 20.0 : 15.0;
   const double post = field.world.server().goal_width / 2.0 - 0.5;
   const double low = soccer::direction_degrees(Vec2{goal.x, -post} - ball);
   const double high = soccer::direction_degrees(Vec2{goal.x, post} - ball);
@@ -150,7 +151,7 @@ bool can_shoot_from(const PlannerField& field, Vec2 ball, int holder, int max_ag
     for (const Shadow& shadow : shadows) {
       gap = std::min(gap, std::fabs(direction - shadow.direction) - shadow.half_width);
     }
-    if (gap >= wanted) return true;
+    if (gap >= min_gap) return true;
   }
   return false;
 }

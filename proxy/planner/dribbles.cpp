@@ -1,4 +1,4 @@
-// Runs of the agent with the ball: short ones, and a kick far ahead.
+// Generates dribbles of the agent: short dribbles and self passes.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -13,32 +13,32 @@ namespace {
 using soccer::AngleDeg;
 using soccer::Vec2;
 
-constexpr int kMostDashes = 20;
+constexpr int kMaxDashes = 20;
 
-/// The agent's places, by cycles from now: one cycle of kicking, then turning, then full dashes.
+/// Agent positions by cycle from now: one kick, turns, full dashes.
 struct Course {
-  std::array<Vec2, kMostDashes + 4> places;
+  std::array<Vec2, kMaxDashes + 4> positions;
   int steps = 0;
 };
 
 Course course_of(const WorldModel& world, AngleDeg heading, int turns, int dashes) {
   Course course;
   const soccer::PlayerType& type = world.self_type();
-  Vec2 place = world.self.position;
+  Vec2 position = world.self.position;
   Vec2 velocity = world.self.velocity;
-  course.places[0] = place;
+  course.positions[0] = position;
   course.steps = 1 + turns + dashes;
   const Vec2 push = dash_acceleration(world, heading, world.server().max_dash_power, 0.0);
   for (int cycle = 1; cycle <= course.steps; ++cycle) {
     if (cycle > 1 + turns) velocity = speed_limited(velocity + push, type.player_speed_max);
-    place += velocity;
+    position += velocity;
     velocity *= type.player_decay;
-    course.places[static_cast<std::size_t>(cycle)] = place;
+    course.positions[static_cast<std::size_t>(cycle)] = position;
   }
   return course;
 }
 
-/// Turns needed until the body points along `heading`, beginning in the cycle after the kick.
+/// Turns until the body points along `heading`, starting in the cycle after the kick.
 int turns_needed(const WorldModel& world, AngleDeg heading) {
   const soccer::PlayerType& type = world.self_type();
   double missing = (heading - world.self.body).abs();
@@ -60,12 +60,12 @@ bool enough_stamina(const WorldModel& world, int dashes) {
   return world.self.stamina - cost > threshold;
 }
 
-/// True when the ball touches the agent's body on the way.
+/// True if the ball collides with the agent.
 bool hits_self(const PlannerField& field, const Course& course, Vec2 velocity) {
   const double clear = collide_distance(field.world) + 0.05;
   for (int cycle = 1; cycle < course.steps; ++cycle) {
     const Vec2 ball = field.ball + velocity * field.roll(cycle);
-    if (squared_distance(ball, course.places[static_cast<std::size_t>(cycle)]) < clear * clear) {
+    if (squared_distance(ball, course.positions[static_cast<std::size_t>(cycle)]) < clear * clear) {
       return true;
     }
   }
@@ -89,7 +89,7 @@ PlanAction dribble(const PlannerField& field, PlanTag tag, Vec2 end, Vec2 veloci
   return action;
 }
 
-/// Somebody can be at the short dribble's end in time.
+/// True if an opponent can reach the end of a short dribble in time.
 bool short_dribble_spoiled(const PlannerField& field, Vec2 end, AngleDeg heading, int cycles) {
   const Vec2 here = field.self.position;
   const Vec2 ahead = soccer::polar(1.0, heading);
@@ -126,7 +126,7 @@ void add_short_dribbles(const PlannerField& field, std::vector<PlanAction>& out)
       if (!enough_stamina(world, dashes)) continue;
       const Course course = course_of(world, heading, turns, dashes);
       const Vec2 end =
-          course.places[static_cast<std::size_t>(course.steps)] + soccer::polar(radius, heading);
+          course.positions[static_cast<std::size_t>(course.steps)] + soccer::polar(radius, heading);
       if (std::fabs(end.x) > soccer::kHalfLength - 1.0 ||
           std::fabs(end.y) > soccer::kHalfWidth - 1.0) {
         continue;
@@ -154,22 +154,22 @@ void add_self_passes(const PlannerField& field, std::vector<PlanAction>& out) {
   const WorldModel& world = field.world;
   if (!field.open_play) return;
   const double x = field.ball.x;
-  const int most = x < -20.0 ? 6 : x < 0.0 ? 7 : x < 10.0 ? 13 : x < 20.0 ? 15 : 20;
+  const int max_dashes = x < -20.0 ? 6 : x < 0.0 ? 7 : x < 10.0 ? 13 : x < 20.0 ? 15 : 20;
   const double radius = collide_distance(world) + 0.4 * world.self_type().kickable_margin;
-  const double turn_most =
+  const double max_turn =
       world.server().maxmoment /
       turn_resistance(world.self_type(), world.self.velocity * world.self_type().player_decay);
   for (int i = 0; i < 60; ++i) {
     const AngleDeg heading(6.0 * i);
     const double off = (heading - world.self.body).abs();
-    if (off > turn_most || (heading.abs() > 85.0 && x < 41.0)) continue;
+    if (off > max_turn || (heading.abs() > 85.0 && x < 41.0)) continue;
     const int turns = off > 1.0 ? 1 : 0;
     int found = 0;
-    for (int dashes = most; dashes >= 5 && found < 10; --dashes) {
+    for (int dashes = max_dashes; dashes >= 5 && found < 10; --dashes) {
       if (!enough_stamina(world, dashes)) continue;
       const Course course = course_of(world, heading, turns, dashes);
       const Vec2 end =
-          course.places[static_cast<std::size_t>(course.steps)] + soccer::polar(radius, heading);
+          course.positions[static_cast<std::size_t>(course.steps)] + soccer::polar(radius, heading);
       const Vec2 own_goal{-soccer::kHalfLength, 0.0};
       if (std::fabs(end.x) > soccer::kHalfLength - 2.5 ||
           std::fabs(end.y) > soccer::kHalfWidth - 3.0 || distance(end, own_goal) < 18.0) {

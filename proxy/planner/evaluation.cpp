@@ -1,4 +1,4 @@
-// Field value first, then the effectors in the order of the interface.
+// Computes the field value, then applies the effectors in the order of the interface.
 #include "proxy/planner/evaluation.h"
 
 #include <algorithm>
@@ -13,7 +13,7 @@ namespace {
 
 using soccer::Vec2;
 
-// A goal for us or them, a chance to shoot, and a state that must not be.
+// Values of a goal, a shooting chance, one of the agent itself, and an impossible state.
 constexpr double kGoal = 1e7;
 constexpr double kShot = 1e6;
 constexpr double kOwnShot = 5e5;
@@ -47,9 +47,9 @@ double ball_value(const PlannerField& field, const PlanNode& state, const FieldW
   return value;
 }
 
-/// The default: as upstream's, but beside their goal the goal line is no better than a few metres
-/// before it, an opponent close by costs, and so does a long wait with the ball. What is sooner and
-/// takes fewer steps is worth more: of ways that end alike the direct one is meant.
+/// Default value, as in helios with changes: the goal line beside the goal is not better than a few
+/// meters before it; near opponents and long ball possession cost; time and number of actions cost,
+/// so of equal results the most direct one wins.
 double default_value(const PlannerField& field, const PlanNode& state) {
   constexpr double kCycle = 0.25;
   constexpr double kLaterAction = 1.0;
@@ -67,7 +67,7 @@ double default_value(const PlannerField& field, const PlanNode& state) {
   return value;
 }
 
-/// The matrix covers the pitch; its smallest value counts as zero.
+/// Cell value of a matrix that covers the pitch, relative to its minimum.
 double matrix_value(const protos::MatrixFieldEvaluator& matrix, Vec2 ball) {
   const auto cell = [](double from_edge, double size, int count) {
     const int index = static_cast<int>(std::floor(from_edge / (size / count)));
@@ -86,24 +86,24 @@ double matrix_value(const protos::MatrixFieldEvaluator& matrix, Vec2 ball) {
 }
 
 double field_value(const PlannerField& field, const PlanNode& state,
-                   const protos::PlannerFieldEvaluator& wanted) {
+                   const protos::PlannerFieldEvaluator& evaluation) {
   double value = 0.0;
-  if (wanted.has_helios_field_evaluator()) {
-    const auto& helios = wanted.helios_field_evaluator();
+  if (evaluation.has_helios_field_evaluator()) {
+    const auto& helios = evaluation.helios_field_evaluator();
     FieldWeights weights;
     weights.x = std::max(0.0F, helios.x_coefficient());
     weights.goal_distance = std::max(0.0F, helios.ball_dist_to_goal_coefficient());
     weights.goal_radius = std::max(0.0F, helios.effective_max_ball_dist_to_goal());
     value += ball_value(field, state, weights);
   }
-  if (wanted.has_matrix_field_evaluator()) {
-    value += matrix_value(wanted.matrix_field_evaluator(), state.ball);
+  if (evaluation.has_matrix_field_evaluator()) {
+    value += matrix_value(evaluation.matrix_field_evaluator(), state.ball);
   }
   return value;
 }
 
 double kind_factor(const protos::ActionTypeEffector& factors, PlanTag first) {
-  const auto factor = [](float wanted) { return std::max(0.0, static_cast<double>(wanted)); };
+  const auto factor = [](float value) { return std::max(0.0, static_cast<double>(value)); };
   switch (first) {
     case PlanTag::kStrictDirect:
       return factor(factors.direct_pass());
@@ -124,8 +124,8 @@ double kind_factor(const protos::ActionTypeEffector& factors, PlanTag first) {
   }
 }
 
-/// The entry for the value's whole part; beyond the list nothing. Positive entries count as zero,
-/// and the list is shifted so that its worst entry costs nothing.
+/// Entry for the integer part of `at`, 0 beyond the list. Positive entries count as zero; the list
+/// is shifted so that the worst entry gives zero.
 template <typename List>
 double listed_effect(const List& list, double at) {
   if (list.empty()) return 0.0;
@@ -172,10 +172,10 @@ double with_effectors(const PlannerField& field, const Plan& plan, int node, dou
         listed_effect(opponents.negetive_effect_by_reach_steps(), steps_of_nearest(field, reached));
   }
   if (effectors.has_teammate_effector()) {
-    const auto& mates = effectors.teammate_effector();
-    const int holder = mates.apply_based_on_first_layer() ? first.holder : state.holder;
-    const auto found = mates.coefficients().find(holder);
-    if (found != mates.coefficients().end()) value *= std::max(0.0F, found->second);
+    const auto& teammates = effectors.teammate_effector();
+    const int holder = teammates.apply_based_on_first_layer() ? first.holder : state.holder;
+    const auto found = teammates.coefficients().find(holder);
+    if (found != teammates.coefficients().end()) value *= std::max(0.0F, found->second);
   }
   return value;
 }
@@ -183,19 +183,19 @@ double with_effectors(const PlannerField& field, const Plan& plan, int node, dou
 }  // namespace
 
 double evaluate(const PlannerField& field, const Plan& plan, int node,
-                const protos::PlannerEvaluation* wanted) {
+                const protos::PlannerEvaluation* evaluation) {
   const PlanNode& state = plan.nodes[static_cast<std::size_t>(node)];
   double value = 0.0;
-  const bool own_field = wanted != nullptr && wanted->has_field_evaluators() &&
-                         (wanted->field_evaluators().has_helios_field_evaluator() ||
-                          wanted->field_evaluators().has_matrix_field_evaluator());
+  const bool own_field = evaluation != nullptr && evaluation->has_field_evaluators() &&
+                         (evaluation->field_evaluators().has_helios_field_evaluator() ||
+                          evaluation->field_evaluators().has_matrix_field_evaluator());
   if (own_field) {
-    value = field_value(field, state, wanted->field_evaluators());
+    value = field_value(field, state, evaluation->field_evaluators());
   } else {
     value = default_value(field, state);
   }
-  if (wanted == nullptr || !wanted->has_effectors()) return value;
-  return with_effectors(field, plan, node, value, wanted->effectors());
+  if (evaluation == nullptr || !evaluation->has_effectors()) return value;
+  return with_effectors(field, plan, node, value, evaluation->effectors());
 }
 
 }  // namespace cls::proxy

@@ -1,4 +1,4 @@
-// What a state is worth: the default, and what Playmakers ask for instead.
+// Evaluation of planner states: the default, or the evaluation of the Playmaker.
 #pragma once
 
 #include "proxy/planner/field.h"
@@ -10,9 +10,9 @@ class PlannerEvaluation;
 
 namespace cls::proxy {
 
-/// The value of `plan.nodes[node]`, by the nodes on the way to it (proxy behaviour 5.4).
-/// `wanted`: the Playmaker's; null for the default.
+/// Value of `plan.nodes[node]`, from the nodes on its path (proxy behaviour 5.4). `evaluation`: the
+/// Playmaker's; null for the default.
 double evaluate(const PlannerField& field, const Plan& plan, int node,
-                const protos::PlannerEvaluation* wanted);
+                const protos::PlannerEvaluation* evaluation);
 
 }  // namespace cls::proxy

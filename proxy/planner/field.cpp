@@ -1,4 +1,4 @@
-// Preparation, and who gets at a rolling ball.
+// Prepares players for the planner, and predicts who stops a rolling ball.
 #include "proxy/planner/field.h"
 
 #include <algorithm>
@@ -14,13 +14,13 @@ namespace {
 using soccer::AngleDeg;
 using soccer::Vec2;
 
-// Added to everybody's reach for what is seen inexactly and for the noise of kicks and dashes.
+// Added to every player's reach for observation errors and motion noise.
 constexpr double kSightError = 0.15;
 constexpr int kUnknownTeamAge = 6;
-constexpr int kGettingUp = 5;  ///< cycles until somebody on the ground runs
-constexpr int kStale = 20;
+constexpr int kGettingUp = 5;  ///< cycles until a player on the ground runs
+constexpr int kMaxAge = 20;
 
-/// What a player may have run since it was last seen: less and less likely more.
+/// Distance a player may have run since it was last seen, weighted by likelihood.
 double unseen_run(int age, double speed) {
   double run = 0.0;
   for (int i = 1; i <= std::min(10, age); ++i) {
@@ -54,8 +54,8 @@ FieldPlayer field_player(const WorldModel& world, const PlayerState& player,
   return out;
 }
 
-/// How far from where he coasts to somebody may have the ball after so many cycles, were he to run
-/// at once and straight.
+/// Distance from its coasting position within which an opponent controls the ball after `cycles` of
+/// running straight.
 double grasp(const FieldOpponent& opponent, int cycles) {
   return opponent.control + kSightError + opponent.unseen_run + opponent.reach->run(cycles);
 }
@@ -66,7 +66,7 @@ void prepare(FieldOpponent& opponent, bool in_box_catches, double catch_reach) {
     const auto i = static_cast<std::size_t>(cycle);
     opponent.drift[i] =
         coast(opponent.position, opponent.velocity, opponent.type->player_decay, cycle);
-    // Somebody on the ground gets up after a while.
+    // A player on the ground starts later.
     opponent.grasp[i] = grasp(opponent, opponent.lying ? cycle - kGettingUp : cycle);
   }
 }
@@ -101,8 +101,9 @@ PlannerField::PlannerField(const WorldModel& w, int cycles_held) : world(w), hel
   me.body = world.self.body;
   me.pos_count = me.vel_count = me.body_count = 0;
   self = field_player(world, me, reach_of(me.type_id));
-  for (const PlayerState& mate : world.teammates) {
-    if (mate.position_valid()) mates.push_back(field_player(world, mate, reach_of(mate.type_id)));
+  for (const PlayerState& teammate : world.teammates) {
+    if (teammate.position_valid())
+      teammates.push_back(field_player(world, teammate, reach_of(teammate.type_id)));
   }
   const double catch_reach = world.server().catchable_area_l;
   const auto add = [&](const PlayerState& player) {
@@ -112,7 +113,7 @@ PlannerField::PlannerField(const WorldModel& w, int cycles_held) : world(w), hel
     opponents.push_back(opponent);
   };
   for (const PlayerState& player : world.opponents) {
-    if (player.pos_count <= kStale && player.ghost_count < 2) add(player);
+    if (player.pos_count <= kMaxAge && player.ghost_count < 2) add(player);
   }
   for (const PlayerState& player : world.unknowns) {
     if (player.pos_count <= kUnknownTeamAge && !player.ghost()) add(player);
@@ -129,10 +130,10 @@ int PlannerField::kicks_for(Vec2 direction, double speed) const {
   return speed > 2.5 ? 3 : 2;
 }
 
-const FieldPlayer* PlannerField::ours(int unum) const {
+const FieldPlayer* PlannerField::our_player(int unum) const {
   if (unum == self.unum) return &self;
-  for (const FieldPlayer& mate : mates) {
-    if (mate.unum == unum) return &mate;
+  for (const FieldPlayer& teammate : teammates) {
+    if (teammate.unum == unum) return &teammate;
   }
   return nullptr;
 }
@@ -147,7 +148,7 @@ int turns_to_face(const FieldPlayer& player, Vec2 way, double length, const Slac
   if (!player.body_known) return 1;
   const double error_cos = dot(way, player.body) / length;
   if (error_cos >= slack.cos) return 0;
-  if (player.turn_cos <= -slack.cos) return 1;  // one turn leads anywhere
+  if (player.turn_cos <= -slack.cos) return 1;  // one turn suffices
   return error_cos >= player.turn_cos * slack.cos - player.turn_sin * slack.sin ? 1 : 2;
 }
 
@@ -155,15 +156,15 @@ namespace {
 
 constexpr Slack kTwentyDegrees{0.93969262078590838, 0.34202014332566873};
 
-/// Cycles before the player runs towards a point that far along `way`.
+/// Cycles before the player runs along `way`.
 int cycles_before_run(const FieldPlayer& player, Vec2 way, double length) {
   return turns_to_face(player, way, length, slack_for(player.control, length, kFifteenDegrees)) +
          (player.lying ? kGettingUp : 0);
 }
 
 int age_credit(const FieldPlayer& player, bool count_age) {
-  constexpr int kMost = 5;
-  return count_age ? std::min(player.age, kMost) : 0;
+  constexpr int kMax = 5;
+  return count_age ? std::min(player.age, kMax) : 0;
 }
 
 }  // namespace
@@ -191,7 +192,7 @@ bool opponent_gets_there(const PlannerField& field, Vec2 point, int cycles, bool
     const Vec2 way = point - opponent.rest;
     const double far = opponent.control + opponent.reach->run(time);
     const double length2 = way.squared_length();
-    if (length2 > far * far) continue;  // not even straight ahead
+    if (length2 > far * far) continue;  // out of reach even without a turn
     const double length = std::sqrt(length2);
     const double run = length - opponent.control;
     if (run <= 0.0) return true;
@@ -210,8 +211,8 @@ double nearest_opponent(const PlannerField& field, Vec2 point) {
 
 namespace {
 
-/// True when the opponent has the ball `now` cycles from now, were it at the end of `way` then, as
-/// seen from where he coasts to. A turn costs a cycle or two.
+/// True if the opponent controls the ball in `now` cycles at the end of `way`, as seen from its
+/// coasting position. A turn costs one or two cycles.
 bool stops_there(const FieldOpponent& opponent, Vec2 way, double length, int now,
                  const StopRules& rules) {
   const double unseen = rules.count_age ? opponent.unseen_run : 0.0;
@@ -220,8 +221,8 @@ bool stops_there(const FieldOpponent& opponent, Vec2 way, double length, int now
   constexpr double kArmsLength = 0.2;
   const Slack slack = slack_for(opponent.control + kArmsLength, length, kTwentyDegrees);
   const int turns = turns_to_face(opponent, way, length, slack);
-  constexpr int kMostCredit = 3;
-  const int credit = rules.count_age ? std::min(kMostCredit, opponent.age) : 0;
+  constexpr int kMaxCredit = 3;
+  const int credit = rules.count_age ? std::min(kMaxCredit, opponent.age) : 0;
   return opponent.reach->run(now + credit - turns - (opponent.lying ? kGettingUp : 0)) >= run;
 }
 
@@ -231,13 +232,13 @@ bool stops(const PlannerField& field, const BallRoll& roll, const StopRules& rul
   const auto at = [&](int cycle) {
     return static_cast<std::size_t>(std::min(kPlannerHorizon, cycle + rules.head_start));
   };
-  // Farther from the whole way than he can come by its end: out of the question.
+  // Quick rejection: the whole path is out of reach.
   const Vec2 relative = opponent.drift[at(roll.cycles)] - field.ball;
   const double along = std::clamp(dot(relative, roll.direction), 0.0, way_length);
   const double speed = opponent.velocity.length();
   const double far = opponent.grasp[at(roll.cycles)] + speed * 2.0 + rules.extra_reach;
   if ((relative - roll.direction * along).squared_length() > far * far) return false;
-  // In a cycle ball and he come closer by no more than this.
+  // Maximum closing speed of ball and opponent.
   const double closing = roll.speed + speed + opponent.type->player_speed_max;
   const Vec2 step = roll.direction * roll.speed;
   for (int cycle = 1; cycle <= roll.cycles; ++cycle) {
@@ -257,7 +258,7 @@ bool stops(const PlannerField& field, const BallRoll& roll, const StopRules& rul
 
 bool is_stopped(const PlannerField& field, const BallRoll& roll, const StopRules& rules) {
   const auto& opponents = field.opponents;
-  // Balls that are tried one after another differ little: who stopped the last one is asked first.
+  // Consecutive candidates are similar: check the opponent that stopped the last one first.
   const std::size_t last = field.last_stopper;
   if (last < opponents.size() && stops(field, roll, rules, opponents[last])) return true;
   for (std::size_t i = 0; i < opponents.size(); ++i) {

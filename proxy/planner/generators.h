@@ -1,4 +1,4 @@
-// What the holder of the ball could do next.
+// Action generators of the planner.
 #pragma once
 
 #include <vector>
@@ -8,20 +8,20 @@
 
 namespace cls::proxy {
 
-// First actions of the agent, checked cycle by cycle against all opponents (proxy behaviour 5.2).
+// First actions of the agent, simulated cycle by cycle against all opponents (proxy behaviour 5.2).
 // Each appends to `out`.
 
-/// Passes to the feet, into the run, and behind their defence.
+/// Direct, lead and through passes.
 void add_passes(const PlannerField& field, std::vector<PlanAction>& out);
-/// Hard passes in front of their goal.
+/// Crosses: hard passes in front of their goal.
 void add_crosses(const PlannerField& field, std::vector<PlanAction>& out);
 /// One kick, up to two turns, two to four dashes.
 void add_short_dribbles(const PlannerField& field, std::vector<PlanAction>& out);
-/// A kick far ahead that the agent runs after.
+/// Self passes (long dribbles): a kick far ahead that the agent runs after.
 void add_self_passes(const PlannerField& field, std::vector<PlanAction>& out);
 
-// Later actions, checked coarsely: the state's ball at the feet of `holder`, everybody else where
-// he is now (the tree's players who had the ball before where they left it).
+// Later actions with coarse checks: the ball is at the holder; all other players stay at their
+// current position (earlier holders where they released the ball).
 
 struct CoarseState {
   const PlannerField& field;
@@ -29,9 +29,9 @@ struct CoarseState {
   int node = 0;
 
   const PlanNode& now() const { return plan.nodes[static_cast<std::size_t>(node)]; }
-  /// Where our player is in this state.
-  soccer::Vec2 place_of(const FieldPlayer& player) const;
-  /// True when the player had the ball on the way here.
+  /// Position of our player in this state.
+  soccer::Vec2 position_of(const FieldPlayer& player) const;
+  /// True if the player had the ball on the path to this state.
   bool had_ball(int unum) const;
 };
 
@@ -39,7 +39,7 @@ void add_simple_passes(const CoarseState& state, std::vector<PlanAction>& out);
 void add_simple_dribbles(const CoarseState& state, std::vector<PlanAction>& out);
 void add_simple_shot(const CoarseState& state, std::vector<PlanAction>& out);
 
-/// True when the holder of that state sees room between the posts from near enough.
+/// True if the holder is in shooting range and sees a gap between the posts.
 bool can_shoot_from(const PlannerField& field, soccer::Vec2 ball, int holder, int max_age);
 
 }  // namespace cls::proxy

@@ -1,4 +1,4 @@
-// Every direction and a few speeds, followed until somebody has the ball.
+// Simulates all directions and several speeds until a player gets the ball.
 #include "proxy/planner/outlet.h"
 
 #include <algorithm>
@@ -14,7 +14,8 @@ namespace {
 using soccer::Vec2;
 
 constexpr int kDirections = 60;
-constexpr std::array<double, 4> kSpeedShares{1.0, 0.8, 0.65, 0.5};  ///< of the fastest kick
+constexpr std::array<double, 4> kSpeedShares{1.0, 0.8, 0.65,
+                                             0.5};  ///< fractions of the maximum speed
 
 bool on_pitch(Vec2 point) {
   return std::fabs(point.x) < soccer::kHalfLength && std::fabs(point.y) < soccer::kHalfWidth;
@@ -29,7 +30,7 @@ bool in_own_box(Vec2 point) {
          std::fabs(point.y) < soccer::kPenaltyAreaWidth / 2.0;
 }
 
-/// The player is where the ball will be in that cycle, in time.
+/// True if the player reaches the ball position by that cycle.
 bool gets(const FieldPlayer& player, Vec2 ball, int cycle) {
   const double far = player.control + player.reach->run(cycle) + player.velocity.length() * 2.0;
   if (squared_distance(player.position, ball) > far * far) return false;
@@ -40,10 +41,11 @@ class OutletSearch {
  public:
   explicit OutletSearch(const PlannerField& field)
       : field_(field), goal_kick_(is_goal_kick(field.world.game.mode)) {
-    constexpr int kStale = 15;
-    for (const FieldPlayer& mate : field.mates) {
-      const bool offside = field.open_play && mate.position.x > field.world.lines.offside;
-      if (!mate.goalie && !mate.ghost && mate.age <= kStale && !offside) mates_.push_back(&mate);
+    constexpr int kMaxAge = 15;
+    for (const FieldPlayer& teammate : field.teammates) {
+      const bool offside = field.open_play && teammate.position.x > field.world.lines.offside;
+      if (!teammate.goalie && !teammate.ghost && teammate.age <= kMaxAge && !offside)
+        teammates_.push_back(&teammate);
     }
   }
 
@@ -76,9 +78,9 @@ class OutletSearch {
         return outlet;
       }
       if (opponent_gets(outlet.target, cycle)) break;
-      if (mate_gets(outlet.target, cycle)) {
+      if (teammate_gets(outlet.target, cycle)) {
         const int ahead = opponents_cycles_to(field_, outlet.target, true) - cycle;
-        outlet.ours = true;
+        outlet.teammate_first = true;
         outlet.value = value_of_gain(outlet.target, ahead);
         return outlet;
       }
@@ -88,40 +90,40 @@ class OutletSearch {
   }
 
   bool opponent_gets(Vec2 ball, int cycle) const {
-    constexpr int kMostCredit = 5;
+    constexpr int kMaxCredit = 5;
     return std::any_of(field_.opponents.begin(), field_.opponents.end(),
                        [&](const FieldOpponent& opponent) {
-                         const int credit = std::min(opponent.age, kMostCredit);
+                         const int credit = std::min(opponent.age, kMaxCredit);
                          return gets(opponent, ball, cycle + 1 + credit);
                        });
   }
-  bool mate_gets(Vec2 ball, int cycle) const {
-    // A goal kick is in play once it has left the area.
+  bool teammate_gets(Vec2 ball, int cycle) const {
+    // A goal kick is in play after leaving the penalty area.
     if (goal_kick_ && in_own_box(ball)) return false;
-    constexpr int kSurprise = 4;  // cycles until everybody has seen where it goes and runs
-    return std::any_of(mates_.begin(), mates_.end(), [&](const FieldPlayer* mate) {
-      return gets(*mate, ball, cycle - kSurprise);
+    constexpr int kSurprise = 4;  // reaction time of teammates, cycles
+    return std::any_of(teammates_.begin(), teammates_.end(), [&](const FieldPlayer* teammate) {
+      return gets(*teammate, ball, cycle - kSurprise);
     });
   }
 
-  // A kick-in leaves us time to be in our places.
+  // Bonus: a kick-in gives us time to take positions.
   static constexpr double kKickIn = 8.0;
   static double value_of_loss(Vec2 ball) {
-    if (ball.x <= -soccer::kHalfLength) return -100.0;  // a corner, or worse
+    if (ball.x <= -soccer::kHalfLength) return -100.0;  // corner kick or own goal
     return 0.5 * (ball.x + soccer::kHalfLength) + 0.4 * std::fabs(ball.y);
   }
-  /// `ahead`: cycles that the nearest opponent comes later than the ball.
+  /// `ahead`: cycles by which the nearest opponent is later than the ball.
   static double value_of_gain(Vec2 ball, int ahead) {
     constexpr double kSafe = 7.0;
-    constexpr double kTouchLine = soccer::kHalfWidth - 3.0;  // missed there, it is theirs
+    constexpr double kTouchLine = soccer::kHalfWidth - 3.0;  // beyond it a missed ball goes out
     const double share = std::clamp(ahead / kSafe, 0.0, std::fabs(ball.y) < kTouchLine ? 1.0 : 0.7);
-    // Taken off its receiver it is a loss there.
+    // Otherwise the receiver loses it there.
     return share * (30.0 + ball.x + soccer::kHalfLength) + (1.0 - share) * value_of_loss(ball);
   }
 
   const PlannerField& field_;
   bool goal_kick_;
-  FixedList<const FieldPlayer*, 22> mates_;
+  FixedList<const FieldPlayer*, 22> teammates_;
   std::optional<Outlet> best_;
 };
 

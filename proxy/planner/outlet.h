@@ -1,4 +1,4 @@
-// Long balls out of defence: who gets them, and where that leaves us.
+// Outlets: long balls out of defense.
 #pragma once
 
 #include <optional>
@@ -7,17 +7,16 @@
 
 namespace cls::proxy {
 
-/// A ball that is kicked once and then anybody's.
+/// A long ball by one kick.
 struct Outlet {
-  soccer::Vec2 target;  ///< where somebody gets it, or where it leaves the pitch
-  double speed = 0.0;   ///< first, metres per cycle
-  bool ours = false;    ///< a teammate is there first
-  double value = 0.0;   ///< comparable among outlets of the same moment only
+  soccer::Vec2 target;          ///< where a player gets it or it leaves the pitch
+  double speed = 0.0;           ///< first, meters per cycle
+  bool teammate_first = false;  ///< a teammate gets it first
+  double value = 0.0;           ///< comparable only between outlets of the same step
 };
 
-/// The most promising of the balls that one kick can send upfield; nothing when the ball cannot be
-/// kicked anywhere. A ball that a teammate gets with time to spare is best; of the others, the
-/// farther from our goal and the nearer to a touch line the better.
+/// Best outlet; empty if no kick is possible. Outlets that a teammate gets with time to spare are
+/// best; otherwise those far from our goal and near a touch line.
 std::optional<Outlet> best_outlet(const PlannerField& field);
 
 }  // namespace cls::proxy

@@ -1,4 +1,4 @@
-// Passes of the agent: to the feet, into the run, behind the defence.
+// Generates direct, lead and through passes, and crosses of the agent.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -26,13 +26,14 @@ class PassSearch {
  public:
   PassSearch(const PlannerField& field, std::vector<PlanAction>& out) : field_(field), out_(out) {
     const WorldModel& world = field.world;
-    for (const FieldPlayer& mate : field.mates) {
-      if (mate.unum == 0 || mate.age > kReceiverAge || mate.ghost || mate.lying) continue;
-      const double dist = distance(mate.position, field.ball);
+    for (const FieldPlayer& teammate : field.teammates) {
+      if (teammate.unum == 0 || teammate.age > kReceiverAge || teammate.ghost || teammate.lying)
+        continue;
+      const double dist = distance(teammate.position, field.ball);
       if (dist > kFarReceiver) continue;
-      if (mate.position.x > world.lines.offside && field.open_play) continue;
-      if (mate.goalie && mate.position.x < -22.0) continue;
-      receivers_.push_back(&mate);
+      if (teammate.position.x > world.lines.offside && field.open_play) continue;
+      if (teammate.goalie && teammate.position.x < -22.0) continue;
+      receivers_.push_back(&teammate);
     }
     const ReachTable usual(world.server(), world.parameters->type(0));
     usual_speed_ = usual.settled_speed();
@@ -47,7 +48,7 @@ class PassSearch {
   }
 
  private:
-  /// Cycles until the receiver is at the point, as cautious as it should be.
+  /// Conservative estimate of the cycles until the receiver is at the point.
   int receiver_cycles(const FieldPlayer& receiver, Vec2 point, bool free_run) const {
     const Vec2 way = point - receiver.rest;
     double dist = way.length();
@@ -67,13 +68,13 @@ class PassSearch {
   }
 
   struct Speeds {
-    double least_first = 0.0;
-    double least_arrival = 0.0;
-    double most_arrival = 3.0;
+    double min_first = 0.0;
+    double min_arrival = 0.0;
+    double max_arrival = 3.0;
   };
 
-  /// Tries to send the ball to the point in `first` to `last` cycles; the first number of cycles
-  /// that nobody can spoil is taken.
+  /// Adds a pass to the point that takes `first` to `last` cycles: the fastest one that no opponent
+  /// can stop.
   bool try_ball(const FieldPlayer& receiver, Vec2 point, int first, int last, const Speeds& speeds,
                 PlanTag tag) {
     const Vec2 way = point - field_.ball;
@@ -83,10 +84,10 @@ class PassSearch {
     for (int n = std::max(1, first); n <= std::min(last, kPlannerHorizon); ++n) {
       const double speed = field_.first_speed(length, n);
       if (speed > max) continue;
-      if (speed < speeds.least_first) break;
+      if (speed < speeds.min_first) break;
       const double arrival = speed * field_.speed_left(n);
-      if (arrival > speeds.most_arrival) continue;
-      if (arrival < speeds.least_arrival) break;
+      if (arrival > speeds.max_arrival) continue;
+      if (arrival < speeds.min_arrival) break;
       const int kicks = field_.kicks_for(direction, speed);
       if (!field_.open_play && !reachable_at_once(direction, speed)) continue;
       StopRules rules;
@@ -140,9 +141,9 @@ class PassSearch {
     if (distance(point, own_goal) < 18.0 && point.x < field_.ball.x) return;
     const double push = 100.0 * receiver.type->dash_power_rate * receiver.type->effort_max;
     Speeds speeds;
-    speeds.least_first = usual_speed_;
-    speeds.least_arrival = receiver.reach->settled_speed();
-    speeds.most_arrival = receiver.control + 1.8 * push;
+    speeds.min_first = usual_speed_;
+    speeds.min_arrival = receiver.reach->settled_speed();
+    speeds.max_arrival = receiver.control + 1.8 * push;
     const int ready = receiver.reach->cycles(receiver.unseen_run);
     const int first = std::max({3, fewest_cycles(length), ready});
     try_ball(receiver, point, first, first + 4, speeds, PlanTag::kStrictDirect);
@@ -153,9 +154,9 @@ class PassSearch {
     constexpr int kDirections = 24;
     const double push = 100.0 * receiver.type->dash_power_rate * receiver.type->effort_max;
     Speeds speeds;
-    speeds.least_first = usual_speed_;
-    speeds.least_arrival = 0.6;
-    speeds.most_arrival = receiver.control + 1.5 * push;
+    speeds.min_first = usual_speed_;
+    speeds.min_arrival = 0.6;
+    speeds.max_arrival = receiver.control + 1.5 * push;
     for (std::size_t ring = 0; ring < kRings.size(); ++ring) {
       for (int i = 0; i < kDirections; i += ring < 2 ? 2 : 1) {
         const Vec2 point =
@@ -176,18 +177,18 @@ class PassSearch {
 
   void through(const FieldPlayer& receiver) {
     const double offside = field_.world.lines.offside;
-    const double least_x = std::min({std::max(10.0, field_.ball.x + 10.0), offside - 10.0, 31.0});
-    if (receiver.position.x < least_x - 30.0) return;
+    const double min_x = std::min({std::max(10.0, field_.ball.x + 10.0), offside - 10.0, 31.0});
+    if (receiver.position.x < min_x - 30.0) return;
     Speeds speeds;
-    speeds.least_first = 1.4;
+    speeds.min_first = 1.4;
     const double push = 100.0 * receiver.type->dash_power_rate * receiver.type->effort_max;
-    speeds.most_arrival = receiver.control + 1.5 * push;
+    speeds.max_arrival = receiver.control + 1.5 * push;
     for (int ray = -7; ray <= 7; ++ray) {
       const AngleDeg angle(ray * 40.0 / 7.0);
       const Vec2 step = soccer::polar(1.0, angle);
       for (double far = 6.0; far <= 30.0; far += 2.0) {
         const Vec2 point = receiver.rest + step * far;
-        if (point.x < least_x || !inside(point, 2.5, 5.0) || point.x > 50.0) continue;
+        if (point.x < min_x || !inside(point, 2.5, 5.0) || point.x > 50.0) continue;
         const double length = distance(point, field_.ball);
         if (length < 5.0 || length > 0.9 * field_.longest_roll()) continue;
         if (!nearest_receiver(receiver, point)) continue;
@@ -219,13 +220,13 @@ void add_crosses(const PlannerField& field, std::vector<PlanAction>& out) {
   if (distance(field.ball, goal) > kNear || soccer::is_penalty_mode(field.world.game.mode)) return;
   const double max = field.world.server().ball_speed_max;
   const double own_area = kickable_area(field.world);
-  for (const FieldPlayer& mate : field.mates) {
-    if (mate.unum == 0 || mate.ghost || mate.age >= 4 || mate.lying) continue;
-    if (mate.position.x > field.world.lines.offside && field.open_play) continue;
-    if (distance(mate.position, goal) > 16.0) continue;
-    const double dist = distance(mate.position, field.ball);
+  for (const FieldPlayer& teammate : field.teammates) {
+    if (teammate.unum == 0 || teammate.ghost || teammate.age >= 4 || teammate.lying) continue;
+    if (teammate.position.x > field.world.lines.offside && field.open_play) continue;
+    if (distance(teammate.position, goal) > 16.0) continue;
+    const double dist = distance(teammate.position, field.ball);
     if (dist < 2.2 * own_area || dist > max * field.roll(9)) continue;
-    const AngleDeg straight = AngleDeg::of(mate.position - field.ball);
+    const AngleDeg straight = AngleDeg::of(teammate.position - field.ball);
     PlanAction best;
     double best_gap = -1.0;
     for (const double off : {-6.0, -3.0, 0.0, 3.0, 6.0}) {
@@ -240,7 +241,7 @@ void add_crosses(const PlannerField& field, std::vector<PlanAction>& out) {
       for (double back = 0.0; back <= 3.6; back += 0.9) {
         const double length = dist - back;
         const Vec2 point = field.ball + direction * length;
-        const int ready = cycles_to_get(mate, point) + 1;
+        const int ready = cycles_to_get(teammate, point) + 1;
         bool found = false;
         for (int n = std::max(2, ready); n <= 12 && !found; ++n) {
           const double speed = field.first_speed(length, n);
@@ -256,7 +257,7 @@ void add_crosses(const PlannerField& field, std::vector<PlanAction>& out) {
           best.category = PlanCategory::kPass;
           best.tag = PlanTag::kCross;
           best.sender = field.self.unum;
-          best.target = mate.unum;
+          best.target = teammate.unum;
           best.target_point = point;
           best.first_speed = speed;
           best.kicks = kicks;

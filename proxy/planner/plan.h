@@ -1,4 +1,4 @@
-// The planner's vocabulary: actions, the states they lead to, and the tree of both.
+// Planner data: actions, states, and the search tree.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@ namespace cls::proxy {
 
 enum class PlanCategory : std::uint8_t { kHold, kDribble, kPass, kShoot, kClear, kMove, kNoAction };
 
-/// How the action was found; names on the wire in planner_messages.h.
+/// Generator of the action; wire names in planner_messages.cpp.
 enum class PlanTag : std::uint8_t {
   kHold,
   kStrictDirect,
@@ -24,11 +24,11 @@ enum class PlanTag : std::uint8_t {
   kSimpleShoot,
 };
 
-/// What somebody does with the ball. Metres, metres per cycle, cycles, degrees.
+/// An action with the ball. Meters, meters per cycle, cycles, degrees.
 struct PlanAction {
   PlanCategory category = PlanCategory::kHold;
   PlanTag tag = PlanTag::kHold;
-  int sender = 0;  ///< numbers of our team
+  int sender = 0;  ///< uniform numbers of our team
   int target = 0;
   soccer::Vec2 target_point;
   double first_speed = 0.0;
@@ -38,10 +38,10 @@ struct PlanAction {
   int kicks = 0;
   int turns = 0;
   int dashes = 0;
-  bool final = false;  ///< nothing is planned beyond it
+  bool final = false;  ///< not expanded further
 };
 
-/// A node: the action that leads to it, and the state then. The ball lies at its holder's feet.
+/// A node: an action and the resulting state, with the ball at its holder.
 struct PlanNode {
   PlanAction action;
   int parent = -1;  ///< index of a node; -1 for the root
@@ -49,17 +49,17 @@ struct PlanNode {
   int holder = 0;
   soccer::Vec2 ball;
   int time = 0;  ///< cycles from now
-  double our_defence_line = 0.0;
+  double our_defense_line = 0.0;
   double value = 0.0;
 };
 
-/// Node 0 is the root: the present state, holding the ball.
+/// Node 0 is the root: the current state, hold.
 struct Plan {
   std::vector<PlanNode> nodes;
-  int best = 0;  ///< node of the highest value
+  int best = 0;  ///< node with the highest value
 
   bool empty() const { return nodes.empty(); }
-  /// The node of the first action on the way to `node`; 0 for the root.
+  /// Node of the first action on the path to `node`; 0 for the root.
   int first_of(int node) const {
     while (node > 0 && nodes[static_cast<std::size_t>(node)].parent > 0) {
       node = nodes[static_cast<std::size_t>(node)].parent;
@@ -68,7 +68,7 @@ struct Plan {
   }
 };
 
-/// What the planner may do.
+/// Enabled generators and limits.
 struct PlannerOptions {
   bool passes = true;
   bool cross = true;

@@ -1,10 +1,10 @@
-// Nodes to messages.
+// Converts plan nodes to protobuf messages.
 #include "proxy/planner/planner_messages.h"
 
 #include <algorithm>
 
 #include "proto/playmaker.pb.h"
-#include "proxy/messages/object_messages.h"
+#include "proxy/messages/state_message.h"
 
 namespace cls::proxy {
 namespace {
@@ -77,10 +77,10 @@ void fill_state(const WorldModel& world, const PlanNode& node, protos::RpcPredic
   out.set_ball_holder_unum(node.holder);
   fill(node.ball, *out.mutable_ball_position());
   fill({}, *out.mutable_ball_velocity());
-  out.set_our_defense_line_x(node.our_defence_line);
+  out.set_our_defense_line_x(node.our_defense_line);
   double foremost = std::max(world.self.position.x, node.ball.x);
-  for (const PlayerState& mate : world.teammates) {
-    if (mate.position_valid()) foremost = std::max(foremost, mate.position.x);
+  for (const PlayerState& teammate : world.teammates) {
+    if (teammate.position_valid()) foremost = std::max(foremost, teammate.position.x);
   }
   out.set_our_offense_line_x(foremost);
 }

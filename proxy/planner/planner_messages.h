@@ -1,4 +1,4 @@
-// The plan on the wire: GetBestPlannerAction.
+// Messages of the GetBestPlannerAction call.
 #pragma once
 
 #include "proxy/planner/plan.h"
@@ -11,12 +11,12 @@ class State;
 
 namespace cls::proxy {
 
-/// Replaces `out` with all nodes of the plan: index 0 is holding the ball, the others are numbered
-/// as they were made; parent -1 for first actions. `state` is the decision's, identity included.
+/// Replaces `out` with all nodes of the plan by index (0: hold; parent -1 for first actions).
+/// `state` is the State of the decision, with register_response.
 void fill_planner_request(const WorldModel& world, const Plan& plan, const protos::State& state,
                           protos::BestPlannerActionRequest& out);
 
-/// The first action that leads to the chosen node; the plan's own best for an index without node.
+/// First action on the path to the chosen node; the best of the plan for an invalid index.
 int first_action_of(const Plan& plan, int chosen);
 
 }  // namespace cls::proxy

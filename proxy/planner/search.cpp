@@ -1,4 +1,4 @@
-// Always the most promising state next, until enough states were looked at.
+// Best-first search up to a maximum number of nodes.
 #include "proxy/planner/search.h"
 
 #include <algorithm>
@@ -15,15 +15,15 @@ namespace {
 
 constexpr int kDefaultDepth = 4;
 constexpr int kDefaultNodes = 500;
-// More than this no cycle has time for.
-constexpr int kMostNodes = 10000;
-constexpr int kMostDepth = 10;
+// Limits that keep planning within a cycle.
+constexpr int kMaxNodes = 10000;
+constexpr int kMaxDepth = 10;
 
 class Search {
  public:
   Search(const PlannerField& field, const PlannerOptions& options,
-         const protos::PlannerEvaluation* wanted)
-      : field_(field), options_(options), wanted_(wanted) {
+         const protos::PlannerEvaluation* evaluation)
+      : field_(field), options_(options), evaluation_(evaluation) {
     plan_.nodes.reserve(static_cast<std::size_t>(options.max_nodes) + 1);
   }
 
@@ -47,9 +47,9 @@ class Search {
     root.action.final = true;
     root.holder = field_.self.unum;
     root.ball = field_.ball;
-    root.our_defence_line = field_.world.lines.our_defense;
+    root.our_defense_line = field_.world.lines.our_defense;
     plan_.nodes.push_back(root);
-    plan_.nodes[0].value = evaluate(field_, plan_, 0, wanted_);
+    plan_.nodes[0].value = evaluate(field_, plan_, 0, evaluation_);
     open_.push({plan_.nodes[0].value, 0});
   }
 
@@ -77,20 +77,20 @@ class Search {
     node.holder = action.target;
     node.ball = action.target_point;
     node.time = from.time + action.duration;
-    node.our_defence_line = std::min(from.our_defence_line, node.ball.x);
+    node.our_defense_line = std::min(from.our_defense_line, node.ball.x);
     return node;
   }
 
-  /// Adds the node, valued.
+  /// Adds and evaluates a node.
   void add(PlanNode node) {
     plan_.nodes.push_back(node);
-    plan_.nodes.back().value = evaluate(field_, plan_, count() - 1, wanted_);
+    plan_.nodes.back().value = evaluate(field_, plan_, count() - 1, evaluation_);
   }
 
-  /// Of many first actions that differ by a metre, the best of each kind and receiver: the tree
-  /// needs room for what comes after them.
-  void thin_out() {
-    constexpr int kOfAKind = 10;
+  /// Keeps only the best first actions of each kind and receiver, so that the tree has room for
+  /// later actions.
+  void prune_first_actions() {
+    constexpr int kMaxPerKind = 10;
     std::vector<std::pair<double, std::size_t>> order;
     for (std::size_t i = 0; i < actions_.size(); ++i) {
       add(child(0, actions_[i]));
@@ -99,33 +99,33 @@ class Search {
     }
     std::sort(order.begin(), order.end());
     std::map<std::pair<PlanTag, int>, int> taken;
-    std::vector<PlanAction> kept;
-    const auto most = static_cast<std::size_t>(std::max(10, options_.max_nodes / 3));
+    std::vector<PlanAction> best;
+    const auto max_count = static_cast<std::size_t>(std::max(10, options_.max_nodes / 3));
     for (const auto& [value, i] : order) {
       const PlanAction& action = actions_[i];
-      if (kept.size() >= most) break;
-      if (taken[{action.tag, action.target}]++ < kOfAKind) kept.push_back(action);
+      if (best.size() >= max_count) break;
+      if (taken[{action.tag, action.target}]++ < kMaxPerKind) best.push_back(action);
     }
-    actions_ = std::move(kept);
+    actions_ = std::move(best);
   }
 
   void expand(int parent) {
     generate(parent);
-    if (parent == 0) thin_out();
+    if (parent == 0) prune_first_actions();
     for (const PlanAction& action : actions_) {
       if (count() >= options_.max_nodes) return;
       const int index = count();
       add(child(parent, action));
       const PlanNode& node = plan_.nodes.back();
       if (node.value > plan_.nodes[static_cast<std::size_t>(plan_.best)].value) plan_.best = index;
-      // Equal values: the earlier node first.
+      // Ties: the earlier node first.
       if (!action.final && node.depth < options_.max_depth) open_.push({node.value, -index});
     }
   }
 
   const PlannerField& field_;
   const PlannerOptions& options_;
-  const protos::PlannerEvaluation* wanted_;
+  const protos::PlannerEvaluation* evaluation_;
   Plan plan_;
   std::vector<PlanAction> actions_;
   std::priority_queue<std::pair<double, int>> open_;
@@ -133,23 +133,25 @@ class Search {
 
 }  // namespace
 
-PlannerOptions planner_options(const protos::HeliosOffensivePlanner& wish) {
+PlannerOptions planner_options(const protos::HeliosOffensivePlanner& action) {
   PlannerOptions options;
-  options.passes = wish.direct_pass() || wish.lead_pass() || wish.through_pass();
-  options.cross = wish.cross();
-  options.short_dribble = wish.short_dribble();
-  options.long_dribble = wish.long_dribble();
-  options.simple_pass = wish.simple_pass();
-  options.simple_dribble = wish.simple_dribble();
-  options.simple_shoot = wish.simple_shoot();
-  options.max_depth = wish.max_depth() > 0 ? std::min(wish.max_depth(), kMostDepth) : kDefaultDepth;
-  options.max_nodes = wish.max_nodes() > 0 ? std::min(wish.max_nodes(), kMostNodes) : kDefaultNodes;
+  options.passes = action.direct_pass() || action.lead_pass() || action.through_pass();
+  options.cross = action.cross();
+  options.short_dribble = action.short_dribble();
+  options.long_dribble = action.long_dribble();
+  options.simple_pass = action.simple_pass();
+  options.simple_dribble = action.simple_dribble();
+  options.simple_shoot = action.simple_shoot();
+  options.max_depth =
+      action.max_depth() > 0 ? std::min(action.max_depth(), kMaxDepth) : kDefaultDepth;
+  options.max_nodes =
+      action.max_nodes() > 0 ? std::min(action.max_nodes(), kMaxNodes) : kDefaultNodes;
   return options;
 }
 
 Plan make_plan(const PlannerField& field, const PlannerOptions& options,
-               const protos::PlannerEvaluation* wanted) {
-  return Search(field, options, wanted).run();
+               const protos::PlannerEvaluation* evaluation) {
+  return Search(field, options, evaluation).run();
 }
 
 }  // namespace cls::proxy

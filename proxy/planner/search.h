@@ -1,4 +1,4 @@
-// The planner: the best first tree over what the agent and its team could do with the ball.
+// The offensive planner: best-first search over actions of the agent and its team.
 #pragma once
 
 #include "proxy/planner/field.h"
@@ -11,12 +11,12 @@ class PlannerEvaluation;
 
 namespace cls::proxy {
 
-/// What the Playmaker allows; any kind of pass allows all three, as with upstream.
-PlannerOptions planner_options(const protos::HeliosOffensivePlanner& wish);
+/// Options of the Playmaker's action; any kind of pass enables all three, as in helios.
+PlannerOptions planner_options(const protos::HeliosOffensivePlanner& action);
 
-/// Plans for the agent with the ball; `wanted` changes the values (null: the default). Never
-/// empty: without anything better, the root is best, which means to hold the ball.
+/// Plans for the agent with the ball; `evaluation` null: the default. Never empty: the root means
+/// hold.
 Plan make_plan(const PlannerField& field, const PlannerOptions& options,
-               const protos::PlannerEvaluation* wanted);
+               const protos::PlannerEvaluation* evaluation);
 
 }  // namespace cls::proxy

@@ -1,4 +1,4 @@
-// Serialising a request, reading an answer, naming what went wrong.
+// Serializing a request, parsing the reply, classifying failures.
 #include "proxy/playmaker/grpc_call.h"
 
 #include <google/protobuf/io/coded_stream.h>
@@ -10,24 +10,22 @@
 namespace cls::proxy {
 namespace {
 
-constexpr const char* kService = "/protos.Game/";
-
-// Straight into the slice that goes to the transport: no copy, one allocation. The entries of maps
-// go by key: their own order changes from process to process, and a Playmaker that loops over one
-// would play differently every time.
-grpc::ByteBuffer serialised(const google::protobuf::MessageLite& message) {
+// Serializes into the slice that the transport sends: no copy, one allocation. Map entries are
+// sorted by key, because their own order differs between processes, and a Playmaker that iterates
+// over a map would play differently in each run.
+grpc::ByteBuffer serialize(const google::protobuf::Message& message) {
   grpc::Slice slice(message.ByteSizeLong());
   {
     google::protobuf::io::ArrayOutputStream bytes(const_cast<std::uint8_t*>(slice.begin()),
                                                   static_cast<int>(slice.size()));
-    google::protobuf::io::CodedOutputStream out(&bytes);  // writes its last bytes at its end
+    google::protobuf::io::CodedOutputStream out(&bytes);  // flushes in its destructor
     out.SetSerializationDeterministic(true);
     message.SerializeWithCachedSizes(&out);
   }
   return grpc::ByteBuffer(&slice, 1);
 }
 
-// On the clock that nobody sets.
+// On the monotonic clock, which is never adjusted.
 gpr_timespec deadline_after(RpcTimeout timeout) {
   return gpr_time_add(gpr_now(GPR_CLOCK_MONOTONIC),
                       gpr_time_from_millis(timeout.count(), GPR_TIMESPAN));
@@ -48,7 +46,7 @@ RpcOutcome outcome_of(grpc::StatusCode code, bool cancelled) {
   }
 }
 
-// Messages of other programs go into one-line reports.
+// Messages of other programs must fit into one-line reports.
 std::string one_line(std::string text) {
   for (char& c : text) {
     if (static_cast<unsigned char>(c) < ' ') c = ' ';
@@ -58,24 +56,22 @@ std::string one_line(std::string text) {
 
 }  // namespace
 
-void GrpcCall::start(grpc::GenericStub& stub, grpc::CompletionQueue& queue, const char* method,
-                     const google::protobuf::MessageLite& request, Answer answer,
-                     RpcTimeout timeout, bool wait_for_ready) {
-  assert(!in_flight_ && "an agent asks one thing at a time");
+void GrpcCall::start(grpc::GenericStub& stub, grpc::CompletionQueue& queue, proto::Rpc rpc,
+                     const google::protobuf::Message& request, RpcTimeout timeout,
+                     bool wait_for_ready) {
+  assert(!in_flight_ && "an agent has at most one call in flight");
   message_ = nullptr;
   arena_.Reset();
   reader_.reset();
   context_.emplace();
   response_.Clear();
-  method_ = method;
-  answer_ = answer;
+  rpc_ = rpc;
   cancelled_ = false;
   in_flight_ = true;
   started_ = std::chrono::steady_clock::now();
   if (timeout != kNoTimeout) context_->set_deadline(deadline_after(timeout));
   context_->set_wait_for_ready(wait_for_ready);
-  reader_ = stub.PrepareUnaryCall(&*context_, std::string(kService) + method, serialised(request),
-                                  &queue);
+  reader_ = stub.PrepareUnaryCall(&*context_, path(rpc), serialize(request), &queue);
   reader_->StartCall();
   reader_->Finish(&response_, &grpc_status_, this);
 }
@@ -99,30 +95,11 @@ void GrpcCall::finish() {
     read_message();
     return;
   }
-  status_.message = std::string(method_) + ": " + one_line(grpc_status_.error_message());
-}
-
-google::protobuf::MessageLite* GrpcCall::make_message() {
-  using google::protobuf::Arena;
-  switch (answer_) {
-    case Answer::kRegister:
-      return Arena::CreateMessage<protos::RegisterResponse>(&arena_);
-    case Answer::kPlayer:
-      return Arena::CreateMessage<protos::PlayerActions>(&arena_);
-    case Answer::kCoach:
-      return Arena::CreateMessage<protos::CoachActions>(&arena_);
-    case Answer::kTrainer:
-      return Arena::CreateMessage<protos::TrainerActions>(&arena_);
-    case Answer::kPlanner:
-      return Arena::CreateMessage<protos::BestPlannerActionResponse>(&arena_);
-    case Answer::kEmpty:
-      break;
-  }
-  return Arena::CreateMessage<protos::Empty>(&arena_);
+  status_.message = std::string(name(rpc_)) + ": " + one_line(grpc_status_.error_message());
 }
 
 void GrpcCall::read_message() {
-  google::protobuf::MessageLite* message = make_message();
+  google::protobuf::Message* message = proto::reply_prototype(rpc_).New(&arena_);
   grpc::Slice bytes;
   if (!response_.TrySingleSlice(&bytes).ok() && !response_.DumpToSingleSlice(&bytes).ok()) {
     bytes = grpc::Slice();
@@ -132,8 +109,8 @@ void GrpcCall::read_message() {
     return;
   }
   status_.outcome = RpcOutcome::kProtocolError;
-  status_.message = std::string(method_) + ": the answer (" + std::to_string(bytes.size()) +
-                    " bytes) is not a " + message->GetTypeName();
+  status_.message = std::string(name(rpc_)) + ": reply of " + std::to_string(bytes.size()) +
+                    " bytes is not a " + message->GetTypeName();
 }
 
 }  // namespace cls::proxy

@@ -1,4 +1,4 @@
-// Calls in flight together on one completion queue.
+// All calls of a team on one completion queue.
 #include "proxy/playmaker/grpc_playmaker.h"
 
 #include <grpc/support/log.h>
@@ -17,15 +17,18 @@
 namespace cls::proxy {
 namespace {
 
+using google::protobuf::Message;
+using proto::Rpc;
+
 constexpr int kReconnectBackoffMs = 200;
-// How often a waiting thread looks whether cancel() was called.
-constexpr int kCancelCheckMs = 50;
-// For finding out why a Playmaker cannot be reached.
+// Poll interval of a waiting thread for cancel().
+constexpr int kCancelPollMs = 50;
+// Of the call that finds the reason for an unreachable Playmaker.
 constexpr RpcTimeout kProbeTimeout{500};
 
 std::shared_ptr<grpc::ChannelCredentials> credentials_for(const GrpcTarget& target) {
   if (target.tls == nullptr) return grpc::InsecureChannelCredentials();
-  // gRPC writes a line to stderr for every handshake that fails; tls_trouble() says it once.
+  // gRPC logs every failed TLS handshake to stderr; explain_tls_failure() reports it once.
   if (std::getenv("GRPC_VERBOSITY") == nullptr) gpr_set_log_function([](gpr_log_func_args*) {});
   return grpc::SslCredentials({target.tls->authorities, target.tls->key, target.tls->certificate});
 }
@@ -35,18 +38,18 @@ grpc::ChannelArguments channel_arguments(const GrpcTarget& target) {
   if (target.tls != nullptr && !target.tls->server_name.empty()) {
     arguments.SetSslTargetNameOverride(target.tls->server_name);
   }
-  // Not the minimum: it is also how long an attempt may take, and a busy Playmaker takes long.
+  // The minimum backoff stays: it also limits each attempt, and a busy Playmaker accepts slowly.
   arguments.SetInt(GRPC_ARG_MAX_RECONNECT_BACKOFF_MS, kReconnectBackoffMs);
   arguments.SetInt(GRPC_ARG_INITIAL_RECONNECT_BACKOFF_MS, kReconnectBackoffMs / 4);
-  // Two teams that ask the same Playmaker keep a connection each.
+  // Two teams with the same Playmaker have separate connections.
   arguments.SetInt(GRPC_ARG_USE_LOCAL_SUBCHANNEL_POOL, 1);
-  // A connection at rest, as when the Playmaker is looked at in a debugger, must not look lost.
+  // An idle connection, e.g. to a Playmaker in a debugger, must not count as lost.
   arguments.SetInt(GRPC_ARG_CLIENT_IDLE_TIMEOUT_MS, INT_MAX);
   arguments.SetMaxReceiveMessageSize(-1);
   arguments.SetMaxSendMessageSize(-1);
-  // A decision asked twice would count twice; and retries keep copies of every request.
+  // A retried decision would count twice, and retries need a copy of every request.
   arguments.SetInt(GRPC_ARG_ENABLE_RETRIES, 0);
-  // Playmakers stand near; the environment's http_proxy and DNS service records are not for them.
+  // Playmakers are near: ignore http_proxy of the environment and DNS service records.
   arguments.SetInt(GRPC_ARG_ENABLE_HTTP_PROXY, 0);
   arguments.SetInt(GRPC_ARG_SERVICE_CONFIG_DISABLE_RESOLUTION, 1);
   return arguments;
@@ -85,68 +88,24 @@ class GrpcPlaymaker : public Playmaker {
     }
   }
 
-  RpcStatus register_agent(int agent, const protos::RegisterRequest& request, RpcTimeout timeout,
-                           protos::RegisterResponse& response) override {
-    if (target_ && target_->tls != nullptr) {
-      // A certificate that is no good will be none later: no need to wait.
-      RpcStatus status = tls_status(agent);
-      if (!status.ok()) return status;
+  void begin(int agent, Rpc rpc, const Message& request, RpcTimeout timeout,
+             bool wait_for_ready) override {
+    if (cancelled()) {
+      unsent_.push_back(cancelled_reply(agent, rpc));
+      return;
     }
-    RpcStatus status = ask(agent, "Register", request, GrpcCall::Answer::kRegister, timeout, true);
-    if (status.outcome == RpcOutcome::kDeadline) status = explain_silence(agent, request, timeout);
-    if (status.ok()) {
-      response = static_cast<const protos::RegisterResponse&>(*call_of(agent).message());
-    }
-    return status;
+    call_of(agent).start(stub_of(agent), queue_, rpc, request, timeout, wait_for_ready);
+    ++outstanding_;
   }
 
-  RpcStatus send_server_params(int agent, const protos::ServerParam& params,
-                               RpcTimeout timeout) override {
-    return ask(agent, "SendServerParams", params, GrpcCall::Answer::kEmpty, timeout);
-  }
-  RpcStatus send_player_params(int agent, const protos::PlayerParam& params,
-                               RpcTimeout timeout) override {
-    return ask(agent, "SendPlayerParams", params, GrpcCall::Answer::kEmpty, timeout);
-  }
-  RpcStatus send_player_type(int agent, const protos::PlayerType& type,
-                             RpcTimeout timeout) override {
-    return ask(agent, "SendPlayerType", type, GrpcCall::Answer::kEmpty, timeout);
-  }
-  RpcStatus send_init_message(int agent, const protos::InitMessage& message,
-                              RpcTimeout timeout) override {
-    return ask(agent, "SendInitMessage", message, GrpcCall::Answer::kEmpty, timeout);
-  }
-  RpcStatus send_bye(int agent, const protos::RegisterResponse& identity,
-                     RpcTimeout timeout) override {
-    // Said even after cancel(); its timeout bounds it.
-    start_alone(agent, "SendByeCommand", identity, GrpcCall::Answer::kEmpty, timeout, false);
-    return wait(false).status();
+  Reply call(int agent, Rpc rpc, const Message& request, RpcTimeout timeout) override {
+    if (rpc == Rpc::kRegister) return register_agent(agent, request, timeout);
+    return call_alone(agent, rpc, request, timeout, false);
   }
 
-  void begin_player_actions(int agent, const protos::State& state, RpcTimeout timeout) override {
-    begin(agent, "GetPlayerActions", state, GrpcCall::Answer::kPlayer, timeout);
-  }
-  void begin_coach_actions(int agent, const protos::State& state, RpcTimeout timeout) override {
-    begin(agent, "GetCoachActions", state, GrpcCall::Answer::kCoach, timeout);
-  }
-  void begin_trainer_actions(int agent, const protos::State& state, RpcTimeout timeout) override {
-    begin(agent, "GetTrainerActions", state, GrpcCall::Answer::kTrainer, timeout);
-  }
-  void begin_best_planner_action(int agent, const protos::BestPlannerActionRequest& request,
-                                 RpcTimeout timeout) override {
-    begin(agent, "GetBestPlannerAction", request, GrpcCall::Answer::kPlanner, timeout);
-  }
-
-  void begin_introduction(int agent, proto::Rpc rpc, const google::protobuf::Message& request,
-                          RpcTimeout timeout, bool wait) override {
-    const bool registers = rpc == proto::Rpc::kRegister;
-    begin(agent, name_of(rpc), request,
-          registers ? GrpcCall::Answer::kRegister : GrpcCall::Answer::kEmpty, timeout, wait);
-  }
-
-  // A channel that has lost its connection is idle until somebody asks; only then does it connect
-  // again. So its state, looked at before a call, tells of every loss.
-  bool take_lost_connection(int agent) override {
+  // A channel that has lost its connection stays idle until the next call. Its state before a call
+  // therefore shows every loss.
+  bool take_connection_loss(int agent) override {
     const auto i = static_cast<std::size_t>(agent);
     if (target_ && answered_[i] && channels_[i]->GetState(false) != GRPC_CHANNEL_READY) {
       for (std::size_t other = 1; other < channels_.size(); ++other) {
@@ -158,21 +117,18 @@ class GrpcPlaymaker : public Playmaker {
   }
 
   std::optional<Reply> next_reply() override {
-    if (!never_asked_.empty()) return never_asked_reply();
+    if (!unsent_.empty()) return unsent_reply();
     if (outstanding_ == 0) return std::nullopt;
-    GrpcCall& call = wait(true);
-    --outstanding_;
-    return reply_of(call);
+    return completed(wait(true));
   }
 
-  std::optional<Reply> next_reply_within(std::chrono::microseconds longest) override {
-    if (!never_asked_.empty()) return never_asked_reply();
+  std::optional<Reply> next_reply_within(std::chrono::microseconds timeout) override {
+    if (!unsent_.empty()) return unsent_reply();
     if (outstanding_ == 0) return std::nullopt;
-    cancel_if_asked();
-    GrpcCall* call = poll(gpr_time_from_micros(longest.count(), GPR_TIMESPAN));
+    cancel_if_requested();
+    GrpcCall* call = poll(gpr_time_from_micros(timeout.count(), GPR_TIMESPAN));
     if (call == nullptr) return std::nullopt;
-    --outstanding_;
-    return reply_of(*call);
+    return completed(*call);
   }
 
   void cancel() override { cancelled_.store(true, std::memory_order_relaxed); }
@@ -189,29 +145,32 @@ class GrpcPlaymaker : public Playmaker {
   int agent_of(const GrpcCall& call) const { return static_cast<int>(&call - calls_.data()); }
   bool cancelled() const { return cancelled_.load(std::memory_order_relaxed); }
 
-  static RpcStatus cancelled_status() {
-    return {RpcOutcome::kCancelled, static_cast<int>(grpc::StatusCode::CANCELLED), "cancelled"};
-  }
-
-  Reply never_asked_reply() {
+  static Reply cancelled_reply(int agent, Rpc rpc) {
     Reply reply;
-    reply.agent = never_asked_.back();
-    reply.status = cancelled_status();
-    never_asked_.pop_back();
+    reply.agent = agent;
+    reply.rpc = rpc;
+    reply.status = {RpcOutcome::kCancelled, static_cast<int>(grpc::StatusCode::CANCELLED),
+                    "cancelled"};
     return reply;
   }
 
-  void cancel_if_asked() {
+  Reply unsent_reply() {
+    Reply reply = std::move(unsent_.back());
+    unsent_.pop_back();
+    return reply;
+  }
+
+  void cancel_if_requested() {
     if (!cancelled()) return;
     for (GrpcCall& call : calls_) call.cancel();
   }
 
-  // The next call that is done within `longest`, finished; null when none is.
-  GrpcCall* poll(gpr_timespec longest) {
+  // The next call that completes within `timeout`, after finish(); null when none does.
+  GrpcCall* poll(gpr_timespec timeout) {
     void* tag = nullptr;
     bool ok = false;
-    const auto until = gpr_time_add(gpr_now(GPR_CLOCK_MONOTONIC), longest);
-    const auto result = queue_.AsyncNext(&tag, &ok, until);
+    const auto deadline = gpr_time_add(gpr_now(GPR_CLOCK_MONOTONIC), timeout);
+    const auto result = queue_.AsyncNext(&tag, &ok, deadline);
     assert(result != grpc::CompletionQueue::SHUTDOWN);
     if (result != grpc::CompletionQueue::GOT_EVENT) return nullptr;
     auto* call = static_cast<GrpcCall*>(tag);
@@ -219,120 +178,108 @@ class GrpcPlaymaker : public Playmaker {
     return call;
   }
 
-  // The next call that is done, finished. With `cancellable`, cancel() ends all that are in flight.
+  // Waits for the next call and finishes it. With `cancellable`, cancel() cancels all calls.
   GrpcCall& wait(bool cancellable) {
     for (;;) {
-      if (cancellable) cancel_if_asked();
-      GrpcCall* call = poll(gpr_time_from_millis(kCancelCheckMs, GPR_TIMESPAN));
+      if (cancellable) cancel_if_requested();
+      GrpcCall* call = poll(gpr_time_from_millis(kCancelPollMs, GPR_TIMESPAN));
       if (call != nullptr) return *call;
     }
   }
 
-  void start_alone(int agent, const char* method, const google::protobuf::MessageLite& request,
-                   GrpcCall::Answer answer, RpcTimeout timeout, bool wait_for_ready) {
-    assert(outstanding_ == 0 && "the hand-shake does not mix with decisions");
-    call_of(agent).start(stub_of(agent), queue_, method, request, answer, timeout, wait_for_ready);
+  // SendByeCommand is sent even after cancel(); its timeout bounds it.
+  Reply call_alone(int agent, Rpc rpc, const Message& request, RpcTimeout timeout,
+                   bool wait_for_ready) {
+    assert(outstanding_ == 0 && "blocking calls do not mix with outstanding ones");
+    const bool is_bye = rpc == Rpc::kSendByeCommand;
+    if (cancelled() && !is_bye) return cancelled_reply(agent, rpc);
+    call_of(agent).start(stub_of(agent), queue_, rpc, request, timeout, wait_for_ready);
+    return reply_of(wait(!is_bye));
   }
 
-  RpcStatus ask(int agent, const char* method, const google::protobuf::MessageLite& request,
-                GrpcCall::Answer answer, RpcTimeout timeout, bool wait_for_ready = false) {
-    if (cancelled()) return cancelled_status();
-    start_alone(agent, method, request, answer, timeout, wait_for_ready);
-    const RpcStatus& status = wait(true).status();
-    answered_[static_cast<std::size_t>(agent)] |= status.ok();
-    return status;
-  }
-
-  // The transport wants a text that lives as long as the program.
-  static const char* name_of(proto::Rpc rpc) { return proto::name(rpc).data(); }
-
-  void begin(int agent, const char* method, const google::protobuf::MessageLite& request,
-             GrpcCall::Answer answer, RpcTimeout timeout, bool wait_for_ready = false) {
-    if (cancelled()) {
-      never_asked_.push_back(agent);
-      return;
+  Reply register_agent(int agent, const Message& request, RpcTimeout timeout) {
+    Reply reply;
+    reply.agent = agent;
+    if (target_ && target_->tls != nullptr) {
+      // An invalid certificate stays invalid: fail now instead of waiting for the Playmaker.
+      reply.status = tls_status(agent);
+      if (!reply.status.ok()) return reply;
     }
-    call_of(agent).start(stub_of(agent), queue_, method, request, answer, timeout, wait_for_ready);
-    ++outstanding_;
+    reply = call_alone(agent, Rpc::kRegister, request, timeout, true);
+    if (reply.status.outcome != RpcOutcome::kDeadline) return reply;
+    return explain_deadline(agent, request, timeout);
   }
 
-  // To a caller who waited for the connection, a deadline without one means that nobody is there.
-  void blame_absence(RpcStatus& status, const GrpcCall& call) const {
+  // With wait_for_ready, a deadline without a connection means that the Playmaker is unreachable.
+  void report_lost_connection(RpcStatus& status, const GrpcCall& call) const {
     const auto i = static_cast<std::size_t>(agent_of(call));
-    const bool absent = target_ && call.answer() == GrpcCall::Answer::kRegister &&
-                        status.outcome == RpcOutcome::kDeadline &&
-                        channels_[i]->GetState(false) != GRPC_CHANNEL_READY;
-    if (!absent) return;
+    const bool unreachable = target_ && call.rpc() == Rpc::kRegister &&
+                             status.outcome == RpcOutcome::kDeadline &&
+                             channels_[i]->GetState(false) != GRPC_CHANNEL_READY;
+    if (!unreachable) return;
     const auto waited = std::chrono::duration_cast<std::chrono::milliseconds>(call.latency());
     status.outcome = RpcOutcome::kUnavailable;
-    status.message = names_[i] + " is gone and did not come back within " +
+    status.message = names_[i] + ": connection lost; no reconnection within " +
                      std::to_string(waited.count()) + " ms";
   }
 
   Reply reply_of(const GrpcCall& call) {
     Reply reply;
     reply.agent = agent_of(call);
+    reply.rpc = call.rpc();
     reply.status = call.status();
+    reply.message = call.message();
     reply.latency = call.latency();
-    blame_absence(reply.status, call);
     answered_[static_cast<std::size_t>(reply.agent)] |= reply.status.ok();
-    if (call.message() == nullptr) return reply;
-    switch (call.answer()) {
-      case GrpcCall::Answer::kPlayer:
-        reply.player = static_cast<const protos::PlayerActions*>(call.message());
-        break;
-      case GrpcCall::Answer::kCoach:
-        reply.coach = static_cast<const protos::CoachActions*>(call.message());
-        break;
-      case GrpcCall::Answer::kTrainer:
-        reply.trainer = static_cast<const protos::TrainerActions*>(call.message());
-        break;
-      case GrpcCall::Answer::kPlanner:
-        reply.planner = static_cast<const protos::BestPlannerActionResponse*>(call.message());
-        break;
-      case GrpcCall::Answer::kRegister:
-        reply.identity = static_cast<const protos::RegisterResponse*>(call.message());
-        break;
-      case GrpcCall::Answer::kEmpty:
-        break;
-    }
+    return reply;
+  }
+
+  Reply completed(const GrpcCall& call) {
+    --outstanding_;
+    Reply reply = reply_of(call);
+    report_lost_connection(reply.status, call);
     return reply;
   }
 
   RpcStatus tls_status(int agent) const {
-    const std::string trouble = target_ ? tls_trouble(*target_, agent) : std::string();
-    if (trouble.empty()) return {};
+    const std::string reason = target_ ? explain_tls_failure(*target_, agent) : std::string();
+    if (reason.empty()) return {};
     return {RpcOutcome::kUnavailable, static_cast<int>(grpc::StatusCode::UNAVAILABLE),
-            names_[static_cast<std::size_t>(agent)] + ": " + trouble};
+            names_[static_cast<std::size_t>(agent)] + ": " + reason};
   }
 
-  // Register waits for the Playmaker to come up, so a missing one looks like a slow one. Asking
-  // once more without waiting tells them apart, and gives the reason.
-  RpcStatus explain_silence(int agent, const protos::RegisterRequest& request, RpcTimeout timeout) {
+  // Register waits for the Playmaker to come up, so an unreachable Playmaker also ends in a
+  // deadline. A second call that does not wait distinguishes the two and returns the reason.
+  Reply explain_deadline(int agent, const Message& request, RpcTimeout timeout) {
     const auto i = static_cast<std::size_t>(agent);
     const std::string limit = std::to_string(timeout.count()) + " ms";
+    Reply reply;
+    reply.agent = agent;
     if (channels_[i]->GetState(false) == GRPC_CHANNEL_READY) {
-      return {RpcOutcome::kDeadline, static_cast<int>(grpc::StatusCode::DEADLINE_EXCEEDED),
-              names_[i] + " did not answer Register within " + limit};
+      reply.status = {RpcOutcome::kDeadline, static_cast<int>(grpc::StatusCode::DEADLINE_EXCEEDED),
+                      names_[i] + ": no reply to Register within " + limit};
+      return reply;
     }
-    if (RpcStatus trouble = tls_status(agent); !trouble.ok()) return trouble;
-    RpcStatus status = ask(agent, "Register", request, GrpcCall::Answer::kRegister, kProbeTimeout);
-    if (status.outcome != RpcOutcome::kUnavailable) return status;
-    status.message =
-        names_[i] + " could not be reached within " + limit + " (" + status.message + ")";
-    return status;
+    reply.status = tls_status(agent);
+    if (!reply.status.ok()) return reply;
+    reply = call_alone(agent, Rpc::kRegister, request, kProbeTimeout, false);
+    if (reply.status.outcome == RpcOutcome::kUnavailable) {
+      reply.status.message =
+          names_[i] + ": unreachable for " + limit + " (" + reply.status.message + ")";
+    }
+    return reply;
   }
 
-  std::optional<GrpcTarget> target_;  // else the channel was given, and its state tells nothing
+  std::optional<GrpcTarget> target_;  // unset: an existing channel, whose state is not used
   std::array<std::shared_ptr<grpc::Channel>, kAgentNumbers> channels_;
   std::array<std::string, kAgentNumbers> names_;
   std::array<std::unique_ptr<grpc::GenericStub>, kAgentNumbers> stubs_;
   grpc::CompletionQueue queue_;
   std::array<GrpcCall, kAgentNumbers> calls_;
-  std::array<bool, kAgentNumbers> answered_{};  // over the connection of now
-  std::array<bool, kAgentNumbers> lost_{};      // that connection, not told yet
+  std::array<bool, kAgentNumbers> answered_{};  // over the current connection
+  std::array<bool, kAgentNumbers> lost_{};      // not yet returned by take_connection_loss()
   int outstanding_ = 0;
-  std::vector<int> never_asked_;  // begun after cancel()
+  std::vector<Reply> unsent_;  // to calls begun after cancel()
   std::atomic<bool> cancelled_{false};
 };
 

@@ -1,11 +1,11 @@
-// Ports of the agents of a team.
+// Ports and addresses of the agents of a team.
 #include "proxy/playmaker/grpc_target.h"
 
 namespace cls::proxy {
 
 int port_of(const GrpcTarget& target, int agent) {
   constexpr int kCoachStep = 13;
-  // Coach and trainer have the numbers 12 and 13, but share a port.
+  // Coach and trainer, agents 12 and 13, share a port.
   const int step = !target.port_step ? 0 : agent > 11 ? kCoachStep : agent;
   return target.port + step;
 }

@@ -1,4 +1,4 @@
-// Where a Playmaker listens, and how it is spoken to.
+// Address and transport of a Playmaker.
 #pragma once
 
 #include <memory>
@@ -6,27 +6,27 @@
 
 namespace cls::proxy {
 
-/// What a TLS connection is made with, as PEM text.
+/// PEM texts for a TLS connection.
 struct TlsFiles {
-  std::string authorities;  ///< who vouches for the Playmaker; empty: those of the system
-  std::string certificate;  ///< ours, for a Playmaker that asks for one; empty: none
-  std::string key;          ///< of our certificate
-  std::string server_name;  ///< that the Playmaker's certificate must bear; empty: its host
+  std::string authorities;  ///< CA certificates that verify the Playmaker; empty: system CAs
+  std::string certificate;  ///< client certificate; empty: none
+  std::string key;          ///< of the client certificate
+  std::string server_name;  ///< expected in the Playmaker's certificate; empty: its host
 };
 
-/// A TCP address, or a local socket when `unix_path` is not empty.
+/// A TCP address, or a Unix domain socket when `unix_path` is not empty.
 struct GrpcTarget {
   std::string host;  ///< name, IPv4, or IPv6 in brackets
   int port = 0;
-  bool port_step = false;  ///< player n asks port + n, coach and trainer port + 13
+  bool port_step = false;  ///< player n uses port + n, coach and trainer port + 13
   std::string unix_path;
-  std::shared_ptr<const TlsFiles> tls;  ///< null: plain text
+  std::shared_ptr<const TlsFiles> tls;  ///< null: no TLS
 };
 
-/// The port of that agent.
+/// Port of that agent.
 int port_of(const GrpcTarget& target, int agent);
 
-/// As gRPC wants it: "HOST:PORT" of that agent, or "unix:PATH".
+/// Address of that agent for gRPC: "HOST:PORT" or "unix:PATH".
 std::string address(const GrpcTarget& target, int agent);
 
 }  // namespace cls::proxy

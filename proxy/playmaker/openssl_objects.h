@@ -1,4 +1,4 @@
-// Objects of OpenSSL that free themselves.
+// Owning pointers to OpenSSL objects; shared with the certificates of tests/support.
 #pragma once
 
 #include <openssl/bio.h>

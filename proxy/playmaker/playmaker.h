@@ -1,6 +1,9 @@
-// The seam between a team and its Playmaker: the hand-shake, and decisions asked for all at once.
+// A team's view of its Playmaker: RPCs as data, calls in flight together.
 #pragma once
 
+#include <google/protobuf/message.h>
+
+#include <array>
 #include <chrono>
 #include <cstdint>
 #include <optional>
@@ -12,30 +15,34 @@
 
 namespace cls::proxy {
 
-/// Agents of a team are named by the uniform number of their Register call.
+/// Agents of a team are numbered by the uniform number of their Register call.
 constexpr int kCoachNumber = 12;
 constexpr int kTrainerNumber = 13;
 constexpr int kAgentNumbers = 14;  ///< 1 to 13 in use; size of arrays by agent number
 
-/// How long a call may take. kNoTimeout waits as long as the connection lives.
+/// Timeout of a call. kNoTimeout waits as long as the connection lives.
 using RpcTimeout = std::chrono::milliseconds;
 constexpr RpcTimeout kNoTimeout = RpcTimeout::max();
 
-/// How a call ended.
+/// Result of a call.
 enum class RpcOutcome : std::uint8_t {
   kOk,
-  kDeadline,       ///< no answer in time
-  kUnavailable,    ///< nobody there, or the connection broke
-  kUnimplemented,  ///< the Playmaker is of an older interface and lacks this call
-  kProtocolError,  ///< the answer is not a message of the interface
+  kDeadline,       ///< no reply before the deadline
+  kUnavailable,    ///< unreachable, or the connection broke
+  kUnimplemented,  ///< the Playmaker implements an older interface without this RPC
+  kProtocolError,  ///< the reply does not parse
   kCancelled,      ///< cancel() was called
-  kError,          ///< the Playmaker answered with an error of its own
+  kError,          ///< the Playmaker replied with an error status
 };
 constexpr int kRpcOutcomes = 7;
 
-std::string_view name(RpcOutcome outcome);
+constexpr std::string_view name(RpcOutcome outcome) {
+  constexpr std::array<std::string_view, kRpcOutcomes> kNames = {
+      "ok", "deadline", "unavailable", "unimplemented", "protocol error", "cancelled", "error"};
+  return kNames.at(static_cast<std::size_t>(outcome));
+}
 
-/// Outcome with what there is to tell a user: the gRPC status code and one line.
+/// Outcome, gRPC status code and one line for the user.
 struct RpcStatus {
   RpcOutcome outcome = RpcOutcome::kOk;
   int code = 0;
@@ -44,68 +51,54 @@ struct RpcStatus {
   bool ok() const { return outcome == RpcOutcome::kOk; }
 };
 
-/// The answer to one begin_...(): exactly one of the pointers is set when `status` is ok, none
-/// otherwise and none for the calls of the hand-shake that answer nothing. What they point to is
-/// the Playmaker's and lives until the next call for that agent.
+/// The reply to one call.
 struct Reply {
   int agent = 0;
+  proto::Rpc rpc = proto::Rpc::kRegister;
   RpcStatus status;
-  const protos::RegisterResponse* identity = nullptr;
-  const protos::PlayerActions* player = nullptr;
-  const protos::CoachActions* coach = nullptr;
-  const protos::TrainerActions* trainer = nullptr;
-  const protos::BestPlannerActionResponse* planner = nullptr;
-  std::chrono::microseconds latency{0};  ///< from begin_...() until the answer was there
+  /// Of the RPC's reply type; null unless `status` is ok. Owned by the Playmaker, valid until the
+  /// next call of this agent.
+  const google::protobuf::Message* message = nullptr;
+  std::chrono::microseconds latency{0};  ///< from begin() or call() until the reply arrived
+
+  /// The message as `T`; null when the call failed or the RPC replies with another type.
+  template <typename T>
+  const T* as() const {
+    const bool is_t = message != nullptr && message->GetDescriptor() == T::descriptor();
+    return is_t ? static_cast<const T*>(message) : nullptr;
+  }
 };
 
-/// The Playmaker of one team as its agents see it. One thread uses it (only cancel() may come from
-/// another). The calls named after what they send block; they must not be made while others are
-/// outstanding.
+/// Client of one Playmaker for all agents of a team. Used by one thread; only cancel() may be
+/// called from others.
 class Playmaker {
  public:
   virtual ~Playmaker() = default;
 
-  /// First call of an agent. Waits for the Playmaker to come up, as long as the timeout allows.
-  virtual RpcStatus register_agent(int agent, const protos::RegisterRequest& request,
-                                   RpcTimeout timeout, protos::RegisterResponse& response) = 0;
-  virtual RpcStatus send_server_params(int agent, const protos::ServerParam& params,
-                                       RpcTimeout timeout) = 0;
-  virtual RpcStatus send_player_params(int agent, const protos::PlayerParam& params,
-                                       RpcTimeout timeout) = 0;
-  virtual RpcStatus send_player_type(int agent, const protos::PlayerType& type,
-                                     RpcTimeout timeout) = 0;
-  virtual RpcStatus send_init_message(int agent, const protos::InitMessage& message,
-                                      RpcTimeout timeout) = 0;
-  virtual RpcStatus send_bye(int agent, const protos::RegisterResponse& identity,
-                             RpcTimeout timeout) = 0;
+  /// Starts a call; at most one per agent may be outstanding. `request` is serialized before the
+  /// function returns. All outstanding calls are in flight together. With `wait_for_ready`, waits
+  /// for the Playmaker to come up, up to `timeout`.
+  virtual void begin(int agent, proto::Rpc rpc, const google::protobuf::Message& request,
+                     RpcTimeout timeout, bool wait_for_ready = false) = 0;
 
-  /// Start one decision each; at most one per agent may be outstanding. The request is read
-  /// before the call returns. All that are outstanding are in flight together.
-  virtual void begin_player_actions(int agent, const protos::State& state, RpcTimeout timeout) = 0;
-  virtual void begin_coach_actions(int agent, const protos::State& state, RpcTimeout timeout) = 0;
-  virtual void begin_trainer_actions(int agent, const protos::State& state, RpcTimeout timeout) = 0;
-  virtual void begin_best_planner_action(int agent, const protos::BestPlannerActionRequest& request,
-                                         RpcTimeout timeout) = 0;
+  /// Makes a call and blocks until its reply; no other call may be outstanding. Register waits for
+  /// the Playmaker to come up, up to `timeout`.
+  virtual Reply call(int agent, proto::Rpc rpc, const google::protobuf::Message& request,
+                     RpcTimeout timeout) = 0;
 
-  /// The same for one call of the hand-shake (Register to SendInitMessage). With `wait`, for the
-  /// Playmaker to come up, as long as the timeout allows.
-  virtual void begin_introduction(int agent, proto::Rpc rpc,
-                                  const google::protobuf::Message& request, RpcTimeout timeout,
-                                  bool wait) = 0;
+  /// True once after the connection over which this agent received replies was lost. A restarted
+  /// Playmaker, which does not know the agent, may listen at its other end now.
+  virtual bool take_connection_loss(int agent) = 0;
 
-  /// True once after the connection over which this agent was answered has gone: at its other end
-  /// there may now be a Playmaker that does not know it.
-  virtual bool take_lost_connection(int agent) = 0;
-
-  /// Waits for any outstanding call and returns its answer; nothing when none is outstanding.
-  /// Replies come in any order.
+  /// Waits for any outstanding call and returns its reply; nullopt when none is outstanding.
+  /// Replies arrive in any order.
   virtual std::optional<Reply> next_reply() = 0;
 
-  /// The same, but nothing as well when no reply is there within `longest`.
-  virtual std::optional<Reply> next_reply_within(std::chrono::microseconds longest) = 0;
+  /// As next_reply(), but also nullopt when no reply arrives within `timeout`.
+  virtual std::optional<Reply> next_reply_within(std::chrono::microseconds timeout) = 0;
 
-  /// Ends the calls in flight with kCancelled, and every later one except send_bye(). May be
-  /// called from any thread.
+  /// Cancels calls in flight and fails later ones with kCancelled, except SendByeCommand. Thread
+  /// safe.
   virtual void cancel() = 0;
 };
 

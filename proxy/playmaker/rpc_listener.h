@@ -1,4 +1,4 @@
-// Listening to a team's conversation with its Playmaker: for records, tests and debug output.
+// Observes a team's calls to its Playmaker: for recordings, tests and debug output.
 #pragma once
 
 #include <chrono>
@@ -9,7 +9,7 @@
 
 namespace cls::proxy {
 
-/// One call and what became of it.
+/// A completed call.
 struct RpcCall {
   int agent = 0;
   proto::Rpc rpc = proto::Rpc::kRegister;
@@ -19,17 +19,18 @@ struct RpcCall {
   std::chrono::microseconds latency{0};
 };
 
-/// Called from the thread that uses the Playmaker, when a call has ended; those of one cycle come
-/// in the order of their answers. What the call points to lives during the call only.
+/// Called on the thread that uses the Playmaker when a call has completed; the calls of one cycle
+/// in the order of their replies. The pointers are valid during on_call() only.
 class RpcListener {
  public:
   virtual ~RpcListener() = default;
   virtual void on_call(const RpcCall& call) = 0;
-  /// False spares the copies of States: the requests of decisions are then empty messages.
+  /// False saves copying each request of begin(): RpcCall::request is then an empty message.
   virtual bool needs_requests() const { return true; }
 };
 
-/// The Playmaker `inner` with a listener beside it; both must outlive the returned object.
+/// Forwards all calls to `inner` and reports them to `listener`; both must outlive the returned
+/// object.
 std::unique_ptr<Playmaker> listen_to(Playmaker& inner, RpcListener& listener);
 
 }  // namespace cls::proxy

@@ -1,4 +1,4 @@
-// Why a TLS connection does not come about: gRPC itself says only that the handshake failed.
+// The reason why a TLS handshake failed: gRPC reports only that it failed.
 #pragma once
 
 #include <string>
@@ -7,10 +7,10 @@
 
 namespace cls::proxy {
 
-/// Connects once by itself, for five seconds at most. What is wrong with speaking to this target as
-/// it says, in words for a user: its certificate is not trusted, has expired, bears another name;
-/// it does not take ours; it speaks plain text where TLS was expected, or TLS where it was not.
-/// Empty when nothing of the kind was seen, also when nobody is there.
-std::string tls_trouble(const GrpcTarget& target, int agent);
+/// Makes a connection of its own, for at most 5 s. Returns the problem for the user: certificate
+/// not trusted, expired, for another name; client certificate missing or rejected; plain text where
+/// TLS was expected, or the reverse. Empty when no such problem was found or the target is
+/// unreachable.
+std::string explain_tls_failure(const GrpcTarget& target, int agent);
 
 }  // namespace cls::proxy

@@ -1,4 +1,4 @@
-// Shortest augmenting paths with row and column potentials.
+// Hungarian method: shortest augmenting paths with row and column potentials.
 #include "proxy/tracking/assignment.h"
 
 #include <cassert>
@@ -15,7 +15,7 @@ struct Solver {
   std::array<double, CostTable::kMaxColumns> column_potential{};
   std::array<std::size_t, CostTable::kMaxColumns> row_of{};  ///< kNone: free
 
-  /// Finds a place for `row`, moving rows that have one where that is cheaper.
+  /// Assigns `row`, reassigning other rows where that is cheaper.
   void insert(std::size_t row) {
     constexpr double kFar = std::numeric_limits<double>::infinity();
     std::array<double, CostTable::kMaxColumns> distance;

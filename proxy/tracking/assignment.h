@@ -1,4 +1,4 @@
-// Who is who at the least total cost.
+// Minimum-cost assignment.
 #pragma once
 
 #include <array>
@@ -6,7 +6,7 @@
 
 namespace cls::proxy {
 
-/// Costs of giving `rows` tasks to `columns` takers; at least as many columns as rows.
+/// Cost matrix; at least as many columns as rows.
 struct CostTable {
   static constexpr std::size_t kMaxRows = 24;
   static constexpr std::size_t kMaxColumns = 72;
@@ -16,8 +16,8 @@ struct CostTable {
   std::array<std::array<double, kMaxColumns>, kMaxRows> cost{};
 };
 
-/// The column of each row in an assignment of least total cost, every column used at most once
-/// (Hungarian method, O(rows^2 columns)). Equal costs fall to the lower column.
+/// Column of each row in a minimum-cost assignment; each column is used at most once (Hungarian
+/// method, O(rows^2 columns)). Ties go to the lower column.
 std::array<std::size_t, CostTable::kMaxRows> assign(const CostTable& table);
 
 }  // namespace cls::proxy

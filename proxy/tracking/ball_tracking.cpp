@@ -1,11 +1,11 @@
-// The ball's belief between and at looks.
+// Predicts the ball estimate between see messages and updates it by them.
 #include "proxy/tracking/ball_tracking.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "proxy/tracking/observed_object.h"
-#include "proxy/tracking/visibility.h"
+#include "proxy/world/view_cone.h"
 #include "soccer/math.h"
 
 namespace cls::proxy {
@@ -17,11 +17,11 @@ using soccer::ObservedKind;
 using soccer::SenseBody;
 using soccer::Vec2;
 
-constexpr double kDiscDeviation = 0.408248290463863;  // see self_motion.cpp
+constexpr double kDiscDeviation = 0.408248290463863;  // see dead_reckoning.cpp
 
 double square(double x) { return x * x; }
 
-/// A push that acts in the coming step: what it adds to the velocity and how surely.
+/// Acceleration of the ball in the next step, and its uncertainty.
 struct Push {
   Vec2 acceleration;
   double deviation = 0.0;  ///< per axis
@@ -43,12 +43,13 @@ Push own_kick(const WorldModel& world, const soccer::Kick& kick) {
   const double speed_rate =
       0.5 + 0.5 * ball.velocity.length() / (server.ball_speed_max * server.ball_decay);
   const double radius = type.kick_rand * power / server.maxpower * (position_rate + speed_rate);
-  // The ball's place was itself only believed; that blurs the effect a little more.
+  // The estimated ball position adds some uncertainty.
   const double deviation = std::fabs(radius) * kDiscDeviation + 0.02 * std::fabs(effect);
   return {soccer::polar(effect, self.body + direction), deviation};
 }
 
-/// Whether a tackle touched the ball is not told, so it widens the belief as much as it moves it.
+/// The server does not report whether a tackle succeeded: the mean moves by the expected effect,
+/// and the variance grows accordingly.
 Push own_tackle(const WorldModel& world, const soccer::Tackle& tackle) {
   const soccer::ServerParams& server = world.server();
   const double p = world.self.tackle_probability;
@@ -71,9 +72,9 @@ Push own_push(const WorldModel& world, const SenseBody& sense) {
   return {};
 }
 
-/// Somebody else close enough to have kicked in the step that is over.
+/// True if another player could have kicked in the last step.
 bool others_could_kick(const WorldModel& world) {
-  constexpr double kReach = 1.6;  // kickable area and a stride
+  constexpr double kReach = 1.6;  // kickable area plus one step
   const Vec2 ball = world.ball.position;
   for (const PlayerList* list : {&world.teammates, &world.opponents, &world.unknowns}) {
     for (const PlayerState& player : *list) {
@@ -85,7 +86,7 @@ bool others_could_kick(const WorldModel& world) {
   return false;
 }
 
-void step(MovingBelief& state, const soccer::ServerParams& server, const Push& push) {
+void step(ObjectEstimate& state, const soccer::ServerParams& server, const Push& push) {
   if (!push.acceleration.is_zero()) {
     Vec2 a = push.acceleration;
     if (a.length() > server.ball_accel_max) a = soccer::with_length(a, server.ball_accel_max);
@@ -123,8 +124,8 @@ void step(MovingBelief& state, const soccer::ServerParams& server, const Push& p
   }
 }
 
-/// A kick nobody told us about, some time in the last `cycles`: both place and velocity may differ.
-void loosen(MovingBelief& state, int cycles) {
+/// Inflates the covariance for an unseen kick within the last `cycles`.
+void inflate_covariance(ObjectEstimate& state, int cycles) {
   constexpr double kKickDeviation = 1.3;
   const double n = std::min(cycles, 10);
   const double velocity = square(kKickDeviation);
@@ -136,7 +137,7 @@ void loosen(MovingBelief& state, int cycles) {
   }
 }
 
-void forget(WorldModel& world) {
+void drop_ball(WorldModel& world) {
   world.ball_tracker.tracked = false;
   world.ball.pos_count = world.ball.relative_pos_count = world.ball.vel_count = kNever;
 }
@@ -145,26 +146,27 @@ void see_ball(WorldModel& world, const Observation& seen) {
   BallState& ball = world.ball;
   BallTracker& tracker = world.ball_tracker;
   const Viewpoint view = viewpoint(world);
-  const Sight sight = sight_of(view, world.parameters->object_distances, seen);
-  constexpr double kSurprise = 12.0;  // squared deviations; about one in 400 looks by chance
-  const bool told = seen.detail >= soccer::ObservedDetail::kMotion;
-  if (tracker.tracked && misfit(tracker.state, sight).squared > kSurprise) {
+  const ObservedPosition observed =
+      observed_position(view, world.parameters->object_distances, seen);
+  constexpr double kSurprise = 12.0;  // squared Mahalanobis distance; about 1 in 400 by chance
+  const bool has_motion = seen.detail >= soccer::ObservedDetail::kMotion;
+  if (tracker.tracked && mahalanobis_distance(tracker.state, observed).squared > kSurprise) {
     tracker.pushed = true;
-    loosen(tracker.state, std::max(1, ball.seen_pos_count));
-    if (misfit(tracker.state, sight).squared > kSurprise) tracker.tracked = false;
+    inflate_covariance(tracker.state, std::max(1, ball.seen_pos_count));
+    if (mahalanobis_distance(tracker.state, observed).squared > kSurprise) tracker.tracked = false;
   }
   if (tracker.tracked) {
-    observe(tracker.state, view, sight, seen);
+    update_estimate(tracker.state, view, observed, seen);
   } else {
     constexpr double kUnknownVelocity = 0.5;
-    tracker.state = first_belief(view, sight, seen, {}, square(kUnknownVelocity));
+    tracker.state = initial_estimate(view, observed, seen, {}, square(kUnknownVelocity));
     tracker.tracked = true;
   }
   publish_ball(world);
   ball.seen_position = ball.position;
   ball.seen_relative_position = ball.relative_position;
   ball.pos_count = ball.seen_pos_count = ball.relative_pos_count = 0;
-  if (told) {
+  if (has_motion) {
     ball.seen_velocity = ball.velocity;
     ball.vel_count = ball.seen_vel_count = 0;
   }
@@ -172,20 +174,20 @@ void see_ball(WorldModel& world, const Observation& seen) {
   ball.lost_count = 0;
 }
 
-/// The look went where the ball should be and did not find it.
+/// Handles a see message without the ball.
 void miss_ball(WorldModel& world) {
   BallState& ball = world.ball;
   if (!world.ball_tracker.tracked) return;
   if (!must_be_visible(world, ball.position, ball.position_deviation)) return;
   ++ball.ghost_count;
-  constexpr int kTakenForGone = 2;
-  if (ball.ghost_count >= kTakenForGone) forget(world);
+  constexpr int kMaxGhostCount = 2;
+  if (ball.ghost_count >= kMaxGhostCount) drop_ball(world);
 }
 
 }  // namespace
 
 void publish_ball(WorldModel& world) {
-  const MovingBelief& state = world.ball_tracker.state;
+  const ObjectEstimate& state = world.ball_tracker.state;
   BallState& ball = world.ball;
   ball.position = {state.mean[0], state.mean[1]};
   ball.velocity = {state.mean[2], state.mean[3]};
@@ -205,7 +207,7 @@ void advance_ball(WorldModel& world, const SenseBody& sense, int cycles) {
     ball.lost_count = std::min(kNever, ball.lost_count + cycles);
   }
   if (!world.ball_tracker.tracked) return;
-  MovingBelief& state = world.ball_tracker.state;
+  ObjectEstimate& state = world.ball_tracker.state;
   Push push = own_push(world, sense);
   if (push.acceleration.is_zero() && others_could_kick(world)) {
     constexpr double kMaybeKicked = 0.35;
@@ -236,7 +238,7 @@ void observe_ball(WorldModel& world, const soccer::See& see) {
 }
 
 void place_ball(WorldModel& world, Vec2 position, double deviation) {
-  MovingBelief& state = world.ball_tracker.state;
+  ObjectEstimate& state = world.ball_tracker.state;
   state = {};
   state.mean = {position.x, position.y, 0.0, 0.0};
   constexpr double kAtRest = 0.01;
@@ -246,14 +248,6 @@ void place_ball(WorldModel& world, Vec2 position, double deviation) {
   }
   world.ball_tracker.tracked = true;
   publish_ball(world);
-}
-
-Vec2 ball_after(Vec2 position, Vec2 velocity, int cycles, double decay) {
-  for (int i = 0; i < cycles; ++i) {
-    position += velocity;
-    velocity *= decay;
-  }
-  return position;
 }
 
 }  // namespace cls::proxy

@@ -1,4 +1,4 @@
-// Following the ball: its own motion, own kicks, looks that show it and looks that do not.
+// Ball tracking: prediction by motion and own kicks, update by see messages.
 #pragma once
 
 #include "proxy/world/world_model.h"
@@ -7,17 +7,17 @@
 
 namespace cls::proxy {
 
-/// Advances the ball by `cycles` (at least 1). `world.self` still is what it was before the step,
-/// when own kicks and tackles were carried out.
+/// Predicts the ball `cycles` (at least 1) ahead. `world.self` is still the state before the step
+/// in which own kicks and tackles were executed.
 void advance_ball(WorldModel& world, const soccer::SenseBody& sense, int cycles);
 
-/// Takes a look into account, whether it shows the ball or not. The own pose is up to date.
+/// Updates the ball by a see message that shows it or not. The own pose must be current.
 void observe_ball(WorldModel& world, const soccer::See& see);
 
-/// The referee put the ball there, at rest.
+/// Sets the ball to a position at rest, as placed by the referee.
 void place_ball(WorldModel& world, soccer::Vec2 position, double deviation);
 
-/// Copies the tracker's belief into BallState.
+/// Copies the tracker's estimate into BallState.
 void publish_ball(WorldModel& world);
 
 }  // namespace cls::proxy

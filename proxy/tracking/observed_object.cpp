@@ -1,4 +1,4 @@
-// Intervals of one look at a moving object.
+// Interval observations of a moving object in a see message.
 #include "proxy/tracking/observed_object.h"
 
 #include <algorithm>
@@ -18,8 +18,8 @@ using soccer::Vec2;
 constexpr double kHalfDegree = math::to_radians(0.5);
 constexpr double kUniformVariance = 1.0 / 3.0;  // of a uniform distribution of half width 1
 
-// Steps of the printed changes (simulation model 7.5): of distance change over distance, and of
-// direction change in degrees.
+// Quantization steps (simulation model 7.5): of distance change over distance, and of direction
+// change in degrees.
 constexpr double kDistanceChangeStep = 0.02;
 constexpr double kDirectionChangeStep = 0.1;
 
@@ -31,11 +31,11 @@ double square(double x) { return x * x; }
 
 using SlabList = FixedList<Slab<4>, 4>;
 
-void add_motion(const Viewpoint& view, const Sight& sight, const Observation& seen,
+void add_motion(const Viewpoint& view, const ObservedPosition& observed, const Observation& seen,
                 SlabList& slabs) {
-  const double d = sight.distance;
-  const double d_variance = sight.along_variance;
-  const Vec2 e = sight.direction;
+  const double d = observed.distance;
+  const double d_variance = observed.along_variance;
+  const Vec2 e = observed.direction;
   const Vec2 n = perpendicular(e);
   const double printed = std::max(seen.distance, 0.1);
   const double ratio = math::quantize(seen.distance_change / printed, kDistanceChangeStep);
@@ -71,76 +71,79 @@ Viewpoint viewpoint(const WorldModel& world) {
   return view;
 }
 
-Sight sight_of(const Viewpoint& view, const DistanceTable& distances, const Observation& seen) {
-  Sight sight;
-  sight.direction = soccer::polar_degrees(1.0, view.face + seen.direction);
-  sight.range = distances.range(seen.distance);
+ObservedPosition observed_position(const Viewpoint& view, const DistanceTable& distances,
+                                   const Observation& seen) {
+  ObservedPosition observed;
+  observed.direction = soccer::polar_degrees(1.0, view.face + seen.direction);
+  observed.range = distances.range(seen.distance);
   if (view.focus_distance > 0.0) {
-    sight.range = distances.range_along(seen.distance, view.position, sight.direction, view.focus);
+    observed.range =
+        distances.range_along(seen.distance, view.position, observed.direction, view.focus);
   }
-  sight.distance = sight.range.middle();
-  sight.position = view.position + sight.direction * sight.distance;
-  const double half = 0.5 * (sight.range.high - sight.range.low);
-  sight.along_variance = kUniformVariance * square(half) + view.position_variance;
-  sight.across_variance =
-      square(sight.distance) * (kUniformVariance * square(kHalfDegree) +
-                                square(math::to_radians(1.0)) * view.face_variance) +
+  observed.distance = observed.range.middle();
+  observed.position = view.position + observed.direction * observed.distance;
+  const double half = 0.5 * (observed.range.high - observed.range.low);
+  observed.along_variance = kUniformVariance * square(half) + view.position_variance;
+  observed.across_variance =
+      square(observed.distance) * (kUniformVariance * square(kHalfDegree) +
+                                   square(math::to_radians(1.0)) * view.face_variance) +
       view.position_variance;
-  return sight;
+  return observed;
 }
 
-Misfit misfit(const MovingBelief& belief, const Sight& sight) {
-  const Vec2 e = sight.direction;
-  const double a = sight.along_variance;
-  const double c = sight.across_variance;
-  const double xx = belief.at(0, 0) + a * e.x * e.x + c * e.y * e.y;
-  const double yy = belief.at(1, 1) + a * e.y * e.y + c * e.x * e.x;
-  const double xy = belief.at(0, 1) + (a - c) * e.x * e.y;
+MahalanobisDistance mahalanobis_distance(const ObjectEstimate& estimate,
+                                         const ObservedPosition& observed) {
+  const Vec2 e = observed.direction;
+  const double a = observed.along_variance;
+  const double c = observed.across_variance;
+  const double xx = estimate.at(0, 0) + a * e.x * e.x + c * e.y * e.y;
+  const double yy = estimate.at(1, 1) + a * e.y * e.y + c * e.x * e.x;
+  const double xy = estimate.at(0, 1) + (a - c) * e.x * e.y;
   const double determinant = std::max(xx * yy - xy * xy, 1e-12);
-  const Vec2 d = sight.position - Vec2{belief.mean[0], belief.mean[1]};
+  const Vec2 d = observed.position - Vec2{estimate.mean[0], estimate.mean[1]};
   const double squared = (yy * d.x * d.x - 2.0 * xy * d.x * d.y + xx * d.y * d.y) / determinant;
   return {squared, math::log(determinant)};
 }
 
-void observe(MovingBelief& belief, const Viewpoint& view, const Sight& sight,
-             const Observation& seen) {
-  const Vec2 e = sight.direction;
+void update_estimate(ObjectEstimate& estimate, const Viewpoint& view,
+                     const ObservedPosition& observed, const Observation& seen) {
+  const Vec2 e = observed.direction;
   const Vec2 n = perpendicular(e);
-  const double face = square(math::to_radians(1.0) * sight.distance) * view.face_variance;
-  const double half_across = kHalfDegree * sight.distance;
+  const double face = square(math::to_radians(1.0) * observed.distance) * view.face_variance;
+  const double half_across = kHalfDegree * observed.distance;
   const double own_along = soccer::dot(e, view.position);
   const double own_across = soccer::dot(n, view.position);
   SlabList slabs;
   slabs.push_back({{e.x, e.y, 0.0, 0.0},
-                   own_along + sight.range.low,
-                   own_along + sight.range.high,
+                   own_along + observed.range.low,
+                   own_along + observed.range.high,
                    view.position_variance});
   slabs.push_back({{n.x, n.y, 0.0, 0.0},
                    own_across - half_across,
                    own_across + half_across,
                    view.position_variance + face});
-  if (has_motion(seen)) add_motion(view, sight, seen, slabs);
+  if (has_motion(seen)) add_motion(view, observed, seen, slabs);
   constexpr int kSweeps = 3;
-  condition<4>(belief, std::span<const Slab<4>>(slabs.begin(), slabs.size()), kSweeps);
+  condition<4>(estimate, std::span<const Slab<4>>(slabs.begin(), slabs.size()), kSweeps);
 }
 
-MovingBelief first_belief(const Viewpoint& view, const Sight& sight, const Observation& seen,
-                          Vec2 velocity, double velocity_variance) {
-  MovingBelief belief;
-  belief.mean = {sight.position.x, sight.position.y, velocity.x, velocity.y};
-  const Vec2 e = sight.direction;
-  const double a = sight.along_variance;
-  const double c = sight.across_variance;
-  belief.at(0, 0) = a * e.x * e.x + c * e.y * e.y;
-  belief.at(1, 1) = a * e.y * e.y + c * e.x * e.x;
-  belief.at(0, 1) = belief.at(1, 0) = (a - c) * e.x * e.y;
-  belief.at(2, 2) = belief.at(3, 3) = velocity_variance;
+ObjectEstimate initial_estimate(const Viewpoint& view, const ObservedPosition& observed,
+                                const Observation& seen, Vec2 velocity, double velocity_variance) {
+  ObjectEstimate estimate;
+  estimate.mean = {observed.position.x, observed.position.y, velocity.x, velocity.y};
+  const Vec2 e = observed.direction;
+  const double a = observed.along_variance;
+  const double c = observed.across_variance;
+  estimate.at(0, 0) = a * e.x * e.x + c * e.y * e.y;
+  estimate.at(1, 1) = a * e.y * e.y + c * e.x * e.x;
+  estimate.at(0, 1) = estimate.at(1, 0) = (a - c) * e.x * e.y;
+  estimate.at(2, 2) = estimate.at(3, 3) = velocity_variance;
   if (has_motion(seen)) {
     SlabList slabs;
-    add_motion(view, sight, seen, slabs);
-    for (const Slab<4>& slab : slabs) condition(belief, slab);
+    add_motion(view, observed, seen, slabs);
+    for (const Slab<4>& slab : slabs) condition(estimate, slab);
   }
-  return belief;
+  return estimate;
 }
 
 }  // namespace cls::proxy

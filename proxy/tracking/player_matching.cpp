@@ -1,4 +1,4 @@
-// Numbers first, then the cheapest assignment of the rest.
+// Matches by uniform number first, then by minimum-cost assignment.
 #include "proxy/tracking/player_matching.h"
 
 #include <algorithm>
@@ -15,12 +15,12 @@ namespace {
 namespace math = soccer::math;
 using soccer::Side;
 
-// Squared deviations up to which a track and a sighting go together.
-constexpr double kSameGate = 16.0;
-constexpr double kClearlySame = 9.0;
+// Gates: maximum squared Mahalanobis distance of a match.
+constexpr double kGate = 16.0;
+constexpr double kStrictGate = 9.0;
 
-double squared_misfit(const PlayerState& track, const PlayerSighting& sighting) {
-  return misfit(belief_of(track), sighting.sight).squared;
+double squared_mahalanobis(const PlayerState& track, const PlayerObservation& observation) {
+  return mahalanobis_distance(estimate_of(track), observation.observed).squared;
 }
 
 PlayerState* find_number(PlayerList& list, Side side, int unum) {
@@ -30,13 +30,14 @@ PlayerState* find_number(PlayerList& list, Side side, int unum) {
   return found == list.end() ? nullptr : found;
 }
 
-/// The unclaimed track nearest to a sighting within the gate.
-PlayerState* nearest_unclaimed(PlayerList& list, const PlayerSighting& sighting, double gate) {
+/// Nearest unmatched track within the gate; null if none.
+PlayerState* nearest_unmatched(PlayerList& list, const PlayerObservation& observation,
+                               double gate) {
   PlayerState* best = nullptr;
   double least = gate;
   for (PlayerState& track : list) {
-    if (track.claimed) continue;
-    const double squared = squared_misfit(track, sighting);
+    if (track.matched) continue;
+    const double squared = squared_mahalanobis(track, observation);
     if (squared < least) {
       least = squared;
       best = &track;
@@ -49,8 +50,8 @@ void erase(PlayerList& list, const PlayerState* track) {
   list.erase(static_cast<std::size_t>(track - list.begin()));
 }
 
-/// Moves a lost player back among the tracks, under a new id.
-PlayerState* revive(WorldModel& world, PlayerState* lost) {
+/// Moves a lost player back to the tracks with a new id.
+PlayerState* restore_lost(WorldModel& world, PlayerState* lost) {
   const PlayerState old = *lost;
   erase(world.lost, lost);
   PlayerState* track = new_player(world, old.side, old.unum);
@@ -60,8 +61,8 @@ PlayerState* revive(WorldModel& world, PlayerState* lost) {
   return track;
 }
 
-/// Moves an anonymous track into a team.
-PlayerState* join(WorldModel& world, PlayerState* unknown, Side side) {
+/// Moves a track of unknown team into a team.
+PlayerState* assign_team(WorldModel& world, PlayerState* unknown, Side side) {
   PlayerState moved = *unknown;
   erase(world.unknowns, unknown);
   PlayerState* track = new_player(world, side, 0);
@@ -70,95 +71,95 @@ PlayerState* join(WorldModel& world, PlayerState* unknown, Side side) {
   return track;
 }
 
-/// The track that is to carry this number, made, found or renamed; never null.
-PlayerState* track_for_number(WorldModel& world, const PlayerSighting& sighting) {
-  PlayerList& list = list_of(world, sighting.side);
-  const int unum = sighting.seen->unum;
-  PlayerState* named = find_number(list, sighting.side, unum);
-  PlayerState* lost = find_number(world.lost, sighting.side, unum);
-  PlayerState* at_place = nearest_unclaimed(list, sighting, kClearlySame);
-  if (at_place == named) at_place = nullptr;
-  if (named == nullptr && at_place == nullptr) {
-    if (PlayerState* unknown = nearest_unclaimed(world.unknowns, sighting, kClearlySame)) {
-      at_place = join(world, unknown, sighting.side);
+/// Finds, renames or creates the track of this uniform number; never null.
+PlayerState* track_for_number(WorldModel& world, const PlayerObservation& observation) {
+  PlayerList& list = list_of(world, observation.side);
+  const int unum = observation.seen->unum;
+  PlayerState* named = find_number(list, observation.side, unum);
+  PlayerState* lost = find_number(world.lost, observation.side, unum);
+  PlayerState* at_position = nearest_unmatched(list, observation, kStrictGate);
+  if (at_position == named) at_position = nullptr;
+  if (named == nullptr && at_position == nullptr) {
+    if (PlayerState* unknown = nearest_unmatched(world.unknowns, observation, kStrictGate)) {
+      at_position = assign_team(world, unknown, observation.side);
     }
   }
-  if (at_place == nullptr) {
+  if (at_position == nullptr) {
     if (named != nullptr) return named;
-    if (lost != nullptr) return revive(world, lost);
-    return new_player(world, sighting.side, unum);
+    if (lost != nullptr) return restore_lost(world, lost);
+    return new_player(world, observation.side, unum);
   }
-  // Somebody else was believed where this number stands: the names were wrong.
+  // Another player was tracked at this position: the numbers were swapped.
   if (named != nullptr) {
-    std::swap(named->unum, at_place->unum);
-    std::swap(named->goalie, at_place->goalie);
-    std::swap(named->unum_count, at_place->unum_count);
-    return at_place;
+    std::swap(named->unum, at_position->unum);
+    std::swap(named->goalie, at_position->goalie);
+    std::swap(named->unum_count, at_position->unum_count);
+    return at_position;
   }
-  if (at_place->unum != 0) {
-    PlayerState gone = *at_place;  // its number is somewhere, but not here
+  if (at_position->unum != 0) {
+    PlayerState gone = *at_position;  // that player is elsewhere
     world.lost.push_back(gone);
   }
-  forget_lost(world, sighting.side, unum);
-  at_place->unum = unum;
-  return at_place;
+  forget_lost(world, observation.side, unum);
+  at_position->unum = unum;
+  return at_position;
 }
 
-void match_numbers(WorldModel& world, const Viewpoint& view, const SightingList& sightings,
-                   TakeSighting take) {
-  FixedList<const PlayerSighting*, 24> open;
-  for (const PlayerSighting& sighting : sightings) {
-    if (sighting.seen->unum == 0) continue;
+void match_numbers(WorldModel& world, const Viewpoint& view,
+                   const PlayerObservationList& observations, UpdateTrack update) {
+  FixedList<const PlayerObservation*, 24> open;
+  for (const PlayerObservation& observation : observations) {
+    if (observation.seen->unum == 0) continue;
     PlayerState* named =
-        find_number(list_of(world, sighting.side), sighting.side, sighting.seen->unum);
-    if (named != nullptr && squared_misfit(*named, sighting) < kSameGate) {
-      take(*named, view, sighting);
+        find_number(list_of(world, observation.side), observation.side, observation.seen->unum);
+    if (named != nullptr && squared_mahalanobis(*named, observation) < kGate) {
+      update(*named, view, observation);
     } else {
-      open.push_back(&sighting);
+      open.push_back(&observation);
     }
   }
-  for (const PlayerSighting* sighting : open) {
-    take(*track_for_number(world, *sighting), view, *sighting);
+  for (const PlayerObservation* observation : open) {
+    update(*track_for_number(world, *observation), view, *observation);
   }
 }
 
-// Cost of explaining a sighting by somebody new: minus twice the logarithm of the chance that a
-// player without track turns up in that square metre.
-constexpr double kNewcomerChance = 0.02;
+// Cost of a new track: -2 log of the probability density of an untracked player at that position,
+// per square meter.
+constexpr double kNewTrackProbability = 0.02;
 
-double newcomer_cost() {
+double new_track_cost() {
   static const double cost =
-      -2.0 * math::log(kNewcomerChance / (soccer::kPitchLength * soccer::kPitchWidth));
+      -2.0 * math::log(kNewTrackProbability / (soccer::kPitchLength * soccer::kPitchWidth));
   return cost;
 }
 
-/// Minus twice the logarithm of the density of the sighting, were it this track.
-double track_cost(const PlayerState& track, const PlayerSighting& sighting) {
+/// -2 log of the density of the observation given this track.
+double track_cost(const PlayerState& track, const PlayerObservation& observation) {
   constexpr double kTwoLogTwoPi = 3.6757541328186907;
   constexpr double kImpossible = 1e6;
-  const Misfit m = misfit(belief_of(track), sighting.sight);
-  if (m.squared > kSameGate) return kImpossible + m.squared;
+  const MahalanobisDistance m = mahalanobis_distance(estimate_of(track), observation.observed);
+  if (m.squared > kGate) return kImpossible + m.squared;
   return m.squared + m.log_determinant + kTwoLogTwoPi;
 }
 
 using TrackPointers = FixedList<PlayerState*, CostTable::kMaxColumns>;
 
-void add_unclaimed(PlayerList& list, Side side, TrackPointers& out) {
+void add_unmatched(PlayerList& list, Side side, TrackPointers& out) {
   for (PlayerState& track : list) {
-    if (!track.claimed && (track.side == side || track.side == Side::kNeutral))
+    if (!track.matched && (track.side == side || track.side == Side::kNeutral))
       out.push_back(&track);
   }
 }
 
-void match_team(WorldModel& world, const Viewpoint& view, const SightingList& sightings, Side side,
-                TakeSighting take) {
-  FixedList<const PlayerSighting*, CostTable::kMaxRows> rows;
-  for (const PlayerSighting& sighting : sightings) {
-    if (sighting.side == side && sighting.seen->unum == 0) rows.push_back(&sighting);
+void match_team(WorldModel& world, const Viewpoint& view, const PlayerObservationList& observations,
+                Side side, UpdateTrack update) {
+  FixedList<const PlayerObservation*, CostTable::kMaxRows> rows;
+  for (const PlayerObservation& observation : observations) {
+    if (observation.side == side && observation.seen->unum == 0) rows.push_back(&observation);
   }
   if (rows.empty()) return;
   TrackPointers columns;
-  add_unclaimed(list_of(world, side), side, columns);
+  add_unmatched(list_of(world, side), side, columns);
   const std::size_t tracked = columns.size();
 
   CostTable table;
@@ -166,30 +167,31 @@ void match_team(WorldModel& world, const Viewpoint& view, const SightingList& si
   table.columns = tracked + rows.size();
   for (std::size_t r = 0; r < rows.size(); ++r) {
     for (std::size_t c = 0; c < tracked; ++c) table.cost[r][c] = track_cost(*columns[c], *rows[r]);
-    for (std::size_t c = tracked; c < table.columns; ++c) table.cost[r][c] = newcomer_cost();
+    for (std::size_t c = tracked; c < table.columns; ++c) table.cost[r][c] = new_track_cost();
   }
   const auto column_of = assign(table);
 
-  // Known tracks first: the pointers into the lists hold until something is added or removed.
+  // Known tracks first: adding or removing tracks invalidates the pointers.
   for (std::size_t r = 0; r < rows.size(); ++r) {
-    if (column_of[r] < tracked) take(*columns[column_of[r]], view, *rows[r]);
+    if (column_of[r] < tracked) update(*columns[column_of[r]], view, *rows[r]);
   }
   for (std::size_t r = 0; r < rows.size(); ++r) {
     if (column_of[r] < tracked) continue;
-    PlayerState* unknown = nearest_unclaimed(world.unknowns, *rows[r], kClearlySame);
-    take(unknown != nullptr ? *join(world, unknown, side) : *new_player(world, side, 0), view,
-         *rows[r]);
+    PlayerState* unknown = nearest_unmatched(world.unknowns, *rows[r], kStrictGate);
+    update(unknown != nullptr ? *assign_team(world, unknown, side) : *new_player(world, side, 0),
+           view, *rows[r]);
   }
 }
 
-/// When the goalie's number is known and nobody has it, the one in his penalty area behind all the
-/// others is the goalie.
+/// If no track has the known goalie number, assigns it to the rearmost player inside the penalty
+/// area.
 void number_the_goalie(WorldModel& world, Side side) {
-  const bool ours = side == world.our_side;
-  const int unum = ours ? world.our_goalie_unum : world.their_goalie_unum;
+  const bool our_team = side == world.our_side;
+  const int unum = our_team ? world.our_goalie_unum : world.their_goalie_unum;
   PlayerList& list = list_of(world, side);
-  if (unum == 0 || (ours && unum == world.unum) || find_number(list, side, unum) != nullptr) return;
-  const double toward = ours ? -1.0 : 1.0;
+  if (unum == 0 || (our_team && unum == world.unum) || find_number(list, side, unum) != nullptr)
+    return;
+  const double toward = our_team ? -1.0 : 1.0;
   PlayerState* last = nullptr;
   for (PlayerState& track : list) {
     if (last == nullptr || toward * track.position.x > toward * last->position.x) last = &track;
@@ -204,25 +206,25 @@ void number_the_goalie(WorldModel& world, Side side) {
   forget_lost(world, side, unum);
 }
 
-/// When all numbers of a team but one are known, and one player without number is in sight, it is
-/// that one.
+/// If all numbers of a team but one are tracked and one unnumbered player is visible, assigns it
+/// the remaining number.
 void number_the_last(WorldModel& world, Side side) {
   PlayerList& list = list_of(world, side);
   constexpr int kRecent = 15;
   std::array<bool, soccer::kPlayersPerTeam + 1> taken{};
   if (side == world.our_side) taken[static_cast<std::size_t>(world.unum)] = true;
-  PlayerState* nameless = nullptr;
+  PlayerState* unnumbered = nullptr;
   for (PlayerState& track : list) {
     if (track.unum != 0) {
       if (track.pos_count > kRecent) return;
       taken[static_cast<std::size_t>(track.unum)] = true;
-    } else if (nameless != nullptr || !track.claimed) {
+    } else if (unnumbered != nullptr || !track.matched) {
       return;
     } else {
-      nameless = &track;
+      unnumbered = &track;
     }
   }
-  if (nameless == nullptr) return;
+  if (unnumbered == nullptr) return;
   int missing = 0;
   for (int unum = 1; unum <= soccer::kPlayersPerTeam; ++unum) {
     if (taken[static_cast<std::size_t>(unum)]) continue;
@@ -230,35 +232,35 @@ void number_the_last(WorldModel& world, Side side) {
     missing = unum;
   }
   if (missing == 0) return;
-  nameless->unum = missing;
+  unnumbered->unum = missing;
   forget_lost(world, side, missing);
 }
 
-void match_anonymous(WorldModel& world, const Viewpoint& view, const SightingList& sightings,
-                     TakeSighting take) {
-  for (const PlayerSighting& sighting : sightings) {
-    if (sighting.side != Side::kNeutral) continue;
+void match_anonymous(WorldModel& world, const Viewpoint& view,
+                     const PlayerObservationList& observations, UpdateTrack update) {
+  for (const PlayerObservation& observation : observations) {
+    if (observation.side != Side::kNeutral) continue;
     PlayerState* best = nullptr;
-    double least = kSameGate;
+    double least = kGate;
     for (PlayerList* list : {&world.teammates, &world.opponents, &world.unknowns}) {
-      PlayerState* track = nearest_unclaimed(*list, sighting, least);
+      PlayerState* track = nearest_unmatched(*list, observation, least);
       if (track == nullptr) continue;
-      least = squared_misfit(*track, sighting);
+      least = squared_mahalanobis(*track, observation);
       best = track;
     }
     if (best == nullptr) best = new_player(world, Side::kNeutral, 0);
-    take(*best, view, sighting);
+    update(*best, view, observation);
   }
 }
 
 }  // namespace
 
-void match(WorldModel& world, const Viewpoint& view, const SightingList& sightings,
-           TakeSighting take) {
-  match_numbers(world, view, sightings, take);
-  match_team(world, view, sightings, Side::kLeft, take);
-  match_team(world, view, sightings, Side::kRight, take);
-  match_anonymous(world, view, sightings, take);
+void match_players(WorldModel& world, const Viewpoint& view,
+                   const PlayerObservationList& observations, UpdateTrack update) {
+  match_numbers(world, view, observations, update);
+  match_team(world, view, observations, Side::kLeft, update);
+  match_team(world, view, observations, Side::kRight, update);
+  match_anonymous(world, view, observations, update);
   number_the_goalie(world, Side::kLeft);
   number_the_goalie(world, Side::kRight);
   number_the_last(world, Side::kLeft);

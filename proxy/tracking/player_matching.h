@@ -1,4 +1,4 @@
-// Which track each player of a look is.
+// Data association: matches the players of a see message with tracks.
 #pragma once
 
 #include "proxy/tracking/observed_object.h"
@@ -7,24 +7,23 @@
 
 namespace cls::proxy {
 
-/// A player of the look.
-struct PlayerSighting {
+/// A player in a see message.
+struct PlayerObservation {
   const soccer::Observation* seen = nullptr;
-  Sight sight;
+  ObservedPosition observed;
   soccer::Side side = soccer::Side::kNeutral;
 };
 
-using SightingList = FixedList<PlayerSighting, 24>;
+using PlayerObservationList = FixedList<PlayerObservation, 24>;
 
-/// Takes a sighting into a track (and claims it).
-using TakeSighting = void (*)(PlayerState& track, const Viewpoint& view,
-                              const PlayerSighting& sighting);
+/// Updates a track by an observation and marks it as matched.
+using UpdateTrack = void (*)(PlayerState& track, const Viewpoint& view,
+                             const PlayerObservation& observation);
 
-/// Gives every sighting to a track by `take`: those with a number to the track of that number,
-/// where tracks turn out to have been mixed up their numbers change hands; the others so that all
-/// together fit best, with a new track as the alternative. Tracks left without a sighting stay
-/// unclaimed.
-void match(WorldModel& world, const Viewpoint& view, const SightingList& sightings,
-           TakeSighting take);
+/// Calls `update` with the matching track of every observation. Numbered players match by number;
+/// swapped numbers are corrected. The others match by minimum total cost, with a new track as
+/// alternative. Tracks without observation stay unmatched.
+void match_players(WorldModel& world, const Viewpoint& view,
+                   const PlayerObservationList& observations, UpdateTrack update);
 
 }  // namespace cls::proxy

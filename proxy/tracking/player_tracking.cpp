@@ -1,11 +1,11 @@
-// Motion of tracks, what a sighting tells about one, and when one is given up.
+// Predicts, updates and drops player tracks.
 #include "proxy/tracking/player_tracking.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "proxy/tracking/player_matching.h"
-#include "proxy/tracking/visibility.h"
+#include "proxy/world/view_cone.h"
 #include "soccer/math.h"
 
 namespace cls::proxy {
@@ -17,34 +17,34 @@ using soccer::ObservedKind;
 using soccer::Side;
 using soccer::Vec2;
 
-// How players move, from recorded matches: they go on running, so that the next step is more than
-// the decayed velocity alone by this share of what it lost, with this deviation per axis and step.
+// Motion model fitted to recorded matches: players keep running, so a step regains
+// kRunOn of the velocity lost to decay, with this noise per axis and step.
 constexpr double kRunOn = 0.8;
 constexpr double kStepDeviation = 0.14;
-// A player of whom only the place was ever seen.
+// For players without any observed velocity.
 constexpr double kUnknownVelocityVariance = 0.04;
-constexpr double kLostDeviation = 12.0;  ///< of somebody whose place is not known
+constexpr double kLostDeviation = 12.0;  ///< of a lost player
 
 double square(double x) { return x * x; }
 
 void step(PlayerState& player, double decay) {
-  MovingBelief b = belief_of(player);
+  ObjectEstimate b = estimate_of(player);
   const double carry = 1.0 + kRunOn * (1.0 / decay - 1.0);  // step length per velocity
-  const double keep = carry * decay;                        // velocity after per velocity before
+  const double velocity_factor = carry * decay;             // velocity after per velocity before
   for (std::size_t axis = 0; axis < 2; ++axis) {
     b.mean[axis] += carry * b.mean[axis + 2];
-    b.mean[axis + 2] *= keep;
+    b.mean[axis + 2] *= velocity_factor;
   }
   for (std::size_t c = 0; c < 4; ++c) {
     for (std::size_t axis = 0; axis < 2; ++axis) {
       b.at(axis, c) += carry * b.at(axis + 2, c);
-      b.at(axis + 2, c) *= keep;
+      b.at(axis + 2, c) *= velocity_factor;
     }
   }
   for (std::size_t r = 0; r < 4; ++r) {
     for (std::size_t axis = 0; axis < 2; ++axis) {
       b.at(r, axis) += carry * b.at(r, axis + 2);
-      b.at(r, axis + 2) *= keep;
+      b.at(r, axis + 2) *= velocity_factor;
     }
   }
   const double noise = square(kStepDeviation);
@@ -54,7 +54,7 @@ void step(PlayerState& player, double decay) {
     b.at(axis + 2, axis) += noise * decay;
     b.at(axis + 2, axis + 2) += noise * decay * decay;
   }
-  set_belief(player, b);
+  set_estimate(player, b);
 }
 
 void age(PlayerState& player, int cycles) {
@@ -64,14 +64,14 @@ void age(PlayerState& player, int cycles) {
         &player.point_count, &player.kick_count, &player.tackle_count}) {
     *count = std::min(kNever, *count + cycles);
   }
-  player.claimed = false;
+  player.matched = false;
 }
 
-/// Remembers that somebody with this number plays, though not where.
-void lose(WorldModel& world, const PlayerState& player) {
+/// Stores a numbered player as lost: known to play, position unknown.
+void move_to_lost(WorldModel& world, const PlayerState& player) {
   if (player.unum == 0) return;
   PlayerState lost = player;
-  lost.claimed = false;
+  lost.matched = false;
   lost.covariance = {};
   lost.covariance[0] = lost.covariance[5] = square(kLostDeviation);
   lost.velocity = {};
@@ -80,27 +80,27 @@ void lose(WorldModel& world, const PlayerState& player) {
 }
 
 template <typename Predicate>
-void give_up_if(WorldModel& world, PlayerList& list, Predicate gone) {
+void drop_tracks_if(WorldModel& world, PlayerList& list, Predicate gone) {
   for (std::size_t i = list.size(); i-- > 0;) {
     if (!gone(list[i])) continue;
-    lose(world, list[i]);
+    move_to_lost(world, list[i]);
     list.erase(i);
   }
 }
 
-void take_sighting(PlayerState& track, const Viewpoint& view, const PlayerSighting& sighting) {
-  const Observation& seen = *sighting.seen;
-  MovingBelief belief = belief_of(track);
-  constexpr double kElsewhere = 25.0;
+void update_track(PlayerState& track, const Viewpoint& view, const PlayerObservation& observation) {
+  const Observation& seen = *observation.seen;
+  ObjectEstimate estimate = estimate_of(track);
+  constexpr double kMaxMahalanobis = 25.0;
   const bool known = track.pos_count < kNever;
-  if (known && misfit(belief, sighting.sight).squared < kElsewhere) {
-    observe(belief, view, sighting.sight, seen);
+  if (known && mahalanobis_distance(estimate, observation.observed).squared < kMaxMahalanobis) {
+    update_estimate(estimate, view, observation.observed, seen);
   } else {
-    belief = first_belief(view, sighting.sight, seen, {}, kUnknownVelocityVariance);
+    estimate = initial_estimate(view, observation.observed, seen, {}, kUnknownVelocityVariance);
     track.vel_count = track.seen_vel_count = kNever;
   }
-  set_belief(track, belief);
-  track.claimed = true;
+  set_estimate(track, estimate);
+  track.matched = true;
   track.ghost_count = 0;
   track.seen_position = track.position;
   track.pos_count = track.seen_pos_count = 0;
@@ -126,19 +126,20 @@ void take_sighting(PlayerState& track, const Viewpoint& view, const PlayerSighti
   if (seen.mark == soccer::ActionMark::kTackling) track.tackle_count = 0;
 }
 
-SightingList sightings_of(const WorldModel& world, const soccer::See& see, const Viewpoint& view) {
-  SightingList out;
+PlayerObservationList player_observations(const WorldModel& world, const soccer::See& see,
+                                          const Viewpoint& view) {
+  PlayerObservationList out;
   for (const Observation& seen : see.objects) {
     const bool player =
         seen.kind == ObservedKind::kPlayer || seen.kind == ObservedKind::kClosePlayer;
     if (!player || seen.detail == ObservedDetail::kDirection) continue;
-    PlayerSighting sighting;
-    sighting.seen = &seen;
-    sighting.sight = sight_of(view, world.parameters->object_distances, seen);
+    PlayerObservation observation;
+    observation.seen = &seen;
+    observation.observed = observed_position(view, world.parameters->object_distances, seen);
     if (!seen.team.empty()) {
-      sighting.side = seen.team == world.our_team_name ? world.our_side : world.their_side();
+      observation.side = seen.team == world.our_team_name ? world.our_side : world.their_side();
     }
-    out.push_back(sighting);
+    out.push_back(observation);
   }
   return out;
 }
@@ -153,9 +154,9 @@ void learn_team_name(WorldModel& world, const soccer::See& see) {
   }
 }
 
-/// A player who is not where he was believed, and somebody without number a little aside who was
-/// not known before: that is him, after a step nobody expected.
-void follow_ghosts(PlayerList& list) {
+/// If a numbered ghost has exactly one other track nearby, unnumbered and matched, that track is
+/// the ghost after an unpredicted move: transfers the number.
+void renumber_ghosts(PlayerList& list) {
   constexpr double kAside = 4.0;
   for (std::size_t i = list.size(); i-- > 0;) {
     const PlayerState& ghost = list[i];
@@ -166,7 +167,7 @@ void follow_ghosts(PlayerList& list) {
       if (other.id == ghost.id || soccer::distance(other.position, ghost.position) > kAside)
         continue;
       ++near;
-      if (other.unum == 0 && other.claimed) found = &other;
+      if (other.unum == 0 && other.matched) found = &other;
     }
     if (found == nullptr || near > 1) continue;
     found->unum = ghost.unum;
@@ -178,15 +179,15 @@ void follow_ghosts(PlayerList& list) {
 
 }  // namespace
 
-MovingBelief belief_of(const PlayerState& player) {
+ObjectEstimate estimate_of(const PlayerState& player) {
   return {{player.position.x, player.position.y, player.velocity.x, player.velocity.y},
           player.covariance};
 }
 
-void set_belief(PlayerState& player, const MovingBelief& belief) {
-  player.position = {belief.mean[0], belief.mean[1]};
-  player.velocity = {belief.mean[2], belief.mean[3]};
-  player.covariance = belief.covariance;
+void set_estimate(PlayerState& player, const ObjectEstimate& estimate) {
+  player.position = {estimate.mean[0], estimate.mean[1]};
+  player.velocity = {estimate.mean[2], estimate.mean[3]};
+  player.covariance = estimate.covariance;
 }
 
 PlayerList& list_of(WorldModel& world, Side side) {
@@ -202,7 +203,7 @@ PlayerState* new_player(WorldModel& world, Side side, int unum) {
   track.unum = unum;
   PlayerList& list = list_of(world, side);
   if (!list.push_back(track)) {
-    // Full of tracks: the one without news for the longest time makes room.
+    // Full: replace the track observed longest ago.
     std::size_t oldest = 0;
     for (std::size_t i = 1; i < list.size(); ++i) {
       if (list[i].pos_count > list[oldest].pos_count) oldest = i;
@@ -235,35 +236,36 @@ void advance_players(WorldModel& world, int cycles) {
       age(player, cycles);
       for (int i = 0; i < cycles; ++i) step(player, world.type_of(player).player_decay);
     }
-    give_up_if(world, *list, [](const PlayerState& p) { return !p.position_valid(); });
+    drop_tracks_if(world, *list, [](const PlayerState& p) { return !p.position_valid(); });
   }
   for (PlayerState& player : world.lost) age(player, cycles);
 }
 
-void forget_places(WorldModel& world) {
+void forget_positions(WorldModel& world) {
   for (PlayerList* list : {&world.teammates, &world.opponents, &world.unknowns}) {
-    give_up_if(world, *list, [](const PlayerState&) { return true; });
+    drop_tracks_if(world, *list, [](const PlayerState&) { return true; });
   }
 }
 
 void observe_players(WorldModel& world, const soccer::See& see) {
   learn_team_name(world, see);
   for (PlayerList* list : {&world.teammates, &world.opponents, &world.unknowns, &world.lost}) {
-    for (PlayerState& player : *list) player.claimed = false;
+    for (PlayerState& player : *list) player.matched = false;
   }
   const Viewpoint view = viewpoint(world);
-  const SightingList sightings = sightings_of(world, see, view);
-  match(world, view, sightings, take_sighting);
-  constexpr int kTakenForGone = 2;
+  const PlayerObservationList observations = player_observations(world, see, view);
+  match_players(world, view, observations, update_track);
+  constexpr int kMaxGhostCount = 2;
   for (PlayerList* list : {&world.teammates, &world.opponents, &world.unknowns}) {
     for (PlayerState& player : *list) {
-      if (player.claimed) continue;
+      if (player.matched) continue;
       if (must_be_visible(world, player.position, player.position_deviation())) {
         ++player.ghost_count;
       }
     }
-    follow_ghosts(*list);
-    give_up_if(world, *list, [](const PlayerState& p) { return p.ghost_count >= kTakenForGone; });
+    renumber_ghosts(*list);
+    drop_tracks_if(world, *list,
+                   [](const PlayerState& p) { return p.ghost_count >= kMaxGhostCount; });
     sort_players(*list);
   }
 }

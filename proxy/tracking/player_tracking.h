@@ -1,4 +1,4 @@
-// Following the other players: their motion, who of them a look shows, and who is gone.
+// Player tracking: prediction, update by see messages, lost players.
 #pragma once
 
 #include "proxy/tracking/observed_object.h"
@@ -7,32 +7,31 @@
 
 namespace cls::proxy {
 
-/// Advances all tracks by `cycles`; those not seen or heard for too long are lost.
+/// Predicts all tracks `cycles` ahead; moves those with an expired position to `lost`.
 void advance_players(WorldModel& world, int cycles);
 
-/// Matches the players of a look with the tracks, updates them, makes new ones, and counts looks
-/// that should have shown a track and did not. The own pose is up to date.
+/// Matches the players of a see message with tracks, updates and creates tracks, and counts ghosts:
+/// tracks that should have been visible. The own pose must be current.
 void observe_players(WorldModel& world, const soccer::See& see);
 
-/// Everybody may stand anywhere by now (a kick-off is prepared): only the numbers that play are
-/// remembered.
-void forget_places(WorldModel& world);
+/// Drops all positions, because players are being placed for a kick-off; the numbers are retained
+/// as lost players.
+void forget_positions(WorldModel& world);
 
-/// The list of that side's players (neutral: of those whose team is not known).
+/// Player list of a side (neutral: unknown team).
 PlayerList& list_of(WorldModel& world, soccer::Side side);
 
-/// A new track at the end of that list, under a new id; when the list is full the track without
-/// news for the longest time makes room.
+/// Appends a track with a new id; a full list drops the track observed longest ago.
 PlayerState* new_player(WorldModel& world, soccer::Side side, int unum);
 
-/// The player with that number has been found.
+/// Removes a lost player that was found again.
 void forget_lost(WorldModel& world, soccer::Side side, int unum);
 
-/// Numbered tracks by number, then the others by age of the track.
+/// Sorts numbered tracks by number, then the others by id.
 void sort_players(PlayerList& list);
 
-/// The track's belief, and back.
-MovingBelief belief_of(const PlayerState& player);
-void set_belief(PlayerState& player, const MovingBelief& belief);
+/// Conversion between a track and its Gaussian estimate.
+ObjectEstimate estimate_of(const PlayerState& player);
+void set_estimate(PlayerState& player, const ObjectEstimate& estimate);
 
 }  // namespace cls::proxy

@@ -1,4 +1,5 @@
-// Localisation by landmarks: every printed distance and direction is an interval the pose must fit.
+// Self localization by landmarks: each distance and direction in a see message is an interval
+// observation of the pose.
 #include "proxy/tracking/self_localization.h"
 
 #include <algorithm>
@@ -23,7 +24,7 @@ using soccer::Vec2;
 
 constexpr double kDegreesPerRadian = 180.0 / math::kPi;
 constexpr double kHalfDegree = 0.5;
-// Rounding of what is printed, and of the reckoning here.
+// Tolerance for rounding errors.
 constexpr double kSlack = 1e-4;
 
 using SlabList = FixedList<Slab<3>, kMaxSlabs>;
@@ -33,13 +34,12 @@ struct Pose {
   double face = 0.0;
 };
 
-/// Landmarks as the own team sees them: turned by 180 degrees for the right one.
+/// Rotates by 180 degrees for the right team.
 Vec2 own_frame(Vec2 point, soccer::Side side) {
   return side == soccer::Side::kRight ? -point : point;
 }
 
-/// A line of the pitch in the own frame: a point of it, and the direction in which it lies for
-/// somebody on the pitch.
+/// A border line in the own frame: a point on it, and its outward normal.
 struct LineGeometry {
   Vec2 point;
   Vec2 outward;
@@ -64,8 +64,8 @@ LineGeometry line_geometry(std::uint8_t index, soccer::Side side) {
   return {own_frame(line.point, side), own_frame(line.outward, side)};
 }
 
-/// What a look is judged with: parameters, focus, neck.
-struct Look {
+/// Context of one see message.
+struct SeeContext {
   const WorldModel& world;
   const DistanceTable& distances;
   double neck = 0.0;
@@ -81,39 +81,40 @@ struct Look {
   }
 };
 
-/// How far the focus point may be from where the pose puts it.
+/// Uncertainty of the focus point position.
 double focus_error_of(const WorldModel& world) {
   const Gaussian<3>& pose = world.self_tracker.pose;
   constexpr double kSure = 3.0;
-  constexpr double kLinearisation = 0.01;
+  constexpr double kLinearization = 0.01;
   const double position = std::sqrt(std::max(pose.at(0, 0), pose.at(1, 1)));
   const double sideways = math::to_radians(std::sqrt(pose.at(2, 2))) * world.self.focus_distance;
-  return kSure * (position + sideways) + kLinearisation;
+  return kSure * (position + sideways) + kLinearization;
 }
 
-/// Both intervals of a flag or goal, linearised at `at`.
-void add_landmark(const Look& look, const Observation& seen, const Pose& at, SlabList& slabs) {
-  const Vec2 landmark = own_frame(soccer::kLandmarks[seen.index].position, look.world.our_side);
+/// Adds the direction and distance intervals of a flag or goal, linearized at `at`.
+void add_landmark(const SeeContext& context, const Observation& seen, const Pose& at,
+                  SlabList& slabs) {
+  const Vec2 landmark = own_frame(soccer::kLandmarks[seen.index].position, context.world.our_side);
   const Vec2 offset = landmark - at.position;
   const double distance = offset.length();
-  constexpr double kTooNear = 0.3;  // the linearisation says nothing here
-  if (distance < kTooNear) return;
+  constexpr double kMinDistance = 0.3;  // the linearization is invalid here
+  if (distance < kMinDistance) return;
   const Vec2 e = offset / distance;
   const double angle = soccer::direction_degrees(offset) - at.face;
   const double turn = math::normalize_degrees(seen.direction - angle);
-  const double per_metre = kDegreesPerRadian / distance;
-  slabs.push_back({{e.y * per_metre, -e.x * per_metre, -1.0},
+  const double per_meter = kDegreesPerRadian / distance;
+  slabs.push_back({{e.y * per_meter, -e.x * per_meter, -1.0},
                    turn - kHalfDegree - kSlack,
                    turn + kHalfDegree + kSlack});
   if (seen.detail == ObservedDetail::kDirection) return;
-  const DistanceRange range = look.landmark_range(seen.distance, landmark, at);
+  const DistanceRange range = context.landmark_range(seen.distance, landmark, at);
   slabs.push_back(
       {{-e.x, -e.y, 0.0}, range.low - distance - kSlack, range.high - distance + kSlack});
 }
 
-/// The angle from the line's normal to the line of sight, from the printed direction (which counts
-/// from the line itself); the sign of the angle is lost when that is 0.
-std::optional<DistanceRange> sight_angle(int printed, double expected) {
+/// Angle between the line's normal and the line of sight, from the reported direction, which is
+/// relative to the line itself; ambiguous sign at 0.
+std::optional<DistanceRange> line_of_sight_angle(int printed, double expected) {
   if (printed == -90) return DistanceRange{0.0, kHalfDegree};
   if (printed == 90) return DistanceRange{-kHalfDegree, 0.0};
   const double middle = printed < 0    ? printed + 90.0
@@ -124,46 +125,47 @@ std::optional<DistanceRange> sight_angle(int printed, double expected) {
   return DistanceRange{middle - kHalfDegree, middle + kHalfDegree};
 }
 
-/// Direction and distance along the line of sight of a border line, linearised at `at`.
-void add_line(const Look& look, const Observation& seen, const Pose& at, SlabList& slabs) {
-  LineGeometry line = line_geometry(seen.index, look.world.our_side);
+/// Adds the direction and distance intervals of a border line, linearized at `at`.
+void add_line(const SeeContext& context, const Observation& seen, const Pose& at, SlabList& slabs) {
+  LineGeometry line = line_geometry(seen.index, context.world.our_side);
   double gap = soccer::dot(line.outward, line.point - at.position);
-  if (gap < 0.0) {  // we are beyond it
+  if (gap < 0.0) {  // the agent is outside
     line.outward = -line.outward;
     gap = -gap;
   }
   const double expected =
       math::normalize_degrees(soccer::direction_degrees(line.outward) - at.face);
-  const std::optional<DistanceRange> angle = sight_angle(seen.direction, expected);
+  const std::optional<DistanceRange> angle = line_of_sight_angle(seen.direction, expected);
   if (!angle) return;
   slabs.push_back(
       {{0.0, 0.0, -1.0}, angle->low - expected - kSlack, angle->high - expected + kSlack});
-  // Along a line that is looked at flat the distance tells little and is far from linear.
+  // At flat angles the distance carries little information and is strongly nonlinear.
   constexpr double kFlat = 75.0;
-  constexpr double kTooNear = 1.0;
-  if (seen.detail == ObservedDetail::kDirection || std::fabs(expected) > kFlat || gap < kTooNear) {
+  constexpr double kMinDistance = 1.0;
+  if (seen.detail == ObservedDetail::kDirection || std::fabs(expected) > kFlat ||
+      gap < kMinDistance) {
     return;
   }
   const math::SinCos s = math::sincos(math::to_radians(expected));
   const double distance = gap / s.cos;
   const double per_degree = -gap * s.sin / (s.cos * s.cos) / kDegreesPerRadian;
-  const DistanceRange range = look.distances.range(seen.distance);
+  const DistanceRange range = context.distances.range(seen.distance);
   slabs.push_back({{-line.outward.x / s.cos, -line.outward.y / s.cos, per_degree},
                    range.low - distance - kSlack,
                    range.high - distance + kSlack});
 }
 
-SlabList slabs_at(const Look& look, const soccer::See& see, const Pose& at) {
+SlabList slabs_at(const SeeContext& context, const soccer::See& see, const Pose& at) {
   SlabList slabs;
   for (const Observation& seen : see.objects) {
-    if (seen.kind == ObservedKind::kLandmark) add_landmark(look, seen, at, slabs);
-    if (seen.kind == ObservedKind::kLine) add_line(look, seen, at, slabs);
+    if (seen.kind == ObservedKind::kLandmark) add_landmark(context, seen, at, slabs);
+    if (seen.kind == ObservedKind::kLine) add_line(context, seen, at, slabs);
   }
   return slabs;
 }
 
-/// How badly a pose breaks the worst of the intervals, in their own half widths; `shift` leads to
-/// it from where they were linearised.
+/// Worst interval violation of a pose, in half widths; `shift` is its offset from the linearization
+/// point.
 double worst_violation(const SlabList& slabs, const VecN<3>& shift) {
   double worst = 0.0;
   for (const Slab<3>& slab : slabs) {
@@ -174,36 +176,37 @@ double worst_violation(const SlabList& slabs, const VecN<3>& shift) {
   return worst;
 }
 
-/// Face from a visible border line, if we stand inside the pitch.
-std::optional<double> face_from_line(const Look& look, const soccer::See& see) {
+/// Face direction from a visible border line, assuming the agent is inside the pitch.
+std::optional<double> face_from_line(const SeeContext& context, const soccer::See& see) {
   for (const Observation& seen : see.objects) {
     if (seen.kind != ObservedKind::kLine || seen.direction == 0) continue;
-    const LineGeometry line = line_geometry(seen.index, look.world.our_side);
-    const double sight = seen.direction < 0 ? seen.direction + 90.0 : seen.direction - 90.0;
-    return soccer::direction_degrees(line.outward) - sight;
+    const LineGeometry line = line_geometry(seen.index, context.world.our_side);
+    const double observed = seen.direction < 0 ? seen.direction + 90.0 : seen.direction - 90.0;
+    return soccer::direction_degrees(line.outward) - observed;
   }
   return std::nullopt;
 }
 
-/// A first pose from the nearest landmark, turned by the one farthest from it or by a line.
-std::optional<Pose> pose_from_scratch(const Look& look, const soccer::See& see) {
+/// Initial pose from the nearest landmark; orientation from the landmark farthest from it, or from
+/// a line.
+std::optional<Pose> pose_from_scratch(const SeeContext& context, const soccer::See& see) {
   const Observation* nearest = nullptr;
   for (const Observation& seen : see.objects) {
     if (seen.kind != ObservedKind::kLandmark || seen.detail == ObservedDetail::kDirection) continue;
     if (nearest == nullptr || seen.distance < nearest->distance) nearest = &seen;
   }
   if (nearest == nullptr) return std::nullopt;
-  const auto place = [&](const Observation& seen) {
-    return own_frame(soccer::kLandmarks[seen.index].position, look.world.our_side);
+  const auto landmark_position = [&](const Observation& seen) {
+    return own_frame(soccer::kLandmarks[seen.index].position, context.world.our_side);
   };
   const auto seen_at = [&](const Observation& seen) {
-    return soccer::polar_degrees(look.distances.range(seen.distance).middle(), seen.direction);
+    return soccer::polar_degrees(context.distances.range(seen.distance).middle(), seen.direction);
   };
   const Observation* other = nullptr;
   double longest = 5.0;
   for (const Observation& seen : see.objects) {
     if (seen.kind != ObservedKind::kLandmark || seen.detail == ObservedDetail::kDirection) continue;
-    const double base = soccer::distance(place(seen), place(*nearest));
+    const double base = soccer::distance(landmark_position(seen), landmark_position(*nearest));
     if (base > longest) {
       longest = base;
       other = &seen;
@@ -211,53 +214,54 @@ std::optional<Pose> pose_from_scratch(const Look& look, const soccer::See& see) 
   }
   Pose pose;
   if (other != nullptr) {
-    pose.face = soccer::direction_degrees(place(*other) - place(*nearest)) -
+    pose.face = soccer::direction_degrees(landmark_position(*other) - landmark_position(*nearest)) -
                 soccer::direction_degrees(seen_at(*other) - seen_at(*nearest));
-  } else if (const std::optional<double> face = face_from_line(look, see)) {
+  } else if (const std::optional<double> face = face_from_line(context, see)) {
     pose.face = *face;
   } else {
     return std::nullopt;
   }
-  pose.position = place(*nearest) - soccer::rotated_degrees(seen_at(*nearest), pose.face);
+  pose.position =
+      landmark_position(*nearest) - soccer::rotated_degrees(seen_at(*nearest), pose.face);
   return pose;
 }
 
-/// Conditions `belief` (about x, y, body) on the see; relinearises while the mean still moves.
-/// Returns how badly the result breaks the worst interval, in half widths.
-double fit(const Look& look, const soccer::See& see, Gaussian<3>& belief, int rounds) {
-  const Gaussian<3> prior = belief;
-  Gaussian<3> origin = prior;  // where the intervals are linearised
+/// Updates `pose` by a see message, relinearizing while the mean moves. Returns the worst interval
+/// violation of the result, in half widths.
+double fit(const SeeContext& context, const soccer::See& see, Gaussian<3>& estimate, int rounds) {
+  const Gaussian<3> prior = estimate;
+  Gaussian<3> origin = prior;  // linearization point
   for (int round = 0; round < rounds; ++round) {
-    const Pose at{{origin.mean[0], origin.mean[1]}, origin.mean[2] + look.neck};
-    const SlabList slabs = slabs_at(look, see, at);
-    Gaussian<3> shift = prior;  // belief about the difference to the origin
+    const Pose at{{origin.mean[0], origin.mean[1]}, origin.mean[2] + context.neck};
+    const SlabList slabs = slabs_at(context, see, at);
+    Gaussian<3> shift = prior;  // estimate of the offset from the origin
     for (std::size_t i = 0; i < 3; ++i) shift.mean[i] = prior.mean[i] - origin.mean[i];
     shift.mean[2] = math::normalize_degrees(shift.mean[2]);
     constexpr int kSweeps = 4;
     condition<3>(shift, std::span<const Slab<3>>(slabs.begin(), slabs.size()), kSweeps);
-    belief.covariance = shift.covariance;
-    for (std::size_t i = 0; i < 3; ++i) belief.mean[i] = origin.mean[i] + shift.mean[i];
-    belief.mean[2] = math::normalize_degrees(belief.mean[2]);
+    estimate.covariance = shift.covariance;
+    for (std::size_t i = 0; i < 3; ++i) estimate.mean[i] = origin.mean[i] + shift.mean[i];
+    estimate.mean[2] = math::normalize_degrees(estimate.mean[2]);
     const double violation = worst_violation(slabs, shift.mean);
     const double moved = Vec2{shift.mean[0], shift.mean[1]}.length();
     if (moved < 0.1 && std::fabs(shift.mean[2]) < 0.5) return violation;
-    origin.mean = belief.mean;
+    origin.mean = estimate.mean;
   }
-  // It came from far: where it has arrived the intervals may look different.
-  const Pose at{{belief.mean[0], belief.mean[1]}, belief.mean[2] + look.neck};
-  return worst_violation(slabs_at(look, see, at), {});
+  // Not converged: evaluate the intervals at the final pose.
+  const Pose at{{estimate.mean[0], estimate.mean[1]}, estimate.mean[2] + context.neck};
+  return worst_violation(slabs_at(context, see, at), {});
 }
 
-bool fit_from_scratch(const Look& look, const soccer::See& see, Gaussian<3>& belief) {
-  const std::optional<Pose> start = pose_from_scratch(look, see);
+bool fit_from_scratch(const SeeContext& context, const soccer::See& see, Gaussian<3>& estimate) {
+  const std::optional<Pose> start = pose_from_scratch(context, see);
   if (!start) return false;
-  belief = {};
-  belief.mean = {start->position.x, start->position.y,
-                 math::normalize_degrees(start->face - look.neck)};
-  belief.at(0, 0) = belief.at(1, 1) = 1.0;
-  belief.at(2, 2) = 25.0;
+  estimate = {};
+  estimate.mean = {start->position.x, start->position.y,
+                   math::normalize_degrees(start->face - context.neck)};
+  estimate.at(0, 0) = estimate.at(1, 1) = 1.0;
+  estimate.at(2, 2) = 25.0;
   constexpr int kRounds = 4;
-  fit(look, see, belief, kRounds);
+  fit(context, see, estimate, kRounds);
   return true;
 }
 
@@ -266,35 +270,34 @@ bool fit_from_scratch(const Look& look, const soccer::See& see, Gaussian<3>& bel
 bool localize(WorldModel& world, const soccer::See& see) {
   SelfState& self = world.self;
   SelfTracker& tracker = world.self_tracker;
-  const Look look{world, world.parameters->landmark_distances, self.neck.degrees(),
-                  focus_error_of(world)};
+  const SeeContext context{world, world.parameters->landmark_distances, self.neck.degrees(),
+                           focus_error_of(world)};
   const double body_before = tracker.pose.mean[2];
-  // The worst interval may be broken by a little where the belief is a compromise; a pose that
-  // breaks one by its own half width is somewhere else.
+  // Small violations are normal; a violation above one half width means that the pose is wrong.
   constexpr double kContradiction = 1.6;
-  bool fresh = false;
+  bool reinitialize = false;
   bool seen = std::any_of(see.objects.begin(), see.objects.end(), [](const Observation& o) {
     return o.kind == ObservedKind::kLandmark || o.kind == ObservedKind::kLine;
   });
   if (tracker.located && seen) {
-    constexpr int kRounds = 5;  // one is enough unless messages were lost or we were moved
-    fresh = fit(look, see, tracker.pose, kRounds) > kContradiction;
+    constexpr int kRounds = 5;  // one suffices unless messages were lost or the agent was moved
+    reinitialize = fit(context, see, tracker.pose, kRounds) > kContradiction;
   }
-  if (!tracker.located || fresh) {
-    Gaussian<3> anew;
-    // Nothing is known yet about where the focus point is.
-    const Look blind{world, look.distances, look.neck, 2.0 * self.focus_distance};
-    if (fit_from_scratch(blind, see, anew)) {
-      tracker.pose = anew;
+  if (!tracker.located || reinitialize) {
+    Gaussian<3> fresh_pose;
+    // The focus point position is still unknown.
+    const SeeContext blind{world, context.distances, context.neck, 2.0 * self.focus_distance};
+    if (fit_from_scratch(blind, see, fresh_pose)) {
+      tracker.pose = fresh_pose;
       tracker.located = true;
     } else {
       seen = false;
     }
   }
   if (!seen) return false;
-  // However many intervals agree, rounding in the server and here keeps it from being a point.
-  constexpr double kLeastVariance = 1e-6;
-  for (std::size_t i = 0; i < 3; ++i) tracker.pose.at(i, i) += kLeastVariance;
+  // Rounding errors bound the accuracy.
+  constexpr double kMinVariance = 1e-6;
+  for (std::size_t i = 0; i < 3; ++i) tracker.pose.at(i, i) += kMinVariance;
   const double corrected = math::normalize_degrees(tracker.pose.mean[2] - body_before);
   self.velocity = soccer::rotated_degrees(self.velocity, corrected * tracker.heading_follows_body);
   return true;

@@ -1,4 +1,4 @@
-// Where the agent stands and how it is turned: own motion every cycle, landmarks every see.
+// Self localization: dead reckoning by sense_body, correction by the landmarks of see.
 #pragma once
 
 #include "proxy/world/world_model.h"
@@ -7,15 +7,15 @@
 
 namespace cls::proxy {
 
-/// Takes the step that led to this sense_body into the pose, velocity and neck: own commands as
-/// far as the counters confirm them, then the sensed speed and its direction. `world.self` still
-/// holds the counters of the previous sense_body. `cycles` is 1 unless sense_body messages were
-/// lost; what happened in the lost ones is unknown.
+/// Dead reckoning: updates pose, velocity and neck for the step before this sense_body, from the
+/// own commands confirmed by the counters, and the sensed speed and its direction. `world.self`
+/// must still hold the previous counters. `cycles` is 1 unless sense_body messages were lost;
+/// motion in lost cycles is unknown.
 void advance_self(WorldModel& world, const soccer::SenseBody& sense, int cycles);
 
-/// Corrects the pose by all landmarks and lines of the see. Without a pose, or when the landmarks
-/// contradict it (the referee moved us), it starts anew from them. False when the message shows
-/// too little to be localised by it.
+/// Corrects the pose by all landmarks and lines of a see message. Reinitializes it without a pose,
+/// or when the landmarks contradict it (the referee moved the agent). False when the message has
+/// too few landmarks.
 bool localize(WorldModel& world, const soccer::See& see);
 
 }  // namespace cls::proxy

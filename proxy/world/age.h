@@ -1,16 +1,16 @@
-// Ages of beliefs and the pair of numbers that names a moment of a match.
+// Ages of estimates, and the game time of an agent: cycle and stopped-clock counter.
 #pragma once
 
 namespace cls::proxy {
 
-/// Ages are in cycles: 0 is "in this cycle". They grow by one each cycle up to kNever, which also
-/// stands for "has not happened". The clock may stand still; ages grow all the same.
+/// Ages are in cycles: 0 means this cycle. They grow by one per cycle, also while the clock is
+/// stopped, up to kNever, which also means "has not happened".
 constexpr int kNever = 1000;
 
 constexpr int older(int age) { return age < kNever ? age + 1 : kNever; }
 
-/// A moment: the server's clock, and how many senses came in since it stands still (0 when it
-/// runs, so the kick-off's moment is less than the ones it ends).
+/// Server cycle, and the number of sense_body messages since the clock stopped (0 while it runs, so
+/// the step of the kick-off is less than the stopped steps before it).
 struct GameTime {
   int cycle = -1;
   int stopped = 0;
@@ -23,7 +23,7 @@ struct GameTime {
   }
 };
 
-// Beliefs older than these no longer count as valid (proxy behaviour 3.2).
+// Estimates at least this old are no longer valid (proxy behaviour 3.2).
 constexpr int kSelfPositionAgeLimit = 20;
 constexpr int kSelfVelocityAgeLimit = 10;
 constexpr int kSelfFaceAgeLimit = 5;

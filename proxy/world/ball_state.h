@@ -1,4 +1,4 @@
-// What an agent believes about the ball.
+// Estimate of the ball.
 #pragma once
 
 #include "proxy/world/age.h"
@@ -7,9 +7,9 @@
 
 namespace cls::proxy {
 
-/// Metres, metres per cycle, own team attacks +x. `position` and `velocity` are advanced every
-/// cycle (position by velocity, velocity by the ball's decay, own kicks included); seen_ and heard_
-/// values stay as they were observed. A value never observed is zero, with the age kNever.
+/// Meters, meters per cycle, own team attacks +x. `position` and `velocity` are advanced every
+/// cycle (velocity, ball decay, own kicks); seen_ and heard_ values stay as observed. A value never
+/// observed is zero with age kNever.
 struct BallState {
   soccer::Vec2 position;
   soccer::Vec2 velocity;
@@ -19,7 +19,7 @@ struct BallState {
   soccer::Vec2 seen_velocity;
   soccer::Vec2 heard_position;
   soccer::Vec2 heard_velocity;
-  double position_deviation = 0.0;  ///< standard deviation along the less certain axis, metres
+  double position_deviation = 0.0;  ///< standard deviation along the less certain axis, meters
   double velocity_deviation = 0.0;
 
   int pos_count = kNever;  ///< since the position was updated by see or hear
@@ -29,8 +29,8 @@ struct BallState {
   int vel_count = kNever;
   int seen_vel_count = kNever;
   int heard_vel_count = kNever;
-  int lost_count = 0;   ///< cycles since it was missing where it was expected, or became invalid
-  int ghost_count = 0;  ///< looks in a row that did not find it where it was expected
+  int lost_count = 0;   ///< cycles since the ball became a ghost, untracked or invalid
+  int ghost_count = 0;  ///< consecutive see messages that did not show it at its estimate
 
   // Derived from position and the own position.
   double dist_from_self = 1000.0;
@@ -40,8 +40,5 @@ struct BallState {
   bool relative_position_valid() const { return relative_pos_count < kBallRelativeAgeLimit; }
   bool velocity_valid() const { return vel_count < kBallVelocityAgeLimit; }
 };
-
-/// Where a ball at `position` with `velocity` is after `cycles` without touch.
-soccer::Vec2 ball_after(soccer::Vec2 position, soccer::Vec2 velocity, int cycles, double decay);
 
 }  // namespace cls::proxy

@@ -1,4 +1,4 @@
-// A list with room for N elements inside itself: no allocation, copied as a value.
+// A list with inline storage for N elements: no allocation, copied as a value.
 #pragma once
 
 #include <array>
@@ -23,13 +23,13 @@ class FixedList {
   T& back() { return items_[size_ - 1]; }
 
   void clear() { size_ = 0; }
-  /// False, doing nothing, when the list is full.
+  /// False without change when the list is full.
   bool push_back(const T& item) {
     if (full()) return false;
     items_[size_++] = item;
     return true;
   }
-  /// Keeps the order of the others.
+  /// Preserves the order of the other elements.
   void erase(std::size_t index) {
     for (std::size_t i = index + 1; i < size_; ++i) items_[i - 1] = items_[i];
     --size_;

@@ -1,4 +1,4 @@
-// Questions about play modes.
+// Play mode queries and the game clock of an agent.
 #include "proxy/world/game_state.h"
 
 #include <array>
@@ -8,7 +8,7 @@ namespace cls::proxy {
 using soccer::PlayMode;
 using soccer::Side;
 
-bool clock_stands(PlayMode mode) {
+bool clock_stopped(PlayMode mode) {
   const soccer::ModeClass kind = soccer::mode_class(mode);
   return kind == soccer::ModeClass::kWaiting || kind == soccer::ModeClass::kStopped;
 }
@@ -30,9 +30,9 @@ bool is_set_play_of(const GameState& game, Side side) {
   }
 }
 
-void open_moment(GameState& game, int cycle) {
+void begin_step(GameState& game, int cycle) {
   const int before = cycle == game.time.cycle ? game.time.stopped : 0;
-  game.time = {cycle, clock_stands(game.mode) ? before + 1 : 0};
+  game.time = {cycle, clock_stopped(game.mode) ? before + 1 : 0};
 }
 
 int default_penalty_taker(int n) {

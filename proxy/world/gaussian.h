@@ -1,4 +1,4 @@
-// Gaussian beliefs, and what observations that only give intervals do to them.
+// Gaussian estimates and their update by interval observations (quantized values).
 #pragma once
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace cls::proxy {
 template <std::size_t N>
 using VecN = std::array<double, N>;
 
-/// A normal distribution over N numbers; the covariance row by row.
+/// Multivariate normal distribution; covariance in row-major order.
 template <std::size_t N>
 struct Gaussian {
   VecN<N> mean{};
@@ -25,8 +25,8 @@ struct Gaussian {
   double at(std::size_t row, std::size_t column) const { return covariance[row * N + column]; }
 };
 
-/// The observation "low <= h . z + e <= high": z what is believed about, h `direction`, e normal
-/// with `noise_variance` (0: none). A printed, quantised value is such an interval.
+/// Interval observation "low <= h . z + e <= high": z the estimated state, h `direction`, e normal
+/// noise with `noise_variance` (0: none). A quantized value in a message is such an interval.
 template <std::size_t N>
 struct Slab {
   VecN<N> direction{};
@@ -42,57 +42,56 @@ double dot(const VecN<N>& a, const VecN<N>& b) {
   return sum;
 }
 
-/// Covariance times h: how each number moves with h . z.
+/// Covariance times h: the covariance of each state component with h . z.
 template <std::size_t N>
-VecN<N> covariance_with(const Gaussian<N>& belief, const VecN<N>& h) {
+VecN<N> covariance_with(const Gaussian<N>& estimate, const VecN<N>& h) {
   VecN<N> out{};
   for (std::size_t r = 0; r < N; ++r) {
-    for (std::size_t c = 0; c < N; ++c) out[r] += belief.at(r, c) * h[c];
+    for (std::size_t c = 0; c < N; ++c) out[r] += estimate.at(r, c) * h[c];
   }
   return out;
 }
 
-/// Changes the belief so that h . z, whose covariance with z is `gain`, moves by `shift` and its
-/// variance `variance` becomes `variance - reduction`.
+/// Rank-one update (as in a Kalman filter): moves h . z, whose covariance with z is `gain`, by
+/// `shift` and reduces its variance from `variance` to `variance - reduction`.
 template <std::size_t N>
-void regress(Gaussian<N>& belief, const VecN<N>& gain, double variance, double shift,
-             double reduction) {
+void rank_one_update(Gaussian<N>& estimate, const VecN<N>& gain, double variance, double shift,
+                     double reduction) {
   const double step = shift / variance;
   const double shrink = reduction / (variance * variance);
   for (std::size_t r = 0; r < N; ++r) {
-    belief.mean[r] += gain[r] * step;
-    for (std::size_t c = 0; c < N; ++c) belief.at(r, c) -= gain[r] * gain[c] * shrink;
+    estimate.mean[r] += gain[r] * step;
+    for (std::size_t c = 0; c < N; ++c) estimate.at(r, c) -= gain[r] * gain[c] * shrink;
   }
 }
 
-/// What one slab tells about h . z that is believed to be normal: the new mean and variance.
-inline Moments cut(Moments along, double low, double high, double noise_variance) {
-  const Moments seen{along.mean, along.variance + noise_variance};
-  const Moments kept = truncated(seen, low, high);
-  const double share = along.variance / seen.variance;
-  return {along.mean + share * (kept.mean - seen.mean),
-          along.variance - share * share * (seen.variance - kept.variance)};
+/// Posterior mean and variance of the normal h . z given one slab.
+inline Moments truncate_noisy(Moments along, double low, double high, double noise_variance) {
+  const Moments noisy{along.mean, along.variance + noise_variance};
+  const Moments inside = truncated(noisy, low, high);
+  const double share = along.variance / noisy.variance;
+  return {along.mean + share * (inside.mean - noisy.mean),
+          along.variance - share * share * (noisy.variance - inside.variance)};
 }
 
-/// Conditions the belief on one slab (by moments: exact along h).
+/// Updates the estimate by one slab (moment matching: exact along h).
 template <std::size_t N>
-void condition(Gaussian<N>& belief, const Slab<N>& slab) {
-  const VecN<N> gain = covariance_with(belief, slab.direction);
+void condition(Gaussian<N>& estimate, const Slab<N>& slab) {
+  const VecN<N> gain = covariance_with(estimate, slab.direction);
   const double variance = dot(slab.direction, gain);
   if (variance <= 0.0) return;
-  const double mean = dot(slab.direction, belief.mean);
-  const Moments after = cut({mean, variance}, slab.low, slab.high, slab.noise_variance);
-  regress(belief, gain, variance, after.mean - mean, variance - after.variance);
+  const double mean = dot(slab.direction, estimate.mean);
+  const Moments after = truncate_noisy({mean, variance}, slab.low, slab.high, slab.noise_variance);
+  rank_one_update(estimate, gain, variance, after.mean - mean, variance - after.variance);
 }
 
 constexpr std::size_t kMaxSlabs = 160;
 
-/// Conditions the belief on all slabs together by expectation propagation: each slab is replaced
-/// by the normal factor that acts like it among the others, `sweeps` times round. Good to a few
-/// percent of the result's own width where the feasible region is a body of many faces. Slabs
-/// beyond kMaxSlabs are left out.
+/// Updates the estimate by all slabs jointly with expectation propagation: `sweeps` passes in which
+/// each slab is approximated by a normal factor, given the others. Accurate to a few percent of the
+/// standard deviation where the feasible region has many faces. Ignores slabs beyond kMaxSlabs.
 template <std::size_t N>
-void condition(Gaussian<N>& belief, std::span<const Slab<N>> slabs, int sweeps) {
+void condition(Gaussian<N>& estimate, std::span<const Slab<N>> slabs, int sweeps) {
   struct Site {
     double precision = 0.0;
     double shift = 0.0;
@@ -103,11 +102,11 @@ void condition(Gaussian<N>& belief, std::span<const Slab<N>> slabs, int sweeps) 
     for (std::size_t i = 0; i < count; ++i) {
       const Slab<N>& slab = slabs[i];
       Site& site = sites[i];
-      const VecN<N> gain = covariance_with(belief, slab.direction);
+      const VecN<N> gain = covariance_with(estimate, slab.direction);
       const double variance = dot(slab.direction, gain);
       if (variance <= 0.0) continue;
-      const double mean = dot(slab.direction, belief.mean);
-      // A slab that the belief does not touch tells nothing.
+      const double mean = dot(slab.direction, estimate.mean);
+      // A slab that contains 4 standard deviations carries no information.
       const double reach = 4.0 * std::sqrt(variance + slab.noise_variance);
       if (site.precision == 0.0 && mean - reach > slab.low && mean + reach < slab.high) continue;
 
@@ -116,12 +115,12 @@ void condition(Gaussian<N>& belief, std::span<const Slab<N>> slabs, int sweeps) 
       const double cavity_variance = 1.0 / cavity_precision;
       const double cavity_mean = cavity_variance * (mean / variance - site.shift);
       const Moments after =
-          cut({cavity_mean, cavity_variance}, slab.low, slab.high, slab.noise_variance);
+          truncate_noisy({cavity_mean, cavity_variance}, slab.low, slab.high, slab.noise_variance);
       site.precision = std::max(0.0, 1.0 / after.variance - cavity_precision);
       const double new_precision = cavity_precision + site.precision;
       const double new_mean = after.mean;
       site.shift = new_mean * new_precision - cavity_mean * cavity_precision;
-      regress(belief, gain, variance, new_mean - mean, variance - 1.0 / new_precision);
+      rank_one_update(estimate, gain, variance, new_mean - mean, variance - 1.0 / new_precision);
     }
   }
 }

@@ -1,4 +1,4 @@
-// Who reaches the ball when: the agent's own plans and the steps of everybody else.
+// Intercept table: the agent's intercept plans, and the intercept cycles of all players.
 #pragma once
 
 #include <cstdint>
@@ -10,14 +10,14 @@
 
 namespace cls::proxy {
 
-/// One way for the agent to get to the ball: turns first, then dashes.
+/// One way for the agent to intercept the ball: turns, then dashes.
 struct InterceptPlan {
   enum class Kind : std::uint8_t { kOmniDash, kTurnForwardDash, kTurnBackwardDash };
 
   Kind kind = Kind::kOmniDash;
   int turns = 0;
   int dashes = 0;
-  bool exhausting = false;      ///< takes stamina below the point where recovery falls
+  bool exhausting = false;      ///< drops stamina below the threshold where recovery decreases
   double turn_angle = 0.0;      ///< total, degrees, relative to the body
   double dash_power = 0.0;      ///< of the first dash
   double dash_direction = 0.0;  ///< degrees relative to the body after turning
@@ -30,10 +30,11 @@ struct InterceptPlan {
 
 constexpr std::size_t kMaxInterceptPlans = 64;
 
-/// Steps are cycles from now; kNever: cannot, or nothing known. Ids are PlayerState::id, 0: nobody.
+/// Steps are cycles from now; kNever: cannot reach it, or unknown. Ids are PlayerState::id; 0:
+/// none.
 struct InterceptTable {
-  int self_steps = kNever;             ///< of the quickest plan that does not exhaust
-  int self_exhausting_steps = kNever;  ///< of the quickest plan that does
+  int self_steps = kNever;             ///< of the fastest non-exhausting plan
+  int self_exhausting_steps = kNever;  ///< of the fastest exhausting plan
   int first_teammate_steps = kNever;
   int second_teammate_steps = kNever;
   int first_opponent_steps = kNever;
@@ -44,7 +45,7 @@ struct InterceptTable {
   int second_opponent_id = 0;
   FixedList<InterceptPlan, kMaxInterceptPlans> plans;  ///< by steps, ascending
 
-  /// The quicker of both kinds of own plan.
+  /// Minimum over exhausting and other plans.
   int best_self_steps() const {
     return self_steps < self_exhausting_steps ? self_steps : self_exhausting_steps;
   }

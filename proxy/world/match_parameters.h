@@ -1,4 +1,4 @@
-// The parameters a server announces: the same for the whole match, shared by all copies of a world.
+// Parameters announced by the server; shared by all copies of a world model.
 #pragma once
 
 #include <vector>
@@ -13,14 +13,17 @@ namespace cls::proxy {
 struct MatchParameters {
   soccer::ServerParams server;
   soccer::PlayerParams player;
-  std::vector<soccer::PlayerType> types;  ///< by id; filled up with the default type
-  DistanceTable landmark_distances;       ///< for what server.quantize_step_l rounds
-  DistanceTable object_distances;         ///< for what server.quantize_step rounds
+  std::vector<soccer::PlayerType> types;  ///< by id; gaps filled with the default type
+  DistanceTable landmark_distances;       ///< for landmarks (quantize_step_l)
+  DistanceTable object_distances;         ///< for ball and players (quantize_step)
 
-  /// The defaults of rcssserver 19.
-  MatchParameters();
+  /// Defaults of rcssserver 19.
+  MatchParameters()
+      : types{soccer::default_player_type(server)},
+        landmark_distances(server.quantize_step_l),
+        object_distances(server.quantize_step) {}
 
-  /// The type of that id; the default type for an id that was never announced (and for -1).
+  /// Type by id; the default type for unknown ids (and for -1).
   const soccer::PlayerType& type(int id) const {
     return types[id >= 0 && static_cast<std::size_t>(id) < types.size()
                      ? static_cast<std::size_t>(id)

@@ -1,4 +1,4 @@
-// Motion without noise.
+// Noise-free motion.
 #include "proxy/world/motion.h"
 
 #include <algorithm>
@@ -42,15 +42,6 @@ double max_turn(const WorldModel& world) {
   return world.server().maxmoment / turn_resistance(world.self_type(), world.self.velocity);
 }
 
-double dash_rate(const soccer::ServerParams& server, double direction) {
-  const double off = std::fabs(soccer::math::normalize_degrees(direction));
-  const double rate =
-      off <= 90.0 ? server.side_dash_rate + (1.0 - server.side_dash_rate) * (1.0 - off / 90.0)
-                  : server.back_dash_rate - (server.back_dash_rate - server.side_dash_rate) *
-                                                (1.0 - (off - 90.0) / 90.0);
-  return std::clamp(rate, 0.0, 1.0);
-}
-
 Vec2 dash_acceleration(const WorldModel& world, AngleDeg body, double power, double direction) {
   const double size = world.self.effort * power * dash_rate(world.server(), direction) *
                       world.self_type().dash_power_rate;
@@ -59,23 +50,6 @@ Vec2 dash_acceleration(const WorldModel& world, AngleDeg body, double power, dou
 
 Vec2 dash_acceleration(const WorldModel& world, double power, double direction) {
   return dash_acceleration(world, world.self.body, power, direction);
-}
-
-int cycles_to_run(const soccer::ServerParams& server, const soccer::PlayerType& type,
-                  double distance) {
-  const double acceleration = std::min(
-      server.max_dash_power * type.dash_power_rate * type.effort_max, server.player_accel_max);
-  double speed = 0.0;
-  int cycles = 0;
-  // After ten cycles the speed has settled; the rest is a division.
-  for (; distance > 0.0 && cycles < 10; ++cycles) {
-    speed = std::min(speed + acceleration, type.player_speed_max);
-    distance -= speed;
-    speed *= type.player_decay;
-  }
-  if (distance <= 0.0) return cycles;
-  const double settled = std::min(speed + acceleration, type.player_speed_max);
-  return cycles + static_cast<int>(std::ceil(std::min(distance, 1000.0) / settled));
 }
 
 double safe_dash_power(const WorldModel& world, double power) {
@@ -107,6 +81,14 @@ Vec2 self_after(const WorldModel& world, int cycles) {
 
 Vec2 ball_after(const WorldModel& world, int cycles) {
   return coast(world.ball.position, world.ball.velocity, world.server().ball_decay, cycles);
+}
+
+Vec2 ball_after(Vec2 position, Vec2 velocity, int cycles, double decay) {
+  for (int i = 0; i < cycles; ++i) {
+    position += velocity;
+    velocity *= decay;
+  }
+  return position;
 }
 
 Vec2 first_reach_point(const WorldModel& world) {

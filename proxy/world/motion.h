@@ -1,57 +1,56 @@
-// How bodies and ball move in the coming cycles, and which command brings them where.
+// Noise-free motion of players and ball: prediction and the commands that cause it.
 #pragma once
 
+#include "proxy/world/running.h"
 #include "proxy/world/world_model.h"
 
 namespace cls::proxy {
 
-// All of it without noise; simulation model 3.1, 4.2 to 4.4.
+// Without noise; simulation model 3.1, 4.2 to 4.4.
 
-/// A vector no longer than `max`, same direction.
+/// Limits the length of a vector to `max`.
 soccer::Vec2 speed_limited(soccer::Vec2 velocity, double max);
 
-/// Where something with that velocity is after `cycles` when nothing pushes it.
+/// Position after `cycles` without acceleration (closed form).
 soccer::Vec2 coast(soccer::Vec2 position, soccer::Vec2 velocity, double decay, int cycles);
-/// Where it comes to rest.
+/// Inertia point: where a body that never accelerates again comes to rest.
 soccer::Vec2 rest_point(soccer::Vec2 position, soccer::Vec2 velocity, double decay);
-/// First speed with which something covers `distance` in `cycles`.
+/// Initial speed that covers `distance` in `cycles`.
 double first_speed(double distance, int cycles, double decay);
-/// `base` to the power of a small whole number.
+/// `base` to a small non-negative integer power.
 double power_of(double base, int exponent);
 
-/// A turn of M degrees needs a moment of M times this.
+/// Turning by M degrees takes a moment of M times this factor.
 double turn_resistance(const soccer::PlayerType& type, soccer::Vec2 velocity);
-/// Largest turn of the agent in this cycle, degrees.
+/// Maximum turn of the agent in this cycle, degrees.
 double max_turn(const WorldModel& world);
 
-/// Share of the power that a dash in that direction (degrees off the body) makes use of.
-double dash_rate(const soccer::ServerParams& server, double direction);
-/// What a dash of the agent adds to its velocity; direction relative to `body` (now, or given).
+/// Velocity added by a dash of the agent; `direction` relative to the current or given `body`.
 soccer::Vec2 dash_acceleration(const WorldModel& world, double power, double direction);
 soccer::Vec2 dash_acceleration(const WorldModel& world, soccer::AngleDeg body, double power,
                                double direction);
 
-/// Cycles a player of that type needs to run `distance` from rest at full power; `distance` <= 0
-/// needs none.
-int cycles_to_run(const soccer::ServerParams& server, const soccer::PlayerType& type,
-                  double distance);
-
-/// Largest dash power, at most `power`, that does not bring recovery to fall.
+/// Maximum dash power, at most `power`, that does not decrease recovery.
 double safe_dash_power(const WorldModel& world, double power);
 
-/// Distance within which the agent kicks.
+/// Distance within which the agent can kick.
 double kickable_area(const WorldModel& world);
 /// Distance below which ball and agent collide.
 double collide_distance(const WorldModel& world);
 /// Ball acceleration per unit of kick power, with the ball at `relative` (pitch axes).
 double kick_rate(const WorldModel& world, soccer::Vec2 relative, soccer::AngleDeg body);
 
-/// Where the agent is after coasting that many cycles.
+/// Agent position after coasting for `cycles`.
 soccer::Vec2 self_after(const WorldModel& world, int cycles);
-/// Where the ball is after rolling that many cycles.
+/// Ball position after rolling freely for `cycles`.
 soccer::Vec2 ball_after(const WorldModel& world, int cycles);
 
-/// Where the first of all players to reach the ball does so; its place now when nobody does.
+/// Position after `cycles` of free rolling, computed cycle by cycle; coast() is the closed form and
+/// differs in the last bits.
+soccer::Vec2 ball_after(soccer::Vec2 position, soccer::Vec2 velocity, int cycles, double decay);
+
+/// Where the first player of either team intercepts the ball; the current ball position if none
+/// does.
 soccer::Vec2 first_reach_point(const WorldModel& world);
 
 }  // namespace cls::proxy

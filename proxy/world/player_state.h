@@ -1,4 +1,4 @@
-// What an agent believes about another player.
+// Estimate of another player.
 #pragma once
 
 #include <array>
@@ -13,15 +13,15 @@
 
 namespace cls::proxy {
 
-/// One tracked player. Metres, metres per cycle, own team attacks +x; angles are global. `side` is
-/// the server's side.
+/// One tracked player. Meters, meters per cycle, own team attacks +x; global angles. `side` is the
+/// server's.
 struct PlayerState {
-  int id = 0;  ///< own number of this track, from 1; a player that is lost and found gets a new one
-  soccer::Side side = soccer::Side::kNeutral;  ///< neutral: team not known
-  int unum = 0;                                ///< 0: number not known
-  int unum_count = kNever;                     ///< since the number was seen or heard
-  bool goalie = false;  ///< seen with the goalie's mark, or reckoned to be it
-  int type_id = 0;      ///< -1 while the number is unknown
+  int id = 0;  ///< id of this track, from 1; a player lost and found again gets a new id
+  soccer::Side side = soccer::Side::kNeutral;  ///< neutral: unknown team
+  int unum = 0;                                ///< 0: unknown
+  int unum_count = kNever;                     ///< since the number was seen
+  bool goalie = false;                         ///< seen with the goalie mark, or inferred
+  int type_id = 0;                             ///< -1 while the number is unknown
 
   soccer::Vec2 position;
   soccer::Vec2 velocity;
@@ -40,38 +40,33 @@ struct PlayerState {
   int body_count = kNever;
   int face_count = kNever;
   int point_count = kNever;
-  int ghost_count = 0;        ///< looks in a row that did not find it where it was expected
+  int ghost_count = 0;        ///< consecutive see messages that did not show it at its estimate
   int kick_count = kNever;    ///< since it was seen kicking
   int tackle_count = kNever;  ///< since it was seen tackling
 
-  // Derived when the world model is completed for a decision.
+  // Set by update_derived().
   bool kicking = false;   ///< seen kicking now
-  bool tackling = false;  ///< believed to lie after a tackle
+  bool tackling = false;  ///< estimated to be down after a tackle
   double dist_from_self = 1000.0;
   soccer::AngleDeg angle_from_self;  ///< global direction self to player
   double dist_from_ball = 1000.0;
   soccer::AngleDeg angle_from_ball;  ///< global direction ball to player
-  int ball_reach_steps = kNever;     ///< kNever: not reckoned, or never
+  int ball_reach_steps = kNever;     ///< kNever: not computed, or never
 
-  /// Covariance of (x, y, vx, vy), row by row; the tracker's own.
+  /// Covariance of (x, y, vx, vy), row-major; used by the tracker only.
   std::array<double, 16> covariance{};
-  bool claimed = false;  ///< the present look shows it; the tracker's own
+  bool matched = false;  ///< matched by the current see message; used by the tracker only
 
   bool position_valid() const { return pos_count < kPlayerPositionAgeLimit; }
   bool velocity_valid() const { return vel_count < kPlayerVelocityAgeLimit; }
   bool ghost() const { return ghost_count > 0; }
-  /// Standard deviation of the position along its worse axis, metres.
+  /// Standard deviation of the position along its less certain axis, meters.
   double position_deviation() const {
     return std::sqrt(covariance[0] > covariance[5] ? covariance[0] : covariance[5]);
   }
 };
 
-/// Tracks of one team: those with a number first, by number, then the others by id.
+/// Tracks of one team: numbered players by number, then the others by id.
 using PlayerList = FixedList<PlayerState, 22>;
-
-/// Where the player comes to rest when it never dashes again.
-inline soccer::Vec2 inertia_final_point(const PlayerState& player, double decay) {
-  return player.position + player.velocity / (1.0 - decay);
-}
 
 }  // namespace cls::proxy

@@ -1,4 +1,4 @@
-// Builds the tables from the rounding itself, and undoes the correction a focus point brings.
+// Builds the tables by inverting the server's rounding, and inverts the focus point correction.
 #include "proxy/world/seen_distance.h"
 
 #include <algorithm>
@@ -12,11 +12,11 @@ namespace {
 namespace math = soccer::math;
 using soccer::Vec2;
 
-// Farther than anything on the pitch, in tenths of a metre, rounding included.
+// Upper bound of printed distances, in tenths of a meter.
 constexpr int kTenths = 1400;
-// Printed values are within this of what they print.
+// Maximum error of rounding to 0.1 m.
 constexpr double kHalfTenth = 0.05;
-// Nearer than this the steps are finer than anything printed, and nothing is looked up.
+// Below this distance the logarithmic steps are finer than 0.1 m: no lookup.
 constexpr double kFine = 0.05;
 
 }  // namespace
@@ -29,9 +29,9 @@ DistanceTable::DistanceTable(double step) : step_(step), by_tenths_(kTenths + 1)
     }
     return;
   }
-  first_step_ = static_cast<int>(std::floor(math::log(1e-3) / step));
+  const int first = static_cast<int>(std::floor(math::log(1e-3) / step));
   const int last = static_cast<int>(std::ceil(math::log(0.1 * kTenths + 60.0) / step));
-  for (int k = first_step_; k <= last; ++k) {
+  for (int k = first; k <= last; ++k) {
     steps_.push_back(
         {math::exp(k * step), {math::exp((k - 0.5) * step), math::exp((k + 0.5) * step)}});
   }
@@ -44,7 +44,7 @@ DistanceTable::DistanceTable(double step) : step_(step), by_tenths_(kTenths + 1)
     range.high = s.ends.high;
   }
   by_tenths_[0].low = 0.0;
-  // Values in the gaps are never printed; give them what lies around them.
+  // The server never prints values in the gaps; use the surrounding range.
   double below = by_tenths_[0].high;
   for (DistanceRange& range : by_tenths_) {
     if (range.high >= 0.0) {
@@ -63,12 +63,12 @@ DistanceRange DistanceTable::range(double printed) const {
 std::size_t DistanceTable::step_index(double distance) const {
   const auto found =
       std::lower_bound(steps_.begin(), steps_.end() - 1, distance,
-                       [](const Step& step, double wanted) { return step.ends.high < wanted; });
+                       [](const Step& step, double value) { return step.ends.high < value; });
   return static_cast<std::size_t>(found - steps_.begin());
 }
 
-/// Distance minus rounded distance, for one that is only known to be in a range: the error climbs
-/// within a step and falls at its end.
+/// Range of (distance - rounded distance) for a distance known only as a range; the error rises
+/// within a step and drops at its end.
 DistanceRange DistanceTable::rounding_errors(DistanceRange distance) const {
   const std::size_t first = step_index(distance.low);
   const std::size_t last = step_index(distance.high);
@@ -84,8 +84,8 @@ DistanceRange DistanceTable::rounding_errors(DistanceRange distance) const {
 DistanceRange DistanceTable::range(double printed, double focus_distance,
                                    double focus_error) const {
   if (steps_.empty()) return range(printed);
-  // printed = d - (focus correction) - (own correction), each half a rounding error; the middle of
-  // what is left is within 0.05 of (d + rounded d) / 2.
+  // printed = d - (focus correction) - (own correction), each half a rounding error; after removing
+  // the focus correction it is within 0.05 of (d + rounded d) / 2.
   const DistanceRange correction =
       rounding_errors({std::max(0.0, focus_distance - focus_error), focus_distance + focus_error});
   const double low = printed - kHalfTenth + 0.5 * correction.low;
@@ -107,14 +107,14 @@ DistanceRange DistanceTable::range(double printed, double focus_distance,
 
 namespace {
 
-/// The ray towards an object and the focus point beside it.
+/// The ray from the observer to an object, and the focus point relative to it.
 struct FocusRay {
-  double foot = 0.0;    ///< where on the ray the focus point is nearest
-  double height = 0.0;  ///< and how near
+  double foot = 0.0;    ///< point of the ray nearest to the focus point
+  double height = 0.0;  ///< distance of the focus point from the ray
 
   double focus_distance(double d) const { return Vec2{d - foot, height}.length(); }
 
-  /// Where d - focus_distance(d) takes a value; it never falls along the ray.
+  /// Solves d - focus_distance(d) = value; the left side is non-decreasing.
   double at_difference(double value, double low, double high) const {
     if (low - focus_distance(low) >= value) return low;
     if (high - focus_distance(high) <= value) return high;
@@ -123,7 +123,7 @@ struct FocusRay {
     return std::clamp(0.5 * (foot * foot + height * height - value * value) / span, low, high);
   }
 
-  /// Next place beyond `d` where the distance from the focus point leaves [ends.low, ends.high].
+  /// Next distance beyond `d` at which the focus distance leaves [ends.low, ends.high].
   double leaves(double d, const DistanceRange& ends) const {
     if (d < foot) {
       if (ends.low <= height) return foot;
@@ -140,18 +140,18 @@ DistanceRange DistanceTable::range_along(double printed, Vec2 eye, Vec2 directio
   if (steps_.empty()) return range(printed);
   const Vec2 offset = focus - eye;
   const FocusRay ray{soccer::dot(offset, direction), std::fabs(soccer::cross(offset, direction))};
-  // No correction is more than half of this share of its distance.
+  // A correction is at most half of this share of its distance.
   const double share = math::exp(0.5 * step_) - 1.0;
   const double beside = 0.5 * share * offset.length();
   double d = std::max(kFine, (printed - kHalfTenth - beside) / (1.0 + share));
   const double end = (printed + kHalfTenth + beside) / (1.0 - share);
   if (d >= end) return range(printed);
 
-  // Piece by piece: within one step of either distance printed + 0.05 etc. is met on an interval.
+  // Piecewise: within one step of both distances the solution is one interval.
   DistanceRange found{-1.0, -1.0};
   std::size_t own = step_index(d);
-  constexpr int kMostPieces = 200;
-  for (int piece = 0; piece < kMostPieces && d < end; ++piece) {
+  constexpr int kMaxPieces = 200;
+  for (int piece = 0; piece < kMaxPieces && d < end; ++piece) {
     while (own + 1 < steps_.size() && d >= steps_[own].ends.high) ++own;
     const double f = ray.focus_distance(d);
     double next = std::min(end, steps_[own].ends.high);
@@ -161,7 +161,7 @@ DistanceRange DistanceTable::range_along(double printed, Vec2 eye, Vec2 directio
       rounded += step.rounded;
       next = std::min(next, ray.leaves(d, step.ends));
     } else {
-      rounded += f;  // its rounding does not show
+      rounded += f;  // its rounding error is negligible
       next = std::min(next, ray.foot + kFine);
     }
     next = std::max(next, d + 1e-6);

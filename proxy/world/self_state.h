@@ -1,4 +1,4 @@
-// What an agent believes about itself.
+// Estimate of the agent itself.
 #pragma once
 
 #include "proxy/world/age.h"
@@ -8,20 +8,20 @@
 
 namespace cls::proxy {
 
-/// Positions in metres, velocities in metres per cycle (what the next step will add), own team
-/// attacks +x. Velocity, stamina and counters come from sense_body, position and body from the
-/// landmarks, carried over the cycles in between.
+/// Meters, meters per cycle (displacement of the next step), own team attacks +x. Velocity, stamina
+/// and counters come from sense_body, position and body from landmarks; between see messages by
+/// dead reckoning.
 struct SelfState {
   soccer::Vec2 position;
   soccer::Vec2 velocity;
-  soccer::Vec2 seen_position;  ///< where the last see put us; not advanced
+  soccer::Vec2 seen_position;  ///< at the last see message; not advanced
   soccer::Vec2 seen_velocity;
   soccer::AngleDeg body;
   soccer::AngleDeg neck;          ///< relative to the body
-  double position_deviation = 0;  ///< standard deviation of position, metres (per axis)
+  double position_deviation = 0;  ///< standard deviation of position per axis, meters
   double body_deviation = 0;      ///< standard deviation of body, degrees
 
-  int pos_count = kNever;  ///< since localised: by landmarks or an own move command
+  int pos_count = kNever;  ///< since localized by landmarks or an own move command
   int seen_pos_count = kNever;
   int vel_count = kNever;
   int seen_vel_count = kNever;
@@ -29,40 +29,40 @@ struct SelfState {
 
   double stamina = 0.0;
   double effort = 1.0;
-  double recovery = 1.0;   ///< own reckoning: the server does not tell
+  double recovery = 1.0;   ///< computed; the server does not report it
   double capacity = -1.0;  ///< remaining stamina reserve; negative: unlimited
 
   soccer::CommandCounts counts;
   soccer::ViewWidth view_width = soccer::ViewWidth::kNormal;
   soccer::ViewQuality view_quality = soccer::ViewQuality::kHigh;
-  double focus_distance = 0.0;       ///< metres
+  double focus_distance = 0.0;       ///< meters
   soccer::AngleDeg focus_direction;  ///< relative to the face
 
   soccer::ArmState arm;
   soccer::AngleDeg point_direction;  ///< global direction of the own arm
-  int point_count = kNever;          ///< since the own arm was pointed; kNever when it hangs
+  int point_count = kNever;          ///< since the arm was pointed; kNever when it is down
   soccer::Side attention_side = soccer::Side::kNeutral;
   int attention_unum = 0;
 
-  int tackle_count = 0;       ///< tackles carried out so far
-  int tackle_expires_in = 0;  ///< cycles we stay on the ground after a tackle
-  int foul_charged = 0;       ///< cycles we stay on the ground after being fouled
+  int tackle_count = 0;       ///< tackles executed so far
+  int tackle_expires_in = 0;  ///< cycles left on the ground after a tackle
+  int foul_charged = 0;       ///< cycles left on the ground after being fouled
   bool collided_with_ball = false;
   bool collided_with_player = false;
   bool collided_with_post = false;
   soccer::Card card = soccer::Card::kNone;
   int type_id = 0;
-  bool kicked = false;  ///< the last step carried out a kick of ours
-  int catch_time = 0;   ///< cycle of the last own catch command that was carried out; 0: none
-  int catch_ban = 0;    ///< cycles until the next catch may be tried
+  bool kicked = false;  ///< the agent's kick was executed in the last step
+  int catch_time = 0;   ///< cycle of the last executed catch command; 0: none
+  int catch_ban = 0;    ///< cycles until the next catch is allowed
 
-  // Derived when the world model is completed for a decision.
+  // Set by update_derived().
   bool kickable = false;
-  double kick_rate = 0.0001;  ///< ball acceleration per unit of kick power, here and now
+  double kick_rate = 0.0001;  ///< current ball acceleration per unit of kick power
   double catch_probability = 0.0;
   double tackle_probability = 0.0;
   double foul_probability = 0.0;
-  double safety_dash_power = 0.0;  ///< largest power that keeps recovery from falling
+  double safety_dash_power = 0.0;  ///< maximum power that does not decrease recovery
 
   soccer::AngleDeg face() const { return body + neck; }
   bool frozen() const { return tackle_expires_in > 0 || foul_charged > 0; }

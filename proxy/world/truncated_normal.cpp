@@ -1,4 +1,4 @@
-// Tables of the normal density and distribution, and the three regimes of a cut normal.
+// Tables of the normal density and distribution, and the three regimes of a truncated normal.
 #include "proxy/world/truncated_normal.h"
 
 #include <algorithm>
@@ -76,14 +76,14 @@ Moments truncated_exponential(double rate, double width) {
   return {1.0 / rate - rest, 1.0 / (rate * rate) - e * rest * rest};
 }
 
-/// A slab so narrow that the density in it is a slope: `middle` and `width` in standard units.
+/// Interval so narrow that the density is linear in it; standard units.
 Moments narrow(double middle, double width) {
   const double w2 = width * width;
   return {middle - middle * w2 / 12.0,
           w2 / 12.0 * (1.0 - w2 / 60.0 * (1.0 + 2.0 * middle * middle))};
 }
 
-/// Standard normal cut to [a, b].
+/// Standard normal truncated to [a, b].
 Moments standard(double a, double b) {
   if (a + b < 0.0) {
     const Moments mirrored = standard(-b, -a);
@@ -112,11 +112,11 @@ Moments truncated(Moments normal, double low, double high) {
   const double deviation = std::sqrt(normal.variance);
   const double a = (low - normal.mean) / deviation;
   const double b = (high - normal.mean) / deviation;
-  const Moments cut = standard(a, b);
-  const double mean = std::clamp(normal.mean + deviation * cut.mean, low, high);
+  const Moments standardized = standard(a, b);
+  const double mean = std::clamp(normal.mean + deviation * standardized.mean, low, high);
   const double width = high - low;
-  // No distribution on an interval is wider than both ends, and none is a point.
-  const double variance = std::clamp(cut.variance, 1e-9, 1.0) * normal.variance;
+  // Bounds: an interval's maximum variance, and more than zero.
+  const double variance = std::clamp(standardized.variance, 1e-9, 1.0) * normal.variance;
   return {mean, std::clamp(variance, 1e-12 * width * width, width * width / 4.0)};
 }
 

@@ -1,4 +1,4 @@
-// Mean and variance of a normal distribution cut to an interval.
+// Mean and variance of a truncated normal distribution.
 #pragma once
 
 namespace cls::proxy {
@@ -8,10 +8,10 @@ struct Moments {
   double variance = 1.0;
 };
 
-/// A normal distribution with that mean and variance (> 0), conditioned on lying in [low, high]
-/// (low < high). Right to about 1e-4 of the standard deviation in the bulk and to a few percent
-/// of the result's own width far out in a tail; the result always lies inside the interval and is
-/// never wider than what it came from. Same bits everywhere.
+/// Moments of a normal distribution (variance > 0) truncated to [low, high] (low < high). Accurate
+/// to about 1e-4 standard deviations in the bulk, and a few percent of the result's deviation far
+/// in a tail. The mean is inside the interval, the variance not above the input. Same bits on every
+/// platform.
 Moments truncated(Moments normal, double low, double high);
 
 }  // namespace cls::proxy

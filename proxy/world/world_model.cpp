@@ -1,4 +1,4 @@
-// Look-ups in a world model.
+// Lookups in a world model.
 #include "proxy/world/world_model.h"
 
 #include <algorithm>

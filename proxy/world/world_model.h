@@ -1,4 +1,4 @@
-// Everything one agent believes about the match: a plain value, filled by proxy/perception.h.
+// The world model of one agent: a plain value, updated by proxy/perception/perception.h.
 #pragma once
 
 #include <array>
@@ -9,16 +9,48 @@
 #include "proxy/formation/formation_set.h"
 #include "proxy/world/ball_state.h"
 #include "proxy/world/game_state.h"
+#include "proxy/world/gaussian.h"
 #include "proxy/world/intercept_table.h"
 #include "proxy/world/match_parameters.h"
 #include "proxy/world/player_state.h"
 #include "proxy/world/self_state.h"
-#include "proxy/world/tracker_state.h"
+#include "soccer/commands/player_command.h"
 #include "soccer/protocol/team_name.h"
 
 namespace cls::proxy {
 
-/// A message heard from another player or a coach, as it came; decoding is the receiver's matter.
+/// Commands sent in the previous cycle; at most one of each kind.
+struct SentCommands {
+  std::optional<soccer::Turn> turn;
+  std::optional<soccer::Dash> dash;
+  std::optional<soccer::Kick> kick;
+  std::optional<soccer::Tackle> tackle;
+  std::optional<soccer::Catch> catches;
+  std::optional<soccer::Move> move;
+  std::optional<soccer::TurnNeck> turn_neck;
+  std::optional<soccer::PointTo> point_to;
+  bool leg_dash = false;  ///< single-leg dashes turn the body, which is not modeled here
+};
+
+/// Estimate of (x, y, body in degrees), and the sent commands not yet confirmed.
+struct SelfTracker {
+  bool located = false;  ///< the pose is valid
+  Gaussian<3> pose;
+  double heading_variance = 0.0;  ///< of the direction of the agent's velocity, square degrees
+  double heading_follows_body =
+      0.0;  ///< degrees the velocity direction turns per degree of body correction
+  SentCommands sent;
+};
+
+/// Estimate of the ball's (x, y, vx, vy).
+struct BallTracker {
+  bool tracked = false;
+  bool pushed =
+      false;  ///< the current see message contradicts the predicted path: a player touched the ball
+  Gaussian<4> state;
+};
+
+/// A say message heard from a player or coach, not decoded.
 struct HeardMessage {
   GameTime time;
   soccer::Side side = soccer::Side::kNeutral;
@@ -28,57 +60,56 @@ struct HeardMessage {
   std::string text;
 };
 
-/// The four lines that order the players of both teams along x (proxy behaviour 3.7).
+/// Defense and offside lines (proxy behaviour 3.7).
 struct TeamLines {
-  double our_defense = 0.0;    ///< our last line, ball included
-  double their_defense = 0.0;  ///< theirs
+  double our_defense = 0.0;    ///< our defense line, including the ball
+  double their_defense = 0.0;  ///< their defense line, including the ball
   double our_defense_players = 0.0;
   double their_defense_players = 0.0;
-  double offside = 0.0;  ///< where our attackers become offside
+  double offside = 0.0;  ///< offside line for our attackers
   int offside_count = kNever;
 };
 
-/// The believed author of the last kick.
+/// Estimated last kicker.
 struct LastKick {
-  soccer::Side side = soccer::Side::kNeutral;  ///< neutral: undecidable
-  int unum = 0;                                ///< 0: not known
+  soccer::Side side = soccer::Side::kNeutral;  ///< neutral: ambiguous
+  int unum = 0;                                ///< 0: unknown
 };
 
-/// Coordinates: the own team attacks +x whatever its side, so the same code serves both; `Side`
-/// values are always the server's. Plain and copyable; the same messages in the same order give
-/// the same bits. Derived parts (table, lines, kickable flags, probabilities) hold after
-/// `complete()` of perception.h.
+/// Coordinates: the own team attacks +x on both sides; `Side` values are the server's. Plain and
+/// copyable; the same messages in the same order give the same bits. update_derived() sets the
+/// derived parts (intercept table, lines, kickable flags, probabilities).
 struct WorldModel {
-  // Who we are.
+  // Identity.
   soccer::Side our_side = soccer::Side::kLeft;
   int unum = 0;
   bool goalie = false;    ///< connected as goalie
-  bool sideline = false;  ///< a coach or trainer: `self` means nothing, all of ours are teammates
+  bool sideline = false;  ///< coach or trainer: `self` is unused, teammates holds the whole team
   soccer::TeamName our_team_name;
-  soccer::TeamName their_team_name;                   ///< empty until somebody of theirs was seen
-  std::shared_ptr<const MatchParameters> parameters;  ///< never null
-  std::shared_ptr<const FormationSet> formations;     ///< never null
+  soccer::TeamName their_team_name;                   ///< empty until an opponent was seen
+  std::shared_ptr<const MatchParameters> parameters;  ///< not null
+  std::shared_ptr<const FormationSet> formations;     ///< not null
 
   GameState game;
   SelfState self;
   BallState ball;
-  PlayerList teammates;  ///< without the agent itself
+  PlayerList teammates;  ///< without the agent
   PlayerList opponents;
-  PlayerList unknowns;  ///< team not known
+  PlayerList unknowns;  ///< unknown team
   InterceptTable intercept;
   TeamLines lines;
   LastKick last_kick;
   int kickable_teammate_id = 0;  ///< PlayerState::id; 0: none
   int kickable_opponent_id = 0;
-  int our_goalie_unum = 0;  ///< 0: not known
+  int our_goalie_unum = 0;  ///< 0: unknown
   int their_goalie_unum = 0;
   std::array<int, soccer::kPlayersPerTeam> our_types{};    ///< type id by unum - 1
-  std::array<int, soccer::kPlayersPerTeam> their_types{};  ///< -1: changed, to what is not known
-  FixedList<HeardMessage, 8> heard;                        ///< of the present moment
+  std::array<int, soccer::kPlayersPerTeam> their_types{};  ///< -1: substituted, type unknown
+  FixedList<HeardMessage, 8> heard;                        ///< in the current step
 
-  SelfTracker self_tracker;  ///< perception's own memory of the localisation
+  SelfTracker self_tracker;  ///< used by perception only
   BallTracker ball_tracker;
-  PlayerList lost;  ///< players whose number is known and whose place is not; perception's own
+  PlayerList lost;  ///< players of known number and unknown position; used by perception only
   int next_player_id = 1;
 
   WorldModel();
@@ -92,10 +123,10 @@ struct WorldModel {
   bool kickable_teammate() const { return kickable_teammate_id != 0; }
   bool kickable_opponent() const { return kickable_opponent_id != 0; }
 
-  /// The tracked player with that number; null when there is none.
+  /// Tracked player by uniform number; null if none.
   const PlayerState* teammate(int number) const;
   const PlayerState* opponent(int number) const;
-  /// The tracked player of any list with that id; null when there is none.
+  /// Tracked player of any list by id; null if none.
   const PlayerState* player_by_id(int id) const;
 };
 

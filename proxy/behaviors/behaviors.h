@@ -1,0 +1,91 @@
+// Behaviors: whole roles of a player, one function per Helios or Bhv action of the interface.
+#pragma once
+
+#include "proxy/commands/command_slots.h"
+#include "proxy/looking/neck.h"
+#include "proxy/planner/action_context.h"
+#include "proxy/world/world_model.h"
+
+namespace cls::proxy {
+
+// Basic move.
+
+/// True unless frozen. `recovering` stores between decisions whether the agent saves stamina.
+bool basic_move(const WorldModel& world, CommandSlots& slots, NeckPlan& neck, bool& recovering);
+
+/// Dash power by situation and stamina (proxy behaviour 6.4). Sets `recovering` when stamina falls
+/// below 50 percent, clears it above 70 percent.
+double normal_dash_power(const WorldModel& world, bool& recovering);
+
+// Goalie.
+
+/// Catches the ball, or kicks it out, or calls goalie_move().
+bool play_goalie(ActionContext& context);
+
+/// Comes out for the ball when appropriate, otherwise takes a position that covers the goal.
+bool goalie_move(ActionContext& context);
+
+/// Clears the ball. False if it is not kickable.
+bool goalie_kick(ActionContext& context);
+
+/// True for points at least `inset` meters inside our penalty area.
+bool in_own_penalty_area(soccer::Vec2 point, double inset = 0.0);
+
+/// After an own catch: waits for teammates, moves inside the penalty area to free space, and kicks.
+/// Otherwise goalie_move().
+bool goalie_free_kick(ActionContext& context);
+
+/// Position of the goalie for a ball position: for a far ball on the bisector of ball and goal,
+/// otherwise the point that leaves the least of the goal open to shots from the ball and from
+/// opponents it may be passed to.
+soccer::Vec2 goalie_position(const WorldModel& world, soccer::Vec2 ball);
+
+// Set plays.
+
+/// Plays any role in all set play modes. False if frozen.
+bool play_set_play(ActionContext& context);
+
+/// Uniform number of the kicker: of the two players with the nearest home positions the clearly
+/// nearer one, otherwise the one currently nearer. 0 if unknown.
+int set_play_kicker(const WorldModel& world);
+
+/// Goes behind the ball, waits for teammates, kicks.
+bool kick_set_play(ActionContext& context);
+
+/// Best planned pass, otherwise a pass to the nearest unmarked teammate, otherwise far upfield.
+/// False only if the ball is not kickable.
+bool kick_into_play(ActionContext& context);
+
+/// Best outlet (planner/outlet.h), where losing the ball would cost a goal. False only if the ball
+/// is not kickable.
+bool kick_outlet(ActionContext& context);
+
+/// Best planned pass; false if there is none.
+bool play_planned_pass(ActionContext& context);
+
+// Shoot-out.
+
+/// Plays the taker, the goalie or a waiting player. False outside shoot-out modes and if frozen.
+bool play_penalty(ActionContext& context);
+
+/// True if the agent takes our current kick.
+bool is_penalty_taker(const WorldModel& world);
+
+// Announced passes.
+
+/// If a teammate announced a pass to the agent in this cycle: intercepts the ball or runs to the
+/// announced point, and sets an intention. False without such a message.
+bool receive_heard_pass(ActionContext& context);
+
+/// Continues receiving. False, clearing the intention, when the ball is near, a teammate has it, or
+/// the time is over.
+bool continue_reception(ActionContext& context);
+
+// Communication.
+
+/// Says the ball near the agent and the players seen in this step; directs attention to the
+/// teammate at the ball. Uses the remaining say capacity, and respects an attention already set.
+/// False if it adds nothing.
+bool communicate(ActionContext& context);
+
+}  // namespace cls::proxy

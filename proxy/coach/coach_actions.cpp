@@ -1,0 +1,174 @@
+// One function per action.
+#include "proxy/coach/coach_actions.h"
+
+#include <cmath>
+#include <optional>
+#include <string>
+
+#include "proxy/coach/substitution.h"
+#include "proxy/messages/state_message.h"
+#include "proxy/perception/player_types_message.h"
+#include "soccer/play_mode.h"
+
+namespace cls::proxy {
+namespace {
+
+using soccer::CoachCommand;
+using soccer::PlayMode;
+using soccer::Vec2;
+using Commands = std::vector<CoachCommand>;
+
+bool is_unum(int unum) { return unum >= 1 && unum <= soccer::kPlayersPerTeam; }
+
+bool is_type(const WorldModel& world, int type) {
+  return type >= 0 && type < world.parameters->player.player_types;
+}
+
+bool is_finite(Vec2 v) { return std::isfinite(v.x) && std::isfinite(v.y); }
+
+Vec2 vector(const protos::RpcVector2D& v) { return {v.x(), v.y()}; }
+
+/// Executed (with or without a command), or invalid.
+enum class Outcome { kDone, kInvalid };
+
+void count(CoachActionReport& report, int kind, Outcome outcome) {
+  auto& counts = outcome == Outcome::kDone ? report.done : report.invalid;
+  ++counts[static_cast<std::size_t>(kind)];
+}
+
+Outcome change_type(const protos::ChangePlayerType& action, const WorldModel& world,
+                    Commands& out) {
+  if (!is_unum(action.uniform_number()) || !is_type(world, action.type())) {
+    return Outcome::kInvalid;
+  }
+  out.push_back(soccer::ChangePlayerType{action.uniform_number(), action.type()});
+  return Outcome::kDone;
+}
+
+// Sent only when changed and when the server accepts it: the number of messages is limited.
+Outcome say_types(const WorldModel& world, CoachMemory& memory, Commands& out) {
+  if (world.their_types == memory.said_types || !can_say_freeform(world, memory)) {
+    return Outcome::kDone;
+  }
+  memory.said_types = world.their_types;
+  ++memory.freeforms_sent;
+  const std::string text = "(freeform \"" + format_player_types(memory.said_types) + "\")";
+  out.push_back(soccer::CoachSay{soccer::ClangKind::kFreeform, text});
+  return Outcome::kDone;
+}
+
+// Play mode of an enum value; nullopt for modes that a trainer cannot set.
+std::optional<PlayMode> mode_of(const protos::DoChangeMode& action) {
+  if (action.game_mode_type() == protos::PenaltyKick_) return std::nullopt;
+  const soccer::Side wanted =
+      action.side() == protos::LEFT ? soccer::Side::kLeft : soccer::Side::kRight;
+  for (int i = 1; i < soccer::kPlayModeCount; ++i) {  // 0 is not a play mode
+    const auto mode = static_cast<PlayMode>(i);
+    if (wire_mode(mode) != action.game_mode_type()) continue;
+    const soccer::Side side = soccer::side(mode);
+    if (side == soccer::Side::kNeutral || side == wanted) return mode;
+  }
+  return std::nullopt;
+}
+
+std::string team_name(const WorldModel& world, bool own_team) {
+  return std::string((own_team ? world.our_team_name : world.their_team_name).view());
+}
+
+Outcome move_ball(const protos::DoMoveBall& action, Commands& out) {
+  const Vec2 position = vector(action.position());
+  const Vec2 velocity = vector(action.velocity());
+  if (!is_finite(position) || !is_finite(velocity)) return Outcome::kInvalid;
+  out.push_back(soccer::MoveBall{position, 0.0, velocity});
+  return Outcome::kDone;
+}
+
+Outcome move_player(const protos::DoMovePlayer& action, const WorldModel& world, Commands& out) {
+  const Vec2 position = vector(action.position());
+  const std::string team = team_name(world, action.our_side());
+  if (!is_finite(position) || !std::isfinite(action.body_direction()) || team.empty() ||
+      !is_unum(action.uniform_number())) {
+    return Outcome::kInvalid;
+  }
+  // Without a velocity the player would retain the old one.
+  out.push_back(
+      soccer::MovePlayer{team, action.uniform_number(), position, action.body_direction(), Vec2{}});
+  return Outcome::kDone;
+}
+
+Outcome change_mode(const protos::DoChangeMode& action, Commands& out) {
+  const std::optional<PlayMode> mode = mode_of(action);
+  if (!mode) return Outcome::kInvalid;
+  out.push_back(soccer::ChangeMode{*mode});
+  return Outcome::kDone;
+}
+
+Outcome change_type(const protos::DoChangePlayerType& action, const WorldModel& world,
+                    Commands& out) {
+  const std::string team = team_name(world, action.our_side());
+  if (team.empty() || !is_unum(action.uniform_number()) || !is_type(world, action.type())) {
+    return Outcome::kInvalid;
+  }
+  out.push_back(soccer::TrainerChangePlayerType{team, action.uniform_number(), action.type()});
+  return Outcome::kDone;
+}
+
+}  // namespace
+
+void execute(const protos::CoachActions& actions, const WorldModel& world, CoachMemory& memory,
+             CoachActionReport& report, Commands& out) {
+  using protos::CoachAction;
+  for (const CoachAction& action : actions.actions()) {
+    const int kind = action.action_case();
+    switch (action.action_case()) {
+      case CoachAction::kChangePlayerTypes:
+        count(report, kind, change_type(action.change_player_types(), world, out));
+        break;
+      case CoachAction::kDoHeliosSubstitute:
+        substitute(world, memory, out);
+        count(report, kind, Outcome::kDone);
+        break;
+      case CoachAction::kDoHeliosSayPlayerTypes:
+        count(report, kind, say_types(world, memory, out));
+        break;
+      case CoachAction::ACTION_NOT_SET:
+        ++report.unknown;
+        break;
+    }
+  }
+}
+
+void execute(const protos::TrainerActions& actions, const WorldModel& world,
+             CoachActionReport& report, Commands& out) {
+  using protos::TrainerAction;
+  for (const TrainerAction& action : actions.actions()) {
+    const int kind = action.action_case();
+    switch (action.action_case()) {
+      case TrainerAction::kDoKickOff:
+        out.push_back(soccer::Start{});
+        count(report, kind, Outcome::kDone);
+        break;
+      case TrainerAction::kDoMoveBall:
+        count(report, kind, move_ball(action.do_move_ball(), out));
+        break;
+      case TrainerAction::kDoMovePlayer:
+        count(report, kind, move_player(action.do_move_player(), world, out));
+        break;
+      case TrainerAction::kDoRecover:
+        out.push_back(soccer::Recover{});
+        count(report, kind, Outcome::kDone);
+        break;
+      case TrainerAction::kDoChangeMode:
+        count(report, kind, change_mode(action.do_change_mode(), out));
+        break;
+      case TrainerAction::kDoChangePlayerType:
+        count(report, kind, change_type(action.do_change_player_type(), world, out));
+        break;
+      case TrainerAction::ACTION_NOT_SET:
+        ++report.unknown;
+        break;
+    }
+  }
+}
+
+}  // namespace cls::proxy

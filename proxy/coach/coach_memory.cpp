@@ -1,0 +1,44 @@
+// Updating the memory.
+#include "proxy/coach/coach_memory.h"
+
+namespace cls::proxy {
+namespace {
+
+// Types on the field at the kick-off count as used.
+void count_lineup(CoachMemory& memory, const WorldModel& world) {
+  memory.used.assign(static_cast<std::size_t>(world.parameters->player.player_types), 0);
+  for (const int type : world.our_types) {
+    if (type >= 0 && static_cast<std::size_t>(type) < memory.used.size()) {
+      ++memory.used[static_cast<std::size_t>(type)];
+    }
+  }
+}
+
+}  // namespace
+
+void record_type_change(CoachMemory& memory, const WorldModel& world, int unum, int type) {
+  memory.stamina.replace(world, unum);
+  if (world.game.time.cycle <= 0 || memory.used.empty()) return;
+  ++memory.substitutions;
+  if (type >= 0 && static_cast<std::size_t>(type) < memory.used.size()) {
+    ++memory.used[static_cast<std::size_t>(type)];
+  }
+}
+
+void update_memory(CoachMemory& memory, const WorldModel& world) {
+  memory.analysis.update(world);
+  memory.stamina.update(world);
+  if (memory.used.empty() && world.game.time.cycle > 0) count_lineup(memory, world);
+}
+
+bool can_say_freeform(const WorldModel& world, const CoachMemory& memory) {
+  const soccer::ServerParams& server = world.server();
+  const int most = server.say_coach_cnt_max;
+  if (most >= 0 && memory.freeforms_sent >= most) return false;
+  if (world.game.mode != soccer::PlayMode::kPlayOn) return true;
+  const int played = world.game.time.cycle - world.game.mode_start.cycle;
+  return played > server.freeform_wait_period && server.freeform_wait_period > 0 &&
+         played % server.freeform_wait_period < server.freeform_send_period;
+}
+
+}  // namespace cls::proxy

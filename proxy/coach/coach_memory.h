@@ -1,0 +1,36 @@
+// An online coach's memory from cycle to cycle, beside the world model.
+#pragma once
+
+#include <array>
+#include <string_view>
+#include <vector>
+
+#include "proxy/coach/stamina_estimate.h"
+#include "proxy/coach/type_analysis.h"
+#include "proxy/perception/player_types_message.h"
+#include "proxy/world/world_model.h"
+
+namespace cls::proxy {
+
+struct CoachMemory {
+  TypeAnalysis analysis;    ///< of the opponents
+  StaminaEstimate stamina;  ///< of the own players
+
+  bool lineup_chosen = false;  ///< the initial types were assigned
+  std::vector<int> used;       ///< by type: own players with it since the kick-off
+  int substitutions = 0;       ///< since the kick-off
+
+  TypeIds said_types{};  ///< last types sent to the players; initially all 0
+  int freeforms_sent = 0;
+};
+
+/// An own player was substituted or changed type.
+void record_type_change(CoachMemory& memory, const WorldModel& world, int unum, int type);
+
+/// Evaluates a completed view. Once per decision.
+void update_memory(CoachMemory& memory, const WorldModel& world);
+
+/// True when the server accepts freeform messages now and the quota is not used up.
+bool can_say_freeform(const WorldModel& world, const CoachMemory& memory);
+
+}  // namespace cls::proxy

@@ -1,0 +1,36 @@
+// Off-ball positions: where to block a dribbler, mark an opponent, or support a teammate.
+#pragma once
+
+#include <optional>
+
+#include "proxy/formation/formation.h"
+#include "proxy/world/world_model.h"
+
+namespace cls::proxy {
+
+/// Earliest point at which the agent blocks an opponent dribbling toward our goal. Empty if no
+/// opponent has or gets the ball, a teammate blocks earlier, or it takes too long.
+std::optional<soccer::Vec2> block_point(const WorldModel& world);
+
+struct MarkRules {
+  double near_goal = 38.0;  ///< opponents within this distance of our goal are marked, meters
+  double from_home = 11.0;  ///< maximum marking cost, meters
+  double step = 1.3;        ///< distance of the marker from the opponent toward our goal, meters
+};
+/// For set plays of the opponents: there is no offside at kick-ins and corner kicks, so unmarked
+/// opponents behind our defense line are alone with the goalie.
+constexpr MarkRules kSetPlayMarking{58.0, 20.0, 1.8};
+
+/// Position where the agent marks its opponent: a step from it toward our goal. Opponents near our
+/// goal, nearest first, are assigned to the free field player with the lowest cost by position and
+/// home position (`home`, by unum - 1). Empty when our team has the ball, it is far from our goal,
+/// or the agent has no opponent to mark.
+std::optional<soccer::Vec2> mark_point(const WorldModel& world, const TeamPoints& home,
+                                       const MarkRules& rules = {});
+
+/// Best point near the home position (`home`, by unum - 1) to receive a pass from the teammate with
+/// the ball: open pass lane, space, near their goal, not offside. Empty in our half, when our team
+/// does not have the ball, and for players far from the ball or with low stamina.
+std::optional<soccer::Vec2> support_point(const WorldModel& world, const TeamPoints& home);
+
+}  // namespace cls::proxy

@@ -1,0 +1,38 @@
+// A scripted soccer server: accepts players, sends senses and stores the commands.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "soccer/channel.h"
+
+namespace cls::tests {
+
+/// Sends messages as rcssserver does in synchronous mode, with a static world: all players are at
+/// about (-24.99, 0.02) and get the same see message.
+class ScriptedServer {
+ public:
+  int player_types = 18;
+  bool synchronous = true;
+  std::string refusal;  ///< reply to the next init, if not empty
+
+  /// Client side of a new connection.
+  std::unique_ptr<soccer::Channel> open();
+  /// Handles received init commands: sends uniform number, parameters and types.
+  void serve();
+  /// Sends sense_body and see of the cycle to all players; `think` makes decisions due.
+  void send_cycle(int cycle, bool think = true);
+  void send(int unum, const std::string& message) { client(unum).send(message); }
+  /// Datagrams of the player since the last call, except init.
+  std::vector<std::string> take(int unum);
+
+ private:
+  soccer::Channel& client(int unum) { return *clients_.at(static_cast<std::size_t>(unum - 1)); }
+  void accept(soccer::Channel& client, int unum);
+
+  std::vector<std::unique_ptr<soccer::Channel>> clients_;
+  std::vector<std::vector<std::string>> said_;
+};
+
+}  // namespace cls::tests
