@@ -1,24 +1,26 @@
-// From a name to a mock.
+// Mocks from scripts and from names.
 #include "mock-server/mock.h"
+
+#include "mock-server/script/named_behaviors.h"
 
 namespace cls::mock_server {
 
 Mock::Mock(std::shared_ptr<const Script> script)
-    : behaviour(std::make_unique<ScriptedBehaviour>(script)),
+    : behavior(std::make_unique<ScriptedBehavior>(script)),
       expectations(script->expectations),
       faults(script->faults) {}
 
-bool names_script(std::string_view name) { return name.ends_with(".json"); }
+bool is_script_name(std::string_view name) { return name.ends_with(".json"); }
 
 base::Result<Mock> make_mock(std::string_view name) {
-  if (names_script(name)) {
+  if (is_script_name(name)) {
     auto script = read_script(name);
     if (!script) return script.error();
     return Mock(*std::move(script));
   }
-  auto behaviour = make_behaviour(name);
-  if (!behaviour) return behaviour.error();
-  return Mock(*std::move(behaviour));
+  auto behavior = make_behavior(name);
+  if (!behavior) return behavior.error();
+  return Mock(*std::move(behavior));
 }
 
 }  // namespace cls::mock_server

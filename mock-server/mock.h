@@ -1,4 +1,4 @@
-// A mock Playmaker before it serves: what it answers, expects and does wrong.
+// Description of a mock Playmaker: behavior, expectations and faults.
 #pragma once
 
 #include <functional>
@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "base/result.h"
-#include "mock-server/behaviour.h"
-#include "mock-server/faults.h"
+#include "mock-server/behavior/behavior.h"
 #include "mock-server/script/expectations.h"
+#include "mock-server/script/faults.h"
 #include "mock-server/script/script.h"
 
 namespace cls::mock_server {
@@ -17,21 +17,21 @@ namespace cls::mock_server {
 struct Mock {
   Mock() = default;
   /// Without faults and expectations.
-  template <typename Brain>
-  Mock(std::unique_ptr<Brain> brain) : behaviour(std::move(brain)) {}
+  template <typename B>
+  Mock(std::unique_ptr<B> b) : behavior(std::move(b)) {}
   explicit Mock(std::shared_ptr<const Script> script);
 
-  std::unique_ptr<const Behaviour> behaviour;
+  std::unique_ptr<const Behavior> behavior;
   std::vector<Expectation> expectations;
   Faults faults;
-  /// What a crash does; empty: the calls fail from then on as if the process were dead.
+  /// Called at an injected crash; empty: all later calls fail with UNAVAILABLE.
   std::function<void()> die;
 };
 
-/// True for what names a script file: it ends in ".json".
-bool names_script(std::string_view name);
+/// True for names of script files: those that end in ".json".
+bool is_script_name(std::string_view name);
 
-/// The behaviour of that name, or the script in that file; empty: the simple team. Errors of
+/// The behavior with that name, or the script in that file; empty: the simple team. Errors in
 /// scripts name file and line.
 base::Result<Mock> make_mock(std::string_view name);
 

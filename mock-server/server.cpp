@@ -7,9 +7,6 @@
 #include <chrono>
 #include <utility>
 
-#include "mock-server/faulty_service.h"
-#include "mock-server/game_service.h"
-
 namespace cls::mock_server {
 
 using base::Error;
@@ -18,19 +15,14 @@ using base::Result;
 Server::Server(Mock mock)
     : mock_(std::move(mock)),
       expectations_(mock_.expectations),
-      logic_(*mock_.behaviour, mock_.expectations.empty() ? nullptr : &expectations_) {
-  if (mock_.faults.any()) {
-    service_ = std::make_unique<FaultyService>(logic_, mock_.faults, mock_.die);
-  } else {
-    service_ = std::make_unique<GameService>(logic_);
-  }
-}
+      handler_(*mock_.behavior, mock_.expectations.empty() ? nullptr : &expectations_),
+      service_(handler_, mock_.faults, mock_.die) {}
 
 Server::~Server() { stop(); }
 
 Result<void> Server::listen(const std::string& address) {
   grpc::ServerBuilder builder;
-  builder.RegisterService(service_.get());
+  builder.RegisterService(&service_);
   // A second server on the same port must fail, not share it.
   builder.AddChannelArgument(GRPC_ARG_ALLOW_REUSEPORT, 0);
   if (!address.empty()) {

@@ -1,4 +1,4 @@
-// A running mock Playmaker: in this process, on a port, or both.
+// The gRPC server of a mock Playmaker: in process, on a port, or both.
 #pragma once
 
 #include <grpcpp/grpcpp.h>
@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "base/result.h"
-#include "mock-server/game_logic.h"
 #include "mock-server/mock.h"
+#include "mock-server/service/playmaker_service.h"
 
 namespace cls::mock_server {
 
@@ -19,7 +19,7 @@ class Server {
   /// Serves in-process channels only.
   static base::Result<std::unique_ptr<Server>> start(Mock mock);
 
-  /// Serves HOST:PORT too (port 0: a free one, see `port()`), with the standard health and
+  /// Also serves HOST:PORT (port 0: a free port, see port()), with the standard health and
   /// reflection services.
   static base::Result<std::unique_ptr<Server>> start(Mock mock, const std::string& host, int port);
 
@@ -27,19 +27,19 @@ class Server {
   Server(const Server&) = delete;
   Server& operator=(const Server&) = delete;
 
-  /// A channel that reaches this server without a socket: the same service, messages, deadlines.
+  /// Channel to this server without a socket: same service, messages and deadlines.
   std::shared_ptr<grpc::Channel> in_process_channel();
 
   int port() const { return port_; }
 
   /// CPU time spent in decisions so far, in nanoseconds.
-  std::int64_t decision_nanoseconds() const { return logic_.decision_nanoseconds(); }
-  /// What the mock should have been told or asked by now and was not; one line each.
+  std::int64_t decision_nanoseconds() const { return handler_.decision_nanoseconds(); }
+  /// One line per failed expectation.
   std::vector<std::string> failed_expectations() const { return expectations_.failures(); }
 
   /// Blocks until the server is shut down by a signal handler or another thread.
   void wait() { server_->Wait(); }
-  /// Ends all calls at once.
+  /// Cancels all calls and stops serving.
   void stop();
 
  private:
@@ -48,8 +48,8 @@ class Server {
 
   Mock mock_;
   Expectations expectations_;
-  GameLogic logic_;
-  std::unique_ptr<grpc::Service> service_;
+  RequestHandler handler_;
+  PlaymakerService service_;
   std::unique_ptr<grpc::Server> server_;
   int port_ = 0;
 };

@@ -1,10 +1,12 @@
-// Parsing and carrying out comparisons.
+// Parsing and evaluating comparisons.
 #include "mock-server/script/comparison.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
+
+#include "base/text/suggestion.h"
 
 namespace cls::mock_server {
 namespace {
@@ -45,7 +47,7 @@ Result<Value> operand(const base::JsonValue& json, const ValueKind& kind) {
     case ValueKind::Kind::kMessage:
       break;
   }
-  return json.error("a message cannot be compared, only asked whether it is \"present\"");
+  return json.error("a message cannot be compared; use {\"present\": true}");
 }
 
 }  // namespace
@@ -70,7 +72,7 @@ Result<Comparison::Part> Comparison::parse_part(std::string_view word, const bas
   if (ordered && kind.kind != ValueKind::Kind::kNumber) {
     return json.error(fmt::format("'{}' is for numbers", word));
   }
-  if (list && !json.is_list()) {
+  if (list && !json.is_array()) {
     return json.error(fmt::format("'{}' needs a list", word));
   }
   if (part.what == Operator::kBetween && json.size() != 2) {

@@ -1,4 +1,4 @@
-// Comparing a value with what a user wrote: 7, "PlayOn", {">=": 1, "<": 5}, {"in": [1, 2]}.
+// Comparisons written in JSON: 7, "PlayOn", {">=": 1, "<": 5}, {"in": [1, 2]}.
 #pragma once
 
 #include <google/protobuf/descriptor.h>
@@ -8,16 +8,16 @@
 #include <vector>
 
 #include "base/result.h"
-#include "base/text/json_text.h"
+#include "base/text/json_document.h"
 
 namespace cls::mock_server {
 
-/// A number, a truth value or a word (string, name of an enum value).
+/// A number, a boolean or a string (also the name of an enum value).
 using Value = std::variant<double, bool, std::string>;
 
 std::string to_text(const Value& value);
 
-/// What a place holds; an enum's values are known by name.
+/// Type of a field; enum values are known by name.
 struct ValueKind {
   enum class Kind { kNumber, kBool, kString, kEnum, kMessage };
   Kind kind = Kind::kNumber;
@@ -28,9 +28,9 @@ struct ValueKind {
 /// a value alone means ==. Enum names may leave out the trailing underscore.
 class Comparison {
  public:
-  /// The error names the place, the operator that may be meant, or the kind that is expected.
+  /// The error names the JSON path, and suggests an operator or names the expected type.
   static base::Result<Comparison> parse(const base::JsonValue& json, const ValueKind& kind);
-  /// For numbers that are no part of a message.
+  /// For numbers outside messages.
   static base::Result<Comparison> parse_number(const base::JsonValue& json) {
     return parse(json, {});
   }

@@ -1,4 +1,4 @@
-// Counting calls and keeping the first that was wrong.
+// Counting calls and storing the first violation.
 #include "mock-server/script/expectations.h"
 
 #include <fmt/format.h>
@@ -13,18 +13,18 @@ namespace {
 
 using base::Result;
 
-// Enough for every order that can be demanded.
-constexpr std::size_t kKeptCalls = 32;
+// Maximum length of an order.
+constexpr std::size_t kMaxOrder = 32;
 
 Result<std::vector<proto::Rpc>> parse_order(const base::JsonValue& json) {
-  if (!json.is_list() || json.size() == 0) return json.error("must be a list of rpcs");
+  if (!json.is_array() || json.size() == 0) return json.error("must be a list of RPCs");
   std::vector<proto::Rpc> order;
   for (std::size_t i = 0; i < json.size(); ++i) {
-    const auto word = json[i].word(proto::rpc_names());
+    const auto word = json[i].one_of(proto::rpc_names());
     if (!word) return word.error();
     order.push_back(*proto::rpc_from_name(*word));
   }
-  if (order.size() > kKeptCalls) return json.error("more than 32 calls");
+  if (order.size() > kMaxOrder) return json.error("more than 32 calls");
   return order;
 }
 
@@ -35,7 +35,7 @@ Result<Expectation> parse_expectation(const base::JsonValue& json,
   std::vector<std::string_view> keys = {"name",   "rpc",  "when", "count", "count_per_agent",
                                         "always", "order"};
   keys.insert(keys.end(), other_keys.begin(), other_keys.end());
-  if (const auto known = json.object_of(keys); !known) return known.error();
+  if (const auto known = json.expect_keys(keys); !known) return known.error();
   Expectation what;
   what.name = fmt::format("line {}", json.line());
   if (json.has("name")) {
@@ -50,7 +50,7 @@ Result<Expectation> parse_expectation(const base::JsonValue& json,
     return what;
   }
   if (!json.has("rpc")) return json.error("needs \"rpc\" or \"order\"");
-  const auto word = json["rpc"].word(proto::rpc_names());
+  const auto word = json["rpc"].one_of(proto::rpc_names());
   if (!word) return word.error();
   what.rpc = *proto::rpc_from_name(*word);
   if (json.has("when")) {
@@ -77,7 +77,7 @@ Result<Expectation> parse_expectation(const base::JsonValue& json,
 }
 
 Result<std::vector<Expectation>> parse_expectations(const base::JsonValue& json) {
-  if (!json.is_list()) return json.error("must be a list");
+  if (!json.is_array()) return json.error("must be a list");
   std::vector<Expectation> list;
   for (std::size_t i = 0; i < json.size(); ++i) {
     auto what = parse_expectation(json[i]);
@@ -98,18 +98,18 @@ Expectations::Expectations(std::vector<Expectation> list) {
   for (Expectation& what : list) entries_.push_back({std::move(what), {}, {}, 0});
 }
 
-void Expectations::note_violation(Entry& entry, Violation violation) {
+void Expectations::add_violation(Entry& entry, Violation violation) {
   ++entry.violations;
   const auto key = [](const Violation& v) { return std::tie(v.cycle, v.agent); };
   if (!entry.first || key(violation) < key(*entry.first)) entry.first = std::move(violation);
 }
 
-void Expectations::note(proto::Rpc rpc, const google::protobuf::Message& request) {
+void Expectations::add(proto::Rpc rpc, const google::protobuf::Message& request) {
   const proto::Caller caller = caller_of(rpc, request);
   const Agent agent{std::string(caller.team), caller.unum};
   const std::lock_guard lock(mutex_);
   std::vector<proto::Rpc>& calls = calls_[agent];
-  if (calls.size() < kKeptCalls && (calls.empty() || calls.back() != rpc)) calls.push_back(rpc);
+  if (calls.size() < kMaxOrder && (calls.empty() || calls.back() != rpc)) calls.push_back(rpc);
   for (Entry& entry : entries_) {
     if (!entry.what.order.empty() || entry.what.rpc != rpc) continue;
     if (!entry.what.when.matches(rpc, request)) continue;
@@ -118,7 +118,7 @@ void Expectations::note(proto::Rpc rpc, const google::protobuf::Message& request
       if (condition.holds(request)) continue;
       const int cycle =
           is_decision(rpc) ? static_cast<const protos::State&>(request).world_model().cycle() : 0;
-      note_violation(entry, {cycle, agent, condition.complaint(request)});
+      add_violation(entry, {cycle, agent, condition.complaint(request)});
       break;
     }
   }
@@ -131,7 +131,7 @@ std::string Expectations::order_failure(const Entry& entry) const {
     return fmt::format("{}", fmt::join(words, ", "));
   };
   const std::vector<proto::Rpc>& order = entry.what.order;
-  if (calls_.empty()) return "nobody called";
+  if (calls_.empty()) return "no agent called";
   for (const auto& [agent, calls] : calls_) {
     const bool begins =
         calls.size() >= order.size() && std::equal(order.begin(), order.end(), calls.begin());
@@ -145,15 +145,15 @@ std::string Expectations::order_failure(const Entry& entry) const {
 std::string Expectations::count_failure(const Entry& entry) const {
   std::int64_t total = 0;
   for (const auto& [agent, count] : entry.counts) total += count;
-  const auto wrong = [](const Comparison& demand, std::int64_t count) {
-    return !demand.holds(static_cast<double>(count));
+  const auto wrong = [](const Comparison& expected, std::int64_t count) {
+    return !expected.holds(static_cast<double>(count));
   };
   const std::string_view what = name(entry.what.rpc);
   if (entry.what.count && wrong(*entry.what.count, total)) {
     return fmt::format("{} calls of {}, not {}", total, what, entry.what.count->text());
   }
   if (!entry.what.count_per_agent) return {};
-  if (calls_.empty()) return "nobody called";
+  if (calls_.empty()) return "no agent called";
   for (const auto& [agent, unused] : calls_) {
     const auto found = entry.counts.find(agent);
     const std::int64_t count = found == entry.counts.end() ? 0 : found->second;

@@ -1,4 +1,4 @@
-// What a mock must be told and asked: checked while it serves, told at the end.
+// Expectations about the calls that a mock receives: checked while it serves, reported at the end.
 #pragma once
 
 #include <google/protobuf/message.h>
@@ -15,33 +15,33 @@
 
 namespace cls::mock_server {
 
-/// One demand of a script. Either an order of calls, or something about the calls of one rpc.
+/// One expectation of a script: an order of calls, or properties of the calls of one RPC.
 struct Expectation {
-  std::string name;  ///< what a failure is called
+  std::string name;  ///< names the failure
   std::vector<proto::Rpc> order;
   proto::Rpc rpc = proto::Rpc::kGetPlayerActions;
   SituationFilter when;
   std::optional<Comparison> count;            ///< of all agents together
   std::optional<Comparison> count_per_agent;  ///< of each agent that ever called
-  std::vector<Condition> always;              ///< true of each of the calls
+  std::vector<Condition> always;              ///< of each call
 };
 
-/// The demands in a list: [{"rpc": "SendPlayerType", "count_per_agent": 18}, {"order": [...]}].
+/// A list: [{"rpc": "SendPlayerType", "count_per_agent": 18}, {"order": [...]}].
 base::Result<std::vector<Expectation>> parse_expectations(const base::JsonValue& json);
 
-/// One of them, beside other keys that are not its business.
+/// One expectation; `other_keys` are allowed and ignored.
 base::Result<Expectation> parse_expectation(const base::JsonValue& json,
                                             const std::vector<std::string_view>& other_keys = {});
 
-/// Notes calls and says in the end what was not as expected. Calls may come from several threads;
-/// the order in which those of different agents come does not matter.
+/// Counts calls and reports what was not as expected. Thread safe; the order of calls of different
+/// agents does not matter.
 class Expectations {
  public:
   explicit Expectations(std::vector<Expectation> list);
 
-  void note(proto::Rpc rpc, const google::protobuf::Message& request);
+  void add(proto::Rpc rpc, const google::protobuf::Message& request);
 
-  /// One line each, in the order of the script; empty when all was as expected.
+  /// One line per failed expectation, in the order of the script.
   std::vector<std::string> failures() const;
   std::size_t size() const { return entries_.size(); }
 
@@ -54,7 +54,7 @@ class Expectations {
     }
     std::string text() const;
   };
-  /// The earliest call that was wrong; the lowest number of equal ones.
+  /// The earliest failing call; the lowest agent among equals.
   struct Violation {
     int cycle = 0;
     Agent agent;
@@ -67,14 +67,14 @@ class Expectations {
     std::int64_t violations = 0;
   };
 
-  void note_violation(Entry& entry, Violation violation);
+  void add_violation(Entry& entry, Violation violation);
   std::string failure(const Entry& entry) const;
   std::string order_failure(const Entry& entry) const;
   std::string count_failure(const Entry& entry) const;
 
   mutable std::mutex mutex_;
   std::vector<Entry> entries_;
-  std::map<Agent, std::vector<proto::Rpc>> calls_;  ///< without repetitions in a row
+  std::map<Agent, std::vector<proto::Rpc>> calls_;  ///< without consecutive repetitions
 };
 
 }  // namespace cls::mock_server

@@ -1,4 +1,4 @@
-// Following a path by reflection.
+// Resolving paths by reflection.
 #include "mock-server/script/field_path.h"
 
 #include <fmt/format.h>
@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <charconv>
 #include <optional>
+
+#include "base/text/suggestion.h"
 
 namespace cls::mock_server {
 namespace {
@@ -63,32 +65,33 @@ ValueKind kind_of(const FieldDescriptor& field) {
 
 // A scalar of `message`, or element `index` of a list of scalars.
 Value scalar(const Message& message, const FieldDescriptor& field, int index) {
-  const Reflection& look = *message.GetReflection();
+  const Reflection& reflection = *message.GetReflection();
   const bool list = field.is_repeated();
   switch (field.cpp_type()) {
     case FieldDescriptor::CPPTYPE_BOOL:
-      return list ? look.GetRepeatedBool(message, &field, index) : look.GetBool(message, &field);
+      return list ? reflection.GetRepeatedBool(message, &field, index)
+                  : reflection.GetBool(message, &field);
     case FieldDescriptor::CPPTYPE_STRING:
-      return list ? look.GetRepeatedString(message, &field, index)
-                  : look.GetString(message, &field);
+      return list ? reflection.GetRepeatedString(message, &field, index)
+                  : reflection.GetString(message, &field);
     case FieldDescriptor::CPPTYPE_ENUM: {
-      const int number = list ? look.GetRepeatedEnumValue(message, &field, index)
-                              : look.GetEnumValue(message, &field);
+      const int number = list ? reflection.GetRepeatedEnumValue(message, &field, index)
+                              : reflection.GetEnumValue(message, &field);
       const auto* named = field.enum_type()->FindValueByNumber(number);
       return named == nullptr ? std::to_string(number) : named->name();
     }
     case FieldDescriptor::CPPTYPE_INT32:
-      return static_cast<double>(list ? look.GetRepeatedInt32(message, &field, index)
-                                      : look.GetInt32(message, &field));
+      return static_cast<double>(list ? reflection.GetRepeatedInt32(message, &field, index)
+                                      : reflection.GetInt32(message, &field));
     case FieldDescriptor::CPPTYPE_INT64:
-      return static_cast<double>(list ? look.GetRepeatedInt64(message, &field, index)
-                                      : look.GetInt64(message, &field));
+      return static_cast<double>(list ? reflection.GetRepeatedInt64(message, &field, index)
+                                      : reflection.GetInt64(message, &field));
     case FieldDescriptor::CPPTYPE_FLOAT:
-      return static_cast<double>(list ? look.GetRepeatedFloat(message, &field, index)
-                                      : look.GetFloat(message, &field));
+      return static_cast<double>(list ? reflection.GetRepeatedFloat(message, &field, index)
+                                      : reflection.GetFloat(message, &field));
     default:
-      return list ? look.GetRepeatedDouble(message, &field, index)
-                  : look.GetDouble(message, &field);
+      return list ? reflection.GetRepeatedDouble(message, &field, index)
+                  : reflection.GetDouble(message, &field);
   }
 }
 
@@ -143,8 +146,8 @@ Result<FieldPath> FieldPath::compile(const Descriptor& root, std::string_view te
 void FieldPath::collect_elements(const Message& message, std::size_t at, bool& present,
                                  std::vector<Value>& values) const {
   const Step& step = steps_[at];
-  const Reflection& look = *message.GetReflection();
-  const int size = look.FieldSize(message, step.field);
+  const Reflection& reflection = *message.GetReflection();
+  const int size = reflection.FieldSize(message, step.field);
   const bool last = at + 1 == steps_.size();
   for (int i = 0; i < size; ++i) {
     if (step.select == Select::kIndex && i != step.number) continue;
@@ -153,7 +156,7 @@ void FieldPath::collect_elements(const Message& message, std::size_t at, bool& p
       values.push_back(scalar(message, *step.field, i));
       continue;
     }
-    const Message* element = &look.GetRepeatedMessage(message, step.field, i);
+    const Message* element = &reflection.GetRepeatedMessage(message, step.field, i);
     if (step.field->is_map()) {
       const FieldDescriptor& key = *step.field->message_type()->field(0);
       if (step.select == Select::kKey &&
@@ -179,19 +182,19 @@ void FieldPath::collect_elements(const Message& message, std::size_t at, bool& p
 void FieldPath::collect(const Message& message, std::size_t at, bool& present,
                         std::vector<Value>& values) const {
   const Step& step = steps_[at];
-  const Reflection& look = *message.GetReflection();
+  const Reflection& reflection = *message.GetReflection();
   if (step.select == Select::kSize) {
     present = true;
-    values.emplace_back(static_cast<double>(look.FieldSize(message, step.field)));
+    values.emplace_back(static_cast<double>(reflection.FieldSize(message, step.field)));
   } else if (step.select != Select::kField) {
     collect_elements(message, at, present, values);
   } else if (step.field->cpp_type() != FieldDescriptor::CPPTYPE_MESSAGE) {
     present = true;
     values.push_back(scalar(message, *step.field, 0));
   } else if (at + 1 == steps_.size()) {
-    present = look.HasField(message, step.field);
+    present = reflection.HasField(message, step.field);
   } else {
-    collect(look.GetMessage(message, step.field), at + 1, present, values);
+    collect(reflection.GetMessage(message, step.field), at + 1, present, values);
   }
 }
 
@@ -216,7 +219,7 @@ Result<Condition> Condition::parse(const Descriptor& root, std::string_view path
   Condition condition;
   condition.path_ = *std::move(compiled);
   if (json.is_object() && json.has("present")) {
-    if (const auto only = json.object_of({"present"}); !only) return only.error();
+    if (const auto only = json.expect_keys({"present"}); !only) return only.error();
     const auto present = json["present"].boolean();
     if (!present) return present.error();
     condition.present_ = *present;
@@ -237,12 +240,12 @@ bool Condition::holds(const Message& message) const {
 
 std::string Condition::complaint(const Message& message) const {
   if (present_) {
-    return fmt::format("{} is {}", path_.text(), *present_ ? "not there" : "there");
+    return fmt::format("{} is {}", path_.text(), *present_ ? "missing" : "present");
   }
   std::vector<std::string> values;
   for (const Value& value : path_.values(message)) values.push_back(to_text(value));
   return fmt::format("{} is {}, not {}", path_.text(),
-                     values.empty() ? "not there" : fmt::format("{}", fmt::join(values, ", ")),
+                     values.empty() ? "missing" : fmt::format("{}", fmt::join(values, ", ")),
                      comparison_.text());
 }
 

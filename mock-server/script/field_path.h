@@ -1,4 +1,4 @@
-// A place inside a message of the wire, named as a user names it: "ball.position.x".
+// Path to a field of a message, as users write it: "ball.position.x".
 #pragma once
 
 #include <google/protobuf/descriptor.h>
@@ -18,18 +18,18 @@ namespace cls::mock_server {
 /// State may begin inside its world_model: "self.stamina" is "world_model.self.stamina".
 class FieldPath {
  public:
-  /// The error is one line without a place; it suggests a field.
+  /// The error is one line without location; it suggests a field.
   static base::Result<FieldPath> compile(const google::protobuf::Descriptor& root,
                                          std::string_view text);
 
   const std::string& text() const { return text_; }
   const ValueKind& kind() const { return kind_; }
 
-  /// The values there: none when an index or key does not exist, several for `*`. Fields that are
-  /// not set have their default value. Not for paths that end at a message.
+  /// Values at the path: none when an index or key does not exist, several for `*`. Unset fields
+  /// have their default value. Not for paths that end at a message.
   std::vector<Value> values(const google::protobuf::Message& message) const;
 
-  /// True when the last field is set: a message that is there, a list or map element that exists.
+  /// True when the last field is set: an existing message, list element or map element.
   bool present(const google::protobuf::Message& message) const;
 
  private:
@@ -52,13 +52,13 @@ class FieldPath {
   ValueKind kind_;
 };
 
-/// A path with what must be true of it.
+/// A path and the comparison that its value must satisfy.
 class Condition {
  public:
   /// `json` is the value beside the path: a comparison, or {"present": true}.
   static base::Result<Condition> parse(const google::protobuf::Descriptor& root,
                                        std::string_view path, const base::JsonValue& json);
-  /// With `*`, one value that fits is enough.
+  /// With `*`, one matching value is sufficient.
   bool holds(const google::protobuf::Message& message) const;
 
   /// "ball.position.x is 3.5, not > 10".

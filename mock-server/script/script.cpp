@@ -1,29 +1,98 @@
-// Reading scripts and following them.
+// Parsing and executing scripts.
 #include "mock-server/script/script.h"
 
 #include <fmt/format.h>
+#include <google/protobuf/descriptor.h>
+#include <google/protobuf/util/json_util.h>
 
-#include "mock-server/script/message_json.h"
+#include <nlohmann/json.hpp>
+
+#include "base/text/suggestion.h"
+#include "mock-server/script/named_behaviors.h"
 #include "proto/rpc.h"
 
 namespace cls::mock_server {
 namespace {
 
 using base::Result;
+using google::protobuf::Descriptor;
+using google::protobuf::FieldDescriptor;
 
-Result<std::shared_ptr<const Behaviour>> parse_behaviour(const base::JsonValue& json) {
-  const auto word = json.string();
-  if (!word) return word.error();
-  auto behaviour = make_behaviour(*word);
-  if (!behaviour) return json.error(behaviour.error().message);
-  return std::shared_ptr<const Behaviour>(*std::move(behaviour));
+Result<void> check_keys(const base::JsonValue& json, const Descriptor& type);
+
+Result<void> check_element(const base::JsonValue& json, const FieldDescriptor& field) {
+  if (field.cpp_type() == FieldDescriptor::CPPTYPE_MESSAGE) {
+    return check_keys(json, *field.message_type());
+  }
+  if (field.cpp_type() == FieldDescriptor::CPPTYPE_ENUM && json.is_string()) {
+    std::vector<std::string_view> names;
+    for (int i = 0; i < field.enum_type()->value_count(); ++i) {
+      names.push_back(field.enum_type()->value(i)->name());
+    }
+    if (const auto word = json.one_of(names); !word) return word.error();
+  }
+  return {};
+}
+
+Result<void> check_field(const base::JsonValue& json, const FieldDescriptor& field) {
+  if (field.is_map()) {
+    if (!json.is_object()) return json.error("must be an object");
+    const FieldDescriptor& value = *field.message_type()->field(1);
+    for (const std::string& key : json.keys()) {
+      if (const auto good = check_element(json[key], value); !good) return good;
+    }
+    return {};
+  }
+  if (!field.is_repeated()) return check_element(json, field);
+  if (!json.is_array()) return json.error("must be a list");
+  for (std::size_t i = 0; i < json.size(); ++i) {
+    if (const auto good = check_element(json[i], field); !good) return good;
+  }
+  return {};
+}
+
+Result<void> check_keys(const base::JsonValue& json, const Descriptor& type) {
+  if (!json.is_object()) {
+    return json.error(fmt::format("must be an object with the fields of {}", type.name()));
+  }
+  std::vector<std::string_view> names;
+  for (int i = 0; i < type.field_count(); ++i) names.push_back(type.field(i)->name());
+  for (const std::string& key : json.keys()) {
+    const FieldDescriptor* field = type.FindFieldByName(key);
+    for (int i = 0; field == nullptr && i < type.field_count(); ++i) {
+      if (type.field(i)->json_name() == key) field = type.field(i);
+    }
+    if (field == nullptr) {
+      return json[key].error(
+          fmt::format("{} has no field '{}'{}", type.name(), key, base::did_you_mean(key, names)));
+    }
+    if (const auto good = check_field(json[key], *field); !good) return good;
+  }
+  return {};
+}
+
+/// Fills the empty `message` from protobuf's JSON mapping. Keys are checked here, with location and
+/// suggestion, values by protobuf.
+Result<void> read_message(const base::JsonValue& json, google::protobuf::Message& message) {
+  if (const auto keys = check_keys(json, *message.GetDescriptor()); !keys) return keys;
+  const auto status = google::protobuf::util::JsonStringToMessage(json.json().dump(), &message);
+  if (!status.ok()) return json.error(std::string(status.message()));
+  return {};
+}
+
+Result<std::shared_ptr<const Behavior>> parse_behavior(const base::JsonValue& json) {
+  const auto name = json.string();
+  if (!name) return name.error();
+  auto behavior = make_behavior(*name);
+  if (!behavior) return json.error(behavior.error().message);
+  return std::shared_ptr<const Behavior>(*std::move(behavior));
 }
 
 // A reply is the reply message, or only its list of actions.
 Result<std::shared_ptr<const google::protobuf::Message>> parse_reply(const base::JsonValue& json,
                                                                      proto::Rpc rpc) {
   std::shared_ptr<google::protobuf::Message> reply(reply_prototype(rpc).New());
-  if (!json.is_list()) {
+  if (!json.is_array()) {
     if (const auto read = read_message(json, *reply); !read) return read.error();
     return std::shared_ptr<const google::protobuf::Message>(std::move(reply));
   }
@@ -36,15 +105,15 @@ Result<std::shared_ptr<const google::protobuf::Message>> parse_reply(const base:
 }
 
 Result<ScriptRule> parse_rule(const base::JsonValue& json) {
-  if (const auto keys = json.object_of({"rpc", "when", "reply", "note"}); !keys) {
+  if (const auto keys = json.expect_keys({"rpc", "when", "reply", "note"}); !keys) {
     return keys.error();
   }
   ScriptRule rule;
   if (json.has("rpc")) {
-    const auto word =
-        json["rpc"].word({"GetPlayerActions", "GetCoachActions", "GetTrainerActions"});
-    if (!word) return word.error();
-    rule.rpc = *proto::rpc_from_name(*word);
+    const auto name =
+        json["rpc"].one_of({"GetPlayerActions", "GetCoachActions", "GetTrainerActions"});
+    if (!name) return name.error();
+    rule.rpc = *proto::rpc_from_name(*name);
   }
   if (json.has("when")) {
     auto when = SituationFilter::parse(json["when"], rule.rpc);
@@ -54,9 +123,9 @@ Result<ScriptRule> parse_rule(const base::JsonValue& json) {
   if (!json.has("reply")) return json.error("needs \"reply\"");
   const base::JsonValue reply = json["reply"];
   if (reply.is_string()) {
-    auto behaviour = parse_behaviour(reply);
-    if (!behaviour) return behaviour.error();
-    rule.behaviour = *std::move(behaviour);
+    auto behavior = parse_behavior(reply);
+    if (!behavior) return behavior.error();
+    rule.behavior = *std::move(behavior);
     return rule;
   }
   auto message = parse_reply(reply, rule.rpc);
@@ -74,11 +143,11 @@ const std::vector<std::string_view>& script_keys() {
 }
 
 Result<std::shared_ptr<const Script>> parse_script(const base::JsonValue& json) {
-  if (const auto keys = json.object_of(script_keys()); !keys) return keys.error();
+  if (const auto keys = json.expect_keys(script_keys()); !keys) return keys.error();
   auto script = std::make_shared<Script>();
   if (json.has("rules")) {
     const base::JsonValue rules = json["rules"];
-    if (!rules.is_list()) return rules.error("must be a list");
+    if (!rules.is_array()) return rules.error("must be a list");
     for (std::size_t i = 0; i < rules.size(); ++i) {
       auto rule = parse_rule(rules[i]);
       if (!rule) return rule.error();
@@ -86,11 +155,11 @@ Result<std::shared_ptr<const Script>> parse_script(const base::JsonValue& json) 
     }
   }
   if (json.has("otherwise")) {
-    auto behaviour = parse_behaviour(json["otherwise"]);
-    if (!behaviour) return behaviour.error();
-    script->otherwise = *std::move(behaviour);
+    auto behavior = parse_behavior(json["otherwise"]);
+    if (!behavior) return behavior.error();
+    script->otherwise = *std::move(behavior);
   } else {
-    script->otherwise = *make_behaviour("hold");
+    script->otherwise = *make_behavior("hold");
   }
   if (json.has("expect")) {
     auto expectations = parse_expectations(json["expect"]);
@@ -106,51 +175,41 @@ Result<std::shared_ptr<const Script>> parse_script(const base::JsonValue& json) 
 }
 
 Result<std::shared_ptr<const Script>> read_script(const std::filesystem::path& path) {
-  const auto text = base::JsonText::read(path);
+  const auto text = base::JsonDocument::read(path);
   if (!text) return text.error();
   return parse_script(base::JsonValue(*text));
 }
 
-const ScriptRule* ScriptedBehaviour::rule_for(proto::Rpc rpc, const protos::State& state) const {
+const ScriptRule* ScriptedBehavior::rule_for(proto::Rpc rpc, const protos::State& state) const {
   for (const ScriptRule& rule : script_->rules) {
     if (rule.rpc == rpc && rule.when.matches(rpc, state)) return &rule;
   }
   return nullptr;
 }
 
-void ScriptedBehaviour::decide(const protos::State& state, protos::PlayerActions& actions) const {
-  const ScriptRule* rule = rule_for(proto::Rpc::kGetPlayerActions, state);
-  if (rule == nullptr) {
-    script_->otherwise->decide(state, actions);
-  } else if (rule->reply != nullptr) {
+template <typename Actions, typename Decide>
+void ScriptedBehavior::execute(proto::Rpc rpc, const protos::State& state, Actions& actions,
+                               Decide function) const {
+  const ScriptRule* rule = rule_for(rpc, state);
+  if (rule != nullptr && rule->reply != nullptr) {
     actions.CopyFrom(*rule->reply);
   } else {
-    rule->behaviour->decide(state, actions);
+    ((rule == nullptr ? *script_->otherwise : *rule->behavior).*function)(state, actions);
   }
 }
 
-void ScriptedBehaviour::decide_as_coach(const protos::State& state,
-                                        protos::CoachActions& actions) const {
-  const ScriptRule* rule = rule_for(proto::Rpc::kGetCoachActions, state);
-  if (rule == nullptr) {
-    script_->otherwise->decide_as_coach(state, actions);
-  } else if (rule->reply != nullptr) {
-    actions.CopyFrom(*rule->reply);
-  } else {
-    rule->behaviour->decide_as_coach(state, actions);
-  }
+void ScriptedBehavior::decide(const protos::State& state, protos::PlayerActions& actions) const {
+  execute(proto::Rpc::kGetPlayerActions, state, actions, &Behavior::decide);
 }
 
-void ScriptedBehaviour::decide_as_trainer(const protos::State& state,
-                                          protos::TrainerActions& actions) const {
-  const ScriptRule* rule = rule_for(proto::Rpc::kGetTrainerActions, state);
-  if (rule == nullptr) {
-    script_->otherwise->decide_as_trainer(state, actions);
-  } else if (rule->reply != nullptr) {
-    actions.CopyFrom(*rule->reply);
-  } else {
-    rule->behaviour->decide_as_trainer(state, actions);
-  }
+void ScriptedBehavior::decide_as_coach(const protos::State& state,
+                                       protos::CoachActions& actions) const {
+  execute(proto::Rpc::kGetCoachActions, state, actions, &Behavior::decide_as_coach);
+}
+
+void ScriptedBehavior::decide_as_trainer(const protos::State& state,
+                                         protos::TrainerActions& actions) const {
+  execute(proto::Rpc::kGetTrainerActions, state, actions, &Behavior::decide_as_trainer);
 }
 
 }  // namespace cls::mock_server

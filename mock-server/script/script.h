@@ -1,4 +1,4 @@
-// A mock's script: a JSON file that says what to answer when, what to expect, what to do wrong.
+// A mock's script: a JSON file with rules for replies, expectations and faults.
 #pragma once
 
 #include <filesystem>
@@ -7,41 +7,41 @@
 #include <vector>
 
 #include "base/result.h"
-#include "base/text/json_text.h"
-#include "mock-server/behaviour.h"
-#include "mock-server/faults.h"
+#include "base/text/json_document.h"
+#include "mock-server/behavior/behavior.h"
 #include "mock-server/script/expectations.h"
+#include "mock-server/script/faults.h"
 #include "mock-server/script/situation_filter.h"
 
 namespace cls::mock_server {
 
-/// The first rule that matches a request gives the answer: a message, or what a behaviour says.
+/// The first rule that matches a request determines the reply: a message, or a behavior.
 struct ScriptRule {
   proto::Rpc rpc = proto::Rpc::kGetPlayerActions;
   SituationFilter when;
-  std::shared_ptr<const google::protobuf::Message> reply;  ///< null: ask `behaviour`
-  std::shared_ptr<const Behaviour> behaviour;
+  std::shared_ptr<const google::protobuf::Message> reply;  ///< null: use `behavior`
+  std::shared_ptr<const Behavior> behavior;
 };
 
 /// docs/mock.md describes the format.
 struct Script {
   std::vector<ScriptRule> rules;
-  std::shared_ptr<const Behaviour> otherwise;  ///< where no rule matches
+  std::shared_ptr<const Behavior> otherwise;  ///< where no rule matches
   std::vector<Expectation> expectations;
   Faults faults;
 };
 
-/// Keys a script may have, for documents that hold one among other things.
+/// Keys of a script, for documents that contain one beside other keys.
 const std::vector<std::string_view>& script_keys();
 
-/// Errors name file, line and place.
+/// Errors name file, line and JSON path.
 base::Result<std::shared_ptr<const Script>> parse_script(const base::JsonValue& json);
 base::Result<std::shared_ptr<const Script>> read_script(const std::filesystem::path& path);
 
-/// Plays a script. Like every behaviour it keeps no memory between calls.
-class ScriptedBehaviour : public Behaviour {
+/// Executes a script. Like every behavior it stores nothing between calls.
+class ScriptedBehavior : public Behavior {
  public:
-  explicit ScriptedBehaviour(std::shared_ptr<const Script> script) : script_(std::move(script)) {}
+  explicit ScriptedBehavior(std::shared_ptr<const Script> script) : script_(std::move(script)) {}
 
   void decide(const protos::State& state, protos::PlayerActions& actions) const override;
   void decide_as_coach(const protos::State& state, protos::CoachActions& actions) const override;
@@ -49,6 +49,8 @@ class ScriptedBehaviour : public Behaviour {
                          protos::TrainerActions& actions) const override;
 
  private:
+  template <typename Actions, typename Decide>
+  void execute(proto::Rpc rpc, const protos::State& state, Actions& actions, Decide function) const;
   const ScriptRule* rule_for(proto::Rpc rpc, const protos::State& state) const;
 
   std::shared_ptr<const Script> script_;

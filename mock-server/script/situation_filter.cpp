@@ -1,4 +1,4 @@
-// Reading and asking the parts of "when".
+// Parsing and matching the parts of "when".
 #include "mock-server/script/situation_filter.h"
 
 #include <fmt/format.h>
@@ -13,16 +13,16 @@ namespace {
 
 using base::Result;
 
-constexpr int kLastCycle = std::numeric_limits<int>::max() / 2;
-constexpr int kHighestNumber = 13;
+constexpr int kMaxCycle = std::numeric_limits<int>::max() / 2;
+constexpr int kMaxUnum = 13;
 
-// The names of play modes in a list of them, or of one.
+// One play mode or a list of play modes.
 Result<std::vector<std::string>> parse_modes(const base::JsonValue& json) {
   std::vector<std::string> modes;
   std::vector<std::string_view> known;
   const auto& names = *protos::GameModeType_descriptor();
   for (int i = 0; i < names.value_count(); ++i) known.push_back(names.value(i)->name());
-  const bool list = json.is_list();
+  const bool list = json.is_array();
   for (std::size_t i = 0; i < (list ? json.size() : 1); ++i) {
     const base::JsonValue each = list ? json[i] : json;
     const auto text = each.string();
@@ -31,7 +31,7 @@ Result<std::vector<std::string>> parse_modes(const base::JsonValue& json) {
       modes.push_back(*text + "_");
       continue;
     }
-    const auto word = each.word(known);
+    const auto word = each.one_of(known);
     if (!word) return word.error();
     modes.push_back(*word);
   }
@@ -42,25 +42,25 @@ Result<std::vector<std::string>> parse_modes(const base::JsonValue& json) {
 
 Result<CycleRange> parse_cycles(const base::JsonValue& json) {
   CycleRange range;
-  if (json.is_list()) {
+  if (json.is_array()) {
     if (json.size() != 2) return json.error("a range of cycles is [from, to]");
-    const auto first = json[0].integer(0, kLastCycle);
+    const auto first = json[0].integer(0, kMaxCycle);
     if (!first) return first.error();
-    const auto last = json[1].integer(*first, kLastCycle);
+    const auto last = json[1].integer(*first, kMaxCycle);
     if (!last) return last.error();
     return CycleRange{*first, *last, 1};
   }
   if (!json.is_object()) {
-    const auto cycle = json.integer(0, kLastCycle);
+    const auto cycle = json.integer(0, kMaxCycle);
     if (!cycle) return cycle.error();
     return CycleRange{*cycle, *cycle, 1};
   }
-  if (const auto keys = json.object_of({"from", "to", "every"}); !keys) return keys.error();
-  range.last = kLastCycle;
+  if (const auto keys = json.expect_keys({"from", "to", "every"}); !keys) return keys.error();
+  range.last = kMaxCycle;
   for (const auto& [key, member, low] :
        {std::tuple{"from", &range.first, 0}, {"to", &range.last, 0}, {"every", &range.every, 1}}) {
     if (!json.has(key)) continue;
-    const auto value = json[key].integer(low, kLastCycle);
+    const auto value = json[key].integer(low, kMaxCycle);
     if (!value) return value.error();
     *member = *value;
   }
@@ -69,9 +69,9 @@ Result<CycleRange> parse_cycles(const base::JsonValue& json) {
 
 Result<std::vector<int>> parse_numbers(const base::JsonValue& json) {
   std::vector<int> numbers;
-  const bool list = json.is_list();
+  const bool list = json.is_array();
   for (std::size_t i = 0; i < (list ? json.size() : 1); ++i) {
-    const auto number = (list ? json[i] : json).integer(0, kLastCycle);
+    const auto number = (list ? json[i] : json).integer(0, kMaxCycle);
     if (!number) return number.error();
     numbers.push_back(*number);
   }
@@ -82,22 +82,22 @@ Result<std::vector<int>> parse_unums(const base::JsonValue& json) {
   auto numbers = parse_numbers(json);
   if (!numbers) return numbers;
   for (const int number : *numbers) {
-    if (number < 1 || number > kHighestNumber) {
+    if (number < 1 || number > kMaxUnum) {
       return json.error(
-          fmt::format("{} is no uniform number (1 to 11, 12 coach, 13 trainer)", number));
+          fmt::format("{} is not a uniform number (1 to 11, 12 coach, 13 trainer)", number));
     }
   }
   return numbers;
 }
 
 Result<SituationFilter> SituationFilter::parse(const base::JsonValue& json, proto::Rpc rpc) {
-  if (const auto keys = json.object_of({"cycle", "mode", "unum", "state"}); !keys) {
+  if (const auto keys = json.expect_keys({"cycle", "mode", "unum", "state"}); !keys) {
     return keys.error();
   }
   SituationFilter filter;
   for (const char* key : {"cycle", "mode"}) {
     if (json.has(key) && !is_decision(rpc)) {
-      return json[key].error(fmt::format("{} carries no {}", name(rpc), key));
+      return json[key].error(fmt::format("{} has no {}", name(rpc), key));
     }
   }
   if (json.has("cycle")) {

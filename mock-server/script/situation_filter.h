@@ -1,4 +1,4 @@
-// When a rule of a script applies: cycle, play mode, number, conditions on the State.
+// Filter of a rule: cycle, play mode, uniform number, conditions on the State.
 #pragma once
 
 #include <google/protobuf/message.h>
@@ -27,14 +27,14 @@ struct CycleRange {
 base::Result<CycleRange> parse_cycles(const base::JsonValue& json);
 /// 7 or [7, 9].
 base::Result<std::vector<int>> parse_numbers(const base::JsonValue& json);
-/// A uniform number 1 to 13, or several.
+/// One or several uniform numbers: 1 to 11, 12 coach, 13 trainer.
 base::Result<std::vector<int>> parse_unums(const base::JsonValue& json);
 
 /// All of its parts must hold; an empty one matches everything.
 class SituationFilter {
  public:
-  /// `json` is the object after "when": cycle, mode, unum, state. The conditions of "state" are
-  /// about the request of `rpc`; cycle and mode need a State.
+  /// `json` is the object of the key "when": cycle, mode, unum, state. The conditions of "state"
+  /// apply to the request of `rpc`; cycle and mode require a State.
   static base::Result<SituationFilter> parse(const base::JsonValue& json, proto::Rpc rpc);
 
   bool matches(proto::Rpc rpc, const google::protobuf::Message& request) const;

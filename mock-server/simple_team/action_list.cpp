@@ -11,11 +11,11 @@ void set_point(protos::RpcVector2D& vector, soccer::Vec2 point) {
 
 }  // namespace
 
-void ActionList::smart_kick(soccer::Vec2 target, double speed, double least_speed, int kicks) {
+void ActionList::smart_kick(soccer::Vec2 target, double speed, double min_speed, int kicks) {
   auto& kick = *add().mutable_body_smart_kick();
   set_point(*kick.mutable_target_point(), target);
   kick.set_first_speed(static_cast<float>(speed));
-  kick.set_first_speed_threshold(static_cast<float>(least_speed));
+  kick.set_first_speed_threshold(static_cast<float>(min_speed));
   kick.set_max_steps(kicks);
 }
 
@@ -49,10 +49,10 @@ void ActionList::go_to(soccer::Vec2 target, double within, double dash_power) {
   go.set_max_dash_power(static_cast<float>(dash_power));
 }
 
-void ActionList::tackle_towards(soccer::Vec2 target, double least_probability) {
+void ActionList::tackle_towards(soccer::Vec2 target, double min_probability) {
   auto& tackle = *add().mutable_body_tackle_to_point();
   set_point(*tackle.mutable_target_point(), target);
-  tackle.set_min_probability(static_cast<float>(least_probability));
+  tackle.set_min_probability(static_cast<float>(min_probability));
 }
 
 void ActionList::catch_ball() { add().mutable_catch_(); }

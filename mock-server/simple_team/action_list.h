@@ -1,4 +1,4 @@
-// Writing a reply: one short name for each action that the simple team uses.
+// Builds a reply: one function per action that the simple team uses.
 #pragma once
 
 #include "proto/playmaker.pb.h"
@@ -6,14 +6,14 @@
 
 namespace cls::mock_server {
 
-/// Appends to a reply. The proxy tries body actions in order until one succeeds and carries out
-/// every neck and view action, so the order of calls is the order of preference.
+/// Appends to a reply. The proxy tries body actions in sequence until one succeeds and executes all
+/// neck and view actions, so the order of calls is the order of preference.
 class ActionList {
  public:
   explicit ActionList(protos::PlayerActions& actions) : actions_(actions) {}
 
-  // With the ball. Speeds in metres per cycle.
-  void smart_kick(soccer::Vec2 target, double speed, double least_speed, int kicks);
+  // With the ball. Speeds in meters per cycle.
+  void smart_kick(soccer::Vec2 target, double speed, double min_speed, int kicks);
   void dribble(soccer::Vec2 target, double dash_power, int dashes);
   void clear_ball();
   void hold_ball(soccer::Vec2 face);
@@ -21,7 +21,7 @@ class ActionList {
   // Without the ball.
   void intercept(soccer::Vec2 face);
   void go_to(soccer::Vec2 target, double within, double dash_power);
-  void tackle_towards(soccer::Vec2 target, double least_probability);
+  void tackle_towards(soccer::Vec2 target, double min_probability);
   void catch_ball();
   void turn_to_ball();
   void turn_to(soccer::Vec2 target);
@@ -29,7 +29,7 @@ class ActionList {
   void stand_for_kick_off(soccer::Vec2 target);
   void search_ball();
 
-  // Looking.
+  // Neck and view.
   void watch_ball();
   void watch_ball_or_scan(int ball_age);
   void watch_goalie_or_scan();

@@ -1,5 +1,5 @@
-// Choosing between shot, pass, dribble and clearance.
-#include "mock-server/simple_team/attack.h"
+// The player with the ball: shot, pass, dribble or clearance.
+#include "mock-server/simple_team/play.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,37 +23,37 @@ struct Pass {
   double value;
 };
 
-// Speed with which a ball must leave to roll `distance` and still have `arrival`.
-double leaving_speed(double distance, double arrival) {
+// Kick speed for a ball that rolls `distance` and arrives with speed `arrival`.
+double kick_speed(double distance, double arrival) {
   return std::min(arrival + distance * (1.0 - kBallDecay), 2.7);
 }
 
-// How good it is to have the ball at a point: forward counts, and near their goal the middle.
+// Value of having the ball at a point: grows forward and toward the opponent goal.
 double value_of(Vec2 point) { return point.x - 0.15 * distance(point, kTheirGoal); }
 
-bool may_receive(const protos::Player& mate) {
-  return mate.pos_count() <= 8 && !mate.is_goalie() && !mate.is_tackling();
+bool may_receive(const protos::Player& teammate) {
+  return teammate.pos_count() <= 8 && !teammate.is_goalie() && !teammate.is_tackling();
 }
 
-// As well as one can see it: the line is an estimate, and forwards live on it.
-bool looks_offside(const Situation& now, Vec2 position) {
-  constexpr double kBenefitOfDoubt = 0.6;
-  return position.x > 0.0 &&
-         position.x > std::max(now.offside_line(), now.ball().x) + kBenefitOfDoubt;
+// The offside line is an estimate, and forwards stay close to it.
+bool is_likely_offside(const Situation& now, Vec2 position) {
+  constexpr double kTolerance = 0.6;
+  return position.x > 0.0 && position.x > std::max(now.offside_line(), now.ball().x) + kTolerance;
 }
 
-// To the feet of a mate, a little into his run.
-std::optional<Pass> pass_to(const Situation& now, const protos::Player& mate) {
-  constexpr double kShortest = 5.0;
-  constexpr double kLongest = 34.0;
-  const Vec2 position = point_of(mate.position());
-  const Vec2 lead = point_of(mate.velocity()) * 2.0 + Vec2{position.x < 35.0 ? 1.5 : 0.0, 0.0};
+// To a teammate, slightly ahead of their run.
+std::optional<Pass> pass_to(const Situation& now, const protos::Player& teammate) {
+  constexpr double kMinLength = 5.0;
+  constexpr double kMaxLength = 34.0;
+  const Vec2 position = point_of(teammate.position());
+  const Vec2 lead = point_of(teammate.velocity()) * 2.0 + Vec2{position.x < 35.0 ? 1.5 : 0.0, 0.0};
   Vec2 target = position + lead;
   target.x = std::clamp(target.x, -soccer::kHalfLength + 2.0, soccer::kHalfLength - 2.0);
   target.y = std::clamp(target.y, -soccer::kHalfWidth + 1.0, soccer::kHalfWidth - 1.0);
   const double length = distance(now.ball(), target);
-  if (length < kShortest || length > kLongest || looks_offside(now, position)) return std::nullopt;
-  // Along own goal a lost pass is a lost match.
+  if (length < kMinLength || length > kMaxLength || is_likely_offside(now, position))
+    return std::nullopt;
+  // No passes across the own goal: losing such a ball means conceding.
   if (target.x < -30.0 && std::fabs(target.y) < 15.0 && target.x < now.ball().x) {
     return std::nullopt;
   }
@@ -61,45 +61,46 @@ std::optional<Pass> pass_to(const Situation& now, const protos::Player& mate) {
   if (margin < 0.0) return std::nullopt;
   const double room = std::min(now.nearest_opponent_to(target), 10.0);
   const double value = value_of(target) + 0.6 * room + 0.8 * std::min(margin, 3.0);
-  return Pass{target, leaving_speed(length, kPassArrivalSpeed), value};
+  return Pass{target, kick_speed(length, kPassArrivalSpeed), value};
 }
 
-// Behind their last line, for a forward who starts from it and is there first.
-std::optional<Pass> pass_behind(const Situation& now, const protos::Player& mate) {
+// Through pass behind the offside line, to a forward who reaches it first.
+std::optional<Pass> through_pass(const Situation& now, const protos::Player& teammate) {
   constexpr double kAhead = 11.0;
-  const Vec2 position = point_of(mate.position());
+  const Vec2 position = point_of(teammate.position());
   const double line = now.offside_line();
-  if (position.x < line - 7.0 || line < 0.0 || looks_offside(now, position)) return std::nullopt;
+  if (position.x < line - 7.0 || line < 0.0 || is_likely_offside(now, position))
+    return std::nullopt;
   const Vec2 target{std::min(line + kAhead, 45.0), position.y * 0.85};
   const double length = distance(now.ball(), target);
   if (length < 10.0 || length > 32.0) return std::nullopt;
   if (now.nearest_opponent_to(target) < 0.8 * distance(position, target)) return std::nullopt;
   if (now.lane_margin(now.ball(), target, 0.8, 0.16) < 0.0) return std::nullopt;
-  return Pass{target, leaving_speed(length, 0.7), value_of(target) + 6.0};
+  return Pass{target, kick_speed(length, 0.7), value_of(target) + 6.0};
 }
 
 std::optional<Pass> best_pass(const Situation& now) {
   std::optional<Pass> best;
-  for (const protos::Player& mate : now.world().teammates()) {
-    if (!may_receive(mate)) continue;
-    for (const auto& pass : {pass_to(now, mate), pass_behind(now, mate)}) {
+  for (const protos::Player& teammate : now.world().teammates()) {
+    if (!may_receive(teammate)) continue;
+    for (const auto& pass : {pass_to(now, teammate), through_pass(now, teammate)}) {
       if (pass && (!best || pass->value > best->value)) best = pass;
     }
   }
   return best;
 }
 
-// The open corner of their goal that is farther from everybody, when in range.
+// The point of the goal line with the most room from opponents, when in range.
 std::optional<Vec2> shot(const Situation& now) {
   constexpr double kRange = 24.0;
   constexpr double kPostMargin = 1.2;
-  constexpr double kSteps = 8;
+  constexpr double kIntervals = 8;
   if (distance(now.ball(), kTheirGoal) > kRange) return std::nullopt;
   const double post = 7.01 - kPostMargin;
   std::optional<Vec2> best;
   double best_margin = 0.0;
-  for (int i = 0; i <= kSteps; ++i) {
-    const Vec2 target{kTheirGoal.x, -post + 2.0 * post * i / kSteps};
+  for (int i = 0; i <= kIntervals; ++i) {
+    const Vec2 target{kTheirGoal.x, -post + 2.0 * post * i / kIntervals};
     const double margin = now.lane_margin(now.ball(), target, 0.8, 0.1);
     if (margin > best_margin) {
       best_margin = margin;
@@ -109,7 +110,7 @@ std::optional<Vec2> shot(const Situation& now) {
   return best;
 }
 
-// Straight for goal, or beside the man in the way.
+// Straight toward the goal, or past the opponent in the way.
 Vec2 dribble_target(const Situation& now) {
   constexpr double kAhead = 8.0;
   const Vec2 to_goal = with_length(kTheirGoal - now.self_position(), kAhead);
@@ -152,7 +153,7 @@ void attack(const Situation& now, ActionList& list) {
   list.watch_ball_or_scan(0);
 }
 
-void kick_dead_ball(const Situation& now, ActionList& list) {
+void kick_set_play(const Situation& now, ActionList& list) {
   const auto pass = best_pass(now);
   if (pass) {
     list.smart_kick(pass->target, pass->speed, pass->speed * 0.7, 1);

@@ -1,4 +1,4 @@
-// A 4-3-3 as one table.
+// The 4-3-3 as one table.
 #include "mock-server/simple_team/formation.h"
 
 #include <algorithm>
@@ -11,18 +11,18 @@ namespace {
 
 using soccer::Vec2;
 
-// A place for the ball at the centre mark, how much of the ball's way it follows, and the x range.
-struct Place {
+// Position with the ball at the center mark, share of ball movement followed, and x range.
+struct HomePosition {
   Vec2 base;
   double follow_x;
   double follow_y;
-  double least_x;
-  double most_x;
+  double min_x;
+  double max_x;
   Vec2 kick_off;
 };
 
 // clang-format off
-constexpr std::array<Place, 11> kPlaces = {{
+constexpr std::array<HomePosition, 11> kHomePositions = {{
     {{-50.0,   0.0}, 0.00, 0.00, -50.0, -50.0, {-50.0,   0.0}},
     {{-22.0,  -6.0}, 0.60, 0.25, -44.0,  12.0, {-20.0,  -6.0}},
     {{-22.0,   6.0}, 0.60, 0.25, -44.0,  12.0, {-20.0,   6.0}},
@@ -37,21 +37,21 @@ constexpr std::array<Place, 11> kPlaces = {{
 }};
 // clang-format on
 
-const Place& place_of(int unum) {
-  return kPlaces[static_cast<std::size_t>(std::clamp(unum, 1, 11) - 1)];
+const HomePosition& entry_of(int unum) {
+  return kHomePositions[static_cast<std::size_t>(std::clamp(unum, 1, 11) - 1)];
 }
 
-// Our ball, or soon.
+// The team has the ball or reaches it first.
 bool we_attack(const Situation& now) {
-  return std::min(now.own_reach(), now.mates_reach()) <= now.opponents_reach();
+  return std::min(now.own_reach(), now.teammates_reach()) <= now.opponents_reach();
 }
 
-// Forwards of an attacking team wait on the last line for the ball behind it.
+// Forwards of the attacking team wait on the offside line for a through pass.
 double forward_x(const Situation& now, double formation_x) {
-  constexpr double kOnTheLine = 0.3;
-  constexpr double kFarthestFromBall = 24.0;
+  constexpr double kLineMargin = 0.3;
+  constexpr double kMaxFromBall = 24.0;
   if (!now.is_play_on() || !we_attack(now)) return formation_x;
-  const double line = std::min(now.offside_line() - kOnTheLine, now.ball().x + kFarthestFromBall);
+  const double line = std::min(now.offside_line() - kLineMargin, now.ball().x + kMaxFromBall);
   return std::max(formation_x, std::min(line, 46.0));
 }
 
@@ -61,15 +61,15 @@ Vec2 home_position(const Situation& now) {
   constexpr int kFirstForward = 9;
   constexpr double kOffsideMargin = 0.3;
   constexpr double kTouchLineMargin = 1.5;
-  const Place& place = place_of(now.unum());
+  const HomePosition& home = entry_of(now.unum());
   const Vec2 ball = now.ball_is_known() ? now.ball() : Vec2{};
-  double x = std::clamp(place.base.x + place.follow_x * ball.x, place.least_x, place.most_x);
+  double x = std::clamp(home.base.x + home.follow_x * ball.x, home.min_x, home.max_x);
   if (now.unum() >= kFirstForward) x = forward_x(now, x);
   x = std::min(x, std::max(now.offside_line() - kOffsideMargin, 0.0));
   const double widest = soccer::kHalfWidth - kTouchLineMargin;
-  return {x, std::clamp(place.base.y + place.follow_y * ball.y, -widest, widest)};
+  return {x, std::clamp(home.base.y + home.follow_y * ball.y, -widest, widest)};
 }
 
-Vec2 kick_off_position(const Situation& now) { return place_of(now.unum()).kick_off; }
+Vec2 kick_off_position(const Situation& now) { return entry_of(now.unum()).kick_off; }
 
 }  // namespace cls::mock_server

@@ -1,4 +1,4 @@
-// Where each number of the simple team belongs: a 4-3-3 that breathes with the ball.
+// Home positions of the simple team: a 4-3-3 that shifts with the ball.
 #pragma once
 
 #include "mock-server/simple_team/situation.h"
@@ -6,10 +6,10 @@
 
 namespace cls::mock_server {
 
-/// Own place for the present ball, in the own half's view, never offside.
+/// Home position for the current ball; never offside. The team attacks +x.
 soccer::Vec2 home_position(const Situation& now);
 
-/// Own place in the own half while waiting for a kick-off.
+/// Position in the own half before a kick-off.
 soccer::Vec2 kick_off_position(const Situation& now);
 
 }  // namespace cls::mock_server

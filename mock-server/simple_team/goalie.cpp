@@ -1,10 +1,9 @@
-// Goal keeping.
-#include "mock-server/simple_team/goalie.h"
+// The goalie's play.
+#include "mock-server/simple_team/play.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "mock-server/simple_team/attack.h"
 #include "soccer/pitch.h"
 
 namespace cls::mock_server {
@@ -17,7 +16,7 @@ bool in_own_box(Vec2 point) {
          std::fabs(point.y) < soccer::kPenaltyAreaWidth / 2 - 0.5;
 }
 
-// On the line from the ball to the middle of the goal, farther out the farther the ball is.
+// On the line from the ball to the goal center; farther out when the ball is farther away.
 Vec2 keeping_point(const Situation& now) {
   const Vec2 goal{-soccer::kHalfLength, 0.0};
   const Vec2 ball = now.ball() + now.ball_velocity() * 2.0;
@@ -40,7 +39,7 @@ void keep_goal(const Situation& now, ActionList& list) {
     list.clear_ball();
   } else {
     const bool first = now.own_reach() <= now.opponents_reach() &&
-                       now.own_reach() <= now.mates_reach() && !now.mate_has_ball();
+                       now.own_reach() <= now.teammates_reach() && !now.teammate_has_ball();
     const Vec2 meeting = now.ball() + now.ball_velocity() * std::min(now.own_reach(), 8);
     if (first && in_own_box(meeting)) list.intercept({0.0, 0.0});
     if (now.opponent_has_ball() && in_own_box(now.ball())) list.tackle_towards({0.0, 0.0}, 0.8);
@@ -53,21 +52,21 @@ void keep_goal(const Situation& now, ActionList& list) {
 }
 
 void bring_out_caught_ball(const Situation& now, ActionList& list) {
-  // Let everybody run forward first; then to the emptier side of the box and away with it.
-  constexpr int kPause = 25;
-  if (now.world().set_play_count() < kPause) {
+  // Wait until teammates have moved forward, then move to the side with more room and kick.
+  constexpr int kWaitCycles = 25;
+  if (now.world().set_play_count() < kWaitCycles) {
     list.turn_to({0.0, 0.0});
     list.scan();
     return;
   }
-  if (now.world().set_play_count() == kPause) {
+  if (now.world().set_play_count() == kWaitCycles) {
     const double upper = now.nearest_opponent_to({-38.0, -12.0});
     const double lower = now.nearest_opponent_to({-38.0, 12.0});
     list.move_to({-38.0, upper > lower ? -12.0 : 12.0});
     list.scan();
     return;
   }
-  kick_dead_ball(now, list);
+  kick_set_play(now, list);
 }
 
 }  // namespace cls::mock_server

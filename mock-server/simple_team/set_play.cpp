@@ -1,17 +1,13 @@
 // Kick-offs, kick-ins, corners, goal kicks and free kicks.
-#include "mock-server/simple_team/set_play.h"
-
-#include "mock-server/simple_team/attack.h"
-#include "mock-server/simple_team/defence.h"
-#include "mock-server/simple_team/goalie.h"
+#include "mock-server/simple_team/play.h"
 
 namespace cls::mock_server {
 namespace {
 
 using soccer::Vec2;
 
-// Time for the others to arrive before the ball is played.
-constexpr int kPatience = 15;
+// Cycles for teammates to arrive before the kick.
+constexpr int kWaitCycles = 15;
 
 bool is_taker(const Situation& now) {
   const protos::GameModeType mode = now.mode();
@@ -19,24 +15,24 @@ bool is_taker(const Situation& now) {
   return !now.is_goalie() && now.is_nearest_to_ball();
 }
 
-// A step behind the ball, seen towards their goal, so that the kick goes forward.
+// 0.5 m behind the ball, so that the kick goes toward the opponent goal.
 Vec2 behind_ball(const Situation& now) {
   return now.ball() + with_length(now.ball() - Vec2{40.0, 0.0}, 0.5);
 }
 
-void take(const Situation& now, ActionList& list) {
+void take_set_play(const Situation& now, ActionList& list) {
   if (!now.can_kick()) {
     list.go_to(behind_ball(now), 0.3, 80.0);
     list.turn_to_ball();
     list.watch_ball();
     return;
   }
-  if (now.world().set_play_count() < kPatience) {
+  if (now.world().set_play_count() < kWaitCycles) {
     list.turn_to({40.0, 0.0});
     list.scan();
     return;
   }
-  kick_dead_ball(now, list);
+  kick_set_play(now, list);
 }
 
 }  // namespace
@@ -51,7 +47,7 @@ void play_set_play(const Situation& now, ActionList& list) {
   if (now.is_our_set_play() && now.is_goalie() && in_hand) {
     bring_out_caught_ball(now, list);
   } else if (now.is_our_set_play() && is_taker(now)) {
-    take(now, list);
+    take_set_play(now, list);
   } else if (now.is_goalie()) {
     keep_goal(now, list);
   } else {

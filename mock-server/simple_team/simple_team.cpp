@@ -1,12 +1,9 @@
-// Which part of the simple team's play a moment belongs to.
+// Selects the part of the simple team's play by play mode and ball possession.
 #include "mock-server/simple_team/simple_team.h"
 
 #include "mock-server/simple_team/action_list.h"
-#include "mock-server/simple_team/attack.h"
-#include "mock-server/simple_team/defence.h"
 #include "mock-server/simple_team/formation.h"
-#include "mock-server/simple_team/goalie.h"
-#include "mock-server/simple_team/set_play.h"
+#include "mock-server/simple_team/play.h"
 #include "mock-server/simple_team/situation.h"
 
 namespace cls::mock_server {
@@ -30,6 +27,15 @@ void SimpleTeam::decide(const protos::State& state, protos::PlayerActions& actio
   } else {
     play_without_ball(now, list);
   }
+}
+
+void Hold::decide(const protos::State& state, protos::PlayerActions& actions) const {
+  const Situation now(state);
+  ActionList list(actions);
+  actions.set_ignore_preprocess(true);
+  if (now.is_before_kick_off()) list.stand_for_kick_off(kick_off_position(now));
+  list.turn_to_ball();
+  list.watch_ball();
 }
 
 }  // namespace cls::mock_server

@@ -1,4 +1,4 @@
-// Reading a State.
+// Derived values of a State.
 #include "mock-server/simple_team/situation.h"
 
 #include <algorithm>
@@ -6,9 +6,9 @@
 namespace cls::mock_server {
 namespace {
 
-constexpr double kFar = 1000.0;
+constexpr double kFar = 1000.0;  // no opponent known
 
-// The table holds 0 for "nobody" where no player is named.
+// Player id 0 in the intercept table: no player.
 int reach(int steps, int player_id) { return player_id == 0 ? kNeverReached : steps; }
 
 }  // namespace
@@ -31,8 +31,8 @@ int Situation::own_reach() const {
   return can_kick() ? 0 : steps;
 }
 
-int Situation::mates_reach() const {
-  if (mate_has_ball()) return 0;
+int Situation::teammates_reach() const {
+  if (teammate_has_ball()) return 0;
   const protos::InterceptTable& table = world_.intercept_table();
   return reach(table.first_teammate_reach_steps(), table.first_teammate_id());
 }
@@ -69,10 +69,10 @@ double Situation::lane_margin(soccer::Vec2 from, soccer::Vec2 to, double base,
 
 bool Situation::is_nearest_to_ball() const {
   const double own = distance(self_position_, ball_);
-  for (const protos::Player& mate : world_.teammates()) {
-    if (mate.is_goalie() || mate.pos_count() > 20) continue;
-    const double theirs = distance(point_of(mate.position()), ball_);
-    if (theirs < own || (theirs == own && mate.uniform_number() < unum())) return false;
+  for (const protos::Player& teammate : world_.teammates()) {
+    if (teammate.is_goalie() || teammate.pos_count() > 20) continue;
+    const double theirs = distance(point_of(teammate.position()), ball_);
+    if (theirs < own || (theirs == own && teammate.uniform_number() < unum())) return false;
   }
   return true;
 }

@@ -1,4 +1,4 @@
-// What the simple team wants to know of a State, in the words of soccer.
+// A State as the simple team uses it.
 #pragma once
 
 #include <vector>
@@ -8,13 +8,13 @@
 
 namespace cls::mock_server {
 
-/// Reaching the ball takes this many cycles when nobody knows how.
+/// Cycles to the ball when no player can reach it.
 constexpr int kNeverReached = 1000;
 
 soccer::Vec2 point_of(const protos::RpcVector2D& vector);
 
-/// A read-only view of one State; keeps a reference to it. Coordinates are those of the wire: the
-/// own team attacks +x.
+/// A read-only view of one State, which must outlive it. Coordinates of the State: the own team
+/// attacks +x.
 class Situation {
  public:
   explicit Situation(const protos::State& state);
@@ -34,29 +34,29 @@ class Situation {
   bool is_before_kick_off() const {
     return mode() == protos::BeforeKickOff || mode() == protos::AfterGoal_;
   }
-  /// A dead ball that our team will bring into play, or theirs.
+  /// A set play of the own team, or of the opponents.
   bool is_our_set_play() const { return world_.is_our_set_play(); }
   bool is_their_set_play() const { return world_.is_their_set_play(); }
 
   bool can_kick() const { return self().is_kickable(); }
   /// Cycles until the agent, a teammate or an opponent can have the ball.
   int own_reach() const;
-  int mates_reach() const;
+  int teammates_reach() const;
   int opponents_reach() const;
-  bool mate_has_ball() const { return world_.kickable_teammate_existance(); }
+  bool teammate_has_ball() const { return world_.kickable_teammate_existance(); }
   bool opponent_has_ball() const { return world_.kickable_opponent_existance(); }
 
-  /// Where our attackers become offside.
+  /// x at which teammates become offside.
   double offside_line() const { return world_.offside_line_x(); }
 
-  /// Distance of the nearest opponent to a point; far when none is known.
+  /// Distance of the nearest opponent to a point; 1000 when none is known.
   double nearest_opponent_to(soccer::Vec2 point) const;
-  /// Room that a ball has on its straight way: the smallest distance of an opponent beside it,
-  /// less what he can run while the ball comes there (`base` metres where he stands, `spread`
-  /// metres for each metre of the way). Negative: he gets it.
+  /// Margin of a straight ball path: the smallest distance of an opponent from it, minus the
+  /// distance the opponent covers meanwhile (`base` meters plus `spread` meters per meter of the
+  /// path). Negative: an opponent intercepts.
   double lane_margin(soccer::Vec2 from, soccer::Vec2 to, double base, double spread) const;
 
-  /// No teammate is clearly nearer to the ball; equal distances go to the lower number.
+  /// No teammate is nearer to the ball; equal distances go to the lower uniform number.
   bool is_nearest_to_ball() const;
 
  private:

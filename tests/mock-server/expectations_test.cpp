@@ -1,4 +1,4 @@
-// What a mock must have been told and asked.
+// Expectations about the calls that a mock receives.
 #include "mock-server/script/expectations.h"
 
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@ namespace cls::mock_server {
 namespace {
 
 Expectations expecting(const std::string& text) {
-  const base::JsonText json = *base::JsonText::parse("s.json", text);
+  const base::JsonDocument json = *base::JsonDocument::parse("s.json", text);
   auto list = parse_expectations(base::JsonValue(json));
   EXPECT_TRUE(list) << list.error().message;
   return Expectations(list ? *list : std::vector<Expectation>());
@@ -32,65 +32,65 @@ protos::PlayerType type_for(int unum) {
 
 using Lines = std::vector<std::string>;
 
-TEST(Expectations, CountCallsOfAllAndOfEach) {
+TEST(Expectations, CountsCallsInTotalAndPerAgent) {
   Expectations all = expecting(
       "[{\"rpc\": \"SendPlayerType\", \"count\": 3},\n"
       " {\"rpc\": \"SendPlayerType\", \"count_per_agent\": {\">=\": 2}, \"name\": \"types\"}]");
-  for (const int unum : {1, 1, 2}) all.note(proto::Rpc::kSendPlayerType, type_for(unum));
+  for (const int unum : {1, 1, 2}) all.add(proto::Rpc::kSendPlayerType, type_for(unum));
   EXPECT_EQ(all.failures(),
             Lines{"expected (types): 1 calls of SendPlayerType by Reds player 2, not >= 2"});
-  all.note(proto::Rpc::kSendPlayerType, type_for(2));
+  all.add(proto::Rpc::kSendPlayerType, type_for(2));
   EXPECT_EQ(all.failures(), Lines{"expected (line 1): 4 calls of SendPlayerType, not == 3"});
 }
 
-TEST(Expectations, AgentsThatNeverMadeTheCallCountAsNone) {
+TEST(Expectations, CountsZeroForAgentsWithoutTheCall) {
   Expectations types = expecting(R"([{"rpc": "SendPlayerType", "count_per_agent": 18}])");
-  EXPECT_EQ(types.failures(), Lines{"expected (line 1): nobody called"});
-  types.note(proto::Rpc::kGetPlayerActions, state(4, 1));
+  EXPECT_EQ(types.failures(), Lines{"expected (line 1): no agent called"});
+  types.add(proto::Rpc::kGetPlayerActions, state(4, 1));
   EXPECT_EQ(types.failures(),
             Lines{"expected (line 1): 0 calls of SendPlayerType by Reds player 4, not == 18"});
 }
 
-TEST(Expectations, FilterByWhen) {
+TEST(Expectations, FiltersByWhen) {
   Expectations late = expecting(
       R"([{"rpc": "GetPlayerActions", "when": {"cycle": [10, 20], "unum": 7}, "count": 1}])");
-  late.note(proto::Rpc::kGetPlayerActions, state(7, 9));
-  late.note(proto::Rpc::kGetPlayerActions, state(8, 10));
+  late.add(proto::Rpc::kGetPlayerActions, state(7, 9));
+  late.add(proto::Rpc::kGetPlayerActions, state(8, 10));
   EXPECT_EQ(late.failures().size(), 1u);
-  late.note(proto::Rpc::kGetPlayerActions, state(7, 10));
+  late.add(proto::Rpc::kGetPlayerActions, state(7, 10));
   EXPECT_TRUE(late.failures().empty());
 }
 
-TEST(Expectations, TellTheEarliestCallThatWasWrong) {
+TEST(Expectations, ReportsEarliestFailingCall) {
   Expectations always =
       expecting(R"([{"rpc": "GetPlayerActions", "always": {"world_model.cycle": {"<": 5}}}])");
   for (const auto& [unum, cycle] : {std::pair{3, 9}, {2, 7}, {1, 7}, {1, 4}}) {
-    always.note(proto::Rpc::kGetPlayerActions, state(unum, cycle));
+    always.add(proto::Rpc::kGetPlayerActions, state(unum, cycle));
   }
   EXPECT_EQ(always.failures(),
             Lines{"expected (line 1): GetPlayerActions of Reds player 1 at cycle 7: "
                   "world_model.cycle is 7, not < 5 (3 calls in all)"});
 }
 
-TEST(Expectations, OrderIsThatOfEachAgent) {
+TEST(Expectations, ChecksOrderPerAgent) {
   Expectations order =
       expecting(R"([{"order": ["Register", "SendPlayerType", "GetPlayerActions"]}])");
   protos::RegisterRequest hello;
   hello.set_team_name("Reds");
   hello.set_uniform_number(1);
-  order.note(proto::Rpc::kRegister, hello);
-  for (int i = 0; i < 18; ++i) order.note(proto::Rpc::kSendPlayerType, type_for(1));
-  order.note(proto::Rpc::kGetPlayerActions, state(1, 0));
+  order.add(proto::Rpc::kRegister, hello);
+  for (int i = 0; i < 18; ++i) order.add(proto::Rpc::kSendPlayerType, type_for(1));
+  order.add(proto::Rpc::kGetPlayerActions, state(1, 0));
   EXPECT_TRUE(order.failures().empty());
-  order.note(proto::Rpc::kGetPlayerActions, state(2, 0));
+  order.add(proto::Rpc::kGetPlayerActions, state(2, 0));
   EXPECT_EQ(order.failures(),
             Lines{"expected (line 1): Reds player 2 called GetPlayerActions, not Register, "
                   "SendPlayerType, GetPlayerActions"});
 }
 
-TEST(Expectations, MistakesAreTold) {
+TEST(Expectations, ReportsErrorsWithLocation) {
   const auto error = [](const std::string& text) {
-    const base::JsonText json = *base::JsonText::parse("s.json", text);
+    const base::JsonDocument json = *base::JsonDocument::parse("s.json", text);
     const auto list = parse_expectations(base::JsonValue(json));
     return list ? "" : list.error().message;
   };
@@ -99,7 +99,7 @@ TEST(Expectations, MistakesAreTold) {
   EXPECT_EQ(error(R"([{"rpc": "Register"}])"),
             "s.json:1: /0: needs \"count\", \"count_per_agent\" or \"always\"");
   EXPECT_EQ(error(R"([{"rpc": "Register", "when": {"cycle": 1}, "count": 1}])"),
-            "s.json:1: /0/when/cycle: Register carries no cycle");
+            "s.json:1: /0/when/cycle: Register has no cycle");
 }
 
 }  // namespace

@@ -1,11 +1,12 @@
-// Faults as a caller meets them, in process and over a port.
-#include "mock-server/faults.h"
+// Injected faults as a client sees them.
+#include "mock-server/script/faults.h"
 
 #include <grpcpp/grpcpp.h>
 #include <gtest/gtest.h>
 
 #include <chrono>
 
+#include "mock-server/script/named_behaviors.h"
 #include "mock-server/server.h"
 #include "proto/playmaker.grpc.pb.h"
 
@@ -17,8 +18,8 @@ using std::chrono::milliseconds;
 class FaultyMock {
  public:
   explicit FaultyMock(const std::string& faults) {
-    const base::JsonText json = *base::JsonText::parse("f.json", faults);
-    Mock mock(std::move(*make_behaviour("hold")));
+    const base::JsonDocument json = *base::JsonDocument::parse("f.json", faults);
+    Mock mock(std::move(*make_behavior("hold")));
     auto parsed = parse_faults(base::JsonValue(json));
     EXPECT_TRUE(parsed) << parsed.error().message;
     mock.faults = *parsed;
@@ -32,7 +33,7 @@ class FaultyMock {
     request.set_uniform_number(unum);
     protos::RegisterResponse response;
     EXPECT_TRUE(stub_->Register(&context, request, &response).ok());
-    unum_told = response.uniform_number();
+    registered_unum = response.uniform_number();
     return response.client_id();
   }
 
@@ -54,26 +55,26 @@ class FaultyMock {
     return stub_->SendPlayerType(&context, {}, &empty);
   }
 
-  int unum_told = 0;
+  int registered_unum = 0;
 
  private:
   std::unique_ptr<Server> server_;
   std::unique_ptr<protos::Game::Stub> stub_;
 };
 
-TEST(Faults, ErrorsHaveTheStatusThatIsAskedFor) {
+TEST(Faults, ErrorHasConfiguredStatus) {
   FaultyMock mock(R"({"error": 1, "status": "FAILED_PRECONDITION"})");
   EXPECT_EQ(mock.decide(1, 1).error_code(), grpc::StatusCode::FAILED_PRECONDITION);
   EXPECT_TRUE(mock.send_player_type().ok());
 }
 
-TEST(Faults, DroppedCallsRunIntoTheDeadline) {
+TEST(Faults, DropExceedsDeadline) {
   FaultyMock mock(R"({"drop": 1})");
   EXPECT_EQ(mock.decide(1, 1, 0, milliseconds(30)).error_code(),
             grpc::StatusCode::DEADLINE_EXCEEDED);
 }
 
-TEST(Faults, DelaysTakeTheirTime) {
+TEST(Faults, DelaysReplies) {
   FaultyMock mock(R"({"delay_ms": 60, "only": {"unum": 3}})");
   const auto start = std::chrono::steady_clock::now();
   EXPECT_TRUE(mock.decide(3, 1).ok());
@@ -82,27 +83,27 @@ TEST(Faults, DelaysTakeTheirTime) {
             grpc::StatusCode::DEADLINE_EXCEEDED);
 }
 
-TEST(Faults, GarbageAndOversizeCannotBeRead) {
+TEST(Faults, GarbageAndOversizeFailToParse) {
   FaultyMock garbage(R"({"garbage": 1})");
   EXPECT_FALSE(garbage.decide(1, 1).ok());
   FaultyMock oversize(R"({"oversize": 1})");
   EXPECT_EQ(oversize.decide(1, 1).error_code(), grpc::StatusCode::RESOURCE_EXHAUSTED);
 }
 
-TEST(Faults, RpcsCanBeMissing) {
+TEST(Faults, OmitsUnimplementedRpcs) {
   FaultyMock mock(R"({"unimplemented": ["SendPlayerType"]})");
   EXPECT_EQ(mock.send_player_type().error_code(), grpc::StatusCode::UNIMPLEMENTED);
   EXPECT_TRUE(mock.decide(1, 1).ok());
 }
 
-TEST(Faults, ADeadMockAnswersNobodyAnyMore) {
+TEST(Faults, FailsAllCallsAfterCrash) {
   FaultyMock mock(R"({"crash_at_cycle": 5})");
   EXPECT_TRUE(mock.decide(1, 4).ok());
   EXPECT_EQ(mock.decide(1, 5).error_code(), grpc::StatusCode::UNAVAILABLE);
   EXPECT_EQ(mock.send_player_type().error_code(), grpc::StatusCode::UNAVAILABLE);
 }
 
-TEST(Faults, AHangingMockStillTakesOtherCalls) {
+TEST(Faults, HandlesOtherCallsWhileHanging) {
   FaultyMock mock(R"({"hang_at_cycle": 5})");
   EXPECT_TRUE(mock.decide(1, 4).ok());
   EXPECT_EQ(mock.decide(1, 6, 0, milliseconds(30)).error_code(),
@@ -110,7 +111,7 @@ TEST(Faults, AHangingMockStillTakesOtherCalls) {
   EXPECT_TRUE(mock.send_player_type().ok());
 }
 
-TEST(Faults, ARestartedMockKnowsOnlyThoseWhoRegisterAgain) {
+TEST(Faults, RestartedMockKnowsOnlyReregisteredAgents) {
   FaultyMock mock(R"({"restart_at_cycle": 5, "restart_cycles": 2})");
   const int before = mock.register_agent(1);
   EXPECT_TRUE(mock.decide(1, 4, before).ok());
@@ -120,20 +121,20 @@ TEST(Faults, ARestartedMockKnowsOnlyThoseWhoRegisterAgain) {
   EXPECT_TRUE(mock.decide(1, 8, after).ok());
 }
 
-TEST(Faults, WrongClientIdsAreTheSameForAll) {
+TEST(Faults, WrongClientIdIsEqualForAllAgents) {
   FaultyMock mock(R"({"wrong_client_id": true})");
   EXPECT_EQ(mock.register_agent(4), mock.register_agent(9));
-  EXPECT_EQ(mock.unum_told, 1);
+  EXPECT_EQ(mock.registered_unum, 1);
 }
 
-TEST(Faults, SlowStartersAnswerLate) {
+TEST(Faults, SlowStartDelaysFirstReply) {
   FaultyMock mock(R"({"slow_start_ms": 80})");
   const auto start = std::chrono::steady_clock::now();
   mock.register_agent(1);
   EXPECT_GE(std::chrono::steady_clock::now() - start, milliseconds(60));
 }
 
-TEST(Faults, SharesAreDrawnFromSeedNumberAndCycle) {
+TEST(Faults, DrawsFromSeedUnumAndCycle) {
   const auto fates = [](std::uint64_t seed) {
     Faults faults;
     faults.error = 0.3;
@@ -144,9 +145,9 @@ TEST(Faults, SharesAreDrawnFromSeedNumberAndCycle) {
       protos::State state;
       state.mutable_register_response()->set_uniform_number(2);
       state.mutable_world_model()->set_cycle(cycle);
-      const Fate fate = fate_of(faults, proto::Rpc::kGetPlayerActions, state);
-      text += fate.what == Fate::What::kError ? 'e' : '.';
-      EXPECT_LE(fate.delay_ms, 50);
+      const Fault fault = draw_fault(faults, proto::Rpc::kGetPlayerActions, state);
+      text += fault.what == Fault::What::kError ? 'e' : '.';
+      EXPECT_LE(fault.delay_ms, 50);
     }
     return text;
   };
@@ -156,7 +157,7 @@ TEST(Faults, SharesAreDrawnFromSeedNumberAndCycle) {
   EXPECT_NEAR(static_cast<double>(std::count(text.begin(), text.end(), 'e')), 60.0, 25.0);
 }
 
-TEST(Faults, AreLimitedToCyclesAndNumbers) {
+TEST(Faults, ApplyOnlyToGivenCyclesAndUnums) {
   Faults faults;
   faults.drop = 1.0;
   faults.cycles = CycleRange{10, 20, 1};
@@ -165,7 +166,7 @@ TEST(Faults, AreLimitedToCyclesAndNumbers) {
     protos::State state;
     state.mutable_register_response()->set_uniform_number(unum);
     state.mutable_world_model()->set_cycle(cycle);
-    return fate_of(faults, proto::Rpc::kGetPlayerActions, state).what == Fate::What::kNever;
+    return draw_fault(faults, proto::Rpc::kGetPlayerActions, state).what == Fault::What::kHang;
   };
   EXPECT_TRUE(dropped(4, 10));
   EXPECT_TRUE(dropped(4, 20));
@@ -173,9 +174,9 @@ TEST(Faults, AreLimitedToCyclesAndNumbers) {
   EXPECT_FALSE(dropped(5, 10));
 }
 
-TEST(Faults, MistakesAreTold) {
+TEST(Faults, ReportsErrorsWithLocation) {
   const auto error = [](const std::string& text) {
-    const base::JsonText json = *base::JsonText::parse("f.json", text);
+    const base::JsonDocument json = *base::JsonDocument::parse("f.json", text);
     const auto faults = parse_faults(base::JsonValue(json));
     return faults ? "" : faults.error().message;
   };

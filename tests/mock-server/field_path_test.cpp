@@ -18,16 +18,16 @@ protos::State state() {
   world.mutable_ball()->mutable_position()->set_x(12.5F);
   world.set_our_team_name("Reds");
   for (const int unum : {3, 9}) {
-    protos::Player& mate = *world.add_teammates();
-    mate.set_uniform_number(unum);
-    mate.mutable_position()->set_x(static_cast<float>(unum));
-    (*world.mutable_our_players_dict())[unum] = mate;
+    protos::Player& teammate = *world.add_teammates();
+    teammate.set_uniform_number(unum);
+    teammate.mutable_position()->set_x(static_cast<float>(unum));
+    (*world.mutable_our_players_dict())[unum] = teammate;
   }
   return state;
 }
 
 bool holds(const std::string& conditions) {
-  const base::JsonText text = *base::JsonText::parse("test", conditions);
+  const base::JsonDocument text = *base::JsonDocument::parse("test", conditions);
   const auto parsed = parse_conditions(*protos::State::descriptor(), base::JsonValue(text));
   EXPECT_TRUE(parsed) << parsed.error().message;
   if (!parsed) return false;
@@ -38,7 +38,7 @@ bool holds(const std::string& conditions) {
 }
 
 std::string error(const std::string& conditions) {
-  const base::JsonText text = *base::JsonText::parse("test", conditions);
+  const base::JsonDocument text = *base::JsonDocument::parse("test", conditions);
   const auto parsed = parse_conditions(*protos::State::descriptor(), base::JsonValue(text));
   return parsed ? "" : parsed.error().message;
 }
@@ -59,18 +59,18 @@ TEST(FieldPath, ComparesScalars) {
   EXPECT_TRUE(holds(R"({"ball.position.x": {">=": 12.5}})"));
 }
 
-TEST(FieldPath, FieldsThatAreNotSetHaveTheirDefault) {
+TEST(FieldPath, UnsetFieldsHaveDefaultValue) {
   EXPECT_TRUE(holds(R"({"intercept_table.self_reach_steps": 0})"));
   EXPECT_TRUE(holds(R"({"need_preprocess": false})"));
 }
 
-TEST(FieldPath, EnumsAreNamed) {
+TEST(FieldPath, ComparesEnumsByName) {
   EXPECT_TRUE(holds(R"({"game_mode_type": "KickIn_"})"));
   EXPECT_TRUE(holds(R"({"game_mode_type": "KickIn"})"));
   EXPECT_FALSE(holds(R"({"game_mode_type": "PlayOn"})"));
 }
 
-TEST(FieldPath, ListsAndMaps) {
+TEST(FieldPath, SelectsElementsOfListsAndMaps) {
   EXPECT_TRUE(holds(R"({"teammates.size": 2})"));
   EXPECT_TRUE(holds(R"({"teammates.1.uniform_number": 9})"));
   EXPECT_FALSE(holds(R"({"teammates.2.uniform_number": 9})"));
@@ -82,13 +82,13 @@ TEST(FieldPath, ListsAndMaps) {
   EXPECT_TRUE(holds(R"({"our_players_dict.9": {"present": true}})"));
 }
 
-TEST(FieldPath, PresenceOfMessages) {
+TEST(FieldPath, TestsPresenceOfMessages) {
   EXPECT_TRUE(holds(R"({"full_world_model": {"present": false}})"));
   EXPECT_TRUE(holds(R"({"self": {"present": true}})"));
   EXPECT_FALSE(holds(R"({"penalty_kick_state": {"present": true}})"));
 }
 
-TEST(FieldPath, MistakesAreToldWithTheirPlace) {
+TEST(FieldPath, ReportsErrorsWithLocation) {
   EXPECT_EQ(error(R"({"self.stamna": 1})"),
             "test:1: /self.stamna: Self has no field 'stamna'; did you mean 'stamina'?");
   EXPECT_EQ(error(R"({"cycle.x": 1})"), "test:1: /cycle.x: 'cycle' has no fields");
@@ -103,12 +103,12 @@ TEST(FieldPath, MistakesAreToldWithTheirPlace) {
   EXPECT_EQ(error(R"({"self.is_kickable": {"<": true}})"),
             "test:1: /self.is_kickable/<: '<' is for numbers");
   EXPECT_EQ(error(R"({"ball": 3})"),
-            "test:1: /ball: a message cannot be compared, only asked whether it is \"present\"");
+            "test:1: /ball: a message cannot be compared; use {\"present\": true}");
 }
 
-TEST(FieldPath, ComplaintsSayWhatIsThere) {
-  const base::JsonText text =
-      *base::JsonText::parse("test", R"({"teammates.*.uniform_number": {">": 9}})");
+TEST(FieldPath, ViolationNamesActualValue) {
+  const base::JsonDocument text =
+      *base::JsonDocument::parse("test", R"({"teammates.*.uniform_number": {">": 9}})");
   const auto parsed = parse_conditions(*protos::State::descriptor(), base::JsonValue(text));
   EXPECT_EQ(parsed->front().complaint(state()), "teammates.*.uniform_number is 3, 9, not > 9");
 }

@@ -1,22 +1,23 @@
-// Scripts: which rule answers, and how mistakes are told.
+// Scripts: rule selection and error messages.
 #include "mock-server/script/script.h"
 
 #include <gtest/gtest.h>
 
 #include "mock-server/mock.h"
+#include "mock-server/script/named_behaviors.h"
 
 namespace cls::mock_server {
 namespace {
 
 std::shared_ptr<const Script> script(const std::string& text) {
-  const base::JsonText json = *base::JsonText::parse("s.json", text);
+  const base::JsonDocument json = *base::JsonDocument::parse("s.json", text);
   auto parsed = parse_script(base::JsonValue(json));
   EXPECT_TRUE(parsed) << parsed.error().message;
   return parsed ? *parsed : nullptr;
 }
 
 std::string error(const std::string& text) {
-  const base::JsonText json = *base::JsonText::parse("s.json", text);
+  const base::JsonDocument json = *base::JsonDocument::parse("s.json", text);
   const auto parsed = parse_script(base::JsonValue(json));
   return parsed ? "" : parsed.error().message;
 }
@@ -30,13 +31,13 @@ protos::State state(int unum, int cycle, protos::GameModeType mode = protos::Pla
 }
 
 std::string first_action(const std::string& rules, const protos::State& asked) {
-  const ScriptedBehaviour behaviour(script(rules));
+  const ScriptedBehavior behavior(script(rules));
   protos::PlayerActions actions;
-  behaviour.decide(asked, actions);
+  behavior.decide(asked, actions);
   return actions.actions_size() == 0 ? "" : actions.actions(0).ShortDebugString();
 }
 
-TEST(Script, TheFirstRuleThatMatchesAnswers) {
+TEST(Script, FirstMatchingRuleDecides) {
   const std::string rules = R"({"rules": [
       {"when": {"unum": 9, "cycle": [10, 19]}, "reply": [{"kick": {"power": 80}}]},
       {"when": {"unum": [9, 10]}, "reply": {"actions": [{"dash": {"power": 100}}]}},
@@ -56,12 +57,12 @@ TEST(Script, TheFirstRuleThatMatchesAnswers) {
   EXPECT_EQ(first_action(rules, near_goal), "catch { }");
 }
 
-TEST(Script, BehavioursAnswerByName) {
-  const ScriptedBehaviour scripted(
+TEST(Script, UsesBehaviorByName) {
+  const ScriptedBehavior scripted(
       script(R"({"rules": [{"when": {"unum": 1}, "reply": "hold"}], "otherwise": "random:3"})"));
   const auto compare = [&](const char* name, const protos::State& asked) {
     protos::PlayerActions expected;
-    (*make_behaviour(name))->decide(asked, expected);
+    (*make_behavior(name))->decide(asked, expected);
     protos::PlayerActions actual;
     scripted.decide(asked, actual);
     EXPECT_EQ(actual.ShortDebugString(), expected.ShortDebugString()) << name;
@@ -70,24 +71,24 @@ TEST(Script, BehavioursAnswerByName) {
   compare("random:3", state(2, 7));
 }
 
-TEST(Script, CoachAndTrainerHaveRulesOfTheirOwn) {
-  const ScriptedBehaviour behaviour(script(R"({"rules": [
+TEST(Script, SupportsRulesForCoachAndTrainer) {
+  const ScriptedBehavior behavior(script(R"({"rules": [
       {"rpc": "GetCoachActions",
        "reply": [{"change_player_types": {"uniform_number": 2, "type": 5}}]},
       {"rpc": "GetTrainerActions", "when": {"cycle": 3},
        "reply": [{"do_change_mode": {"game_mode_type": "PlayOn", "side": "LEFT"}}]}]})"));
   protos::CoachActions coach;
-  behaviour.decide_as_coach(state(12, 1), coach);
+  behavior.decide_as_coach(state(12, 1), coach);
   EXPECT_EQ(coach.actions(0).change_player_types().type(), 5);
   protos::TrainerActions trainer;
-  behaviour.decide_as_trainer(state(13, 3), trainer);
+  behavior.decide_as_trainer(state(13, 3), trainer);
   EXPECT_EQ(trainer.actions(0).do_change_mode().game_mode_type(), protos::PlayOn);
   protos::TrainerActions nothing;
-  behaviour.decide_as_trainer(state(13, 4), nothing);
+  behavior.decide_as_trainer(state(13, 4), nothing);
   EXPECT_EQ(nothing.actions_size(), 0);
 }
 
-TEST(Script, MistakesNameLinePlaceAndWhatMayBeMeant) {
+TEST(Script, ReportsErrorsWithLocationAndSuggestion) {
   EXPECT_EQ(error("{\"ruls\": []}"), "s.json:1: /ruls: unknown key 'ruls'; did you mean 'rules'?");
   EXPECT_EQ(error("{\"rules\": [\n{\"reply\": [{\"dsah\": {}}]}]}"),
             "s.json:2: /rules/0/reply/0/dsah: PlayerAction has no field 'dsah'; did you mean "
@@ -98,19 +99,19 @@ TEST(Script, MistakesNameLinePlaceAndWhatMayBeMeant) {
   EXPECT_EQ(error(R"({"rules": [{"when": {"mode": "Playon"}, "reply": []}]})"),
             "s.json:1: /rules/0/when/mode: unknown 'Playon'; did you mean 'PlayOn'?");
   EXPECT_EQ(error(R"({"rules": [{"when": {"unum": 14}, "reply": []}]})"),
-            "s.json:1: /rules/0/when/unum: 14 is no uniform number (1 to 11, 12 coach, 13 "
+            "s.json:1: /rules/0/when/unum: 14 is not a uniform number (1 to 11, 12 coach, 13 "
             "trainer)");
   EXPECT_EQ(error(R"({"rules": [{"when": {}}]})"), "s.json:1: /rules/0: needs \"reply\"");
   EXPECT_EQ(error(R"({"rules": [{"reply": "smple"}]})"),
-            "s.json:1: /rules/0/reply: unknown mock behaviour 'smple'; did you mean 'simple'?");
+            "s.json:1: /rules/0/reply: unknown mock behavior 'smple'; did you mean 'simple'?");
   EXPECT_NE(error(R"({"rules": [{"reply": [{"dash": {"power": "fast"}}]}]})").find("fast"),
             std::string::npos);
 }
 
-TEST(RandomBrain, RepliesDependOnSeedNumberAndCycleOnly) {
+TEST(RandomBehavior, DependsOnlyOnSeedUnumAndCycle) {
   const auto reply = [](const char* name, int unum, int cycle) {
     protos::PlayerActions actions;
-    (*make_behaviour(name))->decide(state(unum, cycle), actions);
+    (*make_behavior(name))->decide(state(unum, cycle), actions);
     return actions.SerializeAsString();
   };
   EXPECT_EQ(reply("random:4", 5, 100), reply("random:4", 5, 100));
@@ -119,12 +120,12 @@ TEST(RandomBrain, RepliesDependOnSeedNumberAndCycleOnly) {
   EXPECT_NE(reply("random:4", 5, 100), reply("random:4", 5, 101));
 }
 
-TEST(RandomBrain, AsksForEveryActionOfTheWireSoonerOrLater) {
+TEST(RandomBehavior, UsesEveryAction) {
   std::set<int> seen;
-  const auto behaviour = make_behaviour("random");
+  const auto behavior = make_behavior("random");
   for (int cycle = 0; cycle < 1000; ++cycle) {
     protos::PlayerActions actions;
-    (*behaviour)->decide(state(7, cycle), actions);
+    (*behavior)->decide(state(7, cycle), actions);
     for (const auto& action : actions.actions()) seen.insert(action.action_case());
   }
   EXPECT_EQ(seen.size(), 69u);

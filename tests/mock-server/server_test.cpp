@@ -4,13 +4,14 @@
 #include <grpcpp/generic/generic_stub.h>
 #include <gtest/gtest.h>
 
+#include "mock-server/script/named_behaviors.h"
 #include "proto/playmaker.grpc.pb.h"
 
 namespace cls::mock_server {
 namespace {
 
-std::unique_ptr<Server> running(std::string_view behaviour) {
-  auto made = make_behaviour(behaviour);
+std::unique_ptr<Server> running(std::string_view behavior) {
+  auto made = make_behavior(behavior);
   return std::move(*Server::start(std::move(*made)));
 }
 
@@ -24,7 +25,7 @@ protos::RegisterResponse register_with(protos::Game::Stub& stub, int unum) {
   return response;
 }
 
-TEST(MockServer, HandsOutClientIdsInOrder) {
+TEST(MockServer, AssignsConsecutiveClientIds) {
   const auto server = running("");
   const auto stub = protos::Game::NewStub(server->in_process_channel());
   EXPECT_EQ(register_with(*stub, 1).client_id(), 1);
@@ -34,7 +35,7 @@ TEST(MockServer, HandsOutClientIdsInOrder) {
   EXPECT_EQ(second.team_name(), "mock");
 }
 
-TEST(MockServer, AnswersEveryRpc) {
+TEST(MockServer, RepliesToEveryRpc) {
   const auto server = running("hold");
   const auto stub = protos::Game::NewStub(server->in_process_channel());
   protos::Empty empty;
@@ -54,7 +55,7 @@ TEST(MockServer, AnswersEveryRpc) {
   EXPECT_TRUE(ok(stub->GetTrainerActions(context().get(), {}, &trainer)));
 }
 
-TEST(MockServer, PlannerChoiceIsTheHighestValueThenTheLowestIndex) {
+TEST(MockServer, ChoosesHighestEvaluationThenLowestIndex) {
   const auto server = running("");
   const auto stub = protos::Game::NewStub(server->in_process_channel());
   protos::BestPlannerActionRequest request;
@@ -67,21 +68,20 @@ TEST(MockServer, PlannerChoiceIsTheHighestValueThenTheLowestIndex) {
   EXPECT_EQ(response.index(), 5);
 }
 
-TEST(MockServer, ListensOnAFreePortAndRefusesATakenOne) {
-  auto first = Server::start(std::move(*make_behaviour("")), "127.0.0.1", 0);
+TEST(MockServer, ListensOnFreePortAndReportsPortInUse) {
+  auto first = Server::start(std::move(*make_behavior("")), "127.0.0.1", 0);
   ASSERT_TRUE(first);
   EXPECT_GT((*first)->port(), 0);
   const auto stub = protos::Game::NewStub(grpc::CreateChannel(
       "127.0.0.1:" + std::to_string((*first)->port()), grpc::InsecureChannelCredentials()));
   EXPECT_EQ(register_with(*stub, 1).client_id(), 1);
-  const auto second = Server::start(std::move(*make_behaviour("")), "127.0.0.1", (*first)->port());
+  const auto second = Server::start(std::move(*make_behavior("")), "127.0.0.1", (*first)->port());
   ASSERT_FALSE(second);
   EXPECT_EQ(second.error().message,
             "the mock Playmaker cannot listen on 127.0.0.1:" + std::to_string((*first)->port()));
 }
 
-// What a call on one of the standard services answers first, as bytes: asked in raw bytes too, so
-// that their .proto files are not needed.
+// First reply of a call to a standard service, as raw bytes, so that its .proto file is not needed.
 std::string ask(const Server& server, const std::string& method, const std::string& request) {
   void* const tag = &const_cast<Server&>(server);
   grpc::GenericStub stub(grpc::CreateChannel("127.0.0.1:" + std::to_string(server.port()),
@@ -111,8 +111,8 @@ std::string ask(const Server& server, const std::string& method, const std::stri
   return {reinterpret_cast<const char*>(bytes.begin()), bytes.size()};
 }
 
-TEST(MockServer, HasTheHealthAndReflectionServicesOnAPort) {
-  const auto server = Server::start(std::move(*make_behaviour("")), "127.0.0.1", 0);
+TEST(MockServer, ServesHealthAndReflectionOnPort) {
+  const auto server = Server::start(std::move(*make_behavior("")), "127.0.0.1", 0);
   ASSERT_TRUE(server);
   const std::string serving = "\x08\x01";  // status: SERVING
   EXPECT_EQ(ask(**server, "/grpc.health.v1.Health/Check", ""), serving);
@@ -123,11 +123,11 @@ TEST(MockServer, HasTheHealthAndReflectionServicesOnAPort) {
       std::string::npos);
 }
 
-TEST(Behaviours, UnknownNamesAreToldWithASuggestion) {
-  EXPECT_EQ(make_behaviour("hodl").error().message,
-            "unknown mock behaviour 'hodl'; did you mean 'hold'?");
-  EXPECT_EQ(make_behaviour("zzz").error().message,
-            "unknown mock behaviour 'zzz' (known: simple, planner, hold, random)");
+TEST(Behaviors, ReportsUnknownNameWithSuggestion) {
+  EXPECT_EQ(make_behavior("hodl").error().message,
+            "unknown mock behavior 'hodl'; did you mean 'hold'?");
+  EXPECT_EQ(make_behavior("zzz").error().message,
+            "unknown mock behavior 'zzz' (known: simple, planner, hold, random)");
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// The bundled team: sensible decisions in plain situations, the same for the same State.
+// The simple team's decisions in plain situations.
 #include "mock-server/simple_team/simple_team.h"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ void place(protos::RpcVector2D& vector, double x, double y) {
   vector.set_y(static_cast<float>(y));
 }
 
-// Player `unum` at a point, ball in sight at another, nobody else on the pitch.
+// Player `unum` at a point, ball at another, no other player.
 protos::State state_of(int unum, soccer::Vec2 self, soccer::Vec2 ball) {
   protos::State state;
   auto& world = *state.mutable_world_model();
@@ -44,7 +44,7 @@ const protos::PlayerAction* find(const protos::PlayerActions& actions, Case kind
   return nullptr;
 }
 
-TEST(SimpleTeam, ShootsInFrontOfTheGoalBesideTheGoalie) {
+TEST(SimpleTeam, ShootsPastGoalieInFrontOfGoal) {
   protos::State state = state_of(11, {40, 0}, {40.4, 0});
   state.mutable_world_model()->mutable_self()->set_is_kickable(true);
   auto& goalie = *state.mutable_world_model()->add_opponents();
@@ -58,13 +58,13 @@ TEST(SimpleTeam, ShootsInFrontOfTheGoalBesideTheGoalie) {
   EXPECT_GT(kick.target_point().y(), -7.0F);
 }
 
-TEST(SimpleTeam, PassesToAFreeMateWhenPressed) {
+TEST(SimpleTeam, PassesToFreeTeammateWhenPressed) {
   protos::State state = state_of(6, {0, 0}, {0.4, 0});
   auto& world = *state.mutable_world_model();
   world.mutable_self()->set_is_kickable(true);
-  auto& mate = *world.add_teammates();
-  mate.set_uniform_number(9);
-  place(*mate.mutable_position(), 12, -10);
+  auto& teammate = *world.add_teammates();
+  teammate.set_uniform_number(9);
+  place(*teammate.mutable_position(), 12, -10);
   auto& opponent = *world.add_opponents();
   place(*opponent.mutable_position(), 2, 1);
   const auto actions = decide(state);
@@ -76,8 +76,8 @@ TEST(SimpleTeam, DoesNotPassThroughAnOpponent) {
   protos::State state = state_of(6, {0, 0}, {0.4, 0});
   auto& world = *state.mutable_world_model();
   world.mutable_self()->set_is_kickable(true);
-  auto& mate = *world.add_teammates();
-  place(*mate.mutable_position(), 12, -10);
+  auto& teammate = *world.add_teammates();
+  place(*teammate.mutable_position(), 12, -10);
   auto& opponent = *world.add_opponents();
   place(*opponent.mutable_position(), 3, -2.4);
   const auto actions = decide(state);
@@ -85,7 +85,7 @@ TEST(SimpleTeam, DoesNotPassThroughAnOpponent) {
   EXPECT_NE(find(actions, Case::kBodyDribble), nullptr);
 }
 
-TEST(SimpleTeam, OnlyTheQuickestGoesForTheBall) {
+TEST(SimpleTeam, OnlyFastestPlayerIntercepts) {
   protos::State state = state_of(7, {0, -10}, {5, -5});
   EXPECT_NE(find(decide(state), Case::kBodyIntercept), nullptr);
   auto& table = *state.mutable_world_model()->mutable_intercept_table();
@@ -96,38 +96,38 @@ TEST(SimpleTeam, OnlyTheQuickestGoesForTheBall) {
   EXPECT_NE(find(actions, Case::kBodyGoToPoint), nullptr);
 }
 
-TEST(SimpleTeam, GoalieCatchesWhatIsCertain) {
+TEST(SimpleTeam, GoalieCatchesWhenCertain) {
   protos::State state = state_of(1, {-50, 0}, {-49, 0});
   state.mutable_world_model()->mutable_self()->set_catch_probability(1.0F);
   EXPECT_EQ(decide(state).actions(0).action_case(), Case::kCatch);
 }
 
-TEST(SimpleTeam, LooksForABallItLost) {
+TEST(SimpleTeam, SearchesLostBall) {
   protos::State state = state_of(5, {0, 0}, {0, 0});
   state.mutable_world_model()->mutable_ball()->set_pos_count(1000);
   EXPECT_EQ(decide(state).actions(0).action_case(), Case::kBhvNeckBodyToBall);
 }
 
-TEST(SimpleTeam, NearestPlayerTakesOurSetPlayOthersStayAway) {
+TEST(SimpleTeam, NearestPlayerTakesSetPlayOthersStayAway) {
   protos::State state = state_of(8, {3, 20}, {5, 34});
   auto& world = *state.mutable_world_model();
   world.set_game_mode_type(protos::KickIn_);
   world.set_is_our_set_play(true);
-  auto& mate = *world.add_teammates();
-  mate.set_uniform_number(5);
-  place(*mate.mutable_position(), -10, 20);
+  auto& teammate = *world.add_teammates();
+  teammate.set_uniform_number(5);
+  place(*teammate.mutable_position(), -10, 20);
   auto actions = decide(state);
   const auto* go = find(actions, Case::kBodyGoToPoint);
   ASSERT_NE(go, nullptr);
   EXPECT_NEAR(go->body_go_to_point().target_point().y(), 34.0, 1.0);
-  place(*mate.mutable_position(), 5, 33);
+  place(*teammate.mutable_position(), 5, 33);
   actions = decide(state);
   go = find(actions, Case::kBodyGoToPoint);
   ASSERT_NE(go, nullptr);
   EXPECT_LT(go->body_go_to_point().target_point().y(), 25.0);
 }
 
-TEST(SimpleTeam, HomeIsNeverOffsideAndAlwaysOnThePitch) {
+TEST(SimpleTeam, HomePositionIsOnsideAndOnPitch) {
   for (int unum = 1; unum <= 11; ++unum) {
     for (double x = -52; x <= 52; x += 8) {
       for (double y = -34; y <= 34; y += 8) {
@@ -141,15 +141,15 @@ TEST(SimpleTeam, HomeIsNeverOffsideAndAlwaysOnThePitch) {
   }
 }
 
-TEST(SimpleTeam, SameStateSameReply) {
+TEST(SimpleTeam, GivesSameReplyForSameState) {
   protos::State state = state_of(6, {0, 0}, {0.4, 0});
   state.mutable_world_model()->mutable_self()->set_is_kickable(true);
-  auto& mate = *state.mutable_world_model()->add_teammates();
-  place(*mate.mutable_position(), 12, -10);
+  auto& teammate = *state.mutable_world_model()->add_teammates();
+  place(*teammate.mutable_position(), 12, -10);
   EXPECT_EQ(decide(state).SerializeAsString(), decide(state).SerializeAsString());
 }
 
-TEST(SimpleTeam, AnswersAnEmptyState) { EXPECT_GT(decide(protos::State()).actions_size(), 0); }
+TEST(SimpleTeam, RepliesToEmptyState) { EXPECT_GT(decide(protos::State()).actions_size(), 0); }
 
 }  // namespace
 }  // namespace cls::mock_server

@@ -1,5 +1,5 @@
-// Drawing messages by reflection.
-#include "mock-server/random_brain.h"
+// Random actions of any kind, built by reflection.
+#include "mock-server/behavior/bundled.h"
 
 #include <google/protobuf/descriptor.h>
 #include <google/protobuf/message.h>
@@ -16,9 +16,9 @@ using google::protobuf::Message;
 using google::protobuf::Reflection;
 using soccer::RandomStream;
 
-constexpr int kMostActions = 4;
-constexpr int kDeepest = 4;
-constexpr double kFar = 100.0;  // metres, degrees, power: beyond every limit now and then
+constexpr int kMaxActions = 4;
+constexpr int kMaxDepth = 4;
+constexpr double kMaxValue = 100.0;  // meters, degrees, power: sometimes beyond every limit
 
 void fill(Message& message, RandomStream& draw, int depth);
 
@@ -28,9 +28,10 @@ void fill_scalar(Message& message, const FieldDescriptor& field, RandomStream& d
     case FieldDescriptor::CPPTYPE_INT32:
       return access.SetInt32(&message, &field, draw.integer(12));
     case FieldDescriptor::CPPTYPE_FLOAT:
-      return access.SetFloat(&message, &field, static_cast<float>(draw.uniform(-kFar, kFar)));
+      return access.SetFloat(&message, &field,
+                             static_cast<float>(draw.uniform(-kMaxValue, kMaxValue)));
     case FieldDescriptor::CPPTYPE_DOUBLE:
-      return access.SetDouble(&message, &field, draw.uniform(-kFar, kFar));
+      return access.SetDouble(&message, &field, draw.uniform(-kMaxValue, kMaxValue));
     case FieldDescriptor::CPPTYPE_BOOL:
       return access.SetBool(&message, &field, draw.bernoulli(0.5));
     case FieldDescriptor::CPPTYPE_ENUM: {
@@ -44,7 +45,7 @@ void fill_scalar(Message& message, const FieldDescriptor& field, RandomStream& d
   }
 }
 
-void fill_one_of(Message& message, RandomStream& draw, int depth) {
+void fill_oneof(Message& message, RandomStream& draw, int depth) {
   const auto& choice = *message.GetDescriptor()->oneof_decl(0);
   const FieldDescriptor* field = choice.field(draw.integer(choice.field_count()));
   fill(*message.GetReflection()->MutableMessage(&message, field), draw, depth);
@@ -52,8 +53,8 @@ void fill_one_of(Message& message, RandomStream& draw, int depth) {
 
 void fill(Message& message, RandomStream& draw, int depth) {
   const Descriptor& type = *message.GetDescriptor();
-  if (depth > kDeepest) return;
-  if (type.oneof_decl_count() > 0) return fill_one_of(message, draw, depth + 1);
+  if (depth > kMaxDepth) return;
+  if (type.oneof_decl_count() > 0) return fill_oneof(message, draw, depth + 1);
   for (int i = 0; i < type.field_count(); ++i) {
     const FieldDescriptor& field = *type.field(i);
     if (field.is_repeated()) continue;
@@ -73,24 +74,34 @@ RandomStream stream_for(std::uint64_t seed, proto::Rpc rpc, const protos::State&
                       clock);
 }
 
+class RandomBehavior : public Behavior {
+ public:
+  explicit RandomBehavior(std::uint64_t seed) : seed_(seed) {}
+
+  void decide(const protos::State& state, protos::PlayerActions& actions) const override {
+    RandomStream draw = stream_for(seed_, proto::Rpc::kGetPlayerActions, state);
+    const int count = 1 + draw.integer(kMaxActions);
+    for (int i = 0; i < count; ++i) fill(*actions.add_actions(), draw, 0);
+    actions.set_ignore_preprocess(draw.bernoulli(0.5));
+  }
+  void decide_as_coach(const protos::State& state, protos::CoachActions& actions) const override {
+    RandomStream draw = stream_for(seed_, proto::Rpc::kGetCoachActions, state);
+    fill(*actions.add_actions(), draw, 0);
+  }
+  void decide_as_trainer(const protos::State& state,
+                         protos::TrainerActions& actions) const override {
+    RandomStream draw = stream_for(seed_, proto::Rpc::kGetTrainerActions, state);
+    fill(*actions.add_actions(), draw, 0);
+  }
+
+ private:
+  std::uint64_t seed_;
+};
+
 }  // namespace
 
-void RandomBrain::decide(const protos::State& state, protos::PlayerActions& actions) const {
-  RandomStream draw = stream_for(seed_, proto::Rpc::kGetPlayerActions, state);
-  const int count = 1 + draw.integer(kMostActions);
-  for (int i = 0; i < count; ++i) fill(*actions.add_actions(), draw, 0);
-  actions.set_ignore_preprocess(draw.bernoulli(0.5));
-}
-
-void RandomBrain::decide_as_coach(const protos::State& state, protos::CoachActions& actions) const {
-  RandomStream draw = stream_for(seed_, proto::Rpc::kGetCoachActions, state);
-  fill(*actions.add_actions(), draw, 0);
-}
-
-void RandomBrain::decide_as_trainer(const protos::State& state,
-                                    protos::TrainerActions& actions) const {
-  RandomStream draw = stream_for(seed_, proto::Rpc::kGetTrainerActions, state);
-  fill(*actions.add_actions(), draw, 0);
+std::unique_ptr<Behavior> make_random_behavior(std::uint64_t seed) {
+  return std::make_unique<RandomBehavior>(seed);
 }
 
 }  // namespace cls::mock_server

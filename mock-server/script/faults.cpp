@@ -1,11 +1,12 @@
-// Reading faults, and drawing what becomes of a call.
-#include "mock-server/faults.h"
+// Parsing faults, and drawing the fault of a call.
+#include "mock-server/script/faults.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 
+#include "base/text/suggestion.h"
 #include "proto/playmaker.pb.h"
 #include "soccer/random.h"
 
@@ -15,10 +16,10 @@ namespace {
 using base::Error;
 using base::Result;
 
-constexpr int kLongest = 3'600'000;
-constexpr int kLastCycle = 1'000'000;
+constexpr int kMaxMs = 3'600'000;
+constexpr int kMaxCycle = 1'000'000;
 
-// In the order of their numbers.
+// In the order of their codes.
 const std::vector<std::string_view>& status_names() {
   static const std::vector<std::string_view> names = {"OK",
                                                       "CANCELLED",
@@ -41,51 +42,52 @@ const std::vector<std::string_view>& status_names() {
 }
 
 template <typename T, typename U>
-Result<void> keep(const Result<T>& value, U& member) {
+Result<void> assign(const Result<T>& value, U& member) {
   if (!value) return value.error();
   member = *value;
   return {};
 }
 
 Result<void> parse_only(const base::JsonValue& json, Faults& faults) {
-  if (const auto keys = json.object_of({"cycle", "unum"}); !keys) return keys;
+  if (const auto keys = json.expect_keys({"cycle", "unum"}); !keys) return keys;
   if (json.has("cycle")) {
-    if (const auto kept = keep(parse_cycles(json["cycle"]), faults.cycles); !kept) return kept;
+    if (const auto assigned = assign(parse_cycles(json["cycle"]), faults.cycles); !assigned)
+      return assigned;
   }
-  if (json.has("unum")) return keep(parse_unums(json["unum"]), faults.unums);
+  if (json.has("unum")) return assign(parse_unums(json["unum"]), faults.unums);
   return {};
 }
 
 Result<void> parse_rpcs(const base::JsonValue& json, std::vector<proto::Rpc>& rpcs) {
-  if (!json.is_list()) return json.error("must be a list of rpcs");
+  if (!json.is_array()) return json.error("must be a list of RPCs");
   for (std::size_t i = 0; i < json.size(); ++i) {
-    const auto word = json[i].word(proto::rpc_names());
-    if (!word) return word.error();
-    rpcs.push_back(*proto::rpc_from_name(*word));
+    const auto name = json[i].one_of(proto::rpc_names());
+    if (!name) return name.error();
+    rpcs.push_back(*proto::rpc_from_name(*name));
   }
   return {};
 }
 
 Result<void> parse_fault(std::string_view key, const base::JsonValue& json, Faults& faults) {
-  if (key == "delay_ms") return keep(json.integer(0, kLongest), faults.delay_ms);
-  if (key == "jitter_ms") return keep(json.integer(0, kLongest), faults.jitter_ms);
-  if (key == "drop") return keep(json.number(0, 1), faults.drop);
-  if (key == "error") return keep(json.number(0, 1), faults.error);
-  if (key == "garbage") return keep(json.number(0, 1), faults.garbage);
-  if (key == "oversize") return keep(json.number(0, 1), faults.oversize);
-  if (key == "status") return keep(json.word(status_names()), faults.status);
-  if (key == "crash_at_cycle") return keep(json.integer(0, kLastCycle), faults.crash_at_cycle);
-  if (key == "hang_at_cycle") return keep(json.integer(0, kLastCycle), faults.hang_at_cycle);
-  if (key == "restart_at_cycle") return keep(json.integer(0, kLastCycle), faults.restart_at_cycle);
-  if (key == "restart_cycles") return keep(json.integer(0, kLastCycle), faults.restart_cycles);
-  if (key == "wrong_client_id") return keep(json.boolean(), faults.wrong_client_id);
+  if (key == "delay_ms") return assign(json.integer(0, kMaxMs), faults.delay_ms);
+  if (key == "jitter_ms") return assign(json.integer(0, kMaxMs), faults.jitter_ms);
+  if (key == "drop") return assign(json.number(0, 1), faults.drop);
+  if (key == "error") return assign(json.number(0, 1), faults.error);
+  if (key == "garbage") return assign(json.number(0, 1), faults.garbage);
+  if (key == "oversize") return assign(json.number(0, 1), faults.oversize);
+  if (key == "status") return assign(json.one_of(status_names()), faults.status);
+  if (key == "crash_at_cycle") return assign(json.integer(0, kMaxCycle), faults.crash_at_cycle);
+  if (key == "hang_at_cycle") return assign(json.integer(0, kMaxCycle), faults.hang_at_cycle);
+  if (key == "restart_at_cycle") return assign(json.integer(0, kMaxCycle), faults.restart_at_cycle);
+  if (key == "restart_cycles") return assign(json.integer(0, kMaxCycle), faults.restart_cycles);
+  if (key == "wrong_client_id") return assign(json.boolean(), faults.wrong_client_id);
   if (key == "unimplemented") return parse_rpcs(json, faults.unimplemented);
-  if (key == "slow_start_ms") return keep(json.integer(0, kLongest), faults.slow_start_ms);
-  if (key == "seed") return keep(json.integer(0, kLongest), faults.seed);
+  if (key == "slow_start_ms") return assign(json.integer(0, kMaxMs), faults.slow_start_ms);
+  if (key == "seed") return assign(json.integer(0, kMaxMs), faults.seed);
   return parse_only(json, faults);
 }
 
-bool concerns(const Faults& faults, int unum, int cycle) {
+bool applies_to(const Faults& faults, int unum, int cycle) {
   if (faults.cycles && !faults.cycles->contains(cycle)) return false;
   return faults.unums.empty() ||
          std::find(faults.unums.begin(), faults.unums.end(), unum) != faults.unums.end();
@@ -101,13 +103,14 @@ bool Faults::any() const {
 
 Result<Faults> parse_faults(const base::JsonValue& json) {
   const auto keys =
-      json.object_of({"delay_ms", "jitter_ms", "drop", "error", "garbage", "oversize", "status",
-                      "crash_at_cycle", "hang_at_cycle", "restart_at_cycle", "restart_cycles",
-                      "wrong_client_id", "unimplemented", "slow_start_ms", "only", "seed"});
+      json.expect_keys({"delay_ms", "jitter_ms", "drop", "error", "garbage", "oversize", "status",
+                        "crash_at_cycle", "hang_at_cycle", "restart_at_cycle", "restart_cycles",
+                        "wrong_client_id", "unimplemented", "slow_start_ms", "only", "seed"});
   if (!keys) return keys.error();
   Faults faults;
   for (const std::string& key : json.keys()) {
-    if (const auto kept = parse_fault(key, json[key], faults); !kept) return kept.error();
+    if (const auto assigned = parse_fault(key, json[key], faults); !assigned)
+      return assigned.error();
   }
   return faults;
 }
@@ -121,33 +124,33 @@ Result<int> status_code(std::string_view name) {
   return static_cast<int>(found - names.begin());
 }
 
-Fate fate_of(const Faults& faults, proto::Rpc rpc, const google::protobuf::Message& request) {
-  const auto& lacking = faults.unimplemented;
-  if (std::find(lacking.begin(), lacking.end(), rpc) != lacking.end()) {
-    return {Fate::What::kUnimplemented, 0};
+Fault draw_fault(const Faults& faults, proto::Rpc rpc, const google::protobuf::Message& request) {
+  const auto& unimplemented = faults.unimplemented;
+  if (std::find(unimplemented.begin(), unimplemented.end(), rpc) != unimplemented.end()) {
+    return {Fault::What::kUnimplemented, 0};
   }
   if (!is_decision(rpc)) return {};
   const protos::WorldModel& world = static_cast<const protos::State&>(request).world_model();
   const int unum = caller_of(rpc, request).unum;
   if (faults.crash_at_cycle && world.cycle() >= *faults.crash_at_cycle) {
-    return {Fate::What::kCrash, 0};
+    return {Fault::What::kCrash, 0};
   }
   if (faults.hang_at_cycle && world.cycle() >= *faults.hang_at_cycle) {
-    return {Fate::What::kNever, 0};
+    return {Fault::What::kHang, 0};
   }
-  if (!concerns(faults, unum, world.cycle())) return {};
+  if (!applies_to(faults, unum, world.cycle())) return {};
   const auto clock = static_cast<std::uint64_t>(world.cycle()) << 32U |
                      static_cast<std::uint32_t>(world.time_stopped());
   soccer::RandomStream draw(faults.seed, "mock faults", static_cast<std::uint64_t>(unum), clock);
-  Fate fate;
-  fate.delay_ms = faults.delay_ms + draw.integer(faults.jitter_ms + 1);
+  Fault fault;
+  fault.delay_ms = faults.delay_ms + draw.integer(faults.jitter_ms + 1);
   for (const auto& [share, what] :
-       {std::pair{faults.drop, Fate::What::kNever}, std::pair{faults.error, Fate::What::kError},
-        std::pair{faults.garbage, Fate::What::kGarbage},
-        std::pair{faults.oversize, Fate::What::kOversize}}) {
-    if (draw.bernoulli(share) && fate.what == Fate::What::kAnswer) fate.what = what;
+       {std::pair{faults.drop, Fault::What::kHang}, std::pair{faults.error, Fault::What::kError},
+        std::pair{faults.garbage, Fault::What::kGarbage},
+        std::pair{faults.oversize, Fault::What::kOversize}}) {
+    if (draw.bernoulli(share) && fault.what == Fault::What::kNone) fault.what = what;
   }
-  return fate;
+  return fault;
 }
 
 }  // namespace cls::mock_server

@@ -1,5 +1,5 @@
-// Answering the rpcs.
-#include "mock-server/game_logic.h"
+// Replies by RPC.
+#include "mock-server/service/request_handler.h"
 
 #include <ctime>
 
@@ -12,7 +12,7 @@ std::int64_t thread_cpu_nanoseconds() {
   return static_cast<std::int64_t>(now.tv_sec) * 1'000'000'000 + now.tv_nsec;
 }
 
-// The planner's best candidate; the lowest index of equal ones.
+// The candidate with the highest evaluation; the lowest index among equals.
 int best_of(const protos::BestPlannerActionRequest& request) {
   int best = 0;
   double best_value = 0.0;
@@ -30,7 +30,8 @@ int best_of(const protos::BestPlannerActionRequest& request) {
 
 }  // namespace
 
-void GameLogic::introduce(const protos::RegisterRequest& request, protos::RegisterResponse& reply) {
+void RequestHandler::handle_register(const protos::RegisterRequest& request,
+                                     protos::RegisterResponse& reply) {
   reply.set_client_id(next_client_++);
   reply.set_agent_type(request.agent_type());
   reply.set_team_name(request.team_name());
@@ -38,33 +39,33 @@ void GameLogic::introduce(const protos::RegisterRequest& request, protos::Regist
   reply.set_rpc_server_language_type(protos::CPP);
 }
 
-void GameLogic::answer(proto::Rpc rpc, const google::protobuf::Message& request,
-                       google::protobuf::Message& reply) {
-  if (expectations_ != nullptr) expectations_->note(rpc, request);
+void RequestHandler::handle(proto::Rpc rpc, const google::protobuf::Message& request,
+                            google::protobuf::Message& reply) {
+  if (expectations_ != nullptr) expectations_->add(rpc, request);
   const std::int64_t before = thread_cpu_nanoseconds();
   const auto state = [&request]() -> const protos::State& {
     return static_cast<const protos::State&>(request);
   };
   switch (rpc) {
     case proto::Rpc::kRegister:
-      introduce(static_cast<const protos::RegisterRequest&>(request),
-                static_cast<protos::RegisterResponse&>(reply));
+      handle_register(static_cast<const protos::RegisterRequest&>(request),
+                      static_cast<protos::RegisterResponse&>(reply));
       break;
     case proto::Rpc::kGetPlayerActions:
-      behaviour_.decide(state(), static_cast<protos::PlayerActions&>(reply));
+      behavior_.decide(state(), static_cast<protos::PlayerActions&>(reply));
       break;
     case proto::Rpc::kGetCoachActions:
-      behaviour_.decide_as_coach(state(), static_cast<protos::CoachActions&>(reply));
+      behavior_.decide_as_coach(state(), static_cast<protos::CoachActions&>(reply));
       break;
     case proto::Rpc::kGetTrainerActions:
-      behaviour_.decide_as_trainer(state(), static_cast<protos::TrainerActions&>(reply));
+      behavior_.decide_as_trainer(state(), static_cast<protos::TrainerActions&>(reply));
       break;
     case proto::Rpc::kGetBestPlannerAction:
       static_cast<protos::BestPlannerActionResponse&>(reply).set_index(
           best_of(static_cast<const protos::BestPlannerActionRequest&>(request)));
       break;
     default:
-      break;  // an Empty
+      break;  // replies with an Empty
   }
   decision_nanoseconds_ += thread_cpu_nanoseconds() - before;
 }

@@ -1,5 +1,5 @@
-// Going for the ball, or keeping the shape.
-#include "mock-server/simple_team/defence.h"
+// Field players without the ball: interception, tackle, block, formation.
+#include "mock-server/simple_team/play.h"
 
 #include <algorithm>
 
@@ -15,8 +15,8 @@ constexpr Vec2 kOurGoal{-soccer::kHalfLength, 0.0};
 constexpr Vec2 kTheirGoal{soccer::kHalfLength, 0.0};
 constexpr double kTired = 3200.0;
 
-// Power worth spending: all of it near the ball and when out of place in defence, little when
-// tired, since stamina below the threshold costs effort for the rest of the half.
+// Full power near the ball and when behind play in defense; little when tired, since stamina
+// below the threshold reduces effort for the rest of the half.
 double dash_power(const Situation& now, Vec2 target) {
   const double away = distance(now.self_position(), target);
   if (now.self().stamina() < kTired) return 35.0;
@@ -25,7 +25,7 @@ double dash_power(const Situation& now, Vec2 target) {
   return std::clamp(40.0 + 3.0 * away, 50.0, 90.0);
 }
 
-// Between the ball and our goal, a step away from the ball.
+// Between the ball and the own goal, 2 m from the ball.
 Vec2 blocking_point(const Situation& now) {
   const Vec2 ahead = now.ball() + now.ball_velocity() * 3.0;
   return ahead + with_length(kOurGoal - ahead, 2.0);
@@ -45,10 +45,11 @@ void play_without_ball(const Situation& now, ActionList& list) {
     list.search_ball();
     return;
   }
-  const bool chance_to_win_it = now.opponent_has_ball() && !now.mate_has_ball();
-  if (chance_to_win_it) list.tackle_towards(kTheirGoal, 0.75);
-  const bool ours_first = now.own_reach() <= now.mates_reach() && !now.mate_has_ball();
-  if (ours_first && now.own_reach() < kNeverReached) {
+  const bool can_win_ball = now.opponent_has_ball() && !now.teammate_has_ball();
+  if (can_win_ball) list.tackle_towards(kTheirGoal, 0.75);
+  const bool teammates_slower =
+      now.own_reach() <= now.teammates_reach() && !now.teammate_has_ball();
+  if (teammates_slower && now.own_reach() < kNeverReached) {
     if (now.opponent_has_ball()) list.go_to(blocking_point(now), 0.5, 100.0);
     list.intercept(kTheirGoal);
     list.watch_ball_or_scan(0);
