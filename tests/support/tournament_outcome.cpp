@@ -1,4 +1,4 @@
-// Keys of matches that a repetition must repeat.
+// Members of a report that a rerun must reproduce.
 #include "tests/support/tournament_outcome.h"
 
 namespace cls::tests {

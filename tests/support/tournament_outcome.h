@@ -1,12 +1,12 @@
-// Comparing tournaments that were played in different ways.
+// Compares tournaments that were played in different ways.
 #pragma once
 
 #include <nlohmann/json.hpp>
 
 namespace cls::tests {
 
-/// Of a report (`--format json`): the matches as they ended and the standings, without what depends
-/// on who played them, when and where.
+/// Matches and standings of a report (`--format json`), without members that depend on how, when
+/// and where the matches were played.
 nlohmann::json outcome_of(const nlohmann::json& report);
 
 }  // namespace cls::tests

@@ -1,4 +1,4 @@
-// Names of the words in a configuration and the checks of the whole.
+// Names of configuration values, and validation of a configuration.
 #include "orchestration/tournament/config/config.h"
 
 #include <fmt/format.h>
@@ -18,14 +18,14 @@ std::string unknown_team(const TournamentConfig& config, std::string_view key,
   std::vector<std::string_view> known;
   for (const TeamEntry& team : config.teams) known.push_back(team.name);
   const std::string_view near = base::nearest_name(name, known);
-  return fmt::format("{}: there is no team '{}'{}", key, name,
+  return fmt::format("{}: unknown team '{}'{}", key, name,
                      near.empty() ? "" : fmt::format("; did you mean '{}'?", near));
 }
 
-class Mistakes {
+class ErrorList {
  public:
-  void demand(bool holds, std::string message) {
-    if (!holds) lines_.push_back(std::move(message));
+  void require(bool condition, std::string message) {
+    if (!condition) lines_.push_back(std::move(message));
   }
   std::vector<std::string> take() { return std::move(lines_); }
 
@@ -33,63 +33,59 @@ class Mistakes {
   std::vector<std::string> lines_;
 };
 
-void check_teams(Mistakes& mistakes, const TournamentConfig& config) {
-  mistakes.demand(config.teams.size() >= 2,
-                  fmt::format("a tournament needs two teams at least, there {} (give [teams.NAME] "
-                              "with an endpoint for each)",
-                              config.teams.empty() ? "is none" : "is one"));
+void check_teams(ErrorList& errors, const TournamentConfig& config) {
+  errors.require(config.teams.size() >= 2,
+                 fmt::format("a tournament requires at least two teams, there {}; add [teams.NAME] "
+                             "with an endpoint for each",
+                             config.teams.empty() ? "is none" : "is one"));
   std::set<std::string> seen;
   for (const TeamEntry& team : config.teams) {
-    mistakes.demand(seen.insert(team.name).second,
-                    fmt::format("there are two teams named '{}'", team.name));
+    errors.require(seen.insert(team.name).second,
+                   fmt::format("duplicate team name '{}'", team.name));
   }
 }
 
-void check_pairings(Mistakes& mistakes, const TournamentConfig& config) {
+void check_pairings(ErrorList& errors, const TournamentConfig& config) {
   for (const std::string& subject : config.gauntlet) {
-    mistakes.demand(team_index(config, subject) >= 0, unknown_team(config, "gauntlet", subject));
+    errors.require(team_index(config, subject) >= 0, unknown_team(config, "gauntlet", subject));
   }
   for (const auto& pairing : config.matches) {
     for (const std::string& team : pairing) {
-      mistakes.demand(team_index(config, team) >= 0, unknown_team(config, "matches", team));
+      errors.require(team_index(config, team) >= 0, unknown_team(config, "matches", team));
     }
-    mistakes.demand(
+    errors.require(
         pairing.size() == 2 && pairing[0] != pairing[1],
         fmt::format("matches: [{}] does not name two different teams", fmt::join(pairing, ", ")));
   }
-  mistakes.demand(config.format != Format::kGauntlet || !config.gauntlet.empty(),
-                  "format 'gauntlet' needs the key gauntlet with the teams that meet all others");
-  mistakes.demand(config.format != Format::kList || !config.matches.empty(),
-                  "format 'list' needs the key matches");
+  errors.require(config.format != Format::kGauntlet || !config.gauntlet.empty(),
+                 "format 'gauntlet' requires the key gauntlet with the teams that meet all others");
+  errors.require(config.format != Format::kList || !config.matches.empty(),
+                 "format 'list' requires the key matches");
 }
 
-void check_groups(Mistakes& mistakes, const TournamentConfig& config) {
+void check_groups(ErrorList& errors, const TournamentConfig& config) {
   if (config.format != Format::kGroups) return;
   const int teams = static_cast<int>(config.teams.size());
-  mistakes.demand(teams >= 2 * config.groups,
-                  fmt::format("{} groups need {} teams at least, there are {}", config.groups,
-                              2 * config.groups, teams));
-  mistakes.demand(config.advance <= teams / std::max(1, config.groups),
-                  fmt::format("advance = {}: the smallest group has {} teams only", config.advance,
-                              teams / std::max(1, config.groups)));
-  mistakes.demand(config.groups * config.advance >= 2,
-                  "one team alone cannot play a knock-out: raise groups or advance");
+  errors.require(teams >= 2 * config.groups,
+                 fmt::format("{} groups require at least {} teams, there are {}", config.groups,
+                             2 * config.groups, teams));
+  errors.require(config.advance <= teams / std::max(1, config.groups),
+                 fmt::format("advance = {}: the smallest group has only {} teams", config.advance,
+                             teams / std::max(1, config.groups)));
+  errors.require(config.groups * config.advance >= 2,
+                 "a knockout requires at least two teams; increase groups or advance");
 }
 
-void check_conditions(Mistakes& mistakes, const TournamentConfig& config) {
+void check_conditions(ErrorList& errors, const TournamentConfig& config) {
   match::MatchOptions options;
   for (const ServerSetting& setting : config.settings) {
     const auto applied = match::apply_setting(options, setting.name + "=" + setting.value);
-    mistakes.demand(applied.ok(), applied ? "" : "[server] " + applied.error().message);
+    errors.require(applied.ok(), applied ? "" : "[server] " + applied.error().message);
   }
 }
 
-}  // namespace
-
-namespace {
-
-// More would have two teams meet twice.
-int most_swiss_rounds(const TournamentConfig& config) {
+// With more rounds two teams would meet twice.
+int max_swiss_rounds(const TournamentConfig& config) {
   const int teams = static_cast<int>(config.teams.size());
   return teams % 2 == 0 ? teams - 1 : teams;
 }
@@ -101,7 +97,7 @@ int rounds_of(const TournamentConfig& config) {
   if (config.format != Format::kSwiss) return 1;
   int rounds = 1;
   for (std::size_t reach = 1; reach < config.teams.size(); reach *= 2) ++rounds;
-  return std::min(rounds, most_swiss_rounds(config));
+  return std::min(rounds, max_swiss_rounds(config));
 }
 
 int team_index(const TournamentConfig& config, std::string_view name) {
@@ -110,21 +106,21 @@ int team_index(const TournamentConfig& config, std::string_view name) {
   return found == config.teams.end() ? -1 : static_cast<int>(found - config.teams.begin());
 }
 
-std::vector<std::string> mistakes_in(const TournamentConfig& config) {
-  Mistakes mistakes;
-  check_teams(mistakes, config);
-  check_pairings(mistakes, config);
-  check_groups(mistakes, config);
-  check_conditions(mistakes, config);
+std::vector<std::string> validate(const TournamentConfig& config) {
+  ErrorList errors;
+  check_teams(errors, config);
+  check_pairings(errors, config);
+  check_groups(errors, config);
+  check_conditions(errors, config);
   const int teams = static_cast<int>(config.teams.size());
-  mistakes.demand(config.format != Format::kSwiss || teams < 2 ||
-                      rounds_of(config) <= most_swiss_rounds(config),
-                  fmt::format("rounds = {}: {} teams can play {} Swiss rounds without meeting "
-                              "twice",
-                              rounds_of(config), teams, most_swiss_rounds(config)));
-  mistakes.demand(config.cycles || !config.half_time || *config.half_time > 0,
-                  "without a time limit of halves (half_time) give cycles");
-  return mistakes.take();
+  errors.require(
+      config.format != Format::kSwiss || teams < 2 || rounds_of(config) <= max_swiss_rounds(config),
+      fmt::format("rounds = {}: {} teams can play at most {} Swiss rounds without "
+                  "meeting twice",
+                  rounds_of(config), teams, max_swiss_rounds(config)));
+  errors.require(config.cycles || !config.half_time || *config.half_time > 0,
+                 "half_time 0 has no time limit; set cycles");
+  return errors.take();
 }
 
 std::string_view name(Format format) {

@@ -1,4 +1,4 @@
-// toml++ in, our own canonical text out.
+// Parses cls.toml with toml++ and writes it in canonical form.
 #include "orchestration/tournament/config/config_file.h"
 
 #include <fmt/format.h>
@@ -28,7 +28,7 @@ std::optional<std::vector<std::string>> strings_in(const toml::array& array) {
   return strings;
 }
 
-std::optional<ConfigValue> value_of(const toml::node& node) {
+std::optional<ConfigValue> parse_value(const toml::node& node) {
   if (const auto* flag = node.as_boolean()) return ConfigValue(flag->get());
   if (const auto* whole = node.as_integer()) return ConfigValue(whole->get());
   if (const auto* real = node.as_floating_point()) return ConfigValue(real->get());
@@ -46,8 +46,8 @@ std::optional<ConfigValue> value_of(const toml::node& node) {
   return ConfigValue(std::move(lists));
 }
 
-// A value for the soccer server as text: 10, 0.5, true, word.
-std::optional<std::string> text_of(const toml::node& node) {
+// A parameter of the soccer server as text: 10, 0.5, true, name.
+std::optional<std::string> format_parameter(const toml::node& node) {
   if (const auto* flag = node.as_boolean()) return flag->get() ? "true" : "false";
   if (const auto* whole = node.as_integer()) return fmt::to_string(whole->get());
   if (const auto* real = node.as_floating_point()) return fmt::format("{}", real->get());
@@ -60,123 +60,123 @@ struct Entry {
   const toml::node* node;
 };
 
-// toml++ sorts by name; people and seeding go by the order of the file.
+// toml++ sorts by name; the order of the file decides the seeding.
 std::vector<Entry> in_file_order(const toml::table& table) {
   std::vector<Entry> entries;
   for (const auto& [key, node] : table) entries.push_back({std::string(key.str()), &node});
-  const auto place = [](const Entry& entry) {
+  const auto position = [](const Entry& entry) {
     const toml::source_position begin = entry.node->source().begin;
     return std::pair(begin.line, begin.column);
   };
   std::stable_sort(entries.begin(), entries.end(),
-                   [&](const Entry& a, const Entry& b) { return place(a) < place(b); });
+                   [&](const Entry& a, const Entry& b) { return position(a) < position(b); });
   return entries;
 }
 
-class Reader {
+class Parser {
  public:
-  explicit Reader(std::string file) : file_(std::move(file)) {}
+  explicit Parser(std::string file) : file_(std::move(file)) {}
 
-  ConfigReading read(std::string_view text) {
+  ParsedConfig parse(std::string_view text) {
     try {
       const toml::table table = toml::parse(text, file_);
-      read_top(table);
+      parse_top(table);
     } catch (const toml::parse_error& error) {
-      complain(error.source().begin.line, std::string(error.description()));
+      add_error(error.source().begin.line, std::string(error.description()));
     }
-    return std::move(reading_);
+    return std::move(parsed_);
   }
 
  private:
-  void complain(toml::source_index line, const std::string& what) {
-    reading_.mistakes.push_back(fmt::format("{}:{}: {}", file_, line, what));
+  void add_error(toml::source_index line, const std::string& what) {
+    parsed_.errors.push_back(fmt::format("{}:{}: {}", file_, line, what));
   }
-  void complain(const Entry& entry, const std::string& what) {
-    complain(entry.node->source().begin.line, what);
+  void add_error(const Entry& entry, const std::string& what) {
+    add_error(entry.node->source().begin.line, what);
   }
 
   const toml::table* table_of(const Entry& entry) {
     const toml::table* table = entry.node->as_table();
     if (table == nullptr) {
-      complain(entry, fmt::format("'{}' must be a table, [{}]", entry.key, entry.key));
+      add_error(entry, fmt::format("'{}' must be a table, [{}]", entry.key, entry.key));
     }
     return table;
   }
 
-  void read_top(const toml::table& top) {
+  void parse_top(const toml::table& top) {
     for (const Entry& entry : in_file_order(top)) {
       if (entry.key != "tournament" && entry.key != "server" && entry.key != "player" &&
           entry.key != "teams") {
-        complain(entry, unknown_key(entry.node->is_table() ? "table" : "key", entry.key,
-                                    {"tournament", "server", "player", "teams"}));
+        add_error(entry, unknown_key(entry.node->is_table() ? "table" : "key", entry.key,
+                                     {"tournament", "server", "player", "teams"}));
         continue;
       }
       const toml::table* table = table_of(entry);
       if (table == nullptr) continue;
-      if (entry.key == "tournament") read_tournament(*table);
-      if (entry.key == "teams") read_teams(*table);
-      if (entry.key == "server" || entry.key == "player") read_settings(entry.key, *table);
+      if (entry.key == "tournament") parse_tournament(*table);
+      if (entry.key == "teams") parse_teams(*table);
+      if (entry.key == "server" || entry.key == "player") parse_settings(entry.key, *table);
     }
   }
 
-  void read_tournament(const toml::table& table) {
+  void parse_tournament(const toml::table& table) {
     for (const Entry& entry : in_file_order(table)) {
       const ConfigKey* key = find_key(entry.key);
       if (key == nullptr) {
         std::vector<std::string_view> known;
         for (const ConfigKey& one : tournament_keys()) known.push_back(one.name);
-        complain(entry, unknown_key("key", entry.key, known));
+        add_error(entry, unknown_key("key", entry.key, known));
         continue;
       }
-      const auto value = value_of(*entry.node);
-      const auto read = value ? key->read(reading_.config, *value)
-                              : base::Result<void>(base::Error{"has a value of no known kind"});
-      if (!read) complain(entry, fmt::format("{}: {}", entry.key, read.error().message));
+      const auto value = parse_value(*entry.node);
+      const auto read = value ? key->parse(parsed_.config, *value)
+                              : base::Result<void>(base::Error{"unsupported value type"});
+      if (!read) add_error(entry, fmt::format("{}: {}", entry.key, read.error().message));
     }
   }
 
-  void read_settings(const std::string& module, const toml::table& table) {
+  void parse_settings(const std::string& module, const toml::table& table) {
     for (const Entry& entry : in_file_order(table)) {
-      const auto value = text_of(*entry.node);
+      const auto value = format_parameter(*entry.node);
       if (!value) {
-        complain(entry, fmt::format("{}: must be a number, true, false or a string", entry.key));
+        add_error(entry, fmt::format("{}: must be a number, true, false or a string", entry.key));
         continue;
       }
       ServerSetting setting{module + "::" + entry.key, *value};
       match::MatchOptions scratch;
       const auto applied = match::apply_setting(scratch, setting.name + "=" + setting.value);
-      if (!applied) complain(entry, applied.error().message);
-      reading_.config.settings.push_back(std::move(setting));
+      if (!applied) add_error(entry, applied.error().message);
+      parsed_.config.settings.push_back(std::move(setting));
     }
   }
 
-  void read_teams(const toml::table& table) {
+  void parse_teams(const toml::table& table) {
     for (const Entry& entry : in_file_order(table)) {
       const toml::table* team = table_of(entry);
       if (team == nullptr) continue;
       if (const auto good = match::check_team_name(entry.key); !good) {
-        complain(entry, good.error().message);
+        add_error(entry, good.error().message);
       }
       std::string endpoint;
       for (const Entry& field : in_file_order(*team)) {
         if (field.key != "endpoint") {
-          complain(field, unknown_key("key", field.key, {"endpoint"}));
+          add_error(field, unknown_key("key", field.key, {"endpoint"}));
         } else if (const auto* text = field.node->as_string()) {
           endpoint = text->get();
           const auto parsed = match::parse_endpoint(endpoint);
-          if (!parsed) complain(field, parsed.error().message);
+          if (!parsed) add_error(field, parsed.error().message);
         } else {
-          complain(field, "endpoint: must be a string");
+          add_error(field, "endpoint: must be a string");
           endpoint = "?";
         }
       }
-      if (endpoint.empty()) complain(entry, fmt::format("team '{}' has no endpoint", entry.key));
-      reading_.config.teams.push_back({entry.key, endpoint});
+      if (endpoint.empty()) add_error(entry, fmt::format("team '{}' has no endpoint", entry.key));
+      parsed_.config.teams.push_back({entry.key, endpoint});
     }
   }
 
   std::string file_;
-  ConfigReading reading_;
+  ParsedConfig parsed_;
 };
 
 struct Line {
@@ -189,7 +189,7 @@ std::vector<Line> lines_of(const TournamentConfig& config, bool plan_only) {
   std::vector<Line> lines;
   for (const ConfigKey& key : tournament_keys()) {
     if (plan_only && key.group == KeyGroup::kExecution) continue;
-    if (std::string value = key.write(config); !value.empty()) {
+    if (std::string value = key.format(config); !value.empty()) {
       lines.push_back({"tournament", std::string(key.name), std::move(value)});
     }
   }
@@ -201,30 +201,30 @@ std::vector<Line> lines_of(const TournamentConfig& config, bool plan_only) {
     }
   }
   for (const TeamEntry& team : config.teams) {
-    // Quoted, since a name may hold '+'.
+    // Quoted, because a name may contain '+'.
     lines.push_back({"teams." + toml_quoted(team.name), "endpoint", toml_quoted(team.endpoint)});
   }
   return lines;
 }
 
-std::string told(const Line& line) {
+std::string label(const Line& line) {
   return line.section == "tournament" ? line.key : fmt::format("[{}] {}", line.section, line.key);
 }
 
 }  // namespace
 
-ConfigReading parse_config(std::string_view text, const std::string& file) {
-  return Reader(file).read(text);
+ParsedConfig parse_config(std::string_view text, const std::string& file) {
+  return Parser(file).parse(text);
 }
 
-ConfigReading read_config(const fs::path& file) {
+ParsedConfig read_config(const fs::path& file) {
   const auto text = base::read_file(file);
   if (!text) return {{}, {fmt::format("cannot read {}", file.string())}};
-  ConfigReading reading = parse_config(*text, file.string());
-  fs::path& folder = reading.config.folder;
+  ParsedConfig parsed = parse_config(*text, file.string());
+  fs::path& folder = parsed.config.folder;
   folder = (fs::absolute(file).parent_path() / folder).lexically_normal();
-  if (!folder.has_filename()) folder = folder.parent_path();  // no slash at the end
-  return reading;
+  if (!folder.has_filename()) folder = folder.parent_path();  // a trailing slash
+  return parsed;
 }
 
 std::optional<fs::path> find_config(const fs::path& from) {
@@ -243,16 +243,16 @@ std::string endpoint_from(const fs::path& folder, const std::string& endpoint) {
   std::error_code code;
   if (fs::equivalent(folder, fs::current_path(code), code)) return endpoint;
   const std::size_t colon = endpoint.find(':');
-  const std::string form = endpoint.substr(0, colon + 1);
+  const std::string kind = endpoint.substr(0, colon + 1);
   const std::string rest = colon == std::string::npos ? "" : endpoint.substr(colon + 1);
-  if (form == "run:")
+  if (kind == "run:")
     return fmt::format("run:cd {} && {}", process::shell_quoted(folder.string()), rest);
   const bool file =
-      form == "team:" || form == "unix:" || (form == "mock:" && rest.ends_with(".json"));
-  return file ? form + (folder / rest).lexically_normal().string() : endpoint;
+      kind == "team:" || kind == "unix:" || (kind == "mock:" && rest.ends_with(".json"));
+  return file ? kind + (folder / rest).lexically_normal().string() : endpoint;
 }
 
-std::string config_text(const TournamentConfig& config, bool plan_only) {
+std::string format_config(const TournamentConfig& config, bool plan_only) {
   std::string text;
   std::string section;
   for (const Line& line : lines_of(config, plan_only)) {
@@ -274,7 +274,7 @@ std::string first_difference(const TournamentConfig& now, const TournamentConfig
   for (std::size_t i = 0; i < std::max(a.size(), b.size()); ++i) {
     if (i < a.size() && i < b.size() && same_key(a[i], b[i])) {
       if (a[i].value != b[i].value) {
-        return fmt::format("{} is {}, was {}", told(a[i]), a[i].value, b[i].value);
+        return fmt::format("{} is {}, was {}", label(a[i]), a[i].value, b[i].value);
       }
       continue;
     }
@@ -283,39 +283,38 @@ std::string first_difference(const TournamentConfig& now, const TournamentConfig
                          [&](const Line& other) { return same_key(other, line); });
     };
     if (i < a.size() && !holds(b, a[i])) {
-      return fmt::format("{} is {}, was not set", told(a[i]), a[i].value);
+      return fmt::format("{} is {}, was not set", label(a[i]), a[i].value);
     }
     if (i < b.size() && !holds(a, b[i])) {
-      return fmt::format("{} is not set, was {}", told(b[i]), b[i].value);
+      return fmt::format("{} is not set, was {}", label(b[i]), b[i].value);
     }
     const Line& line = i < a.size() ? a[i] : b[i];
-    return fmt::format("[{}] stands in another place", line.section);
+    return fmt::format("[{}] is at another position", line.section);
   }
   return {};
 }
 
 std::string commented_config() {
   std::string text =
-      "# A tournament of cls. `cls tournament plan DIR` lists its matches, `cls tournament run "
-      "DIR`\n"
-      "# plays them. Lines that begin with # show defaults and examples.\n"
+      "# A cls tournament. `cls tournament plan DIR` lists its matches, `cls tournament run DIR`\n"
+      "# plays them. Lines that start with # show defaults and examples.\n"
       "\n"
       "[tournament]\n";
   const TournamentConfig defaults;
   for (const ConfigKey& key : tournament_keys()) {
     const bool essential = key.name == "format" || key.name == "rounds" || key.name == "seed";
-    const std::string value = key.write(defaults);
-    fmt::format_to(std::back_inserter(text), "# {}\n{}{} = {}\n", key.meaning, essential ? "" : "#",
+    const std::string value = key.format(defaults);
+    fmt::format_to(std::back_inserter(text), "# {}\n{}{} = {}\n", key.help, essential ? "" : "#",
                    key.name, value.empty() ? key.example : value);
   }
   text +=
       "\n"
-      "# Parameters of the soccer server by name, for every match.\n"
+      "# Parameters of the soccer server, for every match.\n"
       "[server]\n"
       "#nr_normal_halfs = 2\n"
       "\n"
       "# The teams. An endpoint is mock, mock:hold, HOST:PORT, HOST:PORT+step, unix:PATH,\n"
-      "# run:COMMAND or team:DIR. A name is also a side of `cls match`: cls match RED BLUE\n"
+      "# run:COMMAND or team:DIR. Names are sides of `cls match` too: cls match RED BLUE\n"
       "[teams.RED]\n"
       "endpoint = \"mock\"\n"
       "\n"

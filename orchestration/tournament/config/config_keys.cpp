@@ -1,4 +1,4 @@
-// One row a key.
+// The rows of the key table.
 #include "orchestration/tournament/config/config_keys.h"
 
 #include <fmt/format.h>
@@ -24,18 +24,18 @@ std::optional<double> number_in(const ConfigValue& value) {
   return std::nullopt;
 }
 
-// Members that are a T or an optional T are read alike.
+// For members of type int and std::optional<int>.
 template <typename Member>
-Row whole(std::string_view key, Group group, Member member, std::int64_t least, std::int64_t most,
-          std::string_view example, std::string_view meaning) {
+Row integer(std::string_view key, Group group, Member member, std::int64_t min, std::int64_t max,
+            std::string_view example, std::string_view help) {
   return {key,
           group,
-          meaning,
+          help,
           example,
           [=](Config& config, const ConfigValue& value) -> Result<void> {
             const auto* read = std::get_if<std::int64_t>(&value);
-            if (read == nullptr || *read < least || *read > most) {
-              return Error{fmt::format("must be a whole number from {} to {}", least, most)};
+            if (read == nullptr || *read < min || *read > max) {
+              return Error{fmt::format("must be a whole number from {} to {}", min, max)};
             }
             config.*member = static_cast<int>(*read);
             return {};
@@ -50,10 +50,10 @@ Row whole(std::string_view key, Group group, Member member, std::int64_t least, 
 }
 
 Row seconds(std::string_view key, Group group, std::optional<double> Config::*member,
-            std::string_view example, std::string_view meaning) {
+            std::string_view example, std::string_view help) {
   return {key,
           group,
-          meaning,
+          help,
           example,
           [=](Config& config, const ConfigValue& value) -> Result<void> {
             const auto read = number_in(value);
@@ -67,10 +67,10 @@ Row seconds(std::string_view key, Group group, std::optional<double> Config::*me
 }
 
 Row flag(std::string_view key, Group group, bool Config::*member, std::string_view example,
-         std::string_view meaning) {
+         std::string_view help) {
   return {key,
           group,
-          meaning,
+          help,
           example,
           [=](Config& config, const ConfigValue& value) -> Result<void> {
             const auto* read = std::get_if<bool>(&value);
@@ -82,10 +82,10 @@ Row flag(std::string_view key, Group group, bool Config::*member, std::string_vi
 }
 
 Row text(std::string_view key, Group group, std::string Config::*member, std::string_view example,
-         std::string_view meaning) {
+         std::string_view help) {
   return {key,
           group,
-          meaning,
+          help,
           example,
           [=](Config& config, const ConfigValue& value) -> Result<void> {
             const auto* read = std::get_if<std::string>(&value);
@@ -98,30 +98,30 @@ Row text(std::string_view key, Group group, std::string Config::*member, std::st
           }};
 }
 
-std::string wrong_word(std::string_view word, const std::vector<std::string_view>& words) {
-  const std::string_view near = base::nearest_name(word, words);
-  if (!near.empty()) return fmt::format("'{}': did you mean '{}'?", word, near);
-  return fmt::format("'{}' is not one of {}", word, fmt::join(words, ", "));
+std::string unknown_value(std::string_view value, const std::vector<std::string_view>& names) {
+  const std::string_view near = base::nearest_name(value, names);
+  if (!near.empty()) return fmt::format("'{}': did you mean '{}'?", value, near);
+  return fmt::format("'{}' is not one of {}", value, fmt::join(names, ", "));
 }
 
 template <typename Enum, std::size_t count>
 Result<Enum> enum_of(const ConfigValue& value, const std::array<Enum, count>& all) {
-  std::vector<std::string_view> words;
-  for (const Enum one : all) words.push_back(name(one));
-  const auto* word = std::get_if<std::string>(&value);
-  if (word == nullptr) return Error{fmt::format("must be one of {}", fmt::join(words, ", "))};
+  std::vector<std::string_view> names;
+  for (const Enum one : all) names.push_back(name(one));
+  const auto* text = std::get_if<std::string>(&value);
+  if (text == nullptr) return Error{fmt::format("must be one of {}", fmt::join(names, ", "))};
   for (const Enum one : all) {
-    if (name(one) == *word) return one;
+    if (name(one) == *text) return one;
   }
-  return Error{wrong_word(*word, words)};
+  return Error{unknown_value(*text, names)};
 }
 
 template <typename Enum, std::size_t count>
 Row choice(std::string_view key, Group group, Enum Config::*member,
-           const std::array<Enum, count>& all, std::string_view example, std::string_view meaning) {
+           const std::array<Enum, count>& all, std::string_view example, std::string_view help) {
   return {key,
           group,
-          meaning,
+          help,
           example,
           [=](Config& config, const ConfigValue& value) -> Result<void> {
             const auto read = enum_of(value, all);
@@ -143,20 +143,20 @@ constexpr std::array kTieBreakers = {
     TieBreaker::kGoals,      TieBreaker::kGoalsAmong,     TieBreaker::kWins,
     TieBreaker::kBuchholz,   TieBreaker::kMedianBuchholz, TieBreaker::kSonnebornBerger};
 
-std::string toml_list(const std::vector<std::string>& words) {
+std::string toml_list(const std::vector<std::string>& texts) {
   std::vector<std::string> quoted;
-  for (const std::string& word : words) quoted.push_back(toml_quoted(word));
+  for (const std::string& text : texts) quoted.push_back(toml_quoted(text));
   return fmt::format("[{}]", fmt::join(quoted, ", "));
 }
 
-Result<void> read_seed(Config& config, const ConfigValue& value) {
+Result<void> parse_seed(Config& config, const ConfigValue& value) {
   const auto* read = std::get_if<std::int64_t>(&value);
   if (read == nullptr || *read < 0) return Error{"must be a whole number from 0"};
   config.seed = static_cast<std::uint64_t>(*read);
   return {};
 }
 
-Result<void> read_gauntlet(Config& config, const ConfigValue& value) {
+Result<void> parse_gauntlet(Config& config, const ConfigValue& value) {
   if (const auto* one = std::get_if<std::string>(&value)) {
     config.gauntlet = {*one};
   } else if (const auto* several = std::get_if<std::vector<std::string>>(&value)) {
@@ -167,54 +167,54 @@ Result<void> read_gauntlet(Config& config, const ConfigValue& value) {
   return {};
 }
 
-Result<void> read_slurm_options(Config& config, const ConfigValue& value) {
-  const auto* words = std::get_if<std::vector<std::string>>(&value);
-  if (words == nullptr) return Error{"must be a list of options, [\"--partition=short\", ...]"};
-  for (const std::string& word : *words) {
-    if (!word.starts_with("-"))
-      return Error{fmt::format("'{}': write options of sbatch as --name=value", word)};
+Result<void> parse_slurm_options(Config& config, const ConfigValue& value) {
+  const auto* options = std::get_if<std::vector<std::string>>(&value);
+  if (options == nullptr) return Error{"must be a list of options, [\"--partition=short\", ...]"};
+  for (const std::string& option : *options) {
+    if (!option.starts_with("-"))
+      return Error{fmt::format("'{}': sbatch options must have the form --name=value", option)};
   }
-  config.slurm_options = *words;
+  config.slurm_options = *options;
   return {};
 }
 
-Result<void> read_matches(Config& config, const ConfigValue& value) {
+Result<void> parse_matches(Config& config, const ConfigValue& value) {
   const auto* pairings = std::get_if<std::vector<std::vector<std::string>>>(&value);
   if (pairings == nullptr) return Error{"must be a list of pairs, [[\"A\", \"B\"], ...]"};
   config.matches = *pairings;
   return {};
 }
 
-std::string write_matches(const Config& config) {
+std::string format_matches(const Config& config) {
   if (config.matches.empty()) return {};
   std::vector<std::string> pairings;
   for (const auto& pairing : config.matches) pairings.push_back(toml_list(pairing));
   return fmt::format("[{}]", fmt::join(pairings, ", "));
 }
 
-Result<void> read_tie_breakers(Config& config, const ConfigValue& value) {
-  const auto* words = std::get_if<std::vector<std::string>>(&value);
-  if (words == nullptr) return Error{"must be a list of criteria"};
+Result<void> parse_tie_breakers(Config& config, const ConfigValue& value) {
+  const auto* names = std::get_if<std::vector<std::string>>(&value);
+  if (names == nullptr) return Error{"must be a list of tiebreakers"};
   config.tie_breakers.clear();
-  for (const std::string& word : *words) {
-    const auto one = enum_of(ConfigValue(word), kTieBreakers);
+  for (const std::string& text : *names) {
+    const auto one = enum_of(ConfigValue(text), kTieBreakers);
     if (!one) return one.error();
     config.tie_breakers.push_back(*one);
   }
   return {};
 }
 
-std::string write_tie_breakers(const Config& config) {
+std::string format_tie_breakers(const Config& config) {
   if (config.tie_breakers.empty()) return {};
-  std::vector<std::string> words;
-  for (const TieBreaker one : config.tie_breakers) words.emplace_back(name(one));
-  return toml_list(words);
+  std::vector<std::string> names;
+  for (const TieBreaker one : config.tie_breakers) names.emplace_back(name(one));
+  return toml_list(names);
 }
 
-Result<void> read_concurrency(Config& config, const ConfigValue& value) {
-  const auto* word = std::get_if<std::string>(&value);
+Result<void> parse_concurrency(Config& config, const ConfigValue& value) {
+  const auto* text = std::get_if<std::string>(&value);
   const auto* count = std::get_if<std::int64_t>(&value);
-  const bool automatic = word != nullptr && *word == "auto";
+  const bool automatic = text != nullptr && *text == "auto";
   if (!automatic && (count == nullptr || *count < 1 || *count > 4096)) {
     return Error{"must be \"auto\" or a whole number from 1 to 4096"};
   }
@@ -222,11 +222,11 @@ Result<void> read_concurrency(Config& config, const ConfigValue& value) {
   return {};
 }
 
-std::string write_concurrency(const Config& config) {
+std::string format_concurrency(const Config& config) {
   return config.concurrency == 0 ? "\"auto\"" : fmt::to_string(config.concurrency);
 }
 
-Result<void> read_folder(Config& config, const ConfigValue& value) {
+Result<void> parse_folder(Config& config, const ConfigValue& value) {
   const auto* read = std::get_if<std::string>(&value);
   if (read == nullptr) return Error{"must be a string"};
   config.folder = *read;
@@ -238,84 +238,87 @@ std::vector<Row> schedule_rows() {
   return {
       choice("format", kGroup, &Config::format, kFormats, "\"round-robin\"",
              "round-robin, gauntlet, list, groups, knockout, double-elimination or swiss"),
-      whole("rounds", kGroup, &Config::rounds, 1, 1'000'000, "1",
-            "how often every pairing is played (once per side); swiss: rounds in all"),
-      Row{"seed", kGroup, "all seeds and draws follow from it", "1", read_seed,
+      integer("rounds", kGroup, &Config::rounds, 1, 1'000'000, "1",
+              "times each pairing is played (once per side); swiss: number of rounds"),
+      Row{"seed", kGroup, "seed of all match seeds and draws", "1", parse_seed,
           [](const Config& config) { return fmt::to_string(config.seed); }},
       flag("swap_sides", kGroup, &Config::swap_sides, "true",
-           "every pairing twice on the same seed, once from each side"),
+           "play each pairing twice on the same seed, once from each side"),
       flag("draw", kGroup, &Config::draw, "false",
-           "seeding order by lot instead of the order of the teams below"),
+           "random seeding order instead of the order of the teams"),
       Row{"gauntlet", kGroup, "gauntlet: the teams that meet all others", "[\"NEW\"]",
-          read_gauntlet,
+          parse_gauntlet,
           [](const Config& config) {
             return config.gauntlet.empty() ? std::string() : toml_list(config.gauntlet);
           }},
-      Row{"matches", kGroup, "list: the pairings", "[[\"A\", \"B\"]]", read_matches, write_matches},
-      whole("groups", kGroup, &Config::groups, 1, 1000, "2", "groups: how many"),
-      whole("advance", kGroup, &Config::advance, 1, 1000, "2",
-            "groups: how many of each go on to the knock-out"),
+      Row{"matches", kGroup, "list: the pairings", "[[\"A\", \"B\"]]", parse_matches,
+          format_matches},
+      integer("groups", kGroup, &Config::groups, 1, 1000, "2", "groups: number of groups"),
+      integer("advance", kGroup, &Config::advance, 1, 1000, "2",
+              "groups: teams of each group that advance to the knockout"),
       flag("third_place", kGroup, &Config::third_place, "true",
-           "knockout and groups: the losing semi-finalists play for the third place"),
-      Row{"tie_breakers", kGroup, "criteria between teams with the same points, in order",
-          "[\"head-to-head\", \"goal-difference\", \"goals\"]", read_tie_breakers,
-          write_tie_breakers},
+           "knockout and groups: the losing semi-finalists play for third place"),
+      Row{"tie_breakers", kGroup, "criteria that order teams with the same points",
+          "[\"head-to-head\", \"goal-difference\", \"goals\"]", parse_tie_breakers,
+          format_tie_breakers},
   };
 }
 
 std::vector<Row> condition_rows() {
   constexpr Group kGroup = Group::kConditions;
   return {
-      whole("cycles", kGroup, &Config::cycles, 1, 1'000'000'000, "6000",
-            "a match ends when game time reaches this"),
-      whole("half_time", kGroup, &Config::half_time, 0, 1'000'000'000, "300",
-            "length of a half in seconds; 10 cycles a second"),
-      text("mode", kGroup, &Config::mode, "\"lockstep\"", "how time runs, as --mode of cls match"),
-      text("server", kGroup, &Config::server, "\"embedded\"", "as --server of cls match"),
-      whole("rpc_deadline", kGroup, &Config::rpc_deadline_ms, 1, 1'000'000'000, "10000",
-            "milliseconds a Playmaker has for an answer"),
-      whole("max_missed", kGroup, &Config::max_missed, 0, 1'000'000'000, "20",
-            "missed answers in a row that end a match"),
+      integer("cycles", kGroup, &Config::cycles, 1, 1'000'000'000, "6000",
+              "game time at which a match ends"),
+      integer("half_time", kGroup, &Config::half_time, 0, 1'000'000'000, "300",
+              "length of a half in seconds; 10 cycles a second"),
+      text("mode", kGroup, &Config::mode, "\"lockstep\"", "time mode, as --mode of cls match"),
+      text("server", kGroup, &Config::server, "\"embedded\"",
+           "soccer server, as --server of cls match"),
+      integer("rpc_deadline", kGroup, &Config::rpc_deadline_ms, 1, 1'000'000'000, "10000",
+              "deadline of a Playmaker's reply in milliseconds"),
+      integer("max_missed", kGroup, &Config::max_missed, 0, 1'000'000'000, "20",
+              "consecutive missed decisions that end a match"),
   };
 }
 
 std::vector<Row> execution_rows() {
   constexpr Group kGroup = Group::kExecution;
   return {
-      Row{"concurrency", kGroup, "matches at once: a number, or \"auto\" (by processors)",
-          "\"auto\"", read_concurrency, write_concurrency},
-      flag("pin", kGroup, &Config::pin, "false", "each running match on processors of its own"),
+      Row{"concurrency", kGroup, "parallel matches: a number, or \"auto\" (by cores)", "\"auto\"",
+          parse_concurrency, format_concurrency},
+      flag("pin", kGroup, &Config::pin, "false", "pin each running match to its own cores"),
       choice("executor", kGroup, &Config::executor, kExecutors, "\"local\"",
-             "where matches are played: local or slurm"),
+             "where matches run: local or slurm"),
       Row{"slurm_options", kGroup, "slurm: options for sbatch", "[\"--partition=short\"]",
-          read_slurm_options,
+          parse_slurm_options,
           [](const Config& config) {
             return config.slurm_options.empty() ? std::string() : toml_list(config.slurm_options);
           }},
-      whole("slurm_tasks", kGroup, &Config::slurm_tasks, 1, 1'000'000, "1000",
-            "slurm: matches that wait or run there at once"),
+      integer("slurm_tasks", kGroup, &Config::slurm_tasks, 1, 1'000'000, "1000",
+              "slurm: maximum of pending and running matches"),
       seconds("slurm_poll", kGroup, &Config::slurm_poll_s, "10",
-              "slurm: seconds between questions to squeue"),
+              "slurm: seconds between squeue polls"),
       choice("on_crash", kGroup, &Config::on_crash, kOnCrash, "\"stop\"",
-             "after a fault: stop, forfeit (0:3) or rerun"),
-      whole("max_reruns", kGroup, &Config::max_reruns, 0, 1000, "2",
-            "rerun: how often a match is tried again"),
+             "after an invalid match: stop, forfeit (0:3) or rerun"),
+      integer("max_reruns", kGroup, &Config::max_reruns, 0, 1000, "2",
+              "rerun: maximum reruns of a match"),
       choice("keep_logs", kGroup, &Config::keep_logs, kKeepLogs, "\"all\"",
              "match folders to keep: all, failed or none"),
       seconds("start_timeout", kGroup, &Config::start_timeout_s, "20",
-              "seconds until a Playmaker must answer first"),
+              "seconds until a Playmaker must reply for the first time"),
       seconds("stall_after", kGroup, &Config::stall_after_s, "10",
-              "seconds without a new cycle that end a match"),
-      seconds("time_limit", kGroup, &Config::time_limit_s, "600", "seconds for a whole match"),
-      Row{"folder", kGroup, "relative paths in endpoints start here (the folder of this file)",
-          "\".\"", read_folder,
+              "seconds without a new cycle after which a match ends"),
+      seconds("time_limit", kGroup, &Config::time_limit_s, "600",
+              "time limit of a match in seconds"),
+      Row{"folder", kGroup, "base of relative paths in endpoints (default: folder of this file)",
+          "\".\"", parse_folder,
           [](const Config& config) {
             return config.folder.empty() ? std::string() : toml_quoted(config.folder.string());
           }},
       text("on_match_finish", kGroup, &Config::on_match_finish, "\"cat >>matches.jsonl\"",
-           "command after every match; the match as JSON on its standard input"),
+           "command after each match; gets the match as JSON on stdin"),
       text("on_finish", kGroup, &Config::on_finish, "\"cat >report.json\"",
-           "command at the end; the report as JSON on its standard input"),
+           "command at the end; gets the report as JSON on stdin"),
   };
 }
 
@@ -339,7 +342,7 @@ const ConfigKey* find_key(std::string_view name) {
   return nullptr;
 }
 
-ConfigValue value_from_text(const ConfigKey& key, std::string_view text) {
+ConfigValue parse_config_value(const ConfigKey& key, std::string_view text) {
   const auto split = [](std::string_view whole, char at) {
     std::vector<std::string> parts;
     for (std::size_t end = 0; end != std::string_view::npos; whole.remove_prefix(end + 1)) {
@@ -365,10 +368,10 @@ ConfigValue value_from_text(const ConfigKey& key, std::string_view text) {
   return std::string(text);
 }
 
-std::string unknown_key(std::string_view what, std::string_view word,
+std::string unknown_key(std::string_view what, std::string_view name,
                         const std::vector<std::string_view>& known) {
-  const std::string_view near = base::nearest_name(word, known);
-  return fmt::format("unknown {} '{}'{}", what, word,
+  const std::string_view near = base::nearest_name(name, known);
+  return fmt::format("unknown {} '{}'{}", what, name,
                      near.empty() ? "" : fmt::format("; did you mean '{}'?", near));
 }
 

@@ -1,4 +1,4 @@
-// Newton for the ratings, Gauss-Jordan for their covariance.
+// Newton's method for the ratings, Gauss-Jordan elimination for their covariance.
 #include "orchestration/tournament/rating/bradley_terry.h"
 
 #include <algorithm>
@@ -17,34 +17,35 @@ using Matrix = std::vector<std::vector<double>>;
 constexpr double kEloPerUnit = 173.71779276130073;  // 400 / ln 10
 constexpr double kVirtualGames = 1.0;
 
-std::size_t place(int team) { return static_cast<std::size_t>(team); }
+std::size_t index_of(int team) { return static_cast<std::size_t>(team); }
 
-double chance(double rating, double other) { return 1 / (1 + std::exp(other - rating)); }
+double win_probability(double rating, double other) { return 1 / (1 + std::exp(other - rating)); }
 
-// Points above those that the ratings expect.
+// Points above the expected ones, by team.
 std::vector<double> gradient(const std::vector<double>& rating,
                              std::span<const PairResults> results) {
-  std::vector<double> missing;
-  for (const double one : rating) missing.push_back(kVirtualGames * (0.5 - chance(one, 0.0)));
+  std::vector<double> surplus;
+  for (const double one : rating)
+    surplus.push_back(kVirtualGames * (0.5 - win_probability(one, 0.0)));
   for (const PairResults& pair : results) {
     const double expected =
-        pair.games * chance(rating[place(pair.first)], rating[place(pair.second)]);
-    missing[place(pair.first)] += pair.first_points - expected;
-    missing[place(pair.second)] -= pair.first_points - expected;
+        pair.games * win_probability(rating[index_of(pair.first)], rating[index_of(pair.second)]);
+    surplus[index_of(pair.first)] += pair.first_points - expected;
+    surplus[index_of(pair.second)] -= pair.first_points - expected;
   }
-  return missing;
+  return surplus;
 }
 
 Matrix information(const std::vector<double>& rating, std::span<const PairResults> results) {
   Matrix matrix(rating.size(), std::vector<double>(rating.size()));
   for (std::size_t i = 0; i < rating.size(); ++i) {
-    const double p = chance(rating[i], 0.0);
+    const double p = win_probability(rating[i], 0.0);
     matrix[i][i] = kVirtualGames * p * (1 - p);
   }
   for (const PairResults& pair : results) {
-    const std::size_t i = place(pair.first);
-    const std::size_t j = place(pair.second);
-    const double p = chance(rating[i], rating[j]);
+    const std::size_t i = index_of(pair.first);
+    const std::size_t j = index_of(pair.second);
+    const double p = win_probability(rating[i], rating[j]);
     const double known = pair.games * p * (1 - p);
     matrix[i][i] += known;
     matrix[j][j] += known;
@@ -79,21 +80,21 @@ Matrix inverse(Matrix matrix) {
 
 // Newton's method on ln of the strengths; the average team has 0.
 std::vector<double> fit(std::size_t teams, std::span<const PairResults> results) {
-  constexpr int kMostRounds = 100;
-  constexpr double kSettled = 1e-12;
-  constexpr double kLongestStep = 1.0;
+  constexpr int kMaxRounds = 100;
+  constexpr double kConvergedStep = 1e-12;
+  constexpr double kMaxStep = 1.0;
   std::vector<double> rating(teams);
-  for (int round = 0; round < kMostRounds; ++round) {
-    const std::vector<double> missing = gradient(rating, results);
+  for (int round = 0; round < kMaxRounds; ++round) {
+    const std::vector<double> surplus = gradient(rating, results);
     const Matrix covariance = inverse(information(rating, results));
     double change = 0.0;
     for (std::size_t i = 0; i < teams; ++i) {
       const double step =
-          std::inner_product(missing.begin(), missing.end(), covariance[i].begin(), 0.0);
-      rating[i] += std::clamp(step, -kLongestStep, kLongestStep);
+          std::inner_product(surplus.begin(), surplus.end(), covariance[i].begin(), 0.0);
+      rating[i] += std::clamp(step, -kMaxStep, kMaxStep);
       change = std::max(change, std::abs(step));
     }
-    if (change < kSettled) break;
+    if (change < kConvergedStep) break;
   }
   return rating;
 }
@@ -126,8 +127,9 @@ Ratings fit_bradley_terry(int teams, std::span<const PairResults> results) {
     ratings.superiority.emplace_back();
     for (std::size_t j = 0; j < count; ++j) {
       const double spread = covariance[i][i] + covariance[j][j] - 2 * covariance[i][j];
-      const double away = rating[i] - rating[j];
-      ratings.superiority.back().push_back(i == j ? 0.5 : normal_cdf(away / std::sqrt(spread)));
+      const double difference = rating[i] - rating[j];
+      ratings.superiority.back().push_back(i == j ? 0.5
+                                                  : normal_cdf(difference / std::sqrt(spread)));
     }
   }
   return ratings;

@@ -1,4 +1,4 @@
-// Ratings of many teams from all their matches at once.
+// Bradley-Terry ratings of all teams from all matches.
 #pragma once
 
 #include <span>
@@ -21,10 +21,11 @@ struct Ratings {
   std::vector<std::vector<double>> superiority;  ///< likelihood that row is better than column
 };
 
-/// Bradley-Terry model, P(i beats j) = g_i / (g_i + g_j), fitted by its likelihood. Every team also
-/// has one virtual draw against the average team, which keeps ratings finite where somebody won or
-/// lost all, and where groups of teams never met. Errors from the inverse of the information
-/// matrix; draws and paired seeds make the true ones smaller. `teams` is their number.
+/// Maximum-likelihood fit of the Bradley-Terry model, P(i beats j) = g_i / (g_i + g_j). Every team
+/// also has one virtual draw against the average team. That keeps ratings finite where a team won
+/// or lost every match, and where groups of teams never met. Errors come from the inverse of the
+/// information matrix; draws and paired seeds make the true errors smaller. `teams` is their
+/// number.
 Ratings fit_bradley_terry(int teams, std::span<const PairResults> results);
 
 }  // namespace cls::orchestration::tournament

@@ -1,4 +1,4 @@
-// Generalised test on a multinomial distribution.
+// Generalized SPRT on a multinomial distribution.
 #include "orchestration/tournament/rating/sprt.h"
 
 #include <algorithm>
@@ -8,23 +8,23 @@
 namespace cls::orchestration::tournament {
 namespace {
 
-constexpr double kNeverSeen = 1e-3;
+constexpr double kUnobservedCount = 1e-3;
 
 double score_at(std::size_t outcome, std::size_t outcomes) {
   return static_cast<double>(outcome) / static_cast<double>(outcomes - 1);
 }
 
-// The Lagrange multiplier that gives the likeliest distribution with expectation `target`: the
-// root of sum p (a - s) / (1 + x (a - s)), which falls between two poles.
+// The Lagrange multiplier of the most likely distribution with expectation `target`: the root of
+// sum p (a - s) / (1 + x (a - s)), which decreases between two poles.
 double multiplier(const std::vector<double>& share, double target) {
   constexpr double kMargin = 1e-9;
-  constexpr int kHalvings = 100;
+  constexpr int kBisections = 100;
   double low = -1 / (1 - target);
   double high = 1 / target;
   const double width = high - low;
   low += kMargin * width;
   high -= kMargin * width;
-  for (int i = 0; i < kHalvings; ++i) {
+  for (int i = 0; i < kBisections; ++i) {
     const double x = (low + high) / 2;
     double sum = 0.0;
     for (std::size_t k = 0; k < share.size(); ++k) {
@@ -41,13 +41,13 @@ double multiplier(const std::vector<double>& share, double target) {
 double SprtSettings::lower() const { return std::log(beta / (1 - alpha)); }
 double SprtSettings::upper() const { return std::log((1 - beta) / alpha); }
 
-std::string_view name(SprtAnswer answer) {
-  switch (answer) {
-    case SprtAnswer::kOpen:
+std::string_view name(SprtDecision decision) {
+  switch (decision) {
+    case SprtDecision::kOpen:
       return "open";
-    case SprtAnswer::kH0:
+    case SprtDecision::kH0:
       return "H0";
-    case SprtAnswer::kH1:
+    case SprtDecision::kH1:
       return "H1";
   }
   return "";
@@ -70,10 +70,10 @@ double mean(const Frequencies& frequencies) {
 double variance(const Frequencies& frequencies) {
   const double count = total(frequencies);
   if (count <= 0) return 0.0;
-  const double centre = mean(frequencies);
+  const double center = mean(frequencies);
   double sum = 0.0;
   for (std::size_t k = 0; k < frequencies.size(); ++k) {
-    const double away = score_at(k, frequencies.size()) - centre;
+    const double away = score_at(k, frequencies.size()) - center;
     sum += frequencies[k] * away * away;
   }
   return sum / count;
@@ -82,7 +82,7 @@ double variance(const Frequencies& frequencies) {
 double log_likelihood_ratio(const Frequencies& frequencies, double score0, double score1) {
   if (total(frequencies) <= 0) return 0.0;
   std::vector<double> share(frequencies);
-  for (double& one : share) one = std::max(one, kNeverSeen);
+  for (double& one : share) one = std::max(one, kUnobservedCount);
   const double count = total(share);
   for (double& one : share) one /= count;
   const double x0 = multiplier(share, score0);
@@ -99,9 +99,9 @@ SprtState sprt_state(const Frequencies& frequencies, double score0, double score
                      const SprtSettings& settings) {
   SprtState state;
   state.llr = log_likelihood_ratio(frequencies, score0, score1);
-  if (total(frequencies) < kSprtMinimum) return state;
-  if (state.llr >= settings.upper()) state.answer = SprtAnswer::kH1;
-  if (state.llr <= settings.lower()) state.answer = SprtAnswer::kH0;
+  if (total(frequencies) < kMinSprtResults) return state;
+  if (state.llr >= settings.upper()) state.decision = SprtDecision::kH1;
+  if (state.llr <= settings.lower()) state.decision = SprtDecision::kH0;
   return state;
 }
 

@@ -11,10 +11,10 @@ double normal_cdf(double x) { return 0.5 * std::erfc(-x / std::sqrt(2.0)); }
 Interval wilson(double successes, double trials) {
   if (trials <= 0) return {0.0, 1.0};
   constexpr double z2 = kNormal95 * kNormal95;
-  const double centre = (successes + z2 / 2) / (trials + z2);
+  const double center = (successes + z2 / 2) / (trials + z2);
   const double spread = successes * (trials - successes) / trials + z2 / 4;
   const double half = kNormal95 / (trials + z2) * std::sqrt(spread);
-  return {std::max(0.0, centre - half), std::min(1.0, centre + half)};
+  return {std::max(0.0, center - half), std::min(1.0, center + half)};
 }
 
 double WinDrawLoss::score() const { return games() == 0 ? 0.5 : (won + drawn / 2.0) / games(); }
@@ -26,15 +26,15 @@ double WinDrawLoss::variance() const {
 }
 
 double elo_from_score(double score) {
-  const double held = std::clamp(score, 1e-3, 1 - 1e-3);
-  return 400 * std::log10(held / (1 - held));
+  const double clamped = std::clamp(score, 1e-3, 1 - 1e-3);
+  return 400 * std::log10(clamped / (1 - clamped));
 }
 
 double score_from_elo(double elo) { return 1 / (1 + std::pow(10.0, -elo / 400)); }
 
 Estimate estimate(double score, double variance, int count) {
-  constexpr int kFew = 30;
-  constexpr double kOneSided = 5.0;
+  constexpr int kMinNormalCount = 30;
+  constexpr double kMinNormalPoints = 5.0;
   Estimate result;
   result.count = count;
   if (count <= 0) {
@@ -42,9 +42,9 @@ Estimate estimate(double score, double variance, int count) {
     return result;
   }
   const double error = std::sqrt(variance / count);
-  const double least_points = count * std::min(score, 1 - score);
+  const double min_points = count * std::min(score, 1 - score);
   result.score = score;
-  const bool few = count < kFew || least_points < kOneSided;
+  const bool few = count < kMinNormalCount || min_points < kMinNormalPoints;
   result.score_interval = few ? wilson(score * count, count)
                               : Interval{std::max(0.0, score - kNormal95 * error),
                                          std::min(1.0, score + kNormal95 * error)};
@@ -52,8 +52,8 @@ Estimate estimate(double score, double variance, int count) {
   result.elo_interval = {elo_from_score(result.score_interval.low),
                          elo_from_score(result.score_interval.high)};
   if (error > 0) {
-    // Few results hardly show their own variance: that of a score of one half instead, as in
-    // Wilson's interval, so that both tell the same.
+    // Few results do not determine their own variance. Use that of a score of one half, as Wilson's
+    // interval does, so that both agree.
     const double expected = few ? 0.5 / std::sqrt(count) : error;
     result.superiority = normal_cdf((score - 0.5) / expected);
   } else if (score != 0.5) {

@@ -1,4 +1,4 @@
-// Scores with their intervals: what a number of matches says, and how surely.
+// Scores and Elo differences with their confidence intervals.
 #pragma once
 
 namespace cls::orchestration::tournament {
@@ -15,7 +15,7 @@ struct Interval {
 double normal_cdf(double x);
 
 /// Wilson's interval (95 %) for a share of `successes` among `trials`; [0, 1] without trials.
-/// `successes` may hold halves for draws.
+/// `successes` may include halves for draws.
 Interval wilson(double successes, double trials);
 
 /// Wins, draws and losses of a team against another.
@@ -31,8 +31,8 @@ struct WinDrawLoss {
   double variance() const;
 };
 
-/// The Elo difference that makes `score` the expected one. A score is held within 0.001 and 0.999,
-/// so that all wins give 1200.
+/// The Elo difference with the expected score `score`, which is clamped to 0.001 to 0.999, so that
+/// all wins give 1200.
 double elo_from_score(double score);
 /// Expected score at an Elo difference.
 double score_from_elo(double elo);
@@ -48,9 +48,9 @@ struct Estimate {
 };
 
 /// From mean and variance of independent results within [0, 1], games or pairs. The interval is
-/// the normal one; with fewer than 30 results, or fewer than 5 points lost or won, Wilson's, which
-/// is also right for all wins; the likelihood of superiority fits to either. Without any variance
-/// it follows from a flat prior: 1 - 2^-(count + 1) for all wins.
+/// normal; with fewer than 30 results, or fewer than 5 points lost or won, Wilson's, which is also
+/// valid for all wins. The likelihood of superiority agrees with the interval. Without variance it
+/// follows from a flat prior: 1 - 2^-(count + 1) for all wins.
 Estimate estimate(double score, double variance, int count);
 
 }  // namespace cls::orchestration::tournament

@@ -1,4 +1,4 @@
-// Samples of the test from matches.
+// Collects the samples of the test from matches.
 #include "orchestration/tournament/report/comparison.h"
 
 #include <fmt/format.h>
@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kNew = 0;
 constexpr int kBase = 1;
-constexpr int kSamplesAtOnce = 50;
+constexpr int kSamplesPerBatch = 50;
 
 int opponents_of(const Comparison& comparison) {
   return static_cast<int>(comparison.config.teams.size()) - 2;
@@ -29,7 +29,7 @@ void add_pair(const Comparison& comparison, std::vector<Fixture>& fixtures, int 
     fixture.pairing = pairing;
     fixture.left = swapped ? second : first;
     fixture.right = swapped ? first : second;
-    // One seed for a whole sample, so that its matches differ in the teams alone.
+    // All matches of a sample have one seed, so that they differ in the teams alone.
     fixture.seed = pairing_seed(comparison.config.seed, sample);
     fixtures.push_back(std::move(fixture));
   }
@@ -47,13 +47,13 @@ std::optional<int> half_points(std::span<const ScheduledMatch> sample, int team)
   return sum;
 }
 
-// 0..4 of a pair; 0..8 of a quartet, where 4 is "both did the same".
+// 0..4 of a pair; 0..8 of a quartet, where 4 means equal points for NEW and BASE.
 std::optional<std::size_t> outcome_of(const Comparison& comparison,
                                       std::span<const ScheduledMatch> sample) {
-  const auto ours = half_points(sample, kNew);
-  if (!ours) return std::nullopt;
-  if (opponents_of(comparison) == 0) return static_cast<std::size_t>(*ours);
-  return static_cast<std::size_t>(4 + *ours - *half_points(sample, kBase));
+  const auto points = half_points(sample, kNew);
+  if (!points) return std::nullopt;
+  if (opponents_of(comparison) == 0) return static_cast<std::size_t>(*points);
+  return static_cast<std::size_t>(4 + *points - *half_points(sample, kBase));
 }
 
 void set_model(ComparisonVerdict& verdict, const Comparison& comparison) {
@@ -89,7 +89,7 @@ std::vector<Fixture> next_fixtures(const Comparison& comparison,
   const int opponents = opponents_of(comparison);
   const int done = static_cast<int>(so_far.size()) / size;
   const int last =
-      std::min(done + kSamplesAtOnce, comparison.max_samples.value_or(done + kSamplesAtOnce));
+      std::min(done + kSamplesPerBatch, comparison.max_samples.value_or(done + kSamplesPerBatch));
   std::vector<Fixture> fixtures;
   for (int sample = done + 1; sample <= last; ++sample) {
     const int index = (sample - 1) * size + 1;
@@ -113,7 +113,7 @@ ComparisonVerdict verdict(const Comparison& comparison, std::span<const Schedule
     const bool done = std::all_of(sample.begin(), sample.end(), [](const ScheduledMatch& match) {
       return match.outcome.has_value();
     });
-    if (!done || verdict.state.answer != SprtAnswer::kOpen) break;
+    if (!done || verdict.state.decision != SprtDecision::kOpen) break;
     const auto outcome = outcome_of(comparison, sample);
     if (!outcome) {
       ++verdict.left_out;

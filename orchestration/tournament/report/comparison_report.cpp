@@ -1,5 +1,5 @@
-// Every figure says whose it is: NEW against BASE.
-#include "orchestration/tournament/report/comparison_report.h"
+// Texts and members of a comparison; every figure is that of NEW against BASE.
+#include "orchestration/tournament/report/comparison.h"
 
 #include <fmt/format.h>
 
@@ -20,7 +20,7 @@ using Json = nlohmann::ordered_json;
 double rounded(double value) { return std::round(value * 1e4) / 1e4; }
 
 struct Names {
-  std::string ours;
+  std::string candidate;
   std::string base;
   bool direct = true;  // NEW plays BASE
 };
@@ -30,14 +30,14 @@ Names names_of(const Comparison& comparison) {
   return {teams[0].name, teams[1].name, teams.size() == 2};
 }
 
-std::string answer_text(const Names& names, const ComparisonVerdict& verdict) {
-  switch (verdict.state.answer) {
-    case SprtAnswer::kH1:
-      return fmt::format("{} is better than {} (H1 accepted)", names.ours, names.base);
-    case SprtAnswer::kH0:
-      return fmt::format("{} is not better than {} (H0 accepted)", names.ours, names.base);
-    case SprtAnswer::kOpen:
-      return "not known yet";
+std::string decision_text(const Names& names, const ComparisonVerdict& verdict) {
+  switch (verdict.state.decision) {
+    case SprtDecision::kH1:
+      return fmt::format("{} is better than {} (H1 accepted)", names.candidate, names.base);
+    case SprtDecision::kH0:
+      return fmt::format("{} is not better than {} (H0 accepted)", names.candidate, names.base);
+    case SprtDecision::kOpen:
+      return "undecided";
   }
   return {};
 }
@@ -51,26 +51,27 @@ std::string strength_text(const Names& names, const ComparisonVerdict& verdict) 
     return fmt::format(
         "{} against {}: {:+.1f} Elo (95 %: {:+.1f} to {:+.1f}), score {:.1f} % ({:.1f} to {:.1f}), "
         "likelihood of superiority {:.1f} %",
-        names.ours, names.base, strength.elo, strength.elo_interval.low, strength.elo_interval.high,
-        100 * strength.score, 100 * strength.score_interval.low, 100 * strength.score_interval.high,
-        100 * strength.superiority);
+        names.candidate, names.base, strength.elo, strength.elo_interval.low,
+        strength.elo_interval.high, 100 * strength.score, 100 * strength.score_interval.low,
+        100 * strength.score_interval.high, 100 * strength.superiority);
   }
   return fmt::format(
       "{} against the same opponents as {}: {:+.1f} % of the points (95 %: {:+.1f} to {:+.1f}), "
       "likelihood of superiority {:.1f} %",
-      names.ours, names.base, 100 * gain(strength.score), 100 * gain(strength.score_interval.low),
-      100 * gain(strength.score_interval.high), 100 * strength.superiority);
+      names.candidate, names.base, 100 * gain(strength.score),
+      100 * gain(strength.score_interval.low), 100 * gain(strength.score_interval.high),
+      100 * strength.superiority);
 }
 
 }  // namespace
 
-std::string_view verdict_word(const ComparisonVerdict& verdict) {
-  switch (verdict.state.answer) {
-    case SprtAnswer::kH1:
+std::string_view verdict_name(const ComparisonVerdict& verdict) {
+  switch (verdict.state.decision) {
+    case SprtDecision::kH1:
       return "better";
-    case SprtAnswer::kH0:
+    case SprtDecision::kH0:
       return "not better";
-    case SprtAnswer::kOpen:
+    case SprtDecision::kOpen:
       return "undecided";
   }
   return "";
@@ -79,16 +80,16 @@ std::string_view verdict_word(const ComparisonVerdict& verdict) {
 std::string comparison_text(const Comparison& comparison, std::span<const ScheduledMatch> matches) {
   const ComparisonVerdict known = verdict(comparison, matches);
   const Names names = names_of(comparison);
-  std::string text = fmt::format("verdict: {}\n", answer_text(names, known));
+  std::string text = fmt::format("verdict: {}\n", decision_text(names, known));
   auto out = std::back_inserter(text);
   fmt::format_to(out, "{}\n", strength_text(names, known));
   fmt::format_to(out, "{} {}, from worst to best: {}", total(known.samples),
                  names.direct ? "pairs" : "quartets", fmt::join(known.samples, " "));
-  if (known.left_out > 0) fmt::format_to(out, "; {} left out (INVALID matches)", known.left_out);
+  if (known.left_out > 0) fmt::format_to(out, "; {} excluded (INVALID matches)", known.left_out);
   fmt::format_to(out, "\nLLR {:+.2f} between {:+.2f} and {:+.2f}\n{}\n", known.state.llr,
                  comparison.sprt.lower(), comparison.sprt.upper(), known.model);
-  if (known.state.answer != SprtAnswer::kOpen) {
-    text += "a test that stops early overstates the difference a little; the verdict holds\n";
+  if (known.state.decision != SprtDecision::kOpen) {
+    text += "a test that stops early slightly overstates the difference; the verdict is valid\n";
   }
   return text;
 }
@@ -103,10 +104,10 @@ std::string comparison_json(const Comparison& comparison, std::span<const Schedu
     if (match.outcome) rows.push_back(json_of(comparison.config, match));
   }
   Json document = {{"schema", "cls.compare/1"},
-                   {"new", names.ours},
+                   {"new", names.candidate},
                    {"base", names.base},
-                   {"verdict", verdict_word(known)},
-                   {"answer", name(known.state.answer)},
+                   {"verdict", verdict_name(known)},
+                   {"answer", name(known.state.decision)},
                    {"llr", rounded(known.state.llr)},
                    {"lower", rounded(comparison.sprt.lower())},
                    {"upper", rounded(comparison.sprt.upper())},

@@ -1,10 +1,17 @@
-// The JSON report.
+// Reports as JSON (cls.tournament/1), CSV and JUnit.
 #include "orchestration/tournament/report/report_document.h"
 
+#include <fmt/format.h>
+
+#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <string_view>
+#include <vector>
 
+#include "base/report/junit.h"
 #include "base/system/version.h"
+#include "base/text/table.h"
 #include "orchestration/tournament/store/match_document.h"
 
 namespace cls::orchestration::tournament {
@@ -54,18 +61,18 @@ Json json_of(const Report& report, const std::vector<Standing>& table) {
   return rows;
 }
 
-Json json_of(const Report& report, const Duel& duel) {
-  const Estimate strength = duel.strength();
-  Json json = {{"team", report.team(duel.first)},
-               {"opponent", report.team(duel.second)},
-               {"won", duel.games.won},
-               {"drawn", duel.games.drawn},
-               {"lost", duel.games.lost},
-               {"goals_for", duel.goals_for},
-               {"goals_against", duel.goals_against},
-               {"pairs", duel.pairs},
-               {"single_games", duel.single_games},
-               {"model", duel.paired() ? "pairs" : "games"}};
+Json json_of(const Report& report, const HeadToHead& head_to_head) {
+  const Estimate strength = head_to_head.strength();
+  Json json = {{"team", report.team(head_to_head.first)},
+               {"opponent", report.team(head_to_head.second)},
+               {"won", head_to_head.games.won},
+               {"drawn", head_to_head.games.drawn},
+               {"lost", head_to_head.games.lost},
+               {"goals_for", head_to_head.goals_for},
+               {"goals_against", head_to_head.goals_against},
+               {"pairs", head_to_head.pairs},
+               {"single_games", head_to_head.single_games},
+               {"model", head_to_head.paired() ? "pairs" : "games"}};
   add_strength(json, strength);
   json["elo"] = tenths(strength.elo);
   json["elo_interval"] = {tenths(strength.elo_interval.low), tenths(strength.elo_interval.high)};
@@ -81,6 +88,75 @@ Json teams_json(const TournamentConfig& config) {
   return teams;
 }
 
+using base::csv_cell;
+
+std::string number_or_empty(const std::optional<int>& number) {
+  return number ? fmt::to_string(*number) : "";
+}
+
+struct FixtureColumn {
+  std::string_view name;
+  std::string (*cell)(const Report&, const Fixture&);
+};
+constexpr std::array<FixtureColumn, 7> kFixtureColumns = {{
+    {"index", [](const Report&, const Fixture& f) { return fmt::to_string(f.index); }},
+    {"round", [](const Report&, const Fixture& f) { return fmt::to_string(f.round); }},
+    {"stage", [](const Report&, const Fixture& f) { return f.stage; }},
+    {"pairing", [](const Report&, const Fixture& f) { return fmt::to_string(f.pairing); }},
+    {"left", [](const Report& report, const Fixture& f) { return report.team(f.left); }},
+    {"right", [](const Report& report, const Fixture& f) { return report.team(f.right); }},
+    {"seed", [](const Report&, const Fixture& f) { return fmt::to_string(f.seed); }},
+}};
+
+struct OutcomeColumn {
+  std::string_view name;
+  std::string (*cell)(const Outcome&);
+};
+constexpr std::array<OutcomeColumn, 17> kOutcomeColumns = {{
+    {"end_reason", [](const Outcome& o) { return std::string(name(o.end_reason)); }},
+    {"forfeit", [](const Outcome& o) { return std::string(o.forfeit ? "1" : "0"); }},
+    {"left_score", [](const Outcome& o) { return fmt::to_string(o.left_score); }},
+    {"right_score", [](const Outcome& o) { return fmt::to_string(o.right_score); }},
+    {"left_penalties", [](const Outcome& o) { return number_or_empty(o.left_penalties); }},
+    {"right_penalties", [](const Outcome& o) { return number_or_empty(o.right_penalties); }},
+    {"cycles", [](const Outcome& o) { return fmt::to_string(o.cycles); }},
+    {"wall_seconds", [](const Outcome& o) { return fmt::format("{:.3f}", o.wall_seconds); }},
+    {"cycles_per_second",
+     [](const Outcome& o) { return fmt::format("{:.1f}", o.cycles_per_second); }},
+    {"left_missed", [](const Outcome& o) { return fmt::to_string(o.left.missed); }},
+    {"right_missed", [](const Outcome& o) { return fmt::to_string(o.right.missed); }},
+    {"attempts", [](const Outcome& o) { return fmt::to_string(o.attempts); }},
+    {"host", [](const Outcome& o) { return o.host; }},
+    {"started", [](const Outcome& o) { return o.started; }},
+    {"ended", [](const Outcome& o) { return o.ended; }},
+    {"folder", [](const Outcome& o) { return o.folder; }},
+    {"message", [](const Outcome& o) { return o.message; }},
+}};
+
+base::JunitCase junit_case(const Report& report, const ScheduledMatch& match) {
+  const Fixture& fixture = match.fixture;
+  base::JunitCase one;
+  one.group = fixture.stage.empty() ? fmt::format("round {}", fixture.round) : fixture.stage;
+  one.name = fmt::format("{} {} - {}", fixture.index, report.team(fixture.left),
+                         report.team(fixture.right));
+  if (!match.outcome) {
+    one.result = base::JunitCase::Result::kSkipped;
+    one.message = "not played";
+    return one;
+  }
+  const Outcome& outcome = *match.outcome;
+  one.seconds = outcome.wall_seconds;
+  if (outcome.played()) {
+    one.text = score_text(match);
+    return one;
+  }
+  one.result = outcome.fault ? base::JunitCase::Result::kFailed : base::JunitCase::Result::kError;
+  one.type = name(outcome.end_reason);
+  one.message = outcome.message;
+  one.text = "rerun: " + rerun_command(*report.config, fixture);
+  return one;
+}
+
 }  // namespace
 
 std::string report_json(const Report& report) {
@@ -88,14 +164,15 @@ std::string report_json(const Report& report) {
   Json matches = Json::array();
   for (const ScheduledMatch& match : report.matches) {
     matches.push_back(json_of(config, match));
-    matches.back()["command"] = rerun_line(config, match.fixture);
+    matches.back()["command"] = rerun_command(config, match.fixture);
   }
   Json all_tables = Json::array();
   for (const RankedTable& table : report.tables) {
     all_tables.push_back({{"title", table.title}, {"standings", json_of(report, table.standings)}});
   }
   Json crosstable = Json::array();
-  for (const Duel& duel : report.duels) crosstable.push_back(json_of(report, duel));
+  for (const HeadToHead& head_to_head : report.head_to_heads)
+    crosstable.push_back(json_of(report, head_to_head));
   Json superiority = Json::array();
   for (const auto& row : report.ratings.superiority) {
     superiority.push_back(Json::array());
@@ -125,6 +202,30 @@ std::string report_json(const Report& report) {
       {"matches", std::move(matches)},
       {"versions", {{"cls", base::kVersion}, {"wire", base::kWireVersion}}}};
   return document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string report_csv(const Report& report) {
+  std::vector<std::string> cells;
+  for (const FixtureColumn& column : kFixtureColumns) cells.emplace_back(column.name);
+  for (const OutcomeColumn& column : kOutcomeColumns) cells.emplace_back(column.name);
+  std::string text = fmt::format("{}\n", fmt::join(cells, ","));
+  for (const ScheduledMatch& match : report.matches) {
+    cells.clear();
+    for (const FixtureColumn& column : kFixtureColumns) {
+      cells.push_back(csv_cell(column.cell(report, match.fixture)));
+    }
+    for (const OutcomeColumn& column : kOutcomeColumns) {
+      cells.push_back(match.outcome ? csv_cell(column.cell(*match.outcome)) : "");
+    }
+    text += fmt::format("{}\n", fmt::join(cells, ","));
+  }
+  return text;
+}
+
+std::string report_junit(const Report& report) {
+  std::vector<base::JunitCase> cases;
+  for (const ScheduledMatch& match : report.matches) cases.push_back(junit_case(report, match));
+  return base::format_junit("cls tournament", cases);
 }
 
 }  // namespace cls::orchestration::tournament

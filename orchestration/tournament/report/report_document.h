@@ -1,4 +1,4 @@
-// The report in formats for programs: JSON, CSV, JUnit.
+// Reports as JSON, CSV and JUnit.
 #pragma once
 
 #include <string>
@@ -10,11 +10,11 @@ namespace cls::orchestration::tournament {
 /// {"schema": "cls.tournament/1", "matches": [...], "standings": [...], ...}, indented.
 std::string report_json(const Report& report);
 
-/// A line a match, with a line of column names first.
+/// A line of column names, then a line for each match.
 std::string report_csv(const Report& report);
 
-/// A test case a match: failure when it is invalid by a side's fault, error otherwise, skipped when
-/// it is not played.
+/// A test case for each match: a failure when it is invalid by a side's fault, otherwise an error;
+/// skipped when it was not played.
 std::string report_junit(const Report& report);
 
 }  // namespace cls::orchestration::tournament

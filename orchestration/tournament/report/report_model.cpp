@@ -1,4 +1,4 @@
-// Reckoning once for all formats.
+// Counts matches and computes tables and ratings once for all formats.
 #include "orchestration/tournament/report/report_model.h"
 
 #include <fmt/format.h>
@@ -32,11 +32,11 @@ Report make_report(const TournamentConfig& config, std::span<const ScheduledMatc
   report.complete = report.counts.open == 0 && report.counts.scheduled > 0 &&
                     next_fixtures(config, matches).empty();
   report.tables = tables(config, matches);
-  report.duels = duels(matches);
+  report.head_to_heads = head_to_heads(matches);
   const int teams = static_cast<int>(config.teams.size());
-  report.ratings = fit_bradley_terry(teams, results_of(report.duels));
+  report.ratings = fit_bradley_terry(teams, results_of(report.head_to_heads));
   for (int team = 0; team < teams; ++team) {
-    report.records.push_back(record_of(team, report.duels));
+    report.records.push_back(record_of(team, report.head_to_heads));
   }
   return report;
 }
@@ -45,22 +45,22 @@ Estimate strength_of(const WinDrawLoss& record) {
   return estimate(record.score(), record.variance(), record.games());
 }
 
-std::optional<Duel> find_duel(const Report& report, int first, int second) {
-  for (const Duel& duel : report.duels) {
-    if (duel.first == first && duel.second == second) return duel;
-    if (duel.first == second && duel.second == first) return turned(duel);
+std::optional<HeadToHead> find_head_to_head(const Report& report, int first, int second) {
+  for (const HeadToHead& head_to_head : report.head_to_heads) {
+    if (head_to_head.first == first && head_to_head.second == second) return head_to_head;
+    if (head_to_head.first == second && head_to_head.second == first) return reversed(head_to_head);
   }
   return std::nullopt;
 }
 
-std::string rerun_line(const TournamentConfig& config, const Fixture& fixture) {
+std::string rerun_command(const TournamentConfig& config, const Fixture& fixture) {
   return process::to_shell(match_plan(config, fixture, "cls", ""));
 }
 
 std::string score_text(const ScheduledMatch& match) {
   if (!match.outcome) return "-";
   const Outcome& outcome = *match.outcome;
-  if (!outcome.counts()) return outcome.end_reason;
+  if (!outcome.counts()) return std::string(name(outcome.end_reason));
   std::string text = fmt::format("{} : {}", outcome.left_score, outcome.right_score);
   if (outcome.left_penalties && outcome.right_penalties) {
     text +=

@@ -1,4 +1,4 @@
-// All that a report says, before it is written in one format or another.
+// The content of a report, independent of the output format.
 #pragma once
 
 #include <filesystem>
@@ -10,15 +10,15 @@
 #include "orchestration/tournament/config/config.h"
 #include "orchestration/tournament/rating/bradley_terry.h"
 #include "orchestration/tournament/schedule/fixture.h"
-#include "orchestration/tournament/schedule/match_pairs.h"
+#include "orchestration/tournament/schedule/head_to_head.h"
 #include "orchestration/tournament/schedule/schedule.h"
 
 namespace cls::orchestration::tournament {
 
-/// How many matches there are, and what became of them.
+/// Numbers of matches by state.
 struct MatchCounts {
   int scheduled = 0;
-  int finished = 0;  ///< played to their end
+  int finished = 0;  ///< played to the end
   int forfeits = 0;
   int invalid = 0;
   int open = 0;
@@ -27,15 +27,15 @@ struct MatchCounts {
 };
 MatchCounts count(std::span<const ScheduledMatch> matches);
 
-/// Names and matches are those of the arguments of make_report, which must outlive it.
+/// Refers to the arguments of make_report(), which must outlive it.
 struct Report {
   const TournamentConfig* config = nullptr;
   std::span<const ScheduledMatch> matches;
-  std::filesystem::path folder;  ///< of the tournament, for paths
+  std::filesystem::path folder;  ///< of the tournament
   MatchCounts counts;
   bool complete = false;
   std::vector<RankedTable> tables;
-  std::vector<Duel> duels;
+  std::vector<HeadToHead> head_to_heads;
   Ratings ratings;                   ///< by team
   std::vector<WinDrawLoss> records;  ///< by team, without forfeits
 
@@ -47,14 +47,14 @@ struct Report {
 Report make_report(const TournamentConfig& config, std::span<const ScheduledMatch> matches,
                    const std::filesystem::path& folder);
 
-/// A team's share of the points of a match, 95 %.
+/// A team's share of the points of a match, with its 95 % interval.
 Estimate strength_of(const WinDrawLoss& record);
 
-/// The duel of two teams as `first` sees it; nullptr when they have not met.
-std::optional<Duel> find_duel(const Report& report, int first, int second);
+/// The results of `first` against `second`; nothing when they have not met.
+std::optional<HeadToHead> find_head_to_head(const Report& report, int first, int second);
 
-/// The line of shell that plays a match again.
-std::string rerun_line(const TournamentConfig& config, const Fixture& fixture);
+/// The shell command that plays a match again.
+std::string rerun_command(const TournamentConfig& config, const Fixture& fixture);
 
 /// "2 : 1", "2 : 2 (4 : 3 on penalties)", "0 : 3 (forfeit)", "crashed", or "-" without an outcome.
 std::string score_text(const ScheduledMatch& match);

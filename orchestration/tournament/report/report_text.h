@@ -1,4 +1,4 @@
-// The report for people: text, Markdown, HTML.
+// Reports as text, Markdown and HTML.
 #pragma once
 
 #include <string>
@@ -7,19 +7,19 @@
 
 namespace cls::orchestration::tournament {
 
-/// Counts, tables, crosstable, ratings, and the matches that failed with where to look.
+/// Counts, tables, crosstable, ratings, and the failed matches with their logs and commands.
 std::string report_text(const Report& report);
 
 /// The same as Markdown.
 std::string report_markdown(const Report& report);
 
-/// The same, and all matches, as a page of its own: nothing is loaded from anywhere.
+/// The same, and all matches, as a self-contained page.
 std::string report_html(const Report& report);
 
 /// The tables alone.
 std::string standings_text(const Report& report);
 
-/// One line a match, as `cls tournament plan` lists them.
+/// The line of a match in `cls tournament plan`.
 std::string schedule_text(const TournamentConfig& config, const Fixture& fixture);
 
 }  // namespace cls::orchestration::tournament

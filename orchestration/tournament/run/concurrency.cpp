@@ -1,4 +1,4 @@
-// Down at a miss, up after a clean round.
+// Decreases after a miss, increases after a clean round.
 #include "orchestration/tournament/run/concurrency.h"
 
 #include <algorithm>
@@ -9,16 +9,16 @@
 namespace cls::orchestration::tournament {
 namespace {
 
-// A team against the clock needs room beside it; in lockstep nothing is lost by waiting.
-constexpr int kCoresForRealTime = 4;
+// Matches in real time need spare cores; in lockstep the server waits.
+constexpr int kCoresPerRealTimeMatch = 4;
 
-bool waits_for_everybody(const TournamentConfig& config) {
+bool is_lockstep(const TournamentConfig& config) {
   return config.mode.empty() || config.mode == "lockstep";
 }
 
 }  // namespace
 
-std::string team_of_fixed_ports(const TournamentConfig& config) {
+std::string fixed_port_team(const TournamentConfig& config) {
   for (const TeamEntry& team : config.teams) {
     const auto endpoint = match::parse_endpoint(team.endpoint);
     if (!endpoint || endpoint->kind != match::Endpoint::Kind::kTeam) continue;
@@ -28,45 +28,45 @@ std::string team_of_fixed_ports(const TournamentConfig& config) {
   return "";
 }
 
-std::vector<int> share_of(const std::vector<std::vector<int>>& cores, int slot, int matches) {
+std::vector<int> cpus_of_slot(const std::vector<std::vector<int>>& cores, int slot, int matches) {
   const std::size_t share =
       std::max<std::size_t>(1, cores.size() / static_cast<std::size_t>(std::max(1, matches)));
-  std::vector<int> processors;
+  std::vector<int> cpus;
   for (std::size_t i = 0; i < share && !cores.empty(); ++i) {
     const auto& core = cores[(static_cast<std::size_t>(slot) * share + i) % cores.size()];
-    processors.insert(processors.end(), core.begin(), core.end());
+    cpus.insert(cpus.end(), core.begin(), core.end());
   }
-  return processors;
+  return cpus;
 }
 
 Concurrency::Concurrency(const TournamentConfig& config, int cores)
     : automatic_(config.concurrency == 0) {
-  if (!team_of_fixed_ports(config).empty()) {
+  if (!fixed_port_team(config).empty()) {
     automatic_ = false;
     return;
   }
   if (!automatic_) {
-    now_ = most_ = config.concurrency;
+    current_ = max_ = config.concurrency;
     return;
   }
-  most_ = std::max(1, cores);
-  now_ = waits_for_everybody(config) ? most_ : std::max(1, cores / kCoresForRealTime);
+  max_ = std::max(1, cores);
+  current_ = is_lockstep(config) ? max_ : std::max(1, cores / kCoresPerRealTimeMatch);
 }
 
-bool Concurrency::learn(const Outcome& outcome) {
+bool Concurrency::adapt(const Outcome& outcome) {
   if (!automatic_ || !outcome.played()) return false;
   const bool missed =
       outcome.left.late + outcome.left.missed + outcome.right.late + outcome.right.missed > 0;
-  const int before = now_;
+  const int before = current_;
   if (missed) {
-    // Not tried again: what was too much once would be so now and then.
-    now_ = most_ = std::max(1, now_ - 1);
+    // Lowers the maximum for good: a number that was too high once would be so again.
+    current_ = max_ = std::max(1, current_ - 1);
     clean_ = 0;
-  } else if (++clean_ >= now_ && now_ < most_) {
-    ++now_;
+  } else if (++clean_ >= current_ && current_ < max_) {
+    ++current_;
     clean_ = 0;
   }
-  return now_ != before;
+  return current_ != before;
 }
 
 }  // namespace cls::orchestration::tournament

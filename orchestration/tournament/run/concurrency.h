@@ -1,4 +1,4 @@
-// How many matches at once: given, or found out while playing.
+// Number of parallel matches: configured, or adapted while playing.
 #pragma once
 
 #include <string>
@@ -9,29 +9,29 @@
 
 namespace cls::orchestration::tournament {
 
-/// The first team whose soccer server must be at the ports 6000 to 6002 (`team:DIR` with a `start`,
-/// which knows no ports): a machine has room for one such match. Empty when there is none.
-std::string team_of_fixed_ports(const TournamentConfig& config);
+/// The first team that needs its soccer server at the ports 6000 to 6002 (`team:DIR` with a `start`
+/// without port arguments): a host can run one such match. Empty when there is none.
+std::string fixed_port_team(const TournamentConfig& config);
 
-/// Processors of the match in place `slot` (from 0) of `matches` at once: an equal share of whole
-/// cores, each a list of its processors. With fewer cores than matches some share one.
-std::vector<int> share_of(const std::vector<std::vector<int>>& cores, int slot, int matches);
+/// CPUs of slot `slot` (from 0) of `matches` parallel matches: an equal share of whole cores, each
+/// given as the list of its CPUs. With fewer cores than matches some slots share one.
+std::vector<int> cpus_of_slot(const std::vector<std::vector<int>>& cores, int slot, int matches);
 
-/// A number of matches at once that adapts to what matches tell, see local_executor.
+/// A number of parallel matches that adapts to missed decisions, see local_executor.
 class Concurrency {
  public:
   Concurrency(const TournamentConfig& config, int cores);
 
-  int now() const { return now_; }
+  int current() const { return current_; }
   bool automatic() const { return automatic_; }
 
-  /// Takes an outcome into account; true when the number changed.
-  bool learn(const Outcome& outcome);
+  /// Adapts to the outcome of a match; true when the number changed.
+  bool adapt(const Outcome& outcome);
 
  private:
   bool automatic_ = false;
-  int now_ = 1;
-  int most_ = 1;
+  int current_ = 1;
+  int max_ = 1;
   int clean_ = 0;  // matches without a miss since the last change
 };
 

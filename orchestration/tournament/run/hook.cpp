@@ -1,4 +1,4 @@
-// Children with a file as standard input.
+// Starts hooks as child processes with a file as standard input.
 #include "orchestration/tournament/run/hook.h"
 
 #include <fmt/format.h>
@@ -11,7 +11,7 @@
 namespace cls::orchestration::tournament {
 namespace {
 
-constexpr std::chrono::milliseconds kLongest{60'000};
+constexpr std::chrono::milliseconds kExitTimeout{60'000};
 
 }  // namespace
 
@@ -28,13 +28,13 @@ void HookRunner::start(const std::string& name, const std::string& command,
   const std::filesystem::path file =
       std::filesystem::absolute(folder_) / fmt::format(".hook-{}.json", ++started_);
   if (const auto written = base::write_file(file, document); !written) {
-    complaints_.push_back(written.error().message);
+    errors_.push_back(written.error().message);
     return;
   }
   if (!host_) {
     auto created = process::ProcessHost::create();
     if (!created) {
-      complaints_.push_back(created.error().message);
+      errors_.push_back(created.error().message);
       return;
     }
     host_.emplace(*std::move(created));
@@ -43,32 +43,32 @@ void HookRunner::start(const std::string& name, const std::string& command,
       fmt::format("exec <{}\n{}", process::shell_quoted(file.string()), command);
   auto child = host_->start(process::shell_command(name, line));
   if (!child) {
-    complaints_.push_back(child.error().message);
+    errors_.push_back(child.error().message);
     return;
   }
   running_.push_back({*std::move(child), file});
 }
 
-std::vector<std::string> HookRunner::take_complaints(bool wait) {
+std::vector<std::string> HookRunner::take_errors(bool wait) {
   std::error_code code;
-  std::vector<Running> still;
+  std::vector<Running> running;
   for (Running& one : running_) {
-    if (wait) one.child->wait_gone(kLongest);
+    if (wait) one.child->wait_gone(kExitTimeout);
     const process::Child::Status status = one.child->status();
     if (!status.exit && !wait) {
-      still.push_back(std::move(one));
+      running.push_back(std::move(one));
       continue;
     }
     if (!status.exit || status.exit->by_signal || status.exit->number != 0) {
-      const std::vector<std::string> words = one.child->last_lines(1);
-      complaints_.push_back(fmt::format("{}: {}{}", one.child->plan().name,
-                                        status.exit ? to_text(*status.exit) : "does not end",
-                                        words.empty() ? "" : ": " + words.front()));
+      const std::vector<std::string> output = one.child->last_lines(1);
+      errors_.push_back(fmt::format("{}: {}{}", one.child->plan().name,
+                                    status.exit ? to_text(*status.exit) : "does not exit",
+                                    output.empty() ? "" : ": " + output.front()));
     }
     std::filesystem::remove(one.document, code);
   }
-  running_ = std::move(still);
-  return std::exchange(complaints_, {});
+  running_ = std::move(running);
+  return std::exchange(errors_, {});
 }
 
 }  // namespace cls::orchestration::tournament

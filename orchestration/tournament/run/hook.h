@@ -1,4 +1,4 @@
-// Commands of the user that are told what happened.
+// Runs the commands on_match_finish and on_finish.
 #pragma once
 
 #include <filesystem>
@@ -11,22 +11,22 @@
 
 namespace cls::orchestration::tournament {
 
-/// Runs the user's commands beside the matches, each with a document on its standard input.
+/// Runs commands concurrently with the matches, each with a document on its standard input.
 class HookRunner {
  public:
-  /// Documents lie in `folder` while a command runs.
+  /// Documents are stored in `folder` while their command runs.
   explicit HookRunner(std::filesystem::path folder) : folder_(std::move(folder)) {}
   HookRunner(const HookRunner&) = delete;
   HookRunner& operator=(const HookRunner&) = delete;
-  /// Ends what still runs.
+  /// Kills commands that still run.
   ~HookRunner();
 
   /// Starts `command` with /bin/sh -c.
   void start(const std::string& name, const std::string& command, const std::string& document);
 
-  /// What went wrong with commands that have ended since the last call, one line each. `wait`:
-  /// first waits for all of them, a minute at most.
-  std::vector<std::string> take_complaints(bool wait = false);
+  /// Failures of commands that have exited since the last call, one line each. `wait`: first waits
+  /// for each command, at most a minute.
+  std::vector<std::string> take_errors(bool wait = false);
 
  private:
   struct Running {
@@ -37,7 +37,7 @@ class HookRunner {
   std::filesystem::path folder_;
   std::optional<process::ProcessHost> host_;
   std::vector<Running> running_;
-  std::vector<std::string> complaints_;
+  std::vector<std::string> errors_;
   int started_ = 0;
 };
 

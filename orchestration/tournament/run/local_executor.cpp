@@ -1,4 +1,4 @@
-// Matches as processes of this machine.
+// Plays matches as processes on this host.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -26,45 +26,45 @@ class LocalExecutor : public MatchExecutor {
         concurrency_(config, base::usable_cores()),
         cores_(config.pin ? base::allowed_cores() : std::vector<std::vector<int>>()),
         host_(std::move(host)) {
-    const std::string team = team_of_fixed_ports(config);
+    const std::string team = fixed_port_team(config);
     if (team.empty() || config.concurrency == 1) return;
-    notes_.push_back(fmt::format("one match at a time: {} knows no ports but 6000 to 6002", team));
+    notes_.push_back(fmt::format("one match at a time: {} requires the ports 6000 to 6002", team));
   }
 
-  int room() const override { return std::max(0, concurrency_.now() - running()); }
+  int free_slots() const override { return std::max(0, concurrency_.current() - running()); }
   int running() const override { return static_cast<int>(attempts_.size()); }
 
   Result<void> start(std::span<const Assignment> assignments) override {
     for (const Assignment& assignment : assignments) {
       const int slot = free_slot();
-      auto attempt =
-          MatchAttempt::start(host_, config_, assignment.fixture, assignment.number,
-                              {folder_, {}, program_, share_of(cores_, slot, concurrency_.now())});
+      auto attempt = MatchAttempt::start(
+          host_, config_, assignment.fixture, assignment.number,
+          {folder_, {}, program_, cpus_of_slot(cores_, slot, concurrency_.current())});
       if (!attempt) return attempt.error();
       attempts_.emplace(slot, *std::move(attempt));
     }
     return {};
   }
 
-  Result<std::vector<Finished>> wait(std::chrono::milliseconds limit) override {
-    constexpr std::chrono::milliseconds kLook{2};
+  Result<std::vector<FinishedMatch>> wait(std::chrono::milliseconds limit) override {
+    constexpr std::chrono::milliseconds kPollInterval{2};
     const auto end = std::chrono::steady_clock::now() + limit;
-    std::vector<Finished> finished;
+    std::vector<FinishedMatch> finished;
     while (true) {
       for (auto at = attempts_.begin(); at != attempts_.end();) {
         at->second.enforce_limit();
-        if (!at->second.ended()) {
+        if (!at->second.exited()) {
           ++at;
           continue;
         }
         auto outcome = at->second.outcome();
         if (!outcome) return outcome.error();
-        if (*outcome) learn(**outcome);
+        if (*outcome) adapt(**outcome);
         finished.push_back({at->second.fixture().index, *std::move(outcome)});
         at = attempts_.erase(at);
       }
       if (!finished.empty() || std::chrono::steady_clock::now() >= end) return finished;
-      std::this_thread::sleep_for(kLook);
+      std::this_thread::sleep_for(kPollInterval);
     }
   }
 
@@ -81,20 +81,20 @@ class LocalExecutor : public MatchExecutor {
     return slot;
   }
 
-  void learn(const Outcome& outcome) {
-    const int before = concurrency_.now();
-    if (!concurrency_.learn(outcome)) return;
+  void adapt(const Outcome& outcome) {
+    const int before = concurrency_.current();
+    if (!concurrency_.adapt(outcome)) return;
     notes_.push_back(
-        fmt::format("{} matches at once now, {} before: {}", concurrency_.now(), before,
-                    concurrency_.now() < before ? "a match missed cycles, the machine was too busy"
-                                                : "no match missed a cycle"));
+        fmt::format("{} parallel matches now, {} before: {}", concurrency_.current(), before,
+                    concurrency_.current() < before ? "a match missed cycles, the host was too busy"
+                                                    : "no match missed a cycle"));
   }
 
   const TournamentConfig& config_;
   fs::path folder_;
   fs::path program_;
   Concurrency concurrency_;
-  std::vector<std::vector<int>> cores_;  // to share out; empty: nobody is pinned
+  std::vector<std::vector<int>> cores_;  // to divide among matches; empty: no pinning
   process::ProcessHost host_;
   std::map<int, MatchAttempt> attempts_;  // by slot
   std::vector<std::string> notes_;

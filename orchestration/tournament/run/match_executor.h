@@ -1,4 +1,4 @@
-// Where the matches of a tournament are played.
+// Executors that play the matches of a tournament: on this host or on a Slurm cluster.
 #pragma once
 
 #include <chrono>
@@ -15,69 +15,68 @@
 
 namespace cls::orchestration::tournament {
 
-/// A match to be played now; `number` is the attempt, from 1.
+/// A match to play now; `number` is the attempt, from 1.
 struct Assignment {
   Fixture fixture;
   int number = 1;
 };
 
-/// An assignment that has come to its end.
-struct Finished {
+/// An assignment that ended.
+struct FinishedMatch {
   int index = 0;
-  std::optional<Outcome> outcome;  ///< nothing: interrupted, it was not played to an end
+  std::optional<Outcome> outcome;  ///< nothing: interrupted or lost
 };
 
-/// Plays matches somewhere: processes of this machine (local_executor), a cluster, or, in tests,
-/// nowhere at all. All calls come from one thread.
+/// Plays matches, or, in tests, makes up their results. All calls come from one thread.
 class MatchExecutor {
  public:
   virtual ~MatchExecutor() = default;
 
-  /// How many more matches it takes now.
-  virtual int room() const = 0;
+  /// Number of further matches that start() accepts now.
+  virtual int free_slots() const = 0;
 
-  /// Begins to play. An error when nothing can be played.
+  /// Starts matches. An error when no match can be played.
   virtual base::Result<void> start(std::span<const Assignment> assignments) = 0;
 
-  /// Waits for ends, not longer than `limit`; may return none. An error when something is wrong
-  /// that no other match would escape.
-  virtual base::Result<std::vector<Finished>> wait(std::chrono::milliseconds limit) = 0;
+  /// Waits at most `limit` for matches to end; may return none. An error when the cause would stop
+  /// every other match too.
+  virtual base::Result<std::vector<FinishedMatch>> wait(std::chrono::milliseconds limit) = 0;
 
-  /// Asks all matches under way to end in order; wait() then returns them.
+  /// Asks all running matches to shut down cleanly; wait() then returns them.
   virtual void interrupt() = 0;
 
-  /// Matches under way.
+  /// Number of assigned matches that have not ended.
   virtual int running() const = 0;
 
-  /// Asks for those matches back that were handed over and that nobody plays yet; wait() then
-  /// returns them without an outcome. Matches that are being played go on.
+  /// Cancels assigned matches that have not started; wait() then returns them without an outcome.
+  /// Running matches continue.
   virtual void withdraw() {}
 
-  /// Called once, before anything else: numbers of those of `matches` (all, by number) that an
-  /// earlier run handed over and that may still be played. They are under way now.
+  /// Called once, before anything else. Returns the numbers of those `matches` (all, by number)
+  /// that an earlier run assigned and that may still be running; they count as running.
   virtual base::Result<std::vector<int>> take_over(std::span<const ScheduledMatch> /*matches*/) {
     return std::vector<int>();
   }
 
-  /// What is worth telling since the last call, such as a change of concurrency.
+  /// Messages for the user since the last call, such as a change of concurrency.
   virtual std::vector<std::string> take_notes() { return {}; }
 };
 
-/// Processes of this machine: config.concurrency at a time, or as many as processors when that is
-/// 0. Automatic concurrency goes down by one when a match missed cycles, since then the machine
-/// was too busy; without lockstep it begins with one match for four processors and goes up by one
-/// after as many matches without a miss as run at once.
+/// Processes on this host: config.concurrency in parallel, or one per core when that is 0.
+/// Automatic concurrency decreases by one when a match missed cycles, because the host was too
+/// busy. Without lockstep it starts with one match per four cores and increases by one after as
+/// many matches without a miss as run in parallel.
 base::Result<std::unique_ptr<MatchExecutor>> local_executor(const TournamentConfig& config,
                                                             const std::filesystem::path& folder,
                                                             const std::filesystem::path& program);
 
 /// A Slurm cluster that sees `folder` and `program` under the same names: job arrays of `cls
-/// tournament work`, whose results are collected from the folder. See slurm_executor.cpp.
+/// tournament work`, whose result files are collected from the folder. See slurm_executor.cpp.
 base::Result<std::unique_ptr<MatchExecutor>> slurm_executor(const TournamentConfig& config,
                                                             const std::filesystem::path& folder,
                                                             const std::filesystem::path& program);
 
-/// The one that config.executor names.
+/// The executor that config.executor names.
 base::Result<std::unique_ptr<MatchExecutor>> make_executor(const TournamentConfig& config,
                                                            const std::filesystem::path& folder,
                                                            const std::filesystem::path& program);

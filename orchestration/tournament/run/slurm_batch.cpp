@@ -1,4 +1,4 @@
-// Names, script and record of a batch.
+// Names, script and record of a Slurm batch.
 #include "orchestration/tournament/run/slurm_batch.h"
 
 #include <fmt/format.h>
@@ -23,22 +23,22 @@ namespace fs = std::filesystem;
 using base::Result;
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t kMostOfFolderName = 24;
+constexpr std::size_t kMaxFolderNameLength = 24;
 
 fs::path file_of(const SlurmBatch& batch, std::string_view ending) {
   return fs::path(kSlurmFolder) / fmt::format("{:06}{}", batch.number, ending);
 }
 
-// Letters and digits of the folder's name, for people who look at squeue.
+// Letters and digits of the folder's name, to recognize the job in squeue.
 std::string short_name(const fs::path& folder) {
   fs::path whole = fs::absolute(folder).lexically_normal();
   if (!whole.has_filename()) whole = whole.parent_path();
   std::string name = whole.filename().string();
   std::erase_if(name, [](unsigned char c) { return std::isalnum(c) == 0; });
-  return name.substr(0, kMostOfFolderName);
+  return name.substr(0, kMaxFolderNameLength);
 }
 
-// Positional parameters carry the list: the script is one file that the controller keeps.
+// The list is in positional parameters, because the controller copies only the script.
 std::string script_of(const fs::path& folder, const SlurmBatch& batch, const fs::path& program) {
   std::string list;
   for (const SlurmBatch::Task& task : batch.tasks) {
@@ -54,14 +54,14 @@ std::string script_of(const fs::path& folder, const SlurmBatch& batch, const fs:
       process::shell_quoted((folder / file_of(batch, ".jsonl")).string()));
 }
 
-// sbatch fills in what follows a percent sign.
-std::string percents_doubled(std::string_view text) {
+// Escapes percent signs, which sbatch expands.
+std::string escape_percents(std::string_view text) {
   std::string doubled;
   for (const char c : text) doubled.append(c == '%' ? 2 : 1, c);
   return doubled;
 }
 
-std::optional<SlurmBatch> batch_in(const fs::path& file) {
+std::optional<SlurmBatch> read_batch(const fs::path& file) {
   const auto text = base::read_file(file);
   try {
     const Json json = Json::parse(text.value_or(""));
@@ -95,7 +95,7 @@ Result<void> write_batch(const fs::path& folder, const SlurmBatch& batch,
   std::string schedule;
   Json tasks = Json::array();
   for (const Assignment& one : assignments) {
-    schedule += schedule_line(one.fixture);
+    schedule += format_fixture(one.fixture);
     tasks.push_back({one.fixture.index, one.number});
   }
   const Json record = {{"schema", "cls.slurm/1"},
@@ -113,18 +113,19 @@ Result<void> write_batch(const fs::path& folder, const SlurmBatch& batch,
   return {};
 }
 
-std::vector<std::string> submit_words(const fs::path& folder, const SlurmBatch& batch,
-                                      const std::vector<std::string>& options, int parallel) {
-  std::vector<std::string> words = {"--requeue", "--open-mode=append"};
-  words.insert(words.end(), options.begin(), options.end());
-  words.insert(words.end(), {"--parsable", "--job-name=" + batch.name,
-                             fmt::format("--array=0-{}{}", batch.tasks.size() - 1,
-                                         parallel > 0 ? fmt::format("%{}", parallel) : ""),
-                             "--chdir=" + folder.string(),
-                             fmt::format("--output={}-%a.out",
-                                         percents_doubled((folder / file_of(batch, "")).string())),
-                             (folder / file_of(batch, ".sh")).string()});
-  return words;
+std::vector<std::string> sbatch_arguments(const fs::path& folder, const SlurmBatch& batch,
+                                          const std::vector<std::string>& options, int parallel) {
+  std::vector<std::string> arguments = {"--requeue", "--open-mode=append"};
+  arguments.insert(arguments.end(), options.begin(), options.end());
+  arguments.insert(
+      arguments.end(),
+      {"--parsable", "--job-name=" + batch.name,
+       fmt::format("--array=0-{}{}", batch.tasks.size() - 1,
+                   parallel > 0 ? fmt::format("%{}", parallel) : ""),
+       "--chdir=" + folder.string(),
+       fmt::format("--output={}-%a.out", escape_percents((folder / file_of(batch, "")).string())),
+       (folder / file_of(batch, ".sh")).string()});
+  return arguments;
 }
 
 std::vector<SlurmBatch> read_batches(const fs::path& folder) {
@@ -132,7 +133,7 @@ std::vector<SlurmBatch> read_batches(const fs::path& folder) {
   std::error_code code;
   for (const auto& entry : fs::directory_iterator(folder / kSlurmFolder, code)) {
     if (entry.path().extension() != ".json") continue;
-    if (auto batch = batch_in(entry.path())) batches.push_back(*std::move(batch));
+    if (auto batch = read_batch(entry.path())) batches.push_back(*std::move(batch));
   }
   std::sort(batches.begin(), batches.end(),
             [](const SlurmBatch& a, const SlurmBatch& b) { return a.number < b.number; });

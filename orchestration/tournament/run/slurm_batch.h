@@ -1,4 +1,4 @@
-// A job array of matches, and what of it lies in the tournament's folder while it is under way.
+// A Slurm job array of matches, and its files in the tournament's folder.
 #pragma once
 
 #include <filesystem>
@@ -15,7 +15,7 @@ namespace cls::orchestration::tournament {
 /// Task i of the array plays tasks[i].
 struct SlurmBatch {
   int number = 0;    ///< of this tournament, from 1
-  std::string name;  ///< of the job; no other job has it
+  std::string name;  ///< of the job; unique
   struct Task {
     int index = 0;
     int attempt = 1;
@@ -23,30 +23,32 @@ struct SlurmBatch {
   std::vector<Task> tasks;
 };
 
-/// A batch with a name of its own.
+/// A batch with a unique name.
 SlurmBatch make_batch(int number, const std::filesystem::path& folder,
                       std::span<const Assignment> assignments);
 
-/// slurm/000001.json, .sh and .jsonl: the record by which a later run knows of the batch, the job's
-/// script, and the schedule of its matches. To be written before sbatch is called.
+/// Writes slurm/000001.json, .sh and .jsonl: the record by which a later run finds the batch, the
+/// job's script, and the schedule of its matches. Call it before sbatch.
 base::Result<void> write_batch(const std::filesystem::path& folder, const SlurmBatch& batch,
                                std::span<const Assignment> assignments,
                                const std::filesystem::path& program);
 
-/// Words for sbatch that submit a batch that was written; `parallel` tasks at once (0: any number).
-std::vector<std::string> submit_words(const std::filesystem::path& folder, const SlurmBatch& batch,
-                                      const std::vector<std::string>& options, int parallel);
+/// Arguments for sbatch that submit a written batch; at most `parallel` tasks run concurrently (0:
+/// no limit).
+std::vector<std::string> sbatch_arguments(const std::filesystem::path& folder,
+                                          const SlurmBatch& batch,
+                                          const std::vector<std::string>& options, int parallel);
 
-/// The batches that were written and not removed yet, by number.
+/// The batches that were written and not removed, by number.
 std::vector<SlurmBatch> read_batches(const std::filesystem::path& folder);
 
-/// A number that no file of an earlier batch bears.
+/// A number above those of all earlier batches.
 int next_batch_number(const std::filesystem::path& folder);
 
-/// Removes what write_batch wrote; logs of tasks stay.
+/// Removes the files of write_batch; logs of tasks stay.
 void remove_batch(const std::filesystem::path& folder, const SlurmBatch& batch);
 
-/// Output of a task: "slurm/000001-3.out".
+/// Log of a task: "slurm/000001-3.out".
 std::filesystem::path task_log(const SlurmBatch& batch, int task);
 
 }  // namespace cls::orchestration::tournament

@@ -1,4 +1,4 @@
-// Starting them, reading what they say. Their text is stable over versions; their JSON is not.
+// Runs Slurm's programs and parses their text, which is stable over versions; their JSON is not.
 #include "orchestration/tournament/run/slurm_client.h"
 
 #include <fmt/format.h>
@@ -15,24 +15,21 @@ namespace {
 using base::Error;
 using base::Result;
 
-constexpr std::chrono::seconds kAnswerLimit{60};
+constexpr std::chrono::seconds kExitTimeout{60};
 constexpr int kDefaultMaxArraySize = 1001;
 
-bool says(const std::vector<std::string>& lines, std::string_view words) {
-  return std::any_of(lines.begin(), lines.end(), [words](const std::string& line) {
-    return line.find(words) != std::string::npos;
+template <std::size_t count>
+bool contain_any(const std::vector<std::string>& lines,
+                 const std::array<std::string_view, count>& phrases) {
+  return std::any_of(lines.begin(), lines.end(), [&](const std::string& line) {
+    return std::any_of(phrases.begin(), phrases.end(), [&](std::string_view phrase) {
+      return line.find(phrase) != std::string::npos;
+    });
   });
 }
 
-template <std::size_t count>
-bool says_any(const std::vector<std::string>& lines,
-              const std::array<std::string_view, count>& all) {
-  return std::any_of(all.begin(), all.end(),
-                     [&](std::string_view words) { return says(lines, words); });
-}
-
-// Limits of arrays, of users (in accounts and qualities of service), of the controller.
-constexpr std::array<std::string_view, 6> kTooMuch = {
+// Limits of arrays, of users (accounts and QOS), and of the controller.
+constexpr std::array<std::string_view, 6> kLimitReached = {
     "Invalid job array specification",    "job submit limit", "MaxSubmitJob",
     "Slurm temporarily unable to accept", "MaxJobCount",      "Resource temporarily unavailable",
 };
@@ -42,7 +39,7 @@ constexpr std::array<std::string_view, 4> kUnreachable = {
 constexpr std::array<std::string_view, 3> kUnclear = {"Socket timed out", "Zero Bytes were",
                                                       "Unexpected message received"};
 
-constexpr std::array<std::string_view, 10> kFinal = {
+constexpr std::array<std::string_view, 10> kFinalStates = {
     "BOOT_FAIL", "CANCELLED",     "COMPLETED", "DEADLINE", "FAILED",
     "NODE_FAIL", "OUT_OF_MEMORY", "PREEMPTED", "REVOKED",  "TIMEOUT"};
 
@@ -50,8 +47,8 @@ std::string joined(const std::vector<std::string>& lines) {
   return fmt::format("{}", fmt::join(lines, "; "));
 }
 
-// "name|3|RUNNING|None"; names have no bar in them.
-std::optional<std::pair<TaskName, TaskState>> task_in(std::string_view line) {
+// Parses "name|3|RUNNING|None"; job names hold no bar.
+std::optional<std::pair<TaskName, TaskState>> parse_task(std::string_view line) {
   std::array<std::string_view, 4> fields;
   for (std::string_view& field : fields) {
     const std::size_t bar = line.find('|');
@@ -69,18 +66,18 @@ std::optional<std::pair<TaskName, TaskState>> task_in(std::string_view line) {
 
 }  // namespace
 
-Submission submission_from(int exit_code, const std::vector<std::string>& output) {
-  using End = Submission::End;
-  if (exit_code == 0) return {End::kAccepted, ""};
+Submission parse_submission(int exit_code, const std::vector<std::string>& output) {
+  using Status = Submission::Status;
+  if (exit_code == 0) return {Status::kAccepted, ""};
   const std::string message = output.empty() ? "sbatch failed" : joined(output);
-  if (says_any(output, kTooMuch)) return {End::kTooMuch, message};
-  if (exit_code < 0 || says_any(output, kUnclear)) return {End::kUnknown, message};
-  if (says_any(output, kUnreachable)) return {End::kUnreachable, message};
-  return {End::kRefused, message};
+  if (contain_any(output, kLimitReached)) return {Status::kLimitReached, message};
+  if (exit_code < 0 || contain_any(output, kUnclear)) return {Status::kUnknown, message};
+  if (contain_any(output, kUnreachable)) return {Status::kUnreachable, message};
+  return {Status::kRefused, message};
 }
 
 bool may_still_run(const TaskState& state) {
-  return std::find(kFinal.begin(), kFinal.end(), state.word) == kFinal.end();
+  return std::find(kFinalStates.begin(), kFinalStates.end(), state.state) == kFinalStates.end();
 }
 
 Result<SlurmClient> SlurmClient::create() {
@@ -89,11 +86,11 @@ Result<SlurmClient> SlurmClient::create() {
   return SlurmClient(*std::move(host));
 }
 
-Result<SlurmClient::Answer> SlurmClient::ask(std::vector<std::string> words) {
+Result<SlurmClient::Output> SlurmClient::run(std::vector<std::string> argv) {
   process::CommandPlan plan;
-  plan.name = words.front();
-  plan.argv = std::move(words);
-  // Shared with the host's thread, which may bring a last line when nobody waits any more.
+  plan.name = argv.front();
+  plan.argv = std::move(argv);
+  // Shared with the host's thread, which may add a last line after this function returned.
   struct Lines {
     std::mutex mutex;
     std::vector<std::string> all;
@@ -104,59 +101,59 @@ Result<SlurmClient::Answer> SlurmClient::ask(std::vector<std::string> words) {
     lines->all.emplace_back(line);
   });
   if (!child) return child.error();
-  const bool answered = (*child)->wait_gone(kAnswerLimit);
+  const bool exited = (*child)->wait_gone(kExitTimeout);
   const auto exit = (*child)->status().exit;
-  if (!answered) (*child)->end(std::chrono::milliseconds(0));
-  Answer answer;
-  if (answered && exit && !exit->by_signal) answer.exit_code = exit->number;
+  if (!exited) (*child)->end(std::chrono::milliseconds(0));
+  Output output;
+  if (exited && exit && !exit->by_signal) output.exit_code = exit->number;
   const std::lock_guard lock(lines->mutex);
-  answer.lines = lines->all;
-  if (!answered) answer.lines.push_back(plan.name + " does not answer");
-  return answer;
+  output.lines = lines->all;
+  if (!exited) output.lines.push_back(plan.name + " does not exit");
+  return output;
 }
 
 Result<int> SlurmClient::max_array_size() {
-  const auto answer = ask({"scontrol", "show", "config"});
-  if (!answer) return answer.error();
-  for (const std::string& line : answer->lines) {
+  const auto output = run({"scontrol", "show", "config"});
+  if (!output) return output.error();
+  for (const std::string& line : output->lines) {
     if (!line.starts_with("MaxArraySize")) continue;
     const std::size_t digits = line.find_first_of("0123456789");
     int size = 0;
     if (digits == std::string::npos) break;
     std::from_chars(line.data() + digits, line.data() + line.size(), size);
-    if (size == 0) return Error{"this Slurm takes no job arrays (MaxArraySize = 0)"};
+    if (size == 0) return Error{"this Slurm accepts no job arrays (MaxArraySize = 0)"};
     return size;
   }
   return kDefaultMaxArraySize;
 }
 
-Submission SlurmClient::submit(const std::vector<std::string>& words) {
+Submission SlurmClient::submit(const std::vector<std::string>& arguments) {
   std::vector<std::string> argv = {"sbatch"};
-  argv.insert(argv.end(), words.begin(), words.end());
-  const auto answer = ask(std::move(argv));
-  if (!answer) return {Submission::End::kRefused, answer.error().message};
-  return submission_from(answer->exit_code, answer->lines);
+  argv.insert(argv.end(), arguments.begin(), arguments.end());
+  const auto output = run(std::move(argv));
+  if (!output) return {Submission::Status::kRefused, output.error().message};
+  return parse_submission(output->exit_code, output->lines);
 }
 
 Result<std::map<TaskName, TaskState>> SlurmClient::tasks(const std::vector<std::string>& names) {
-  const auto answer =
-      ask({"squeue", "--noheader", "--array", "--states=all",
+  const auto output =
+      run({"squeue", "--noheader", "--array", "--states=all",
            fmt::format("--name={}", fmt::join(names, ",")), "--format=%j|%K|%T|%r"});
-  if (!answer) return answer.error();
-  if (answer->exit_code != 0) return Error{joined(answer->lines)};
+  if (!output) return output.error();
+  if (output->exit_code != 0) return Error{joined(output->lines)};
   std::map<TaskName, TaskState> tasks;
-  for (const std::string& line : answer->lines) {
-    if (auto task = task_in(line)) tasks.insert(*std::move(task));
+  for (const std::string& line : output->lines) {
+    if (auto task = parse_task(line)) tasks.insert(*std::move(task));
   }
   return tasks;
 }
 
-Result<void> SlurmClient::cancel(const std::string& name, bool waiting_only) {
+Result<void> SlurmClient::cancel(const std::string& name, bool pending_only) {
   std::vector<std::string> argv = {"scancel", "--name=" + name};
-  if (waiting_only) argv.emplace_back("--state=PENDING");
-  const auto answer = ask(std::move(argv));
-  if (!answer) return answer.error();
-  if (answer->exit_code != 0) return Error{joined(answer->lines)};
+  if (pending_only) argv.emplace_back("--state=PENDING");
+  const auto output = run(std::move(argv));
+  if (!output) return output.error();
+  if (output->exit_code != 0) return Error{joined(output->lines)};
   return {};
 }
 

@@ -1,4 +1,4 @@
-// Slurm's own programs, as far as a tournament needs them: scontrol, sbatch, squeue, scancel.
+// Client of Slurm through its programs scontrol, sbatch, squeue and scancel.
 #pragma once
 
 #include <map>
@@ -12,61 +12,60 @@
 
 namespace cls::orchestration::tournament {
 
-/// What became of a call of sbatch.
+/// The result of a call of sbatch.
 struct Submission {
-  enum class End {
+  enum class Status {
     kAccepted,
-    kTooMuch,      ///< a limit of the site: fewer tasks, or later
-    kUnreachable,  ///< no controller answers; nothing was submitted
-    kUnknown,      ///< no clear answer came: it may have been submitted or not
-    kRefused,      ///< a mistake in the options, no right to submit, ...
+    kLimitReached,  ///< a limit of the site: submit fewer tasks, or later
+    kUnreachable,   ///< the controller does not reply; nothing was submitted
+    kUnknown,       ///< no clear reply: the job may have been submitted
+    kRefused,       ///< invalid options, missing permission, ...
   };
-  End end = End::kRefused;
-  std::string message;  ///< of sbatch, when it was not accepted
+  Status status = Status::kRefused;
+  std::string message;  ///< of sbatch, unless accepted
 };
 
-/// What sbatch's end means. `output` are its lines, stdout and stderr.
-Submission submission_from(int exit_code, const std::vector<std::string>& output);
+/// Classifies a call of sbatch. `output` are its lines on stdout and stderr.
+Submission parse_submission(int exit_code, const std::vector<std::string>& output);
 
-/// A task of a job array as squeue names it: name of the job and array index.
+/// A task of a job array in squeue: job name and array index.
 using TaskName = std::pair<std::string, int>;
 
 struct TaskState {
-  std::string word;    ///< "PENDING", "RUNNING", "NODE_FAIL", ...
-  std::string reason;  ///< of waiting: "Resources", "JobHeldUser", ...
+  std::string state;   ///< "PENDING", "RUNNING", "NODE_FAIL", ...
+  std::string reason;  ///< why it is pending: "Resources", "JobHeldUser", ...
 };
 
 /// False when the state is final: Slurm will not run the task (again).
 bool may_still_run(const TaskState& state);
 
-/// Calls the programs that PATH finds and waits for each; a program that does not answer within
-/// a minute is ended. Jobs are told apart by their names, which must be unique: so what was
-/// submitted can be found again by whoever did not live to see the number.
+/// Runs the programs that PATH finds and waits for each; kills a program that does not exit within
+/// a minute. Jobs are identified by their names, which must be unique: so a later run finds a job
+/// even if the run that submitted it was killed before it read the job number.
 class SlurmClient {
  public:
-  /// An error when this process cannot start others.
   static base::Result<SlurmClient> create();
 
-  /// MaxArraySize of the site: array indices are below it. 1001, the default, when it is not told.
+  /// MaxArraySize of the site: array indices are below it. Slurm's default, 1001, if not reported.
   base::Result<int> max_array_size();
 
-  /// `sbatch` with these words.
-  Submission submit(const std::vector<std::string>& words);
+  /// Runs `sbatch` with these arguments.
+  Submission submit(const std::vector<std::string>& arguments);
 
-  /// The tasks of the jobs of these names that Slurm still knows, finished ones too for a while.
+  /// The tasks of the jobs of these names that squeue lists; finished ones stay there for a while.
   base::Result<std::map<TaskName, TaskState>> tasks(const std::vector<std::string>& names);
 
-  /// Cancels the jobs of this name, or only those of their tasks that wait.
-  base::Result<void> cancel(const std::string& name, bool waiting_only);
+  /// Cancels the jobs of this name, or only their pending tasks.
+  base::Result<void> cancel(const std::string& name, bool pending_only);
 
  private:
   explicit SlurmClient(process::ProcessHost host) : host_(std::move(host)) {}
 
-  struct Answer {
-    int exit_code = -1;  ///< -1: it did not end by itself in time
+  struct Output {
+    int exit_code = -1;  ///< -1: killed by a signal or at the timeout
     std::vector<std::string> lines;
   };
-  base::Result<Answer> ask(std::vector<std::string> words);
+  base::Result<Output> run(std::vector<std::string> argv);
 
   process::ProcessHost host_;
 };

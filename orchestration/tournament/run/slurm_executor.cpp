@@ -1,11 +1,11 @@
-// Matches as tasks of Slurm job arrays.
+// Plays matches as tasks of Slurm job arrays.
 //
-// The cluster needs nothing of this process: every task plays its match with `cls tournament work`
-// and leaves a result file in the shared folder, which this executor collects. So it may be killed;
-// the next run finds its batches by their records (slurm_batch.h) and their jobs by name. squeue is
-// asked now and then for one thing only: which tasks are over and have left no result. Those were
-// lost (node failure, scancel, time limit, ...) and their matches are handed back to be played
-// again. Slurm itself repeats a task whose node failed; if both live, the first result counts.
+// The tasks do not depend on this process: each plays its match with `cls tournament work` and
+// writes a result file to the shared folder, which this executor collects. So this process may be
+// killed; the next run finds its batches by their records (slurm_batch.h) and their jobs by name.
+// squeue is polled only for tasks that ended without a result. Those are lost (node failure,
+// scancel, time limit, ...), and their matches are returned to be played again. Slurm itself
+// requeues a task whose node failed; if both run, the first result counts.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -31,30 +31,30 @@ using base::Result;
 using Clock = std::chrono::steady_clock;
 using Seconds = std::chrono::duration<double>;
 
-constexpr double kPollS = 10.0;
-// A shared folder may show a result a little later than squeue shows its task as over.
-constexpr int kTimesSeenOver = 2;
-constexpr int kMostLosses = 3;
-// However long it takes, with many files or a busy controller: most of the time nobody is asked.
-constexpr double kPausePerLook = 5.0;
+constexpr double kDefaultPollIntervalS = 10.0;
+// A result may appear in a shared folder a little later than squeue reports its task as ended.
+constexpr int kPollsUntilLost = 2;
+constexpr int kMaxLosses = 3;
+// Bounds the share of time spent on polling, with many files or a busy controller.
+constexpr double kPausePerDuration = 5.0;
 
-/// Something done again and again, less often when it takes long.
-class Rhythm {
+/// The schedule of a periodic action; the pause grows with the duration of the action.
+class Throttle {
  public:
-  explicit Rhythm(Seconds pause) : pause_(pause) {}
+  explicit Throttle(Seconds min_pause) : min_pause_(min_pause) {}
 
   bool due() const { return Clock::now() >= next_; }
-  void begin() { begun_ = Clock::now(); }
+  void begin() { began_ = Clock::now(); }
   void done() {
     const auto now = Clock::now();
-    const Seconds took = now - begun_;
+    const Seconds took = now - began_;
     next_ = now + std::chrono::duration_cast<Clock::duration>(
-                      std::max(pause_, Seconds(took.count() * kPausePerLook)));
+                      std::max(min_pause_, Seconds(took.count() * kPausePerDuration)));
   }
 
  private:
-  Seconds pause_;
-  Clock::time_point begun_;
+  Seconds min_pause_;
+  Clock::time_point began_;
   Clock::time_point next_ = Clock::now();
 };
 
@@ -78,13 +78,14 @@ class SlurmExecutor : public MatchExecutor {
         array_size_(array_size),
         chunk_(array_size),
         next_number_(next_batch_number(folder_)),
-        asking_(Seconds(config.slurm_poll_s.value_or(kPollS))),
-        submitting_(Seconds(config.slurm_poll_s.value_or(kPollS))),
-        looking_(Seconds(std::min(1.0, config.slurm_poll_s.value_or(kPollS) / 10))) {}
+        status_poll_(Seconds(config.slurm_poll_s.value_or(kDefaultPollIntervalS))),
+        submission_(Seconds(config.slurm_poll_s.value_or(kDefaultPollIntervalS))),
+        result_poll_(
+            Seconds(std::min(1.0, config.slurm_poll_s.value_or(kDefaultPollIntervalS) / 10))) {}
 
-  // Many at a time, so that arrays are long. With a limit of matches at once, one array after the
-  // other: Slurm holds the limit within an array only.
-  int room() const override {
+  // Many at a time, so that arrays are long. With limited concurrency the arrays run in sequence,
+  // because Slurm applies the limit within one array only.
+  int free_slots() const override {
     const int free = config_.slurm_tasks - running();
     if (config_.concurrency > 0) return running() == 0 ? free : 0;
     return 2 * free >= config_.slurm_tasks ? free : 0;
@@ -118,38 +119,39 @@ class SlurmExecutor : public MatchExecutor {
       batches_.emplace(number, Batch{std::move(batch), live});
     }
     if (!taken.empty()) {
-      notes_.push_back(fmt::format("{} matches are with Slurm since an earlier run", taken.size()));
+      notes_.push_back(
+          fmt::format("{} matches of an earlier run are still with Slurm", taken.size()));
     }
     return taken;
   }
 
-  Result<std::vector<Finished>> wait(std::chrono::milliseconds limit) override {
-    constexpr std::chrono::milliseconds kLook{10};
+  Result<std::vector<FinishedMatch>> wait(std::chrono::milliseconds limit) override {
+    constexpr std::chrono::milliseconds kPollInterval{10};
     const auto end = Clock::now() + limit;
     while (true) {
-      if (!waiting_.empty() && submitting_.due()) {
+      if (!waiting_.empty() && submission_.due()) {
         if (auto submitted = submit(); !submitted) return submitted.error();
       }
-      const bool asked = asking_.due() && !tasks_.empty() && ask();
-      if (asked || looking_.due()) collect();
-      if (asked) {
-        if (auto given = give_back_lost(); !given) return given.error();
+      const bool polled = status_poll_.due() && !tasks_.empty() && poll_status();
+      if (polled || result_poll_.due()) collect();
+      if (polled) {
+        if (auto returned = return_lost(); !returned) return returned.error();
       }
       if (!finished_.empty() || Clock::now() >= end) return std::exchange(finished_, {});
-      std::this_thread::sleep_for(kLook);
+      std::this_thread::sleep_for(kPollInterval);
     }
   }
 
   void withdraw() override {
-    give_back_waiting();
+    return_waiting();
     if (std::exchange(withdrawn_, true)) return;
     for (const auto& [number, batch] : batches_) cancel(batch.batch, true);
   }
 
-  // Tasks that end in order leave no result; whatever does come of them is collected by the next
-  // run. Where Slurm cannot be told, the records stay and the next run takes the matches over.
+  // Tasks that shut down cleanly write no result; the next run collects any that come. If scancel
+  // fails, the records stay and the next run takes the matches over.
   void interrupt() override {
-    give_back_waiting();
+    return_waiting();
     for (const auto& [number, batch] : batches_) {
       if (cancel(batch.batch, false)) remove_batch(folder_, batch.batch);
     }
@@ -165,41 +167,41 @@ class SlurmExecutor : public MatchExecutor {
     Assignment assignment;
     int batch = 0;
     int position = 0;     // in the array
-    int seen_over = 0;    // times in a row that squeue did not show it as alive
-    std::string state{};  // the last word of squeue about it
+    int polls_ended = 0;  // consecutive polls in which squeue did not show it as alive
+    std::string state{};  // as squeue reported it last
   };
   struct Batch {
     SlurmBatch batch;
-    std::size_t live = 0;   // tasks without an end
-    bool submitted = true;  // for certain
+    std::size_t live = 0;   // tasks that have not ended
+    bool submitted = true;  // known for certain
   };
 
-  // As much as the site takes, in arrays as long as it takes them.
+  // Submits as much as the site accepts, in arrays as long as it accepts them.
   Result<void> submit() {
-    using End = Submission::End;
-    submitting_.begin();
+    using Status = Submission::Status;
+    submission_.begin();
     while (!waiting_.empty()) {
       const std::size_t size = std::min(waiting_.size(), static_cast<std::size_t>(chunk_));
       const auto submission =
           submit_array({waiting_.begin(), waiting_.begin() + static_cast<std::ptrdiff_t>(size)});
       if (!submission) return submission.error();
-      if (submission->end == End::kAccepted || submission->end == End::kUnknown) {
+      if (submission->status == Status::kAccepted || submission->status == Status::kUnknown) {
         waiting_.erase(waiting_.begin(), waiting_.begin() + static_cast<std::ptrdiff_t>(size));
         chunk_ = std::min(array_size_, 2 * chunk_);
-        if (submission->end == End::kAccepted) continue;
+        if (submission->status == Status::kAccepted) continue;
         note_once("sbatch: " + submission->message);
-      } else if (submission->end == End::kTooMuch && size > 1) {
+      } else if (submission->status == Status::kLimitReached && size > 1) {
         chunk_ = static_cast<int>(size / 2);
         continue;
-      } else if (submission->end == End::kRefused) {
-        return Error{"Slurm refuses the job: " + submission->message};
+      } else if (submission->status == Status::kRefused) {
+        return Error{"Slurm rejected the job: " + submission->message};
       } else {
-        note_once(fmt::format("sbatch: {}; tried again every {} s", submission->message,
-                              config_.slurm_poll_s.value_or(kPollS)));
+        note_once(fmt::format("sbatch: {}; retrying every {} s", submission->message,
+                              config_.slurm_poll_s.value_or(kDefaultPollIntervalS)));
       }
       break;
     }
-    submitting_.done();
+    submission_.done();
     return {};
   }
 
@@ -208,10 +210,10 @@ class SlurmExecutor : public MatchExecutor {
     if (auto written = write_batch(folder_, batch, assignments, program_); !written) {
       return written.error();
     }
-    Submission submission =
-        client_.submit(submit_words(folder_, batch, config_.slurm_options, config_.concurrency));
-    using End = Submission::End;
-    if (submission.end != End::kAccepted && submission.end != End::kUnknown) {
+    Submission submission = client_.submit(
+        sbatch_arguments(folder_, batch, config_.slurm_options, config_.concurrency));
+    using Status = Submission::Status;
+    if (submission.status != Status::kAccepted && submission.status != Status::kUnknown) {
       remove_batch(folder_, batch);
       return submission;
     }
@@ -220,31 +222,31 @@ class SlurmExecutor : public MatchExecutor {
                      Task{assignments[i], batch.number, static_cast<int>(i)});
     }
     batches_.emplace(batch.number,
-                     Batch{batch, assignments.size(), submission.end == End::kAccepted});
+                     Batch{batch, assignments.size(), submission.status == Status::kAccepted});
     return submission;
   }
 
-  // What squeue says of all tasks under way; false when it says nothing.
-  bool ask() {
-    asking_.begin();
+  // Updates all tasks from squeue; false when that fails.
+  bool poll_status() {
+    status_poll_.begin();
     std::vector<std::string> names;
     for (const auto& [number, batch] : batches_) names.push_back(batch.batch.name);
     const auto states = client_.tasks(names);
-    asking_.done();
+    status_poll_.done();
     if (!states) {
-      note_once(fmt::format("squeue: {}; results are collected on", states.error().message));
+      note_once(fmt::format("squeue: {}; results are still collected", states.error().message));
       return false;
     }
     for (auto& [index, task] : tasks_) {
       Batch& batch = batches_.at(task.batch);
       const auto found = states->find({batch.batch.name, task.position});
       if (found == states->end()) {
-        ++task.seen_over;
+        ++task.polls_ended;
         continue;
       }
       batch.submitted = true;
-      task.state = found->second.word;
-      task.seen_over = may_still_run(found->second) ? 0 : task.seen_over + 1;
+      task.state = found->second.state;
+      task.polls_ended = may_still_run(found->second) ? 0 : task.polls_ended + 1;
       note_held(batch.batch, found->second);
     }
     return true;
@@ -256,11 +258,11 @@ class SlurmExecutor : public MatchExecutor {
   }
 
   void collect() {
-    looking_.begin();
-    for (const ResultName& name : result_names(folder_)) {
+    result_poll_.begin();
+    for (const WorkResultName& name : list_work_results(folder_)) {
       const auto found = tasks_.find(name.index);
       if (found == tasks_.end() || found->second.assignment.number != name.attempt) continue;
-      auto outcome = read_result(folder_, found->second.assignment.fixture, name.attempt);
+      auto outcome = read_work_result(folder_, found->second.assignment.fixture, name.attempt);
       if (!outcome) continue;
       if (outcome->played()) {
         std::error_code code;
@@ -269,14 +271,14 @@ class SlurmExecutor : public MatchExecutor {
       finished_.push_back({name.index, std::move(outcome)});
       settle(found);
     }
-    looking_.done();
+    result_poll_.done();
   }
 
-  Result<void> give_back_lost() {
+  Result<void> return_lost() {
     for (auto at = tasks_.begin(); at != tasks_.end();) {
       const auto found = at++;
       const Task& task = found->second;
-      if (task.seen_over < kTimesSeenOver) continue;
+      if (task.polls_ended < kPollsUntilLost) continue;
       if (!withdrawn_) {
         if (auto counted = count_loss(task); !counted) return counted;
       }
@@ -286,21 +288,21 @@ class SlurmExecutor : public MatchExecutor {
     return {};
   }
 
-  // Three losses of one match are no accident: a time limit, memory, a wrong path on the nodes.
+  // Repeated losses of one match have a cause: a time limit, memory, a wrong path on the nodes.
   Result<void> count_loss(const Task& task) {
     const Batch& batch = batches_.at(task.batch);
     if (!batch.submitted) return {};
     const int index = task.assignment.fixture.index;
     const std::string state = task.state.empty() ? "unknown to squeue" : task.state;
     const std::string line = last_line_of(folder_ / log_of(task));
-    const std::string told =
-        fmt::format("match {}: task {} of {} left no result ({}){}", index, task.position,
+    const std::string problem =
+        fmt::format("match {}: task {} of {} produced no result ({}){}", index, task.position,
                     batch.batch.name, state, line.empty() ? "" : ": " + line);
-    if (++losses_[index] >= kMostLosses) {
-      return Error{fmt::format("{}, for the {}rd time; see {}", told, kMostLosses,
+    if (++losses_[index] >= kMaxLosses) {
+      return Error{fmt::format("{}; failed {} times; see {}", problem, kMaxLosses,
                                (folder_ / log_of(task)).string())};
     }
-    notes_.push_back(told + "; it is played again");
+    notes_.push_back(problem + "; the match is rerun");
     return {};
   }
 
@@ -308,21 +310,21 @@ class SlurmExecutor : public MatchExecutor {
     const auto batch = batches_.find(at->second.batch);
     tasks_.erase(at);
     if (--batch->second.live > 0) return;
-    // Repetitions of tasks whose first run brought the result after all.
+    // Requeued tasks whose first execution wrote the result after all.
     cancel(batch->second.batch, true);
     remove_batch(folder_, batch->second.batch);
     batches_.erase(batch);
   }
 
-  void give_back_waiting() {
+  void return_waiting() {
     for (const Assignment& one : waiting_) {
       finished_.push_back({one.fixture.index, std::nullopt});
     }
     waiting_.clear();
   }
 
-  bool cancel(const SlurmBatch& batch, bool waiting_only) {
-    const auto cancelled = client_.cancel(batch.name, waiting_only);
+  bool cancel(const SlurmBatch& batch, bool pending_only) {
+    const auto cancelled = client_.cancel(batch.name, pending_only);
     if (!cancelled) note_once(fmt::format("scancel: {}", cancelled.error().message));
     return cancelled.ok();
   }
@@ -340,18 +342,18 @@ class SlurmExecutor : public MatchExecutor {
   fs::path program_;
   SlurmClient client_;
   int array_size_;
-  int chunk_;  // tasks of the next array: fewer after a limit was met
+  int chunk_;  // tasks of the next array: fewer after a limit was reached
   int next_number_;
-  std::deque<Assignment> waiting_;  // not taken by Slurm yet
+  std::deque<Assignment> waiting_;  // not submitted yet
   std::map<int, Task> tasks_;       // by match
   std::map<int, Batch> batches_;    // by number
   std::map<int, int> losses_;       // by match
-  std::vector<Finished> finished_;
+  std::vector<FinishedMatch> finished_;
   std::vector<std::string> notes_;
   std::set<std::string> noted_;
-  Rhythm asking_;
-  Rhythm submitting_;
-  Rhythm looking_;
+  Throttle status_poll_;
+  Throttle submission_;
+  Throttle result_poll_;
   bool withdrawn_ = false;
 };
 

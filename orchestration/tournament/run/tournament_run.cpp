@@ -1,4 +1,4 @@
-// The loop between store, schedule and executor.
+// The loop over schedule, executor and store.
 #include "orchestration/tournament/run/tournament_run.h"
 
 #include <fmt/format.h>
@@ -31,7 +31,7 @@ using Json = nlohmann::ordered_json;
 using Clock = std::chrono::steady_clock;
 
 constexpr int kForfeitGoals = 3;
-constexpr std::chrono::milliseconds kLook{200};
+constexpr std::chrono::milliseconds kPollInterval{200};
 
 class TournamentRun {
  public:
@@ -56,81 +56,83 @@ class TournamentRun {
   }
 
  private:
-  // Every step may fail for good; then the run ends and the next one goes on from the store.
+  // Any step may fail for good; then the run ends, and the next one resumes from the store.
   Result<void> play() {
     if (auto loaded = load(); !loaded) return loaded;
-    if (options_.enough && options_.enough(matches_)) end(RunEnd::kDecided);
+    if (options_.decided && options_.decided(matches_)) end(RunEnd::kDecided);
     while (!ending_) {
-      if (auto drawn = draw_all(); !drawn) return drawn;
+      if (auto scheduled = schedule_matches(); !scheduled) return scheduled;
       if (waiting_.empty() && executor_->running() == 0) break;
       if (auto started = start_matches(); !started) return started;
-      if (auto taken = take_finished(kLook); !taken) return taken;
-      look_around();
+      if (auto recorded = record_finished(kPollInterval); !recorded) return recorded;
+      poll();
     }
-    return wind_up();
+    return shut_down();
   }
 
   Result<void> load() {
-    if (auto back = store_.put_back(true); !back) return back;
+    if (auto requeued = store_.requeue(true); !requeued) return requeued;
     auto stored = store_.matches();
     if (!stored) return stored.error();
     matches_ = *std::move(stored);
-    if (auto told = tell("tournament_started",
-                         {{"folder", options_.folder.string()},
-                          {"scheduled", matches_.size()},
-                          {"done", std::count_if(matches_.begin(), matches_.end(),
-                                                 [](const auto& m) { return m.outcome; })}});
-        !told) {
-      return told;
+    if (auto logged = log_event("tournament_started",
+                                {{"folder", options_.folder.string()},
+                                 {"scheduled", matches_.size()},
+                                 {"done", std::count_if(matches_.begin(), matches_.end(),
+                                                        [](const auto& m) { return m.outcome; })}});
+        !logged) {
+      return logged;
     }
     for (const ScheduledMatch& match : matches_) {
-      if (match.outcome) note_done(*match.outcome);
+      if (match.outcome) count_done(*match.outcome);
     }
-    if (auto taken = take_up_results(); !taken) return taken;
-    const auto elsewhere = executor_->take_over(matches_);
-    if (!elsewhere) return elsewhere.error();
-    return take_up_left_behind({elsewhere->begin(), elsewhere->end()});
+    if (auto recorded = record_work_results(); !recorded) return recorded;
+    const auto running = executor_->take_over(matches_);
+    if (!running) return running.error();
+    return recover_results({running->begin(), running->end()});
   }
 
-  // Outcomes of `work` that nobody committed.
-  Result<void> take_up_results() {
-    for (Delivery& delivery : collect_results(options_.folder, matches_)) {
-      if (auto taken = take_outcome(delivery.index, std::move(delivery.outcome)); !taken) {
-        return taken;
+  // Records the result files of `work` that are not in the store.
+  Result<void> record_work_results() {
+    for (WorkResult& result : collect_work_results(options_.folder, matches_)) {
+      if (auto recorded = record_outcome(result.index, std::move(result.outcome)); !recorded) {
+        return recorded;
       }
     }
     return {};
   }
 
-  // Those of matches that ended when cls did; what then is left waits to be played. `elsewhere`:
-  // numbers of matches that are under way.
-  Result<void> take_up_left_behind(const std::set<int>& elsewhere = {}) {
+  // Records matches that ended together with an earlier run, and queues all others without an
+  // outcome, except those of the numbers `running`.
+  Result<void> recover_results(const std::set<int>& running = {}) {
     for (ScheduledMatch& match : matches_) {
       if (match.outcome || match.attempts <= match.settled) continue;
-      if (elsewhere.contains(match.fixture.index)) continue;
-      auto outcome = left_behind(config_, match.fixture, match.attempts, options_.folder);
+      if (running.contains(match.fixture.index)) continue;
+      auto outcome = recover_result(config_, match.fixture, match.attempts, options_.folder);
       if (!outcome) continue;
-      if (auto taken = take_outcome(match.fixture.index, *std::move(outcome)); !taken) return taken;
+      if (auto recorded = record_outcome(match.fixture.index, *std::move(outcome)); !recorded) {
+        return recorded;
+      }
     }
     waiting_.clear();
     for (const ScheduledMatch& match : matches_) {
       const int index = match.fixture.index;
-      if (!match.outcome && !elsewhere.contains(index)) waiting_.push_back(index);
+      if (!match.outcome && !running.contains(index)) waiting_.push_back(index);
     }
     return {};
   }
 
-  // When all are done, the matches that follow from them; those may be done already, too.
-  Result<void> draw_all() {
+  // Once all matches are done, schedules those that follow; they may have result files already.
+  Result<void> schedule_matches() {
     std::size_t before = matches_.size() + 1;
     while (!ending_ && waiting_.empty() && executor_->running() == 0 && matches_.size() != before) {
       before = matches_.size();
-      if (auto drawn = draw(); !drawn) return drawn;
+      if (auto scheduled = schedule_next(); !scheduled) return scheduled;
     }
     return {};
   }
 
-  Result<void> draw() {
+  Result<void> schedule_next() {
     std::vector<Fixture> next =
         options_.next ? options_.next(matches_) : next_fixtures(config_, matches_);
     if (next.empty()) return {};
@@ -139,19 +141,19 @@ class TournamentRun {
     }
     if (auto written = write_schedule(options_.folder, matches_); !written) return written;
     if (auto added = store_.add(next); !added) return added;
-    if (auto told = tell("matches_scheduled", {{"first", next.front().index},
-                                               {"last", next.back().index},
-                                               {"scheduled", matches_.size()}});
-        !told) {
-      return told;
+    if (auto logged = log_event("matches_scheduled", {{"first", next.front().index},
+                                                      {"last", next.back().index},
+                                                      {"scheduled", matches_.size()}});
+        !logged) {
+      return logged;
     }
-    if (auto taken = take_up_results(); !taken) return taken;
-    return take_up_left_behind();
+    if (auto recorded = record_work_results(); !recorded) return recorded;
+    return recover_results();
   }
 
   Result<void> start_matches() {
     std::vector<int> indices;
-    for (int room = executor_->room(); room > 0 && !waiting_.empty(); --room) {
+    for (int slots = executor_->free_slots(); slots > 0 && !waiting_.empty(); --slots) {
       indices.push_back(waiting_.front());
       waiting_.pop_front();
     }
@@ -162,66 +164,71 @@ class TournamentRun {
     for (std::size_t i = 0; i < indices.size(); ++i) {
       match_at(indices[i]).attempts = (*attempts)[i];
       assignments.push_back({match_at(indices[i]).fixture, (*attempts)[i]});
-      if (auto told = tell("match_started", {{"match", indices[i]}, {"attempt", (*attempts)[i]}});
-          !told) {
-        return told;
+      if (auto logged =
+              log_event("match_started", {{"match", indices[i]}, {"attempt", (*attempts)[i]}});
+          !logged) {
+        return logged;
       }
     }
     return executor_->start(assignments);
   }
 
-  Result<void> take_finished(std::chrono::milliseconds limit) {
+  Result<void> record_finished(std::chrono::milliseconds limit) {
     auto finished = executor_->wait(limit);
     if (!finished) return finished.error();
-    for (Finished& one : *finished) {
+    for (FinishedMatch& one : *finished) {
       if (!one.outcome) {
         waiting_.push_front(one.index);
         continue;
       }
-      if (auto taken = take_outcome(one.index, *std::move(one.outcome)); !taken) return taken;
+      if (auto recorded = record_outcome(one.index, *std::move(one.outcome)); !recorded) {
+        return recorded;
+      }
     }
     return {};
   }
 
-  // The policy for invalid matches, the commit, and everybody who wants to know.
-  Result<void> take_outcome(int index, Outcome outcome) {
+  // Applies the policy for invalid matches, commits the outcome, then notifies events, observer and
+  // hook.
+  Result<void> record_outcome(int index, Outcome outcome) {
     ScheduledMatch& match = match_at(index);
-    const bool failed = outcome.end_reason != "finished" && !outcome.forfeit;
-    bool again = false;
+    const bool failed = !outcome.counts();
+    bool rerun = false;
     if (failed && config_.on_crash == OnCrash::kForfeit && outcome.fault) make_forfeit(outcome);
     if (failed && config_.on_crash == OnCrash::kRerun)
-      again = outcome.attempts <= config_.max_reruns;
+      rerun = outcome.attempts <= config_.max_reruns;
     const bool stops = failed && config_.on_crash == OnCrash::kStop;
     if (!keeps_folder(config_, outcome)) outcome.folder.clear();
-    if (auto kept = store_.finish(index, outcome, !again && !stops); !kept) return kept;
+    if (auto stored = store_.finish(index, outcome, !rerun && !stops); !stored) return stored;
     match.settled = outcome.attempts;
     clean_up(config_, match.fixture, outcome, options_.folder);
-    if (again) {
+    if (rerun) {
       waiting_.push_front(index);
     } else {
       match.outcome = outcome;
       ++done_in_this_run_;
-      note_done(outcome);
+      count_done(outcome);
     }
-    ScheduledMatch told = match;
-    told.outcome = std::move(outcome);
-    const Json document = json_of(config_, told);
-    if (auto written =
-            tell("match_finished", {{"match", index}, {"again", again}, {"result", document}});
-        !written) {
-      return written;
+    ScheduledMatch recorded = match;  // a match that is rerun has no outcome
+    recorded.outcome = std::move(outcome);
+    const Json document = json_of(config_, recorded);
+    if (auto logged =
+            log_event("match_finished", {{"match", index}, {"again", rerun}, {"result", document}});
+        !logged) {
+      return logged;
     }
-    observer_.on_match(config_, told, progress());
+    observer_.on_match(config_, recorded, progress());
     if (!config_.on_match_finish.empty()) {
       hooks_.start("on_match_finish", config_.on_match_finish, document.dump() + "\n");
     }
-    if (stops) end(RunEnd::kFault, fault_text(told));
-    if (!ending_ && options_.enough && options_.enough(matches_)) end(RunEnd::kDecided);
+    if (stops) end(RunEnd::kFault, fault_text(recorded));
+    if (!ending_ && options_.decided && options_.decided(matches_)) end(RunEnd::kDecided);
     return {};
   }
 
-  // Counted as they come: a look at all of many thousand after each would cost more than a match.
-  void note_done(const Outcome& outcome) {
+  // Counts incrementally: counting thousands of matches after each one would cost more than a
+  // match.
+  void count_done(const Outcome& outcome) {
     ++done_;
     invalid_ += !outcome.counts();
   }
@@ -237,19 +244,21 @@ class TournamentRun {
 
   std::string fault_text(const ScheduledMatch& match) const {
     const Outcome& outcome = *match.outcome;
-    return fmt::format("match {} is invalid ({}){}{}", match.fixture.index, outcome.end_reason,
+    return fmt::format("match {} is invalid ({}){}{}", match.fixture.index,
+                       name(outcome.end_reason),
                        outcome.message.empty() ? "" : ": " + outcome.message,
                        outcome.folder.empty()
                            ? ""
                            : fmt::format("; see {}", (options_.folder / outcome.folder).string()));
   }
 
-  void look_around() {
+  // Passes notes to the observer; checks for signals and a stop file.
+  void poll() {
     for (const std::string& note : executor_->take_notes()) {
       observer_.on_note(note);
-      tell("note", {{"text", note}});
+      log_event("note", {{"text", note}});
     }
-    for (const std::string& line : hooks_.take_complaints()) observer_.on_note(line);
+    for (const std::string& line : hooks_.take_errors()) observer_.on_note(line);
     observer_.on_progress(progress());
     std::error_code code;
     if (const int signal = stop_signal_; signal != 0 && !ending_) {
@@ -265,42 +274,44 @@ class TournamentRun {
     summary_.message = std::move(message);
   }
 
-  // Matches under way: after a stop file they are played to their end, otherwise interrupted.
-  Result<void> wind_up() {
+  // Running matches are played to their end after a stop file, and interrupted otherwise.
+  Result<void> shut_down() {
     summary_.end = ending_.value_or(RunEnd::kComplete);
-    const bool gently = summary_.end == RunEnd::kStopRequested;
+    const bool graceful = summary_.end == RunEnd::kStopRequested;
     while (executor_->running() > 0) {
-      if (!gently || stop_signal_ != 0) {
+      if (!graceful || stop_signal_ != 0) {
         executor_->interrupt();
       } else {
         executor_->withdraw();
       }
-      if (auto taken = take_finished(kLook); !taken) return taken;
+      if (auto recorded = record_finished(kPollInterval); !recorded) return recorded;
       observer_.on_progress(progress());
     }
-    if (auto back = store_.put_back(false); !back) return back;
+    if (auto requeued = store_.requeue(false); !requeued) return requeued;
     if (summary_.end == RunEnd::kStopRequested) {
       std::error_code code;
       fs::remove(options_.folder / kStopFile, code);
     }
     const RunProgress now = progress();
-    if (auto told = tell("tournament_ended", {{"end", name(summary_.end)},
-                                              {"scheduled", now.total},
-                                              {"done", now.done},
-                                              {"invalid", now.invalid}});
-        !told) {
-      return told;
+    if (auto logged = log_event("tournament_ended", {{"end", name(summary_.end)},
+                                                     {"scheduled", now.total},
+                                                     {"done", now.done},
+                                                     {"invalid", now.invalid}});
+        !logged) {
+      return logged;
     }
     const bool over = summary_.end == RunEnd::kComplete || summary_.end == RunEnd::kDecided;
     if (over && !config_.on_finish.empty()) {
       hooks_.start("on_finish", config_.on_finish,
                    report_json(make_report(config_, matches_, options_.folder)));
     }
-    for (const std::string& line : hooks_.take_complaints(true)) observer_.on_note(line);
+    for (const std::string& line : hooks_.take_errors(true)) observer_.on_note(line);
     return {};
   }
 
-  Result<void> tell(std::string_view type, const Json& fields) { return events_.add(type, fields); }
+  Result<void> log_event(std::string_view type, const Json& fields) {
+    return events_.add(type, fields);
+  }
 
   ScheduledMatch& match_at(int index) { return matches_[static_cast<std::size_t>(index) - 1]; }
 
@@ -355,7 +366,7 @@ Result<RunSummary> run_tournament(const RunOptions& options, const MakeExecutor&
                                   TournamentObserver& observer,
                                   const std::atomic<int>& stop_signal) {
   std::error_code code;
-  fs::remove(options.folder / kStopFile, code);  // meant for a run before this one
+  fs::remove(options.folder / kStopFile, code);  // of an earlier run
   auto store = Store::open(options.folder / kStoreFile);
   if (!store) return store.error();
   auto events = EventFile::open(options.folder / kTournamentEvents);

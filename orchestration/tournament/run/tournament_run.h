@@ -1,4 +1,4 @@
-// Playing a tournament: from a configuration, or from wherever an earlier run ended, to its end.
+// Runs a tournament to its end: a new one, or one that an earlier run left incomplete.
 #pragma once
 
 #include <atomic>
@@ -17,17 +17,17 @@
 
 namespace cls::orchestration::tournament {
 
-/// How far a tournament is.
+/// Progress of a tournament.
 struct RunProgress {
   int total = 0;    ///< scheduled so far
   int done = 0;     ///< with a final outcome
-  int invalid = 0;  ///< of them, or failed
+  int invalid = 0;  ///< of those done
   int running = 0;
   int done_in_this_run = 0;
   double seconds = 0.0;  ///< of this run
 };
 
-/// Who wants to see it. Called from the thread that runs the tournament.
+/// Observes a tournament. Called from the thread that runs it.
 class TournamentObserver {
  public:
   virtual ~TournamentObserver() = default;
@@ -39,41 +39,40 @@ class TournamentObserver {
 
 enum class RunEnd {
   kComplete,       ///< every match has its final outcome
-  kDecided,        ///< RunOptions::enough said so
+  kDecided,        ///< RunOptions::decided returned true
   kStopRequested,  ///< `cls tournament stop`
   kInterrupted,    ///< by a signal
   kFault,          ///< on_crash = "stop" and a match was invalid
 };
 
-/// The word in events.jsonl: "complete", "decided", "stopped", "interrupted", "fault".
+/// Its name in events.jsonl: "complete", "decided", "stopped", "interrupted", "fault".
 std::string_view name(RunEnd end);
 
 struct RunOptions {
   std::filesystem::path folder;
   TournamentConfig config;
-  /// Further matches when all so far are done; empty function: those of the format
-  /// (next_fixtures). Must be a pure function of its argument.
+  /// Further matches when all so far are done; empty: next_fixtures(). Must be a pure function.
   std::function<std::vector<Fixture>(std::span<const ScheduledMatch>)> next;
-  /// Asked after every outcome; true ends the run. Matches under way are ended.
-  std::function<bool(std::span<const ScheduledMatch>)> enough;
+  /// Called after every outcome; true stops the run and interrupts running matches.
+  std::function<bool(std::span<const ScheduledMatch>)> decided;
 };
 
 struct RunSummary {
   RunEnd end = RunEnd::kComplete;
   int signal = 0;       ///< for kInterrupted
-  std::string message;  ///< for kFault: the match and what happened
+  std::string message;  ///< for kFault: the match and what went wrong
   RunProgress progress;
   std::vector<ScheduledMatch> matches;
 };
 
-/// Makes the executor once configuration and folder are known to be good.
+/// Creates the executor once configuration and folder are valid.
 using MakeExecutor =
     std::function<base::Result<std::unique_ptr<MatchExecutor>>(const TournamentConfig&)>;
 
-/// Plays all that is not played yet. `options.folder` must hold the plan (prepare_folder) and the
-/// caller its lock. Outcomes are committed before anything else is done with them; those of matches
-/// that ended while nobody looked, and of `work`, are taken up first. An error when something is
-/// wrong beyond a match: a file cannot be written, a match cannot even be started.
+/// Plays all matches that have no outcome. `options.folder` must hold the plan (prepare_folder),
+/// and the caller must hold its lock. First recovers the outcomes of matches that ended while no
+/// run was running, and of `work`. Commits each outcome before using it. An error when the cause is
+/// not one match: a file cannot be written, a match cannot be started.
 base::Result<RunSummary> run_tournament(const RunOptions& options, const MakeExecutor& make,
                                         TournamentObserver& observer,
                                         const std::atomic<int>& stop_signal);

@@ -1,4 +1,4 @@
-// Numbers and seeds of new matches; orders of teams that several formats use.
+// Numbers and seeds of new matches; seeding and round-robin order.
 #include "orchestration/tournament/schedule/fixture_list.h"
 
 #include <algorithm>
@@ -61,23 +61,23 @@ std::vector<int> seeding(const TournamentConfig& config) {
   return order;
 }
 
-std::vector<std::vector<std::pair<int, int>>> circle(std::span<const int> teams) {
+std::vector<std::vector<std::pair<int, int>>> circle_rounds(std::span<const int> teams) {
   std::vector<int> seats(teams.begin(), teams.end());
   if (seats.size() % 2 == 1) seats.push_back(-1);
   const std::size_t count = seats.size();
-  std::vector<std::vector<std::pair<int, int>>> days;
-  for (std::size_t day = 0; day + 1 < count; ++day) {
-    days.emplace_back();
+  std::vector<std::vector<std::pair<int, int>>> rounds;
+  for (std::size_t round = 0; round + 1 < count; ++round) {
+    rounds.emplace_back();
     for (std::size_t k = 0; k < count / 2; ++k) {
       std::pair<int, int> pair(seats[k], seats[count - 1 - k]);
       if (pair.first < 0 || pair.second < 0) continue;
-      // The first seat never moves, so its sides alternate by day; others change seats.
-      if (k == 0 ? day % 2 == 1 : k % 2 == 1) std::swap(pair.first, pair.second);
-      days.back().push_back(pair);
+      // The first seat is fixed, so its sides alternate by round; other teams change seats.
+      if (k == 0 ? round % 2 == 1 : k % 2 == 1) std::swap(pair.first, pair.second);
+      rounds.back().push_back(pair);
     }
     std::rotate(seats.begin() + 1, seats.end() - 1, seats.end());
   }
-  return days;
+  return rounds;
 }
 
 }  // namespace cls::orchestration::tournament

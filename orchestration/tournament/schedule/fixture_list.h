@@ -1,4 +1,4 @@
-// Inside of the schedule: where formats put the matches they want played.
+// Internals of the schedule: the list of matches that a format appends to.
 #pragma once
 
 #include <optional>
@@ -13,7 +13,7 @@
 
 namespace cls::orchestration::tournament {
 
-/// The matches so far, and those that are to follow. Numbers and seeds come from here.
+/// The earlier matches, and those to schedule next. Assigns their numbers and seeds.
 class FixtureList {
  public:
   FixtureList(const TournamentConfig& config, std::span<const ScheduledMatch> so_far);
@@ -21,13 +21,13 @@ class FixtureList {
   const TournamentConfig& config() const { return config_; }
   std::span<const ScheduledMatch> so_far() const { return so_far_; }
 
-  /// Appends a pairing: two matches with sides swapped on one seed, or one match. `swapped`: the
-  /// second team begins on the left.
+  /// Appends a pairing: two matches on one seed with sides swapped, or one match. `swapped`: the
+  /// second team starts on the left.
   void add_pairing(int round, std::string_view stage, int first, int second, bool swapped = false);
   /// Appends one match that must have a winner.
   void add_decider(int round, std::string_view stage, int left, int right);
 
-  /// The matches so far of a stage.
+  /// The earlier matches of a stage.
   std::vector<ScheduledMatch> of_stage(std::string_view stage) const;
 
   std::vector<Fixture> take() { return std::move(added_); }
@@ -42,15 +42,15 @@ class FixtureList {
   int last_pairing_ = 0;
 };
 
-/// Team indices in seeding order: that of the file, or by lot.
+/// Team indices in seeding order: that of the file, or random.
 std::vector<int> seeding(const TournamentConfig& config);
 
-/// Rounds of a round robin by the circle method, each a list of disjoint pairs; everybody is on
-/// the left about as often as on the right.
-std::vector<std::vector<std::pair<int, int>>> circle(std::span<const int> teams);
+/// The rounds of a round robin by the circle method, each a list of disjoint pairs. Every team is
+/// on the left about as often as on the right.
+std::vector<std::vector<std::pair<int, int>>> circle_rounds(std::span<const int> teams);
 
-// The formats; each appends what can be played next. Knock-outs also tell the places as far as
-// they are known: places[i] is a set of teams that share a place, best first.
+// The formats; each appends the matches that can be played next. Knockout formats also return the
+// ranks known so far: element i is a set of teams that share a rank, best first.
 void schedule_swiss(FixtureList& list);
 std::vector<Bye> swiss_byes(const TournamentConfig& config, std::span<const ScheduledMatch> so_far);
 std::vector<std::vector<int>> schedule_knockout(FixtureList& list, std::vector<int> seeds,
@@ -58,7 +58,7 @@ std::vector<std::vector<int>> schedule_knockout(FixtureList& list, std::vector<i
 std::vector<std::vector<int>> schedule_double_elimination(FixtureList& list,
                                                           std::vector<int> seeds);
 
-/// The groups: team indices by group, dealt out to and fro in seeding order.
+/// Team indices by group, assigned in serpentine order of the seeding.
 std::vector<std::vector<int>> groups_of(const TournamentConfig& config);
 std::string group_name(std::size_t group);
 

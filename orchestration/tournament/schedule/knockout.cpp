@@ -1,5 +1,5 @@
-// Single and double elimination: the whole bracket is walked anew each time; what is not known yet
-// stays unknown, and ties whose two teams are known get their matches.
+// Single and double elimination. Each call walks the whole bracket: entrants that are not known yet
+// stay unknown, and ties whose two teams are known get their matches.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace {
 constexpr int kBye = -1;
 constexpr int kMaxDeciders = 3;
 
-/// A team, kBye, or nothing while it is not known.
+/// A team, kBye, or nothing while unknown.
 using Entrant = std::optional<int>;
 
 struct Tie {
@@ -23,7 +23,7 @@ struct Tie {
   Entrant loser;
 };
 
-// Match points, then goals, over the matches that do not have to decide.
+// Points, then goals, over the matches that are not deciders.
 int aggregate_sign(const std::vector<ScheduledMatch>& matches, int first) {
   int points = 0;
   int goals = 0;
@@ -37,7 +37,7 @@ int aggregate_sign(const std::vector<ScheduledMatch>& matches, int first) {
   return sign > 0 ? 1 : sign < 0 ? -1 : 0;
 }
 
-// Deciders come after the others; the last one with a winner counts.
+// The last decider with a winner counts.
 int decider_sign(const std::vector<ScheduledMatch>& matches, int first) {
   for (auto match = matches.rbegin(); match != matches.rend(); ++match) {
     if (!match->fixture.decides || !match->outcome->counts()) continue;
@@ -47,7 +47,7 @@ int decider_sign(const std::vector<ScheduledMatch>& matches, int first) {
   return 0;
 }
 
-int lot(const TournamentConfig& config, const std::vector<ScheduledMatch>& matches) {
+int draw_lot(const TournamentConfig& config, const std::vector<ScheduledMatch>& matches) {
   const auto key = static_cast<std::uint64_t>(matches.front().fixture.pairing);
   soccer::RandomStream random(config.seed, "lot", key);
   return random.integer(2) == 0 ? 1 : -1;
@@ -57,12 +57,12 @@ class Bracket {
  public:
   explicit Bracket(FixtureList& list) : list_(list) {}
 
-  // +1 when `first` wins the tie, -1 when `second` does, 0 while it is open.
-  int play(int round, const std::string& stage, int first, int second) {
+  // +1 when `first` wins the tie, -1 when `second` does, 0 while undecided.
+  int decide(int round, const std::string& stage, int first, int second) {
     const TournamentConfig& config = list_.config();
     const std::vector<ScheduledMatch> matches = list_.of_stage(stage);
     if (matches.empty()) {
-      begin(round, stage, first, second);
+      schedule(round, stage, first, second);
       return 0;
     }
     for (const ScheduledMatch& match : matches) {
@@ -73,7 +73,7 @@ class Bracket {
     const auto deciders =
         std::count_if(matches.begin(), matches.end(),
                       [](const ScheduledMatch& match) { return match.fixture.decides; });
-    if (deciders >= kMaxDeciders) return lot(config, matches);
+    if (deciders >= kMaxDeciders) return draw_lot(config, matches);
     const bool swapped = deciders % 2 == 1;
     list_.add_decider(round, stage, swapped ? second : first, swapped ? first : second);
     return 0;
@@ -83,13 +83,13 @@ class Bracket {
     if (!first || !second) return {};
     if (*first == kBye) return {second, first};
     if (*second == kBye) return {first, second};
-    const int sign = play(round, stage, *first, *second);
+    const int sign = decide(round, stage, *first, *second);
     if (sign == 0) return {};
     return sign > 0 ? Tie{first, second} : Tie{second, first};
   }
 
  private:
-  void begin(int round, const std::string& stage, int first, int second) {
+  void schedule(int round, const std::string& stage, int first, int second) {
     const TournamentConfig& config = list_.config();
     const int rounds = config.format == Format::kGroups ? 1 : rounds_of(config);
     if (!config.swap_sides && rounds == 1) {
@@ -102,21 +102,21 @@ class Bracket {
   FixtureList& list_;
 };
 
-// First against last, second against last but one, and so that the first two meet in the final.
+// First seed against last, second against last but one, with the first two in different halves.
 std::vector<Entrant> bracket_slots(const std::vector<int>& seeds) {
   std::vector<std::size_t> order = {0};
   while (order.size() < seeds.size()) {
     const std::size_t size = order.size() * 2;
     std::vector<std::size_t> next;
-    for (const std::size_t place : order) {
-      next.push_back(place);
-      next.push_back(size - 1 - place);
+    for (const std::size_t seed : order) {
+      next.push_back(seed);
+      next.push_back(size - 1 - seed);
     }
     order = std::move(next);
   }
   std::vector<Entrant> slots;
-  for (const std::size_t place : order) {
-    slots.push_back(place < seeds.size() ? seeds[place] : kBye);
+  for (const std::size_t seed : order) {
+    slots.push_back(seed < seeds.size() ? seeds[seed] : kBye);
   }
   return slots;
 }
@@ -128,8 +128,8 @@ std::string stage_name(std::size_t ties, std::size_t number) {
   return fmt::format("last {}, tie {}", 2 * ties, number);
 }
 
-/// Teams as they go out, latest last; then the places are told from behind.
-class Departures {
+/// Teams in order of their elimination, from which the ranks follow in reverse.
+class Eliminations {
  public:
   void add(std::vector<Entrant> together) {
     std::vector<int> teams;
@@ -138,16 +138,16 @@ class Departures {
     }
     if (!teams.empty()) groups_.push_back(std::move(teams));
   }
-  std::vector<std::vector<int>> places(const std::vector<int>& seeds) const {
-    std::vector<int> still_in;
+  std::vector<std::vector<int>> ranks(const std::vector<int>& seeds) const {
+    std::vector<int> remaining;
     for (const int team : seeds) {
-      const auto left = [team](const std::vector<int>& group) {
+      const auto contains_team = [team](const std::vector<int>& group) {
         return std::find(group.begin(), group.end(), team) != group.end();
       };
-      if (std::none_of(groups_.begin(), groups_.end(), left)) still_in.push_back(team);
+      if (std::none_of(groups_.begin(), groups_.end(), contains_team)) remaining.push_back(team);
     }
     std::vector<std::vector<int>> result;
-    if (!still_in.empty()) result.push_back(still_in);
+    if (!remaining.empty()) result.push_back(remaining);
     result.insert(result.end(), groups_.rbegin(), groups_.rend());
     return result;
   }
@@ -168,9 +168,9 @@ std::vector<Entrant> winners_of(const std::vector<Tie>& ties) {
   return winners;
 }
 
-// Neighbours against each other.
-std::vector<Tie> play_neighbours(Bracket& bracket, int round, const std::vector<Entrant>& slots,
-                                 const std::function<std::string(std::size_t)>& stage) {
+// Adjacent entrants play each other.
+std::vector<Tie> play_adjacent(Bracket& bracket, int round, const std::vector<Entrant>& slots,
+                               const std::function<std::string(std::size_t)>& stage) {
   std::vector<Tie> ties;
   for (std::size_t i = 0; i + 1 < slots.size(); i += 2) {
     ties.push_back(bracket.tie(round, stage(i / 2 + 1), slots[i], slots[i + 1]));
@@ -183,53 +183,53 @@ std::vector<Tie> play_neighbours(Bracket& bracket, int round, const std::vector<
 std::vector<std::vector<int>> schedule_knockout(FixtureList& list, std::vector<int> seeds,
                                                 int first_round) {
   Bracket bracket(list);
-  Departures gone;
+  Eliminations eliminated;
   std::vector<Entrant> slots = bracket_slots(seeds);
   for (int round = first_round; slots.size() > 1; ++round) {
     const std::size_t ties = slots.size() / 2;
-    const std::vector<Tie> played = play_neighbours(
+    const std::vector<Tie> played = play_adjacent(
         bracket, round, slots, [ties](std::size_t number) { return stage_name(ties, number); });
     const std::vector<Entrant> losers = losers_of(played);
     if (ties == 2 && list.config().third_place) {
       const Tie third = bracket.tie(round + 1, "third place", losers[0], losers[1]);
       if (third.winner) {
-        gone.add({third.loser});
-        gone.add({third.winner});
+        eliminated.add({third.loser});
+        eliminated.add({third.winner});
       } else {
-        gone.add(losers);
+        eliminated.add(losers);
       }
     } else {
-      gone.add(losers);
+      eliminated.add(losers);
     }
     slots = winners_of(played);
   }
-  return gone.places(seeds);
+  return eliminated.ranks(seeds);
 }
 
 std::vector<std::vector<int>> schedule_double_elimination(FixtureList& list,
                                                           std::vector<int> seeds) {
   Bracket bracket(list);
-  Departures gone;
+  Eliminations eliminated;
   const auto losers_round = [&](int round, const std::vector<Entrant>& slots, int number) {
-    const std::vector<Tie> played = play_neighbours(
-        bracket, round, slots,
-        [number](std::size_t tie) { return fmt::format("losers' round {}, tie {}", number, tie); });
-    gone.add(losers_of(played));
+    const std::vector<Tie> played = play_adjacent(bracket, round, slots, [number](std::size_t tie) {
+      return fmt::format("losers' round {}, tie {}", number, tie);
+    });
+    eliminated.add(losers_of(played));
     return winners_of(played);
   };
   std::vector<Entrant> upper = bracket_slots(seeds);
   std::vector<Entrant> lower;
   int lower_rounds = 0;
   for (int round = 1; upper.size() > 1; ++round) {
-    const std::vector<Tie> played = play_neighbours(
-        bracket, round, upper,
-        [round](std::size_t tie) { return fmt::format("winners' round {}, tie {}", round, tie); });
+    const std::vector<Tie> played = play_adjacent(bracket, round, upper, [round](std::size_t tie) {
+      return fmt::format("winners' round {}, tie {}", round, tie);
+    });
     upper = winners_of(played);
     std::vector<Entrant> dropped = losers_of(played);
     if (round == 1) {
       lower = std::move(dropped);
     } else {
-      // Backwards, so that those who met in the winners' bracket meet again late.
+      // Reversed, so that teams from the same half of the winners' bracket meet again late.
       std::reverse(dropped.begin(), dropped.end());
       std::vector<Entrant> mixed;
       for (std::size_t i = 0; i < lower.size(); ++i) {
@@ -245,11 +245,12 @@ std::vector<std::vector<int>> schedule_double_elimination(FixtureList& list,
   const Entrant challenger = lower.empty() ? Entrant(kBye) : lower.front();
   const Tie first = bracket.tie(last_round, "grand final", undefeated, challenger);
   if (first.winner && first.winner == undefeated) {
-    gone.add({first.loser});
+    eliminated.add({first.loser});
   } else if (first.winner) {
-    gone.add({bracket.tie(last_round + 1, "grand final, second", undefeated, challenger).loser});
+    eliminated.add(
+        {bracket.tie(last_round + 1, "grand final, second", undefeated, challenger).loser});
   }
-  return gone.places(seeds);
+  return eliminated.ranks(seeds);
 }
 
 }  // namespace cls::orchestration::tournament

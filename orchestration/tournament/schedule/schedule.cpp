@@ -1,4 +1,4 @@
-// Round robin, gauntlet, list and groups; the other formats have files of their own.
+// Round robin, gauntlet, list and groups; knockout.cpp and swiss.cpp hold the other formats.
 #include "orchestration/tournament/schedule/schedule.h"
 
 #include <fmt/format.h>
@@ -12,15 +12,15 @@
 namespace cls::orchestration::tournament {
 namespace {
 
-using Places = std::vector<std::vector<int>>;
+using Ranks = std::vector<std::vector<int>>;
 
-bool has_outcomes(std::span<const ScheduledMatch> matches) {
+bool all_have_outcomes(std::span<const ScheduledMatch> matches) {
   return std::all_of(matches.begin(), matches.end(),
                      [](const ScheduledMatch& match) { return match.outcome.has_value(); });
 }
 
 void schedule_round_robin(FixtureList& list, std::span<const int> teams, std::string_view stage) {
-  const auto days = circle(teams);
+  const auto days = circle_rounds(teams);
   for (int round = 1; round <= rounds_of(list.config()); ++round) {
     for (const auto& day : days) {
       for (const auto& [first, second] : day) {
@@ -30,7 +30,7 @@ void schedule_round_robin(FixtureList& list, std::span<const int> teams, std::st
   }
 }
 
-// Every subject against everybody, subjects among themselves once.
+// Every subject against all other teams; each pair of subjects once.
 void schedule_gauntlet(FixtureList& list) {
   const TournamentConfig& config = list.config();
   const int teams = static_cast<int>(config.teams.size());
@@ -77,7 +77,7 @@ std::vector<std::vector<Standing>> group_tables(const TournamentConfig& config,
   return all;
 }
 
-// All first of the groups, then all second, ...: seeds of the knock-out.
+// Seeds of the knockout: all group winners, then all second, ...
 std::vector<int> qualified(const TournamentConfig& config, std::span<const ScheduledMatch> so_far) {
   const auto groups = group_tables(config, so_far);
   std::vector<int> seeds;
@@ -89,7 +89,7 @@ std::vector<int> qualified(const TournamentConfig& config, std::span<const Sched
   return seeds;
 }
 
-Places schedule_groups(FixtureList& list) {
+Ranks schedule_groups(FixtureList& list) {
   const TournamentConfig& config = list.config();
   const std::vector<ScheduledMatch> played = group_matches(list.so_far());
   if (played.empty()) {
@@ -99,22 +99,22 @@ Places schedule_groups(FixtureList& list) {
     }
     return {};
   }
-  if (!has_outcomes(played)) return {};
+  if (!all_have_outcomes(played)) return {};
   return schedule_knockout(list, qualified(config, list.so_far()), rounds_of(config) + 1);
 }
 
-Places run_format(FixtureList& list) {
+Ranks run_format(FixtureList& list) {
   const TournamentConfig& config = list.config();
-  const bool begins = list.so_far().empty();
+  const bool first_call = list.so_far().empty();
   switch (config.format) {
     case Format::kRoundRobin:
-      if (begins) schedule_round_robin(list, seeding(config), "");
+      if (first_call) schedule_round_robin(list, seeding(config), "");
       return {};
     case Format::kGauntlet:
-      if (begins) schedule_gauntlet(list);
+      if (first_call) schedule_gauntlet(list);
       return {};
     case Format::kList:
-      if (begins) schedule_list(list);
+      if (first_call) schedule_list(list);
       return {};
     case Format::kGroups:
       return schedule_groups(list);
@@ -129,12 +129,12 @@ Places run_format(FixtureList& list) {
   return {};
 }
 
-// The figures of `table` in the order of the places of a knock-out.
-std::vector<Standing> in_places(const Places& places, const std::vector<Standing>& table) {
+// The rows of `table` in the order of a knockout's ranks.
+std::vector<Standing> order_by_rank(const Ranks& ranks, const std::vector<Standing>& table) {
   std::map<int, Standing> by_team;
   for (const Standing& standing : table) by_team[standing.team] = standing;
   std::vector<Standing> ordered;
-  for (const std::vector<int>& shared : places) {
+  for (const std::vector<int>& shared : ranks) {
     const int rank = static_cast<int>(ordered.size()) + 1;
     for (const int team : shared) {
       ordered.push_back(by_team.at(team));
@@ -185,11 +185,11 @@ std::vector<RankedTable> tables(const TournamentConfig& config,
     }
   }
   FixtureList list(config, so_far);
-  const bool has_places = config.format == Format::kGroups || config.format == Format::kKnockout ||
-                          config.format == Format::kDoubleElimination;
-  const Places places = has_places ? run_format(list) : Places();
-  if (!places.empty()) {
-    result.push_back({"knock-out", in_places(places, standings(order, so_far, breakers, byes))});
+  const bool has_ranks = config.format == Format::kGroups || config.format == Format::kKnockout ||
+                         config.format == Format::kDoubleElimination;
+  const Ranks ranks = has_ranks ? run_format(list) : Ranks();
+  if (!ranks.empty()) {
+    result.push_back({"knock-out", order_by_rank(ranks, standings(order, so_far, breakers, byes))});
   } else if (result.empty()) {
     result.push_back({"", standings(order, so_far, breakers, byes)});
   }
@@ -201,7 +201,7 @@ std::uint64_t pairing_seed(std::uint64_t tournament_seed, int pairing) {
   soccer::RandomStream random(tournament_seed, "match seeds");
   const std::uint64_t offset = random.next() % kMask;
   const std::uint64_t key = random.next() & kMask;
-  // Every step can be undone, so different pairings cannot meet in one seed.
+  // Every step is a bijection, so distinct pairings have distinct seeds.
   const auto mix = [key](std::uint64_t x) {
     x ^= key;
     x ^= x >> 15;

@@ -1,4 +1,4 @@
-// Counting, and the recursive order of tied teams.
+// Counts points and goals, and orders tied teams recursively.
 #include "orchestration/tournament/schedule/standings.h"
 
 #include <algorithm>
@@ -14,8 +14,8 @@ constexpr int kWinPoints = 3;
 
 int points_for(int sign) { return sign > 0 ? kWinPoints : sign == 0 ? 1 : 0; }
 
-// What two teams did against each other, seen from one of them.
-struct Encounters {
+// Results of a team against one opponent.
+struct OpponentRecord {
   int matches = 0;
   int points = 0;
   int wins = 0;
@@ -24,7 +24,7 @@ struct Encounters {
   int goals_against = 0;
 };
 
-using AllEncounters = std::map<std::pair<int, int>, Encounters>;
+using OpponentRecords = std::map<std::pair<int, int>, OpponentRecord>;
 
 class Table {
  public:
@@ -86,7 +86,7 @@ class Table {
     standing.goals_for += goals_for;
     standing.goals_against += goals_against;
     standing.points += points_for(sign);
-    Encounters& met = encounters_[{team, opponent}];
+    OpponentRecord& met = records_[{team, opponent}];
     ++met.matches;
     met.wins += sign > 0;
     met.draws += sign == 0;
@@ -98,7 +98,7 @@ class Table {
   void add_opponents_points() {
     for (Standing& standing : rows_) {
       std::vector<double> opponents;
-      for (const auto& [teams, met] : encounters_) {
+      for (const auto& [teams, met] : records_) {
         if (teams.first != standing.team) continue;
         const double points = row(teams.second).points;
         opponents.insert(opponents.end(), static_cast<std::size_t>(met.matches), points);
@@ -112,7 +112,7 @@ class Table {
     }
   }
 
-  // Classes of equal value, best first; inside a class the order stays.
+  // Classes of equal value, best first; the order within a class is stable.
   static std::vector<std::vector<int>> split(std::vector<int> teams, const Value& value) {
     std::vector<std::pair<double, int>> valued;
     for (const int team : teams) valued.emplace_back(value(team), team);
@@ -126,22 +126,22 @@ class Table {
     return classes;
   }
 
-  // Sum of a duel's figure over the other tied teams.
+  // Sum of a value of the records against the other tied teams.
   double among(int team, const std::vector<int>& tied,
-               const std::function<double(const Encounters&)>& figure) const {
+               const std::function<double(const OpponentRecord&)>& value) const {
     double sum = 0.0;
     for (const int other : tied) {
-      const auto found = encounters_.find({team, other});
-      if (found != encounters_.end()) sum += figure(found->second);
+      const auto found = records_.find({team, other});
+      if (found != records_.end()) sum += value(found->second);
     }
     return sum;
   }
 
   bool beat(int team, int other) const {
-    const auto ours = encounters_.find({team, other});
-    const auto theirs = encounters_.find({other, team});
-    return ours != encounters_.end() && theirs != encounters_.end() &&
-           ours->second.points > theirs->second.points;
+    const auto own = records_.find({team, other});
+    const auto other_record = records_.find({other, team});
+    return own != records_.end() && other_record != records_.end() &&
+           own->second.points > other_record->second.points;
   }
 
   Value value_of(TieBreaker breaker, const std::vector<int>& tied) {
@@ -158,13 +158,13 @@ class Table {
       case TieBreaker::kGoalDifferenceAmong:
         return [this, tied](int team) {
           return among(team, tied,
-                       [](const Encounters& d) { return d.goals_for - d.goals_against; });
+                       [](const OpponentRecord& d) { return d.goals_for - d.goals_against; });
         };
       case TieBreaker::kGoals:
         return [this](int team) { return per_match(team, row(team).goals_for); };
       case TieBreaker::kGoalsAmong:
         return [this, tied](int team) {
-          return among(team, tied, [](const Encounters& d) { return d.goals_for; });
+          return among(team, tied, [](const OpponentRecord& d) { return d.goals_for; });
         };
       case TieBreaker::kWins:
         return [this](int team) { return row(team).won; };
@@ -207,7 +207,7 @@ class Table {
   std::vector<Standing> rows_;
   std::map<int, std::size_t> place_;
   std::map<int, int> bye_matches_;
-  AllEncounters encounters_;
+  OpponentRecords records_;
 };
 
 }  // namespace

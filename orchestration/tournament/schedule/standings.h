@@ -1,4 +1,4 @@
-// Tables: points, goals, and the order of teams with the same points.
+// Standings: points, goals, and the order of teams with the same points.
 #pragma once
 
 #include <span>
@@ -10,10 +10,10 @@
 
 namespace cls::orchestration::tournament {
 
-/// A line of a table. Goals of shoot-outs are not counted; their winner has won the match.
+/// A row of a table. Goals of a shoot-out do not count; its winner has won the match.
 struct Standing {
   int team = 0;
-  int rank = 1;  ///< teams that nothing separates share one
+  int rank = 1;  ///< shared by teams that no criterion separates
   int played = 0;
   int won = 0;
   int drawn = 0;
@@ -22,31 +22,31 @@ struct Standing {
   int goals_for = 0;
   int goals_against = 0;
   int byes = 0;
-  int points = 0;         ///< 3 for a win, 1 for a draw; a bye counts like the wins it stands for
-  double buchholz = 0.0;  ///< sum of the opponents' points
+  int points = 0;                 ///< 3 for a win, 1 for a draw; a bye counts as wins
+  double buchholz = 0.0;          ///< sum of the opponents' points
   double median_buchholz = 0.0;   ///< without the highest and the lowest
   double sonneborn_berger = 0.0;  ///< points of beaten opponents, half of those drawn with
-  std::string separated_by;       ///< the criterion that put it behind the team above, or empty
+  std::string separated_by;       ///< the tiebreaker that ranked it below the team above, or empty
 
   int goal_difference() const { return goals_for - goals_against; }
 };
 
-/// A free round of a Swiss tournament.
+/// A bye of a Swiss tournament.
 struct Bye {
   int team = 0;
-  int matches = 0;  ///< that it stands for
+  int matches = 0;  ///< won by the bye
 };
 
-/// The criteria of a format when the configuration names none. Round robin and groups follow the
-/// order of the league (match-statistics 10), without its deciding shoot-out.
+/// The tiebreakers of the configuration, or the default ones of its format. Round robin and groups
+/// use the order of the league (match-statistics 10), without its deciding shoot-out.
 std::vector<TieBreaker> tie_breakers_of(const TournamentConfig& config);
 
-/// The table of `teams` over those of `matches` that both sides belong to.
+/// The table of `teams` over those `matches` whose two teams belong to it.
 ///
-/// Order: points per match, then the criteria; after each one that separates, what is still level
-/// starts again at the first criterion. Head-to-head looks at the points of the matches between the
-/// tied: of two the one with more; of more than two one that has beaten all others. What nothing
-/// separates shares a rank and stands in the order of `teams`.
+/// Order: points per match, then the tiebreakers. After each one that separates teams, those still
+/// tied start again at the first. Head-to-head counts points in matches between the tied teams: of
+/// two teams the one with more points is first, of more a team that has beaten all others. Teams
+/// that no tiebreaker separates share a rank, in the order of `teams`.
 std::vector<Standing> standings(std::span<const int> teams, std::span<const ScheduledMatch> matches,
                                 const std::vector<TieBreaker>& breakers,
                                 std::span<const Bye> byes = {});

@@ -1,4 +1,4 @@
-// Swiss system: in every round, teams with about the same points.
+// The Swiss system: each round pairs teams with similar points.
 #include <algorithm>
 #include <map>
 #include <set>
@@ -10,7 +10,7 @@ namespace {
 
 constexpr int kMaxSteps = 200'000;
 
-struct Player {
+struct Entry {
   int team = 0;
   int points = 0;
 };
@@ -19,8 +19,8 @@ using Pairs = std::vector<std::pair<int, int>>;
 
 class Pairing {
  public:
-  /// `ordered`: by points, then seeding. `meetings` counts earlier pairings of two teams.
-  Pairing(std::vector<Player> ordered, const std::map<std::pair<int, int>, int>& meetings,
+  /// `ordered`: by points, then seeding. `meetings`: numbers of earlier pairings of two teams.
+  Pairing(std::vector<Entry> ordered, const std::map<std::pair<int, int>, int>& meetings,
           int allowed_meetings)
       : ordered_(std::move(ordered)), meetings_(meetings), allowed_(allowed_meetings) {}
 
@@ -33,8 +33,9 @@ class Pairing {
     return met == meetings_.end() || met->second <= allowed_;
   }
 
-  // In a group with the same points the upper half meets the lower half in order; who finds
-  // nobody there looks at the rest of the group, then at those with fewer points.
+  // Opponents of the team at `first` in order of preference. Among equal points the upper half
+  // plays the lower half in order; then follow the rest of the group and the teams with fewer
+  // points.
   std::vector<std::size_t> candidates(std::size_t first, const std::vector<bool>& taken) const {
     std::vector<std::size_t> group;
     std::vector<std::size_t> below;
@@ -66,15 +67,16 @@ class Pairing {
     return false;
   }
 
-  std::vector<Player> ordered_;
+  std::vector<Entry> ordered_;
   const std::map<std::pair<int, int>, int>& meetings_;
   int allowed_;
   int steps_ = 0;
   Pairs pairs_;
 };
 
-// Whoever is without a pair gets a bye: the last without one so far that leaves a full pairing.
-Pairs pair_round(const std::vector<Player>& ordered, const std::set<int>& had_bye,
+// With an odd number of teams one gets a bye: the last team without an earlier bye for which the
+// others can be paired.
+Pairs pair_round(const std::vector<Entry>& ordered, const std::set<int>& had_bye,
                  const std::map<std::pair<int, int>, int>& meetings) {
   for (int allowed = 0;; ++allowed) {
     if (ordered.size() % 2 == 0) {
@@ -84,7 +86,7 @@ Pairs pair_round(const std::vector<Player>& ordered, const std::set<int>& had_by
     }
     for (std::size_t i = ordered.size(); i-- > 0;) {
       if (had_bye.contains(ordered[i].team)) continue;
-      std::vector<Player> rest = ordered;
+      std::vector<Entry> rest = ordered;
       rest.erase(rest.begin() + static_cast<long>(i));
       Pairing pairing(std::move(rest), meetings, allowed);
       if (pairing.solve()) return pairing.pairs();
@@ -141,10 +143,10 @@ void schedule_swiss(FixtureList& list) {
   for (const Standing& standing : standings(order, so_far, {}, byes)) {
     points[standing.team] = standing.points;
   }
-  std::vector<Player> ordered;
+  std::vector<Entry> ordered;
   for (const int team : order) ordered.push_back({team, points[team]});
   std::stable_sort(ordered.begin(), ordered.end(),
-                   [](const Player& a, const Player& b) { return a.points > b.points; });
+                   [](const Entry& a, const Entry& b) { return a.points > b.points; });
   for (const auto& [first, second] : pair_round(ordered, had_bye, meetings)) {
     const bool swapped =
         lefts[first] != lefts[second] ? lefts[first] > lefts[second] : round % 2 == 0;

@@ -1,13 +1,12 @@
-// What `cls tournament work` left on a shared folder, and how it gets there.
+// Result files of `cls tournament work` in a shared folder.
 //
-// The seam for matches that are played elsewhere: whoever plays the schedule (a job of Slurm, a
-// second machine on the same folder, a loop in a shell) calls `cls tournament work DIR --index K`
-// for matches of schedule.jsonl. `work` plays match K unless results/K.N.json (N: the attempt,
-// `--attempt`, 1 by default) is there already. It plays in a folder of its own below unfinished/,
-// gives that its name below matches/ by a rename, and then makes the result file in one step: so a
-// task may be killed, requeued, or run twice at once, and the first one counts. A match that was
-// interrupted leaves no file. Only one process, `cls tournament run`, writes the store: it takes up
-// what lies in results/ with collect_results when it starts, and whenever its executor looks.
+// Any scheduler (a Slurm job, another host, a shell loop) may play the schedule: it calls
+// `cls tournament work DIR --index K` for matches of schedule.jsonl. `work` plays match K unless
+// results/K.N.json (N: the attempt, `--attempt`, default 1) exists. It plays in a private folder
+// below unfinished/, renames that into matches/, and then creates the result file atomically. So a
+// task may be killed, requeued, or run twice concurrently: the first result counts. An interrupted
+// match writes no file. Only `cls tournament run` writes the store: it collects results/ at its
+// start and whenever its executor polls.
 #pragma once
 
 #include <atomic>
@@ -20,36 +19,32 @@
 #include "orchestration/process/process_host.h"
 #include "orchestration/tournament/config/config.h"
 #include "orchestration/tournament/schedule/fixture.h"
+#include "orchestration/tournament/store/match_document.h"
 
 namespace cls::orchestration::tournament {
 
-struct Delivery {
-  int index = 0;
-  Outcome outcome;
-};
-
-/// Name of a result file: match and attempt.
-struct ResultName {
+/// Match and attempt in the name of a result file.
+struct WorkResultName {
   int index = 0;
   int attempt = 0;
 };
 
-/// All result files of a tournament by their names, in no order.
-std::vector<ResultName> result_names(const std::filesystem::path& folder);
+/// The result files of a tournament, in no particular order.
+std::vector<WorkResultName> list_work_results(const std::filesystem::path& folder);
 
-/// The outcome in the result file of an attempt. Nothing when there is none, or one that is not
-/// whole or of another seed.
-std::optional<Outcome> read_result(const std::filesystem::path& folder, const Fixture& fixture,
-                                   int attempt);
+/// The outcome in the result file of an attempt. Nothing when the file is missing, corrupt or of
+/// another seed.
+std::optional<Outcome> read_work_result(const std::filesystem::path& folder, const Fixture& fixture,
+                                        int attempt);
 
-/// The outcomes in results/ of those of `matches` that have none yet: of several attempts the
-/// latest. Files that are not whole, or of another seed, are passed over.
-std::vector<Delivery> collect_results(const std::filesystem::path& folder,
-                                      std::span<const ScheduledMatch> matches);
+/// The results in results/ of those `matches` that have no outcome yet: the latest attempt of each.
+/// Ignores files that are corrupt or of another seed.
+std::vector<WorkResult> collect_work_results(const std::filesystem::path& folder,
+                                             std::span<const ScheduledMatch> matches);
 
-/// `work`: plays one attempt at a match in a process of its own and leaves its result file.
-/// Nothing when `stop_signal` ended it. An error when the match could not be played at all, or the
-/// file could not be written. Returns the outcome on file when there is one already.
+/// Plays one attempt at a match in a child process and writes its result file. Returns nothing when
+/// `stop_signal` stopped it, and the outcome on file when there is one already. An error when the
+/// match could not be played, or the file could not be written.
 base::Result<std::optional<Outcome>> work(const std::filesystem::path& folder,
                                           const Fixture& fixture, int attempt,
                                           const std::filesystem::path& program,

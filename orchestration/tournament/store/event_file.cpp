@@ -19,7 +19,7 @@ using base::Error;
 using base::Result;
 using Json = nlohmann::ordered_json;
 
-EventFile::EventFile(process::UniqueFd file, std::string name, std::int64_t next)
+EventFile::EventFile(base::UniqueFd file, std::string name, std::int64_t next)
     : file_(std::move(file)),
       name_(std::move(name)),
       next_(next),
@@ -32,7 +32,7 @@ Result<EventFile> EventFile::open(const std::filesystem::path& file) {
     lines = std::count(text->begin(), text->end(), '\n');
     whole = text->empty() || text->back() == '\n';
   }
-  process::UniqueFd opened(::open(file.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666));
+  base::UniqueFd opened(::open(file.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666));
   if (!opened) {
     return Error{fmt::format("cannot create {}: {}", file.string(), std::strerror(errno))};
   }

@@ -1,4 +1,4 @@
-// events.jsonl of a tournament: what happened, one JSON object a line, on disk before it goes on.
+// events.jsonl of a tournament: one JSON object a line, synced to disk.
 #pragma once
 
 #include <chrono>
@@ -9,13 +9,13 @@
 #include <string_view>
 
 #include "base/result.h"
-#include "orchestration/process/unique_fd.h"
+#include "base/system/unique_fd.h"
 
 namespace cls::orchestration::tournament {
 
 /// Lines {"schema": "cls.events/1", "seq": n, "t": seconds since this run began, "time": UTC,
-/// "type": ...}; `seq` goes on over all runs of a tournament. A last line that a crash left
-/// unfinished is ended first.
+/// "type": ...}; `seq` continues over all runs of a tournament. A last line
+/// that a crash left incomplete is terminated first.
 class EventFile {
  public:
   static base::Result<EventFile> open(const std::filesystem::path& file);
@@ -24,9 +24,9 @@ class EventFile {
   base::Result<void> add(std::string_view type, const nlohmann::ordered_json& fields);
 
  private:
-  EventFile(process::UniqueFd file, std::string name, std::int64_t next);
+  EventFile(base::UniqueFd file, std::string name, std::int64_t next);
 
-  process::UniqueFd file_;
+  base::UniqueFd file_;
   std::string name_;
   std::int64_t next_ = 0;
   std::chrono::steady_clock::time_point begin_;

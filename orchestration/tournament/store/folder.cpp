@@ -38,13 +38,13 @@ fs::path result_file(int index, int attempt) {
   return fs::path(kResultsFolder) / fmt::format("{:06}.{}.json", index, attempt);
 }
 
-fs::path unfinished_folder(int index, int attempt, std::string_view here) {
-  return fs::path(kUnfinishedFolder) / fmt::format("{:06}.{}.{}", index, attempt, here);
+fs::path unfinished_folder(int index, int attempt, std::string_view label) {
+  return fs::path(kUnfinishedFolder) / fmt::format("{:06}.{}.{}", index, attempt, label);
 }
 
-Result<std::optional<FolderLock>> FolderLock::take(const fs::path& folder) {
+Result<std::optional<FolderLock>> FolderLock::try_lock(const fs::path& folder) {
   const fs::path path = folder / kLockFile;
-  process::UniqueFd file(::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666));
+  base::UniqueFd file(::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666));
   if (!file) {
     return Error{fmt::format("cannot create {}: {}", path.string(), std::strerror(errno))};
   }
@@ -61,9 +61,9 @@ Result<TournamentConfig> read_plan(const fs::path& folder) {
   if (!holds_plan(folder)) {
     return Error{fmt::format("{} holds no tournament (no {})", folder.string(), kPlanFile)};
   }
-  ConfigReading reading = read_config(folder / kPlanFile);
-  if (!reading.mistakes.empty()) return Error{reading.mistakes.front()};
-  return std::move(reading.config);
+  ParsedConfig parsed = read_config(folder / kPlanFile);
+  if (!parsed.errors.empty()) return Error{parsed.errors.front()};
+  return std::move(parsed.config);
 }
 
 Result<void> prepare_folder(const fs::path& folder, const TournamentConfig& config) {
@@ -79,48 +79,50 @@ Result<void> prepare_folder(const fs::path& folder, const TournamentConfig& conf
     const std::string difference = first_difference(config, *before);
     if (!difference.empty()) {
       return Error{
-          fmt::format("{} holds another plan: {} (--force starts anew and keeps the old "
-                      "folder under a new name)",
+          fmt::format("{} holds another plan: {}; --force renames the old folder and "
+                      "starts again",
                       folder.string(), difference)};
     }
   }
-  return base::write_file(folder / kPlanFile, config_text(config));
+  return base::write_file(folder / kPlanFile, format_config(config));
 }
 
 Result<fs::path> set_aside(const fs::path& folder) {
-  fs::path whole = fs::absolute(folder).lexically_normal();
-  if (!whole.has_filename()) whole = whole.parent_path();
+  fs::path path = fs::absolute(folder).lexically_normal();
+  if (!path.has_filename()) path = path.parent_path();  // a trailing slash
   std::error_code code;
-  fs::path aside = whole.string() + ".old";
-  for (int i = 2; fs::exists(aside, code); ++i) aside = fmt::format("{}.old{}", whole.string(), i);
-  fs::rename(whole, aside, code);
+  fs::path renamed = path.string() + ".old";
+  for (int i = 2; fs::exists(renamed, code); ++i) {
+    renamed = fmt::format("{}.old{}", path.string(), i);
+  }
+  fs::rename(path, renamed, code);
   if (code) {
     return Error{
-        fmt::format("cannot rename {} to {}: {}", whole.string(), aside.string(), code.message())};
+        fmt::format("cannot rename {} to {}: {}", path.string(), renamed.string(), code.message())};
   }
-  return aside;
+  return renamed;
 }
 
 Result<void> write_schedule(const fs::path& folder, const std::vector<ScheduledMatch>& matches) {
   std::string text;
-  for (const ScheduledMatch& match : matches) text += schedule_line(match.fixture);
+  for (const ScheduledMatch& match : matches) text += format_fixture(match.fixture);
   return base::write_file(folder / kScheduleFile, text);
 }
 
 namespace {
 
-// Calls `take` with each line's fixture until it returns false.
-template <typename Take>
-Result<void> read_schedule(const fs::path& path, Take take) {
+// Calls `visit` with each line's fixture until it returns false.
+template <typename Visit>
+Result<void> read_schedule(const fs::path& path, Visit visit) {
   std::ifstream stream(path);
   if (!stream) return Error{fmt::format("{}: no such file", path.string())};
   std::string line;
   for (int number = 1; std::getline(stream, line); ++number) {
-    auto fixture = fixture_from_line(line);
+    auto fixture = parse_fixture(line);
     if (!fixture) {
       return Error{fmt::format("{}:{}: {}", path.string(), number, fixture.error().message)};
     }
-    if (!take(*std::move(fixture))) break;
+    if (!visit(*std::move(fixture))) break;
   }
   return {};
 }
@@ -150,7 +152,7 @@ Result<TournamentState> read_tournament(const fs::path& folder) {
     auto matches = store->matches();
     if (!matches) return matches.error();
     state.matches = *std::move(matches);
-    const auto lock = FolderLock::take(folder);
+    const auto lock = FolderLock::try_lock(folder);
     if (lock && !*lock) {
       auto running = store->running();
       if (!running) return running.error();
@@ -163,9 +165,8 @@ Result<TournamentState> read_tournament(const fs::path& folder) {
     });
     if (!read) return read.error();
   }
-  for (Delivery& delivery : collect_results(folder, state.matches)) {
-    state.matches[static_cast<std::size_t>(delivery.index) - 1].outcome =
-        std::move(delivery.outcome);
+  for (WorkResult& result : collect_work_results(folder, state.matches)) {
+    state.matches[static_cast<std::size_t>(result.index) - 1].outcome = std::move(result.outcome);
   }
   return state;
 }

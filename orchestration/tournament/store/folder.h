@@ -1,4 +1,4 @@
-// The folder of a tournament: what lies where, and who may write.
+// The folder of a tournament: file names, its lock, its plan and its state.
 #pragma once
 
 #include <filesystem>
@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "base/result.h"
-#include "orchestration/process/unique_fd.h"
+#include "base/system/unique_fd.h"
 #include "orchestration/tournament/config/config.h"
 #include "orchestration/tournament/schedule/fixture.h"
 
@@ -20,8 +20,8 @@ inline constexpr const char* kStoreFile = "tournament.db";      ///< see store.h
 inline constexpr const char* kScheduleFile = "schedule.jsonl";  ///< a line a match, for `work`
 inline constexpr const char* kTournamentEvents = "events.jsonl";
 inline constexpr const char* kMatchesFolder = "matches";
-inline constexpr const char* kResultsFolder = "results";        ///< outcomes that `work` left
-inline constexpr const char* kUnfinishedFolder = "unfinished";  ///< matches that `work` plays
+inline constexpr const char* kResultsFolder = "results";        ///< result files of `work`
+inline constexpr const char* kUnfinishedFolder = "unfinished";  ///< matches that `work` is playing
 inline constexpr const char* kSlurmFolder = "slurm";            ///< job arrays, see slurm_batch.h
 inline constexpr const char* kStopFile = "stop";
 inline constexpr const char* kLockFile = "lock";
@@ -33,22 +33,23 @@ std::filesystem::path match_folder(const TournamentConfig& config, const Fixture
 /// "results/000017.1.json".
 std::filesystem::path result_file(int index, int attempt);
 
-/// "unfinished/000017.1.HERE": match folder of one execution of `work`; `here` is its own.
-std::filesystem::path unfinished_folder(int index, int attempt, std::string_view here);
+/// "unfinished/000017.1.LABEL": match folder of one `work` process; `label` identifies it.
+std::filesystem::path unfinished_folder(int index, int attempt, std::string_view label);
 
-/// Held by the one `cls tournament run` that may write to a folder; ends with the process.
+/// Held by the one `cls tournament run` that may write to a folder. Released when the process
+/// exits.
 class FolderLock {
  public:
   /// Nothing when another process holds the lock of `folder`.
-  static base::Result<std::optional<FolderLock>> take(const std::filesystem::path& folder);
+  static base::Result<std::optional<FolderLock>> try_lock(const std::filesystem::path& folder);
 
  private:
-  explicit FolderLock(process::UniqueFd file) : file_(std::move(file)) {}
-  process::UniqueFd file_;
+  explicit FolderLock(base::UniqueFd file) : file_(std::move(file)) {}
+  base::UniqueFd file_;
 };
 
-/// Makes `folder` hold the plan of `config`, which must be without mistakes: writes plan.toml where
-/// there is none yet. An error when it holds another plan; it names the first difference.
+/// Writes the plan of the valid `config` to `folder`. An error when the folder holds another plan;
+/// it names the first difference.
 base::Result<void> prepare_folder(const std::filesystem::path& folder,
                                   const TournamentConfig& config);
 
@@ -61,20 +62,19 @@ bool holds_plan(const std::filesystem::path& folder);
 /// Renames an existing folder to NAME.old, NAME.old2, ...; returns the new name.
 base::Result<std::filesystem::path> set_aside(const std::filesystem::path& folder);
 
-/// Writes schedule.jsonl; read_fixture finds one match in such a file. The error says that there
-/// is no such match in it.
+/// Writes schedule.jsonl; read_fixture reads one match of such a file.
 base::Result<void> write_schedule(const std::filesystem::path& folder,
                                   const std::vector<ScheduledMatch>& matches);
 base::Result<Fixture> read_fixture(const std::filesystem::path& schedule, int index);
 
-/// Everything known of a tournament at this moment, without writing.
+/// Configuration and matches of a tournament.
 struct TournamentState {
   TournamentConfig config;
   std::vector<ScheduledMatch> matches;  ///< by number
-  std::vector<int> running;             ///< numbers, ascending; empty when nobody holds the lock
+  std::vector<int> running;             ///< numbers, ascending; empty without a running `run`
 };
 
-/// Reads plan, store and the results that `work` left. The error says what is missing.
+/// Reads plan, store and result files of `work`, without writing.
 base::Result<TournamentState> read_tournament(const std::filesystem::path& folder);
 
 }  // namespace cls::orchestration::tournament

@@ -1,4 +1,4 @@
-// Starting `cls match`, reading its result.
+// Starts `cls match` and reads its result.
 #include "orchestration/tournament/store/match_attempt.h"
 
 #include <fmt/format.h>
@@ -20,9 +20,9 @@ namespace fs = std::filesystem;
 using base::Error;
 using base::Result;
 
-// A match that obeys its own limit has ended long before.
-constexpr double kBeyondLimitS = 15.0;
-constexpr std::chrono::milliseconds kGrace{4000};
+// A match that respects its own limit exits long before.
+constexpr double kKillAfterLimitS = 15.0;
+constexpr std::chrono::milliseconds kGracePeriod{4000};
 
 void add_option(std::vector<std::string>& argv, const char* option, const std::string& value) {
   argv.emplace_back(option);
@@ -34,14 +34,20 @@ void add_option(std::vector<std::string>& argv, const char* option, const std::o
   if (value) add_option(argv, option, fmt::format("{}", *value));
 }
 
-std::string text_of(const fs::path& file) { return base::read_file(file).value_or(""); }
+// The outcome in the result.json of a match folder; nothing when there is none, or a corrupt one.
+std::optional<Outcome> read_outcome(const fs::path& folder) {
+  const auto text = base::read_file(folder / match::kResultFile);
+  if (!text) return std::nullopt;
+  const auto result = match::parse_match_result(*text);
+  return result ? std::optional(outcome_of(*result)) : std::nullopt;
+}
 
-bool is_foreign(const TeamEntry& team) {
+bool is_external(const TeamEntry& team) {
   const auto endpoint = match::parse_endpoint(team.endpoint);
   return endpoint && endpoint->kind == match::Endpoint::Kind::kTeam;
 }
 
-// What executions of `work` left that were killed.
+// Removes the folders of killed `work` processes.
 void remove_unfinished(const fs::path& tournament, int index, int attempt) {
   const std::string prefix = unfinished_folder(index, attempt, "").filename().string();
   std::error_code code;
@@ -51,14 +57,16 @@ void remove_unfinished(const fs::path& tournament, int index, int attempt) {
   }
 }
 
-bool interrupted(const Outcome& outcome) { return outcome.end_reason == "interrupted"; }
+bool interrupted(const Outcome& outcome) {
+  return outcome.end_reason == match::EndReason::kInterrupted;
+}
 
 }  // namespace
 
 fs::path own_program() {
   std::error_code code;
   std::string path = fs::read_symlink("/proc/self/exe", code).string();
-  // The kernel's note when the file was replaced, by a new build for example.
+  // Added by the kernel when the file was replaced, by a new build for example.
   constexpr std::string_view kReplaced = " (deleted)";
   if (path.ends_with(kReplaced)) path.resize(path.size() - kReplaced.size());
   return path;
@@ -74,7 +82,7 @@ process::CommandPlan match_plan(const TournamentConfig& config, const Fixture& f
   plan.argv = {program.string(), "match", left.endpoint, right.endpoint};
   add_option(plan.argv, "--left-name", left.name);
   add_option(plan.argv, "--right-name", right.name);
-  if (is_foreign(left) || is_foreign(right)) plan.argv.emplace_back("--own-names");
+  if (is_external(left) || is_external(right)) plan.argv.emplace_back("--own-names");
   add_option(plan.argv, "--seed", fmt::to_string(fixture.seed));
   add_option(plan.argv, "--cycles", config.cycles);
   add_option(plan.argv, "--half-time", config.half_time);
@@ -98,21 +106,22 @@ process::CommandPlan match_plan(const TournamentConfig& config, const Fixture& f
 }
 
 Result<MatchAttempt> MatchAttempt::start(process::ProcessHost& host, const TournamentConfig& config,
-                                         const Fixture& fixture, int attempt, AttemptPlace place) {
+                                         const Fixture& fixture, int attempt,
+                                         AttemptOptions options) {
   MatchAttempt started;
   started.fixture_ = fixture;
   started.number_ = attempt;
-  started.tournament_ = fs::absolute(place.tournament);
+  started.tournament_ = fs::absolute(options.tournament);
   started.folder_ =
-      place.folder.empty() ? match_folder(config, fixture, attempt) : std::move(place.folder);
+      options.folder.empty() ? match_folder(config, fixture, attempt) : std::move(options.folder);
   started.begin_ = std::chrono::steady_clock::now();
   started.limit_s_ = config.time_limit_s;
   started.started_ = base::utc_now();
   std::error_code code;
   fs::create_directories((started.tournament_ / started.folder_).parent_path(), code);
   process::CommandPlan plan =
-      match_plan(config, fixture, place.program, started.tournament_ / started.folder_);
-  plan.cpus = std::move(place.cpus);
+      match_plan(config, fixture, options.program, started.tournament_ / started.folder_);
+  plan.cpus = std::move(options.cpus);
   auto child = host.start(plan);
   if (!child) return child.error();
   started.child_ = *std::move(child);
@@ -122,19 +131,19 @@ Result<MatchAttempt> MatchAttempt::start(process::ProcessHost& host, const Tourn
 void MatchAttempt::enforce_limit() {
   if (!limit_s_ || timed_out_) return;
   const auto now = std::chrono::steady_clock::now();
-  if (std::chrono::duration<double>(now - begin_).count() < *limit_s_ + kBeyondLimitS) return;
+  if (std::chrono::duration<double>(now - begin_).count() < *limit_s_ + kKillAfterLimitS) return;
   timed_out_ = true;
   child_->end(std::chrono::milliseconds(0));
 }
 
 void MatchAttempt::interrupt() {
   if (std::exchange(interrupted_, true)) return;
-  child_->end(kGrace, true);
+  child_->end(kGracePeriod, true);
 }
 
 Result<std::optional<Outcome>> MatchAttempt::outcome() const {
   const process::Child::Status status = child_->status();
-  auto read = outcome_from_result(text_of(tournament_ / folder_ / match::kResultFile));
+  auto read = read_outcome(tournament_ / folder_);
   if (read && interrupted(*read)) return std::optional<Outcome>();
   Outcome outcome;
   if (read) {
@@ -142,11 +151,11 @@ Result<std::optional<Outcome>> MatchAttempt::outcome() const {
   } else if (interrupted_) {
     return std::optional<Outcome>();
   } else if (timed_out_) {
-    outcome.end_reason = "timed_out";
-    outcome.message = fmt::format("did not end at its time limit of {} s", *limit_s_);
+    outcome.end_reason = match::EndReason::kTimedOut;
+    outcome.message = fmt::format("did not exit at its time limit of {} s", *limit_s_);
   } else if (status.exit && status.exit->by_signal) {
-    // The embedded server lives in this process.
-    outcome.end_reason = "server_failed";
+    // The embedded server runs in this process.
+    outcome.end_reason = match::EndReason::kServerFailed;
     outcome.message = "cls match was " + to_text(*status.exit);
   } else {
     const std::vector<std::string> lines = child_->last_lines(1);
@@ -165,11 +174,11 @@ Result<std::optional<Outcome>> MatchAttempt::outcome() const {
   return std::optional<Outcome>(std::move(outcome));
 }
 
-std::optional<Outcome> left_behind(const TournamentConfig& config, const Fixture& fixture,
-                                   int attempt, const fs::path& tournament) {
+std::optional<Outcome> recover_result(const TournamentConfig& config, const Fixture& fixture,
+                                      int attempt, const fs::path& tournament) {
   const fs::path folder = match_folder(config, fixture, attempt);
-  auto outcome = outcome_from_result(text_of(tournament / folder / match::kResultFile));
-  if (!outcome || interrupted(*outcome) || outcome->end_reason != "finished") return std::nullopt;
+  auto outcome = read_outcome(tournament / folder);
+  if (!outcome || !outcome->finished()) return std::nullopt;
   outcome->attempts = attempt;
   outcome->folder = folder.string();
   outcome->ended = base::utc_now();
@@ -190,7 +199,7 @@ void clean_up(const TournamentConfig& config, const Fixture& fixture, const Outc
     const fs::path folder = tournament / match_folder(config, fixture, attempt);
     bool keep = attempt == outcome.attempts && keeps_folder(config, outcome);
     if (attempt < outcome.attempts && config.keep_logs != KeepLogs::kNone) {
-      const auto earlier = outcome_from_result(text_of(folder / match::kResultFile));
+      const auto earlier = read_outcome(folder);
       keep = earlier && !interrupted(*earlier);
     }
     std::error_code code;

@@ -1,4 +1,4 @@
-// One attempt at a match: the `cls match` process that plays it and what is made of its end.
+// One attempt at a match: the `cls match` process that plays it, and its outcome.
 #pragma once
 
 #include <chrono>
@@ -15,42 +15,41 @@
 
 namespace cls::orchestration::tournament {
 
-/// The binary that runs now, for starting more of it.
+/// The running binary, to start it again.
 std::filesystem::path own_program();
 
-/// `cls match` as it plays the fixture; `folder` is the match folder. The same line of shell plays
-/// the same match again.
+/// The `cls match` command of the fixture; `folder` is the match folder. It reproduces the match.
 process::CommandPlan match_plan(const TournamentConfig& config, const Fixture& fixture,
                                 const std::filesystem::path& program,
                                 const std::filesystem::path& folder);
 
-/// Where and with what an attempt is played.
-struct AttemptPlace {
+/// Where and how an attempt is played.
+struct AttemptOptions {
   std::filesystem::path tournament;  ///< the tournament's folder
-  std::filesystem::path folder;      ///< match folder below it; empty: as match_folder names it
+  std::filesystem::path folder;      ///< match folder below it; empty: match_folder()
   std::filesystem::path program;     ///< `cls`
-  std::vector<int> cpus;             ///< processors it may run on; empty: all
+  std::vector<int> cpus;             ///< CPUs it may run on; empty: all
 };
 
-/// An attempt under way.
+/// A running attempt.
 class MatchAttempt {
  public:
-  /// Starts `cls match`. The error says why it cannot be started.
+  /// Starts `cls match`.
   static base::Result<MatchAttempt> start(process::ProcessHost& host,
                                           const TournamentConfig& config, const Fixture& fixture,
-                                          int attempt, AttemptPlace place);
+                                          int attempt, AttemptOptions options);
 
   const Fixture& fixture() const { return fixture_; }
   int number() const { return number_; }
-  bool ended() const { return child_->status().gone; }
+  bool exited() const { return child_->status().gone; }
 
-  /// Ends the process when it is well beyond its own time limit and shows no reaction.
+  /// Kills the process when it runs well beyond its own time limit.
   void enforce_limit();
-  /// Asks the match to end in order; it then has no outcome.
+  /// Asks the match to shut down cleanly; it then has no outcome.
   void interrupt();
 
-  /// After the end: the outcome; nothing when it was interrupted. An error when the process left
-  /// no result and did not crash either: then no match of this tournament can be played.
+  /// After the exit: the outcome; nothing when it was interrupted. An error when the process wrote
+  /// no result and did not crash: then no match of this tournament can be played.
   base::Result<std::optional<Outcome>> outcome() const;
 
  private:
@@ -68,17 +67,17 @@ class MatchAttempt {
   bool timed_out_ = false;
 };
 
-/// The outcome of an attempt that ended while nobody looked: from the result.json of its folder.
-/// Nothing when that is missing, of another seed or tells of an interruption.
-std::optional<Outcome> left_behind(const TournamentConfig& config, const Fixture& fixture,
-                                   int attempt, const std::filesystem::path& tournament);
+/// The outcome of an attempt that finished while no `cls tournament run` was running, from its
+/// result.json. Nothing when that is missing or the match is invalid.
+std::optional<Outcome> recover_result(const TournamentConfig& config, const Fixture& fixture,
+                                      int attempt, const std::filesystem::path& tournament);
 
-/// Removes what `keep_logs` does not want of all attempts at a match, and attempts without result.
-/// Call it when the outcome is committed.
+/// Removes the folders of all attempts at a match that `keep_logs` does not keep, and of attempts
+/// without a result. Call it when the outcome is committed.
 void clean_up(const TournamentConfig& config, const Fixture& fixture, const Outcome& outcome,
               const std::filesystem::path& tournament);
 
-/// True when the folder of a match with this outcome is to be kept.
+/// True when `keep_logs` keeps the folder of a match with this outcome.
 bool keeps_folder(const TournamentConfig& config, const Outcome& outcome);
 
 }  // namespace cls::orchestration::tournament

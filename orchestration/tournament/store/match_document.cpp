@@ -1,49 +1,27 @@
-// JSON in and out, all field names in one place.
+// The JSON members of fixtures and outcomes, listed once for writing and parsing.
 #include "orchestration/tournament/store/match_document.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <nlohmann/json.hpp>
+#include <vector>
 
-#include "soccer/side_name.h"
+#include "base/catch_as_error.h"
+#include "base/text/json_codec.h"
+#include "soccer/side.h"
 
 namespace cls::orchestration::tournament {
-namespace {
 
 using Json = nlohmann::ordered_json;
-using base::Error;
+using base::JsonDecoder;
+using base::JsonEncoder;
 using base::Result;
 
-double rounded(double value, double per_one) { return std::round(value * per_one) / per_one; }
+namespace {
 
-Json json_of(const SideFigures& side) {
-  return {{"decisions", side.decisions},
-          {"late", side.late},
-          {"missed", side.missed},
-          {"rpc_p50_us", rounded(side.rpc_p50_us, 10)},
-          {"rpc_p99_us", rounded(side.rpc_p99_us, 10)},
-          {"cpu_seconds", rounded(side.cpu_seconds, 1000)}};
-}
-
-SideFigures side_from(const Json& json) {
-  SideFigures side;
-  side.decisions = json.at("decisions").get<std::int64_t>();
-  side.late = json.at("late").get<std::int64_t>();
-  side.missed = json.at("missed").get<std::int64_t>();
-  side.rpc_p50_us = json.at("rpc_p50_us").get<double>();
-  side.rpc_p99_us = json.at("rpc_p99_us").get<double>();
-  side.cpu_seconds = json.at("cpu_seconds").get<double>();
-  return side;
-}
-
-Json text_or_null(const std::string& text) { return text.empty() ? Json(nullptr) : Json(text); }
-
-std::string text_in(const Json& json, const char* key) {
-  const auto found = json.find(key);
-  return found == json.end() || !found->is_string() ? "" : found->get<std::string>();
-}
+template <typename Codec, typename T>
+using Object = typename Codec::template Object<T>;
 
 Json winner_json(const Outcome& outcome) {
   if (!outcome.counts()) return nullptr;
@@ -51,139 +29,91 @@ Json winner_json(const Outcome& outcome) {
   return sign > 0 ? "left" : sign < 0 ? "right" : "draw";
 }
 
-void add_outcome(Json& json, const Outcome& outcome) {
-  const bool penalties = outcome.left_penalties && outcome.right_penalties;
-  json["end_reason"] = outcome.end_reason;
-  json["valid"] = outcome.played();
-  json["forfeit"] = outcome.forfeit;
-  json["score"] = {outcome.left_score, outcome.right_score};
-  json["penalty_score"] =
-      penalties ? Json({*outcome.left_penalties, *outcome.right_penalties}) : Json(nullptr);
-  json["winner"] = winner_json(outcome);
-  json["fault"] = outcome.fault ? Json(side_name(*outcome.fault)) : Json(nullptr);
-  json["message"] = text_or_null(outcome.message);
-  json["attempts"] = outcome.attempts;
-  json["cycles"] = outcome.cycles;
-  json["wall_seconds"] = rounded(outcome.wall_seconds, 1000);
-  json["run_seconds"] = rounded(outcome.run_seconds, 1000);
-  json["cycles_per_second"] = rounded(outcome.cycles_per_second, 10);
-  json["deterministic"] = outcome.deterministic;
-  json["mode"] = outcome.mode;
-  json["started"] = outcome.started;
-  json["ended"] = outcome.ended;
-  json["host"] = outcome.host;
-  json["load"] = rounded(outcome.load, 100);
-  json["version"] = outcome.version;
-  json["server"] = outcome.server;
-  json["folder"] = text_or_null(outcome.folder);
-  json["left_figures"] = json_of(outcome.left);
-  json["right_figures"] = json_of(outcome.right);
+std::string dump(const Json& json, int indent = -1) {
+  return json.dump(indent, ' ', false, Json::error_handler_t::replace);
 }
 
-Outcome outcome_from(const Json& json) {
-  Outcome outcome;
-  outcome.end_reason = json.at("end_reason").get<std::string>();
-  outcome.forfeit = json.at("forfeit").get<bool>();
-  outcome.left_score = json.at("score").at(0).get<int>();
-  outcome.right_score = json.at("score").at(1).get<int>();
-  if (const Json& penalties = json.at("penalty_score"); !penalties.is_null()) {
-    outcome.left_penalties = penalties.at(0).get<int>();
-    outcome.right_penalties = penalties.at(1).get<int>();
-  }
-  outcome.fault = soccer::side_named(text_in(json, "fault"));
-  outcome.message = text_in(json, "message");
-  outcome.attempts = json.at("attempts").get<int>();
-  outcome.cycles = json.at("cycles").get<int>();
-  outcome.wall_seconds = json.at("wall_seconds").get<double>();
-  outcome.run_seconds = json.at("run_seconds").get<double>();
-  outcome.cycles_per_second = json.at("cycles_per_second").get<double>();
-  outcome.deterministic = json.at("deterministic").get<bool>();
-  outcome.mode = text_in(json, "mode");
-  outcome.started = text_in(json, "started");
-  outcome.ended = text_in(json, "ended");
-  outcome.host = text_in(json, "host");
-  outcome.load = json.at("load").get<double>();
-  outcome.version = text_in(json, "version");
-  outcome.server = text_in(json, "server");
-  outcome.folder = text_in(json, "folder");
-  outcome.left = side_from(json.at("left_figures"));
-  outcome.right = side_from(json.at("right_figures"));
-  return outcome;
-}
-
-// The middle player's median and the worst player's 99th percentile, sums of the rest.
-SideFigures figures_of(const Json& team) {
-  SideFigures side;
-  std::vector<double> medians;
-  for (const Json& player : team.at("players")) {
-    side.decisions += player.at("decisions").get<std::int64_t>();
-    side.late += player.at("late").get<std::int64_t>();
-    side.missed += player.at("missed").get<std::int64_t>();
-    medians.push_back(player.at("rpc_us").at("p50").get<double>());
-    side.rpc_p99_us = std::max(side.rpc_p99_us, player.at("rpc_us").at("p99").get<double>());
-  }
-  if (!medians.empty()) {
-    const auto middle = medians.begin() + static_cast<long>(medians.size() / 2);
-    std::nth_element(medians.begin(), middle, medians.end());
-    side.rpc_p50_us = *middle;
-  }
-  side.cpu_seconds = team.at("cpu_seconds").get<double>();
-  return side;
-}
-
-Outcome outcome_of_match(const Json& json) {
-  Outcome outcome;
-  outcome.end_reason = json.at("end_reason").get<std::string>();
-  const Json& left = json.at("left");
-  const Json& right = json.at("right");
-  outcome.left_score = left.at("score").get<int>();
-  outcome.right_score = right.at("score").get<int>();
-  if (!left.at("penalty_score").is_null() && !right.at("penalty_score").is_null()) {
-    outcome.left_penalties = left.at("penalty_score").get<int>();
-    outcome.right_penalties = right.at("penalty_score").get<int>();
-  }
-  outcome.fault = soccer::side_named(text_in(json, "fault"));
-  outcome.message = text_in(json, "message");
-  outcome.cycles = json.at("cycles").get<int>();
-  outcome.wall_seconds = json.at("wall_seconds").get<double>();
-  outcome.cycles_per_second = json.at("cycles_per_second").get<double>();
-  outcome.deterministic = json.at("deterministic").get<bool>();
-  outcome.mode = text_in(json, "mode");
-  outcome.version = text_in(json.at("versions"), "cls");
-  outcome.server = fmt::format("{} {}", text_in(json.at("server"), "kind"),
-                               text_in(json.at("server"), "version"));
-  outcome.left = figures_of(left);
-  outcome.right = figures_of(right);
-  return outcome;
-}
-
-// What the library throws becomes an error.
-template <typename Read>
-auto guarded(Read read) -> Result<decltype(read())> {
-  try {
-    return read();
-  } catch (const nlohmann::json::exception& error) {
-    return Error{error.what()};
-  }
+template <typename T>
+Result<T> parse(std::string_view text) {
+  return base::catch_as_error<std::exception>("", [&] {
+    T value;
+    JsonDecoder::decode(Json::parse(text), value);
+    return value;
+  });
 }
 
 }  // namespace
+
+template <typename Codec>
+static void members(Codec& codec, Object<Codec, Fixture>& fixture) {
+  codec.required("index", fixture.index);
+  codec.required("round", fixture.round);
+  codec.required("stage", fixture.stage);
+  codec.required("pairing", fixture.pairing);
+  codec.required("left", fixture.left);
+  codec.required("right", fixture.right);
+  codec.required("seed", fixture.seed);
+  codec.required("decides", fixture.decides);
+}
+
+template <typename Codec>
+static void members(Codec& codec, Object<Codec, SideStats>& side) {
+  codec.member("decisions", side.decisions);
+  codec.member("late", side.late);
+  codec.member("missed", side.missed);
+  codec.rounded("rpc_p50_us", side.rpc_p50_us, 10);
+  codec.rounded("rpc_p99_us", side.rpc_p99_us, 10);
+  codec.rounded("cpu_seconds", side.cpu_seconds, 1000);
+}
+
+template <typename Codec>
+static void members(Codec& codec, Object<Codec, Outcome>& outcome) {
+  codec.named(
+      "end_reason", outcome.end_reason, [](match::EndReason reason) { return name(reason); },
+      match::parse_end_reason);
+  codec.derived("valid", [&] { return outcome.played(); });
+  codec.member("forfeit", outcome.forfeit);
+  codec.pair("score", outcome.left_score, outcome.right_score);
+  codec.pair("penalty_score", outcome.left_penalties, outcome.right_penalties);
+  codec.derived("winner", [&] { return winner_json(outcome); });
+  codec.named("fault", outcome.fault, soccer::side_name, soccer::parse_side);
+  codec.text_or_null("message", outcome.message);
+  codec.member("attempts", outcome.attempts);
+  codec.member("cycles", outcome.cycles);
+  codec.rounded("wall_seconds", outcome.wall_seconds, 1000);
+  codec.rounded("run_seconds", outcome.run_seconds, 1000);
+  codec.rounded("cycles_per_second", outcome.cycles_per_second, 10);
+  codec.member("deterministic", outcome.deterministic);
+  codec.member("mode", outcome.mode);
+  codec.member("started", outcome.started);
+  codec.member("ended", outcome.ended);
+  codec.member("host", outcome.host);
+  codec.rounded("load", outcome.load, 100);
+  codec.member("version", outcome.version);
+  codec.member("server", outcome.server);
+  codec.text_or_null("folder", outcome.folder);
+  codec.member("left_figures", outcome.left);
+  codec.member("right_figures", outcome.right);
+}
+
+static void members(JsonDecoder& codec, WorkResult& result) {
+  codec.required("index", result.index);
+  codec.required("seed", result.seed);
+  members(codec, result.outcome);
+}
 
 Json json_of(const TournamentConfig& config, const ScheduledMatch& match) {
   const Fixture& fixture = match.fixture;
   const auto team = [&config](int index) {
     return config.teams[static_cast<std::size_t>(index)].name;
   };
-  Json json = {{"index", fixture.index},
-               {"round", fixture.round},
-               {"stage", text_or_null(fixture.stage)},
-               {"pairing", fixture.pairing},
-               {"left", team(fixture.left)},
-               {"right", team(fixture.right)},
-               {"seed", fixture.seed},
-               {"decides", fixture.decides}};
+  Json json = JsonEncoder::encode(fixture);
+  if (fixture.stage.empty()) json["stage"] = nullptr;
+  json["left"] = team(fixture.left);
+  json["right"] = team(fixture.right);
   if (match.outcome) {
-    add_outcome(json, *match.outcome);
+    JsonEncoder codec(json);
+    members(codec, *match.outcome);
   } else {
     json["end_reason"] = nullptr;
     json["score"] = nullptr;
@@ -191,46 +121,70 @@ Json json_of(const TournamentConfig& config, const ScheduledMatch& match) {
   return json;
 }
 
-std::string schedule_line(const Fixture& fixture) {
-  const Json json = {{"index", fixture.index}, {"round", fixture.round},
-                     {"stage", fixture.stage}, {"pairing", fixture.pairing},
-                     {"left", fixture.left},   {"right", fixture.right},
-                     {"seed", fixture.seed},   {"decides", fixture.decides}};
-  return json.dump() + "\n";
+std::string format_fixture(const Fixture& fixture) {
+  return JsonEncoder::encode(fixture).dump() + "\n";
 }
 
-Result<Fixture> fixture_from_line(const std::string& line) {
-  return guarded([&] {
-    const Json json = Json::parse(line);
-    Fixture fixture;
-    fixture.index = json.at("index").get<int>();
-    fixture.round = json.at("round").get<int>();
-    fixture.stage = json.at("stage").get<std::string>();
-    fixture.pairing = json.at("pairing").get<int>();
-    fixture.left = json.at("left").get<int>();
-    fixture.right = json.at("right").get<int>();
-    fixture.seed = json.at("seed").get<std::uint64_t>();
-    fixture.decides = json.at("decides").get<bool>();
-    return fixture;
-  });
-}
+Result<Fixture> parse_fixture(std::string_view line) { return parse<Fixture>(line); }
 
-std::string outcome_document(const Fixture& fixture, const Outcome& outcome) {
+std::string format_outcome(const Outcome& outcome) { return dump(JsonEncoder::encode(outcome)); }
+
+Result<Outcome> parse_outcome(std::string_view text) { return parse<Outcome>(text); }
+
+std::string format_work_result(const Fixture& fixture, const Outcome& outcome) {
   Json json = {{"schema", "cls.work/1"}, {"index", fixture.index}, {"seed", fixture.seed}};
-  add_outcome(json, outcome);
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  JsonEncoder codec(json);
+  members(codec, outcome);
+  return dump(json, 2) + "\n";
 }
 
-Result<DeliveredOutcome> outcome_from_document(const std::string& text) {
-  return guarded([&] {
-    const Json json = Json::parse(text);
-    return DeliveredOutcome{json.at("index").get<int>(), json.at("seed").get<std::uint64_t>(),
-                            outcome_from(json)};
-  });
+Result<WorkResult> parse_work_result(std::string_view text) { return parse<WorkResult>(text); }
+
+namespace {
+
+// The median player's p50, the slowest player's p99, and sums of the rest.
+SideStats stats_of(const match::TeamResult& team) {
+  SideStats side;
+  std::vector<double> medians;
+  for (const match::PlayerResult& player : team.players) {
+    side.decisions += player.decisions;
+    side.late += player.late;
+    side.missed += player.missed;
+    medians.push_back(player.rpc_us.p50);
+    side.rpc_p99_us = std::max(side.rpc_p99_us, player.rpc_us.p99);
+  }
+  if (!medians.empty()) {
+    const auto middle = medians.begin() + static_cast<long>(medians.size() / 2);
+    std::nth_element(medians.begin(), middle, medians.end());
+    side.rpc_p50_us = *middle;
+  }
+  side.cpu_seconds = team.cpu_seconds;
+  return side;
 }
 
-Result<Outcome> outcome_from_result(const std::string& text) {
-  return guarded([&] { return outcome_of_match(Json::parse(text)); });
+}  // namespace
+
+Outcome outcome_of(const match::MatchResult& result) {
+  Outcome outcome;
+  outcome.end_reason = result.end_reason;
+  outcome.left_score = result.left.score;
+  outcome.right_score = result.right.score;
+  if (result.left.penalty_score && result.right.penalty_score) {
+    outcome.left_penalties = result.left.penalty_score;
+    outcome.right_penalties = result.right.penalty_score;
+  }
+  if (result.fault != soccer::Side::kNeutral) outcome.fault = result.fault;
+  outcome.message = result.message;
+  outcome.cycles = result.cycles;
+  outcome.wall_seconds = result.wall_seconds;
+  outcome.cycles_per_second = result.cycles_per_second;
+  outcome.deterministic = result.deterministic;
+  outcome.mode = result.mode;
+  outcome.version = result.cls_version;
+  outcome.server = fmt::format("{} {}", result.server_kind, result.server_version);
+  outcome.left = stats_of(result.left);
+  outcome.right = stats_of(result.right);
+  return outcome;
 }
 
 }  // namespace cls::orchestration::tournament

@@ -1,35 +1,40 @@
-// A scheduled match as JSON: the same object in reports, events, hooks and the files of `work`.
+// Scheduled matches as JSON: in reports, events, hooks, schedules, result files and the store.
 #pragma once
 
+#include <cstdint>
 #include <nlohmann/json_fwd.hpp>
-#include <optional>
 #include <string>
+#include <string_view>
 
 #include "base/result.h"
+#include "orchestration/match/result/match_result.h"
 #include "orchestration/tournament/config/config.h"
 #include "orchestration/tournament/schedule/fixture.h"
 
 namespace cls::orchestration::tournament {
 
-/// Members of cls.tournament/1 "matches": index, round, stage, pairing, left, right (names), seed,
-/// decides, state and, with an outcome, everything in it; `score` is [left, right].
+/// An element of "matches" in cls.tournament/1: the fixture with team names, and the members of
+/// its outcome; without an outcome "end_reason" and "score" are null.
 nlohmann::ordered_json json_of(const TournamentConfig& config, const ScheduledMatch& match);
 
-/// A line of schedule.jsonl, and back. Teams are numbers there.
-std::string schedule_line(const Fixture& fixture);
-base::Result<Fixture> fixture_from_line(const std::string& line);
+/// A line of schedule.jsonl. Teams are indices there.
+std::string format_fixture(const Fixture& fixture);
+base::Result<Fixture> parse_fixture(std::string_view line);
 
-/// The file that `work` leaves, and back. The error says what is wrong with the text.
-std::string outcome_document(const Fixture& fixture, const Outcome& outcome);
-struct DeliveredOutcome {
+/// An outcome as a JSON object on one line, as the store holds it.
+std::string format_outcome(const Outcome& outcome);
+base::Result<Outcome> parse_outcome(std::string_view text);
+
+/// The content of a result file of `cls tournament work`, cls.work/1.
+struct WorkResult {
   int index = 0;
   std::uint64_t seed = 0;
   Outcome outcome;
 };
-base::Result<DeliveredOutcome> outcome_from_document(const std::string& text);
+std::string format_work_result(const Fixture& fixture, const Outcome& outcome);
+base::Result<WorkResult> parse_work_result(std::string_view text);
 
-/// The outcome told by the result.json of a match folder. An error when there is none, or one that
-/// is not whole.
-base::Result<Outcome> outcome_from_result(const std::string& text);
+/// The outcome of a match with this result. The caller adds how the match was run.
+Outcome outcome_of(const match::MatchResult& result);
 
 }  // namespace cls::orchestration::tournament

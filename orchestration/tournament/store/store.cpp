@@ -1,14 +1,14 @@
-// SQL behind the store.
+// SQL of the tournament store, and the migration of older schemas.
 #include "orchestration/tournament/store/store.h"
 
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <fmt/format.h>
 
-#include <functional>
 #include <system_error>
 #include <utility>
 
-#include "soccer/side_name.h"
+#include "base/catch_as_error.h"
+#include "orchestration/tournament/store/match_document.h"
 
 namespace cls::orchestration::tournament {
 namespace {
@@ -16,9 +16,12 @@ namespace {
 using base::Error;
 using base::Result;
 
-constexpr int kSchemaVersion = 1;
-constexpr int kBusyMs = 5000;
+// Version 2 replaced one column for each member of an outcome by the JSON column `outcome`.
+constexpr int kSchemaVersion = 2;
+constexpr int kBusyTimeoutMs = 5000;
 
+// The generated columns keep the names of version 1, so that users' queries still work. Like
+// there, texts are empty rather than null once a match has an outcome.
 constexpr const char* kTables = R"(
 CREATE TABLE match (
   number            INTEGER PRIMARY KEY,
@@ -32,201 +35,153 @@ CREATE TABLE match (
   state             TEXT    NOT NULL DEFAULT 'planned',
   attempts          INTEGER NOT NULL DEFAULT 0,
   settled           INTEGER NOT NULL DEFAULT 0,
-  end_reason        TEXT,
-  forfeit           INTEGER,
-  left_score        INTEGER,
-  right_score       INTEGER,
-  left_penalties    INTEGER,
-  right_penalties   INTEGER,
-  fault             TEXT,
-  message           TEXT,
-  cycles            INTEGER,
-  wall_seconds      REAL,
-  run_seconds       REAL,
-  cycles_per_second REAL,
-  deterministic     INTEGER,
-  mode              TEXT,
-  started           TEXT,
-  ended             TEXT,
-  host              TEXT,
-  load              REAL,
-  version           TEXT,
-  server            TEXT,
-  folder            TEXT,
-  left_decisions    INTEGER,
-  left_late         INTEGER,
-  left_missed       INTEGER,
-  left_rpc_p50_us   REAL,
-  left_rpc_p99_us   REAL,
-  left_cpu_seconds  REAL,
-  right_decisions   INTEGER,
-  right_late        INTEGER,
-  right_missed      INTEGER,
-  right_rpc_p50_us  REAL,
-  right_rpc_p99_us  REAL,
-  right_cpu_seconds REAL
+  outcome           TEXT,
+  end_reason        TEXT    AS (json_extract(outcome, '$.end_reason')),
+  forfeit           INTEGER AS (json_extract(outcome, '$.forfeit')),
+  left_score        INTEGER AS (json_extract(outcome, '$.score[0]')),
+  right_score       INTEGER AS (json_extract(outcome, '$.score[1]')),
+  left_penalties    INTEGER AS (json_extract(outcome, '$.penalty_score[0]')),
+  right_penalties   INTEGER AS (json_extract(outcome, '$.penalty_score[1]')),
+  fault             TEXT    AS (json_extract(outcome, '$.fault')),
+  message           TEXT    AS (ifnull(json_extract(outcome, '$.message'), substr(outcome, 1, 0))),
+  cycles            INTEGER AS (json_extract(outcome, '$.cycles')),
+  wall_seconds      REAL    AS (json_extract(outcome, '$.wall_seconds')),
+  run_seconds       REAL    AS (json_extract(outcome, '$.run_seconds')),
+  cycles_per_second REAL    AS (json_extract(outcome, '$.cycles_per_second')),
+  deterministic     INTEGER AS (json_extract(outcome, '$.deterministic')),
+  mode              TEXT    AS (json_extract(outcome, '$.mode')),
+  started           TEXT    AS (json_extract(outcome, '$.started')),
+  ended             TEXT    AS (json_extract(outcome, '$.ended')),
+  host              TEXT    AS (json_extract(outcome, '$.host')),
+  load              REAL    AS (json_extract(outcome, '$.load')),
+  version           TEXT    AS (json_extract(outcome, '$.version')),
+  server            TEXT    AS (json_extract(outcome, '$.server')),
+  folder            TEXT    AS (ifnull(json_extract(outcome, '$.folder'), substr(outcome, 1, 0))),
+  left_decisions    INTEGER AS (json_extract(outcome, '$.left_figures.decisions')),
+  left_late         INTEGER AS (json_extract(outcome, '$.left_figures.late')),
+  left_missed       INTEGER AS (json_extract(outcome, '$.left_figures.missed')),
+  left_rpc_p50_us   REAL    AS (json_extract(outcome, '$.left_figures.rpc_p50_us')),
+  left_rpc_p99_us   REAL    AS (json_extract(outcome, '$.left_figures.rpc_p99_us')),
+  left_cpu_seconds  REAL    AS (json_extract(outcome, '$.left_figures.cpu_seconds')),
+  right_decisions   INTEGER AS (json_extract(outcome, '$.right_figures.decisions')),
+  right_late        INTEGER AS (json_extract(outcome, '$.right_figures.late')),
+  right_missed      INTEGER AS (json_extract(outcome, '$.right_figures.missed')),
+  right_rpc_p50_us  REAL    AS (json_extract(outcome, '$.right_figures.rpc_p50_us')),
+  right_rpc_p99_us  REAL    AS (json_extract(outcome, '$.right_figures.rpc_p99_us')),
+  right_cpu_seconds REAL    AS (json_extract(outcome, '$.right_figures.cpu_seconds'))
 );
 CREATE INDEX match_open ON match (state) WHERE state IN ('running', 'failed');
 )";
 
-constexpr const char* kAdd =
-    "INSERT INTO match (number, round, stage, pairing, left_team, right_team, seed, decides) "
-    "VALUES (?, ?, ?, ?, ?, ?, ?, ?)";
+constexpr const char* kScheduleColumns =
+    "number, round, stage, pairing, left_team, right_team, seed, decides, state, attempts, settled";
 
-constexpr const char* kFinish = R"(
-UPDATE match SET state = ?2, end_reason = ?3, forfeit = ?4, left_score = ?5, right_score = ?6,
-  left_penalties = ?7, right_penalties = ?8, fault = ?9, message = ?10,
-  attempts = max(attempts, ?11), settled = ?11,
-  cycles = ?12, wall_seconds = ?13, run_seconds = ?14, cycles_per_second = ?15,
-  deterministic = ?16, mode = ?17, started = ?18, ended = ?19, host = ?20, load = ?21,
-  version = ?22, server = ?23, folder = ?24,
-  left_decisions = ?25, left_late = ?26, left_missed = ?27, left_rpc_p50_us = ?28,
-  left_rpc_p99_us = ?29, left_cpu_seconds = ?30,
-  right_decisions = ?31, right_late = ?32, right_missed = ?33, right_rpc_p50_us = ?34,
-  right_rpc_p99_us = ?35, right_cpu_seconds = ?36
-WHERE number = ?1)";
+// The JSON of an outcome from the columns of version 1; NULL without an outcome.
+constexpr const char* kOutcomeOfVersion1 = R"(
+CASE WHEN end_reason IS NOT NULL THEN json_object(
+  'end_reason', end_reason,
+  'forfeit', json(iif(forfeit, 'true', 'false')),
+  'score', json_array(left_score, right_score),
+  'penalty_score', json(iif(left_penalties IS NULL OR right_penalties IS NULL, 'null',
+                            json_array(left_penalties, right_penalties))),
+  'fault', fault,
+  'message', nullif(message, ''),
+  'attempts', settled,
+  'cycles', cycles,
+  'wall_seconds', wall_seconds,
+  'run_seconds', run_seconds,
+  'cycles_per_second', cycles_per_second,
+  'deterministic', json(iif(deterministic, 'true', 'false')),
+  'mode', mode,
+  'started', started,
+  'ended', ended,
+  'host', host,
+  'load', load,
+  'version', version,
+  'server', server,
+  'folder', nullif(folder, ''),
+  'left_figures', json_object(
+    'decisions', left_decisions, 'late', left_late, 'missed', left_missed,
+    'rpc_p50_us', left_rpc_p50_us, 'rpc_p99_us', left_rpc_p99_us, 'cpu_seconds', left_cpu_seconds),
+  'right_figures', json_object(
+    'decisions', right_decisions, 'late', right_late, 'missed', right_missed,
+    'rpc_p50_us', right_rpc_p50_us, 'rpc_p99_us', right_rpc_p99_us,
+    'cpu_seconds', right_cpu_seconds)) END)";
 
-constexpr const char* kSelect = R"(
-SELECT number, round, stage, pairing, left_team, right_team, seed, decides, state,
-  end_reason, forfeit, left_score, right_score, left_penalties, right_penalties, fault, message,
-  settled, cycles, wall_seconds, run_seconds, cycles_per_second, deterministic, mode, started,
-  ended, host, load, version, server, folder,
-  left_decisions, left_late, left_missed, left_rpc_p50_us, left_rpc_p99_us, left_cpu_seconds,
-  right_decisions, right_late, right_missed, right_rpc_p50_us, right_rpc_p99_us, right_cpu_seconds,
-  attempts
-FROM match ORDER BY number)";
+int schema_version(const SQLite::Database& database) {
+  SQLite::Statement query(database, "PRAGMA user_version");
+  query.executeStep();
+  return query.getColumn(0).getInt();
+}
 
-void bind_optional(SQLite::Statement& statement, int place, const std::optional<int>& value) {
-  if (value) {
-    statement.bind(place, *value);
-  } else {
-    statement.bind(place);
+void check_not_newer(int version) {
+  if (version <= kSchemaVersion) return;
+  throw SQLite::Exception(
+      fmt::format("schema version {} is newer than this cls supports ({}); "
+                  "use the cls that wrote it",
+                  version, kSchemaVersion));
+}
+
+// Creates the tables of an empty database, or those that replace version 1.
+void update_schema(SQLite::Database& database) {
+  SQLite::Transaction transaction(database, SQLite::TransactionBehavior::IMMEDIATE);
+  const bool migrate = schema_version(database) == 1;
+  if (migrate) database.exec("ALTER TABLE match RENAME TO match_1; DROP INDEX match_open;");
+  database.exec(kTables);
+  if (migrate) {
+    database.exec(
+        fmt::format("INSERT INTO match ({0}, outcome) SELECT {0}, {1} FROM match_1;"
+                    "DROP TABLE match_1;",
+                    kScheduleColumns, kOutcomeOfVersion1));
   }
+  database.exec(fmt::format("PRAGMA user_version = {}", kSchemaVersion));
+  transaction.commit();
 }
 
-void bind_side(SQLite::Statement& statement, int place, const SideFigures& side) {
-  statement.bind(place, side.decisions);
-  statement.bind(place + 1, side.late);
-  statement.bind(place + 2, side.missed);
-  statement.bind(place + 3, side.rpc_p50_us);
-  statement.bind(place + 4, side.rpc_p99_us);
-  statement.bind(place + 5, side.cpu_seconds);
-}
-
-// Values in the order of a SELECT, one after the other.
+// Values of a row, one after the other.
 class Columns {
  public:
-  Columns(SQLite::Statement& statement, int first) : statement_(statement), next_(first) {}
+  explicit Columns(SQLite::Statement& row) : row_(row) {}
 
-  std::string text() { return statement_.getColumn(next_++).getString(); }
-  int whole() { return statement_.getColumn(next_++).getInt(); }
-  std::int64_t large() { return statement_.getColumn(next_++).getInt64(); }
-  double real() { return statement_.getColumn(next_++).getDouble(); }
-  std::optional<int> optional() {
-    const SQLite::Column column = statement_.getColumn(next_++);
-    if (column.isNull()) return std::nullopt;
-    return column.getInt();
-  }
-  SideFigures side() {
-    SideFigures side;
-    side.decisions = large();
-    side.late = large();
-    side.missed = large();
-    side.rpc_p50_us = real();
-    side.rpc_p99_us = real();
-    side.cpu_seconds = real();
-    return side;
-  }
+  std::string text() { return row_.getColumn(next_++).getString(); }
+  int integer() { return row_.getColumn(next_++).getInt(); }
+  std::int64_t long_integer() { return row_.getColumn(next_++).getInt64(); }
 
  private:
-  SQLite::Statement& statement_;
-  int next_;
+  SQLite::Statement& row_;
+  int next_ = 0;
 };
 
-Fixture fixture_in(SQLite::Statement& row) {
-  Columns columns(row, 0);
-  Fixture fixture;
-  fixture.index = columns.whole();
-  fixture.round = columns.whole();
+// Of a row with kScheduleColumns and the outcome as JSON.
+ScheduledMatch match_in(SQLite::Statement& row) {
+  Columns columns(row);
+  ScheduledMatch match;
+  Fixture& fixture = match.fixture;
+  fixture.index = columns.integer();
+  fixture.round = columns.integer();
   fixture.stage = columns.text();
-  fixture.pairing = columns.whole();
-  fixture.left = columns.whole();
-  fixture.right = columns.whole();
-  fixture.seed = static_cast<std::uint64_t>(columns.large());
-  fixture.decides = columns.whole() != 0;
-  return fixture;
-}
-
-Outcome outcome_in(SQLite::Statement& row) {
-  Columns columns(row, 9);
-  Outcome outcome;
-  outcome.end_reason = columns.text();
-  outcome.forfeit = columns.whole() != 0;
-  outcome.left_score = columns.whole();
-  outcome.right_score = columns.whole();
-  outcome.left_penalties = columns.optional();
-  outcome.right_penalties = columns.optional();
-  outcome.fault = soccer::side_named(columns.text());
-  outcome.message = columns.text();
-  outcome.attempts = columns.whole();
-  outcome.cycles = columns.whole();
-  outcome.wall_seconds = columns.real();
-  outcome.run_seconds = columns.real();
-  outcome.cycles_per_second = columns.real();
-  outcome.deterministic = columns.whole() != 0;
-  outcome.mode = columns.text();
-  outcome.started = columns.text();
-  outcome.ended = columns.text();
-  outcome.host = columns.text();
-  outcome.load = columns.real();
-  outcome.version = columns.text();
-  outcome.server = columns.text();
-  outcome.folder = columns.text();
-  outcome.left = columns.side();
-  outcome.right = columns.side();
-  return outcome;
-}
-
-void bind_outcome(SQLite::Statement& statement, const Outcome& outcome) {
-  statement.bind(3, outcome.end_reason);
-  statement.bind(4, outcome.forfeit ? 1 : 0);
-  statement.bind(5, outcome.left_score);
-  statement.bind(6, outcome.right_score);
-  bind_optional(statement, 7, outcome.left_penalties);
-  bind_optional(statement, 8, outcome.right_penalties);
-  if (outcome.fault) statement.bind(9, side_name(*outcome.fault));
-  statement.bind(10, outcome.message);
-  statement.bind(11, outcome.attempts);
-  statement.bind(12, outcome.cycles);
-  statement.bind(13, outcome.wall_seconds);
-  statement.bind(14, outcome.run_seconds);
-  statement.bind(15, outcome.cycles_per_second);
-  statement.bind(16, outcome.deterministic ? 1 : 0);
-  statement.bind(17, outcome.mode);
-  statement.bind(18, outcome.started);
-  statement.bind(19, outcome.ended);
-  statement.bind(20, outcome.host);
-  statement.bind(21, outcome.load);
-  statement.bind(22, outcome.version);
-  statement.bind(23, outcome.server);
-  statement.bind(24, outcome.folder);
-  bind_side(statement, 25, outcome.left);
-  bind_side(statement, 31, outcome.right);
-}
-
-// Runs `work`; what the library throws becomes an error that names the file.
-template <typename Work>
-auto guarded(const std::string& file, Work work) -> Result<decltype(work())> {
-  try {
-    if constexpr (std::is_void_v<decltype(work())>) {
-      work();
-      return {};
-    } else {
-      return work();
-    }
-  } catch (const SQLite::Exception& error) {
-    return Error{fmt::format("{}: {}", file, error.what())};
+  fixture.pairing = columns.integer();
+  fixture.left = columns.integer();
+  fixture.right = columns.integer();
+  fixture.seed = static_cast<std::uint64_t>(columns.long_integer());
+  fixture.decides = columns.integer() != 0;
+  const std::string state = columns.text();
+  match.attempts = columns.integer();
+  match.settled = columns.integer();
+  if (state != "done" && state != "failed") return match;
+  auto outcome = parse_outcome(columns.text());
+  if (!outcome) {
+    throw SQLite::Exception(
+        fmt::format("match {}: corrupt outcome: {}", fixture.index, outcome.error().message));
   }
+  match.outcome = *std::move(outcome);
+  return match;
+}
+
+// Runs `work` and turns exceptions of the library into an error that names the file.
+template <typename Work>
+auto guarded(const std::string& file, Work work) {
+  return base::catch_as_error<SQLite::Exception>(file, std::move(work));
 }
 
 }  // namespace
@@ -239,18 +194,11 @@ Store::~Store() = default;
 Result<Store> Store::open(const std::filesystem::path& file) {
   return guarded(file.string(), [&] {
     auto database = std::make_unique<SQLite::Database>(
-        file.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE, kBusyMs);
+        file.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE, kBusyTimeoutMs);
     database->exec("PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL;");
-    const int version = database->execAndGet("PRAGMA user_version").getInt();
-    if (version == 0) {
-      SQLite::Transaction transaction(*database);
-      database->exec(kTables);
-      database->exec(fmt::format("PRAGMA user_version = {}", kSchemaVersion));
-      transaction.commit();
-    } else if (version != kSchemaVersion) {
-      throw SQLite::Exception(fmt::format("written by another version of cls (schema {}, not {})",
-                                          version, kSchemaVersion));
-    }
+    const int version = schema_version(*database);
+    check_not_newer(version);
+    if (version < kSchemaVersion) update_schema(*database);
     return Store(std::move(database));
   });
 }
@@ -260,22 +208,25 @@ Result<Store> Store::open_to_read(const std::filesystem::path& file) {
   if (!std::filesystem::exists(file, code)) {
     return Error{fmt::format("{}: no such file", file.string())};
   }
-  return open(file);  // WAL readers write too: the shared index beside the file
+  return guarded(file.string(), [&] {
+    // WAL readers write too: the shared index beside the file.
+    auto database =
+        std::make_unique<SQLite::Database>(file.string(), SQLite::OPEN_READWRITE, kBusyTimeoutMs);
+    check_not_newer(schema_version(*database));
+    return Store(std::move(database));
+  });
 }
 
 Result<std::vector<ScheduledMatch>> Store::matches() const {
   return guarded(database_->getFilename(), [&] {
     std::vector<ScheduledMatch> all;
-    SQLite::Statement row(*database_, kSelect);
-    while (row.executeStep()) {
-      ScheduledMatch match;
-      match.fixture = fixture_in(row);
-      match.settled = row.getColumn(17).getInt();
-      match.attempts = row.getColumn(43).getInt();
-      const std::string state = row.getColumn(8).getString();
-      if (state == "done" || state == "failed") match.outcome = outcome_in(row);
-      all.push_back(std::move(match));
-    }
+    SQLite::Transaction snapshot(*database_);  // `cls tournament run` may migrate meanwhile
+    const int version = schema_version(*database_);
+    if (version == 0) return all;
+    SQLite::Statement row(*database_,
+                          fmt::format("SELECT {}, {} FROM match ORDER BY number", kScheduleColumns,
+                                      version == 1 ? kOutcomeOfVersion1 : "outcome"));
+    while (row.executeStep()) all.push_back(match_in(row));
     return all;
   });
 }
@@ -283,7 +234,9 @@ Result<std::vector<ScheduledMatch>> Store::matches() const {
 Result<void> Store::add(std::span<const Fixture> fixtures) {
   return guarded(database_->getFilename(), [&] {
     SQLite::Transaction transaction(*database_);
-    SQLite::Statement insert(*database_, kAdd);
+    SQLite::Statement insert(*database_,
+                             "INSERT INTO match (number, round, stage, pairing, left_team, "
+                             "right_team, seed, decides) VALUES (?, ?, ?, ?, ?, ?, ?, ?)");
     for (const Fixture& fixture : fixtures) {
       insert.bind(1, fixture.index);
       insert.bind(2, fixture.round);
@@ -321,6 +274,7 @@ Result<std::vector<int>> Store::begin_attempts(std::span<const int> indices) {
 Result<std::vector<int>> Store::running() const {
   return guarded(database_->getFilename(), [&] {
     std::vector<int> numbers;
+    if (schema_version(*database_) == 0) return numbers;
     SQLite::Statement row(*database_,
                           "SELECT number FROM match WHERE state = 'running' ORDER BY number");
     while (row.executeStep()) numbers.push_back(row.getColumn(0).getInt());
@@ -328,7 +282,7 @@ Result<std::vector<int>> Store::running() const {
   });
 }
 
-Result<void> Store::put_back(bool failed_too) {
+Result<void> Store::requeue(bool failed_too) {
   return guarded(database_->getFilename(), [&] {
     database_->exec(failed_too ? "UPDATE match SET state = 'planned' "
                                  "WHERE state IN ('running', 'failed')"
@@ -338,10 +292,13 @@ Result<void> Store::put_back(bool failed_too) {
 
 Result<void> Store::finish(int index, const Outcome& outcome, bool final) {
   return guarded(database_->getFilename(), [&] {
-    SQLite::Statement update(*database_, kFinish);
+    SQLite::Statement update(*database_,
+                             "UPDATE match SET state = ?2, attempts = max(attempts, ?3), "
+                             "settled = ?3, outcome = ?4 WHERE number = ?1");
     update.bind(1, index);
     update.bind(2, final ? "done" : "failed");
-    bind_outcome(update, outcome);
+    update.bind(3, outcome.attempts);
+    update.bind(4, format_outcome(outcome));
     update.exec();
   });
 }

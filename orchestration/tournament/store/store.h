@@ -1,4 +1,4 @@
-// The memory of a tournament: one SQLite file with a row for every scheduled match.
+// The database of a tournament: one SQLite file with a row for every scheduled match.
 #pragma once
 
 #include <filesystem>
@@ -16,14 +16,15 @@ class Database;
 
 namespace cls::orchestration::tournament {
 
-/// Rows from the start, an outcome committed (WAL, synced to disk) before the next match begins.
-/// One writer at a time; readers may look while it writes. Table `match` has one column a field of
-/// Fixture and Outcome; docs/tournaments.md lists them for use with sqlite3.
+/// Commits every outcome to disk (WAL, synced) before the next match starts. One writer at a time;
+/// readers may read meanwhile. Table `match` holds each outcome as JSON (format_outcome) and has
+/// generated columns for queries by sqlite3; see docs/tournaments.md.
 class Store {
  public:
-  /// Opens the file, creates it with its tables when it is not there. The error names the file.
+  /// Opens the file for writing. Creates it when missing, and migrates one of an older schema. The
+  /// error names the file.
   static base::Result<Store> open(const std::filesystem::path& file);
-  /// For looking only; an error when there is no such file.
+  /// Opens an existing file for reading, of this schema or an older one, and leaves its schema.
   static base::Result<Store> open_to_read(const std::filesystem::path& file);
 
   Store(Store&&) noexcept;
@@ -36,17 +37,16 @@ class Store {
   /// Appends rows, all or none of them.
   base::Result<void> add(std::span<const Fixture> fixtures);
 
-  /// Notes that attempts at these matches begin and returns their numbers, from 1.
+  /// Records that attempts at these matches start. Returns the attempts' numbers, from 1.
   base::Result<std::vector<int>> begin_attempts(std::span<const int> indices);
 
-  /// Numbers of the matches that are being played, or were when cls ended.
+  /// Numbers of the matches that are running, or were when cls ended.
   base::Result<std::vector<int>> running() const;
 
-  /// Matches noted as running wait to be played again; with `failed_too` also those whose outcome
-  /// was committed as not final.
-  base::Result<void> put_back(bool failed_too);
+  /// Plans running matches again; with `failed_too` also those whose outcome is not final.
+  base::Result<void> requeue(bool failed_too);
 
-  /// Commits an outcome. One that is not `final` stands until put_back.
+  /// Commits an outcome. One that is not `final` is valid until requeue().
   base::Result<void> finish(int index, const Outcome& outcome, bool final = true);
 
  private:

@@ -1,4 +1,4 @@
-// cls.toml: what is read, and how mistakes are told.
+// cls.toml: parsing, validation, error messages and plan differences.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -32,10 +32,10 @@ endpoint = "mock"
 endpoint = "localhost:50051"
 )";
 
-TEST(Config, IsReadWithTeamsInTheOrderOfTheFile) {
-  const ConfigReading reading = parse_config(kWhole, "cls.toml");
-  EXPECT_TRUE(reading.mistakes.empty()) << reading.mistakes.front();
-  const TournamentConfig& config = reading.config;
+TEST(Config, ReadsTeamsInFileOrder) {
+  const ParsedConfig parsed = parse_config(kWhole, "cls.toml");
+  EXPECT_TRUE(parsed.errors.empty()) << parsed.errors.front();
+  const TournamentConfig& config = parsed.config;
   EXPECT_EQ(config.format, Format::kGauntlet);
   EXPECT_EQ(config.gauntlet, std::vector<std::string>{"NEW"});
   EXPECT_EQ(config.rounds, 50);
@@ -46,11 +46,11 @@ TEST(Config, IsReadWithTeamsInTheOrderOfTheFile) {
   EXPECT_EQ(config.settings, (std::vector<ServerSetting>{{"server::kick_off_wait", "3"},
                                                          {"server::wind_none", "true"}}));
   EXPECT_EQ(config.teams, (std::vector<TeamEntry>{{"OLD", "mock"}, {"NEW", "localhost:50051"}}));
-  EXPECT_TRUE(mistakes_in(config).empty());
+  EXPECT_TRUE(validate(config).empty());
 }
 
-TEST(Config, TellsEveryMistakeWithItsLine) {
-  const ConfigReading reading = parse_config(R"([tournament]
+TEST(Config, ReportsEveryErrorWithItsLine) {
+  const ParsedConfig parsed = parse_config(R"([tournament]
 ronds = 3
 format = "round-robbin"
 seed = -1
@@ -70,8 +70,8 @@ endpoint = "moc"
 
 [tournment]
 )",
-                                             "f.toml");
-  EXPECT_EQ(reading.mistakes,
+                                           "f.toml");
+  EXPECT_EQ(parsed.errors,
             (std::vector<std::string>{
                 "f.toml:2: unknown key 'ronds'; did you mean 'rounds'?",
                 "f.toml:3: format: 'round-robbin': did you mean 'round-robin'?",
@@ -86,49 +86,49 @@ endpoint = "moc"
                 "f.toml:16: team name 'two words': only letters, digits, '-', '+' and '_'",
                 "f.toml:17: " +
                     [] {
-                      const auto mistakes =
-                          parse_config("[teams.A]\nendpoint = \"moc\"\n", "").mistakes;
-                      return mistakes.at(0).substr(mistakes.at(0).find("unknown"));
+                      const auto errors =
+                          parse_config("[teams.A]\nendpoint = \"moc\"\n", "").errors;
+                      return errors.at(0).substr(errors.at(0).find("unknown"));
                     }(),
                 "f.toml:19: unknown table 'tournment'; did you mean 'tournament'?"}));
 }
 
-TEST(Config, ThatIsNoTomlIsToldWithItsLine) {
-  const ConfigReading reading = parse_config("[tournament]\nrounds = \n", "f.toml");
-  ASSERT_EQ(reading.mistakes.size(), 1u);
-  EXPECT_EQ(reading.mistakes[0].rfind("f.toml:2: ", 0), 0u) << reading.mistakes[0];
+TEST(Config, ReportsTomlSyntaxErrorsWithTheirLine) {
+  const ParsedConfig parsed = parse_config("[tournament]\nrounds = \n", "f.toml");
+  ASSERT_EQ(parsed.errors.size(), 1u);
+  EXPECT_EQ(parsed.errors[0].rfind("f.toml:2: ", 0), 0u) << parsed.errors[0];
 }
 
-TEST(Config, ContradictionsAreFound) {
+TEST(Config, RejectsContradictions) {
   TournamentConfig config = parse_config(kWhole, "").config;
   config.gauntlet = {"NEWW"};
-  EXPECT_EQ(mistakes_in(config),
-            std::vector<std::string>{"gauntlet: there is no team 'NEWW'; did you mean 'NEW'?"});
+  EXPECT_EQ(validate(config),
+            std::vector<std::string>{"gauntlet: unknown team 'NEWW'; did you mean 'NEW'?"});
   config = parse_config(kWhole, "").config;
   config.teams.pop_back();
   config.format = Format::kList;
   config.matches = {{"OLD", "OLD"}};
-  EXPECT_EQ(mistakes_in(config).size(), 3u);  // one team, no such subject, against itself
+  EXPECT_EQ(validate(config).size(), 3u);  // one team, no such subject, against itself
   config = parse_config(kWhole, "").config;
   config.format = Format::kGroups;
-  EXPECT_EQ(mistakes_in(config).size(), 2u);  // too few teams for two groups, and to advance
+  EXPECT_EQ(validate(config).size(), 2u);  // too few teams for two groups, and to advance
 }
 
-TEST(Config, WrittenReadsBackAsTheSame) {
+TEST(Config, FormattedTextParsesToTheSameConfig) {
   const TournamentConfig before = parse_config(kWhole, "").config;
-  const std::string text = config_text(before);
-  const ConfigReading again = parse_config(text, "");
-  EXPECT_TRUE(again.mistakes.empty()) << again.mistakes.front();
-  EXPECT_EQ(config_text(again.config), text);
-  EXPECT_EQ(first_difference(again.config, before), "");
+  const std::string text = format_config(before);
+  const ParsedConfig reparsed = parse_config(text, "");
+  EXPECT_TRUE(reparsed.errors.empty()) << reparsed.errors.front();
+  EXPECT_EQ(format_config(reparsed.config), text);
+  EXPECT_EQ(first_difference(reparsed.config, before), "");
 }
 
-TEST(Config, TheFirstDifferenceOfTwoPlansIsNamed) {
+TEST(Config, NamesFirstDifferenceOfTwoPlans) {
   const TournamentConfig before = parse_config(kWhole, "").config;
   TournamentConfig now = before;
   now.concurrency = 7;
   now.on_crash = OnCrash::kStop;
-  EXPECT_EQ(first_difference(now, before), "") << "how it is carried out is no part of the plan";
+  EXPECT_EQ(first_difference(now, before), "") << "execution is not part of the plan";
   now.rounds = 51;
   now.cycles.reset();
   EXPECT_EQ(first_difference(now, before), "rounds is 51, was 50");
@@ -144,28 +144,28 @@ TEST(Config, TheFirstDifferenceOfTwoPlansIsNamed) {
   EXPECT_EQ(first_difference(now, before), "[teams.\"THIRD\"] endpoint is \"mock\", was not set");
   now = before;
   std::swap(now.teams[0], now.teams[1]);
-  EXPECT_EQ(first_difference(now, before), "[teams.\"NEW\"] stands in another place");
+  EXPECT_EQ(first_difference(now, before), "[teams.\"NEW\"] is at another position");
 }
 
-TEST(Config, TheCommentedFileNamesEveryKeyAndIsPlayable) {
+TEST(Config, CommentedFileHasEveryKeyAndIsValid) {
   const std::string text = commented_config();
   for (const ConfigKey& key : tournament_keys()) {
     EXPECT_NE(text.find(std::string(key.name) + " = "), std::string::npos) << key.name;
   }
-  const ConfigReading reading = parse_config(text, "cls.toml");
-  EXPECT_TRUE(reading.mistakes.empty()) << reading.mistakes.front();
-  EXPECT_TRUE(mistakes_in(reading.config).empty());
-  // With every line that shows a default or example in force, it still reads.
+  const ParsedConfig parsed = parse_config(text, "cls.toml");
+  EXPECT_TRUE(parsed.errors.empty()) << parsed.errors.front();
+  EXPECT_TRUE(validate(parsed.config).empty());
+  // It still parses with all commented defaults and examples enabled.
   std::string all = text;
   for (const ConfigKey& key : tournament_keys()) {
     const std::string commented = "\n#" + std::string(key.name) + " = ";
     if (const std::size_t at = all.find(commented); at != std::string::npos) all.erase(at + 1, 1);
   }
-  const ConfigReading everything = parse_config(all, "cls.toml");
-  EXPECT_TRUE(everything.mistakes.empty()) << everything.mistakes.front();
+  const ParsedConfig everything = parse_config(all, "cls.toml");
+  EXPECT_TRUE(everything.errors.empty()) << everything.errors.front();
 }
 
-TEST(Config, IsFoundUpwardAndKnowsItsFolder) {
+TEST(Config, IsFoundInParentFolderAndStoresItsFolder) {
   const tests::TemporaryFolder folder;
   std::ofstream(folder.path() / "cls.toml") << kWhole;
   std::filesystem::create_directories(folder.path() / "a" / "b");
@@ -175,7 +175,7 @@ TEST(Config, IsFoundUpwardAndKnowsItsFolder) {
   EXPECT_EQ(read_config(*found).config.folder, folder.path());
 }
 
-TEST(Config, EndpointsOfAFileElsewhereKeepTheirMeaning) {
+TEST(Config, ResolvesEndpointsRelativeToItsFolder) {
   EXPECT_EQ(endpoint_from("/some where", "run:./go {port}"), "run:cd '/some where' && ./go {port}");
   EXPECT_EQ(endpoint_from("/a", "team:teams/x"), "team:/a/teams/x");
   EXPECT_EQ(endpoint_from("/a", "team:/b"), "team:/b");

@@ -1,4 +1,4 @@
-// The scripts. They find their files beside themselves.
+// The scripts of the fake Slurm; their files lie beside them.
 #include "tests/orchestration/tournament/fake_slurm.h"
 
 #include <sys/stat.h>
@@ -24,10 +24,10 @@ if [ -s "$here/refusals" ]; then
   sed -i 1d "$here/refusals"
   exit 1
 fi
-for word; do
-  case $word in
-    --array=*) array=${word#--array=0-} ;;
-    --job-name=*) name=${word#--job-name=} ;;
+for argument; do
+  case $argument in
+    --array=*) array=${argument#--array=0-} ;;
+    --job-name=*) name=${argument#--job-name=} ;;
   esac
 done
 last=${array%%[%]*}
@@ -54,9 +54,9 @@ constexpr const char* kSqueue = "cat \"$here/queue\"\n";
 
 constexpr const char* kScancel = R"sh(
 states='PENDING\|RUNNING'
-for word; do
-  case $word in
-    --name=*) name=${word#--name=} ;;
+for argument; do
+  case $argument in
+    --name=*) name=${argument#--name=} ;;
     --state=PENDING) states=PENDING ;;
   esac
 done

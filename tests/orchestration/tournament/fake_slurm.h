@@ -1,4 +1,4 @@
-// Slurm's programs as scripts on a PATH of the test's own: a queue in a file, no cluster.
+// Fake Slurm programs: scripts on the PATH of the test, with a queue in a file.
 #pragma once
 
 #include <filesystem>
@@ -9,8 +9,8 @@
 
 namespace cls::orchestration::tournament {
 
-/// While it lives, PATH begins with sbatch, squeue, scancel, scontrol and sacct that work on a
-/// list of tasks. Nothing is ever played: the test says what becomes of the tasks.
+/// While it lives, PATH starts with sbatch, squeue, scancel, scontrol and sacct that work on a
+/// list of tasks. The tasks play nothing: the test sets their states.
 class FakeSlurm {
  public:
   FakeSlurm();
@@ -19,22 +19,22 @@ class FakeSlurm {
   FakeSlurm& operator=(const FakeSlurm&) = delete;
 
   void set_max_array_size(int size);
-  /// sbatch refuses what would make more tasks than this wait or run.
+  /// Maximum of pending and running tasks; sbatch rejects further ones.
   void set_max_tasks(int count);
-  /// The next calls of sbatch fail with these words, one each.
+  /// The next calls of sbatch fail with these messages, one each.
   void refuse(const std::vector<std::string>& messages);
-  /// Nobody reaches the controller.
+  /// Makes the controller unreachable.
   void set_down(bool down);
 
-  /// What squeue says of a task; "" makes it forget the task.
+  /// Sets the state of a task in squeue; "" removes the task.
   void set_state(const std::string& job, int task, const std::string& state,
                  const std::string& reason = "None");
   /// Lines "name|task|state|reason".
   std::vector<std::string> queue() const;
-  /// Tasks of this state.
+  /// Number of tasks in this state.
   int count(const std::string& state) const;
 
-  /// Calls so far of a program, with their words.
+  /// Calls of a program so far, with their arguments.
   std::vector<std::string> calls(const std::string& program) const;
 
  private:

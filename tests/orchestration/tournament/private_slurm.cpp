@@ -1,4 +1,4 @@
-// Configuration and daemons.
+// Configuration and daemons of the private Slurm.
 #include "tests/orchestration/tournament/private_slurm.h"
 
 #include <fmt/format.h>
@@ -21,10 +21,10 @@ namespace {
 namespace fs = std::filesystem;
 using namespace std::chrono_literals;
 
-constexpr std::chrono::seconds kReadyLimit{120};
+constexpr std::chrono::seconds kReadyTimeout{120};
 
-// Daemons lie where the PATH of users does not always lead.
-fs::path program(const std::string& name) {
+// The daemons are in folders that PATH may lack.
+fs::path find_program(const std::string& name) {
   for (const char* folder : {"/usr/sbin", "/usr/bin", "/usr/local/sbin", "/usr/local/bin"}) {
     if (::access((fs::path(folder) / name).c_str(), X_OK) == 0) return fs::path(folder) / name;
   }
@@ -43,7 +43,7 @@ std::string user_name() {
   return user == nullptr ? "root" : user->pw_name;
 }
 
-// No cgroups, no accounting. A repeated task waits for the credential to expire: 5 s is the least.
+// No cgroups, no accounting. A requeued task waits until its credential expires: at least 5 s.
 constexpr const char* kConfiguration = R"(ClusterName=clstest
 SlurmctldHost={host}(127.0.0.1)
 AuthType=auth/munge
@@ -80,7 +80,7 @@ std::string PrivateSlurm::missing() {
   std::string names;
   for (const char* name :
        {"munged", "slurmctld", "slurmd", "sbatch", "squeue", "scancel", "scontrol", "sinfo"}) {
-    if (program(name).empty()) names += std::string(names.empty() ? "" : ", ") + name;
+    if (find_program(name).empty()) names += std::string(names.empty() ? "" : ", ") + name;
   }
   return names;
 }
@@ -91,25 +91,25 @@ PrivateSlurm::PrivateSlurm(int max_array_size) : max_array_size_(max_array_size)
   ports_ = *std::move(ports);
   write_files();
   const std::string munge = (folder_.path() / "munge").string();
-  munged_ = start("munged",
-                  {program("munged"), "--foreground", "--force", "--socket=" + munge + "/socket",
-                   "--key-file=" + munge + "/key", "--pid-file=" + munge + "/pid",
-                   "--log-file=" + munge + "/log", "--seed-file=" + munge + "/seed"});
+  munged_ = start(
+      "munged", {find_program("munged"), "--foreground", "--force", "--socket=" + munge + "/socket",
+                 "--key-file=" + munge + "/key", "--pid-file=" + munge + "/pid",
+                 "--log-file=" + munge + "/log", "--seed-file=" + munge + "/seed"});
   const std::atomic<int> never{0};
   const auto listens = [&] { return fs::exists(munge + "/socket"); };
-  if (process::wait_until_ready(*munged_, listens, kReadyLimit, never) !=
+  if (process::wait_until_ready(*munged_, listens, kReadyTimeout, never) !=
       process::Readiness::kReady) {
     throw std::runtime_error("munged does not start: " + logs());
   }
-  controller_ = start("controller",
-                      {program("slurmctld"), "-D", "-f", (folder_.path() / "slurm.conf").string()});
+  controller_ = start("controller", {find_program("slurmctld"), "-D", "-f",
+                                     (folder_.path() / "slurm.conf").string()});
   start_node(0);
   start_node(1);
 }
 
 bool PrivateSlurm::wait_until_ready() {
-  const auto limit = std::chrono::steady_clock::now() + kReadyLimit;
-  while (ask({"sinfo", "--noheader", "--Node", "--format=%T"}) != "idle\nidle\n") {
+  const auto limit = std::chrono::steady_clock::now() + kReadyTimeout;
+  while (run({"sinfo", "--noheader", "--Node", "--format=%T"}) != "idle\nidle\n") {
     if (std::chrono::steady_clock::now() > limit) return false;
     std::this_thread::sleep_for(100ms);
   }
@@ -129,7 +129,8 @@ void PrivateSlurm::cut_power(int node) {
 void PrivateSlurm::start_node(int node) {
   const std::string name = fmt::format("cls{}", node);
   nodes_.at(static_cast<std::size_t>(node)) = start(
-      name, {program("slurmd"), "-D", "-N", name, "-f", (folder_.path() / "slurm.conf").string()});
+      name,
+      {find_program("slurmd"), "-D", "-N", name, "-f", (folder_.path() / "slurm.conf").string()});
 }
 
 std::vector<std::string> PrivateSlurm::environment() const {
@@ -137,20 +138,20 @@ std::vector<std::string> PrivateSlurm::environment() const {
           std::string(tests::kMarkVariable) + "=" + host_.mark};
 }
 
-std::string PrivateSlurm::ask(std::vector<std::string> words) const {
-  words.front() = program(words.front()).string();
-  return tests::run(std::move(words), environment()).out;
+std::string PrivateSlurm::run(std::vector<std::string> argv) const {
+  argv.front() = find_program(argv.front()).string();
+  return tests::run(std::move(argv), environment()).out;
 }
 
 std::string PrivateSlurm::logs() const {
-  constexpr std::size_t kMost = 4000;
+  constexpr std::size_t kMaxLogBytes = 4000;
   std::string text;
   for (const char* name : {"munged", "controller", "cls0", "cls1"}) {
     const fs::path file = folder_.path() / (std::string(name) + ".log");
     if (!fs::exists(file)) continue;
     const std::string whole = tests::read_file(file);
     text += std::string(name) + ":\n" +
-            whole.substr(whole.size() > kMost ? whole.size() - kMost : 0) + "\n";
+            whole.substr(whole.size() > kMaxLogBytes ? whole.size() - kMaxLogBytes : 0) + "\n";
   }
   return text;
 }
@@ -171,7 +172,7 @@ void PrivateSlurm::write_files() {
   fs::create_directories(munge);
   fs::create_directories(folder_.path() / "state");
   ::chmod(munge.c_str(), 0700);
-  // Whoever may read the folder may use this Slurm; it lives for a minute.
+  // Anyone who can read the folder can use this Slurm; it runs for about a minute.
   std::ofstream(munge / "key") << std::string(64, 'k') << host_.mark;
   ::chmod((munge / "key").c_str(), 0400);
   std::ofstream(folder_.path() / "slurm.conf")

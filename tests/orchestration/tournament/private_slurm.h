@@ -1,4 +1,4 @@
-// A Slurm of a test's own: controller and two nodes on this machine, without systemd and root.
+// A private Slurm for a test: controller and two nodes on this host, without systemd and root.
 #pragma once
 
 #include <array>
@@ -16,31 +16,31 @@
 
 namespace cls::orchestration::tournament {
 
-/// Daemons on loopback ports that nobody else has, with configuration, keys and state in a folder
-/// of their own. All of them, and all that their jobs started, end with this object, and with this
-/// process in whatever way it ends.
+/// Daemons on unused loopback ports, with configuration, keys and state in a temporary folder. The
+/// daemons and all processes of their jobs end with this object, and with this process, even if it
+/// is killed.
 class PrivateSlurm {
  public:
-  /// What of slurm-wlm and munge is missing on this machine; empty when nothing is.
+  /// The missing programs of slurm-wlm and munge; empty when all are installed.
   static std::string missing();
 
-  /// Starts the daemons. Arrays have `max_array_size` tasks at most, nodes two processors.
+  /// Starts the daemons. Arrays have at most `max_array_size` tasks, nodes two CPUs.
   explicit PrivateSlurm(int max_array_size);
 
-  /// Both nodes are ready for jobs; false after a generous limit.
+  /// Waits until both nodes accept jobs; false after a timeout.
   bool wait_until_ready();
 
-  /// Ends the daemon of a node with SIGKILL; its tasks go on.
+  /// Kills the daemon of a node with SIGKILL; its tasks continue.
   void kill_daemon(int node);
-  /// Ends the daemon of a node and everything it started, as a power cut does.
+  /// Kills the daemon of a node and all its processes, as a power cut does.
   void cut_power(int node);
   /// Starts the daemon of a node (again).
   void start_node(int node);
 
   /// Environment lines for clients.
   std::vector<std::string> environment() const;
-  /// A client, such as {"squeue", "--noheader"}: what it prints.
-  std::string ask(std::vector<std::string> words) const;
+  /// Runs a client, such as {"squeue", "--noheader"}, and returns its output.
+  std::string run(std::vector<std::string> argv) const;
 
   /// Ends of the daemons' logs, for messages of failed tests.
   std::string logs() const;
@@ -52,7 +52,7 @@ class PrivateSlurm {
   tests::TemporaryFolder folder_;
   int max_array_size_;
   std::vector<process::ReservedPort> ports_;  // of the controller and the nodes
-  MarkedHost host_;
+  process::MarkedHost host_;
   std::shared_ptr<process::Child> munged_;
   std::shared_ptr<process::Child> controller_;
   std::array<std::shared_ptr<process::Child>, 2> nodes_;

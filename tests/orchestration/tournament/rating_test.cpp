@@ -1,4 +1,4 @@
-// Statistics of results: known figures, edges, and how often the sequential test errs.
+// Ratings: published values, edge cases, and the error rates of the sequential test.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -7,15 +7,17 @@
 #include "orchestration/tournament/rating/sprt.h"
 #include "orchestration/tournament/rating/statistics.h"
 #include "orchestration/tournament/report/comparison.h"
-#include "orchestration/tournament/schedule/match_pairs.h"
+#include "orchestration/tournament/schedule/head_to_head.h"
 #include "orchestration/tournament/schedule/schedule.h"
 #include "soccer/random.h"
-#include "tests/orchestration/tournament/played.h"
+#include "tests/orchestration/tournament/fake_executor.h"
 
 namespace cls::orchestration::tournament {
 namespace {
 
-TEST(Rating, WilsonIntervalsAreThoseOfTheLiterature) {
+using match::EndReason;
+
+TEST(Rating, WilsonIntervalsMatchPublishedValues) {
   // Newcombe 1998, table I: 81 of 263, 15 of 148, 0 of 20, 1 of 29.
   const auto expect = [](double k, double n, double low, double high) {
     const Interval interval = wilson(k, n);
@@ -29,7 +31,7 @@ TEST(Rating, WilsonIntervalsAreThoseOfTheLiterature) {
   expect(0, 0, 0.0, 1.0);
 }
 
-TEST(Rating, EloAndSuperiorityAreThoseOfOtherTools) {
+TEST(Rating, EloAndSuperiorityMatchOtherTools) {
   const Frequencies pairs = {10789, 19328, 33806, 19402, 10543};
   const Estimate many = estimate(mean(pairs), variance(pairs), static_cast<int>(total(pairs)));
   EXPECT_NEAR(many.elo, -0.7736, 1e-4);
@@ -43,21 +45,21 @@ TEST(Rating, EloAndSuperiorityAreThoseOfOtherTools) {
   EXPECT_NEAR(score_from_elo(elo_from_score(0.7)), 0.7, 1e-12);
 }
 
-TEST(Rating, EdgesGiveFiniteEstimates) {
+TEST(Rating, EstimatesAreFiniteInEdgeCases) {
   const Estimate none = estimate(0.5, 0.0, 0);
   EXPECT_EQ(none.superiority, 0.5);
   EXPECT_EQ(none.score_interval.low, 0.0);
   EXPECT_EQ(none.score_interval.high, 1.0);
   const Estimate all_won = estimate(1.0, 0.0, 10);
   EXPECT_NEAR(all_won.elo, 1199.8, 0.1);
-  EXPECT_NEAR(all_won.score_interval.low, 0.7225, 1e-4) << "Wilson's";
+  EXPECT_NEAR(all_won.score_interval.low, 0.7225, 1e-4) << "Wilson interval";
   EXPECT_NEAR(all_won.superiority, 1 - std::pow(0.5, 11), 1e-12);
   const Estimate all_drawn = estimate(0.5, 0.0, 10);
   EXPECT_EQ(all_drawn.superiority, 0.5);
-  EXPECT_LT(all_drawn.score_interval.low, 0.25) << "ten draws prove no equality";
+  EXPECT_LT(all_drawn.score_interval.low, 0.25) << "ten draws do not prove equality";
 }
 
-TEST(Rating, IntervalAndSuperiorityTellTheSame) {
+TEST(Rating, IntervalAndSuperiorityAgree) {
   for (int games = 2; games <= 29; ++games) {
     for (int won = 0; won <= games; ++won) {
       for (int lost = 0; won + lost <= games; ++lost) {
@@ -72,7 +74,7 @@ TEST(Rating, IntervalAndSuperiorityTellTheSame) {
   }
 }
 
-TEST(Sprt, LikelihoodRatiosAreThoseOfOtherTools) {
+TEST(Sprt, LikelihoodRatiosMatchOtherTools) {
   const auto llr = [](const Frequencies& seen, double elo0, double elo1) {
     return log_likelihood_ratio(seen, score_from_elo(elo0), score_from_elo(elo1));
   };
@@ -81,19 +83,19 @@ TEST(Sprt, LikelihoodRatiosAreThoseOfOtherTools) {
   EXPECT_NEAR(llr({50, 40, 70}, 0, 35), 1.608825, 1e-6);
 }
 
-TEST(Sprt, EdgesHaveAnAnswer) {
+TEST(Sprt, DecidesEdgeCases) {
   const SprtSettings settings;
   EXPECT_NEAR(settings.upper(), 2.944, 1e-3);
   EXPECT_NEAR(settings.lower(), -2.944, 1e-3);
   const double s0 = score_from_elo(settings.elo0);
   const double s1 = score_from_elo(settings.elo1);
-  EXPECT_EQ(sprt_state({0, 0, 0, 0, 0}, s0, s1, settings).answer, SprtAnswer::kOpen);
+  EXPECT_EQ(sprt_state({0, 0, 0, 0, 0}, s0, s1, settings).decision, SprtDecision::kOpen);
   EXPECT_EQ(sprt_state({0, 0, 0, 0, 0}, s0, s1, settings).llr, 0.0);
-  EXPECT_EQ(sprt_state({0, 0, 0, 0, 3}, s0, s1, settings).answer, SprtAnswer::kOpen);
-  EXPECT_EQ(sprt_state({0, 0, 0, 0, 60}, s0, s1, settings).answer, SprtAnswer::kH1);
-  EXPECT_EQ(sprt_state({60, 0, 0, 0, 0}, s0, s1, settings).answer, SprtAnswer::kH0);
-  EXPECT_EQ(sprt_state({0, 0, 500, 0, 0}, s0, s1, settings).answer, SprtAnswer::kH0);
-  // Bounds beyond all reason still give numbers.
+  EXPECT_EQ(sprt_state({0, 0, 0, 0, 3}, s0, s1, settings).decision, SprtDecision::kOpen);
+  EXPECT_EQ(sprt_state({0, 0, 0, 0, 60}, s0, s1, settings).decision, SprtDecision::kH1);
+  EXPECT_EQ(sprt_state({60, 0, 0, 0, 0}, s0, s1, settings).decision, SprtDecision::kH0);
+  EXPECT_EQ(sprt_state({0, 0, 500, 0, 0}, s0, s1, settings).decision, SprtDecision::kH0);
+  // Extreme bounds still give finite values.
   for (const double huge : {100.0, 1000.0, 5000.0}) {
     const double llr =
         log_likelihood_ratio({1, 2, 3, 4, 5}, score_from_elo(-huge), score_from_elo(huge));
@@ -101,7 +103,7 @@ TEST(Sprt, EdgesHaveAnAnswer) {
   }
 }
 
-// Pairs of games between teams at an Elo difference; games of a pair share half of their luck.
+// Pairs of games between teams at an Elo difference; the games of a pair share half of their luck.
 class Opponents {
  public:
   Opponents(double elo, std::uint64_t seed) : random_(seed, "sprt"), score_(score_from_elo(elo)) {}
@@ -126,7 +128,7 @@ struct ErrorRate {
 };
 
 ErrorRate simulate(double elo, const SprtSettings& settings, int runs) {
-  constexpr int kLongest = 100'000;
+  constexpr int kMaxPairs = 100'000;
   const double s0 = score_from_elo(settings.elo0);
   const double s1 = score_from_elo(settings.elo1);
   ErrorRate rate;
@@ -135,12 +137,12 @@ ErrorRate simulate(double elo, const SprtSettings& settings, int runs) {
     Frequencies seen(5);
     SprtState state;
     int pairs = 0;
-    for (; state.answer == SprtAnswer::kOpen && pairs < kLongest; ++pairs) {
+    for (; state.decision == SprtDecision::kOpen && pairs < kMaxPairs; ++pairs) {
       seen[opponents.pair()] += 1;
       state = sprt_state(seen, s0, s1, settings);
     }
-    EXPECT_NE(state.answer, SprtAnswer::kOpen);
-    rate.h1 += state.answer == SprtAnswer::kH1;
+    EXPECT_NE(state.decision, SprtDecision::kOpen);
+    rate.h1 += state.decision == SprtDecision::kH1;
     rate.length += pairs;
   }
   rate.h1 /= runs;
@@ -148,8 +150,8 @@ ErrorRate simulate(double elo, const SprtSettings& settings, int runs) {
   return rate;
 }
 
-// Bounds far apart keep it short; docs/tournaments.md has the table of 10 000 runs (CLS_FULL).
-TEST(Sprt, ErrsAsSeldomAsPromised) {
+// Distant bounds keep it short; docs/tournaments.md has the table of 10 000 runs (CLS_FULL).
+TEST(Sprt, ErrorRatesStayWithinAlphaAndBeta) {
   const bool full = std::getenv("CLS_FULL") != nullptr;
   const int runs = full ? 10'000 : 1'000;
   std::vector<std::pair<double, double>> bounds = {{0.0, 80.0}, {0.0, 160.0}};
@@ -160,16 +162,16 @@ TEST(Sprt, ErrsAsSeldomAsPromised) {
     settings.elo1 = elo1;
     const ErrorRate at_h0 = simulate(elo0, settings, runs);
     const ErrorRate at_h1 = simulate(elo1, settings, runs);
-    // Three standard errors above the promise.
-    const double most = 0.05 + 3 * std::sqrt(0.05 * 0.95 / runs);
-    EXPECT_LE(at_h0.h1, most) << elo1;
-    EXPECT_LE(1 - at_h1.h1, most) << elo1;
+    // Three standard errors above the nominal rate.
+    const double max_rate = 0.05 + 3 * std::sqrt(0.05 * 0.95 / runs);
+    EXPECT_LE(at_h0.h1, max_rate) << elo1;
+    EXPECT_LE(1 - at_h1.h1, max_rate) << elo1;
     std::printf("elo1 %4.0f, %d runs: alpha %.4f (%.1f pairs), beta %.4f (%.1f pairs)\n", elo1,
                 runs, at_h0.h1, at_h0.length, 1 - at_h1.h1, at_h1.length);
   }
 }
 
-TEST(BradleyTerry, TwoTeamsHaveTheEloOfTheirScore) {
+TEST(BradleyTerry, GivesTwoTeamsTheEloOfTheirScore) {
   const std::vector<PairResults> results = {{0, 1, 7500, 10000}};
   const Ratings ratings = fit_bradley_terry(2, results);
   EXPECT_NEAR(ratings.elo[0] - ratings.elo[1], elo_from_score(0.75), 0.1);
@@ -188,7 +190,7 @@ TEST(BradleyTerry, OrdersTeamsThatNeverMet) {
   EXPECT_GT(ratings.error[0], ratings.error[1]);
 }
 
-TEST(BradleyTerry, StaysFiniteWithoutGamesAndWithAllWins) {
+TEST(BradleyTerry, IsFiniteWithoutGamesAndWithAllWins) {
   const Ratings none = fit_bradley_terry(3, {});
   EXPECT_NEAR(none.elo[0], 0.0, 1e-9);
   EXPECT_NEAR(none.superiority[0][1], 0.5, 1e-9);
@@ -198,30 +200,31 @@ TEST(BradleyTerry, StaysFiniteWithoutGamesAndWithAllWins) {
   EXPECT_GT(all.error[0], 100.0);
 }
 
-TEST(Duels, PairsAreCountedByTheirPoints) {
+TEST(HeadToHead, CountsPairsByTheirPoints) {
   TournamentConfig config = config_of(Format::kRoundRobin, 2);
   config.rounds = 4;
   // Pair by pair, for A: win + win, draw + win, loss + loss, win + a crash.
-  const std::vector<Outcome> outcomes = {score(1, 0), score(0, 1), score(1, 1), score(2, 1),
-                                         score(0, 1), score(1, 0), score(0, 2), fault("crashed")};
+  const std::vector<Outcome> outcomes = {
+      score(1, 0), score(0, 1), score(1, 1), score(2, 1),
+      score(0, 1), score(1, 0), score(0, 2), fault(EndReason::kCrashed)};
   std::vector<ScheduledMatch> matches;
   for (const Fixture& fixture : next_fixtures(config, {})) {
     matches.push_back(planned(fixture));
     matches.back().outcome = outcomes[matches.size() - 1];
   }
-  const auto all = duels(matches);
+  const auto all = head_to_heads(matches);
   ASSERT_EQ(all.size(), 1u);
-  const Duel& duel = all[0];
-  // Rounds 2 and 4 begin with B on the left.
-  EXPECT_EQ(duel.games.won, 4);
-  EXPECT_EQ(duel.games.drawn, 1);
-  EXPECT_EQ(duel.games.lost, 2);
-  EXPECT_EQ(duel.pairs, (Frequencies{1, 0, 0, 1, 1}));
-  EXPECT_EQ(duel.single_games, 1);
-  EXPECT_TRUE(duel.paired());
-  EXPECT_EQ(duel.strength().count, 3) << "pairs; the single game is left out";
-  EXPECT_EQ(turned(duel).games.won, 2);
-  EXPECT_EQ(turned(duel).pairs, (Frequencies{1, 1, 0, 0, 1}));
+  const HeadToHead& head_to_head = all[0];
+  // Rounds 2 and 4 start with B on the left.
+  EXPECT_EQ(head_to_head.games.won, 4);
+  EXPECT_EQ(head_to_head.games.drawn, 1);
+  EXPECT_EQ(head_to_head.games.lost, 2);
+  EXPECT_EQ(head_to_head.pairs, (Frequencies{1, 0, 0, 1, 1}));
+  EXPECT_EQ(head_to_head.single_games, 1);
+  EXPECT_TRUE(head_to_head.paired());
+  EXPECT_EQ(head_to_head.strength().count, 3) << "pairs, without the single game";
+  EXPECT_EQ(reversed(head_to_head).games.won, 2);
+  EXPECT_EQ(reversed(head_to_head).pairs, (Frequencies{1, 1, 0, 0, 1}));
   EXPECT_EQ(record_of(1, all).won, 2);
 }
 
@@ -240,7 +243,7 @@ std::vector<ScheduledMatch> play(const Comparison& comparison, const Referee& re
   return matches;
 }
 
-TEST(Comparison, PlaysPairsOnOneSeedUntilTheAnswerIsKnown) {
+TEST(Comparison, SchedulesPairsOnOneSeedUntilDecided) {
   const Comparison comparison = comparison_of(0);
   const auto fixtures = next_fixtures(comparison, {});
   ASSERT_EQ(fixtures.size(), 100u);
@@ -249,23 +252,23 @@ TEST(Comparison, PlaysPairsOnOneSeedUntilTheAnswerIsKnown) {
   EXPECT_NE(fixtures[1].seed, fixtures[2].seed);
   const auto matches = play(comparison, better_wins);
   const ComparisonVerdict known = verdict(comparison, matches);
-  EXPECT_EQ(known.state.answer, SprtAnswer::kH1);
-  EXPECT_LT(total(known.samples), 50) << "nothing counts after the answer";
+  EXPECT_EQ(known.state.decision, SprtDecision::kH1);
+  EXPECT_LT(total(known.samples), 50) << "samples after the decision do not count";
   EXPECT_EQ(next_fixtures(comparison, matches).front().index, 101);
 }
 
-TEST(Comparison, TheAnswerDoesNotDependOnWhichMatchEndsFirst) {
+TEST(Comparison, DecisionIsIndependentOfMatchCompletionOrder) {
   const Comparison comparison = comparison_of(0);
   auto matches = play(comparison, better_wins);
   matches[2].outcome.reset();
-  EXPECT_EQ(total(verdict(comparison, matches).samples), 1) << "the second pair is open";
-  matches[2].outcome = fault("crashed");
+  EXPECT_EQ(total(verdict(comparison, matches).samples), 1) << "the second pair is not done";
+  matches[2].outcome = fault(EndReason::kCrashed);
   const ComparisonVerdict with_invalid = verdict(comparison, matches);
   EXPECT_EQ(with_invalid.left_out, 1);
-  EXPECT_EQ(with_invalid.state.answer, SprtAnswer::kH1);
+  EXPECT_EQ(with_invalid.state.decision, SprtDecision::kH1);
 }
 
-TEST(Comparison, WithOpponentsBothMeetThemOnTheSameSeed) {
+TEST(Comparison, BothTeamsMeetOpponentsOnTheSameSeed) {
   Comparison comparison = comparison_of(2);
   comparison.max_samples = 3;
   const auto fixtures = next_fixtures(comparison, {});

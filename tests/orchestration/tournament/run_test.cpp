@@ -1,4 +1,4 @@
-// Running a tournament: what is stored, what is played again and what never is.
+// Running a tournament: storing, resuming, rerunning, forfeits and automatic concurrency.
 #include <gtest/gtest.h>
 #include <signal.h>
 
@@ -18,12 +18,14 @@
 #include "orchestration/tournament/store/folder.h"
 #include "orchestration/tournament/store/match_document.h"
 #include "orchestration/tournament/store/store.h"
-#include "tests/orchestration/tournament/played.h"
+#include "tests/orchestration/tournament/fake_executor.h"
 #include "tests/support/files.h"
 #include "tests/support/temporary_folder.h"
 
 namespace cls::orchestration::tournament {
 namespace {
+
+using match::EndReason;
 
 namespace fs = std::filesystem;
 
@@ -36,13 +38,13 @@ class TournamentRunTest : public testing::Test {
     RunOptions options;
     options.folder = folder_.path();
     options.config = std::move(config);
-    options.enough = enough_;
+    options.decided = decided_;
     const auto make = [&](const TournamentConfig&) {
       return base::Result<std::unique_ptr<MatchExecutor>>(
           std::make_unique<FakeExecutor>(judge, record_));
     };
-    TournamentObserver nobody;
-    auto summary = run_tournament(options, make, nobody, signal_);
+    TournamentObserver observer;
+    auto summary = run_tournament(options, make, observer, signal_);
     if (!summary) throw std::runtime_error(summary.error().message);
     return *std::move(summary);
   }
@@ -62,7 +64,7 @@ class TournamentRunTest : public testing::Test {
 
   tests::TemporaryFolder folder_;
   FakeExecutor::Record record_;
-  std::function<bool(std::span<const ScheduledMatch>)> enough_;
+  std::function<bool(std::span<const ScheduledMatch>)> decided_;
   std::atomic<int> signal_{0};
 };
 
@@ -70,7 +72,7 @@ std::optional<Outcome> fair(const Assignment& assignment) {
   return better_wins(assignment.fixture);
 }
 
-TEST_F(TournamentRunTest, PlaysEverythingOnceAndKeepsIt) {
+TEST_F(TournamentRunTest, PlaysEveryMatchOnceAndStoresIt) {
   const TournamentConfig config = config_of(Format::kRoundRobin, 4);
   const RunSummary summary = run(config, fair);
   EXPECT_EQ(summary.end, RunEnd::kComplete);
@@ -82,10 +84,10 @@ TEST_F(TournamentRunTest, PlaysEverythingOnceAndKeepsIt) {
   EXPECT_EQ(ranking(state->config, state->matches), (std::vector<std::string>{"A", "B", "C", "D"}));
   EXPECT_TRUE(state->running.empty());
   run(config, fair);
-  EXPECT_EQ(record_.started.size(), 12u) << "nothing is played twice";
+  EXPECT_EQ(record_.started.size(), 12u) << "no match is played twice";
 }
 
-TEST_F(TournamentRunTest, EventsAreNumberedOverAllRuns) {
+TEST_F(TournamentRunTest, NumbersEventsOverAllRuns) {
   run(config_of(Format::kRoundRobin, 2), fair);
   run(config_of(Format::kRoundRobin, 2), fair);
   const auto all = events();
@@ -98,7 +100,7 @@ TEST_F(TournamentRunTest, EventsAreNumberedOverAllRuns) {
   EXPECT_EQ(all.back()["end"], "complete");
 }
 
-TEST_F(TournamentRunTest, RoundsThatFollowFromResultsAreDrawnFromTheStore) {
+TEST_F(TournamentRunTest, ResumesRoundsThatDependOnStoredResults) {
   TournamentConfig config = config_of(Format::kDoubleElimination, 6);
   int left = 4;
   const auto some = [&](const Assignment& assignment) -> std::optional<Outcome> {
@@ -118,18 +120,18 @@ TEST_F(TournamentRunTest, RoundsThatFollowFromResultsAreDrawnFromTheStore) {
   }
   EXPECT_GT(runs, 2);
   const auto state = read_tournament(folder_.path());
-  const auto unbroken = play_all(config, better_wins);
-  ASSERT_EQ(state->matches.size(), unbroken.size());
-  for (std::size_t i = 0; i < unbroken.size(); ++i) {
-    EXPECT_EQ(state->matches[i].fixture, unbroken[i].fixture);
+  const auto uninterrupted = play_all(config, better_wins);
+  ASSERT_EQ(state->matches.size(), uninterrupted.size());
+  for (std::size_t i = 0; i < uninterrupted.size(); ++i) {
+    EXPECT_EQ(state->matches[i].fixture, uninterrupted[i].fixture);
   }
-  EXPECT_EQ(ranking(config, state->matches), ranking(config, unbroken));
+  EXPECT_EQ(ranking(config, state->matches), ranking(config, uninterrupted));
 }
 
-TEST_F(TournamentRunTest, AFaultStopsAndTheNextRunPlaysThatMatchAgain) {
+TEST_F(TournamentRunTest, StopsAtFaultAndReplaysThatMatchInNextRun) {
   TournamentConfig config = config_of(Format::kRoundRobin, 3);
   const auto broken = [](const Assignment& one) -> std::optional<Outcome> {
-    if (one.fixture.index == 3 && one.number == 1) return fault("crashed");
+    if (one.fixture.index == 3 && one.number == 1) return fault(EndReason::kCrashed);
     return better_wins(one.fixture);
   };
   const RunSummary first = run(config, broken);
@@ -142,11 +144,11 @@ TEST_F(TournamentRunTest, AFaultStopsAndTheNextRunPlaysThatMatchAgain) {
   EXPECT_EQ(starts()[3], 2);
 }
 
-TEST_F(TournamentRunTest, AForfeitIsThreeNilAgainstTheSideAtFault) {
+TEST_F(TournamentRunTest, ScoresForfeitThreeNilAgainstSideAtFault) {
   TournamentConfig config = config_of(Format::kRoundRobin, 2);
   config.on_crash = OnCrash::kForfeit;
   const RunSummary summary = run(config, [](const Assignment& one) -> std::optional<Outcome> {
-    Outcome outcome = fault("crashed");
+    Outcome outcome = fault(EndReason::kCrashed);
     if (one.fixture.index == 2) outcome.fault.reset();
     return outcome;
   });
@@ -155,18 +157,18 @@ TEST_F(TournamentRunTest, AForfeitIsThreeNilAgainstTheSideAtFault) {
   EXPECT_TRUE(matches[0].outcome->forfeit);
   EXPECT_EQ(matches[0].outcome->left_score, 0);
   EXPECT_EQ(matches[0].outcome->right_score, 3);
-  EXPECT_EQ(matches[0].outcome->end_reason, "crashed");
-  EXPECT_FALSE(matches[1].outcome->counts()) << "nobody's fault is nobody's forfeit";
+  EXPECT_EQ(matches[0].outcome->end_reason, EndReason::kCrashed);
+  EXPECT_FALSE(matches[1].outcome->counts()) << "no forfeit without a side at fault";
   EXPECT_EQ(summary.progress.invalid, 1);
 }
 
-TEST_F(TournamentRunTest, RerunsAreLimited) {
+TEST_F(TournamentRunTest, LimitsReruns) {
   TournamentConfig config = config_of(Format::kRoundRobin, 2);
   config.on_crash = OnCrash::kRerun;
   config.max_reruns = 2;
   const RunSummary summary = run(config, [](const Assignment& one) -> std::optional<Outcome> {
-    if (one.fixture.index == 1 && one.number < 3) return fault("stalled");
-    if (one.fixture.index == 2) return fault("stalled");
+    if (one.fixture.index == 1 && one.number < 3) return fault(EndReason::kStalled);
+    if (one.fixture.index == 2) return fault(EndReason::kStalled);
     return better_wins(one.fixture);
   });
   EXPECT_EQ(summary.end, RunEnd::kComplete);
@@ -175,11 +177,11 @@ TEST_F(TournamentRunTest, RerunsAreLimited) {
   const auto matches = read_tournament(folder_.path())->matches;
   EXPECT_TRUE(matches[0].outcome->played());
   EXPECT_EQ(matches[0].outcome->attempts, 3);
-  EXPECT_EQ(matches[1].outcome->end_reason, "stalled");
+  EXPECT_EQ(matches[1].outcome->end_reason, EndReason::kStalled);
 }
 
-TEST_F(TournamentRunTest, EnoughEndsTheRun) {
-  enough_ = [](std::span<const ScheduledMatch> matches) { return count(matches).finished >= 5; };
+TEST_F(TournamentRunTest, StopsWhenDecided) {
+  decided_ = [](std::span<const ScheduledMatch> matches) { return count(matches).finished >= 5; };
   TournamentConfig config = config_of(Format::kRoundRobin, 5);
   EXPECT_EQ(run(config, fair).end, RunEnd::kDecided);
   EXPECT_LE(record_.started.size(), 7u);
@@ -187,24 +189,24 @@ TEST_F(TournamentRunTest, EnoughEndsTheRun) {
   EXPECT_LE(record_.started.size(), 7u) << "it is still decided";
 }
 
-TEST_F(TournamentRunTest, WhatWorkLeftIsTakenUp) {
+TEST_F(TournamentRunTest, CollectsResultFilesOfWork) {
   const TournamentConfig config = config_of(Format::kRoundRobin, 2);
   const auto fixtures = next_fixtures(config, {});
   fs::create_directories(folder_.path() / "results");
   Outcome outcome = score(4, 2);
   ASSERT_TRUE(
-      base::write_file(folder_.path() / result_file(2, 1), outcome_document(fixtures[1], outcome))
+      base::write_file(folder_.path() / result_file(2, 1), format_work_result(fixtures[1], outcome))
           .ok());
   std::ofstream(folder_.path() / "results" / "000001.1.json.tmp") << "{";
   std::ofstream(folder_.path() / "results" / "000001.1.json") << "{ half";
-  const std::vector<ScheduledMatch> planned_ones = {planned(fixtures[0]), planned(fixtures[1])};
-  const auto deliveries = collect_results(folder_.path(), planned_ones);
-  ASSERT_EQ(deliveries.size(), 1u);
-  EXPECT_EQ(deliveries[0].index, 2);
-  EXPECT_EQ(deliveries[0].outcome.left_score, 4);
+  const std::vector<ScheduledMatch> unplayed = {planned(fixtures[0]), planned(fixtures[1])};
+  const auto results = collect_work_results(folder_.path(), unplayed);
+  ASSERT_EQ(results.size(), 1u);
+  EXPECT_EQ(results[0].index, 2);
+  EXPECT_EQ(results[0].outcome.left_score, 4);
 }
 
-TEST_F(TournamentRunTest, AMatchThatEndedWhenClsDidIsNotPlayedAgain) {
+TEST_F(TournamentRunTest, RecoversResultOfMatchThatOutlivedTheRun) {
   const TournamentConfig config = config_of(Format::kRoundRobin, 2);
   ASSERT_TRUE(prepare_folder(folder_.path(), config).ok());
   {
@@ -229,102 +231,47 @@ TEST_F(TournamentRunTest, AMatchThatEndedWhenClsDidIsNotPlayedAgain) {
   EXPECT_EQ(record_.started.front().number, 2) << "the second attempt";
   const auto matches = read_tournament(folder_.path())->matches;
   EXPECT_EQ(matches[0].outcome->left_score, 2);
-  EXPECT_FALSE(fs::exists(broken)) << "an attempt without result leaves nothing";
+  EXPECT_FALSE(fs::exists(broken)) << "the folder of an interrupted attempt is removed";
 }
 
-TEST(Store, KeepsEveryField) {
-  const tests::TemporaryFolder folder;
-  Outcome outcome = fault("late");
-  outcome.left_score = 1;
-  outcome.left_penalties = 3;
-  outcome.right_penalties = 0;
-  outcome.cycles = 77;
-  outcome.wall_seconds = 1.5;
-  outcome.run_seconds = 1.75;
-  outcome.cycles_per_second = 51.25;
-  outcome.deterministic = false;
-  outcome.mode = "lockstep";
-  outcome.started = "2026-01-01T00:00:00Z";
-  outcome.ended = "2026-01-01T00:00:02Z";
-  outcome.host = "here";
-  outcome.load = 0.5;
-  outcome.version = "1";
-  outcome.server = "embedded 1";
-  outcome.folder = "matches/1";
-  outcome.left = {10, 2, 3, 4.5, 9.5, 0.25};
-  outcome.right = {11, 0, 1, 5.5, 8.5, 0.75};
-  const auto fixtures = next_fixtures(config_of(Format::kKnockout, 2), {});
-  {
-    auto store = Store::open(folder.path() / "db");
-    ASSERT_TRUE(store);
-    ASSERT_TRUE(store->add(fixtures).ok());
-    EXPECT_EQ(*store->begin_attempts(std::vector{1}), std::vector{1});
-    EXPECT_EQ(*store->running(), std::vector{1});
-    ASSERT_TRUE(store->finish(1, outcome).ok());
-  }
-  const auto store = Store::open_to_read(folder.path() / "db");
-  ASSERT_TRUE(store);
-  const auto matches = store->matches();
-  ASSERT_TRUE(matches);
-  EXPECT_EQ((*matches)[0].fixture, fixtures[0]);
-  const auto config = config_of(Format::kKnockout, 2);
-  ScheduledMatch before = planned(fixtures[0]);
-  before.outcome = outcome;
-  EXPECT_EQ(json_of(config, (*matches)[0]), json_of(config, before));
-  EXPECT_FALSE((*matches)[1].outcome);
-  const auto again = outcome_from_document(outcome_document(fixtures[0], outcome));
-  ASSERT_TRUE(again);
-  before.outcome = again->outcome;
-  EXPECT_EQ(json_of(config, (*matches)[0]), json_of(config, before));
-}
-
-TEST(Store, TwoRunsAtOnceAreRefused) {
-  const tests::TemporaryFolder folder;
-  const auto first = FolderLock::take(folder.path());
-  ASSERT_TRUE(first && *first);
-  const auto second = FolderLock::take(folder.path());
-  ASSERT_TRUE(second.ok());
-  EXPECT_FALSE(second->has_value());
-}
-
-TEST(Concurrency, GoesDownWhenCyclesAreMissed) {
+TEST(Concurrency, DecreasesAfterMissedCycles) {
   TournamentConfig config;
   Concurrency automatic(config, 4);
-  EXPECT_EQ(automatic.now(), 4);
+  EXPECT_EQ(automatic.current(), 4);
   Outcome clean = score(0, 0);
-  EXPECT_FALSE(automatic.learn(clean));
+  EXPECT_FALSE(automatic.adapt(clean));
   Outcome missed = score(0, 0);
   missed.right.missed = 1;
-  EXPECT_TRUE(automatic.learn(missed));
-  EXPECT_EQ(automatic.now(), 3);
-  for (int i = 0; i < 10; ++i) automatic.learn(clean);
-  EXPECT_EQ(automatic.now(), 3) << "what was too much is not tried again";
-  for (int i = 0; i < 10; ++i) automatic.learn(missed);
-  EXPECT_EQ(automatic.now(), 1);
+  EXPECT_TRUE(automatic.adapt(missed));
+  EXPECT_EQ(automatic.current(), 3);
+  for (int i = 0; i < 10; ++i) automatic.adapt(clean);
+  EXPECT_EQ(automatic.current(), 3) << "a number that was too high is not tried again";
+  for (int i = 0; i < 10; ++i) automatic.adapt(missed);
+  EXPECT_EQ(automatic.current(), 1);
 }
 
-TEST(Concurrency, EachMatchHasWholeCoresOfItsOwn) {
+TEST(Concurrency, AssignsWholeCoresToEachMatch) {
   const std::vector<std::vector<int>> cores = {{0, 4}, {1, 5}, {2, 6}, {3, 7}, {8}};
-  EXPECT_EQ(share_of(cores, 0, 2), (std::vector<int>{0, 4, 1, 5}));
-  EXPECT_EQ(share_of(cores, 1, 2), (std::vector<int>{2, 6, 3, 7}));
-  EXPECT_EQ(share_of(cores, 4, 5), (std::vector<int>{8}));
-  EXPECT_EQ(share_of(cores, 6, 9), (std::vector<int>{1, 5})) << "more matches than cores";
-  EXPECT_TRUE(share_of({}, 1, 2).empty()) << "nobody is pinned";
+  EXPECT_EQ(cpus_of_slot(cores, 0, 2), (std::vector<int>{0, 4, 1, 5}));
+  EXPECT_EQ(cpus_of_slot(cores, 1, 2), (std::vector<int>{2, 6, 3, 7}));
+  EXPECT_EQ(cpus_of_slot(cores, 4, 5), (std::vector<int>{8}));
+  EXPECT_EQ(cpus_of_slot(cores, 6, 9), (std::vector<int>{1, 5})) << "more matches than cores";
+  EXPECT_TRUE(cpus_of_slot({}, 1, 2).empty()) << "no pinning";
 }
 
-TEST(Concurrency, AgainstTheClockItBeginsLowAndGrows) {
+TEST(Concurrency, StartsLowAndIncreasesInRealTime) {
   TournamentConfig config;
   config.mode = "realtime";
   Concurrency automatic(config, 8);
-  EXPECT_EQ(automatic.now(), 2);
+  EXPECT_EQ(automatic.current(), 2);
   const Outcome clean = score(0, 0);
-  EXPECT_FALSE(automatic.learn(clean));
-  EXPECT_TRUE(automatic.learn(clean));
-  EXPECT_EQ(automatic.now(), 3);
+  EXPECT_FALSE(automatic.adapt(clean));
+  EXPECT_TRUE(automatic.adapt(clean));
+  EXPECT_EQ(automatic.current(), 3);
   config.concurrency = 5;
   Concurrency given(config, 1);
-  EXPECT_EQ(given.now(), 5);
-  EXPECT_FALSE(given.learn(clean));
+  EXPECT_EQ(given.current(), 5);
+  EXPECT_FALSE(given.adapt(clean));
 }
 
 }  // namespace

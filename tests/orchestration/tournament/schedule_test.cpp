@@ -1,4 +1,4 @@
-// Schedules: who meets whom, on which side and seed.
+// Schedules: pairings, sides and seeds of each format.
 #include "orchestration/tournament/schedule/schedule.h"
 
 #include <gtest/gtest.h>
@@ -6,14 +6,16 @@
 #include <map>
 #include <set>
 
-#include "tests/orchestration/tournament/played.h"
+#include "tests/orchestration/tournament/fake_executor.h"
 
 namespace cls::orchestration::tournament {
 namespace {
 
+using match::EndReason;
+
 using Pairs = std::vector<std::string>;
 
-TEST(Schedule, ThreeTeamsInARoundRobinMeetTwiceSidesSwappedOnOneSeed) {
+TEST(Schedule, RoundRobinPairsSwapSidesOnOneSeed) {
   const auto fixtures = next_fixtures(config_of(Format::kRoundRobin, 3), {});
   ASSERT_EQ(fixtures.size(), 6u);
   std::set<std::string> pairs;
@@ -29,7 +31,7 @@ TEST(Schedule, ThreeTeamsInARoundRobinMeetTwiceSidesSwappedOnOneSeed) {
   EXPECT_NE(fixtures[0].seed, fixtures[2].seed);
 }
 
-TEST(Schedule, DependsOnConfigurationAndSeedAlone) {
+TEST(Schedule, DependsOnlyOnConfigurationAndSeed) {
   TournamentConfig config = config_of(Format::kRoundRobin, 5);
   config.rounds = 3;
   const auto fixtures = next_fixtures(config, {});
@@ -37,12 +39,12 @@ TEST(Schedule, DependsOnConfigurationAndSeedAlone) {
   config.seed = 2;
   EXPECT_EQ(pairs_of(fixtures), pairs_of(next_fixtures(config, {})));
   EXPECT_NE(fixtures[0].seed, next_fixtures(config, {})[0].seed);
-  // Written down once, so that a change of the function is seen: old folders would not go on.
+  // Fixed values: after a change of the function, existing folders could not be resumed.
   EXPECT_EQ(pairing_seed(1, 1), 1968244302u);
   EXPECT_EQ(pairing_seed(1, 2), 305414156u);
 }
 
-TEST(Schedule, SeedsOfATournamentAreAllDifferent) {
+TEST(Schedule, PairingSeedsAreDistinct) {
   std::set<std::uint64_t> seeds;
   for (int pairing = 1; pairing <= 200'000; ++pairing) seeds.insert(pairing_seed(5, pairing));
   EXPECT_EQ(seeds.size(), 200'000u);
@@ -61,7 +63,7 @@ TEST(Schedule, RoundRobinHasEveryPairOncePerSideAndRound) {
   }
 }
 
-TEST(Schedule, WithoutSwappedSidesEverybodyIsOnBothAboutAsOften) {
+TEST(Schedule, RoundRobinBalancesSidesWithoutSwapping) {
   for (int teams = 2; teams <= 12; ++teams) {
     TournamentConfig config = config_of(Format::kRoundRobin, teams);
     config.swap_sides = false;
@@ -76,7 +78,7 @@ TEST(Schedule, WithoutSwappedSidesEverybodyIsOnBothAboutAsOften) {
   }
 }
 
-TEST(Schedule, AGauntletHasTheSubjectsAgainstAll) {
+TEST(Schedule, GauntletPairsSubjectsWithAllTeams) {
   TournamentConfig config = config_of(Format::kGauntlet, 4);
   config.gauntlet = {"C"};
   config.swap_sides = false;
@@ -85,7 +87,7 @@ TEST(Schedule, AGauntletHasTheSubjectsAgainstAll) {
   EXPECT_EQ(pairs_of(next_fixtures(config, {})), (Pairs{"A-B", "A-C", "A-D", "C-B", "C-D"}));
 }
 
-TEST(Schedule, AListIsPlayedAsItStands) {
+TEST(Schedule, ListKeepsItsOrder) {
   TournamentConfig config = config_of(Format::kList, 3);
   config.matches = {{"B", "A"}, {"C", "A"}};
   config.rounds = 2;
@@ -94,11 +96,11 @@ TEST(Schedule, AListIsPlayedAsItStands) {
   EXPECT_TRUE(next_fixtures(config, play_all(config, better_wins)).empty());
 }
 
-TEST(Schedule, GroupsLeadToAKnockOutOfTheBest) {
+TEST(Schedule, GroupsAreFollowedByKnockoutOfTheBest) {
   TournamentConfig config = config_of(Format::kGroups, 8);
   config.swap_sides = false;
   const auto matches = play_all(config, better_wins);
-  // Dealt to and fro: A D E H and B C F G.
+  // Serpentine order: A D E H and B C F G.
   EXPECT_EQ(pairs_of(matches).size(), 6u + 6u + 2u + 2u);
   const std::vector<ScheduledMatch> last(matches.end() - 4, matches.end());
   EXPECT_EQ(pairs_of(last), (Pairs{"A-C", "B-D", "C-D", "A-B"}));
@@ -112,7 +114,7 @@ TEST(Schedule, GroupsLeadToAKnockOutOfTheBest) {
   EXPECT_EQ(tables(config, matches).size(), 3u);
 }
 
-TEST(Schedule, AKnockOutIsSeededAndGivesByesToTheBest) {
+TEST(Schedule, KnockoutGivesByesToTheBestSeeds) {
   TournamentConfig config = config_of(Format::kKnockout, 6);
   config.swap_sides = false;
   EXPECT_EQ(pairs_of(next_fixtures(config, {})), (Pairs{"D-E", "C-F"}));
@@ -121,10 +123,10 @@ TEST(Schedule, AKnockOutIsSeededAndGivesByesToTheBest) {
   const auto table = tables(config, matches).back().standings;
   EXPECT_EQ(ranking(config, matches), (Pairs{"A", "B", "C", "D", "E", "F"}));
   EXPECT_EQ(table[4].rank, 5);
-  EXPECT_EQ(table[5].rank, 5) << "both went out in the same round";
+  EXPECT_EQ(table[5].rank, 5) << "both were eliminated in the same round";
 }
 
-TEST(Schedule, AKnockOutTieOverTwoMatchesIsDecidedByGoalsThenByAThirdMatch) {
+TEST(Schedule, KnockoutTieIsDecidedByGoalsThenByDecider) {
   TournamentConfig config = config_of(Format::kKnockout, 2);
   const auto level = [](const Fixture& fixture) {
     if (!fixture.decides) return fixture.left == 0 ? score(2, 1) : score(1, 0);
@@ -144,11 +146,11 @@ TEST(Schedule, AKnockOutTieOverTwoMatchesIsDecidedByGoalsThenByAThirdMatch) {
   EXPECT_EQ(ranking(config, play_all(config, on_goals)), (Pairs{"A", "B"}));
 }
 
-TEST(Schedule, ATieThatNothingDecidesIsDecidedByLot) {
+TEST(Schedule, KnockoutTieIsDrawnByLotAfterThreeDeciders) {
   TournamentConfig config = config_of(Format::kKnockout, 2);
   const auto level = [](const Fixture&) { return score(0, 0); };
   const auto matches = play_all(config, level);
-  EXPECT_EQ(matches.size(), 5u) << "a pair, then three to a decision";
+  EXPECT_EQ(matches.size(), 5u) << "a pair, then three deciders";
   EXPECT_EQ(ranking(config, matches).size(), 2u);
   std::set<std::string> winners;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
@@ -158,13 +160,13 @@ TEST(Schedule, ATieThatNothingDecidesIsDecidedByLot) {
   EXPECT_EQ(winners.size(), 2u);
 }
 
-TEST(Schedule, InvalidMatchesDoNotStopAKnockOut) {
+TEST(Schedule, KnockoutContinuesAfterInvalidMatches) {
   TournamentConfig config = config_of(Format::kKnockout, 4);
-  const auto broken = [](const Fixture&) { return fault("crashed"); };
+  const auto broken = [](const Fixture&) { return fault(EndReason::kCrashed); };
   EXPECT_EQ(ranking(config, play_all(config, broken)).size(), 4u);
 }
 
-TEST(Schedule, WhoLosesTwiceIsOut) {
+TEST(Schedule, DoubleEliminationEliminatesTeamsBySecondLoss) {
   for (int teams = 2; teams <= 11; ++teams) {
     TournamentConfig config = config_of(Format::kDoubleElimination, teams);
     config.swap_sides = false;
@@ -180,7 +182,7 @@ TEST(Schedule, WhoLosesTwiceIsOut) {
   }
 }
 
-TEST(Schedule, TheChallengerMustWinTheGrandFinalTwice) {
+TEST(Schedule, DoubleEliminationChallengerMustWinGrandFinalTwice) {
   TournamentConfig config = config_of(Format::kDoubleElimination, 4);
   config.swap_sides = false;
   // A loses its first match only, then wins all.
@@ -194,7 +196,7 @@ TEST(Schedule, TheChallengerMustWinTheGrandFinalTwice) {
   EXPECT_EQ(ranking(config, matches).front(), "A");
 }
 
-TEST(Schedule, SwissNobodyMeetsTwiceAndByesGoRound) {
+TEST(Schedule, SwissNeverRepeatsPairingsAndRotatesByes) {
   for (int teams = 2; teams <= 17; ++teams) {
     TournamentConfig config = config_of(Format::kSwiss, teams);
     const auto matches = play_all(config, better_wins);
@@ -212,7 +214,7 @@ TEST(Schedule, SwissNobodyMeetsTwiceAndByesGoRound) {
   }
 }
 
-TEST(Schedule, SwissPairsUpperWithLowerHalfThenEqualsWithEquals) {
+TEST(Schedule, SwissPairsUpperWithLowerHalfThenEqualPoints) {
   TournamentConfig config = config_of(Format::kSwiss, 8);
   config.swap_sides = false;
   const auto matches = play_all(config, better_wins);
@@ -225,7 +227,7 @@ TEST(Schedule, SwissPairsUpperWithLowerHalfThenEqualsWithEquals) {
   EXPECT_EQ(ranking(config, matches).front(), "A");
 }
 
-TEST(Schedule, ADrawByLotIsAnotherSeedingOrder) {
+TEST(Schedule, DrawShufflesSeedingBySeed) {
   TournamentConfig config = config_of(Format::kKnockout, 16);
   config.draw = true;
   const auto once = pairs_of(next_fixtures(config, {}));

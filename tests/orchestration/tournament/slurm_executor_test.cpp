@@ -1,4 +1,4 @@
-// The executor for Slurm against programs that only pretend: limits, losses, restarts.
+// The Slurm executor against fake Slurm programs: limits, lost tasks, restarts.
 #include <gtest/gtest.h>
 #include <signal.h>
 
@@ -15,8 +15,8 @@
 #include "orchestration/tournament/store/collector.h"
 #include "orchestration/tournament/store/folder.h"
 #include "orchestration/tournament/store/match_document.h"
+#include "tests/orchestration/tournament/fake_executor.h"
 #include "tests/orchestration/tournament/fake_slurm.h"
-#include "tests/orchestration/tournament/played.h"
 #include "tests/support/files.h"
 #include "tests/support/temporary_folder.h"
 
@@ -25,7 +25,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using namespace std::chrono_literals;
-using Words = std::vector<std::string>;
+using Lines = std::vector<std::string>;
 
 class SlurmExecutorTest : public testing::Test {
  protected:
@@ -35,7 +35,7 @@ class SlurmExecutorTest : public testing::Test {
     config_.slurm_poll_s = 0.02;
   }
 
-  // As `cls tournament run` does when it begins; what ran before is not told that it ends.
+  // Creates the executor as `cls tournament run` does; an earlier one is destroyed without notice.
   void begin() {
     executor_.reset();
     auto made = make_executor(config_, folder_.path(), "/opt/cls");
@@ -63,8 +63,8 @@ class SlurmExecutorTest : public testing::Test {
     ASSERT_TRUE(started.ok()) << started.error().message;
   }
 
-  // Where Slurm has a match: job and task.
-  std::pair<std::string, int> place(int index) const {
+  // Job and task of a match.
+  std::pair<std::string, int> task_of(int index) const {
     for (const SlurmBatch& batch : read_batches(folder_.path())) {
       for (std::size_t i = 0; i < batch.tasks.size(); ++i) {
         if (batch.tasks[i].index == index) return {batch.name, static_cast<int>(i)};
@@ -74,20 +74,20 @@ class SlurmExecutorTest : public testing::Test {
   }
 
   void set_state(int index, const std::string& state, const std::string& reason = "None") {
-    const auto [job, task] = place(index);
+    const auto [job, task] = task_of(index);
     slurm_.set_state(job, task, state, reason);
   }
 
-  // What a task does that plays its match to the end.
-  void deliver(const Fixture& fixture, int attempt = 1) {
+  // Writes the result file of a finished task.
+  void write_result(const Fixture& fixture, int attempt = 1) {
     fs::create_directories(folder_.path() / kResultsFolder);
     Outcome outcome = better_wins(fixture);
     outcome.attempts = attempt;
     ASSERT_TRUE(base::write_file(folder_.path() / result_file(fixture.index, attempt),
-                                 outcome_document(fixture, outcome))
+                                 format_work_result(fixture, outcome))
                     .ok());
   }
-  void deliver(int index) { deliver(assignments(index).back().fixture); }
+  void write_result(int index) { write_result(assignments(index).back().fixture); }
 
   // Waits until `count` more matches have ended; by number, true: with an outcome.
   std::map<int, bool> ended(std::size_t count) {
@@ -99,7 +99,7 @@ class SlurmExecutorTest : public testing::Test {
         ADD_FAILURE() << finished.error().message;
         return all;
       }
-      for (const Finished& one : *finished) {
+      for (const FinishedMatch& one : *finished) {
         EXPECT_TRUE(all.emplace(one.index, one.outcome.has_value()).second) << "twice";
       }
       for (std::string& note : executor_->take_notes()) notes_.push_back(std::move(note));
@@ -113,7 +113,7 @@ class SlurmExecutorTest : public testing::Test {
     while (std::chrono::steady_clock::now() < limit) {
       const auto finished = executor_->wait(50ms);
       if (!finished) return finished.error().message;
-      for (const Finished& one : *finished) {
+      for (const FinishedMatch& one : *finished) {
         Assignment again = assignments(one.index).back();
         again.number = ++attempts_[one.index] + 1;
         if (auto started = executor_->start({&again, 1}); !started) return started.error().message;
@@ -123,17 +123,17 @@ class SlurmExecutorTest : public testing::Test {
     return "";
   }
 
-  // Waits until squeue was asked `count` more times.
-  void asked(std::size_t count) {
+  // Waits for `count` more calls of squeue.
+  void wait_for_polls(std::size_t count) {
     const std::size_t before = slurm_.calls("squeue").size();
     while (slurm_.calls("squeue").size() < before + count) {
       ASSERT_TRUE(executor_->wait(10ms));
     }
   }
 
-  bool noted(const std::string& words) const {
+  bool noted(const std::string& text) const {
     for (const std::string& note : notes_) {
-      if (note.find(words) != std::string::npos) return true;
+      if (note.find(text) != std::string::npos) return true;
     }
     return false;
   }
@@ -142,12 +142,12 @@ class SlurmExecutorTest : public testing::Test {
   FakeSlurm slurm_;
   TournamentConfig config_;
   std::unique_ptr<MatchExecutor> executor_;
-  Words notes_;
+  Lines notes_;
   std::map<int, int> attempts_;
   bool lose_ = false;
 };
 
-TEST_F(SlurmExecutorTest, AnArrayPlaysTheMatchesInOneJob) {
+TEST_F(SlurmExecutorTest, SubmitsMatchesAsOneJobArray) {
   config_.slurm_options = {"--partition=short", "--time=10"};
   start(3);
   EXPECT_EQ(executor_->running(), 3);
@@ -165,14 +165,14 @@ TEST_F(SlurmExecutorTest, AnArrayPlaysTheMatchesInOneJob) {
   const auto fixture = read_fixture(folder_.path() / "slurm/000001.jsonl", 2);
   ASSERT_TRUE(fixture);
   EXPECT_EQ(*fixture, assignments(2).back().fixture);
-  for (const int index : {2, 1, 3}) deliver(index);
+  for (const int index : {2, 1, 3}) write_result(index);
   EXPECT_EQ(ended(3), (std::map<int, bool>{{1, true}, {2, true}, {3, true}}));
   EXPECT_EQ(executor_->running(), 0);
-  EXPECT_TRUE(fs::is_empty(folder_.path() / "slurm")) << "nothing is left of the batch";
-  EXPECT_TRUE(slurm_.calls("sacct").empty()) << "accounting is not everywhere";
+  EXPECT_TRUE(fs::is_empty(folder_.path() / "slurm")) << "the files of the batch are removed";
+  EXPECT_TRUE(slurm_.calls("sacct").empty()) << "not every site has accounting";
 }
 
-TEST_F(SlurmExecutorTest, ArraysAboveTheSitesSizeAreSplit) {
+TEST_F(SlurmExecutorTest, SplitsArraysAboveMaxArraySize) {
   slurm_.set_max_array_size(4);
   start(10);
   const auto calls = slurm_.calls("sbatch");
@@ -181,11 +181,11 @@ TEST_F(SlurmExecutorTest, ArraysAboveTheSitesSizeAreSplit) {
   EXPECT_NE(calls[1].find("--array=0-3 "), std::string::npos);
   EXPECT_NE(calls[2].find("--array=0-1 "), std::string::npos);
   EXPECT_EQ(slurm_.count("PENDING"), 10);
-  for (int index = 1; index <= 10; ++index) deliver(index);
+  for (int index = 1; index <= 10; ++index) write_result(index);
   EXPECT_EQ(ended(10).size(), 10u);
 }
 
-TEST_F(SlurmExecutorTest, WhereArraysAreSmallerThanToldTheyAreHalved) {
+TEST_F(SlurmExecutorTest, HalvesArraysThatSlurmRejects) {
   start(0);
   slurm_.set_max_array_size(3);
   const auto all = assignments(8);
@@ -193,7 +193,7 @@ TEST_F(SlurmExecutorTest, WhereArraysAreSmallerThanToldTheyAreHalved) {
   EXPECT_EQ(slurm_.count("PENDING"), 8);
 }
 
-TEST_F(SlurmExecutorTest, WhatTheSubmitLimitForbidsIsSubmittedLater) {
+TEST_F(SlurmExecutorTest, SubmitsRestAfterSubmitLimit) {
   slurm_.set_max_tasks(5);
   start(12);
   EXPECT_EQ(slurm_.count("PENDING"), 5);
@@ -203,34 +203,34 @@ TEST_F(SlurmExecutorTest, WhatTheSubmitLimitForbidsIsSubmittedLater) {
     for (const SlurmBatch& batch : read_batches(folder_.path())) {
       for (std::size_t i = 0; i < batch.tasks.size(); ++i) {
         if (done.contains(batch.tasks[i].index)) continue;
-        deliver(batch.tasks[i].index);
+        write_result(batch.tasks[i].index);
         slurm_.set_state(batch.name, static_cast<int>(i), "COMPLETED");
       }
     }
     const auto finished = executor_->wait(50ms);
     ASSERT_TRUE(finished);
-    for (const Finished& one : *finished) {
+    for (const FinishedMatch& one : *finished) {
       EXPECT_TRUE(one.outcome);
       done.insert(one.index);
     }
     for (std::string& note : executor_->take_notes()) notes_.push_back(std::move(note));
     EXPECT_LE(slurm_.count("PENDING"), 5);
   }
-  EXPECT_TRUE(noted("job submit limit")) << "people are told why it takes long";
+  EXPECT_TRUE(noted("job submit limit")) << "reports why it takes long";
 }
 
-TEST_F(SlurmExecutorTest, AMistakeInTheOptionsEndsTheTournament) {
+TEST_F(SlurmExecutorTest, FailsOnInvalidSbatchOptions) {
   begin();
   slurm_.refuse({"sbatch: error: Batch job submission failed: Invalid partition name specified"});
   const auto started = executor_->start(assignments(3));
   ASSERT_FALSE(started.ok());
   EXPECT_EQ(started.error().message,
-            "Slurm refuses the job: sbatch: error: Batch job submission failed: Invalid partition "
+            "Slurm rejected the job: sbatch: error: Batch job submission failed: Invalid partition "
             "name specified");
   EXPECT_TRUE(read_batches(folder_.path()).empty());
 }
 
-TEST_F(SlurmExecutorTest, AControllerThatDoesNotAnswerIsWaitedFor) {
+TEST_F(SlurmExecutorTest, RetriesWhileControllerIsUnreachable) {
   begin();
   slurm_.set_down(true);
   ASSERT_TRUE(executor_->start(assignments(2)).ok());
@@ -239,15 +239,15 @@ TEST_F(SlurmExecutorTest, AControllerThatDoesNotAnswerIsWaitedFor) {
   slurm_.set_down(false);
   while (slurm_.count("PENDING") < 2) ASSERT_TRUE(executor_->wait(10ms));
   slurm_.set_down(true);
-  deliver(1);
-  deliver(2);
-  EXPECT_EQ(ended(2).size(), 2u) << "results are collected without it";
+  write_result(1);
+  write_result(2);
+  EXPECT_EQ(ended(2).size(), 2u) << "results are collected while it is down";
   EXPECT_TRUE(noted("Unable to contact slurm controller"));
 }
 
-TEST_F(SlurmExecutorTest, AnUnclearAnswerIsClearedUpByTheQueue) {
+TEST_F(SlurmExecutorTest, PollsSqueueAfterUnclearReply) {
   begin();
-  slurm_.refuse(Words(4, "sbatch: error: Socket timed out on send/recv operation"));
+  slurm_.refuse(Lines(4, "sbatch: error: Socket timed out on send/recv operation"));
   ASSERT_TRUE(executor_->start(assignments(1)).ok());
   EXPECT_EQ(executor_->running(), 1);
   for (int time = 1; time <= 3; ++time) {
@@ -256,118 +256,119 @@ TEST_F(SlurmExecutorTest, AnUnclearAnswerIsClearedUpByTheQueue) {
     again.number = time + 1;
     ASSERT_TRUE(executor_->start({&again, 1}).ok());
   }
-  EXPECT_FALSE(noted("left no result")) << "a submission that failed is no loss";
+  EXPECT_FALSE(noted("produced no result")) << "a failed submission is not a loss";
 }
 
-TEST_F(SlurmExecutorTest, ALostJobIsPlayedAgain) {
+TEST_F(SlurmExecutorTest, ReturnsMatchOfLostTask) {
   start(3);
-  deliver(1);
+  write_result(1);
   EXPECT_EQ(ended(1), (std::map<int, bool>{{1, true}}));
   set_state(2, "");
   EXPECT_EQ(ended(1), (std::map<int, bool>{{2, false}}));
   EXPECT_TRUE(noted("match 2: task 1 of cls-"));
-  EXPECT_TRUE(noted("it is played again"));
+  EXPECT_TRUE(noted("the match is rerun"));
   EXPECT_EQ(executor_->running(), 1);
 }
 
-TEST_F(SlurmExecutorTest, AResultCountsThoughTheNodeFailed) {
+TEST_F(SlurmExecutorTest, AcceptsResultOfFailedNode) {
   start(2);
   set_state(1, "NODE_FAIL");
   set_state(2, "NODE_FAIL");
-  deliver(2);
+  write_result(2);
   EXPECT_EQ(ended(2), (std::map<int, bool>{{1, false}, {2, true}}));
   EXPECT_TRUE(noted("(NODE_FAIL)"));
 }
 
-TEST_F(SlurmExecutorTest, ARequeuedTaskIsWaitedFor) {
+TEST_F(SlurmExecutorTest, WaitsForRequeuedTask) {
   start(1);
   for (const char* state : {"RUNNING", "COMPLETING", "PENDING", "REQUEUED", "SUSPENDED"}) {
     set_state(1, state, "BeginTime");
-    asked(3);
+    wait_for_polls(3);
     EXPECT_EQ(executor_->running(), 1) << state;
   }
-  deliver(1);
+  write_result(1);
   EXPECT_EQ(ended(1), (std::map<int, bool>{{1, true}}));
-  EXPECT_EQ(slurm_.count("CANCELLED"), 0) << "it had ended already";
+  EXPECT_EQ(slurm_.count("CANCELLED"), 0) << "it had ended before";
 }
 
-TEST_F(SlurmExecutorTest, ARepetitionOfWhatIsDoneIsCancelled) {
+TEST_F(SlurmExecutorTest, CancelsRequeuedTaskAfterItsResult) {
   start(1);
   set_state(1, "PENDING", "BeginTime");
-  deliver(1);
+  write_result(1);
   EXPECT_EQ(ended(1), (std::map<int, bool>{{1, true}}));
   EXPECT_EQ(slurm_.count("CANCELLED"), 1);
 }
 
-TEST_F(SlurmExecutorTest, AHeldTaskIsTold) {
+TEST_F(SlurmExecutorTest, ReportsHeldTasks) {
   start(1);
   set_state(1, "PENDING", "launch failed requeued held");
-  asked(3);
-  deliver(1);
+  wait_for_polls(3);
+  write_result(1);
   ended(1);
   EXPECT_TRUE(noted("are held (launch failed requeued held)"));
 }
 
-TEST_F(SlurmExecutorTest, WhatTheUserCancelsIsPlayedAgain) {
+TEST_F(SlurmExecutorTest, ReturnsMatchOfTaskCancelledByUser) {
   start(4);
   set_state(1, "RUNNING");
   set_state(3, "CANCELLED");
   EXPECT_EQ(ended(1), (std::map<int, bool>{{3, false}}));
-  EXPECT_TRUE(noted("left no result (CANCELLED); it is played again"));
+  EXPECT_TRUE(noted("produced no result (CANCELLED); the match is rerun"));
   Assignment again = assignments(3).back();
   again.number = 2;
   ASSERT_TRUE(executor_->start({&again, 1}).ok());
-  deliver(again.fixture, 1);
-  asked(2);
-  EXPECT_EQ(executor_->running(), 4) << "an old attempt's result is not the new one's";
-  deliver(again.fixture, 2);
+  write_result(again.fixture, 1);
+  wait_for_polls(2);
+  EXPECT_EQ(executor_->running(), 4) << "the result of an earlier attempt does not count";
+  write_result(again.fixture, 2);
   EXPECT_EQ(ended(1), (std::map<int, bool>{{3, true}}));
 }
 
-TEST_F(SlurmExecutorTest, AMatchThatAlwaysEndsWithoutResultEndsTheTournament) {
+TEST_F(SlurmExecutorTest, FailsAfterThreeTasksWithoutResult) {
   start(1);
   std::ofstream(folder_.path() / "slurm/000003-0.out") << "cls: /opt/cls: not found\n\n";
   set_state(1, "FAILED");
   lose_ = true;
-  const std::string told = error();
-  EXPECT_NE(told.find("match 1: task 0 of cls-"), std::string::npos) << told;
-  EXPECT_NE(told.find("left no result (FAILED): cls: /opt/cls: not found, for the 3rd time; see " +
-                      (folder_.path() / "slurm/000003-0.out").string()),
-            std::string::npos)
-      << told;
+  const std::string message = error();
+  EXPECT_NE(message.find("match 1: task 0 of cls-"), std::string::npos) << message;
+  EXPECT_NE(
+      message.find("produced no result (FAILED): cls: /opt/cls: not found; failed 3 times; see " +
+                   (folder_.path() / "slurm/000003-0.out").string()),
+      std::string::npos)
+      << message;
   EXPECT_EQ(slurm_.calls("sbatch").size(), 3u);
 }
 
-TEST_F(SlurmExecutorTest, AKilledCollectorIsFollowedByOneThatTakesOver) {
+TEST_F(SlurmExecutorTest, TakesOverBatchesAfterKill) {
   start(4);
-  deliver(1);
+  write_result(1);
   EXPECT_EQ(ended(1).size(), 1u);
   begin();
   auto all = matches();
   all[0].outcome = score(1, 0);
   for (int i = 0; i < 4; ++i) all[static_cast<std::size_t>(i)].attempts = 1;
-  const auto taken = executor_->take_over(all);
-  ASSERT_TRUE(taken);
-  EXPECT_EQ(*taken, (std::vector<int>{2, 3, 4}));
+  const auto taken_over = executor_->take_over(all);
+  ASSERT_TRUE(taken_over);
+  EXPECT_EQ(*taken_over, (std::vector<int>{2, 3, 4}));
   EXPECT_EQ(executor_->running(), 3);
-  deliver(2);
-  deliver(4);
+  write_result(2);
+  write_result(4);
   set_state(3, "TIMEOUT");
   EXPECT_EQ(ended(3), (std::map<int, bool>{{2, true}, {3, false}, {4, true}}));
-  EXPECT_EQ(slurm_.calls("sbatch").size(), 1u) << "nothing is submitted twice";
+  EXPECT_EQ(slurm_.calls("sbatch").size(), 1u) << "no match is submitted twice";
   EXPECT_TRUE(read_batches(folder_.path()).empty());
 }
 
-TEST_F(SlurmExecutorTest, ABatchThatNeverReachedSlurmIsPlayedAfterARestart) {
-  const auto ones = assignments(2);
-  const SlurmBatch batch = make_batch(1, folder_.path(), ones);
-  ASSERT_TRUE(write_batch(folder_.path(), batch, ones, "/opt/cls").ok());
+TEST_F(SlurmExecutorTest, ReturnsUnsubmittedBatchAfterRestart) {
+  const auto batch_matches = assignments(2);
+  const SlurmBatch batch = make_batch(1, folder_.path(), batch_matches);
+  ASSERT_TRUE(write_batch(folder_.path(), batch, batch_matches, "/opt/cls").ok());
   begin();
   ASSERT_EQ(executor_->take_over(matches())->size(), 2u);
   EXPECT_EQ(ended(2), (std::map<int, bool>{{1, false}, {2, false}}));
 }
 
-TEST_F(SlurmExecutorTest, AnInterruptionCancelsEverything) {
+TEST_F(SlurmExecutorTest, InterruptCancelsAllTasks) {
   slurm_.set_max_array_size(2);
   slurm_.set_max_tasks(4);
   start(6);
@@ -379,7 +380,7 @@ TEST_F(SlurmExecutorTest, AnInterruptionCancelsEverything) {
   EXPECT_TRUE(read_batches(folder_.path()).empty());
 }
 
-TEST_F(SlurmExecutorTest, AnInterruptionThatSlurmDoesNotHearKeepsTheRecords) {
+TEST_F(SlurmExecutorTest, InterruptKeepsRecordsWhenScancelFails) {
   start(2);
   slurm_.set_down(true);
   executor_->interrupt();
@@ -389,46 +390,46 @@ TEST_F(SlurmExecutorTest, AnInterruptionThatSlurmDoesNotHearKeepsTheRecords) {
   EXPECT_EQ(executor_->take_over(matches())->size(), 2u);
 }
 
-TEST_F(SlurmExecutorTest, AStopLetsRunningMatchesEnd) {
+TEST_F(SlurmExecutorTest, WithdrawLetsRunningMatchesFinish) {
   start(3);
   set_state(2, "RUNNING");
   executor_->withdraw();
   EXPECT_EQ(slurm_.count("CANCELLED"), 2);
   EXPECT_EQ(ended(2), (std::map<int, bool>{{1, false}, {3, false}}));
   EXPECT_EQ(executor_->running(), 1);
-  deliver(2);
+  write_result(2);
   EXPECT_EQ(ended(1), (std::map<int, bool>{{2, true}}));
   EXPECT_TRUE(notes_.empty()) << notes_[0];
 }
 
-TEST_F(SlurmExecutorTest, ConcurrencyHoldsByOneArrayAfterTheOther) {
+TEST_F(SlurmExecutorTest, LimitedConcurrencyRunsArraysInSequence) {
   config_.concurrency = 2;
   config_.slurm_tasks = 4;
   begin();
-  EXPECT_EQ(executor_->room(), 4);
+  EXPECT_EQ(executor_->free_slots(), 4);
   ASSERT_TRUE(executor_->start(assignments(4)).ok());
   EXPECT_NE(slurm_.calls("sbatch")[0].find("--array=0-3%2 "), std::string::npos);
-  EXPECT_EQ(executor_->room(), 0);
-  for (const int index : {1, 2, 3}) deliver(index);
+  EXPECT_EQ(executor_->free_slots(), 0);
+  for (const int index : {1, 2, 3}) write_result(index);
   ended(3);
-  EXPECT_EQ(executor_->room(), 0);
-  deliver(4);
+  EXPECT_EQ(executor_->free_slots(), 0);
+  write_result(4);
   ended(1);
-  EXPECT_EQ(executor_->room(), 4);
+  EXPECT_EQ(executor_->free_slots(), 4);
 }
 
-TEST_F(SlurmExecutorTest, ARoomIsRefilledByTheHalf) {
+TEST_F(SlurmExecutorTest, RefillsWhenHalfOfTheTasksAreFree) {
   config_.slurm_tasks = 4;
   start(4);
-  deliver(1);
+  write_result(1);
   ended(1);
-  EXPECT_EQ(executor_->room(), 0);
-  deliver(2);
+  EXPECT_EQ(executor_->free_slots(), 0);
+  write_result(2);
   ended(1);
-  EXPECT_EQ(executor_->room(), 2);
+  EXPECT_EQ(executor_->free_slots(), 2);
 }
 
-// Plays whatever is in the records, as a cluster would, until the end of the scope.
+// Plays all recorded batches, as a cluster would, until the end of the scope.
 class Cluster {
  public:
   explicit Cluster(fs::path folder) : folder_(std::move(folder)), thread_([this] { play(); }) {}
@@ -453,7 +454,7 @@ class Cluster {
           Outcome outcome = better_wins(*fixture);
           outcome.attempts = task.attempt;
           base::write_file(folder_ / result_file(task.index, task.attempt),
-                           outcome_document(*fixture, outcome));
+                           format_work_result(*fixture, outcome));
         }
         batches_.push_back(rounds);
       }
@@ -471,7 +472,7 @@ class Cluster {
   std::thread thread_;
 };
 
-TEST_F(SlurmExecutorTest, ARoundFollowsFromTheResultsOfTheOneBefore) {
+TEST_F(SlurmExecutorTest, SchedulesRoundFromResultsOfPreviousRound) {
   config_ = config_of(Format::kKnockout, 8);
   config_.executor = ExecutorKind::kSlurm;
   config_.slurm_poll_s = 0.02;
@@ -480,7 +481,7 @@ TEST_F(SlurmExecutorTest, ARoundFollowsFromTheResultsOfTheOneBefore) {
   RunOptions options;
   options.folder = folder_.path();
   options.config = config_;
-  TournamentObserver nobody;
+  TournamentObserver observer;
   const std::atomic<int> no_signal{0};
   RunSummary summary;
   {
@@ -490,41 +491,41 @@ TEST_F(SlurmExecutorTest, ARoundFollowsFromTheResultsOfTheOneBefore) {
         [&](const TournamentConfig& config) {
           return make_executor(config, folder_.path(), "/opt/cls");
         },
-        nobody, no_signal);
+        observer, no_signal);
     ASSERT_TRUE(run) << run.error().message;
     summary = *run;
   }
   EXPECT_EQ(summary.end, RunEnd::kComplete);
   EXPECT_EQ(ranking(config_, summary.matches).front(), "A");
-  const auto unbroken = play_all(config_, better_wins);
-  ASSERT_EQ(summary.matches.size(), unbroken.size());
-  for (std::size_t i = 0; i < unbroken.size(); ++i) {
-    EXPECT_EQ(summary.matches[i].fixture, unbroken[i].fixture);
+  const auto uninterrupted = play_all(config_, better_wins);
+  ASSERT_EQ(summary.matches.size(), uninterrupted.size());
+  for (std::size_t i = 0; i < uninterrupted.size(); ++i) {
+    EXPECT_EQ(summary.matches[i].fixture, uninterrupted[i].fixture);
   }
 }
 
-TEST(SlurmSubmission, IsToldByItsWords) {
-  using End = Submission::End;
-  const auto end = [](int code, const std::string& words) {
-    return submission_from(code, {words}).end;
+TEST(SlurmSubmission, IsClassifiedByMessage) {
+  using Status = Submission::Status;
+  const auto end = [](int code, const std::string& text) {
+    return parse_submission(code, {text}).status;
   };
-  EXPECT_EQ(end(0, "17"), End::kAccepted);
+  EXPECT_EQ(end(0, "17"), Status::kAccepted);
   EXPECT_EQ(end(1, "sbatch: error: Batch job submission failed: Invalid job array specification"),
-            End::kTooMuch);
-  EXPECT_EQ(end(1, "sbatch: error: QOSMaxSubmitJobPerUserLimit"), End::kTooMuch);
+            Status::kLimitReached);
+  EXPECT_EQ(end(1, "sbatch: error: QOSMaxSubmitJobPerUserLimit"), Status::kLimitReached);
   EXPECT_EQ(end(-1, "sbatch: error: Slurm temporarily unable to accept job, sleeping and retrying"),
-            End::kTooMuch);
+            Status::kLimitReached);
   EXPECT_EQ(end(1,
                 "sbatch: error: Batch job submission failed: Unable to contact slurm controller "
                 "(connect failure)"),
-            End::kUnreachable);
+            Status::kUnreachable);
   EXPECT_EQ(end(1,
                 "sbatch: error: Batch job submission failed: Socket timed out on send/recv "
                 "operation"),
-            End::kUnknown);
-  EXPECT_EQ(end(-1, "sbatch does not answer"), End::kUnknown);
-  EXPECT_EQ(end(1, "sbatch: error: invalid partition specified: nope"), End::kRefused);
-  EXPECT_EQ(end(127, ""), End::kRefused);
+            Status::kUnknown);
+  EXPECT_EQ(end(-1, "sbatch does not exit"), Status::kUnknown);
+  EXPECT_EQ(end(1, "sbatch: error: invalid partition specified: nope"), Status::kRefused);
+  EXPECT_EQ(end(127, ""), Status::kRefused);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Tournaments on a real Slurm of two nodes. Skipped where slurm-wlm and munge are not installed.
+// Tournaments on a real two-node Slurm. Skipped if slurm-wlm and munge are not installed.
 #include <gtest/gtest.h>
 #include <signal.h>
 
@@ -23,7 +23,7 @@ using namespace std::chrono_literals;
 using nlohmann::json;
 using tests::Command;
 using tests::CommandResult;
-using Words = std::vector<std::string>;
+using Arguments = std::vector<std::string>;
 
 constexpr std::chrono::seconds kLimit{280};
 
@@ -44,33 +44,35 @@ class SlurmTest : public testing::Test {
   }
 
   // `cls tournament run` in `folder`: three teams, each pairing `rounds` times, short matches.
-  static Words run_words(const fs::path& folder, int rounds, int cycles, const Words& more) {
-    Words words = {tests::cls_binary(),
-                   "tournament",
-                   "run",
-                   folder,
-                   "--team",
-                   "RED=mock",
-                   "--team",
-                   "BLUE=mock",
-                   "--team",
-                   "HOLD=mock:hold",
-                   "--rounds",
-                   std::to_string(rounds),
-                   "--cycles",
-                   std::to_string(cycles),
-                   "--set",
-                   "server::kick_off_wait=2",
-                   "--json"};
-    words.insert(words.end(), more.begin(), more.end());
-    return words;
+  static Arguments run_arguments(const fs::path& folder, int rounds, int cycles,
+                                 const Arguments& more) {
+    Arguments arguments = {tests::cls_binary(),
+                           "tournament",
+                           "run",
+                           folder,
+                           "--team",
+                           "RED=mock",
+                           "--team",
+                           "BLUE=mock",
+                           "--team",
+                           "HOLD=mock:hold",
+                           "--rounds",
+                           std::to_string(rounds),
+                           "--cycles",
+                           std::to_string(cycles),
+                           "--set",
+                           "server::kick_off_wait=2",
+                           "--json"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return arguments;
   }
 
-  Words slurm_words(int rounds, int cycles) const {
-    Words words = run_words(cup(), rounds, cycles, {"--executor", "slurm", "--slurm-poll", "1"});
-    // Whatever ends this process ends the one that would wait for its Slurm, too.
-    words.insert(words.begin(), {"setpriv", "--pdeathsig", "KILL"});
-    return words;
+  Arguments slurm_arguments(int rounds, int cycles) const {
+    Arguments arguments =
+        run_arguments(cup(), rounds, cycles, {"--executor", "slurm", "--slurm-poll", "1"});
+    // Kill the tournament when this process ends, because it would wait for its Slurm forever.
+    arguments.insert(arguments.begin(), {"setpriv", "--pdeathsig", "KILL"});
+    return arguments;
   }
 
   std::size_t results() const {
@@ -93,20 +95,21 @@ class SlurmTest : public testing::Test {
     return true;
   }
 
-  // A task that runs on a node: "17_3", and its match folder's number.
+  // A task that runs on a node, such as "17_3".
   std::string running_task(const std::string& node = "") const {
     const std::string line =
-        slurm_->ask({"squeue", "--noheader", "--array", "--states=RUNNING", "--format=%i",
+        slurm_->run({"squeue", "--noheader", "--array", "--states=RUNNING", "--format=%i",
                      node.empty() ? "--nodelist=cls0,cls1" : "--nodelist=" + node});
     return line.substr(0, line.find('\n'));
   }
 
-  void expect_like_here(const CommandResult& played, int rounds, int cycles) const {
+  void expect_same_as_local(const CommandResult& played, int rounds, int cycles) const {
     ASSERT_EQ(played.exit_code, 0) << played.err << slurm_->logs();
     const json report = json::parse(played.out);
     EXPECT_TRUE(report["complete"]);
     const tests::TemporaryFolder other;
-    const CommandResult here = Command(run_words(other.path(), rounds, cycles, {})).finish(kLimit);
+    const CommandResult here =
+        Command(run_arguments(other.path(), rounds, cycles, {})).finish(kLimit);
     ASSERT_EQ(here.exit_code, 0) << here.err;
     EXPECT_EQ(tests::outcome_of(report), tests::outcome_of(json::parse(here.out)));
     for (const json& match : report["matches"]) {
@@ -120,58 +123,58 @@ class SlurmTest : public testing::Test {
   std::optional<PrivateSlurm> slurm_;
 };
 
-TEST_F(SlurmTest, ANodesDaemonIsKilledAndTheTableIsComplete) {
+TEST_F(SlurmTest, CompletesTournamentAfterNodeDaemonIsKilled) {
   const int cycles = 300;
-  Command playing(slurm_words(2, cycles), slurm_->environment());
+  Command playing(slurm_arguments(2, cycles), slurm_->environment());
   ASSERT_TRUE(wait_for(playing, [&] { return results() >= 1 && !running_task("cls1").empty(); }))
       << slurm_->logs();
   slurm_->kill_daemon(1);
   const CommandResult played = playing.finish(kLimit);
-  expect_like_here(played, 2, cycles);
-  // What ran on the dead node may be completing there for ever.
-  EXPECT_EQ(slurm_->ask({"squeue", "--noheader", "--states=PENDING,RUNNING"}), "")
+  expect_same_as_local(played, 2, cycles);
+  // Tasks on the dead node may stay COMPLETING there.
+  EXPECT_EQ(slurm_->run({"squeue", "--noheader", "--states=PENDING,RUNNING"}), "")
       << "no task is left";
 }
 
-TEST_F(SlurmTest, ScancelRequeueAndADeadCollectorLoseNothing) {
+TEST_F(SlurmTest, LosesNoMatchAfterScancelRequeueAndKill) {
   const int cycles = 200;
-  Command playing(slurm_words(1, cycles), slurm_->environment());
-  const auto seen = [&](const std::string& words) {
-    return slurm_->ask({"scontrol", "--oneliner", "show", "job"}).find(words) != std::string::npos;
+  Command playing(slurm_arguments(1, cycles), slurm_->environment());
+  const auto seen = [&](const std::string& text) {
+    return slurm_->run({"scontrol", "--oneliner", "show", "job"}).find(text) != std::string::npos;
   };
-  // A task may end while it is being cancelled or requeued: then the next one.
+  // A task may end while it is being cancelled or requeued; then try the next one.
   ASSERT_TRUE(wait_for(playing, [&] {
     const std::string task = running_task();
-    if (!task.empty()) slurm_->ask({"scancel", task});
+    if (!task.empty()) slurm_->run({"scancel", task});
     return seen("JobState=CANCELLED");
   })) << slurm_->logs();
   ASSERT_TRUE(wait_for(playing, [&] {
     const std::string task = running_task();
-    if (!task.empty()) slurm_->ask({"scontrol", "requeue", task});
+    if (!task.empty()) slurm_->run({"scontrol", "requeue", task});
     return seen("Restarts=1");
   })) << slurm_->logs();
   playing.send_signal(SIGKILL);
   EXPECT_EQ(playing.finish().signal, SIGKILL);
-  Command again(slurm_words(1, cycles), slurm_->environment());
-  expect_like_here(again.finish(kLimit), 1, cycles);
+  Command again(slurm_arguments(1, cycles), slurm_->environment());
+  expect_same_as_local(again.finish(kLimit), 1, cycles);
 }
 
-TEST_F(SlurmTest, AnInterruptionLeavesNoJob) {
-  Command playing(slurm_words(3, 300), slurm_->environment());
+TEST_F(SlurmTest, LeavesNoJobAfterInterrupt) {
+  Command playing(slurm_arguments(3, 300), slurm_->environment());
   ASSERT_TRUE(wait_for(playing, [&] { return !running_task().empty(); })) << slurm_->logs();
   playing.send_signal(SIGINT);
   EXPECT_EQ(playing.finish(kLimit).exit_code, 130);
   const auto limit = std::chrono::steady_clock::now() + kLimit;
-  while (slurm_->ask({"squeue", "--noheader"}) != "") {
+  while (slurm_->run({"squeue", "--noheader"}) != "") {
     ASSERT_LT(std::chrono::steady_clock::now(), limit) << "cancelled jobs do not end";
     std::this_thread::sleep_for(100ms);
   }
 }
 
-TEST_F(SlurmTest, APowerCutOfANodeIsSurvived) {
+TEST_F(SlurmTest, CompletesTournamentAfterPowerCutsOfNodes) {
   if (std::getenv("CLS_FULL") == nullptr) GTEST_SKIP() << "takes a minute: CLS_FULL=1";
   const int cycles = 300;
-  Command playing(slurm_words(3, cycles), slurm_->environment());
+  Command playing(slurm_arguments(3, cycles), slurm_->environment());
   for (const int node : {1, 0, 1}) {
     const std::string name = "cls" + std::to_string(node);
     const std::size_t before = results();
@@ -181,7 +184,7 @@ TEST_F(SlurmTest, APowerCutOfANodeIsSurvived) {
     slurm_->cut_power(node);
     slurm_->start_node(node);
   }
-  expect_like_here(playing.finish(kLimit), 3, cycles);
+  expect_same_as_local(playing.finish(kLimit), 3, cycles);
 }
 
 }  // namespace

@@ -1,12 +1,14 @@
-// Tables: counting, and who stands before whom at the same points.
+// Standings: points, goals, and tiebreakers.
 #include "orchestration/tournament/schedule/standings.h"
 
 #include <gtest/gtest.h>
 
-#include "tests/orchestration/tournament/played.h"
+#include "tests/orchestration/tournament/fake_executor.h"
 
 namespace cls::orchestration::tournament {
 namespace {
+
+using match::EndReason;
 
 ScheduledMatch match(int left, int right, Outcome outcome) {
   ScheduledMatch played;
@@ -29,9 +31,9 @@ TEST(Standings, CountPointsAndGoals) {
   Outcome shoot_out = score(1, 1);
   shoot_out.left_penalties = 2;
   shoot_out.right_penalties = 3;
-  const std::vector<ScheduledMatch> matches = {match(0, 1, score(3, 1)), match(1, 0, score(2, 2)),
-                                               match(0, 1, shoot_out),
-                                               match(0, 1, fault("crashed")), planned({})};
+  const std::vector<ScheduledMatch> matches = {
+      match(0, 1, score(3, 1)), match(1, 0, score(2, 2)), match(0, 1, shoot_out),
+      match(0, 1, fault(EndReason::kCrashed)), planned({})};
   const auto table = standings(std::vector<int>{0, 1}, matches, kLeague);
   EXPECT_EQ(table[0].team, 0);
   EXPECT_EQ(table[0].points, 4);
@@ -46,8 +48,8 @@ TEST(Standings, CountPointsAndGoals) {
   EXPECT_EQ(table[1].separated_by, "goal-difference") << "three points each against each other";
 }
 
-TEST(Standings, ForfeitsCountInTables) {
-  Outcome forfeit = fault("crashed");
+TEST(Standings, CountForfeits) {
+  Outcome forfeit = fault(EndReason::kCrashed);
   forfeit.forfeit = true;
   forfeit.right_score = 3;
   const auto table = standings(std::vector<int>{0, 1}, std::vector{match(0, 1, forfeit)}, kLeague);
@@ -56,7 +58,7 @@ TEST(Standings, ForfeitsCountInTables) {
   EXPECT_EQ(table[0].goals_for, 3);
 }
 
-TEST(Standings, OfTwoTheWinnerOfTheirMatchIsFirst) {
+TEST(Standings, RankWinnerOfTheirMatchFirstOfTwo) {
   // 0 and 1 have six points each; 1 has by far more goals, 0 has beaten 1.
   const std::vector<ScheduledMatch> matches = {match(0, 1, score(1, 0)), match(0, 2, score(1, 0)),
                                                match(0, 3, score(0, 1)), match(1, 2, score(9, 0)),
@@ -67,7 +69,7 @@ TEST(Standings, OfTwoTheWinnerOfTheirMatchIsFirst) {
   EXPECT_EQ(table[2].separated_by, "");
 }
 
-TEST(Standings, OfThreeInACircleGoalDifferenceDecidesAndTheRestStartsAnew) {
+TEST(Standings, RestartTieBreakersAfterGoalDifferenceSeparatesThree) {
   // 0, 1, 2 beat each other in a circle and all beat 3. Differences: 0: +5, 1: +1, 2: +1.
   const std::vector<ScheduledMatch> matches = {match(0, 1, score(1, 0)), match(1, 2, score(1, 0)),
                                                match(2, 0, score(1, 0)), match(0, 3, score(5, 0)),
@@ -78,7 +80,7 @@ TEST(Standings, OfThreeInACircleGoalDifferenceDecidesAndTheRestStartsAnew) {
   EXPECT_EQ(table[2].separated_by, "head-to-head") << "of the two that are left, 1 beat 2";
 }
 
-TEST(Standings, OfThreeOneThatBeatAllOthersIsFirst) {
+TEST(Standings, RankTeamThatBeatAllOthersFirst) {
   const std::vector<ScheduledMatch> matches = {match(1, 0, score(1, 0)), match(1, 2, score(1, 0)),
                                                match(3, 1, score(1, 0)), match(0, 2, score(4, 0)),
                                                match(0, 3, score(4, 0)), match(2, 3, score(1, 0))};
@@ -86,7 +88,7 @@ TEST(Standings, OfThreeOneThatBeatAllOthersIsFirst) {
   EXPECT_EQ(order(standings(kFour, matches, kLeague)), (std::vector<int>{1, 0, 2, 3}));
 }
 
-TEST(Standings, GoalsAmongTheTiedComeAfterGoalsOfAll) {
+TEST(Standings, CompareGoalsAmongTiedTeamsAfterAllGoals) {
   // A circle of 0, 1, 2 with the same differences; more goals in all decide, then goals among them.
   const std::vector<ScheduledMatch> matches = {match(0, 1, score(2, 1)), match(1, 2, score(2, 1)),
                                                match(2, 0, score(2, 1)), match(0, 3, score(1, 0)),
@@ -94,7 +96,7 @@ TEST(Standings, GoalsAmongTheTiedComeAfterGoalsOfAll) {
   EXPECT_EQ(order(standings(kFour, matches, kLeague)), (std::vector<int>{2, 1, 0, 3}));
 }
 
-TEST(Standings, WhatNothingSeparatesSharesARank) {
+TEST(Standings, ShareRankWithoutSeparatingTieBreaker) {
   const auto table = standings(kFour, std::vector{match(0, 1, score(1, 1))}, kLeague);
   EXPECT_EQ(order(table), (std::vector<int>{0, 1, 2, 3}));
   EXPECT_EQ(table[0].rank, 1);
@@ -102,13 +104,13 @@ TEST(Standings, WhatNothingSeparatesSharesARank) {
   EXPECT_EQ(table[2].rank, 3);
 }
 
-TEST(Standings, WithMatchesMissingPointsCountPerMatch) {
+TEST(Standings, CountPointsPerMatchWhenMatchesAreMissing) {
   const std::vector<ScheduledMatch> matches = {match(0, 3, score(1, 0)), match(1, 3, score(1, 0)),
                                                match(1, 2, score(1, 1))};
   EXPECT_EQ(order(standings(kFour, matches, kLeague)), (std::vector<int>{0, 1, 2, 3}));
 }
 
-TEST(Standings, BuchholzAndSonnebornBergerCountOpponentsPoints) {
+TEST(Standings, ComputeBuchholzAndSonnebornBerger) {
   // 0 beats 1 and draws with 2; 1 beats 3; 2 beats 3.
   const std::vector<ScheduledMatch> matches = {match(0, 1, score(1, 0)), match(0, 2, score(1, 1)),
                                                match(1, 3, score(1, 0)), match(2, 3, score(1, 0))};
@@ -128,7 +130,7 @@ TEST(Standings, BuchholzAndSonnebornBergerCountOpponentsPoints) {
   }
 }
 
-TEST(Standings, CriteriaAreThoseOfTheConfiguration) {
+TEST(Standings, UseConfiguredTieBreakers) {
   const std::vector<ScheduledMatch> matches = {match(0, 1, score(1, 0)), match(1, 0, score(5, 4)),
                                                match(0, 2, score(0, 0)), match(1, 2, score(3, 3))};
   const std::vector<int> teams = {0, 1, 2};

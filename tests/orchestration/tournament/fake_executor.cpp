@@ -1,5 +1,5 @@
-// Made-up results.
-#include "tests/orchestration/tournament/played.h"
+// Fake executor and made-up results.
+#include "tests/orchestration/tournament/fake_executor.h"
 
 #include <thread>
 
@@ -19,13 +19,12 @@ TournamentConfig config_of(Format format, int teams) {
 
 Outcome score(int left, int right) {
   Outcome outcome;
-  outcome.end_reason = "finished";
   outcome.left_score = left;
   outcome.right_score = right;
   return outcome;
 }
 
-Outcome fault(const std::string& reason) {
+Outcome fault(match::EndReason reason) {
   Outcome outcome;
   outcome.end_reason = reason;
   outcome.fault = soccer::Side::kLeft;
@@ -84,24 +83,24 @@ std::vector<std::string> ranking(const TournamentConfig& config,
 base::Result<void> FakeExecutor::start(std::span<const Assignment> assignments) {
   for (const Assignment& assignment : assignments) {
     record_.started.push_back(assignment);
-    under_way_.push_back(assignment);
+    running_.push_back(assignment);
   }
   return {};
 }
 
-base::Result<std::vector<Finished>> FakeExecutor::wait(std::chrono::milliseconds) {
-  std::vector<Finished> finished;
-  std::vector<Assignment> still;
-  for (const Assignment& assignment : under_way_) {
+base::Result<std::vector<FinishedMatch>> FakeExecutor::wait(std::chrono::milliseconds) {
+  std::vector<FinishedMatch> finished;
+  std::vector<Assignment> running;
+  for (const Assignment& assignment : running_) {
     auto outcome = interrupted_ ? std::nullopt : referee_(assignment);
     if (!outcome && !interrupted_) {
-      still.push_back(assignment);
+      running.push_back(assignment);
       continue;
     }
     if (outcome) outcome->attempts = assignment.number;
     finished.push_back({assignment.fixture.index, std::move(outcome)});
   }
-  under_way_ = std::move(still);
+  running_ = std::move(running);
   if (finished.empty()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
   return finished;
 }

@@ -1,4 +1,4 @@
-// Tournaments whose matches nobody plays: results come from a function.
+// A fake executor and made-up results: tournaments without playing matches.
 #pragma once
 
 #include <functional>
@@ -15,19 +15,19 @@ namespace cls::orchestration::tournament {
 /// Teams A, B, C, ... on mocks.
 TournamentConfig config_of(Format format, int teams);
 
-/// A finished match.
+/// The outcome of a finished match.
 Outcome score(int left, int right);
 
-/// One that ended for `reason`, by the left side's fault.
-Outcome fault(const std::string& reason);
+/// The outcome of a match that ended for `reason` by the left side's fault.
+Outcome fault(match::EndReason reason);
 
-/// The result of a fixture.
+/// Decides the outcome of a fixture.
 using Referee = std::function<Outcome(const Fixture&)>;
 
-/// The team with the smaller number wins 1:0.
+/// The team with the lower index wins 1:0.
 Outcome better_wins(const Fixture& fixture);
 
-/// Plays until nothing follows.
+/// Plays until the tournament is complete.
 std::vector<ScheduledMatch> play_all(const TournamentConfig& config, const Referee& referee);
 
 /// "A-B" for each fixture.
@@ -38,7 +38,7 @@ std::vector<std::string> pairs_of(const std::vector<ScheduledMatch>& matches);
 std::vector<std::string> ranking(const TournamentConfig& config,
                                  const std::vector<ScheduledMatch>& matches);
 
-/// An executor without processes: matches end at once, in the order of their start.
+/// An executor without processes: matches end immediately, in the order of their start.
 class FakeExecutor : public MatchExecutor {
  public:
   struct Record {
@@ -48,20 +48,20 @@ class FakeExecutor : public MatchExecutor {
 
   /// `record` must outlive it. `referee` may return nothing for a match that never ends.
   FakeExecutor(std::function<std::optional<Outcome>(const Assignment&)> referee, Record& record,
-               int room = 2)
-      : referee_(std::move(referee)), record_(record), room_(room) {}
+               int capacity = 2)
+      : referee_(std::move(referee)), record_(record), capacity_(capacity) {}
 
-  int room() const override { return room_ - running(); }
-  int running() const override { return static_cast<int>(under_way_.size()); }
+  int free_slots() const override { return capacity_ - running(); }
+  int running() const override { return static_cast<int>(running_.size()); }
   base::Result<void> start(std::span<const Assignment> assignments) override;
-  base::Result<std::vector<Finished>> wait(std::chrono::milliseconds limit) override;
+  base::Result<std::vector<FinishedMatch>> wait(std::chrono::milliseconds limit) override;
   void interrupt() override;
 
  private:
   std::function<std::optional<Outcome>(const Assignment&)> referee_;
   Record& record_;
-  int room_;
-  std::vector<Assignment> under_way_;
+  int capacity_;
+  std::vector<Assignment> running_;
   bool interrupted_ = false;
 };
 
