@@ -1,6 +1,6 @@
-// What an agent's own turn costs, part by part, over whole recorded matches: all but the call
-// itself and the planner. Each line's time is the mean of one turn in open play; what it is taken
-// from is the median of some replays.
+// Cost of an agent's cycle by part over a recorded match, without the call itself and without the
+// planner. Each row is the mean over cycles in open play; a cycle's cost is its minimum over some
+// replays.
 #include <benchmark/benchmark.h>
 #include <google/protobuf/io/coded_stream.h>
 #include <google/protobuf/io/zero_copy_stream_impl_lite.h>
@@ -25,7 +25,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Microseconds since `last`, which becomes now.
+/// Returns the microseconds since `last` and sets it to now.
 double lap(Clock::time_point& last) {
   const auto now = Clock::now();
   const double us = std::chrono::duration<double, std::micro>(now - last).count();
@@ -33,19 +33,19 @@ double lap(Clock::time_point& last) {
   return us;
 }
 
-enum Part { kParse, kModel, kState, kSerialise, kSkills, kTurn, kParts };
+enum Part { kParse, kModel, kState, kSerialize, kSkills, kCycle, kParts };
 constexpr std::array<const char*, kParts> kNames = {"agent/parse",       "agent/model",
-                                                    "agent/state_build", "agent/serialise",
-                                                    "agent/skills",      "agent/whole_turn"};
+                                                    "agent/state_build", "agent/serialize",
+                                                    "agent/skills",      "agent/whole_cycle"};
 
 using Costs = std::array<double, kParts>;  // microseconds
 
-struct Turns {
-  std::vector<Costs> costs;  ///< one a turn
+struct Cycles {
+  std::vector<Costs> costs;  ///< one per cycle
   double bytes = 0.0;        ///< of all States
 };
 
-protos::PlayerActions usual_actions() {
+protos::PlayerActions typical_actions() {
   protos::PlayerActions actions;
   protos::Body_GoToPoint& go = *actions.add_actions()->mutable_body_go_to_point();
   go.mutable_target_point()->set_x(10.0F);
@@ -55,7 +55,7 @@ protos::PlayerActions usual_actions() {
   return actions;
 }
 
-/// The messages of a cycle, parsed for their own sake.
+/// Parses the messages of a cycle to measure parsing alone.
 class Parser {
  public:
   double parse(const std::string& message) {
@@ -82,8 +82,8 @@ class Parser {
   soccer::Hear hear_;
 };
 
-/// As the client does it: maps by key, into memory that is there.
-double serialise(const protos::State& state, std::string& bytes) {
+/// As the gRPC client does: map entries sorted by key, into existing memory.
+double serialize(const protos::State& state, std::string& bytes) {
   auto last = Clock::now();
   bytes.resize(state.ByteSizeLong());
   google::protobuf::io::ArrayOutputStream array(bytes.data(), static_cast<int>(bytes.size()));
@@ -93,14 +93,14 @@ double serialise(const protos::State& state, std::string& bytes) {
   return lap(last);
 }
 
-/// A whole recorded match of one player. The agent does everything itself; parsing, building the
-/// State and serialising it are done once more to be measured alone.
-void replay(const std::vector<tests::Spoken>& transcript, Turns& turns) {
+/// Replays a recorded match of one player. The agent processes every message; parsing, building the
+/// State and serializing it are repeated to measure them alone.
+void replay(const std::vector<tests::Spoken>& transcript, Cycles& cycles) {
   auto [ours, servers] = soccer::make_memory_channel();
   proxy::AgentOptions options;
   options.team_name = "PROXY";
   proxy::PlayerAgent agent(std::move(ours), options);
-  const protos::PlayerActions actions = usual_actions();
+  const protos::PlayerActions actions = typical_actions();
   Parser parser;
   protos::State again;
   std::string bytes;
@@ -118,40 +118,40 @@ void replay(const std::vector<tests::Spoken>& transcript, Turns& turns) {
     const double completed = lap(last);
     proxy::fill_state(agent.world(), proxy::home_positions(agent.world()), false, again);
     const double built = lap(last);
-    const double serialised = serialise(state, bytes);
+    const double serialized = serialize(state, bytes);
     last = Clock::now();
     agent.act(actions);
     const double acted = lap(last);
     if (state.world_model().game_mode_type() == protos::PlayOn) {
-      Costs& costs = turns.costs.emplace_back();
+      Costs& costs = cycles.costs.emplace_back();
       costs[kParse] = parsed;
-      costs[kModel] = perceived + completed;  // with parsing and the State, until all is measured
+      costs[kModel] = perceived + completed;  // includes parsing and the State; subtracted below
       costs[kState] = built;
-      costs[kSerialise] = serialised;
+      costs[kSerialize] = serialized;
       costs[kSkills] = acted;
-      costs[kTurn] = perceived + completed + serialised + acted;
-      turns.bytes += static_cast<double>(bytes.size());
+      costs[kCycle] = perceived + completed + serialized + acted;
+      cycles.bytes += static_cast<double>(bytes.size());
     }
     parsed = perceived = 0.0;
   }
 }
 
-/// Each turn's least cost, part by part. Replayed once for all lines.
-const Turns& measured() {
-  static const Turns least = [] {
+/// The minimum cost of each cycle by part. Measured once for all rows.
+const Cycles& measured() {
+  static const Cycles least = [] {
     constexpr int kReplays = 15;
-    Turns best;
+    Cycles best;
     const auto path = tests::data("aligned/udp/player_l7.txt.gz");
     if (!path) return best;
     const std::string text = tests::read_file(*path);
     const std::vector<tests::Spoken> transcript = tests::read_transcript(text);
     for (int i = 0; i < kReplays; ++i) {
-      Turns turns;
-      replay(transcript, turns);
-      if (i == 0) best = turns;
-      for (std::size_t turn = 0; turn < turns.costs.size(); ++turn) {
+      Cycles cycles;
+      replay(transcript, cycles);
+      if (i == 0) best = cycles;
+      for (std::size_t cycle = 0; cycle < cycles.costs.size(); ++cycle) {
         for (std::size_t part = 0; part < kParts; ++part) {
-          best.costs[turn][part] = std::min(best.costs[turn][part], turns.costs[turn][part]);
+          best.costs[cycle][part] = std::min(best.costs[cycle][part], cycles.costs[cycle][part]);
         }
       }
     }
@@ -162,20 +162,20 @@ const Turns& measured() {
 }
 
 void agent(benchmark::State& bench, Part part) {
-  const Turns& turns = measured();
-  if (turns.costs.empty()) {
-    bench.SkipWithError("no data: set CLS_DATA");
+  const Cycles& cycles = measured();
+  if (cycles.costs.empty()) {
+    bench.SkipWithError("no recorded logs: set CLS_DATA");
     return;
   }
   std::vector<double> us;
-  for (const Costs& costs : turns.costs) us.push_back(costs[part]);
+  for (const Costs& costs : cycles.costs) us.push_back(costs[part]);
   std::sort(us.begin(), us.end());
   const double count = static_cast<double>(us.size());
   const double mean = std::accumulate(us.begin(), us.end(), 0.0) / count;
   for (auto _ : bench) bench.SetIterationTime(mean * 1e-6);
   bench.counters["p99_us"] = us[static_cast<std::size_t>(0.99 * (count - 1.0))];
-  bench.counters["turns"] = count;
-  if (part == kSerialise) bench.counters["state_bytes"] = turns.bytes / count;
+  bench.counters["cycles"] = count;
+  if (part == kSerialize) bench.counters["state_bytes"] = cycles.bytes / count;
 }
 
 const bool registered = [] {

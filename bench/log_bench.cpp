@@ -1,5 +1,5 @@
-// How fast game logs and text logs are read, written and reckoned with. With the large data
-// (CLS_DATA) a whole 6000-cycle match, else the start of one, repeated to the same length.
+// Speed of reading, writing and evaluating game logs and text logs: a whole match of 6000 cycles
+// (CLS_DATA), else the start of one, repeated to the same length.
 #include <benchmark/benchmark.h>
 #include <zlib.h>
 
@@ -19,11 +19,13 @@
 
 namespace {
 
+using namespace cls::base;
 using namespace cls::gamelog;
+using namespace cls::analysis;
 
 constexpr std::size_t kWholeMatch = 20'000'000;
 
-// The lines of `log` that start with `start`, over and over until they make a whole match.
+// Repeats `log` from the first line that starts with `start` until it has the size of a match.
 std::string repeated(const std::string& log, std::string_view start) {
   const std::size_t first = log.find(start);
   std::string result = log;
@@ -67,7 +69,7 @@ const RclRecord& text_record() {
   return text;
 }
 
-std::string written(RcgVersion version) {
+std::string format_log(RcgVersion version) {
   StringSink sink;
   write_rcg(record(), version, sink);
   return sink.bytes();
@@ -80,7 +82,7 @@ void set_bytes(benchmark::State& bench, std::size_t bytes) {
 
 void read_game_log(benchmark::State& bench) {
   const auto version = static_cast<RcgVersion>(bench.range(0));
-  const std::string log = version == RcgVersion::kV6 ? game_log() : written(version);
+  const std::string log = version == RcgVersion::kV6 ? game_log() : format_log(version);
   for (auto _ : bench) benchmark::DoNotOptimize(read(log).frames());
   set_bytes(bench, log.size());
 }
@@ -91,30 +93,30 @@ BENCHMARK(read_game_log)
     ->Arg(static_cast<int>(RcgVersion::kJson))
     ->Unit(benchmark::kMillisecond);
 
-// Bytes of the unpacked log.
-void read_packed_game_log(benchmark::State& bench) {
-  std::string packed(compressBound(game_log().size()) + 64, '\0');
+// Size of the decompressed log in bytes.
+void read_gzip_game_log(benchmark::State& bench) {
+  std::string compressed(compressBound(game_log().size()) + 64, '\0');
   z_stream stream = {};
   deflateInit2(&stream, 6, Z_DEFLATED, 15 + 16, 8, Z_DEFAULT_STRATEGY);
   stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(game_log().data()));
   stream.avail_in = static_cast<uInt>(game_log().size());
-  stream.next_out = reinterpret_cast<Bytef*>(packed.data());
-  stream.avail_out = static_cast<uInt>(packed.size());
+  stream.next_out = reinterpret_cast<Bytef*>(compressed.data());
+  stream.avail_out = static_cast<uInt>(compressed.size());
   deflate(&stream, Z_FINISH);
-  packed.resize(stream.total_out);
+  compressed.resize(stream.total_out);
   deflateEnd(&stream);
   for (auto _ : bench) {
-    const auto source = unpacked(std::make_unique<MemorySource>(packed));
+    const auto source = decompress(std::make_unique<MemorySource>(compressed));
     benchmark::DoNotOptimize(read_rcg(*source).frames());
   }
   set_bytes(bench, game_log().size());
 }
-BENCHMARK(read_packed_game_log)->Unit(benchmark::kMillisecond);
+BENCHMARK(read_gzip_game_log)->Unit(benchmark::kMillisecond);
 
 void write_game_log(benchmark::State& bench) {
   const auto version = static_cast<RcgVersion>(bench.range(0));
   std::size_t bytes = 0;
-  for (auto _ : bench) bytes = written(version).size();
+  for (auto _ : bench) bytes = format_log(version).size();
   set_bytes(bench, bytes);
 }
 BENCHMARK(write_game_log)
@@ -137,19 +139,23 @@ void summarize_match(benchmark::State& bench) {
 }
 BENCHMARK(summarize_match)->Unit(benchmark::kMillisecond);
 
-void reckon_statistics(benchmark::State& bench) {
+void compute_match_statistics(benchmark::State& bench) {
   const RclRecord* text = bench.range(0) != 0 ? &text_record() : nullptr;
-  for (auto _ : bench) benchmark::DoNotOptimize(statistics_of(record(), text).passes.size());
+  for (auto _ : bench) benchmark::DoNotOptimize(compute_statistics(record(), text).passes.size());
 }
-BENCHMARK(reckon_statistics)->ArgName("text_log")->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
+BENCHMARK(compute_match_statistics)
+    ->ArgName("text_log")
+    ->Arg(0)
+    ->Arg(1)
+    ->Unit(benchmark::kMillisecond);
 
-// All that `cls stats --json` does for one match once its files are in memory.
+// Everything that `cls stats --json` does for one match after reading its files.
 void whole_statistics(benchmark::State& bench) {
   for (auto _ : bench) {
     const MatchRecord match = read(game_log());
     MemorySource source(text_log());
     const RclRecord text = read_rcl(source);
-    const MatchStatistics statistics = statistics_of(match, &text);
+    const MatchStatistics statistics = compute_statistics(match, &text);
     benchmark::DoNotOptimize(statistics_json(summarize(match, &text), statistics, false).size());
   }
   set_bytes(bench, game_log().size() + text_log().size());

@@ -1,4 +1,4 @@
-// A match of mocks: cycles a second, and where their time goes.
+// A match between mocks: cycles per second, and the time of each part.
 #include <benchmark/benchmark.h>
 
 #include <chrono>

@@ -1,4 +1,4 @@
-// What a plan costs, wherever a player of a recorded match is near enough to the ball to want one.
+// Cost of a plan in each cycle of a recorded match in which the player is near the ball.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -18,15 +18,15 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Everything allowed, as upstream's samples ask for it.
-proxy::PlannerOptions everything() {
+/// All kinds of actions, as upstream's samples request.
+proxy::PlannerOptions all_kinds() {
   proxy::PlannerOptions options;
   options.simple_pass = options.simple_dribble = true;
   return options;
 }
 
-/// Microseconds of each plan. The ball is laid at the feet of whoever is within 10 m of it, so that
-/// there are many; opponents and teammates are where they were believed to be.
+/// Appends the microseconds of each plan. To get many plans, moves the ball to a player within 10 m
+/// of it; opponents and teammates stay where the world model has them.
 void plans_of(const std::string& file, std::vector<double>& times, std::size_t& nodes) {
   const auto path = tests::data(file);
   if (!path) return;
@@ -34,8 +34,8 @@ void plans_of(const std::string& file, std::vector<double>& times, std::size_t& 
   proxy::AgentOptions options;
   options.team_name = "PROXY";
   proxy::PlayerAgent agent(std::move(ours), options);
-  const protos::PlayerActions nothing;
-  const std::string text = tests::read_file(*path);  // what is spoken refers to it
+  const protos::PlayerActions no_actions;
+  const std::string text = tests::read_file(*path);  // the lines refer to it
   for (const tests::Spoken& spoken : tests::read_transcript(text)) {
     if (!spoken.by_server) continue;
     servers->send(spoken.message);
@@ -43,7 +43,7 @@ void plans_of(const std::string& file, std::vector<double>& times, std::size_t& 
     if (!agent.decision_due()) continue;
     agent.state();
     proxy::WorldModel world = agent.world();
-    agent.act(nothing);
+    agent.act(no_actions);
     if (world.game.mode != soccer::PlayMode::kPlayOn || world.ball.dist_from_self > 10.0) continue;
     world.ball.position = world.self.position + soccer::polar(0.6, world.self.body);
     world.ball.velocity = world.self.velocity;
@@ -51,7 +51,7 @@ void plans_of(const std::string& file, std::vector<double>& times, std::size_t& 
     world.self.kick_rate = 0.024;
     const auto before = Clock::now();
     const proxy::PlannerField field(world);
-    const proxy::Plan plan = proxy::make_plan(field, everything(), nullptr);
+    const proxy::Plan plan = proxy::make_plan(field, all_kinds(), nullptr);
     times.push_back(std::chrono::duration<double, std::micro>(Clock::now() - before).count());
     nodes += plan.nodes.size();
   }
@@ -67,17 +67,17 @@ void plan(benchmark::State& bench) {
     }
   }
   if (times.empty()) {
-    bench.SkipWithError("no data: set CLS_DATA");
+    bench.SkipWithError("no recorded logs: set CLS_DATA");
     return;
   }
   std::sort(times.begin(), times.end());
-  const auto share = [&](double part) {
+  const auto quantile = [&](double part) {
     return times[static_cast<std::size_t>(part * static_cast<double>(times.size() - 1))];
   };
   bench.counters["plans"] = static_cast<double>(times.size());
   bench.counters["nodes"] = static_cast<double>(nodes) / static_cast<double>(times.size());
-  bench.counters["p50_us"] = share(0.5);
-  bench.counters["p99_us"] = share(0.99);
+  bench.counters["p50_us"] = quantile(0.5);
+  bench.counters["p99_us"] = quantile(0.99);
   bench.counters["max_us"] = times.back();
 }
 BENCHMARK(plan)->Unit(benchmark::kMillisecond)->Iterations(1);

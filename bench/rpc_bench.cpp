@@ -1,4 +1,4 @@
-// Cost of the wire: States as bytes, and calls.
+// Cost of the wire: serializing States, and calls.
 #include <benchmark/benchmark.h>
 #include <google/protobuf/io/coded_stream.h>
 #include <google/protobuf/io/zero_copy_stream_impl_lite.h>
@@ -10,10 +10,10 @@
 namespace cls::bench {
 namespace {
 
-void serialise_state(benchmark::State& bench) {
-  const protos::State state = usual_state();
+void serialize_state(benchmark::State& bench) {
+  const protos::State state = typical_state();
   std::string bytes(state.ByteSizeLong(), ' ');
-  for (auto _ : bench) {  // as the client does it: maps by key
+  for (auto _ : bench) {  // as the gRPC client does: map entries sorted by key
     benchmark::DoNotOptimize(state.ByteSizeLong());
     google::protobuf::io::ArrayOutputStream array(bytes.data(), static_cast<int>(bytes.size()));
     google::protobuf::io::CodedOutputStream out(&array);
@@ -22,10 +22,10 @@ void serialise_state(benchmark::State& bench) {
   }
   bench.counters["bytes"] = static_cast<double>(bytes.size());
 }
-BENCHMARK(serialise_state)->Unit(benchmark::kMicrosecond);
+BENCHMARK(serialize_state)->Unit(benchmark::kMicrosecond);
 
 void parse_state(benchmark::State& bench) {
-  const std::string bytes = usual_state().SerializeAsString();
+  const std::string bytes = typical_state().SerializeAsString();
   protos::State state;
   for (auto _ : bench) {
     state.ParseFromString(bytes);
@@ -38,7 +38,7 @@ void rpc_ceiling(benchmark::State& bench) {
   const auto transport = static_cast<Transport>(bench.range(0));
   const auto threads = static_cast<int>(bench.range(1));
   RpcCeiling ceiling;
-  for (auto _ : bench) ceiling = measure_rpc_ceiling(transport, threads, usual_state(), 3.0);
+  for (auto _ : bench) ceiling = measure_rpc_ceiling(transport, threads, typical_state(), 3.0);
   bench.counters["cycles_per_second"] = ceiling.cycles_per_second;
   bench.counters["cpu_us_per_cycle"] = ceiling.cpu_us_per_cycle;
 }

@@ -1,4 +1,4 @@
-// The smallest Playmaker, and teams that do nothing but ask it.
+// A minimal Playmaker, and teams that only call it.
 #include "bench/rpc_ceiling.h"
 
 #include <grpcpp/grpcpp.h>
@@ -13,7 +13,7 @@
 #include <string>
 #include <thread>
 
-#include "mock-server/script/message_pool.h"
+#include "bench/message_pool.h"
 #include "proto/playmaker.grpc.pb.h"
 #include "proxy/playmaker/grpc_playmaker.h"
 #include "tests/support/files.h"
@@ -25,9 +25,9 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-class SmallestService : public protos::Game::CallbackService {
+class MinimalService : public protos::Game::CallbackService {
  public:
-  SmallestService() { SetMessageAllocatorFor_GetPlayerActions(&messages_); }
+  MinimalService() { SetMessageAllocatorFor_GetPlayerActions(&messages_); }
 
  private:
   grpc::ServerUnaryReactor* GetPlayerActions(grpc::CallbackServerContext* context,
@@ -42,7 +42,7 @@ class SmallestService : public protos::Game::CallbackService {
     return reactor;
   }
 
-  mock_server::MessagePool<protos::State, protos::PlayerActions> messages_;
+  MessagePool<protos::State, protos::PlayerActions> messages_;
 };
 
 double cpu_seconds() {
@@ -56,7 +56,7 @@ double cpu_seconds() {
 
 struct Match {
   tests::TemporaryFolder folder;
-  SmallestService service;
+  MinimalService service;
   std::unique_ptr<grpc::Server> server;
   std::array<std::unique_ptr<proxy::Playmaker>, 2> teams;
 };
@@ -73,7 +73,7 @@ void start(Match& match, Transport transport) {
     builder.AddListeningPort("unix:" + target.unix_path, grpc::InsecureServerCredentials());
   }
   match.server = builder.BuildAndStart();
-  if (match.server == nullptr) throw std::runtime_error("no server to measure");
+  if (match.server == nullptr) throw std::runtime_error("cannot start the gRPC server to measure");
   for (auto& team : match.teams) {
     team = transport == Transport::kInProcess
                ? proxy::make_grpc_playmaker(
@@ -82,23 +82,23 @@ void start(Match& match, Transport transport) {
   }
 }
 
-void ask_all(proxy::Playmaker& team, const protos::State& state) {
+void begin_all(proxy::Playmaker& team, const protos::State& state) {
   for (int unum = 1; unum <= 11; ++unum) {
-    team.begin_player_actions(unum, state, std::chrono::seconds(10));
+    team.begin(unum, proto::Rpc::kGetPlayerActions, state, std::chrono::seconds(10));
   }
 }
 
-void take_all(proxy::Playmaker& team) {
+void receive_all(proxy::Playmaker& team) {
   while (const auto reply = team.next_reply()) {
     if (!reply->status.ok()) throw std::runtime_error(reply->status.message);
   }
 }
 
-int play_alone(Match& match, const protos::State& state, Clock::time_point end) {
+int play_in_one_thread(Match& match, const protos::State& state, Clock::time_point end) {
   int cycles = 0;
   for (; Clock::now() < end; ++cycles) {
-    for (auto& team : match.teams) ask_all(*team, state);
-    for (auto& team : match.teams) take_all(*team);
+    for (auto& team : match.teams) begin_all(*team, state);
+    for (auto& team : match.teams) receive_all(*team);
   }
   return cycles;
 }
@@ -106,15 +106,15 @@ int play_alone(Match& match, const protos::State& state, Clock::time_point end) 
 int play_in_two_threads(Match& match, const protos::State& state, Clock::time_point end) {
   int cycles = 0;
   bool over = false;
-  std::barrier meeting(2, [&]() noexcept {
+  std::barrier end_of_cycle(2, [&]() noexcept {
     ++cycles;
     over = Clock::now() >= end;
   });
   const auto play = [&](proxy::Playmaker& team) {
     while (!over) {
-      ask_all(team, state);
-      take_all(team);
-      meeting.arrive_and_wait();
+      begin_all(team, state);
+      receive_all(team);
+      end_of_cycle.arrive_and_wait();
     }
   };
   std::thread other([&] { play(*match.teams[1]); });
@@ -129,32 +129,32 @@ RpcCeiling measure_rpc_ceiling(Transport transport, int threads, const protos::S
                                double seconds) {
   Match match;
   start(match, transport);
-  for (auto& team : match.teams) {  // connected before the clock runs
-    ask_all(*team, state);
-    take_all(*team);
+  for (auto& team : match.teams) {  // connect before the measurement
+    begin_all(*team, state);
+    receive_all(*team);
   }
   const auto begin = Clock::now();
   const double cpu_begin = cpu_seconds();
   const auto end =
       begin + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
   const int cycles =
-      threads == 2 ? play_in_two_threads(match, state, end) : play_alone(match, state, end);
+      threads == 2 ? play_in_two_threads(match, state, end) : play_in_one_thread(match, state, end);
   const std::chrono::duration<double> took = Clock::now() - begin;
   return {cycles / took.count(), (cpu_seconds() - cpu_begin) * 1e6 / cycles};
 }
 
-protos::State usual_state() {
-  constexpr long kUsualSize = 9700;
+protos::State typical_state() {
+  constexpr long kTypicalSize = 9700;
   std::string best;
   const std::string stream = tests::read_file(tests::fixture("grpc/GetPlayerActions.req.pb.gz"));
-  const auto off = [](const std::string& message) {
-    return std::labs(static_cast<long>(message.size()) - kUsualSize);
+  const auto distance = [](const std::string& message) {
+    return std::labs(static_cast<long>(message.size()) - kTypicalSize);
   };
   for (const std::string& message : tests::split_messages(stream)) {
-    if (best.empty() || off(message) < off(best)) best = message;
+    if (best.empty() || distance(message) < distance(best)) best = message;
   }
   protos::State state;
-  if (!state.ParseFromString(best)) throw std::runtime_error("a broken fixture");
+  if (!state.ParseFromString(best)) throw std::runtime_error("corrupt fixture");
   return state;
 }
 

@@ -1,4 +1,4 @@
-// How many cycles a second gRPC alone allows, with nothing else to do.
+// Upper bound of cycles per second that gRPC alone allows.
 #pragma once
 
 #include "proto/playmaker.pb.h"
@@ -9,16 +9,16 @@ enum class Transport { kInProcess, kTcp, kUnixSocket };
 
 struct RpcCeiling {
   double cycles_per_second = 0.0;
-  double cpu_us_per_cycle = 0.0;  ///< of the whole process, both ends
+  double cpu_us_per_cycle = 0.0;  ///< of the whole process, client and server
 };
 
-/// Two teams of eleven ask a Playmaker that answers at once with two actions: 22 calls a cycle in
-/// flight together, through the client that agents use, each with `state` as its request. With
-/// `threads` 2 each team has a thread of its own and they meet after every cycle, as in a match.
+/// Two teams of eleven call a Playmaker that immediately replies with two actions: 22 concurrent
+/// calls per cycle through the client of the agents, each with `state` as its request. With
+/// `threads` 2 each team has its own thread and both synchronize after every cycle, as in a match.
 RpcCeiling measure_rpc_ceiling(Transport transport, int threads, const protos::State& state,
                                double seconds);
 
-/// A State of a real match of about the size that is usual in play, 9.7 KB.
-protos::State usual_state();
+/// A recorded State of typical size, 9.7 KB.
+protos::State typical_state();
 
 }  // namespace cls::bench

@@ -1,4 +1,4 @@
-// What a cycle of the embedded server costs, and its parts.
+// Cost of a cycle of the embedded server, and of its parts.
 #include <benchmark/benchmark.h>
 
 #include <ctime>
@@ -25,7 +25,7 @@ simulator::MatchConfig endless() {
   return config;
 }
 
-/// The middle of a match.
+/// A match after 300 cycles.
 struct Match : tests::BareServer {
   explicit Match(bool logs = true) : tests::BareServer(endless(), logs) {
     for (int i = 0; i < 300; ++i) {
@@ -35,14 +35,14 @@ struct Match : tests::BareServer {
   }
 };
 
-/// CPU time of this thread, which other work on the machine does not lengthen.
+/// CPU time of this thread, which other load on the host does not increase.
 double thread_seconds() {
   timespec now{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-/// Only the server's turns are timed, and only its allocations are counted.
+/// Measures time and allocations of the server only, not of its clients.
 void server_cycle(benchmark::State& state, bool logs) {
   Match match(logs);
   std::int64_t allocations = 0;
@@ -109,7 +109,7 @@ void server_log_frame(benchmark::State& state) {
   gamelog::Frame frame;
   std::string line;
   for (auto _ : state) {
-    simulator::describe(match.world(), frame);
+    simulator::to_frame(match.world(), frame);
     line.clear();
     gamelog::append_show(frame, line);
   }

@@ -1,4 +1,4 @@
-// What a tournament costs beside its matches: planning, bookkeeping, processes.
+// Cost of a tournament besides its matches: planning, store, processes.
 #include <benchmark/benchmark.h>
 #include <sys/resource.h>
 
@@ -66,30 +66,29 @@ void store_a_million_rows(benchmark::State& state) {
 }
 BENCHMARK(store_a_million_rows)->Iterations(1)->Unit(benchmark::kMillisecond);
 
-// Matches that take no time at all.
-class NoMatches : public MatchExecutor {
+// Matches that take no time.
+class InstantMatches : public MatchExecutor {
  public:
-  int room() const override { return 2 - running(); }
+  int free_slots() const override { return 2 - running(); }
   int running() const override { return static_cast<int>(ended_.size()); }
   base::Result<void> start(std::span<const Assignment> assignments) override {
     for (const Assignment& one : assignments) {
       Outcome outcome;
-      outcome.end_reason = "finished";
       outcome.attempts = one.number;
       ended_.push_back({one.fixture.index, outcome});
     }
     return {};
   }
-  base::Result<std::vector<Finished>> wait(std::chrono::milliseconds) override {
+  base::Result<std::vector<FinishedMatch>> wait(std::chrono::milliseconds) override {
     return std::exchange(ended_, {});
   }
   void interrupt() override {}
 
  private:
-  std::vector<Finished> ended_;
+  std::vector<FinishedMatch> ended_;
 };
 
-// Draw, two commits, two events, with every write on disk.
+// Schedule, two commits and two events per match, each synced to disk.
 void bookkeeping_per_match(benchmark::State& state) {
   constexpr int kMatches = 500;
   const std::atomic<int> no_signal{0};
@@ -98,21 +97,21 @@ void bookkeeping_per_match(benchmark::State& state) {
     RunOptions options;
     options.folder = folder.path();
     options.config = two_mocks(kMatches / 2);
-    TournamentObserver nobody;
+    TournamentObserver observer;
     const auto begin = Clock::now();
     const auto summary = run_tournament(
         options,
         [](const TournamentConfig&) {
-          return base::Result<std::unique_ptr<MatchExecutor>>(std::make_unique<NoMatches>());
+          return base::Result<std::unique_ptr<MatchExecutor>>(std::make_unique<InstantMatches>());
         },
-        nobody, no_signal);
+        observer, no_signal);
     if (!summary || summary->progress.done != kMatches) state.SkipWithError("run");
     state.counters["ms_per_match"] = 1e3 * seconds_since(begin) / kMatches;
   }
 }
 BENCHMARK(bookkeeping_per_match)->Iterations(1)->Unit(benchmark::kMillisecond);
 
-// Real processes, two at a time: what share of the two places is a match being played in?
+// Real processes, two in parallel: which share of the time do they play?
 void matches_of_mocks(benchmark::State& state) {
   constexpr int kConcurrency = 2;
   const tests::TemporaryFolder folder;

@@ -1,4 +1,4 @@
-// What a match over UDP costs the server: ours, and the real one beside it.
+// CPU time of a match over UDP on the embedded server and on rcssserver.
 #include <benchmark/benchmark.h>
 #include <poll.h>
 #include <signal.h>
@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "tests/support/command.h"
-#include "tests/support/real_server.h"
+#include "tests/support/rcssserver.h"
 #include "tests/support/scripted_player.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/udp_client.h"
@@ -21,10 +21,10 @@ namespace {
 
 using namespace cls;
 
-constexpr int kSecondsOfAHalf = 300;
-constexpr int kMostRequests = 50;  // to be let in, five a second
+constexpr int kHalfTimeSeconds = 300;
+constexpr int kMaxRequests = 50;  // init requests per player, five per second
 
-/// Of all children that have ended.
+/// CPU time of all child processes that have exited.
 double children_cpu_seconds() {
   rusage usage{};
   getrusage(RUSAGE_CHILDREN, &usage);
@@ -34,37 +34,38 @@ double children_cpu_seconds() {
   return seconds(usage.ru_utime) + seconds(usage.ru_stime);
 }
 
-/// A program in rcssserver's place, with both logs.
-std::unique_ptr<tests::Command> start_server(std::vector<std::string> words, int port,
+/// Starts a program with rcssserver's arguments and both logs.
+std::unique_ptr<tests::Command> start_server(std::vector<std::string> arguments, int port,
                                              const std::string& folder) {
   for (const std::string& setting :
        {std::string("synch_mode=on"), std::string("auto_mode=on"), std::string("kick_off_wait=5"),
         std::string("connect_wait=1000000"), std::string("game_over_wait=5"),
         std::string("nr_extra_halfs=0"), std::string("penalty_shoot_outs=off"),
-        "half_time=" + std::to_string(kSecondsOfAHalf), "port=" + std::to_string(port),
+        "half_time=" + std::to_string(kHalfTimeSeconds), "port=" + std::to_string(port),
         "coach_port=" + std::to_string(tests::free_udp_port()),
         "olcoach_port=" + std::to_string(tests::free_udp_port())}) {
-    words.push_back("server::" + setting);
+    arguments.push_back("server::" + setting);
   }
   return std::make_unique<tests::Command>(
-      words, std::vector<std::string>{"RCSS_CONF_DIR=" + folder + "/conf", "USER=nobody"}, folder);
+      arguments, std::vector<std::string>{"RCSS_CONF_DIR=" + folder + "/conf", "USER=nobody"},
+      folder);
 }
 
-/// Two teams that sleep until they are told something, as real ones do.
+/// Two teams that sleep until a message arrives, as real teams do.
 class Teams {
  public:
-  /// Returns when all are let in.
+  /// Returns when all players are connected.
   explicit Teams(int port) {
-    const auto places = tests::formation(true);
+    const auto positions = tests::formation(true);
     for (const char* team : {"Left", "Right"}) {
-      for (std::size_t i = 0; i < places.size(); ++i) {
+      for (std::size_t i = 0; i < positions.size(); ++i) {
         auto channel = std::make_unique<tests::UdpClient>(port);
         sockets_.push_back({channel->descriptor(), POLLIN, 0});
         players_.push_back(std::make_unique<tests::ScriptedPlayer>(std::move(channel), team));
-        players_.back()->stand_at(places[i]);
+        players_.back()->stand_at(positions[i]);
         for (int asked = 0; players_.back()->unum() == 0; ++asked) {
-          if (asked == kMostRequests) throw std::runtime_error("the server does not answer");
-          players_.back()->join(i == 0);  // again, while the server is not there yet
+          if (asked == kMaxRequests) throw std::runtime_error("the server does not reply");
+          players_.back()->join(i == 0);  // repeated until the server listens
           ::poll(&sockets_.back(), 1, 200);
           players_.back()->act();
         }
@@ -92,17 +93,18 @@ class Teams {
   std::vector<std::unique_ptr<tests::ScriptedPlayer>> players_;
 };
 
-/// A match of 6000 cycles with 22 scripted clients on loopback; the time is the processor's that
-/// the server takes, the kernel's for its messages included.
+/// A match of 6000 cycles with 22 scripted clients on loopback. Measures the CPU time of the
+/// server, including the kernel's time for its messages.
 void match_over_udp(benchmark::State& state, const std::string& program) {
-  if (program.empty()) return state.SkipWithError("no rcssserver on PATH nor in CLS_RCSSSERVER");
-  std::vector<std::string> words = {program};
-  if (program == tests::cls_binary()) words.push_back("server");
+  if (program.empty())
+    return state.SkipWithError("rcssserver is neither on PATH nor in CLS_RCSSSERVER");
+  std::vector<std::string> arguments = {program};
+  if (program == tests::cls_binary()) arguments.push_back("server");
   for (auto _ : state) {
     const tests::TemporaryFolder folder;
     const int port = tests::free_udp_port();
     const double before = children_cpu_seconds();
-    const auto server = start_server(words, port, folder.path());
+    const auto server = start_server(arguments, port, folder.path());
     Teams(port).play();
     server->send_signal(SIGINT);
     server->finish();
@@ -113,7 +115,7 @@ BENCHMARK_CAPTURE(match_over_udp, cls, tests::cls_binary().string())
     ->UseManualTime()
     ->Iterations(1)
     ->Unit(benchmark::kSecond);
-BENCHMARK_CAPTURE(match_over_udp, rcssserver, tests::real_server())
+BENCHMARK_CAPTURE(match_over_udp, rcssserver, tests::rcssserver_program())
     ->UseManualTime()
     ->Iterations(1)
     ->Unit(benchmark::kSecond);

@@ -1,5 +1,5 @@
-// A whole match as `cls match mock mock` plays it, beside the ceiling that gRPC sets in the same
-// run.
+// A whole match as `cls match mock mock` plays it, beside the upper bound of gRPC alone, measured
+// in the same run.
 #include <benchmark/benchmark.h>
 #include <sys/resource.h>
 
@@ -9,8 +9,8 @@
 
 #include "base/io/byte_sink.h"
 #include "bench/rpc_ceiling.h"
-#include "orchestration/match/hooks/match_chronicle.h"
-#include "orchestration/match/lockstep_match.h"
+#include "orchestration/match/match_setup.h"
+#include "orchestration/match/sides/agent_side.h"
 
 namespace cls::bench {
 namespace {
@@ -35,16 +35,20 @@ double agent_seconds(const proxy::TeamTimes& times) {
   return seconds(times.perceive) + seconds(times.state) + seconds(times.act);
 }
 
-// The times of the sides run side by side on two cores, so those of both teams add up to CPU time
-// as long as nothing else runs. What neither simulator, agents nor mock account for is RPC:
-// serialising, gRPC's client and server, its threads.
-void report(benchmark::State& bench, const orchestration::match::LockstepMatch& match, double cpu) {
+// Both sides run in parallel on two cores, so their times add up to CPU time on an idle host. The
+// rest beside simulator, agents and mock is RPC: serializing, gRPC's client and server, its
+// threads.
+void report(benchmark::State& bench, const orchestration::match::Match& match, double cpu) {
   const orchestration::match::MatchResult result = match.result();
   const auto steps = static_cast<double>(result.steps);
-  const double agents =
-      agent_seconds(match.left().team().times()) + agent_seconds(match.right().team().times());
-  const double mock = match.left().mock_cpu_seconds() + match.right().mock_cpu_seconds();
-  const double simulator = match.times().simulator;
+  double agents = 0.0;
+  double mock = 0.0;
+  for (const auto& each : match.sides()) {
+    const auto& side = dynamic_cast<const orchestration::match::AgentSide&>(*each);
+    agents += agent_seconds(side.team().times());
+    mock += side.mock_cpu_seconds();
+  }
+  const double simulator = match.times().server;
   const auto us_per_step = [steps](double total) { return total * 1e6 / steps; };
   bench.counters["cycles_per_second"] = result.cycles_per_second;
   bench.counters["steps_per_second"] = steps / match.times().play;
@@ -59,7 +63,7 @@ void report(benchmark::State& bench, const orchestration::match::LockstepMatch& 
 void whole_match(benchmark::State& bench) {
   constexpr int kThreads = 2;
   constexpr double kCeilingSeconds = 3.0;
-  const protos::State state = usual_state();
+  const protos::State state = typical_state();
   for (auto _ : bench) {
     const auto ceiling = [&] {
       return measure_rpc_ceiling(Transport::kInProcess, kThreads, state, kCeilingSeconds)
@@ -68,17 +72,16 @@ void whole_match(benchmark::State& bench) {
     const double before = ceiling();
     const orchestration::match::MatchOptions options;
     const std::atomic<int> no_signal{0};
-    auto match =
-        orchestration::match::LockstepMatch::create(options, {"mock_l", "mock_r"}, 7, no_signal);
+    const orchestration::match::TeamNames names{"mock_l", "mock_r"};
     base::StringSink game_log;
     base::StringSink text_log;
     base::StringSink event_lines;
-    orchestration::match::EventLog events(event_lines);
-    orchestration::match::MatchChronicle chronicle(events);
-    orchestration::match::MatchObserver nobody;
-    (*match)->record(game_log, text_log);
+    orchestration::match::EventRecorder events(event_lines);
+    orchestration::match::MatchObserver observer;
+    auto match = orchestration::match::make_lockstep_match({options, names, 7, no_signal},
+                                                           {game_log, text_log, &events});
     const double cpu = process_cpu_seconds();
-    (*match)->play(nobody, chronicle);
+    (*match)->play(observer);
     report(bench, **match, process_cpu_seconds() - cpu);
     bench.SetIterationTime((*match)->times().play);
     const double ceiling_mean = (before + ceiling()) / 2.0;
