@@ -15,7 +15,8 @@ void decrement(int& counter, int min) {
   if (counter > min) --counter;
 }
 
-// Allows the commands of a new cycle; a tackling or fouled player stays blocked (2.4).
+// Allows the commands of a new cycle; a tackling or fouled player stays blocked
+// (docs/spec/simulation-model.md 2.4).
 void reset_commands(Player& player) {
   decrement(player.kick_cycles, -1);
   decrement(player.dash_cycles, -1);
@@ -72,7 +73,8 @@ void recover_stamina_and_hearing(World& world) {
   }
 }
 
-// Clears the bits that one frame shows; tackle and foul bits last while they block (12.2).
+// Clears the bits that one frame shows; tackle and foul bits last while they block
+// (docs/spec/simulation-model.md 12.2).
 void clear_transient_state(Player& player) {
   std::uint32_t retained =
       state::kStand | state::kGoalie | state::kDiscard | state::kYellowCard | state::kRedCard;

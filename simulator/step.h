@@ -5,9 +5,10 @@
 
 namespace cls::simulator {
 
-/// Applies dashes, motion, clock, referee and stamina: steps 1 to 4 of the cycle (simulation model
-/// 2.2). The world then holds the frame of the new cycle for monitors and the game log. The caller
-/// resets the "done" flags of coaches and sends them new messages.
+/// Applies dashes, motion, clock, referee and stamina: steps 1 to 4 of the cycle
+/// (docs/spec/simulation-model.md 2.2). The world then holds the frame of the new cycle for
+/// monitors and the game log. The caller resets the "done" flags of coaches and sends them new
+/// messages.
 void step(World& world, Events& events);
 
 /// Finishes the step after the frame was sent: clears transient state bits, then runs auto mode

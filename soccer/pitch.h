@@ -9,7 +9,8 @@
 
 namespace cls::soccer {
 
-// Sizes in meters (simulation model 1.2). Goal width, ball and player size are parameters.
+// Sizes in meters (docs/spec/simulation-model.md 1.2). Goal width, ball and player size are
+// parameters.
 constexpr double kPitchLength = 105.0;
 constexpr double kPitchWidth = 68.0;
 constexpr double kPitchMargin = 5.0;

@@ -69,7 +69,7 @@ enum class PlayMode : std::uint8_t {
 
 constexpr int kPlayModeCount = 52;
 
-/// How a simulation step treats the world in a mode (simulation model, "Clock variables").
+/// How a simulation step treats the world in a mode (docs/spec/simulation-model.md 2.1).
 enum class ModeClass : std::uint8_t {
   kWaiting,  ///< before_kick_off: players only turn, stopped clock
   kStopped,  ///< after a goal or an offence: full motion, stopped clock

@@ -11,8 +11,8 @@ namespace cls::soccer {
 
 /// One stream of random numbers (xoshiro256++), determined by a seed and a purpose. Streams of
 /// different purposes are independent, so a new draw in one place does not shift the others.
-/// A plain value: copy it to fork a match. Distributions consume numbers as in simulation-model 0
-/// and 11.2.
+/// A plain value: copy it to fork a match. Distributions consume numbers as in
+/// docs/spec/simulation-model.md 0 and 11.2.
 class RandomStream {
  public:
   /// `purpose` names the stream; `key_a` and `key_b` select one of a family of streams, for example

@@ -11,9 +11,9 @@
 namespace cls::soccer {
 
 /// Channels from this process to one server. The server answers each client from a separate port
-/// (protocol 1.1): a channel sends to the well-known port until a message arrives from another
-/// port, and from then on uses that port only. Messages from other hosts are ignored. An object and
-/// its channels must be used on one thread.
+/// (docs/spec/server-protocol.md 1.1): a channel sends to the well-known port until a message
+/// arrives from another port, and from then on uses that port only. Messages from other hosts are
+/// ignored. An object and its channels must be used on one thread.
 class UdpClients {
  public:
   /// `host` is a name or an IP address; prefers IPv4. The error names host and cause. Sends

@@ -21,8 +21,8 @@ struct ShotSituation {
 ShotSituation situation_of(const Flow& flow, const Shot& shot);
 
 /// Probability of a goal: a logistic function with initial coefficients, not fitted to data
-/// (match-statistics 3.5): 1.2 - 0.12 distance + 1.0 opening - 0.35 cycles, and 0.6 more if the
-/// goalie does not reach the ball's path.
+/// (docs/spec/match-statistics.md 3.5): 1.2 - 0.12 distance + 1.0 opening - 0.35 cycles, and 0.6
+/// more if the goalie does not reach the ball's path.
 double goal_probability(const ShotSituation& situation);
 
 /// One entry per shot.

@@ -36,8 +36,8 @@ struct Stamina {
   int refills = 0;                  ///< second half, substitution, trainer
 };
 
-/// Counts all frames in which a player is connected (match-statistics 4.2). All zero for versions 1
-/// and 2.
+/// Counts all frames in which a player is connected (docs/spec/match-statistics.md 4.2). All zero
+/// for versions 1 and 2.
 PerPlayer<Stamina> measure_stamina(const gamelog::MatchRecord& record);
 
 }  // namespace cls::analysis

@@ -9,7 +9,7 @@
 
 namespace cls::analysis {
 
-/// Pressing of one team (match-statistics 3.10).
+/// Pressing of one team (docs/spec/match-statistics.md 3.10).
 struct Pressing {
   int opponent_passes = 0;     ///< attempted in the opponent's own 60 % of the pitch
   int defensive_actions = 0;   ///< own tackles, interceptions and fouls there

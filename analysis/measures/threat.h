@@ -20,9 +20,9 @@ using ThreatGrid = std::array<double, kThreatColumns * kThreatRows>;
 std::size_t threat_cell(soccer::Vec2 seen);
 
 /// Value of each cell: probability of a shot as the next action times its goal probability, plus
-/// the probability of a move times the value of its target cells (match-statistics 3.5). Estimated
-/// from both teams' actions in this match; a lost ball has value 0. `expected` holds the goal
-/// probability of each shot.
+/// the probability of a move times the value of its target cells
+/// (docs/spec/match-statistics.md 3.5). Estimated from both teams' actions in this match; a lost
+/// ball has value 0. `expected` holds the goal probability of each shot.
 ThreatGrid threat_grid(const Flow& flow, const std::vector<Pass>& passes,
                        const std::vector<Carry>& carries, const std::vector<Shot>& shots,
                        const std::vector<double>& expected);

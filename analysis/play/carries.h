@@ -8,7 +8,7 @@
 
 namespace cls::analysis {
 
-/// Two consecutive touches of one player within a live phase (match-statistics 3.1).
+/// Two consecutive touches of one player within a live phase (docs/spec/match-statistics.md 3.1).
 struct Carry {
   std::uint32_t touch = 0;  ///< index of the first into Flow::touches
   std::int8_t slot = kNoPlayer;

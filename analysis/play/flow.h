@@ -14,7 +14,7 @@ namespace cls::analysis {
 constexpr std::int8_t kNoPlayer = -1;
 
 /// Kind of play of a frame. Statistics count kLive unless they say otherwise
-/// (match-statistics 1.1).
+/// (docs/spec/match-statistics.md 1.1).
 enum class Phase : std::uint8_t {
   kLive,     ///< play_on
   kSet,      ///< a team may restart play; the clock runs

@@ -19,8 +19,8 @@ struct Interception {
 
 /// A player stands for one cycle and turns for none (less than 15 degrees off), one or two (more
 /// than 90 degrees off and running). Then it runs at 95 % of its top speed until the ball is
-/// kickable (match-statistics 3.11). Of several players in the same cycle the nearest one counts.
-/// Nothing if no player reaches the ball in time, or both teams do in the same cycle.
+/// kickable (docs/spec/match-statistics.md 3.11). Of several players in the same cycle the nearest
+/// one counts. Nothing if no player reaches the ball in time, or both teams do in the same cycle.
 std::optional<Interception> first_to_ball(const gamelog::MatchRecord& record, std::size_t frame);
 
 /// Cycles until this player reaches the ball; nothing beyond the limit.

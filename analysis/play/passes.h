@@ -24,8 +24,8 @@ std::string_view name(PassOutcome outcome);
 /// Directions between the contact points, in sectors of 90 degrees.
 enum class PassDirection : std::uint8_t { kForward, kLeft, kRight, kBack };
 
-/// A touch intended for a teammate (match-statistics 2). Points as the passer's team sees the
-/// pitch: it attacks +x.
+/// A touch intended for a teammate (docs/spec/match-statistics.md 2). Points as the passer's team
+/// sees the pitch: it attacks +x.
 struct Pass {
   std::uint32_t touch = 0;  ///< index into Flow::touches
   std::int8_t passer = kNoPlayer;

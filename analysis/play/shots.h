@@ -21,7 +21,8 @@ enum class ShotOutcome : std::uint8_t {
 };
 std::string_view name(ShotOutcome outcome);
 
-/// A touch that sends the ball toward the goal, fast enough to get there (match-statistics 3.3).
+/// A touch that sends the ball toward the goal, fast enough to get there
+/// (docs/spec/match-statistics.md 3.3).
 struct Shot {
   std::uint32_t touch = 0;  ///< index into Flow::touches
   std::int8_t slot = kNoPlayer;
@@ -52,8 +53,8 @@ struct Goal {
   std::int32_t shot = -1;  ///< index into the shots; -1: none
 };
 
-/// Goals except those of a shoot-out (match-statistics 3.4). Shots that led to one have the outcome
-/// kGoal.
+/// Goals except those of a shoot-out (docs/spec/match-statistics.md 3.4). Shots that led to one
+/// have the outcome kGoal.
 std::vector<Goal> find_goals(const Flow& flow, const std::vector<Shot>& shots);
 
 }  // namespace cls::analysis

@@ -78,7 +78,7 @@ struct MatchSummary {
 };
 
 /// Summarizes a game log and its text log, if any, which adds the coin toss and the cards of
-/// versions 1 to 3. Source: log-formats 5.
+/// versions 1 to 3. Source: docs/spec/log-formats.md 5.
 MatchSummary summarize(const gamelog::MatchRecord& record, const gamelog::RclRecord* text);
 
 /// How a match ended, as recorded outside its logs. The logs of a match with a limit of cycles look

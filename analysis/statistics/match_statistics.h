@@ -95,8 +95,8 @@ struct MatchStatistics {
 MatchStatistics compute_statistics(const gamelog::MatchRecord& record,
                                    const gamelog::RclRecord* text);
 
-/// Reasons to exclude the match from a comparison of teams (match-statistics 5): disconnected or
-/// missing players, too many silent steps, no end. `summary` is of the same match.
+/// Reasons to exclude the match from a comparison of teams (docs/spec/match-statistics.md 5):
+/// disconnected or missing players, too many silent steps, no end. `summary` is of the same match.
 std::vector<std::string> exclusion_reasons(const MatchSummary& summary,
                                            const MatchStatistics& statistics);
 

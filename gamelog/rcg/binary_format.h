@@ -1,5 +1,5 @@
-// Layout of binary game logs (rcg versions 1 to 3) and binary monitor messages (log-formats 1.4 to
-// 1.6).
+// Layout of binary game logs (rcg versions 1 to 3) and binary monitor messages
+// (docs/spec/log-formats.md 1.4 to 1.6).
 #pragma once
 
 #include <cstddef>
@@ -38,7 +38,7 @@ constexpr double kShortScale = 16.0;  // units per meter in short shows
 
 }  // namespace rcg_binary
 
-// Sizes of the parameter blocks (log-formats 1.6).
+// Sizes of the parameter blocks (docs/spec/log-formats.md 1.6).
 constexpr std::size_t kPlayerTypeSize = 88;
 constexpr std::size_t kServerParamSize = 396;
 constexpr std::size_t kPlayerParamSize = 132;

@@ -13,8 +13,8 @@
 
 namespace cls::gamelog {
 
-// Each of these appends the records of one version of the log (log-formats 1.4 to 1.6), nothing if
-// the version has none. Bytes that rcssserver leaves uninitialized are NUL.
+// Each of these appends the records of one version of the log (docs/spec/log-formats.md 1.4 to
+// 1.6), nothing if the version has none. Bytes that rcssserver leaves uninitialized are NUL.
 
 /// Version and, in version 3, parameters.
 void append_binary_header(RcgVersion version, const soccer::ServerParams& server,
@@ -30,8 +30,8 @@ void append_binary_show(RcgVersion version, const Frame& frame, std::string& out
 /// At most 2048 bytes of the text, 2047 in version 1.
 void append_binary_message(RcgVersion version, int board, std::string_view text, std::string& out);
 
-// Each of these appends one datagram of the fixed size of its monitor version (protocol 6.4),
-// padded with NULs.
+// Each of these appends one datagram of the fixed size of its monitor version
+// (docs/spec/server-protocol.md 6.4), padded with NULs.
 
 /// Version 1: positions in sixteenths of a meter, whole degrees.
 void append_short_show(const Frame& frame, std::string& out);

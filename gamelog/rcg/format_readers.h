@@ -12,18 +12,20 @@ namespace cls::gamelog {
 /// header.
 bool looks_like_version_1(std::string_view start);
 
-/// Reads everything after the header (log-formats 1.4 to 1.6); the version is the record's. Values
-/// that a version lacks are 0 in the record: velocities, stamina, view and counters before version
+/// Reads everything after the header (docs/spec/log-formats.md 1.4 to 1.6); the version is the
+/// record's. Values that a version lacks are 0 in the record: velocities, stamina, view and
+/// counters before version
 /// 3. Reading ends at a record of unknown kind, because its length is unknown.
 void read_rcg_binary(base::InputBuffer& input, RecordBuilder& builder);
 
-/// Reads everything after the header line `ULG4`, `ULG5` or `ULG6` (log-formats 1.7). Corrupt lines
-/// are reported in the record and skipped; records of unknown kinds are stored as text.
+/// Reads everything after the header line `ULG4`, `ULG5` or `ULG6` (docs/spec/log-formats.md 1.7).
+/// Corrupt lines are reported in the record and skipped; records of unknown kinds are stored as
+/// text.
 void read_rcg_text(base::InputBuffer& input, RecordBuilder& builder);
 
-/// Reads the array of a JSON log (log-formats 1.10), one element per line, in the forms of
-/// rcssserver 17, 18 and 19, after the header line if there is one. Lines that are not JSON are
-/// reported in the record and skipped.
+/// Reads the array of a JSON log (docs/spec/log-formats.md 1.10), one element per line, in the
+/// forms of rcssserver 17, 18 and 19, after the header line if there is one. Lines that are not
+/// JSON are reported in the record and skipped.
 void read_rcg_json(base::InputBuffer& input, RecordBuilder& builder);
 
 }  // namespace cls::gamelog

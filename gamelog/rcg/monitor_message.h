@@ -12,8 +12,8 @@
 
 namespace cls::gamelog {
 
-/// Version that a monitor requests (protocol 1.6, 6). Versions 1 and 2 are binary: datagrams of
-/// fixed size without a closing NUL.
+/// Version that a monitor requests (docs/spec/server-protocol.md 1.6, 6). Versions 1 and 2 are
+/// binary: datagrams of fixed size without a closing NUL.
 enum class MonitorVersion { kJson = -1, k1 = 1, k2 = 2, k3 = 3, k4 = 4, k5 = 5 };
 
 constexpr bool is_binary(MonitorVersion version) {

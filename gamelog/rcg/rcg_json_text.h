@@ -9,10 +9,10 @@
 
 namespace cls::gamelog {
 
-// Every function appends one object in the form of rcssserver 19 (log-formats 1.10), without a
-// comma or line feed around it. `stopped` is left out if it is 0. Numbers have the form of text
-// logs. In strings, quotes, backslashes and control characters are escaped (rcssserver does not
-// escape the last); other bytes are copied.
+// Every function appends one object in the form of rcssserver 19 (docs/spec/log-formats.md 1.10),
+// without a comma or line feed around it. `stopped` is left out if it is 0. Numbers have the form
+// of text logs. In strings, quotes, backslashes and control characters are escaped (rcssserver does
+// not escape the last); other bytes are copied.
 
 /// `{"version":"19.0.0"}`, `{"timestamp":...}`.
 void append_json_text(std::string_view key, std::string_view value, std::string& out);

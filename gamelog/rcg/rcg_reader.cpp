@@ -30,8 +30,8 @@ void check_end(const base::InputBuffer& input, RecordBuilder& builder) {
   }
 }
 
-/// Selects the reader by the first bytes (log-formats 1.2). Server 17 wrote JSON after the header
-/// of version 6.
+/// Selects the reader by the first bytes (docs/spec/log-formats.md 1.2). Server 17 wrote JSON after
+/// the header of version 6.
 void read_by_kind(base::InputBuffer& input, RecordBuilder& builder) {
   MatchRecord& record = builder.record();
   const std::string start(input.peek(kHeaderSize + 1));

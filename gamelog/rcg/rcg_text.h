@@ -13,9 +13,9 @@
 
 namespace cls::gamelog {
 
-// Every function appends one line with its line feed in the form of rcssserver 19 (log-formats
-// 1.7): positions and velocities to 0.0001, angles to 0.001, all with six significant digits,
-// negative zero as "-0".
+// Every function appends one line with its line feed in the form of rcssserver 19
+// (docs/spec/log-formats.md 1.7): positions and velocities to 0.0001, angles to 0.001, all with six
+// significant digits, negative zero as "-0".
 
 /// `ULG4` to `ULG6`.
 void append_version(RcgVersion version, std::string& out);

@@ -18,7 +18,7 @@ namespace cls::gamelog {
 
 /// The part of the result line and of log file names with teams and score: `A_1-vs-B_0`; `null` for
 /// a team that never connected. After a level score, the penalty score follows if both teams took
-/// kicks: `A_0_2-vs-B_0_1` (log-formats 1.12).
+/// kicks: `A_0_2-vs-B_0_1` (docs/spec/log-formats.md 1.12).
 std::string match_name(const TeamFrames& teams);
 
 /// Parameters for the log: paths, file names and start commands have their defaults, so that a log
@@ -36,8 +36,9 @@ struct LogDate {
 /// number.
 std::optional<RcgVersion> rcg_version(int game_log_version);
 
-/// Selects the records of a log (simulation-model 12.4, log-formats 1.4 to 1.10) and writes them
-/// into `sink`, which must outlive the writer. The bytes depend only on the arguments.
+/// Selects the records of a log (docs/spec/simulation-model.md 12.4, docs/spec/log-formats.md 1.4
+/// to 1.10) and writes them into `sink`, which must outlive the writer. The bytes depend only on
+/// the arguments.
 class RcgWriter {
  public:
   explicit RcgWriter(base::ByteSink& sink, RcgVersion version = RcgVersion::kV6, LogDate date = {});

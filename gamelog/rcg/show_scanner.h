@@ -14,8 +14,8 @@ struct LineError {
   std::string_view message;
 };
 
-/// Parses a line that starts with "(show " (log-formats 1.7, versions 4 to 6 and the forms of
-/// monitors) and appends its frame. A line feed and 64 readable bytes must follow the line
+/// Parses a line that starts with "(show " (docs/spec/log-formats.md 1.7, versions 4 to 6 and the
+/// forms of monitors) and appends its frame. A line feed and 64 readable bytes must follow the line
 /// (InputBuffer). Returns false for a corrupt line; then the record is unchanged.
 bool read_show(std::string_view line, RecordBuilder& builder, LineError& error);
 

@@ -10,8 +10,8 @@
 
 namespace cls::gamelog {
 
-/// Reads to the end (log-formats 2). A line that does not start with a time continues the previous
-/// datagram. Never fails: parse errors are in RclRecord::errors.
+/// Reads to the end (docs/spec/log-formats.md 2). A line that does not start with a time continues
+/// the previous datagram. Never fails: parse errors are in RclRecord::errors.
 RclRecord read_rcl(base::ByteSource& source);
 RclRecord read_rcl(base::InputBuffer& input);
 

@@ -20,9 +20,9 @@ void append_player_command(std::string_view team, int unum, std::string_view tex
 void append_coach_command(std::string_view team, std::string_view text, std::string& out);
 void append_trainer_command(std::string_view text, std::string& out);
 
-/// Writes one line per call into `sink`, which must outlive the writer (log-formats 2). Received
-/// text is logged unparsed, including illegal commands. A line is cut after 8191 characters, as in
-/// rcssserver.
+/// Writes one line per call into `sink`, which must outlive the writer
+/// (docs/spec/log-formats.md 2). Received text is logged unparsed, including illegal commands. A
+/// line is cut after 8191 characters, as in rcssserver.
 class RclWriter {
  public:
   explicit RclWriter(base::ByteSink& sink) : sink_(sink) { line_.reserve(kTypicalLine); }

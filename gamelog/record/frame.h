@@ -12,9 +12,9 @@
 
 namespace cls::gamelog {
 
-// Bits of a player's state (log-formats 1.3). Bits of actions last one frame, those of a tackle or
-// a foul as long as the player cannot move, cards and kGoalie until the end. Versions 1 to 3 have
-// only the low sixteen bits.
+// Bits of a player's state (docs/spec/log-formats.md 1.3). Bits of actions last one frame, those of
+// a tackle or a foul as long as the player cannot move, cards and kGoalie until the end. Versions 1
+// to 3 have only the low sixteen bits.
 constexpr std::uint32_t kStateEnabled = 0x1;  ///< if unset, the slot is not connected
 constexpr std::uint32_t kStateKick = 0x2;
 constexpr std::uint32_t kStateKickFailed = 0x4;  ///< always with kStateKick

@@ -25,7 +25,7 @@ namespace pb = google::protobuf;
 using soccer::PlayMode;
 
 /// Reasons for automatic actions that replace the Playmaker's, by precedence
-/// (proxy behaviour 2.4).
+/// (docs/spec/proxy-behavior.md 2.4).
 enum class PreprocessReason : unsigned char { kFrozen, kNoPlay, kPositionUnknown, kBallLost };
 
 bool no_play(PlayMode mode) {

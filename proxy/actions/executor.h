@@ -18,10 +18,10 @@ namespace cls::proxy {
 bool needs_preprocess(const WorldModel& world);
 
 /// One decision: automatic actions unless the reply disables them, then the list in sequence, then
-/// queued neck and view defaults (proxy behaviour 2.3, 2.6). The first main action (one that ends
-/// in a body command) that succeeds ends the main actions; side actions always run. Call once per
-/// decision on a completed world, with fresh `slots` of that world. Unknown and invalid actions are
-/// counted in `report`.
+/// queued neck and view defaults (docs/spec/proxy-behavior.md 2.3, 2.6). The first main action (one
+/// that ends in a body command) that succeeds ends the main actions; side actions always run. Call
+/// once per decision on a completed world, with fresh `slots` of that world. Unknown and invalid
+/// actions are counted in `report`.
 ///
 /// With `choice` open, a planner action may request the Playmaker's choice: `choice.chooser` is
 /// then kRequested and nothing is decided. Call execute() again with the reply in `choice` and with

@@ -152,10 +152,12 @@ void Team::finish_cycle() {
 }
 
 bool Team::begins_turn(Instant now) {
+  for (const auto& agent : players_) agent->perceive();
+  // A (think) that has just been received is due later than `now`.
+  const Instant perceived = std::max(now, Instant::clock::now());
   std::int64_t turn = 0;
   for (const auto& agent : players_) {
-    agent->perceive();
-    if (agent->decision_due(now)) turn = std::max(turn, agent->statistics().decisions + 1);
+    if (agent->decision_due(perceived)) turn = std::max(turn, agent->statistics().decisions + 1);
   }
   const bool begins = turn > turn_;
   turn_ = std::max(turn_, turn);

@@ -13,8 +13,8 @@ namespace cls::proxy {
 /// True unless frozen. `recovering` stores between decisions whether the agent saves stamina.
 bool basic_move(const WorldModel& world, CommandSlots& slots, NeckPlan& neck, bool& recovering);
 
-/// Dash power by situation and stamina (proxy behaviour 6.4). Sets `recovering` when stamina falls
-/// below 50 percent, clears it above 70 percent.
+/// Dash power by situation and stamina (docs/spec/proxy-behavior.md 6.4). Sets `recovering` when
+/// stamina falls below 50 percent, clears it above 70 percent.
 double normal_dash_power(const WorldModel& world, bool& recovering);
 
 // Goalie.

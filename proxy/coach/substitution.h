@@ -1,4 +1,4 @@
-// The built-in choice of player types (proxy behaviour 6.2).
+// The built-in choice of player types (docs/spec/proxy-behavior.md 6.2).
 #pragma once
 
 #include <vector>

@@ -18,8 +18,8 @@ using BodyCommand = std::variant<std::monostate, soccer::Turn, soccer::Dash, soc
 
 /// Collects commands during one decision; compose() returns them. Every setter clamps to the
 /// server's limits and returns false without change when the server would reject the command or an
-/// argument is not finite (proxy behaviour 2.7). A later command of the same kind replaces an
-/// earlier one. The world model must outlive the object.
+/// argument is not finite (docs/spec/proxy-behavior.md 2.7). A later command of the same kind
+/// replaces an earlier one. The world model must outlive the object.
 class CommandSlots {
  public:
   explicit CommandSlots(const WorldModel& world) : world_(&world) {}

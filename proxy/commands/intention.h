@@ -8,7 +8,7 @@
 namespace cls::proxy {
 
 /// At most one at a time; it controls the following decisions until it is done or becomes invalid,
-/// unless the Playmaker forbids it (proxy behaviour 2.5).
+/// unless the Playmaker forbids it (docs/spec/proxy-behavior.md 2.5).
 struct Intention {
   enum class Kind : unsigned char {
     kNone,

@@ -18,9 +18,9 @@ struct DecisionDelays {
   std::chrono::milliseconds see{75};        ///< without synchronous see
 };
 
-/// Decides once per sense_body (proxy behaviour 2.1). In synchronous mode on (think). In real
-/// time when the see message of the cycle arrives, otherwise when it is no longer expected. Reads
-/// no clock; the caller passes times.
+/// Decides once per sense_body (docs/spec/proxy-behavior.md 2.1). In synchronous mode on (think).
+/// In real time when the see message of the cycle arrives, otherwise when it is no longer expected.
+/// Reads no clock; the caller passes times.
 class DecisionTimer {
  public:
   explicit DecisionTimer(DecisionDelays delays = {}) : delays_(delays) {}

@@ -6,7 +6,8 @@
 namespace cls::proxy {
 
 /// Sets kickable, kick_rate, the catch, tackle and foul probabilities and the safe dash power of
-/// `world.self` (proxy behaviour 3.4). Foul probabilities assume that an opponent has the ball.
+/// `world.self` (docs/spec/proxy-behavior.md 3.4). Foul probabilities assume that an opponent has
+/// the ball.
 void update_action_probabilities(WorldModel& world);
 
 /// Maximum catch distance of a goalie, and the distance within which a catch is reliable.
@@ -16,7 +17,7 @@ struct CatchReach {
 };
 CatchReach catch_reach(const WorldModel& world);
 
-/// Sets kickable_teammate_id and kickable_opponent_id (proxy behaviour 3.7).
+/// Sets kickable_teammate_id and kickable_opponent_id (docs/spec/proxy-behavior.md 3.7).
 void update_kickable_players(WorldModel& world);
 
 /// Updates last_kick from own kicks, kick marks in see messages, and jumps of the ball velocity

@@ -15,7 +15,8 @@ using BallPath = std::array<soccer::Vec2, kInterceptHorizon + 1>;
 BallPath ball_path(const WorldModel& world);
 
 /// Adds the agent's intercept plans to the table: straight dashes in eight directions, and turns
-/// followed by forward or backward dashes, with their stamina cost (proxy behaviour 3.6).
+/// followed by forward or backward dashes, with their stamina cost
+/// (docs/spec/proxy-behavior.md 3.6).
 void plan_self_intercept(const WorldModel& world, const BallPath& path, InterceptTable& table);
 
 /// Cycles until another player can intercept the ball; kNever beyond the horizon. Assumes the best

@@ -5,7 +5,7 @@
 
 namespace cls::proxy {
 
-/// Sets `world.lines` (proxy behaviour 3.7) from players, ball and intercept table.
+/// Sets `world.lines` (docs/spec/proxy-behavior.md 3.7) from players, ball and intercept table.
 void update_team_lines(WorldModel& world);
 
 }  // namespace cls::proxy

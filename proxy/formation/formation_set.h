@@ -12,8 +12,8 @@
 
 namespace cls::proxy {
 
-/// Kinds of situation (proxy behaviour 6.4). "Our" and "their" name the team that takes the set
-/// play.
+/// Kinds of situation (docs/spec/proxy-behavior.md 6.4). "Our" and "their" name the team that takes
+/// the set play.
 enum class FormationKind : std::uint8_t {
   kBeforeKickOff,
   kNormal,

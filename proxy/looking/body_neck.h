@@ -7,8 +7,8 @@
 
 namespace cls::proxy {
 
-// Proxy behaviour 4.4. All set the body slot, and fall back to scan_field() without a valid own (or
-// ball) position.
+// docs/spec/proxy-behavior.md 4.4. All set the body slot, and fall back to scan_field() without a
+// valid own (or ball) position.
 
 /// Turns the body to the point; the neck adds what one turn cannot reach.
 bool body_neck_to_point(const WorldModel& world, const ViewMemory& view, CommandSlots& slots,

@@ -7,9 +7,9 @@
 
 namespace cls::proxy {
 
-// Proxy behaviour 4.4. Call them after the body command is set. Each sets the neck slot and returns
-// true unless noted; the last call wins. "Stale" means not seen for more than `count_threshold`
-// cycles.
+// docs/spec/proxy-behavior.md 4.4. Call them after the body command is set. Each sets the neck slot
+// and returns true unless noted; the last call wins. "Stale" means not seen for more than
+// `count_threshold` cycles.
 
 /// Direction unseen for longest.
 bool neck_scan_field(const WorldModel& world, const ViewMemory& view, CommandSlots& slots);
@@ -45,8 +45,8 @@ bool neck_turn_to_relative(const WorldModel& world, CommandSlots& slots, double 
 bool neck_offensive_intercept(const WorldModel& world, const ViewMemory& view, CommandSlots& slots);
 
 /// Neck action that a behavior queues until all body commands are set. At most one per decision;
-/// executed after the action list, it replaces the neck action of the Playmaker (proxy behaviour
-/// 2.6).
+/// executed after the action list, it replaces the neck action of the Playmaker
+/// (docs/spec/proxy-behavior.md 2.6).
 struct NeckPlan {
   enum class Kind : unsigned char {
     kNone,

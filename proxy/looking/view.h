@@ -8,7 +8,7 @@ namespace cls::proxy {
 
 /// Width with a see message every cycle.
 bool view_synch(CommandSlots& slots);
-/// Width by the distance of play (proxy behaviour 2.4).
+/// Width by the distance of play (docs/spec/proxy-behavior.md 2.4).
 bool view_tactical(const WorldModel& world, CommandSlots& slots);
 
 /// Moves the focus point to `point`, or as near as its range (40 m) and the view cone allow. Call

@@ -16,8 +16,8 @@ using HomePositions = std::array<soccer::Vec2, soccer::kPlayersPerTeam>;
 
 /// Writes a completed world into `out`, possibly the State of the previous cycle, and leaves
 /// register_response unchanged. Every field that needs no planner is set as
-/// playmaker-wire and proxy-behaviour 3 define it, except that objects never observed are at
-/// (0, 0) with age 1000, never infinite. full_world_model stays unset.
+/// docs/spec/playmaker-wire.md 3.2 and docs/spec/proxy-behavior.md 3 define it, except that objects
+/// never observed are at (0, 0) with age 1000, never infinite. full_world_model stays unset.
 void fill_state(const WorldModel& world, const HomePositions& home, bool need_preprocess,
                 protos::State& out);
 

@@ -7,7 +7,7 @@
 namespace cls::proxy {
 
 /// Formation for the play mode: in open play by which team intercepts the ball first, otherwise by
-/// the team that takes the set play (proxy behaviour 6.4).
+/// the team that takes the set play (docs/spec/proxy-behavior.md 6.4).
 FormationKind formation_kind(const WorldModel& world);
 
 /// Home positions by unum - 1, own team attacks +x (State.helios_home_positions). Depend on the

@@ -8,8 +8,8 @@
 
 namespace cls::proxy {
 
-// Each returns true on success (proxy behaviour 4.2); on failure the body slot may contain `turn
-// 0`.
+// Each returns true on success (docs/spec/proxy-behavior.md 4.2); on failure the body slot may
+// contain `turn 0`.
 
 struct RunOptions {
   int horizon = 100;              ///< cycles within which one dash should reach the target

@@ -25,7 +25,8 @@ std::optional<Side> side_of_letter(char letter) {
   return std::nullopt;
 }
 
-/// Places the ball by the rules of the mode (simulation model 9.2); exact in a few modes only.
+/// Places the ball by the rules of the mode (docs/spec/simulation-model.md 9.2); exact in a few
+/// modes only.
 void set_ball(WorldModel& world, PlayMode mode) {
   constexpr double kExact = 0.02;
   const double toward =

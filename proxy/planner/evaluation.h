@@ -10,8 +10,8 @@ class PlannerEvaluation;
 
 namespace cls::proxy {
 
-/// Value of `plan.nodes[node]`, from the nodes on its path (proxy behaviour 5.4). `evaluation`: the
-/// Playmaker's; null for the default.
+/// Value of `plan.nodes[node]`, from the nodes on its path (docs/spec/proxy-behavior.md 5.4).
+/// `evaluation`: the Playmaker's; null for the default.
 double evaluate(const PlannerField& field, const Plan& plan, int node,
                 const protos::PlannerEvaluation* evaluation);
 

@@ -8,8 +8,8 @@
 
 namespace cls::proxy {
 
-// First actions of the agent, simulated cycle by cycle against all opponents (proxy behaviour 5.2).
-// Each appends to `out`.
+// First actions of the agent, simulated cycle by cycle against all opponents
+// (docs/spec/proxy-behavior.md 5.2). Each appends to `out`.
 
 /// Direct, lead and through passes.
 void add_passes(const PlannerField& field, std::vector<PlanAction>& out);

@@ -9,9 +9,9 @@ namespace cls::proxy {
 /// Plans with default options and evaluation, and executes the best action.
 bool execute_default_plan(ActionContext& context);
 
-/// Executes the first action on the path to `node` (proxy behaviour 5.6) and queues a neck plan. A
-/// dribble sets an intention; a pass is announced to its receiver. False without effect if the ball
-/// is not kickable, and for dribbles and holds in set plays.
+/// Executes the first action on the path to `node` (docs/spec/proxy-behavior.md 5.6) and queues a
+/// neck plan. A dribble sets an intention; a pass is announced to its receiver. False without
+/// effect if the ball is not kickable, and for dribbles and holds in set plays.
 bool execute_plan(ActionContext& context, const Plan& plan, int node);
 
 }  // namespace cls::proxy

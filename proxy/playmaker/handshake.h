@@ -16,8 +16,8 @@
 namespace cls::proxy {
 
 /// Register, SendServerParams, SendPlayerParams, SendPlayerType once per type, SendInitMessage
-/// (proxy behaviour 1.2). Makes no calls: the user sends request() and passes each reply to
-/// handle_reply().
+/// (docs/spec/proxy-behavior.md 1.2). Makes no calls: the user sends request() and passes each
+/// reply to handle_reply().
 class Handshake {
  public:
   enum class Next : std::uint8_t {

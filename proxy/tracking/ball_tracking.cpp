@@ -27,7 +27,7 @@ struct Push {
   double deviation = 0.0;  ///< per axis
 };
 
-/// Simulation model 4.4.
+/// docs/spec/simulation-model.md 4.4.
 Push own_kick(const WorldModel& world, const soccer::Kick& kick) {
   const SelfState& self = world.self;
   const BallState& ball = world.ball;

@@ -18,8 +18,8 @@ using soccer::Vec2;
 constexpr double kHalfDegree = math::to_radians(0.5);
 constexpr double kUniformVariance = 1.0 / 3.0;  // of a uniform distribution of half width 1
 
-// Quantization steps (simulation model 7.5): of distance change over distance, and of direction
-// change in degrees.
+// Quantization steps (docs/spec/simulation-model.md 7.5): of distance change over distance, and of
+// direction change in degrees.
 constexpr double kDistanceChangeStep = 0.02;
 constexpr double kDirectionChangeStep = 0.1;
 

@@ -23,7 +23,7 @@ struct GameTime {
   }
 };
 
-// Estimates at least this old are no longer valid (proxy behaviour 3.2).
+// Estimates at least this old are no longer valid (docs/spec/proxy-behavior.md 3.2).
 constexpr int kSelfPositionAgeLimit = 20;
 constexpr int kSelfVelocityAgeLimit = 10;
 constexpr int kSelfFaceAgeLimit = 5;

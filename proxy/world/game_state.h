@@ -7,7 +7,7 @@
 
 namespace cls::proxy {
 
-/// Shoot-out counters (proxy behaviour 3.8).
+/// Shoot-out counters (docs/spec/proxy-behavior.md 3.8).
 struct PenaltyState {
   soccer::Side field_side = soccer::Side::kNeutral;  ///< side of the goal in use
   soccer::Side taker = soccer::Side::kNeutral;

@@ -6,7 +6,7 @@
 
 namespace cls::proxy {
 
-// Without noise; simulation model 3.1, 4.2 to 4.4.
+// Without noise; docs/spec/simulation-model.md 3.1, 4.2 to 4.4.
 
 /// Limits the length of a vector to `max`.
 soccer::Vec2 speed_limited(soccer::Vec2 velocity, double max);

@@ -9,8 +9,8 @@
 
 namespace cls::proxy {
 
-/// Fraction of the dash power that acts in `direction`, degrees relative to the body (simulation
-/// model 4.3).
+/// Fraction of the dash power that acts in `direction`, degrees relative to the body
+/// (docs/spec/simulation-model.md 4.3).
 double dash_rate(const soccer::ServerParams& server, double direction);
 
 /// Terminal speed of full dashes with full effort, meters per cycle.
@@ -44,7 +44,7 @@ class ReachTable {
   double settled_speed_ = 1.0;
 };
 
-/// Stamina model of a player (simulation model 5).
+/// Stamina model of a player (docs/spec/simulation-model.md 5).
 struct Stamina {
   double stamina = 0.0;
   double effort = 1.0;

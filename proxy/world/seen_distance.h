@@ -17,7 +17,7 @@ struct DistanceRange {
 };
 
 /// Inverse of the server's quantization (logarithm to a multiple of `step`, the result to 0.1 m;
-/// simulation model 7.4) for one step, as a table by printed value.
+/// docs/spec/simulation-model.md 7.4) for one step, as a table by printed value.
 class DistanceTable {
  public:
   explicit DistanceTable(double step);

@@ -60,7 +60,7 @@ struct HeardMessage {
   std::string text;
 };
 
-/// Defense and offside lines (proxy behaviour 3.7).
+/// Defense and offside lines (docs/spec/proxy-behavior.md 3.7).
 struct TeamLines {
   double our_defense = 0.0;    ///< our defense line, including the ball
   double their_defense = 0.0;  ///< their defense line, including the ball

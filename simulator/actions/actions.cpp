@@ -64,7 +64,7 @@ struct Executor {
   Reply operator()(const soccer::Done&) { return {}; }
   Reply operator()(const soccer::Bye&) { return {}; }
   Reply operator()(const soccer::Compression&) { return {}; }
-  // In the grammar of rcssserver, without an effect (4.5).
+  // In the grammar of rcssserver, without an effect (docs/spec/simulation-model.md 4.5).
   Reply operator()(const soccer::LongKick&) { return {}; }
 
  private:

@@ -15,8 +15,8 @@ namespace cls::simulator {
 std::optional<soccer::ServerReply> apply(World& world, Slot slot,
                                          const soccer::PlayerCommand& command, Events& events);
 
-/// The part of a dash that takes effect in the step (4.3): converts the commands of the legs into
-/// acceleration, rotation and stamina cost.
+/// The part of a dash that takes effect in the step (docs/spec/simulation-model.md 4.3): converts
+/// the commands of the legs into acceleration, rotation and stamina cost.
 void apply_dash(World& world, Player& player);
 
 /// True while the player's arm points, and if it may be moved.

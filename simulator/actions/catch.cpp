@@ -1,4 +1,4 @@
-// catch: the goalie catches the ball or punches it away (4.6).
+// catch: the goalie catches the ball or punches it away (docs/spec/simulation-model.md 4.6).
 #include <algorithm>
 #include <cmath>
 

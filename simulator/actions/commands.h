@@ -9,7 +9,7 @@
 
 namespace cls::simulator::actions {
 
-// Body commands: only the first in a cycle takes effect (4.1).
+// Body commands: only the first in a cycle takes effect (docs/spec/simulation-model.md 4.1).
 void turn(World& world, Player& player, const soccer::Turn& command);
 void dash(World& world, Player& player, const soccer::Dash& command);
 /// Checks only whether the leg itself is free, so it works after a kick and during a tackle.

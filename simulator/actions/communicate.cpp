@@ -1,4 +1,4 @@
-// pointto, attentionto, say, ear (4.12 to 4.14, 8.5).
+// pointto, attentionto, say, ear (docs/spec/simulation-model.md 4.12 to 4.14, 8.5).
 #include <optional>
 #include <utility>
 

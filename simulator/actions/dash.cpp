@@ -1,4 +1,4 @@
-// dash: stored per leg when received, applied in the step (4.3).
+// dash: stored per leg when received, applied in the step (docs/spec/simulation-model.md 4.3).
 #include <algorithm>
 #include <cmath>
 
@@ -41,7 +41,8 @@ Vec2 leg_acceleration(const World& world, const Player& player, const Leg& leg, 
   return power < 0.0 ? -push : push;
 }
 
-// rcssserver checks the left leg only: with the right leg alone the player does not rotate (15.1).
+// rcssserver checks the left leg only: with the right leg alone the player does not rotate
+// (docs/spec/simulation-model.md 15.1).
 void rotate(World& world, Player& player, Vec2 left, Vec2 right) {
   if (!player.legs[0].dashes) return;
   const Vec2 forward = soccer::polar_radians(1.0, player.body);
@@ -73,7 +74,7 @@ void apply_dash(World& world, Player& player) {
   Stamina& stamina = player.stamina;
   const double spent = std::min(wanted, stamina.value + world.type_of(player).extra_stamina);
   // The right leg's share uses the reduced cost of the left leg, so the legs differ when stamina is
-  // short (15.1).
+  // short (docs/spec/simulation-model.md 15.1).
   const double left_share = spent * left_cost / wanted;
   const double right_share = spent * right_cost / (left_share + right_cost);
   const Vec2 left_push = leg_acceleration(world, player, left, left_share);

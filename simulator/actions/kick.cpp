@@ -1,4 +1,5 @@
-// kick: strongest and most accurate when the ball is close and in front (4.4).
+// kick: strongest and most accurate when the ball is close and in front
+// (docs/spec/simulation-model.md 4.4).
 #include <algorithm>
 #include <cmath>
 

@@ -1,4 +1,5 @@
-// move: positions before kick-offs, and moves of the goalie with a caught ball (4.8).
+// move: positions before kick-offs, and moves of the goalie with a caught ball
+// (docs/spec/simulation-model.md 4.8).
 #include "simulator/actions/commands.h"
 #include "simulator/referee/collision.h"
 

@@ -1,4 +1,5 @@
-// tackle: reaches farther than a kick, may fail, and blocks the player for ten cycles (4.7).
+// tackle: reaches farther than a kick, may fail, and blocks the player for ten cycles
+// (docs/spec/simulation-model.md 4.7).
 #include <algorithm>
 #include <cmath>
 
@@ -37,7 +38,8 @@ bool succeeds(World& world, const Player& player, double failure) {
   return world.overrides ? world.overrides->tackle.replace(slot, drawn, failure > 0.0) : drawn;
 }
 
-// Bug in rcssserver: a tackle moves the ball during a catch fault too (15.2).
+// Bug in rcssserver: a tackle moves the ball during a catch fault too
+// (docs/spec/simulation-model.md 15.2).
 bool moves_the_ball(PlayMode mode) {
   return !ball_is_dead(mode) || mode == PlayMode::kCatchFaultLeft ||
          mode == PlayMode::kCatchFaultRight;

@@ -1,4 +1,4 @@
-// Effects of trainer and monitor commands on the world (section 10).
+// Effects of trainer and monitor commands on the world (docs/spec/simulation-model.md 10).
 #pragma once
 
 #include <optional>
@@ -16,7 +16,7 @@ void move_ball(World& world, Vec2 position, Vec2 velocity);
 void move_player(World& world, Slot slot, Vec2 position, std::optional<double> body_degrees,
                  std::optional<Vec2> velocity, Events& events);
 
-/// Result of check_ball (1.4).
+/// Result of check_ball (docs/spec/simulation-model.md 1.4).
 soccer::BallPlace locate_ball(const World& world);
 
 /// Executes a command of a trainer, or of a monitor acting as one, and returns the reply. Commands
@@ -24,8 +24,9 @@ soccer::BallPlace locate_ball(const World& world);
 std::optional<soccer::ServerReply> apply(World& world, const soccer::CoachCommand& command,
                                          Events& events);
 
-/// Executes a monitor command: the human referee (simulation model 10.2). No effect for commands
-/// that the session handles, players that are not on the pitch, and set plays during a shoot-out.
+/// Executes a monitor command: the human referee (docs/spec/simulation-model.md 10.2). No effect
+/// for commands that the session handles, players that are not on the pitch, and set plays during a
+/// shoot-out.
 void apply(World& world, const soccer::MonitorCommand& command, Events& events);
 
 }  // namespace cls::simulator

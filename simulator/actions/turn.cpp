@@ -1,4 +1,4 @@
-// turn: the angle depends on the speed (4.2).
+// turn: the angle depends on the speed (docs/spec/simulation-model.md 4.2).
 #include <algorithm>
 #include <cmath>
 

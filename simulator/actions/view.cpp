@@ -1,4 +1,4 @@
-// turn_neck, change_focus, change_view (4.9 to 4.11).
+// turn_neck, change_focus, change_view (docs/spec/simulation-model.md 4.9 to 4.11).
 #include <algorithm>
 
 #include "simulator/actions/commands.h"
@@ -44,7 +44,8 @@ void change_view(World& world, Player& player, const soccer::ChangeView& command
   if (view.synchronous && command.quality == soccer::ViewQuality::kLow) return;
   view.width = command.width;
   view.quality = command.quality.value_or(soccer::ViewQuality::kHigh);
-  // Only the form without a quality clamps the focus to the new view cone (15.2).
+  // Only the form without a quality clamps the focus to the new view cone
+  // (docs/spec/simulation-model.md 15.2).
   if (!command.quality) {
     view.focus_direction = clamp_to_view(world, view, view.focus_direction);
   }

@@ -1,4 +1,4 @@
-// Motion with elastic bounces off goal posts (3.3).
+// Motion with elastic bounces off goal posts (docs/spec/simulation-model.md 3.3).
 #pragma once
 
 #include "soccer/geometry.h"

@@ -9,7 +9,7 @@ namespace {
 
 namespace math = soccer::math;
 
-/// Physical constants of an object (the table of section 3).
+/// Physical constants of an object (table of docs/spec/simulation-model.md 3).
 struct Physics {
   double radius;
   double decay;

@@ -1,4 +1,5 @@
-// Motion in one cycle: acceleration, noise, wind, goal posts, decay (3.1 to 3.3).
+// Motion in one cycle: acceleration, noise, wind, goal posts, decay
+// (docs/spec/simulation-model.md 3.1 to 3.3).
 #pragma once
 
 #include "simulator/world/event.h"

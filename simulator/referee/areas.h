@@ -1,4 +1,4 @@
-// Areas and lines of the pitch used by the rules (9.2).
+// Areas and lines of the pitch used by the rules (docs/spec/simulation-model.md 9.2).
 #pragma once
 
 #include "simulator/world/world.h"

@@ -1,4 +1,5 @@
-// Referee decisions: messages, the new ball position, the next play mode (9.2), cards.
+// Referee decisions: messages, the new ball position, the next play mode
+// (docs/spec/simulation-model.md 9.2), cards.
 #pragma once
 
 #include "simulator/world/event.h"

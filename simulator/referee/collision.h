@@ -1,4 +1,4 @@
-// Collisions of players with the ball and with each other (3.4).
+// Collisions of players with the ball and with each other (docs/spec/simulation-model.md 3.4).
 #pragma once
 
 #include "simulator/world/event.h"

@@ -19,10 +19,12 @@ void on_ball_touched(World& world, Slot toucher, Events& events);
 void on_ball_caught(World& world, Slot catcher, Events& events);
 void on_ball_punched(World& world, Slot catcher, Events& events);
 
-/// Changes the mode, notifies the rules, clears players from the ball and announces the mode (9.2).
+/// Changes the mode, notifies the rules, clears players from the ball and announces the mode
+/// (docs/spec/simulation-model.md 9.2).
 void change_mode(World& world, PlayMode mode, Events& events);
 
-/// Starts a half for a monitor, a trainer or auto mode (9.6). Ignored when no half can start.
+/// Starts a half for a monitor, a trainer or auto mode (docs/spec/simulation-model.md 9.6). Ignored
+/// when no half can start.
 void kick_off(World& world, Events& events);
 
 }  // namespace cls::simulator

@@ -35,7 +35,7 @@ extern const Rule kKeepawayRule;
 extern const Rule kPenaltyRule;
 
 /// Counts one cycle of the pause after an offense; near its end clears the offender's players from
-/// the ball. Returns true when the pause is over (9.5).
+/// the ball. Returns true when the pause is over (docs/spec/simulation-model.md 9.5).
 bool wait_after_offense(World& world, int& counter, Side offender, Events& events);
 
 }  // namespace cls::simulator

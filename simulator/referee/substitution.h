@@ -9,7 +9,8 @@
 
 namespace cls::simulator {
 
-/// Handles an online coach's (change_player_type UNUM TYPE) and returns the reply (6.2).
+/// Handles an online coach's (change_player_type UNUM TYPE) and returns the reply
+/// (docs/spec/simulation-model.md 6.2).
 soccer::ServerReply change_type(World& world, Side side, int unum, int type, Events& events);
 
 /// Handles a trainer's (change_player_type TEAM UNUM TYPE): unlimited, at any time.

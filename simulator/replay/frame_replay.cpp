@@ -103,8 +103,9 @@ ReplayOverrides recorded_outcomes(const gamelog::Frame& after) {
 
 void override_arrivals(ReplayOverrides& overrides, const World& world,
                        const gamelog::Frame& after) {
-  constexpr double kVelocityFactor = -0.1;  // of colliding objects (3.4)
-  constexpr double kSamePosition = 5e-4;    // exceeds the rounding error
+  // of colliding objects (docs/spec/simulation-model.md 3.4)
+  constexpr double kVelocityFactor = -0.1;
+  constexpr double kSamePosition = 5e-4;  // exceeds the rounding error
   const auto before_contact = [](Vec2 from, Vec2 velocity, double decay) -> std::optional<Vec2> {
     if (decay == 0.0) return std::nullopt;
     return from + velocity / (kVelocityFactor * decay);

@@ -1,5 +1,6 @@
 // Finds the strongest push of the ball. Of two contacts in one cycle the stronger counts as the
-// last touch (9.9), but a log shows only the sum of the pushes and their noise.
+// last touch (docs/spec/simulation-model.md 9.9), but a log shows only the sum of the pushes and
+// their noise.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,5 @@
-// Catch rule: catch faults outside the penalty area, and back passes (9.11).
+// Catch rule: catch faults outside the penalty area, and back passes
+// (docs/spec/simulation-model.md 9.11).
 #include "simulator/referee/areas.h"
 #include "simulator/referee/calls.h"
 #include "simulator/referee/modes.h"

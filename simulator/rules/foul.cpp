@@ -1,4 +1,5 @@
-// Foul rule: detects fouls by tackles (4.15) and calls them (9.10).
+// Foul rule: detects fouls by tackles (docs/spec/simulation-model.md 4.15) and calls them
+// (docs/spec/simulation-model.md 9.10).
 #include "simulator/rules/foul.h"
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// Detection of fouls by tackles (4.15).
+// Detection of fouls by tackles (docs/spec/simulation-model.md 4.15).
 #pragma once
 
 #include "simulator/world/world.h"

@@ -1,4 +1,5 @@
-// Illegal defense rule: too many players in front of the own goal for too long (9.13).
+// Illegal defense rule: too many players in front of the own goal for too long
+// (docs/spec/simulation-model.md 9.13).
 #include <cmath>
 
 #include "simulator/referee/calls.h"

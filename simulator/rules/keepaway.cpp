@@ -1,4 +1,5 @@
-// Keepaway rule: keepers (left) keep the ball from takers (right) in a small area (10.3).
+// Keepaway rule: keepers (left) keep the ball from takers (right) in a small area
+// (docs/spec/simulation-model.md 10.3).
 #include <cmath>
 
 #include "simulator/referee/calls.h"

@@ -1,4 +1,5 @@
-// Offside rule: a player beyond the offside line at a pass may not play the ball next (9.8).
+// Offside rule: a player beyond the offside line at a pass may not play the ball next
+// (docs/spec/simulation-model.md 9.8).
 #include <algorithm>
 #include <limits>
 
@@ -132,7 +133,8 @@ void mode_changed(World& world, PlayMode mode, Events&) {
 // Not the parameter offside_active_area_size, which has the same default.
 constexpr double kClearedRadius = 2.5;
 
-// Moves offenders at or beyond the line behind it and away from the offense (15.3).
+// Moves offenders at or beyond the line behind it and away from the offense
+// (docs/spec/simulation-model.md 15.3).
 void send_back(World& world, Side offender) {
   const soccer::ServerParams& server = world.params();
   const Vec2 mark = world.referee.offside.offense_position;

@@ -1,4 +1,5 @@
-// Penalty rule: start, phases and results of the kicks of a shoot-out (9.14).
+// Penalty rule: start, phases and results of the kicks of a shoot-out
+// (docs/spec/simulation-model.md 9.14).
 #include "simulator/rules/penalty.h"
 
 #include <cmath>
@@ -173,7 +174,7 @@ std::optional<Side> offender_of_kick(World& world, const Player& kicker) {
   }
   if (is_penalty_ready(world.mode) && by_taker_side && has_kicked(world, kicker)) return taker_side;
   // Also checked for opponents: once the taker has kicked, a kick of the defending goalie is a
-  // fault of the taker's side (15.2).
+  // fault of the taker's side (docs/spec/simulation-model.md 15.2).
   const bool taker_has_kicked =
       state.last_taker != kNoPlayer && world.player(state.last_taker).side == taker_side;
   if (taker_has_kicked && state.last_taker != kicker.slot()) return taker_side;

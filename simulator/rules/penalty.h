@@ -1,4 +1,5 @@
-// Parts of the penalty rule: the score of a shoot-out and the positions of the players (9.14).
+// Parts of the penalty rule: the score of a shoot-out and the positions of the players
+// (docs/spec/simulation-model.md 9.14).
 #pragma once
 
 #include "simulator/world/event.h"

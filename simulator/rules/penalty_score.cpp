@@ -51,7 +51,8 @@ void count(World& world, Side side, bool goal, Events& events) {
 
   const soccer::ServerParams& server = world.params();
   const int kicks = ++world.referee.penalty.kicks;
-  // rcssserver compares with `>`: the draw comes one kick late (15.1).
+  // rcssserver compares with `>`: the draw comes one kick late
+  // (docs/spec/simulation-model.md 15.1).
   if (kicks > 2 * (server.pen_nr_kicks + server.pen_max_extra_kicks)) {
     end_without_goals(world, events);
   } else if (kicks > 2 * server.pen_nr_kicks) {

@@ -1,4 +1,5 @@
-// Time rule: ends halves and the match; the kick-off command starts a half (9.6).
+// Time rule: ends halves and the match; the kick-off command starts a half
+// (docs/spec/simulation-model.md 9.6).
 #include "simulator/referee/calls.h"
 #include "simulator/referee/clearing.h"
 #include "simulator/referee/referee.h"
@@ -26,7 +27,8 @@ int start_of_half(const World& world, int half) {
   return extra >= 0 ? rules.normal_time + rules.extra_half_time * extra : rules.half_time * half;
 }
 
-// Restores only the capacity, and only before the first extra half (section 5).
+// Restores only the capacity, and only before the first extra half
+// (docs/spec/simulation-model.md 5).
 void restore_capacity(World& world) {
   for (Player& player : world.players) {
     if (player.enabled) player.stamina.capacity = world.params().stamina_capacity;

@@ -1,4 +1,4 @@
-// Touch rule: goals, corner kicks, goal kicks and kick-ins (9.9).
+// Touch rule: goals, corner kicks, goal kicks and kick-ins (docs/spec/simulation-model.md 9.9).
 #include <cmath>
 
 #include "simulator/referee/areas.h"

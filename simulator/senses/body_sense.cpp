@@ -1,4 +1,4 @@
-// Rounding a player's own state for sense_body (simulation model 7.9).
+// Rounding a player's own state for sense_body (docs/spec/simulation-model.md 7.9).
 #include "simulator/senses/body_sense.h"
 
 #include <algorithm>

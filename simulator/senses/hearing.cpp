@@ -1,4 +1,4 @@
-// Audio model: distance, ear modes, attention and capacity (simulation model 8).
+// Audio model: distance, ear modes, attention and capacity (docs/spec/simulation-model.md 8).
 #include "simulator/senses/hearing.h"
 
 #include <algorithm>

@@ -26,7 +26,7 @@ struct PendingMessages {
 };
 
 /// Queues a say message if the listener is on the pitch, within audio_cut_dist, and listens to that
-/// side (simulation model 8.2). Speakers hear their own messages.
+/// side (docs/spec/simulation-model.md 8.2). Speakers hear their own messages.
 void queue_say(const World& world, const PlayerSaid& said, Slot listener, PendingMessages& pending);
 
 /// Appends the messages that the listener hears after its sense_body to `out`: the trainer's, its

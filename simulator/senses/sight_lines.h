@@ -30,7 +30,7 @@ class SightLines {
 };
 
 /// In message order. At most one from inside the pitch, two from outside; independent of the view
-/// cone (simulation model 7.8).
+/// cone (docs/spec/simulation-model.md 7.8).
 SightLines lines_in_sight(const Player& player);
 
 }  // namespace cls::simulator

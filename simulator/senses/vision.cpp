@@ -1,4 +1,5 @@
-// Visual sensor: geometry of observations, their noise, and the fields sent (simulation model 7).
+// Visual sensor: geometry of observations, their noise, and the fields sent
+// (docs/spec/simulation-model.md 7).
 #include "simulator/senses/vision.h"
 
 #include <algorithm>

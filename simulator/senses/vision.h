@@ -9,8 +9,8 @@
 
 namespace cls::simulator {
 
-/// Quantizes distances to exp of a multiple of `step` (simulation model 7.4). A lookup table
-/// replaces log and exp for common distances, with the same results.
+/// Quantizes distances to exp of a multiple of `step` (docs/spec/simulation-model.md 7.4). A lookup
+/// table replaces log and exp for common distances, with the same results.
 class DistanceQuantizer {
  public:
   /// A step below 1e-10 means exact distances.

@@ -7,7 +7,8 @@
 
 namespace cls::simulator {
 
-/// Each message is the start of its own zlib stream, flushed but not finished (protocol 1.7).
+/// Each message is the start of its own zlib stream, flushed but not finished
+/// (docs/spec/server-protocol.md 1.7).
 class MessageCompression {
  public:
   explicit MessageCompression(int level);

@@ -9,7 +9,7 @@ namespace cls::simulator {
 
 /// Schedules steps at a fixed interval. A step that is up to a millisecond late does not delay
 /// later steps. A later step delays all later steps, so that clients always have a whole cycle
-/// (protocol 8.1).
+/// (docs/spec/server-protocol.md 8.1).
 class StepTimer {
  public:
   using Time = std::chrono::steady_clock::time_point;

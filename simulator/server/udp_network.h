@@ -13,8 +13,8 @@ namespace cls::simulator {
 
 /// Passes datagrams between the network and a match: connection requests to MatchServer::admit,
 /// datagrams of clients to MatchServer::receive. Each client has a socket of its own
-/// (protocol 1.1), owned by its connection in the match. Messages are sent by flush(), and when
-/// receive_until() waits. Used on one thread.
+/// (docs/spec/server-protocol.md 1.1), owned by its connection in the match. Messages are sent by
+/// flush(), and when receive_until() waits. Used on one thread.
 class UdpNetwork {
  public:
   using Time = std::chrono::steady_clock::time_point;

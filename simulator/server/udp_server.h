@@ -57,7 +57,7 @@ struct UdpServerEvent {
   int version = 0;  ///< kConnected: client version
 };
 
-/// Serves each client from a port of its own, like rcssserver (protocol 1.1).
+/// Serves each client from a port of its own, like rcssserver (docs/spec/server-protocol.md 1.1).
 ///
 /// In synchronous mode, the commands of a cycle are executed in an order drawn from the seed after
 /// all clients have sent (done). Coaches and trainer receive (think) with the players, or, in a few
@@ -65,8 +65,8 @@ struct UdpServerEvent {
 /// connect and what they send, not on their speed.
 ///
 /// In real time, a step is made every simulator_step times slow_down_factor ms. Received commands
-/// are executed every recv_step ms, the last time right before the step (protocol 8.1). Sockets are
-/// used on the calling thread only.
+/// are executed every recv_step ms, the last time right before the step
+/// (docs/spec/server-protocol.md 8.1). Sockets are used on the calling thread only.
 class UdpServer {
  public:
   /// The error names the address that cannot be used, or the invalid parameter.

@@ -1,4 +1,5 @@
-// Coach language: quotas of an online coach and delays of its messages (protocol 5.4).
+// Coach language: quotas of an online coach and delays of its messages
+// (docs/spec/server-protocol.md 5.4).
 #pragma once
 
 #include <array>

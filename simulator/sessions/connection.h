@@ -27,7 +27,8 @@ constexpr ClientId kFirstMonitor = kTrainer + 1;
 constexpr bool is_monitor(ClientId client) { return client >= kFirstMonitor; }
 constexpr bool is_player(ClientId client) { return client < soccer::kPlayersOnPitch; }
 
-/// Where connection requests arrive; each is a UDP port of its own on a network (protocol 1.1).
+/// Where connection requests arrive; each is a UDP port of its own on a network
+/// (docs/spec/server-protocol.md 1.1).
 enum class ListeningPort : std::uint8_t {
   kPlayers,  ///< players and monitors (server::port)
   kTrainers,

@@ -1,11 +1,11 @@
-// Messages that follow the reply to an init of any client (protocol 2.1).
+// Messages that follow the reply to an init of any client (docs/spec/server-protocol.md 2.1).
 #pragma once
 
 #include "simulator/sessions/connection.h"
 
 namespace cls::simulator {
 
-/// First client version with synchronous view mode (7.1).
+/// First client version with synchronous view mode (docs/spec/simulation-model.md 7.1).
 constexpr int kFirstSynchronousVersion = 18;
 /// First client version that receives changes of the goalie.
 constexpr int kFirstGoalieChangeVersion = 16;

@@ -34,8 +34,8 @@ class MatchRecorder {
   /// Starts recording.
   void begin(const LogSinks& sinks, const Rules& rules);
 
-  /// Records the frame after a step (simulation model 12.4). Flushes the game log when the play
-  /// mode has changed.
+  /// Records the frame after a step (docs/spec/simulation-model.md 12.4). Flushes the game log when
+  /// the play mode has changed.
   void step(const World& world);
 
   /// Records a datagram of a player, coach or trainer.

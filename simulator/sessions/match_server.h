@@ -56,7 +56,8 @@ class MatchServer {
   /// client belongs to the match, and complete_handshake() or cancel() must follow.
   AdmissionResult admit(ListeningPort port, std::string_view datagram);
 
-  /// Connects the admitted client and sends the reply and the parameters (protocol 2.1).
+  /// Connects the admitted client and sends the reply and the parameters
+  /// (docs/spec/server-protocol.md 2.1).
   void complete_handshake(const Admission& admission, std::unique_ptr<soccer::Channel> channel,
                           std::string_view request);
 

@@ -22,7 +22,7 @@ constexpr std::size_t kMessageCapacity = 8192;  // bytes
 /// Sent to players that have not declared the version of the coach language that is needed.
 constexpr const char* kUnsupportedClang = "(unsupported_clang)";
 
-/// Rounds between two see messages (simulation model 7.2).
+/// Rounds between two see messages (docs/spec/simulation-model.md 7.2).
 int view_interval(const View& view) {
   const int width = static_cast<int>(view.width);
   if (view.synchronous) return width + 1;

@@ -13,7 +13,7 @@
 namespace cls::simulator {
 
 /// A referee message to all clients: the name of a play mode (never goal_l or goal_r) or a call
-/// such as goal_l_1 (9.18). All clients hear it immediately.
+/// such as goal_l_1 (docs/spec/simulation-model.md 9.18). All clients hear it immediately.
 struct RefereeMessage {
   std::string_view name;        ///< static storage: a literal or the name of a play mode
   Side side = Side::kNeutral;   ///< appended as a letter unless neutral: penalty_foul_l

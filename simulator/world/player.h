@@ -18,7 +18,7 @@ using soccer::Vec2;
 using Slot = int;
 constexpr Slot kNoPlayer = -1;
 
-/// Bits of a player's state as logs and monitors show them (simulation model 12.1).
+/// Bits of a player's state as logs and monitors show them (docs/spec/simulation-model.md 12.1).
 namespace state {
 constexpr std::uint32_t kStand = 0x1;
 constexpr std::uint32_t kKick = 0x2;
@@ -41,10 +41,12 @@ constexpr std::uint32_t kRedCard = 0x80000;
 constexpr std::uint32_t kIllegalDefense = 0x100000;
 }  // namespace state
 
-/// Executed commands (12.3); `kick` counts only kicks that reached the ball.
+/// Executed commands (docs/spec/simulation-model.md 12.3); `kick` counts only kicks that reached
+/// the ball.
 using Counters = gamelog::CommandCounts;
 
-/// The command of one leg in this cycle (4.1). Only dashes take effect later, in the step.
+/// The command of one leg in this cycle (docs/spec/simulation-model.md 4.1). Only dashes take
+/// effect later, in the step.
 struct Leg {
   bool commanded = false;
   bool dashes = false;
@@ -59,13 +61,14 @@ struct Stamina {
   double capacity = 0.0;
 };
 
-/// The pointing arm (4.12). `age` counts cycles since the last accepted command.
+/// The pointing arm (docs/spec/simulation-model.md 4.12). `age` counts cycles since the last
+/// accepted command.
 struct Arm {
   Vec2 target;
   int age = 0;
 };
 
-/// View mode and focus (4.10, 4.11, 7.2).
+/// View mode and focus (docs/spec/simulation-model.md 4.10, 4.11, 7.2).
 struct View {
   soccer::ViewWidth width = soccer::ViewWidth::kNormal;
   soccer::ViewQuality quality = soccer::ViewQuality::kHigh;
@@ -78,8 +81,8 @@ struct View {
 /// Full width of the view cone in radians; `visible_angle` is the parameter, in degrees.
 double view_cone(const View& view, double visible_angle);
 
-/// Hearing modes and capacity (8.2, 8.5). Arrays are indexed by the speaker's side: 0 left, 1
-/// right.
+/// Hearing modes and capacity (docs/spec/simulation-model.md 8.2, 8.5). Arrays are indexed by the
+/// speaker's side: 0 left, 1 right.
 struct Ears {
   std::array<bool, 2> complete = {true, true};
   std::array<bool, 2> partial = {false, false};
@@ -122,7 +125,7 @@ struct Player {
   bool command_done = false;  ///< the body command of this cycle was executed
   bool turn_neck_done = false;
   std::array<Leg, 2> legs;  ///< left, right
-  int kick_cycles = -1;     ///< >= 0: kicked recently (4.1)
+  int kick_cycles = -1;     ///< >= 0: kicked recently (docs/spec/simulation-model.md 4.1)
   int dash_cycles = -1;
   int tackle_cycles = 0;  ///< > 0: blocked by its tackle
   int foul_cycles = 0;    ///< > 0: blocked by a foul it suffered

@@ -92,7 +92,7 @@ struct PenaltyState {
   Vec2 previous_ball;
 };
 
-/// One member per rule, in the order in which rules are called (2.2).
+/// One member per rule, in the order in which rules are called (docs/spec/simulation-model.md 2.2).
 struct RefereeState {
   TimeState time;
   BallStuckState ball_stuck;
@@ -106,7 +106,7 @@ struct RefereeState {
   PenaltyState penalty;
 };
 
-/// Counters of the automatic kick-off and end (9.16).
+/// Counters of the automatic kick-off and end (docs/spec/simulation-model.md 9.16).
 struct AutoMode {
   int kick_off_wait = 0;
   int connect_wait = 0;

@@ -6,7 +6,8 @@
 namespace cls::simulator {
 namespace {
 
-// Clients of this version and later are in synchronous view mode from the start (7.1).
+// Clients of this version and later are in synchronous view mode from the start
+// (docs/spec/simulation-model.md 7.1).
 constexpr int kFirstSynchronousVersion = 18;
 
 constexpr std::uint32_t kCards = state::kYellowCard | state::kRedCard;
@@ -37,7 +38,8 @@ std::optional<Slot> join(World& world, Side side, bool goalie, int client_versio
   player.client_version = client_version;
   player.view.synchronous = client_version >= kFirstSynchronousVersion;
   player.state = state::kStand | (goalie ? state::kGoalie : 0);
-  // Sets only the committed angle: the next step turns the right team to 0 too (15.1).
+  // Sets only the committed angle: the next step turns the right team to 0 too
+  // (docs/spec/simulation-model.md 15.1).
   player.body = side == Side::kRight ? soccer::math::kPi : 0.0;
   move_to_bench(player);
   world.team(side).connected = true;

@@ -9,11 +9,12 @@
 namespace cls::simulator {
 
 /// Enables the next free player of a team at its bench position. Returns no slot if the team is
-/// full, or if `goalie` is set and the team already has a goalie (1.5).
+/// full, or if `goalie` is set and the team already has a goalie
+/// (docs/spec/simulation-model.md 1.5).
 std::optional<Slot> join(World& world, Side side, bool goalie, int client_version);
 
 /// Enables the player again at its bench position, with its former counters, stamina and cards. The
-/// caller has checked that it may reconnect (4.16).
+/// caller has checked that it may reconnect (docs/spec/simulation-model.md 4.16).
 void rejoin(World& world, Slot slot);
 
 /// Removes the player from the pitch after bye or a lost connection.

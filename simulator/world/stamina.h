@@ -5,7 +5,7 @@
 
 namespace cls::simulator {
 
-/// Updates effort, recovery, stamina and capacity for one cycle (section 5).
+/// Updates effort, recovery, stamina and capacity for one cycle (docs/spec/simulation-model.md 5).
 void update_stamina(const World& world, Player& player);
 
 /// Restores stamina and hearing capacity to their values at the start of the match.

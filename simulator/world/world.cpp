@@ -21,7 +21,7 @@ Player make_player(Slot slot, const Rules& rules) {
   return player;
 }
 
-// Ranges of random wind as in rcssserver (3.2).
+// Ranges of random wind as in rcssserver (docs/spec/simulation-model.md 3.2).
 Wind make_wind(const soccer::ServerParams& server, std::uint64_t seed) {
   if (server.wind_none) return {};
   if (!server.wind_random) {

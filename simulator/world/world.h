@@ -47,7 +47,7 @@ struct Team {
   std::array<int, kMaxPlayerTypes> used = {};  ///< assignments of each player type since then
 };
 
-/// Drawn at the start, reversed at half time (3.2).
+/// Drawn at the start, reversed at half time (docs/spec/simulation-model.md 3.2).
 struct Wind {
   Vec2 vector;
   double rand = 0.0;
@@ -100,7 +100,7 @@ World make_world(std::shared_ptr<const Rules> rules, std::uint64_t seed);
 /// clients.
 RandomStream clock_stream(const World& world, std::string_view purpose, Slot slot);
 
-/// Position of a player that is not on the pitch (1.5).
+/// Position of a player that is not on the pitch (docs/spec/simulation-model.md 1.5).
 Vec2 bench_position(const Player& player);
 
 /// True if the ball is within the player's kickable area.

@@ -9,7 +9,8 @@ namespace {
 
 constexpr std::size_t kMaxLongNameSize = 127;  // coach names, team names of reconnect
 
-// The pattern of rcssserver contains the range "+-_", reproduced here (protocol 1.2).
+// The pattern of rcssserver contains the range "+-_", reproduced here
+// (docs/spec/server-protocol.md 1.2).
 bool is_name_character(char c) { return (c >= '+' && c <= '_') || (c >= 'a' && c <= 'z'); }
 
 bool is_command_character(char c) {

@@ -11,9 +11,9 @@
 
 namespace cls::soccer {
 
-// Requests are parsed like in rcssserver 19 (protocol 1.2 to 1.6). Parsers return nothing for
-// well-formed text, otherwise the error reply. The server, not the parser, decides whether version,
-// team and uniform number are acceptable.
+// Requests are parsed like in rcssserver 19 (docs/spec/server-protocol.md 1.2 to 1.6). Parsers
+// return nothing for well-formed text, otherwise the error reply. The server, not the parser,
+// decides whether version, team and uniform number are acceptable.
 
 /// `(init TEAM (version V) (goalie))`. A missing version means 3.
 struct PlayerInit {

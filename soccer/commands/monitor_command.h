@@ -42,8 +42,8 @@ using MonitorCommand =
     std::variant<DispStart, DispBye, DispFoul, DispPlayer, DispDiscard, DispCard, Compression>;
 
 /// Parses the command of a datagram and ignores the rest. Positions are sent in 1/16 m, sides as 1
-/// and -1 (protocol 6.5). Nothing for unknown commands and cards that are not yellow or red.
-/// Players that do not exist get the neutral side.
+/// and -1 (docs/spec/server-protocol.md 6.5). Nothing for unknown commands and cards that are not
+/// yellow or red. Players that do not exist get the neutral side.
 std::optional<MonitorCommand> parse_monitor_command(std::string_view datagram);
 
 /// Appends the command as monitors send it; positions are rounded to 1/16 m.

@@ -15,7 +15,7 @@ namespace cls::soccer {
 
 // Angles are in degrees relative to the body (turn, kick, dash, catch, tackle) or to body plus neck
 // (pointto, change_focus). Parsed commands hold the values of the client, unclipped. Source:
-// rcssserver 19 player command grammar (protocol 3).
+// rcssserver 19 player command grammar (docs/spec/server-protocol.md 3).
 
 struct Turn {
   double moment = 0.0;

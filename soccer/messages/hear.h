@@ -10,7 +10,7 @@
 
 namespace cls::soccer {
 
-/// The recipient of a message; the forms differ (protocol 4.4 and 5.5).
+/// The recipient of a message; the forms differ (docs/spec/server-protocol.md 4.4 and 5.5).
 enum class Recipient : std::uint8_t { kPlayer, kOnlineCoach, kTrainer };
 
 struct Hear {

@@ -32,7 +32,7 @@ struct ArmState {
   int count = 0;
 };
 
-/// One sense_body (protocol 4.2). Angles in whole degrees as sent.
+/// One sense_body (docs/spec/server-protocol.md 4.2). Angles in whole degrees as sent.
 struct SenseBody {
   int time = 0;
   ViewQuality quality = ViewQuality::kHigh;

@@ -18,9 +18,9 @@ struct ConfigurationItem {
 };
 
 /// Parses items separated by white space, with optional white space around '=' and comments
-/// (`/* */`, `//`, `#`) between tokens (protocol 10.2). Accepts unquoted values that rcssserver
-/// rejects: those that begin like a number (`2024abc`) or contain a colon. The error names the
-/// line.
+/// (`/* */`, `//`, `#`) between tokens (docs/spec/server-protocol.md 10.2). Accepts unquoted values
+/// that rcssserver rejects: those that begin like a number (`2024abc`) or contain a colon. The
+/// error names the line.
 base::Result<std::vector<ConfigurationItem>> parse_configuration(std::string_view text);
 
 /// Joins command line arguments into configuration text; arguments with spaces become quoted

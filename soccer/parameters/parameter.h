@@ -50,8 +50,9 @@ const Parameter<Params>* find_parameter(const ParameterTable<Params>& table,
 }
 
 namespace detail {
-// Parse values by the rules of the server (server-protocol 10.2): on/off/true/false/0/1 for bool, a
-// real number without fraction for int, optional quotes for strings.
+// Parse values by the rules of the server (docs/spec/server-protocol.md 10.2):
+// on/off/true/false/0/1 for bool, a real number without fraction for int, optional quotes for
+// strings.
 base::Result<void> assign(double& value, std::string_view text);
 base::Result<void> assign(int& value, std::string_view text);
 base::Result<void> assign(bool& value, std::string_view text);

@@ -5,7 +5,7 @@
 
 namespace cls::soccer {
 
-/// Every player:: parameter of rcssserver 19 with its default (server-protocol 10.4).
+/// Every player:: parameter of rcssserver 19 with its default (docs/spec/server-protocol.md 10.4).
 struct PlayerParams {
 #define CLS_PLAYER_PARAM(type, name, value, since, effect) type name = value;
 #include "soccer/parameters/player_params.inc"

@@ -35,7 +35,7 @@ const ParameterTable<PlayerType>& player_type_table();
 PlayerType default_player_type(const ServerParams& server);
 
 /// All types of a match: type 0 and player_types - 1 drawn ones, identical to those that rcssserver
-/// 19 (libstdc++) draws from the same seed (simulation model 6.1, vectors in 14.1).
+/// 19 (libstdc++) draws from the same seed (docs/spec/simulation-model.md 6.1, 14.1).
 std::vector<PlayerType> draw_player_types(const ServerParams& server, const PlayerParams& player,
                                           std::uint32_t seed);
 

@@ -7,9 +7,9 @@
 
 namespace cls::soccer {
 
-/// Every server:: parameter of rcssserver 19 with its default (server-protocol 10.3). Members are
-/// named as on the wire. half_time and extra_half_time are in seconds, as users write them; use the
-/// functions below for cycles.
+/// Every server:: parameter of rcssserver 19 with its default (docs/spec/server-protocol.md 10.3).
+/// Members are named as on the wire. half_time and extra_half_time are in seconds, as users write
+/// them; use the functions below for cycles.
 struct ServerParams {
 #define CLS_SERVER_PARAM(type, name, value, since, unit, effect) type name = value;
 #include "soccer/parameters/server_params.inc"

@@ -166,7 +166,7 @@ TEST(RealStatistics, MatchTextLogOfWholeMatches) {
       EXPECT_EQ(t.passes.completed, completed[team]);
       EXPECT_EQ(t.shots.total, shots[team]);
       EXPECT_EQ(t.tackles.succeeded, tackles[team]);
-      // Field players run 1.7 to 2.9 km, goalies 0.1 to 0.5 (match-statistics 4.1).
+      // Field players run 1.7 to 2.9 km, goalies 0.1 to 0.5 (docs/spec/match-statistics.md 4.1).
       for (const std::size_t slot : kTeamSlots[team]) {
         const double distance = all.movement[slot].distance();
         const bool keeper = slot % kTeamSize == 0;

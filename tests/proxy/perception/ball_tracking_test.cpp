@@ -120,7 +120,7 @@ TEST(BallTracking, PredictsOwnKick) {
   record_sent_commands(scene.world, {soccer::Kick{50.0, 30.0}});
   ++scene.counts.kick;
   ++scene.truth.time;
-  // Simulation model 4.4 with the ball straight ahead.
+  // docs/spec/simulation-model.md 4.4 with the ball straight ahead.
   const double gap = (0.6 - 0.3 - 0.085) / 0.7;
   const double speed = 50.0 * 0.027 * (1.0 - 0.25 * gap);
   const Vec2 expected = scene.truth.ball + soccer::polar_degrees(speed, 30.0);

@@ -41,8 +41,8 @@ PlayerState player(Side side, int unum, Vec2 position) {
   return out;
 }
 
-/// Executes a plan without noise (simulation model 4.2, 4.3 and 3.1); returns the final distance to
-/// the ball.
+/// Executes a plan without noise (docs/spec/simulation-model.md 4.2, 4.3 and 3.1); returns the
+/// final distance to the ball.
 double distance_after(const WorldModel& world, const InterceptPlan& plan) {
   const soccer::ServerParams server;
   const soccer::PlayerType& type = world.self_type();

@@ -36,8 +36,8 @@ struct TrueWorld {
   double unum_far = 20.0;  ///< maximum distance at which numbers are visible
 };
 
-/// The see message (simulation model 7.3 to 7.8, quantized model, version 18) without random draws:
-/// details that the server shows with some probability are shown up to `unum_far`.
+/// The see message (docs/spec/simulation-model.md 7.3 to 7.8, quantized model, version 18) without
+/// random draws: details that the server shows with some probability are shown up to `unum_far`.
 soccer::See see_of(const TrueWorld& world);
 
 /// The sense_body message with speed, direction and neck rounded as in the server.

@@ -31,7 +31,7 @@ enum Version { kFirst = 0, kV7 = 7, kV9 = 9 };
 
 using Fields = std::map<std::string, std::set<int>>;
 
-// Fields added by each version (playmaker-wire 1.2).
+// Fields added by each version (docs/spec/playmaker-wire.md 1.2).
 const Fields kSinceV10 = {{"Player", {32}}};
 const Fields kSinceV9 = {{"PenaltyKickState", {8}},
                          {"Player", {31}},

@@ -58,7 +58,8 @@ TEST(TruncatedNormal, ScalesAndShifts) {
   EXPECT_NEAR(scaled.variance, 4.0 * standard.variance, 1e-12);
 }
 
-/// The server's quantization with the focus point at the observer (simulation model 7.4).
+/// The server's quantization with the focus point at the observer
+/// (docs/spec/simulation-model.md 7.4).
 double printed(double distance, double step) {
   return math::quantize(math::exp(math::quantize(math::log(distance + math::kEps), step)), 0.1);
 }

@@ -1,4 +1,4 @@
-// Motion against values computed by hand from the simulation model.
+// Motion against values computed by hand from docs/spec/simulation-model.md.
 #include "proxy/world/motion.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,5 @@
-// Results of rcssserver 19.0.0 for single commands without noise (simulation model 14.2).
+// Results of rcssserver 19.0.0 for single commands without noise
+// (docs/spec/simulation-model.md 14.2).
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// Distributions of noise (simulation model 3.1, 4.2, 4.4, 14.5).
+// Distributions of noise (docs/spec/simulation-model.md 3.1, 4.2, 4.4, 14.5).
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// Fouls by tackles and their consequences (simulation model 4.15, 9.10).
+// Fouls by tackles and their consequences (docs/spec/simulation-model.md 4.15, 9.10).
 #include <gtest/gtest.h>
 
 #include "simulator/rules/foul.h"

@@ -1,4 +1,4 @@
-// Keepaway: episodes in a small area instead of a match (simulation model 10.3).
+// Keepaway: episodes in a small area instead of a match (docs/spec/simulation-model.md 10.3).
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// Halves, extra time, and the automatic kick-off (simulation model 9.3, 9.6, 9.16).
+// Halves, extra time, and the automatic kick-off (docs/spec/simulation-model.md 9.3, 9.6, 9.16).
 #include <gtest/gtest.h>
 
 #include "simulator/step.h"

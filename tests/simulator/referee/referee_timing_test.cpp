@@ -1,4 +1,4 @@
-// Timing of the referee messages of rcssserver 19.0.0 (simulation model 14.4, 9.5).
+// Timing of the referee messages of rcssserver 19.0.0 (docs/spec/simulation-model.md 14.4, 9.5).
 #include <gtest/gtest.h>
 
 #include "tests/simulator/stage.h"

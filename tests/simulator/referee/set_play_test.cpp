@@ -1,4 +1,4 @@
-// Ball over the lines, set plays and distances (simulation model 9.2 to 9.9, 9.12).
+// Ball over the lines, set plays and distances (docs/spec/simulation-model.md 9.2 to 9.9, 9.12).
 #include <gtest/gtest.h>
 
 #include <cmath>

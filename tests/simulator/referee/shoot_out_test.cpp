@@ -1,4 +1,5 @@
-// The shoot-out: timing as observed on rcssserver (14.4), and decision (9.14).
+// The shoot-out: timing as observed on rcssserver (docs/spec/simulation-model.md 14.4), and
+// decision (docs/spec/simulation-model.md 9.14).
 #include <gtest/gtest.h>
 
 #include "simulator/rules/penalty.h"

@@ -96,7 +96,7 @@ const std::vector<Field>& fields_of(ObservedDetail detail) {
   return detail == ObservedDetail::kMotion ? motion : position;
 }
 
-/// Details that are always and never sent at these distances (simulation model 7.6).
+/// Details that are always and never sent at these distances (docs/spec/simulation-model.md 7.6).
 void compare_detail(const Observation& recorded, Tally& tally, const std::string& where) {
   if (recorded.kind != ObservedKind::kLandmark && recorded.kind != ObservedKind::kBall &&
       recorded.kind != ObservedKind::kPlayer) {
