@@ -1,4 +1,4 @@
-// The tree of commands and how a mistake on the command line is reported.
+// The tree of commands, the layout of help and the report of usage errors.
 #include "cli/application.h"
 
 #include <fmt/format.h>
@@ -10,38 +10,25 @@
 #include <vector>
 
 #include "base/text/suggestion.h"
-#include "base/text/wrapped_text.h"
-#include "cli/check/check_command.h"
-#include "cli/check/doctor_command.h"
-#include "cli/logs/convert_command.h"
-#include "cli/logs/results_command.h"
-#include "cli/logs/stats_command.h"
-#include "cli/match/match_command.h"
-#include "cli/match/mock_command.h"
-#include "cli/match/proxy_command.h"
-#include "cli/match/server_command.h"
-#include "cli/match/test_command.h"
+#include "base/text/wrap_text.h"
+#include "cli/support/commands.h"
 #include "cli/support/exit_code.h"
-#include "cli/tournament/compare_command.h"
-#include "cli/tournament/init_command.h"
-#include "cli/tournament/tournament_command.h"
-#include "cli/version_command.h"
 
 namespace cls::cli {
 namespace {
 
 constexpr const char* kDescription =
-    "cls plays, evaluates and tests RoboCup 2D soccer matches of gRPC Playmakers.\n"
+    "play, evaluate and test RoboCup 2D soccer matches of gRPC Playmakers\n"
     "\n"
     "  cls match mock mock                    the bundled team against itself\n"
     "  cls match mock localhost:50051         against your Playmaker\n"
-    "  cls match --help                       all about matches";
+    "  cls match --help                       options of matches";
 
 constexpr std::size_t kWidth = 80;
 constexpr std::size_t kCommandColumn = 16;
 
-// Help that starts with the examples of the description and fits a terminal; of commands, the list
-// shows the first line.
+// Help that starts with the examples of the description and fits a terminal. The list of commands
+// shows the first line of each description.
 class Help : public CLI::Formatter {
  public:
   std::string make_usage(const CLI::App* app, std::string name) const override {
@@ -52,17 +39,29 @@ class Help : public CLI::Formatter {
     std::stringstream out;
     CLI::detail::format_help(
         out, command->get_name(),
-        base::wrapped(description.substr(0, description.find('\n')), kWidth - kCommandColumn),
+        base::wrap_text(description.substr(0, description.find('\n')), kWidth - kCommandColumn),
         kCommandColumn);
     return out.str();
   }
+  // The default value is shown behind the description instead.
+  std::string make_option_opts(const CLI::Option* option) const override {
+    std::string text = CLI::Formatter::make_option_opts(option);
+    const std::string value = "=" + option->get_default_str();
+    if (const auto at = text.find(value); value != "=" && at != std::string::npos) {
+      text.erase(at, value.size());
+    }
+    return text;
+  }
   std::string make_option_desc(const CLI::Option* option) const override {
-    return base::wrapped(CLI::Formatter::make_option_desc(option), kWidth - get_column_width());
+    std::string text = CLI::Formatter::make_option_desc(option);
+    const std::string value = option->get_default_str();
+    if (!value.empty()) text += fmt::format(" (default: {})", value);
+    return base::wrap_text(text, kWidth - get_column_width());
   }
 };
 
-// The options and commands that `word` may be a slip of.
-std::vector<std::string_view> known_words(const CLI::App& app, std::vector<std::string>& storage) {
+// The options and commands of `app`, as candidates for "did you mean".
+std::vector<std::string_view> known_names(const CLI::App& app, std::vector<std::string>& storage) {
   for (const CLI::Option* option : app.get_options()) {
     if (!option->get_lnames().empty()) storage.push_back("--" + option->get_lnames().front());
   }
@@ -70,7 +69,7 @@ std::vector<std::string_view> known_words(const CLI::App& app, std::vector<std::
   return {storage.begin(), storage.end()};
 }
 
-// What the words up to the mistake have chosen.
+// The sub-command that the arguments before the error selected.
 const CLI::App& innermost_command(const CLI::App& app) {
   const std::vector<CLI::App*> chosen = app.get_subcommands();
   return chosen.empty() ? app : innermost_command(*chosen.front());
@@ -82,7 +81,7 @@ std::string full_name(const CLI::App& command) {
   return parent == nullptr ? command.get_name() : full_name(*parent) + " " + command.get_name();
 }
 
-int report_mistake(const CLI::App& app, const CLI::ParseError& error) {
+int report_usage_error(const CLI::App& app, const CLI::ParseError& error) {
   const CLI::App& place = innermost_command(app);
   const std::string help = full_name(place) + " --help";
   const std::vector<std::string> unknown = app.remaining(true);
@@ -90,12 +89,12 @@ int report_mistake(const CLI::App& app, const CLI::ParseError& error) {
     fmt::print(stderr, "cls: {} (see {})\n", error.what(), help);
     return kUsage;
   }
-  const std::string& word = unknown.front();
+  const std::string& argument = unknown.front();
   std::vector<std::string> storage;
-  const std::string_view near = base::nearest_name(word, known_words(place, storage));
+  const std::string_view near = base::nearest_name(argument, known_names(place, storage));
   const bool has_commands = !place.get_subcommands({}).empty();
-  const char* kind = word.starts_with("-") ? "option" : has_commands ? "command" : "argument";
-  fmt::print(stderr, "cls: unknown {} '{}'", kind, word);
+  const char* kind = argument.starts_with("-") ? "option" : has_commands ? "command" : "argument";
+  fmt::print(stderr, "cls: unknown {} '{}'", kind, argument);
   if (near.empty()) {
     fmt::print(stderr, " (see {})\n", help);
   } else {
@@ -111,7 +110,7 @@ int run_application(int argc, const char* const* argv) {
   app.name("cls");
   app.formatter(std::make_shared<Help>());
   app.require_subcommand(1);
-  int exit_code = kDone;
+  int exit_code = kOk;
   add_match_command(app, exit_code);
   add_tournament_command(app, exit_code);
   add_compare_command(app, exit_code);
@@ -131,7 +130,7 @@ int run_application(int argc, const char* const* argv) {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);  // --help
-    return report_mistake(app, error);
+    return report_usage_error(app, error);
   }
   return exit_code;
 }

@@ -1,4 +1,4 @@
-// The binary `cls`: runs the command line and turns what escapes it into one line and an exit code.
+// The binary `cls`: runs the command line; reports uncaught exceptions as internal errors.
 #include <fmt/core.h>
 
 #include <csignal>
@@ -9,7 +9,7 @@
 #include "cli/support/exit_code.h"
 
 int main(int argc, char** argv) {
-  // A file that hits the size limit is a failed write like any other, not the end of the process.
+  // A file that reaches the size limit is a failed write like any other and must not kill cls.
   std::signal(SIGXFSZ, SIG_IGN);
   try {
     const auto guard = cls::cli::start_early_guard(argc, argv);

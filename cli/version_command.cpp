@@ -1,5 +1,5 @@
-// `cls version` prints one line: the name and the release.
-#include "cli/version_command.h"
+// `cls version`.
+#include "cli/support/commands.h"
 
 #include <fmt/core.h>
 
@@ -11,10 +11,10 @@
 namespace cls::cli {
 
 void add_version_command(CLI::App& app, int& exit_code) {
-  CLI::App* command = app.add_subcommand("version", "Prints the version.");
+  CLI::App* command = app.add_subcommand("version", "print the version");
   command->callback([&exit_code] {
     fmt::print("cls {}\n", base::kVersion);
-    exit_code = kDone;
+    exit_code = kOk;
   });
 }
 

@@ -1,40 +1,37 @@
 // `cls check playmaker ENDPOINT`.
-#include "cli/check/check_playmaker_command.h"
+#include "cli/support/commands.h"
 
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
 #include <atomic>
-#include <csignal>
-#include <cstdio>
 #include <memory>
 #include <string>
 
+#include "cli/check/check_output.h"
 #include "cli/support/ci_reports.h"
 #include "cli/support/exit_code.h"
 #include "cli/support/interrupt.h"
+#include "cli/support/print_error.h"
 #include "cli/support/tls_options.h"
 #include "orchestration/checks/playmaker/playmaker_check.h"
 
 namespace cls::cli {
 namespace {
 
-using orchestration::checks::CheckReport;
-using orchestration::checks::CheckStep;
-using orchestration::checks::StepResult;
 using orchestration::match::Endpoint;
 
 constexpr const char* kDescription =
-    "Tries whether matches can be played with a Playmaker, in named steps.\n"
+    "check that a Playmaker can play matches\n"
     "\n"
     "  cls check playmaker localhost:50051\n"
     "  cls check playmaker 'run:python3 playmaker.py --port {port}'\n"
-    "  cls check playmaker unix:brain.socket --json\n"
+    "  cls check playmaker unix:playmaker.socket --json\n"
     "\n"
-    "Handshake, every rpc, States from the edges of the game, 22 agents at once, broken "
-    "connections,\n"
-    "second matches, memory: each step says what was seen, and a failed one why it matters.\n"
-    "ENDPOINT is HOST:PORT, tls:HOST:PORT, unix:PATH, run:COMMAND ({port} is filled in) or mock.";
+    "The steps cover the handshake, every RPC, edge-case States, 22 agents in parallel,\n"
+    "broken connections, second matches and memory. Each step prints what it measured; a\n"
+    "failed one, why it matters. ENDPOINT is HOST:PORT, tls:HOST:PORT, unix:PATH, run:COMMAND\n"
+    "(with {port}) or mock.";
 
 struct Arguments {
   std::string endpoint;
@@ -47,21 +44,12 @@ struct Arguments {
   CiReports reports;
 };
 
-int exit_code_of(const CheckReport& report, int interrupted) {
-  if (interrupted == SIGINT) return kInterrupted;
-  if (interrupted == SIGTERM) return kTerminated;
-  if (report.steps.front().result != StepResult::kPass) return kUnavailable;
-  return report.passed() ? kDone : kAnswerIsNo;
-}
-
 int run_check_playmaker(const Arguments& arguments) {
   auto endpoint = orchestration::match::parse_endpoint(arguments.endpoint);
   if (!endpoint || !endpoint->has_playmaker()) {
-    fmt::print(stderr, "cls: {}\n",
-               endpoint ? "team:DIR has no Playmaker to check" : endpoint.error().message);
-    return kUsage;
+    return print_error(kUsage, endpoint ? "team:DIR has no Playmaker" : endpoint.error().message);
   }
-  if (const int read = read_tls_files(*endpoint, arguments.tls); read != kDone) return read;
+  if (const int read = read_tls_files(*endpoint, arguments.tls); read != kOk) return read;
   orchestration::checks::PlaymakerCheckOptions options;
   options.endpoint = *endpoint;
   options.start_timeout =
@@ -69,21 +57,14 @@ int run_check_playmaker(const Arguments& arguments) {
   options.deadline = orchestration::checks::Milliseconds(arguments.deadline_ms);
   options.calls = arguments.calls;
   options.latency_limit = orchestration::checks::Milliseconds(arguments.latency_limit_ms);
-  const std::atomic<int>& interrupted = watch_interrupts();
-  const auto on_step = [&](const CheckStep& step) {
-    if (arguments.json) return;
-    fmt::print("{}", to_text(step));
-    std::fflush(stdout);
-  };
-  const auto report = orchestration::checks::check_playmaker(options, on_step, interrupted);
+  const std::atomic<int>& signal = watch_interrupts();
+  const auto report =
+      orchestration::checks::check_playmaker(options, step_printer(arguments.json), signal);
   if (!report) {
-    fmt::print(stderr, "cls: {}\n", report.error().message);
-    return endpoint->kind == Endpoint::Kind::kMock ? kBadData : kUnavailable;
+    return print_error(endpoint->kind == Endpoint::Kind::kMock ? kBadData : kUnavailable,
+                       report.error().message);
   }
-  fmt::print("{}", arguments.json ? to_json(*report) : summary(*report));
-  const ExitCode handed_out =
-      hand_out(arguments.reports, to_junit(*report), to_annotations(*report));
-  return handed_out == kDone ? exit_code_of(*report, interrupted) : handed_out;
+  return finish_check(*report, arguments.json, arguments.reports, signal);
 }
 
 }  // namespace
@@ -92,21 +73,25 @@ void add_check_playmaker_command(CLI::App& check, int& exit_code) {
   const auto arguments = std::make_shared<Arguments>();
   CLI::App* command = check.add_subcommand("playmaker", kDescription);
   command->add_option("ENDPOINT", arguments->endpoint, "the Playmaker")->required();
-  command->add_flag("--json", arguments->json, "one JSON document at the end instead of lines");
+  command->add_flag("--json", arguments->json, "print one JSON document instead of text");
   add_tls_options(*command, arguments->tls);
   add_ci_options(*command, arguments->reports);
   command
       ->add_option("--start-timeout", arguments->start_timeout_s,
-                   "seconds until it must answer first (20)")
-      ->check(CLI::PositiveNumber);
-  command->add_option("--rpc-deadline", arguments->deadline_ms, "time of an answer, in ms (3000)")
-      ->check(CLI::PositiveNumber);
-  command->add_option("--calls", arguments->calls, "calls of the memory step (10000)")
-      ->check(CLI::PositiveNumber);
+                   "seconds until the first response")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  command->add_option("--rpc-deadline", arguments->deadline_ms, "deadline of an RPC in ms")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  command->add_option("--calls", arguments->calls, "number of calls in the memory step")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
   command
       ->add_option("--latency-limit", arguments->latency_limit_ms,
-                   "ms within which 99 of 100 decisions must come while 22 players ask (100)")
-      ->check(CLI::PositiveNumber);
+                   "maximum p99 latency of decisions in ms, with 22 players calling")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
   command->callback([arguments, &exit_code] { exit_code = run_check_playmaker(*arguments); });
 }
 

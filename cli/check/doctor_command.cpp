@@ -1,11 +1,10 @@
-// `cls doctor`: options and table.
-#include "cli/check/doctor_command.h"
+// `cls doctor`.
+#include "cli/support/commands.h"
 
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
 #include <atomic>
-#include <csignal>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -13,6 +12,7 @@
 
 #include "cli/support/exit_code.h"
 #include "cli/support/interrupt.h"
+#include "cli/support/print_error.h"
 #include "cli/support/tls_options.h"
 #include "cli/terminal/terminal.h"
 #include "orchestration/checks/doctor/doctor.h"
@@ -20,24 +20,22 @@
 namespace cls::cli {
 namespace {
 
-using orchestration::checks::Diagnosis;
-using orchestration::checks::Health;
-using orchestration::checks::Symptom;
+using orchestration::checks::DoctorCheck;
+using orchestration::checks::DoctorReport;
+using orchestration::checks::DoctorStatus;
 using orchestration::match::Endpoint;
 
 constexpr const char* kDescription =
-    "Tells what is here, what is missing, and the command that gets it.\n"
+    "check the host, its programs, and optionally a server or a Playmaker\n"
     "\n"
-    "  cls doctor                                this machine and its programs\n"
-    "  cls doctor --server rcssserver            does it start, does it answer?\n"
-    "  cls doctor --server localhost:6000        one that runs: is it a soccer server, and how "
-    "far?\n"
-    "  cls doctor --playmaker localhost:50051    can your Playmaker be asked?\n"
+    "  cls doctor                                host and programs\n"
+    "  cls doctor --server rcssserver            does it start and respond?\n"
+    "  cls doctor --server localhost:6000        a running server: type and state of the match\n"
+    "  cls doctor --playmaker localhost:50051    does the Playmaker respond?\n"
     "  cls doctor --json                         for scripts\n"
     "\n"
-    "Changes nothing, joins no match. What is missing is no failure unless cls cannot play without "
-    "it\n"
-    "or you asked for it; then the exit code is 1, or 69 when nobody could be reached.";
+    "Changes nothing and connects no player. Prints how to install what is missing. Exit\n"
+    "code: 1 if something required is missing, 69 if the server or Playmaker is unreachable.";
 
 struct Arguments {
   std::string server;
@@ -45,54 +43,47 @@ struct Arguments {
   TlsOptions tls;
   double limit_s = 5.0;
   bool json = false;
-  bool no_colour = false;
+  bool no_color = false;
 };
 
-const char* colour_of(Health health, bool needed) {
+const char* color_of(DoctorStatus status, bool needed) {
   constexpr const char* kGreen = "\x1b[32m";
   constexpr const char* kYellow = "\x1b[33m";
   constexpr const char* kRed = "\x1b[31m";
-  if (health == Health::kOk) return kGreen;
+  if (status == DoctorStatus::kOk) return kGreen;
   return needed ? kRed : kYellow;
 }
 
-void print_row(const Symptom& symptom, bool colour) {
-  const std::string status = fmt::format("{:<11}", name(symptom.health));
+void print_row(const DoctorCheck& check, bool color) {
+  const std::string status = fmt::format("{:<11}", name(check.status));
   const std::string shown =
-      colour ? fmt::format("{}{}\x1b[0m", colour_of(symptom.health, symptom.needed), status)
-             : status;
-  fmt::print("{}  {:<13}  {}\n", shown, symptom.name, symptom.found);
-  if (symptom.health != Health::kOk) {
-    fmt::print("{:28}for: {}\n", "", symptom.purpose);
-    if (!symptom.remedy.empty()) fmt::print("{:28}do:  {}\n", "", symptom.remedy);
+      color ? fmt::format("{}{}\x1b[0m", color_of(check.status, check.needed), status) : status;
+  fmt::print("{}  {:<13}  {}\n", shown, check.name, check.found);
+  if (check.status != DoctorStatus::kOk) {
+    fmt::print("{:28}needed for: {}\n", "", check.purpose);
+    if (!check.hint.empty()) fmt::print("{:28}hint: {}\n", "", check.hint);
   }
   std::fflush(stdout);
 }
 
-void print_summary(const Diagnosis& diagnosis) {
+void print_summary(const DoctorReport& report) {
   std::string lacking;
-  for (const Symptom& symptom : diagnosis.symptoms) {
-    if (symptom.needed && symptom.health != Health::kOk) {
-      lacking += (lacking.empty() ? "" : ", ") + symptom.name;
+  for (const DoctorCheck& check : report.checks) {
+    if (check.needed && check.status != DoctorStatus::kOk) {
+      lacking += (lacking.empty() ? "" : ", ") + check.name;
     }
   }
   if (lacking.empty()) {
     fmt::print("\nReady to play: cls match mock mock\n");
   } else {
-    fmt::print("\nNot in order: {}\n", lacking);
+    fmt::print("\nNot ready: {}\n", lacking);
   }
 }
 
-int exit_code_of(const Diagnosis& diagnosis, int interrupted) {
-  if (interrupted == SIGINT) return kInterrupted;
-  if (interrupted == SIGTERM) return kTerminated;
-  if (diagnosis.unreachable()) return kUnavailable;
-  return diagnosis.healthy() ? kDone : kAnswerIsNo;
-}
-
-int complain(const std::string& message) {
-  fmt::print(stderr, "cls: {}\n", message);
-  return kUsage;
+int exit_code_of(const DoctorReport& report, int signal) {
+  if (signal != 0) return signal_exit_code(signal);
+  if (report.unreachable()) return kUnavailable;
+  return report.healthy() ? kOk : kFailed;
 }
 
 int run_doctor(const Arguments& arguments) {
@@ -101,30 +92,30 @@ int run_doctor(const Arguments& arguments) {
   options.limit = std::chrono::milliseconds(static_cast<int>(arguments.limit_s * 1000.0));
   if (!arguments.server.empty()) {
     auto server = orchestration::match::parse_server(arguments.server);
-    if (!server) return complain(server.error().message);
+    if (!server) return print_error(kUsage, server.error().message);
     options.server = *std::move(server);
   }
   if (!arguments.playmaker.empty()) {
     auto endpoint = orchestration::match::parse_endpoint(arguments.playmaker);
-    if (!endpoint) return complain(endpoint.error().message);
+    if (!endpoint) return print_error(kUsage, endpoint.error().message);
     if (!endpoint->has_playmaker()) {
-      return complain("--playmaker: team:DIR has no Playmaker to ask");
+      return print_error(kUsage, "--playmaker: team:DIR has no Playmaker");
     }
-    if (const int read = read_tls_files(*endpoint, arguments.tls); read != kDone) return read;
+    if (const int read = read_tls_files(*endpoint, arguments.tls); read != kOk) return read;
     options.playmaker = *std::move(endpoint);
   }
-  const std::atomic<int>& interrupted = watch_interrupts();
-  const bool colour = stdout_takes_colour(arguments.no_colour);
-  const auto on_symptom = [&](const Symptom& symptom) {
-    if (!arguments.json) print_row(symptom, colour);
+  const std::atomic<int>& signal = watch_interrupts();
+  const bool color = stdout_supports_color(arguments.no_color);
+  const auto on_check = [&](const DoctorCheck& check) {
+    if (!arguments.json) print_row(check, color);
   };
-  const Diagnosis diagnosis = orchestration::checks::examine(options, on_symptom, interrupted);
+  const DoctorReport report = orchestration::checks::examine(options, on_check, signal);
   if (arguments.json) {
-    fmt::print("{}", orchestration::checks::to_json(diagnosis));
+    fmt::print("{}", orchestration::checks::to_json(report));
   } else {
-    print_summary(diagnosis);
+    print_summary(report);
   }
-  return exit_code_of(diagnosis, interrupted);
+  return exit_code_of(report, signal);
 }
 
 }  // namespace
@@ -133,17 +124,18 @@ void add_doctor_command(CLI::App& app, int& exit_code) {
   const auto arguments = std::make_shared<Arguments>();
   CLI::App* command = app.add_subcommand("doctor", kDescription);
   command->add_option("--server", arguments->server,
-                      "try a server: rcssserver, PATH, embedded (started for a moment), HOST:PORT");
+                      "check a server: rcssserver, PATH, embedded or HOST:PORT");
   command->add_option("--playmaker", arguments->playmaker,
-                      "try a Playmaker: HOST:PORT, HOST:PORT+step, tls:HOST:PORT, unix:PATH, "
+                      "check a Playmaker: HOST:PORT, HOST:PORT+step, tls:HOST:PORT, unix:PATH, "
                       "run:COMMAND");
   add_tls_options(*command, arguments->tls);
   command
       ->add_option("--start-timeout", arguments->limit_s,
-                   "seconds that each program and each probe has to answer (5)")
-      ->check(CLI::PositiveNumber);
-  command->add_flag("--json", arguments->json, "one JSON document instead of the table");
-  command->add_flag("--no-color", arguments->no_colour, "no colour on a terminal");
+                   "timeout of each program and each probe in seconds")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  command->add_flag("--json", arguments->json, "print one JSON document instead of the table");
+  command->add_flag("--no-color", arguments->no_color, "disable color");
   command->callback([arguments, &exit_code] { exit_code = run_doctor(*arguments); });
 }
 

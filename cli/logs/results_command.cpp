@@ -1,5 +1,5 @@
-// `cls results LOG...`: a row a match and a table of the teams.
-#include "cli/logs/results_command.h"
+// `cls results LOG...`: a row per match and the standings.
+#include "cli/support/commands.h"
 
 #include <fmt/format.h>
 
@@ -13,10 +13,11 @@
 #include "analysis/results/read_results.h"
 #include "analysis/results/results_text.h"
 #include "base/system/parallel.h"
-#include "cli/support/damage_report.h"
 #include "cli/support/exit_code.h"
+#include "cli/support/log_errors.h"
 #include "cli/terminal/log_progress.h"
 #include "gamelog/files/log_files.h"
+#include "orchestration/match/result/recorded_end.h"
 
 namespace cls::cli {
 namespace {
@@ -25,19 +26,18 @@ using analysis::ReadResult;
 using analysis::ResultsFormat;
 
 constexpr const char* kDescription =
-    "Prints the results of matches from their logs.\n"
-    "Score, goals with cycle and scorer, cards, substitutions, players that were lost; over "
-    "several\n"
-    "logs the table of the teams too.\n"
+    "print the results of matches from their logs\n"
+    "Score, goals with cycle and scorer, cards, substitutions and disconnected players; for\n"
+    "several logs the standings too.\n"
     "\n"
     "  cls results game.rcg.gz\n"
     "  cls results runs/ --format markdown\n"
     "  cls results 'logs/*.rcg' --json\n"
     "\n"
     "LOG is a game log (rcg), a text log (rcl), a folder, a pattern, or - for standard input.\n"
-    "A match without its end is \"incomplete\"; where cls match has left a result.json beside the\n"
-    "log, that decides: a match ended by --cycles is finished.\n"
-    "Goals read \"cycle side number\": 169 l 11.";
+    "A log without time_over is \"incomplete\". A result.json of cls match beside the log\n"
+    "takes precedence: a match ended by --cycles is finished. Format of goals: \"cycle side\n"
+    "unum\", as in 169 l 11.";
 
 struct Arguments {
   std::vector<std::string> logs;
@@ -56,7 +56,8 @@ std::optional<ResultsFormat> format_of(const Arguments& arguments) {
 
 std::vector<ReadResult> read_all(const std::vector<gamelog::MatchLogs>& matches, std::size_t jobs) {
   LogProgress progress(matches.size());
-  return analysis::read_results(matches, jobs, [&](std::size_t count) { progress.done(count); });
+  return analysis::read_results(orchestration::match::with_recorded_ends(matches), jobs,
+                                [&](std::size_t count) { progress.update(count); });
 }
 
 int run_results_command(const Arguments& arguments) {
@@ -70,7 +71,7 @@ int run_results_command(const Arguments& arguments) {
   int exit_code = report_missing(found);
   std::vector<analysis::MatchSummary> summaries;
   for (ReadResult& result : read_all(found.matches, arguments.jobs)) {
-    exit_code = report_log(exit_code, result.unreadable, result.damaged_file, result.damage);
+    exit_code = report_log(exit_code, result.unreadable, result.error_file, result.errors);
     if (result.usable) summaries.push_back(std::move(result.summary));
   }
   if (!summaries.empty() || *format == ResultsFormat::kJson) {
@@ -85,9 +86,12 @@ void add_results_command(CLI::App& app, int& exit_code) {
   const auto arguments = std::make_shared<Arguments>();
   CLI::App* command = app.add_subcommand("results", kDescription);
   command->add_option("LOG", arguments->logs, "logs, folders or patterns")->required();
-  command->add_option("--format", arguments->format, "table, json, csv or markdown (table)");
+  command->add_option("--format", arguments->format, "table, json, csv or markdown")
+      ->capture_default_str();
   command->add_flag("--json", arguments->json, "the same as --format json");
-  command->add_option("--jobs", arguments->jobs, "logs read at once (one a processor)")
+  command
+      ->add_option("--jobs", arguments->jobs,
+                   "logs read in parallel (default: one per processor core)")
       ->check(CLI::PositiveNumber);
   command->callback([arguments, &exit_code] { exit_code = run_results_command(*arguments); });
 }

@@ -1,5 +1,5 @@
-// `cls stats LOG...`: possession, passes, shots, movement and much more of each match.
-#include "cli/logs/stats_command.h"
+// `cls stats LOG...`: statistics of each match.
+#include "cli/support/commands.h"
 
 #include <fmt/format.h>
 
@@ -11,10 +11,11 @@
 
 #include "analysis/statistics/read_statistics.h"
 #include "base/system/parallel.h"
-#include "cli/support/damage_report.h"
 #include "cli/support/exit_code.h"
+#include "cli/support/log_errors.h"
 #include "cli/terminal/log_progress.h"
 #include "gamelog/files/log_files.h"
+#include "orchestration/match/result/recorded_end.h"
 
 namespace cls::cli {
 namespace {
@@ -22,14 +23,14 @@ namespace {
 using analysis::StatisticsFormat;
 
 constexpr const char* kDescription =
-    "Prints statistics of matches from their logs.\n"
-    "Possession, passes and who passes to whom, shots, tackles, territory, set plays, positions,\n"
-    "distance and stamina; with the text log (rcl) beside the game log also how the players\n"
-    "answered the server.\n"
+    "print statistics of matches from their logs\n"
+    "Possession, passes and who passes to whom, shots, tackles, territory, set plays,\n"
+    "positions, distance and stamina; with the text log (rcl) beside the game log also the\n"
+    "responsiveness of the players.\n"
     "\n"
     "  cls stats game.rcg.gz                  teams and players\n"
-    "  cls stats game.rcg --json --events     everything, every pass and shot too\n"
-    "  cls stats runs/ --format csv           a row a team and match\n"
+    "  cls stats game.rcg --json --events     everything, including each pass and shot\n"
+    "  cls stats runs/ --format csv           one row per team and match\n"
     "\n"
     "LOG is a game log (rcg), a folder, a pattern, or - for standard input.";
 
@@ -53,8 +54,9 @@ std::optional<StatisticsFormat> format_of(const Arguments& arguments) {
 analysis::StatisticsOutput read_all(const std::vector<gamelog::MatchLogs>& matches,
                                     StatisticsFormat format, const Arguments& arguments) {
   LogProgress progress(matches.size());
-  return read_statistics(matches, format, arguments.events, arguments.jobs,
-                         [&](std::size_t count) { progress.done(count); });
+  return read_statistics(orchestration::match::with_recorded_ends(matches), format,
+                         arguments.events, arguments.jobs,
+                         [&](std::size_t count) { progress.update(count); });
 }
 
 int run_stats_command(const Arguments& arguments) {
@@ -67,8 +69,8 @@ int run_stats_command(const Arguments& arguments) {
   const gamelog::FoundLogs found = gamelog::find_logs(arguments.logs);
   int exit_code = report_missing(found);
   const analysis::StatisticsOutput output = read_all(found.matches, *format, arguments);
-  for (const analysis::ReadProblem& problem : output.problems) {
-    exit_code = report_log(exit_code, problem.unreadable, problem.file, problem.damage);
+  for (const analysis::LogProblem& problem : output.problems) {
+    exit_code = report_log(exit_code, problem.unreadable, problem.file, problem.errors);
   }
   fmt::print("{}", output.text);
   return exit_code;
@@ -80,11 +82,16 @@ void add_stats_command(CLI::App& app, int& exit_code) {
   const auto arguments = std::make_shared<Arguments>();
   CLI::App* command = app.add_subcommand("stats", kDescription);
   command->add_option("LOG", arguments->logs, "game logs, folders or patterns")->required();
-  command->add_option("--format", arguments->format,
-                      "text, json, csv (teams), csv-players or csv-events (text)");
+  command
+      ->add_option("--format", arguments->format,
+                   "text, json, csv (teams), csv-players or csv-events")
+      ->capture_default_str();
   command->add_flag("--json", arguments->json, "the same as --format json");
-  command->add_flag("--events", arguments->events, "with JSON: every pass, shot, tackle, foul");
-  command->add_option("--jobs", arguments->jobs, "logs read at once (one a processor)")
+  command->add_flag("--events", arguments->events,
+                    "with JSON: list each pass, shot, tackle and foul");
+  command
+      ->add_option("--jobs", arguments->jobs,
+                   "logs read in parallel (default: one per processor core)")
       ->check(CLI::PositiveNumber);
   command->callback([arguments, &exit_code] { exit_code = run_stats_command(*arguments); });
 }

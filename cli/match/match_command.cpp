@@ -1,11 +1,10 @@
-// `cls match`: options in, one call, result out.
-#include "cli/match/match_command.h"
+// `cls match`: plays one match.
+#include "cli/support/commands.h"
 
 #include <fmt/format.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
-#include <csignal>
 #include <memory>
 #include <optional>
 #include <string>
@@ -16,13 +15,13 @@
 #include "cli/match/match_stepper.h"
 #include "cli/support/exit_code.h"
 #include "cli/support/interrupt.h"
-#include "cli/support/named_side.h"
-#include "cli/support/side_script.h"
+#include "cli/support/print_error.h"
+#include "cli/support/side_arguments.h"
 #include "cli/support/tls_options.h"
 #include "cli/terminal/progress_line.h"
 #include "cli/terminal/terminal.h"
 #include "orchestration/match/dry_run.h"
-#include "orchestration/match/match.h"
+#include "orchestration/match/run_match.h"
 #include "proxy/formation/formation_set.h"
 
 namespace cls::cli {
@@ -33,20 +32,22 @@ using orchestration::match::MatchOptions;
 using orchestration::match::MatchResult;
 
 constexpr const char* kDescription =
-    "Plays one match and prints its result.\n"
+    "play one match and print its result\n"
     "\n"
     "  cls match mock mock                        the bundled team against itself\n"
-    "  cls match mock localhost:50051 --seed 7    against your Playmaker, repeatable\n"
-    "  cls match mock mock --cycles 600 --json    a short one, result as JSON\n"
-    "  cls match mock 'run:python3 brain.py --port {port}'     starts and ends your Playmaker\n"
-    "  cls match mock team:../helios --server rcssserver       the real server, a foreign team\n"
+    "  cls match mock localhost:50051 --seed 7    against your Playmaker, reproducible\n"
+    "  cls match mock mock --cycles 600 --json    a short match, result as JSON\n"
+    "  cls match mock 'run:python3 playmaker.py --port {port}'     starts and stops your "
+    "Playmaker\n"
+    "  cls match mock team:../helios --server rcssserver       rcssserver, an external team\n"
     "  cls match mock mock --server rcssserver --mode realtime\n"
     "\n"
-    "A side is  mock | mock:planner | mock:hold | mock:FILE.json | HOST:PORT | HOST:PORT+step |\n"
-    "tls:HOST:PORT | unix:PATH | run:COMMAND | team:DIR  (+step: player n asks PORT + n; team:\n"
-    "DIR/start or DIR/start.sh), or the name of a team in cls.toml. See docs/matches.md.";
+    "LEFT and RIGHT are sides:  mock | mock:planner | mock:hold | mock:FILE.json | HOST:PORT\n"
+    "| HOST:PORT+step | tls:HOST:PORT | unix:PATH | run:COMMAND | team:DIR, or the name of a\n"
+    "team in cls.toml. +step: player n connects to PORT + n; team:DIR runs DIR/start or\n"
+    "DIR/start.sh. See docs/matches.md.";
 
-// What CLI11 fills in; turned into MatchOptions once everything is read.
+// Filled by CLI11; resolve() turns it into MatchOptions.
 struct Arguments {
   std::string left;
   std::string right;
@@ -70,95 +71,114 @@ struct Arguments {
   std::optional<int> at;
   std::string record_rpc;
   bool quiet = false;
-  bool no_colour = false;
+  bool no_color = false;
 };
 
-// What a Playmaker is given, and what becomes of answers that do not come.
-void add_answer_options(CLI::App& command, Arguments& arguments) {
+// Deadlines of Playmakers and the handling of missed decisions.
+void add_deadline_options(CLI::App& command, Arguments& arguments) {
   MatchOptions& options = arguments.options;
   command.add_option("--rpc-deadline", options.rpc_deadline_ms,
-                     "time a Playmaker has for an answer, in ms (lockstep 10000, synch 1000, "
+                     "deadline of an RPC in ms (default: lockstep 10000, synch 1000, "
                      "realtime 70)");
-  command.add_flag("--no-deadline", options.no_deadline, "wait for ever (a debugger at work)");
-  command.add_option("--on-late", arguments.on_late,
-                     "commands of a cycle without an answer: hold, last or default (hold)");
+  command.add_flag("--no-deadline", options.no_deadline, "wait without limit (for debuggers)");
+  command
+      .add_option("--on-late", arguments.on_late,
+                  "commands after a missed decision: hold, last or default")
+      ->capture_default_str();
   command.add_option("--max-missed", options.max_missed,
-                     "missed answers in a row that end the match (20)");
+                     "consecutive missed decisions that end the match (default: 20)");
   command.add_option("--reconnect-within", options.reconnect_within_s,
-                     "seconds that a Playmaker lost in mid-match may take to come back where the "
-                     "server waits (3)");
+                     "seconds to wait for a disconnected Playmaker, where the server waits "
+                     "(default: 3)");
   add_tls_options(command, arguments.tls);
+}
+
+void add_team_options(CLI::App& command, Arguments& arguments) {
+  MatchOptions& options = arguments.options;
+  command.add_option("--left-name", options.left_name, "team name of the left side");
+  command.add_option("--right-name", options.right_name, "team name of the right side");
+  command.add_flag("--own-names", options.own_names, "allow external teams to use their own names");
+  command.add_flag("--coach,!--no-coach", options.coach,
+                   "connect an online coach for each cls team (default: on)");
+  command.add_option("--trainer", arguments.trainer,
+                     "SIDE whose Playmaker handles GetTrainerActions (default: none)");
+  command.add_option("--formation", arguments.formation,
+                     "folder with formations of cls teams, see docs/formations.md (default: "
+                     "built-in)");
+  command.add_option("--left-formation", arguments.left_formation, "--formation of the left side");
+  command.add_option("--right-formation", arguments.right_formation,
+                     "--formation of the right side");
 }
 
 void add_options(CLI::App& command, Arguments& arguments) {
   MatchOptions& options = arguments.options;
-  command.add_option("LEFT", arguments.left, "left side")->required();
-  command.add_option("RIGHT", arguments.right, "right side")->required();
-  command.add_option("--seed", options.seed, "makes the match repeatable (else drawn and told)");
-  command.add_option("--cycles", options.cycles, "end when game time reaches this");
-  command.add_option("--half-time", arguments.half_time, "length of a half in seconds (300)");
-  command.add_option("--left-name", options.left_name, "team name of the left side");
-  command.add_option("--right-name", options.right_name, "team name of the right side");
-  command.add_flag("--own-names", options.own_names,
-                   "foreign teams may play under names of their own");
-  command.add_option("--dir", arguments.folder, "match folder (./runs/<UTC>-<left>-vs-<right>)");
+  command.add_option("LEFT", arguments.left, "SIDE on the left")->required();
+  command.add_option("RIGHT", arguments.right, "SIDE on the right")->required();
+  command.add_option("--seed", options.seed,
+                     "random seed; the same seed repeats the match (default: random, printed)");
+  command.add_option("--cycles", options.cycles, "end the match at this game time");
+  command.add_option("--half-time", arguments.half_time,
+                     "length of a half in seconds (default: 300)");
+  add_team_options(command, arguments);
+  command.add_option("--dir", arguments.folder,
+                     "match folder (default: ./runs/<UTC>-<left>-vs-<right>)");
   command.add_option("--config", arguments.config_file,
-                     "cls.toml whose team names are sides (the one here or above)");
-  command.add_flag("--json", arguments.json, "print the result document, nothing else");
+                     "cls.toml with team names (default: in or above the working directory)");
+  command.add_flag("--json", arguments.json, "print only the result document");
   command.add_option("--set", arguments.settings, "server::NAME=VALUE, repeatable")
       ->expected(1)
       ->take_all();
-  command.add_option("--server", arguments.server,
-                     "embedded, rcssserver, the PATH of a server, or HOST:PORT (embedded)");
+  command
+      .add_option("--server", arguments.server,
+                  "embedded, rcssserver, PATH of a server, or HOST:PORT")
+      ->capture_default_str();
   command.add_option("--mode", arguments.mode,
-                     "how time runs: lockstep, synch or realtime (lockstep; synch with a foreign "
+                     "lockstep, synch or realtime (default: lockstep; synch with an external "
                      "server or team)");
-  command.add_flag("--coach,!--no-coach", options.coach, "both teams bring their coach (yes)");
-  command.add_option("--trainer", arguments.trainer,
-                     "a side form: who is asked GetTrainerActions (nobody)");
-  command.add_option("--formation", arguments.formation,
-                     "folder with formations for our agents, see docs/formations.md (built-in)");
-  command.add_option("--left-formation", arguments.left_formation, "the same for the left side");
-  command.add_option("--right-formation", arguments.right_formation, "the same for the right side");
-  command.add_flag("--pin", arguments.pin, "give each side half of the processors for itself");
-  command.add_flag("--dry-run", arguments.dry_run, "print what would be started, start nothing");
-  add_answer_options(command, arguments);
+  command.add_flag("--pin", arguments.pin, "give each side half of the processor cores");
+  command.add_flag("--dry-run", arguments.dry_run, "print the commands without starting anything");
+  add_deadline_options(command, arguments);
   command.add_option("--start-timeout", options.start_timeout_s,
-                     "seconds until a Playmaker must answer first (20)");
+                     "seconds until the first response of a Playmaker (default: 20)");
   command.add_option("--stall-after", options.stall_after_s,
-                     "seconds without a new cycle that end the match (10)");
-  command.add_option("--time-limit", options.time_limit_s, "seconds for the whole match (none)");
+                     "seconds without a new cycle that end the match (default: 10)");
+  command.add_option("--time-limit", options.time_limit_s,
+                     "maximum seconds of the match (default: no limit)");
   command.add_flag("--step", arguments.step,
-                   "wait before each cycle's decisions for a line on stdin (see docs/testing.md)");
-  command.add_option("--at", arguments.at, "--step from this game time on");
-  command.add_option("--record-rpc", arguments.record_rpc,
-                     "write all requests and replies into this file (cls test --replay)");
+                   "wait for a line on stdin before each cycle (see docs/testing.md)");
+  command.add_option("--at", arguments.at, "--step, starting at this game time");
+  command
+      .add_option("--record-rpc", arguments.record_rpc,
+                  "record all requests and replies in FILE (see cls test --replay)")
+      ->type_name("FILE");
   command.add_option("--monitor-port", options.monitor_port,
-                     "UDP port where monitors may attach and watch; 0: a free one, which is told");
-  command.add_option("--speed", options.speed,
-                     "play at so many times real time (as fast as it goes)");
-  command.add_option("--protocol", options.protocol, "version our agents speak, 14 to 19 (18)");
-  command.add_flag("--quiet", arguments.quiet, "no progress, no warnings");
-  command.add_flag("--no-color", arguments.no_colour, "plain text also on a terminal");
+                     "UDP port for monitors; 0 selects a free port and prints it");
+  command
+      .add_option("--speed", options.speed, "limit speed to X times real time (default: no limit)")
+      ->type_name("X");
+  command.add_option("--protocol", options.protocol,
+                     "protocol version of cls agents, 14 to 19 (default: 18)");
+  command.add_flag("--quiet", arguments.quiet, "print no progress and no warnings");
+  command.add_flag("--no-color", arguments.no_color, "disable color");
 }
 
-// The one word of `words` that was meant, or a mistake that names the option.
-void check_word(std::vector<std::string>& mistakes, std::string_view option,
-                const std::string& word, const std::vector<std::string_view>& words) {
-  for (const std::string_view known : words) {
-    if (word == known) return;
+// Appends an error that names the option unless `value` is one of `choices`.
+void check_choice(std::vector<std::string>& errors, std::string_view option,
+                  const std::string& value, const std::vector<std::string_view>& choices) {
+  for (const std::string_view known : choices) {
+    if (value == known) return;
   }
-  std::string message = fmt::format("{} '{}': ", option, word);
-  const std::string_view near = base::nearest_name(word, words);
+  std::string message = fmt::format("{} '{}': ", option, value);
+  const std::string_view near = base::nearest_name(value, choices);
   if (near.empty()) {
-    message += fmt::format("must be {}", fmt::join(words, " or "));
+    message += fmt::format("must be {}", fmt::join(choices, " or "));
   } else {
     message += fmt::format("did you mean '{}'?", near);
   }
-  mistakes.push_back(std::move(message));
+  errors.push_back(std::move(message));
 }
 
-void read_formations_of(Arguments& arguments, std::vector<std::string>& mistakes) {
+void read_formation_options(Arguments& arguments, std::vector<std::string>& errors) {
   const auto read = [&](const std::string& own, const char* option,
                         std::shared_ptr<const proxy::FormationSet>& out) {
     const std::string& folder = own.empty() ? arguments.formation : own;
@@ -166,7 +186,7 @@ void read_formations_of(Arguments& arguments, std::vector<std::string>& mistakes
     if (auto set = proxy::read_formations(folder)) {
       out = std::move(*set);
     } else {
-      mistakes.push_back(
+      errors.push_back(
           fmt::format("{}: {}", own.empty() ? "--formation" : option, set.error().message));
     }
   };
@@ -174,16 +194,16 @@ void read_formations_of(Arguments& arguments, std::vector<std::string>& mistakes
   read(arguments.right_formation, "--right-formation", arguments.options.right_formations);
 }
 
-// Everything that is wrong with the arguments, and the options they make.
-std::vector<std::string> complete(Arguments& arguments) {
-  std::vector<std::string> mistakes;
+// Sets the options from the arguments; returns all errors.
+std::vector<std::string> resolve(Arguments& arguments) {
+  std::vector<std::string> errors;
   MatchOptions& options = arguments.options;
   const auto read_side = [&](const std::string& text, orchestration::match::Endpoint& endpoint) {
     const auto parsed = orchestration::match::parse_endpoint(text);
     if (parsed) {
       endpoint = *parsed;
     } else {
-      mistakes.push_back(parsed.error().message);
+      errors.push_back(parsed.error().message);
     }
   };
   read_side(arguments.left, options.left);
@@ -191,56 +211,53 @@ std::vector<std::string> complete(Arguments& arguments) {
   if (!arguments.trainer.empty()) read_side(arguments.trainer, options.trainer.emplace());
   const auto server = orchestration::match::parse_server(arguments.server);
   if (server) options.server_choice = *server;
-  if (!server) mistakes.push_back(server.error().message);
+  if (!server) errors.push_back(server.error().message);
   if (!arguments.mode.empty()) {
     const auto mode = orchestration::match::parse_mode(arguments.mode);
     if (mode) options.mode = *mode;
-    if (!mode) mistakes.push_back(mode.error().message);
+    if (!mode) errors.push_back(mode.error().message);
   }
-  check_word(mistakes, "--on-late", arguments.on_late, {"hold", "last", "default"});
-  options.on_late = proxy::on_late_from_name(arguments.on_late).value_or(options.on_late);
-  read_formations_of(arguments, mistakes);
+  check_choice(errors, "--on-late", arguments.on_late, {"hold", "last", "default"});
+  options.on_late = proxy::parse_on_late(arguments.on_late).value_or(options.on_late);
+  read_formation_options(arguments, errors);
   if (arguments.half_time) options.server.half_time = *arguments.half_time;
   for (const std::string& setting : arguments.settings) {
     const auto applied = apply_setting(options, setting);
-    if (!applied) mistakes.push_back("--set: " + applied.error().message);
+    if (!applied) errors.push_back("--set: " + applied.error().message);
   }
   options.folder = arguments.folder;
   if (arguments.pin) {
     const auto pinned = pin_sides(options);
-    if (!pinned) mistakes.push_back(pinned.error().message);
+    if (!pinned) errors.push_back(pinned.error().message);
   }
   options.record_rpc = arguments.record_rpc;
-  const bool lockstep = mode_of(options) == orchestration::match::MatchMode::kLockstep;
-  if ((arguments.step || arguments.at) && !lockstep) {
-    mistakes.push_back("--step and --at need --mode lockstep");
-  }
-  for (std::string& mistake : mistakes_in(options)) mistakes.push_back(std::move(mistake));
-  return mistakes;
+  options.step = arguments.step || arguments.at;
+  for (std::string& error : validate_options(options)) errors.push_back(std::move(error));
+  return errors;
 }
 
 int exit_code_of(const MatchResult& result) {
   switch (result.end_reason) {
     case EndReason::kFinished:
-      return result.write_error.empty() ? kDone : kWriteFailed;
+      return result.write_error.empty() ? kOk : kWriteFailed;
     case EndReason::kRefused:
       return result.try_again ? kTryAgain : kUnavailable;
     case EndReason::kTimedOut:
       return kTimedOut;
     case EndReason::kInterrupted:
-      return result.signal == SIGTERM ? kTerminated : kInterrupted;
+      return signal_exit_code(result.signal);
     case EndReason::kCrashed:
     case EndReason::kStalled:
     case EndReason::kLate:
     case EndReason::kProtocolError:
     case EndReason::kServerFailed:
-      return kAnswerIsNo;
+      return kFailed;
   }
   return kInternalError;
 }
 
-// The end of the output of the process that failed; its log has all of it.
-void tell_last_words(const orchestration::match::ProcessFailure& failure) {
+// Prints the last output lines of the failed process; its log has all of them.
+void print_last_output(const orchestration::match::ProcessFailure& failure) {
   constexpr std::size_t kLines = 5;
   const std::vector<std::string>& lines = failure.output;
   for (std::size_t i = lines.size() - std::min(kLines, lines.size()); i < lines.size(); ++i) {
@@ -250,43 +267,38 @@ void tell_last_words(const orchestration::match::ProcessFailure& failure) {
 
 int print_dry_run(const MatchOptions& options) {
   const auto text = orchestration::match::dry_run(options);
-  if (!text) {
-    fmt::print(stderr, "cls: {}\n", text.error().message);
-    return kUnavailable;
-  }
+  if (!text) return print_error(kUnavailable, text.error().message);
   fmt::print("{}", *text);
-  return kDone;
+  return kOk;
 }
 
 int resolve_names(Arguments& arguments) {
   MatchOptions& options = arguments.options;
-  const bool asked_for = !options.left_name.empty() || !options.right_name.empty();
-  const int left = resolve_named_side(arguments.left, options.left_name, arguments.config_file);
-  if (left != kDone) return left;
+  const bool names_given = !options.left_name.empty() || !options.right_name.empty();
+  const int left = resolve_team_name(arguments.left, options.left_name, arguments.config_file);
+  if (left != kOk) return left;
   std::string trainer_name;
-  const int trainer =
-      arguments.trainer.empty()
-          ? kDone
-          : resolve_named_side(arguments.trainer, trainer_name, arguments.config_file);
-  if (trainer != kDone) return trainer;
-  const int right = resolve_named_side(arguments.right, options.right_name, arguments.config_file);
-  // Names of cls.toml are the user's; what a foreign team calls itself is its own affair.
+  const int trainer = arguments.trainer.empty() ? kOk
+                                                : resolve_team_name(arguments.trainer, trainer_name,
+                                                                    arguments.config_file);
+  if (trainer != kOk) return trainer;
+  const int right = resolve_team_name(arguments.right, options.right_name, arguments.config_file);
+  // Names of cls.toml need not match the names that external teams connect with.
   const bool named = !options.left_name.empty() || !options.right_name.empty();
-  if (named && !asked_for) options.own_names = true;
+  if (named && !names_given) options.own_names = true;
   return right;
 }
 
 int run_match_command(Arguments& arguments) {
-  if (const int exit_code = resolve_names(arguments); exit_code != kDone) return exit_code;
-  const std::vector<std::string> mistakes = complete(arguments);
-  for (const std::string& mistake : mistakes) fmt::print(stderr, "cls: {}\n", mistake);
-  if (!mistakes.empty()) return kUsage;
+  if (const int exit_code = resolve_names(arguments); exit_code != kOk) return exit_code;
+  const std::vector<std::string> errors = resolve(arguments);
+  if (!errors.empty()) return print_errors(kUsage, errors);
   std::vector<orchestration::match::Endpoint*> sides = {&arguments.options.left,
                                                         &arguments.options.right};
   if (arguments.options.trainer) sides.push_back(&*arguments.options.trainer);
   for (orchestration::match::Endpoint* side : sides) {
-    if (const int read = read_script_of(*side); read != kDone) return read;
-    if (const int read = read_tls_files(*side, arguments.tls); read != kDone) return read;
+    if (const int read = read_side_script(*side); read != kOk) return read;
+    if (const int read = read_tls_files(*side, arguments.tls); read != kOk) return read;
   }
 
   if (arguments.dry_run) return print_dry_run(arguments.options);
@@ -297,17 +309,14 @@ int run_match_command(Arguments& arguments) {
   const bool steps = arguments.step || arguments.at;
   const auto result = run_match(arguments.options, progress, signal, steps ? &stepper : nullptr);
   progress.clear();
-  if (!result) {
-    fmt::print(stderr, "cls: {}\n", result.error().message);
-    return kCannotCreate;
-  }
-  if (!result->message.empty()) fmt::print(stderr, "cls: {}\n", result->message);
-  if (result->failure) tell_last_words(*result->failure);
-  if (!result->write_error.empty()) fmt::print(stderr, "cls: {}\n", result->write_error);
+  if (!result) return print_error(kCannotCreate, result.error().message);
+  if (!result->message.empty()) print_error(0, result->message);
+  if (result->failure) print_last_output(*result->failure);
+  if (!result->write_error.empty()) print_error(0, result->write_error);
   if (arguments.json) {
     fmt::print("{}", to_json(*result));
   } else {
-    fmt::print("{}", match_report(*result, stdout_takes_colour(arguments.no_colour)));
+    fmt::print("{}", match_report(*result, stdout_supports_color(arguments.no_color)));
   }
   return exit_code_of(*result);
 }

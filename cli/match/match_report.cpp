@@ -1,4 +1,4 @@
-// Result table of one match.
+// Result table of `cls match`.
 #include "cli/match/match_report.h"
 
 #include <fmt/format.h>
@@ -28,7 +28,7 @@ std::int64_t commands(const TeamResult& team, const std::string& kind) {
   });
 }
 
-// Two figures of a team: `worst` says whose, the middle player's or that of the slowest one.
+// Two latency figures of a team: of the slowest player (`worst`) or the median player.
 std::string latency(const TeamResult& team, double orchestration::match::RpcLatency::*first,
                     double orchestration::match::RpcLatency::*second, bool worst) {
   const auto figure = [&](double orchestration::match::RpcLatency::*which) {
@@ -42,7 +42,7 @@ std::string latency(const TeamResult& team, double orchestration::match::RpcLate
   return fmt::format("{:.0f} / {:.0f} us", figure(first), figure(second));
 }
 
-// A command may be long; its beginning says which it is.
+// run:COMMAND may be long.
 std::string shortened(const std::string& text) {
   constexpr std::size_t kWidth = 18;
   return text.size() <= kWidth ? text : text.substr(0, kWidth - 3) + "...";
@@ -56,7 +56,7 @@ class Rows {
     fmt::format_to(std::back_inserter(text_), "  {:<22} {:>18} {:>18}\n", label, left, right);
   }
   void add(std::string_view label, const std::function<std::int64_t(const TeamResult&)>& value) {
-    // A foreign team's doings are not ours to count.
+    // External teams have no per-player counts.
     const auto text = [&value](const TeamResult& team) {
       return team.players.empty() ? "-" : fmt::to_string(value(team));
     };
@@ -98,7 +98,7 @@ std::string missed(const TeamResult& team) {
                      total(team, [](const PlayerResult& player) { return player.late; }));
 }
 
-// Only where there was one: it is not part of an ordinary match.
+// Shown only if there was a reconnect.
 void add_reconnects(Rows& rows, const MatchResult& result) {
   const auto count = [](const TeamResult& team) {
     return total(team, [](const PlayerResult& player) { return player.reconnects; });
@@ -106,13 +106,12 @@ void add_reconnects(Rows& rows, const MatchResult& result) {
   if (count(result.left) + count(result.right) > 0) rows.add("reconnects", count);
 }
 
-// What can be lost only where the server does not wait.
+// Losses that occur only when the server does not wait.
 void add_losses(Rows& rows) {
   using Count = std::int64_t PlayerResult::*;
-  const std::pair<const char*, Count> losses[] = {
-      {"cycles not decided", &PlayerResult::undecided},
-      {"commands too late", &PlayerResult::lost_commands},
-      {"late wake-ups", &PlayerResult::late_wakeups}};
+  const std::pair<const char*, Count> losses[] = {{"undecided cycles", &PlayerResult::undecided},
+                                                  {"late commands", &PlayerResult::lost_commands},
+                                                  {"late wake-ups", &PlayerResult::late_wakeups}};
   for (const auto& [label, count] : losses) {
     rows.add(label, [count = count](const TeamResult& team) {
       return total(team, [count](const PlayerResult& player) { return player.*count; });
@@ -123,8 +122,8 @@ void add_losses(Rows& rows) {
 std::string server_line(const MatchResult& result) {
   std::string line = fmt::format("  {}", result.server_kind);
   if (!result.server_version.empty()) line += fmt::format(" {}", result.server_version);
-  if (result.server_seed) line += fmt::format(", its seed {}", *result.server_seed);
-  line += fmt::format(", cycles somebody missed: {}", result.server_missed_cycles);
+  if (result.server_seed) line += fmt::format(", server seed {}", *result.server_seed);
+  line += fmt::format(", missed cycles: {}", result.server_missed_cycles);
   if (result.server_cpu_seconds)
     line += fmt::format(", {:.2f} s of CPU", *result.server_cpu_seconds);
   return line + "\n";
@@ -155,9 +154,9 @@ std::string figures(const MatchResult& result) {
 
 }  // namespace
 
-std::string match_report(const MatchResult& result, bool colour) {
+std::string match_report(const MatchResult& result, bool color) {
   const std::string score = score_line(result);
-  std::string text = colour ? fmt::format("\x1b[1m{}\x1b[0m\n", score) : score + "\n";
+  std::string text = color ? fmt::format("\x1b[1m{}\x1b[0m\n", score) : score + "\n";
   if (!result.valid()) {
     fmt::format_to(std::back_inserter(text), "  invalid match: {} at cycle {}\n",
                    name(result.end_reason), result.cycles);

@@ -1,4 +1,4 @@
-// The result of a match as a person reads it.
+// Result table of `cls match`.
 #pragma once
 
 #include <string>
@@ -7,8 +7,8 @@
 
 namespace cls::cli {
 
-/// The table that `cls match` prints: score, goals, figures of both sides, where the files are.
-/// With `colour`, the score line is emphasised.
-std::string match_report(const orchestration::match::MatchResult& result, bool colour);
+/// The table that `cls match` prints: score, goals, figures of both sides, match folder.
+/// With `color`, the score line is bold.
+std::string match_report(const orchestration::match::MatchResult& result, bool color);
 
 }  // namespace cls::cli

@@ -1,4 +1,4 @@
-// Waiting for a key between cycles.
+// Interactive stepping on stdin.
 #include "cli/match/match_stepper.h"
 
 #include <fmt/format.h>
@@ -12,7 +12,7 @@
 namespace cls::cli {
 namespace {
 
-constexpr int kLookMs = 100;
+constexpr int kPollIntervalMs = 100;
 
 }  // namespace
 
@@ -24,7 +24,7 @@ bool MatchStepper::read_line(std::string& line) {
       return true;
     }
     pollfd wait{input_, POLLIN, 0};
-    if (poll(&wait, 1, kLookMs) <= 0) continue;
+    if (poll(&wait, 1, kPollIntervalMs) <= 0) continue;
     std::array<char, 256> bytes;
     const ssize_t count = read(input_, bytes.data(), bytes.size());
     if (count <= 0) return false;
@@ -33,50 +33,50 @@ bool MatchStepper::read_line(std::string& line) {
   return false;
 }
 
-void MatchStepper::obey(const std::string& line) {
+void MatchStepper::execute(const std::string& line) {
   waiting_ = false;
   int cycles = 1;
   if (line == "q") {
-    ending_ = true;
+    quit_ = true;
   } else if (line == "c") {
-    going_on_ = true;
+    continue_ = true;
   } else if (!line.empty()) {
     const char* end = line.data() + line.size();
     const auto [stop, code] = std::from_chars(line.data(), end, cycles);
     waiting_ = code != std::errc{} || stop != end || cycles < 1;
   }
   if (waiting_) {
-    fmt::print(stderr, "Enter: one cycle; a number: so many; c: go on; q: end\n");
+    fmt::print(stderr, "Enter: one cycle; N: N cycles; c: continue; q: quit\n");
   } else {
-    passing_ = cycles - 1;
+    skip_ = cycles - 1;
   }
 }
 
-void MatchStepper::before_decisions(const simulator::World& world) {
-  if (going_on_ || ending_ || world.clock.time < first_) return;
-  if (passing_ > 0) {
-    --passing_;
+void MatchStepper::before_decisions(const orchestration::match::MatchView& view) {
+  if (continue_ || quit_ || view.progress.cycle < first_) return;
+  if (skip_ > 0) {
+    --skip_;
     return;
   }
   waiting_ = true;
   while (waiting_) {
-    const auto& ball = world.ball.position;
-    fmt::print(stderr, "cycle {}{} {}  {} : {}  ball ({:.2f}, {:.2f})  > ", world.clock.time,
-               world.clock.stoppage > 0 ? fmt::format("+{}", world.clock.stoppage) : "",
-               name(world.mode), world.team(soccer::Side::kLeft).score,
-               world.team(soccer::Side::kRight).score, ball.x, ball.y);
+    const orchestration::match::MatchProgress& progress = view.progress;
+    fmt::print(stderr, "cycle {}{} {}  {} : {}  {}> ", progress.cycle,
+               view.stoppage > 0 ? fmt::format("+{}", view.stoppage) : "", name(progress.mode),
+               progress.left_score, progress.right_score,
+               view.ball ? fmt::format("ball ({:.2f}, {:.2f})  ", view.ball->x, view.ball->y) : "");
     std::fflush(stderr);
     std::string line;
     if (read_line(line)) {
-      obey(line);
+      execute(line);
     } else {
       fmt::print(stderr, "\n");
-      going_on_ = true;
+      continue_ = true;
       waiting_ = false;
     }
   }
 }
 
-bool MatchStepper::after_cycle(const simulator::World& /*world*/) { return !ending_; }
+bool MatchStepper::after_cycle(const orchestration::match::MatchView& /*view*/) { return !quit_; }
 
 }  // namespace cls::cli

@@ -1,38 +1,37 @@
-// A match one cycle at a time: `--step`, `--at CYCLE`.
+// Interactive stepping: `--step`, `--at CYCLE`.
 #pragma once
 
 #include <atomic>
 #include <iosfwd>
 #include <string>
 
-#include "orchestration/match/hooks/match_director.h"
+#include "orchestration/match/hooks/match_hooks.h"
 
 namespace cls::cli {
 
-/// From game time `first` on, waits before the Playmakers are asked about a cycle, until a line
-/// comes: empty for one cycle, a number for so many, c to go on, q to end. The end of the input
-/// means c.
-class MatchStepper : public orchestration::match::MatchDirector {
+/// From game time `first` on, waits before each cycle's decisions for an input line: empty for one
+/// cycle, N for N cycles, c to continue, q to quit. End of input means c.
+class MatchStepper : public orchestration::match::MatchHooks {
  public:
-  /// Reads from descriptor `input`; a signal ends the waiting.
+  /// Reads from file descriptor `input`; stops waiting when `signal` is set.
   MatchStepper(int first, int input, const std::atomic<int>& signal)
       : first_(first), input_(input), signal_(signal) {}
 
-  void before_decisions(const simulator::World& world) override;
-  bool after_cycle(const simulator::World& world) override;
+  void before_decisions(const orchestration::match::MatchView& view) override;
+  bool after_cycle(const orchestration::match::MatchView& view) override;
 
  private:
-  /// False at the end of the input or when a signal came.
+  /// False at end of input or after a signal.
   bool read_line(std::string& line);
-  void obey(const std::string& line);
+  void execute(const std::string& line);
 
   int first_;
   int input_;
   const std::atomic<int>& signal_;
-  int passing_ = 0;  ///< cycles to let pass before the next stop
+  int skip_ = 0;  ///< cycles to play before the next stop
   bool waiting_ = false;
-  bool going_on_ = false;
-  bool ending_ = false;
+  bool continue_ = false;
+  bool quit_ = false;
   std::string pending_;
 };
 

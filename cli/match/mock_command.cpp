@@ -1,5 +1,5 @@
-// `cls mock`: serves until a signal comes.
-#include "cli/match/mock_command.h"
+// `cls mock`: runs the mock Playmaker until a signal.
+#include "cli/support/commands.h"
 
 #include <fmt/format.h>
 #include <signal.h>
@@ -19,8 +19,10 @@
 #include <utility>
 #include <vector>
 
+#include "base/text/suggestion.h"
 #include "cli/support/exit_code.h"
 #include "cli/support/interrupt.h"
+#include "cli/support/print_error.h"
 #include "mock-server/mock.h"
 #include "mock-server/server.h"
 #include "soccer/parameters/parameter.h"
@@ -33,19 +35,19 @@ using mock_server::Mock;
 using mock_server::Server;
 using std::chrono::milliseconds;
 
-constexpr int kHighestNumber = 13;  // the trainer's
+constexpr int kMaxUnum = 13;  // 12: coach, 13: trainer
 
 constexpr const char* kDescription =
-    "Runs the mock Playmaker alone, for agents that ask over the network.\n"
+    "run the mock Playmaker as a gRPC server\n"
     "\n"
     "  cls mock                             on a free port, which is printed\n"
-    "  cls mock hold --port 50051           the behaviour that only watches\n"
-    "  cls mock script.json                 what your script says (docs/mock.md)\n"
-    "  cls mock --delay 40 --jitter 60      slow answers\n"
-    "  cls mock --crash-at-cycle 200        dies in play";
+    "  cls mock hold --port 50051           a behavior that only observes\n"
+    "  cls mock script.json                 behavior from a script (docs/mock.md)\n"
+    "  cls mock --delay 40 --jitter 60      slow replies\n"
+    "  cls mock --crash-at-cycle 200        crash during the match";
 
 struct Arguments {
-  std::string behaviour = "simple";
+  std::string behavior = "simple";
   std::string host = "127.0.0.1";
   int port = 0;
   Faults faults;
@@ -57,67 +59,72 @@ struct Arguments {
 
 void add_fault_options(CLI::App& command, Arguments& arguments) {
   Faults& faults = arguments.faults;
-  const auto share = CLI::Range(0.0, 1.0);
+  const auto fraction = CLI::Range(0.0, 1.0);
   const auto any = CLI::NonNegativeNumber;
   const auto add = [&command](const std::string& name, auto& member, const std::string& help) {
     return command.add_option(name, member, help)->group("Faults");
   };
-  add("--delay", faults.delay_ms, "ms before each decision")->check(any);
-  add("--jitter", faults.jitter_ms, "up to so many ms more, drawn")->check(any);
-  add("--drop", faults.drop, "share of decisions without an answer")->check(share);
-  add("--error", faults.error, "share answered with an error")->check(share);
-  add("--status", faults.status, "the gRPC status of --error (UNKNOWN)");
-  add("--garbage", faults.garbage, "share answered with bytes that are no message")->check(share);
-  add("--oversize", faults.oversize, "share answered with 5 MiB")->check(share);
-  add("--crash-at-cycle", faults.crash_at_cycle, "killed when asked about that cycle")->check(any);
-  add("--hang-at-cycle", faults.hang_at_cycle, "no answers from that cycle on")->check(any);
-  add("--restart-at-cycle", faults.restart_at_cycle, "gone, then back without its memory")
+  add("--delay", faults.delay_ms, "delay of each decision in ms")->check(any);
+  add("--jitter", faults.jitter_ms, "maximum random extra delay in ms")->check(any);
+  add("--drop", faults.drop, "fraction of decisions without a reply")->check(fraction);
+  add("--error", faults.error, "fraction of replies that are a gRPC error")->check(fraction);
+  add("--status", faults.status, "gRPC status of --error (default: UNKNOWN)");
+  add("--garbage", faults.garbage, "fraction of replies with invalid bytes")->check(fraction);
+  add("--oversize", faults.oversize, "fraction of replies of 5 MiB")->check(fraction);
+  add("--crash-at-cycle", faults.crash_at_cycle, "crash at the first request of this cycle")
       ->check(any);
-  add("--restart-after", arguments.restart_after_ms, "ms it is gone then (500)")->check(any);
-  command.add_flag("--wrong-client-id", faults.wrong_client_id, "everybody gets the same identity")
+  add("--hang-at-cycle", faults.hang_at_cycle, "stop replying at this cycle")->check(any);
+  add("--restart-at-cycle", faults.restart_at_cycle, "restart at this cycle, without state")
+      ->check(any);
+  add("--restart-after", arguments.restart_after_ms, "downtime of the restart in ms")
+      ->check(any)
+      ->capture_default_str();
+  command
+      .add_flag("--wrong-client-id", faults.wrong_client_id, "give all clients the same client id")
       ->group("Faults");
-  add("--unimplemented", arguments.unimplemented, "rpcs it does not have, by commas")
+  add("--unimplemented", arguments.unimplemented, "comma-separated RPCs that are not implemented")
       ->delimiter(',');
-  add("--slow-start", arguments.slow_start_s, "seconds before it listens")->check(any);
-  add("--fault-cycles", arguments.only_cycles, "FROM TO: delays and shares only there")
+  add("--slow-start", arguments.slow_start_s, "seconds before listening")->check(any);
+  add("--fault-cycles", arguments.only_cycles, "FROM TO: delays and fractions only in these cycles")
       ->expected(2);
-  add("--fault-unum", faults.unums, "delays and shares only for these players")->delimiter(',');
-  add("--fault-seed", faults.seed, "of the draws (1)");
+  add("--fault-unum", faults.unums, "delays and fractions only for these uniform numbers")
+      ->delimiter(',');
+  add("--fault-seed", faults.seed, "random seed of the faults")->capture_default_str();
 }
 
-// Flags win over what a script says about the same fault.
-std::optional<std::string> complete(const Arguments& arguments, Faults& faults) {
+// Merges flags into the faults of a script; flags take precedence. Returns an error.
+std::optional<std::string> resolve_faults(const Arguments& arguments, Faults& faults) {
   const Faults stock;
   const Faults& flags = arguments.faults;
-  const auto take = [&](auto member) {
+  const auto merge = [&](auto member) {
     if (flags.*member != stock.*member) faults.*member = flags.*member;
   };
-  for (const auto member : {&Faults::delay_ms, &Faults::jitter_ms}) take(member);
+  for (const auto member : {&Faults::delay_ms, &Faults::jitter_ms}) merge(member);
   for (const auto member : {&Faults::drop, &Faults::error, &Faults::garbage, &Faults::oversize}) {
-    take(member);
+    merge(member);
   }
   for (const auto member :
        {&Faults::crash_at_cycle, &Faults::hang_at_cycle, &Faults::restart_at_cycle}) {
-    take(member);
+    merge(member);
   }
-  take(&Faults::status);
-  take(&Faults::wrong_client_id);
-  take(&Faults::unums);
-  take(&Faults::seed);
+  merge(&Faults::status);
+  merge(&Faults::wrong_client_id);
+  merge(&Faults::unums);
+  merge(&Faults::seed);
   if (const auto code = mock_server::status_code(faults.status); !code) {
     return "--status: " + code.error().message;
   }
-  for (const std::string& word : arguments.unimplemented) {
-    const auto rpc = proto::rpc_from_name(word);
+  for (const std::string& name : arguments.unimplemented) {
+    const auto rpc = proto::rpc_from_name(name);
     if (!rpc) {
-      return fmt::format("--unimplemented: no rpc '{}'{}", word,
-                         base::did_you_mean(word, proto::rpc_names()));
+      return fmt::format("--unimplemented: unknown RPC '{}'{}", name,
+                         base::did_you_mean(name, proto::rpc_names()));
     }
     faults.unimplemented.push_back(*rpc);
   }
   for (const int unum : flags.unums) {
-    if (unum >= 1 && unum <= kHighestNumber) continue;
-    return fmt::format("--fault-unum: {} is no uniform number (1 to 11, 12 coach, 13 trainer)",
+    if (unum >= 1 && unum <= kMaxUnum) continue;
+    return fmt::format("--fault-unum: {} is not a uniform number (1 to 11, 12 coach, 13 trainer)",
                        unum);
   }
   if (!arguments.only_cycles.empty()) {
@@ -138,7 +145,7 @@ void wait(milliseconds time, const std::atomic<int>& signal) {
   }
 }
 
-// The faults of a process: a crash is a real one, and a restart closes the port.
+// The faults that affect the whole process: a crash kills it, a restart closes the port.
 class ServingProcess {
  public:
   explicit ServingProcess(const Arguments& arguments) : arguments_(arguments) {}
@@ -162,13 +169,14 @@ class ServingProcess {
     return {};
   }
 
-  // Waits until a restart is due, as short as it may be: every call before it is refused.
-  bool wait_restart_due(milliseconds longest) {
+  // Waits at most `timeout` for a restart to become due. Returns immediately when it is due,
+  // because calls before the restart are refused.
+  bool wait_restart_due(milliseconds timeout) {
     std::unique_lock lock(mutex_);
-    return due_.wait_for(lock, longest, [this] { return restart_due_; });
+    return due_.wait_for(lock, timeout, [this] { return restart_due_; });
   }
 
-  // Back on the same port, without faults of its own end, knowing nobody.
+  // Restarts on the same port, without crash faults and without registered agents.
   base::Result<void> restart(Mock mock, const std::atomic<int>& signal) {
     server_.reset();
     wait(milliseconds(arguments_.restart_after_ms), signal);
@@ -197,58 +205,52 @@ class ServingProcess {
 
 struct Failure {
   std::string message;
-  ExitCode code = kDone;
+  ExitCode code = kOk;
 };
 
-// The mock that the arguments describe.
+// Builds the mock from the arguments.
 base::Result<Mock> make(const Arguments& arguments, Failure& failure) {
-  if (mock_server::names_script(arguments.behaviour) &&
-      !std::filesystem::exists(arguments.behaviour)) {
+  if (mock_server::is_script_name(arguments.behavior) &&
+      !std::filesystem::exists(arguments.behavior)) {
     failure.code = kNoInput;
-    return base::Error{fmt::format("{}: no such file", arguments.behaviour)};
+    return base::Error{fmt::format("{}: no such file", arguments.behavior)};
   }
-  auto mock = mock_server::make_mock(arguments.behaviour);
+  auto mock = mock_server::make_mock(arguments.behavior);
   if (!mock) {
-    failure.code = mock_server::names_script(arguments.behaviour) ? kBadData : kUsage;
+    failure.code = mock_server::is_script_name(arguments.behavior) ? kBadData : kUsage;
     return mock.error();
   }
-  if (const auto mistake = complete(arguments, mock->faults)) {
+  if (const auto error = resolve_faults(arguments, mock->faults)) {
     failure.code = kUsage;
-    return base::Error{*mistake};
+    return base::Error{*error};
   }
   return mock;
-}
-
-int report(const Failure& failure, const base::Error& error) {
-  fmt::print(stderr, "cls: {}\n", error.message);
-  return failure.code;
 }
 
 int run_mock(const Arguments& arguments) {
   Failure failure;
   auto mock = make(arguments, failure);
-  if (!mock) return report(failure, mock.error());
+  if (!mock) return print_error(failure.code, mock.error().message);
   const std::atomic<int>& signal = watch_interrupts();
   failure.code = kTryAgain;
   wait(milliseconds(static_cast<int>(arguments.slow_start_s * 1000.0)), signal);
   ServingProcess process(arguments);
   if (const auto started = process.start(*std::move(mock)); !started) {
-    return report(failure, started.error());
+    return print_error(failure.code, started.error().message);
   }
   fmt::print("listening on {}:{}\n", arguments.host, process.port());
   std::fflush(stdout);
   while (signal.load() == 0) {
     if (!process.wait_restart_due(milliseconds(50))) continue;
     auto again = make(arguments, failure);
-    if (!again) return report(failure, again.error());
+    if (!again) return print_error(failure.code, again.error().message);
     if (const auto back = process.restart(*std::move(again), signal); !back) {
-      return report(failure, back.error());
+      return print_error(failure.code, back.error().message);
     }
   }
   const auto failed = process.server().failed_expectations();
-  for (const std::string& line : failed) fmt::print(stderr, "cls: {}\n", line);
-  if (!failed.empty()) return kAnswerIsNo;
-  return signal.load() == SIGTERM ? kTerminated : kInterrupted;
+  if (!failed.empty()) return print_errors(kFailed, failed);
+  return signal_exit_code(signal);
 }
 
 }  // namespace
@@ -256,11 +258,14 @@ int run_mock(const Arguments& arguments) {
 void add_mock_command(CLI::App& app, int& exit_code) {
   const auto arguments = std::make_shared<Arguments>();
   CLI::App* command = app.add_subcommand("mock", kDescription);
-  command->add_option(
-      "BEHAVIOUR", arguments->behaviour,
-      "simple, planner, hold, random, random:SEED, replay:FILE or FILE.json (simple)");
-  command->add_option("--port", arguments->port, "0: a free one (0)")->check(CLI::Range(0, 65535));
-  command->add_option("--host", arguments->host, "address to listen on (127.0.0.1)");
+  command
+      ->add_option("BEHAVIOR", arguments->behavior,
+                   "simple, planner, hold, random, random:SEED, replay:FILE or FILE.json")
+      ->capture_default_str();
+  command->add_option("--port", arguments->port, "port; 0 selects a free port and prints it")
+      ->capture_default_str()
+      ->check(CLI::Range(0, 65535));
+  command->add_option("--host", arguments->host, "address to listen on")->capture_default_str();
   add_fault_options(*command, *arguments);
   command->callback([arguments, &exit_code] { exit_code = run_mock(*arguments); });
 }

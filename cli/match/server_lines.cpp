@@ -1,4 +1,4 @@
-// Who comes and goes, and what is waited for.
+// Status lines of `cls server`: connections, kick-offs, waits of auto mode.
 #include "cli/match/server_lines.h"
 
 #include <fmt/format.h>
@@ -11,7 +11,7 @@ namespace cls::cli {
 namespace {
 
 using simulator::ClientId;
-using simulator::UdpNotice;
+using simulator::UdpServerEvent;
 using simulator::World;
 using soccer::PlayMode;
 using soccer::Side;
@@ -28,32 +28,32 @@ Side coach_side(ClientId client) {
   return client == simulator::kLeftCoach ? Side::kLeft : Side::kRight;
 }
 
-// True when the counter has just left its start.
-bool began(int now, int before, int start) {
+// True when the counter has just left its start value.
+bool started(int now, int before, int start) {
   return now != before && now == std::max(start, 0) - 1;
 }
 
 }  // namespace
 
-void ServerLines::notice(const UdpNotice& notice) {
-  switch (notice.kind) {
-    case UdpNotice::Kind::kMissedCycle:
+void ServerLines::event(const UdpServerEvent& event) {
+  switch (event.kind) {
+    case UdpServerEvent::Kind::kMissedCycle:
       fmt::print(stderr, "Someone missed a cycle at {}\n", server_.world().clock.time);
       return;
-    case UdpNotice::Kind::kConnected:
-      joined(notice);
+    case UdpServerEvent::Kind::kConnected:
+      connected(event);
       break;
-    case UdpNotice::Kind::kDisconnected:
-      left(notice.client);
+    case UdpServerEvent::Kind::kDisconnected:
+      disconnected(event.client);
       break;
   }
   std::fflush(stdout);
 }
 
-void ServerLines::joined(const UdpNotice& notice) {
+void ServerLines::connected(const UdpServerEvent& event) {
   const World& world = server_.world();
-  const ClientId client = notice.client;
-  const std::string version = fmt::format("(v{})", notice.version);
+  const ClientId client = event.client;
+  const std::string version = fmt::format("(v{})", event.version);
   if (simulator::is_player(client)) {
     const auto slot = static_cast<std::size_t>(client);
     const std::string name = player_name(world, client);
@@ -66,14 +66,14 @@ void ServerLines::joined(const UdpNotice& notice) {
   } else if (client == simulator::kTrainer) {
     fmt::print("A new {} offline coach connected\n", version);
   } else if (simulator::is_monitor(client)) {
-    fmt::print("A new {} monitor connected.\n", notice.version < 0 ? "(json)" : version);
+    fmt::print("A new {} monitor connected.\n", event.version < 0 ? "(json)" : version);
   } else {
     fmt::print("A new {} online coach ({}) connected.\n", version,
                team_name(world, coach_side(client)));
   }
 }
 
-void ServerLines::left(ClientId client) {
+void ServerLines::disconnected(ClientId client) {
   const World& world = server_.world();
   if (simulator::is_player(client)) {
     fmt::print("A player disconnected : ({})\n", player_name(world, client));
@@ -101,12 +101,12 @@ void ServerLines::step(const World& world) {
   const simulator::AutoMode& now = world.auto_mode;
   const char* line = nullptr;
   if (mode_ == PlayMode::kTimeOver) {
-    if (began(now.game_over_wait, waits_.game_over_wait, params.game_over_wait)) {
+    if (started(now.game_over_wait, waits_.game_over_wait, params.game_over_wait)) {
       line = "Waiting after end of match\n";
     }
-  } else if (began(now.connect_wait, waits_.connect_wait, params.connect_wait)) {
+  } else if (started(now.connect_wait, waits_.connect_wait, params.connect_wait)) {
     line = "Waiting for players to connect\n";
-  } else if (began(now.kick_off_wait, waits_.kick_off_wait, params.kick_off_wait)) {
+  } else if (started(now.kick_off_wait, waits_.kick_off_wait, params.kick_off_wait)) {
     line = "Waiting to kick off\n";
   }
   waits_ = now;

@@ -1,4 +1,4 @@
-// What `cls server` prints while it runs: the lines that scripts of rcssserver wait for.
+// Status lines of `cls server`, as rcssserver prints them; start scripts wait for them.
 #pragma once
 
 #include <bitset>
@@ -7,23 +7,22 @@
 
 namespace cls::cli {
 
-/// Prints to stdout (missed cycles to stderr) as rcssserver does. Used on the thread of
-/// UdpServer::run.
+/// Prints to stdout, missed cycles to stderr. Call on the thread of UdpServer::run.
 class ServerLines {
  public:
   explicit ServerLines(const simulator::UdpServer& server) : server_(server) {}
 
-  void notice(const simulator::UdpNotice& notice);
+  void event(const simulator::UdpServerEvent& event);
 
-  /// After every step: kick-offs, and what auto mode waits for.
+  /// Call after every step: prints kick-offs and the waits of auto mode.
   void step(const simulator::World& world);
 
  private:
-  void joined(const simulator::UdpNotice& notice);
-  void left(simulator::ClientId client);
+  void connected(const simulator::UdpServerEvent& event);
+  void disconnected(simulator::ClientId client);
 
   const simulator::UdpServer& server_;
-  std::bitset<soccer::kPlayersOnPitch> known_;  ///< players who were here before
+  std::bitset<soccer::kPlayersOnPitch> known_;  ///< players that have connected before
   soccer::PlayMode mode_ = soccer::PlayMode::kBeforeKickOff;
   simulator::AutoMode waits_;
 };

@@ -1,5 +1,5 @@
-// `cls test`: chooses scenarios, plays them, tells what came of them.
-#include "cli/match/test_command.h"
+// `cls test`: plays scenarios and reports their verdicts; replays recorded RPCs.
+#include "cli/support/commands.h"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <charconv>
 #include <chrono>
-#include <csignal>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -16,17 +15,19 @@
 #include <vector>
 
 #include "base/io/whole_file.h"
-#include "base/text/json_text.h"
+#include "base/text/json_document.h"
+#include "base/text/suggestion.h"
 #include "cli/support/ci_reports.h"
 #include "cli/support/exit_code.h"
 #include "cli/support/interrupt.h"
-#include "cli/support/side_script.h"
+#include "cli/support/print_error.h"
+#include "cli/support/side_arguments.h"
 #include "cli/support/tls_options.h"
 #include "orchestration/match/hooks/rpc_replay.h"
 #include "orchestration/scenario/scenario_library.h"
 #include "orchestration/scenario/suite.h"
 #include "orchestration/scenario/suite_report.h"
-#include "soccer/side_name.h"
+#include "soccer/side.h"
 
 namespace cls::cli {
 namespace {
@@ -38,13 +39,13 @@ using orchestration::scenario::SuiteVerdict;
 using orchestration::scenario::Verdict;
 
 constexpr const char* kDescription =
-    "Plays scenarios and checks what comes of them.\n"
+    "play scenarios and check their expectations\n"
     "\n"
-    "  cls test                                   all that come with cls\n"
+    "  cls test                                   all scenarios shipped with cls\n"
     "  cls test --against localhost:50051         with your Playmaker on the side under test\n"
-    "  cls test my_scenarios/ --junit report.xml  yours, for CI (docs/testing.md)\n"
-    "  cls test referee_corner_kick --seed 3      one of them, one seed\n"
-    "  cls test --replay FILE localhost:50051     a recorded match: which replies differ?";
+    "  cls test my_scenarios/ --junit report.xml  your own, for CI (docs/testing.md)\n"
+    "  cls test referee_corner_kick --seed 3      one scenario, one seed\n"
+    "  cls test --replay FILE localhost:50051     compare replies with a recorded match";
 
 struct Arguments {
   TlsOptions tls;
@@ -60,19 +61,19 @@ struct Arguments {
   std::string side;
   bool json = false;
   bool list = false;
-  bool bless = false;
+  bool accept_golden = false;
   bool quiet = false;
   CiReports reports;
 };
 
-/// A mistake with the exit code it leads to.
-struct Refusal {
+/// An error with its exit code.
+struct Failure {
   ExitCode code = kUsage;
   std::string message;
 };
 
-// `*` stands for anything; a pattern without it may be anywhere in the name.
-bool fits(std::string_view pattern, std::string_view name) {
+// `*` matches any text; a pattern without `*` matches anywhere in the name.
+bool matches(std::string_view pattern, std::string_view name) {
   if (pattern.find('*') == std::string_view::npos) return name.find(pattern) != std::string::npos;
   std::size_t at = 0;
   bool first = true;
@@ -92,36 +93,36 @@ bool fits(std::string_view pattern, std::string_view name) {
   }
 }
 
-std::optional<Refusal> add_file(const std::string& word, std::vector<Scenario>& chosen) {
-  if (!fs::exists(word)) return Refusal{kNoInput, fmt::format("{}: no such file", word)};
-  auto read = orchestration::scenario::read_scenarios(word);
-  if (!read) return Refusal{kBadData, read.error().message};
+std::optional<Failure> add_file(const std::string& name, std::vector<Scenario>& chosen) {
+  if (!fs::exists(name)) return Failure{kNoInput, fmt::format("{}: no such file", name)};
+  auto read = orchestration::scenario::read_scenarios(name);
+  if (!read) return Failure{kBadData, read.error().message};
   chosen.insert(chosen.end(), read->begin(), read->end());
   return std::nullopt;
 }
 
-// A word with a slash or ".json" is a file or folder, any other a shipped scenario's name first.
-bool names_file(const std::string& word) {
-  return word.find('/') != std::string::npos || word.ends_with(".json");
+// An argument with a slash or ".json" is a file or folder, any other a shipped scenario first.
+bool is_path(const std::string& name) {
+  return name.find('/') != std::string::npos || name.ends_with(".json");
 }
 
-std::optional<Refusal> add_named(const std::string& word, const std::vector<Scenario>& shipped,
+std::optional<Failure> add_named(const std::string& name, const std::vector<Scenario>& shipped,
                                  std::vector<Scenario>& chosen) {
   std::vector<std::string_view> names;
   for (const Scenario& scenario : shipped) {
-    if (scenario.name == word) {
+    if (scenario.name == name) {
       chosen.push_back(scenario);
       return std::nullopt;
     }
     names.push_back(scenario.name);
   }
-  if (fs::exists(word)) return add_file(word, chosen);
-  return Refusal{kNoInput,
-                 fmt::format("no scenario '{}'{}", word, base::did_you_mean(word, names))};
+  if (fs::exists(name)) return add_file(name, chosen);
+  return Failure{kNoInput,
+                 fmt::format("unknown scenario '{}'{}", name, base::did_you_mean(name, names))};
 }
 
-// "2/4": the second quarter, counted from 1.
-std::optional<Refusal> keep_shard(const std::string& shard, std::vector<Scenario>& scenarios) {
+// Keeps one part: "2/4" is the second of four.
+std::optional<Failure> select_shard(const std::string& shard, std::vector<Scenario>& scenarios) {
   std::size_t index = 0;
   std::size_t count = 0;
   const std::size_t slash = shard.find('/');
@@ -131,38 +132,40 @@ std::optional<Refusal> keep_shard(const std::string& shard, std::vector<Scenario
     std::from_chars(shard.data() + slash + 1, end, count);
   }
   if (index < 1 || count < index) {
-    return Refusal{kUsage, fmt::format("--shard '{}': write K/N, 1/4 to 4/4", shard)};
+    return Failure{kUsage, fmt::format("--shard '{}': must be K/N, such as 1/4", shard)};
   }
-  std::vector<Scenario> kept;
-  for (std::size_t i = index - 1; i < scenarios.size(); i += count) kept.push_back(scenarios[i]);
-  scenarios = std::move(kept);
+  std::vector<Scenario> selected;
+  for (std::size_t i = index - 1; i < scenarios.size(); i += count)
+    selected.push_back(scenarios[i]);
+  scenarios = std::move(selected);
   return std::nullopt;
 }
 
-std::optional<Refusal> choose(const Arguments& arguments, std::vector<Scenario>& chosen) {
+std::optional<Failure> choose(const Arguments& arguments, std::vector<Scenario>& chosen) {
   std::vector<Scenario> shipped;
-  if (!std::all_of(arguments.scenarios.begin(), arguments.scenarios.end(), names_file) ||
+  if (!std::all_of(arguments.scenarios.begin(), arguments.scenarios.end(), is_path) ||
       arguments.scenarios.empty()) {
     auto read = orchestration::scenario::shipped_scenarios();
-    if (!read) return Refusal{kInternalError, read.error().message};
+    if (!read) return Failure{kInternalError, read.error().message};
     shipped = *std::move(read);
   }
   if (arguments.scenarios.empty()) chosen = shipped;
-  for (const std::string& word : arguments.scenarios) {
-    auto refusal = names_file(word) ? add_file(word, chosen) : add_named(word, shipped, chosen);
-    if (refusal) return refusal;
+  for (const std::string& argument : arguments.scenarios) {
+    auto failure =
+        is_path(argument) ? add_file(argument, chosen) : add_named(argument, shipped, chosen);
+    if (failure) return failure;
   }
   const auto unwanted = [&](const Scenario& scenario) {
-    return !fits(arguments.filter, scenario.name);
+    return !matches(arguments.filter, scenario.name);
   };
   chosen.erase(std::remove_if(chosen.begin(), chosen.end(), unwanted), chosen.end());
   if (chosen.empty()) {
-    return Refusal{kUsage, fmt::format("--filter '{}' fits no scenario", arguments.filter)};
+    return Failure{kUsage, fmt::format("--filter '{}': no scenario matches", arguments.filter)};
   }
-  return arguments.shard.empty() ? std::nullopt : keep_shard(arguments.shard, chosen);
+  return arguments.shard.empty() ? std::nullopt : select_shard(arguments.shard, chosen);
 }
 
-std::optional<Refusal> complete(const Arguments& arguments, SuiteOptions& options) {
+std::optional<Failure> resolve(const Arguments& arguments, SuiteOptions& options) {
   options.seed = arguments.seed;
   options.folder = arguments.folder;
   options.jobs = arguments.jobs;
@@ -170,13 +173,13 @@ std::optional<Refusal> complete(const Arguments& arguments, SuiteOptions& option
   options.jobs = std::max(options.jobs, 1);
   if (arguments.against.empty()) return std::nullopt;
   auto endpoint = orchestration::match::parse_endpoint(arguments.against);
-  if (!endpoint) return Refusal{kUsage, "--against: " + endpoint.error().message};
-  int read = read_script_of(*endpoint);
-  if (read == kDone) read = read_tls_files(*endpoint, arguments.tls);
-  if (read != kDone) return Refusal{static_cast<ExitCode>(read), ""};
+  if (!endpoint) return Failure{kUsage, "--against: " + endpoint.error().message};
+  int read = read_side_script(*endpoint);
+  if (read == kOk) read = read_tls_files(*endpoint, arguments.tls);
+  if (read != kOk) return Failure{static_cast<ExitCode>(read), ""};
   options.against = *std::move(endpoint);
   options.against_text = arguments.against;
-  // One Playmaker of a user's need not be able to play several matches at once.
+  // A user's Playmaker need not support parallel matches.
   const bool shared = options.against->kind != orchestration::match::Endpoint::Kind::kMock;
   if (shared && arguments.jobs == 0) options.jobs = 1;
   return std::nullopt;
@@ -186,10 +189,10 @@ int list(const std::vector<Scenario>& scenarios) {
   for (const Scenario& scenario : scenarios) {
     fmt::print("{:<32} {}\n", scenario.name, scenario.about);
   }
-  return kDone;
+  return kOk;
 }
 
-// Copies of the shipped scenarios, to begin one's own with.
+// Writes copies of the shipped scenarios as templates.
 int export_to(const fs::path& folder) {
   std::error_code code;
   fs::create_directories(folder, code);
@@ -197,14 +200,13 @@ int export_to(const fs::path& folder) {
        orchestration::scenario::shipped_files()) {
     const auto written = base::write_file(folder / file.name, file.text);
     if (written) continue;
-    fmt::print(stderr, "cls: {}\n", written.error().message);
-    return kCannotCreate;
+    return print_error(kCannotCreate, written.error().message);
   }
   fmt::print("{} files in {}\n", orchestration::scenario::shipped_files().size(), folder.string());
-  return kDone;
+  return kOk;
 }
 
-// True when blessing has made everything right.
+// True when accepting the golden values removes all failures.
 bool only_golden_failed(const SuiteVerdict& suite) {
   for (const auto& verdict : suite.scenarios) {
     if (verdict.verdict == Verdict::kFailed && !verdict.reason.empty()) return false;
@@ -219,50 +221,50 @@ bool only_golden_failed(const SuiteVerdict& suite) {
   return true;
 }
 
-int tell(const Arguments& arguments, const SuiteVerdict& suite, double seconds) {
+int finish(const Arguments& arguments, const SuiteVerdict& suite, double seconds) {
   if (arguments.json) {
     fmt::print("{}", to_json(suite));
   } else {
     fmt::print("{}", summary(suite, seconds));
   }
-  const ExitCode handed_out = hand_out(arguments.reports, to_junit(suite), to_annotations(suite));
-  if (handed_out != kDone) return handed_out;
-  if (arguments.bless) {
-    const auto blessed = bless(suite);
-    if (!blessed) {
-      fmt::print(stderr, "cls: {}\n", blessed.error().message);
-      return kCannotCreate;
-    }
-    fmt::print(stderr, "{} golden values changed\n", *blessed);
-    return only_golden_failed(suite) ? kDone : kAnswerIsNo;
+  const ExitCode reported =
+      write_ci_reports(arguments.reports, to_junit(suite), to_annotations(suite));
+  if (reported != kOk) return reported;
+  if (arguments.accept_golden) {
+    const auto changed = accept_golden_values(suite);
+    if (!changed) return print_error(kCannotCreate, changed.error().message);
+    fmt::print(stderr, "{} golden values changed\n", *changed);
+    return only_golden_failed(suite) ? kOk : kFailed;
   }
-  return suite.passed() ? kDone : kAnswerIsNo;
+  return suite.passed() ? kOk : kFailed;
 }
 
-int refuse(const Refusal& refusal) {
-  if (!refusal.message.empty()) fmt::print(stderr, "cls: {}\n", refusal.message);
-  return refusal.code;
+int report_failure(const Failure& failure) {
+  if (!failure.message.empty()) print_error(failure.code, failure.message);
+  return failure.code;
 }
 
-// What the words say about a replay: its one ENDPOINT.
-std::optional<Refusal> complete(const Arguments& arguments,
-                                orchestration::match::ReplayOptions& options) {
-  if (arguments.scenarios.size() != 1) return Refusal{kUsage, "--replay FILE needs one ENDPOINT"};
+// Options of --replay FILE ENDPOINT.
+std::optional<Failure> resolve(const Arguments& arguments,
+                               orchestration::match::ReplayOptions& options) {
+  if (arguments.scenarios.size() != 1)
+    return Failure{kUsage, "--replay FILE requires one ENDPOINT"};
   auto endpoint = orchestration::match::parse_endpoint(arguments.scenarios.front());
-  if (!endpoint) return Refusal{kUsage, endpoint.error().message};
-  if (!endpoint->has_playmaker()) return Refusal{kUsage, "--replay asks a Playmaker, not a team"};
-  int read = read_script_of(*endpoint);
-  if (read == kDone) read = read_tls_files(*endpoint, arguments.tls);
-  if (read != kDone) return Refusal{static_cast<ExitCode>(read), ""};
+  if (!endpoint) return Failure{kUsage, endpoint.error().message};
+  if (!endpoint->has_playmaker())
+    return Failure{kUsage, "--replay requires a Playmaker, not team:DIR"};
+  int read = read_side_script(*endpoint);
+  if (read == kOk) read = read_tls_files(*endpoint, arguments.tls);
+  if (read != kOk) return Failure{static_cast<ExitCode>(read), ""};
   options.endpoint = *std::move(endpoint);
   options.file = arguments.replay;
   options.folder = arguments.folder;
-  if (!fs::exists(options.file)) return Refusal{kNoInput, options.file + ": no such file"};
+  if (!fs::exists(options.file)) return Failure{kNoInput, options.file + ": no such file"};
   if (options.endpoint.starts_programs()) fs::create_directories(options.folder);
   if (arguments.side.empty()) return std::nullopt;
-  options.side = soccer::side_named(arguments.side);
+  options.side = soccer::parse_side(arguments.side);
   if (!options.side) {
-    return Refusal{kUsage, fmt::format("--side '{}': must be left or right", arguments.side)};
+    return Failure{kUsage, fmt::format("--side '{}': must be left or right", arguments.side)};
   }
   return std::nullopt;
 }
@@ -270,26 +272,26 @@ std::optional<Refusal> complete(const Arguments& arguments,
 int run_replay(const Arguments& arguments) {
   constexpr std::size_t kShownDifferences = 20;
   orchestration::match::ReplayOptions options;
-  if (const auto refusal = complete(arguments, options)) return refuse(*refusal);
+  if (const auto failure = resolve(arguments, options)) return report_failure(*failure);
   const std::atomic<int>& signal = watch_interrupts();
   const auto result = replay_recording(options, signal);
   if (!result) {
     const bool about_file = result.error().message.rfind(options.file, 0) == 0;
-    return refuse({about_file ? kBadData : kUnavailable, result.error().message});
+    return report_failure({about_file ? kBadData : kUnavailable, result.error().message});
   }
   fmt::print("{}", arguments.json ? to_json(*result) : to_text(*result, kShownDifferences));
-  if (result->interrupted) return signal.load() == SIGTERM ? kTerminated : kInterrupted;
-  return result->differences.empty() ? kDone : kAnswerIsNo;
+  if (result->interrupted) return signal_exit_code(signal);
+  return result->differences.empty() ? kOk : kFailed;
 }
 
 int run_test_command(const Arguments& arguments) {
   if (!arguments.replay.empty()) return run_replay(arguments);
   if (!arguments.export_folder.empty()) return export_to(arguments.export_folder);
   std::vector<Scenario> scenarios;
-  if (const auto refusal = choose(arguments, scenarios)) return refuse(*refusal);
+  if (const auto failure = choose(arguments, scenarios)) return report_failure(*failure);
   if (arguments.list) return list(scenarios);
   SuiteOptions options;
-  if (const auto refusal = complete(arguments, options)) return refuse(*refusal);
+  if (const auto failure = resolve(arguments, options)) return report_failure(*failure);
   const auto on_done = [&](const orchestration::scenario::ScenarioVerdict& verdict) {
     const bool wanted = verdict.verdict == Verdict::kFailed || !arguments.quiet;
     if (!wanted) return;
@@ -300,8 +302,8 @@ int run_test_command(const Arguments& arguments) {
   const auto start = std::chrono::steady_clock::now();
   const SuiteVerdict suite = run_suite(scenarios, options, on_done, signal);
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
-  const int code = tell(arguments, suite, took.count());
-  if (signal.load() != 0) return signal.load() == SIGTERM ? kTerminated : kInterrupted;
+  const int code = finish(arguments, suite, took.count());
+  if (signal.load() != 0) return signal_exit_code(signal);
   return code;
 }
 
@@ -311,24 +313,29 @@ void add_test_command(CLI::App& app, int& exit_code) {
   const auto arguments = std::make_shared<Arguments>();
   CLI::App* command = app.add_subcommand("test", kDescription);
   Arguments& a = *arguments;
-  command->add_option("SCENARIO", a.scenarios, "names, files or folders (all that come with cls)");
-  command->add_option("--against", a.against, "a side form: plays the side under test");
-  command->add_option("--filter", a.filter, "only names that contain this; * stands for anything");
+  command->add_option("SCENARIO", a.scenarios,
+                      "names, files or folders (default: all shipped scenarios)");
+  command->add_option("--against", a.against, "SIDE that plays the side under test");
+  command->add_option("--filter", a.filter,
+                      "only names that contain this text or match this pattern (*)");
   command->add_option("--seed", a.seed, "only this seed");
-  command->add_option("--shard", a.shard, "K/N: the K-th of N parts");
-  command->add_option("--jobs", a.jobs, "runs at once (processors; 1 against your Playmaker)")
+  command->add_option("--shard", a.shard, "K/N: play the K-th of N parts");
+  command
+      ->add_option("--jobs", a.jobs,
+                   "parallel runs (default: processor cores; 1 with --against your Playmaker)")
       ->check(CLI::Range(1, 1000));
   add_ci_options(*command, a.reports);
-  command->add_flag("--json", a.json, "print the result document, nothing else");
-  command->add_option("--dir", a.folder, "where failing runs are kept (runs/test)");
-  command->add_flag("--bless", a.bless, "take what golden checks find as right");
-  command->add_flag("--list", a.list, "only names and descriptions");
-  command->add_option("--export", a.export_folder, "write the shipped scenarios into a folder");
+  command->add_flag("--json", a.json, "print only the result document");
+  command->add_option("--dir", a.folder, "folder of failed runs")->capture_default_str();
+  command->add_flag("--accept", a.accept_golden, "accept current values as the new golden values");
+  command->add_flag("--bless", a.accept_golden)->group("");  // former name of --accept
+  command->add_flag("--list", a.list, "list names and descriptions");
+  command->add_option("--export", a.export_folder, "write the shipped scenarios to a folder");
   command->add_option("--replay", a.replay,
-                      "asks the Playmaker ENDPOINT what `cls match --record-rpc` recorded");
-  command->add_option("--side", a.side, "whose calls --replay asks: left or right");
+                      "send a recording of `cls match --record-rpc` to the Playmaker ENDPOINT");
+  command->add_option("--side", a.side, "side of the recording for --replay: left or right");
   add_tls_options(*command, a.tls);
-  command->add_flag("--quiet", a.quiet, "only failures and the summary");
+  command->add_flag("--quiet", a.quiet, "print only failures and the summary");
   command->callback([arguments, &exit_code] { exit_code = run_test_command(*arguments); });
 }
 

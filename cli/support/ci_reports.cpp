@@ -1,4 +1,4 @@
-// Options for CI, and where their reports go.
+// Options and output of CI reports.
 #include "cli/support/ci_reports.h"
 
 #include <fmt/format.h>
@@ -20,17 +20,17 @@ bool runs_in_github_actions() {
 }  // namespace
 
 void add_ci_options(CLI::App& command, CiReports& reports) {
-  command.add_option("--junit", reports.junit, "write a JUnit report");
+  command.add_option("--junit", reports.junit, "write a JUnit report to FILE")->type_name("FILE");
   command.add_flag("--github", reports.github,
-                   "annotations on stderr (on by itself in GitHub Actions)");
+                   "print annotations on stderr (default in GitHub Actions: on)");
 }
 
-ExitCode hand_out(const CiReports& reports, const std::string& junit,
-                  const std::string& annotations) {
+ExitCode write_ci_reports(const CiReports& reports, const std::string& junit,
+                          const std::string& annotations) {
   if (reports.github || runs_in_github_actions()) fmt::print(stderr, "{}", annotations);
-  if (reports.junit.empty()) return kDone;
+  if (reports.junit.empty()) return kOk;
   const auto written = base::write_file(reports.junit, junit);
-  if (written) return kDone;
+  if (written) return kOk;
   fmt::print(stderr, "cls: {}\n", written.error().message);
   return kCannotCreate;
 }

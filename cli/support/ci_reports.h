@@ -1,4 +1,4 @@
-// What CI systems are handed: a JUnit report, annotations of GitHub Actions.
+// Reports for CI systems: JUnit file and GitHub Actions annotations.
 #pragma once
 
 #include <string>
@@ -13,14 +13,14 @@ namespace cls::cli {
 
 struct CiReports {
   std::string junit;    ///< file; empty: none
-  bool github = false;  ///< asked for; in GitHub Actions they come by themselves
+  bool github = false;  ///< annotations; always on in GitHub Actions
 };
 
 /// --junit FILE and --github.
 void add_ci_options(CLI::App& command, CiReports& reports);
 
-/// Writes what is wanted; an error is told. kDone or kCannotCreate.
-ExitCode hand_out(const CiReports& reports, const std::string& junit,
-                  const std::string& annotations);
+/// Writes the requested reports; prints an error. Returns kOk or kCannotCreate.
+ExitCode write_ci_reports(const CiReports& reports, const std::string& junit,
+                          const std::string& annotations);
 
 }  // namespace cls::cli

@@ -1,4 +1,4 @@
-// Which commands need a guard is decided from the first word alone: parsing comes later.
+// Selects the commands that need a guard by the first argument, before parsing.
 #include "cli/support/early_guard.h"
 
 #include <algorithm>
@@ -16,9 +16,9 @@ constexpr std::array<std::string_view, 7> kCommands = {"match", "tournament", "c
 
 bool may_start_programs(int argc, const char* const* argv) {
   for (int i = 1; i < argc; ++i) {
-    const std::string_view word = argv[i];
-    if (word.starts_with("-")) continue;
-    return std::find(kCommands.begin(), kCommands.end(), word) != kCommands.end();
+    const std::string_view argument = argv[i];
+    if (argument.starts_with("-")) continue;
+    return std::find(kCommands.begin(), kCommands.end(), argument) != kCommands.end();
   }
   return false;
 }

@@ -1,4 +1,4 @@
-// Starts the guard process for those commands that start other programs.
+// Starts the guard process for commands that start other programs.
 #pragma once
 
 #include <optional>
@@ -7,9 +7,9 @@
 
 namespace cls::cli {
 
-/// Call first in main, before any thread exists (orchestration/process/guard.h says why); the guard
-/// lives as long as the returned object. Nothing for commands that start no programs, and when no
-/// process can be made: then the command that needs one says so.
+/// Call first in main, before any thread exists (see orchestration/process/guard.h). The guard
+/// lives as long as the returned object. Returns nothing for commands that start no programs, and
+/// when fork() fails; a command that needs the guard reports that later.
 std::optional<orchestration::process::Guard> start_early_guard(int argc, char** argv);
 
 /// True when the command that `argv` names may start other programs.

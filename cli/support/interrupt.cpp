@@ -1,4 +1,4 @@
-// Signal handlers that only take a note.
+// Signal handlers that only store the signal number.
 #include "cli/support/interrupt.h"
 
 #include <csignal>
@@ -6,20 +6,22 @@
 namespace cls::cli {
 namespace {
 
-std::atomic<int> noted{0};
-static_assert(std::atomic<int>::is_always_lock_free, "a signal handler may only use these");
+std::atomic<int> received{0};
+static_assert(std::atomic<int>::is_always_lock_free, "required in a signal handler");
 
-void note(int signal) { noted.store(signal); }
+void store(int signal) { received.store(signal); }
 
 }  // namespace
 
 const std::atomic<int>& watch_interrupts() {
   struct sigaction action = {};
-  action.sa_handler = note;
+  action.sa_handler = store;
   action.sa_flags = static_cast<int>(SA_RESETHAND) | SA_RESTART;
   sigemptyset(&action.sa_mask);
   for (const int signal : {SIGINT, SIGTERM}) sigaction(signal, &action, nullptr);
-  return noted;
+  return received;
 }
+
+ExitCode signal_exit_code(int signal) { return signal == SIGTERM ? kTerminated : kInterrupted; }
 
 }  // namespace cls::cli

@@ -1,12 +1,17 @@
-// SIGINT and SIGTERM as a number to look at, so that a match can end in order.
+// SIGINT and SIGTERM as a flag to poll, for a graceful shutdown.
 #pragma once
 
 #include <atomic>
 
+#include "cli/support/exit_code.h"
+
 namespace cls::cli {
 
-/// Starts to catch SIGINT and SIGTERM and returns where the first of them is noted (0: none came).
-/// A second signal of the same kind ends the process the ordinary way.
+/// Installs handlers for SIGINT and SIGTERM. Returns the number of the last signal received (0:
+/// none). A second signal of the same kind has its default action.
 const std::atomic<int>& watch_interrupts();
+
+/// kTerminated for SIGTERM, otherwise kInterrupted.
+ExitCode signal_exit_code(int signal);
 
 }  // namespace cls::cli

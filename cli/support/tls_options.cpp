@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "cli/support/exit_code.h"
+#include "cli/support/print_error.h"
 #include "proxy/playmaker/grpc_target.h"
 
 namespace cls::cli {
@@ -20,25 +21,24 @@ struct PemFile {
   const char* option;
   const std::string& name;
   std::string& text;
-  const char* holds;  ///< what must stand in its BEGIN line
+  const char* label;  ///< required in its BEGIN line
 };
 
 int read_pem(const PemFile& file) {
-  if (file.name.empty()) return kDone;
+  if (file.name.empty()) return kOk;
   std::ifstream stream(file.name);
   const std::string text{std::istreambuf_iterator<char>(stream), {}};
   if (!stream || std::filesystem::is_directory(file.name)) {
-    fmt::print(stderr, "cls: {}: {}: cannot be read\n", file.option, file.name);
-    return kNoInput;
+    return print_error(kNoInput, fmt::format("{}: {}: cannot read", file.option, file.name));
   }
   const bool fits = text.find("-----BEGIN ") != std::string::npos &&
-                    text.find(fmt::format("{}-----", file.holds)) != std::string::npos;
+                    text.find(fmt::format("{}-----", file.label)) != std::string::npos;
   if (!fits) {
-    fmt::print(stderr, "cls: {}: {}: no {} in PEM form\n", file.option, file.name, file.holds);
-    return kBadData;
+    return print_error(kBadData, fmt::format("{}: {}: contains no {} in PEM format", file.option,
+                                             file.name, file.label));
   }
   file.text = text;
-  return kDone;
+  return kOk;
 }
 
 }  // namespace
@@ -46,25 +46,24 @@ int read_pem(const PemFile& file) {
 void add_tls_options(CLI::App& command, TlsOptions& options) {
   command
       .add_option("--tls-ca", options.authorities,
-                  "PEM file: who vouches for Playmakers at tls:HOST:PORT (the system's)")
+                  "PEM file of CA certificates that verify tls:HOST:PORT (default: system CAs)")
       ->envname("CLS_TLS_CA");
   command
       .add_option("--tls-cert", options.certificate,
-                  "PEM file: our certificate for Playmakers that ask for one")
+                  "PEM file of the client certificate, for Playmakers that require one")
       ->envname("CLS_TLS_CERT");
-  command.add_option("--tls-key", options.key, "PEM file: the key of our certificate")
+  command.add_option("--tls-key", options.key, "PEM file of the private key of --tls-cert")
       ->envname("CLS_TLS_KEY");
   command
       .add_option("--tls-name", options.server_name,
-                  "name that the Playmaker's certificate bears (its host)")
+                  "expected name in the Playmaker's certificate (default: its host)")
       ->envname("CLS_TLS_NAME");
 }
 
 int read_tls_files(orchestration::match::Endpoint& endpoint, const TlsOptions& options) {
-  if (endpoint.tls == nullptr) return kDone;
+  if (endpoint.tls == nullptr) return kOk;
   if (options.certificate.empty() != options.key.empty()) {
-    fmt::print(stderr, "cls: --tls-cert and --tls-key go together\n");
-    return kUsage;
+    return print_error(kUsage, "--tls-cert and --tls-key require each other");
   }
   auto files = std::make_shared<proxy::TlsFiles>();
   files->server_name = options.server_name;
@@ -72,10 +71,10 @@ int read_tls_files(orchestration::match::Endpoint& endpoint, const TlsOptions& o
        {PemFile{"--tls-ca", options.authorities, files->authorities, "CERTIFICATE"},
         PemFile{"--tls-cert", options.certificate, files->certificate, "CERTIFICATE"},
         PemFile{"--tls-key", options.key, files->key, "PRIVATE KEY"}}) {
-    if (const int code = read_pem(file); code != kDone) return code;
+    if (const int code = read_pem(file); code != kOk) return code;
   }
   endpoint.tls = std::move(files);
-  return kDone;
+  return kOk;
 }
 
 }  // namespace cls::cli

@@ -1,4 +1,4 @@
-// The options of commands that speak to Playmakers by TLS.
+// Options for TLS connections to Playmakers.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -8,7 +8,7 @@
 
 namespace cls::cli {
 
-/// Names of PEM files; empty ones are not used.
+/// Names of PEM files (empty: not used).
 struct TlsOptions {
   std::string authorities;
   std::string certificate;
@@ -16,12 +16,12 @@ struct TlsOptions {
   std::string server_name;
 };
 
-/// --tls-ca, --tls-cert, --tls-key, --tls-name; what is not given comes from the environment
-/// (CLS_TLS_CA and so on), which reaches the matches of tournaments as well.
+/// --tls-ca, --tls-cert, --tls-key, --tls-name. Defaults come from the environment (CLS_TLS_CA,
+/// ...), which the matches of tournaments inherit.
 void add_tls_options(CLI::App& command, TlsOptions& options);
 
-/// Reads the files for an endpoint of the form tls:HOST:PORT; nothing to do for others. Prints what
-/// is wrong; the exit code.
+/// Reads the files for a tls:HOST:PORT endpoint; does nothing for others. Prints errors and returns
+/// the exit code.
 int read_tls_files(orchestration::match::Endpoint& endpoint, const TlsOptions& options);
 
 }  // namespace cls::cli

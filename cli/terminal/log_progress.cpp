@@ -1,4 +1,4 @@
-// Drawing the line.
+// Progress line while reading several logs.
 #include "cli/terminal/log_progress.h"
 
 #include <fmt/format.h>
@@ -9,14 +9,14 @@ namespace cls::cli {
 namespace {
 
 constexpr std::chrono::milliseconds kInterval{100};
-constexpr double kSoonest = 0.5;  // seconds after which the speed is known well enough
+constexpr double kMinElapsed = 0.5;  // s; the rate is too noisy before
 
 }  // namespace
 
 LogProgress::LogProgress(std::size_t logs)
     : logs_(logs), shown_(logs > 1 && stderr_is_terminal()) {}
 
-void LogProgress::done(std::size_t count) {
+void LogProgress::update(std::size_t count) {
   if (!shown_) return;
   const std::unique_lock lock(mutex_, std::try_to_lock);
   const Clock::time_point now = Clock::now();
@@ -25,7 +25,7 @@ void LogProgress::done(std::size_t count) {
   const double elapsed = std::chrono::duration<double>(now - start_).count();
   const double share = static_cast<double>(count) / static_cast<double>(logs_);
   std::string text = fmt::format("{} {}/{} logs", progress_bar(share), count, logs_);
-  if (elapsed > kSoonest) {
+  if (elapsed > kMinElapsed) {
     const double speed = static_cast<double>(count) / elapsed;
     text += fmt::format("  {:.0f} logs/s  {}", speed,
                         time_left(static_cast<double>(logs_ - count) / speed));

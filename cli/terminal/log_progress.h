@@ -1,21 +1,21 @@
-// How far the reading of many logs has come.
+// Progress line while reading several logs.
 #pragma once
 
 #include <chrono>
 #include <cstddef>
 #include <mutex>
 
-#include "cli/terminal/terminal_line.h"
+#include "cli/terminal/terminal.h"
 
 namespace cls::cli {
 
-/// A line on the terminal, if there is one and there are several logs.
+/// Shown only on a terminal and for more than one log.
 class LogProgress {
  public:
   explicit LogProgress(std::size_t logs);
 
-  /// So many are done. On any thread.
-  void done(std::size_t count);
+  /// Reports the number of logs read. Thread-safe.
+  void update(std::size_t count);
 
  private:
   using Clock = std::chrono::steady_clock;

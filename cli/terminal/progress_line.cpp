@@ -1,4 +1,4 @@
-// Drawing the progress line.
+// Progress line of a running match.
 #include "cli/terminal/progress_line.h"
 
 #include <fmt/format.h>

@@ -1,20 +1,20 @@
-// The one line that follows a running match on a terminal.
+// Progress line of a running match.
 #pragma once
 
 #include <chrono>
 #include <string>
 #include <string_view>
 
-#include "cli/terminal/terminal_line.h"
+#include "cli/terminal/terminal.h"
 #include "orchestration/match/result/match_observer.h"
 
 namespace cls::cli {
 
-/// Rewrites one line on stderr a few times a second; warnings go above it. Without a terminal it
-/// shows warnings only, so that a log file stays readable.
+/// Rewrites one line on stderr every 100 ms; notices and warnings are printed above it. Without a
+/// terminal only notices and warnings are printed, so that a log file stays readable.
 class ProgressLine : public orchestration::match::MatchObserver {
  public:
-  /// `shown` is false without a terminal and with --quiet;
+  /// `shown` is false without a terminal and with --quiet.
   ProgressLine(bool shown, bool quiet) : shown_(shown), quiet_(quiet) {}
 
   void on_phase(std::string_view what) override;
@@ -22,7 +22,7 @@ class ProgressLine : public orchestration::match::MatchObserver {
   void on_notice(std::string_view line) override;
   void on_warning(std::string_view line) override;
 
-  /// Removes the line, so that what is printed next starts on a clean one.
+  /// Erases the line.
   void clear() { line_.clear(); }
 
  private:
@@ -36,7 +36,7 @@ class ProgressLine : public orchestration::match::MatchObserver {
   int cycles_at_start_ = -1;
 };
 
-/// The text of the line: game time, score, mode, speed and the time left.
+/// Text of the line: game time, score, play mode, speed and the remaining time.
 std::string progress_text(const orchestration::match::MatchProgress& progress,
                           double cycles_per_second);
 

@@ -1,4 +1,4 @@
-// Drawing it.
+// Progress of a tournament on a terminal.
 #include "cli/terminal/tournament_progress.h"
 
 #include <fmt/format.h>

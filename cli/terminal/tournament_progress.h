@@ -1,16 +1,16 @@
-// A tournament under way on a terminal.
+// Progress of a tournament on a terminal.
 #pragma once
 
 #include <string>
 #include <string_view>
 
-#include "cli/terminal/terminal_line.h"
+#include "cli/terminal/terminal.h"
 #include "orchestration/tournament/run/tournament_run.h"
 
 namespace cls::cli {
 
-/// A line for each match that ends, and below it one that counts; both only on a terminal. Notes
-/// always, unless quiet.
+/// Prints a line per finished match and a progress line below, both only on a terminal. Prints
+/// notes unless quiet.
 class TournamentProgress : public orchestration::tournament::TournamentObserver {
  public:
   TournamentProgress(bool shown, bool quiet) : shown_(shown), quiet_(quiet) {}

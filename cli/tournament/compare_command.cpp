@@ -1,10 +1,9 @@
-// Pairs of matches until a sequential test knows the answer.
-#include "cli/tournament/compare_command.h"
+// `cls compare NEW BASE`: pairs of matches until a sequential test (SPRT) decides.
+#include "cli/support/commands.h"
 
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <csignal>
 #include <memory>
 #include <string>
 #include <vector>
@@ -12,13 +11,13 @@
 #include "base/system/host.h"
 #include "cli/support/exit_code.h"
 #include "cli/support/interrupt.h"
-#include "cli/support/named_side.h"
+#include "cli/support/print_error.h"
+#include "cli/support/side_arguments.h"
 #include "cli/terminal/terminal.h"
 #include "cli/terminal/tournament_progress.h"
 #include "cli/tournament/tournament_options.h"
 #include "orchestration/match/options/endpoint.h"
 #include "orchestration/tournament/report/comparison.h"
-#include "orchestration/tournament/report/comparison_report.h"
 #include "orchestration/tournament/run/tournament_run.h"
 #include "orchestration/tournament/store/folder.h"
 #include "orchestration/tournament/store/match_attempt.h"
@@ -31,18 +30,19 @@ using namespace orchestration::tournament;
 namespace match = orchestration::match;
 
 constexpr const char* kDescription =
-    "Is NEW better than BASE? Plays matches until that is known.\n"
-    "They come in pairs, sides swapped on one seed; a sequential test (SPRT) tells when to stop.\n"
+    "test whether NEW is better than BASE\n"
+    "Plays pairs of matches with one seed and swapped sides until a sequential probability\n"
+    "ratio test (SPRT) decides.\n"
     "\n"
     "  cls compare NEW OLD                          teams of cls.toml\n"
     "  cls compare localhost:50051 mock --elo1 80   or any sides\n"
-    "  cls compare NEW OLD --opponents A,B          both against each, on the same seeds\n"
+    "  cls compare NEW OLD --opponents A,B          both against each, with the same seeds\n"
     "\n"
-    "H0: NEW is --elo0 better than BASE, H1: it is --elo1 better. The exit code is 0 when H1 is\n"
-    "accepted, 1 when H0 is, or when it is not known after --max-pairs.";
+    "H0: NEW is --elo0 better than BASE; H1: it is --elo1 better. Exit code: 0 if H1 is\n"
+    "accepted, 1 if H0 is accepted or the test is undecided after --max-pairs.";
 
 struct Arguments {
-  std::string ours;
+  std::string candidate;
   std::string base;
   std::vector<std::string> opponents;
   TournamentOptions options;
@@ -52,30 +52,30 @@ struct Arguments {
   bool quiet = false;
 };
 
-// `side` as a team with a name that no other of `config` has, or an exit code.
+// Adds `side` as a team with a distinct name. Returns an exit code.
 int add_team(TournamentConfig& config, std::string side, const std::string& suffix,
              const std::string& config_file) {
   std::string name;
-  if (const int exit_code = resolve_named_side(side, name, config_file); exit_code != kDone) {
+  if (const int exit_code = resolve_team_name(side, name, config_file); exit_code != kOk) {
     return exit_code;
   }
   const auto endpoint = match::parse_endpoint(side);
-  if (!endpoint) return complain(kUsage, endpoint.error().message);
-  constexpr std::size_t kLongestStem = 10;
+  if (!endpoint) return print_error(kUsage, endpoint.error().message);
+  constexpr std::size_t kMaxStem = 10;
   if (name.empty()) {
     name = match::default_team_name(*endpoint);
-    if (team_index(config, name) >= 0) name = name.substr(0, kLongestStem) + suffix;
+    if (team_index(config, name) >= 0) name = name.substr(0, kMaxStem) + suffix;
   }
   if (team_index(config, name) >= 0) {
-    return complain(kUsage, fmt::format("'{}' is named twice", side));
+    return print_error(kUsage, fmt::format("'{}' is named twice", side));
   }
   config.teams.push_back({name, side});
-  return kDone;
+  return kOk;
 }
 
 int make_comparison(const Arguments& arguments, Comparison& comparison) {
   ChosenConfig chosen = choose_conditions(arguments.options);
-  if (chosen.exit_code != kDone) return chosen.exit_code;
+  if (chosen.exit_code != kOk) return chosen.exit_code;
   TournamentConfig& config = comparison.config;
   config = std::move(chosen.config);
   config.format = Format::kList;
@@ -86,23 +86,23 @@ int make_comparison(const Arguments& arguments, Comparison& comparison) {
   // Sides are resolved for the working directory already.
   config.folder = fs::current_path();
   const std::string& file = arguments.options.config_file;
-  if (const int code = add_team(config, arguments.ours, "", file); code != kDone) return code;
-  if (const int code = add_team(config, arguments.base, "_base", file); code != kDone) return code;
+  if (const int code = add_team(config, arguments.candidate, "", file); code != kOk) return code;
+  if (const int code = add_team(config, arguments.base, "_base", file); code != kOk) return code;
   for (const std::string& opponent : arguments.opponents) {
-    if (const int code = add_team(config, opponent, "_opp", file); code != kDone) return code;
+    if (const int code = add_team(config, opponent, "_opp", file); code != kOk) return code;
   }
   config.matches = {{config.teams[0].name, config.teams[1].name}};
   comparison.sprt = arguments.sprt;
   comparison.max_samples = arguments.max_pairs;
-  const auto mistakes = mistakes_in(config);
-  for (const std::string& mistake : mistakes) complain(kUsage, mistake);
+  const auto errors = validate(config);
+  print_errors(kUsage, errors);
   const SprtSettings& sprt = comparison.sprt;
-  if (sprt.elo0 >= sprt.elo1) return complain(kUsage, "--elo0 must be below --elo1");
+  if (sprt.elo0 >= sprt.elo1) return print_error(kUsage, "--elo0 must be below --elo1");
   const auto is_rate = [](double rate) { return rate > 0 && rate < 0.5; };
   if (!is_rate(sprt.alpha) || !is_rate(sprt.beta)) {
-    return complain(kUsage, "--alpha and --beta must be between 0 and 0.5");
+    return print_error(kUsage, "--alpha and --beta must be between 0 and 0.5");
   }
-  return mistakes.empty() ? kDone : kUsage;
+  return errors.empty() ? kOk : kUsage;
 }
 
 fs::path folder_of(const Arguments& arguments, const Comparison& comparison) {
@@ -113,43 +113,44 @@ fs::path folder_of(const Arguments& arguments, const Comparison& comparison) {
 }
 
 int exit_code_of(const RunSummary& summary, const ComparisonVerdict& known) {
-  if (known.state.answer == SprtAnswer::kH1) return kDone;
-  if (known.state.answer == SprtAnswer::kH0) return kAnswerIsNo;
+  if (known.state.decision == SprtDecision::kH1) return kOk;
+  if (known.state.decision == SprtDecision::kH0) return kFailed;
   if (summary.end == RunEnd::kInterrupted) {
-    return summary.signal == SIGTERM ? kTerminated : kInterrupted;
+    return signal_exit_code(summary.signal);
   }
-  return summary.end == RunEnd::kStopRequested ? kInterrupted : kAnswerIsNo;
+  return summary.end == RunEnd::kStopRequested ? kInterrupted : kFailed;
 }
 
 int run(const Arguments& arguments) {
   Comparison comparison;
-  if (const int code = make_comparison(arguments, comparison); code != kDone) return code;
+  if (const int code = make_comparison(arguments, comparison); code != kOk) return code;
   RunOptions options;
   options.folder = folder_of(arguments, comparison);
   options.config = comparison.config;
   options.next = [&](std::span<const ScheduledMatch> so_far) {
     return next_fixtures(comparison, so_far);
   };
-  options.enough = [&](std::span<const ScheduledMatch> matches) {
-    return verdict(comparison, matches).state.answer != SprtAnswer::kOpen;
+  options.decided = [&](std::span<const ScheduledMatch> matches) {
+    return verdict(comparison, matches).state.decision != SprtDecision::kOpen;
   };
   if (const auto ready = prepare_folder(options.folder, options.config); !ready) {
-    return complain(holds_plan(options.folder) ? kBadConfig : kCannotCreate, ready.error().message);
+    return print_error(holds_plan(options.folder) ? kBadConfig : kCannotCreate,
+                       ready.error().message);
   }
-  const auto lock = FolderLock::take(options.folder);
-  if (!lock) return complain(kCannotCreate, lock.error().message);
-  if (!*lock) return complain(kTryAgain, options.folder.string() + " is in use by another cls");
+  const auto lock = FolderLock::try_lock(options.folder);
+  if (!lock) return print_error(kCannotCreate, lock.error().message);
+  if (!*lock) return print_error(kTryAgain, options.folder.string() + ": in use by another cls");
   TournamentProgress progress(stderr_is_terminal() && !arguments.quiet, arguments.quiet);
   const auto make = [&](const TournamentConfig& config) {
     return make_executor(config, options.folder, own_program());
   };
   const auto summary = run_tournament(options, make, progress, watch_interrupts());
   progress.clear();
-  if (!summary) return complain(kWriteFailed, summary.error().message);
+  if (!summary) return print_error(kWriteFailed, summary.error().message);
   fmt::print("{}", arguments.json ? comparison_json(comparison, summary->matches)
                                   : comparison_text(comparison, summary->matches));
   if (!arguments.json) fmt::print("{}/\n", options.folder.string());
-  if (!summary->message.empty()) complain(0, summary->message);
+  if (!summary->message.empty()) print_error(0, summary->message);
   return exit_code_of(*summary, verdict(comparison, summary->matches));
 }
 
@@ -158,24 +159,35 @@ int run(const Arguments& arguments) {
 void add_compare_command(CLI::App& app, int& exit_code) {
   const auto arguments = std::make_shared<Arguments>();
   CLI::App* command = app.add_subcommand("compare", kDescription);
-  command->add_option("NEW", arguments->ours, "the team in question")->required();
-  command->add_option("BASE", arguments->base, "the team it is held against")->required();
-  command->add_option("--opponents", arguments->opponents, "teams that both play instead, A,B,...")
+  command->add_option("NEW", arguments->candidate, "the team under test")->required();
+  command->add_option("BASE", arguments->base, "the reference team")->required();
+  command
+      ->add_option("--opponents", arguments->opponents,
+                   "opponents of both teams: A,B,... (default: each other)")
       ->delimiter(',')
       ->expected(1);
-  command->add_option("--elo0", arguments->sprt.elo0, "Elo difference of H0 (0)");
-  command->add_option("--elo1", arguments->sprt.elo1, "Elo difference of H1 (40)");
-  command->add_option("--alpha", arguments->sprt.alpha, "probability to accept H1 wrongly (0.05)");
-  command->add_option("--beta", arguments->sprt.beta, "probability to accept H0 wrongly (0.05)");
+  command->add_option("--elo0", arguments->sprt.elo0, "Elo difference of H0")
+      ->capture_default_str();
+  command->add_option("--elo1", arguments->sprt.elo1, "Elo difference of H1")
+      ->capture_default_str();
+  command
+      ->add_option("--alpha", arguments->sprt.alpha,
+                   "probability of a type I error (accept H1 wrongly)")
+      ->capture_default_str();
+  command
+      ->add_option("--beta", arguments->sprt.beta,
+                   "probability of a type II error (accept H0 wrongly)")
+      ->capture_default_str();
   command
       ->add_option("--max-pairs", arguments->max_pairs,
-                   "end undecided after so many pairs (none; with opponents: of each team)")
+                   "maximum pairs; with --opponents: per team (default: no limit)")
       ->check(CLI::PositiveNumber);
-  command->add_option("--dir", arguments->options.folder,
-                      "folder (./runs/<UTC>-compare-<NEW>-<BASE>); again: goes on");
+  command->add_option(
+      "--dir", arguments->options.folder,
+      "folder; an existing one is resumed (default: ./runs/<UTC>-compare-<NEW>-<BASE>)");
   add_condition_options(*command, arguments->options);
-  command->add_flag("--json", arguments->json, "print the verdict as JSON, nothing else");
-  command->add_flag("--quiet", arguments->quiet, "no progress, no notes");
+  command->add_flag("--json", arguments->json, "print only the verdict as JSON");
+  command->add_flag("--quiet", arguments->quiet, "print no progress and no notes");
   command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
 }
 

@@ -1,5 +1,5 @@
-// Writing the file, never over another.
-#include "cli/tournament/init_command.h"
+// `cls init`: writes cls.toml, never over an existing one.
+#include "cli/support/commands.h"
 
 #include <fmt/format.h>
 
@@ -10,6 +10,7 @@
 
 #include "base/io/whole_file.h"
 #include "cli/support/exit_code.h"
+#include "cli/support/print_error.h"
 #include "orchestration/tournament/config/config_file.h"
 
 namespace cls::cli {
@@ -18,26 +19,23 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kDescription =
-    "Writes a commented cls.toml: teams and tournament.\n"
+    "write a commented cls.toml with teams and tournament\n"
     "\n"
-    "  cls init            into this folder\n"
-    "  cls init cup        into cup, which is made";
+    "  cls init            into the working directory\n"
+    "  cls init cup        into cup, which is created";
 
 int run(const std::string& folder, bool force) {
   const fs::path file = fs::path(folder) / orchestration::tournament::kConfigFile;
   std::error_code code;
   if (fs::exists(file, code) && !force) {
-    fmt::print(stderr, "cls: {} exists already (--force replaces it)\n", file.string());
-    return kCannotCreate;
+    return print_error(kCannotCreate,
+                       fmt::format("{}: exists; use --force to replace it", file.string()));
   }
   fs::create_directories(folder, code);
   const auto written = base::write_file(file, orchestration::tournament::commented_config());
-  if (!written) {
-    fmt::print(stderr, "cls: {}\n", written.error().message);
-    return kCannotCreate;
-  }
+  if (!written) return print_error(kCannotCreate, written.error().message);
   fmt::print("{}\n", file.string());
-  return kDone;
+  return kOk;
 }
 
 }  // namespace
@@ -46,7 +44,7 @@ void add_init_command(CLI::App& app, int& exit_code) {
   const auto folder = std::make_shared<std::string>(".");
   const auto force = std::make_shared<bool>(false);
   CLI::App* command = app.add_subcommand("init", kDescription);
-  command->add_option("DIR", *folder, "folder of the file (this one)");
+  command->add_option("DIR", *folder, "folder of the file (default: working directory)");
   command->add_flag("--force", *force, "replace an existing file");
   command->callback([folder, force, &exit_code] { exit_code = run(*folder, *force); });
 }

@@ -1,5 +1,5 @@
-// The list of the parts.
-#include "cli/tournament/tournament_command.h"
+// `cls tournament`: the list of its sub-commands.
+#include "cli/support/commands.h"
 
 #include <CLI/CLI.hpp>
 
@@ -7,16 +7,16 @@ namespace cls::cli {
 namespace {
 
 constexpr const char* kDescription =
-    "Plays many matches after a plan, keeps every result, tells who is better.\n"
+    "play a tournament, store each result, rank the teams\n"
     "\n"
-    "  cls init                       writes a commented cls.toml: teams, format, rounds\n"
-    "  cls tournament plan DIR        lists the matches without playing\n"
-    "  cls tournament run DIR         plays them; called again it goes on where it ended\n"
-    "  cls tournament status DIR      how far it is\n"
-    "  cls tournament report DIR      tables and statistics\n"
-    "  cls tournament stop DIR        ends a run after the matches under way\n"
+    "  cls init                       write a commented cls.toml: teams, format, rounds\n"
+    "  cls tournament plan DIR        list the fixtures\n"
+    "  cls tournament run DIR         play them; run again to resume\n"
+    "  cls tournament status DIR      show progress and standings\n"
+    "  cls tournament report DIR      print tables and statistics\n"
+    "  cls tournament stop DIR        stop a run after its current matches\n"
     "\n"
-    "docs/tournaments.md leads from two Playmakers to a verdict.";
+    "docs/tournaments.md is a tutorial: from two Playmakers to a result.";
 
 }  // namespace
 

@@ -1,4 +1,4 @@
-// Finding the configuration and putting the command line on top of it.
+// Finds the configuration and applies overrides from the command line.
 #include "cli/tournament/tournament_options.h"
 
 #include <fmt/format.h>
@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "cli/support/exit_code.h"
+#include "cli/support/print_error.h"
 #include "orchestration/match/options/endpoint.h"
 #include "orchestration/tournament/config/config_file.h"
 #include "orchestration/tournament/config/config_keys.h"
@@ -38,18 +39,18 @@ std::optional<fs::path> config_path(const TournamentOptions& options) {
 }
 
 std::vector<std::string> apply_teams(TournamentConfig& config, const TournamentOptions& options) {
-  std::vector<std::string> mistakes;
+  std::vector<std::string> errors;
   for (const std::string& team : options.teams) {
     const std::size_t equals = team.find('=');
     if (equals == std::string::npos) {
-      mistakes.push_back(fmt::format("--team '{}' is not of the form NAME=ENDPOINT", team));
+      errors.push_back(fmt::format("--team '{}': must be NAME=ENDPOINT", team));
       continue;
     }
     const std::string name = team.substr(0, equals);
     const auto good = match::check_team_name(name);
-    if (!good) mistakes.push_back("--team: " + good.error().message);
+    if (!good) errors.push_back("--team: " + good.error().message);
     const auto endpoint = match::parse_endpoint(team.substr(equals + 1));
-    if (!endpoint) mistakes.push_back("--team: " + endpoint.error().message);
+    if (!endpoint) errors.push_back("--team: " + endpoint.error().message);
     const int known = team_index(config, name);
     if (known < 0) {
       config.teams.push_back({name, team.substr(equals + 1)});
@@ -57,17 +58,17 @@ std::vector<std::string> apply_teams(TournamentConfig& config, const TournamentO
       config.teams[static_cast<std::size_t>(known)].endpoint = team.substr(equals + 1);
     }
   }
-  return mistakes;
+  return errors;
 }
 
 std::vector<std::string> apply_overrides(TournamentConfig& config,
                                          const TournamentOptions& options) {
-  std::vector<std::string> mistakes = apply_teams(config, options);
+  std::vector<std::string> errors = apply_teams(config, options);
   for (const auto& [name, text] : options.overrides) {
     const ConfigKey& key = *find_key(name);
-    const auto read = key.read(config, value_from_text(key, text));
+    const auto read = key.parse(config, parse_config_value(key, text));
     if (!read) {
-      mistakes.push_back(fmt::format("{} {}: {}", option_of(name), text, read.error().message));
+      errors.push_back(fmt::format("{} {}: {}", option_of(name), text, read.error().message));
     }
   }
   for (const std::string& setting : options.settings) {
@@ -77,59 +78,51 @@ std::vector<std::string> apply_overrides(TournamentConfig& config,
     config.settings.push_back(
         {name, equals == std::string::npos ? "" : setting.substr(equals + 1)});
   }
-  return mistakes;
-}
-
-int complain_all(int exit_code, const std::vector<std::string>& messages) {
-  for (const std::string& message : messages) complain(exit_code, message);
-  return exit_code;
+  return errors;
 }
 
 void add_shared_options(CLI::App& command, TournamentOptions& options, bool schedule) {
-  command.add_option("--config", options.config_file,
-                     schedule ? "configuration (DIR/cls.toml, else cls.toml here or above)"
-                              : "configuration (cls.toml here or above)");
+  command.add_option(
+      "--config", options.config_file,
+      schedule ? "configuration file (default: DIR/cls.toml, or cls.toml in or above the working "
+                 "directory)"
+               : "configuration file (default: cls.toml in or above the working directory)");
   command.add_option("--set", options.settings, "server::NAME=VALUE, repeatable")
       ->expected(1)
       ->take_all();
   for (const ConfigKey& key : tournament_keys()) {
     if (!schedule && key.group == KeyGroup::kSchedule && key.name != "seed") continue;
     command.add_option(option_of(key.name), options.overrides[std::string(key.name)],
-                       std::string(key.meaning));
+                       std::string(key.help));
   }
 }
 
 ChosenConfig read_and_override(TournamentOptions options, const std::optional<fs::path>& path) {
   std::erase_if(options.overrides, [](const auto& one) { return one.second.empty(); });
-  ConfigReading reading;
+  ParsedConfig reading;
   if (path) {
     std::error_code code;
     if (!fs::is_regular_file(*path, code)) {
-      return {complain(kNoInput, fmt::format("no such file: {}", path->string())), {}};
+      return {print_error(kNoInput, fmt::format("{}: no such file", path->string())), {}};
     }
     reading = read_config(*path);
-    if (!reading.mistakes.empty()) return {complain_all(kBadConfig, reading.mistakes), {}};
+    if (!reading.errors.empty()) return {print_errors(kBadConfig, reading.errors), {}};
   }
   if (reading.config.folder.empty()) reading.config.folder = fs::current_path();
   const auto usage = apply_overrides(reading.config, options);
-  if (!usage.empty()) return {complain_all(kUsage, usage), {}};
-  return {kDone, std::move(reading.config)};
+  if (!usage.empty()) return {print_errors(kUsage, usage), {}};
+  return {kOk, std::move(reading.config)};
 }
 
 }  // namespace
-
-int complain(int exit_code, const std::string& message) {
-  fmt::print(stderr, "cls: {}\n", message);
-  return exit_code;
-}
 
 void add_condition_options(CLI::App& command, TournamentOptions& options) {
   add_shared_options(command, options, false);
 }
 
 void add_tournament_options(CLI::App& command, TournamentOptions& options) {
-  command.add_option("DIR", options.folder, "the tournament's folder")->required();
-  command.add_option("--team", options.teams, "NAME=ENDPOINT, repeatable: one more team")
+  command.add_option("DIR", options.folder, "folder of the tournament")->required();
+  command.add_option("--team", options.teams, "add a team: NAME=ENDPOINT, repeatable")
       ->expected(1)
       ->take_all();
   add_shared_options(command, options, true);
@@ -143,22 +136,23 @@ ChosenConfig choose_config(const TournamentOptions& options) {
   const auto path = config_path(options);
   if (!path && options.teams.empty()) {
     return {
-        complain(kNoInput, fmt::format("no {} in {}, here or above: `cls init` writes one, or give "
-                                       "--config FILE or --team NAME=ENDPOINT",
-                                       kConfigFile, options.folder)),
+        print_error(kNoInput,
+                    fmt::format("no {} in {} or in or above the working directory; run `cls init`, "
+                                "or use --config FILE or --team NAME=ENDPOINT",
+                                kConfigFile, options.folder)),
         {}};
   }
   ChosenConfig chosen = read_and_override(options, path);
-  if (chosen.exit_code != kDone) return chosen;
-  auto mistakes = mistakes_in(chosen.config);
-  if (mistakes.empty()) return chosen;
-  for (std::string& mistake : mistakes) {
-    if (path) mistake = path->string() + ": " + mistake;
+  if (chosen.exit_code != kOk) return chosen;
+  auto errors = validate(chosen.config);
+  if (errors.empty()) return chosen;
+  for (std::string& error : errors) {
+    if (path) error = path->string() + ": " + error;
   }
   const bool overridden =
       !options.settings.empty() || std::any_of(options.overrides.begin(), options.overrides.end(),
                                                [](const auto& one) { return !one.second.empty(); });
-  return {complain_all(path && !overridden ? kBadConfig : kUsage, mistakes), {}};
+  return {print_errors(path && !overridden ? kBadConfig : kUsage, errors), {}};
 }
 
 }  // namespace cls::cli

@@ -1,4 +1,4 @@
-// Options that `cls tournament` commands share: which configuration, and what overrides it.
+// Options shared by `cls tournament` commands: the configuration and its overrides.
 #pragma once
 
 #include <filesystem>
@@ -26,24 +26,21 @@ struct TournamentOptions {
 /// `options` must outlive it.
 void add_tournament_options(CLI::App& command, TournamentOptions& options);
 
-/// The options of add_tournament_options but DIR, --team and those keys that make a schedule other
-/// than the seed: for commands with a schedule of their own.
+/// Like add_tournament_options, without DIR, --team and the schedule keys except the seed; for
+/// commands with their own schedule.
 void add_condition_options(CLI::App& command, TournamentOptions& options);
 
-/// A configuration, or an exit code with its reason already printed.
+/// A configuration, or an exit code whose error is already printed.
 struct ChosenConfig {
   int exit_code = 0;
   orchestration::tournament::TournamentConfig config;
 };
 
-/// --config, else cls.toml in DIR, else cls.toml upward from the working directory, else the plan
-/// that DIR holds; then the overrides. Prints what is wrong, one line each.
+/// Reads --config, else cls.toml in DIR, else cls.toml in or above the working directory, else the
+/// plan in DIR; then applies the overrides. Prints errors, one line each.
 ChosenConfig choose_config(const TournamentOptions& options);
 
-/// The same without the demand that there are teams and a schedule; without a file it is empty.
+/// Like choose_config, but requires no teams and no schedule; empty without a file.
 ChosenConfig choose_conditions(const TournamentOptions& options);
-
-/// Prints one line to stderr and returns `exit_code`.
-int complain(int exit_code, const std::string& message);
 
 }  // namespace cls::cli

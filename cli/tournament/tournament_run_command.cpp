@@ -1,16 +1,16 @@
-// `cls tournament run DIR`: plays what is not played yet.
+// `cls tournament run DIR`: plays the remaining matches.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <csignal>
 #include <memory>
 #include <string>
 
+#include "cli/support/commands.h"
 #include "cli/support/exit_code.h"
 #include "cli/support/interrupt.h"
+#include "cli/support/print_error.h"
 #include "cli/terminal/terminal.h"
 #include "cli/terminal/tournament_progress.h"
-#include "cli/tournament/tournament_command.h"
 #include "cli/tournament/tournament_options.h"
 #include "orchestration/tournament/config/config_file.h"
 #include "orchestration/tournament/report/report_document.h"
@@ -26,15 +26,16 @@ namespace fs = std::filesystem;
 using namespace orchestration::tournament;
 
 constexpr const char* kDescription =
-    "Plays the matches of a tournament that are not played yet.\n"
+    "play the remaining matches of a tournament\n"
     "\n"
-    "  cls tournament run cup                       with cup/cls.toml, or cls.toml here or above\n"
+    "  cls tournament run cup                       with cup/cls.toml, or cls.toml in or above "
+    "the\n"
+    "                                               working directory\n"
     "  cls tournament run cup --rounds 10 --seed 3  the command line overrides the file\n"
     "\n"
-    "Every result is on disk before the next match begins. Whatever ends a run (Ctrl-C, kill -9, "
-    "a\n"
-    "power cut): the same command goes on, and plays no finished match twice. A folder with\n"
-    "another plan is refused.";
+    "Each result is on disk before the next match starts. After any interruption (Ctrl-C,\n"
+    "kill -9, power failure) the same command resumes and repeats no finished match. A folder\n"
+    "with a different plan is refused.";
 
 struct Arguments {
   TournamentOptions tournament;
@@ -43,13 +44,13 @@ struct Arguments {
   bool quiet = false;
 };
 
-// The folder made ready: with --force an old tournament gives way, but not its cls.toml.
-int make_ready(const Arguments& arguments, const TournamentConfig& config) {
+// Prepares the folder. --force moves an old tournament aside, but keeps its cls.toml in place.
+int prepare(const Arguments& arguments, const TournamentConfig& config) {
   const fs::path folder = arguments.tournament.folder;
   if (arguments.force && holds_plan(folder)) {
     const auto aside = set_aside(folder);
-    if (!aside) return complain(kCannotCreate, aside.error().message);
-    fmt::print(stderr, "cls: the old tournament is {} now\n", aside->string());
+    if (!aside) return print_error(kCannotCreate, aside.error().message);
+    fmt::print(stderr, "cls: old tournament moved to {}\n", aside->string());
     std::error_code code;
     fs::create_directories(folder, code);
     if (fs::exists(*aside / kConfigFile, code)) {
@@ -57,54 +58,54 @@ int make_ready(const Arguments& arguments, const TournamentConfig& config) {
     }
   }
   if (const auto ready = prepare_folder(folder, config); !ready) {
-    return complain(holds_plan(folder) ? kBadConfig : kCannotCreate, ready.error().message);
+    return print_error(holds_plan(folder) ? kBadConfig : kCannotCreate, ready.error().message);
   }
-  return kDone;
+  return kOk;
 }
 
 int exit_code_of(const RunSummary& summary) {
   switch (summary.end) {
     case RunEnd::kComplete:
     case RunEnd::kDecided:
-      return summary.progress.invalid == 0 ? kDone : kAnswerIsNo;
+      return summary.progress.invalid == 0 ? kOk : kFailed;
     case RunEnd::kStopRequested:
       return kInterrupted;
     case RunEnd::kInterrupted:
-      return summary.signal == SIGTERM ? kTerminated : kInterrupted;
+      return signal_exit_code(summary.signal);
     case RunEnd::kFault:
-      return kAnswerIsNo;
+      return kFailed;
   }
   return kInternalError;
 }
 
-void tell_end(const RunSummary& summary) {
-  if (!summary.message.empty()) complain(0, summary.message);
+void print_end(const RunSummary& summary) {
+  if (!summary.message.empty()) print_error(0, summary.message);
   if (summary.end == RunEnd::kComplete || summary.end == RunEnd::kDecided) return;
-  complain(0, fmt::format("{} of {} matches done ({}); the same command goes on from here",
-                          summary.progress.done - (summary.end == RunEnd::kFault ? 1 : 0),
-                          summary.progress.total, name(summary.end)));
+  print_error(0, fmt::format("{} of {} matches done ({}); run the same command to resume",
+                             summary.progress.done - (summary.end == RunEnd::kFault ? 1 : 0),
+                             summary.progress.total, name(summary.end)));
 }
 
 int run(const Arguments& arguments) {
   const ChosenConfig chosen = choose_config(arguments.tournament);
-  if (chosen.exit_code != kDone) return chosen.exit_code;
+  if (chosen.exit_code != kOk) return chosen.exit_code;
   const fs::path folder = arguments.tournament.folder;
   std::error_code code;
   if (holds_plan(folder)) {
-    const auto lock = FolderLock::take(folder);
+    const auto lock = FolderLock::try_lock(folder);
     if (lock && !*lock) {
-      return complain(
-          kTryAgain, fmt::format("another `cls tournament run` is at work in {}", folder.string()));
+      return print_error(kTryAgain, fmt::format("{}: another `cls tournament run` is in progress",
+                                                folder.string()));
     }
   }
-  if (const int exit_code = make_ready(arguments, chosen.config); exit_code != kDone) {
+  if (const int exit_code = prepare(arguments, chosen.config); exit_code != kOk) {
     return exit_code;
   }
-  const auto lock = FolderLock::take(folder);
-  if (!lock) return complain(kCannotCreate, lock.error().message);
+  const auto lock = FolderLock::try_lock(folder);
+  if (!lock) return print_error(kCannotCreate, lock.error().message);
   if (!*lock) {
-    return complain(kTryAgain,
-                    fmt::format("another `cls tournament run` is at work in {}", folder.string()));
+    return print_error(
+        kTryAgain, fmt::format("{}: another `cls tournament run` is in progress", folder.string()));
   }
   RunOptions options;
   options.folder = folder;
@@ -115,10 +116,10 @@ int run(const Arguments& arguments) {
   };
   const auto summary = run_tournament(options, make, progress, watch_interrupts());
   progress.clear();
-  if (!summary) return complain(kWriteFailed, summary.error().message);
+  if (!summary) return print_error(kWriteFailed, summary.error().message);
   const Report report = make_report(chosen.config, summary->matches, folder);
   fmt::print("{}", arguments.json ? report_json(report) : report_text(report));
-  tell_end(*summary);
+  print_end(*summary);
   return exit_code_of(*summary);
 }
 
@@ -128,10 +129,9 @@ void add_tournament_run_command(CLI::App& app, int& exit_code) {
   const auto arguments = std::make_shared<Arguments>();
   CLI::App* command = app.add_subcommand("run", kDescription);
   add_tournament_options(*command, arguments->tournament);
-  command->add_flag("--force", arguments->force,
-                    "begin anew; an old tournament in DIR is kept under a new name");
-  command->add_flag("--json", arguments->json, "print the report as JSON, nothing else");
-  command->add_flag("--quiet", arguments->quiet, "no progress, no notes");
+  command->add_flag("--force", arguments->force, "start over; an old tournament in DIR is renamed");
+  command->add_flag("--json", arguments->json, "print only the report as JSON");
+  command->add_flag("--quiet", arguments->quiet, "print no progress and no notes");
   command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
 }
 

@@ -1,14 +1,14 @@
-// `cls tournament work DIR --index K`: plays one match of a tournament, wherever this runs.
+// `cls tournament work DIR --index K`: plays one match of a tournament, on any host.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <csignal>
 #include <memory>
 #include <string>
 
+#include "cli/support/commands.h"
 #include "cli/support/exit_code.h"
 #include "cli/support/interrupt.h"
-#include "cli/tournament/tournament_command.h"
+#include "cli/support/print_error.h"
 #include "cli/tournament/tournament_options.h"
 #include "orchestration/tournament/report/report_text.h"
 #include "orchestration/tournament/schedule/schedule.h"
@@ -23,13 +23,12 @@ namespace fs = std::filesystem;
 using namespace orchestration::tournament;
 
 constexpr const char* kDescription =
-    "Plays one match of a tournament and leaves its result in DIR/results.\n"
+    "play one match of a tournament and write its result to DIR/results\n"
     "\n"
     "  cls tournament work cup --index 17\n"
     "\n"
-    "For other machines that see the folder: nothing is played when the result is there already, "
-    "and\n"
-    "`cls tournament run DIR` takes the results up. It needs no database.";
+    "For other hosts that share the folder. Plays nothing if the result exists. `cls\n"
+    "tournament run DIR` collects the results. Uses no database.";
 
 struct Arguments {
   TournamentOptions tournament;
@@ -38,43 +37,43 @@ struct Arguments {
   std::string schedule;
 };
 
-// A folder that was never run gets its plan and first schedule now.
-int make_ready(const Arguments& arguments) {
+// Creates the plan and the first schedule if the folder has none.
+int prepare(const Arguments& arguments) {
   const fs::path folder = arguments.tournament.folder;
   std::error_code code;
-  if (holds_plan(folder) && fs::exists(folder / kScheduleFile, code)) return kDone;
+  if (holds_plan(folder) && fs::exists(folder / kScheduleFile, code)) return kOk;
   const ChosenConfig chosen = choose_config(arguments.tournament);
-  if (chosen.exit_code != kDone) return chosen.exit_code;
+  if (chosen.exit_code != kOk) return chosen.exit_code;
   if (const auto ready = prepare_folder(folder, chosen.config); !ready) {
-    return complain(holds_plan(folder) ? kBadConfig : kCannotCreate, ready.error().message);
+    return print_error(holds_plan(folder) ? kBadConfig : kCannotCreate, ready.error().message);
   }
   std::vector<ScheduledMatch> matches;
   for (Fixture& fixture : next_fixtures(chosen.config, {})) {
     matches.push_back(planned(std::move(fixture)));
   }
   const auto written = write_schedule(folder, matches);
-  return written ? kDone : complain(kCannotCreate, written.error().message);
+  return written ? kOk : print_error(kCannotCreate, written.error().message);
 }
 
 int run(const Arguments& arguments) {
-  if (const int exit_code = make_ready(arguments); exit_code != kDone) return exit_code;
+  if (const int exit_code = prepare(arguments); exit_code != kOk) return exit_code;
   const fs::path folder = arguments.tournament.folder;
   const auto fixture = read_fixture(
       arguments.schedule.empty() ? folder / kScheduleFile : fs::path(arguments.schedule),
       arguments.index);
-  if (!fixture) return complain(kNoInput, fixture.error().message);
+  if (!fixture) return print_error(kNoInput, fixture.error().message);
   const std::atomic<int>& signal = watch_interrupts();
   const auto outcome = work(folder, *fixture, arguments.attempt, own_program(), signal);
-  if (!outcome) return complain(kWriteFailed, outcome.error().message);
-  if (!*outcome) return signal == SIGTERM ? kTerminated : kInterrupted;
+  if (!outcome) return print_error(kWriteFailed, outcome.error().message);
+  if (!*outcome) return signal_exit_code(signal);
   const auto config = read_plan(folder);
   if (config) {
     ScheduledMatch played = planned(*fixture);
     played.outcome = **outcome;
     fmt::print("{}  {}\n", schedule_text(*config, *fixture), score_text(played));
   }
-  if (!(*outcome)->message.empty()) complain(0, (*outcome)->message);
-  return (*outcome)->played() ? kDone : kAnswerIsNo;
+  if (!(*outcome)->message.empty()) print_error(0, (*outcome)->message);
+  return (*outcome)->played() ? kOk : kFailed;
 }
 
 }  // namespace
@@ -82,16 +81,17 @@ int run(const Arguments& arguments) {
 void add_tournament_work_command(CLI::App& app, int& exit_code) {
   const auto arguments = std::make_shared<Arguments>();
   CLI::App* command = app.add_subcommand("work", kDescription);
-  command->add_option("DIR", arguments->tournament.folder, "the tournament's folder")->required();
-  command->add_option("--index", arguments->index, "number of the match, from 1")
+  command->add_option("DIR", arguments->tournament.folder, "folder of the tournament")->required();
+  command->add_option("--index", arguments->index, "index of the match, from 1")
       ->required()
       ->check(CLI::PositiveNumber);
-  command->add_option("--attempt", arguments->attempt, "number of the attempt (1)")
-      ->check(CLI::PositiveNumber);
+  command->add_option("--attempt", arguments->attempt, "number of the attempt")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
   command->add_option("--schedule", arguments->schedule,
-                      "file with the match's line (DIR/schedule.jsonl)");
+                      "file with the line of the match (default: DIR/schedule.jsonl)");
   command->add_option("--config", arguments->tournament.config_file,
-                      "configuration, where DIR holds no plan yet");
+                      "configuration file, if DIR has no plan yet");
   command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
 }
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""A whole Playmaker: answers the rpcs of proto/playmaker.proto with plain soccer.
+"""A complete Playmaker: implements the RPCs of proto/playmaker.proto with simple soccer.
 
     python3 examples/python/playmaker.py --port 50051
     build/bin/cls match mock localhost:50051
@@ -32,7 +32,7 @@ def kick(target, speed):
 
 
 def home(world):
-    """The own place: it follows the ball, and stays onside."""
+    """The own home position: follows the ball and stays onside."""
     (x, y), ball = HOME[world.self.uniform_number], world.ball.position
     if world.self.is_goalie:
         return point(x, max(-6, min(6, ball.y * 0.2)))
@@ -40,7 +40,7 @@ def home(world):
 
 
 def with_ball(world):
-    """Shoot when near, pass to the most advanced free mate, else dribble at the goal."""
+    """Shoot near the goal, pass to the most advanced free teammate, or dribble to the goal."""
     ball, goal = world.ball.position, point(52.5, 0)
     if distance(ball, goal) < 22:
         keeper = next((p.position.y for p in world.opponents if p.is_goalie), 0.0)
@@ -56,7 +56,7 @@ def with_ball(world):
 
 
 def decide(world):
-    """The actions of one player for one cycle; the first body action that succeeds counts."""
+    """The actions of one player for one cycle; the first possible body action is executed."""
     table, me = world.intercept_table, world.self
     mate = table.first_teammate_reach_steps if table.first_teammate_id else 1000
     if world.game_mode_type in (pb.BeforeKickOff, pb.AfterGoal_):

@@ -31,7 +31,7 @@ Finding pass(std::string evidence) { return {StepResult::kPass, std::move(eviden
 Finding fail(std::string evidence) { return {StepResult::kFail, std::move(evidence)}; }
 Finding skip(std::string evidence) { return {StepResult::kSkip, std::move(evidence)}; }
 
-void take(CheckStep& step, const std::function<Finding()>& run) {
+void run_timed(CheckStep& step, const std::function<Finding()>& run) {
   const auto start = std::chrono::steady_clock::now();
   Finding found = run();
   step.result = found.result;
@@ -91,16 +91,16 @@ std::string to_junit(const CheckReport& report) {
     if (failed) one.type = "step";
     if (failed) one.text = fmt::format("{}\nwhy: {}\n", step.evidence, step.why);
   }
-  return base::junit(report.command, cases);
+  return base::format_junit(report.command, cases);
 }
 
 std::string to_annotations(const CheckReport& report) {
   std::string text;
   for (const CheckStep& step : report.steps) {
     if (step.result != StepResult::kFail) continue;
-    text +=
-        base::github_error({}, fmt::format("{} {}: {}", report.command, report.subject, step.name),
-                           fmt::format("{}\nwhy: {}", step.evidence, step.why));
+    text += base::format_github_error(
+        {}, fmt::format("{} {}: {}", report.command, report.subject, step.name),
+        fmt::format("{}\nwhy: {}", step.evidence, step.why));
   }
   return text;
 }

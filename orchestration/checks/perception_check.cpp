@@ -1,4 +1,4 @@
-// Transcript and log side by side.
+// Compares the world model of a transcript with the game log.
 #include "orchestration/checks/perception_check.h"
 
 #include <fmt/format.h>
@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "soccer/side_name.h"
+#include "soccer/side.h"
 
 namespace cls::orchestration::checks {
 namespace {
@@ -19,7 +19,7 @@ using gamelog::RcgVersion;
 using proxy::ErrorSummary;
 using soccer::Side;
 
-/// Frames by time and how many frames had the same time before.
+/// Frames by game time and index among the frames of that time.
 using FrameIndex = std::map<std::pair<int, int>, std::size_t>;
 
 FrameIndex index_frames(const MatchRecord& log) {
@@ -31,8 +31,8 @@ FrameIndex index_frames(const MatchRecord& log) {
   return index;
 }
 
-proxy::Truth truth_of(const MatchRecord& log, std::size_t frame) {
-  proxy::Truth truth;
+proxy::GroundTruth truth_of(const MatchRecord& log, std::size_t frame) {
+  proxy::GroundTruth truth;
   truth.ball_position = log.ball_position[frame];
   if (log.version != RcgVersion::kV1 && log.version != RcgVersion::kV2) {
     truth.ball_velocity = log.ball_velocity[frame];
@@ -45,14 +45,14 @@ proxy::Truth truth_of(const MatchRecord& log, std::size_t frame) {
   return truth;
 }
 
-// Types are drawn anew for each match. Those that the player was not told are the default one.
-bool same_types(const proxy::MatchParameters& told, const MatchRecord& log) {
-  constexpr double kRounding = 1e-4;  // of binary logs
-  for (std::size_t i = 1; i < std::min(told.types.size(), log.types.size()); ++i) {
-    const double speed = told.types[i].player_speed_max;
-    const double reach = told.types[i].kickable_margin;
+// Player types are random per match. Types the player did not receive equal the default type.
+bool same_types(const proxy::MatchParameters& received, const MatchRecord& log) {
+  constexpr double kRounding = 1e-4;  // of binary game logs
+  for (std::size_t i = 1; i < std::min(received.types.size(), log.types.size()); ++i) {
+    const double speed = received.types[i].player_speed_max;
+    const double reach = received.types[i].kickable_margin;
     const bool is_default =
-        speed == told.types[0].player_speed_max && reach == told.types[0].kickable_margin;
+        speed == received.types[0].player_speed_max && reach == received.types[0].kickable_margin;
     if (is_default) continue;
     if (std::fabs(speed - log.types[i].player_speed_max) > kRounding ||
         std::fabs(reach - log.types[i].kickable_margin) > kRounding) {
@@ -64,17 +64,17 @@ bool same_types(const proxy::MatchParameters& told, const MatchRecord& log) {
 
 base::Result<void> belong_together(const proxy::WorldModel& world, const MatchRecord& log) {
   if (world.unum == 0) {
-    return base::Error{"no player joins in it (no answer to init or reconnect that we can read)"};
+    return base::Error{"no player connects (no valid reply to init or reconnect)"};
   }
   const gamelog::TeamFrames& teams = log.final_teams();
   const std::string_view recorded = teams[world.our_side == Side::kRight ? 1 : 0].name;
   const std::string_view name = world.our_team_name.view();
   if (!name.empty() && !recorded.empty() && name != recorded) {
-    return base::Error{fmt::format("its player is of team '{}' on the {}, the log has '{}' there",
+    return base::Error{fmt::format("the player is of team '{}' on the {}, the log has '{}' there",
                                    name, side_name(world.our_side), recorded)};
   }
   if (!same_types(*world.parameters, log)) {
-    return base::Error{"its player types are not those of the log: another match"};
+    return base::Error{"the player types differ from those of the log: another match"};
   }
   return {};
 }
@@ -110,12 +110,12 @@ base::Result<PerceptionCheck> check_perception(std::string_view transcript,
       });
   if (const auto fits = belong_together(replay.world, log); !fits) return fits.error();
   if (check.decisions == 0) {
-    return base::Error{"its player decides in no cycle that the log has"};
+    return base::Error{"no decision of the player matches a cycle of the log"};
   }
   check.team = replay.world.our_team_name.view();
   check.side = replay.world.our_side;
   check.unum = replay.world.unum;
-  check.damage = std::move(replay.damage);
+  check.damage = std::move(replay.errors);
   return check;
 }
 

@@ -1,4 +1,4 @@
-// Holding what a player believed, by its transcript, against what was, by the game log.
+// Compares the world model of a player, replayed from its transcript, with the game log.
 #pragma once
 
 #include <string>
@@ -14,18 +14,18 @@ struct PerceptionCheck {
   std::string team;
   soccer::Side side = soccer::Side::kLeft;
   int unum = 0;
-  int decisions = 0;  ///< that the log has a frame for, of any play mode
+  int decisions = 0;  ///< with a frame in the log, in any play mode
   proxy::PerceptionError errors;
-  std::vector<proxy::TranscriptDamage> damage;
+  std::vector<proxy::TranscriptError> damage;
 };
 
 /// Replays the transcript (proxy/transcript.h). The k-th sense_body of a time belongs to the k-th
-/// frame of that time. The error says why the two tell nothing: no player in the transcript, a team
-/// or a side that the log does not know, no common cycle.
+/// frame of that time. Errors: no player in the transcript, team or
+/// side not in the log, no common cycle.
 base::Result<PerceptionCheck> check_perception(std::string_view transcript,
                                                const gamelog::MatchRecord& log);
 
-/// A table for people, and the document of `cls check perception --json`.
+/// A text table, and the document of `cls check perception --json`.
 std::string to_text(const PerceptionCheck& check);
 std::string to_json(const PerceptionCheck& check);
 

@@ -1,4 +1,4 @@
-// Demands and reports of a replayed match.
+// Checks and reports of a replayed match.
 #include "orchestration/checks/server_log_check.h"
 
 #include <fmt/format.h>
@@ -20,41 +20,41 @@ using simulator::NoiseSample;
 using simulator::StepClass;
 using simulator::Tally;
 
-// Standard deviations that a mean may be off by chance, and what rounding adds.
+// Allowed deviation of a mean in standard deviations, plus rounding.
 constexpr double kSigmas = 4.0;
 constexpr double kRounding = 0.005;
-// Fewer samples say nothing.
+// Minimum number of samples.
 constexpr std::size_t kFewest = 300;
 constexpr std::size_t kShown = 10;
 
-Demand at_least(std::string what, const Tally& tally, double bound) {
+LogCheck at_least(std::string what, const Tally& tally, double bound) {
   return {std::move(what), fmt::format("{:.6f}", tally.share()), fmt::format(">= {}", bound),
           tally.share() >= bound};
 }
 
-Demand at_most(std::string what, double value, double bound) {
+LogCheck at_most(std::string what, double value, double bound) {
   return {std::move(what), fmt::format("{:.4f}", value), fmt::format("<= {:.4f}", bound),
           value <= bound};
 }
 
-Demand near(std::string what, double value, double aim, double margin) {
+LogCheck near(std::string what, double value, double aim, double margin) {
   return {std::move(what), fmt::format("{:.4f}", value), fmt::format("{} +- {:.4f}", aim, margin),
           std::fabs(value - aim) <= margin};
 }
 
-void demand_uniform(const char* object, const NoiseSample& sample, std::vector<Demand>& out) {
+void check_uniform(const char* object, const NoiseSample& sample, std::vector<LogCheck>& out) {
   if (sample.shares.size() < kFewest) return;
   const double root = std::sqrt(static_cast<double>(sample.shares.size()));
   out.push_back(near(fmt::format("noise of {}: mean", object), sample.mean(), 0.5,
                      kSigmas * std::sqrt(1.0 / 12.0) / root + kRounding));
-  // By chance alone once in ten thousand logs.
+  // Exceeded by chance once in 10000 logs.
   out.push_back(at_most(fmt::format("noise of {}: distance to uniform", object),
                         sample.distance_to_uniform(), 2.2 / root + kRounding));
 }
 
-void demand_kick_noise(const KickNoise& kicks, std::vector<Demand>& out) {
+void check_kick_noise(const KickNoise& kicks, std::vector<LogCheck>& out) {
   if (kicks.n < static_cast<int>(kFewest)) return;
-  // The square of a uniform length varies by 0.8 times its mean squared.
+  // The variance of the square of a uniform length is 0.8 times its mean squared.
   out.push_back(near("noise of kicks: variance", kicks.mean(), 1.0,
                      kSigmas * std::sqrt(0.8 / kicks.n) + 4.0 * kRounding));
 }
@@ -66,11 +66,11 @@ struct GameTally {
 
 std::vector<GameTally> game_tallies(const LogAgreement& agreement) {
   return {{"mode", agreement.mode},         {"clock", agreement.clock}, {"score", agreement.score},
-          {"counters", agreement.counters}, {"state", agreement.state}, {"words", agreement.words}};
+          {"counters", agreement.counters}, {"state", agreement.state}, {"words", agreement.calls}};
 }
 
 std::string object_name(const Miss& miss) {
-  if (miss.slot == simulator::kNobody) return "ball";
+  if (miss.slot == simulator::kNoPlayer) return "ball";
   return fmt::format("{}{}", soccer::letter(soccer::side_of_slot(miss.slot)),
                      soccer::unum_of_slot(miss.slot));
 }
@@ -136,8 +136,8 @@ std::vector<std::string> miss_lines(const LogAgreement& agreement) {
 
 }  // namespace
 
-std::vector<Demand> demands(const LogAgreement& agreement) {
-  std::vector<Demand> out;
+std::vector<LogCheck> log_checks(const LogAgreement& agreement) {
+  std::vector<LogCheck> out;
   out.push_back(at_least("ball", agreement.ball, 0.999));
   out.push_back(at_least("players", agreement.players, 0.999));
   for (std::size_t i = 0; i < simulator::kStepClassCount; ++i) {
@@ -147,7 +147,7 @@ std::vector<Demand> demands(const LogAgreement& agreement) {
     out.push_back({fmt::format("misses of {}", simulator::name(static_cast<StepClass>(i))),
                    std::to_string(tally.misses()), fmt::format("<= {}", most), false});
   }
-  // Which of two contacts in a cycle was the stronger, noise can decide, and no record shows it.
+  // Which of two contacts in a cycle is stronger may depend on noise, which no log records.
   const double game = agreement.has_noise ? 0.999 : 1.0;
   out.push_back(at_least("mode", agreement.mode, game));
   out.push_back(at_least("clock", agreement.clock, game));
@@ -155,25 +155,25 @@ std::vector<Demand> demands(const LogAgreement& agreement) {
   out.push_back(at_least("counters", agreement.counters, 1.0));
   out.push_back(at_least("state bits", agreement.state, 0.9999));
   if (!agreement.has_noise) out.push_back(at_most("excused", agreement.excused_share(), 0.005));
-  demand_uniform("players", agreement.player_noise, out);
-  demand_uniform("the ball", agreement.ball_noise, out);
-  demand_kick_noise(agreement.kick_noise, out);
+  check_uniform("players", agreement.player_noise, out);
+  check_uniform("the ball", agreement.ball_noise, out);
+  check_kick_noise(agreement.kick_noise, out);
   return out;
 }
 
-bool passed(const std::vector<Demand>& demands) {
-  return std::all_of(demands.begin(), demands.end(), [](const Demand& d) { return d.passed; });
+bool passed(const std::vector<LogCheck>& log_checks) {
+  return std::all_of(log_checks.begin(), log_checks.end(),
+                     [](const LogCheck& d) { return d.passed; });
 }
 
-std::string to_text(const LogAgreement& agreement, const std::vector<Demand>& demands) {
+std::string to_text(const LogAgreement& agreement, const std::vector<LogCheck>& log_checks) {
   std::string text =
       fmt::format("{} steps of {} frames{}: {:.4f} % agree, {:.4f} % excused\n", agreement.steps(),
                   agreement.frames, agreement.has_noise ? ", with noise" : ", without noise",
                   100.0 * agreement.agreement(), 100.0 * agreement.excused_share());
   if (agreement.skipped > 0) {
-    text += fmt::format(
-        "{} pairs of frames with something missing between them or without a text log left out\n",
-        agreement.skipped);
+    text += fmt::format("{} pairs of frames skipped: frames or text log missing between them\n",
+                        agreement.skipped);
   }
   add_classes(agreement, text);
   std::string causes;
@@ -184,20 +184,20 @@ std::string to_text(const LogAgreement& agreement, const std::vector<Demand>& de
   }
   if (!causes.empty()) text += fmt::format("\nexcused: {}\n", causes);
   add_list(text, "first misses (cycle,stopped)", miss_lines(agreement));
-  add_list(text, "the game went otherwise", agreement.game_misses);
-  add_list(text, "called only in the log", agreement.missing_words);
-  add_list(text, "called only by us", agreement.added_words);
+  add_list(text, "different course of the game", agreement.game_misses);
+  add_list(text, "called only in the log", agreement.missing_calls);
+  add_list(text, "called only by the simulator", agreement.extra_calls);
   text += "\n";
-  for (const Demand& demand : demands) {
+  for (const LogCheck& demand : log_checks) {
     text += fmt::format("{} {:35} {:>10}  {}\n", demand.passed ? "pass" : "FAIL", demand.what,
                         demand.reached, demand.bound);
   }
   return text;
 }
 
-std::string to_json(const LogAgreement& agreement, const std::vector<Demand>& demands) {
+std::string to_json(const LogAgreement& agreement, const std::vector<LogCheck>& log_checks) {
   ordered_json document = {{"schema", "cls.server-log/1"},
-                           {"passed", passed(demands)},
+                           {"passed", passed(log_checks)},
                            {"agreement", agreement.agreement()},
                            {"steps", agreement.steps()},
                            {"agreed", agreement.agreed()},
@@ -231,10 +231,10 @@ std::string to_json(const LogAgreement& agreement, const std::vector<Demand>& de
   }
   document["misses"] = misses_json(agreement);
   document["game_misses"] = agreement.game_misses;
-  document["missing_words"] = agreement.missing_words;
-  document["added_words"] = agreement.added_words;
+  document["missing_words"] = agreement.missing_calls;
+  document["added_words"] = agreement.extra_calls;
   ordered_json& list = document["demands"] = ordered_json::array();
-  for (const Demand& demand : demands) {
+  for (const LogCheck& demand : log_checks) {
     list.push_back({{"what", demand.what},
                     {"reached", demand.reached},
                     {"bound", demand.bound},

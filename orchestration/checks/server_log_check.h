@@ -1,4 +1,4 @@
-// What a replayed match must reach, and how its figures are printed.
+// Checks of a replayed match and their reports.
 #pragma once
 
 #include <string>
@@ -8,19 +8,21 @@
 
 namespace cls::orchestration::checks {
 
-struct Demand {
+struct LogCheck {
   std::string what;
   std::string reached;
   std::string bound;
   bool passed = false;
 };
 
-/// Classes of steps appear only where they miss too often, noise where there are enough samples.
-std::vector<Demand> demands(const simulator::LogAgreement& agreement);
-bool passed(const std::vector<Demand>& demands);
+/// Contains classes of steps only if they miss too often, and noise only with enough samples.
+std::vector<LogCheck> log_checks(const simulator::LogAgreement& agreement);
+bool passed(const std::vector<LogCheck>& log_checks);
 
-/// A report for people, and the document of `cls check server-log --json`.
-std::string to_text(const simulator::LogAgreement& agreement, const std::vector<Demand>& demands);
-std::string to_json(const simulator::LogAgreement& agreement, const std::vector<Demand>& demands);
+/// A text report, and the document of `cls check server-log --json`.
+std::string to_text(const simulator::LogAgreement& agreement,
+                    const std::vector<LogCheck>& log_checks);
+std::string to_json(const simulator::LogAgreement& agreement,
+                    const std::vector<LogCheck>& log_checks);
 
 }  // namespace cls::orchestration::checks

@@ -1,4 +1,4 @@
-// Asking the record of a run.
+// Evaluates checks on the record of a run.
 #include "orchestration/scenario/check.h"
 
 #include <fmt/format.h>
@@ -7,7 +7,7 @@
 
 #include "orchestration/scenario/scenario.h"
 #include "soccer/areas.h"
-#include "soccer/side_name.h"
+#include "soccer/side.h"
 
 namespace cls::orchestration::scenario {
 namespace {
@@ -46,8 +46,8 @@ Value value_of(const ObjectFrame& object, ObjectTest::Quantity::What what) {
   return object.on_pitch;
 }
 
-bool is_at(const Moment& moment, const StepFrame& frame) {
-  return frame.step >= moment.from && frame.step <= moment.to;
+bool is_at(const CheckTiming& timing, const StepFrame& frame) {
+  return frame.step >= timing.from && frame.step <= timing.to;
 }
 
 std::string when(const StepFrame& frame) {
@@ -60,14 +60,14 @@ std::string describe(const StepTest& test, const StepFrame& frame) {
   return fmt::format("the score is {} : {}", frame.score[0], frame.score[1]);
 }
 
-std::string demand(const StepTest& test) {
+std::string describe_expected(const StepTest& test) {
   std::vector<std::string> parts;
   if (test.object) {
     static constexpr std::array<std::string_view, 7> names = {"x",       "y",     "speed",   "body",
                                                               "stamina", "cards", "on_pitch"};
     for (const auto& quantity : test.object->quantities) {
       parts.push_back(fmt::format("{} {}", names[static_cast<std::size_t>(quantity.what)],
-                                  quantity.demand.text()));
+                                  quantity.expected.text()));
     }
     if (!test.object->areas.empty()) {
       parts.push_back(fmt::format("in {}", fmt::join(test.object->areas, " or ")));
@@ -88,37 +88,36 @@ std::string demand(const StepTest& test) {
 }
 
 std::string failure(const StepCheck& check, const RunRecord& record) {
-  using How = Moment::How;
-  const Moment& moment = check.moment;
+  using How = CheckTiming::How;
+  const CheckTiming& timing = check.timing;
   const StepFrame& last = record.frames.back();
-  if (moment.how == How::kEnd) {
+  if (timing.how == How::kEnd) {
     if (check.test.holds(last, record)) return {};
     return fmt::format("at the end, {}: {}, not {}", when(last), describe(check.test, last),
-                       demand(check.test));
+                       describe_expected(check.test));
   }
-  if (moment.how == How::kAt && last.step < moment.from) {
-    return fmt::format("step {} was never reached: the run ended at {}", moment.from, when(last));
+  if (timing.how == How::kAt && last.step < timing.from) {
+    return fmt::format("step {} not reached: the run ended at {}", timing.from, when(last));
   }
   const StepFrame* seen = nullptr;
   for (const StepFrame& frame : record.frames) {
-    if (!is_at(moment, frame)) continue;
+    if (!is_at(timing, frame)) continue;
     seen = &frame;
     const bool holds = check.test.holds(frame, record);
-    if (moment.how == How::kSometime && holds) return {};
-    if (moment.how == How::kNever && holds) {
+    if (timing.how == How::kSometime && holds) return {};
+    if (timing.how == How::kNever && holds) {
       return fmt::format("at {}: {}", when(frame), describe(check.test, frame));
     }
-    if ((moment.how == How::kAlways || moment.how == How::kAt) && !holds) {
+    if ((timing.how == How::kAlways || timing.how == How::kAt) && !holds) {
       return fmt::format("at {}: {}, not {}", when(frame), describe(check.test, frame),
-                         demand(check.test));
+                         describe_expected(check.test));
     }
   }
   if (seen == nullptr) {
-    return fmt::format("no step from {} on was played: the run ended at {}", moment.from,
-                       when(last));
+    return fmt::format("no step at or after {}: the run ended at {}", timing.from, when(last));
   }
-  if (moment.how != How::kSometime) return {};
-  return fmt::format("never {}; at {}: {}", demand(check.test), when(*seen),
+  if (timing.how != How::kSometime) return {};
+  return fmt::format("never {}; at {}: {}", describe_expected(check.test), when(*seen),
                      describe(check.test, *seen));
 }
 
@@ -133,15 +132,15 @@ std::string failure(const ScoreCheck& check, const RunRecord& record) {
 }
 
 std::string failure(const RefereeCheck& check, const RunRecord& record) {
-  std::vector<std::string> said;
+  std::vector<std::string> messages;
   double count = 0;
-  for (const RefereeWord& each : record.words) {
-    if (each.word == check.word) ++count;
-    said.push_back(fmt::format("{} {}", each.step, each.word));
+  for (const RefereeMessage& each : record.referee_messages) {
+    if (each.message == check.message) ++count;
+    messages.push_back(fmt::format("{} {}", each.step, each.message));
   }
   if (check.count.holds(count)) return {};
-  return fmt::format("the referee said {} {} times, not {} (said: {})", check.word, count,
-                     check.count.text(), fmt::join(said, ", "));
+  return fmt::format("referee message {}: {} times, not {} (messages: {})", check.message, count,
+                     check.count.text(), fmt::join(messages, ", "));
 }
 
 std::string failure(const TouchCheck& check, const RunRecord& record) {
@@ -155,7 +154,7 @@ std::string failure(const TouchCheck& check, const RunRecord& record) {
     return fmt::format("{} touched the ball {} times, not {}", check.who, count,
                        check.count.text());
   }
-  if (record.touches.empty()) return "nobody touched the ball";
+  if (record.touches.empty()) return "no player touched the ball";
   const bool first = check.which == TouchCheck::Which::kFirst;
   const Touch& touch = first ? record.touches.front() : record.touches.back();
   if (one_of(touch.slot)) return {};
@@ -210,7 +209,7 @@ std::string failure(const RpcCheck& check, const RunRecord& record) {
 
 std::string failure(const LatencyCheck& check, const RunRecord& record) {
   constexpr double kMicrosecond = 1e-3;  // in ms
-  for (const auto& [which, demand] : check.percentiles_ms) {
+  for (const auto& [which, expected] : check.percentiles_ms) {
     double worst = 0.0;
     for (const match::PlayerResult& player : team_of(record, check.side).players) {
       const match::RpcLatency& us = player.rpc_us;
@@ -220,9 +219,9 @@ std::string failure(const LatencyCheck& check, const RunRecord& record) {
                                             : us.max;
       worst = std::max(worst, value * kMicrosecond);
     }
-    if (!demand.holds(worst)) {
-      return fmt::format("the {} of the {} side's worst player is {:.2f} ms, not {}", which,
-                         side_name(check.side), worst, demand.text());
+    if (!expected.holds(worst)) {
+      return fmt::format("the {} latency of the slowest {} player is {:.2f} ms, not {}", which,
+                         side_name(check.side), worst, expected.text());
     }
   }
   return {};
@@ -234,28 +233,28 @@ std::string failure(const MissedCheck& check, const RunRecord& record) {
     missed += static_cast<double>(player.missed);
   }
   if (check.count.holds(missed)) return {};
-  return fmt::format("{} decisions of the {} side without an answer, not {}", missed,
-                     side_name(check.side), check.count.text());
+  return fmt::format("{} missed decisions of the {} side, not {}", missed, side_name(check.side),
+                     check.count.text());
 }
 
 std::string failure(const EndCheck& check, const RunRecord& record) {
-  const std::string_view reason = name(record.result.end_reason);
+  const match::EndReason reason = record.result.end_reason;
   if (reason == check.reason) return {};
   const auto& failure = record.result.failure;
-  const bool spoke = failure && !failure->output.empty();
-  return fmt::format("the run ended as {}, not {}{}{}{}", reason, check.reason,
+  const bool has_output = failure && !failure->output.empty();
+  return fmt::format("the run ended as {}, not {}{}{}{}", name(reason), name(check.reason),
                      record.result.message.empty() ? "" : ": ", record.result.message,
-                     spoke ? "; its last words: " + failure->output.back() : "");
+                     has_output ? "; last output line: " + failure->output.back() : "");
 }
 
 std::string failure(const GoldenCheck& check, const RunRecord& record) {
   const std::string found = fingerprint(check, record);
-  if (found == check.blessed) return {};
-  if (check.blessed.empty()) return fmt::format("nothing blessed yet; found {}", found);
-  return fmt::format("{} is {}, blessed was {}", check.what, found, check.blessed);
+  if (found == check.golden) return {};
+  if (check.golden.empty()) return fmt::format("no golden value accepted yet; found {}", found);
+  return fmt::format("{} is {}, golden value is {}", check.what, found, check.golden);
 }
 
-// FNV-1a: short, the same everywhere; nobody attacks it.
+// FNV-1a: short and portable; it need not resist attacks.
 std::string hash(std::string_view bytes) {
   std::uint64_t value = 0xcbf29ce484222325U;
   for (const char c : bytes) {
@@ -269,7 +268,7 @@ std::string hash(std::string_view bytes) {
 bool ObjectTest::holds(const StepFrame& frame) const {
   const ObjectFrame& it = object_in(frame, object);
   for (const Quantity& quantity : quantities) {
-    if (!quantity.demand.holds(value_of(it, quantity.what))) return false;
+    if (!quantity.expected.holds(value_of(it, quantity.what))) return false;
   }
   if (!areas.empty() && std::none_of(areas.begin(), areas.end(), [&](const std::string& area) {
         return soccer::is_in_area(area, it.position);

@@ -1,4 +1,4 @@
-// What a scenario demands: one value for each line of "expect".
+// Checks of a scenario: one value per element of "expect".
 #pragma once
 
 #include <cstdint>
@@ -19,12 +19,12 @@ namespace cls::orchestration::scenario {
 /// Player by slot (soccer::slot_of), or the ball.
 constexpr int kBallObject = -1;
 
-/// Demands on one object after one step; all must hold.
+/// Conditions on one object after one step; all must hold.
 struct ObjectTest {
   struct Quantity {
     enum class What { kX, kY, kSpeed, kBody, kStamina, kCards, kOnPitch };
     What what = What::kX;
-    mock_server::Comparison demand;
+    mock_server::Comparison expected;
   };
   struct Nearness {
     std::optional<int> object;  ///< else `point`
@@ -38,31 +38,31 @@ struct ObjectTest {
   std::optional<Nearness> near;
 
   bool holds(const StepFrame& frame) const;
-  /// Where the object is and what it does, as far as the test asks.
+  /// Describes the object with the quantities that the test compares.
   std::string describe(const StepFrame& frame) const;
 };
 
-/// Demands on the whole pitch after one step: exactly one of them is given.
+/// A condition on the world after one step: exactly one member is given.
 struct StepTest {
   std::optional<ObjectTest> object;
   std::vector<soccer::PlayMode> modes;       ///< one of these
-  std::optional<int> goals;                  ///< at least so many of both sides
+  std::optional<int> goals;                  ///< minimum, both sides together
   std::optional<std::vector<int>> touch_by;  ///< slots: one of them touches the ball
 
   bool holds(const StepFrame& frame, const RunRecord& record) const;
 };
 
-/// When a StepTest is asked.
-struct Moment {
+/// The steps at which a StepTest must hold.
+struct CheckTiming {
   enum class How { kAt, kEnd, kSometime, kAlways, kNever };
   How how = How::kEnd;
-  int from = 0;  ///< steps, both included
+  int from = 0;  ///< first step
   int to = 0;
 };
 
 struct StepCheck {
   StepTest test;
-  Moment moment;
+  CheckTiming timing;
 };
 
 struct ScoreCheck {
@@ -70,7 +70,7 @@ struct ScoreCheck {
 };
 
 struct RefereeCheck {
-  std::string word;
+  std::string message;
   mock_server::Comparison count;
 };
 
@@ -82,7 +82,7 @@ struct TouchCheck {
   mock_server::Comparison count;
 };
 
-/// Actions that a Playmaker asked for.
+/// Actions in the replies of a Playmaker.
 struct ActionCheck {
   std::string kind;  ///< name of a PlayerAction field; "*": any
   soccer::Side side = soccer::Side::kLeft;
@@ -94,7 +94,7 @@ struct ActionCheck {
   mock_server::Comparison count;
 };
 
-/// Commands that a side's agents sent to the server.
+/// Commands sent by the agents of a side.
 struct CommandCheck {
   std::string kind;
   soccer::Side side = soccer::Side::kLeft;
@@ -108,7 +108,7 @@ struct RpcCheck {
   std::size_t index = 0;  ///< in RunRecord::rpc_failures
 };
 
-/// The only check that knows the wall clock.
+/// The only check that depends on wall time.
 struct LatencyCheck {
   soccer::Side side = soccer::Side::kLeft;
   std::map<std::string, mock_server::Comparison> percentiles_ms;  ///< p50, p95, p99, max
@@ -120,33 +120,33 @@ struct MissedCheck {
 };
 
 struct EndCheck {
-  std::string reason;
+  match::EndReason reason = match::EndReason::kFinished;
 };
 
-/// Values that were once found right: a fingerprint kept beside the scenario (--bless).
+/// Golden values: fingerprints stored beside the scenario (`cls test --accept`).
 struct GoldenCheck {
-  std::string what;     ///< "game_log", "score", "touches"
-  std::string blessed;  ///< empty: nothing yet
+  std::string what;    ///< "game_log", "score", "touches"
+  std::string golden;  ///< empty: none accepted yet
 };
 
 struct Check {
   std::variant<StepCheck, ScoreCheck, RefereeCheck, TouchCheck, ActionCheck, CommandCheck, RpcCheck,
                LatencyCheck, MissedCheck, EndCheck, GoldenCheck>
       what;
-  std::string name;  ///< for people
+  std::string name;  ///< for reports
   int line = 0;      ///< in the scenario's file
-  /// In how many runs it must hold; nothing: in all.
+  /// Number of runs in which it must hold (nothing: all).
   std::optional<mock_server::Comparison> runs;
 };
 
-/// Empty when it holds, else what was found instead.
+/// Evaluates a check. Returns an empty string if it holds, otherwise what was found instead.
 std::string failure(const Check& check, const RunRecord& record);
 
-/// The side whose Playmaker, or whose agents, a check looks into: nothing for checks that a foreign
-/// team's side can pass too.
+/// The side whose Playmaker or cls agents a check requires; nothing for checks that an external
+/// team can pass too.
 std::optional<soccer::Side> playmaker_of(const Check& check);
 
-/// What a golden check compares.
+/// The value that a golden check compares.
 std::string fingerprint(const GoldenCheck& check, const RunRecord& record);
 
 }  // namespace cls::orchestration::scenario

@@ -1,4 +1,4 @@
-// One function for each kind of check.
+// Parses the checks of a scenario: one function per kind of check.
 #include "orchestration/scenario/check_file.h"
 
 #include <fmt/format.h>
@@ -6,17 +6,18 @@
 #include <charconv>
 #include <nlohmann/json.hpp>
 
-#include "orchestration/scenario/referee_words.h"
+#include "base/text/suggestion.h"
+#include "orchestration/scenario/referee_messages.h"
 #include "orchestration/scenario/scenario.h"
 #include "proto/playmaker.pb.h"
 #include "soccer/areas.h"
-#include "soccer/side_name.h"
+#include "soccer/side.h"
 
 namespace cls::orchestration::scenario {
 namespace {
 
 using base::Error;
-using base::JsonText;
+using base::JsonDocument;
 using base::JsonValue;
 using base::Result;
 using mock_server::Comparison;
@@ -28,7 +29,7 @@ constexpr int kLastStep = 1'000'000;
 
 Result<Comparison> parse_count(const JsonValue& json) {
   if (json.has("count")) return Comparison::parse_number(json["count"]);
-  const auto any = JsonText::parse("", R"({">=": 1})");
+  const auto any = JsonDocument::parse("", R"({">=": 1})");
   return Comparison::parse_number(JsonValue(*any));
 }
 
@@ -37,13 +38,13 @@ Result<int> parse_player(const JsonValue& json) {
   const auto text = json.string();
   if (!text) return text.error();
   const std::size_t space = text->find(' ');
-  const auto side = soccer::side_named(text->substr(0, space));
+  const auto side = soccer::parse_side(text->substr(0, space));
   int unum = 0;
   const char* end = text->data() + text->size();
   const char* begin = space == std::string::npos ? end : text->data() + space + 1;
   const auto [stop, code] = std::from_chars(begin, end, unum);
   if (!side || code != std::errc{} || stop != end || unum < 1 || unum > soccer::kPlayersPerTeam) {
-    return json.error(fmt::format("'{}' is no player: write \"left 9\"", *text));
+    return json.error(fmt::format("'{}' is not a player; use the form \"left 9\"", *text));
   }
   return soccer::slot_of(*side, unum);
 }
@@ -51,7 +52,7 @@ Result<int> parse_player(const JsonValue& json) {
 // "left 9", or "left" for its whole team.
 Result<std::vector<int>> parse_players(const JsonValue& json) {
   if (json.is_string()) {
-    if (const auto side = soccer::side_named(*json.string())) {
+    if (const auto side = soccer::parse_side(*json.string())) {
       std::vector<int> slots;
       for (int unum = 1; unum <= soccer::kPlayersPerTeam; ++unum) {
         slots.push_back(soccer::slot_of(*side, unum));
@@ -66,7 +67,7 @@ Result<std::vector<int>> parse_players(const JsonValue& json) {
 
 Result<void> parse_near(const JsonValue& json, ObjectTest& test) {
   ObjectTest::Nearness near;
-  if (json["near"].is_list()) {
+  if (json["near"].is_array()) {
     const auto point = parse_point(json["near"]);
     if (!point) return point.error();
     near.point = *point;
@@ -77,7 +78,7 @@ Result<void> parse_near(const JsonValue& json, ObjectTest& test) {
     if (!slot) return slot.error();
     near.object = *slot;
   }
-  if (!json.has("within")) return json.error("\"near\" needs \"within\", in metres");
+  if (!json.has("within")) return json.error("\"near\" requires \"within\", in meters");
   const auto within = json["within"].number(0, 200);
   if (!within) return within.error();
   near.within = *within;
@@ -90,22 +91,22 @@ Result<void> parse_is(const JsonValue& json, ObjectTest& test) {
   static const Words quantities = {"x", "y", "speed", "body", "stamina", "cards", "on_pitch"};
   Words known = quantities;
   known.insert(known.end(), {"in", "near", "within"});
-  if (const auto keys = json.object_of(known); !keys) return keys;
-  if (json.size() == 0) return json.error("says nothing");
+  if (const auto keys = json.expect_keys(known); !keys) return keys;
+  if (json.size() == 0) return json.error("contains no condition");
   for (std::size_t i = 0; i < quantities.size(); ++i) {
     if (!json.has(quantities[i])) continue;
     using What = ObjectTest::Quantity::What;
     const auto what = static_cast<What>(i);
     mock_server::ValueKind kind;
     if (what == What::kOnPitch) kind.kind = mock_server::ValueKind::Kind::kBool;
-    const auto demand = Comparison::parse(json[quantities[i]], kind);
-    if (!demand) return demand.error();
-    test.quantities.push_back({what, *demand});
+    const auto expected = Comparison::parse(json[quantities[i]], kind);
+    if (!expected) return expected.error();
+    test.quantities.push_back({what, *expected});
   }
   if (json.has("in")) {
     const JsonValue areas = json["in"];
-    for (std::size_t i = 0; i < (areas.is_list() ? areas.size() : 1); ++i) {
-      const auto area = (areas.is_list() ? areas[i] : areas).word(soccer::area_names());
+    for (std::size_t i = 0; i < (areas.is_array() ? areas.size() : 1); ++i) {
+      const auto area = (areas.is_array() ? areas[i] : areas).one_of(soccer::area_names());
       if (!area) return area.error();
       test.areas.push_back(*area);
     }
@@ -115,15 +116,15 @@ Result<void> parse_is(const JsonValue& json, ObjectTest& test) {
 
 Result<std::vector<PlayMode>> parse_modes(const JsonValue& json) {
   std::vector<PlayMode> modes;
-  for (std::size_t i = 0; i < (json.is_list() ? json.size() : 1); ++i) {
-    const auto mode = parse_mode(json.is_list() ? json[i] : json);
+  for (std::size_t i = 0; i < (json.is_array() ? json.size() : 1); ++i) {
+    const auto mode = parse_mode(json.is_array() ? json[i] : json);
     if (!mode) return mode.error();
     modes.push_back(*mode);
   }
   return modes;
 }
 
-// What is asked of a step, without when.
+// The condition of a step check, without its timing.
 Result<StepTest> parse_test(const JsonValue& json) {
   StepTest test;
   if (json.has("mode")) {
@@ -144,7 +145,7 @@ Result<StepTest> parse_test(const JsonValue& json) {
       const auto slot = parse_player(json["player"]);
       if (!slot) return slot.error();
       object.object = *slot;
-      if (!json.has("is")) return json.error("needs \"is\"");
+      if (!json.has("is")) return json.error("requires \"is\"");
     }
     if (const auto is = parse_is(json[json.has("player") ? "is" : "ball"], object); !is) {
       return is.error();
@@ -154,40 +155,40 @@ Result<StepTest> parse_test(const JsonValue& json) {
   return test;
 }
 
-Result<Moment> parse_moment(const JsonValue& json, int steps, bool fleeting) {
-  Moment moment{fleeting ? Moment::How::kSometime : Moment::How::kEnd, 0, kLastStep};
+Result<CheckTiming> parse_timing(const JsonValue& json, int steps, bool is_mode) {
+  CheckTiming timing{is_mode ? CheckTiming::How::kSometime : CheckTiming::How::kEnd, 0, kLastStep};
   if (json.has("at") && !(json["at"].is_string() && *json["at"].string() == "end")) {
     const auto at = json["at"].integer(0, steps);
     if (!at) return at.error();
-    return Moment{Moment::How::kAt, *at, *at};
+    return CheckTiming{CheckTiming::How::kAt, *at, *at};
   }
-  if (json.has("at")) return Moment{Moment::How::kEnd, 0, kLastStep};
-  for (const auto& [key, how] :
-       {std::pair{"sometime", Moment::How::kSometime}, std::pair{"always", Moment::How::kAlways},
-        std::pair{"never", Moment::How::kNever}}) {
+  if (json.has("at")) return CheckTiming{CheckTiming::How::kEnd, 0, kLastStep};
+  for (const auto& [key, how] : {std::pair{"sometime", CheckTiming::How::kSometime},
+                                 std::pair{"always", CheckTiming::How::kAlways},
+                                 std::pair{"never", CheckTiming::How::kNever}}) {
     if (!json.has(key)) continue;
     const JsonValue range = json[key];
-    moment.how = how;
-    if (range.is_list()) {
+    timing.how = how;
+    if (range.is_array()) {
       if (range.size() != 2) return range.error("a range of steps is [from, to]");
       const auto from = range[0].integer(0, steps);
       if (!from) return from.error();
       const auto to = range[1].integer(*from, steps);
       if (!to) return to.error();
-      moment.from = *from;
-      moment.to = *to;
+      timing.from = *from;
+      timing.to = *to;
     } else if (const auto flag = range.boolean(); !flag || !*flag) {
       return range.error("must be true or a range of steps");
     }
   }
-  return moment;
+  return timing;
 }
 
 const Words kCommon = {"name", "runs"};
 
 Result<void> only(const JsonValue& json, Words keys) {
   keys.insert(keys.end(), kCommon.begin(), kCommon.end());
-  return json.object_of(keys);
+  return json.expect_keys(keys);
 }
 
 using Parsed = Result<decltype(Check::what)>;
@@ -199,9 +200,9 @@ Parsed parse_step_check(const JsonValue& json, int steps, Words keys) {
   const auto test = parse_test(json);
   if (!test) return test.error();
   check.test = *test;
-  const auto moment = parse_moment(json, steps, !test->modes.empty());
-  if (!moment) return moment.error();
-  check.moment = *moment;
+  const auto timing = parse_timing(json, steps, !test->modes.empty());
+  if (!timing) return timing.error();
+  check.timing = *timing;
   return {check};
 }
 
@@ -209,14 +210,14 @@ Parsed parse_score(const JsonValue& json) {
   if (const auto known = only(json, {"score"}); !known) return known.error();
   const JsonValue score = json["score"];
   ScoreCheck check;
-  if (score.is_list() && score.size() != 2) return score.error("a score is [left, right]");
-  if (!score.is_list()) {
-    if (const auto known = score.object_of({"left", "right"}); !known) return known.error();
+  if (score.is_array() && score.size() != 2) return score.error("a score is [left, right]");
+  if (!score.is_array()) {
+    if (const auto known = score.expect_keys({"left", "right"}); !known) return known.error();
   }
   for (std::size_t side = 0; side < 2; ++side) {
     const char* key = side == 0 ? "left" : "right";
-    if (!score.is_list() && !score.has(key)) continue;
-    const auto goals = Comparison::parse_number(score.is_list() ? score[side] : score[key]);
+    if (!score.is_array() && !score.has(key)) continue;
+    const auto goals = Comparison::parse_number(score.is_array() ? score[side] : score[key]);
     if (!goals) return goals.error();
     check.goals[side] = *goals;
   }
@@ -225,26 +226,26 @@ Parsed parse_score(const JsonValue& json) {
 
 Parsed parse_referee(const JsonValue& json) {
   if (const auto known = only(json, {"referee", "count"}); !known) return known.error();
-  const auto word = json["referee"].string();
-  if (!word) return word.error();
-  if (!is_referee_word(*word)) {
-    return json["referee"].error(fmt::format("the referee never says '{}'{}", *word,
-                                             base::did_you_mean(*word, referee_words())));
+  const auto message = json["referee"].string();
+  if (!message) return message.error();
+  if (!is_referee_message(*message)) {
+    return json["referee"].error(fmt::format("unknown referee message '{}'{}", *message,
+                                             base::did_you_mean(*message, referee_messages())));
   }
   const auto count = parse_count(json);
   if (!count) return count.error();
-  return {RefereeCheck{*word, *count}};
+  return {RefereeCheck{*message, *count}};
 }
 
 Parsed parse_touch(const JsonValue& json) {
   TouchCheck check;
   const char* key = "touches";
-  for (const auto& [word, which] : {std::pair{"touches", TouchCheck::Which::kCount},
+  for (const auto& [name, which] : {std::pair{"touches", TouchCheck::Which::kCount},
                                     std::pair{"first_touch", TouchCheck::Which::kFirst},
                                     std::pair{"last_touch", TouchCheck::Which::kLast}}) {
-    if (!json.has(word)) continue;
+    if (!json.has(name)) continue;
     check.which = which;
-    key = word;
+    key = name;
   }
   Words keys = {key};
   if (check.which == TouchCheck::Which::kCount) keys.push_back("count");
@@ -260,7 +261,7 @@ Parsed parse_touch(const JsonValue& json) {
 }
 
 Result<void> parse_who(const JsonValue& json, Side& side, std::vector<int>& unums) {
-  if (!json.has("side")) return json.error("needs \"side\"");
+  if (!json.has("side")) return json.error("requires \"side\"");
   const auto which = parse_side(json["side"]);
   if (!which) return which.error();
   side = *which;
@@ -279,7 +280,7 @@ Parsed parse_actions(const JsonValue& json, int steps) {
   const auto* fields = protos::PlayerAction::descriptor();
   Words kinds = {"*"};
   for (int i = 0; i < fields->field_count(); ++i) kinds.push_back(fields->field(i)->name());
-  const auto kind = json["actions"].word(kinds);
+  const auto kind = json["actions"].one_of(kinds);
   if (!kind) return kind.error();
   check.kind = *kind;
   check.to = steps;
@@ -290,7 +291,8 @@ Parsed parse_actions(const JsonValue& json, int steps) {
     check.to = range->last;
   }
   if (json.has("position")) {
-    if (const auto word = json["position"].word({"first"}); !word) return word.error();
+    if (const auto position = json["position"].one_of({"first"}); !position)
+      return position.error();
     check.first_only = true;
   }
   if (json.has("where")) {
@@ -311,8 +313,8 @@ Parsed parse_commands(const JsonValue& json) {
   CommandCheck check;
   if (const auto who = parse_who(json, check.side, check.unums); !who) return who.error();
   const auto kind =
-      json["commands"].word({"dash", "turn", "kick", "tackle", "catch", "move", "turn_neck",
-                             "change_view", "say", "pointto", "attentionto", "change_focus"});
+      json["commands"].one_of({"dash", "turn", "kick", "tackle", "catch", "move", "turn_neck",
+                               "change_view", "say", "pointto", "attentionto", "change_focus"});
   if (!kind) return kind.error();
   check.kind = *kind;
   const auto count = parse_count(json);
@@ -340,11 +342,11 @@ Parsed parse_latency(const JsonValue& json) {
   std::vector<int> none;
   if (const auto who = parse_who(json, check.side, none); !who) return who.error();
   const JsonValue parts = json["latency_ms"];
-  if (const auto keys = parts.object_of({"p50", "p95", "p99", "max"}); !keys) return keys.error();
+  if (const auto keys = parts.expect_keys({"p50", "p95", "p99", "max"}); !keys) return keys.error();
   for (const std::string& key : parts.keys()) {
-    const auto demand = Comparison::parse_number(parts[key]);
-    if (!demand) return demand.error();
-    check.percentiles_ms.emplace(key, *demand);
+    const auto expected = Comparison::parse_number(parts[key]);
+    if (!expected) return expected.error();
+    check.percentiles_ms.emplace(key, *expected);
   }
   return {std::move(check)};
 }
@@ -362,15 +364,21 @@ Parsed parse_missed(const JsonValue& json) {
 
 Parsed parse_end(const JsonValue& json) {
   if (const auto known = only(json, {"end"}); !known) return known.error();
-  const auto reason = json["end"].word(
-      {"finished", "crashed", "stalled", "late", "refused", "protocol_error", "timed_out"});
+  using match::EndReason;
+  std::vector<std::string_view> names;
+  for (const EndReason reason :
+       {EndReason::kFinished, EndReason::kCrashed, EndReason::kStalled, EndReason::kLate,
+        EndReason::kRefused, EndReason::kProtocolError, EndReason::kTimedOut}) {
+    names.push_back(name(reason));
+  }
+  const auto reason = json["end"].one_of(names);
   if (!reason) return reason.error();
-  return {EndCheck{*reason}};
+  return {EndCheck{*match::parse_end_reason(*reason)}};
 }
 
 Parsed parse_golden(const JsonValue& json, const base::Json& golden) {
   if (const auto known = only(json, {"golden"}); !known) return known.error();
-  const auto what = json["golden"].word({"game_log", "score", "touches"});
+  const auto what = json["golden"].one_of({"game_log", "score", "touches"});
   if (!what) return what.error();
   return {GoldenCheck{*what, golden.is_object() ? golden.value(*what, "") : ""}};
 }
@@ -399,13 +407,13 @@ Parsed parse_what(const JsonValue& json, int steps, const base::Json& golden) {
     const std::string hint = base::did_you_mean(key, kinds);
     if (!hint.empty()) return json.error(fmt::format("unknown kind of check '{}'{}", key, hint));
   }
-  return json.error(fmt::format("no kind of check (known: {})", fmt::join(kinds, ", ")));
+  return json.error(fmt::format("missing kind of check (known: {})", fmt::join(kinds, ", ")));
 }
 
 }  // namespace
 
 Result<soccer::Vec2> parse_point(const JsonValue& json) {
-  if (!json.is_list() || json.size() != 2) return json.error("must be [x, y]");
+  if (!json.is_array() || json.size() != 2) return json.error("must be [x, y]");
   soccer::Vec2 point;
   for (const auto& [index, member] : {std::pair{0, &point.x}, std::pair{1, &point.y}}) {
     const auto value = json[static_cast<std::size_t>(index)].number(-100, 100);
@@ -416,17 +424,17 @@ Result<soccer::Vec2> parse_point(const JsonValue& json) {
 }
 
 Result<Side> parse_side(const JsonValue& json) {
-  const auto word = json.word({"left", "right"});
-  if (!word) return word.error();
-  return *soccer::side_named(*word);
+  const auto name = json.one_of({"left", "right"});
+  if (!name) return name.error();
+  return *soccer::parse_side(*name);
 }
 
 Result<PlayMode> parse_mode(const JsonValue& json) {
   Words names;
   for (int i = 1; i < soccer::kPlayModeCount; ++i) names.push_back(name(static_cast<PlayMode>(i)));
-  const auto word = json.word(names);
-  if (!word) return word.error();
-  return *soccer::play_mode_from_name(*word);
+  const auto name = json.one_of(names);
+  if (!name) return name.error();
+  return *soccer::parse_play_mode(*name);
 }
 
 Result<StepTest> parse_step_test(const JsonValue& json) {
@@ -434,11 +442,11 @@ Result<StepTest> parse_step_test(const JsonValue& json) {
   const Words kinds = {"mode", "goals", "touch_by", "ball", "player"};
   for (const std::string_view kind : kinds) {
     if (!json.has(kind)) continue;
-    const auto known = json.object_of(kind == "player" ? Words{"player", "is"} : Words{kind});
+    const auto known = json.expect_keys(kind == "player" ? Words{"player", "is"} : Words{kind});
     if (!known) return known.error();
     return parse_test(json);
   }
-  return json.error(fmt::format("ends at nothing (known: {})", fmt::join(kinds, ", ")));
+  return json.error(fmt::format("missing condition (known: {})", fmt::join(kinds, ", ")));
 }
 
 Result<Check> parse_check(const JsonValue& json, int steps, const base::Json& golden) {

@@ -1,8 +1,8 @@
-// Reading the demands of a scenario.
+// Parses the checks of a scenario.
 #pragma once
 
 #include "base/result.h"
-#include "base/text/json_text.h"
+#include "base/text/json_document.h"
 #include "orchestration/scenario/check.h"
 
 namespace cls::orchestration::scenario {

@@ -1,4 +1,4 @@
-// What was seen in one run of a scenario: the ground on which checks stand.
+// The record of one run of a scenario; checks are evaluated on it.
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@
 
 namespace cls::orchestration::scenario {
 
-/// One thing on the pitch after a step. What does not apply to the ball is 0.
+/// The ball or a player after a step. Members that do not apply to the ball are 0.
 struct ObjectFrame {
   soccer::Vec2 position;
   soccer::Vec2 velocity;
@@ -36,16 +36,16 @@ struct StepFrame {
   std::array<ObjectFrame, soccer::kPlayersOnPitch> players;
 };
 
-/// A kick, tackle, catch or body that met the ball.
+/// A kick, tackle, catch or collision with the ball.
 struct Touch {
   int step = 0;
   int slot = 0;
 };
 
-/// Something that the referee said.
-struct RefereeWord {
+/// A message of the referee.
+struct RefereeMessage {
   int step = 0;
-  std::string word;
+  std::string message;
 };
 
 /// One reply of a Playmaker to a player.
@@ -59,16 +59,16 @@ struct RunRecord {
   std::uint64_t seed = 0;
   std::vector<StepFrame> frames;
   std::vector<Touch> touches;
-  std::vector<RefereeWord> words;
-  std::array<std::vector<ReceivedReply>, 2> replies;  ///< in order of step and number
-  /// By check, where the check is about rpcs: what its expectation says.
+  std::vector<RefereeMessage> referee_messages;
+  std::array<std::vector<ReceivedReply>, 2> replies;  ///< ordered by step and uniform number
+  /// Failures of the RPC checks, by RpcCheck::index.
   std::vector<std::vector<std::string>> rpc_failures;
-  /// What the scripts of mock sides expected and did not get.
+  /// Failed expectations of the scripts of mock sides.
   std::vector<std::string> script_failures;
   match::MatchResult result;
   std::string game_log;
   std::string text_log;
-  double seconds = 0.0;  ///< wall time, for people; no check knows it
+  double seconds = 0.0;  ///< wall time, for reports; not used by checks
 };
 
 }  // namespace cls::orchestration::scenario

@@ -1,4 +1,4 @@
-// A scenario: a situation on the pitch, who plays it, and what must come of it. Plain data.
+// A scenario: initial situation, sides and checks. Plain data.
 #pragma once
 
 #include <array>
@@ -20,32 +20,32 @@
 
 namespace cls::orchestration::scenario {
 
-/// Where a player starts, in the server's axes (the left team attacks +x).
+/// Initial state of a player, in coordinates of the server (the left team attacks +x).
 struct StartingPlace {
   soccer::Vec2 position;
   soccer::Vec2 velocity;
-  std::optional<double> body;  ///< degrees on the pitch; else towards the other goal
+  std::optional<double> body;  ///< degrees; default: facing the opponents' goal
   std::optional<double> stamina;
-  int cards = 0;  ///< 1: has been shown the yellow card
+  int cards = 0;  ///< 1: has a yellow card
 };
 
-/// Why a check about calls, actions, commands or latencies is not for a `team:` side.
-inline constexpr const char* kForeignTeamHasNoPlaymaker =
-    "a foreign team has no Playmaker: neither its actions, commands and calls nor their times are "
-    "known, only what happens on the pitch";
+/// Error for checks of RPCs, actions, commands or latencies of a `team:` side.
+inline constexpr const char* kExternalTeamHasNoPlaymaker =
+    "an external team has no Playmaker: its actions, commands, RPCs and latencies are unknown; "
+    "check only events on the pitch";
 
 struct ScenarioSide {
   match::Endpoint playmaker;
-  /// By number. Empty: everybody plays, from the places of a kick-off; else only these do.
+  /// By uniform number. Empty: all players, in kick-off positions; otherwise only these.
   std::map<int, StartingPlace> players;
 };
 
 /// docs/testing.md describes the file format. Time is counted in steps: cycles since the start,
-/// stopped ones too.
+/// including those with a stopped clock.
 struct Scenario {
   std::string name;      ///< file name without ".json"
   std::string file;      ///< for errors and annotations
-  std::string argument;  ///< of `cls test`, to play it again: the file, or a shipped one's name
+  std::string argument;  ///< of `cls test`, for reruns: the file, or the name if shipped
   std::string about;     ///< one sentence
 
   std::vector<std::uint64_t> seeds = {1};
@@ -58,11 +58,11 @@ struct Scenario {
   soccer::Vec2 ball_velocity;
   std::array<ScenarioSide, 2> sides;  ///< left, right
   std::optional<soccer::Side> under_test;
-  bool coach = false;                      ///< both teams bring one
-  std::optional<match::Endpoint> trainer;  ///< who is asked GetTrainerActions
+  bool coach = false;                      ///< both teams connect one
+  std::optional<match::Endpoint> trainer;  ///< handles GetTrainerActions
 
   int steps = 100;
-  std::vector<StepTest> until;  ///< any of them ends the run
+  std::vector<StepTest> until;  ///< the run ends when any holds
   int rpc_deadline_ms = 10'000;
   int max_missed = 20;
   proxy::OnLate on_late = proxy::OnLate::kHold;

@@ -1,4 +1,4 @@
-// From JSON to a scenario.
+// Parses scenario files.
 #include "orchestration/scenario/scenario_file.h"
 
 #include <fmt/format.h>
@@ -8,23 +8,24 @@
 #include <nlohmann/json.hpp>
 
 #include "mock-server/mock.h"
+#include "mock-server/script/named_behaviors.h"
 #include "mock-server/script/script.h"
 #include "orchestration/match/options/match_options.h"
 #include "orchestration/scenario/check_file.h"
-#include "soccer/side_name.h"
+#include "soccer/side.h"
 
 namespace cls::orchestration::scenario {
 namespace {
 
 using base::Error;
 using base::Json;
-using base::JsonText;
+using base::JsonDocument;
 using base::JsonValue;
 using base::Result;
 using soccer::Side;
 
-constexpr int kMostSeeds = 1000;
-constexpr int kMostSteps = 100'000;
+constexpr int kMaxSeeds = 1000;
+constexpr int kMaxSteps = 100'000;
 
 Result<void> parse_settings(const JsonValue& json, const char* module,
                             match::MatchOptions& options) {
@@ -40,7 +41,7 @@ Result<void> parse_settings(const JsonValue& json, const char* module,
 
 Result<void> parse_server(const JsonValue& json, Scenario& scenario) {
   match::MatchOptions options;
-  // A scenario begins at once, and is an ordinary match otherwise.
+  // Scenarios start without waiting; otherwise the defaults of a match apply.
   options.server.kick_off_wait = 5;
   if (json.has("noise")) {
     const auto noise = json["noise"].boolean();
@@ -60,7 +61,7 @@ Result<void> parse_server(const JsonValue& json, Scenario& scenario) {
 
 Result<void> parse_seeds(const JsonValue& json, Scenario& scenario) {
   if (json.has("seed") && json.has("seeds")) {
-    return json["seeds"].error("either \"seed\" or \"seeds\"");
+    return json["seeds"].error("\"seed\" and \"seeds\" exclude each other");
   }
   if (json.has("seed")) {
     const auto seed = json["seed"].integer(0, 1'000'000'000);
@@ -68,7 +69,7 @@ Result<void> parse_seeds(const JsonValue& json, Scenario& scenario) {
     scenario.seeds = {static_cast<std::uint64_t>(*seed)};
   }
   if (json.has("seeds")) {
-    const auto count = json["seeds"].integer(1, kMostSeeds);
+    const auto count = json["seeds"].integer(1, kMaxSeeds);
     if (!count) return count.error();
     scenario.seeds.clear();
     for (int seed = 1; seed <= *count; ++seed) {
@@ -79,11 +80,11 @@ Result<void> parse_seeds(const JsonValue& json, Scenario& scenario) {
 }
 
 Result<StartingPlace> parse_place(const JsonValue& json) {
-  if (const auto keys = json.object_of({"at", "velocity", "body", "stamina", "cards"}); !keys) {
+  if (const auto keys = json.expect_keys({"at", "velocity", "body", "stamina", "cards"}); !keys) {
     return keys.error();
   }
   StartingPlace place;
-  if (!json.has("at")) return json.error("needs \"at\": [x, y]");
+  if (!json.has("at")) return json.error("requires \"at\": [x, y]");
   for (const auto& [key, member] :
        {std::pair{"at", &place.position}, std::pair{"velocity", &place.velocity}}) {
     if (!json.has(key)) continue;
@@ -112,7 +113,7 @@ Result<void> parse_playmaker(const JsonValue& json, match::Endpoint& endpoint) {
     const auto script = mock_server::parse_script(json);
     if (!script) return script.error();
     endpoint.text = "mock:(script)";
-    endpoint.behaviour = "script";
+    endpoint.behavior = "script";
     endpoint.script = *script;
     return {};
   }
@@ -124,17 +125,17 @@ Result<void> parse_playmaker(const JsonValue& json, match::Endpoint& endpoint) {
   if (endpoint.kind == match::Endpoint::Kind::kTeam)
     endpoint.path = (folder / endpoint.path).string();
   if (endpoint.kind != match::Endpoint::Kind::kMock) return {};
-  if (mock_server::names_script(endpoint.behaviour)) {
-    endpoint.behaviour = (folder / endpoint.behaviour).string();
+  if (mock_server::is_script_name(endpoint.behavior)) {
+    endpoint.behavior = (folder / endpoint.behavior).string();
     return match::load_script(endpoint);
   }
-  const auto known = mock_server::make_behaviour(endpoint.behaviour);
+  const auto known = mock_server::make_behavior(endpoint.behavior);
   if (!known) return json.error(known.error().message);
   return {};
 }
 
 Result<void> parse_team(const JsonValue& json, ScenarioSide& side) {
-  if (const auto keys = json.object_of({"playmaker", "players"}); !keys) return keys;
+  if (const auto keys = json.expect_keys({"playmaker", "players"}); !keys) return keys;
   if (json.has("playmaker")) {
     if (const auto read = parse_playmaker(json["playmaker"], side.playmaker); !read) return read;
   }
@@ -146,7 +147,7 @@ Result<void> parse_team(const JsonValue& json, ScenarioSide& side) {
     const auto [end, code] = std::from_chars(key.data(), key.data() + key.size(), unum);
     if (code != std::errc{} || end != key.data() + key.size() || unum < 1 ||
         unum > soccer::kPlayersPerTeam) {
-      return players[key].error(fmt::format("'{}' is no uniform number", key));
+      return players[key].error(fmt::format("'{}' is not a uniform number", key));
     }
     const auto place = parse_place(players[key]);
     if (!place) return place.error();
@@ -162,12 +163,12 @@ Result<void> parse_situation(const JsonValue& json, Scenario& scenario) {
     scenario.mode = *mode;
   }
   if (json.has("cycle")) {
-    const auto cycle = json["cycle"].integer(0, kMostSteps);
+    const auto cycle = json["cycle"].integer(0, kMaxSteps);
     if (!cycle) return cycle.error();
     scenario.cycle = *cycle;
   }
   if (json.has("score")) {
-    if (!json["score"].is_list() || json["score"].size() != 2) {
+    if (!json["score"].is_array() || json["score"].size() != 2) {
       return json["score"].error("a score is [left, right]");
     }
     for (std::size_t i = 0; i < 2; ++i) {
@@ -178,7 +179,7 @@ Result<void> parse_situation(const JsonValue& json, Scenario& scenario) {
   }
   if (!json.has("ball")) return {};
   const JsonValue ball = json["ball"];
-  if (const auto keys = ball.object_of({"at", "velocity"}); !keys) return keys;
+  if (const auto keys = ball.expect_keys({"at", "velocity"}); !keys) return keys;
   for (const auto& [key, member] :
        {std::pair{"at", &scenario.ball}, std::pair{"velocity", &scenario.ball_velocity}}) {
     if (!ball.has(key)) continue;
@@ -201,32 +202,32 @@ Result<void> parse_sideline(const JsonValue& json, Scenario& scenario) {
 
 Result<void> parse_run(const JsonValue& json, Scenario& scenario) {
   for (const auto& [key, member, high] :
-       {std::tuple{"steps", &scenario.steps, kMostSteps},
+       {std::tuple{"steps", &scenario.steps, kMaxSteps},
         std::tuple{"rpc_deadline_ms", &scenario.rpc_deadline_ms, 1'000'000},
-        std::tuple{"max_missed", &scenario.max_missed, kMostSteps}}) {
+        std::tuple{"max_missed", &scenario.max_missed, kMaxSteps}}) {
     if (!json.has(key)) continue;
     const auto value = json[key].integer(1, high);
     if (!value) return value.error();
     *member = *value;
   }
   if (json.has("on_late")) {
-    const auto word = json["on_late"].word({"hold", "last", "default"});
-    if (!word) return word.error();
-    scenario.on_late = *word == "hold"   ? proxy::OnLate::kHold
-                       : *word == "last" ? proxy::OnLate::kLast
-                                         : proxy::OnLate::kDefault;
+    const auto on_late = json["on_late"].one_of({"hold", "last", "default"});
+    if (!on_late) return on_late.error();
+    scenario.on_late = *on_late == "hold"   ? proxy::OnLate::kHold
+                       : *on_late == "last" ? proxy::OnLate::kLast
+                                            : proxy::OnLate::kDefault;
   }
   if (!json.has("until")) return {};
   const JsonValue until = json["until"];
-  for (std::size_t i = 0; i < (until.is_list() ? until.size() : 1); ++i) {
-    const auto test = parse_step_test(until.is_list() ? until[i] : until);
+  for (std::size_t i = 0; i < (until.is_array() ? until.size() : 1); ++i) {
+    const auto test = parse_step_test(until.is_array() ? until[i] : until);
     if (!test) return test.error();
     scenario.until.push_back(*test);
   }
   return {};
 }
 
-// What holds unless a check says otherwise: the run ends well, and nobody misses an answer.
+// Implicit checks, unless a check overrides them: the run finishes, and no decision is missed.
 void add_implied_checks(Scenario& scenario, const JsonValue& json) {
   bool says_end = false;
   std::array<bool, 2> says_missed{};
@@ -244,19 +245,19 @@ void add_implied_checks(Scenario& scenario, const JsonValue& json) {
     scenario.checks.push_back(std::move(check));
   };
   if (says_end) return;
-  add(EndCheck{"finished"}, "the run is played to its end");
-  const auto zero = JsonText::parse("", "0");
+  add(EndCheck{match::EndReason::kFinished}, "the run finishes");
+  const auto zero = JsonDocument::parse("", "0");
   for (const Side side : {Side::kLeft, Side::kRight}) {
     if (says_missed[index_of(side)]) continue;
     add(MissedCheck{side, *mock_server::Comparison::parse_number(JsonValue(*zero))},
-        fmt::format("no answer of the {} side is missed", side_name(side)));
+        fmt::format("the {} side misses no decision", side_name(side)));
   }
 }
 
 Result<void> parse_checks(const JsonValue& json, const Json& golden, Scenario& scenario) {
-  if (!json.has("expect")) return json.error("needs \"expect\": a list of checks");
+  if (!json.has("expect")) return json.error("requires \"expect\": a list of checks");
   const JsonValue expect = json["expect"];
-  if (!expect.is_list() || expect.size() == 0) return expect.error("must be a list of checks");
+  if (!expect.is_array() || expect.size() == 0) return expect.error("must be a list of checks");
   std::size_t rpcs = 0;
   for (std::size_t i = 0; i < expect.size(); ++i) {
     auto check = parse_check(expect[i], scenario.steps, golden);
@@ -264,7 +265,7 @@ Result<void> parse_checks(const JsonValue& json, const Json& golden, Scenario& s
     if (auto* rpc = std::get_if<RpcCheck>(&check->what)) rpc->index = rpcs++;
     const auto asked = playmaker_of(*check);
     if (asked && !scenario.sides[index_of(*asked)].playmaker.has_playmaker()) {
-      return expect[i].error(kForeignTeamHasNoPlaymaker);
+      return expect[i].error(kExternalTeamHasNoPlaymaker);
     }
     scenario.checks.push_back(*std::move(check));
   }
@@ -274,13 +275,13 @@ Result<void> parse_checks(const JsonValue& json, const Json& golden, Scenario& s
 
 }  // namespace
 
-Result<Scenario> parse_scenario(const JsonText& text, const Json& golden) {
+Result<Scenario> parse_scenario(const JsonDocument& text, const Json& golden) {
   const JsonValue json(text);
   const auto keys =
-      json.object_of({"about",      "seed",    "seeds",   "noise", "server", "player",
-                      "mode",       "cycle",   "score",   "ball",  "left",   "right",
-                      "under_test", "coach",   "trainer", "steps", "until",  "rpc_deadline_ms",
-                      "max_missed", "on_late", "expect"});
+      json.expect_keys({"about",      "seed",    "seeds",   "noise", "server", "player",
+                        "mode",       "cycle",   "score",   "ball",  "left",   "right",
+                        "under_test", "coach",   "trainer", "steps", "until",  "rpc_deadline_ms",
+                        "max_missed", "on_late", "expect"});
   if (!keys) return keys.error();
   Scenario scenario;
   scenario.file = scenario.argument = text.name();

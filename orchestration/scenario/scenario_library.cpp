@@ -1,4 +1,4 @@
-// Finding and reading scenarios, and their golden values.
+// Finds and reads scenarios and their golden values.
 #include "orchestration/scenario/scenario_library.h"
 
 #include <fmt/format.h>
@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/io/whole_file.h"
-#include "base/text/json_text.h"
+#include "base/text/json_document.h"
 #include "orchestration/scenario/scenario_file.h"
 
 namespace cls::orchestration::scenario {
@@ -17,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 using base::Error;
 using base::Json;
-using base::JsonText;
+using base::JsonDocument;
 using base::Result;
 
 constexpr std::string_view kShippedFolder = "examples/scenarios/";
@@ -30,7 +30,7 @@ Result<Json> read_golden(const fs::path& folder) {
   const fs::path file = folder / kGoldenFile;
   std::error_code code;
   if (!fs::exists(file, code)) return Json::object();
-  const auto text = JsonText::read(file);
+  const auto text = JsonDocument::read(file);
   if (!text) return text.error();
   return text->root();
 }
@@ -38,12 +38,12 @@ Result<Json> read_golden(const fs::path& folder) {
 Result<Scenario> read_one(const fs::path& file) {
   const auto golden = read_golden(file.parent_path());
   if (!golden) return golden.error();
-  const auto text = JsonText::read(file);
+  const auto text = JsonDocument::read(file);
   if (!text) return text.error();
   return parse_scenario(*text, golden_of(*golden, file.stem().string()));
 }
 
-// What the golden checks found, by the file that keeps such values.
+// Values found by the golden checks, by golden file.
 std::map<fs::path, std::map<std::string, Json>> found_values(const SuiteVerdict& suite) {
   std::map<fs::path, std::map<std::string, Json>> files;
   for (const ScenarioVerdict& verdict : suite.scenarios) {
@@ -72,8 +72,8 @@ Result<std::vector<Scenario>> shipped_scenarios() {
   std::vector<Scenario> scenarios;
   for (const ShippedFile& file : shipped_files()) {
     if (file.name == kGoldenFile) continue;
-    const auto text = JsonText::parse(std::string(kShippedFolder) + std::string(file.name),
-                                      std::string(file.text));
+    const auto text = JsonDocument::parse(std::string(kShippedFolder) + std::string(file.name),
+                                          std::string(file.text));
     if (!text) return text.error();
     const std::string name = fs::path(file.name).stem().string();
     auto scenario = parse_scenario(*text, golden_of(golden, name));
@@ -94,7 +94,7 @@ Result<std::vector<Scenario>> read_scenarios(const fs::path& path) {
       if (file.extension() == ".json" && file.filename() != kGoldenFile) files.push_back(file);
     }
     std::sort(files.begin(), files.end());
-    if (files.empty()) return Error{fmt::format("{}: no scenario (*.json) in it", path.string())};
+    if (files.empty()) return Error{fmt::format("{}: no scenarios (*.json)", path.string())};
   }
   std::vector<Scenario> scenarios;
   for (const fs::path& file : files) {
@@ -105,7 +105,7 @@ Result<std::vector<Scenario>> read_scenarios(const fs::path& path) {
   return scenarios;
 }
 
-Result<int> bless(const SuiteVerdict& suite) {
+Result<int> accept_golden_values(const SuiteVerdict& suite) {
   int changed = 0;
   for (const auto& [file, scenarios] : found_values(suite)) {
     auto golden = read_golden(file.parent_path());

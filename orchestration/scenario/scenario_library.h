@@ -1,4 +1,4 @@
-// Where scenarios come from: files, folders, and those that are part of the binary.
+// Sources of scenarios: files, folders and the shipped ones in the binary.
 #pragma once
 
 #include <filesystem>
@@ -11,24 +11,24 @@
 
 namespace cls::orchestration::scenario {
 
-/// A file of examples/scenarios as it was when `cls` was built.
+/// A file of examples/scenarios, embedded at build time.
 struct ShippedFile {
   std::string_view name;  ///< "kick_in.json"
   std::string_view text;
 };
 const std::vector<ShippedFile>& shipped_files();
 
-/// Values that --bless keeps, of all scenarios of a folder.
+/// File with the golden values of all scenarios in its folder.
 inline constexpr const char* kGoldenFile = "golden.json";
 
-/// All that are part of the binary, by name.
+/// All shipped scenarios, by name.
 base::Result<std::vector<Scenario>> shipped_scenarios();
 
-/// A file, or all *.json of a folder in the order of their names. Errors name file and line.
+/// Reads a file, or all *.json of a folder sorted by name. Errors name file and line.
 base::Result<std::vector<Scenario>> read_scenarios(const std::filesystem::path& path);
 
-/// Writes what the golden checks of these scenarios found into the golden files beside them;
-/// returns how many values are new or other than before. Shipped ones without a file are left out.
-base::Result<int> bless(const SuiteVerdict& suite);
+/// Writes the values found by the golden checks into the golden files beside the scenarios. Returns
+/// the number of changed values. Skips shipped scenarios, which have no file.
+base::Result<int> accept_golden_values(const SuiteVerdict& suite);
 
 }  // namespace cls::orchestration::scenario

@@ -1,15 +1,13 @@
-// From a scenario to the record of one run.
+// Plays one run of a scenario.
 #include "orchestration/scenario/scenario_run.h"
 
 #include <chrono>
 #include <utility>
 
 #include "base/io/byte_sink.h"
-#include "orchestration/match/hooks/match_chronicle.h"
-#include "orchestration/match/lockstep_match.h"
+#include "orchestration/match/match_setup.h"
 #include "orchestration/match/options/match_options.h"
-#include "orchestration/match/result/event_log.h"
-#include "orchestration/scenario/scenario_director.h"
+#include "orchestration/scenario/scenario_recorder.h"
 
 namespace cls::orchestration::scenario {
 namespace {
@@ -30,10 +28,10 @@ match::MatchOptions match_options(const Scenario& scenario, const RunSettings& s
   options.rpc_deadline_ms = scenario.rpc_deadline_ms;
   options.max_missed = scenario.max_missed;
   options.on_late = scenario.on_late;
-  // Eleven programs, one after the other, on a machine that may be busy.
+  // A team starts 11 programs in sequence, possibly on a busy host.
   constexpr double kTimeToJoin = 60.0;
-  const bool guests = !options.left.has_playmaker() || !options.right.has_playmaker();
-  if (guests) options.start_timeout_s = kTimeToJoin;
+  const bool external = !options.left.has_playmaker() || !options.right.has_playmaker();
+  if (external) options.start_timeout_s = kTimeToJoin;
   return options;
 }
 
@@ -46,25 +44,22 @@ base::Result<RunRecord> run_scenario(const Scenario& scenario, const RunSettings
   const match::TeamNames names{"left", "right"};
   base::StringSink game_log;
   base::StringSink text_log;
-  base::StringSink event_lines;
-  match::EventLog events(event_lines);
-  match::MatchChronicle chronicle(events);
   match::MatchObserver observer;
   RunRecord record;
   record.seed = settings.seed;
-  ScenarioDirector director(scenario, text_log, record);
-  auto match = match::LockstepMatch::create(options, names, settings.seed, stop_signal,
-                                            settings.host, settings.folder);
+  ScenarioRecorder director(scenario, text_log, record);
+  auto match = match::make_lockstep_match(
+      {options, names, settings.seed, stop_signal, settings.host, settings.folder},
+      {game_log, text_log});
   if (!match) return match.error();
-  (*match)->record(game_log, text_log);
-  (*match)->direct(director);
-  chronicle.begin(names, settings.seed);
-  (*match)->play(observer, chronicle);
+  (*match)->add_hooks(director);
+  (*match)->play(observer);
   director.finish();
   record.result = (*match)->result();
-  for (const match::MatchSide* side : {&(*match)->left(), &(*match)->right()}) {
-    for (std::string& line : side->failed_expectations()) {
-      record.script_failures.push_back(side->name() + ": " + std::move(line));
+  for (const auto& side : (*match)->sides()) {
+    if (side->identity().side == soccer::Side::kNeutral) continue;
+    for (const std::string& line : side->failed_expectations()) {
+      record.script_failures.push_back(side->identity().name + ": " + line);
     }
   }
   record.game_log = game_log.bytes();

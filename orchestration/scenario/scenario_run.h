@@ -1,4 +1,4 @@
-// One run of a scenario: the situation is set up, played, and written down.
+// Plays one run of a scenario and returns its record.
 #pragma once
 
 #include <atomic>
@@ -14,13 +14,13 @@ namespace cls::orchestration::scenario {
 
 struct RunSettings {
   std::uint64_t seed = 1;
-  std::optional<match::Endpoint> against;  ///< plays the side under test instead
-  process::ProcessHost* host = nullptr;    ///< for `run:` endpoints, with their logs in `folder`
+  std::optional<match::Endpoint> against;  ///< replaces the side under test
+  process::ProcessHost* host = nullptr;    ///< for `run:` sides; their logs go to `folder`
   std::filesystem::path folder;
 };
 
-/// Plays to the end; a run that goes wrong is a record too (its result's end reason). The error is
-/// about a match that could not be set up.
+/// Plays the run. A failed run has a record too (see its result's end reason); an error means that
+/// the match could not be set up.
 base::Result<RunRecord> run_scenario(const Scenario& scenario, const RunSettings& settings,
                                      const std::atomic<int>& stop_signal);
 

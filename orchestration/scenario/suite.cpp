@@ -1,4 +1,4 @@
-// Handing runs to threads and adding up what their checks say.
+// Distributes runs over threads and combines the results of their checks.
 #include "orchestration/scenario/suite.h"
 
 #include <fmt/format.h>
@@ -15,22 +15,22 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What is kept of a run once its checks are asked.
+/// Outcome of a run after its checks were evaluated.
 struct RunOutcome {
   std::uint64_t seed = 0;
-  std::string problem;                ///< it could not be set up
+  std::string problem;                ///< why it could not be set up
   std::vector<std::string> failures;  ///< by check; empty: held
   std::vector<std::string> script_failures;
   std::vector<std::string> fingerprints;
-  bool against = false;  ///< it speaks against a check
-  std::string folder;    ///< where its logs are, when it is not good
+  bool against = false;  ///< a check counts this run as a failure
+  std::string folder;    ///< its logs, if the run failed
   double seconds = 0.0;
 
   bool good() const { return problem.empty() && script_failures.empty() && !against; }
 };
 
-// Whether a single run is as the check does not want it. Of a check that is to hold in some runs
-// only, one that did not hold is; of one that is to hold in none, one that did.
+// Whether a single run counts against the check. For a check that must hold in some runs, that is
+// a run in which it failed; for one that must hold in none, a run in which it held.
 bool speaks_against(const Check& check, bool held) {
   if (!check.runs) return !held;
   const bool may_fail_in_all = check.runs->holds(0.0);
@@ -83,13 +83,13 @@ class SuiteRun {
     ScenarioVerdict& verdict = verdicts_.scenarios.back();
     if (options_.against && !scenario.under_test) {
       verdict.verdict = Verdict::kSkipped;
-      verdict.reason = "has no side under test";
+      verdict.reason = "no side under test";
       on_done_(verdict);
       return;
     }
-    if (const Check* check = unknown_of_guests(scenario)) {
+    if (const Check* check = first_check_of_playmaker(scenario)) {
       verdict.verdict = Verdict::kSkipped;
-      verdict.reason = fmt::format("line {}: {}", check->line, kForeignTeamHasNoPlaymaker);
+      verdict.reason = fmt::format("line {}: {}", check->line, kExternalTeamHasNoPlaymaker);
       on_done_(verdict);
       return;
     }
@@ -101,8 +101,8 @@ class SuiteRun {
     }
   }
 
-  // The first check that cannot be asked when a foreign team plays the side under test.
-  const Check* unknown_of_guests(const Scenario& scenario) const {
+  // The first check that an external team on the side under test cannot pass.
+  const Check* first_check_of_playmaker(const Scenario& scenario) const {
     if (!options_.against || options_.against->has_playmaker()) return nullptr;
     for (const Check& check : scenario.checks) {
       if (playmaker_of(check) == scenario.under_test) return &check;
@@ -110,7 +110,7 @@ class SuiteRun {
     return nullptr;
   }
 
-  bool has_guests(const Scenario& scenario) const {
+  bool has_external_team(const Scenario& scenario) const {
     return (options_.against && !options_.against->has_playmaker()) ||
            !scenario.sides[0].playmaker.has_playmaker() ||
            !scenario.sides[1].playmaker.has_playmaker();
@@ -145,9 +145,9 @@ class SuiteRun {
     settings.folder =
         fs::absolute(options_.folder / fmt::format("{}-seed-{}", scenario.name, task.seed));
     if (host_ != nullptr) fs::create_directories(settings.folder);
-    // Teams that know one port only cannot play two matches at once.
-    const auto alone =
-        has_guests(scenario) ? std::unique_lock(guests_) : std::unique_lock<std::mutex>();
+    // External teams use fixed ports and cannot play two matches in parallel.
+    const auto alone = has_external_team(scenario) ? std::unique_lock(external_teams_)
+                                                   : std::unique_lock<std::mutex>();
     const auto record = run_scenario(scenario, settings, stop_signal_);
     if (!record) {
       outcome.problem = record.error().message;
@@ -210,17 +210,17 @@ class SuiteRun {
       verdict.verdict = Verdict::kSkipped;
     } else if (!good) {
       verdict.verdict = Verdict::kFailed;
-      // It may be that no single run is to blame, but their number.
+      // Possibly no single run failed, only their count.
       auto bad =
           std::find_if(runs.begin(), runs.end(), [](const RunOutcome& run) { return !run.good(); });
       if (bad == runs.end()) bad = runs.begin();
       verdict.replay = bad->folder;
-      verdict.repeat = repeat_command(scenario, bad->seed);
+      verdict.rerun = repeat_command(scenario, bad->seed);
     }
     on_done_(verdict);
   }
 
-  // How many runs hold a check says nothing where one seed was asked for: that run is judged alone.
+  // With one seed given, counts over runs are meaningless: the run is judged alone.
   static CheckVerdict conclude_check(const Check& check, std::size_t index,
                                      const std::vector<RunOutcome>& runs, bool one_seed) {
     const bool counts = check.runs && !one_seed;
@@ -244,17 +244,17 @@ class SuiteRun {
     if (counts && !verdict.passed) {
       verdict.detail =
           fmt::format("held in {} of {} runs, not {}{}{}", verdict.held, verdict.runs,
-                      check.runs->text(), verdict.seed ? "; first not: " : "", verdict.detail);
+                      check.runs->text(), verdict.seed ? "; first failure: " : "", verdict.detail);
     }
     return verdict;
   }
 
-  // The expectations of mock scripts count as one check, if a run failed them.
+  // Failed expectations of mock scripts count as one check.
   static bool conclude_scripts(ScenarioVerdict& verdict, const std::vector<RunOutcome>& runs) {
     for (const RunOutcome& run : runs) {
       if (run.script_failures.empty()) continue;
       CheckVerdict check;
-      check.name = "what the mocks' scripts expect";
+      check.name = "expectations of mock scripts";
       check.line = 1;
       check.passed = false;
       check.runs = static_cast<int>(runs.size());
@@ -271,14 +271,14 @@ class SuiteRun {
   const std::function<void(const ScenarioVerdict&)>& on_done_;
   const std::atomic<int>& stop_signal_;
   process::ProcessHost* host_;
-  std::string host_problem_;  ///< why there is none although programs are to be started
+  std::string host_problem_;  ///< why programs cannot be started
 
   std::vector<Task> tasks_;
   std::atomic<std::size_t> next_{0};
-  std::mutex guests_;  ///< of runs with foreign teams
+  std::mutex external_teams_;  ///< serializes runs with external teams
   std::mutex mutex_;
   std::vector<std::vector<RunOutcome>> outcomes_;
-  std::vector<std::size_t> open_;  ///< runs to come, by scenario
+  std::vector<std::size_t> open_;  ///< remaining runs, by scenario
   SuiteVerdict verdicts_;
 };
 

@@ -1,4 +1,4 @@
-// Many scenarios, each with its seeds, on several threads; what came of them.
+// Runs scenarios over their seeds on several threads and collects the verdicts.
 #pragma once
 
 #include <atomic>
@@ -17,13 +17,13 @@ namespace cls::orchestration::scenario {
 
 struct SuiteOptions {
   int jobs = 1;
-  std::optional<std::uint64_t> seed;  ///< instead of the scenarios' own
+  std::optional<std::uint64_t> seed;  ///< overrides the seeds of the scenarios
   std::optional<match::Endpoint> against;
-  std::string against_text;      ///< for the command that repeats a run
-  std::filesystem::path folder;  ///< where failing runs are kept; created when one fails
+  std::string against_text;      ///< for the command that reruns a seed
+  std::filesystem::path folder;  ///< logs of failed runs; created on demand
 };
 
-/// One demand over all runs of a scenario.
+/// One check over all runs of a scenario.
 struct CheckVerdict {
   std::string name;
   int line = 0;
@@ -39,13 +39,13 @@ enum class Verdict { kPassed, kFailed, kSkipped };
 struct ScenarioVerdict {
   const Scenario* scenario = nullptr;
   Verdict verdict = Verdict::kPassed;
-  std::string reason;  ///< why it was skipped, or could not be played
+  std::string reason;  ///< why it was skipped or could not be set up
   std::vector<CheckVerdict> checks;
   std::vector<std::uint64_t> seeds;
-  std::vector<std::string> fingerprints;  ///< of golden checks, in their order, of the first run
-  std::string replay;                     ///< folder with the logs of the first failing run
-  std::string repeat;                     ///< command that plays it again
-  double seconds = 0.0;                   ///< wall time of all runs together
+  std::vector<std::string> fingerprints;  ///< of the golden checks in the first run, in order
+  std::string replay;                     ///< folder with logs of the first failed run
+  std::string rerun;                      ///< command that reruns it
+  double seconds = 0.0;                   ///< wall time of all runs
 };
 
 struct SuiteVerdict {
@@ -54,8 +54,8 @@ struct SuiteVerdict {
   bool passed() const { return count(Verdict::kFailed) == 0; }
 };
 
-/// `on_done` is called after each scenario, from any thread, one at a time. A signal skips what has
-/// not been played.
+/// Calls `on_done` after each scenario, from any thread, never concurrently. After a signal the
+/// remaining scenarios are skipped.
 SuiteVerdict run_suite(const std::vector<Scenario>& scenarios, const SuiteOptions& options,
                        const std::function<void(const ScenarioVerdict&)>& on_done,
                        const std::atomic<int>& stop_signal);

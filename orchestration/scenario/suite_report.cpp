@@ -1,4 +1,4 @@
-// Writing verdicts in four forms.
+// Formats verdicts as text, JSON, JUnit and GitHub annotations.
 #include "orchestration/scenario/suite_report.h"
 
 #include <fmt/format.h>
@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-const char* word(Verdict verdict) {
+const char* name(Verdict verdict) {
   switch (verdict) {
     case Verdict::kPassed:
       return "passed";
@@ -59,13 +59,13 @@ Json json_of(const ScenarioVerdict& verdict) {
   const Scenario& scenario = *verdict.scenario;
   Json json = {{"name", scenario.name},
                {"file", scenario.file},
-               {"verdict", word(verdict.verdict)},
+               {"verdict", name(verdict.verdict)},
                {"seeds", verdict.seeds}};
   if (!verdict.reason.empty()) json["reason"] = verdict.reason;
   json["checks"] = Json::array();
   for (const CheckVerdict& check : verdict.checks) json["checks"].push_back(json_of(check));
-  if (!verdict.repeat.empty()) {
-    json["repeat"] = verdict.repeat;
+  if (!verdict.rerun.empty()) {
+    json["repeat"] = verdict.rerun;
     json["replay"] = verdict.replay;
   }
   json["seconds"] = verdict.seconds;
@@ -89,7 +89,7 @@ std::string to_text(const ScenarioVerdict& verdict) {
   }
   if (!verdict.reason.empty()) text += fmt::format("      {}\n", verdict.reason);
   if (!verdict.replay.empty()) text += fmt::format("      logs: {}\n", verdict.replay);
-  return text + fmt::format("      again: {}\n", verdict.repeat);
+  return text + fmt::format("      rerun: {}\n", verdict.rerun);
 }
 
 std::string summary(const SuiteVerdict& suite, double seconds) {
@@ -128,10 +128,10 @@ std::string to_junit(const SuiteVerdict& suite) {
       one.result = base::JunitCase::Result::kFailed;
       one.type = "check";
       one.message = lines.substr(0, lines.find('\n'));
-      one.text = fmt::format("{}again: {}\n", lines, verdict.repeat);
+      one.text = fmt::format("{}rerun: {}\n", lines, verdict.rerun);
     }
   }
-  return base::junit("cls test", cases);
+  return base::format_junit("cls test", cases);
 }
 
 std::string to_annotations(const SuiteVerdict& suite) {
@@ -140,8 +140,8 @@ std::string to_annotations(const SuiteVerdict& suite) {
     if (verdict.verdict != Verdict::kFailed) continue;
     const Scenario& scenario = *verdict.scenario;
     const auto add = [&](int line, const std::string& what) {
-      text += base::github_error({scenario.file, line}, "scenario " + scenario.name,
-                                 what + "\nagain: " + verdict.repeat);
+      text += base::format_github_error({scenario.file, line}, "scenario " + scenario.name,
+                                        what + "\nrerun: " + verdict.rerun);
     };
     for (const CheckVerdict& check : verdict.checks) {
       if (!check.passed) add(check.line, describe(check));

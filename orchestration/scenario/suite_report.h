@@ -1,4 +1,4 @@
-// What a suite came to, for people, programs and CI.
+// Reports of a suite: text, JSON, JUnit, GitHub annotations.
 #pragma once
 
 #include <string>
@@ -7,19 +7,19 @@
 
 namespace cls::orchestration::scenario {
 
-/// One scenario as lines of text: verdict, and of a failure what, where and how to repeat it.
+/// One scenario as text: verdict, failed checks and how to rerun them.
 std::string to_text(const ScenarioVerdict& verdict);
 
 /// "34 passed, 1 failed, 0 skipped in 12.3 s".
 std::string summary(const SuiteVerdict& suite, double seconds);
 
-/// The document `cls.test/1`. Nothing in it but "seconds" depends on the machine.
+/// The document `cls.test/1`. Only "seconds" depends on the host.
 std::string to_json(const SuiteVerdict& suite);
 
-/// JUnit XML: one testsuite, one testcase a scenario.
+/// JUnit XML: one testsuite, one testcase per scenario.
 std::string to_junit(const SuiteVerdict& suite);
 
-/// GitHub annotations, one ::error line a failed check.
+/// GitHub annotations, one ::error line per failed check.
 std::string to_annotations(const SuiteVerdict& suite);
 
 }  // namespace cls::orchestration::scenario

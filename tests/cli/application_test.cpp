@@ -1,4 +1,4 @@
-// What the command line answers before any command does work.
+// Parsing of the command line, help and usage errors.
 #include "cli/application.h"
 
 #include <gtest/gtest.h>
@@ -29,17 +29,17 @@ Answer run(std::vector<const char*> arguments) {
   return {exit_code, out, testing::internal::GetCapturedStderr()};
 }
 
-TEST(Application, PrintsItsVersionOnStdout) {
+TEST(Application, PrintsVersionOnStdout) {
   const Answer answer = run({"version"});
-  EXPECT_EQ(answer.exit_code, cls::cli::kDone);
+  EXPECT_EQ(answer.exit_code, cls::cli::kOk);
   EXPECT_EQ(answer.out.substr(0, 6), "cls 0.");
   EXPECT_EQ(answer.err, "");
 }
 
-TEST(Application, HelpIsAResultNotAMistake) {
+TEST(Application, PrintsHelpOnStdoutWithExamplesFirst) {
   const Answer answer = run({"--help"});
-  EXPECT_EQ(answer.exit_code, cls::cli::kDone);
-  EXPECT_NE(answer.out.find("  match         Plays one match and prints its result.\n"),
+  EXPECT_EQ(answer.exit_code, cls::cli::kOk);
+  EXPECT_NE(answer.out.find("  match         play one match and print its result\n"),
             std::string::npos)
       << answer.out;
   EXPECT_LT(answer.out.find("cls match mock mock"), answer.out.find("Usage: cls"))
@@ -57,7 +57,7 @@ TEST(Application, HelpFitsATerminal) {
   for (std::string line; std::getline(help, line);) EXPECT_LE(line.size(), 80u) << line;
 }
 
-TEST(Application, AnUnknownCommandIsOneLineThatNamesItAndExitsWithUsage) {
+TEST(Application, ReportsUnknownCommandInOneLine) {
   const Answer answer = run({"mtach"});
   EXPECT_EQ(answer.exit_code, cls::cli::kUsage);
   EXPECT_EQ(answer.out, "");
@@ -65,6 +65,8 @@ TEST(Application, AnUnknownCommandIsOneLineThatNamesItAndExitsWithUsage) {
   EXPECT_EQ(answer.err.find('\n'), answer.err.size() - 1) << answer.err;
 }
 
-TEST(Application, NoCommandIsAUsageError) { EXPECT_EQ(run({}).exit_code, cls::cli::kUsage); }
+TEST(Application, ReportsUsageErrorWithoutCommand) {
+  EXPECT_EQ(run({}).exit_code, cls::cli::kUsage);
+}
 
 }  // namespace

@@ -1,4 +1,4 @@
-// `cls check perception` as a user meets it.
+// End-to-end tests of `cls check perception`.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -28,7 +28,7 @@ CommandResult check(const std::string& transcript, const std::string& truth, boo
 std::string transcript_fixture() { return fixture("perception/player_7.txt.gz").string(); }
 std::string log_fixture() { return fixture("perception/game.rcg.gz").string(); }
 
-TEST(CheckPerception, PrintsOneDocumentByTheContract) {
+TEST(CheckPerception, PrintsDocumentOfItsSchema) {
   const CommandResult result = check(transcript_fixture(), log_fixture(), true);
   const json document = json::parse(result.out);
   EXPECT_EQ(document["schema"], "cls.perception/1");
@@ -45,7 +45,7 @@ TEST(CheckPerception, PrintsOneDocumentByTheContract) {
   }
 }
 
-// The numbers themselves: PerceptionReplay in tests/proxy.
+// PerceptionReplay in tests/proxy tests the figures themselves.
 TEST(CheckPerception, PassesOnWholeLogs) {
   const auto log = data("aligned/game.rcg.gz");
   if (!log) GTEST_SKIP() << "no data: set CLS_DATA";
@@ -57,7 +57,7 @@ TEST(CheckPerception, PassesOnWholeLogs) {
   }
 }
 
-TEST(CheckPerception, RefusesTheLogOfAnotherMatch) {
+TEST(CheckPerception, RejectsLogOfAnotherMatch) {
   const auto log = data("aligned/game.rcg.gz");
   const auto same_name = data("udp/synch/player_r11.txt.gz");
   const auto coach = data("aligned/udp/coach_l.txt.gz");
@@ -69,12 +69,12 @@ TEST(CheckPerception, RefusesTheLogOfAnotherMatch) {
     EXPECT_EQ(result.out, "");
     EXPECT_NE(result.err.find(why), std::string::npos) << result.err;
   };
-  expect_refusal(*same_name, "its player types are not those of the log");
-  expect_refusal(*other_name, "its player is of team 'HELIOS_L' on the left, the log has 'PROXY'");
-  expect_refusal(*coach, "no player joins in it");
+  expect_refusal(*same_name, "the player types differ from those of the log");
+  expect_refusal(*other_name, "the player is of team 'HELIOS_L' on the left, the log has 'PROXY'");
+  expect_refusal(*coach, "no player connects");
 }
 
-TEST(CheckPerception, KeepsWhatStandsBeforeTheDamage) {
+TEST(CheckPerception, UsesLinesBeforeParseError) {
   const TemporaryFolder folder;
   const std::string path = folder.path() / "cut.txt";
   const std::string whole = read_file(transcript_fixture());
@@ -87,7 +87,7 @@ TEST(CheckPerception, KeepsWhatStandsBeforeTheDamage) {
   EXPECT_LT(cycles, 97);
 }
 
-TEST(CheckPerception, UnpacksWhatACutGzipFileHolds) {
+TEST(CheckPerception, ReadsTruncatedGzipFile) {
   const TemporaryFolder folder;
   const std::string path = folder.path() / "cut.txt.gz";
   std::ifstream packed(transcript_fixture(), std::ios::binary);
@@ -95,20 +95,20 @@ TEST(CheckPerception, UnpacksWhatACutGzipFileHolds) {
   std::ofstream(path, std::ios::binary) << bytes.substr(0, bytes.size() * 5 / 6);
   const CommandResult result = check(path, log_fixture(), true);
   EXPECT_EQ(result.exit_code, 65);
-  EXPECT_NE(result.err.find("gzip data is cut off"), std::string::npos) << result.err;
+  EXPECT_NE(result.err.find("gzip data is truncated"), std::string::npos) << result.err;
   EXPECT_EQ(json::parse(result.out)["player"], 7);
 }
 
-TEST(CheckPerception, SaysWhatItCannotUse) {
+TEST(CheckPerception, ReportsUnusableInput) {
   const TemporaryFolder folder;
   EXPECT_EQ(check("nowhere.txt", log_fixture()).exit_code, 66);
   EXPECT_EQ(check(transcript_fixture(), "nowhere.rcg").exit_code, 66);
   const std::string path = folder.path() / "empty.txt";
   std::ofstream(path) << "# nothing\n";
-  const CommandResult nobody = check(path, log_fixture());
-  EXPECT_EQ(nobody.exit_code, 65);
-  EXPECT_NE(nobody.err.find("no player joins in it"), std::string::npos) << nobody.err;
-  EXPECT_EQ(nobody.out, "");
+  const CommandResult unreachable = check(path, log_fixture());
+  EXPECT_EQ(unreachable.exit_code, 65);
+  EXPECT_NE(unreachable.err.find("no player connects"), std::string::npos) << unreachable.err;
+  EXPECT_EQ(unreachable.out, "");
   EXPECT_EQ(check(transcript_fixture(), path).exit_code, 65);
   const CommandResult usage = cls::tests::run({cls_binary(), "check", "perception", path});
   EXPECT_EQ(usage.exit_code, 2);

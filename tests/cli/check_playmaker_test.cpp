@@ -1,4 +1,4 @@
-// `cls check playmaker` as a user meets it.
+// End-to-end tests of `cls check playmaker`.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -18,13 +18,13 @@ using cls::tests::TemporaryFolder;
 using nlohmann::json;
 
 CommandResult check(std::vector<std::string> arguments) {
-  // How fast it is on a busy machine is not what these tests are about.
+  // These tests do not measure latency: a loaded host must not fail them.
   std::vector<std::string> all = {cls_binary(), "check", "playmaker", "--latency-limit", "60000"};
   all.insert(all.end(), arguments.begin(), arguments.end());
   return cls::tests::run(all);
 }
 
-/// Results by the step's name.
+/// Results by step name.
 std::map<std::string, std::string> results_of(const json& document) {
   std::map<std::string, std::string> results;
   for (const json& step : document["steps"]) results[step["name"]] = step["result"];
@@ -35,7 +35,7 @@ std::string program_line(const std::string& arguments) {
   return "run:" + cls_binary().string() + " mock --port {port} " + arguments;
 }
 
-TEST(CheckPlaymaker, TheMockPassesEveryStep) {
+TEST(CheckPlaymaker, MockPassesEveryStep) {
   const CommandResult result = check({"mock", "--calls", "1000", "--json"});
   const json document = json::parse(result.out);
   EXPECT_EQ(result.exit_code, 0) << result.out;
@@ -44,21 +44,21 @@ TEST(CheckPlaymaker, TheMockPassesEveryStep) {
   EXPECT_EQ(document["passed"], true);
   EXPECT_GE(document["steps"].size(), 60u);
   EXPECT_EQ(document["steps_failed"], 0);
-  EXPECT_EQ(document["steps_skipped"], 1);  // it has no port to send garbage to
+  EXPECT_EQ(document["steps_skipped"], 1);  // an in-process mock has no port for garbage
   for (const json& step : document["steps"]) {
     EXPECT_FALSE(step["why"].get<std::string>().empty()) << step["name"];
   }
 }
 
-TEST(CheckPlaymaker, MeasuresTheMemoryOfAProgramItStarts) {
+TEST(CheckPlaymaker, MeasuresMemoryOfRunSide) {
   const CommandResult result = check({program_line(""), "--calls", "1000"});
   EXPECT_EQ(result.exit_code, 0) << result.out << result.err;
   EXPECT_NE(result.out.find(" MB after 1000"), std::string::npos) << result.out;
   EXPECT_NE(result.out.find("pass garbage "), std::string::npos) << result.out;
 }
 
-TEST(CheckPlaymaker, FailsTheStepsThatAPlaymakerCannotTake) {
-  // What is not implemented is no failure where the proxy can do without.
+TEST(CheckPlaymaker, FailsStepsWithUnimplementedRpcs) {
+  // Unimplemented RPCs are no failure if the proxy works without them.
   const CommandResult result =
       check({program_line("--unimplemented GetBestPlannerAction,GetCoachActions,SendPlayerType"),
              "--calls", "100", "--json"});
@@ -73,7 +73,7 @@ TEST(CheckPlaymaker, FailsTheStepsThatAPlaymakerCannotTake) {
   EXPECT_EQ(results.at("bye"), "pass");
 }
 
-TEST(CheckPlaymaker, NoticesThatPlayersGetTheSameIdentity) {
+TEST(CheckPlaymaker, FailsWhenPlayersGetSameClientId) {
   const CommandResult result =
       check({program_line("--wrong-client-id"), "--calls", "100", "--json"});
   EXPECT_EQ(result.exit_code, 1) << result.out << result.err;
@@ -82,35 +82,35 @@ TEST(CheckPlaymaker, NoticesThatPlayersGetTheSameIdentity) {
   EXPECT_EQ(results.at("reach"), "pass");
 }
 
-TEST(CheckPlaymaker, SkipsTheRestWhenTheProgramHasEnded) {
+TEST(CheckPlaymaker, SkipsRemainingStepsAfterProgramExit) {
   const CommandResult result = check(
       {program_line("--crash-at-cycle 5"), "--calls", "100", "--rpc-deadline", "500", "--json"});
   EXPECT_EQ(result.exit_code, 1) << result.out << result.err;
   const json document = json::parse(result.out);
   EXPECT_GT(document["steps_failed"], 0);
   EXPECT_EQ(document["steps"].back()["result"], "skip");
-  EXPECT_NE(document["steps"].back()["evidence"].get<std::string>().find("the program has ended"),
+  EXPECT_NE(document["steps"].back()["evidence"].get<std::string>().find("the program exited"),
             std::string::npos);
 }
 
-TEST(CheckPlaymaker, EndsWithAProgramThatEndsBeforeItAnswers) {
-  // Whoever waits for the whole start timeout is killed long before.
+TEST(CheckPlaymaker, FailsImmediatelyWhenProgramExitsAtStart) {
+  // Waiting for the whole start timeout would exceed the limit of this test.
   const CommandResult result = check(
       {"run:sleep 1; echo no formation; exit 3; : {port}", "--start-timeout", "600", "--json"});
   EXPECT_EQ(result.exit_code, 69) << result.out << result.err;
   const json reach = json::parse(result.out)["steps"].front();
   EXPECT_NE(reach["result"], "pass");
   EXPECT_NE(reach["evidence"].get<std::string>().find(
-                "the program has ended (exit code 3); its last words: no formation"),
+                "the program exited (exit code 3); last output line: no formation"),
             std::string::npos)
       << reach["evidence"];
 }
 
-TEST(CheckPlaymaker, TellsEachFailureByItsExitCode) {
-  const CommandResult nobody = check({"127.0.0.1:9", "--start-timeout", "0.3", "--json"});
-  EXPECT_EQ(nobody.exit_code, 69) << nobody.out << nobody.err;
-  EXPECT_EQ(results_of(json::parse(nobody.out)).at("bye"), "skip");
-  // Also who has ended before the first step, which is skipped then, was not reached.
+TEST(CheckPlaymaker, ReportsFailuresByExitCode) {
+  const CommandResult unreachable = check({"127.0.0.1:9", "--start-timeout", "0.3", "--json"});
+  EXPECT_EQ(unreachable.exit_code, 69) << unreachable.out << unreachable.err;
+  EXPECT_EQ(results_of(json::parse(unreachable.out)).at("bye"), "skip");
+  // A program that exits before the first step is unreachable too.
   EXPECT_EQ(check({"run:exit 3; : {port}", "--start-timeout", "0.5"}).exit_code, 69);
   EXPECT_EQ(check({"team:somewhere"}).exit_code, 2);
   EXPECT_EQ(check({"nonsense"}).exit_code, 2);
@@ -118,7 +118,7 @@ TEST(CheckPlaymaker, TellsEachFailureByItsExitCode) {
   EXPECT_EQ(check({}).exit_code, 2);
 }
 
-TEST(CheckPlaymaker, ReportsToCi) {
+TEST(CheckPlaymaker, WritesCiReports) {
   const TemporaryFolder folder;
   const std::string file = folder.path() / "junit.xml";
   const CommandResult result = check({program_line("--unimplemented SendPlayerType"), "--calls",
@@ -126,7 +126,7 @@ TEST(CheckPlaymaker, ReportsToCi) {
   EXPECT_EQ(result.exit_code, 1) << result.out << result.err;
   const std::string xml = cls::tests::read_file(file);
   EXPECT_NE(xml.find("name=\"all_parameters\""), std::string::npos) << xml;
-  EXPECT_EQ(cls::tests::junit_mistakes(xml).value_or(""), "");
+  EXPECT_EQ(cls::tests::junit_errors(xml).value_or(""), "");
   EXPECT_NE(result.err.find("::error title=cls check playmaker run"), std::string::npos)
       << result.err;
   EXPECT_NE(result.err.find(" all_parameters::"), std::string::npos) << result.err;

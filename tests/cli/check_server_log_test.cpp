@@ -1,4 +1,4 @@
-// `cls check server-log` as a user meets it.
+// End-to-end tests of `cls check server-log`.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -26,8 +26,8 @@ CommandResult check(const std::string& game, const std::string& text, bool as_js
   return cls::tests::run(arguments);
 }
 
-TEST(CheckServerLog, PrintsOneDocumentByTheContract) {
-  // An excerpt has no end of its match: the exit code tells, the check itself passes.
+TEST(CheckServerLog, PrintsDocumentOfItsSchema) {
+  // An excerpt is a truncated log (exit code), but the check passes.
   const CommandResult result = check(game_fixture(), text_fixture(), true);
   const json document = json::parse(result.out);
   EXPECT_EQ(document["schema"], "cls.server-log/1");
@@ -47,7 +47,7 @@ TEST(CheckServerLog, PrintsOneDocumentByTheContract) {
   EXPECT_TRUE(document["misses"].empty());
 }
 
-TEST(CheckServerLog, TakesTheVersionsOfGameLogs) {
+TEST(CheckServerLog, ReadsAllGameLogVersions) {
   const TemporaryFolder folder;
   for (const char* version : {"4", "5", "json"}) {
     const std::string path = folder.path() / (std::string("game.") + version);
@@ -58,11 +58,11 @@ TEST(CheckServerLog, TakesTheVersionsOfGameLogs) {
   }
 }
 
-TEST(CheckServerLog, FailsAndNamesTheStepsThatCameOutOtherwise) {
+TEST(CheckServerLog, FailsAndReportsDifferentSteps) {
   const TemporaryFolder folder;
   const std::string path = folder.path() / "game.rcl";
   std::string text = read_file(text_fixture());
-  // What the players of the left team dash, they now turn.
+  // Replace the dash commands of the left team by turns.
   const std::string dash = "(dash ";
   for (std::size_t at = text.find(dash); at != std::string::npos; at = text.find(dash, at + 1)) {
     if (text.rfind("HELIOS_L_5:", at) > text.rfind('\n', at)) text.replace(at + 1, 4, "turn");
@@ -74,7 +74,7 @@ TEST(CheckServerLog, FailsAndNamesTheStepsThatCameOutOtherwise) {
   EXPECT_NE(result.out.find("FAIL counters"), std::string::npos) << result.out;
 }
 
-TEST(CheckServerLog, TellsEachFailureByItsExitCode) {
+TEST(CheckServerLog, ReportsFailuresByExitCode) {
   const TemporaryFolder folder;
   EXPECT_EQ(check("nowhere.rcg", text_fixture()).exit_code, 66);
   EXPECT_EQ(check(game_fixture(), "nowhere.rcl").exit_code, 66);
@@ -87,7 +87,7 @@ TEST(CheckServerLog, TellsEachFailureByItsExitCode) {
   std::ofstream(cut) << read_file(game_fixture()).substr(0, 600000);
   const CommandResult damaged = check(cut, text_fixture(), true);
   EXPECT_EQ(damaged.exit_code, 65);
-  EXPECT_NE(damaged.err.find("the log is cut off here"), std::string::npos) << damaged.err;
+  EXPECT_NE(damaged.err.find("truncated log"), std::string::npos) << damaged.err;
   EXPECT_EQ(json::parse(damaged.out)["passed"], true);
   const std::string cut_text = folder.path() / "cut.rcl";
   const std::string text = read_file(text_fixture());

@@ -1,4 +1,4 @@
-// `cls check server` as a user meets it.
+// End-to-end tests of `cls check server`.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -29,7 +29,7 @@ void expect_all_passed(const CommandResult& result) {
   EXPECT_EQ(document["steps_failed"], 0);
 }
 
-TEST(CheckServer, TheEmbeddedServerPassesEveryStep) {
+TEST(CheckServer, EmbeddedServerPassesEveryStep) {
   const cls::tests::TemporaryFolder folder;
   const std::string file = folder.path() / "junit.xml";
   expect_all_passed(check({"embedded", "--json", "--junit", file}));
@@ -37,25 +37,25 @@ TEST(CheckServer, TheEmbeddedServerPassesEveryStep) {
   EXPECT_NE(xml.find("<testsuite name=\"cls check server\" tests=\"32\" failures=\"0\""),
             std::string::npos)
       << xml;
-  EXPECT_EQ(cls::tests::junit_mistakes(xml).value_or(""), "");
+  EXPECT_EQ(cls::tests::junit_errors(xml).value_or(""), "");
 }
 
-TEST(CheckServer, TheRealServerPassesEveryStep) {
+TEST(CheckServer, RcssserverPassesEveryStep) {
   if (std::system("command -v rcssserver >/dev/null 2>&1") != 0) {
     GTEST_SKIP() << "no rcssserver on PATH";
   }
   expect_all_passed(check({"rcssserver", "--json"}));
 }
 
-TEST(CheckServer, TellsEachFailureByItsExitCode) {
-  const CommandResult nobody = check({"127.0.0.1:9", "--start-timeout", "0.6", "--json"});
-  EXPECT_EQ(nobody.exit_code, 69) << nobody.out << nobody.err;
-  const json document = json::parse(nobody.out);
+TEST(CheckServer, ReportsFailuresByExitCode) {
+  const CommandResult unreachable = check({"127.0.0.1:9", "--start-timeout", "0.6", "--json"});
+  EXPECT_EQ(unreachable.exit_code, 69) << unreachable.out << unreachable.err;
+  const json document = json::parse(unreachable.out);
   EXPECT_EQ(document["steps"][0]["result"], "fail");
   EXPECT_EQ(document["steps"][1]["result"], "skip");
   const CommandResult ended = check({"/bin/false", "--start-timeout", "3"});
   EXPECT_EQ(ended.exit_code, 69) << ended.out << ended.err;
-  EXPECT_NE(ended.out.find("the server has ended"), std::string::npos) << ended.out;
+  EXPECT_NE(ended.out.find("the server exited"), std::string::npos) << ended.out;
   EXPECT_EQ(check({"/no/such/server"}).exit_code, 69);
   EXPECT_EQ(check({}).exit_code, 2);
 }

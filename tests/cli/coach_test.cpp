@@ -1,4 +1,4 @@
-// Coaches and trainers in whole matches: scripts say what they want, logs and results show it.
+// Scripted coaches and trainers in full matches, verified by logs and results.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -8,13 +8,13 @@
 
 #include "tests/support/command.h"
 #include "tests/support/files.h"
-#include "tests/support/real_server.h"
+#include "tests/support/rcssserver.h"
 #include "tests/support/temporary_folder.h"
 
 namespace {
 
 using nlohmann::json;
-using Words = std::vector<std::string>;
+using Arguments = std::vector<std::string>;
 
 constexpr const char* kCoach = R"({
   "rules": [{"rpc": "GetCoachActions",
@@ -45,20 +45,20 @@ class Sideline : public testing::Test {
   }
   std::string folder(const std::string& name) const { return folder_.path() / name; }
 
-  /// The result document of a match that was played to its end.
-  json play(const std::string& left, const std::string& right, Words more,
+  /// Result document of a finished match.
+  json play(const std::string& left, const std::string& right, Arguments more,
             const std::string& name = "match") {
-    Words words = {cls::tests::cls_binary(),
-                   "match",
-                   left,
-                   right,
-                   "--seed",
-                   "7",
-                   "--json",
-                   "--dir",
-                   folder(name)};
-    words.insert(words.end(), more.begin(), more.end());
-    const auto played = cls::tests::run(words);
+    Arguments argv = {cls::tests::cls_binary(),
+                      "match",
+                      left,
+                      right,
+                      "--seed",
+                      "7",
+                      "--json",
+                      "--dir",
+                      folder(name)};
+    argv.insert(argv.end(), more.begin(), more.end());
+    const auto played = cls::tests::run(argv);
     EXPECT_EQ(played.exit_code, 0) << played.err;
     EXPECT_EQ(played.err, "");
     return json::parse(played.out, nullptr, false);
@@ -71,9 +71,9 @@ class Sideline : public testing::Test {
   const cls::tests::TemporaryFolder folder_;
 };
 
-TEST_F(Sideline, CoachesSubstituteAndTheMatchStaysTheSame) {
+TEST_F(Sideline, SubstitutesPlayersReproducibly) {
   const std::string side = script("coach.json", kCoach);
-  const Words more = {"--cycles", "80", "--set", "server::kick_off_wait=30"};
+  const Arguments more = {"--cycles", "80", "--set", "server::kick_off_wait=30"};
   const json result = play(side, side, more, "one");
   for (const char* team : {"left", "right"}) {
     const json& coach = result[team]["coach"];
@@ -91,7 +91,7 @@ TEST_F(Sideline, CoachesSubstituteAndTheMatchStaysTheSame) {
   }
 }
 
-TEST_F(Sideline, APlaymakerWithoutACoachPlaysOnWithoutAWord) {
+TEST_F(Sideline, IgnoresUnimplementedCoachRpcs) {
   const std::string side = script("none.json", R"({
     "otherwise": "simple", "faults": {"unimplemented": ["GetCoachActions"]}})");
   const json result = play(side, "mock", {"--cycles", "20", "--set", "server::kick_off_wait=3"});
@@ -101,14 +101,14 @@ TEST_F(Sideline, APlaymakerWithoutACoachPlaysOnWithoutAWord) {
   EXPECT_GT(result["right"]["coach"]["decisions"], 20);
 }
 
-TEST_F(Sideline, NoCoachMeansNone) {
+TEST_F(Sideline, ConnectsNoCoachWithNoCoachOption) {
   const json result =
       play("mock", "mock", {"--cycles", "10", "--no-coach", "--set", "server::kick_off_wait=3"});
   EXPECT_EQ(result["left"]["coach"], nullptr);
   EXPECT_EQ(log("match", "match.rcl").find("Coach"), std::string::npos);
 }
 
-TEST_F(Sideline, ATrainerMovesTheBallInLockstepAndOverTheNetwork) {
+TEST_F(Sideline, TrainerMovesBallInLockstepAndOverUdp) {
   const std::string trainer = script("trainer.json", kTrainer);
   for (const char* mode : {"lockstep", "synch"}) {
     const json result = play("mock:hold", "mock:hold",
@@ -123,8 +123,8 @@ TEST_F(Sideline, ATrainerMovesTheBallInLockstepAndOverTheNetwork) {
   }
 }
 
-TEST_F(Sideline, CoachAndTrainerWorkOnTheRealServer) {
-  const std::string server = cls::tests::real_server();
+TEST_F(Sideline, CoachAndTrainerWorkOnRcssserver) {
+  const std::string server = cls::tests::rcssserver_program();
   if (server.empty()) GTEST_SKIP() << "no rcssserver on PATH nor in CLS_RCSSSERVER";
   const std::string side = script("coach.json", kCoach);
   const json result = play(side, "mock:hold",
@@ -136,7 +136,7 @@ TEST_F(Sideline, CoachAndTrainerWorkOnTheRealServer) {
   EXPECT_EQ(result["warnings"], json::array());
 }
 
-TEST_F(Sideline, MistakesAreTold) {
+TEST_F(Sideline, ReportsInvalidOptions) {
   const auto wrong = cls::tests::run({cls::tests::cls_binary(), "match", "mock", "mock",
                                       "--trainer", "team:/tmp", "--dir", folder("x")});
   EXPECT_EQ(wrong.exit_code, 2);
@@ -148,9 +148,8 @@ TEST_F(Sideline, MistakesAreTold) {
   EXPECT_NE(folder_missing.err.find("--left-formation: "), std::string::npos) << folder_missing.err;
 }
 
-// With other places before the kick-off players stand elsewhere; the built-in ones, read from
-// files, change nothing.
-TEST_F(Sideline, FormationsOfASideAreUsed) {
+// Other formations change the kick-off positions; the built-in ones read from files change nothing.
+TEST_F(Sideline, UsesFormationsOfEachSide) {
   const std::filesystem::path built_in =
       cls::tests::source_folder() / "proxy" / "formation" / "built_in";
   for (const char* name : {"same", "other"}) {
@@ -159,7 +158,7 @@ TEST_F(Sideline, FormationsOfASideAreUsed) {
   std::filesystem::copy_file(built_in / "defense-formation.formation",
                              folder_.path() / "other" / "before-kick-off.formation",
                              std::filesystem::copy_options::overwrite_existing);
-  const auto game_log = [&](const std::string& name, Words more) {
+  const auto game_log = [&](const std::string& name, Arguments more) {
     more.insert(more.end(), {"--cycles", "1", "--set", "server::kick_off_wait=12"});
     play("mock:planner", "mock:planner", more, "match-" + name);
     return log("match-" + name, "match.rcg");

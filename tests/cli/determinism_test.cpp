@@ -1,4 +1,4 @@
-// The promise of lockstep: a match is a function of its seed, whatever the machine does meanwhile.
+// Lockstep matches are a function of their seed, independent of load and CPU features.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -30,7 +30,7 @@ Logs play(const std::string& seed, std::vector<std::string> environment = {}) {
   return {read("match.rcg"), read("match.rcl"), read("events.jsonl")};
 }
 
-// Not EXPECT_EQ: nobody wants to read megabytes.
+// Not EXPECT_EQ: it would print megabytes.
 void expect_same(const Logs& a, const Logs& b) {
   EXPECT_GT(a.rcg.size(), 100000u);
   EXPECT_TRUE(a.rcg == b.rcg) << "rcg differs";
@@ -38,11 +38,13 @@ void expect_same(const Logs& a, const Logs& b) {
   EXPECT_TRUE(a.events == b.events) << "events differ";
 }
 
-TEST(Determinism, TheSameSeedGivesTheSameBytes) { expect_same(play("7"), play("7")); }
+TEST(Determinism, SameSeedGivesSameBytes) { expect_same(play("7"), play("7")); }
 
-TEST(Determinism, AnotherSeedGivesAnotherGame) { EXPECT_FALSE(play("7").rcg == play("8").rcg); }
+TEST(Determinism, DifferentSeedGivesDifferentMatch) {
+  EXPECT_FALSE(play("7").rcg == play("8").rcg);
+}
 
-TEST(Determinism, LoadChangesNothing) {
+TEST(Determinism, ResultIsIndependentOfLoad) {
   const Logs idle = play("7");
   std::vector<std::unique_ptr<Command>> load;
   for (int i = 0; i < 4; ++i) {
@@ -52,7 +54,7 @@ TEST(Determinism, LoadChangesNothing) {
   expect_same(idle, play("7"));
 }
 
-TEST(Determinism, CpuFeaturesChangeNothing) {
+TEST(Determinism, ResultIsIndependentOfCpuFeatures) {
   expect_same(play("7"), play("7", {"GLIBC_TUNABLES=glibc.cpu.hwcaps=-FMA,-AVX2"}));
 }
 

@@ -1,5 +1,5 @@
-// `cls doctor`: programs that are there, missing, hanging or talking rubbish; servers and
-// Playmakers that answer or do not.
+// `cls doctor` with programs that work, are missing, hang or print garbage, and with servers and
+// Playmakers that respond or fail.
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/stat.h>
@@ -18,7 +18,7 @@
 #include "tests/support/command.h"
 #include "tests/support/marked_processes.h"
 #include "tests/support/port_lock.h"
-#include "tests/support/real_server.h"
+#include "tests/support/rcssserver.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/udp_client.h"
 
@@ -30,9 +30,9 @@ using cls::tests::cls_binary;
 using cls::tests::Command;
 using cls::tests::CommandResult;
 using nlohmann::json;
-using Words = std::vector<std::string>;
+using Arguments = std::vector<std::string>;
 
-/// A machine whose PATH holds what the test puts there and nothing else.
+/// A PATH with only the programs of the test.
 class Doctor : public testing::Test {
  protected:
   Doctor() { std::filesystem::create_directory(path()); }
@@ -45,7 +45,7 @@ class Doctor : public testing::Test {
     ::chmod(file.c_str(), 0755);
   }
 
-  /// All programs, in good health.
+  /// All programs in working order.
   void put_all() {
     put("rcssserver", "echo rcssserver-19.0.0; exit 1");
     put("python3", "echo python 3.11.2; echo grpc 1.51.1; echo google.protobuf 3.21.12");
@@ -56,25 +56,25 @@ class Doctor : public testing::Test {
     for (const char* name : {"squeue", "scancel", "scontrol"}) put(name, "");
   }
 
-  Words environment() const {
+  Arguments environment() const {
     return {"PATH=" + path().string(), std::string(cls::tests::kMarkVariable) + "=" + mark_};
   }
 
-  static Words words(const Words& more) {
-    Words all = {cls_binary(), "doctor"};
+  static Arguments argv(const Arguments& more) {
+    Arguments all = {cls_binary(), "doctor"};
     all.insert(all.end(), more.begin(), more.end());
     return all;
   }
 
-  /// Runs it to its end, after which nothing may be left.
-  CommandResult run(const Words& more) {
-    CommandResult result = cls::tests::run(words(more), environment());
+  /// Runs it to its end; no process may survive.
+  CommandResult run(const Arguments& more) {
+    CommandResult result = cls::tests::run(argv(more), environment());
     EXPECT_TRUE(cls::tests::marked_processes(mark_).empty());
     return result;
   }
 
-  /// With a limit that no load exceeds, unless the test gives one.
-  json examine(int exit_code, Words more = {}, const std::string& limit = "50") {
+  /// The default limit is long enough for a loaded host.
+  json examine(int exit_code, Arguments more = {}, const std::string& limit = "50") {
     more.insert(more.end(), {"--json", "--start-timeout", limit});
     const CommandResult result = run(more);
     EXPECT_EQ(result.exit_code, exit_code) << result.out << result.err;
@@ -94,12 +94,12 @@ class Doctor : public testing::Test {
   }
 
   static void expect(const json& item, const std::string& status, const std::string& found,
-                     const std::string& remedy = "") {
+                     const std::string& hint = "") {
     EXPECT_EQ(item.value("status", ""), status) << item;
     EXPECT_NE(item.value("found", "").find(found), std::string::npos) << item;
-    EXPECT_EQ(item["remedy"].is_null(), remedy.empty()) << item;
-    if (!remedy.empty() && item["remedy"].is_string()) {
-      EXPECT_NE(item["remedy"].get<std::string>().find(remedy), std::string::npos) << item;
+    EXPECT_EQ(item["remedy"].is_null(), hint.empty()) << item;
+    if (!hint.empty() && item["remedy"].is_string()) {
+      EXPECT_NE(item["remedy"].get<std::string>().find(hint), std::string::npos) << item;
     }
   }
 
@@ -113,22 +113,22 @@ std::string item_name(const std::string& program) {
   return program == "sbatch" ? "slurm" : program;
 }
 
-TEST_F(Doctor, TellsThisMachine) {
+TEST_F(Doctor, ReportsHost) {
   const json document = examine(0);
   EXPECT_EQ(document["items"][0]["name"], "cls");
   const json own = item(document, "cls");
   EXPECT_EQ(own["path"], cls_binary().string());
   EXPECT_EQ(own["version"], document["version"]);
-  expect(item(document, "processors"), "ok", " to use, of ");
+  expect(item(document, "processors"), "ok", " usable of ");
   expect(item(document, "memory"), "ok", " GB free");
   expect(item(document, "folder"), "ok", " GB free");
-  expect(item(document, "processes"), "ok", "can be started and ended");
+  expect(item(document, "processes"), "ok", "can be started and stopped");
   for (const char* port : {"UDP port 6000", "UDP port 6001", "UDP port 6002"}) {
     EXPECT_TRUE(item(document, port).contains("status"));
   }
 }
 
-TEST_F(Doctor, NamesWhatIsMissingAndTheCommandThatGetsIt) {
+TEST_F(Doctor, ReportsMissingProgramsWithInstallCommand) {
   const json document = examine(0);
   expect(item(document, "rcssserver"), "missing", "not on PATH", "apt-get install g++ make");
   expect(item(document, "rcssserver"), "missing", "", "./bootstrap && ./configure && make");
@@ -140,7 +140,7 @@ TEST_F(Doctor, NamesWhatIsMissingAndTheCommandThatGetsIt) {
   expect(item(document, "slurm"), "missing", "not on PATH", "apt-get install slurm-client");
 }
 
-TEST_F(Doctor, ShowsVersionsOfWhatIsThere) {
+TEST_F(Doctor, ReportsVersionsOfPrograms) {
   put_all();
   const json document = examine(0);
   expect(item(document, "rcssserver"), "ok", "19.0.0");
@@ -152,7 +152,7 @@ TEST_F(Doctor, ShowsVersionsOfWhatIsThere) {
   EXPECT_EQ(item(document, "python3")["path"], (path() / "python3").string());
 }
 
-TEST_F(Doctor, NamesMissingPackagesOfAProgramThatIsThere) {
+TEST_F(Doctor, ReportsMissingPackages) {
   put_all();
   put("python3",
       "echo python 3.12.1; echo grpc broken: TypeError too new; echo google.protobuf 4.25");
@@ -169,41 +169,41 @@ TEST_F(Doctor, NamesMissingPackagesOfAProgramThatIsThere) {
   expect(item(document, "slurm"), "missing", "scontrol missing", "apt-get install slurm-client");
 }
 
-TEST_F(Doctor, AnotherReleaseOfTheServerIsTold) {
+TEST_F(Doctor, ReportsUntestedServerVersion) {
   put("rcssserver", "echo rcssserver-15.3.0");
   expect(item(examine(0), "rcssserver"), "ok", "15.3.0, /");
   expect(item(examine(0), "rcssserver"), "ok", "cls is tested with rcssserver 19");
 }
 
-TEST_F(Doctor, AServerWithoutItsLibrariesIsTold) {
+TEST_F(Doctor, ReportsServerWithMissingLibraries) {
   put("rcssserver",
       "echo 'rcssserver: error while loading shared libraries: x.so: not found' >&2; exit 127");
   expect(item(examine(0), "rcssserver"), "wrong", "error while loading shared libraries",
          "ldconfig");
 }
 
-TEST_F(Doctor, ASlurmThatKnowsNoClusterIsTold) {
+TEST_F(Doctor, ReportsSlurmWithoutCluster) {
   put_all();
   put("sbatch", "echo 'sbatch: fatal: Could not establish a configuration source' >&2; exit 1");
   expect(item(examine(0), "slurm"), "unreachable", "fatal: Could not establish a configuration",
          "SLURM_CONF");
 }
 
-TEST_F(Doctor, ProgramsThatHangAreGivenUpAndEnded) {
+TEST_F(Doctor, TerminatesHangingProgramsAfterTimeout) {
   for (const std::string& name : kPrograms) {
     put(name, "trap '' TERM\nexec " + built("cls_fake_process") + " stubborn-grandchild hang");
   }
   put("node", "while :; do echo flood; done");
   const auto begin = std::chrono::steady_clock::now();
   const json document = examine(0, {}, "0.5");
-  // Asked one after the other, or waited for, they would take far longer.
+  // In sequence, or without a timeout, they would take far longer.
   EXPECT_LT(std::chrono::steady_clock::now() - begin, 30s);
   for (const std::string& name : kPrograms) {
-    expect(item(document, item_name(name)), "wrong", "no answer within the time limit", " ");
+    expect(item(document, item_name(name)), "wrong", "timeout", " ");
   }
 }
 
-TEST_F(Doctor, ProgramsThatTalkRubbishAreQuoted) {
+TEST_F(Doctor, QuotesUnexpectedOutput) {
   put_all();
   for (const std::string& name : kPrograms) put(name, "printf '\\033[31m\\377rub\\001bish\\n'");
   const json document = examine(0);
@@ -212,7 +212,7 @@ TEST_F(Doctor, ProgramsThatTalkRubbishAreQuoted) {
   }
 }
 
-TEST_F(Doctor, ProgramsThatDieOrCannotBeStartedAreTold) {
+TEST_F(Doctor, ReportsCrashedAndUnstartablePrograms) {
   put("rcssserver", "kill -SEGV $$");
   put("python3", "exit 3");
   put("node", "", "#!/no/such/interpreter");
@@ -222,38 +222,38 @@ TEST_F(Doctor, ProgramsThatDieOrCannotBeStartedAreTold) {
   expect(item(document, "node"), "wrong", "/node", " ");
 }
 
-TEST_F(Doctor, PrintsOneTable) {
+TEST_F(Doctor, PrintsTable) {
   put("python3", "echo python 3.11.2; echo grpc 1.51.1; echo google.protobuf 3.21.12");
   const CommandResult result = run({"--start-timeout", "50"});
   EXPECT_EQ(result.exit_code, 0) << result.err;
   EXPECT_EQ(result.err, "");
   for (const char* line :
        {"ok           python3        3.11.2, grpc 1.51.1", "\nmissing      node ",
-        "for: Playmakers in JavaScript\n", "do:  ", "apt-get install nodejs npm",
+        "needed for: Playmakers in JavaScript\n", "hint: ", "apt-get install nodejs npm",
         "\nReady to play: cls match mock mock\n"}) {
     EXPECT_NE(result.out.find(line), std::string::npos) << line << " in\n" << result.out;
   }
-  EXPECT_EQ(result.out.find('\x1b'), std::string::npos) << "no colour into a file";
+  EXPECT_EQ(result.out.find('\x1b'), std::string::npos) << "no color in a file";
 }
 
-TEST_F(Doctor, ExamplesComeFirstInItsHelp) {
+TEST_F(Doctor, PrintsHelpWithExamplesFirst) {
   const CommandResult help = run({"--help"});
   EXPECT_EQ(help.exit_code, 0);
   EXPECT_LT(help.out.find("cls doctor --playmaker localhost:50051"), help.out.find("Usage: "));
 }
 
-TEST_F(Doctor, ATakenPortIsToldWithItsOwner) {
+TEST_F(Doctor, ReportsOwnerOfPortInUse) {
   const cls::tests::PortLock lock;
   Command owner({built("cls_fake_process"), "bind-udp", "6001", "print", "bound", "hang"});
-  if (!owner.wait_for_output("bound")) GTEST_SKIP() << "port 6001 is taken by somebody else";
+  if (!owner.wait_for_output("bound")) GTEST_SKIP() << "port 6001 is in use by another process";
   expect(item(examine(0), "UDP port 6001"), "taken",
          "is taken by cls_fake_proces (process " + std::to_string(owner.pid()) + ")",
-         "end that process");
+         "stop that process");
 }
 
-TEST_F(Doctor, AnInterruptedOneLeavesNothing) {
+TEST_F(Doctor, LeavesNoProcessAfterSignal) {
   for (const std::string& name : kPrograms) put(name, "echo $$ > $0.pid; exec /bin/sleep 1000");
-  Command command(words({"--start-timeout", "50"}), environment());
+  Command command(argv({"--start-timeout", "50"}), environment());
   const auto begin = std::chrono::steady_clock::now();
   const auto asked = [&] { return std::filesystem::exists(path() / "sbatch.pid"); };
   while (!asked() && std::chrono::steady_clock::now() - begin < 40s) {
@@ -267,43 +267,43 @@ TEST_F(Doctor, AnInterruptedOneLeavesNothing) {
 
 using DoctorServer = Doctor;
 
-/// A server program that takes these flags.
+/// A server program with these flags.
 std::string with_flags(const std::string& flags) {
   return "exec " + built("cls_fake_server") + " " + flags + " \"$@\"";
 }
 
-TEST_F(DoctorServer, StartsAndAnswers) {
+TEST_F(DoctorServer, StartsAndResponds) {
   put("rcssserver", with_flags(""));
   const json server = item(examine(0, {"--server", "rcssserver"}), "server");
   expect(server, "ok",
          "19.0.0, " + (path() / "rcssserver").string() + ": starts, synchronous mode");
-  expect(server, "ok", "before_kick_off, cycle 0, nobody against nobody");
+  expect(server, "ok", "before_kick_off, cycle 0, no team against no team");
   EXPECT_EQ(server["needed"], true);
 }
 
-TEST_F(DoctorServer, OurOwnToo) {
+TEST_F(DoctorServer, AcceptsEmbeddedServer) {
   expect(item(examine(0, {"--server", "embedded"}), "server"), "ok", "starts, synchronous mode");
 }
 
-TEST_F(DoctorServer, TheRealOneToo) {
-  const std::string program = cls::tests::real_server();
+TEST_F(DoctorServer, AcceptsRcssserver) {
+  const std::string program = cls::tests::rcssserver_program();
   if (program.empty()) GTEST_SKIP() << "no rcssserver on PATH nor in CLS_RCSSSERVER";
   const std::string conf = folder_.path() / "home";
   CommandResult result = cls::tests::run(
-      words({"--json", "--server", program, "--start-timeout", "50"}), {"HOME=" + conf});
+      argv({"--json", "--server", program, "--start-timeout", "50"}), {"HOME=" + conf});
   EXPECT_EQ(result.exit_code, 0) << result.out;
-  expect(item(json::parse(result.out), "server"), "ok", "before_kick_off, cycle 0, nobody");
+  expect(item(json::parse(result.out), "server"), "ok", "before_kick_off, cycle 0, no team");
   EXPECT_FALSE(std::filesystem::exists(conf)) << "the user's configuration is not touched";
 }
 
-TEST_F(DoctorServer, EachFaultIsToldAndLeavesNothing) {
+TEST_F(DoctorServer, ReportsEachFaultAndLeavesNoProcess) {
   struct Case {
     std::string flags;
     std::string found;
     std::string limit;
   };
   const std::vector<Case> cases = {
-      {"--exit-at-start 1", "ended at its start: exit code 1 (Error: the stadium is closed)", "50"},
+      {"--exit-at-start 1", "exited at start: exit code 1 (Error: the stadium is closed)", "50"},
       {"--never-open 1 --ignore-term 1", "did not open UDP port ", "0.5"},
       {"--port-offset 1", "did not open UDP port ", "0.5"},
       {"--silent 1 --grandchild 1", " within 0.5 s", "0.5"},
@@ -316,7 +316,7 @@ TEST_F(DoctorServer, EachFaultIsToldAndLeavesNothing) {
   }
 }
 
-TEST_F(DoctorServer, ProgramsThatAreNoneAreTold) {
+TEST_F(DoctorServer, ReportsNonexecutablePrograms) {
   put("server", "");
   ::chmod((path() / "server").c_str(), 0644);
   const auto found = [&](const std::string& server) {
@@ -327,7 +327,7 @@ TEST_F(DoctorServer, ProgramsThatAreNoneAreTold) {
   EXPECT_NE(found("rcssserver").find("no such program on PATH"), std::string::npos);
 }
 
-TEST_F(DoctorServer, OneThatRunsIsAskedAndNotJoined) {
+TEST_F(DoctorServer, ProbesRunningServerWithoutConnectingAPlayer) {
   Command running({cls_binary(), "server", "--port", "0", "--dir", folder_.path(),
                    "server::synch_mode=off", "server::half_time=77"});
   ASSERT_TRUE(running.wait_for_output("Hit CTRL-C"));
@@ -336,29 +336,29 @@ TEST_F(DoctorServer, OneThatRunsIsAskedAndNotJoined) {
   const std::string port = line.substr(colon, line.find(',') - colon);
   for (int i = 0; i < 2; ++i) {
     const json server = item(examine(0, {"--server", "127.0.0.1:" + port}), "server");
-    expect(server, "ok", "real time, 100 ms a cycle, halves of 77 s; before_kick_off, cycle 0");
-    expect(server, "ok", "nobody against nobody");
+    expect(server, "ok", "real time, 100 ms per cycle, halves of 77 s; before_kick_off, cycle 0");
+    expect(server, "ok", "no team against no team");
   }
 }
 
-TEST_F(DoctorServer, NobodyAtTheAddressIsTold) {
+TEST_F(DoctorServer, ReportsUnreachableAddress) {
   expect(item(examine(69, {"--server", "127.0.0.1:9"}), "server"), "unreachable",
-         "127.0.0.1:9: nobody listens at this UDP port", "start it");
+         "127.0.0.1:9: no listener at this UDP port", "start it");
   expect(item(examine(69, {"--server", "no.such.host.invalid:6000"}), "server"), "unreachable",
          "no.such.host.invalid", "start it");
 }
 
-TEST_F(DoctorServer, ASilentPortIsGivenUp) {
+TEST_F(DoctorServer, TimesOutOnPortWithoutReply) {
   cls::tests::UdpClient silent(9);
   const std::string address = "127.0.0.1:" + std::to_string(silent.own_port());
   expect(item(examine(69, {"--server", address}, "0.3"), "server"), "unreachable",
-         "no answer within 0.3 s", "start it");
+         "no reply within 0.3 s", "start it");
 }
 
-TEST_F(DoctorServer, AnotherProtocolIsQuoted) {
+TEST_F(DoctorServer, QuotesReplyOfAnotherProtocol) {
   cls::tests::UdpClient stranger(9);
   std::atomic<bool> over{false};
-  // The answer must come from where the question went, to where it came from.
+  // The reply must use the addresses of the request.
   std::thread answers([&] {
     while (!over) {
       if (!stranger.wait_bytes(50ms).empty()) stranger.send_bytes("HTTP/1.1 400 Bad Request");
@@ -368,57 +368,57 @@ TEST_F(DoctorServer, AnotherProtocolIsQuoted) {
   const json document = examine(1, {"--server", address});
   over = true;
   answers.join();
-  expect(item(document, "server"), "wrong", "answers 'HTTP/1.1 400 Bad Request'", "this port");
+  expect(item(document, "server"), "wrong", "replies 'HTTP/1.1 400 Bad Request'", "this port");
 }
 
 using DoctorPlaymaker = Doctor;
 
-/// Where a mock listens, with these flags.
+/// Address of a mock with these flags.
 std::string address_of(Command& mock) {
   if (!mock.wait_for_output("\n")) return "no mock";
   const std::string line = mock.out();
   return line.substr(13, line.find('\n') - 13);
 }
 
-TEST_F(DoctorPlaymaker, AnswersAndDecides) {
+TEST_F(DoctorPlaymaker, RespondsAndDecides) {
   Command mock({cls_binary(), "mock"});
   const json playmaker = item(examine(0, {"--playmaker", address_of(mock)}), "playmaker");
-  expect(playmaker, "ok", "Register answered after ");
-  expect(playmaker, "ok", "; knows GetBestPlannerAction");
-  // It still plays for others: nobody said good-bye.
+  expect(playmaker, "ok", "Register replied after ");
+  expect(playmaker, "ok", "; implements GetBestPlannerAction");
+  // It still serves other clients: no agent sent bye.
   expect(item(examine(0, {"--playmaker", address_of(mock)}), "playmaker"), "ok", "Register");
 }
 
-TEST_F(DoctorPlaymaker, OneWithoutAPlannerIsTold) {
+TEST_F(DoctorPlaymaker, ReportsUnimplementedPlanner) {
   Command mock({cls_binary(), "mock", "--unimplemented", "GetBestPlannerAction"});
   expect(item(examine(0, {"--playmaker", address_of(mock)}), "playmaker"), "ok",
-         "does not know GetBestPlannerAction");
+         "does not implement GetBestPlannerAction");
 }
 
-TEST_F(DoctorPlaymaker, OneThatCanBeStartedIsStarted) {
+TEST_F(DoctorPlaymaker, StartsRunSide) {
   const std::string command = "run:exec " + built("cls_fake_playmaker") + " --port {port}";
-  expect(item(examine(0, {"--playmaker", command}), "playmaker"), "ok", "Register answered");
+  expect(item(examine(0, {"--playmaker", command}), "playmaker"), "ok", "Register replied");
 }
 
-TEST_F(DoctorPlaymaker, OneThatCannotTakeTheHandshakeIsToldWhichCallFailed) {
+TEST_F(DoctorPlaymaker, ReportsFailedCallOfHandshake) {
   Command mock({cls_binary(), "mock", "--unimplemented", "SendPlayerType"});
   expect(item(examine(1, {"--playmaker", address_of(mock)}), "playmaker"), "wrong",
          ": all_parameters: ", "cls check playmaker ");
 }
 
-TEST_F(DoctorPlaymaker, NobodyAtTheAddressIsTold) {
-  const auto ports = orchestration::process::ReservedPort::choose(1);
+TEST_F(DoctorPlaymaker, ReportsUnreachableAddress) {
+  const auto ports = cls::orchestration::process::ReservedPort::choose(1);
   const std::string address = "127.0.0.1:" + std::to_string((*ports)[0].number());
   expect(item(examine(69, {"--playmaker", address}), "playmaker"), "unreachable",
-         address + ": nobody accepts a connection", "start it first");
+         address + ": connection refused", "start it first");
   expect(item(examine(69, {"--playmaker", "unix:/no/such/socket"}), "playmaker"), "unreachable",
          "/no/such/socket: no such file", "start it first");
   expect(item(examine(69, {"--playmaker", "unix:" + path().string()}), "playmaker"), "unreachable",
-         " is no socket", "start it first");
+         ": not a socket", "start it first");
 }
 
-TEST_F(DoctorPlaymaker, OneThatAcceptsAndNeverAnswersIsGivenUp) {
-  const auto ports = orchestration::process::ReservedPort::choose(1);
+TEST_F(DoctorPlaymaker, TimesOutWithoutReply) {
+  const auto ports = cls::orchestration::process::ReservedPort::choose(1);
   const std::string port = std::to_string((*ports)[0].number());
   Command silent({built("cls_fake_process"), "listen-tcp", port, "print", "bound", "hang"});
   ASSERT_TRUE(silent.wait_for_output("bound"));
@@ -426,18 +426,18 @@ TEST_F(DoctorPlaymaker, OneThatAcceptsAndNeverAnswersIsGivenUp) {
          "127.0.0.1:" + port + ": deadline", "start it first");
 }
 
-TEST_F(DoctorPlaymaker, OneThatEndsAtItsStartIsTold) {
+TEST_F(DoctorPlaymaker, ReportsExitAtStart) {
   const std::string command =
       "run:exec " + built("cls_fake_playmaker") + " --port {port} --exit-at-start 5";
   expect(item(examine(69, {"--playmaker", command}, "2"), "playmaker"), "unreachable",
          "run:", "start it first");
 }
 
-TEST_F(Doctor, MistakesOfTheUserAreUsage) {
-  const std::vector<std::pair<Words, std::string>> cases = {
+TEST_F(Doctor, ReportsUsageErrors) {
+  const std::vector<std::pair<Arguments, std::string>> cases = {
       {{"--server", "rcssserer"}, "did you mean 'rcssserver'?"},
       {{"--server", "host:99999"}, "HOST:PORT with a port from 1 to 65535"},
-      {{"--playmaker", "team:x"}, "team:DIR has no Playmaker to ask"},
+      {{"--playmaker", "team:x"}, "team:DIR has no Playmaker"},
       {{"--playmaker", "nonsense"}, "nonsense"},
       {{"--playmakr", "x"}, "did you mean '--playmaker'?"},
       {{"--start-timeout", "-1"}, "--start-timeout"},

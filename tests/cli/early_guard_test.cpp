@@ -1,4 +1,4 @@
-// Which commands get a guard process.
+// Commands that start a guard process.
 #include "cli/support/early_guard.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@ bool guarded(std::vector<const char*> arguments) {
   return may_start_programs(static_cast<int>(arguments.size()), arguments.data());
 }
 
-TEST(EarlyGuard, IsForCommandsThatStartPrograms) {
+TEST(EarlyGuard, StartsForCommandsThatStartPrograms) {
   EXPECT_TRUE(guarded({"match", "mock", "mock"}));
   EXPECT_TRUE(guarded({"--quiet", "match", "mock", "mock"}));
   EXPECT_TRUE(guarded({"doctor"}));

@@ -1,4 +1,4 @@
-// `cls results`, `cls stats` and `cls convert` as a user meets them.
+// End-to-end tests of `cls results`, `cls stats` and `cls convert`.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -28,7 +28,7 @@ CommandResult cls_run(std::vector<std::string> arguments) {
 
 std::string log_fixture(const std::string& name) { return fixture("gamelog/" + name).string(); }
 
-TEST(ResultsCommand, PrintsOneDocumentWithARowAMatch) {
+TEST(ResultsCommand, PrintsDocumentWithRowPerMatch) {
   const CommandResult result = cls_run({"results", "--json", log_fixture("rcg-v4-excerpt.rcg.gz"),
                                         log_fixture("rcg-v1-excerpt.rcg.gz")});
   EXPECT_EQ(result.exit_code, 0) << result.err;
@@ -46,7 +46,7 @@ TEST(ResultsCommand, ReadsFoldersAndPrintsTables) {
   for (const char* format : {"table", "csv", "markdown"}) {
     const CommandResult result =
         cls_run({"results", fixture("gamelog").string(), "--format", format, "--jobs", "2"});
-    EXPECT_EQ(result.exit_code, 65) << result.err;  // one of them is the start of a match only
+    EXPECT_EQ(result.exit_code, 65) << result.err;  // one of them is truncated
     EXPECT_NE(result.out.find("HELIOS"), std::string::npos);
     EXPECT_NE(result.err.find("match-start.rcg.gz: line 312, byte 932854, cycle 234: the match has "
                               "no end here: the log was interrupted"),
@@ -55,13 +55,13 @@ TEST(ResultsCommand, ReadsFoldersAndPrintsTables) {
   }
 }
 
-TEST(ResultsCommand, NamesDamageAndKeepsWhatStandsBeforeIt) {
+TEST(ResultsCommand, ReportsParseErrorsAndUsesFramesBefore) {
   const TemporaryFolder folder;
   const std::string path = folder.path() / "cut.rcg";
   std::ofstream(path) << read_file(fixture("gamelog/match-start.rcg.gz")).substr(0, 700000);
   const CommandResult result = cls_run({"results", path, "--json"});
   EXPECT_EQ(result.exit_code, 65);
-  EXPECT_NE(result.err.find("cut.rcg: line 239, byte 700000, cycle 169: the log is cut off here"),
+  EXPECT_NE(result.err.find("cut.rcg: line 239, byte 700000, cycle 169: truncated log"),
             std::string::npos)
       << result.err;
   const json match = json::parse(result.out)["matches"][0];
@@ -72,7 +72,7 @@ TEST(ResultsCommand, NamesDamageAndKeepsWhatStandsBeforeIt) {
   EXPECT_TRUE(match["winner"].is_null());
 }
 
-TEST(ResultsCommand, TellsOnceWhereAnArchiveIsCutOff) {
+TEST(ResultsCommand, ReportsTruncatedGzipOnce) {
   const TemporaryFolder folder;
   for (const char* ending : {".rcg.gz", ".rcl.gz"}) {
     const std::string path = folder.path() / (std::string("cut") + ending);
@@ -81,29 +81,29 @@ TEST(ResultsCommand, TellsOnceWhereAnArchiveIsCutOff) {
     const CommandResult result = cls_run({"results", path});
     EXPECT_EQ(result.exit_code, 65);
     EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
-    EXPECT_NE(result.err.find("the log is cut off here: gzip data is cut off"), std::string::npos)
+    EXPECT_NE(result.err.find("truncated log: gzip data is truncated"), std::string::npos)
         << result.err;
     EXPECT_NE(result.out.find("incomplete"), std::string::npos);
   }
 }
 
-TEST(ResultsCommand, SaysWhichLogIsMissingOrIsNone) {
+TEST(ResultsCommand, ReportsMissingAndInvalidLogs) {
   const TemporaryFolder folder;
   const CommandResult missing = cls_run({"results", "nowhere.rcg"});
   EXPECT_EQ(missing.exit_code, 66);
-  EXPECT_EQ(missing.err, "cls: no log 'nowhere.rcg'\n");
+  EXPECT_EQ(missing.err, "cls: nowhere.rcg: no such log\n");
   EXPECT_EQ(missing.out, "");
   const std::string path = folder.path() / "x.rcg";
   std::ofstream(path) << "hello";
   const CommandResult none = cls_run({"results", path});
   EXPECT_EQ(none.exit_code, 65);
-  EXPECT_EQ(none.err, "cls: " + path + ": byte 0, cycle 0: this is no game log\n");
+  EXPECT_EQ(none.err, "cls: " + path + ": byte 0, cycle 0: not a game log (rcg)\n");
   EXPECT_EQ(none.out, "");
   EXPECT_EQ(cls_run({"results"}).exit_code, 2);
   EXPECT_EQ(cls_run({"results", path, "--format", "xml"}).exit_code, 2);
 }
 
-TEST(ConvertCommand, ChangesVersionsThereAndBack) {
+TEST(ConvertCommand, ConvertsBetweenVersions) {
   const TemporaryFolder folder;
   const std::string original = log_fixture("rcg-v6-excerpt.rcg.gz");
   const std::string as_json = folder.path() / "a.json.gz";
@@ -118,18 +118,18 @@ TEST(ConvertCommand, ChangesVersionsThereAndBack) {
   EXPECT_EQ(old.out.substr(0, 5), "ULG4\n");
 }
 
-TEST(ConvertCommand, ConvertsWhatADamagedLogStillHolds) {
+TEST(ConvertCommand, ConvertsReadableFramesOfCorruptLog) {
   const TemporaryFolder folder;
   const std::string path = folder.path() / "cut.rcg";
   const std::string whole = read_file(fixture("gamelog/rcg-v5-excerpt.rcg.gz"));
   std::ofstream(path) << whole.substr(0, 90000);
   const CommandResult result = cls_run({"convert", path, "-", "--to", "5"});
   EXPECT_EQ(result.exit_code, 65);
-  EXPECT_NE(result.err.find("the log is cut off here"), std::string::npos);
+  EXPECT_NE(result.err.find("truncated log"), std::string::npos);
   EXPECT_EQ(result.out, whole.substr(0, whole.rfind('\n', 90000) + 1));
 }
 
-TEST(ConvertCommand, TellsEachFailureByItsExitCode) {
+TEST(ConvertCommand, ReportsFailuresByExitCode) {
   const TemporaryFolder folder;
   const std::string log = log_fixture("rcg-v6-excerpt.rcg.gz");
   EXPECT_EQ(cls_run({"convert", "nowhere.rcg", "-"}).exit_code, 66);
@@ -141,10 +141,10 @@ TEST(ConvertCommand, TellsEachFailureByItsExitCode) {
   EXPECT_EQ(cls_run({"convert", log}).exit_code, 2);
 }
 
-TEST(StatsCommand, PrintsOneDocumentByTheContract) {
+TEST(StatsCommand, PrintsDocumentOfItsSchema) {
   const CommandResult result =
       cls_run({"stats", "--json", "--events", log_fixture("match-start.rcg.gz")});
-  EXPECT_EQ(result.exit_code, 65);  // it is the start of a match only
+  EXPECT_EQ(result.exit_code, 65);  // truncated log
   const json document = json::parse(result.out);
   EXPECT_EQ(document["schema"], "cls.stats/1");
   ASSERT_EQ(document["matches"].size(), 1u);
@@ -190,13 +190,13 @@ TEST(StatsCommand, PrintsTextAndRows) {
             "file,cycle,stopped,kind");
 }
 
-TEST(StatsCommand, NeedsAGameLog) {
+TEST(StatsCommand, RequiresGameLog) {
   const TemporaryFolder folder;
   const std::string path = folder.path() / "alone.rcl";
   std::ofstream(path) << "1,0\t(referee play_on)\n";
   const CommandResult result = cls_run({"stats", path});
   EXPECT_EQ(result.exit_code, 66);
-  EXPECT_EQ(result.err, "cls: '" + path + "' has no game log (rcg) beside it\n");
+  EXPECT_EQ(result.err, "cls: " + path + ": no game log (rcg) beside it\n");
   EXPECT_EQ(cls_run({"stats", "nowhere"}).exit_code, 66);
   EXPECT_EQ(cls_run({"stats", path, "--format", "pdf"}).exit_code, 2);
 }

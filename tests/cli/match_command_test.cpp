@@ -1,5 +1,4 @@
-// `cls match` as a user meets it: results, files, exit codes, and what it says when things go
-// wrong.
+// End-to-end tests of `cls match`: results, files, exit codes, errors.
 #include <gtest/gtest.h>
 #include <signal.h>
 
@@ -24,7 +23,7 @@ using cls::tests::read_file;
 using cls::tests::TemporaryFolder;
 using nlohmann::json;
 
-// A short match: no long wait before the kick-off.
+// A short match without a long wait before kick-off.
 std::vector<std::string> match(std::vector<std::string> more, const fs::path& folder) {
   std::vector<std::string> arguments = {cls_binary(), "match"};
   arguments.insert(arguments.end(), more.begin(), more.end());
@@ -39,7 +38,7 @@ int lines_in(const std::string& text) {
   return static_cast<int>(std::count(text.begin(), text.end(), '\n'));
 }
 
-/// Free a moment ago; the server finds out if it is taken since.
+/// A port that was free when tested; the server reports if it is in use since.
 int free_udp_port() {
   cls::tests::UdpClient probe(1);
   return probe.own_port();
@@ -47,7 +46,7 @@ int free_udp_port() {
 
 json result_in(const fs::path& folder) { return json::parse(read_file(folder / "result.json")); }
 
-TEST(MatchCommand, PlaysAndLeavesTheWholeFolderBehind) {
+TEST(MatchCommand, WritesMatchFolder) {
   TemporaryFolder folder;
   const CommandResult played =
       cls::tests::run(match({"mock", "mock", "--seed", "7", "--cycles", "100"}, folder.path()));
@@ -68,7 +67,7 @@ TEST(MatchCommand, PlaysAndLeavesTheWholeFolderBehind) {
   EXPECT_GE(result["left"]["players"][0]["decisions"], 100);
 }
 
-TEST(MatchCommand, JsonIsTheOnlyThingOnStdoutAndTheSameAsTheFile) {
+TEST(MatchCommand, PrintsOnlyResultFileWithJson) {
   TemporaryFolder folder;
   const CommandResult played =
       cls::tests::run(match({"mock", "mock:hold", "--cycles", "30", "--json"}, folder.path()));
@@ -77,7 +76,7 @@ TEST(MatchCommand, JsonIsTheOnlyThingOnStdoutAndTheSameAsTheFile) {
   EXPECT_EQ(json::parse(played.out)["right"]["name"], "hold");
 }
 
-TEST(MatchCommand, HalvesEndWhereTheUserSays) {
+TEST(MatchCommand, UsesHalfTimeOption) {
   TemporaryFolder folder;
   const CommandResult played =
       cls::tests::run(match({"mock", "mock", "--half-time", "5", "--seed", "3"}, folder.path()));
@@ -86,16 +85,16 @@ TEST(MatchCommand, HalvesEndWhereTheUserSays) {
   EXPECT_NE(read_file(folder.path() / "events.jsonl").find("time_over"), std::string::npos);
 }
 
-struct Mistake {
+struct UsageError {
   std::vector<std::string> arguments;
   std::string message;
 };
 
-TEST(MatchCommand, UsageMistakesAreOneLineEachAndExitWith2) {
-  const std::vector<Mistake> mistakes = {
+TEST(MatchCommand, ReportsUsageErrorsInOneLine) {
+  const std::vector<UsageError> errors = {
       {{"mock", "mock", "--sed", "7"}, "cls: unknown option '--sed'; did you mean '--seed'?\n"},
       {{"moc", "mock"}, "cls: unknown side 'moc'; did you mean 'mock'?"},
-      {{"mock", "mock:hodl"}, "cls: unknown mock behaviour 'hodl'; did you mean 'hold'?\n"},
+      {{"mock", "mock:hodl"}, "cls: unknown mock behavior 'hodl'; did you mean 'hold'?\n"},
       {{"mock", "localhost:99999"}, "port 99999 is not within 1 to 65535\n"},
       {{"mock"}, "cls: RIGHT is required (see cls match --help)\n"},
       {{"mock", "mock", "mock"}, "cls: unknown argument 'mock'"},
@@ -108,32 +107,34 @@ TEST(MatchCommand, UsageMistakesAreOneLineEachAndExitWith2) {
       {{"mock", "mock", "--left-name", "two words"}, "only letters, digits"},
       {{"mock", "mock", "--server", "rcsserver"},
        "cls: --server 'rcsserver': did you mean 'rcssserver'?"},
-      {{"mock", "mock", "--mode", "synch", "--speed", "2"},
-       "cls: --monitor-port and --speed go with --mode lockstep only"},
+      {{"mock", "mock", "--mode", "realtime", "--speed", "2"},
+       "cls: --speed needs --mode lockstep or synch and a side with a Playmaker"},
+      {{"mock", "mock", "--server", "rcssserver", "--step"},
+       "cls: --step and --at need the embedded server, --mode lockstep or synch"},
       {{"mock", "mock", "--speed", "0"}, "cls: --speed must be within 0.1..1000\n"},
       {{"mock", "mock", "--monitor-port", "70000"},
        "cls: --monitor-port must be within 0..65535\n"},
       {{"mock", "mock", "--on-late", "hodl"}, "cls: --on-late 'hodl': did you mean 'hold'?\n"},
   };
-  for (const Mistake& mistake : mistakes) {
+  for (const UsageError& error : errors) {
     TemporaryFolder folder;
     const fs::path target = folder.path() / "match";
-    const CommandResult refused = cls::tests::run(match(mistake.arguments, target));
-    EXPECT_EQ(refused.exit_code, 2) << mistake.message;
-    EXPECT_EQ(refused.out, "") << mistake.message;
-    EXPECT_NE(refused.err.find(mistake.message), std::string::npos) << refused.err;
+    const CommandResult refused = cls::tests::run(match(error.arguments, target));
+    EXPECT_EQ(refused.exit_code, 2) << error.message;
+    EXPECT_EQ(refused.out, "") << error.message;
+    EXPECT_NE(refused.err.find(error.message), std::string::npos) << refused.err;
     EXPECT_EQ(lines_in(refused.err), 1) << refused.err;
-    EXPECT_FALSE(fs::exists(target)) << "nothing is written for a mistake";
+    EXPECT_FALSE(fs::exists(target)) << "nothing is written after a usage error";
   }
 }
 
-TEST(MatchCommand, AMonitorWatchesAndChangesNothing) {
+TEST(MatchCommand, MonitorDoesNotChangeTheMatch) {
   TemporaryFolder alone;
   TemporaryFolder watched;
-  const std::vector<std::string> words = {"mock", "mock", "--seed", "7", "--cycles", "60"};
-  ASSERT_EQ(cls::tests::run(match(words, alone.path())).exit_code, 0);
+  const std::vector<std::string> argv = {"mock", "mock", "--seed", "7", "--cycles", "60"};
+  ASSERT_EQ(cls::tests::run(match(argv, alone.path())).exit_code, 0);
 
-  auto more = words;
+  auto more = argv;
   const int port = free_udp_port();
   more.insert(more.end(), {"--monitor-port", std::to_string(port), "--speed", "20"});
   Command running(match(more, watched.path()));
@@ -162,7 +163,7 @@ TEST(MatchCommand, AMonitorWatchesAndChangesNothing) {
   EXPECT_GE(result_in(watched.path())["wall_seconds"], 0.3);
 }
 
-TEST(MatchCommand, AllMistakesAreToldAtOnce) {
+TEST(MatchCommand, ReportsAllErrorsTogether) {
   TemporaryFolder folder;
   const CommandResult refused =
       cls::tests::run(match({"moc", "hold", "--cycles", "-1"}, folder.path()));
@@ -170,7 +171,7 @@ TEST(MatchCommand, AllMistakesAreToldAtOnce) {
   EXPECT_EQ(lines_in(refused.err), 3) << refused.err;
 }
 
-TEST(MatchCommand, AFolderThatCannotBeMadeIsNamedAndExitsWith73) {
+TEST(MatchCommand, ReportsFolderThatCannotBeCreated) {
   TemporaryFolder folder;
   std::ofstream(folder.path() / "file") << "x";
   const CommandResult refused =
@@ -181,7 +182,7 @@ TEST(MatchCommand, AFolderThatCannotBeMadeIsNamedAndExitsWith73) {
   EXPECT_NE(refused.err.find("file/match"), std::string::npos) << refused.err;
 }
 
-TEST(MatchCommand, AFullDiskLosesTheLogButNotTheMatch) {
+TEST(MatchCommand, FinishesMatchWhenDiskIsFull) {
   TemporaryFolder folder;
   std::string line = "ulimit -f 200; exec";  // blocks of 512 bytes: 100 KiB a file
   for (const std::string& argument : match({"mock", "mock", "--cycles", "200"}, folder.path())) {
@@ -193,7 +194,7 @@ TEST(MatchCommand, AFullDiskLosesTheLogButNotTheMatch) {
   EXPECT_EQ(result_in(folder.path())["cycles"], 200);
 }
 
-TEST(MatchCommand, NobodyAtTheAddressExitsWith69WithinTheStartLimit) {
+TEST(MatchCommand, ReportsUnreachablePlaymakerAfterStartTimeout) {
   TemporaryFolder folder;
   const auto start = std::chrono::steady_clock::now();
   const CommandResult refused =
@@ -215,7 +216,7 @@ struct Interruption {
 
 class Interrupted : public testing::TestWithParam<Interruption> {};
 
-TEST_P(Interrupted, MatchEndsInOrderWithWhatWasPlayed) {
+TEST_P(Interrupted, StopsCleanlyAndWritesLogs) {
   TemporaryFolder folder;
   Command playing(match({"mock", "mock", "--seed", "7"}, folder.path()));
   const fs::path events = folder.path() / "match.rcg";
@@ -236,7 +237,7 @@ TEST_P(Interrupted, MatchEndsInOrderWithWhatWasPlayed) {
 INSTANTIATE_TEST_SUITE_P(Signals, Interrupted,
                          testing::Values(Interruption{SIGINT, 130}, Interruption{SIGTERM, 143}));
 
-TEST(MatchCommand, ATimeLimitEndsItWith124) {
+TEST(MatchCommand, StopsAtTimeLimit) {
   TemporaryFolder folder;
   const CommandResult ended =
       cls::tests::run(match({"mock", "mock", "--time-limit", "0.5"}, folder.path()));

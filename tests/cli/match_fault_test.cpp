@@ -1,4 +1,4 @@
-// Playmakers that misbehave: each way of failing has its end reason, exit code and one clear line.
+// Faulty Playmakers: end reason, exit code and error line of each fault.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
-#include "tests/proxy/playmaker_server.h"
+#include "tests/proxy/playmaker/playmaker_server.h"
 #include "tests/support/command.h"
 #include "tests/support/files.h"
 #include "tests/support/temporary_folder.h"
@@ -49,7 +49,7 @@ Played play_against(int port, const std::vector<std::string>& more) {
   return played;
 }
 
-// One line that names team and address and says `what`.
+// One line with team, address and `what`.
 void expect_line(const Played& played, int port, const std::string& what) {
   const std::string& err = played.command.err;
   EXPECT_EQ(std::count(err.begin(), err.end(), '\n'), 1) << err;
@@ -65,7 +65,7 @@ void expect_invalid(const Played& played, const std::string& end_reason, int exi
   EXPECT_NE(played.command.out.find("invalid match: " + end_reason), std::string::npos);
 }
 
-TEST(MatchFaults, APlaymakerThatDiesInPlayIsACrash) {
+TEST(MatchFaults, ReportsCrashOfPlaymaker) {
   GameService service;
   std::atomic<int> calls{0};
   std::condition_variable changed;
@@ -84,11 +84,11 @@ TEST(MatchFaults, APlaymakerThatDiesInPlayIsACrash) {
   const Played played = play_against(port, {"--max-missed", "5", "--reconnect-within", "0"});
   killer.join();
   expect_invalid(played, "crashed", 1);
-  expect_line(played, port, "had no usable answer for 6 cycles, at cycle ");
+  expect_line(played, port, "had no usable reply for 6 cycles, at cycle ");
   EXPECT_GT(played.result["steps"], 20);
 }
 
-TEST(MatchFaults, OneThatNeverAnswersRegisterIsRefusedWithinTheStartLimit) {
+TEST(MatchFaults, RefusesWithoutReplyToRegister) {
   GameService service;
   service.on_register = [](const protos::RegisterRequest&, protos::RegisterResponse&) {
     std::this_thread::sleep_for(std::chrono::seconds(6));
@@ -102,7 +102,7 @@ TEST(MatchFaults, OneThatNeverAnswersRegisterIsRefusedWithinTheStartLimit) {
   expect_line(played, server.port(), "");
 }
 
-TEST(MatchFaults, OneThatSaysNoAtRegisterIsRefused) {
+TEST(MatchFaults, RefusesAfterErrorOfRegister) {
   GameService service;
   service.on_register = [](const protos::RegisterRequest&, protos::RegisterResponse&) {
     return grpc::Status(grpc::StatusCode::PERMISSION_DENIED, "not today");
@@ -113,7 +113,7 @@ TEST(MatchFaults, OneThatSaysNoAtRegisterIsRefused) {
   expect_line(played, server.port(), "not today");
 }
 
-TEST(MatchFaults, OneThatStopsAnsweringIsAStall) {
+TEST(MatchFaults, StallsWhenRepliesStop) {
   GameService service;
   std::atomic<int> calls{0};
   std::atomic<bool> over{false};
@@ -130,7 +130,7 @@ TEST(MatchFaults, OneThatStopsAnsweringIsAStall) {
   expect_line(played, server.port(), "no new cycle for 2 s");
 }
 
-TEST(MatchFaults, OneThatIsAlwaysTooSlowIsLate) {
+TEST(MatchFaults, EndsAsLateWhenEveryReplyIsLate) {
   GameService service;
   service.on_player = [](const protos::State&, protos::PlayerActions&) {
     std::this_thread::sleep_for(std::chrono::milliseconds(150));
@@ -139,13 +139,13 @@ TEST(MatchFaults, OneThatIsAlwaysTooSlowIsLate) {
   PlaymakerServer server(service);
   const Played played = play_against(server.port(), {"--rpc-deadline", "20", "--max-missed", "5"});
   expect_invalid(played, "late", 1);
-  expect_line(played, server.port(), "had no usable answer for 6 cycles");
+  expect_line(played, server.port(), "had no usable reply for 6 cycles");
   EXPECT_FALSE(played.result["deterministic"]);
   EXPECT_GE(played.result["right"]["players"][0]["late"], 5);
   EXPECT_EQ(played.result["left"]["players"][0]["missed"], 0);
 }
 
-TEST(MatchFaults, ASingleLateAnswerIsCountedAndTheMatchGoesOn) {
+TEST(MatchFaults, ContinuesAfterSingleLateReply) {
   GameService service;
   std::atomic<int> calls{0};
   service.on_player = [&](const protos::State&, protos::PlayerActions&) {
@@ -164,7 +164,7 @@ TEST(MatchFaults, ASingleLateAnswerIsCountedAndTheMatchGoesOn) {
   EXPECT_EQ(missed, 1);
 }
 
-TEST(MatchFaults, OneThatAnswersWithErrorsIsAProtocolError) {
+TEST(MatchFaults, ReportsProtocolErrorAfterErrorReplies) {
   GameService service;
   service.on_player = [](const protos::State&, protos::PlayerActions&) {
     return grpc::Status(grpc::StatusCode::UNKNOWN, "Exception calling application: oops");
@@ -175,7 +175,7 @@ TEST(MatchFaults, OneThatAnswersWithErrorsIsAProtocolError) {
   expect_line(played, server.port(), "oops");
 }
 
-// Bytes that are no message, from the nth call of a method on.
+// Invalid bytes from the nth call of a method on.
 class Garbage : public grpc::CallbackGenericService {
  public:
   explicit Garbage(std::string method) : method_(std::move(method)) {}
@@ -207,15 +207,15 @@ class Garbage : public grpc::CallbackGenericService {
   std::string method_;
 };
 
-TEST(MatchFaults, GarbageForActionsIsAProtocolError) {
+TEST(MatchFaults, ReportsProtocolErrorForInvalidActions) {
   Garbage service("GetPlayerActions");
   PlaymakerServer server(service);
   const Played played = play_against(server.port(), {"--max-missed", "3"});
   expect_invalid(played, "protocol_error", 1);
-  expect_line(played, server.port(), "had no usable answer for 4 cycles");
+  expect_line(played, server.port(), "had no usable reply for 4 cycles");
 }
 
-TEST(MatchFaults, GarbageForRegisterIsAProtocolErrorToo) {
+TEST(MatchFaults, ReportsProtocolErrorForInvalidRegisterReply) {
   Garbage service("Register");
   PlaymakerServer server(service);
   const Played played = play_against(server.port(), {});

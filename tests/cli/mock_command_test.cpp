@@ -1,4 +1,4 @@
-// `cls mock`: a Playmaker of its own process that a match can name by address.
+// `cls mock` as a separate process that matches connect to.
 #include <gtest/gtest.h>
 #include <signal.h>
 
@@ -13,7 +13,7 @@ namespace {
 
 using cls::tests::Command;
 
-TEST(MockCommand, ServesAMatchOnAFreePortAndEndsOnASignal) {
+TEST(MockCommand, ServesMatchOnFreePortUntilSignal) {
   Command mock({cls::tests::cls_binary(), "mock"});
   ASSERT_TRUE(mock.wait_for_output("\n"));
   const std::string line = mock.out();
@@ -29,7 +29,7 @@ TEST(MockCommand, ServesAMatchOnAFreePortAndEndsOnASignal) {
   EXPECT_EQ(mock.finish().exit_code, 143);
 }
 
-TEST(MockCommand, FaultsThatConcernNobodyAreMistakes) {
+TEST(MockCommand, RejectsFaultsOfUnknownPlayers) {
   const auto mock = [](std::vector<std::string> flags) {
     flags.insert(flags.begin(), {cls::tests::cls_binary(), "mock"});
     return cls::tests::run(flags);
@@ -40,13 +40,13 @@ TEST(MockCommand, FaultsThatConcernNobodyAreMistakes) {
   const auto number = mock({"--drop", "1", "--fault-unum", "7,14"});
   EXPECT_EQ(number.exit_code, 2);
   EXPECT_EQ(number.err,
-            "cls: --fault-unum: 14 is no uniform number (1 to 11, 12 coach, 13 trainer)\n");
+            "cls: --fault-unum: 14 is not a uniform number (1 to 11, 12 coach, 13 trainer)\n");
 }
 
-TEST(MockCommand, UnknownBehavioursAndTakenPortsAreTold) {
+TEST(MockCommand, ReportsUnknownBehaviorsAndPortsInUse) {
   const auto unknown = cls::tests::run({cls::tests::cls_binary(), "mock", "hodl"});
   EXPECT_EQ(unknown.exit_code, 2);
-  EXPECT_EQ(unknown.err, "cls: unknown mock behaviour 'hodl'; did you mean 'hold'?\n");
+  EXPECT_EQ(unknown.err, "cls: unknown mock behavior 'hodl'; did you mean 'hold'?\n");
 
   Command mock({cls::tests::cls_binary(), "mock"});
   ASSERT_TRUE(mock.wait_for_output("\n"));
@@ -92,30 +92,30 @@ cls::tests::CommandResult play_against(std::vector<std::string> flags,
   return play_at(address_of(mock), more);
 }
 
-TEST(MockCommand, FaultsOfTheProcessAreMetByTheMatch) {
+TEST(MockCommand, MatchReportsProcessFaults) {
   const auto crashed = play_against({"--crash-at-cycle", "10"});
   EXPECT_EQ(crashed.exit_code, 1);
-  EXPECT_NE(crashed.err.find("no usable answer"), std::string::npos) << crashed.err;
+  EXPECT_NE(crashed.err.find("no usable reply"), std::string::npos) << crashed.err;
   const auto failing = play_against({"--error", "1", "--status", "DATA_LOSS"});
   EXPECT_EQ(failing.exit_code, 1);
-  EXPECT_NE(failing.err.find("a fault of the mock"), std::string::npos) << failing.err;
+  EXPECT_NE(failing.err.find("injected error"), std::string::npos) << failing.err;
   const auto dropping = play_against({"--drop", "0.02", "--fault-unum", "4"});
   EXPECT_EQ(dropping.exit_code, 0) << dropping.err;
 }
 
-// What those hear who do not register again is tested at the service.
-TEST(MockCommand, ARestartedMockListensAgain) {
+// Replies to agents that do not register again are tested in tests/mock-server.
+TEST(MockCommand, ListensAgainAfterRestart) {
   Command mock(
       {cls::tests::cls_binary(), "mock", "--restart-at-cycle", "10", "--restart-after", "0"});
   ASSERT_TRUE(mock.wait_for_output("\n"));
   const auto played = play_at(address_of(mock), {"--max-missed", "1000"});
   EXPECT_EQ(played.exit_code, 0) << played.err;
-  EXPECT_NE(played.err.find("was lost and came back"), std::string::npos) << played.err;
+  EXPECT_NE(played.err.find("connection to the Playmaker lost"), std::string::npos) << played.err;
   const auto again = play_at(address_of(mock), {}, "5");
   EXPECT_EQ(again.exit_code, 0) << again.err;
 }
 
-TEST(MockCommand, ScriptsAreReadAndTheirExpectationsTold) {
+TEST(MockCommand, ReportsFailedExpectationsOfScript) {
   cls::tests::TemporaryFolder folder;
   const std::string script = folder.path() / "script.json";
   std::ofstream(script) << "{\"expect\": [{\"rpc\": \"Register\", \"count\": 13}]}";
@@ -129,7 +129,7 @@ TEST(MockCommand, ScriptsAreReadAndTheirExpectationsTold) {
       << played.err;
 }
 
-TEST(MockCommand, BadScriptsAreToldByLineAndMissingOnesByName) {
+TEST(MockCommand, ReportsInvalidAndMissingScripts) {
   cls::tests::TemporaryFolder folder;
   const std::string script = folder.path() / "script.json";
   std::ofstream(script) << "{\n  \"ruls\": []\n}";
@@ -147,7 +147,7 @@ TEST(MockCommand, BadScriptsAreToldByLineAndMissingOnesByName) {
   const auto rpc =
       cls::tests::run({cls::tests::cls_binary(), "mock", "--unimplemented", "Regster"});
   EXPECT_EQ(rpc.exit_code, 2);
-  EXPECT_EQ(rpc.err, "cls: --unimplemented: no rpc 'Regster'; did you mean 'Register'?\n");
+  EXPECT_EQ(rpc.err, "cls: --unimplemented: unknown RPC 'Regster'; did you mean 'Register'?\n");
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Matches over UDP: foreign servers and teams that cls starts, good ones and each kind of bad one.
+// Matches over UDP with external servers and teams, working and with each kind of fault.
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/stat.h>
@@ -26,9 +26,9 @@ using cls::tests::built;
 using cls::tests::Command;
 using cls::tests::CommandResult;
 using nlohmann::json;
-using Words = std::vector<std::string>;
+using Arguments = std::vector<std::string>;
 
-/// A match with a mark of its own, so that survivors are seen whatever they do.
+/// A match whose processes carry a mark in their environment, to find survivors.
 class NetworkMatch : public testing::Test {
  protected:
   std::string script(const std::string& name, const std::string& text) {
@@ -44,7 +44,7 @@ class NetworkMatch : public testing::Test {
     return script("server", "exec " + built("cls_fake_server") + " " + flags + " \"$@\"");
   }
 
-  /// A team folder with a start.sh that starts eleven players, or fewer, and returns.
+  /// A team folder with a start.sh that starts up to 11 players and returns.
   std::string team(const std::string& flags, int players = 11) {
     script("team/start.sh",
            "while [ $# -gt 0 ]; do case $1 in -p) port=$2;; -t) name=$2;; esac; shift 2; done\n"
@@ -57,7 +57,7 @@ class NetworkMatch : public testing::Test {
     return "team:" + (folder_.path() / "team").string();
   }
 
-  /// A team folder whose start runs `flags` for player 7 too; agent 12 only waits.
+  /// A team folder whose `start` runs player 7 with `flags`; agent 12 only waits.
   std::string team_of_single_agents(const std::string& flags) {
     script("team/start",
            "[ $3 = 12 ] && exec sleep 1000\n[ $3 = 1 ] && more='--goalie 1'\n"
@@ -66,20 +66,20 @@ class NetworkMatch : public testing::Test {
     return "team:" + (folder_.path() / "team").string();
   }
 
-  Words arguments(const std::string& right, const std::string& server, const Words& more,
-                  const Words& settings = {"--set", "server::kick_off_wait=3"}) const {
-    Words words = {cls::tests::cls_binary(), "match",    left_, right, "--seed", "7", "--dir",
-                   match_folder(),           "--server", server};
-    words.insert(words.end(), settings.begin(), settings.end());
-    words.insert(words.end(), more.begin(), more.end());
-    return words;
+  Arguments arguments(const std::string& right, const std::string& server, const Arguments& more,
+                      const Arguments& settings = {"--set", "server::kick_off_wait=3"}) const {
+    Arguments argv = {cls::tests::cls_binary(), "match",    left_, right, "--seed", "7", "--dir",
+                      match_folder(),           "--server", server};
+    argv.insert(argv.end(), settings.begin(), settings.end());
+    argv.insert(argv.end(), more.begin(), more.end());
+    return argv;
   }
   std::string match_folder() const { return folder_.path() / "match"; }
-  Words environment() const { return {std::string(cls::tests::kMarkVariable) + "=" + mark_}; }
+  Arguments environment() const { return {std::string(cls::tests::kMarkVariable) + "=" + mark_}; }
 
-  /// Plays, and sees to it that nothing is left the moment cls has returned.
-  void play(const std::string& right, const std::string& server, const Words& more = {},
-            const Words& settings = {"--set", "server::kick_off_wait=3"}) {
+  /// Plays; no process may survive the return of cls.
+  void play(const std::string& right, const std::string& server, const Arguments& more = {},
+            const Arguments& settings = {"--set", "server::kick_off_wait=3"}) {
     const auto begin = std::chrono::steady_clock::now();
     played_ = cls::tests::run(arguments(right, server, more, settings), environment());
     took_ = std::chrono::steady_clock::now() - begin;
@@ -100,12 +100,12 @@ class NetworkMatch : public testing::Test {
     EXPECT_TRUE(result_["winner"].is_null());
   }
 
-  void expect_failed(const std::string& process, const std::string& last_words) const {
+  void expect_failed(const std::string& process, const std::string& last_output_line) const {
     const json& failure = result_["failure"];
     ASSERT_TRUE(failure.is_object()) << played_.err;
     EXPECT_EQ(failure["process"], process);
     const std::string output = failure["output"].dump();
-    EXPECT_NE(output.find(last_words), std::string::npos) << output;
+    EXPECT_NE(output.find(last_output_line), std::string::npos) << output;
     EXPECT_NE(played_.err.find("  " + process + ": "), std::string::npos) << played_.err;
   }
 
@@ -120,7 +120,7 @@ class NetworkMatch : public testing::Test {
 using ServerFault = NetworkMatch;
 using TeamFault = NetworkMatch;
 
-TEST_F(NetworkMatch, PlaysOnAServerProgramToItsEnd) {
+TEST_F(NetworkMatch, PlaysOnServerProgram) {
   play("mock", server(""), {"--half-time", "3"});
   expect_finished();
   EXPECT_EQ(played_.err, "");
@@ -142,27 +142,27 @@ TEST_F(NetworkMatch, PlaysOnAServerProgramToItsEnd) {
   EXPECT_NE(events.find("\"mode\":\"kick_off_l\""), std::string::npos) << events;
 }
 
-TEST_F(NetworkMatch, StopsAtTheCycleThatWasAskedFor) {
+TEST_F(NetworkMatch, StopsAtRequestedCycle) {
   play("mock", server(""), {"--cycles", "25"});
   expect_finished();
   EXPECT_EQ(result_["cycles"], 25);
 }
 
-TEST_F(NetworkMatch, PlaysOnTheEmbeddedServerOverUdp) {
+TEST_F(NetworkMatch, PlaysOnEmbeddedServerOverUdp) {
   play("mock", "embedded", {"--mode", "synch", "--cycles", "25"});
   expect_finished();
   EXPECT_EQ(result_["cycles"], 25);
   EXPECT_EQ(result_["server"]["seed"], 7);
 }
 
-TEST_F(NetworkMatch, PlaysOnTheEmbeddedServerInRealTime) {
+TEST_F(NetworkMatch, PlaysOnEmbeddedServerInRealTime) {
   play("mock", "embedded", {"--mode", "realtime", "--half-time", "1"});
   expect_finished();
   EXPECT_EQ(result_["cycles"], 20);
   EXPECT_EQ(result_["mode"], "realtime");
 }
 
-TEST_F(NetworkMatch, PlaysOnAServerThatRunsAlready) {
+TEST_F(NetworkMatch, PlaysOnRunningServer) {
   Command running({cls::tests::cls_binary(), "server", "--port", "0", "--dir", folder_.path(),
                    "server::synch_mode=on", "server::auto_mode=on", "server::half_time=3",
                    "server::kick_off_wait=3", "server::nr_extra_halfs=0",
@@ -179,7 +179,7 @@ TEST_F(NetworkMatch, PlaysOnAServerThatRunsAlready) {
   EXPECT_EQ(running.finish().exit_code, 0);
 }
 
-TEST_F(NetworkMatch, StartsAForeignTeamAndEndsIt) {
+TEST_F(NetworkMatch, StartsAndStopsExternalTeam) {
   play(team(""), server(""), {"--cycles", "25", "--right-name", "Guests"});
   expect_finished();
   EXPECT_EQ(result_["cycles"], 25);
@@ -188,28 +188,28 @@ TEST_F(NetworkMatch, StartsAForeignTeamAndEndsIt) {
   EXPECT_EQ(result_["processes"][1]["name"], "right team");
 }
 
-// Logs hold no cycle while the clock stands, and come in blocks: of such a short match the server
-// writes nothing before its end.
-TEST_F(NetworkMatch, ForeignTeamsAloneMayStandBeforeKickOffForLongerThanTheStallLimit) {
+// Logs contain no cycles of a stopped clock and are written in blocks: for such a short match the
+// server writes nothing before its end.
+TEST_F(NetworkMatch, StoppedClockBeforeKickOffIsNoStall) {
   left_ = team("");
   play(left_, server(""), {"--half-time", "1", "--stall-after", "1"},
        {"--set", "server::kick_off_wait=60"});
   expect_finished();
   EXPECT_EQ(result_["cycles"], 20);
-  EXPECT_GT(took_, 60 * 50ms) << "the server did not stand as long as this test needs";
+  EXPECT_GT(took_, 60 * 50ms) << "the clock was not stopped long enough for this test";
 }
 
-TEST_F(NetworkMatch, ADeadlineBeyondTheServersPatienceIsWarnedOf) {
+TEST_F(NetworkMatch, WarnsWhenDeadlineExceedsServerTimeout) {
   play("mock", server(""), {"--cycles", "5", "--rpc-deadline", "5000"});
   expect_finished();
   EXPECT_EQ(
       played_.err.find("cls: warning: --rpc-deadline 5000 ms: a soccer server in synchronous mode "
-                       "goes on without an answer after 1250 ms\n"),
+                       "continues without a reply after 1250 ms\n"),
       0U)
       << played_.err;
 }
 
-TEST_F(NetworkMatch, StartsEachAgentInItsTurn) {
+TEST_F(NetworkMatch, StartsAgentsInSequence) {
   const cls::tests::PortLock lock;
   script("team/kill", "echo ended > killed");
   play(team_of_single_agents(""), server(""), {"--cycles", "25"});
@@ -224,19 +224,19 @@ TEST_F(NetworkMatch, StartsEachAgentInItsTurn) {
   EXPECT_TRUE(std::filesystem::exists(folder_.path() / "team/killed"));
 }
 
-TEST_F(NetworkMatch, ATakenFixedPortIsToldWithItsOwner) {
+TEST_F(NetworkMatch, ReportsOwnerOfPortInUse) {
   const cls::tests::PortLock lock;
   script("team/start", "exit 1");
   Command owner({built("cls_fake_process"), "bind-udp", "6001", "print", "bound", "hang"});
-  if (!owner.wait_for_output("bound")) GTEST_SKIP() << "port 6001 is taken by somebody else";
+  if (!owner.wait_for_output("bound")) GTEST_SKIP() << "port 6001 is in use by another process";
   play("team:" + (folder_.path() / "team").string(), server(""));
   expect_end("refused", 75, "UDP port 600");
   EXPECT_NE(played_.err.find("is taken by "), std::string::npos) << played_.err;
 }
 
-TEST_F(NetworkMatch, DryRunPrintsTheCommandsAndStartsNothing) {
-  Words words = arguments(team(""), server(""), {"--dry-run"});
-  const auto printed = cls::tests::run(words);
+TEST_F(NetworkMatch, DryRunPrintsCommands) {
+  Arguments argv = arguments(team(""), server(""), {"--dry-run"});
+  const auto printed = cls::tests::run(argv);
   EXPECT_EQ(printed.exit_code, 0) << printed.err;
   for (const char* part : {"# soccer server\ncd ", "RCSS_CONF_DIR=", "server::synch_mode=on",
                            "# left Playmaker: mock:hold\n", "# right team\ncd ", "/start.sh -h "}) {
@@ -245,12 +245,12 @@ TEST_F(NetworkMatch, DryRunPrintsTheCommandsAndStartsNothing) {
   EXPECT_FALSE(std::filesystem::exists(match_folder()));
 }
 
-TEST_F(ServerFault, NoSuchProgram) {
+TEST_F(ServerFault, ReportsMissingProgram) {
   play("mock", "/no/such/server");
   expect_end("refused", 69, "soccer server /no/such/server: no such file");
 }
 
-TEST_F(ServerFault, EndsAtItsStart) {
+TEST_F(ServerFault, ReportsExitAtStart) {
   play("mock", server("--exit-at-start 1"));
   expect_end(
       "refused", 69,
@@ -259,84 +259,85 @@ TEST_F(ServerFault, EndsAtItsStart) {
   EXPECT_LT(took_, 5s);
 }
 
-TEST_F(ServerFault, NeverOpensItsPort) {
+TEST_F(ServerFault, ReportsPortNotOpened) {
   play("mock", server("--never-open 1"), {"--start-timeout", "1"});
   expect_end("refused", 69, "did not open UDP port ");
   expect_failed("soccer server", "Simulator Random Seed");
 }
 
-TEST_F(ServerFault, OpensAnotherPort) {
+TEST_F(ServerFault, ReportsDifferentPort) {
   play("mock", server("--port-offset 1"), {"--start-timeout", "1"});
   expect_end("refused", 69, " (but port ");
 }
 
-TEST_F(ServerFault, NeverAnswers) {
+TEST_F(ServerFault, ReportsMissingReply) {
   play("mock", server("--silent 1"), {"--start-timeout", "1"});
   expect_end("refused", 69, "could not join the match within the start limit of 1 s");
 }
 
-TEST_F(ServerFault, SegfaultsInPlay) {
+TEST_F(ServerFault, ReportsSegfaultDuringMatch) {
   play("mock", server("--until-cycle 20 --signal 11"));
   expect_end("server_failed", 1, "the soccer server ended at cycle 20: killed by SIGSEGV");
   EXPECT_EQ(result_["cycles"], 20);
 }
 
-TEST_F(ServerFault, EndsInPlayWithAnError) {
+TEST_F(ServerFault, ReportsExitCodeDuringMatch) {
   play("mock", server("--until-cycle 20 --code 3"));
   expect_end("server_failed", 1, "the soccer server ended at cycle 20: exit code 3");
 }
 
-TEST_F(ServerFault, EndsInPlayWithoutAnError) {
+TEST_F(ServerFault, ReportsExitZeroDuringMatch) {
   play("mock", server("--until-cycle 20"));
   expect_end("server_failed", 1, "the soccer server ended at cycle 20: exit code 0");
 }
 
-TEST_F(ServerFault, HangsInPlay) {
+TEST_F(ServerFault, ReportsHangDuringMatch) {
   play("mock", server("--until-cycle 20 --then-hang 1"), {"--stall-after", "1"});
   expect_end("stalled", 1, "no new cycle for 1 s");
 }
 
-TEST_F(ServerFault, FloodsItsOutputAndPlaysOn) {
+TEST_F(ServerFault, ContinuesDespiteFloodOfOutput) {
   play("mock", server("--flood 1"), {"--cycles", "10"});
   expect_finished();
   EXPECT_LT(std::filesystem::file_size(match_folder() + "/server.log"), 5000U);
 }
 
-TEST_F(ServerFault, IgnoresSigterm) {
+TEST_F(ServerFault, KillsServerThatIgnoresSigterm) {
   play("mock", server("--ignore-term 1"), {"--cycles", "10"});
   expect_finished();
   EXPECT_EQ(result_["processes"][0]["exit"], "ended by cls (killed by SIGKILL)");
 }
 
-TEST_F(ServerFault, LeavesAGrandchild) {
+TEST_F(ServerFault, KillsGrandchildOfServer) {
   play("mock", server("--grandchild 1"), {"--cycles", "10"});
   expect_finished();
 }
 
-TEST_F(ServerFault, NobodyAnswersAtTheAddress) {
+TEST_F(ServerFault, ReportsUnreachableAddress) {
   play("mock", "127.0.0.1:9", {"--start-timeout", "1"}, {});
   expect_end("refused", 69, "no soccer server answers at 127.0.0.1:9 within the start limit");
 }
 
-// Somebody was quicker, after the port was chosen.
-TEST_F(ServerFault, FindsItsPortTaken) {
+// Another process binds the port after it was chosen.
+TEST_F(ServerFault, ReportsPortInUse) {
   const std::string bound = folder_.path() / "bound";
-  const std::string program =
-      script("server", "for word; do case $word in server::port=*) port=${word#*=};; esac; done\n" +
-                           built("cls_fake_process") + " bind-udp $port print bound hang > " +
-                           bound + " &\nwhile ! [ -s " + bound + " ]; do sleep 0.01; done\nexec " +
-                           built("cls_fake_server") + " \"$@\"");
+  const std::string program = script(
+      "server",
+      "for argument; do case $argument in server::port=*) port=${argument#*=};; esac; done\n" +
+          built("cls_fake_process") + " bind-udp $port print bound hang > " + bound +
+          " &\nwhile ! [ -s " + bound + " ]; do sleep 0.01; done\nexec " +
+          built("cls_fake_server") + " \"$@\"");
   play("mock", program);
   expect_end("refused", 69, "the soccer server ended before the match: exit code 1");
   expect_failed("soccer server", "");
 }
 
-/// A server that does something to its log after the match.
+/// A server that changes its log after the match.
 std::string then(const std::string& deed) {
   return built("cls_fake_server") + " \"$@\"\ncode=$?\n" + deed + "\nexit $code";
 }
 
-TEST_F(ServerFault, WritesAnotherScoreThanItTellsThePlayers) {
+TEST_F(ServerFault, WarnsWhenLogAndPlayersDisagreeOnScore) {
   play("mock",
        script("server", then("sed -i 's/ hold mock [0-9]* [0-9]*)/ hold mock 7 8)/' match.rcg")),
        {"--half-time", "2"});
@@ -348,79 +349,79 @@ TEST_F(ServerFault, WritesAnotherScoreThanItTellsThePlayers) {
       << played_.err;
 }
 
-TEST_F(ServerFault, LeavesNoLogAndThePlayersTellTheScore) {
+TEST_F(ServerFault, TakesScoreFromPlayersWithoutLog) {
   play("mock", script("server", then("rm match.rcg")), {"--half-time", "2"});
   expect_finished();
   EXPECT_EQ(result_["cycles"], 40);
   EXPECT_TRUE(result_["log_files"]["rcg"].is_null());
-  EXPECT_NE(played_.err.find("score and cycles are those that our players heard: "),
+  EXPECT_NE(played_.err.find("score and cycles are those that the cls agents heard: "),
             std::string::npos)
       << played_.err;
 }
 
-TEST_F(ServerFault, LeavesNoLogAndNobodyElseKnowsTheScore) {
+TEST_F(ServerFault, FailsWithoutLogAndPlayers) {
   left_ = team("");
   play(left_, script("server", then("rm match.rcg")), {"--half-time", "1"});
-  expect_end("server_failed", 1, "the result is not known: ");
+  expect_end("server_failed", 1, "the result is unknown: ");
 }
 
-TEST_F(TeamFault, EndsAtItsStart) {
+TEST_F(TeamFault, ReportsExitAtStart) {
   play(team("--exit-at-start 2"), server(""));
-  // The script itself succeeds; that its players are gone is what counts.
+  // The script succeeds, but its players are gone.
   expect_end("refused", 69, "the process of right team ended before the match");
   expect_failed("right team", "cannot read formation.conf");
   EXPECT_LT(took_, 10s);
 }
 
-TEST_F(TeamFault, NeverJoins) {
+TEST_F(TeamFault, ReportsTeamThatNeverConnects) {
   play(team("--never-join 1"), server(""), {"--start-timeout", "2"});
   expect_end("refused", 69, "0 of 11 players of the right team have joined within the start limit");
 }
 
-TEST_F(TeamFault, PlaysUnderAnotherName) {
+TEST_F(TeamFault, ReportsDifferentTeamName) {
   play(team("--name Others"), server(""), {"--right-name", "Guests"});
   expect_end("refused", 69, "the team plays under the name Others instead of Guests");
 }
 
-TEST_F(TeamFault, PlaysUnderTheNameOfTheOther) {
+TEST_F(TeamFault, ReportsTeamNameOfOpponent) {
   play(team("--name hold"), server(""), {"--right-name", "Guests", "--start-timeout", "2"});
   expect_end("refused", 69, "; or it plays under the name hold too");
 }
 
-TEST_F(TeamFault, AllDieInPlay) {
+TEST_F(TeamFault, ReportsCrashOfAllPlayers) {
   play(team("--exit-at-cycle 10"), server(""));
   expect_end("crashed", 1, "the process of right team ended at cycle ");
   expect_failed("right team", "lost my boots");
 }
 
-TEST_F(TeamFault, HangsInPlay) {
+TEST_F(TeamFault, ReportsHangDuringMatch) {
   play(team("--hang-at-cycle 10"), server(""), {"--stall-after", "1"});
   expect_end("stalled", 1, "no new cycle for 1 s");
 }
 
-TEST_F(TeamFault, IgnoresSigterm) {
+TEST_F(TeamFault, KillsTeamThatIgnoresSigterm) {
   play(team("--ignore-term 1 --grandchild 1"), server(""), {"--cycles", "10"});
   expect_finished();
 }
 
-TEST_F(TeamFault, HasNoFolder) {
+TEST_F(TeamFault, ReportsMissingFolder) {
   play("team:/no/such/team", server(""));
   expect_end("refused", 69, "team folder /no/such/team: no such folder");
 }
 
-TEST_F(TeamFault, HasNothingToStart) {
+TEST_F(TeamFault, ReportsMissingStartScript) {
   script("team/play", "exit 0");
   play("team:" + (folder_.path() / "team").string(), server(""));
   expect_end("refused", 69, ": neither start nor start.sh in it");
 }
 
-TEST_F(TeamFault, SendsTenPlayersOnly) {
+TEST_F(TeamFault, ReportsIncompleteTeam) {
   play(team("", 10), server(""), {"--start-timeout", "2"});
   expect_end("refused", 69,
              "10 of 11 players of the right team have joined within the start limit");
 }
 
-TEST_F(TeamFault, IgnoresTheNameItIsGivenAndIsPlayedUnderItsOwn) {
+TEST_F(TeamFault, AcceptsOwnNameOfTeam) {
   play(team("--name Others"), server(""), {"--cycles", "10"});
   expect_finished();
   EXPECT_EQ(result_["right"]["name"], "Others");
@@ -428,13 +429,13 @@ TEST_F(TeamFault, IgnoresTheNameItIsGivenAndIsPlayedUnderItsOwn) {
       << played_.err;
 }
 
-TEST_F(TeamFault, LeavesWhenItHearsOfTheEndAndHasNotCrashed) {
+TEST_F(TeamFault, AcceptsDisconnectAtTimeOver) {
   play(team("--exit-at-cycle 60 --code 0"), server(""), {"--half-time", "3"});
   expect_finished();
   EXPECT_EQ(result_["cycles"], 60);
 }
 
-TEST_F(TeamFault, OneAgentDiesInPlay) {
+TEST_F(TeamFault, ReportsCrashOfOneAgent) {
   const cls::tests::PortLock lock;
   play(team_of_single_agents("--exit-at-cycle 10"), server(""));
   if (played_.exit_code == 75) GTEST_SKIP() << played_.err;
@@ -443,7 +444,7 @@ TEST_F(TeamFault, OneAgentDiesInPlay) {
   EXPECT_EQ(result_["failure"]["exit"], "exit code 4");
 }
 
-TEST_F(TeamFault, OneAgentNeverJoins) {
+TEST_F(TeamFault, ReportsAgentThatNeverConnects) {
   const cls::tests::PortLock lock;
   play(team_of_single_agents("--never-join 1"), server(""), {"--start-timeout", "2"});
   if (played_.exit_code == 75) GTEST_SKIP() << played_.err;
@@ -451,28 +452,28 @@ TEST_F(TeamFault, OneAgentNeverJoins) {
   EXPECT_EQ(result_["failure"]["process"], "right player 7");
 }
 
-TEST_F(TeamFault, OneAgentBringsAFriend) {
+TEST_F(TeamFault, ReportsAgentThatConnectsTwoPlayers) {
   const cls::tests::PortLock lock;
   play(team_of_single_agents("--players 2"), server(""));
   if (played_.exit_code == 75) GTEST_SKIP() << played_.err;
   expect_end("refused", 69, "right player 7 brought players 1, 2, 3, 4, 5, 6, 7, 8 onto the pitch");
 }
 
-TEST_F(TeamFault, PlaysUnderItsOwnNameThoughAnotherWasAskedFor) {
+TEST_F(TeamFault, AcceptsOwnNameWithOwnNamesOption) {
   const cls::tests::PortLock lock;
   play(team_of_single_agents(""), server(""), {"--right-name", "Visitors"});
   if (played_.exit_code == 75) GTEST_SKIP() << played_.err;
   expect_end("refused", 69, "the team plays under the name Guests instead of Visitors");
 }
 
-TEST_F(TeamFault, HasAKillScriptThatHangs) {
+TEST_F(TeamFault, TerminatesHangingKillScript) {
   script("team/kill", "trap '' TERM\nwhile true; do sleep 1; done");
   play(team("--ignore-term 1"), server(""), {"--cycles", "10"});
   expect_finished();
   EXPECT_EQ(result_["processes"].back()["exit"], "ended by cls (killed by SIGKILL)");
 }
 
-TEST_F(TeamFault, LastWordsAreFiveLinesOnTheTerminalAndFiftyInTheResult) {
+TEST_F(TeamFault, PrintsFiveAndStoresFiftyLastOutputLines) {
   script("team/start.sh", "for i in $(seq 100); do echo line $i; done; exit 1");
   play("team:" + (folder_.path() / "team").string(), server(""));
   expect_end("refused", 69, "the process of right team ended before the match: exit code 1");
@@ -485,19 +486,19 @@ TEST_F(TeamFault, LastWordsAreFiveLinesOnTheTerminalAndFiftyInTheResult) {
   EXPECT_NE(played_.err.find("  right team: line 100\n"), std::string::npos) << played_.err;
 }
 
-TEST_F(TeamFault, FloodsItsOutputAndPlaysOn) {
+TEST_F(TeamFault, ContinuesDespiteFloodOfOutput) {
   play(team("--flood 1"), server(""), {"--cycles", "10"});
   expect_finished();
   EXPECT_LT(std::filesystem::file_size(match_folder() + "/right-team.log"), 20'000U);
 }
 
-TEST_F(TeamFault, APlaymakerThatDiesEndsTheMatchOverUdpToo) {
+TEST_F(TeamFault, ReportsCrashOfPlaymakerOverUdp) {
   play("run:exec " + built("cls_fake_playmaker") + " --port {port} --exit-at-cycle 10", server(""));
-  expect_end("crashed", 1, "the process of right Playmaker ended at cycle ");
+  expect_end("crashed", 1, "its process ended at cycle ");
   expect_failed("right Playmaker", "out of ideas");
 }
 
-TEST_F(TeamFault, APlaymakerThatNeverListensIsRefusedOverUdpToo) {
+TEST_F(TeamFault, RefusesPlaymakerThatNeverListensOverUdp) {
   play("run:exec " + built("cls_fake_playmaker") + " --port {port} --never-listen 1", server(""),
        {"--start-timeout", "1"});
   expect_end("refused", 69, "it does not listen on port");
@@ -513,7 +514,7 @@ void wait_for_play(const std::string& folder) {
   }
 }
 
-TEST_F(NetworkMatch, AnInterruptedOneEndsInOrder) {
+TEST_F(NetworkMatch, StopsCleanlyAfterSignal) {
   const std::vector<std::pair<int, int>> cases = {{SIGINT, 130}, {SIGTERM, 143}};
   for (const auto& [signal, exit_code] : cases) {
     std::filesystem::remove_all(match_folder());
@@ -532,7 +533,7 @@ TEST_F(NetworkMatch, AnInterruptedOneEndsInOrder) {
   }
 }
 
-TEST_F(NetworkMatch, OneThatIsInterruptedAtItsStartLeavesNothing) {
+TEST_F(NetworkMatch, LeavesNoProcessAfterSignalAtStart) {
   Command command(
       arguments(team("--never-join 1 --ignore-term 1"), server(""), {"--start-timeout", "60"}),
       environment());
@@ -550,7 +551,7 @@ TEST_F(NetworkMatch, OneThatIsInterruptedAtItsStartLeavesNothing) {
   EXPECT_EQ(result["cycles"], 0);
 }
 
-TEST_F(NetworkMatch, NothingSurvivesKillNine) {
+TEST_F(NetworkMatch, LeavesNoProcessAfterSigkill) {
   Command command(arguments(team("--ignore-term 1 --grandchild 1"),
                             server("--ignore-term 1 --grandchild 1"), {}),
                   environment());
@@ -560,26 +561,26 @@ TEST_F(NetworkMatch, NothingSurvivesKillNine) {
   EXPECT_TRUE(cls::tests::all_marked_gone(mark_, 2s));
 }
 
-TEST_F(NetworkMatch, TheTimeLimitEndsIt) {
+TEST_F(NetworkMatch, StopsAtTimeLimit) {
   play("mock", server(""), {"--time-limit", "2"});
   expect_end("timed_out", 124, "the time limit of 2 s was reached");
 }
 
-TEST(MatchOptions, AServerThatRunsHasItsOwnSettings) {
+TEST(MatchOptions, RejectsSettingsOfRunningServer) {
   const auto answer = cls::tests::run({cls::tests::cls_binary(), "match", "mock", "team:x",
                                        "--half-time", "3", "--server", "localhost:6000"});
   EXPECT_EQ(answer.exit_code, 2);
   EXPECT_NE(answer.err.find("the server at localhost:6000 has settings of its own"),
             std::string::npos);
-  EXPECT_NE(answer.err.find("side 'team:x' needs a server that cls starts"), std::string::npos);
+  EXPECT_NE(answer.err.find("side 'team:x' requires a server started by cls"), std::string::npos);
 }
 
-TEST(MatchOptions, LockstepHasNoPlaceForForeigners) {
+TEST(MatchOptions, LockstepRejectsExternalServerAndTeam) {
   const auto answer = cls::tests::run({cls::tests::cls_binary(), "match", "mock", "team:x",
                                        "--mode", "lockstep", "--server", "rcssserver"});
   EXPECT_EQ(answer.exit_code, 2);
   EXPECT_NE(answer.err.find("--mode lockstep needs the embedded server"), std::string::npos);
-  EXPECT_NE(answer.err.find("--mode lockstep has no place for side 'team:x'"), std::string::npos);
+  EXPECT_NE(answer.err.find("--mode lockstep does not support side 'team:x'"), std::string::npos);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// `--pin`: programs and agents of each side run on that side's half of the processors.
+// `--pin`: programs and agents of each side run on its half of the processor cores.
 #include <gtest/gtest.h>
 #include <sched.h>
 #include <signal.h>
@@ -27,7 +27,7 @@ using namespace std::chrono_literals;
 using cls::tests::built;
 using cls::tests::Command;
 using Processors = std::vector<int>;
-using Words = std::vector<std::string>;
+using Arguments = std::vector<std::string>;
 
 cpu_set_t set_of(const Processors& processors) {
   cpu_set_t set;
@@ -36,7 +36,7 @@ cpu_set_t set_of(const Processors& processors) {
   return set;
 }
 
-/// How many threads of the process may run on exactly these.
+/// Number of threads of the process pinned to exactly these cores.
 long threads_on(int pid, const Processors& processors) {
   const cpu_set_t wanted = set_of(processors);
   long count = 0;
@@ -62,19 +62,20 @@ std::string line_of(Processors processors) {
 class Pin : public testing::Test {
  protected:
   void SetUp() override {
-    if (halves_[0].empty()) GTEST_SKIP() << "there is only one processor to use";
+    if (halves_[0].empty()) GTEST_SKIP() << "only one usable processor core";
   }
 
   static std::string playmaker() {
     return "run:exec " + built("cls_fake_playmaker") + " --port {port} --print-cpus 1";
   }
 
-  Words match(const std::string& left, const std::string& right, const Words& more = {}) const {
-    Words words = {
+  Arguments match(const std::string& left, const std::string& right,
+                  const Arguments& more = {}) const {
+    Arguments argv = {
         cls::tests::cls_binary(), "match", left, right, "--pin", "--dir", match(), "--set",
         "server::kick_off_wait=3"};
-    words.insert(words.end(), more.begin(), more.end());
-    return words;
+    argv.insert(argv.end(), more.begin(), more.end());
+    return argv;
   }
   std::string match() const { return folder_.path() / "match"; }
 
@@ -83,7 +84,7 @@ class Pin : public testing::Test {
     return fs::exists(file) ? cls::tests::read_file(file) : std::string();
   }
 
-  /// Waits, as long as the match runs.
+  /// Waits while the match runs.
   static bool wait_for(const std::function<bool()>& reached) {
     const auto begin = std::chrono::steady_clock::now();
     while (!reached() && std::chrono::steady_clock::now() - begin < 30s) {
@@ -93,10 +94,10 @@ class Pin : public testing::Test {
   }
 
   cls::tests::TemporaryFolder folder_;
-  const std::array<Processors, 2> halves_ = base::halves_of(base::allowed_cores());
+  const std::array<Processors, 2> halves_ = cls::base::split_in_half(cls::base::allowed_cores());
 };
 
-TEST_F(Pin, PlaymakersAndAgentsOfBothSidesHaveTheirHalves) {
+TEST_F(Pin, PinsPlaymakersAndAgentsOfEachSide) {
   Command command(match(playmaker(), playmaker()));
   EXPECT_TRUE(wait_for(
       [&] { return !log("left-playmaker.log").empty() && !log("right-playmaker.log").empty(); }));
@@ -105,13 +106,13 @@ TEST_F(Pin, PlaymakersAndAgentsOfBothSidesHaveTheirHalves) {
   for (const Processors& half : halves_) {
     EXPECT_TRUE(wait_for([&] { return threads_on(command.pid(), half) > 0; }));
   }
-  // What belongs to neither side is tied to nothing.
-  EXPECT_GT(threads_on(command.pid(), base::allowed_processors()), 0);
+  // Processes of neither side are not pinned.
+  EXPECT_GT(threads_on(command.pid(), cls::base::allowed_processors()), 0);
   command.send_signal(SIGTERM);
   EXPECT_EQ(command.finish().exit_code, 143);
 }
 
-TEST_F(Pin, ProcessesOfAForeignTeamHaveTheirHalf) {
+TEST_F(Pin, PinsProcessesOfExternalTeam) {
   const fs::path team = folder_.path() / "team";
   fs::create_directory(team);
   std::ofstream(team / "start.sh")
@@ -123,22 +124,22 @@ TEST_F(Pin, ProcessesOfAForeignTeamHaveTheirHalf) {
   EXPECT_TRUE(wait_for([&] { return !log("right-team.log").empty(); }));
   EXPECT_EQ(log("right-team.log").substr(0, line_of(halves_[1]).size()), line_of(halves_[1]));
   EXPECT_TRUE(wait_for([&] { return threads_on(command.pid(), halves_[0]) > 0; }));
-  EXPECT_EQ(threads_on(command.pid(), halves_[1]), 0) << "the right side has no agents of ours";
+  EXPECT_EQ(threads_on(command.pid(), halves_[1]), 0) << "the right side has no cls agents";
   command.send_signal(SIGTERM);
   EXPECT_EQ(command.finish().exit_code, 143);
 }
 
-TEST_F(Pin, NothingIsTiedWithoutIt) {
-  Words words = match(playmaker(), "mock:hold");
-  words.erase(std::find(words.begin(), words.end(), "--pin"));
-  Command command(words);
+TEST_F(Pin, PinsNothingByDefault) {
+  Arguments argv = match(playmaker(), "mock:hold");
+  argv.erase(std::find(argv.begin(), argv.end(), "--pin"));
+  Command command(argv);
   EXPECT_TRUE(wait_for([&] { return !log("left-playmaker.log").empty(); }));
-  EXPECT_EQ(log("left-playmaker.log"), line_of(base::allowed_processors()));
+  EXPECT_EQ(log("left-playmaker.log"), line_of(cls::base::allowed_processors()));
   command.send_signal(SIGTERM);
   EXPECT_EQ(command.finish().exit_code, 143);
 }
 
-TEST_F(Pin, TheCommandsOfADryRunSayIt) {
+TEST_F(Pin, DryRunPrintsPinnedCommands) {
   const auto printed = cls::tests::run(match(playmaker(), playmaker(), {"--dry-run"}));
   EXPECT_EQ(printed.exit_code, 0) << printed.err;
   for (const Processors& half : halves_) {
@@ -147,8 +148,8 @@ TEST_F(Pin, TheCommandsOfADryRunSayIt) {
   }
 }
 
-TEST(PinOnOneProcessor, IsAMistakeThatIsTold) {
-  const Processors all = base::allowed_processors();
+TEST(PinOnOneProcessor, ReportsError) {
+  const Processors all = cls::base::allowed_processors();
   const cpu_set_t before = set_of(all);
   const cpu_set_t one = set_of({all.front()});
   ASSERT_EQ(::sched_setaffinity(0, sizeof one, &one), 0);
@@ -156,7 +157,7 @@ TEST(PinOnOneProcessor, IsAMistakeThatIsTold) {
       cls::tests::run({cls::tests::cls_binary(), "match", "mock", "mock", "--pin", "--dry-run"});
   ASSERT_EQ(::sched_setaffinity(0, sizeof before, &before), 0);
   EXPECT_EQ(answer.exit_code, 2);
-  EXPECT_NE(answer.err.find("--pin: there is only one processor to use"), std::string::npos)
+  EXPECT_NE(answer.err.find("--pin: only one usable processor core"), std::string::npos)
       << answer.err;
 }
 

@@ -1,5 +1,5 @@
-// Whole short matches in each version of the text protocol that our agents speak, on the embedded
-// server and on the real one (skipped where there is none): nobody complains of anybody.
+// Short matches in each protocol version of cls agents, on the embedded server and on rcssserver
+// (skipped if not installed): neither reports errors.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -8,14 +8,14 @@
 
 #include "tests/support/command.h"
 #include "tests/support/files.h"
-#include "tests/support/real_server.h"
+#include "tests/support/rcssserver.h"
 #include "tests/support/temporary_folder.h"
 
 namespace {
 
-using cls::tests::real_server;
+using cls::tests::rcssserver_program;
 using nlohmann::json;
-using Words = std::vector<std::string>;
+using Arguments = std::vector<std::string>;
 
 class ProtocolVersion : public testing::TestWithParam<int> {
  protected:
@@ -27,7 +27,7 @@ class ProtocolVersion : public testing::TestWithParam<int> {
          "--protocol", std::to_string(GetParam()), "--half-time", "3", "--seed", "7", "--set",
          "server::kick_off_wait=3", "--dir", match_folder});
     EXPECT_EQ(played.exit_code, 0) << played.err;
-    EXPECT_EQ(played.err, "") << "what the server says against us is a warning";
+    EXPECT_EQ(played.err, "") << "errors of the server are printed as warnings";
     const json result = json::parse(cls::tests::read_file(match_folder + "/result.json"));
     EXPECT_EQ(result["end_reason"], "finished");
     EXPECT_EQ(result["cycles"], 60);
@@ -47,11 +47,11 @@ INSTANTIATE_TEST_SUITE_P(, ProtocolVersion, testing::Values(14, 15, 16, 17, 18, 
 
 TEST_P(ProtocolVersion, PlaysInLockstep) { play_on("embedded", "lockstep"); }
 
-TEST_P(ProtocolVersion, PlaysOnTheEmbeddedServerOverUdp) { play_on("embedded", "synch"); }
+TEST_P(ProtocolVersion, PlaysOnEmbeddedServerOverUdp) { play_on("embedded", "synch"); }
 
-TEST_P(ProtocolVersion, PlaysOnTheRealServer) {
-  if (real_server().empty()) GTEST_SKIP() << "no rcssserver on PATH nor in CLS_RCSSSERVER";
-  play_on(real_server(), "synch");
+TEST_P(ProtocolVersion, PlaysOnRcssserver) {
+  if (rcssserver_program().empty()) GTEST_SKIP() << "no rcssserver on PATH nor in CLS_RCSSSERVER";
+  play_on(rcssserver_program(), "synch");
 }
 
 }  // namespace

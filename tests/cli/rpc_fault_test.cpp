@@ -1,5 +1,5 @@
-// Whole matches with a Playmaker that goes wrong: the match goes on, its result tells, and the
-// other side never notices. Each fault in lockstep and over UDP.
+// Full matches with a faulty Playmaker: the match continues, the result reports the fault, and the
+// other side is unaffected. Each fault in lockstep and over UDP.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/proxy/playmaker_server.h"
+#include "tests/proxy/playmaker/playmaker_server.h"
 #include "tests/support/command.h"
 #include "tests/support/files.h"
 #include "tests/support/temporary_folder.h"
@@ -25,12 +25,12 @@ using cls::tests::CommandResult;
 using cls::tests::GameService;
 using cls::tests::PlaymakerServer;
 using nlohmann::json;
-using Words = std::vector<std::string>;
+using Arguments = std::vector<std::string>;
 
-/// `cls mock hold` with faults, in a process of its own.
+/// `cls mock hold` with faults, as a separate process.
 class Mock {
  public:
-  explicit Mock(Words flags, const std::string& port = "0") {
+  explicit Mock(Arguments flags, const std::string& port = "0") {
     flags.insert(flags.begin(), {cls::tests::cls_binary(), "mock", "hold", "--port", port});
     process_ = std::make_unique<Command>(flags);
     EXPECT_TRUE(process_->wait_for_output("\n"));
@@ -68,29 +68,30 @@ struct Played {
 
 class RpcFault : public testing::TestWithParam<const char*> {
  protected:
-  /// The faulty Playmaker is on the right. Nobody is late by mere load: the deadline is long.
-  Words match(const std::string& right, const Words& more) const {
-    Words words = {cls::tests::cls_binary(),
-                   "match",
-                   "mock:hold",
-                   right,
-                   "--mode",
-                   GetParam(),
-                   "--cycles",
-                   "34",
-                   "--seed",
-                   "7",
-                   "--dir",
-                   folder_.path() / "match",
-                   "--stall-after",
-                   "60",
-                   "--set",
-                   "server::kick_off_wait=3"};
+  /// The faulty Playmaker is on the right. The deadline is long, so that load causes no late
+  /// replies.
+  Arguments match(const std::string& right, const Arguments& more) const {
+    Arguments argv = {cls::tests::cls_binary(),
+                      "match",
+                      "mock:hold",
+                      right,
+                      "--mode",
+                      GetParam(),
+                      "--cycles",
+                      "34",
+                      "--seed",
+                      "7",
+                      "--dir",
+                      folder_.path() / "match",
+                      "--stall-after",
+                      "60",
+                      "--set",
+                      "server::kick_off_wait=3"};
     if (std::find(more.begin(), more.end(), "--rpc-deadline") == more.end()) {
-      words.insert(words.end(), {"--rpc-deadline", "20000"});
+      argv.insert(argv.end(), {"--rpc-deadline", "20000"});
     }
-    for (const std::string& word : more) words.push_back(word);
-    return words;
+    for (const std::string& argument : more) argv.push_back(argument);
+    return argv;
   }
 
   Played finish(CommandResult command) const {
@@ -100,17 +101,17 @@ class RpcFault : public testing::TestWithParam<const char*> {
     const json& left = played.result["left"]["players"];
     EXPECT_EQ(left.size(), 11U);
     for (const json& player : left) {
-      EXPECT_EQ(player["missed"], 0) << "the other side is harmed";
+      EXPECT_EQ(player["missed"], 0) << "the other side is affected";
       EXPECT_EQ(player["reconnects"], 0);
       EXPECT_GT(player["decisions"], 10);
       EXPECT_FALSE(player["commands"].empty());
     }
     return played;
   }
-  Played play(const std::string& right, const Words& more = {}) {
+  Played play(const std::string& right, const Arguments& more = {}) {
     return finish(cls::tests::run(match(right, more)));
   }
-  Played play_mock(const Words& flags, const Words& more = {}) {
+  Played play_mock(const Arguments& flags, const Arguments& more = {}) {
     const Mock mock(flags);
     return play(mock.address(), more);
   }
@@ -131,7 +132,7 @@ class RpcFault : public testing::TestWithParam<const char*> {
 INSTANTIATE_TEST_SUITE_P(, RpcFault, testing::Values("lockstep", "synch"),
                          [](const auto& mode) { return std::string(mode.param); });
 
-TEST_P(RpcFault, SlownessShowsInThePercentilesOnly) {
+TEST_P(RpcFault, SlowRepliesChangeOnlyPercentiles) {
   const Played played = play_mock({"--delay", "4", "--jitter", "4"});
   expect_finished(played);
   EXPECT_EQ(played.total("missed"), 0);
@@ -146,7 +147,7 @@ TEST_P(RpcFault, SlownessShowsInThePercentilesOnly) {
   EXPECT_NE(played.command.out.find("rpc worst p99 / max"), std::string::npos);
 }
 
-TEST_P(RpcFault, AnswersThatNeverComeAreLate) {
+TEST_P(RpcFault, EndsAsLateWithoutReplies) {
   const Played played =
       play_mock({"--drop", "1", "--fault-unum", "7", "--fault-cycles", "10", "10"},
                 {"--rpc-deadline", "800"});
@@ -156,27 +157,27 @@ TEST_P(RpcFault, AnswersThatNeverComeAreLate) {
   EXPECT_EQ(played.player(7)["missed"], played.player(7)["late"]);
 }
 
-TEST_P(RpcFault, OneThatHangsEndsTheMatchAsLate) {
+TEST_P(RpcFault, EndsAsLateWhenPlaymakerHangs) {
   const Played played =
       play_mock({"--hang-at-cycle", "15"}, {"--rpc-deadline", "400", "--max-missed", "2"});
   expect_invalid(played, "late");
   EXPECT_GE(played.missed_by("deadline"), 3);
-  EXPECT_NE(played.command.err.find("had no usable answer for 3 cycles"), std::string::npos)
+  EXPECT_NE(played.command.err.find("had no usable reply for 3 cycles"), std::string::npos)
       << played.command.err;
 }
 
-TEST_P(RpcFault, OneThatRestartsIsToldOfItsPlayersAgain) {
+TEST_P(RpcFault, RegistersPlayersAgainAfterPlaymakerRestart) {
   const Played played = play_mock({"--restart-at-cycle", "15", "--restart-after", "200"},
                                   {"--reconnect-within", "30", "--max-missed", "1000"});
   expect_finished(played);
   EXPECT_EQ(played.total("reconnects"), 11);
   EXPECT_EQ(played.total("late"), 0);
-  EXPECT_NE(played.warnings().find("was lost and came back"), std::string::npos)
+  EXPECT_NE(played.warnings().find("connection to the Playmaker lost"), std::string::npos)
       << played.warnings();
   EXPECT_FALSE(played.result["deterministic"]);
 }
 
-TEST_P(RpcFault, OneThatClosesBetweenTheHalvesToo) {
+TEST_P(RpcFault, ReconnectsAfterRestartAtHalfTime) {
   const Played played =
       play_mock({"--restart-at-cycle", "20", "--restart-after", "50"},
                 {"--half-time", "2", "--reconnect-within", "30", "--max-missed", "1000"});
@@ -184,7 +185,7 @@ TEST_P(RpcFault, OneThatClosesBetweenTheHalvesToo) {
   EXPECT_EQ(played.total("reconnects"), 11);
 }
 
-TEST_P(RpcFault, AProcessThatIsKilledAndStartedAgainGoesOn) {
+TEST_P(RpcFault, ContinuesAfterPlaymakerProcessRestart) {
   Mock mock({"--crash-at-cycle", "15"});
   Command playing(match(mock.address(), {"--reconnect-within", "50", "--max-missed", "100000"}));
   mock.process().finish();
@@ -194,7 +195,7 @@ TEST_P(RpcFault, AProcessThatIsKilledAndStartedAgainGoesOn) {
   EXPECT_EQ(played.total("reconnects"), 11);
 }
 
-TEST_P(RpcFault, AProcessThatIsKilledForGoodIsACrash) {
+TEST_P(RpcFault, ReportsCrashWhenPlaymakerProcessIsKilled) {
   const Played played =
       play_mock({"--crash-at-cycle", "15"}, {"--reconnect-within", "0.2", "--max-missed", "3"});
   expect_invalid(played, "crashed");
@@ -202,14 +203,14 @@ TEST_P(RpcFault, AProcessThatIsKilledForGoodIsACrash) {
   EXPECT_EQ(played.total("late"), 0);
 }
 
-TEST_P(RpcFault, EveryErrorStatusIsAMissedAnswer) {
+TEST_P(RpcFault, CountsEachErrorStatusAsMissed) {
   GameService service;
-  std::array<std::atomic<bool>, 17> told{};  // each once
+  std::array<std::atomic<bool>, 17> reported{};  // each once
   service.on_player = [&](const protos::State& state, protos::PlayerActions&) {
     const int cycle = state.world_model().cycle();
     const auto code = static_cast<std::size_t>(cycle / 2);
     const bool due = state.register_response().uniform_number() == 5 && cycle % 2 == 0 &&
-                     code >= 1 && code < told.size() && !told[code].exchange(true);
+                     code >= 1 && code < reported.size() && !reported[code].exchange(true);
     return due ? grpc::Status(static_cast<grpc::StatusCode>(code), "on purpose") : grpc::Status::OK;
   };
   PlaymakerServer server(service);
@@ -222,14 +223,14 @@ TEST_P(RpcFault, EveryErrorStatusIsAMissedAnswer) {
   EXPECT_EQ(played.total("missed"), 16);
 }
 
-TEST_P(RpcFault, OneWithoutRegisterIsTakenForTheFirstInterface) {
+TEST_P(RpcFault, AssumesFirstInterfaceWithoutRegister) {
   const Played played = play_mock({"--unimplemented", "Register,SendByeCommand"});
   expect_finished(played);
   EXPECT_EQ(played.total("missed"), 0);
   EXPECT_NE(played.warnings().find("has no Register"), std::string::npos) << played.warnings();
 }
 
-TEST_P(RpcFault, OneThatOnlyDecidesIsServed) {
+TEST_P(RpcFault, AcceptsPlaymakerWithOnlyDecisions) {
   const Played played =
       play_mock({"--unimplemented",
                  "Register,SendByeCommand,SendServerParams,SendPlayerParams,SendPlayerType,"
@@ -238,7 +239,7 @@ TEST_P(RpcFault, OneThatOnlyDecidesIsServed) {
   EXPECT_EQ(played.total("missed"), 0);
 }
 
-TEST_P(RpcFault, GarbageIsAMissedAnswer) {
+TEST_P(RpcFault, CountsInvalidReplyAsMissed) {
   const Played played =
       play_mock({"--garbage", "1", "--fault-unum", "5", "--fault-cycles", "10", "12"});
   expect_finished(played);
@@ -246,21 +247,21 @@ TEST_P(RpcFault, GarbageIsAMissedAnswer) {
   EXPECT_EQ(played.total("missed"), 3);
 }
 
-TEST_P(RpcFault, AnAnswerOfFiveMegabytesIsTaken) {
+TEST_P(RpcFault, AcceptsReplyOfFiveMegabytes) {
   const Played played =
       play_mock({"--oversize", "1", "--fault-unum", "5", "--fault-cycles", "10", "11"});
   expect_finished(played);
   EXPECT_EQ(played.total("missed"), 0);
 }
 
-TEST_P(RpcFault, OneThatGivesEverybodyTheSameIdentityIsTold) {
+TEST_P(RpcFault, ReportsDuplicateClientIds) {
   const Played played = play_mock({"--wrong-client-id"});
   expect_finished(played);
   EXPECT_EQ(played.total("missed"), 0);
   EXPECT_NE(played.warnings().find("the same client_id 1"), std::string::npos) << played.warnings();
 }
 
-TEST_P(RpcFault, WhatIsDoneInsteadIsASetting) {
+TEST_P(RpcFault, OnLateSelectsSubstituteCommands) {
   GameService service;
   service.on_player = [](const protos::State& state, protos::PlayerActions& actions) {
     const bool refused =
@@ -279,36 +280,36 @@ TEST_P(RpcFault, WhatIsDoneInsteadIsASetting) {
     return played.player(9)["commands"].value("dash", 0);
   };
   const int hold = dashes("hold");
-  const int by_itself = dashes("default");
+  const int default_count = dashes("default");
   const int last = dashes("last");
-  EXPECT_GE(hold, 10) << "before it was refused";
-  EXPECT_GT(by_itself, hold) << "goes back to its place in the formation";
+  EXPECT_GE(hold, 10) << "before the connection was refused";
+  EXPECT_GT(default_count, hold) << "moves back to its position in the formation";
   EXPECT_GE(last, hold + 20);
 }
 
-// In real time nobody waits: what does not come within the cycle is missed, and both sides go on.
-TEST(RpcFaultInRealTime, SlowAnswersAndARestartAreCounted) {
-  const auto play = [](const Words& flags, const Words& more) {
+// In real time the server does not wait: late decisions are missed, and both sides continue.
+TEST(RpcFaultInRealTime, CountsSlowRepliesAndRestart) {
+  const auto play = [](const Arguments& flags, const Arguments& more) {
     const cls::tests::TemporaryFolder folder;
     const Mock mock(flags);
-    Words words = {cls::tests::cls_binary(),
-                   "match",
-                   "mock:hold",
-                   mock.address(),
-                   "--mode",
-                   "realtime",
-                   "--cycles",
-                   "25",
-                   "--seed",
-                   "7",
-                   "--max-missed",
-                   "1000",
-                   "--dir",
-                   folder.path(),
-                   "--set",
-                   "server::kick_off_wait=3"};
-    words.insert(words.end(), more.begin(), more.end());
-    Played played{cls::tests::run(words), {}};
+    Arguments argv = {cls::tests::cls_binary(),
+                      "match",
+                      "mock:hold",
+                      mock.address(),
+                      "--mode",
+                      "realtime",
+                      "--cycles",
+                      "25",
+                      "--seed",
+                      "7",
+                      "--max-missed",
+                      "1000",
+                      "--dir",
+                      folder.path(),
+                      "--set",
+                      "server::kick_off_wait=3"};
+    argv.insert(argv.end(), more.begin(), more.end());
+    Played played{cls::tests::run(argv), {}};
     played.result = json::parse(cls::tests::read_file(folder.path() / "result.json"));
     EXPECT_EQ(played.command.exit_code, 0) << played.command.err;
     return played;

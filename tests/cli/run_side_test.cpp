@@ -1,4 +1,4 @@
-// `run:` sides: Playmakers that cls starts itself, good ones and each kind of bad one.
+// `run:` sides: Playmakers started by cls, working and with each kind of fault.
 #include <gtest/gtest.h>
 #include <signal.h>
 
@@ -20,38 +20,38 @@ using namespace std::chrono_literals;
 using cls::tests::Command;
 using cls::tests::CommandResult;
 using nlohmann::json;
-using Words = std::vector<std::string>;
+using Arguments = std::vector<std::string>;
 
-/// A match of the mock (left) against a fake Playmaker that cls starts (right), in a folder and
-/// with a mark of its own.
+/// A match of the mock (left) against a fake Playmaker started by cls (right), in a temporary
+/// folder and with a process mark.
 class RunSide : public testing::Test {
  protected:
   static std::string fake(const std::string& flags) {
     return "run:exec " + cls::tests::built("cls_fake_playmaker") + " --port {port} " + flags;
   }
 
-  Words arguments(const std::string& right, const Words& more) const {
-    Words words = {cls::tests::cls_binary(),
-                   "match",
-                   "mock",
-                   right,
-                   "--seed",
-                   "7",
-                   "--right-name",
-                   "brain",
-                   "--set",
-                   "server::kick_off_wait=3",
-                   "--dir",
-                   folder_.path(),
-                   "--cycles",
-                   "60"};
-    words.insert(words.end(), more.begin(), more.end());
-    return words;
+  Arguments arguments(const std::string& right, const Arguments& more) const {
+    Arguments argv = {cls::tests::cls_binary(),
+                      "match",
+                      "mock",
+                      right,
+                      "--seed",
+                      "7",
+                      "--right-name",
+                      "brain",
+                      "--set",
+                      "server::kick_off_wait=3",
+                      "--dir",
+                      folder_.path(),
+                      "--cycles",
+                      "60"};
+    argv.insert(argv.end(), more.begin(), more.end());
+    return argv;
   }
-  Words environment() const { return {std::string(cls::tests::kMarkVariable) + "=" + mark_}; }
+  Arguments environment() const { return {std::string(cls::tests::kMarkVariable) + "=" + mark_}; }
 
-  /// Plays, and sees to it that nothing is left the moment cls has returned.
-  void play(const std::string& flags, const Words& more = {}) {
+  /// Plays; no process may survive the return of cls.
+  void play(const std::string& flags, const Arguments& more = {}) {
     played_ = cls::tests::run(arguments(fake(flags), more), environment());
     EXPECT_TRUE(cls::tests::marked_processes(mark_).empty());
     result_ = json::parse(cls::tests::read_file(folder_.path() / "result.json"));
@@ -66,14 +66,14 @@ class RunSide : public testing::Test {
     EXPECT_TRUE(result_["winner"].is_null());
   }
 
-  /// The failed process is told with its last words, in the result and on the terminal.
-  void expect_last_words(const std::string& words, const std::string& exit) const {
+  /// Result and stderr report the failed process with its last output lines.
+  void expect_last_words(const std::string& argv, const std::string& exit) const {
     const json& failure = result_["failure"];
     EXPECT_EQ(failure["process"], "right Playmaker");
     EXPECT_EQ(failure["exit"], exit);
-    EXPECT_EQ(failure["output"].back().get<std::string>().find(words), 0U) << failure;
-    EXPECT_NE(played_.err.find(words), std::string::npos) << played_.err;
-    EXPECT_NE(log().find(words), std::string::npos);
+    EXPECT_EQ(failure["output"].back().get<std::string>().find(argv), 0U) << failure;
+    EXPECT_NE(played_.err.find(argv), std::string::npos) << played_.err;
+    EXPECT_NE(log().find(argv), std::string::npos);
   }
 
   std::string log() const { return cls::tests::read_file(folder_.path() / "right-playmaker.log"); }
@@ -84,7 +84,7 @@ class RunSide : public testing::Test {
   json result_;
 };
 
-TEST_F(RunSide, PlaysAndIsEndedAndItsProcessorTimeIsCounted) {
+TEST_F(RunSide, PlaysAndReportsCpuTime) {
   play("");
   EXPECT_EQ(played_.exit_code, 0) << played_.err;
   EXPECT_EQ(played_.err, "");
@@ -99,12 +99,12 @@ TEST_F(RunSide, PlaysAndIsEndedAndItsProcessorTimeIsCounted) {
   EXPECT_TRUE(result_["failure"].is_null());
 }
 
-TEST_F(RunSide, MayStartLate) {
+TEST_F(RunSide, AcceptsSlowStart) {
   play("--late-start-ms 1500");
   EXPECT_EQ(played_.exit_code, 0) << played_.err;
 }
 
-TEST_F(RunSide, ThatCannotBeStartedIsRefused) {
+TEST_F(RunSide, RefusesUnstartableProgram) {
   const auto played =
       cls::tests::run(arguments("run:no-such-playmaker --port {port}", {}), environment());
   EXPECT_EQ(played.exit_code, 69);
@@ -114,7 +114,7 @@ TEST_F(RunSide, ThatCannotBeStartedIsRefused) {
   EXPECT_NE(played.err.find("no-such-playmaker: not found"), std::string::npos) << played.err;
 }
 
-TEST_F(RunSide, ThatDiesAtStartIsRefusedAtOnce) {
+TEST_F(RunSide, RefusesImmediatelyAfterExitAtStart) {
   const auto begin = std::chrono::steady_clock::now();
   play("--exit-at-start 5");
   EXPECT_LT(std::chrono::steady_clock::now() - begin, 5s);
@@ -122,22 +122,22 @@ TEST_F(RunSide, ThatDiesAtStartIsRefusedAtOnce) {
   expect_last_words("cannot load the formation", "exit code 5");
 }
 
-TEST_F(RunSide, ThatNeverListensIsRefusedAtTheStartLimit) {
+TEST_F(RunSide, RefusesAtStartTimeoutWithoutListener) {
   play("--never-listen 1", {"--start-timeout", "1"});
   expect_end("refused", 69, "it does not listen on port ");
 }
 
-TEST_F(RunSide, ThatListensElsewhereIsToldWhere) {
+TEST_F(RunSide, ReportsDifferentPort) {
   play("--port-offset 1", {"--start-timeout", "1"});
   expect_end("refused", 69, "; it listens on port ");
 }
 
-TEST_F(RunSide, ThatAcceptsButNeverAnswersIsRefused) {
+TEST_F(RunSide, RefusesWithoutReply) {
   play("--silent 1", {"--start-timeout", "1"});
   expect_end("refused", 69, "within the start limit of 1 s");
 }
 
-TEST_F(RunSide, ThatExitsInPlayCrashed) {
+TEST_F(RunSide, ReportsCrashAfterExit) {
   play("--exit-at-cycle 20");
   expect_end("crashed", 1, "its process ended at cycle ");
   expect_last_words("out of ideas", "exit code 3");
@@ -145,66 +145,66 @@ TEST_F(RunSide, ThatExitsInPlayCrashed) {
   EXPECT_LE(result_["cycles"], 22);
 }
 
-TEST_F(RunSide, ThatExitsWithZeroInPlayCrashedToo) {
+TEST_F(RunSide, ReportsCrashAfterExitZero) {
   play("--exit-at-cycle 20 --code 0");
   expect_end("crashed", 1, "exit code 0");
 }
 
-TEST_F(RunSide, ThatSegfaultsIsToldByTheSignalsName) {
+TEST_F(RunSide, ReportsSignalName) {
   play("--signal-at-cycle 20");
   expect_end("crashed", 1, "killed by SIGSEGV");
 }
 
-TEST_F(RunSide, ThatSegfaultsBelowAShellIsToldToo) {
+TEST_F(RunSide, ReportsSignalNameBelowShell) {
   const auto played = cls::tests::run(
       arguments("run:" + fake("--signal-at-cycle 20").substr(9) + "; exit $?", {}), environment());
   EXPECT_EQ(played.exit_code, 1);
   EXPECT_NE(played.err.find("exit code 139 (128 + SIGSEGV)"), std::string::npos) << played.err;
 }
 
-TEST_F(RunSide, ThatHangsStalls) {
+TEST_F(RunSide, StallsWhenProgramHangs) {
   play("--hang-at-cycle 20", {"--stall-after", "1"});
   expect_end("stalled", 1, "no new cycle for 1 s");
 }
 
-TEST_F(RunSide, ThatAnswersLateIsLate) {
+TEST_F(RunSide, EndsAsLateWithLateReplies) {
   play("--hang-at-cycle 20", {"--rpc-deadline", "30", "--max-missed", "5"});
-  expect_end("late", 1, "no usable answer for 6 cycles");
+  expect_end("late", 1, "no usable reply for 6 cycles");
 }
 
-TEST_F(RunSide, ThatHangsIsEndedByTheTimeLimit) {
+TEST_F(RunSide, StopsHangingProgramAtTimeLimit) {
   play("--hang-at-cycle 20", {"--time-limit", "2", "--stall-after", "60"});
   expect_end("timed_out", 124, "the time limit of 2 s");
 }
 
-TEST_F(RunSide, ThatFloodsItsOutputPlaysOn) {
+TEST_F(RunSide, ContinuesDespiteFloodOfOutput) {
   play("--flood 1");
   EXPECT_EQ(played_.exit_code, 0) << played_.err;
   EXPECT_LT(std::filesystem::file_size(folder_.path() / "right-playmaker.log"), 1000U);
   EXPECT_NE(log().find("\n  ×"), std::string::npos);
 }
 
-TEST_F(RunSide, ThatIgnoresSigtermIsKilled) {
+TEST_F(RunSide, KillsProgramThatIgnoresSigterm) {
   play("--ignore-term 1");
   EXPECT_EQ(played_.exit_code, 0) << played_.err;
   EXPECT_EQ(result_["processes"][0]["exit"], "ended by cls (killed by SIGKILL)");
 }
 
-TEST_F(RunSide, ThatLeavesAGrandchildLeavesNothing) {
+TEST_F(RunSide, KillsGrandchild) {
   play("--grandchild 1");
   EXPECT_EQ(played_.exit_code, 0) << played_.err;
 }
 
-TEST_F(RunSide, ThatLeavesAGrandchildAndDiesLeavesNothing) {
+TEST_F(RunSide, KillsGrandchildAfterCrash) {
   play("--grandchild 1 --exit-at-cycle 10");
   expect_end("crashed", 1, "exit code 3");
 }
 
-TEST_F(RunSide, InterruptedMatchesEndInOrder) {
+TEST_F(RunSide, StopsCleanlyAfterSignal) {
   const std::vector<std::pair<int, int>> cases = {{SIGINT, 130}, {SIGTERM, 143}};
   for (const auto& [signal, exit_code] : cases) {
-    Words words = arguments(fake("--ignore-term 1 --hang-at-cycle 30"), {});
-    Command command(words, environment());
+    Arguments argv = arguments(fake("--ignore-term 1 --hang-at-cycle 30"), {});
+    Command command(argv, environment());
     const auto log_begins = std::chrono::steady_clock::now();
     while (!std::filesystem::exists(folder_.path() / "right-playmaker.log") &&
            std::chrono::steady_clock::now() - log_begins < 10s) {
@@ -223,7 +223,7 @@ TEST_F(RunSide, InterruptedMatchesEndInOrder) {
   }
 }
 
-TEST_F(RunSide, NothingSurvivesKillNine) {
+TEST_F(RunSide, LeavesNoProcessAfterSigkill) {
   Command command(arguments(fake("--ignore-term 1 --grandchild 1 --hang-at-cycle 30"), {}),
                   environment());
   const auto begin = std::chrono::steady_clock::now();

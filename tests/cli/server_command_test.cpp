@@ -1,4 +1,4 @@
-// `cls server` with two teams of `cls proxy` and `cls mock`, each a process of its own.
+// `cls server`, two teams of `cls proxy` and `cls mock`, each a separate process.
 #include <gtest/gtest.h>
 #include <signal.h>
 
@@ -12,7 +12,7 @@
 
 #include "tests/support/command.h"
 #include "tests/support/files.h"
-#include "tests/support/real_server.h"
+#include "tests/support/rcssserver.h"
 #include "tests/support/temporary_folder.h"
 
 namespace {
@@ -21,7 +21,7 @@ using cls::tests::cls_binary;
 using cls::tests::Command;
 using cls::tests::run;
 
-// What the user keeps in ~/.rcssserver must not matter here.
+// Ignore the user's ~/.rcssserver.
 const int kNoUserConfiguration = setenv("RCSS_CONF_DIR", "/nonexistent", 1);
 
 /// The port in "listening on HOST:PORT...".
@@ -32,7 +32,7 @@ std::string port_in(Command& command) {
   return line.substr(colon + 1, line.find_first_not_of("0123456789", colon + 1) - colon - 1);
 }
 
-TEST(ServerCommand, ServesTwoTeamsOfProxiesToTheEnd) {
+TEST(ServerCommand, ServesTwoProxyTeams) {
   cls::tests::TemporaryFolder folder;
   Command server({cls_binary(), "server", "--port", "0", "--seed", "7", "--cycles", "100", "--dir",
                   folder.path(), "server::kick_off_wait=3", "server::auto_mode=on",
@@ -44,9 +44,9 @@ TEST(ServerCommand, ServesTwoTeamsOfProxiesToTheEnd) {
                                           "-p",         port,       "--rpc-port", rpc_port,
                                           "--rpc-host", "127.0.0.1"};
   const auto side = [&proxy](const char* name) {
-    auto words = proxy;
-    words.insert(words.end(), {"-t", name, "--rpc-type", "grpc", "-P", "6002"});
-    return words;
+    auto argv = proxy;
+    argv.insert(argv.end(), {"-t", name, "--rpc-type", "grpc", "-P", "6002"});
+    return argv;
   };
   Command left(side("Reds"));
   const std::string result = folder.path() / "blues.json";
@@ -67,17 +67,16 @@ TEST(ServerCommand, ServesTwoTeamsOfProxiesToTheEnd) {
   }
   for (Command* team : {&left, &right}) {
     const auto played = team->finish();
-    // The server ends at its cycle limit without a whistle: to a team that looks like a failure.
+    // The server exits at its cycle limit without time_over: a team reports that as a failure.
     EXPECT_EQ(played.exit_code, 1) << played.err;
-    EXPECT_NE(played.out.find(" 0 without an answer, 0 cycles missed, 0 commands too late"),
-              std::string::npos)
+    EXPECT_NE(played.out.find(" 0 missed, 0 undecided cycles, 0 late commands"), std::string::npos)
         << played.out << played.err;
   }
-  const auto told = nlohmann::json::parse(cls::tests::read_file(result));
-  EXPECT_EQ(told["schema"], "cls.proxy/1");
-  EXPECT_EQ(told["end_reason"], "server_failed");
-  ASSERT_EQ(told["players"].size(), 11U);
-  for (const auto& player : told["players"]) {
+  const auto document = nlohmann::json::parse(cls::tests::read_file(result));
+  EXPECT_EQ(document["schema"], "cls.proxy/1");
+  EXPECT_EQ(document["end_reason"], "server_failed");
+  ASSERT_EQ(document["players"].size(), 11U);
+  for (const auto& player : document["players"]) {
     EXPECT_GE(player["decisions"], 100);
     EXPECT_EQ(player["missed"], 0);
     EXPECT_GT(player["rpc_us"]["p50"], 0);
@@ -95,21 +94,21 @@ cls::tests::CommandResult end_server_by(int signal) {
   return server.finish();
 }
 
-TEST(ServerCommand, EndsOnASignalWithItsResult) {
+TEST(ServerCommand, PrintsResultAfterSignal) {
   const auto served = end_server_by(SIGTERM);
   EXPECT_EQ(served.exit_code, 143);
   EXPECT_NE(served.out.find("\nServer Killed. Exiting...\n"), std::string::npos) << served.out;
   EXPECT_NE(served.out.find("\tnull vs null\n\tScore: 0 - 0\n"), std::string::npos) << served.out;
-  EXPECT_NE(served.out.find("; steps late by "), std::string::npos) << served.out;
+  EXPECT_NE(served.out.find("; step lateness: mean "), std::string::npos) << served.out;
 }
 
-TEST(ServerCommand, AClosedTerminalEndsItInOrder) {
+TEST(ServerCommand, StopsCleanlyOnSighup) {
   const auto served = end_server_by(SIGHUP);
   EXPECT_EQ(served.exit_code, 130);
   EXPECT_NE(served.out.find("\nServer Killed. Exiting...\n"), std::string::npos) << served.out;
 }
 
-TEST(ServerCommand, TellsThePortsThatWereAskedFor) {
+TEST(ServerCommand, SendsRequestedPorts) {
   const int port = cls::tests::free_udp_port();
   cls::tests::TemporaryFolder folder;
   Command server({cls_binary(), "server", "--port", std::to_string(port), "--dir", folder.path()});
@@ -117,14 +116,14 @@ TEST(ServerCommand, TellsThePortsThatWereAskedFor) {
   server.send_signal(SIGINT);
   EXPECT_EQ(server.finish().exit_code, 130);
   const std::string log = cls::tests::read_file(folder.path() / "match.rcg");
-  for (const std::string& told :
+  for (const std::string& document :
        {"(port " + std::to_string(port) + ')', "(coach_port " + std::to_string(port + 1) + ')',
         "(olcoach_port " + std::to_string(port + 2) + ')'}) {
-    EXPECT_NE(log.find(told), std::string::npos) << told;
+    EXPECT_NE(log.find(document), std::string::npos) << document;
   }
 }
 
-TEST(ServerCommand, RefusesWhatItCannotDoYet) {
+TEST(ServerCommand, RejectsUnsupportedSettings) {
   const std::pair<const char*, const char*> wishes[] = {
       {"server::game_log_version=7", "game_log_version=7: must be 1 to 6, or -1 (JSON)"},
       {"server::no_such=1", "no_such"},
@@ -140,7 +139,7 @@ TEST(ServerCommand, RefusesWhatItCannotDoYet) {
   }
 }
 
-TEST(ServerCommand, TakesWordsWithBlanksAroundTheSignAndQuotesAsRcssserverDoes) {
+TEST(ServerCommand, AcceptsSpacesAndQuotesAsRcssserver) {
   cls::tests::TemporaryFolder folder;
   Command server({cls_binary(), "server", "--port", "0", "--dir", folder.path(),
                   "server::game_log_fixed_name='match'", "server::landmark_file=", "'a b.xml'",
@@ -151,7 +150,7 @@ TEST(ServerCommand, TakesWordsWithBlanksAroundTheSignAndQuotesAsRcssserverDoes) 
   EXPECT_EQ(served.exit_code, 130) << served.err;
 }
 
-TEST(ServerCommand, WritesLogsAndTableWhereRcssserverWould) {
+TEST(ServerCommand, WritesLogsAndCsvToRcssserverPaths) {
   cls::tests::TemporaryFolder folder;
   const std::filesystem::path here = folder.path();
   std::ofstream(here / "server.conf") << "server::game_log_dir = '" << here.string() << "'\n"
@@ -173,7 +172,7 @@ TEST(ServerCommand, WritesLogsAndTableWhereRcssserverWould) {
             std::string::npos);
 }
 
-TEST(ServerCommand, AMistakeInAFileIsTold) {
+TEST(ServerCommand, ReportsErrorsInConfigurationFile) {
   cls::tests::TemporaryFolder folder;
   const std::filesystem::path here = folder.path();
   std::ofstream(here / "server.conf") << "\nserver::half_tim = 3\n";
@@ -185,7 +184,7 @@ TEST(ServerCommand, AMistakeInAFileIsTold) {
                              ":2: unknown parameter 'half_tim'; did you mean 'half_time'?\n");
 }
 
-TEST(ServerCommand, ATakenPortIsTold) {
+TEST(ServerCommand, ReportsPortInUse) {
   cls::tests::TemporaryFolder folder;
   Command server({cls_binary(), "server", "--port", "0", "--dir", folder.path()});
   const std::string port = port_in(server);
@@ -194,7 +193,7 @@ TEST(ServerCommand, ATakenPortIsTold) {
   EXPECT_NE(taken.err.find("cannot listen on 127.0.0.1 port " + port), std::string::npos);
 }
 
-TEST(ProxyCommand, SaysThatNoServerAnswers) {
+TEST(ProxyCommand, ReportsUnreachableServer) {
   std::string port;
   {
     cls::tests::TemporaryFolder folder;
@@ -207,7 +206,7 @@ TEST(ProxyCommand, SaysThatNoServerAnswers) {
       << alone.err;
 }
 
-TEST(ProxyCommand, SaysThatThePlaymakerIsMissing) {
+TEST(ProxyCommand, ReportsUnreachablePlaymaker) {
   cls::tests::TemporaryFolder folder;
   Command server({cls_binary(), "server", "--port", "0", "--dir", folder.path()});
   const std::string port = port_in(server);
@@ -217,7 +216,7 @@ TEST(ProxyCommand, SaysThatThePlaymakerIsMissing) {
   EXPECT_NE(alone.err.find("localhost:1"), std::string::npos) << alone.err;
 }
 
-TEST(ProxyCommand, TakesTheOptionsOfUpstreamsStartScript) {
+TEST(ProxyCommand, AcceptsOptionsOfUpstreamStartScript) {
   Command proxy({cls_binary(),
                  "proxy",
                  "-h",
@@ -267,40 +266,41 @@ TEST(ProxyCommand, TakesTheOptionsOfUpstreamsStartScript) {
   const auto ended = proxy.finish();
   EXPECT_EQ(ended.exit_code, 69) << ended.err;
   for (const char* option : {"--offline-logging", "--debug", "--team-graphic", "--log-dir"}) {
-    EXPECT_NE(ended.err.find("cls: warning: " + std::string(option) + " does nothing here\n"),
+    EXPECT_NE(ended.err.find("cls: warning: " + std::string(option) + " has no effect\n"),
               std::string::npos)
         << ended.err;
   }
   EXPECT_EQ(std::count(ended.err.begin(), ended.err.end(), '\n'), 12 + 1) << ended.err;
 }
 
-TEST(ProxyCommand, MistakesAreUsageErrors) {
+TEST(ProxyCommand, ReportsUsageErrors) {
   EXPECT_EQ(run({cls_binary(), "proxy", "--rpc-type", "thrift"}).exit_code, 2);
   EXPECT_EQ(run({cls_binary(), "proxy", "-t", "much_too_long_a_name"}).exit_code, 2);
   EXPECT_EQ(run({cls_binary(), "proxy", "-u", "12", "-C"}).exit_code, 2);
   EXPECT_EQ(run({cls_binary(), "proxy", "--rpc-prot", "1"}).exit_code, 2);
   const auto formation = run({cls_binary(), "proxy", "--formation", "no/such/folder"});
   EXPECT_EQ(formation.exit_code, 2);
-  EXPECT_NE(formation.err.find("no/such/folder: no before-kick-off.formation"), std::string::npos)
+  EXPECT_NE(formation.err.find("no/such/folder: missing before-kick-off.formation"),
+            std::string::npos)
       << formation.err;
   EXPECT_EQ(run({cls_binary(), "proxy", "--debug-log", "no/such/folder"}).exit_code, 2);
 }
 
-TEST(ProxyCommand, TakesOverAPlayerWhoLostHisConnection) {
+TEST(ProxyCommand, ReconnectsDisconnectedPlayer) {
   cls::tests::TemporaryFolder folder;
   Command server({cls_binary(), "server", "--port", "0", "--dir", folder.path(),
                   "server::connect_wait=100000", "server::synch_mode=on"});
   const std::string port = port_in(server);
   Command mock({cls_binary(), "mock"});
-  const std::vector<std::string> words = {cls_binary(), "proxy",      "-p",          port, "-t",
-                                          "Reds",       "--rpc-port", port_in(mock), "-n", "2"};
-  Command first(words);
+  const std::vector<std::string> argv = {cls_binary(), "proxy",      "-p",          port, "-t",
+                                         "Reds",       "--rpc-port", port_in(mock), "-n", "2"};
+  Command first(argv);
   ASSERT_TRUE(
       first.wait_for_output("Reds plays on the left in synchronous mode, players 1 to 2\n"));
   first.send_signal(SIGTERM);
   const auto left = first.finish();
   EXPECT_EQ(left.exit_code, 143) << left.err;
-  auto again = words;
+  auto again = argv;
   again.insert(again.end(), {"--reconnect"});
   Command second(again);
   ASSERT_TRUE(

@@ -1,4 +1,4 @@
-// The logs of `cls server` beside those of the real server, of the same match cycle by cycle.
+// Compares the logs of `cls server` with those of rcssserver for the same match, cycle by cycle.
 #include <gtest/gtest.h>
 #include <signal.h>
 
@@ -12,7 +12,7 @@
 #include "tests/support/command.h"
 #include "tests/support/files.h"
 #include "tests/support/rcg_lines.h"
-#include "tests/support/real_server.h"
+#include "tests/support/rcssserver.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/udp_client.h"
 
@@ -21,35 +21,35 @@ namespace {
 
 namespace fs = std::filesystem;
 
-using Words = std::vector<std::string>;
+using Arguments = std::vector<std::string>;
 
-/// What is sent before a cycle ends.
+/// Messages sent before the end of a cycle.
 struct Cycle {
-  Words trainer;
+  Arguments trainer;
   std::string left;
   std::string right;
 };
 
-/// A server with a player a side and a trainer, in synchronous mode, so that every cycle has just
-/// the commands it is given.
+/// A server with one player per side and a trainer, in synchronous mode, so that each cycle has
+/// exactly the given commands.
 class ScriptedServer {
  public:
-  ScriptedServer(Words command, const Words& settings) {
+  ScriptedServer(Arguments command, const Arguments& settings) {
     for (int& port : ports_) port = free_udp_port();
     const std::string path = folder_.path();
-    for (const std::string& word :
-         Words{"server::port=" + std::to_string(ports_[0]),
-               "server::coach_port=" + std::to_string(ports_[1]),
-               "server::olcoach_port=" + std::to_string(ports_[2]), "server::synch_mode=on",
-               "server::coach_w_referee=on", "server::ball_rand=0", "server::player_rand=0",
-               "server::kick_rand=0", "server::wind_rand=0", "server::wind_force=0",
-               "player::player_types=1", "player::random_seed=1", "server::game_log_dated=off",
-               "server::text_log_dated=off", "server::keepaway_log_dated=off"}) {
-      command.push_back(word);
+    for (const std::string& argument :
+         Arguments{"server::port=" + std::to_string(ports_[0]),
+                   "server::coach_port=" + std::to_string(ports_[1]),
+                   "server::olcoach_port=" + std::to_string(ports_[2]), "server::synch_mode=on",
+                   "server::coach_w_referee=on", "server::ball_rand=0", "server::player_rand=0",
+                   "server::kick_rand=0", "server::wind_rand=0", "server::wind_force=0",
+                   "player::player_types=1", "player::random_seed=1", "server::game_log_dated=off",
+                   "server::text_log_dated=off", "server::keepaway_log_dated=off"}) {
+      command.push_back(argument);
     }
     command.insert(command.end(), settings.begin(), settings.end());
     server_ = std::make_unique<Command>(
-        command, Words{"RCSS_CONF_DIR=" + path + "/conf", "USER=nobody"}, path);
+        command, Arguments{"RCSS_CONF_DIR=" + path + "/conf", "USER=nobody"}, path);
     wait_for_start();
     left_ = join("(init A (version 18))", ports_[0]);
     right_ = join("(init B (version 18))", ports_[0]);
@@ -66,7 +66,7 @@ class ScriptedServer {
     await_think();
   }
 
-  /// Ends it; the log of that kind.
+  /// Stops the server; returns the log with this file name ending.
   std::string log(const std::string& ending) {
     server_->send_signal(SIGINT);
     server_->finish();
@@ -96,7 +96,7 @@ class ScriptedServer {
     return client;
   }
 
-  // While others joined, cycles have passed without an answer of who was there first.
+  // While later clients connected, cycles passed without commands of the earlier ones.
   void settle() {
     for (int i = 0; i < 3; ++i) {
       await_think();
@@ -123,7 +123,7 @@ class ScriptedServer {
   static void wait_for(const std::string& start, UdpClient& client) {
     for (;;) {
       const std::string message = client.wait(kPatience);
-      if (message.empty()) throw std::runtime_error("nobody says " + start);
+      if (message.empty()) throw std::runtime_error("no message starts with " + start);
       if (message.starts_with(start)) return;
     }
   }
@@ -136,40 +136,41 @@ class ScriptedServer {
   std::unique_ptr<UdpClient> trainer_;
 };
 
-std::string log_of(const Words& command, const Words& settings, const std::vector<Cycle>& match,
-                   const std::string& ending) {
+std::string log_of(const Arguments& command, const Arguments& settings,
+                   const std::vector<Cycle>& match, const std::string& ending) {
   ScriptedServer server(command, settings);
   for (const Cycle& cycle : match) server.play(cycle);
   return server.log(ending);
 }
 
-const Words kOurs = {cls_binary(), "server"};
+const Arguments kOwnTeam = {cls_binary(), "server"};
 
-/// The ball leaves the area, a taker has it, and has it at the moment when it leaves.
+/// The ball leaves the area; a taker has it; a taker has it when it leaves.
 std::vector<Cycle> three_episodes() {
   std::vector<Cycle> match(30);
   match[1].trainer = {"(start)"};
   match[8].trainer = {"(move (ball) 10.5 0)"};
-  const Words taken = {"(move (ball) 0 0)", "(move (player B 1) 0.6 0)", "(move (player A 1) 8 8)"};
+  const Arguments taken = {"(move (ball) 0 0)", "(move (player B 1) 0.6 0)",
+                           "(move (player A 1) 8 8)"};
   for (std::size_t i = 12; i < 17; ++i) match[i].trainer = taken;
   for (std::size_t i = 20; i < 24; ++i) match[i].trainer = taken;
   match[24].trainer = {"(move (ball) 0 12)"};
   return match;
 }
 
-TEST(KeepawayLogs, TellEpisodesAndWhatEndedThem) {
-  const std::string log = log_of(kOurs, {"server::keepaway=on"}, three_episodes(), ".kwy");
+TEST(KeepawayLogs, RecordEpisodesAndTheirEnds) {
+  const std::string log = log_of(kOwnTeam, {"server::keepaway=on"}, three_episodes(), ".kwy");
   EXPECT_TRUE(log.starts_with("# Keepers: 1\n# Takers:  1\n# Region:  20 x 20\n#\n")) << log;
   EXPECT_TRUE(std::regex_search(log, std::regex("\n1\t0\t(\\d+)\t\\1\to\n2\t\\1\t\\d+\t\\d+\tt\n3\t"
                                                 "\\d+\t\\d+\t\\d+\to\n$")))
       << log;
 }
 
-TEST(KeepawayLogs, AreThoseOfTheRealServer) {
-  if (real_server().empty()) GTEST_SKIP() << "no rcssserver on PATH nor in CLS_RCSSSERVER";
-  const Words keepaway = {"server::keepaway=on"};
-  EXPECT_EQ(log_of({real_server()}, keepaway, three_episodes(), ".kwy"),
-            log_of(kOurs, keepaway, three_episodes(), ".kwy"));
+TEST(KeepawayLogs, MatchRcssserver) {
+  if (rcssserver_program().empty()) GTEST_SKIP() << "no rcssserver on PATH nor in CLS_RCSSSERVER";
+  const Arguments keepaway = {"server::keepaway=on"};
+  EXPECT_EQ(log_of({rcssserver_program()}, keepaway, three_episodes(), ".kwy"),
+            log_of(kOwnTeam, keepaway, three_episodes(), ".kwy"));
 }
 
 std::vector<Cycle> short_match() {
@@ -187,9 +188,9 @@ std::vector<Cycle> short_match() {
   return match;
 }
 
-/// What may differ: the date, the ports, how long the servers waited for clients, the body of who
-/// never came, and commands, behind which the real server leaves the end of a longer one before.
-Words without_circumstances(std::string log) {
+/// May differ: date, ports, waiting time for clients, body of players that never connected, and
+/// commands, after which rcssserver leaves the end of a longer previous one.
+Arguments without_circumstances(std::string log) {
   for (const auto& [pattern, text] : std::vector<std::pair<const char*, const char*>>{
            {"\\(result [0-9]+ ", "(result DATE "},
            {"\"timestamp\":\"[^\"]*\"", "\"timestamp\":\"DATE\""},
@@ -199,15 +200,15 @@ Words without_circumstances(std::string log) {
            {"(coach_port|olcoach_port|port)( |\":)[0-9]+", "$1$2PORT"}}) {
     log = std::regex_replace(log, std::regex(pattern), text);
   }
-  Words lines;
+  Arguments lines;
   for (const std::string_view line : split_lines(log)) {
     if (line.find("Recv ") == line.npos) lines.emplace_back(line);
   }
   return lines;
 }
 
-TEST(GameLogMessages, HoldCommandsAndWords) {
-  const std::string log = log_of(kOurs, {"server::record_messages=on"}, short_match(), ".rcg");
+TEST(GameLogMessages, ContainCommandsAndRefereeMessages) {
+  const std::string log = log_of(kOwnTeam, {"server::record_messages=on"}, short_match(), ".rcg");
   for (const char* line :
        {"(msg 0 2 \"Recv A_1: (init A (version 18))\")\n", "(msg 0 1 \"(referee kick_off_l)\")\n",
         "2 \"Recv Coach: (start)\")\n", "2 \"Recv B_1: (pointto 10 20)(attentionto opp 1)\")\n",
@@ -218,12 +219,12 @@ TEST(GameLogMessages, HoldCommandsAndWords) {
 
 class GameLogVersions : public testing::TestWithParam<int> {};
 
-TEST_P(GameLogVersions, AreThoseOfTheRealServer) {
-  if (real_server().empty()) GTEST_SKIP() << "no rcssserver on PATH nor in CLS_RCSSSERVER";
-  const Words settings = {"server::game_log_version=" + std::to_string(GetParam()),
-                          "server::record_messages=on"};
-  EXPECT_EQ(without_circumstances(log_of({real_server()}, settings, short_match(), ".rcg")),
-            without_circumstances(log_of(kOurs, settings, short_match(), ".rcg")));
+TEST_P(GameLogVersions, MatchRcssserver) {
+  if (rcssserver_program().empty()) GTEST_SKIP() << "no rcssserver on PATH nor in CLS_RCSSSERVER";
+  const Arguments settings = {"server::game_log_version=" + std::to_string(GetParam()),
+                              "server::record_messages=on"};
+  EXPECT_EQ(without_circumstances(log_of({rcssserver_program()}, settings, short_match(), ".rcg")),
+            without_circumstances(log_of(kOwnTeam, settings, short_match(), ".rcg")));
 }
 
 INSTANTIATE_TEST_SUITE_P(Text, GameLogVersions, testing::Values(4, 5, 6, -1));

@@ -1,4 +1,4 @@
-// Teams that `cls server` starts itself: server::team_l_start and team_r_start.
+// Teams started by `cls server`: server::team_l_start and team_r_start.
 #include <gtest/gtest.h>
 #include <signal.h>
 
@@ -20,22 +20,22 @@ constexpr std::chrono::seconds kSoon{20};
 
 std::string fake_player() { return cls_binary().parent_path() / "cls_fake_player"; }
 
-/// A team of one who finds the server by what it is told.
+/// A team of one player, which gets the address of the server from its arguments.
 std::string team(const std::string& name) {
   return fake_player() + " --name " + name + " --port $CLS_SERVER_PORT";
 }
 
 class ServerTeams : public testing::Test {
  protected:
-  Command serve(std::vector<std::string> words) const {
+  Command serve(std::vector<std::string> argv) const {
     std::vector<std::string> command = {cls_binary(), "server", "--port",
                                         "0",          "--dir",  folder.path()};
-    command.insert(command.end(), words.begin(), words.end());
+    command.insert(command.end(), argv.begin(), argv.end());
     return Command(command,
                    {std::string(kMarkVariable) + "=" + mark, "RCSS_CONF_DIR=/nonexistent"});
   }
 
-  /// Path of an executable file with this text.
+  /// Creates an executable file with this text; returns its path.
   std::string script(const std::string& text) const {
     const std::filesystem::path path = folder.path() / "start.sh";
     std::ofstream(path) << "#!/bin/sh\n" << text;
@@ -49,7 +49,7 @@ class ServerTeams : public testing::Test {
   const std::string mark = new_mark();
 };
 
-TEST_F(ServerTeams, PlayAMatchAndAreGoneWithTheServer) {
+TEST_F(ServerTeams, PlayMatchAndStopWithServer) {
   Command server = serve({"server::team_l_start=" + team("Reds"),
                           "server::team_r_start=echo the right one comes; " + team("Blues"),
                           "server::synch_mode=on", "server::auto_mode=on",
@@ -57,7 +57,7 @@ TEST_F(ServerTeams, PlayAMatchAndAreGoneWithTheServer) {
   const auto served = server.finish();
   EXPECT_EQ(served.exit_code, 0) << served.err;
   EXPECT_TRUE(nobody_left());
-  // The first to connect is the left team: the right one waits for it.
+  // The first team to connect is the left one: the right one waits for it.
   std::size_t at = 0;
   for (const std::string& line :
        {"Starting \"/bin/sh -c " + team("Reds") + "\"\n",
@@ -73,9 +73,9 @@ TEST_F(ServerTeams, PlayAMatchAndAreGoneWithTheServer) {
   EXPECT_EQ(served.err, "");
 }
 
-TEST_F(ServerTeams, AreInterruptedFirstAndThenEndedWhateverTheyDo) {
+TEST_F(ServerTeams, ReceiveSigintThenSigkill) {
   const std::string note = folder.path() / "note";
-  // What the command leaves behind ignores what it can.
+  // The remaining process ignores all signals that can be ignored.
   const std::string start = script(
       "(trap '' INT TERM; while true; do sleep 1; done) &\n"
       "trap 'echo interrupted >" +
@@ -93,7 +93,7 @@ TEST_F(ServerTeams, AreInterruptedFirstAndThenEndedWhateverTheyDo) {
   EXPECT_EQ(served.err, "");
 }
 
-TEST_F(ServerTeams, AreGoneWhenTheServerIsKilled) {
+TEST_F(ServerTeams, StopWhenServerIsKilled) {
   const std::string start = script("trap '' INT TERM\necho up\nwhile true; do sleep 1; done\n");
   Command server = serve({"server::team_l_start=" + start});
   ASSERT_TRUE(server.wait_for_output("\nup\n"));
@@ -102,7 +102,7 @@ TEST_F(ServerTeams, AreGoneWhenTheServerIsKilled) {
   EXPECT_TRUE(nobody_left());
 }
 
-TEST_F(ServerTeams, AFailedCommandIsOneLineAndIsNotRepeated) {
+TEST_F(ServerTeams, ReportFailedCommandOnce) {
   const std::string runs = folder.path() / "runs";
   Command server = serve({"server::team_l_start=echo x >>" + runs + "; exit 3",
                           "server::team_r_start=echo y >>" + runs, "server::synch_mode=on",
@@ -111,7 +111,7 @@ TEST_F(ServerTeams, AFailedCommandIsOneLineAndIsNotRepeated) {
   const auto served = server.finish();
   EXPECT_EQ(served.exit_code, 0) << served.err;
   EXPECT_EQ(served.err, "cls: team_l_start: 'echo x >>" + runs + "; exit 3' failed: exit code 3\n");
-  EXPECT_EQ(read_file(runs), "x\n");  // without a left team no right one
+  EXPECT_EQ(read_file(runs), "x\n");  // without a left team the right one is not started
 }
 
 }  // namespace

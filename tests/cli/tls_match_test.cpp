@@ -1,4 +1,4 @@
-// Matches with a Playmaker behind TLS, as a user starts them.
+// End-to-end tests of matches with a Playmaker over TLS.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/proxy/playmaker_server.h"
+#include "tests/proxy/playmaker/playmaker_server.h"
 #include "tests/support/certificates.h"
 #include "tests/support/command.h"
 #include "tests/support/files.h"
@@ -21,7 +21,7 @@ using cls::tests::CommandResult;
 using cls::tests::GameService;
 using cls::tests::Identity;
 using cls::tests::PlaymakerServer;
-using Words = std::vector<std::string>;
+using Arguments = std::vector<std::string>;
 
 class TlsMatch : public testing::Test {
  protected:
@@ -36,18 +36,18 @@ class TlsMatch : public testing::Test {
     options.pem_key_cert_pairs.push_back({identity.key, identity.certificate});
     return grpc::SslServerCredentials(options);
   }
-  CommandResult play(const Words& more, const Words& environment = {}) const {
-    Words words = {cls::tests::cls_binary(),
-                   "match",
-                   "mock:hold",
-                   "--cycles",
-                   "10",
-                   "--set",
-                   "server::kick_off_wait=3",
-                   "--dir",
-                   folder_.path() / "match"};
-    words.insert(words.end(), more.begin(), more.end());
-    return cls::tests::run(words, environment);
+  CommandResult play(const Arguments& more, const Arguments& environment = {}) const {
+    Arguments argv = {cls::tests::cls_binary(),
+                      "match",
+                      "mock:hold",
+                      "--cycles",
+                      "10",
+                      "--set",
+                      "server::kick_off_wait=3",
+                      "--dir",
+                      folder_.path() / "match"};
+    argv.insert(argv.end(), more.begin(), more.end());
+    return cls::tests::run(argv, environment);
   }
 
   cls::tests::TemporaryFolder folder_;
@@ -57,7 +57,7 @@ class TlsMatch : public testing::Test {
   const std::string address_ = "127.0.0.1:" + std::to_string(server_.port());
 };
 
-TEST_F(TlsMatch, PlaysWithTheAuthorityFromAnOptionOrTheEnvironment) {
+TEST_F(TlsMatch, UsesCaFromOptionOrEnvironment) {
   const std::string authority = file("ca.pem", authority_.certificate());
   const CommandResult played = play({"tls:" + address_, "--tls-ca", authority});
   EXPECT_EQ(played.exit_code, 0) << played.err;
@@ -66,42 +66,42 @@ TEST_F(TlsMatch, PlaysWithTheAuthorityFromAnOptionOrTheEnvironment) {
   EXPECT_EQ(again.exit_code, 0) << again.err;
 }
 
-TEST_F(TlsMatch, TellsWhatIsWrongInOneLine) {
+TEST_F(TlsMatch, ReportsTlsErrorsInOneLine) {
   const CommandResult untrusted = play({"tls:" + address_});
   EXPECT_EQ(untrusted.exit_code, 69);
   EXPECT_NE(untrusted.err.find("(tls:" + address_ + "): player 1: " + address_ +
-                               ": its certificate is not trusted"),
+                               ": the certificate is not trusted"),
             std::string::npos)
       << untrusted.err;
   const CommandResult plain = play({address_, "--start-timeout", "1"});
   EXPECT_EQ(plain.exit_code, 69);
-  EXPECT_NE(plain.err.find("it speaks TLS (say tls:" + address_ + ")"), std::string::npos)
+  EXPECT_NE(plain.err.find("the Playmaker uses TLS; use tls:" + address_), std::string::npos)
       << plain.err;
 }
 
-TEST_F(TlsMatch, FilesThatAreNoneAreNamed) {
-  const auto refused = [&](const Words& more) {
-    Words words = {"tls:" + address_};
-    words.insert(words.end(), more.begin(), more.end());
-    return play(words);
+TEST_F(TlsMatch, ReportsInvalidPemFiles) {
+  const auto refused = [&](const Arguments& more) {
+    Arguments argv = {"tls:" + address_};
+    argv.insert(argv.end(), more.begin(), more.end());
+    return play(argv);
   };
   const CommandResult missing = refused({"--tls-ca", "no/such.pem"});
   EXPECT_EQ(missing.exit_code, 66);
-  EXPECT_EQ(missing.err, "cls: --tls-ca: no/such.pem: cannot be read\n");
+  EXPECT_EQ(missing.err, "cls: --tls-ca: no/such.pem: cannot read\n");
   const std::string text = file("text", "not a certificate\n");
   const CommandResult wrong = refused({"--tls-ca", text});
   EXPECT_EQ(wrong.exit_code, 65);
   EXPECT_EQ(wrong.err, "cls: --tls-ca: " + text + ": no CERTIFICATE in PEM form\n");
   const CommandResult half = refused({"--tls-cert", file("a.pem", authority_.certificate())});
   EXPECT_EQ(half.exit_code, 2);
-  EXPECT_EQ(half.err, "cls: --tls-cert and --tls-key go together\n");
+  EXPECT_EQ(half.err, "cls: --tls-cert and --tls-key require each other\n");
 }
 
-TEST_F(TlsMatch, OtherCommandsTakeTheSameForms) {
+TEST_F(TlsMatch, OtherCommandsAcceptTlsEndpoints) {
   const std::string authority = file("ca.pem", authority_.certificate());
-  const auto run = [&](const Words& words) {
-    Words all = {cls::tests::cls_binary()};
-    all.insert(all.end(), words.begin(), words.end());
+  const auto run = [&](const Arguments& argv) {
+    Arguments all = {cls::tests::cls_binary()};
+    all.insert(all.end(), argv.begin(), argv.end());
     return cls::tests::run(all, {"CLS_TLS_CA=" + authority});
   };
   const CommandResult doctor = run({"doctor", "--playmaker", "tls:" + address_});

@@ -1,4 +1,4 @@
-// `cls tournament`, `cls init` as a user meets them: short matches of mocks, real processes.
+// End-to-end tests of `cls tournament` and `cls init`: short matches of mocks in processes.
 #include <gtest/gtest.h>
 #include <signal.h>
 
@@ -23,7 +23,7 @@ using cls::tests::cls_binary;
 using cls::tests::Command;
 using cls::tests::CommandResult;
 using nlohmann::json;
-using Words = std::vector<std::string>;
+using Arguments = std::vector<std::string>;
 
 class Tournament : public testing::Test {
  protected:
@@ -39,11 +39,11 @@ class Tournament : public testing::Test {
                                          "[teams.HOLD]\nendpoint = \"mock:hold\"\n";
   }
 
-  static Words words(Words arguments) {
+  static Arguments argv(Arguments arguments) {
     arguments.insert(arguments.begin(), {cls_binary(), "tournament"});
     return arguments;
   }
-  CommandResult tournament(Words arguments) const { return cls::tests::run(words(arguments)); }
+  CommandResult tournament(Arguments arguments) const { return cls::tests::run(argv(arguments)); }
 
   json report() const { return json::parse(tournament({"report", cup(), "--format", "json"}).out); }
 
@@ -52,7 +52,7 @@ class Tournament : public testing::Test {
   cls::tests::TemporaryFolder folder_;
 };
 
-TEST_F(Tournament, IsPlayedAndReported) {
+TEST_F(Tournament, PlaysAndReports) {
   const CommandResult played = tournament({"run", cup()});
   EXPECT_EQ(played.exit_code, 0) << played.err;
   EXPECT_EQ(played.err, "");
@@ -78,7 +78,7 @@ TEST_F(Tournament, IsPlayedAndReported) {
   EXPECT_TRUE(status["complete"]);
 }
 
-TEST_F(Tournament, ThePlanIsListedWithoutPlaying) {
+TEST_F(Tournament, PlanListsFixtures) {
   const CommandResult listed = tournament({"plan", cup(), "--rounds", "2", "--json"});
   EXPECT_EQ(listed.exit_code, 0) << listed.err;
   const json document = json::parse(listed.out);
@@ -89,7 +89,7 @@ TEST_F(Tournament, ThePlanIsListedWithoutPlaying) {
   EXPECT_NE(text.out.find("round-robin, 3 teams, seed 1: 6 matches\n"), std::string::npos);
 }
 
-TEST_F(Tournament, AnotherPlanInTheFolderIsRefusedUntilForced) {
+TEST_F(Tournament, RejectsDifferentPlanWithoutForce) {
   write_config("format = \"gauntlet\"\ngauntlet = [\"RED\"]\n");
   ASSERT_EQ(tournament({"run", cup()}).exit_code, 0);
   const CommandResult refused = tournament({"run", cup(), "--rounds", "2"});
@@ -107,7 +107,7 @@ TEST_F(Tournament, AnotherPlanInTheFolderIsRefusedUntilForced) {
   fs::remove_all(old);
 }
 
-TEST_F(Tournament, MistakesAreToldWithTheirPlace) {
+TEST_F(Tournament, ReportsErrorsWithLocation) {
   write_config("ronds = 3\n");
   const CommandResult unknown = tournament({"plan", cup()});
   EXPECT_EQ(unknown.exit_code, 78);
@@ -123,14 +123,14 @@ TEST_F(Tournament, MistakesAreToldWithTheirPlace) {
   EXPECT_EQ(tournament({"rn", cup()}).exit_code, 2);
 }
 
-TEST_F(Tournament, WorkPlaysOneMatchAndRunTakesItUp) {
+TEST_F(Tournament, RunCollectsResultOfWork) {
   const CommandResult worked = tournament({"work", cup(), "--index", "4"});
   EXPECT_EQ(worked.exit_code, 0) << worked.err;
   const fs::path result = cup() / "results" / "000004.1.json";
   ASSERT_TRUE(fs::exists(result));
   const auto written = fs::last_write_time(result);
   EXPECT_EQ(tournament({"work", cup(), "--index", "4"}).exit_code, 0);
-  EXPECT_EQ(fs::last_write_time(result), written) << "it is not played again";
+  EXPECT_EQ(fs::last_write_time(result), written) << "it is not repeated";
   EXPECT_EQ(json::parse(tournament({"status", cup(), "--json"}).out)["finished"], 1);
   EXPECT_EQ(tournament({"work", cup(), "--index", "7"}).exit_code, 66);
   ASSERT_EQ(tournament({"run", cup()}).exit_code, 0);
@@ -139,11 +139,11 @@ TEST_F(Tournament, WorkPlaysOneMatchAndRunTakesItUp) {
   EXPECT_EQ(document["counts"]["finished"], 6);
 }
 
-TEST_F(Tournament, AFaultEndsItWithOneUnlessToldOtherwise) {
+TEST_F(Tournament, StopsOnFaultUnlessConfiguredOtherwise) {
   std::ofstream(cup() / "cls.toml", std::ios::app)
       << "[teams.GONE]\nendpoint = \"run:exit 3 # {port}\"\n";
-  const Words fast = {"--format", "gauntlet", "--gauntlet", "GONE"};
-  Words arguments = {"run", cup()};
+  const Arguments fast = {"--format", "gauntlet", "--gauntlet", "GONE"};
+  Arguments arguments = {"run", cup()};
   arguments.insert(arguments.end(), fast.begin(), fast.end());
   const CommandResult stopped = tournament(arguments);
   EXPECT_EQ(stopped.exit_code, 1);
@@ -158,7 +158,7 @@ TEST_F(Tournament, AFaultEndsItWithOneUnlessToldOtherwise) {
   EXPECT_EQ(document["standings"][3]["goals_against"], 18);
 }
 
-TEST_F(Tournament, HooksGetJsonOnTheirStandardInput) {
+TEST_F(Tournament, HooksReceiveJsonOnStdin) {
   const fs::path lines_file = cup() / "hooks.jsonl";
   const fs::path final_file = cup() / "final.json";
   const CommandResult played = tournament({"run", cup(), "--keep-logs", "none", "--on-match-finish",
@@ -176,24 +176,24 @@ TEST_F(Tournament, HooksGetJsonOnTheirStandardInput) {
   EXPECT_TRUE(fs::is_empty(cup() / "matches")) << "--keep-logs none";
 }
 
-TEST_F(Tournament, InterruptedItGoesOnWhereItEnded) {
+TEST_F(Tournament, ResumesAfterSigterm) {
   write_config("rounds = 3\n");
-  Command playing(words({"run", cup(), "--concurrency", "1"}));
+  Command playing(argv({"run", cup(), "--concurrency", "1"}));
   while (!fs::exists(cup() / "matches")) std::this_thread::sleep_for(10ms);
   std::this_thread::sleep_for(1s);
   playing.send_signal(SIGTERM);
   const CommandResult ended = playing.finish(5s);
   EXPECT_EQ(ended.exit_code, 143) << ended.err;
-  EXPECT_NE(ended.err.find("the same command goes on from here"), std::string::npos) << ended.err;
+  EXPECT_NE(ended.err.find("run the same command to resume"), std::string::npos) << ended.err;
   const CommandResult on = tournament({"run", cup()});
   EXPECT_EQ(on.exit_code, 0) << on.err;
   EXPECT_EQ(report()["counts"]["finished"], 18);
 }
 
-TEST_F(Tournament, StopEndsItAfterTheMatchesUnderWay) {
+TEST_F(Tournament, StopFinishesCurrentMatches) {
   write_config("rounds = 20\n");
   EXPECT_EQ(tournament({"stop", cup()}).exit_code, 66);
-  Command playing(words({"run", cup()}));
+  Command playing(argv({"run", cup()}));
   while (!fs::exists(cup() / "matches")) std::this_thread::sleep_for(10ms);
   const CommandResult second = tournament({"run", cup()});
   EXPECT_EQ(second.exit_code, 75) << second.err;
@@ -206,21 +206,21 @@ TEST_F(Tournament, StopEndsItAfterTheMatchesUnderWay) {
   EXPECT_FALSE(fs::exists(cup() / "stop"));
 }
 
-// Killed at random moments; CLS_FULL asks for all twenty.
-TEST_F(Tournament, KillNineLosesOnlyMatchesInFlight) {
+// Killed at random times; CLS_FULL runs all 20.
+TEST_F(Tournament, SigkillLosesOnlyCurrentMatches) {
   const int kills = std::getenv("CLS_FULL") != nullptr ? 20 : 3;
   write_config("rounds = 3\n");
   const std::string mark = cls::tests::new_mark();
-  const Words environment = {std::string(cls::tests::kMarkVariable) + "=" + mark};
+  const Arguments environment = {std::string(cls::tests::kMarkVariable) + "=" + mark};
   std::uint32_t random = 12345;
   std::map<int, std::string> finished;
   for (int kill = 0; kill < kills; ++kill) {
-    Command playing(words({"run", cup()}), environment);
+    Command playing(argv({"run", cup()}), environment);
     random = random * 1664525u + 1013904223u;
     std::this_thread::sleep_for(std::chrono::milliseconds(50 + random / 4294968));
     playing.send_signal(SIGKILL);
     playing.finish();
-    EXPECT_TRUE(cls::tests::all_marked_gone(mark, 3s)) << "nothing outlives it";
+    EXPECT_TRUE(cls::tests::all_marked_gone(mark, 3s)) << "no process survives";
     if (!fs::exists(cup() / "tournament.db")) continue;
     for (const json& match : report()["matches"]) {
       if (match["end_reason"].is_null()) continue;
@@ -243,12 +243,12 @@ TEST_F(Tournament, KillNineLosesOnlyMatchesInFlight) {
   EXPECT_EQ(cls::tests::outcome_of(broken), cls::tests::outcome_of(json::parse(unbroken.out)));
 }
 
-TEST_F(Tournament, TeamNamesAreSidesOfAMatch) {
-  const Words base = {cls_binary(), "match", "--config", cup() / "cls.toml",        "--json",
-                      "--cycles",   "20",    "--set",    "server::kick_off_wait=2", "--dir",
-                      cup() / "m"};
+TEST_F(Tournament, MatchAcceptsTeamNamesAsSides) {
+  const Arguments base = {cls_binary(), "match", "--config", cup() / "cls.toml",        "--json",
+                          "--cycles",   "20",    "--set",    "server::kick_off_wait=2", "--dir",
+                          cup() / "m"};
   const auto match = [&](const std::string& left, const std::string& right) {
-    Words arguments = base;
+    Arguments arguments = base;
     arguments.insert(arguments.begin() + 2, {left, right});
     return cls::tests::run(arguments);
   };
@@ -266,7 +266,7 @@ TEST_F(Tournament, TeamNamesAreSidesOfAMatch) {
   EXPECT_EQ(match("RED", "HOLD").exit_code, 78);
 }
 
-TEST_F(Tournament, ReportsComeInSixFormats) {
+TEST_F(Tournament, ReportsInSixFormats) {
   ASSERT_EQ(tournament({"run", cup(), "--keep-logs", "none"}).exit_code, 0);
   const auto report_as = [&](const std::string& format) {
     const CommandResult written = tournament({"report", cup(), "--format", format});
@@ -291,7 +291,7 @@ TEST_F(Tournament, ReportsComeInSixFormats) {
   EXPECT_EQ(cls::tests::read_file(file), report_as("md"));
 }
 
-TEST_F(Tournament, JUnitTellsWhoseFaultAnInvalidMatchIs) {
+TEST_F(Tournament, JUnitNamesSideAtFault) {
   std::ofstream(cup() / "cls.toml", std::ios::app)
       << "[teams.GONE]\nendpoint = \"run:exit 3 # {port}\"\n";
   ASSERT_EQ(tournament({"run", cup(), "--on-crash", "rerun", "--max-reruns", "0"}).exit_code, 1);
@@ -309,10 +309,11 @@ TEST_F(Tournament, JUnitTellsWhoseFaultAnInvalidMatchIs) {
   EXPECT_EQ(valid.exit_code, 0) << valid.err;
 }
 
-TEST_F(Tournament, CompareStopsAsSoonAsTheAnswerIsKnown) {
-  // Nobody scores in so few cycles: a great difference is soon ruled out.
-  const Words base = {cls_binary(), "compare",   "RED",    "HOLD", "--config", cup() / "cls.toml",
-                      "--dir",      cup() / "c", "--elo1", "400",  "--json"};
+TEST_F(Tournament, CompareStopsWhenDecided) {
+  // No goals in so few cycles: a large difference is soon ruled out.
+  const Arguments base = {
+      cls_binary(), "compare",   "RED",    "HOLD", "--config", cup() / "cls.toml",
+      "--dir",      cup() / "c", "--elo1", "400",  "--json"};
   const CommandResult compared = cls::tests::run(base);
   EXPECT_EQ(compared.exit_code, 1) << compared.err;
   const json document = json::parse(compared.out);
@@ -324,23 +325,24 @@ TEST_F(Tournament, CompareStopsAsSoonAsTheAnswerIsKnown) {
   const auto played = document["matches"].size();
   EXPECT_LT(played, 40u);
   const CommandResult again = cls::tests::run(base);
-  EXPECT_EQ(json::parse(again.out)["matches"].size(), played) << "it is known already";
-  Words undecided = base;
+  EXPECT_EQ(json::parse(again.out)["matches"].size(), played) << "already decided";
+  Arguments undecided = base;
   undecided[7] = (cup() / "d").string();
   undecided.insert(undecided.end(), {"--opponents", "BLUE", "--max-pairs", "1"});
   const CommandResult open = cls::tests::run(undecided);
   EXPECT_EQ(open.exit_code, 1) << open.err;
   EXPECT_EQ(json::parse(open.out)["verdict"], "undecided");
   EXPECT_EQ(json::parse(open.out)["matches"].size(), 4u);
-  for (const Words& mistake : {Words{"--elo0", "50", "--elo1", "10"}, Words{"--alpha", "0.7"},
-                               Words{"--opponents", "RED"}, Words{"--elo2", "1"}}) {
-    Words arguments = base;
-    arguments.insert(arguments.end(), mistake.begin(), mistake.end());
-    EXPECT_EQ(cls::tests::run(arguments).exit_code, 2) << mistake[0];
+  for (const Arguments& error :
+       {Arguments{"--elo0", "50", "--elo1", "10"}, Arguments{"--alpha", "0.7"},
+        Arguments{"--opponents", "RED"}, Arguments{"--elo2", "1"}}) {
+    Arguments arguments = base;
+    arguments.insert(arguments.end(), error.begin(), error.end());
+    EXPECT_EQ(cls::tests::run(arguments).exit_code, 2) << error[0];
   }
 }
 
-TEST(Init, WritesAFileThatCanBePlayedAndReplacesNone) {
+TEST(Init, WritesPlayableConfigAndOverwritesNone) {
   cls::tests::TemporaryFolder folder;
   const fs::path cup = folder.path() / "cup";
   const CommandResult made = cls::tests::run({cls_binary(), "init", cup});
@@ -350,7 +352,7 @@ TEST(Init, WritesAFileThatCanBePlayedAndReplacesNone) {
   EXPECT_EQ(listed.exit_code, 0) << listed.err;
   const CommandResult again = cls::tests::run({cls_binary(), "init", cup});
   EXPECT_EQ(again.exit_code, 73);
-  EXPECT_NE(again.err.find("exists already"), std::string::npos);
+  EXPECT_NE(again.err.find("exists; use --force to replace it"), std::string::npos);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// `cls tournament work`: tasks that are killed, repeated, and run twice at once.
+// `cls tournament work`: tasks that are killed, repeated and run concurrently.
 #include <gtest/gtest.h>
 #include <signal.h>
 
@@ -20,7 +20,7 @@ using cls::tests::cls_binary;
 using cls::tests::Command;
 using cls::tests::CommandResult;
 using nlohmann::json;
-using Words = std::vector<std::string>;
+using Arguments = std::vector<std::string>;
 
 class TournamentWork : public testing::Test {
  protected:
@@ -33,7 +33,7 @@ class TournamentWork : public testing::Test {
                                          "[teams.BLUE]\nendpoint = \"mock\"\n";
   }
 
-  Words work(int index) const {
+  Arguments work(int index) const {
     return {cls_binary(), "tournament", "work", cup(), "--index", std::to_string(index)};
   }
 
@@ -68,11 +68,11 @@ class TournamentWork : public testing::Test {
 
   cls::tests::TemporaryFolder folder_;
   const std::string mark_ = cls::tests::new_mark();
-  const Words environment_ = {std::string(cls::tests::kMarkVariable) + "=" + mark_};
+  const Arguments environment_ = {std::string(cls::tests::kMarkVariable) + "=" + mark_};
 };
 
-TEST_F(TournamentWork, TheSameMatchTwiceAtOnceHasOneResult) {
-  cls::tests::run(work(2));  // so that plan and schedule are there
+TEST_F(TournamentWork, StoresOneResultOfConcurrentRuns) {
+  cls::tests::run(work(2));  // creates plan and schedule
   fs::remove_all(cup() / "results");
   Command first(work(1));
   Command second(work(1));
@@ -84,7 +84,7 @@ TEST_F(TournamentWork, TheSameMatchTwiceAtOnceHasOneResult) {
   expect_whole(1);
 }
 
-TEST_F(TournamentWork, EndedInOrderItLeavesNothing) {
+TEST_F(TournamentWork, LeavesNoFilesAfterSigterm) {
   write_config(100000);
   Command working(work(1), environment_);
   wait_until_playing();
@@ -95,7 +95,7 @@ TEST_F(TournamentWork, EndedInOrderItLeavesNothing) {
   EXPECT_TRUE(cls::tests::all_marked_gone(mark_, 3s));
 }
 
-TEST_F(TournamentWork, KilledItIsRepeatedAndWhatItLeftIsRemoved) {
+TEST_F(TournamentWork, RepeatsAfterSigkillAndRemovesLeftovers) {
   cls::tests::run(work(2));
   fs::remove_all(cup() / "results");
   Command working(work(1), environment_);
@@ -110,7 +110,7 @@ TEST_F(TournamentWork, KilledItIsRepeatedAndWhatItLeftIsRemoved) {
   expect_whole(1);
 }
 
-TEST_F(TournamentWork, ABrokenResultIsReplaced) {
+TEST_F(TournamentWork, ReplacesInvalidResult) {
   fs::create_directories(cup() / "results");
   std::ofstream(cup() / "results/000001.1.json") << "{ half";
   EXPECT_EQ(cls::tests::run(work(1)).exit_code, 0);

@@ -1,4 +1,4 @@
-// One agent of a foreign team: joins, turns and lets the cycle pass, until its fault comes.
+// One agent of an external team: joins and turns every cycle until its fault.
 #include <chrono>
 #include <cstdio>
 #include <memory>
@@ -13,7 +13,7 @@ namespace {
 using namespace cls;
 using std::chrono::steady_clock;
 
-/// Talks to the server until it has been silent for five seconds, as real clients do.
+/// Plays until the server has sent nothing for 5 s.
 int play(const fakes::Flags& flags, soccer::UdpClients& clients, soccer::Channel& server) {
   std::string message;
   while (clients.wait_until(steady_clock::now() + std::chrono::seconds(5))) {

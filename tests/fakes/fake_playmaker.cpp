@@ -1,4 +1,4 @@
-// A Playmaker that plays the mock's simple team until it does the wrong thing that its flags name.
+// A Playmaker with the mock's simple team until the fault named by its flags.
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
@@ -6,19 +6,19 @@
 #include <string>
 #include <thread>
 
-#include "mock-server/behaviour.h"
+#include "mock-server/script/named_behaviors.h"
 #include "mock-server/server.h"
 #include "tests/fakes/flags.h"
 
 namespace {
 
 using cls::fakes::Flags;
-using cls::mock_server::Behaviour;
+using cls::mock_server::Behavior;
 
-/// Plays well until the cycle of its fault.
-class FaultyTeam : public Behaviour {
+/// Works until the cycle of its fault.
+class FaultyTeam : public Behavior {
  public:
-  FaultyTeam(std::unique_ptr<Behaviour> team, const Flags& flags)
+  FaultyTeam(std::unique_ptr<Behavior> team, const Flags& flags)
       : team_(std::move(team)), flags_(flags) {}
 
   void decide(const protos::State& state, protos::PlayerActions& actions) const override {
@@ -37,7 +37,7 @@ class FaultyTeam : public Behaviour {
     return flags_.has(fault) && cycle >= flags_.number(fault);
   }
 
-  std::unique_ptr<Behaviour> team_;
+  std::unique_ptr<Behavior> team_;
   const Flags& flags_;
 };
 
@@ -56,7 +56,7 @@ int main(int argc, char** argv) {
     cls::fakes::hang();
   }
   std::this_thread::sleep_for(std::chrono::milliseconds(flags.number("late-start-ms")));
-  auto team = cls::mock_server::make_behaviour("");
+  auto team = cls::mock_server::make_behavior("");
   if (!team) return 1;
   auto server = cls::mock_server::Server::start(
       std::make_unique<FaultyTeam>(std::move(*team), flags), "127.0.0.1",

@@ -1,4 +1,4 @@
-// A program that does what its arguments say, one after the other: prints, hangs, dies, forks, ...
+// A program that executes its arguments in sequence: prints, hangs, crashes, forks, ...
 #include <arpa/inet.h>
 #include <fcntl.h>
 #include <netinet/in.h>
@@ -22,7 +22,7 @@
 
 namespace {
 
-/// Arguments that are still to be carried out.
+/// The remaining arguments.
 class Script {
  public:
   Script(int argc, char** argv) : words_(argv + 1, argv + argc) {}
@@ -57,7 +57,7 @@ void say(const std::string& text) {
   while (true) ::pause();
 }
 
-// A process of a session of its own whose parent is gone at once, as daemons do.
+// A daemon: an orphan in its own session.
 void leave_grandchild(bool ignores_term) {
   const pid_t child = ::fork();
   if (child == 0) {
@@ -97,7 +97,7 @@ void print_descriptors() {
   say(text);
 }
 
-// Signals that are ignored or blocked here, which exec hands on.
+// Ignored and blocked signals, which exec preserves.
 void print_signals() {
   std::string text = "signals:";
   sigset_t blocked;
@@ -129,12 +129,12 @@ void become(const std::vector<std::string>& words) {
 
 using Action = std::function<void(Script&)>;
 
-// What the process was given: told on stdout.
+// Prints what the process inherited.
 const std::map<std::string, Action>& questions() {
   static const std::map<std::string, Action> table = {
       {"print-fds", [](Script&) { print_descriptors(); }},
       {"print-signals", [](Script&) { print_signals(); }},
-      {"print-cpus", [](Script&) { cls::fakes::print_processors(); }},
+      {"print-cpus", [](Script&) { cls::fakes::print_affinity(); }},
       {"print-folder", [](Script&) { say("folder: " + std::filesystem::current_path().string()); }},
       {"print-variable",
        [](Script& script) {
@@ -167,7 +167,7 @@ const std::map<std::string, Action>& actions() {
        }},
       {"flood",
        [](Script&) {
-         for (unsigned long i = 0;; ++i) std::printf("flood %lu of a line that goes on\n", i);
+         for (unsigned long i = 0;; ++i) std::printf("flood %lu of a line that continues\n", i);
        }},
       {"sleep",
        [](Script& script) {

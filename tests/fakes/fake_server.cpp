@@ -1,5 +1,5 @@
-// A soccer server that plays well until it does the wrong thing that its flags name. Takes the
-// options of rcssserver behind its flags, and prints what rcssserver prints.
+// A soccer server that works until the fault named by its flags. Takes the options of rcssserver
+// after its flags, and prints rcssserver's status lines.
 #include <atomic>
 #include <cstdio>
 #include <memory>
@@ -47,8 +47,8 @@ std::unique_ptr<simulator::UdpServer> open(const fakes::Flags& flags) {
   return std::move(*server);
 }
 
-void print_joined(const simulator::UdpServer& server, const simulator::UdpNotice& notice) {
-  if (notice.kind != simulator::UdpNotice::Kind::kConnected) return;
+void print_joined(const simulator::UdpServer& server, const simulator::UdpServerEvent& notice) {
+  if (notice.kind != simulator::UdpServerEvent::Kind::kConnected) return;
   if (!simulator::is_player(notice.client)) return;
   const auto name = server.world().team(soccer::side_of_slot(notice.client)).name.view();
   std::printf("A new (v%d) player (%.*s %d) connected.\n", notice.version,
@@ -77,7 +77,7 @@ int main(int argc, char** argv) {
   if (!game || !text) return 1;
   auto server = open(flags);
   server->record({game->get(), text->get()});
-  server->on_notice([&](const simulator::UdpNotice& notice) { print_joined(*server, notice); });
+  server->on_event([&](const simulator::UdpServerEvent& notice) { print_joined(*server, notice); });
   std::printf("Hit CTRL-C to exit\n");
   std::fflush(stdout);
   for (int i = 0; flags.has("flood") && i < 200'000; ++i) std::printf("the grass grows\n");

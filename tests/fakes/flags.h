@@ -1,4 +1,4 @@
-// `--NAME VALUE` pairs at the start of a fake program's command line, and common misbehaviour.
+// `--NAME VALUE` pairs at the start of a fake program's command line, and common faults.
 #pragma once
 
 #include <arpa/inet.h>
@@ -20,7 +20,7 @@ namespace cls::fakes {
 
 class Flags {
  public:
-  /// Takes pairs as long as they begin with "--"; what follows is `rest()`.
+  /// Reads pairs that begin with "--"; `rest()` has the remaining arguments.
   Flags(int argc, char** argv) {
     int i = 1;
     for (; i + 1 < argc && std::string(argv[i]).substr(0, 2) == "--"; i += 2) {
@@ -48,7 +48,7 @@ class Flags {
   while (true) ::pause();
 }
 
-/// A process of a session of its own, without a parent, that ignores SIGTERM.
+/// An orphan in its own session that ignores SIGTERM.
 inline void leave_grandchild() {
   const pid_t child = ::fork();
   if (child == 0) {
@@ -60,8 +60,8 @@ inline void leave_grandchild() {
   ::waitpid(child, nullptr, 0);
 }
 
-/// "cpus: 0 1": where the process may run.
-inline void print_processors() {
+/// Prints its affinity: "cpus: 0 1".
+inline void print_affinity() {
   cpu_set_t set;
   ::sched_getaffinity(0, sizeof set, &set);
   std::string text = "cpus:";
@@ -72,14 +72,14 @@ inline void print_processors() {
   std::fflush(stdout);
 }
 
-/// What all fakes can be asked for at their start.
+/// Flags of all fakes.
 inline void misbehave_at_start(const Flags& flags) {
-  if (flags.has("print-cpus")) print_processors();
+  if (flags.has("print-cpus")) print_affinity();
   if (flags.has("ignore-term")) ::signal(SIGTERM, SIG_IGN);
   if (flags.has("grandchild")) leave_grandchild();
 }
 
-/// Takes a port of the loopback interface and never says a word.
+/// Binds a port of the loopback interface and never replies.
 inline void open_silently(int type, int port) {
   const int fd = ::socket(AF_INET, type, 0);
   sockaddr_in address{};

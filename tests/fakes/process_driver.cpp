@@ -1,4 +1,4 @@
-// Stands for cls where a test wants to kill it: a guard and children, one for each argument.
+// Stand-in for cls that tests can kill: a guard and one child per argument.
 #include <unistd.h>
 
 #include <cstdio>
@@ -10,8 +10,8 @@
 #include "orchestration/process/guard.h"
 #include "orchestration/process/process_host.h"
 
-// Starts every argument as a shell command, prints "ready" and the pids, and waits for ever. The
-// argument "return" makes it end in order instead, once all others are started.
+// Starts each argument as a shell command, prints the guard's pid and "ready", and waits forever.
+// With the argument "return" it exits cleanly after starting the others.
 int main(int argc, char** argv) {
   using namespace cls::orchestration::process;
   const std::vector<std::string> arguments(argv + 1, argv + argc);

@@ -1,4 +1,4 @@
-// What mocks play is soccer: goals on both sides, set pieces, movement all over the pitch.
+// Mocks play soccer: goals on both sides, set plays, movement over the whole pitch.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -8,7 +8,7 @@
 #include "gamelog/rcg/rcg_reader.h"
 #include "soccer/pitch.h"
 #include "soccer/play_mode.h"
-#include "tests/matches/full_form.h"
+#include "tests/matches/full_tests.h"
 #include "tests/support/command.h"
 #include "tests/support/files.h"
 #include "tests/support/temporary_folder.h"
@@ -85,9 +85,9 @@ void play_one(int seed, int cycles, Play& play) {
   }
 }
 
-TEST(Play, IsSoccer) {
-  const int matches = full_form() ? 20 : 3;
-  const int cycles = full_form() ? 6000 : 1500;
+TEST(Play, LooksLikeSoccer) {
+  const int matches = full_tests_requested() ? 20 : 3;
+  const int cycles = full_tests_requested() ? 6000 : 1500;
   Play play;
   for (int seed = 1; seed <= matches; ++seed) {
     ASSERT_NO_FATAL_FAILURE(play_one(seed, cycles, play)) << "seed " << seed;
@@ -103,24 +103,25 @@ TEST(Play, IsSoccer) {
             << share(play.team_in_opponents_half[1]) << "\n";
 
   EXPECT_GT(play.set_plays, 3 * matches);
-  if (full_form()) {  // rare enough to be missing from a few short matches
+  if (full_tests_requested()) {  // rare enough to be missing from a few short matches
     EXPECT_GT(play.left_goals, matches / 2);
     EXPECT_GT(play.right_goals, matches / 2);
     EXPECT_GT(play.kick_ins, matches);
     EXPECT_GT(play.offsides, matches);
   }
-  // Nobody beyond the margin round the pitch.
+  // No player beyond the margin of the pitch.
   EXPECT_LE(play.farthest_x, soccer::kOuterHalfLength + 1e-3);
   EXPECT_LE(play.farthest_y, soccer::kOuterHalfWidth + 1e-3);
-  // Nobody camps: the ball sees both halves, and both teams move up as a whole.
+  // The ball reaches both halves, and both teams move up as a whole.
   EXPECT_GT(share(play.ball_in_right_half), 0.2);
   EXPECT_LT(share(play.ball_in_right_half), 0.8);
   EXPECT_GT(share(play.team_in_opponents_half[0]), 0.1);
   EXPECT_GT(share(play.team_in_opponents_half[1]), 0.1);
 }
 
-TEST(Play, AWholeMatchRepeatsItself) {
-  if (!full_form()) GTEST_SKIP() << "whole matches: make full (cli.Determinism has shorter ones)";
+TEST(Play, FullMatchIsReproducible) {
+  if (!full_tests_requested())
+    GTEST_SKIP() << "whole matches: make full (cli.Determinism has shorter ones)";
   TemporaryFolder folder;
   for (const char* name : {"a", "b"}) {
     Command match(

@@ -1,4 +1,4 @@
-// A counting operator new for every program that this is linked with.
+// Replaces operator new by a counting one in programs that link this file.
 #include "tests/support/allocation_count.h"
 
 #include <atomic>

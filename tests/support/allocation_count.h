@@ -1,11 +1,11 @@
-// How often memory was asked for, by anything in this program.
+// Counts the memory allocations of this program.
 #pragma once
 
 #include <cstdint>
 
 namespace cls::tests {
 
-/// False under sanitizers, which bring their own allocator: then nothing is counted.
+/// False with sanitizers, which replace the allocator: then nothing is counted.
 bool counts_allocations();
 
 /// Calls of operator new so far, on all threads.

@@ -1,4 +1,4 @@
-// Letting 22 scripted players in.
+// A server in memory with 22 scripted players.
 #include "tests/support/bare_server.h"
 
 #include <utility>
@@ -14,7 +14,7 @@ BareServer::BareServer(const simulator::MatchConfig& config, bool logs)
       players_.push_back(std::make_unique<ScriptedPlayer>(server_->connect(), team));
       players_.back()->stand_at(places[i]);
       players_.back()->join(i == 0);
-      server_->answer_requests();
+      server_->accept_clients();
     }
   }
 }

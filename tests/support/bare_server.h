@@ -1,4 +1,4 @@
-// A server in memory with two teams of scripted players and nothing else.
+// A server in memory with two teams of scripted players.
 #pragma once
 
 #include <memory>
@@ -11,7 +11,7 @@
 
 namespace cls::tests {
 
-/// A log that nobody reads.
+/// A log that is discarded.
 class NullSink : public base::ByteSink {
  public:
   void write(std::string_view) override {}
@@ -20,14 +20,14 @@ class NullSink : public base::ByteSink {
 
 class BareServer {
  public:
-  /// 22 players are let in; nobody has kicked off yet.
+  /// Connects 22 players, before kick-off.
   explicit BareServer(const simulator::MatchConfig& config, bool logs = true);
   BareServer(const BareServer&) = delete;
   BareServer& operator=(const BareServer&) = delete;
 
-  /// The server's turn alone, of a cycle.
+  /// The part of the server in a cycle.
   void serve() { server_->run_cycle(); }
-  /// The players' turn.
+  /// The part of the players.
   void act();
 
   const simulator::World& world() const { return server_->world(); }

@@ -1,4 +1,4 @@
-// X.509 by OpenSSL.
+// X.509 certificates made with OpenSSL.
 #include "tests/support/certificates.h"
 
 #include <openssl/ec.h>

@@ -1,4 +1,4 @@
-// Certificates of the tests' own, made when they are needed.
+// Certificates created by tests.
 #pragma once
 
 #include <memory>
@@ -14,7 +14,7 @@ struct Identity {
 
 enum class Validity { kNow, kOver, kNotYet };
 
-/// Signs certificates for others.
+/// A certificate authority (CA).
 class Authority {
  public:
   Authority();
@@ -22,9 +22,9 @@ class Authority {
   Authority(const Authority&) = delete;
   Authority& operator=(const Authority&) = delete;
 
-  /// Its own certificate, for those who trust it.
+  /// The CA certificate.
   std::string certificate() const;
-  /// For a server or client that bears this name: "localhost", or an address such as "127.0.0.1".
+  /// A certificate for a server or client name: "localhost", or an address such as "127.0.0.1".
   Identity issue(const std::string& name, Validity validity = Validity::kNow) const;
 
  private:

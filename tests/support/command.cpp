@@ -1,4 +1,4 @@
-// Spawning and waiting.
+// Runs a program and waits for it.
 #include "tests/support/command.h"
 
 #include <fcntl.h>

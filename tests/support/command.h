@@ -1,4 +1,4 @@
-// Running a program as a user would, and what came of it.
+// Runs a program as a user would and returns its result.
 #pragma once
 
 #include <sys/types.h>
@@ -16,18 +16,17 @@ namespace cls::tests {
 std::filesystem::path cls_binary();
 
 struct CommandResult {
-  int exit_code = -1;  ///< -1: did not end by itself
-  int signal = 0;      ///< that ended it, else 0
+  int exit_code = -1;  ///< -1: killed
+  int signal = 0;      ///< signal that terminated it, otherwise 0
   std::string out;
   std::string err;
 };
 
-/// A program under way, with its output in files of its own. Killed at the end of the scope if it
-/// still runs.
+/// A running program with its output in temporary files. The destructor kills it if it still runs.
 class Command {
  public:
-  /// `arguments[0]` is the program (looked for on PATH); `environment` lines (NAME=VALUE) are added
-  /// to our own. Standard input is empty.
+  /// `arguments[0]` is the program (searched on PATH); `environment` lines (NAME=VALUE) are added
+  /// to the inherited ones. Standard input is empty.
   explicit Command(std::vector<std::string> arguments, std::vector<std::string> environment = {},
                    const std::filesystem::path& working_folder = {});
   ~Command();
@@ -37,13 +36,13 @@ class Command {
   void send_signal(int signal) const;
   pid_t pid() const { return pid_; }
 
-  /// What it has written to stdout so far.
+  /// Its stdout so far.
   std::string out() const;
-  /// Waits until stdout contains `text`; false after `limit` or when the program ends.
+  /// Waits until stdout contains `text`; false after `limit` or when the program exits.
   bool wait_for_output(const std::string& text,
                        std::chrono::seconds limit = std::chrono::seconds(20));
 
-  /// Waits for its end; a program that takes longer than `limit` is killed and has exit_code -1.
+  /// Waits for its exit; kills it after `limit` (exit_code -1).
   CommandResult finish(std::chrono::seconds limit = std::chrono::seconds(60));
 
  private:

@@ -1,4 +1,4 @@
-// Finding and reading test files; zlib reads plain files as they are.
+// Finds and reads test files; zlib also reads plain files.
 #include "tests/support/files.h"
 
 #include <zlib.h>

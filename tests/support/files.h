@@ -1,4 +1,4 @@
-// Where tests find files: the source tree, fixtures/, and the large real data beside the checkout.
+// Files of tests: source tree, fixtures/, and the large recorded data beside the checkout.
 #pragma once
 
 #include <filesystem>
@@ -10,7 +10,7 @@ namespace cls::tests {
 /// Root of the source tree.
 std::filesystem::path source_folder();
 
-/// `name` inside fixtures/; always there in a checkout.
+/// `name` inside fixtures/; always exists in a checkout.
 std::filesystem::path fixture(const std::string& name);
 
 /// `name` inside the large data set: the folder that the environment variable CLS_DATA names, else

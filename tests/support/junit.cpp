@@ -1,4 +1,4 @@
-// Asking xmllint.
+// Validates XML with xmllint.
 #include "tests/support/junit.h"
 
 #include <fstream>
@@ -9,7 +9,7 @@
 
 namespace cls::tests {
 
-std::optional<std::string> junit_mistakes(const std::string& xml) {
+std::optional<std::string> junit_errors(const std::string& xml) {
   if (run({"/bin/sh", "-c", "command -v xmllint"}).exit_code != 0) return std::nullopt;
   const TemporaryFolder folder;
   const std::string file = folder.path() / "junit.xml";

@@ -1,4 +1,4 @@
-// Holding JUnit reports against their schema.
+// Validates JUnit reports against their schema.
 #pragma once
 
 #include <optional>
@@ -6,8 +6,8 @@
 
 namespace cls::tests {
 
-/// What xmllint says against it by fixtures/junit/junit.xsd; empty: it is valid. Nothing when there
-/// is no xmllint; then `GTEST_SKIP() << "no xmllint (package libxml2-utils)"`.
-std::optional<std::string> junit_mistakes(const std::string& xml);
+/// Errors of xmllint with fixtures/junit/junit.xsd; empty: valid. Nothing without xmllint; then
+/// `GTEST_SKIP() << "no xmllint (package libxml2-utils)"`.
+std::optional<std::string> junit_errors(const std::string& xml);
 
 }  // namespace cls::tests

@@ -7,16 +7,16 @@
 
 namespace cls::tests {
 
-/// The variable that carries the mark; whatever descends from a marked process is marked too.
+/// The variable with the mark; descendants of a marked process inherit it.
 inline constexpr const char* kMarkVariable = "CLS_TEST_MARK";
 
-/// A mark that no other test has.
+/// A unique mark.
 std::string new_mark();
 
-/// Living processes whose environment says CLS_TEST_MARK=`mark`. Zombies have none.
+/// Running processes with CLS_TEST_MARK=`mark` in their environment; zombies are not counted.
 std::vector<int> marked_processes(const std::string& mark);
 
-/// Waits until no marked process is left; true when that was within `limit`.
+/// Waits until no marked process is left; false after `limit`.
 bool all_marked_gone(const std::string& mark, std::chrono::milliseconds limit);
 
 }  // namespace cls::tests

@@ -1,4 +1,4 @@
-// Recorded protobuf messages: one after the other, each behind its length.
+// Recorded length-delimited protobuf messages.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// Putting server, teams and mocks together.
+// Construction and cycles of the match.
 #include "tests/support/mock_match.h"
 
 #include <chrono>
@@ -7,12 +7,12 @@
 #include <thread>
 #include <utility>
 
-#include "mock-server/behaviour.h"
+#include "mock-server/script/named_behaviors.h"
 #include "proxy/playmaker/grpc_playmaker.h"
 
 namespace cls::tests {
 
-/// Runs the right team's turns in its own thread.
+/// Runs the right team's cycles in its own thread.
 class MockMatch::Worker {
  public:
   explicit Worker(proxy::Team& team)
@@ -62,18 +62,18 @@ MockMatch::MockMatch(std::uint64_t seed, int threads) {
   server_ = taken(simulator::LockstepServer::create(config));
   server_->record(&game_log_, &text_log_);
   for (std::size_t side = 0; side < teams_.size(); ++side) {
-    mocks_[side] = taken(mock_server::Server::start(taken(mock_server::make_behaviour(""))));
+    mocks_[side] = taken(mock_server::Server::start(taken(mock_server::make_behavior(""))));
     playmakers_[side] = proxy::make_grpc_playmaker(mocks_[side]->in_process_channel(), "mock");
     proxy::TeamOptions options;
     options.name = side == 0 ? "left" : "right";
     teams_[side] = std::make_unique<proxy::Team>(options, *playmakers_[side]);
     const auto connected = teams_[side]->connect([&] { return server_->connect(); },
                                                  [&] {
-                                                   server_->answer_requests();
+                                                   server_->accept_clients();
                                                    return false;
                                                  });
     if (!connected) throw std::runtime_error(connected.error().message);
-    const proxy::RpcStatus introduced = teams_[side]->introduce();
+    const proxy::RpcStatus introduced = teams_[side]->register_agents();
     if (!introduced.ok()) throw std::runtime_error(introduced.message);
   }
   if (threads == 2) worker_ = std::make_unique<Worker>(*teams_[1]);

@@ -1,4 +1,4 @@
-// A match between two mock teams, driven without orchestration: what its parts cost.
+// A match between two mock teams without orchestration/, for measurements.
 #pragma once
 
 #include <array>
@@ -14,16 +14,16 @@
 
 namespace cls::tests {
 
-/// Embedded server in lockstep, two teams of ours, each with a mock Playmaker in this process over
-/// an in-process channel.
+/// Embedded server in lockstep and two cls teams, each with a mock Playmaker over an in-process
+/// channel.
 class MockMatch {
  public:
   /// `threads` 1: both teams in the caller's thread, their calls in flight together. 2: the right
-  /// team in a thread of its own. Throws std::runtime_error when something does not start.
+  /// team in its own thread. Throws std::runtime_error on failure.
   MockMatch(std::uint64_t seed, int threads);
   ~MockMatch();
 
-  /// Plays up to that many steps more; false when the match is over.
+  /// Plays up to `steps` more steps; false when the match is over.
   bool play(int steps);
 
   simulator::LockstepServer& server() { return *server_; }

@@ -1,4 +1,4 @@
-// A name in the abstract namespace of local sockets can be bound once.
+// A lock by binding a name in the abstract namespace of local sockets.
 #include "tests/support/port_lock.h"
 
 #include <sys/socket.h>

@@ -1,9 +1,9 @@
-// One test at a time on this machine for what needs fixed ports.
+// A host-wide lock for tests that use fixed ports.
 #pragma once
 
 namespace cls::tests {
 
-/// Held by one process at a time; the others wait in the constructor. Gone with its process.
+/// Held by one process at a time; the constructor waits. Released when its process exits.
 class PortLock {
  public:
   PortLock();

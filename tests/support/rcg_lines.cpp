@@ -1,4 +1,4 @@
-// A strict little scanner for the lines of version 6 game logs.
+// A strict parser for lines of rcg version 6.
 #include "tests/support/rcg_lines.h"
 
 #include <cstdlib>
@@ -21,7 +21,7 @@ class Scanner {
   void expect(std::string_view text) {
     if (!skip(text)) fail("expected '" + std::string(text) + "'");
   }
-  /// Up to the next blank or closing bracket.
+  /// Up to the next space or closing parenthesis.
   std::string word() {
     const std::size_t end = std::min(line_.find_first_of(" )", at_), line_.size());
     std::string result(line_.substr(at_, end - at_));
@@ -140,7 +140,7 @@ void read_play_mode(std::string_view line, gamelog::Frame& frame) {
   in.expect("(playmode");
   in.next_integer();
   in.expect(" ");
-  const auto mode = soccer::play_mode_from_name(in.word());
+  const auto mode = soccer::parse_play_mode(in.word());
   if (!mode) in.fail("unknown play mode");
   frame.mode = *mode;
   in.finish();

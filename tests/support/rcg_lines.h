@@ -1,4 +1,4 @@
-// Enough reading of version 6 game logs for tests: truth to compare with, lines to write again.
+// Minimal parser of rcg version 6 for tests: ground truth and round trips.
 #pragma once
 
 #include <string>
@@ -9,20 +9,20 @@
 
 namespace cls::tests {
 
-/// The lines of a text, without line feeds.
+/// The lines of a text, without newlines.
 std::vector<std::string_view> split_lines(std::string_view text);
 
-/// A `(show ...)` line; mode and teams are left as they are. Throws std::runtime_error on anything
-/// that is not one.
+/// Parses a `(show ...)` line; play mode and teams stay unchanged. Throws std::runtime_error on any
+/// other text.
 void read_show(std::string_view line, gamelog::Frame& frame);
 
-/// A `(playmode ...)` line into frame.mode.
+/// Parses a `(playmode ...)` line into frame.mode.
 void read_play_mode(std::string_view line, gamelog::Frame& frame);
 
-/// A `(team ...)` line into frame.teams.
+/// Parses a `(team ...)` line into frame.teams.
 void read_team(std::string_view line, gamelog::Frame& frame);
 
-/// All shows of a log, each with the mode and the teams that hold for it.
+/// All `show` frames of a log, each with its play mode and teams.
 std::vector<gamelog::Frame> read_frames(std::string_view log);
 
 }  // namespace cls::tests

@@ -1,4 +1,4 @@
-// The script.
+// A scripted player.
 #include "tests/support/scripted_player.h"
 
 #include <algorithm>
@@ -90,7 +90,7 @@ void ScriptedPlayer::think() {
   send(out_);
 }
 
-// Straight to the ball, and kicks it towards the other goal or, unseen, ahead.
+// Runs to the ball and kicks it towards the opponents' goal or, if not seen, ahead.
 void ScriptedPlayer::chase() {
   constexpr double kKickable = 0.9;
   constexpr double kAhead = 20.0;

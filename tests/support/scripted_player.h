@@ -1,4 +1,4 @@
-// A simple player for server tests: talks the protocol, runs after the ball, kicks it on.
+// A simple player for server tests: runs to the ball and kicks it.
 #pragma once
 
 #include <memory>
@@ -13,7 +13,7 @@
 
 namespace cls::tests {
 
-/// Does the same for the same messages, so that matches between such players can be compared.
+/// Deterministic: the same messages lead to the same commands.
 class ScriptedPlayer {
  public:
   ScriptedPlayer(std::unique_ptr<soccer::Channel> channel, std::string team, int version = 18);
@@ -21,17 +21,17 @@ class ScriptedPlayer {
   /// Sends (init ...).
   void join(bool goalie = false);
 
-  /// Reads everything that has arrived. When the server asks to think, sends this cycle's
-  /// commands and (done); true in that case.
+  /// Reads all received messages. After (think), sends the commands of this cycle and (done), and
+  /// returns true.
   bool act();
 
-  /// Sends a text as it is.
+  /// Sends a text unchanged.
   void send(std::string_view text) { channel_->send(text); }
 
-  /// Where it goes before a kick-off, in its own frame.
+  /// Its position before kick-off, in coordinates of its team.
   void stand_at(soccer::Vec2 place) { place_ = place; }
 
-  /// Keeps every message for messages().
+  /// Stores each message for messages().
   void keep_messages() { keep_ = true; }
   std::vector<std::string> messages() const { return messages_; }
   int count(std::string_view beginning) const;
@@ -63,8 +63,8 @@ class ScriptedPlayer {
   std::vector<std::string> messages_;
 };
 
-/// The places of a team of eleven before kick-off, goalie first; `attacking`: the last player
-/// stands at the ball.
+/// Positions of a team of 11 before kick-off, goalie first; `attacking`: the last player is at the
+/// ball.
 std::vector<soccer::Vec2> formation(bool attacking);
 
 }  // namespace cls::tests

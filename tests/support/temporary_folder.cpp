@@ -1,4 +1,4 @@
-// mkdtemp below the system's folder for temporary files.
+// A temporary folder, made with mkdtemp.
 #include "tests/support/temporary_folder.h"
 
 #include <cerrno>

@@ -1,15 +1,15 @@
-// A folder of a test's own, gone when the test ends.
+// A temporary folder of a test.
 #pragma once
 
 #include <filesystem>
 
 namespace cls::tests {
 
-/// An empty folder with a name that nobody else has, so that the same test may run in several
-/// builds and for several users at once. Removed with all it holds at the end of the scope.
+/// An empty folder with a unique name, so that tests may run concurrently. Removed with its content
+/// at the end of the scope.
 class TemporaryFolder {
  public:
-  /// Throws std::system_error, which fails the test, when none can be made.
+  /// Throws std::system_error, which fails the test, if it cannot be created.
   TemporaryFolder();
   ~TemporaryFolder();
   TemporaryFolder(const TemporaryFolder&) = delete;

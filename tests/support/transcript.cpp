@@ -1,4 +1,4 @@
-// Taking recorded conversations apart.
+// Parses recorded transcripts.
 #include "tests/support/transcript.h"
 
 #include "tests/support/rcg_lines.h"

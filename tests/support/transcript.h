@@ -1,4 +1,4 @@
-// Recorded conversations between a client and the real server.
+// Recorded transcripts of a client and rcssserver.
 #pragma once
 
 #include <string>

@@ -1,11 +1,7 @@
-// Loopback sockets for tests.
+// UDP clients of tests.
 #include "tests/support/udp_client.h"
 
-#include <arpa/inet.h>
-#include <netinet/in.h>
 #include <poll.h>
-#include <sys/socket.h>
-#include <unistd.h>
 
 #include <array>
 #include <stdexcept>
@@ -13,33 +9,23 @@
 namespace cls::tests {
 namespace {
 
-sockaddr_in loopback(int port) {
-  sockaddr_in address{};
-  address.sin_family = AF_INET;
-  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-  address.sin_port = htons(static_cast<std::uint16_t>(port));
-  return address;
+base::SocketAddress loopback(int port) { return *base::parse_ip_address("127.0.0.1", port); }
+
+base::UdpSocket bind_loopback() {
+  auto socket = base::UdpSocket::bind(loopback(0));
+  if (!socket) throw std::runtime_error("no UDP socket: " + socket.error().message);
+  return *std::move(socket);
 }
 
 }  // namespace
 
-UdpClient::UdpClient(int server_port)
-    : socket_(::socket(AF_INET, SOCK_DGRAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0)),
-      server_port_(server_port) {
-  const sockaddr_in any = loopback(0);
-  if (socket_ < 0 || ::bind(socket_, reinterpret_cast<const sockaddr*>(&any), sizeof any) != 0) {
-    throw std::runtime_error("no UDP socket");
-  }
-}
-
-UdpClient::~UdpClient() { ::close(socket_); }
+UdpClient::UdpClient(int server_port) : socket_(bind_loopback()), server_port_(server_port) {}
 
 bool UdpClient::send(std::string_view message) { return send_bytes(std::string(message) + '\0'); }
 
 bool UdpClient::send_bytes(std::string_view bytes) {
-  const sockaddr_in to = loopback(server_port_);
-  return ::sendto(socket_, bytes.data(), bytes.size(), 0, reinterpret_cast<const sockaddr*>(&to),
-                  sizeof to) == static_cast<ssize_t>(bytes.size());
+  const base::SocketAddress server = loopback(server_port_);
+  return socket_.send(bytes, false, &server) == 0;
 }
 
 bool UdpClient::receive(std::string& message) {
@@ -51,32 +37,23 @@ bool UdpClient::receive(std::string& message) {
 
 bool UdpClient::receive_bytes(std::string& bytes) {
   std::array<char, 8192> buffer;
-  sockaddr_in from{};
-  socklen_t size = sizeof from;
-  const ssize_t count = ::recvfrom(socket_, buffer.data(), buffer.size(), 0,
-                                   reinterpret_cast<sockaddr*>(&from), &size);
-  if (count < 0) return false;
-  server_port_ = ntohs(from.sin_port);
-  bytes.assign(buffer.data(), static_cast<std::size_t>(count));
+  base::SocketAddress sender;
+  std::size_t size = 0;
+  if (socket_.receive(buffer, size, sender) != 0) return false;
+  server_port_ = sender.port();
+  bytes.assign(buffer.data(), size);
   return true;
 }
 
-int UdpClient::own_port() const {
-  sockaddr_in own{};
-  socklen_t size = sizeof own;
-  ::getsockname(socket_, reinterpret_cast<sockaddr*>(&own), &size);
-  return ntohs(own.sin_port);
-}
-
 std::string UdpClient::wait(std::chrono::milliseconds longest) {
-  pollfd ready{socket_, POLLIN, 0};
+  pollfd ready{socket_.fd(), POLLIN, 0};
   std::string message;
   if (::poll(&ready, 1, static_cast<int>(longest.count())) == 1) receive(message);
   return message;
 }
 
 std::string UdpClient::wait_bytes(std::chrono::milliseconds longest) {
-  pollfd ready{socket_, POLLIN, 0};
+  pollfd ready{socket_.fd(), POLLIN, 0};
   std::string bytes;
   if (::poll(&ready, 1, static_cast<int>(longest.count())) == 1) receive_bytes(bytes);
   return bytes;

@@ -1,51 +1,49 @@
-// A client's socket for tests: talks to a server as foreign teams do.
+// A UDP client for tests, which talks to a server as external teams do.
 #pragma once
 
 #include <chrono>
 #include <string>
 #include <string_view>
 
+#include "base/system/udp_socket.h"
 #include "soccer/channel.h"
 
 namespace cls::tests {
 
-/// Sends to the port of the last message received, first to the port it was made for.
+/// Sends to the port of the last received message, first to the port of the constructor.
 class UdpClient : public soccer::Channel {
  public:
-  /// Throws std::runtime_error, which fails the test, when there is no socket to be had.
+  /// Throws std::runtime_error, which fails the test, if no socket can be opened.
   explicit UdpClient(int server_port);
-  ~UdpClient() override;
-  UdpClient(const UdpClient&) = delete;
-  UdpClient& operator=(const UdpClient&) = delete;
 
-  /// With the closing NUL.
+  /// Sends `text` with a closing NUL.
   bool send(std::string_view message) override;
-  /// Just these bytes.
+  /// Sends exactly these bytes.
   bool send_bytes(std::string_view bytes);
 
-  /// Fails the test with std::runtime_error when a message does not end in exactly one NUL.
+  /// Throws std::runtime_error, which fails the test, if a message does not end in exactly one NUL.
   bool receive(std::string& message) override;
 
-  /// The datagram as it is.
+  /// The unmodified datagram.
   bool receive_bytes(std::string& bytes);
 
-  // Each waits until something arrives; empty when nothing does.
+  // Each waits for a datagram; empty after the timeout.
   std::string wait(std::chrono::milliseconds longest = std::chrono::seconds(10));
   std::string wait_bytes(std::chrono::milliseconds longest = std::chrono::seconds(10));
 
-  /// For poll() and its like.
-  int descriptor() const { return socket_; }
+  /// File descriptor for poll().
+  int descriptor() const { return socket_.fd(); }
 
-  /// Where it receives.
-  int own_port() const;
+  /// Port on which it receives.
+  int own_port() const { return socket_.local_port(); }
 
-  /// Where it sends to now.
+  /// Port to which it sends.
   int server_port() const { return server_port_; }
-  /// Sends to another port from now on.
+  /// Changes the port to which it sends.
   void set_server_port(int port) { server_port_ = port; }
 
  private:
-  int socket_;
+  base::UdpSocket socket_;
   int server_port_;
 };
 

@@ -1,4 +1,4 @@
-// The round, in the order in which it is told.
+// Runs the checks in the order of the report.
 #include "orchestration/checks/doctor/doctor.h"
 
 #include <array>
@@ -7,11 +7,11 @@
 #include <utility>
 #include <vector>
 
-#include "orchestration/checks/doctor/machine.h"
+#include "orchestration/checks/checked_program.h"
+#include "orchestration/checks/doctor/host_checks.h"
 #include "orchestration/checks/doctor/playmaker_probe.h"
-#include "orchestration/checks/doctor/programs.h"
+#include "orchestration/checks/doctor/program_checks.h"
 #include "orchestration/checks/doctor/server_probe.h"
-#include "orchestration/checks/scratch_folder.h"
 #include "orchestration/process/process_host.h"
 
 namespace cls::orchestration::checks {
@@ -24,60 +24,60 @@ struct StockPort {
 constexpr std::array<StockPort, 3> kStockPorts = {
     StockPort{6000, "players"}, StockPort{6001, "trainers"}, StockPort{6002, "coaches"}};
 
-std::vector<Symptom> ask_all(const DoctorOptions& options, const std::atomic<int>& stop) {
-  Symptom starting;
+std::vector<DoctorCheck> ask_all(const DoctorOptions& options, const std::atomic<int>& stop) {
+  DoctorCheck starting;
   starting.name = "processes";
   starting.purpose = "servers, run: and team: sides";
   starting.needed = true;
   const ScratchFolder scratch;
   auto host = process::ProcessHost::create();
   if (!host || scratch.path().empty()) {
-    starting.health = Health::kWrong;
-    starting.found = host ? "no folder for their files can be created" : host.error().message;
-    starting.remedy = host ? "make room where TMPDIR points to" : "raise the limit: ulimit -u";
+    starting.status = DoctorStatus::kWrong;
+    starting.found = host ? "cannot create a temporary folder" : host.error().message;
+    starting.hint = host ? "free space in TMPDIR" : "raise the limit: ulimit -u";
     return {starting};
   }
-  const std::vector<ProgramExamination> examinations = {
-      soccer_server_program(scratch.path()), python(), node(), protobuf_compiler(), slurm()};
-  std::vector<ProgramQuestion> questions = {{"/bin/sh", {"-c", "exit 0"}, {}, {}}};
-  for (const ProgramExamination& each : examinations) questions.push_back(each.question);
-  const auto answers = ask_programs(*host, questions, options.limit, stop);
-  starting.found = "can be started and ended";
+  const std::vector<ProgramCheck> examinations = {soccer_server_program(scratch.path()), python(),
+                                                  node(), protobuf_compiler(), slurm()};
+  std::vector<ProgramRun> questions = {{"/bin/sh", {"-c", "exit 0"}, {}, {}}};
+  for (const ProgramCheck& each : examinations) questions.push_back(each.question);
+  const auto answers = run_programs(*host, questions, options.limit, stop);
+  starting.found = "can be started and stopped";
   if (!answers.front().ended_well()) {
-    starting.health = Health::kWrong;
-    starting.found = "/bin/sh could not be started, or did not end";
-    starting.remedy = "see what the machine is busy with, and its limits: ulimit -a";
+    starting.status = DoctorStatus::kWrong;
+    starting.found = "/bin/sh could not be started or did not exit";
+    starting.hint = "check the load of the host and its limits: ulimit -a";
   }
-  std::vector<Symptom> symptoms = {starting};
+  std::vector<DoctorCheck> checks = {starting};
   for (std::size_t i = 0; i < examinations.size(); ++i) {
-    symptoms.push_back(examinations[i].judge(answers[i + 1]));
+    checks.push_back(examinations[i].evaluate(answers[i + 1]));
   }
-  return symptoms;
+  return checks;
 }
 
 }  // namespace
 
-Diagnosis examine(const DoctorOptions& options,
-                  const std::function<void(const Symptom&)>& on_symptom,
-                  const std::atomic<int>& stop) {
-  Diagnosis diagnosis;
-  const auto tell = [&](Symptom symptom) {
-    diagnosis.symptoms.push_back(std::move(symptom));
-    on_symptom(diagnosis.symptoms.back());
+DoctorReport examine(const DoctorOptions& options,
+                     const std::function<void(const DoctorCheck&)>& on_check,
+                     const std::atomic<int>& stop) {
+  DoctorReport report;
+  const auto add_check = [&](DoctorCheck check) {
+    report.checks.push_back(std::move(check));
+    on_check(report.checks.back());
   };
-  tell(own_program());
-  tell(processors());
-  tell(memory());
-  tell(working_folder(std::filesystem::current_path()));
-  for (const StockPort& port : kStockPorts) tell(udp_port(port.number, port.role));
-  for (Symptom& symptom : ask_all(options, stop)) tell(std::move(symptom));
+  add_check(own_program());
+  add_check(processors());
+  add_check(memory());
+  add_check(working_folder(std::filesystem::current_path()));
+  for (const StockPort& port : kStockPorts) add_check(udp_port(port.number, port.role));
+  for (DoctorCheck& check : ask_all(options, stop)) add_check(std::move(check));
   if (options.server && stop.load() == 0) {
-    tell(probe_server(*options.server, options.own_program, options.limit, stop));
+    add_check(probe_server(*options.server, options.own_program, options.limit, stop));
   }
   if (options.playmaker && stop.load() == 0) {
-    tell(probe_playmaker(*options.playmaker, options.limit, stop));
+    add_check(probe_playmaker(*options.playmaker, options.limit, stop));
   }
-  return diagnosis;
+  return report;
 }
 
 }  // namespace cls::orchestration::checks

@@ -1,4 +1,4 @@
-// `cls doctor`: what is here, what is missing, and what gets it.
+// `cls doctor`: checks host, programs, server and Playmaker.
 #pragma once
 
 #include <atomic>
@@ -7,24 +7,24 @@
 #include <optional>
 #include <string>
 
-#include "orchestration/checks/doctor/diagnosis.h"
+#include "orchestration/checks/doctor/doctor_report.h"
 #include "orchestration/match/options/endpoint.h"
 #include "orchestration/match/options/server_choice.h"
 
 namespace cls::orchestration::checks {
 
 struct DoctorOptions {
-  std::optional<match::ServerChoice> server;  ///< to be tried
-  std::optional<match::Endpoint> playmaker;   ///< to be tried; not a team
+  std::optional<match::ServerChoice> server;  ///< to check
+  std::optional<match::Endpoint> playmaker;   ///< to check; not a team
   std::chrono::milliseconds limit{5'000};
   std::string own_program;  ///< path of this binary, for the embedded server
 };
 
-/// Looks at machine and programs, then tries what the options name. Programs are asked all at
-/// once; each, and each probe, has `limit` to answer, and nothing of them is left. `on_symptom` is
-/// told each in its turn. `stop` nonzero leaves out what has not begun.
-Diagnosis examine(const DoctorOptions& options,
-                  const std::function<void(const Symptom&)>& on_symptom,
-                  const std::atomic<int>& stop);
+/// Checks host and programs, then the server and Playmaker of the options. Programs run in
+/// parallel. Each program and each probe has the timeout `limit`; all processes are terminated.
+/// Calls `on_check` for each item in order. A nonzero `stop` skips the remaining items.
+DoctorReport examine(const DoctorOptions& options,
+                     const std::function<void(const DoctorCheck&)>& on_check,
+                     const std::atomic<int>& stop);
 
 }  // namespace cls::orchestration::checks

@@ -1,4 +1,4 @@
-// A few steps of the check, told in one line.
+// Runs a few steps of `cls check playmaker` and summarizes them in one line.
 #include "orchestration/checks/doctor/playmaker_probe.h"
 
 #include <fmt/format.h>
@@ -17,38 +17,38 @@ namespace fs = std::filesystem;
 
 constexpr const char* kReach = "reach";
 
-Symptom unreachable(Symptom symptom, std::string found) {
-  symptom.health = Health::kUnreachable;
-  symptom.found = std::move(found);
-  symptom.remedy = "start it first, or let cls do it: 'run:COMMAND --port {port}'";
-  return symptom;
+DoctorCheck unreachable(DoctorCheck check, std::string found) {
+  check.status = DoctorStatus::kUnreachable;
+  check.found = std::move(found);
+  check.hint = "start it first, or let cls start it: 'run:COMMAND --port {port}'";
+  return check;
 }
 
-// Why there can be no connection; empty when there can.
+// Why a connection is impossible; empty if it may be possible.
 std::string no_connection(const match::Endpoint& endpoint, std::chrono::milliseconds limit) {
   if (endpoint.kind == match::Endpoint::Kind::kUnixSocket) {
     std::error_code code;
     const fs::file_status status = fs::status(endpoint.path, code);
     if (!fs::exists(status)) return fmt::format("{}: no such file", endpoint.path);
-    return fs::is_socket(status) ? "" : fmt::format("{} is no socket", endpoint.path);
+    return fs::is_socket(status) ? "" : fmt::format("{}: not a socket", endpoint.path);
   }
   if (endpoint.kind != match::Endpoint::Kind::kAddress) return {};
   const int port = endpoint.port + (endpoint.port_step ? 1 : 0);
   const auto longest = static_cast<int>(limit.count());
   if (process::tcp_answers(endpoint.host, port, longest)) return {};
-  return fmt::format("{}:{}: nobody accepts a connection", endpoint.host, port);
+  return fmt::format("{}:{}: connection refused", endpoint.host, port);
 }
 
 }  // namespace
 
-Symptom probe_playmaker(const match::Endpoint& endpoint, std::chrono::milliseconds limit,
-                        const std::atomic<int>& stop) {
-  Symptom symptom;
-  symptom.name = "playmaker";
-  symptom.purpose = fmt::format("the side {}", endpoint.text);
-  symptom.needed = true;
+DoctorCheck probe_playmaker(const match::Endpoint& endpoint, std::chrono::milliseconds limit,
+                            const std::atomic<int>& stop) {
+  DoctorCheck check;
+  check.name = "playmaker";
+  check.purpose = fmt::format("the side {}", endpoint.text);
+  check.needed = true;
   if (std::string why = no_connection(endpoint, limit); !why.empty()) {
-    return unreachable(std::move(symptom), std::move(why));
+    return unreachable(std::move(check), std::move(why));
   }
   PlaymakerCheckOptions options;
   options.endpoint = endpoint;
@@ -70,25 +70,25 @@ Symptom probe_playmaker(const match::Endpoint& endpoint, std::chrono::millisecon
                step.name == "player_actions") {
       found += fmt::format(" {};", step.evidence);
     } else if (step.name == "planner") {
-      found += step.result == StepResult::kPass ? " knows GetBestPlannerAction"
-                                                : " does not know GetBestPlannerAction";
+      found += step.result == StepResult::kPass ? " implements GetBestPlannerAction"
+                                                : " does not implement GetBestPlannerAction";
     }
   };
   const auto report = check_playmaker(options, on_step, enough);
-  if (!report) return unreachable(std::move(symptom), report.error().message);
-  // Left out when the program had ended before it could be asked.
+  if (!report) return unreachable(std::move(check), report.error().message);
+  // Skipped if the program exited before it was reached.
   const CheckStep& reach = report->steps.front();
   if (reach.result != StepResult::kPass) {
-    return unreachable(std::move(symptom), fmt::format("{}: {}", endpoint.text, reach.evidence));
+    return unreachable(std::move(check), fmt::format("{}: {}", endpoint.text, reach.evidence));
   }
   if (failed.name.empty()) {
-    symptom.found = std::move(found);
-    return symptom;
+    check.found = std::move(found);
+    return check;
   }
-  symptom.health = Health::kWrong;
-  symptom.found = fmt::format("{}: {}: {}", endpoint.text, failed.name, failed.evidence);
-  symptom.remedy = fmt::format("{} All steps: cls check playmaker {}", failed.why, endpoint.text);
-  return symptom;
+  check.status = DoctorStatus::kWrong;
+  check.found = fmt::format("{}: {}: {}", endpoint.text, failed.name, failed.evidence);
+  check.hint = fmt::format("{} All steps: cls check playmaker {}", failed.why, endpoint.text);
+  return check;
 }
 
 }  // namespace cls::orchestration::checks

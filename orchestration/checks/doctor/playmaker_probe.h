@@ -1,19 +1,19 @@
-// `cls doctor --playmaker`: does this Playmaker answer, and can it decide?
+// `cls doctor --playmaker`: whether a Playmaker responds and decides.
 #pragma once
 
 #include <atomic>
 #include <chrono>
 
-#include "orchestration/checks/doctor/diagnosis.h"
+#include "orchestration/checks/doctor/doctor_report.h"
 #include "orchestration/match/options/endpoint.h"
 
 namespace cls::orchestration::checks {
 
-/// Connects, takes two players through the handshake, asks for one decision and for one of the
-/// planner: the first steps of `cls check playmaker`. No agent says good-bye, because some
-/// Playmakers end when nobody is left. The first thing that fails ends it; `limit` holds for each
-/// answer.
-Symptom probe_playmaker(const match::Endpoint& endpoint, std::chrono::milliseconds limit,
-                        const std::atomic<int>& stop);
+/// Connects, completes the handshake of two players, requests one decision and one planner
+/// decision: the first steps of `cls check playmaker`. Sends no bye, because some Playmakers exit
+/// after the last agent has left. Stops at the first failure; `limit` is the deadline of each
+/// reply.
+DoctorCheck probe_playmaker(const match::Endpoint& endpoint, std::chrono::milliseconds limit,
+                            const std::atomic<int>& stop);
 
 }  // namespace cls::orchestration::checks

@@ -1,20 +1,20 @@
-// `cls doctor --server`: does this soccer server start, and does it answer?
+// `cls doctor --server`: whether a soccer server starts and responds.
 #pragma once
 
 #include <atomic>
 #include <chrono>
 #include <string>
 
-#include "orchestration/checks/doctor/diagnosis.h"
+#include "orchestration/checks/doctor/doctor_report.h"
 #include "orchestration/match/options/server_choice.h"
 
 namespace cls::orchestration::checks {
 
-/// Starts the server for a moment, on free ports and in a folder of its own; one that runs already
-/// is only talked to. It is asked as an unknown client and then as a monitor, which does not join:
-/// a player's (init ...) would take a place, and give the left side its name, until the server is
-/// restarted. `limit` holds for its start and its first answer.
-Symptom probe_server(const match::ServerChoice& server, const std::string& own_program,
-                     std::chrono::milliseconds limit, const std::atomic<int>& stop);
+/// Starts the server briefly on free ports in a temporary folder; a running server is only
+/// contacted. Connects as an unknown client, then as a monitor, never as a player: (init ...) would
+/// occupy a player slot and name the left team until the server restarts. `limit` is the timeout
+/// for its start and first reply.
+DoctorCheck probe_server(const match::ServerChoice& server, const std::string& own_program,
+                         std::chrono::milliseconds limit, const std::atomic<int>& stop);
 
 }  // namespace cls::orchestration::checks

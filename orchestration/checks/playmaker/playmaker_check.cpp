@@ -1,4 +1,4 @@
-// Putting a subject together and taking the steps.
+// Builds the subject and runs the steps.
 #include "orchestration/checks/playmaker/playmaker_check.h"
 
 #include <algorithm>
@@ -7,56 +7,55 @@
 #include <thread>
 #include <utility>
 
-#include "orchestration/checks/ended_program.h"
-#include "orchestration/checks/scratch_folder.h"
-#include "orchestration/match/sides/playmaker_link.h"
-#include "orchestration/match/sides/playmaker_program.h"
+#include "orchestration/checks/checked_program.h"
+#include "orchestration/match/sides/playmaker_process.h"
 #include "proxy/playmaker/grpc_playmaker.h"
 
 namespace cls::orchestration::checks {
 namespace {
 
-constexpr std::chrono::milliseconds kLook{20};
+constexpr std::chrono::milliseconds kPollInterval{20};
 
-/// Whatever the subject needs to live; the subject is destroyed first.
-struct Surroundings {
+/// Resources of the subject; outlives it.
+struct Environment {
   ScratchFolder folder;
   std::unique_ptr<mock_server::Server> mock;
   std::optional<process::ProcessHost> host;
-  std::unique_ptr<match::PlaymakerProgram> program;
+  std::unique_ptr<match::PlaymakerProcess> program;
 };
 
-base::Result<void> connect_mock(const match::Endpoint& endpoint, Surroundings& around,
+base::Result<void> connect_mock(const match::Endpoint& endpoint, Environment& environment,
                                 PlaymakerSubject& subject) {
   auto server = match::start_mock(endpoint);
   if (!server) return server.error();
-  around.mock = *std::move(server);
-  subject.connect = [&around, name = endpoint.text] {
-    return proxy::make_grpc_playmaker(around.mock->in_process_channel(), name);
+  environment.mock = *std::move(server);
+  subject.connect = [&environment, name = endpoint.text] {
+    return proxy::make_grpc_playmaker(environment.mock->in_process_channel(), name);
   };
   return {};
 }
 
-base::Result<void> start_program(const match::Endpoint& endpoint, Surroundings& around,
+base::Result<void> start_program(const match::Endpoint& endpoint, Environment& environment,
                                  PlaymakerSubject& subject) {
-  if (around.folder.path().empty()) return base::Error{"no folder for its log can be created"};
+  if (environment.folder.path().empty()) return base::Error{"cannot create a folder for its log"};
   auto host = process::ProcessHost::create();
   if (!host) return host.error();
-  around.host.emplace(*std::move(host));
-  auto program = match::PlaymakerProgram::start(
-      *around.host, endpoint, {0, soccer::Side::kLeft, team_name(0), 1}, around.folder.path());
+  environment.host.emplace(*std::move(host));
+  auto program = match::PlaymakerProcess::start(*environment.host, endpoint,
+                                                {0, soccer::Side::kLeft, team_name(0), 1},
+                                                environment.folder.path());
   if (!program) return program.error();
-  around.program = *std::move(program);
+  environment.program = *std::move(program);
   subject.host = "localhost";
-  subject.port = around.program->port();
-  subject.pid = [&around]() -> std::optional<int> {
-    if (around.program->ended()) return std::nullopt;
-    return around.program->child().status().pid;
+  subject.port = environment.program->port();
+  subject.pid = [&environment]() -> std::optional<int> {
+    if (environment.program->ended()) return std::nullopt;
+    return environment.program->child().status().pid;
   };
   return {};
 }
 
-base::Result<void> prepare(const PlaymakerCheckOptions& options, Surroundings& around,
+base::Result<void> prepare(const PlaymakerCheckOptions& options, Environment& environment,
                            PlaymakerSubject& subject) {
   subject.start_timeout = options.start_timeout;
   subject.deadline = options.deadline;
@@ -65,12 +64,12 @@ base::Result<void> prepare(const PlaymakerCheckOptions& options, Surroundings& a
   subject.pid = [] { return std::optional<int>(); };
   proxy::GrpcTarget target = match::target_of(options.endpoint);
   if (options.endpoint.kind == match::Endpoint::Kind::kMock) {
-    if (auto connected = connect_mock(options.endpoint, around, subject); !connected) {
+    if (auto connected = connect_mock(options.endpoint, environment, subject); !connected) {
       return connected;
     }
   } else {
     if (options.endpoint.kind == match::Endpoint::Kind::kRun) {
-      if (auto started = start_program(options.endpoint, around, subject); !started) {
+      if (auto started = start_program(options.endpoint, environment, subject); !started) {
         return started;
       }
       target = {};
@@ -86,7 +85,7 @@ base::Result<void> prepare(const PlaymakerCheckOptions& options, Surroundings& a
   return {};
 }
 
-std::vector<PlaymakerStep> steps_to_take(const std::vector<std::string>& only) {
+std::vector<PlaymakerStep> selected_steps(const std::vector<std::string>& only) {
   std::vector<PlaymakerStep> steps;
   for (const auto& part :
        {handshake_steps(), decision_steps(), state_steps(), load_steps(), life_steps()}) {
@@ -97,65 +96,66 @@ std::vector<PlaymakerStep> steps_to_take(const std::vector<std::string>& only) {
   return steps;
 }
 
-/// Why nothing can come of asking the Playmaker; empty while something can. Called from two
-/// threads.
-using Hopeless = std::function<std::string()>;
+/// Why further calls cannot succeed; empty while they can. Called from two threads.
+using FailureReason = std::function<std::string()>;
 
-// The first step waits for the Playmaker to come up, but not when none can come any more.
-Finding take_first(const PlaymakerStep& step, PlaymakerSubject& subject, const Hopeless& hopeless) {
-  std::atomic<bool> taken = false;
-  bool called_back = false;
+// The first step waits for the Playmaker to start, but stops when it cannot start any more.
+Finding run_first_step(const PlaymakerStep& step, PlaymakerSubject& subject,
+                       const FailureReason& failure_reason) {
+  std::atomic<bool> done = false;
+  bool cancelled = false;
   std::thread watch([&] {
-    while (!taken && hopeless().empty()) std::this_thread::sleep_for(kLook);
-    if (taken) return;
-    called_back = true;
+    while (!done && failure_reason().empty()) std::this_thread::sleep_for(kPollInterval);
+    if (done) return;
+    cancelled = true;
     subject.left().cancel();
   });
   Finding found = step.run(subject);
-  taken = true;
+  done = true;
   watch.join();
   const bool failed = found.result == StepResult::kFail;
-  return called_back && failed ? fail("no answer") : found;
+  return cancelled && failed ? fail("no reply") : found;
 }
 
-Finding take_step(const PlaymakerStep& step, PlaymakerSubject& subject, const CheckReport& report,
-                  const Hopeless& hopeless) {
-  if (std::string reason = hopeless(); !reason.empty()) return skip(std::move(reason));
+Finding run_step(const PlaymakerStep& step, PlaymakerSubject& subject, const CheckReport& report,
+                 const FailureReason& failure_reason) {
+  if (std::string reason = failure_reason(); !reason.empty()) return skip(std::move(reason));
   const bool first = report.steps.size() == 1;
-  if (first) return take_first(step, subject, hopeless);
+  if (first) return run_first_step(step, subject, failure_reason);
   const bool reached = report.steps.front().result != StepResult::kFail;
-  return reached ? step.run(subject) : skip("the Playmaker was not reached");
+  return reached ? step.run(subject) : skip("Playmaker unreachable");
 }
 
-// What may be behind a step's failure.
-std::string hint(const Surroundings& around, const Hopeless& hopeless) {
-  if (const std::string reason = hopeless(); !reason.empty()) return "; " + reason;
-  return around.program == nullptr ? "" : around.program->port_hint();
+// Possible cause of a failed step.
+std::string hint(const Environment& environment, const FailureReason& failure_reason) {
+  if (const std::string reason = failure_reason(); !reason.empty()) return "; " + reason;
+  return environment.program == nullptr ? "" : environment.program->port_hint();
 }
 
 }  // namespace
 
 base::Result<CheckReport> check_playmaker(const PlaymakerCheckOptions& options,
                                           const OnStep& on_step, const std::atomic<int>& stop) {
-  Surroundings around;
+  Environment environment;
   PlaymakerSubject subject;
-  if (const auto prepared = prepare(options, around, subject); !prepared) return prepared.error();
-  const Hopeless hopeless = [&around, &stop]() -> std::string {
+  if (const auto prepared = prepare(options, environment, subject); !prepared)
+    return prepared.error();
+  const FailureReason failure_reason = [&environment, &stop]() -> std::string {
     if (stop != 0) return "interrupted";
-    if (around.program == nullptr) return {};
-    return account_of_end("the program", around.program->child());
+    if (environment.program == nullptr) return {};
+    return describe_exit("the program", environment.program->child());
   };
   CheckReport report;
   report.schema = "cls.check/1";
   report.command = "cls check playmaker";
   report.subject = options.endpoint.text;
-  for (const PlaymakerStep& step : steps_to_take(options.only)) {
-    CheckStep& taken = report.steps.emplace_back();
-    taken.name = step.name;
-    taken.why = step.why;
-    take(taken, [&] { return take_step(step, subject, report, hopeless); });
-    if (taken.result == StepResult::kFail) taken.evidence += hint(around, hopeless);
-    on_step(taken);
+  for (const PlaymakerStep& step : selected_steps(options.only)) {
+    CheckStep& done = report.steps.emplace_back();
+    done.name = step.name;
+    done.why = step.why;
+    run_timed(done, [&] { return run_step(step, subject, report, failure_reason); });
+    if (done.result == StepResult::kFail) done.evidence += hint(environment, failure_reason);
+    on_step(done);
   }
   return report;
 }

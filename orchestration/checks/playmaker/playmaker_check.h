@@ -1,4 +1,4 @@
-// `cls check playmaker`: is it a Playmaker that matches can be played with?
+// `cls check playmaker`: conformance check of a Playmaker.
 #pragma once
 
 #include <atomic>
@@ -17,15 +17,15 @@ struct PlaymakerCheckOptions {
   Milliseconds deadline{3'000};
   int calls = 10'000;
   Milliseconds latency_limit{100};
-  std::vector<std::string> only;  ///< the steps to take; empty: all
+  std::vector<std::string> only;  ///< steps to run; empty: all
 };
 
 /// Called after each step.
 using OnStep = std::function<void(const CheckStep&)>;
 
-/// Takes all steps; what was started is ended. A Playmaker that cannot be reached fails its first
-/// step, and the others are skipped. The error says why nothing could be tried: a bad script, no
-/// process. `stop` nonzero skips what is left.
+/// Runs all steps; terminates started programs. If the Playmaker is unreachable, the first step
+/// fails and the others are skipped. Errors: bad script, process not started. A nonzero `stop`
+/// skips the remaining steps.
 base::Result<CheckReport> check_playmaker(const PlaymakerCheckOptions& options,
                                           const OnStep& on_step, const std::atomic<int>& stop);
 

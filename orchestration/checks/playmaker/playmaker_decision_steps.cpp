@@ -1,4 +1,4 @@
-// Steps: every rpc that asks for a decision, and whether the answer can be used.
+// Steps: every decision RPC, and whether the reply is usable.
 #include <fmt/format.h>
 #include <google/protobuf/unknown_field_set.h>
 
@@ -13,9 +13,10 @@ namespace {
 using google::protobuf::FieldDescriptor;
 using google::protobuf::Message;
 using google::protobuf::Reflection;
+using proto::Rpc;
 
 constexpr int kAgent = 7;
-constexpr std::size_t kLargestReply = 64 * 1024;
+constexpr std::size_t kMaxReplyBytes = 64 * 1024;
 
 // "kick.power is nan"; empty if all numbers are finite.
 std::string not_finite(const Message& message);
@@ -78,7 +79,7 @@ Finding known_actions(PlaymakerSubject& subject) {
       if (unknown) return fail(fmt::format("player {}: {}", agent, kinds(answer.actions)));
     }
   }
-  return pass("11 players, every action known");
+  return pass("11 players, only known actions");
 }
 
 Finding finite_numbers(PlaymakerSubject& subject) {
@@ -97,7 +98,7 @@ Finding reply_size(PlaymakerSubject& subject) {
   if (!answer.status.ok()) return fail(to_text(answer.status));
   const std::string evidence = fmt::format("{} actions in {} bytes", answer.actions.actions_size(),
                                            answer.actions.ByteSizeLong());
-  return answer.actions.ByteSizeLong() <= kLargestReply ? pass(evidence) : fail(evidence);
+  return answer.actions.ByteSizeLong() <= kMaxReplyBytes ? pass(evidence) : fail(evidence);
 }
 
 Finding same_question(PlaymakerSubject& subject) {
@@ -106,7 +107,7 @@ Finding same_question(PlaymakerSubject& subject) {
     const Answer answer = ask(subject, kAgent, state);
     if (!answer.status.ok()) return fail(to_text(answer.status));
   }
-  return pass("one State asked three times");
+  return pass("same State sent three times");
 }
 
 Finding with_preprocess(PlaymakerSubject& subject) {
@@ -123,50 +124,44 @@ Finding with_full_world(PlaymakerSubject& subject) {
   return finding(answer.status, kinds(answer.actions));
 }
 
-std::optional<proxy::Reply> reply_of(PlaymakerSubject& subject) {
-  return subject.left().next_reply();
-}
-
-// What a Playmaker of an older interface, or without an interest in it, need not have.
-bool is_unimplemented(const std::optional<proxy::Reply>& reply) {
-  return reply && reply->status.outcome == proxy::RpcOutcome::kUnimplemented;
-}
-
-Finding of_reply(const std::optional<proxy::Reply>& reply, const std::string& evidence) {
-  if (!reply) return fail("the call gave no reply");
-  return finding(reply->status, evidence);
+// RPCs that a Playmaker may leave unimplemented.
+bool is_unimplemented(const proxy::Reply& reply) {
+  return reply.status.outcome == proxy::RpcOutcome::kUnimplemented;
 }
 
 Finding coach_actions(PlaymakerSubject& subject) {
-  subject.left().begin_coach_actions(proxy::kCoachNumber, subject.next_state(proxy::kCoachNumber),
-                                     subject.deadline);
-  const auto reply = reply_of(subject);
+  const proxy::Reply reply =
+      subject.left().call(proxy::kCoachNumber, Rpc::kGetCoachActions,
+                          subject.next_state(proxy::kCoachNumber), subject.deadline);
   if (is_unimplemented(reply)) {
     subject.has_coach = false;
     return skip("not implemented: the team plays without a coach");
   }
-  const int count = reply && reply->coach != nullptr ? reply->coach->actions_size() : 0;
-  return of_reply(reply, fmt::format("{} actions", count));
+  const auto* actions = reply.as<protos::CoachActions>();
+  const int count = actions != nullptr ? actions->actions_size() : 0;
+  return finding(reply.status, fmt::format("{} actions", count));
 }
 
 Finding trainer_actions(PlaymakerSubject& subject) {
-  subject.left().begin_trainer_actions(proxy::kTrainerNumber,
-                                       subject.next_state(proxy::kTrainerNumber), subject.deadline);
-  const auto reply = reply_of(subject);
-  if (is_unimplemented(reply)) return skip("not implemented: no trainer of its own");
-  const int count = reply && reply->trainer != nullptr ? reply->trainer->actions_size() : 0;
-  return of_reply(reply, fmt::format("{} actions", count));
+  const proxy::Reply reply =
+      subject.left().call(proxy::kTrainerNumber, Rpc::kGetTrainerActions,
+                          subject.next_state(proxy::kTrainerNumber), subject.deadline);
+  if (is_unimplemented(reply)) return skip("not implemented: no trainer");
+  const auto* actions = reply.as<protos::TrainerActions>();
+  const int count = actions != nullptr ? actions->actions_size() : 0;
+  return finding(reply.status, fmt::format("{} actions", count));
 }
 
 Finding plan(PlaymakerSubject& subject, int candidates) {
   const auto request = planner_request(subject.next_state(kAgent), candidates);
-  subject.left().begin_best_planner_action(kAgent, request, subject.deadline);
-  const auto reply = reply_of(subject);
-  if (is_unimplemented(reply)) return skip("not implemented: the proxy then decides by itself");
-  const int index = reply && reply->planner != nullptr ? reply->planner->index() : 0;
+  const proxy::Reply reply =
+      subject.left().call(kAgent, Rpc::kGetBestPlannerAction, request, subject.deadline);
+  if (is_unimplemented(reply)) return skip("not implemented: the proxy decides itself");
+  const auto* choice = reply.as<protos::BestPlannerActionResponse>();
+  const int index = choice != nullptr ? choice->index() : 0;
   const std::string evidence = fmt::format("{} candidates ({} bytes), chosen: {}", candidates,
                                            request.ByteSizeLong(), index);
-  const Finding found = of_reply(reply, evidence);
+  const Finding found = finding(reply.status, evidence);
   const bool in_range = candidates == 0 || request.pairs().contains(index);
   return found.result == StepResult::kPass && !in_range ? fail(evidence) : found;
 }
@@ -176,35 +171,31 @@ Finding planner_large(PlaymakerSubject& subject) { return plan(subject, 493); }
 
 Finding planner_empty(PlaymakerSubject& subject) {
   const auto request = planner_request(subject.next_state(kAgent), 0);
-  subject.left().begin_best_planner_action(kAgent, request, subject.deadline);
-  const auto reply = reply_of(subject);
-  return survives(
-      subject, reply && reply->status.ok() ? "no candidates: answered" : "no candidates: refused");
+  const auto status = call(subject, kAgent, Rpc::kGetBestPlannerAction, request);
+  return survives(subject, status.ok() ? "no candidates: accepted" : "no candidates: refused");
 }
 
 }  // namespace
 
 std::vector<PlaymakerStep> decision_steps() {
   return {
-      {"player_actions", "The question of every player in every cycle.", player_actions},
-      {"known_actions", "The proxy cannot carry out an action that the interface lacks.",
+      {"player_actions", "Called for every player in every cycle.", player_actions},
+      {"known_actions", "The proxy cannot execute an action that the interface lacks.",
        known_actions},
-      {"finite_numbers", "A not-a-number in a command is lost on the way to the soccer server.",
-       finite_numbers},
-      {"reply_size", "A reply is carried out in one cycle; huge ones are a runaway loop.",
+      {"finite_numbers", "The soccer server ignores commands with NaN.", finite_numbers},
+      {"reply_size", "A reply is executed in one cycle; a huge one indicates a runaway loop.",
        reply_size},
-      {"same_question", "While the clock stands still the same cycle is asked again and again.",
+      {"same_question", "With a stopped clock, the same cycle is requested repeatedly.",
        same_question},
-      {"need_preprocess", "Set in about every second question of upstream's proxy.",
+      {"need_preprocess", "Set in about every second request of upstream's proxy.",
        with_preprocess},
-      {"full_world_model", "Sent where the soccer server runs with full state.", with_full_world},
-      {"coach_actions", "The coach asks in every cycle as well.", coach_actions},
-      {"trainer_actions", "The trainer asks in every cycle as well.", trainer_actions},
+      {"full_world_model", "Sent when the soccer server runs with fullstate.", with_full_world},
+      {"coach_actions", "Called for the coach in every cycle.", coach_actions},
+      {"trainer_actions", "Called for the trainer in every cycle.", trainer_actions},
       {"planner", "The chosen action must be one of the candidates.", planner},
       {"planner_493_candidates", "What upstream's planner sends in the final third.",
        planner_large},
-      {"planner_no_candidates", "A player that can do nothing asks with an empty list.",
-       planner_empty},
+      {"planner_no_candidates", "A player without options sends an empty list.", planner_empty},
   };
 }
 

@@ -1,4 +1,4 @@
-// Steps: agents introduce themselves and tell the match's parameters.
+// Steps: registration of agents and parameters of the match.
 #include <fmt/format.h>
 
 #include <set>
@@ -11,31 +11,33 @@
 namespace cls::orchestration::checks {
 namespace {
 
+using proto::Rpc;
+
 constexpr int kAgent = 7;
 
 Finding reach(PlaymakerSubject& subject) {
   const auto start = std::chrono::steady_clock::now();
   const proxy::RpcStatus status = register_agent(subject, 0, 1);
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
-  return finding(status, fmt::format("Register answered after {:.2f} s", took.count()));
+  return finding(status, fmt::format("Register replied after {:.2f} s", took.count()));
 }
 
 Finding identity(PlaymakerSubject& subject) {
   const proxy::RpcStatus status = register_agent(subject, 0, kAgent);
   if (!status.ok()) return fail(to_text(status));
-  const protos::RegisterResponse& told = subject.identity(kAgent);
+  const protos::RegisterResponse& received = subject.identity(kAgent);
   const std::string evidence = fmt::format(
-      "asked as player {} of {}, answered player {} of {}, agent type {}", kAgent, team_name(0),
-      told.uniform_number(), told.team_name(), static_cast<int>(told.agent_type()));
-  const bool same = told.uniform_number() == kAgent && told.team_name() == team_name(0) &&
-                    told.agent_type() == protos::PlayerT;
+      "sent player {} of {}, received player {} of {}, agent type {}", kAgent, team_name(0),
+      received.uniform_number(), received.team_name(), static_cast<int>(received.agent_type()));
+  const bool same = received.uniform_number() == kAgent && received.team_name() == team_name(0) &&
+                    received.agent_type() == protos::PlayerT;
   return same ? pass(evidence) : fail(evidence);
 }
 
 Finding language(PlaymakerSubject& subject) {
   const int language = static_cast<int>(subject.identity(kAgent).rpc_server_language_type());
   if (!protos::RpcServerLanguageType_IsValid(language)) {
-    return fail(fmt::format("language {} is not one of the interface", language));
+    return fail(fmt::format("language {} is not in the interface", language));
   }
   return pass(
       protos::RpcServerLanguageType_Name(subject.identity(kAgent).rpc_server_language_type()));
@@ -56,22 +58,23 @@ Finding coach(PlaymakerSubject& subject) {
   const proxy::RpcStatus status = register_agent(subject, 0, proxy::kCoachNumber);
   if (!status.ok()) return fail(to_text(status));
   const auto type = subject.identity(proxy::kCoachNumber).agent_type();
-  return type == protos::CoachT ? pass("answered as a coach") : fail("answered as another agent");
+  return type == protos::CoachT ? pass("registered as a coach")
+                                : fail("registered as another agent type");
 }
 
 Finding trainer(PlaymakerSubject& subject) {
   const proxy::RpcStatus status = register_agent(subject, 0, proxy::kTrainerNumber);
   if (!status.ok()) return fail(to_text(status));
   const auto type = subject.identity(proxy::kTrainerNumber).agent_type();
-  return type == protos::TrainerT ? pass("answered as a trainer")
-                                  : fail("answered as another agent");
+  return type == protos::TrainerT ? pass("registered as a trainer")
+                                  : fail("registered as another agent type");
 }
 
 Finding second_team(PlaymakerSubject& subject) {
   using Key = std::pair<int, std::string>;
   std::set<Key> keys;
-  const auto note = [&](const protos::RegisterResponse& told) {
-    keys.insert({told.client_id(), told.team_name()});
+  const auto note = [&](const protos::RegisterResponse& received) {
+    keys.insert({received.client_id(), received.team_name()});
   };
   for (int agent = 1; agent <= 11; ++agent) note(subject.identity(agent));
   for (int agent = 1; agent <= proxy::kCoachNumber; ++agent) {
@@ -95,12 +98,12 @@ Finding again(PlaymakerSubject& subject) {
 
 Finding register_as(PlaymakerSubject& subject, const protos::RegisterRequest& request,
                     const std::string& evidence) {
-  protos::RegisterResponse answer;
-  const proxy::RpcStatus status =
-      subject.left().register_agent(request.uniform_number(), request, subject.deadline, answer);
-  if (!status.ok()) return fail(evidence + ": " + to_text(status));
+  const proxy::Reply reply =
+      subject.left().call(request.uniform_number(), Rpc::kRegister, request, subject.deadline);
+  if (!reply.status.ok()) return fail(evidence + ": " + to_text(reply.status));
+  const protos::RegisterResponse& answer = *reply.as<protos::RegisterResponse>();
   if (answer.team_name() != request.team_name()) {
-    return fail(fmt::format("{}: answered for team '{}'", evidence, answer.team_name()));
+    return fail(fmt::format("{}: reply for team '{}'", evidence, answer.team_name()));
   }
   return pass(evidence);
 }
@@ -132,14 +135,14 @@ Finding server_params(PlaymakerSubject& subject) {
   protos::ServerParam message;
   *message.mutable_register_response() = subject.identity(kAgent);
   message.set_half_time(300);
-  return finding(subject.left().send_server_params(kAgent, message, subject.deadline));
+  return finding(call(subject, kAgent, Rpc::kSendServerParams, message));
 }
 
 Finding player_params(PlaymakerSubject& subject) {
   protos::PlayerParam message;
   *message.mutable_register_response() = subject.identity(kAgent);
   message.set_player_types(18);
-  return finding(subject.left().send_player_params(kAgent, message, subject.deadline));
+  return finding(call(subject, kAgent, Rpc::kSendPlayerParams, message));
 }
 
 Finding all_parameters(PlaymakerSubject& subject) {
@@ -150,7 +153,7 @@ Finding init_message(PlaymakerSubject& subject) {
   protos::InitMessage message;
   *message.mutable_register_response() = subject.identity(kAgent);
   message.set_debug_mode(true);
-  return finding(subject.left().send_init_message(kAgent, message, subject.deadline));
+  return finding(call(subject, kAgent, Rpc::kSendInitMessage, message));
 }
 
 Finding init_first(PlaymakerSubject& subject) {
@@ -159,7 +162,7 @@ Finding init_first(PlaymakerSubject& subject) {
   if (!registered.ok()) return fail(to_text(registered));
   protos::InitMessage message;
   *message.mutable_register_response() = subject.identity(kOther);
-  const auto status = subject.left().send_init_message(kOther, message, subject.deadline);
+  const auto status = call(subject, kOther, Rpc::kSendInitMessage, message);
   if (!status.ok()) return fail(to_text(status));
   return finding(send_parameters(subject, 0, kOther), "init before parameters");
 }
@@ -169,49 +172,50 @@ Finding decision_before_parameters(PlaymakerSubject& subject) {
   const proxy::RpcStatus registered = register_agent(subject, 0, kOther);
   if (!registered.ok()) return fail(to_text(registered));
   const Answer answer = ask(subject, kOther, subject.next_state(kOther));
-  const std::string before = answer.status.ok() ? "answered" : "refused: " + to_text(answer.status);
+  const std::string before = answer.status.ok() ? "accepted" : "refused: " + to_text(answer.status);
   return survives(subject, before);
 }
 
 Finding both_teams(PlaymakerSubject& subject) {
   for (const int team : {0, 1}) {
-    const proxy::RpcStatus status = shake_hands(subject, team);
+    const proxy::RpcStatus status = complete_handshake(subject, team);
     if (!status.ok()) return fail(to_text(status));
   }
-  return pass("22 players and two coaches through the whole handshake");
+  return pass("complete handshake of 22 players and two coaches");
 }
 
 }  // namespace
 
 std::vector<PlaymakerStep> handshake_steps() {
   return {
-      {"reach", "Nothing works before the first Register is answered.", reach},
+      {"reach", "Nothing works before the first reply to Register.", reach},
       {"register_identity",
-       "The proxy sends this identity back with every call: a wrong one mixes up the players.",
+       "The proxy sends this identity with every call: a wrong one mixes up the players.",
        identity},
-      {"register_language", "Tools show the language; a value beyond the enum is a broken message.",
-       language},
-      {"register_team", "Players are told apart by client id when they share one Playmaker.",
-       whole_team},
+      {"register_language",
+       "Tools show the language; a value outside the enum is an invalid message.", language},
+      {"register_team", "Client ids identify the players that share one Playmaker.", whole_team},
       {"register_coach", "A team without its coach cannot substitute.", coach},
       {"register_trainer", "Training sessions and scenarios need the trainer.", trainer},
       {"register_second_team",
-       "Both sides of a match may name the same Playmaker, which must not mix them up.",
+       "Both sides of a match may use the same Playmaker, which must keep them separate.",
        second_team},
-      {"register_again", "An agent that lost its connection registers anew in mid-match.", again},
-      {"register_without_version", "Older proxies do not tell their version.", without_version},
-      {"register_later_version", "A newer proxy must not be turned away.", later_version},
+      {"register_again", "An agent that lost its connection registers again during the match.",
+       again},
+      {"register_without_version", "Older proxies do not send their version.", without_version},
+      {"register_later_version", "A newer proxy must not be rejected.", later_version},
       {"register_longest_name", "Team names have up to 15 letters, digits, - and _.", longest_name},
-      {"server_params", "An error here ends the handshake of an agent.", server_params},
-      {"player_params", "An error here ends the handshake of an agent.", player_params},
+      {"server_params", "An error here aborts the handshake of an agent.", server_params},
+      {"player_params", "An error here aborts the handshake of an agent.", player_params},
       {"all_parameters", "Every agent sends all parameters and all 18 types.", all_parameters},
-      {"init_message", "It ends the handshake; upstream's proxy calls it last.", init_message},
-      {"init_before_parameters", "Proxies differ in the order; documentation shows this one.",
-       init_first},
+      {"init_message", "Completes the handshake; upstream's proxy calls it last.", init_message},
+      {"init_before_parameters",
+       "The order differs between proxies; the documentation shows this one.", init_first},
       {"decision_before_parameters",
-       "An agent that joins late may ask first: a refusal is allowed, a crash is not.",
+       "An agent that connects late may request decisions first: an error is allowed, a crash is "
+       "not.",
        decision_before_parameters},
-      {"handshake_of_both_teams", "A match begins with 24 whole handshakes.", both_teams},
+      {"handshake_of_both_teams", "A match starts with 24 complete handshakes.", both_teams},
   };
 }
 

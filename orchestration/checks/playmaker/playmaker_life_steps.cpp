@@ -1,4 +1,4 @@
-// Steps: ends, second matches, and what thousands of calls cost.
+// Steps: disconnect, second matches, memory growth.
 #include <fmt/format.h>
 
 #include <fstream>
@@ -8,6 +8,8 @@
 
 namespace cls::orchestration::checks {
 namespace {
+
+using proto::Rpc;
 
 constexpr int kAgent = 7;
 
@@ -25,11 +27,12 @@ double resident_mb(int pid) {
   return sum;
 }
 
-// Decisions of a whole team until so many were made; the first error ends it.
+// Requests `calls` decisions of a whole team; stops at the first error.
 proxy::RpcStatus ask_many(PlaymakerSubject& subject, int calls) {
   for (int made = 0; made < calls; made += 11) {
     for (int agent = 1; agent <= 11; ++agent) {
-      subject.left().begin_player_actions(agent, subject.next_state(agent), subject.deadline);
+      subject.left().begin(agent, Rpc::kGetPlayerActions, subject.next_state(agent),
+                           subject.deadline);
     }
     proxy::RpcStatus worst;
     while (const auto reply = subject.left().next_reply()) {
@@ -41,7 +44,7 @@ proxy::RpcStatus ask_many(PlaymakerSubject& subject, int calls) {
 }
 
 Finding memory(PlaymakerSubject& subject) {
-  constexpr double kMostGrowthMb = 20.0;
+  constexpr double kMaxGrowthMb = 20.0;
   const int warm_up = subject.calls / 5;
   proxy::RpcStatus status = ask_many(subject, warm_up);
   const auto pid = subject.pid();
@@ -50,36 +53,35 @@ Finding memory(PlaymakerSubject& subject) {
   if (!status.ok()) return fail(to_text(status));
   if (!pid)
     return pass(
-        fmt::format("{} calls answered; memory is known only of run: sides", subject.calls));
+        fmt::format("{} calls replied; memory is known only for run: sides", subject.calls));
   const double after = resident_mb(*pid);
   const std::string evidence = fmt::format("{:.1f} MB after {} calls, {:.1f} MB after {}", before,
                                            warm_up, after, subject.calls);
-  return after - before <= kMostGrowthMb ? pass(evidence) : fail(evidence);
+  return after - before <= kMaxGrowthMb ? pass(evidence) : fail(evidence);
 }
 
 Finding bye(PlaymakerSubject& subject) {
   for (int agent = 1; agent <= proxy::kCoachNumber; ++agent) {
-    const auto status = subject.left().send_bye(agent, subject.identity(agent), subject.deadline);
+    const auto status = call(subject, agent, Rpc::kSendByeCommand, subject.identity(agent));
     if (!status.ok()) return fail(fmt::format("agent {}: {}", agent, to_text(status)));
   }
   return pass("11 players and the coach");
 }
 
 Finding bye_again(PlaymakerSubject& subject) {
-  const auto status = subject.left().send_bye(kAgent, subject.identity(kAgent), subject.deadline);
-  const std::string before = status.ok() ? "answered" : "refused: " + to_text(status);
+  const auto status = call(subject, kAgent, Rpc::kSendByeCommand, subject.identity(kAgent));
+  const std::string before = status.ok() ? "accepted" : "refused: " + to_text(status);
   const auto other = subject.connect();
-  protos::RegisterResponse answer;
   protos::RegisterRequest request;
   request.set_team_name(team_name(0));
   request.set_uniform_number(kAgent);
-  const auto alive = other->register_agent(kAgent, request, subject.start_timeout, answer);
-  return finding(alive, before);
+  const auto alive = other->call(kAgent, Rpc::kRegister, request, subject.start_timeout);
+  return finding(alive.status, before);
 }
 
 Finding second_match(PlaymakerSubject& subject) {
   subject.cycle = 0;
-  const proxy::RpcStatus status = shake_hands(subject, 0);
+  const proxy::RpcStatus status = complete_handshake(subject, 0);
   if (!status.ok()) return fail(to_text(status));
   for (int agent = 1; agent <= 11; ++agent) {
     const Answer answer = ask(subject, agent, subject.next_state(agent));
@@ -91,25 +93,24 @@ Finding second_match(PlaymakerSubject& subject) {
 
 Finding fresh_connection(PlaymakerSubject& subject) {
   subject.teams[0] = subject.connect();
-  const proxy::RpcStatus status = shake_hands(subject, 0);
+  const proxy::RpcStatus status = complete_handshake(subject, 0);
   if (!status.ok()) return fail(to_text(status));
-  return survives(subject, "a third match over a new connection");
+  return survives(subject, "third match over a new connection");
 }
 
-Finding still_there(PlaymakerSubject& subject) { return survives(subject, "after all of this"); }
+Finding still_there(PlaymakerSubject& subject) { return survives(subject, "all steps done"); }
 
 }  // namespace
 
 std::vector<PlaymakerStep> life_steps() {
   return {
-      {"memory", "A match is 66000 calls a team: what leaks a kilobyte a call grows by 66 MB.",
+      {"memory", "A match has 66000 calls per team: a leak of 1 KB per call grows to 66 MB.",
        memory},
-      {"bye", "Every agent says good-bye at the end.", bye},
-      {"bye_again", "An agent that is gone already may say so twice.", bye_again},
-      {"second_match", "A Playmaker that must be restarted for each match spoils tournaments.",
-       second_match},
+      {"bye", "Every agent sends bye at the end.", bye},
+      {"bye_again", "A disconnected agent may send bye twice.", bye_again},
+      {"second_match", "Tournaments require several matches without a restart.", second_match},
       {"new_connection", "Agents of the next match are new processes.", fresh_connection},
-      {"still_there", "What has taken all steps must serve on.", still_there},
+      {"still_there", "It must continue to serve after all steps.", still_there},
   };
 }
 

@@ -1,23 +1,23 @@
-// Steps: many at once, how fast, late answers and broken connections.
+// Steps: parallel calls, latency, exceeded deadlines, broken connections.
 #include <fmt/format.h>
-#include <netdb.h>
 #include <sys/socket.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <thread>
 
+#include "base/system/tcp_connect.h"
 #include "orchestration/checks/playmaker/playmaker_subject.h"
 
 namespace cls::orchestration::checks {
 namespace {
 
+using proto::Rpc;
 using std::chrono::microseconds;
 
 constexpr int kAgent = 7;
 constexpr int kRounds = 100;
 
-/// Latencies of a load, and what went wrong first.
+/// Latencies under load, and the first error.
 struct Load {
   std::vector<microseconds> latencies;
   int failed = 0;
@@ -34,11 +34,8 @@ void begin(PlaymakerSubject& subject, int team, int agent) {
   const auto t = static_cast<std::size_t>(team);
   protos::State state = subject.next_state(agent == proxy::kCoachNumber ? 1 : agent);
   *state.mutable_register_response() = subject.identities[t][static_cast<std::size_t>(agent)];
-  if (agent == proxy::kCoachNumber) {
-    subject.teams[t]->begin_coach_actions(agent, state, subject.deadline);
-  } else {
-    subject.teams[t]->begin_player_actions(agent, state, subject.deadline);
-  }
+  const Rpc rpc = agent == proxy::kCoachNumber ? Rpc::kGetCoachActions : Rpc::kGetPlayerActions;
+  subject.teams[t]->begin(agent, rpc, state, subject.deadline);
 }
 
 void collect(PlaymakerSubject& subject, int team, Load& load) {
@@ -102,14 +99,15 @@ Finding latency_under_load(PlaymakerSubject& subject) {
 Finding deadline(PlaymakerSubject& subject) {
   const auto answer = ask(subject.left(), kAgent, subject.next_state(kAgent), Milliseconds(1));
   return survives(subject, answer.status.ok()
-                               ? "answered within 1 ms"
+                               ? "replied within 1 ms"
                                : "1 ms: " + std::string(name(answer.status.outcome)));
 }
 
 Finding many_deadlines(PlaymakerSubject& subject) {
   for (int round = 0; round < 20; ++round) {
     for (int agent = 1; agent <= 11; ++agent) {
-      subject.left().begin_player_actions(agent, subject.next_state(agent), Milliseconds(1));
+      subject.left().begin(agent, Rpc::kGetPlayerActions, subject.next_state(agent),
+                           Milliseconds(1));
     }
     while (subject.left().next_reply()) {
     }
@@ -120,7 +118,7 @@ Finding many_deadlines(PlaymakerSubject& subject) {
 Finding another_connection(PlaymakerSubject& subject) {
   const auto other = subject.connect();
   const Answer answer = ask(*other, kAgent, subject.next_state(kAgent), subject.start_timeout);
-  return finding(answer.status, "the same agent over a second connection");
+  return finding(answer.status, "same agent over a second connection");
 }
 
 Finding broken_connection(PlaymakerSubject& subject) {
@@ -128,13 +126,13 @@ Finding broken_connection(PlaymakerSubject& subject) {
     const auto other = subject.connect();
     ask(*other, kAgent, subject.next_state(kAgent), subject.start_timeout);
     for (int agent = 1; agent <= 11; ++agent) {
-      other->begin_player_actions(agent, subject.next_state(agent), subject.deadline);
+      other->begin(agent, Rpc::kGetPlayerActions, subject.next_state(agent), subject.deadline);
     }
     other->cancel();
     while (other->next_reply()) {
     }
   }
-  return survives(subject, "11 calls cut off in flight");
+  return survives(subject, "11 calls aborted in flight");
 }
 
 Finding many_connections(PlaymakerSubject& subject) {
@@ -149,29 +147,16 @@ Finding many_connections(PlaymakerSubject& subject) {
       return fail(fmt::format("connection {}: {}", agent, to_text(answer.status)));
     }
   }
-  return pass(fmt::format("{} connections at once", kConnections));
+  return pass(fmt::format("{} parallel connections", kConnections));
 }
 
-// True if the bytes could be sent.
+// Returns true if the bytes were sent.
 bool send_bytes(const PlaymakerSubject& subject, std::string_view bytes) {
-  std::string host = subject.host;
-  if (host.starts_with('[') && host.ends_with(']')) host = host.substr(1, host.size() - 2);
-  addrinfo hints = {};
-  hints.ai_socktype = SOCK_STREAM;
-  addrinfo* found = nullptr;
-  const std::string port = std::to_string(subject.port);
-  if (::getaddrinfo(host.c_str(), port.c_str(), &hints, &found) != 0) return false;
-  bool sent = false;
-  for (const addrinfo* at = found; at != nullptr && !sent; at = at->ai_next) {
-    const int fd = ::socket(at->ai_family, at->ai_socktype | SOCK_CLOEXEC, at->ai_protocol);
-    if (fd < 0) continue;
-    sent =
-        ::connect(fd, at->ai_addr, at->ai_addrlen) == 0 &&
-        ::send(fd, bytes.data(), bytes.size(), MSG_NOSIGNAL) == static_cast<ssize_t>(bytes.size());
-    ::close(fd);
-  }
-  ::freeaddrinfo(found);
-  return sent;
+  constexpr std::chrono::seconds kConnectTimeout(5);
+  const auto deadline = std::chrono::steady_clock::now() + kConnectTimeout;
+  const base::UniqueFd socket = base::connect_tcp(subject.host, subject.port, deadline);
+  return socket && ::send(socket.get(), bytes.data(), bytes.size(), MSG_NOSIGNAL) ==
+                       static_cast<ssize_t>(bytes.size());
 }
 
 Finding garbage(PlaymakerSubject& subject) {
@@ -179,9 +164,9 @@ Finding garbage(PlaymakerSubject& subject) {
   std::string bytes = "GET / HTTP/1.1\r\nHost: soccer\r\n\r\n";
   for (int i = 0; i < 4096; ++i) bytes.push_back(static_cast<char>(i * 31));
   for (int i = 0; i < 10; ++i) {
-    if (!send_bytes(subject, bytes)) return fail("the port takes no further connection");
+    if (!send_bytes(subject, bytes)) return fail("the port accepts no further connection");
   }
-  return survives(subject, "10 connections with bytes that are no gRPC");
+  return survives(subject, "10 connections with bytes that are not gRPC");
 }
 
 Finding idle(PlaymakerSubject& subject) {
@@ -193,23 +178,24 @@ Finding idle(PlaymakerSubject& subject) {
 
 std::vector<PlaymakerStep> load_steps() {
   return {
-      {"latency_alone", "How long a decision takes when nobody else asks.", latency_alone},
-      {"eleven_at_once", "All players of a team ask at the beginning of a cycle.", eleven_at_once},
-      {"both_teams_at_once", "22 players and two coaches ask one Playmaker at once.",
+      {"latency_alone", "Latency of a decision without load.", latency_alone},
+      {"eleven_at_once", "All players of a team send requests at the start of a cycle.",
+       eleven_at_once},
+      {"both_teams_at_once", "22 players and two coaches use one Playmaker concurrently.",
        both_teams_at_once},
-      {"latency_under_load",
-       "In real time a cycle lasts 100 ms; decisions that take longer are lost.",
+      {"latency_under_load", "In real time a cycle lasts 100 ms; later decisions are lost.",
        latency_under_load},
-      {"deadline", "A call that is given up must not block the next one.", deadline},
-      {"many_deadlines", "Answers that nobody waits for must not pile up.", many_deadlines},
+      {"deadline", "A cancelled call must not block the next one.", deadline},
+      {"many_deadlines", "Replies after the deadline must not accumulate.", many_deadlines},
       {"another_connection", "Upstream's proxy uses a connection for each agent.",
        another_connection},
       {"twelve_connections", "Upstream's proxy uses a connection for each agent.",
        many_connections},
-      {"broken_connection", "Agents are killed in mid-match; the rest of the team plays on.",
+      {"broken_connection",
+       "An agent may be killed during the match; the rest of the team continues.",
        broken_connection},
-      {"garbage", "Ports are scanned; what is no gRPC must not end the match.", garbage},
-      {"idle", "Before kick-off and at half time nobody asks for a while.", idle},
+      {"garbage", "Ports are scanned; bytes that are not gRPC must not end the match.", garbage},
+      {"idle", "Before kick-off and at half time there are no requests for a while.", idle},
   };
 }
 

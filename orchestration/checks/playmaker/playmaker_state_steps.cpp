@@ -1,4 +1,4 @@
-// Steps: States from the edges of what a match can bring.
+// Steps: edge-case States.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -45,7 +45,7 @@ Finding every_mode(PlaymakerSubject& subject) {
       ++asked;
     }
   }
-  return pass(fmt::format("{} combinations of mode and side", asked));
+  return pass(fmt::format("{} combinations of play mode and side", asked));
 }
 
 Finding right_side(PlaymakerSubject& subject) {
@@ -124,7 +124,7 @@ Finding not_a_number(PlaymakerSubject& subject) {
   protos::State state = subject.next_state(kAgent);
   forget_everything(state, std::numeric_limits<float>::quiet_NaN());
   const Answer answer = ask(subject, kAgent, state);
-  return survives(subject, answer.status.ok() ? "answered" : "refused");
+  return survives(subject, answer.status.ok() ? "accepted" : "refused");
 }
 
 Finding alone(PlaymakerSubject& subject) {
@@ -195,59 +195,60 @@ Finding empty_world(PlaymakerSubject& subject) {
   *state.mutable_register_response() = subject.identity(kAgent);
   state.mutable_world_model();
   const Answer answer = ask(subject, kAgent, state);
-  return survives(subject, answer.status.ok() ? "answered" : "refused");
+  return survives(subject, answer.status.ok() ? "accepted" : "refused");
 }
 
 Finding no_world(PlaymakerSubject& subject) {
   protos::State state;
   *state.mutable_register_response() = subject.identity(kAgent);
   const Answer answer = ask(subject, kAgent, state);
-  return survives(subject, answer.status.ok() ? "answered" : "refused");
+  return survives(subject, answer.status.ok() ? "accepted" : "refused");
 }
 
 Finding no_identity(PlaymakerSubject& subject) {
   protos::State state = subject.next_state(kAgent);
   state.clear_register_response();
   const Answer answer = ask(subject, kAgent, state);
-  return survives(subject, answer.status.ok() ? "answered" : "refused");
+  return survives(subject, answer.status.ok() ? "accepted" : "refused");
 }
 
 Finding unknown_client(PlaymakerSubject& subject) {
   protos::State state = subject.next_state(kAgent);
   state.mutable_register_response()->set_client_id(987654);
   const Answer answer = ask(subject, kAgent, state);
-  return survives(subject, answer.status.ok() ? "answered" : "refused");
+  return survives(subject, answer.status.ok() ? "accepted" : "refused");
 }
 
 }  // namespace
 
 std::vector<PlaymakerStep> state_steps() {
   return {
-      {"before_kick_off", "The first States of a match know nobody and nothing.", before_kick_off},
-      {"every_mode", "A mode that the author never met must not end the match.", every_mode},
+      {"before_kick_off", "The first States of a match contain no observations.", before_kick_off},
+      {"every_mode", "An unexpected play mode must not end the match.", every_mode},
       {"right_side", "Half of all matches are played on the right.", right_side},
-      {"goalie", "The goalie may catch, and has code of its own in most teams.", goalie},
+      {"goalie", "The goalie may catch, and has separate code in most teams.", goalie},
       {"kickable", "The code with the ball differs from the code without.", kickable},
-      {"tackling", "A player on the ground is asked as well.", tackling},
-      {"exhausted", "Stamina and capacity end at 0: a division waits there.", exhausted},
-      {"penalties", "Shoot-outs come in the matches that matter.", penalties},
+      {"tackling", "Decisions are requested for a tackling player too.", tackling},
+      {"exhausted", "Stamina and capacity can be 0: a possible division by zero.", exhausted},
+      {"penalties", "Shoot-outs decide knockout matches.", penalties},
       {"no_ball", "The ball is an optional part of the State.", no_ball},
-      {"nothing_seen", "Ages of 1000 mean: never seen.", nothing_seen},
+      {"nothing_seen", "An age of 1000 means: never seen.", nothing_seen},
       {"infinite_places", "Upstream's proxy sends infinity where something was never seen.",
        infinite},
-      {"not_a_number", "Wrong, but a refusal is enough: a crash ends the match.", not_a_number},
-      {"nobody_else", "Teams play short, and a lone player in training sees nobody.", alone},
-      {"nameless_players", "Unknown players are in the dictionaries as -1, -2, ...",
+      {"not_a_number", "Invalid: an error is allowed, a crash ends the match.", not_a_number},
+      {"nobody_else", "Teams may be incomplete; a single player in training sees no other.", alone},
+      {"nameless_players", "Players without uniform number are in the maps as -1, -2, ...",
        nameless_players},
-      {"200_unknown_players", "Repeated fields have no limit of their own.", crowded},
+      {"200_unknown_players", "Repeated fields have no size limit.", crowded},
       {"late_in_the_match", "Extra time and shoot-outs go beyond cycle 10000.", late_in_the_match},
-      {"back_in_time", "Cycle 1 comes again with every match.", back_in_time},
+      {"back_in_time", "Every match starts again at cycle 1.", back_in_time},
       {"older_interface", "Proxies of IDL 1.7 lack the newer fields.", older_interface},
-      {"later_interface", "Proxies to come send fields that nobody knows yet.", later_interface},
-      {"empty_world", "Every part of a world is optional: a crash ends the match.", empty_world},
-      {"no_world", "A State without a world may be refused, not crash.", no_world},
-      {"no_identity", "Others on the network ask too: a crash ends the match.", no_identity},
-      {"unknown_client", "After a restart of the Playmaker every id is unknown to it.",
+      {"later_interface", "Later proxies send unknown fields.", later_interface},
+      {"empty_world", "Every field of the world model is optional: a crash ends the match.",
+       empty_world},
+      {"no_world", "A State without a world model may be refused, but must not crash.", no_world},
+      {"no_identity", "Other clients may call: a crash ends the match.", no_identity},
+      {"unknown_client", "After a restart of the Playmaker every client id is unknown.",
        unknown_client},
   };
 }

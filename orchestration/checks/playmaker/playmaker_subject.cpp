@@ -1,4 +1,4 @@
-// Asking a Playmaker.
+// Calls to a Playmaker under test.
 #include "orchestration/checks/playmaker/playmaker_subject.h"
 
 #include <fmt/format.h>
@@ -13,6 +13,8 @@
 
 namespace cls::orchestration::checks {
 namespace {
+
+using proto::Rpc;
 
 constexpr int kSeed = 1;
 
@@ -36,8 +38,12 @@ proxy::RpcStatus register_agent(PlaymakerSubject& subject, int team, int agent) 
   request.set_uniform_number(agent);
   request.set_rpc_version(1);
   const auto t = static_cast<std::size_t>(team);
-  return subject.teams[t]->register_agent(agent, request, subject.start_timeout,
-                                          subject.identities[t][static_cast<std::size_t>(agent)]);
+  const proxy::Reply reply =
+      subject.teams[t]->call(agent, Rpc::kRegister, request, subject.start_timeout);
+  if (const auto* identity = reply.as<protos::RegisterResponse>()) {
+    subject.identities[t][static_cast<std::size_t>(agent)] = *identity;
+  }
+  return reply.status;
 }
 
 proxy::RpcStatus send_parameters(PlaymakerSubject& subject, int team, int agent) {
@@ -49,23 +55,26 @@ proxy::RpcStatus send_parameters(PlaymakerSubject& subject, int team, int agent)
   protos::ServerParam server_message;
   proxy::fill(server, server_message);
   *server_message.mutable_register_response() = identity;
-  auto status = playmaker.send_server_params(agent, server_message, subject.deadline);
+  const auto send = [&](Rpc rpc, const google::protobuf::Message& message) {
+    return playmaker.call(agent, rpc, message, subject.deadline).status;
+  };
+  auto status = send(Rpc::kSendServerParams, server_message);
   if (!status.ok()) return status;
   protos::PlayerParam player_message;
   proxy::fill(player, player_message);
   *player_message.mutable_register_response() = identity;
-  status = playmaker.send_player_params(agent, player_message, subject.deadline);
+  status = send(Rpc::kSendPlayerParams, player_message);
   for (const soccer::PlayerType& type : soccer::draw_player_types(server, player, kSeed)) {
     if (!status.ok()) return status;
     protos::PlayerType message;
     proxy::fill(type, server, message);
     *message.mutable_register_response() = identity;
-    status = playmaker.send_player_type(agent, message, subject.deadline);
+    status = send(Rpc::kSendPlayerType, message);
   }
   return status;
 }
 
-proxy::RpcStatus shake_hands(PlaymakerSubject& subject, int team) {
+proxy::RpcStatus complete_handshake(PlaymakerSubject& subject, int team) {
   proxy::RpcStatus status;
   for (int agent = 1; agent <= proxy::kCoachNumber && status.ok(); ++agent) {
     status = register_agent(subject, team, agent);
@@ -74,24 +83,24 @@ proxy::RpcStatus shake_hands(PlaymakerSubject& subject, int team) {
     const auto t = static_cast<std::size_t>(team);
     protos::InitMessage message;
     *message.mutable_register_response() = subject.identities[t][static_cast<std::size_t>(agent)];
-    status = subject.teams[t]->send_init_message(agent, message, subject.deadline);
+    status = subject.teams[t]->call(agent, Rpc::kSendInitMessage, message, subject.deadline).status;
   }
   return status;
 }
 
 Answer ask(proxy::Playmaker& playmaker, int agent, const protos::State& state,
            Milliseconds deadline) {
-  playmaker.begin_player_actions(agent, state, deadline);
-  const std::optional<proxy::Reply> reply = playmaker.next_reply();
+  const proxy::Reply reply = playmaker.call(agent, Rpc::kGetPlayerActions, state, deadline);
   Answer answer;
-  if (!reply) {
-    answer.status = {proxy::RpcOutcome::kError, 0, "the call gave no reply"};
-    return answer;
-  }
-  answer.status = reply->status;
-  answer.latency = reply->latency;
-  if (reply->player != nullptr) answer.actions = *reply->player;
+  answer.status = reply.status;
+  answer.latency = reply.latency;
+  if (const auto* actions = reply.as<protos::PlayerActions>()) answer.actions = *actions;
   return answer;
+}
+
+proxy::RpcStatus call(PlaymakerSubject& subject, int agent, Rpc rpc,
+                      const google::protobuf::Message& request) {
+  return subject.left().call(agent, rpc, request, subject.deadline).status;
 }
 
 Answer ask(PlaymakerSubject& subject, int agent, const protos::State& state) {
@@ -111,8 +120,8 @@ Finding finding(const proxy::RpcStatus& status, std::string evidence) {
 Finding survives(PlaymakerSubject& subject, const std::string& before) {
   constexpr int kAgent = 7;
   const Answer answer = ask(subject, kAgent, subject.next_state(kAgent));
-  if (answer.status.ok()) return pass(before + "; answers the next ordinary question");
-  return fail(before + "; then an ordinary question: " + to_text(answer.status));
+  if (answer.status.ok()) return pass(before + "; replies to the next ordinary request");
+  return fail(before + "; then an ordinary request: " + to_text(answer.status));
 }
 
 }  // namespace cls::orchestration::checks

@@ -1,4 +1,4 @@
-// A Playmaker under test, with its agents' identities and what the steps of a check ask it.
+// A Playmaker under test, the identities of its agents, and calls shared by the steps.
 #pragma once
 
 #include <array>
@@ -18,41 +18,45 @@ namespace cls::orchestration::checks {
 using Milliseconds = std::chrono::milliseconds;
 
 struct PlaymakerSubject {
-  // How to reach it.
-  std::function<std::unique_ptr<proxy::Playmaker>()> connect;  ///< a connection of its own
+  // Connection.
+  std::function<std::unique_ptr<proxy::Playmaker>()> connect;  ///< opens a new connection
   std::string host;                                            ///< empty: no TCP address
   int port = 0;
-  std::function<std::optional<int>()> pid;  ///< of a Playmaker that we started, while it lives
+  std::function<std::optional<int>()> pid;  ///< of a Playmaker started by the check, while it runs
   Milliseconds start_timeout{20'000};
-  Milliseconds deadline{3'000};     ///< of a decision: what upstream's proxy grants
-  int calls = 10'000;               ///< of the memory step
-  Milliseconds latency_limit{100};  ///< of 99 in 100 decisions under load: a cycle in real time
+  Milliseconds deadline{3'000};     ///< of a decision, as in upstream's proxy
+  int calls = 10'000;               ///< number of calls of the memory step
+  Milliseconds latency_limit{100};  ///< maximum p99 of decisions under load: a cycle in real time
 
-  // What steps share. Two teams: a match has two.
+  // Shared by the steps. Two teams, as in a match.
   std::array<std::unique_ptr<proxy::Playmaker>, 2> teams;
   std::array<std::array<protos::RegisterResponse, proxy::kAgentNumbers>, 2> identities;
   int cycle = 1;
-  bool has_coach = true;  ///< false once it said that it knows no coach
+  bool has_coach = true;  ///< false after a reply of UNIMPLEMENTED
 
   proxy::Playmaker& left() { return *teams[0]; }
   const protos::RegisterResponse& identity(int agent) const {
     return identities[0][static_cast<std::size_t>(agent)];
   }
 
-  /// An ordinary State of the agent, a cycle later each time.
+  /// An ordinary State of the agent; each call is one cycle later.
   protos::State next_state(int agent);
 };
 
 std::string team_name(int team);
 
-/// Registers one agent and keeps its identity.
+/// Registers one agent and stores its identity.
 proxy::RpcStatus register_agent(PlaymakerSubject& subject, int team, int agent);
 
-/// The whole handshake of every agent of a team: Register, parameters, types, init.
-proxy::RpcStatus shake_hands(PlaymakerSubject& subject, int team);
+/// Complete handshake of every agent of a team: Register, parameters, player types, init.
+proxy::RpcStatus complete_handshake(PlaymakerSubject& subject, int team);
 proxy::RpcStatus send_parameters(PlaymakerSubject& subject, int team, int agent);
 
-/// One decision, waited for.
+/// One blocking call by an agent of the left team.
+proxy::RpcStatus call(PlaymakerSubject& subject, int agent, proto::Rpc rpc,
+                      const google::protobuf::Message& request);
+
+/// One blocking decision request.
 struct Answer {
   proxy::RpcStatus status;
   protos::PlayerActions actions;  ///< a copy
@@ -65,21 +69,21 @@ Answer ask(proxy::Playmaker& playmaker, int agent, const protos::State& state,
 /// "unavailable: connection refused".
 std::string to_text(const proxy::RpcStatus& status);
 
-/// Pass if the call succeeded.
+/// Passes if the call succeeded.
 Finding finding(const proxy::RpcStatus& status, std::string evidence = {});
 
-/// Pass if an ordinary question is answered: after something that a Playmaker may refuse but must
-/// survive. `before` is what that was.
+/// Passes if an ordinary request succeeds after one that a Playmaker may refuse but must survive.
+/// `before` describes that one.
 Finding survives(PlaymakerSubject& subject, const std::string& before);
 
-/// A step: its name, why it matters, what it does.
+/// A step: name, why it matters, function.
 struct PlaymakerStep {
   const char* name;
   const char* why;
   Finding (*run)(PlaymakerSubject&);
 };
 
-// The steps in the order in which they are taken.
+// The steps in the order of execution.
 std::vector<PlaymakerStep> handshake_steps();
 std::vector<PlaymakerStep> decision_steps();
 std::vector<PlaymakerStep> state_steps();

@@ -1,4 +1,4 @@
-// Filling States.
+// Sample States.
 #include "orchestration/checks/playmaker/sample_states.h"
 
 #include <google/protobuf/unknown_field_set.h>
@@ -25,7 +25,7 @@ void set_unseen(protos::RpcVector2D& v, float value) {
   v.set_y(value);
 }
 
-// Rows of three before the own goal, mirrored for opponents.
+// Rows of three in front of the own goal, mirrored for opponents.
 void place(protos::Player& player, protos::Side side, int unum, bool ours) {
   const double sign = ours ? 1.0 : -1.0;
   const double x = sign * (unum == 1 ? -50.0 : -12.0 * (4 - (unum - 2) / 3));

@@ -1,10 +1,10 @@
-// Taking the steps.
+// Runs the steps of `cls check server`.
 #include "orchestration/checks/server/server_check.h"
 
 #include <optional>
 #include <utility>
 
-#include "orchestration/checks/ended_program.h"
+#include "orchestration/checks/checked_program.h"
 #include "orchestration/checks/server/server_subject.h"
 #include "orchestration/checks/server/started_server.h"
 
@@ -14,9 +14,9 @@ namespace {
 base::Result<void> prepare(const ServerCheckOptions& options, std::optional<StartedServer>& server,
                            ServerSubject& subject, const std::atomic<int>& stop) {
   subject.start_timeout = options.start_timeout;
-  subject.hopeless = [&server, &stop]() -> std::string {
+  subject.failure_reason = [&server, &stop]() -> std::string {
     if (stop != 0) return "interrupted";
-    return server ? account_of_end("the server", server->child()) : "";
+    return server ? describe_exit("the server", server->child()) : "";
   };
   if (options.server.kind == match::ServerChoice::Kind::kAddress) {
     subject.host = options.server.host;
@@ -36,9 +36,9 @@ base::Result<void> prepare(const ServerCheckOptions& options, std::optional<Star
     std::unique_ptr<soccer::UdpClients>& clients;
     int port;
   };
-  for (const Door& door : {Door{subject.player_door, subject.ports.player},
-                           Door{subject.trainer_door, subject.ports.trainer},
-                           Door{subject.coach_door, subject.ports.coach}}) {
+  for (const Door& door : {Door{subject.player_port, subject.ports.player},
+                           Door{subject.trainer_port, subject.ports.trainer},
+                           Door{subject.coach_port, subject.ports.coach}}) {
     auto created = soccer::UdpClients::create(subject.host, door.port);
     if (!created) return created.error();
     door.clients = *std::move(created);
@@ -46,12 +46,12 @@ base::Result<void> prepare(const ServerCheckOptions& options, std::optional<Star
   return {};
 }
 
-// Why it is of no use to go on; empty if it is.
+// Why the remaining steps are skipped; empty if not.
 std::string why_not(const ServerSubject& subject, const CheckReport& report) {
-  if (std::string reason = subject.hopeless(); !reason.empty()) return reason;
+  if (std::string reason = subject.failure_reason(); !reason.empty()) return reason;
   const bool unreachable =
       report.steps.size() > 1 && report.steps.front().result != StepResult::kPass;
-  return unreachable ? "the server was not reached" : "";
+  return unreachable ? "server unreachable" : "";
 }
 
 }  // namespace
@@ -70,12 +70,12 @@ base::Result<CheckReport> check_server(const ServerCheckOptions& options,
   std::vector<ServerStep> steps = server_connection_steps();
   for (const ServerStep& step : server_play_steps()) steps.push_back(step);
   for (const ServerStep& step : steps) {
-    CheckStep& taken = report.steps.emplace_back();
-    taken.name = step.name;
-    taken.why = step.why;
+    CheckStep& step_result = report.steps.emplace_back();
+    step_result.name = step.name;
+    step_result.why = step.why;
     const std::string reason = why_not(subject, report);
-    take(taken, [&] { return reason.empty() ? step.run(subject) : skip(reason); });
-    on_step(taken);
+    run_timed(step_result, [&] { return reason.empty() ? step.run(subject) : skip(reason); });
+    on_step(step_result);
   }
   return report;
 }

@@ -1,4 +1,4 @@
-// `cls check server`: is it a soccer server that teams can play on?
+// `cls check server`: conformance check of a soccer server.
 #pragma once
 
 #include <atomic>
@@ -18,8 +18,8 @@ struct ServerCheckOptions {
   std::chrono::milliseconds start_timeout{20'000};
 };
 
-/// Takes all steps on a server that nobody has joined yet; what was started is ended. The error
-/// says why nothing could be tried. `stop` nonzero skips what is left.
+/// Runs all steps on a server without clients; terminates started programs. Returns an error if no
+/// step could run. A nonzero `stop` skips the remaining steps.
 base::Result<CheckReport> check_server(const ServerCheckOptions& options,
                                        const std::function<void(const CheckStep&)>& on_step,
                                        const std::atomic<int>& stop);

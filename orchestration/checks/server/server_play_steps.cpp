@@ -1,4 +1,4 @@
-// Steps: what players feel and see, what their commands do, and leaving.
+// Steps: sensor messages, effects of commands, disconnecting.
 #include <fmt/format.h>
 
 #include "orchestration/checks/server/server_subject.h"
@@ -11,11 +11,11 @@ namespace {
 
 using soccer::SenseBody;
 
-// The next sense_body for which `is` holds, out of a few.
+// The next sense_body for which `is` holds, within a few messages.
 template <typename Is>
 std::optional<SenseBody> sensed(ServerSubject& subject, Is is) {
   for (int i = 0; i < 20; ++i) {
-    const auto message = subject.await(subject.player(), begins("(sense_body "));
+    const auto message = subject.await(subject.player(), starts_with_text("(sense_body "));
     SenseBody sense;
     if (!message || !soccer::parse(*message, sense)) return std::nullopt;
     if (is(sense)) return sense;
@@ -24,7 +24,7 @@ std::optional<SenseBody> sensed(ServerSubject& subject, Is is) {
 }
 
 Finding sense_body(ServerSubject& subject) {
-  const auto message = subject.await(subject.player(), begins("(sense_body "));
+  const auto message = subject.await(subject.player(), starts_with_text("(sense_body "));
   if (!message) return fail("no sense_body");
   SenseBody sense;
   const auto read = soccer::parse(*message, sense);
@@ -32,7 +32,7 @@ Finding sense_body(ServerSubject& subject) {
 }
 
 Finding see(ServerSubject& subject) {
-  const auto message = subject.await(subject.player(), begins("(see "));
+  const auto message = subject.await(subject.player(), starts_with_text("(see "));
   if (!message) return fail("no see");
   soccer::See seen;
   const auto read = soccer::parse(*message, seen);
@@ -41,14 +41,14 @@ Finding see(ServerSubject& subject) {
 
 Finding old_sense_body(ServerSubject& subject) {
   for (std::size_t i = 2; i < 12 && i < subject.clients.size(); ++i) {
-    if (!subject.await(*subject.clients[i], begins("(sense_body "))) {
+    if (!subject.await(*subject.clients[i], starts_with_text("(sense_body "))) {
       return fail(fmt::format("none for client {}", i));
     }
   }
-  return pass("one for a client of every version");
+  return pass("one for a client of each version");
 }
 
-// Sends a command and waits until its counter has grown.
+// Sends a command and waits until its counter has increased.
 Finding counted(ServerSubject& subject, const std::string& command, int soccer::CommandCounts::*n) {
   const auto before = sensed(subject, [](const SenseBody&) { return true; });
   if (!before) return fail("no sense_body");
@@ -77,7 +77,8 @@ Finding view(ServerSubject& subject) {
   subject.player().channel->send("(change_view wide)");
   const auto after = sensed(
       subject, [](const SenseBody& sense) { return sense.width == soccer::ViewWidth::kWide; });
-  return after ? pass("(change_view wide), then felt") : fail("the view stayed as it was");
+  return after ? pass("(change_view wide), then reported in sense_body")
+               : fail("the view did not change");
 }
 
 Finding say(ServerSubject& subject) {
@@ -91,8 +92,8 @@ Finding say(ServerSubject& subject) {
 
 Finding answered(ServerSubject& subject, const std::string& command, const std::string& wanted) {
   subject.player().channel->send(command);
-  const auto answer = subject.await(subject.player(), begins("(error "));
-  const std::string evidence = command + ": " + answer.value_or("no answer");
+  const auto answer = subject.await(subject.player(), starts_with_text("(error "));
+  const std::string evidence = command + ": " + answer.value_or("no reply");
   return answer && answer->starts_with(wanted) ? pass(evidence) : fail(evidence);
 }
 
@@ -107,13 +108,14 @@ Finding garbage(ServerSubject& subject) {
   std::string bytes;
   for (int i = 0; i < 8000; ++i) bytes.push_back(static_cast<char>(1 + i * 31 % 255));
   for (int i = 0; i < 20; ++i) {
-    const auto channel = subject.player_door->connect();
+    const auto channel = subject.player_port->connect();
     if (channel != nullptr) channel->send(bytes);
     subject.player().channel->send(bytes.substr(0, 1000));
   }
   subject.player().inbox.clear();
-  const auto next = subject.await(subject.player(), begins("(sense_body "));
-  return next ? pass("20 datagrams of 8000 bytes, the match goes on") : fail("silent since then");
+  const auto next = subject.await(subject.player(), starts_with_text("(sense_body "));
+  return next ? pass("20 datagrams of 8000 bytes, the match continues")
+              : fail("no messages since then");
 }
 
 Finding rhythm(ServerSubject& subject) {
@@ -121,10 +123,11 @@ Finding rhythm(ServerSubject& subject) {
   const int thinks = subject.thinks;
   const auto start = std::chrono::steady_clock::now();
   for (int i = 0; i < kCycles; ++i) {
-    if (!subject.await(subject.player(), begins("(sense_body "))) return fail("no sense_body");
+    if (!subject.await(subject.player(), starts_with_text("(sense_body ")))
+      return fail("no sense_body");
   }
   const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - start;
-  return pass(fmt::format("{:.1f} ms a cycle, {}", took.count() / kCycles,
+  return pass(fmt::format("{:.1f} ms per cycle, {}", took.count() / kCycles,
                           subject.thinks > thinks ? "synch mode" : "real time"));
 }
 
@@ -139,42 +142,43 @@ Finding bye(ServerSubject& subject) {
 }
 
 Finding reconnect(ServerSubject& subject) {
-  ServerClient& client = subject.connect(*subject.player_door, "(reconnect Check_A 2)");
+  ServerClient& client = subject.connect(*subject.player_port, "(reconnect Check_A 2)");
   const auto answer = subject.await(client, [](const std::string& message) {
     return message.starts_with("(reconnect") || message.starts_with("(error");
   });
   if (!answer || !answer->starts_with("(reconnect l ")) {
-    return fail(answer.value_or("no answer"));
+    return fail(answer.value_or("no reply"));
   }
-  return subject.await(client, begins("(sense_body ")) ? pass(*answer) : fail("no sense_body");
+  return subject.await(client, starts_with_text("(sense_body ")) ? pass(*answer)
+                                                                 : fail("no sense_body");
 }
 
 Finding still_there(ServerSubject& subject) {
   subject.player().inbox.clear();
-  const auto next = subject.await(subject.player(), begins("(sense_body "));
-  return next ? pass("the first player still feels its body") : fail("silent");
+  const auto next = subject.await(subject.player(), starts_with_text("(sense_body "));
+  return next ? pass("the first player receives sense_body") : fail("no messages");
 }
 
 }  // namespace
 
 std::vector<ServerStep> server_play_steps() {
   return {
-      {"sense_body", "Players know their bodies from it.", sense_body},
-      {"see", "Players know the world from it.", see},
-      {"sense_body_of_versions", "Every protocol version has its own form.", old_sense_body},
-      {"move", "Before a kick-off players take their places.", move},
-      {"turn", "A body command a cycle is carried out, and counted.", turn},
-      {"turn_neck", "It goes beside a body command.", turn_neck},
+      {"sense_body", "It reports the player's own body.", sense_body},
+      {"see", "It reports the objects in view.", see},
+      {"sense_body_of_versions", "Each protocol version has its own format.", old_sense_body},
+      {"move", "Before a kick-off players move to their positions.", move},
+      {"turn", "One body command per cycle is executed and counted.", turn},
+      {"turn_neck", "It is executed in addition to a body command.", turn_neck},
       {"several_commands", "A datagram may hold several commands.", several},
-      {"change_view", "What is seen and how often follows from it.", view},
-      {"say_and_hear", "Teams talk.", say},
-      {"illegal_command_form", "Errors are told, so that authors find them.", bad_form},
-      {"unknown_command", "Errors are told, so that authors find them.", unknown_command},
-      {"garbage", "Anybody can send anything to a UDP port.", garbage},
-      {"rhythm", "How long a cycle takes, and who gives the beat.", rhythm},
-      {"bye", "Who has left is left alone.", bye},
-      {"reconnect", "Who was cut off comes back under the same number.", reconnect},
-      {"still_there", "What has taken all steps must serve on.", still_there},
+      {"change_view", "It determines view width and interval.", view},
+      {"say_and_hear", "Teammates communicate with say messages.", say},
+      {"illegal_command_form", "Error messages help authors to find bugs.", bad_form},
+      {"unknown_command", "Error messages help authors to find bugs.", unknown_command},
+      {"garbage", "Any process can send any bytes to a UDP port.", garbage},
+      {"rhythm", "Duration of a cycle, and its clock.", rhythm},
+      {"bye", "Disconnected clients receive no messages.", bye},
+      {"reconnect", "A disconnected player returns with the same uniform number.", reconnect},
+      {"still_there", "It must continue to serve after all steps.", still_there},
   };
 }
 

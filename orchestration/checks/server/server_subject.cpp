@@ -1,4 +1,4 @@
-// Talking to a server.
+// Clients of a soccer server under test.
 #include "orchestration/checks/server/server_subject.h"
 
 #include <algorithm>
@@ -45,25 +45,25 @@ std::optional<std::string> ServerSubject::await(ServerClient& client, const Want
       return message;
     }
     if (steady_clock::now() >= end) return std::nullopt;
-    player_door->wait_until(std::min(end, steady_clock::now() + milliseconds(5)));
+    player_port->wait_until(std::min(end, steady_clock::now() + milliseconds(5)));
   }
 }
 
 std::optional<std::string> ServerSubject::await(ServerClient& client, const Wanted& wanted) {
-  return await(client, wanted, patience);
+  return await(client, wanted, reply_timeout);
 }
 
-void ServerSubject::listen(milliseconds how_long) {
-  ServerClient nobody;
+void ServerSubject::listen(milliseconds duration) {
+  ServerClient no_client;
   await(
-      nobody, [](const std::string&) { return true; }, how_long);
+      no_client, [](const std::string&) { return true; }, duration);
 }
 
-ServerSubject::Wanted begins(const std::string& text) {
+ServerSubject::Wanted starts_with_text(const std::string& text) {
   return [text](const std::string& message) { return message.starts_with(text); };
 }
 
-bool is_answer(const std::string& message) {
+bool is_reply(const std::string& message) {
   return message.starts_with("(init") || message.starts_with("(error");
 }
 

@@ -1,4 +1,4 @@
-// A soccer server under test, and the clients that talk to it.
+// A soccer server under test and its clients.
 #pragma once
 
 #include <chrono>
@@ -14,7 +14,7 @@
 
 namespace cls::orchestration::checks {
 
-/// One client. What it was sent and has not looked at yet waits in `inbox`.
+/// One client. `inbox`: received messages that are not processed yet.
 struct ServerClient {
   std::unique_ptr<soccer::Channel> channel;
   std::vector<std::string> inbox;
@@ -24,41 +24,41 @@ struct ServerSubject {
   std::string host;
   match::ServerPorts ports;
   std::chrono::milliseconds start_timeout{20'000};
-  std::chrono::milliseconds patience{3'000};  ///< for an answer
-  /// Why nothing can come of waiting for it; empty while something can.
-  std::function<std::string()> hopeless;
+  std::chrono::milliseconds reply_timeout{3'000};  ///< of a reply
+  /// Why waiting is useless; empty while it is not.
+  std::function<std::string()> failure_reason;
 
-  std::unique_ptr<soccer::UdpClients> player_door;
-  std::unique_ptr<soccer::UdpClients> trainer_door;
-  std::unique_ptr<soccer::UdpClients> coach_door;
-  /// In the order in which they came: 0 first player, 1 goalie of the same team, 2... the others.
+  std::unique_ptr<soccer::UdpClients> player_port;
+  std::unique_ptr<soccer::UdpClients> trainer_port;
+  std::unique_ptr<soccer::UdpClients> coach_port;
+  /// In order of connection: 0 first player, 1 goalie of the same team, then the others.
   std::vector<std::unique_ptr<ServerClient>> clients;
-  int thinks = 0;  ///< how often the server asked in synch mode
+  int thinks = 0;  ///< number of (think) messages in synch mode
 
   ServerClient& player() { return *clients[0]; }
   ServerClient& goalie() { return *clients[1]; }
 
-  /// A client that sends this first.
+  /// Adds a client that sends `first`.
   ServerClient& connect(soccer::UdpClients& door, const std::string& first);
 
-  /// Reads for everybody, and answers every (think) with (done), until `client` has a message for
-  /// which `wanted` is true; takes it. Nothing when the patience ends.
+  /// Reads for all clients and replies to every (think) with (done), until `client` has a message
+  /// for which `wanted` is true; removes and returns it. Nothing after the timeout.
   using Wanted = std::function<bool(const std::string&)>;
   std::optional<std::string> await(ServerClient& client, const Wanted& wanted);
   std::optional<std::string> await(ServerClient& client, const Wanted& wanted,
-                                   std::chrono::milliseconds longest);
+                                   std::chrono::milliseconds timeout);
 
-  /// Reads for everybody that long.
-  void listen(std::chrono::milliseconds how_long);
+  /// Reads for all clients for this duration.
+  void listen(std::chrono::milliseconds duration);
 
  private:
   bool read_all();
 };
 
-/// True for messages that begin so.
-ServerSubject::Wanted begins(const std::string& text);
-/// "(init" or "(error": the answer to a request.
-bool is_answer(const std::string& message);
+/// True for messages that start with `text`.
+ServerSubject::Wanted starts_with_text(const std::string& text);
+/// "(init" or "(error": the reply to a request.
+bool is_reply(const std::string& message);
 
 struct ServerStep {
   const char* name;
@@ -66,7 +66,7 @@ struct ServerStep {
   Finding (*run)(ServerSubject&);
 };
 
-// In the order in which they are taken.
+// In the order of execution.
 std::vector<ServerStep> server_connection_steps();
 std::vector<ServerStep> server_play_steps();
 

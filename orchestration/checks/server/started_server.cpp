@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "orchestration/checks/scratch_folder.h"
+#include "orchestration/checks/checked_program.h"
 
 namespace cls::orchestration::checks {
 
@@ -22,7 +22,7 @@ Result<StartedServer> StartedServer::start(const match::ServerChoice& choice,
                                            const std::string& own_program,
                                            const soccer::ServerParams& params) {
   StartedServer server;
-  if (server.folder_->path().empty()) return Error{"no folder for its logs can be created"};
+  if (server.folder_->path().empty()) return Error{"cannot create a folder for its logs"};
   match::ServerSetup setup;
   if (choice.kind == match::ServerChoice::Kind::kEmbedded) {
     setup.program = {own_program, "server"};

@@ -1,4 +1,4 @@
-// A soccer server that is started to be looked at: on free ports, in a folder of its own.
+// Starts a soccer server for a check: on free ports, in a temporary folder.
 #pragma once
 
 #include <memory>
@@ -16,11 +16,11 @@ namespace cls::orchestration::checks {
 
 class ScratchFolder;
 
-/// Ended, and its folder removed, with the object.
+/// The destructor terminates the server and removes its folder.
 class StartedServer {
  public:
-  /// `choice` is no address; embedded: `own_program server`. Synchronous mode, with these
-  /// parameters. The error says why it cannot be started; that it stays alive is not waited for.
+  /// `choice` is not an address; embedded: `own_program server`. Synchronous mode with these
+  /// parameters. Returns an error if it cannot be started; does not wait for it.
   static base::Result<StartedServer> start(const match::ServerChoice& choice,
                                            const std::string& own_program,
                                            const soccer::ServerParams& params);
@@ -30,8 +30,8 @@ class StartedServer {
   const char* host() const { return "127.0.0.1"; }
   match::ServerPorts ports() const;
   const process::Child& child() const { return *child_; }
-  /// What it has printed so far.
-  match::ServerNews news() const { return output_->news(); }
+  /// Status from its output so far.
+  match::ServerStatus status() const { return output_->status(); }
 
  private:
   StartedServer();

@@ -1,4 +1,4 @@
-// Steps of a check as JUnit XML and annotations.
+// Steps of a check as JUnit XML and GitHub annotations.
 #include "orchestration/checks/check_report.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@ CheckReport report() {
   report.command = "cls check playmaker";
   report.subject = "localhost:50051";
   CheckStep reach{"reach", "Nothing goes without it.", StepResult::kSkip, "", 0.0};
-  take(reach, [] { return pass("Register answered"); });
+  run_timed(reach, [] { return pass("Register replied"); });
   const CheckStep world{"no_world", "It may be refused, not crash.", StepResult::kFail,
                         "gRPC says <\xff\x01> & ends,\nat 50%", 0.5};
   const CheckStep bye{"bye", "It has to end.", StepResult::kSkip, "not reached", 0.0};
@@ -21,7 +21,7 @@ CheckReport report() {
   return report;
 }
 
-TEST(CheckReport, JUnitHasACaseForEachStep) {
+TEST(CheckReport, JUnitContainsEachStep) {
   const std::string xml = to_junit(report());
   EXPECT_NE(xml.find("<testsuite name=\"cls check playmaker\" tests=\"3\" failures=\"1\" "
                      "errors=\"0\" time=\"0.500\" skipped=\"1\">"),
@@ -33,13 +33,13 @@ TEST(CheckReport, JUnitHasACaseForEachStep) {
   EXPECT_NE(xml.find("<skipped message=\"not reached\">"), std::string::npos);
 }
 
-TEST(CheckReport, JUnitIsValidWhateverBytesAPlaymakerSays) {
-  const auto mistakes = tests::junit_mistakes(to_junit(report()));
-  if (!mistakes) GTEST_SKIP() << "no xmllint (package libxml2-utils)";
-  EXPECT_EQ(*mistakes, "");
+TEST(CheckReport, JUnitIsValidForArbitraryBytes) {
+  const auto errors = tests::junit_errors(to_junit(report()));
+  if (!errors) GTEST_SKIP() << "no xmllint (package libxml2-utils)";
+  EXPECT_EQ(*errors, "");
 }
 
-TEST(CheckReport, AnnotationsTellTheFailedSteps) {
+TEST(CheckReport, AnnotationsContainFailedSteps) {
   const std::string lines = to_annotations(report());
   EXPECT_EQ(lines.rfind("::error title=cls check playmaker localhost%3A50051%3A no_world::gRPC "
                         "says <",

@@ -1,4 +1,4 @@
-// Checks hold where they should, and only there: each is asked about a record made by hand.
+// Checks evaluated on a handmade record: each holds exactly where it should.
 #include "orchestration/scenario/check.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@ namespace cls::orchestration::scenario {
 namespace {
 
 using base::Json;
-using base::JsonText;
+using base::JsonDocument;
 using base::JsonValue;
 using soccer::PlayMode;
 using soccer::Side;
@@ -37,7 +37,7 @@ RunRecord record() {
     record.frames.push_back(frame);
   }
   record.touches = {{2, 8}, {5, 12}, {7, 8}};  // left 9, right 2, left 9
-  record.words = {{1, "play_on"}, {8, "goal_l_1"}};
+  record.referee_messages = {{1, "play_on"}, {8, "goal_l_1"}};
   ReceivedReply reply{3, 9, {}};
   reply.actions.add_actions()->mutable_dash()->set_power(100.0F);
   reply.actions.add_actions()->mutable_neck_turn_to_ball();
@@ -53,7 +53,7 @@ RunRecord record() {
 }
 
 std::string ask(const std::string& text, const Json& golden = Json()) {
-  const JsonText json = *JsonText::parse("s.json", text);
+  const JsonDocument json = *JsonDocument::parse("s.json", text);
   const auto check = parse_check(JsonValue(json), kSteps, golden);
   EXPECT_TRUE(check) << check.error().message;
   return check ? failure(*check, record()) : "bad check";
@@ -62,7 +62,7 @@ std::string ask(const std::string& text, const Json& golden = Json()) {
 #define EXPECT_HOLDS(text) EXPECT_EQ(ask(text), "")
 #define EXPECT_FAILS(text, why) EXPECT_EQ(ask(text), why)
 
-TEST(Check, PlacesAtTheEndAtAStepAndOverTime) {
+TEST(Check, ComparesPositionsAtStepsAndOverTime) {
   EXPECT_HOLDS(R"({"ball": {"x": 10, "y": 3, "speed": 1}})");
   EXPECT_FAILS(R"({"ball": {"x": 9}})",
                "at the end, step 10 (cycle 110): the ball is at (10.00, 3.00), not x == 9");
@@ -80,7 +80,7 @@ TEST(Check, PlacesAtTheEndAtAStepAndOverTime) {
                "at step 9 (cycle 109): the ball is at (9.00, 3.00)");
 }
 
-TEST(Check, AreasAndNearness) {
+TEST(Check, ComparesAreasAndDistances) {
   EXPECT_HOLDS(R"({"ball": {"in": "right_half"}})");
   EXPECT_HOLDS(R"({"ball": {"in": ["left_goal", "pitch"]}})");
   EXPECT_FAILS(R"({"ball": {"in": "right_penalty_area"}})",
@@ -93,7 +93,7 @@ TEST(Check, AreasAndNearness) {
   EXPECT_HOLDS(R"({"player": "left 9", "is": {"near": [8, 3], "within": 0.1}})");
 }
 
-TEST(Check, StatesOfPlayers) {
+TEST(Check, ComparesPlayerState) {
   EXPECT_HOLDS(R"({"player": "left 9", "is": {"stamina": {"<": 7991}, "on_pitch": true}})");
   EXPECT_HOLDS(R"({"player": "left 9", "is": {"body": -90, "cards": 0}})");
   EXPECT_FAILS(R"({"player": "right 9", "is": {"on_pitch": true}})",
@@ -101,7 +101,7 @@ TEST(Check, StatesOfPlayers) {
                "on_pitch == true");
 }
 
-TEST(Check, ModesScoresAndWords) {
+TEST(Check, ComparesPlayModesScoresAndRefereeMessages) {
   EXPECT_HOLDS(R"({"mode": "goal_l"})");
   EXPECT_HOLDS(R"({"mode": ["goal_r", "goal_l"], "at": "end"})");
   EXPECT_FAILS(R"({"mode": "goal_r"})", "never goal_r; at step 10 (cycle 110): the mode is goal_l");
@@ -110,10 +110,10 @@ TEST(Check, ModesScoresAndWords) {
   EXPECT_FAILS(R"({"score": [1, 1]})", "the score is 1 : 0, not == 1 for the right");
   EXPECT_HOLDS(R"({"referee": "goal_l_1", "count": 1})");
   EXPECT_FAILS(R"({"referee": "offside_l"})",
-               "the referee said offside_l 0 times, not >= 1 (said: 1 play_on, 8 goal_l_1)");
+               "referee message offside_l: 0 times, not >= 1 (messages: 1 play_on, 8 goal_l_1)");
 }
 
-TEST(Check, Touches) {
+TEST(Check, CountsTouches) {
   EXPECT_HOLDS(R"({"first_touch": "left 9"})");
   EXPECT_HOLDS(R"({"last_touch": "left"})");
   EXPECT_HOLDS(R"({"touches": "right 2", "count": 1})");
@@ -123,7 +123,7 @@ TEST(Check, Touches) {
   EXPECT_FAILS(R"({"touches": "left 8"})", "left 8 touched the ball 0 times, not >= 1");
 }
 
-TEST(Check, ActionsAndCommands) {
+TEST(Check, CountsActionsAndCommands) {
   EXPECT_HOLDS(R"({"actions": "dash", "side": "left", "unum": 9, "count": 1})");
   EXPECT_HOLDS(R"({"actions": "*", "side": "left", "count": 2})");
   EXPECT_HOLDS(R"({"actions": "dash", "side": "left", "where": {"dash.power": {">": 99}}})");
@@ -137,42 +137,41 @@ TEST(Check, ActionsAndCommands) {
                "0 commands kick of the left side, not >= 1");
 }
 
-TEST(Check, AnswersAndTheEnd) {
+TEST(Check, ComparesRepliesAndEndReason) {
   EXPECT_HOLDS(R"({"missed": 2, "side": "left"})");
-  EXPECT_FAILS(R"({"missed": 0, "side": "left"})",
-               "2 decisions of the left side without an answer, not == 0");
+  EXPECT_FAILS(R"({"missed": 0, "side": "left"})", "2 missed decisions of the left side, not == 0");
   EXPECT_HOLDS(R"({"latency_ms": {"p50": {"<": 1}, "max": 3}, "side": "left"})");
   EXPECT_FAILS(R"({"latency_ms": {"p99": {"<": 1}}, "side": "left"})",
-               "the p99 of the left side's worst player is 2.00 ms, not < 1");
+               "the p99 latency of the slowest left player is 2.00 ms, not < 1");
   EXPECT_HOLDS(R"({"end": "finished"})");
   EXPECT_FAILS(R"({"end": "crashed"})", "the run ended as finished, not crashed");
 }
 
-TEST(Check, AProgramsLastWordsAreTold) {
+TEST(Check, FailureIncludesLastOutputLine) {
   RunRecord run = record();
   run.result.end_reason = match::EndReason::kRefused;
   run.result.message = "left (run:x): its process ended before it answered: exit code 1";
   run.result.failure =
       match::ProcessFailure{"left Playmaker", "exit code 1", "", {"in line 3", "no module"}};
-  EXPECT_EQ(failure({EndCheck{"finished"}, "", 1, {}}, run),
+  EXPECT_EQ(failure({EndCheck{match::EndReason::kFinished}, "", 1, {}}, run),
             "the run ended as refused, not finished: left (run:x): its process ended before it "
-            "answered: exit code 1; its last words: no module");
+            "answered: exit code 1; last output line: no module");
 }
 
-TEST(Check, GoldenValues) {
+TEST(Check, ComparesGoldenValues) {
   EXPECT_EQ(ask(R"({"golden": "score"})", {{"score", "1 : 0 at step 10"}}), "");
   EXPECT_EQ(ask(R"({"golden": "score"})", {{"score", "0 : 0 at step 10"}}),
-            "score is 1 : 0 at step 10, blessed was 0 : 0 at step 10");
+            "score is 1 : 0 at step 10, golden value is 0 : 0 at step 10");
   EXPECT_EQ(ask(R"({"golden": "touches"})"),
-            "nothing blessed yet; found 2 left 9, 5 right 2, 7 left 9");
-  EXPECT_EQ(
-      ask(R"({"golden": "game_log"})", {{"game_log", "d5c9ae190ac1afc8"}}),
-      "game_log is " + fingerprint({"game_log", ""}, record()) + ", blessed was d5c9ae190ac1afc8");
+            "no golden value accepted yet; found 2 left 9, 5 right 2, 7 left 9");
+  EXPECT_EQ(ask(R"({"golden": "game_log"})", {{"game_log", "d5c9ae190ac1afc8"}}),
+            "game_log is " + fingerprint({"game_log", ""}, record()) +
+                ", golden value is d5c9ae190ac1afc8");
 }
 
-TEST(Check, TestsThatEndARun) {
+TEST(Check, EvaluatesUntilConditions) {
   const auto holds = [](const std::string& text, int step) {
-    const JsonText json = *JsonText::parse("s.json", text);
+    const JsonDocument json = *JsonDocument::parse("s.json", text);
     const auto test = parse_step_test(JsonValue(json));
     EXPECT_TRUE(test) << test.error().message;
     const RunRecord run = record();

@@ -1,4 +1,4 @@
-// Scenario files: what they say, and how their mistakes are told.
+// Parsing of scenario files and their errors.
 #include "orchestration/scenario/scenario_file.h"
 
 #include <gtest/gtest.h>
@@ -11,11 +11,11 @@ namespace cls::orchestration::scenario {
 namespace {
 
 using base::Json;
-using base::JsonText;
+using base::JsonDocument;
 using soccer::PlayMode;
 
 base::Result<Scenario> parse(const std::string& text) {
-  const auto json = JsonText::parse("a/corner.json", text);
+  const auto json = JsonDocument::parse("a/corner.json", text);
   EXPECT_TRUE(json) << json.error().message;
   return parse_scenario(*json, Json());
 }
@@ -25,7 +25,7 @@ std::string error(const std::string& text) {
   return scenario ? "" : scenario.error().message;
 }
 
-TEST(ScenarioFile, ReadsTheSituation) {
+TEST(ScenarioFile, ReadsInitialSituation) {
   const auto scenario = parse(R"({
     "seeds": 3, "noise": false, "server": {"half_time": 20, "penalty_shoot_outs": true},
     "mode": "corner_kick_l", "cycle": 70, "score": [1, 2],
@@ -46,7 +46,7 @@ TEST(ScenarioFile, ReadsTheSituation) {
   EXPECT_EQ(scenario->score[1], 2);
   EXPECT_EQ(scenario->ball.y, 33.0);
   EXPECT_EQ(scenario->ball_velocity.y, -1.0);
-  EXPECT_EQ(scenario->sides[0].playmaker.behaviour, "hold");
+  EXPECT_EQ(scenario->sides[0].playmaker.behavior, "hold");
   EXPECT_EQ(scenario->sides[0].players.at(9).body, 90.0);
   EXPECT_EQ(scenario->sides[0].players.at(9).stamina, 3000.0);
   EXPECT_TRUE(scenario->sides[1].players.empty());
@@ -54,10 +54,11 @@ TEST(ScenarioFile, ReadsTheSituation) {
   EXPECT_EQ(scenario->under_test, soccer::Side::kLeft);
   EXPECT_EQ(scenario->steps, 40);
   EXPECT_EQ(scenario->until.size(), 1u);
-  EXPECT_EQ(scenario->checks.size(), 4u) << "one, the end, and the answers of both sides";
+  EXPECT_EQ(scenario->checks.size(), 4u)
+      << "one explicit; end reason and missed decisions of both sides are implicit";
 }
 
-TEST(ScenarioFile, MistakesNameLinePlaceAndWhatMayBeMeant) {
+TEST(ScenarioFile, ErrorsNameLineLocationAndSuggestion) {
   const std::string end = R"(, "expect": [{"score": [0, 0]}]})";
   EXPECT_EQ(error("{\n\"stepps\": 3" + end),
             "a/corner.json:2: /stepps: unknown key 'stepps'; did you mean 'steps'?");
@@ -67,41 +68,40 @@ TEST(ScenarioFile, MistakesNameLinePlaceAndWhatMayBeMeant) {
             "a/corner.json:1: /server/half_tme: unknown parameter 'half_tme'; did you mean "
             "'half_time'?");
   EXPECT_EQ(error("{\"left\": {\"players\": {\"12\": {\"at\": [0, 0]}}}" + end),
-            "a/corner.json:1: /left/players/12: '12' is no uniform number");
-  EXPECT_EQ(
-      error("{\"left\": {\"playmaker\": \"mock:hodl\"}" + end),
-      "a/corner.json:1: /left/playmaker: unknown mock behaviour 'hodl'; did you mean 'hold'?");
-  EXPECT_EQ(error("{\"steps\": 3}"), "a/corner.json:1: needs \"expect\": a list of checks");
+            "a/corner.json:1: /left/players/12: '12' is not a uniform number");
+  EXPECT_EQ(error("{\"left\": {\"playmaker\": \"mock:hodl\"}" + end),
+            "a/corner.json:1: /left/playmaker: unknown mock behavior 'hodl'; did you mean 'hold'?");
+  EXPECT_EQ(error("{\"steps\": 3}"), "a/corner.json:1: requires \"expect\": a list of checks");
 }
 
-TEST(ScenarioFile, MistakesOfChecksAreToldToo) {
+TEST(ScenarioFile, ReportsErrorsOfChecks) {
   const auto check = [](const std::string& text) { return error("{\"expect\": [" + text + "]}"); };
   EXPECT_EQ(check(R"({"scroe": [0, 0]})"),
             "a/corner.json:1: /expect/0: unknown kind of check 'scroe'; did you mean 'score'?");
   EXPECT_EQ(check(R"({"ball": {"in": "left_gaol"}})"),
             "a/corner.json:1: /expect/0/ball/in: unknown 'left_gaol'; did you mean 'left_goal'?");
   EXPECT_EQ(check(R"({"player": "lft 9", "is": {"x": 1}})"),
-            "a/corner.json:1: /expect/0/player: 'lft 9' is no player: write \"left 9\"");
+            "a/corner.json:1: /expect/0/player: 'lft 9' is not a player; use the form \"left 9\"");
   EXPECT_EQ(check(R"({"ball": {"x": 1}, "at": 200})"),
             "a/corner.json:1: /expect/0/at: 200 is not within 0 to 100");
   EXPECT_EQ(check(R"({"actions": "body_smart_kik", "side": "left"})"),
             "a/corner.json:1: /expect/0/actions: unknown 'body_smart_kik'; did you mean "
             "'body_smart_kick'?");
   EXPECT_EQ(check(R"({"referee": "ofside_l", "count": 0})"),
-            "a/corner.json:1: /expect/0/referee: the referee never says 'ofside_l'; did you mean "
+            "a/corner.json:1: /expect/0/referee: unknown referee message 'ofside_l'; did you mean "
             "'offside_l'?");
   EXPECT_EQ(check(R"({"referee": "goal_l"})"),
-            "a/corner.json:1: /expect/0/referee: the referee never says 'goal_l'; did you mean "
+            "a/corner.json:1: /expect/0/referee: unknown referee message 'goal_l'; did you mean "
             "'foul_l'?");
   EXPECT_EQ(check(R"({"referee": "yellow_card_l_11"}, {"referee": "goal_r_12"})"), "");
   EXPECT_EQ(check(R"({"referee": "yellow_card_l_12"})").substr(0, 71),
-            "a/corner.json:1: /expect/0/referee: the referee never says 'yellow_card");
-  EXPECT_EQ(check(R"({"actions": "dash"})"), "a/corner.json:1: /expect/0: needs \"side\"");
+            "a/corner.json:1: /expect/0/referee: unknown referee message 'yellow_card");
+  EXPECT_EQ(check(R"({"actions": "dash"})"), "a/corner.json:1: /expect/0: requires \"side\"");
   EXPECT_EQ(check(R"({"ball": {"near": [0, 0]}})"),
-            "a/corner.json:1: /expect/0/ball: \"near\" needs \"within\", in metres");
+            "a/corner.json:1: /expect/0/ball: \"near\" requires \"within\", in meters");
 }
 
-TEST(ScenarioFile, AForeignTeamIsASideWhoseFolderLiesBesideTheFile) {
+TEST(ScenarioFile, ResolvesFolderOfExternalTeam) {
   const std::string side = R"({"right": {"playmaker": "team:helios"}, "expect": [)";
   const auto scenario = parse(side + R"({"score": [0, 0]}, {"missed": 0, "side": "right"}]})");
   ASSERT_TRUE(scenario) << scenario.error().message;
@@ -111,7 +111,7 @@ TEST(ScenarioFile, AForeignTeamIsASideWhoseFolderLiesBesideTheFile) {
         R"({"rpc": "Register", "side": "right", "count": 11})",
         R"({"latency_ms": {"p99": 1}, "side": "right"})"}) {
     EXPECT_EQ(error(side + check + "]}")
-                  .rfind("a/corner.json:1: /expect/0: a foreign team has no Playmaker: ", 0),
+                  .rfind("a/corner.json:1: /expect/0: an external team has no Playmaker: ", 0),
               0u)
         << check;
     EXPECT_EQ(
@@ -120,7 +120,7 @@ TEST(ScenarioFile, AForeignTeamIsASideWhoseFolderLiesBesideTheFile) {
   }
 }
 
-TEST(ScenarioLibrary, EveryShippedScenarioIsReadAndSaysWhatItIsAbout) {
+TEST(ScenarioLibrary, ReadsAllShippedScenarios) {
   const auto scenarios = shipped_scenarios();
   ASSERT_TRUE(scenarios) << scenarios.error().message;
   EXPECT_GE(scenarios->size(), 30u);

@@ -36,16 +36,16 @@ struct Sample {
     failed.seconds = 0.25;
     failed.checks = {{"a <name> & \"more\"", 9, false, 0, 1, "the score is 1 : 0,\n50% off", 7}};
     failed.replay = "runs/test/bad-seed-7";
-    failed.repeat = "cls test tests/bad.json --seed 7";
+    failed.rerun = "cls test tests/bad.json --seed 7";
     ScenarioVerdict not_played;
     not_played.scenario = &skipped;
     not_played.verdict = Verdict::kSkipped;
-    not_played.reason = "has no side under test";
+    not_played.reason = "no side under test";
     suite.scenarios = {passed, failed, not_played};
   }
 };
 
-TEST(SuiteReport, TextSaysWhatFailedWhereAndHowToRepeatIt) {
+TEST(SuiteReport, TextNamesFailureLocationAndRerunCommand) {
   const Sample sample;
   EXPECT_EQ(to_text(sample.suite.scenarios[0]), "ok    good  (2 seeds)\n");
   EXPECT_EQ(to_text(sample.suite.scenarios[1]),
@@ -54,12 +54,12 @@ TEST(SuiteReport, TextSaysWhatFailedWhereAndHowToRepeatIt) {
             "      tests/bad.json: line 9, seed 7: a <name> & \"more\": the score is 1 : 0,\n50% "
             "off\n"
             "      logs: runs/test/bad-seed-7\n"
-            "      again: cls test tests/bad.json --seed 7\n");
-  EXPECT_EQ(to_text(sample.suite.scenarios[2]), "skip  skipped: has no side under test\n");
+            "      rerun: cls test tests/bad.json --seed 7\n");
+  EXPECT_EQ(to_text(sample.suite.scenarios[2]), "skip  skipped: no side under test\n");
   EXPECT_EQ(summary(sample.suite, 1.25), "1 passed, 1 failed, 1 skipped in 1.2 s\n");
 }
 
-TEST(SuiteReport, JsonHasEveryCheck) {
+TEST(SuiteReport, JsonContainsEveryCheck) {
   const Sample sample;
   const auto json = nlohmann::json::parse(to_json(sample.suite));
   EXPECT_EQ(json["schema"], "cls.test/1");
@@ -71,21 +71,21 @@ TEST(SuiteReport, JsonHasEveryCheck) {
   EXPECT_EQ(json["scenarios"][1]["repeat"], "cls test tests/bad.json --seed 7");
 }
 
-TEST(SuiteReport, AnnotationsEscapeWhatGitHubReads) {
+TEST(SuiteReport, AnnotationsEscapeControlCharacters) {
   const Sample sample;
   EXPECT_EQ(to_annotations(sample.suite),
             "::error file=tests/bad.json,line=9,title=scenario bad::line 9, seed 7: a <name> & "
-            "\"more\": the score is 1 : 0,%0A50%25 off%0Aagain: cls test tests/bad.json --seed "
+            "\"more\": the score is 1 : 0,%0A50%25 off%0Arerun: cls test tests/bad.json --seed "
             "7\n");
 }
 
-TEST(SuiteReport, JUnitFollowsItsSchema) {
+TEST(SuiteReport, JUnitIsValid) {
   const Sample sample;
   const std::string xml = to_junit(sample.suite);
   EXPECT_NE(xml.find("a &lt;name&gt; &amp; &quot;more&quot;"), std::string::npos) << xml;
-  const auto mistakes = tests::junit_mistakes(xml);
-  if (!mistakes) GTEST_SKIP() << "no xmllint (package libxml2-utils)";
-  EXPECT_EQ(*mistakes, "");
+  const auto errors = tests::junit_errors(xml);
+  if (!errors) GTEST_SKIP() << "no xmllint (package libxml2-utils)";
+  EXPECT_EQ(*errors, "");
 }
 
 }  // namespace

@@ -1,0 +1,44 @@
+// Parse errors of logs, one line each.
+#include "cli/support/log_errors.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "cli/support/exit_code.h"
+
+namespace cls::cli {
+namespace {
+
+constexpr std::size_t kShown = 5;
+
+}  // namespace
+
+void report_errors(std::string_view path, const gamelog::ParseErrors& errors) {
+  const std::size_t shown = std::min(errors.first.size(), kShown);
+  for (std::size_t i = 0; i < shown; ++i) {
+    fmt::print(stderr, "cls: {}\n", gamelog::format_error(path, errors.first[i]));
+  }
+  if (errors.count > shown) {
+    fmt::print(stderr, "cls: {}: {} more errors\n", path, errors.count - shown);
+  }
+}
+
+int report_missing(const gamelog::FoundLogs& found) {
+  for (const std::string& missing : found.missing) {
+    fmt::print(stderr, "cls: {}: no such log\n", missing);
+  }
+  return found.missing.empty() ? kOk : kNoInput;
+}
+
+int report_log(int exit_code, const std::string& unreadable, std::string_view path,
+               const gamelog::ParseErrors& errors) {
+  if (!unreadable.empty()) {
+    fmt::print(stderr, "cls: {}\n", unreadable);
+    exit_code = kNoInput;
+  }
+  report_errors(path, errors);
+  return !errors.empty() && exit_code == kOk ? kBadData : exit_code;
+}
+
+}  // namespace cls::cli

@@ -1,0 +1,64 @@
+// Team names of cls.toml and scripts of mock sides.
+#include "cli/support/side_arguments.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "base/text/suggestion.h"
+#include "cli/support/exit_code.h"
+#include "cli/support/print_error.h"
+#include "orchestration/tournament/config/config_file.h"
+
+namespace cls::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace orchestration::tournament;
+
+bool is_endpoint(const std::string& side) {
+  return side == "mock" || side.find(':') != std::string::npos;
+}
+
+std::string unknown(const std::string& side, const std::string& near, const fs::path& file) {
+  return fmt::format("unknown side '{}'; did you mean '{}'? (a team in {})", side, near,
+                     file.string());
+}
+
+}  // namespace
+
+int resolve_team_name(std::string& side, std::string& team_name, const std::string& config_file) {
+  if (is_endpoint(side)) return kOk;
+  std::error_code code;
+  const std::optional<fs::path> file = config_file.empty() ? find_config(fs::current_path(code))
+                                                           : std::optional<fs::path>(config_file);
+  if (!file) return kOk;
+  if (!fs::is_regular_file(*file, code)) {
+    return print_error(kNoInput, fmt::format("{}: no such file", file->string()));
+  }
+  const ParsedConfig parsed = read_config(*file);
+  if (!parsed.errors.empty()) return print_errors(kBadConfig, parsed.errors);
+  if (const int team = team_index(parsed.config, side); team >= 0) {
+    if (team_name.empty()) team_name = side;
+    side = endpoint_from(parsed.config.folder,
+                         parsed.config.teams[static_cast<std::size_t>(team)].endpoint);
+    return kOk;
+  }
+  std::vector<std::string_view> known = {"mock"};
+  for (const TeamEntry& team : parsed.config.teams) known.push_back(team.name);
+  const std::string near(base::nearest_name(side, known));
+  if (near.empty() || near == "mock") return kOk;  // parse_endpoint() lists the valid sides
+  return print_error(kUsage, unknown(side, near, *file));
+}
+
+int read_side_script(orchestration::match::Endpoint& side) {
+  const auto loaded = load_script(side);
+  if (loaded) return kOk;
+  const bool exists = fs::exists(side.behavior);
+  return print_error(exists ? kBadData : kNoInput, loaded.error().message);
+}
+
+}  // namespace cls::cli

@@ -1,0 +1,19 @@
+// SIDE arguments: team names of cls.toml and scripts of mock sides.
+#pragma once
+
+#include <string>
+
+#include "orchestration/match/options/endpoint.h"
+
+namespace cls::cli {
+
+/// Replaces a team name of cls.toml by the team's endpoint, and sets `team_name` if it is empty.
+/// Reads `config_file`, or the cls.toml in or above the working directory. Leaves endpoints and
+/// unknown names unchanged. Prints errors; returns kOk, kNoInput, kBadConfig or kUsage.
+int resolve_team_name(std::string& side, std::string& team_name, const std::string& config_file);
+
+/// Reads the script file of a mock side, if it has one. Prints errors; returns kOk, kNoInput or
+/// kBadData.
+int read_side_script(orchestration::match::Endpoint& side);
+
+}  // namespace cls::cli
