@@ -1,14 +1,14 @@
-// Plans, printed.
+// Prints the plan of a match.
 #include "orchestration/match/dry_run.h"
 
 #include <fmt/format.h>
 
 #include <iterator>
 
-#include "orchestration/match/match.h"
-#include "orchestration/match/network_match.h"
 #include "orchestration/match/options/run_command.h"
-#include "soccer/side_name.h"
+#include "orchestration/match/run_match.h"
+#include "orchestration/match/server/match_plan.h"
+#include "soccer/side.h"
 
 namespace cls::orchestration::match {
 namespace {
@@ -20,7 +20,7 @@ void add(std::string& text, const process::CommandPlan& plan) {
   fmt::format_to(std::back_inserter(text), "# {}\n{}\n", plan.name, process::to_shell(plan));
 }
 
-// The Playmaker of a side that we start, or a comment on the one that is there.
+// The command of a side's Playmaker, or a comment on one that runs already.
 Result<void> add_playmaker(std::string& text, const MatchOptions& options, const TeamNames& names,
                            soccer::Side side, const fs::path& folder) {
   const bool left = side != soccer::Side::kRight;
@@ -49,10 +49,10 @@ Result<std::string> dry_run(const MatchOptions& options) {
       fs::absolute(options.folder.empty()
                        ? fs::path("runs") / fmt::format("UTC-{}-vs-{}", names.left, names.right)
                        : options.folder);
-  NetworkPlan plan;
+  MatchPlan plan;
   std::string text = "# soccer server: embedded, in this process\n";
   if (mode_of(options) != MatchMode::kLockstep) {
-    auto planned = plan_network_match(options, names, options.seed.value_or(0), folder);
+    auto planned = plan_match(options, names, options.seed.value_or(0), folder);
     if (!planned) return planned.error();
     plan = std::move(*planned);
     text = fmt::format("# soccer server: {}\n", options.server_choice.text);
@@ -65,7 +65,7 @@ Result<std::string> dry_run(const MatchOptions& options) {
       if (!added) return added.error();
       continue;
     }
-    for (const process::CommandPlan& agent : team->agents) add(text, agent);
+    for (const AgentPlan& agent : team->agents) add(text, agent.command);
     if (team->kill) add(text, *team->kill);
   }
   if (options.trainer) {

@@ -1,4 +1,4 @@
-// What a match would start, as lines of shell.
+// `--dry-run`: what a match would start, as shell commands.
 #pragma once
 
 #include <string>
@@ -8,9 +8,8 @@
 
 namespace cls::orchestration::match {
 
-/// One command a line, each with a comment that says what it is; ports are free ones of this
-/// moment, another run takes others. Nothing is started and no folder is made. The error says what
-/// is missing.
+/// One command per line, each below a comment with its name. Ports are free at this time; a match
+/// may choose others. Starts nothing and creates no folder. The error says what is missing.
 base::Result<std::string> dry_run(const MatchOptions& options);
 
 }  // namespace cls::orchestration::match

@@ -1,4 +1,4 @@
-// What is to be started, as plain data: the same for --dry-run and for the start itself.
+// A process to start, as plain data: for --dry-run and for the start itself.
 #pragma once
 
 #include <filesystem>
@@ -11,7 +11,7 @@
 
 namespace cls::orchestration::process {
 
-/// One difference to our own environment; without a value the variable is taken out.
+/// One change of the inherited environment; without a value the variable is removed.
 struct EnvironmentChange {
   std::string name;
   std::optional<std::string> value;
@@ -21,12 +21,12 @@ struct EnvironmentChange {
 
 /// One process to start.
 struct CommandPlan {
-  std::string name;               ///< for people: "right coach", "rcssserver"
+  std::string name;               ///< in messages: "right coach", "rcssserver"
   std::vector<std::string> argv;  ///< the program, then its arguments
-  std::filesystem::path folder;   ///< working directory; empty: ours
+  std::filesystem::path folder;   ///< working directory; empty: that of cls
   std::vector<EnvironmentChange> environment;
-  std::filesystem::path log;  ///< its stdout and stderr go there; empty: kept nowhere
-  std::vector<int> cpus;      ///< processors it may run on; empty: all
+  std::filesystem::path log;  ///< for stdout and stderr; empty: none
+  std::vector<int> cpus;      ///< processor cores it may run on; empty: all
 
   bool operator==(const CommandPlan&) const = default;
 };
@@ -34,14 +34,14 @@ struct CommandPlan {
 /// `text` run by /bin/sh -c.
 CommandPlan shell_command(std::string name, const std::string& text);
 
-/// `word` as one word of POSIX sh: bare where that is safe, else in single quotes.
+/// `word` quoted as one word of POSIX sh: unchanged where that is safe, otherwise in single quotes.
 std::string shell_quoted(std::string_view word);
 
-/// The plan as one line of sh that does the same when typed, with `cd` and `env` where needed.
+/// The plan as an equivalent line of sh, with `cd` and `env` where needed.
 std::string to_shell(const CommandPlan& plan);
 
-/// The file that `program` names: itself when it has a slash, else the first on PATH. The error
-/// names the program and says what is wrong (missing, a folder, not executable).
+/// The file of `program`: the path itself if it has a slash, otherwise the first match on PATH. The
+/// error names the program and the problem (missing, a folder, not executable).
 base::Result<std::filesystem::path> find_program(const std::string& program);
 
 }  // namespace cls::orchestration::process

@@ -1,4 +1,4 @@
-// Forking the guard, its loop, and its last sweep.
+// Fork and loop of the guard; killing of orphans at its end.
 #include "orchestration/process/guard.h"
 
 #include <fcntl.h>
@@ -27,13 +27,13 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// Keepers need a second for SIGTERM; who is still there after this long is killed with its keeper.
-constexpr auto kLastSweepAfter = std::chrono::milliseconds(1500);
-constexpr auto kGuardMustEndAfter = std::chrono::seconds(4);
+// Keepers allow 1 s after SIGTERM; what is still running after this time is killed with its keeper.
+constexpr auto kOrphanTimeout = std::chrono::milliseconds(1500);
+constexpr auto kGuardExitTimeout = std::chrono::seconds(4);
 
 const Guard* the_guard = nullptr;
 
-// Opened such that a use in the wrong direction fails as on the closed descriptor.
+// Opened such that use in the wrong direction fails as on a closed descriptor.
 void open_closed_standard_streams() {
   while (true) {
     const int fd = ::open("/dev/null", O_RDONLY);
@@ -45,7 +45,7 @@ void open_closed_standard_streams() {
   }
 }
 
-// What ps shows: the arguments of cls are overwritten where the kernel reads them.
+// The title shown by ps: overwrites the arguments of cls where the kernel reads them.
 class ProcessTitle {
  public:
   ProcessTitle(int argc, char** argv) {
@@ -70,18 +70,18 @@ class ProcessTitle {
 
 class GuardLoop {
  public:
-  GuardLoop(UniqueFd socket, ProcessTitle title) : socket_(std::move(socket)), title_(title) {
+  GuardLoop(base::UniqueFd socket, ProcessTitle title) : socket_(std::move(socket)), title_(title) {
     sigset_t children;
     ::sigemptyset(&children);
     ::sigaddset(&children, SIGCHLD);
-    child_signals_ = UniqueFd(::signalfd(-1, &children, SFD_CLOEXEC | SFD_NONBLOCK));
+    child_signals_ = base::UniqueFd(::signalfd(-1, &children, SFD_CLOEXEC | SFD_NONBLOCK));
   }
 
   [[noreturn]] void run() {
     while (socket_) {
       std::array<pollfd, 2> waits{{{child_signals_.get(), POLLIN, 0}, {socket_.get(), POLLIN, 0}}};
       ::poll(waits.data(), waits.size(), -1);
-      if (waits[0].revents != 0) fetch_children();
+      if (waits[0].revents != 0) reap_children();
       if (waits[1].revents != 0) serve();
     }
     sweep();
@@ -106,8 +106,8 @@ class GuardLoop {
     run_keeper(std::move(packet.fds[0]), std::move(packet.fds[1]), *plan);
   }
 
-  // False when there is no child left.
-  bool fetch_children() {
+  // False when no child is left.
+  bool reap_children() {
     signalfd_siginfo ignored{};
     while (::read(child_signals_.get(), &ignored, sizeof ignored) > 0) {
     }
@@ -116,12 +116,12 @@ class GuardLoop {
       const pid_t pid = ::waitpid(-1, &status, WNOHANG);
       if (pid < 0) return errno != ECHILD;
       if (pid == 0) return true;
-      // Somebody killed a keeper: what it kept is ours now, and nobody answers for it.
-      if (keepers_.erase(pid) > 0 && WIFSIGNALED(status)) kill_strays();
+      // A keeper was killed: the guard has inherited its processes, which are orphans now.
+      if (keepers_.erase(pid) > 0 && WIFSIGNALED(status)) kill_orphans();
     }
   }
 
-  void kill_strays() const {
+  void kill_orphans() const {
     std::set<pid_t> kept = keepers_;
     for (const ProcessEntry& entry : descendants_of(::getpid())) {
       if (kept.count(entry.parent) != 0) kept.insert(entry.pid);
@@ -130,8 +130,8 @@ class GuardLoop {
   }
 
   void sweep() {
-    const auto kill_at = Clock::now() + kLastSweepAfter;
-    while (fetch_children()) {
+    const auto kill_at = Clock::now() + kOrphanTimeout;
+    while (reap_children()) {
       if (Clock::now() >= kill_at) {
         for (const ProcessEntry& entry : descendants_of(::getpid())) ::kill(entry.pid, SIGKILL);
       }
@@ -140,42 +140,43 @@ class GuardLoop {
     }
   }
 
-  UniqueFd socket_;
-  UniqueFd child_signals_;
+  base::UniqueFd socket_;
+  base::UniqueFd child_signals_;
   ProcessTitle title_;
   std::set<pid_t> keepers_;
 };
 
-// Only the connection to cls stays; no file, socket or terminal of whoever started cls.
-UniqueFd keep_only(UniqueFd socket) {
+// Closes all files, sockets and terminals inherited from the caller of cls, but for this one.
+base::UniqueFd close_others(base::UniqueFd socket) {
   const int null = ::open("/dev/null", O_RDWR);
   for (const int fd : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) ::dup2(null, fd);
-  constexpr int kKept = 3;
-  if (socket.get() != kKept) {
-    ::dup2(socket.get(), kKept);
-    socket = UniqueFd(kKept);
+  constexpr int kKeptFd = 3;
+  if (socket.get() != kKeptFd) {
+    ::dup2(socket.get(), kKeptFd);
+    socket = base::UniqueFd(kKeptFd);
   }
-  ::closefrom(kKept + 1);
-  ::fcntl(kKept, F_SETFD, FD_CLOEXEC);
+  ::closefrom(kKeptFd + 1);
+  ::fcntl(kKeptFd, F_SETFD, FD_CLOEXEC);
   return socket;
 }
 
-[[noreturn]] void run_guard(UniqueFd socket, ProcessTitle title) {
+[[noreturn]] void run_guard(base::UniqueFd socket, ProcessTitle title) {
   ::setsid();
   ::prctl(PR_SET_CHILD_SUBREAPER, 1);
   struct sigaction standard = {};
   standard.sa_handler = SIG_DFL;
-  ::sigaction(SIGCHLD, &standard, nullptr);  // ignored, the kernel would not tell us of the dead
+  ::sigaction(SIGCHLD, &standard,
+              nullptr);  // if ignored, the kernel would not report exited children
   sigset_t all;
   ::sigfillset(&all);
   ::sigprocmask(SIG_SETMASK, &all, nullptr);
   title.set(fmt::format("match-guard of process {}", ::getppid()));
-  GuardLoop(keep_only(std::move(socket)), title).run();
+  GuardLoop(close_others(std::move(socket)), title).run();
 }
 
 }  // namespace
 
-Guard::Guard(UniqueFd socket, pid_t pid) : socket_(std::move(socket)), pid_(pid) {
+Guard::Guard(base::UniqueFd socket, pid_t pid) : socket_(std::move(socket)), pid_(pid) {
   the_guard = this;
 }
 
@@ -188,8 +189,8 @@ Guard::~Guard() {
   if (pid_ == 0) return;
   if (the_guard == this) the_guard = nullptr;
   socket_.reset();
-  // Somebody may have stopped it; then nobody else is left to end it.
-  const auto kill_at = Clock::now() + kGuardMustEndAfter;
+  // The guard may have been stopped with SIGSTOP; then it cannot exit on its own.
+  const auto kill_at = Clock::now() + kGuardExitTimeout;
   while (::waitpid(pid_, nullptr, WNOHANG) == 0 || errno == EINTR) {
     if (Clock::now() >= kill_at) ::kill(pid_, SIGKILL);
     std::this_thread::sleep_for(std::chrono::milliseconds(2));

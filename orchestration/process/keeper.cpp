@@ -1,4 +1,4 @@
-// The loop of a keeper: children, requests, and the order in which things are ended.
+// Loop of a keeper: children, requests, escalation from SIGTERM to SIGKILL.
 #include "orchestration/process/keeper.h"
 
 #include <poll.h>
@@ -30,8 +30,8 @@ double seconds_of(const timeval& time) {
   return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_usec) * 1e-6;
 }
 
-// Of everything that has ended below us and was waited for, here or further down.
-double fetched_cpu_seconds() {
+// CPU time of all descendants that have exited and were reaped, by the keeper or below it.
+double reaped_cpu_seconds() {
   rusage usage{};
   ::getrusage(RUSAGE_CHILDREN, &usage);
   return seconds_of(usage.ru_utime) + seconds_of(usage.ru_stime);
@@ -39,7 +39,7 @@ double fetched_cpu_seconds() {
 
 class Keeper {
  public:
-  Keeper(UniqueFd control, pid_t program) : control_(std::move(control)), program_(program) {}
+  Keeper(base::UniqueFd control, pid_t program) : control_(std::move(control)), program_(program) {}
 
   [[noreturn]] void run(int child_signals) {
     report(KeeperReport::Kind::kStarted);
@@ -50,9 +50,9 @@ class Keeper {
         signalfd_siginfo ignored{};
         if (::read(child_signals, &ignored, sizeof ignored) < 0) continue;
       }
-      fetch_children();
+      reap_children();
       if (control_ && waits[1].revents != 0) obey();
-      press_on();
+      escalate();
     }
   }
 
@@ -69,12 +69,12 @@ class Keeper {
     if (kind == KeeperReport::Kind::kExited) {
       report.living = static_cast<std::int32_t>(descendants_of(self).size());
     }
-    report.cpu_seconds = fetched_cpu_seconds();
+    report.cpu_seconds = reaped_cpu_seconds();
     if (kind != KeeperReport::Kind::kGone) report.cpu_seconds += living_cpu_seconds(self);
     if (control_) send_report(control_.get(), report);
   }
 
-  void fetch_children() {
+  void reap_children() {
     while (true) {
       int status = 0;
       const pid_t pid = ::waitpid(-1, &status, WNOHANG);
@@ -116,7 +116,7 @@ class Keeper {
     }
   }
 
-  // A stopped process would see the SIGTERM only when it is told to go on.
+  // A stopped process handles SIGTERM only after SIGCONT.
   static void ask_to_end(pid_t pid) {
     ::kill(pid, SIGTERM);
     ::kill(pid, SIGCONT);
@@ -134,18 +134,18 @@ class Keeper {
     return static_cast<int>(std::chrono::ceil<std::chrono::milliseconds>(left).count());
   }
 
-  // What an end that was begun needs now.
-  void press_on() {
+  // Continues a termination that has begun.
+  void escalate() {
     if (!kill_at_) return;
     if (Clock::now() >= *kill_at_) {
-      // Again and again until nothing is left: what forks meanwhile is found the next time.
+      // Repeated until nothing is left, because descendants may fork meanwhile.
       for (const ProcessEntry& entry : descendants_of(::getpid())) ::kill(entry.pid, SIGKILL);
     } else if (exit_status_ && !all_asked_) {
       ask_all_to_end();
     }
   }
 
-  UniqueFd control_;
+  base::UniqueFd control_;
   pid_t program_;
   std::optional<int> exit_status_;
   std::optional<Clock::time_point> kill_at_;
@@ -154,16 +154,16 @@ class Keeper {
 
 }  // namespace
 
-void run_keeper(UniqueFd control, UniqueFd output, const CommandPlan& plan) {
+void run_keeper(base::UniqueFd control, base::UniqueFd output, const CommandPlan& plan) {
   ::prctl(PR_SET_CHILD_SUBREAPER, 1);
-  // Only SIGKILL ends a keeper: it has to outlive what it keeps.
+  // Only SIGKILL stops a keeper: it must outlive the program.
   sigset_t all;
   ::sigfillset(&all);
   ::sigprocmask(SIG_SETMASK, &all, nullptr);
   sigset_t children;
   ::sigemptyset(&children);
   ::sigaddset(&children, SIGCHLD);
-  const UniqueFd child_signals(::signalfd(-1, &children, SFD_CLOEXEC | SFD_NONBLOCK));
+  const base::UniqueFd child_signals(::signalfd(-1, &children, SFD_CLOEXEC | SFD_NONBLOCK));
   const Launch launched = launch(plan, output.get());
   output.reset();
   if (launched.pid == 0) {

@@ -1,4 +1,4 @@
-// Boost.Process with what it does not do itself: group, signals, processors, clean descriptors.
+// Boost.Process, plus process group, signals, affinity and descriptors.
 #include "orchestration/process/launch.h"
 
 #include <linux/close_range.h>
@@ -23,7 +23,7 @@ namespace {
 
 namespace bp = boost::process;
 
-// An ignored signal and a blocked one pass exec; whoever started cls may have left some.
+// Ignored and blocked signals survive exec; the caller of cls may have set some.
 void reset_signals() {
   struct sigaction standard = {};
   standard.sa_handler = SIG_DFL;
@@ -33,22 +33,22 @@ void reset_signals() {
   ::sigprocmask(SIG_SETMASK, &none, nullptr);
 }
 
-void run_on(const std::vector<int>& cpus) {
+void set_affinity(const std::vector<int>& cpus) {
   if (cpus.empty()) return;
   cpu_set_t set;
   CPU_ZERO(&set);
   for (const int cpu : cpus) CPU_SET(static_cast<std::size_t>(cpu), &set);
-  ::sched_setaffinity(0, sizeof set, &set);  // a processor that is not there: any will do
+  ::sched_setaffinity(0, sizeof set, &set);  // on error (no such core) any core will do
 }
 
 // Runs in the new process just before exec. Returns false when the folder cannot be entered.
 bool prepare(const CommandPlan& plan, pid_t parent) {
   ::setpgid(0, 0);
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (::getppid() != parent) ::_exit(127);  // it died before the line above took effect
+  if (::getppid() != parent) ::_exit(127);  // the parent exited before prctl took effect
   if (!plan.folder.empty() && ::chdir(plan.folder.c_str()) != 0) return false;
-  run_on(plan.cpus);
-  // The descriptor through which Boost tells a failed exec must stay open until exec.
+  set_affinity(plan.cpus);
+  // The descriptor with which Boost reports a failed exec must stay open until exec.
   ::close_range(3, ~0U, CLOSE_RANGE_CLOEXEC);
   reset_signals();
   return true;
@@ -67,7 +67,7 @@ bp::environment environment_of(const CommandPlan& plan) {
 }
 
 Launch launch_program(const CommandPlan& plan, const std::vector<std::string>& argv, int output) {
-  constexpr int kFolderError = 100'000;  // told apart from errors of exec
+  constexpr int kFolderError = 100'000;  // distinct from the errno values of exec
   const pid_t parent = ::getpid();
   const auto before_exec = [&plan, parent](auto& executor) {
     if (prepare(plan, parent)) return;
@@ -87,7 +87,7 @@ Launch launch_program(const CommandPlan& plan, const std::vector<std::string>& a
     return result;
   }
   result.pid = child.id();
-  child.detach();  // the keeper waits for all its children itself
+  child.detach();  // the keeper reaps all its children itself
   return result;
 }
 

@@ -1,4 +1,4 @@
-// Cutting into lines, counting repetitions, stopping at the limit.
+// Splits lines, counts repetitions, stops at the size limit.
 #include "orchestration/process/output_log.h"
 
 #include <fmt/format.h>
@@ -13,7 +13,7 @@ namespace cls::orchestration::process {
 std::string printable(std::string_view text) {
   std::string result;
   while (!text.empty()) {
-    const std::size_t length = base::utf8_length(text);
+    const std::size_t length = base::utf8_sequence_length(text);
     const auto first = static_cast<unsigned char>(text.front());
     if (text.front() == '\t') {
       result += ' ';
@@ -27,7 +27,7 @@ std::string printable(std::string_view text) {
   return result;
 }
 
-OutputLog::OutputLog(UniqueFd file, std::size_t max_bytes,
+OutputLog::OutputLog(base::UniqueFd file, std::size_t max_bytes,
                      std::function<void(std::string_view)> on_line)
     : file_(std::move(file)), room_(max_bytes), on_line_(std::move(on_line)) {}
 
@@ -35,41 +35,42 @@ void OutputLog::add(std::string_view bytes) {
   while (!bytes.empty()) {
     const std::size_t end = bytes.find('\n');
     const std::string_view piece = bytes.substr(0, end);
-    if (!overlong_) partial_ += piece.substr(0, kMaxLine - std::min(partial_.size(), kMaxLine));
-    if (partial_.size() >= kMaxLine && !overlong_) {
-      take_line(partial_);
+    if (!overlong_)
+      partial_ += piece.substr(0, kMaxLineBytes - std::min(partial_.size(), kMaxLineBytes));
+    if (partial_.size() >= kMaxLineBytes && !overlong_) {
+      add_line(partial_);
       overlong_ = true;
     }
     if (end == std::string_view::npos) return;
-    if (!overlong_) take_line(partial_);
+    if (!overlong_) add_line(partial_);
     partial_.clear();
     overlong_ = false;
     bytes.remove_prefix(end + 1);
   }
 }
 
-void OutputLog::take_line(std::string_view line) {
+void OutputLog::add_line(std::string_view line) {
   if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
   if (on_line_) on_line_(line);
-  if (!kept_.empty() && kept_.back().text == line) {
-    ++kept_.back().times;
+  if (!last_.empty() && last_.back().text == line) {
+    ++last_.back().times;
     return;
   }
-  tell_repetitions();
-  kept_.push_back({std::string(line), 1});
-  if (kept_.size() > kKeptLines) kept_.pop_front();
+  write_repetitions();
+  last_.push_back({std::string(line), 1});
+  if (last_.size() > kMaxLastLines) last_.pop_front();
   write(fmt::format("{}\n", line));
 }
 
-void OutputLog::tell_repetitions() {
-  if (!kept_.empty() && kept_.back().times > 1) write(fmt::format("  ×{}\n", kept_.back().times));
+void OutputLog::write_repetitions() {
+  if (!last_.empty() && last_.back().times > 1) write(fmt::format("  ×{}\n", last_.back().times));
 }
 
 void OutputLog::write(std::string_view text) {
   if (!file_) return;
   full_ = full_ || text.size() > room_;
   if (full_) {
-    ++left_out_;
+    ++omitted_;
     return;
   }
   room_ -= text.size();
@@ -86,12 +87,12 @@ void OutputLog::write(std::string_view text) {
 }
 
 void OutputLog::finish() {
-  if (!partial_.empty() && !overlong_) take_line(partial_);
+  if (!partial_.empty() && !overlong_) add_line(partial_);
   partial_.clear();
-  tell_repetitions();
+  write_repetitions();
   if (full_) {
     std::string rest = fmt::format("[size limit of this log: {} lines left out]\n",
-                                   left_out_ - std::min(left_out_, kept_.size()));
+                                   omitted_ - std::min(omitted_, last_.size()));
     for (const std::string& line : last_lines()) rest += line + "\n";
     room_ = rest.size();
     full_ = false;
@@ -102,9 +103,9 @@ void OutputLog::finish() {
 
 std::vector<std::string> OutputLog::last_lines(std::size_t count) const {
   std::vector<std::string> lines;
-  for (std::size_t i = kept_.size() - std::min(count, kept_.size()); i < kept_.size(); ++i) {
-    lines.push_back(printable(kept_[i].text));
-    if (kept_[i].times > 1) lines.back() += fmt::format(" ×{}", kept_[i].times);
+  for (std::size_t i = last_.size() - std::min(count, last_.size()); i < last_.size(); ++i) {
+    lines.push_back(printable(last_[i].text));
+    if (last_[i].times > 1) lines.back() += fmt::format(" ×{}", last_[i].times);
   }
   if (!partial_.empty() && !overlong_ && count > 0) lines.push_back(printable(partial_));
   return lines;

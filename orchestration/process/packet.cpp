@@ -28,7 +28,7 @@ std::optional<T> read_plain(const Packet& packet) {
   return value;
 }
 
-// Texts that follow each other, each closed by NUL; none can hold a NUL itself.
+// A sequence of NUL-terminated strings.
 class Fields {
  public:
   explicit Fields(std::string_view bytes) : rest_(bytes) {}
@@ -59,10 +59,10 @@ void add(std::string& bytes, std::string_view field) {
 
 }  // namespace
 
-std::optional<std::pair<UniqueFd, UniqueFd>> make_socket_pair() {
+std::optional<std::pair<base::UniqueFd, base::UniqueFd>> make_socket_pair() {
   std::array<int, 2> ends{};
   if (::socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends.data()) != 0) return {};
-  return std::pair(UniqueFd(ends[0]), UniqueFd(ends[1]));
+  return std::pair(base::UniqueFd(ends[0]), base::UniqueFd(ends[1]));
 }
 
 bool send_packet(int socket, std::string_view bytes, const std::vector<int>& fds) {

@@ -1,27 +1,26 @@
-// Binding to try, names to reserve, /proc/net to find owners.
+// Probes ports by binding, reserves them with abstract sockets, finds owners in /proc/net.
 #include "orchestration/process/ports.h"
 
 #include <dirent.h>
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <netdb.h>
 #include <netinet/in.h>
-#include <poll.h>
 #include <sys/random.h>
 #include <sys/socket.h>
 #include <sys/un.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
+#include <chrono>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <memory>
 #include <optional>
 #include <set>
 #include <sstream>
 
+#include "base/system/socket_address.h"
+#include "base/system/tcp_connect.h"
 #include "orchestration/process/process_tree.h"
 
 namespace cls::orchestration::process {
@@ -29,34 +28,26 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Below the range from which Linux takes ports for clients (32768 and up).
-constexpr int kLowestPort = 20000;
-constexpr int kHighestPort = 31999;
+// Below Linux's ephemeral ports (32768 and up).
+constexpr int kMinPort = 20000;
+constexpr int kMaxPort = 31999;
 constexpr int kAttempts = 2000;
 
 bool can_bind(int type, int port) {
-  const UniqueFd socket(::socket(AF_INET6, type | SOCK_CLOEXEC, 0));
   const int off = 0;
   const int on = 1;
-  sockaddr_storage address{};
-  socklen_t size = 0;
-  UniqueFd plain;
-  if (socket && ::setsockopt(socket.get(), IPPROTO_IPV6, IPV6_V6ONLY, &off, sizeof off) == 0) {
-    auto* any = reinterpret_cast<sockaddr_in6*>(&address);
-    any->sin6_family = AF_INET6;
-    any->sin6_port = htons(static_cast<std::uint16_t>(port));
-    size = sizeof *any;
-  } else {  // a machine without IPv6
-    plain = UniqueFd(::socket(AF_INET, type | SOCK_CLOEXEC, 0));
-    auto* any = reinterpret_cast<sockaddr_in*>(&address);
-    any->sin_family = AF_INET;
-    any->sin_port = htons(static_cast<std::uint16_t>(port));
-    size = sizeof *any;
+  std::string any = "::";  // includes IPv4 with IPV6_V6ONLY off
+  base::UniqueFd socket(::socket(AF_INET6, type | SOCK_CLOEXEC, 0));
+  if (!socket || ::setsockopt(socket.get(), IPPROTO_IPV6, IPV6_V6ONLY, &off, sizeof off) != 0) {
+    any = "0.0.0.0";  // host without IPv6
+    socket = base::UniqueFd(::socket(AF_INET, type | SOCK_CLOEXEC, 0));
   }
-  const int fd = plain ? plain.get() : socket.get();
-  // A TCP port whose last connections are only waiting for their end is free for a server.
-  if (type == SOCK_STREAM) ::setsockopt(fd, SOL_SOCKET, SO_REUSEADDR, &on, sizeof on);
-  return ::bind(fd, reinterpret_cast<const sockaddr*>(&address), size) == 0;
+  // A server can reuse a TCP port with old connections in TIME_WAIT.
+  if (type == SOCK_STREAM) {
+    ::setsockopt(socket.get(), SOL_SOCKET, SO_REUSEADDR, &on, sizeof on);
+  }
+  const base::SocketAddress address = *base::parse_ip_address(any, port);
+  return ::bind(socket.get(), address.get(), address.size) == 0;
 }
 
 struct BoundSocket {
@@ -73,7 +64,7 @@ std::vector<BoundSocket> bound_sockets(Protocol protocol) {
   for (const std::string& path : {name, name + "6"}) {
     std::ifstream file(path);
     std::string line;
-    std::getline(file, line);  // the heading
+    std::getline(file, line);  // header
     while (std::getline(file, line)) {
       std::istringstream fields(line);
       std::string slot, local, remote, state, queues, timer, retransmits, user, timeout;
@@ -90,7 +81,7 @@ std::vector<BoundSocket> bound_sockets(Protocol protocol) {
   return sockets;
 }
 
-// The inodes of the sockets that a process has open; empty when we may not look.
+// The inodes of a process's open sockets; empty without permission.
 std::set<unsigned long> sockets_of(int pid) {
   std::set<unsigned long> inodes;
   std::error_code code;
@@ -123,12 +114,12 @@ std::vector<int> all_pids() {
   return pids;
 }
 
-std::optional<UniqueFd> reserve(int port) {
-  UniqueFd mark(::socket(AF_UNIX, SOCK_DGRAM | SOCK_CLOEXEC, 0));
+std::optional<base::UniqueFd> reserve(int port) {
+  base::UniqueFd mark(::socket(AF_UNIX, SOCK_DGRAM | SOCK_CLOEXEC, 0));
   if (!mark) return std::nullopt;
   sockaddr_un address{};
   address.sun_family = AF_UNIX;
-  // A name that begins with NUL is in no folder: nothing is left behind.
+  // An abstract socket (name begins with NUL) leaves no file.
   const std::string name = fmt::format("cls-port-{}", port);
   std::memcpy(address.sun_path + 1, name.data(), name.size());
   const auto size = static_cast<socklen_t>(offsetof(sockaddr_un, sun_path) + 1 + name.size());
@@ -142,7 +133,7 @@ int random_port() {
   unsigned value = 0;
   if (::getrandom(&value, sizeof value, 0) != sizeof value)
     value = static_cast<unsigned>(::getpid());
-  return kLowestPort + static_cast<int>(value % (kHighestPort - kLowestPort + 1));
+  return kMinPort + static_cast<int>(value % (kMaxPort - kMinPort + 1));
 }
 
 }  // namespace
@@ -199,33 +190,12 @@ base::Result<std::vector<ReservedPort>> ReservedPort::choose(int count) {
     const bool free = port_is_free(Protocol::kTcp, number) && port_is_free(Protocol::kUdp, number);
     if (mark && free) ports.push_back(ReservedPort(number, *std::move(mark)));
   }
-  return base::Error{
-      fmt::format("no {} free ports between {} and {}", count, kLowestPort, kHighestPort)};
+  return base::Error{fmt::format("no {} free ports between {} and {}", count, kMinPort, kMaxPort)};
 }
 
 bool tcp_answers(const std::string& host, int port, int limit_ms) {
-  std::string name = host;
-  if (name.size() > 2 && name.front() == '[' && name.back() == ']') {
-    name = name.substr(1, name.size() - 2);
-  }
-  addrinfo wanted{};
-  wanted.ai_socktype = SOCK_STREAM;
-  addrinfo* found = nullptr;
-  if (::getaddrinfo(name.c_str(), std::to_string(port).c_str(), &wanted, &found) != 0) return false;
-  const std::unique_ptr<addrinfo, void (*)(addrinfo*)> owner(found, ::freeaddrinfo);
-  for (const addrinfo* item = found; item != nullptr; item = item->ai_next) {
-    const UniqueFd socket(::socket(item->ai_family, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
-    if (!socket) continue;
-    if (::connect(socket.get(), item->ai_addr, item->ai_addrlen) == 0) return true;
-    if (errno != EINPROGRESS) continue;
-    pollfd wait{socket.get(), POLLOUT, 0};
-    if (::poll(&wait, 1, limit_ms) <= 0) continue;
-    int error = 0;
-    socklen_t size = sizeof error;
-    ::getsockopt(socket.get(), SOL_SOCKET, SO_ERROR, &error, &size);
-    if (error == 0) return true;
-  }
-  return false;
+  const auto deadline = std::chrono::steady_clock::now() + std::chrono::milliseconds(limit_ms);
+  return static_cast<bool>(base::connect_tcp(host, port, deadline));
 }
 
 }  // namespace cls::orchestration::process

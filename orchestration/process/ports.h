@@ -1,11 +1,11 @@
-// Ports of this machine: finding free ones, keeping them, and who has one.
+// Ports of this host: finding and reserving free ports, finding the owner of a port.
 #pragma once
 
 #include <string>
 #include <vector>
 
 #include "base/result.h"
-#include "orchestration/process/unique_fd.h"
+#include "base/system/unique_fd.h"
 
 namespace cls::orchestration::process {
 
@@ -13,14 +13,14 @@ enum class Protocol { kTcp, kUdp };
 
 /// A process that has bound a port.
 struct PortOwner {
-  int pid = 0;          ///< 0: not to be found out (another user's)
+  int pid = 0;          ///< 0: unknown (process of another user)
   std::string program;  ///< its name as ps shows it; empty when unknown
 };
 
-/// True when nobody on this machine has bound `port` on any address.
+/// True when no process on this host has bound `port` on any address.
 bool port_is_free(Protocol protocol, int port);
 
-/// The processes that have bound `port` (TCP: that listen on it). Empty when nobody has.
+/// The processes that have bound `port` (TCP: listen on it).
 std::vector<PortOwner> owners_of(Protocol protocol, int port);
 
 /// "UDP port 6000 is taken by rcssserver (process 1234)".
@@ -29,24 +29,23 @@ std::string port_taken_text(Protocol protocol, int port);
 /// Ports on which `pid` or a descendant of it listens (TCP) or has bound (UDP), ascending.
 std::vector<int> ports_of(Protocol protocol, int pid);
 
-/// A free port that no other cls on this machine will choose while this object lives. Nothing is
-/// bound to it, so that a child can.
+/// A free port that no other cls on this host chooses while this object exists. It stays unbound,
+/// so that a child can bind it.
 class ReservedPort {
  public:
-  /// Chooses `count` ports below those that the kernel gives out by itself. The error says that
-  /// none was found.
+  /// Chooses `count` ports below the kernel's ephemeral range. An error if there are not enough.
   static base::Result<std::vector<ReservedPort>> choose(int count);
 
   int number() const { return number_; }
 
  private:
-  ReservedPort(int number, UniqueFd mark) : number_(number), mark_(std::move(mark)) {}
+  ReservedPort(int number, base::UniqueFd mark) : number_(number), mark_(std::move(mark)) {}
 
   int number_ = 0;
-  UniqueFd mark_;  // a socket whose name says "taken" to other cls; gone with the process
+  base::UniqueFd mark_;  // abstract socket that reserves the port; disappears with the process
 };
 
-/// True when something accepts a connection at host:port within `limit_ms`.
+/// True when a server accepts a TCP connection at host:port within `limit_ms`.
 bool tcp_answers(const std::string& host, int port, int limit_ms);
 
 }  // namespace cls::orchestration::process

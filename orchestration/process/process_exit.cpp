@@ -1,4 +1,4 @@
-// Exit codes and signals in words.
+// Formats exit codes and signals.
 #include "orchestration/process/process_exit.h"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// Starting through the guard, and the questions one may ask of a child.
+// Starts children through the guard; requests to their keepers.
 #include "orchestration/process/process_host.h"
 
 #include <fcntl.h>
@@ -20,8 +20,9 @@ using base::Error;
 using base::Result;
 using std::chrono::milliseconds;
 
-constexpr milliseconds kStartLimit{10'000};  // a loaded machine; the keeper answers in 1 ms
-constexpr milliseconds kUsageLimit{500};
+constexpr milliseconds kStartTimeout{
+    10'000};  // for a loaded host; the keeper usually replies in 1 ms
+constexpr milliseconds kUsageTimeout{500};
 constexpr milliseconds kDroppedGrace{1000};
 constexpr milliseconds kEndMargin{2000};
 constexpr milliseconds kReadyInterval{5};
@@ -30,7 +31,7 @@ Error cannot_start(const CommandPlan& plan, const std::string& reason) {
   return Error{fmt::format("cannot start {}: {}", plan.name, reason)};
 }
 
-// The plan with everything in it that depends on where and when it is looked at.
+// The plan with absolute paths.
 Result<CommandPlan> resolved(const CommandPlan& plan) {
   CommandPlan result = plan;
   std::error_code code;
@@ -46,23 +47,23 @@ Result<CommandPlan> resolved(const CommandPlan& plan) {
   return result;
 }
 
-Result<UniqueFd> open_log(const CommandPlan& plan) {
-  if (plan.log.empty()) return UniqueFd();
-  UniqueFd file(::open(plan.log.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
+Result<base::UniqueFd> open_log(const CommandPlan& plan) {
+  if (plan.log.empty()) return base::UniqueFd();
+  base::UniqueFd file(::open(plan.log.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
   if (file) return file;
   return cannot_start(plan,
                       fmt::format("cannot create {}: {}", plan.log.string(), std::strerror(errno)));
 }
 
 struct Pipe {
-  UniqueFd read;
-  UniqueFd write;
+  base::UniqueFd read;
+  base::UniqueFd write;
 };
 
 std::optional<Pipe> make_pipe() {
   std::array<int, 2> ends{};
   if (::pipe2(ends.data(), O_CLOEXEC) != 0) return std::nullopt;
-  Pipe pipe{UniqueFd(ends[0]), UniqueFd(ends[1])};
+  Pipe pipe{base::UniqueFd(ends[0]), base::UniqueFd(ends[1])};
   ::fcntl(pipe.read.get(), F_SETFL, O_NONBLOCK);
   return pipe;
 }
@@ -102,7 +103,7 @@ double Child::cpu_seconds() const {
   std::unique_lock lock(core_->mutex);
   const std::uint64_t answers = record_->usage_answers;
   if (record_->control && send_request(record_->control.get(), {KeeperRequest::Kind::kUsage})) {
-    core_->changed.wait_for(lock, kUsageLimit, [&] {
+    core_->changed.wait_for(lock, kUsageTimeout, [&] {
       return record_->usage_answers > answers || record_->status.gone;
     });
   }
@@ -131,7 +132,8 @@ bool Child::wait_gone(milliseconds limit) const {
 ProcessHost::ProcessHost(std::shared_ptr<ProcessHostCore> core) : core_(std::move(core)) {}
 
 Result<ProcessHost> ProcessHost::create(std::size_t log_limit) {
-  if (Guard::active() == nullptr) return Error{"this process has no guard to start others"};
+  if (Guard::active() == nullptr)
+    return Error{"this process has no guard process; Guard::start was not called in main"};
   return ProcessHost(std::make_shared<ProcessHostCore>(log_limit));
 }
 
@@ -169,7 +171,7 @@ Result<std::shared_ptr<Child>> ProcessHost::start(const CommandPlan& plan, OnLin
   auto child = std::make_shared<Child>(core_, record);
   core_->add(record);
   std::unique_lock lock(core_->mutex);
-  core_->changed.wait_for(lock, kStartLimit,
+  core_->changed.wait_for(lock, kStartTimeout,
                           [&] { return record->first_report || record->status.gone; });
   if (!record->first_report) return cannot_start(plan, "no process could be made for it");
   const KeeperReport& report = *record->first_report;

@@ -1,4 +1,4 @@
-// Child processes as cls sees them: start, watch, read, end.
+// Child processes: start, watch, read output, terminate.
 #pragma once
 
 #include <atomic>
@@ -21,17 +21,17 @@ namespace cls::orchestration::process {
 struct ChildRecord;
 struct ProcessHostCore;
 
-/// A started program and all that descends from it. The destructor ends it (SIGTERM, 1 s, SIGKILL)
-/// without waiting. All functions may be called from any thread.
+/// A started program and all its descendants. The destructor terminates them (SIGTERM, 1 s,
+/// SIGKILL) without waiting. Thread-safe.
 class Child {
  public:
-  /// What is known of a child at one moment.
+  /// State of a child.
   struct Status {
     int pid = 0;
-    std::optional<ProcessExit> exit;  ///< of the program itself, once it has ended
-    int living = 0;                   ///< when `exit` came: descendants that went on
-    bool asked_to_end = false;        ///< by end(), before it ended by itself
-    bool gone = false;                ///< nothing of it is left, and all its output has been read
+    std::optional<ProcessExit> exit;  ///< of the program itself, once it has exited
+    int living = 0;                   ///< descendants still running at the program's exit
+    bool asked_to_end = false;        ///< end() was called before it exited
+    bool gone = false;                ///< no process is left, and all output has been read
   };
 
   Child(std::shared_ptr<ProcessHostCore> core, std::shared_ptr<ChildRecord> record);
@@ -45,19 +45,19 @@ class Child {
   /// The last lines of its output, oldest first, printable (see OutputLog::last_lines).
   std::vector<std::string> last_lines(std::size_t count = 50) const;
 
-  /// Why its log is incomplete (disk full), empty when it is not.
+  /// Why its log is incomplete (disk full); empty: complete.
   std::string log_error() const;
 
-  /// User and system time of the program and all its descendants so far. Asks the keeper, which
-  /// takes about a millisecond; the last known figure when it does not answer within 0.5 s.
+  /// User and system time of the program and all its descendants so far. Takes about 1 ms to ask
+  /// the keeper; the last known value if it does not reply within 0.5 s.
   double cpu_seconds() const;
 
-  /// Asks for the end and returns at once: SIGTERM to the program and all its descendants, SIGKILL
-  /// to what is left after `grace`. `gently`: SIGTERM to the program alone, for one that ends its
-  /// own children in order; what it leaves gets SIGTERM when it has ended.
+  /// Requests termination and returns immediately: SIGTERM to the program and all its descendants,
+  /// SIGKILL to what is left after `grace`. `gently`: SIGTERM to the program alone, which stops its
+  /// own children; what is left gets SIGTERM after its exit.
   void end(std::chrono::milliseconds grace, bool gently = false) const;
 
-  /// Waits until the program has ended, or until nothing of it is left. False: the time is up.
+  /// Waits until the program has exited, or until no process is left. False: timeout.
   bool wait_exit(std::chrono::milliseconds limit) const;
   bool wait_gone(std::chrono::milliseconds limit) const;
 
@@ -66,8 +66,8 @@ class Child {
   std::shared_ptr<ChildRecord> record_;
 };
 
-/// Starts children through the guard of this process and reads their output on a thread of its
-/// own. Children that outlive it are ended by its destructor, which waits for them (3 s at most).
+/// Starts children through the guard of this process and reads their output on its own thread. The
+/// destructor terminates all children and waits for them (3 s at most).
 class ProcessHost {
  public:
   /// Called on the host's thread with every line of a child's output. Must return quickly and must
@@ -76,21 +76,21 @@ class ProcessHost {
 
   static constexpr std::size_t kLogLimit = 10 << 20;  ///< bytes of one log
 
-  /// An error when Guard::start was not called in main.
+  /// An error if Guard::start was not called in main.
   static base::Result<ProcessHost> create(std::size_t log_limit = kLogLimit);
   ProcessHost(ProcessHost&&) = default;
   ProcessHost& operator=(ProcessHost&&) = delete;
   ~ProcessHost();
 
-  /// Starts a program. The error names it and says why not: no such program, folder or right; the
-  /// log cannot be created; no processes left.
+  /// Starts a program. The error names it and the reason: no such program or folder, no permission,
+  /// log cannot be created, no processes left.
   base::Result<std::shared_ptr<Child>> start(const CommandPlan& plan, OnLine on_line = {});
 
-  /// Counts up whenever a child's status changes: a cheap look for loops that have other work.
+  /// Counts changes of any child's status: a cheap check for polling loops.
   std::uint64_t changes() const;
 
-  /// Ends all children and waits until nothing of them is left. False when something is still
-  /// there 2 s after the grace (stuck in the kernel, where not even SIGKILL reaches it).
+  /// Terminates all children and waits until no process is left. False if one is still there 2 s
+  /// after the grace (stuck in the kernel in spite of SIGKILL).
   bool end_all(std::chrono::milliseconds grace);
 
  private:
@@ -102,18 +102,18 @@ class ProcessHost {
 /// How waiting for readiness ended.
 enum class Readiness {
   kReady,
-  kEnded,        ///< the program ended first
+  kEnded,        ///< the program exited first
   kTimedOut,     ///< the limit was reached
   kInterrupted,  ///< `stop` became nonzero
 };
 
-/// Calls `ready` every 5 ms until it is true or there is another reason to stop waiting.
-/// A program that returns 0 and leaves living descendants has not ended in this sense: it is a
-/// script that starts others and returns.
+/// Calls `ready` every 5 ms until it returns true, the program exits (see has_ended), or the limit
+/// or a signal is reached.
 Readiness wait_until_ready(const Child& child, const std::function<bool()>& ready,
                            std::chrono::milliseconds limit, const std::atomic<int>& stop);
 
-/// True when the program has failed, or has ended and left nothing behind that could do its work.
+/// True when the program has failed, or has exited without running descendants. A script that
+/// starts others and exits with 0 has not ended.
 bool has_ended(const Child::Status& status);
 
 }  // namespace cls::orchestration::process

@@ -1,4 +1,4 @@
-// The thread that reads reports and output of all children.
+// Thread that reads reports and output of all children.
 #include "orchestration/process/process_host_core.h"
 
 #include <poll.h>
@@ -15,12 +15,12 @@ namespace cls::orchestration::process {
 namespace {
 
 constexpr std::size_t kReadSize = 64 * 1024;
-constexpr int kReadsAtOnce = 16;  // of one child before the others have their turn
+constexpr int kMaxReadsPerTurn = 16;  // of one child, before the next one is read
 
-// Takes what waits in the pipe. False when no writer is left.
+// Reads what is in the pipe. False when it was closed by its last writer.
 bool read_output(ChildRecord& record) {
   std::array<char, kReadSize> bytes;
-  for (int i = 0; i < kReadsAtOnce; ++i) {
+  for (int i = 0; i < kMaxReadsPerTurn; ++i) {
     const ssize_t got = ::read(record.output.get(), bytes.data(), bytes.size());
     if (got < 0) return errno == EAGAIN || errno == EINTR;
     if (got == 0) return false;
@@ -37,7 +37,7 @@ void drain_output(ChildRecord& record) {
 
 ProcessHostCore::ProcessHostCore(std::size_t limit)
     : log_limit(limit), wake_(::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)) {
-  // Signals are for the threads of cls that wait for them, not for this one.
+  // Other threads of cls handle signals.
   sigset_t all;
   sigset_t before;
   ::sigfillset(&all);
@@ -71,16 +71,16 @@ void ProcessHostCore::stop() {
   if (thread_.joinable()) thread_.join();
 }
 
-void ProcessHostCore::note_change() {
+void ProcessHostCore::notify_change() {
   ++changes;
   changed.notify_all();
 }
 
-void ProcessHostCore::take_report(ChildRecord& record) {
+void ProcessHostCore::handle_report(ChildRecord& record) {
   const Packet packet = receive_packet(record.control.get());
-  if (packet.bytes.empty()) {  // the keeper was killed, and with it the program
+  if (packet.bytes.empty()) {  // the keeper was killed, and the program with it
     if (!record.status.exit) record.status.exit = ProcessExit{true, SIGKILL};
-    return bury(record);
+    return mark_gone(record);
   }
   const auto report = read_report(packet);
   if (!report) return;
@@ -92,7 +92,7 @@ void ProcessHostCore::take_report(ChildRecord& record) {
       record.status.pid = report->pid;
       break;
     case KeeperReport::Kind::kExited:
-      drain_output(record);  // its last words belong to its end
+      drain_output(record);  // complete the output before reporting the exit
       record.status.exit = ProcessExit{report->by_signal, report->number};
       record.status.living = report->living;
       break;
@@ -100,26 +100,26 @@ void ProcessHostCore::take_report(ChildRecord& record) {
       ++record.usage_answers;
       break;
     case KeeperReport::Kind::kGone:
-      return bury(record);
+      return mark_gone(record);
   }
-  note_change();
+  notify_change();
 }
 
-void ProcessHostCore::bury(ChildRecord& record) {
+void ProcessHostCore::mark_gone(ChildRecord& record) {
   drain_output(record);
   record.log.finish();
   record.output.reset();
   record.control.reset();
   record.status.gone = true;
-  note_change();
+  notify_change();
 }
 
-void ProcessHostCore::tend(ChildRecord& record) {
+void ProcessHostCore::poll_child(ChildRecord& record) {
   std::array<pollfd, 2> waits{
       {{record.output.get(), POLLIN, 0}, {record.control.get(), POLLIN, 0}}};
   if (::poll(waits.data(), waits.size(), 0) <= 0) return;
   if (waits[0].revents != 0) drain_output(record);
-  if (waits[1].revents != 0) take_report(record);
+  if (waits[1].revents != 0) handle_report(record);
 }
 
 void ProcessHostCore::run() {
@@ -137,10 +137,10 @@ void ProcessHostCore::run() {
     while (::read(wake_.get(), &ignored, sizeof ignored) > 0) {
     }
     lock.lock();
-    for (const auto& record : records) tend(*record);
+    for (const auto& record : records) poll_child(*record);
     std::erase_if(records, [](const auto& record) { return record->status.gone; });
   }
-  for (const auto& record : records) bury(*record);
+  for (const auto& record : records) mark_gone(*record);
   records.clear();
 }
 

@@ -1,4 +1,4 @@
-// Inside of ProcessHost: the records of children and the thread that reads what they say.
+// Implementation of ProcessHost: records of children, and the thread that reads their output.
 #pragma once
 
 #include <atomic>
@@ -10,37 +10,37 @@
 #include <thread>
 #include <vector>
 
+#include "base/system/unique_fd.h"
 #include "orchestration/process/output_log.h"
 #include "orchestration/process/packet.h"
 #include "orchestration/process/process_host.h"
-#include "orchestration/process/unique_fd.h"
 
 namespace cls::orchestration::process {
 
 /// One child; all but `plan` under the core's mutex.
 struct ChildRecord {
   CommandPlan plan;
-  UniqueFd control;  ///< to its keeper
-  UniqueFd output;
+  base::UniqueFd control;  ///< to its keeper
+  base::UniqueFd output;
   OutputLog log;
   Child::Status status;
   std::optional<KeeperReport> first_report;  ///< kStarted or kFailed
   double cpu_seconds = 0.0;
   std::uint64_t usage_answers = 0;
 
-  /// Sends a request to end the child.
+  /// Sends a request to the keeper.
   void ask(const KeeperRequest& request);
 };
 
-/// Shared by the host and its children, so that a child may be asked when the host is gone.
+/// Shared by the host and its children, because a Child may outlive the host.
 struct ProcessHostCore {
   explicit ProcessHostCore(std::size_t log_limit);
   ~ProcessHostCore();
 
   void add(std::shared_ptr<ChildRecord> record);
-  /// Makes the thread look at its list anew.
+  /// Makes the thread read its list again.
   void wake() const;
-  /// Ends the thread; every child counts as gone from then on.
+  /// Stops the thread; every child counts as gone afterwards.
   void stop();
 
   const std::size_t log_limit;
@@ -51,12 +51,12 @@ struct ProcessHostCore {
 
  private:
   void run();
-  void tend(ChildRecord& record);
-  void bury(ChildRecord& record);
-  void take_report(ChildRecord& record);
-  void note_change();
+  void poll_child(ChildRecord& record);
+  void mark_gone(ChildRecord& record);
+  void handle_report(ChildRecord& record);
+  void notify_change();
 
-  UniqueFd wake_;
+  base::UniqueFd wake_;
   bool stopping_ = false;
   std::thread thread_;
 };

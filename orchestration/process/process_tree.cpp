@@ -12,7 +12,7 @@
 #include <optional>
 #include <string_view>
 
-#include "orchestration/process/unique_fd.h"
+#include "base/system/unique_fd.h"
 
 namespace cls::orchestration::process {
 namespace {
@@ -22,11 +22,11 @@ double ticks_to_seconds(unsigned long long ticks) {
   return static_cast<double>(ticks) / per_second;
 }
 
-// The line is "PID (NAME) STATE PPID ..." where NAME may hold anything, also ')' and blanks.
+// The line is "PID (NAME) STATE PPID ..." where NAME may contain anything, also ')' and spaces.
 std::optional<ProcessEntry> read_entry(pid_t pid) {
   std::array<char, 64> path{};
   std::snprintf(path.data(), path.size(), "/proc/%d/stat", pid);
-  const UniqueFd file(::open(path.data(), O_RDONLY | O_CLOEXEC));
+  const base::UniqueFd file(::open(path.data(), O_RDONLY | O_CLOEXEC));
   if (!file) return std::nullopt;
   std::array<char, 1024> text{};
   const ssize_t size = ::read(file.get(), text.data(), text.size() - 1);
@@ -46,13 +46,13 @@ std::optional<ProcessEntry> read_entry(pid_t pid) {
                   " %c %d %*d %*d %*d %*d %*u %*u %*u %*u %*u %llu %llu %lld %lld %*d %*d %d",
                   &state, &parent, &user, &system, &fetched_user, &fetched_system, &threads);
   if (fields != 7 || state == 'X') return std::nullopt;
-  // Also a process whose first thread alone has ended is a Z, but its other threads go on.
+  // A process whose first thread has exited is a Z too, while its other threads run.
   if (state == 'Z' && threads < 2) return std::nullopt;
   ProcessEntry entry;
   entry.pid = pid;
   entry.parent = parent;
   entry.cpu_seconds = ticks_to_seconds(user + system);
-  entry.fetched_cpu_seconds =
+  entry.reaped_cpu_seconds =
       ticks_to_seconds(static_cast<unsigned long long>(fetched_user + fetched_system));
   return entry;
 }
@@ -90,7 +90,7 @@ std::vector<ProcessEntry> descendants_of(pid_t root) {
 double living_cpu_seconds(pid_t root) {
   double seconds = 0.0;
   for (const ProcessEntry& entry : descendants_of(root)) {
-    seconds += entry.cpu_seconds + entry.fetched_cpu_seconds;
+    seconds += entry.cpu_seconds + entry.reaped_cpu_seconds;
   }
   return seconds;
 }

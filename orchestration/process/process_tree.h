@@ -1,4 +1,4 @@
-// Who descends from whom, as /proc tells it.
+// The tree of processes, read from /proc.
 #pragma once
 
 #include <sys/types.h>
@@ -7,20 +7,19 @@
 
 namespace cls::orchestration::process {
 
-/// One process of a tree. A zombie is not listed: it is dead and only waits to be fetched.
+/// One process of a tree. Zombies are not listed: they have exited and wait to be reaped.
 struct ProcessEntry {
   pid_t pid = 0;
   pid_t parent = 0;
-  double cpu_seconds = 0.0;          ///< its own, in steps of a clock tick (10 ms)
-  double fetched_cpu_seconds = 0.0;  ///< of its children that have ended and were waited for
+  double cpu_seconds = 0.0;         ///< its own, with a resolution of 10 ms (clock tick)
+  double reaped_cpu_seconds = 0.0;  ///< of its children that have exited and were reaped
 };
 
-/// All living descendants of `root`, itself not among them, parents before children. Empty where
-/// there is no /proc.
+/// All running descendants of `root`, without itself, parents before children. Empty without /proc.
 std::vector<ProcessEntry> descendants_of(pid_t root);
 
-/// CPU time of what descends from `root` and is alive or was waited for by somebody alive; what
-/// `root` itself has waited for is not in it.
+/// CPU time of the running descendants of `root` and of what they have reaped; without what `root`
+/// itself has reaped.
 double living_cpu_seconds(pid_t root);
 
 }  // namespace cls::orchestration::process

@@ -1,4 +1,4 @@
-// Debug actions as JSON lines.
+// Conversion of debug actions to JSON.
 #include "orchestration/match/hooks/debug_log.h"
 
 #include <google/protobuf/util/json_util.h>
@@ -28,8 +28,8 @@ std::string kind_of(const protos::Log& log) {
   return field == nullptr ? "nothing" : field->name().substr(4);
 }
 
-Json json_of(int time, int unum, const protos::PlayerAction& action) {
-  Json json = {{"t", time}, {"unum", unum}};
+Json json_of(int cycle, int unum, const protos::PlayerAction& action) {
+  Json json = {{"t", cycle}, {"unum", unum}};
   if (action.has_debug_client()) {
     json["kind"] = "debug_client";
     json["message"] = action.debug_client().message();
@@ -47,29 +47,29 @@ Json json_of(int time, int unum, const protos::PlayerAction& action) {
 }  // namespace
 
 DebugLog::DebugLog(const std::filesystem::path& folder)
-    : ears_{Ear(folder / kLeftDebugFile, time_), Ear(folder / kRightDebugFile, time_)} {}
+    : sides_{SideLog(folder / kLeftDebugFile), SideLog(folder / kRightDebugFile)} {}
 
-proxy::RpcListener* DebugLog::listener(soccer::Side side) {
-  return &ears_[side == soccer::Side::kRight ? 1 : 0];
+SideListener* DebugLog::listener(soccer::Side side) {
+  return &sides_[side == soccer::Side::kRight ? 1 : 0];
 }
 
-void DebugLog::Ear::on_call(const proxy::RpcCall& call) {
+void DebugLog::SideLog::on_call(const proxy::RpcCall& call) {
   if (call.rpc != proto::Rpc::kGetPlayerActions || call.reply == nullptr) return;
   for (const auto& action : static_cast<const protos::PlayerActions&>(*call.reply).actions()) {
     if (!action.has_log() && !action.has_debug_client()) continue;
-    // A Playmaker may say what is no text at all.
+    // The text of a Playmaker may not be UTF-8.
     lines_.emplace_back(
         call.agent,
-        json_of(time_, call.agent, action).dump(-1, ' ', false, Json::error_handler_t::replace));
+        json_of(cycle_, call.agent, action).dump(-1, ' ', false, Json::error_handler_t::replace));
   }
 }
 
-void DebugLog::Ear::flush() {
-  if (lines_.empty() || !problem_.empty()) return;
+void DebugLog::SideLog::end_cycle() {
+  if (lines_.empty() || !error_.empty()) return;
   if (sink_ == nullptr) {
     auto created = base::FileSink::create(file_.string());
     if (!created) {
-      problem_ = created.error().message;
+      error_ = created.error().message;
       return;
     }
     sink_ = *std::move(created);
@@ -80,26 +80,19 @@ void DebugLog::Ear::flush() {
   lines_.clear();
 }
 
-std::string DebugLog::Ear::close() {
-  flush();
-  if (sink_ != nullptr && problem_.empty()) {
+std::string DebugLog::SideLog::close() {
+  end_cycle();
+  if (sink_ != nullptr && error_.empty()) {
     const auto closed = sink_->close();
-    if (!closed) problem_ = closed.error().message;
+    if (!closed) error_ = closed.error().message;
   }
-  return problem_;
-}
-
-void DebugLog::before_decisions(const simulator::World& world) { time_ = world.clock.time; }
-
-bool DebugLog::after_cycle(const simulator::World& /*world*/) {
-  for (Ear& ear : ears_) ear.flush();
-  return true;
+  return error_;
 }
 
 std::string DebugLog::close() {
-  std::string problem = ears_[0].close();
-  const std::string right = ears_[1].close();
-  return problem.empty() ? right : problem;
+  const std::string left = sides_[0].close();
+  const std::string right = sides_[1].close();
+  return left.empty() ? right : left;
 }
 
 }  // namespace cls::orchestration::match

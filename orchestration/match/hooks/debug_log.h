@@ -1,4 +1,4 @@
-// What Playmakers say by `log` and `debug_client` actions, by cycle, where a person can read it.
+// `log` and `debug_client` actions of Playmakers, by cycle, as JSON lines.
 #pragma once
 
 #include <array>
@@ -9,46 +9,44 @@
 #include <vector>
 
 #include "base/io/byte_sink.h"
-#include "orchestration/match/hooks/match_director.h"
+#include "orchestration/match/hooks/match_hooks.h"
 
 namespace cls::orchestration::match {
 
-/// Names inside a match folder; there only when a side says something.
+/// Names inside a match folder; created with the first action of that side.
 inline constexpr const char* kLeftDebugFile = "left-debug.jsonl";
 inline constexpr const char* kRightDebugFile = "right-debug.jsonl";
 
 /// One JSON object a line: {"t": 120, "unum": 7, "kind": "text", "level": "TEAM", "message": ...},
 /// in the order of cycle and number. Shapes have their fields as on the wire.
-class DebugLog : public MatchDirector {
+class DebugLog : public MatchHooks {
  public:
   explicit DebugLog(const std::filesystem::path& folder);
 
-  proxy::RpcListener* listener(soccer::Side side) override;
-  void before_decisions(const simulator::World& world) override;
-  bool after_cycle(const simulator::World& world) override;
+  SideListener* listener(soccer::Side side) override;
 
-  /// Empty, or what could not be written.
+  /// Writes the remaining lines. Returns the error, or an empty string.
   std::string close();
 
  private:
-  class Ear : public proxy::RpcListener {
+  class SideLog : public SideListener {
    public:
-    Ear(std::filesystem::path file, const int& time) : file_(std::move(file)), time_(time) {}
+    explicit SideLog(std::filesystem::path file) : file_(std::move(file)) {}
     bool needs_requests() const override { return false; }
     void on_call(const proxy::RpcCall& call) override;
-    void flush();
+    void begin_cycle(int cycle) override { cycle_ = cycle; }
+    void end_cycle() override;
     std::string close();
 
    private:
     std::filesystem::path file_;
-    const int& time_;
-    std::vector<std::pair<int, std::string>> lines_;  ///< of this cycle, by number
+    int cycle_ = 0;
+    std::vector<std::pair<int, std::string>> lines_;  ///< of this cycle, with uniform number
     std::unique_ptr<base::FileSink> sink_;
-    std::string problem_;
+    std::string error_;
   };
 
-  int time_ = 0;
-  std::array<Ear, 2> ears_;
+  std::array<SideLog, 2> sides_;
 };
 
 }  // namespace cls::orchestration::match

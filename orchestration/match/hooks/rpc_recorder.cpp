@@ -1,4 +1,4 @@
-// Collecting the calls of a cycle, then writing them in order.
+// Collects the calls of a cycle, then writes them in order.
 #include "orchestration/match/hooks/rpc_recorder.h"
 
 #include <google/protobuf/io/coded_stream.h>
@@ -7,19 +7,14 @@
 #include <algorithm>
 
 namespace cls::orchestration::match {
+namespace {
 
 using base::Error;
 
-namespace {
-
 constexpr int kUnknownStatus = 2;  // gRPC's UNKNOWN
 
-}  // namespace
-
-namespace {
-
-// Maps of a message are written in an order of their own in every process unless told otherwise.
-void write_repeatably(const google::protobuf::Message& message, std::string& bytes) {
+// Without this, each process writes the entries of maps in another order.
+void write_deterministically(const google::protobuf::Message& message, std::string& bytes) {
   google::protobuf::io::StringOutputStream stream(&bytes);
   google::protobuf::io::CodedOutputStream coded(&stream);
   coded.SetSerializationDeterministic(true);
@@ -36,50 +31,54 @@ base::Result<std::unique_ptr<RpcRecorder>> RpcRecorder::create(
   return std::unique_ptr<RpcRecorder>(new RpcRecorder(std::move(writer)));
 }
 
-proxy::RpcListener* RpcRecorder::listener(soccer::Side side) {
-  return &ears_[side == soccer::Side::kRight ? 1 : 0];
+SideListener* RpcRecorder::listener(soccer::Side side) {
+  return &sides_[side == soccer::Side::kRight ? 1 : 0];
 }
 
-void RpcRecorder::Ear::on_call(const proxy::RpcCall& call) {
+bool RpcRecorder::SideRecorder::has_call(int agent, proto::Rpc rpc) const {
+  return std::any_of(calls_.begin(), calls_.end(), [&](const recording::RecordedCall& call) {
+    return call.status() == 0 && call.agent() == agent && call.rpc() == name(rpc);
+  });
+}
+
+void RpcRecorder::SideRecorder::on_call(const proxy::RpcCall& call) {
+  // A late reply in real time falls into the next cycle; each agent decides once in a step.
+  if (is_decision(call.rpc) && has_call(call.agent, call.rpc)) end_cycle();
   recording::RecordedCall& recorded = calls_.emplace_back();
   recorded.set_side(side_);
   recorded.set_agent(call.agent);
   recorded.set_rpc(std::string(name(call.rpc)));
   recorded.set_step(step_);
-  write_repeatably(call.request, *recorded.mutable_request());
-  if (call.reply != nullptr) write_repeatably(*call.reply, *recorded.mutable_reply());
+  write_deterministically(call.request, *recorded.mutable_request());
+  if (call.reply != nullptr) write_deterministically(*call.reply, *recorded.mutable_reply());
   recorded.set_status(call.status.code);
   if (!call.status.ok()) {
-    // A deadline of ours has no status of the Playmaker's.
+    // An exceeded deadline has no status of the Playmaker.
     if (call.status.code == 0) recorded.set_status(kUnknownStatus);
     recorded.set_message(call.status.message);
   }
 }
 
-void RpcRecorder::Ear::write_to(proto::RecordingWriter& writer) {
+void RpcRecorder::SideRecorder::flush() {
   std::stable_sort(calls_.begin(), calls_.end(),
                    [](const auto& a, const auto& b) { return a.agent() < b.agent(); });
-  for (const recording::RecordedCall& call : calls_) writer.write(call);
+  recorder_.write(calls_);
   calls_.clear();
 }
 
-void RpcRecorder::flush() {
-  for (Ear& ear : ears_) ear.write_to(*writer_);
-}
-
-void RpcRecorder::arrange(simulator::World& /*world*/, simulator::Events& /*events*/) {
-  flush();
-  step_ = 1;
-}
-
-bool RpcRecorder::after_cycle(const simulator::World& /*world*/) {
+void RpcRecorder::SideRecorder::end_cycle() {
   flush();
   ++step_;
-  return true;
+}
+
+void RpcRecorder::write(const std::vector<recording::RecordedCall>& calls) {
+  const std::lock_guard lock(mutex_);
+  for (const recording::RecordedCall& call : calls) writer_->write(call);
 }
 
 std::string RpcRecorder::close() {
-  flush();
+  for (SideRecorder& side : sides_) side.flush();
+  const std::lock_guard lock(mutex_);
   return writer_->close();
 }
 

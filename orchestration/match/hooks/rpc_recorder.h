@@ -4,50 +4,53 @@
 #include <array>
 #include <filesystem>
 #include <memory>
-#include <string>
+#include <mutex>
 #include <vector>
 
 #include "base/result.h"
-#include "orchestration/match/hooks/match_director.h"
+#include "orchestration/match/hooks/match_hooks.h"
 #include "proto/recording_file.h"
 
 namespace cls::orchestration::match {
 
-/// Calls are written by cycle, side and agent, not as their answers came: the same match gives the
-/// same recording.
-class RpcRecorder : public MatchDirector {
+/// Calls are written by cycle and agent, not in the order of their replies. In lockstep the left
+/// side's calls of a cycle come first, and the same match gives the same bytes; over UDP the sides
+/// write a cycle when they have finished it.
+class RpcRecorder : public MatchHooks {
  public:
   /// The error names the file.
   static base::Result<std::unique_ptr<RpcRecorder>> create(
       const std::filesystem::path& file, const recording::RecordingHeader& header);
 
-  proxy::RpcListener* listener(soccer::Side side) override;
-  void arrange(simulator::World& world, simulator::Events& events) override;
-  bool after_cycle(const simulator::World& world) override;
+  SideListener* listener(soccer::Side side) override;
 
-  /// Writes what is left. Empty, or what could not be written.
+  /// Writes the remaining calls. Returns the error, or an empty string.
   std::string close();
 
  private:
-  class Ear : public proxy::RpcListener {
+  class SideRecorder : public SideListener {
    public:
-    Ear(int side, const int& step) : side_(side), step_(step) {}
+    SideRecorder(int side, RpcRecorder& recorder) : side_(side), recorder_(recorder) {}
     void on_call(const proxy::RpcCall& call) override;
-    void write_to(proto::RecordingWriter& writer);
+    void end_cycle() override;
+    void flush();
 
    private:
+    bool has_call(int agent, proto::Rpc rpc) const;
+
     int side_;
-    const int& step_;
+    RpcRecorder& recorder_;
+    int step_ = 0;
     std::vector<recording::RecordedCall> calls_;
   };
 
   explicit RpcRecorder(std::unique_ptr<proto::RecordingWriter> writer)
       : writer_(std::move(writer)) {}
-  void flush();
+  void write(const std::vector<recording::RecordedCall>& calls);
 
+  std::mutex mutex_;  ///< of the writer: over UDP each side has a thread of its own
   std::unique_ptr<proto::RecordingWriter> writer_;
-  int step_ = 0;
-  std::array<Ear, 2> ears_ = {Ear(1, step_), Ear(2, step_)};
+  std::array<SideRecorder, 2> sides_ = {SideRecorder(1, *this), SideRecorder(2, *this)};
 };
 
 }  // namespace cls::orchestration::match

@@ -9,10 +9,10 @@
 #include <nlohmann/json.hpp>
 
 #include "orchestration/match/options/match_options.h"
-#include "orchestration/match/sides/match_side.h"
+#include "orchestration/match/sides/agent_side.h"
 #include "proto/rpc.h"
 #include "proxy/playmaker/playmaker.h"
-#include "soccer/side_name.h"
+#include "soccer/side.h"
 
 namespace cls::orchestration::match {
 namespace {
@@ -66,9 +66,10 @@ class Replay {
     if (!request->ParseFromString(call.request())) {
       return Error{fmt::format("{}: call {} is damaged", options_.file, result_.calls)};
     }
-    introduce(*rpc, call.agent(), *request);
+    set_identity(*rpc, identities_.at(static_cast<std::size_t>(call.agent())), *request);
     if (is_decision(*rpc)) {
-      begin(*rpc, call, static_cast<const protos::State&>(*request));
+      asked_.at(static_cast<std::size_t>(call.agent())) = call;
+      playmaker_.begin(call.agent(), *rpc, *request, proxy::RpcTimeout(options_.rpc_deadline_ms));
       return {};
     }
     finish_step();
@@ -78,10 +79,7 @@ class Replay {
   void finish_step() {
     while (const auto reply = playmaker_.next_reply()) {
       const RecordedCall& call = asked_.at(static_cast<std::size_t>(reply->agent));
-      const Message* now = reply->player;
-      if (reply->coach != nullptr) now = reply->coach;
-      if (reply->trainer != nullptr) now = reply->trainer;
-      compare(call, now, reply->status);
+      compare(call, reply->message, reply->status);
     }
     std::sort(fresh_.begin(), fresh_.end(),
               [](const auto& a, const auto& b) { return a.agent < b.agent; });
@@ -90,64 +88,22 @@ class Replay {
   }
 
  private:
-  // Puts the identity that the Playmaker gave this time into a request.
-  void introduce(Rpc rpc, int agent, Message& request) {
-    const protos::RegisterResponse& identity = identities_.at(static_cast<std::size_t>(agent));
-    if (rpc == Rpc::kRegister) return;
-    if (rpc == Rpc::kSendByeCommand) {
-      request.CopyFrom(identity);
-      return;
-    }
-    const auto* field = request.GetDescriptor()->FindFieldByName("register_response");
-    request.GetReflection()->MutableMessage(&request, field)->CopyFrom(identity);
-  }
-
-  void begin(Rpc rpc, const RecordedCall& call, const protos::State& state) {
-    asked_.at(static_cast<std::size_t>(call.agent())) = call;
-    const proxy::RpcTimeout deadline(options_.rpc_deadline_ms);
-    if (rpc == Rpc::kGetPlayerActions) {
-      playmaker_.begin_player_actions(call.agent(), state, deadline);
-    } else if (rpc == Rpc::kGetCoachActions) {
-      playmaker_.begin_coach_actions(call.agent(), state, deadline);
-    } else {
-      playmaker_.begin_trainer_actions(call.agent(), state, deadline);
-    }
-  }
-
   Result<void> ask(Rpc rpc, const RecordedCall& call, const Message& request) {
-    const int agent = call.agent();
-    const proxy::RpcTimeout limit(static_cast<int>(options_.start_timeout_s * 1000));
-    proxy::RpcStatus status;
-    protos::RegisterResponse identity;
-    const Message* now = &proto::reply_prototype(rpc);
-    if (rpc == Rpc::kRegister) {
-      status = playmaker_.register_agent(
-          agent, static_cast<const protos::RegisterRequest&>(request), limit, identity);
-      if (!status.ok() && status.outcome != proxy::RpcOutcome::kUnimplemented) {
-        return Error{status.message};
-      }
-      identities_.at(static_cast<std::size_t>(agent)) = identity;
-      now = &identity;
-    } else if (rpc == Rpc::kSendServerParams) {
-      status = playmaker_.send_server_params(
-          agent, static_cast<const protos::ServerParam&>(request), limit);
-    } else if (rpc == Rpc::kSendPlayerParams) {
-      status = playmaker_.send_player_params(
-          agent, static_cast<const protos::PlayerParam&>(request), limit);
-    } else if (rpc == Rpc::kSendPlayerType) {
-      status = playmaker_.send_player_type(agent, static_cast<const protos::PlayerType&>(request),
-                                           limit);
-    } else if (rpc == Rpc::kSendInitMessage) {
-      status = playmaker_.send_init_message(agent, static_cast<const protos::InitMessage&>(request),
-                                            limit);
-    } else if (rpc == Rpc::kSendByeCommand) {
-      status =
-          playmaker_.send_bye(agent, static_cast<const protos::RegisterResponse&>(request), limit);
-    } else {
+    if (rpc == Rpc::kGetBestPlannerAction) {
       ++result_.skipped;  // the planner's calls belong to a decision under way
       return {};
     }
-    compare(call, status.ok() ? now : nullptr, status);
+    const proxy::RpcTimeout limit(static_cast<int>(options_.start_timeout_s * 1000));
+    const proxy::Reply reply = playmaker_.call(call.agent(), rpc, request, limit);
+    if (rpc == Rpc::kRegister) {
+      if (!reply.status.ok() && reply.status.outcome != proxy::RpcOutcome::kUnimplemented) {
+        return Error{reply.status.message};
+      }
+      const auto* identity = reply.as<protos::RegisterResponse>();
+      identities_.at(static_cast<std::size_t>(call.agent())) =
+          identity == nullptr ? protos::RegisterResponse() : *identity;
+    }
+    compare(call, reply.message, reply.status);
     finish_step();
     return {};
   }
@@ -208,12 +164,11 @@ Result<ReplayResult> replay_recording(const ReplayOptions& options,
   }
   const std::string team =
       result.side == Side::kLeft ? result.header.left_name() : result.header.right_name();
-  auto side = MatchSide::create(
+  const auto connection = connect_playmaker(
       options.endpoint,
-      {result.side, team, result.header.seed(), options.folder, host ? &*host : nullptr, {}},
-      MatchOptions());
-  if (!side) return side.error();
-  Replay replay(options, (*side)->playmaker(), result);
+      {result.side, team, result.header.seed(), options.folder, host ? &*host : nullptr, {}});
+  if (!connection) return connection.error();
+  Replay replay(options, *connection->playmaker, result);
   RecordedCall call;
   while (reader->next(call)) {
     result.interrupted = stop_signal.load() != 0;
@@ -222,7 +177,7 @@ Result<ReplayResult> replay_recording(const ReplayOptions& options,
     if (const auto taken = replay.take(call); !taken) return taken.error();
   }
   replay.finish_step();
-  if (!reader->damage().empty()) return Error{reader->damage()};
+  if (!reader->parse_error().empty()) return Error{reader->parse_error()};
   return result;
 }
 

@@ -1,4 +1,4 @@
-// Parsing of side forms and the team names that follow from them.
+// Parses SIDE arguments and derives team names from them.
 #include "orchestration/match/options/endpoint.h"
 
 #include <fmt/format.h>
@@ -18,7 +18,7 @@ using base::Result;
 
 constexpr std::size_t kMaxTeamName = 15;
 constexpr int kMaxPort = 65535;
-constexpr int kHighestStep = 13;
+constexpr int kMaxPortStep = 13;
 
 bool is_team_character(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ||
@@ -30,7 +30,7 @@ Error unknown_form(std::string_view text) {
   const std::string_view near = base::nearest_name(text, {"mock", "mock:hold"});
   if (!near.empty()) message += fmt::format("; did you mean '{}'?", near);
   message +=
-      " (a side is mock, mock:BEHAVIOUR, mock:FILE.json, HOST:PORT, HOST:PORT+step, "
+      " (a side is mock, mock:BEHAVIOR, mock:FILE.json, HOST:PORT, HOST:PORT+step, "
       "tls:HOST:PORT, unix:PATH, run:COMMAND or team:DIR)";
   return Error{std::move(message)};
 }
@@ -51,7 +51,7 @@ Result<Endpoint> parse_address(std::string_view text) {
   if (port.empty() || error == std::errc::invalid_argument || end != port.data() + port.size()) {
     return unknown_form(text);
   }
-  const int highest = endpoint.port + (endpoint.port_step ? kHighestStep : 0);
+  const int highest = endpoint.port + (endpoint.port_step ? kMaxPortStep : 0);
   if (error != std::errc{} || endpoint.port < 1 || highest > kMaxPort) {
     return Error{fmt::format("side '{}': port {} is not within 1 to 65535", text, port)};
   }
@@ -59,7 +59,7 @@ Result<Endpoint> parse_address(std::string_view text) {
   return endpoint;
 }
 
-// "teams/helios/" is "helios", "." the name of the folder we are in.
+// "teams/helios/" is "helios", "." the name of the working directory.
 std::string folder_name(const std::string& path) {
   std::error_code code;
   const std::filesystem::path whole = std::filesystem::absolute(path, code).lexically_normal();
@@ -73,8 +73,8 @@ Result<Endpoint> parse_endpoint(std::string_view text) {
   endpoint.text = text;
   if (text == "mock") return endpoint;
   if (text.starts_with("mock:")) {
-    endpoint.behaviour = text.substr(5);
-    if (endpoint.behaviour.empty()) return Error{"side 'mock:': no behaviour after the colon"};
+    endpoint.behavior = text.substr(5);
+    if (endpoint.behavior.empty()) return Error{"side 'mock:': no behavior after the colon"};
     return endpoint;
   }
   if (text.starts_with("unix:")) {
@@ -85,7 +85,7 @@ Result<Endpoint> parse_endpoint(std::string_view text) {
   }
   if (text.starts_with("tls:")) {
     if (text.find(':', 4) == std::string_view::npos) {
-      return Error{fmt::format("side '{}': after tls: comes HOST:PORT", text)};
+      return Error{fmt::format("side '{}': must be tls:HOST:PORT", text)};
     }
     auto secure = parse_address(text.substr(4));
     if (!secure) return secure;
@@ -113,9 +113,9 @@ Result<Endpoint> parse_endpoint(std::string_view text) {
 
 Result<void> load_script(Endpoint& endpoint) {
   const bool named = endpoint.kind == Endpoint::Kind::kMock && endpoint.script == nullptr &&
-                     mock_server::names_script(endpoint.behaviour);
+                     mock_server::is_script_name(endpoint.behavior);
   if (!named) return {};
-  auto script = mock_server::read_script(endpoint.behaviour);
+  auto script = mock_server::read_script(endpoint.behavior);
   if (!script) return script.error();
   endpoint.script = *std::move(script);
   return {};
@@ -125,9 +125,8 @@ std::string default_team_name(const Endpoint& endpoint) {
   std::string source;
   switch (endpoint.kind) {
     case Endpoint::Kind::kMock:
-      source = endpoint.behaviour.empty()
-                   ? "mock"
-                   : std::filesystem::path(endpoint.behaviour).stem().string();
+      source = endpoint.behavior.empty() ? "mock"
+                                         : std::filesystem::path(endpoint.behavior).stem().string();
       break;
     case Endpoint::Kind::kAddress:
       source = fmt::format("{}_{}", endpoint.host, endpoint.port);

@@ -1,16 +1,16 @@
-// Checks of match options, all in one place.
+// Validation of match options, all in one place.
 #include "orchestration/match/options/match_options.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <functional>
 #include <utility>
 #include <variant>
 
 #include "base/system/host.h"
 #include "mock-server/mock.h"
-#include "orchestration/match/lockstep_match.h"
+#include "mock-server/script/named_behaviors.h"
+#include "simulator/server/lockstep_server.h"
 
 namespace cls::orchestration::match {
 
@@ -28,7 +28,7 @@ Result<void> apply_setting(MatchOptions& options, std::string_view setting) {
   const std::size_t colons = setting.find("::");
   const std::size_t equals = setting.find('=');
   if (colons == std::string_view::npos || equals == std::string_view::npos || equals < colons) {
-    return Error{fmt::format("'{}' is not of the form server::NAME=VALUE", setting)};
+    return Error{fmt::format("'{}' must be server::NAME=VALUE or player::NAME=VALUE", setting)};
   }
   const std::string_view module = setting.substr(0, colons);
   const std::string_view name = setting.substr(colons + 2, equals - colons - 2);
@@ -39,7 +39,7 @@ Result<void> apply_setting(MatchOptions& options, std::string_view setting) {
   if (module == "player") {
     return set_parameter(options.player, soccer::player_param_table(), name, value);
   }
-  return Error{fmt::format("'{}': the module is server or player, not '{}'", setting, module)};
+  return Error{fmt::format("'{}': unknown module '{}'; must be server or player", setting, module)};
 }
 
 soccer::ServerParams server_params(const MatchOptions& options) {
@@ -50,9 +50,9 @@ soccer::ServerParams server_params(const MatchOptions& options) {
 
 MatchMode mode_of(const MatchOptions& options) {
   if (options.mode) return *options.mode;
-  const bool foreign = options.server_choice.kind != ServerChoice::Kind::kEmbedded ||
-                       !options.left.has_playmaker() || !options.right.has_playmaker();
-  return foreign ? MatchMode::kSynch : MatchMode::kLockstep;
+  const bool external = options.server_choice.kind != ServerChoice::Kind::kEmbedded ||
+                        !options.left.has_playmaker() || !options.right.has_playmaker();
+  return external ? MatchMode::kSynch : MatchMode::kLockstep;
 }
 
 std::optional<std::chrono::milliseconds> decision_deadline(const MatchOptions& options) {
@@ -70,16 +70,40 @@ std::optional<std::chrono::milliseconds> decision_deadline(const MatchOptions& o
 }
 
 Result<void> pin_sides(MatchOptions& options) {
-  auto [left, right] = base::halves_of(base::allowed_cores());
-  if (left.empty()) return Error{"--pin: there is only one processor to use"};
+  auto [left, right] = base::split_in_half(base::allowed_cores());
+  if (left.empty()) return Error{"--pin: only one processor core is available"};
   options.left_cpus = std::move(left);
   options.right_cpus = std::move(right);
   return {};
 }
 
+simulator::MatchConfig server_config(const MatchOptions& options, std::uint64_t seed) {
+  simulator::MatchConfig config;
+  config.server = server_params(options);
+  config.server.auto_mode = true;
+  config.player = options.player;
+  config.seed = seed;
+  config.cycle_limit = options.cycles;
+  return config;
+}
+
 namespace {
 
-using Demand = std::function<void(bool holds, std::string message)>;
+/// Collects the errors of options.
+class Errors {
+ public:
+  void require(bool holds, std::string message) {
+    if (!holds) all_.push_back(std::move(message));
+  }
+  template <typename Value>
+  void require(const Result<Value>& result) {
+    if (!result) all_.push_back(result.error().message);
+  }
+  std::vector<std::string> take() { return std::move(all_); }
+
+ private:
+  std::vector<std::string> all_;
+};
 
 template <typename Params>
 bool same(const Params& one, const Params& other, const soccer::ParameterTable<Params>& table) {
@@ -88,74 +112,98 @@ bool same(const Params& one, const Params& other, const soccer::ParameterTable<P
   });
 }
 
-// Which server, which mode and which sides go together.
-void check_server_and_mode(const MatchOptions& options, const Demand& demand) {
+void check_ranges(const MatchOptions& options, Errors& errors) {
+  errors.require(
+      options.protocol >= 14 && options.protocol <= 19,
+      fmt::format("--protocol {}: cls agents support versions 14 to 19", options.protocol));
+  errors.require(!options.cycles || *options.cycles > 0, "--cycles must be positive");
+  errors.require(options.rpc_deadline_ms.value_or(1) > 0, "--rpc-deadline must be positive");
+  errors.require(options.max_missed >= 0, "--max-missed must not be negative");
+  errors.require(options.start_timeout_s > 0, "--start-timeout must be positive");
+  errors.require(options.reconnect_within_s >= 0, "--reconnect-within must not be negative");
+  errors.require(options.stall_after_s > 0, "--stall-after must be positive");
+  errors.require(!options.time_limit_s || *options.time_limit_s > 0,
+                 "--time-limit must be positive");
+  errors.require(
+      !options.monitor_port || (*options.monitor_port >= 0 && *options.monitor_port <= 65535),
+      "--monitor-port must be within 0..65535");
+  errors.require(!options.speed || (*options.speed >= 0.1 && *options.speed <= 1000.0),
+                 "--speed must be within 0.1..1000");
+  errors.require(options.server.half_time > 0 || options.cycles,
+                 "server::half_time: without a limit of halves, give --cycles");
+}
+
+// Which servers, modes and sides can be combined.
+void check_server_and_mode(const MatchOptions& options, Errors& errors) {
   const bool embedded = options.server_choice.kind == ServerChoice::Kind::kEmbedded;
   const bool lockstep = mode_of(options) == MatchMode::kLockstep;
-  demand(lockstep || options.record_rpc.empty(), "--record-rpc needs --mode lockstep");
-  demand(!lockstep || embedded, "--mode lockstep needs the embedded server: say synch or realtime");
-  const bool there = options.server_choice.kind == ServerChoice::Kind::kAddress;
-  const std::string& where = options.server_choice.text;
+  const std::string& server = options.server_choice.text;
+  errors.require(!lockstep || embedded,
+                 "--mode lockstep needs the embedded server; use synch or realtime");
+  const bool running = options.server_choice.kind == ServerChoice::Kind::kAddress;
   const bool stock = same(options.server, match_server_params(), soccer::server_param_table()) &&
                      same(options.player, soccer::PlayerParams(), soccer::player_param_table());
-  demand(!there || stock,
-         fmt::format("the server at {} has settings of its own: no --set, no --half-time", where));
+  errors.require(
+      !running || stock,
+      fmt::format("the server at {} has settings of its own: no --set, no --half-time", server));
   for (const Endpoint* side : {&options.left, &options.right}) {
-    demand(!lockstep || side->has_playmaker(),
-           fmt::format("--mode lockstep has no place for side '{}': say synch or realtime",
-                       side->text));
-    demand(!there || side->has_playmaker(),
-           fmt::format("side '{}' needs a server that cls starts: nobody at {} tells who joins",
-                       side->text, where));
+    errors.require(!lockstep || side->has_playmaker(),
+                   fmt::format("--mode lockstep does not support side '{}'; use synch or realtime",
+                               side->text));
+    errors.require(!running || side->has_playmaker(),
+                   fmt::format("side '{}' requires a server started by cls; the server at {} does "
+                               "not report which players connect",
+                               side->text, server));
+  }
+}
+
+// Which servers and modes can hold a match, show it to monitors, and record its calls.
+void check_hooks(const MatchOptions& options, Errors& errors) {
+  const MatchMode mode = mode_of(options);
+  const bool has_agents = options.left.has_playmaker() || options.right.has_playmaker();
+  const bool embedded = options.server_choice.kind == ServerChoice::Kind::kEmbedded;
+  errors.require(has_agents || options.record_rpc.empty(),
+                 "--record-rpc needs a side with a Playmaker");
+  errors.require(!options.speed || (mode != MatchMode::kRealtime && has_agents),
+                 "--speed needs --mode lockstep or synch and a side with a Playmaker; in real time "
+                 "the server sets the speed");
+  errors.require(!options.step || (mode != MatchMode::kRealtime && has_agents && embedded),
+                 "--step and --at need the embedded server, --mode lockstep or synch, and a side "
+                 "with a Playmaker; other servers do not wait");
+  errors.require(
+      !options.monitor_port || options.server_choice.kind != ServerChoice::Kind::kAddress,
+      fmt::format("--monitor-port: monitors connect to the server at {} itself",
+                  options.server_choice.text));
+}
+
+void check_playmakers(const MatchOptions& options, Errors& errors) {
+  std::vector<const Endpoint*> sides = {&options.left, &options.right};
+  if (options.trainer) {
+    errors.require(
+        options.trainer->has_playmaker(),
+        fmt::format("--trainer '{}': an external team has its own", options.trainer->text));
+    sides.push_back(&*options.trainer);
+  }
+  for (const Endpoint* side : sides) {
+    if (side->kind != Endpoint::Kind::kMock || side->script != nullptr) continue;
+    if (mock_server::is_script_name(side->behavior)) continue;
+    errors.require(mock_server::make_behavior(side->behavior));
   }
 }
 
 }  // namespace
 
-std::vector<std::string> mistakes_in(const MatchOptions& options) {
-  std::vector<std::string> mistakes;
-  const auto demand = [&mistakes](bool holds, std::string message) {
-    if (!holds) mistakes.push_back(std::move(message));
-  };
+std::vector<std::string> validate_options(const MatchOptions& options) {
+  Errors errors;
   for (const std::string* name : {&options.left_name, &options.right_name}) {
-    if (name->empty()) continue;
-    const auto checked = check_team_name(*name);
-    if (!checked) mistakes.push_back(checked.error().message);
+    if (!name->empty()) errors.require(check_team_name(*name));
   }
-  demand(options.protocol >= 14 && options.protocol <= 19,
-         fmt::format("--protocol {}: agents speak versions 14 to 19", options.protocol));
-  demand(!options.cycles || *options.cycles > 0, "--cycles must be positive");
-  demand(options.rpc_deadline_ms.value_or(1) > 0, "--rpc-deadline must be positive");
-  check_server_and_mode(options, demand);
-  demand(options.max_missed >= 0, "--max-missed must not be negative");
-  demand(options.start_timeout_s > 0, "--start-timeout must be positive");
-  demand(options.reconnect_within_s >= 0, "--reconnect-within must not be negative");
-  demand(options.stall_after_s > 0, "--stall-after must be positive");
-  demand(!options.time_limit_s || *options.time_limit_s > 0, "--time-limit must be positive");
-  demand(!options.monitor_port || (*options.monitor_port >= 0 && *options.monitor_port <= 65535),
-         "--monitor-port must be within 0..65535");
-  demand(!options.speed || (*options.speed >= 0.1 && *options.speed <= 1000.0),
-         "--speed must be within 0.1..1000");
-  demand(mode_of(options) == MatchMode::kLockstep || (!options.monitor_port && !options.speed),
-         "--monitor-port and --speed go with --mode lockstep only; elsewhere monitors attach where "
-         "players do");
-  demand(options.server.half_time > 0 || options.cycles,
-         "without a time limit of halves (server::half_time) give --cycles");
-  if (options.trainer) {
-    demand(options.trainer->has_playmaker(),
-           fmt::format("--trainer '{}': a foreign team brings its own", options.trainer->text));
-  }
-  std::vector<const Endpoint*> asked = {&options.left, &options.right};
-  if (options.trainer) asked.push_back(&*options.trainer);
-  for (const Endpoint* side : asked) {
-    if (side->kind != Endpoint::Kind::kMock || side->script != nullptr) continue;
-    if (mock_server::names_script(side->behaviour)) continue;
-    const auto behaviour = mock_server::make_behaviour(side->behaviour);
-    if (!behaviour) mistakes.push_back(behaviour.error().message);
-  }
-  const auto server = simulator::LockstepServer::create(server_config(options, 0));
-  if (!server) mistakes.push_back(server.error().message);
-  return mistakes;
+  check_server_and_mode(options, errors);
+  check_ranges(options, errors);
+  check_hooks(options, errors);
+  check_playmakers(options, errors);
+  errors.require(simulator::LockstepServer::create(server_config(options, 0)));
+  return errors.take();
 }
 
 }  // namespace cls::orchestration::match

@@ -1,4 +1,4 @@
-// Placeholders of the shell command, and a name from it.
+// Replaces placeholders of the shell command, and finds a name in it.
 #include "orchestration/match/options/run_command.h"
 
 #include <fmt/format.h>
@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "base/text/suggestion.h"
-#include "soccer/side_name.h"
+#include "soccer/side.h"
 
 namespace cls::orchestration::match {
 namespace {
@@ -22,8 +22,7 @@ const std::vector<std::string_view>& placeholders() {
   return names;
 }
 
-// Calls `visit` with the word in each {word} of small letters that has no '$' before it; what it
-// returns takes its place.
+// Replaces each {word} of lower-case letters without '$' before it by the result of `visit(word)`.
 std::string replaced(std::string_view command,
                      const std::function<std::string(std::string_view)>& visit) {
   std::string result;
@@ -50,7 +49,7 @@ bool is_known(std::string_view word) {
   return std::find(placeholders().begin(), placeholders().end(), word) != placeholders().end();
 }
 
-// A trainer's Playmaker is of no side.
+// A trainer has no side.
 std::string_view side_word(soccer::Side side) {
   return side == soccer::Side::kNeutral ? "trainer" : side_name(side);
 }
@@ -66,12 +65,12 @@ std::vector<std::string_view> words_of(std::string_view text) {
   }
 }
 
-// "/opt/team/brain.py" -> "brain".
+// "/opt/team/playmaker.py" -> "playmaker".
 std::string stem_of(std::string_view word) {
   return std::filesystem::path(std::string(word)).stem().string();
 }
 
-// Words that start the program rather than being it.
+// Commands that start the program.
 bool is_launcher(std::string_view word) {
   constexpr std::array<std::string_view, 19> kLaunchers = {
       "bash",  "cd",  "deno",   "dotnet",  "env",  "exec", "go", "java", "nice", "node",
@@ -99,8 +98,8 @@ Result<void> check_run_command(std::string_view command) {
   if (!mistake.empty()) return Error{mistake};
   if (!has_port) {
     return Error{
-        "the command needs {port}, where the Playmaker shall listen (or start it "
-        "yourself and name HOST:PORT)"};
+        "the command needs {port}, the port on which the Playmaker listens (or start "
+        "it yourself and use HOST:PORT)"};
   }
   return {};
 }
@@ -120,7 +119,7 @@ process::CommandPlan run_plan(std::string_view command, const RunValues& values,
   const std::string name = fmt::format("{} Playmaker", side_word(values.side));
   process::CommandPlan plan = process::shell_command(name, fill_in(command, values));
   plan.log = folder / fmt::format("{}-playmaker.log", side_word(values.side));
-  // Python keeps output to a pipe back, and a killed one would take its last words along.
+  // Python buffers output to a pipe; the last lines of a killed process would be lost.
   plan.environment.push_back({"PYTHONUNBUFFERED", "1"});
   return plan;
 }

@@ -1,4 +1,4 @@
-// `run:COMMAND` sides: the user's own line of shell that starts a Playmaker.
+// `run:COMMAND` sides: a shell command that starts a Playmaker.
 #pragma once
 
 #include <cstdint>
@@ -12,27 +12,27 @@
 
 namespace cls::orchestration::match {
 
-/// What the placeholders {port}, {side}, {name} and {seed} stand for.
+/// Values of the placeholders {port}, {side}, {name} and {seed}.
 struct RunValues {
   int port = 0;
-  soccer::Side side = soccer::Side::kLeft;  ///< written left, right or, neutral, trainer
+  soccer::Side side = soccer::Side::kLeft;  ///< formatted as left, right or, if neutral, trainer
   std::string team_name;
   std::uint64_t seed = 0;
 };
 
-/// An error when the command is empty, has no {port}, or a placeholder that looks mistyped.
+/// An error if the command is empty, lacks {port}, or has a mistyped placeholder.
 base::Result<void> check_run_command(std::string_view command);
 
-/// The command with its placeholders filled in, each value as one word of the shell. A '$' before
-/// the brace keeps it as it is: ${side} is the shell's.
+/// The command with its placeholders replaced, each value quoted for the shell. ${side} with a '$'
+/// is left to the shell.
 std::string fill_in(std::string_view command, const RunValues& values);
 
-/// The plan that starts the Playmaker of a side, its log named after the side in `folder`.
+/// The plan that starts the Playmaker of a side; its log in `folder` is named after the side.
 process::CommandPlan run_plan(std::string_view command, const RunValues& values,
                               const std::filesystem::path& folder);
 
-/// The name of what a command runs, for a team name: "playmaker" for
-/// `cd brain && python3 -u playmaker.py --port {port}`. Empty when there is none.
+/// The name of the program in a command, for a team name: "playmaker" for
+/// `cd team && python3 -u playmaker.py --port {port}`. Empty: none found.
 std::string program_in(std::string_view command);
 
 }  // namespace cls::orchestration::match

@@ -1,4 +1,4 @@
-// Parsing of --server and --mode.
+// Parses --server and --mode.
 #include "orchestration/match/options/server_choice.h"
 
 #include <fmt/format.h>
@@ -18,7 +18,7 @@ using base::Result;
 constexpr std::array<MatchMode, 3> kModes = {MatchMode::kLockstep, MatchMode::kSynch,
                                              MatchMode::kRealtime};
 
-// Digits only, or 0 when they are no port.
+// 0: not a port number.
 int port_in(std::string_view text) {
   int port = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), port);
@@ -38,7 +38,8 @@ Result<ServerChoice> parse_server(std::string_view text) {
     choice.host = text.substr(0, colon);
     choice.port = port_in(text.substr(colon + 1));
     if (choice.host.empty() || choice.port == 0) {
-      return Error{fmt::format("--server '{}': HOST:PORT with a port from 1 to 65535", text)};
+      return Error{
+          fmt::format("--server '{}': must be HOST:PORT with a port from 1 to 65535", text)};
     }
     return choice;
   }

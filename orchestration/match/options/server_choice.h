@@ -1,4 +1,4 @@
-// Which soccer server a match is played on, and how its time runs.
+// Soccer server and mode of a match: `--server`, `--mode`.
 #pragma once
 
 #include <filesystem>
@@ -12,25 +12,25 @@ namespace cls::orchestration::match {
 /// `--server embedded|rcssserver|PATH|HOST:PORT`.
 struct ServerChoice {
   enum class Kind {
-    kEmbedded,  ///< ours
-    kProgram,   ///< rcssserver, or a program that takes its options, started by us
-    kAddress,   ///< a server that runs already
+    kEmbedded,  ///< of cls
+    kProgram,   ///< rcssserver, or a program with its options, started by cls
+    kAddress,   ///< a running server
   };
 
   Kind kind = Kind::kEmbedded;
   std::string text = "embedded";
-  std::string program;  ///< kProgram: a name to look for on PATH, or a path
+  std::string program;  ///< kProgram: a name on PATH, or a path
   std::string host;     ///< kAddress
   int port = 0;         ///< kAddress: of the players
 };
 
-/// A word without slash and colon is a program on PATH; the error suggests what may be meant.
+/// A name without slash and colon is a program on PATH. The error suggests a correction.
 base::Result<ServerChoice> parse_server(std::string_view text);
 
 /// `--mode lockstep|synch|realtime`.
 enum class MatchMode {
-  kLockstep,  ///< embedded server in our own process, as fast as the slowest agent, repeatable
-  kSynch,     ///< over UDP; the server waits for everybody's (done)
+  kLockstep,  ///< embedded server in this process, as fast as the slowest agent, deterministic
+  kSynch,     ///< over UDP; the server waits for (done) of all clients
   kRealtime,  ///< over UDP, 100 ms a cycle
 };
 

@@ -9,15 +9,15 @@
 namespace cls::orchestration::match {
 namespace {
 
-// Cycles; far longer than any start limit.
-constexpr int kWaitForPlayers = 1'000'000;
+// In cycles; longer than any start limit.
+constexpr int kConnectWait = 1'000'000;
 
 std::string text_of(bool value) { return value ? "on" : "off"; }
 std::string text_of(int value) { return std::to_string(value); }
 std::string text_of(double value) { return fmt::format("{}", value); }
 std::string text_of(const std::string& value) { return value; }
 
-// What the match itself decides, with the user's wishes for all else.
+// The user's parameters with those that the match needs.
 soccer::ServerParams decided(const ServerSetup& setup) {
   soccer::ServerParams params = setup.server;
   params.auto_mode = true;
@@ -25,7 +25,7 @@ soccer::ServerParams decided(const ServerSetup& setup) {
   params.port = setup.ports.player;
   params.coach_port = setup.ports.trainer;
   params.olcoach_port = setup.ports.coach;
-  params.connect_wait = kWaitForPlayers;
+  params.connect_wait = kConnectWait;
   params.game_log_dir = "./";
   params.text_log_dir = "./";
   params.game_log_fixed = true;
@@ -63,7 +63,7 @@ std::vector<std::string> server_argument(const std::string& name, const std::str
   if (!is_text) return {name + "=" + value};
   const char quote = value.find('\'') == std::string::npos ? '\'' : '"';
   const std::string quoted = quote + value + quote;
-  // The server puts quotes around an argument with blanks that is not quoted as a whole.
+  // rcssserver adds quotes to an argument with spaces that is not quoted as a whole.
   if (value.find_first_of(" \t\n") == std::string::npos) return {name + "=" + quoted};
   return {name + "=", quoted};
 }
@@ -71,7 +71,7 @@ std::vector<std::string> server_argument(const std::string& name, const std::str
 std::vector<process::EnvironmentChange> server_environment(const std::filesystem::path& folder) {
   std::vector<process::EnvironmentChange> environment;
   environment.push_back({"RCSS_CONF_DIR", (folder / kServerConfiguration).string()});
-  // By their names it would find, and rename, the configuration of old versions in the user's home.
+  // With these it would find, and rename, the configuration of old versions in the user's home.
   for (const char* name : {"USER", "USERNAME"}) environment.push_back({name, std::nullopt});
   return environment;
 }
@@ -85,7 +85,7 @@ process::CommandPlan server_plan(const ServerSetup& setup) {
   plan.cpus = setup.cpus;
   plan.environment = server_environment(setup.folder);
   add_differences(plan.argv, "server", decided(setup), soccer::server_param_table());
-  // Ours is synchronous unless it is told otherwise.
+  // `cls server` started by a match defaults to synch mode.
   if (setup.mode == MatchMode::kRealtime) plan.argv.push_back("server::synch_mode=off");
   add_differences(plan.argv, "player", setup.player, soccer::player_param_table());
   return plan;

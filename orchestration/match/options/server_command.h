@@ -1,4 +1,4 @@
-// How a soccer server that is a program of its own is started.
+// The command that starts a soccer server as a process.
 #pragma once
 
 #include <filesystem>
@@ -19,13 +19,13 @@ struct ServerPorts {
   int coach = 6002;
 };
 
-/// Everything about a server process that the match decides.
+/// The settings of a server process.
 struct ServerSetup {
-  std::vector<std::string> program;  ///< path, and what must come before the options
+  std::vector<std::string> program;  ///< path, and arguments before the options
   std::filesystem::path folder;      ///< match folder: logs, server.log, server-conf/
   ServerPorts ports;
   MatchMode mode = MatchMode::kSynch;
-  soccer::ServerParams server;  ///< as the user wants them
+  soccer::ServerParams server;  ///< from the options
   soccer::PlayerParams player;
   std::vector<int> cpus;
 };
@@ -34,18 +34,17 @@ struct ServerSetup {
 inline constexpr const char* kServerLog = "server.log";
 inline constexpr const char* kServerConfiguration = "server-conf";
 
-/// The plan that starts it: what the match needs (auto mode, ports, synch mode, log names), then
-/// every parameter that differs from the stock one. It runs in the match folder, so that log
-/// folders need no quoting, and with a configuration folder of its own (RCSS_CONF_DIR), so that
-/// the user's ~/.rcssserver is neither read nor written. Nobody joins late by accident: it waits
-/// for all players as long as the match does.
+/// The plan that starts it: parameters that the match needs (auto mode, ports, synch mode, log
+/// names), then every other parameter that differs from its default. The server runs in the match
+/// folder, so that log folders need no quoting, with its own configuration folder (RCSS_CONF_DIR):
+/// the user's ~/.rcssserver is neither read nor written. It waits for players as long as the match.
 process::CommandPlan server_plan(const ServerSetup& setup);
 
-/// What a server that is started in `folder` finds in its environment: that folder for its
-/// configuration, and no user name, by which it would find that of old versions in the user's home.
+/// Environment of a server that is started in `folder`: its configuration folder, and no user name,
+/// with which it would find the configuration of old versions in the user's home.
 std::vector<process::EnvironmentChange> server_environment(const std::filesystem::path& folder);
 
-/// `server::name=value` as rcssserver reads it; two words where one would be misread.
+/// `server::name=value` as rcssserver parses it; two arguments where one would be misread.
 std::vector<std::string> server_argument(const std::string& name, const std::string& value,
                                          bool is_text);
 

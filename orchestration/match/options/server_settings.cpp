@@ -1,4 +1,4 @@
-// Settings from words and files.
+// Settings from arguments and files.
 #include "orchestration/match/options/server_settings.h"
 
 #include <fmt/format.h>
@@ -16,9 +16,9 @@ using base::Error;
 using base::Result;
 using soccer::ConfigurationItem;
 
-constexpr int kDeepestInclude = 16;
+constexpr int kMaxIncludeDepth = 16;
 
-// The parameters that rcssserver does not have in a table, in the same form.
+// Parameters without a table in rcssserver, in the same form.
 struct OtherSettings {
   bool save = false;
   std::string filename;
@@ -94,13 +94,13 @@ Result<void> apply_item(ServerSettings& settings, const ConfigurationItem& writt
   }
   if (item.module == "CSVSaver") return set_other(settings, csv_table(), item);
   if (item.module == "sync") return set_other(settings, sync_table(), item);
-  return Error{fmt::format("'{}': the module is server, player, CSVSaver or sync, not '{}'",
+  return Error{fmt::format("'{}': must begin with server, player, CSVSaver or sync, not '{}'",
                            item.name, item.module)};
 }
 
 Result<void> apply_file(ServerSettings& settings, const std::filesystem::path& file, int depth) {
-  if (depth > kDeepestInclude) {
-    return Error{fmt::format("{}: files that include each other", file.string())};
+  if (depth > kMaxIncludeDepth) {
+    return Error{fmt::format("{}: circular include", file.string())};
   }
   const auto text = base::read_file(file);
   if (!text) return Error{fmt::format("cannot read {}", file.string())};
@@ -120,7 +120,7 @@ Result<void> apply_file(ServerSettings& settings, const std::filesystem::path& f
 Result<void> apply_arguments(ServerSettings& settings, const std::vector<std::string>& arguments) {
   const auto items = soccer::parse_configuration(soccer::join_arguments(arguments));
   if (!items) {
-    // A command line has one line only.
+    // A command line has no line numbers.
     const std::string& message = items.error().message;
     return Error{message.substr(message.find(": ") + 2)};
   }

@@ -1,4 +1,4 @@
-// Everything that can be said about a soccer server in rcssserver's language.
+// Settings of `cls server` in the syntax of rcssserver.
 #pragma once
 
 #include <filesystem>
@@ -11,7 +11,7 @@
 
 namespace cls::orchestration::match {
 
-/// The version that configuration files must be of.
+/// Required version of configuration files.
 inline constexpr const char* kConfigurationVersion = "19.0.0";
 
 /// Defaults are rcssserver's.
@@ -20,25 +20,25 @@ struct ServerSettings {
   soccer::PlayerParams player;
   bool save_csv = false;  ///< CSVSaver::save
   std::string csv_file = "rcssserver.csv";
-  int max_wait_ms = 1250;  ///< sync::max_wait_ms: for (done) in synchronous mode
+  int max_wait_ms = 1250;  ///< sync::max_wait_ms: for (done) in synch mode
   int max_missed = 20;     ///< sync::max_missed: cycles in a row, more end the match
-  bool help = false;       ///< it was asked for
+  bool help = false;       ///< --help was given
 };
 
-/// Applies `server::NAME=VALUE`, `player::`, `CSVSaver::`, `sync::` and `include=FILE` in their
-/// order. The error names the word, and the file and line if it is in a file.
+/// Applies `server::NAME=VALUE`, `player::`, `CSVSaver::`, `sync::` and `include=FILE` in sequence.
+/// The error names the argument, or file and line.
 base::Result<void> apply_arguments(ServerSettings& settings,
                                    const std::vector<std::string>& arguments);
 
 /// Applies a configuration file. Its `MODULE::version` must be kConfigurationVersion, if given.
 base::Result<void> apply_file(ServerSettings& settings, const std::filesystem::path& file);
 
-/// Applies server.conf, player.conf and CSVSaver.conf of the folder, those that there are. Returns
-/// their paths. Nothing is created.
+/// Applies those of server.conf, player.conf and CSVSaver.conf that exist in the folder, and
+/// returns their paths. Creates nothing.
 base::Result<std::vector<std::filesystem::path>> apply_folder(ServerSettings& settings,
                                                               const std::filesystem::path& folder);
 
-/// Where rcssserver looks for them: RCSS_CONF_DIR, else ~/.rcssserver; empty if neither is known.
+/// Configuration folder of rcssserver: RCSS_CONF_DIR, otherwise ~/.rcssserver; empty if unknown.
 std::filesystem::path configuration_folder();
 
 }  // namespace cls::orchestration::match

@@ -1,9 +1,9 @@
-// The start contracts of foreign teams as command plans.
+// Start scripts of external teams as command plans.
 #include "orchestration/match/options/team_folder.h"
 
 #include <fmt/format.h>
 
-#include "soccer/side_name.h"
+#include "soccer/side.h"
 
 namespace cls::orchestration::match {
 namespace {
@@ -69,13 +69,13 @@ Result<TeamPlan> team_plan(const fs::path& folder, const TeamValues& values) {
   if (each) {
     const int last = values.coach ? kCoach : kPlayers;
     for (int number = 1; number <= last; ++number) {
-      plan.agents.push_back(agent_plan(team, values, number));
+      plan.agents.push_back({number, agent_plan(team, values, number)});
     }
   } else {
     plan.contract = TeamPlan::Contract::kStartAll;
     plan.takes_ports = true;
     plan.takes_name = true;
-    plan.agents.push_back(whole_team_plan(team, values));
+    plan.agents.push_back({0, whole_team_plan(team, values)});
   }
   if (process::find_program((team / "kill").string())) {
     plan.kill = plan_of(team, values, team / "kill", "kill script", "kill");

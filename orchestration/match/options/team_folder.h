@@ -1,4 +1,4 @@
-// `team:DIR` sides: how a foreign team is started and ended.
+// `team:DIR` sides: the commands that start and stop an external team.
 #pragma once
 
 #include <filesystem>
@@ -13,31 +13,37 @@
 
 namespace cls::orchestration::match {
 
-/// What a foreign team is told.
+/// What the start script of an external team gets.
 struct TeamValues {
   std::string host = "127.0.0.1";
   ServerPorts ports;
   soccer::Side side = soccer::Side::kLeft;
   std::string team_name;         ///< for teams that take one
-  bool coach = true;             ///< start the coach too
+  bool coach = true;             ///< start its online coach too
   std::filesystem::path folder;  ///< match folder, for the logs
   std::vector<int> cpus;
 };
 
-/// How one team is started.
+/// One process of a team.
+struct AgentPlan {
+  int unum = 0;  ///< 12: the coach; 0: the whole team
+  process::CommandPlan command;
+};
+
+/// The commands of one team.
 struct TeamPlan {
   /// `start` is called once per agent and stays; `start.sh` starts all and may return.
   enum class Contract { kStartEachAgent, kStartAll };
 
   Contract contract = Contract::kStartEachAgent;
-  std::vector<process::CommandPlan> agents;  ///< goalie first, the coach last; kStartAll: one plan
-  std::optional<process::CommandPlan> kill;  ///< to be called at the end, not to be relied on
-  bool takes_ports = false;                  ///< else the server must be at 6000, 6001 and 6002
-  bool takes_name = false;                   ///< else the team names itself
+  std::vector<AgentPlan> agents;             ///< goalie first, coach last; kStartAll: one plan
+  std::optional<process::CommandPlan> kill;  ///< called at the end; cls ends what it leaves
+  bool takes_ports = false;                  ///< otherwise the server must use 6000, 6001 and 6002
+  bool takes_name = false;                   ///< otherwise the team chooses its name
 };
 
-/// Looks at DIR: `start` (called as `start HOST DIR NUM`, NUM 1 for the goalie to 11, 12 for the
-/// coach) or, without one, `start.sh` (called with -h HOST -p PORT -P COACHPORT -t NAME), and
+/// Reads folder DIR: `start` (called as `start HOST DIR NUM`, NUM 1 for the goalie to 11, 12 for
+/// the coach) or, without one, `start.sh` (called with -h HOST -p PORT -P COACHPORT -t NAME), and
 /// `kill`. The error says what is missing.
 base::Result<TeamPlan> team_plan(const std::filesystem::path& team, const TeamValues& values);
 

@@ -1,30 +1,27 @@
-// Names of end reasons.
+// The table of names of end reasons.
 #include "orchestration/match/result/end_reason.h"
 
-namespace cls::orchestration::match {
+#include <array>
+#include <cstddef>
 
-std::string_view name(EndReason reason) {
-  switch (reason) {
-    case EndReason::kFinished:
-      return "finished";
-    case EndReason::kCrashed:
-      return "crashed";
-    case EndReason::kStalled:
-      return "stalled";
-    case EndReason::kLate:
-      return "late";
-    case EndReason::kRefused:
-      return "refused";
-    case EndReason::kProtocolError:
-      return "protocol_error";
-    case EndReason::kServerFailed:
-      return "server_failed";
-    case EndReason::kTimedOut:
-      return "timed_out";
-    case EndReason::kInterrupted:
-      return "interrupted";
+namespace cls::orchestration::match {
+namespace {
+
+// In the order of EndReason.
+constexpr std::array<std::string_view, 9> kNames = {"finished",      "crashed",   "stalled",
+                                                    "late",          "refused",   "protocol_error",
+                                                    "server_failed", "timed_out", "interrupted"};
+static_assert(kNames.size() == static_cast<std::size_t>(EndReason::kInterrupted) + 1);
+
+}  // namespace
+
+std::string_view name(EndReason reason) { return kNames[static_cast<std::size_t>(reason)]; }
+
+std::optional<EndReason> parse_end_reason(std::string_view name) {
+  for (std::size_t i = 0; i < kNames.size(); ++i) {
+    if (kNames[i] == name) return static_cast<EndReason>(i);
   }
-  return "";
+  return std::nullopt;
 }
 
 }  // namespace cls::orchestration::match

@@ -1,9 +1,10 @@
-// Reasons and messages that all kinds of matches share.
+// Messages and failures of processes and Playmakers.
 #include "orchestration/match/result/match_end.h"
 
 #include <fmt/format.h>
 
 namespace cls::orchestration::match {
+namespace {
 
 using proxy::RpcOutcome;
 
@@ -20,31 +21,39 @@ EndReason reason_of(RpcOutcome outcome) {
   }
 }
 
-std::string describe_limit(EndReason reason, const MatchOptions& options) {
-  switch (reason) {
-    case EndReason::kInterrupted:
-      return "interrupted";
-    case EndReason::kTimedOut:
-      return fmt::format("the time limit of {} s was reached", options.time_limit_s.value_or(0));
-    case EndReason::kRefused:
-      return fmt::format("no answer within the start limit of {} s", options.start_timeout_s);
-    default:
-      return fmt::format("no new cycle for {} s", options.stall_after_s);
-  }
+std::string format_exit(const process::Child::Status& status) {
+  if (!status.exit) return "running";
+  return status.asked_to_end ? fmt::format("ended by cls ({})", to_text(*status.exit))
+                             : to_text(*status.exit);
 }
 
-std::optional<MatchEnd> end_by_missing_answers(const proxy::MissingAnswers& missing,
-                                               const std::string& who, int cycle,
-                                               const MatchOptions& options) {
-  if (missing.in_a_row <= options.max_missed) return std::nullopt;
+std::string format_agent(int number) {
+  if (number == proxy::kCoachNumber) return "the coach";
+  if (number == proxy::kTrainerNumber) return "the trainer";
+  return fmt::format("player {}", number);
+}
+
+}  // namespace
+
+ProcessFailure failure_of(const process::Child& child) {
+  return {child.plan().name, format_exit(child.status()), child.plan().log.filename().string(),
+          child.last_lines()};
+}
+
+ProcessResult result_of(const process::Child& child) {
+  return {child.plan().name, process::to_shell(child.plan()), child.plan().log.filename().string(),
+          format_exit(child.status()), child.cpu_seconds()};
+}
+
+std::optional<MatchEnd> end_by_missed_decisions(const proxy::MissedDecisions& missed,
+                                                const std::string& who, int cycle,
+                                                const MatchOptions& options) {
+  if (missed.consecutive <= options.max_missed) return std::nullopt;
   MatchEnd end;
-  end.reason = reason_of(missing.last.outcome);
-  const std::string agent = missing.unum == proxy::kCoachNumber ? "the coach"
-                            : missing.unum == proxy::kTrainerNumber
-                                ? "the trainer"
-                                : fmt::format("player {}", missing.unum);
-  end.message = fmt::format("{}: {} had no usable answer for {} cycles, at cycle {}: {}", who,
-                            agent, missing.in_a_row, cycle, missing.last.message);
+  end.reason = reason_of(missed.last.outcome);
+  end.message =
+      fmt::format("{}: {} had no usable reply for {} cycles, at cycle {}: {}", who,
+                  format_agent(missed.unum), missed.consecutive, cycle, missed.last.message);
   return end;
 }
 

@@ -1,4 +1,4 @@
-// How a match came to its end, and the words for it.
+// Why a match ended, and reports on the processes that took part in it.
 #pragma once
 
 #include <optional>
@@ -7,26 +7,35 @@
 #include "orchestration/match/options/match_options.h"
 #include "orchestration/match/result/end_reason.h"
 #include "orchestration/match/result/match_result.h"
+#include "orchestration/process/process_host.h"
 #include "proxy/agent/team.h"
 
 namespace cls::orchestration::match {
 
+/// A process that is asked to exit may take this long before SIGKILL. An interrupted match must
+/// end within 5 s.
+inline constexpr std::chrono::milliseconds kTerminateGrace{1000};
+/// Extra time for a killed process to disappear.
+inline constexpr std::chrono::milliseconds kKillMargin{300};
+
 struct MatchEnd {
   EndReason reason = EndReason::kFinished;
-  std::string message;  ///< one line; empty when finished
-  std::optional<ProcessFailure> failure;
+  std::string message;                    ///< one line; empty when finished
+  std::optional<ProcessFailure> failure;  ///< the process that caused it
+  std::optional<soccer::Side> fault;      ///< the side that caused it
+  bool try_again = false;                 ///< a port was in use: nothing was started
 };
 
-/// What a Playmaker without usable answers is told to have done.
-EndReason reason_of(proxy::RpcOutcome outcome);
+/// Exit status and last output lines of a child that has exited or will be terminated.
+ProcessFailure failure_of(const process::Child& child);
 
-/// The words for a limit that was exceeded (DeadlineWatch).
-std::string describe_limit(EndReason reason, const MatchOptions& options);
+/// The entry in result.json's list of processes; reads the CPU time.
+ProcessResult result_of(const process::Child& child);
 
-/// The end that missing answers make, when they are more than the options allow. `who` names team
-/// and endpoint.
-std::optional<MatchEnd> end_by_missing_answers(const proxy::MissingAnswers& missing,
-                                               const std::string& who, int cycle,
-                                               const MatchOptions& options);
+/// The end caused by missed decisions, if there are more in a row than the options allow. `who`
+/// names team and endpoint.
+std::optional<MatchEnd> end_by_missed_decisions(const proxy::MissedDecisions& missed,
+                                                const std::string& who, int cycle,
+                                                const MatchOptions& options);
 
 }  // namespace cls::orchestration::match

@@ -1,4 +1,4 @@
-// Making the match folder and its manifest.
+// Creates the match folder and its manifest.
 #include "orchestration/match/result/match_folder.h"
 
 #include <fmt/format.h>
@@ -19,7 +19,7 @@ using base::Error;
 using base::Result;
 using Json = nlohmann::ordered_json;
 
-// The parameters that differ from their defaults, by their full names.
+// Parameters that differ from their defaults.
 template <typename Params>
 void add_settings(Json& settings, std::string_view module, const Params& params,
                   const soccer::ParameterTable<Params>& table) {

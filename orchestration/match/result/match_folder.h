@@ -1,4 +1,4 @@
-// The folder of one match: where it is, what it holds.
+// The match folder: its path and files.
 #pragma once
 
 #include <filesystem>
@@ -17,13 +17,12 @@ inline constexpr const char* kGameLogFile = "match.rcg";
 inline constexpr const char* kTextLogFile = "match.rcl";
 
 /// Creates the folder the options name, or ./runs/<UTC>-<left>-vs-<right> (with -2, -3, ... when
-/// two matches start in the same second). An existing folder is taken as it is; the files of an
-/// earlier match in it are replaced.
+/// two matches start in the same second). An existing folder is used; files of an earlier match
+/// in it are replaced.
 base::Result<std::filesystem::path> make_match_folder(const MatchOptions& options,
                                                       const TeamNames& names);
 
-/// The manifest: what was asked for, when and where; all that the logs leave out so that they
-/// stay the same on every machine.
+/// The manifest: options, time and host. The logs leave these out, to be identical on every host.
 std::string manifest_json(const MatchOptions& options, const TeamNames& names, std::uint64_t seed);
 
 }  // namespace cls::orchestration::match

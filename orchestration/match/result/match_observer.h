@@ -1,28 +1,35 @@
-// Who wants to see a match while it runs: the progress line, tests, later the live view.
+// Interface for the progress of a running match: progress line, tests, live view.
 #pragma once
 
+#include <cstdint>
 #include <string_view>
 
 #include "soccer/play_mode.h"
 
 namespace cls::orchestration::match {
 
-/// What is worth showing after a cycle.
+/// Game time and score after a cycle.
 struct MatchProgress {
   int cycle = 0;
-  int last_cycle = 0;  ///< where the match will end as far as known
+  int last_cycle = 0;  ///< at which the match will end, as far as known; 0: unknown
   int left_score = 0;
   int right_score = 0;
   soccer::PlayMode mode = soccer::PlayMode::kNull;
 };
 
-/// Called from the thread that runs the match. Must return quickly.
+/// The same as one source (server, game log, agents) reports it.
+struct SourceProgress {
+  MatchProgress match;
+  std::int64_t steps = 0;  ///< also counts steps while the clock is stopped
+};
+
+/// Called on the thread that runs the match. Must return quickly.
 class MatchObserver {
  public:
   virtual ~MatchObserver() = default;
   virtual void on_phase(std::string_view /*what*/) {}  ///< "connecting to left ...", one line
   virtual void on_cycle(const MatchProgress& /*progress*/) {}
-  virtual void on_notice(std::string_view /*line*/) {}  ///< worth keeping on the screen
+  virtual void on_notice(std::string_view /*line*/) {}  ///< stays on the screen
   virtual void on_warning(std::string_view /*line*/) {}
 };
 

@@ -1,78 +1,143 @@
-// The result document.
+// The members of the document `cls.match/1`, listed once for writing and parsing.
 #include "orchestration/match/result/match_result.h"
 
-#include <cmath>
 #include <nlohmann/json.hpp>
+#include <utility>
 
-#include "base/system/version.h"
-#include "soccer/side_name.h"
+#include "base/catch_as_error.h"
+#include "base/text/json_codec.h"
+#include "soccer/side.h"
 
 namespace cls::orchestration::match {
+
+using base::Result;
+using Json = nlohmann::ordered_json;
+using soccer::Side;
+
 namespace {
 
-using Json = nlohmann::ordered_json;
+template <typename Codec, typename T>
+using Object = typename Codec::template Object<T>;
 
-// To a number of decimals that divides evenly: rounding by multiplication prints as 83.30000001.
-double rounded(double value, double per_one) { return std::round(value * per_one) / per_one; }
-
-Json json_of(const PlayerResult& player) {
-  return {{"unum", player.unum},
-          {"decisions", player.decisions},
-          {"late", player.late},
-          {"missed", player.missed},
-          {"missed_by", player.missed_by},
-          {"reconnects", player.reconnects},
-          {"undecided", player.undecided},
-          {"lost_commands", player.lost_commands},
-          {"late_wakeups", player.late_wakeups},
-          {"rpc_us",
-           {{"p50", rounded(player.rpc_us.p50, 1)},
-            {"p95", rounded(player.rpc_us.p95, 1)},
-            {"p99", rounded(player.rpc_us.p99, 1)},
-            {"max", rounded(player.rpc_us.max, 1)}}},
-          {"commands", player.commands},
-          {"unimplemented_actions", player.unimplemented_actions}};
-}
-
-Json json_of(const TeamResult& team) {
-  Json players = Json::array();
-  for (const PlayerResult& player : team.players) players.push_back(json_of(player));
-  return {{"name", team.name},
-          {"endpoint", team.endpoint},
-          {"score", team.score},
-          {"penalty_score", team.penalty_score ? Json(*team.penalty_score) : Json(nullptr)},
-          {"cpu_seconds", rounded(team.cpu_seconds, 1000)},
-          {"players", std::move(players)},
-          {"coach", team.coach ? json_of(*team.coach) : Json(nullptr)}};
-}
-
-Json json_of(const Goal& goal) {
-  return {{"cycle", goal.cycle},
-          {"side", side_name(goal.side)},
-          {"unum", goal.unum == 0 ? Json(nullptr) : Json(goal.unum)}};
-}
-
-Json json_of(const ProcessResult& process) {
-  return {{"name", process.name},
-          {"command", process.command},
-          {"log", process.log},
-          {"exit", process.exit},
-          {"cpu_seconds", rounded(process.cpu_seconds, 1000)}};
-}
-
-Json json_of(const ProcessFailure& failure) {
-  return {{"process", failure.process},
-          {"exit", failure.exit},
-          {"log", failure.log},
-          {"output", failure.output}};
+// The inverse of side_name().
+std::optional<Side> parse_side(std::string_view text) {
+  if (text == side_name(Side::kNeutral)) return Side::kNeutral;
+  return soccer::parse_side(text);
 }
 
 }  // namespace
 
+template <typename Codec>
+static void members(Codec& codec, Object<Codec, RpcLatency>& latency) {
+  codec.rounded("p50", latency.p50, 1);
+  codec.rounded("p95", latency.p95, 1);
+  codec.rounded("p99", latency.p99, 1);
+  codec.rounded("max", latency.max, 1);
+}
+
+template <typename Codec>
+static void members(Codec& codec, Object<Codec, PlayerResult>& player) {
+  codec.member("unum", player.unum);
+  codec.member("decisions", player.decisions);
+  codec.member("late", player.late);
+  codec.member("missed", player.missed);
+  codec.member("missed_by", player.missed_by);
+  codec.member("reconnects", player.reconnects);
+  codec.member("undecided", player.undecided);
+  codec.member("lost_commands", player.lost_commands);
+  codec.member("late_wakeups", player.late_wakeups);
+  codec.member("rpc_us", player.rpc_us);
+  codec.member("commands", player.commands);
+  codec.member("unimplemented_actions", player.unimplemented_actions);
+}
+
+template <typename Codec>
+static void members(Codec& codec, Object<Codec, TeamResult>& team) {
+  codec.member("name", team.name);
+  codec.member("endpoint", team.endpoint);
+  codec.member("score", team.score);
+  codec.member("penalty_score", team.penalty_score);
+  codec.rounded("cpu_seconds", team.cpu_seconds, 1000);
+  codec.member("players", team.players);
+  codec.member("coach", team.coach);
+}
+
+template <typename Codec>
+static void members(Codec& codec, Object<Codec, Goal>& goal) {
+  codec.member("cycle", goal.cycle);
+  codec.named("side", goal.side, soccer::side_name, parse_side);
+  codec.number_or_null("unum", goal.unum);
+}
+
+template <typename Codec>
+static void members(Codec& codec, Object<Codec, ProcessResult>& process) {
+  codec.member("name", process.name);
+  codec.member("command", process.command);
+  codec.member("log", process.log);
+  codec.member("exit", process.exit);
+  codec.rounded("cpu_seconds", process.cpu_seconds, 1000);
+}
+
+template <typename Codec>
+static void members(Codec& codec, Object<Codec, ProcessFailure>& failure) {
+  codec.member("process", failure.process);
+  codec.member("exit", failure.exit);
+  codec.member("log", failure.log);
+  codec.member("output", failure.output);
+}
+
+// The seed of the server is written even where it is the seed of the match.
+template <typename Codec>
+static void list_server(Codec& codec, Object<Codec, MatchResult>& result) {
+  std::optional<std::uint64_t> seed = result.server_seed.value_or(result.seed);
+  codec.member("kind", result.server_kind);
+  codec.member("version", result.server_version);
+  codec.member("seed", seed);
+  codec.member("missed_cycles", result.server_missed_cycles);
+  codec.rounded("cpu_seconds", result.server_cpu_seconds, 1000);
+  if constexpr (std::is_same_v<Codec, base::JsonDecoder>) {
+    if (seed != result.seed) result.server_seed = seed;
+  }
+}
+
+template <typename Codec>
+static void members(Codec& codec, Object<Codec, MatchResult>& result) {
+  codec.constant("schema", "cls.match/1");
+  codec.member("left", result.left);
+  codec.member("right", result.right);
+  codec.member("trainer", result.trainer);
+  codec.derived("winner", [&] { return base::JsonEncoder::encode(winner(result)); });
+  codec.derived("valid", [&] { return result.valid(); });
+  codec.named(
+      "end_reason", result.end_reason, [](EndReason reason) { return name(reason); },
+      parse_end_reason);
+  codec.text_or_null("message", result.message);
+  codec.named("fault", result.fault, soccer::side_name, parse_side);
+  codec.member("failure", result.failure);
+  codec.member("cycles", result.cycles);
+  codec.member("steps", result.steps);
+  codec.member("seed", result.seed);
+  codec.member("mode", result.mode);
+  codec.member("deterministic", result.deterministic);
+  codec.object("server", [&](Codec& server) { list_server(server, result); });
+  codec.member("goals", result.goals);
+  codec.rounded("wall_seconds", result.wall_seconds, 1000);
+  codec.rounded("cycles_per_second", result.cycles_per_second, 10);
+  codec.member("folder", result.folder);
+  codec.object("log_files", [&](Codec& files) {
+    files.text_or_null("rcg", result.rcg);
+    files.text_or_null("rcl", result.rcl);
+  });
+  codec.member("processes", result.processes);
+  codec.member("warnings", result.warnings);
+  codec.object("versions", [&](Codec& versions) {
+    versions.member("cls", result.cls_version);
+    versions.member("wire", result.wire_version);
+  });
+}
+
 std::string to_json(const std::vector<PlayerResult>& players) {
-  Json list = Json::array();
-  for (const PlayerResult& player : players) list.push_back(json_of(player));
-  return list.dump();
+  return base::JsonEncoder::encode(players).dump();
 }
 
 std::optional<std::string> winner(const MatchResult& result) {
@@ -85,45 +150,17 @@ std::optional<std::string> winner(const MatchResult& result) {
 }
 
 std::string to_json(const MatchResult& result) {
-  const auto won = winner(result);
-  Json goals = Json::array();
-  for (const Goal& goal : result.goals) goals.push_back(json_of(goal));
-  Json processes = Json::array();
-  for (const ProcessResult& process : result.processes) processes.push_back(json_of(process));
-  const auto& cpu = result.server_cpu_seconds;
-  const Json document = {{"schema", "cls.match/1"},
-                         {"left", json_of(result.left)},
-                         {"right", json_of(result.right)},
-                         {"trainer", result.trainer ? json_of(*result.trainer) : Json(nullptr)},
-                         {"winner", won ? Json(*won) : Json(nullptr)},
-                         {"valid", result.valid()},
-                         {"end_reason", name(result.end_reason)},
-                         {"message", result.message.empty() ? Json(nullptr) : Json(result.message)},
-                         {"fault", result.fault ? Json(side_name(*result.fault)) : Json(nullptr)},
-                         {"failure", result.failure ? json_of(*result.failure) : Json(nullptr)},
-                         {"cycles", result.cycles},
-                         {"steps", result.steps},
-                         {"seed", result.seed},
-                         {"mode", result.mode},
-                         {"deterministic", result.deterministic},
-                         {"server",
-                          {{"kind", result.server_kind},
-                           {"version", result.server_version},
-                           {"seed", result.server_seed.value_or(result.seed)},
-                           {"missed_cycles", result.server_missed_cycles},
-                           {"cpu_seconds", cpu ? Json(rounded(*cpu, 1000)) : Json(nullptr)}}},
-                         {"goals", std::move(goals)},
-                         {"wall_seconds", rounded(result.wall_seconds, 1000)},
-                         {"cycles_per_second", rounded(result.cycles_per_second, 10)},
-                         {"folder", result.folder},
-                         {"log_files",
-                          {{"rcg", result.rcg.empty() ? Json(nullptr) : Json(result.rcg)},
-                           {"rcl", result.rcl.empty() ? Json(nullptr) : Json(result.rcl)}}},
-                         {"processes", std::move(processes)},
-                         {"warnings", result.warnings},
-                         {"versions", {{"cls", base::kVersion}, {"wire", base::kWireVersion}}}};
-  // Bytes of a foreign program may stand in a message: replace what is not UTF-8.
-  return document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  // Messages may hold output of other programs: replace bytes that are not UTF-8.
+  return base::JsonEncoder::encode(result).dump(2, ' ', false, Json::error_handler_t::replace) +
+         "\n";
+}
+
+Result<MatchResult> parse_match_result(std::string_view text) {
+  return base::catch_as_error<std::exception>("", [&] {
+    MatchResult result;
+    base::JsonDecoder::decode(Json::parse(text), result);
+    return result;
+  });
 }
 
 }  // namespace cls::orchestration::match

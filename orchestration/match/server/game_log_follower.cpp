@@ -1,4 +1,4 @@
-// Lines of a growing log by their first words.
+// Recognizes the lines of a growing game log by their first token.
 #include "orchestration/match/server/game_log_follower.h"
 
 #include <fcntl.h>
@@ -12,36 +12,37 @@
 namespace cls::orchestration::match {
 namespace {
 
-constexpr std::size_t kBlock = 64 * 1024;
-constexpr std::size_t kLineHead = 128;
+constexpr std::size_t kBlockBytes = 64 * 1024;
+constexpr std::size_t kMaxLineHead = 128;
 
 }  // namespace
 
-void GameLogFollower::look() {
-  if (!fd_) fd_ = process::UniqueFd(::open(file_.c_str(), O_RDONLY | O_CLOEXEC));
+void GameLogFollower::poll() {
+  if (!fd_) fd_ = base::UniqueFd(::open(file_.c_str(), O_RDONLY | O_CLOEXEC));
   if (!fd_) return;
-  std::array<char, kBlock> block;
+  std::array<char, kBlockBytes> block;
   while (true) {
     const ssize_t size = ::read(fd_.get(), block.data(), block.size());
     if (size <= 0) return;
-    take(block.data(), static_cast<std::size_t>(size));
+    read_bytes(block.data(), static_cast<std::size_t>(size));
   }
 }
 
-void GameLogFollower::take(const char* bytes, std::size_t size) {
+void GameLogFollower::read_bytes(const char* bytes, std::size_t size) {
   while (size > 0) {
     const auto* end = static_cast<const char*>(std::memchr(bytes, '\n', size));
     const std::size_t length = end == nullptr ? size : static_cast<std::size_t>(end - bytes);
-    if (line_.size() < kLineHead) line_.append(bytes, std::min(length, kLineHead - line_.size()));
+    if (line_.size() < kMaxLineHead)
+      line_.append(bytes, std::min(length, kMaxLineHead - line_.size()));
     if (end == nullptr) return;
-    take_line();
+    read_line();
     line_.clear();
     bytes += length + 1;
     size -= length + 1;
   }
 }
 
-void GameLogFollower::take_line() {
+void GameLogFollower::read_line() {
   int time = 0;
   std::array<char, 32> word{};
   std::array<char, 32> left{};
@@ -49,14 +50,14 @@ void GameLogFollower::take_line() {
   int left_score = 0;
   int right_score = 0;
   if (std::sscanf(line_.c_str(), "(show %d ", &time) == 1) {
-    ++moment_.shows;
-    moment_.time = time;
+    ++progress_.steps;
+    progress_.match.cycle = time;
   } else if (std::sscanf(line_.c_str(), "(playmode %d %31[a-z_A-Z])", &time, word.data()) == 2) {
-    if (const auto mode = soccer::play_mode_from_name(word.data())) moment_.mode = *mode;
+    if (const auto mode = soccer::parse_play_mode(word.data())) progress_.match.mode = *mode;
   } else if (std::sscanf(line_.c_str(), "(team %d %31s %31s %d %d", &time, left.data(),
                          right.data(), &left_score, &right_score) == 5) {
-    moment_.left_score = left_score;
-    moment_.right_score = right_score;
+    progress_.match.left_score = left_score;
+    progress_.match.right_score = right_score;
   }
 }
 

@@ -1,4 +1,4 @@
-// Opening, closing and naming log files.
+// Opens, closes and renames log files.
 #include "orchestration/match/server/server_logs.h"
 
 #include <fmt/format.h>
@@ -26,7 +26,7 @@ std::string formatted(const std::string& format, std::time_t time) {
 
 }  // namespace
 
-/// What the parameters say about one log.
+/// Parameters of one log.
 struct ServerLogs::Wish {
   bool wanted;
   std::string folder;
@@ -102,7 +102,7 @@ Result<void> ServerLogs::finish(Log& log, const std::string& match) {
 }
 
 Result<void> ServerLogs::finish(const gamelog::TeamFrames& teams) {
-  // Team names may hold a slash.
+  // Team names may contain a slash.
   std::string match = gamelog::match_name(teams);
   std::replace(match.begin(), match.end(), '/', '_');
   Result<void> result;

@@ -1,4 +1,4 @@
-// The log files of a soccer server that runs alone, named as rcssserver names them.
+// Log files of `cls server`, with the names of rcssserver.
 #pragma once
 
 #include <ctime>
@@ -15,25 +15,25 @@
 
 namespace cls::orchestration::match {
 
-/// Opens the logs that the parameters want (game_logging, text_logging; keepaway_logging in
+/// Opens the logs that the parameters ask for (game_logging, text_logging; keepaway_logging in
 /// keepaway): game_log_dir, game_log_fixed_name, game_log_dated, game_log_compression and so on.
-/// While the match runs they are called incomplete.rcg, .rcl and .kwy; finish() gives them their
-/// names (`20261120203857-A_1-vs-B_0.rcg`), unless these are fixed. Where the name of the game log
-/// tells the date, the log does too: only logs of other names can be the same bytes twice.
+/// During the match they are named incomplete.rcg, .rcl and .kwy; finish() renames them
+/// (`20261120203857-A_1-vs-B_0.rcg`) unless names are fixed. A game log with the date in its name
+/// has it in its contents too, so only logs with other names can be identical.
 class ServerLogs {
  public:
   /// The error names the file or folder that cannot be created. game_log_version must be one (see
   /// gamelog::rcg_version).
   static base::Result<ServerLogs> open(const soccer::ServerParams& params, std::time_t start);
 
-  /// Null where no such log is wanted.
+  /// nullptr: no such log.
   simulator::LogSinks sinks() const;
   base::ByteSink* keepaway() { return keepaway_.sink.get(); }
 
-  /// Closes and names them. The error is the first one since the start.
+  /// Closes and renames them. Returns the first error since the start.
   base::Result<void> finish(const gamelog::TeamFrames& teams);
 
-  /// Where they are: the last names once finished.
+  /// Their paths; final after finish().
   std::vector<std::filesystem::path> paths() const;
 
  private:

@@ -1,4 +1,4 @@
-// What a soccer server prints about the match: version, seed, who joined, how it ended.
+// Parser of the output of a soccer server: version, seed, connections, end of the match.
 #pragma once
 
 #include <cstdint>
@@ -12,41 +12,41 @@
 
 namespace cls::orchestration::match {
 
-/// A team as the server's lines tell it.
-struct AnnouncedTeam {
+/// A team as the server reports it.
+struct ReportedConnections {
   std::string name;
-  std::set<int> players;  ///< uniform numbers that joined
+  std::set<int> players;  ///< uniform numbers that connected
   bool coach = false;
-  std::vector<int> departed;  ///< uniform numbers that left, in order
+  std::vector<int> disconnected;  ///< uniform numbers, in the order of time
 };
 
-/// Everything learned so far; a copy of it can be looked at while lines come in.
-struct ServerNews {
-  std::string version;                ///< "19.0.0"
-  std::optional<std::uint64_t> seed;  ///< that it drew
-  std::vector<AnnouncedTeam> teams;   ///< in the order of their first player: left, right
-  std::int64_t missed_cycles = 0;     ///< cycles in which some client did not answer
-  bool gave_up = false;               ///< clients did not answer for too long
-  bool game_over = false;             ///< it ended because the match was over
-  std::string complaint;              ///< the first line that looks like an error
+/// What a soccer server has reported so far.
+struct ServerStatus {
+  std::string version;                     ///< "19.0.0"
+  std::optional<std::uint64_t> seed;       ///< drawn by the server
+  std::vector<ReportedConnections> teams;  ///< in the order of their first player: left, right
+  std::int64_t missed_cycles = 0;          ///< cycles without a reply of some client
+  bool gave_up = false;                    ///< clients stopped responding
+  bool game_over = false;                  ///< it exited because the match was over
+  std::string first_error;                 ///< the first line that looks like an error
 
-  const AnnouncedTeam* team(std::string_view name) const;
+  const ReportedConnections* team(std::string_view name) const;
 };
 
-/// Reads the lines of rcssserver (server protocol 7.4), and those of `cls server`, which are fewer.
-/// Lines come in on one thread, questions on others.
+/// Reads the lines of rcssserver (docs/spec/server-protocol.md 7.4), and those of `cls server`,
+/// which are fewer. read_line() and status() may be called on different threads.
 class ServerOutput {
  public:
   void read_line(std::string_view line);
-  ServerNews news() const;
+  ServerStatus status() const;
 
  private:
-  AnnouncedTeam& team(std::string_view name);
+  ReportedConnections& team(std::string_view name);
   bool read_connection(std::string_view line);
   bool read_start(std::string_view line);
 
   mutable std::mutex mutex_;
-  ServerNews news_;
+  ServerStatus status_;
 };
 
 }  // namespace cls::orchestration::match

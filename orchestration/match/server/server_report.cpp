@@ -1,4 +1,4 @@
-// Results as rcssserver writes them.
+// Formats results like rcssserver.
 #include "orchestration/match/server/server_report.h"
 
 #include <fmt/format.h>
@@ -16,8 +16,8 @@ std::string date_of(std::time_t time) {
   return {text.data(), size};
 }
 
-std::string quoted(const std::string& name, char quote, const char* nobody) {
-  return name.empty() ? nobody : quote + name + quote;
+std::string quoted(const std::string& name, char quote, const char* otherwise) {
+  return name.empty() ? otherwise : quote + name + quote;
 }
 
 bool had_penalties(const ServerReport& report) {

@@ -1,4 +1,4 @@
-// How rcssserver tells the result of a match, for the scripts that read it.
+// Result of a match in the format of rcssserver, for scripts that read it.
 #pragma once
 
 #include <ctime>
@@ -24,10 +24,11 @@ struct ServerReport {
   soccer::Side coin_toss_winner = soccer::Side::kNeutral;
 };
 
-/// What rcssserver prints at its end (protocol 7.4); `csv`: what became of the table.
+/// What rcssserver prints at its end (docs/spec/server-protocol.md 7.4); `csv_saved`: the CSV file
+/// was written.
 std::string console_report(const ServerReport& report, bool csv_saved);
 
-/// A line of the table of results, and its first line.
+/// A line of the CSV file, and its header.
 std::string csv_line(const ServerReport& report);
 std::string csv_header();
 

@@ -1,4 +1,4 @@
-// Start commands of teams, run by the server's own word.
+// Start commands of teams.
 #include "orchestration/match/server/server_teams.h"
 
 #include <fmt/format.h>
@@ -14,7 +14,7 @@
 namespace cls::orchestration::match {
 namespace {
 
-// rcssserver gives each team a second after its SIGINT.
+// rcssserver waits one second for each team after SIGINT.
 constexpr std::chrono::milliseconds kInterruptGrace{1000};
 constexpr std::chrono::milliseconds kEndGrace{1000};
 
@@ -23,7 +23,7 @@ void print(std::string_view line) {
   std::fflush(stdout);
 }
 
-/// What the shell is given: a start command is one line.
+/// A start command as one line for the shell.
 std::string command_line(std::string command) {
   std::replace(command.begin(), command.end(), '\n', ' ');
   return command;
@@ -38,7 +38,7 @@ process::CommandPlan plan_of(const char* name, const std::string& command,
   return plan;
 }
 
-// To the command alone, as rcssserver does: it ends its own players, perhaps in some order.
+// Only to the command, like rcssserver: it stops its own players.
 void interrupt(const process::Child& team) {
   const process::Child::Status status = team.status();
   if (status.exit) return;
@@ -64,12 +64,12 @@ base::Result<ServerTeams> ServerTeams::create(const soccer::ServerParams& params
   return made;
 }
 
-void ServerTeams::look(bool play_is_on, bool left_is_here) {
+void ServerTeams::poll(bool play_is_on, bool left_has_connected) {
   if (!host_) return;
-  if (host_->changes() != seen_changes_) tell_failures();
+  if (host_->changes() != seen_changes_) report_failures();
   if (play_is_on) return;
   start(teams_[0]);
-  if (left_is_here) start(teams_[1]);
+  if (left_has_connected) start(teams_[1]);
 }
 
 void ServerTeams::start(Team& team) {
@@ -83,28 +83,28 @@ void ServerTeams::start(Team& team) {
   }
 }
 
-void ServerTeams::tell_failures() {
+void ServerTeams::report_failures() {
   seen_changes_ = host_->changes();
   for (Team& team : teams_) {
-    if (team.child == nullptr || team.told) continue;
+    if (team.child == nullptr || team.reported) continue;
     const process::Child::Status status = team.child->status();
     if (!status.exit || (!status.exit->by_signal && status.exit->number == 0)) continue;
-    team.told = true;
+    team.reported = true;
     fmt::print(stderr, "cls: {}: '{}' failed: {}\n", team.plan.name, team.plan.argv.back(),
                to_text(*status.exit));
   }
 }
 
-void ServerTeams::end() {
+void ServerTeams::terminate() {
   if (!host_) return;
-  tell_failures();
+  report_failures();
   for (const Team& team : teams_) {
     if (team.child != nullptr) interrupt(*team.child);
   }
   for (const Team& team : teams_) {
     if (team.child != nullptr) team.child->wait_exit(kInterruptGrace);
   }
-  if (!host_->end_all(kEndGrace)) fmt::print(stderr, "cls: a team does not end\n");
+  if (!host_->end_all(kEndGrace)) fmt::print(stderr, "cls: a team does not exit\n");
 }
 
 }  // namespace cls::orchestration::match

@@ -1,4 +1,4 @@
-// The teams that a soccer server starts itself: server::team_l_start and team_r_start.
+// Teams that `cls server` starts: server::team_l_start and team_r_start.
 #pragma once
 
 #include <array>
@@ -13,35 +13,33 @@
 
 namespace cls::orchestration::match {
 
-/// Starts each side by /bin/sh -c when rcssserver would: never while play is on, each once, the
-/// right one when the left one is there, since the first to connect is the left one. What they
-/// print goes to our stdout. Problems are lines on stderr; the match goes on without the team.
-/// Used by one thread at a time.
+/// Starts each side once with /bin/sh -c when rcssserver would: never in play_on, and the right
+/// side after the left one has connected, because the first to connect is left. Their output goes
+/// to stdout. Problems are reported on stderr; the match continues without the team. Not
+/// thread-safe.
 class ServerTeams {
  public:
-  /// The teams find the ports in CLS_SERVER_PORT, CLS_SERVER_COACH_PORT and
-  /// CLS_SERVER_OLCOACH_PORT, since port 0 tells nothing. The error says why nothing can be
-  /// started here; where no team is to be started there is none.
+  /// The teams get the ports in CLS_SERVER_PORT, CLS_SERVER_COACH_PORT and CLS_SERVER_OLCOACH_PORT.
+  /// The error says why no process can be started; without teams to start there is none.
   static base::Result<ServerTeams> create(const soccer::ServerParams& params,
                                           const ServerPorts& ports);
 
-  /// To be called after every step.
-  void look(bool play_is_on, bool left_is_here);
+  /// Call after every step.
+  void poll(bool play_is_on, bool left_has_connected);
 
-  /// SIGINT to each start command, as rcssserver does, then whatever it takes until nothing of them
-  /// is left. Waits for that.
-  void end();
+  /// Sends SIGINT to each start command, like rcssserver, terminates what is left, and waits.
+  void terminate();
 
  private:
   struct Team {
     process::CommandPlan plan;
     std::shared_ptr<process::Child> child;  ///< once started
     bool tried = false;
-    bool told = false;  ///< that it has failed
+    bool reported = false;  ///< its failure
   };
 
   void start(Team& team);
-  void tell_failures();
+  void report_failures();
 
   std::optional<process::ProcessHost> host_;  ///< if there is something to start
   std::array<Team, 2> teams_;

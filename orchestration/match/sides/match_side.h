@@ -1,77 +1,128 @@
-// One side of a match: its Playmaker, its team of agents and the thread they live on.
+// One side of a match: cls agents with a Playmaker, or an external team.
 #pragma once
 
-#include <memory>
+#include <chrono>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "base/result.h"
-#include "base/system/worker.h"
-#include "mock-server/server.h"
-#include "orchestration/match/options/match_options.h"
+#include "orchestration/match/result/match_end.h"
+#include "orchestration/match/result/match_observer.h"
 #include "orchestration/match/result/match_result.h"
-#include "orchestration/match/sides/playmaker_program.h"
-#include "proxy/agent/team.h"
-#include "proxy/playmaker/playmaker.h"
+#include "orchestration/match/server/server_output.h"
 #include "proxy/playmaker/rpc_listener.h"
+#include "soccer/geometry.h"
+#include "soccer/side.h"
 
 namespace cls::orchestration::match {
 
-/// What a side needs to know of its match.
-struct SideSetup {
-  soccer::Side side = soccer::Side::kLeft;  ///< neutral: the trainer, who has no players
-  std::string name;                         ///< of the team; a trainer's is the left one
-  std::uint64_t seed = 0;
-  std::filesystem::path folder;          ///< of the match
-  process::ProcessHost* host = nullptr;  ///< for sides that start programs
-  std::vector<int> cpus;                 ///< processors of agents and Playmaker; empty: all
+/// Which side of the match this is.
+struct SideIdentity {
+  soccer::Side side = soccer::Side::kLeft;  ///< neutral: the trainer
+  std::string name;                         ///< team name, or "trainer"
+  std::string endpoint;                     ///< as the user wrote it
 };
 
-/// What a player of ours did.
-PlayerResult result_of(int number, const proxy::AgentStatistics& statistics);
+/// Where the match is, for the messages of a side that fails.
+struct MatchMoment {
+  bool playing = false;  ///< false: before the first cycle
+  int cycle = 0;
+};
 
-/// Owns everything of one side. The team is used by `worker` only while work is under way there.
+/// Hears all calls of one side to its Playmaker, cycle by cycle. Called on the thread that uses the
+/// Playmaker at that time.
+class SideListener : public proxy::RpcListener {
+ public:
+  /// Before the calls of a cycle.
+  virtual void begin_cycle(int /*cycle*/) {}
+  /// After the calls of a cycle, and after the handshake.
+  virtual void end_cycle() {}
+};
+
+/// Used by the match's thread only. Use: prepare, join, handshake, turns, leave, terminate,
+/// wait_gone, add_result.
 class MatchSide {
  public:
-  /// Starts the bundled mock or the user's command if the endpoint asks for one; nothing is sent
-  /// to a foreign Playmaker yet.
-  static base::Result<std::unique_ptr<MatchSide>> create(const Endpoint& endpoint,
-                                                         const SideSetup& setup,
-                                                         const MatchOptions& options);
+  explicit MatchSide(SideIdentity identity) : identity_(std::move(identity)) {}
+  virtual ~MatchSide() = default;
+  MatchSide(const MatchSide&) = delete;
+  MatchSide& operator=(const MatchSide&) = delete;
 
-  /// `listener`, which must outlive the side, hears all calls; before the team is introduced.
-  void listen(proxy::RpcListener& listener);
+  const SideIdentity& identity() const { return identity_; }
+  /// "brain (localhost:50051)".
+  std::string who() const { return identity_.name + " (" + identity_.endpoint + ")"; }
+  /// The name that the team plays under.
+  virtual std::string team_name() const { return identity_.name; }
 
-  proxy::Team& team() { return *team_; }
-  const proxy::Team& team() const { return *team_; }
-  proxy::Playmaker& playmaker() { return *playmaker_; }
-  base::Worker& worker() { return worker_; }
-  const std::string& name() const { return name_; }
-  bool is_trainer() const { return is_trainer_; }
-  const Endpoint& endpoint() const { return endpoint_; }
-  /// The Playmaker as a process of ours; nullptr when it is none.
-  const PlaymakerProgram* program() const { return program_.get(); }
+  /// Adds a listener, which must outlive the side. Before join(). False for a side without
+  /// Playmaker.
+  virtual bool listen(SideListener& /*listener*/) { return false; }
 
-  /// What the script of a mock side expected and did not get.
-  std::vector<std::string> failed_expectations() const;
+  /// True when the side's own programs are ready to be asked.
+  virtual bool prepared() { return true; }
+  /// Continues with joining. `server` is what the server has reported, `others` the names of the
+  /// teams that joined before. Returns why the side cannot take part.
+  virtual std::optional<MatchEnd> join(const ServerStatus& server,
+                                       const std::vector<std::string>& others) = 0;
+  virtual bool joined() const = 0;
+  /// Introduces the agents to their Playmaker.
+  virtual void begin_handshake() {}
+  virtual bool handshake_done() { return true; }
+  /// What join() or the handshake waits for, as the beginning of a message.
+  virtual std::string waiting_for() const = 0;
+  /// What may be wrong when that lasts too long: "; it listens on port 50051, not on 21234".
+  virtual std::string timeout_hint() const { return {}; }
+  /// The process that a timeout is reported with; nullptr: none.
+  virtual const process::Child* awaited_process() const { return nullptr; }
 
-  /// What this side did; the score is the server's to tell.
-  TeamResult result() const;
-  /// CPU time of the bundled mock's decisions in seconds; 0 for a foreign Playmaker.
-  double mock_cpu_seconds() const;
+  /// All sides have joined and registered: the first cycle follows.
+  virtual void begin_play() {}
+  /// The match has ended: agents continue without turns until the server or leave() stops them.
+  virtual void end_play() {}
+  /// True for a side that decides only after begin_turn(): always in lockstep, and over UDP with
+  /// --step.
+  virtual bool takes_turns() const { return false; }
+  /// True while such a side waits for begin_turn().
+  virtual bool at_turn() const { return false; }
+  /// Lets the agents decide about the current cycle.
+  virtual void begin_turn(int /*cycle*/) {}
+  virtual bool turn_done() { return true; }
+  virtual void end_turn() {}
+
+  /// What the agents have seen of the match; nothing for an external team.
+  virtual std::optional<SourceProgress> progress() const { return std::nullopt; }
+  /// The ball's position if the agents know it, in the server's coordinates.
+  virtual std::optional<soccer::Vec2> ball() const { return std::nullopt; }
+  /// The mode that the server told the agents; nothing when the match decides.
+  virtual std::optional<MatchMode> mode() const { return std::nullopt; }
+  /// True when the side has seen the match end.
+  virtual bool finished() const { return false; }
+  /// True when the side has seen the first cycle beyond --cycles.
+  virtual bool at_cycle_limit() const { return false; }
+  /// Why this side cannot continue, if so.
+  virtual std::optional<MatchEnd> failure(const MatchMoment& moment) = 0;
+  /// The same at the end of the match, for a failure that could have been the end itself.
+  virtual std::optional<MatchEnd> final_failure(const MatchMoment& /*moment*/) {
+    return std::nullopt;
+  }
+  virtual std::vector<std::string> take_warnings() { return {}; }
+  /// Cancels calls to the Playmaker.
+  virtual void cancel() {}
+
+  /// Says goodbye, or begins to stop.
+  virtual void leave() = 0;
+  /// Asks all processes of the side to exit.
+  virtual void terminate() = 0;
+  /// Waits until they are gone; returns what was started.
+  virtual std::vector<ProcessResult> wait_gone() = 0;
+  /// What the script of a mock Playmaker expected and did not get.
+  virtual std::vector<std::string> failed_expectations() const { return {}; }
+  /// What this side did. After wait_gone().
+  virtual TeamResult result() const = 0;
 
  private:
-  MatchSide() = default;
-
-  std::string name_;
-  bool is_trainer_ = false;
-  Endpoint endpoint_;
-  std::unique_ptr<mock_server::Server> mock_;
-  std::unique_ptr<PlaymakerProgram> program_;
-  std::unique_ptr<proxy::Playmaker> playmaker_;
-  std::vector<std::unique_ptr<proxy::Playmaker>> listened_;  ///< the Playmaker with listeners
-  std::unique_ptr<proxy::Team> team_;
-  base::Worker worker_;
+  SideIdentity identity_;
 };
 
 }  // namespace cls::orchestration::match

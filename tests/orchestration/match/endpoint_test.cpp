@@ -1,9 +1,9 @@
-// Side forms: what is understood, what is told about the rest, and which names follow.
+// SIDE arguments: parsing, errors, and team names derived from them.
 #include "orchestration/match/options/endpoint.h"
 
 #include <gtest/gtest.h>
 
-#include "orchestration/match/sides/playmaker_link.h"
+#include "orchestration/match/sides/playmaker_process.h"
 
 namespace cls::orchestration::match {
 namespace {
@@ -13,9 +13,9 @@ std::string error_of(std::string_view text) {
   return endpoint ? "accepted" : endpoint.error().message;
 }
 
-TEST(Endpoint, ReadsEveryForm) {
+TEST(Endpoint, ParsesEveryForm) {
   EXPECT_EQ(parse_endpoint("mock")->kind, Endpoint::Kind::kMock);
-  EXPECT_EQ(parse_endpoint("mock:hold")->behaviour, "hold");
+  EXPECT_EQ(parse_endpoint("mock:hold")->behavior, "hold");
   const auto address = parse_endpoint("localhost:50051");
   EXPECT_EQ(address->kind, Endpoint::Kind::kAddress);
   EXPECT_EQ(address->host, "localhost");
@@ -43,9 +43,9 @@ TEST(Endpoint, ReadsEveryForm) {
   EXPECT_FALSE(team->has_playmaker());
 }
 
-TEST(Endpoint, NamesTheMistakeAndTheForms) {
+TEST(Endpoint, ReportsErrorAndAllForms) {
   EXPECT_EQ(error_of("moc"),
-            "unknown side 'moc'; did you mean 'mock'? (a side is mock, mock:BEHAVIOUR, "
+            "unknown side 'moc'; did you mean 'mock'? (a side is mock, mock:BEHAVIOR, "
             "mock:FILE.json, HOST:PORT, HOST:PORT+step, tls:HOST:PORT, unix:PATH, "
             "run:COMMAND or team:DIR)");
   EXPECT_NE(error_of("brain").find("unknown side 'brain' (a side is"), std::string::npos);
@@ -55,13 +55,13 @@ TEST(Endpoint, NamesTheMistakeAndTheForms) {
   EXPECT_EQ(error_of("localhost:65530+step"),
             "side 'localhost:65530+step': port 65530 is not within 1 to 65535");
   EXPECT_EQ(error_of(":50051"), "side ':50051': no host before the port");
-  EXPECT_EQ(error_of("mock:"), "side 'mock:': no behaviour after the colon");
+  EXPECT_EQ(error_of("mock:"), "side 'mock:': no behavior after the colon");
   EXPECT_EQ(error_of("team:"), "side 'team:': no folder after the colon");
-  EXPECT_EQ(error_of("tls:brain"), "side 'tls:brain': after tls: comes HOST:PORT");
+  EXPECT_EQ(error_of("tls:brain"), "side 'tls:brain': must be tls:HOST:PORT");
   EXPECT_EQ(error_of("run: "), "side 'run: ': no command after 'run:'");
   EXPECT_EQ(error_of("run:./brain"),
-            "side 'run:./brain': the command needs {port}, where the Playmaker shall listen (or "
-            "start it yourself and name HOST:PORT)");
+            "side 'run:./brain': the command needs {port}, the port on which the Playmaker "
+            "listens (or start it yourself and use HOST:PORT)");
   EXPECT_EQ(error_of("run:./brain {prot}"),
             "side 'run:./brain {prot}': unknown placeholder {prot}; did you mean {port}?");
   for (const char* text : {"", "localhost:", "localhost:x", "localhost:5+stop", "a:5x"}) {
@@ -69,7 +69,7 @@ TEST(Endpoint, NamesTheMistakeAndTheForms) {
   }
 }
 
-TEST(TeamNames, ComeFromTheEndpoint) {
+TEST(TeamNames, AreDerivedFromEndpoint) {
   const auto name = [](std::string_view text) { return default_team_name(*parse_endpoint(text)); };
   EXPECT_EQ(name("mock"), "mock");
   EXPECT_EQ(name("mock:hold"), "hold");
@@ -84,14 +84,14 @@ TEST(TeamNames, ComeFromTheEndpoint) {
   EXPECT_EQ(name("team:teams/helios/"), "helios");
 }
 
-TEST(TeamNames, AreToldApartWithinTheProtocolsLength) {
+TEST(TeamNames, MakesEqualNamesDistinctWithin15Characters) {
   EXPECT_EQ(distinct_names("mock", "mock").left, "mock_l");
   EXPECT_EQ(distinct_names("mock", "mock").right, "mock_r");
   EXPECT_EQ(distinct_names("a", "b").left, "a");
   EXPECT_EQ(distinct_names("localhost_50051", "localhost_50051").right, "localhost_500_r");
 }
 
-TEST(TeamNames, AreCheckedBeforeTheServerWould) {
+TEST(TeamNames, AreValidatedBeforeConnecting) {
   EXPECT_TRUE(check_team_name("My-Team_1"));
   EXPECT_EQ(check_team_name("two words").error().message,
             "team name 'two words': only letters, digits, '-', '+' and '_'");

@@ -1,5 +1,4 @@
-// What is started for run: sides, team: sides and foreign servers: plans, without starting
-// anything.
+// Plans of `run:` sides, `team:` sides and external servers, without starting anything.
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
@@ -18,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 using Words = std::vector<std::string>;
 
-TEST(RunCommand, FillsInItsPlaceholdersAsWordsOfTheShell) {
+TEST(RunCommand, QuotesPlaceholderValuesForTheShell) {
   RunValues values;
   values.port = 21234;
   values.side = soccer::Side::kRight;
@@ -31,7 +30,7 @@ TEST(RunCommand, FillsInItsPlaceholdersAsWordsOfTheShell) {
   EXPECT_EQ(fill_in("{name}", values), "'it'\\''s'");
 }
 
-TEST(RunCommand, ToleratesBracesThatAreNotOurs) {
+TEST(RunCommand, IgnoresOtherBraces) {
   EXPECT_TRUE(check_run_command("awk '{print}' x; brain {port}"));
   EXPECT_TRUE(check_run_command("brain '{\"a\": {port}}'"));
   EXPECT_EQ(check_run_command("brain {port} {nmae}").error().message,
@@ -39,7 +38,7 @@ TEST(RunCommand, ToleratesBracesThatAreNotOurs) {
   EXPECT_FALSE(check_run_command("brain ${port}"));
 }
 
-TEST(RunCommand, IsAPlanWithALogOfItsSide) {
+TEST(RunCommand, NamesLogAfterSide) {
   RunValues values;
   values.port = 5;
   const process::CommandPlan plan = run_plan("brain --port {port}", values, "/match");
@@ -48,7 +47,7 @@ TEST(RunCommand, IsAPlanWithALogOfItsSide) {
   EXPECT_EQ(plan.log, "/match/left-playmaker.log");
 }
 
-TEST(ServerChoice, KnowsProgramsAddressesAndSlips) {
+TEST(ServerChoice, ParsesProgramsAndAddressesAndSuggestsCorrections) {
   EXPECT_EQ(parse_server("embedded")->kind, ServerChoice::Kind::kEmbedded);
   EXPECT_EQ(parse_server("rcssserver")->program, "rcssserver");
   EXPECT_EQ(parse_server("/opt/a:b/rcssserver")->kind, ServerChoice::Kind::kProgram);
@@ -66,7 +65,7 @@ TEST(ServerChoice, KnowsProgramsAddressesAndSlips) {
   EXPECT_FALSE(parse_server("host:6000x"));
 }
 
-TEST(ServerChoice, KnowsModes) {
+TEST(ServerChoice, ParsesModes) {
   for (const auto mode : {MatchMode::kLockstep, MatchMode::kSynch, MatchMode::kRealtime}) {
     EXPECT_EQ(*parse_mode(name(mode)), mode);
   }
@@ -87,7 +86,7 @@ ServerSetup usual_setup() {
   return setup;
 }
 
-TEST(ServerCommand, SetsWhatTheMatchNeedsAndNothingThatIsStock) {
+TEST(ServerCommand, SetsRequiredAndChangedParametersOnly) {
   ServerSetup setup = usual_setup();
   setup.server.half_time = 60;
   setup.server.kick_rand = 0.0;
@@ -112,14 +111,14 @@ TEST(ServerCommand, SetsWhatTheMatchNeedsAndNothingThatIsStock) {
                                                      {"USERNAME", std::nullopt}}));
 }
 
-TEST(ServerCommand, RealTimeSwitchesSynchModeOff) {
+TEST(ServerCommand, DisablesSynchModeInRealTime) {
   ServerSetup setup = usual_setup();
   setup.mode = MatchMode::kRealtime;
   EXPECT_TRUE(has(server_plan(setup), "server::synch_mode=off"));
   EXPECT_FALSE(has(server_plan(setup), "server::synch_mode=on"));
 }
 
-TEST(ServerCommand, QuotesTextsAsTheServerReadsThem) {
+TEST(ServerCommand, QuotesTextLikeRcssserverParsesIt) {
   EXPECT_EQ(server_argument("server::port", "6000", false), Words{"server::port=6000"});
   EXPECT_EQ(server_argument("server::x", "2024abc", true), Words{"server::x='2024abc'"});
   EXPECT_EQ(server_argument("server::x", "it's", true), Words{"server::x=\"it's\""});
@@ -138,7 +137,7 @@ class TeamFolder : public testing::Test {
   tests::TemporaryFolder folder_;
 };
 
-TEST_F(TeamFolder, StartsEachAgentGoalieFirstCoachLast) {
+TEST_F(TeamFolder, StartsGoalieFirstAndCoachLast) {
   add("start");
   add("start.sh");
   add("kill");
@@ -151,20 +150,20 @@ TEST_F(TeamFolder, StartsEachAgentGoalieFirstCoachLast) {
   ASSERT_EQ(plan->agents.size(), 12U);
   EXPECT_FALSE(plan->takes_ports);
   EXPECT_FALSE(plan->takes_name);
-  const process::CommandPlan& goalie = plan->agents.front();
+  const process::CommandPlan& goalie = plan->agents.front().command;
   const std::string team = fs::canonical(path()).string();
   EXPECT_EQ(goalie.argv, (Words{team + "/start", "127.0.0.1", team, "1"}));
   EXPECT_EQ(goalie.folder, team);
   EXPECT_EQ(goalie.name, "right player 1");
   EXPECT_EQ(goalie.log, "/match/right-player-01.log");
-  EXPECT_EQ(plan->agents.back().argv.back(), "12");
-  EXPECT_EQ(plan->agents.back().name, "right coach");
+  EXPECT_EQ(plan->agents.back().command.argv.back(), "12");
+  EXPECT_EQ(plan->agents.back().command.name, "right coach");
   EXPECT_EQ(plan->kill->argv, Words{team + "/kill"});
   values.coach = false;
   EXPECT_EQ(team_plan(path(), values)->agents.size(), 11U);
 }
 
-TEST_F(TeamFolder, FallsBackToOneScriptForAll) {
+TEST_F(TeamFolder, UsesStartShWithoutStart) {
   add("start.sh");
   TeamValues values;
   values.folder = "/match";
@@ -175,13 +174,13 @@ TEST_F(TeamFolder, FallsBackToOneScriptForAll) {
   EXPECT_EQ(plan->contract, TeamPlan::Contract::kStartAll);
   EXPECT_TRUE(plan->takes_ports);
   EXPECT_EQ(plan->agents.size(), 1U);
-  EXPECT_EQ(plan->agents.front().argv,
+  EXPECT_EQ(plan->agents.front().command.argv,
             (Words{fs::canonical(path()).string() + "/start.sh", "-h", "127.0.0.1", "-p", "20001",
                    "-P", "20009", "-t", "helios"}));
   EXPECT_FALSE(plan->kill);
 }
 
-TEST_F(TeamFolder, SaysWhatIsMissing) {
+TEST_F(TeamFolder, ReportsMissingScripts) {
   const std::string name = "team folder " + path().string();
   EXPECT_EQ(team_plan(path() / "none", {}).error().message, name + "/none: no such folder");
   EXPECT_EQ(team_plan(path(), {}).error().message, name + ": neither start nor start.sh in it");

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/io/whole_file.h"
-#include "orchestration/match/result/event_log.h"
+#include "orchestration/match/result/event_recorder.h"
 #include "orchestration/match/result/match_folder.h"
 #include "tests/support/files.h"
 #include "tests/support/temporary_folder.h"
@@ -26,7 +26,7 @@ MatchResult two_to_one() {
   return result;
 }
 
-TEST(MatchResult, AWinnerNeedsAValidMatch) {
+TEST(MatchResult, HasWinnerOnlyIfValid) {
   MatchResult result = two_to_one();
   EXPECT_EQ(winner(result), "left");
   result.end_reason = EndReason::kCrashed;
@@ -39,7 +39,7 @@ TEST(MatchResult, AWinnerNeedsAValidMatch) {
   EXPECT_EQ(winner(result), "right");
 }
 
-TEST(MatchResult, DocumentHasTheContractsMembers) {
+TEST(MatchResult, WritesMembersOfTheSchema) {
   MatchResult result = two_to_one();
   PlayerResult player;
   player.unum = 1;
@@ -61,13 +61,101 @@ TEST(MatchResult, DocumentHasTheContractsMembers) {
   EXPECT_TRUE(document["log_files"]["rcg"].is_null());
 }
 
-TEST(MatchResult, BytesThatAreNotTextDoNotBreakTheDocument) {
+TEST(MatchResult, ReplacesInvalidUtf8) {
   MatchResult result = two_to_one();
   result.message = "it said \xff\xfe";
   EXPECT_NO_THROW(nlohmann::json::parse(to_json(result)));
 }
 
-TEST(MatchFolder, IsMadeAndRefusalsNameIt) {
+// Every member with a value of its own.
+MatchResult full_result() {
+  MatchResult result = two_to_one();
+  PlayerResult player;
+  player.unum = 1;
+  player.decisions = 100;
+  player.late = 2;
+  player.missed = 3;
+  player.missed_by = {{"deadline", 2}, {"error", 1}};
+  player.reconnects = 4;
+  player.undecided = 5;
+  player.lost_commands = 6;
+  player.late_wakeups = 7;
+  player.rpc_us = {10.4, 20.5, 30.6, 40.7};
+  player.commands = {{"dash", 3}, {"turn", 4}};
+  player.unimplemented_actions = {{"smart_kick", 1}};
+  result.left.endpoint = "mock";
+  result.left.penalty_score = 3;
+  result.right.penalty_score = 2;
+  result.left.cpu_seconds = 1.2345678;
+  result.left.players = {player};
+  result.left.coach = player;
+  result.trainer = player;
+  result.end_reason = EndReason::kServerFailed;
+  result.message = "the server \xff crashed";
+  result.fault = soccer::Side::kNeutral;
+  result.failure = ProcessFailure{"soccer server", "exit code 3", "server.log", {"one", "two"}};
+  result.cycles = 77;
+  result.steps = 78;
+  result.seed = 18446744073709551615u;
+  result.mode = "realtime";
+  result.deterministic = false;
+  result.server_kind = "rcssserver";
+  result.server_version = "19.0.0";
+  result.server_seed = 5;
+  result.server_missed_cycles = 6;
+  result.server_cpu_seconds = 0.5;
+  result.wall_seconds = 7.1239;
+  result.cycles_per_second = 83.27;
+  result.goals = {{17, soccer::Side::kLeft, 9}, {18, soccer::Side::kRight, 0}};
+  result.warnings = {"a warning"};
+  result.processes = {{"soccer server", "rcssserver", "server.log", "exit code 3", 0.25}};
+  result.rcg = "match.rcg";
+  result.rcl = "match.rcl";
+  result.folder = "runs/1";
+  return result;
+}
+
+TEST(MatchResult, RoundTripsThroughItsDocument) {
+  for (const MatchResult& result : {full_result(), two_to_one(), MatchResult()}) {
+    const std::string document = to_json(result);
+    const auto parsed = parse_match_result(document);
+    ASSERT_TRUE(parsed) << parsed.error().message;
+    EXPECT_EQ(to_json(*parsed), document);
+    EXPECT_EQ(parsed->server_seed, result.server_seed);
+  }
+  auto next_version = two_to_one();
+  next_version.cls_version = "9.9.9";
+  EXPECT_EQ(parse_match_result(to_json(next_version))->cls_version, "9.9.9");
+}
+
+TEST(MatchResult, ParsesDocumentsWithMissingMembers) {
+  const auto parsed = parse_match_result(
+      R"({"schema": "cls.match/1", "end_reason": "stalled", "log_files": {"rcg": "a.rcg"}})");
+  ASSERT_TRUE(parsed) << parsed.error().message;
+  EXPECT_EQ(parsed->end_reason, EndReason::kStalled);
+  EXPECT_EQ(parsed->rcg, "a.rcg");
+}
+
+TEST(MatchResult, RejectsOtherDocuments) {
+  for (const char* text :
+       {"", "[1]", "7", "{}", R"({"schema": "cls.match/2", "end_reason": "finished"})",
+        R"({"schema": "cls.match/1"})", R"({"schema": "cls.match/1", "end_reason": "exploded"})",
+        R"({"schema": "cls.match/1", "end_reason": "finished", "cycles": "x"})",
+        R"({"schema": "cls.match/1", "end_reason": "finished", "log_files": 7})"}) {
+    EXPECT_FALSE(parse_match_result(text)) << text;
+  }
+}
+
+TEST(EndReason, NamesParseToTheSameReason) {
+  for (int i = 0; i <= static_cast<int>(EndReason::kInterrupted); ++i) {
+    const auto reason = static_cast<EndReason>(i);
+    EXPECT_EQ(parse_end_reason(name(reason)), reason);
+  }
+  EXPECT_EQ(name(EndReason::kTimedOut), "timed_out");
+  EXPECT_FALSE(parse_end_reason("unknown"));
+}
+
+TEST(MatchFolder, IsCreatedAndNamedInErrors) {
   const tests::TemporaryFolder folder;
   const fs::path base = folder.path();
   MatchOptions options;
@@ -82,7 +170,7 @@ TEST(MatchFolder, IsMadeAndRefusalsNameIt) {
             std::string::npos);
 }
 
-TEST(MatchFolder, TwoMatchesOfOneSecondGetFoldersOfTheirOwn) {
+TEST(MatchFolder, IsDistinctForMatchesInTheSameSecond) {
   const tests::TemporaryFolder base;
   const fs::path before = fs::current_path();
   fs::current_path(base.path());
@@ -95,7 +183,7 @@ TEST(MatchFolder, TwoMatchesOfOneSecondGetFoldersOfTheirOwn) {
   EXPECT_TRUE(first->string().find("Z-l-vs-r") != std::string::npos);
 }
 
-TEST(Manifest, TellsOnlyWhatDiffersFromTheServersDefaults) {
+TEST(Manifest, ListsOnlySettingsThatDifferFromDefaults) {
   MatchOptions options;
   ASSERT_TRUE(apply_setting(options, "server::half_time=10"));
   const auto manifest = nlohmann::json::parse(manifest_json(options, {"l", "r"}, 7));
@@ -106,32 +194,42 @@ TEST(Manifest, TellsOnlyWhatDiffersFromTheServersDefaults) {
   EXPECT_EQ(manifest["settings"], expected);
 }
 
-TEST(MatchOptions, SettingsAndContradictionsAreTold) {
+TEST(MatchOptions, ReportsInvalidSettingsAndRanges) {
   MatchOptions options;
   EXPECT_EQ(apply_setting(options, "half_time=10").error().message,
-            "'half_time=10' is not of the form server::NAME=VALUE");
+            "'half_time=10' must be server::NAME=VALUE or player::NAME=VALUE");
   EXPECT_EQ(apply_setting(options, "sever::half_time=10").error().message,
-            "'sever::half_time=10': the module is server or player, not 'sever'");
+            "'sever::half_time=10': unknown module 'sever'; must be server or player");
   EXPECT_EQ(apply_setting(options, "player::pt_mx=2").error().message,
             "unknown parameter 'pt_mx'; did you mean 'pt_max'?");
-  EXPECT_TRUE(mistakes_in(options).empty());
+  EXPECT_TRUE(validate_options(options).empty());
   options.protocol = 13;
   options.cycles = 0;
-  EXPECT_EQ(mistakes_in(options).size(), 2u);
+  EXPECT_EQ(validate_options(options).size(), 2u);
 }
 
-TEST(EventLog, NumbersItsLines) {
+TEST(EventRecorder, WritesGoalsAndPlayModesInOrderOfTime) {
   base::StringSink sink;
-  EventLog log(sink);
-  log.add(0, "started", {{"seed", 7}});
-  log.add(12, "goal", {{"side", "left"}});
+  EventRecorder events(sink);
+  gamelog::MatchRecord log;
+  log.notes.push_back({0, 13, 0, soccer::PlayMode::kKickOffRight});
+  MatchResult result;
+  result.goals = {{12, soccer::Side::kLeft, 9}};
+  result.cycles = 20;
+  result.left.score = 1;
+  events.start({"A", "B"}, 7);
+  events.read_log(log, result);
+  events.end(result);
   EXPECT_EQ(
       sink.bytes(),
-      "{\"schema\":\"cls.events/1\",\"seq\":0,\"t\":0,\"type\":\"started\",\"seed\":7}\n"
-      "{\"schema\":\"cls.events/1\",\"seq\":1,\"t\":12,\"type\":\"goal\",\"side\":\"left\"}\n");
+      R"({"schema":"cls.events/1","seq":0,"t":0,"type":"started","left":"A","right":"B","seed":7}
+{"schema":"cls.events/1","seq":1,"t":12,"type":"goal","side":"left","unum":9,"score":[1,0]}
+{"schema":"cls.events/1","seq":2,"t":13,"type":"play_mode","mode":"kick_off_r"}
+{"schema":"cls.events/1","seq":3,"t":20,"type":"ended","end_reason":"finished","score":[1,0]}
+)");
 }
 
-TEST(WholeFile, NamesWhatCannotBeWritten) {
+TEST(WholeFile, NamesFileThatCannotBeWritten) {
   tests::TemporaryFolder folder;
   EXPECT_TRUE(base::write_file(folder.path() / "a.json", "{}"));
   EXPECT_EQ(tests::read_file(folder.path() / "a.json"), "{}");

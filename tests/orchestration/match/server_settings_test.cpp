@@ -1,4 +1,4 @@
-// Settings of a server that runs alone, its logs and its report.
+// Settings, logs and report of `cls server`.
 #include "orchestration/match/options/server_settings.h"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ void write(const std::filesystem::path& path, const std::string& text) {
   std::ofstream(path) << text;
 }
 
-TEST(ServerSettings, LaterWordsWin) {
+TEST(ServerSettings, LaterArgumentsOverrideEarlierOnes) {
   ServerSettings settings;
   ASSERT_TRUE(apply_arguments(
       settings, {"server::half_time=100", "--server::synch_mode=on", "server::half_time", "=", "50",
@@ -34,7 +34,7 @@ TEST(ServerSettings, LaterWordsWin) {
   EXPECT_EQ(settings.max_missed, 3);
 }
 
-TEST(ServerSettings, FilesIncludeOthersAndNameTheirMistakes) {
+TEST(ServerSettings, ReportsFileAndLineOfErrorsInIncludedFiles) {
   TemporaryFolder folder;
   const std::filesystem::path here = folder.path();
   write(here / "server.conf", "server::version = '19.0.0'\nserver::half_time = 7\n");
@@ -54,17 +54,17 @@ TEST(ServerSettings, FilesIncludeOthersAndNameTheirMistakes) {
             (here / "player.conf").string() + ":1: " + (here / "more.conf").string() +
                 ":2: unknown parameter 'player_type'; did you mean 'player_types'?");
   write(here / "player.conf", "include = 'player.conf'\n");
-  EXPECT_NE(apply_folder(settings, here).error().message.find("include each other"),
+  EXPECT_NE(apply_folder(settings, here).error().message.find("circular include"),
             std::string::npos);
   write(here / "server.conf", "server::version = '18.1.0'\n");
   EXPECT_EQ(apply_folder(settings, here).error().message,
             (here / "server.conf").string() + ":1: a configuration of version 18.1.0, not 19.0.0");
 }
 
-TEST(ServerSettings, MistakesAreNamed) {
+TEST(ServerSettings, ReportsInvalidArguments) {
   const std::pair<const char*, const char*> mistakes[] = {
       {"server::no_such=1", "unknown parameter 'no_such'"},
-      {"trainer::a=1", "'a': the module is server, player, CSVSaver or sync, not 'trainer'"},
+      {"trainer::a=1", "'a': must begin with server, player, CSVSaver or sync, not 'trainer'"},
       {"server::half_time=long", "parameter 'half_time': 'long' is not a whole number"},
       {"sync::max_wait_ms=0", "parameter 'max_wait_ms': 0 is too small"},
       {"include=/no/such.conf", "cannot read /no/such.conf"},
@@ -85,7 +85,7 @@ gamelog::TeamFrames result_3_1() {
   return teams;
 }
 
-TEST(ServerLogs, AreNamedAfterTheMatchAtItsEnd) {
+TEST(ServerLogs, AreRenamedAtTheEndOfTheMatch) {
   TemporaryFolder folder;
   const std::filesystem::path here = folder.path();
   soccer::ServerParams params;
@@ -104,7 +104,7 @@ TEST(ServerLogs, AreNamedAfterTheMatchAtItsEnd) {
   EXPECT_FALSE(std::filesystem::exists(here / "new/incomplete.rcg.gz"));
 }
 
-TEST(ServerLogs, MayKeepTheirNameOrNotBe) {
+TEST(ServerLogs, KeepFixedNamesAndCanBeDisabled) {
   TemporaryFolder folder;
   soccer::ServerParams params;
   params.game_log_dir = folder.path();
@@ -119,7 +119,7 @@ TEST(ServerLogs, MayKeepTheirNameOrNotBe) {
   EXPECT_EQ(logs->paths()[0].filename(), "mine.rcg");
 }
 
-TEST(ServerReport, IsThatOfTheRealServer) {
+TEST(ServerReport, MatchesRcssserver) {
   setenv("TZ", "UTC", 1);
   ServerReport report;
   report.start = 1795207137;  // 2026-11-20 20:38:57

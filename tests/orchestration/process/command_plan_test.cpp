@@ -1,4 +1,4 @@
-// Plans: the line a user could type, and which file a program name means.
+// Plans as shell commands, encoding, and the search for programs.
 #include "orchestration/process/command_plan.h"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-TEST(CommandPlan, QuotesWhatTheShellWouldChange) {
+TEST(CommandPlan, QuotesSpecialCharacters) {
   EXPECT_EQ(shell_quoted("server::port=6000"), "server::port=6000");
   EXPECT_EQ(shell_quoted("two words"), "'two words'");
   EXPECT_EQ(shell_quoted(""), "''");
@@ -26,7 +26,7 @@ TEST(CommandPlan, QuotesWhatTheShellWouldChange) {
   EXPECT_EQ(shell_quoted("*"), "'*'");
 }
 
-TEST(CommandPlan, IsOneLineThatDoesTheSame) {
+TEST(CommandPlan, FormatsEquivalentShellCommand) {
   CommandPlan plan;
   plan.argv = {"/opt/my team/start", "localhost", "1"};
   EXPECT_EQ(to_shell(plan), "'/opt/my team/start' localhost 1");
@@ -39,7 +39,7 @@ TEST(CommandPlan, IsOneLineThatDoesTheSame) {
   EXPECT_EQ(to_shell(shell_command("x", "sleep 1; echo done")), "/bin/sh -c 'sleep 1; echo done'");
 }
 
-TEST(CommandPlan, TravelsToTheGuardWhole) {
+TEST(CommandPlan, DecodesWhatWasEncoded) {
   CommandPlan plan;
   plan.name = "right coach";
   plan.argv = {"a", "", "c d", "\xff\n"};
@@ -53,7 +53,7 @@ TEST(CommandPlan, TravelsToTheGuardWhole) {
   EXPECT_FALSE(decode_plan(encode(CommandPlan{})));
 }
 
-TEST(CommandPlan, FindsProgramsAndSaysWhyNot) {
+TEST(CommandPlan, FindsProgramsAndReportsWhyNot) {
   EXPECT_EQ(find_program("sh")->filename(), "sh");
   EXPECT_EQ(find_program("rcssserver-from-nowhere").error().message,
             "rcssserver-from-nowhere: no such program on PATH");
@@ -69,7 +69,7 @@ TEST(CommandPlan, FindsProgramsAndSaysWhyNot) {
   EXPECT_EQ(find_program("").error().message, "no program to start");
 }
 
-TEST(ProcessExit, IsToldByCodeOrNameOfTheSignal) {
+TEST(ProcessExit, FormatsExitCodeOrSignalName) {
   EXPECT_EQ(to_text(ProcessExit{false, 3}), "exit code 3");
   EXPECT_EQ(to_text(ProcessExit{true, SIGSEGV}), "killed by SIGSEGV");
   EXPECT_EQ(to_text(ProcessExit{false, 139}), "exit code 139 (128 + SIGSEGV)");

@@ -1,4 +1,4 @@
-// Whatever happens to cls or to its guard, nothing that was started survives.
+// However cls or its guard exits, no started process survives.
 #include <gtest/gtest.h>
 #include <signal.h>
 
@@ -20,10 +20,11 @@ namespace {
 
 using namespace std::chrono_literals;
 
-// A stand-in for cls (tests/fakes/process_driver.cpp) with children of its own, below our guard.
+// A stand-in for cls (tests/fakes/process_driver.cpp) with its own children, below the test's
+// guard.
 class GuardDeath : public testing::Test {
  protected:
-  // `before`: actions of the fake process that spoil what the driver inherits.
+  // `before`: actions of the fake process that change what the driver inherits.
   void start(std::vector<std::string> arguments, std::vector<std::string> before = {}) {
     before.push_back("exec");
     before.push_back(tests::built("cls_process_driver"));
@@ -48,14 +49,14 @@ class GuardDeath : public testing::Test {
   std::shared_ptr<Child> driver_;
 };
 
-TEST_F(GuardDeath, KillNineOfClsLeavesNothingAfterTwoSeconds) {
+TEST_F(GuardDeath, LeavesNoProcess2sAfterKillNineOfCls) {
   start(usual_children());
   ASSERT_GT(tests::marked_processes(processes_.mark).size(), 8U);
   ::kill(driver_->status().pid, SIGKILL);
   EXPECT_TRUE(processes_.nothing_left(2s));
 }
 
-TEST_F(GuardDeath, WorksWithSpoiltSignalsAndClosedStreams) {
+TEST_F(GuardDeath, WorksWithIgnoredSignalsAndClosedStreams) {
   const tests::TemporaryFolder folder;
   const std::filesystem::path seen = folder.path() / "seen";
   std::vector<std::string> children = usual_children();
@@ -71,7 +72,7 @@ TEST_F(GuardDeath, WorksWithSpoiltSignalsAndClosedStreams) {
   EXPECT_TRUE(processes_.nothing_left(2s));
 }
 
-TEST_F(GuardDeath, AnOrderlyReturnLeavesNothingAtAll) {
+TEST_F(GuardDeath, LeavesNoProcessAfterNormalExit) {
   std::vector<std::string> arguments = usual_children();
   arguments.push_back("return");
   start(arguments, {"spoil-signals", "close", "0"});
@@ -80,27 +81,27 @@ TEST_F(GuardDeath, AnOrderlyReturnLeavesNothingAtAll) {
   EXPECT_TRUE(processes_.nothing_left());
 }
 
-TEST_F(GuardDeath, AKilledGuardDoesNotFreeTheChildren) {
+TEST_F(GuardDeath, TerminatesChildrenWhenGuardIsKilled) {
   start(usual_children());
   ::kill(guard_pid(), SIGKILL);
   ::kill(driver_->status().pid, SIGKILL);
   EXPECT_TRUE(processes_.nothing_left(2s));
 }
 
-TEST_F(GuardDeath, TermToEveryProcessAtOnceLeavesNothing) {
+TEST_F(GuardDeath, LeavesNoProcessAfterSigtermToAll) {
   start(usual_children());
   for (const int pid : tests::marked_processes(processes_.mark)) ::kill(pid, SIGTERM);
   EXPECT_TRUE(processes_.nothing_left(2s));
 }
 
-TEST_F(GuardDeath, EndingTheOuterChildEndsTheInnerTree) {
+TEST_F(GuardDeath, TerminatesInnerTreeWithOuterChild) {
   start(usual_children());
   driver_->end(1s);
   EXPECT_TRUE(driver_->wait_gone(3s));
   EXPECT_TRUE(processes_.nothing_left());
 }
 
-TEST_F(GuardDeath, TheGuardHoldsNoFileOfTheUsers) {
+TEST_F(GuardDeath, KeepsNoInheritedFileOpen) {
   start({fake_line("hang")});
   const std::string folder = "/proc/" + std::to_string(guard_pid()) + "/fd";
   int sockets = 0;

@@ -1,4 +1,4 @@
-// Output of processes: repetitions, the size limit, and what may be shown.
+// Output of processes: repetitions, size limit, printable characters.
 #include "orchestration/process/output_log.h"
 
 #include <fcntl.h>
@@ -15,7 +15,8 @@ namespace {
 class OutputLogTest : public testing::Test {
  protected:
   OutputLog open(std::size_t limit = 1 << 20) {
-    return OutputLog(UniqueFd(::open(path().c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666)), limit);
+    return OutputLog(base::UniqueFd(::open(path().c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666)),
+                     limit);
   }
   std::filesystem::path path() const { return folder_.path() / "x.log"; }
   std::string written() const { return tests::read_file(path()); }
@@ -24,7 +25,7 @@ class OutputLogTest : public testing::Test {
   tests::TemporaryFolder folder_;
 };
 
-TEST_F(OutputLogTest, KeepsLinesHoweverTheyArrive) {
+TEST_F(OutputLogTest, JoinsLinesFromAnyChunks) {
   OutputLog log = open();
   for (const char* piece : {"on", "e\ntwo\r\n", "", "\nfour"}) log.add(piece);
   EXPECT_EQ(log.last_lines(), (std::vector<std::string>{"one", "two", "", "four"}));
@@ -32,7 +33,7 @@ TEST_F(OutputLogTest, KeepsLinesHoweverTheyArrive) {
   EXPECT_EQ(written(), "one\ntwo\n\nfour\n");
 }
 
-TEST_F(OutputLogTest, CollapsesARepeatedLine) {
+TEST_F(OutputLogTest, CollapsesRepeatedLines) {
   OutputLog log = open();
   log.add("start\n");
   for (int i = 0; i < 2310; ++i) log.add("cannot open formation.conf\n");
@@ -44,7 +45,7 @@ TEST_F(OutputLogTest, CollapsesARepeatedLine) {
             (std::vector<std::string>{"cannot open formation.conf ×2310", "go on", "again ×3"}));
 }
 
-TEST_F(OutputLogTest, StopsAtItsLimitAndKeepsTheEnd) {
+TEST_F(OutputLogTest, StopsAtSizeLimitAndStoresLastLines) {
   OutputLog log = open(1000);
   for (int i = 1; i <= 5000; ++i) log.add("line " + std::to_string(i) + "\n");
   EXPECT_LE(written().size(), 1000U);
@@ -53,8 +54,8 @@ TEST_F(OutputLogTest, StopsAtItsLimitAndKeepsTheEnd) {
   EXPECT_EQ(text.substr(0, 7), "line 1\n");
   EXPECT_LT(text.size(), 3000U);
   EXPECT_NE(text.find("\nline 5000\n"), std::string::npos);
-  EXPECT_EQ(log.last_lines().size(), OutputLog::kKeptLines);
-  // Every line is either there or counted.
+  EXPECT_EQ(log.last_lines().size(), OutputLog::kMaxLastLines);
+  // Every line is either written or counted.
   const std::size_t mark = text.find("[size limit of this log: ");
   ASSERT_NE(mark, std::string::npos);
   const std::size_t left_out = std::stoul(text.substr(mark + 25));
@@ -64,15 +65,15 @@ TEST_F(OutputLogTest, StopsAtItsLimitAndKeepsTheEnd) {
   EXPECT_EQ(left_out + lines_in(text) - 1, 5000U);
 }
 
-TEST_F(OutputLogTest, CutsALineWithoutEnd) {
+TEST_F(OutputLogTest, TruncatesLongLines) {
   OutputLog log = open();
   for (int i = 0; i < 1000; ++i) log.add(std::string(1000, 'x'));
   log.add("\nshort\n");
   log.finish();
-  EXPECT_EQ(written(), std::string(OutputLog::kMaxLine, 'x') + "\nshort\n");
+  EXPECT_EQ(written(), std::string(OutputLog::kMaxLineBytes, 'x') + "\nshort\n");
 }
 
-TEST_F(OutputLogTest, ShowsOnlyWhatATerminalAndJsonCanTake) {
+TEST_F(OutputLogTest, ReplacesUnprintableCharacters) {
   OutputLog log = open();
   log.add("\x1b[31mred\x1b[0m\ttab \xff\xc3\xa9 \xed\xa0\x80\n");
   EXPECT_EQ(log.last_lines(), (std::vector<std::string>{"?[31mred?[0m tab ?é ???"}));
@@ -81,17 +82,17 @@ TEST_F(OutputLogTest, ShowsOnlyWhatATerminalAndJsonCanTake) {
   EXPECT_EQ(printable("\xe2\x82"), "??");
 }
 
-TEST_F(OutputLogTest, RemembersThatTheDiskWasFull) {
-  OutputLog log(UniqueFd(::open("/dev/full", O_WRONLY)), 1000);
+TEST_F(OutputLogTest, ReportsFullDisk) {
+  OutputLog log(base::UniqueFd(::open("/dev/full", O_WRONLY)), 1000);
   log.add("a\nb\n");
   log.finish();
   EXPECT_EQ(log.error(), ENOSPC);
   EXPECT_EQ(log.last_lines().size(), 2U);
 }
 
-TEST_F(OutputLogTest, TellsEachLineAsItComes) {
+TEST_F(OutputLogTest, CallsBackForEachLine) {
   std::vector<std::string> seen;
-  OutputLog log(UniqueFd(), 0, [&](std::string_view line) { seen.emplace_back(line); });
+  OutputLog log(base::UniqueFd(), 0, [&](std::string_view line) { seen.emplace_back(line); });
   log.add("a\na\nb");
   EXPECT_EQ(seen, (std::vector<std::string>{"a", "a"}));
   log.finish();

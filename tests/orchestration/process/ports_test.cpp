@@ -1,4 +1,4 @@
-// Ports: chosen ones are free and nobody else's, taken ones are told with their owner.
+// Free ports, reserved ports, and owners of ports in use.
 #include "orchestration/process/ports.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 namespace cls::orchestration::process {
 namespace {
 
-TEST(Ports, ChosenOnesDifferAndAreFree) {
+TEST(Ports, ChoosesDistinctFreePorts) {
   const auto ports = ReservedPort::choose(30);
   ASSERT_TRUE(ports);
   std::set<int> numbers;
@@ -24,7 +24,7 @@ TEST(Ports, ChosenOnesDifferAndAreFree) {
   EXPECT_LT(*numbers.rbegin(), 32768);
 }
 
-TEST(Ports, ATakenOneIsToldWithItsOwner) {
+TEST(Ports, ReportsOwnerOfPortInUse) {
   MarkedHost processes;
   const auto ports = ReservedPort::choose(2);
   ASSERT_TRUE(ports);
@@ -49,7 +49,7 @@ TEST(Ports, ATakenOneIsToldWithItsOwner) {
   EXPECT_TRUE(tcp_answers("localhost", tcp, 1000));
 }
 
-TEST(Ports, AnswersAreNotWaitedForLongerThanAsked) {
+TEST(Ports, LimitsWaitForTcpConnection) {
   EXPECT_FALSE(tcp_answers("no.such.host.invalid", 1, 100));
   EXPECT_FALSE(tcp_answers("[::1]", 1, 100));
 }

@@ -1,4 +1,4 @@
-// Children: how they are started, what is told of them, and that ending one ends all of it.
+// Children: start, status, output, and termination with all descendants.
 #include "orchestration/process/process_host.h"
 
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ using namespace std::chrono_literals;
 using Lines = std::vector<std::string>;
 using Clock = std::chrono::steady_clock;
 
-// Everything a fake prints until it ends by itself.
+// The output of a fake until its exit.
 Lines output_of(std::vector<std::string> actions) {
   MarkedHost processes;
   const auto child = processes.start_fake(std::move(actions));
@@ -39,7 +39,7 @@ std::string error_of_start(const CommandPlan& plan) {
   return child ? "started" : child.error().message;
 }
 
-TEST(ProcessHost, TellsExitCodeAndLastWords) {
+TEST(ProcessHost, ReportsExitCodeAndLastOutputLines) {
   MarkedHost processes;
   const auto child = processes.start_fake({"print", "hello", "print-error", "oh", "exit", "3"});
   ASSERT_TRUE(child->wait_exit(10s));
@@ -51,7 +51,7 @@ TEST(ProcessHost, TellsExitCodeAndLastWords) {
   EXPECT_TRUE(child->wait_gone(1s));
 }
 
-TEST(ProcessHost, TellsSignalsByName) {
+TEST(ProcessHost, ReportsSignalNames) {
   MarkedHost processes;
   for (const int number : {SIGSEGV, SIGABRT, SIGKILL, SIGTERM}) {
     const auto child = processes.start_fake({"signal", std::to_string(number)});
@@ -60,7 +60,7 @@ TEST(ProcessHost, TellsSignalsByName) {
   }
 }
 
-TEST(ProcessHost, SaysWhyAProgramCannotBeStarted) {
+TEST(ProcessHost, ReportsWhyProgramCannotBeStarted) {
   const tests::TemporaryFolder folder;
   CommandPlan plan = fake({});
   plan.argv.front() = "no-such-program";
@@ -84,7 +84,7 @@ TEST(ProcessHost, SaysWhyAProgramCannotBeStarted) {
   EXPECT_EQ(error_of_start(plan), "cannot start the fake: the command line is too long");
 }
 
-TEST(ProcessHost, RunsScriptsWithoutAFirstLineAsShellsDo) {
+TEST(ProcessHost, RunsScriptsWithoutShebangLikeShells) {
   const tests::TemporaryFolder folder;
   const std::filesystem::path script = folder.path() / "start";
   std::ofstream(script) << "echo \"$1 and $2\"\n";
@@ -98,14 +98,14 @@ TEST(ProcessHost, RunsScriptsWithoutAFirstLineAsShellsDo) {
   EXPECT_EQ(child->last_lines(), Lines{"one and 2 3"});
 }
 
-TEST(ProcessHost, GivesChildrenACleanStart) {
+TEST(ProcessHost, StartsChildrenWithDefaultSignalsAndNoExtraDescriptors) {
   EXPECT_EQ(output_of({"print-fds"}), Lines{"fds: 0 1 2"});
   EXPECT_EQ(output_of({"print-signals"}), Lines{"signals:"});
   EXPECT_EQ(output_of({"print-group"}), Lines{"leader"});
   EXPECT_EQ(output_of({"print-input"}), Lines{"no input"});
 }
 
-TEST(ProcessHost, HandsOnArgumentsFolderEnvironmentAndProcessors) {
+TEST(ProcessHost, PassesArgumentsFolderEnvironmentAndAffinity) {
   const tests::TemporaryFolder folder;
   ::setenv("CLS_TEST_INHERITED", "1", 1);
   MarkedHost processes;
@@ -123,7 +123,7 @@ TEST(ProcessHost, HandsOnArgumentsFolderEnvironmentAndProcessors) {
                    "value: x y", "cpus: 0"}));
 }
 
-TEST(ProcessHost, WritesALogForEachChild) {
+TEST(ProcessHost, WritesLogOfEachChild) {
   const tests::TemporaryFolder folder;
   MarkedHost processes;
   CommandPlan plan = fake({"print", "one", "repeat", "1000", "again", "print-part", "end"});
@@ -138,7 +138,7 @@ TEST(ProcessHost, WritesALogForEachChild) {
   EXPECT_EQ(unlucky->log_error(), "writing /dev/full failed: No space left on device");
 }
 
-TEST(ProcessHost, EndsAChildThatObeysAtOnce) {
+TEST(ProcessHost, StopsChildThatExitsOnSigterm) {
   MarkedHost processes;
   const auto child = processes.start_fake({"exit-on-term", "print", "up", "hang"});
   ASSERT_TRUE(saw_line(*child, "up"));
@@ -150,7 +150,7 @@ TEST(ProcessHost, EndsAChildThatObeysAtOnce) {
   EXPECT_TRUE(processes.nothing_left());
 }
 
-TEST(ProcessHost, KillsAChildThatIgnoresSigtermAfterTheGrace) {
+TEST(ProcessHost, KillsChildThatIgnoresSigtermAfterGrace) {
   MarkedHost processes;
   const auto child = processes.start_fake({"ignore-term", "print", "up", "hang"});
   ASSERT_TRUE(saw_line(*child, "up"));
@@ -163,7 +163,7 @@ TEST(ProcessHost, KillsAChildThatIgnoresSigtermAfterTheGrace) {
   EXPECT_TRUE(processes.nothing_left());
 }
 
-TEST(ProcessHost, EndsAStoppedChild) {
+TEST(ProcessHost, TerminatesStoppedChild) {
   MarkedHost processes;
   const auto child = processes.start_fake({"print", "up", "stop", "hang"});
   ASSERT_TRUE(saw_line(*child, "up"));
@@ -172,7 +172,7 @@ TEST(ProcessHost, EndsAStoppedChild) {
   EXPECT_EQ(to_text(*child->status().exit), "killed by SIGTERM");
 }
 
-TEST(ProcessHost, EndsWhatLeftItsSessionAndItsParent) {
+TEST(ProcessHost, TerminatesDaemonizedDescendants) {
   MarkedHost processes;
   const auto child = processes.start_fake(
       {"grandchild", "stubborn-grandchild", "grandchild", "print", "up", "hang"});
@@ -183,7 +183,7 @@ TEST(ProcessHost, EndsWhatLeftItsSessionAndItsParent) {
   EXPECT_TRUE(processes.nothing_left());
 }
 
-TEST(ProcessHost, TellsAScriptThatReturnsFromOneThatLeavesWorkers) {
+TEST(ProcessHost, DistinguishesScriptThatLeavesWorkersFromExit) {
   MarkedHost processes;
   const auto child = processes.start_fake({"grandchild", "exit", "0"});
   ASSERT_TRUE(child->wait_exit(10s));
@@ -197,7 +197,7 @@ TEST(ProcessHost, TellsAScriptThatReturnsFromOneThatLeavesWorkers) {
   EXPECT_TRUE(processes.nothing_left());
 }
 
-TEST(ProcessHost, AFailedScriptHasEndedWhateverItLeft) {
+TEST(ProcessHost, TreatsFailedScriptAsEndedDespiteWorkers) {
   MarkedHost processes;
   const auto child = processes.start_fake({"grandchild", "exit", "2"});
   ASSERT_TRUE(child->wait_exit(10s));
@@ -205,7 +205,7 @@ TEST(ProcessHost, AFailedScriptHasEndedWhateverItLeft) {
   EXPECT_TRUE(has_ended(child->status()));
 }
 
-TEST(ProcessHost, EndsGentlyFirstTheProgramThenTheRest) {
+TEST(ProcessHost, TerminatesProgramBeforeDescendantsWhenGentle) {
   MarkedHost processes;
   // The shell waits for its worker, so a signal to the shell alone leaves the worker.
   const std::string worker = tests::built("cls_fake_process");
@@ -219,7 +219,7 @@ TEST(ProcessHost, EndsGentlyFirstTheProgramThenTheRest) {
   EXPECT_TRUE(processes.nothing_left());
 }
 
-TEST(ProcessHost, DroppingAChildEndsIt) {
+TEST(ProcessHost, TerminatesChildOnDestruction) {
   MarkedHost processes;
   auto child = processes.start_fake({"grandchild", "print", "up", "hang"});
   ASSERT_TRUE(saw_line(*child, "up"));
@@ -227,7 +227,7 @@ TEST(ProcessHost, DroppingAChildEndsIt) {
   EXPECT_TRUE(processes.nothing_left(2s));
 }
 
-TEST(ProcessHost, DestroyingTheHostEndsAllChildrenAndTheyKnow) {
+TEST(ProcessHost, TerminatesAllChildrenOnDestruction) {
   std::shared_ptr<Child> child;
   std::string mark;
   {
@@ -242,7 +242,7 @@ TEST(ProcessHost, DestroyingTheHostEndsAllChildrenAndTheyKnow) {
   EXPECT_EQ(to_text(*child->status().exit), "killed by SIGKILL");
 }
 
-TEST(ProcessHost, EndsManyAtOnce) {
+TEST(ProcessHost, TerminatesManyChildrenConcurrently) {
   MarkedHost processes;
   std::vector<std::shared_ptr<Child>> children;
   for (int i = 0; i < 26; ++i) {
@@ -255,7 +255,7 @@ TEST(ProcessHost, EndsManyAtOnce) {
   EXPECT_TRUE(processes.nothing_left());
 }
 
-TEST(ProcessHost, SurvivesAFloodAndStaysWithinTheLogsLimit) {
+TEST(ProcessHost, LimitsLogOfFloodingChild) {
   const tests::TemporaryFolder folder;
   MarkedHost processes;
   auto host = ProcessHost::create(100'000);
@@ -275,7 +275,7 @@ TEST(ProcessHost, SurvivesAFloodAndStaysWithinTheLogsLimit) {
   EXPECT_TRUE(processes.nothing_left());
 }
 
-TEST(ProcessHost, CountsTheProcessorTimeOfTheWholeTree) {
+TEST(ProcessHost, MeasuresCpuTimeOfAllDescendants) {
   MarkedHost processes;
   const auto child = processes.start_fake(
       {"burn", "0.2", "burning-child", "0.3", "print", "half", "sleep", "0.3", "burn", "0.2"});
@@ -288,7 +288,7 @@ TEST(ProcessHost, CountsTheProcessorTimeOfTheWholeTree) {
   EXPECT_LE(child->cpu_seconds(), 0.9);
 }
 
-TEST(ProcessHost, TellsReadinessFromAnEarlyEnd) {
+TEST(ProcessHost, DistinguishesReadinessFromEarlyExit) {
   MarkedHost processes;
   std::atomic<int> stop{0};
   const auto never = [] { return false; };
@@ -300,7 +300,7 @@ TEST(ProcessHost, TellsReadinessFromAnEarlyEnd) {
   EXPECT_EQ(wait_until_ready(*hangs, never, 10s, stop), Readiness::kInterrupted);
 }
 
-TEST(ProcessHost, CallsBackForEveryLine) {
+TEST(ProcessHost, CallsBackForEachLine) {
   MarkedHost processes;
   std::atomic<int> lines{0};
   const auto child = processes.start(fake({"repeat", "500", "x", "count", "500"}),
@@ -309,7 +309,7 @@ TEST(ProcessHost, CallsBackForEveryLine) {
   EXPECT_EQ(lines.load(), 1000);
 }
 
-TEST(ProcessHost, AKilledKeeperTakesItsProgramAlong) {
+TEST(ProcessHost, KillsProgramWithItsKeeper) {
   MarkedHost processes;
   const auto child = processes.start_fake({"grandchild", "print", "up", "hang"});
   ASSERT_TRUE(saw_line(*child, "up"));
@@ -323,11 +323,11 @@ TEST(ProcessHost, AKilledKeeperTakesItsProgramAlong) {
   ASSERT_TRUE(child->wait_gone(5s));
   EXPECT_TRUE(processes.nothing_left(2s));
   EXPECT_EQ(to_text(*child->status().exit), "killed by SIGKILL");
-  // Others can still be started.
+  // Other programs can still be started.
   EXPECT_TRUE(processes.start_fake({"exit", "0"})->wait_gone(5s));
 }
 
-TEST(ProcessHost, LeavesNoDescriptorsBehind) {
+TEST(ProcessHost, ClosesAllDescriptors) {
   const auto open_fds = [] {
     return std::distance(std::filesystem::directory_iterator("/proc/self/fd"), {});
   };

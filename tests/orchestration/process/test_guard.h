@@ -1,4 +1,4 @@
-// What the process tests share: the guard of the test program, and the fakes.
+// Shared by the process tests: the guard of the test program, and the fakes.
 #pragma once
 
 #include <chrono>
@@ -24,7 +24,7 @@ class MarkedHost {
   std::shared_ptr<Child> start(CommandPlan plan, ProcessHost::OnLine on_line = {});
   std::shared_ptr<Child> start_fake(std::vector<std::string> actions);
 
-  /// Nothing that was started here is alive.
+  /// No process that was started here is running.
   bool nothing_left(std::chrono::milliseconds limit = std::chrono::milliseconds(0)) const;
 };
 

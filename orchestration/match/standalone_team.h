@@ -1,4 +1,4 @@
-// A team of ours on a soccer server that somebody else runs.
+// A cls team on an external soccer server (`cls proxy`).
 #pragma once
 
 #include <atomic>
@@ -15,21 +15,21 @@
 
 namespace cls::orchestration::match {
 
-struct LoneTeamOptions {
+struct StandaloneTeamOptions {
   std::string server_host = "localhost";
   int server_port = 6000;
   int coach_port = 0;    ///< 0: no coach
   int trainer_port = 0;  ///< 0: no trainer
   proxy::GrpcTarget playmaker;
-  bool add_20_for_right = false;  ///< a team on the right asks at ports that are 20 higher
+  bool add_20_for_right = false;  ///< ports of the Playmaker of a team on the right are 20 higher
   proxy::TeamOptions team;
-  double start_timeout_s = 20.0;  ///< until the server must answer
-  /// Called once, when the players are on the pitch and the Playmaker knows them; may be empty.
+  double start_timeout_s = 20.0;  ///< limit for the server to accept the team
+  /// Called once, when the players are on the pitch and registered; may be empty.
   std::function<void(const proxy::Team&)> on_ready;
 };
 
-/// What a team came to; the score as it heard it.
-struct LoneTeamResult {
+/// The end of a team's match; the score as the team heard it.
+struct StandaloneTeamResult {
   EndReason end_reason = EndReason::kFinished;
   std::string message;  ///< why not finished
   int signal = 0;
@@ -41,10 +41,12 @@ struct LoneTeamResult {
 };
 
 /// The document `cls.proxy/1`, indented, with a newline at its end.
-std::string to_json(const LoneTeamOptions& options, const LoneTeamResult& result);
+std::string to_json(const StandaloneTeamOptions& options, const StandaloneTeamResult& result);
 
-/// Waits for the server, joins, plays until the match is over and the server silent, leaves.
-LoneTeamResult run_lone_team(const LoneTeamOptions& options, MatchObserver& observer,
-                             const std::atomic<int>& stop_signal);
+/// Waits for the server, joins, plays until the match is over and the server stops responding,
+/// leaves. A match with one side: see Match.
+StandaloneTeamResult run_standalone_team(const StandaloneTeamOptions& options,
+                                         MatchObserver& observer,
+                                         const std::atomic<int>& stop_signal);
 
 }  // namespace cls::orchestration::match

@@ -4,32 +4,34 @@
 #include <atomic>
 #include <chrono>
 #include <optional>
+#include <string>
 
 #include "orchestration/match/options/match_options.h"
 #include "orchestration/match/result/end_reason.h"
 
 namespace cls::orchestration::match {
 
-/// Looked at while the match's thread waits for the sides.
-class DeadlineWatch {
+/// Polled by the match's thread.
+class MatchLimits {
  public:
   using Clock = std::chrono::steady_clock;
 
-  DeadlineWatch(const MatchOptions& options, const std::atomic<int>& stop_signal)
+  /// The start limit and the time limit count from here. Both must outlive the object.
+  MatchLimits(const MatchOptions& options, const std::atomic<int>& stop_signal)
       : options_(options), stop_signal_(stop_signal) {}
 
-  /// A new cycle has begun: the stall limit counts from here; before the first one the start
-  /// limit does, from the creation of the watch.
-  void cycle_begins() { last_cycle_ = Clock::now(); }
+  /// A new cycle has begun: the stall limit counts from here, and replaces the start limit.
+  void begin_cycle() { last_cycle_ = Clock::now(); }
 
-  /// Why the match has to end now; nothing while it may go on.
+  /// Why the match has to end now; nothing while it may continue.
   std::optional<EndReason> exceeded() const;
+  /// The message for that reason.
+  std::string describe(EndReason reason) const;
 
-  /// True when a signal to end the match is there or comes within `time`: waits for it.
+  /// True when a signal has been received or is received within `time`, which this waits for.
   bool interrupted_within(std::chrono::milliseconds time) const;
 
-  int signal() const { return stop_signal_.load(); }
-  double seconds_since_start() const;
+  const std::atomic<int>& signal() const { return stop_signal_; }
 
  private:
   const MatchOptions& options_;

@@ -1,0 +1,159 @@
+// One constructor of sides for each kind of server.
+#include "orchestration/match/match_setup.h"
+
+#include <array>
+#include <utility>
+
+#include "orchestration/match/sides/external_side.h"
+#include "orchestration/match/sides/lockstep_agents.h"
+#include "orchestration/match/sides/network_agents.h"
+
+namespace cls::orchestration::match {
+namespace {
+
+using base::Result;
+using soccer::Side;
+using Sides = std::vector<std::unique_ptr<MatchSide>>;
+
+std::vector<Side> sides_of(const MatchOptions& options) {
+  std::vector<Side> sides = {Side::kLeft, Side::kRight};
+  if (options.trainer) sides.push_back(Side::kNeutral);
+  return sides;
+}
+
+const Endpoint& endpoint_of(const MatchOptions& options, Side side) {
+  if (side == Side::kNeutral) return *options.trainer;
+  return side == Side::kLeft ? options.left : options.right;
+}
+
+SideSetup side_setup(const MatchSetup& setup, Side side) {
+  SideSetup result;
+  result.side = side;
+  result.name = side == Side::kRight ? setup.names.right : setup.names.left;
+  result.seed = setup.seed;
+  result.folder = setup.folder;
+  result.host = setup.host;
+  if (side == Side::kLeft) result.cpus = setup.options.left_cpus;
+  if (side == Side::kRight) result.cpus = setup.options.right_cpus;
+  return result;
+}
+
+SideIdentity identity_of(const MatchSetup& setup, Side side) {
+  return {side, side == Side::kNeutral ? "trainer" : side_setup(setup, side).name,
+          endpoint_of(setup.options, side).text};
+}
+
+// Plans of the external teams, with the port that the server has opened for them.
+Result<std::array<std::optional<TeamPlan>, 2>> plan_external_teams(const MatchSetup& setup,
+                                                                   EmbeddedServer& server) {
+  constexpr const char* kHost = "127.0.0.1";
+  std::array<std::optional<TeamPlan>, 2> plans;
+  bool takes_ports = true;
+  ServerPorts ports;
+  // The first round shows whether the start scripts take ports, the second one uses them.
+  for (const bool opened : {false, true}) {
+    for (const Side side : {Side::kLeft, Side::kRight}) {
+      const Endpoint& endpoint = endpoint_of(setup.options, side);
+      if (endpoint.kind != Endpoint::Kind::kTeam) continue;
+      TeamValues values = team_values(setup.options, setup.names, side, kHost, ports, setup.folder);
+      values.coach = false;
+      auto plan = team_plan(endpoint.path, values);
+      if (!plan) return plan.error();
+      takes_ports = takes_ports && plan->takes_ports;
+      plans[side == Side::kLeft ? 0 : 1] = *std::move(plan);
+      server.expect_external_team(side);
+    }
+    if (opened || (!plans[0] && !plans[1])) break;
+    const auto chosen = server.open_player_port(takes_ports);
+    if (!chosen) return chosen.error();
+    ports = *chosen;
+  }
+  return plans;
+}
+
+ExternalSide::OnOtherName on_other_name(const MatchOptions& options, Side side) {
+  const std::string& wanted = side == Side::kLeft ? options.left_name : options.right_name;
+  return wanted.empty() || options.own_names ? ExternalSide::OnOtherName::kWarn
+                                             : ExternalSide::OnOtherName::kRefuse;
+}
+
+NetworkSettings network_settings(const MatchSetup& setup, const MatchPlan& plan, Side side) {
+  const MatchOptions& options = setup.options;
+  NetworkSettings settings;
+  settings.server_host = plan.server_host;
+  settings.server_port = plan.ports.player;
+  if (side == Side::kNeutral) {
+    settings.trainer_port = plan.ports.trainer;
+    return settings;
+  }
+  if (options.coach) settings.coach_port = plan.ports.coach;
+  // The embedded server has a cycle limit of its own.
+  if (options.server_choice.kind != ServerChoice::Kind::kEmbedded) {
+    settings.cycle_limit = options.cycles;
+  }
+  settings.hold_turns = options.step;
+  settings.speed = options.speed;
+  return settings;
+}
+
+}  // namespace
+
+Result<std::unique_ptr<Match>> make_lockstep_match(const MatchSetup& setup,
+                                                   const LockstepLogs& logs) {
+  const MatchOptions& options = setup.options;
+  auto server = EmbeddedServer::create(options, setup.seed);
+  if (!server) return server.error();
+  EmbeddedServer& embedded = **server;
+  embedded.record(logs.game_log, logs.text_log, logs.events);
+  auto teams = plan_external_teams(setup, embedded);
+  if (!teams) return teams.error();
+  Sides sides;
+  for (const Side side : sides_of(options)) {
+    if (side != Side::kNeutral && (*teams)[side == Side::kLeft ? 0 : 1]) {
+      sides.push_back(std::make_unique<ExternalSide>(
+          identity_of(setup, side), *std::move((*teams)[side == Side::kLeft ? 0 : 1]),
+          ExternalSide::OnOtherName::kAccept, embedded, *setup.host));
+      continue;
+    }
+    const SideSetup values = side_setup(setup, side);
+    const Endpoint& endpoint = endpoint_of(options, side);
+    auto playmaker = connect_playmaker(endpoint, values);
+    if (!playmaker) return playmaker.error();
+    sides.push_back(std::make_unique<LockstepAgents>(
+        identity_of(setup, side), *std::move(playmaker), team_options(values, endpoint, options),
+        options, values.cpus, embedded));
+  }
+  return std::make_unique<Match>(options, *std::move(server), std::move(sides), setup.seed,
+                                 setup.stop_signal);
+}
+
+Result<std::unique_ptr<Match>> make_external_match(const MatchSetup& setup, MatchPlan plan) {
+  const MatchOptions& options = setup.options;
+  auto teams = std::exchange(plan.teams, {});
+  std::map<Side, NetworkSettings> network;
+  for (const Side side : sides_of(options)) network[side] = network_settings(setup, plan, side);
+  auto server =
+      std::make_unique<ExternalServer>(options, std::move(plan), setup.host, setup.folder);
+  Sides sides;
+  for (const Side side : sides_of(options)) {
+    if (side != Side::kNeutral && teams[side == Side::kLeft ? 0 : 1]) {
+      sides.push_back(std::make_unique<ExternalSide>(
+          identity_of(setup, side), *std::move(teams[side == Side::kLeft ? 0 : 1]),
+          on_other_name(options, side), *server, *setup.host));
+      continue;
+    }
+    const SideSetup values = side_setup(setup, side);
+    const Endpoint& endpoint = endpoint_of(options, side);
+    auto playmaker = connect_playmaker(endpoint, values);
+    if (!playmaker) return playmaker.error();
+    auto agents = NetworkAgents::create(identity_of(setup, side), *std::move(playmaker),
+                                        team_options(values, endpoint, options), options,
+                                        values.cpus, network[side]);
+    if (!agents) return agents.error();
+    sides.push_back(*std::move(agents));
+  }
+  return std::make_unique<Match>(options, std::move(server), std::move(sides), setup.seed,
+                                 setup.stop_signal);
+}
+
+}  // namespace cls::orchestration::match

@@ -1,0 +1,21 @@
+// The end of a match as recorded in the result.json beside its logs.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "analysis/results/read_results.h"
+#include "gamelog/files/log_files.h"
+
+namespace cls::orchestration::match {
+
+/// The end of the match of `log`, if a `result.json` (cls.match/1) in its folder names it as one of
+/// its log files.
+std::optional<analysis::RecordedEnd> recorded_end(const std::string& log);
+
+/// The logs of each match with its recorded end.
+std::vector<analysis::MatchInput> with_recorded_ends(
+    const std::vector<gamelog::MatchLogs>& matches);
+
+}  // namespace cls::orchestration::match

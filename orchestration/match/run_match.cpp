@@ -1,0 +1,205 @@
+// From options to a folder with logs and a result.
+#include "orchestration/match/run_match.h"
+
+#include <chrono>
+#include <memory>
+#include <optional>
+#include <random>
+#include <utility>
+
+#include "base/io/whole_file.h"
+#include "orchestration/match/hooks/debug_log.h"
+#include "orchestration/match/hooks/rpc_recorder.h"
+#include "orchestration/match/match_setup.h"
+#include "orchestration/match/result/match_folder.h"
+
+namespace cls::orchestration::match {
+namespace {
+
+namespace fs = std::filesystem;
+using base::Result;
+using FileSink = std::unique_ptr<base::FileSink>;
+
+// Short enough to be typed.
+std::uint64_t random_seed() { return std::random_device()(); }
+
+/// Keeps the first of several errors.
+class FirstError {
+ public:
+  void add(const std::string& error) {
+    if (text_.empty()) text_ = error;
+  }
+  void close(base::FileSink& sink) {
+    if (const auto closed = sink.close(); !closed) add(closed.error().message);
+  }
+  const std::string& text() const { return text_; }
+
+ private:
+  std::string text_;
+};
+
+/// The hooks that write files, in the order of their calls.
+class FileHooks {
+ public:
+  static Result<std::unique_ptr<FileHooks>> create(const MatchSetup& setup) {
+    std::unique_ptr<FileHooks> hooks(new FileHooks(setup.folder));
+    if (setup.options.record_rpc.empty()) return hooks;
+    recording::RecordingHeader header;
+    header.set_seed(setup.seed);
+    header.set_left_name(setup.names.left);
+    header.set_right_name(setup.names.right);
+    header.set_left_endpoint(setup.options.left.text);
+    header.set_right_endpoint(setup.options.right.text);
+    auto recorder = RpcRecorder::create(setup.options.record_rpc, header);
+    if (!recorder) return recorder.error();
+    hooks->recorder_ = *std::move(recorder);
+    return hooks;
+  }
+
+  void add_to(Match& match) {
+    match.add_hooks(debug_);
+    if (recorder_ != nullptr) match.add_hooks(*recorder_);
+  }
+  void close(FirstError& error) {
+    error.add(debug_.close());
+    if (recorder_ != nullptr) error.add(recorder_->close());
+  }
+
+ private:
+  explicit FileHooks(const fs::path& folder) : debug_(folder) {}
+
+  DebugLog debug_;
+  std::unique_ptr<RpcRecorder> recorder_;
+};
+
+// Plays with all hooks; the sides are gone when this returns.
+MatchResult play(std::unique_ptr<Match> match, FileHooks& files, MatchHooks* hooks,
+                 MatchObserver& observer) {
+  files.add_to(*match);
+  if (hooks != nullptr) match->add_hooks(*hooks);
+  match->play(observer);
+  return match->result();
+}
+
+Result<FileSink> create_file(const MatchSetup& setup, const char* name) {
+  return base::FileSink::create((setup.folder / name).string());
+}
+
+Result<MatchResult> play_lockstep(const MatchSetup& setup, MatchHooks* hooks,
+                                  MatchObserver& observer) {
+  const auto game_log = create_file(setup, kGameLogFile);
+  if (!game_log) return game_log.error();
+  const auto text_log = create_file(setup, kTextLogFile);
+  if (!text_log) return text_log.error();
+  const auto event_file = create_file(setup, kEventsFile);
+  if (!event_file) return event_file.error();
+  const auto files = FileHooks::create(setup);
+  if (!files) return files.error();
+  EventRecorder events(**event_file);
+  auto match = make_lockstep_match(setup, {**game_log, **text_log, &events});
+  if (!match) return match.error();
+  events.start(setup.names, setup.seed);
+  MatchResult result = play(*std::move(match), **files, hooks, observer);
+  events.end(result);
+  result.rcg = kGameLogFile;
+  result.rcl = kTextLogFile;
+  FirstError error;
+  for (const FileSink* sink : {&*game_log, &*text_log, &*event_file}) error.close(**sink);
+  (*files)->close(error);
+  result.write_error = error.text();
+  return result;
+}
+
+// A match that could not be set up.
+MatchResult refused(const MatchSetup& setup, std::string message, bool try_again) {
+  MatchResult result;
+  result.end_reason = EndReason::kRefused;
+  result.message = std::move(message);
+  result.try_again = try_again;
+  result.seed = setup.seed;
+  result.mode = name(mode_of(setup.options));
+  result.server_kind = setup.options.server_choice.text;
+  result.left.name = setup.names.left;
+  result.left.endpoint = setup.options.left.text;
+  result.right.name = setup.names.right;
+  result.right.endpoint = setup.options.right.text;
+  return result;
+}
+
+Result<MatchResult> play_over_udp(const MatchSetup& setup, MatchHooks* hooks,
+                                  MatchObserver& observer) {
+  const auto event_file = create_file(setup, kEventsFile);
+  if (!event_file) return event_file.error();
+  for (const char* old : {kGameLogFile, kTextLogFile}) {
+    std::error_code code;
+    fs::remove(setup.folder / old, code);
+  }
+  const auto files = FileHooks::create(setup);
+  if (!files) return files.error();
+  FirstError error;
+  MatchResult result;
+  EventRecorder events(**event_file);
+  auto plan = plan_match(setup.options, setup.names, setup.seed, setup.folder);
+  if (!plan) return refused(setup, plan.error().message, false);
+  if (const std::string in_use = port_in_use(*plan); !in_use.empty()) {
+    result = refused(setup, in_use, true);
+  } else {
+    auto match = make_external_match(setup, *std::move(plan));
+    result = match ? play(*std::move(match), **files, hooks, observer)
+                   : refused(setup, match.error().message, false);
+  }
+  result.deterministic = false;
+  write_events(events, setup.folder, result);
+  error.close(**event_file);
+  (*files)->close(error);
+  result.write_error = error.text();
+  return result;
+}
+
+bool starts_programs(const MatchOptions& options) {
+  return mode_of(options) != MatchMode::kLockstep || options.left.starts_programs() ||
+         options.right.starts_programs() || (options.trainer && options.trainer->starts_programs());
+}
+
+}  // namespace
+
+TeamNames team_names(const MatchOptions& options) {
+  const auto name = [](const std::string& given, const Endpoint& endpoint) {
+    return given.empty() ? default_team_name(endpoint) : given;
+  };
+  return distinct_names(name(options.left_name, options.left),
+                        name(options.right_name, options.right));
+}
+
+Result<MatchResult> run_match(const MatchOptions& options, MatchObserver& observer,
+                              const std::atomic<int>& stop_signal, MatchHooks* hooks) {
+  const auto start = std::chrono::steady_clock::now();
+  const TeamNames names = team_names(options);
+  const std::uint64_t seed = options.seed.value_or(random_seed());
+  const auto folder = make_match_folder(options, names);
+  if (!folder) return folder.error();
+  if (const auto written =
+          base::write_file(*folder / kManifestFile, manifest_json(options, names, seed));
+      !written) {
+    return written.error();
+  }
+  std::optional<process::ProcessHost> host;
+  if (starts_programs(options)) {
+    auto created = process::ProcessHost::create();
+    if (!created) return created.error();
+    host.emplace(*std::move(created));
+  }
+  const MatchSetup setup{
+      options, names, seed, stop_signal, host ? &*host : nullptr, fs::absolute(*folder)};
+  auto result = mode_of(options) == MatchMode::kLockstep ? play_lockstep(setup, hooks, observer)
+                                                         : play_over_udp(setup, hooks, observer);
+  if (!result) return result;
+  result->folder = folder->string();
+  result->wall_seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  const auto written = base::write_file(*folder / kResultFile, to_json(*result));
+  if (!written && result->write_error.empty()) result->write_error = written.error().message;
+  return result;
+}
+
+}  // namespace cls::orchestration::match

@@ -1,0 +1,72 @@
+// The embedded server in this process: it advances when the match says so.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "base/io/byte_sink.h"
+#include "orchestration/match/options/server_command.h"
+#include "orchestration/match/server/server.h"
+#include "simulator/server/lockstep_server.h"
+
+namespace cls::orchestration::match {
+
+/// Players of cls teams connect through channels in memory, players of external teams over UDP.
+class EmbeddedServer : public Server {
+ public:
+  /// The error names the parameter that is wrong.
+  static base::Result<std::unique_ptr<EmbeddedServer>> create(const MatchOptions& options,
+                                                              std::uint64_t seed);
+
+  /// Writes game log, text log and events from now on; all must outlive the server.
+  void record(base::ByteSink& game_log, base::ByteSink& text_log, EventRecorder* events);
+
+  /// For the agents of cls teams.
+  simulator::LockstepServer& simulator() { return *server_; }
+
+  /// Accepts players over UDP, for an external team on `side`. With `free_port` at a free port,
+  /// otherwise at 6000. The error names the owner of the port.
+  base::Result<ServerPorts> open_player_port(bool free_port);
+  void expect_external_team(soccer::Side side) { external_[index(side)] = true; }
+
+  bool lockstep() const override { return true; }
+  std::optional<MatchEnd> start(const std::function<bool()>& keep_waiting) override;
+  std::string waiting_for() const override { return {}; }
+  std::string monitor_address() const override { return monitor_address_; }
+  void wait_for_clients() override;
+  ServerStatus status() const override;
+  std::optional<int> lost_player(soccer::Side side) override;
+  bool reports_lost_players() const override { return true; }
+  void begin_play(const std::vector<Arrange>& arrange) override;
+  void step() override;
+  bool turn_done(std::chrono::milliseconds limit) override;
+  SourceProgress progress() const override;
+  const simulator::World* world() const override { return &server_->world(); }
+  bool finished() const override { return server_->finished(); }
+  std::optional<MatchEnd> failure(bool) override { return std::nullopt; }
+  void finish(FinalState, const std::atomic<int>&) override { server_->finish(); }
+  void add_result(MatchResult& result, const std::vector<AgentProgress>& agents) const override;
+
+ private:
+  explicit EmbeddedServer(const MatchOptions& options) : options_(options) {}
+
+  static constexpr std::size_t index(soccer::Side side) {
+    return side == soccer::Side::kRight ? 1 : 0;
+  }
+  bool has_external_team() const { return external_[0] || external_[1]; }
+  void set_kick_off_wait(int cycles);
+  void drain_late_commands();
+
+  const MatchOptions& options_;
+  std::unique_ptr<simulator::LockstepServer> server_;
+  EventRecorder* events_ = nullptr;
+  std::string monitor_address_;
+  std::array<bool, 2> external_{};
+  std::array<bool, soccer::kPlayersOnPitch> must_stay_{};  ///< external players on the pitch
+  bool playing_ = false;
+  std::int64_t steps_ = 0;
+};
+
+}  // namespace cls::orchestration::match

@@ -1,0 +1,227 @@
+// Life of an external server, and its result from the game log.
+#include "orchestration/match/server/external_server.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <thread>
+
+#include "analysis/results/match_summary.h"
+#include "base/system/version.h"
+#include "gamelog/rcg/rcg_reader.h"
+#include "orchestration/match/result/match_folder.h"
+#include "proxy/agent/team_driver.h"
+
+namespace cls::orchestration::match {
+namespace {
+
+using std::chrono::milliseconds;
+using Clock = std::chrono::steady_clock;
+
+constexpr milliseconds kLogPollInterval{10};
+constexpr milliseconds kPortCheckInterval{30};
+constexpr milliseconds kServerGrace{1500};
+constexpr milliseconds kExitTimeout{10'000};
+
+}  // namespace
+
+ExternalServer::ExternalServer(const MatchOptions& options, MatchPlan plan,
+                               process::ProcessHost* host, const std::filesystem::path& folder)
+    : options_(options),
+      plan_(std::move(plan)),
+      host_(host),
+      folder_(folder),
+      log_(plan_.server ? folder / kGameLogFile : std::filesystem::path()) {}
+
+MatchEnd ExternalServer::refused(std::string message) const {
+  MatchEnd end{EndReason::kRefused, std::move(message), {}, {}, false};
+  if (child_ != nullptr) end.failure = failure_of(*child_);
+  return end;
+}
+
+bool ExternalServer::has_open_port() const {
+  const std::vector<int> ports = process::ports_of(process::Protocol::kUdp, child_->status().pid);
+  return std::find(ports.begin(), ports.end(), plan_.ports.player) != ports.end();
+}
+
+std::optional<MatchEnd> ExternalServer::start(const std::function<bool()>& keep_waiting) {
+  if (!plan_.server) {
+    const auto clients = soccer::UdpClients::create(plan_.server_host, plan_.ports.player);
+    if (!clients) return refused(clients.error().message);
+    proxy::wait_for_server(**clients, keep_waiting);
+    return std::nullopt;
+  }
+  auto child =
+      host_->start(*plan_.server, [this](std::string_view line) { output_.read_line(line); });
+  if (!child) return refused(child.error().message);
+  child_ = std::move(*child);
+  while (!has_open_port()) {
+    const auto next = Clock::now() + kPortCheckInterval;
+    while (Clock::now() < next) {
+      if (!keep_waiting()) return std::nullopt;
+      std::this_thread::sleep_for(kLogPollInterval);
+    }
+  }
+  return std::nullopt;
+}
+
+std::string ExternalServer::waiting_for() const {
+  if (!plan_.server) {
+    return fmt::format("no soccer server answers at {}:{}", plan_.server_host, plan_.ports.player);
+  }
+  const std::vector<int> ports =
+      child_ == nullptr ? std::vector<int>()
+                        : process::ports_of(process::Protocol::kUdp, child_->status().pid);
+  const std::string hint =
+      ports.empty() ? "" : fmt::format(" (but port {})", fmt::join(ports, ", "));
+  return fmt::format("the soccer server did not open UDP port {}{}", plan_.ports.player, hint);
+}
+
+std::string ExternalServer::monitor_address() const {
+  if (!options_.monitor_port) return {};
+  return fmt::format("{}:{}", plan_.server_host, plan_.ports.player);
+}
+
+void ExternalServer::wait_for_clients() { std::this_thread::sleep_for(kLogPollInterval); }
+
+void ExternalServer::step() {
+  std::this_thread::sleep_for(kLogPollInterval);
+  log_.poll();
+}
+
+SourceProgress ExternalServer::progress() const { return log_.progress(); }
+
+// Agents see every cycle. Logs leave out the cycles before a kick-off, while the clock is stopped.
+milliseconds ExternalServer::quiet_time() const {
+  if (options_.left.has_playmaker() || options_.right.has_playmaker()) return kLogPollInterval;
+  const soccer::ServerParams& server = options_.server;
+  const milliseconds cycle(server.simulator_step * server.slow_down_factor);
+  return cycle * (server.kick_off_wait + 1);
+}
+
+bool ExternalServer::finished() const {
+  const MatchProgress& logged = log_.progress().match;
+  return output_.status().game_over || logged.mode == soccer::PlayMode::kTimeOver ||
+         (options_.cycles && logged.cycle >= *options_.cycles);
+}
+
+std::optional<MatchEnd> ExternalServer::failure(bool playing) {
+  if (child_ == nullptr || !process::has_ended(child_->status())) return std::nullopt;
+  log_.poll();
+  if (finished()) return std::nullopt;
+  const std::string exit = to_text(child_->status().exit.value_or(process::ProcessExit{}));
+  const ServerStatus status = output_.status();
+  const int cycle = log_.progress().match.cycle;
+  if (status.gave_up) {
+    return MatchEnd{
+        EndReason::kLate,
+        fmt::format("the soccer server gave up at cycle {}: clients stopped responding", cycle),
+        failure_of(*child_),
+        {},
+        false};
+  }
+  if (playing) {
+    return MatchEnd{EndReason::kServerFailed,
+                    fmt::format("the soccer server ended at cycle {}: {}", cycle, exit),
+                    failure_of(*child_),
+                    {},
+                    false};
+  }
+  const std::string why =
+      status.first_error.empty() ? "" : fmt::format(" ({})", status.first_error);
+  return refused(fmt::format("the soccer server ended before the match: {}{}", exit, why));
+}
+
+void ExternalServer::finish(FinalState state, const std::atomic<int>& signal) {
+  if (child_ == nullptr) return;
+  const auto until = Clock::now() + kExitTimeout;
+  while (state == FinalState::kOver && !child_->wait_exit(kLogPollInterval) &&
+         Clock::now() < until) {
+    if (signal.load() != 0) break;
+  }
+  child_->end(kServerGrace);
+  // No client may leave before the server: it would continue without them.
+  if (state == FinalState::kHeld) child_->wait_gone(kServerGrace + kKillMargin);
+}
+
+std::vector<ProcessResult> ExternalServer::wait_gone() {
+  if (child_ == nullptr) return {};
+  child_->wait_gone(kServerGrace + kKillMargin);
+  return {result_of(*child_)};
+}
+
+// Without a log, only the agents know the score.
+void ExternalServer::report_missing_log(MatchResult& result, bool has_agents,
+                                        const std::string& why) const {
+  if (!plan_.server || !result.valid()) return;
+  if (has_agents) {
+    result.warnings.push_back(
+        fmt::format("score and cycles are those that the cls agents heard: {}", why));
+    return;
+  }
+  result.end_reason = EndReason::kServerFailed;
+  result.message = fmt::format("the result is unknown: {}", why);
+}
+
+void ExternalServer::read_log(MatchResult& result, const std::vector<AgentProgress>& agents) const {
+  const auto record = gamelog::read_rcg_file((folder_ / kGameLogFile).string());
+  if (!record) return report_missing_log(result, !agents.empty(), record.error().message);
+  if (record->frames() == 0) {
+    return report_missing_log(result, !agents.empty(), "the game log contains no cycle");
+  }
+  const analysis::MatchSummary summary = analysis::summarize(*record, nullptr);
+  for (std::size_t i = 0; i < 2; ++i) {
+    TeamResult& team = i == 0 ? result.left : result.right;
+    if (!summary.teams[i].name.empty()) team.name = summary.teams[i].name;
+    team.score = summary.teams[i].score;
+    team.penalty_score.reset();
+    if (summary.penalties) team.penalty_score = summary.teams[i].penalty_score;
+  }
+  result.cycles = summary.cycles;
+  result.steps = summary.frames;
+  for (const analysis::GoalSummary& goal : summary.goals) {
+    result.goals.push_back({goal.cycle, goal.side, goal.own_goal ? 0 : goal.unum});
+  }
+  result.rcg = kGameLogFile;
+  std::error_code code;
+  if (std::filesystem::exists(folder_ / kTextLogFile, code)) result.rcl = kTextLogFile;
+  for (const AgentProgress& seen : agents) {
+    const MatchProgress& heard = seen.progress.match;
+    const bool same =
+        heard.left_score == result.left.score && heard.right_score == result.right.score;
+    if (same || seen.progress.steps == 0 || !result.valid()) continue;
+    result.warnings.push_back(fmt::format(
+        "the log says {} : {}, but the players of {} counted {} : {}", result.left.score,
+        result.right.score, seen.team, heard.left_score, heard.right_score));
+  }
+}
+
+void ExternalServer::add_result(MatchResult& result,
+                                const std::vector<AgentProgress>& agents) const {
+  const ServerStatus status = output_.status();
+  const bool embedded = options_.server_choice.kind == ServerChoice::Kind::kEmbedded;
+  result.deterministic = false;
+  result.server_version = embedded ? std::string(base::kVersion) : status.version;
+  result.server_seed = status.seed;
+  result.server_missed_cycles = status.missed_cycles;
+  if (child_ != nullptr) result.server_cpu_seconds = child_->cpu_seconds();
+  for (const AgentProgress& seen : agents) {
+    const MatchProgress& heard = seen.progress.match;
+    if (heard.cycle < result.cycles) continue;
+    result.cycles = heard.cycle;
+    result.steps = seen.progress.steps;
+    result.left.score = heard.left_score;
+    result.right.score = heard.right_score;
+  }
+  if (plan_.server) read_log(result, agents);
+}
+
+void write_events(EventRecorder& events, const std::filesystem::path& folder,
+                  const MatchResult& result) {
+  events.start({result.left.name, result.right.name}, result.seed);
+  const auto record = gamelog::read_rcg_file((folder / kGameLogFile).string());
+  events.read_log(record ? *record : gamelog::MatchRecord(), result);
+  events.end(result);
+}
+
+}  // namespace cls::orchestration::match

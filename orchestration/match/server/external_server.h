@@ -1,0 +1,62 @@
+// A soccer server over UDP: a process that the match starts, or one that runs already.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "orchestration/match/server/game_log_follower.h"
+#include "orchestration/match/server/match_plan.h"
+#include "orchestration/match/server/server.h"
+#include "orchestration/process/process_host.h"
+
+namespace cls::orchestration::match {
+
+/// Followed by its output lines and its game log, where cls started it.
+class ExternalServer : public Server {
+ public:
+  /// `options` and `host` must outlive the server. `host` may be null for a server that runs
+  /// already.
+  ExternalServer(const MatchOptions& options, MatchPlan plan, process::ProcessHost* host,
+                 const std::filesystem::path& folder);
+
+  bool lockstep() const override { return false; }
+  std::optional<MatchEnd> start(const std::function<bool()>& keep_waiting) override;
+  std::string waiting_for() const override;
+  std::string monitor_address() const override;
+  const process::Child* child() const override { return child_.get(); }
+  void wait_for_clients() override;
+  ServerStatus status() const override { return output_.status(); }
+  void begin_play(const std::vector<Arrange>&) override {}
+  void step() override;
+  SourceProgress progress() const override;
+  std::chrono::milliseconds quiet_time() const override;
+  bool finished() const override;
+  std::optional<MatchEnd> failure(bool playing) override;
+  void finish(FinalState state, const std::atomic<int>& signal) override;
+  std::vector<ProcessResult> wait_gone() override;
+  void add_result(MatchResult& result, const std::vector<AgentProgress>& agents) const override;
+
+ private:
+  bool has_open_port() const;
+  MatchEnd refused(std::string message) const;
+  void read_log(MatchResult& result, const std::vector<AgentProgress>& agents) const;
+  void report_missing_log(MatchResult& result, bool has_agents, const std::string& why) const;
+
+  const MatchOptions& options_;
+  MatchPlan plan_;
+  process::ProcessHost* host_;
+  std::filesystem::path folder_;
+  ServerOutput output_;
+  GameLogFollower log_;
+  std::shared_ptr<process::Child> child_;  ///< null: not started by cls
+};
+
+/// Writes the events of a match that has ended, from its result and from the server's game log in
+/// `folder`, if there is one.
+void write_events(EventRecorder& events, const std::filesystem::path& folder,
+                  const MatchResult& result);
+
+}  // namespace cls::orchestration::match

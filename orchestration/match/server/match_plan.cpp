@@ -1,0 +1,143 @@
+// Programs and ports of a match over UDP.
+#include "orchestration/match/server/match_plan.h"
+
+#include <fmt/format.h>
+
+namespace cls::orchestration::match {
+namespace {
+
+namespace fs = std::filesystem;
+using base::Error;
+using base::Result;
+using soccer::Side;
+
+constexpr int kPortsOfServer = 3;
+// Cycles after the end for clients to notice it; the default of 100 lasts 10 s in real time.
+constexpr int kGameOverWait = 20;
+// For --step: as long as a user may think about one cycle, 24 hours.
+constexpr int kInteractiveWaitMs = 86'400'000;
+
+Result<std::vector<std::string>> server_program(const MatchOptions& options, std::uint64_t seed,
+                                                const fs::path& folder) {
+  if (options.server_choice.kind == ServerChoice::Kind::kProgram) {
+    const auto program = process::find_program(options.server_choice.program);
+    if (program) return std::vector<std::string>{program->string()};
+    return Error{fmt::format("soccer server {}", program.error().message)};
+  }
+  std::error_code code;
+  const fs::path self = fs::read_symlink("/proc/self/exe", code);
+  if (code) return Error{fmt::format("/proc/self/exe: {}", code.message())};
+  std::vector<std::string> argv = {self.string(),        "server", "--seed",
+                                   std::to_string(seed), "--dir",  folder.string()};
+  if (options.cycles) {
+    argv.push_back("--cycles");
+    argv.push_back(std::to_string(*options.cycles));
+  }
+  if (options.step) argv.push_back(fmt::format("sync::max_wait_ms={}", kInteractiveWaitMs));
+  return argv;
+}
+
+Result<void> plan_teams(MatchPlan& plan, const MatchOptions& options, const TeamNames& names,
+                        const fs::path& folder) {
+  for (const Side side : {Side::kLeft, Side::kRight}) {
+    const Endpoint& endpoint = side == Side::kLeft ? options.left : options.right;
+    if (endpoint.kind != Endpoint::Kind::kTeam) continue;
+    auto team = team_plan(endpoint.path,
+                          team_values(options, names, side, plan.server_host, plan.ports, folder));
+    if (!team) return team.error();
+    plan.teams[side == Side::kLeft ? 0 : 1] = std::move(*team);
+  }
+  return {};
+}
+
+bool needs_stock_ports(const MatchPlan& plan) {
+  for (const auto& team : plan.teams) {
+    if (team && !team->takes_ports) return true;
+  }
+  return false;
+}
+
+// Free ports; the player port is the one that monitors were promised.
+Result<void> choose_ports(MatchPlan& plan, int monitor_port) {
+  if (monitor_port != 0) {
+    plan.ports = {monitor_port, monitor_port + 1, monitor_port + 2};
+    return {};
+  }
+  auto ports = process::ReservedPort::choose(kPortsOfServer);
+  if (!ports) return ports.error();
+  plan.reserved = std::move(*ports);
+  plan.ports = {plan.reserved[0].number(), plan.reserved[1].number(), plan.reserved[2].number()};
+  return {};
+}
+
+ServerSetup server_setup(const MatchOptions& options, const MatchPlan& plan,
+                         std::vector<std::string> program, const fs::path& folder) {
+  ServerSetup setup;
+  setup.program = std::move(program);
+  setup.folder = folder;
+  setup.ports = plan.ports;
+  setup.mode = mode_of(options);
+  setup.server = server_params(options);
+  setup.player = options.player;
+  if (setup.server.game_over_wait == soccer::ServerParams().game_over_wait) {
+    setup.server.game_over_wait = kGameOverWait;
+  }
+  return setup;
+}
+
+}  // namespace
+
+TeamValues team_values(const MatchOptions& options, const TeamNames& names, Side side,
+                       const std::string& host, const ServerPorts& ports, const fs::path& folder) {
+  const bool left = side == Side::kLeft;
+  TeamValues values;
+  values.host = host;
+  values.ports = ports;
+  values.side = side;
+  values.team_name = left ? names.left : names.right;
+  values.coach = options.coach;
+  values.folder = folder;
+  values.cpus = left ? options.left_cpus : options.right_cpus;
+  return values;
+}
+
+Result<MatchPlan> plan_match(const MatchOptions& options, const TeamNames& names,
+                             std::uint64_t seed, const fs::path& folder) {
+  MatchPlan plan;
+  const ServerChoice& server = options.server_choice;
+  if (server.kind == ServerChoice::Kind::kAddress) {
+    plan.server_host = server.host;
+    plan.ports = {server.port, server.port + 1, server.port + 2};
+    if (const auto done = plan_teams(plan, options, names, folder); !done) return done.error();
+    return plan;
+  }
+  auto program = server_program(options, seed, folder);
+  if (!program) return program.error();
+  if (const auto done = plan_teams(plan, options, names, folder); !done) return done.error();
+  const int monitor_port = options.monitor_port.value_or(0);
+  if (!needs_stock_ports(plan)) {
+    if (const auto done = choose_ports(plan, monitor_port); !done) return done.error();
+    // Once more, because the start scripts get the ports as arguments.
+    if (const auto done = plan_teams(plan, options, names, folder); !done) return done.error();
+  } else if (monitor_port != 0 && monitor_port != plan.ports.player) {
+    return Error{
+        fmt::format("--monitor-port {}: a team whose start script takes no ports needs the "
+                    "server at {}",
+                    monitor_port, plan.ports.player)};
+  }
+  plan.server = server_plan(server_setup(options, plan, *std::move(program), folder));
+  return plan;
+}
+
+std::string port_in_use(const MatchPlan& plan) {
+  if (!plan.server || !plan.reserved.empty()) return {};
+  for (const int port : {plan.ports.player, plan.ports.trainer, plan.ports.coach}) {
+    if (process::port_is_free(process::Protocol::kUdp, port)) continue;
+    const bool stock = plan.ports.player == ServerPorts().player;
+    return process::port_taken_text(process::Protocol::kUdp, port) +
+           (stock ? ": a team whose start script takes no ports needs 6000 to 6002" : "");
+  }
+  return {};
+}
+
+}  // namespace cls::orchestration::match

@@ -1,0 +1,40 @@
+// What a match over UDP will start: programs, ports and folders, before anything is started.
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+#include "orchestration/match/options/match_options.h"
+#include "orchestration/match/options/server_command.h"
+#include "orchestration/match/options/team_folder.h"
+#include "orchestration/process/ports.h"
+
+namespace cls::orchestration::match {
+
+/// Also printed by `--dry-run`.
+struct MatchPlan {
+  std::string server_host = "127.0.0.1";
+  ServerPorts ports;
+  std::optional<process::CommandPlan> server;    ///< none: the server runs already
+  std::array<std::optional<TeamPlan>, 2> teams;  ///< of `team:` sides, left and right
+  std::vector<process::ReservedPort> reserved;   ///< held for the server
+};
+
+/// Finds programs and folders and chooses ports. With a team whose start script takes no ports the
+/// server gets 6000, 6001 and 6002. The error says what is missing.
+base::Result<MatchPlan> plan_match(const MatchOptions& options, const TeamNames& names,
+                                   std::uint64_t seed, const std::filesystem::path& folder);
+
+/// What the agents of an external team are started with.
+TeamValues team_values(const MatchOptions& options, const TeamNames& names, soccer::Side side,
+                       const std::string& host, const ServerPorts& ports,
+                       const std::filesystem::path& folder);
+
+/// Names the first port of the plan that is in use, and its owner; empty when all are free.
+std::string port_in_use(const MatchPlan& plan);
+
+}  // namespace cls::orchestration::match

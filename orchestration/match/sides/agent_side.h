@@ -1,0 +1,94 @@
+// A cls team or trainer: Playmaker, agents and the thread they run on.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+#include "base/system/worker.h"
+#include "mock-server/server.h"
+#include "orchestration/match/options/match_options.h"
+#include "orchestration/match/sides/match_side.h"
+#include "orchestration/match/sides/playmaker_process.h"
+#include "proxy/agent/team.h"
+#include "proxy/playmaker/playmaker.h"
+
+namespace cls::orchestration::match {
+
+/// What a side needs to know of its match.
+struct SideSetup {
+  soccer::Side side = soccer::Side::kLeft;  ///< neutral: the trainer, which has no players
+  std::string name;                         ///< team name; of a trainer the left team's
+  std::uint64_t seed = 0;
+  std::filesystem::path folder;          ///< of the match
+  process::ProcessHost* host = nullptr;  ///< for sides that start programs
+  std::vector<int> cpus;                 ///< processor cores of agents and Playmaker; empty: all
+};
+
+/// A Playmaker as a match uses it, with the programs behind it.
+struct PlaymakerConnection {
+  Endpoint endpoint;
+  std::unique_ptr<mock_server::Server> mock;  ///< for a mock
+  std::unique_ptr<PlaymakerProcess> process;  ///< for a `run:` side
+  std::unique_ptr<proxy::Playmaker> playmaker;
+};
+
+/// Starts the bundled mock or the user's command if the endpoint asks for one. Nothing is sent to a
+/// Playmaker that runs already.
+base::Result<PlaymakerConnection> connect_playmaker(const Endpoint& endpoint,
+                                                    const SideSetup& setup);
+
+/// The options of a team for a match.
+proxy::TeamOptions team_options(const SideSetup& setup, const Endpoint& endpoint,
+                                const MatchOptions& options);
+
+/// What a player of a cls team did.
+PlayerResult result_of(int number, const proxy::AgentStatistics& statistics);
+
+/// What is common to agents in lockstep and over UDP. The team may be used by the worker's thread
+/// only while work is under way there.
+class AgentSide : public MatchSide {
+ public:
+  AgentSide(SideIdentity identity, PlaymakerConnection connection, proxy::TeamOptions team,
+            const MatchOptions& options, const std::vector<int>& cpus);
+
+  bool listen(SideListener& listener) override;
+  std::string timeout_hint() const override;
+  const process::Child* awaited_process() const override;
+  std::optional<MatchEnd> failure(const MatchMoment& moment) override;
+  void cancel() override { connection_.playmaker->cancel(); }
+  std::vector<ProcessResult> wait_gone() override;
+  std::vector<std::string> failed_expectations() const override;
+  TeamResult result() const override;
+
+  const proxy::Team& team() const { return *team_; }
+  /// CPU time of the bundled mock's decisions in seconds; 0 for any other Playmaker.
+  double mock_cpu_seconds() const;
+
+ protected:
+  bool is_trainer() const { return identity().side == soccer::Side::kNeutral; }
+  const MatchOptions& options() const { return options_; }
+  const PlaymakerProcess* playmaker_process() const { return connection_.process.get(); }
+  proxy::Team& team() { return *team_; }
+  base::Worker& worker() { return worker_; }
+  void begin_listening(int cycle);
+  void end_listening();
+  /// The team calls this Playmaker from now on; before the handshake.
+  void replace_playmaker(std::unique_ptr<proxy::Playmaker> playmaker);
+  /// Introduces the team; how that ends the match if it fails.
+  std::optional<MatchEnd> shake_hands();
+  /// Why the agents cannot continue, apart from their Playmaker's process.
+  virtual std::optional<MatchEnd> agent_failure(const MatchMoment& moment) = 0;
+
+ private:
+  PlaymakerConnection connection_;
+  const MatchOptions& options_;
+  std::vector<SideListener*> listeners_;
+  std::vector<std::unique_ptr<proxy::Playmaker>> listened_;  ///< the Playmaker with listeners
+  std::unique_ptr<proxy::Team> team_;
+  base::Worker worker_;
+};
+
+}  // namespace cls::orchestration::match

@@ -1,0 +1,204 @@
+// Start, watch and shutdown of an external team.
+#include "orchestration/match/sides/external_side.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <thread>
+
+#include "soccer/side.h"
+
+namespace cls::orchestration::match {
+namespace {
+
+using base::Error;
+using base::Result;
+using std::chrono::milliseconds;
+using Clock = std::chrono::steady_clock;
+
+constexpr milliseconds kExitPollInterval{2};
+constexpr milliseconds kKillScriptTimeout{1000};
+constexpr milliseconds kKillScriptGrace{100};
+// A connection is closed before the exit of its process is known.
+constexpr milliseconds kAgentExitDelay{500};
+// A team may hear of the end of the match, and leave, before the match does.
+constexpr milliseconds kEndDelay{2000};
+constexpr int kEndDelayCycles = 15;
+
+milliseconds time_until(Clock::time_point end) {
+  const auto left = std::chrono::duration_cast<milliseconds>(end - Clock::now());
+  return std::max(left, milliseconds(0));
+}
+
+}  // namespace
+
+Result<void> ExternalSide::start_next() {
+  const AgentPlan& next = plan_.agents[agents_.size()];
+  auto child = host_.start(next.command);
+  if (!child) return child.error();
+  agents_.push_back({next.unum, std::move(*child)});
+  return {};
+}
+
+bool ExternalSide::find_name(const ServerStatus& server, const std::vector<std::string>& others) {
+  if (!name_.empty()) return true;
+  for (const ReportedConnections& team : server.teams) {
+    // The server takes players of the same team name for one team, and refuses the twelfth.
+    shared_name_hint_ = fmt::format("; or it plays under the name {} too", team.name);
+    if (std::find(others.begin(), others.end(), team.name) != others.end()) continue;
+    name_ = team.name;
+    shared_name_hint_.clear();
+    return true;
+  }
+  return false;
+}
+
+std::optional<MatchEnd> ExternalSide::join(const ServerStatus& server,
+                                           const std::vector<std::string>& others) {
+  const Result<void> step = continue_joining(server, others);
+  if (step) return std::nullopt;
+  MatchEnd end{
+      EndReason::kRefused, fmt::format("{}: {}", who(), step.error().message), {}, {}, false};
+  if (!agents_.empty()) end.failure = failure_of(*agents_.back().child);
+  return end;
+}
+
+Result<void> ExternalSide::continue_joining(const ServerStatus& server,
+                                            const std::vector<std::string>& others) {
+  if (joined_) return {};
+  if (agents_.empty()) return start_next();
+  if (!find_name(server, others)) return {};
+  const std::set<int>& players = server.team(name_)->players;
+  on_pitch_ = static_cast<int>(players.size());
+  if (plan_.contract == TeamPlan::Contract::kStartEachAgent) {
+    // Players wait for each other; the coach, if any, is the last of the plan.
+    const int started = std::min(static_cast<int>(agents_.size()), soccer::kPlayersPerTeam);
+    if (on_pitch_ > started) {
+      return Error{
+          fmt::format("{} brought players {} onto the pitch: start is called once for each",
+                      agents_.back().child->plan().name, fmt::join(players, ", "))};
+    }
+    if (on_pitch_ == started && agents_.size() < plan_.agents.size()) return start_next();
+  }
+  joined_ = on_pitch_ >= soccer::kPlayersPerTeam && agents_.size() == plan_.agents.size();
+  return joined_ ? check_name() : Result<void>();
+}
+
+Result<void> ExternalSide::check_name() {
+  if (name_ == identity().name || on_other_name_ == OnOtherName::kAccept) return {};
+  std::string message =
+      fmt::format("the team plays under the name {} instead of {}", name_, identity().name);
+  if (on_other_name_ == OnOtherName::kRefuse) return Error{std::move(message)};
+  if (plan_.takes_name) warnings_.push_back(std::move(message));
+  return {};
+}
+
+std::string ExternalSide::waiting_for() const {
+  if (plan_.contract == TeamPlan::Contract::kStartAll || agents_.empty()) {
+    return fmt::format("{}: {} of 11 players of the {} team have joined", who(), on_pitch_,
+                       side_name(identity().side));
+  }
+  return fmt::format("{}: {} has not joined", who(), agents_.back().child->plan().name);
+}
+
+const process::Child* ExternalSide::awaited_process() const {
+  return agents_.empty() ? nullptr : agents_.back().child.get();
+}
+
+const ExternalSide::Agent* ExternalSide::exited_agent() const {
+  for (const Agent& agent : agents_) {
+    if (process::has_ended(agent.child->status())) return &agent;
+  }
+  return nullptr;
+}
+
+const ExternalSide::Agent* ExternalSide::wait_for_exited_agent() const {
+  const bool each = plan_.contract == TeamPlan::Contract::kStartEachAgent;
+  const auto deadline = Clock::now() + kAgentExitDelay;
+  while (each && exited_agent() == nullptr && Clock::now() < deadline) {
+    std::this_thread::sleep_for(kExitPollInterval);
+  }
+  return exited_agent();
+}
+
+MatchEnd ExternalSide::exit_failure(const process::Child& child, const MatchMoment& moment) const {
+  MatchEnd end;
+  end.reason = moment.playing ? EndReason::kCrashed : EndReason::kRefused;
+  end.failure = failure_of(child);
+  end.message =
+      fmt::format("{}: the process of {} ended {}: {}{}", who(), child.plan().name,
+                  moment.playing ? fmt::format("at cycle {}", moment.cycle) : "before the match",
+                  end.failure->exit, shared_name_hint_);
+  return end;
+}
+
+// A server that reports connections shows a lost player before its process exits.
+std::optional<MatchEnd> ExternalSide::lost_player_failure(const MatchMoment& moment) {
+  const std::optional<int> unum = server_.lost_player(identity().side);
+  if (!unum) return std::nullopt;
+  const Agent* exited = wait_for_exited_agent();
+  if (exited != nullptr && exited->unum == *unum) return exit_failure(*exited->child, moment);
+  return MatchEnd{EndReason::kCrashed,
+                  fmt::format("{}: player {} has left (at cycle {})", who(), *unum, moment.cycle),
+                  {},
+                  {},
+                  false};
+}
+
+std::optional<MatchEnd> ExternalSide::failure(const MatchMoment& moment) {
+  if (moment.playing && server_.reports_lost_players()) return lost_player_failure(moment);
+  const Agent* exited = exited_agent();
+  if (exited == nullptr) return std::nullopt;
+  if (!exit_) exit_ = AgentExit{exited->child.get(), moment.cycle, Clock::now()};
+  const bool may_be_the_end = moment.playing && Clock::now() - exit_->at < kEndDelay;
+  if (may_be_the_end && !exited_before_the_end(moment.cycle)) return std::nullopt;
+  return exit_failure(*exit_->child, {moment.playing, exit_->cycle});
+}
+
+bool ExternalSide::exited_before_the_end(int cycle) const {
+  return exit_ && cycle > exit_->cycle + kEndDelayCycles;
+}
+
+std::optional<MatchEnd> ExternalSide::final_failure(const MatchMoment& moment) {
+  if (!exited_before_the_end(moment.cycle)) return std::nullopt;
+  return exit_failure(*exit_->child, {moment.playing, exit_->cycle});
+}
+
+// The kill script may end agents of other teams, looking for its own by name.
+void ExternalSide::leave() {
+  if (!plan_.kill || agents_.empty()) return;
+  auto script = host_.start(*plan_.kill);
+  if (!script) return;
+  kill_script_ = std::move(*script);
+  kill_script_deadline_ = Clock::now() + kKillScriptTimeout;
+}
+
+void ExternalSide::terminate() {
+  if (kill_script_ != nullptr) {
+    kill_script_->wait_exit(time_until(kill_script_deadline_));
+    kill_script_->end(kKillScriptGrace);
+  }
+  for (const Agent& agent : agents_) agent.child->end(kTerminateGrace);
+}
+
+std::vector<ProcessResult> ExternalSide::wait_gone() {
+  const auto deadline = Clock::now() + kTerminateGrace + kKillMargin;
+  std::vector<ProcessResult> results;
+  for (const Agent& agent : agents_) agent.child->wait_gone(time_until(deadline));
+  for (const Agent& agent : agents_) results.push_back(result_of(*agent.child));
+  if (kill_script_ != nullptr) {
+    kill_script_->wait_gone(time_until(deadline));
+    results.push_back(result_of(*kill_script_));
+  }
+  return results;
+}
+
+TeamResult ExternalSide::result() const {
+  TeamResult result;
+  result.name = team_name();
+  result.endpoint = identity().endpoint;
+  for (const Agent& agent : agents_) result.cpu_seconds += agent.child->cpu_seconds();
+  return result;
+}
+
+}  // namespace cls::orchestration::match

@@ -1,0 +1,91 @@
+// Turns of a cls team in lockstep.
+#include "orchestration/match/sides/lockstep_agents.h"
+
+namespace cls::orchestration::match {
+namespace {
+
+using base::Result;
+using std::chrono::milliseconds;
+
+constexpr milliseconds kTurnPollInterval{20};
+// Calls to a crashed process fail before its exit is known.
+constexpr milliseconds kPlaymakerExitDelay{500};
+
+}  // namespace
+
+std::optional<MatchEnd> LockstepAgents::join(const ServerStatus& /*server*/,
+                                             const std::vector<std::string>& /*others*/) {
+  joined_ = true;
+  const Result<void> connected = connect();
+  if (connected) return std::nullopt;
+  return MatchEnd{EndReason::kServerFailed, connected.error().message, {}, {}, false};
+}
+
+Result<void> LockstepAgents::connect() {
+  simulator::LockstepServer& simulator = server_.simulator();
+  const auto serve = [&simulator] {
+    simulator.accept_clients();
+    return true;
+  };
+  const auto open = [&simulator](simulator::ListeningPort door) {
+    return [&simulator, door] { return simulator.connect(door); };
+  };
+  if (is_trainer()) {
+    return team().connect_coach(soccer::CoachRole::kTrainer,
+                                open(simulator::ListeningPort::kTrainers), serve);
+  }
+  if (auto done = team().connect(open(simulator::ListeningPort::kPlayers), serve); !done)
+    return done;
+  if (!options().coach) return {};
+  return team().connect_coach(soccer::CoachRole::kOnlineCoach,
+                              open(simulator::ListeningPort::kOnlineCoaches), serve);
+}
+
+void LockstepAgents::begin_handshake() {
+  busy_ = true;
+  worker().start([this] { failed_handshake_ = shake_hands(); });
+}
+
+void LockstepAgents::begin_turn(int cycle) {
+  begin_listening(cycle);
+  busy_ = true;
+  worker().start([this] { team().run_cycle(); });
+}
+
+bool LockstepAgents::turn_done() {
+  if (busy_) busy_ = !worker().wait_for(kTurnPollInterval);
+  return !busy_;
+}
+
+void LockstepAgents::end_turn() {
+  end_listening();
+  turn_over_ = true;
+}
+
+std::optional<MatchEnd> LockstepAgents::agent_failure(const MatchMoment& moment) {
+  if (busy_) return std::nullopt;
+  if (failed_handshake_) return std::exchange(failed_handshake_, std::nullopt);
+  if (!std::exchange(turn_over_, false)) return std::nullopt;
+  const proxy::MissedDecisions missed = team().missed_decisions();
+  if (playmaker_process() != nullptr && missed.consecutive == 1 &&
+      missed.last.outcome == proxy::RpcOutcome::kUnavailable) {
+    playmaker_process()->child().wait_exit(kPlaymakerExitDelay);
+  }
+  return end_by_missed_decisions(missed, who(), moment.cycle, options());
+}
+
+void LockstepAgents::leave() {
+  if (!turn_done()) cancel();
+  while (!turn_done()) {
+  }
+  busy_ = true;
+  worker().start([this] { team().leave(); });
+}
+
+void LockstepAgents::terminate() {
+  while (!turn_done()) {
+  }
+  if (playmaker_process() != nullptr) playmaker_process()->child().end(kTerminateGrace);
+}
+
+}  // namespace cls::orchestration::match

@@ -1,0 +1,48 @@
+// A cls team on the embedded server in this process: it decides when the match says so.
+#pragma once
+
+#include <chrono>
+#include <optional>
+
+#include "orchestration/match/server/embedded_server.h"
+#include "orchestration/match/sides/agent_side.h"
+
+namespace cls::orchestration::match {
+
+/// Handshake, turns and goodbye run on the side's worker; between them the team is the match's.
+class LockstepAgents : public AgentSide {
+ public:
+  /// `server` and `options` must outlive the side.
+  LockstepAgents(SideIdentity identity, PlaymakerConnection connection, proxy::TeamOptions team,
+                 const MatchOptions& options, const std::vector<int>& cpus, EmbeddedServer& server)
+      : AgentSide(std::move(identity), std::move(connection), std::move(team), options, cpus),
+        server_(server) {}
+
+  std::optional<MatchEnd> join(const ServerStatus& server,
+                               const std::vector<std::string>& others) override;
+  bool joined() const override { return joined_; }
+  void begin_handshake() override;
+  bool handshake_done() override { return turn_done(); }
+  std::string waiting_for() const override { return who() + ": no answer"; }
+  void begin_play() override { end_listening(); }
+  bool takes_turns() const override { return true; }
+  bool at_turn() const override { return true; }
+  void begin_turn(int cycle) override;
+  bool turn_done() override;
+  void end_turn() override;
+  std::vector<std::string> take_warnings() override { return team().take_warnings(); }
+  void leave() override;
+  void terminate() override;
+
+ private:
+  base::Result<void> connect();
+  std::optional<MatchEnd> agent_failure(const MatchMoment& moment) override;
+
+  EmbeddedServer& server_;
+  bool joined_ = false;
+  bool busy_ = false;       ///< the worker uses the team
+  bool turn_over_ = false;  ///< a turn has ended whose missed decisions were not checked yet
+  std::optional<MatchEnd> failed_handshake_;
+};
+
+}  // namespace cls::orchestration::match

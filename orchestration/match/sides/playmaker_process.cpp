@@ -1,0 +1,63 @@
+// Starting and probing Playmakers.
+#include "orchestration/match/sides/playmaker_process.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "proxy/playmaker/tls_probe.h"
+
+namespace cls::orchestration::match {
+
+using base::Result;
+
+proxy::GrpcTarget target_of(const Endpoint& endpoint) {
+  proxy::GrpcTarget target;
+  target.host = endpoint.host;
+  target.port = endpoint.port;
+  target.port_step = endpoint.port_step;
+  target.unix_path = endpoint.path;
+  target.tls = endpoint.tls;
+  return target;
+}
+
+std::string unreachable_hint(const Endpoint& endpoint) {
+  constexpr int kGoalie = 1;
+  if (endpoint.kind != Endpoint::Kind::kAddress) return {};
+  const std::string failure = proxy::explain_tls_failure(target_of(endpoint), kGoalie);
+  return failure.empty() ? failure : "; " + failure;
+}
+
+Result<std::unique_ptr<mock_server::Server>> start_mock(const Endpoint& endpoint) {
+  if (endpoint.script != nullptr) {
+    return mock_server::Server::start(mock_server::Mock(endpoint.script));
+  }
+  auto mock = mock_server::make_mock(endpoint.behavior);
+  if (!mock) return mock.error();
+  return mock_server::Server::start(*std::move(mock));
+}
+
+Result<std::unique_ptr<PlaymakerProcess>> PlaymakerProcess::start(
+    process::ProcessHost& host, const Endpoint& endpoint, RunValues values,
+    const std::filesystem::path& folder, std::vector<int> cpus) {
+  auto ports = process::ReservedPort::choose(1);
+  if (!ports) return ports.error();
+  std::unique_ptr<PlaymakerProcess> created(new PlaymakerProcess(std::move(ports->front())));
+  values.port = created->port();
+  process::CommandPlan plan = run_plan(endpoint.command, values, folder);
+  plan.cpus = std::move(cpus);
+  auto child = host.start(plan);
+  if (!child) return child.error();
+  created->child_ = std::move(*child);
+  return created;
+}
+
+std::string PlaymakerProcess::port_hint() const {
+  const std::vector<int> open = process::ports_of(process::Protocol::kTcp, child_->status().pid);
+  if (open.empty()) return fmt::format("; it does not listen on port {}", port());
+  if (std::find(open.begin(), open.end(), port()) != open.end()) return {};
+  return fmt::format("; it listens on port {}, not on {}", fmt::join(open, ", "), port());
+}
+
+}  // namespace cls::orchestration::match

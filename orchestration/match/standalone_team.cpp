@@ -1,0 +1,126 @@
+// A match of one side on a server that runs already.
+#include "orchestration/match/standalone_team.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "orchestration/match/match.h"
+#include "orchestration/match/server/external_server.h"
+#include "orchestration/match/sides/network_agents.h"
+#include "proxy/playmaker/grpc_playmaker.h"
+
+namespace cls::orchestration::match {
+namespace {
+
+constexpr int kRightPortOffset = 20;
+
+// No limits but the start limit: the team plays as long as the server does.
+MatchOptions match_options(const StandaloneTeamOptions& options) {
+  MatchOptions match;
+  match.left.kind = Endpoint::Kind::kAddress;
+  match.server_choice.kind = ServerChoice::Kind::kAddress;
+  match.server_choice.host = options.server_host;
+  match.server_choice.port = options.server_port;
+  match.start_timeout_s = options.start_timeout_s;
+  match.stall_after_s = std::numeric_limits<double>::infinity();
+  match.max_missed = std::numeric_limits<int>::max();
+  return match;
+}
+
+// The number that the first agent of the team has towards its Playmaker.
+int first_number(const StandaloneTeamOptions& options) {
+  return options.team.players == 0 ? proxy::kCoachNumber : options.team.first_unum;
+}
+
+base::Result<std::unique_ptr<NetworkAgents>> make_agents(const StandaloneTeamOptions& options,
+                                                         const MatchOptions& match) {
+  NetworkSettings settings;
+  settings.server_host = options.server_host;
+  settings.server_port = options.server_port;
+  settings.coach_port = options.coach_port;
+  settings.trainer_port = options.trainer_port;
+  settings.leave_at_time_over = false;
+  settings.on_ready = options.on_ready;
+  if (options.add_20_for_right) {
+    settings.right_playmaker = [target = options.playmaker]() mutable {
+      target.port += kRightPortOffset;
+      return proxy::make_grpc_playmaker(target);
+    };
+  }
+  PlaymakerConnection connection;
+  connection.playmaker = proxy::make_grpc_playmaker(options.playmaker);
+  return NetworkAgents::create({soccer::Side::kLeft, std::string(options.team.name.view()),
+                                address(options.playmaker, first_number(options))},
+                               std::move(connection), options.team, match, {}, std::move(settings));
+}
+
+void add_statistics(StandaloneTeamResult& result, PlayerResult player,
+                    const proxy::GameState& game) {
+  result.players.push_back(std::move(player));
+  result.cycles = std::max(result.cycles, game.time.cycle);
+  result.our_score = game.our_score;
+  result.their_score = game.their_score;
+}
+
+void add_statistics(StandaloneTeamResult& result, const proxy::Team& team) {
+  result.right_side = team.side() == soccer::Side::kRight;
+  if (const proxy::CoachAgent* coach = team.coach()) {
+    PlayerResult statistics = result_of(coach->number(), coach->statistics());
+    statistics.commands = coach->commands();
+    add_statistics(result, std::move(statistics), coach->world().game);
+  }
+  for (const auto& player : team.players()) {
+    add_statistics(result, result_of(player->unum(), player->statistics()), player->world().game);
+  }
+}
+
+}  // namespace
+
+std::string to_json(const StandaloneTeamOptions& options, const StandaloneTeamResult& result) {
+  using Json = nlohmann::ordered_json;
+  const Json document = {{"schema", "cls.proxy/1"},
+                         {"team", options.team.name.view()},
+                         {"side", result.right_side ? "right" : "left"},
+                         {"playmaker", address(options.playmaker, 0)},
+                         {"end_reason", name(result.end_reason)},
+                         {"message", result.message.empty() ? Json(nullptr) : Json(result.message)},
+                         {"our_score", result.our_score},
+                         {"their_score", result.their_score},
+                         {"cycles", result.cycles},
+                         {"players", Json::parse(to_json(result.players))}};
+  return document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+StandaloneTeamResult run_standalone_team(const StandaloneTeamOptions& options,
+                                         MatchObserver& observer,
+                                         const std::atomic<int>& stop_signal) {
+  StandaloneTeamResult result;
+  const MatchOptions match_options = match::match_options(options);
+  auto agents = make_agents(options, match_options);
+  if (!agents) {
+    result.end_reason = EndReason::kRefused;
+    result.message = agents.error().message;
+    return result;
+  }
+  const NetworkAgents& team = **agents;
+  MatchPlan plan;
+  plan.server_host = options.server_host;
+  plan.ports.player = options.server_port;
+  std::vector<std::unique_ptr<MatchSide>> sides;
+  sides.push_back(*std::move(agents));
+  Match match(match_options,
+              std::make_unique<ExternalServer>(match_options, std::move(plan), nullptr,
+                                               std::filesystem::path()),
+              std::move(sides), 0, stop_signal);
+  match.play(observer);
+  result.end_reason = match.result().end_reason;
+  result.message = match.result().message;
+  result.signal = match.result().signal;
+  add_statistics(result, team.team());
+  return result;
+}
+
+}  // namespace cls::orchestration::match

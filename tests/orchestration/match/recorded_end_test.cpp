@@ -1,0 +1,71 @@
+// The end of a match read from result.json beside its logs.
+#include "orchestration/match/result/recorded_end.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "analysis/results/results_text.h"
+#include "tests/support/files.h"
+#include "tests/support/temporary_folder.h"
+
+namespace cls::orchestration::match {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Reads the start of a match, 1:0 after 234 cycles without an end, beside a document.
+class RecordedEndTest : public testing::Test {
+ protected:
+  analysis::MatchSummary read(const std::string& document) {
+    const fs::path folder = folder_.path();
+    std::ofstream(folder / "match.rcg")
+        << tests::read_file(tests::fixture("gamelog/match-start.rcg.gz"));
+    std::ofstream(folder / "result.json") << document;
+    const auto found = gamelog::find_logs({(folder / "match.rcg").string()});
+    const auto results = analysis::read_results(with_recorded_ends(found.matches), 1);
+    return results.at(0).summary;
+  }
+
+  static std::string document(const std::string& end_reason, const std::string& log) {
+    return R"({"schema": "cls.match/1", "end_reason": ")" + end_reason +
+           R"(", "log_files": {"rcg": ")" + log + R"(", "rcl": "match.rcl"}})";
+  }
+
+  tests::TemporaryFolder folder_;
+};
+
+TEST_F(RecordedEndTest, MarksPlannedEndAsComplete) {
+  const analysis::MatchSummary summary = read(document("finished", "match.rcg"));
+  EXPECT_TRUE(summary.complete);
+  EXPECT_EQ(summary.end_reason, "finished");
+  EXPECT_EQ(summary.winner, analysis::Winner::kLeft);
+  EXPECT_NE(analysis::format_results({summary}, analysis::ResultsFormat::kJson)
+                .find("\"end_reason\": \"finished\""),
+            std::string::npos);
+}
+
+TEST_F(RecordedEndTest, ReportsEndReasonOfAbortedMatch) {
+  const analysis::MatchSummary summary = read(document("stalled", "match.rcg"));
+  EXPECT_FALSE(summary.complete);
+  EXPECT_EQ(summary.winner, analysis::Winner::kNone);
+  const std::string table = analysis::format_results({summary}, analysis::ResultsFormat::kTable);
+  EXPECT_NE(table.find("incomplete"), std::string::npos);
+  EXPECT_NE(table.find("stalled, "), std::string::npos) << table;
+}
+
+TEST_F(RecordedEndTest, IgnoresDocumentsOfOtherLogsAndSchemas) {
+  for (const std::string& odd :
+       {document("finished", "another.rcg"), std::string("{\"schema\": \"cls.match/1\"}"),
+        std::string("[1]"), std::string("no json"),
+        std::string("{\"schema\": 5, \"log_files\": 7}"),
+        std::string("{\"schema\": \"cls.match/1\", \"log_files\": []}")}) {
+    const analysis::MatchSummary summary = read(odd);
+    EXPECT_FALSE(summary.complete) << odd;
+    EXPECT_EQ(summary.end_reason, "") << odd;
+  }
+}
+
+}  // namespace
+}  // namespace cls::orchestration::match
