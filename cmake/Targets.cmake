@@ -1,15 +1,23 @@
 # Two functions that keep the CMakeLists.txt of the folders plain lists.
 
-# cls_library(<target> SOURCES <files...> LINK <targets...> [PCH <name>])
+option(CLS_UNITY "compile several sources as one where a library allows it" ON)
+
+# cls_library(<target> SOURCES <files...> LINK <targets...> [PCH <name>] [UNITY [ALONE <files...>]])
 # The static library of a folder. LINK states what the folder may include (and libraries that its
-# headers or sources use). PCH names precompiled headers (cmake/PrecompiledHeaders.cmake).
+# headers or sources use). PCH names precompiled headers (cmake/PrecompiledHeaders.cmake). UNITY
+# compiles sources in batches, which pays where most files include CLI11, nlohmann or gRPC; files
+# that are ALONE repeat names of others in their anonymous namespaces.
 function(cls_library target)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "PCH" "SOURCES;LINK")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "UNITY" "PCH" "SOURCES;LINK;ALONE")
   add_library(${target} STATIC ${arg_SOURCES})
   target_include_directories(${target} PUBLIC "${CMAKE_SOURCE_DIR}")
   target_link_libraries(${target} PUBLIC ${arg_LINK} PRIVATE cls_warnings)
   if(arg_PCH)
     target_precompile_headers(${target} REUSE_FROM cls_pch_${arg_PCH})
+  endif()
+  if(arg_UNITY AND CLS_UNITY)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+    set_source_files_properties(${arg_ALONE} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
   endif()
 endfunction()
 

@@ -1,4 +1,4 @@
-// The build files say what the architecture says: arrows, floating point, packages.
+// Build files follow the architecture: dependencies, floating point flags, packages.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The first group of every match of `pattern` in `text`.
+/// The first group of each match of `pattern` in `text`.
 std::set<std::string> all_matches(const std::string& text, const std::string& pattern) {
   std::set<std::string> found;
   const std::regex regex(pattern);
@@ -25,33 +25,33 @@ std::set<std::string> all_matches(const std::string& text, const std::string& pa
   return found;
 }
 
-/// The room of a library: "orchestration/match" for cls_orchestration_match.
-std::string room_of_target(const std::string& name) {
+/// The library of a library: "orchestration/match" for cls_orchestration_match.
+std::string library_of_target(const std::string& name) {
   if (name == "proto_generated") return "proto";
-  for (std::string room : known_rooms()) {
-    const std::string path = room;
+  for (std::string library : known_libraries()) {
+    const std::string path = library;
     std::replace_if(
-        room.begin(), room.end(), [](char c) { return c == '/' || c == '-'; }, '_');
-    if (room == name) return path;
+        library.begin(), library.end(), [](char c) { return c == '/' || c == '-'; }, '_');
+    if (library == name) return path;
   }
   return name;
 }
 
-TEST(BuildFiles, LinkListsPointDown) {
+TEST(BuildFiles, LinkListsContainLowerLibrariesOnly) {
   int seen = 0;
-  for (const std::string& folder : known_rooms()) {
+  for (const std::string& folder : known_libraries()) {
     const fs::path path = source_folder() / folder / "CMakeLists.txt";
     if (folder == "tests" || !fs::exists(path)) continue;
     ++seen;
     for (const std::string& name : all_matches(read_file(path), R"(^\s+cls_(\w+)\)?\s*$)")) {
-      const std::string target = room_of_target(name);
-      EXPECT_EQ(allowed_rooms(folder).count(target), 1u) << folder << " links " << target;
+      const std::string target = library_of_target(name);
+      EXPECT_EQ(allowed_libraries(folder).count(target), 1u) << folder << " links " << target;
     }
   }
   EXPECT_GE(seen, 14);
 }
 
-TEST(BuildFiles, EverySourceIsCompiledWithoutContraction) {
+TEST(BuildFiles, DisableFloatingPointContraction) {
   const std::string commands = read_file(fs::path(CLS_BUILD_DIR) / "compile_commands.json");
   const std::regex command("\"command\": \"[^\n]*");
   int seen = 0;
@@ -62,22 +62,22 @@ TEST(BuildFiles, EverySourceIsCompiledWithoutContraction) {
     for (const char* flag : {"-ffast-math", "-Ofast", "-march=", "-mfma", "-funsafe"}) {
       EXPECT_EQ(line.find(flag), std::string::npos) << line;
     }
-    EXPECT_EQ(line.find("-DNDEBUG"), std::string::npos) << "assertions stay on: " << line;
+    EXPECT_EQ(line.find("-DNDEBUG"), std::string::npos) << "assertions must stay enabled: " << line;
   }
   EXPECT_GE(seen, 10);
 }
 
-TEST(BuildFiles, BootstrapInstallsTheLibrariesThatCMakeLooksFor) {
+TEST(BuildFiles, BootstrapInstallsPackagesOfCMake) {
   const std::string modules = read_file(source_folder() / "cmake/Dependencies.cmake");
   std::set<std::string> wanted = all_matches(modules, R"(\bcls_need\(\w+ ([a-z0-9+.-]+))");
   wanted.merge(all_matches(modules, "install ([a-z0-9+.-]+) "));
-  wanted.erase("libc6-dev");  // comes with g++
+  wanted.erase("libc6-dev");  // dependency of g++
   EXPECT_EQ(wanted.count("libsleef-dev"), 1u);
   const std::string bootstrap = read_file(source_folder() / "bootstrap");
   EXPECT_EQ(wanted, all_matches(bootstrap, R"(\n  ((?:lib|zlib|nlohmann)[a-z0-9+.-]+))"));
 }
 
-TEST(BuildFiles, TheTopFileIsATableOfContents) {
+TEST(BuildFiles, TopLevelFileIsShort) {
   const auto lines = lines_of(read_file(source_folder() / "CMakeLists.txt"));
   EXPECT_GE(lines.size(), 10u);
   EXPECT_LE(lines.size(), 120u);

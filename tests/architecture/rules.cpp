@@ -1,4 +1,4 @@
-// The tables of arrows and of forbidden things, and the loops that hold a file against them.
+// Tables of allowed includes and of forbidden headers and code, and the checks.
 #include "tests/architecture/rules.h"
 
 #include <algorithm>
@@ -10,16 +10,16 @@ namespace {
 
 using Folders = std::set<std::string>;
 
-/// A folder with a library of its own. Its sub-folders are layers: a file may include files of its
-/// own layer and of the layers listed before it. "" is the folder itself.
-struct Room {
-  Folders may_include;              ///< rooms below it; a room may always include itself
+/// A folder with its own library. Its sub-folders are layers: files may include their own layer and
+/// the layers listed before it. "" is the folder itself.
+struct Library {
+  Folders may_include;              ///< lower libraries; a library may always include itself
   std::vector<std::string> layers;  ///< lowest first; empty: no sub-folders
 };
 
-/// All rooms, lowest first; docs/architecture.md has the same table for people.
-const std::map<std::string, Room>& rooms() {
-  static const std::map<std::string, Room> table = {
+/// All libraries, lowest first; docs/architecture.md documents this table.
+const std::map<std::string, Library>& libraries() {
+  static const std::map<std::string, Library> table = {
       {"base", {{}, {"", "text", "io", "system", "report"}}},
       {"proto", {}},
       {"soccer", {{"base"}, {"", "parameters", "protocol", "commands", "messages"}}},
@@ -29,7 +29,8 @@ const std::map<std::string, Room>& rooms() {
         {"formation", "world", "estimates", "tracking", "perception", "commands", "messages",
          "playmaker", "looking", "movement", "ball_skills", "connection", "coach", "planner",
          "behaviors", "actions", "agent"}}},
-      {"mock-server", {{"base", "soccer", "proto"}, {"", "script", "simple_team"}}},
+      {"mock-server",
+       {{"base", "soccer", "proto"}, {"behavior", "simple_team", "script", "service", ""}}},
       {"analysis", {{"base", "soccer", "gamelog"}, {"play", "measures", "results", "statistics"}}},
       {"simulator",
        {{"base", "soccer", "gamelog"},
@@ -73,31 +74,37 @@ const std::map<std::string, Room>& rooms() {
   return table;
 }
 
-/// The layer of a file in its room: "world" for "simulator/world/player.h".
-std::string layer_of(const std::string& room, const std::string& path) {
-  const std::string inside = path.substr(room.size() + 1);
+/// The layer of a file in its library: "world" for "simulator/world/player.h".
+std::string layer_of(const std::string& library, const std::string& path) {
+  const std::string inside = path.substr(library.size() + 1);
   const std::size_t slash = inside.rfind('/');
   return slash == std::string::npos ? "" : inside.substr(0, slash);
 }
 
-/// What is wrong with an include from one file of a room to another; empty: nothing.
-std::string layer_fault(const std::string& room, const std::string& from, const std::string& to) {
-  const std::vector<std::string>& layers = rooms().at(room).layers;
+/// The error of an include within a library; empty if it is allowed.
+std::string layer_error(const std::string& library, const std::string& from,
+                        const std::string& to) {
+  const std::vector<std::string>& layers = libraries().at(library).layers;
   if (layers.empty()) return "";
   const auto position = [&](const std::string& path) {
-    return std::find(layers.begin(), layers.end(), layer_of(room, path));
+    return std::find(layers.begin(), layers.end(), layer_of(library, path));
   };
-  if (position(from) == layers.end()) return "a new sub-folder: give it its place in rooms()";
-  if (position(to) == layers.end()) return "includes a sub-folder without a place in rooms()";
+  for (const std::string& path : {from, to}) {
+    if (position(path) != layers.end()) continue;
+    return "sub-folder '" + layer_of(library, path) +
+           "' is unknown; add it to libraries() in tests/architecture/rules.cpp";
+  }
   if (position(from) >= position(to)) return "";
-  return layer_of(room, from) + " must not include " + layer_of(room, to) + ", a layer above it";
+  return "layer '" + layer_of(library, from) + "' must not include the higher layer '" +
+         layer_of(library, to) + "'";
 }
 
-/// A header that some folders must not include; `except` is the start of paths that may.
+/// Headers that some folders ("library" or "library/layer") must not include, except files whose
+/// path starts with `except`.
 struct ForbiddenHeader {
   Folders folders;
   std::string except;
-  std::vector<std::string> headers;  ///< whole names, or beginnings when they end in '/'
+  std::vector<std::string> headers;  ///< names, or prefixes that end in '/'
   std::string message;
 };
 
@@ -106,9 +113,16 @@ const std::vector<ForbiddenHeader>& forbidden_headers() {
       {{"base", "soccer", "gamelog", "analysis", "simulator", "viewer", "orchestration/process"},
        "",
        {"grpc/", "grpcpp/", "grpc++/", "google/protobuf/"},
-       "the wire to Playmakers is no business of this folder"},
-      // Only what drives the simulator (UDP, real time) may know clocks, threads and sockets:
-      // the files whose path begins with simulator/server.
+       "gRPC and protobuf do not belong in this folder"},
+      // training/ builds observations and actions from these layers without protobuf.
+      {{"proxy/formation", "proxy/world", "proxy/estimates", "proxy/tracking", "proxy/perception",
+        "proxy/commands", "proxy/looking", "proxy/movement", "proxy/ball_skills"},
+       "",
+       {"grpc/", "grpcpp/", "grpc++/", "google/protobuf/", "proto/", "proxy/messages/",
+        "proxy/playmaker/"},
+       "gRPC and protobuf do not belong in this layer"},
+      // Only the server drivers (UDP, real time) may use clocks, threads and sockets: files whose
+      // path begins with simulator/server.
       {{"simulator"},
        "simulator/server",
        {"arpa/", "atomic", "boost/asio/", "boost/asio.hpp", "chrono", "condition_variable", "ctime",
@@ -127,7 +141,7 @@ const std::vector<ForbiddenHeader>& forbidden_headers() {
   return table;
 }
 
-/// A pattern of code that some folders must not contain; `except` is the start of paths that may.
+/// Code that some folders must not contain, except files whose path starts with `except`.
 struct ForbiddenCode {
   Folders folders;
   std::string except;
@@ -136,7 +150,7 @@ struct ForbiddenCode {
 };
 
 const std::vector<ForbiddenCode>& forbidden_code() {
-  // A name qualified by anything but std, or a member, is not the C library's.
+  // Names qualified by anything but std, and members, are not those of the C library.
   static const std::string functions =
       "(sin|cos|tan|asin|acos|atan|atan2|sinh|cosh|tanh|asinh|acosh|atanh|exp|exp2|expm1|log|log2|"
       "log10|log1p|pow|hypot|cbrt|erf|erfc|tgamma|lgamma)[fl]?";
@@ -144,15 +158,15 @@ const std::vector<ForbiddenCode>& forbidden_code() {
       {{"base", "soccer", "simulator", "proxy", "mock-server"},
        "soccer/math.",
        std::regex(R"((\bstd::|(^|[^\w:])::|(^|[^\w:.>])))" + functions + R"(\s*\()"),
-       "its last bits depend on the processor: use soccer/math.h"},
+       "last bits depend on the CPU; use soccer/math.h"},
       {{"base", "soccer", "simulator", "proxy", "mock-server"},
        "",
        std::regex(R"(\bstd::(\w+_distribution|random_device|shuffle|sample|generate_canonical)\b)"),
-       "differs between libraries or runs: use the seeded streams of soccer/random.h"},
+       "differs between libraries or runs; use the seeded streams of soccer/random.h"},
       {{"base", "soccer", "simulator", "proxy", "mock-server"},
        "",
        std::regex(R"((\bstd::|(^|[^\w:.>]))(rand|srand|random|drand48)\s*\()"),
-       "hidden global state: use the seeded streams of soccer/random.h"},
+       "hidden global state; use the seeded streams of soccer/random.h"},
       {{"simulator"},
        "simulator/server",
        std::regex(R"(\bstd::(chrono|thread|jthread|mutex|this_thread|async|atomic|time)\b)"),
@@ -160,7 +174,7 @@ const std::vector<ForbiddenCode>& forbidden_code() {
       {{"tests"},
        "tests/support/",
        std::regex(R"(\b(TempDir|temp_directory_path|tmpnam)\s*\()"),
-       "two runs at once would meet there: use tests/support/temporary_folder.h"},
+       "shared between concurrent runs; use tests/support/temporary_folder.h"},
   };
   return table;
 }
@@ -170,7 +184,9 @@ bool starts_with(std::string_view text, std::string_view start) {
 }
 
 bool applies(const Folders& folders, const std::string& except, const std::string& path) {
-  return folders.count(room_of(path)) != 0 && (except.empty() || !starts_with(path, except));
+  const std::string library = library_of(path);
+  if (library.empty() || (!except.empty() && starts_with(path, except))) return false;
+  return folders.count(library) != 0 || folders.count(library + "/" + layer_of(library, path)) != 0;
 }
 
 bool is_header(const std::string& name, const std::string& entry) {
@@ -191,58 +207,59 @@ std::string to_text(const std::vector<Violation>& violations) {
   return text;
 }
 
-const std::set<std::string>& known_rooms() {
+const std::set<std::string>& known_libraries() {
   static const std::set<std::string> names = [] {
     std::set<std::string> all;
-    for (const auto& [room, unused] : rooms()) all.insert(room);
+    for (const auto& [library, unused] : libraries()) all.insert(library);
     return all;
   }();
   return names;
 }
 
-std::set<std::string> allowed_rooms(const std::string& room) {
-  const auto found = rooms().find(room);
-  if (found == rooms().end()) return {};
+std::set<std::string> allowed_libraries(const std::string& library) {
+  const auto found = libraries().find(library);
+  if (found == libraries().end()) return {};
   std::set<std::string> allowed = found->second.may_include;
-  allowed.insert(room);
+  allowed.insert(library);
   return allowed;
 }
 
-std::string room_of(const std::string& path) {
+std::string library_of(const std::string& path) {
   for (std::size_t end = path.rfind('/'); end != std::string::npos && end > 0;
        end = path.rfind('/', end - 1)) {
-    if (rooms().count(path.substr(0, end)) != 0) return path.substr(0, end);
+    if (libraries().count(path.substr(0, end)) != 0) return path.substr(0, end);
   }
   return "";
 }
 
-std::vector<Violation> check_arrows(const SourceFile& file) {
+std::vector<Violation> check_includes(const SourceFile& file) {
   std::vector<Violation> violations;
-  const std::string room = room_of(file.path);
-  if (room.empty()) {
-    return {{file.path, 0, "a new folder: give it its place in tests/architecture/rules.cpp"}};
+  const std::string library = library_of(file.path);
+  if (library.empty()) {
+    return {
+        {file.path, 0, "unknown folder; add it to libraries() in tests/architecture/rules.cpp"}};
   }
-  const std::set<std::string> allowed = allowed_rooms(room);
+  const std::set<std::string> allowed = allowed_libraries(library);
   for (const Include& include : includes_of(file.text)) {
-    const std::string target = room_of(include.path);
-    std::string fault;
+    const std::string target = library_of(include.path);
+    std::string error;
     if (target.empty()) {
       if (include.quoted) {
-        fault = "quotes are for headers of this project, written from the root of the repository";
+        error = "quoted includes are relative to the root of the repository";
       }
     } else if (allowed.count(target) == 0) {
-      fault = room + " must not include " + target;
-    } else if (target == room) {
-      fault = layer_fault(room, file.path, include.path);
+      error = library + " must not include " + target;
+    } else if (target == library) {
+      error = layer_error(library, file.path, include.path);
     }
-    if (!fault.empty()) {
-      violations.push_back({file.path, include.line, include.path + ": " + fault});
+    if (!error.empty()) {
+      violations.push_back({file.path, include.line, include.path + ": " + error});
     }
   }
   return violations;
 }
 
-std::vector<Violation> check_foreign_headers(const SourceFile& file) {
+std::vector<Violation> check_forbidden_headers(const SourceFile& file) {
   std::vector<Violation> violations;
   for (const Include& include : includes_of(file.text)) {
     for (const ForbiddenHeader& rule : forbidden_headers()) {
@@ -277,27 +294,27 @@ std::vector<Violation> check_shape(const SourceFile& file) {
   std::vector<Violation> violations;
   const std::vector<std::string> lines = lines_of(file.text);
   if (lines.empty() || !starts_with(lines.front(), "// ")) {
-    violations.push_back({file.path, 1, "begin with one sentence of purpose: // ..."});
+    violations.push_back({file.path, 1, "first line must state the purpose: // ..."});
   }
   const bool is_main = file.path == "cli/main.cpp";
   const int limit = is_main ? kMaxMainLines - 1 : kMaxFileLines;
   if (static_cast<int>(lines.size()) > limit) {
-    violations.push_back({file.path, 0,
-                          std::to_string(lines.size()) + " lines, at most " +
-                              std::to_string(limit) + ": split by idea"});
+    violations.push_back(
+        {file.path, 0,
+         std::to_string(lines.size()) + " lines; the maximum is " + std::to_string(limit)});
   }
   for (const Function& function : functions_of(file.text)) {
     if (function.length <= kMaxFunctionLines) continue;
     violations.push_back({file.path, function.line,
                           "a function of " + std::to_string(function.length) +
-                              " lines: split it, it does not fit a screen"});
+                              " lines; the maximum is " + std::to_string(kMaxFunctionLines)});
   }
-  static const std::regex put_off(std::string("\\b(TO") + "DO|FIX" + "ME|X" + "XX)\\b");
+  static const std::regex to_do(std::string("\\b(TO") + "DO|FIX" + "ME|X" + "XX)\\b");
   int number = 0;
   for (const std::string& line : lines) {
     ++number;
-    if (std::regex_search(line, put_off)) {
-      violations.push_back({file.path, number, "do it now or write it in an issue"});
+    if (std::regex_search(line, to_do)) {
+      violations.push_back({file.path, number, "to-do comment; fix it or file an issue"});
     }
   }
   return violations;
@@ -309,13 +326,13 @@ std::vector<Violation> check_process_wrapper(const std::vector<SourceFile>& file
   for (const SourceFile& file : files) {
     for (const Include& include : includes_of(file.text)) {
       if (!starts_with(include.path, "boost/process")) continue;
-      if (room_of(file.path) != "orchestration/process") {
+      if (library_of(file.path) != "orchestration/process") {
         violations.push_back(
             {file.path, include.line, "Boost.Process belongs in orchestration/process"});
       } else if (wrapper.empty()) {
         wrapper = file.path;
       } else if (wrapper != file.path) {
-        violations.push_back({file.path, include.line, "Boost.Process is wrapped in " + wrapper});
+        violations.push_back({file.path, include.line, "Boost.Process belongs in " + wrapper});
       }
     }
   }

@@ -1,4 +1,4 @@
-// The rules of the house that a compiler does not check, each a pure function over source files.
+// Architecture rules that the compiler does not check, as pure functions over source files.
 #pragma once
 
 #include <set>
@@ -9,42 +9,41 @@
 
 namespace cls::tests {
 
-/// A broken rule: where, and what to do instead.
+/// A violation of a rule: place and hint.
 struct Violation {
   std::string path;
   int line;  ///< from 1; 0 for the whole file
   std::string message;
 };
 
-/// "path:line: message", one a line.
+/// One "path:line: message" per line.
 std::string to_text(const std::vector<Violation>& violations);
 
-/// Folders that may hold C++, each with a library of its own: "soccer", "orchestration/match". A
-/// new one must first get its place in the table.
-const std::set<std::string>& known_rooms();
+/// Folders with C++ code, one library each: "soccer", "orchestration/match". New folders must be
+/// added to the table in rules.cpp.
+const std::set<std::string>& known_libraries();
 
-/// The rooms whose files `room` may include, itself among them.
-std::set<std::string> allowed_rooms(const std::string& room);
+/// The libraries whose files `library` may include, including itself.
+std::set<std::string> allowed_libraries(const std::string& library);
 
-/// The room of a path: "simulator" for "simulator/server/udp.cpp"; empty: in none.
-std::string room_of(const std::string& path);
+/// The library of a path: "simulator" for "simulator/server/udp.cpp"; empty if there is none.
+std::string library_of(const std::string& path);
 
-/// Includes of this project point to lower rooms and, within a room, to lower layers; they are
-/// written from the root of the repository.
-std::vector<Violation> check_arrows(const SourceFile& file);
+/// Includes of this project refer to lower libraries and, within a library, to lower layers. Paths
+/// are relative to the root of the repository.
+std::vector<Violation> check_includes(const SourceFile& file);
 
-/// Libraries and system headers that a folder must do without.
-std::vector<Violation> check_foreign_headers(const SourceFile& file);
+/// No folder includes third-party or system headers that are forbidden for it.
+std::vector<Violation> check_forbidden_headers(const SourceFile& file);
 
-/// Calls that would make a match depend on the processor, the library or the clock, or a test on
-/// what else runs.
+/// No calls that make a match depend on CPU, C library or clock, or a test on other running tests.
 std::vector<Violation> check_determinism(const SourceFile& file);
 
-/// One line of purpose first; no file over 800 lines, no function over 60, main under 60; nothing
-/// put off.
+/// Files begin with a comment on their purpose; files have at most 800 lines, functions 60,
+/// main.cpp less than 60; no to-do comments.
 std::vector<Violation> check_shape(const SourceFile& file);
 
-/// Boost.Process is wrapped once: in one file, in orchestration/process.
+/// Only one file, in orchestration/process, includes Boost.Process.
 std::vector<Violation> check_process_wrapper(const std::vector<SourceFile>& files);
 
 }  // namespace cls::tests

@@ -1,4 +1,4 @@
-// A scanner that knows just enough of C++ to tell code from comments and literals.
+// A scanner that separates C++ code from comments and literals.
 #include "tests/architecture/source_text.h"
 
 #include <algorithm>
@@ -8,9 +8,9 @@
 namespace cls::tests {
 namespace {
 
-bool is_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
+bool is_identifier(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 
-/// Walks over the text; each method consumes one kind of thing from `at_`.
+/// Each function consumes one comment, literal or other piece of text.
 class Scanner {
  public:
   Scanner(std::string_view text, Literals literals) : out_(text), literals_(literals) {}
@@ -31,12 +31,12 @@ class Scanner {
     } else if (looking_at("/*")) {
       const std::size_t end = out_.find("*/", at_ + 2);
       blank(end == std::string::npos ? end : end + 2);
-    } else if (looking_at("R\"") && (at_ == 0 || !is_word(out_[at_ - 1]))) {
+    } else if (looking_at("R\"") && (at_ == 0 || !is_identifier(out_[at_ - 1]))) {
       raw_string();
     } else if (out_[at_] == '"') {
       literal('"');
-    } else if (out_[at_] == '\'' && (at_ == 0 || !is_word(out_[at_ - 1]))) {
-      literal('\'');  // after a word character it is a digit separator
+    } else if (out_[at_] == '\'' && (at_ == 0 || !is_identifier(out_[at_ - 1]))) {
+      literal('\'');  // after an identifier character it is a digit separator
     } else {
       ++at_;
     }
@@ -101,7 +101,7 @@ std::optional<Include> include_on(const std::string& line, int number) {
   return Include{number, line.substr(open + 1, close - open - 1), quoted};
 }
 
-/// True for the line on which the body of a function at the left margin opens.
+/// True for a line that opens the body of a function at the left margin.
 bool opens_function(const std::string& line) {
   if (line.empty() || line.back() != '{') return false;
   const std::size_t before = line.find_last_not_of(" \t", line.size() - 2);
@@ -143,7 +143,7 @@ std::vector<Include> includes_of(std::string_view text) {
 std::vector<Function> functions_of(std::string_view text) {
   std::vector<Function> functions;
   const std::vector<std::string> lines = lines_of(without_comments(text, Literals::kBlank));
-  int start = 0;      // first line of the statement at the margin that is being read
+  int start = 0;      // first line of the current statement at the margin
   bool open = false;  // inside a body
   for (int number = 1; number <= static_cast<int>(lines.size()); ++number) {
     const std::string& line = lines[static_cast<std::size_t>(number - 1)];
@@ -152,7 +152,7 @@ std::vector<Function> functions_of(std::string_view text) {
       open = false;
     }
     if (open || line.empty()) continue;
-    const bool at_margin = is_word(line.front());
+    const bool at_margin = is_identifier(line.front());
     if (at_margin) start = number;
     const bool in_statement = at_margin || (start != 0 && line.rfind("    ", 0) == 0);
     open = in_statement && opens_function(line);

@@ -1,4 +1,4 @@
-// C++ source as the architecture rules see it: without comments, without literals, by line.
+// C++ source for the architecture rules: without comments and literals, by line.
 #pragma once
 
 #include <string>
@@ -15,14 +15,14 @@ struct SourceFile {
 
 struct Include {
   int line;          ///< from 1
-  std::string path;  ///< what stands between the quotes or brackets
+  std::string path;  ///< path between the quotes or brackets
   bool quoted;       ///< "..." rather than <...>
 };
 
 enum class Literals { kKeep, kBlank };
 
-/// The text with comments (and, when asked, the contents of string and character literals)
-/// replaced by spaces; line breaks stay, so line numbers do.
+/// Replaces comments, and with kBlank the contents of string and character literals, with spaces.
+/// Line numbers do not change.
 std::string without_comments(std::string_view text, Literals literals);
 
 /// All include directives outside comments, in order.
@@ -31,12 +31,11 @@ std::vector<Include> includes_of(std::string_view text);
 std::vector<std::string> lines_of(std::string_view text);
 
 struct Function {
-  int line;    ///< where its first line stands, from 1
+  int line;    ///< its first line, from 1
   int length;  ///< in lines, from that line to the closing brace
 };
 
-/// Functions that are defined at the left margin, which is where clang-format puts everything that
-/// is not a member of a class body.
+/// Functions defined at the left margin, that is all but those within a class body.
 std::vector<Function> functions_of(std::string_view text);
 
 }  // namespace cls::tests

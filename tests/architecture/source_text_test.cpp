@@ -1,4 +1,4 @@
-// The scanner behind the rules: what is code, what is a comment, where functions end.
+// Scanner of the architecture rules: comments, literals, includes, functions.
 #include "tests/architecture/source_text.h"
 
 #include <gtest/gtest.h>
@@ -6,24 +6,24 @@
 namespace cls::tests {
 namespace {
 
-TEST(SourceText, BlanksCommentsAndKeepsLineNumbers) {
+TEST(SourceText, BlanksCommentsAndPreservesLineNumbers) {
   EXPECT_EQ(without_comments("a; // b\nc; /* d\n e */ f;", Literals::kKeep),
             "a;     \nc;     \n      f;");
 }
 
-TEST(SourceText, BlanksLiteralsOnlyWhenAsked) {
+TEST(SourceText, BlanksLiteralsOnRequest) {
   EXPECT_EQ(without_comments("f(\"a // b\", 'c');", Literals::kKeep), "f(\"a // b\", 'c');");
   EXPECT_EQ(without_comments("f(\"a // b\", 'c');", Literals::kBlank), "f(\"      \", ' ');");
 }
 
-TEST(SourceText, KnowsEscapesRawStringsAndDigitSeparators) {
+TEST(SourceText, HandlesEscapesRawStringsAndDigitSeparators) {
   EXPECT_EQ(without_comments(R"(x = "a\"b" + 1'000'000; // c)", Literals::kBlank),
             R"(x = "    " + 1'000'000;     )");
   EXPECT_EQ(without_comments("R\"x(a \" // )\" b)x\" + c", Literals::kBlank),
             "R\"x(           )x\" + c");
 }
 
-TEST(SourceText, FindsIncludesInTheirForms) {
+TEST(SourceText, FindsAllFormsOfIncludes) {
   const auto includes = includes_of(
       "// #include \"no\"\n#include \"a/b.h\"\n  #  include <c>  // d\n"
       "/* #include <e> */\nconst char* s = \"#include <f>\";\n");
@@ -35,7 +35,7 @@ TEST(SourceText, FindsIncludesInTheirForms) {
   EXPECT_FALSE(includes[1].quoted);
 }
 
-TEST(SourceText, MeasuresFunctionsIncludingTheirHeads) {
+TEST(SourceText, MeasuresFunctionsWithSignature) {
   const auto functions = functions_of(
       "namespace a {\n\n"
       "int f() {\n  return 1;\n}\n\n"

@@ -1,4 +1,4 @@
-// The whole source tree against the rules.
+// The rules applied to the whole source tree.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -21,7 +21,7 @@ bool is_source(const fs::path& path) {
   return extensions.count(path.extension().string()) != 0;
 }
 
-/// All C++ below the root, except in build folders and hidden ones.
+/// All C++ files except in build folders and hidden folders.
 std::vector<SourceFile> read_tree() {
   std::vector<SourceFile> files;
   for (const auto& top : fs::directory_iterator(source_folder())) {
@@ -45,7 +45,7 @@ const std::vector<SourceFile>& tree() {
 }
 
 template <typename Rule>
-std::string broken(Rule rule) {
+std::string violations_of(Rule rule) {
   std::vector<Violation> all;
   for (const SourceFile& file : tree()) {
     for (Violation& violation : rule(file)) all.push_back(std::move(violation));
@@ -55,7 +55,7 @@ std::string broken(Rule rule) {
 
 TEST(SourceTree, IsReadCompletely) {
   std::map<std::string, int> count;
-  for (const SourceFile& file : tree()) ++count[room_of(file.path)];
+  for (const SourceFile& file : tree()) ++count[library_of(file.path)];
   for (const char* folder : {"soccer", "cli", "tests"}) EXPECT_GE(count[folder], 5) << folder;
   const auto self = std::find_if(tree().begin(), tree().end(), [](const SourceFile& file) {
     return file.path == "tests/architecture/source_tree_test.cpp";
@@ -64,9 +64,9 @@ TEST(SourceTree, IsReadCompletely) {
   EXPECT_GE(includes_of(self->text).size(), 9u);
 }
 
-TEST(SourceTree, IncludesPointDown) { EXPECT_EQ(broken(check_arrows), ""); }
+TEST(SourceTree, IncludesReferToLowerFolders) { EXPECT_EQ(violations_of(check_includes), ""); }
 
-TEST(SourceTree, IncludesOfOursExist) {
+TEST(SourceTree, IncludedFilesExist) {
   std::string absent;
   for (const SourceFile& file : tree()) {
     for (const Include& include : includes_of(file.text)) {
@@ -78,17 +78,17 @@ TEST(SourceTree, IncludesOfOursExist) {
   EXPECT_EQ(absent, "");
 }
 
-TEST(SourceTree, FoldersDoWithoutForbiddenLibraries) {
-  EXPECT_EQ(broken(check_foreign_headers), "");
+TEST(SourceTree, FoldersIncludeNoForbiddenHeaders) {
+  EXPECT_EQ(violations_of(check_forbidden_headers), "");
 }
 
-TEST(SourceTree, NothingDependsOnProcessorLibraryOrClock) {
-  EXPECT_EQ(broken(check_determinism), "");
+TEST(SourceTree, CodeIsIndependentOfCpuLibraryAndClock) {
+  EXPECT_EQ(violations_of(check_determinism), "");
 }
 
-TEST(SourceTree, FilesAndFunctionsFitTheirReaders) { EXPECT_EQ(broken(check_shape), ""); }
+TEST(SourceTree, FilesAndFunctionsHaveLimitedLength) { EXPECT_EQ(violations_of(check_shape), ""); }
 
-TEST(SourceTree, BoostProcessIsWrappedOnce) {
+TEST(SourceTree, BoostProcessIsIncludedOnce) {
   EXPECT_EQ(to_text(check_process_wrapper(tree())), "");
 }
 

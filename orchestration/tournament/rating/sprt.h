@@ -31,10 +31,10 @@ double mean(const Frequencies& frequencies);
 double variance(const Frequencies& frequencies);
 double total(const Frequencies& frequencies);
 
-/// Log-likelihood ratio of the expected score being `score1` against `score0` (match-statistics
-/// 8.3): multinomial model, each hypothesis with the distribution that maximizes the likelihood of
-/// the observed results under its expected score. An outcome that never occurred counts as 0.001.
-/// Returns 0 without results.
+/// Log-likelihood ratio of the expected score being `score1` against `score0`
+/// (docs/spec/match-statistics.md 8.3): multinomial model, each hypothesis with the distribution
+/// that maximizes the likelihood of the observed results under its expected score. An outcome that
+/// never occurred counts as 0.001. Returns 0 without results.
 double log_likelihood_ratio(const Frequencies& frequencies, double score0, double score1);
 
 /// The state of a test on games or pairs.

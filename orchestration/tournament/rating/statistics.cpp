@@ -1,4 +1,4 @@
-// Formulas of match-statistics, sections 8 and 8.1.
+// Formulas of docs/spec/match-statistics.md 8 and 8.1.
 #include "orchestration/tournament/rating/statistics.h"
 
 #include <algorithm>

@@ -38,7 +38,7 @@ struct Bye {
 };
 
 /// The tiebreakers of the configuration, or the default ones of its format. Round robin and groups
-/// use the order of the league (match-statistics 10), without its deciding shoot-out.
+/// use the order of the league (docs/spec/match-statistics.md 10), without its deciding shoot-out.
 std::vector<TieBreaker> tie_breakers_of(const TournamentConfig& config);
 
 /// The table of `teams` over those `matches` whose two teams belong to it.

@@ -260,7 +260,7 @@ TEST(Executor, FormatsEverySayMessageAsHelios) {
             })[0],
             'o');
   EXPECT_EQ(said([](protos::Say& say) { say.mutable_one_player_message(); }), "")
-      << "nobody has number 0";
+      << "no player has number 0";
 }
 
 TEST(Executor, WritesDebugActionsToLog) {

@@ -119,7 +119,7 @@ TEST(Move, SetsPositionBeforeKickOff) {
 
 TEST(AttentionTo, SetsAndClearsAttention) {
   InPlay match;
-  // What the agent would choose by itself must not be taken for the action's work.
+  // The agent's own choice must not be mistaken for the effect of the action.
   match.act([](auto& action) {
     action.mutable_attention_to()->set_side(protos::LEFT);
     action.mutable_attention_to()->set_unum(3);

@@ -361,7 +361,7 @@ TEST(HeliosBasicTackle, TakesBallFromOpponent) {
     pitch.add_opponent(4, {-43.0, 0.2});
     pitch.act(basic_tackle);
     ASSERT_NE(pitch.sent<soccer::Tackle>(), nullptr);
-    EXPECT_FALSE(pitch.sent<soccer::Tackle>()->foul) << "not in our own penalty area";
+    EXPECT_FALSE(pitch.sent<soccer::Tackle>()->foul) << "not in the own penalty area";
     pitch.roll(1);
     taken += pitch.world.kickable_opponent() ? 0 : 1;
   }

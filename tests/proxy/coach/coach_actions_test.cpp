@@ -36,11 +36,11 @@ void say_types(CoachActions& actions) {
 
 const protos::Player& numbered(const google::protobuf::RepeatedPtrField<protos::Player>& players,
                                int unum) {
-  static const protos::Player nobody;
+  static const protos::Player no_player;
   const auto found = std::find_if(players.begin(), players.end(), [unum](const auto& player) {
     return player.uniform_number() == unum;
   });
-  return found == players.end() ? nobody : *found;
+  return found == players.end() ? no_player : *found;
 }
 
 TEST(ChangePlayerTypes, SetsTypeAndNotifiesBothTeams) {
@@ -354,7 +354,7 @@ TEST_P(DoChangeMode, SetsPlayMode) {
     match.steps(1);
     EXPECT_EQ(match.coach().commands().at("change_mode"), 1);
     EXPECT_EQ(match.world().mode, side == protos::LEFT ? c.left : c.right);
-    EXPECT_EQ(match.coach().world().game.mode, match.world().mode) << "as everybody hears";
+    EXPECT_EQ(match.coach().world().game.mode, match.world().mode) << "as all clients hear";
     EXPECT_EQ(match.coach().server().errors.errors, 0);
   }
 }

@@ -14,7 +14,7 @@ void let_in(simulator::LockstepServer& server, Agent& agent) {
   agent.connect();
   server.accept_clients();
   agent.perceive();
-  if (!agent.ready()) throw std::runtime_error("not let in: " + agent.server().refusal);
+  if (!agent.ready()) throw std::runtime_error("not accepted: " + agent.server().refusal);
 }
 
 }  // namespace

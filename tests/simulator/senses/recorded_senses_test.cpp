@@ -127,7 +127,7 @@ class Comparison {
   const Tally& tally() const { return tally_; }
 
  private:
-  static constexpr std::size_t kMostWorlds = 400;
+  static constexpr std::size_t kMaxWorlds = 400;
 
   /// World 0 is the recorded one, the others are rounded to it.
   const World& world(std::size_t i) {
@@ -145,9 +145,9 @@ class Comparison {
     soccer::See recorded;
     ASSERT_TRUE(soccer::parse(message, recorded)) << message;
     std::size_t names = 0;
-    while (names < kMostWorlds && !same_names(recorded, seen(names, slot))) ++names;
-    tally_.add("objects", names == 0, names < kMostWorlds, where_);
-    if (names == kMostWorlds) return;
+    while (names < kMaxWorlds && !same_names(recorded, seen(names, slot))) ++names;
+    tally_.add("objects", names == 0, names < kMaxWorlds, where_);
+    if (names == kMaxWorlds) return;
     const soccer::See computed = seen(names, slot);
     for (std::size_t i = 0; i < recorded.objects.size(); ++i) {
       compare_detail(recorded.objects[i], tally_, where_);
@@ -161,7 +161,7 @@ class Comparison {
 
   bool some_world_sees(const soccer::See& recorded, std::size_t object, const Field& field,
                        Slot slot) {
-    for (std::size_t i = 0; i < kMostWorlds; ++i) {
+    for (std::size_t i = 0; i < kMaxWorlds; ++i) {
       const soccer::See computed = seen(i, slot);
       if (same_names(recorded, computed) &&
           field.equal(recorded.objects[object], computed.objects[object])) {
@@ -204,7 +204,7 @@ class Comparison {
       return text(computed.*field) == text(recorded.*field);
     };
     bool border = false;
-    for (std::size_t i = 1; !same(exact) && !border && i < kMostWorlds; ++i) {
+    for (std::size_t i = 1; !same(exact) && !border && i < kMaxWorlds; ++i) {
       border = same(sense_body(world(i), slot));
     }
     tally_.add(name, same(exact), border, where_);
