@@ -45,7 +45,8 @@ std::string latency(const TeamResult& team, double orchestration::match::RpcLate
 // run:COMMAND may be long.
 std::string shortened(const std::string& text) {
   constexpr std::size_t kWidth = 18;
-  return text.size() <= kWidth ? text : text.substr(0, kWidth - 3) + "...";
+  if (text.size() <= kWidth) return text;
+  return fmt::format("{}...", std::string_view(text).substr(0, kWidth - 3));
 }
 
 class Rows {

@@ -369,11 +369,16 @@ void Match::report_disconnects(MatchObserver& observer) {
 
 void Match::finish(MatchObserver& observer) {
   end({});
-  for (const auto& side : sides_) side->end_play();
   auto state = Server::FinalState::kRunning;
   if (end_->reason == EndReason::kFinished && is_over()) state = Server::FinalState::kOver;
-  // A team at the cycle limit has left the server waiting: the server makes no further step.
-  if (at_cycle_limit()) state = Server::FinalState::kHeld;
+  // The server makes no further step while it waits for a team at the cycle limit or at its turn.
+  const bool held_at_turn = state == Server::FinalState::kRunning && !server_->lockstep() &&
+                            std::any_of(sides_.begin(), sides_.end(),
+                                        [](const auto& side) { return side->takes_turns(); });
+  if (at_cycle_limit() || held_at_turn) state = Server::FinalState::kHeld;
+  if (!held_at_turn) {
+    for (const auto& side : sides_) side->end_play();
+  }
   server_->finish(state, limits_.signal());
   for (const auto& side : sides_) side->leave();
   for (const auto& side : sides_) side->terminate();

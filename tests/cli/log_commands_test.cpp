@@ -48,8 +48,8 @@ TEST(ResultsCommand, ReadsFoldersAndPrintsTables) {
         cls_run({"results", fixture("gamelog").string(), "--format", format, "--jobs", "2"});
     EXPECT_EQ(result.exit_code, 65) << result.err;  // one of them is truncated
     EXPECT_NE(result.out.find("HELIOS"), std::string::npos);
-    EXPECT_NE(result.err.find("match-start.rcg.gz: line 312, byte 932854, cycle 234: the match has "
-                              "no end here: the log was interrupted"),
+    EXPECT_NE(result.err.find("match-start.rcg.gz: line 312, byte 932854, cycle 234: no end of the "
+                              "match: the log is incomplete"),
               std::string::npos)
         << result.err;
   }

@@ -157,7 +157,7 @@ TEST(PinOnOneProcessor, ReportsError) {
       cls::tests::run({cls::tests::cls_binary(), "match", "mock", "mock", "--pin", "--dry-run"});
   ASSERT_EQ(::sched_setaffinity(0, sizeof before, &before), 0);
   EXPECT_EQ(answer.exit_code, 2);
-  EXPECT_NE(answer.err.find("--pin: only one usable processor core"), std::string::npos)
+  EXPECT_NE(answer.err.find("--pin: only one processor core is available"), std::string::npos)
       << answer.err;
 }
 

@@ -269,7 +269,7 @@ TEST_F(Recording, ReportsCorruptRecording) {
   std::ofstream(folder() + "/text.rpc") << "no recording";
   const auto text = cls_test({"--replay", folder() + "/text.rpc", "mock"});
   EXPECT_EQ(text.exit_code, 65);
-  EXPECT_NE(text.err.find("not a recording"), std::string::npos) << text.err;
+  EXPECT_NE(text.err.find("not an RPC recording"), std::string::npos) << text.err;
   EXPECT_EQ(cls_test({"--replay", folder() + "/none.rpc", "mock"}).exit_code, 66);
   EXPECT_EQ(cls_test({"--replay", folder() + "/m.rpc"}).exit_code, 2);
 }

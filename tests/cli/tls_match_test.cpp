@@ -91,7 +91,7 @@ TEST_F(TlsMatch, ReportsInvalidPemFiles) {
   const std::string text = file("text", "not a certificate\n");
   const CommandResult wrong = refused({"--tls-ca", text});
   EXPECT_EQ(wrong.exit_code, 65);
-  EXPECT_EQ(wrong.err, "cls: --tls-ca: " + text + ": no CERTIFICATE in PEM form\n");
+  EXPECT_EQ(wrong.err, "cls: --tls-ca: " + text + ": contains no CERTIFICATE in PEM format\n");
   const CommandResult half = refused({"--tls-cert", file("a.pem", authority_.certificate())});
   EXPECT_EQ(half.exit_code, 2);
   EXPECT_EQ(half.err, "cls: --tls-cert and --tls-key require each other\n");

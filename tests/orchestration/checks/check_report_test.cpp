@@ -28,7 +28,7 @@ TEST(CheckReport, JUnitContainsEachStep) {
             std::string::npos)
       << xml;
   EXPECT_NE(xml.find("name=\"reach\""), std::string::npos);
-  EXPECT_NE(xml.find("<system-out>Register answered</system-out>"), std::string::npos) << xml;
+  EXPECT_NE(xml.find("<system-out>Register replied</system-out>"), std::string::npos) << xml;
   EXPECT_NE(xml.find("why: It may be refused, not crash."), std::string::npos);
   EXPECT_NE(xml.find("<skipped message=\"not reached\">"), std::string::npos);
 }

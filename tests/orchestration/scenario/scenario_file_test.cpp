@@ -94,7 +94,7 @@ TEST(ScenarioFile, ReportsErrorsOfChecks) {
             "a/corner.json:1: /expect/0/referee: unknown referee message 'goal_l'; did you mean "
             "'foul_l'?");
   EXPECT_EQ(check(R"({"referee": "yellow_card_l_11"}, {"referee": "goal_r_12"})"), "");
-  EXPECT_EQ(check(R"({"referee": "yellow_card_l_12"})").substr(0, 71),
+  EXPECT_EQ(check(R"({"referee": "yellow_card_l_12"})").substr(0, 72),
             "a/corner.json:1: /expect/0/referee: unknown referee message 'yellow_card");
   EXPECT_EQ(check(R"({"actions": "dash"})"), "a/corner.json:1: /expect/0: requires \"side\"");
   EXPECT_EQ(check(R"({"ball": {"near": [0, 0]}})"),
