@@ -1,4 +1,4 @@
-// Seeded random streams with portable distributions, so that a seed gives the same match everywhere.
+// Seeded random streams with portable distributions: a seed gives the same match everywhere.
 #pragma once
 
 #include <array>

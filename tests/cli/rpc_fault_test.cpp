@@ -227,7 +227,8 @@ TEST_P(RpcFault, AssumesFirstInterfaceWithoutRegister) {
   const Played played = play_mock({"--unimplemented", "Register,SendByeCommand"});
   expect_finished(played);
   EXPECT_EQ(played.total("missed"), 0);
-  EXPECT_NE(played.warnings().find("does not implement Register"), std::string::npos) << played.warnings();
+  EXPECT_NE(played.warnings().find("does not implement Register"), std::string::npos)
+      << played.warnings();
 }
 
 TEST_P(RpcFault, AcceptsPlaymakerWithOnlyDecisions) {
