@@ -7,8 +7,8 @@ CXX_FILES = git ls-files --cached --others --exclude-standard -- '*.h' '*.cpp'
 
 # Rooms that parse foreign input: logs, protocol, JSON and TOML files, replies.
 INPUT_TESTS = cls_base_tests cls_soccer_tests cls_gamelog_tests cls_analysis_tests \
-  cls_mock_server_tests cls_simulator_tests
-INPUT_LABELS = ^(base|soccer|gamelog|analysis|mock-server|simulator)$$
+  cls_mock_server_tests
+INPUT_LABELS = ^(base|soccer|gamelog|analysis|mock-server)$$
 FUZZERS = protocol rcg rcl session agent
 
 .PHONY: help build test full bench asan tsan asan-input fuzz clang same-bytes format format-check \

@@ -1,6 +1,6 @@
 # Two functions that keep the CMakeLists.txt of the folders plain lists.
 
-option(CLS_UNITY "compile several sources as one where a library allows it" ON)
+option(CLS_UNITY "compile several sources as one where a library allows it" OFF)
 
 # cls_library(<target> SOURCES <files...> LINK <targets...> [PCH <name>] [UNITY [ALONE <files...>]])
 # The static library of a folder. LINK states what the folder may include (and libraries that its

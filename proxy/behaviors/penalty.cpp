@@ -1,4 +1,4 @@
-// Roles in a shoot-out: taker, goalie, waiting players.
+// Roles in a penalty shoot-out: taker, goalie, waiting players.
 
 #include <algorithm>
 #include <cmath>

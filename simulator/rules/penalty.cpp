@@ -1,4 +1,4 @@
-// Penalty rule: start, phases and results of the kicks of a shoot-out
+// Penalty rule: start, phases and results of the kicks of a penalty shoot-out
 // (docs/spec/simulation-model.md 9.14).
 #include "simulator/rules/penalty.h"
 
