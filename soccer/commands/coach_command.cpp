@@ -180,7 +180,7 @@ Reply read_placement(LooseScanner& in, Vec2& position, std::optional<double>& an
 
 Reply move(LooseScanner& in, CoachCommand& out) {
   if (!in.token("(")) return ErrorCode::kIllegalObjectForm;
-  LooseScanner object(in.run(is_not_closing, kMaxTokenSize));
+  LooseScanner object(in.run(is_not_closing, kMaxMoveObjectSize));
   if (!in.token(")")) return ErrorCode::kIllegalObjectForm;
   if (object.rest() == "ball") {
     MoveBall command;

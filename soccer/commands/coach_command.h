@@ -1,6 +1,7 @@
 // Commands of online coaches and trainers: one struct per command.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -71,6 +72,9 @@ struct MoveBall {
   std::optional<double> angle;
   std::optional<Vec2> velocity;
 };
+/// The server reads at most so many characters of the object of a `(move ...)`.
+inline constexpr std::size_t kMaxMoveObjectSize = 127;
+
 /// `(move (player TEAM UNUM) X Y [ANG [VX VY]])`, global coordinates and degrees. A velocity
 /// comes only together with an angle.
 struct MovePlayer {

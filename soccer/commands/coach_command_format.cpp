@@ -84,9 +84,10 @@ bool write(const MoveBall& c, std::string& out) {
 
 bool write(const MovePlayer& c, std::string& out) {
   if (!is_token(c.team)) return false;
-  out.append("(move (player ").append(c.team).push_back(' ');
-  base::append_int(c.unum, out);
-  out.push_back(')');
+  std::string object = "player " + c.team + ' ';
+  base::append_int(c.unum, object);
+  if (object.size() > kMaxMoveObjectSize) return false;
+  out.append("(move (").append(object).push_back(')');
   return write_placement(c.position, c.angle, c.velocity, out);
 }
 

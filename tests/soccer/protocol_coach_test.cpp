@@ -112,8 +112,9 @@ TEST(CoachCommand, DoesNotFormatWhatServerRejects) {
   std::string text = "before";
   for (const CoachCommand& command : std::vector<CoachCommand>{
            MoveBall{{std::nan(""), 0}, {}, {}}, MoveBall{{0, 0}, {}, Vec2{1, 1}},
-           MovePlayer{"a b", 1, {0, 0}, {}, {}}, TrainerSay{""}, TrainerSay{"a\"b"},
-           CoachSay{ClangKind::kFreeform, "(freeform \"a!\")"},
+           MovePlayer{"a b", 1, {0, 0}, {}, {}},
+           MovePlayer{std::string(kMaxMoveObjectSize, 'a'), 1, {0, 0}, {}, {}}, TrainerSay{""},
+           TrainerSay{"a\"b"}, CoachSay{ClangKind::kFreeform, "(freeform \"a!\")"},
            CoachSay{ClangKind::kInfo, "(freeform \"a\")"}, ChangeMode{PlayMode::kNull},
            TrainerChangePlayerType{"", 1, 2}, TeamGraphic{0, 0, {"a\"b"}}}) {
     EXPECT_FALSE(format(command, text));
