@@ -94,8 +94,8 @@ int status(const FolderArguments& arguments) {
     fmt::print("{}\n", document.dump(2));
     return kOk;
   }
-  fmt::print("{} of {} matches done, {} invalid, {} running{}\n", counts.done(), counts.scheduled,
-             counts.invalid, state.running.size(), report.complete ? "; complete" : "");
+  fmt::print("{}; {}\n", counts_text(counts),
+             report.complete ? "complete" : fmt::format("{} running", state.running.size()));
   for (const int index : state.running) {
     const Fixture& fixture = state.matches[static_cast<std::size_t>(index) - 1].fixture;
     fmt::print("{}\n", schedule_text(state.config, fixture));

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "orchestration/tournament/store/match_attempt.h"
 
 namespace cls::orchestration::tournament {
@@ -20,6 +22,16 @@ MatchCounts count(std::span<const ScheduledMatch> matches) {
     }
   }
   return counts;
+}
+
+std::string counts_text(const MatchCounts& counts) {
+  std::string text = fmt::format("{} of {} matches done", counts.done(), counts.scheduled);
+  const char* separator = ", of these ";
+  if (counts.forfeits > 0) {
+    text += fmt::format("{}{} forfeited", std::exchange(separator, ", "), counts.forfeits);
+  }
+  if (counts.invalid > 0) text += fmt::format("{}{} INVALID", separator, counts.invalid);
+  return text;
 }
 
 Report make_report(const TournamentConfig& config, std::span<const ScheduledMatch> matches,
@@ -61,10 +73,9 @@ std::string score_text(const ScheduledMatch& match) {
   if (!match.outcome) return "-";
   const Outcome& outcome = *match.outcome;
   if (!outcome.counts()) return std::string(name(outcome.end_reason));
-  std::string text = fmt::format("{} : {}", outcome.left_score, outcome.right_score);
+  std::string text = fmt::format("{}:{}", outcome.left_score, outcome.right_score);
   if (outcome.left_penalties && outcome.right_penalties) {
-    text +=
-        fmt::format(" ({} : {} on penalties)", *outcome.left_penalties, *outcome.right_penalties);
+    text += fmt::format(" ({}:{} pen)", *outcome.left_penalties, *outcome.right_penalties);
   }
   if (outcome.forfeit) text += " (forfeit)";
   return text;

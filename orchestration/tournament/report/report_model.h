@@ -27,6 +27,9 @@ struct MatchCounts {
 };
 MatchCounts count(std::span<const ScheduledMatch> matches);
 
+/// "4 of 6 matches done, of these 1 forfeited, 2 INVALID": the one wording of the counts.
+std::string counts_text(const MatchCounts& counts);
+
 /// Refers to the arguments of make_report(), which must outlive it.
 struct Report {
   const TournamentConfig* config = nullptr;
@@ -56,7 +59,7 @@ std::optional<HeadToHead> find_head_to_head(const Report& report, int first, int
 /// The shell command that plays a match again.
 std::string rerun_command(const TournamentConfig& config, const Fixture& fixture);
 
-/// "2 : 1", "2 : 2 (4 : 3 on penalties)", "0 : 3 (forfeit)", "crashed", or "-" without an outcome.
+/// "2:1", "2:2 (4:3 pen)", "0:3 (forfeit)", "crashed", or "-" without an outcome.
 std::string score_text(const ScheduledMatch& match);
 
 }  // namespace cls::orchestration::tournament

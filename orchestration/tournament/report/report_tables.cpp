@@ -43,14 +43,9 @@ std::string goals(int goals_for, int goals_against) {
 }  // namespace
 
 std::string headline(const Report& report) {
-  const MatchCounts& counts = report.counts;
   const TournamentConfig& config = *report.config;
-  std::string text =
-      fmt::format("{} of {} teams, seed {}: {} of {} matches done", name(config.format),
-                  config.teams.size(), config.seed, counts.done(), counts.scheduled);
-  if (counts.forfeits > 0) text += fmt::format(", {} forfeited", counts.forfeits);
-  if (counts.invalid > 0) text += fmt::format(", {} INVALID", counts.invalid);
-  return text;
+  return fmt::format("{} of {} teams, seed {}: {}", name(config.format), config.teams.size(),
+                     config.seed, counts_text(report.counts));
 }
 
 ReportTable standings_table(const Report& report, const RankedTable& ranked) {

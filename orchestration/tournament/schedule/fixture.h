@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "orchestration/match/result/end_reason.h"
 #include "soccer/side.h"
@@ -25,13 +26,15 @@ struct Fixture {
   bool operator==(const Fixture&) const = default;
 };
 
-/// Decisions and latencies of one side's agents.
+/// Decisions and latencies of one side's agents. Latencies are those of a Playmaker's replies.
 struct SideStats {
   std::int64_t decisions = 0;
   std::int64_t late = 0;
   std::int64_t missed = 0;
   double rpc_p50_us = 0.0;  ///< of the median player
-  double rpc_p99_us = 0.0;  ///< of the slowest player
+  double rpc_p95_us = 0.0;  ///< this and the next two: of the slowest player
+  double rpc_p99_us = 0.0;
+  double rpc_max_us = 0.0;
   double cpu_seconds = 0.0;
 };
 
@@ -45,6 +48,7 @@ struct Outcome {
   std::optional<int> right_penalties;
   std::optional<soccer::Side> fault;  ///< side of the Playmaker that made it invalid
   std::string message;                ///< what went wrong
+  std::vector<std::string> warnings;  ///< of the match, in its own words
 
   int attempts = 1;  ///< times it was started
   int cycles = 0;

@@ -62,7 +62,9 @@ static void members(Codec& codec, Object<Codec, SideStats>& side) {
   codec.member("late", side.late);
   codec.member("missed", side.missed);
   codec.rounded("rpc_p50_us", side.rpc_p50_us, 10);
+  codec.rounded("rpc_p95_us", side.rpc_p95_us, 10);
   codec.rounded("rpc_p99_us", side.rpc_p99_us, 10);
+  codec.rounded("rpc_max_us", side.rpc_max_us, 10);
   codec.rounded("cpu_seconds", side.cpu_seconds, 1000);
 }
 
@@ -78,6 +80,7 @@ static void members(Codec& codec, Object<Codec, Outcome>& outcome) {
   codec.derived("winner", [&] { return winner_json(outcome); });
   codec.named("fault", outcome.fault, soccer::side_name, soccer::parse_side);
   codec.text_or_null("message", outcome.message);
+  codec.member("warnings", outcome.warnings);
   codec.member("attempts", outcome.attempts);
   codec.member("cycles", outcome.cycles);
   codec.rounded("wall_seconds", outcome.wall_seconds, 1000);
@@ -142,7 +145,7 @@ Result<WorkResult> parse_work_result(std::string_view text) { return parse<WorkR
 
 namespace {
 
-// The median player's p50, the slowest player's p99, and sums of the rest.
+// The median player's p50, the slowest player's p95, p99 and maximum, and sums of the rest.
 SideStats stats_of(const match::TeamResult& team) {
   SideStats side;
   std::vector<double> medians;
@@ -151,7 +154,9 @@ SideStats stats_of(const match::TeamResult& team) {
     side.late += player.late;
     side.missed += player.missed;
     medians.push_back(player.rpc_us.p50);
+    side.rpc_p95_us = std::max(side.rpc_p95_us, player.rpc_us.p95);
     side.rpc_p99_us = std::max(side.rpc_p99_us, player.rpc_us.p99);
+    side.rpc_max_us = std::max(side.rpc_max_us, player.rpc_us.max);
   }
   if (!medians.empty()) {
     const auto middle = medians.begin() + static_cast<long>(medians.size() / 2);
@@ -175,6 +180,7 @@ Outcome outcome_of(const match::MatchResult& result) {
   }
   if (result.fault != soccer::Side::kNeutral) outcome.fault = result.fault;
   outcome.message = result.message;
+  outcome.warnings = result.warnings;
   outcome.cycles = result.cycles;
   outcome.wall_seconds = result.wall_seconds;
   outcome.cycles_per_second = result.cycles_per_second;
