@@ -1,18 +1,16 @@
 #!/usr/bin/env python3
-"""A complete Playmaker: implements the RPCs of proto/playmaker.proto with simple soccer.
+"""A complete Playmaker: simple soccer on the package cls_playmaker (docs/playmaker.md).
 
     python3 examples/python/playmaker.py --port 50051
-    build/bin/cls match mock localhost:50051
+    cls match mock localhost:50051
 """
-import argparse
 import math
 import os
 import sys
-from concurrent import futures
 
-import grpc
-sys.path.append(os.path.join(os.path.dirname(__file__), "../../build/python"))  # generated there
-from proto import playmaker_pb2 as pb, playmaker_pb2_grpc as rpc  # noqa: E402
+# A copy elsewhere needs the installed package: pip install ./python
+sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../build/python"))
+from cls_playmaker import Playmaker, proto as pb, serve  # noqa: E402
 
 HOME = {1: (-50, 0), 2: (-20, -6), 3: (-20, 6), 4: (-16, -18), 5: (-16, 18), 6: (-8, 0),
         7: (0, -10), 8: (0, 10), 9: (10, -20), 10: (10, 20), 11: (12, 0)}
@@ -62,6 +60,8 @@ def decide(world):
     if world.game_mode_type in (pb.BeforeKickOff, pb.AfterGoal_):
         x, y = HOME[me.uniform_number]
         yield pb.PlayerAction(bhv_before_kick_off=pb.Bhv_BeforeKickOff(point=point(min(x, -1), y)))
+    elif world.is_our_set_play:  # the kicker may not touch the ball twice
+        yield pb.PlayerAction(helios_set_play=pb.HeliosSetPlay())
     elif me.is_goalie and me.catch_probability > 0.8:
         yield pb.PlayerAction(catch=pb.Catch())
     elif me.is_kickable and not world.is_their_set_play:
@@ -74,27 +74,10 @@ def decide(world):
     yield pb.PlayerAction(neck_turn_to_ball_or_scan=pb.Neck_TurnToBallOrScan())
 
 
-class Playmaker(rpc.GameServicer):
-    def Register(self, request, context):
-        return pb.RegisterResponse(
-            client_id=request.uniform_number, agent_type=request.agent_type,
-            team_name=request.team_name, uniform_number=request.uniform_number)
-
+class Team(Playmaker):
     def GetPlayerActions(self, state, context):
         return pb.PlayerActions(actions=decide(state.world_model), ignore_preprocess=True)
 
-    def SendServerParams(self, request, context):
-        return pb.Empty()
-
-    SendPlayerParams = SendPlayerType = SendInitMessage = SendByeCommand = SendServerParams
-
 
 if __name__ == "__main__":
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--port", type=int, default=50051, help="0 takes a free one")
-    server = grpc.server(futures.ThreadPoolExecutor(max_workers=11))
-    rpc.add_GameServicer_to_server(Playmaker(), server)
-    port = server.add_insecure_port(f"127.0.0.1:{parser.parse_args().port}")
-    server.start()
-    print(f"listening on 127.0.0.1:{port}", flush=True)
-    server.wait_for_termination()
+    serve(Team())

@@ -9,24 +9,16 @@
 #include "tests/matches/full_tests.h"
 #include "tests/support/command.h"
 #include "tests/support/files.h"
+#include "tests/support/python.h"
 #include "tests/support/temporary_folder.h"
 
 namespace {
 
 using cls::tests::Command;
 
-// A Python with gRPC: the system's, or the first one on PATH.
-std::string python_with_grpc() {
-  for (const char* python : {"/usr/bin/python3", "python3"}) {
-    const auto tried = cls::tests::run({python, "-c", "import grpc, google.protobuf"});
-    if (tried.exit_code == 0) return python;
-  }
-  return "";
-}
-
 TEST(ExternalPlaymaker, PythonExamplePlaysMatch) {
-  const std::string python = python_with_grpc();
-  if (python.empty()) GTEST_SKIP() << "no Python with grpc: install python3-grpcio";
+  const std::string python = cls::tests::python_with_grpc();
+  if (python.empty()) GTEST_SKIP() << cls::tests::kNoPython;
   const std::string script = cls::tests::source_folder() / "examples/python/playmaker.py";
   Command playmaker({python, script, "--port", "0"},
                     {std::string("PYTHONPATH=") + CLS_BUILD_DIR + "/python"});

@@ -1,0 +1,18 @@
+"""Playmakers for RoboCup 2D soccer: the wire of cls and a server for it.
+
+    from cls_playmaker import Playmaker, proto, serve
+
+    class Team(Playmaker):
+        def GetPlayerActions(self, state, context):
+            ball = proto.PlayerAction(body_intercept=proto.Body_Intercept())
+            return proto.PlayerActions(actions=[ball], ignore_preprocess=True)
+
+    if __name__ == "__main__":
+        serve(Team())
+
+`proto` has the messages and the service of playmaker.proto.
+"""
+from cls_playmaker import proto
+from cls_playmaker.serving import Playmaker, serve, start
+
+__all__ = ["Playmaker", "proto", "serve", "start"]

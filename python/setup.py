@@ -1,0 +1,83 @@
+"""Generates the modules of the wire when the package is built; pyproject.toml has the rest.
+
+Uses grpcio-tools if it is installed (a build by pip installs it), else protoc and
+grpc_python_plugin on PATH (Debian: protobuf-compiler, protobuf-compiler-grpc).
+"""
+import importlib.metadata
+import importlib.util
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+
+from setuptools import setup
+from setuptools.command.build_py import build_py
+from setuptools.command.sdist import sdist
+
+HERE = pathlib.Path(__file__).resolve().parent
+PACKAGE = "cls_playmaker"
+
+
+def interface():
+    """playmaker.proto: of the repository, or the copy in a source distribution."""
+    for path in (HERE / "playmaker.proto", HERE.parent / "proto" / "playmaker.proto"):
+        if path.is_file():
+            return path
+    sys.exit(f"no proto/playmaker.proto beside {HERE}: install from a checkout of the repository")
+
+
+def has_grpc_tools():
+    return importlib.util.find_spec("grpc_tools") is not None
+
+
+def generator():
+    """The command that runs protoc with its plugin for gRPC."""
+    if has_grpc_tools():
+        return [sys.executable, "-m", "grpc_tools.protoc"]
+    protoc, plugin = shutil.which("protoc"), shutil.which("grpc_python_plugin")
+    if protoc and plugin:
+        return [protoc, f"--plugin=protoc-gen-grpc_python={plugin}"]
+    sys.exit("nothing generates the modules of the wire: install grpcio-tools (pip), or "
+             "protobuf-compiler and protobuf-compiler-grpc (Debian)")
+
+
+def runtime():
+    """The oldest grpcio and protobuf that the generated modules run with."""
+    if not has_grpc_tools():
+        return ["grpcio>=1.51", "protobuf>=4.21"]
+    needed = "\n".join(importlib.metadata.requires("grpcio-tools"))
+    return [f"{name}>=" + re.search(rf"^{name}\b.*>=\s*([\d.]+)", needed, re.MULTILINE)[1]
+            for name in ("grpcio", "protobuf")]
+
+
+def generate(folder):
+    """Writes playmaker_pb2.py, its types and playmaker_pb2_grpc.py into folder/cls_playmaker."""
+    with tempfile.TemporaryDirectory() as root:
+        # protoc derives the import path of the modules from the path of the file.
+        copy = pathlib.Path(root) / PACKAGE / "playmaker.proto"
+        copy.parent.mkdir()
+        shutil.copy(interface(), copy)
+        subprocess.run([*generator(), f"--proto_path={root}", f"--python_out={folder}",
+                        f"--pyi_out={folder}", f"--grpc_python_out={folder}", str(copy)],
+                       check=True)
+
+
+class BuildWithInterface(build_py):
+    def run(self):
+        super().run()
+        # An editable installation imports from the source tree.
+        folder = HERE if getattr(self, "editable_mode", False) else pathlib.Path(self.build_lib)
+        folder.mkdir(parents=True, exist_ok=True)
+        generate(folder)
+
+
+class SourceWithInterface(sdist):
+    def make_release_tree(self, base_dir, files):
+        super().make_release_tree(base_dir, files)
+        shutil.copy(interface(), pathlib.Path(base_dir) / "playmaker.proto")
+
+
+setup(install_requires=runtime(),
+      cmdclass={"build_py": BuildWithInterface, "sdist": SourceWithInterface})

@@ -1,0 +1,115 @@
+"""What a Playmaker on cls_playmaker reports and how it stops."""
+import signal
+import subprocess
+import sys
+import unittest
+
+import grpc
+from cls_playmaker import Playmaker, proto, start
+
+PROGRAM = "from cls_playmaker import Playmaker, serve; serve(Playmaker())"
+
+
+class Team(Playmaker):
+    """Player 1 acts; the others make mistakes."""
+
+    def GetPlayerActions(self, state, context):
+        unum = state.register_response.uniform_number
+        if unum == 2:
+            raise ValueError("my policy hurts")
+        if unum == 3:
+            return None
+        if unum == 4:
+            return {"dash": 100}
+        return proto.PlayerActions(actions=[proto.PlayerAction(dash=proto.Dash(power=100))])
+
+
+def state(unum, cycle=120):
+    return proto.State(
+        register_response=proto.RegisterResponse(team_name="RED", uniform_number=unum),
+        world_model=proto.WorldModel(cycle=cycle))
+
+
+class Serving(unittest.TestCase):
+    def setUp(self):
+        self.server, self.port = start(Team())
+        self.channel = grpc.insecure_channel(f"127.0.0.1:{self.port}")
+        self.stub = proto.GameStub(self.channel)
+
+    def tearDown(self):
+        self.channel.close()
+        self.server.stop(0).wait()
+
+    def fail_of(self, rpc, request):
+        with self.assertRaises(grpc.RpcError) as raised:
+            rpc(request, timeout=10)
+        return raised.exception
+
+    def test_accepts_agents_and_replies(self):
+        registered = self.stub.Register(
+            proto.RegisterRequest(team_name="RED", uniform_number=7), timeout=10)
+        self.assertEqual((registered.client_id, registered.team_name), (7, "RED"))
+        self.stub.SendServerParams(proto.ServerParam(), timeout=10)
+        self.assertEqual(self.stub.GetPlayerActions(state(1), timeout=10).actions[0].dash.power, 100)
+
+    def test_logs_an_exception_with_player_cycle_and_traceback(self):
+        with self.assertLogs("cls_playmaker") as logs:
+            error = self.fail_of(self.stub.GetPlayerActions, state(2))
+        self.assertEqual(error.code(), grpc.StatusCode.UNKNOWN)
+        self.assertRegex(error.details(),
+                         r"^ValueError: my policy hurts \(serving_test.py:\d+\)$")
+        self.assertIn("player 2 of RED at cycle 120: GetPlayerActions: ValueError", logs.output[0])
+        self.assertIn("Traceback", logs.output[0])
+        self.assertIn('raise ValueError("my policy hurts")', logs.output[0])
+
+    def test_logs_one_traceback_for_each_line_that_fails(self):
+        with self.assertLogs("cls_playmaker") as logs:
+            for cycle in range(3):
+                self.fail_of(self.stub.GetPlayerActions, state(2, cycle))
+        self.assertEqual(["Traceback" in line for line in logs.output], [True, False, False])
+        self.assertIn("at cycle 2:", logs.output[2])
+
+    def test_names_a_wrong_return_value(self):
+        with self.assertLogs("cls_playmaker"):
+            for unum, wrong in ((3, "NoneType"), (4, "dict")):
+                error = self.fail_of(self.stub.GetPlayerActions, state(unum))
+                self.assertEqual(error.details().split(" (")[0],
+                                 f"TypeError: GetPlayerActions returned {wrong}, "
+                                 "must return proto.PlayerActions")
+
+    def test_leaves_roles_it_does_not_play_unimplemented_without_a_log_line(self):
+        with self.assertNoLogs() if hasattr(self, "assertNoLogs") else self.subTest():
+            error = self.fail_of(self.stub.GetCoachActions, state(12))
+        self.assertEqual(error.code(), grpc.StatusCode.UNIMPLEMENTED)
+
+    def test_refuses_a_port_that_another_playmaker_has(self):
+        with self.assertRaisesRegex(OSError, "cannot listen on 127.0.0.1:.*Address already in use"):
+            start(Team(), self.port)
+
+
+class Program(unittest.TestCase):
+    def run_until_listening(self, *arguments):
+        program = subprocess.Popen([sys.executable, "-c", PROGRAM, *arguments],
+                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        self.addCleanup(lambda: (program.kill(), program.communicate()))
+        line = program.stdout.readline()
+        self.assertRegex(line, r"^listening on 127.0.0.1:\d+$")
+        return program, line.rpartition(":")[2].strip()
+
+    def test_stops_on_sigterm_and_sigint(self):
+        for number in (signal.SIGTERM, signal.SIGINT):
+            program, _ = self.run_until_listening("--port", "0")
+            program.send_signal(number)
+            _, errors = program.communicate(timeout=20)
+            self.assertEqual((program.returncode, errors), (0, ""))
+
+    def test_says_which_port_is_taken(self):
+        _, port = self.run_until_listening("--port", "0")
+        second = subprocess.run([sys.executable, "-c", PROGRAM, "--port", port], timeout=20,
+                                stderr=subprocess.PIPE, text=True, check=False)
+        self.assertEqual(second.returncode, 1)
+        self.assertIn(f"cannot listen on 127.0.0.1:{port}: Address already in use", second.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,93 @@
+// The Python package cls-playmaker: what its server reports, and that it installs.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "tests/support/command.h"
+#include "tests/support/files.h"
+#include "tests/support/python.h"
+#include "tests/support/temporary_folder.h"
+
+namespace cls::tests {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string python_path(const fs::path& folder) { return "PYTHONPATH=" + folder.string(); }
+
+// A copy of what an installation reads, so that no test writes into the source tree.
+fs::path copy_package(const fs::path& folder) {
+  fs::create_directories(folder / "proto");
+  fs::create_directories(folder / "python/cls_playmaker");
+  fs::copy_file(source_folder() / "proto/playmaker.proto", folder / "proto/playmaker.proto");
+  for (const char* name : {"pyproject.toml", "setup.py", "README.md"}) {
+    fs::copy_file(source_folder() / "python" / name, folder / "python" / name);
+  }
+  for (const char* name : {"__init__.py", "proto.py", "serving.py", "py.typed"}) {
+    fs::copy_file(source_folder() / "python/cls_playmaker" / name,
+                  folder / "python/cls_playmaker" / name);
+  }
+  return folder / "python";
+}
+
+TEST(PythonPackage, ReportsErrorsAndStopsGracefully) {
+  const std::string python = python_with_grpc();
+  if (python.empty()) GTEST_SKIP() << kNoPython;
+  const auto tested =
+      run({python, source_folder() / "python/tests/serving_test.py"},
+          {python_path(fs::path(CLS_BUILD_DIR) / "python"), "PYTHONDONTWRITEBYTECODE=1"});
+  EXPECT_EQ(tested.exit_code, 0) << tested.err;
+}
+
+TEST(PythonPackage, BuildsWithProtoc) {
+  const std::string python = python_with_grpc();
+  if (python.empty()) GTEST_SKIP() << kNoPython;
+  if (run({python, "-c", "import setuptools"}).exit_code != 0) {
+    GTEST_SKIP() << "no setuptools: install python3-setuptools";
+  }
+  TemporaryFolder folder;
+  Command build({python, "setup.py", "-q", "build_py", "--build-lib", "out"}, {},
+                copy_package(folder.path()));
+  const auto built = build.finish();
+  ASSERT_EQ(built.exit_code, 0) << built.err;
+  const auto imported = run({python, "-c",
+                             "from cls_playmaker import proto, Playmaker, serve, start\n"
+                             "print(proto.State.DESCRIPTOR.full_name, proto.PlayOn)"},
+                            {python_path(folder.path() / "python/out")});
+  EXPECT_EQ(imported.out, "protos.State 2\n") << imported.err;
+}
+
+// A newcomer's way: a virtual environment, the package, a copy of the example somewhere else.
+TEST(PythonPackage, InstallsIntoVirtualEnvironmentAndPlays) {
+  TemporaryFolder folder;
+  const std::string environment = folder.path() / "environment";
+  if (run({"python3", "-m", "venv", environment}).exit_code != 0) {
+    GTEST_SKIP() << "no virtual environments: install python3-venv";
+  }
+  const fs::path package = copy_package(folder.path() / "checkout");
+  Command install({environment + "/bin/pip", "install", "--timeout", "10", "--retries", "0",
+                   "--disable-pip-version-check", package.string()});
+  const auto installed = install.finish(std::chrono::seconds(300));
+  const std::string said = installed.out + installed.err;
+  if (said.find("Could not find a version") != std::string::npos) {
+    GTEST_SKIP() << "pip reaches no package index with grpcio";
+  }
+  ASSERT_EQ(installed.exit_code, 0) << said;
+
+  fs::copy_file(source_folder() / "examples/python/playmaker.py", folder.path() / "playmaker.py");
+  Command match(
+      {cls_binary(), "match", "run:" + environment + "/bin/python playmaker.py --port {port}",
+       "mock", "--cycles", "50", "--dir", "match", "--json"},
+      {}, folder.path());
+  const auto played = match.finish(std::chrono::seconds(120));
+  ASSERT_EQ(played.exit_code, 0) << played.err;
+  const auto result = nlohmann::json::parse(played.out);
+  EXPECT_EQ(result["end_reason"], "finished");
+  EXPECT_EQ(result["warnings"], nlohmann::json::array());
+  for (const auto& player : result["left"]["players"]) EXPECT_EQ(player["missed"], 0) << player;
+}
+
+}  // namespace
+}  // namespace cls::tests
