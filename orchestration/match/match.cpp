@@ -17,6 +17,8 @@ constexpr milliseconds kPollInterval{20};
 constexpr milliseconds kThrottleInterval{50};
 // A signal to a group of processes reaches all of them within this time.
 constexpr milliseconds kSignalSpread{100};
+// The match reports a reply that it has waited for this long.
+constexpr std::chrono::seconds kSlowReply{3};
 // For how long a server in synch mode waits for the (done) of its clients.
 constexpr milliseconds kServerWait{1250};
 
@@ -59,22 +61,96 @@ void Match::end_unless_interrupted(MatchEnd end) {
   if (server_->lockstep()) cancel_calls();
 }
 
+// Over UDP the server may continue without a side whose Playmaker hangs: that is a stall, too.
+std::optional<EndReason> Match::exceeded_limit() const {
+  if (const auto limit = limits_.exceeded()) return limit;
+  if (!playing_ || options_.no_deadline) return std::nullopt;
+  const std::chrono::duration<double> stall_limit(options_.stall_after_s);
+  for (const auto& side : sides_) {
+    const auto call = side->awaited_reply();
+    if (call && call->waited > stall_limit) return EndReason::kStalled;
+  }
+  return std::nullopt;
+}
+
+// The sides that kept the match waiting for most of a limit. In lockstep the match knows which side
+// it waits for; over UDP each side plays on its own.
+std::vector<const MatchSide*> Match::awaited_sides(double limit_s) const {
+  const std::chrono::duration<double> most(limit_s / 2);
+  std::vector<const MatchSide*> found;
+  for (const auto& side : sides_) {
+    const auto call = side->awaited_reply();
+    if (call && call->waited > most) found.push_back(side.get());
+  }
+  if (found.empty() && awaited_.side != nullptr) found.push_back(awaited_.side);
+  return found;
+}
+
+std::string Match::stall_message(const std::vector<const MatchSide*>& sides) const {
+  const std::string stall = limits_.describe(EndReason::kStalled);
+  if (sides.empty()) {
+    if (server_->lockstep()) return stall;
+    const bool external = std::any_of(sides_.begin(), sides_.end(),
+                                      [](const auto& side) { return side->is_external(); });
+    return fmt::format("{}; no Playmaker is awaited: the soccer server{} has stopped", stall,
+                       external ? " or an external team" : "");
+  }
+  std::string message;
+  for (const MatchSide* side : sides) {
+    if (!message.empty()) message += "; ";
+    message += side->who();
+    if (const auto call = side->awaited_reply()) {
+      message += fmt::format(": no reply to {} at cycle {}", describe(*call), moment().cycle);
+    }
+  }
+  return fmt::format("{}: {}", message, stall);
+}
+
+void Match::blame(const MatchSide& side, MatchEnd& end) const {
+  if (!is_trainer(side)) end.fault = side.identity().side;
+  if (side.is_external() && playing_) return;  // any of its programs may be the one
+  if (const process::Child* child = side.awaited_process()) {
+    end.failure = failure_of(*child);
+  } else if (!side.is_external()) {
+    end.failure = playmaker_failure(side.identity().side);
+  }
+  const auto call = side.awaited_reply();
+  if (!call || !end.failure) return;
+  end.failure->rpc = name(call->rpc);
+  end.failure->unum = call->agent;
+  if (playing_) end.failure->cycle = moment().cycle;
+}
+
 void Match::end_by_limit(EndReason limit) {
   MatchEnd end{limit, limits_.describe(limit), {}, {}, false};
-  const bool is_fault = limit == EndReason::kRefused || limit == EndReason::kStalled;
-  if (is_fault && awaited_.what) {
-    const bool blamed = server_->lockstep() && awaited_.side != nullptr;
-    if (limit == EndReason::kRefused) {
-      const std::string hint = awaited_.side == nullptr ? "" : awaited_.side->timeout_hint();
-      end.message = fmt::format("{} within the start limit of {} s{}", awaited_.what(),
-                                options_.start_timeout_s, hint);
-    } else if (blamed) {
-      end.message = fmt::format("{}: {}", awaited_.side->who(), end.message);
-    }
-    if (blamed && !is_trainer(*awaited_.side)) end.fault = awaited_.side->identity().side;
-    if (awaited_.child != nullptr) end.failure = failure_of(*awaited_.child);
+  if (limit == EndReason::kStalled) {
+    const auto sides = awaited_sides(options_.stall_after_s);
+    end.message = stall_message(sides);
+    if (sides.size() == 1) blame(*sides.front(), end);
+  } else if (limit == EndReason::kRefused && awaited_.what) {
+    const std::string hint = awaited_.side == nullptr ? "" : awaited_.side->timeout_hint();
+    end.message = fmt::format("{} within the start limit of {} s{}", awaited_.what(),
+                              options_.start_timeout_s, hint);
+    // A side over UDP that has not called its Playmaker yet may wait for the server.
+    const bool blamed = awaited_.side != nullptr &&
+                        (server_->lockstep() || awaited_.side->awaited_reply().has_value());
+    if (blamed) blame(*awaited_.side, end);
+    if (!end.failure && awaited_.child != nullptr) end.failure = failure_of(*awaited_.child);
   }
   this->end(std::move(end));
+}
+
+// Says who is awaited before the stall limit ends the match.
+void Match::warn_of_slow_reply() {
+  if (options_.no_deadline) return;
+  for (std::size_t i = 0; i < sides_.size(); ++i) {
+    const auto call = sides_[i]->awaited_reply();
+    if (!call || call->waited < kSlowReply || std::exchange(warned_of_slow_reply_[i], true)) {
+      continue;
+    }
+    warn(fmt::format("{}: no reply to {} for {} s at cycle {}", sides_[i]->identity().name,
+                     describe(*call), kSlowReply.count(), moment().cycle));
+  }
 }
 
 void Match::cancel_calls() {
@@ -104,7 +180,8 @@ void Match::check() {
     end_unless_interrupted(*std::move(failure));
   }
   if (ended()) return;
-  if (const auto limit = limits_.exceeded()) end_by_limit(*limit);
+  if (playing_) warn_of_slow_reply();
+  if (const auto limit = exceeded_limit()) end_by_limit(*limit);
 }
 
 bool Match::wait_for(const MatchSide& side, const std::function<bool()>& reached) {
@@ -120,30 +197,31 @@ bool Match::wait_for(const MatchSide& side, const std::function<bool()>& reached
 
 // ---- start
 
-void Match::warn_of_deadline(MatchObserver& observer) {
+void Match::warn_of_deadline() {
   const bool has_agents = options_.left.has_playmaker() || options_.right.has_playmaker();
   const auto deadline = decision_deadline(options_);
   const bool synch = !server_->lockstep() && mode_of(options_) == MatchMode::kSynch;
   if (!has_agents || !synch || !deadline) return;
   if (*deadline <= kServerWait) return;
-  warn(observer, fmt::format("--rpc-deadline {} ms: a soccer server in synchronous mode continues "
-                             "without a reply after {} ms",
-                             deadline->count(), kServerWait.count()));
+  warn(
+      fmt::format("--rpc-deadline {} ms: a soccer server in synchronous mode continues "
+                  "without a reply after {} ms",
+                  deadline->count(), kServerWait.count()));
 }
 
 // A Playmaker that takes long to start must not make the players on the pitch wait for it.
-void Match::prepare_sides(MatchObserver& observer) {
+void Match::prepare_sides() {
   if (server_->lockstep()) return;
   for (const auto& side : sides_) {
     if (ended() || side->prepared()) continue;
-    observer.on_phase(fmt::format("waiting for {}", side->who()));
+    observer_->on_phase(fmt::format("waiting for {}", side->who()));
     wait_for(*side, [&] { return side->prepared(); });
   }
 }
 
-void Match::start_server(MatchObserver& observer) {
+void Match::start_server() {
   if (ended()) return;
-  if (!server_->lockstep()) observer.on_phase("waiting for the soccer server");
+  if (!server_->lockstep()) observer_->on_phase("waiting for the soccer server");
   awaited_ = {[this] { return server_->waiting_for(); }, nullptr, nullptr};
   auto failure = server_->start([this] {
     awaited_.child = server_->child();
@@ -154,15 +232,15 @@ void Match::start_server(MatchObserver& observer) {
   if (failure) end(*std::move(failure));
   const std::string monitor = server_->monitor_address();
   if (!ended() && !monitor.empty()) {
-    observer.on_notice(fmt::format("monitors may attach at {}", monitor));
+    observer_->on_notice(fmt::format("monitors may attach at {}", monitor));
   }
 }
 
-void Match::join_sides(MatchObserver& observer) {
+void Match::join_sides() {
   std::vector<std::string> joined;
   for (const auto& side : sides_) {
     if (ended()) return;
-    observer.on_phase(fmt::format("{} joins", side->identity().name));
+    observer_->on_phase(fmt::format("{} joins", side->identity().name));
     wait_for(*side, [&] {
       if (auto failure = side->join(server_->status(), joined)) {
         if (server_->lockstep() && !is_trainer(*side)) failure->fault = side->identity().side;
@@ -176,12 +254,12 @@ void Match::join_sides(MatchObserver& observer) {
   if (sides_.size() == 1) limits_.begin_cycle();
 }
 
-void Match::shake_hands(MatchObserver& observer) {
+void Match::shake_hands() {
   for (const auto& side : sides_) {
     if (ended()) return;
     side->begin_handshake();
     if (!side->handshake_done()) {
-      observer.on_phase(fmt::format("waiting for {}", side->who()));
+      observer_->on_phase(fmt::format("waiting for {}", side->who()));
       wait_for(*side, [&] { return side->handshake_done(); });
     }
     check();
@@ -206,7 +284,7 @@ SourceProgress Match::progress() const {
   return latest;
 }
 
-void Match::observe(MatchObserver& observer) {
+void Match::observe() {
   const SourceProgress now = progress();
   if (now.steps > steps_) {
     steps_ = now.steps;
@@ -219,7 +297,7 @@ void Match::observe(MatchObserver& observer) {
     last_cycle_ = Clock::now();
     if (first_cycle_ == Clock::time_point{}) first_cycle_ = last_cycle_;
   }
-  observer.on_cycle(now.match);
+  observer_->on_cycle(now.match);
 }
 
 MatchView Match::view() const {
@@ -259,15 +337,18 @@ void Match::wait_for_decisions() {
 // External clients in lockstep have as long as a Playmaker, and may miss as many cycles.
 void Match::wait_for_external_clients() {
   if (ended()) return;
-  const auto deadline = decision_deadline(options_);
+  const auto external = std::find_if(sides_.begin(), sides_.end(),
+                                     [](const auto& side) { return side->is_external(); });
+  if (external == sides_.end()) return;
+  const auto deadline = reply_timeout(options_);
   const Clock::time_point begin = Clock::now();
+  awaited_ = {{}, external->get(), nullptr};
   while (!server_->turn_done(kPollInterval)) {
     check();
     if (ended()) return;
     if (!deadline || Clock::now() < begin + *deadline) continue;
+    awaited_ = {};
     if (++missed_by_external_ <= options_.max_missed) return;
-    const auto external = std::find_if(sides_.begin(), sides_.end(),
-                                       [](const auto& side) { return !side->takes_turns(); });
     end({EndReason::kLate,
          fmt::format("{}: not all players sent (done) in {} cycles in a row, up to cycle {}",
                      (*external)->who(), missed_by_external_, moment().cycle),
@@ -276,6 +357,7 @@ void Match::wait_for_external_clients() {
          false});
     return;
   }
+  awaited_ = {};
   missed_by_external_ = 0;
 }
 
@@ -289,6 +371,7 @@ void Match::take_turn() {
   if (server_->lockstep()) {
     wait_for_decisions();
     wait_for_external_clients();
+    limits_.begin_cycle();  // every reply is in: the stall limit must not expire after this
   }
   for (const auto& side : sides_) side->end_turn();
 }
@@ -305,8 +388,8 @@ void Match::throttle(Clock::time_point start) const {
   }
 }
 
-void Match::play_cycles(MatchObserver& observer) {
-  if (!server_->lockstep()) observer.on_phase("playing");
+void Match::play_cycles() {
+  if (!server_->lockstep()) observer_->on_phase("playing");
   const Clock::time_point start = Clock::now();
   stepped_at_ = start;
   limits_.begin_cycle();
@@ -315,14 +398,14 @@ void Match::play_cycles(MatchObserver& observer) {
     if (server_->lockstep()) limits_.begin_cycle();
     const Clock::time_point begin = Clock::now();
     server_->step();
-    observe(observer);
+    observe();
     const Clock::time_point stepped = Clock::now();
     times_.server += seconds_between(begin, stepped);
     const bool turn = turn_is_due();
     if (turn) take_turn();
     times_.sides += seconds_between(stepped, Clock::now());
     check();
-    report_warnings(observer);
+    report_warnings();
     if (!turn) continue;
     const MatchView after = view();
     for (MatchHooks* hooks : hooks_) {
@@ -340,34 +423,35 @@ void Match::play_cycles(MatchObserver& observer) {
 
 // ---- warnings and result
 
-void Match::warn(MatchObserver& observer, std::string line) {
-  observer.on_warning(line);
+void Match::warn(std::string line) {
+  observer_->on_warning(line);
   warnings_.push_back(std::move(line));
 }
 
-void Match::report_warnings(MatchObserver& observer) {
+void Match::report_warnings() {
   for (const auto& side : sides_) {
     for (const std::string& line : side->take_warnings()) {
-      warn(observer, fmt::format("{}: {}", side->identity().name, line));
+      warn(fmt::format("{}: {}", side->identity().name, line));
     }
   }
-  report_disconnects(observer);
+  report_disconnects();
 }
 
-void Match::report_disconnects(MatchObserver& observer) {
-  if (!playing_ || server_->lockstep() || is_over()) return;
-  std::size_t count = 0;
+// Agents that leave because the match has ended are no news.
+void Match::report_disconnects() {
+  if (!playing_ || server_->lockstep() || is_over() || ended()) return;
   for (const ReportedConnections& team : server_->status().teams) {
-    for (const int unum : team.disconnected) {
-      if (count++ < reported_disconnects_) continue;
-      ++reported_disconnects_;
-      warn(observer, fmt::format("player {} of {} left the match at cycle {}", unum, team.name,
-                                 moment().cycle));
-    }
+    std::size_t& reported = reported_disconnects_[team.name];
+    const std::vector<int> left(team.disconnected.begin() + static_cast<std::ptrdiff_t>(reported),
+                                team.disconnected.end());
+    reported = team.disconnected.size();
+    if (left.empty()) continue;
+    warn(fmt::format("player{} {} of {} left the match at cycle {}", left.size() == 1 ? "" : "s",
+                     fmt::join(left, ", "), team.name, moment().cycle));
   }
 }
 
-void Match::finish(MatchObserver& observer) {
+void Match::finish() {
   end({});
   auto state = Server::FinalState::kRunning;
   if (end_->reason == EndReason::kFinished && is_over()) state = Server::FinalState::kOver;
@@ -384,7 +468,7 @@ void Match::finish(MatchObserver& observer) {
   for (const auto& side : sides_) side->terminate();
   for (const auto& side : sides_) {
     for (const std::string& line : side->failed_expectations()) {
-      warn(observer, fmt::format("{}: {}", side->identity().name, line));
+      warn(fmt::format("{}: {}", side->identity().name, line));
     }
   }
   processes_ = server_->wait_gone();
@@ -401,7 +485,7 @@ std::vector<AgentProgress> Match::agent_progress() const {
   return all;
 }
 
-void Match::make_result(MatchObserver& observer) {
+void Match::make_result() {
   result_.mode = name(server_->lockstep() ? MatchMode::kLockstep : mode_of(options_));
   for (const auto& side : sides_) {
     TeamResult team = side->result();
@@ -433,7 +517,7 @@ void Match::make_result(MatchObserver& observer) {
   result_.warnings = warnings_;
   server_->add_result(result_, agent_progress());
   for (std::size_t i = warnings_.size(); i < result_.warnings.size(); ++i) {
-    observer.on_warning(result_.warnings[i]);
+    observer_->on_warning(result_.warnings[i]);
   }
   const double seconds =
       server_->lockstep() ? times_.play : seconds_between(first_cycle_, last_cycle_);
@@ -441,12 +525,13 @@ void Match::make_result(MatchObserver& observer) {
 }
 
 void Match::play(MatchObserver& observer) {
-  warn_of_deadline(observer);
-  prepare_sides(observer);
-  start_server(observer);
-  join_sides(observer);
-  shake_hands(observer);
-  report_warnings(observer);
+  observer_ = &observer;
+  warn_of_deadline();
+  prepare_sides();
+  start_server();
+  join_sides();
+  shake_hands();
+  report_warnings();
   playing_ = !ended();
   if (playing_) {
     std::vector<Server::Arrange> changes;
@@ -457,10 +542,10 @@ void Match::play(MatchObserver& observer) {
     }
     for (const auto& side : sides_) side->begin_play();
     server_->begin_play(changes);
-    play_cycles(observer);
+    play_cycles();
   }
-  finish(observer);
-  make_result(observer);
+  finish();
+  make_result();
 }
 
 }  // namespace cls::orchestration::match

@@ -1,9 +1,11 @@
 // One match: a server, its sides, and everything that may end it.
 #pragma once
 
+#include <array>
 #include <atomic>
 #include <chrono>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -55,24 +57,24 @@ class Match {
   /// What the match waits for, for the message when a limit is exceeded.
   struct Awaited {
     std::function<std::string()> what;
-    const MatchSide* side = nullptr;        ///< its hint is added to the message
+    const MatchSide* side = nullptr;        ///< at fault; its hint is added to the message
     const process::Child* child = nullptr;  ///< reported as the process that failed
   };
 
-  void warn_of_deadline(MatchObserver& observer);
-  void prepare_sides(MatchObserver& observer);
-  void start_server(MatchObserver& observer);
-  void join_sides(MatchObserver& observer);
-  void shake_hands(MatchObserver& observer);
-  void play_cycles(MatchObserver& observer);
+  void warn_of_deadline();
+  void prepare_sides();
+  void start_server();
+  void join_sides();
+  void shake_hands();
+  void play_cycles();
   void throttle(Clock::time_point start) const;
-  void observe(MatchObserver& observer);
+  void observe();
   bool turn_is_due() const;
   void take_turn();
   void wait_for_decisions();
   void wait_for_external_clients();
-  void finish(MatchObserver& observer);
-  void make_result(MatchObserver& observer);
+  void finish();
+  void make_result();
 
   /// False when the match ended first.
   bool wait_for(const MatchSide& side, const std::function<bool()>& reached);
@@ -80,6 +82,11 @@ class Match {
   void end(MatchEnd end);
   void end_unless_interrupted(MatchEnd end);
   void end_by_limit(EndReason limit);
+  void blame(const MatchSide& side, MatchEnd& end) const;
+  std::vector<const MatchSide*> awaited_sides(double limit_s) const;
+  std::string stall_message(const std::vector<const MatchSide*>& sides) const;
+  std::optional<EndReason> exceeded_limit() const;
+  void warn_of_slow_reply();
   void cancel_calls();
   bool ended() const { return end_.has_value(); }
   /// True when the server or a side has seen the last cycle.
@@ -90,9 +97,9 @@ class Match {
   MatchMoment moment() const { return {playing_, progress().match.cycle}; }
   std::vector<AgentProgress> agent_progress() const;
 
-  void warn(MatchObserver& observer, std::string line);
-  void report_warnings(MatchObserver& observer);
-  void report_disconnects(MatchObserver& observer);
+  void warn(std::string line);
+  void report_warnings();
+  void report_disconnects();
 
   const MatchOptions& options_;
   std::uint64_t seed_;
@@ -100,6 +107,7 @@ class Match {
   std::unique_ptr<Server> server_;
   std::vector<std::unique_ptr<MatchSide>> sides_;
   std::vector<MatchHooks*> hooks_;
+  MatchObserver* observer_ = nullptr;  ///< of play()
   bool playing_ = false;
   std::optional<MatchEnd> end_;
   Awaited awaited_;
@@ -108,7 +116,8 @@ class Match {
   Clock::time_point stepped_at_;  ///< when that was
   Clock::time_point first_cycle_;
   Clock::time_point last_cycle_;
-  std::size_t reported_disconnects_ = 0;
+  std::map<std::string, std::size_t> reported_disconnects_;  ///< by team
+  std::array<bool, 3> warned_of_slow_reply_{};               ///< by side
   std::vector<std::string> warnings_;
   std::vector<ProcessResult> processes_;
   MatchResult result_;

@@ -10,6 +10,7 @@
 #include "base/system/host.h"
 #include "mock-server/mock.h"
 #include "mock-server/script/named_behaviors.h"
+#include "orchestration/match/options/match_settings.h"
 #include "simulator/server/lockstep_server.h"
 
 namespace cls::orchestration::match {
@@ -69,6 +70,13 @@ std::optional<std::chrono::milliseconds> decision_deadline(const MatchOptions& o
   return std::chrono::milliseconds(10'000);
 }
 
+std::optional<std::chrono::milliseconds> reply_timeout(const MatchOptions& options) {
+  const auto deadline = decision_deadline(options);
+  const std::chrono::duration<double> stall_limit(options.stall_after_s);
+  if (!deadline || *deadline < stall_limit) return deadline;
+  return std::chrono::ceil<std::chrono::milliseconds>(stall_limit) + kMatchLimitMargin;
+}
+
 Result<void> pin_sides(MatchOptions& options) {
   auto [left, right] = base::split_in_half(base::allowed_cores());
   if (left.empty()) return Error{"--pin: only one processor core is available"};
@@ -81,6 +89,8 @@ simulator::MatchConfig server_config(const MatchOptions& options, std::uint64_t 
   simulator::MatchConfig config;
   config.server = server_params(options);
   config.server.auto_mode = true;
+  // How logs are stored is no matter of the players: compressed logs hold the bytes of plain ones.
+  config.server.game_log_compression = config.server.text_log_compression = 0;
   config.player = options.player;
   config.seed = seed;
   config.cycle_limit = options.cycles;
@@ -201,6 +211,7 @@ std::vector<std::string> validate_options(const MatchOptions& options) {
   check_server_and_mode(options, errors);
   check_ranges(options, errors);
   check_hooks(options, errors);
+  for (std::string& line : log_setting_errors(options)) errors.require(false, std::move(line));
   check_playmakers(options, errors);
   errors.require(simulator::LockstepServer::create(server_config(options, 0)));
   return errors.take();

@@ -13,6 +13,7 @@
 #include "orchestration/match/options/endpoint.h"
 #include "orchestration/match/options/server_choice.h"
 #include "proxy/agent/player_agent.h"
+#include "proxy/playmaker/batch_playmaker.h"
 #include "soccer/parameters/player_params.h"
 #include "soccer/parameters/server_params.h"
 
@@ -52,11 +53,13 @@ struct MatchOptions {
 
   std::filesystem::path record_rpc;  ///< file for all requests and replies; empty: none
   std::filesystem::path folder;      ///< empty: ./runs/<UTC>-<left>-vs-<right>
+  bool replace = false;              ///< existing `folder` and `record_rpc` become NAME.old
 
   int protocol = 18;                   ///< version of the soccer protocol, 14 to 19
   std::optional<int> rpc_deadline_ms;  ///< none: depends on the mode, see decision_deadline()
   bool no_deadline = false;
   proxy::OnLate on_late = proxy::OnLate::kHold;
+  proxy::BatchMode batch = proxy::BatchMode::kAuto;  ///< one call per team and cycle
   int max_missed = 20;                 ///< missed decisions of one player in a row
   double start_timeout_s = 20.0;       ///< until both teams have joined and registered
   double reconnect_within_s = 3.0;     ///< for a lost Playmaker to come back: proxy::DecisionLimits
@@ -87,6 +90,13 @@ MatchMode mode_of(const MatchOptions& options);
 /// Deadline of a Playmaker's decision; nothing: none. By default 10 s in lockstep, 1 s in synch
 /// mode (rcssserver continues after 1.25 s), 70 ms in real time.
 std::optional<std::chrono::milliseconds> decision_deadline(const MatchOptions& options);
+
+/// A match limit and the deadline of a call never expire together: the call gets this much more.
+inline constexpr std::chrono::milliseconds kMatchLimitMargin{1000};
+
+/// Timeout of a decision's calls: the decision deadline, unless the stall limit is as short. Then
+/// the stall limit alone decides.
+std::optional<std::chrono::milliseconds> reply_timeout(const MatchOptions& options);
 
 /// The configuration of the embedded server.
 simulator::MatchConfig server_config(const MatchOptions& options, std::uint64_t seed);

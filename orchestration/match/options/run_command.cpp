@@ -114,9 +114,13 @@ std::string fill_in(std::string_view command, const RunValues& values) {
   });
 }
 
+std::string playmaker_name(soccer::Side side) {
+  return fmt::format("{} Playmaker", side_word(side));
+}
+
 process::CommandPlan run_plan(std::string_view command, const RunValues& values,
                               const std::filesystem::path& folder) {
-  const std::string name = fmt::format("{} Playmaker", side_word(values.side));
+  const std::string name = playmaker_name(values.side);
   process::CommandPlan plan = process::shell_command(name, fill_in(command, values));
   plan.log = folder / fmt::format("{}-playmaker.log", side_word(values.side));
   // Python buffers output to a pipe; the last lines of a killed process would be lost.

@@ -27,6 +27,9 @@ base::Result<void> check_run_command(std::string_view command);
 /// is left to the shell.
 std::string fill_in(std::string_view command, const RunValues& values);
 
+/// How processes and results name the Playmaker of a side: "left Playmaker".
+std::string playmaker_name(soccer::Side side);
+
 /// The plan that starts the Playmaker of a side; its log in `folder` is named after the side.
 process::CommandPlan run_plan(std::string_view command, const RunValues& values,
                               const std::filesystem::path& folder);

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include "orchestration/match/options/run_command.h"
+
 namespace cls::orchestration::match {
 namespace {
 
@@ -36,13 +38,35 @@ std::string format_agent(int number) {
 }  // namespace
 
 ProcessFailure failure_of(const process::Child& child) {
-  return {child.plan().name, format_exit(child.status()), child.plan().log.filename().string(),
-          child.last_lines()};
+  ProcessFailure failure;
+  failure.process = child.plan().name;
+  failure.exit = format_exit(child.status());
+  failure.log = child.plan().log.filename().string();
+  failure.output = child.last_lines();
+  return failure;
+}
+
+ProcessFailure playmaker_failure(soccer::Side side) {
+  ProcessFailure failure;
+  failure.process = playmaker_name(side);
+  return failure;
+}
+
+std::string describe(const proxy::AwaitedCall& call) {
+  std::string text = fmt::format("{} of {}", name(call.rpc), format_agent(call.agent));
+  if (call.others == 1) text += " and 1 other agent";
+  if (call.others > 1) text += fmt::format(" and {} other agents", call.others);
+  return text;
 }
 
 ProcessResult result_of(const process::Child& child) {
-  return {child.plan().name, process::to_shell(child.plan()), child.plan().log.filename().string(),
-          format_exit(child.status()), child.cpu_seconds()};
+  ProcessResult result;
+  result.name = child.plan().name;
+  result.command = process::to_shell(child.plan());
+  result.log = child.plan().log.filename().string();
+  result.exit = format_exit(child.status());
+  result.cpu_seconds = child.cpu_seconds();
+  return result;
 }
 
 std::optional<MatchEnd> end_by_missed_decisions(const proxy::MissedDecisions& missed,

@@ -9,6 +9,7 @@
 #include "orchestration/match/result/match_result.h"
 #include "orchestration/process/process_host.h"
 #include "proxy/agent/team.h"
+#include "proxy/playmaker/call_watch.h"
 
 namespace cls::orchestration::match {
 
@@ -28,6 +29,12 @@ struct MatchEnd {
 
 /// Exit status and last output lines of a child that has exited or will be terminated.
 ProcessFailure failure_of(const process::Child& child);
+
+/// The same for a Playmaker that cls did not start.
+ProcessFailure playmaker_failure(soccer::Side side);
+
+/// "GetPlayerActions of player 3 and 8 other agents".
+std::string describe(const proxy::AwaitedCall& call);
 
 /// The entry in result.json's list of processes; reads the CPU time.
 ProcessResult result_of(const process::Child& child);

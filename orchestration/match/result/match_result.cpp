@@ -49,6 +49,29 @@ static void members(Codec& codec, Object<Codec, PlayerResult>& player) {
   codec.member("rpc_us", player.rpc_us);
   codec.member("commands", player.commands);
   codec.member("unimplemented_actions", player.unimplemented_actions);
+  codec.member("actions", player.actions);
+  codec.member("automatic", player.automatic);
+  codec.object("replies", [&](Codec& replies) {
+    replies.member("tried", player.lists);
+    replies.member("empty", player.empty);
+    replies.member("useless", player.useless);
+  });
+}
+
+template <typename Codec>
+static void members(Codec& codec, Object<Codec, ErrorResult::First>& error) {
+  codec.member("rpc", error.rpc);
+  codec.member("status", error.status);
+  codec.member("message", error.message);
+  codec.member("cycle", error.cycle);
+  codec.member("unum", error.unum);
+  codec.text_or_null("recording", error.recording);
+}
+
+template <typename Codec>
+static void members(Codec& codec, Object<Codec, ErrorResult>& errors) {
+  codec.member("count", errors.count);
+  codec.member("first", errors.first);
 }
 
 template <typename Codec>
@@ -60,6 +83,7 @@ static void members(Codec& codec, Object<Codec, TeamResult>& team) {
   codec.rounded("cpu_seconds", team.cpu_seconds, 1000);
   codec.member("players", team.players);
   codec.member("coach", team.coach);
+  codec.member("errors", team.errors);
 }
 
 template <typename Codec>
@@ -76,6 +100,7 @@ static void members(Codec& codec, Object<Codec, ProcessResult>& process) {
   codec.member("log", process.log);
   codec.member("exit", process.exit);
   codec.rounded("cpu_seconds", process.cpu_seconds, 1000);
+  codec.text_or_null("exception", process.exception);
 }
 
 template <typename Codec>
@@ -84,6 +109,9 @@ static void members(Codec& codec, Object<Codec, ProcessFailure>& failure) {
   codec.member("exit", failure.exit);
   codec.member("log", failure.log);
   codec.member("output", failure.output);
+  codec.text_or_null("rpc", failure.rpc);
+  codec.number_or_null("unum", failure.unum);
+  codec.member("cycle", failure.cycle);
 }
 
 // The seed of the server is written even where it is the seed of the match.
@@ -139,6 +167,8 @@ static void members(Codec& codec, Object<Codec, MatchResult>& result) {
 std::string to_json(const std::vector<PlayerResult>& players) {
   return base::JsonEncoder::encode(players).dump();
 }
+
+std::string to_json(const ErrorResult& errors) { return base::JsonEncoder::encode(errors).dump(); }
 
 std::optional<std::string> winner(const MatchResult& result) {
   if (!result.valid()) return std::nullopt;

@@ -24,6 +24,23 @@ struct RpcLatency {
   double max = 0.0;
 };
 
+/// Calls that a side's Playmaker answered with an error.
+struct ErrorResult {
+  struct First {
+    std::string rpc;
+    std::string status;  ///< of gRPC: "UNKNOWN"; "unreadable reply"
+    std::string message;
+    int cycle = 0;
+    int unum = 0;           ///< 12: coach
+    std::string recording;  ///< file inside the match folder, for `cls test --replay`
+  };
+  std::int64_t count = 0;
+  std::optional<First> first;
+};
+
+/// By outcome ("executed", "failed", "skipped", "invalid", "unimplemented"), without zeros.
+using ActionOutcomes = std::map<std::string, std::map<std::string, std::int64_t>>;
+
 struct PlayerResult {
   int unum = 0;
   std::int64_t decisions = 0;  ///< requested from the Playmaker
@@ -37,6 +54,11 @@ struct PlayerResult {
   RpcLatency rpc_us;
   std::map<std::string, std::int64_t> commands;               ///< by kind, as sent to the server
   std::map<std::string, std::int64_t> unimplemented_actions;  ///< by kind, as requested
+  ActionOutcomes actions;                                     ///< by kind, as requested
+  std::map<std::string, std::int64_t> automatic;  ///< the proxy's own decisions, by reason
+  std::int64_t lists = 0;    ///< replies whose actions were tried: all but the automatic ones
+  std::int64_t empty = 0;    ///< of these, without any action
+  std::int64_t useless = 0;  ///< of these, without an executed action; includes empty ones
 };
 
 struct TeamResult {
@@ -47,6 +69,7 @@ struct TeamResult {
   double cpu_seconds = 0.0;          ///< of this side's agents
   std::vector<PlayerResult> players;
   std::optional<PlayerResult> coach;  ///< of a cls team; unum 12
+  ErrorResult errors;
 };
 
 struct Goal {
@@ -62,14 +85,19 @@ struct ProcessResult {
   std::string log;      ///< file name inside the match folder
   std::string exit;     ///< "exit code 0", "killed by SIGTERM"
   double cpu_seconds = 0.0;
+  std::string exception;  ///< first one in its output: "ValueError: no ball"; empty: none
 };
 
-/// The process that made the match invalid, with its last output lines.
+/// The program that made the match invalid, with its last output lines. One that cls did not start
+/// has neither exit nor log nor output.
 struct ProcessFailure {
   std::string process;
   std::string exit;
   std::string log;
   std::vector<std::string> output;  ///< last output lines, oldest first
+  std::string rpc;                  ///< that was not answered; empty: no call was awaited
+  int unum = 0;                     ///< whose call that was; 12: coach, 13: trainer; 0: none
+  std::optional<int> cycle;         ///< of that call; none before the first cycle
 };
 
 struct MatchResult {
@@ -109,6 +137,9 @@ struct MatchResult {
 
 /// The player statistics of `cls.match/1`: a list, not indented.
 std::string to_json(const std::vector<PlayerResult>& players);
+
+/// `errors` of a side in `cls.match/1`, not indented.
+std::string to_json(const ErrorResult& errors);
 
 /// "left", "right" or "draw"; nothing for an invalid match.
 std::optional<std::string> winner(const MatchResult& result);

@@ -41,8 +41,8 @@ proxy::TeamOptions team_options(const SideSetup& setup, const Endpoint& endpoint
       setup.side == soccer::Side::kRight ? options.right_formations : options.left_formations;
   team.protocol = options.protocol;
   team.on_late = options.on_late;
-  team.decision_timeout = decision_deadline(options).value_or(proxy::kNoTimeout);
-  team.start_timeout = to_timeout(options.start_timeout_s);
+  team.decision_timeout = reply_timeout(options).value_or(proxy::kNoTimeout);
+  team.start_timeout = to_timeout(options.start_timeout_s) + kMatchLimitMargin;
   team.reconnect_within = to_timeout(options.reconnect_within_s);
   team.shared_playmaker = !endpoint.port_step;
   return team;
@@ -63,6 +63,11 @@ PlayerResult result_of(int number, const proxy::AgentStatistics& statistics) {
   result.rpc_us.max = statistics.rpc_us.max();
   result.commands = statistics.commands_by_name();
   result.unimplemented_actions = statistics.unimplemented_by_name();
+  result.actions = outcomes_by_name(statistics.actions);
+  result.automatic = automatic_by_name(statistics.actions);
+  result.lists = statistics.actions.lists;
+  result.empty = statistics.actions.empty;
+  result.useless = statistics.actions.useless;
   result.missed_by = missed_by(statistics);
   result.reconnects = statistics.reconnects;
   return result;
@@ -89,6 +94,10 @@ Result<PlaymakerConnection> connect_playmaker(const Endpoint& endpoint, const Si
   } else {
     connection.playmaker = proxy::make_grpc_playmaker(target_of(endpoint));
   }
+  if (!endpoint.port_step) {
+    connection.playmaker =
+        proxy::make_batch_playmaker(std::move(connection.playmaker), setup.batch);
+  }
   return connection;
 }
 
@@ -96,11 +105,12 @@ AgentSide::AgentSide(SideIdentity identity, PlaymakerConnection connection, prox
                      const MatchOptions& options, const std::vector<int>& cpus)
     : MatchSide(std::move(identity)), connection_(std::move(connection)), options_(options) {
   worker_.set_affinity(cpus);
-  team_ = std::make_unique<proxy::Team>(std::move(team), *connection_.playmaker);
+  watched_ = proxy::watch_calls(*connection_.playmaker, watch_);
+  team_ = std::make_unique<proxy::Team>(std::move(team), *watched_);
 }
 
 bool AgentSide::listen(SideListener& listener) {
-  proxy::Playmaker& inner = listened_.empty() ? *connection_.playmaker : *listened_.back();
+  proxy::Playmaker& inner = listened_.empty() ? *watched_ : *listened_.back();
   listened_.push_back(proxy::listen_to(inner, listener));
   listeners_.push_back(&listener);
   team_->set_playmaker(*listened_.back());
@@ -116,8 +126,14 @@ void AgentSide::end_listening() {
 }
 
 void AgentSide::replace_playmaker(std::unique_ptr<proxy::Playmaker> playmaker) {
+  watched_ = proxy::watch_calls(*playmaker, watch_);
   connection_.playmaker = std::move(playmaker);
-  team_->set_playmaker(*connection_.playmaker);
+  team_->set_playmaker(*watched_);
+}
+
+std::string AgentSide::no_answer() const {
+  const auto call = awaited_reply();
+  return who() + ": no answer" + (call ? " to " + describe(*call) : "");
 }
 
 std::optional<MatchEnd> AgentSide::shake_hands() {
@@ -143,7 +159,10 @@ const process::Child* AgentSide::awaited_process() const {
 std::optional<MatchEnd> AgentSide::failure(const MatchMoment& moment) {
   auto end = agent_failure(moment);
   const PlaymakerProcess* started = playmaker_process();
-  if (started == nullptr) return end;
+  if (started == nullptr) {
+    if (end) end->failure = playmaker_failure(identity().side);
+    return end;
+  }
   if (end) started->child().wait_exit(kProgramExitDelay);
   if (started->ended()) {
     MatchEnd crash;
@@ -190,6 +209,14 @@ TeamResult AgentSide::result() const {
   if (const proxy::CoachAgent* coach = team_->coach()) {
     result.coach = match::result_of(coach->number(), coach->statistics());
     result.coach->commands = coach->commands();
+    result.coach->actions = outcomes_by_name(coach->report(), coach->is_trainer());
+  }
+  const proxy::PlaymakerErrors& errors = team_->errors();
+  result.errors.count = errors.count;
+  if (errors.first) {
+    const proxy::PlaymakerError& first = *errors.first;
+    result.errors.first = {
+        std::string(name(first.rpc)), first.status, first.message, first.cycle, first.agent, {}};
   }
   return result;
 }

@@ -13,6 +13,7 @@
 #include "orchestration/match/sides/match_side.h"
 #include "orchestration/match/sides/playmaker_process.h"
 #include "proxy/agent/team.h"
+#include "proxy/playmaker/call_watch.h"
 #include "proxy/playmaker/playmaker.h"
 
 namespace cls::orchestration::match {
@@ -25,6 +26,7 @@ struct SideSetup {
   std::filesystem::path folder;          ///< of the match
   process::ProcessHost* host = nullptr;  ///< for sides that start programs
   std::vector<int> cpus;                 ///< processor cores of agents and Playmaker; empty: all
+  proxy::BatchMode batch = proxy::BatchMode::kOff;
 };
 
 /// A Playmaker as a match uses it, with the programs behind it.
@@ -55,12 +57,14 @@ class AgentSide : public MatchSide {
             const MatchOptions& options, const std::vector<int>& cpus);
 
   bool listen(SideListener& listener) override;
+  std::optional<proxy::AwaitedCall> awaited_reply() const override { return watch_.oldest(); }
   std::string timeout_hint() const override;
   const process::Child* awaited_process() const override;
   std::optional<MatchEnd> failure(const MatchMoment& moment) override;
   void cancel() override { connection_.playmaker->cancel(); }
   std::vector<ProcessResult> wait_gone() override;
   std::vector<std::string> failed_expectations() const override;
+  const proxy::PlaymakerErrors* errors() const override { return &team_->errors(); }
   TeamResult result() const override;
 
   const proxy::Team& team() const { return *team_; }
@@ -77,6 +81,8 @@ class AgentSide : public MatchSide {
   void end_listening();
   /// The team calls this Playmaker from now on; before the handshake.
   void replace_playmaker(std::unique_ptr<proxy::Playmaker> playmaker);
+  /// "brain (localhost:50051): no answer to Register of player 1".
+  std::string no_answer() const;
   /// Introduces the team; how that ends the match if it fails.
   std::optional<MatchEnd> shake_hands();
   /// Why the agents cannot continue, apart from their Playmaker's process.
@@ -85,8 +91,10 @@ class AgentSide : public MatchSide {
  private:
   PlaymakerConnection connection_;
   const MatchOptions& options_;
+  proxy::CallWatch watch_;
+  std::unique_ptr<proxy::Playmaker> watched_;  ///< the connection's Playmaker, watched
   std::vector<SideListener*> listeners_;
-  std::vector<std::unique_ptr<proxy::Playmaker>> listened_;  ///< the Playmaker with listeners
+  std::vector<std::unique_ptr<proxy::Playmaker>> listened_;  ///< `watched_` with listeners
   std::unique_ptr<proxy::Team> team_;
   base::Worker worker_;
 };

@@ -31,6 +31,7 @@ class ExternalSide : public MatchSide {
         server_(server),
         host_(host) {}
 
+  bool is_external() const override { return true; }
   std::string team_name() const override { return name_.empty() ? identity().name : name_; }
   std::optional<MatchEnd> join(const ServerStatus& server,
                                const std::vector<std::string>& others) override;

@@ -23,7 +23,7 @@ class LockstepAgents : public AgentSide {
   bool joined() const override { return joined_; }
   void begin_handshake() override;
   bool handshake_done() override { return turn_done(); }
-  std::string waiting_for() const override { return who() + ": no answer"; }
+  std::string waiting_for() const override { return no_answer(); }
   void begin_play() override { end_listening(); }
   bool takes_turns() const override { return true; }
   bool at_turn() const override { return true; }

@@ -11,6 +11,8 @@
 #include "orchestration/match/result/match_observer.h"
 #include "orchestration/match/result/match_result.h"
 #include "orchestration/match/server/server_output.h"
+#include "proxy/playmaker/call_watch.h"
+#include "proxy/playmaker/playmaker_errors.h"
 #include "proxy/playmaker/rpc_listener.h"
 #include "soccer/geometry.h"
 #include "soccer/side.h"
@@ -52,6 +54,8 @@ class MatchSide {
   const SideIdentity& identity() const { return identity_; }
   /// "brain (localhost:50051)".
   std::string who() const { return identity_.name + " (" + identity_.endpoint + ")"; }
+  /// True for a team whose agents are programs of its own.
+  virtual bool is_external() const { return false; }
   /// The name that the team plays under.
   virtual std::string team_name() const { return identity_.name; }
 
@@ -75,6 +79,9 @@ class MatchSide {
   virtual std::string timeout_hint() const { return {}; }
   /// The process that a timeout is reported with; nullptr: none.
   virtual const process::Child* awaited_process() const { return nullptr; }
+
+  /// The reply of its Playmaker that the side has waited for longest. At any time.
+  virtual std::optional<proxy::AwaitedCall> awaited_reply() const { return std::nullopt; }
 
   /// All sides have joined and registered: the first cycle follows.
   virtual void begin_play() {}
@@ -118,6 +125,9 @@ class MatchSide {
   virtual std::vector<ProcessResult> wait_gone() = 0;
   /// What the script of a mock Playmaker expected and did not get.
   virtual std::vector<std::string> failed_expectations() const { return {}; }
+  /// What the side's Playmaker answered with an error; nullptr for a side without one. After
+  /// wait_gone().
+  virtual const proxy::PlaymakerErrors* errors() const { return nullptr; }
   /// What this side did. After wait_gone().
   virtual TeamResult result() const = 0;
 

@@ -61,7 +61,7 @@ std::optional<MatchEnd> NetworkAgents::join(const ServerStatus& /*server*/,
 
 std::string NetworkAgents::waiting_for() const {
   return stage_ == Stage::kJoining ? fmt::format("{} could not join the match", who())
-                                   : fmt::format("{}: no answer", who());
+                                   : no_answer();
 }
 
 // A team that cannot join has not called its Playmaker yet.

@@ -1,0 +1,82 @@
+// The Playmaker decorator that notes the begin and the end of calls.
+#include "proxy/playmaker/call_watch.h"
+
+#include <cstddef>
+
+namespace cls::proxy {
+namespace {
+
+using google::protobuf::Message;
+using proto::Rpc;
+
+class WatchedPlaymaker : public Playmaker {
+ public:
+  WatchedPlaymaker(Playmaker& inner, CallWatch& watch) : inner_(inner), watch_(watch) {}
+
+  void begin(int agent, Rpc rpc, const Message& request, RpcTimeout timeout,
+             bool wait_for_ready) override {
+    watch_.begin(agent, rpc);
+    inner_.begin(agent, rpc, request, timeout, wait_for_ready);
+  }
+
+  Reply call(int agent, Rpc rpc, const Message& request, RpcTimeout timeout) override {
+    watch_.begin(agent, rpc);
+    Reply reply = inner_.call(agent, rpc, request, timeout);
+    watch_.end(agent);
+    return reply;
+  }
+
+  bool take_connection_loss(int agent) override { return inner_.take_connection_loss(agent); }
+  std::optional<Reply> next_reply() override { return ended(inner_.next_reply()); }
+  std::optional<Reply> next_reply_within(std::chrono::microseconds timeout) override {
+    return ended(inner_.next_reply_within(timeout));
+  }
+  void cancel() override { inner_.cancel(); }
+
+ private:
+  std::optional<Reply> ended(std::optional<Reply> reply) {
+    if (reply) watch_.end(reply->agent);
+    return reply;
+  }
+
+  Playmaker& inner_;
+  CallWatch& watch_;
+};
+
+}  // namespace
+
+void CallWatch::begin(int agent, Rpc rpc) {
+  Call& call = calls_.at(static_cast<std::size_t>(agent));
+  call.rpc.store(rpc, std::memory_order_relaxed);
+  call.begun.store(Clock::now().time_since_epoch().count(), std::memory_order_release);
+}
+
+void CallWatch::end(int agent) {
+  calls_.at(static_cast<std::size_t>(agent)).begun.store(0, std::memory_order_release);
+}
+
+std::optional<AwaitedCall> CallWatch::oldest() const {
+  AwaitedCall oldest;
+  Clock::rep first = 0;
+  int awaited = 0;
+  for (int agent = 1; agent < kAgentNumbers; ++agent) {
+    const Call& call = calls_[static_cast<std::size_t>(agent)];
+    const Clock::rep begun = call.begun.load(std::memory_order_acquire);
+    if (begun == 0) continue;
+    ++awaited;
+    if (first != 0 && begun >= first) continue;
+    first = begun;
+    oldest.agent = agent;
+    oldest.rpc = call.rpc.load(std::memory_order_relaxed);
+  }
+  if (awaited == 0) return std::nullopt;
+  oldest.waited = Clock::now().time_since_epoch() - Clock::duration(first);
+  oldest.others = awaited - 1;
+  return oldest;
+}
+
+std::unique_ptr<Playmaker> watch_calls(Playmaker& inner, CallWatch& watch) {
+  return std::make_unique<WatchedPlaymaker>(inner, watch);
+}
+
+}  // namespace cls::proxy

@@ -1,0 +1,211 @@
+// Playmakers that stop replying: whichever limit expires, the result names side, player and RPC.
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <chrono>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "tests/proxy/playmaker/playmaker_server.h"
+#include "tests/support/command.h"
+#include "tests/support/files.h"
+#include "tests/support/temporary_folder.h"
+
+namespace {
+
+using cls::tests::CommandResult;
+using cls::tests::GameService;
+using cls::tests::PlaymakerServer;
+using cls::tests::TemporaryFolder;
+using nlohmann::json;
+
+void write_file(const std::filesystem::path& path, const std::string& text) {
+  std::ofstream(path) << text;
+}
+
+struct Played {
+  CommandResult command;
+  json result;
+};
+
+// `right` plays against the mock.
+Played play_against(const std::string& right, const std::vector<std::string>& more) {
+  const TemporaryFolder folder;
+  std::vector<std::string> arguments = {cls::tests::cls_binary(),
+                                        "match",
+                                        "mock",
+                                        right,
+                                        "--right-name",
+                                        "hangs",
+                                        "--seed",
+                                        "7",
+                                        "--set",
+                                        "server::kick_off_wait=3",
+                                        "--dir",
+                                        folder.path()};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  Played played;
+  played.command = cls::tests::run(arguments);
+  played.result = json::parse(cls::tests::read_file(folder.path() / "result.json"));
+  return played;
+}
+
+Played play_with_faults(const std::string& faults, const std::vector<std::string>& more) {
+  const TemporaryFolder folder;
+  const auto script = folder.path() / "script.json";
+  write_file(script, R"({"otherwise": "simple", "faults": )" + faults + "}");
+  return play_against("mock:" + script.string(), more);
+}
+
+void expect_blamed(const Played& played, const std::string& end_reason, const std::string& rpc,
+                   const std::string& agent) {
+  const json& result = played.result;
+  EXPECT_EQ(result["end_reason"], end_reason) << played.command.err;
+  EXPECT_EQ(result["fault"], "right") << result.dump(1);
+  ASSERT_TRUE(result["failure"].is_object()) << played.command.err;
+  EXPECT_EQ(result["failure"]["process"], "right Playmaker");
+  EXPECT_EQ(result["failure"]["rpc"], rpc);
+  const std::string awaited = rpc + " of " + agent;
+  EXPECT_NE(result["message"].get<std::string>().find(awaited), std::string::npos)
+      << result["message"];
+  EXPECT_NE(played.command.err.find(awaited), std::string::npos) << played.command.err;
+  EXPECT_NE(played.command.err.find("cls: hangs ("), std::string::npos) << played.command.err;
+}
+
+// Deadline and stall limit may be equal or nearly so: both must lead to the same end.
+class EqualLimits : public testing::TestWithParam<const char*> {};
+
+TEST_P(EqualLimits, BlameTheSideThatHangs) {
+  const Played played = play_with_faults(R"({"hang_at_cycle": 3})",
+                                         {"--rpc-deadline", GetParam(), "--stall-after", "0.6"});
+  expect_blamed(played, "stalled", "GetPlayerActions", "player 1 and 10 other agents");
+  EXPECT_EQ(played.result["failure"]["unum"], 1);
+  EXPECT_EQ(played.result["failure"]["cycle"], 3);
+  EXPECT_NE(played.command.err.find("at cycle 3"), std::string::npos) << played.command.err;
+}
+
+INSTANTIATE_TEST_SUITE_P(Hangs, EqualLimits, testing::Values("600", "601", "5000"));
+
+TEST(Hangs, EndAsLateWithShortDeadline) {
+  const Played played =
+      play_with_faults(R"({"hang_at_cycle": 3})",
+                       {"--rpc-deadline", "50", "--max-missed", "3", "--stall-after", "10"});
+  EXPECT_EQ(played.result["end_reason"], "late");
+  EXPECT_EQ(played.result["fault"], "right");
+  EXPECT_EQ(played.result["failure"]["process"], "right Playmaker");
+  EXPECT_NE(played.command.err.find("player 1 had no usable reply"), std::string::npos)
+      << played.command.err;
+}
+
+TEST(Hangs, BlameTheCoach) {
+  const Played played =
+      play_with_faults(R"({"drop": 1.0, "only": {"unum": [12]}})", {"--stall-after", "0.6"});
+  expect_blamed(played, "stalled", "GetCoachActions", "the coach");
+  EXPECT_EQ(played.result["failure"]["unum"], 12);
+}
+
+TEST(Hangs, BlameThePlannersChoice) {
+  class Service : public GameService {
+   public:
+    std::atomic<bool> over{false};
+    grpc::Status GetBestPlannerAction(grpc::ServerContext* /*context*/,
+                                      const protos::BestPlannerActionRequest* /*request*/,
+                                      protos::BestPlannerActionResponse* /*response*/) override {
+      while (!over) std::this_thread::sleep_for(std::chrono::milliseconds(20));
+      return grpc::Status::OK;
+    }
+  };
+  Service service;
+  service.on_player = [](const protos::State& state, protos::PlayerActions& actions) {
+    const auto& world = state.world_model();
+    if (world.self().is_kickable()) {
+      actions.add_actions()->mutable_helios_offensive_planner()->set_server_side_decision(true);
+    } else if (world.game_mode_type() == protos::GameModeType::PlayOn || world.is_our_set_play()) {
+      actions.add_actions()->mutable_body_go_to_point()->set_max_dash_power(100);
+    }
+    return grpc::Status::OK;
+  };
+  PlaymakerServer server(service);
+  const Played played = play_against("127.0.0.1:" + std::to_string(server.port()),
+                                     {"--stall-after", "0.6", "--cycles", "1000"});
+  service.over = true;
+  expect_blamed(played, "stalled", "GetBestPlannerAction", "player ");
+}
+
+TEST(Hangs, BlameRegisterAtTheStart) {
+  GameService service;
+  std::atomic<bool> over{false};
+  service.on_register = [&](const protos::RegisterRequest& request, protos::RegisterResponse&) {
+    while (request.uniform_number() == 4 && !over) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    }
+    return grpc::Status::OK;
+  };
+  PlaymakerServer server(service);
+  const Played played =
+      play_against("127.0.0.1:" + std::to_string(server.port()), {"--start-timeout", "1"});
+  over = true;
+  expect_blamed(played, "refused", "Register", "player 4");
+  EXPECT_TRUE(played.result["failure"]["cycle"].is_null());
+  EXPECT_NE(played.command.err.find("within the start limit of 1 s"), std::string::npos);
+}
+
+TEST(Hangs, BlameTheSideOverUdp) {
+  const Played played = play_with_faults(
+      R"({"hang_at_cycle": 3})",
+      {"--mode", "synch", "--rpc-deadline", "1000", "--stall-after", "1", "--cycles", "100"});
+  expect_blamed(played, "stalled", "GetPlayerActions", "player ");
+}
+
+TEST(Hangs, BlameRegisterOverUdp) {
+  GameService service;
+  std::atomic<bool> over{false};
+  service.on_register = [&](const protos::RegisterRequest&, protos::RegisterResponse&) {
+    while (!over) std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    return grpc::Status::OK;
+  };
+  PlaymakerServer server(service);
+  const Played played = play_against("127.0.0.1:" + std::to_string(server.port()),
+                                     {"--mode", "synch", "--start-timeout", "3"});
+  over = true;
+  expect_blamed(played, "refused", "Register", "player 1");
+}
+
+TEST(Hangs, NameBothSidesWhenBothHang) {
+  const TemporaryFolder folder;
+  const auto script = folder.path() / "script.json";
+  write_file(script, R"({"otherwise": "simple", "faults": {"hang_at_cycle": 3}})");
+  const auto command =
+      cls::tests::run({cls::tests::cls_binary(), "match", "mock:" + script.string(),
+                       "mock:" + script.string(), "--stall-after", "0.6", "--set",
+                       "server::kick_off_wait=3", "--dir", folder.path() / "match"});
+  const json result = json::parse(cls::tests::read_file(folder.path() / "match" / "result.json"));
+  EXPECT_EQ(result["end_reason"], "stalled");
+  EXPECT_TRUE(result["fault"].is_null());
+  EXPECT_NE(command.err.find("script_l ("), std::string::npos) << command.err;
+  EXPECT_NE(command.err.find("; script_r ("), std::string::npos) << command.err;
+}
+
+TEST(Hangs, AreForfeitedInTournaments) {
+  const TemporaryFolder folder;
+  const auto script = folder.path() / "script.json";
+  write_file(script, R"({"otherwise": "simple", "faults": {"hang_at_cycle": 3}})");
+  const auto run = cls::tests::run({cls::tests::cls_binary(), "tournament", "run",
+                                    folder.path() / "cup", "--team", "OK=mock", "--team",
+                                    "HANG=mock:" + script.string(), "--cycles", "30", "--on-crash",
+                                    "forfeit", "--stall-after", "0.6", "--rpc-deadline", "600"});
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  const auto report = cls::tests::run({cls::tests::cls_binary(), "tournament", "report",
+                                       folder.path() / "cup", "--format", "json"});
+  const json document = json::parse(report.out);
+  ASSERT_EQ(document["matches"].size(), 2u);
+  for (const json& match : document["matches"]) {
+    const bool left_hangs = match["left"] == "HANG";
+    EXPECT_EQ(match["score"], left_hangs ? json({0, 3}) : json({3, 0})) << match.dump(1);
+  }
+}
+
+}  // namespace
