@@ -1,17 +1,16 @@
 // All calls of a team on one completion queue.
 #include "proxy/playmaker/grpc_playmaker.h"
 
-#include <grpc/support/log.h>
-
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cassert>
 #include <climits>
-#include <cstdlib>
 #include <utility>
 #include <vector>
 
 #include "proxy/playmaker/grpc_call.h"
+#include "proxy/playmaker/grpc_probe.h"
 #include "proxy/playmaker/tls_probe.h"
 
 namespace cls::proxy {
@@ -25,11 +24,11 @@ constexpr int kReconnectBackoffMs = 200;
 constexpr int kCancelPollMs = 50;
 // Of the call that finds the reason for an unreachable Playmaker.
 constexpr RpcTimeout kProbeTimeout{500};
+// While a Playmaker does not connect: between looks at what answers at its address.
+constexpr std::chrono::milliseconds kProbeInterval{1000};
 
 std::shared_ptr<grpc::ChannelCredentials> credentials_for(const GrpcTarget& target) {
   if (target.tls == nullptr) return grpc::InsecureChannelCredentials();
-  // gRPC logs every failed TLS handshake to stderr; explain_tls_failure() reports it once.
-  if (std::getenv("GRPC_VERBOSITY") == nullptr) gpr_set_log_function([](gpr_log_func_args*) {});
   return grpc::SslCredentials({target.tls->authorities, target.tls->key, target.tls->certificate});
 }
 
@@ -66,10 +65,10 @@ class GrpcPlaymaker : public Playmaker {
   explicit GrpcPlaymaker(const GrpcTarget& target) : target_(target) {
     const grpc::ChannelArguments arguments = channel_arguments(target);
     const auto credentials = credentials_for(target);
-    for (int agent = 1; agent < kAgentNumbers; ++agent) {
+    for (int agent = kTeamNumber; agent < kAgentNumbers; ++agent) {
       const auto i = static_cast<std::size_t>(agent);
-      names_[i] = address(target, agent);
-      const bool own = agent == 1 || names_[i] != names_[i - 1];
+      names_[i] = address(target, std::max(agent, 1));
+      const bool own = agent == kTeamNumber || names_[i] != names_[i - 1];
       channels_[i] =
           own ? grpc::CreateCustomChannel(names_[i], credentials, arguments) : channels_[i - 1];
     }
@@ -99,7 +98,7 @@ class GrpcPlaymaker : public Playmaker {
   }
 
   Reply call(int agent, Rpc rpc, const Message& request, RpcTimeout timeout) override {
-    if (rpc == Rpc::kRegister) return register_agent(agent, request, timeout);
+    if (is_registration(rpc)) return register_agent(agent, rpc, request, timeout);
     return call_alone(agent, rpc, request, timeout, false);
   }
 
@@ -108,7 +107,7 @@ class GrpcPlaymaker : public Playmaker {
   bool take_connection_loss(int agent) override {
     const auto i = static_cast<std::size_t>(agent);
     if (target_ && answered_[i] && channels_[i]->GetState(false) != GRPC_CHANNEL_READY) {
-      for (std::size_t other = 1; other < channels_.size(); ++other) {
+      for (std::size_t other = 0; other < channels_.size(); ++other) {
         if (channels_[other] != channels_[i]) continue;
         lost_[other] = std::exchange(answered_[other], false) || lost_[other];
       }
@@ -135,7 +134,7 @@ class GrpcPlaymaker : public Playmaker {
 
  private:
   void make_stubs() {
-    for (std::size_t i = 1; i < stubs_.size(); ++i) {
+    for (std::size_t i = 0; i < stubs_.size(); ++i) {
       stubs_[i] = std::make_unique<grpc::GenericStub>(channels_[i]);
     }
   }
@@ -187,33 +186,65 @@ class GrpcPlaymaker : public Playmaker {
     }
   }
 
-  // SendByeCommand is sent even after cancel(); its timeout bounds it.
+  // The goodbye is sent even after cancel(); its timeout bounds it.
   Reply call_alone(int agent, Rpc rpc, const Message& request, RpcTimeout timeout,
                    bool wait_for_ready) {
     assert(outstanding_ == 0 && "blocking calls do not mix with outstanding ones");
-    const bool is_bye = rpc == Rpc::kSendByeCommand;
+    const bool is_bye = rpc == Rpc::kSendByeCommand || rpc == Rpc::kUnregisterTeam;
     if (cancelled() && !is_bye) return cancelled_reply(agent, rpc);
     call_of(agent).start(stub_of(agent), queue_, rpc, request, timeout, wait_for_ready);
     return reply_of(wait(!is_bye));
   }
 
-  Reply register_agent(int agent, const Message& request, RpcTimeout timeout) {
+  Reply register_agent(int agent, Rpc rpc, const Message& request, RpcTimeout timeout) {
     Reply reply;
     reply.agent = agent;
+    reply.rpc = rpc;
     if (target_ && target_->tls != nullptr) {
       // An invalid certificate stays invalid: fail now instead of waiting for the Playmaker.
       reply.status = tls_status(agent);
       if (!reply.status.ok()) return reply;
     }
-    reply = call_alone(agent, Rpc::kRegister, request, timeout, true);
+    assert(outstanding_ == 0 && "blocking calls do not mix with outstanding ones");
+    if (cancelled()) return cancelled_reply(agent, rpc);
+    call_of(agent).start(stub_of(agent), queue_, rpc, request, timeout, true);
+    std::string other_protocol;
+    reply = reply_of(wait_for_registration(agent, other_protocol));
+    if (!other_protocol.empty()) reply.status = unavailable(agent, other_protocol);
     if (reply.status.outcome != RpcOutcome::kDeadline) return reply;
-    return explain_deadline(agent, request, timeout);
+    return explain_deadline(agent, rpc, request, timeout);
+  }
+
+  // A program that does not speak gRPC will not learn it: cancels the call and says why.
+  GrpcCall& wait_for_registration(int agent, std::string& other_protocol) {
+    auto next_probe = std::chrono::steady_clock::now() + kProbeInterval;
+    for (;;) {
+      cancel_if_requested();
+      GrpcCall* call = poll(gpr_time_from_millis(kCancelPollMs, GPR_TIMESPAN));
+      if (call != nullptr) return *call;
+      const bool due = target_ && std::chrono::steady_clock::now() >= next_probe;
+      if (!due || is_connected(agent) || cancelled()) continue;
+      const GrpcProbe probe = probe_grpc(*target_, agent);
+      next_probe = std::chrono::steady_clock::now() + kProbeInterval;
+      if (!probe.is_other_protocol || is_connected(agent)) continue;
+      other_protocol = probe.problem;
+      call_of(agent).cancel();
+    }
+  }
+
+  bool is_connected(int agent) const {
+    return channels_[static_cast<std::size_t>(agent)]->GetState(false) == GRPC_CHANNEL_READY;
+  }
+
+  RpcStatus unavailable(int agent, const std::string& reason) const {
+    return {RpcOutcome::kUnavailable, static_cast<int>(grpc::StatusCode::UNAVAILABLE),
+            names_[static_cast<std::size_t>(agent)] + ": " + reason};
   }
 
   // With wait_for_ready, a deadline without a connection means that the Playmaker is unreachable.
   void report_lost_connection(RpcStatus& status, const GrpcCall& call) const {
     const auto i = static_cast<std::size_t>(agent_of(call));
-    const bool unreachable = target_ && call.rpc() == Rpc::kRegister &&
+    const bool unreachable = target_ && is_registration(call.rpc()) &&
                              status.outcome == RpcOutcome::kDeadline &&
                              channels_[i]->GetState(false) != GRPC_CHANNEL_READY;
     if (!unreachable) return;
@@ -248,21 +279,25 @@ class GrpcPlaymaker : public Playmaker {
             names_[static_cast<std::size_t>(agent)] + ": " + reason};
   }
 
-  // Register waits for the Playmaker to come up, so an unreachable Playmaker also ends in a
+  // A registration waits for the Playmaker to come up, so an unreachable Playmaker also ends in a
   // deadline. A second call that does not wait distinguishes the two and returns the reason.
-  Reply explain_deadline(int agent, const Message& request, RpcTimeout timeout) {
+  Reply explain_deadline(int agent, Rpc rpc, const Message& request, RpcTimeout timeout) {
     const auto i = static_cast<std::size_t>(agent);
     const std::string limit = std::to_string(timeout.count()) + " ms";
     Reply reply;
     reply.agent = agent;
+    reply.rpc = rpc;
     if (channels_[i]->GetState(false) == GRPC_CHANNEL_READY) {
       reply.status = {RpcOutcome::kDeadline, static_cast<int>(grpc::StatusCode::DEADLINE_EXCEEDED),
-                      names_[i] + ": no reply to Register within " + limit};
+                      names_[i] + ": no reply to " + std::string(name(rpc)) + " within " + limit};
       return reply;
     }
-    reply.status = tls_status(agent);
-    if (!reply.status.ok()) return reply;
-    reply = call_alone(agent, Rpc::kRegister, request, kProbeTimeout, false);
+    const std::string problem = target_ ? probe_grpc(*target_, agent).problem : std::string();
+    if (!problem.empty()) {
+      reply.status = unavailable(agent, "unreachable for " + limit + ": " + problem);
+      return reply;
+    }
+    reply = call_alone(agent, rpc, request, kProbeTimeout, false);
     if (reply.status.outcome == RpcOutcome::kUnavailable) {
       reply.status.message =
           names_[i] + ": unreachable for " + limit + " (" + reply.status.message + ")";

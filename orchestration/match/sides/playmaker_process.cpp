@@ -6,11 +6,21 @@
 #include <algorithm>
 #include <utility>
 
-#include "proxy/playmaker/tls_probe.h"
+#include "proxy/playmaker/grpc_probe.h"
 
 namespace cls::orchestration::match {
 
 using base::Result;
+
+namespace {
+
+std::string hint_at(const proxy::GrpcTarget& target) {
+  constexpr int kGoalie = 1;
+  const std::string problem = proxy::probe_grpc(target, kGoalie).problem;
+  return problem.empty() ? problem : "; " + problem;
+}
+
+}  // namespace
 
 proxy::GrpcTarget target_of(const Endpoint& endpoint) {
   proxy::GrpcTarget target;
@@ -23,10 +33,9 @@ proxy::GrpcTarget target_of(const Endpoint& endpoint) {
 }
 
 std::string unreachable_hint(const Endpoint& endpoint) {
-  constexpr int kGoalie = 1;
-  if (endpoint.kind != Endpoint::Kind::kAddress) return {};
-  const std::string failure = proxy::explain_tls_failure(target_of(endpoint), kGoalie);
-  return failure.empty() ? failure : "; " + failure;
+  const bool runs_already =
+      endpoint.kind == Endpoint::Kind::kAddress || endpoint.kind == Endpoint::Kind::kUnixSocket;
+  return runs_already ? hint_at(target_of(endpoint)) : std::string();
 }
 
 Result<std::unique_ptr<mock_server::Server>> start_mock(const Endpoint& endpoint) {
@@ -56,7 +65,12 @@ Result<std::unique_ptr<PlaymakerProcess>> PlaymakerProcess::start(
 std::string PlaymakerProcess::port_hint() const {
   const std::vector<int> open = process::ports_of(process::Protocol::kTcp, child_->status().pid);
   if (open.empty()) return fmt::format("; it does not listen on port {}", port());
-  if (std::find(open.begin(), open.end(), port()) != open.end()) return {};
+  if (std::find(open.begin(), open.end(), port()) != open.end()) {
+    proxy::GrpcTarget target;
+    target.host = "localhost";
+    target.port = port();
+    return hint_at(target);
+  }
   return fmt::format("; it listens on port {}, not on {}", fmt::join(open, ", "), port());
 }
 

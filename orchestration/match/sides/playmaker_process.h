@@ -19,8 +19,8 @@ namespace cls::orchestration::match {
 /// Where a running Playmaker listens; for kAddress and kUnixSocket.
 proxy::GrpcTarget target_of(const Endpoint& endpoint);
 
-/// Why a Playmaker may not have replied in time: "; it speaks TLS (say tls:...)", or empty. Probes
-/// it once, for up to 5 s.
+/// Why a Playmaker may not have replied in time: "; nothing listens at localhost:50051", or empty.
+/// See proxy::probe_grpc().
 std::string unreachable_hint(const Endpoint& endpoint);
 
 /// The bundled Playmaker with the endpoint's script or behavior; for kMock. The error names an
@@ -41,8 +41,8 @@ class PlaymakerProcess {
   const process::Child& child() const { return *child_; }
   bool ended() const { return process::has_ended(child_->status()); }
 
-  /// Compares its open ports with the port it was given: "" or "; it listens on port 50051, not on
-  /// 21234".
+  /// Compares its open ports with the port it was given, and probes that: "" or "; it listens on
+  /// port 50051, not on 21234".
   std::string port_hint() const;
 
  private:

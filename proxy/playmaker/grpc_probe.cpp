@@ -1,0 +1,92 @@
+// Sends the beginning of an HTTP/2 connection, and looks at the first bytes that come back.
+#include "proxy/playmaker/grpc_probe.h"
+
+#include <poll.h>
+#include <sys/socket.h>
+#include <sys/un.h>
+
+#include <array>
+#include <chrono>
+#include <cstring>
+#include <string_view>
+
+#include "base/system/tcp_connect.h"
+#include "base/system/unique_fd.h"
+#include "proxy/playmaker/tls_probe.h"
+
+namespace cls::proxy {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr std::chrono::milliseconds kConnectTimeout{1000};
+constexpr std::chrono::milliseconds kReplyTimeout{1000};
+// RFC 9113, 3.4: the preface and an empty SETTINGS frame (3 bytes length, type 4, flags, stream).
+constexpr std::string_view kPreface("PRI * HTTP/2.0\r\n\r\nSM\r\n\r\n\0\0\0\4\0\0\0\0\0", 33);
+constexpr std::size_t kFrameType = 3;
+constexpr char kSettings = 4;
+constexpr char kTlsAlert = 0x15;
+
+base::UniqueFd connect_unix(const std::string& path) {
+  sockaddr_un address{};
+  address.sun_family = AF_UNIX;
+  if (path.size() >= sizeof address.sun_path) return base::UniqueFd();
+  std::memcpy(address.sun_path, path.c_str(), path.size());
+  base::UniqueFd fd(::socket(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0));
+  if (!fd) return fd;
+  const auto* generic = reinterpret_cast<const sockaddr*>(&address);
+  if (::connect(fd.get(), generic, sizeof address) != 0) return base::UniqueFd();
+  return fd;
+}
+
+base::UniqueFd connect_to(const GrpcTarget& target, int agent) {
+  if (!target.unix_path.empty()) return connect_unix(target.unix_path);
+  return base::connect_tcp(target.host, port_of(target, agent), Clock::now() + kConnectTimeout);
+}
+
+enum class Answer { kHttp2, kTls, kHttp1, kOther, kClosed, kSilent };
+
+Answer read_answer(int fd) {
+  const auto deadline = Clock::now() + kReplyTimeout;
+  std::array<char, 64> bytes{};
+  if (::send(fd, kPreface.data(), kPreface.size(), MSG_NOSIGNAL) < 0) return Answer::kClosed;
+  if (!base::wait_for_events(fd, POLLIN, deadline)) return Answer::kSilent;
+  const auto size = ::recv(fd, bytes.data(), bytes.size(), 0);
+  if (size <= 0) return Answer::kClosed;
+  const std::string_view answer(bytes.data(), static_cast<std::size_t>(size));
+  if (answer.size() > kFrameType && answer[0] == 0 && answer[kFrameType] == kSettings) {
+    return Answer::kHttp2;
+  }
+  if (answer[0] == kTlsAlert) return Answer::kTls;
+  // Servers that do not know the version of a request reply without headers.
+  if (answer.starts_with("HTTP/") || answer.starts_with('<')) return Answer::kHttp1;
+  return Answer::kOther;
+}
+
+}  // namespace
+
+GrpcProbe probe_grpc(const GrpcTarget& target, int agent) {
+  const std::string place = address(target, agent);
+  const base::UniqueFd fd = connect_to(target, agent);
+  if (!fd) return {"nothing listens at " + place, false};
+  if (target.tls != nullptr) return {explain_tls_failure(target, agent), false};
+  switch (read_answer(fd.get())) {
+    case Answer::kHttp2:
+      return {};
+    case Answer::kTls:
+      return {explain_tls_failure(target, agent), true};
+    case Answer::kHttp1:
+      return {"an HTTP server answers at " + place + ", it does not speak gRPC", true};
+    case Answer::kOther:
+      return {"the program that answers at " + place + " does not speak gRPC", true};
+    case Answer::kClosed:
+      return {"the program at " + place + " closes the connection, it does not speak gRPC", true};
+    case Answer::kSilent:
+      break;
+  }
+  return {"the program at " + place + " accepts connections and sends nothing: it hangs, or it " +
+              "does not speak gRPC",
+          false};
+}
+
+}  // namespace cls::proxy
