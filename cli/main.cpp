@@ -7,11 +7,13 @@
 #include "cli/application.h"
 #include "cli/support/early_guard.h"
 #include "cli/support/exit_code.h"
+#include "proto/grpc_log.h"
 
 int main(int argc, char** argv) {
   // A file that reaches the size limit is a failed write like any other and must not kill cls.
   std::signal(SIGXFSZ, SIG_IGN);
   try {
+    cls::proto::silence_grpc_log();
     const auto guard = cls::cli::start_early_guard(argc, argv);
     return cls::cli::run_application(argc, argv);
   } catch (const std::exception& error) {

@@ -13,6 +13,7 @@
 #include <filesystem>
 #include <memory>
 #include <mutex>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <thread>
@@ -23,8 +24,10 @@
 #include "cli/support/exit_code.h"
 #include "cli/support/interrupt.h"
 #include "cli/support/print_error.h"
+#include "cli/terminal/json_stdout.h"
 #include "mock-server/mock.h"
 #include "mock-server/server.h"
+#include "orchestration/process/ports.h"
 #include "soccer/parameters/parameter.h"
 
 namespace cls::cli {
@@ -55,6 +58,7 @@ struct Arguments {
   std::vector<int> only_cycles;
   double slow_start_s = 0.0;
   int restart_after_ms = 500;
+  bool json = false;
 };
 
 void add_fault_options(CLI::App& command, Arguments& arguments) {
@@ -69,6 +73,7 @@ void add_fault_options(CLI::App& command, Arguments& arguments) {
   add("--drop", faults.drop, "fraction of decisions without a reply")->check(fraction);
   add("--error", faults.error, "fraction of replies that are a gRPC error")->check(fraction);
   add("--status", faults.status, "gRPC status of --error (default: UNKNOWN)");
+  add("--message", faults.message, "message of --error (default: injected error)");
   add("--garbage", faults.garbage, "fraction of replies with invalid bytes")->check(fraction);
   add("--oversize", faults.oversize, "fraction of replies of 5 MiB")->check(fraction);
   add("--crash-at-cycle", faults.crash_at_cycle, "crash at the first request of this cycle")
@@ -108,6 +113,7 @@ std::optional<std::string> resolve_faults(const Arguments& arguments, Faults& fa
     merge(member);
   }
   merge(&Faults::status);
+  merge(&Faults::message);
   merge(&Faults::wrong_client_id);
   merge(&Faults::unums);
   merge(&Faults::seed);
@@ -118,7 +124,7 @@ std::optional<std::string> resolve_faults(const Arguments& arguments, Faults& fa
     const auto rpc = proto::rpc_from_name(name);
     if (!rpc) {
       return fmt::format("--unimplemented: unknown RPC '{}'{}", name,
-                         base::did_you_mean(name, proto::rpc_names()));
+                         base::did_you_mean(name, proto::agent_rpc_names()));
     }
     faults.unimplemented.push_back(*rpc);
   }
@@ -227,6 +233,13 @@ base::Result<Mock> make(const Arguments& arguments, Failure& failure) {
   return mock;
 }
 
+// Names the owner of a port that is taken.
+std::string why_not_listening(const Arguments& arguments, const std::string& error) {
+  using orchestration::process::Protocol;
+  const std::string taken = orchestration::process::taken_port(Protocol::kTcp, {arguments.port});
+  return taken.empty() ? error : taken + "; --port 0 selects a free port";
+}
+
 int run_mock(const Arguments& arguments) {
   Failure failure;
   auto mock = make(arguments, failure);
@@ -234,9 +247,17 @@ int run_mock(const Arguments& arguments) {
   const std::atomic<int>& signal = watch_interrupts();
   failure.code = kTryAgain;
   wait(milliseconds(static_cast<int>(arguments.slow_start_s * 1000.0)), signal);
+  const JsonStdout json(arguments.json);
   ServingProcess process(arguments);
   if (const auto started = process.start(*std::move(mock)); !started) {
-    return print_error(failure.code, started.error().message);
+    return print_error(failure.code, why_not_listening(arguments, started.error().message));
+  }
+  if (json.active()) {
+    const nlohmann::ordered_json line = {{"schema", "cls.mock/1"},
+                                         {"host", arguments.host},
+                                         {"port", process.port()},
+                                         {"behavior", arguments.behavior}};
+    json.print_line(line.dump());
   }
   fmt::print("listening on {}:{}\n", arguments.host, process.port());
   std::fflush(stdout);
@@ -266,6 +287,8 @@ void add_mock_command(CLI::App& app, int& exit_code) {
       ->capture_default_str()
       ->check(CLI::Range(0, 65535));
   command->add_option("--host", arguments->host, "address to listen on")->capture_default_str();
+  command->add_flag("--json", arguments->json,
+                    "print host and port as one line of JSON; all else goes to stderr");
   add_fault_options(*command, *arguments);
   command->callback([arguments, &exit_code] { exit_code = run_mock(*arguments); });
 }

@@ -13,6 +13,7 @@
 #include <fstream>
 #include <future>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <random>
 #include <string>
@@ -24,11 +25,14 @@
 #include "cli/support/exit_code.h"
 #include "cli/support/interrupt.h"
 #include "cli/support/print_error.h"
+#include "cli/support/usage_errors.h"
+#include "cli/terminal/json_stdout.h"
 #include "gamelog/rcg/rcg_writer.h"
 #include "orchestration/match/options/server_settings.h"
 #include "orchestration/match/server/server_logs.h"
 #include "orchestration/match/server/server_report.h"
 #include "orchestration/match/server/server_teams.h"
+#include "orchestration/process/ports.h"
 #include "simulator/server/udp_server.h"
 #include "simulator/sessions/match_recorder.h"
 
@@ -42,15 +46,15 @@ using simulator::UdpServerExit;
 constexpr const char* kDescription =
     "run the embedded soccer server for UDP clients\n"
     "\n"
-    "  cls server                               at port 6000, with rcssserver's defaults: real\n"
-    "                                           time, a monitor starts the match\n"
+    "  cls server                     at port 6000, with rcssserver's defaults: real\n"
+    "                                 time, a monitor starts the match\n"
     "  cls server server::auto_mode=on server::synch_mode=on server::half_time=100\n"
     "  cls server --port 0 --seed 7             at a free port, which is printed\n"
     "\n"
     "Accepts the settings of rcssserver: server::NAME=VALUE, player::NAME=VALUE,\n"
     "CSVSaver::NAME=VALUE, include=FILE, with or without leading dashes; and\n"
-    "sync::max_wait_ms, sync::max_missed. server.conf, player.conf and CSVSaver.conf are read\n"
-    "first, from RCSS_CONF_DIR or ~/.rcssserver.";
+    "sync::max_wait_ms, sync::max_missed. server.conf, player.conf and CSVSaver.conf\n"
+    "are read first, from RCSS_CONF_DIR or ~/.rcssserver.";
 
 struct Arguments {
   std::string host = "127.0.0.1";
@@ -58,6 +62,7 @@ struct Arguments {
   std::optional<std::uint64_t> seed;
   std::optional<int> cycles;
   std::string folder;
+  bool json = false;
 };
 
 /// Reads configuration files, then arguments; later settings override earlier ones.
@@ -197,6 +202,14 @@ orchestration::match::ServerPorts ports_of(const UdpServer& server) {
           server.port(simulator::ListeningPort::kOnlineCoaches)};
 }
 
+std::string json_line(const Arguments& arguments, const orchestration::match::ServerPorts& ports,
+                      std::uint64_t seed) {
+  const nlohmann::ordered_json line = {{"schema", "cls.server/1"},  {"host", arguments.host},
+                                       {"port", ports.player},      {"trainer_port", ports.trainer},
+                                       {"coach_port", ports.coach}, {"seed", seed}};
+  return line.dump();
+}
+
 /// A closed terminal ends the match gracefully like Ctrl-C, except under nohup.
 void watch_hang_up() {
   struct sigaction now = {};
@@ -208,13 +221,20 @@ void watch_hang_up() {
 }
 
 /// Opens sockets and logs, serves the match, closes the logs.
-int serve_match(const Arguments& arguments, const ServerSettings& settings) {
+int serve_match(const Arguments& arguments, const ServerSettings& settings,
+                const JsonStdout& json) {
   const simulator::UdpConfig config = config_of(arguments, settings);
   const std::atomic<int>& signal = watch_interrupts();
   watch_hang_up();
   const std::time_t start = std::time(nullptr);
   auto server = UdpServer::open(config);
-  if (!server) return print_error(kTryAgain, server.error().message);
+  if (!server) {
+    const std::string taken =
+        orchestration::process::taken_port(orchestration::process::Protocol::kUdp,
+                                           {config.port, config.trainer_port, config.coach_port});
+    return print_error(kTryAgain, taken.empty() ? server.error().message
+                                                : taken + "; --port 0 selects free ports");
+  }
   auto logs = orchestration::match::ServerLogs::open(settings.server, start);
   if (!logs) return print_error(kCannotCreate, logs.error().message);
   (*server)->record(logs->sinks());
@@ -231,6 +251,7 @@ int serve_match(const Arguments& arguments, const ServerSettings& settings) {
                 !world.team(soccer::Side::kLeft).name.empty());
   });
   (*server)->on_event([&lines](const simulator::UdpServerEvent& event) { lines.event(event); });
+  if (json.active()) json.print_line(json_line(arguments, ports, config.match.seed));
   fmt::print(
       "listening on {}:{}, trainer {}, coaches {}\nSimulator Random Seed: {}\nHit CTRL-C to exit\n",
       arguments.host, ports.player, ports.trainer, ports.coach, config.match.seed);
@@ -246,7 +267,7 @@ int serve_match(const Arguments& arguments, const ServerSettings& settings) {
 }
 
 /// A mistyped cls option. It cannot be a setting of rcssserver: those contain '::' or '='.
-std::optional<std::string> unknown_option(const std::vector<std::string>& texts) {
+std::optional<std::string> mistyped_option(const std::vector<std::string>& texts) {
   const auto is_option = [](const std::string& text) {
     return text.starts_with('-') && text.find("::") == std::string::npos &&
            text.find('=') == std::string::npos && !text.ends_with("help");
@@ -261,9 +282,10 @@ std::optional<std::string> unknown_option(const std::vector<std::string>& texts)
 
 int run_server(const Arguments& arguments, const CLI::App& command) {
   int problem = kUsage;
-  if (const auto option = unknown_option(command.remaining())) {
-    return print_error(kUsage, fmt::format("unknown option '{}' (see cls server --help)", *option));
+  if (const auto option = mistyped_option(command.remaining())) {
+    return print_error(kUsage, unknown_option(command, *option));
   }
+  const JsonStdout json(arguments.json);
   const auto settings = read_settings(arguments, command.remaining(), problem);
   if (!settings) return print_error(problem, settings.error().message);
   if (settings->help) {
@@ -278,7 +300,7 @@ int run_server(const Arguments& arguments, const CLI::App& command) {
   }
   const auto made = simulator::MatchServer::create(config_of(arguments, *settings).match);
   if (!made) return print_error(kUsage, made.error().message);
-  return serve_match(arguments, *settings);
+  return serve_match(arguments, *settings, json);
 }
 
 }  // namespace
@@ -300,6 +322,8 @@ void add_server_command(CLI::App& app, int& exit_code) {
   command->add_option(
       "--dir", arguments->folder,
       "folder for match.rcg, match.rcl and match.kwy (default: rcssserver's folders and names)");
+  command->add_flag("--json", arguments->json,
+                    "print host and ports as one line of JSON; all else goes to stderr");
   command->callback(
       [arguments, command, &exit_code] { exit_code = run_server(*arguments, *command); });
 }

@@ -169,6 +169,13 @@ std::string port_taken_text(Protocol protocol, int port) {
   return text + fmt::format(" by {} (process {})", owners.front().program, owners.front().pid);
 }
 
+std::string taken_port(Protocol protocol, const std::vector<int>& ports) {
+  const auto taken = std::find_if(ports.begin(), ports.end(), [&](int port) {
+    return port != 0 && !port_is_free(protocol, port);
+  });
+  return taken == ports.end() ? std::string() : port_taken_text(protocol, *taken);
+}
+
 std::vector<int> ports_of(Protocol protocol, int pid) {
   std::vector<int> pids = {pid};
   for (const ProcessEntry& entry : descendants_of(pid)) pids.push_back(entry.pid);

@@ -26,6 +26,9 @@ std::vector<PortOwner> owners_of(Protocol protocol, int port);
 /// "UDP port 6000 is taken by rcssserver (process 1234)".
 std::string port_taken_text(Protocol protocol, int port);
 
+/// That text for the first of `ports` that is taken; empty: none is. Port 0 stands for a free one.
+std::string taken_port(Protocol protocol, const std::vector<int>& ports);
+
 /// Ports on which `pid` or a descendant of it listens (TCP) or has bound (UDP), ascending.
 std::vector<int> ports_of(Protocol protocol, int pid);
 

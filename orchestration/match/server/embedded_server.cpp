@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "base/system/version.h"
+#include "gamelog/rcg/rcg_writer.h"
 #include "orchestration/process/ports.h"
 
 namespace cls::orchestration::match {
@@ -32,9 +33,11 @@ Result<std::unique_ptr<EmbeddedServer>> EmbeddedServer::create(const MatchOption
   return created;
 }
 
-void EmbeddedServer::record(base::ByteSink& game_log, base::ByteSink& text_log,
+void EmbeddedServer::record(base::ByteSink* game_log, base::ByteSink* text_log,
                             EventRecorder* events) {
-  server_->record(&game_log, &text_log);
+  simulator::LogSinks sinks{game_log, text_log};
+  sinks.version = gamelog::rcg_version(options_.server.game_log_version).value_or(sinks.version);
+  server_->record(sinks);
   events_ = events;
 }
 
@@ -49,7 +52,13 @@ Result<ServerPorts> EmbeddedServer::open_player_port(bool free_port) {
 std::optional<MatchEnd> EmbeddedServer::start(const std::function<bool()>& /*keep_waiting*/) {
   if (!options_.monitor_port) return std::nullopt;
   const auto port = server_->open_monitor_port(kHost, *options_.monitor_port);
-  if (!port) return MatchEnd{EndReason::kServerFailed, port.error().message, {}, {}, false};
+  if (!port) {
+    const std::string taken =
+        process::taken_port(process::Protocol::kUdp, {*options_.monitor_port});
+    if (taken.empty())
+      return MatchEnd{EndReason::kServerFailed, port.error().message, {}, {}, false};
+    return MatchEnd{EndReason::kRefused, "--monitor-port: " + taken, {}, {}, true};
+  }
   monitor_address_ = fmt::format("{}:{}", kHost, *port);
   return std::nullopt;
 }

@@ -131,13 +131,12 @@ Result<MatchPlan> plan_match(const MatchOptions& options, const TeamNames& names
 
 std::string port_in_use(const MatchPlan& plan) {
   if (!plan.server || !plan.reserved.empty()) return {};
-  for (const int port : {plan.ports.player, plan.ports.trainer, plan.ports.coach}) {
-    if (process::port_is_free(process::Protocol::kUdp, port)) continue;
-    const bool stock = plan.ports.player == ServerPorts().player;
-    return process::port_taken_text(process::Protocol::kUdp, port) +
-           (stock ? ": a team whose start script takes no ports needs 6000 to 6002" : "");
-  }
-  return {};
+  const std::string taken = process::taken_port(
+      process::Protocol::kUdp, {plan.ports.player, plan.ports.trainer, plan.ports.coach});
+  const bool stock = needs_stock_ports(plan);
+  return taken + (stock && !taken.empty()
+                      ? ": a team whose start script takes no ports needs 6000 to 6002"
+                      : "");
 }
 
 }  // namespace cls::orchestration::match
