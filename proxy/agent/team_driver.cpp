@@ -107,7 +107,8 @@ DriveResult TeamDriver::run(const ShouldContinue& should_continue) {
     }
     if (clients_.wait_until(std::min(team_.next_due(), now + kPollInterval))) {
       last_message = steady_clock::now();
-    } else if (steady_clock::now() - last_message > options_.server_timeout) {
+    } else if (steady_clock::now() - last_message >
+               (time_over() ? options_.timeout_after_end : options_.server_timeout)) {
       end = DriveResult::kServerUnresponsive;
       break;
     }

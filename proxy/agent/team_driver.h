@@ -28,8 +28,9 @@ enum class DriveResult {
 struct DriverOptions {
   bool leave_at_time_over = true;  ///< otherwise until the server stops sending
   std::chrono::milliseconds server_timeout{5000};
-  int coach_port = 0;    ///< of the server; 0: no coach
-  int trainer_port = 0;  ///< the same for a trainer
+  std::chrono::milliseconds timeout_after_end{2000};  ///< the same once the match is over
+  int coach_port = 0;                                 ///< of the server; 0: no coach
+  int trainer_port = 0;                               ///< the same for a trainer
   /// Called once per cycle, before the first player's decision is requested; may block, may be
   /// empty.
   std::function<void()> before_decisions;

@@ -91,7 +91,8 @@ class UdpServer {
 
   /// Runs the match to its end and writes the result to the logs. After time_over in auto mode,
   /// clients have game_over_wait cycles to disconnect. Without auto mode only `stop` or the cycle
-  /// limit end the match. `stop` may be set by another thread or a signal handler.
+  /// limit end the match; at the cycle limit clients hear time_over. `stop` may be set by another
+  /// thread or a signal handler.
   UdpServerExit run(const std::atomic<bool>& stop);
 
   /// Lateness of the steps in real time. Call only when run() has returned.

@@ -22,6 +22,13 @@ void MatchServer::dispatch(const Event& event) {
       event.what);
 }
 
+void MatchServer::announce_end() {
+  referee_message_.time = world_.clock.time;
+  referee_message_.text = name(PlayMode::kTimeOver);
+  players_.send_referee_message(world_, referee_message_);
+  coaches_.send_referee_message(referee_message_);
+}
+
 void MatchServer::send_referee_message(Clock clock, const RefereeMessage& message) {
   soccer::Hear& hear = referee_message_;
   hear.time = clock.time;

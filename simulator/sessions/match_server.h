@@ -132,6 +132,10 @@ class MatchServer {
   /// True after time_over or at the cycle limit.
   bool finished() const;
 
+  /// Sends the referee's time_over to all clients, for a match that ends at the cycle limit. The
+  /// logs do not record it: the game is not over.
+  void announce_end();
+
   /// Writes the result to the game log; call once, after the last step.
   void finish() { recorder_.finish(world_); }
 
