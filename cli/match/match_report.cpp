@@ -7,6 +7,10 @@
 #include <functional>
 #include <iterator>
 
+#include "cli/support/troubleshooting.h"
+#include "orchestration/process/command_plan.h"
+#include "proxy/playmaker/playmaker_errors.h"
+
 namespace cls::cli {
 namespace {
 
@@ -99,6 +103,31 @@ std::string missed(const TeamResult& team) {
                      total(team, [](const PlayerResult& player) { return player.late; }));
 }
 
+std::int64_t actions(const TeamResult& team, std::string_view outcome) {
+  return total(team, [outcome](const PlayerResult& player) {
+    std::int64_t sum = 0;
+    for (const auto& [kind, outcomes] : player.actions) {
+      const auto found = outcomes.find(std::string(outcome));
+      if (found != outcomes.end()) sum += found->second;
+    }
+    return sum;
+  });
+}
+
+// Requested actions by outcome; those that no proxy can execute only if there were any.
+void add_actions(Rows& rows, const MatchResult& result) {
+  rows.add("actions executed", [](const TeamResult& team) { return actions(team, "executed"); });
+  const auto rest = [](const TeamResult& team) {
+    if (team.players.empty()) return std::string("-");
+    return fmt::format("{}, {}", actions(team, "failed"), actions(team, "skipped"));
+  };
+  rows.add("failed, skipped", rest(result.left), rest(result.right));
+  const auto wrong = [](const TeamResult& team) {
+    return actions(team, "invalid") + actions(team, "unimplemented");
+  };
+  if (wrong(result.left) + wrong(result.right) > 0) rows.add("invalid or unknown", wrong);
+}
+
 // Shown only if there was a reconnect.
 void add_reconnects(Rows& rows, const MatchResult& result) {
   const auto count = [](const TeamResult& team) {
@@ -144,6 +173,7 @@ std::string figures(const MatchResult& result) {
            latency(result.right, &Latency::p50, &Latency::p95, false));
   rows.add("rpc worst p99 / max", latency(result.left, &Latency::p99, &Latency::max, true),
            latency(result.right, &Latency::p99, &Latency::max, true));
+  add_actions(rows, result);
   for (const char* kind : {"kick", "dash", "turn", "tackle", "catch"}) {
     rows.add(kind, [kind](const TeamResult& team) { return commands(team, kind); });
   }
@@ -153,16 +183,52 @@ std::string figures(const MatchResult& result) {
   return rows.take();
 }
 
+// What a side's Playmaker answered with an error, and how to ask it again.
+std::string errors(const MatchResult& result, const TeamResult& team) {
+  if (!team.errors.first) return {};
+  const auto& first = *team.errors.first;
+  std::string text =
+      fmt::format("  {}: {} RPC error{}, the first at cycle {} ({}, {})\n    {}: {}\n", team.name,
+                  team.errors.count, team.errors.count == 1 ? "" : "s", first.cycle, first.rpc,
+                  proxy::agent_name(first.unum), first.status, first.message);
+  if (!first.recording.empty()) {
+    fmt::format_to(std::back_inserter(text), "    try again: cls test --replay {} {}\n",
+                   orchestration::process::shell_quoted(result.folder + "/" + first.recording),
+                   orchestration::process::shell_quoted(team.endpoint));
+  }
+  return text;
+}
+
+// The first exception that each program printed.
+std::string exceptions(const MatchResult& result) {
+  std::string text;
+  for (const auto& process : result.processes) {
+    if (process.exception.empty()) continue;
+    fmt::format_to(std::back_inserter(text), "  {}: {}\n    output is in {}/{}\n", process.name,
+                   process.exception, result.folder, process.log);
+  }
+  return text;
+}
+
+// A match without a cycle has no score and no figures.
+std::string refusal(const MatchResult& result) {
+  return fmt::format("invalid match: {} before the first cycle\n  {}\n{}  {}/\n",
+                     name(result.end_reason), troubleshooting_hint(result.end_reason),
+                     exceptions(result), result.folder);
+}
+
 }  // namespace
 
 std::string match_report(const MatchResult& result, bool color) {
+  if (!result.valid() && result.steps == 0) return refusal(result);
   const std::string score = score_line(result);
   std::string text = color ? fmt::format("\x1b[1m{}\x1b[0m\n", score) : score + "\n";
   if (!result.valid()) {
-    fmt::format_to(std::back_inserter(text), "  invalid match: {} at cycle {}\n",
-                   name(result.end_reason), result.cycles);
+    fmt::format_to(std::back_inserter(text), "  invalid match: {} at cycle {}\n  {}\n",
+                   name(result.end_reason), result.cycles, troubleshooting_hint(result.end_reason));
   }
   text += goals_line(result);
+  text += errors(result, result.left) + errors(result, result.right) + exceptions(result);
   text += "\n" + figures(result) + "\n";
   fmt::format_to(std::back_inserter(text),
                  "  {} cycles in {:.1f} s ({:.0f} cycles/s), {}, seed {}{}\n", result.cycles,

@@ -8,10 +8,16 @@
 #include <utility>
 
 #include "base/io/whole_file.h"
+#include "base/system/host.h"
 #include "orchestration/match/hooks/debug_log.h"
+#include "orchestration/match/hooks/error_recording.h"
 #include "orchestration/match/hooks/rpc_recorder.h"
 #include "orchestration/match/match_setup.h"
+#include "orchestration/match/options/match_settings.h"
+#include "orchestration/match/result/late_warnings.h"
 #include "orchestration/match/result/match_folder.h"
+#include "orchestration/match/server/match_logs.h"
+#include "orchestration/process/ports.h"
 
 namespace cls::orchestration::match {
 namespace {
@@ -38,19 +44,23 @@ class FirstError {
   std::string text_;
 };
 
+recording::RecordingHeader recording_header(const MatchSetup& setup) {
+  recording::RecordingHeader header;
+  header.set_seed(setup.seed);
+  header.set_left_name(setup.names.left);
+  header.set_right_name(setup.names.right);
+  header.set_left_endpoint(setup.options.left.text);
+  header.set_right_endpoint(setup.options.right.text);
+  return header;
+}
+
 /// The hooks that write files, in the order of their calls.
 class FileHooks {
  public:
   static Result<std::unique_ptr<FileHooks>> create(const MatchSetup& setup) {
     std::unique_ptr<FileHooks> hooks(new FileHooks(setup.folder));
     if (setup.options.record_rpc.empty()) return hooks;
-    recording::RecordingHeader header;
-    header.set_seed(setup.seed);
-    header.set_left_name(setup.names.left);
-    header.set_right_name(setup.names.right);
-    header.set_left_endpoint(setup.options.left.text);
-    header.set_right_endpoint(setup.options.right.text);
-    auto recorder = RpcRecorder::create(setup.options.record_rpc, header);
+    auto recorder = RpcRecorder::create(setup.options.record_rpc, recording_header(setup));
     if (!recorder) return recorder.error();
     hooks->recorder_ = *std::move(recorder);
     return hooks;
@@ -72,42 +82,48 @@ class FileHooks {
   std::unique_ptr<RpcRecorder> recorder_;
 };
 
+// Saves the first failed call of each side.
+void record_errors(const MatchSetup& setup, const Match& match, MatchResult& result) {
+  for (const auto& side : match.sides()) {
+    const soccer::Side which = side->identity().side;
+    const bool left = which == soccer::Side::kLeft;
+    const proxy::PlaymakerErrors* errors = side->errors();
+    if (errors == nullptr || !errors->first || which == soccer::Side::kNeutral) continue;
+    if (errors->first->calls.empty()) continue;
+    const char* file = left ? kLeftErrorFile : kRightErrorFile;
+    const auto written =
+        write_error_recording(setup.folder / file, recording_header(setup), which, *errors->first);
+    if (written) (left ? result.left : result.right).errors.first->recording = file;
+    if (!written && result.write_error.empty()) result.write_error = written.error().message;
+  }
+}
+
+// Adds what only the whole match shows.
+void add_late_warnings(const fs::path& folder, MatchResult& result, MatchObserver& observer) {
+  std::vector<std::string> late = action_warnings(result.left);
+  for (const auto& lines :
+       {action_warnings(result.right), output_warnings(result.processes, folder)}) {
+    late.insert(late.end(), lines.begin(), lines.end());
+  }
+  for (const std::string& line : late) {
+    observer.on_warning(line);
+    result.warnings.push_back(line);
+  }
+}
+
 // Plays with all hooks; the sides are gone when this returns.
-MatchResult play(std::unique_ptr<Match> match, FileHooks& files, MatchHooks* hooks,
-                 MatchObserver& observer) {
+MatchResult play(const MatchSetup& setup, std::unique_ptr<Match> match, FileHooks& files,
+                 MatchHooks* hooks, MatchObserver& observer) {
   files.add_to(*match);
   if (hooks != nullptr) match->add_hooks(*hooks);
   match->play(observer);
-  return match->result();
+  MatchResult result = match->result();
+  record_errors(setup, *match, result);
+  return result;
 }
 
 Result<FileSink> create_file(const MatchSetup& setup, const char* name) {
   return base::FileSink::create((setup.folder / name).string());
-}
-
-Result<MatchResult> play_lockstep(const MatchSetup& setup, MatchHooks* hooks,
-                                  MatchObserver& observer) {
-  const auto game_log = create_file(setup, kGameLogFile);
-  if (!game_log) return game_log.error();
-  const auto text_log = create_file(setup, kTextLogFile);
-  if (!text_log) return text_log.error();
-  const auto event_file = create_file(setup, kEventsFile);
-  if (!event_file) return event_file.error();
-  const auto files = FileHooks::create(setup);
-  if (!files) return files.error();
-  EventRecorder events(**event_file);
-  auto match = make_lockstep_match(setup, {**game_log, **text_log, &events});
-  if (!match) return match.error();
-  events.start(setup.names, setup.seed);
-  MatchResult result = play(*std::move(match), **files, hooks, observer);
-  events.end(result);
-  result.rcg = kGameLogFile;
-  result.rcl = kTextLogFile;
-  FirstError error;
-  for (const FileSink* sink : {&*game_log, &*text_log, &*event_file}) error.close(**sink);
-  (*files)->close(error);
-  result.write_error = error.text();
-  return result;
 }
 
 // A match that could not be set up.
@@ -126,14 +142,49 @@ MatchResult refused(const MatchSetup& setup, std::string message, bool try_again
   return result;
 }
 
+// Of a match without a cycle.
+void remove_logs(const fs::path& folder, MatchResult& result) {
+  for (std::string* log : {&result.rcg, &result.rcl}) {
+    std::error_code code;
+    if (!log->empty()) fs::remove(folder / *log, code);
+    log->clear();
+  }
+}
+
+// The one fixed port that a match in lockstep may need.
+bool stock_port_is_taken(const MatchSetup& setup) {
+  const bool external = !setup.options.left.has_playmaker() || !setup.options.right.has_playmaker();
+  return external && !process::taken_port(process::Protocol::kUdp, {ServerPorts().player}).empty();
+}
+
+Result<MatchResult> play_lockstep(const MatchSetup& setup, MatchHooks* hooks,
+                                  MatchObserver& observer) {
+  auto logs = MatchLogs::create(setup.folder, setup.options.server);
+  if (!logs) return logs.error();
+  const auto event_file = create_file(setup, kEventsFile);
+  if (!event_file) return event_file.error();
+  const auto files = FileHooks::create(setup);
+  if (!files) return files.error();
+  EventRecorder events(**event_file);
+  auto match = make_lockstep_match(setup, {logs->game(), logs->text(), &events});
+  events.start(setup.names, setup.seed);
+  MatchResult result = match ? play(setup, *std::move(match), **files, hooks, observer)
+                             : refused(setup, match.error().message, stock_port_is_taken(setup));
+  events.end(result);
+  FirstError error;
+  if (const auto closed = logs->close(result); !closed) error.add(closed.error().message);
+  error.close(**event_file);
+  (*files)->close(error);
+  error.add(result.write_error);
+  result.write_error = error.text();
+  if (result.steps == 0) remove_logs(setup.folder, result);
+  return result;
+}
+
 Result<MatchResult> play_over_udp(const MatchSetup& setup, MatchHooks* hooks,
                                   MatchObserver& observer) {
   const auto event_file = create_file(setup, kEventsFile);
   if (!event_file) return event_file.error();
-  for (const char* old : {kGameLogFile, kTextLogFile}) {
-    std::error_code code;
-    fs::remove(setup.folder / old, code);
-  }
   const auto files = FileHooks::create(setup);
   if (!files) return files.error();
   FirstError error;
@@ -145,13 +196,16 @@ Result<MatchResult> play_over_udp(const MatchSetup& setup, MatchHooks* hooks,
     result = refused(setup, in_use, true);
   } else {
     auto match = make_external_match(setup, *std::move(plan));
-    result = match ? play(*std::move(match), **files, hooks, observer)
+    result = match ? play(setup, *std::move(match), **files, hooks, observer)
                    : refused(setup, match.error().message, false);
   }
   result.deterministic = false;
   write_events(events, setup.folder, result);
+  const auto converted = convert_server_logs(setup.folder, setup.options.server, result);
+  if (!converted) error.add(converted.error().message);
   error.close(**event_file);
   (*files)->close(error);
+  error.add(result.write_error);
   result.write_error = error.text();
   return result;
 }
@@ -176,10 +230,11 @@ Result<MatchResult> run_match(const MatchOptions& options, MatchObserver& observ
   const auto start = std::chrono::steady_clock::now();
   const TeamNames names = team_names(options);
   const std::uint64_t seed = options.seed.value_or(random_seed());
+  ManifestTimes times{base::utc_now(), {}, {}};
   const auto folder = make_match_folder(options, names);
   if (!folder) return folder.error();
   if (const auto written =
-          base::write_file(*folder / kManifestFile, manifest_json(options, names, seed));
+          base::write_file(*folder / kManifestFile, manifest_json(options, names, seed, times));
       !written) {
     return written.error();
   }
@@ -191,14 +246,24 @@ Result<MatchResult> run_match(const MatchOptions& options, MatchObserver& observ
   }
   const MatchSetup setup{
       options, names, seed, stop_signal, host ? &*host : nullptr, fs::absolute(*folder)};
+  std::vector<std::string> warnings = settings_without_effect(options);
+  for (const std::string& warning : warnings) observer.on_warning(warning);
   auto result = mode_of(options) == MatchMode::kLockstep ? play_lockstep(setup, hooks, observer)
                                                          : play_over_udp(setup, hooks, observer);
   if (!result) return result;
   result->folder = folder->string();
+  result->warnings.insert(result->warnings.begin(), warnings.begin(), warnings.end());
+  add_late_warnings(*folder, *result, observer);
   result->wall_seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  const auto written = base::write_file(*folder / kResultFile, to_json(*result));
-  if (!written && result->write_error.empty()) result->write_error = written.error().message;
+  times.ended = base::utc_now();
+  times.server_version = result->server_version;
+  for (const auto& [file, text] :
+       {std::pair(kManifestFile, manifest_json(options, names, seed, times)),
+        std::pair(kResultFile, to_json(*result))}) {
+    const auto written = base::write_file(*folder / file, text);
+    if (!written && result->write_error.empty()) result->write_error = written.error().message;
+  }
   return result;
 }
 
