@@ -1,0 +1,13 @@
+// Where the documentation explains an end reason.
+#pragma once
+
+#include <string>
+
+#include "orchestration/match/result/end_reason.h"
+
+namespace cls::cli {
+
+/// "see docs/troubleshooting.md#stalled"; empty for a match that finished.
+std::string troubleshooting_hint(orchestration::match::EndReason reason);
+
+}  // namespace cls::cli
