@@ -63,6 +63,8 @@ void expect_invalid(const Played& played, const std::string& end_reason, int exi
   EXPECT_FALSE(played.result["valid"]);
   EXPECT_TRUE(played.result["winner"].is_null());
   EXPECT_NE(played.command.out.find("invalid match: " + end_reason), std::string::npos);
+  EXPECT_NE(played.command.out.find("see docs/troubleshooting.md#" + end_reason),
+            std::string::npos);
 }
 
 TEST(MatchFaults, ReportsCrashOfPlaymaker) {

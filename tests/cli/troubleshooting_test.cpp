@@ -39,6 +39,10 @@ TEST(Troubleshooting, HintNamesAnchorUnlessMatchFinished) {
   }
 }
 
+TEST(Troubleshooting, HintNamesDoctorWhenNothingStarted) {
+  EXPECT_NE(cli::troubleshooting_hint(EndReason::kRefused).find("`cls doctor`"), std::string::npos);
+}
+
 TEST(Troubleshooting, HasAnchorOfEveryExitCode) {
   const DocPage page = read_page(page_path());
   const std::string header = read_file(source_folder() / "cli/support/exit_code.h");
