@@ -79,7 +79,7 @@ void whole_match(benchmark::State& bench) {
     orchestration::match::EventRecorder events(event_lines);
     orchestration::match::MatchObserver observer;
     auto match = orchestration::match::make_lockstep_match({options, names, 7, no_signal},
-                                                           {game_log, text_log, &events});
+                                                           {&game_log, &text_log, &events});
     const double cpu = process_cpu_seconds();
     (*match)->play(observer);
     report(bench, **match, process_cpu_seconds() - cpu);

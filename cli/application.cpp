@@ -1,18 +1,19 @@
-// The tree of commands, the layout of help and the report of usage errors.
+// The tree of commands, and the arguments before parsing.
 #include "cli/application.h"
 
-#include <fmt/format.h>
-
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <memory>
-#include <sstream>
 #include <string>
 #include <vector>
 
-#include "base/text/suggestion.h"
-#include "base/text/wrap_text.h"
+#include "cli/support/command_help.h"
 #include "cli/support/commands.h"
 #include "cli/support/exit_code.h"
+#include "cli/support/option_table.h"
+#include "cli/support/print_error.h"
+#include "cli/support/usage_errors.h"
+#include "cli/terminal/terminal.h"
 
 namespace cls::cli {
 namespace {
@@ -22,115 +23,101 @@ constexpr const char* kDescription =
     "\n"
     "  cls match mock mock                    the bundled team against itself\n"
     "  cls match mock localhost:50051         against your Playmaker\n"
-    "  cls match --help                       options of matches";
+    "  cls help match                         options of matches";
 
-constexpr std::size_t kWidth = 80;
-constexpr std::size_t kCommandColumn = 16;
+using Words = std::vector<std::string>;
 
-// Help that starts with the examples of the description and fits a terminal. The list of commands
-// shows the first line of each description.
-class Help : public CLI::Formatter {
- public:
-  std::string make_usage(const CLI::App* app, std::string name) const override {
-    return "\n" + CLI::Formatter::make_usage(app, name);
-  }
-  std::string make_subcommand(const CLI::App* command) const override {
-    const std::string description = command->get_description();
-    std::stringstream out;
-    CLI::detail::format_help(
-        out, command->get_name(),
-        base::wrap_text(description.substr(0, description.find('\n')), kWidth - kCommandColumn),
-        kCommandColumn);
-    return out.str();
-  }
-  // The default value is shown behind the description instead.
-  std::string make_option_opts(const CLI::Option* option) const override {
-    std::string text = CLI::Formatter::make_option_opts(option);
-    const std::string value = "=" + option->get_default_str();
-    if (const auto at = text.find(value); value != "=" && at != std::string::npos) {
-      text.erase(at, value.size());
-    }
-    return text;
-  }
-  std::string make_option_desc(const CLI::Option* option) const override {
-    std::string text = CLI::Formatter::make_option_desc(option);
-    const std::string value = option->get_default_str();
-    if (!value.empty()) text += fmt::format(" (default: {})", value);
-    return base::wrap_text(text, kWidth - get_column_width());
-  }
-};
-
-// The options and commands of `app`, as candidates for "did you mean".
-std::vector<std::string_view> known_names(const CLI::App& app, std::vector<std::string>& storage) {
-  for (const CLI::Option* option : app.get_options()) {
-    if (!option->get_lnames().empty()) storage.push_back("--" + option->get_lnames().front());
-  }
-  for (const CLI::App* command : app.get_subcommands({})) storage.push_back(command->get_name());
-  return {storage.begin(), storage.end()};
+bool is_shared_flag(const std::string& word) {
+  return word == "--json" || word == "--quiet" || word == "--no-color";
 }
 
-// The sub-command that the arguments before the error selected.
-const CLI::App& innermost_command(const CLI::App& app) {
-  const std::vector<CLI::App*> chosen = app.get_subcommands();
-  return chosen.empty() ? app : innermost_command(*chosen.front());
+// nullptr if there is none.
+const CLI::App* find_command(const CLI::App& app, const std::string& name) {
+  const auto found =
+      app.get_subcommands([&name](const CLI::App* command) { return command->get_name() == name; });
+  return found.empty() ? nullptr : found.front();
 }
 
-// "cls check perception".
-std::string full_name(const CLI::App& command) {
-  const CLI::App* parent = command.get_parent();
-  return parent == nullptr ? command.get_name() : full_name(*parent) + " " + command.get_name();
-}
-
-int report_usage_error(const CLI::App& app, const CLI::ParseError& error) {
-  const CLI::App& place = innermost_command(app);
-  const std::string help = full_name(place) + " --help";
-  const std::vector<std::string> unknown = app.remaining(true);
-  if (unknown.empty()) {
-    fmt::print(stderr, "cls: {} (see {})\n", error.what(), help);
-    return kUsage;
+// Moves the shared flags from the front to the command: "--json match a b" -> "match --json a b".
+Words with_flags_behind_command(const CLI::App& app, Words words) {
+  const auto command = std::find_if_not(words.begin(), words.end(), is_shared_flag);
+  const CLI::App* place = &app;
+  auto end = command;
+  while (end != words.end() && !place->get_subcommands({}).empty()) {
+    place = find_command(*place, *end);
+    if (place == nullptr) return words;
+    ++end;
   }
-  const std::string& argument = unknown.front();
-  std::vector<std::string> storage;
-  const std::string_view near = base::nearest_name(argument, known_names(place, storage));
-  const bool has_commands = !place.get_subcommands({}).empty();
-  const char* kind = argument.starts_with("-") ? "option" : has_commands ? "command" : "argument";
-  fmt::print(stderr, "cls: unknown {} '{}'", kind, argument);
-  if (near.empty()) {
-    fmt::print(stderr, " (see {})\n", help);
-  } else {
-    fmt::print(stderr, "; did you mean '{}'?\n", near);
-  }
-  return kUsage;
+  std::rotate(words.begin(), command, end);
+  return words;
 }
 
-}  // namespace
+// "help tournament run" -> "tournament run --help"; "--version" -> "version".
+Words canonical(const CLI::App& app, Words words) {
+  if (!words.empty() && words.front() == "help") {
+    words.erase(words.begin());
+    words.emplace_back("--help");
+    return words;
+  }
+  words = with_flags_behind_command(app, std::move(words));
+  const auto first = std::find_if_not(words.begin(), words.end(), is_shared_flag);
+  if (first != words.end() && (*first == "--version" || *first == "-V")) {
+    words.erase(first);
+    words.insert(words.begin(), "version");
+  }
+  return words;
+}
 
-int run_application(int argc, const char* const* argv) {
-  CLI::App app{kDescription};
-  app.name("cls");
-  app.formatter(std::make_shared<Help>());
-  app.require_subcommand(1);
-  int exit_code = kOk;
+void add_commands(CLI::App& app, int& exit_code) {
   add_match_command(app, exit_code);
   add_tournament_command(app, exit_code);
   add_compare_command(app, exit_code);
-  add_init_command(app, exit_code);
+  add_test_command(app, exit_code);
   add_results_command(app, exit_code);
   add_stats_command(app, exit_code);
+  add_logs_command(app, exit_code);
   add_convert_command(app, exit_code);
   add_check_command(app, exit_code);
   add_doctor_command(app, exit_code);
   add_mock_command(app, exit_code);
   add_proxy_command(app, exit_code);
   add_server_command(app, exit_code);
-  add_test_command(app, exit_code);
+  add_config_command(app, exit_code);
+  add_init_command(app, exit_code);
   add_version_command(app, exit_code);
+}
 
+// canonical() replaces these; they are here for help and suggestions.
+void add_root_options(CLI::App& app) {
+  app.add_subcommand("help", "print help of a command: cls help tournament run");
+  app.add_flag("-V,--version")->description("print the version, as cls version");
+  app.add_flag("--json")->description("of every command: print one JSON document on stdout");
+  app.add_flag("--quiet")->description("of every command: print no progress and no notes");
+  app.add_flag("--no-color")->description("of every command: disable color");
+}
+
+}  // namespace
+
+int run_application(int argc, const char* const* argv) {
+  output_options() = {};
+  CLI::App app{kDescription};
+  app.name("cls");
+  app.formatter(std::make_shared<CommandHelp>());
+  app.set_help_flag("-h,--help", "print this help");
+  app.require_subcommand(1);
+  int exit_code = kOk;
+  add_commands(app, exit_code);
+  complete_commands(app);
+  add_root_options(app);
+
+  Words words = canonical(app, Words(argv + 1, argv + argc));
+  if (const auto error = unknown_command(app, words)) return print_error(kUsage, *error);
   try {
-    app.parse(argc, argv);
+    std::reverse(words.begin(), words.end());  // as CLI11 wants them
+    app.parse(std::move(words));
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);  // --help
-    return report_usage_error(app, error);
+    return print_error(kUsage, usage_error(app, error));
   }
   return exit_code;
 }

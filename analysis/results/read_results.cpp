@@ -6,6 +6,7 @@
 
 #include "base/system/parallel.h"
 #include "gamelog/files/log_reader.h"
+#include "gamelog/rcg/rcg_writer.h"
 #include "gamelog/rcl/rcl_reader.h"
 
 namespace cls::analysis {
@@ -61,6 +62,9 @@ ReadResult read_match(const MatchInput& input) {
   result = text != nullptr ? summarize_text_log(path, *text)
                            : summarize_game_log(input.logs, std::get<gamelog::MatchRecord>(*log));
   if (input.end) set_end(*input.end, result.summary);
+  // Logs of cls hold no date, so that equal matches give equal logs.
+  std::string& date = result.summary.date;
+  if (date.empty() || date == gamelog::LogDate().minute) date = input.date;
   return result;
 }
 

@@ -12,10 +12,11 @@
 
 namespace cls::analysis {
 
-/// The logs of a match, and its end if that is recorded outside of them.
+/// The logs of a match, and what is recorded outside of them.
 struct MatchInput {
   gamelog::MatchLogs logs;
   std::optional<RecordedEnd> end;
+  std::string date = {};  ///< YYYYMMDDhhmm, for logs that hold no true one
 };
 
 /// Result of reading the logs of one match.

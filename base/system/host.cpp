@@ -4,6 +4,7 @@
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <sched.h>
+#include <sys/utsname.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -14,6 +15,7 @@
 #include <fstream>
 #include <map>
 #include <string>
+#include <string_view>
 #include <utility>
 
 namespace cls::base {
@@ -21,6 +23,18 @@ namespace {
 
 std::tm utc() {
   return fmt::gmtime(std::chrono::system_clock::to_time_t(std::chrono::system_clock::now()));
+}
+
+// The value behind `key` in a file of lines, without separator and quotes.
+std::string value_in(const char* path, std::string_view key) {
+  std::ifstream file(path);
+  for (std::string line; std::getline(file, line);) {
+    if (!line.starts_with(key)) continue;
+    const std::size_t begin = line.find_first_not_of(" \t:=\"", key.size());
+    if (begin == std::string::npos) return {};
+    return line.substr(begin, line.find_last_not_of(" \"") + 1 - begin);
+  }
+  return {};
 }
 
 }  // namespace
@@ -32,6 +46,18 @@ std::string utc_stamp() { return fmt::format("{:%Y%m%dT%H%M%SZ}", utc()); }
 std::string host_name() {
   char buffer[256] = {};
   return gethostname(buffer, sizeof buffer - 1) == 0 ? buffer : "";
+}
+
+Machine this_machine() {
+  Machine machine;
+  machine.os = value_in("/etc/os-release", "PRETTY_NAME=");
+  utsname names{};
+  if (uname(&names) == 0) machine.kernel = fmt::format("{} {}", names.sysname, names.release);
+  machine.cpu = value_in("/proc/cpuinfo", "model name");
+  machine.cores = usable_cores();
+  const long pages = sysconf(_SC_PHYS_PAGES);
+  if (pages > 0) machine.memory_bytes = std::int64_t{pages} * sysconf(_SC_PAGESIZE);
+  return machine;
 }
 
 double load_average() {

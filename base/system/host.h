@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,16 @@ std::string utc_now();
 std::string utc_stamp();
 
 std::string host_name();
+
+/// What this host is made of; empty or 0 where unknown.
+struct Machine {
+  std::string os;      ///< "Debian GNU/Linux 12 (bookworm)"
+  std::string kernel;  ///< "Linux 6.1.0"
+  std::string cpu;     ///< model name
+  int cores = 0;       ///< physical cores this process may run on
+  std::int64_t memory_bytes = 0;
+};
+Machine this_machine();
 
 /// Load average over the last minute; 0 if unknown.
 double load_average();

@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 
@@ -21,18 +23,22 @@ namespace {
 using gamelog::RcgVersion;
 
 constexpr const char* kDescription =
-    "convert a game log (rcg version 1 to 6 or JSON, plain or gzip) to another version\n"
+    "convert a game log to another version\n"
+    "Reads rcg versions 1 to 6 and JSON, plain or gzip.\n"
     "\n"
     "  cls convert old.rcg.gz new.rcg             version 6\n"
     "  cls convert game.rcg game.rcg.gz --to 4    version 4, compressed\n"
     "  cls convert game.rcg game.json             JSON, by the name\n"
     "\n"
-    "'-' is standard input or output. Of a corrupt log, the readable frames are converted.";
+    "'-' is standard input or output. Of a corrupt log, the readable frames are\n"
+    "converted.";
 
 struct Arguments {
   std::string in;
   std::string out;
   std::string to;
+  bool json = false;
+  bool force = false;
 };
 
 std::optional<RcgVersion> target_version(const Arguments& arguments) {
@@ -47,10 +53,28 @@ std::optional<RcgVersion> target_version(const Arguments& arguments) {
   return std::nullopt;
 }
 
+void print_document(const Arguments& arguments, RcgVersion version,
+                    const gamelog::MatchRecord& record) {
+  nlohmann::ordered_json document = {
+      {"schema", "cls.convert/1"}, {"in", arguments.in},
+      {"out", arguments.out},      {"version", static_cast<int>(version)},
+      {"frames", record.frames()}, {"errors", record.errors.count}};
+  if (version == RcgVersion::kJson) document["version"] = "json";
+  fmt::print("{}\n", document.dump(2));
+}
+
 int run_convert_command(const Arguments& arguments) {
   const std::optional<RcgVersion> version = target_version(arguments);
   if (!version) {
     return print_error(kUsage, fmt::format("--to '{}': must be 4, 5, 6 or json", arguments.to));
+  }
+  if (arguments.json && arguments.out == "-") {
+    return print_error(kUsage, "--json: OUT is stdout already; name a file");
+  }
+  std::error_code code;
+  if (!arguments.force && std::filesystem::is_regular_file(arguments.out, code)) {
+    return print_error(kCannotCreate,
+                       fmt::format("{}: exists; use --force to replace it", arguments.out));
   }
   const auto record = gamelog::read_rcg_file(arguments.in);
   if (!record) return print_error(kNoInput, record.error().message);
@@ -62,6 +86,7 @@ int run_convert_command(const Arguments& arguments) {
   gamelog::write_rcg(*record, *version, **sink);
   const auto closed = (*sink)->close();
   if (!closed) return print_error(kWriteFailed, closed.error().message);
+  if (arguments.json) print_document(arguments, *version, *record);
   return record->errors.empty() ? kOk : kBadData;
 }
 
@@ -75,6 +100,8 @@ void add_convert_command(CLI::App& app, int& exit_code) {
       ->required();
   command->add_option("--to", arguments->to,
                       "version: 4, 5, 6 or json (default: 6, json for OUT.json)");
+  command->add_flag("--force", arguments->force, "replace an existing OUT");
+  command->add_flag("--json", arguments->json, "print frames and errors as one JSON document");
   command->callback([arguments, &exit_code] { exit_code = run_convert_command(*arguments); });
 }
 

@@ -23,10 +23,10 @@ struct MatchSetup {
   std::filesystem::path folder = {};     ///< for their logs
 };
 
-/// Where a match in lockstep writes its logs; all must outlive the match.
+/// Where a match in lockstep writes its logs; null: none. All must outlive the match.
 struct LockstepLogs {
-  base::ByteSink& game_log;
-  base::ByteSink& text_log;
+  base::ByteSink* game_log = nullptr;
+  base::ByteSink* text_log = nullptr;
   EventRecorder* events = nullptr;  ///< null: none
 };
 

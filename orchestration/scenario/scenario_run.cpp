@@ -50,7 +50,7 @@ base::Result<RunRecord> run_scenario(const Scenario& scenario, const RunSettings
   ScenarioRecorder director(scenario, text_log, record);
   auto match = match::make_lockstep_match(
       {options, names, settings.seed, stop_signal, settings.host, settings.folder},
-      {game_log, text_log});
+      {&game_log, &text_log});
   if (!match) return match.error();
   (*match)->add_hooks(director);
   (*match)->play(observer);

@@ -33,6 +33,7 @@ class LockstepServer {
   static base::Result<std::unique_ptr<LockstepServer>> create(MatchConfig config);
 
   /// See MatchServer::record.
+  void record(const LogSinks& sinks) { match_->record(sinks); }
   void record(base::ByteSink* game_log, base::ByteSink* text_log) {
     match_->record(game_log, text_log);
   }

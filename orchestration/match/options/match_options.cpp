@@ -63,7 +63,7 @@ std::optional<std::chrono::milliseconds> decision_deadline(const MatchOptions& o
     case MatchMode::kSynch:
       return std::chrono::milliseconds(1000);
     case MatchMode::kRealtime:
-      return std::chrono::milliseconds(70);
+      return kRealtimeDeadline;
     case MatchMode::kLockstep:
       break;
   }

@@ -60,7 +60,7 @@ struct MatchOptions {
   bool no_deadline = false;
   proxy::OnLate on_late = proxy::OnLate::kHold;
   proxy::BatchMode batch = proxy::BatchMode::kAuto;  ///< one call per team and cycle
-  int max_missed = 20;                 ///< missed decisions of one player in a row
+  int max_missed = 20;                               ///< missed decisions of one player in a row
   double start_timeout_s = 20.0;       ///< until both teams have joined and registered
   double reconnect_within_s = 3.0;     ///< for a lost Playmaker to come back: proxy::DecisionLimits
   double stall_after_s = 10.0;         ///< without a new cycle
@@ -87,8 +87,11 @@ soccer::ServerParams server_params(const MatchOptions& options);
 /// The mode of the options; by default lockstep, or synch with an external server or team.
 MatchMode mode_of(const MatchOptions& options);
 
+/// Default deadline of a decision in real time, where a cycle lasts 100 ms.
+inline constexpr std::chrono::milliseconds kRealtimeDeadline{70};
+
 /// Deadline of a Playmaker's decision; nothing: none. By default 10 s in lockstep, 1 s in synch
-/// mode (rcssserver continues after 1.25 s), 70 ms in real time.
+/// mode (rcssserver continues after 1.25 s), kRealtimeDeadline in real time.
 std::optional<std::chrono::milliseconds> decision_deadline(const MatchOptions& options);
 
 /// A match limit and the deadline of a call never expire together: the call gets this much more.

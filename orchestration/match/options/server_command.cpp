@@ -32,6 +32,10 @@ soccer::ServerParams decided(const ServerSetup& setup) {
   params.text_log_fixed = true;
   params.game_log_fixed_name = "match";
   params.text_log_fixed_name = "match";
+  // The match follows this log; convert_server_logs() makes the one that the user wants.
+  params.game_logging = true;
+  params.game_log_version = soccer::ServerParams().game_log_version;
+  params.game_log_compression = params.text_log_compression = 0;
   params.game_log_dated = false;
   params.text_log_dated = false;
   return params;

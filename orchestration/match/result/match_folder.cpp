@@ -2,10 +2,16 @@
 #include "orchestration/match/result/match_folder.h"
 
 #include <fmt/format.h>
+#include <google/protobuf/stubs/common.h>
+#include <grpcpp/grpcpp.h>
+#include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <nlohmann/json.hpp>
 #include <system_error>
 
+#include "base/io/occupied_path.h"
 #include "base/system/host.h"
 #include "base/system/version.h"
 #include "soccer/parameters/player_params.h"
@@ -34,9 +40,70 @@ void add_settings(Json& settings, std::string_view module, const Params& params,
   }
 }
 
+Json text_or_null(std::string_view text) { return text.empty() ? Json(nullptr) : Json(text); }
+
+Json machine_json() {
+  const base::Machine machine = base::this_machine();
+  return {{"os", text_or_null(machine.os)},       {"kernel", text_or_null(machine.kernel)},
+          {"cpu", text_or_null(machine.cpu)},     {"cores", machine.cores},
+          {"memory_bytes", machine.memory_bytes}, {"load", base::load_average()}};
+}
+
+Json versions_json(const std::string& server) {
+  return {{"cls", base::kVersion},
+          {"commit", text_or_null(base::kGitVersion)},
+          {"wire", base::kWireVersion},
+          {"server", text_or_null(server)},
+          {"protobuf", google::protobuf::internal::VersionString(GOOGLE_PROTOBUF_VERSION)},
+          {"grpc", grpc::Version()},
+          {"compiler", base::kCompiler}};
+}
+
+// Variables that change how cls, gRPC or a Playmaker runs.
+Json environment_json() {
+  constexpr std::array<std::string_view, 13> kPrefixes = {
+      "CLS_",     "GRPC_",  "LANG=",          "LC_",           "LD_", "NO_COLOR=",   "OMP_",
+      "OPENBLAS", "PYTHON", "RCSS_CONF_DIR=", "SLURM_JOB_ID=", "TZ=", "VIRTUAL_ENV="};
+  Json variables = Json::object();
+  for (char** entry = environ; *entry != nullptr; ++entry) {
+    const std::string_view line = *entry;
+    const bool matters = std::any_of(kPrefixes.begin(), kPrefixes.end(),
+                                     [line](auto prefix) { return line.starts_with(prefix); });
+    const std::size_t equals = line.find('=');
+    if (matters && equals != std::string_view::npos) {
+      variables[std::string(line.substr(0, equals))] = line.substr(equals + 1);
+    }
+  }
+  return variables;
+}
+
+// Renames `path`, if the options allow it.
+Result<void> make_way(const MatchOptions& options, const fs::path& path,
+                      const std::string& problem) {
+  if (!options.replace) {
+    return Error{fmt::format("{} {}; choose another name, or --force to rename it to {}.old",
+                             path.string(), problem, path.filename().string())};
+  }
+  const auto renamed = base::set_aside(path);
+  if (!renamed) return renamed.error();
+  return {};
+}
+
+Result<void> keep_earlier_files(const MatchOptions& options) {
+  std::error_code code;
+  const std::string contents = base::contents_of(options.folder);
+  if (!options.folder.empty() && !contents.empty()) {
+    const auto made = make_way(options, options.folder, "holds " + contents);
+    if (!made) return made;
+  }
+  if (!fs::is_regular_file(options.record_rpc, code)) return {};
+  return make_way(options, options.record_rpc, "exists");
+}
+
 }  // namespace
 
 Result<fs::path> make_match_folder(const MatchOptions& options, const TeamNames& names) {
+  if (const auto kept = keep_earlier_files(options); !kept) return kept.error();
   std::error_code code;
   if (!options.folder.empty()) {
     fs::create_directories(options.folder, code);
@@ -56,7 +123,8 @@ Result<fs::path> make_match_folder(const MatchOptions& options, const TeamNames&
   return Error{fmt::format("cannot create folder runs/{}: {}", stem, code.message())};
 }
 
-std::string manifest_json(const MatchOptions& options, const TeamNames& names, std::uint64_t seed) {
+std::string manifest_json(const MatchOptions& options, const TeamNames& names, std::uint64_t seed,
+                          const ManifestTimes& times) {
   const auto deadline = decision_deadline(options);
   Json settings = Json::object();
   add_settings(settings, "server", options.server, soccer::server_param_table());
@@ -68,11 +136,15 @@ std::string manifest_json(const MatchOptions& options, const TeamNames& names, s
     return described;
   };
   const Json document = {{"schema", "cls.manifest/1"},
-                         {"started", base::utc_now()},
+                         {"started", times.started},
+                         {"ended", text_or_null(times.ended)},
                          {"host", base::host_name()},
+                         {"machine", machine_json()},
+                         {"environment", environment_json()},
                          {"folder", fs::current_path().string()},
                          {"command", options.command_line},
                          {"cls", base::kVersion},
+                         {"versions", versions_json(times.server_version)},
                          {"seed", seed},
                          {"left", side(names.left, options.left, options.left_cpus)},
                          {"right", side(names.right, options.right, options.right_cpus)},

@@ -17,12 +17,21 @@ inline constexpr const char* kGameLogFile = "match.rcg";
 inline constexpr const char* kTextLogFile = "match.rcl";
 
 /// Creates the folder the options name, or ./runs/<UTC>-<left>-vs-<right> (with -2, -3, ... when
-/// two matches start in the same second). An existing folder is used; files of an earlier match
-/// in it are replaced.
+/// two matches start in the same second). Nothing is overwritten: a folder that holds something is
+/// an error, or renamed to NAME.old if the options say so; the same for the file of recorded calls.
 base::Result<std::filesystem::path> make_match_folder(const MatchOptions& options,
                                                       const TeamNames& names);
 
-/// The manifest: options, time and host. The logs leave these out, to be identical on every host.
-std::string manifest_json(const MatchOptions& options, const TeamNames& names, std::uint64_t seed);
+/// The course of a match, for its manifest.
+struct ManifestTimes {
+  std::string started;         ///< UTC
+  std::string ended;           ///< empty: the match is not over
+  std::string server_version;  ///< empty: unknown
+};
+
+/// The manifest: options, versions, time, host and environment. The logs leave these out, to be
+/// identical on every host.
+std::string manifest_json(const MatchOptions& options, const TeamNames& names, std::uint64_t seed,
+                          const ManifestTimes& times);
 
 }  // namespace cls::orchestration::match

@@ -1,17 +1,46 @@
-// Reads result.json beside logs.
+// Reads result.json and manifest.json beside logs.
 #include "orchestration/match/result/recorded_end.h"
 
+#include <fmt/chrono.h>
+#include <sys/stat.h>
+
+#include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <nlohmann/json.hpp>
 #include <system_error>
 
+#include "base/io/whole_file.h"
+#include "orchestration/match/result/match_folder.h"
 #include "orchestration/match/result/match_result.h"
 
 namespace cls::orchestration::match {
 namespace {
 
 constexpr std::uintmax_t kMaxDocumentBytes = 16 << 20;
+constexpr std::size_t kDateDigits = 12;  // YYYYMMDDhhmm
+
+bool all_digits(const std::string& text) {
+  return text.find_first_not_of("0123456789") == std::string::npos;
+}
+
+std::string local_minute(std::time_t time) {
+  std::tm local{};
+  localtime_r(&time, &local);
+  return fmt::format("{:%Y%m%d%H%M}", local);
+}
+
+// The start in a manifest, "2026-11-21T01:02:03Z".
+std::optional<std::time_t> started(const std::string& manifest) {
+  const auto document = nlohmann::json::parse(manifest, nullptr, false);
+  if (!document.is_object() || !document.contains("started")) return std::nullopt;
+  if (!document["started"].is_string()) return std::nullopt;
+  std::tm utc{};
+  const std::string text = document["started"].get<std::string>();
+  if (strptime(text.c_str(), "%Y-%m-%dT%H:%M:%SZ", &utc) == nullptr) return std::nullopt;
+  return timegm(&utc);
+}
 
 }  // namespace
 
@@ -28,11 +57,26 @@ std::optional<analysis::RecordedEnd> recorded_end(const std::string& log) {
   return analysis::RecordedEnd{std::string(match::name(result->end_reason)), result->valid()};
 }
 
+std::string recorded_date(const std::string& log) {
+  const std::filesystem::path path(log);
+  const std::string name = path.filename().string();
+  if (name.starts_with(kGameLogFile) || name.starts_with(kTextLogFile)) {
+    const auto manifest = base::read_file(path.parent_path() / kManifestFile);
+    if (const auto start = started(manifest.value_or(""))) return local_minute(*start);
+  }
+  if (name.size() > kDateDigits && all_digits(name.substr(0, kDateDigits))) {
+    return name.substr(0, kDateDigits);
+  }
+  struct stat file = {};
+  return ::stat(log.c_str(), &file) == 0 ? local_minute(file.st_mtime) : std::string();
+}
+
 std::vector<analysis::MatchInput> with_recorded_ends(
     const std::vector<gamelog::MatchLogs>& matches) {
   std::vector<analysis::MatchInput> inputs;
   for (const gamelog::MatchLogs& logs : matches) {
-    inputs.push_back({logs, recorded_end(logs.game.empty() ? logs.text : logs.game)});
+    const std::string& log = logs.game.empty() ? logs.text : logs.game;
+    inputs.push_back({logs, recorded_end(log), recorded_date(log)});
   }
   return inputs;
 }

@@ -14,7 +14,11 @@ namespace cls::orchestration::match {
 /// its log files.
 std::optional<analysis::RecordedEnd> recorded_end(const std::string& log);
 
-/// The logs of each match with its recorded end.
+/// When the match of `log` began, YYYYMMDDhhmm in local time: as its manifest.json says, else the
+/// name of the log (rcssserver's begin with the date), else the time of the file. Empty: unknown.
+std::string recorded_date(const std::string& log);
+
+/// The logs of each match with its recorded end and date.
 std::vector<analysis::MatchInput> with_recorded_ends(
     const std::vector<gamelog::MatchLogs>& matches);
 

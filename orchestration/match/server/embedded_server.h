@@ -20,8 +20,9 @@ class EmbeddedServer : public Server {
   static base::Result<std::unique_ptr<EmbeddedServer>> create(const MatchOptions& options,
                                                               std::uint64_t seed);
 
-  /// Writes game log, text log and events from now on; all must outlive the server.
-  void record(base::ByteSink& game_log, base::ByteSink& text_log, EventRecorder* events);
+  /// Writes game log (of server::game_log_version), text log and events from now on; null: none.
+  /// All must outlive the server.
+  void record(base::ByteSink* game_log, base::ByteSink* text_log, EventRecorder* events);
 
   /// For the agents of cls teams.
   simulator::LockstepServer& simulator() { return *server_; }

@@ -7,7 +7,7 @@
 #include <array>
 #include <utility>
 
-#include "base/io/gzip_sink.h"
+#include "base/io/background_sink.h"
 #include "gamelog/rcg/rcg_writer.h"
 
 namespace cls::orchestration::match {
@@ -46,15 +46,14 @@ Result<ServerLogs::Log> ServerLogs::open(const Wish& wish, const std::string& da
     return Error{fmt::format("cannot create the folder {}: {}", wish.folder, error.message())};
   }
   const int level = std::clamp(wish.compression, 0, 9);
-  log.ending = "." + wish.kind + (level > 0 ? ".gz" : "");
+  log.ending = ("." + wish.kind).append(base::compressed_suffix(level));
   log.fixed = wish.fixed;
   if (wish.dated) log.date = date;
   const std::string name = wish.fixed ? wish.fixed_name : "incomplete";
   log.path = std::filesystem::path(wish.folder) / (name + log.ending);
-  auto file = base::FileSink::create(log.path.string());
+  auto file = base::create_log_file(log.path.string(), level);
   if (!file) return file.error();
-  log.sink = std::move(*file);
-  if (level > 0) log.sink = std::make_unique<base::GzipSink>(std::move(log.sink), level);
+  log.sink = *std::move(file);
   return log;
 }
 

@@ -8,7 +8,8 @@
 
 #include "base/text/suggestion.h"
 #include "orchestration/match/options/endpoint.h"
-#include "orchestration/match/options/match_options.h"
+#include "orchestration/match/options/match_settings.h"
+#include "orchestration/match/options/server_choice.h"
 
 namespace cls::orchestration::tournament {
 namespace {
@@ -79,8 +80,16 @@ void check_groups(ErrorList& errors, const TournamentConfig& config) {
 void check_conditions(ErrorList& errors, const TournamentConfig& config) {
   match::MatchOptions options;
   for (const ServerSetting& setting : config.settings) {
-    const auto applied = match::apply_setting(options, setting.name + "=" + setting.value);
+    const auto applied = match::apply_match_setting(options, setting.name + "=" + setting.value);
     errors.require(applied.ok(), applied ? "" : "[server] " + applied.error().message);
+  }
+  if (!config.mode.empty()) {
+    const auto mode = match::parse_mode(config.mode);
+    errors.require(mode.ok(), mode ? "" : mode.error().message);
+  }
+  if (!config.server.empty()) {
+    const auto server = match::parse_server(config.server);
+    errors.require(server.ok(), server ? "" : server.error().message);
   }
 }
 

@@ -9,7 +9,7 @@
 
 #include "base/io/whole_file.h"
 #include "orchestration/match/options/endpoint.h"
-#include "orchestration/match/options/match_options.h"
+#include "orchestration/match/options/match_settings.h"
 #include "orchestration/process/command_plan.h"
 #include "orchestration/tournament/config/config_keys.h"
 
@@ -95,6 +95,10 @@ class Parser {
     add_error(entry.node->source().begin.line, what);
   }
 
+  void note_line(const Entry& entry, const std::string& key) {
+    parsed_.lines[key] = static_cast<int>(entry.node->source().begin.line);
+  }
+
   const toml::table* table_of(const Entry& entry) {
     const toml::table* table = entry.node->as_table();
     if (table == nullptr) {
@@ -128,6 +132,7 @@ class Parser {
         add_error(entry, unknown_key("key", entry.key, known));
         continue;
       }
+      note_line(entry, entry.key);
       const auto value = parse_value(*entry.node);
       const auto read = value ? key->parse(parsed_.config, *value)
                               : base::Result<void>(base::Error{"unsupported value type"});
@@ -143,8 +148,9 @@ class Parser {
         continue;
       }
       ServerSetting setting{module + "::" + entry.key, *value};
+      note_line(entry, setting.name);
       match::MatchOptions scratch;
-      const auto applied = match::apply_setting(scratch, setting.name + "=" + setting.value);
+      const auto applied = match::apply_match_setting(scratch, setting.name + "=" + setting.value);
       if (!applied) add_error(entry, applied.error().message);
       parsed_.config.settings.push_back(std::move(setting));
     }
@@ -188,7 +194,8 @@ struct Line {
 std::vector<Line> lines_of(const TournamentConfig& config, bool plan_only) {
   std::vector<Line> lines;
   for (const ConfigKey& key : tournament_keys()) {
-    if (plan_only && key.group == KeyGroup::kExecution) continue;
+    const bool planned = key.group != KeyGroup::kExecution && key.group != KeyGroup::kReport;
+    if (plan_only && !planned) continue;
     if (std::string value = key.format(config); !value.empty()) {
       lines.push_back({"tournament", std::string(key.name), std::move(value)});
     }
@@ -219,7 +226,7 @@ ParsedConfig parse_config(std::string_view text, const std::string& file) {
 
 ParsedConfig read_config(const fs::path& file) {
   const auto text = base::read_file(file);
-  if (!text) return {{}, {fmt::format("cannot read {}", file.string())}};
+  if (!text) return {{}, {fmt::format("cannot read {}", file.string())}, {}};
   ParsedConfig parsed = parse_config(*text, file.string());
   fs::path& folder = parsed.config.folder;
   folder = (fs::absolute(file).parent_path() / folder).lexically_normal();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -19,6 +20,7 @@ inline constexpr const char* kConfigFile = "cls.toml";
 struct ParsedConfig {
   TournamentConfig config;
   std::vector<std::string> errors;
+  std::map<std::string, int> lines;  ///< of keys in the file: "cycles", "server::half_time"
 };
 
 /// Parses the text of a file; `file` is its name in messages. Checks keys, types and names only;

@@ -73,7 +73,9 @@ Result<void> prepare_folder(const fs::path& folder, const TournamentConfig& conf
     return Error{fmt::format("cannot create folder {}: {}", folder.string(),
                              code ? code.message() : "not a folder")};
   }
-  if (holds_plan(folder)) {
+  const bool begun =
+      fs::exists(folder / kStoreFile, code) || fs::exists(folder / kResultsFolder, code);
+  if (holds_plan(folder) && begun) {
     const auto before = read_plan(folder);
     if (!before) return before.error();
     const std::string difference = first_difference(config, *before);
@@ -85,22 +87,6 @@ Result<void> prepare_folder(const fs::path& folder, const TournamentConfig& conf
     }
   }
   return base::write_file(folder / kPlanFile, format_config(config));
-}
-
-Result<fs::path> set_aside(const fs::path& folder) {
-  fs::path path = fs::absolute(folder).lexically_normal();
-  if (!path.has_filename()) path = path.parent_path();  // a trailing slash
-  std::error_code code;
-  fs::path renamed = path.string() + ".old";
-  for (int i = 2; fs::exists(renamed, code); ++i) {
-    renamed = fmt::format("{}.old{}", path.string(), i);
-  }
-  fs::rename(path, renamed, code);
-  if (code) {
-    return Error{
-        fmt::format("cannot rename {} to {}: {}", path.string(), renamed.string(), code.message())};
-  }
-  return renamed;
 }
 
 Result<void> write_schedule(const fs::path& folder, const std::vector<ScheduledMatch>& matches) {

@@ -48,8 +48,8 @@ class FolderLock {
   base::UniqueFd file_;
 };
 
-/// Writes the plan of the valid `config` to `folder`. An error when the folder holds another plan;
-/// it names the first difference.
+/// Writes the plan of the valid `config` to `folder`. An error when a tournament with another plan
+/// has begun there; it names the first difference.
 base::Result<void> prepare_folder(const std::filesystem::path& folder,
                                   const TournamentConfig& config);
 
@@ -58,9 +58,6 @@ base::Result<TournamentConfig> read_plan(const std::filesystem::path& folder);
 
 /// True when the folder holds a plan.
 bool holds_plan(const std::filesystem::path& folder);
-
-/// Renames an existing folder to NAME.old, NAME.old2, ...; returns the new name.
-base::Result<std::filesystem::path> set_aside(const std::filesystem::path& folder);
 
 /// Writes schedule.jsonl; read_fixture reads one match of such a file.
 base::Result<void> write_schedule(const std::filesystem::path& folder,

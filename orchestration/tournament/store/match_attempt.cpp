@@ -4,11 +4,13 @@
 #include <fmt/format.h>
 #include <signal.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "base/io/whole_file.h"
 #include "base/system/host.h"
 #include "orchestration/match/options/endpoint.h"
+#include "orchestration/match/options/server_choice.h"
 #include "orchestration/match/result/match_folder.h"
 #include "orchestration/tournament/store/folder.h"
 #include "orchestration/tournament/store/match_document.h"
@@ -22,6 +24,7 @@ using base::Result;
 
 // A match that respects its own limit exits long before.
 constexpr double kKillAfterLimitS = 15.0;
+constexpr int kLogCompression = 1;  // higher levels cost several times the CPU time
 constexpr std::chrono::milliseconds kGracePeriod{4000};
 
 void add_option(std::vector<std::string>& argv, const char* option, const std::string& value) {
@@ -32,6 +35,18 @@ void add_option(std::vector<std::string>& argv, const char* option, const std::s
 template <typename T>
 void add_option(std::vector<std::string>& argv, const char* option, const std::optional<T>& value) {
   if (value) add_option(argv, option, fmt::format("{}", *value));
+}
+
+// Logs of many matches are large. Running servers have settings of their own.
+void add_log_compression(std::vector<std::string>& argv, const TournamentConfig& config) {
+  const auto server = match::parse_server(config.server.empty() ? "embedded" : config.server);
+  if (!server || server->kind == match::ServerChoice::Kind::kAddress) return;
+  for (const char* name : {"server::game_log_compression", "server::text_log_compression"}) {
+    const bool configured =
+        std::any_of(config.settings.begin(), config.settings.end(),
+                    [name](const ServerSetting& setting) { return setting.name == name; });
+    if (!configured) add_option(argv, "--set", fmt::format("{}={}", name, kLogCompression));
+  }
 }
 
 // The outcome in the result.json of a match folder; nothing when there is none, or a corrupt one.
@@ -100,7 +115,10 @@ process::CommandPlan match_plan(const TournamentConfig& config, const Fixture& f
     add_option(plan.argv, "--set", std::string("server::nr_extra_halfs=2"));
     add_option(plan.argv, "--set", std::string("server::penalty_shoot_outs=on"));
   }
-  if (!folder.empty()) add_option(plan.argv, "--dir", folder.string());
+  if (!folder.empty()) {
+    add_log_compression(plan.argv, config);
+    add_option(plan.argv, "--dir", folder.string());
+  }
   plan.argv.emplace_back("--quiet");
   return plan;
 }
@@ -118,6 +136,8 @@ Result<MatchAttempt> MatchAttempt::start(process::ProcessHost& host, const Tourn
   started.limit_s_ = config.time_limit_s;
   started.started_ = base::utc_now();
   std::error_code code;
+  // What an interrupted run left of the same attempt.
+  fs::remove_all(started.tournament_ / started.folder_, code);
   fs::create_directories((started.tournament_ / started.folder_).parent_path(), code);
   process::CommandPlan plan =
       match_plan(config, fixture, options.program, started.tournament_ / started.folder_);

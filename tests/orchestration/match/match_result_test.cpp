@@ -83,12 +83,19 @@ MatchResult full_result() {
   player.rpc_us = {10.4, 20.5, 30.6, 40.7};
   player.commands = {{"dash", 3}, {"turn", 4}};
   player.unimplemented_actions = {{"smart_kick", 1}};
+  player.actions = {{"dash", {{"executed", 3}, {"failed", 1}}}};
+  player.automatic = {{"preprocess", 8}};
+  player.lists = 9;
+  player.empty = 10;
+  player.useless = 11;
   result.left.endpoint = "mock";
   result.left.penalty_score = 3;
   result.right.penalty_score = 2;
   result.left.cpu_seconds = 1.2345678;
   result.left.players = {player};
   result.left.coach = player;
+  result.left.errors.count = 12;
+  result.left.errors.first = {"GetPlayerActions", "UNKNOWN", "no ball", 50, 9, "left-error.rpc"};
   result.trainer = player;
   result.end_reason = EndReason::kServerFailed;
   result.message = "the server \xff crashed";
@@ -108,7 +115,8 @@ MatchResult full_result() {
   result.cycles_per_second = 83.27;
   result.goals = {{17, soccer::Side::kLeft, 9}, {18, soccer::Side::kRight, 0}};
   result.warnings = {"a warning"};
-  result.processes = {{"soccer server", "rcssserver", "server.log", "exit code 3", 0.25}};
+  result.processes = {
+      {"soccer server", "rcssserver", "server.log", "exit code 3", 0.25, "KeyError: 7"}};
   result.rcg = "match.rcg";
   result.rcl = "match.rcl";
   result.folder = "runs/1";
@@ -186,7 +194,8 @@ TEST(MatchFolder, IsDistinctForMatchesInTheSameSecond) {
 TEST(Manifest, ListsOnlySettingsThatDifferFromDefaults) {
   MatchOptions options;
   ASSERT_TRUE(apply_setting(options, "server::half_time=10"));
-  const auto manifest = nlohmann::json::parse(manifest_json(options, {"l", "r"}, 7));
+  const auto manifest = nlohmann::json::parse(
+      manifest_json(options, {"l", "r"}, 7, {"2026-11-20T10:00:00Z", "", ""}));
   EXPECT_EQ(manifest["seed"], 7);
   const nlohmann::json expected = {{"server::half_time", 10},
                                    {"server::nr_extra_halfs", 0},

@@ -67,5 +67,29 @@ TEST_F(RecordedEndTest, IgnoresDocumentsOfOtherLogsAndSchemas) {
   }
 }
 
+TEST_F(RecordedEndTest, TakesDateFromManifestNameOrFile) {
+  setenv("TZ", "UTC", 1);
+  const fs::path folder = folder_.path();
+  const auto write = [&](const char* name, const std::string& text) {
+    std::ofstream(folder / name) << text;
+    return (folder / name).string();
+  };
+  const std::string log = write("match.rcg", "");
+  write("manifest.json", R"({"started": "2026-11-21T01:02:03Z"})");
+  EXPECT_EQ(recorded_date(log), "202611210102");
+  EXPECT_EQ(recorded_date(write("20251020304050-A_1-vs-B_0.rcg", "")), "202510203040");
+  const std::string other = write("other.rcg", "");
+  fs::last_write_time(other, fs::last_write_time(log) - std::chrono::hours(24 * 365));
+  EXPECT_EQ(recorded_date(other).size(), 12u);
+  EXPECT_LT(recorded_date(other), "2030");
+  EXPECT_GT(recorded_date(other), "2020");
+  EXPECT_EQ(recorded_date("-"), "");
+}
+
+TEST_F(RecordedEndTest, KeepsDateOfLogUnlessItIsConstant) {
+  std::ofstream(folder_.path() / "manifest.json") << R"({"started": "2026-11-21T01:02:03Z"})";
+  EXPECT_EQ(read(document("finished", "match.rcg")).date.substr(0, 6), "202611");
+}
+
 }  // namespace
 }  // namespace cls::orchestration::match

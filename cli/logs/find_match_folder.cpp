@@ -1,0 +1,109 @@
+// Searches results of tournaments and of folders.
+#include "cli/logs/find_match_folder.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "base/io/whole_file.h"
+#include "orchestration/match/result/match_folder.h"
+#include "orchestration/match/result/match_result.h"
+#include "orchestration/tournament/store/folder.h"
+
+namespace cls::cli {
+namespace {
+
+namespace fs = std::filesystem;
+namespace match = orchestration::match;
+namespace tournament = orchestration::tournament;
+using base::Error;
+using base::Result;
+
+bool is_match_folder(const fs::path& folder) {
+  std::error_code code;
+  return fs::is_regular_file(folder / match::kManifestFile, code) ||
+         fs::is_regular_file(folder / match::kResultFile, code);
+}
+
+// False without a result: then the match was killed, or is running.
+bool finished(const fs::path& folder) {
+  const auto text = base::read_file(folder / match::kResultFile);
+  const auto result =
+      text ? match::parse_match_result(*text) : Result<match::MatchResult>(Error{"no result"});
+  return result && result->valid();
+}
+
+Result<FoundMatch> found(const fs::path& folder, std::string why) {
+  if (is_match_folder(folder)) return FoundMatch{folder, std::move(why)};
+  return Error{fmt::format("{}: removed (keep_logs), or not played yet", folder.string())};
+}
+
+Result<FoundMatch> find_in_tournament(const fs::path& folder, std::optional<int> index) {
+  const auto state = tournament::read_tournament(folder);
+  if (!state) return state.error();
+  const auto latest = [&](const tournament::ScheduledMatch& one) {
+    return folder /
+           (one.outcome && !one.outcome->folder.empty()
+                ? fs::path(one.outcome->folder)
+                : tournament::match_folder(state->config, one.fixture, std::max(1, one.attempts)));
+  };
+  if (index) {
+    for (const auto& one : state->matches) {
+      if (one.fixture.index == *index) return found(latest(one), fmt::format("match {}", *index));
+    }
+    return Error{fmt::format("{} has {} matches, no match {}", folder.string(),
+                             state->matches.size(), *index)};
+  }
+  const tournament::ScheduledMatch* failed = nullptr;
+  const tournament::ScheduledMatch* played = nullptr;
+  for (const auto& one : state->matches) {
+    if (!one.outcome) continue;
+    played = &one;
+    if (!one.outcome->finished()) failed = &one;
+  }
+  if (failed != nullptr) {
+    return found(latest(*failed),
+                 fmt::format("match {}, the last that failed", failed->fixture.index));
+  }
+  if (played == nullptr) return Error{fmt::format("{}: no match was played yet", folder.string())};
+  return found(latest(*played), fmt::format("match {}; none failed", played->fixture.index));
+}
+
+Result<FoundMatch> find_below(const fs::path& folder) {
+  std::vector<std::pair<fs::file_time_type, fs::path>> matches;
+  std::error_code code;
+  for (fs::directory_iterator entry(folder, code), end; !code && entry != end;
+       entry.increment(code)) {
+    std::error_code ignored;
+    if (!is_match_folder(entry->path())) continue;
+    matches.emplace_back(fs::last_write_time(entry->path() / match::kManifestFile, ignored),
+                         entry->path());
+  }
+  if (matches.empty()) {
+    return Error{fmt::format("{}: no match folder, no tournament and no folder of matches",
+                             folder.string())};
+  }
+  std::sort(matches.rbegin(), matches.rend());
+  const auto failed = std::find_if(matches.begin(), matches.end(),
+                                   [](const auto& one) { return !finished(one.second); });
+  if (failed == matches.end()) return FoundMatch{matches.front().second, "the latest; none failed"};
+  return FoundMatch{failed->second, "the latest that failed"};
+}
+
+}  // namespace
+
+Result<FoundMatch> find_match_folder(const fs::path& folder, std::optional<int> index) {
+  std::error_code code;
+  if (!fs::is_directory(folder, code)) {
+    return Error{fmt::format("{}: no such folder", folder.string())};
+  }
+  if (tournament::holds_plan(folder)) return find_in_tournament(folder, index);
+  if (index) {
+    return Error{fmt::format("--match {}: {} is no tournament", *index, folder.string())};
+  }
+  if (is_match_folder(folder)) return FoundMatch{folder, ""};
+  return find_below(folder);
+}
+
+}  // namespace cls::cli

@@ -1,0 +1,88 @@
+// Opens, closes and converts the logs of a match folder.
+#include "orchestration/match/server/match_logs.h"
+
+#include <algorithm>
+
+#include "base/io/background_sink.h"
+#include "gamelog/rcg/rcg_reader.h"
+#include "gamelog/rcg/rcg_writer.h"
+#include "gamelog/rcg/record_writer.h"
+#include "orchestration/match/result/match_folder.h"
+
+namespace cls::orchestration::match {
+namespace {
+
+namespace fs = std::filesystem;
+using base::Result;
+
+int level(int compression) { return std::clamp(compression, 0, 9); }
+
+// Writes the game log again, in another version.
+Result<void> convert_game_log(const fs::path& file, gamelog::RcgVersion version) {
+  const auto record = gamelog::read_rcg_file(file.string());
+  if (!record) return record.error();
+  auto sink = base::FileSink::create(file.string());
+  if (!sink) return sink.error();
+  gamelog::write_rcg(*record, version, **sink);
+  return (*sink)->close();
+}
+
+// Compresses the log `name` of the folder, and corrects its name.
+Result<void> compress_log(const fs::path& folder, int compression, std::string& name) {
+  if (name.empty() || level(compression) == 0) return {};
+  const auto done = base::compress_file((folder / name).string(), level(compression));
+  if (done) name += base::compressed_suffix(level(compression));
+  return done;
+}
+
+}  // namespace
+
+Result<MatchLogs> MatchLogs::create(const fs::path& folder, const soccer::ServerParams& params) {
+  MatchLogs logs;
+  const auto open = [&](bool wanted, const char* file, int compression, std::string& name,
+                        std::unique_ptr<base::ByteSink>& sink) -> Result<void> {
+    if (!wanted) return {};
+    name = std::string(file).append(base::compressed_suffix(level(compression)));
+    auto created = base::create_log_file((folder / name).string(), level(compression));
+    if (!created) return created.error();
+    sink = *std::move(created);
+    return {};
+  };
+  const auto game = open(params.game_logging, kGameLogFile, params.game_log_compression,
+                         logs.game_name_, logs.game_);
+  if (!game) return game.error();
+  const auto text = open(params.text_logging, kTextLogFile, params.text_log_compression,
+                         logs.text_name_, logs.text_);
+  if (!text) return text.error();
+  return logs;
+}
+
+Result<void> MatchLogs::close(MatchResult& result) {
+  result.rcg = game_name_;
+  result.rcl = text_name_;
+  Result<void> first;
+  for (base::ByteSink* sink : {game_.get(), text_.get()}) {
+    if (sink == nullptr) continue;
+    auto closed = sink->close();
+    if (first) first = std::move(closed);
+  }
+  return first;
+}
+
+Result<void> convert_server_logs(const fs::path& folder, const soccer::ServerParams& params,
+                                 MatchResult& result) {
+  std::error_code code;
+  if (!params.game_logging && !result.rcg.empty()) {
+    fs::remove(folder / result.rcg, code);
+    result.rcg.clear();
+  }
+  const auto version = gamelog::rcg_version(params.game_log_version);
+  if (!result.rcg.empty() && version && *version != gamelog::RcgVersion::kV6) {
+    if (auto done = convert_game_log(folder / result.rcg, *version); !done) return done;
+  }
+  auto game = compress_log(folder, params.game_log_compression, result.rcg);
+  auto text = compress_log(folder, params.text_log_compression, result.rcl);
+  return game ? text : game;
+}
+
+}  // namespace cls::orchestration::match
