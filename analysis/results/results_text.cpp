@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <set>
+#include <string_view>
+#include <utility>
 
 #include "analysis/results/team_table.h"
 #include "base/text/table.h"
@@ -84,40 +86,80 @@ std::string remarks_text(const MatchSummary& match) {
   return text;
 }
 
-// File names, or paths without their common folders if two file names are equal.
+// File names; if two are equal, paths without their common folders, and without the file name if
+// all logs have the same.
 std::vector<std::string> short_names(const std::vector<MatchSummary>& matches) {
   std::vector<std::string> names;
   std::set<std::string> distinct;
+  std::set<std::string> folders;
   std::string shared = matches.empty() ? "" : matches.front().file;
   for (const MatchSummary& match : matches) {
     names.push_back(match.file.substr(match.file.rfind('/') + 1));
     distinct.insert(names.back());
+    folders.insert(match.file.substr(0, match.file.size() - names.back().size()));
     const auto differ =
         std::mismatch(shared.begin(), shared.end(), match.file.begin(), match.file.end());
     shared.erase(differ.first, shared.end());
   }
   if (distinct.size() == names.size()) return names;
   const std::size_t start = shared.rfind('/') + 1;
-  for (std::size_t i = 0; i < names.size(); ++i) names[i] = matches[i].file.substr(start);
+  const bool by_folder = distinct.size() == 1 && folders.size() == names.size();
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    names[i] = matches[i].file.substr(start);
+    if (by_folder) names[i].resize(names[i].rfind('/'));
+  }
   return names;
 }
 
-base::Table summary_table(const std::vector<MatchSummary>& matches) {
+base::Table markdown_table(const std::vector<MatchSummary>& matches) {
   base::Table table;
   table.add_column("left");
   table.add_column("score", Align::kRight);
-  table.add_column("right");
-  table.add_column("winner");
+  table.add_columns({"right", "winner"});
   table.add_column("cycles", Align::kRight);
-  table.add_column("goals");
-  table.add_column("remarks");
-  table.add_column("log");
+  table.add_columns({"goals", "remarks", "log"});
   const std::vector<std::string> names = short_names(matches);
   for (std::size_t i = 0; i < matches.size(); ++i) {
     const MatchSummary& match = matches[i];
     table.add_row({name_of(match.teams[0]), score_text(match), name_of(match.teams[1]),
                    winner_text(match), std::to_string(match.cycles), goals_text(match),
                    remarks_text(match), names[i]});
+  }
+  return table;
+}
+
+// The score shows the winner, so the remarks name one only after a coin toss.
+std::string all_remarks(const MatchSummary& match) {
+  std::string text = remarks_text(match);
+  if (match.coin_toss)
+    text.insert(std::string_view("coin toss").size(), " won by " + winner_text(match));
+  if (match.winner == Winner::kNone) text = "incomplete" + (text.empty() ? "" : ", " + text);
+  return text;
+}
+
+// A row per match that fits in a line: without the winner, without remarks if there are none.
+base::Table text_table(const std::vector<MatchSummary>& matches) {
+  const bool remarks = std::any_of(matches.begin(), matches.end(), [](const MatchSummary& match) {
+    return !all_remarks(match).empty();
+  });
+  base::Table table;
+  table.add_column("left");
+  table.add_column("score", Align::kRight);
+  table.add_column("right");
+  table.add_column("cycles", Align::kRight);
+  table.add_column("goals");
+  if (remarks) table.add_column("remarks");
+  table.add_column("log");
+  for (std::size_t column = 4; column < (remarks ? 7 : 6); ++column) table.allow_cuts(column);
+  const std::vector<std::string> names = short_names(matches);
+  for (std::size_t i = 0; i < matches.size(); ++i) {
+    const MatchSummary& match = matches[i];
+    std::vector<std::string> cells = {name_of(match.teams[0]), score_text(match),
+                                      name_of(match.teams[1]), std::to_string(match.cycles),
+                                      goals_text(match)};
+    if (remarks) cells.push_back(all_remarks(match));
+    cells.push_back(names[i]);
+    table.add_row(std::move(cells));
   }
   return table;
 }
@@ -188,17 +230,19 @@ std::string score_text(const MatchSummary& match) {
   return text;
 }
 
-std::string format_results(const std::vector<MatchSummary>& matches, ResultsFormat format) {
+std::string format_results(const std::vector<MatchSummary>& matches, ResultsFormat format,
+                           std::size_t width) {
   if (format == ResultsFormat::kJson) return results_json(matches);
   if (format == ResultsFormat::kCsv) return csv_table(matches).format_csv();
   const bool markdown = format == ResultsFormat::kMarkdown;
-  const base::Table table = summary_table(matches);
-  std::string text = markdown ? table.format_markdown() : table.format_text();
+  constexpr std::size_t kKeyColumns = 3;  // teams and score
+  std::string text = markdown ? markdown_table(matches).format_markdown()
+                              : text_table(matches).format_text({0, width, kKeyColumns});
   const TeamTable standings = team_table(matches);
   if (matches.size() > 1 && !standings.rows.empty()) {
     const base::Table teams = team_table_text(standings);
     text += '\n';
-    text += markdown ? teams.format_markdown() : teams.format_text();
+    text += markdown ? teams.format_markdown() : teams.format_text({0, width});
     if (standings.not_counted > 0) {
       text += fmt::format("\n{} incomplete not counted\n", standings.not_counted);
     }

@@ -28,10 +28,10 @@ base::Table empty_table(StatisticsFormat format) {
 }
 
 void write_part(const MatchSummary& summary, const MatchStatistics& statistics,
-                StatisticsFormat format, bool events, Part& part) {
+                StatisticsFormat format, bool events, std::size_t width, Part& part) {
   switch (format) {
     case StatisticsFormat::kText:
-      part.text = statistics_text(summary, statistics);
+      part.text = statistics_text(summary, statistics, width);
       break;
     case StatisticsFormat::kJson:
       part.text = statistics_json(summary, statistics, events);
@@ -48,7 +48,7 @@ void write_part(const MatchSummary& summary, const MatchStatistics& statistics,
   }
 }
 
-Part read_part(const MatchInput& input, StatisticsFormat format, bool events) {
+Part read_part(const MatchInput& input, StatisticsFormat format, bool events, std::size_t width) {
   const gamelog::MatchLogs& logs = input.logs;
   Part part;
   part.rows = empty_table(format);
@@ -79,7 +79,7 @@ Part read_part(const MatchInput& input, StatisticsFormat format, bool events) {
   summary.text_log = text ? logs.text : "";
   if (input.end) set_end(*input.end, summary);
   part.usable = true;
-  write_part(summary, compute_statistics(*record, text_log), format, events, part);
+  write_part(summary, compute_statistics(*record, text_log), format, events, width, part);
   return part;
 }
 
@@ -108,9 +108,10 @@ std::string joined(std::vector<Part>& parts, StatisticsFormat format) {
 
 StatisticsOutput read_statistics(const std::vector<MatchInput>& matches, StatisticsFormat format,
                                  bool events, std::size_t jobs,
-                                 const std::function<void(std::size_t)>& on_done) {
+                                 const std::function<void(std::size_t)>& on_done,
+                                 std::size_t width) {
   std::vector<Part> parts(matches.size());
-  const auto work = [&](std::size_t i) { parts[i] = read_part(matches[i], format, events); };
+  const auto work = [&](std::size_t i) { parts[i] = read_part(matches[i], format, events, width); };
   base::parallel_for(matches.size(), jobs, work, on_done);
   StatisticsOutput output;
   for (Part& part : parts) {

@@ -1,6 +1,7 @@
 // Reads statistics of many logs in parallel.
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <optional>
 #include <string>
@@ -26,9 +27,10 @@ struct StatisticsOutput {
 };
 
 /// Statistics require the game log; a text log alone is a problem. JSON has the schema
-/// "cls.stats/1". `on_done` as for read_results().
+/// "cls.stats/1". `on_done` as for read_results(), `width` as for statistics_text().
 StatisticsOutput read_statistics(const std::vector<MatchInput>& matches, StatisticsFormat format,
                                  bool events, std::size_t jobs,
-                                 const std::function<void(std::size_t)>& on_done = nullptr);
+                                 const std::function<void(std::size_t)>& on_done = nullptr,
+                                 std::size_t width = 80);
 
 }  // namespace cls::analysis

@@ -123,7 +123,8 @@ std::string team_part(const MatchSummary& summary, const MatchStatistics& all) {
   return table.format_text();
 }
 
-std::string player_part(const MatchSummary& summary, const MatchStatistics& all) {
+std::string player_part(const MatchSummary& summary, const MatchStatistics& all,
+                        std::size_t width) {
   base::Table table;
   table.add_column("player");
   for (const Figure& figure : kPlayerFigures) table.add_column(figure.heading, Align::kRight);
@@ -135,12 +136,13 @@ std::string player_part(const MatchSummary& summary, const MatchStatistics& all)
     for (const Figure& figure : kPlayerFigures) cells.push_back(format_figure(figure, fields));
     table.add_row(std::move(cells));
   }
-  return table.format_text();
+  return table.format_text({0, width});
 }
 
 }  // namespace
 
-std::string statistics_text(const MatchSummary& summary, const MatchStatistics& all) {
+std::string statistics_text(const MatchSummary& summary, const MatchStatistics& all,
+                            std::size_t width) {
   const auto& [left, right] = summary.teams;
   std::string text = fmt::format("{} {} {}  ({} cycles, {} of {} frames in play)\n", left.name,
                                  score_text(summary), right.name, summary.cycles,
@@ -151,7 +153,7 @@ std::string statistics_text(const MatchSummary& summary, const MatchStatistics& 
   text += '\n';
   text += team_part(summary, all);
   text += '\n';
-  text += player_part(summary, all);
+  text += player_part(summary, all, width);
   return text;
 }
 

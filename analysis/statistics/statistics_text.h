@@ -1,6 +1,7 @@
 // Formats match statistics as text and CSV.
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 #include "analysis/results/match_summary.h"
@@ -9,8 +10,10 @@
 
 namespace cls::analysis {
 
-/// The table of the teams, then the table of the players.
-std::string statistics_text(const MatchSummary& summary, const MatchStatistics& statistics);
+/// The table of the teams, then the table of the players, in blocks of columns if it is wider than
+/// `width` characters.
+std::string statistics_text(const MatchSummary& summary, const MatchStatistics& statistics,
+                            std::size_t width = 80);
 
 /// CSV tables to which matches are added one by one; the first column is the file.
 base::Table team_table();

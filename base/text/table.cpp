@@ -1,4 +1,4 @@
-// Column widths and the four output formats of tables.
+// Column widths and the output formats of tables.
 #include "base/text/table.h"
 
 #include <algorithm>
@@ -9,6 +9,8 @@
 
 namespace cls::base {
 namespace {
+
+constexpr std::size_t kGap = 2;  // spaces between columns
 
 bool is_control(char c) { return static_cast<unsigned char>(c) < ' ' || c == '\x7f'; }
 
@@ -27,6 +29,20 @@ std::size_t width_of(const std::string& text) {
 std::string pad(const std::string& text, std::size_t width, bool right) {
   const std::string spaces(width - std::min(width, width_of(text)), ' ');
   return right ? spaces + text : text + spaces;
+}
+
+// At most `width` characters, the last three of them dots if it is cut.
+std::string cut_to(std::string text, std::size_t width) {
+  constexpr std::string_view kEllipsis = "...";
+  if (width_of(text) <= width) return text;
+  const std::size_t kept = width - std::min(width, kEllipsis.size());
+  std::size_t end = 0;
+  for (std::size_t seen = 0; end < text.size(); ++end) {
+    const bool starts_character = (static_cast<unsigned char>(text[end]) & 0xC0) != 0x80;
+    if (starts_character && seen++ == kept) break;
+  }
+  text.resize(end);
+  return text.append(kEllipsis);
 }
 
 std::string markdown_cell(const std::string& cell, std::string_view escaped) {
@@ -57,7 +73,7 @@ std::string csv_row(const std::vector<std::string>& cells) {
 
 void Table::add_column(std::string heading, Align align) {
   assert(rows_.empty());
-  columns_.push_back({std::move(heading), align});
+  columns_.push_back({std::move(heading), align, false});
 }
 
 void Table::add_columns(const std::vector<std::string_view>& headings, Align align) {
@@ -69,8 +85,15 @@ void Table::add_row(std::vector<std::string> cells) {
   rows_.push_back(std::move(cells));
 }
 
+void Table::allow_cuts(std::size_t column) { columns_.at(column).cut = true; }
+
+void Table::link_last_row(std::size_t column, std::string address) {
+  assert(!rows_.empty() && column < columns_.size());
+  links_[{rows_.size() - 1, column}] = std::move(address);
+}
+
 void Table::append_rows(Table&& other) {
-  assert(other.columns_.size() == columns_.size());
+  assert(other.columns_.size() == columns_.size() && other.links_.empty());
   for (auto& row : other.rows_) rows_.push_back(std::move(row));
   other.rows_.clear();
 }
@@ -91,20 +114,60 @@ std::vector<std::size_t> Table::widths() const {
   return result;
 }
 
-std::string Table::format_text(std::size_t indent) const {
-  const std::vector<std::size_t> width = widths();
+// The widths that fit into the layout if cuts make it possible.
+std::vector<std::size_t> Table::widths_within(const TextLayout& layout) const {
+  constexpr std::size_t kMinCutWidth = 12;
+  std::vector<std::size_t> result = widths();
+  if (layout.width == 0) return result;
+  std::size_t total = layout.indent + kGap * (result.size() - 1);
+  for (const std::size_t width : result) total += width;
+  for (std::size_t i = 0; i < result.size() && total > layout.width; ++i) {
+    if (!columns_[i].cut || result[i] <= kMinCutWidth) continue;
+    const std::size_t least = std::max(kMinCutWidth, width_of(columns_[i].heading));
+    const std::size_t narrowed = result[i] - std::min(result[i] - least, total - layout.width);
+    total -= result[i] - narrowed;
+    result[i] = narrowed;
+  }
+  return result;
+}
+
+std::string Table::text_line(const std::vector<std::string>& cells,
+                             const std::vector<std::size_t>& columns,
+                             const std::vector<std::size_t>& widths, std::size_t indent) const {
+  std::string line(indent, ' ');
+  for (const std::size_t i : columns) {
+    if (i != columns.front()) line.append(kGap, ' ');
+    line += pad(cut_to(without_control(cells[i]), widths[i]), widths[i],
+                columns_[i].align == Align::kRight);
+  }
+  line.resize(line.find_last_not_of(' ') + 1);
+  return line + '\n';
+}
+
+std::string Table::format_text(std::size_t indent) const { return format_text({indent, 0}); }
+
+std::string Table::format_text(const TextLayout& layout) const {
+  const std::vector<std::size_t> width = widths_within(layout);
   std::string text;
-  const auto append = [&](const std::vector<std::string>& cells) {
-    std::string line(indent, ' ');
-    for (std::size_t i = 0; i < cells.size(); ++i) {
-      if (i > 0) line += "  ";
-      line += pad(without_control(cells[i]), width[i], columns_[i].align == Align::kRight);
+  for (std::size_t next = 0; next < columns_.size();) {
+    std::vector<std::size_t> block;
+    std::size_t used = layout.indent;
+    const auto add = [&](std::size_t column) {
+      used += width[column] + (block.empty() ? 0 : kGap);
+      block.push_back(column);
+    };
+    if (next > 0) {
+      text += '\n';
+      for (std::size_t key = 0; key < std::min(layout.key_columns, next); ++key) add(key);
     }
-    line.resize(line.find_last_not_of(' ') + 1);
-    text += line + '\n';
-  };
-  append(headings());
-  for (const auto& row : rows_) append(row);
+    add(next++);
+    while (next < columns_.size() &&
+           (layout.width == 0 || used + kGap + width[next] <= layout.width)) {
+      add(next++);
+    }
+    text += text_line(headings(), block, width, layout.indent);
+    for (const auto& row : rows_) text += text_line(row, block, width, layout.indent);
+  }
   return text;
 }
 
@@ -115,7 +178,15 @@ std::string Table::format_markdown(const MarkdownStyle& style) const {
     text += '|';
   }
   text += '\n';
-  for (const auto& row : rows_) text += markdown_row(row, style.escaped_in_cells);
+  for (std::size_t row = 0; row < rows_.size(); ++row) {
+    text += '|';
+    for (std::size_t i = 0; i < columns_.size(); ++i) {
+      const std::string cell = markdown_cell(rows_[row][i], style.escaped_in_cells);
+      const auto link = links_.find({row, i});
+      text += link == links_.end() ? ' ' + cell + " |" : " [" + cell + "](" + link->second + ") |";
+    }
+    text += '\n';
+  }
   return text;
 }
 
@@ -125,19 +196,31 @@ std::string Table::format_csv() const {
   return text;
 }
 
-std::string Table::format_html() const {
+std::string Table::format_html(std::string_view caption) const {
   std::string text = "<table>\n";
-  const auto append = [&](const std::vector<std::string>& cells, const std::string& tag) {
+  if (!caption.empty()) text += "<caption>" + escape_xml(caption) + "</caption>\n";
+  const auto class_of = [this](std::size_t column) {
+    return columns_[column].align == Align::kLeft ? " class=\"w\"" : "";
+  };
+  text += "<thead><tr>";
+  for (std::size_t i = 0; i < columns_.size(); ++i) {
+    text += std::string("<th scope=\"col\"") + class_of(i) + '>' + escape_xml(columns_[i].heading) +
+            "</th>";
+  }
+  text += "</tr></thead>\n<tbody>\n";
+  for (std::size_t row = 0; row < rows_.size(); ++row) {
     text += "<tr>";
-    for (std::size_t i = 0; i < cells.size(); ++i) {
-      const char* attribute = columns_[i].align == Align::kLeft ? " class=\"w\"" : "";
-      text += '<' + tag + attribute + '>' + escape_xml(cells[i]) + "</" + tag + '>';
+    for (std::size_t i = 0; i < columns_.size(); ++i) {
+      std::string cell = escape_xml(rows_[row][i]);
+      if (const auto link = links_.find({row, i}); link != links_.end()) {
+        cell = "<a href=\"" + escape_xml(link->second) + "\">" + cell + "</a>";
+      }
+      text += std::string(i == 0 ? "<th scope=\"row\"" : "<td") + class_of(i) + '>' + cell +
+              (i == 0 ? "</th>" : "</td>");
     }
     text += "</tr>\n";
-  };
-  append(headings(), "th");
-  for (const auto& row : rows_) append(row, "td");
-  return text + "</table>\n";
+  }
+  return text + "</tbody>\n</table>\n";
 }
 
 std::string csv_cell(std::string_view text) {

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace cls::base {
@@ -16,6 +18,13 @@ struct MarkdownStyle {
   std::string_view right_delimiter = "--:";
 };
 
+/// How a table is printed as text.
+struct TextLayout {
+  std::size_t indent = 0;
+  std::size_t width = 0;        ///< of a line; 0: unlimited
+  std::size_t key_columns = 1;  ///< leading columns that every block repeats
+};
+
 /// Rows of cells below a row of column headings. Column widths count UTF-8 characters, not bytes.
 class Table {
  public:
@@ -26,7 +35,11 @@ class Table {
   void add_columns(const std::vector<std::string_view>& headings, Align align = Align::kLeft);
   /// `cells` holds one cell per column.
   void add_row(std::vector<std::string> cells);
-  /// Moves the rows of `other`, which has the same columns, to the end of this table.
+  /// Where a table as text would be too wide, cells of `column` are cut and end in "...".
+  void allow_cuts(std::size_t column);
+  /// Makes a cell of the last row a link in Markdown and HTML. `address` is a URL.
+  void link_last_row(std::size_t column, std::string address);
+  /// Moves the rows of `other`, which has the same columns and no links, to the end of this table.
   void append_rows(Table&& other);
 
   /// True for a table without columns.
@@ -35,24 +48,34 @@ class Table {
   /// Aligned columns, two spaces apart, each line indented by `indent` spaces. Control characters
   /// become '?'.
   std::string format_text(std::size_t indent = 0) const;
+  /// The same within a width: a table that is wider is cut where allowed, then split into blocks of
+  /// columns, one below the other. A single column may still be wider.
+  std::string format_text(const TextLayout& layout) const;
   /// White space in cells becomes a space, other control characters become '?'.
   std::string format_markdown(const MarkdownStyle& style = {}) const;
   /// RFC 4180, with line feeds; cells are quoted only where necessary. Control characters become
   /// '?'.
   std::string format_csv() const;
-  /// A <table> element; cells of left-aligned columns have the class "w".
-  std::string format_html() const;
+  /// A <table> element with `caption`, if there is one; cells of left-aligned columns have the
+  /// class "w", the first column heads the rows.
+  std::string format_html(std::string_view caption = "") const;
 
  private:
   struct Column {
     std::string heading;
     Align align;
+    bool cut = false;
   };
   std::vector<std::size_t> widths() const;
+  std::vector<std::size_t> widths_within(const TextLayout& layout) const;
+  std::string text_line(const std::vector<std::string>& cells,
+                        const std::vector<std::size_t>& columns,
+                        const std::vector<std::size_t>& widths, std::size_t indent) const;
   std::vector<std::string> headings() const;
 
   std::vector<Column> columns_;
   std::vector<std::vector<std::string>> rows_;
+  std::map<std::pair<std::size_t, std::size_t>, std::string> links_;  ///< by row and column
 };
 
 /// `text` as a CSV cell (RFC 4180): quoted, with doubled quotes, if it holds a comma, quote or line

@@ -5,6 +5,7 @@
 
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "analysis/results/read_results.h"
 #include "tests/support/files.h"
@@ -34,11 +35,29 @@ MatchSummary example() {
 }
 
 TEST(ResultsText, FormatsTable) {
-  EXPECT_EQ(format_results({example()}, ResultsFormat::kTable),
-            "left  score  right  winner  cycles  goals                             remarks"
+  EXPECT_EQ(format_results({example()}, ResultsFormat::kTable, 120),
+            "left  score  right  cycles  goals                             remarks"
             "                  log\n"
-            "A|b     1:2  \xc3\x9c      \xc3\x9c         6000  169 l 11; 1313 r 4 own; 1400 r ?  "
+            "A|b     1:2  \xc3\x9c        6000  169 l 11; 1313 r 4 own; 1400 r ?  "
             "1 yellow, 1 substituted  a,b.rcg\n");
+}
+
+TEST(ResultsText, FitsEachMatchIntoOneLine) {
+  MatchSummary tossed = example();
+  tossed.teams[0].name = "FIFTEEN_CHARS_A";
+  tossed.winner = Winner::kLeft;
+  tossed.coin_toss = true;
+  const std::string text = format_results({example(), tossed}, ResultsFormat::kTable);
+  EXPECT_NE(text.find("\nA|b                1:2  \xc3\x9c        6000  169 l 11; ...  1 yellow, "),
+            std::string::npos)
+      << text;
+  EXPECT_NE(text.find("coin toss"), std::string::npos);
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 82U) << line;
+  MatchSummary plain = example();
+  plain.cards.clear();
+  plain.substitutions.clear();
+  EXPECT_EQ(format_results({plain}, ResultsFormat::kTable).find("remarks"), std::string::npos);
 }
 
 TEST(ResultsText, AppendsTeamTableForSeveralMatches) {
@@ -99,8 +118,13 @@ TEST(ResultsText, ShowsPathsWhenFileNamesAreEqual) {
   MatchSummary b = example();
   b.file = "runs/5/bb/match.rcg";
   const std::string table = format_results({a, b}, ResultsFormat::kTable);
-  EXPECT_NE(table.find("  a/match.rcg\n"), std::string::npos) << table;
-  EXPECT_NE(table.find("  bb/match.rcg\n"), std::string::npos) << table;
+  EXPECT_NE(table.find("  a\n"), std::string::npos) << table;
+  EXPECT_NE(table.find("  bb\n"), std::string::npos) << table;
+  MatchSummary c = example();
+  c.file = "runs/5/c/other.rcg";
+  const std::string mixed = format_results({a, b, c}, ResultsFormat::kTable);
+  EXPECT_NE(mixed.find("  a/match.rcg\n"), std::string::npos) << mixed;
+  EXPECT_NE(mixed.find("  c/other.rcg\n"), std::string::npos) << mixed;
 }
 
 TEST(ReadResults, DetectsTextLogByFirstBytes) {

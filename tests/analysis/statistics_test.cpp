@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <sstream>
 
 #include "analysis/measures/positions.h"
 #include "analysis/play/interception_time.h"
@@ -449,6 +450,24 @@ TEST(StatisticsText, WritesNoNegativeZero) {
   const std::string text = statistics_text(summarize(match.record(), nullptr), all);
   EXPECT_EQ(text.find("-0.0"), std::string::npos) << text;
   EXPECT_NE(text.find("-0.1"), std::string::npos) << text;
+}
+
+TEST(StatisticsText, FitsLinesIntoWidth) {
+  ScriptedMatch match;
+  for (int unum = 1; unum <= 11; ++unum) match.player(left(unum)).position = {0.5, 0};
+  match.step();
+  const MatchStatistics all = compute_statistics(match.record(), nullptr);
+  MatchSummary summary = summarize(match.record(), nullptr);
+  for (TeamSummary& team : summary.teams) team.name = "FIFTEEN_CHARS_A";
+  for (const std::size_t width : {60U, 80U, 200U}) {
+    std::istringstream lines(statistics_text(summary, all, width));
+    int with_player = 0;
+    for (std::string line; std::getline(lines, line);) {
+      EXPECT_LE(line.size(), width) << line;
+      with_player += line.starts_with("FIFTEEN_CHARS_A 1 ");
+    }
+    EXPECT_GE(with_player, width == 200 ? 1 : 2) << "blocks repeat the player at " << width;
+  }
 }
 
 }  // namespace

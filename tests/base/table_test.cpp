@@ -54,8 +54,50 @@ TEST(Table, EscapesHtml) {
   table.add_column("n", Table::Align::kRight);
   table.add_row({"x & y", "1"});
   EXPECT_EQ(table.format_html(),
-            "<table>\n<tr><th class=\"w\">&lt;a&gt;</th><th>n</th></tr>\n"
-            "<tr><td class=\"w\">x &amp; y</td><td>1</td></tr>\n</table>\n");
+            "<table>\n<thead><tr><th scope=\"col\" class=\"w\">&lt;a&gt;</th>"
+            "<th scope=\"col\">n</th></tr></thead>\n<tbody>\n"
+            "<tr><th scope=\"row\" class=\"w\">x &amp; y</th><td>1</td></tr>\n"
+            "</tbody>\n</table>\n");
+  EXPECT_NE(table.format_html("a < b").find("<table>\n<caption>a &lt; b</caption>\n<thead>"),
+            std::string::npos);
+}
+
+TEST(Table, LinksCellsInMarkdownAndHtml) {
+  Table table;
+  table.add_columns({"match", "logs"});
+  table.add_row({"1", "folder"});
+  table.add_row({"2", "folder"});
+  table.link_last_row(1, "matches/2/?a&b");
+  EXPECT_EQ(table.format_markdown(),
+            "| match | logs |\n|---|---|\n| 1 | folder |\n| 2 | [folder](matches/2/?a&b) |\n");
+  EXPECT_NE(table.format_html().find("<a href=\"matches/2/?a&amp;b\">folder</a>"),
+            std::string::npos);
+  EXPECT_EQ(table.format_csv(), "match,logs\n1,folder\n2,folder\n");
+}
+
+TEST(Table, SplitsColumnsIntoBlocksWithinWidth) {
+  Table table;
+  table.add_columns({"team", "aaaa", "bbbb", "cccc"});
+  table.add_row({"X", "1", "2", "3"});
+  EXPECT_EQ(table.format_text({1, 17}),
+            " team  aaaa  bbbb\n X     1     2\n\n team  cccc\n X     3\n");
+  EXPECT_EQ(table.format_text({0, 22}), "team  aaaa  bbbb  cccc\nX     1     2     3\n");
+  EXPECT_EQ(table.format_text({0, 4}),
+            "team\nX\n\nteam  aaaa\nX     1\n\nteam  bbbb\nX     2\n\nteam  cccc\nX     3\n")
+      << "a column may be wider than the line";
+}
+
+TEST(Table, CutsCellsWhereAllowedBeforeItSplits) {
+  Table table;
+  table.add_columns({"team", "goals", "log"});
+  table.allow_cuts(1);
+  table.add_row({"X", "1247 r 10; 3243 l 9", "a.rcg"});
+  table.add_row({"Y", "\xc3\xb6\xc3\xb6\xc3\xb6\xc3\xb6 1247 r 10; 3", "b.rcg"});
+  EXPECT_EQ(table.format_text({0, 26}),
+            "team  goals          log\n"
+            "X     1247 r 10;...  a.rcg\n"
+            "Y     \xc3\xb6\xc3\xb6\xc3\xb6\xc3\xb6 1247 ...  b.rcg\n");
+  EXPECT_NE(table.format_text().find("1247 r 10; 3243 l 9"), std::string::npos);
 }
 
 TEST(Table, AppendsRowsOfAnotherTable) {
