@@ -91,7 +91,9 @@ void add_shared_options(CLI::App& command, TournamentOptions& options, bool sche
       ->expected(1)
       ->take_all();
   for (const ConfigKey& key : tournament_keys()) {
-    if (!schedule && key.group == KeyGroup::kSchedule && key.name != "seed") continue;
+    const bool of_tournament =
+        key.group == KeyGroup::kReport || (key.group == KeyGroup::kSchedule && key.name != "seed");
+    if (!schedule && of_tournament) continue;
     command.add_option(option_of(key.name), options.overrides[std::string(key.name)],
                        std::string(key.help));
   }

@@ -15,8 +15,12 @@
 #include "cli/support/commands.h"
 #include "cli/support/exit_code.h"
 #include "cli/support/print_error.h"
+#include "cli/terminal/terminal.h"
 #include "cli/tournament/tournament_options.h"
+#include "orchestration/tournament/config/config_file.h"
+#include "orchestration/tournament/config/config_keys.h"
 #include "orchestration/tournament/report/report_document.h"
+#include "orchestration/tournament/report/report_html.h"
 #include "orchestration/tournament/report/report_text.h"
 #include "orchestration/tournament/schedule/schedule.h"
 #include "orchestration/tournament/store/folder.h"
@@ -27,6 +31,30 @@ namespace {
 
 namespace fs = std::filesystem;
 using namespace orchestration::tournament;
+
+constexpr const char* kPlanDescription =
+    "list the fixtures of a tournament\n"
+    "\n"
+    "  cls tournament plan cup                        of cup/cls.toml\n"
+    "  cls tournament plan cup --rounds 10 --json     as run would play them";
+
+constexpr const char* kStatusDescription =
+    "show progress and standings of a tournament\n"
+    "\n"
+    "  cls tournament status cup           also while it runs\n"
+    "  cls tournament status cup --json    the counts";
+
+constexpr const char* kReportDescription =
+    "print tables, statistics and failures of a tournament\n"
+    "\n"
+    "  cls tournament report cup                                   on the terminal\n"
+    "  cls tournament report cup --format html --out report.html   a page to share\n"
+    "  cls tournament report cup --json                            for scripts";
+
+constexpr const char* kStopDescription =
+    "stop a run gracefully: the current matches are played to the end\n"
+    "\n"
+    "  cls tournament stop cup    `cls tournament run cup` resumes";
 
 struct PlanArguments {
   TournamentOptions tournament;
@@ -65,6 +93,8 @@ struct FolderArguments {
   std::string folder;
   std::string format = "text";
   std::string file;
+  std::string columns;
+  bool all_matches = false;
   bool json = false;
 };
 
@@ -80,9 +110,35 @@ int read(const std::string& folder, TournamentState& state) {
   return kOk;
 }
 
+// Name and columns as cls.toml in the folder has them now, and --columns.
+int choose_presentation(const FolderArguments& arguments, TournamentConfig& config) {
+  std::error_code code;
+  const fs::path file = fs::path(arguments.folder) / kConfigFile;
+  if (fs::is_regular_file(file, code)) {
+    if (ParsedConfig now = read_config(file); now.errors.empty()) {
+      config.name = std::move(now.config.name);
+      config.columns = std::move(now.config.columns);
+    }
+  }
+  if (arguments.columns.empty()) return kOk;
+  const ConfigKey& key = *find_key("columns");
+  const auto parsed = key.parse(config, parse_config_value(key, arguments.columns));
+  return parsed ? kOk : print_error(kUsage, "--columns: " + parsed.error().message);
+}
+
+// Reads the tournament in DIR with the presentation that the user wants. Returns an exit code.
+int read_to_report(const FolderArguments& arguments, TournamentState& state) {
+  if (const int exit_code = read(arguments.folder, state); exit_code != kOk) return exit_code;
+  return choose_presentation(arguments, state.config);
+}
+
+TextOptions text_options(const FolderArguments& arguments) {
+  return {stdout_width(), arguments.all_matches};
+}
+
 int status(const FolderArguments& arguments) {
   TournamentState state;
-  if (const int exit_code = read(arguments.folder, state); exit_code != kOk) return exit_code;
+  if (const int exit_code = read_to_report(arguments, state); exit_code != kOk) return exit_code;
   const Report report = make_report(state.config, state.matches, arguments.folder);
   const MatchCounts& counts = report.counts;
   if (arguments.json) {
@@ -100,21 +156,35 @@ int status(const FolderArguments& arguments) {
     const Fixture& fixture = state.matches[static_cast<std::size_t>(index) - 1].fixture;
     fmt::print("{}\n", schedule_text(state.config, fixture));
   }
-  fmt::print("\n{}", standings_text(report));
+  fmt::print("\n{}", standings_text(report, text_options(arguments)));
   return kOk;
 }
 
 struct ReportFormat {
   std::string_view name;
-  std::string (*write)(const Report&);
+  std::string (*write)(const Report&, const TextOptions&);
 };
 
+template <std::string (*write)(const Report&)>
+std::string without_options(const Report& report, const TextOptions& /*options*/) {
+  return write(report);
+}
+
 constexpr std::array<ReportFormat, 6> kFormats = {{{"text", report_text},
-                                                   {"md", report_markdown},
-                                                   {"csv", report_csv},
-                                                   {"json", report_json},
-                                                   {"junit", report_junit},
-                                                   {"html", report_html}}};
+                                                   {"md", without_options<report_markdown>},
+                                                   {"csv", without_options<report_csv>},
+                                                   {"json", without_options<report_json>},
+                                                   {"junit", without_options<report_junit>},
+                                                   {"html", without_options<report_html>}}};
+
+// The path of the tournament as links in FILE need it.
+fs::path link_base(const FolderArguments& arguments) {
+  if (arguments.file.empty()) return arguments.folder;
+  std::error_code code;
+  const fs::path from = fs::absolute(arguments.file, code).parent_path();
+  return fs::weakly_canonical(arguments.folder, code)
+      .lexically_relative(fs::weakly_canonical(from, code));
+}
 
 int unknown_format(const std::string& format) {
   std::vector<std::string_view> names;
@@ -133,9 +203,10 @@ int report(const FolderArguments& arguments) {
                    [&format](const ReportFormat& known) { return known.name == format; });
   if (chosen == kFormats.end()) return unknown_format(format);
   TournamentState state;
-  if (const int exit_code = read(arguments.folder, state); exit_code != kOk) return exit_code;
-  const std::string text =
-      chosen->write(make_report(state.config, state.matches, arguments.folder));
+  if (const int exit_code = read_to_report(arguments, state); exit_code != kOk) return exit_code;
+  Report report = make_report(state.config, state.matches, arguments.folder);
+  report.link_base = link_base(arguments);
+  const std::string text = chosen->write(report, text_options(arguments));
   if (arguments.file.empty()) {
     fmt::print("{}", text);
     return kOk;
@@ -144,20 +215,32 @@ int report(const FolderArguments& arguments) {
   return written ? kOk : print_error(kCannotCreate, written.error().message);
 }
 
+// `was_running`: a run was in progress and stops now.
+void print_stop(const FolderArguments& arguments, bool was_running) {
+  if (arguments.json) {
+    const nlohmann::ordered_json document = {
+        {"schema", "cls.stop/1"}, {"dir", arguments.folder}, {"was_running", was_running}};
+    fmt::print("{}\n", document.dump(2));
+    return;
+  }
+  fmt::print("{}: {}\n", arguments.folder,
+             was_running ? "stopping after the current matches" : "no run in progress");
+}
+
 int stop(const FolderArguments& arguments) {
   if (!holds_plan(arguments.folder)) {
     return print_error(kNoInput, fmt::format("{}: no tournament", arguments.folder));
   }
   const auto lock = FolderLock::try_lock(arguments.folder);
   if (lock && *lock) {
-    fmt::print("{}: no run in progress\n", arguments.folder);
+    print_stop(arguments, false);
     return kOk;
   }
   const fs::path file = fs::path(arguments.folder) / kStopFile;
   if (!std::ofstream(file)) {
     return print_error(kCannotCreate, fmt::format("{}: cannot create", file.string()));
   }
-  fmt::print("{}: stopping after the current matches\n", arguments.folder);
+  print_stop(arguments, true);
   return kOk;
 }
 
@@ -172,37 +255,48 @@ std::shared_ptr<FolderArguments> add_folder_command(CLI::App& app, const char* n
   return arguments;
 }
 
+void add_columns_option(CLI::App& command, FolderArguments& arguments) {
+  command
+      .add_option("--columns", arguments.columns,
+                  fmt::format("columns of the standings, A,B,...: {} (default: columns in "
+                              "cls.toml, else as the format needs)",
+                              fmt::join(kStandingsColumns, ", ")))
+      ->type_name("LIST");
+}
+
 }  // namespace
 
 void add_tournament_plan_command(CLI::App& app, int& exit_code) {
   const auto arguments = std::make_shared<PlanArguments>();
-  CLI::App* command = app.add_subcommand("plan", "list the fixtures of a tournament");
+  CLI::App* command = app.add_subcommand("plan", kPlanDescription);
   add_tournament_options(*command, arguments->tournament);
   command->add_flag("--json", arguments->json, "print the list as JSON");
   command->callback([arguments, &exit_code] { exit_code = plan(*arguments); });
 }
 
 void add_tournament_status_command(CLI::App& app, int& exit_code) {
-  const auto arguments = add_folder_command(
-      app, "status", "show progress and standings of a tournament", status, exit_code);
-  app.get_subcommand("status")->add_flag("--json", arguments->json, "print the counts as JSON");
+  const auto arguments = add_folder_command(app, "status", kStatusDescription, status, exit_code);
+  CLI::App* command = app.get_subcommand("status");
+  command->add_flag("--json", arguments->json, "print the counts as JSON");
+  add_columns_option(*command, *arguments);
 }
 
 void add_tournament_report_command(CLI::App& app, int& exit_code) {
-  const auto arguments = add_folder_command(
-      app, "report", "print tables, statistics and failures of a tournament", report, exit_code);
+  const auto arguments = add_folder_command(app, "report", kReportDescription, report, exit_code);
   CLI::App* command = app.get_subcommand("report");
   command->add_option("--format", arguments->format, "text, md, csv, json, junit or html")
       ->capture_default_str();
   command->add_option("--out", arguments->file, "write to FILE (default: stdout)")
       ->type_name("FILE");
   command->add_flag("--json", arguments->json, "the same as --format json");
+  command->add_flag("--matches", arguments->all_matches,
+                    "text: list all matches with their logs and commands");
+  add_columns_option(*command, *arguments);
 }
 
 void add_tournament_stop_command(CLI::App& app, int& exit_code) {
-  add_folder_command(app, "stop",
-                     "stop a run gracefully: the current matches are played to the end", stop,
-                     exit_code);
+  const auto arguments = add_folder_command(app, "stop", kStopDescription, stop, exit_code);
+  app.get_subcommand("stop")->add_flag("--json", arguments->json, "print one JSON document");
 }
 
 }  // namespace cls::cli

@@ -1,6 +1,7 @@
 // The configuration of a tournament as plain data: teams, schedule, conditions, execution.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -50,6 +51,13 @@ enum class TieBreaker {
   kSonnebornBerger,
 };
 
+/// Columns of the standings table that users may choose (`columns`).
+inline constexpr std::array<std::string_view, 21> kStandingsColumns = {
+    "rank",       "team",    "played",   "won",      "drawn",           "lost",
+    "goals",      "diff",    "points",   "score",    "interval",        "shoot-outs",
+    "forfeits",   "invalid", "byes",     "buchholz", "median-buchholz", "sonneborn-berger",
+    "tiebreaker", "elo",     "elo-error"};
+
 struct TeamEntry {
   std::string name;
   std::string endpoint;  ///< any SIDE except a name
@@ -65,8 +73,8 @@ struct ServerSetting {
   bool operator==(const ServerSetting&) const = default;
 };
 
-/// A tournament. All but the last block is the plan: runs with the same plan play the same matches
-/// under the same conditions.
+/// A tournament. All but the last two blocks are the plan: runs with the same plan play the same
+/// matches under the same conditions.
 struct TournamentConfig {
   // The schedule.
   Format format = Format::kRoundRobin;
@@ -107,6 +115,10 @@ struct TournamentConfig {
   std::string on_match_finish;   ///< shell command that gets the match as JSON on stdin
   std::string on_finish;         ///< shell command that gets the report as JSON on stdin
   std::filesystem::path folder;  ///< of the file; base of relative paths in endpoints
+
+  // Reports.
+  std::string name;                  ///< of the tournament; empty: that of its folder
+  std::vector<std::string> columns;  ///< of kStandingsColumns; empty: as the format needs
 };
 
 /// The configured rounds, or the default: 1; Swiss: ceil(log2(teams)) + 1, limited so that no teams

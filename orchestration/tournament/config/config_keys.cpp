@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <optional>
@@ -327,8 +328,34 @@ std::vector<Row> execution_rows() {
 const std::vector<ConfigKey>& tournament_keys() {
   static const std::vector<ConfigKey> keys = [] {
     std::vector<ConfigKey> all = schedule_rows();
-    for (auto rows : {condition_rows(), execution_rows()}) {
+    for (auto rows : {condition_rows(), execution_rows(), report_rows()}) {
       all.insert(all.end(), rows.begin(), rows.end());
+Result<void> parse_columns(Config& config, const ConfigValue& value) {
+  const auto* names = std::get_if<std::vector<std::string>>(&value);
+  if (names == nullptr) return Error{"must be a list of columns, [\"rank\", \"team\", ...]"};
+  for (const std::string& name : *names) {
+    if (std::find(kStandingsColumns.begin(), kStandingsColumns.end(), name) ==
+        kStandingsColumns.end()) {
+      return Error{unknown_value(name, {kStandingsColumns.begin(), kStandingsColumns.end()})};
+    }
+  }
+  config.columns = *names;
+  return {};
+}
+
+std::vector<Row> report_rows() {
+  constexpr Group kGroup = Group::kReport;
+  return {
+      text("name", kGroup, &Config::name, "\"Autumn cup\"",
+           "name of the tournament in reports (default: that of its folder)"),
+      Row{"columns", kGroup, "columns of the standings (cls tournament report --help lists them)",
+          "[\"rank\", \"team\", \"points\"]", parse_columns,
+          [](const Config& config) {
+            return config.columns.empty() ? std::string() : toml_list(config.columns);
+          }},
+  };
+}
+
     }
     return all;
   }();
@@ -353,7 +380,8 @@ ConfigValue parse_config_value(const ConfigKey& key, std::string_view text) {
     return parts;
   };
   if (key.name == "slurm_options") return split(text, ' ');
-  if (key.name == "gauntlet" || key.name == "tie_breakers") return split(text, ',');
+  if (key.name == "gauntlet" || key.name == "tie_breakers" || key.name == "columns")
+    return split(text, ',');
   if (key.name == "matches") {
     std::vector<std::vector<std::string>> pairings;
     for (const std::string& one : split(text, ',')) pairings.push_back(split(one, ':'));

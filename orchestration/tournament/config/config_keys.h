@@ -21,6 +21,7 @@ enum class KeyGroup {
   kSchedule,    ///< which teams play each other
   kConditions,  ///< how a match is played
   kExecution,   ///< how the schedule is executed; not part of the plan
+  kReport,      ///< how the tournament is presented; not part of the plan
 };
 
 struct ConfigKey {

@@ -79,6 +79,10 @@ double variance(const Frequencies& frequencies) {
   return sum / count;
 }
 
+Estimate estimate(const Frequencies& frequencies) {
+  return estimate(mean(frequencies), variance(frequencies), static_cast<int>(total(frequencies)));
+}
+
 double log_likelihood_ratio(const Frequencies& frequencies, double score0, double score1) {
   if (total(frequencies) <= 0) return 0.0;
   std::vector<double> share(frequencies);
@@ -103,6 +107,28 @@ SprtState sprt_state(const Frequencies& frequencies, double score0, double score
   if (state.llr >= settings.upper()) state.decision = SprtDecision::kH1;
   if (state.llr <= settings.lower()) state.decision = SprtDecision::kH0;
   return state;
+}
+
+double expected_results(double llr, double mean, double variance, double score0, double score1,
+                        const SprtSettings& settings) {
+  constexpr double kMinVariance = 1e-3;  // equal results so far
+  constexpr double kNoDrift = 1e-9;
+  const double gap = score1 - score0;
+  const double spread = std::max(variance, kMinVariance);
+  double drift = gap / spread * (mean - (score0 + score1) / 2);
+  const double diffusion = gap * gap / spread;
+  double below = llr - settings.lower();
+  double above = settings.upper() - llr;
+  if (below <= 0 || above <= 0) return 0.0;
+  if (std::abs(drift) < kNoDrift * diffusion) return below * above / diffusion;
+  if (drift < 0) {  // mirrored, so that no exponential overflows
+    drift = -drift;
+    std::swap(below, above);
+  }
+  const double rate = 2 * drift / diffusion;
+  const double reaches_upper =
+      (1 - std::exp(-rate * below)) / (1 - std::exp(-rate * (below + above)));
+  return ((below + above) * reaches_upper - below) / drift;
 }
 
 }  // namespace cls::orchestration::tournament

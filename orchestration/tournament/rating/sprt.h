@@ -5,6 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "orchestration/tournament/rating/statistics.h"
+
 namespace cls::orchestration::tournament {
 
 /// H0: the Elo difference is `elo0`; H1: it is `elo1`. `alpha` is the probability to accept H1 when
@@ -31,6 +33,9 @@ double mean(const Frequencies& frequencies);
 double variance(const Frequencies& frequencies);
 double total(const Frequencies& frequencies);
 
+/// The strength that `frequencies` show; each of them is one result.
+Estimate estimate(const Frequencies& frequencies);
+
 /// Log-likelihood ratio of the expected score being `score1` against `score0`
 /// (docs/spec/match-statistics.md 8.3): multinomial model, each hypothesis with the distribution
 /// that maximizes the likelihood of the observed results under its expected score. An outcome that
@@ -49,5 +54,10 @@ SprtState sprt_state(const Frequencies& frequencies, double score0, double score
                      const SprtSettings& settings);
 
 inline constexpr int kMinSprtResults = 8;
+
+/// The number of further results that the test needs on average from `llr` on, if the results have
+/// this mean and variance: the exit time of a Brownian motion between the bounds.
+double expected_results(double llr, double mean, double variance, double score0, double score1,
+                        const SprtSettings& settings);
 
 }  // namespace cls::orchestration::tournament

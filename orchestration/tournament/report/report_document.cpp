@@ -28,6 +28,8 @@ void add_strength(Json& json, const Estimate& strength) {
                             rounded(strength.score_interval.high)};
 }
 
+Json json_of(const WinLoss& record) { return {{"won", record.won}, {"lost", record.lost}}; }
+
 Json json_of(const Report& report, const Standing& standing) {
   const auto team = static_cast<std::size_t>(standing.team);
   Json json = {{"rank", standing.rank},
@@ -40,8 +42,10 @@ Json json_of(const Report& report, const Standing& standing) {
                {"goals_for", standing.goals_for},
                {"goals_against", standing.goals_against},
                {"goal_difference", standing.goal_difference()},
-               {"points", standing.points}};
-  add_strength(json, strength_of(report.records[team]));
+               {"points", standing.points},
+               {"shoot_outs", json_of(standing.shoot_outs)},
+               {"forfeits", json_of(standing.forfeits)}};
+  add_strength(json, report.records[team].strength());
   json["elo"] = tenths(report.ratings.elo[team]);
   json["elo_error"] = tenths(report.ratings.error[team]);
   if (report.config->format == Format::kSwiss) {
@@ -70,6 +74,8 @@ Json json_of(const Report& report, const HeadToHead& head_to_head) {
                {"lost", head_to_head.games.lost},
                {"goals_for", head_to_head.goals_for},
                {"goals_against", head_to_head.goals_against},
+               {"shoot_outs", json_of(head_to_head.shoot_outs)},
+               {"forfeits", json_of(head_to_head.forfeits)},
                {"pairs", head_to_head.pairs},
                {"single_games", head_to_head.single_games},
                {"model", head_to_head.paired() ? "pairs" : "games"}};
@@ -80,13 +86,77 @@ Json json_of(const Report& report, const HeadToHead& head_to_head) {
   return json;
 }
 
-Json teams_json(const TournamentConfig& config) {
+Json teams_json(const Report& report) {
   Json teams = Json::array();
-  for (const TeamEntry& team : config.teams) {
-    teams.push_back({{"name", team.name}, {"endpoint", team.endpoint}});
+  for (std::size_t i = 0; i < report.playmakers.size(); ++i) {
+    const TeamEntry& team = report.config->teams[i];
+    const PlaymakerFigures& figures = report.playmakers[i];
+    teams.push_back({{"name", team.name},
+                     {"endpoint", team.endpoint},
+                     {"decisions", figures.decisions},
+                     {"late", figures.late},
+                     {"missed", figures.missed},
+                     {"rpc_us",
+                      {{"p50", tenths(figures.p50_us)},
+                       {"p95", tenths(figures.p95_us)},
+                       {"p99", tenths(figures.p99_us)},
+                       {"max", tenths(figures.max_us)}}}});
   }
   return teams;
 }
+
+Json hosts_json(const Report& report) {
+  Json hosts = Json::array();
+  for (const HostFigures& host : report.hosts) {
+    hosts.push_back({{"host", host.host},
+                     {"matches", host.matches},
+                     {"decisions", host.decisions},
+                     {"missed", host.missed},
+                     {"cycles_per_second", tenths(host.cycles_per_second)},
+                     {"outlier", host.outlier}});
+  }
+  return hosts;
+}
+
+Json json_of(const Report& report, const Entrant& entrant) {
+  Json json = {{"team", entrant.team ? Json(report.team(*entrant.team)) : Json(nullptr)},
+               {"bye", entrant.bye},
+               {"from", nullptr}};
+  if (entrant.tie >= 0) {
+    json["from"] = {{"stage", report.bracket[static_cast<std::size_t>(entrant.tie)].stage},
+                    {"winner", entrant.winner}};
+  }
+  return json;
+}
+
+Json bracket_json(const Report& report) {
+  Json ties = Json::array();
+  for (const BracketTie& tie : report.bracket) {
+    Json matches = Json::array();
+    for (const ScheduledMatch& match : report.matches) {
+      if (match.fixture.stage == tie.stage) matches.push_back(match.fixture.index);
+    }
+    ties.push_back(
+        {{"round", tie.round},
+         {"stage", tie.stage},
+         {"entrants", {json_of(report, tie.entrants[0]), json_of(report, tie.entrants[1])}},
+         {"winner", tie.winner ? Json(report.team(*tie.winner)) : Json(nullptr)},
+         {"by_lot", tie.by_lot},
+         {"matches", std::move(matches)}});
+  }
+  return ties;
+}
+
+Json byes_json(const Report& report) {
+  Json byes = Json::array();
+  for (const Bye& bye : report.byes) {
+    byes.push_back({{"round", bye.round}, {"team", report.team(bye.team)}});
+  }
+  return byes;
+}
+
+// ISO 8601; null while no match was played.
+Json time_json(const std::string& time) { return time.empty() ? Json(nullptr) : Json(time); }
 
 using base::csv_cell;
 
@@ -112,7 +182,7 @@ struct OutcomeColumn {
   std::string_view name;
   std::string (*cell)(const Outcome&);
 };
-constexpr std::array<OutcomeColumn, 17> kOutcomeColumns = {{
+constexpr std::array<OutcomeColumn, 20> kOutcomeColumns = {{
     {"end_reason", [](const Outcome& o) { return std::string(name(o.end_reason)); }},
     {"forfeit", [](const Outcome& o) { return std::string(o.forfeit ? "1" : "0"); }},
     {"left_score", [](const Outcome& o) { return fmt::to_string(o.left_score); }},
@@ -131,6 +201,9 @@ constexpr std::array<OutcomeColumn, 17> kOutcomeColumns = {{
     {"ended", [](const Outcome& o) { return o.ended; }},
     {"folder", [](const Outcome& o) { return o.folder; }},
     {"message", [](const Outcome& o) { return o.message; }},
+    {"version", [](const Outcome& o) { return o.version; }},
+    {"server", [](const Outcome& o) { return o.server; }},
+    {"warnings", [](const Outcome& o) { return fmt::to_string(o.warnings.size()); }},
 }};
 
 base::JunitCase junit_case(const Report& report, const ScheduledMatch& match) {
@@ -180,14 +253,19 @@ std::string report_json(const Report& report) {
   }
   Json breakers = Json::array();
   for (const TieBreaker breaker : tie_breakers_of(config)) breakers.push_back(name(breaker));
+  const TimeSpan span = time_span(report.matches);
   const Json document = {
       {"schema", "cls.tournament/1"},
+      {"name", report.name},
+      {"started", time_json(span.first_start)},
+      {"ended", time_json(span.last_end)},
       {"format", name(config.format)},
       {"rounds", rounds_of(config)},
       {"seed", config.seed},
       {"swap_sides", config.swap_sides},
       {"tie_breakers", std::move(breakers)},
-      {"teams", teams_json(config)},
+      {"teams", teams_json(report)},
+      {"hosts", hosts_json(report)},
       {"complete", report.complete},
       {"counts",
        {{"scheduled", report.counts.scheduled},
@@ -198,6 +276,8 @@ std::string report_json(const Report& report) {
       {"standings", json_of(report, report.tables.back().standings)},
       {"tables", std::move(all_tables)},
       {"crosstable", std::move(crosstable)},
+      {"bracket", bracket_json(report)},
+      {"byes", byes_json(report)},
       {"rating", {{"model", "Bradley-Terry"}, {"superiority", std::move(superiority)}}},
       {"matches", std::move(matches)},
       {"versions", {{"cls", base::kVersion}, {"wire", base::kWireVersion}}}};
@@ -208,6 +288,7 @@ std::string report_csv(const Report& report) {
   std::vector<std::string> cells;
   for (const FixtureColumn& column : kFixtureColumns) cells.emplace_back(column.name);
   for (const OutcomeColumn& column : kOutcomeColumns) cells.emplace_back(column.name);
+  cells.emplace_back("command");
   std::string text = fmt::format("{}\n", fmt::join(cells, ","));
   for (const ScheduledMatch& match : report.matches) {
     cells.clear();
@@ -217,6 +298,7 @@ std::string report_csv(const Report& report) {
     for (const OutcomeColumn& column : kOutcomeColumns) {
       cells.push_back(match.outcome ? csv_cell(column.cell(*match.outcome)) : "");
     }
+    cells.push_back(csv_cell(rerun_command(*report.config, match.fixture)));
     text += fmt::format("{}\n", fmt::join(cells, ","));
   }
   return text;

@@ -5,9 +5,24 @@
 
 #include <utility>
 
+#include "orchestration/tournament/schedule/fixture_list.h"
 #include "orchestration/tournament/store/match_attempt.h"
 
 namespace cls::orchestration::tournament {
+namespace {
+
+std::string folder_name(const std::filesystem::path& folder) {
+  const std::filesystem::path path = std::filesystem::absolute(folder).lexically_normal();
+  return (path.has_filename() ? path : path.parent_path()).filename().string();
+}
+
+// "2:1", or "1:2" when swapped.
+template <typename Number>
+std::string ratio(Number left, Number right, bool swapped) {
+  return swapped ? fmt::format("{}:{}", right, left) : fmt::format("{}:{}", left, right);
+}
+
+}  // namespace
 
 MatchCounts count(std::span<const ScheduledMatch> matches) {
   MatchCounts counts;
@@ -40,21 +55,23 @@ Report make_report(const TournamentConfig& config, std::span<const ScheduledMatc
   report.config = &config;
   report.matches = matches;
   report.folder = folder;
+  report.link_base = folder;
+  report.name = config.name.empty() ? folder_name(folder) : config.name;
   report.counts = count(matches);
   report.complete = report.counts.open == 0 && report.counts.scheduled > 0 &&
                     next_fixtures(config, matches).empty();
   report.tables = tables(config, matches);
+  report.bracket = bracket(config, matches);
+  if (config.format == Format::kSwiss) report.byes = swiss_byes(config, matches);
   report.head_to_heads = head_to_heads(matches);
   const int teams = static_cast<int>(config.teams.size());
   report.ratings = fit_bradley_terry(teams, results_of(report.head_to_heads));
   for (int team = 0; team < teams; ++team) {
     report.records.push_back(record_of(team, report.head_to_heads));
   }
+  report.playmakers = playmaker_figures(config.teams.size(), matches);
+  report.hosts = host_figures(matches);
   return report;
-}
-
-Estimate strength_of(const WinDrawLoss& record) {
-  return estimate(record.score(), record.variance(), record.games());
 }
 
 std::optional<HeadToHead> find_head_to_head(const Report& report, int first, int second) {
@@ -69,16 +86,21 @@ std::string rerun_command(const TournamentConfig& config, const Fixture& fixture
   return process::to_shell(match_plan(config, fixture, "cls", ""));
 }
 
-std::string score_text(const ScheduledMatch& match) {
+std::string score_text(const ScheduledMatch& match, bool swapped) {
   if (!match.outcome) return "-";
   const Outcome& outcome = *match.outcome;
   if (!outcome.counts()) return std::string(name(outcome.end_reason));
-  std::string text = fmt::format("{}:{}", outcome.left_score, outcome.right_score);
-  if (outcome.left_penalties && outcome.right_penalties) {
-    text += fmt::format(" ({}:{} pen)", *outcome.left_penalties, *outcome.right_penalties);
+  std::string text = ratio(outcome.left_score, outcome.right_score, swapped);
+  if (had_shoot_out(outcome)) {
+    text +=
+        fmt::format(" ({} pen)", ratio(*outcome.left_penalties, *outcome.right_penalties, swapped));
   }
   if (outcome.forfeit) text += " (forfeit)";
   return text;
+}
+
+std::string stage_text(const Fixture& fixture) {
+  return fixture.stage.empty() ? fmt::format("round {}", fixture.round) : fixture.stage;
 }
 
 }  // namespace cls::orchestration::tournament

@@ -9,6 +9,7 @@
 
 #include "orchestration/tournament/config/config.h"
 #include "orchestration/tournament/rating/bradley_terry.h"
+#include "orchestration/tournament/report/report_figures.h"
 #include "orchestration/tournament/schedule/fixture.h"
 #include "orchestration/tournament/schedule/head_to_head.h"
 #include "orchestration/tournament/schedule/schedule.h"
@@ -34,13 +35,19 @@ std::string counts_text(const MatchCounts& counts);
 struct Report {
   const TournamentConfig* config = nullptr;
   std::span<const ScheduledMatch> matches;
-  std::filesystem::path folder;  ///< of the tournament
+  std::filesystem::path folder;     ///< of the tournament
+  std::filesystem::path link_base;  ///< path from the document to `folder`, for links
+  std::string name;                 ///< of the tournament: configured, or that of its folder
   MatchCounts counts;
   bool complete = false;
   std::vector<RankedTable> tables;
+  std::vector<BracketTie> bracket;  ///< empty for formats without one
+  std::vector<Bye> byes;            ///< of a Swiss tournament
   std::vector<HeadToHead> head_to_heads;
-  Ratings ratings;                   ///< by team
-  std::vector<WinDrawLoss> records;  ///< by team, without forfeits
+  Ratings ratings;                           ///< by team
+  std::vector<TeamRecord> records;           ///< by team
+  std::vector<PlaymakerFigures> playmakers;  ///< by team
+  std::vector<HostFigures> hosts;
 
   const std::string& team(int index) const {
     return config->teams[static_cast<std::size_t>(index)].name;
@@ -50,16 +57,17 @@ struct Report {
 Report make_report(const TournamentConfig& config, std::span<const ScheduledMatch> matches,
                    const std::filesystem::path& folder);
 
-/// A team's share of the points of a match, with its 95 % interval.
-Estimate strength_of(const WinDrawLoss& record);
-
 /// The results of `first` against `second`; nothing when they have not met.
 std::optional<HeadToHead> find_head_to_head(const Report& report, int first, int second);
 
 /// The shell command that plays a match again.
 std::string rerun_command(const TournamentConfig& config, const Fixture& fixture);
 
-/// "2:1", "2:2 (4:3 pen)", "0:3 (forfeit)", "crashed", or "-" without an outcome.
-std::string score_text(const ScheduledMatch& match);
+/// "2:1", "2:2 (4:3 pen)", "0:3 (forfeit)", "crashed", or "-" without an outcome. With `swapped`
+/// the right team's score is first.
+std::string score_text(const ScheduledMatch& match, bool swapped = false);
+
+/// "semi-final 2", or "round 3" for matches without a stage.
+std::string stage_text(const Fixture& fixture);
 
 }  // namespace cls::orchestration::tournament

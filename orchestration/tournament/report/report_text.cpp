@@ -1,68 +1,150 @@
-// Reports as text, Markdown and HTML.
+// Reports as text and Markdown.
 #include "orchestration/tournament/report/report_text.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <iterator>
+#include <string_view>
+#include <vector>
 
 #include "base/system/version.h"
 #include "base/text/wrap_text.h"
-#include "base/text/xml.h"
+#include "orchestration/process/command_plan.h"
+#include "orchestration/tournament/report/report_bracket.h"
 #include "orchestration/tournament/report/report_tables.h"
+#include "orchestration/tournament/store/match_attempt.h"
 
 namespace cls::orchestration::tournament {
 namespace {
 
-constexpr std::size_t kTextWidth = 78;
 constexpr std::size_t kIndent = 2;
-constexpr base::MarkdownStyle kMarkdown = {"|", "|", "---:"};
+constexpr std::size_t kMaxListed = 40;  // matches or warnings, without TextOptions::all_matches
 
-std::string format_text(const ReportTable& table) {
-  std::string text = table.title.empty() ? "" : table.title + "\n";
-  text += table.table.format_text(kIndent);
-  if (!table.note.empty()) text += base::wrap_text(table.note, kTextWidth) + "\n";
+// Paragraphs, each line indented.
+std::string indented(std::string_view text, std::size_t width, std::size_t indent) {
+  const std::string margin(indent, ' ');
+  std::string lines = margin + base::wrap_text(text, width - std::min(width, indent));
+  for (std::size_t at = lines.find('\n'); at != std::string::npos; at = lines.find('\n', at + 1)) {
+    lines.insert(at + 1, margin);
+  }
+  return lines + '\n';
+}
+
+std::string format_text(const ReportTable& table, std::size_t width) {
+  std::string text = table.title + "\n";
+  text += table.table.format_text({kIndent, width, table.key_columns});
+  if (!table.note.empty()) text += indented(table.note, width, kIndent);
   return text;
 }
 
 std::string format_markdown(const ReportTable& table) {
-  std::string text = table.title.empty() ? "" : fmt::format("## {}\n\n", table.title);
-  text += table.table.format_markdown(kMarkdown);
+  std::string text = fmt::format("## {}\n\n", table.title);
+  text += table.table.format_markdown();
   return text + (table.note.empty() ? "" : "\n" + table.note + "\n");
 }
 
-std::string format_html(const ReportTable& table) {
-  const auto element = [](const char* tag, const std::string& text) {
-    return text.empty() ? "" : fmt::format("<{0}>{1}</{0}>\n", tag, base::escape_xml(text));
+// A shell command in lines that end in a backslash, broken between arguments.
+std::string command_text(const TournamentConfig& config, const Fixture& fixture, std::size_t width,
+                         std::size_t indent) {
+  const process::CommandPlan plan = match_plan(config, fixture, "cls", "");
+  std::string text(indent, ' ');
+  std::size_t used = indent;
+  const auto add = [&](const std::string& word) {
+    constexpr std::string_view kContinued = " \\";
+    if (used > indent && used + 1 + word.size() + kContinued.size() > width) {
+      text += fmt::format("{}\n{:{}}", kContinued, "", indent + 2);
+      used = indent + 2;
+    } else if (used > indent) {
+      text += ' ';
+      ++used;
+    }
+    text += word;
+    used += word.size();
   };
-  return element("h2", table.title) + table.table.format_html() + element("p", table.note);
+  if (!plan.folder.empty()) {
+    add("cd");
+    add(process::shell_quoted(plan.folder.string()));
+    add("&&");
+  }
+  for (const std::string& argument : plan.argv) add(process::shell_quoted(argument));
+  return text + '\n';
 }
 
-std::string format_failures(const Report& report) {
+std::string logs_and_command(const Report& report, const ScheduledMatch& match, std::size_t width) {
+  std::string text;
+  if (match.outcome && !match.outcome->folder.empty()) {
+    text += fmt::format("    logs: {}/\n", (report.link_base / match.outcome->folder).string());
+  }
+  return text + "    rerun:\n" + command_text(*report.config, match.fixture, width, 6);
+}
+
+std::string format_failures(const Report& report, const TextOptions& options) {
   std::string text;
   for (const ScheduledMatch& match : report.matches) {
     if (!match.outcome || match.outcome->played()) continue;
     const Outcome& outcome = *match.outcome;
-    fmt::format_to(std::back_inserter(text), "  {} {} - {}: {}{}{}\n", match.fixture.index,
-                   report.team(match.fixture.left), report.team(match.fixture.right),
-                   name(outcome.end_reason), outcome.message.empty() ? "" : ", ", outcome.message);
-    if (!outcome.folder.empty()) {
-      text += fmt::format("    logs: {}/\n", (report.folder / outcome.folder).string());
-    }
-    text += fmt::format("    rerun: {}\n", rerun_command(*report.config, match.fixture));
+    const std::string line =
+        fmt::format("{} {} - {}: {}{}{}", match.fixture.index, report.team(match.fixture.left),
+                    report.team(match.fixture.right), name(outcome.end_reason),
+                    outcome.message.empty() ? "" : ", ", outcome.message);
+    text += indented(line, options.width, kIndent) + logs_and_command(report, match, options.width);
   }
   return text.empty() ? "" : "\nfailed matches\n" + text;
 }
 
-constexpr const char* kStyle =
-    "body{font:15px/1.5 system-ui,sans-serif;margin:2em auto;max-width:70em;padding:0 1em;"
-    "color:#1b1b1b;background:#fff}"
-    "table{border-collapse:collapse;margin:.5em 0 1.5em;display:block;overflow-x:auto}"
-    "th,td{padding:.2em .8em;text-align:right;border-bottom:1px solid #d8d8d8;"
-    "font-variant-numeric:tabular-nums}"
-    "th{border-bottom:2px solid #888}.w{text-align:left}"
-    "@media(prefers-color-scheme:dark){body{color:#e6e6e6;background:#161616}"
-    "th,td{border-color:#444}}";
+std::string format_warnings(const Report& report, const TextOptions& options) {
+  const std::vector<std::string> lines = warning_lines(report);
+  if (lines.empty()) return {};
+  std::string text = fmt::format("\n{} warnings\n", lines.size());
+  const std::size_t listed =
+      options.all_matches ? lines.size() : std::min(lines.size(), kMaxListed);
+  for (std::size_t i = 0; i < listed; ++i) text += indented(lines[i], options.width, kIndent);
+  if (listed < lines.size()) text += "  ... (--matches lists all)\n";
+  return text;
+}
+
+std::string format_matches(const Report& report, const TextOptions& options) {
+  const ReportTable table = matches_table(report, options.all_matches);
+  if (table.empty()) return {};
+  if (!options.all_matches && report.matches.size() > kMaxListed) {
+    return fmt::format("\n{} matches (--matches lists them)\n", report.matches.size());
+  }
+  std::string text = "\n" + format_text(table, options.width);
+  if (!options.all_matches) return text;
+  text += "\nlogs, and commands that play a match again\n";
+  for (const ScheduledMatch& match : report.matches) {
+    text += indented(match_text(report, match), options.width, kIndent);
+    text += logs_and_command(report, match, options.width);
+  }
+  return text;
+}
+
+std::string format_endpoints(const Report& report, std::size_t width) {
+  std::string text = "\nendpoints\n";
+  for (const TeamEntry& team : report.config->teams) {
+    text += indented(fmt::format("{}: {}", team.name, team.endpoint), width, kIndent);
+  }
+  return text;
+}
+
+ReportTable crosstable_within(const Report& report, std::size_t width) {
+  std::size_t longest = 0;
+  for (const TeamEntry& team : report.config->teams) longest = std::max(longest, team.name.size());
+  const std::size_t columns = report.config->teams.size() + 1;
+  return crosstable(report, kIndent + columns * (longest + 2) > width);
+}
+
+// Tables between the standings and the matches.
+std::vector<ReportTable> middle_tables(const Report& report, ReportTable cross, bool endpoints) {
+  std::vector<ReportTable> result;
+  for (ReportTable& table :
+       std::vector{std::move(cross), head_to_head_table(report), ratings_table(report),
+                   playmakers_table(report, endpoints), hosts_table(report)}) {
+    if (!table.empty()) result.push_back(std::move(table));
+  }
+  return result;
+}
 
 }  // namespace
 
@@ -78,42 +160,51 @@ std::string schedule_text(const TournamentConfig& config, const Fixture& fixture
                      fixture.decides ? ", decider" : "");
 }
 
-std::string standings_text(const Report& report) {
+std::string standings_text(const Report& report, const TextOptions& options) {
   std::string text;
   for (const RankedTable& table : report.tables) {
     if (!text.empty()) text += '\n';
-    text += format_text(standings_table(report, table));
+    text += format_text(standings_table(report, table, Headings::kShort), options.width);
   }
   return text;
 }
 
-std::string report_text(const Report& report) {
-  std::string text = headline(report) + "\n";
-  for (const ReportTable& table : report_tables(report)) text += "\n" + format_text(table);
-  return text + format_failures(report);
+std::string report_text(const Report& report, const TextOptions& options) {
+  const std::size_t width = options.width;
+  std::string text = base::wrap_text(report.name + ": " + headline(report), width) + "\n";
+  for (const std::string& line : head_lines(report)) text += base::wrap_text(line, width) + "\n";
+  text += "\n" + standings_text(report, options);
+  if (const std::string tree = bracket_text(report, width - kIndent); !tree.empty()) {
+    text += "\nbracket\n" + indented(tree.substr(0, tree.size() - 1), width, kIndent);
+  }
+  for (const ReportTable& table : middle_tables(report, crosstable_within(report, width), false)) {
+    text += "\n" + format_text(table, width);
+  }
+  return text + format_endpoints(report, width) + format_warnings(report, options) +
+         format_matches(report, options) + format_failures(report, options);
 }
 
 std::string report_markdown(const Report& report) {
-  std::string text = fmt::format("# Tournament\n\n{}\n", headline(report));
-  for (const ReportTable& table : report_tables(report)) text += "\n" + format_markdown(table);
-  const ReportTable failures = failures_table(report);
-  return failures.empty() ? text : text + "\n" + format_markdown(failures);
-}
-
-std::string report_html(const Report& report) {
-  std::string text = fmt::format(
-      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-      "<title>Tournament: {}</title>\n<style>{}</style>\n</head>\n<body>\n<h1>Tournament</h1>\n"
-      "<p>{}</p>\n",
-      base::escape_xml(name(report.config->format)), kStyle, base::escape_xml(headline(report)));
-  std::vector<ReportTable> tables = report_tables(report);
-  tables.push_back(failures_table(report));
-  tables.push_back(matches_table(report));
-  for (const ReportTable& table : tables) {
-    if (!table.empty()) text += format_html(table);
+  constexpr std::size_t kTreeWidth = 120;
+  std::string text = fmt::format("# {}\n\n{}\n", report.name, headline(report));
+  for (const std::string& line : head_lines(report)) text += fmt::format("{}\n", line);
+  for (const RankedTable& ranked : report.tables) {
+    text += "\n" + format_markdown(standings_table(report, ranked, Headings::kLong));
   }
-  return text + fmt::format("<p>cls {}</p>\n</body>\n</html>\n", base::kVersion);
+  if (const std::string tree = bracket_text(report, kTreeWidth); !tree.empty()) {
+    text += fmt::format("\n## bracket\n\n```text\n{}```\n", tree);
+  }
+  std::vector<ReportTable> tables = middle_tables(report, crosstable(report, false), true);
+  for (ReportTable& table : std::vector{matches_table(report, true), failures_table(report)}) {
+    if (!table.empty()) tables.push_back(std::move(table));
+  }
+  for (const ReportTable& table : tables) text += "\n" + format_markdown(table);
+  if (const auto warnings = warning_lines(report); !warnings.empty()) {
+    text += fmt::format("\n## {} warnings\n\n```text\n{}\n```\n", warnings.size(),
+                        fmt::join(warnings, "\n"));
+  }
+  if (report.matches.empty()) return text;
+  return text + fmt::format("\n## Play a match again\n\n```sh\n{}```\n", rerun_lines(report));
 }
 
 }  // namespace cls::orchestration::tournament

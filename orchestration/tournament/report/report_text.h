@@ -1,23 +1,27 @@
-// Reports as text, Markdown and HTML.
+// Reports as text and Markdown.
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 #include "orchestration/tournament/report/report_model.h"
 
 namespace cls::orchestration::tournament {
 
-/// Counts, tables, crosstable, ratings, and the failed matches with their logs and commands.
-std::string report_text(const Report& report);
+struct TextOptions {
+  std::size_t width = 80;    ///< of a line; longer words, such as paths, get their own line
+  bool all_matches = false;  ///< every match with its logs and command, else a list if it is short
+};
 
-/// The same as Markdown.
+/// Head, tables, bracket, Playmakers, warnings, matches, and the failed matches with their logs and
+/// commands.
+std::string report_text(const Report& report, const TextOptions& options = {});
+
+/// The same as Markdown, with the logs and commands of all matches.
 std::string report_markdown(const Report& report);
 
-/// The same, and all matches, as a self-contained page.
-std::string report_html(const Report& report);
-
 /// The tables alone.
-std::string standings_text(const Report& report);
+std::string standings_text(const Report& report, const TextOptions& options = {});
 
 /// The line of a match in `cls tournament plan`.
 std::string schedule_text(const TournamentConfig& config, const Fixture& fixture);

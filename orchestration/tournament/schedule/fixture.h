@@ -90,6 +90,11 @@ inline ScheduledMatch planned(Fixture fixture) {
   return match;
 }
 
+/// True when a shoot-out was played.
+inline bool had_shoot_out(const Outcome& outcome) {
+  return outcome.left_penalties.has_value() && outcome.right_penalties.has_value();
+}
+
 /// +1 when the left side won, -1 when the right side did, 0 for a draw. Penalties decide a match
 /// with equal scores. Only for outcomes that count.
 inline int winner_sign(const Outcome& outcome) {

@@ -43,6 +43,11 @@ void FixtureList::add(int round, std::string_view stage, int left, int right, bo
   added_.push_back(std::move(fixture));
 }
 
+int FixtureList::add_tie(BracketTie tie) {
+  bracket_.push_back(std::move(tie));
+  return static_cast<int>(bracket_.size()) - 1;
+}
+
 std::vector<ScheduledMatch> FixtureList::of_stage(std::string_view stage) const {
   std::vector<ScheduledMatch> found;
   for (const ScheduledMatch& match : so_far_) {

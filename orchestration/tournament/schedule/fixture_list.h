@@ -5,10 +5,12 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "orchestration/tournament/config/config.h"
 #include "orchestration/tournament/schedule/fixture.h"
+#include "orchestration/tournament/schedule/schedule.h"
 #include "orchestration/tournament/schedule/standings.h"
 
 namespace cls::orchestration::tournament {
@@ -27,6 +29,10 @@ class FixtureList {
   /// Appends one match that must have a winner.
   void add_decider(int round, std::string_view stage, int left, int right);
 
+  /// Records a tie of the bracket and returns its position there.
+  int add_tie(BracketTie tie);
+  std::vector<BracketTie> take_bracket() { return std::move(bracket_); }
+
   /// The earlier matches of a stage.
   std::vector<ScheduledMatch> of_stage(std::string_view stage) const;
 
@@ -39,6 +45,7 @@ class FixtureList {
   const TournamentConfig& config_;
   std::span<const ScheduledMatch> so_far_;
   std::vector<Fixture> added_;
+  std::vector<BracketTie> bracket_;
   int last_pairing_ = 0;
 };
 

@@ -23,16 +23,19 @@ void add_game(HeadToHead& head_to_head, const ScheduledMatch& match) {
   ++(sign > 0    ? head_to_head.games.won
      : sign == 0 ? head_to_head.games.drawn
                  : head_to_head.games.lost);
+  if (had_shoot_out(outcome) && sign != 0) {
+    ++(sign > 0 ? head_to_head.shoot_outs.won : head_to_head.shoot_outs.lost);
+  }
   head_to_head.goals_for += first_left ? outcome.left_score : outcome.right_score;
   head_to_head.goals_against += first_left ? outcome.right_score : outcome.left_score;
 }
 
 }  // namespace
 
-bool HeadToHead::paired() const { return total(pairs) > 0; }
+bool TeamRecord::paired() const { return total(pairs) > 0; }
 
-Estimate HeadToHead::strength() const {
-  if (paired()) return estimate(mean(pairs), variance(pairs), static_cast<int>(total(pairs)));
+Estimate TeamRecord::strength() const {
+  if (paired()) return estimate(pairs);
   return estimate(games.score(), games.variance(), games.games());
 }
 
@@ -44,12 +47,17 @@ std::vector<HeadToHead> head_to_heads(std::span<const ScheduledMatch> matches) {
     const auto teams = std::minmax(fixture.left, fixture.right);
     OpenPair& pairing = pairings[fixture.pairing];
     ++pairing.matches;
-    if (!match.outcome || !match.outcome->played()) continue;
+    if (!match.outcome || !match.outcome->counts()) continue;
     HeadToHead& head_to_head = all[{teams.first, teams.second}];
     head_to_head.first = teams.first;
     head_to_head.second = teams.second;
-    add_game(head_to_head, match);
     const int sign = winner_sign(*match.outcome);
+    if (match.outcome->forfeit) {
+      const bool first_won = (sign > 0) == (fixture.left == head_to_head.first);
+      ++(first_won ? head_to_head.forfeits.won : head_to_head.forfeits.lost);
+      continue;
+    }
+    add_game(head_to_head, match);
     ++pairing.played;
     pairing.half_points += half_points(fixture.left == head_to_head.first ? sign : -sign);
   }
@@ -74,19 +82,22 @@ HeadToHead reversed(const HeadToHead& head_to_head) {
   std::swap(other.first, other.second);
   std::swap(other.games.won, other.games.lost);
   std::swap(other.goals_for, other.goals_against);
+  std::swap(other.shoot_outs.won, other.shoot_outs.lost);
+  std::swap(other.forfeits.won, other.forfeits.lost);
   std::reverse(other.pairs.begin(), other.pairs.end());
   return other;
 }
 
-WinDrawLoss record_of(int team, std::span<const HeadToHead> head_to_heads) {
-  WinDrawLoss record;
+TeamRecord record_of(int team, std::span<const HeadToHead> head_to_heads) {
+  TeamRecord record;
   for (const HeadToHead& head_to_head : head_to_heads) {
     if (head_to_head.first != team && head_to_head.second != team) continue;
-    const WinDrawLoss games =
-        head_to_head.first == team ? head_to_head.games : reversed(head_to_head).games;
-    record.won += games.won;
-    record.drawn += games.drawn;
-    record.lost += games.lost;
+    const TeamRecord one = head_to_head.first == team ? head_to_head : reversed(head_to_head);
+    record.games.won += one.games.won;
+    record.games.drawn += one.games.drawn;
+    record.games.lost += one.games.lost;
+    record.single_games += one.single_games;
+    for (std::size_t i = 0; i < record.pairs.size(); ++i) record.pairs[i] += one.pairs[i];
   }
   return record;
 }

@@ -12,15 +12,16 @@
 namespace cls::orchestration::tournament {
 namespace {
 
-constexpr int kBye = -1;
 constexpr int kMaxDeciders = 3;
-
-/// A team, kBye, or nothing while unknown.
-using Entrant = std::optional<int>;
 
 struct Tie {
   Entrant winner;
   Entrant loser;
+};
+
+struct Decision {
+  int sign = 0;  // +1 when the first team wins, -1 when the second does, 0 while undecided
+  bool by_lot = false;
 };
 
 // Points, then goals, over the matches that are not deciders.
@@ -57,35 +58,45 @@ class Bracket {
  public:
   explicit Bracket(FixtureList& list) : list_(list) {}
 
-  // +1 when `first` wins the tie, -1 when `second` does, 0 while undecided.
-  int decide(int round, const std::string& stage, int first, int second) {
+  Decision decide(int round, const std::string& stage, int first, int second) {
     const TournamentConfig& config = list_.config();
     const std::vector<ScheduledMatch> matches = list_.of_stage(stage);
     if (matches.empty()) {
       schedule(round, stage, first, second);
-      return 0;
+      return {};
     }
     for (const ScheduledMatch& match : matches) {
-      if (!match.outcome) return 0;
+      if (!match.outcome) return {};
     }
-    if (const int sign = decider_sign(matches, first)) return sign;
-    if (const int sign = aggregate_sign(matches, first)) return sign;
+    if (const int sign = decider_sign(matches, first)) return {sign};
+    if (const int sign = aggregate_sign(matches, first)) return {sign};
     const auto deciders =
         std::count_if(matches.begin(), matches.end(),
                       [](const ScheduledMatch& match) { return match.fixture.decides; });
-    if (deciders >= kMaxDeciders) return draw_lot(config, matches);
+    if (deciders >= kMaxDeciders) return {draw_lot(config, matches), true};
     const bool swapped = deciders % 2 == 1;
     list_.add_decider(round, stage, swapped ? second : first, swapped ? first : second);
-    return 0;
+    return {};
   }
 
-  Tie tie(int round, const std::string& stage, Entrant first, Entrant second) {
-    if (!first || !second) return {};
-    if (*first == kBye) return {second, first};
-    if (*second == kBye) return {first, second};
-    const int sign = decide(round, stage, *first, *second);
-    if (sign == 0) return {};
-    return sign > 0 ? Tie{first, second} : Tie{second, first};
+  // Plays a tie and records it. Who meets a bye wins.
+  Tie tie(int round, const std::string& stage, const Entrant& first, const Entrant& second) {
+    Decision decision;
+    if (first.bye || second.bye) {
+      decision.sign = first.bye ? -1 : 1;
+    } else if (first.team && second.team) {
+      decision = decide(round, stage, *first.team, *second.team);
+    }
+    BracketTie record{round, stage, {first, second}, std::nullopt, decision.by_lot};
+    Tie result;
+    if (decision.sign != 0) {
+      result = decision.sign > 0 ? Tie{first, second} : Tie{second, first};
+      record.winner = result.winner.team;
+    }
+    result.winner.winner = true;
+    result.loser.winner = false;
+    result.winner.tie = result.loser.tie = list_.add_tie(std::move(record));
+    return result;
   }
 
  private:
@@ -116,7 +127,10 @@ std::vector<Entrant> bracket_slots(const std::vector<int>& seeds) {
   }
   std::vector<Entrant> slots;
   for (const std::size_t seed : order) {
-    slots.push_back(seed < seeds.size() ? seeds[seed] : kBye);
+    Entrant entrant;
+    entrant.bye = seed >= seeds.size();
+    if (!entrant.bye) entrant.team = seeds[seed];
+    slots.push_back(entrant);
   }
   return slots;
 }
@@ -134,7 +148,7 @@ class Eliminations {
   void add(std::vector<Entrant> together) {
     std::vector<int> teams;
     for (const Entrant& team : together) {
-      if (team && *team != kBye) teams.push_back(*team);
+      if (team.team) teams.push_back(*team.team);
     }
     if (!teams.empty()) groups_.push_back(std::move(teams));
   }
@@ -192,7 +206,7 @@ std::vector<std::vector<int>> schedule_knockout(FixtureList& list, std::vector<i
     const std::vector<Entrant> losers = losers_of(played);
     if (ties == 2 && list.config().third_place) {
       const Tie third = bracket.tie(round + 1, "third place", losers[0], losers[1]);
-      if (third.winner) {
+      if (third.winner.team) {
         eliminated.add({third.loser});
         eliminated.add({third.winner});
       } else {
@@ -242,11 +256,11 @@ std::vector<std::vector<int>> schedule_double_elimination(FixtureList& list,
   }
   const int last_round = lower_rounds + 2;
   const Entrant undefeated = upper.front();
-  const Entrant challenger = lower.empty() ? Entrant(kBye) : lower.front();
+  const Entrant challenger = lower.empty() ? Entrant{std::nullopt, true} : lower.front();
   const Tie first = bracket.tie(last_round, "grand final", undefeated, challenger);
-  if (first.winner && first.winner == undefeated) {
+  if (first.winner.team && first.winner.team == undefeated.team) {
     eliminated.add({first.loser});
-  } else if (first.winner) {
+  } else if (first.winner.team) {
     eliminated.add(
         {bracket.tie(last_round + 1, "grand final, second", undefeated, challenger).loser});
   }

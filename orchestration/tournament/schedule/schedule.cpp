@@ -196,6 +196,14 @@ std::vector<RankedTable> tables(const TournamentConfig& config,
   return result;
 }
 
+std::vector<BracketTie> bracket(const TournamentConfig& config,
+                                std::span<const ScheduledMatch> so_far) {
+  if (so_far.empty()) return {};
+  FixtureList list(config, so_far);
+  run_format(list);
+  return list.take_bracket();
+}
+
 std::uint64_t pairing_seed(std::uint64_t tournament_seed, int pairing) {
   constexpr std::uint64_t kMask = 0x7fffffff;
   soccer::RandomStream random(tournament_seed, "match seeds");

@@ -1,6 +1,8 @@
 // The schedule: a pure function of configuration and earlier results.
 #pragma once
 
+#include <array>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -26,6 +28,28 @@ struct RankedTable {
 
 /// The tables of the matches so far; the last one ranks the tournament.
 std::vector<RankedTable> tables(const TournamentConfig& config,
+                                std::span<const ScheduledMatch> so_far);
+
+/// A place in a knockout bracket: a team, nothing while it is not known, or a bye.
+struct Entrant {
+  std::optional<int> team;
+  bool bye = false;
+  int tie = -1;        ///< position in bracket() of the tie it comes from; -1: it starts here
+  bool winner = true;  ///< of that tie, else its loser
+};
+
+/// A tie of a bracket: one or more matches between two entrants; with a bye none.
+struct BracketTie {
+  int round = 1;
+  std::string stage;  ///< as in Fixture::stage
+  std::array<Entrant, 2> entrants;
+  std::optional<int> winner;  ///< a team
+  bool by_lot = false;        ///< drawn, because no match decided it
+};
+
+/// The ties of a knockout, from the first round to the last, known entrants and unknown ones. Empty
+/// for formats without a bracket, and while groups are being played.
+std::vector<BracketTie> bracket(const TournamentConfig& config,
                                 std::span<const ScheduledMatch> so_far);
 
 /// The seed of a pairing, from 1 to 2^31 - 1 so that every soccer server accepts it. Pairings of a

@@ -77,6 +77,16 @@ class Table {
     const int sign = winner_sign(outcome);
     add_side(fixture.left, fixture.right, sign, outcome.left_score, outcome.right_score);
     add_side(fixture.right, fixture.left, -sign, outcome.right_score, outcome.left_score);
+    if (sign == 0) return;
+    Standing& winner = row(sign > 0 ? fixture.left : fixture.right);
+    Standing& loser = row(sign > 0 ? fixture.right : fixture.left);
+    if (outcome.forfeit) {
+      ++winner.forfeits.won;
+      ++loser.forfeits.lost;
+    } else if (had_shoot_out(outcome)) {
+      ++winner.shoot_outs.won;
+      ++loser.shoot_outs.lost;
+    }
   }
 
   void add_side(int team, int opponent, int sign, int goals_for, int goals_against) {

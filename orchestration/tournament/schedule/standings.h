@@ -7,6 +7,7 @@
 
 #include "orchestration/tournament/config/config.h"
 #include "orchestration/tournament/schedule/fixture.h"
+#include "orchestration/tournament/schedule/head_to_head.h"
 
 namespace cls::orchestration::tournament {
 
@@ -18,7 +19,9 @@ struct Standing {
   int won = 0;
   int drawn = 0;
   int lost = 0;
-  int invalid = 0;  ///< matches of this team without a result
+  int invalid = 0;     ///< matches of this team without a result
+  WinLoss shoot_outs;  ///< part of won and lost
+  WinLoss forfeits;    ///< part of won and lost
   int goals_for = 0;
   int goals_against = 0;
   int byes = 0;
@@ -35,6 +38,7 @@ struct Standing {
 struct Bye {
   int team = 0;
   int matches = 0;  ///< won by the bye
+  int round = 1;
 };
 
 /// The tiebreakers of the configuration, or the default ones of its format. Round robin and groups

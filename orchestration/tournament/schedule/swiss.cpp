@@ -112,7 +112,7 @@ std::vector<Bye> swiss_byes(const TournamentConfig& config,
       present.insert({match.fixture.left, match.fixture.right});
     }
     for (int team = 0; team < static_cast<int>(config.teams.size()); ++team) {
-      if (!present.contains(team)) byes.push_back({team, config.swap_sides ? 2 : 1});
+      if (!present.contains(team)) byes.push_back({team, config.swap_sides ? 2 : 1, round});
     }
   }
   return byes;

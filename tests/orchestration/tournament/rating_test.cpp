@@ -171,6 +171,24 @@ TEST(Sprt, ErrorRatesStayWithinAlphaAndBeta) {
   }
 }
 
+// Within a tenth of the simulated lengths that docs/tournaments.md lists.
+TEST(Sprt, PredictsItsLength) {
+  const SprtSettings settings;
+  constexpr double kVariance = 0.15;
+  const auto pairs = [&](double llr, double mean, double elo) {
+    return expected_results(llr, mean, kVariance, 0.5, score_from_elo(elo), settings);
+  };
+  EXPECT_NEAR(pairs(0, 0.5, 40), 247, 25);
+  EXPECT_NEAR(pairs(0, score_from_elo(40), 40), 251, 25);
+  EXPECT_NEAR(pairs(0, 0.5, 80), 64, 6);
+  EXPECT_NEAR(pairs(0, 0.5, 160), 18, 2);
+  const double halfway = (0.5 + score_from_elo(40)) / 2;
+  EXPECT_GT(pairs(0, halfway, 40), 300) << "the longest";
+  EXPECT_NEAR(pairs(0, halfway + 1e-7, 40), pairs(0, halfway, 40), 1) << "continuous there";
+  EXPECT_LT(pairs(2.9, 1.0, 40), 2);
+  EXPECT_EQ(pairs(3.0, 0.5, 40), 0) << "decided";
+}
+
 TEST(BradleyTerry, GivesTwoTeamsTheEloOfTheirScore) {
   const std::vector<PairResults> results = {{0, 1, 7500, 10000}};
   const Ratings ratings = fit_bradley_terry(2, results);
@@ -225,7 +243,7 @@ TEST(HeadToHead, CountsPairsByTheirPoints) {
   EXPECT_EQ(head_to_head.strength().count, 3) << "pairs, without the single game";
   EXPECT_EQ(reversed(head_to_head).games.won, 2);
   EXPECT_EQ(reversed(head_to_head).pairs, (Frequencies{1, 1, 0, 0, 1}));
-  EXPECT_EQ(record_of(1, all).won, 2);
+  EXPECT_EQ(record_of(1, all).games.won, 2);
 }
 
 Comparison comparison_of(int opponents) {
@@ -288,6 +306,21 @@ TEST(Comparison, BothTeamsMeetOpponentsOnTheSameSeed) {
   EXPECT_EQ(so_far.samples, (Frequencies{0, 0, 0, 0, 0, 0, 3, 0, 0}));
   EXPECT_EQ(so_far.strength.score, 0.75);
   EXPECT_TRUE(next_fixtures(comparison, matches).empty());
+}
+
+TEST(Comparison, IgnoresSamplesAboveTheMaximum) {
+  Comparison comparison = comparison_of(0);
+  EXPECT_EQ(last_match(comparison), std::nullopt);
+  EXPECT_NEAR(expected_samples_left(comparison, verdict(comparison, {})), 247, 25);
+  EXPECT_NEAR(max_expected_samples(comparison), 396, 1);
+  const auto matches = play(comparison, [](const Fixture&) { return score(0, 0); });
+  comparison.max_samples = 3;
+  EXPECT_EQ(last_match(comparison), 6);
+  const ComparisonVerdict known = verdict(comparison, matches);
+  EXPECT_EQ(known.samples, (Frequencies{0, 0, 3, 0, 0}));
+  EXPECT_EQ(expected_samples_left(comparison, known), 0);
+  EXPECT_EQ(expected_samples_left(comparison, verdict(comparison, {})), 3);
+  EXPECT_EQ(max_expected_samples(comparison), 3);
 }
 
 }  // namespace
