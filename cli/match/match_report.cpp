@@ -234,6 +234,7 @@ std::string match_report(const MatchResult& result, bool color) {
                  "  {} cycles in {:.1f} s ({:.0f} cycles/s), {}, seed {}{}\n", result.cycles,
                  result.wall_seconds, result.cycles_per_second, result.mode, result.seed,
                  result.deterministic ? "" : ", not deterministic");
+  if (result.speed) text += fmt::format("  {}\n", describe(*result.speed));
   if (result.mode != "lockstep") text += server_line(result);
   fmt::format_to(std::back_inserter(text), "  {}/\n", result.folder);
   return text;

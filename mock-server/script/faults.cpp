@@ -8,6 +8,7 @@
 
 #include "base/text/suggestion.h"
 #include "proto/playmaker.pb.h"
+#include "proto/status_name.h"
 #include "soccer/random.h"
 
 namespace cls::mock_server {
@@ -18,28 +19,6 @@ using base::Result;
 
 constexpr int kMaxMs = 3'600'000;
 constexpr int kMaxCycle = 1'000'000;
-
-// In the order of their codes.
-const std::vector<std::string_view>& status_names() {
-  static const std::vector<std::string_view> names = {"OK",
-                                                      "CANCELLED",
-                                                      "UNKNOWN",
-                                                      "INVALID_ARGUMENT",
-                                                      "DEADLINE_EXCEEDED",
-                                                      "NOT_FOUND",
-                                                      "ALREADY_EXISTS",
-                                                      "PERMISSION_DENIED",
-                                                      "RESOURCE_EXHAUSTED",
-                                                      "FAILED_PRECONDITION",
-                                                      "ABORTED",
-                                                      "OUT_OF_RANGE",
-                                                      "UNIMPLEMENTED",
-                                                      "INTERNAL",
-                                                      "UNAVAILABLE",
-                                                      "DATA_LOSS",
-                                                      "UNAUTHENTICATED"};
-  return names;
-}
 
 template <typename T, typename U>
 Result<void> assign(const Result<T>& value, U& member) {
@@ -61,7 +40,7 @@ Result<void> parse_only(const base::JsonValue& json, Faults& faults) {
 Result<void> parse_rpcs(const base::JsonValue& json, std::vector<proto::Rpc>& rpcs) {
   if (!json.is_array()) return json.error("must be a list of RPCs");
   for (std::size_t i = 0; i < json.size(); ++i) {
-    const auto name = json[i].one_of(proto::rpc_names());
+    const auto name = json[i].one_of(proto::agent_rpc_names());
     if (!name) return name.error();
     rpcs.push_back(*proto::rpc_from_name(*name));
   }
@@ -75,7 +54,8 @@ Result<void> parse_fault(std::string_view key, const base::JsonValue& json, Faul
   if (key == "error") return assign(json.number(0, 1), faults.error);
   if (key == "garbage") return assign(json.number(0, 1), faults.garbage);
   if (key == "oversize") return assign(json.number(0, 1), faults.oversize);
-  if (key == "status") return assign(json.one_of(status_names()), faults.status);
+  if (key == "status") return assign(json.one_of(proto::status_names()), faults.status);
+  if (key == "message") return assign(json.string(), faults.message);
   if (key == "crash_at_cycle") return assign(json.integer(0, kMaxCycle), faults.crash_at_cycle);
   if (key == "hang_at_cycle") return assign(json.integer(0, kMaxCycle), faults.hang_at_cycle);
   if (key == "restart_at_cycle") return assign(json.integer(0, kMaxCycle), faults.restart_at_cycle);
@@ -102,10 +82,10 @@ bool Faults::any() const {
 }
 
 Result<Faults> parse_faults(const base::JsonValue& json) {
-  const auto keys =
-      json.expect_keys({"delay_ms", "jitter_ms", "drop", "error", "garbage", "oversize", "status",
-                        "crash_at_cycle", "hang_at_cycle", "restart_at_cycle", "restart_cycles",
-                        "wrong_client_id", "unimplemented", "slow_start_ms", "only", "seed"});
+  const auto keys = json.expect_keys(
+      {"delay_ms", "jitter_ms", "drop", "error", "garbage", "oversize", "status", "message",
+       "crash_at_cycle", "hang_at_cycle", "restart_at_cycle", "restart_cycles", "wrong_client_id",
+       "unimplemented", "slow_start_ms", "only", "seed"});
   if (!keys) return keys.error();
   Faults faults;
   for (const std::string& key : json.keys()) {
@@ -116,7 +96,7 @@ Result<Faults> parse_faults(const base::JsonValue& json) {
 }
 
 Result<int> status_code(std::string_view name) {
-  const auto& names = status_names();
+  const auto& names = proto::status_names();
   const auto found = std::find(names.begin(), names.end(), name);
   if (found == names.end()) {
     return Error{fmt::format("no gRPC status '{}'{}", name, base::did_you_mean(name, names))};

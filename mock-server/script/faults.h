@@ -16,15 +16,16 @@ namespace cls::mock_server {
 /// Configuration. Shares are probabilities per decision, drawn from `seed`, agent and cycle: the
 /// same match has the same faults. "Decision" stands for the three RPCs that request one.
 struct Faults {
-  int delay_ms = 0;                     ///< before each decision's reply
-  int jitter_ms = 0;                    ///< maximum random additional delay
-  double drop = 0.0;                    ///< share of decisions without a reply
-  double error = 0.0;                   ///< share that fails with `status`
-  double garbage = 0.0;                 ///< share with a reply that does not parse
-  double oversize = 0.0;                ///< share with a reply above gRPC's limit of 4 MiB
-  std::string status = "UNKNOWN";       ///< name of a gRPC status
-  std::optional<int> crash_at_cycle;    ///< crashes at the first decision from this cycle on
-  std::optional<int> hang_at_cycle;     ///< no decision gets a reply from this cycle on
+  int delay_ms = 0;                        ///< before each decision's reply
+  int jitter_ms = 0;                       ///< maximum random additional delay
+  double drop = 0.0;                       ///< share of decisions without a reply
+  double error = 0.0;                      ///< share that fails with `status`
+  double garbage = 0.0;                    ///< share with a reply that does not parse
+  double oversize = 0.0;                   ///< share with a reply above gRPC's limit of 4 MiB
+  std::string status = "UNKNOWN";          ///< name of a gRPC status
+  std::string message = "injected error";  ///< that comes with `status`
+  std::optional<int> crash_at_cycle;       ///< crashes at the first decision from this cycle on
+  std::optional<int> hang_at_cycle;        ///< no decision gets a reply from this cycle on
   std::optional<int> restart_at_cycle;  ///< unavailable at this cycle, then back without its agents
   int restart_cycles = 10;              ///< duration of the restart
   bool wrong_client_id = false;         ///< Register assigns the same identity to all agents

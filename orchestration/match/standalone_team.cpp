@@ -90,7 +90,8 @@ std::string to_json(const StandaloneTeamOptions& options, const StandaloneTeamRe
                          {"our_score", result.our_score},
                          {"their_score", result.their_score},
                          {"cycles", result.cycles},
-                         {"players", Json::parse(to_json(result.players))}};
+                         {"players", Json::parse(to_json(result.players))},
+                         {"errors", Json::parse(to_json(result.errors))}};
   return document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
@@ -119,6 +120,7 @@ StandaloneTeamResult run_standalone_team(const StandaloneTeamOptions& options,
   result.end_reason = match.result().end_reason;
   result.message = match.result().message;
   result.signal = match.result().signal;
+  result.errors = match.result().left.errors;
   add_statistics(result, team.team());
   return result;
 }

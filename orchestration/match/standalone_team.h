@@ -38,6 +38,7 @@ struct StandaloneTeamResult {
   int their_score = 0;
   int cycles = 0;
   std::vector<PlayerResult> players;
+  ErrorResult errors;  ///< of the Playmaker
 };
 
 /// The document `cls.proxy/1`, indented, with a newline at its end.

@@ -5,7 +5,9 @@
 
 #include <algorithm>
 
+#include "base/text/fnv1a.h"
 #include "orchestration/scenario/scenario.h"
+#include "proxy/playmaker/playmaker_errors.h"
 #include "soccer/areas.h"
 #include "soccer/side.h"
 
@@ -233,8 +235,13 @@ std::string failure(const MissedCheck& check, const RunRecord& record) {
     missed += static_cast<double>(player.missed);
   }
   if (check.count.holds(missed)) return {};
-  return fmt::format("{} missed decisions of the {} side, not {}", missed, side_name(check.side),
-                     check.count.text());
+  const auto& error = team_of(record, check.side).errors.first;
+  return fmt::format("{} missed decisions of the {} side, not {}{}", missed, side_name(check.side),
+                     check.count.text(),
+                     error ? fmt::format("; first error: {} of {} at cycle {}: {}: {}", error->rpc,
+                                         proxy::agent_name(error->unum), error->cycle,
+                                         error->status, error->message)
+                           : "");
 }
 
 std::string failure(const EndCheck& check, const RunRecord& record) {
@@ -254,14 +261,7 @@ std::string failure(const GoldenCheck& check, const RunRecord& record) {
   return fmt::format("{} is {}, golden value is {}", check.what, found, check.golden);
 }
 
-// FNV-1a: short and portable; it need not resist attacks.
-std::string hash(std::string_view bytes) {
-  std::uint64_t value = 0xcbf29ce484222325U;
-  for (const char c : bytes) {
-    value = (value ^ static_cast<unsigned char>(c)) * 0x100000001b3U;
-  }
-  return fmt::format("{:016x}", value);
-}
+std::string hash(std::string_view bytes) { return fmt::format("{:016x}", base::fnv1a(bytes)); }
 
 }  // namespace
 

@@ -7,6 +7,8 @@
 #include <cassert>
 #include <utility>
 
+#include "proxy/playmaker/playmaker_errors.h"
+
 namespace cls::proxy {
 namespace {
 
@@ -41,12 +43,33 @@ RpcStatus PlaymakerClient::register_agent(Playmaker& playmaker, RpcTimeout timeo
   Handshake handshake(registration_request_, parameters_);
   for (;;) {
     const Reply reply = playmaker.call(agent_, handshake.rpc(), handshake.request(), timeout);
+    note_outcome(reply);
     const Handshake::Next next = handshake.handle_reply(reply);
     if (next == Handshake::Next::kFailed) return reply.status;
     append_once(warning_, handshake.warning());
     *state.mutable_register_response() = handshake.identity();
     if (next == Handshake::Next::kComplete) return {};
   }
+}
+
+void PlaymakerClient::note_outcome(const Reply& reply) {
+  refused_.set(static_cast<std::size_t>(reply.rpc), !reply.status.ok());
+}
+
+std::vector<recording::RecordedCall> PlaymakerClient::recorded_handshake(
+    const protos::RegisterResponse& identity) const {
+  std::vector<recording::RecordedCall> calls;
+  Handshake handshake(registration_request_, parameters_);
+  Reply reply;
+  reply.message = &identity;
+  for (auto next = Handshake::Next::kCall; next == Handshake::Next::kCall;) {
+    if (!refused_.test(static_cast<std::size_t>(handshake.rpc()))) {
+      calls.push_back(record_call(agent_, handshake.rpc(), 0, handshake.request()));
+      if (handshake.rpc() == Rpc::kRegister) calls.back().set_reply(identity.SerializeAsString());
+    }
+    next = handshake.handle_reply(reply);
+  }
+  return calls;
 }
 
 RpcTimeout PlaymakerClient::time_left() const {
@@ -102,6 +125,7 @@ bool PlaymakerClient::handle_reply(Playmaker& playmaker, Reply& reply) {
 }
 
 bool PlaymakerClient::handle_handshake_reply(Playmaker& playmaker, Reply& reply) {
+  note_outcome(reply);
   const Handshake::Next next = handshake_->handle_reply(reply);
   append_once(warning_, handshake_->warning());
   if (next == Handshake::Next::kFailed) {

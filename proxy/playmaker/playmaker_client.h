@@ -1,15 +1,18 @@
 // One agent's calls to its Playmaker: handshake, decisions, and re-registration after a restart.
 #pragma once
 
+#include <bitset>
 #include <chrono>
 #include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "proto/playmaker.pb.h"
 #include "proto/rpc.h"
+#include "proto/rpc_recording.pb.h"
 #include "proxy/playmaker/handshake.h"
 #include "proxy/playmaker/playmaker.h"
 
@@ -47,6 +50,11 @@ class PlaymakerClient {
   /// call was begun.
   bool handle_reply(Playmaker& playmaker, Reply& reply);
 
+  /// The calls of the handshake that the Playmaker accepted, as a recording has them (step 0).
+  /// `identity` is what Register returned.
+  std::vector<recording::RecordedCall> recorded_handshake(
+      const protos::RegisterResponse& identity) const;
+
   /// Number of re-registrations followed by a successful decision.
   int reconnects() const { return reconnects_; }
   /// Warnings since the last call of this function; empty: none.
@@ -63,6 +71,7 @@ class PlaymakerClient {
 
   bool has_time() const { return limits_.timeout == kNoTimeout || Clock::now() < deadline_; }
   RpcTimeout time_left() const;
+  void note_outcome(const Reply& reply);
   void begin_call(Playmaker& playmaker);
   void begin_handshake_call(Playmaker& playmaker);
   void reregister();
@@ -77,6 +86,7 @@ class PlaymakerClient {
 
   Registration registration_ = Registration::kRegistered;
   std::optional<Handshake> handshake_;           ///< set while kReregistering
+  std::bitset<proto::kRpcs> refused_;            ///< RPCs of the handshake that failed
   bool retried_ = false;                         ///< this decision, after a connection loss
   std::optional<Clock::time_point> lost_since_;  ///< connection loss not recovered from
   int errors_ = 0;                               ///< consecutive, since the last registration

@@ -68,6 +68,11 @@ TEST(Faults, ErrorHasConfiguredStatus) {
   EXPECT_TRUE(mock.send_player_type().ok());
 }
 
+TEST(Faults, ErrorHasConfiguredMessage) {
+  FaultyMock mock(R"({"error": 1, "message": "my brain hurts"})");
+  EXPECT_EQ(mock.decide(1, 1).error_message(), "my brain hurts");
+}
+
 TEST(Faults, DropExceedsDeadline) {
   FaultyMock mock(R"({"drop": 1})");
   EXPECT_EQ(mock.decide(1, 1, 0, milliseconds(30)).error_code(),

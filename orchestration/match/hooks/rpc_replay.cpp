@@ -12,6 +12,7 @@
 #include "orchestration/match/sides/agent_side.h"
 #include "proto/rpc.h"
 #include "proxy/playmaker/playmaker.h"
+#include "proxy/playmaker/playmaker_errors.h"
 #include "soccer/side.h"
 
 namespace cls::orchestration::match {
@@ -85,14 +86,14 @@ class Replay {
               [](const auto& a, const auto& b) { return a.agent < b.agent; });
     for (ReplyDifference& each : fresh_) result_.differences.push_back(std::move(each));
     fresh_.clear();
+    std::sort(failing_.begin(), failing_.end(),
+              [](const auto& a, const auto& b) { return a.agent < b.agent; });
+    for (ReplyDifference& each : failing_) result_.failing.push_back(std::move(each));
+    failing_.clear();
   }
 
  private:
   Result<void> ask(Rpc rpc, const RecordedCall& call, const Message& request) {
-    if (rpc == Rpc::kGetBestPlannerAction) {
-      ++result_.skipped;  // the planner's calls belong to a decision under way
-      return {};
-    }
     const proxy::RpcTimeout limit(static_cast<int>(options_.start_timeout_s * 1000));
     const proxy::Reply reply = playmaker_.call(call.agent(), rpc, request, limit);
     if (rpc == Rpc::kRegister) {
@@ -109,11 +110,8 @@ class Replay {
   }
 
   void compare(const RecordedCall& call, const Message* now, const proxy::RpcStatus& status) {
-    if (call.status() != 0) {
-      ++result_.skipped;
-      return;
-    }
     const Rpc rpc = *proto::rpc_from_name(call.rpc());
+    if (call.status() != 0) return compare_failed(rpc, call, status);
     std::unique_ptr<Message> recorded(proto::reply_prototype(rpc).New());
     recorded->ParseFromString(call.reply());
     // Which number an agent gets is the Playmaker's affair.
@@ -131,6 +129,24 @@ class Replay {
     fresh_.push_back({call.step(), cycle_of(rpc, call), call.agent(), call.rpc(), fields});
   }
 
+  // An RPC that the Playmaker does not implement is as recorded if it still does not.
+  void compare_failed(Rpc rpc, const RecordedCall& call, const proxy::RpcStatus& status) {
+    if (status.outcome == proxy::RpcOutcome::kUnimplemented && call.status() == status.code) {
+      ++result_.same;
+      return;
+    }
+    ++result_.skipped;
+    if (status.ok()) {
+      ++result_.answered;
+      return;
+    }
+    failing_.push_back({call.step(),
+                        cycle_of(rpc, call),
+                        call.agent(),
+                        call.rpc(),
+                        {"fails as when recorded: " + status.message}});
+  }
+
   static int cycle_of(Rpc rpc, const RecordedCall& call) {
     protos::State state;
     if (!is_decision(rpc) || !state.ParseFromString(call.request())) return 0;
@@ -144,6 +160,7 @@ class Replay {
   std::array<protos::RegisterResponse, proxy::kAgentNumbers> identities_;
   std::array<RecordedCall, proxy::kAgentNumbers> asked_;
   std::vector<ReplyDifference> fresh_;
+  std::vector<ReplyDifference> failing_;
 };
 
 }  // namespace
@@ -181,36 +198,57 @@ Result<ReplayResult> replay_recording(const ReplayOptions& options,
   return result;
 }
 
+namespace {
+
+nlohmann::ordered_json json_of(const std::vector<ReplyDifference>& calls) {
+  using Json = nlohmann::ordered_json;
+  Json list = Json::array();
+  for (const ReplyDifference& each : calls) {
+    list.push_back({{"step", each.step},
+                    {"cycle", each.cycle},
+                    {"agent", each.agent},
+                    {"rpc", each.rpc},
+                    {"fields", each.fields}});
+  }
+  return list;
+}
+
+}  // namespace
+
 std::string to_json(const ReplayResult& result) {
   using Json = nlohmann::ordered_json;
   Json json = {{"schema", "cls.replay/1"},  {"side", side_name(result.side)},
                {"calls", result.calls},     {"same", result.same},
                {"skipped", result.skipped}, {"different", result.differences.size()}};
-  json["differences"] = Json::array();
-  for (const ReplyDifference& each : result.differences) {
-    json["differences"].push_back({{"step", each.step},
-                                   {"cycle", each.cycle},
-                                   {"agent", each.agent},
-                                   {"rpc", each.rpc},
-                                   {"fields", each.fields}});
-  }
+  json["answered"] = result.answered;
+  json["differences"] = json_of(result.differences);
+  json["failing"] = json_of(result.failing);
   return json.dump(2) + "\n";
 }
 
 std::string to_text(const ReplayResult& result, std::size_t most) {
   std::string text;
-  for (std::size_t i = 0; i < std::min(most, result.differences.size()); ++i) {
-    const ReplyDifference& each = result.differences[i];
-    text += fmt::format("cycle {} (step {}), player {}, {}:\n", each.cycle, each.step, each.agent,
-                        each.rpc);
-    for (const std::string& field : each.fields) text += fmt::format("    {}\n", field);
+  const auto list = [&](const std::vector<ReplyDifference>& calls) {
+    for (std::size_t i = 0; i < std::min(most, calls.size()); ++i) {
+      const ReplyDifference& each = calls[i];
+      text += fmt::format("cycle {} (step {}), {}, {}:\n", each.cycle, each.step,
+                          proxy::agent_name(each.agent), each.rpc);
+      for (const std::string& field : each.fields) text += fmt::format("    {}\n", field);
+    }
+    if (calls.size() > most) {
+      text += fmt::format("... and {} more (--json has all)\n", calls.size() - most);
+    }
+  };
+  list(result.differences);
+  list(result.failing);
+  text += fmt::format("{} calls of the {} side: {} replies as recorded, {} different", result.calls,
+                      side_name(result.side), result.same, result.differences.size());
+  if (result.skipped > 0) {
+    text += fmt::format(
+        ", {} skipped\n(no reply to compare with was recorded; now {} with a reply, {} without)",
+        result.skipped, result.answered, result.failing.size());
   }
-  if (result.differences.size() > most) {
-    text += fmt::format("... and {} more (--json has all)\n", result.differences.size() - most);
-  }
-  return text + fmt::format("{} calls of the {} side: {} replies as recorded, {} different\n",
-                            result.calls, side_name(result.side), result.same,
-                            result.differences.size());
+  return text + "\n";
 }
 
 }  // namespace cls::orchestration::match

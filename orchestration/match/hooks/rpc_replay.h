@@ -41,8 +41,12 @@ struct ReplayResult {
   std::int64_t calls = 0;
   std::int64_t same = 0;
   std::int64_t skipped = 0;                  ///< calls that had no reply when they were recorded
+  std::int64_t answered = 0;                 ///< of these, with a reply now
+  std::vector<ReplyDifference> failing;      ///< the others of these: why they fail again
   std::vector<ReplyDifference> differences;  ///< in the order of the recording
   bool interrupted = false;
+
+  bool passed() const { return differences.empty() && failing.empty(); }
 };
 
 /// Asks everything again, the calls of a cycle together as in a match. Identities

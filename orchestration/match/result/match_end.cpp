@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "orchestration/match/options/run_command.h"
+#include "proxy/playmaker/playmaker_errors.h"
 
 namespace cls::orchestration::match {
 namespace {
@@ -29,12 +30,6 @@ std::string format_exit(const process::Child::Status& status) {
                              : to_text(*status.exit);
 }
 
-std::string format_agent(int number) {
-  if (number == proxy::kCoachNumber) return "the coach";
-  if (number == proxy::kTrainerNumber) return "the trainer";
-  return fmt::format("player {}", number);
-}
-
 }  // namespace
 
 ProcessFailure failure_of(const process::Child& child) {
@@ -53,7 +48,7 @@ ProcessFailure playmaker_failure(soccer::Side side) {
 }
 
 std::string describe(const proxy::AwaitedCall& call) {
-  std::string text = fmt::format("{} of {}", name(call.rpc), format_agent(call.agent));
+  std::string text = fmt::format("{} of {}", name(call.rpc), proxy::agent_name(call.agent));
   if (call.others == 1) text += " and 1 other agent";
   if (call.others > 1) text += fmt::format(" and {} other agents", call.others);
   return text;
@@ -77,7 +72,7 @@ std::optional<MatchEnd> end_by_missed_decisions(const proxy::MissedDecisions& mi
   end.reason = reason_of(missed.last.outcome);
   end.message =
       fmt::format("{}: {} had no usable reply for {} cycles, at cycle {}: {}", who,
-                  format_agent(missed.unum), missed.consecutive, cycle, missed.last.message);
+                  proxy::agent_name(missed.unum), missed.consecutive, cycle, missed.last.message);
   return end;
 }
 

@@ -114,6 +114,31 @@ static void members(Codec& codec, Object<Codec, ProcessFailure>& failure) {
   codec.member("cycle", failure.cycle);
 }
 
+template <typename Codec>
+static void members(Codec& codec, Object<Codec, SpeedShares>& shares) {
+  codec.member("server", shares.server);
+  codec.member("agents", shares.agents);
+  codec.member("left_playmaker", shares.left_playmaker);
+  codec.member("right_playmaker", shares.right_playmaker);
+  codec.member("trainer_playmaker", shares.trainer_playmaker);
+  codec.member("clock", shares.clock);
+}
+
+template <typename Codec>
+static void members(Codec& codec, Object<Codec, DecisionTimes>& times) {
+  codec.rounded("p50", times.p50, 1000);
+  codec.rounded("p99", times.p99, 1000);
+  codec.rounded("max", times.max, 1000);
+}
+
+template <typename Codec>
+static void members(Codec& codec, Object<Codec, SpeedResult>& speed) {
+  codec.member("limited_by", speed.limited_by);
+  codec.member("shares", speed.shares);
+  codec.member("decision_ms", speed.decision_ms);
+  codec.member("fits_100_ms", speed.fits_100_ms);
+}
+
 // The seed of the server is written even where it is the seed of the match.
 template <typename Codec>
 static void list_server(Codec& codec, Object<Codec, MatchResult>& result) {
@@ -151,6 +176,7 @@ static void members(Codec& codec, Object<Codec, MatchResult>& result) {
   codec.member("goals", result.goals);
   codec.rounded("wall_seconds", result.wall_seconds, 1000);
   codec.rounded("cycles_per_second", result.cycles_per_second, 10);
+  codec.member("speed", result.speed);
   codec.member("folder", result.folder);
   codec.object("log_files", [&](Codec& files) {
     files.text_or_null("rcg", result.rcg);

@@ -12,6 +12,7 @@
 #include "base/result.h"
 #include "base/system/version.h"
 #include "orchestration/match/result/end_reason.h"
+#include "orchestration/match/result/speed.h"
 #include "soccer/side.h"
 
 namespace cls::orchestration::match {
@@ -123,6 +124,7 @@ struct MatchResult {
   std::optional<double> server_cpu_seconds;  ///< of a server process started by cls
   double wall_seconds = 0.0;                 ///< of the whole match, start included
   double cycles_per_second = 0.0;            ///< cycles over the time from first step to last
+  std::optional<SpeedResult> speed;          ///< none: no cycle was played
   std::vector<Goal> goals;
   std::vector<std::string> warnings;
   std::vector<ProcessResult> processes;

@@ -10,7 +10,9 @@
 #include "orchestration/match/result/match_end.h"
 #include "orchestration/match/result/match_observer.h"
 #include "orchestration/match/result/match_result.h"
+#include "orchestration/match/result/speed.h"
 #include "orchestration/match/server/server_output.h"
+#include "proxy/connection/agent_statistics.h"
 #include "proxy/playmaker/call_watch.h"
 #include "proxy/playmaker/playmaker_errors.h"
 #include "proxy/playmaker/rpc_listener.h"
@@ -97,6 +99,11 @@ class MatchSide {
   virtual bool turn_done() { return true; }
   virtual void end_turn() {}
 
+  /// How long the decisions of this side have taken so far; zero for an external team. In lockstep
+  /// between turns only.
+  virtual TurnTimes turn_times() const { return {}; }
+  /// The time of each turn; after wait_gone().
+  virtual const proxy::LatencySamples* turn_samples() const { return nullptr; }
   /// What the agents have seen of the match; nothing for an external team.
   virtual std::optional<SourceProgress> progress() const { return std::nullopt; }
   /// The ball's position if the agents know it, in the server's coordinates.

@@ -147,6 +147,16 @@ TEST(Check, ComparesRepliesAndEndReason) {
   EXPECT_FAILS(R"({"end": "crashed"})", "the run ended as finished, not crashed");
 }
 
+TEST(Check, MissedDecisionsIncludeFirstError) {
+  RunRecord run = record();
+  run.result.left.errors.count = 2;
+  run.result.left.errors.first = {"GetPlayerActions", "UNKNOWN", "no ball", 104, 9, ""};
+  const JsonDocument json = *JsonDocument::parse("s.json", R"({"missed": 0, "side": "left"})");
+  EXPECT_EQ(failure(*parse_check(JsonValue(json), kSteps, Json()), run),
+            "2 missed decisions of the left side, not == 0; first error: GetPlayerActions of "
+            "player 9 at cycle 104: UNKNOWN: no ball");
+}
+
 TEST(Check, FailureIncludesLastOutputLine) {
   RunRecord run = record();
   run.result.end_reason = match::EndReason::kRefused;

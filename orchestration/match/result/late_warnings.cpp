@@ -1,0 +1,56 @@
+// Sums over the players of a side, and a look into the logs of its programs.
+#include "orchestration/match/result/late_warnings.h"
+
+#include <fmt/format.h>
+
+#include "base/io/whole_file.h"
+#include "orchestration/process/printed_exception.h"
+
+namespace cls::orchestration::match {
+namespace {
+
+constexpr std::size_t kManyRepetitions = 100;
+// A team that stands still for a while is no warning.
+constexpr std::int64_t kMinReplies = 50;
+
+}  // namespace
+
+std::vector<std::string> action_warnings(const TeamResult& team) {
+  std::int64_t replies = 0;
+  std::int64_t empty = 0;
+  std::int64_t useless = 0;
+  for (const PlayerResult& player : team.players) {
+    replies += player.lists;
+    empty += player.empty;
+    useless += player.useless;
+  }
+  if (replies < kMinReplies || 2 * useless < replies) return {};
+  return {
+      fmt::format("{}: {} of {} replies had no action that could be executed, {} of them no "
+                  "action at all (docs/actions.md says when actions fail)",
+                  team.name, useless, replies, empty)};
+}
+
+std::vector<std::string> output_warnings(std::vector<ProcessResult>& processes,
+                                         const std::filesystem::path& folder) {
+  std::vector<std::string> warnings;
+  for (ProcessResult& process : processes) {
+    if (process.log.empty()) continue;
+    const auto log = base::read_file(folder / process.log);
+    if (!log) continue;
+    process.exception = process::printed_exception(*log);
+    if (!process.exception.empty()) {
+      warnings.push_back(fmt::format("{} printed an exception: {}; its output is in {}",
+                                     process.name, process.exception,
+                                     (folder / process.log).string()));
+    }
+    const process::RepeatedLine line = process::most_repeated_line(*log);
+    if (line.times >= kManyRepetitions) {
+      warnings.push_back(fmt::format("{} printed a line {} times in a row ({}): {}", process.name,
+                                     line.times, process.log, line.text));
+    }
+  }
+  return warnings;
+}
+
+}  // namespace cls::orchestration::match

@@ -1,0 +1,183 @@
+// What a user learns of a Playmaker that fails, or whose actions have no effect.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "tests/support/command.h"
+#include "tests/support/files.h"
+#include "tests/support/temporary_folder.h"
+
+namespace {
+
+using cls::tests::cls_binary;
+using cls::tests::CommandResult;
+using nlohmann::json;
+using Arguments = std::vector<std::string>;
+
+/// Matches of `mock:hold` (left) against a script (right).
+class PlaymakerErrors : public testing::Test {
+ protected:
+  /// A side whose script has this content.
+  std::string script(const std::string& name, const std::string& text) const {
+    const std::string file = folder_.path() / (name + ".json");
+    std::ofstream(file) << text;
+    return "mock:" + file;
+  }
+  /// The replies of player 9 in cycle 5 fail.
+  std::string failing(const std::string& status, const std::string& message) const {
+    return script("failing", R"({"otherwise": "hold", "faults": {"error": 1, "status": ")" +
+                                 status + R"(", "message": ")" + message +
+                                 R"(", "only": {"cycle": [5, 5], "unum": 9}}})");
+  }
+
+  void play(const std::string& right, const Arguments& more = {}) {
+    std::filesystem::remove_all(folder_.path() / "match");
+    Arguments argv = {cls_binary(),   "match",
+                      "mock:hold",    right,
+                      "--right-name", "brain",
+                      "--cycles",     "20",
+                      "--seed",       "7",
+                      "--set",        "server::kick_off_wait=3",
+                      "--dir",        folder_.path() / "match"};
+    argv.insert(argv.end(), more.begin(), more.end());
+    played_ = cls::tests::run(argv);
+    result_ = json::parse(cls::tests::read_file(folder_.path() / "match/result.json"));
+  }
+  CommandResult replay(const std::string& file, const std::string& side) const {
+    return cls::tests::run({cls_binary(), "test", "--replay", folder_.path() / file, side});
+  }
+
+  std::string warnings() const { return result_["warnings"].dump(); }
+  void expect_printed(const std::string& text) const {
+    EXPECT_NE(played_.out.find(text), std::string::npos) << played_.out;
+  }
+  void expect_warning(const std::string& text) const {
+    EXPECT_NE(warnings().find(text), std::string::npos) << warnings();
+    EXPECT_NE(played_.err.find(text), std::string::npos) << played_.err;
+  }
+
+  cls::tests::TemporaryFolder folder_;
+  CommandResult played_;
+  json result_;
+};
+
+TEST_F(PlaymakerErrors, NamesFirstErrorWithPlayerAndCycle) {
+  play(failing("UNKNOWN", "Exception calling application: my brain hurts"));
+  EXPECT_EQ(played_.exit_code, 0) << played_.err;
+  expect_warning(
+      "brain: player 9: GetPlayerActions failed at cycle 5: UNKNOWN: Exception calling "
+      "application: my brain hurts");
+  EXPECT_EQ(result_["right"]["errors"]["count"], 1);
+  EXPECT_EQ(result_["right"]["errors"]["first"],
+            json({{"rpc", "GetPlayerActions"},
+                  {"status", "UNKNOWN"},
+                  {"message", "Exception calling application: my brain hurts"},
+                  {"cycle", 5},
+                  {"unum", 9},
+                  {"recording", "right-error.rpc"}}));
+  EXPECT_EQ(result_["left"]["errors"], json({{"count", 0}, {"first", nullptr}}));
+  expect_printed("  brain: 1 RPC error, the first at cycle 5 (GetPlayerActions, player 9)\n");
+  expect_printed("try again: cls test --replay " +
+                 (folder_.path() / "match/right-error.rpc").string() + " mock:");
+}
+
+TEST_F(PlaymakerErrors, CountsErrorsOfAllPlayers) {
+  play(script("all", R"({"otherwise": "hold", "faults": {"error": 1,
+                         "only": {"cycle": [5, 6]}}})"));
+  EXPECT_EQ(result_["right"]["errors"]["count"], 24);
+  EXPECT_EQ(result_["right"]["errors"]["first"]["unum"], 1) << "the lowest number in the cycle";
+  EXPECT_EQ(result_["right"]["errors"]["first"]["cycle"], 5);
+}
+
+TEST_F(PlaymakerErrors, ReplaysStateOfFirstError) {
+  const std::string failing = this->failing("UNKNOWN", "my brain hurts");
+  play(failing);
+  const CommandResult again = replay("match/right-error.rpc", failing);
+  EXPECT_EQ(again.exit_code, 1) << again.out << again.err;
+  EXPECT_NE(again.out.find("cycle 5 (step 1), player 9, GetPlayerActions:\n"
+                           "    fails as when recorded: GetPlayerActions: my brain hurts\n"),
+            std::string::npos)
+      << again.out;
+  const CommandResult fixed = replay("match/right-error.rpc", "mock:hold");
+  EXPECT_EQ(fixed.exit_code, 0) << fixed.out << fixed.err;
+  EXPECT_NE(fixed.out.find(", 0 different, 1 skipped\n"
+                           "(no reply to compare with was recorded; now 1 with a reply, 0 "
+                           "without)\n"),
+            std::string::npos)
+      << fixed.out;
+}
+
+TEST_F(PlaymakerErrors, ExplainsReturnValueOfWrongType) {
+  play(failing("INTERNAL", "Failed to serialize response!"));
+  expect_warning(
+      "INTERNAL: Failed to serialize response! (the method returned no PlayerActions: its return "
+      "value has the wrong type)");
+}
+
+TEST_F(PlaymakerErrors, NamesUnreadableReply) {
+  play(script("garbage", R"({"otherwise": "hold", "faults": {"garbage": 1,
+                             "only": {"cycle": [5, 5], "unum": 9}}})"));
+  expect_warning(
+      "player 9: GetPlayerActions failed at cycle 5: unreadable reply: reply of 64 bytes");
+}
+
+TEST_F(PlaymakerErrors, NamesErrorsOfCoach) {
+  play(script("coach", R"({"otherwise": "hold", "faults": {"error": 1, "message": "no bench",
+                           "only": {"cycle": [5, 5], "unum": 12}}})"));
+  expect_warning("the coach: GetCoachActions failed at cycle 5: UNKNOWN: no bench");
+}
+
+TEST_F(PlaymakerErrors, QuotesExceptionInOutputOfProgram) {
+  play(
+      "run:printf 'Traceback (most recent call last):\\n  File \"b.py\"\\nValueError: no ball\\n'; "
+      "exec " +
+      cls_binary().string() + " mock hold --port {port}");
+  EXPECT_EQ(played_.exit_code, 0) << played_.err;
+  expect_warning("right Playmaker printed an exception: ValueError: no ball");
+  EXPECT_EQ(result_["processes"][0]["exception"], "ValueError: no ball");
+  expect_printed("  right Playmaker: ValueError: no ball\n    output is in " +
+                 (folder_.path() / "match/right-playmaker.log").string() + "\n");
+}
+
+TEST_F(PlaymakerErrors, WarnsOfNumbersThatAreNotFinite) {
+  play(script("nan", R"({"rules": [{"reply": {"ignore_preprocess": true, "actions": [
+                           {"dash": {"power": "NaN"}},
+                           {"body_go_to_point": {"target_point": {"x": "Infinity"}}}]}}]})"));
+  expect_warning(
+      "the Playmaker sends action dash with a number that is not finite (NaN or infinity): "
+      "ignored");
+  expect_warning("the Playmaker sends action body_go_to_point with a number that is not finite");
+  const json& player = result_["right"]["players"][4];
+  EXPECT_GT(player["actions"]["dash"]["invalid"], 10);
+  EXPECT_EQ(player["actions"]["dash"].size(), 1U) << player["actions"];
+  EXPECT_EQ(player["replies"]["useless"], player["replies"]["tried"]);
+  expect_printed("invalid or unknown");
+}
+
+TEST_F(PlaymakerErrors, WarnsOfUselessReplies) {
+  play(script("empty", R"({"rules": [{"reply": {"ignore_preprocess": true}}]})"));
+  expect_warning(" replies had no action that could be executed, ");
+  EXPECT_EQ(result_["right"]["players"][0]["replies"]["empty"],
+            result_["right"]["players"][0]["replies"]["tried"]);
+  play("mock");
+  EXPECT_EQ(result_["warnings"].size(), 0U) << warnings();
+}
+
+TEST_F(PlaymakerErrors, CountsActionsByOutcome) {
+  play(script("twice", R"({"rules": [{"reply": {"ignore_preprocess": true, "actions": [
+                             {"body_kick_one_step": {"first_speed": 1}},
+                             {"turn": {"relative_direction": 10}}, {"dash": {"power": 10}}]}}]})"),
+       {"--set", "server::kick_off_wait=0"});
+  const json& actions = result_["right"]["players"][4]["actions"];
+  EXPECT_GT(actions["body_kick_one_step"]["failed"], 10) << actions;
+  EXPECT_GT(actions["turn"]["executed"], 10);
+  EXPECT_EQ(actions["dash"]["skipped"], actions["turn"]["executed"]);
+  expect_printed("  actions executed ");
+  expect_printed("  failed, skipped ");
+}
+
+}  // namespace
