@@ -120,6 +120,7 @@ void update_possession(const WorldModel& world, ActionMemory& memory) {
 /// Executes the list: main actions until one succeeds, all side actions.
 void run_list(const protos::PlayerActions& reply, ActionContext& context) {
   bool main_done = false;
+  bool any_done = false;
   for (const protos::PlayerAction& action : reply.actions()) {
     const int member = action.action_case();
     const ActionEntry& entry = action_entry(member);
@@ -133,9 +134,13 @@ void run_list(const protos::PlayerActions& reply, ActionContext& context) {
     } else {
       const bool success = entry.handler(action, context);
       ++(success ? counts.done : counts.failed);
+      any_done = any_done || success;
       if (entry.kind == ActionClass::kMain && success) main_done = true;
     }
   }
+  ++context.report.lists;
+  if (reply.actions().empty()) ++context.report.empty;
+  if (!any_done) ++context.report.useless;
 }
 
 bool run_preprocess(ActionContext& context) {

@@ -27,6 +27,9 @@ class StopWatch {
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
+// In a recording: of a reply without a gRPC status of its own.
+constexpr int kUnknownStatus = 2;
+
 // Playmakers of the first interface assign no client_id.
 constexpr int kNoClientId = 0;
 
@@ -78,7 +81,18 @@ base::Result<void> Team::connect_one(const OpenChannel& open, const Serve& serve
   return {};
 }
 
+TeamRegistration Team::registration() const {
+  TeamRegistration team;
+  for (const auto& agent : players_) {
+    team.agents.emplace_back(agent->unum(), register_request(*agent));
+  }
+  if (coach_ != nullptr) team.agents.emplace_back(coach_->number(), coach_registration());
+  if (!team.agents.empty()) team.parameters = world().parameters;
+  return team;
+}
+
 RpcStatus Team::register_agents() {
+  playmaker_->announce_team(registration());
   for (const auto& agent : players_) {
     PlaymakerClient& client = clients_[static_cast<std::size_t>(agent->unum())].emplace(
         agent->unum(), proto::Rpc::kGetPlayerActions, register_request(*agent),
@@ -91,6 +105,8 @@ RpcStatus Team::register_agents() {
       return status;
     }
   }
+  warn_of_playmaker();
+  warn_of_playmaker();
   warn_of_shared_identity();
   return coach_ == nullptr ? RpcStatus{} : register_coach();
 }
@@ -125,6 +141,7 @@ int Team::begin_cycle() { return begin_decisions({}); }
 
 int Team::begin_decisions(Instant now) {
   int begun = 0;
+  if (outstanding_ == 0) turn_began_ = Instant::clock::now();
   StopWatch watch;
   for (const auto& agent : players_) {
     agent->perceive();
@@ -138,6 +155,7 @@ int Team::begin_decisions(Instant now) {
     ++begun;
   }
   begun += begin_coach_decision(now);
+  playmaker_->send();
   outstanding_ += begun;
   return begun;
 }
@@ -149,6 +167,14 @@ void Team::finish_cycle() {
     execute(*reply);
     watch.lap(times_.act);
   }
+  end_turn();
+}
+
+void Team::end_turn() {
+  if (outstanding_ > 0) return;
+  const auto time = Instant::clock::now() - turn_began_;
+  times_.turns += time;
+  times_.turn_us.add(std::chrono::duration_cast<std::chrono::microseconds>(time));
 }
 
 bool Team::begins_turn(Instant now) {
@@ -171,6 +197,7 @@ bool Team::handle_reply(std::chrono::microseconds timeout) {
   if (!reply) return false;
   execute(*reply);
   watch.lap(times_.act);
+  end_turn();
   return true;
 }
 
@@ -207,6 +234,7 @@ int Team::run_cycle() {
 }
 
 void Team::execute(Reply reply) {
+  warn_of_playmaker();
   if (reply.agent >= kCoachNumber) return handle_coach_reply(std::move(reply));
   PlayerAgent& agent = player(reply.agent);
   if (agent.awaits_planner_choice()) {
@@ -227,17 +255,38 @@ void Team::execute(Reply reply) {
     request_planner_choice(agent);
     return;
   }
-  warn_of_unimplemented(agent);
+  warn_of_actions(agent);
   warn_of_server(agent.server().errors);
 }
 
 void Team::count_reply(PlayerAgent& agent, const PlaymakerClient& client, const Reply& reply) {
   AgentStatistics& statistics = agent.statistics();
   statistics.count(reply);
+  count_error(reply, agent.world().game.time.cycle, agent.identity(), agent.mutable_state());
   if (client.reconnects() == statistics.reconnects) return;
   statistics.reconnects = client.reconnects();
   warn_once("connection to the Playmaker lost; players registered again at cycle " +
             std::to_string(agent.world().game.time.cycle));
+}
+
+// Replies arrive in any order: of the errors in a cycle, the one of the lowest agent is the first.
+void Team::count_error(const Reply& reply, int cycle, const protos::RegisterResponse& identity,
+                       const google::protobuf::Message& request) {
+  if (!is_error(reply.status)) return;
+  ++errors_.count;
+  const std::optional<PlaymakerError>& first = errors_.first;
+  if (first && (warned_of_error_ || first->cycle != cycle || first->agent <= reply.agent)) return;
+  PlaymakerError error = describe_error(reply, cycle);
+  // A re-registration that fails has no decision to repeat.
+  if (is_decision(reply.rpc) || reply.rpc == proto::Rpc::kGetBestPlannerAction) {
+    error.calls = client_of(reply.agent).recorded_handshake(identity);
+    recording::RecordedCall call = record_call(reply.agent, reply.rpc, 1, request);
+    call.set_status(kUnknownStatus);
+    if (reply.status.code != 0) call.set_status(reply.status.code);
+    call.set_message(reply.status.message);
+    error.calls.push_back(std::move(call));
+  }
+  errors_.first = std::move(error);
 }
 
 void Team::request_planner_choice(PlayerAgent& agent) {
@@ -253,10 +302,13 @@ void Team::handle_planner_reply(PlayerAgent& agent, const Reply& reply) {
     agent.act_on_planner_choice(choice->index());
   } else {
     ++agent.statistics().planner_failed;
-    warn_once("the Playmaker chose no planned action: " + reply.status.message);
+    count_error(reply, agent.world().game.time.cycle, agent.identity(), agent.planner_request());
+    if (!is_error(reply.status)) {
+      warn_once("the Playmaker chose no planned action: " + reply.status.message);
+    }
     agent.act_on_planner_choice(std::nullopt);
   }
-  warn_of_unimplemented(agent);
+  warn_of_actions(agent);
   warn_of_server(agent.server().errors);
 }
 
@@ -307,13 +359,23 @@ void Team::warn_once(const std::string& line) {
   }
 }
 
-void Team::warn_of_unimplemented(const PlayerAgent& agent) {
+void Team::warn_of_playmaker() {
+  if (const std::string warning = playmaker_->take_warning(); !warning.empty()) warn_once(warning);
+}
+
+void Team::warn_of_actions(const PlayerAgent& agent) {
   const ActionReport& report = agent.statistics().actions;
   const auto warn = [&](const auto& counts, auto& warned, const char* verb, auto name_of) {
     for (std::size_t kind = 0; kind < warned.size(); ++kind) {
-      if (counts[kind].unimplemented == 0 || std::exchange(warned[kind], true)) continue;
-      warn_once(std::string("the Playmaker ") + verb + " " +
-                std::string(name_of(static_cast<int>(kind))) + ", unknown to this proxy: skipped");
+      const std::string sends = std::string("the Playmaker ") + verb + " ";
+      const auto name = [&] { return std::string(name_of(static_cast<int>(kind))); };
+      ActionWarnings& given = warned[kind];
+      if (counts[kind].unimplemented != 0 && !std::exchange(given.unimplemented, true)) {
+        warn_once(sends + name() + ", unknown to this proxy: skipped");
+      }
+      if (counts[kind].invalid != 0 && !std::exchange(given.invalid, true)) {
+        warn_once(sends + name() + " with a number that is not finite (NaN or infinity): ignored");
+      }
     }
   };
   warn(report.actions, warned_actions_, "sends action", action_name);
@@ -333,6 +395,9 @@ void Team::warn_of_server(const ServerErrors& errors) {
 }
 
 std::vector<std::string> Team::take_warnings() {
+  if (errors_.first && !std::exchange(warned_of_error_, true)) {
+    warn_once(errors_.first->describe());
+  }
   const auto first = warnings_.begin() + static_cast<std::ptrdiff_t>(warnings_taken_);
   std::vector<std::string> fresh(first, warnings_.end());
   warnings_taken_ = warnings_.size();

@@ -14,6 +14,7 @@
 #include "proxy/coach/coach_agent.h"
 #include "proxy/playmaker/playmaker.h"
 #include "proxy/playmaker/playmaker_client.h"
+#include "proxy/playmaker/playmaker_errors.h"
 #include "soccer/channel.h"
 #include "soccer/side.h"
 
@@ -42,6 +43,8 @@ struct TeamTimes {
   std::chrono::nanoseconds begin{0};     ///< serializing and passing to gRPC
   std::chrono::nanoseconds wait{0};      ///< for replies, including parsing
   std::chrono::nanoseconds act{0};       ///< skills and commands
+  std::chrono::nanoseconds turns{0};     ///< from the first decision begun to the last command sent
+  LatencySamples turn_us;                ///< of each such turn
 };
 
 /// The agent with most consecutive missed decisions now.
@@ -112,28 +115,43 @@ class Team {
   const CoachAgent* coach() const { return coach_.get(); }
   const TeamTimes& times() const { return times_; }
   MissedDecisions missed_decisions() const;
+  /// What the Playmaker answered with an error so far.
+  const PlaymakerErrors& errors() const { return errors_; }
   /// Adds a warning unless it was added before.
   void warn_once(const std::string& line);
   /// Warnings since the last call, each once per team.
   std::vector<std::string> take_warnings();
 
  private:
+  /// Warnings given about one kind of action.
+  struct ActionWarnings {
+    bool unimplemented = false;
+    bool invalid = false;
+  };
+
   base::Result<void> connect_one(const OpenChannel& open, const Serve& serve, bool goalie);
   void warn_of_shared_identity();
   PlaymakerClient& client_of(int unum);
   DecisionLimits decision_limits(const PlayerAgent& agent, Instant now) const;
+  TeamRegistration registration() const;
+  protos::RegisterRequest coach_registration() const;
   RpcStatus register_coach();
   int begin_coach_decision(Instant now);
   RpcTimeout coach_timeout(Instant now) const;
   void handle_coach_reply(Reply reply);
   RpcTimeout decision_timeout(const PlayerAgent& agent, Instant now) const;
+  void end_turn();
   PlayerAgent& player(int unum);
   void execute(Reply reply);
   void count_reply(PlayerAgent& agent, const PlaymakerClient& client, const Reply& reply);
   void handle_planner_reply(PlayerAgent& agent, const Reply& reply);
   void request_planner_choice(PlayerAgent& agent);
+  void count_error(const Reply& reply, int cycle, const protos::RegisterResponse& identity,
+                   const google::protobuf::Message& request);
   RpcStatus send_bye(int agent, const protos::RegisterResponse& identity);
-  void warn_of_unimplemented(const PlayerAgent& agent);
+  void warn_of_playmaker();
+  void warn_of_actions(const PlayerAgent& agent);
+  void warn_of_coach_actions();
   void warn_of_server(const ServerErrors& trouble);
 
   TeamOptions options_;
@@ -143,10 +161,13 @@ class Team {
   std::array<std::optional<PlaymakerClient>, kAgentNumbers> clients_;  // by agent number
   std::unique_ptr<CoachAgent> coach_;
   int outstanding_ = 0;
+  Instant turn_began_;
   std::int64_t turn_ = 0;  ///< most decisions of any player, one that is due included
   TeamTimes times_;
-  std::array<bool, kActionKinds> warned_actions_{};
-  std::array<bool, kSayKinds> warned_say_{};
+  std::array<ActionWarnings, kActionKinds> warned_actions_{};
+  std::array<ActionWarnings, kSayKinds> warned_say_{};
+  PlaymakerErrors errors_;
+  bool warned_of_error_ = false;
   std::vector<std::string> warnings_;
   std::size_t warnings_taken_ = 0;
 };

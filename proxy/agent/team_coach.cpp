@@ -1,4 +1,5 @@
 // The coach or trainer of a team.
+#include <algorithm>
 #include <cassert>
 #include <utility>
 
@@ -24,15 +25,19 @@ base::Result<void> Team::connect_coach(soccer::CoachRole role, const OpenChannel
   return {};
 }
 
-RpcStatus Team::register_coach() {
-  const bool trainer = coach_->is_trainer();
+protos::RegisterRequest Team::coach_registration() const {
   protos::RegisterRequest who;
-  who.set_agent_type(trainer ? protos::TrainerT : protos::CoachT);
+  who.set_agent_type(coach_->is_trainer() ? protos::TrainerT : protos::CoachT);
   who.set_team_name(name_);
   who.set_uniform_number(coach_->number());
+  return who;
+}
+
+RpcStatus Team::register_coach() {
+  const bool trainer = coach_->is_trainer();
   PlaymakerClient& client = clients_[static_cast<std::size_t>(coach_->number())].emplace(
       coach_->number(), trainer ? proto::Rpc::kGetTrainerActions : proto::Rpc::kGetCoachActions,
-      who, coach_->world().parameters);
+      coach_registration(), coach_->world().parameters);
   RpcStatus status =
       client.register_agent(*playmaker_, options_.start_timeout, coach_->mutable_state());
   if (const std::string warning = client.take_warning(); !warning.empty()) warn_once(warning);
@@ -83,22 +88,31 @@ void Team::handle_coach_reply(Reply reply) {
     return;
   }
   coach_->statistics().count(reply);
+  count_error(reply, coach_->world().game.time.cycle, coach_->identity(), coach_->mutable_state());
   if (const auto* orders = reply.as<protos::CoachActions>()) {
     coach_->act(*orders);
   } else if (const auto* trainer_orders = reply.as<protos::TrainerActions>()) {
     coach_->act(*trainer_orders);
   } else {
     coach_->act_without_reply();
-    if (reply.status.outcome == RpcOutcome::kError) {
-      warn_once(std::string("the Playmaker's ") + coach_->role_name() +
-                " call fails: " + reply.status.message);
-    }
   }
   if (coach_->report().unknown > 0) {
     warn_once(std::string("the Playmaker's ") + coach_->role_name() +
               " sends an action unknown to this proxy: skipped");
   }
+  warn_of_coach_actions();
   warn_of_server(coach_->server().errors);
+}
+
+void Team::warn_of_coach_actions() {
+  const auto& invalid = coach_->report().invalid;
+  if (std::all_of(invalid.begin(), invalid.end(), [](auto count) { return count == 0; })) return;
+  for (const auto& [name, outcomes] : outcomes_by_name(coach_->report(), coach_->is_trainer())) {
+    if (outcomes.count("invalid") == 0) continue;
+    warn_once(
+        std::string("the Playmaker's ") + coach_->role_name() + " sends " + name +
+        " with an unknown player, type or play mode, or a number that is not finite: ignored");
+  }
 }
 
 }  // namespace cls::proxy

@@ -171,4 +171,19 @@ void execute(const protos::TrainerActions& actions, const WorldModel& world,
   }
 }
 
+ActionOutcomes outcomes_by_name(const CoachActionReport& report, bool is_trainer) {
+  const google::protobuf::Descriptor* type =
+      is_trainer ? protos::TrainerAction::descriptor() : protos::CoachAction::descriptor();
+  ActionOutcomes outcomes;
+  for (int kind = 1; kind < kCoachActionKinds; ++kind) {
+    const auto index = static_cast<std::size_t>(kind);
+    const google::protobuf::FieldDescriptor* field = type->FindFieldByNumber(kind);
+    if (field == nullptr) continue;
+    if (report.done[index] != 0) outcomes[field->name()]["executed"] = report.done[index];
+    if (report.invalid[index] != 0) outcomes[field->name()]["invalid"] = report.invalid[index];
+  }
+  if (report.unknown != 0) outcomes["unknown"]["unimplemented"] = report.unknown;
+  return outcomes;
+}
+
 }  // namespace cls::proxy

@@ -7,6 +7,7 @@
 
 #include "proto/playmaker.pb.h"
 #include "proxy/coach/coach_memory.h"
+#include "proxy/connection/action_report.h"
 #include "proxy/world/world_model.h"
 #include "soccer/commands/coach_command.h"
 
@@ -22,6 +23,9 @@ struct CoachActionReport {
       invalid{};  ///< unknown player, type or play mode; NaN
   std::int64_t unknown = 0;
 };
+
+/// Counts by outcome ("executed", "invalid", "unimplemented"), without zeros, by action name.
+ActionOutcomes outcomes_by_name(const CoachActionReport& report, bool is_trainer);
 
 /// Appends the commands in the order of the list. An unknown uniform number or type, a coordinate
 /// that is not finite, or a play mode that the server lacks makes no command.

@@ -3,6 +3,8 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
+#include <string>
 #include <string_view>
 
 namespace cls::proxy {
@@ -32,6 +34,10 @@ struct ActionReport {
   std::int64_t intention = 0;
   std::int64_t force_kick = 0;
   std::int64_t heard_pass = 0;
+
+  std::int64_t lists = 0;    ///< decisions that executed the Playmaker's list
+  std::int64_t empty = 0;    ///< of these, without any action
+  std::int64_t useless = 0;  ///< of these, without any executed action: empty, or all failed
 };
 
 void add(ActionReport& into, const ActionReport& from);
@@ -39,5 +45,14 @@ void add(ActionReport& into, const ActionReport& from);
 /// The field name in playmaker.proto ("body_go_to_point"); "unknown" for 0 and out of range.
 std::string_view action_name(int kind);
 std::string_view say_name(int kind);
+
+/// Counts by outcome ("executed", "failed", "skipped", "invalid", "unimplemented"), without zeros,
+/// by the name of the action; members of Say are named "say.MEMBER".
+using ActionOutcomes = std::map<std::string, std::map<std::string, std::int64_t>>;
+ActionOutcomes outcomes_by_name(const ActionReport& report);
+
+/// The proxy's own decisions by reason ("preprocess", "sure_shot", "intention", "force_kick",
+/// "heard_pass"), without zeros.
+std::map<std::string, std::int64_t> automatic_by_name(const ActionReport& report);
 
 }  // namespace cls::proxy

@@ -88,6 +88,7 @@ std::vector<PlaymakerStep> handshake_steps();
 std::vector<PlaymakerStep> decision_steps();
 std::vector<PlaymakerStep> state_steps();
 std::vector<PlaymakerStep> load_steps();
+std::vector<PlaymakerStep> play_steps();
 std::vector<PlaymakerStep> life_steps();
 
 }  // namespace cls::orchestration::checks

@@ -30,6 +30,34 @@ TEST(Executor, FirstMainActionThatSucceedsWins) {
   EXPECT_EQ(pitch.counts(PlayerAction::kTurn).skipped, 1);
 }
 
+TEST(Executor, CountsOutcomesByName) {
+  KnownPitch pitch;
+  pitch.act([](PlayerActions& reply) {
+    reply.add_actions()->mutable_kick()->set_power(50.0F);  // no ball
+    reply.add_actions()->mutable_dash()->set_power(60.0F);
+    reply.add_actions()->mutable_turn()->set_relative_direction(90.0F);
+    reply.add_actions()->mutable_turn_neck()->set_moment(std::numeric_limits<float>::infinity());
+  });
+  const ActionOutcomes outcomes = outcomes_by_name(pitch.report);
+  EXPECT_EQ(outcomes, (ActionOutcomes{{"kick", {{"failed", 1}}},
+                                      {"dash", {{"executed", 1}}},
+                                      {"turn", {{"skipped", 1}}},
+                                      {"turn_neck", {{"invalid", 1}}}}));
+}
+
+TEST(Executor, CountsRepliesWithoutExecutedAction) {
+  KnownPitch pitch;
+  pitch.act([](PlayerActions&) {});
+  pitch.act([](PlayerActions& reply) {
+    reply.add_actions()->mutable_kick()->set_power(50.0F);  // no ball
+  });
+  pitch.act([](PlayerActions& reply) { reply.add_actions()->mutable_dash()->set_power(60.0F); });
+  EXPECT_EQ(pitch.report.lists, 3);
+  EXPECT_EQ(pitch.report.empty, 1);
+  EXPECT_EQ(pitch.report.useless, 2);
+  EXPECT_TRUE(automatic_by_name(pitch.report).empty());
+}
+
 TEST(Executor, SideActionsAlwaysRun) {
   KnownPitch pitch;
   pitch.act([](PlayerActions& reply) {

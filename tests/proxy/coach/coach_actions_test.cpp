@@ -429,6 +429,9 @@ TEST(TrainerActions, IgnoresInvalidActions) {
   EXPECT_EQ(report.invalid[protos::TrainerAction::kDoChangePlayerType], 1);
   EXPECT_EQ(report.invalid[protos::TrainerAction::kDoChangeMode], 6);
   EXPECT_EQ(report.unknown, 1);
+  const proxy::ActionOutcomes outcomes = outcomes_by_name(report, true);
+  EXPECT_EQ(outcomes.at("do_change_mode").at("invalid"), 6);
+  EXPECT_EQ(outcomes.at("unknown").at("unimplemented"), 1);
   EXPECT_EQ(match.world().mode, PlayMode::kPlayOn);
   EXPECT_EQ(match.world().ball.position, ball);
   EXPECT_EQ(match.coach().server().errors.errors, 0) << match.coach().server().errors.first_error;
