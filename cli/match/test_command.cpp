@@ -9,11 +9,13 @@
 #include <chrono>
 #include <filesystem>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <thread>
 #include <vector>
 
+#include "base/io/occupied_path.h"
 #include "base/io/whole_file.h"
 #include "base/text/json_document.h"
 #include "base/text/suggestion.h"
@@ -23,6 +25,7 @@
 #include "cli/support/print_error.h"
 #include "cli/support/side_arguments.h"
 #include "cli/support/tls_options.h"
+#include "cli/terminal/terminal.h"
 #include "orchestration/match/hooks/rpc_replay.h"
 #include "orchestration/scenario/scenario_library.h"
 #include "orchestration/scenario/suite.h"
@@ -41,11 +44,11 @@ using orchestration::scenario::Verdict;
 constexpr const char* kDescription =
     "play scenarios and check their expectations\n"
     "\n"
-    "  cls test                                   all scenarios shipped with cls\n"
-    "  cls test --against localhost:50051         with your Playmaker on the side under test\n"
-    "  cls test my_scenarios/ --junit report.xml  your own, for CI (docs/testing.md)\n"
-    "  cls test referee_corner_kick --seed 3      one scenario, one seed\n"
-    "  cls test --replay FILE localhost:50051     compare replies with a recorded match";
+    "  cls test                                  all scenarios shipped with cls\n"
+    "  cls test --against localhost:50051        your Playmaker on the tested side\n"
+    "  cls test my_tests/ --junit report.xml     your own, for CI (docs/testing.md)\n"
+    "  cls test referee_corner_kick --seed 3     one scenario, one seed\n"
+    "  cls test --replay FILE localhost:50051    compare replies with a recording";
 
 struct Arguments {
   TlsOptions tls;
@@ -63,6 +66,8 @@ struct Arguments {
   bool list = false;
   bool accept_golden = false;
   bool quiet = false;
+  bool force = false;
+  bool strict = false;
   CiReports reports;
 };
 
@@ -185,24 +190,66 @@ std::optional<Failure> resolve(const Arguments& arguments, SuiteOptions& options
   return std::nullopt;
 }
 
-int list(const std::vector<Scenario>& scenarios) {
+int list(const std::vector<Scenario>& scenarios, bool json) {
+  if (json) {
+    nlohmann::ordered_json document = {{"schema", "cls.scenarios/1"},
+                                       {"scenarios", nlohmann::ordered_json::array()}};
+    for (const Scenario& scenario : scenarios) {
+      document["scenarios"].push_back({{"name", scenario.name}, {"about", scenario.about}});
+    }
+    fmt::print("{}\n", document.dump(2));
+    return kOk;
+  }
   for (const Scenario& scenario : scenarios) {
     fmt::print("{:<32} {}\n", scenario.name, scenario.about);
   }
   return kOk;
 }
 
-// Writes copies of the shipped scenarios as templates.
-int export_to(const fs::path& folder) {
+// Files of the folder that differ from the shipped ones of the same name.
+std::vector<fs::path> changed_files(const fs::path& folder) {
+  std::vector<fs::path> changed;
   std::error_code code;
-  fs::create_directories(folder, code);
+  for (const auto& file : orchestration::scenario::shipped_files()) {
+    const fs::path path = folder / file.name;
+    if (fs::exists(path, code) && base::read_file(path) != file.text) changed.push_back(path);
+  }
+  return changed;
+}
+
+// Writes copies of the shipped scenarios as templates; edited ones are the user's.
+int export_to(const fs::path& folder, bool force, bool json) {
+  if (const auto created = base::create_folders(folder); !created) {
+    return print_error(kCannotCreate, created.error().message);
+  }
+  const std::vector<fs::path> changed = changed_files(folder);
+  if (!changed.empty() && !force) {
+    std::vector<std::string> errors;
+    for (const fs::path& file : changed) {
+      errors.push_back(fmt::format("{}: differs from the shipped scenario", file.string()));
+    }
+    errors.emplace_back("nothing written; --force renames these files to NAME.old first");
+    return print_errors(kCannotCreate, errors);
+  }
+  for (const fs::path& file : changed) {
+    const auto kept = base::set_aside(file);
+    if (!kept) return print_error(kCannotCreate, kept.error().message);
+    fmt::print(stderr, "cls: {} renamed to {}\n", file.string(), kept->filename().string());
+  }
   for (const orchestration::scenario::ShippedFile& file :
        orchestration::scenario::shipped_files()) {
     const auto written = base::write_file(folder / file.name, file.text);
     if (written) continue;
     return print_error(kCannotCreate, written.error().message);
   }
-  fmt::print("{} files in {}\n", orchestration::scenario::shipped_files().size(), folder.string());
+  const std::size_t count = orchestration::scenario::shipped_files().size();
+  if (json) {
+    const nlohmann::ordered_json document = {
+        {"schema", "cls.export/1"}, {"dir", folder.string()}, {"files", count}};
+    fmt::print("{}\n", document.dump(2));
+  } else {
+    fmt::print("{} files in {}\n", count, folder.string());
+  }
   return kOk;
 }
 
@@ -225,7 +272,7 @@ int finish(const Arguments& arguments, const SuiteVerdict& suite, double seconds
   if (arguments.json) {
     fmt::print("{}", to_json(suite));
   } else {
-    fmt::print("{}", summary(suite, seconds));
+    fmt::print("{}", summary(suite, seconds, stdout_supports_color()));
   }
   const ExitCode reported =
       write_ci_reports(arguments.reports, to_junit(suite), to_annotations(suite));
@@ -236,7 +283,10 @@ int finish(const Arguments& arguments, const SuiteVerdict& suite, double seconds
     fmt::print(stderr, "{} golden values changed\n", *changed);
     return only_golden_failed(suite) ? kOk : kFailed;
   }
-  return suite.passed() ? kOk : kFailed;
+  if (!suite.passed()) return kFailed;
+  const int skipped = suite.count(Verdict::kSkipped);
+  if (!arguments.strict || skipped == 0) return kOk;
+  return print_error(kFailed, fmt::format("{} skipped (--strict)", skipped));
 }
 
 int report_failure(const Failure& failure) {
@@ -281,21 +331,26 @@ int run_replay(const Arguments& arguments) {
   }
   fmt::print("{}", arguments.json ? to_json(*result) : to_text(*result, kShownDifferences));
   if (result->interrupted) return signal_exit_code(signal);
-  return result->differences.empty() ? kOk : kFailed;
+  return result->passed() ? kOk : kFailed;
 }
 
 int run_test_command(const Arguments& arguments) {
   if (!arguments.replay.empty()) return run_replay(arguments);
-  if (!arguments.export_folder.empty()) return export_to(arguments.export_folder);
+  if (!arguments.export_folder.empty()) {
+    return export_to(arguments.export_folder, arguments.force, arguments.json);
+  }
   std::vector<Scenario> scenarios;
   if (const auto failure = choose(arguments, scenarios)) return report_failure(*failure);
-  if (arguments.list) return list(scenarios);
+  if (arguments.list) return list(scenarios, arguments.json);
   SuiteOptions options;
   if (const auto failure = resolve(arguments, options)) return report_failure(*failure);
+  const bool color = !arguments.json && stdout_supports_color();
   const auto on_done = [&](const orchestration::scenario::ScenarioVerdict& verdict) {
+    // The summary counts those that an interrupt cut off.
+    if (verdict.verdict == Verdict::kInterrupted) return;
     const bool wanted = verdict.verdict == Verdict::kFailed || !arguments.quiet;
     if (!wanted) return;
-    fmt::print(arguments.json ? stderr : stdout, "{}", to_text(verdict));
+    fmt::print(arguments.json ? stderr : stdout, "{}", to_text(verdict, color));
     std::fflush(arguments.json ? stderr : stdout);
   };
   const std::atomic<int>& signal = watch_interrupts();
@@ -331,10 +386,12 @@ void add_test_command(CLI::App& app, int& exit_code) {
   command->add_flag("--bless", a.accept_golden)->group("");  // former name of --accept
   command->add_flag("--list", a.list, "list names and descriptions");
   command->add_option("--export", a.export_folder, "write the shipped scenarios to a folder");
+  command->add_flag("--force", a.force, "with --export: rename changed files to NAME.old first");
   command->add_option("--replay", a.replay,
                       "send a recording of `cls match --record-rpc` to the Playmaker ENDPOINT");
   command->add_option("--side", a.side, "side of the recording for --replay: left or right");
   add_tls_options(*command, a.tls);
+  command->add_flag("--strict", a.strict, "fail (exit 1) on any skipped scenario");
   command->add_flag("--quiet", a.quiet, "print only failures and the summary");
   command->callback([arguments, &exit_code] { exit_code = run_test_command(*arguments); });
 }

@@ -43,10 +43,11 @@ struct ScenarioSide {
 /// docs/testing.md describes the file format. Time is counted in steps: cycles since the start,
 /// including those with a stopped clock.
 struct Scenario {
-  std::string name;      ///< file name without ".json"
-  std::string file;      ///< for errors and annotations
-  std::string argument;  ///< of `cls test`, for reruns: the file, or the name if shipped
-  std::string about;     ///< one sentence
+  std::string name;       ///< file name without ".json"
+  std::string file;       ///< for errors and annotations
+  std::string argument;   ///< of `cls test`, for reruns: the file, or the name if shipped
+  std::string about;      ///< one sentence
+  bool built_in = false;  ///< shipped with cls, and `file` is not there
 
   std::vector<std::uint64_t> seeds = {1};
   soccer::ServerParams server;

@@ -79,6 +79,9 @@ Result<std::vector<Scenario>> shipped_scenarios() {
     auto scenario = parse_scenario(*text, golden_of(golden, name));
     if (!scenario) return scenario.error();
     scenario->argument = name;
+    // In a checkout of cls the path leads to the file.
+    std::error_code code;
+    scenario->built_in = !fs::exists(scenario->file, code);
     scenarios.push_back(*std::move(scenario));
   }
   return scenarios;

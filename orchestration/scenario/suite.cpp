@@ -19,11 +19,12 @@ namespace fs = std::filesystem;
 struct RunOutcome {
   std::uint64_t seed = 0;
   std::string problem;                ///< why it could not be set up
+  bool interrupted = false;           ///< by a signal, before its end
   std::vector<std::string> failures;  ///< by check; empty: held
   std::vector<std::string> script_failures;
   std::vector<std::string> fingerprints;
   bool against = false;  ///< a check counts this run as a failure
-  std::string folder;    ///< its logs, if the run failed
+  fs::path folder;       ///< its logs, if the run failed
   double seconds = 0.0;
 
   bool good() const { return problem.empty() && script_failures.empty() && !against; }
@@ -35,6 +36,44 @@ bool speaks_against(const Check& check, bool held) {
   if (!check.runs) return !held;
   const bool may_fail_in_all = check.runs->holds(0.0);
   return held ? may_fail_in_all && !check.runs->holds(1.0) : !may_fail_in_all;
+}
+
+constexpr const char* kGameLog = "match.rcg";
+constexpr const char* kTextLog = "match.rcl";
+constexpr const char* kFailures = "failures.txt";
+
+std::string folder_prefix(const Scenario& scenario) { return scenario.name + "-seed-"; }
+
+fs::path run_folder(const fs::path& folder, const Scenario& scenario, std::uint64_t seed) {
+  return folder / fmt::format("{}{}", folder_prefix(scenario), seed);
+}
+
+// Folders of this and earlier suites.
+std::vector<fs::path> run_folders(const fs::path& folder, const Scenario& scenario) {
+  std::vector<fs::path> found;
+  std::error_code code;
+  for (const auto& entry : fs::directory_iterator(folder, code)) {
+    const std::string name = entry.path().filename().string();
+    const std::string prefix = folder_prefix(scenario);
+    const bool is_run = name.rfind(prefix, 0) == 0 && name.size() > prefix.size() &&
+                        name.find_first_not_of("0123456789", prefix.size()) == std::string::npos;
+    if (is_run) found.push_back(entry.path());
+  }
+  return found;
+}
+
+// Removes what a suite writes; a folder with other files stays.
+void remove_run(const fs::path& folder) {
+  std::error_code code;
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::directory_iterator(folder, code)) {
+    const std::string name = entry.path().filename().string();
+    const bool written = name == kGameLog || name == kTextLog || name == kFailures ||
+                         entry.path().extension() == ".log";
+    if (written && entry.is_regular_file(code)) files.push_back(entry.path());
+  }
+  for (const fs::path& file : files) fs::remove(file, code);
+  fs::remove(folder, code);
 }
 
 bool starts_programs(const Scenario& scenario, const SuiteOptions& options) {
@@ -124,7 +163,7 @@ class SuiteRun {
       if (stop_signal_.load() == 0) {
         play(task, outcome);
       } else {
-        outcome.problem = "interrupted";
+        outcome.interrupted = true;
       }
       const std::lock_guard lock(mutex_);
       outcomes_[task.scenario][task.run] = std::move(outcome);
@@ -142,8 +181,7 @@ class SuiteRun {
     settings.seed = task.seed;
     settings.against = options_.against;
     settings.host = host_;
-    settings.folder =
-        fs::absolute(options_.folder / fmt::format("{}-seed-{}", scenario.name, task.seed));
+    settings.folder = fs::absolute(run_folder(options_.folder, scenario, task.seed));
     if (host_ != nullptr) fs::create_directories(settings.folder);
     // External teams use fixed ports and cannot play two matches in parallel.
     const auto alone = has_external_team(scenario) ? std::unique_lock(external_teams_)
@@ -154,6 +192,10 @@ class SuiteRun {
       return;
     }
     outcome.seconds = record->seconds;
+    if (stop_signal_.load() != 0 && !record->result.valid()) {
+      outcome.interrupted = true;
+      return;
+    }
     outcome.script_failures = record->script_failures;
     for (const Check& check : scenario.checks) {
       outcome.failures.push_back(failure(check, *record));
@@ -175,10 +217,10 @@ class SuiteRun {
       if (!line.empty()) report += line + "\n";
     }
     for (const std::string& line : outcome.script_failures) report += line + "\n";
-    const bool kept = base::write_file(folder / "match.rcg", record.game_log) &&
-                      base::write_file(folder / "match.rcl", record.text_log) &&
-                      base::write_file(folder / "failures.txt", report);
-    outcome.folder = kept ? folder.string() : "";
+    const bool kept = base::write_file(folder / kGameLog, record.game_log) &&
+                      base::write_file(folder / kTextLog, record.text_log) &&
+                      base::write_file(folder / kFailures, report);
+    if (kept) outcome.folder = folder;
   }
 
   std::string repeat_command(const Scenario& scenario, std::uint64_t seed) const {
@@ -206,18 +248,39 @@ class SuiteRun {
       }
     }
     verdict.fingerprints = runs.front().fingerprints;
-    if (runs.front().problem == "interrupted") {
-      verdict.verdict = Verdict::kSkipped;
+    const auto is_interrupted = [](const RunOutcome& run) { return run.interrupted; };
+    if (std::any_of(runs.begin(), runs.end(), is_interrupted)) {
+      verdict.verdict = Verdict::kInterrupted;
+      verdict.reason = "interrupted";
+      verdict.checks.clear();
     } else if (!good) {
       verdict.verdict = Verdict::kFailed;
       // Possibly no single run failed, only their count.
       auto bad =
           std::find_if(runs.begin(), runs.end(), [](const RunOutcome& run) { return !run.good(); });
       if (bad == runs.end()) bad = runs.begin();
-      verdict.replay = bad->folder;
+      verdict.replay = bad->folder.string();
       verdict.rerun = repeat_command(scenario, bad->seed);
     }
+    clear_folders(verdict, runs);
     on_done_(verdict);
+  }
+
+  // The seeds that a check tolerates are no failures, and neither is what failed before.
+  void clear_folders(const ScenarioVerdict& verdict, const std::vector<RunOutcome>& runs) const {
+    const Scenario& scenario = *verdict.scenario;
+    const bool failed = verdict.verdict == Verdict::kFailed;
+    std::vector<fs::path> kept;
+    for (const RunOutcome& run : runs) {
+      const fs::path folder = run_folder(options_.folder, scenario, run.seed);
+      const bool keeps = failed && !run.good();
+      if (keeps) kept.push_back(folder);
+      if (!keeps && !run.interrupted) remove_run(folder);
+    }
+    if (verdict.verdict == Verdict::kInterrupted || options_.seed) return;
+    for (const fs::path& folder : run_folders(options_.folder, scenario)) {
+      if (std::find(kept.begin(), kept.end(), folder) == kept.end()) remove_run(folder);
+    }
   }
 
   // With one seed given, counts over runs are meaningless: the run is judged alone.
@@ -228,7 +291,7 @@ class SuiteRun {
     verdict.name = check.name;
     verdict.line = check.line;
     for (const RunOutcome& run : runs) {
-      if (!run.problem.empty()) continue;
+      if (!run.problem.empty() || run.interrupted) continue;
       ++verdict.runs;
       if (run.failures[index].empty()) {
         ++verdict.held;

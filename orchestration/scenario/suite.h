@@ -20,7 +20,7 @@ struct SuiteOptions {
   std::optional<std::uint64_t> seed;  ///< overrides the seeds of the scenarios
   std::optional<match::Endpoint> against;
   std::string against_text;      ///< for the command that reruns a seed
-  std::filesystem::path folder;  ///< logs of failed runs; created on demand
+  std::filesystem::path folder;  ///< logs of failed runs; created on demand, cleared when they pass
 };
 
 /// One check over all runs of a scenario.
@@ -34,7 +34,12 @@ struct CheckVerdict {
   std::optional<std::uint64_t> seed;  ///< of that run
 };
 
-enum class Verdict { kPassed, kFailed, kSkipped };
+enum class Verdict {
+  kPassed,
+  kFailed,
+  kSkipped,
+  kInterrupted,  ///< a signal ended the suite before all runs were played
+};
 
 struct ScenarioVerdict {
   const Scenario* scenario = nullptr;
@@ -55,7 +60,10 @@ struct SuiteVerdict {
 };
 
 /// Calls `on_done` after each scenario, from any thread, never concurrently. After a signal the
-/// remaining scenarios are skipped.
+/// scenarios that have not been played to the end are interrupted.
+///
+/// SuiteOptions::folder then has a folder NAME-seed-N for each failed run of a failed scenario.
+/// Those of earlier suites that passed now are removed.
 SuiteVerdict run_suite(const std::vector<Scenario>& scenarios, const SuiteOptions& options,
                        const std::function<void(const ScenarioVerdict&)>& on_done,
                        const std::atomic<int>& stop_signal);

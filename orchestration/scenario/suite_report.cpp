@@ -20,10 +20,26 @@ const char* name(Verdict verdict) {
       return "passed";
     case Verdict::kFailed:
       return "failed";
+    case Verdict::kInterrupted:
+      return "interrupted";
     case Verdict::kSkipped:
       break;
   }
   return "skipped";
+}
+
+constexpr std::string_view kDim = "2";
+constexpr std::string_view kGreen = "32";
+constexpr std::string_view kYellow = "33";
+constexpr std::string_view kRed = "1;31";
+
+std::string colored(std::string_view text, std::string_view code, bool color) {
+  return color ? fmt::format("\x1b[{}m{}\x1b[0m", code, text) : std::string(text);
+}
+
+// "tests/corner.json: line 12, seed 3: ...".
+std::string place(const Scenario& scenario) {
+  return scenario.built_in ? "built-in scenario" : scenario.file;
 }
 
 // "line 12, seed 3: {"score": ...}: the score is ..."
@@ -74,28 +90,45 @@ Json json_of(const ScenarioVerdict& verdict) {
 
 }  // namespace
 
-std::string to_text(const ScenarioVerdict& verdict) {
+std::string to_text(const ScenarioVerdict& verdict, bool color) {
   const Scenario& scenario = *verdict.scenario;
-  if (verdict.verdict == Verdict::kSkipped) {
-    return fmt::format("skip  {}: {}\n", scenario.name, verdict.reason);
+  const bool not_played =
+      verdict.verdict == Verdict::kSkipped || verdict.verdict == Verdict::kInterrupted;
+  if (not_played) {
+    return fmt::format("{}  {}: {}\n", colored("skip", kYellow, color), scenario.name,
+                       verdict.reason);
   }
   const std::string runs =
       verdict.seeds.size() > 1 ? fmt::format("  ({} seeds)", verdict.seeds.size()) : "";
-  if (verdict.verdict == Verdict::kPassed) return fmt::format("ok    {}{}\n", scenario.name, runs);
-  std::string text = fmt::format("FAIL  {}{}\n", scenario.name, runs);
+  if (verdict.verdict == Verdict::kPassed) {
+    return fmt::format("{}    {}{}\n", colored("ok", kGreen, color), scenario.name,
+                       colored(runs, kDim, color && !runs.empty()));
+  }
+  std::string text = fmt::format("{}{}\n", colored("FAIL  " + scenario.name, kRed, color), runs);
   if (!scenario.about.empty()) text += fmt::format("      {}\n", scenario.about);
   for (const CheckVerdict& check : verdict.checks) {
-    if (!check.passed) text += fmt::format("      {}: {}\n", scenario.file, describe(check));
+    if (!check.passed) text += fmt::format("      {}: {}\n", place(scenario), describe(check));
   }
   if (!verdict.reason.empty()) text += fmt::format("      {}\n", verdict.reason);
   if (!verdict.replay.empty()) text += fmt::format("      logs: {}\n", verdict.replay);
-  return text + fmt::format("      rerun: {}\n", verdict.rerun);
+  text += fmt::format("      rerun: {}\n", verdict.rerun);
+  if (scenario.built_in) {
+    text += fmt::format("      file: cls test --export DIR writes DIR/{}.json\n", scenario.name);
+  }
+  return text;
 }
 
-std::string summary(const SuiteVerdict& suite, double seconds) {
-  return fmt::format("{} passed, {} failed, {} skipped in {:.1f} s\n",
-                     suite.count(Verdict::kPassed), suite.count(Verdict::kFailed),
-                     suite.count(Verdict::kSkipped), seconds);
+std::string summary(const SuiteVerdict& suite, double seconds, bool color) {
+  const int failed = suite.count(Verdict::kFailed);
+  std::string text =
+      fmt::format("{} passed, {}, {} skipped in {:.1f} s\n", suite.count(Verdict::kPassed),
+                  colored(fmt::format("{} failed", failed), kRed, color && failed > 0),
+                  suite.count(Verdict::kSkipped), seconds);
+  if (const int interrupted = suite.count(Verdict::kInterrupted); interrupted > 0) {
+    text += fmt::format("interrupted: {} of {} scenarios were not played to the end\n", interrupted,
+                        suite.scenarios.size());
+  }
+  return text;
 }
 
 std::string to_json(const SuiteVerdict& suite) {
@@ -103,7 +136,8 @@ std::string to_json(const SuiteVerdict& suite) {
                {"version", base::kVersion},
                {"passed", suite.count(Verdict::kPassed)},
                {"failed", suite.count(Verdict::kFailed)},
-               {"skipped", suite.count(Verdict::kSkipped)}};
+               {"skipped", suite.count(Verdict::kSkipped)},
+               {"interrupted", suite.count(Verdict::kInterrupted)}};
   json["scenarios"] = Json::array();
   for (const ScenarioVerdict& verdict : suite.scenarios) {
     json["scenarios"].push_back(json_of(verdict));
@@ -120,7 +154,7 @@ std::string to_junit(const SuiteVerdict& suite) {
     one.name = scenario.name;
     one.file = scenario.file;
     one.seconds = verdict.seconds;
-    if (verdict.verdict == Verdict::kSkipped) {
+    if (verdict.verdict == Verdict::kSkipped || verdict.verdict == Verdict::kInterrupted) {
       one.result = base::JunitCase::Result::kSkipped;
       one.message = verdict.reason;
     } else if (verdict.verdict == Verdict::kFailed) {
@@ -140,7 +174,8 @@ std::string to_annotations(const SuiteVerdict& suite) {
     if (verdict.verdict != Verdict::kFailed) continue;
     const Scenario& scenario = *verdict.scenario;
     const auto add = [&](int line, const std::string& what) {
-      text += base::format_github_error({scenario.file, line}, "scenario " + scenario.name,
+      text += base::format_github_error({scenario.built_in ? "" : scenario.file, line},
+                                        "scenario " + scenario.name,
                                         what + "\nrerun: " + verdict.rerun);
     };
     for (const CheckVerdict& check : verdict.checks) {

@@ -7,11 +7,13 @@
 
 namespace cls::orchestration::scenario {
 
-/// One scenario as text: verdict, failed checks and how to rerun them.
-std::string to_text(const ScenarioVerdict& verdict);
+/// One scenario as text: verdict, failed checks and how to rerun them. With `color`, the verdict
+/// has a terminal color.
+std::string to_text(const ScenarioVerdict& verdict, bool color = false);
 
-/// "34 passed, 1 failed, 0 skipped in 12.3 s".
-std::string summary(const SuiteVerdict& suite, double seconds);
+/// "34 passed, 1 failed, 0 skipped in 12.3 s", and a line on interrupted scenarios if there are
+/// any.
+std::string summary(const SuiteVerdict& suite, double seconds, bool color = false);
 
 /// The document `cls.test/1`. Only "seconds" depends on the host.
 std::string to_json(const SuiteVerdict& suite);

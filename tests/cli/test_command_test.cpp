@@ -1,5 +1,6 @@
 // End-to-end tests of `cls test`.
 #include <gtest/gtest.h>
+#include <signal.h>
 
 #include <algorithm>
 #include <chrono>
@@ -138,16 +139,20 @@ TEST(TestCommand, RunsProgramAsSideUnderTest) {
       << gone.out;
 }
 
+// Noise decides by seed whether the ball ends above or below the line. `runs` as in a check.
+void write_roll(const std::string& file, const std::string& runs) {
+  std::ofstream(file) << R"({"mode": "play_on", "ball": {"at": [-20, 0], "velocity": [2, 0]},
+    "left": {"playmaker": "mock:hold", "players": {"9": {"at": [-40, 30]}}},
+    "right": {"playmaker": "mock:hold", "players": {"9": {"at": [40, 30]}}},
+    "seeds": 8, "steps": 40, "expect": [{"ball": {"y": {"<": 0}}, "runs": )"
+                      << runs << "}]}";
+}
+
 TEST(TestCommand, AcceptsChecksThatHoldInSomeSeeds) {
   TemporaryFolder folder;
   const std::string file = folder.path() / "roll.json";
   const auto play = [&](const std::string& runs, const std::vector<std::string>& more = {}) {
-    // Noise decides by seed whether the ball ends above or below the line.
-    std::ofstream(file) << R"({"mode": "play_on", "ball": {"at": [-20, 0], "velocity": [2, 0]},
-      "left": {"playmaker": "mock:hold", "players": {"9": {"at": [-40, 30]}}},
-      "right": {"playmaker": "mock:hold", "players": {"9": {"at": [40, 30]}}},
-      "seeds": 8, "steps": 40, "expect": [{"ball": {"y": {"<": 0}}, "runs": )"
-                        << runs << "}]}";
+    write_roll(file, runs);
     std::vector<std::string> argv = {file, "--dir", folder.path() / "kept"};
     argv.insert(argv.end(), more.begin(), more.end());
     return cls_test(argv);
@@ -170,6 +175,61 @@ TEST(TestCommand, AcceptsChecksThatHoldInSomeSeeds) {
                       folder.path() / "kept"})
                 .exit_code,
             0);
+}
+
+std::vector<std::string> folders_in(const std::string& folder) {
+  std::vector<std::string> names;
+  for (const auto& entry : fs::directory_iterator(folder)) names.push_back(entry.path().filename());
+  return names;
+}
+
+TEST(TestCommand, StoresOnlyRunsOfFailedScenarios) {
+  TemporaryFolder folder;
+  const std::string file = folder.path() / "roll.json";
+  const std::string kept = folder.path() / "kept";
+  fs::create_directories(fs::path(kept) / "roll-seed-99");
+  std::ofstream(fs::path(kept) / "roll-seed-99/failures.txt") << "of an earlier suite";
+  std::ofstream(fs::path(kept) / "notes.txt") << "of the user";
+  write_roll(file, "8");
+  EXPECT_EQ(cls_test({file, "--dir", kept}).exit_code, 1);
+  const auto failed = folders_in(kept);
+  EXPECT_GT(failed.size(), 1U);
+  EXPECT_EQ(std::count(failed.begin(), failed.end(), "roll-seed-99"), 0);
+  write_roll(file, R"({">=": 1})");
+  EXPECT_EQ(cls_test({file, "--dir", kept}).exit_code, 0);
+  EXPECT_EQ(folders_in(kept), std::vector<std::string>{"notes.txt"});
+}
+
+TEST(TestCommand, InterruptIsNoFailure) {
+  TemporaryFolder folder;
+  const std::string file = folder.path() / "long.json";
+  std::ofstream(file) << R"({"mode": "play_on", "left": {"playmaker": "mock"},
+    "right": {"playmaker": "mock"}, "steps": 100000, "expect": [{"score": [99, 99]}]})";
+  Command testing(
+      {cls_binary(), "test", "referee_goal", file, "--jobs", "1", "--dir", folder.path() / "kept"});
+  ASSERT_TRUE(testing.wait_for_output("ok    referee_goal"));
+  testing.send_signal(SIGINT);
+  const CommandResult result = testing.finish();
+  EXPECT_EQ(result.exit_code, 130) << result.err;
+  EXPECT_EQ(result.out.find("FAIL"), std::string::npos) << result.out;
+  EXPECT_NE(result.out.find("1 passed, 0 failed, 0 skipped"), std::string::npos) << result.out;
+  EXPECT_NE(result.out.find("interrupted: 1 of 2 scenarios were not played to the end\n"),
+            std::string::npos)
+      << result.out;
+}
+
+TEST(TestCommand, NamesBuiltInScenarioWithoutPathThatIsNotThere) {
+  TemporaryFolder folder;
+  Command testing({cls_binary(), "test", "--against", "mock:hold", "team_takes_a_goal_kick"}, {},
+                  folder.path());
+  const CommandResult result = testing.finish();
+  EXPECT_EQ(result.exit_code, 1) << result.err;
+  EXPECT_EQ(result.out.find("examples/"), std::string::npos) << result.out;
+  EXPECT_NE(result.out.find("      built-in scenario: line "), std::string::npos) << result.out;
+  EXPECT_NE(result.out.find("      file: cls test --export DIR writes "
+                            "DIR/team_takes_a_goal_kick.json\n"),
+            std::string::npos)
+      << result.out;
 }
 
 TEST(TestCommand, AcceptsGoldenValues) {
@@ -203,6 +263,28 @@ TEST(TestCommand, ExportsShippedScenarios) {
   const std::string copies = folder.path() / "copies";
   ASSERT_EQ(cls_test({"--export", copies}).exit_code, 0);
   EXPECT_EQ(cls_test({copies + "/referee_goal.json", "--dir", folder.path()}).exit_code, 0);
+}
+
+TEST(TestCommand, ExportReplacesChangedFilesOnlyWithForce) {
+  TemporaryFolder folder;
+  const std::string copies = folder.path() / "copies";
+  ASSERT_EQ(cls_test({"--export", copies}).exit_code, 0);
+  EXPECT_EQ(cls_test({"--export", copies}).exit_code, 0) << "nothing has changed";
+  const std::string edited = copies + "/referee_goal.json";
+  std::ofstream(edited) << "{}";
+  const auto refused = cls_test({"--export", copies});
+  EXPECT_EQ(refused.exit_code, 73);
+  EXPECT_EQ(refused.err, "cls: " + edited +
+                             ": differs from the shipped scenario\n"
+                             "cls: nothing written; --force renames these files to NAME.old "
+                             "first\n");
+  EXPECT_EQ(cls::tests::read_file(edited), "{}");
+  const auto forced = cls_test({"--export", copies, "--force"});
+  EXPECT_EQ(forced.exit_code, 0) << forced.err;
+  EXPECT_NE(forced.out.find(edited + " renamed to referee_goal.json.old\n"), std::string::npos)
+      << forced.out;
+  EXPECT_EQ(cls::tests::read_file(edited + ".old"), "{}");
+  EXPECT_NE(cls::tests::read_file(edited), "{}");
 }
 
 class Recording : public testing::Test {

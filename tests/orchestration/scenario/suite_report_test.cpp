@@ -59,6 +59,36 @@ TEST(SuiteReport, TextNamesFailureLocationAndRerunCommand) {
   EXPECT_EQ(summary(sample.suite, 1.25), "1 passed, 1 failed, 1 skipped in 1.2 s\n");
 }
 
+TEST(SuiteReport, ColorsVerdicts) {
+  const Sample sample;
+  EXPECT_EQ(to_text(sample.suite.scenarios[0], true),
+            "\x1b[32mok\x1b[0m    good\x1b[2m  (2 seeds)\x1b[0m\n");
+  EXPECT_EQ(to_text(sample.suite.scenarios[1], true).rfind("\x1b[1;31mFAIL  bad\x1b[0m\n", 0), 0U);
+  EXPECT_EQ(summary(sample.suite, 1.25, true),
+            "1 passed, \x1b[1;31m1 failed\x1b[0m, 1 skipped in 1.2 s\n");
+}
+
+TEST(SuiteReport, CountsInterruptedScenariosApart) {
+  Sample sample;
+  sample.suite.scenarios[1].verdict = Verdict::kInterrupted;
+  EXPECT_EQ(summary(sample.suite, 1.25),
+            "1 passed, 0 failed, 1 skipped in 1.2 s\n"
+            "interrupted: 1 of 3 scenarios were not played to the end\n");
+  const auto json = nlohmann::json::parse(to_json(sample.suite));
+  EXPECT_EQ(json["interrupted"], 1);
+  EXPECT_EQ(json["scenarios"][1]["verdict"], "interrupted");
+  EXPECT_EQ(to_annotations(sample.suite), "");
+}
+
+TEST(SuiteReport, NamesNoFileOfBuiltInScenario) {
+  Sample sample;
+  sample.bad.built_in = true;
+  const std::string text = to_text(sample.suite.scenarios[1]);
+  EXPECT_EQ(text.find("tests/bad.json: "), std::string::npos) << text;
+  EXPECT_NE(text.find("      built-in scenario: line 9, seed 7: "), std::string::npos) << text;
+  EXPECT_EQ(to_annotations(sample.suite).find("file="), std::string::npos);
+}
+
 TEST(SuiteReport, JsonContainsEveryCheck) {
   const Sample sample;
   const auto json = nlohmann::json::parse(to_json(sample.suite));
