@@ -17,6 +17,9 @@ constexpr milliseconds kPollInterval{20};
 constexpr milliseconds kThrottleInterval{50};
 // A signal to a group of processes reaches all of them within this time.
 constexpr milliseconds kSignalSpread{100};
+// A slow match reports after this how long it will take.
+constexpr std::chrono::seconds kEstimateAfter{5};
+constexpr double kLongMatch_s = 60.0;
 // The match reports a reply that it has waited for this long.
 constexpr std::chrono::seconds kSlowReply{3};
 // For how long a server in synch mode waits for the (done) of its clients.
@@ -298,6 +301,75 @@ void Match::observe() {
     if (first_cycle_ == Clock::time_point{}) first_cycle_ = last_cycle_;
   }
   observer_->on_cycle(now.match);
+  estimate_duration();
+}
+
+// Of a slow match, once.
+void Match::estimate_duration() {
+  const auto played = Clock::now() - play_began_;
+  if (estimated_ || played < kEstimateAfter || is_paced()) return;
+  const MatchProgress now = progress().match;
+  if (now.cycle <= 0) return;
+  estimated_ = true;
+  const double rate = now.cycle / std::chrono::duration<double>(played).count();
+  const double left_s = (now.last_cycle - now.cycle) / rate;
+  if (left_s < kLongMatch_s) return;
+  const SpeedResult speed = this->speed(played);
+  observer_->on_notice(fmt::format("{:.{}f} cycles/s: {} cycles will take about {:.0f} min; {}",
+                                   rate, rate < 10 ? 1 : 0, now.last_cycle,
+                                   now.last_cycle / rate / 60.0, limiting_party(speed)));
+}
+
+// In real time, or slowed down by --speed.
+bool Match::is_paced() const {
+  return options_.speed.has_value() || mode_of(options_) == MatchMode::kRealtime ||
+         std::any_of(sides_.begin(), sides_.end(),
+                     [](const auto& side) { return side->mode() == MatchMode::kRealtime; });
+}
+
+// Over UDP the rest of the time belongs to the server, or to its clock.
+SpeedResult Match::speed(std::chrono::nanoseconds played) const {
+  SpeedMeter meter = speed_;
+  if (!server_->lockstep()) {
+    std::vector<SpeedMeter::SideTurn> turns;
+    std::chrono::nanoseconds longest{0};
+    for (const auto& side : sides_) {
+      turns.push_back({side->identity().side, side->turn_times()});
+      longest = std::max(longest, turns.back().times.total);
+    }
+    longest = std::min(longest, played);
+    meter.add_turns(longest, std::move(turns));
+    is_paced() ? meter.add_clock(played - longest) : meter.add_server(played - longest);
+  }
+  return meter.result();
+}
+
+void Match::add_speed() {
+  if (result_.steps == 0) return;
+  constexpr double kMs = 1000.0;
+  SpeedResult speed = this->speed(played_);
+  speed.fits_100_ms = true;
+  for (const auto& side : sides_) {
+    const proxy::LatencySamples* turns = side->turn_samples();
+    if (turns == nullptr) continue;
+    DecisionTimes& slower = speed.decision_ms;
+    slower.p50 = std::max(slower.p50, turns->percentile(0.50) / kMs);
+    slower.p99 = std::max(slower.p99, turns->percentile(0.99) / kMs);
+    slower.max = std::max(slower.max, turns->max() / kMs);
+  }
+  if (speed.decision_ms.p99 > static_cast<double>(kRealtimeDeadline.count())) {
+    speed.fits_100_ms = false;
+  }
+  for (const TeamResult* team : {&result_.left, &result_.right}) {
+    std::int64_t decisions = 0;
+    std::int64_t late = 0;
+    for (const PlayerResult& player : team->players) {
+      decisions += player.decisions;
+      late += player.late;
+    }
+    if (late * 100 > decisions) speed.fits_100_ms = false;
+  }
+  if (!speed.limited_by.empty()) result_.speed = std::move(speed);
 }
 
 MatchView Match::view() const {
@@ -361,10 +433,25 @@ void Match::wait_for_external_clients() {
   missed_by_external_ = 0;
 }
 
+// In lockstep, where the sides have no work now.
+void Match::measure_turns(Clock::time_point begin) {
+  const auto wall = Clock::now() - begin;
+  std::vector<SpeedMeter::SideTurn> turns;
+  for (std::size_t i = 0; i < sides_.size(); ++i) {
+    const TurnTimes now = sides_[i]->turn_times();
+    TurnTimes turn{now.total - measured_[i].total, now.playmaker - measured_[i].playmaker};
+    if (sides_[i]->is_external()) turn = {wall, wall};
+    measured_[i] = now;
+    turns.push_back({sides_[i]->identity().side, turn});
+  }
+  speed_.add_turns(wall, std::move(turns));
+}
+
 void Match::take_turn() {
   const MatchView view = this->view();
   for (MatchHooks* hooks : hooks_) hooks->before_decisions(view);
   if (!hooks_.empty()) limits_.begin_cycle();
+  const Clock::time_point begin = Clock::now();
   for (const auto& side : sides_) {
     if (side->takes_turns()) side->begin_turn(view.progress.cycle);
   }
@@ -372,6 +459,7 @@ void Match::take_turn() {
     wait_for_decisions();
     wait_for_external_clients();
     limits_.begin_cycle();  // every reply is in: the stall limit must not expire after this
+    measure_turns(begin);
   }
   for (const auto& side : sides_) side->end_turn();
 }
@@ -391,9 +479,10 @@ void Match::throttle(Clock::time_point start) const {
 void Match::play_cycles() {
   if (!server_->lockstep()) observer_->on_phase("playing");
   const Clock::time_point start = Clock::now();
-  stepped_at_ = start;
+  stepped_at_ = play_began_ = start;
   limits_.begin_cycle();
   while (!ended() && !is_over()) {
+    const Clock::time_point free = Clock::now();
     throttle(start);
     if (server_->lockstep()) limits_.begin_cycle();
     const Clock::time_point begin = Clock::now();
@@ -401,6 +490,10 @@ void Match::play_cycles() {
     observe();
     const Clock::time_point stepped = Clock::now();
     times_.server += seconds_between(begin, stepped);
+    if (server_->lockstep()) {
+      speed_.add_clock(begin - free);
+      speed_.add_server(stepped - begin);
+    }
     const bool turn = turn_is_due();
     if (turn) take_turn();
     times_.sides += seconds_between(stepped, Clock::now());
@@ -412,7 +505,8 @@ void Match::play_cycles() {
       if (!hooks->after_cycle(after)) end({});
     }
   }
-  times_.play = seconds_between(start, Clock::now());
+  played_ = Clock::now() - start;
+  times_.play = std::chrono::duration<double>(played_).count();
   for (const auto& side : sides_) {
     if (auto failure = side->final_failure(moment())) {
       failure->fault = side->identity().side;
@@ -522,6 +616,7 @@ void Match::make_result() {
   const double seconds =
       server_->lockstep() ? times_.play : seconds_between(first_cycle_, last_cycle_);
   if (seconds > 0.0) result_.cycles_per_second = result_.cycles / seconds;
+  add_speed();
 }
 
 void Match::play(MatchObserver& observer) {

@@ -16,6 +16,7 @@
 #include "orchestration/match/options/match_options.h"
 #include "orchestration/match/result/match_observer.h"
 #include "orchestration/match/result/match_result.h"
+#include "orchestration/match/result/speed.h"
 #include "orchestration/match/server/server.h"
 #include "orchestration/match/sides/match_side.h"
 
@@ -69,9 +70,11 @@ class Match {
   void play_cycles();
   void throttle(Clock::time_point start) const;
   void observe();
+  void estimate_duration();
   bool turn_is_due() const;
   void take_turn();
   void wait_for_decisions();
+  void measure_turns(Clock::time_point begin);
   void wait_for_external_clients();
   void finish();
   void make_result();
@@ -96,6 +99,10 @@ class Match {
   MatchView view() const;
   MatchMoment moment() const { return {playing_, progress().match.cycle}; }
   std::vector<AgentProgress> agent_progress() const;
+
+  bool is_paced() const;
+  SpeedResult speed(std::chrono::nanoseconds played) const;
+  void add_speed();
 
   void warn(std::string line);
   void report_warnings();
@@ -122,6 +129,11 @@ class Match {
   std::vector<ProcessResult> processes_;
   MatchResult result_;
   Times times_;
+  SpeedMeter speed_;                   ///< in lockstep
+  std::array<TurnTimes, 3> measured_;  ///< of the sides, up to the last turn
+  Clock::time_point play_began_;
+  std::chrono::nanoseconds played_{0};
+  bool estimated_ = false;
 };
 
 }  // namespace cls::orchestration::match

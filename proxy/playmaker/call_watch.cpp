@@ -2,6 +2,8 @@
 #include "proxy/playmaker/call_watch.h"
 
 #include <cstddef>
+#include <string>
+#include <utility>
 
 namespace cls::proxy {
 namespace {
@@ -26,6 +28,9 @@ class WatchedPlaymaker : public Playmaker {
     return reply;
   }
 
+  void announce_team(TeamRegistration team) override { inner_.announce_team(std::move(team)); }
+  void send() override { inner_.send(); }
+  std::string take_warning() override { return inner_.take_warning(); }
   bool take_connection_loss(int agent) override { return inner_.take_connection_loss(agent); }
   std::optional<Reply> next_reply() override { return ended(inner_.next_reply()); }
   std::optional<Reply> next_reply_within(std::chrono::microseconds timeout) override {

@@ -80,6 +80,11 @@ std::optional<SourceProgress> NetworkAgents::progress() const {
   return snapshot_.progress;
 }
 
+TurnTimes NetworkAgents::turn_times() const {
+  const std::lock_guard lock(mutex_);
+  return snapshot_.turns;
+}
+
 std::optional<soccer::Vec2> NetworkAgents::ball() const {
   const std::lock_guard lock(mutex_);
   return snapshot_.ball;
@@ -235,6 +240,7 @@ void NetworkAgents::update_snapshot() {
   if (world.ball.position_valid()) {
     snapshot_.ball = left ? world.ball.position : -world.ball.position;
   }
+  snapshot_.turns = {team().times().turns, team().times().wait};
   for (std::string& line : team().take_warnings()) warnings_.push_back(std::move(line));
 }
 

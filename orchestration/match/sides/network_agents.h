@@ -59,6 +59,7 @@ class NetworkAgents : public AgentSide {
   bool takes_turns() const override { return gate_.is_closed(); }
   bool at_turn() const override { return gate_.has_waiting(); }
   void begin_turn(int cycle) override;
+  TurnTimes turn_times() const override;
   std::optional<SourceProgress> progress() const override;
   std::optional<soccer::Vec2> ball() const override;
   std::optional<MatchMode> mode() const override;
@@ -80,6 +81,7 @@ class NetworkAgents : public AgentSide {
   struct Snapshot {
     SourceProgress progress;
     std::optional<soccer::Vec2> ball;
+    TurnTimes turns;
   };
 
   NetworkAgents(SideIdentity identity, PlaymakerConnection connection, proxy::TeamOptions team,

@@ -1,0 +1,116 @@
+// Attribution of wall time.
+#include "orchestration/match/result/speed.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace cls::orchestration::match {
+namespace {
+
+using soccer::Side;
+
+// A Playmaker with this much of the other's share limits the speed as well.
+constexpr double kComparable = 2.0 / 3.0;
+
+std::size_t index_of(Side side) {
+  return side == Side::kLeft ? 0U : side == Side::kRight ? 1U : 2U;
+}
+
+// Rounds to a thousandth, the largest share so that the sum stays 1.
+void round_shares(SpeedShares& shares) {
+  constexpr double kSteps = 1000.0;
+  std::array<double*, 6> all = {&shares.server,
+                                &shares.agents,
+                                &shares.left_playmaker,
+                                &shares.right_playmaker,
+                                &shares.trainer_playmaker,
+                                &shares.clock};
+  double sum = 0.0;
+  for (double* share : all) sum += * share = std::round(*share * kSteps) / kSteps;
+  double* largest = *std::max_element(all.begin(), all.end(),
+                                      [](const double* a, const double* b) { return *a < *b; });
+  *largest = std::round((*largest + 1.0 - sum) * kSteps) / kSteps;
+}
+
+std::string largest_party(const SpeedShares& shares) {
+  const auto [less, more] = std::minmax(shares.left_playmaker, shares.right_playmaker);
+  const bool both = less >= kComparable * more;
+  const bool left = shares.left_playmaker > shares.right_playmaker;
+  const std::array<std::pair<double, const char*>, 5> parties = {{
+      {both ? less + more : more,
+       both ? "both playmakers" : (left ? "left playmaker" : "right playmaker")},
+      {shares.trainer_playmaker, "trainer playmaker"},
+      {shares.agents, "agents"},
+      {shares.server, "server"},
+      {shares.clock, "clock"},
+  }};
+  return std::max_element(parties.begin(), parties.end(),
+                          [](const auto& a, const auto& b) { return a.first < b.first; })
+      ->second;
+}
+
+}  // namespace
+
+double SpeedResult::limiting_share() const {
+  if (limited_by == "both playmakers") return shares.left_playmaker + shares.right_playmaker;
+  if (limited_by == "left playmaker") return shares.left_playmaker;
+  if (limited_by == "right playmaker") return shares.right_playmaker;
+  if (limited_by == "trainer playmaker") return shares.trainer_playmaker;
+  if (limited_by == "agents") return shares.agents;
+  return limited_by == "server" ? shares.server : shares.clock;
+}
+
+void SpeedMeter::add_turns(Duration wall, std::vector<SideTurn> turns) {
+  std::sort(turns.begin(), turns.end(),
+            [](const SideTurn& a, const SideTurn& b) { return a.times.total < b.times.total; });
+  Duration over{0};     // end of the turns so far
+  Duration part{0};     // of each side that was at work until then
+  Duration awaited{0};  // of all Playmakers
+  for (std::size_t i = 0; i < turns.size(); ++i) {
+    const TurnTimes& times = turns[i].times;
+    const Duration end = std::min(times.total, wall);
+    part += (end - over) / static_cast<Duration::rep>(turns.size() - i);
+    over = end;
+    if (times.total.count() <= 0) continue;
+    const double share = std::min(1.0, static_cast<double>(times.playmaker.count()) /
+                                           static_cast<double>(times.total.count()));
+    const auto waited = std::chrono::duration_cast<Duration>(part * share);
+    playmakers_[index_of(turns[i].side)] += waited;
+    awaited += waited;
+  }
+  agents_ += wall - awaited;
+}
+
+SpeedResult SpeedMeter::result() const {
+  SpeedResult speed;
+  const Duration sum =
+      server_ + clock_ + agents_ + playmakers_[0] + playmakers_[1] + playmakers_[2];
+  if (sum.count() <= 0) return speed;
+  const auto share = [sum](Duration time) {
+    return static_cast<double>(time.count()) / static_cast<double>(sum.count());
+  };
+  speed.shares = {share(server_),        share(agents_),        share(playmakers_[0]),
+                  share(playmakers_[1]), share(playmakers_[2]), share(clock_)};
+  round_shares(speed.shares);
+  speed.limited_by = largest_party(speed.shares);
+  return speed;
+}
+
+std::string limiting_party(const SpeedResult& speed) {
+  std::string who = speed.limited_by;
+  if (const auto at = who.find("playmaker"); at != std::string::npos) who[at] = 'P';
+  const bool both = speed.limited_by == "both playmakers";
+  return fmt::format("limited by {}{} ({:.0f} %)", both ? "" : "the ", who,
+                     speed.limiting_share() * 100.0);
+}
+
+std::string describe(const SpeedResult& speed) {
+  return fmt::format("{}, p99 {:.{}f} ms: {}", limiting_party(speed), speed.decision_ms.p99,
+                     speed.decision_ms.p99 < 10.0 ? 1 : 0,
+                     speed.fits_100_ms ? "would do in real time" : "too slow for real time");
+}
+
+}  // namespace cls::orchestration::match

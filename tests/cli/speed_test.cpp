@@ -1,0 +1,72 @@
+// The verdict on speed: in the result, in the summary, and early in a slow match.
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "tests/support/command.h"
+#include "tests/support/files.h"
+#include "tests/support/temporary_folder.h"
+
+namespace {
+
+using cls::tests::cls_binary;
+using cls::tests::CommandResult;
+using cls::tests::TemporaryFolder;
+using nlohmann::json;
+
+struct Played {
+  CommandResult command;
+  json speed;
+};
+
+Played play_with_delay(int delay_ms, const std::vector<std::string>& more) {
+  const TemporaryFolder folder;
+  const auto script = folder.path() / "slow.json";
+  std::ofstream(script) << R"({"otherwise": "simple", "faults": {"delay_ms": )" << delay_ms << "}}";
+  std::vector<std::string> arguments = {
+      cls_binary(), "match", "mock", "mock:" + script.string(), "--dir", folder.path() / "match"};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  Played played;
+  played.command = cls::tests::run(arguments);
+  const json result = json::parse(cls::tests::read_file(folder.path() / "match" / "result.json"));
+  played.speed = result["speed"];
+  return played;
+}
+
+void expect_whole(const json& shares) {
+  double sum = 0.0;
+  for (const auto& share : shares) sum += share.get<double>();
+  EXPECT_NEAR(sum, 1.0, 1e-9) << shares;
+}
+
+class Speed : public testing::TestWithParam<const char*> {};
+
+TEST_P(Speed, NamesTheSlowPlaymaker) {
+  const Played played = play_with_delay(
+      90, {"--cycles", "12", "--mode", GetParam(), "--set", "server::kick_off_wait=3"});
+  ASSERT_TRUE(played.speed.is_object()) << played.command.err;
+  EXPECT_EQ(played.speed["limited_by"], "right playmaker") << played.speed;
+  EXPECT_GT(played.speed["shares"]["right_playmaker"], 0.4) << played.speed;
+  EXPECT_GE(played.speed["decision_ms"]["p50"], 90.0);
+  EXPECT_FALSE(played.speed["fits_100_ms"].get<bool>());
+  expect_whole(played.speed["shares"]);
+  EXPECT_NE(played.command.out.find("\n  limited by the right Playmaker ("), std::string::npos)
+      << played.command.out;
+  EXPECT_NE(played.command.out.find("ms: too slow for real time\n"), std::string::npos);
+}
+
+INSTANTIATE_TEST_SUITE_P(Modes, Speed, testing::Values("lockstep", "synch"));
+
+TEST(SpeedEstimate, SaysHowLongASlowMatchTakes) {
+  const Played played = play_with_delay(
+      60, {"--time-limit", "7", "--set", "server::kick_off_wait=3", "--cycles", "6000"});
+  EXPECT_NE(played.command.err.find(" cycles/s: 6000 cycles will take about "), std::string::npos)
+      << played.command.err;
+  EXPECT_NE(played.command.err.find("min; limited by the right Playmaker ("), std::string::npos)
+      << played.command.err;
+}
+
+}  // namespace
