@@ -3,10 +3,13 @@
 
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <cstdio>
+#include <utility>
 
 #include "cli/support/exit_code.h"
 #include "cli/support/interrupt.h"
+#include "cli/support/print_error.h"
 
 namespace cls::cli {
 
@@ -14,21 +17,35 @@ using orchestration::checks::CheckReport;
 using orchestration::checks::CheckStep;
 using orchestration::checks::StepResult;
 
-std::function<void(const CheckStep&)> step_printer(bool json) {
-  return [json](const CheckStep& step) {
-    if (json) return;
+void add_check_output_options(CLI::App& command, CheckOutput& output) {
+  command.add_flag("--json", output.json, "print one JSON document instead of text");
+  add_ci_options(command, output.reports);
+  command.add_flag("--strict", output.strict, "fail (exit 1) on any skipped step");
+  command.add_flag("--quiet", output.quiet, "print only failures and the summary");
+}
+
+std::function<void(const CheckStep&)> step_printer(const CheckOutput& output) {
+  // The first step reaches the subject. Without it all others are skipped.
+  return [&output, first = true, reached = true](const CheckStep& step) mutable {
+    if (!reached) return;
+    if (std::exchange(first, false)) reached = step.result == StepResult::kPass;
+    if (output.json || (output.quiet && step.result != StepResult::kFail)) return;
     fmt::print("{}", to_text(step));
     std::fflush(stdout);
   };
 }
 
-int finish_check(const CheckReport& report, bool json, const CiReports& ci_reports, int signal) {
-  fmt::print("{}", json ? to_json(report) : summary(report));
-  const ExitCode written = write_ci_reports(ci_reports, to_junit(report), to_annotations(report));
+int finish_check(const CheckReport& report, const CheckOutput& output, int signal) {
+  fmt::print("{}", output.json ? to_json(report) : summary(report));
+  const ExitCode written =
+      write_ci_reports(output.reports, to_junit(report), to_annotations(report));
   if (written != kOk) return written;
   if (signal != 0) return signal_exit_code(signal);
   if (report.steps.front().result != StepResult::kPass) return kUnavailable;
-  return report.passed() ? kOk : kFailed;
+  if (!report.passed()) return kFailed;
+  const int skipped = report.count(StepResult::kSkip);
+  if (!output.strict || skipped == 0) return kOk;
+  return print_error(kFailed, fmt::format("{} skipped (--strict)", skipped));
 }
 
 }  // namespace cls::cli

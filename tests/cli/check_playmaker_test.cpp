@@ -1,6 +1,7 @@
 // End-to-end tests of `cls check playmaker`.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -110,6 +111,11 @@ TEST(CheckPlaymaker, ReportsFailuresByExitCode) {
   const CommandResult unreachable = check({"127.0.0.1:9", "--start-timeout", "0.3", "--json"});
   EXPECT_EQ(unreachable.exit_code, 69) << unreachable.out << unreachable.err;
   EXPECT_EQ(results_of(json::parse(unreachable.out)).at("bye"), "skip");
+  // In text, one line about it, and no lines of skipped steps.
+  const CommandResult text = check({"127.0.0.1:9", "--start-timeout", "0.3"});
+  EXPECT_EQ(text.out.find("skip "), std::string::npos) << text.out;
+  EXPECT_NE(text.out.find("nothing listens at 127.0.0.1:9"), std::string::npos) << text.out;
+  EXPECT_LT(std::count(text.out.begin(), text.out.end(), '\n'), 8) << text.out;
   // A program that exits before the first step is unreachable too.
   EXPECT_EQ(check({"run:exit 3; : {port}", "--start-timeout", "0.5"}).exit_code, 69);
   EXPECT_EQ(check({"team:somewhere"}).exit_code, 2);
