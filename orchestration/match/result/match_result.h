@@ -96,9 +96,9 @@ struct ProcessFailure {
   std::string exit;
   std::string log;
   std::vector<std::string> output;  ///< last output lines, oldest first
-  std::string rpc;                  ///< that was not answered; empty: no call was awaited
+  std::string rpc = {};             ///< that was not answered; empty: no call was awaited
   int unum = 0;                     ///< whose call that was; 12: coach, 13: trainer; 0: none
-  std::optional<int> cycle;         ///< of that call; none before the first cycle
+  std::optional<int> cycle = {};    ///< of that call; none before the first cycle
 };
 
 struct MatchResult {
