@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 
+#include "base/text/fnv1a.h"
 #include "soccer/math.h"
 
 namespace cls::soccer {
@@ -18,22 +19,12 @@ std::uint64_t split_mix(std::uint64_t& state) {
   return z ^ (z >> 31);
 }
 
-// FNV-1a; sufficient to distinguish the few stream names.
-std::uint64_t hash_name(std::string_view name) {
-  std::uint64_t hash = 0xCBF29CE484222325ULL;
-  for (const char c : name) {
-    hash ^= static_cast<unsigned char>(c);
-    hash *= 0x100000001B3ULL;
-  }
-  return hash;
-}
-
 }  // namespace
 
 RandomStream::RandomStream(std::uint64_t seed, std::string_view purpose, std::uint64_t key_a,
                            std::uint64_t key_b) {
   std::uint64_t state = seed;
-  for (const std::uint64_t part : {hash_name(purpose), key_a, key_b}) {
+  for (const std::uint64_t part : {base::fnv1a(purpose), key_a, key_b}) {
     state = split_mix(state) ^ part;
   }
   for (std::uint64_t& word : state_) word = split_mix(state);
