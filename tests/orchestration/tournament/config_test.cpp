@@ -112,6 +112,13 @@ TEST(Config, RejectsContradictions) {
   config = parse_config(kWhole, "").config;
   config.format = Format::kGroups;
   EXPECT_EQ(validate(config).size(), 2u);  // too few teams for two groups, and to advance
+  config = parse_config(kWhole, "").config;
+  config.mode = "lokstep";
+  EXPECT_EQ(validate(config),
+            std::vector<std::string>{"--mode 'lokstep': did you mean 'lockstep'?"});
+  config.mode.clear();
+  config.server = "rcsserver";
+  EXPECT_EQ(validate(config).size(), 1u);
 }
 
 TEST(Config, FormattedTextParsesToTheSameConfig) {

@@ -1,0 +1,68 @@
+// One check per kind of side.
+#include "orchestration/match/sides/endpoint_check.h"
+
+#include <filesystem>
+#include <thread>
+
+#include "mock-server/mock.h"
+#include "orchestration/match/options/run_command_check.h"
+#include "orchestration/match/options/team_folder.h"
+#include "orchestration/match/sides/playmaker_process.h"
+#include "proxy/playmaker/grpc_probe.h"
+
+namespace cls::orchestration::match {
+namespace {
+
+using Kind = EndpointProblem::Kind;
+using Problem = std::optional<EndpointProblem>;
+
+Problem check_mock(Endpoint endpoint) {
+  if (mock_server::is_script_name(endpoint.behavior)) {
+    const auto loaded = load_script(endpoint);
+    if (loaded) return {};
+    const bool exists = std::filesystem::exists(endpoint.behavior);
+    return EndpointProblem{exists ? Kind::kBadScript : Kind::kMissing, loaded.error().message};
+  }
+  const auto mock = mock_server::make_mock(endpoint.behavior);
+  return mock ? Problem() : EndpointProblem{Kind::kUnknown, mock.error().message};
+}
+
+Problem check_address(const Endpoint& endpoint, std::chrono::milliseconds patience) {
+  constexpr std::chrono::milliseconds kInterval{100};
+  constexpr int kGoalie = 1;
+  const auto end = std::chrono::steady_clock::now() + patience;
+  while (true) {
+    const proxy::GrpcProbe probe = proxy::probe_grpc(target_of(endpoint), kGoalie);
+    if (probe.problem.empty()) return {};
+    if (probe.is_other_protocol) return EndpointProblem{Kind::kUnreachable, probe.problem};
+    if (std::chrono::steady_clock::now() >= end) {
+      return EndpointProblem{Kind::kUnreachable, probe.problem +
+                                                     "; start it first, or let cls start it: "
+                                                     "'run:COMMAND --port {port}'"};
+    }
+    std::this_thread::sleep_for(kInterval);
+  }
+}
+
+}  // namespace
+
+Problem check_endpoint(const Endpoint& endpoint, std::chrono::milliseconds patience) {
+  switch (endpoint.kind) {
+    case Endpoint::Kind::kMock:
+      return check_mock(endpoint);
+    case Endpoint::Kind::kAddress:
+    case Endpoint::Kind::kUnixSocket:
+      return check_address(endpoint, patience);
+    case Endpoint::Kind::kRun: {
+      std::string missing = missing_in_command(endpoint.command, std::filesystem::current_path());
+      return missing.empty() ? Problem() : EndpointProblem{Kind::kMissing, std::move(missing)};
+    }
+    case Endpoint::Kind::kTeam: {
+      const auto plan = team_plan(endpoint.path, {});
+      return plan ? Problem() : EndpointProblem{Kind::kMissing, plan.error().message};
+    }
+  }
+  return {};
+}
+
+}  // namespace cls::orchestration::match
