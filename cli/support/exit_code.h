@@ -1,4 +1,4 @@
-// Exit codes of `cls`; docs/cli.md has the same table.
+// Exit codes of `cls`; docs/cli.md has the same table, and a test compares them.
 #pragma once
 
 namespace cls::cli {
@@ -8,6 +8,7 @@ enum ExitCode : int {
   kOk = 0,              ///< finished; a test or check passed
   kFailed = 1,          ///< a test or check failed; the match is invalid
   kUsage = 2,           ///< unknown option, command or side; bad value; wrong argument count
+  kUndecided = 3,       ///< `cls compare` ended without a verdict
   kBadData = 65,        ///< corrupt log, script or transcript
   kNoInput = 66,        ///< input not found
   kUnavailable = 69,    ///< a Playmaker or server refused or was unreachable until the timeout

@@ -23,9 +23,14 @@ bool is_endpoint(const std::string& side) {
   return side == "mock" || side.find(':') != std::string::npos;
 }
 
-std::string unknown(const std::string& side, const std::string& near, const fs::path& file) {
-  return fmt::format("unknown side '{}'; did you mean '{}'? (a team in {})", side, near,
-                     file.string());
+std::string unknown(const std::string& side, const std::string& near, const fs::path& file,
+                    const std::vector<std::string_view>& teams) {
+  if (!near.empty()) {
+    return fmt::format("unknown side '{}'; did you mean '{}'? (a team in {})", side, near,
+                       file.string());
+  }
+  return fmt::format("unknown side '{}'; the teams in {} are {}; other sides: cls match --help",
+                     side, file.string(), fmt::join(teams, ", "));
 }
 
 }  // namespace
@@ -47,11 +52,12 @@ int resolve_team_name(std::string& side, std::string& team_name, const std::stri
                          parsed.config.teams[static_cast<std::size_t>(team)].endpoint);
     return kOk;
   }
-  std::vector<std::string_view> known = {"mock"};
-  for (const TeamEntry& team : parsed.config.teams) known.push_back(team.name);
-  const std::string near(base::nearest_name(side, known));
-  if (near.empty() || near == "mock") return kOk;  // parse_endpoint() lists the valid sides
-  return print_error(kUsage, unknown(side, near, *file));
+  std::vector<std::string_view> teams;
+  for (const TeamEntry& team : parsed.config.teams) teams.push_back(team.name);
+  const std::string near(base::nearest_name(side, teams));
+  const bool means_mock = near.empty() && !base::nearest_name(side, {"mock"}).empty();
+  if (teams.empty() || means_mock) return kOk;  // parse_endpoint() lists the valid sides
+  return print_error(kUsage, unknown(side, near, *file, teams));
 }
 
 int read_side_script(orchestration::match::Endpoint& side) {

@@ -1,13 +1,15 @@
-// Progress of a tournament on a terminal.
+// Progress of a tournament on stderr.
 #include "cli/terminal/tournament_progress.h"
 
 #include <fmt/format.h>
 
-#include "orchestration/tournament/report/report_text.h"
+#include <cstdio>
+
+#include "orchestration/tournament/report/report_model.h"
 
 namespace cls::cli {
 
-using orchestration::tournament::RunProgress;
+using namespace orchestration::tournament;
 
 std::string progress_text(const RunProgress& progress) {
   std::string text = fmt::format(
@@ -23,26 +25,52 @@ std::string progress_text(const RunProgress& progress) {
   return text;
 }
 
-void TournamentProgress::on_progress(const RunProgress& progress) {
-  if (shown_) line_.show(progress_text(progress));
+std::string match_line(const TournamentConfig& config, const ScheduledMatch& match, int total) {
+  const Outcome& outcome = *match.outcome;
+  const auto team = [&](int index) {
+    return std::string_view(config.teams[static_cast<std::size_t>(index)].name);
+  };
+  std::string how = fmt::format("{}, {:.1f} s", name(outcome.end_reason), outcome.run_seconds);
+  if (const std::size_t count = outcome.warnings.size(); count > 0) {
+    how += fmt::format(", {} warning{}", count, count == 1 ? "" : "s");
+  }
+  std::string line = fmt::format(
+      "match {}/{}  {} {} {}  ({})", match.fixture.index, total, team(match.fixture.left),
+      outcome.counts() ? score_text(match) : "-", team(match.fixture.right), how);
+  if (!outcome.finished() && !outcome.message.empty()) line += ": " + outcome.message;
+  return line;
 }
 
-void TournamentProgress::on_match(const orchestration::tournament::TournamentConfig& config,
-                                  const orchestration::tournament::ScheduledMatch& match,
-                                  const RunProgress& progress) {
-  if (!shown_) return;
+std::string TournamentProgress::status(const RunProgress& progress) const {
+  return progress_text(progress);
+}
+
+bool TournamentProgress::is_due(const RunProgress& /*progress*/, Clock::duration since_last) {
+  return since_last >= std::chrono::minutes(1);
+}
+
+void TournamentProgress::print(std::string_view line) {
+  if (quiet_) return;
   clear();
-  fmt::print(stderr, "{:>6}  {} - {}  {}\n", match.fixture.index,
-             config.teams[static_cast<std::size_t>(match.fixture.left)].name,
-             config.teams[static_cast<std::size_t>(match.fixture.right)].name,
-             orchestration::tournament::score_text(match));
+  fmt::print(stderr, "{}\n", line);
+  std::fflush(stderr);
+}
+
+void TournamentProgress::on_progress(const RunProgress& progress) {
+  if (quiet_) return;
+  if (on_terminal_) return line_.show(status(progress));
+  const Clock::time_point now = Clock::now();
+  if (!is_due(progress, now - last_status_)) return;
+  last_status_ = now;
+  print(status(progress));
+}
+
+void TournamentProgress::on_match(const TournamentConfig& config, const ScheduledMatch& match,
+                                  const RunProgress& progress) {
+  print(match_line(config, match, progress.total));
   on_progress(progress);
 }
 
-void TournamentProgress::on_note(std::string_view line) {
-  if (quiet_) return;
-  clear();
-  fmt::print(stderr, "cls: {}\n", line);
-}
+void TournamentProgress::on_note(std::string_view line) { print(fmt::format("cls: {}", line)); }
 
 }  // namespace cls::cli

@@ -1,6 +1,7 @@
-// Progress of a tournament on a terminal.
+// Progress of a tournament on stderr.
 #pragma once
 
+#include <chrono>
 #include <string>
 #include <string_view>
 
@@ -9,11 +10,11 @@
 
 namespace cls::cli {
 
-/// Prints a line per finished match and a progress line below, both only on a terminal. Prints
-/// notes unless quiet.
+/// Prints a line per finished match and notes, and the status: on a terminal as a progress line
+/// below, otherwise as a line once a minute. Nothing if quiet.
 class TournamentProgress : public orchestration::tournament::TournamentObserver {
  public:
-  TournamentProgress(bool shown, bool quiet) : shown_(shown), quiet_(quiet) {}
+  TournamentProgress(bool on_terminal, bool quiet) : on_terminal_(on_terminal), quiet_(quiet) {}
 
   void on_progress(const orchestration::tournament::RunProgress& progress) override;
   void on_match(const orchestration::tournament::TournamentConfig& config,
@@ -23,13 +24,30 @@ class TournamentProgress : public orchestration::tournament::TournamentObserver 
 
   void clear() { line_.clear(); }
 
+ protected:
+  /// Text of the status.
+  virtual std::string status(const orchestration::tournament::RunProgress& progress) const;
+  /// True when a status line is due without a terminal, `since_last` after the latest.
+  virtual bool is_due(const orchestration::tournament::RunProgress& progress,
+                      std::chrono::steady_clock::duration since_last);
+
  private:
-  bool shown_;
+  using Clock = std::chrono::steady_clock;
+
+  void print(std::string_view line);
+
+  bool on_terminal_;
   bool quiet_;
   TerminalLine line_;
+  Clock::time_point last_status_ = Clock::now();
 };
 
 /// "[######....] 12/20 matches  2 running  1 invalid  4.1 a minute  2:05 min left".
 std::string progress_text(const orchestration::tournament::RunProgress& progress);
+
+/// "match 3/12  A 2:1 B  (finished, 4.2 s, 1 warning)"; of an invalid match "A - B  (crashed, 1.0
+/// s): ..." with what went wrong. `match` has an outcome.
+std::string match_line(const orchestration::tournament::TournamentConfig& config,
+                       const orchestration::tournament::ScheduledMatch& match, int total);
 
 }  // namespace cls::cli

@@ -8,18 +8,19 @@
 #include <string>
 #include <vector>
 
-#include "base/system/host.h"
+#include "base/text/fnv1a.h"
 #include "cli/support/exit_code.h"
 #include "cli/support/interrupt.h"
 #include "cli/support/print_error.h"
 #include "cli/support/side_arguments.h"
+#include "cli/terminal/compare_progress.h"
 #include "cli/terminal/terminal.h"
-#include "cli/terminal/tournament_progress.h"
 #include "cli/tournament/tournament_options.h"
+#include "cli/tournament/tournament_session.h"
 #include "orchestration/match/options/endpoint.h"
+#include "orchestration/tournament/config/config_file.h"
 #include "orchestration/tournament/report/comparison.h"
 #include "orchestration/tournament/run/tournament_run.h"
-#include "orchestration/tournament/store/folder.h"
 #include "orchestration/tournament/store/match_attempt.h"
 
 namespace cls::cli {
@@ -31,15 +32,17 @@ namespace match = orchestration::match;
 
 constexpr const char* kDescription =
     "test whether NEW is better than BASE\n"
-    "Plays pairs of matches with one seed and swapped sides until a sequential probability\n"
-    "ratio test (SPRT) decides.\n"
+    "Plays pairs of matches with one seed and swapped sides until a sequential\n"
+    "probability ratio test (SPRT) decides.\n"
     "\n"
-    "  cls compare NEW OLD                          teams of cls.toml\n"
-    "  cls compare localhost:50051 mock --elo1 80   or any sides\n"
-    "  cls compare NEW OLD --opponents A,B          both against each, with the same seeds\n"
+    "  cls compare NEW OLD                         teams of cls.toml\n"
+    "  cls compare localhost:50051 mock --elo1 80  or any sides\n"
+    "  cls compare NEW OLD --opponents A,B         both against each, same seeds\n"
     "\n"
-    "H0: NEW is --elo0 better than BASE; H1: it is --elo1 better. Exit code: 0 if H1 is\n"
-    "accepted, 1 if H0 is accepted or the test is undecided after --max-pairs.";
+    "H0: NEW is --elo0 better than BASE; H1: it is --elo1 better. Exit code: 0 if H1\n"
+    "is accepted (NEW is better), 1 if H0 is accepted, 3 if the test is undecided\n"
+    "after --max-pairs. The same command resumes, also with another --max-pairs;\n"
+    "other sides, seed or match settings have another folder.";
 
 struct Arguments {
   std::string candidate;
@@ -48,8 +51,7 @@ struct Arguments {
   TournamentOptions options;
   SprtSettings sprt;
   std::optional<int> max_pairs;
-  bool json = false;
-  bool quiet = false;
+  SessionOptions session;
 };
 
 // Adds `side` as a team with a distinct name. Returns an exit code.
@@ -105,53 +107,62 @@ int make_comparison(const Arguments& arguments, Comparison& comparison) {
   return errors.empty() ? kOk : kUsage;
 }
 
+// Derived from the plan, so that the same command finds it again.
 fs::path folder_of(const Arguments& arguments, const Comparison& comparison) {
   if (!arguments.options.folder.empty()) return arguments.options.folder;
-  return fs::path("runs") / fmt::format("{}-compare-{}-{}", base::utc_stamp(),
-                                        comparison.config.teams[0].name,
-                                        comparison.config.teams[1].name);
+  const TournamentConfig& config = comparison.config;
+  const auto plan = static_cast<std::uint32_t>(base::fnv1a(format_config(config, true)));
+  return fs::path("runs") /
+         fmt::format("compare-{}-{}-{:08x}", config.teams[0].name, config.teams[1].name, plan);
 }
 
 int exit_code_of(const RunSummary& summary, const ComparisonVerdict& known) {
   if (known.state.decision == SprtDecision::kH1) return kOk;
   if (known.state.decision == SprtDecision::kH0) return kFailed;
-  if (summary.end == RunEnd::kInterrupted) {
-    return signal_exit_code(summary.signal);
-  }
-  return summary.end == RunEnd::kStopRequested ? kInterrupted : kFailed;
+  if (summary.end == RunEnd::kInterrupted) return signal_exit_code(summary.signal);
+  return summary.end == RunEnd::kStopRequested ? kInterrupted : kUndecided;
 }
 
 int run(const Arguments& arguments) {
   Comparison comparison;
   if (const int code = make_comparison(arguments, comparison); code != kOk) return code;
+  const SessionOptions& session = arguments.session;
   RunOptions options;
   options.folder = folder_of(arguments, comparison);
   options.config = comparison.config;
+  options.last_match = last_match(comparison);
   options.next = [&](std::span<const ScheduledMatch> so_far) {
     return next_fixtures(comparison, so_far);
   };
+  ComparisonVerdict known;
   options.decided = [&](std::span<const ScheduledMatch> matches) {
-    return verdict(comparison, matches).state.decision != SprtDecision::kOpen;
+    known = verdict(comparison, matches);
+    return known.state.decision != SprtDecision::kOpen;
   };
-  if (const auto ready = prepare_folder(options.folder, options.config); !ready) {
-    return print_error(holds_plan(options.folder) ? kBadConfig : kCannotCreate,
-                       ready.error().message);
-  }
-  const auto lock = FolderLock::try_lock(options.folder);
-  if (!lock) return print_error(kCannotCreate, lock.error().message);
-  if (!*lock) return print_error(kTryAgain, options.folder.string() + ": in use by another cls");
-  TournamentProgress progress(stderr_is_terminal() && !arguments.quiet, arguments.quiet);
+  const OpenedFolder opened = open_folder(options.folder, options.config, session.force);
+  if (opened.exit_code != kOk) return opened.exit_code;
+  known = verdict(comparison, opened.matches);
+  const double to_play = expected_samples_left(comparison, known) * matches_in_sample(comparison);
+  const int checked = run_preflight(
+      options.config, options.folder, opened, session, to_play,
+      fmt::format("{}/: {}", options.folder.string(), comparison_outlook(comparison, known)));
+  if (checked != kOk) return checked;
+  CompareProgress progress(comparison, known, stderr_is_terminal(), session.quiet);
   const auto make = [&](const TournamentConfig& config) {
     return make_executor(config, options.folder, own_program());
   };
   const auto summary = run_tournament(options, make, progress, watch_interrupts());
   progress.clear();
   if (!summary) return print_error(kWriteFailed, summary.error().message);
-  fmt::print("{}", arguments.json ? comparison_json(comparison, summary->matches)
-                                  : comparison_text(comparison, summary->matches));
-  if (!arguments.json) fmt::print("{}/\n", options.folder.string());
-  if (!summary->message.empty()) print_error(0, summary->message);
-  return exit_code_of(*summary, verdict(comparison, summary->matches));
+  fmt::print("{}", session.json ? comparison_json(comparison, summary->matches)
+                                : comparison_text(comparison, summary->matches, stdout_width()));
+  if (!session.json) fmt::print("{}/\n", options.folder.string());
+  const int exit_code =
+      end_session(*summary, options.config, session, exit_code_of(*summary, known), false);
+  if (summary->end == RunEnd::kComplete && !session.quiet) {
+    print_error(0, "undecided; the same command with a larger --max-pairs continues");
+  }
+  return exit_code;
 }
 
 }  // namespace
@@ -182,12 +193,10 @@ void add_compare_command(CLI::App& app, int& exit_code) {
       ->add_option("--max-pairs", arguments->max_pairs,
                    "maximum pairs; with --opponents: per team (default: no limit)")
       ->check(CLI::PositiveNumber);
-  command->add_option(
-      "--dir", arguments->options.folder,
-      "folder; an existing one is resumed (default: ./runs/<UTC>-compare-<NEW>-<BASE>)");
+  command->add_option("--dir", arguments->options.folder,
+                      "folder (default: ./runs/compare-<NEW>-<BASE>-<hash of the plan>)");
   add_condition_options(*command, arguments->options);
-  command->add_flag("--json", arguments->json, "print only the verdict as JSON");
-  command->add_flag("--quiet", arguments->quiet, "print no progress and no notes");
+  add_session_options(*command, arguments->session, "verdict");
   command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
 }
 

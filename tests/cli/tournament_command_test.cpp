@@ -7,6 +7,7 @@
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <thread>
 
 #include "tests/support/command.h"
@@ -55,7 +56,12 @@ class Tournament : public testing::Test {
 TEST_F(Tournament, PlaysAndReports) {
   const CommandResult played = tournament({"run", cup()});
   EXPECT_EQ(played.exit_code, 0) << played.err;
-  EXPECT_EQ(played.err, "");
+  EXPECT_EQ(std::count(played.err.begin(), played.err.end(), '\n'), 6) << played.err;
+  for (int match = 1; match <= 6; ++match) {
+    EXPECT_NE(played.err.find("match " + std::to_string(match) + "/6  "), std::string::npos);
+  }
+  EXPECT_NE(played.err.find("  RED 0:0 HOLD  (finished, "), std::string::npos) << played.err;
+  EXPECT_EQ(tournament({"run", cup(), "--quiet"}).err, "");
   EXPECT_NE(played.out.find("6 of 6 matches done"), std::string::npos) << played.out;
   const json document = report();
   EXPECT_EQ(document["schema"], "cls.tournament/1");
@@ -66,7 +72,7 @@ TEST_F(Tournament, PlaysAndReports) {
     EXPECT_EQ(match["cycles"], 40);
     EXPECT_EQ(match["score"].size(), 2u);
     EXPECT_GT(match["left_figures"]["decisions"], 400);
-    EXPECT_TRUE(fs::exists(cup() / match["folder"].get<std::string>() / "match.rcg"));
+    EXPECT_TRUE(fs::exists(cup() / match["folder"].get<std::string>() / "match.rcg.gz"));
     EXPECT_NE(match["command"].get<std::string>().find("--seed " +
                                                        std::to_string(match["seed"].get<int>())),
               std::string::npos);
@@ -99,6 +105,7 @@ TEST_F(Tournament, RejectsDifferentPlanWithoutForce) {
   EXPECT_EQ(tournament({"run", cup(), "--concurrency", "1"}).exit_code, 0)
       << "not part of the plan";
   const CommandResult forced = tournament({"run", cup(), "--cycles", "30", "--force"});
+  EXPECT_NE(forced.err.find("cls: old tournament moved to "), std::string::npos) << forced.err;
   EXPECT_EQ(forced.exit_code, 0) << forced.err;
   EXPECT_EQ(report()["matches"][0]["cycles"], 30);
   fs::path old = cup();
@@ -149,6 +156,13 @@ TEST_F(Tournament, StopsOnFaultUnlessConfiguredOtherwise) {
   EXPECT_EQ(stopped.exit_code, 1);
   EXPECT_NE(stopped.err.find("is invalid (refused): GONE (run:exit 3 # {port})"), std::string::npos)
       << stopped.err;
+  const std::size_t counts = stopped.out.find(" of 6 matches done");
+  ASSERT_NE(counts, std::string::npos) << stopped.out;
+  EXPECT_NE(
+      stopped.err.find("cls: " +
+                       stopped.out.substr(counts - 1, stopped.out.find('\n', counts) - counts + 1)),
+      std::string::npos)
+      << "stderr and report agree: " << stopped.out << stopped.err;
   arguments.insert(arguments.end(), {"--on-crash", "forfeit", "--keep-logs", "failed"});
   const CommandResult forfeited = tournament(arguments);
   EXPECT_EQ(forfeited.exit_code, 0) << forfeited.err;
@@ -165,7 +179,7 @@ TEST_F(Tournament, HooksReceiveJsonOnStdin) {
                                            "cat >>'" + lines_file.string() + "'", "--on-finish",
                                            "cat >'" + final_file.string() + "'; exit 3"});
   EXPECT_EQ(played.exit_code, 0);
-  EXPECT_EQ(played.err, "cls: on_finish: exit code 3\n");
+  EXPECT_NE(played.err.find("cls: on_finish: exit code 3\n"), std::string::npos) << played.err;
   std::ifstream lines(lines_file);
   int count = 0;
   for (std::string line; std::getline(lines, line); ++count) {
@@ -184,7 +198,10 @@ TEST_F(Tournament, ResumesAfterSigterm) {
   playing.send_signal(SIGTERM);
   const CommandResult ended = playing.finish(5s);
   EXPECT_EQ(ended.exit_code, 143) << ended.err;
-  EXPECT_NE(ended.err.find("run the same command to resume"), std::string::npos) << ended.err;
+  EXPECT_NE(ended.err.find("cls: resume: " + cls_binary().string() + " tournament run " +
+                           cup().string() + " --concurrency 1\n"),
+            std::string::npos)
+      << ended.err;
   const CommandResult on = tournament({"run", cup()});
   EXPECT_EQ(on.exit_code, 0) << on.err;
   EXPECT_EQ(report()["counts"]["finished"], 18);
@@ -262,8 +279,53 @@ TEST_F(Tournament, MatchAcceptsTeamNamesAsSides) {
   EXPECT_EQ(unknown.exit_code, 2);
   EXPECT_NE(unknown.err.find("unknown side 'RAD'; did you mean 'RED'?"), std::string::npos);
   EXPECT_EQ(match("moc", "HOLD").exit_code, 2);
+  const CommandResult stranger = match("NEWEST", "HOLD");
+  EXPECT_EQ(stranger.exit_code, 2);
+  EXPECT_NE(stranger.err.find("cls.toml are RED, BLUE, HOLD; other sides: cls match --help\n"),
+            std::string::npos)
+      << stranger.err;
   write_config("ronds = 1\n");
   EXPECT_EQ(match("RED", "HOLD").exit_code, 78);
+}
+
+TEST_F(Tournament, ReportsWithChosenNameColumnsAndMatches) {
+  ASSERT_EQ(tournament({"run", cup()}).exit_code, 0);
+  const CommandResult typo = tournament({"report", cup(), "--columns", "team,pionts"});
+  EXPECT_EQ(typo.exit_code, 2);
+  EXPECT_EQ(typo.err, "cls: --columns: 'pionts': did you mean 'points'?\n");
+  const std::string chosen = tournament({"report", cup(), "--columns", "team,points"}).out;
+  EXPECT_NE(chosen.find("\nstandings\n  team  pts\n"), std::string::npos) << chosen;
+  // Name and columns may change after the matches.
+  write_config("rounds = 1\nname = \"Spring cup\"\ncolumns = [\"rank\", \"team\"]\n");
+  const std::string renamed = tournament({"report", cup()}).out;
+  EXPECT_EQ(renamed.rfind("Spring cup: round-robin of 3 teams, ", 0), 0u) << renamed;
+  EXPECT_NE(renamed.find("\nstandings\n  #  team\n"), std::string::npos) << renamed;
+  const std::string status = tournament({"status", cup(), "--columns", "team"}).out;
+  EXPECT_EQ(status.rfind("6 of 6 matches done; complete\n\nstandings\n  team\n", 0), 0u) << status;
+  const std::string all = tournament({"report", cup(), "--matches"}).out;
+  for (int match = 1; match <= 6; ++match) {
+    EXPECT_NE(all.find("\n  match " + std::to_string(match) + ", "), std::string::npos) << all;
+  }
+  std::istringstream lines(all);
+  for (std::string line; std::getline(lines, line);) {
+    EXPECT_TRUE(line.size() <= 80 || line.find("    logs: ") == 0 || line.find('/') < 20) << line;
+  }
+}
+
+TEST_F(Tournament, LinksFromTheReportFileToTheFoldersOfMatches) {
+  ASSERT_EQ(tournament({"run", cup()}).exit_code, 0);
+  fs::create_directories(cup() / "web");
+  const auto link_in = [this](const fs::path& file) {
+    EXPECT_EQ(tournament({"report", cup(), "--format", "html", "--out", file}).exit_code, 0);
+    const std::string html = cls::tests::read_file(file);
+    const std::size_t at = html.find("<a href=\"") + 9;
+    return file.parent_path() / html.substr(at, html.find('"', at) - at);
+  };
+  for (const fs::path& file : {cup() / "report.html", cup() / "web" / "report.html"}) {
+    const fs::path folder = link_in(file);
+    EXPECT_TRUE(fs::is_regular_file(folder / "result.json")) << folder;
+    EXPECT_TRUE(folder.string().starts_with(cup().string()));
+  }
 }
 
 TEST_F(Tournament, ReportsInSixFormats) {
@@ -279,7 +341,7 @@ TEST_F(Tournament, ReportsInSixFormats) {
   for (std::size_t at = 0, end = 0; end != std::string::npos && at < csv.size(); at = end + 1) {
     end = csv.find('\n', at);
     const std::string line = csv.substr(at, end - at);
-    EXPECT_EQ(std::count(line.begin(), line.end(), ','), 23) << line;
+    EXPECT_EQ(std::count(line.begin(), line.end(), ','), 27) << line;
   }
   const std::string junit = report_as("junit");
   EXPECT_NE(junit.find("tests=\"6\" failures=\"0\" errors=\"0\" time="), std::string::npos);
@@ -330,7 +392,7 @@ TEST_F(Tournament, CompareStopsWhenDecided) {
   undecided[7] = (cup() / "d").string();
   undecided.insert(undecided.end(), {"--opponents", "BLUE", "--max-pairs", "1"});
   const CommandResult open = cls::tests::run(undecided);
-  EXPECT_EQ(open.exit_code, 1) << open.err;
+  EXPECT_EQ(open.exit_code, 3) << open.err;
   EXPECT_EQ(json::parse(open.out)["verdict"], "undecided");
   EXPECT_EQ(json::parse(open.out)["matches"].size(), 4u);
   for (const Arguments& error :
@@ -342,6 +404,127 @@ TEST_F(Tournament, CompareStopsWhenDecided) {
   }
 }
 
+TEST_F(Tournament, KeepsWarningsOfMatches) {
+  std::ofstream(cup() / "drill.json")
+      << R"({"otherwise": "simple", "expect": [{"rpc": "GetPlayerActions", "count": 1}]})";
+  const Arguments fast = {"run",         cup(),   "--format", "gauntlet",
+                          "--gauntlet",  "DRILL", "--team",   "DRILL=mock:drill.json",
+                          "--keep-logs", "none",  "--json"};
+  const CommandResult played = tournament(fast);
+  EXPECT_EQ(played.exit_code, 0) << played.err;
+  EXPECT_NE(played.err.find(" s, 1 warning)\n"), std::string::npos) << played.err;
+  EXPECT_NE(played.err.find("cls: warning: match 1 (DRILL - RED)"), std::string::npos)
+      << played.err;
+  EXPECT_NE(played.err.find("cls: 6 warnings in 6 matches\n"), std::string::npos) << played.err;
+  Arguments strict = fast;
+  strict.emplace_back("--strict");
+  const CommandResult failed = tournament(strict);
+  EXPECT_EQ(failed.exit_code, 1);
+  EXPECT_NE(failed.err.find("cls: 6 warnings in 6 matches (--strict)\n"), std::string::npos)
+      << failed.err;
+  EXPECT_EQ(report()["counts"]["finished"], 6) << "the matches stay valid";
+}
+
+TEST_F(Tournament, ChecksTeamsBeforeTheFirstMatch) {
+  const Arguments gone = {"run", cup(), "--team", "GONE=unix:none.sock", "--start-timeout", "0.1"};
+  const CommandResult refused = tournament(gone);
+  EXPECT_EQ(refused.exit_code, 69) << refused.err;
+  EXPECT_EQ(refused.err.rfind("cls: team GONE (unix:none.sock): nothing listens at ", 0), 0u)
+      << refused.err;
+  EXPECT_FALSE(fs::exists(cup() / "matches"));
+  EXPECT_EQ(tournament({"run", cup(), "--team", "GONE=run:./none {port}"}).exit_code, 66)
+      << "nothing was played yet, so another plan is accepted";
+  const CommandResult played =
+      tournament({"run", cup(), "--team", "GONE=run:./none {port}", "--no-preflight"});
+  EXPECT_EQ(played.exit_code, 1) << "the first match with GONE is invalid";
+  EXPECT_NE(played.err.find("is invalid (refused)"), std::string::npos) << played.err;
+}
+
+TEST_F(Tournament, WarnsOfTooManyParallelMatches) {
+  const Arguments many = {"run", cup(),           "--format", "gauntlet",    "--gauntlet",
+                          "RED", "--concurrency", "4000",     "--keep-logs", "none"};
+  Arguments strict = many;
+  strict.emplace_back("--strict");
+  const CommandResult failed = tournament(strict);
+  EXPECT_EQ(failed.exit_code, 1);
+  EXPECT_NE(failed.err.find("cls: no match was started (--strict)\n"), std::string::npos)
+      << failed.err;
+  const CommandResult played = tournament(many);
+  EXPECT_EQ(played.exit_code, 0) << played.err;
+  EXPECT_EQ(played.err.rfind("cls: warning: 4000 parallel matches on ", 0), 0u) << played.err;
+}
+
+// `cls compare` in a working folder of its own.
+class Compare : public testing::Test {
+ protected:
+  Arguments argv(Arguments more) const {
+    Arguments arguments = {cls_binary(), "compare", "mock", "mock:hold", "--cycles", "40"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return arguments;
+  }
+  CommandResult compare(Arguments more) const {
+    return Command(argv(std::move(more)), {}, folder_.path()).finish();
+  }
+  std::size_t folders() const {
+    return static_cast<std::size_t>(
+        std::distance(fs::directory_iterator(folder_.path() / "runs"), fs::directory_iterator()));
+  }
+
+  cls::tests::TemporaryFolder folder_;
+};
+
+TEST_F(Compare, ResumesBySameCommand) {
+  const CommandResult first = compare({"--max-pairs", "1", "--json"});
+  EXPECT_EQ(first.exit_code, 3) << first.err;
+  EXPECT_EQ(json::parse(first.out)["matches"].size(), 2u);
+  EXPECT_NE(first.err.find("/: pairs to play: 1\n"), std::string::npos) << first.err;
+  EXPECT_NE(first.err.find("a larger --max-pairs continues\n"), std::string::npos) << first.err;
+  const CommandResult second = compare({"--max-pairs", "3", "--json"});
+  EXPECT_EQ(second.exit_code, 3) << second.err;
+  const json document = json::parse(second.out);
+  ASSERT_EQ(document["matches"].size(), 6u);
+  EXPECT_EQ(document["matches"][0], json::parse(first.out)["matches"][0]) << "not played twice";
+  EXPECT_EQ(folders(), 1u);
+  EXPECT_EQ(compare({"--max-pairs", "1", "--seed", "2"}).exit_code, 3);
+  EXPECT_EQ(folders(), 2u) << "another plan";
+}
+
+TEST_F(Compare, RespectsMaxPairsOfThisCommand) {
+  ASSERT_EQ(compare({"--max-pairs", "3", "--dir", "c"}).exit_code, 3);
+  const CommandResult fewer = compare({"--max-pairs", "2", "--dir", "c", "--json"});
+  EXPECT_EQ(fewer.exit_code, 3) << fewer.err;
+  EXPECT_EQ(json::parse(fewer.out)["matches"].size(), 4u);
+  EXPECT_EQ(json::parse(fewer.out)["samples"], json({0, 0, 2, 0, 0}));
+  const CommandResult forced = compare({"--max-pairs", "1", "--dir", "c", "--force", "--json"});
+  EXPECT_EQ(forced.exit_code, 3) << forced.err;
+  EXPECT_TRUE(fs::exists(folder_.path() / "c.old" / "tournament.db"));
+  EXPECT_EQ(json::parse(forced.out)["matches"].size(), 2u);
+}
+
+TEST_F(Compare, PrintsStateOfTestAndResumeCommand) {
+  Command playing(argv({"--elo1", "5", "--concurrency", "1"}), {}, folder_.path());
+  const auto results = [&] {
+    return fs::exists(folder_.path() / "runs")
+               ? cls::tests::run(
+                     {"/bin/sh", "-c",
+                      "ls " + folder_.path().string() + "/runs/*/matches/*/result.json"})
+                     .out
+               : std::string();
+  };
+  while (std::ranges::count(results(), '\n') < 3) std::this_thread::sleep_for(50ms);
+  playing.send_signal(SIGINT);
+  const CommandResult ended = playing.finish(10s);
+  EXPECT_EQ(ended.exit_code, 130) << ended.err;
+  EXPECT_NE(ended.err.find("pairs to play: about "), std::string::npos) << ended.err;
+  EXPECT_NE(ended.err.find("pairs 1  +0 Elo ("), std::string::npos) << ended.err;
+  EXPECT_NE(ended.err.find("  LLR +0.00 (-2.94..+2.94)  "), std::string::npos) << ended.err;
+  EXPECT_NE(ended.err.find(" left\n"), std::string::npos) << ended.err;
+  EXPECT_NE(ended.err.find("cls: resume: " + cls_binary().string() +
+                           " compare mock mock:hold --cycles 40 --elo1 5 --concurrency 1\n"),
+            std::string::npos)
+      << ended.err;
+}
+
 TEST(Init, WritesPlayableConfigAndOverwritesNone) {
   cls::tests::TemporaryFolder folder;
   const fs::path cup = folder.path() / "cup";
@@ -350,9 +533,16 @@ TEST(Init, WritesPlayableConfigAndOverwritesNone) {
   EXPECT_EQ(made.out, (cup / "cls.toml").string() + "\n");
   const CommandResult listed = cls::tests::run({cls_binary(), "tournament", "plan", cup});
   EXPECT_EQ(listed.exit_code, 0) << listed.err;
+  // As README shows it.
+  const CommandResult compared = Command({cls_binary(), "compare", "RED", "BLUE", "--config",
+                                          "cup/cls.toml", "--max-pairs", "1", "--cycles", "30"},
+                                         {}, folder.path())
+                                     .finish();
+  EXPECT_EQ(compared.exit_code, 3) << compared.err;
+  EXPECT_NE(compared.out.find("RED against BLUE"), std::string::npos) << compared.out;
   const CommandResult again = cls::tests::run({cls_binary(), "init", cup});
   EXPECT_EQ(again.exit_code, 73);
-  EXPECT_NE(again.err.find("exists; use --force to replace it"), std::string::npos);
+  EXPECT_NE(again.err.find("exists; --force renames it to cls.toml.old"), std::string::npos);
 }
 
 }  // namespace

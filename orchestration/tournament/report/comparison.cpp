@@ -18,8 +18,6 @@ int opponents_of(const Comparison& comparison) {
   return static_cast<int>(comparison.config.teams.size()) - 2;
 }
 
-int matches_in_sample(const Comparison& comparison) { return opponents_of(comparison) > 0 ? 4 : 2; }
-
 void add_pair(const Comparison& comparison, std::vector<Fixture>& fixtures, int index, int sample,
               int pairing, int first, int second) {
   for (const bool swapped : {false, true}) {
@@ -52,7 +50,7 @@ std::optional<std::size_t> outcome_of(const Comparison& comparison,
                                       std::span<const ScheduledMatch> sample) {
   const auto points = half_points(sample, kNew);
   if (!points) return std::nullopt;
-  if (opponents_of(comparison) == 0) return static_cast<std::size_t>(*points);
+  if (is_direct(comparison)) return static_cast<std::size_t>(*points);
   return static_cast<std::size_t>(4 + *points - *half_points(sample, kBase));
 }
 
@@ -60,7 +58,7 @@ void set_model(ComparisonVerdict& verdict, const Comparison& comparison) {
   const SprtSettings& sprt = comparison.sprt;
   const double gain0 = score_from_elo(sprt.elo0) - 0.5;
   const double gain1 = score_from_elo(sprt.elo1) - 0.5;
-  if (opponents_of(comparison) == 0) {
+  if (is_direct(comparison)) {
     verdict.score0 = 0.5 + gain0;
     verdict.score1 = 0.5 + gain1;
     verdict.samples.assign(5, 0.0);
@@ -81,7 +79,29 @@ void set_model(ComparisonVerdict& verdict, const Comparison& comparison) {
       100 * gain0, sprt.elo0, 100 * gain1, sprt.elo1, sprt.alpha, sprt.beta);
 }
 
+// Of a sample's value when a fifth of the matches are draws and the matches of a pair share half of
+// their randomness, as in the table of docs/tournaments.md.
+double typical_variance(const Comparison& comparison) {
+  constexpr double kOfPair = 0.15;
+  return is_direct(comparison) ? kOfPair : kOfPair / 2;
+}
+
+double limited(const Comparison& comparison, double samples, double done) {
+  if (!comparison.max_samples) return samples;
+  return std::clamp(*comparison.max_samples - done, 0.0, samples);
+}
+
 }  // namespace
+
+bool is_direct(const Comparison& comparison) { return opponents_of(comparison) == 0; }
+
+std::string_view sample_name(const Comparison& comparison) {
+  return is_direct(comparison) ? "pairs" : "quartets";
+}
+
+int matches_in_sample(const Comparison& comparison) { return is_direct(comparison) ? 2 : 4; }
+
+double gain(double score) { return 2 * (score - 0.5); }
 
 std::vector<Fixture> next_fixtures(const Comparison& comparison,
                                    std::span<const ScheduledMatch> so_far) {
@@ -104,7 +124,15 @@ std::vector<Fixture> next_fixtures(const Comparison& comparison,
   return fixtures;
 }
 
+std::optional<int> last_match(const Comparison& comparison) {
+  if (!comparison.max_samples) return std::nullopt;
+  return *comparison.max_samples * matches_in_sample(comparison);
+}
+
 ComparisonVerdict verdict(const Comparison& comparison, std::span<const ScheduledMatch> matches) {
+  if (const auto last = last_match(comparison)) {
+    matches = matches.first(std::min(matches.size(), static_cast<std::size_t>(*last)));
+  }
   ComparisonVerdict verdict;
   set_model(verdict, comparison);
   const auto size = static_cast<std::size_t>(matches_in_sample(comparison));
@@ -122,9 +150,27 @@ ComparisonVerdict verdict(const Comparison& comparison, std::span<const Schedule
     verdict.samples[*outcome] += 1;
     verdict.state = sprt_state(verdict.samples, verdict.score0, verdict.score1, comparison.sprt);
   }
-  verdict.strength = estimate(mean(verdict.samples), variance(verdict.samples),
-                              static_cast<int>(total(verdict.samples)));
+  verdict.strength = estimate(verdict.samples);
   return verdict;
+}
+
+double expected_samples_left(const Comparison& comparison, const ComparisonVerdict& known) {
+  if (known.state.decision != SprtDecision::kOpen) return 0.0;
+  const double count = total(known.samples);
+  const bool tells = count >= kMinSprtResults;
+  const double left =
+      expected_results(known.state.llr, tells ? mean(known.samples) : known.score0,
+                       tells ? variance(known.samples) : typical_variance(comparison), known.score0,
+                       known.score1, comparison.sprt);
+  return limited(comparison, std::max(left, kMinSprtResults - count), count + known.left_out);
+}
+
+double max_expected_samples(const Comparison& comparison) {
+  const ComparisonVerdict start = verdict(comparison, {});
+  const double halfway = (start.score0 + start.score1) / 2;
+  const double left = expected_results(0.0, halfway, typical_variance(comparison), start.score0,
+                                       start.score1, comparison.sprt);
+  return limited(comparison, std::max<double>(left, kMinSprtResults), 0.0);
 }
 
 }  // namespace cls::orchestration::tournament

@@ -9,7 +9,9 @@
 #include <nlohmann/json.hpp>
 
 #include "base/system/version.h"
+#include "base/text/wrap_text.h"
 #include "orchestration/tournament/report/report_model.h"
+#include "orchestration/tournament/report/report_tables.h"
 #include "orchestration/tournament/store/match_document.h"
 
 namespace cls::orchestration::tournament {
@@ -42,25 +44,24 @@ std::string decision_text(const Names& names, const ComparisonVerdict& verdict) 
   return {};
 }
 
-// Twice the distance from 1/2: the difference of the two score rates.
-double gain(double score) { return 2 * (score - 0.5); }
-
 std::string strength_text(const Names& names, const ComparisonVerdict& verdict) {
   const Estimate& strength = verdict.strength;
   if (names.direct) {
     return fmt::format(
-        "{} against {}: {:+.1f} Elo (95 %: {:+.1f} to {:+.1f}), score {:.1f} % ({:.1f} to {:.1f}), "
+        "{} against {}: {} Elo (95 %: {} to {}), score {:.1f} % ({:.1f} to {:.1f}), "
         "likelihood of superiority {:.1f} %",
-        names.candidate, names.base, strength.elo, strength.elo_interval.low,
-        strength.elo_interval.high, 100 * strength.score, 100 * strength.score_interval.low,
-        100 * strength.score_interval.high, 100 * strength.superiority);
+        names.candidate, names.base, difference_text(strength.elo, 1),
+        difference_text(strength.elo_interval.low, 1),
+        difference_text(strength.elo_interval.high, 1), 100 * strength.score,
+        100 * strength.score_interval.low, 100 * strength.score_interval.high,
+        100 * strength.superiority);
   }
   return fmt::format(
-      "{} against the same opponents as {}: {:+.1f} % of the points (95 %: {:+.1f} to {:+.1f}), "
+      "{} against the same opponents as {}: {} % of the points (95 %: {} to {}), "
       "likelihood of superiority {:.1f} %",
-      names.candidate, names.base, 100 * gain(strength.score),
-      100 * gain(strength.score_interval.low), 100 * gain(strength.score_interval.high),
-      100 * strength.superiority);
+      names.candidate, names.base, difference_text(100 * gain(strength.score), 1),
+      difference_text(100 * gain(strength.score_interval.low), 1),
+      difference_text(100 * gain(strength.score_interval.high), 1), 100 * strength.superiority);
 }
 
 }  // namespace
@@ -77,21 +78,22 @@ std::string_view verdict_name(const ComparisonVerdict& verdict) {
   return "";
 }
 
-std::string comparison_text(const Comparison& comparison, std::span<const ScheduledMatch> matches) {
+std::string comparison_text(const Comparison& comparison, std::span<const ScheduledMatch> matches,
+                            std::size_t width) {
   const ComparisonVerdict known = verdict(comparison, matches);
   const Names names = names_of(comparison);
   std::string text = fmt::format("verdict: {}\n", decision_text(names, known));
   auto out = std::back_inserter(text);
   fmt::format_to(out, "{}\n", strength_text(names, known));
   fmt::format_to(out, "{} {}, from worst to best: {}", total(known.samples),
-                 names.direct ? "pairs" : "quartets", fmt::join(known.samples, " "));
+                 sample_name(comparison), fmt::join(known.samples, " "));
   if (known.left_out > 0) fmt::format_to(out, "; {} excluded (INVALID matches)", known.left_out);
   fmt::format_to(out, "\nLLR {:+.2f} between {:+.2f} and {:+.2f}\n{}\n", known.state.llr,
                  comparison.sprt.lower(), comparison.sprt.upper(), known.model);
   if (known.state.decision != SprtDecision::kOpen) {
     text += "a test that stops early slightly overstates the difference; the verdict is valid\n";
   }
-  return text;
+  return base::wrap_text(text, width);
 }
 
 std::string comparison_json(const Comparison& comparison, std::span<const ScheduledMatch> matches) {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <climits>
 #include <deque>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -51,6 +52,7 @@ class TournamentRun {
     const auto done = play();
     if (!done) return done.error();
     summary_.progress = progress();
+    matches_.resize(total());
     summary_.matches = std::move(matches_);
     return std::move(summary_);
   }
@@ -84,7 +86,7 @@ class TournamentRun {
       return logged;
     }
     for (const ScheduledMatch& match : matches_) {
-      if (match.outcome) count_done(*match.outcome);
+      if (match.outcome) count_done(match);
     }
     if (auto recorded = record_work_results(); !recorded) return recorded;
     const auto running = executor_->take_over(matches_);
@@ -117,7 +119,7 @@ class TournamentRun {
     waiting_.clear();
     for (const ScheduledMatch& match : matches_) {
       const int index = match.fixture.index;
-      if (!match.outcome && !running.contains(index)) waiting_.push_back(index);
+      if (!match.outcome && !running.contains(index) && allowed(index)) waiting_.push_back(index);
     }
     return {};
   }
@@ -207,7 +209,7 @@ class TournamentRun {
     } else {
       match.outcome = outcome;
       ++done_in_this_run_;
-      count_done(outcome);
+      count_done(match);
     }
     ScheduledMatch recorded = match;  // a match that is rerun has no outcome
     recorded.outcome = std::move(outcome);
@@ -228,9 +230,18 @@ class TournamentRun {
 
   // Counts incrementally: counting thousands of matches after each one would cost more than a
   // match.
-  void count_done(const Outcome& outcome) {
+  void count_done(const ScheduledMatch& match) {
+    if (!allowed(match.fixture.index)) return;
     ++done_;
-    invalid_ += !outcome.counts();
+    invalid_ += !match.outcome->counts();
+  }
+
+  bool allowed(int index) const { return !options_.last_match || index <= *options_.last_match; }
+
+  // Matches that this run plays or counts.
+  std::size_t total() const {
+    const std::size_t last = static_cast<std::size_t>(options_.last_match.value_or(INT_MAX));
+    return std::min(matches_.size(), last);
   }
 
   static void make_forfeit(Outcome& outcome) {
@@ -317,7 +328,7 @@ class TournamentRun {
 
   RunProgress progress() const {
     RunProgress now;
-    now.total = static_cast<int>(matches_.size());
+    now.total = static_cast<int>(total());
     now.done = done_;
     now.invalid = invalid_;
     now.running = executor_->running();

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -53,6 +54,8 @@ struct RunOptions {
   TournamentConfig config;
   /// Further matches when all so far are done; empty: next_fixtures(). Must be a pure function.
   std::function<std::vector<Fixture>(std::span<const ScheduledMatch>)> next;
+  /// Later matches of the folder are neither played nor counted; none: no limit.
+  std::optional<int> last_match;
   /// Called after every outcome; true stops the run and interrupts running matches.
   std::function<bool(std::span<const ScheduledMatch>)> decided;
 };

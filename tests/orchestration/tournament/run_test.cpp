@@ -39,6 +39,7 @@ class TournamentRunTest : public testing::Test {
     options.folder = folder_.path();
     options.config = std::move(config);
     options.decided = decided_;
+    options.last_match = last_match_;
     const auto make = [&](const TournamentConfig&) {
       return base::Result<std::unique_ptr<MatchExecutor>>(
           std::make_unique<FakeExecutor>(judge, record_));
@@ -65,6 +66,7 @@ class TournamentRunTest : public testing::Test {
   tests::TemporaryFolder folder_;
   FakeExecutor::Record record_;
   std::function<bool(std::span<const ScheduledMatch>)> decided_;
+  std::optional<int> last_match_;
   std::atomic<int> signal_{0};
 };
 
@@ -187,6 +189,21 @@ TEST_F(TournamentRunTest, StopsWhenDecided) {
   EXPECT_LE(record_.started.size(), 7u);
   run(config, fair);
   EXPECT_LE(record_.started.size(), 7u) << "it is still decided";
+}
+
+TEST_F(TournamentRunTest, PlaysNoMatchAfterTheLast) {
+  const TournamentConfig config = config_of(Format::kRoundRobin, 4);
+  last_match_ = 5;
+  const RunSummary some = run(config, fair);
+  EXPECT_EQ(some.end, RunEnd::kComplete);
+  EXPECT_EQ(some.progress.total, 5);
+  EXPECT_EQ(some.progress.done, 5);
+  EXPECT_EQ(some.matches.size(), 5u);
+  last_match_ = 3;
+  EXPECT_EQ(run(config, fair).progress.done, 3) << "two of the store do not count";
+  EXPECT_EQ(record_.started.size(), 5u);
+  last_match_.reset();
+  EXPECT_EQ(run(config, fair).progress.done, 12);
 }
 
 TEST_F(TournamentRunTest, CollectsResultFilesOfWork) {

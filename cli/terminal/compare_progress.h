@@ -1,0 +1,44 @@
+// Progress of `cls compare`: the state of its test.
+#pragma once
+
+#include <chrono>
+#include <string>
+
+#include "cli/terminal/tournament_progress.h"
+#include "orchestration/tournament/report/comparison.h"
+
+namespace cls::cli {
+
+/// Its status shows pairs, difference with its interval, LLR and its bounds, and the time left;
+/// without a terminal after the first pair, then with new pairs every 10 s.
+class CompareProgress : public TournamentProgress {
+ public:
+  /// `comparison` and `known`, the verdict so far, must outlive this.
+  CompareProgress(const orchestration::tournament::Comparison& comparison,
+                  const orchestration::tournament::ComparisonVerdict& known, bool on_terminal,
+                  bool quiet)
+      : TournamentProgress(on_terminal, quiet), comparison_(comparison), known_(known) {}
+
+ protected:
+  std::string status(const orchestration::tournament::RunProgress& progress) const override;
+  bool is_due(const orchestration::tournament::RunProgress& progress,
+              std::chrono::steady_clock::duration since_last) override;
+
+ private:
+  const orchestration::tournament::Comparison& comparison_;
+  const orchestration::tournament::ComparisonVerdict& known_;
+  double shown_samples_ = 0.0;
+};
+
+/// "pairs 12/20  +35 Elo (-120..+190)  LLR +0.24 (-2.94..+2.94)  2:05 min left". The time follows
+/// from the matches of this run.
+std::string comparison_status(const orchestration::tournament::Comparison& comparison,
+                              const orchestration::tournament::ComparisonVerdict& known,
+                              const orchestration::tournament::RunProgress& progress);
+
+/// Before the first match of a run without a verdict: "pairs to play: about 242 if H0 or H1 is
+/// true, 396 halfway between"; of a resumed one "pairs done: 12, to play: about 30".
+std::string comparison_outlook(const orchestration::tournament::Comparison& comparison,
+                               const orchestration::tournament::ComparisonVerdict& known);
+
+}  // namespace cls::cli

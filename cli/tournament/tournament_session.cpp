@@ -1,0 +1,190 @@
+// Opens folders, prints warnings and resume commands.
+#include "cli/tournament/tournament_session.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
+#include <utility>
+#include <vector>
+
+#include "base/io/occupied_path.h"
+#include "cli/support/command_line.h"
+#include "cli/support/exit_code.h"
+#include "cli/support/print_error.h"
+#include "cli/terminal/terminal.h"
+#include "orchestration/tournament/config/config_file.h"
+#include "orchestration/tournament/report/report_model.h"
+#include "orchestration/tournament/run/preflight.h"
+
+namespace cls::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace orchestration::tournament;
+
+int busy(const fs::path& folder) {
+  return print_error(kTryAgain,
+                     fmt::format("{}: another `cls tournament run` or `cls compare` is in progress",
+                                 folder.string()));
+}
+
+int start_over(const fs::path& folder) {
+  const auto aside = base::set_aside(folder);
+  if (!aside) return print_error(kCannotCreate, aside.error().message);
+  fmt::print(stderr, "cls: old tournament moved to {}\n", aside->string());
+  std::error_code code;
+  fs::create_directories(folder, code);
+  if (fs::exists(*aside / kConfigFile, code)) {
+    fs::copy_file(*aside / kConfigFile, folder / kConfigFile, code);
+  }
+  return kOk;
+}
+
+int exit_code_of(orchestration::match::EndpointProblem::Kind kind) {
+  using Kind = orchestration::match::EndpointProblem::Kind;
+  switch (kind) {
+    case Kind::kUnreachable:
+      return kUnavailable;
+    case Kind::kMissing:
+      return kNoInput;
+    case Kind::kBadScript:
+      return kBadData;
+    case Kind::kUnknown:
+      return kBadConfig;
+  }
+  return kInternalError;
+}
+
+// A warning and the matches that gave it.
+struct Warning {
+  std::string text;
+  std::vector<const ScheduledMatch*> matches;
+};
+
+std::vector<Warning> warnings_of(const std::vector<ScheduledMatch>& matches) {
+  std::vector<Warning> warnings;
+  for (const ScheduledMatch& match : matches) {
+    if (!match.outcome) continue;
+    for (const std::string& text : match.outcome->warnings) {
+      auto known = std::find_if(warnings.begin(), warnings.end(),
+                                [&](const Warning& one) { return one.text == text; });
+      if (known == warnings.end()) known = warnings.insert(known, {text, {}});
+      known->matches.push_back(&match);
+    }
+  }
+  return warnings;
+}
+
+std::string warning_line(const TournamentConfig& config, const Warning& warning) {
+  const Fixture& first = warning.matches.front()->fixture;
+  std::string where = fmt::format("match {} ({} - {})", first.index,
+                                  config.teams[static_cast<std::size_t>(first.left)].name,
+                                  config.teams[static_cast<std::size_t>(first.right)].name);
+  if (const std::size_t more = warning.matches.size() - 1; more > 0) {
+    where += fmt::format(" and {} more", more);
+  }
+  return fmt::format("{}: {}", where, warning.text);
+}
+
+void print_warnings(const TournamentConfig& config, const std::vector<Warning>& warnings) {
+  constexpr std::size_t kShown = 10;
+  for (std::size_t i = 0; i < std::min(kShown, warnings.size()); ++i) {
+    fmt::print(stderr, "cls: warning: {}\n", warning_line(config, warnings[i]));
+  }
+  if (warnings.size() <= kShown) return;
+  fmt::print(stderr, "cls: {} more kinds of warnings: `warnings` in the JSON report\n",
+             warnings.size() - kShown);
+}
+
+std::string warning_counts(const std::vector<ScheduledMatch>& matches) {
+  std::size_t warnings = 0;
+  int warned = 0;
+  for (const ScheduledMatch& match : matches) {
+    const std::size_t count = match.outcome ? match.outcome->warnings.size() : 0;
+    warnings += count;
+    warned += count > 0;
+  }
+  return fmt::format("{} warning{} in {} match{}", warnings, warnings == 1 ? "" : "s", warned,
+                     warned == 1 ? "" : "es");
+}
+
+}  // namespace
+
+void add_session_options(CLI::App& command, SessionOptions& options, const std::string& document) {
+  command.add_flag("--force", options.force, "start over; an old tournament is renamed to .old");
+  command.add_flag("--no-preflight", options.no_preflight,
+                   "start without checking teams and host first");
+  command.add_flag("--strict", options.strict, "fail (exit 1) on any warning");
+  command.add_flag("--json", options.json, fmt::format("print only the {} as JSON", document));
+  command.add_flag("--quiet", options.quiet, "print no progress and no notes");
+}
+
+OpenedFolder open_folder(const fs::path& folder, const TournamentConfig& config, bool force) {
+  const auto failed = [](int exit_code) { return OpenedFolder{exit_code, {}, {}}; };
+  if (holds_plan(folder)) {
+    const auto lock = FolderLock::try_lock(folder);
+    if (lock && !*lock) return failed(busy(folder));
+  }
+  if (force && holds_plan(folder)) {
+    if (const int code = start_over(folder); code != kOk) return failed(code);
+  }
+  if (const auto ready = prepare_folder(folder, config); !ready) {
+    const int code = holds_plan(folder) ? kBadConfig : kCannotCreate;
+    return failed(print_error(code, ready.error().message));
+  }
+  auto lock = FolderLock::try_lock(folder);
+  if (!lock) return failed(print_error(kCannotCreate, lock.error().message));
+  if (!*lock) return failed(busy(folder));
+  auto state = read_tournament(folder);
+  if (!state) return failed(print_error(kBadData, state.error().message));
+  return {kOk, *std::move(lock), std::move(state->matches)};
+}
+
+int run_preflight(const TournamentConfig& config, const fs::path& folder,
+                  const OpenedFolder& opened, const SessionOptions& options, double to_play,
+                  const std::string& outlook) {
+  constexpr double kPatienceS = 5.0;
+  if (to_play <= 0) return kOk;
+  if (!options.no_preflight) {
+    const std::chrono::duration<double> patience(
+        std::min(kPatienceS, config.start_timeout_s.value_or(kPatienceS)));
+    const auto problems =
+        check_start(config, std::chrono::duration_cast<std::chrono::milliseconds>(patience));
+    for (const StartProblem& problem : problems) print_error(0, problem.text);
+    if (!problems.empty()) {
+      return print_error(exit_code_of(problems.front().kind),
+                         "no match was started; --no-preflight starts without this check");
+    }
+    const auto warnings = host_warnings(config, opened.matches, to_play, folder);
+    const bool fails = options.strict && !warnings.empty();
+    for (const std::string& line : warnings) {
+      if (fails || !options.quiet) print_error(0, "warning: " + line);
+    }
+    if (fails) return print_error(kFailed, "no match was started (--strict)");
+  }
+  if (options.quiet) return kOk;
+  const auto seconds = expected_seconds(config, opened.matches, to_play);
+  fmt::print(stderr, "cls: {}{}\n", outlook, seconds ? ", about " + duration_text(*seconds) : "");
+  return kOk;
+}
+
+int end_session(const RunSummary& summary, const TournamentConfig& config,
+                const SessionOptions& options, int exit_code, bool listed) {
+  const std::vector<Warning> warnings = warnings_of(summary.matches);
+  if (!options.quiet && !listed) print_warnings(config, warnings);
+  if (!summary.message.empty()) print_error(0, summary.message);
+  if (summary.end != RunEnd::kComplete && summary.end != RunEnd::kDecided) {
+    print_error(0, fmt::format("{} ({})", counts_text(count(summary.matches)), name(summary.end)));
+    print_error(0, fmt::format("resume: {}", resume_command()));
+  }
+  if (warnings.empty()) return exit_code;
+  const std::string counts = warning_counts(summary.matches);
+  const bool fails = options.strict && (exit_code == kOk || exit_code == kUndecided);
+  if (fails) return print_error(kFailed, fmt::format("{} (--strict)", counts));
+  if (!options.quiet) print_error(0, counts);
+  return exit_code;
+}
+
+}  // namespace cls::cli
