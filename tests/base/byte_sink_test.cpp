@@ -3,6 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
+
+#include "base/io/background_sink.h"
+#include "base/io/occupied_path.h"
 #include "tests/support/files.h"
 #include "tests/support/temporary_folder.h"
 
@@ -41,6 +45,53 @@ TEST(FileSink, ReportsFullDiskOnClose) {
   const auto closed = (*sink)->close();
   ASSERT_FALSE(closed);
   EXPECT_EQ(closed.error().message, "cannot write '/dev/full': No space left on device");
+}
+
+TEST(BackgroundSink, WritesAllBytesInOrder) {
+  const tests::TemporaryFolder folder;
+  const std::string path = (folder.path() / "a.log.gz").string();
+  auto sink = create_log_file(path, 1);
+  ASSERT_TRUE(sink);
+  std::string expected;
+  for (int i = 0; i < 200'000; ++i) {
+    const std::string line = "line " + std::to_string(i * 7919) + "\n";
+    expected += line;
+    (*sink)->write(line);
+  }
+  EXPECT_TRUE((*sink)->close());
+  EXPECT_TRUE((*sink)->close());
+  EXPECT_EQ(tests::read_file(path), expected);
+}
+
+TEST(BackgroundSink, ReportsFullDiskOnClose) {
+  auto sink = create_log_file("/dev/full", 1);
+  ASSERT_TRUE(sink);
+  (*sink)->write("x");
+  const auto closed = (*sink)->close();
+  ASSERT_FALSE(closed);
+  EXPECT_EQ(closed.error().message, "cannot write '/dev/full': No space left on device");
+}
+
+TEST(OccupiedPath, NamesContentsOfFolder) {
+  const tests::TemporaryFolder folder;
+  EXPECT_EQ(contents_of(folder.path()), "");
+  EXPECT_EQ(contents_of(folder.path() / "missing"), "");
+  for (const char* name : {"b", "a"}) std::ofstream(folder.path() / name) << name;
+  EXPECT_EQ(contents_of(folder.path()), "a and b");
+  for (const char* name : {"c", "d"}) std::ofstream(folder.path() / name) << name;
+  EXPECT_EQ(contents_of(folder.path()), "a, b and 2 more");
+}
+
+TEST(OccupiedPath, RenamesToFreeName) {
+  const tests::TemporaryFolder folder;
+  const auto path = folder.path() / "x";
+  for (const char* expected : {"x.old", "x.old2", "x.old3"}) {
+    std::ofstream(path) << expected;
+    const auto renamed = set_aside(path);
+    ASSERT_TRUE(renamed);
+    EXPECT_EQ(renamed->filename(), expected);
+    EXPECT_EQ(tests::read_file(*renamed), expected);
+  }
 }
 
 }  // namespace

@@ -59,7 +59,7 @@ class TournamentWork : public testing::Test {
     const json outcome = result(index);
     EXPECT_EQ(outcome["end_reason"], "finished");
     const fs::path folder = cup() / outcome["folder"].get<std::string>();
-    EXPECT_TRUE(fs::exists(folder / "match.rcg")) << folder;
+    EXPECT_TRUE(fs::exists(folder / "match.rcg.gz")) << folder;
     EXPECT_EQ(entries("results"), 1u) << "no temporary file is left";
     EXPECT_EQ(entries("unfinished"), 0u);
   }

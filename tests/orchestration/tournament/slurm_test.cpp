@@ -113,7 +113,7 @@ class SlurmTest : public testing::Test {
     ASSERT_EQ(here.exit_code, 0) << here.err;
     EXPECT_EQ(tests::outcome_of(report), tests::outcome_of(json::parse(here.out)));
     for (const json& match : report["matches"]) {
-      EXPECT_TRUE(fs::exists(cup() / match["folder"].get<std::string>() / "match.rcg")) << match;
+      EXPECT_TRUE(fs::exists(cup() / match["folder"].get<std::string>() / "match.rcg.gz")) << match;
     }
   }
 

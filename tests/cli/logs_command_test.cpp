@@ -1,0 +1,96 @@
+// `cls logs`: finds the match, lists its files, prints what the failed process wrote last.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "tests/support/command.h"
+#include "tests/support/temporary_folder.h"
+
+namespace {
+
+namespace fs = std::filesystem;
+using cls::tests::cls_binary;
+using cls::tests::CommandResult;
+using nlohmann::json;
+
+class LogsCommand : public testing::Test {
+ protected:
+  CommandResult run(std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), cls_binary());
+    return cls::tests::Command(arguments, {}, folder_.path()).finish();
+  }
+  CommandResult play(const std::string& right, const std::string& dir) {
+    return run({"match", "mock:hold", right, "--cycles", "5", "--set", "server::kick_off_wait=3",
+                "--dir", dir});
+  }
+  fs::path path(const std::string& name) const { return folder_.path() / name; }
+
+  const std::string crash_ = "run:echo one; echo boom {port}; exit 3";
+  cls::tests::TemporaryFolder folder_;
+};
+
+TEST_F(LogsCommand, PrintsLastLinesOfFailedProcess) {
+  EXPECT_NE(play(crash_, "m").exit_code, 0);
+  const CommandResult shown = run({"logs", "m"});
+  EXPECT_EQ(shown.exit_code, 0) << shown.err;
+  for (const char* text : {"result (cls.match/1)", "right-playmaker.log",
+                           "output of right Playmaker (exit code 3)", "  one\n", "  boom "}) {
+    EXPECT_NE(shown.out.find(text), std::string::npos) << text << shown.out;
+  }
+  const CommandResult one = run({"logs", "m", "--tail", "1"});
+  EXPECT_EQ(one.out.find("  one\n"), std::string::npos);
+  EXPECT_NE(one.out.find("  boom "), std::string::npos);
+}
+
+TEST_F(LogsCommand, PrintsDocument) {
+  play(crash_, "m");
+  const json document = json::parse(run({"logs", "m", "--json"}).out);
+  EXPECT_EQ(document["schema"], "cls.logs/1");
+  EXPECT_EQ(document["end_reason"], "refused");
+  EXPECT_EQ(document["tail"]["process"], "right Playmaker");
+  EXPECT_EQ(document["tail"]["lines"][0], "one");
+  bool manifest = false;
+  for (const json& file : document["files"]) manifest |= file["name"] == "manifest.json";
+  EXPECT_TRUE(manifest);
+}
+
+TEST_F(LogsCommand, SelectsLatestFailedMatchOfFolder) {
+  play("mock:hold", "runs/a");
+  play(crash_, "runs/b");
+  play("mock:hold", "runs/c");
+  const CommandResult shown = run({"logs"});
+  EXPECT_TRUE(shown.out.starts_with("runs/b  (the latest that failed)\n")) << shown.out;
+}
+
+TEST_F(LogsCommand, FindsMatchesOfTournament) {
+  std::ofstream(path("cls.toml")) << "[tournament]\ncycles = 5\nkeep_logs = \"all\"\n"
+                                     "[server]\nkick_off_wait = 3\n"
+                                     "[teams.A]\nendpoint = \"mock:hold\"\n"
+                                     "[teams.B]\nendpoint = \"mock:hold\"\n";
+  const CommandResult played = run({"tournament", "run", "cup", "--quiet"});
+  ASSERT_EQ(played.exit_code, 0) << played.err;
+  const CommandResult second = run({"logs", "cup", "--match", "2"});
+  EXPECT_TRUE(second.out.starts_with("cup/matches/000002-B-vs-A  (match 2)\n")) << second.out;
+  EXPECT_NE(second.out.find("match.rcg.gz"), std::string::npos);
+  EXPECT_NE(run({"logs", "cup"}).out.find("none failed"), std::string::npos);
+  const CommandResult none = run({"logs", "cup", "--match", "9"});
+  EXPECT_EQ(none.exit_code, 66);
+  EXPECT_EQ(none.err, "cls: cup has 2 matches, no match 9\n");
+}
+
+TEST_F(LogsCommand, ReportsErrors) {
+  EXPECT_EQ(run({"logs", "nowhere"}).err, "cls: nowhere: no such folder\n");
+  fs::create_directories(path("empty"));
+  EXPECT_EQ(run({"logs", "empty"}).err,
+            "cls: empty: no match folder, no tournament and no folder of matches\n");
+  play(crash_, "m");
+  const CommandResult typo = run({"logs", "m", "--process", "rigth Playmaker"});
+  EXPECT_EQ(typo.exit_code, 2);
+  EXPECT_NE(typo.err.find("did you mean 'right Playmaker'?"), std::string::npos) << typo.err;
+}
+
+}  // namespace

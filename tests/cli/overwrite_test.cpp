@@ -1,0 +1,100 @@
+// Commands keep files that exist.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "tests/support/command.h"
+#include "tests/support/files.h"
+#include "tests/support/temporary_folder.h"
+
+namespace {
+
+namespace fs = std::filesystem;
+using cls::tests::cls_binary;
+using cls::tests::CommandResult;
+using cls::tests::read_file;
+
+class Overwrite : public testing::Test {
+ protected:
+  CommandResult run(std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), cls_binary());
+    return cls::tests::Command(arguments, {}, folder_.path()).finish();
+  }
+  CommandResult match(std::vector<std::string> more) {
+    std::vector<std::string> all = {
+        "match",  "mock:hold", "mock:hold", "--set", "server::kick_off_wait=3",
+        "--seed", "7",         "--cycles",  "5"};
+    all.insert(all.end(), more.begin(), more.end());
+    return run(all);
+  }
+  fs::path path(const std::string& name) const { return folder_.path() / name; }
+  void write(const std::string& name, const std::string& text) const {
+    fs::create_directories(path(name).parent_path());
+    std::ofstream(path(name)) << text;
+  }
+
+  cls::tests::TemporaryFolder folder_;
+};
+
+TEST_F(Overwrite, MatchRefusesFolderThatHoldsSomething) {
+  write("x/match.rcg", "mine");
+  const CommandResult refused = match({"--dir", "x"});
+  EXPECT_EQ(refused.exit_code, 73);
+  EXPECT_EQ(refused.err,
+            "cls: x holds match.rcg; choose another name, or --force to rename it to x.old\n");
+  EXPECT_EQ(read_file(path("x/match.rcg")), "mine");
+  EXPECT_FALSE(fs::exists(path("x/manifest.json")));
+}
+
+TEST_F(Overwrite, MatchKeepsOldFolderWithForce) {
+  write("x/match.rcg", "mine");
+  EXPECT_EQ(match({"--dir", "x", "--force"}).exit_code, 0);
+  EXPECT_EQ(read_file(path("x.old/match.rcg")), "mine");
+  EXPECT_TRUE(fs::exists(path("x/result.json")));
+  EXPECT_EQ(match({"--dir", "x", "--force"}).exit_code, 0);
+  EXPECT_TRUE(fs::exists(path("x.old2/result.json")));
+}
+
+TEST_F(Overwrite, MatchPlaysInEmptyFolder) {
+  fs::create_directories(path("x"));
+  EXPECT_EQ(match({"--dir", "x"}).exit_code, 0);
+}
+
+TEST_F(Overwrite, MatchKeepsRecordedCalls) {
+  write("calls.rpc", "mine");
+  const CommandResult refused = match({"--dir", "x", "--record-rpc", "calls.rpc"});
+  EXPECT_EQ(refused.exit_code, 73);
+  EXPECT_NE(refused.err.find("calls.rpc exists"), std::string::npos) << refused.err;
+  EXPECT_EQ(match({"--dir", "x", "--record-rpc", "calls.rpc", "--force"}).exit_code, 0);
+  EXPECT_EQ(read_file(path("calls.rpc.old")), "mine");
+}
+
+TEST_F(Overwrite, ConvertRefusesExistingFile) {
+  const std::string log = cls::tests::fixture("gamelog/match-start.rcg.gz");
+  write("out.rcg", "mine");
+  const CommandResult refused = run({"convert", log, "out.rcg"});
+  EXPECT_EQ(refused.exit_code, 73);
+  EXPECT_EQ(refused.err, "cls: out.rcg: exists; use --force to replace it\n");
+  EXPECT_EQ(read_file(path("out.rcg")), "mine");
+  run({"convert", log, "out.rcg", "--force"});
+  EXPECT_NE(read_file(path("out.rcg")), "mine");
+}
+
+TEST_F(Overwrite, InitKeepsOldConfiguration) {
+  write("cls.toml", "mine");
+  EXPECT_EQ(run({"init"}).exit_code, 73);
+  EXPECT_EQ(run({"init", "--force"}).exit_code, 0);
+  EXPECT_EQ(read_file(path("cls.toml.old")), "mine");
+}
+
+TEST_F(Overwrite, ServerRefusesFolderWithLogs) {
+  write("logs/match.rcl", "mine");
+  const CommandResult refused = run({"server", "--port", "0", "--dir", "logs"});
+  EXPECT_EQ(refused.exit_code, 73);
+  EXPECT_EQ(refused.err, "cls: logs/match.rcl: exists; give --dir another folder\n");
+}
+
+}  // namespace
