@@ -69,7 +69,9 @@ std::string without_measurements(std::string line) {
   static const std::regex measured(R"(\d (us|ms|cycles/s|MB)\b|cpu seconds|\d s\b)");
   static const std::regex number(R"(\d+(\.\d+)?)");
   static const std::regex spaces(R"( +)");
+  static const std::regex verdict(R"(limited by .*)");
   line = std::regex_replace(line, time, "TIME");
+  line = std::regex_replace(line, verdict, "limited by the host");
   if (!std::regex_search(line, measured)) return line;
   return std::regex_replace(std::regex_replace(line, number, "N"), spaces, " ");
 }

@@ -38,8 +38,9 @@ std::vector<std::filesystem::path> doc_pages();
 /// Joins lines that end in a backslash.
 std::vector<ConsoleCommand> console_commands(const CodeBlock& block);
 
-/// True if `output` is what `expected` shows. A line `...` stands for any lines. Times of day are
-/// equal, and so are all numbers of lines with latencies, speeds or CPU times.
+/// True if `output` is what `expected` shows. A line `...` stands for any lines. Times of day and
+/// verdicts on speed are equal, and so are all numbers of lines with latencies, speeds or CPU
+/// times.
 bool shows_output(const std::vector<std::string>& expected, const std::vector<std::string>& output);
 
 }  // namespace cls::tests
