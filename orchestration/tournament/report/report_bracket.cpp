@@ -154,6 +154,12 @@ std::vector<Part> parts_of(const Report& report) {
   return parts;
 }
 
+// True when no match of an earlier round leads to the tie.
+bool starts_here(const Report& report, const BracketTie& tie) {
+  return std::none_of(tie.entrants.begin(), tie.entrants.end(),
+                      [&](const Entrant& entrant) { return origin(report, entrant).tie >= 0; });
+}
+
 std::string entrant_html(const Report& report, const BracketTie& tie, const Entrant& entrant) {
   const bool won = tie.winner && entrant.team == tie.winner;
   std::string goals;
@@ -191,7 +197,8 @@ const char* const kBracketStyle =
     "border:0 solid var(--line);border-right-width:1px;pointer-events:none}"
     ".bracket .joins li:nth-child(odd)::after{top:50%;bottom:0;border-top-width:1px}"
     ".bracket .joins li:nth-child(even)::after{top:0;bottom:50%;border-bottom-width:1px}"
-    ".bracket .joined li:not(.bye)::before{content:\"\";position:absolute;left:-.75em;top:50%;"
+    ".bracket .joined "
+    "li:not(.bye,.first)::before{content:\"\";position:absolute;left:-.75em;top:50%;"
     "width:.75em;border-top:1px solid var(--line)}";
 
 std::string bracket_text(const Report& report, std::size_t width) {
@@ -213,7 +220,9 @@ std::string bracket_html(const Report& report) {
       text += fmt::format("<section class=\"{}{}\"><h3>{}</h3>\n<ul>\n", halves(i) ? "joins" : "",
                           joined ? " joined" : "", base::escape_xml(round.title));
       for (const BracketTie* tie : round.ties) {
-        text += has_bye(*tie) ? "<li class=\"bye\" aria-hidden=\"true\">" : "<li>";
+        text += has_bye(*tie)               ? "<li class=\"bye\" aria-hidden=\"true\">"
+                : starts_here(report, *tie) ? "<li class=\"first\">"
+                                            : "<li>";
         for (const Entrant& entrant : tie->entrants) text += entrant_html(report, *tie, entrant);
         text += "</li>\n";
       }

@@ -38,8 +38,10 @@ constexpr const char* kStyle =
     "font-weight:400;white-space:nowrap}"
     "thead th{border-bottom:2px solid var(--line);font-weight:600;color:var(--muted)}"
     ".w{text-align:left}tbody tr:hover{background:var(--faint)}"
-    ".long td{white-space:normal}"
-    "svg{max-width:100%;height:auto;display:block}svg text{fill:var(--text);font-size:13px}"
+    ".long td.w{white-space:normal;overflow-wrap:anywhere;min-width:12em}"
+    ".dense{font-size:.85em}.dense th,.dense td{padding:.2em .55em}"
+    "svg{max-width:100%;height:auto;display:block;margin-bottom:.8em}svg "
+    "text{fill:var(--text);font-size:13px}"
     ".axis{stroke:var(--faint)}.zero,.bar{stroke:var(--line)}.dot{fill:var(--accent)}"
     "svg .tick{fill:var(--muted);font-size:11px}"
     "pre{overflow-x:auto;border:1px solid var(--faint);padding:.6em .8em;font-size:.85em}"
@@ -158,11 +160,11 @@ std::string report_html(const Report& report) {
   text += table_html(crosstable(report, report.config->teams.size() > kMaxNamedColumns));
   text += ratings_html(report);
   text += table_html(head_to_head_table(report));
-  text += table_html(playmakers_table(report, true));
+  text += table_html(playmakers_table(report, true), "scroll long");
   text += table_html(hosts_table(report));
   text += warnings_html(report);
   text += table_html(failures_table(report), "scroll long");
-  text += table_html(matches_table(report, true));
+  text += table_html(matches_table(report, MatchDetails::kLinks), "scroll dense");
   if (!report.matches.empty()) {
     text += "<h2>play a match again</h2>\n" + element("pre", rerun_lines(report));
   }

@@ -200,8 +200,10 @@ ReportTable standings_table(const Report& report, const RankedTable& ranked, Hea
 
 ReportTable crosstable(const Report& report, bool numbered) {
   const auto& standings = report.tables.back().standings;
+  const Format format = report.config->format;
+  const bool bracket_only = format == Format::kKnockout || format == Format::kDoubleElimination;
   ReportTable result;
-  if (standings.size() < 3 || standings.size() > 20) return result;
+  if (bracket_only || standings.size() < 3 || standings.size() > 20) return result;
   result.title = "won-drawn-lost, row against column";
   const auto label = [&](std::size_t place) {
     const std::string& team = report.team(standings[place].team);
@@ -302,13 +304,12 @@ ReportTable playmakers_table(const Report& report, bool endpoints) {
       "maximum of the slowest player in the slowest match. Missed decisions include late ones.";
   base::Table& table = result.table;
   table.add_column("team");
-  if (endpoints) table.add_column("endpoint");
   table.add_columns({"decisions", "p50 ms", "p95 ms", "p99 ms", "max ms", "late", "missed"},
                     Align::kRight);
+  if (endpoints) table.add_column("endpoint");
   for (std::size_t team = 0; team < all.size(); ++team) {
     const PlaymakerFigures& figures = all[team];
     std::vector<std::string> cells = {report.config->teams[team].name};
-    if (endpoints) cells.push_back(report.config->teams[team].endpoint);
     const std::vector<std::string> numbers =
         figures.decisions == 0
             ? std::vector<std::string>(7, "-")
@@ -318,6 +319,7 @@ ReportTable playmakers_table(const Report& report, bool endpoints) {
                   milliseconds(figures.max_us),      fmt::to_string(figures.late),
                   fmt::to_string(figures.missed)};
     cells.insert(cells.end(), numbers.begin(), numbers.end());
+    if (endpoints) cells.push_back(report.config->teams[team].endpoint);
     table.add_row(std::move(cells));
   }
   return result;
@@ -364,40 +366,43 @@ ReportTable failures_table(const Report& report) {
   return result;
 }
 
-ReportTable matches_table(const Report& report, bool details) {
+ReportTable matches_table(const Report& report, MatchDetails details) {
+  constexpr std::size_t kLinkColumn = 5;
   ReportTable result;
   if (report.matches.empty()) return result;
   result.title = "matches";
+  const bool links = details == MatchDetails::kLinks;
+  const bool figures = links || details == MatchDetails::kFigures;
   base::Table& table = result.table;
   table.add_column("match", Align::kRight);
   table.add_columns({"stage", "left"});
   table.add_column("score", Align::kRight);
   table.add_column("right");
-  if (details) {
+  if (links) table.add_column("logs");
+  if (figures) {
     table.add_column("end reason");
     table.add_columns({"cycles", "seed"}, Align::kRight);
     table.add_columns({"started (UTC)", "host"});
     table.add_column("warnings", Align::kRight);
-    table.add_column("logs");
   }
   for (const ScheduledMatch& match : report.matches) {
     const Fixture& fixture = match.fixture;
     std::vector<std::string> cells = {fmt::to_string(fixture.index), stage_text(fixture),
                                       report.team(fixture.left), score_text(match),
                                       report.team(fixture.right)};
-    if (details) {
-      const Outcome outcome = match.outcome.value_or(Outcome());
-      const bool known = match.outcome.has_value();
+    const bool known = match.outcome.has_value();
+    const Outcome outcome = match.outcome.value_or(Outcome());
+    if (links) cells.emplace_back(outcome.folder.empty() ? "" : "logs");
+    if (figures) {
       cells.emplace_back(known ? name(outcome.end_reason) : "not played");
       cells.push_back(known ? fmt::to_string(outcome.cycles) : "");
       cells.push_back(fmt::to_string(fixture.seed));
       cells.push_back(time_text(outcome.started));
       cells.push_back(outcome.host);
       cells.push_back(known ? fmt::to_string(outcome.warnings.size()) : "");
-      cells.push_back(outcome.folder.empty() ? "" : "logs");
     }
     table.add_row(std::move(cells));
-    if (details) link_folder(report, match, 11, table);
+    if (links) link_folder(report, match, kLinkColumn, table);
   }
   return result;
 }

@@ -23,7 +23,8 @@ enum class Headings { kShort, kLong };
 
 ReportTable standings_table(const Report& report, const RankedTable& ranked, Headings headings);
 /// Won, drawn, lost of the row's team against the column's, by rank. `numbered`: columns are headed
-/// by ranks instead of names. Empty with fewer than three or more than twenty teams.
+/// by ranks instead of names. Empty with fewer than three or more than twenty teams, and where the
+/// bracket says it all.
 ReportTable crosstable(const Report& report, bool numbered);
 /// Score rate, Elo difference, intervals and likelihood of superiority of each pair of teams.
 ReportTable head_to_head_table(const Report& report);
@@ -38,8 +39,12 @@ ReportTable playmakers_table(const Report& report, bool endpoints);
 ReportTable hosts_table(const Report& report);
 /// Matches without a proper result. Empty if there are none.
 ReportTable failures_table(const Report& report);
-/// All matches. `details`: with end reason, cycles, seed, date, host and a link to the folder.
-ReportTable matches_table(const Report& report, bool details);
+enum class MatchDetails {
+  kScores,
+  kFigures,  ///< also end reason, cycles, seed, date, host and number of warnings
+  kLinks,    ///< also a link to the folder
+};
+ReportTable matches_table(const Report& report, MatchDetails details);
 
 /// "+12", "-3", "+0": a difference without negative zero.
 std::string difference_text(double value, int decimals = 0);

@@ -105,7 +105,8 @@ std::string format_warnings(const Report& report, const TextOptions& options) {
 }
 
 std::string format_matches(const Report& report, const TextOptions& options) {
-  const ReportTable table = matches_table(report, options.all_matches);
+  const ReportTable table =
+      matches_table(report, options.all_matches ? MatchDetails::kFigures : MatchDetails::kScores);
   if (table.empty()) return {};
   if (!options.all_matches && report.matches.size() > kMaxListed) {
     return fmt::format("\n{} matches (--matches lists them)\n", report.matches.size());
@@ -195,7 +196,8 @@ std::string report_markdown(const Report& report) {
     text += fmt::format("\n## bracket\n\n```text\n{}```\n", tree);
   }
   std::vector<ReportTable> tables = middle_tables(report, crosstable(report, false), true);
-  for (ReportTable& table : std::vector{matches_table(report, true), failures_table(report)}) {
+  for (ReportTable& table :
+       std::vector{matches_table(report, MatchDetails::kLinks), failures_table(report)}) {
     if (!table.empty()) tables.push_back(std::move(table));
   }
   for (const ReportTable& table : tables) text += "\n" + format_markdown(table);
