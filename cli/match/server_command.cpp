@@ -259,7 +259,10 @@ int serve_match(const Arguments& arguments, const ServerSettings& settings,
 
   const UdpServerExit end = serve(**server, signal);
   teams->terminate();
-  if (end == UdpServerExit::kFinished) fmt::print("\nGame Over. Exiting...\n");
+  if (end == UdpServerExit::kFinished) {
+    (*server)->announce_end();
+    fmt::print("\nGame Over. Exiting...\n");
+  }
   if (end == UdpServerExit::kStopped) fmt::print("\nServer Killed. Exiting...\n");
   const auto finished = finish(**server, settings, *logs, start);
   if (!finished) return print_error(kWriteFailed, finished.error().message);

@@ -124,6 +124,19 @@ void Match::blame(const MatchSide& side, MatchEnd& end) const {
   if (playing_) end.failure->cycle = moment().cycle;
 }
 
+// The server does not say whose clients stopped responding. Agents of cls reply to every cycle
+// unless their Playmaker is awaited.
+void Match::blame_unresponsive(MatchEnd& end) const {
+  std::vector<const MatchSide*> sides;
+  for (const auto& side : sides_) {
+    const auto call = side->awaited_reply();
+    if (side->is_external() || (call && call->waited > kServerWait)) sides.push_back(side.get());
+  }
+  if (sides.size() != 1) return;
+  end.message += ": those of " + sides.front()->who();
+  if (!is_trainer(*sides.front())) end.fault = sides.front()->identity().side;
+}
+
 void Match::end_by_limit(EndReason limit) {
   MatchEnd end{limit, limits_.describe(limit), {}, {}, false};
   if (limit == EndReason::kStalled) {
@@ -174,7 +187,10 @@ bool Match::is_over() const {
 
 void Match::check() {
   if (ended()) return;
-  if (auto failure = server_->failure(playing_)) end_unless_interrupted(*std::move(failure));
+  if (auto failure = server_->failure(playing_)) {
+    if (failure->reason == EndReason::kLate) blame_unresponsive(*failure);
+    end_unless_interrupted(*std::move(failure));
+  }
   for (const auto& side : sides_) {
     if (ended() || (is_over() && !server_->lockstep())) break;
     auto failure = side->failure(moment());

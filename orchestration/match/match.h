@@ -86,6 +86,7 @@ class Match {
   void end_unless_interrupted(MatchEnd end);
   void end_by_limit(EndReason limit);
   void blame(const MatchSide& side, MatchEnd& end) const;
+  void blame_unresponsive(MatchEnd& end) const;
   std::vector<const MatchSide*> awaited_sides(double limit_s) const;
   std::string stall_message(const std::vector<const MatchSide*>& sides) const;
   std::optional<EndReason> exceeded_limit() const;

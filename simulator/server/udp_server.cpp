@@ -51,13 +51,15 @@ const World& UdpServer::world() const { return match_->world(); }
 UdpServerExit UdpServer::run(const std::atomic<bool>& stop) {
   const UdpServerExit end =
       world().params().synch_mode ? run_synchronous(stop) : run_in_real_time(stop);
-  // Clients would wait for a server that has ended.
-  if (end == UdpServerExit::kFinished && world().mode != PlayMode::kTimeOver) {
-    match_->announce_end();
-  }
   network_->flush();
   match_->finish();
   return end;
+}
+
+void UdpServer::announce_end() {
+  if (world().mode == PlayMode::kTimeOver) return;
+  match_->announce_end();
+  network_->flush();
 }
 
 bool UdpServer::is_over() const {

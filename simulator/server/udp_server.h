@@ -91,9 +91,13 @@ class UdpServer {
 
   /// Runs the match to its end and writes the result to the logs. After time_over in auto mode,
   /// clients have game_over_wait cycles to disconnect. Without auto mode only `stop` or the cycle
-  /// limit end the match; at the cycle limit clients hear time_over. `stop` may be set by another
+  /// limit end the match. `stop` may be set by another
   /// thread or a signal handler.
   UdpServerExit run(const std::atomic<bool>& stop);
+
+  /// Sends the referee's time_over, for a server that exits at its cycle limit: clients would wait
+  /// for it. After run().
+  void announce_end();
 
   /// Lateness of the steps in real time. Call only when run() has returned.
   StepTimer::Lateness lateness() const { return lateness_; }

@@ -174,6 +174,15 @@ TEST(Hangs, BlameRegisterOverUdp) {
   expect_blamed(played, "refused", "Register", "player 1");
 }
 
+// The players leave because the match has ended: that is no news.
+TEST(Hangs, EndInRealTimeWithoutALineForEachPlayer) {
+  const Played played =
+      play_with_faults(R"({"delay_ms": 300})", {"--mode", "realtime", "--max-missed", "5"});
+  EXPECT_EQ(played.result["end_reason"], "late") << played.command.err;
+  EXPECT_EQ(played.result["fault"], "right");
+  EXPECT_EQ(played.command.err.find("left the match"), std::string::npos) << played.command.err;
+}
+
 TEST(Hangs, NameBothSidesWhenBothHang) {
   const TemporaryFolder folder;
   const auto script = folder.path() / "script.json";

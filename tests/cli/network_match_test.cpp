@@ -399,6 +399,13 @@ TEST_F(TeamFault, ReportsHangDuringMatch) {
   expect_end("stalled", 1, "no new cycle for 1 s");
 }
 
+// The cls agents have replied to every cycle, so the server gave up waiting for the others.
+TEST_F(TeamFault, BlamesTheTeamThatTheServerGaveUp) {
+  play(team(""), server("--until-cycle 20 --give-up 1 --code 1"), {"--right-name", "Guests"});
+  expect_end("late", 1, "clients stopped responding: those of Guests (team:");
+  EXPECT_EQ(result_["fault"], "right");
+}
+
 TEST_F(TeamFault, KillsTeamThatIgnoresSigterm) {
   play(team("--ignore-term 1 --grandchild 1"), server(""), {"--cycles", "10"});
   expect_finished();
