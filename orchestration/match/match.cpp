@@ -323,7 +323,7 @@ void Match::observe() {
 // Of a slow match, once.
 void Match::estimate_duration() {
   const auto played = Clock::now() - play_began_;
-  if (estimated_ || played < kEstimateAfter || is_paced()) return;
+  if (estimated_ || played < kEstimateAfter || is_paced() || sides_.size() == 1) return;
   const MatchProgress now = progress().match;
   if (now.cycle <= 0) return;
   estimated_ = true;

@@ -25,7 +25,6 @@ constexpr std::chrono::milliseconds kReplyTimeout{1000};
 constexpr std::string_view kPreface("PRI * HTTP/2.0\r\n\r\nSM\r\n\r\n\0\0\0\4\0\0\0\0\0", 33);
 constexpr std::size_t kFrameType = 3;
 constexpr char kSettings = 4;
-constexpr char kTlsAlert = 0x15;
 
 base::UniqueFd connect_unix(const std::string& path) {
   sockaddr_un address{};
@@ -44,7 +43,7 @@ base::UniqueFd connect_to(const GrpcTarget& target, int agent) {
   return base::connect_tcp(target.host, port_of(target, agent), Clock::now() + kConnectTimeout);
 }
 
-enum class Answer { kHttp2, kTls, kHttp1, kOther, kClosed, kSilent };
+enum class Answer { kHttp2, kHttp1, kOther, kClosed, kSilent };
 
 Answer read_answer(int fd) {
   const auto deadline = Clock::now() + kReplyTimeout;
@@ -57,7 +56,6 @@ Answer read_answer(int fd) {
   if (answer.size() > kFrameType && answer[0] == 0 && answer[kFrameType] == kSettings) {
     return Answer::kHttp2;
   }
-  if (answer[0] == kTlsAlert) return Answer::kTls;
   // Servers that do not know the version of a request reply without headers.
   if (answer.starts_with("HTTP/") || answer.starts_with('<')) return Answer::kHttp1;
   return Answer::kOther;
@@ -70,23 +68,25 @@ GrpcProbe probe_grpc(const GrpcTarget& target, int agent) {
   const base::UniqueFd fd = connect_to(target, agent);
   if (!fd) return {"nothing listens at " + place, false};
   if (target.tls != nullptr) return {explain_tls_failure(target, agent), false};
-  switch (read_answer(fd.get())) {
-    case Answer::kHttp2:
-      return {};
-    case Answer::kTls:
-      return {explain_tls_failure(target, agent), true};
-    case Answer::kHttp1:
-      return {"an HTTP server answers at " + place + ", it does not speak gRPC", true};
-    case Answer::kOther:
-      return {"the program that answers at " + place + " does not speak gRPC", true};
-    case Answer::kClosed:
-      return {"the program at " + place + " closes the connection, it does not speak gRPC", true};
-    case Answer::kSilent:
-      break;
+  const Answer answer = read_answer(fd.get());
+  if (answer == Answer::kHttp2) return {};
+  if (answer == Answer::kSilent) {
+    return {"the program at " + place +
+                " accepts connections and sends nothing: it hangs, or does not speak gRPC",
+            false};
   }
-  return {"the program at " + place + " accepts connections and sends nothing: it hangs, or it " +
-              "does not speak gRPC",
-          false};
+  if (answer == Answer::kHttp1) {
+    return {"an HTTP server answers at " + place + ", it does not speak gRPC", true};
+  }
+  // Servers with TLS answer with an alert, or close the connection.
+  const std::string tls = explain_tls_failure(target, agent);
+  if (!tls.empty()) return {tls, true};
+  // So does a forwarder whose Playmaker is not up yet.
+  if (answer == Answer::kClosed) {
+    return {"the program at " + place + " closes connections: not ready, or does not speak gRPC",
+            false};
+  }
+  return {"the program at " + place + " does not speak gRPC", true};
 }
 
 }  // namespace cls::proxy
