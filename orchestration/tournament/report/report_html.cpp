@@ -38,7 +38,7 @@ constexpr const char* kStyle =
     "font-weight:400;white-space:nowrap}"
     "thead th{border-bottom:2px solid var(--line);font-weight:600;color:var(--muted)}"
     ".w{text-align:left}tbody tr:hover{background:var(--faint)}"
-    ".long td.w{white-space:normal;overflow-wrap:anywhere;min-width:12em}"
+    ".long td.w{white-space:normal;overflow-wrap:break-word}"
     ".dense{font-size:.85em}.dense th,.dense td{padding:.2em .55em}"
     "svg{max-width:100%;height:auto;display:block;margin-bottom:.8em}svg "
     "text{fill:var(--text);font-size:13px}"
@@ -157,7 +157,8 @@ std::string report_html(const Report& report) {
     text += table_html(standings_table(report, ranked, Headings::kLong));
   }
   if (!report.bracket.empty()) text += "<h2>bracket</h2>\n" + bracket_html(report);
-  text += table_html(crosstable(report, report.config->teams.size() > kMaxNamedColumns));
+  const bool numbered = report.config->teams.size() > kMaxNamedColumns;
+  text += table_html(crosstable(report, numbered), numbered ? "scroll dense" : "scroll");
   text += ratings_html(report);
   text += table_html(head_to_head_table(report));
   text += table_html(playmakers_table(report, true), "scroll long");
