@@ -89,7 +89,7 @@ void add_commands(CLI::App& app, int& exit_code) {
 
 // canonical() replaces these; they are here for help and suggestions.
 void add_root_options(CLI::App& app) {
-  app.add_subcommand("help", "print help of a command: cls help tournament run");
+  app.add_subcommand("help", "print help of a command: cls help tournament run")->group("Commands");
   app.add_flag("-V,--version")->description("print the version, as cls version");
   app.add_flag("--json")->description("of every command: print one JSON document on stdout");
   app.add_flag("--quiet")->description("of every command: print no progress and no notes");

@@ -1,21 +1,88 @@
 // `cls version`.
 #include "cli/support/commands.h"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
+#include <google/protobuf/stubs/common.h>
+#include <grpcpp/version_info.h>
+#include <sqlite3.h>
+#include <zlib.h>
+#include <CLI/Version.hpp>
 
 #include <CLI/CLI.hpp>
+#include <boost/version.hpp>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
 
 #include "base/system/version.h"
 #include "cli/support/exit_code.h"
 
 namespace cls::cli {
+namespace {
+
+constexpr const char* kDescription =
+    "print the version\n"
+    "\n"
+    "  cls version           of cls, its wire, its compiler and its libraries\n"
+    "  cls version --json    for bug reports and scripts";
+
+// "1.74.0" from 107400.
+std::string dotted(int number, int step) {
+  return fmt::format("{}.{}.{}", number / step / step, number / step % step, number % step);
+}
+
+std::string boost_version() {
+  return fmt::format("{}.{}.{}", BOOST_VERSION / 100000, BOOST_VERSION / 100 % 1000,
+                     BOOST_VERSION % 100);
+}
+
+#ifdef __clang__
+constexpr const char* kCompiler = __VERSION__;
+#else
+constexpr const char* kCompiler = "GCC " __VERSION__;
+#endif
+
+nlohmann::ordered_json document() {
+  return {
+      {"schema", "cls.version/1"},
+      {"cls", base::kVersion},
+      {"wire", base::kWireVersion},
+      {"compiler", kCompiler},
+      {"libraries",
+       {{"boost", boost_version()},
+        {"cli11", CLI11_VERSION},
+        {"fmt", dotted(FMT_VERSION, 100)},
+        {"grpc", GRPC_CPP_VERSION_STRING},
+        {"nlohmann-json", fmt::format("{}.{}.{}", NLOHMANN_JSON_VERSION_MAJOR,
+                                      NLOHMANN_JSON_VERSION_MINOR, NLOHMANN_JSON_VERSION_PATCH)},
+        {"protobuf", dotted(GOOGLE_PROTOBUF_VERSION, 1000)},
+        {"sqlite", SQLITE_VERSION},
+        {"zlib", ZLIB_VERSION}}}};
+}
+
+int print_version(bool json) {
+  const nlohmann::ordered_json versions = document();
+  if (json) {
+    fmt::print("{}\n", versions.dump(2));
+    return kOk;
+  }
+  fmt::print("cls {}\n", base::kVersion);
+  const auto row = [](const std::string& name, const nlohmann::ordered_json& version) {
+    fmt::print("  {:<14} {}\n", name, version.get<std::string>());
+  };
+  row("wire", versions["wire"]);
+  row("compiler", versions["compiler"]);
+  for (const auto& [name, version] : versions["libraries"].items()) row(name, version);
+  return kOk;
+}
+
+}  // namespace
 
 void add_version_command(CLI::App& app, int& exit_code) {
-  CLI::App* command = app.add_subcommand("version", "print the version");
-  command->callback([&exit_code] {
-    fmt::print("cls {}\n", base::kVersion);
-    exit_code = kOk;
-  });
+  const auto json = std::make_shared<bool>(false);
+  CLI::App* command = app.add_subcommand("version", kDescription);
+  command->add_flag("--json", *json, "print one JSON document");
+  command->callback([json, &exit_code] { exit_code = print_version(*json); });
 }
 
 }  // namespace cls::cli

@@ -22,4 +22,13 @@ std::string wrap_text(std::string_view text, std::size_t width) {
   return lines;
 }
 
+std::string wrap_text(std::string_view text, std::size_t width, std::size_t indent) {
+  std::string lines;
+  for (const char c : wrap_text(text, width > indent ? width - indent : 1)) {
+    lines += c;
+    if (c == '\n') lines.append(indent, ' ');
+  }
+  return lines;
+}
+
 }  // namespace cls::base

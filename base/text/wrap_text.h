@@ -11,4 +11,7 @@ namespace cls::base {
 /// get their own line. Keeps existing line feeds.
 std::string wrap_text(std::string_view text, std::size_t width);
 
+/// Wraps text that starts in column `indent` and continues there on the following lines.
+std::string wrap_text(std::string_view text, std::size_t width, std::size_t indent);
+
 }  // namespace cls::base

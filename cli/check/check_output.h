@@ -8,12 +8,23 @@
 
 namespace cls::cli {
 
-/// Prints each finished step to stdout; prints nothing with `json`.
-std::function<void(const orchestration::checks::CheckStep&)> step_printer(bool json);
+struct CheckOutput {
+  bool json = false;
+  bool strict = false;
+  bool quiet = false;
+  CiReports reports;
+};
+
+/// --json, --strict, --quiet and those of CI reports.
+void add_check_output_options(CLI::App& command, CheckOutput& output);
+
+/// Prints each finished step to stdout: none with --json, only failures with --quiet.
+std::function<void(const orchestration::checks::CheckStep&)> step_printer(
+    const CheckOutput& output);
 
 /// Prints the report and writes the CI reports. Returns the exit code; `signal` is the signal that
 /// interrupted the check, or 0.
-int finish_check(const orchestration::checks::CheckReport& report, bool json,
-                 const CiReports& ci_reports, int signal);
+int finish_check(const orchestration::checks::CheckReport& report, const CheckOutput& output,
+                 int signal);
 
 }  // namespace cls::cli

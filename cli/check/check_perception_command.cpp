@@ -26,11 +26,11 @@ constexpr const char* kDescription =
     "  cls check perception player_7.txt.gz --truth game.rcg.gz\n"
     "  cls check perception player_7.txt.gz --truth game.rcg.gz --json\n"
     "\n"
-    "TRANSCRIPT has a line per datagram of one player: S>C or C>S, seconds, text, separated\n"
-    "by tabs; plain or gzip, - for standard input. It is replayed through the world model.\n"
-    "Each decision in play_on is compared with the game log: own position and body angle, the\n"
-    "ball and its velocity when just seen, other players when just seen with their uniform\n"
-    "number.";
+    "TRANSCRIPT has a line per datagram of one player: S>C or C>S, seconds, text,\n"
+    "separated by tabs; plain or gzip, - for standard input. It is replayed through\n"
+    "the world model. Each decision in play_on is compared with the game log: own\n"
+    "position and body angle, the ball and its velocity when just seen, other\n"
+    "players when just seen with their uniform number.";
 
 struct Arguments {
   std::string transcript;

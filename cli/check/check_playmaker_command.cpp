@@ -9,7 +9,6 @@
 #include <string>
 
 #include "cli/check/check_output.h"
-#include "cli/support/ci_reports.h"
 #include "cli/support/exit_code.h"
 #include "cli/support/interrupt.h"
 #include "cli/support/print_error.h"
@@ -28,10 +27,10 @@ constexpr const char* kDescription =
     "  cls check playmaker 'run:python3 playmaker.py --port {port}'\n"
     "  cls check playmaker unix:playmaker.socket --json\n"
     "\n"
-    "The steps cover the handshake, every RPC, edge-case States, 22 agents in parallel,\n"
-    "broken connections, second matches and memory. Each step prints what it measured; a\n"
-    "failed one, why it matters. ENDPOINT is HOST:PORT, tls:HOST:PORT, unix:PATH, run:COMMAND\n"
-    "(with {port}) or mock.";
+    "The steps cover the handshake, every RPC, edge-case States, 22 agents in\n"
+    "parallel, broken connections, second matches and memory. Each step prints what\n"
+    "it measured; a failed one, why it matters. ENDPOINT is HOST:PORT,\n"
+    "tls:HOST:PORT, unix:PATH, run:COMMAND (with {port}) or mock.";
 
 struct Arguments {
   std::string endpoint;
@@ -40,8 +39,7 @@ struct Arguments {
   int deadline_ms = 3000;
   int calls = 10'000;
   int latency_limit_ms = 100;
-  bool json = false;
-  CiReports reports;
+  CheckOutput output;
 };
 
 int run_check_playmaker(const Arguments& arguments) {
@@ -59,12 +57,12 @@ int run_check_playmaker(const Arguments& arguments) {
   options.latency_limit = orchestration::checks::Milliseconds(arguments.latency_limit_ms);
   const std::atomic<int>& signal = watch_interrupts();
   const auto report =
-      orchestration::checks::check_playmaker(options, step_printer(arguments.json), signal);
+      orchestration::checks::check_playmaker(options, step_printer(arguments.output), signal);
   if (!report) {
     return print_error(endpoint->kind == Endpoint::Kind::kMock ? kBadData : kUnavailable,
                        report.error().message);
   }
-  return finish_check(*report, arguments.json, arguments.reports, signal);
+  return finish_check(*report, arguments.output, signal);
 }
 
 }  // namespace
@@ -73,9 +71,8 @@ void add_check_playmaker_command(CLI::App& check, int& exit_code) {
   const auto arguments = std::make_shared<Arguments>();
   CLI::App* command = check.add_subcommand("playmaker", kDescription);
   command->add_option("ENDPOINT", arguments->endpoint, "the Playmaker")->required();
-  command->add_flag("--json", arguments->json, "print one JSON document instead of text");
   add_tls_options(*command, arguments->tls);
-  add_ci_options(*command, arguments->reports);
+  add_check_output_options(*command, arguments->output);
   command
       ->add_option("--start-timeout", arguments->start_timeout_s,
                    "seconds until the first response")

@@ -10,7 +10,6 @@
 #include <string>
 
 #include "cli/check/check_output.h"
-#include "cli/support/ci_reports.h"
 #include "cli/support/exit_code.h"
 #include "cli/support/interrupt.h"
 #include "cli/support/print_error.h"
@@ -26,16 +25,15 @@ constexpr const char* kDescription =
     "  cls check server localhost:6000        a running server without clients\n"
     "  cls check server embedded --json       the embedded server\n"
     "\n"
-    "The steps cover connecting, replies to clients of protocol versions 8 to 19, commands,\n"
-    "errors, monitors, coaches, invalid input, disconnecting and reconnecting. They connect\n"
-    "clients as both teams: restart a running server afterwards. The trainer and coach ports\n"
-    "are the next two.";
+    "The steps cover connecting, replies to clients of protocol versions 8 to 19,\n"
+    "commands, errors, monitors, coaches, invalid input, disconnecting and\n"
+    "reconnecting. They connect clients as both teams: restart a running server\n"
+    "afterwards. The trainer and coach ports are the next two.";
 
 struct Arguments {
   std::string server;
   double start_timeout_s = 20.0;
-  bool json = false;
-  CiReports reports;
+  CheckOutput output;
 };
 
 int run_check_server(const Arguments& arguments) {
@@ -50,11 +48,11 @@ int run_check_server(const Arguments& arguments) {
       std::chrono::milliseconds(static_cast<int>(arguments.start_timeout_s * 1000.0));
   const std::atomic<int>& signal = watch_interrupts();
   const auto report =
-      orchestration::checks::check_server(options, step_printer(arguments.json), signal);
+      orchestration::checks::check_server(options, step_printer(arguments.output), signal);
   if (!report) {
     return print_error(kUnavailable, report.error().message);
   }
-  return finish_check(*report, arguments.json, arguments.reports, signal);
+  return finish_check(*report, arguments.output, signal);
 }
 
 }  // namespace
@@ -65,8 +63,7 @@ void add_check_server_command(CLI::App& check, int& exit_code) {
   command
       ->add_option("SERVER", arguments->server, "HOST:PORT, a program (path or name), or embedded")
       ->required();
-  command->add_flag("--json", arguments->json, "print one JSON document instead of text");
-  add_ci_options(*command, arguments->reports);
+  add_check_output_options(*command, arguments->output);
   command
       ->add_option("--start-timeout", arguments->start_timeout_s,
                    "seconds until the first response")

@@ -23,10 +23,11 @@ constexpr const char* kDescription =
     "  cls check server-log game.rcg.gz game.rcl.gz\n"
     "  cls check server-log game.rcg.gz game.rcl.gz --json\n"
     "\n"
-    "Each step starts from the recorded frame (rcg) and executes the recorded commands (rcl).\n"
-    "The result is compared with the next frame. Random outcomes (tackle, catch, foul) are\n"
-    "taken from the log, and so is noise within its bounds; the distribution of the noise is\n"
-    "checked. Reads game logs of versions 4 to 6 and JSON, plain or gzip.";
+    "Each step starts from the recorded frame (rcg) and executes the recorded\n"
+    "commands (rcl). The result is compared with the next frame. Random outcomes\n"
+    "(tackle, catch, foul) are taken from the log, and so is noise within its\n"
+    "bounds; the distribution of the noise is checked. Reads game logs of versions 4\n"
+    "to 6 and JSON, plain or gzip.";
 
 struct Arguments {
   std::string game;

@@ -10,6 +10,7 @@
 #include <memory>
 #include <string>
 
+#include "base/text/wrap_text.h"
 #include "cli/support/exit_code.h"
 #include "cli/support/interrupt.h"
 #include "cli/support/print_error.h"
@@ -28,14 +29,15 @@ using orchestration::match::Endpoint;
 constexpr const char* kDescription =
     "check the host, its programs, and optionally a server or a Playmaker\n"
     "\n"
-    "  cls doctor                                host and programs\n"
-    "  cls doctor --server rcssserver            does it start and respond?\n"
-    "  cls doctor --server localhost:6000        a running server: type and state of the match\n"
-    "  cls doctor --playmaker localhost:50051    does the Playmaker respond?\n"
-    "  cls doctor --json                         for scripts\n"
+    "  cls doctor                              host and programs\n"
+    "  cls doctor --server rcssserver          does it start and respond?\n"
+    "  cls doctor --server localhost:6000      a running server: its type, its match\n"
+    "  cls doctor --playmaker localhost:50051  does the Playmaker respond?\n"
+    "  cls doctor --json                       for scripts\n"
     "\n"
-    "Changes nothing and connects no player. Prints how to install what is missing. Exit\n"
-    "code: 1 if something required is missing, 69 if the server or Playmaker is unreachable.";
+    "Changes nothing and connects no player. Prints how to install what is missing.\n"
+    "Exit code: 1 if something required is missing, 69 if the server or Playmaker is\n"
+    "unreachable.";
 
 struct Arguments {
   std::string server;
@@ -43,8 +45,9 @@ struct Arguments {
   TlsOptions tls;
   double limit_s = 5.0;
   bool json = false;
-  bool no_color = false;
 };
+
+constexpr std::size_t kFoundColumn = 28;
 
 const char* color_of(DoctorStatus status, bool needed) {
   constexpr const char* kGreen = "\x1b[32m";
@@ -58,10 +61,14 @@ void print_row(const DoctorCheck& check, bool color) {
   const std::string status = fmt::format("{:<11}", name(check.status));
   const std::string shown =
       color ? fmt::format("{}{}\x1b[0m", color_of(check.status, check.needed), status) : status;
-  fmt::print("{}  {:<13}  {}\n", shown, check.name, check.found);
+  const auto folded = [](const std::string& text) {
+    return base::wrap_text(text, static_cast<std::size_t>(stdout_width()), kFoundColumn);
+  };
+  fmt::print("{}  {:<13}  {}\n", shown, check.name, folded(check.found));
   if (check.status != DoctorStatus::kOk) {
-    fmt::print("{:28}needed for: {}\n", "", check.purpose);
-    if (!check.hint.empty()) fmt::print("{:28}hint: {}\n", "", check.hint);
+    fmt::print("{:{}}{}\n", "", kFoundColumn, folded("needed for: " + check.purpose));
+    if (!check.hint.empty())
+      fmt::print("{:{}}{}\n", "", kFoundColumn, folded("hint: " + check.hint));
   }
   std::fflush(stdout);
 }
@@ -105,9 +112,10 @@ int run_doctor(const Arguments& arguments) {
     options.playmaker = *std::move(endpoint);
   }
   const std::atomic<int>& signal = watch_interrupts();
-  const bool color = stdout_supports_color(arguments.no_color);
+  const bool color = stdout_supports_color();
   const auto on_check = [&](const DoctorCheck& check) {
-    if (!arguments.json) print_row(check, color);
+    const bool wanted = check.status != DoctorStatus::kOk || !output_options().quiet;
+    if (!arguments.json && wanted) print_row(check, color);
   };
   const DoctorReport report = orchestration::checks::examine(options, on_check, signal);
   if (arguments.json) {
@@ -135,7 +143,6 @@ void add_doctor_command(CLI::App& app, int& exit_code) {
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
   command->add_flag("--json", arguments->json, "print one JSON document instead of the table");
-  command->add_flag("--no-color", arguments->no_color, "disable color");
   command->callback([arguments, &exit_code] { exit_code = run_doctor(*arguments); });
 }
 

@@ -16,6 +16,7 @@
 #include "cli/support/exit_code.h"
 #include "cli/support/log_errors.h"
 #include "cli/terminal/log_progress.h"
+#include "cli/terminal/terminal.h"
 #include "gamelog/files/log_files.h"
 #include "orchestration/match/result/recorded_end.h"
 
@@ -27,17 +28,17 @@ using analysis::ResultsFormat;
 
 constexpr const char* kDescription =
     "print the results of matches from their logs\n"
-    "Score, goals with cycle and scorer, cards, substitutions and disconnected players; for\n"
-    "several logs the standings too.\n"
+    "Score, goals with cycle and scorer, cards, substitutions and disconnected\n"
+    "players; for several logs the standings too.\n"
     "\n"
     "  cls results game.rcg.gz\n"
     "  cls results runs/ --format markdown\n"
     "  cls results 'logs/*.rcg' --json\n"
     "\n"
-    "LOG is a game log (rcg), a text log (rcl), a folder, a pattern, or - for standard input.\n"
-    "A log without time_over is \"incomplete\". A result.json of cls match beside the log\n"
-    "takes precedence: a match ended by --cycles is finished. Format of goals: \"cycle side\n"
-    "unum\", as in 169 l 11.";
+    "LOG is a game log (rcg), a text log (rcl), a folder, a pattern, or - for\n"
+    "standard input. A log without time_over is \"incomplete\". A result.json of cls\n"
+    "match beside the log takes precedence: a match ended by --cycles is finished.\n"
+    "Format of goals: \"cycle side unum\", as in 169 l 11.";
 
 struct Arguments {
   std::vector<std::string> logs;
@@ -75,7 +76,7 @@ int run_results_command(const Arguments& arguments) {
     if (result.usable) summaries.push_back(std::move(result.summary));
   }
   if (!summaries.empty() || *format == ResultsFormat::kJson) {
-    fmt::print("{}", format_results(summaries, *format));
+    fmt::print("{}", format_results(summaries, *format, stdout_width()));
   }
   return exit_code;
 }

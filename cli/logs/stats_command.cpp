@@ -14,6 +14,7 @@
 #include "cli/support/exit_code.h"
 #include "cli/support/log_errors.h"
 #include "cli/terminal/log_progress.h"
+#include "cli/terminal/terminal.h"
 #include "gamelog/files/log_files.h"
 #include "orchestration/match/result/recorded_end.h"
 
@@ -24,12 +25,12 @@ using analysis::StatisticsFormat;
 
 constexpr const char* kDescription =
     "print statistics of matches from their logs\n"
-    "Possession, passes and who passes to whom, shots, tackles, territory, set plays,\n"
-    "positions, distance and stamina; with the text log (rcl) beside the game log also the\n"
-    "responsiveness of the players.\n"
+    "Possession, passes and who passes to whom, shots, tackles, territory, set\n"
+    "plays, positions, distance and stamina; with the text log (rcl) beside the game\n"
+    "log also the responsiveness of the players.\n"
     "\n"
     "  cls stats game.rcg.gz                  teams and players\n"
-    "  cls stats game.rcg --json --events     everything, including each pass and shot\n"
+    "  cls stats game.rcg --json --events     all, with each pass and shot\n"
     "  cls stats runs/ --format csv           one row per team and match\n"
     "\n"
     "LOG is a game log (rcg), a folder, a pattern, or - for standard input.";
@@ -54,9 +55,9 @@ std::optional<StatisticsFormat> format_of(const Arguments& arguments) {
 analysis::StatisticsOutput read_all(const std::vector<gamelog::MatchLogs>& matches,
                                     StatisticsFormat format, const Arguments& arguments) {
   LogProgress progress(matches.size());
-  return read_statistics(orchestration::match::with_recorded_ends(matches), format,
-                         arguments.events, arguments.jobs,
-                         [&](std::size_t count) { progress.update(count); });
+  return read_statistics(
+      orchestration::match::with_recorded_ends(matches), format, arguments.events, arguments.jobs,
+      [&](std::size_t count) { progress.update(count); }, stdout_width());
 }
 
 int run_stats_command(const Arguments& arguments) {

@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <utility>
@@ -19,6 +20,8 @@
 #include "cli/support/interrupt.h"
 #include "cli/support/print_error.h"
 #include "cli/support/tls_options.h"
+#include "cli/support/troubleshooting.h"
+#include "cli/terminal/json_stdout.h"
 #include "cli/terminal/progress_line.h"
 #include "cli/terminal/terminal.h"
 #include "orchestration/match/options/endpoint.h"
@@ -37,12 +40,12 @@ using orchestration::match::StandaloneTeamResult;
 constexpr const char* kDescription =
     "run a team of players and their coach on a running soccer server\n"
     "\n"
-    "  cls proxy --teamname Blue --rpc-port 50051                 11 players and coach\n"
-    "  cls proxy --teamname Blue --rpc-port 50051 --unum 5        one player\n"
-    "  cls proxy --teamname Blue --rpc-port 50051 --reconnect     reconnect after a crash\n"
+    "  cls proxy --teamname Blue --rpc-port 50051              11 players and coach\n"
+    "  cls proxy --teamname Blue --rpc-port 50051 --unum 5     one player\n"
+    "  cls proxy --teamname Blue --rpc-port 50051 --reconnect  after a crash\n"
     "\n"
-    "  cls proxy --teamname Blue --rpc-port 50051 --coach         the coach only\n"
-    "  cls proxy --teamname Gym --rpc-port 50051 -n 1 --trainer   a player and a trainer\n"
+    "  cls proxy --teamname Blue --rpc-port 50051 --coach        the coach only\n"
+    "  cls proxy --teamname Gym --rpc-port 50051 -n 1 --trainer  with a trainer\n"
     "\n"
     "Accepts the options of start.sh of the Cross Language Soccer framework's proxy.";
 
@@ -63,6 +66,7 @@ struct Arguments {
   std::string result_file;
   std::string rpc_type = "grpc";
   bool quiet = false;
+  bool json = false;
   std::string formation;
   int coach_port = 0;    // 0: player port + 2
   int trainer_port = 0;  // 0: player port + 1
@@ -139,6 +143,8 @@ void add_options(CLI::App& command, Arguments& arguments) {
       ->capture_default_str()
       ->check(CLI::PositiveNumber);
   command.add_flag("--quiet", arguments.quiet, "print no progress and no warnings");
+  command.add_flag("--json", arguments.json,
+                   "print side and players as one line of JSON; all else goes to stderr");
   command
       .add_option("-P,--coach-port", arguments.coach_port,
                   "coach port of the soccer server (default: --port + 2)")
@@ -268,6 +274,18 @@ void print_ready(const proxy::Team& team) {
   std::fflush(stdout);
 }
 
+std::string json_line(const proxy::Team& team) {
+  std::vector<int> unums;
+  for (const auto& player : team.players()) unums.push_back(player->unum());
+  const nlohmann::ordered_json line = {{"schema", "cls.proxy-ready/1"},
+                                       {"team", std::string(team.name())},
+                                       {"side", side_name(team.side())},
+                                       {"synchronous", team.synchronous()},
+                                       {"players", unums},
+                                       {"coach", team.coach() != nullptr}};
+  return line.dump();
+}
+
 // Maximum of each percentile over the players.
 orchestration::match::RpcLatency worst_latency(const StandaloneTeamResult& result) {
   orchestration::match::RpcLatency worst;
@@ -308,12 +326,19 @@ int run_proxy(Arguments& arguments) {
   const std::vector<std::string> errors = resolve(arguments);
   if (!errors.empty()) return print_errors(kUsage, errors);
 
-  arguments.options.on_ready = print_ready;
+  const JsonStdout json(arguments.json);
+  arguments.options.on_ready = [&json](const proxy::Team& team) {
+    if (json.active()) json.print_line(json_line(team));
+    print_ready(team);
+  };
   ProgressLine progress(stderr_is_terminal() && !arguments.quiet, arguments.quiet);
   const StandaloneTeamResult result =
       run_standalone_team(arguments.options, progress, watch_interrupts());
   progress.clear();
-  if (!result.message.empty()) print_error(0, result.message);
+  if (!result.message.empty()) {
+    print_error(0, result.message);
+    fmt::print(stderr, "  {}\n", troubleshooting_hint(result.end_reason));
+  }
   print_result(arguments, result);
   if (!arguments.result_file.empty()) {
     const auto written =

@@ -5,10 +5,12 @@
 
 #include <cstdio>
 
+#include "cli/terminal/terminal.h"
+
 namespace cls::cli {
 
 int print_error(int exit_code, std::string_view message) {
-  fmt::print(stderr, "cls: {}\n", message);
+  fmt::print(stderr, "{}", message_line(message));
   return exit_code;
 }
 

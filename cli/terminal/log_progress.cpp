@@ -14,7 +14,7 @@ constexpr double kMinElapsed = 0.5;  // s; the rate is too noisy before
 }  // namespace
 
 LogProgress::LogProgress(std::size_t logs)
-    : logs_(logs), shown_(logs > 1 && stderr_is_terminal()) {}
+    : logs_(logs), shown_(logs > 1 && stderr_is_terminal() && !output_options().quiet) {}
 
 void LogProgress::update(std::size_t count) {
   if (!shown_) return;

@@ -46,13 +46,13 @@ void ProgressLine::on_cycle(const orchestration::match::MatchProgress& progress)
 void ProgressLine::on_notice(std::string_view line) {
   if (quiet_) return;
   line_.clear();
-  fmt::print(stderr, "cls: {}\n", line);
+  fmt::print(stderr, "{}", message_line(line));
 }
 
 void ProgressLine::on_warning(std::string_view line) {
   if (quiet_) return;
   line_.clear();
-  fmt::print(stderr, "cls: warning: {}\n", line);
+  fmt::print(stderr, "{}", message_line(fmt::format("warning: {}", line)));
 }
 
 }  // namespace cls::cli

@@ -9,12 +9,12 @@ namespace {
 constexpr const char* kDescription =
     "play a tournament, store each result, rank the teams\n"
     "\n"
-    "  cls init                       write a commented cls.toml: teams, format, rounds\n"
-    "  cls tournament plan DIR        list the fixtures\n"
-    "  cls tournament run DIR         play them; run again to resume\n"
-    "  cls tournament status DIR      show progress and standings\n"
-    "  cls tournament report DIR      print tables and statistics\n"
-    "  cls tournament stop DIR        stop a run after its current matches\n"
+    "  cls init                   write a commented cls.toml: teams, format, rounds\n"
+    "  cls tournament plan DIR    list the fixtures\n"
+    "  cls tournament run DIR     play them; run again to resume\n"
+    "  cls tournament status DIR  show progress and standings\n"
+    "  cls tournament report DIR  print tables and statistics\n"
+    "  cls tournament stop DIR    stop a run after its current matches\n"
     "\n"
     "docs/tournaments.md is a tutorial: from two Playmakers to a result.";
 

@@ -27,6 +27,20 @@ std::string option_of(std::string_view key) {
   return option;
 }
 
+const char* group_title(KeyGroup group) {
+  switch (group) {
+    case KeyGroup::kSchedule:
+      return "Schedule";
+    case KeyGroup::kConditions:
+      return "Matches";
+    case KeyGroup::kExecution:
+      return "Execution";
+    case KeyGroup::kReport:
+      return "Presentation";
+  }
+  return "";
+}
+
 std::optional<fs::path> config_path(const TournamentOptions& options) {
   if (!options.config_file.empty()) return options.config_file;
   std::error_code code;
@@ -94,8 +108,10 @@ void add_shared_options(CLI::App& command, TournamentOptions& options, bool sche
     const bool of_tournament =
         key.group == KeyGroup::kReport || (key.group == KeyGroup::kSchedule && key.name != "seed");
     if (!schedule && of_tournament) continue;
-    command.add_option(option_of(key.name), options.overrides[std::string(key.name)],
-                       std::string(key.help));
+    command
+        .add_option(option_of(key.name), options.overrides[std::string(key.name)],
+                    std::string(key.help))
+        ->group(group_title(key.group));
   }
 }
 

@@ -15,6 +15,7 @@
 #include "orchestration/tournament/store/collector.h"
 #include "orchestration/tournament/store/folder.h"
 #include "orchestration/tournament/store/match_attempt.h"
+#include "orchestration/tournament/store/match_document.h"
 
 namespace cls::cli {
 namespace {
@@ -35,6 +36,7 @@ struct Arguments {
   int index = 0;
   int attempt = 1;
   std::string schedule;
+  bool json = false;
 };
 
 // Creates the plan and the first schedule if the folder has none.
@@ -67,7 +69,9 @@ int run(const Arguments& arguments) {
   if (!outcome) return print_error(kWriteFailed, outcome.error().message);
   if (!*outcome) return signal_exit_code(signal);
   const auto config = read_plan(folder);
-  if (config) {
+  if (arguments.json) {
+    fmt::print("{}\n", format_work_result(*fixture, **outcome));
+  } else if (config) {
     ScheduledMatch played = planned(*fixture);
     played.outcome = **outcome;
     fmt::print("{}  {}\n", schedule_text(*config, *fixture), score_text(played));
@@ -92,6 +96,7 @@ void add_tournament_work_command(CLI::App& app, int& exit_code) {
                       "file with the line of the match (default: DIR/schedule.jsonl)");
   command->add_option("--config", arguments->tournament.config_file,
                       "configuration file, if DIR has no plan yet");
+  command->add_flag("--json", arguments->json, "print the result as one JSON document");
   command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
 }
 

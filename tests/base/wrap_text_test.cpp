@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+
 namespace cls::base {
 namespace {
 
@@ -18,6 +20,12 @@ TEST(WrapText, PreservesLongWordsAndExistingLines) {
   EXPECT_EQ(wrap_text("one\ntwo three", 8), "one\ntwo\nthree");
   EXPECT_EQ(wrap_text("one two\nthree", 7), "one two\nthree");
   EXPECT_EQ(wrap_text("", 5), "");
+}
+
+TEST(WrapText, ContinuesAtIndent) {
+  EXPECT_EQ(wrap_text("one two three", 9, 2), "one two\n  three");
+  EXPECT_EQ(wrap_text("one two three", 80, 28), "one two three");
+  EXPECT_EQ(wrap_text("one two", 3, 28), "one\n" + std::string(28, ' ') + "two");
 }
 
 }  // namespace
