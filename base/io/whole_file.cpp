@@ -3,13 +3,23 @@
 
 #include <fmt/format.h>
 
+#include <cerrno>
+#include <cstring>
 #include <fstream>
 #include <iterator>
+#include <string>
 #include <system_error>
 
 #include "base/io/byte_sink.h"
 
 namespace cls::base {
+namespace {
+
+Error cannot_create(const std::filesystem::path& path, const std::string& cause) {
+  return Error{fmt::format("cannot create '{}': {}", path.string(), cause)};
+}
+
+}  // namespace
 
 std::optional<std::string> read_file(const std::filesystem::path& path) {
   std::error_code code;
@@ -22,14 +32,19 @@ Result<void> write_file(const std::filesystem::path& path, std::string_view byte
   std::filesystem::path temporary = path;
   temporary += ".tmp";
   auto file = FileSink::create(temporary.string());
-  if (!file) return file.error();
+  if (!file) return cannot_create(path, std::strerror(errno));
   (*file)->write(bytes);
   if (const auto closed = (*file)->close(); !closed) return closed;
   std::error_code code;
   std::filesystem::rename(temporary, path, code);
-  if (code) {
-    return Error{fmt::format("cannot create {}: {}", path.string(), code.message())};
-  }
+  if (code) return cannot_create(path, code.message());
+  return {};
+}
+
+Result<void> create_folders(const std::filesystem::path& folder) {
+  std::error_code code;
+  std::filesystem::create_directories(folder, code);
+  if (code) return cannot_create(folder, code.message());
   return {};
 }
 

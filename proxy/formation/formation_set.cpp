@@ -78,6 +78,9 @@ std::shared_ptr<const FormationSet> built_in_formations() {
 }
 
 Result<std::shared_ptr<const FormationSet>> read_formations(const std::string& folder) {
+  std::error_code code;
+  if (!std::filesystem::exists(folder, code)) return Error{folder + ": no such folder"};
+  if (!std::filesystem::is_directory(folder, code)) return Error{folder + ": not a folder"};
   return make_set([&](std::string_view name) -> Result<Formation> {
     for (const char* ending : {".formation", ".conf", ""}) {
       const std::string path =

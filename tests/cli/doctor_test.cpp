@@ -277,7 +277,7 @@ TEST_F(DoctorServer, StartsAndResponds) {
   const json server = item(examine(0, {"--server", "rcssserver"}), "server");
   expect(server, "ok",
          "19.0.0, " + (path() / "rcssserver").string() + ": starts, synchronous mode");
-  expect(server, "ok", "before_kick_off, cycle 0, no team against no team");
+  expect(server, "ok", "before_kick_off, cycle 0, no teams");
   EXPECT_EQ(server["needed"], true);
 }
 
@@ -337,7 +337,7 @@ TEST_F(DoctorServer, ProbesRunningServerWithoutConnectingAPlayer) {
   for (int i = 0; i < 2; ++i) {
     const json server = item(examine(0, {"--server", "127.0.0.1:" + port}), "server");
     expect(server, "ok", "real time, 100 ms per cycle, halves of 77 s; before_kick_off, cycle 0");
-    expect(server, "ok", "no team against no team");
+    expect(server, "ok", "no teams");
   }
 }
 

@@ -11,6 +11,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/system/version.h"
 #include "orchestration/checks/server/started_server.h"
 #include "orchestration/process/output_log.h"
 #include "soccer/messages/parameter_message.h"
@@ -33,7 +34,7 @@ using ShouldContinue = std::function<bool()>;
 /// Messages received as a monitor.
 struct MonitorReport {
   std::optional<soccer::ServerParams> params;
-  std::string state;  ///< "before_kick_off, cycle 0, no team against no team"
+  std::string state;  ///< "before_kick_off, cycle 0, no teams"
 };
 
 /// Result of the first message.
@@ -79,6 +80,9 @@ std::optional<std::string> moment_in(const std::string& show) {
   const auto team = [](const char* text) {
     return std::string_view(text) == "null" ? std::string("no team") : process::printable(text);
   };
+  if (team(left.data()) == "no team" && team(right.data()) == "no team") {
+    return fmt::format("{}, cycle {}, no teams", name, time);
+  }
   return fmt::format("{}, cycle {}, {} against {}", name, time, team(left.data()),
                      team(right.data()));
 }
@@ -196,6 +200,7 @@ DoctorCheck probe_program(DoctorCheck check, const match::ServerChoice& server,
   }
   examine(check, **clients, contact.reply, alive);
   check.version = started->status().version;
+  if (server.kind == match::ServerChoice::Kind::kEmbedded) check.version = base::kVersion;
   const std::string version = check.version.empty() ? "unknown version" : check.version;
   check.found = fmt::format("{}, {}: starts, {}", version, check.path, check.found);
   return check;

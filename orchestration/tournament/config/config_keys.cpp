@@ -182,6 +182,13 @@ Result<void> parse_slurm_options(Config& config, const ConfigValue& value) {
 Result<void> parse_matches(Config& config, const ConfigValue& value) {
   const auto* pairings = std::get_if<std::vector<std::vector<std::string>>>(&value);
   if (pairings == nullptr) return Error{"must be a list of pairs, [[\"A\", \"B\"], ...]"};
+  for (const std::vector<std::string>& pairing : *pairings) {
+    if (pairing.size() == 2) continue;
+    return Error{
+        fmt::format("'{}' is not a pairing of two teams, as A:B in --matches A:B,C:D or "
+                    "[\"A\", \"B\"] in cls.toml",
+                    fmt::join(pairing, ":"))};
+  }
   config.matches = *pairings;
   return {};
 }
@@ -252,8 +259,8 @@ std::vector<Row> schedule_rows() {
           [](const Config& config) {
             return config.gauntlet.empty() ? std::string() : toml_list(config.gauntlet);
           }},
-      Row{"matches", kGroup, "list: the pairings", "[[\"A\", \"B\"]]", parse_matches,
-          format_matches},
+      Row{"matches", kGroup, "list: the pairings; as an option A:B,C:D", "[[\"A\", \"B\"]]",
+          parse_matches, format_matches},
       integer("groups", kGroup, &Config::groups, 1, 1000, "2", "groups: number of groups"),
       integer("advance", kGroup, &Config::advance, 1, 1000, "2",
               "groups: teams of each group that advance to the knockout"),
@@ -323,13 +330,6 @@ std::vector<Row> execution_rows() {
   };
 }
 
-}  // namespace
-
-const std::vector<ConfigKey>& tournament_keys() {
-  static const std::vector<ConfigKey> keys = [] {
-    std::vector<ConfigKey> all = schedule_rows();
-    for (auto rows : {condition_rows(), execution_rows(), report_rows()}) {
-      all.insert(all.end(), rows.begin(), rows.end());
 Result<void> parse_columns(Config& config, const ConfigValue& value) {
   const auto* names = std::get_if<std::vector<std::string>>(&value);
   if (names == nullptr) return Error{"must be a list of columns, [\"rank\", \"team\", ...]"};
@@ -356,6 +356,13 @@ std::vector<Row> report_rows() {
   };
 }
 
+}  // namespace
+
+const std::vector<ConfigKey>& tournament_keys() {
+  static const std::vector<ConfigKey> keys = [] {
+    std::vector<ConfigKey> all = schedule_rows();
+    for (auto rows : {condition_rows(), execution_rows(), report_rows()}) {
+      all.insert(all.end(), rows.begin(), rows.end());
     }
     return all;
   }();

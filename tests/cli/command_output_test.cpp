@@ -1,0 +1,157 @@
+// Output of the commands: --json, folding at 80 columns, color, and errors of files.
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "tests/support/command.h"
+#include "tests/support/temporary_folder.h"
+
+namespace {
+
+using cls::tests::Command;
+using cls::tests::CommandResult;
+using nlohmann::json;
+using Words = std::vector<std::string>;
+
+class CommandOutput : public testing::Test {
+ protected:
+  CommandResult run(Words arguments, Words environment = {}) const {
+    arguments.insert(arguments.begin(), cls::tests::cls_binary());
+    return Command(std::move(arguments), std::move(environment), folder_.path()).finish();
+  }
+  void put(const std::string& name, const std::string& text) const {
+    std::ofstream(folder_.path() / name) << text;
+  }
+  // A match of 20 cycles in the folder "m".
+  void play() const {
+    const auto played = run({"match", "mock:hold", "mock:hold", "--cycles", "20", "--dir", "m"});
+    ASSERT_EQ(played.exit_code, 0) << played.err;
+  }
+
+  cls::tests::TemporaryFolder folder_;
+};
+
+struct Document {
+  Words words;
+  std::string schema;
+};
+
+TEST_F(CommandOutput, JsonIsOneDocumentOfItsSchema) {
+  play();
+  put("cls.toml",
+      "[tournament]\ncycles = 20\n[teams.A]\nendpoint = \"mock:hold\"\n"
+      "[teams.B]\nendpoint = \"mock:hold\"\n");
+  const std::vector<Document> documents = {
+      {{"match", "mock:hold", "mock:hold", "--cycles", "20"}, "cls.match/1"},
+      {{"match", "mock", "mock", "--dry-run"}, "cls.dry-run/1"},
+      {{"tournament", "plan", "cup"}, "cls.tournament/1"},
+      {{"tournament", "work", "cup", "--index", "1"}, "cls.work/1"},
+      {{"tournament", "run", "cup"}, "cls.tournament/1"},
+      {{"tournament", "status", "cup"}, "cls.status/1"},
+      {{"tournament", "report", "cup"}, "cls.tournament/1"},
+      {{"tournament", "stop", "cup"}, "cls.stop/1"},
+      {{"test", "--list"}, "cls.scenarios/1"},
+      {{"test", "--export", "scenarios"}, "cls.export/1"},
+      {{"test", "referee_corner_kick"}, "cls.test/1"},
+      {{"results", "m"}, "cls.results/1"},
+      {{"stats", "m"}, "cls.stats/1"},
+      {{"convert", "m/match.rcg", "m/old.rcg", "--to", "4"}, "cls.convert/1"},
+      {{"check", "server-log", "m/match.rcg", "m/match.rcl"}, "cls.server-log/1"},
+      {{"doctor"}, "cls.doctor/1"},
+      {{"init", "new"}, "cls.init/1"},
+      {{"version"}, "cls.version/1"},
+  };
+  for (const Document& document : documents) {
+    Words words = document.words;
+    words.emplace_back("--json");
+    const CommandResult result = run(words);
+    const json parsed = json::parse(result.out, nullptr, false);
+    ASSERT_FALSE(parsed.is_discarded()) << words[0] << ": " << result.out << result.err;
+    EXPECT_EQ(parsed.value("schema", ""), document.schema) << words[0];
+  }
+}
+
+TEST_F(CommandOutput, JsonOfConvertCountsFrames) {
+  play();
+  const json document = json::parse(run({"convert", "m/match.rcg", "new.json", "--json"}).out);
+  EXPECT_EQ(document["out"], "new.json");
+  EXPECT_EQ(document["version"], "json");
+  EXPECT_GE(document["frames"], 20);
+  EXPECT_EQ(document["errors"], 0);
+  EXPECT_EQ(run({"convert", "m/match.rcg", "-", "--json"}).exit_code, 2);
+}
+
+TEST_F(CommandOutput, JsonOfRunningCommandsIsOneLineAtStart) {
+  for (const std::string name : {"mock", "server"}) {
+    Command command({cls::tests::cls_binary(), name, "--port", "0", "--json"}, {}, folder_.path());
+    ASSERT_TRUE(command.wait_for_output("\n")) << name;
+    const json line = json::parse(command.out());
+    EXPECT_EQ(line["schema"], "cls." + name + "/1");
+    EXPECT_EQ(line["host"], "127.0.0.1");
+    EXPECT_GT(line["port"], 0);
+    command.send_signal(SIGTERM);
+    const CommandResult result = command.finish();
+    EXPECT_EQ(result.out.find('\n'), result.out.size() - 1) << result.out;
+    EXPECT_NE(result.err.find("listening on "), std::string::npos) << result.err;
+  }
+}
+
+TEST_F(CommandOutput, DoctorFits80ColumnsWithoutBreakingWords) {
+  const Words tight = {"PATH=/nonexistent"};
+  const std::string text = run({"doctor", "--server", "embedded"}, tight).out;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    const std::string last = line.substr(line.rfind(' ') + 1);
+    EXPECT_TRUE(line.size() <= 80 || line.size() == 28 + last.size()) << line;
+  }
+  EXPECT_NE(text.find("hint: "), std::string::npos) << text;
+}
+
+TEST_F(CommandOutput, QuietDoctorPrintsOnlyWhatIsNotOk) {
+  const std::string text = run({"doctor", "--quiet"}, {"PATH=/nonexistent"}).out;
+  EXPECT_EQ(text.find("ok "), std::string::npos) << text;
+  EXPECT_NE(text.find("missing "), std::string::npos) << text;
+}
+
+TEST_F(CommandOutput, ColorFollowsOptionAndEnvironment) {
+  const Words words = {"doctor"};
+  const auto colored = [&](const Words& arguments, const Words& environment) {
+    return run(arguments, environment).out.find("\x1b[") != std::string::npos;
+  };
+  EXPECT_FALSE(colored(words, {}));
+  EXPECT_TRUE(colored(words, {"CLICOLOR_FORCE=1"}));
+  EXPECT_FALSE(colored(words, {"CLICOLOR_FORCE=1", "NO_COLOR=1"}));
+  EXPECT_FALSE(colored({"--no-color", "doctor"}, {"CLICOLOR_FORCE=1"}));
+  EXPECT_FALSE(colored({"doctor", "--no-color"}, {"CLICOLOR_FORCE=1"}));
+}
+
+TEST_F(CommandOutput, FileErrorsNameWhatTheUserTypedAndTheCause) {
+  put("plain", "");
+  EXPECT_EQ(run({"init", "plain/cup"}).err, "cls: cannot create 'plain/cup': Not a directory\n");
+  EXPECT_EQ(run({"test", "--export", "plain/out"}).err,
+            "cls: cannot create 'plain/out': Not a directory\n");
+  EXPECT_EQ(run({"match", "mock", "mock", "--formation", "nowhere"}).err,
+            "cls: --formation: nowhere: no such folder\n");
+  EXPECT_EQ(run({"match", "mock", "mock", "--formation", "plain"}).err,
+            "cls: --formation: plain: not a folder\n");
+}
+
+TEST_F(CommandOutput, MatchesOfATournamentHaveTheFormInErrors) {
+  const Words words = {"tournament", "plan",   "cup",    "--format", "list",
+                       "--team",     "A=mock", "--team", "B=mock",   "--matches"};
+  Words good = words;
+  good.emplace_back("A:B");
+  EXPECT_EQ(run(good).exit_code, 0) << run(good).err;
+  Words bad = words;
+  bad.emplace_back("A-B");
+  EXPECT_EQ(run(bad).err,
+            "cls: --matches A-B: 'A-B' is not a pairing of two teams, as A:B in --matches "
+            "A:B,C:D or [\"A\", \"B\"] in cls.toml\n");
+}
+
+}  // namespace

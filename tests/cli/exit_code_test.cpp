@@ -1,0 +1,107 @@
+// Exit codes: the table of docs/cli.md, and commands that end with each of them.
+#include "cli/support/exit_code.h"
+
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include <fstream>
+#include <map>
+#include <regex>
+#include <string>
+#include <vector>
+
+#include "base/io/whole_file.h"
+#include "tests/support/command.h"
+#include "tests/support/files.h"
+#include "tests/support/temporary_folder.h"
+
+namespace {
+
+using namespace cls::cli;
+using cls::tests::Command;
+using cls::tests::CommandResult;
+using cls::tests::TemporaryFolder;
+
+// Code and first words of its meaning.
+std::map<int, std::string> table_in(const std::string& text, const std::regex& row) {
+  std::map<int, std::string> table;
+  for (auto at = std::sregex_iterator(text.begin(), text.end(), row); at != std::sregex_iterator();
+       ++at) {
+    for (const std::string& code : {(*at)[1].str()}) table[std::stoi(code)] = (*at)[2].str();
+  }
+  return table;
+}
+
+TEST(ExitCode, ManualHasTheTableOfTheHeader) {
+  const auto source = cls::tests::source_folder();
+  const auto header = cls::base::read_file(source / "cli" / "support" / "exit_code.h");
+  const auto manual = cls::base::read_file(source / "docs" / "cli.md");
+  ASSERT_TRUE(header && manual);
+  const auto codes = table_in(*header, std::regex(R"(k\w+ = (\d+), +///< (\w+))"));
+  const auto documented = table_in(*manual, std::regex(R"(\n\| (\d+) \| (\w+))"));
+  EXPECT_EQ(codes.size(), 15u);
+  for (const auto& [code, meaning] : codes) EXPECT_TRUE(documented.contains(code)) << code;
+  EXPECT_EQ(documented.size(), codes.size());
+}
+
+class ExitCodes : public testing::Test {
+ protected:
+  std::string file(const std::string& name, const std::string& text) const {
+    const auto path = folder_.path() / name;
+    std::ofstream(path) << text;
+    return path.string();
+  }
+  CommandResult cls(std::vector<std::string> arguments) const {
+    arguments.insert(arguments.begin(), cls::tests::cls_binary());
+    return Command(std::move(arguments), {}, folder_.path()).finish();
+  }
+  int code(std::vector<std::string> arguments) const { return cls(std::move(arguments)).exit_code; }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(ExitCodes, OfUsageAndFiles) {
+  EXPECT_EQ(code({"version"}), kOk);
+  EXPECT_EQ(code({"match", "mock", "mock", "--cycles", "many"}), kUsage);
+  EXPECT_EQ(code({"results", file("noise.rcg", "\x1f\x8b noise")}), kBadData);
+  EXPECT_EQ(code({"results", "missing.rcg"}), kNoInput);
+  EXPECT_EQ(code({"init", file("plain", "") + "/cup"}), kCannotCreate);
+  EXPECT_EQ(code({"tournament", "plan", "cup", "--config", file("cls.toml", "[tournment]\n")}),
+            kBadConfig);
+}
+
+TEST_F(ExitCodes, OfPlaymakersAndPorts) {
+  EXPECT_EQ(code({"check", "playmaker", "127.0.0.1:1", "--start-timeout", "0.3"}), kUnavailable);
+  Command mock({cls::tests::cls_binary(), "mock"});
+  ASSERT_TRUE(mock.wait_for_output("\n"));
+  const std::string line = mock.out();
+  const std::string port = line.substr(line.rfind(':') + 1, line.find('\n') - line.rfind(':') - 1);
+  EXPECT_EQ(code({"mock", "--port", port}), kTryAgain);
+  mock.send_signal(SIGINT);
+  EXPECT_EQ(mock.finish().exit_code, kInterrupted);
+}
+
+TEST_F(ExitCodes, OfMatches) {
+  const std::string crash = file("crash.json", R"({"otherwise": "hold",
+    "faults": {"crash_at_cycle": 5}})");
+  EXPECT_EQ(code({"match", "mock:hold", "mock:" + crash, "--cycles", "20"}), kFailed);
+  EXPECT_EQ(code({"match", "mock:hold", "mock:hold", "--time-limit", "0.01"}), kTimedOut);
+  EXPECT_EQ(code({"compare", "mock:hold", "mock:hold", "--cycles", "5", "--max-pairs", "1"}),
+            kUndecided);
+}
+
+TEST_F(ExitCodes, StrictFailsOnWarningsOnly) {
+  const std::vector<std::string> clean = {"match",    "mock:hold", "mock:hold",
+                                          "--cycles", "20",        "--strict"};
+  EXPECT_EQ(code(clean), kOk);
+  const std::string unmet = file("unmet.json", R"({"otherwise": "hold",
+    "expect": [{"rpc": "GetTrainerActions", "at_least": 1}]})");
+  std::vector<std::string> warned = {"match", "mock:hold", "mock:" + unmet, "--cycles", "20"};
+  EXPECT_EQ(code(warned), kOk);
+  warned.emplace_back("--strict");
+  const CommandResult strict = cls(warned);
+  EXPECT_EQ(strict.exit_code, kFailed);
+  EXPECT_NE(strict.err.find("cls: 1 warning (--strict)\n"), std::string::npos) << strict.err;
+}
+
+}  // namespace
