@@ -7,6 +7,7 @@
 #include <functional>
 #include <iterator>
 
+#include "base/text/wrap_text.h"
 #include "cli/support/troubleshooting.h"
 #include "orchestration/process/command_plan.h"
 #include "proxy/playmaker/playmaker_errors.h"
@@ -17,6 +18,8 @@ namespace {
 using orchestration::match::MatchResult;
 using orchestration::match::PlayerResult;
 using orchestration::match::TeamResult;
+
+constexpr std::size_t kLineWidth = 80;
 
 std::int64_t total(const TeamResult& team,
                    const std::function<std::int64_t(const PlayerResult&)>& value) {
@@ -188,9 +191,10 @@ std::string errors(const MatchResult& result, const TeamResult& team) {
   if (!team.errors.first) return {};
   const auto& first = *team.errors.first;
   std::string text =
-      fmt::format("  {}: {} RPC error{}, the first at cycle {} ({}, {})\n    {}: {}\n", team.name,
+      fmt::format("  {}: {} RPC error{}, the first at cycle {} ({}, {})\n    {}\n", team.name,
                   team.errors.count, team.errors.count == 1 ? "" : "s", first.cycle, first.rpc,
-                  proxy::agent_name(first.unum), first.status, first.message);
+                  proxy::agent_name(first.unum),
+                  base::wrap_text(first.status + ": " + first.message, kLineWidth, 4));
   if (!first.recording.empty()) {
     fmt::format_to(std::back_inserter(text), "    try again: cls test --replay {} {}\n",
                    orchestration::process::shell_quoted(result.folder + "/" + first.recording),
@@ -204,8 +208,9 @@ std::string exceptions(const MatchResult& result) {
   std::string text;
   for (const auto& process : result.processes) {
     if (process.exception.empty()) continue;
-    fmt::format_to(std::back_inserter(text), "  {}: {}\n    output is in {}/{}\n", process.name,
-                   process.exception, result.folder, process.log);
+    fmt::format_to(std::back_inserter(text), "  {}\n    output is in {}/{}\n",
+                   base::wrap_text(process.name + ": " + process.exception, kLineWidth, 2),
+                   result.folder, process.log);
   }
   return text;
 }

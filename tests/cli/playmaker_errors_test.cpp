@@ -163,6 +163,9 @@ TEST_F(PlaymakerErrors, WarnsOfUselessReplies) {
   expect_warning(" replies had no action that could be executed, ");
   EXPECT_EQ(result_["right"]["players"][0]["replies"]["empty"],
             result_["right"]["players"][0]["replies"]["tried"]);
+  play(script("no_ball", R"({"rules": [{"reply": {"ignore_preprocess": true, "actions": [
+                               {"body_hold_ball": {}}]}}]})"));
+  expect_warning("; most often failed: body_hold_ball (ball not kickable)");
   play("mock");
   EXPECT_EQ(result_["warnings"].size(), 0U) << warnings();
 }

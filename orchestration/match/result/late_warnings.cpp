@@ -3,8 +3,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <map>
+
 #include "base/io/whole_file.h"
 #include "orchestration/process/printed_exception.h"
+#include "proxy/actions/failure_reasons.h"
 
 namespace cls::orchestration::match {
 namespace {
@@ -12,6 +16,22 @@ namespace {
 constexpr std::size_t kManyRepetitions = 100;
 // A team that stands still for a while is no warning.
 constexpr std::int64_t kMinReplies = 50;
+
+// "; most often failed: body_hold_ball (ball not kickable)"; empty when nothing failed.
+std::string most_failed(const TeamResult& team) {
+  std::map<std::string, std::int64_t> failed;
+  for (const PlayerResult& player : team.players) {
+    for (const auto& [action, outcomes] : player.actions) {
+      const auto found = outcomes.find("failed");
+      if (found != outcomes.end()) failed[action] += found->second;
+    }
+  }
+  const auto most =
+      std::max_element(failed.begin(), failed.end(),
+                       [](const auto& a, const auto& b) { return a.second < b.second; });
+  if (most == failed.end()) return {};
+  return fmt::format("; most often failed: {} ({})", most->first, proxy::fails_when(most->first));
+}
 
 }  // namespace
 
@@ -27,8 +47,8 @@ std::vector<std::string> action_warnings(const TeamResult& team) {
   if (replies < kMinReplies || 2 * useless < replies) return {};
   return {
       fmt::format("{}: {} of {} replies had no action that could be executed, {} of them no "
-                  "action at all (docs/actions.md says when actions fail)",
-                  team.name, useless, replies, empty)};
+                  "action at all{}",
+                  team.name, useless, replies, empty, most_failed(team))};
 }
 
 std::vector<std::string> output_warnings(std::vector<ProcessResult>& processes,
