@@ -155,9 +155,8 @@ std::string schedule_text(const TournamentConfig& config, const Fixture& fixture
   const auto team = [&config](int index) {
     return config.teams[static_cast<std::size_t>(index)].name;
   };
-  return fmt::format("{:>6}  round {:<3} {:>{}} - {:<{}}  seed {}{}{}", fixture.index,
-                     fixture.round, team(fixture.left), width, team(fixture.right), width,
-                     fixture.seed, fixture.stage.empty() ? "" : "  " + fixture.stage,
+  return fmt::format("{:>3}  {:<8}  {:>{}} - {:<{}}  seed {}{}", fixture.index, stage_text(fixture),
+                     team(fixture.left), width, team(fixture.right), width, fixture.seed,
                      fixture.decides ? ", decider" : "");
 }
 

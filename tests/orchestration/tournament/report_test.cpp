@@ -426,6 +426,19 @@ TEST(Report, FitsTextIntoEightyColumns) {
   }
 }
 
+TEST(Report, FitsScheduledMatchesIntoEightyColumns) {
+  TournamentConfig config = config_of(Format::kDoubleElimination, 12);
+  for (TeamEntry& team : config.teams) team.name = "FIFTEEN_CHARS_" + team.name;
+  for (const ScheduledMatch& match : play_all(config, better_wins)) {
+    const std::string line = schedule_text(config, match.fixture);
+    EXPECT_LE(line.size(), 80u) << line;
+    expect_part(line, match.fixture.stage + "  ");
+  }
+  const Fixture first = next_fixtures(config_of(Format::kRoundRobin, 2), {}).front();
+  EXPECT_EQ(schedule_text(config_of(Format::kRoundRobin, 2), first),
+            "  1  round 1      A - B     seed " + std::to_string(first.seed));
+}
+
 TEST(Report, IsOneAccessiblePageWithoutScripts) {
   TournamentConfig config = config_of(Format::kGroups, 6);
   config.teams[0].endpoint = "run:<script>alert(1)</script>";
