@@ -41,6 +41,12 @@ Result<void> write_file(const std::filesystem::path& path, std::string_view byte
   return {};
 }
 
+std::optional<std::string> absence(const std::filesystem::path& path) {
+  std::error_code code;
+  if (std::filesystem::exists(path, code)) return std::nullopt;
+  return code ? code.message() : "no such file";
+}
+
 Result<void> create_folders(const std::filesystem::path& folder) {
   std::error_code code;
   std::filesystem::create_directories(folder, code);

@@ -17,6 +17,9 @@ std::optional<std::string> read_file(const std::filesystem::path& path);
 /// names the file and the cause.
 Result<void> write_file(const std::filesystem::path& path, std::string_view bytes);
 
+/// Why `path` cannot be used: "no such file", "Permission denied", ...; nothing if it exists.
+std::optional<std::string> absence(const std::filesystem::path& path);
+
 /// Creates a folder and those above it; succeeds if it exists. The error names the folder and the
 /// cause.
 Result<void> create_folders(const std::filesystem::path& folder);

@@ -10,7 +10,6 @@
 #include <chrono>
 #include <condition_variable>
 #include <cstdio>
-#include <filesystem>
 #include <memory>
 #include <mutex>
 #include <nlohmann/json.hpp>
@@ -20,6 +19,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/io/whole_file.h"
 #include "base/text/suggestion.h"
 #include "cli/support/exit_code.h"
 #include "cli/support/interrupt.h"
@@ -216,10 +216,10 @@ struct Failure {
 
 // Builds the mock from the arguments.
 base::Result<Mock> make(const Arguments& arguments, Failure& failure) {
-  if (mock_server::is_script_name(arguments.behavior) &&
-      !std::filesystem::exists(arguments.behavior)) {
+  const auto absence = base::absence(arguments.behavior);
+  if (absence && mock_server::is_script_name(arguments.behavior)) {
     failure.code = kNoInput;
-    return base::Error{fmt::format("{}: no such file", arguments.behavior)};
+    return base::Error{fmt::format("{}: {}", arguments.behavior, *absence)};
   }
   auto mock = mock_server::make_mock(arguments.behavior);
   if (!mock) {

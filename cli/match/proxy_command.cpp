@@ -225,7 +225,9 @@ std::vector<std::string> resolve(Arguments& arguments) {
       errors.push_back("--formation: " + set.error().message);
     }
   }
-  if (!options.team.debug_log.empty() && !std::filesystem::is_directory(options.team.debug_log)) {
+  std::error_code ignored;
+  if (!options.team.debug_log.empty() &&
+      !std::filesystem::is_directory(options.team.debug_log, ignored)) {
     errors.push_back(fmt::format("--debug-log '{}': no such folder", options.team.debug_log));
   }
   options.team.shared_playmaker = !options.playmaker.port_step;

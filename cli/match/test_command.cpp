@@ -99,7 +99,9 @@ bool matches(std::string_view pattern, std::string_view name) {
 }
 
 std::optional<Failure> add_file(const std::string& name, std::vector<Scenario>& chosen) {
-  if (!fs::exists(name)) return Failure{kNoInput, fmt::format("{}: no such file", name)};
+  if (const auto absence = base::absence(name)) {
+    return Failure{kNoInput, fmt::format("{}: {}", name, *absence)};
+  }
   auto read = orchestration::scenario::read_scenarios(name);
   if (!read) return Failure{kBadData, read.error().message};
   chosen.insert(chosen.end(), read->begin(), read->end());
@@ -121,7 +123,7 @@ std::optional<Failure> add_named(const std::string& name, const std::vector<Scen
     }
     names.push_back(scenario.name);
   }
-  if (fs::exists(name)) return add_file(name, chosen);
+  if (!base::absence(name)) return add_file(name, chosen);
   return Failure{kNoInput,
                  fmt::format("unknown scenario '{}'{}", name, base::did_you_mean(name, names))};
 }
@@ -309,8 +311,13 @@ std::optional<Failure> resolve(const Arguments& arguments,
   options.endpoint = *std::move(endpoint);
   options.file = arguments.replay;
   options.folder = arguments.folder;
-  if (!fs::exists(options.file)) return Failure{kNoInput, options.file + ": no such file"};
-  if (options.endpoint.starts_programs()) fs::create_directories(options.folder);
+  if (const auto absence = base::absence(options.file)) {
+    return Failure{kNoInput, fmt::format("{}: {}", options.file, *absence)};
+  }
+  if (options.endpoint.starts_programs()) {
+    const auto created = base::create_folders(options.folder);
+    if (!created) return Failure{kCannotCreate, created.error().message};
+  }
   if (arguments.side.empty()) return std::nullopt;
   options.side = soccer::parse_side(arguments.side);
   if (!options.side) {

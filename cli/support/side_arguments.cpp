@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/io/whole_file.h"
 #include "base/text/suggestion.h"
 #include "cli/support/exit_code.h"
 #include "cli/support/print_error.h"
@@ -63,7 +64,7 @@ int resolve_team_name(std::string& side, std::string& team_name, const std::stri
 int read_side_script(orchestration::match::Endpoint& side) {
   const auto loaded = load_script(side);
   if (loaded) return kOk;
-  const bool exists = fs::exists(side.behavior);
+  const bool exists = !base::absence(side.behavior);
   return print_error(exists ? kBadData : kNoInput, loaded.error().message);
 }
 

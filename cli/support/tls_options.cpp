@@ -28,7 +28,8 @@ int read_pem(const PemFile& file) {
   if (file.name.empty()) return kOk;
   std::ifstream stream(file.name);
   const std::string text{std::istreambuf_iterator<char>(stream), {}};
-  if (!stream || std::filesystem::is_directory(file.name)) {
+  std::error_code ignored;
+  if (!stream || std::filesystem::is_directory(file.name, ignored)) {
     return print_error(kNoInput, fmt::format("{}: {}: cannot read", file.option, file.name));
   }
   const bool fits = text.find("-----BEGIN ") != std::string::npos &&

@@ -182,7 +182,12 @@ class SuiteRun {
     settings.against = options_.against;
     settings.host = host_;
     settings.folder = fs::absolute(run_folder(options_.folder, scenario, task.seed));
-    if (host_ != nullptr) fs::create_directories(settings.folder);
+    if (host_ != nullptr) {
+      if (const auto created = base::create_folders(settings.folder); !created) {
+        outcome.problem = created.error().message;
+        return;
+      }
+    }
     // External teams use fixed ports and cannot play two matches in parallel.
     const auto alone = has_external_team(scenario) ? std::unique_lock(external_teams_)
                                                    : std::unique_lock<std::mutex>();

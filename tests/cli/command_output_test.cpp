@@ -141,6 +141,24 @@ TEST_F(CommandOutput, FileErrorsNameWhatTheUserTypedAndTheCause) {
             "cls: --formation: plain: not a folder\n");
 }
 
+// A name that the file system refuses is no internal error.
+TEST_F(CommandOutput, FileErrorsNameTheCauseOfAnUnusablePath) {
+  const std::string name = std::string(300, 'x') + ".json";
+  for (const Words& words :
+       {Words{"mock", name}, Words{"test", name}, Words{"test", "--replay", name, "mock"},
+        Words{"match", "mock", "mock:" + name}}) {
+    const CommandResult result = run(words);
+    EXPECT_EQ(result.exit_code, 66) << result.err;
+    EXPECT_EQ(result.err.find("internal error"), std::string::npos) << result.err;
+    EXPECT_NE(result.err.find(name), std::string::npos) << result.err;
+  }
+  put("plain", "");
+  const CommandResult replay =
+      run({"test", "--replay", "plain", "run:true {port}", "--dir", "plain/runs"});
+  EXPECT_EQ(replay.exit_code, 73);
+  EXPECT_EQ(replay.err, "cls: cannot create 'plain/runs': Not a directory\n");
+}
+
 TEST_F(CommandOutput, MatchesOfATournamentHaveTheFormInErrors) {
   const Words words = {"tournament", "plan",   "cup",    "--format", "list",
                        "--team",     "A=mock", "--team", "B=mock",   "--matches"};

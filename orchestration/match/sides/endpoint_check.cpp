@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <thread>
 
+#include "base/io/whole_file.h"
 #include "mock-server/mock.h"
 #include "orchestration/match/options/run_command_check.h"
 #include "orchestration/match/options/team_folder.h"
@@ -20,7 +21,7 @@ Problem check_mock(Endpoint endpoint) {
   if (mock_server::is_script_name(endpoint.behavior)) {
     const auto loaded = load_script(endpoint);
     if (loaded) return {};
-    const bool exists = std::filesystem::exists(endpoint.behavior);
+    const bool exists = !base::absence(endpoint.behavior);
     return EndpointProblem{exists ? Kind::kBadScript : Kind::kMissing, loaded.error().message};
   }
   const auto mock = mock_server::make_mock(endpoint.behavior);
