@@ -131,8 +131,7 @@ base::Table markdown_table(const std::vector<MatchSummary>& matches) {
 // The score shows the winner, so the remarks name one only after a coin toss.
 std::string all_remarks(const MatchSummary& match) {
   std::string text = remarks_text(match);
-  if (match.coin_toss)
-    text.insert(std::string_view("coin toss").size(), " won by " + winner_text(match));
+  if (match.coin_toss) text.insert(std::string_view("coin toss").size(), ": " + winner_text(match));
   if (match.winner == Winner::kNone) text = "incomplete" + (text.empty() ? "" : ", " + text);
   return text;
 }

@@ -9,6 +9,7 @@
 
 #include "analysis/results/results_text.h"
 #include "analysis/statistics/fields.h"
+#include "base/text/wrap_text.h"
 
 namespace cls::analysis {
 namespace {
@@ -100,7 +101,7 @@ std::string format_figure(const Figure& figure, const Json& fields) {
   return text == "-0.0" ? "0.0" : text;
 }
 
-std::string team_part(const MatchSummary& summary, const MatchStatistics& all) {
+std::string team_part(const MatchSummary& summary, const MatchStatistics& all, std::size_t width) {
   const PerTeam<TeamTotals> totals = {sum_team(all, 0), sum_team(all, 1)};
   const PerTeam<Json> fields = {team_fields(summary, all, totals[0], 0),
                                 team_fields(summary, all, totals[1], 1)};
@@ -120,7 +121,7 @@ std::string team_part(const MatchSummary& summary, const MatchStatistics& all) {
     table.add_row({"rejected commands", std::to_string(totals[0].rejected),
                    std::to_string(totals[1].rejected)});
   }
-  return table.format_text();
+  return table.format_text({0, width});
 }
 
 std::string player_part(const MatchSummary& summary, const MatchStatistics& all,
@@ -150,8 +151,9 @@ std::string statistics_text(const MatchSummary& summary, const MatchStatistics& 
   for (const std::string& reason : exclusion_reasons(summary, all)) {
     text += "warning: " + reason + "\n";
   }
+  text = base::wrap_text(text, width);
   text += '\n';
-  text += team_part(summary, all);
+  text += team_part(summary, all, width);
   text += '\n';
   text += player_part(summary, all, width);
   return text;
