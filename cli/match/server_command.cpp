@@ -220,6 +220,19 @@ void watch_hang_up() {
   sigaction(SIGHUP, &interrupt, nullptr);
 }
 
+/// A log of an earlier match in the folder of --dir; empty: none.
+std::string earlier_log(const std::filesystem::path& folder) {
+  if (folder.empty()) return {};
+  for (const char* name : {"match.rcg", "match.rcl", "match.kwy"}) {
+    for (const char* suffix : {"", ".gz"}) {
+      std::error_code error;
+      const std::filesystem::path file = folder / (std::string(name) + suffix);
+      if (std::filesystem::exists(file, error)) return file.string();
+    }
+  }
+  return {};
+}
+
 /// Opens sockets and logs, serves the match, closes the logs.
 int serve_match(const Arguments& arguments, const ServerSettings& settings,
                 const JsonStdout& json) {
@@ -234,6 +247,9 @@ int serve_match(const Arguments& arguments, const ServerSettings& settings,
                                            {config.port, config.trainer_port, config.coach_port});
     return print_error(kTryAgain, taken.empty() ? server.error().message
                                                 : taken + "; --port 0 selects free ports");
+  }
+  if (const std::string log = earlier_log(arguments.folder); !log.empty()) {
+    return print_error(kCannotCreate, fmt::format("{}: exists; give --dir another folder", log));
   }
   auto logs = orchestration::match::ServerLogs::open(settings.server, start);
   if (!logs) return print_error(kCannotCreate, logs.error().message);
@@ -283,28 +299,12 @@ std::optional<std::string> mistyped_option(const std::vector<std::string>& texts
   return std::nullopt;
 }
 
-/// A log of an earlier match in the folder of --dir; empty: none.
-std::string earlier_log(const std::filesystem::path& folder) {
-  if (folder.empty()) return {};
-  for (const char* name : {"match.rcg", "match.rcl", "match.kwy"}) {
-    for (const char* suffix : {"", ".gz"}) {
-      std::error_code error;
-      const std::filesystem::path file = folder / (std::string(name) + suffix);
-      if (std::filesystem::exists(file, error)) return file.string();
-    }
-  }
-  return {};
-}
-
 int run_server(const Arguments& arguments, const CLI::App& command) {
   int problem = kUsage;
   if (const auto option = mistyped_option(command.remaining())) {
     return print_error(kUsage, unknown_option(command, *option));
   }
   const JsonStdout json(arguments.json);
-  if (const std::string log = earlier_log(arguments.folder); !log.empty()) {
-    return print_error(kCannotCreate, fmt::format("{}: exists; give --dir another folder", log));
-  }
   const auto settings = read_settings(arguments, command.remaining(), problem);
   if (!settings) return print_error(problem, settings.error().message);
   if (settings->help) {

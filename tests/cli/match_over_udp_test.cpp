@@ -37,9 +37,9 @@ class MatchOverUdp : public testing::Test {
     return file;
   }
   Arguments match(const Arguments& more) const {
-    Arguments arguments = {cls_binary(), "match",      "--seed",
-                           "7",          "--set",      "server::kick_off_wait=3",
-                           "--dir",      path("match")};
+    Arguments arguments = {cls_binary(), "match",       "--seed",
+                           "7",          "--set",       "server::kick_off_wait=3",
+                           "--dir",      path("match"), "--force"};
     arguments.insert(arguments.end(), more.begin(), more.end());
     return arguments;
   }

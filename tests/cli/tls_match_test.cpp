@@ -44,6 +44,7 @@ class TlsMatch : public testing::Test {
                       "10",
                       "--set",
                       "server::kick_off_wait=3",
+                      "--force",
                       "--dir",
                       folder_.path() / "match"};
     argv.insert(argv.end(), more.begin(), more.end());
