@@ -77,6 +77,15 @@ TEST(BuildFiles, BootstrapInstallsPackagesOfCMake) {
   EXPECT_EQ(wanted, all_matches(bootstrap, R"(\n  ((?:lib|zlib|nlohmann)[a-z0-9+.-]+))"));
 }
 
+TEST(BuildFiles, PythonPackageHasVersionOfProject) {
+  const auto project = all_matches(read_file(source_folder() / "CMakeLists.txt"),
+                                   R"(project\(cls VERSION ([0-9.]+))");
+  const auto package = all_matches(read_file(source_folder() / "python/pyproject.toml"),
+                                   R"(\nversion = .([0-9.]+))");
+  ASSERT_EQ(project.size(), 1u);
+  EXPECT_EQ(package, project);
+}
+
 TEST(BuildFiles, TopLevelFileIsShort) {
   const auto lines = lines_of(read_file(source_folder() / "CMakeLists.txt"));
   EXPECT_GE(lines.size(), 10u);
