@@ -11,6 +11,7 @@
 #include "proxy/tracking/ball_tracking.h"
 #include "proxy/tracking/player_tracking.h"
 #include "proxy/tracking/self_localization.h"
+#include "soccer/direction_pair.h"
 #include "soccer/messages/parameter_message.h"
 #include "soccer/pitch.h"
 #include "soccer/protocol/message_kind.h"
@@ -117,14 +118,16 @@ void update_players(WorldModel& world) {
       player.type_id = type_of_number(our_team ? world.our_types : world.their_types, player.unum);
       player.kicking = player.kick_count == 0;
       player.tackling = player.tackle_count <= world.server().tackle_cycles - 2;
+      const auto [from_self, from_ball] =
+          soccer::direction_pair(player.position - self, player.position - ball);
       player.dist_from_self = soccer::distance(player.position, self);
-      player.angle_from_self = soccer::AngleDeg::of(player.position - self);
+      player.angle_from_self = soccer::AngleDeg(from_self);
       if (world.ball.pos_count >= kNever) {
         player.dist_from_ball = kNever;
         continue;
       }
       player.dist_from_ball = soccer::distance(player.position, ball);
-      player.angle_from_ball = soccer::AngleDeg::of(player.position - ball);
+      player.angle_from_ball = soccer::AngleDeg(from_ball);
     }
   }
 }

@@ -1,7 +1,11 @@
 // Angles, shapes, sides, play modes, landmarks and channels in memory.
 #include <gtest/gtest.h>
 
+#include <bit>
+#include <cstdint>
+
 #include "soccer/angle.h"
+#include "soccer/direction_pair.h"
 #include "soccer/geometry.h"
 #include "soccer/memory_channel.h"
 #include "soccer/pitch.h"
@@ -25,6 +29,21 @@ TEST(Angles, QuantizeRoundsHalfToEven) {
   EXPECT_EQ(math::quantize(0.25, 0.1), 0.2);
   EXPECT_DOUBLE_EQ(math::quantize(0.35, 0.1), 0.3);  // 0.35 / 0.1 is just below 3.5
   EXPECT_EQ(math::quantize(0.123, 0.0), 0.123);
+}
+
+TEST(Directions, ArePairwiseTheSameBits) {
+  const double values[] = {0.0, -0.0, 1e-9, -0.3, 1.0, -1.0, 52.5, -34.0, 1e300};
+  for (const double y : values) {
+    for (const double x : values) {
+      const Vec2 a{x, y};
+      const Vec2 b{-y, 0.7};
+      const auto [first, second] = direction_pair(a, b);
+      EXPECT_EQ(std::bit_cast<std::uint64_t>(first),
+                std::bit_cast<std::uint64_t>(direction_degrees(a)));
+      EXPECT_EQ(std::bit_cast<std::uint64_t>(second),
+                std::bit_cast<std::uint64_t>(direction_degrees(b)));
+    }
+  }
 }
 
 TEST(Shapes, NearestEdgePrefersHorizontalEdgeForEqualDistances) {
