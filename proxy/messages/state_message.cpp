@@ -5,6 +5,7 @@
 
 #include "proxy/world/motion.h"
 #include "soccer/angle.h"
+#include "soccer/direction_pair.h"
 #include "soccer/play_mode.h"
 
 namespace cls::proxy {
@@ -25,17 +26,69 @@ protos::ViewWidth wire_width(soccer::ViewWidth width) {
                                                : protos::WIDE;
 }
 
+/// Sets the angles of vectors, which cost most of a State, in pairs.
+class PairedAngles {
+ public:
+  PairedAngles() = default;
+  PairedAngles(const PairedAngles&) = delete;
+  PairedAngles& operator=(const PairedAngles&) = delete;
+  ~PairedAngles() {
+    if (waiting_ != nullptr) set(*waiting_, *waiting_);
+  }
+
+  /// `out` has its coordinates.
+  void add(protos::RpcVector2D& out) {
+    if (waiting_ == nullptr) {
+      waiting_ = &out;
+      return;
+    }
+    set(*waiting_, out);
+    waiting_ = nullptr;
+  }
+
+ private:
+  static soccer::Vec2 vector(const protos::RpcVector2D& message) {
+    return {message.x(), message.y()};
+  }
+  static void set(protos::RpcVector2D& a, protos::RpcVector2D& b) {
+    const auto [of_a, of_b] = soccer::direction_pair(vector(a), vector(b));
+    a.set_angle(f(of_a));
+    b.set_angle(f(of_b));
+  }
+
+  protos::RpcVector2D* waiting_ = nullptr;
+};
+
+void fill_vector(soccer::Vec2 vector, protos::RpcVector2D& out, const protos::RpcVector2D* known,
+                 PairedAngles& angles) {
+  // + 0.0F removes the sign of zero, which would change the direction.
+  const float x = f(vector.x) + 0.0F;
+  const float y = f(vector.y) + 0.0F;
+  // Most of a State equals the previous cycle.
+  if (out.x() == x && out.y() == y) return;
+  out.set_x(x);
+  out.set_y(y);
+  if (known != nullptr && known->x() == x && known->y() == y) {
+    out.set_dist(known->dist());
+    out.set_angle(known->angle());
+    return;
+  }
+  out.set_dist(f(soccer::Vec2{x, y}.length()));
+  angles.add(out);
+}
+
 float angle_from_ball(const BallState& ball) { return degrees(ball.angle_from_self + 180.0); }
 
 // Fields that Self and Player have in common, for the agent.
 template <typename Message>
 void fill_own(const WorldModel& world, Message& out) {
   const SelfState& self = world.self;
-  fill(self.position, *out.mutable_position());
-  fill(self.seen_position, *out.mutable_seen_position());
-  fill({}, *out.mutable_heard_position());
-  fill(self.velocity, *out.mutable_velocity());
-  fill(self.seen_velocity, *out.mutable_seen_velocity());
+  PairedAngles angles;
+  fill_vector(self.position, *out.mutable_position(), nullptr, angles);
+  fill_vector(self.seen_position, *out.mutable_seen_position(), nullptr, angles);
+  fill_vector({}, *out.mutable_heard_position(), nullptr, angles);
+  fill_vector(self.velocity, *out.mutable_velocity(), nullptr, angles);
+  fill_vector(self.seen_velocity, *out.mutable_seen_velocity(), nullptr, angles);
   out.set_pos_count(self.pos_count);
   out.set_seen_pos_count(self.seen_pos_count);
   out.set_heard_pos_count(kNever);
@@ -69,22 +122,9 @@ protos::Side wire_side(soccer::Side side) {
                                         : protos::UNKNOWN;
 }
 
-void fill(soccer::Vec2 vector, protos::RpcVector2D& out, const protos::RpcVector2D* known) {
-  // + 0.0F removes the sign of zero, which would change the direction.
-  const float x = f(vector.x) + 0.0F;
-  const float y = f(vector.y) + 0.0F;
-  // Most of a State equals the previous cycle, and directions cost most.
-  if (out.x() == x && out.y() == y) return;
-  out.set_x(x);
-  out.set_y(y);
-  if (known != nullptr && known->x() == x && known->y() == y) {
-    out.set_dist(known->dist());
-    out.set_angle(known->angle());
-    return;
-  }
-  const soccer::Vec2 rounded{x, y};
-  out.set_dist(f(rounded.length()));
-  out.set_angle(rounded.is_zero() ? 0.0F : f(soccer::direction_degrees(rounded)));
+void fill(soccer::Vec2 vector, protos::RpcVector2D& out) {
+  PairedAngles angles;
+  fill_vector(vector, out, nullptr, angles);
 }
 
 void fill_self(const WorldModel& world, protos::Self& out) {
@@ -118,14 +158,16 @@ void fill_self_as_player(const WorldModel& world, protos::Player& out) {
 
 void fill_player(const PlayerState& player, double decay, const protos::Player* twin,
                  protos::Player& out) {
+  PairedAngles angles;
   const auto& known = twin != nullptr ? *twin : protos::Player::default_instance();
-  fill(player.position, *out.mutable_position(), &known.position());
-  fill(player.seen_position, *out.mutable_seen_position(), &known.seen_position());
-  fill(player.heard_position, *out.mutable_heard_position(), &known.heard_position());
-  fill(player.velocity, *out.mutable_velocity(), &known.velocity());
-  fill(player.seen_velocity, *out.mutable_seen_velocity(), &known.seen_velocity());
-  fill(rest_point(player.position, player.velocity, decay), *out.mutable_inertia_final_point(),
-       &known.inertia_final_point());
+  fill_vector(player.position, *out.mutable_position(), &known.position(), angles);
+  fill_vector(player.seen_position, *out.mutable_seen_position(), &known.seen_position(), angles);
+  fill_vector(player.heard_position, *out.mutable_heard_position(), &known.heard_position(),
+              angles);
+  fill_vector(player.velocity, *out.mutable_velocity(), &known.velocity(), angles);
+  fill_vector(player.seen_velocity, *out.mutable_seen_velocity(), &known.seen_velocity(), angles);
+  fill_vector(rest_point(player.position, player.velocity, decay),
+              *out.mutable_inertia_final_point(), &known.inertia_final_point(), angles);
   out.set_pos_count(player.pos_count);
   out.set_seen_pos_count(player.seen_pos_count);
   out.set_heard_pos_count(player.heard_pos_count);
@@ -155,13 +197,14 @@ void fill_player(const PlayerState& player, double decay, const protos::Player* 
 }
 
 void fill_ball(const BallState& ball, protos::Ball& out) {
-  fill(ball.position, *out.mutable_position());
-  fill(ball.relative_position, *out.mutable_relative_position());
-  fill(ball.seen_position, *out.mutable_seen_position());
-  fill(ball.heard_position, *out.mutable_heard_position());
-  fill(ball.velocity, *out.mutable_velocity());
-  fill(ball.seen_velocity, *out.mutable_seen_velocity());
-  fill(ball.heard_velocity, *out.mutable_heard_velocity());
+  PairedAngles angles;
+  fill_vector(ball.position, *out.mutable_position(), nullptr, angles);
+  fill_vector(ball.relative_position, *out.mutable_relative_position(), nullptr, angles);
+  fill_vector(ball.seen_position, *out.mutable_seen_position(), nullptr, angles);
+  fill_vector(ball.heard_position, *out.mutable_heard_position(), nullptr, angles);
+  fill_vector(ball.velocity, *out.mutable_velocity(), nullptr, angles);
+  fill_vector(ball.seen_velocity, *out.mutable_seen_velocity(), nullptr, angles);
+  fill_vector(ball.heard_velocity, *out.mutable_heard_velocity(), nullptr, angles);
   out.set_pos_count(ball.pos_count);
   out.set_seen_pos_count(ball.seen_pos_count);
   out.set_heard_pos_count(ball.heard_pos_count);
@@ -254,14 +297,14 @@ protos::InterceptActionType wire_plan_kind(InterceptPlan::Kind kind) {
 }
 
 // `value`, the evaluation, stays unset.
-void fill_plan(const InterceptPlan& plan, protos::InterceptInfo& out) {
+void fill_plan(const InterceptPlan& plan, PairedAngles& angles, protos::InterceptInfo& out) {
   out.set_action_type(wire_plan_kind(plan.kind));
   out.set_turn_steps(plan.turns);
   out.set_turn_angle(f(plan.turn_angle));
   out.set_dash_steps(plan.dashes);
   out.set_dash_power(f(plan.dash_power));
   out.set_dash_dir(f(plan.dash_direction));
-  fill(plan.self_position, *out.mutable_final_self_position());
+  fill_vector(plan.self_position, *out.mutable_final_self_position(), nullptr, angles);
   out.set_final_ball_dist(f(plan.ball_distance));
   out.set_final_stamina(f(plan.stamina));
 }
@@ -289,7 +332,8 @@ void fill_intercept(const InterceptTable& table, protos::InterceptTable& out) {
   out.set_second_opponent_id(table.second_opponent_id);
   auto& plans = *out.mutable_self_intercept_info();
   int count = 0;
-  for (const InterceptPlan& plan : table.plans) fill_plan(plan, element(plans, count++));
+  PairedAngles angles;
+  for (const InterceptPlan& plan : table.plans) fill_plan(plan, angles, element(plans, count++));
   shrink(plans, count);
 }
 

@@ -30,10 +30,8 @@ void fill_coach_state(const WorldModel& world, soccer::CoachRole role, protos::S
 protos::GameModeType wire_mode(soccer::PlayMode mode);
 
 protos::Side wire_side(soccer::Side side);
-/// With length and direction, computed from the rounded coordinates. `known` is another message
-/// that may contain the same vector.
-void fill(soccer::Vec2 vector, protos::RpcVector2D& out,
-          const protos::RpcVector2D* known = nullptr);
+/// With length and direction, computed from the rounded coordinates.
+void fill(soccer::Vec2 vector, protos::RpcVector2D& out);
 void fill_self(const WorldModel& world, protos::Self& out);
 void fill_ball(const BallState& ball, protos::Ball& out);
 /// `decay` is player_decay of the player's type; `twin` is a filled message about the same player,
