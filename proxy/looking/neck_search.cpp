@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "soccer/direction_pair.h"
 #include "soccer/pitch.h"
 
 namespace cls::proxy {
@@ -45,9 +46,14 @@ NeckSearch::NeckSearch(const WorldModel& world, const ViewMemory& view, const Co
   // Ignore directions in which the pitch ends within this distance.
   constexpr double kWorthwhile = 8.0;
   const Vec2 here = slots.next_position();
-  for (int i = 0; i < ViewMemory::kSectors; ++i) {
-    const double ahead = pitch_ahead(here, sector_directions()[i]);
-    field_[i] = ahead < kWorthwhile ? 0.0 : std::min(view.ages[i], 100);
+  const auto& directions = sector_directions();
+  std::array<int, ViewMemory::kSectors> field;
+  for (std::size_t i = 0; i < field.size(); ++i) {
+    const bool worthwhile = pitch_ahead(here, directions[i]) >= kWorthwhile;
+    field[i] = worthwhile ? std::min(view.ages[i], 100) : 0;
+  }
+  for (std::size_t i = 0; i + 1 < field_before_.size(); ++i) {
+    field_before_[i + 1] = field_before_[i] + field[i % field.size()];
   }
   all_players_ = world.teammates.size() >= soccer::kPlayersPerTeam - 1 &&
                  world.opponents.size() >= soccer::kPlayersPerTeam;
@@ -65,15 +71,25 @@ void NeckSearch::add_players(const WorldModel& world, const PlayerList& list, Ve
     const double age = std::min(player.seen_pos_count, 100) + 1.0;
     double weight = age * age * soccer::math::exp(-relative.squared_length() / 800.0);
     if (ours && attack && player.position.x > here.x) weight *= 4.0;
-    players_.push_back({(AngleDeg::of(relative) - body_).degrees(), weight});
+    players_.push_back({0.0, weight});
+  }
+  // Directions are taken in pairs.
+  WeightedDirection* added = players_.end() - list.size();
+  for (std::size_t i = 0; i < list.size(); i += 2) {
+    const std::size_t other = std::min(i + 1, list.size() - 1);
+    const auto [first, second] =
+        soccer::direction_pair(list[i].position - here, list[other].position - here);
+    added[i].relative = (AngleDeg(first) - body_).degrees();
+    added[other].relative = (AngleDeg(second) - body_).degrees();
   }
 }
 
 double NeckSearch::player_score(double neck) const {
   double score = 0.0;
   for (const WeightedDirection& player : players_) {
-    const double off = std::fabs(soccer::math::normalize_degrees(player.relative - neck));
-    const double margin = half_view_ - off;
+    // Both are between -180 and 180 degrees.
+    const double apart = std::fabs(player.relative - neck);
+    const double margin = half_view_ - (apart > 180.0 ? 360.0 - apart : apart);
     if (margin > 0.0) score += player.weight * (1.0 + margin / 90.0);
   }
   return score;
@@ -84,11 +100,10 @@ double NeckSearch::field_score(double neck) const {
   const double reach = half_view_ / kSectorDegrees;
   const int first = static_cast<int>(std::ceil(center - reach));
   const int last = static_cast<int>(std::floor(center + reach));
-  double score = 0.0;
-  for (int i = first; i <= last; ++i) {
-    score += field_[(i + 2 * ViewMemory::kSectors) % ViewMemory::kSectors];
-  }
-  return score;
+  const int from = (first + 2 * ViewMemory::kSectors) % ViewMemory::kSectors;
+  const int count = std::clamp(last - first + 1, 0, ViewMemory::kSectors);
+  return field_before_[static_cast<std::size_t>(from + count)] -
+         field_before_[static_cast<std::size_t>(from)];
 }
 
 template <typename Score>

@@ -38,7 +38,8 @@ class NeckSearch {
   soccer::AngleDeg body_;
   bool all_players_ = false;
   FixedList<WeightedDirection, 44> players_;
-  std::array<double, ViewMemory::kSectors> field_;  ///< score of each direction sector
+  /// Sum of the scores of the direction sectors before each one, twice around.
+  std::array<int, 2 * ViewMemory::kSectors + 1> field_before_{};
 };
 
 }  // namespace cls::proxy

@@ -11,17 +11,19 @@ namespace {
 
 constexpr double kSectorDegrees = 360.0 / ViewMemory::kSectors;
 
-/// Calls `visit` for each sector whose middle is within `half_width` of `direction`.
+/// Calls `visit` for each range [from, to) of sectors whose middle is within `half_width` of
+/// `direction`: two ranges where they pass 180 degrees.
 template <typename Visit>
 void for_sectors_around(soccer::AngleDeg direction, double half_width, const Visit& visit) {
   const double center = (direction.degrees() + 180.0) / kSectorDegrees - 0.5;
   const double reach = std::clamp(half_width, 0.0, 180.0) / kSectorDegrees;
   const int first = static_cast<int>(std::ceil(center - reach));
-  const int last =
-      std::min(static_cast<int>(std::floor(center + reach)), first + ViewMemory::kSectors - 1);
-  for (int sector = first; sector <= last; ++sector) {
-    visit((sector + ViewMemory::kSectors) % ViewMemory::kSectors);
-  }
+  const int end =
+      std::min(static_cast<int>(std::floor(center + reach)) + 1, first + ViewMemory::kSectors);
+  const int from = first < 0 ? first + ViewMemory::kSectors : first;
+  const int to = from + end - first;
+  visit(from, std::min(to, ViewMemory::kSectors));
+  visit(0, to - ViewMemory::kSectors);
 }
 
 }  // namespace
@@ -33,7 +35,9 @@ int ViewMemory::sector_of(soccer::AngleDeg direction) {
 
 int ViewMemory::age_around(soccer::AngleDeg direction, double half_width) const {
   int sum = 0;
-  for_sectors_around(direction, half_width, [&](int sector) { sum += ages[sector]; });
+  for_sectors_around(direction, half_width, [&](int from, int to) {
+    for (int sector = from; sector < to; ++sector) sum += ages[sector];
+  });
   return sum;
 }
 
@@ -44,7 +48,9 @@ void update_view_memory(ViewMemory& view, const WorldModel& world) {
   }
   if (!(world.game.last_see == world.game.time)) return;
   const double half = view_angle(world.server(), world.self.view_width) / 2.0;
-  for_sectors_around(world.self.face(), half, [&](int sector) { view.ages[sector] = 0; });
+  for_sectors_around(world.self.face(), half, [&](int from, int to) {
+    for (int sector = from; sector < to; ++sector) view.ages[sector] = 0;
+  });
 }
 
 double view_angle(const soccer::ServerParams& server, soccer::ViewWidth width) {
