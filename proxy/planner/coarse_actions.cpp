@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "proxy/planner/generators.h"
+#include "soccer/direction_pair.h"
 #include "soccer/pitch.h"
 
 namespace cls::proxy {
@@ -36,6 +37,23 @@ bool lane_open(const PlannerField& field, Vec2 from, Vec2 way, double length, do
     if (std::fabs(cross(way, relative)) / length < along * tangent) return false;
   }
   return true;
+}
+
+struct Heading {
+  AngleDeg angle;
+  Vec2 unit;
+};
+
+const std::array<Heading, 8>& eight_headings() {
+  static const std::array<Heading, 8> headings = [] {
+    std::array<Heading, 8> all;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const AngleDeg angle(45.0 * static_cast<double>(i));
+      all[i] = {angle, soccer::polar(1.0, angle)};
+    }
+    return all;
+  }();
+  return headings;
 }
 
 }  // namespace
@@ -89,10 +107,8 @@ void add_simple_dribbles(const CoarseState& state, std::vector<PlanAction>& out)
   const PlanNode& now = state.now();
   const FieldPlayer* holder = field.our_player(now.holder);
   if (holder == nullptr || holder->age > 5) return;
-  for (int i = 0; i < 8; ++i) {
-    const AngleDeg heading(45.0 * i);
+  for (const auto& [heading, unit] : eight_headings()) {
     if (heading.abs() > 100.0 && now.ball.x < 16.0) continue;
-    const Vec2 unit = soccer::polar(1.0, heading);
     for (double far = 5.25; far > 1.0; far -= 1.75) {
       const Vec2 end = now.ball + unit * far;
       if (std::fabs(end.x) > soccer::kHalfLength - 1.0 ||
@@ -130,8 +146,8 @@ bool can_shoot_from(const PlannerField& field, Vec2 ball, int holder, int max_ag
   const bool self = holder == field.self.unum;
   const double min_gap = self ? 20.0 : 15.0;
   const double post = field.world.server().goal_width / 2.0 - 0.5;
-  const double low = soccer::direction_degrees(Vec2{goal.x, -post} - ball);
-  const double high = soccer::direction_degrees(Vec2{goal.x, post} - ball);
+  const auto [low, high] =
+      soccer::direction_pair(Vec2{goal.x, -post} - ball, Vec2{goal.x, post} - ball);
   struct Shadow {
     double direction;
     double half_width;
@@ -141,9 +157,9 @@ bool can_shoot_from(const PlannerField& field, Vec2 ball, int holder, int max_ag
     const Vec2 relative = opponent.position - ball;
     const double dist = relative.length();
     if (dist > kFar || relative.x < 0.0) continue;
-    const double width =
-        soccer::math::to_degrees(soccer::math::atan2(opponent.control, std::max(0.1, dist)));
-    shadows.push_back({soccer::direction_degrees(relative), self ? width : 0.5 * width});
+    const auto [direction, width] =
+        soccer::direction_pair(relative, {std::max(0.1, dist), opponent.control});
+    shadows.push_back({direction, self ? width : 0.5 * width});
   }
   for (int i = 0; i < kDirections; ++i) {
     const double direction = low + (high - low) * i / (kDirections - 1);

@@ -22,9 +22,17 @@ constexpr int kMaxAge = 20;
 
 /// Distance a player may have run since it was last seen, weighted by likelihood.
 double unseen_run(int age, double speed) {
+  constexpr int kCycles = 10;
+  static const std::array<double, kCycles + 1> likelihood = [] {
+    std::array<double, kCycles + 1> table;
+    for (int i = 0; i <= kCycles; ++i) {
+      table[static_cast<std::size_t>(i)] = soccer::math::exp(-i * i / 15.0);
+    }
+    return table;
+  }();
   double run = 0.0;
-  for (int i = 1; i <= std::min(10, age); ++i) {
-    run += 0.8 * speed * soccer::math::exp(-i * i / 15.0);
+  for (int i = 1; i <= std::min(kCycles, age); ++i) {
+    run += 0.8 * speed * likelihood[static_cast<std::size_t>(i)];
   }
   return run;
 }
@@ -80,6 +88,7 @@ PlannerField::PlannerField(const WorldModel& w, int cycles_held) : world(w), hel
     left_[i] = left_[i - 1] * decay;
     roll_[i] = roll_[i - 1] + left_[i - 1];
   }
+  reach_.reserve(world.parameters->types.size());
   for (const soccer::PlayerType& type : world.parameters->types) {
     reach_.emplace_back(world.server(), type);
   }

@@ -22,6 +22,41 @@ bool inside(Vec2 point, double side_margin, double own_goal_margin) {
          std::fabs(point.y) < soccer::kHalfWidth - side_margin;
 }
 
+/// Points around a receiver for lead passes: rings of directions.
+constexpr std::array<double, 6> kRings{1.1, 2.2, 3.3, 4.4, 6.0, 8.0};
+constexpr int kRingDirections = 24;
+
+const std::vector<Vec2>& ring_points() {
+  static const std::vector<Vec2> points = [] {
+    std::vector<Vec2> all;
+    for (const double radius : kRings) {
+      for (int i = 0; i < kRingDirections; ++i) {
+        all.push_back(soccer::polar_degrees(radius, 360.0 * i / kRingDirections));
+      }
+    }
+    return all;
+  }();
+  return points;
+}
+
+/// A direction of through passes.
+struct Ray {
+  AngleDeg angle;
+  Vec2 unit;
+};
+
+const std::vector<Ray>& through_rays() {
+  static const std::vector<Ray> rays = [] {
+    std::vector<Ray> all;
+    for (int ray = -7; ray <= 7; ++ray) {
+      const AngleDeg angle(ray * 40.0 / 7.0);
+      all.push_back({angle, soccer::polar(1.0, angle)});
+    }
+    return all;
+  }();
+  return rays;
+}
+
 class PassSearch {
  public:
   PassSearch(const PlannerField& field, std::vector<PlanAction>& out) : field_(field), out_(out) {
@@ -150,17 +185,14 @@ class PassSearch {
   }
 
   void lead(const FieldPlayer& receiver) {
-    static constexpr std::array<double, 6> kRings{1.1, 2.2, 3.3, 4.4, 6.0, 8.0};
-    constexpr int kDirections = 24;
     const double push = 100.0 * receiver.type->dash_power_rate * receiver.type->effort_max;
     Speeds speeds;
     speeds.min_first = usual_speed_;
     speeds.min_arrival = 0.6;
     speeds.max_arrival = receiver.control + 1.5 * push;
     for (std::size_t ring = 0; ring < kRings.size(); ++ring) {
-      for (int i = 0; i < kDirections; i += ring < 2 ? 2 : 1) {
-        const Vec2 point =
-            receiver.rest + soccer::polar_degrees(kRings[ring], 360.0 * i / kDirections);
+      for (std::size_t i = 0; i < kRingDirections; i += ring < 2 ? 2 : 1) {
+        const Vec2 point = receiver.rest + ring_points()[ring * kRingDirections + i];
         const double length = distance(point, field_.ball);
         if (length < 3.0 || length > 0.8 * field_.longest_roll() || !inside(point, 2.0, 5.0)) {
           continue;
@@ -183,17 +215,16 @@ class PassSearch {
     speeds.min_first = 1.4;
     const double push = 100.0 * receiver.type->dash_power_rate * receiver.type->effort_max;
     speeds.max_arrival = receiver.control + 1.5 * push;
-    for (int ray = -7; ray <= 7; ++ray) {
-      const AngleDeg angle(ray * 40.0 / 7.0);
-      const Vec2 step = soccer::polar(1.0, angle);
+    const bool runs = receiver.velocity.length() > 0.2;
+    const AngleDeg heading = runs ? AngleDeg::of(receiver.velocity) : AngleDeg();
+    for (const Ray& ray : through_rays()) {
+      const bool on_its_way = runs && (heading - ray.angle).abs() < 15.0;
       for (double far = 6.0; far <= 30.0; far += 2.0) {
-        const Vec2 point = receiver.rest + step * far;
+        const Vec2 point = receiver.rest + ray.unit * far;
         if (point.x < min_x || !inside(point, 2.5, 5.0) || point.x > 50.0) continue;
         const double length = distance(point, field_.ball);
         if (length < 5.0 || length > 0.9 * field_.longest_roll()) continue;
         if (!nearest_receiver(receiver, point)) continue;
-        const bool on_its_way = receiver.velocity.length() > 0.2 &&
-                                (AngleDeg::of(receiver.velocity) - angle).abs() < 15.0;
         const int ready = receiver_cycles(receiver, point, true) + (on_its_way ? 0 : 1);
         const int first = std::max({fewest_cycles(length), ready});
         try_ball(receiver, point, first, first + 3, speeds, PlanTag::kStrictThrough);
