@@ -91,13 +91,26 @@ struct Runner {
 
 /// Distance at which the agent controls the ball: kickable area, or catch reach of a goalie in its
 /// penalty area.
-double control_distance(const WorldModel& world, Vec2 ball) {
-  const double kick = world.self_type().kickable_area(world.server().ball_size) - kReachMargin;
-  const bool in_box = ball.x < -(soccer::kHalfLength - soccer::kPenaltyAreaLength) &&
-                      std::fabs(ball.y) < 0.5 * soccer::kPenaltyAreaWidth;
-  if (!world.goalie || !in_box || world.game.mode != soccer::PlayMode::kPlayOn) return kick;
-  return std::max(kick, catch_reach(world).sure - kReachMargin);
-}
+class Control {
+ public:
+  explicit Control(const WorldModel& world)
+      : kick_(world.self_type().kickable_area(world.server().ball_size) - kReachMargin),
+        catches_(world.goalie && world.game.mode == soccer::PlayMode::kPlayOn) {
+    if (catches_) catch_ = std::max(kick_, catch_reach(world).sure - kReachMargin);
+  }
+
+  double at(Vec2 ball) const {
+    if (!catches_) return kick_;
+    const bool in_box = ball.x < -(soccer::kHalfLength - soccer::kPenaltyAreaLength) &&
+                        std::fabs(ball.y) < 0.5 * soccer::kPenaltyAreaWidth;
+    return in_box ? catch_ : kick_;
+  }
+
+ private:
+  double kick_;
+  double catch_ = 0.0;
+  bool catches_;
+};
 
 // Maximum plans per direction or turn; later plans only add waiting cycles.
 constexpr int kPlansPerDirection = 3;
@@ -110,14 +123,20 @@ struct Search {
   const WorldModel& world;
   const BallPath& path;
   InterceptTable& table;
+  Control control;
+  double forward_rate = 0.0;  ///< dash rates
+  double backward_rate = 0.0;
   /// Distance by number of full forward dashes from rest; distance per unit of current velocity by
   /// cycle.
   std::array<double, kInterceptHorizon + 1> run{};
   std::array<double, kInterceptHorizon + 1> drift{};
   std::array<DashCourse, kMaxTurns + 1> courses;  ///< by number of preceding turns
 
-  Search(const WorldModel& w, const BallPath& p, InterceptTable& t) : world(w), path(p), table(t) {
+  Search(const WorldModel& w, const BallPath& p, InterceptTable& t)
+      : world(w), path(p), table(t), control(w) {
     const soccer::PlayerType& type = world.self_type();
+    forward_rate = dash_rate(world.server(), 0.0);
+    backward_rate = dash_rate(world.server(), 180.0);
     const double push = world.server().max_dash_power * type.dash_power_rate * world.self.effort;
     double speed = 0.0;
     double fading = 1.0;
@@ -130,13 +149,11 @@ struct Search {
     }
   }
 
-  double control_at(int step) const {
-    return control_distance(world, path[static_cast<std::size_t>(step)]);
-  }
+  double control_at(int step) const { return control.at(path[static_cast<std::size_t>(step)]); }
   bool reaches(Vec2 position, int step) const {
-    const double control = control_at(step);
+    const double reach = control_at(step);
     return soccer::squared_distance(position, path[static_cast<std::size_t>(step)]) <=
-           control * control;
+           reach * reach;
   }
 
   DashCourse& course_after(int turns) {
@@ -186,19 +203,19 @@ struct Search {
   /// this does not reach the ball.
   bool turn_and_dash(int step, bool backward) {
     const Vec2 target = path[static_cast<std::size_t>(step)];
-    const double control = control_at(step);
-    const double rate = dash_rate(world.server(), backward ? 180.0 : 0.0);
+    const double reach = control_at(step);
+    const double rate = backward ? backward_rate : forward_rate;
     // Aim from the coasting position: the current velocity persists.
     const Vec2 offset = target - (world.self.position +
                                   world.self.velocity * drift[static_cast<std::size_t>(step)]);
     const double distance = offset.length();
-    if (distance > run[static_cast<std::size_t>(step - 1)] * rate + control) return false;
+    if (distance > run[static_cast<std::size_t>(step - 1)] * rate + reach) return false;
     const AngleDeg heading = distance > 1e-3 ? AngleDeg::of(offset) : world.self.body;
     const double desired_turn =
         ((backward ? heading + 180.0 : heading) - world.self.body).degrees();
     constexpr double kMinSlack = 5.0;
-    const double slack = distance > control
-                             ? std::max(kMinSlack, math::to_degrees(math::asin(control / distance)))
+    const double slack = distance > reach
+                             ? std::max(kMinSlack, math::to_degrees(math::asin(reach / distance)))
                              : 180.0;
     Runner runner(world);
     double missing = std::fabs(desired_turn);

@@ -150,6 +150,13 @@ DistanceRange DistanceTable::range_along(double printed, Vec2 eye, Vec2 directio
   // Piecewise: within one step of both distances the solution is one interval.
   DistanceRange found{-1.0, -1.0};
   std::size_t own = step_index(d);
+  std::size_t at_focus = own;
+  // step_index(), searched from the step of the piece before.
+  const auto find_step = [this](double distance, std::size_t from) {
+    while (from > 0 && steps_[from - 1].ends.high >= distance) --from;
+    while (from + 1 < steps_.size() && steps_[from].ends.high < distance) ++from;
+    return from;
+  };
   constexpr int kMaxPieces = 200;
   for (int piece = 0; piece < kMaxPieces && d < end; ++piece) {
     while (own + 1 < steps_.size() && d >= steps_[own].ends.high) ++own;
@@ -157,7 +164,8 @@ DistanceRange DistanceTable::range_along(double printed, Vec2 eye, Vec2 directio
     double next = std::min(end, steps_[own].ends.high);
     double rounded = steps_[own].rounded;
     if (f >= kFine) {
-      const Step& step = steps_[step_index(f * (d < ray.foot ? 1.0 - 1e-9 : 1.0 + 1e-9))];
+      at_focus = find_step(f * (d < ray.foot ? 1.0 - 1e-9 : 1.0 + 1e-9), at_focus);
+      const Step& step = steps_[at_focus];
       rounded += step.rounded;
       next = std::min(next, ray.leaves(d, step.ends));
     } else {
