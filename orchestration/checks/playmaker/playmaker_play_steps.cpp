@@ -1,4 +1,4 @@
-// Step: what becomes of the actions of a team on the embedded server.
+// Step: the outcomes of the actions of a team on the embedded server.
 #include <fmt/format.h>
 
 #include "orchestration/checks/playmaker/playmaker_subject.h"

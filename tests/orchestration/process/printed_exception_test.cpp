@@ -46,10 +46,10 @@ TEST(PrintedException, IsPanicOfGoAndRust) {
 TEST(PrintedException, IsInnermostCauseOfStackTrace) {
   EXPECT_EQ(printed_exception("SEVERE: Exception while executing runnable\n"
                               "java.lang.IllegalStateException: decision failed\n"
-                              "\tat team.Brain.decide(Brain.java:40)\n"
+                              "\tat team.Striker.decide(Striker.java:40)\n"
                               "\tat java.base/java.lang.Thread.run(Thread.java:840)\n"
                               "Caused by: java.lang.NullPointerException: ball\n"
-                              "\tat team.Brain.pass(Brain.java:12)\n"
+                              "\tat team.Striker.pass(Striker.java:12)\n"
                               "\t... 2 more\n"),
             "java.lang.NullPointerException: ball");
   EXPECT_EQ(printed_exception("TypeError: Cannot read properties of undefined (reading 'x')\n"
