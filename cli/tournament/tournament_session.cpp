@@ -177,7 +177,7 @@ int end_session(const RunSummary& summary, const TournamentConfig& config,
   if (!summary.message.empty()) print_error(0, summary.message);
   if (summary.end != RunEnd::kComplete && summary.end != RunEnd::kDecided) {
     print_error(0, fmt::format("{} ({})", counts_text(count(summary.matches)), name(summary.end)));
-    print_error(0, fmt::format("resume: {}", resume_command()));
+    fmt::print(stderr, "cls: resume: {}\n", resume_command());  // one line, to be copied
   }
   if (warnings.empty()) return exit_code;
   const std::string counts = warning_counts(summary.matches);
