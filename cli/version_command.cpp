@@ -36,18 +36,13 @@ std::string boost_version() {
                      BOOST_VERSION % 100);
 }
 
-#ifdef __clang__
-constexpr const char* kCompiler = __VERSION__;
-#else
-constexpr const char* kCompiler = "GCC " __VERSION__;
-#endif
-
 nlohmann::ordered_json document() {
-  return {
+  nlohmann::ordered_json versions = {
       {"schema", "cls.version/1"},
       {"cls", base::kVersion},
       {"wire", base::kWireVersion},
-      {"compiler", kCompiler},
+      {"commit", nullptr},
+      {"compiler", base::kCompiler},
       {"libraries",
        {{"boost", boost_version()},
         {"cli11", CLI11_VERSION},
@@ -58,6 +53,8 @@ nlohmann::ordered_json document() {
         {"protobuf", dotted(GOOGLE_PROTOBUF_VERSION, 1000)},
         {"sqlite", SQLITE_VERSION},
         {"zlib", ZLIB_VERSION}}}};
+  if (!base::kGitVersion.empty()) versions["commit"] = base::kGitVersion;
+  return versions;
 }
 
 int print_version(bool json) {
@@ -71,6 +68,7 @@ int print_version(bool json) {
     fmt::print("  {:<14} {}\n", name, version.get<std::string>());
   };
   row("wire", versions["wire"]);
+  if (!versions["commit"].is_null()) row("commit", versions["commit"]);
   row("compiler", versions["compiler"]);
   for (const auto& [name, version] : versions["libraries"].items()) row(name, version);
   return kOk;

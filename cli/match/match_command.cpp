@@ -93,6 +93,13 @@ int print_dry_run(const MatchArguments& arguments) {
   return kOk;
 }
 
+// After Ctrl-C: what is stored, and how to play the match to its end.
+void print_interrupted(const MatchResult& result) {
+  print_error(0, fmt::format("interrupted at cycle {}; log and result are in {}/; the same command "
+                             "with --seed {} plays the match again",
+                             result.cycles, result.folder, result.seed));
+}
+
 int run_match_command(const CLI::App& command, MatchArguments& arguments) {
   if (const int resolved = resolve_match(command, arguments); resolved != kOk) return resolved;
   if (arguments.dry_run) return print_dry_run(arguments);
@@ -105,6 +112,7 @@ int run_match_command(const CLI::App& command, MatchArguments& arguments) {
   progress.clear();
   if (!result) return print_error(kCannotCreate, result.error().message);
   if (!result->message.empty()) print_error(0, result->message);
+  if (result->end_reason == EndReason::kInterrupted) print_interrupted(*result);
   if (result->failure) print_last_output(*result->failure);
   if (!result->write_error.empty()) print_error(0, result->write_error);
   if (arguments.json) {
