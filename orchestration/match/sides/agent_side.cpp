@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <utility>
 
@@ -187,6 +188,13 @@ std::vector<ProcessResult> AgentSide::wait_gone() {
 std::vector<std::string> AgentSide::failed_expectations() const {
   return connection_.mock == nullptr ? std::vector<std::string>()
                                      : connection_.mock->failed_expectations();
+}
+
+// In a turn the agents compute, or wait for replies.
+TurnTimes AgentSide::turn_times() const {
+  const proxy::TeamTimes& times = team_->times();
+  const auto work = times.perceive + times.state + times.begin + times.act;
+  return {times.turns, std::max(std::chrono::nanoseconds(0), times.turns - work)};
 }
 
 double AgentSide::mock_cpu_seconds() const {

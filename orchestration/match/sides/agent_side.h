@@ -58,7 +58,7 @@ class AgentSide : public MatchSide {
 
   bool listen(SideListener& listener) override;
   std::optional<proxy::AwaitedCall> awaited_reply() const override { return watch_.oldest(); }
-  TurnTimes turn_times() const override { return {team_->times().turns, team_->times().wait}; }
+  TurnTimes turn_times() const override;
   const proxy::LatencySamples* turn_samples() const override { return &team_->times().turn_us; }
   std::string timeout_hint() const override;
   const process::Child* awaited_process() const override;

@@ -240,7 +240,7 @@ void NetworkAgents::update_snapshot() {
   if (world.ball.position_valid()) {
     snapshot_.ball = left ? world.ball.position : -world.ball.position;
   }
-  snapshot_.turns = {team().times().turns, team().times().wait};
+  snapshot_.turns = AgentSide::turn_times();
   for (std::string& line : team().take_warnings()) warnings_.push_back(std::move(line));
 }
 
