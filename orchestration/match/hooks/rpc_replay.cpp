@@ -27,8 +27,23 @@ using soccer::Side;
 
 int number_of(Side side) { return side == Side::kRight ? 2 : 1; }
 
+// The side of all calls; nothing when both sides have some.
+std::optional<Side> only_side(const std::string& file) {
+  std::string error;
+  const auto reader = proto::RecordingReader::open(file, error);
+  std::optional<Side> side;
+  RecordedCall call;
+  while (reader != nullptr && reader->next(call)) {
+    const Side caller = call.side() == number_of(Side::kRight) ? Side::kRight : Side::kLeft;
+    if (side && *side != caller) return std::nullopt;
+    side = caller;
+  }
+  return side;
+}
+
 Side side_to_ask(const ReplayOptions& options, const recording::RecordingHeader& header) {
   if (options.side) return *options.side;
+  if (const auto side = only_side(options.file)) return *side;
   const bool left_is_mock = header.left_endpoint().rfind("mock", 0) == 0;
   const bool right_is_mock = header.right_endpoint().rfind("mock", 0) == 0;
   return left_is_mock && !right_is_mock ? Side::kRight : Side::kLeft;

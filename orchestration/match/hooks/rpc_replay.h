@@ -19,7 +19,8 @@ namespace cls::orchestration::match {
 struct ReplayOptions {
   std::string file;
   Endpoint endpoint;
-  std::optional<soccer::Side> side;  ///< whose calls; else the side that was no mock, or the left
+  /// Whose calls; else the only side with calls, the side that was no mock, or the left.
+  std::optional<soccer::Side> side;
   int rpc_deadline_ms = 10'000;
   double start_timeout_s = 20.0;
   std::filesystem::path folder;  ///< for the log of a Playmaker that is started
