@@ -16,13 +16,16 @@ Server::Server(Mock mock)
     : mock_(std::move(mock)),
       expectations_(mock_.expectations),
       handler_(*mock_.behavior, mock_.expectations.empty() ? nullptr : &expectations_),
-      service_(handler_, mock_.faults, mock_.die) {}
+      responder_(handler_, mock_.faults, mock_.die),
+      service_(responder_),
+      team_service_(responder_) {}
 
 Server::~Server() { stop(); }
 
 Result<void> Server::listen(const std::string& address) {
   grpc::ServerBuilder builder;
   builder.RegisterService(&service_);
+  builder.RegisterService(&team_service_);
   // A second server on the same port must fail, not share it.
   builder.AddChannelArgument(GRPC_ARG_ALLOW_REUSEPORT, 0);
   if (!address.empty()) {

@@ -10,6 +10,7 @@
 #include "base/result.h"
 #include "mock-server/mock.h"
 #include "mock-server/service/playmaker_service.h"
+#include "mock-server/service/team_service.h"
 
 namespace cls::mock_server {
 
@@ -49,7 +50,9 @@ class Server {
   Mock mock_;
   Expectations expectations_;
   RequestHandler handler_;
+  Responder responder_;
   PlaymakerService service_;
+  TeamService team_service_;
   std::unique_ptr<grpc::Server> server_;
   int port_ = 0;
 };

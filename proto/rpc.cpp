@@ -1,11 +1,11 @@
-// Names and message types of the RPCs, from the descriptor of the service.
+// Names and message types of the RPCs, from the descriptors of the services.
 #include "proto/rpc.h"
 
-#include <algorithm>
 #include <array>
 #include <cassert>
 
 #include "proto/playmaker.pb.h"
+#include "proto/team_playmaker.pb.h"
 
 namespace cls::proto {
 namespace {
@@ -21,20 +21,29 @@ struct RpcDescription {
   const google::protobuf::FieldDescriptor* identity = nullptr;
 };
 
+RpcDescription describe(const google::protobuf::MethodDescriptor& method) {
+  auto* messages = google::protobuf::MessageFactory::generated_factory();
+  RpcDescription description;
+  description.path = "/" + method.service()->full_name() + "/" + method.name();
+  description.name = method.name();
+  description.request = messages->GetPrototype(method.input_type());
+  description.reply = messages->GetPrototype(method.output_type());
+  description.identity = method.input_type()->FindFieldByName("register_response");
+  return description;
+}
+
 const RpcDescription& describe(Rpc rpc) {
   static const auto descriptions = [] {
-    const auto* service = protos::State::descriptor()->file()->FindServiceByName("Game");
-    assert(service != nullptr && service->method_count() == kRpcs);
-    auto* messages = google::protobuf::MessageFactory::generated_factory();
+    const auto* game = protos::State::descriptor()->file()->FindServiceByName("Game");
+    const auto* team =
+        playmaker::v1::AgentReply::descriptor()->file()->FindServiceByName("TeamPlaymaker");
+    assert(game != nullptr && game->method_count() == kAgentRpcs);
+    assert(team != nullptr && team->method_count() == kRpcs - kAgentRpcs);
     std::array<RpcDescription, kRpcs> all;
     for (int i = 0; i < kRpcs; ++i) {
-      const auto* method = service->method(i);
-      RpcDescription& description = all[static_cast<std::size_t>(i)];
-      description.path = "/" + service->full_name() + "/" + method->name();
-      description.name = method->name();
-      description.request = messages->GetPrototype(method->input_type());
-      description.reply = messages->GetPrototype(method->output_type());
-      description.identity = method->input_type()->FindFieldByName("register_response");
+      const bool of_agent = i < kAgentRpcs;
+      all[static_cast<std::size_t>(i)] =
+          describe(of_agent ? *game->method(i) : *team->method(i - kAgentRpcs));
     }
     return all;
   }();
@@ -52,20 +61,20 @@ const protos::RegisterResponse& identity_in(Rpc rpc, const Message& request) {
 std::string_view name(Rpc rpc) { return describe(rpc).name; }
 const std::string& path(Rpc rpc) { return describe(rpc).path; }
 
-const std::vector<std::string_view>& rpc_names() {
+const std::vector<std::string_view>& agent_rpc_names() {
   static const auto names = [] {
     std::vector<std::string_view> all;
-    for (int i = 0; i < kRpcs; ++i) all.push_back(name(static_cast<Rpc>(i)));
+    for (int i = 0; i < kAgentRpcs; ++i) all.push_back(name(static_cast<Rpc>(i)));
     return all;
   }();
   return names;
 }
 
 std::optional<Rpc> rpc_from_name(std::string_view name) {
-  const auto& names = rpc_names();
-  const auto found = std::find(names.begin(), names.end(), name);
-  if (found == names.end()) return std::nullopt;
-  return static_cast<Rpc>(found - names.begin());
+  for (int i = 0; i < kRpcs; ++i) {
+    if (proto::name(static_cast<Rpc>(i)) == name) return static_cast<Rpc>(i);
+  }
+  return std::nullopt;
 }
 
 const Message& request_prototype(Rpc rpc) { return *describe(rpc).request; }

@@ -1,4 +1,4 @@
-// The RPCs of the Playmaker interface as values: names, message types, sender.
+// The RPCs of both Playmaker services as values: names, message types, sender.
 #pragma once
 
 #include <google/protobuf/message.h>
@@ -15,7 +15,8 @@ class RegisterResponse;
 
 namespace cls::proto {
 
-/// In the order of `service Game` in playmaker.proto.
+/// In the order of `service Game` in playmaker.proto, then of `service TeamPlaymaker` in
+/// team_playmaker.proto.
 enum class Rpc : std::uint8_t {
   kRegister,
   kSendServerParams,
@@ -27,15 +28,21 @@ enum class Rpc : std::uint8_t {
   kGetTrainerActions,
   kGetBestPlannerAction,
   kSendByeCommand,
+  kRegisterTeam,
+  kGetTeamActions,
+  kGetBestPlannerActions,
+  kUnregisterTeam,
 };
-constexpr int kRpcs = 10;
+constexpr int kAgentRpcs = 10;  ///< those of Game: each concerns one agent
+constexpr int kRpcs = 14;
 
 /// "GetPlayerActions".
 std::string_view name(Rpc rpc);
 /// "/protos.Game/GetPlayerActions", the method path of gRPC.
 const std::string& path(Rpc rpc);
-/// All names, in the order of the enumeration.
-const std::vector<std::string_view>& rpc_names();
+/// Names of the RPCs of Game, in the order of the enumeration.
+const std::vector<std::string_view>& agent_rpc_names();
+/// Of all RPCs.
 std::optional<Rpc> rpc_from_name(std::string_view name);
 
 /// True for the three RPCs that request a decision; their request is a State.
@@ -44,11 +51,16 @@ constexpr bool is_decision(Rpc rpc) {
          rpc == Rpc::kGetTrainerActions;
 }
 
+/// True for the RPCs with which agents introduce themselves.
+constexpr bool is_registration(Rpc rpc) {
+  return rpc == Rpc::kRegister || rpc == Rpc::kRegisterTeam;
+}
+
 /// Default instances, for New().
 const google::protobuf::Message& request_prototype(Rpc rpc);
 const google::protobuf::Message& reply_prototype(Rpc rpc);
 
-/// The agent that sent a request, as far as the request identifies it.
+/// The agent that sent a request of Game, as far as the request identifies it.
 struct Caller {
   std::string_view team;
   int unum = 0;       ///< 0: unknown
@@ -56,7 +68,7 @@ struct Caller {
 };
 Caller caller_of(Rpc rpc, const google::protobuf::Message& request);
 
-/// Writes the identity received from Register into a request; no effect on Register itself.
+/// Writes the identity received from Register into a request of Game; no effect on Register itself.
 void set_identity(Rpc rpc, const protos::RegisterResponse& identity,
                   google::protobuf::Message& request);
 

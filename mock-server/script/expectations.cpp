@@ -20,7 +20,7 @@ Result<std::vector<proto::Rpc>> parse_order(const base::JsonValue& json) {
   if (!json.is_array() || json.size() == 0) return json.error("must be a list of RPCs");
   std::vector<proto::Rpc> order;
   for (std::size_t i = 0; i < json.size(); ++i) {
-    const auto word = json[i].one_of(proto::rpc_names());
+    const auto word = json[i].one_of(proto::agent_rpc_names());
     if (!word) return word.error();
     order.push_back(*proto::rpc_from_name(*word));
   }
@@ -50,7 +50,7 @@ Result<Expectation> parse_expectation(const base::JsonValue& json,
     return what;
   }
   if (!json.has("rpc")) return json.error("needs \"rpc\" or \"order\"");
-  const auto word = json["rpc"].one_of(proto::rpc_names());
+  const auto word = json["rpc"].one_of(proto::agent_rpc_names());
   if (!word) return word.error();
   what.rpc = *proto::rpc_from_name(*word);
   if (json.has("when")) {

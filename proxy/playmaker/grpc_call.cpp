@@ -1,27 +1,19 @@
 // Serializing a request, parsing the reply, classifying failures.
 #include "proxy/playmaker/grpc_call.h"
 
-#include <google/protobuf/io/coded_stream.h>
-#include <google/protobuf/io/zero_copy_stream_impl_lite.h>
 #include <grpc/support/time.h>
 
 #include <cassert>
 
+#include "proto/sorted_maps.h"
+
 namespace cls::proxy {
 namespace {
 
-// Serializes into the slice that the transport sends: no copy, one allocation. Map entries are
-// sorted by key, because their own order differs between processes, and a Playmaker that iterates
-// over a map would play differently in each run.
+// Serializes into the slice that the transport sends: no copy, one allocation.
 grpc::ByteBuffer serialize(const google::protobuf::Message& message) {
   grpc::Slice slice(message.ByteSizeLong());
-  {
-    google::protobuf::io::ArrayOutputStream bytes(const_cast<std::uint8_t*>(slice.begin()),
-                                                  static_cast<int>(slice.size()));
-    google::protobuf::io::CodedOutputStream out(&bytes);  // flushes in its destructor
-    out.SetSerializationDeterministic(true);
-    message.SerializeWithCachedSizes(&out);
-  }
+  proto::write_with_sorted_maps(message, const_cast<std::uint8_t*>(slice.begin()), slice.size());
   return grpc::ByteBuffer(&slice, 1);
 }
 
@@ -29,29 +21,6 @@ grpc::ByteBuffer serialize(const google::protobuf::Message& message) {
 gpr_timespec deadline_after(RpcTimeout timeout) {
   return gpr_time_add(gpr_now(GPR_CLOCK_MONOTONIC),
                       gpr_time_from_millis(timeout.count(), GPR_TIMESPAN));
-}
-
-RpcOutcome outcome_of(grpc::StatusCode code, bool cancelled) {
-  switch (code) {
-    case grpc::StatusCode::OK:
-      return RpcOutcome::kOk;
-    case grpc::StatusCode::DEADLINE_EXCEEDED:
-      return RpcOutcome::kDeadline;
-    case grpc::StatusCode::UNAVAILABLE:
-      return RpcOutcome::kUnavailable;
-    case grpc::StatusCode::UNIMPLEMENTED:
-      return RpcOutcome::kUnimplemented;
-    default:
-      return cancelled ? RpcOutcome::kCancelled : RpcOutcome::kError;
-  }
-}
-
-// Messages of other programs must fit into one-line reports.
-std::string one_line(std::string text) {
-  for (char& c : text) {
-    if (static_cast<unsigned char>(c) < ' ') c = ' ';
-  }
-  return text;
 }
 
 }  // namespace
@@ -87,15 +56,9 @@ void GrpcCall::finish() {
   in_flight_ = false;
   latency_ = std::chrono::duration_cast<std::chrono::microseconds>(
       std::chrono::steady_clock::now() - started_);
-  const grpc::StatusCode code = grpc_status_.error_code();
-  status_.outcome = outcome_of(code, cancelled_);
-  status_.code = static_cast<int>(code);
-  status_.message.clear();
-  if (status_.ok()) {
-    read_message();
-    return;
-  }
-  status_.message = std::string(name(rpc_)) + ": " + one_line(grpc_status_.error_message());
+  status_ = rpc_status(rpc_, grpc_status_.error_code(), grpc_status_.error_message());
+  if (status_.ok()) return read_message();
+  if (cancelled_ && status_.outcome == RpcOutcome::kError) status_.outcome = RpcOutcome::kCancelled;
 }
 
 void GrpcCall::read_message() {

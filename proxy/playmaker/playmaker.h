@@ -3,53 +3,30 @@
 
 #include <google/protobuf/message.h>
 
-#include <array>
 #include <chrono>
-#include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
-#include <string_view>
+#include <utility>
+#include <vector>
 
 #include "proto/playmaker.pb.h"
 #include "proto/rpc.h"
+#include "proxy/playmaker/rpc_status.h"
+#include "proxy/world/match_parameters.h"
 
 namespace cls::proxy {
 
-/// Agents of a team are numbered by the uniform number of their Register call.
+/// Agents of a team are numbered by the uniform number of their Register call. 0 is the team
+/// itself, in the RPCs of TeamPlaymaker.
+constexpr int kTeamNumber = 0;
 constexpr int kCoachNumber = 12;
 constexpr int kTrainerNumber = 13;
-constexpr int kAgentNumbers = 14;  ///< 1 to 13 in use; size of arrays by agent number
+constexpr int kAgentNumbers = 14;  ///< size of arrays by agent number
 
 /// Timeout of a call. kNoTimeout waits as long as the connection lives.
 using RpcTimeout = std::chrono::milliseconds;
 constexpr RpcTimeout kNoTimeout = RpcTimeout::max();
-
-/// Result of a call.
-enum class RpcOutcome : std::uint8_t {
-  kOk,
-  kDeadline,       ///< no reply before the deadline
-  kUnavailable,    ///< unreachable, or the connection broke
-  kUnimplemented,  ///< the Playmaker implements an older interface without this RPC
-  kProtocolError,  ///< the reply does not parse
-  kCancelled,      ///< cancel() was called
-  kError,          ///< the Playmaker replied with an error status
-};
-constexpr int kRpcOutcomes = 7;
-
-constexpr std::string_view name(RpcOutcome outcome) {
-  constexpr std::array<std::string_view, kRpcOutcomes> kNames = {
-      "ok", "deadline", "unavailable", "unimplemented", "protocol error", "cancelled", "error"};
-  return kNames.at(static_cast<std::size_t>(outcome));
-}
-
-/// Outcome, gRPC status code and one line for the user.
-struct RpcStatus {
-  RpcOutcome outcome = RpcOutcome::kOk;
-  int code = 0;
-  std::string message;
-
-  bool ok() const { return outcome == RpcOutcome::kOk; }
-};
 
 /// The reply to one call.
 struct Reply {
@@ -69,17 +46,30 @@ struct Reply {
   }
 };
 
+/// What the agents of a team will register with.
+struct TeamRegistration {
+  std::vector<std::pair<int, protos::RegisterRequest>> agents;  ///< by agent number, ascending
+  std::shared_ptr<const MatchParameters> parameters;
+};
+
 /// Client of one Playmaker for all agents of a team. Used by one thread; only cancel() may be
 /// called from others.
 class Playmaker {
  public:
   virtual ~Playmaker() = default;
 
+  /// Before the first Register: who will register. For Playmakers that take one call per team.
+  virtual void announce_team(TeamRegistration /*team*/) {}
+
   /// Starts a call; at most one per agent may be outstanding. `request` is serialized before the
   /// function returns. All outstanding calls are in flight together. With `wait_for_ready`, waits
   /// for the Playmaker to come up, up to `timeout`.
   virtual void begin(int agent, proto::Rpc rpc, const google::protobuf::Message& request,
                      RpcTimeout timeout, bool wait_for_ready = false) = 0;
+
+  /// After the begin() calls of a cycle: no more will follow before their replies. A Playmaker that
+  /// collects calls sends them now.
+  virtual void send() {}
 
   /// Makes a call and blocks until its reply; no other call may be outstanding. Register waits for
   /// the Playmaker to come up, up to `timeout`.
@@ -96,6 +86,9 @@ class Playmaker {
 
   /// As next_reply(), but also nullopt when no reply arrives within `timeout`.
   virtual std::optional<Reply> next_reply_within(std::chrono::microseconds timeout) = 0;
+
+  /// A warning about the Playmaker since the last call of this function; empty: none.
+  virtual std::string take_warning() { return {}; }
 
   /// Cancels calls in flight and fails later ones with kCancelled, except SendByeCommand. Thread
   /// safe.

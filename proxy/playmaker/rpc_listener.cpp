@@ -23,6 +23,10 @@ class ObservedPlaymaker : public Playmaker {
     inner_.begin(agent, rpc, request, timeout, wait_for_ready);
   }
 
+  void announce_team(TeamRegistration team) override { inner_.announce_team(std::move(team)); }
+  void send() override { inner_.send(); }
+  std::string take_warning() override { return inner_.take_warning(); }
+
   Reply call(int agent, Rpc rpc, const Message& request, RpcTimeout timeout) override {
     Reply reply = inner_.call(agent, rpc, request, timeout);
     report(reply, request);

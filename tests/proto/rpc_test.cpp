@@ -14,10 +14,12 @@ TEST(Rpc, NamesFollowOrderOfEnumeration) {
       "SendPlayerType",  "SendInitMessage",   "GetPlayerActions",
       "GetCoachActions", "GetTrainerActions", "GetBestPlannerAction",
       "SendByeCommand"};
-  EXPECT_EQ(rpc_names(), expected);
+  EXPECT_EQ(agent_rpc_names(), expected);
   EXPECT_EQ(rpc_from_name("GetCoachActions"), Rpc::kGetCoachActions);
   EXPECT_EQ(rpc_from_name("GetCoachAction"), std::nullopt);
+  EXPECT_EQ(rpc_from_name("UnregisterTeam"), Rpc::kUnregisterTeam);
   EXPECT_EQ(path(Rpc::kRegister), "/protos.Game/Register");
+  EXPECT_EQ(path(Rpc::kGetTeamActions), "/cls.playmaker.v1.TeamPlaymaker/GetTeamActions");
 }
 
 TEST(Rpc, PrototypesHaveTypesOfInterface) {
@@ -37,7 +39,7 @@ TEST(Rpc, IdentityIsReadFromEveryRequest) {
   identity.set_client_id(7);
   identity.set_team_name("cls");
   identity.set_uniform_number(4);
-  for (int i = 1; i < kRpcs; ++i) {
+  for (int i = 1; i < kAgentRpcs; ++i) {
     const auto rpc = static_cast<Rpc>(i);
     const std::unique_ptr<google::protobuf::Message> request(request_prototype(rpc).New());
     set_identity(rpc, identity, *request);

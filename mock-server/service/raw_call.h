@@ -1,0 +1,54 @@
+// Memory and bytes of calls that a callback service handles itself.
+#pragma once
+
+#include <google/protobuf/arena.h>
+#include <google/protobuf/message.h>
+#include <grpcpp/grpcpp.h>
+
+#include <cstddef>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+namespace cls::mock_server {
+
+/// INTERNAL when the bytes are not a message of this type.
+grpc::Status parse(const grpc::ByteBuffer& bytes, google::protobuf::Message& message);
+grpc::Status serialize(const google::protobuf::Message& message, grpc::ByteBuffer& bytes);
+grpc::ByteBuffer buffer_of(const std::string& bytes);
+
+/// Memory of one call, reused: no allocation for each of the many parts of a State.
+class Workspace {
+ public:
+  explicit Workspace(std::size_t size) : block_(size), arena_(block_.data(), block_.size()) {}
+
+  google::protobuf::Message& create(const google::protobuf::Message& prototype) {
+    return *prototype.New(&arena_);
+  }
+  void reset() { arena_.Reset(); }
+
+ private:
+  std::vector<char> block_;
+  google::protobuf::Arena arena_;
+};
+
+/// A State of a busy cycle fits, with its reply. A workspace grows temporarily for a larger one.
+constexpr std::size_t kStateMemory = 96 * 1024;
+
+/// Workspaces for calls on several threads.
+class WorkspacePool {
+ public:
+  /// `size`: bytes of each workspace.
+  explicit WorkspacePool(std::size_t size) : size_(size) {}
+
+  std::unique_ptr<Workspace> acquire();
+  void release(std::unique_ptr<Workspace> workspace);
+
+ private:
+  std::size_t size_;
+  std::mutex mutex_;
+  std::vector<std::unique_ptr<Workspace>> idle_;
+};
+
+}  // namespace cls::mock_server

@@ -1,0 +1,164 @@
+// Taking a call of the team apart, and collecting the replies to its agents.
+#include "mock-server/service/team_service.h"
+
+#include <grpcpp/support/server_callback.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "mock-server/service/delayed_reply.h"
+#include "proto/playmaker.pb.h"
+
+namespace cls::mock_server {
+namespace {
+
+namespace wire = cls::playmaker::v1;
+using google::protobuf::Message;
+using grpc::ByteBuffer;
+using proto::Rpc;
+
+constexpr int kVersion = 1;
+constexpr int kCoach = 12;
+constexpr int kTrainer = 13;
+
+Rpc decision_of(int agent) {
+  if (agent == kCoach) return Rpc::kGetCoachActions;
+  return agent == kTrainer ? Rpc::kGetTrainerActions : Rpc::kGetPlayerActions;
+}
+
+// The calls of single agents in one call of the team, one after the other.
+class TeamCall {
+ public:
+  TeamCall(Responder& responder, Workspace& workspace)
+      : responder_(responder), workspace_(workspace) {}
+
+  // The agent's reply, unless the agent gets none.
+  template <typename Replies>
+  void respond(const wire::AgentMessage& call, Rpc rpc, Replies& replies) {
+    Message& request = workspace_.create(request_prototype(rpc));
+    Message& message = workspace_.create(reply_prototype(rpc));
+    Response one;
+    if (request.ParseFromString(call.message())) {
+      one = responder_.respond(rpc, request, message);
+    } else {
+      one.status = {grpc::StatusCode::INTERNAL, "the request does not parse"};
+    }
+    response_.delay_ms = std::max(response_.delay_ms, one.delay_ms);
+    if (one.status.error_code() == grpc::StatusCode::UNAVAILABLE) response_.status = one.status;
+    ++calls_;
+    if (one.hangs) {
+      ++hanging_;
+      return;
+    }
+    wire::AgentReply& reply = *replies.Add();
+    reply.set_agent(call.agent());
+    if (!one.status.ok()) {
+      reply.set_code(one.status.error_code());
+      reply.set_error(one.status.error_message());
+    } else if (one.bytes) {
+      reply.set_message(std::move(*one.bytes));
+    } else {
+      message.SerializeToString(reply.mutable_message());
+    }
+  }
+
+  // The rest of an agent's handshake.
+  void introduce(const protos::RegisterResponse& identity, Rpc rpc, const std::string& bytes) {
+    Message& request = workspace_.create(request_prototype(rpc));
+    if (!request.ParseFromString(bytes)) return;
+    set_identity(rpc, identity, request);
+    responder_.respond(rpc, request, workspace_.create(reply_prototype(rpc)));
+  }
+
+  // How the call of the team ends. It hangs when every agent's call does.
+  Response result() const {
+    Response response = response_;
+    response.hangs = calls_ != 0 && hanging_ == calls_;
+    return response;
+  }
+
+ private:
+  Responder& responder_;
+  Workspace& workspace_;
+  Response response_;
+  int calls_ = 0;
+  int hanging_ = 0;
+};
+
+void register_team(TeamCall& call, const wire::RegisterTeamRequest& request,
+                   wire::RegisterTeamResponse& response) {
+  response.set_version(kVersion);
+  for (const wire::AgentMessage& agent : request.agents()) {
+    call.respond(agent, Rpc::kRegister, *response.mutable_agents());
+  }
+  for (const wire::AgentReply& agent : response.agents()) {
+    protos::RegisterResponse identity;
+    if (agent.code() != 0 || !identity.ParseFromString(agent.message())) continue;
+    call.introduce(identity, Rpc::kSendServerParams, request.server_params());
+    call.introduce(identity, Rpc::kSendPlayerParams, request.player_params());
+    for (const std::string& type : request.player_types()) {
+      call.introduce(identity, Rpc::kSendPlayerType, type);
+    }
+    call.introduce(identity, Rpc::kSendInitMessage, request.init_message());
+  }
+}
+
+void respond(TeamCall& call, Rpc rpc, const Message& request, Message& response) {
+  if (rpc == Rpc::kRegisterTeam) {
+    register_team(call, static_cast<const wire::RegisterTeamRequest&>(request),
+                  static_cast<wire::RegisterTeamResponse&>(response));
+  } else if (rpc == Rpc::kGetTeamActions) {
+    auto& replies = *static_cast<wire::GetTeamActionsResponse&>(response).mutable_agents();
+    for (const auto& agent : static_cast<const wire::GetTeamActionsRequest&>(request).agents()) {
+      call.respond(agent, decision_of(agent.agent()), replies);
+    }
+  } else if (rpc == Rpc::kGetBestPlannerActions) {
+    const auto& choices = static_cast<const wire::GetBestPlannerActionsRequest&>(request);
+    auto& replies = *static_cast<wire::GetBestPlannerActionsResponse&>(response).mutable_agents();
+    for (const auto& agent : choices.agents()) {
+      call.respond(agent, Rpc::kGetBestPlannerAction, replies);
+    }
+  } else {
+    google::protobuf::RepeatedPtrField<wire::AgentReply> none;
+    for (const auto& agent : static_cast<const wire::UnregisterTeamRequest&>(request).agents()) {
+      call.respond(agent, Rpc::kSendByeCommand, none);
+    }
+  }
+}
+
+}  // namespace
+
+TeamService::TeamService(Responder& responder) : responder_(responder) {
+  for (int i = 0; i < proto::kRpcs - proto::kAgentRpcs; ++i) {
+    // As the generated WithRawCallbackMethod_NAME does for each method.
+    const auto rpc = static_cast<Rpc>(proto::kAgentRpcs + i);
+    MarkMethodRawCallback(
+        i, new grpc::internal::CallbackUnaryHandler<ByteBuffer, ByteBuffer>(
+               [this, rpc](grpc::CallbackServerContext* context, const ByteBuffer* request,
+                           ByteBuffer* reply) { return handle(rpc, *context, *request, *reply); }));
+  }
+}
+
+grpc::ServerUnaryReactor* TeamService::handle(Rpc rpc, grpc::CallbackServerContext& context,
+                                              const ByteBuffer& request, ByteBuffer& reply) {
+  if (responder_.older_interface()) {
+    return finish(
+        {{grpc::StatusCode::UNIMPLEMENTED, "injected fault: no TeamPlaymaker"}, false, 0, {}},
+        context);
+  }
+  auto workspace = workspaces_.acquire();
+  Message& parsed = workspace->create(request_prototype(rpc));
+  Message& message = workspace->create(reply_prototype(rpc));
+  Response response;
+  response.status = parse(request, parsed);
+  if (response.status.ok()) {
+    TeamCall call(responder_, *workspace);
+    respond(call, rpc, parsed, message);
+    response = call.result();
+  }
+  if (response.status.ok() && !response.hangs) response.status = serialize(message, reply);
+  workspaces_.release(std::move(workspace));
+  return finish(response, context);
+}
+
+}  // namespace cls::mock_server

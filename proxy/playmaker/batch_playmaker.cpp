@@ -1,0 +1,396 @@
+// Collecting calls, one at a time in flight for the team, and taking their replies apart.
+#include "proxy/playmaker/batch_playmaker.h"
+
+#include <fmt/format.h>
+#include <google/protobuf/arena.h>
+
+#include <algorithm>
+#include <array>
+#include <bitset>
+#include <cassert>
+#include <deque>
+#include <map>
+#include <utility>
+
+#include "proto/sorted_maps.h"
+#include "proto/team_playmaker.pb.h"
+#include "proxy/messages/parameter_messages.h"
+
+namespace cls::proxy {
+namespace {
+
+namespace wire = cls::playmaker::v1;
+using google::protobuf::Message;
+using proto::Rpc;
+
+constexpr int kVersion = 1;
+constexpr RpcTimeout kRegisterTimeout{1000};
+constexpr std::size_t kReplyBlock = 8192;  // typical replies need no allocation
+
+std::size_t slot(int agent) { return static_cast<std::size_t>(agent); }
+
+std::string agent_name(int agent) {
+  if (agent == kCoachNumber) return "the coach";
+  if (agent == kTrainerNumber) return "the trainer";
+  return "player " + std::to_string(agent);
+}
+
+void add_message(int agent, const Message& message,
+                 google::protobuf::RepeatedPtrField<wire::AgentMessage>& agents) {
+  wire::AgentMessage& one = *agents.Add();
+  one.set_agent(agent);
+  proto::write_with_sorted_maps(message, *one.mutable_message());
+}
+
+// The calls begun for one RPC of the team, and not sent yet.
+template <typename Request>
+struct Collected {
+  Request request;  // its memory is reused
+  RpcTimeout timeout{0};
+  bool wait_for_ready = false;
+
+  bool empty() const { return request.agents().empty(); }
+  void add(int agent, const Message& message, RpcTimeout call_timeout, bool wait) {
+    add_message(agent, message, *request.mutable_agents());
+    timeout = std::max(timeout, call_timeout);
+    wait_for_ready = wait_for_ready || wait;
+  }
+  void clear() {
+    request.Clear();
+    timeout = RpcTimeout{0};
+    wait_for_ready = false;
+  }
+};
+
+class BatchPlaymaker : public Playmaker {
+ public:
+  BatchPlaymaker(std::unique_ptr<Playmaker> inner, BatchMode mode)
+      : inner_(std::move(inner)), mode_(mode) {}
+
+  void announce_team(TeamRegistration team) override {
+    team_ = std::move(team);
+    registered_.reset();
+  }
+
+  void begin(int agent, Rpc rpc, const Message& request, RpcTimeout timeout,
+             bool wait_for_ready) override {
+    if (unary_) return inner_->begin(agent, rpc, request, timeout, wait_for_ready);
+    asked_.at(slot(agent)) = rpc;
+    if (is_decision(rpc)) {
+      if (decisions_.empty()) decisions_.request.set_cycle(cycle_of(request));
+      decisions_.add(agent, request, timeout, wait_for_ready);
+    } else if (rpc == Rpc::kGetBestPlannerAction) {
+      choices_.add(agent, request, timeout, wait_for_ready);
+    } else if (rpc == Rpc::kRegister) {
+      registrations_.add(agent, request, timeout, wait_for_ready);
+    } else {
+      replies_.push_back(sent_with_registration(agent, rpc));
+    }
+  }
+
+  void send() override {
+    if (unary_ || in_flight_) return;
+    if (!registrations_.empty()) {
+      add_parameters(registrations_.request);
+      send(registrations_, Rpc::kRegisterTeam);
+    } else if (!decisions_.empty()) {
+      decisions_.request.set_sequence(++sequence_);
+      send(decisions_, Rpc::kGetTeamActions);
+    } else if (!choices_.empty()) {
+      send(choices_, Rpc::kGetBestPlannerActions);
+    }
+  }
+
+  Reply call(int agent, Rpc rpc, const Message& request, RpcTimeout timeout) override {
+    if (!unary_ && rpc == Rpc::kRegister) {
+      if (!registered_.test(slot(agent))) register_team(timeout);
+      if (!unary_) return registration_of(agent);
+    }
+    if (unary_) return inner_->call(agent, rpc, request, timeout);
+    if (rpc == Rpc::kSendByeCommand) return goodbye(agent, timeout);
+    return sent_with_registration(agent, rpc);
+  }
+
+  bool take_connection_loss(int agent) override {
+    if (unary_) return inner_->take_connection_loss(agent);
+    if (inner_->take_connection_loss(kTeamNumber)) lost_.set();
+    const bool lost = lost_.test(slot(agent));
+    lost_.reset(slot(agent));
+    return lost;
+  }
+
+  std::optional<Reply> next_reply() override {
+    for (;;) {
+      if (std::optional<Reply> reply = collected_reply()) return reply;
+      std::optional<Reply> reply = inner_->next_reply();
+      if (unary_ || !reply) return reply;
+      take_apart(*reply);
+      if (unary_) begin_alone();
+    }
+  }
+
+  std::optional<Reply> next_reply_within(std::chrono::microseconds timeout) override {
+    if (std::optional<Reply> reply = collected_reply()) return reply;
+    std::optional<Reply> reply = inner_->next_reply_within(timeout);
+    if (unary_ || !reply) return reply;
+    take_apart(*reply);
+    if (unary_) begin_alone();
+    return collected_reply();
+  }
+
+  std::string take_warning() override { return std::exchange(warning_, {}); }
+  void cancel() override { inner_->cancel(); }
+
+ private:
+  static int cycle_of(const Message& state) {
+    return static_cast<const protos::State&>(state).world_model().cycle();
+  }
+
+  static Reply empty_reply(int agent, Rpc rpc) {
+    Reply reply;
+    reply.agent = agent;
+    reply.rpc = rpc;
+    return reply;
+  }
+
+  static Reply failed(int agent, Rpc rpc, RpcStatus status) {
+    Reply reply = empty_reply(agent, rpc);
+    reply.status = std::move(status);
+    return reply;
+  }
+
+  // The rest of the handshake of an agent: RegisterTeam carried it.
+  static Reply sent_with_registration(int agent, Rpc rpc) {
+    static const protos::Empty kEmpty;
+    Reply reply = empty_reply(agent, rpc);
+    reply.message = &kEmpty;
+    return reply;
+  }
+
+  // A reply that is here already; sends what waits when there is none.
+  std::optional<Reply> collected_reply() {
+    if (replies_.empty()) send();
+    if (replies_.empty()) return std::nullopt;
+    Reply reply = std::move(replies_.front());
+    replies_.pop_front();
+    return reply;
+  }
+
+  template <typename Request>
+  void send(Collected<Request>& calls, Rpc rpc) {
+    due_.clear();
+    for (const auto& one : calls.request.agents()) due_.push_back(one.agent());
+    in_flight_ = true;
+    inner_->begin(kTeamNumber, rpc, calls.request, calls.timeout, calls.wait_for_ready);
+    calls.clear();
+  }
+
+  void add_parameters(wire::RegisterTeamRequest& request) const {
+    assert(team_.parameters != nullptr && "announce_team() comes first");
+    const MatchParameters& parameters = *team_.parameters;
+    request.set_version(kVersion);
+    protos::ServerParam server;
+    fill(parameters.server, server);
+    server.SerializeToString(request.mutable_server_params());
+    protos::PlayerParam player;
+    fill(parameters.player, player);
+    player.SerializeToString(request.mutable_player_params());
+    for (const soccer::PlayerType& type : parameters.types) {
+      protos::PlayerType message;
+      fill(type, parameters.server, message);
+      message.SerializeToString(request.add_player_types());
+    }
+    protos::InitMessage().SerializeToString(request.mutable_init_message());
+  }
+
+  // Registers the announced team and stores the result for each agent.
+  void register_team(RpcTimeout timeout) {
+    wire::RegisterTeamRequest request;
+    due_.clear();
+    for (const auto& [agent, registration] : team_.agents) {
+      add_message(agent, registration, *request.mutable_agents());
+      asked_.at(slot(agent)) = Rpc::kRegister;
+      due_.push_back(agent);
+    }
+    add_parameters(request);
+    sequence_ = 0;
+    take_apart(inner_->call(kTeamNumber, Rpc::kRegisterTeam, request, timeout));
+    if (unary_) return;
+    for (Reply& reply : replies_) {
+      registered_.set(slot(reply.agent));
+      registrations_taken_.at(slot(reply.agent)) = std::move(reply);
+    }
+    replies_.clear();
+  }
+
+  // Of this agent, once; a later Register registers anew.
+  Reply registration_of(int agent) {
+    registered_.reset(slot(agent));
+    return registrations_taken_.at(slot(agent));
+  }
+
+  Reply goodbye(int agent, RpcTimeout timeout) {
+    if (!goodbye_) {
+      wire::UnregisterTeamRequest request;
+      for (const auto& [one, identity] : identities_) {
+        wire::AgentMessage& message = *request.add_agents();
+        message.set_agent(one);
+        message.set_message(identity);
+      }
+      goodbye_ = inner_->call(kTeamNumber, Rpc::kUnregisterTeam, request, timeout).status;
+    }
+    return goodbye_->ok() ? sent_with_registration(agent, Rpc::kSendByeCommand)
+                          : failed(agent, Rpc::kSendByeCommand, *goodbye_);
+  }
+
+  // Turns the reply to the team into replies to the agents of `due_`.
+  void take_apart(const Reply& reply) {
+    in_flight_ = false;
+    if (is_registration(reply.rpc) && refuses_batch(reply)) return;
+    if (!reply.status.ok()) {
+      for (const int agent : due_) {
+        replies_.push_back(failed(agent, asked_.at(slot(agent)), reply.status));
+        replies_.back().latency = reply.latency;
+      }
+      return;
+    }
+    if (const auto* registered = reply.as<wire::RegisterTeamResponse>()) {
+      hand_out(reply, registered->agents());
+    } else if (const auto* actions = reply.as<wire::GetTeamActionsResponse>()) {
+      hand_out(reply, actions->agents());
+    } else if (const auto* choices = reply.as<wire::GetBestPlannerActionsResponse>()) {
+      hand_out(reply, choices->agents());
+    }
+  }
+
+  // Whether the Playmaker needs the calls of Game, or is refused with kRequired.
+  bool refuses_batch(const Reply& reply) {
+    const RpcOutcome outcome = reply.status.outcome;
+    const auto* registered = reply.as<wire::RegisterTeamResponse>();
+    std::string why;
+    if (registered != nullptr && registered->version() != kVersion) {
+      why = fmt::format("it speaks version {} of TeamPlaymaker, not {}", registered->version(),
+                        kVersion);
+    } else if (outcome == RpcOutcome::kError || outcome == RpcOutcome::kProtocolError) {
+      why = reply.status.message;
+    } else if (outcome == RpcOutcome::kUnimplemented) {
+      if (mode_ == BatchMode::kRequired) why = "it does not implement TeamPlaymaker";
+    } else {
+      return false;
+    }
+    if (mode_ == BatchMode::kRequired) {
+      for (const int agent : due_) {
+        replies_.push_back(
+            failed(agent, Rpc::kRegister, {RpcOutcome::kError, reply.status.code, why}));
+      }
+      return true;
+    }
+    if (!why.empty()) warning_ = "the Playmaker decides for each agent alone: " + why;
+    unary_ = true;
+    return true;
+  }
+
+  // A restarted Playmaker has no TeamPlaymaker: begins the calls that were to be one call.
+  void begin_alone() {
+    for (const auto& [agent, registration] : team_.agents) {
+      if (std::find(due_.begin(), due_.end(), agent) == due_.end()) continue;
+      inner_->begin(agent, Rpc::kRegister, registration, kRegisterTimeout);
+    }
+    for (const auto& one : decisions_.request.agents()) {
+      replies_.push_back(failed(one.agent(), asked_.at(slot(one.agent())),
+                                {RpcOutcome::kError, 0, "the Playmaker registers anew"}));
+    }
+    decisions_.clear();
+  }
+
+  template <typename Replies>
+  void hand_out(const Reply& team, const Replies& replies) {
+    std::bitset<kAgentNumbers> answered;
+    for (const wire::AgentReply& one : replies) {
+      const int agent = one.agent();
+      const bool due = std::find(due_.begin(), due_.end(), agent) != due_.end();
+      if (!due || answered.test(slot(agent))) {
+        warning_ =
+            fmt::format("{}: {} for {}, {}", name(team.rpc), due ? "another reply" : "a reply",
+                        agent_name(agent), due ? "ignored" : "who was not asked");
+        continue;
+      }
+      answered.set(slot(agent));
+      replies_.push_back(reply_of(team, one));
+    }
+    for (const int agent : due_) {
+      if (answered.test(slot(agent))) continue;
+      replies_.push_back(
+          failed(agent, asked_.at(slot(agent)),
+                 {RpcOutcome::kDeadline, 0,
+                  fmt::format("{}: the reply lacks {}", name(team.rpc), agent_name(agent))}));
+      replies_.back().latency = team.latency;
+    }
+    std::sort(replies_.begin(), replies_.end(),
+              [](const Reply& a, const Reply& b) { return a.agent < b.agent; });
+  }
+
+  Reply reply_of(const Reply& team, const wire::AgentReply& one) {
+    const int agent = one.agent();
+    const Rpc rpc = asked_.at(slot(agent));
+    Reply reply = empty_reply(agent, rpc);
+    reply.latency = team.latency;
+    if (one.code() != 0) {
+      reply.status = rpc_status(rpc, one.code(), one.error());
+      return reply;
+    }
+    if (rpc == Rpc::kRegister) identities_[agent] = one.message();
+    ReplyMemory& memory = memory_.at(slot(agent));
+    memory.arena.Reset();
+    Message* message = proto::reply_prototype(rpc).New(&memory.arena);
+    if (message->ParseFromString(one.message())) {
+      reply.message = message;
+    } else {
+      reply.status = {RpcOutcome::kProtocolError, 0,
+                      fmt::format("{}: reply of {} bytes is not a {}", name(rpc),
+                                  one.message().size(), message->GetTypeName())};
+    }
+    return reply;
+  }
+
+  struct ReplyMemory {
+    std::array<char, kReplyBlock> block;
+    google::protobuf::Arena arena{block.data(), block.size()};
+  };
+
+  std::unique_ptr<Playmaker> inner_;
+  BatchMode mode_;
+  bool unary_ = false;  // the Playmaker has no TeamPlaymaker
+  TeamRegistration team_;
+  std::bitset<kAgentNumbers> registered_;  // not handed out yet
+  std::array<Reply, kAgentNumbers> registrations_taken_;
+  Collected<wire::RegisterTeamRequest> registrations_;
+  Collected<wire::GetTeamActionsRequest> decisions_;
+  Collected<wire::GetBestPlannerActionsRequest> choices_;
+  std::array<Rpc, kAgentNumbers> asked_{};  // the latest call of each agent
+  std::vector<int> due_;                    // agents of the call in flight
+  bool in_flight_ = false;
+  std::uint64_t sequence_ = 0;
+  std::deque<Reply> replies_;
+  std::array<ReplyMemory, kAgentNumbers> memory_;
+  std::bitset<kAgentNumbers> lost_;
+  std::map<int, std::string> identities_;  // protos.RegisterResponse by agent
+  std::optional<RpcStatus> goodbye_;
+  std::string warning_;
+};
+
+}  // namespace
+
+std::optional<BatchMode> parse_batch_mode(std::string_view name) {
+  if (name == "auto") return BatchMode::kAuto;
+  if (name == "never") return BatchMode::kOff;
+  if (name == "always") return BatchMode::kRequired;
+  return std::nullopt;
+}
+
+std::unique_ptr<Playmaker> make_batch_playmaker(std::unique_ptr<Playmaker> inner, BatchMode mode) {
+  if (mode == BatchMode::kOff) return inner;
+  return std::make_unique<BatchPlaymaker>(std::move(inner), mode);
+}
+
+}  // namespace cls::proxy

@@ -1,0 +1,41 @@
+// Classifying gRPC status codes.
+#include "proxy/playmaker/rpc_status.h"
+
+#include <fmt/format.h>
+#include <grpc/impl/codegen/status.h>
+
+namespace cls::proxy {
+namespace {
+
+RpcOutcome outcome_of(int code) {
+  switch (code) {
+    case GRPC_STATUS_OK:
+      return RpcOutcome::kOk;
+    case GRPC_STATUS_DEADLINE_EXCEEDED:
+      return RpcOutcome::kDeadline;
+    case GRPC_STATUS_UNAVAILABLE:
+      return RpcOutcome::kUnavailable;
+    case GRPC_STATUS_UNIMPLEMENTED:
+      return RpcOutcome::kUnimplemented;
+    default:
+      return RpcOutcome::kError;
+  }
+}
+
+std::string one_line(std::string_view text) {
+  std::string line(text);
+  for (char& c : line) {
+    if (static_cast<unsigned char>(c) < ' ') c = ' ';
+  }
+  return line;
+}
+
+}  // namespace
+
+RpcStatus rpc_status(proto::Rpc rpc, int code, std::string_view error) {
+  RpcStatus status{outcome_of(code), code, {}};
+  if (!status.ok()) status.message = fmt::format("{}: {}", proto::name(rpc), one_line(error));
+  return status;
+}
+
+}  // namespace cls::proxy
