@@ -146,8 +146,8 @@ TEST_F(Settings, RefusesParametersThatTheMatchDecides) {
 TEST_F(Settings, WarnsOfParametersWithoutEffect) {
   ASSERT_EQ(play("x", {"server::profile=on", "server::recv_step=20"}).exit_code, 0);
   EXPECT_EQ(document("x/result.json")["warnings"],
-            json({"server::recv_step has no effect on the embedded server in lockstep",
-                  "server::profile has no effect on the embedded server"}));
+            json({"server::profile has no effect on the embedded server",
+                  "server::recv_step has no effect on the embedded server in lockstep"}));
 }
 
 TEST_F(Settings, InvalidSeedsAreErrors) {
