@@ -16,13 +16,18 @@ double samples_done(const ComparisonVerdict& known) {
   return total(known.samples) + known.left_out;
 }
 
+// To a fraction of one, and never "-0".
+double rounded(double value, double fraction = 1) {
+  return std::round(value * fraction) / fraction + 0.0;
+}
+
 std::string difference_text(const Comparison& comparison, const ComparisonVerdict& known) {
   const Estimate& strength = known.strength;
   if (is_direct(comparison)) {
-    return fmt::format("{:+.0f} Elo ({:+.0f}..{:+.0f})", strength.elo, strength.elo_interval.low,
-                       strength.elo_interval.high);
+    return fmt::format("{:+.0f} Elo ({:+.0f}..{:+.0f})", rounded(strength.elo),
+                       strength.elo_interval.low, strength.elo_interval.high);
   }
-  return fmt::format("{:+.1f} % ({:+.1f}..{:+.1f})", 100 * gain(strength.score),
+  return fmt::format("{:+.1f} % ({:+.1f}..{:+.1f})", rounded(100 * gain(strength.score), 10),
                      100 * gain(strength.score_interval.low),
                      100 * gain(strength.score_interval.high));
 }
@@ -34,8 +39,8 @@ std::string comparison_status(const Comparison& comparison, const ComparisonVerd
   std::string text = fmt::format("{} {:.0f}", sample_name(comparison), samples_done(known));
   if (comparison.max_samples) text += fmt::format("/{}", *comparison.max_samples);
   if (total(known.samples) > 0) text += "  " + difference_text(comparison, known);
-  text += fmt::format("  LLR {:+.2f} ({:.2f}..{:+.2f})", known.state.llr, comparison.sprt.lower(),
-                      comparison.sprt.upper());
+  text += fmt::format("  LLR {:+.2f} ({:.2f}..{:+.2f})", rounded(known.state.llr, 100),
+                      comparison.sprt.lower(), comparison.sprt.upper());
   if (progress.done_in_this_run > 0 && progress.seconds > 0) {
     const double seconds_per_match = progress.seconds / progress.done_in_this_run;
     text += "  " + time_left(expected_samples_left(comparison, known) *
