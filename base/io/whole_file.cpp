@@ -23,8 +23,9 @@ Error cannot_create(const std::filesystem::path& path, const std::string& cause)
 
 std::optional<std::string> read_file(const std::filesystem::path& path) {
   std::error_code code;
+  if (std::filesystem::is_directory(path, code)) return std::nullopt;
   std::ifstream file(path, std::ios::binary);
-  if (!file || std::filesystem::is_directory(path, code)) return std::nullopt;
+  if (!file) return std::nullopt;
   return std::string(std::istreambuf_iterator<char>(file), {});
 }
 

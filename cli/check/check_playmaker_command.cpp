@@ -12,6 +12,7 @@
 #include "cli/support/exit_code.h"
 #include "cli/support/interrupt.h"
 #include "cli/support/print_error.h"
+#include "cli/support/side_arguments.h"
 #include "cli/support/tls_options.h"
 #include "orchestration/checks/playmaker/playmaker_check.h"
 
@@ -48,6 +49,7 @@ int run_check_playmaker(const Arguments& arguments) {
     return print_error(kUsage, endpoint ? "team:DIR has no Playmaker" : endpoint.error().message);
   }
   if (const int read = read_tls_files(*endpoint, arguments.tls); read != kOk) return read;
+  if (const int read = read_side_script(*endpoint); read != kOk) return read;
   orchestration::checks::PlaymakerCheckOptions options;
   options.endpoint = *endpoint;
   options.start_timeout =
@@ -59,8 +61,7 @@ int run_check_playmaker(const Arguments& arguments) {
   const auto report =
       orchestration::checks::check_playmaker(options, step_printer(arguments.output), signal);
   if (!report) {
-    return print_error(endpoint->kind == Endpoint::Kind::kMock ? kBadData : kUnavailable,
-                       report.error().message);
+    return print_error(kUnavailable, report.error().message);
   }
   return finish_check(*report, arguments.output, signal);
 }

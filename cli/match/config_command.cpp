@@ -21,8 +21,8 @@ constexpr const char* kDescription =
     "  cls config RED BLUE                 of a match between teams in cls.toml\n"
     "  cls config --config cup/cls.toml --seed 7 --json\n"
     "\n"
-    "Takes the arguments of cls match. An option overrides cls.toml, and that overrides\n"
-    "the default.";
+    "Takes the arguments of cls match. An option overrides cls.toml, and that\n"
+    "overrides the default.";
 
 void print_json(const std::vector<SettingRow>& rows) {
   nlohmann::ordered_json settings = nlohmann::ordered_json::array();

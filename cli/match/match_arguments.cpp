@@ -133,7 +133,7 @@ void check_choice(std::vector<std::string>& errors, std::string_view option,
   std::string message = fmt::format("{} '{}': ", option, value);
   const std::string_view near = base::nearest_name(value, choices);
   if (near.empty()) {
-    message += fmt::format("must be {}", fmt::join(choices, " or "));
+    message += fmt::format("must be one of {}", fmt::join(choices, ", "));
   } else {
     message += fmt::format("did you mean '{}'?", near);
   }

@@ -111,8 +111,11 @@ int run_match_command(const CLI::App& command, MatchArguments& arguments) {
   const auto result = run_match(arguments.options, progress, signal, steps ? &stepper : nullptr);
   progress.clear();
   if (!result) return print_error(kCannotCreate, result.error().message);
-  if (!result->message.empty()) print_error(0, result->message);
-  if (result->end_reason == EndReason::kInterrupted) print_interrupted(*result);
+  if (result->end_reason == EndReason::kInterrupted) {
+    print_interrupted(*result);
+  } else if (!result->message.empty()) {
+    print_error(0, result->message);
+  }
   if (result->failure) print_last_output(*result->failure);
   if (!result->write_error.empty()) print_error(0, result->write_error);
   if (arguments.json) {

@@ -337,7 +337,8 @@ void add_server_command(CLI::App& app, int& exit_code) {
       ->check(CLI::Range(0, 65533));
   command->add_option("--seed", arguments->seed,
                       "random seed of the match (default: random, printed)");
-  command->add_option("--cycles", arguments->cycles, "end the match at this game time");
+  command->add_option("--cycles", arguments->cycles, "end the match at this game time")
+      ->check(CLI::PositiveNumber);
   command->add_option(
       "--dir", arguments->folder,
       "folder for match.rcg, match.rcl and match.kwy (default: rcssserver's folders and names)");

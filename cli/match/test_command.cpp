@@ -343,6 +343,7 @@ int run_replay(const Arguments& arguments) {
 
 int run_test_command(const Arguments& arguments) {
   if (!arguments.replay.empty()) return run_replay(arguments);
+  if (!arguments.side.empty()) return print_error(kUsage, "--side requires --replay");
   if (!arguments.export_folder.empty()) {
     return export_to(arguments.export_folder, arguments.force, arguments.json);
   }

@@ -4,12 +4,10 @@
 #include <fmt/format.h>
 
 #include <cstdio>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <memory>
 #include <utility>
 
+#include "base/io/whole_file.h"
 #include "cli/support/exit_code.h"
 #include "cli/support/print_error.h"
 #include "proxy/playmaker/grpc_target.h"
@@ -26,19 +24,17 @@ struct PemFile {
 
 int read_pem(const PemFile& file) {
   if (file.name.empty()) return kOk;
-  std::ifstream stream(file.name);
-  const std::string text{std::istreambuf_iterator<char>(stream), {}};
-  std::error_code ignored;
-  if (!stream || std::filesystem::is_directory(file.name, ignored)) {
+  const auto text = base::read_file(file.name);
+  if (!text) {
     return print_error(kNoInput, fmt::format("{}: {}: cannot read", file.option, file.name));
   }
-  const bool fits = text.find("-----BEGIN ") != std::string::npos &&
-                    text.find(fmt::format("{}-----", file.label)) != std::string::npos;
+  const bool fits = text->find("-----BEGIN ") != std::string::npos &&
+                    text->find(fmt::format("{}-----", file.label)) != std::string::npos;
   if (!fits) {
     return print_error(kBadData, fmt::format("{}: {}: contains no {} in PEM format", file.option,
                                              file.name, file.label));
   }
-  file.text = text;
+  file.text = *text;
   return kOk;
 }
 

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 
+#include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -152,6 +153,11 @@ TEST_F(CommandOutput, FileErrorsNameTheCauseOfAnUnusablePath) {
     EXPECT_EQ(result.err.find("internal error"), std::string::npos) << result.err;
     EXPECT_NE(result.err.find(name), std::string::npos) << result.err;
   }
+  std::filesystem::create_directory(folder_.path() / "folder");
+  const CommandResult tls = run({"match", "mock", "tls:localhost:1", "--tls-ca", "folder"});
+  EXPECT_EQ(tls.exit_code, 66);
+  EXPECT_EQ(tls.err, "cls: --tls-ca: folder: cannot read\n");
+  EXPECT_EQ(run({"check", "playmaker", "mock:none.json"}).exit_code, 66);
   put("plain", "");
   const CommandResult replay =
       run({"test", "--replay", "plain", "run:true {port}", "--dir", "plain/runs"});
@@ -165,6 +171,9 @@ TEST_F(CommandOutput, MatchesOfATournamentHaveTheFormInErrors) {
   Words good = words;
   good.emplace_back("A:B");
   EXPECT_EQ(run(good).exit_code, 0) << run(good).err;
+  Words huge = good;
+  huge.insert(huge.end(), {"--seed", "99999999999999999999999"});
+  EXPECT_EQ(run(huge).err, "cls: --seed 99999999999999999999999: must be a whole number from 0\n");
   Words bad = words;
   bad.emplace_back("A-B");
   EXPECT_EQ(run(bad).err,

@@ -46,8 +46,9 @@ Result<ServerChoice> parse_server(std::string_view text) {
   choice.kind = ServerChoice::Kind::kProgram;
   choice.program = text;
   const std::string_view near = base::nearest_name(text, {"embedded", "rcssserver"});
-  if (text.empty() || (near != text && !near.empty())) {
-    const std::string hint = near.empty() ? "" : fmt::format("did you mean '{}'? ", near);
+  if (text.empty()) return Error{"--server '': must be embedded, rcssserver, PATH or HOST:PORT"};
+  if (near != text && !near.empty()) {
+    const std::string hint = fmt::format("did you mean '{}'? ", near);
     return Error{fmt::format(
         "--server '{}': {}(embedded, rcssserver, the PATH of a server, or HOST:PORT)", text, hint)};
   }

@@ -397,7 +397,8 @@ ConfigValue parse_config_value(const ConfigKey& key, std::string_view text) {
   if (text == "true" || text == "false") return text == "true";
   std::int64_t whole = 0;
   const char* end = text.data() + text.size();
-  if (std::from_chars(text.data(), end, whole).ptr == end && !text.empty()) return whole;
+  const auto read = std::from_chars(text.data(), end, whole);
+  if (read.ptr == end && read.ec == std::errc() && !text.empty()) return whole;
   double real = 0.0;
   if (std::from_chars(text.data(), end, real).ptr == end && !text.empty()) return real;
   return std::string(text);
