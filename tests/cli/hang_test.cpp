@@ -81,7 +81,7 @@ class EqualLimits : public testing::TestWithParam<const char*> {};
 TEST_P(EqualLimits, BlameTheSideThatHangs) {
   const Played played = play_with_faults(R"({"hang_at_cycle": 3})",
                                          {"--rpc-deadline", GetParam(), "--stall-after", "2"});
-  expect_blamed(played, "stalled", "GetPlayerActions", "player 1 and 10 other agents");
+  expect_blamed(played, "stalled", "GetPlayerActions", "player 1 and 11 other agents");
   EXPECT_EQ(played.result["failure"]["unum"], 1);
   EXPECT_EQ(played.result["failure"]["cycle"], 3);
   EXPECT_NE(played.command.err.find("at cycle 3"), std::string::npos) << played.command.err;
@@ -101,8 +101,8 @@ TEST(Hangs, EndAsLateWithShortDeadline) {
 }
 
 TEST(Hangs, BlameTheCoach) {
-  const Played played =
-      play_with_faults(R"({"drop": 1.0, "only": {"unum": [12]}})", {"--stall-after", "2"});
+  const Played played = play_with_faults(R"({"drop": 1.0, "only": {"unum": [12]}})",
+                                         {"--batch", "never", "--stall-after", "2"});
   expect_blamed(played, "stalled", "GetCoachActions", "the coach");
   EXPECT_EQ(played.result["failure"]["unum"], 12);
 }
@@ -186,10 +186,9 @@ TEST(Hangs, NameBothSidesWhenBothHang) {
   const TemporaryFolder folder;
   const auto script = folder.path() / "script.json";
   write_file(script, R"({"otherwise": "simple", "faults": {"hang_at_cycle": 3}})");
-  const auto command =
-      cls::tests::run({cls::tests::cls_binary(), "match", "mock:" + script.string(),
-                       "mock:" + script.string(), "--stall-after", "2", "--set",
-                       "server::kick_off_wait=3", "--dir", folder.path() / "match"});
+  const auto command = cls::tests::run(
+      {cls::tests::cls_binary(), "match", "mock:" + script.string(), "mock:" + script.string(),
+       "--stall-after", "2", "--set", "server::kick_off_wait=3", "--dir", folder.path() / "match"});
   const json result = json::parse(cls::tests::read_file(folder.path() / "match" / "result.json"));
   EXPECT_EQ(result["end_reason"], "stalled");
   EXPECT_TRUE(result["fault"].is_null());

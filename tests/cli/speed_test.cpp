@@ -46,11 +46,11 @@ class Speed : public testing::TestWithParam<const char*> {};
 
 TEST_P(Speed, NamesTheSlowPlaymaker) {
   const Played played = play_with_delay(
-      90, {"--cycles", "12", "--mode", GetParam(), "--set", "server::kick_off_wait=3"});
+      600, {"--cycles", "6", "--mode", GetParam(), "--set", "server::kick_off_wait=3"});
   ASSERT_TRUE(played.speed.is_object()) << played.command.err;
   EXPECT_EQ(played.speed["limited_by"], "right playmaker") << played.speed;
   EXPECT_GT(played.speed["shares"]["right_playmaker"], 0.4) << played.speed;
-  EXPECT_GE(played.speed["decision_ms"]["p50"], 90.0);
+  EXPECT_GE(played.speed["decision_ms"]["p99"], 600.0);
   EXPECT_FALSE(played.speed["fits_100_ms"].get<bool>());
   expect_whole(played.speed["shares"]);
   EXPECT_NE(played.command.out.find("\n  limited by the right Playmaker ("), std::string::npos)
@@ -62,7 +62,7 @@ INSTANTIATE_TEST_SUITE_P(Modes, Speed, testing::Values("lockstep", "synch"));
 
 TEST(SpeedEstimate, SaysHowLongASlowMatchTakes) {
   const Played played = play_with_delay(
-      60, {"--time-limit", "7", "--set", "server::kick_off_wait=3", "--cycles", "6000"});
+      60, {"--time-limit", "20", "--set", "server::kick_off_wait=3", "--cycles", "6000"});
   EXPECT_NE(played.command.err.find(" cycles/s: 6000 cycles will take about "), std::string::npos)
       << played.command.err;
   EXPECT_NE(played.command.err.find("min; limited by the right Playmaker ("), std::string::npos)
