@@ -407,22 +407,22 @@ TEST_F(Tournament, CompareStopsWhenDecided) {
 TEST_F(Tournament, KeepsWarningsOfMatches) {
   std::ofstream(cup() / "drill.json")
       << R"({"otherwise": "simple", "expect": [{"rpc": "GetPlayerActions", "count": 1}]})";
-  const Arguments fast = {"run",         cup(),   "--format", "gauntlet",
-                          "--gauntlet",  "DRILL", "--team",   "DRILL=mock:drill.json",
-                          "--keep-logs", "none",  "--json"};
+  const Arguments fast = {
+      "run",       cup(),      "--team", "DRILL=mock:drill.json", "--format", "list",  "--matches",
+      "DRILL:RED", "--cycles", "10",     "--keep-logs",           "none",     "--json"};
   const CommandResult played = tournament(fast);
   EXPECT_EQ(played.exit_code, 0) << played.err;
   EXPECT_NE(played.err.find(" s, 1 warning)\n"), std::string::npos) << played.err;
   EXPECT_NE(played.err.find("cls: warning: match 1 (DRILL - RED)"), std::string::npos)
       << played.err;
-  EXPECT_NE(played.err.find("cls: 6 warnings in 6 matches\n"), std::string::npos) << played.err;
+  EXPECT_NE(played.err.find("cls: 2 warnings in 2 matches\n"), std::string::npos) << played.err;
   Arguments strict = fast;
   strict.emplace_back("--strict");
   const CommandResult failed = tournament(strict);
   EXPECT_EQ(failed.exit_code, 1);
-  EXPECT_NE(failed.err.find("cls: 6 warnings in 6 matches (--strict)\n"), std::string::npos)
+  EXPECT_NE(failed.err.find("cls: 2 warnings in 2 matches (--strict)\n"), std::string::npos)
       << failed.err;
-  EXPECT_EQ(report()["counts"]["finished"], 6) << "the matches stay valid";
+  EXPECT_EQ(report()["counts"]["finished"], 2) << "the matches stay valid";
 }
 
 TEST_F(Tournament, ChecksTeamsBeforeTheFirstMatch) {
@@ -441,8 +441,8 @@ TEST_F(Tournament, ChecksTeamsBeforeTheFirstMatch) {
 }
 
 TEST_F(Tournament, WarnsOfTooManyParallelMatches) {
-  const Arguments many = {"run", cup(),           "--format", "gauntlet",    "--gauntlet",
-                          "RED", "--concurrency", "4000",     "--keep-logs", "none"};
+  const Arguments many = {"run",      cup(),      "--format", "list",          "--matches",
+                          "RED:HOLD", "--cycles", "10",       "--concurrency", "4000"};
   Arguments strict = many;
   strict.emplace_back("--strict");
   const CommandResult failed = tournament(strict);
@@ -458,7 +458,7 @@ TEST_F(Tournament, WarnsOfTooManyParallelMatches) {
 class Compare : public testing::Test {
  protected:
   Arguments argv(Arguments more) const {
-    Arguments arguments = {cls_binary(), "compare", "mock", "mock:hold", "--cycles", "40"};
+    Arguments arguments = {cls_binary(), "compare", "mock", "mock:hold", "--cycles", "10"};
     arguments.insert(arguments.end(), more.begin(), more.end());
     return arguments;
   }
@@ -520,7 +520,7 @@ TEST_F(Compare, PrintsStateOfTestAndResumeCommand) {
   EXPECT_NE(ended.err.find("  LLR +0.00 (-2.94..+2.94)  "), std::string::npos) << ended.err;
   EXPECT_NE(ended.err.find(" left\n"), std::string::npos) << ended.err;
   EXPECT_NE(ended.err.find("cls: resume: " + cls_binary().string() +
-                           " compare mock mock:hold --cycles 40 --elo1 5 --concurrency 1\n"),
+                           " compare mock mock:hold --cycles 10 --elo1 5 --concurrency 1\n"),
             std::string::npos)
       << ended.err;
 }
