@@ -113,7 +113,7 @@ std::string format_matches(const Report& report, const TextOptions& options) {
   }
   std::string text = "\n" + format_text(table, options.width);
   if (!options.all_matches) return text;
-  text += "\nlogs, and commands that play a match again\n";
+  text += "\nlogs, and commands that rerun a match\n";
   for (const ScheduledMatch& match : report.matches) {
     text += indented(match_text(report, match), options.width, kIndent);
     text += logs_and_command(report, match, options.width);
@@ -205,7 +205,7 @@ std::string report_markdown(const Report& report) {
                         fmt::join(warnings, "\n"));
   }
   if (report.matches.empty()) return text;
-  return text + fmt::format("\n## Play a match again\n\n```sh\n{}```\n", rerun_lines(report));
+  return text + fmt::format("\n## Rerun a match\n\n```sh\n{}```\n", rerun_lines(report));
 }
 
 }  // namespace cls::orchestration::tournament
