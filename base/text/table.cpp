@@ -114,7 +114,7 @@ std::vector<std::size_t> Table::widths() const {
   return result;
 }
 
-// The widths that fit into the layout if cuts make it possible.
+// The widths that fit into the layout if cuts make it possible, else those without cuts.
 std::vector<std::size_t> Table::widths_within(const TextLayout& layout) const {
   constexpr std::size_t kMinCutWidth = 12;
   std::vector<std::size_t> result = widths();
@@ -128,7 +128,7 @@ std::vector<std::size_t> Table::widths_within(const TextLayout& layout) const {
     total -= result[i] - narrowed;
     result[i] = narrowed;
   }
-  return result;
+  return total <= layout.width ? result : widths();
 }
 
 std::string Table::text_line(const std::vector<std::string>& cells,

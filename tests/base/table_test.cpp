@@ -97,7 +97,10 @@ TEST(Table, CutsCellsWhereAllowedBeforeItSplits) {
             "team  goals          log\n"
             "X     1247 r 10;...  a.rcg\n"
             "Y     \xc3\xb6\xc3\xb6\xc3\xb6\xc3\xb6 1247 ...  b.rcg\n");
-  EXPECT_NE(table.format_text().find("1247 r 10; 3243 l 9"), std::string::npos);
+  for (const std::size_t width : {0U, 22U}) {
+    EXPECT_NE(table.format_text({0, width}).find("1247 r 10; 3243 l 9"), std::string::npos)
+        << "where cuts do not suffice, blocks show everything";
+  }
 }
 
 TEST(Table, AppendsRowsOfAnotherTable) {
