@@ -40,6 +40,7 @@ Played play_against(int port, const std::vector<std::string>& more) {
                                         "brain",
                                         "--set",
                                         "server::kick_off_wait=3",
+                                        "--quiet",
                                         "--dir",
                                         folder.path()};
   arguments.insert(arguments.end(), more.begin(), more.end());
