@@ -69,21 +69,26 @@ std::vector<std::string> listed_commands(const std::string& help) {
   return names;
 }
 
-// All commands that have arguments of their own: {"match"}, {"check", "server"}, ...
-std::vector<Words> commands(const Words& group = {}) {
+std::vector<Words> commands_of(const Words& group) {
   const std::string help = run(with(group, {"--help"})).out;
   if (help.find("COMMAND\n") == std::string::npos) return {group};
   std::vector<Words> all;
   for (const std::string& name : listed_commands(help)) {
     if (name == "help") continue;
-    const std::vector<Words> below = commands(with(group, {name}));
+    const std::vector<Words> below = commands_of(with(group, {name}));
     all.insert(all.end(), below.begin(), below.end());
   }
   return all;
 }
 
+// All commands that have arguments of their own: {"match"}, {"check", "server"}, ...
+const std::vector<Words>& commands() {
+  static const std::vector<Words> all = commands_of({});
+  return all;
+}
+
 TEST(Application, HelpListsAllCommands) {
-  const std::vector<Words> all = commands();
+  const std::vector<Words>& all = commands();
   for (const Words& words : {Words{"match"}, Words{"tournament", "work"}, Words{"version"},
                              Words{"check", "perception"}, Words{"server"}}) {
     EXPECT_NE(std::find(all.begin(), all.end(), words), all.end()) << words.front();
