@@ -1,7 +1,7 @@
 // The release version, set by CMake, and the commit of the build.
 #include "base/system/version.h"
 
-#include "git_version.h"
+#include <git_version.h>
 
 namespace cls::base {
 
