@@ -62,7 +62,7 @@ INSTANTIATE_TEST_SUITE_P(Modes, Speed, testing::Values("lockstep", "synch"));
 
 TEST(SpeedEstimate, SaysHowLongASlowMatchTakes) {
   const Played played = play_with_delay(
-      60, {"--time-limit", "20", "--set", "server::kick_off_wait=3", "--cycles", "6000"});
+      600, {"--time-limit", "20", "--set", "server::kick_off_wait=3", "--cycles", "6000"});
   EXPECT_NE(played.command.err.find(" cycles/s: 6000 cycles will take about "), std::string::npos)
       << played.command.err;
   EXPECT_NE(played.command.err.find("min; limited by the right Playmaker ("), std::string::npos)
