@@ -15,6 +15,7 @@
 #include "proto/sorted_maps.h"
 #include "proto/team_playmaker.pb.h"
 #include "proxy/messages/parameter_messages.h"
+#include "proxy/playmaker/playmaker_errors.h"
 
 namespace cls::proxy {
 namespace {
@@ -28,12 +29,6 @@ constexpr RpcTimeout kRegisterTimeout{1000};
 constexpr std::size_t kReplyBlock = 8192;  // typical replies need no allocation
 
 std::size_t slot(int agent) { return static_cast<std::size_t>(agent); }
-
-std::string agent_name(int agent) {
-  if (agent == kCoachNumber) return "the coach";
-  if (agent == kTrainerNumber) return "the trainer";
-  return "player " + std::to_string(agent);
-}
 
 void add_message(int agent, const Message& message,
                  google::protobuf::RepeatedPtrField<wire::AgentMessage>& agents) {
@@ -191,13 +186,16 @@ class BatchPlaymaker : public Playmaker {
     request.set_version(kVersion);
     protos::ServerParam server;
     fill(parameters.server, server);
+    server.clear_register_response();
     server.SerializeToString(request.mutable_server_params());
     protos::PlayerParam player;
     fill(parameters.player, player);
+    player.clear_register_response();
     player.SerializeToString(request.mutable_player_params());
     for (const soccer::PlayerType& type : parameters.types) {
       protos::PlayerType message;
       fill(type, parameters.server, message);
+      message.clear_register_response();
       message.SerializeToString(request.add_player_types());
     }
     protos::InitMessage().SerializeToString(request.mutable_init_message());
@@ -223,7 +221,7 @@ class BatchPlaymaker : public Playmaker {
     replies_.clear();
   }
 
-  // Of this agent, once; a later Register registers anew.
+  // Of this agent, once; a later Register makes a call again.
   Reply registration_of(int agent) {
     registered_.reset(slot(agent));
     return registrations_taken_.at(slot(agent));
@@ -298,7 +296,7 @@ class BatchPlaymaker : public Playmaker {
     }
     for (const auto& one : decisions_.request.agents()) {
       replies_.push_back(failed(one.agent(), asked_.at(slot(one.agent())),
-                                {RpcOutcome::kError, 0, "the Playmaker registers anew"}));
+                                {RpcOutcome::kError, 0, "the Playmaker has restarted"}));
     }
     decisions_.clear();
   }

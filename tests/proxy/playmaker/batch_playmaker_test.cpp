@@ -28,7 +28,7 @@ struct Answer {
   std::unique_ptr<Message> message;
 };
 
-/// The connection below a BatchPlaymaker: replies at once, and notes the calls.
+/// The connection below a BatchPlaymaker: replies immediately, and notes the calls.
 class FakeConnection : public Playmaker {
  public:
   std::function<Answer(int agent, Rpc rpc, const Message& request)> answer;
