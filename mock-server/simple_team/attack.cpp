@@ -12,7 +12,6 @@ namespace {
 
 using soccer::Vec2;
 
-constexpr Vec2 kTheirGoal{soccer::kHalfLength, 0.0};
 constexpr double kFullSpeed = 3.0;
 constexpr double kPassArrivalSpeed = 1.1;
 constexpr double kBallDecay = 0.94;

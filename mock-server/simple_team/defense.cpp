@@ -4,15 +4,12 @@
 #include <algorithm>
 
 #include "mock-server/simple_team/formation.h"
-#include "soccer/pitch.h"
 
 namespace cls::mock_server {
 namespace {
 
 using soccer::Vec2;
 
-constexpr Vec2 kOurGoal{-soccer::kHalfLength, 0.0};
-constexpr Vec2 kTheirGoal{soccer::kHalfLength, 0.0};
 constexpr double kTired = 3200.0;
 
 // Full power near the ball and when behind play in defense; little when tired, since stamina

@@ -5,11 +5,16 @@
 
 #include "proto/playmaker.pb.h"
 #include "soccer/geometry.h"
+#include "soccer/pitch.h"
 
 namespace cls::mock_server {
 
 /// Cycles to the ball when no player can reach it.
 constexpr int kNeverReached = 1000;
+
+/// The middle of each goal line.
+constexpr soccer::Vec2 kOurGoal{-soccer::kHalfLength, 0.0};
+constexpr soccer::Vec2 kTheirGoal{soccer::kHalfLength, 0.0};
 
 soccer::Vec2 point_of(const protos::RpcVector2D& vector);
 

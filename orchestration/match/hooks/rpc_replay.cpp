@@ -215,8 +215,9 @@ Result<ReplayResult> replay_recording(const ReplayOptions& options,
 
 namespace {
 
-nlohmann::ordered_json json_of(const std::vector<ReplyDifference>& calls) {
-  using Json = nlohmann::ordered_json;
+using Json = nlohmann::ordered_json;
+
+Json json_of(const std::vector<ReplyDifference>& calls) {
   Json list = Json::array();
   for (const ReplyDifference& each : calls) {
     list.push_back({{"step", each.step},
@@ -231,7 +232,6 @@ nlohmann::ordered_json json_of(const std::vector<ReplyDifference>& calls) {
 }  // namespace
 
 std::string to_json(const ReplayResult& result) {
-  using Json = nlohmann::ordered_json;
   Json json = {{"schema", "cls.replay/1"},  {"side", side_name(result.side)},
                {"calls", result.calls},     {"same", result.same},
                {"skipped", result.skipped}, {"different", result.differences.size()}};

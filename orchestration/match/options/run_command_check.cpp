@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Word {
+struct ShellWord {
   std::string text;
   bool plain = true;  // the shell expands nothing in it
   bool ends = false;  // an operator: ; & | and their doubles
@@ -23,15 +23,15 @@ struct Word {
 bool is_operator(char c) { return std::string_view(";&|\n").find(c) != std::string_view::npos; }
 bool is_space(char c) { return c == ' ' || c == '\t'; }
 
-std::vector<Word> words_of(std::string_view command) {
+std::vector<ShellWord> shell_words(std::string_view command) {
   constexpr std::string_view kExpanded = "$`*?[](){}<>~#\\";
-  std::vector<Word> words;
+  std::vector<ShellWord> words;
   for (std::size_t i = 0; i < command.size();) {
     if (is_space(command[i])) {
       ++i;
       continue;
     }
-    Word word;
+    ShellWord word;
     if (is_operator(command[i])) {
       word.ends = true;
       while (i < command.size() && is_operator(command[i])) word.text += command[i++];
@@ -89,10 +89,10 @@ std::string missing_program(const std::string& program, const fs::path& folder) 
 }  // namespace
 
 std::string missing_in_command(std::string_view command, fs::path folder) {
-  const std::vector<Word> words = words_of(command);
+  const std::vector<ShellWord> words = shell_words(command);
   std::string program;
   for (std::size_t i = 0; i < words.size(); ++i) {
-    const Word& word = words[i];
+    const ShellWord& word = words[i];
     if (word.ends || !word.plain) return {};
     if (program.empty() && word.text == "cd" && i + 2 < words.size() && words[i + 1].plain &&
         words[i + 2].text == "&&") {

@@ -11,7 +11,7 @@
 namespace cls::orchestration::tournament {
 namespace {
 
-constexpr std::chrono::milliseconds kExitTimeout{60'000};
+constexpr std::chrono::milliseconds kHookExitTimeout{60'000};
 
 }  // namespace
 
@@ -53,7 +53,7 @@ std::vector<std::string> HookRunner::take_errors(bool wait) {
   std::error_code code;
   std::vector<Running> running;
   for (Running& one : running_) {
-    if (wait) one.child->wait_gone(kExitTimeout);
+    if (wait) one.child->wait_gone(kHookExitTimeout);
     const process::Child::Status status = one.child->status();
     if (!status.exit && !wait) {
       running.push_back(std::move(one));
