@@ -13,8 +13,10 @@ double us(std::chrono::nanoseconds time) { return static_cast<double>(time.count
 void mock_match(benchmark::State& bench) {
   const auto threads = static_cast<int>(bench.range(0));
   const auto steps = static_cast<int>(bench.range(1));
+  const auto calls =
+      bench.range(2) != 0 ? tests::MockCalls::kGrpcInProcess : tests::MockCalls::kDirect;
   for (auto _ : bench) {
-    tests::MockMatch match(7, threads);
+    tests::MockMatch match(7, threads, calls);
     const auto begin = std::chrono::steady_clock::now();
     match.play(steps);
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
@@ -42,8 +44,8 @@ void mock_match(benchmark::State& bench) {
   }
 }
 BENCHMARK(mock_match)
-    ->ArgNames({"threads", "steps"})
-    ->ArgsProduct({{1, 2}, {2000}})
+    ->ArgNames({"threads", "steps", "grpc"})
+    ->ArgsProduct({{1, 2}, {2000}, {0, 1}})
     ->Iterations(1)
     ->UseManualTime()
     ->Unit(benchmark::kMillisecond);

@@ -17,7 +17,7 @@ namespace cls::mock_server {
 /// Owns the mock and its gRPC server; stops serving when destroyed.
 class Server {
  public:
-  /// Serves in-process channels only.
+  /// Serves this process only.
   static base::Result<std::unique_ptr<Server>> start(Mock mock);
 
   /// Also serves HOST:PORT (port 0: a free port, see port()), with the standard health and
@@ -30,6 +30,14 @@ class Server {
 
   /// Channel to this server without a socket: same service, messages and deadlines.
   std::shared_ptr<grpc::Channel> in_process_channel();
+
+  /// True without faults: no reply is late or fails, so handle() serves as well as a channel.
+  bool faultless() const { return !mock_.faults.any(); }
+  /// Fills the empty `reply`, on the caller's thread. Thread safe.
+  void handle(proto::Rpc rpc, const google::protobuf::Message& request,
+              google::protobuf::Message& reply) {
+    handler_.handle(rpc, request, reply);
+  }
 
   int port() const { return port_; }
 

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "mock-server/script/named_behaviors.h"
+#include "proxy/playmaker/direct_playmaker.h"
 #include "proxy/playmaker/grpc_playmaker.h"
 
 namespace cls::tests {
@@ -50,9 +51,18 @@ T taken(base::Result<T> result) {
   return std::move(result).value();
 }
 
+std::unique_ptr<proxy::Playmaker> playmaker_of(mock_server::Server& mock, MockCalls calls) {
+  if (calls == MockCalls::kGrpcInProcess) {
+    return proxy::make_grpc_playmaker(mock.in_process_channel(), "mock");
+  }
+  return proxy::make_direct_playmaker(
+      [&mock](proto::Rpc rpc, const google::protobuf::Message& request,
+              google::protobuf::Message& reply) { mock.handle(rpc, request, reply); });
+}
+
 }  // namespace
 
-MockMatch::MockMatch(std::uint64_t seed, int threads) {
+MockMatch::MockMatch(std::uint64_t seed, int threads, MockCalls calls) {
   simulator::MatchConfig config;
   config.seed = seed;
   config.server.auto_mode = true;
@@ -63,7 +73,7 @@ MockMatch::MockMatch(std::uint64_t seed, int threads) {
   server_->record(&game_log_, &text_log_);
   for (std::size_t side = 0; side < teams_.size(); ++side) {
     mocks_[side] = taken(mock_server::Server::start(taken(mock_server::make_behavior(""))));
-    playmakers_[side] = proxy::make_grpc_playmaker(mocks_[side]->in_process_channel(), "mock");
+    playmakers_[side] = playmaker_of(*mocks_[side], calls);
     proxy::TeamOptions options;
     options.name = side == 0 ? "left" : "right";
     teams_[side] = std::make_unique<proxy::Team>(options, *playmakers_[side]);

@@ -14,13 +14,15 @@
 
 namespace cls::tests {
 
-/// Embedded server in lockstep and two cls teams, each with a mock Playmaker over an in-process
-/// channel.
+/// How a team calls its mock.
+enum class MockCalls { kDirect, kGrpcInProcess };
+
+/// Embedded server in lockstep and two cls teams, each with a mock Playmaker.
 class MockMatch {
  public:
   /// `threads` 1: both teams in the caller's thread, their calls in flight together. 2: the right
   /// team in its own thread. Throws std::runtime_error on failure.
-  MockMatch(std::uint64_t seed, int threads);
+  MockMatch(std::uint64_t seed, int threads, MockCalls calls = MockCalls::kDirect);
   ~MockMatch();
 
   /// Plays up to `steps` more steps; false when the match is over.

@@ -7,6 +7,7 @@
 #include <chrono>
 #include <utility>
 
+#include "proxy/playmaker/direct_playmaker.h"
 #include "proxy/playmaker/grpc_playmaker.h"
 
 namespace cls::orchestration::match {
@@ -29,6 +30,25 @@ std::map<std::string, std::int64_t> missed_by(const proxy::AgentStatistics& stat
     if (n != 0 && outcome != proxy::RpcOutcome::kCancelled) by_outcome.emplace(name(outcome), n);
   }
   return by_outcome;
+}
+
+/// Starts the mock and connects to it. Without faults no reply is late or fails, so `auto` calls
+/// the mock as a function; other modes of --batch ask for a way of gRPC.
+Result<void> connect_mock(const Endpoint& endpoint, const SideSetup& setup,
+                          PlaymakerConnection& out) {
+  auto started = start_mock(endpoint);
+  if (!started) return started.error();
+  out.mock = std::move(*started);
+  mock_server::Server& mock = *out.mock;
+  out.direct = setup.batch == proxy::BatchMode::kAuto && mock.faultless();
+  if (out.direct) {
+    out.playmaker = proxy::make_direct_playmaker(
+        [&mock](proto::Rpc rpc, const google::protobuf::Message& request,
+                google::protobuf::Message& reply) { mock.handle(rpc, request, reply); });
+  } else {
+    out.playmaker = proxy::make_grpc_playmaker(mock.in_process_channel(), endpoint.text);
+  }
+  return {};
 }
 
 }  // namespace
@@ -78,11 +98,9 @@ Result<PlaymakerConnection> connect_playmaker(const Endpoint& endpoint, const Si
   PlaymakerConnection connection;
   connection.endpoint = endpoint;
   if (endpoint.kind == Endpoint::Kind::kMock) {
-    auto mock = start_mock(endpoint);
-    if (!mock) return mock.error();
-    connection.mock = std::move(*mock);
-    connection.playmaker =
-        proxy::make_grpc_playmaker(connection.mock->in_process_channel(), endpoint.text);
+    if (auto connected = connect_mock(endpoint, setup, connection); !connected) {
+      return connected.error();
+    }
   } else if (endpoint.kind == Endpoint::Kind::kRun) {
     auto started = PlaymakerProcess::start(
         *setup.host, endpoint, {0, setup.side, setup.name, setup.seed}, setup.folder, setup.cpus);
@@ -95,7 +113,7 @@ Result<PlaymakerConnection> connect_playmaker(const Endpoint& endpoint, const Si
   } else {
     connection.playmaker = proxy::make_grpc_playmaker(target_of(endpoint));
   }
-  if (!endpoint.port_step) {
+  if (!endpoint.port_step && !connection.direct) {
     connection.playmaker =
         proxy::make_batch_playmaker(std::move(connection.playmaker), setup.batch);
   }
@@ -207,7 +225,8 @@ TeamResult AgentSide::result() const {
   TeamResult result;
   result.name = identity().name;
   result.endpoint = identity().endpoint;
-  result.cpu_seconds = worker_.cpu_seconds() + mock_cpu_seconds();
+  result.cpu_seconds = worker_.cpu_seconds();
+  if (!connection_.direct) result.cpu_seconds += mock_cpu_seconds();
   if (playmaker_process() != nullptr) {
     result.cpu_seconds += playmaker_process()->child().cpu_seconds();
   }

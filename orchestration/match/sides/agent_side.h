@@ -33,6 +33,7 @@ struct SideSetup {
 struct PlaymakerConnection {
   Endpoint endpoint;
   std::unique_ptr<mock_server::Server> mock;  ///< for a mock
+  bool direct = false;                        ///< the mock decides on the side's thread
   std::unique_ptr<PlaymakerProcess> process;  ///< for a `run:` side
   std::unique_ptr<proxy::Playmaker> playmaker;
 };

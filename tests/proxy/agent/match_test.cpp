@@ -1,4 +1,4 @@
-// Two cls teams on the embedded server, with mock Playmakers over gRPC.
+// Two cls teams on the embedded server, with mock Playmakers called directly and over gRPC.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -10,8 +10,8 @@ namespace {
 
 constexpr int kSteps = 150;
 
-std::string game_log(std::uint64_t seed, int threads) {
-  MockMatch match(seed, threads);
+std::string game_log(std::uint64_t seed, int threads, MockCalls calls = MockCalls::kDirect) {
+  MockMatch match(seed, threads, calls);
   match.play(kSteps);
   return match.game_log();
 }
@@ -22,6 +22,12 @@ TEST(Match, IsDeterministicWithOneAndTwoThreads) {
   EXPECT_TRUE(game_log(7, 1) == log);
   EXPECT_TRUE(game_log(7, 2) == log);
   EXPECT_FALSE(game_log(8, 1) == log);
+}
+
+TEST(Match, IsTheSameWithDirectCallsAndOverGrpc) {
+  const std::string log = game_log(7, 2, MockCalls::kDirect);
+  EXPECT_TRUE(game_log(7, 1, MockCalls::kGrpcInProcess) == log);
+  EXPECT_TRUE(game_log(7, 2, MockCalls::kGrpcInProcess) == log);
 }
 
 TEST(Match, RequestsEveryDecisionWithoutServerErrors) {
