@@ -7,6 +7,8 @@
 #include <chrono>
 #include <utility>
 
+#include "proto/grpc_settings.h"
+
 namespace cls::mock_server {
 
 using base::Error;
@@ -23,6 +25,7 @@ Server::Server(Mock mock)
 Server::~Server() { stop(); }
 
 Result<void> Server::listen(const std::string& address) {
+  proto::apply_grpc_settings();
   grpc::ServerBuilder builder;
   builder.RegisterService(&service_);
   builder.RegisterService(&team_service_);

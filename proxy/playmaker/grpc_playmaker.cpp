@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "proto/grpc_settings.h"
 #include "proxy/playmaker/grpc_call.h"
 #include "proxy/playmaker/grpc_probe.h"
 #include "proxy/playmaker/tls_probe.h"
@@ -57,12 +58,14 @@ grpc::ChannelArguments channel_arguments(const GrpcTarget& target) {
 class GrpcPlaymaker : public Playmaker {
  public:
   GrpcPlaymaker(std::shared_ptr<grpc::Channel> channel, std::string name) : channels_{} {
+    proto::apply_grpc_settings();
     channels_.fill(std::move(channel));
     names_.fill(std::move(name));
     make_stubs();
   }
 
   explicit GrpcPlaymaker(const GrpcTarget& target) : target_(target) {
+    proto::apply_grpc_settings();
     const grpc::ChannelArguments arguments = channel_arguments(target);
     const auto credentials = credentials_for(target);
     for (int agent = kTeamNumber; agent < kAgentNumbers; ++agent) {
