@@ -13,7 +13,7 @@ struct CostTable {
 
   std::size_t rows = 0;
   std::size_t columns = 0;
-  std::array<std::array<double, kMaxColumns>, kMaxRows> cost{};
+  std::array<std::array<double, kMaxColumns>, kMaxRows> cost;  ///< unset; rows and columns in use
 };
 
 /// Column of each row in a minimum-cost assignment; each column is used at most once (Hungarian

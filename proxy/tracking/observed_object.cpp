@@ -91,18 +91,18 @@ ObservedPosition observed_position(const Viewpoint& view, const DistanceTable& d
   return observed;
 }
 
-MahalanobisDistance mahalanobis_distance(const ObjectEstimate& estimate,
+MahalanobisDistance mahalanobis_distance(Vec2 position, const std::array<double, 16>& covariance,
                                          const ObservedPosition& observed) {
   const Vec2 e = observed.direction;
   const double a = observed.along_variance;
   const double c = observed.across_variance;
-  const double xx = estimate.at(0, 0) + a * e.x * e.x + c * e.y * e.y;
-  const double yy = estimate.at(1, 1) + a * e.y * e.y + c * e.x * e.x;
-  const double xy = estimate.at(0, 1) + (a - c) * e.x * e.y;
+  const double xx = covariance[0] + a * e.x * e.x + c * e.y * e.y;
+  const double yy = covariance[5] + a * e.y * e.y + c * e.x * e.x;
+  const double xy = covariance[1] + (a - c) * e.x * e.y;
   const double determinant = std::max(xx * yy - xy * xy, 1e-12);
-  const Vec2 d = observed.position - Vec2{estimate.mean[0], estimate.mean[1]};
+  const Vec2 d = observed.position - position;
   const double squared = (yy * d.x * d.x - 2.0 * xy * d.x * d.y + xx * d.y * d.y) / determinant;
-  return {squared, math::log(determinant)};
+  return {squared, determinant};
 }
 
 void update_estimate(ObjectEstimate& estimate, const Viewpoint& view,

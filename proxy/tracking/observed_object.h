@@ -1,6 +1,8 @@
 // Observed ball or player of a see message as intervals on its position and velocity.
 #pragma once
 
+#include <array>
+
 #include "proxy/world/world_model.h"
 #include "soccer/messages/see.h"
 
@@ -35,14 +37,20 @@ struct ObservedPosition {
 ObservedPosition observed_position(const Viewpoint& view, const DistanceTable& distances,
                                    const soccer::Observation& seen);
 
-/// Squared Mahalanobis distance between estimated and observed position, and the log determinant of
+/// Squared Mahalanobis distance between estimated and observed position, and the determinant of
 /// their joint covariance.
 struct MahalanobisDistance {
   double squared = 0.0;
-  double log_determinant = 0.0;
+  double determinant = 0.0;
 };
-MahalanobisDistance mahalanobis_distance(const ObjectEstimate& estimate,
+/// `covariance` is that of an ObjectEstimate.
+MahalanobisDistance mahalanobis_distance(soccer::Vec2 position,
+                                         const std::array<double, 16>& covariance,
                                          const ObservedPosition& observed);
+inline MahalanobisDistance mahalanobis_distance(const ObjectEstimate& estimate,
+                                                const ObservedPosition& observed) {
+  return mahalanobis_distance({estimate.mean[0], estimate.mean[1]}, estimate.covariance, observed);
+}
 
 /// Updates the estimate by distance, direction and, if present, their changes.
 void update_estimate(ObjectEstimate& estimate, const Viewpoint& view,

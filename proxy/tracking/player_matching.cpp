@@ -20,7 +20,7 @@ constexpr double kGate = 16.0;
 constexpr double kStrictGate = 9.0;
 
 double squared_mahalanobis(const PlayerState& track, const PlayerObservation& observation) {
-  return mahalanobis_distance(estimate_of(track), observation.observed).squared;
+  return mahalanobis_distance(track.position, track.covariance, observation.observed).squared;
 }
 
 PlayerState* find_number(PlayerList& list, Side side, int unum) {
@@ -137,9 +137,10 @@ double new_track_cost() {
 double track_cost(const PlayerState& track, const PlayerObservation& observation) {
   constexpr double kTwoLogTwoPi = 3.6757541328186907;
   constexpr double kImpossible = 1e6;
-  const MahalanobisDistance m = mahalanobis_distance(estimate_of(track), observation.observed);
+  const MahalanobisDistance m =
+      mahalanobis_distance(track.position, track.covariance, observation.observed);
   if (m.squared > kGate) return kImpossible + m.squared;
-  return m.squared + m.log_determinant + kTwoLogTwoPi;
+  return m.squared + math::log(m.determinant) + kTwoLogTwoPi;
 }
 
 using TrackPointers = FixedList<PlayerState*, CostTable::kMaxColumns>;

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <span>
 
+#include "proxy/world/fixed_list.h"
 #include "proxy/world/truncated_normal.h"
 
 namespace cls::proxy {
@@ -96,8 +97,9 @@ void condition(Gaussian<N>& estimate, std::span<const Slab<N>> slabs, int sweeps
     double precision = 0.0;
     double shift = 0.0;
   };
-  std::array<Site, kMaxSlabs> sites{};
   const std::size_t count = std::min(slabs.size(), kMaxSlabs);
+  FixedList<Site, kMaxSlabs> sites;
+  for (std::size_t i = 0; i < count; ++i) sites.push_back({});
   for (int sweep = 0; sweep < sweeps; ++sweep) {
     for (std::size_t i = 0; i < count; ++i) {
       const Slab<N>& slab = slabs[i];
