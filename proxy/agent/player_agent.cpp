@@ -171,7 +171,7 @@ void PlayerAgent::handle_server_reply() {
       reply);
 }
 
-const protos::State& PlayerAgent::state(Instant now) {
+const WorldModel& PlayerAgent::begin_decision(Instant now) {
   assert(decision_due(now));
   if (!timer_.synchronous()) {
     const auto delay = std::chrono::duration_cast<std::chrono::microseconds>(now - timer_.due_at());
@@ -183,7 +183,11 @@ const protos::State& PlayerAgent::state(Instant now) {
   update_derived(world_);
   view_.reset();
   if (needs_shoot_out_view(world_)) view_ = std::make_unique<WorldModel>(rotated(world_));
-  const WorldModel& world = decision_world();
+  return decision_world();
+}
+
+const protos::State& PlayerAgent::state(Instant now) {
+  const WorldModel& world = begin_decision(now);
   fill_state(world, home_positions(world), needs_preprocess(world), state_);
   return state_;
 }

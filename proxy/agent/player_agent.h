@@ -68,8 +68,10 @@ class PlayerAgent {
   bool decision_due(Instant now = {}) const { return !deciding() && timer_.due(now); }
   const DecisionTimer& timer() const { return timer_; }
   bool deciding() const { return phase_ != Phase::kIdle; }
-  /// Completes the world model and returns the State for the due decision. Once per decision; valid
-  /// until the next call.
+  /// Completes the world model for the due decision and returns the world of the decision, which
+  /// is rotated in a shoot-out. Once per decision; valid until the next call.
+  const WorldModel& begin_decision(Instant now = {});
+  /// begin_decision(), and its world as a State. Valid until the next call.
   const protos::State& state(Instant now = {});
   /// The last State; the caller sets its register_response.
   protos::State& mutable_state() { return state_; }
@@ -99,7 +101,7 @@ class PlayerAgent {
  private:
   enum class Phase : std::uint8_t {
     kIdle,            ///< no decision pending
-    kAwaitingReply,   ///< state() was called
+    kAwaitingReply,   ///< begin_decision() was called
     kAwaitingChoice,  ///< act() needs the Playmaker's choice of a planned action
   };
 
