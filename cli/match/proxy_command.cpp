@@ -61,6 +61,7 @@ struct Arguments {
   int timeout_s = 3;
   std::optional<int> deadline_ms;
   std::string on_late = "hold";
+  std::string batch = "auto";
   std::string playmaker;
   TlsOptions tls;
   std::string result_file;
@@ -103,6 +104,11 @@ void add_playmaker_options(CLI::App& command, Arguments& arguments) {
                   "commands after a missed decision: hold, last or default")
       ->capture_default_str()
       ->check(CLI::IsMember({"hold", "last", "default"}));
+  command
+      .add_option("--batch", arguments.batch,
+                  "one call per team and cycle: auto, never or always (docs/wire.md)")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"auto", "never", "always"}));
   add_tls_options(command, arguments.tls);
   command
       .add_option("--result", arguments.result_file,
@@ -243,6 +249,10 @@ std::vector<std::string> resolve(Arguments& arguments) {
         std::min(options.team.decision_timeout, proxy::RpcTimeout(*arguments.deadline_ms));
   }
   options.team.on_late = *proxy::parse_on_late(arguments.on_late);
+  options.batch = *proxy::parse_batch_mode(arguments.batch);
+  if (options.playmaker.port_step && options.batch == proxy::BatchMode::kRequired) {
+    errors.push_back("--batch always: a Playmaker with a port per player gets single calls");
+  }
   options.team.start_timeout = std::chrono::duration_cast<proxy::RpcTimeout>(
       std::chrono::duration<double>(options.start_timeout_s));
   return errors;

@@ -35,8 +35,23 @@ int first_number(const StandaloneTeamOptions& options) {
   return options.team.players == 0 ? proxy::kCoachNumber : options.team.first_unum;
 }
 
+// Proxies of single agents share a Playmaker, which would take each of them for a whole team.
+proxy::BatchMode batch_mode(const StandaloneTeamOptions& options) {
+  if (options.playmaker.port_step) return proxy::BatchMode::kOff;
+  const int agents = options.team.players + (options.coach_port != 0 ? 1 : 0) +
+                     (options.trainer_port != 0 ? 1 : 0);
+  const bool alone = options.batch == proxy::BatchMode::kAuto && agents == 1;
+  return alone ? proxy::BatchMode::kOff : options.batch;
+}
+
+std::unique_ptr<proxy::Playmaker> batching_playmaker(const proxy::GrpcTarget& target,
+                                                     proxy::BatchMode batch) {
+  return proxy::make_batch_playmaker(proxy::make_grpc_playmaker(target), batch);
+}
+
 base::Result<std::unique_ptr<NetworkAgents>> make_agents(const StandaloneTeamOptions& options,
                                                          const MatchOptions& match) {
+  const proxy::BatchMode batch = batch_mode(options);
   NetworkSettings settings;
   settings.server_host = options.server_host;
   settings.server_port = options.server_port;
@@ -45,13 +60,13 @@ base::Result<std::unique_ptr<NetworkAgents>> make_agents(const StandaloneTeamOpt
   settings.leave_at_time_over = false;
   settings.on_ready = options.on_ready;
   if (options.add_20_for_right) {
-    settings.right_playmaker = [target = options.playmaker]() mutable {
+    settings.right_playmaker = [target = options.playmaker, batch]() mutable {
       target.port += kRightPortOffset;
-      return proxy::make_grpc_playmaker(target);
+      return batching_playmaker(target, batch);
     };
   }
   PlaymakerConnection connection;
-  connection.playmaker = proxy::make_grpc_playmaker(options.playmaker);
+  connection.playmaker = batching_playmaker(options.playmaker, batch);
   return NetworkAgents::create({soccer::Side::kLeft, std::string(options.team.name.view()),
                                 address(options.playmaker, first_number(options))},
                                std::move(connection), options.team, match, {}, std::move(settings));

@@ -11,6 +11,7 @@
 #include "orchestration/match/result/match_observer.h"
 #include "orchestration/match/result/match_result.h"
 #include "proxy/agent/team.h"
+#include "proxy/playmaker/batch_playmaker.h"
 #include "proxy/playmaker/grpc_target.h"
 
 namespace cls::orchestration::match {
@@ -22,6 +23,9 @@ struct StandaloneTeamOptions {
   int trainer_port = 0;  ///< 0: no trainer
   proxy::GrpcTarget playmaker;
   bool add_20_for_right = false;  ///< ports of the Playmaker of a team on the right are 20 higher
+  /// One call per team and cycle. kAuto asks for one agent alone with single calls; a Playmaker
+  /// with a port per agent always gets single calls.
+  proxy::BatchMode batch = proxy::BatchMode::kAuto;
   proxy::TeamOptions team;
   double start_timeout_s = 20.0;  ///< limit for the server to accept the team
   /// Called once, when the players are on the pitch and registered; may be empty.

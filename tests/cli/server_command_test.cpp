@@ -51,8 +51,8 @@ TEST(ServerCommand, ServesTwoProxyTeams) {
   Command left(side("Reds"));
   const std::string result = folder.path() / "blues.json";
   auto blues = side("Blues");
-  blues.insert(blues.end(), {"--playmaker", "127.0.0.1:" + rpc_port, "--on-late", "last",
-                             "--rpc-deadline", "2900", "--result", result});
+  blues.insert(blues.end(), {"--playmaker", "127.0.0.1:" + rpc_port, "--on-late", "last", "--batch",
+                             "always", "--rpc-deadline", "2900", "--result", result});
   Command right(blues);
   const auto served = server.finish();
   EXPECT_EQ(served.exit_code, 0) << served.err;
@@ -85,6 +85,19 @@ TEST(ServerCommand, ServesTwoProxyTeams) {
   const std::string log = cls::tests::read_file(std::filesystem::path(folder.path()) / "match.rcg");
   EXPECT_NE(log.find("Reds"), std::string::npos);
   EXPECT_NE(log.find("Blues"), std::string::npos);
+}
+
+TEST(ServerCommand, ProxyRefusesPlaymakerWithoutRequiredTeamService) {
+  cls::tests::TemporaryFolder folder;
+  Command server({cls_binary(), "server", "--port", "0", "--dir", folder.path()});
+  const std::string port = port_in(server);
+  Command older({cls_binary(), "mock", "--unimplemented", "GetBestPlannerAction"});
+  const std::string rpc_port = port_in(older);
+  const auto refused = run({cls_binary(), "proxy", "-p", port, "--rpc-port", rpc_port, "-h",
+                            "127.0.0.1", "-C", "--batch", "always"});
+  EXPECT_EQ(refused.exit_code, 69) << refused.err;
+  EXPECT_NE(refused.err.find("does not implement TeamPlaymaker"), std::string::npos) << refused.err;
+  EXPECT_EQ(run({cls_binary(), "proxy", "--rpc-port-step", "--batch", "always"}).exit_code, 2);
 }
 
 cls::tests::CommandResult end_server_by(int signal) {
