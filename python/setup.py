@@ -18,14 +18,15 @@ from setuptools.command.sdist import sdist
 
 HERE = pathlib.Path(__file__).resolve().parent
 PACKAGE = "cls_playmaker"
+INTERFACES = ("playmaker.proto", "team_playmaker.proto")
 
 
-def interface():
-    """playmaker.proto: of the repository, or the copy in a source distribution."""
-    for path in (HERE / "playmaker.proto", HERE.parent / "proto" / "playmaker.proto"):
+def interface(name):
+    """The file of the repository, or the copy in a source distribution."""
+    for path in (HERE / name, HERE.parent / "proto" / name):
         if path.is_file():
             return path
-    sys.exit(f"no proto/playmaker.proto beside {HERE}: install from a checkout of the repository")
+    sys.exit(f"no proto/{name} beside {HERE}: install from a checkout of the repository")
 
 
 def has_grpc_tools():
@@ -53,15 +54,16 @@ def runtime():
 
 
 def generate(folder):
-    """Writes playmaker_pb2.py, its types and playmaker_pb2_grpc.py into folder/cls_playmaker."""
+    """Writes NAME_pb2.py, its types and NAME_pb2_grpc.py into folder/cls_playmaker."""
     with tempfile.TemporaryDirectory() as root:
         # protoc derives the import path of the modules from the path of the file.
-        copy = pathlib.Path(root) / PACKAGE / "playmaker.proto"
-        copy.parent.mkdir()
-        shutil.copy(interface(), copy)
+        copies = pathlib.Path(root) / PACKAGE
+        copies.mkdir()
+        for name in INTERFACES:
+            shutil.copy(interface(name), copies)
         subprocess.run([*generator(), f"--proto_path={root}", f"--python_out={folder}",
-                        f"--pyi_out={folder}", f"--grpc_python_out={folder}", str(copy)],
-                       check=True)
+                        f"--pyi_out={folder}", f"--grpc_python_out={folder}",
+                        *(str(copies / name) for name in INTERFACES)], check=True)
 
 
 class BuildWithInterface(build_py):
@@ -76,7 +78,8 @@ class BuildWithInterface(build_py):
 class SourceWithInterface(sdist):
     def make_release_tree(self, base_dir, files):
         super().make_release_tree(base_dir, files)
-        shutil.copy(interface(), pathlib.Path(base_dir) / "playmaker.proto")
+        for name in INTERFACES:
+            shutil.copy(interface(name), base_dir)
 
 
 setup(install_requires=runtime(),

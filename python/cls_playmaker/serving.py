@@ -1,4 +1,4 @@
-"""Serves a Playmaker: port, logging of exceptions, graceful stop."""
+"""Serves a Playmaker: port, services, graceful stop."""
 from __future__ import annotations
 
 import argparse
@@ -8,15 +8,16 @@ import signal
 import socket
 import sys
 import threading
-import traceback
 from concurrent import futures
-from typing import Any, Callable, Optional, Set, Tuple
+from typing import Any, Callable, Dict, Optional, Tuple
 
 import grpc
 
 from cls_playmaker import proto
+from cls_playmaker.errors import Errors, Failure
+from cls_playmaker.team import TeamServicer
+from cls_playmaker.team_playmaker_pb2_grpc import add_TeamPlaymakerServicer_to_server
 
-_log = logging.getLogger("cls_playmaker")
 _WORKERS = 32  # two teams with coaches and a trainer have 25 agents
 _GRACE = 1.0   # seconds for calls in flight after SIGTERM or SIGINT
 
@@ -24,11 +25,25 @@ _GRACE = 1.0   # seconds for calls in flight after SIGTERM or SIGINT
 class Playmaker(proto.GameServicer):
     """A Playmaker that accepts every agent and all parameters; a subclass decides.
 
-    Override GetPlayerActions, which returns proto.PlayerActions. A subclass may also override
-    GetCoachActions, GetTrainerActions and GetBestPlannerAction, which are UNIMPLEMENTED here: the
-    team then plays without coach, trainer, or with the planner's own choice. Calls for different
-    agents run in parallel threads: guard state that they share.
+    Override GetPlayerActions, which returns proto.PlayerActions, or GetTeamActions, which decides
+    for all players at once. A subclass may also override GetCoachActions, GetTrainerActions and
+    GetBestPlannerAction, which are UNIMPLEMENTED here: the team then plays without coach, trainer,
+    or with the planner's own choice. Calls run in several threads, those of a team in turn or in
+    parallel (docs/wire.md): guard state that they share.
     """
+
+    def GetTeamActions(self, states: Dict[int, proto.State],
+                       context: Any) -> Dict[int, proto.PlayerActions]:
+        """Actions by uniform number; GetPlayerActions decides for players that it leaves out.
+
+        `states` has the players that are due, one alone where a match asks each agent alone.
+        """
+        return {}
+
+    def GetPlayerActions(self, request: proto.State, context: Any) -> proto.PlayerActions:
+        unum = request.register_response.uniform_number
+        actions = self.GetTeamActions({unum: request}, context)
+        return actions[unum] if unum in actions else super().GetPlayerActions(request, context)
 
     def Register(self, request: proto.RegisterRequest, context: Any) -> proto.RegisterResponse:
         return proto.RegisterResponse(
@@ -52,66 +67,26 @@ class Playmaker(proto.GameServicer):
         return proto.Empty()
 
 
-def _caller(request: Any) -> str:
-    """"player 9 of RED at cycle 120", as far as the request says it."""
-    agent = getattr(request, "register_response", request)
-    role = proto.AgentType.Name(agent.agent_type)[:-1].lower()
-    number = f" {agent.uniform_number}" if role == "player" else ""
-    state = getattr(request, "state", request)
-    cycle = f" at cycle {state.world_model.cycle}" if hasattr(state, "world_model") else ""
-    return f"{role}{number} of {agent.team_name}{cycle}"
-
-
-def _place(error: BaseException) -> str:
-    """"team.py:12": the innermost line outside installed packages."""
-    frames = traceback.extract_tb(error.__traceback__)
-    own = [frame for frame in frames if os.sep + "site-packages" + os.sep not in frame.filename
-           and frame.filename != __file__]
-    frame = (own or frames)[-1]
-    return f"{os.path.basename(frame.filename)}:{frame.lineno}"
-
-
 class _ReportErrors(grpc.ServerInterceptor):
-    """Logs exceptions of the Playmaker's methods and sends their text as status of the RPC."""
+    """Sends exceptions of the Playmaker's methods as status of the RPC."""
 
-    def __init__(self) -> None:
-        self._seen: Set[Tuple[str, str, str]] = set()
+    def __init__(self, errors: Errors) -> None:
+        self._errors = errors
 
     def intercept_service(self, continuation: Callable[[Any], Any], details: Any) -> Any:
         handler = continuation(details)
-        if handler is None or handler.unary_unary is None:
+        service, _, rpc = details.method.rpartition("/")
+        if handler is None or handler.unary_unary is None or service != "/protos.Game":
             return handler
-        rpc = details.method.rpartition("/")[2]
-        wanted = proto.DESCRIPTOR.services_by_name["Game"].methods_by_name[rpc].output_type.name
 
         def call(request: Any, context: Any) -> Any:
             try:
-                reply = handler.unary_unary(request, context)
-                if type(reply).__name__ != wanted:
-                    raise TypeError(
-                        f"{rpc} returned {type(reply).__name__}, must return proto.{wanted}")
-                return reply
-            except Exception as error:  # pylint: disable=broad-except
-                if context.code() is not None:  # chosen by the method, UNIMPLEMENTED by default
-                    context.abort(context.code(), _text(context.details()))
-                self._log(rpc, request, error)
-                return context.abort(grpc.StatusCode.UNKNOWN,
-                                     f"{type(error).__name__}: {error} ({_place(error)})")
+                return self._errors.call(rpc, handler.unary_unary, request, context)
+            except Failure as failure:
+                return context.abort(failure.code, failure.text)
 
         return grpc.unary_unary_rpc_method_handler(call, handler.request_deserializer,
                                                    handler.response_serializer)
-
-    def _log(self, rpc: str, request: Any, error: Exception) -> None:
-        """The first exception of each line with its traceback, later ones in one line."""
-        key = (rpc, type(error).__name__, _place(error))
-        first = key not in self._seen
-        self._seen.add(key)
-        _log.error("%s: %s: %s: %s (%s)", _caller(request), rpc, type(error).__name__, error,
-                   key[2], exc_info=error if first else None)
-
-
-def _text(details: Any) -> str:
-    return details.decode(errors="replace") if isinstance(details, bytes) else details or ""
 
 
 def _try_to_listen(host: str, port: int) -> None:
@@ -130,10 +105,12 @@ def start(playmaker: proto.GameServicer, port: int = 0,
 
     The caller stops it: `server.stop(grace_seconds)`. Raises OSError if it cannot listen.
     """
+    errors = Errors()
     # Without so_reuseport = 0 a second server on the port would take half of the calls.
     server = grpc.server(futures.ThreadPoolExecutor(max_workers=_WORKERS),
-                         interceptors=[_ReportErrors()], options=[("grpc.so_reuseport", 0)])
+                         interceptors=[_ReportErrors(errors)], options=[("grpc.so_reuseport", 0)])
     proto.add_GameServicer_to_server(playmaker, server)
+    add_TeamPlaymakerServicer_to_server(TeamServicer(playmaker, errors), server)
     _try_to_listen(host, port)
     bound = server.add_insecure_port(f"{host}:{port}")
     server.start()

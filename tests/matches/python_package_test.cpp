@@ -21,25 +21,32 @@ std::string python_path(const fs::path& folder) { return "PYTHONPATH=" + folder.
 fs::path copy_package(const fs::path& folder) {
   fs::create_directories(folder / "proto");
   fs::create_directories(folder / "python/cls_playmaker");
-  fs::copy_file(source_folder() / "proto/playmaker.proto", folder / "proto/playmaker.proto");
+  for (const char* name : {"playmaker.proto", "team_playmaker.proto"}) {
+    fs::copy_file(source_folder() / "proto" / name, folder / "proto" / name);
+  }
   for (const char* name : {"pyproject.toml", "setup.py", "README.md"}) {
     fs::copy_file(source_folder() / "python" / name, folder / "python" / name);
   }
-  for (const char* name : {"__init__.py", "proto.py", "serving.py", "py.typed"}) {
+  for (const char* name :
+       {"__init__.py", "errors.py", "proto.py", "serving.py", "team.py", "py.typed"}) {
     fs::copy_file(source_folder() / "python/cls_playmaker" / name,
                   folder / "python/cls_playmaker" / name);
   }
   return folder / "python";
 }
 
-TEST(PythonPackage, ReportsErrorsAndStopsGracefully) {
+void expect_success(const char* test) {
   const std::string python = python_with_grpc();
   if (python.empty()) GTEST_SKIP() << kNoPython;
   const auto tested =
-      run({python, source_folder() / "python/tests/serving_test.py"},
+      run({python, source_folder() / "python/tests" / test},
           {python_path(fs::path(CLS_BUILD_DIR) / "python"), "PYTHONDONTWRITEBYTECODE=1"});
   EXPECT_EQ(tested.exit_code, 0) << tested.err;
 }
+
+TEST(PythonPackage, ReportsErrorsAndStopsGracefully) { expect_success("serving_test.py"); }
+
+TEST(PythonPackage, DecidesForTeamInOneCall) { expect_success("team_test.py"); }
 
 TEST(PythonPackage, BuildsWithProtoc) {
   const std::string python = python_with_grpc();
