@@ -9,6 +9,7 @@
 
 #include "tests/support/command.h"
 #include "tests/support/files.h"
+#include "tests/support/python.h"
 #include "tests/support/temporary_folder.h"
 
 namespace {
@@ -30,8 +31,9 @@ class Batch : public testing::Test {
   Played play(const std::string& batch, const std::string& left, const std::string& right,
               const std::string& seed, const Arguments& more = {}) {
     const auto folder = folder_.path() / ("match" + std::to_string(++matches_));
-    Arguments arguments = {cls_binary(), "match",    left,  right,    "--batch", batch,  "--seed",
-                           seed,         "--cycles", "120", "--json", "--dir",   folder, "--coach"};
+    Arguments arguments = {cls_binary(), "match",  left,   right,      "--batch",
+                           batch,        "--seed", seed,   "--cycles", cycles_,
+                           "--json",     "--dir",  folder, "--coach"};
     arguments.insert(arguments.end(), more.begin(), more.end());
     const CommandResult played = cls::tests::run(arguments);
     EXPECT_EQ(played.exit_code, 0) << played.err;
@@ -62,6 +64,7 @@ class Batch : public testing::Test {
 
   cls::tests::TemporaryFolder folder_;
   int matches_ = 0;
+  std::string cycles_ = "120";
 };
 
 TEST_F(Batch, SameMatchInProcess) {
@@ -95,6 +98,16 @@ TEST_F(Batch, SameMatchOverTcp) {
   for (int seed = 1; seed <= seeds(); ++seed) {
     expect_same_match(endpoint, "mock", std::to_string(seed));
   }
+}
+
+TEST_F(Batch, SameMatchOfPythonExample) {
+  const std::string python = cls::tests::python_with_grpc();
+  if (python.empty()) GTEST_SKIP() << cls::tests::kNoPython;
+  const std::string example =
+      "run:PYTHONPATH=" CLS_BUILD_DIR "/python " + python + " " +
+      (cls::tests::source_folder() / "examples/python/playmaker.py").string() + " --port {port}";
+  cycles_ = "60";
+  expect_same_match(example, "mock", "1");
 }
 
 TEST_F(Batch, RecordingHoldsCallsOfAgents) {
