@@ -26,7 +26,7 @@ class Playmaker(proto.GameServicer):
     """A Playmaker that accepts every agent and all parameters; a subclass decides.
 
     Override GetPlayerActions, which returns proto.PlayerActions, or GetTeamActions, which decides
-    for all players at once. A subclass may also override GetCoachActions, GetTrainerActions and
+    for all players in one call. A subclass may also override GetCoachActions, GetTrainerActions and
     GetBestPlannerAction, which are UNIMPLEMENTED here: the team then plays without coach, trainer,
     or with the planner's own choice. Calls run in several threads, those of a team in turn or in
     parallel (docs/wire.md): guard state that they share.

@@ -52,7 +52,7 @@ class Team(Playmaker):
 
 
 class TeamOfOneMethod(Playmaker):
-    """Decides for all players but the goalie at once."""
+    """Decides for all players but the goalie in one call."""
 
     def GetTeamActions(self, states, context):
         cycle = next(iter(states.values())).world_model.cycle
