@@ -139,14 +139,15 @@ int run(const Arguments& arguments) {
     known = verdict(comparison, matches);
     return known.state.decision != SprtDecision::kOpen;
   };
-  const OpenedFolder opened = open_folder(options.folder, options.config, session.force);
+  const auto outlook_of = [&](const std::vector<ScheduledMatch>& matches) {
+    const ComparisonVerdict so_far = verdict(comparison, matches);
+    return Outlook{
+        expected_samples_left(comparison, so_far) * matches_in_sample(comparison),
+        fmt::format("{}/: {}", options.folder.string(), comparison_outlook(comparison, so_far))};
+  };
+  const OpenedFolder opened = begin_session(options.folder, options.config, session, outlook_of);
   if (opened.exit_code != kOk) return opened.exit_code;
   known = verdict(comparison, opened.matches);
-  const double to_play = expected_samples_left(comparison, known) * matches_in_sample(comparison);
-  const int checked = run_preflight(
-      options.config, options.folder, opened, session, to_play,
-      fmt::format("{}/: {}", options.folder.string(), comparison_outlook(comparison, known)));
-  if (checked != kOk) return checked;
   CompareProgress progress(comparison, known, stderr_is_terminal(), session.quiet);
   const auto make = [&](const TournamentConfig& config) {
     return make_executor(config, options.folder, own_program());

@@ -67,13 +67,12 @@ int run(const Arguments& arguments) {
   const ChosenConfig chosen = choose_config(arguments.tournament);
   if (chosen.exit_code != kOk) return chosen.exit_code;
   const fs::path folder = arguments.tournament.folder;
-  const OpenedFolder opened = open_folder(folder, chosen.config, arguments.session.force);
+  const auto outlook_of = [&chosen](const std::vector<ScheduledMatch>& matches) {
+    const std::size_t to_play = matches_to_play(chosen.config, matches);
+    return Outlook{static_cast<double>(to_play), fmt::format("{} matches to play", to_play)};
+  };
+  const OpenedFolder opened = begin_session(folder, chosen.config, arguments.session, outlook_of);
   if (opened.exit_code != kOk) return opened.exit_code;
-  const std::size_t to_play = matches_to_play(chosen.config, opened.matches);
-  const int checked =
-      run_preflight(chosen.config, folder, opened, arguments.session, static_cast<double>(to_play),
-                    fmt::format("{} matches to play", to_play));
-  if (checked != kOk) return checked;
   RunOptions options;
   options.folder = folder;
   options.config = chosen.config;

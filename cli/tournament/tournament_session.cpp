@@ -110,24 +110,16 @@ std::string warning_counts(const std::vector<ScheduledMatch>& matches) {
                      warned == 1 ? "" : "es");
 }
 
-}  // namespace
-
-void add_session_options(CLI::App& command, SessionOptions& options, const std::string& document) {
-  command.add_flag("--force", options.force, "start over; an old tournament is renamed to .old");
-  command.add_flag("--no-preflight", options.no_preflight,
-                   "start without checking teams and host first");
-  command.add_flag("--strict", options.strict, "fail (exit 1) on any warning");
-  command.add_flag("--json", options.json, fmt::format("print only the {} as JSON", document));
-  command.add_flag("--quiet", options.quiet, "print no progress and no notes");
+// Prints and returns the error if another process works in the folder.
+int check_idle(const fs::path& folder) {
+  if (!holds_plan(folder)) return kOk;
+  const auto lock = FolderLock::try_lock(folder);
+  return lock && !*lock ? busy(folder) : kOk;
 }
 
-OpenedFolder open_folder(const fs::path& folder, const TournamentConfig& config, bool force) {
+OpenedFolder open_folder(const fs::path& folder, const TournamentConfig& config, bool afresh) {
   const auto failed = [](int exit_code) { return OpenedFolder{exit_code, {}, {}}; };
-  if (holds_plan(folder)) {
-    const auto lock = FolderLock::try_lock(folder);
-    if (lock && !*lock) return failed(busy(folder));
-  }
-  if (force && holds_plan(folder)) {
+  if (afresh) {
     if (const int code = start_over(folder); code != kOk) return failed(code);
   }
   if (const auto ready = prepare_folder(folder, config); !ready) {
@@ -142,11 +134,12 @@ OpenedFolder open_folder(const fs::path& folder, const TournamentConfig& config,
   return {kOk, *std::move(lock), std::move(state->matches)};
 }
 
-int run_preflight(const TournamentConfig& config, const fs::path& folder,
-                  const OpenedFolder& opened, const SessionOptions& options, double to_play,
-                  const std::string& outlook) {
+// Checks teams and host before the first match; prints errors, warnings and the outlook.
+int run_preflight(const fs::path& folder, const TournamentConfig& config,
+                  const SessionOptions& options, const std::vector<ScheduledMatch>& matches,
+                  const Outlook& outlook) {
   constexpr double kPatienceS = 5.0;
-  if (to_play <= 0) return kOk;
+  if (outlook.to_play <= 0) return kOk;
   if (!options.no_preflight) {
     const std::chrono::duration<double> patience(
         std::min(kPatienceS, config.start_timeout_s.value_or(kPatienceS)));
@@ -157,7 +150,7 @@ int run_preflight(const TournamentConfig& config, const fs::path& folder,
       return print_error(exit_code_of(problems.front().kind),
                          "no match was started; --no-preflight starts without this check");
     }
-    const auto warnings = host_warnings(config, opened.matches, to_play, folder);
+    const auto warnings = host_warnings(config, matches, outlook.to_play, folder);
     const bool fails = options.strict && !warnings.empty();
     for (const std::string& line : warnings) {
       if (fails || !options.quiet) print_error(0, "warning: " + line);
@@ -165,9 +158,38 @@ int run_preflight(const TournamentConfig& config, const fs::path& folder,
     if (fails) return print_error(kFailed, "no match was started (--strict)");
   }
   if (options.quiet) return kOk;
-  const auto seconds = expected_seconds(config, opened.matches, to_play);
-  fmt::print(stderr, "cls: {}{}\n", outlook, seconds ? ", about " + duration_text(*seconds) : "");
+  const auto seconds = expected_seconds(config, matches, outlook.to_play);
+  fmt::print(stderr, "cls: {}{}\n", outlook.text,
+             seconds ? ", about " + duration_text(*seconds) : "");
   return kOk;
+}
+
+}  // namespace
+
+void add_session_options(CLI::App& command, SessionOptions& options, const std::string& document) {
+  command.add_flag("--force", options.force, "start over; an old tournament is renamed to .old");
+  command.add_flag("--no-preflight", options.no_preflight,
+                   "start without checking teams and host first");
+  command.add_flag("--strict", options.strict, "fail (exit 1) on any warning");
+  command.add_flag("--json", options.json, fmt::format("print only the {} as JSON", document));
+  command.add_flag("--quiet", options.quiet, "print no progress and no notes");
+}
+
+OpenedFolder begin_session(const fs::path& folder, const TournamentConfig& config,
+                           const SessionOptions& options, const OutlookOf& outlook_of) {
+  if (const int code = check_idle(folder); code != kOk) return {code, {}, {}};
+  // What cannot start renames nothing.
+  const bool afresh = options.force && holds_plan(folder);
+  if (afresh) {
+    const int code = run_preflight(folder, config, options, {}, outlook_of({}));
+    if (code != kOk) return {code, {}, {}};
+  }
+  OpenedFolder opened = open_folder(folder, config, afresh);
+  if (opened.exit_code == kOk && !afresh) {
+    opened.exit_code =
+        run_preflight(folder, config, options, opened.matches, outlook_of(opened.matches));
+  }
+  return opened;
 }
 
 int end_session(const RunSummary& summary, const TournamentConfig& config,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -35,17 +36,21 @@ struct OpenedFolder {
   std::vector<orchestration::tournament::ScheduledMatch> matches;  ///< scheduled so far
 };
 
-/// Creates or continues the tournament of the valid `config` in `folder`. `force` first renames an
-/// old tournament there, but leaves its cls.toml in place.
-OpenedFolder open_folder(const std::filesystem::path& folder,
-                         const orchestration::tournament::TournamentConfig& config, bool force);
+/// What is left to play.
+struct Outlook {
+  double to_play = 0.0;  ///< expected number of matches
+  std::string text;
+};
+using OutlookOf =
+    std::function<Outlook(const std::vector<orchestration::tournament::ScheduledMatch>&)>;
 
-/// Checks teams and host before the first of about `to_play` matches; does nothing for 0. Prints
-/// errors, warnings, and `outlook` with the expected time. Returns kOk or the exit code of the
-/// first error.
-int run_preflight(const orchestration::tournament::TournamentConfig& config,
-                  const std::filesystem::path& folder, const OpenedFolder& opened,
-                  const SessionOptions& options, double to_play, const std::string& outlook);
+/// Creates or continues the tournament of the valid `config` in `folder`. Checks teams and host
+/// unless nothing is left to play, and prints warnings and the outlook for the matches scheduled so
+/// far with the expected time. --force renames an old tournament, but leaves its cls.toml in place;
+/// a failed check renames nothing.
+OpenedFolder begin_session(const std::filesystem::path& folder,
+                           const orchestration::tournament::TournamentConfig& config,
+                           const SessionOptions& options, const OutlookOf& outlook_of);
 
 /// Prints the warnings of the matches, unless `listed` already, their number and, after an
 /// incomplete run, the command that resumes it. Returns `exit_code`; with --strict kFailed if there

@@ -114,6 +114,18 @@ TEST_F(Tournament, RejectsDifferentPlanWithoutForce) {
   fs::remove_all(old);
 }
 
+TEST_F(Tournament, ForceRenamesNothingBeforeTeamsAreChecked) {
+  write_config("format = \"gauntlet\"\ngauntlet = [\"RED\"]\n");
+  ASSERT_EQ(tournament({"run", cup()}).exit_code, 0);
+  const std::string plan = cls::tests::read_file(cup() / "plan.toml");
+  const CommandResult refused =
+      tournament({"run", cup(), "--force", "--server", "cls_no_such_server"});
+  EXPECT_EQ(refused.exit_code, 66) << refused.err;
+  EXPECT_EQ(refused.err.find("moved to"), std::string::npos) << refused.err;
+  EXPECT_EQ(cls::tests::read_file(cup() / "plan.toml"), plan);
+  EXPECT_TRUE(fs::exists(cup() / "tournament.db"));
+}
+
 TEST_F(Tournament, ReportsErrorsWithLocation) {
   write_config("ronds = 3\n");
   const CommandResult unknown = tournament({"plan", cup()});
@@ -499,6 +511,15 @@ TEST_F(Compare, RespectsMaxPairsOfThisCommand) {
   EXPECT_EQ(forced.exit_code, 3) << forced.err;
   EXPECT_TRUE(fs::exists(folder_.path() / "c.old" / "tournament.db"));
   EXPECT_EQ(json::parse(forced.out)["matches"].size(), 2u);
+}
+
+TEST_F(Compare, ForceRenamesNothingBeforeTeamsAreChecked) {
+  ASSERT_EQ(compare({"--max-pairs", "1", "--dir", "c"}).exit_code, 3);
+  const CommandResult refused =
+      compare({"--max-pairs", "1", "--dir", "c", "--force", "--server", "cls_no_such_server"});
+  EXPECT_EQ(refused.exit_code, 66) << refused.err;
+  EXPECT_TRUE(fs::exists(folder_.path() / "c" / "tournament.db"));
+  EXPECT_FALSE(fs::exists(folder_.path() / "c.old"));
 }
 
 TEST_F(Compare, PrintsStateOfTestAndResumeCommand) {
