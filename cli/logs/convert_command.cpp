@@ -4,6 +4,9 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <atomic>
+#include <cerrno>
+#include <cstring>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -12,6 +15,7 @@
 
 #include "base/io/gzip_sink.h"
 #include "cli/support/exit_code.h"
+#include "cli/support/interrupt.h"
 #include "cli/support/log_errors.h"
 #include "cli/support/print_error.h"
 #include "gamelog/rcg/rcg_reader.h"
@@ -20,6 +24,7 @@
 namespace cls::cli {
 namespace {
 
+namespace fs = std::filesystem;
 using gamelog::RcgVersion;
 
 constexpr const char* kDescription =
@@ -63,6 +68,41 @@ void print_document(const Arguments& arguments, RcgVersion version,
   fmt::print("{}\n", document.dump(2));
 }
 
+// Where OUT is written until it is complete: beside it, with its ending. Standard output, devices
+// and links are written directly.
+fs::path partial_file(const fs::path& out) {
+  std::error_code code;
+  const fs::file_type type = fs::symlink_status(out, code).type();
+  const bool renamed = type == fs::file_type::regular || type == fs::file_type::not_found;
+  if (out == "-" || !renamed) return out;
+  return out.parent_path() / ("partial-" + out.filename().string());
+}
+
+// Leaves a complete OUT or what was there before. Returns the exit code.
+int write_log(const gamelog::MatchRecord& record, RcgVersion version, const fs::path& out) {
+  const fs::path partial = partial_file(out);
+  const std::atomic<int>& signal = watch_interrupts();
+  auto sink = base::create_sink(partial.string());
+  if (!sink) {
+    return print_error(kCannotCreate,
+                       fmt::format("cannot create '{}': {}", out.string(), std::strerror(errno)));
+  }
+  gamelog::write_rcg(record, version, **sink);
+  const auto closed = (*sink)->close();
+  std::error_code code;
+  if (partial == out) return closed ? kOk : print_error(kWriteFailed, closed.error().message);
+  if (closed && signal == 0) {
+    fs::rename(partial, out, code);
+    if (!code) return kOk;
+  }
+  std::error_code ignored;
+  fs::remove(partial, ignored);
+  if (!closed) return print_error(kWriteFailed, closed.error().message);
+  if (!code) return signal_exit_code(signal);
+  return print_error(kCannotCreate,
+                     fmt::format("cannot create '{}': {}", out.string(), code.message()));
+}
+
 int run_convert_command(const Arguments& arguments) {
   const std::optional<RcgVersion> version = target_version(arguments);
   if (!version) {
@@ -81,11 +121,9 @@ int run_convert_command(const Arguments& arguments) {
   report_errors(arguments.in, record->errors);
   if (record->frames() == 0 && !record->errors.empty()) return kBadData;
 
-  auto sink = base::create_sink(arguments.out);
-  if (!sink) return print_error(kCannotCreate, sink.error().message);
-  gamelog::write_rcg(*record, *version, **sink);
-  const auto closed = (*sink)->close();
-  if (!closed) return print_error(kWriteFailed, closed.error().message);
+  if (const int written = write_log(*record, *version, arguments.out); written != kOk) {
+    return written;
+  }
   if (arguments.json) print_document(arguments, *version, *record);
   return record->errors.empty() ? kOk : kBadData;
 }

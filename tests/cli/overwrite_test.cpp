@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -63,6 +64,16 @@ TEST_F(Overwrite, MatchPlaysInEmptyFolder) {
   EXPECT_EQ(match({"--dir", "x"}).exit_code, 0);
 }
 
+TEST_F(Overwrite, MatchWithoutItsProgramsLeavesNothing) {
+  const CommandResult team = run({"match", "team:nowhere", "mock"});
+  EXPECT_EQ(team.exit_code, 69);
+  EXPECT_EQ(team.err, "cls: team folder nowhere: no such folder\n");
+  const CommandResult server = run({"match", "mock", "mock", "--server", "nowhere"});
+  EXPECT_EQ(server.exit_code, 69);
+  EXPECT_EQ(server.err, "cls: soccer server nowhere: no such program on PATH\n");
+  EXPECT_TRUE(fs::is_empty(folder_.path()));
+}
+
 TEST_F(Overwrite, MatchKeepsRecordedCalls) {
   write("calls.rpc", "mine");
   const CommandResult refused = match({"--dir", "x", "--record-rpc", "calls.rpc"});
@@ -81,6 +92,21 @@ TEST_F(Overwrite, ConvertRefusesExistingFile) {
   EXPECT_EQ(read_file(path("out.rcg")), "mine");
   run({"convert", log, "out.rcg", "--force"});
   EXPECT_NE(read_file(path("out.rcg")), "mine");
+}
+
+// The limit of the shell stops the log after one block.
+TEST_F(Overwrite, ConvertThatFailsLeavesNothingNew) {
+  const std::string log = cls::tests::fixture("gamelog/match-start.rcg.gz");
+  write("out.rcg", "mine");
+  for (const char* out : {"new.rcg", "out.rcg"}) {
+    const std::string script = "trap '' XFSZ; ulimit -f 1; exec " + cls_binary().string() +
+                               " convert " + log + " " + out + " --force";
+    const CommandResult failed =
+        cls::tests::Command({"/bin/sh", "-c", script}, {}, folder_.path()).finish();
+    EXPECT_EQ(failed.exit_code, 74) << failed.err;
+  }
+  EXPECT_EQ(read_file(path("out.rcg")), "mine");
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder_.path()), fs::directory_iterator()), 1);
 }
 
 TEST_F(Overwrite, InitKeepsOldConfiguration) {
