@@ -103,7 +103,7 @@ void print_interrupted(const MatchResult& result) {
 int run_match_command(const CLI::App& command, MatchArguments& arguments) {
   if (const int resolved = resolve_match(command, arguments); resolved != kOk) return resolved;
   if (arguments.dry_run) return print_dry_run(arguments);
-  // A match that nobody can find later leaves nothing when its programs are missing.
+  // A match without its programs leaves nothing in runs/.
   if (arguments.options.folder.empty()) {
     const auto plan = orchestration::match::dry_run(arguments.options);
     if (!plan) return print_error(kUnavailable, plan.error().message);
