@@ -233,11 +233,13 @@ base::Result<Mock> make(const Arguments& arguments, Failure& failure) {
   return mock;
 }
 
-// Names the owner of a port that is taken.
-std::string why_not_listening(const Arguments& arguments, const std::string& error) {
+// A host of others, or a port that is taken, with its owner.
+Failure why_not_listening(const Arguments& arguments, const std::string& error) {
   using orchestration::process::Protocol;
+  const std::string host = orchestration::process::unusable_host(arguments.host);
+  if (!host.empty()) return {fmt::format("--host '{}': {}", arguments.host, host), kUsage};
   const std::string taken = orchestration::process::taken_port(Protocol::kTcp, {arguments.port});
-  return taken.empty() ? error : taken + "; --port 0 selects a free port";
+  return {taken.empty() ? error : taken + "; --port 0 selects a free port", kTryAgain};
 }
 
 int run_mock(const Arguments& arguments) {
@@ -250,7 +252,8 @@ int run_mock(const Arguments& arguments) {
   const JsonStdout json(arguments.json);
   ServingProcess process(arguments);
   if (const auto started = process.start(*std::move(mock)); !started) {
-    return print_error(failure.code, why_not_listening(arguments, started.error().message));
+    failure = why_not_listening(arguments, started.error().message);
+    return print_error(failure.code, failure.message);
   }
   if (json.active()) {
     const nlohmann::ordered_json line = {{"schema", "cls.mock/1"},

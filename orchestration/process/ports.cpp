@@ -176,6 +176,16 @@ std::string taken_port(Protocol protocol, const std::vector<int>& ports) {
   return taken == ports.end() ? std::string() : port_taken_text(protocol, *taken);
 }
 
+std::string unusable_host(const std::string& host) {
+  const auto addresses = base::resolve_all(base::strip_brackets(host), 0, AF_UNSPEC, SOCK_STREAM);
+  if (!addresses) return "cannot be resolved: " + addresses.error().message;
+  for (const base::SocketAddress& address : *addresses) {
+    const base::UniqueFd socket(::socket(address.family(), SOCK_STREAM | SOCK_CLOEXEC, 0));
+    if (socket && ::bind(socket.get(), address.get(), address.size) == 0) return {};
+  }
+  return "not an address of this host; 0.0.0.0 listens on all";
+}
+
 std::vector<int> ports_of(Protocol protocol, int pid) {
   std::vector<int> pids = {pid};
   for (const ProcessEntry& entry : descendants_of(pid)) pids.push_back(entry.pid);

@@ -29,6 +29,10 @@ std::string port_taken_text(Protocol protocol, int port);
 /// That text for the first of `ports` that is taken; empty: none is. Port 0 stands for a free one.
 std::string taken_port(Protocol protocol, const std::vector<int>& ports);
 
+/// Why a program cannot listen for TCP connections at `host`, whatever the port: the name cannot be
+/// resolved, or the address is of another host. Empty if it can.
+std::string unusable_host(const std::string& host);
+
 /// Ports on which `pid` or a descendant of it listens (TCP) or has bound (UDP), ascending.
 std::vector<int> ports_of(Protocol protocol, int pid);
 

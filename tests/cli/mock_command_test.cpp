@@ -129,6 +129,16 @@ TEST(MockCommand, ReportsFailedExpectationsOfScript) {
       << played.err;
 }
 
+TEST(MockCommand, SaysWhyItCannotListenAtHost) {
+  for (const auto& [host, why] : {std::pair("bad host", "cannot be resolved: "),
+                                  std::pair("192.0.2.1", "not an address of this host; ")}) {
+    const auto refused = cls::tests::run({cls::tests::cls_binary(), "mock", "--host", host});
+    EXPECT_EQ(refused.exit_code, 2);
+    EXPECT_EQ(refused.err.find(std::string("cls: --host '") + host + "': " + why), 0u)
+        << refused.err;
+  }
+}
+
 TEST(MockCommand, ReportsInvalidAndMissingScripts) {
   cls::tests::TemporaryFolder folder;
   const std::string script = folder.path() / "script.json";
