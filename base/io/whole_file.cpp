@@ -48,6 +48,19 @@ std::optional<std::string> absence(const std::filesystem::path& path) {
   return code ? code.message() : "no such file";
 }
 
+std::optional<std::string> why_no_file(const std::filesystem::path& path) {
+  std::error_code code;
+  if (std::filesystem::is_regular_file(path, code)) return std::nullopt;
+  if (std::filesystem::is_directory(path, code)) return "a folder, not a file";
+  return absence(path).value_or("not a regular file");
+}
+
+std::optional<std::string> why_no_folder(const std::filesystem::path& path) {
+  std::error_code code;
+  if (std::filesystem::is_directory(path, code)) return std::nullopt;
+  return std::filesystem::exists(path, code) ? "a file, not a folder" : "no such folder";
+}
+
 Result<void> create_folders(const std::filesystem::path& folder) {
   std::error_code code;
   std::filesystem::create_directories(folder, code);

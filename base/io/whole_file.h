@@ -20,6 +20,13 @@ Result<void> write_file(const std::filesystem::path& path, std::string_view byte
 /// Why `path` cannot be used: "no such file", "Permission denied", ...; nothing if it exists.
 std::optional<std::string> absence(const std::filesystem::path& path);
 
+/// Why `path` is no file to read: "no such file", "a folder, not a file", ...; nothing if it is
+/// one.
+std::optional<std::string> why_no_file(const std::filesystem::path& path);
+
+/// Why `path` is no folder: "no such folder", "a file, not a folder"; nothing if it is one.
+std::optional<std::string> why_no_folder(const std::filesystem::path& path);
+
 /// Creates a folder and those above it; succeeds if it exists. The error names the folder and the
 /// cause.
 Result<void> create_folders(const std::filesystem::path& folder);

@@ -94,9 +94,8 @@ Result<FoundMatch> find_below(const fs::path& folder) {
 }  // namespace
 
 Result<FoundMatch> find_match_folder(const fs::path& folder, std::optional<int> index) {
-  std::error_code code;
-  if (!fs::is_directory(folder, code)) {
-    return Error{fmt::format("{}: no such folder", folder.string())};
+  if (const auto why = base::why_no_folder(folder)) {
+    return Error{fmt::format("{}: {}", folder.string(), *why)};
   }
   if (tournament::holds_plan(folder)) return find_in_tournament(folder, index);
   if (index) {

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <variant>
 
-#include "base/text/suggestion.h"
+#include "base/io/whole_file.h"
 #include "cli/support/command_line.h"
 #include "cli/support/exit_code.h"
 #include "cli/support/print_error.h"
@@ -36,13 +36,18 @@ void add_deadline_options(CLI::App& command, MatchArguments& arguments) {
   command
       .add_option("--on-late", arguments.on_late,
                   "commands after a missed decision: hold, last or default")
-      ->capture_default_str();
+      ->capture_default_str()
+      ->check(CLI::IsMember({"hold", "last", "default"}));
   command
       .add_option("--batch", arguments.batch,
                   "one call per team and cycle: auto, never or always (docs/wire.md)")
-      ->capture_default_str();
-  command.add_option("--max-missed", options.max_missed,
-                     "consecutive missed decisions that end the match (default: 20)");
+      ->capture_default_str()
+      ->check(CLI::IsMember({"auto", "never", "always"}));
+  command
+      .add_option("--max-missed", options.max_missed,
+                  "consecutive missed decisions of a player; one more ends the match "
+                  "(default: 20)")
+      ->check(CLI::NonNegativeNumber);
   command.add_option("--reconnect-within", options.reconnect_within_s,
                      "seconds to wait for a disconnected Playmaker, where the server waits "
                      "(default: 3)");
@@ -92,9 +97,11 @@ void add_match_options(CLI::App& command, MatchArguments& arguments) {
       .add_option("--server", arguments.server,
                   "embedded, rcssserver, PATH of a server, or HOST:PORT")
       ->capture_default_str();
-  command.add_option("--mode", arguments.mode,
-                     "lockstep, synch or realtime (default: lockstep; synch with an external "
-                     "server or team)");
+  command
+      .add_option("--mode", arguments.mode,
+                  "lockstep, synch or realtime (default: lockstep; synch with an external "
+                  "server or team)")
+      ->check(CLI::IsMember({"lockstep", "synch", "realtime"}));
   command.add_flag("--pin", arguments.pin, "give each side half of the processor cores");
   command.add_flag("--dry-run", arguments.dry_run, "print the commands without starting anything");
   add_deadline_options(command, arguments);
@@ -106,7 +113,8 @@ void add_match_options(CLI::App& command, MatchArguments& arguments) {
                      "maximum seconds of the match (default: no limit)");
   command.add_flag("--step", arguments.step,
                    "wait for a line on stdin before each cycle (see docs/testing.md)");
-  command.add_option("--at", arguments.at, "--step, starting at this game time");
+  command.add_option("--at", arguments.at, "--step, starting at this game time")
+      ->check(CLI::NonNegativeNumber);
   command
       .add_option("--record-rpc", arguments.record_rpc,
                   "record all requests and replies in FILE (see cls test --replay)")
@@ -123,22 +131,6 @@ void add_match_options(CLI::App& command, MatchArguments& arguments) {
 }
 
 namespace {
-
-// Appends an error that names the option unless `value` is one of `choices`.
-void check_choice(std::vector<std::string>& errors, std::string_view option,
-                  const std::string& value, const std::vector<std::string_view>& choices) {
-  for (const std::string_view known : choices) {
-    if (value == known) return;
-  }
-  std::string message = fmt::format("{} '{}': ", option, value);
-  const std::string_view near = base::nearest_name(value, choices);
-  if (near.empty()) {
-    message += fmt::format("must be one of {}", fmt::join(choices, ", "));
-  } else {
-    message += fmt::format("did you mean '{}'?", near);
-  }
-  errors.push_back(std::move(message));
-}
 
 void read_formation_options(MatchArguments& arguments, std::vector<std::string>& errors) {
   const auto read = [&](const std::string& folder, const char* option,
@@ -179,9 +171,7 @@ std::vector<std::string> resolve(MatchArguments& arguments) {
     if (mode) options.mode = *mode;
     if (!mode) errors.push_back(mode.error().message);
   }
-  check_choice(errors, "--on-late", arguments.on_late, {"hold", "last", "default"});
   options.on_late = proxy::parse_on_late(arguments.on_late).value_or(options.on_late);
-  check_choice(errors, "--batch", arguments.batch, {"auto", "never", "always"});
   options.batch = proxy::parse_batch_mode(arguments.batch).value_or(options.batch);
   read_formation_options(arguments, errors);
   if (arguments.half_time) options.server.half_time = *arguments.half_time;
@@ -315,8 +305,8 @@ int read_config_file(MatchArguments& arguments, bool names_used) {
     if (found) file = *found;
   }
   if (file.empty()) return kOk;
-  if (!fs::is_regular_file(file, code)) {
-    return print_error(kNoInput, fmt::format("--config {}: no such file", file.string()));
+  if (const auto why = base::why_no_file(file)) {
+    return print_error(kNoInput, fmt::format("--config {}: {}", file.string(), *why));
   }
   const ParsedConfig parsed = orchestration::tournament::read_config(file);
   if (!parsed.errors.empty()) return print_errors(kBadConfig, parsed.errors);

@@ -231,10 +231,10 @@ std::vector<std::string> resolve(Arguments& arguments) {
       errors.push_back("--formation: " + set.error().message);
     }
   }
-  std::error_code ignored;
-  if (!options.team.debug_log.empty() &&
-      !std::filesystem::is_directory(options.team.debug_log, ignored)) {
-    errors.push_back(fmt::format("--debug-log '{}': no such folder", options.team.debug_log));
+  if (!options.team.debug_log.empty()) {
+    if (const auto why = base::why_no_folder(options.team.debug_log)) {
+      errors.push_back(fmt::format("--debug-log '{}': {}", options.team.debug_log, *why));
+    }
   }
   options.team.shared_playmaker = !options.playmaker.port_step;
   const int highest = options.playmaker.port + (options.playmaker.port_step ? kMaxPortStep : 0) +

@@ -100,6 +100,14 @@ constexpr OptionRow kOptions[] = {
     {"--unimplemented", nullptr, "RPC,RPC,..."},
 };
 
+struct TextForm {
+  std::string_view value;  ///< placeholder of options that accept no empty text
+  const char* form;
+};
+
+constexpr TextForm kTextForms[] = {
+    {"DIR", "a folder"}, {"FILE", "a file"}, {"HOST", "a host"}, {"NAME", "a name"}};
+
 struct CommandGroup {
   std::string_view command;
   const char* group;
@@ -120,7 +128,11 @@ void complete_option(CLI::Option& option) {
                                 [&name](const OptionRow& one) { return one.name == name; });
   if (row == std::end(kOptions) || option.get_group().empty()) return;
   if (row->group != nullptr && option.get_group() == "Options") option.group(row->group);
-  if (row->value != nullptr && !is_flag(option)) option.type_name(row->value);
+  if (row->value == nullptr || is_flag(option)) return;
+  option.type_name(row->value);
+  for (const TextForm& one : kTextForms) {
+    if (one.value == row->value) require_text(option, one.form);
+  }
 }
 
 // Most commands declare --quiet themselves, to describe what it leaves out.

@@ -42,8 +42,8 @@ int resolve_team_name(std::string& side, std::string& team_name, const std::stri
   const std::optional<fs::path> file = config_file.empty() ? find_config(fs::current_path(code))
                                                            : std::optional<fs::path>(config_file);
   if (!file) return kOk;
-  if (!fs::is_regular_file(*file, code)) {
-    return print_error(kNoInput, fmt::format("{}: no such file", file->string()));
+  if (const auto why = base::why_no_file(*file)) {
+    return print_error(kNoInput, fmt::format("{}: {}", file->string(), *why));
   }
   const ParsedConfig parsed = read_config(*file);
   if (!parsed.errors.empty()) return print_errors(kBadConfig, parsed.errors);

@@ -90,7 +90,9 @@ std::string invalid_value(const CLI::App& command, const CLI::Option& option,
   const std::string form = value_form(option);
   if (is_too_large(value, form)) return fmt::format("{} '{}': too large", name, value);
   if (form.empty()) return fmt::format("{} '{}': invalid{}", name, value, see_help(command));
-  return fmt::format("{} '{}': must be {}", name, value, form);
+  const std::vector<std::string> words = choices(option);
+  return fmt::format("{} '{}': must be {}{}", name, value, form,
+                     base::did_you_mean(value, {words.begin(), words.end()}));
 }
 
 std::string wrong_count(const CLI::App& command, const CLI::Option& option, bool too_many) {

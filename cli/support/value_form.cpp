@@ -16,6 +16,7 @@ namespace {
 constexpr const char* kWhole = "whole number";
 constexpr const char* kUnsigned = "whole number, 0 or more";
 constexpr const char* kNumber = "number";
+constexpr std::string_view kText = "text as ";
 
 template <class Number>
 bool is_number(const std::string& text) {
@@ -51,11 +52,15 @@ std::string range_form(std::string_view constraint) {
   return fmt::format("from {} to {}", low, high);
 }
 
-// "{a,b,c}" -> "a, b or c"; empty for anything else.
-std::string choice_form(const std::string& constraint) {
-  if (!constraint.starts_with('{') || !constraint.ends_with('}')) return "";
+// "{a,b,c}" -> a, b, c; empty for anything else.
+std::vector<std::string> choices_in(const std::string& constraint) {
+  if (!constraint.starts_with('{') || !constraint.ends_with('}')) return {};
+  return CLI::detail::split(constraint.substr(1, constraint.size() - 2), ',');
+}
+
+// "a, b or c".
+std::string choice_form(const std::vector<std::string>& names) {
   std::string form;
-  const auto names = CLI::detail::split(constraint.substr(1, constraint.size() - 2), ',');
   for (std::size_t i = 0; i < names.size(); ++i) {
     form += i == 0 ? "" : i + 1 == names.size() ? " or " : ", ";
     form += names[i];
@@ -74,6 +79,18 @@ void require_strict_number(CLI::Option& option) {
   if (type == "FLOAT") require<double>(option, kNumber);
 }
 
+void require_text(CLI::Option& option, std::string_view form) {
+  option.check(CLI::Validator([](const std::string& text) { return text.empty() ? "empty" : ""; },
+                              std::string(kText).append(form)));
+}
+
+std::vector<std::string> choices(const CLI::Option& option) {
+  for (const std::string& constraint : constraints(option)) {
+    if (auto names = choices_in(constraint); !names.empty()) return names;
+  }
+  return {};
+}
+
 std::string value_form(const CLI::Option& option) {
   std::string kind;
   std::string limit;
@@ -86,8 +103,10 @@ std::string value_form(const CLI::Option& option) {
       limit = "from 0";
     } else if (const std::string range = range_form(constraint); !range.empty()) {
       limit = range;
-    } else if (const std::string choice = choice_form(constraint); !choice.empty()) {
-      return choice;
+    } else if (const auto names = choices_in(constraint); !names.empty()) {
+      return choice_form(names);
+    } else if (constraint.starts_with(kText)) {
+      return constraint.substr(kText.size());
     }
   }
   if (limit.empty()) return kind;

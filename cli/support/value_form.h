@@ -2,6 +2,8 @@
 #pragma once
 
 #include <string>
+#include <string_view>
+#include <vector>
 
 namespace CLI {
 class Option;
@@ -16,8 +18,14 @@ bool is_flag(const CLI::Option& option);
 /// its type: no signs of unsigned numbers, no overflow, no "0x10", "nan" or "inf".
 void require_strict_number(CLI::Option& option);
 
+/// Makes an option refuse an empty value; `form` is the accepted one, such as "a folder".
+void require_text(CLI::Option& option, std::string_view form);
+
 /// "a whole number from 0 to 65535", "hold, last or default"; empty if any text is accepted.
 std::string value_form(const CLI::Option& option);
+
+/// The accepted words; empty if the option accepts others.
+std::vector<std::string> choices(const CLI::Option& option);
 
 /// "N", "X", "FILE": the placeholder of the value in help.
 std::string value_name(const CLI::Option& option);

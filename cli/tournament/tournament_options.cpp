@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "base/io/whole_file.h"
 #include "cli/support/exit_code.h"
 #include "cli/support/print_error.h"
 #include "orchestration/match/options/endpoint.h"
@@ -119,9 +120,8 @@ ChosenConfig read_and_override(TournamentOptions options, const std::optional<fs
   std::erase_if(options.overrides, [](const auto& one) { return one.second.empty(); });
   ParsedConfig reading;
   if (path) {
-    std::error_code code;
-    if (!fs::is_regular_file(*path, code)) {
-      return {print_error(kNoInput, fmt::format("{}: no such file", path->string())), {}};
+    if (const auto why = base::why_no_file(*path)) {
+      return {print_error(kNoInput, fmt::format("{}: {}", path->string(), *why)), {}};
     }
     reading = read_config(*path);
     if (!reading.errors.empty()) return {print_errors(kBadConfig, reading.errors), {}};

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/io/whole_file.h"
 #include "proxy/formation/built_in.h"
 #include "proxy/formation/formation_file.h"
 
@@ -78,9 +79,7 @@ std::shared_ptr<const FormationSet> built_in_formations() {
 }
 
 Result<std::shared_ptr<const FormationSet>> read_formations(const std::string& folder) {
-  std::error_code code;
-  if (!std::filesystem::exists(folder, code)) return Error{folder + ": no such folder"};
-  if (!std::filesystem::is_directory(folder, code)) return Error{folder + ": not a folder"};
+  if (const auto why = base::why_no_folder(folder)) return Error{folder + ": " + *why};
   return make_set([&](std::string_view name) -> Result<Formation> {
     for (const char* ending : {".formation", ".conf", ""}) {
       const std::string path =

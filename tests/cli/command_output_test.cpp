@@ -139,7 +139,19 @@ TEST_F(CommandOutput, FileErrorsNameWhatTheUserTypedAndTheCause) {
   EXPECT_EQ(run({"match", "mock", "mock", "--formation", "nowhere"}).err,
             "cls: --formation: nowhere: no such folder\n");
   EXPECT_EQ(run({"match", "mock", "mock", "--formation", "plain"}).err,
-            "cls: --formation: plain: not a folder\n");
+            "cls: --formation: plain: a file, not a folder\n");
+}
+
+TEST_F(CommandOutput, FileErrorsTellFoldersFromFiles) {
+  put("plain", "");
+  EXPECT_EQ(run({"match", "mock", "mock", "--config", "."}).err,
+            "cls: --config .: a folder, not a file\n");
+  EXPECT_EQ(run({"match", "RED", "mock", "--config", "."}).err, "cls: .: a folder, not a file\n");
+  EXPECT_EQ(run({"tournament", "plan", "cup", "--config", "."}).err,
+            "cls: .: a folder, not a file\n");
+  EXPECT_EQ(run({"match", "team:plain", "mock"}).err,
+            "cls: team folder plain: a file, not a folder\n");
+  EXPECT_EQ(run({"logs", "plain"}).err, "cls: plain: a file, not a folder\n");
 }
 
 // A name that the file system refuses is no internal error.

@@ -114,7 +114,8 @@ TEST(MatchCommand, ReportsUsageErrorsInOneLine) {
       {{"mock", "mock", "--speed", "0"}, "cls: --speed must be within 0.1..1000\n"},
       {{"mock", "mock", "--monitor-port", "70000"},
        "cls: --monitor-port must be within 0..65535\n"},
-      {{"mock", "mock", "--on-late", "hodl"}, "cls: --on-late 'hodl': did you mean 'hold'?\n"},
+      {{"mock", "mock", "--on-late", "hodl"},
+       "cls: --on-late 'hodl': must be hold, last or default; did you mean 'hold'?\n"},
   };
   for (const UsageError& error : errors) {
     TemporaryFolder folder;

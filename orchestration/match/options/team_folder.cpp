@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "base/io/whole_file.h"
 #include "soccer/side.h"
 
 namespace cls::orchestration::match {
@@ -52,10 +53,10 @@ process::CommandPlan whole_team_plan(const fs::path& team, const TeamValues& val
 }  // namespace
 
 Result<TeamPlan> team_plan(const fs::path& folder, const TeamValues& values) {
-  std::error_code code;
-  if (!fs::is_directory(folder, code)) {
-    return Error{fmt::format("team folder {}: no such folder", folder.string())};
+  if (const auto why = base::why_no_folder(folder)) {
+    return Error{fmt::format("team folder {}: {}", folder.string(), *why)};
   }
+  std::error_code code;
   const fs::path team = fs::canonical(folder, code);
   const bool each = fs::exists(team / "start", code);
   const fs::path program = team / (each ? "start" : "start.sh");

@@ -183,6 +183,8 @@ TEST_F(TeamFolder, UsesStartShWithoutStart) {
 TEST_F(TeamFolder, ReportsMissingScripts) {
   const std::string name = "team folder " + path().string();
   EXPECT_EQ(team_plan(path() / "none", {}).error().message, name + "/none: no such folder");
+  EXPECT_EQ(team_plan("/dev/null", {}).error().message,
+            "team folder /dev/null: a file, not a folder");
   EXPECT_EQ(team_plan(path(), {}).error().message, name + ": neither start nor start.sh in it");
   add("start", false);
   EXPECT_EQ(team_plan(path(), {}).error().message,
