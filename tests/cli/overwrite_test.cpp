@@ -94,12 +94,12 @@ TEST_F(Overwrite, ConvertRefusesExistingFile) {
   EXPECT_NE(read_file(path("out.rcg")), "mine");
 }
 
-// The limit of the shell stops the log after one block.
+// The limit of the shell stops the log after some blocks.
 TEST_F(Overwrite, ConvertThatFailsLeavesNothingNew) {
   const std::string log = cls::tests::fixture("gamelog/match-start.rcg.gz");
   write("out.rcg", "mine");
   for (const char* out : {"new.rcg", "out.rcg"}) {
-    const std::string script = "trap '' XFSZ; ulimit -f 1; exec " + cls_binary().string() +
+    const std::string script = "trap '' XFSZ; ulimit -f 8; exec " + cls_binary().string() +
                                " convert " + log + " " + out + " --force";
     const CommandResult failed =
         cls::tests::Command({"/bin/sh", "-c", script}, {}, folder_.path()).finish();
