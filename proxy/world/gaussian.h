@@ -54,10 +54,12 @@ VecN<N> covariance_with(const Gaussian<N>& estimate, const VecN<N>& h) {
 }
 
 /// Rank-one update (as in a Kalman filter): moves h . z, whose covariance with z is `gain`, by
-/// `shift` and reduces its variance from `variance` to `variance - reduction`.
+/// `shift` and reduces its variance from `variance` to `variance - reduction`. What is known
+/// exactly (variance 0) stays.
 template <std::size_t N>
 void rank_one_update(Gaussian<N>& estimate, const VecN<N>& gain, double variance, double shift,
                      double reduction) {
+  if (variance <= 0.0) return;
   const double step = shift / variance;
   const double shrink = reduction / (variance * variance);
   for (std::size_t r = 0; r < N; ++r) {

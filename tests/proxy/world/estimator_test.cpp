@@ -191,5 +191,14 @@ TEST(Gaussian, NoiseWeakensSlab) {
   EXPECT_NEAR(soft.at(0, 0), 0.5, 0.01);
 }
 
+TEST(Gaussian, UpdateKeepsWhatIsKnownExactly) {
+  Gaussian<3> pose;
+  pose.mean = {1.0, 2.0, 30.0};
+  const VecN<3> gain = covariance_with(pose, {0.0, 0.0, -1.0});
+  rank_one_update(pose, gain, 0.0, 0.0, 0.0);
+  EXPECT_EQ(pose.mean, (VecN<3>{1.0, 2.0, 30.0}));
+  EXPECT_EQ(pose.covariance, (std::array<double, 9>{}));
+}
+
 }  // namespace
 }  // namespace cls::proxy
