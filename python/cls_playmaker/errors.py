@@ -43,7 +43,7 @@ class Errors:
             reply = method()
             if not _chosen(context) and not _is_a(reply, wanted):
                 raise TypeError(f"{name} returned {type(reply).__name__}, must return {wanted}")
-        except Exception as error:  # pylint: disable=broad-except
+        except (Exception, SystemExit) as error:  # gRPC's thread would end without a reply
             if not _chosen(context):
                 self._log(name, caller(), error)
                 text = f"{type(error).__name__}: {error} ({_place(error)})"
@@ -52,7 +52,7 @@ class Errors:
             raise Failure(context.code(), _text(context.details()))
         return reply
 
-    def _log(self, name: str, caller: str, error: Exception) -> None:
+    def _log(self, name: str, caller: str, error: BaseException) -> None:
         """The first exception of each line with its traceback, later ones in one line."""
         key = (name, type(error).__name__, _place(error))
         first = key not in self._seen

@@ -21,6 +21,8 @@ class Team(Playmaker):
             return None
         if unum == 4:
             return {"dash": 100}
+        if unum == 5:
+            sys.exit("enough")
         return proto.PlayerActions(actions=[proto.PlayerAction(dash=proto.Dash(power=100))])
 
 
@@ -51,6 +53,12 @@ class Serving(unittest.TestCase):
         self.assertEqual((registered.client_id, registered.team_name), (7, "RED"))
         self.stub.SendServerParams(proto.ServerParam(), timeout=10)
         self.assertEqual(self.stub.GetPlayerActions(state(1), timeout=10).actions[0].dash.power, 100)
+
+    def test_an_exit_is_an_exception_of_the_player(self):
+        with self.assertLogs("cls_playmaker") as logs:
+            error = self.fail_of(self.stub.GetPlayerActions, state(5))
+        self.assertRegex(error.details(), r"^SystemExit: enough \(serving_test.py:\d+\)$")
+        self.assertIn("player 5 of RED at cycle 120", logs.output[0])
 
     def test_logs_an_exception_with_player_cycle_and_traceback(self):
         with self.assertLogs("cls_playmaker") as logs:
