@@ -20,6 +20,7 @@ constexpr milliseconds kSignalSpread{100};
 // A slow match reports after this how long it will take.
 constexpr std::chrono::seconds kEstimateAfter{5};
 constexpr double kLongMatch_s = 60.0;
+constexpr std::int64_t kStepsOfEstimate = 3;
 // The match reports a reply that it has waited for this long.
 constexpr std::chrono::seconds kSlowReply{3};
 // For how long a server in synch mode waits for the (done) of its clients.
@@ -325,15 +326,17 @@ void Match::estimate_duration() {
   const auto played = Clock::now() - play_began_;
   if (estimated_ || played < kEstimateAfter || is_paced() || sides_.size() == 1) return;
   const MatchProgress now = progress().match;
-  if (now.cycle <= 0) return;
+  if (steps_ < kStepsOfEstimate || now.last_cycle <= 0) return;
   estimated_ = true;
-  const double rate = now.cycle / std::chrono::duration<double>(played).count();
+  // Steps with a stopped clock, before kick-off above all, take as long as others.
+  const double played_s = std::chrono::duration<double>(played).count();
+  const double rate = static_cast<double>(steps_) / played_s;
   const double left_s = (now.last_cycle - now.cycle) / rate;
   if (left_s < kLongMatch_s) return;
   const SpeedResult speed = this->speed(played);
   observer_->on_notice(fmt::format("{:.{}f} cycles/s: {} cycles will take about {:.0f} min; {}",
                                    rate, rate < 10 ? 1 : 0, now.last_cycle,
-                                   now.last_cycle / rate / 60.0, limiting_party(speed)));
+                                   (played_s + left_s) / 60.0, limiting_party(speed)));
 }
 
 // In real time, or slowed down by --speed.

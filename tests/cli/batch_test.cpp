@@ -82,7 +82,7 @@ TEST_F(Batch, SameMatchWithPlannerChoices) {
 TEST_F(Batch, SameMatchWithFaultsOfSingleAgents) {
   const std::string script = folder_.path() / "faults.json";
   std::ofstream(script) << R"({"otherwise": "simple",
-                               "faults": {"error": 0.05, "garbage": 0.05, "oversize": 0.001}})";
+                               "faults": {"error": 0.05, "garbage": 0.05}})";
   for (int seed = 1; seed <= seeds(); ++seed) {
     expect_same_match("mock:" + script, "mock", std::to_string(seed), {"--max-missed", "1000"});
   }

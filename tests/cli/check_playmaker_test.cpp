@@ -120,7 +120,7 @@ TEST(CheckPlaymaker, ReportsFailuresByExitCode) {
   EXPECT_EQ(check({"run:exit 3; : {port}", "--start-timeout", "0.5"}).exit_code, 69);
   EXPECT_EQ(check({"team:somewhere"}).exit_code, 2);
   EXPECT_EQ(check({"nonsense"}).exit_code, 2);
-  EXPECT_EQ(check({"mock:nowhere.json"}).exit_code, 65);
+  EXPECT_EQ(check({"mock:nowhere.json"}).exit_code, 66);
   EXPECT_EQ(check({}).exit_code, 2);
 }
 

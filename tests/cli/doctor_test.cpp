@@ -423,7 +423,7 @@ TEST_F(DoctorPlaymaker, TimesOutWithoutReply) {
   Command silent({built("cls_fake_process"), "listen-tcp", port, "print", "bound", "hang"});
   ASSERT_TRUE(silent.wait_for_output("bound"));
   expect(item(examine(69, {"--playmaker", "127.0.0.1:" + port}, "0.5"), "playmaker"), "unreachable",
-         "127.0.0.1:" + port + ": deadline", "start it first");
+         "127.0.0.1:" + port + " accepts connections and sends nothing", "start it first");
 }
 
 TEST_F(DoctorPlaymaker, ReportsExitAtStart) {

@@ -219,7 +219,9 @@ TEST_F(RunSide, StopsCleanlyAfterSignal) {
     const json result = json::parse(cls::tests::read_file(folder_.path() / "result.json"));
     EXPECT_EQ(result["end_reason"], "interrupted");
     EXPECT_TRUE(cls::tests::marked_processes(mark_).empty());
-    std::filesystem::remove(folder_.path() / "right-playmaker.log");
+    for (const auto& entry : std::filesystem::directory_iterator(folder_.path())) {
+      std::filesystem::remove_all(entry.path());  // the next match wants an empty folder
+    }
   }
 }
 

@@ -284,7 +284,8 @@ TEST(ProxyCommand, AcceptsOptionsOfUpstreamStartScript) {
               std::string::npos)
         << ended.err;
   }
-  EXPECT_EQ(std::count(ended.err.begin(), ended.err.end(), '\n'), 12 + 1) << ended.err;
+  // The warnings, the reason, and where to read on.
+  EXPECT_EQ(std::count(ended.err.begin(), ended.err.end(), '\n'), 12 + 2) << ended.err;
 }
 
 TEST(ProxyCommand, ReportsUsageErrors) {

@@ -389,8 +389,8 @@ TEST_F(Recording, StepsThroughMatchCycleByCycle) {
   EXPECT_NE(walked.err.find("cycle 14 "), std::string::npos) << walked.err;
   EXPECT_NE(walked.err.find("Enter: one cycle"), std::string::npos) << walked.err;
   EXPECT_EQ(walked.err.find("cycle 15 "), std::string::npos) << walked.err;
-  const auto all = cls::tests::run({"/bin/sh", "-c", "printf 'c\\n' | " + command});
-  EXPECT_EQ(all.exit_code, 0);
+  const auto all = cls::tests::run({"/bin/sh", "-c", "printf 'c\\n' | " + command + "-again"});
+  EXPECT_EQ(all.exit_code, 0) << all.err;
   EXPECT_NE(all.out.find("30 cycles"), std::string::npos) << all.out;
 }
 

@@ -133,8 +133,9 @@ TEST_F(Tls, ReportsTlsServerToPlainTextClient) {
   plain.port = server.port();
   const RpcStatus status = registered_at(plain, 300ms);
   EXPECT_EQ(status.outcome, RpcOutcome::kUnavailable);
-  EXPECT_EQ(status.message, at(server.port()) + "the Playmaker uses TLS; use tls:127.0.0.1:" +
-                                std::to_string(server.port()));
+  const std::string reason =
+      "the Playmaker uses TLS; use tls:127.0.0.1:" + std::to_string(server.port());
+  EXPECT_EQ(status.message, at(server.port()) + "unreachable for 300 ms: " + reason);
 }
 
 TEST_F(Tls, ReportsUnreachableServerWithoutTlsReason) {
