@@ -68,8 +68,9 @@ class NetworkMatch : public testing::Test {
 
   Arguments arguments(const std::string& right, const std::string& server, const Arguments& more,
                       const Arguments& settings = {"--set", "server::kick_off_wait=3"}) const {
-    Arguments argv = {cls::tests::cls_binary(), "match",    left_, right, "--seed", "7", "--dir",
-                      match_folder(),           "--force",  "--server", server};
+    Arguments argv = {
+        cls::tests::cls_binary(), "match",   left_,      right, "--seed", "7", "--dir",
+        match_folder(),           "--force", "--server", server};
     argv.insert(argv.end(), settings.begin(), settings.end());
     argv.insert(argv.end(), more.begin(), more.end());
     return argv;
