@@ -12,10 +12,11 @@ namespace {
 constexpr double kSectorDegrees = 360.0 / ViewMemory::kSectors;
 
 /// Calls `visit` for each range [from, to) of sectors whose middle is within `half_width` of
-/// `direction`: two ranges where they pass 180 degrees.
+/// `direction`: two ranges where they pass 180 degrees; none where a number is not finite.
 template <typename Visit>
 void for_sectors_around(soccer::AngleDeg direction, double half_width, const Visit& visit) {
   const double center = (direction.degrees() + 180.0) / kSectorDegrees - 0.5;
+  if (!std::isfinite(center) || std::isnan(half_width)) return;
   const double reach = std::clamp(half_width, 0.0, 180.0) / kSectorDegrees;
   const int first = static_cast<int>(std::ceil(center - reach));
   const int end =

@@ -11,6 +11,7 @@
 #include "proxy/world/gaussian.h"
 #include "proxy/world/seen_distance.h"
 #include "proxy/world/truncated_normal.h"
+#include "proxy/world/view_cone.h"
 #include "soccer/math.h"
 #include "soccer/random.h"
 
@@ -198,6 +199,14 @@ TEST(Gaussian, UpdateKeepsWhatIsKnownExactly) {
   rank_one_update(pose, gain, 0.0, 0.0, 0.0);
   EXPECT_EQ(pose.mean, (VecN<3>{1.0, 2.0, 30.0}));
   EXPECT_EQ(pose.covariance, (std::array<double, 9>{}));
+}
+
+TEST(ViewMemory, DirectionThatIsNotANumberHasNoSectors) {
+  ViewMemory view;
+  for (int& age : view.ages) age = 3;
+  EXPECT_EQ(view.age_around(soccer::AngleDeg(std::nan("")), 30.0), 0);
+  EXPECT_EQ(view.age_around(soccer::AngleDeg(0.0), std::nan("")), 0);
+  EXPECT_GT(view.age_around(soccer::AngleDeg(0.0), 30.0), 0);
 }
 
 }  // namespace
