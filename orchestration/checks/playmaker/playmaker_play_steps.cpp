@@ -58,7 +58,7 @@ base::Result<void> enter(proxy::Team& team, simulator::LockstepServer& server) {
 // The team alone in its half, the ball in play at the center spot.
 void begin_play(simulator::World& world, simulator::Events& events) {
   for (int unum = 1; unum <= soccer::kPlayersPerTeam; ++unum) {
-    const soccer::Vec2 position(-52.0 + 4.5 * unum, (unum % 2 == 0 ? -2.5 : 2.5) * (unum - 1));
+    const soccer::Vec2 position{-52.0 + 4.5 * unum, (unum % 2 == 0 ? -2.5 : 2.5) * (unum - 1)};
     simulator::move_player(world, soccer::slot_of(soccer::Side::kLeft, unum), position, 0.0, {},
                            events);
   }
