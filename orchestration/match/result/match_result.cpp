@@ -59,7 +59,7 @@ static void members(Codec& codec, Object<Codec, PlayerResult>& player) {
 }
 
 template <typename Codec>
-static void members(Codec& codec, Object<Codec, ErrorResult::First>& error) {
+static void members(Codec& codec, Object<Codec, FailedCall>& error) {
   codec.member("rpc", error.rpc);
   codec.member("status", error.status);
   codec.member("message", error.message);

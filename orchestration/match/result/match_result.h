@@ -25,18 +25,20 @@ struct RpcLatency {
   double max = 0.0;
 };
 
-/// Calls that a side's Playmaker answered with an error.
+/// A call that a Playmaker answered with an error.
+struct FailedCall {
+  std::string rpc;
+  std::string status;  ///< of gRPC: "UNKNOWN"; "unreadable reply"
+  std::string message;
+  int cycle = 0;
+  int unum = 0;           ///< 12: coach
+  std::string recording;  ///< file inside the match folder, for `cls test --replay`
+};
+
+/// All of those of a side.
 struct ErrorResult {
-  struct First {
-    std::string rpc;
-    std::string status;  ///< of gRPC: "UNKNOWN"; "unreadable reply"
-    std::string message;
-    int cycle = 0;
-    int unum = 0;           ///< 12: coach
-    std::string recording;  ///< file inside the match folder, for `cls test --replay`
-  };
   std::int64_t count = 0;
-  std::optional<First> first;
+  std::optional<FailedCall> first;
 };
 
 /// By outcome ("executed", "failed", "skipped", "invalid", "unimplemented"), without zeros.
