@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cstdint>
 #include <filesystem>
 #include <utility>
 
@@ -131,15 +130,13 @@ void PlayerAgent::handle_sense_body() {
 // The server counts executed commands. It executes none of a player that was frozen, or that was
 // fouled before their command was handled.
 void PlayerAgent::count_lost_commands() {
-  // 64 bits: a server may report any 32-bit counts.
   const auto total = [](const soccer::CommandCounts& counts, int tackles) {
-    return std::int64_t{counts.kick} + counts.dash + counts.turn + counts.catches + counts.move +
-           tackles;
+    return counts.kick + counts.dash + counts.turn + counts.catches + counts.move + tackles;
   };
   const SelfState& self = world_.self;
   const bool frozen =
       self.tackle_expires_in > 0 || self.foul_charged > 0 || sense_.foul_charged > 0;
-  const std::int64_t before = total(self.counts, self.tackle_count);
+  const int before = total(self.counts, self.tackle_count);
   if (awaits_count_ && !frozen && total(sense_.counts, sense_.tackle_count) == before) {
     ++statistics_.lost_commands;
   }

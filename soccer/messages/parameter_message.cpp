@@ -17,7 +17,7 @@ void append_value(const std::string& value, std::string& out) {
 }
 
 bool read_value(Scanner& in, double& value) { return in.number(value); }
-bool read_value(Scanner& in, int& value) { return in.integer(value); }
+bool read_value(Scanner& in, int& value) { return in.any_integer(value); }
 bool read_value(Scanner& in, bool& value) {
   value = in.optional("1");
   return value || in.optional("0") || in.fail("0 or 1");

@@ -11,6 +11,9 @@
 
 namespace cls::soccer {
 
+/// No server counts further in a match, and sums of up to eight such integers fit an int.
+constexpr int kLargestInteger = (1 << 28) - 1;
+
 /// Each function consumes its text and returns true, or leaves the cursor unchanged, records the
 /// expected text and returns false; a message is one chain of calls joined with &&. Expected texts
 /// must outlive the scanner, as string literals do.
@@ -46,7 +49,8 @@ class Scanner {
     return length > 0 || fail("a number");
   }
 
-  bool integer(int& value) {
+  /// Any int.
+  bool any_integer(int& value) {
     const std::size_t length = base::parse_int_prefix(rest(), value);
     at_ += length;
     return length > 0 || fail("an integer");
@@ -55,9 +59,12 @@ class Scanner {
   /// An integer from `low` to `high`.
   bool integer(int& value, int low, int high) {
     const std::size_t start = at_;
-    if (!integer(value)) return false;
+    if (!any_integer(value)) return false;
     return (value >= low && value <= high) || fail_at(start, "an integer in range");
   }
+
+  /// A cycle, count, score or angle: at most kLargestInteger in magnitude.
+  bool integer(int& value) { return integer(value, -kLargestInteger, kLargestInteger); }
 
   /// One or more characters up to the next space, parenthesis, quote or the end.
   bool token(std::string_view& value) {

@@ -1,4 +1,5 @@
 // Sensor messages of rcssserver: sense_body, see, fullstate, see_global.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "soccer/messages/full_state.h"
@@ -6,6 +7,7 @@
 #include "soccer/messages/see.h"
 #include "soccer/messages/sense_body.h"
 #include "soccer/pitch.h"
+#include "soccer/protocol/scanner.h"
 
 namespace cls::soccer {
 namespace {
@@ -96,6 +98,17 @@ TEST(SenseBody, ReportsByteOfError) {
             "sense_body: byte 37: expected ') (stamina ', found ') ('");
   EXPECT_EQ(error_of<SenseBody>(std::string(kSense18) + "\n"),
             "sense_body: byte 403: expected 'the end', found '\\x0a'");
+}
+
+// Sums of counts and angles must fit an int.
+TEST(SenseBody, RefusesIntegersThatNoServerReaches) {
+  const std::string text(kSense18);
+  const auto with_kicks = [&text](std::string_view kicks) {
+    return std::string(text).replace(text.find("(kick 3)"), 8, fmt::format("(kick {})", kicks));
+  };
+  EXPECT_EQ(read<SenseBody>(with_kicks("268435455")).counts.kick, kLargestInteger);
+  EXPECT_NE(error_of<SenseBody>(with_kicks("268435456")), "no error");
+  EXPECT_NE(error_of<SenseBody>(with_kicks("-268435456")), "no error");
 }
 
 TEST(See, ParsesAllFormsOfObjects) {
