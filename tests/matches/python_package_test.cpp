@@ -83,7 +83,9 @@ TEST(PythonPackage, InstallsIntoVirtualEnvironmentAndPlays) {
   }
   ASSERT_EQ(installed.exit_code, 0) << said;
 
-  fs::copy_file(source_folder() / "examples/python/playmaker.py", folder.path() / "playmaker.py");
+  for (const char* name : {"actions.py", "decide.py", "playmaker.py", "situation.py"}) {
+    fs::copy_file(source_folder() / "examples/python" / name, folder.path() / name);
+  }
   Command match(
       {cls_binary(), "match", "run:" + environment + "/bin/python playmaker.py --port {port}",
        "mock", "--cycles", "50", "--dir", "match", "--json"},
