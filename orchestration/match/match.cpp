@@ -7,6 +7,9 @@
 #include <thread>
 #include <utility>
 
+#include "orchestration/match/match_fault.h"
+#include "orchestration/match/options/server_settings.h"
+
 namespace cls::orchestration::match {
 namespace {
 
@@ -17,20 +20,11 @@ constexpr milliseconds kPollInterval{20};
 constexpr milliseconds kThrottleInterval{50};
 // A signal to a group of processes reaches all of them within this time.
 constexpr milliseconds kSignalSpread{100};
-// A slow match reports after this how long it will take.
-constexpr std::chrono::seconds kEstimateAfter{5};
-constexpr double kLongMatch_s = 60.0;
-constexpr std::int64_t kStepsOfEstimate = 3;
 // The match reports a reply that it has waited for this long.
 constexpr std::chrono::seconds kSlowReply{3};
-// For how long a server in synch mode waits for the (done) of its clients.
-constexpr milliseconds kServerWait{1250};
-
 double seconds_between(MatchLimits::Clock::time_point from, MatchLimits::Clock::time_point to) {
   return std::chrono::duration<double>(to - from).count();
 }
-
-bool is_trainer(const MatchSide& side) { return side.identity().side == Side::kNeutral; }
 
 }  // namespace
 
@@ -41,7 +35,8 @@ Match::Match(const MatchOptions& options, std::unique_ptr<Server> server,
       seed_(seed),
       limits_(options, stop_signal),
       server_(std::move(server)),
-      sides_(std::move(sides)) {}
+      sides_(std::move(sides)),
+      speed_(options_, sides_, server_->lockstep()) {}
 
 void Match::add_hooks(MatchHooks& hooks) {
   hooks_.push_back(&hooks);
@@ -70,88 +65,40 @@ std::optional<EndReason> Match::exceeded_limit() const {
   if (const auto limit = limits_.exceeded()) return limit;
   if (!playing_ || options_.no_deadline) return std::nullopt;
   const std::chrono::duration<double> stall_limit(options_.stall_after_s);
-  for (const auto& side : sides_) {
-    const auto call = side->awaited_reply();
-    if (call && call->waited > stall_limit) return EndReason::kStalled;
-  }
-  return std::nullopt;
+  if (sides_awaited_for(sides_, stall_limit).empty()) return std::nullopt;
+  return EndReason::kStalled;
 }
 
-// The sides that kept the match waiting for most of a limit. In lockstep the match knows which side
-// it waits for; over UDP each side plays on its own.
-std::vector<const MatchSide*> Match::awaited_sides(double limit_s) const {
-  const std::chrono::duration<double> most(limit_s / 2);
-  std::vector<const MatchSide*> found;
-  for (const auto& side : sides_) {
-    const auto call = side->awaited_reply();
-    if (call && call->waited > most) found.push_back(side.get());
-  }
-  if (found.empty() && awaited_.side != nullptr) found.push_back(awaited_.side);
-  return found;
-}
-
-std::string Match::stall_message(const std::vector<const MatchSide*>& sides) const {
-  const std::string stall = limits_.describe(EndReason::kStalled);
-  if (sides.empty()) {
-    if (server_->lockstep()) return stall;
+void Match::end_by_stall() {
+  // Those that kept the match waiting for most of the limit. In lockstep the match knows which side
+  // it waits for; over UDP each side plays on its own.
+  auto awaited =
+      sides_awaited_for(sides_, std::chrono::duration<double>(options_.stall_after_s / 2));
+  if (awaited.empty() && awaited_.side != nullptr) awaited.push_back(awaited_.side);
+  MatchEnd end{EndReason::kStalled, limits_.describe(EndReason::kStalled), {}, {}, false};
+  if (!awaited.empty()) {
+    end.message = stall_message(awaited, moment().cycle, end.message);
+  } else if (!server_->lockstep()) {
     const bool external = std::any_of(sides_.begin(), sides_.end(),
                                       [](const auto& side) { return side->is_external(); });
-    return fmt::format("{}; no Playmaker is awaited: the soccer server{} has stopped", stall,
-                       external ? " or an external team" : "");
+    end.message += fmt::format("; no Playmaker is awaited: the soccer server{} has stopped",
+                               external ? " or an external team" : "");
   }
-  std::string message;
-  for (const MatchSide* side : sides) {
-    if (!message.empty()) message += "; ";
-    message += side->who();
-    if (const auto call = side->awaited_reply()) {
-      message += fmt::format(": no reply to {} at cycle {}", describe(*call), moment().cycle);
-    }
-  }
-  return fmt::format("{}: {}", message, stall);
-}
-
-void Match::blame(const MatchSide& side, MatchEnd& end) const {
-  if (!is_trainer(side)) end.fault = side.identity().side;
-  if (side.is_external() && playing_) return;  // any of its programs may be the one
-  if (const process::Child* child = side.awaited_process()) {
-    end.failure = failure_of(*child);
-  } else if (!side.is_external()) {
-    end.failure = playmaker_failure(side.identity().side);
-  }
-  const auto call = side.awaited_reply();
-  if (!call || !end.failure) return;
-  end.failure->rpc = name(call->rpc);
-  end.failure->unum = call->agent;
-  if (playing_) end.failure->cycle = moment().cycle;
-}
-
-// The server does not say whose clients stopped responding. Agents of cls reply to every cycle
-// unless their Playmaker is awaited.
-void Match::blame_unresponsive(MatchEnd& end) const {
-  std::vector<const MatchSide*> sides;
-  for (const auto& side : sides_) {
-    const auto call = side->awaited_reply();
-    if (side->is_external() || (call && call->waited > kServerWait)) sides.push_back(side.get());
-  }
-  if (sides.size() != 1) return;
-  end.message += ": those of " + sides.front()->who();
-  if (!is_trainer(*sides.front())) end.fault = sides.front()->identity().side;
+  if (awaited.size() == 1) blame(*awaited.front(), moment(), end);
+  this->end(std::move(end));
 }
 
 void Match::end_by_limit(EndReason limit) {
+  if (limit == EndReason::kStalled) return end_by_stall();
   MatchEnd end{limit, limits_.describe(limit), {}, {}, false};
-  if (limit == EndReason::kStalled) {
-    const auto sides = awaited_sides(options_.stall_after_s);
-    end.message = stall_message(sides);
-    if (sides.size() == 1) blame(*sides.front(), end);
-  } else if (limit == EndReason::kRefused && awaited_.what) {
+  if (limit == EndReason::kRefused && awaited_.what) {
     const std::string hint = awaited_.side == nullptr ? "" : awaited_.side->timeout_hint();
     end.message = fmt::format("{} within the start limit of {} s{}", awaited_.what(),
                               options_.start_timeout_s, hint);
     // A side over UDP that has not called its Playmaker yet may wait for the server.
     const bool blamed = awaited_.side != nullptr &&
                         (server_->lockstep() || awaited_.side->awaited_reply().has_value());
-    if (blamed) blame(*awaited_.side, end);
+    if (blamed) blame(*awaited_.side, moment(), end);
     if (!end.failure && awaited_.child != nullptr) end.failure = failure_of(*awaited_.child);
   }
   this->end(std::move(end));
@@ -189,7 +136,7 @@ bool Match::is_over() const {
 void Match::check() {
   if (ended()) return;
   if (auto failure = server_->failure(playing_)) {
-    if (failure->reason == EndReason::kLate) blame_unresponsive(*failure);
+    if (failure->reason == EndReason::kLate) blame_unresponsive(sides_, *failure);
     end_unless_interrupted(*std::move(failure));
   }
   for (const auto& side : sides_) {
@@ -318,77 +265,9 @@ void Match::observe() {
     if (first_cycle_ == Clock::time_point{}) first_cycle_ = last_cycle_;
   }
   observer_->on_cycle(now.match);
-  estimate_duration();
-}
-
-// Of a slow match, once.
-void Match::estimate_duration() {
-  const auto played = Clock::now() - play_began_;
-  if (estimated_ || played < kEstimateAfter || is_paced() || sides_.size() == 1) return;
-  const MatchProgress now = progress().match;
-  if (steps_ < kStepsOfEstimate || now.last_cycle <= 0) return;
-  estimated_ = true;
-  // Steps with a stopped clock, before kick-off above all, take as long as others.
-  const double played_s = std::chrono::duration<double>(played).count();
-  const double rate = static_cast<double>(steps_) / played_s;
-  const double left_s = (now.last_cycle - now.cycle) / rate;
-  if (left_s < kLongMatch_s) return;
-  const SpeedResult speed = this->speed(played);
-  observer_->on_notice(fmt::format("{:.{}f} cycles/s: {} cycles will take about {:.0f} min; {}",
-                                   rate, rate < 10 ? 1 : 0, now.last_cycle,
-                                   (played_s + left_s) / 60.0, limiting_party(speed)));
-}
-
-// In real time, or slowed down by --speed.
-bool Match::is_paced() const {
-  return options_.speed.has_value() || mode_of(options_) == MatchMode::kRealtime ||
-         std::any_of(sides_.begin(), sides_.end(),
-                     [](const auto& side) { return side->mode() == MatchMode::kRealtime; });
-}
-
-// Over UDP the rest of the time belongs to the server, or to its clock.
-SpeedResult Match::speed(std::chrono::nanoseconds played) const {
-  SpeedMeter meter = speed_;
-  if (!server_->lockstep()) {
-    std::vector<SpeedMeter::SideTurn> turns;
-    std::chrono::nanoseconds longest{0};
-    for (const auto& side : sides_) {
-      turns.push_back({side->identity().side, side->turn_times()});
-      longest = std::max(longest, turns.back().times.total);
-    }
-    longest = std::min(longest, played);
-    meter.add_turns(longest, std::move(turns));
-    is_paced() ? meter.add_clock(played - longest) : meter.add_server(played - longest);
+  if (const auto line = speed_.estimate(now.match, steps_, Clock::now() - play_began_)) {
+    observer_->on_notice(*line);
   }
-  return meter.result();
-}
-
-void Match::add_speed() {
-  if (result_.steps == 0) return;
-  constexpr double kMs = 1000.0;
-  SpeedResult speed = this->speed(played_);
-  speed.fits_100_ms = true;
-  for (const auto& side : sides_) {
-    const proxy::LatencySamples* turns = side->turn_samples();
-    if (turns == nullptr) continue;
-    DecisionTimes& slower = speed.decision_ms;
-    slower.p50 = std::max(slower.p50, turns->percentile(0.50) / kMs);
-    slower.p99 = std::max(slower.p99, turns->percentile(0.99) / kMs);
-    slower.max = std::max(slower.max, turns->max() / kMs);
-  }
-  if (speed.decision_ms.p99 > static_cast<double>(kRealtimeDeadline.count())) {
-    speed.fits_100_ms = false;
-  }
-  for (const TeamResult* team : {&result_.left, &result_.right}) {
-    std::int64_t decisions = 0;
-    std::int64_t late = 0;
-    for (const PlayerResult& player : team->players) {
-      decisions += player.decisions;
-      late += player.late;
-    }
-    if (late * 100 > decisions) speed.fits_100_ms = false;
-  }
-  if (!speed.limited_by.empty()) result_.speed = std::move(speed);
 }
 
 MatchView Match::view() const {
@@ -452,20 +331,6 @@ void Match::wait_for_external_clients() {
   missed_by_external_ = 0;
 }
 
-// In lockstep, where the sides have no work now.
-void Match::measure_turns(Clock::time_point begin) {
-  const auto wall = Clock::now() - begin;
-  std::vector<SpeedMeter::SideTurn> turns;
-  for (std::size_t i = 0; i < sides_.size(); ++i) {
-    const TurnTimes now = sides_[i]->turn_times();
-    TurnTimes turn{now.total - measured_[i].total, now.playmaker - measured_[i].playmaker};
-    if (sides_[i]->is_external()) turn = {wall, wall};
-    measured_[i] = now;
-    turns.push_back({sides_[i]->identity().side, turn});
-  }
-  speed_.add_turns(wall, std::move(turns));
-}
-
 void Match::take_turn() {
   const MatchView view = this->view();
   for (MatchHooks* hooks : hooks_) hooks->before_decisions(view);
@@ -478,7 +343,7 @@ void Match::take_turn() {
     wait_for_decisions();
     wait_for_external_clients();
     limits_.begin_cycle();  // every reply is in: the stall limit must not expire after this
-    measure_turns(begin);
+    speed_.add_turns(Clock::now() - begin);
   }
   for (const auto& side : sides_) side->end_turn();
 }
@@ -509,10 +374,7 @@ void Match::play_cycles() {
     observe();
     const Clock::time_point stepped = Clock::now();
     times_.server += seconds_between(begin, stepped);
-    if (server_->lockstep()) {
-      speed_.add_clock(begin - free);
-      speed_.add_server(stepped - begin);
-    }
+    if (server_->lockstep()) speed_.add_step(begin - free, stepped - begin);
     const bool turn = turn_is_due();
     if (turn) take_turn();
     times_.sides += seconds_between(stepped, Clock::now());
@@ -635,7 +497,7 @@ void Match::make_result() {
   const double seconds =
       server_->lockstep() ? times_.play : seconds_between(first_cycle_, last_cycle_);
   if (seconds > 0.0) result_.cycles_per_second = result_.cycles / seconds;
-  add_speed();
+  result_.speed = speed_.result(played_, result_);
 }
 
 void Match::play(MatchObserver& observer) {

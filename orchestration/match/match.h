@@ -13,10 +13,10 @@
 
 #include "orchestration/match/hooks/match_hooks.h"
 #include "orchestration/match/match_limits.h"
+#include "orchestration/match/match_speed.h"
 #include "orchestration/match/options/match_options.h"
 #include "orchestration/match/result/match_observer.h"
 #include "orchestration/match/result/match_result.h"
-#include "orchestration/match/result/speed.h"
 #include "orchestration/match/server/server.h"
 #include "orchestration/match/sides/match_side.h"
 
@@ -70,11 +70,9 @@ class Match {
   void play_cycles();
   void throttle(Clock::time_point start) const;
   void observe();
-  void estimate_duration();
   bool turn_is_due() const;
   void take_turn();
   void wait_for_decisions();
-  void measure_turns(Clock::time_point begin);
   void wait_for_external_clients();
   void finish();
   void make_result();
@@ -85,10 +83,7 @@ class Match {
   void end(MatchEnd end);
   void end_unless_interrupted(MatchEnd end);
   void end_by_limit(EndReason limit);
-  void blame(const MatchSide& side, MatchEnd& end) const;
-  void blame_unresponsive(MatchEnd& end) const;
-  std::vector<const MatchSide*> awaited_sides(double limit_s) const;
-  std::string stall_message(const std::vector<const MatchSide*>& sides) const;
+  void end_by_stall();
   std::optional<EndReason> exceeded_limit() const;
   void warn_of_slow_reply();
   void cancel_calls();
@@ -100,10 +95,6 @@ class Match {
   MatchView view() const;
   MatchMoment moment() const { return {playing_, progress().match.cycle}; }
   std::vector<AgentProgress> agent_progress() const;
-
-  bool is_paced() const;
-  SpeedResult speed(std::chrono::nanoseconds played) const;
-  void add_speed();
 
   void warn(std::string line);
   void report_warnings();
@@ -130,11 +121,9 @@ class Match {
   std::vector<ProcessResult> processes_;
   MatchResult result_;
   Times times_;
-  SpeedMeter speed_;                   ///< in lockstep
-  std::array<TurnTimes, 3> measured_;  ///< of the sides, up to the last turn
+  MatchSpeed speed_;
   Clock::time_point play_began_;
   std::chrono::nanoseconds played_{0};
-  bool estimated_ = false;
 };
 
 }  // namespace cls::orchestration::match

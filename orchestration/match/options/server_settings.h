@@ -1,6 +1,7 @@
 // Settings of `cls server` in the syntax of rcssserver.
 #pragma once
 
+#include <chrono>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -14,15 +15,18 @@ namespace cls::orchestration::match {
 /// Required version of configuration files.
 inline constexpr const char* kConfigurationVersion = "19.0.0";
 
+/// For how long rcssserver in synch mode waits for the (done) of its clients, by default.
+inline constexpr std::chrono::milliseconds kServerWait{1250};
+
 /// Defaults are rcssserver's.
 struct ServerSettings {
   soccer::ServerParams server;
   soccer::PlayerParams player;
   bool save_csv = false;  ///< CSVSaver::save
   std::string csv_file = "rcssserver.csv";
-  int max_wait_ms = 1250;  ///< sync::max_wait_ms: for (done) in synch mode
-  int max_missed = 20;     ///< sync::max_missed: cycles in a row, more end the match
-  bool help = false;       ///< --help was given
+  int max_wait_ms = kServerWait.count();  ///< sync::max_wait_ms
+  int max_missed = 20;                    ///< sync::max_missed: cycles in a row, more end the match
+  bool help = false;                      ///< --help was given
 };
 
 /// Applies `server::NAME=VALUE`, `player::`, `CSVSaver::`, `sync::` and `include=FILE` in sequence.

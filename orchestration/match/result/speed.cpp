@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace cls::orchestration::match {
 namespace {
@@ -35,11 +34,16 @@ void round_shares(SpeedShares& shares) {
   *largest = std::round((*largest + 1.0 - sum) * kSteps) / kSteps;
 }
 
-std::string largest_party(const SpeedShares& shares) {
+struct Party {
+  double share;
+  const char* name;
+};
+
+Party largest_party(const SpeedShares& shares) {
   const auto [less, more] = std::minmax(shares.left_playmaker, shares.right_playmaker);
   const bool both = less >= kComparable * more;
   const bool left = shares.left_playmaker > shares.right_playmaker;
-  const std::array<std::pair<double, const char*>, 5> parties = {{
+  const std::array<Party, 5> parties = {{
       {both ? less + more : more,
        both ? "both playmakers" : (left ? "left playmaker" : "right playmaker")},
       {shares.trainer_playmaker, "trainer playmaker"},
@@ -47,23 +51,15 @@ std::string largest_party(const SpeedShares& shares) {
       {shares.server, "server"},
       {shares.clock, "clock"},
   }};
-  return std::max_element(parties.begin(), parties.end(),
-                          [](const auto& a, const auto& b) { return a.first < b.first; })
-      ->second;
+  return *std::max_element(parties.begin(), parties.end(),
+                           [](const Party& a, const Party& b) { return a.share < b.share; });
 }
 
 }  // namespace
 
-double SpeedResult::limiting_share() const {
-  if (limited_by == "both playmakers") return shares.left_playmaker + shares.right_playmaker;
-  if (limited_by == "left playmaker") return shares.left_playmaker;
-  if (limited_by == "right playmaker") return shares.right_playmaker;
-  if (limited_by == "trainer playmaker") return shares.trainer_playmaker;
-  if (limited_by == "agents") return shares.agents;
-  return limited_by == "server" ? shares.server : shares.clock;
-}
+double SpeedResult::limiting_share() const { return largest_party(shares).share; }
 
-void SpeedMeter::add_turns(Duration wall, std::vector<SideTurn> turns) {
+void SpeedMeter::add_turns(Duration wall, std::span<SideTurn> turns) {
   std::sort(turns.begin(), turns.end(),
             [](const SideTurn& a, const SideTurn& b) { return a.times.total < b.times.total; });
   Duration over{0};     // end of the turns so far
@@ -95,7 +91,7 @@ SpeedResult SpeedMeter::result() const {
   speed.shares = {share(server_),        share(agents_),        share(playmakers_[0]),
                   share(playmakers_[1]), share(playmakers_[2]), share(clock_)};
   round_shares(speed.shares);
-  speed.limited_by = largest_party(speed.shares);
+  speed.limited_by = largest_party(speed.shares).name;
   return speed;
 }
 

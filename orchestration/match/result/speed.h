@@ -3,8 +3,8 @@
 
 #include <array>
 #include <chrono>
+#include <span>
 #include <string>
-#include <vector>
 
 #include "soccer/side.h"
 
@@ -57,8 +57,8 @@ class SpeedMeter {
 
   void add_server(Duration time) { server_ += time; }
   void add_clock(Duration time) { clock_ += time; }
-  /// `wall` is the time that passed until all of `turns` were over.
-  void add_turns(Duration wall, std::vector<SideTurn> turns);
+  /// `wall` is the time that passed until all of `turns` were over. Sorts `turns`.
+  void add_turns(Duration wall, std::span<SideTurn> turns);
 
   /// Who limits the speed, and the shares.
   SpeedResult result() const;

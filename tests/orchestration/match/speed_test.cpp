@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+
 namespace {
 
 using cls::orchestration::match::SpeedMeter;
@@ -13,8 +15,10 @@ using std::chrono::milliseconds;
 TEST(SpeedMeter, GivesWaitingTimeToThePlaymakerThatIsAwaited) {
   SpeedMeter meter;
   meter.add_server(milliseconds(10));
-  meter.add_turns(milliseconds(90), {{Side::kLeft, {milliseconds(10), milliseconds(0)}},
-                                     {Side::kRight, {milliseconds(90), milliseconds(90)}}});
+  std::array<SpeedMeter::SideTurn, 2> turns = {
+      {{Side::kLeft, {milliseconds(10), milliseconds(0)}},
+       {Side::kRight, {milliseconds(90), milliseconds(90)}}}};
+  meter.add_turns(milliseconds(90), turns);
   const SpeedResult speed = meter.result();
   EXPECT_EQ(speed.limited_by, "right playmaker");
   EXPECT_DOUBLE_EQ(speed.shares.server, 0.1);
@@ -26,8 +30,10 @@ TEST(SpeedMeter, GivesWaitingTimeToThePlaymakerThatIsAwaited) {
 TEST(SpeedMeter, NamesBothPlaymakersWhenTheyAreEquallySlow) {
   SpeedMeter meter;
   meter.add_server(milliseconds(40));
-  meter.add_turns(milliseconds(60), {{Side::kLeft, {milliseconds(60), milliseconds(60)}},
-                                     {Side::kRight, {milliseconds(60), milliseconds(60)}}});
+  std::array<SpeedMeter::SideTurn, 2> turns = {
+      {{Side::kLeft, {milliseconds(60), milliseconds(60)}},
+       {Side::kRight, {milliseconds(60), milliseconds(60)}}}};
+  meter.add_turns(milliseconds(60), turns);
   const SpeedResult speed = meter.result();
   EXPECT_EQ(speed.limited_by, "both playmakers");
   EXPECT_DOUBLE_EQ(speed.limiting_share(), 0.6);

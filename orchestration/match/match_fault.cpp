@@ -1,0 +1,60 @@
+// Attribution of stalls and failures to a side.
+#include "orchestration/match/match_fault.h"
+
+#include <fmt/format.h>
+
+#include "orchestration/match/options/server_settings.h"
+
+namespace cls::orchestration::match {
+
+bool is_trainer(const MatchSide& side) { return side.identity().side == soccer::Side::kNeutral; }
+
+std::vector<const MatchSide*> sides_awaited_for(
+    const std::vector<std::unique_ptr<MatchSide>>& sides, std::chrono::duration<double> limit) {
+  std::vector<const MatchSide*> found;
+  for (const auto& side : sides) {
+    const auto call = side->awaited_reply();
+    if (call && call->waited > limit) found.push_back(side.get());
+  }
+  return found;
+}
+
+void blame(const MatchSide& side, const MatchMoment& moment, MatchEnd& end) {
+  if (!is_trainer(side)) end.fault = side.identity().side;
+  if (side.is_external() && moment.playing) return;  // any of its programs may be the one
+  if (const process::Child* child = side.awaited_process()) {
+    end.failure = failure_of(*child);
+  } else if (!side.is_external()) {
+    end.failure = playmaker_failure(side.identity().side);
+  }
+  const auto call = side.awaited_reply();
+  if (!call || !end.failure) return;
+  end.failure->rpc = name(call->rpc);
+  end.failure->unum = call->agent;
+  if (moment.playing) end.failure->cycle = moment.cycle;
+}
+
+void blame_unresponsive(const std::vector<std::unique_ptr<MatchSide>>& sides, MatchEnd& end) {
+  auto suspects = sides_awaited_for(sides, kServerWait);
+  for (const auto& side : sides) {
+    if (side->is_external()) suspects.push_back(side.get());
+  }
+  if (suspects.size() != 1) return;
+  end.message += ": those of " + suspects.front()->who();
+  if (!is_trainer(*suspects.front())) end.fault = suspects.front()->identity().side;
+}
+
+std::string stall_message(const std::vector<const MatchSide*>& sides, int cycle,
+                          const std::string& stall) {
+  std::string message;
+  for (const MatchSide* side : sides) {
+    if (!message.empty()) message += "; ";
+    message += side->who();
+    if (const auto call = side->awaited_reply()) {
+      message += fmt::format(": no reply to {} at cycle {}", describe(*call), cycle);
+    }
+  }
+  return fmt::format("{}: {}", message, stall);
+}
+
+}  // namespace cls::orchestration::match

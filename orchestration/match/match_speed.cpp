@@ -1,0 +1,108 @@
+// Measures turns, estimates the duration, judges the decisions.
+#include "orchestration/match/match_speed.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace cls::orchestration::match {
+namespace {
+
+// A slow match reports after this how long it will take.
+constexpr std::chrono::seconds kEstimateAfter{5};
+constexpr double kLongMatch_s = 60.0;
+constexpr std::int64_t kStepsOfEstimate = 3;
+
+DecisionTimes decision_times(const MatchSpeed::Sides& sides) {
+  constexpr double kMs = 1000.0;
+  DecisionTimes slower;
+  for (const auto& side : sides) {
+    const proxy::LatencySamples* turns = side->turn_samples();
+    if (turns == nullptr) continue;
+    slower.p50 = std::max(slower.p50, turns->percentile(0.50) / kMs);
+    slower.p99 = std::max(slower.p99, turns->percentile(0.99) / kMs);
+    slower.max = std::max(slower.max, turns->max() / kMs);
+  }
+  return slower;
+}
+
+// More than one decision in a hundred.
+bool is_often_late(const TeamResult& team) {
+  std::int64_t decisions = 0;
+  std::int64_t late = 0;
+  for (const PlayerResult& player : team.players) {
+    decisions += player.decisions;
+    late += player.late;
+  }
+  return late * 100 > decisions;
+}
+
+}  // namespace
+
+void MatchSpeed::add_step(Duration clock, Duration server) {
+  meter_.add_clock(clock);
+  meter_.add_server(server);
+}
+
+void MatchSpeed::add_turns(Duration wall) {
+  std::array<SpeedMeter::SideTurn, 3> turns;
+  for (std::size_t i = 0; i < sides_.size(); ++i) {
+    const TurnTimes now = sides_[i]->turn_times();
+    TurnTimes turn{now.total - measured_[i].total, now.playmaker - measured_[i].playmaker};
+    if (sides_[i]->is_external()) turn = {wall, wall};
+    measured_[i] = now;
+    turns[i] = {sides_[i]->identity().side, turn};
+  }
+  meter_.add_turns(wall, std::span(turns).first(sides_.size()));
+}
+
+// In real time, or slowed down by --speed.
+bool MatchSpeed::is_paced() const {
+  return options_.speed.has_value() || mode_of(options_) == MatchMode::kRealtime ||
+         std::any_of(sides_.begin(), sides_.end(),
+                     [](const auto& side) { return side->mode() == MatchMode::kRealtime; });
+}
+
+// Over UDP the rest of the time belongs to the server, or to its clock.
+SpeedResult MatchSpeed::shares(Duration played) const {
+  if (lockstep_) return meter_.result();
+  SpeedMeter meter;
+  std::array<SpeedMeter::SideTurn, 3> turns;
+  Duration longest{0};
+  for (std::size_t i = 0; i < sides_.size(); ++i) {
+    turns[i] = {sides_[i]->identity().side, sides_[i]->turn_times()};
+    longest = std::max(longest, turns[i].times.total);
+  }
+  longest = std::min(longest, played);
+  meter.add_turns(longest, std::span(turns).first(sides_.size()));
+  is_paced() ? meter.add_clock(played - longest) : meter.add_server(played - longest);
+  return meter.result();
+}
+
+std::optional<std::string> MatchSpeed::estimate(const MatchProgress& now, std::int64_t steps,
+                                                Duration played) {
+  if (estimated_ || played < kEstimateAfter || steps < kStepsOfEstimate) return std::nullopt;
+  if (now.last_cycle <= 0 || sides_.size() == 1 || is_paced()) return std::nullopt;
+  estimated_ = true;
+  // Steps with a stopped clock, before kick-off above all, take as long as others.
+  const double played_s = std::chrono::duration<double>(played).count();
+  const double rate = static_cast<double>(steps) / played_s;
+  const double left_s = (now.last_cycle - now.cycle) / rate;
+  if (left_s < kLongMatch_s) return std::nullopt;
+  return fmt::format("{:.{}f} cycles/s: {} cycles will take about {:.0f} min; {}", rate,
+                     rate < 10 ? 1 : 0, now.last_cycle, (played_s + left_s) / 60.0,
+                     limiting_party(shares(played)));
+}
+
+std::optional<SpeedResult> MatchSpeed::result(Duration played, const MatchResult& result) const {
+  if (result.steps == 0) return std::nullopt;
+  SpeedResult speed = shares(played);
+  if (speed.limited_by.empty()) return std::nullopt;
+  speed.decision_ms = decision_times(sides_);
+  speed.fits_100_ms = speed.decision_ms.p99 <= static_cast<double>(kRealtimeDeadline.count()) &&
+                      !is_often_late(result.left) && !is_often_late(result.right);
+  return speed;
+}
+
+}  // namespace cls::orchestration::match
