@@ -9,7 +9,7 @@
 #include "cli/support/early_guard.h"
 #include "cli/support/exit_code.h"
 #include "cli/support/print_error.h"
-#include "proto/grpc_log.h"
+#include "proto/grpc_settings.h"
 
 int main(int argc, char** argv) {
   // A file that reaches the size limit is a failed write like any other and must not kill cls.

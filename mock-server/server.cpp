@@ -7,6 +7,7 @@
 #include <chrono>
 #include <utility>
 
+#include "mock-server/service/team_responder.h"
 #include "proto/grpc_settings.h"
 
 namespace cls::mock_server {
@@ -19,8 +20,14 @@ Server::Server(Mock mock)
       expectations_(mock_.expectations),
       handler_(*mock_.behavior, mock_.expectations.empty() ? nullptr : &expectations_),
       responder_(handler_, mock_.faults, mock_.die),
-      service_(responder_),
-      team_service_(responder_) {}
+      service_(0, proto::kAgentRpcs, kStateMemory,
+               [this](auto rpc, const auto& request, auto& reply, Workspace&) {
+                 return responder_.respond(rpc, request, reply);
+               }),
+      team_service_(proto::kAgentRpcs, proto::kRpcs, kTeamMemory,
+                    [this](auto rpc, const auto& request, auto& reply, Workspace& workspace) {
+                      return respond_to_team(responder_, rpc, request, reply, workspace);
+                    }) {}
 
 Server::~Server() { stop(); }
 

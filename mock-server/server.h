@@ -9,8 +9,7 @@
 
 #include "base/result.h"
 #include "mock-server/mock.h"
-#include "mock-server/service/playmaker_service.h"
-#include "mock-server/service/team_service.h"
+#include "mock-server/service/raw_service.h"
 
 namespace cls::mock_server {
 
@@ -59,8 +58,8 @@ class Server {
   Expectations expectations_;
   RequestHandler handler_;
   Responder responder_;
-  PlaymakerService service_;
-  TeamService team_service_;
+  RawService service_;       // protos.Game
+  RawService team_service_;  // TeamPlaymaker
   std::unique_ptr<grpc::Server> server_;
   int port_ = 0;
 };

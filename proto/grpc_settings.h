@@ -7,4 +7,7 @@ namespace cls::proto {
 /// deadlocks, a debugging aid of distributions' builds that costs each lock. Thread safe.
 void apply_grpc_settings();
 
+/// gRPC logs what its users report better, on stderr. Drops that unless GRPC_VERBOSITY is set.
+void silence_grpc_log();
+
 }  // namespace cls::proto

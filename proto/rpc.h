@@ -36,6 +36,12 @@ enum class Rpc : std::uint8_t {
 constexpr int kAgentRpcs = 10;  ///< those of Game: each concerns one agent
 constexpr int kRpcs = 14;
 
+/// Of TeamPlaymaker; both sides say theirs in RegisterTeam.
+constexpr int kTeamPlaymakerVersion = 1;
+/// Agents of a team have numbers: players their uniform numbers, the others these.
+constexpr int kCoachNumber = 12;
+constexpr int kTrainerNumber = 13;
+
 /// "GetPlayerActions".
 std::string_view name(Rpc rpc);
 /// "/protos.Game/GetPlayerActions", the method path of gRPC.
@@ -49,6 +55,12 @@ std::optional<Rpc> rpc_from_name(std::string_view name);
 constexpr bool is_decision(Rpc rpc) {
   return rpc == Rpc::kGetPlayerActions || rpc == Rpc::kGetCoachActions ||
          rpc == Rpc::kGetTrainerActions;
+}
+
+/// The RPC with which the agent of that number asks for a decision.
+constexpr Rpc decision_of(int agent) {
+  if (agent == kCoachNumber) return Rpc::kGetCoachActions;
+  return agent == kTrainerNumber ? Rpc::kGetTrainerActions : Rpc::kGetPlayerActions;
 }
 
 /// True for the RPCs with which agents introduce themselves.

@@ -34,8 +34,6 @@ class Responder {
   Response respond(proto::Rpc rpc, const google::protobuf::Message& request,
                    google::protobuf::Message& message);
 
-  /// False for a mock that injects faults.
-  bool faultless() const { return !faulty_; }
   /// True when a fault says that RPCs are not implemented: a Playmaker of an older interface.
   bool older_interface() const { return !faults_.unimplemented.empty(); }
 

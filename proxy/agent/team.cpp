@@ -105,8 +105,6 @@ RpcStatus Team::register_agents() {
       return status;
     }
   }
-  warn_of_playmaker();
-  warn_of_playmaker();
   warn_of_shared_identity();
   return coach_ == nullptr ? RpcStatus{} : register_coach();
 }
@@ -234,7 +232,6 @@ int Team::run_cycle() {
 }
 
 void Team::execute(Reply reply) {
-  warn_of_playmaker();
   if (reply.agent >= kCoachNumber) return handle_coach_reply(std::move(reply));
   PlayerAgent& agent = player(reply.agent);
   if (agent.awaits_planner_choice()) {
@@ -281,8 +278,7 @@ void Team::count_error(const Reply& reply, int cycle, const protos::RegisterResp
   if (is_decision(reply.rpc) || reply.rpc == proto::Rpc::kGetBestPlannerAction) {
     error.calls = client_of(reply.agent).recorded_handshake(identity);
     recording::RecordedCall call = record_call(reply.agent, reply.rpc, 1, request);
-    call.set_status(kUnknownStatus);
-    if (reply.status.code != 0) call.set_status(reply.status.code);
+    call.set_status(reply.status.code != 0 ? reply.status.code : kUnknownStatus);
     call.set_message(reply.status.message);
     error.calls.push_back(std::move(call));
   }
@@ -359,10 +355,6 @@ void Team::warn_once(const std::string& line) {
   }
 }
 
-void Team::warn_of_playmaker() {
-  if (const std::string warning = playmaker_->take_warning(); !warning.empty()) warn_once(warning);
-}
-
 void Team::warn_of_actions(const PlayerAgent& agent) {
   const ActionReport& report = agent.statistics().actions;
   const auto warn = [&](const auto& counts, auto& warned, const char* verb, auto name_of) {
@@ -395,6 +387,7 @@ void Team::warn_of_server(const ServerErrors& errors) {
 }
 
 std::vector<std::string> Team::take_warnings() {
+  if (const std::string warning = playmaker_->take_warning(); !warning.empty()) warn_once(warning);
   if (errors_.first && !std::exchange(warned_of_error_, true)) {
     warn_once(errors_.first->describe());
   }

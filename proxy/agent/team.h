@@ -149,7 +149,6 @@ class Team {
   void count_error(const Reply& reply, int cycle, const protos::RegisterResponse& identity,
                    const google::protobuf::Message& request);
   RpcStatus send_bye(int agent, const protos::RegisterResponse& identity);
-  void warn_of_playmaker();
   void warn_of_actions(const PlayerAgent& agent);
   void warn_of_coach_actions();
   void warn_of_server(const ServerErrors& trouble);

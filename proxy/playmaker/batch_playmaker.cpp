@@ -2,7 +2,6 @@
 #include "proxy/playmaker/batch_playmaker.h"
 
 #include <fmt/format.h>
-#include <google/protobuf/arena.h>
 
 #include <algorithm>
 #include <array>
@@ -16,6 +15,7 @@
 #include "proto/team_playmaker.pb.h"
 #include "proxy/messages/parameter_messages.h"
 #include "proxy/playmaker/playmaker_errors.h"
+#include "proxy/playmaker/replies.h"
 
 namespace cls::proxy {
 namespace {
@@ -23,10 +23,6 @@ namespace {
 namespace wire = cls::playmaker::v1;
 using google::protobuf::Message;
 using proto::Rpc;
-
-constexpr int kVersion = 1;
-constexpr RpcTimeout kRegisterTimeout{1000};
-constexpr std::size_t kReplyBlock = 8192;  // typical replies need no allocation
 
 std::size_t slot(int agent) { return static_cast<std::size_t>(agent); }
 
@@ -141,19 +137,6 @@ class BatchPlaymaker : public Playmaker {
     return static_cast<const protos::State&>(state).world_model().cycle();
   }
 
-  static Reply empty_reply(int agent, Rpc rpc) {
-    Reply reply;
-    reply.agent = agent;
-    reply.rpc = rpc;
-    return reply;
-  }
-
-  static Reply failed(int agent, Rpc rpc, RpcStatus status) {
-    Reply reply = empty_reply(agent, rpc);
-    reply.status = std::move(status);
-    return reply;
-  }
-
   // The rest of the handshake of an agent: RegisterTeam carried it.
   static Reply sent_with_registration(int agent, Rpc rpc) {
     static const protos::Empty kEmpty;
@@ -183,7 +166,7 @@ class BatchPlaymaker : public Playmaker {
   void add_parameters(wire::RegisterTeamRequest& request) const {
     assert(team_.parameters != nullptr && "announce_team() comes first");
     const MatchParameters& parameters = *team_.parameters;
-    request.set_version(kVersion);
+    request.set_version(proto::kTeamPlaymakerVersion);
     protos::ServerParam server;
     fill(parameters.server, server);
     server.clear_register_response();
@@ -238,7 +221,7 @@ class BatchPlaymaker : public Playmaker {
       goodbye_ = inner_->call(kTeamNumber, Rpc::kUnregisterTeam, request, timeout).status;
     }
     return goodbye_->ok() ? sent_with_registration(agent, Rpc::kSendByeCommand)
-                          : failed(agent, Rpc::kSendByeCommand, *goodbye_);
+                          : failed_reply(agent, Rpc::kSendByeCommand, *goodbye_);
   }
 
   // Turns the reply to the team into replies to the agents of `due_`.
@@ -247,7 +230,7 @@ class BatchPlaymaker : public Playmaker {
     if (is_registration(reply.rpc) && refuses_batch(reply)) return;
     if (!reply.status.ok()) {
       for (const int agent : due_) {
-        replies_.push_back(failed(agent, asked_.at(slot(agent)), reply.status));
+        replies_.push_back(failed_reply(agent, asked_.at(slot(agent)), reply.status));
         replies_.back().latency = reply.latency;
       }
       return;
@@ -266,9 +249,9 @@ class BatchPlaymaker : public Playmaker {
     const RpcOutcome outcome = reply.status.outcome;
     const auto* registered = reply.as<wire::RegisterTeamResponse>();
     std::string why;
-    if (registered != nullptr && registered->version() != kVersion) {
+    if (registered != nullptr && registered->version() != proto::kTeamPlaymakerVersion) {
       why = fmt::format("it speaks version {} of TeamPlaymaker, not {}", registered->version(),
-                        kVersion);
+                        proto::kTeamPlaymakerVersion);
     } else if (outcome == RpcOutcome::kError || outcome == RpcOutcome::kProtocolError) {
       why = reply.status.message;
     } else if (outcome == RpcOutcome::kUnimplemented) {
@@ -279,7 +262,7 @@ class BatchPlaymaker : public Playmaker {
     if (mode_ == BatchMode::kRequired) {
       for (const int agent : due_) {
         replies_.push_back(
-            failed(agent, Rpc::kRegister, {RpcOutcome::kError, reply.status.code, why}));
+            failed_reply(agent, Rpc::kRegister, {RpcOutcome::kError, reply.status.code, why}));
       }
       return true;
     }
@@ -295,8 +278,8 @@ class BatchPlaymaker : public Playmaker {
       inner_->begin(agent, Rpc::kRegister, registration, kRegisterTimeout);
     }
     for (const auto& one : decisions_.request.agents()) {
-      replies_.push_back(failed(one.agent(), asked_.at(slot(one.agent())),
-                                {RpcOutcome::kError, 0, "the Playmaker has restarted"}));
+      replies_.push_back(failed_reply(one.agent(), asked_.at(slot(one.agent())),
+                                      {RpcOutcome::kError, 0, "the Playmaker has restarted"}));
     }
     decisions_.clear();
   }
@@ -319,9 +302,9 @@ class BatchPlaymaker : public Playmaker {
     for (const int agent : due_) {
       if (answered.test(slot(agent))) continue;
       replies_.push_back(
-          failed(agent, asked_.at(slot(agent)),
-                 {RpcOutcome::kDeadline, 0,
-                  fmt::format("{}: the reply lacks {}", name(team.rpc), agent_name(agent))}));
+          failed_reply(agent, asked_.at(slot(agent)),
+                       {RpcOutcome::kDeadline, 0,
+                        fmt::format("{}: the reply lacks {}", name(team.rpc), agent_name(agent))}));
       replies_.back().latency = team.latency;
     }
     std::sort(replies_.begin(), replies_.end(),
@@ -338,23 +321,9 @@ class BatchPlaymaker : public Playmaker {
       return reply;
     }
     if (rpc == Rpc::kRegister) identities_[agent] = one.message();
-    ReplyMemory& memory = memory_.at(slot(agent));
-    memory.arena.Reset();
-    Message* message = proto::reply_prototype(rpc).New(&memory.arena);
-    if (message->ParseFromString(one.message())) {
-      reply.message = message;
-    } else {
-      reply.status = {RpcOutcome::kProtocolError, 0,
-                      fmt::format("{}: reply of {} bytes is not a {}", name(rpc),
-                                  one.message().size(), message->GetTypeName())};
-    }
+    memory_.at(slot(agent)).parse(one.message(), reply);
     return reply;
   }
-
-  struct ReplyMemory {
-    std::array<char, kReplyBlock> block;
-    google::protobuf::Arena arena{block.data(), block.size()};
-  };
 
   std::unique_ptr<Playmaker> inner_;
   BatchMode mode_;

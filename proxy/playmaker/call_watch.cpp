@@ -2,8 +2,8 @@
 #include "proxy/playmaker/call_watch.h"
 
 #include <cstddef>
-#include <string>
-#include <utility>
+
+#include "proxy/playmaker/forwarding_playmaker.h"
 
 namespace cls::proxy {
 namespace {
@@ -11,40 +11,27 @@ namespace {
 using google::protobuf::Message;
 using proto::Rpc;
 
-class WatchedPlaymaker : public Playmaker {
+class WatchedPlaymaker : public ForwardingPlaymaker {
  public:
-  WatchedPlaymaker(Playmaker& inner, CallWatch& watch) : inner_(inner), watch_(watch) {}
+  WatchedPlaymaker(Playmaker& inner, CallWatch& watch)
+      : ForwardingPlaymaker(inner), watch_(watch) {}
 
   void begin(int agent, Rpc rpc, const Message& request, RpcTimeout timeout,
              bool wait_for_ready) override {
     watch_.begin(agent, rpc);
-    inner_.begin(agent, rpc, request, timeout, wait_for_ready);
+    ForwardingPlaymaker::begin(agent, rpc, request, timeout, wait_for_ready);
   }
 
   Reply call(int agent, Rpc rpc, const Message& request, RpcTimeout timeout) override {
     watch_.begin(agent, rpc);
-    Reply reply = inner_.call(agent, rpc, request, timeout);
+    Reply reply = ForwardingPlaymaker::call(agent, rpc, request, timeout);
     watch_.end(agent);
     return reply;
   }
 
-  void announce_team(TeamRegistration team) override { inner_.announce_team(std::move(team)); }
-  void send() override { inner_.send(); }
-  std::string take_warning() override { return inner_.take_warning(); }
-  bool take_connection_loss(int agent) override { return inner_.take_connection_loss(agent); }
-  std::optional<Reply> next_reply() override { return ended(inner_.next_reply()); }
-  std::optional<Reply> next_reply_within(std::chrono::microseconds timeout) override {
-    return ended(inner_.next_reply_within(timeout));
-  }
-  void cancel() override { inner_.cancel(); }
+  void on_reply(const Reply& reply) override { watch_.end(reply.agent); }
 
  private:
-  std::optional<Reply> ended(std::optional<Reply> reply) {
-    if (reply) watch_.end(reply->agent);
-    return reply;
-  }
-
-  Playmaker& inner_;
   CallWatch& watch_;
 };
 

@@ -1,34 +1,18 @@
 // Calls of a function, with replies that wait for next_reply().
 #include "proxy/playmaker/direct_playmaker.h"
 
-#include <google/protobuf/arena.h>
-
 #include <atomic>
 #include <cassert>
 #include <utility>
 #include <vector>
+
+#include "proxy/playmaker/replies.h"
 
 namespace cls::proxy {
 namespace {
 
 using google::protobuf::Message;
 using proto::Rpc;
-
-/// gRPC's number of the status CANCELLED.
-constexpr int kCancelledCode = 1;
-
-/// Memory of an agent's last reply, reused.
-class ReplyMemory {
- public:
-  Message& create(Rpc rpc) {
-    arena_.Reset();
-    return *proto::reply_prototype(rpc).New(&arena_);
-  }
-
- private:
-  std::array<char, 8192> block_;  // typical replies need no allocation
-  google::protobuf::Arena arena_{block_.data(), block_.size()};
-};
 
 class DirectPlaymaker : public Playmaker {
  public:
@@ -68,20 +52,10 @@ class DirectPlaymaker : public Playmaker {
     const auto started = std::chrono::steady_clock::now();
     Message& message = memories_.at(static_cast<std::size_t>(agent)).create(rpc);
     handler_(rpc, request, message);
-    Reply reply;
-    reply.agent = agent;
-    reply.rpc = rpc;
+    Reply reply = empty_reply(agent, rpc);
     reply.message = &message;
     reply.latency = std::chrono::duration_cast<std::chrono::microseconds>(
         std::chrono::steady_clock::now() - started);
-    return reply;
-  }
-
-  static Reply cancelled_reply(int agent, Rpc rpc) {
-    Reply reply;
-    reply.agent = agent;
-    reply.rpc = rpc;
-    reply.status = {RpcOutcome::kCancelled, kCancelledCode, "cancelled"};
     return reply;
   }
 

@@ -25,16 +25,14 @@ gpr_timespec deadline_after(RpcTimeout timeout) {
 
 }  // namespace
 
-void GrpcCall::start(grpc::GenericStub& stub, grpc::CompletionQueue& queue, proto::Rpc rpc,
-                     const google::protobuf::Message& request, RpcTimeout timeout,
+void GrpcCall::start(grpc::GenericStub& stub, grpc::CompletionQueue& queue, int agent,
+                     proto::Rpc rpc, const google::protobuf::Message& request, RpcTimeout timeout,
                      bool wait_for_ready) {
   assert(!in_flight_ && "an agent has at most one call in flight");
-  message_ = nullptr;
-  arena_.Reset();
   reader_.reset();
   context_.emplace();
   response_.Clear();
-  rpc_ = rpc;
+  reply_ = empty_reply(agent, rpc);
   cancelled_ = false;
   in_flight_ = true;
   started_ = std::chrono::steady_clock::now();
@@ -54,26 +52,20 @@ void GrpcCall::cancel() {
 void GrpcCall::finish() {
   assert(in_flight_);
   in_flight_ = false;
-  latency_ = std::chrono::duration_cast<std::chrono::microseconds>(
+  reply_.latency = std::chrono::duration_cast<std::chrono::microseconds>(
       std::chrono::steady_clock::now() - started_);
-  status_ = rpc_status(rpc_, grpc_status_.error_code(), grpc_status_.error_message());
-  if (status_.ok()) return read_message();
-  if (cancelled_ && status_.outcome == RpcOutcome::kError) status_.outcome = RpcOutcome::kCancelled;
+  RpcStatus& status = reply_.status;
+  status = rpc_status(reply_.rpc, grpc_status_.error_code(), grpc_status_.error_message());
+  if (status.ok()) return read_message();
+  if (cancelled_ && status.outcome == RpcOutcome::kError) status.outcome = RpcOutcome::kCancelled;
 }
 
 void GrpcCall::read_message() {
-  google::protobuf::Message* message = proto::reply_prototype(rpc_).New(&arena_);
   grpc::Slice bytes;
   if (!response_.TrySingleSlice(&bytes).ok() && !response_.DumpToSingleSlice(&bytes).ok()) {
     bytes = grpc::Slice();
   }
-  if (message->ParseFromArray(bytes.begin(), static_cast<int>(bytes.size()))) {
-    message_ = message;
-    return;
-  }
-  status_.outcome = RpcOutcome::kProtocolError;
-  status_.message = std::string(name(rpc_)) + ": reply of " + std::to_string(bytes.size()) +
-                    " bytes is not a " + message->GetTypeName();
+  memory_.parse({reinterpret_cast<const char*>(bytes.begin()), bytes.size()}, reply_);
 }
 
 }  // namespace cls::proxy

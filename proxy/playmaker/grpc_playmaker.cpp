@@ -12,6 +12,7 @@
 #include "proto/grpc_settings.h"
 #include "proxy/playmaker/grpc_call.h"
 #include "proxy/playmaker/grpc_probe.h"
+#include "proxy/playmaker/replies.h"
 #include "proxy/playmaker/tls_probe.h"
 
 namespace cls::proxy {
@@ -96,7 +97,7 @@ class GrpcPlaymaker : public Playmaker {
       unsent_.push_back(cancelled_reply(agent, rpc));
       return;
     }
-    call_of(agent).start(stub_of(agent), queue_, rpc, request, timeout, wait_for_ready);
+    call_of(agent).start(stub_of(agent), queue_, agent, rpc, request, timeout, wait_for_ready);
     ++outstanding_;
   }
 
@@ -144,17 +145,7 @@ class GrpcPlaymaker : public Playmaker {
 
   GrpcCall& call_of(int agent) { return calls_.at(static_cast<std::size_t>(agent)); }
   grpc::GenericStub& stub_of(int agent) { return *stubs_.at(static_cast<std::size_t>(agent)); }
-  int agent_of(const GrpcCall& call) const { return static_cast<int>(&call - calls_.data()); }
   bool cancelled() const { return cancelled_.load(std::memory_order_relaxed); }
-
-  static Reply cancelled_reply(int agent, Rpc rpc) {
-    Reply reply;
-    reply.agent = agent;
-    reply.rpc = rpc;
-    reply.status = {RpcOutcome::kCancelled, static_cast<int>(grpc::StatusCode::CANCELLED),
-                    "cancelled"};
-    return reply;
-  }
 
   Reply unsent_reply() {
     Reply reply = std::move(unsent_.back());
@@ -195,14 +186,12 @@ class GrpcPlaymaker : public Playmaker {
     assert(outstanding_ == 0 && "blocking calls do not mix with outstanding ones");
     const bool is_bye = rpc == Rpc::kSendByeCommand || rpc == Rpc::kUnregisterTeam;
     if (cancelled() && !is_bye) return cancelled_reply(agent, rpc);
-    call_of(agent).start(stub_of(agent), queue_, rpc, request, timeout, wait_for_ready);
+    call_of(agent).start(stub_of(agent), queue_, agent, rpc, request, timeout, wait_for_ready);
     return reply_of(wait(!is_bye));
   }
 
   Reply register_agent(int agent, Rpc rpc, const Message& request, RpcTimeout timeout) {
-    Reply reply;
-    reply.agent = agent;
-    reply.rpc = rpc;
+    Reply reply = empty_reply(agent, rpc);
     if (target_ && target_->tls != nullptr) {
       // An invalid certificate stays invalid: fail now instead of waiting for the Playmaker.
       reply.status = tls_status(agent);
@@ -210,7 +199,7 @@ class GrpcPlaymaker : public Playmaker {
     }
     assert(outstanding_ == 0 && "blocking calls do not mix with outstanding ones");
     if (cancelled()) return cancelled_reply(agent, rpc);
-    call_of(agent).start(stub_of(agent), queue_, rpc, request, timeout, true);
+    call_of(agent).start(stub_of(agent), queue_, agent, rpc, request, timeout, true);
     std::string other_protocol;
     reply = reply_of(wait_for_registration(agent, other_protocol));
     if (!other_protocol.empty()) reply.status = unavailable(agent, other_protocol);
@@ -245,25 +234,20 @@ class GrpcPlaymaker : public Playmaker {
   }
 
   // With wait_for_ready, a deadline without a connection means that the Playmaker is unreachable.
-  void report_lost_connection(RpcStatus& status, const GrpcCall& call) const {
-    const auto i = static_cast<std::size_t>(agent_of(call));
-    const bool unreachable = target_ && is_registration(call.rpc()) &&
-                             status.outcome == RpcOutcome::kDeadline &&
+  void report_lost_connection(Reply& reply) const {
+    const auto i = static_cast<std::size_t>(reply.agent);
+    const bool unreachable = target_ && is_registration(reply.rpc) &&
+                             reply.status.outcome == RpcOutcome::kDeadline &&
                              channels_[i]->GetState(false) != GRPC_CHANNEL_READY;
     if (!unreachable) return;
-    const auto waited = std::chrono::duration_cast<std::chrono::milliseconds>(call.latency());
-    status.outcome = RpcOutcome::kUnavailable;
-    status.message = names_[i] + ": connection lost; no reconnection within " +
-                     std::to_string(waited.count()) + " ms";
+    const auto waited = std::chrono::duration_cast<std::chrono::milliseconds>(reply.latency);
+    reply.status.outcome = RpcOutcome::kUnavailable;
+    reply.status.message = names_[i] + ": connection lost; no reconnection within " +
+                           std::to_string(waited.count()) + " ms";
   }
 
   Reply reply_of(const GrpcCall& call) {
-    Reply reply;
-    reply.agent = agent_of(call);
-    reply.rpc = call.rpc();
-    reply.status = call.status();
-    reply.message = call.message();
-    reply.latency = call.latency();
+    const Reply& reply = call.reply();
     answered_[static_cast<std::size_t>(reply.agent)] |= reply.status.ok();
     return reply;
   }
@@ -271,7 +255,7 @@ class GrpcPlaymaker : public Playmaker {
   Reply completed(const GrpcCall& call) {
     --outstanding_;
     Reply reply = reply_of(call);
-    report_lost_connection(reply.status, call);
+    report_lost_connection(reply);
     return reply;
   }
 
@@ -287,9 +271,7 @@ class GrpcPlaymaker : public Playmaker {
   Reply explain_deadline(int agent, Rpc rpc, const Message& request, RpcTimeout timeout) {
     const auto i = static_cast<std::size_t>(agent);
     const std::string limit = std::to_string(timeout.count()) + " ms";
-    Reply reply;
-    reply.agent = agent;
-    reply.rpc = rpc;
+    Reply reply = empty_reply(agent, rpc);
     if (channels_[i]->GetState(false) == GRPC_CHANNEL_READY) {
       reply.status = {RpcOutcome::kDeadline, static_cast<int>(grpc::StatusCode::DEADLINE_EXCEEDED),
                       names_[i] + ": no reply to " + std::string(name(rpc)) + " within " + limit};

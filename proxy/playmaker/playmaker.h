@@ -20,13 +20,16 @@ namespace cls::proxy {
 /// Agents of a team are numbered by the uniform number of their Register call. 0 is the team
 /// itself, in the RPCs of TeamPlaymaker.
 constexpr int kTeamNumber = 0;
-constexpr int kCoachNumber = 12;
-constexpr int kTrainerNumber = 13;
+using proto::kCoachNumber;
+using proto::kTrainerNumber;
 constexpr int kAgentNumbers = 14;  ///< size of arrays by agent number
 
 /// Timeout of a call. kNoTimeout waits as long as the connection lives.
 using RpcTimeout = std::chrono::milliseconds;
 constexpr RpcTimeout kNoTimeout = RpcTimeout::max();
+/// Least time for Register during a match: it may take longer than a cycle of real time, whose
+/// decision is then missed.
+constexpr RpcTimeout kRegisterTimeout{1000};
 
 /// The reply to one call.
 struct Reply {

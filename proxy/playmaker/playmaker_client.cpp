@@ -16,9 +16,6 @@ using proto::Rpc;
 
 constexpr int kMaxErrors = 3;  // before the first re-registration
 constexpr RpcTimeout kMinTimeout{1};
-// In real time Register may take longer than a cycle. The decisions of these cycles are missed, as
-// in the first handshake.
-constexpr RpcTimeout kRegisterTimeout{1000};
 
 void append_once(std::string& warnings, const std::string& warning) {
   if (warnings.find(warning) != std::string::npos) return;

@@ -1,30 +1,18 @@
 // Taking a call of the team apart, and collecting the replies to its agents.
-#include "mock-server/service/team_service.h"
-
-#include <grpcpp/support/server_callback.h>
+#include "mock-server/service/team_responder.h"
 
 #include <algorithm>
 #include <utility>
 
-#include "mock-server/service/delayed_reply.h"
 #include "proto/playmaker.pb.h"
+#include "proto/team_playmaker.pb.h"
 
 namespace cls::mock_server {
 namespace {
 
 namespace wire = cls::playmaker::v1;
 using google::protobuf::Message;
-using grpc::ByteBuffer;
 using proto::Rpc;
-
-constexpr int kVersion = 1;
-constexpr int kCoach = 12;
-constexpr int kTrainer = 13;
-
-Rpc decision_of(int agent) {
-  if (agent == kCoach) return Rpc::kGetCoachActions;
-  return agent == kTrainer ? Rpc::kGetTrainerActions : Rpc::kGetPlayerActions;
-}
 
 // The calls of single agents in one call of the team, one after the other.
 class TeamCall {
@@ -87,7 +75,7 @@ class TeamCall {
 
 void register_team(TeamCall& call, const wire::RegisterTeamRequest& request,
                    wire::RegisterTeamResponse& response) {
-  response.set_version(kVersion);
+  response.set_version(proto::kTeamPlaymakerVersion);
   for (const wire::AgentMessage& agent : request.agents()) {
     call.respond(agent, Rpc::kRegister, *response.mutable_agents());
   }
@@ -110,7 +98,7 @@ void respond(TeamCall& call, Rpc rpc, const Message& request, Message& response)
   } else if (rpc == Rpc::kGetTeamActions) {
     auto& replies = *static_cast<wire::GetTeamActionsResponse&>(response).mutable_agents();
     for (const auto& agent : static_cast<const wire::GetTeamActionsRequest&>(request).agents()) {
-      call.respond(agent, decision_of(agent.agent()), replies);
+      call.respond(agent, proto::decision_of(agent.agent()), replies);
     }
   } else if (rpc == Rpc::kGetBestPlannerActions) {
     const auto& choices = static_cast<const wire::GetBestPlannerActionsRequest&>(request);
@@ -128,37 +116,16 @@ void respond(TeamCall& call, Rpc rpc, const Message& request, Message& response)
 
 }  // namespace
 
-TeamService::TeamService(Responder& responder) : responder_(responder) {
-  for (int i = 0; i < proto::kRpcs - proto::kAgentRpcs; ++i) {
-    // As the generated WithRawCallbackMethod_NAME does for each method.
-    const auto rpc = static_cast<Rpc>(proto::kAgentRpcs + i);
-    MarkMethodRawCallback(
-        i, new grpc::internal::CallbackUnaryHandler<ByteBuffer, ByteBuffer>(
-               [this, rpc](grpc::CallbackServerContext* context, const ByteBuffer* request,
-                           ByteBuffer* reply) { return handle(rpc, *context, *request, *reply); }));
+Response respond_to_team(Responder& responder, Rpc rpc, const Message& request, Message& reply,
+                         Workspace& workspace) {
+  if (responder.older_interface()) {
+    Response response;
+    response.status = {grpc::StatusCode::UNIMPLEMENTED, "injected fault: no TeamPlaymaker"};
+    return response;
   }
-}
-
-grpc::ServerUnaryReactor* TeamService::handle(Rpc rpc, grpc::CallbackServerContext& context,
-                                              const ByteBuffer& request, ByteBuffer& reply) {
-  if (responder_.older_interface()) {
-    return finish(
-        {{grpc::StatusCode::UNIMPLEMENTED, "injected fault: no TeamPlaymaker"}, false, 0, {}},
-        context);
-  }
-  auto workspace = workspaces_.acquire();
-  Message& parsed = workspace->create(request_prototype(rpc));
-  Message& message = workspace->create(reply_prototype(rpc));
-  Response response;
-  response.status = parse(request, parsed);
-  if (response.status.ok()) {
-    TeamCall call(responder_, *workspace);
-    respond(call, rpc, parsed, message);
-    response = call.result();
-  }
-  if (response.status.ok() && !response.hangs) response.status = serialize(message, reply);
-  workspaces_.release(std::move(workspace));
-  return finish(response, context);
+  TeamCall call(responder, workspace);
+  respond(call, rpc, request, reply);
+  return call.result();
 }
 
 }  // namespace cls::mock_server

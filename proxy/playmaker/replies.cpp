@@ -1,0 +1,47 @@
+// Parsing, and the status of failures.
+#include "proxy/playmaker/replies.h"
+
+#include <fmt/format.h>
+#include <grpc/impl/codegen/status.h>
+
+#include <utility>
+
+namespace cls::proxy {
+
+using google::protobuf::Message;
+using proto::Rpc;
+
+Message& ReplyMemory::create(Rpc rpc) {
+  arena_.Reset();
+  return *proto::reply_prototype(rpc).New(&arena_);
+}
+
+void ReplyMemory::parse(std::string_view bytes, Reply& reply) {
+  Message& message = create(reply.rpc);
+  if (message.ParseFromArray(bytes.data(), static_cast<int>(bytes.size()))) {
+    reply.message = &message;
+    return;
+  }
+  reply.status.outcome = RpcOutcome::kProtocolError;
+  reply.status.message = fmt::format("{}: reply of {} bytes is not a {}", name(reply.rpc),
+                                     bytes.size(), message.GetTypeName());
+}
+
+Reply empty_reply(int agent, Rpc rpc) {
+  Reply reply;
+  reply.agent = agent;
+  reply.rpc = rpc;
+  return reply;
+}
+
+Reply failed_reply(int agent, Rpc rpc, RpcStatus status) {
+  Reply reply = empty_reply(agent, rpc);
+  reply.status = std::move(status);
+  return reply;
+}
+
+Reply cancelled_reply(int agent, Rpc rpc) {
+  return failed_reply(agent, rpc, {RpcOutcome::kCancelled, GRPC_STATUS_CANCELLED, "cancelled"});
+}
+
+}  // namespace cls::proxy

@@ -1,0 +1,36 @@
+// Making a Reply: memory of its message, parsing, and replies of calls that have failed.
+#pragma once
+
+#include <google/protobuf/arena.h>
+#include <google/protobuf/message.h>
+
+#include <array>
+#include <cstddef>
+#include <string_view>
+
+#include "proto/rpc.h"
+#include "proxy/playmaker/playmaker.h"
+
+namespace cls::proxy {
+
+/// Memory of an agent's latest reply; reused, so that replies of usual size need no allocation.
+class ReplyMemory {
+ public:
+  /// An empty message of the RPC's reply type; replaces the one before.
+  google::protobuf::Message& create(proto::Rpc rpc);
+
+  /// Parses the message of `reply`, whose RPC is set. Bytes that do not parse are a protocol error.
+  void parse(std::string_view bytes, Reply& reply);
+
+ private:
+  std::array<char, 8192> block_;
+  google::protobuf::Arena arena_{block_.data(), block_.size()};
+};
+
+/// Ok, without a message.
+Reply empty_reply(int agent, proto::Rpc rpc);
+Reply failed_reply(int agent, proto::Rpc rpc, RpcStatus status);
+/// To a call after cancel().
+Reply cancelled_reply(int agent, proto::Rpc rpc);
+
+}  // namespace cls::proxy
