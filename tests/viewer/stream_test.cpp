@@ -1,0 +1,192 @@
+// Matches written as chunks and read again, whole and in pieces.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "gamelog/rcg/rcg_reader.h"
+#include "tests/support/files.h"
+#include "tests/viewer/record_difference.h"
+#include "viewer/stream/chunk.h"
+#include "viewer/stream/chunk_reader.h"
+#include "viewer/stream/chunk_writer.h"
+
+namespace cls::viewer {
+namespace {
+
+using gamelog::MatchRecord;
+using tests::record_difference;
+
+const char* const kLogs[] = {"gamelog/rcg-v1-excerpt",
+                             "gamelog/rcg-v2-excerpt",
+                             "gamelog/rcg-v3-excerpt",
+                             "gamelog/rcg-v4-excerpt",
+                             "gamelog/rcg-v5-excerpt",
+                             "gamelog/rcg-v6-excerpt",
+                             "gamelog/rcg-json-excerpt",
+                             "gamelog/team-graphic-json-excerpt",
+                             "gamelog/team-graphic-v6-excerpt",
+                             "gamelog/recorded-messages-excerpt",
+                             "gamelog/match-start",
+
+                             "simulator/noise-free"};
+
+MatchRecord read(const std::string& name) {
+  return gamelog::read_rcg_file(tests::fixture(name + ".rcg.gz").string()).value();
+}
+
+MatchRecord parsed(std::string_view log) {
+  base::MemorySource source(log);
+  return gamelog::read_rcg(source);
+}
+
+std::string error_of(std::string_view stream) {
+  const auto match = read_stream(stream);
+  return match ? "" : match.error().message;
+}
+
+TEST(Stream, GivesRecordsOfAllVersionsBack) {
+  for (const char* name : kLogs) {
+    SCOPED_TRACE(name);
+    const MatchRecord record = read(name);
+    ASSERT_GT(record.frames(), 0U);
+    const auto match = read_stream(write_stream(record, {}, "{}"));
+    ASSERT_TRUE(match) << match.error().message;
+    EXPECT_EQ(record_difference(record, match->record), "");
+    EXPECT_EQ(match->statistics, "{}");
+    EXPECT_FALSE(match->form.compact);
+  }
+}
+
+TEST(Stream, GivesCorruptLogsBackWithTheirErrors) {
+  const std::string log = tests::read_file(tests::fixture("gamelog/rcg-v6-excerpt.rcg.gz"));
+  const MatchRecord record =
+      parsed(log.substr(0, log.size() / 2) + "\n(show x)\n\xff\n(odd \xfe)\n");
+  ASSERT_GT(record.errors.count, 1U);
+  const auto match = read_stream(write_stream(record, {}, ""));
+  ASSERT_TRUE(match) << match.error().message;
+  EXPECT_EQ(record_difference(record, match->record), "");
+}
+
+TEST(Stream, StoresEveryValueOfSinglePrecision) {
+  MatchRecord record = read("gamelog/rcg-v6-excerpt");
+  const float values[] = {-0.0F,  1e-30F,  3.4e38F,   -1e20F, 0.33333334F,
+                          180.0F, -180.0F, 179.9996F, 540.0F};
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < record.players.body.size(); i += 7) {
+    const float value = values[next++ % std::size(values)];
+    record.players.body[i] = value;
+    record.players.position[i].x = value;
+    record.players.velocity[i].y = value;
+    record.players.stamina[i] = value;
+    record.players.pointing_at[i].x = value;
+  }
+  const auto match = read_stream(write_stream(record, {}, ""));
+  ASSERT_TRUE(match) << match.error().message;
+  EXPECT_EQ(record_difference(record, match->record), "");
+}
+
+TEST(Stream, IsTheSameMatchInPiecesOfAnySize) {
+  const MatchRecord record = read("gamelog/match-start");
+  for (const std::size_t piece : {1U, 7U, 50U}) {
+    SCOPED_TRACE(piece);
+    ChunkWriter writer({.live = true});
+    ChunkReader reader;
+    std::string out;
+    writer.append_header(record, out);
+    for (std::size_t end = piece; writer.frames() < record.frames(); end += piece) {
+      writer.append_frames(record, std::min(end, record.frames()), out);
+      ASSERT_TRUE(reader.add(out));
+      ASSERT_EQ(reader.match().record.frames(), writer.frames());
+      out.clear();
+    }
+    EXPECT_FALSE(reader.match().ended);
+    writer.append_end(record, out);
+    ASSERT_TRUE(reader.add(out));
+    EXPECT_TRUE(reader.match().ended);
+    EXPECT_EQ(record_difference(record, reader.match().record), "");
+  }
+}
+
+TEST(Stream, ArrivesByteByByte) {
+  MatchRecord record = read("gamelog/rcg-v5-excerpt");
+  gamelog::resize_frames(record, std::min<std::size_t>(record.frames(), 20));
+  while (!record.notes.empty() && record.notes.back().frame > record.frames()) {
+    record.notes.pop_back();
+  }
+  const std::string stream = write_stream(record, {}, "");
+  ChunkReader reader;
+  for (const char byte : stream) ASSERT_TRUE(reader.add({&byte, 1}));
+  EXPECT_TRUE(reader.match().ended);
+  EXPECT_EQ(reader.match().record.frames(), record.frames());
+}
+
+TEST(Stream, RoundsInCompactForm) {
+  const MatchRecord record = read("gamelog/match-start");
+  const std::string exact = write_stream(record, {}, "");
+  const std::string compact = write_stream(record, {.compact = true}, "");
+  EXPECT_LT(compact.size(), exact.size() * 3 / 4);
+  const auto match = read_stream(compact);
+  ASSERT_TRUE(match) << match.error().message;
+  EXPECT_TRUE(match->form.compact);
+  ASSERT_EQ(match->record.frames(), record.frames());
+  for (std::size_t i = 0; i < record.players.position.size(); ++i) {
+    ASSERT_NEAR(match->record.players.position[i].x, record.players.position[i].x, 0.0051);
+    ASSERT_NEAR(match->record.players.stamina[i], record.players.stamina[i], 0.51);
+    ASSERT_EQ(match->record.players.state[i], record.players.state[i]);
+  }
+}
+
+TEST(Stream, SkipsUnknownChunks) {
+  const MatchRecord record = read("gamelog/rcg-v6-excerpt");
+  ChunkWriter writer({});
+  std::string out;
+  writer.append_header(record, out);
+  ChunkReader reader;
+  ASSERT_TRUE(reader.add(out));
+  std::string unknown;
+  append_chunk(static_cast<ChunkKind>('Z'), "of a later version", unknown);
+  EXPECT_TRUE(reader.add(unknown));
+  out.clear();
+  writer.append_frames(record, record.frames(), out);
+  EXPECT_TRUE(reader.add(out));
+  EXPECT_EQ(reader.match().record.frames(), record.frames());
+}
+
+TEST(Stream, SaysWhatIsWrong) {
+  const MatchRecord record = read("gamelog/rcg-v6-excerpt");
+  const std::string stream = write_stream(record, {}, "");
+  EXPECT_EQ(error_of(""), "truncated: the match has no end");
+  EXPECT_EQ(error_of(stream.substr(0, stream.size() / 2)), "truncated: the match has no end");
+  EXPECT_EQ(error_of("F\x01x"), "no header: not a match of cls");
+  EXPECT_EQ(error_of(stream + stream), "a chunk after the end");
+  std::string later = stream;
+  later.replace(later.find("cls.view/1"), 10, "cls.view/2");
+  EXPECT_EQ(error_of(later),
+            "a match of the format 'cls.view/2'; this version of cls reads 'cls.view/1'");
+  std::string changed = stream;
+  changed[changed.find("offside_active_area_size") + 3] ^= 1;
+  EXPECT_EQ(error_of(changed), "wrong checksum: the match is corrupt");
+}
+
+TEST(Stream, SurvivesAnyChangedByte) {
+  MatchRecord record = read("gamelog/rcg-v6-excerpt");
+  gamelog::resize_frames(record, 3);
+  record.notes.clear();
+  record.parameter_lines.clear();
+  std::string header;
+  ChunkWriter writer({});
+  writer.append_header(record, header);
+  std::string frames;
+  writer.append_frames(record, record.frames(), frames);
+  writer.append_end(record, frames);
+  for (std::size_t i = 0; i < frames.size(); i += 11) {
+    std::string changed = frames;
+    changed[i] ^= static_cast<char>(0x81);
+    EXPECT_NE(error_of(header + changed), "") << "byte " << i;
+  }
+}
+
+}  // namespace
+}  // namespace cls::viewer

@@ -1,0 +1,54 @@
+// Codes the integers of one column and remembers where its series stand.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "viewer/stream/bytes.h"
+#include "viewer/stream/column_table.h"
+
+namespace cls::viewer {
+
+/// Integers of all series of a column, series after series.
+using Integers = std::vector<std::int64_t>;
+
+/// Largest magnitude of an integer in a stream.
+constexpr std::int64_t kMaxInteger = std::int64_t{1} << 32;
+/// The same for integers of real numbers; values beyond are exceptions.
+constexpr std::int64_t kMaxScaled = std::int64_t{1} << 30;
+
+/// Where the series of a column stand after the frames coded so far.
+struct ColumnState {
+  explicit ColumnState(std::size_t series) : previous(series, 0), difference(series, 0) {}
+
+  std::vector<std::int64_t> previous;
+  std::vector<std::int64_t> difference;
+};
+
+/// What a column is coded with besides its own integers.
+struct CodingInput {
+  Coding coding = Coding::kChanges;
+  std::int64_t half_turn = 0;             ///< kAngle: the integer of 180 degrees
+  const Integers* predictions = nullptr;  ///< kVelocity: predicted_velocities()
+};
+
+/// Brings an angle into (-half_turn, half_turn].
+std::int64_t wrapped(std::int64_t angle, std::int64_t half_turn);
+
+/// What velocities would be if the displacement of each frame decayed. `positions` are the integers
+/// of these frames, `before` those of the frame before them, by series; `decays` in 1/10000, one
+/// per integer.
+Integers predicted_velocities(const Integers& positions, const std::vector<std::int64_t>& before,
+                              const Integers& decays);
+
+/// Appends `values` and advances `state`. Angles must be wrapped.
+void encode_column(const CodingInput& input, const Integers& values, ColumnState& state,
+                   std::string& out);
+
+/// Reads `frames` frames and advances `state`; `in` fails at values beyond kMaxInteger.
+Integers decode_column(const CodingInput& input, std::size_t frames, ColumnState& state,
+                       ByteReader& in);
+
+}  // namespace cls::viewer
