@@ -1,0 +1,70 @@
+// Buttons below the field. Every action of the table has one here, in a menu, in the panel or on the field.
+import {actionOf, keyText} from './actions.js';
+import {element, setAttribute, setText} from './dom.js';
+import {icon} from './icons.js';
+import {kLayers} from './settings.js';
+
+/** A button that runs an action. @param {import('./viewer.js').Viewer} viewer @param {string} id
+ * @param {string | null} iconName @param {string} [className] @param {string} [text] instead of an icon */
+export function actionButton(viewer, id, iconName, className = '', text = '') {
+  const {label, keys, run} = actionOf(id);
+  const title = `${label} (${keyText(keys[0])})`;
+  const content = iconName ? icon(/** @type {any} */ (iconName)) : text;
+  return element('button', {type: 'button', class: `button ${className}`, 'aria-label': label, title, 'data-action': id, onclick: () => run(viewer, 0)}, content);
+}
+
+export class Controls {
+  /** @param {import('./viewer.js').Viewer} viewer */
+  constructor(viewer) {
+    this.viewer = viewer;
+    this.play = actionButton(viewer, 'play', 'play', 'primary');
+    this.reverse = actionButton(viewer, 'reverse', 'reverse');
+    this.highlights = actionButton(viewer, 'highlights', 'star');
+    this.speed = element('output', {class: 'speed', 'aria-label': 'Speed'});
+    this.follow = actionButton(viewer, 'follow-ball', 'follow');
+    this.panel = actionButton(viewer, 'panel', 'panel');
+    this.layers = this.#layerMenu();
+    const more = (ids) => ids.map(([id, name]) => actionButton(viewer, id, name));
+    this.root = element('div', {class: 'controls', role: 'toolbar', 'aria-label': 'Controls'},
+      element('div', {class: 'group'}, ...more([['previous-event', 'previous'], ['step-back', 'stepBack']]), this.play, ...more([['step', 'stepForward'], ['next-event', 'next']])),
+      element('div', {class: 'group'}, actionButton(viewer, 'slower', null, 'narrow', '−'), this.speed, actionButton(viewer, 'faster', null, 'narrow', '+'), this.reverse),
+      element('div', {class: 'group'}, actionButton(viewer, 'next-goal', 'goal'), this.highlights),
+      element('div', {class: 'group end'}, ...more([['zoom-out', 'zoomOut'], ['zoom-in', 'zoomIn'], ['fit', 'fit']]), this.follow),
+      element('div', {class: 'group'}, this.layers, this.panel, ...more([['theme', 'theme'], ['image', 'image'], ['link', 'link'], ['help', 'help']])));
+  }
+
+  #layerMenu() {
+    const {viewer} = this;
+    this.boxes = kLayers.map(({name, label, key}) => {
+      const box = element('input', {type: 'checkbox', onchange: () => viewer.toggleLayer(name)});
+      return {name, box, row: element('label', {class: 'menu-row'}, box, element('span', {}, label), element('kbd', {}, keyText(key)))};
+    });
+    const menu = element('details', {class: 'menu'},
+      element('summary', {class: 'button', 'aria-label': 'What to show on the field', title: 'What to show on the field'}, icon('layers')),
+      element('div', {class: 'menu-body'}, ...this.boxes.map(({row}) => row)));
+    menu.addEventListener('keydown', (event) => {
+      if (event.key !== 'Escape') return;
+      menu.open = false;
+      menu.querySelector('summary').focus();
+    });
+    document.addEventListener('pointerdown', (event) => {
+      if (event.target instanceof Node && !menu.contains(event.target)) menu.open = false;
+    });
+    return menu;
+  }
+
+  show() {
+    const {clock, camera, settings} = this.viewer;
+    if (this.shownPlaying !== clock.playing) {
+      this.shownPlaying = clock.playing;
+      this.play.replaceChildren(icon(clock.playing ? 'pause' : 'play'));
+      setAttribute(this.play, 'aria-label', clock.playing ? 'Pause' : 'Play');
+    }
+    setText(this.speed, `${clock.backwards ? '−' : ''}${clock.speed}×`);
+    setAttribute(this.reverse, 'aria-pressed', String(clock.backwards));
+    setAttribute(this.highlights, 'aria-pressed', String(clock.segments.length > 0));
+    setAttribute(this.follow, 'aria-pressed', String(camera.follow === 'ball'));
+    setAttribute(this.panel, 'aria-pressed', String(settings.panel));
+    for (const {name, box} of this.boxes) box.checked = settings.layers[name];
+  }
+}
