@@ -1,10 +1,14 @@
-"""Generates the modules of the wire when the package is built; pyproject.toml has the rest.
+"""Generates the modules of the wire and adds the training engine; pyproject.toml has the rest.
+
+The engine of cls_gym, libcls_training.so, comes from $CLS_TRAINING_LIBRARY or from build/lib of the
+checkout. Without it the package works, except that `import cls_gym` says what is missing.
 
 Uses grpcio-tools if it is installed (a build by pip installs it), else protoc and
 grpc_python_plugin on PATH (Debian: protobuf-compiler, protobuf-compiler-grpc).
 """
 import importlib.metadata
 import importlib.util
+import os
 import pathlib
 import re
 import shutil
@@ -15,6 +19,14 @@ import tempfile
 from setuptools import setup
 from setuptools.command.build_py import build_py
 from setuptools.command.sdist import sdist
+
+try:
+    from setuptools.command.bdist_wheel import bdist_wheel
+except ImportError:  # before setuptools 70.1
+    try:
+        from wheel.bdist_wheel import bdist_wheel
+    except ImportError:  # no wheel can be built, but the rest can
+        bdist_wheel = None
 
 HERE = pathlib.Path(__file__).resolve().parent
 PACKAGE = "cls_playmaker"
@@ -27,6 +39,15 @@ def interface(name):
         if path.is_file():
             return path
     sys.exit(f"no proto/{name} beside {HERE}: install from a checkout of the repository")
+
+
+def engine():
+    """The built engine of cls_gym, or None."""
+    named = os.environ.get("CLS_TRAINING_LIBRARY")
+    path = pathlib.Path(named) if named else HERE.parent / "build/lib/libcls_training.so"
+    if named and not path.is_file():
+        sys.exit(f"CLS_TRAINING_LIBRARY: no file {path}")
+    return path if path.is_file() else None
 
 
 def has_grpc_tools():
@@ -45,12 +66,13 @@ def generator():
 
 
 def runtime():
-    """The oldest grpcio and protobuf that the generated modules run with."""
+    """The oldest packages that the generated modules and cls_gym run with."""
     if not has_grpc_tools():
-        return ["grpcio>=1.51", "protobuf>=4.21"]
+        return ["grpcio>=1.51", "numpy>=1.22", "protobuf>=4.21"]
     needed = "\n".join(importlib.metadata.requires("grpcio-tools"))
-    return [f"{name}>=" + re.search(rf"^{name}\b.*>=\s*([\d.]+)", needed, re.MULTILINE)[1]
-            for name in ("grpcio", "protobuf")]
+    return ["numpy>=1.22", *(
+        f"{name}>=" + re.search(rf"^{name}\b.*>=\s*([\d.]+)", needed, re.MULTILINE)[1]
+        for name in ("grpcio", "protobuf"))]
 
 
 def generate(folder):
@@ -73,6 +95,23 @@ class BuildWithInterface(build_py):
         folder = HERE if getattr(self, "editable_mode", False) else pathlib.Path(self.build_lib)
         folder.mkdir(parents=True, exist_ok=True)
         generate(folder)
+        if engine() and folder != HERE:  # an editable installation finds it in build/lib
+            shutil.copy(engine(), folder / "cls_gym/libcls_training.so")
+
+
+def wheel_with_engine():
+    """The command bdist_wheel: with the engine a wheel is for one platform and any Python 3."""
+
+    class WheelWithEngine(bdist_wheel):
+        def finalize_options(self):
+            super().finalize_options()
+            self.root_is_pure = engine() is None
+
+        def get_tag(self):
+            python, abi, platform = super().get_tag()
+            return (python, abi, platform) if engine() is None else ("py3", "none", platform)
+
+    return WheelWithEngine
 
 
 class SourceWithInterface(sdist):
@@ -82,5 +121,7 @@ class SourceWithInterface(sdist):
             shutil.copy(interface(name), base_dir)
 
 
-setup(install_requires=runtime(),
-      cmdclass={"build_py": BuildWithInterface, "sdist": SourceWithInterface})
+commands = {"build_py": BuildWithInterface, "sdist": SourceWithInterface}
+if bdist_wheel is not None:
+    commands["bdist_wheel"] = wheel_with_engine()
+setup(install_requires=runtime(), cmdclass=commands)

@@ -32,6 +32,12 @@ fs::path copy_package(const fs::path& folder) {
     fs::copy_file(source_folder() / "python/cls_playmaker" / name,
                   folder / "python/cls_playmaker" / name);
   }
+  fs::create_directories(folder / "python/cls_gym");
+  for (const auto& entry : fs::directory_iterator(source_folder() / "python/cls_gym")) {
+    if (entry.is_regular_file()) {
+      fs::copy_file(entry.path(), folder / "python/cls_gym" / entry.path().filename());
+    }
+  }
   return folder / "python";
 }
 

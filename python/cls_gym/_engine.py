@@ -1,0 +1,277 @@
+"""The C interface of the engine (training/c_api/cls_training.h) over ctypes."""
+from __future__ import annotations
+
+import ctypes
+import functools
+import json
+import os
+import pathlib
+import weakref
+from typing import Any, Callable, Dict, List, Optional, Tuple
+
+import numpy as np
+
+from cls_gym.spec import ActionSet, Feature, Spec
+
+LIBRARY = "libcls_training.so"
+VARIABLE = "CLS_TRAINING_LIBRARY"
+ABI = 1
+
+_SMALL_BUFFER = -9
+
+
+class EngineError(RuntimeError):
+    """The engine refused a call: a line that names the cause."""
+
+
+class ConfigError(EngineError, ValueError):
+    """A task, a setting or a value that does not exist."""
+
+
+class ActionError(EngineError, ValueError):
+    """An action that is not a number or no id of the action set. No world has moved."""
+
+
+_EXCEPTIONS: Dict[int, Callable[[str], Exception]] = {-3: ConfigError, -6: ActionError,
+                                                      -8: OSError}
+
+
+class _Buffer(ctypes.Structure):
+    _fields_ = [("data", ctypes.c_void_p), ("count", ctypes.c_uint64)]
+
+
+class _Buffers(ctypes.Structure):
+    _fields_ = [("struct_size", ctypes.c_uint64)] + [(name, _Buffer) for name in (
+        "action_ids", "action_values", "next_seeds", "observations", "rewards", "terminated",
+        "truncated", "status", "alive", "action_masks", "state", "reward_terms",
+        "final_observations", "final_state", "was_reset", "cycles", "score", "illegal", "seeds")]
+
+
+class _Player(ctypes.Structure):
+    _fields_ = [("side", ctypes.c_int32), ("unum", ctypes.c_int32), ("on_pitch", ctypes.c_int32),
+                ("goalie", ctypes.c_int32)] + [(name, ctypes.c_double) for name in (
+                    "x", "y", "vx", "vy", "body", "neck", "stamina", "kickable_area")]
+
+
+class World(ctypes.Structure):
+    """cls_training_world: the physical state of a world."""
+
+    _fields_ = [("struct_size", ctypes.c_uint64), ("seed", ctypes.c_uint64),
+                ("cycle", ctypes.c_int32), ("time", ctypes.c_int32),
+                ("score", ctypes.c_int32 * 2), ("status", ctypes.c_int32),
+                ("play_mode", ctypes.c_char * 32), ("ball_x", ctypes.c_double),
+                ("ball_y", ctypes.c_double), ("ball_vx", ctypes.c_double),
+                ("ball_vy", ctypes.c_double), ("players", _Player * 22)]
+
+
+_POOL = ctypes.c_uint64
+_SIZE = ctypes.POINTER(ctypes.c_size_t)
+_FUNCTIONS: Dict[str, List[Any]] = {
+    "catalog": [ctypes.c_char_p, ctypes.c_size_t, _SIZE],
+    "create": [ctypes.c_char_p, ctypes.POINTER(_POOL)],
+    "spec": [_POOL, ctypes.c_char_p, ctypes.c_size_t, _SIZE],
+    "close": [_POOL],
+    "bind": [_POOL, ctypes.POINTER(_Buffers)],
+    "reset": [_POOL, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64],
+    "step": [_POOL],
+    "set_options": [_POOL, ctypes.c_int64, ctypes.c_char_p],
+    "snapshot": [_POOL, ctypes.c_uint64, ctypes.POINTER(ctypes.c_uint64)],
+    "restore": [_POOL, ctypes.c_uint64, ctypes.c_uint64],
+    "release": [_POOL, ctypes.c_uint64],
+    "fork": [_POOL, ctypes.c_uint64, ctypes.c_uint64],
+    "record": [_POOL, ctypes.c_uint64, ctypes.c_char_p],
+    "view": [_POOL, ctypes.c_uint64, ctypes.POINTER(World)],
+}
+
+
+def library_path() -> pathlib.Path:
+    """The engine: $CLS_TRAINING_LIBRARY, beside this file (wheel), or in the build tree."""
+    if os.environ.get(VARIABLE):
+        return pathlib.Path(os.environ[VARIABLE])
+    here = pathlib.Path(__file__).resolve().parent
+    # build/python/cls_gym -> build/lib; python/cls_gym of a checkout -> build/lib
+    places = [here / LIBRARY, here.parents[1] / "lib" / LIBRARY,
+              here.parents[1] / "build" / "lib" / LIBRARY]
+    for place in places:
+        if place.is_file():
+            return place
+    raise ImportError(f"cls_gym: no {LIBRARY} in {', '.join(str(p.parent) for p in places)}; build "
+                      f"it (ninja -C build cls_training_shared) or set {VARIABLE} to its path")
+
+
+@functools.lru_cache(maxsize=None)
+def library() -> Any:
+    """The loaded engine. Raises ImportError if there is none or its interface is another."""
+    path = library_path()
+    try:
+        loaded = ctypes.CDLL(str(path))
+        version = loaded.cls_training_abi()
+    except (OSError, AttributeError) as error:
+        raise ImportError(f"cls_gym: cannot load {path}: {error}") from error
+    if version != ABI:
+        raise ImportError(f"cls_gym: {path} has interface {version}, this package needs {ABI}; "
+                          "build both from the same commit")
+    loaded.cls_training_error.restype = ctypes.c_char_p
+    loaded.cls_training_version.restype = ctypes.c_char_p
+    for name, arguments in _FUNCTIONS.items():
+        getattr(loaded, "cls_training_" + name).argtypes = arguments
+    return loaded
+
+
+def _check(code: int) -> None:
+    if code:
+        text = library().cls_training_error().decode("utf-8", "replace")
+        raise _EXCEPTIONS.get(code, EngineError)(text or f"the engine returned {code}")
+
+
+def _document(call: Callable[[Any, int, Any], int]) -> Dict[str, Any]:
+    """A JSON document from a function that writes into a buffer."""
+    length = ctypes.c_size_t()
+    code = call(None, 0, ctypes.byref(length))
+    if code != _SMALL_BUFFER:
+        _check(code)
+    text = ctypes.create_string_buffer(length.value + 1)
+    _check(call(text, len(text), ctypes.byref(length)))
+    return json.loads(text.value.decode("utf-8"))
+
+
+@functools.lru_cache(maxsize=None)
+def catalog() -> Dict[str, Any]:
+    """Everything that can be trained: tasks, feature sets, action sets, reward terms."""
+    return _document(library().cls_training_catalog)
+
+
+def version() -> str:
+    """The version of the engine."""
+    return library().cls_training_version().decode()
+
+
+class Snapshot:
+    """An episode at one moment. Freed with its last reference."""
+
+    def __init__(self, pool: "Pool", env: int) -> None:
+        handle = ctypes.c_uint64()
+        _check(pool.call("snapshot", env, ctypes.byref(handle)))
+        self.handle = handle.value
+        weakref.finalize(self, library().cls_training_release, pool.handle, handle.value)
+
+
+class Pool:
+    """N worlds and their arrays. Shapes: N worlds, A agents, F features, K ids, V values, S state
+    features, R reward terms."""
+
+    def __init__(self, config: Dict[str, Any]) -> None:
+        self.config = config
+        handle = ctypes.c_uint64()
+        _check(library().cls_training_create(json.dumps(config).encode(), ctypes.byref(handle)))
+        self.handle = handle.value
+        self.closed = False
+        self._free = weakref.finalize(self, library().cls_training_close, self.handle)
+        self.spec = _spec(_document(functools.partial(self.call, "spec")))
+        self._allocate(config["num_envs"])
+        self._step = functools.partial(library().cls_training_step, ctypes.c_uint64(self.handle))
+
+    def use_seeds(self, seeds: np.ndarray) -> None:
+        """Takes the seeds of automatic resets from another array, uint64[N]."""
+        self.next_seeds = seeds
+        self._bind()
+
+    def _allocate(self, n: int) -> None:
+        spec, a = self.spec, len(self.spec.agents)
+        k, v = len(spec.actions.names), len(spec.actions.values)
+        self.action_ids = np.zeros((n, a), np.int32)
+        self.action_values = np.zeros((n, a, v), np.float32)
+        self.observations = np.zeros((n, a, len(spec.features)), np.float32)
+        self.rewards = np.zeros((n, a), np.float32)
+        self.terminated = np.zeros(n, np.bool_)
+        self.truncated = np.zeros(n, np.bool_)
+        self.status = np.zeros(n, np.int32)
+        self.alive = np.zeros((n, a), np.bool_)
+        self.action_masks = np.zeros((n, a, k), np.int8)
+        self.state = np.zeros((n, len(spec.state_features)), np.float32)
+        self.reward_terms = np.zeros((n, len(spec.reward_terms)), np.float32)
+        self.cycles = np.zeros(n, np.int32)
+        self.score = np.zeros((n, 2), np.int32)
+        self.illegal = np.zeros((n, a), np.int32)
+        self.seeds = np.zeros(n, np.uint64)
+        self.next_seeds = np.zeros(n, np.uint64)
+        self.was_reset = np.zeros(n, np.bool_)
+        same_step = self.config.get("autoreset") == "same_step"
+        self.final_observations = np.zeros_like(self.observations) if same_step else None
+        self._bind()
+
+    def _bind(self) -> None:
+        buffers = _Buffers(struct_size=ctypes.sizeof(_Buffers))
+        for name, _ in _Buffers._fields_[1:]:
+            array = getattr(self, name, None)
+            if array is not None and array.size:
+                setattr(buffers, name, _Buffer(array.ctypes.data, array.size))
+        _check(self.call("bind", ctypes.byref(buffers)))
+
+    def call(self, name: str, *arguments: Any) -> int:
+        """A function of the engine for this pool: its code."""
+        return getattr(library(), "cls_training_" + name)(self.handle, *arguments)
+
+    def reset(self, which: Optional[np.ndarray], seeds: np.ndarray) -> None:
+        """Starts an episode with seeds[i] (uint64[N]) where which[i] (bool[N]; None: all)."""
+        mask = None if which is None else which.ctypes.data
+        _check(self.call("reset", mask, seeds.ctypes.data, len(seeds)))
+
+    def step(self) -> None:
+        """One step of each world whose episode has not ended."""
+        code = self._step()
+        if code:
+            _check(code)
+
+    def set_options(self, options: Dict[str, Any]) -> None:
+        """Options of the task for the next episodes of all worlds."""
+        _check(self.call("set_options", -1, json.dumps(options).encode()))
+
+    def restore(self, env: int, snapshot: Snapshot) -> None:
+        """Continues in world `env` where the snapshot was taken."""
+        _check(self.call("restore", env, snapshot.handle))
+
+    def fork(self, source: int, target: int) -> None:
+        """Copies the episode of one world into another one."""
+        _check(self.call("fork", source, target))
+
+    def record(self, env: int, path: Optional[str]) -> None:
+        """Records the next episode of a world as a game log; None: no longer."""
+        _check(self.call("record", env, None if path is None else os.fsencode(path)))
+
+    def view(self, env: int) -> World:
+        """The physical state of a world."""
+        world = World(struct_size=ctypes.sizeof(World))
+        _check(self.call("view", env, ctypes.byref(world)))
+        return world
+
+    def close(self) -> None:
+        """Frees the worlds; may be called again."""
+        self.closed = True
+        self._free()
+
+
+def _spec(document: Dict[str, Any]) -> Spec:
+    def features(items: List[Dict[str, Any]]) -> Tuple[Feature, ...]:
+        return tuple(Feature(one["name"], one["unit"], one["low"], one["high"]) for one in items)
+
+    actions = document["actions"]
+    return Spec(
+        task=document["task"], agents=tuple(document["agents"]),
+        feature_set=document["features"]["set"], feature_version=document["features"]["version"],
+        features=features(document["features"]["items"]),
+        state_features=features(document["state"]["items"]),
+        actions=ActionSet(
+            actions["set"], actions["version"],
+            tuple(one["name"] for one in actions["items"]) if actions["ids"] else (),
+            tuple(features(one["parameters"]) for one in actions["items"]),
+            features(actions["value_items"])),
+        reward_terms=tuple(one["name"] for one in document["reward_terms"]),
+        statuses=tuple(_status_name(one) for one in document["statuses"]),
+        options=tuple(document["options"]), document=document)
+
+
+def _status_name(entry: Any) -> str:
+    return entry["name"] if isinstance(entry, dict) else entry
+
+

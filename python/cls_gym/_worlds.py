@@ -1,0 +1,194 @@
+"""What single and vector environments share: a pool of worlds, its spaces, actions and infos."""
+from __future__ import annotations
+
+from typing import Any, Dict, List, Optional, Tuple
+
+import numpy as np
+
+from cls_gym import rendering
+from cls_gym._api import ClosedEnvironmentError, ResetNeeded, warn
+from cls_gym._engine import ActionError, Pool, Snapshot
+from cls_gym.tasks import resolve
+
+Info = Dict[str, Any]
+METADATA = {"render_modes": ["rgb_array", "ansi"], "render_fps": 10}
+
+
+class Worlds:
+    """N worlds of one task. Arrays are the buffers of the pool: copy what you return."""
+
+    def __init__(self, id: str, num_envs: int, config: Dict[str, Any]) -> None:
+        self.id = id
+        task, settings = resolve(id)
+        self.config = config
+        self.pool = Pool({**settings, **config, "task": task, "num_envs": num_envs})
+        self.spec = self.pool.spec
+        self.num_envs = num_envs
+        self.agents = len(self.spec.agents)
+        self.observation_space = self.spec.observation_space(self.agents)
+        self.action_space = self.spec.actions.space(self.agents)
+        self._started = np.zeros(num_envs, np.bool_)
+        self._all_started = False
+        pool = self.pool
+        # float32[N, F] or float32[N, A, F]
+        self.observations = self._per_agent(pool.observations)
+        if pool.final_observations is not None:
+            self.final_observations = self._per_agent(pool.final_observations)
+        self.columns: List[Tuple[str, np.ndarray]] = [
+            ("status", pool.status), ("cycles", pool.cycles), ("score", pool.score),
+            ("illegal", self._per_agent(pool.illegal)), ("seed", pool.seeds),
+            ("reward_terms", pool.reward_terms)]
+        self.masks = self._per_agent(pool.action_masks) if self.spec.actions.names else None
+        if self.masks is not None:
+            self.columns.append(("action_mask", self.masks))
+        self.everywhere = np.ones(num_envs, np.bool_)
+
+    def _per_agent(self, array: np.ndarray) -> np.ndarray:
+        """[N, A, ...], or [N, ...] of the only agent."""
+        return array[:, 0] if self.agents == 1 else array
+
+    # ---- actions
+
+    def set_actions(self, actions: Any) -> None:
+        """Takes the actions of all worlds, in the batched form of the action space."""
+        kinds = self.spec.actions
+        if not kinds.values:
+            self._take("action", actions, self.pool.action_ids, ())
+        elif not kinds.names:
+            self._take("action", actions, self.pool.action_values, (len(kinds.values),))
+        else:
+            self._take_parts(actions)
+
+    def _take_parts(self, parts: Any) -> None:
+        """Which action, then the numbers of each action that has some."""
+        values = self.pool.action_values
+        sizes = [len(own) for own in self.spec.actions.parameters if own]
+        if not isinstance(parts, (tuple, list)) or len(parts) != len(sizes) + 1:
+            raise ActionError(f"action: a tuple of {len(sizes) + 1} arrays, not {parts!r:.60}")
+        self._take("action[0]", parts[0], self.pool.action_ids, ())
+        start = 0
+        for place, (part, size) in enumerate(zip(parts[1:], sizes), 1):
+            self._take(f"action[{place}]", part, values[..., start:start + size], (size,))
+            start += size
+
+    def _take(self, name: str, value: Any, into: np.ndarray, last: Tuple[int, ...]) -> None:
+        value = np.asarray(value)
+        shape = (self.num_envs, *(() if self.agents == 1 else (self.agents,)), *last)
+        if value.shape != shape:
+            of = slice(1 if self.num_envs == 1 else 0, None)
+            raise ActionError(f"{name}: shape {value.shape[of]}, must be {shape[of]}")
+        if value.dtype.kind not in ("iu" if into.dtype.kind == "i" else "iuf"):
+            kind = "integers" if into.dtype.kind == "i" else "numbers"
+            raise ActionError(f"{name}: type {value.dtype}, must be {kind}")
+        self._per_agent(into)[...] = value
+
+    # ---- episodes
+
+    def reset(self, which: Optional[np.ndarray], seeds: np.ndarray,
+              options: Optional[Dict[str, Any]]) -> None:
+        """Starts episodes: in all worlds, or where `which` (bool[N]) is true."""
+        self.check_open()
+        known = {}
+        for key, value in (options or {}).items():
+            if key in self.spec.options:
+                known[key] = value
+            else:
+                names = ", ".join(self.spec.options) or "none"
+                warn(f"reset: option {key!r} is unknown and has no effect; options of {self.id}: "
+                     f"{names}")
+        if known:
+            self.pool.set_options(known)
+        self.pool.reset(which, seeds)
+        self._started[slice(None) if which is None else which] = True
+        self._all_started = bool(self._started.all())
+
+    def step(self) -> None:
+        """Plays a step in all worlds whose episode has not ended."""
+        self.check_open()
+        if not self._all_started:
+            raise ResetNeeded("step: call reset() first")
+        self.pool.step()
+
+    def rewards(self) -> np.ndarray:
+        """float64[N]: the mean over the agents."""
+        rewards = self.pool.rewards
+        if self.agents == 1:
+            return rewards[:, 0].astype(np.float64)
+        return rewards.mean(axis=1, dtype=np.float64)
+
+    def info(self, index: int, ended: bool = False) -> Info:
+        """What Env.step() returns beside the observation, of one world."""
+        info = {key: column[index].copy() for key, column in self.columns}
+        if ended and self.masks is not None:
+            info["action_mask"][...] = 0
+        return info
+
+    def infos(self) -> Info:
+        """The same of all worlds, running ones: an array per key, `_key`: where it was set."""
+        infos: Info = {}
+        for key, column in self.columns:
+            infos[key] = column.copy()
+            infos["_" + key] = self.everywhere
+        return infos
+
+    # ---- worlds as values
+
+    def snapshot(self, index: int) -> Snapshot:
+        self.check_open()
+        if not self._started[index]:
+            raise ResetNeeded("snapshot: call reset() first")
+        return Snapshot(self.pool, index)
+
+    def restore(self, index: int, snapshot: Snapshot) -> None:
+        self.check_open()
+        self.pool.restore(index, snapshot)
+        self._started[index] = True
+        self._all_started = bool(self._started.all())
+
+    def record(self, index: int, path: Optional[str]) -> None:
+        self.check_open()
+        self.pool.record(index, path)
+
+    # ---- images
+
+    def frame(self, index: int) -> rendering.Frame:
+        """What a render of a world shows."""
+        self.check_open()
+        world = self.pool.view(index)
+        players = []
+        for one in world.players:
+            if one.on_pitch:
+                side = "left" if one.side > 0 else "right"
+                players.append(rendering.Player(side, one.unum, one.x, one.y, one.body,
+                                                bool(one.goalie),
+                                                f"{side}_{one.unum}" in self.spec.agents))
+        status = self.spec.statuses[world.status].replace("_", " ")
+        title = (f"{self.spec.task}  cycle {world.cycle}  {world.score[0]}:{world.score[1]}  "
+                 f"{status}")
+        half = all(player.x > -2.0 for player in players) and world.ball_x > -2.0
+        return rendering.Frame(title, (world.ball_x, world.ball_y), players, half)
+
+    def render(self, index: int, mode: Optional[str]) -> Any:
+        if mode == "ansi":
+            return rendering.ansi(self.frame(index))
+        if mode == "rgb_array":
+            return rendering.rgb_array(self.frame(index))
+        warn("render: no render_mode; pass render_mode=\"ansi\" or \"rgb_array\" to the "
+             "constructor")
+        return None
+
+    # ---- end
+
+    def check_open(self) -> None:
+        if self.pool.closed:
+            raise ClosedEnvironmentError("the environment is closed")
+
+    def close(self) -> None:
+        self.pool.close()
+
+
+def check_render_mode(mode: Optional[str]) -> None:
+    """Raises ValueError for an unknown mode."""
+    if mode is not None and mode not in METADATA["render_modes"]:
+        modes = ", ".join(METADATA["render_modes"])
+        raise ValueError(f"render_mode: unknown {mode!r}; modes: {modes}")

@@ -1,0 +1,98 @@
+"""Trained policies as files: a small network in NumPy, with what it sees and does.
+
+A file is an .npz archive: weight0, bias0, weight1, ... float32 and `about`, a JSON text with
+schema "cls.policy/1", task, features, feature_version, actions, action_version, teammates and
+opponents. A policy plays only with the sets and versions that it was trained with.
+"""
+from __future__ import annotations
+
+import json
+import pathlib
+from typing import Any, Dict, List, Optional, Sequence, Tuple, Union
+
+import numpy as np
+
+SCHEMA = "cls.policy/1"
+Layer = Tuple[np.ndarray, np.ndarray]
+
+
+class PolicyError(ValueError):
+    """A file that is no policy, or one for other features or actions."""
+
+
+class Policy:
+    """A network of tanh layers; its last layer gives a score per action id.
+
+    layers: weight float32[inputs, outputs] and bias float32[outputs] of each layer.
+    """
+
+    def __init__(self, layers: Sequence[Layer], about: Dict[str, Any]) -> None:
+        self.layers: List[Layer] = [(np.asarray(weight, np.float32), np.asarray(bias, np.float32))
+                                    for weight, bias in layers]
+        self.about = dict(about, schema=SCHEMA)
+
+    def scores(self, observations: np.ndarray) -> np.ndarray:
+        """float32[..., K] of observations float32[..., F]."""
+        values = np.asarray(observations, np.float32)
+        for weight, bias in self.layers[:-1]:
+            values = np.tanh(values @ weight + bias)
+        weight, bias = self.layers[-1]
+        return values @ weight + bias
+
+    def act(self, observations: np.ndarray, masks: Optional[np.ndarray] = None) -> np.ndarray:
+        """int64[...]: the id with the highest score among those whose mask is not 0."""
+        scores = self.scores(observations)
+        if masks is not None:
+            scores = np.where(masks != 0, scores, -np.inf)
+        return scores.argmax(axis=-1)
+
+    def save(self, path: Union[str, pathlib.Path]) -> None:
+        """Writes the file."""
+        arrays: Dict[str, Any] = {"about": np.array(json.dumps(self.about))}
+        for number, (weight, bias) in enumerate(self.layers):
+            arrays[f"weight{number}"], arrays[f"bias{number}"] = weight, bias
+        with open(path, "wb") as out:
+            np.savez(out, **arrays)
+
+
+def describe(envs: Any) -> Dict[str, Any]:
+    """What a policy file says about the environment that trained it."""
+    spec = envs.spec_of_task
+    names = [feature.name for feature in spec.features]
+    return {"task": spec.task, "obs": spec.document["obs"],
+            "features": spec.feature_set, "feature_version": spec.feature_version,
+            "actions": spec.actions.name, "action_version": spec.actions.version,
+            "action_names": list(spec.actions.names), "feature_names": names,
+            "teammates": _count(names, "teammate"), "opponents": _count(names, "opponent")}
+
+
+def _count(names: List[str], team: str) -> int:
+    return len({name.split("_")[0] for name in names if name.startswith(team)})
+
+
+def load(path: Union[str, pathlib.Path]) -> Policy:
+    """Reads a file. Raises PolicyError if it is none."""
+    try:
+        with np.load(path, allow_pickle=False) as archive:
+            about = json.loads(str(archive["about"]))
+            count = sum(name.startswith("weight") for name in archive.files)
+            layers = [(archive[f"weight{i}"], archive[f"bias{i}"]) for i in range(count)]
+    except OSError as error:
+        raise PolicyError(f"{path}: cannot read: {error.strerror or error}") from error
+    except Exception as error:  # a foreign file may be damaged in any way
+        raise PolicyError(f"{path}: no policy of cls_gym: {error}") from error
+    _check_layers(path, layers, about)
+    return Policy(layers, about)
+
+
+def _check_layers(path: Any, layers: List[Layer], about: Any) -> None:
+    if not isinstance(about, dict) or about.get("schema") != SCHEMA:
+        raise PolicyError(f"{path}: no policy of cls_gym: schema is not {SCHEMA}")
+    width = len(about.get("feature_names", []))
+    for number, (weight, bias) in enumerate(layers):
+        if weight.ndim != 2 or weight.shape[0] != width or bias.shape != weight.shape[1:] \
+                or weight.dtype.kind != "f" or bias.dtype.kind != "f":
+            raise PolicyError(f"{path}: layer {number} does not fit the one before")
+        width = weight.shape[1]
+    if not layers or width != len(about.get("action_names", [])):
+        raise PolicyError(f"{path}: has not one score per action")

@@ -1,0 +1,80 @@
+"""What an environment has: agents, features, actions, rewards, with names, units and bounds."""
+from __future__ import annotations
+
+from typing import Any, Dict, List, NamedTuple, Tuple
+
+import numpy as np
+
+from cls_gym import spaces
+
+
+class Feature(NamedTuple):
+    """One number of an observation."""
+
+    name: str
+    unit: str
+    low: float
+    high: float
+
+
+class ActionSet(NamedTuple):
+    """What an agent can do: one of `names` (if any), with numbers (if any) for `values`."""
+
+    name: str
+    version: int
+    names: Tuple[str, ...]
+    parameters: Tuple[Tuple[Feature, ...], ...]  # of each action of `names`
+    values: Tuple[Feature, ...]                  # the numbers that the engine reads
+
+    def space(self, agents: int) -> spaces.Space:
+        """The space of one agent's action, or of `agents` actions side by side.
+
+        Discrete; Box; or Tuple(Discrete, Box...): which action, then the numbers of each action
+        that has some.
+        """
+        if not self.values:
+            n = len(self.names)
+            return spaces.Discrete(n) if agents == 1 else spaces.MultiDiscrete([n] * agents)
+        if not self.names:
+            one = _box(self.values)
+        else:
+            one = spaces.Tuple((spaces.Discrete(len(self.names)),
+                                *(_box(own) for own in self.parameters if own)))
+        return one if agents == 1 else spaces.batch_space(one, agents)
+
+
+class Spec(NamedTuple):
+    """The description that the engine prints for a configuration; `document` has all of it."""
+
+    task: str
+    agents: Tuple[str, ...]
+    feature_set: str
+    feature_version: int
+    features: Tuple[Feature, ...]
+    state_features: Tuple[Feature, ...]
+    actions: ActionSet
+    reward_terms: Tuple[str, ...]
+    statuses: Tuple[str, ...]
+    options: Tuple[str, ...]
+    document: Dict[str, Any]
+
+    def observation_space(self, agents: int) -> spaces.Box:
+        """float32[F], or float32[agents, F]."""
+        low, high = bounds(self.features)
+        shape = (len(low),) if agents == 1 else (agents, len(low))
+        return spaces.Box(np.broadcast_to(low, shape), np.broadcast_to(high, shape),
+                          dtype=np.float32)
+
+    def state_space(self) -> spaces.Box:
+        """float32[S]: the full state for a central critic."""
+        return _box(self.state_features)
+
+
+def _box(features: Tuple[Feature, ...]) -> spaces.Box:
+    return spaces.Box(*bounds(features), dtype=np.float32)
+
+
+def bounds(features: Tuple[Feature, ...]) -> Tuple[np.ndarray, np.ndarray]:
+    """Lowest and highest values of features, float32."""
+    return (np.array([one.low for one in features], np.float32),
+            np.array([one.high for one in features], np.float32))
