@@ -1,0 +1,52 @@
+// Actions of an agent as numbers: a named, versioned set that turns them into player commands.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "training/scene/cast.h"
+#include "training/scene/column.h"
+#include "training/skills/skills.h"
+
+namespace cls::training {
+
+/// An action with an id and its own parameters.
+struct Action {
+  std::string_view name;
+  Columns parameters;
+  /// The command; `values` are the action's own parameters, within their bounds.
+  PlayerCommand (*command)(const PointOfView& view, const float* values);
+  /// True if the action has an effect now. Null: always.
+  bool (*legal)(const PointOfView& view) = nullptr;
+};
+
+/// Either a list of actions, chosen by id, or (`box`) one vector of values from which
+/// `choose` makes the command.
+struct ActionSet {
+  std::string_view name;
+  int version;
+  std::string_view summary;
+  std::vector<Action> actions;  ///< empty for a box
+  Columns box;                  ///< empty for a list of actions
+  PlayerCommand (*choose)(const PointOfView& view, const float* values) = nullptr;
+
+  int id_count() const { return static_cast<int>(actions.size()); }
+  /// All values of a step: those of the box, or the parameters of all actions one after the other.
+  Columns values() const;
+  /// Index in values() of the first parameter of action `id`.
+  std::vector<int> offsets() const;
+};
+
+// A change of ids, values or meanings needs a new version.
+const ActionSet& low_actions();
+const ActionSet& low_all_actions();
+const ActionSet& low_flat_actions();
+const ActionSet& low_discrete_actions();
+const ActionSet& hfo_actions();
+
+const std::vector<const ActionSet*>& action_sets();
+
+/// Null for unknown names.
+const ActionSet* find_action_set(std::string_view name);
+
+}  // namespace cls::training

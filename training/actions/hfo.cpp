@@ -1,0 +1,130 @@
+// Action set "hfo": HFO's twenty actions with its ids. Targets in x and y are -1..1 in HFO's scale:
+// the half of the task and a margin of 10 percent.
+#include <cmath>
+
+#include "soccer/pitch.h"
+#include "training/actions/action_set.h"
+#include "training/skills/positions.h"
+
+namespace cls::training {
+namespace {
+
+const Column kPower = {"power", "1", 0, 100};
+const Column kDirection = {"direction", "deg", -180, 180};
+const Column kX = {"x", "half", -1, 1};
+const Column kY = {"y", "half", -1, 1};
+const Column kSpeed = {"speed", "m/cycle", 0, 3};
+const Column kNumber = {"number", "number", 1, 11};
+
+Vec2 target(const PointOfView& view, const float* v) {
+  const double margin = 0.1 * soccer::kHalfLength;
+  const double left = view.stage.left - margin;
+  const double right = view.stage.right + margin;
+  return {left + (v[0] + 1.0) / 2.0 * (right - left), v[1] * 1.1 * soccer::kHalfWidth};
+}
+
+bool has_ball(const PointOfView& view) { return can_kick(view.scene, view.self); }
+bool has_no_ball(const PointOfView& view) { return !has_ball(view); }
+bool tackle_reaches(const PointOfView& view) { return tackle_chance(view.scene, view.self) > 0.0; }
+bool catch_reaches(const PointOfView& view) { return can_catch(view.scene, view.self); }
+bool can_pass(const PointOfView& view) { return has_ball(view) && view.teammate_count() > 0; }
+bool can_mark(const PointOfView& view) { return view.opponent_count() > 0; }
+
+PlayerCommand dash(const PointOfView&, const float* v) { return soccer::Dash{v[0], v[1]}; }
+PlayerCommand turn(const PointOfView&, const float* v) { return soccer::Turn{v[0]}; }
+PlayerCommand tackle(const PointOfView&, const float* v) { return soccer::Tackle{v[0], false}; }
+PlayerCommand kick(const PointOfView&, const float* v) { return soccer::Kick{v[0], v[1]}; }
+
+PlayerCommand kick_to_target(const PointOfView& view, const float* v) {
+  return kick_to(view.scene, view.self, target(view, v), v[2]);
+}
+PlayerCommand move_to(const PointOfView& view, const float* v) {
+  return go_to(view.scene, view.self, target(view, v), 0.25);
+}
+PlayerCommand dribble_to_target(const PointOfView& view, const float* v) {
+  return dribble_to(view.scene, view.self, target(view, v));
+}
+PlayerCommand intercept_ball(const PointOfView& view, const float*) {
+  return intercept(view.scene, view.self);
+}
+PlayerCommand move(const PointOfView& view, const float*) {
+  return go_to(view.scene, view.self, support_position(view), 1.0);
+}
+PlayerCommand shoot_at_goal(const PointOfView& view, const float*) {
+  return shoot(view.scene, view.self);
+}
+
+// A number that no teammate wears acts as noop.
+PlayerCommand pass(const PointOfView& view, const float* v) {
+  const int number = static_cast<int>(std::lround(v[0]));
+  for (const Seat seat : teammates_of(view)) {
+    const ScenePlayer& mate = view.scene.player(seat);
+    if (mate.seen && mate.unum == number) return pass_to(view.scene, view.self, mate.position);
+  }
+  return stand();
+}
+
+// Towards the goal.
+PlayerCommand dribble(const PointOfView& view, const float*) {
+  const Vec2 goal = {soccer::kHalfLength - 3.0, 0.0};
+  return dribble_to(view.scene, view.self, goal);
+}
+PlayerCommand catch_now(const PointOfView& view, const float*) {
+  return catch_ball(view.scene, view.self);
+}
+PlayerCommand nothing(const PointOfView&, const float*) { return stand(); }
+PlayerCommand reduce_angle(const PointOfView& view, const float*) {
+  return go_to(view.scene, view.self, angle_reducing_position(view), 0.5);
+}
+PlayerCommand mark(const PointOfView& view, const float* v) {
+  const int number = static_cast<int>(std::lround(v[0]));
+  for (const Seat seat : opponents_of(view)) {
+    const ScenePlayer& opponent = view.scene.player(seat);
+    if (opponent.seen && opponent.unum == number) {
+      return go_to(view.scene, view.self, marking_position(view, seat), 0.5);
+    }
+  }
+  return stand();
+}
+PlayerCommand defend_goal(const PointOfView& view, const float*) {
+  return go_to(view.scene, view.self, guard_position(view), 0.5);
+}
+PlayerCommand go_to_ball(const PointOfView& view, const float*) {
+  return go_to(view.scene, view.self, view.scene.ball, 0.5);
+}
+PlayerCommand reorient(const PointOfView& view, const float*) {
+  return face(view.scene, view.self, view.scene.ball);
+}
+
+}  // namespace
+
+const ActionSet& hfo_actions() {
+  static const ActionSet set = {"hfo",
+                                1,
+                                "HFO's twenty actions; QUIT acts as NOOP",
+                                {{"DASH", {kPower, kDirection}, dash},
+                                 {"TURN", {kDirection}, turn},
+                                 {"TACKLE", {kDirection}, tackle, tackle_reaches},
+                                 {"KICK", {kPower, kDirection}, kick, has_ball},
+                                 {"KICK_TO", {kX, kY, kSpeed}, kick_to_target, has_ball},
+                                 {"MOVE_TO", {kX, kY}, move_to},
+                                 {"DRIBBLE_TO", {kX, kY}, dribble_to_target},
+                                 {"INTERCEPT", {}, intercept_ball},
+                                 {"MOVE", {}, move},
+                                 {"SHOOT", {}, shoot_at_goal, has_ball},
+                                 {"PASS", {kNumber}, pass, can_pass},
+                                 {"DRIBBLE", {}, dribble, has_ball},
+                                 {"CATCH", {}, catch_now, catch_reaches},
+                                 {"NOOP", {}, nothing},
+                                 {"QUIT", {}, nothing},
+                                 {"REDUCE_ANGLE_TO_GOAL", {}, reduce_angle},
+                                 {"MARK_PLAYER", {kNumber}, mark, can_mark},
+                                 {"DEFEND_GOAL", {}, defend_goal},
+                                 {"GO_TO_BALL", {}, go_to_ball, has_no_ball},
+                                 {"REORIENT", {}, reorient}},
+                                {},
+                                nullptr};
+  return set;
+}
+
+}  // namespace cls::training

@@ -1,0 +1,307 @@
+// The C interface: checks pointers, sizes and handles; catches everything.
+#include "training/c_api/cls_training.h"
+
+#include <unistd.h>
+
+#include <cstring>
+#include <exception>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <utility>
+
+#include "base/system/version.h"
+#include "training/c_api/registry.h"
+#include "training/pool/specification.h"
+
+namespace cls::training {
+namespace {
+
+static_assert(CLS_TRAINING_INTERNAL == static_cast<int>(Code::kInternal));
+static_assert(CLS_TRAINING_BAD_ACTION == static_cast<int>(Code::kBadAction));
+static_assert(CLS_TRAINING_FORKED == static_cast<int>(Code::kForked));
+static_assert(CLS_TRAINING_STOPPED == static_cast<int>(Status::kStopped));
+
+std::string& last_error() {
+  thread_local std::string text;
+  return text;
+}
+
+int fail(Code code, std::string_view text) noexcept {
+  try {
+    last_error() = text;
+    for (char& c : last_error()) {
+      if (c == '\n' || c == '\r') c = ' ';
+    }
+  } catch (...) {
+    last_error().clear();
+  }
+  return static_cast<int>(code);
+}
+
+int result(const Outcome& outcome) {
+  return outcome.ok() ? static_cast<int>(Code::kOk) : fail(outcome.code, outcome.text);
+}
+
+/// Runs `body`, which returns an Outcome, and turns exceptions into codes.
+template <typename Body>
+int guarded(Body body) noexcept {
+  try {
+    return result(body());
+  } catch (const std::exception& error) {
+    return fail(Code::kInternal, error.what());
+  } catch (...) {
+    return fail(Code::kInternal, "unknown exception");
+  }
+}
+
+/// Runs `body` on the pool.
+template <typename Body>
+int with_pool(std::uint64_t handle, Body body) noexcept {
+  return guarded([&]() -> Outcome {
+    const std::shared_ptr<RegisteredPool> entry = find_pool(handle);
+    if (entry == nullptr) {
+      return {Code::kBadHandle,
+              "there is no pool " + std::to_string(handle) + ", or it was closed"};
+    }
+    if (entry->process != ::getpid()) {
+      return {Code::kForked, "the pool belongs to the parent process; create one after the fork"};
+    }
+    return body(entry->pool);
+  });
+}
+
+Outcome null_pointer(std::string_view name) {
+  return {Code::kBadPointer, "'" + std::string(name) + "' is NULL"};
+}
+
+Outcome write_text(const std::string& text, char* out, size_t capacity, size_t* length) {
+  if (length == nullptr) return null_pointer("length");
+  if (out == nullptr && capacity > 0) return null_pointer("out");
+  *length = text.size();
+  if (capacity > 0) {
+    const size_t count = std::min(capacity - 1, text.size());
+    std::memcpy(out, text.data(), count);
+    out[count] = '\0';
+  }
+  if (text.size() < capacity) return {};
+  return {Code::kSmallBuffer,
+          "the text has " + std::to_string(text.size()) + " bytes and a final 0"};
+}
+
+/// Checks one buffer and takes its pointer.
+class Binder {
+ public:
+  template <typename T>
+  void take(const char* name, const cls_training_buffer& buffer, std::uint64_t count, bool needed,
+            T*& out) {
+    out = nullptr;
+    if (!outcome.ok()) return;
+    if (buffer.data == nullptr) {
+      if (needed && count > 0) outcome = null_pointer(name);
+      return;
+    }
+    if (buffer.count != count) {
+      outcome = {Code::kBadSize, std::string("'") + name + "' must have " + std::to_string(count) +
+                                     " elements, not " + std::to_string(buffer.count)};
+      return;
+    }
+    if (reinterpret_cast<std::uintptr_t>(buffer.data) % alignof(T) != 0) {
+      outcome = {Code::kBadPointer, std::string("'") + name + "' is not aligned"};
+      return;
+    }
+    if (count > 0) out = static_cast<T*>(buffer.data);
+  }
+
+  Outcome outcome;
+};
+
+Outcome bind(Pool& pool, const cls_training_buffers& in) {
+  const Setup& setup = pool.setup();
+  const std::uint64_t n = pool.size();
+  const std::uint64_t rows = n * setup.agent_count();
+  const std::uint64_t features = rows * setup.feature_count();
+  const std::uint64_t states = n * setup.state_columns.size();
+  const bool resets = pool.config().autoreset != Autoreset::kDisabled;
+  const bool any_ids = setup.id_count() > 0;
+  Buffers out;
+  Binder binder;
+  binder.take("action_ids", in.action_ids, any_ids ? rows : 0, true, out.action_ids);
+  binder.take("action_values", in.action_values, rows * setup.value_count(), true,
+              out.action_values);
+  binder.take("next_seeds", in.next_seeds, n, resets, out.next_seeds);
+  binder.take("observations", in.observations, features, true, out.observations);
+  binder.take("rewards", in.rewards, rows, true, out.rewards);
+  binder.take("terminated", in.terminated, n, true, out.terminated);
+  binder.take("truncated", in.truncated, n, true, out.truncated);
+  binder.take("status", in.status, n, true, out.status);
+  binder.take("alive", in.alive, rows, false, out.alive);
+  binder.take("action_masks", in.action_masks, rows * setup.id_count(), false, out.action_masks);
+  binder.take("state", in.state, states, false, out.state);
+  binder.take("reward_terms", in.reward_terms, n * kRewardTerms, false, out.reward_terms);
+  binder.take("final_observations", in.final_observations, features, false, out.final_observations);
+  binder.take("final_state", in.final_state, states, false, out.final_state);
+  binder.take("was_reset", in.was_reset, n, false, out.was_reset);
+  binder.take("cycles", in.cycles, n, false, out.cycles);
+  binder.take("score", in.score, 2 * n, false, out.score);
+  binder.take("illegal", in.illegal, rows, false, out.illegal);
+  binder.take("seeds", in.seeds, n, false, out.seeds);
+  if (binder.outcome.ok()) pool.bind(out);
+  return binder.outcome;
+}
+
+cls_training_player to_player(const simulator::World& world, const simulator::Player& player) {
+  constexpr double kDegrees = 180.0 / soccer::math::kPi;
+  cls_training_player out = {};
+  out.side = soccer::sign(player.side);
+  out.unum = player.unum;
+  out.on_pitch = player.enabled ? 1 : 0;
+  out.goalie = player.goalie ? 1 : 0;
+  out.x = player.position.x;
+  out.y = player.position.y;
+  out.vx = player.velocity.x;
+  out.vy = player.velocity.y;
+  out.body = player.body * kDegrees;
+  out.neck = player.neck * kDegrees;
+  out.stamina = player.stamina.value;
+  out.kickable_area = world.type_of(player).kickable_area(world.params().ball_size);
+  return out;
+}
+
+void fill_view(const Episode& episode, cls_training_world& out) {
+  const simulator::World& world = episode.world();
+  out.seed = episode.seed();
+  out.cycle = episode.cycles();
+  out.time = world.clock.time;
+  out.score[0] = episode.score()[0];
+  out.score[1] = episode.score()[1];
+  out.status = static_cast<std::int32_t>(episode.status());
+  const std::string_view mode = soccer::name(world.mode);
+  std::memset(out.play_mode, 0, sizeof out.play_mode);
+  std::memcpy(out.play_mode, mode.data(), std::min(mode.size(), sizeof out.play_mode - 1));
+  out.ball_x = world.ball.position.x;
+  out.ball_y = world.ball.position.y;
+  out.ball_vx = world.ball.velocity.x;
+  out.ball_vy = world.ball.velocity.y;
+  for (int slot = 0; slot < soccer::kPlayersOnPitch; ++slot) {
+    out.players[slot] = to_player(world, world.player(slot));
+  }
+}
+
+}  // namespace
+}  // namespace cls::training
+
+using cls::training::Code;
+using cls::training::guarded;
+using cls::training::null_pointer;
+using cls::training::Outcome;
+using cls::training::Pool;
+using cls::training::with_pool;
+
+int32_t cls_training_abi(void) { return CLS_TRAINING_ABI; }
+
+const char* cls_training_version(void) { return cls::base::kVersion.data(); }
+
+const char* cls_training_error(void) { return cls::training::last_error().c_str(); }
+
+int cls_training_catalog(char* out, size_t capacity, size_t* length) {
+  return guarded([&] {
+    return cls::training::write_text(cls::training::catalog().dump(), out, capacity, length);
+  });
+}
+
+int cls_training_create(const char* config_json, uint64_t* pool) {
+  return guarded([&]() -> Outcome {
+    if (config_json == nullptr) return null_pointer("config_json");
+    if (pool == nullptr) return null_pointer("pool");
+    auto config = cls::training::parse_pool_config(config_json);
+    if (!config) return {Code::kBadConfig, config.error().message};
+    *pool = cls::training::register_pool(std::move(*config));
+    return {};
+  });
+}
+
+int cls_training_spec(uint64_t handle, char* out, size_t capacity, size_t* length) {
+  return with_pool(handle, [&](Pool& pool) {
+    return cls::training::write_text(cls::training::specification(pool).dump(), out, capacity,
+                                     length);
+  });
+}
+
+int cls_training_close(uint64_t handle) {
+  return with_pool(handle, [&](Pool& pool) {
+    Outcome written = pool.finish_recordings();
+    cls::training::forget_pool(handle);
+    return written;
+  });
+}
+
+int cls_training_bind(uint64_t handle, const cls_training_buffers* buffers) {
+  return with_pool(handle, [&](Pool& pool) -> Outcome {
+    if (buffers == nullptr) return null_pointer("buffers");
+    if (buffers->struct_size != sizeof *buffers) {
+      return {Code::kBadSize, "struct_size must be " + std::to_string(sizeof *buffers) + ", not " +
+                                  std::to_string(buffers->struct_size) +
+                                  "; another version of the header?"};
+    }
+    return cls::training::bind(pool, *buffers);
+  });
+}
+
+int cls_training_reset(uint64_t handle, const uint8_t* mask, const uint64_t* seeds,
+                       uint64_t count) {
+  return with_pool(handle, [&](Pool& pool) -> Outcome {
+    if (seeds == nullptr) return null_pointer("seeds");
+    if (count != pool.size()) {
+      return {Code::kBadSize, "the pool has " + std::to_string(pool.size()) + " worlds, not " +
+                                  std::to_string(count)};
+    }
+    return pool.reset(mask, seeds);
+  });
+}
+
+int cls_training_step(uint64_t handle) {
+  return with_pool(handle, [](Pool& pool) { return pool.step(); });
+}
+
+int cls_training_set_options(uint64_t handle, int64_t env, const char* options_json) {
+  return with_pool(handle, [&](Pool& pool) -> Outcome {
+    if (options_json == nullptr) return null_pointer("options_json");
+    if (env < -1) return {Code::kBadIndex, "no world " + std::to_string(env)};
+    return pool.set_options(env, options_json);
+  });
+}
+
+int cls_training_snapshot(uint64_t handle, uint64_t env, uint64_t* snapshot) {
+  return with_pool(handle, [&](Pool& pool) -> Outcome {
+    if (snapshot == nullptr) return null_pointer("snapshot");
+    return pool.snapshot(env, *snapshot);
+  });
+}
+
+int cls_training_restore(uint64_t handle, uint64_t env, uint64_t snapshot) {
+  return with_pool(handle, [&](Pool& pool) { return pool.restore(env, snapshot); });
+}
+
+int cls_training_release(uint64_t handle, uint64_t snapshot) {
+  return with_pool(handle, [&](Pool& pool) { return pool.release(snapshot); });
+}
+
+int cls_training_fork(uint64_t handle, uint64_t from, uint64_t to) {
+  return with_pool(handle, [&](Pool& pool) { return pool.fork(from, to); });
+}
+
+int cls_training_record(uint64_t handle, uint64_t env, const char* path) {
+  return with_pool(handle, [&](Pool& pool) { return pool.record(env, path); });
+}
+
+int cls_training_view(uint64_t handle, uint64_t env, cls_training_world* world) {
+  return with_pool(handle, [&](Pool& pool) -> Outcome {
+    if (world == nullptr) return null_pointer("world");
+    if (world->struct_size != sizeof *world) {
+      return {Code::kBadSize, "struct_size must be " + std::to_string(sizeof *world)};
+    }
+    if (env >= pool.size()) return {Code::kBadIndex, "no world " + std::to_string(env)};
+    cls::training::fill_view(pool.episode(env), *world);
+    return {};
+  });
+}

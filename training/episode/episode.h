@@ -1,0 +1,85 @@
+// One episode: a copyable value that depends on setup, options, seed and actions only.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "simulator/sessions/match_recorder.h"
+#include "simulator/world/event.h"
+#include "training/episode/setup.h"
+
+namespace cls::training {
+
+/// Actions of the agents of one world: ids [A] and values [A, V]; null if the set has none. They
+/// have been checked: ids exist and values are finite.
+struct AgentActions {
+  const std::int32_t* ids = nullptr;
+  const float* values = nullptr;
+};
+
+/// Copy it to take a snapshot, assign it to restore or fork. Does not allocate after the first
+/// step.
+class Episode {
+ public:
+  explicit Episode(std::shared_ptr<const Setup> setup);
+
+  void reset(std::uint64_t seed, const OptionValues& options);
+
+  /// Plays frame_skip cycles, or until the end. The episode must be running. `recorder` (may be
+  /// null) receives every frame.
+  void step(const AgentActions& actions, simulator::MatchRecorder* recorder);
+
+  bool started() const { return started_; }
+  bool ended() const { return status_ != Status::kInGame; }
+  Status status() const { return status_; }
+  std::uint64_t seed() const { return world_.seed; }
+  int cycles() const { return memory_.cycles; }
+  std::array<int, 2> score() const { return memory_.score; }
+  const simulator::World& world() const { return world_; }
+
+  bool alive(std::size_t agent) const;
+  int illegal(std::size_t agent) const { return agents_[agent].illegal; }
+  /// Weighted reward of the last step, and its terms for the left team's first agent's view.
+  double reward(std::size_t agent) const;
+  /// Mean over the agents, from the left team's view.
+  double reward_term(std::size_t term) const;
+
+  /// Writes the features of an agent; zeros if it is not alive.
+  void observe(std::size_t agent, float* out) const;
+  /// Writes 1 for each id that has an effect now.
+  void mask(std::size_t agent, std::uint8_t* out) const;
+  void state(float* out) const;
+
+ private:
+  struct Agent {
+    bool last_action_worked = true;
+    int illegal = 0;
+  };
+
+  void play_cycle(simulator::MatchRecorder* recorder);
+  void draw_types(soccer::RandomStream& random);
+  PlayerCommand command_of(std::size_t agent, const AgentActions& actions);
+  PointOfView view_of(int slot, bool last_action_worked) const;
+  void choose_commands(const AgentActions& actions);
+  void return_to_formation();
+  void execute_commands();
+  void fill_scenes();
+  double time_left() const;
+
+  std::shared_ptr<const Setup> setup_;
+  simulator::World world_;
+  TaskMemory memory_;
+  RewardMemory reward_memory_;
+  OptionValues options_{};
+  Status status_ = Status::kInGame;
+  bool started_ = false;
+  std::array<Scene, 2> scenes_;                          ///< exact: left, right
+  std::array<Agent, soccer::kPlayersOnPitch> agents_{};  ///< in the order of the cast
+  std::array<RewardValues, soccer::kPlayersOnPitch> rewards_{};
+  std::array<PlayerCommand, soccer::kPlayersOnPitch> commands_;  ///< by slot
+  simulator::Events events_;
+};
+
+}  // namespace cls::training

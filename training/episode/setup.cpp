@@ -1,0 +1,185 @@
+// Builds what all episodes of a pool share.
+#include "training/episode/setup.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "base/text/suggestion.h"
+#include "simulator/world/rules.h"
+#include "training/episode/state.h"
+
+namespace cls::training {
+namespace {
+
+using base::Error;
+using base::Result;
+
+constexpr std::uint64_t kTypesSeed = 1;
+constexpr int kClientVersion = 18;
+
+template <typename Item, typename Name>
+Error unknown(std::string_view what, std::string_view word, const std::vector<Item>& items,
+              Name name) {
+  std::vector<std::string_view> names;
+  for (const Item& item : items) names.push_back(name(item));
+  return {fmt::format("unknown {} '{}'{}", what, word, base::did_you_mean(word, names))};
+}
+
+Result<const Task*> choose_task(const std::string& id) {
+  if (const Task* task = find_task(id)) return task;
+  return unknown("task", id, tasks(), [](const Task& task) { return task.id; });
+}
+
+Result<const FeatureSet*> choose_features(const std::string& name) {
+  if (const FeatureSet* set = find_feature_set(name)) return set;
+  return unknown("feature set", name, feature_sets(), [](const auto* set) { return set->name; });
+}
+
+Result<const ActionSet*> choose_actions(const std::string& name) {
+  if (const ActionSet* set = find_action_set(name)) return set;
+  return unknown("action set", name, action_sets(), [](const auto* set) { return set->name; });
+}
+
+Result<int> choose_count(std::string_view key, int wanted, const Task& task, const Range& range) {
+  const int count = wanted < 0 ? range.usual : wanted;
+  if (count >= range.low && count <= range.high) return count;
+  return Error{fmt::format("'{}' must be {}..{} for the task {}, not {}", key, range.low,
+                           range.high, task.id, count)};
+}
+
+Result<void> choose_cast(const SetupChoices& choices, Setup& setup) {
+  const Task& task = *setup.task;
+  const Result<int> left = choose_count("offense", choices.offense, task, task.offense);
+  if (!left) return left.error();
+  const Result<int> right = choose_count("defense", choices.defense, task, task.defense);
+  if (!right) return right.error();
+  const Agents agents = choices.agents < 0 ? task.agents : static_cast<Agents>(choices.agents);
+  int players[] = {*left, *right};
+  if (choices.opponent == Presence::kAbsent && agents != Agents::kBoth) {
+    players[agents == Agents::kLeft ? 1 : 0] = 0;
+  }
+  setup.cast.left = team_slots(task, Side::kLeft, players[0]);
+  setup.cast.right = team_slots(task, Side::kRight, players[1]);
+  for (const Side side : {Side::kLeft, Side::kRight}) {
+    const bool plays =
+        agents == Agents::kBoth || (agents == Agents::kLeft) == (side == Side::kLeft);
+    const std::vector<int>& team = setup.cast.team(side);
+    const int most = static_cast<int>(team.size());
+    const int wanted = choices.num_agents < 0 ? most : choices.num_agents;
+    if (!plays) continue;
+    if (wanted < 1 || wanted > most) {
+      return Error{
+          fmt::format("'num_agents' must be 1..{}, the size of the team, not {}", most, wanted)};
+    }
+    setup.cast.agents.insert(setup.cast.agents.end(), team.begin(), team.begin() + wanted);
+  }
+  for (const int slot : setup.cast.agents) setup.is_agent[static_cast<std::size_t>(slot)] = true;
+  const Driver others = choices.opponent == Presence::kHold ? Driver::kHold : Driver::kScripted;
+  for (int slot = 0; slot < soccer::kPlayersOnPitch; ++slot) {
+    const bool left_side = soccer::side_of_slot(slot) == Side::kLeft;
+    const bool own = agents == Agents::kBoth || left_side == (agents == Agents::kLeft);
+    setup.drivers[static_cast<std::size_t>(slot)] = own ? choices.teammates : others;
+  }
+  return {};
+}
+
+Result<void> choose_sets(const SetupChoices& choices, Setup& setup) {
+  const Task& task = *setup.task;
+  const auto or_usual = [](const std::string& name, std::string_view usual) {
+    return name.empty() ? std::string(usual) : name;
+  };
+  const auto features = choose_features(or_usual(choices.features, task.features));
+  if (!features) return features.error();
+  const auto actions = choose_actions(or_usual(choices.actions, task.actions));
+  if (!actions) return actions.error();
+  setup.features = *features;
+  setup.actions = *actions;
+  const auto is_right = [](int slot) { return soccer::side_of_slot(slot) == Side::kRight; };
+  const auto& agents = setup.cast.agents;
+  if (setup.features->left_only && std::any_of(agents.begin(), agents.end(), is_right)) {
+    return Error{fmt::format("the feature set '{}' is for attackers only; use hfo_high or ego",
+                             setup.features->name)};
+  }
+  // All rows are equally wide: each team's own columns come first, zeros fill the rest.
+  for (const Side side : {Side::kLeft, Side::kRight}) {
+    const int own = static_cast<int>(setup.cast.team(side).size());
+    const int others = static_cast<int>(setup.cast.others(side).size());
+    const auto plays = [side](int slot) { return soccer::side_of_slot(slot) == side; };
+    if (std::none_of(agents.begin(), agents.end(), plays)) continue;
+    Columns columns = setup.features->columns(own - 1, others);
+    if (columns.size() > setup.feature_columns.size()) setup.feature_columns = std::move(columns);
+  }
+  setup.value_columns = setup.actions->values();
+  setup.offsets = setup.actions->offsets();
+  setup.state_columns = state_columns(setup.cast);
+  return {};
+}
+
+soccer::ServerParams server_params(const Task& task) {
+  soccer::ServerParams server;
+  server.synch_mode = true;
+  if (task.referee) {
+    server.auto_mode = true;
+    server.kick_off_wait = 10;
+    server.connect_wait = 10;
+    server.penalty_shoot_outs = false;
+    server.nr_extra_halfs = 0;
+  } else {
+    // A trainer's match: no rule but the task's, and no end.
+    server.coach = true;
+    server.coach_w_referee = false;
+  }
+  return server;
+}
+
+Result<void> prepare_world(Setup& setup) {
+  auto rules = simulator::make_rules(server_params(*setup.task), {}, kTypesSeed);
+  if (!rules) return rules.error();
+  simulator::World& world = setup.prepared;
+  world = simulator::make_world(*rules, kTypesSeed);
+  for (const Side side : {Side::kLeft, Side::kRight}) {
+    simulator::Team& team = world.team(side);
+    team.name = soccer::TeamName(side == Side::kLeft ? "left" : "right");
+    team.connected = true;
+    for (const int slot : setup.cast.team(side)) {
+      simulator::Player& player = world.player(slot);
+      const bool first = slot == setup.cast.team(side).front();
+      player.joined = player.enabled = true;
+      player.goalie =
+          side == Side::kRight ? first && setup.task->right_goalie : first && setup.task->referee;
+      player.client_version = kClientVersion;
+      player.view.synchronous = true;
+      player.state = simulator::state::kStand | (player.goalie ? simulator::state::kGoalie : 0);
+    }
+  }
+  if (!setup.task->referee) world.mode = soccer::PlayMode::kPlayOn;
+  return {};
+}
+
+}  // namespace
+
+std::string agent_name(int slot) {
+  return fmt::format("{}_{}", soccer::side_name(soccer::side_of_slot(slot)),
+                     soccer::unum_of_slot(slot));
+}
+
+Result<std::shared_ptr<const Setup>> make_setup(const SetupChoices& choices) {
+  const Result<const Task*> task = choose_task(choices.task);
+  if (!task) return task.error();
+  auto setup = std::make_shared<Setup>();
+  setup->task = *task;
+  setup->fidelity = choices.fidelity;
+  if (Result<void> done = choose_cast(choices, *setup); !done) return done.error();
+  if (Result<void> done = choose_sets(choices, *setup); !done) return done.error();
+  setup->weights = choices.weights;
+  setup->frame_skip = choices.frame_skip;
+  setup->max_cycles = choices.max_cycles > 0 ? choices.max_cycles : setup->task->max_cycles;
+  setup->random_types = choices.random_types;
+  setup->options = setup->task->usual_options();
+  if (Result<void> done = prepare_world(*setup); !done) return done.error();
+  return std::shared_ptr<const Setup>(std::move(setup));
+}
+
+}  // namespace cls::training

@@ -1,0 +1,76 @@
+// Everything that is the same in all episodes of a pool.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+#include "simulator/world/world.h"
+#include "training/actions/action_set.h"
+#include "training/episode/reward.h"
+#include "training/features/feature_set.h"
+#include "training/tasks/task.h"
+
+namespace cls::training {
+
+/// What the learner perceives. The two are never mixed; physics, rewards and ends are the same.
+enum class Fidelity : unsigned char {
+  kFullState,   ///< the exact world, without messages
+  kWorldModel,  ///< the world model of an agent that sees and hears with noise
+};
+
+enum class Presence : unsigned char { kAbsent, kHold, kScripted };
+
+/// Choices of the caller. Counts of -1 and empty names mean the task's defaults.
+struct SetupChoices {
+  std::string task;
+  Fidelity fidelity = Fidelity::kFullState;
+  std::string features;
+  std::string actions;
+  int offense = -1;
+  int defense = -1;
+  int num_agents = -1;
+  int agents = -1;  ///< an Agents, or -1
+  Driver teammates = Driver::kScripted;
+  Presence opponent = Presence::kScripted;
+  int frame_skip = 1;
+  int max_cycles = 0;
+  std::array<double, kRewardTerms> weights{};
+  bool random_types = false;
+};
+
+/// Immutable; shared by the episodes of a pool and by their copies.
+struct Setup {
+  const Task* task = nullptr;
+  Fidelity fidelity = Fidelity::kFullState;
+  Cast cast;
+  std::array<Driver, soccer::kPlayersOnPitch> drivers{};  ///< of players that are no agents
+  std::array<bool, soccer::kPlayersOnPitch> is_agent{};
+  const FeatureSet* features = nullptr;
+  const ActionSet* actions = nullptr;
+  Columns feature_columns;  ///< of an agent; the widest if the teams differ in size
+  Columns value_columns;
+  std::vector<int> offsets;  ///< first value of each action
+  Columns state_columns;
+  std::array<double, kRewardTerms> weights{};
+  int frame_skip = 1;
+  int max_cycles = 0;
+  bool random_types = false;
+  OptionValues options{};     ///< defaults of the task
+  simulator::World prepared;  ///< all players of the cast on the pitch, at rest
+
+  std::size_t agent_count() const { return cast.agents.size(); }
+  std::size_t feature_count() const { return feature_columns.size(); }
+  std::size_t value_count() const { return value_columns.size(); }
+  std::size_t id_count() const { return actions->actions.size(); }
+};
+
+/// The error names the choice that does not fit the task.
+base::Result<std::shared_ptr<const Setup>> make_setup(const SetupChoices& choices);
+
+/// "left_7"
+std::string agent_name(int slot);
+
+}  // namespace cls::training

@@ -1,0 +1,139 @@
+// Feature set "ego": the pitch as an agent sees it from its own position, for every task.
+#include "training/features/feature_set.h"
+
+#include "soccer/pitch.h"
+#include "training/features/feature_writer.h"
+
+namespace cls::training {
+namespace {
+
+constexpr double kFar = 60.0;         // distances beyond it count as this far
+constexpr double kBallSpeed = 3.0;    // ball_speed_max
+constexpr double kPlayerSpeed = 1.2;  // above player_speed_max of all types
+constexpr int kPlayerColumns = 10;
+
+void add_player_columns(const std::string& who, Columns& out) {
+  out.push_back({who + "_seen", "0/1", -1, 1});
+  out.push_back({who + "_sin", "1", -1, 1});
+  out.push_back({who + "_cos", "1", -1, 1});
+  out.push_back({who + "_distance", "60 m", 0, 1});
+  out.push_back({who + "_vx", "1.2 m/cycle", -1, 1});
+  out.push_back({who + "_vy", "1.2 m/cycle", -1, 1});
+  out.push_back({who + "_body_sin", "1", -1, 1});
+  out.push_back({who + "_body_cos", "1", -1, 1});
+  out.push_back({who + "_goalie", "0/1", -1, 1});
+  out.push_back({who + "_ball_distance", "60 m", 0, 1});
+}
+
+Columns columns(int teammates, int opponents) {
+  Columns out = {{"self_x", "52.5 m", -1.2F, 1.2F},
+                 {"self_y", "34 m", -1.2F, 1.2F},
+                 {"self_sin", "1", -1, 1},
+                 {"self_cos", "1", -1, 1},
+                 {"self_forward_speed", "1.2 m/cycle", -1, 1},
+                 {"self_sideward_speed", "1.2 m/cycle", -1, 1},
+                 {"self_stamina", "8000", 0, 1},
+                 {"self_kickable", "0/1", -1, 1},
+                 {"self_frozen", "0/1", -1, 1},
+                 {"play_on", "0/1", -1, 1},
+                 {"time_left", "1", 0, 1},
+                 {"ball_seen", "0/1", -1, 1},
+                 {"ball_sin", "1", -1, 1},
+                 {"ball_cos", "1", -1, 1},
+                 {"ball_distance", "60 m", 0, 1},
+                 {"ball_vx", "3 m/cycle", -1, 1},
+                 {"ball_vy", "3 m/cycle", -1, 1},
+                 {"ball_x", "52.5 m", -1.2F, 1.2F},
+                 {"ball_y", "34 m", -1.2F, 1.2F}};
+  for (const char* goal : {"their_goal", "their_left_post", "their_right_post", "own_goal"}) {
+    const std::string name = goal;
+    out.push_back({name + "_sin", "1", -1, 1});
+    out.push_back({name + "_cos", "1", -1, 1});
+    out.push_back({name + "_distance", "60 m", 0, 1});
+  }
+  for (int i = 1; i <= teammates; ++i) {
+    add_player_columns("teammate" + std::to_string(i), out);
+  }
+  for (int i = 1; i <= opponents; ++i) {
+    add_player_columns("opponent" + std::to_string(i), out);
+  }
+  return out;
+}
+
+/// The agent's axes: `forward` is a unit vector along the body.
+struct Axes {
+  Vec2 origin;
+  Vec2 forward;
+};
+
+void add_vector(FeatureWriter& out, const Axes& axes, Vec2 v, double scale) {
+  out.value(dot(axes.forward, v) / scale);
+  out.value(cross(axes.forward, v) / scale);
+}
+
+void add_point(FeatureWriter& out, const Axes& axes, Vec2 point) {
+  const Vec2 to = point - axes.origin;
+  out.direction(to, axes.forward);
+  out.value(to.length() / kFar, 0.0);
+}
+
+void add_player(FeatureWriter& out, const Axes& axes, const Scene& scene, Seat seat) {
+  const ScenePlayer& player = scene.player(seat);
+  if (!player.seen) {
+    out.flag(false);
+    out.same(kPlayerColumns - 1, 0.0F);
+    return;
+  }
+  out.flag(true);
+  add_point(out, axes, player.position);
+  add_vector(out, axes, player.velocity_known ? player.velocity : Vec2{}, kPlayerSpeed);
+  const Vec2 facing = player.body_known ? soccer::polar_radians(1.0, player.body) : Vec2{};
+  add_vector(out, axes, facing, 1.0);
+  out.flag(player.goalie);
+  out.value(scene.ball_seen ? distance(player.position, scene.ball) / kFar : 1.0, 0.0);
+}
+
+void add_self(FeatureWriter& out, const PointOfView& view, const Axes& axes) {
+  const ScenePlayer& me = view.me();
+  out.value(me.position.x / soccer::kHalfLength, -1.2, 1.2);
+  out.value(me.position.y / soccer::kHalfWidth, -1.2, 1.2);
+  out.value(axes.forward.y);
+  out.value(axes.forward.x);
+  add_vector(out, axes, me.velocity, kPlayerSpeed);
+  out.value(me.stamina / view.scene.server->stamina_max, 0.0);
+  out.flag(can_kick(view.scene, view.self));
+  out.flag(me.frozen);
+  out.flag(view.scene.play_on);
+  out.value(view.time_left, 0.0);
+}
+
+void add_ball(FeatureWriter& out, const Scene& scene, const Axes& axes) {
+  out.flag(scene.ball_seen);
+  if (!scene.ball_seen) return out.same(7, 0.0F);
+  add_point(out, axes, scene.ball);
+  add_vector(out, axes, scene.ball_velocity_known ? scene.ball_velocity : Vec2{}, kBallSpeed);
+  out.value(scene.ball.x / soccer::kHalfLength, -1.2, 1.2);
+  out.value(scene.ball.y / soccer::kHalfWidth, -1.2, 1.2);
+}
+
+void fill(const PointOfView& view, float* numbers) {
+  FeatureWriter out(numbers);
+  const Axes axes = {view.me().position, soccer::polar_radians(1.0, view.me().body)};
+  add_self(out, view, axes);
+  add_ball(out, view.scene, axes);
+  const double post = view.scene.server->goal_width / 2.0;
+  add_point(out, axes, {soccer::kHalfLength, 0.0});
+  add_point(out, axes, {soccer::kHalfLength, -post});
+  add_point(out, axes, {soccer::kHalfLength, post});
+  add_point(out, axes, {-soccer::kHalfLength, 0.0});
+  for (const Seat seat : teammates_of(view)) add_player(out, axes, view.scene, seat);
+  for (const Seat seat : opponents_of(view)) add_player(out, axes, view.scene, seat);
+}
+
+}  // namespace
+
+const FeatureSet kEgoFeatures = {
+    "ego", 1,       "egocentric: directions relative to the body, own team attacks +x",
+    false, columns, fill};
+
+}  // namespace cls::training

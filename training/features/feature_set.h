@@ -1,0 +1,33 @@
+// Observations of an agent as arrays of numbers: a named, versioned set of features.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "training/scene/cast.h"
+#include "training/scene/column.h"
+
+namespace cls::training {
+
+struct FeatureSet {
+  std::string_view name;
+  int version;
+  std::string_view summary;
+  bool left_only;  ///< meaningless for the right team, and refused for it
+  /// Columns for so many teammates (without the agent) and opponents.
+  Columns (*columns)(int teammates, int opponents);
+  /// Writes as many numbers as there are columns. Does not allocate.
+  void (*fill)(const PointOfView& view, float* out);
+};
+
+/// A change of a set's columns or values needs a new version.
+extern const FeatureSet kEgoFeatures;
+extern const FeatureSet kHfoLowFeatures;
+extern const FeatureSet kHfoHighFeatures;
+
+const std::vector<const FeatureSet*>& feature_sets();
+
+/// Null for unknown names.
+const FeatureSet* find_feature_set(std::string_view name);
+
+}  // namespace cls::training

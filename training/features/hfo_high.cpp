@@ -1,0 +1,180 @@
+// Feature set "hfo_high": HFO's high-level features, 12 + 6 per teammate + 3 per opponent. Missing
+// values are -2 and uniform numbers are not scaled, as in HFO; the bounds say so.
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "soccer/math.h"
+#include "soccer/pitch.h"
+#include "training/features/feature_set.h"
+#include "training/features/feature_writer.h"
+
+namespace cls::training {
+namespace {
+
+namespace math = soccer::math;
+
+constexpr float kMissing = -2.0F;
+constexpr double kKickableArea = 1.085;  // of player type 0
+
+double max_distance() {
+  return std::sqrt(soccer::kHalfLength * soccer::kHalfLength +
+                   soccer::kHalfWidth * soccer::kHalfWidth);
+}
+
+Columns columns(int teammates, int opponents) {
+  Columns out;
+  for (const char* name : {"self_x", "self_y", "self_body", "ball_x", "ball_y", "kickable",
+                           "goal_distance", "goal_angle", "goal_opening"}) {
+    out.push_back({name, "1", -1, 1});
+  }
+  out.push_back({"nearest_opponent_distance", "1", kMissing, 1});
+  const auto each = [&](const char* team, int count, const char* what, float low, float high) {
+    for (int i = 1; i <= count; ++i) {
+      out.push_back({team + std::to_string(i) + what, high > 1 ? "number" : "1", low, high});
+    }
+  };
+  each("teammate", teammates, "_goal_opening", kMissing, 1);
+  each("teammate", teammates, "_nearest_opponent_distance", kMissing, 1);
+  each("teammate", teammates, "_pass_opening", kMissing, 1);
+  const auto positions = [&](const char* team, int count) {
+    for (int i = 1; i <= count; ++i) {
+      const std::string name = team + std::to_string(i);
+      out.push_back({name + "_x", "1", kMissing, 1});
+      out.push_back({name + "_y", "1", kMissing, 1});
+      out.push_back({name + "_number", "number", kMissing, 11});
+    }
+  };
+  positions("teammate", teammates);
+  positions("opponent", opponents);
+  out.push_back({"last_action_worked", "1", -1, 1});
+  out.push_back({"stamina", "1", -1, 1});
+  return out;
+}
+
+struct Interval {
+  double low;
+  double high;
+};
+
+/// Widest part of `whole` (radians, seen from `eye`) that no opponent nearer than `reach` covers.
+double opening(const PointOfView& view, Vec2 eye, Interval whole, double reach) {
+  std::array<Interval, soccer::kPlayersPerTeam> blocked{};
+  std::size_t count = 0;
+  for (const Seat seat : opponents_of(view)) {
+    const ScenePlayer& player = view.scene.player(seat);
+    if (!player.seen) continue;
+    const Vec2 to = player.position - eye;
+    if (to.length() >= reach) continue;
+    const double middle = soccer::direction_radians(to);
+    const double half = math::atan2(kKickableArea * 0.5, to.length());
+    if (middle + half < whole.low || middle - half > whole.high) continue;
+    blocked[count++] = {middle - half, middle + half};
+  }
+  std::sort(blocked.begin(), blocked.begin() + static_cast<std::ptrdiff_t>(count),
+            [](Interval a, Interval b) { return a.low < b.low; });
+  double widest = 0.0;
+  double free_from = whole.low;
+  for (std::size_t i = 0; i < count; ++i) {
+    widest = std::max(widest, blocked[i].low - free_from);
+    free_from = std::max(free_from, blocked[i].high);
+  }
+  return std::max(widest, whole.high - free_from);
+}
+
+double goal_opening(const PointOfView& view, Vec2 eye) {
+  const double post = view.scene.server->goal_width / 2.0;
+  return opening(view, eye,
+                 {soccer::direction_radians(Vec2{soccer::kHalfLength, -post} - eye),
+                  soccer::direction_radians(Vec2{soccer::kHalfLength, post} - eye)},
+                 std::numeric_limits<double>::infinity());
+}
+
+double pass_opening(const PointOfView& view, Vec2 mate) {
+  const Vec2 eye = view.me().position;
+  const double middle = soccer::direction_radians(mate - eye);
+  return opening(view, eye, {middle - math::kPi / 4.0, middle + math::kPi / 4.0},
+                 distance(eye, mate));
+}
+
+/// Writes positions, angles and distances in HFO's scale.
+struct Scale {
+  FeatureWriter& out;
+  const PointOfView& view;
+
+  void x(double x) const {
+    const double margin = 0.1 * soccer::kHalfLength;
+    out.scaled(x, view.stage.left - margin, view.stage.right + margin);
+  }
+  void y(double y) const { out.scaled(y, -1.1 * soccer::kHalfWidth, 1.1 * soccer::kHalfWidth); }
+  void length(double length) const { out.scaled(length, 0.0, max_distance()); }
+  void width(double angle) const { out.scaled(angle, 0.0, math::kPi); }
+  void angle(double angle) const { out.scaled(angle, -math::kPi, math::kPi); }
+  void nearest_opponent(Vec2 point) const {
+    const Seat seat = nearest_player(view.scene, true, point);
+    if (seat == kNoSeat) return out.same(1, kMissing);
+    length(distance(view.scene.player(seat).position, point));
+  }
+  void position(Seat seat) const {
+    const ScenePlayer& player = view.scene.player(seat);
+    x(player.position.x);
+    y(player.position.y);
+    out.same(1, static_cast<float>(player.unum));
+  }
+};
+
+Seats seen(const PointOfView& view, const Seats& all) {
+  Seats seats;
+  for (const Seat seat : all) {
+    if (view.scene.player(seat).seen) seats.add(seat);
+  }
+  return seats;
+}
+
+void add_players(FeatureWriter& out, const Scale& scale, const PointOfView& view) {
+  const Seats teammates = seen(view, teammates_of(view));
+  const Seats opponents = seen(view, opponents_of(view));
+  const int no_teammates = view.teammate_count() - static_cast<int>(teammates.count);
+  const int no_opponents = view.opponent_count() - static_cast<int>(opponents.count);
+  const auto position = [&](Seat seat) { return view.scene.player(seat).position; };
+  for (const Seat seat : teammates) scale.width(goal_opening(view, position(seat)));
+  out.same(no_teammates, kMissing);
+  for (const Seat seat : teammates) scale.nearest_opponent(position(seat));
+  out.same(no_teammates, kMissing);
+  for (const Seat seat : teammates) scale.width(pass_opening(view, position(seat)));
+  out.same(no_teammates, kMissing);
+  for (const Seat seat : teammates) scale.position(seat);
+  out.same(3 * no_teammates, kMissing);
+  for (const Seat seat : opponents) scale.position(seat);
+  out.same(3 * no_opponents, kMissing);
+}
+
+void fill(const PointOfView& view, float* numbers) {
+  FeatureWriter out(numbers);
+  const Scale scale{out, view};
+  const ScenePlayer& me = view.me();
+  scale.x(me.position.x);
+  scale.y(me.position.y);
+  scale.angle(me.body);
+  scale.x(view.scene.ball.x);
+  scale.y(view.scene.ball.y);
+  out.flag(can_kick(view.scene, view.self));
+  // Whoever plays in the left half of its own coordinates defends the goal there.
+  const Vec2 goal = {view.stage.right > 0.0 ? soccer::kHalfLength : -soccer::kHalfLength, 0.0};
+  const Vec2 to_goal = goal - me.position;
+  scale.length(to_goal.length());
+  scale.angle(soccer::direction_radians(to_goal));
+  scale.width(goal_opening(view, me.position));
+  scale.nearest_opponent(me.position);
+  add_players(out, scale, view);
+  out.flag(view.last_action_worked);
+  out.scaled(me.stamina, 0.0, view.scene.server->stamina_max);
+}
+
+}  // namespace
+
+const FeatureSet kHfoHighFeatures = {
+    "hfo_high", 1,       "HFO's high-level features: positions, openings to goal and teammates",
+    false,      columns, fill};
+
+}  // namespace cls::training

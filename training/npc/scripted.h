@@ -1,0 +1,19 @@
+// Scripted players: teammates and opponents whose actions nobody chooses.
+#pragma once
+
+#include "training/scene/cast.h"
+#include "training/skills/skills.h"
+
+namespace cls::training {
+
+/// Who plays a player that is no agent.
+enum class Driver : unsigned char {
+  kHold,      ///< stands still
+  kScripted,  ///< plays by geometry
+};
+
+/// A player of the team that attacks, defends or keeps goal, whatever the situation asks for. A
+/// pure function of the scene.
+PlayerCommand scripted_command(const PointOfView& view);
+
+}  // namespace cls::training

@@ -1,0 +1,74 @@
+// What one team, or one agent, knows of the pitch: plain data that features and skills read.
+#pragma once
+
+#include <array>
+
+#include "simulator/world/world.h"
+#include "soccer/geometry.h"
+#include "soccer/parameters/player_type.h"
+#include "soccer/parameters/server_params.h"
+
+namespace cls::training {
+
+using soccer::Side;
+using soccer::Vec2;
+
+/// A player. Meters, meters per cycle, radians.
+struct ScenePlayer {
+  bool on_pitch = false;  ///< takes part in the episode; otherwise the rest is meaningless
+  bool seen = false;      ///< position is known; velocity and body have flags of their own
+  bool velocity_known = false;
+  bool body_known = false;
+  bool goalie = false;
+  bool frozen = false;  ///< blocked by a tackle or a foul
+  bool hit_ball = false;
+  bool hit_player = false;
+  bool hit_post = false;
+  int unum = 0;
+  Vec2 position;
+  Vec2 velocity;
+  double body = 0.0;
+  double stamina = 0.0;
+  double effort = 1.0;
+  double kickable_area = 0.0;
+  const soccer::PlayerType* type = nullptr;
+};
+
+/// Index in Scene::players: the own team is 0..10 by uniform number, the opponents 11..21.
+using Seat = int;
+constexpr Seat kNoSeat = -1;
+constexpr Seat kSeats = soccer::kPlayersOnPitch;
+
+/// Coordinates of the own team, which attacks +x (the right team's are mirrored). y grows
+/// downwards for the left team.
+struct Scene {
+  const soccer::ServerParams* server = nullptr;
+  Side side = Side::kLeft;
+  bool play_on = true;  ///< the ball is in play
+  bool ball_seen = false;
+  bool ball_velocity_known = false;
+  Vec2 ball;
+  Vec2 ball_velocity;
+  std::array<ScenePlayer, kSeats> players;
+
+  const ScenePlayer& player(Seat seat) const { return players[static_cast<std::size_t>(seat)]; }
+  ScenePlayer& player(Seat seat) { return players[static_cast<std::size_t>(seat)]; }
+};
+
+/// Seat of a slot (soccer::slot_of) in the scenes of `side`, and the reverse.
+constexpr Seat seat_of(Side side, int slot) {
+  return side == Side::kRight ? (slot + soccer::kPlayersPerTeam) % kSeats : slot;
+}
+
+constexpr bool is_opponent(Seat seat) { return seat >= soccer::kPlayersPerTeam; }
+
+/// The exact world as `side` sees it. Does not allocate.
+void fill_scene(const simulator::World& world, Side side, Scene& out);
+
+/// True if the player's kick would reach the ball.
+bool can_kick(const Scene& scene, Seat seat);
+
+/// Seat of the seen player of a team that is nearest to `point`, without `except`; kNoSeat if none.
+Seat nearest_player(const Scene& scene, bool opponents, Vec2 point, Seat except = kNoSeat);
+
+}  // namespace cls::training

@@ -1,0 +1,209 @@
+// The eleven academy situations of Google Research Football on the pitch of the soccer server.
+#include <cmath>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "soccer/math.h"
+#include "soccer/pitch.h"
+#include "training/tasks/task_rules.h"
+
+namespace cls::training {
+namespace {
+
+using soccer::math::kPi;
+
+/// Positions in the scale of that environment: x -1..1 and y -0.42..0.42, the left team attacks +x.
+struct Place {
+  double x;
+  double y;
+};
+
+struct Situation {
+  std::string_view id;
+  std::string_view summary;
+  Place ball;
+  std::vector<Place> left;
+  std::vector<Place> right;
+  bool goalie;  ///< the first player of the right team is one
+};
+
+// A team behind the ball for the situations of eleven against eleven.
+const std::vector<Place> kLeftEleven = {{-1.0, 0.0},   {0.0, 0.02},  {0.0, -0.02},  {-0.42, -0.2},
+                                        {-0.5, -0.06}, {-0.5, 0.06}, {-0.42, 0.2},  {-0.18, -0.1},
+                                        {-0.27, 0.0},  {-0.18, 0.1}, {-0.01, -0.22}};
+const std::vector<Place> kRightEleven = {{1.0, 0.0},  {0.05, 0.0},  {0.01, 0.22}, {0.42, 0.2},
+                                         {0.5, 0.06}, {0.5, -0.06}, {0.42, -0.2}, {0.18, 0.1},
+                                         {0.27, 0.0}, {0.18, -0.1}, {0.01, -0.22}};
+
+const std::vector<Situation>& situations() {
+  static const std::vector<Place> chasers = {{1.0, 0.0},   {-0.12, -0.2}, {-0.12, -0.1},
+                                             {-0.12, 0.0}, {-0.12, 0.1},  {-0.12, 0.2}};
+  static const std::vector<Place> chasers_without_goalie(chasers.begin() + 1, chasers.end());
+  static const std::vector<Situation> all = {
+      {"Academy-EmptyGoalClose",
+       "at the ball in front of an empty goal",
+       {0.77, 0.0},
+       {{0.75, 0.0}},
+       {},
+       false},
+      {"Academy-EmptyGoal",
+       "at the ball in the middle, empty goal",
+       {0.02, 0.0},
+       {{0.0, 0.0}},
+       {},
+       false},
+      {"Academy-RunToScore",
+       "run to an empty goal before five chasers",
+       {0.02, 0.0},
+       {{0.0, 0.0}},
+       chasers_without_goalie,
+       false},
+      {"Academy-RunToScoreWithKeeper",
+       "the same with a goalie",
+       {0.02, 0.0},
+       {{0.0, 0.0}},
+       chasers,
+       true},
+      {"Academy-PassAndShootWithKeeper",
+       "two attackers, the free one is in the middle",
+       {0.7, -0.28},
+       {{0.7, -0.3}, {0.7, 0.0}},
+       {{1.0, 0.0}, {0.75, -0.3}},
+       true},
+      {"Academy-RunPassAndShootWithKeeper",
+       "two attackers, the one at the ball is free",
+       {0.7, -0.28},
+       {{0.7, -0.3}, {0.7, 0.0}},
+       {{1.0, 0.0}, {0.75, -0.1}},
+       true},
+      {"Academy-3Vs1WithKeeper",
+       "three attackers, a defender and a goalie",
+       {0.62, 0.0},
+       {{0.6, 0.0}, {0.7, 0.2}, {0.7, -0.2}},
+       {{1.0, 0.0}, {0.75, 0.0}},
+       true},
+      {"Academy-Corner",
+       "a corner of eleven against eleven",
+       {0.99, 0.41},
+       {{-1.0, 0.0},
+        {1.0, 0.42},
+        {0.7, 0.15},
+        {0.74, -0.19},
+        {0.76, 0.06},
+        {0.79, -0.04},
+        {0.83, 0.1},
+        {0.66, -0.05},
+        {0.45, 0.22},
+        {0.47, -0.16},
+        {-0.1, 0.0}},
+       {{1.0, 0.0},
+        {0.9, 0.05},
+        {0.87, -0.09},
+        {0.82, 0.12},
+        {0.79, 0.0},
+        {0.84, -0.01},
+        {0.76, -0.15},
+        {0.72, 0.12},
+        {0.68, 0.0},
+        {0.65, -0.2},
+        {0.3, 0.0}},
+       true},
+      {"Academy-CounterattackEasy",
+       "four attackers against one defender and a goalie",
+       {0.26, -0.11},
+       {{0.25, -0.11}, {0.2, 0.14}, {0.15, -0.25}, {0.05, 0.02}},
+       {{1.0, 0.0}, {0.4, 0.05}, {-0.05, -0.1}, {-0.1, 0.1}},
+       true},
+      {"Academy-CounterattackHard",
+       "four attackers against two defenders and a goalie",
+       {0.26, -0.11},
+       {{0.25, -0.11}, {0.2, 0.14}, {0.15, -0.25}, {0.05, 0.02}},
+       {{1.0, 0.0}, {0.4, 0.07}, {0.4, -0.12}, {-0.05, -0.1}, {-0.1, 0.1}},
+       true},
+      {"Academy-SingleGoalVersusLazy",
+       "eleven against eleven who hold their positions",
+       {0.0, 0.0},
+       kLeftEleven,
+       kRightEleven,
+       true}};
+  return all;
+}
+
+Vec2 to_pitch(Place place) {
+  return {place.x * soccer::kHalfLength, place.y / 0.42 * soccer::kHalfWidth};
+}
+
+// Players stand up to half a meter beside their places, so that episodes differ.
+void place_situation(const Situation& situation, const Placing& start) {
+  const double noise = 0.5 * start.options[0];
+  const auto near = [&](Place place) {
+    const double dx = start.random.uniform(-noise, noise);
+    const double dy = start.random.uniform(-noise, noise);
+    return to_pitch(place) + Vec2{dx, dy};
+  };
+  start.put_ball(to_pitch(situation.ball));
+  for (std::size_t i = 0; i < start.cast.left.size(); ++i) {
+    start.put(start.cast.left[i], near(situation.left[i]), 0.0);
+  }
+  for (std::size_t i = 0; i < start.cast.right.size(); ++i) {
+    start.put(start.cast.right[i], near(situation.right[i]), kPi);
+  }
+}
+
+template <std::size_t kIndex>
+void place(const Placing& start) {
+  place_situation(situations()[kIndex], start);
+}
+
+// A possession of the right team ends the episode.
+Status judge(const simulator::World& world, const OptionValues& /*options*/, TaskMemory& memory) {
+  if (scored_against(world, Side::kRight, memory)) {
+    ++memory.score[0];
+    return Status::kGoal;
+  }
+  if (scored_against(world, Side::kLeft, memory)) {
+    ++memory.score[1];
+    return Status::kGoalConceded;
+  }
+  const Vec2 ball = world.ball.position;
+  if (std::fabs(ball.x) > soccer::kHalfLength + 0.1 || std::fabs(ball.y) > soccer::kHalfWidth) {
+    return Status::kOutOfBounds;
+  }
+  if (memory.taken >= 2) return Status::kCaptured;
+  count_possession(world, memory);
+  return Status::kInGame;
+}
+
+template <std::size_t kIndex>
+Task make() {
+  const Situation& situation = situations()[kIndex];
+  const int left = static_cast<int>(situation.left.size());
+  const int right = static_cast<int>(situation.right.size());
+  return {situation.id,
+          0,
+          situation.summary,
+          {left, left, left},
+          {right, right, right},
+          Agents::kLeft,
+          "ego",
+          "hfo",
+          false,
+          situation.goalie,
+          false,
+          400,
+          {{"difficulty", 1, 0, 1, "0: players start exactly at their places; 1: within 0.5 m"}},
+          place<kIndex>,
+          judge};
+}
+
+template <std::size_t... kIndices>
+std::vector<Task> make_all(std::index_sequence<kIndices...>) {
+  return {make<kIndices>()...};
+}
+
+}  // namespace
+
+std::vector<Task> academy() { return make_all(std::make_index_sequence<11>()); }
+
+}  // namespace cls::training

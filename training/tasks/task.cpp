@@ -1,0 +1,116 @@
+// The list of tasks, and what they share.
+#include "training/tasks/task.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "simulator/referee/areas.h"
+#include "soccer/pitch.h"
+#include "training/tasks/task_rules.h"
+
+namespace cls::training {
+
+const std::array<StatusInfo, 9>& statuses() {
+  static const std::array<StatusInfo, 9> all = {
+      {{"IN_GAME", false, "the episode goes on"},
+       {"GOAL", false, "the left team scored"},
+       {"CAPTURED_BY_DEFENSE", false, "the right team has the ball"},
+       {"OUT_OF_BOUNDS", false, "the ball left the area of the task"},
+       {"OUT_OF_TIME", true, "too long, or the ball was untouched too long"},
+       {"GOAL_CONCEDED", false, "the right team scored"},
+       {"REACHED", false, "the aim of the task was reached"},
+       {"FULL_TIME", false, "the match is over"},
+       {"STOPPED", false, "the referee stopped play"}}};
+  return all;
+}
+
+void Placing::put(int slot, Vec2 position, double body) const {
+  simulator::Player& player = world.player(slot);
+  player.position = position;
+  player.velocity = {};
+  player.acceleration = {};
+  player.body = player.pending_body = body;
+}
+
+void Placing::put_ball(Vec2 position, Vec2 velocity) const {
+  world.ball.position = position;
+  world.ball.velocity = velocity;
+  world.ball.acceleration = {};
+}
+
+Stage Task::stage(Side side) const {
+  if (!half) return {-soccer::kHalfLength, soccer::kHalfLength};
+  if (side == Side::kRight) return {-soccer::kHalfLength, 0.0};
+  return {0.0, soccer::kHalfLength};
+}
+
+OptionValues Task::usual_options() const {
+  OptionValues values = {};
+  for (std::size_t i = 0; i < options.size(); ++i) values[i] = options[i].value;
+  return values;
+}
+
+int Task::option_index(std::string_view name) const {
+  for (std::size_t i = 0; i < options.size(); ++i) {
+    if (options[i].name == name) return static_cast<int>(i);
+  }
+  return -1;
+}
+
+const std::vector<Task>& tasks() {
+  static const std::vector<Task> all = [] {
+    std::vector<Task> list = {
+        half_field_offense(), half_field_defense(), keepaway(), penalty(), reach_ball(), match()};
+    for (Task& task : academy()) list.push_back(std::move(task));
+    return list;
+  }();
+  return all;
+}
+
+const Task* find_task(std::string_view id) {
+  for (const Task& task : tasks()) {
+    if (task.id == id) return &task;
+  }
+  return nullptr;
+}
+
+std::vector<int> team_slots(const Task& task, Side side, int players) {
+  // HFO's numbers of attackers; the others count from 1, their goalie.
+  static constexpr std::array<int, soccer::kPlayersPerTeam> kAttackers = {11, 7, 8, 9, 10, 6,
+                                                                          3,  2, 4, 5, 1};
+  std::vector<int> slots;
+  for (int i = 0; i < players; ++i) {
+    const bool hfo_order = task.half && side == Side::kLeft;
+    const int unum = hfo_order ? kAttackers[static_cast<std::size_t>(i)] : i + 1;
+    slots.push_back(soccer::slot_of(side, unum));
+  }
+  return slots;
+}
+
+bool scored_against(const simulator::World& world, Side defender, const TaskMemory& memory) {
+  return simulator::crossed_goal_line(world, defender, memory.previous_ball);
+}
+
+void count_possession(const simulator::World& world, TaskMemory& memory) {
+  ++memory.untouched;
+  bool left_has_it = false;
+  for (int slot = 0; slot < soccer::kPlayersOnPitch; ++slot) {
+    const simulator::Player& player = world.player(slot);
+    if (!player.enabled) continue;
+    const double reach = world.type_of(player).kickable_area(world.params().ball_size);
+    if (squared_distance(player.position, world.ball.position) >= reach * reach) continue;
+    memory.holder = slot;
+    memory.untouched = 0;
+    left_has_it = player.side == Side::kLeft;
+    if (left_has_it) continue;
+    ++memory.taken;
+    break;
+  }
+  if (left_has_it) memory.taken = 0;
+}
+
+double by_difficulty(double difficulty, double easy, double usual) {
+  return easy + (usual - easy) * difficulty;
+}
+
+}  // namespace cls::training

@@ -1,0 +1,111 @@
+// A task: who plays, where, until when, for what reward. Tables of data and two functions.
+#pragma once
+
+#include <array>
+#include <string_view>
+#include <vector>
+
+#include "simulator/world/world.h"
+#include "training/npc/scripted.h"
+#include "training/scene/cast.h"
+
+namespace cls::training {
+
+/// How an episode ended. Numbers and names are part of the C interface.
+enum class Status : int {
+  kInGame = 0,
+  kGoal = 1,          ///< the left team scored
+  kCaptured = 2,      ///< the right team has the ball
+  kOutOfBounds = 3,   ///< the ball left the area of the task
+  kOutOfTime = 4,     ///< truncated: too long, or the ball was untouched too long
+  kGoalConceded = 5,  ///< the right team scored
+  kReached = 6,       ///< the task's aim other than a goal
+  kFullTime = 7,      ///< the match is over
+  kStopped = 8,       ///< the referee stopped play
+};
+
+struct StatusInfo {
+  std::string_view name;
+  bool truncated;
+  std::string_view summary;
+};
+/// By number.
+const std::array<StatusInfo, 9>& statuses();
+
+/// A number that a caller may change between episodes.
+struct TaskOption {
+  std::string_view name;
+  double value;  ///< default
+  double low;
+  double high;
+  std::string_view summary;
+};
+
+constexpr std::size_t kMaxOptions = 8;
+/// Values by index in Task::options.
+using OptionValues = std::array<double, kMaxOptions>;
+
+/// What the rules of a task remember between cycles.
+struct TaskMemory {
+  Vec2 previous_ball;
+  int cycles = 0;
+  int untouched = 0;  ///< cycles since a player could kick the ball
+  int taken = 0;      ///< cycles of possession by the right team, as HFO counts them
+  int holder = simulator::kNoPlayer;
+  std::array<int, 2> score = {};  ///< goals of the episode: left, right
+};
+
+/// Places ball and players at the start. All players of the cast are on the pitch already.
+struct Placing {
+  simulator::World& world;
+  const Cast& cast;
+  const OptionValues& options;
+  soccer::RandomStream& random;
+
+  /// Puts a player down, at rest, facing `body` (radians).
+  void put(int slot, Vec2 position, double body) const;
+  void put_ball(Vec2 position, Vec2 velocity = {}) const;
+};
+
+struct Range {
+  int low;
+  int high;
+  int usual;
+};
+
+enum class Agents : unsigned char { kLeft, kRight, kBoth };
+
+struct Task {
+  std::string_view id;
+  int version;
+  std::string_view summary;
+  Range offense;  ///< players of the left team
+  Range defense;  ///< of the right team, including its goalie
+  Agents agents;  ///< default
+  std::string_view features;
+  std::string_view actions;
+  bool referee;       ///< the full referee of the soccer server; otherwise only the task's rules
+  bool right_goalie;  ///< the first player of the right team is its goalie
+  bool half;          ///< played in the right half of the pitch
+  int max_cycles;
+  std::vector<TaskOption> options;
+  void (*place)(const Placing& start);
+  /// Called after every step; updates the memory.
+  Status (*judge)(const simulator::World& world, const OptionValues& options, TaskMemory& memory);
+
+  Stage stage(Side side) const;
+  OptionValues usual_options() const;
+  /// Index in `options`; -1 for unknown names.
+  int option_index(std::string_view name) const;
+};
+
+/// All tasks; "difficulty" is the first option of each.
+const std::vector<Task>& tasks();
+
+/// Null for unknown ids.
+const Task* find_task(std::string_view id);
+
+/// Slots of a team with so many players of a task, in the order of the arrays.
+std::vector<int> team_slots(const Task& task, Side side, int players);
+
+}  // namespace cls::training
