@@ -1,4 +1,5 @@
 // `cls version`.
+#include "base/text/json_text.h"
 #include "cli/support/commands.h"
 
 #include <fmt/format.h>
@@ -60,7 +61,7 @@ nlohmann::ordered_json document() {
 int print_version(bool json) {
   const nlohmann::ordered_json versions = document();
   if (json) {
-    fmt::print("{}\n", versions.dump(2));
+    fmt::print("{}", base::json_document(versions));
     return kOk;
   }
   fmt::print("cls {}\n", base::kVersion);

@@ -1,5 +1,6 @@
 // Formats the JSON document of results.
 #include "analysis/results/results_text.h"
+#include "base/text/json_text.h"
 
 #include <nlohmann/json.hpp>
 
@@ -103,7 +104,7 @@ std::string results_json(const std::vector<MatchSummary>& matches) {
   json["matches"] = list_json(matches, match_json);
   json["standings"] = standings_json(standings);
   json["not_counted"] = standings.not_counted;
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return base::json_document(json);
 }
 
 }  // namespace cls::analysis

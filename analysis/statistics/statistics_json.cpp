@@ -6,6 +6,7 @@
 
 #include "analysis/statistics/event_list.h"
 #include "analysis/statistics/fields.h"
+#include "base/text/json_text.h"
 #include "soccer/side.h"
 
 namespace cls::analysis {
@@ -47,6 +48,7 @@ Json goals_json(const MatchStatistics& all) {
   for (std::size_t i = 0; i < all.goals.size(); ++i) {
     const Goal& goal = all.goals[i];
     Json json = {{"cycle", goal.cycle},
+                 {"frame", goal.frame},
                  {"minute", minute_json(*all.flow.record, goal.cycle)},
                  {"side", side_name(goal.side)},
                  {"unum", unum_or_null(goal.scorer)},
@@ -69,6 +71,7 @@ Json shot_list_json(const MatchStatistics& all) {
     const Shot& shot = all.shots[i];
     const Touch& touch = all.flow.touches[shot.touch];
     list.push_back({{"cycle", all.flow.record->time[touch.frame]},
+                    {"frame", touch.frame},
                     {"side", side_text(shot.slot)},
                     {"unum", unum_or_null(shot.slot)},
                     {"from", point_json(touch.contact)},
@@ -88,6 +91,7 @@ Json events_json(const MatchStatistics& all) {
   for (const Event& event : list_events(all)) {
     Json json = {{"cycle", event.cycle},
                  {"stopped", event.stopped},
+                 {"frame", event.frame},
                  {"kind", event.kind},
                  {"side", event.slot == kNoPlayer ? Json(nullptr) : Json(side_text(event.slot))},
                  {"unum", unum_or_null(event.slot)},
@@ -125,7 +129,7 @@ std::string statistics_json(const MatchSummary& summary, const MatchStatistics& 
   }
   if (events) json["events"] = events_json(all);
   round_numbers(json);
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return base::json_line(json);
 }
 
 std::string statistics_document(const std::vector<std::string>& matches) {

@@ -1,4 +1,5 @@
 // `cls logs DIR`: the files of a match and the last output of the process that failed.
+#include "base/text/json_text.h"
 #include "cli/support/commands.h"
 
 #include <fmt/format.h>
@@ -180,7 +181,7 @@ void print_json(const FoundMatch& found, const match::MatchResult& result,
     document["tail"] = {
         {"file", tail->file.name}, {"process", text(tail->file.process)}, {"lines", tail->lines}};
   }
-  fmt::print("{}\n", document.dump(2, ' ', false, Json::error_handler_t::replace));
+  fmt::print("{}", base::json_document(document));
 }
 
 // A match without a result was killed, or is running.

@@ -1,4 +1,5 @@
 // `cls config`: the settings of a match, and where each comes from.
+#include "base/text/json_text.h"
 #include "cli/support/commands.h"
 
 #include <fmt/format.h>
@@ -33,7 +34,7 @@ void print_json(const std::vector<SettingRow>& rows) {
                         {"origin", row.origin}});
   }
   const nlohmann::ordered_json document = {{"schema", "cls.config/1"}, {"settings", settings}};
-  fmt::print("{}\n", document.dump(2));
+  fmt::print("{}", base::json_document(document));
 }
 
 int run_config_command(const CLI::App& command, MatchArguments& arguments) {

@@ -1,4 +1,6 @@
 // `cls match`: plays one match.
+#include "base/text/counted.h"
+#include "base/text/json_text.h"
 #include "cli/support/commands.h"
 
 #include <fmt/format.h>
@@ -82,7 +84,7 @@ int print_dry_run(const MatchArguments& arguments) {
   if (!text) return print_error(kUnavailable, text.error().message);
   if (arguments.json) {
     const nlohmann::ordered_json document = {{"schema", "cls.dry-run/1"}, {"script", *text}};
-    fmt::print("{}\n", document.dump(2));
+    fmt::print("{}", base::json_document(document));
     return kOk;
   }
   fmt::print("{}", *text);
@@ -130,8 +132,7 @@ int run_match_command(const CLI::App& command, MatchArguments& arguments) {
   }
   const int exit_code = exit_code_of(*result);
   if (!arguments.strict || exit_code != kOk || result->warnings.empty()) return exit_code;
-  return print_error(kFailed, fmt::format("{} warning{} (--strict)", result->warnings.size(),
-                                          result->warnings.size() == 1 ? "" : "s"));
+  return print_error(kFailed, base::counted(result->warnings.size(), "warning") + " (--strict)");
 }
 
 }  // namespace

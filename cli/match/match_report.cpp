@@ -7,6 +7,7 @@
 #include <functional>
 #include <iterator>
 
+#include "base/text/counted.h"
 #include "base/text/wrap_text.h"
 #include "cli/support/troubleshooting.h"
 #include "orchestration/process/command_plan.h"
@@ -191,8 +192,8 @@ std::string errors(const MatchResult& result, const TeamResult& team) {
   if (!team.errors.first) return {};
   const auto& first = *team.errors.first;
   std::string text =
-      fmt::format("  {}: {} RPC error{}, the first at cycle {} ({}, {})\n    {}\n", team.name,
-                  team.errors.count, team.errors.count == 1 ? "" : "s", first.cycle, first.rpc,
+      fmt::format("  {}: {}, the first at cycle {} ({}, {})\n    {}\n", team.name,
+                  base::counted(team.errors.count, "RPC error"), first.cycle, first.rpc,
                   proxy::agent_name(first.unum),
                   base::wrap_text(first.status + ": " + first.message, kLineWidth, 4));
   if (!first.recording.empty()) {

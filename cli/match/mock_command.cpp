@@ -1,4 +1,5 @@
 // `cls mock`: runs the mock Playmaker until a signal.
+#include "base/text/json_text.h"
 #include "cli/support/commands.h"
 
 #include <fmt/format.h>
@@ -89,6 +90,8 @@ void add_fault_options(CLI::App& command, Arguments& arguments) {
       ->group("Faults");
   add("--unimplemented", arguments.unimplemented, "comma-separated RPCs that are not implemented")
       ->delimiter(',');
+  command.add_flag("--full-states", faults.full_states, "no LEAN_STATES in one call per team")
+      ->group("Faults");
   add("--slow-start", arguments.slow_start_s, "seconds before listening")->check(any);
   add("--fault-cycles", arguments.only_cycles, "FROM TO: delays and fractions only in these cycles")
       ->expected(2);
@@ -115,6 +118,7 @@ std::optional<std::string> resolve_faults(const Arguments& arguments, Faults& fa
   merge(&Faults::status);
   merge(&Faults::message);
   merge(&Faults::wrong_client_id);
+  merge(&Faults::full_states);
   merge(&Faults::unums);
   merge(&Faults::seed);
   if (const auto code = mock_server::status_code(faults.status); !code) {
@@ -260,7 +264,7 @@ int run_mock(const Arguments& arguments) {
                                          {"host", arguments.host},
                                          {"port", process.port()},
                                          {"behavior", arguments.behavior}};
-    json.print_line(line.dump());
+    json.print_line(base::json_line(line));
   }
   fmt::print("listening on {}:{}\n", arguments.host, process.port());
   std::fflush(stdout);

@@ -1,4 +1,5 @@
 // `cls proxy`: one team for a running soccer server; accepts the options of upstream's start.sh.
+#include "base/text/json_text.h"
 #include "cli/support/commands.h"
 
 #include <fmt/format.h>
@@ -295,7 +296,7 @@ std::string json_line(const proxy::Team& team) {
                                        {"synchronous", team.synchronous()},
                                        {"players", unums},
                                        {"coach", team.coach() != nullptr}};
-  return line.dump();
+  return base::json_line(line);
 }
 
 // Maximum of each percentile over the players.

@@ -1,4 +1,5 @@
 // `cls server`: serves one match over UDP, until time over or a signal.
+#include "base/text/json_text.h"
 #include "cli/support/commands.h"
 
 #include <fmt/format.h>
@@ -207,7 +208,7 @@ std::string json_line(const Arguments& arguments, const orchestration::match::Se
   const nlohmann::ordered_json line = {{"schema", "cls.server/1"},  {"host", arguments.host},
                                        {"port", ports.player},      {"trainer_port", ports.trainer},
                                        {"coach_port", ports.coach}, {"seed", seed}};
-  return line.dump();
+  return base::json_line(line);
 }
 
 /// A closed terminal ends the match gracefully like Ctrl-C, except under nohup.

@@ -1,4 +1,5 @@
 // `cls test`: plays scenarios and reports their verdicts; replays recorded RPCs.
+#include "base/text/json_text.h"
 #include "cli/support/commands.h"
 
 #include <fmt/format.h>
@@ -199,7 +200,7 @@ int list(const std::vector<Scenario>& scenarios, bool json) {
     for (const Scenario& scenario : scenarios) {
       document["scenarios"].push_back({{"name", scenario.name}, {"about", scenario.about}});
     }
-    fmt::print("{}\n", document.dump(2));
+    fmt::print("{}", base::json_document(document));
     return kOk;
   }
   for (const Scenario& scenario : scenarios) {
@@ -248,7 +249,7 @@ int export_to(const fs::path& folder, bool force, bool json) {
   if (json) {
     const nlohmann::ordered_json document = {
         {"schema", "cls.export/1"}, {"dir", folder.string()}, {"files", count}};
-    fmt::print("{}\n", document.dump(2));
+    fmt::print("{}", base::json_document(document));
   } else {
     fmt::print("{} files in {}\n", count, folder.string());
   }

@@ -5,6 +5,7 @@
 
 #include <cstdio>
 
+#include "base/text/counted.h"
 #include "orchestration/tournament/report/report_model.h"
 
 namespace cls::cli {
@@ -32,7 +33,7 @@ std::string match_line(const TournamentConfig& config, const ScheduledMatch& mat
   };
   std::string how = fmt::format("{}, {:.1f} s", name(outcome.end_reason), outcome.run_seconds);
   if (const std::size_t count = outcome.warnings.size(); count > 0) {
-    how += fmt::format(", {} warning{}", count, count == 1 ? "" : "s");
+    how += ", " + base::counted(count, "warning");
   }
   std::string line = fmt::format(
       "match {}/{}  {} {} {}  ({})", match.fixture.index, total, team(match.fixture.left),

@@ -1,4 +1,5 @@
 // `cls init`: writes cls.toml, never over an existing one.
+#include "base/text/json_text.h"
 #include "cli/support/commands.h"
 
 #include <fmt/format.h>
@@ -44,7 +45,7 @@ int run(const std::string& folder, bool force, bool json) {
   if (!written) return print_error(kCannotCreate, written.error().message);
   if (json) {
     const nlohmann::ordered_json document = {{"schema", "cls.init/1"}, {"file", file.string()}};
-    fmt::print("{}\n", document.dump(2));
+    fmt::print("{}", base::json_document(document));
   } else {
     fmt::print("{}\n", file.string());
   }

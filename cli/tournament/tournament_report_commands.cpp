@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "base/io/whole_file.h"
+#include "base/text/json_text.h"
 #include "base/text/suggestion.h"
 #include "cli/support/commands.h"
 #include "cli/support/exit_code.h"
@@ -66,7 +67,7 @@ void print_json(const TournamentConfig& config, const std::vector<Fixture>& fixt
   fmt::print("{{\"schema\": \"cls.tournament/1\", \"matches\": [");
   const char* separator = "\n";
   for (const Fixture& fixture : fixtures) {
-    fmt::print("{}{}", separator, json_of(config, planned(fixture)).dump());
+    fmt::print("{}{}", separator, base::json_line(json_of(config, planned(fixture))));
     separator = ",\n";
   }
   fmt::print("\n], \"standings\": []}}\n");
@@ -147,7 +148,7 @@ int status(const FolderArguments& arguments) {
         {"scheduled", counts.scheduled}, {"finished", counts.finished},
         {"forfeits", counts.forfeits},   {"invalid", counts.invalid},
         {"open", counts.open},           {"running", state.running}};
-    fmt::print("{}\n", document.dump(2));
+    fmt::print("{}", base::json_document(document));
     return kOk;
   }
   fmt::print("{}; {}\n", counts_text(counts),
@@ -220,7 +221,7 @@ void print_stop(const FolderArguments& arguments, bool was_running) {
   if (arguments.json) {
     const nlohmann::ordered_json document = {
         {"schema", "cls.stop/1"}, {"dir", arguments.folder}, {"was_running", was_running}};
-    fmt::print("{}\n", document.dump(2));
+    fmt::print("{}", base::json_document(document));
     return;
   }
   fmt::print("{}: {}\n", arguments.folder,

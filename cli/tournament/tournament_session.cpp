@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/io/occupied_path.h"
+#include "base/text/counted.h"
 #include "cli/support/command_line.h"
 #include "cli/support/exit_code.h"
 #include "cli/support/print_error.h"
@@ -106,8 +107,7 @@ std::string warning_counts(const std::vector<ScheduledMatch>& matches) {
     warnings += count;
     warned += count > 0;
   }
-  return fmt::format("{} warning{} in {} match{}", warnings, warnings == 1 ? "" : "s", warned,
-                     warned == 1 ? "" : "es");
+  return base::counted(warnings, "warning") + " in " + base::counted(warned, "match", "matches");
 }
 
 // Prints and returns the error if another process works in the folder.

@@ -10,6 +10,7 @@
 
 #include "base/report/github.h"
 #include "base/report/junit.h"
+#include "base/text/json_text.h"
 
 namespace cls::orchestration::checks {
 namespace {
@@ -71,7 +72,7 @@ std::string to_json(const CheckReport& report) {
                      {"evidence", step.evidence},
                      {"why", step.why}});
   }
-  return document.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+  return base::json_document(document);
 }
 
 std::string to_junit(const CheckReport& report) {

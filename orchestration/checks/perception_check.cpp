@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "base/text/json_text.h"
 #include "soccer/side.h"
 
 namespace cls::orchestration::checks {
@@ -148,7 +149,7 @@ std::string to_json(const PerceptionCheck& check) {
     error["mean"] = row.error.mean;
     error["p95"] = row.error.p95;
   }
-  return document.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+  return base::json_document(document);
 }
 
 }  // namespace cls::orchestration::checks

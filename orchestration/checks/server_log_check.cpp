@@ -1,5 +1,6 @@
 // Checks and reports of a replayed match.
 #include "orchestration/checks/server_log_check.h"
+#include "base/text/json_text.h"
 
 #include <fmt/format.h>
 
@@ -240,7 +241,7 @@ std::string to_json(const LogAgreement& agreement, const std::vector<LogCheck>& 
                     {"bound", demand.bound},
                     {"passed", demand.passed}});
   }
-  return document.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+  return base::json_document(document);
 }
 
 }  // namespace cls::orchestration::checks

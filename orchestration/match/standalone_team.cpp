@@ -7,6 +7,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "base/text/json_text.h"
 #include "orchestration/match/match.h"
 #include "orchestration/match/server/external_server.h"
 #include "orchestration/match/sides/network_agents.h"
@@ -107,7 +108,7 @@ std::string to_json(const StandaloneTeamOptions& options, const StandaloneTeamRe
                          {"cycles", result.cycles},
                          {"players", Json::parse(to_json(result.players))},
                          {"errors", Json::parse(to_json(result.errors))}};
-  return document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return base::json_document(document);
 }
 
 StandaloneTeamResult run_standalone_team(const StandaloneTeamOptions& options,

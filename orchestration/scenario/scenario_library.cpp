@@ -9,6 +9,7 @@
 
 #include "base/io/whole_file.h"
 #include "base/text/json_document.h"
+#include "base/text/json_text.h"
 #include "orchestration/scenario/scenario_file.h"
 
 namespace cls::orchestration::scenario {
@@ -120,7 +121,7 @@ Result<int> accept_golden_values(const SuiteVerdict& suite) {
       (*golden)[name] = values;
     }
     const std::map<std::string, Json> sorted = golden->get<std::map<std::string, Json>>();
-    if (const auto written = base::write_file(file, Json(sorted).dump(2) + "\n"); !written) {
+    if (const auto written = base::write_file(file, base::json_document(Json(sorted))); !written) {
       return written.error();
     }
   }

@@ -8,6 +8,7 @@
 #include "base/report/github.h"
 #include "base/report/junit.h"
 #include "base/system/version.h"
+#include "base/text/json_text.h"
 
 namespace cls::orchestration::scenario {
 namespace {
@@ -142,7 +143,7 @@ std::string to_json(const SuiteVerdict& suite) {
   for (const ScenarioVerdict& verdict : suite.scenarios) {
     json["scenarios"].push_back(json_of(verdict));
   }
-  return json.dump(2) + "\n";
+  return base::json_document(json);
 }
 
 std::string to_junit(const SuiteVerdict& suite) {

@@ -9,6 +9,7 @@
 
 #include "base/system/host.h"
 #include "base/system/version.h"
+#include "base/text/json_text.h"
 
 namespace cls::orchestration::checks {
 namespace {
@@ -67,7 +68,7 @@ std::string to_json(const DoctorReport& report) {
                    {"healthy", report.healthy()}};
   Json& items = document["items"] = Json::array();
   for (const DoctorCheck& check : report.checks) items.push_back(to_json(check));
-  return document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return base::json_document(document);
 }
 
 std::string install_command(std::string_view packages) {

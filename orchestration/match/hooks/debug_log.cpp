@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "base/text/json_text.h"
 #include "proto/playmaker.pb.h"
 
 namespace cls::orchestration::match {
@@ -58,9 +59,7 @@ void DebugLog::SideLog::on_call(const proxy::RpcCall& call) {
   for (const auto& action : static_cast<const protos::PlayerActions&>(*call.reply).actions()) {
     if (!action.has_log() && !action.has_debug_client()) continue;
     // The text of a Playmaker may not be UTF-8.
-    lines_.emplace_back(
-        call.agent,
-        json_of(cycle_, call.agent, action).dump(-1, ' ', false, Json::error_handler_t::replace));
+    lines_.emplace_back(call.agent, base::json_line(json_of(cycle_, call.agent, action)));
   }
 }
 

@@ -8,6 +8,7 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
+#include "base/text/json_text.h"
 #include "orchestration/match/options/match_options.h"
 #include "orchestration/match/sides/agent_side.h"
 #include "proto/rpc.h"
@@ -238,7 +239,7 @@ std::string to_json(const ReplayResult& result) {
   json["answered"] = result.answered;
   json["differences"] = json_of(result.differences);
   json["failing"] = json_of(result.failing);
-  return json.dump(2) + "\n";
+  return base::json_document(json);
 }
 
 std::string to_text(const ReplayResult& result, std::size_t most) {

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <variant>
 
+#include "base/text/json_text.h"
 #include "soccer/side.h"
 
 namespace cls::orchestration::match {
@@ -19,7 +20,7 @@ std::size_t index_of(Side side) { return side == Side::kRight ? 1 : 0; }
 void EventRecorder::add(int time, std::string_view type, const Json& fields) {
   Json line = {{"schema", "cls.events/1"}, {"seq", next_++}, {"t", time}, {"type", type}};
   line.update(fields);
-  sink_.write(line.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n");
+  sink_.write(base::json_line(line) + "\n");
 }
 
 void EventRecorder::add_goal(const Goal& goal) {

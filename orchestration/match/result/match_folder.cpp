@@ -14,6 +14,7 @@
 #include "base/io/occupied_path.h"
 #include "base/system/host.h"
 #include "base/system/version.h"
+#include "base/text/json_text.h"
 #include "soccer/parameters/player_params.h"
 #include "soccer/parameters/server_params.h"
 
@@ -156,7 +157,7 @@ std::string manifest_json(const MatchOptions& options, const TeamNames& names, s
                          {"server", options.server_choice.text},
                          {"mode", name(mode_of(options))},
                          {"settings", std::move(settings)}};
-  return document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return base::json_document(document);
 }
 
 }  // namespace cls::orchestration::match

@@ -6,6 +6,7 @@
 
 #include "base/catch_as_error.h"
 #include "base/text/json_codec.h"
+#include "base/text/json_text.h"
 #include "soccer/side.h"
 
 namespace cls::orchestration::match {
@@ -191,10 +192,12 @@ static void members(Codec& codec, Object<Codec, MatchResult>& result) {
 }
 
 std::string to_json(const std::vector<PlayerResult>& players) {
-  return base::JsonEncoder::encode(players).dump();
+  return base::json_line(base::JsonEncoder::encode(players));
 }
 
-std::string to_json(const ErrorResult& errors) { return base::JsonEncoder::encode(errors).dump(); }
+std::string to_json(const ErrorResult& errors) {
+  return base::json_line(base::JsonEncoder::encode(errors));
+}
 
 std::optional<std::string> winner(const MatchResult& result) {
   if (!result.valid()) return std::nullopt;
@@ -207,8 +210,7 @@ std::optional<std::string> winner(const MatchResult& result) {
 
 std::string to_json(const MatchResult& result) {
   // Messages may hold output of other programs: replace bytes that are not UTF-8.
-  return base::JsonEncoder::encode(result).dump(2, ' ', false, Json::error_handler_t::replace) +
-         "\n";
+  return base::json_document(base::JsonEncoder::encode(result));
 }
 
 Result<MatchResult> parse_match_result(std::string_view text) {

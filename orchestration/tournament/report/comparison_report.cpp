@@ -1,4 +1,5 @@
 // Texts and members of a comparison; every figure is that of NEW against BASE.
+#include "base/text/json_text.h"
 #include "orchestration/tournament/report/comparison.h"
 
 #include <fmt/format.h>
@@ -136,7 +137,7 @@ std::string comparison_json(const Comparison& comparison, std::span<const Schedu
   document["counts"] = {{"finished", counts.finished}, {"invalid", counts.invalid}};
   document["matches"] = std::move(rows);
   document["versions"] = {{"cls", base::kVersion}, {"wire", base::kWireVersion}};
-  return document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return base::json_document(document);
 }
 
 }  // namespace cls::orchestration::tournament

@@ -11,6 +11,7 @@
 
 #include "base/report/junit.h"
 #include "base/system/version.h"
+#include "base/text/json_text.h"
 #include "base/text/table.h"
 #include "orchestration/tournament/store/match_document.h"
 
@@ -281,7 +282,7 @@ std::string report_json(const Report& report) {
       {"rating", {{"model", "Bradley-Terry"}, {"superiority", std::move(superiority)}}},
       {"matches", std::move(matches)},
       {"versions", {{"cls", base::kVersion}, {"wire", base::kWireVersion}}}};
-  return document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return base::json_document(document);
 }
 
 std::string report_csv(const Report& report) {

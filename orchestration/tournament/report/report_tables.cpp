@@ -9,6 +9,7 @@
 #include <string_view>
 #include <utility>
 
+#include "base/text/counted.h"
 #include "orchestration/tournament/report/standings_columns.h"
 
 namespace cls::orchestration::tournament {
@@ -24,13 +25,9 @@ std::string interval(const Interval& shares) {
 
 std::string superiority(double likelihood) { return percent(likelihood) + " %"; }
 
-std::string counted(int number, const char* one, const char* many) {
-  return fmt::format("{} {}", number, number == 1 ? one : many);
-}
-
 std::string sample_text(const HeadToHead& head_to_head) {
-  if (!head_to_head.paired()) return counted(head_to_head.games.games(), "match", "matches");
-  std::string text = counted(static_cast<int>(total(head_to_head.pairs)), "pair", "pairs");
+  if (!head_to_head.paired()) return base::counted(head_to_head.games.games(), "match", "matches");
+  std::string text = base::counted(static_cast<int>(total(head_to_head.pairs)), "pair", "pairs");
   if (head_to_head.single_games > 0)
     text += fmt::format(", not {} single", head_to_head.single_games);
   return text;
@@ -137,7 +134,7 @@ std::vector<std::string> head_lines(const Report& report) {
   std::string hosts;
   for (const HostFigures& host : report.hosts) {
     hosts += fmt::format("{}{} ({})", hosts.empty() ? "" : ", ", host.host,
-                         counted(host.matches, "match", "matches"));
+                         base::counted(host.matches, "match", "matches"));
   }
   if (!hosts.empty()) {
     lines.push_back(fmt::format("{}: {}.", report.hosts.size() == 1 ? "Host" : "Hosts", hosts));

@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/io/whole_file.h"
+#include "base/text/json_text.h"
 #include "orchestration/process/command_plan.h"
 #include "orchestration/tournament/store/folder.h"
 #include "orchestration/tournament/store/match_document.h"
@@ -105,7 +106,9 @@ Result<void> write_batch(const fs::path& folder, const SlurmBatch& batch,
   std::error_code code;
   fs::create_directories(folder / kSlurmFolder, code);
   const std::array<std::pair<const char*, std::string>, 3> files = {
-      {{".jsonl", schedule}, {".sh", script_of(folder, batch, program)}, {".json", record.dump()}}};
+      {{".jsonl", schedule},
+       {".sh", script_of(folder, batch, program)},
+       {".json", base::json_line(record)}}};
   for (const auto& [ending, text] : files) {
     if (auto written = base::write_file(folder / file_of(batch, ending), text); !written)
       return written;

@@ -12,6 +12,7 @@
 #include <set>
 #include <utility>
 
+#include "base/text/json_text.h"
 #include "orchestration/tournament/report/report_document.h"
 #include "orchestration/tournament/run/hook.h"
 #include "orchestration/tournament/schedule/schedule.h"
@@ -221,7 +222,7 @@ class TournamentRun {
     }
     observer_.on_match(config_, recorded, progress());
     if (!config_.on_match_finish.empty()) {
-      hooks_.start("on_match_finish", config_.on_match_finish, document.dump() + "\n");
+      hooks_.start("on_match_finish", config_.on_match_finish, base::json_line(document) + "\n");
     }
     if (stops) end(RunEnd::kFault, fault_text(recorded));
     if (!ending_ && options_.decided && options_.decided(matches_)) end(RunEnd::kDecided);

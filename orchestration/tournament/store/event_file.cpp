@@ -12,6 +12,7 @@
 
 #include "base/io/whole_file.h"
 #include "base/system/host.h"
+#include "base/text/json_text.h"
 
 namespace cls::orchestration::tournament {
 
@@ -50,7 +51,7 @@ Result<void> EventFile::add(std::string_view type, const Json& fields) {
                {"time", base::utc_now()},
                {"type", type}};
   line.update(fields);
-  const std::string text = line.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+  const std::string text = base::json_line(line) + "\n";
   const ssize_t written = ::write(file_.get(), text.data(), text.size());
   if (written != static_cast<ssize_t>(text.size()) || ::fdatasync(file_.get()) != 0) {
     return Error{fmt::format("cannot write {}: {}", name_, std::strerror(errno))};

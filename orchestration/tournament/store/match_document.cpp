@@ -9,6 +9,7 @@
 
 #include "base/catch_as_error.h"
 #include "base/text/json_codec.h"
+#include "base/text/json_text.h"
 #include "soccer/side.h"
 
 namespace cls::orchestration::tournament {
@@ -27,10 +28,6 @@ Json winner_json(const Outcome& outcome) {
   if (!outcome.counts()) return nullptr;
   const int sign = winner_sign(outcome);
   return sign > 0 ? "left" : sign < 0 ? "right" : "draw";
-}
-
-std::string dump(const Json& json, int indent = -1) {
-  return json.dump(indent, ' ', false, Json::error_handler_t::replace);
 }
 
 template <typename T>
@@ -125,12 +122,14 @@ Json json_of(const TournamentConfig& config, const ScheduledMatch& match) {
 }
 
 std::string format_fixture(const Fixture& fixture) {
-  return JsonEncoder::encode(fixture).dump() + "\n";
+  return base::json_line(JsonEncoder::encode(fixture)) + "\n";
 }
 
 Result<Fixture> parse_fixture(std::string_view line) { return parse<Fixture>(line); }
 
-std::string format_outcome(const Outcome& outcome) { return dump(JsonEncoder::encode(outcome)); }
+std::string format_outcome(const Outcome& outcome) {
+  return base::json_line(JsonEncoder::encode(outcome));
+}
 
 Result<Outcome> parse_outcome(std::string_view text) { return parse<Outcome>(text); }
 
@@ -138,7 +137,7 @@ std::string format_work_result(const Fixture& fixture, const Outcome& outcome) {
   Json json = {{"schema", "cls.work/1"}, {"index", fixture.index}, {"seed", fixture.seed}};
   JsonEncoder codec(json);
   members(codec, outcome);
-  return dump(json, 2) + "\n";
+  return base::json_document(json);
 }
 
 Result<WorkResult> parse_work_result(std::string_view text) { return parse<WorkResult>(text); }
