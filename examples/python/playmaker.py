@@ -16,6 +16,8 @@ import decide  # noqa: E402
 
 
 class Team(Playmaker):
+    lean_states = True  # decide.py does not read the dictionaries of players
+
     def __init__(self, coach):
         self.coach = coach
 
