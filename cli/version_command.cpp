@@ -1,5 +1,4 @@
 // `cls version`.
-#include "base/text/json_text.h"
 #include "cli/support/commands.h"
 
 #include <fmt/format.h>
@@ -16,6 +15,7 @@
 #include <string>
 
 #include "base/system/version.h"
+#include "base/text/json_text.h"
 #include "cli/support/exit_code.h"
 
 namespace cls::cli {

@@ -1,10 +1,10 @@
 // Formats the JSON document of results.
 #include "analysis/results/results_text.h"
-#include "base/text/json_text.h"
 
 #include <nlohmann/json.hpp>
 
 #include "analysis/results/team_table.h"
+#include "base/text/json_text.h"
 #include "soccer/side.h"
 
 namespace cls::analysis {

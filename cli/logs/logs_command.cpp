@@ -1,5 +1,4 @@
 // `cls logs DIR`: the files of a match and the last output of the process that failed.
-#include "base/text/json_text.h"
 #include "cli/support/commands.h"
 
 #include <fmt/format.h>
@@ -14,6 +13,7 @@
 #include <vector>
 
 #include "base/io/whole_file.h"
+#include "base/text/json_text.h"
 #include "base/text/suggestion.h"
 #include "base/text/table.h"
 #include "cli/logs/find_match_folder.h"

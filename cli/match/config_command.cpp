@@ -1,5 +1,4 @@
 // `cls config`: the settings of a match, and where each comes from.
-#include "base/text/json_text.h"
 #include "cli/support/commands.h"
 
 #include <fmt/format.h>
@@ -9,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "base/text/json_text.h"
 #include "cli/match/match_arguments.h"
 #include "cli/support/exit_code.h"
 

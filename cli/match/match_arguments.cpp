@@ -14,6 +14,7 @@
 #include "cli/support/command_line.h"
 #include "cli/support/exit_code.h"
 #include "cli/support/print_error.h"
+#include "cli/support/reply_options.h"
 #include "cli/support/side_arguments.h"
 #include "orchestration/match/options/match_settings.h"
 #include "orchestration/tournament/config/config_file.h"
@@ -33,16 +34,7 @@ void add_deadline_options(CLI::App& command, MatchArguments& arguments) {
                      "deadline of an RPC in ms (default: lockstep 10000, synch 1000, "
                      "realtime 70)");
   command.add_flag("--no-deadline", options.no_deadline, "wait without limit (for debuggers)");
-  command
-      .add_option("--on-late", arguments.on_late,
-                  "commands after a missed decision: hold, last or default")
-      ->capture_default_str()
-      ->check(CLI::IsMember({"hold", "last", "default"}));
-  command
-      .add_option("--batch", arguments.batch,
-                  "one call per team and cycle: auto, never or always (docs/wire.md)")
-      ->capture_default_str()
-      ->check(CLI::IsMember({"auto", "never", "always"}));
+  add_reply_options(command, arguments.on_late, arguments.batch);
   command
       .add_option("--max-missed", options.max_missed,
                   "consecutive missed decisions of a player; one more ends the match "

@@ -1,6 +1,4 @@
 // `cls match`: plays one match.
-#include "base/text/counted.h"
-#include "base/text/json_text.h"
 #include "cli/support/commands.h"
 
 #include <fmt/format.h>
@@ -12,6 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "base/text/counted.h"
+#include "base/text/json_text.h"
 #include "cli/match/match_arguments.h"
 #include "cli/match/match_report.h"
 #include "cli/match/match_stepper.h"

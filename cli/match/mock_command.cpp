@@ -1,5 +1,4 @@
 // `cls mock`: runs the mock Playmaker until a signal.
-#include "base/text/json_text.h"
 #include "cli/support/commands.h"
 
 #include <fmt/format.h>
@@ -21,6 +20,7 @@
 #include <vector>
 
 #include "base/io/whole_file.h"
+#include "base/text/json_text.h"
 #include "base/text/suggestion.h"
 #include "cli/support/exit_code.h"
 #include "cli/support/interrupt.h"

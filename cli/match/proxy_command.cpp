@@ -1,5 +1,4 @@
 // `cls proxy`: one team for a running soccer server; accepts the options of upstream's start.sh.
-#include "base/text/json_text.h"
 #include "cli/support/commands.h"
 
 #include <fmt/format.h>
@@ -17,9 +16,11 @@
 #include <vector>
 
 #include "base/io/whole_file.h"
+#include "base/text/json_text.h"
 #include "cli/support/exit_code.h"
 #include "cli/support/interrupt.h"
 #include "cli/support/print_error.h"
+#include "cli/support/reply_options.h"
 #include "cli/support/tls_options.h"
 #include "cli/support/troubleshooting.h"
 #include "cli/terminal/json_stdout.h"
@@ -100,16 +101,7 @@ void add_playmaker_options(CLI::App& command, Arguments& arguments) {
   command
       .add_option("--rpc-deadline", arguments.deadline_ms, "deadline of an RPC in ms, if shorter")
       ->check(CLI::PositiveNumber);
-  command
-      .add_option("--on-late", arguments.on_late,
-                  "commands after a missed decision: hold, last or default")
-      ->capture_default_str()
-      ->check(CLI::IsMember({"hold", "last", "default"}));
-  command
-      .add_option("--batch", arguments.batch,
-                  "one call per team and cycle: auto, never or always (docs/wire.md)")
-      ->capture_default_str()
-      ->check(CLI::IsMember({"auto", "never", "always"}));
+  add_reply_options(command, arguments.on_late, arguments.batch);
   add_tls_options(command, arguments.tls);
   command
       .add_option("--result", arguments.result_file,

@@ -1,5 +1,4 @@
 // `cls server`: serves one match over UDP, until time over or a signal.
-#include "base/text/json_text.h"
 #include "cli/support/commands.h"
 
 #include <fmt/format.h>
@@ -22,6 +21,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/text/json_text.h"
 #include "cli/match/server_lines.h"
 #include "cli/support/exit_code.h"
 #include "cli/support/interrupt.h"

@@ -1,5 +1,4 @@
 // `cls test`: plays scenarios and reports their verdicts; replays recorded RPCs.
-#include "base/text/json_text.h"
 #include "cli/support/commands.h"
 
 #include <fmt/format.h>
@@ -19,6 +18,7 @@
 #include "base/io/occupied_path.h"
 #include "base/io/whole_file.h"
 #include "base/text/json_document.h"
+#include "base/text/json_text.h"
 #include "base/text/suggestion.h"
 #include "cli/support/ci_reports.h"
 #include "cli/support/exit_code.h"

@@ -1,5 +1,4 @@
 // `cls init`: writes cls.toml, never over an existing one.
-#include "base/text/json_text.h"
 #include "cli/support/commands.h"
 
 #include <fmt/format.h>
@@ -12,6 +11,7 @@
 
 #include "base/io/occupied_path.h"
 #include "base/io/whole_file.h"
+#include "base/text/json_text.h"
 #include "cli/support/exit_code.h"
 #include "cli/support/print_error.h"
 #include "orchestration/tournament/config/config_file.h"

@@ -1,12 +1,13 @@
 // Checks and reports of a replayed match.
 #include "orchestration/checks/server_log_check.h"
-#include "base/text/json_text.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+
+#include "base/text/json_text.h"
 
 namespace cls::orchestration::checks {
 namespace {

@@ -1,5 +1,4 @@
 // Texts and members of a comparison; every figure is that of NEW against BASE.
-#include "base/text/json_text.h"
 #include "orchestration/tournament/report/comparison.h"
 
 #include <fmt/format.h>
@@ -10,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/system/version.h"
+#include "base/text/json_text.h"
 #include "base/text/wrap_text.h"
 #include "orchestration/tournament/report/report_model.h"
 #include "orchestration/tournament/report/report_tables.h"
