@@ -38,6 +38,8 @@ Result<void> Server::listen(const std::string& address) {
   builder.RegisterService(&team_service_);
   // A second server on the same port must fail, not share it.
   builder.AddChannelArgument(GRPC_ARG_ALLOW_REUSEPORT, 0);
+  builder.AddChannelArgument(GRPC_ARG_HTTP2_STREAM_LOOKAHEAD_BYTES, proto::kTeamCallWindow);
+  builder.SetMaxReceiveMessageSize(-1);
   if (!address.empty()) {
     grpc::EnableDefaultHealthCheckService(true);
     grpc::reflection::InitProtoReflectionServerBuilderPlugin();
@@ -65,7 +67,9 @@ Result<std::unique_ptr<Server>> Server::start(Mock mock, const std::string& host
 }
 
 std::shared_ptr<grpc::Channel> Server::in_process_channel() {
-  return server_->InProcessChannel(grpc::ChannelArguments());
+  grpc::ChannelArguments arguments;
+  arguments.SetMaxReceiveMessageSize(-1);  // as clients over a socket accept
+  return server_->InProcessChannel(arguments);
 }
 
 void Server::stop() {

@@ -7,6 +7,10 @@ namespace cls::proto {
 /// deadlocks, a debugging aid of distributions' builds that costs each lock. Thread safe.
 void apply_grpc_settings();
 
+/// Bytes of a call that a receiver accepts before it has read any (the window of a stream). The
+/// default, 64 KB, is less than the States of a team: the sender would wait for the receiver.
+constexpr int kTeamCallWindow = 1 << 20;
+
 /// gRPC logs what its users report better, on stderr. Drops that unless GRPC_VERBOSITY is set.
 void silence_grpc_log();
 

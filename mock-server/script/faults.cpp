@@ -62,6 +62,7 @@ Result<void> parse_fault(std::string_view key, const base::JsonValue& json, Faul
   if (key == "restart_cycles") return assign(json.integer(0, kMaxCycle), faults.restart_cycles);
   if (key == "wrong_client_id") return assign(json.boolean(), faults.wrong_client_id);
   if (key == "unimplemented") return parse_rpcs(json, faults.unimplemented);
+  if (key == "full_states") return assign(json.boolean(), faults.full_states);
   if (key == "slow_start_ms") return assign(json.integer(0, kMaxMs), faults.slow_start_ms);
   if (key == "seed") return assign(json.integer(0, kMaxMs), faults.seed);
   return parse_only(json, faults);
@@ -78,14 +79,14 @@ bool applies_to(const Faults& faults, int unum, int cycle) {
 bool Faults::any() const {
   return delay_ms > 0 || jitter_ms > 0 || drop > 0 || error > 0 || garbage > 0 || oversize > 0 ||
          crash_at_cycle || hang_at_cycle || restart_at_cycle || wrong_client_id ||
-         !unimplemented.empty() || slow_start_ms > 0;
+         !unimplemented.empty() || full_states || slow_start_ms > 0;
 }
 
 Result<Faults> parse_faults(const base::JsonValue& json) {
   const auto keys = json.expect_keys(
       {"delay_ms", "jitter_ms", "drop", "error", "garbage", "oversize", "status", "message",
        "crash_at_cycle", "hang_at_cycle", "restart_at_cycle", "restart_cycles", "wrong_client_id",
-       "unimplemented", "slow_start_ms", "only", "seed"});
+       "unimplemented", "full_states", "slow_start_ms", "only", "seed"});
   if (!keys) return keys.error();
   Faults faults;
   for (const std::string& key : json.keys()) {

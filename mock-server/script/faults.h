@@ -30,7 +30,8 @@ struct Faults {
   int restart_cycles = 10;              ///< duration of the restart
   bool wrong_client_id = false;         ///< Register assigns the same identity to all agents
   std::vector<proto::Rpc> unimplemented;
-  int slow_start_ms = 0;  ///< no reply before
+  bool full_states = false;  ///< TeamPlaymaker without LEAN_STATES
+  int slow_start_ms = 0;     ///< no reply before
 
   std::optional<CycleRange> cycles;  ///< delays and shares apply only in these
   std::vector<int> unums;            ///< delays and shares apply only to these; empty: all

@@ -36,6 +36,8 @@ class Responder {
 
   /// True when a fault says that RPCs are not implemented: a Playmaker of an older interface.
   bool older_interface() const { return !faults_.unimplemented.empty(); }
+  /// False when a fault says that TeamPlaymaker knows STATES only.
+  bool lean_states() const { return !faults_.full_states; }
 
  private:
   Fault choose_fault(proto::Rpc rpc, const google::protobuf::Message& request);

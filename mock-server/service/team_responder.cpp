@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "proto/lean_state.h"
 #include "proto/playmaker.pb.h"
 #include "proto/team_playmaker.pb.h"
 
@@ -27,6 +28,7 @@ class TeamCall {
     Message& message = workspace_.create(reply_prototype(rpc));
     Response one;
     if (request.ParseFromString(call.message())) {
+      if (is_decision(rpc)) proto::complete(static_cast<protos::State&>(request));
       one = responder_.respond(rpc, request, message);
     } else {
       one.status = {grpc::StatusCode::INTERNAL, "the request does not parse"};
@@ -58,6 +60,8 @@ class TeamCall {
     responder_.respond(rpc, request, workspace_.create(reply_prototype(rpc)));
   }
 
+  bool lean_states() const { return responder_.lean_states(); }
+
   // How the call of the team ends. It hangs when every agent's call does.
   Response result() const {
     Response response = response_;
@@ -76,6 +80,11 @@ class TeamCall {
 void register_team(TeamCall& call, const wire::RegisterTeamRequest& request,
                    wire::RegisterTeamResponse& response) {
   response.set_version(proto::kTeamPlaymakerVersion);
+  const auto& offered = request.encodings();
+  if (call.lean_states() &&
+      std::find(offered.begin(), offered.end(), wire::LEAN_STATES) != offered.end()) {
+    response.set_encoding(wire::LEAN_STATES);
+  }
   for (const wire::AgentMessage& agent : request.agents()) {
     call.respond(agent, Rpc::kRegister, *response.mutable_agents());
   }

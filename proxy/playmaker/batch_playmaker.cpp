@@ -11,6 +11,7 @@
 #include <map>
 #include <utility>
 
+#include "proto/lean_state.h"
 #include "proto/sorted_maps.h"
 #include "proto/team_playmaker.pb.h"
 #include "proxy/messages/parameter_messages.h"
@@ -26,11 +27,11 @@ using proto::Rpc;
 
 std::size_t slot(int agent) { return static_cast<std::size_t>(agent); }
 
-void add_message(int agent, const Message& message,
-                 google::protobuf::RepeatedPtrField<wire::AgentMessage>& agents) {
+// Adds an agent without its message; returns the bytes to write.
+std::string& add_agent(int agent, google::protobuf::RepeatedPtrField<wire::AgentMessage>& agents) {
   wire::AgentMessage& one = *agents.Add();
   one.set_agent(agent);
-  proto::write_with_sorted_maps(message, *one.mutable_message());
+  return *one.mutable_message();
 }
 
 // The calls begun for one RPC of the team, and not sent yet.
@@ -41,10 +42,11 @@ struct Collected {
   bool wait_for_ready = false;
 
   bool empty() const { return request.agents().empty(); }
-  void add(int agent, const Message& message, RpcTimeout call_timeout, bool wait) {
-    add_message(agent, message, *request.mutable_agents());
+  // Returns the bytes of the agent's message, to be written.
+  std::string& add(int agent, RpcTimeout call_timeout, bool wait) {
     timeout = std::max(timeout, call_timeout);
     wait_for_ready = wait_for_ready || wait;
+    return add_agent(agent, *request.mutable_agents());
   }
   void clear() {
     request.Clear();
@@ -68,12 +70,13 @@ class BatchPlaymaker : public Playmaker {
     if (unary_) return inner_->begin(agent, rpc, request, timeout, wait_for_ready);
     asked_.at(slot(agent)) = rpc;
     if (is_decision(rpc)) {
-      if (decisions_.empty()) decisions_.request.set_cycle(cycle_of(request));
-      decisions_.add(agent, request, timeout, wait_for_ready);
+      const auto& state = static_cast<const protos::State&>(request);
+      if (decisions_.empty()) decisions_.request.set_cycle(state.world_model().cycle());
+      write_state(state, decisions_.add(agent, timeout, wait_for_ready));
     } else if (rpc == Rpc::kGetBestPlannerAction) {
-      choices_.add(agent, request, timeout, wait_for_ready);
+      proto::write_with_sorted_maps(request, choices_.add(agent, timeout, wait_for_ready));
     } else if (rpc == Rpc::kRegister) {
-      registrations_.add(agent, request, timeout, wait_for_ready);
+      request.SerializeToString(&registrations_.add(agent, timeout, wait_for_ready));
     } else {
       replies_.push_back(sent_with_registration(agent, rpc));
     }
@@ -133,8 +136,12 @@ class BatchPlaymaker : public Playmaker {
   void cancel() override { inner_->cancel(); }
 
  private:
-  static int cycle_of(const Message& state) {
-    return static_cast<const protos::State&>(state).world_model().cycle();
+  void write_state(const protos::State& state, std::string& bytes) {
+    if (encoding_ == wire::LEAN_STATES) {
+      proto::write_lean(state, whole_state_, bytes);
+    } else {
+      proto::write_with_sorted_maps(state, bytes);
+    }
   }
 
   // The rest of the handshake of an agent: RegisterTeam carried it.
@@ -163,6 +170,7 @@ class BatchPlaymaker : public Playmaker {
     calls.clear();
   }
 
+  // What a registration says beside its agents.
   void add_parameters(wire::RegisterTeamRequest& request) const {
     assert(team_.parameters != nullptr && "announce_team() comes first");
     const MatchParameters& parameters = *team_.parameters;
@@ -182,6 +190,8 @@ class BatchPlaymaker : public Playmaker {
       message.SerializeToString(request.add_player_types());
     }
     protos::InitMessage().SerializeToString(request.mutable_init_message());
+    request.add_encodings(wire::STATES);
+    request.add_encodings(wire::LEAN_STATES);
   }
 
   // Registers the announced team and stores the result for each agent.
@@ -189,17 +199,20 @@ class BatchPlaymaker : public Playmaker {
     wire::RegisterTeamRequest request;
     due_.clear();
     for (const auto& [agent, registration] : team_.agents) {
-      add_message(agent, registration, *request.mutable_agents());
+      registration.SerializeToString(&add_agent(agent, *request.mutable_agents()));
       asked_.at(slot(agent)) = Rpc::kRegister;
       due_.push_back(agent);
     }
     add_parameters(request);
     sequence_ = 0;
-    take_apart(inner_->call(kTeamNumber, Rpc::kRegisterTeam, request, timeout));
+    Reply reply = inner_->call(kTeamNumber, Rpc::kRegisterTeam, request, timeout);
+    // It is connected and leaves the call unanswered: it may know Register.
+    if (reply.status.outcome == RpcOutcome::kDeadline) reply.status.outcome = RpcOutcome::kError;
+    take_apart(reply);
     if (unary_) return;
-    for (Reply& reply : replies_) {
-      registered_.set(slot(reply.agent));
-      registrations_taken_.at(slot(reply.agent)) = std::move(reply);
+    for (Reply& one : replies_) {
+      registered_.set(slot(one.agent));
+      registrations_taken_.at(slot(one.agent)) = std::move(one);
     }
     replies_.clear();
   }
@@ -236,6 +249,7 @@ class BatchPlaymaker : public Playmaker {
       return;
     }
     if (const auto* registered = reply.as<wire::RegisterTeamResponse>()) {
+      encoding_ = registered->encoding();
       hand_out(reply, registered->agents());
     } else if (const auto* actions = reply.as<wire::GetTeamActionsResponse>()) {
       hand_out(reply, actions->agents());
@@ -252,6 +266,10 @@ class BatchPlaymaker : public Playmaker {
     if (registered != nullptr && registered->version() != proto::kTeamPlaymakerVersion) {
       why = fmt::format("it speaks version {} of TeamPlaymaker, not {}", registered->version(),
                         proto::kTeamPlaymakerVersion);
+    } else if (registered != nullptr && registered->encoding() != wire::STATES &&
+               registered->encoding() != wire::LEAN_STATES) {
+      why = fmt::format("it chose encoding {}, which was not offered",
+                        static_cast<int>(registered->encoding()));
     } else if (outcome == RpcOutcome::kError || outcome == RpcOutcome::kProtocolError) {
       why = reply.status.message;
     } else if (outcome == RpcOutcome::kUnimplemented) {
@@ -338,6 +356,8 @@ class BatchPlaymaker : public Playmaker {
   std::vector<int> due_;                    // agents of the call in flight
   bool in_flight_ = false;
   std::uint64_t sequence_ = 0;
+  wire::Encoding encoding_ = wire::STATES;
+  std::string whole_state_;  // memory of write_lean()
   std::deque<Reply> replies_;
   std::array<ReplyMemory, kAgentNumbers> memory_;
   std::bitset<kAgentNumbers> lost_;

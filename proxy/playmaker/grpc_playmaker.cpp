@@ -48,6 +48,7 @@ grpc::ChannelArguments channel_arguments(const GrpcTarget& target) {
   arguments.SetInt(GRPC_ARG_CLIENT_IDLE_TIMEOUT_MS, INT_MAX);
   arguments.SetMaxReceiveMessageSize(-1);
   arguments.SetMaxSendMessageSize(-1);
+  arguments.SetInt(GRPC_ARG_HTTP2_STREAM_LOOKAHEAD_BYTES, proto::kTeamCallWindow);
   // A retried decision would count twice, and retries need a copy of every request.
   arguments.SetInt(GRPC_ARG_ENABLE_RETRIES, 0);
   // Playmakers are near: ignore http_proxy of the environment and DNS service records.
@@ -65,7 +66,8 @@ class GrpcPlaymaker : public Playmaker {
     make_stubs();
   }
 
-  explicit GrpcPlaymaker(const GrpcTarget& target) : target_(target) {
+  GrpcPlaymaker(const GrpcTarget& target, RpcTimeout team_reply)
+      : target_(target), team_reply_(team_reply) {
     proto::apply_grpc_settings();
     const grpc::ChannelArguments arguments = channel_arguments(target);
     const auto credentials = credentials_for(target);
@@ -200,28 +202,47 @@ class GrpcPlaymaker : public Playmaker {
     assert(outstanding_ == 0 && "blocking calls do not mix with outstanding ones");
     if (cancelled()) return cancelled_reply(agent, rpc);
     call_of(agent).start(stub_of(agent), queue_, agent, rpc, request, timeout, true);
-    std::string other_protocol;
-    reply = reply_of(wait_for_registration(agent, other_protocol));
-    if (!other_protocol.empty()) reply.status = unavailable(agent, other_protocol);
+    std::optional<RpcStatus> given_up;
+    reply = reply_of(wait_for_registration(agent, rpc, given_up));
+    if (given_up && !reply.status.ok()) {
+      reply.status = *std::move(given_up);
+      return reply;
+    }
     if (reply.status.outcome != RpcOutcome::kDeadline) return reply;
     return explain_deadline(agent, rpc, request, timeout);
   }
 
-  // A program that does not speak gRPC will not learn it: cancels the call and says why.
-  GrpcCall& wait_for_registration(int agent, std::string& other_protocol) {
-    auto next_probe = std::chrono::steady_clock::now() + kProbeInterval;
+  // Cancels the call and says why where waiting is no use: a program that does not speak gRPC will
+  // not learn it, and one that is connected and leaves RegisterTeam unanswered does not know it.
+  GrpcCall& wait_for_registration(int agent, Rpc rpc, std::optional<RpcStatus>& given_up) {
+    using Clock = std::chrono::steady_clock;
+    auto next_probe = Clock::now() + kProbeInterval;
+    std::optional<Clock::time_point> connected;
     for (;;) {
       cancel_if_requested();
       GrpcCall* call = poll(gpr_time_from_millis(kCancelPollMs, GPR_TIMESPAN));
       if (call != nullptr) return *call;
-      const bool due = target_ && std::chrono::steady_clock::now() >= next_probe;
-      if (!due || is_connected(agent) || cancelled()) continue;
-      const GrpcProbe probe = probe_grpc(*target_, agent);
-      next_probe = std::chrono::steady_clock::now() + kProbeInterval;
-      if (!probe.is_other_protocol || is_connected(agent)) continue;
-      other_protocol = probe.problem;
-      call_of(agent).cancel();
+      if (cancelled() || given_up || !target_) continue;
+      if (is_connected(agent)) {
+        if (rpc != Rpc::kRegisterTeam || team_reply_ == kNoTimeout) continue;
+        if (!connected) connected = Clock::now();
+        if (Clock::now() - *connected < team_reply_) continue;
+        given_up = no_reply(agent, rpc, team_reply_);
+        call_of(agent).cancel();
+      } else if (Clock::now() >= next_probe) {
+        const GrpcProbe probe = probe_grpc(*target_, agent);
+        next_probe = Clock::now() + kProbeInterval;
+        if (!probe.is_other_protocol || is_connected(agent)) continue;
+        given_up = unavailable(agent, probe.problem);
+        call_of(agent).cancel();
+      }
     }
+  }
+
+  RpcStatus no_reply(int agent, Rpc rpc, RpcTimeout limit) const {
+    return {RpcOutcome::kDeadline, static_cast<int>(grpc::StatusCode::DEADLINE_EXCEEDED),
+            names_[static_cast<std::size_t>(agent)] + ": no reply to " + std::string(name(rpc)) +
+                " within " + std::to_string(limit.count()) + " ms"};
   }
 
   bool is_connected(int agent) const {
@@ -273,8 +294,7 @@ class GrpcPlaymaker : public Playmaker {
     const std::string limit = std::to_string(timeout.count()) + " ms";
     Reply reply = empty_reply(agent, rpc);
     if (channels_[i]->GetState(false) == GRPC_CHANNEL_READY) {
-      reply.status = {RpcOutcome::kDeadline, static_cast<int>(grpc::StatusCode::DEADLINE_EXCEEDED),
-                      names_[i] + ": no reply to " + std::string(name(rpc)) + " within " + limit};
+      reply.status = no_reply(agent, rpc, timeout);
       return reply;
     }
     const std::string problem = target_ ? probe_grpc(*target_, agent).problem : std::string();
@@ -291,6 +311,7 @@ class GrpcPlaymaker : public Playmaker {
   }
 
   std::optional<GrpcTarget> target_;  // unset: an existing channel, whose state is not used
+  RpcTimeout team_reply_ = kNoTimeout;
   std::array<std::shared_ptr<grpc::Channel>, kAgentNumbers> channels_;
   std::array<std::string, kAgentNumbers> names_;
   std::array<std::unique_ptr<grpc::GenericStub>, kAgentNumbers> stubs_;
@@ -310,8 +331,8 @@ std::unique_ptr<Playmaker> make_grpc_playmaker(std::shared_ptr<grpc::Channel> ch
   return std::make_unique<GrpcPlaymaker>(std::move(channel), std::move(name));
 }
 
-std::unique_ptr<Playmaker> make_grpc_playmaker(const GrpcTarget& target) {
-  return std::make_unique<GrpcPlaymaker>(target);
+std::unique_ptr<Playmaker> make_grpc_playmaker(const GrpcTarget& target, RpcTimeout team_reply) {
+  return std::make_unique<GrpcPlaymaker>(target, team_reply);
 }
 
 }  // namespace cls::proxy

@@ -20,6 +20,9 @@ std::unique_ptr<Playmaker> make_grpc_playmaker(std::shared_ptr<grpc::Channel> ch
 
 /// Connects to an address with the first call. All agents share one connection (with port_step
 /// each has its own) that is not shared with other objects. Reconnect backoff: 200 ms at most.
-std::unique_ptr<Playmaker> make_grpc_playmaker(const GrpcTarget& target);
+/// `team_reply` limits the wait of call() for the reply to RegisterTeam once connected: a Playmaker
+/// that does not know it should say so at once.
+std::unique_ptr<Playmaker> make_grpc_playmaker(const GrpcTarget& target,
+                                               RpcTimeout team_reply = kNoTimeout);
 
 }  // namespace cls::proxy

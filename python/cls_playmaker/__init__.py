@@ -14,5 +14,6 @@
 """
 from cls_playmaker import proto
 from cls_playmaker.serving import Playmaker, serve, start
+from cls_playmaker.states import complete_state
 
-__all__ = ["Playmaker", "proto", "serve", "start"]
+__all__ = ["Playmaker", "complete_state", "proto", "serve", "start"]

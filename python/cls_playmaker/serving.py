@@ -19,6 +19,7 @@ from cls_playmaker.team import TeamServicer
 from cls_playmaker.team_playmaker_pb2_grpc import add_TeamPlaymakerServicer_to_server
 
 _WORKERS = 32  # two teams with coaches and a trainer have 25 agents
+_WINDOW = 1 << 20  # bytes of a call under way: the States of a team exceed the usual 64 KB
 _GRACE = 1.0   # seconds for calls in flight after SIGTERM or SIGINT
 
 
@@ -30,7 +31,13 @@ class Playmaker(proto.GameServicer):
     GetBestPlannerAction, which are UNIMPLEMENTED here: the team then plays without coach, trainer,
     or with the planner's own choice. Calls run in several threads, those of a team in turn or in
     parallel (docs/wire.md): guard state that they share.
+
+    With `lean_states = True` a match that asks for the whole team may send States whose
+    `our_players_dict` and `their_players_dict` lack the players of `teammates` and `opponents`:
+    less to parse. complete_state() adds them.
     """
+
+    lean_states = False
 
     def GetTeamActions(self, states: Dict[int, proto.State],
                        context: Any) -> Dict[int, proto.PlayerActions]:
@@ -107,8 +114,9 @@ def start(playmaker: proto.GameServicer, port: int = 0,
     """
     errors = Errors()
     # Without so_reuseport = 0 a second server on the port would take half of the calls.
+    options = [("grpc.so_reuseport", 0), ("grpc.http2.lookahead_bytes", _WINDOW)]
     server = grpc.server(futures.ThreadPoolExecutor(max_workers=_WORKERS),
-                         interceptors=[_ReportErrors(errors)], options=[("grpc.so_reuseport", 0)])
+                         interceptors=[_ReportErrors(errors)], options=options)
     proto.add_GameServicer_to_server(playmaker, server)
     add_TeamPlaymakerServicer_to_server(TeamServicer(playmaker, errors), server)
     _try_to_listen(host, port)

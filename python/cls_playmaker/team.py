@@ -27,6 +27,8 @@ class TeamServicer(service.TeamPlaymakerServicer):
     def RegisterTeam(self, request: wire.RegisterTeamRequest,
                      context: Any) -> wire.RegisterTeamResponse:
         response = wire.RegisterTeamResponse(version=_VERSION)
+        if getattr(self._playmaker, "lean_states", False) and wire.LEAN_STATES in request.encodings:
+            response.encoding = wire.LEAN_STATES
         for one in request.agents:
             registration = proto.RegisterRequest.FromString(one.message)
             reply = self._reply(one.agent, "Register", registration, context)

@@ -2,7 +2,7 @@
 import unittest
 
 import grpc
-from cls_playmaker import Playmaker, proto, start
+from cls_playmaker import Playmaker, complete_state, proto, start
 from cls_playmaker import team_playmaker_pb2 as wire
 from cls_playmaker.team_playmaker_pb2_grpc import TeamPlaymakerStub
 
@@ -64,6 +64,10 @@ class TeamOfOneMethod(Playmaker):
                 for unum in states if unum != 1}
 
 
+class LeanTeam(Team):
+    lean_states = True
+
+
 class PlainService(proto.GameServicer):
     """A service without the base class."""
 
@@ -105,9 +109,9 @@ class Served(unittest.TestCase):
         self.assertEqual([reply.agent for reply in response.agents], list(agents))
         return {reply.agent: reply for reply in response.agents}
 
-    def register(self, agents):
+    def register(self, agents, encodings=()):
         return self.stub.RegisterTeam(wire.RegisterTeamRequest(
-            version=1,
+            version=1, encodings=encodings,
             agents=[wire.AgentMessage(agent=agent, message=proto.RegisterRequest(
                 **identity(agent)).SerializeToString()) for agent in agents],
             server_params=proto.ServerParam().SerializeToString(),
@@ -195,6 +199,32 @@ class AgentByAgent(Served):
         replies = self.decide([5, COACH])
         self.assertEqual((power_of(replies[5]), replies[COACH].code), (40, 12))
         self.assertEqual([reply.code for reply in self.register([5]).agents], [12])
+
+
+class Encodings(Served):
+    def test_chooses_lean_states_if_both_sides_know_them(self):
+        offered = (wire.STATES, wire.LEAN_STATES)
+        for team, encodings, chosen in ((LeanTeam(), offered, wire.LEAN_STATES),
+                                        (LeanTeam(), (), wire.STATES),
+                                        (Team(), offered, wire.STATES),
+                                        (PlainService(), offered, wire.STATES)):
+            self.serve(team)
+            self.assertEqual(self.register([1], encodings).encoding, chosen)
+
+    def test_completes_a_lean_state(self):
+        state = proto.State()
+        world = state.world_model
+        world.teammates.add(uniform_number=4).position.x = 40
+        world.opponents.add(uniform_number=5, pos_count=2)
+        world.our_players_dict[9].position.x = 90  # the player itself
+        world.their_players_dict[-1].pos_count = 7
+        self.assertIs(complete_state(state), state)
+        self.assertEqual({key: one.position.x for key, one in world.our_players_dict.items()},
+                         {4: 40, 9: 90})
+        self.assertEqual({key: one.pos_count for key, one in world.their_players_dict.items()},
+                         {-1: 7, 5: 2})
+        world.teammates[0].position.x = 41  # an entry that is there stays
+        self.assertEqual(complete_state(state).world_model.our_players_dict[4].position.x, 40)
 
 
 class AllPlayersAtOnce(Served):

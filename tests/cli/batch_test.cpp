@@ -1,4 +1,5 @@
 // Matches with one call per team and cycle are the matches with a call per agent.
+#include <grpcpp/grpcpp.h>
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -7,6 +8,9 @@
 #include <string>
 #include <vector>
 
+#include "mock-server/mock.h"
+#include "mock-server/service/raw_service.h"
+#include "mock-server/service/team_responder.h"
 #include "tests/support/command.h"
 #include "tests/support/files.h"
 #include "tests/support/python.h"
@@ -42,13 +46,17 @@ class Batch : public testing::Test {
   }
 
   // Not EXPECT_EQ: it would print megabytes.
+  static void expect_same_logs(const Played& single, const Played& batch, const std::string& what) {
+    EXPECT_GT(single.rcg.size(), 100000u);
+    EXPECT_TRUE(single.rcg == batch.rcg) << what << ": rcg differs";
+    EXPECT_TRUE(single.rcl == batch.rcl) << what << ": rcl differs";
+  }
+
   void expect_same_match(const std::string& left, const std::string& right, const std::string& seed,
                          const Arguments& more = {}) {
     const Played single = play("never", left, right, seed, more);
     const Played batch = play("always", left, right, seed, more);
-    EXPECT_GT(single.rcg.size(), 100000u);
-    EXPECT_TRUE(single.rcg == batch.rcg) << left << ", seed " << seed << ": rcg differs";
-    EXPECT_TRUE(single.rcl == batch.rcl) << left << ", seed " << seed << ": rcl differs";
+    expect_same_logs(single, batch, left + ", seed " + seed);
     for (const char* side : {"left", "right"}) {
       const json& a = single.result[side]["players"];
       const json& b = batch.result[side]["players"];
@@ -88,6 +96,21 @@ TEST_F(Batch, SameMatchWithFaultsOfSingleAgents) {
   }
 }
 
+TEST_F(Batch, OversizedReplyOfOneAgentIsAcceptedInProcess) {
+  const std::string script = folder_.path() / "oversize.json";
+  std::ofstream(script) << R"({"otherwise": "simple",
+             "faults": {"oversize": 1, "only": {"cycle": [4, 4], "unum": [5]}}})";
+  cycles_ = "8";
+  const Played single = play("never", "mock:" + script, "mock", "1");
+  const Played batch = play("always", "mock:" + script, "mock", "1");
+  EXPECT_TRUE(single.rcg == batch.rcg);
+  for (const Played* played : {&single, &batch}) {
+    for (const json& player : played->result["left"]["players"]) {
+      EXPECT_EQ(player["missed"], 0) << player["unum"];
+    }
+  }
+}
+
 TEST_F(Batch, SameMatchOverTcp) {
   Command mock({cls_binary(), "mock", "--port", "0"});
   ASSERT_TRUE(mock.wait_for_output("127.0.0.1:"));
@@ -100,14 +123,63 @@ TEST_F(Batch, SameMatchOverTcp) {
   }
 }
 
-TEST_F(Batch, SameMatchOfPythonExample) {
+TEST_F(Batch, SameMatchOverUnixSocket) {
+  const std::string path = folder_.path() / "socket";
+  const auto mock = cls::mock_server::make_mock("");
+  ASSERT_TRUE(mock);
+  cls::mock_server::RequestHandler handler(*mock->behavior, nullptr);
+  cls::mock_server::Responder responder(handler, {}, {});
+  using cls::mock_server::RawService;
+  RawService game(0, cls::proto::kAgentRpcs, cls::mock_server::kStateMemory,
+                  [&](auto rpc, const auto& request, auto& reply, auto&) {
+                    return responder.respond(rpc, request, reply);
+                  });
+  RawService team(cls::proto::kAgentRpcs, cls::proto::kRpcs, cls::mock_server::kTeamMemory,
+                  [&](auto rpc, const auto& request, auto& reply, auto& workspace) {
+                    return respond_to_team(responder, rpc, request, reply, workspace);
+                  });
+  grpc::ServerBuilder builder;
+  builder.RegisterService(&game);
+  builder.RegisterService(&team);
+  builder.AddListeningPort("unix:" + path, grpc::InsecureServerCredentials());
+  const auto server = builder.BuildAndStart();
+  ASSERT_NE(server, nullptr);
+  for (int seed = 1; seed <= seeds(); ++seed) {
+    expect_same_match("unix:" + path, "mock", std::to_string(seed));
+  }
+}
+
+TEST_F(Batch, SameMatchWithWholeStates) {
+  const std::string script = folder_.path() / "whole.json";
+  std::ofstream(script) << R"({"otherwise": "simple", "faults": {"full_states": true}})";
+  for (int seed = 1; seed <= seeds(); ++seed) {
+    expect_same_match("mock:" + script, "mock", std::to_string(seed));
+  }
+}
+
+// The example as it is, or as a subclass: Python lines that follow `import playmaker`.
+std::string python_example(const std::string& python, const std::string& main) {
+  const std::string folder = (cls::tests::source_folder() / "examples/python").string();
+  return "run:PYTHONPATH=" CLS_BUILD_DIR "/python:" + folder + " " + python + " " + main +
+         " --port {port}";
+}
+
+TEST_F(Batch, SameMatchOfPythonExampleInBothEncodings) {
   const std::string python = cls::tests::python_with_grpc();
   if (python.empty()) GTEST_SKIP() << cls::tests::kNoPython;
-  const std::string example =
-      "run:PYTHONPATH=" CLS_BUILD_DIR "/python " + python + " " +
-      (cls::tests::source_folder() / "examples/python/playmaker.py").string() + " --port {port}";
   cycles_ = "60";
-  expect_same_match(example, "mock", "1");
+  std::vector<Played> played;
+  for (const char* lean : {"True", "False"}) {
+    const std::string main = folder_.path() / ("lean" + std::string(lean) + ".py");
+    std::ofstream(main) << "import playmaker\nplaymaker.Team.lean_states = " << lean
+                        << "\nplaymaker.main()\n";
+    played.push_back(play("always", python_example(python, main), "mock", "1"));
+  }
+  const std::string as_it_is = python_example(
+      python, (cls::tests::source_folder() / "examples/python/playmaker.py").string());
+  played.push_back(play("never", as_it_is, "mock", "1"));
+  expect_same_logs(played[2], played[0], "lean States");
+  expect_same_logs(played[2], played[1], "whole States");
 }
 
 TEST_F(Batch, RecordingHoldsCallsOfAgents) {

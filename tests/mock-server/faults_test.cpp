@@ -88,11 +88,11 @@ TEST(Faults, DelaysReplies) {
             grpc::StatusCode::DEADLINE_EXCEEDED);
 }
 
-TEST(Faults, GarbageAndOversizeFailToParse) {
+TEST(Faults, GarbageFailsToParseAndOversizeArrives) {
   FaultyMock garbage(R"({"garbage": 1})");
   EXPECT_FALSE(garbage.decide(1, 1).ok());
   FaultyMock oversize(R"({"oversize": 1})");
-  EXPECT_EQ(oversize.decide(1, 1).error_code(), grpc::StatusCode::RESOURCE_EXHAUSTED);
+  EXPECT_TRUE(oversize.decide(1, 1).ok()) << "as over a socket: cls has no limit";
 }
 
 TEST(Faults, OmitsUnimplementedRpcs) {

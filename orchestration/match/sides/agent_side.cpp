@@ -97,6 +97,8 @@ PlayerResult result_of(int number, const proxy::AgentStatistics& statistics) {
 Result<PlaymakerConnection> connect_playmaker(const Endpoint& endpoint, const SideSetup& setup) {
   PlaymakerConnection connection;
   connection.endpoint = endpoint;
+  const proxy::RpcTimeout team_reply =
+      setup.batch == proxy::BatchMode::kAuto ? proxy::kTeamReplyTimeout : proxy::kNoTimeout;
   if (endpoint.kind == Endpoint::Kind::kMock) {
     if (auto connected = connect_mock(endpoint, setup, connection); !connected) {
       return connected.error();
@@ -109,9 +111,9 @@ Result<PlaymakerConnection> connect_playmaker(const Endpoint& endpoint, const Si
     proxy::GrpcTarget target;
     target.host = "localhost";
     target.port = connection.process->port();
-    connection.playmaker = proxy::make_grpc_playmaker(target);
+    connection.playmaker = proxy::make_grpc_playmaker(target, team_reply);
   } else {
-    connection.playmaker = proxy::make_grpc_playmaker(target_of(endpoint));
+    connection.playmaker = proxy::make_grpc_playmaker(target_of(endpoint), team_reply);
   }
   if (!endpoint.port_step && !connection.direct) {
     connection.playmaker =

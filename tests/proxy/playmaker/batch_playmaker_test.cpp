@@ -238,6 +238,35 @@ TEST_F(BatchPlaymakerTest, SendsDecisionsOfCycleAsOneCall) {
   EXPECT_NE(all[2].as<protos::CoachActions>(), nullptr);
 }
 
+TEST_F(BatchPlaymakerTest, SendsStatesInTheEncodingThatThePlaymakerChose) {
+  protos::State state;
+  protos::Player& mate = *state.mutable_world_model()->add_teammates();
+  mate.set_uniform_number(5);
+  (*state.mutable_world_model()->mutable_our_players_dict())[5] = mate;
+  for (const wire::Encoding chosen : {wire::LEAN_STATES, wire::STATES}) {
+    protos::State received;
+    connection_->answer = [&](int agent, Rpc rpc, const Message& request) {
+      Answer answer = answer_as_team(agent, rpc, request);
+      if (rpc == Rpc::kRegisterTeam) {
+        const auto& offered = static_cast<const wire::RegisterTeamRequest&>(request).encodings();
+        EXPECT_EQ(std::vector<int>(offered.begin(), offered.end()),
+                  (std::vector<int>{wire::STATES, wire::LEAN_STATES}));
+        static_cast<wire::RegisterTeamResponse&>(*answer.message).set_encoding(chosen);
+      }
+      if (rpc == Rpc::kGetTeamActions) {
+        const auto& sent = static_cast<const wire::GetTeamActionsRequest&>(request);
+        EXPECT_TRUE(received.ParseFromString(sent.agents(0).message()));
+      }
+      return answer;
+    };
+    register_all();
+    playmaker().begin(1, Rpc::kGetPlayerActions, state, kPatience);
+    EXPECT_EQ(replies().size(), 1U);
+    EXPECT_EQ(received.world_model().teammates_size(), 1);
+    EXPECT_EQ(received.world_model().our_players_dict_size(), chosen == wire::STATES ? 1 : 0);
+  }
+}
+
 TEST_F(BatchPlaymakerTest, SendsPlannerChoicesOfCycleAsOneCall) {
   register_all();
   for (const int agent : {1, 2}) {
@@ -342,6 +371,29 @@ TEST_F(BatchPlaymakerTest, OtherVersionOfServiceIsOneWarning) {
   EXPECT_EQ(playmaker().take_warning(),
             "the Playmaker decides for each agent alone: it speaks version 2 of TeamPlaymaker, "
             "not 1");
+}
+
+TEST_F(BatchPlaymakerTest, EncodingThatWasNotOfferedIsOneWarning) {
+  connection_->answer = [](int agent, Rpc rpc, const Message& request) {
+    Answer answer = answer_as_team(agent, rpc, request);
+    if (rpc == Rpc::kRegisterTeam) {
+      static_cast<wire::RegisterTeamResponse&>(*answer.message).set_encoding(wire::TENSOR);
+    }
+    return answer;
+  };
+  register_all();
+  EXPECT_EQ(playmaker().take_warning(),
+            "the Playmaker decides for each agent alone: it chose encoding 2, which was not "
+            "offered");
+}
+
+TEST_F(BatchPlaymakerTest, PlaymakerThatLeavesRegistrationUnansweredIsAskedForEachAgent) {
+  connection_->answer = [](int agent, Rpc rpc, const Message& request) {
+    return agent == kTeamNumber ? Answer{failure(RpcOutcome::kDeadline), nullptr}
+                                : answer_as_team(agent, rpc, request);
+  };
+  register_all();
+  EXPECT_EQ(playmaker().take_warning(), "the Playmaker decides for each agent alone: broken");
 }
 
 TEST_F(BatchPlaymakerTest, RequiredServiceThatIsMissingIsAnError) {

@@ -11,6 +11,7 @@
 #include <thread>
 #include <vector>
 
+#include "proto/team_playmaker.grpc.pb.h"
 #include "tests/proxy/playmaker/playmaker_server.h"
 #include "tests/support/temporary_folder.h"
 
@@ -183,6 +184,28 @@ TEST(GrpcPlaymaker, DistinguishesLateFromUnreachablePlaymaker) {
   leave = true;
   EXPECT_EQ(status.outcome, RpcOutcome::kDeadline);
   EXPECT_NE(status.message.find("no reply to Register"), std::string::npos) << status.message;
+}
+
+TEST(GrpcPlaymaker, LimitsTheReplyToRegisterTeamOnceConnected) {
+  class SilentService : public cls::playmaker::v1::TeamPlaymaker::Service {
+   public:
+    grpc::Status RegisterTeam(grpc::ServerContext* context,
+                              const cls::playmaker::v1::RegisterTeamRequest*,
+                              cls::playmaker::v1::RegisterTeamResponse*) override {
+      while (!context->IsCancelled()) std::this_thread::sleep_for(5ms);
+      return grpc::Status::CANCELLED;
+    }
+  };
+  SilentService service;
+  PlaymakerServer server(service);
+  const auto playmaker = make_grpc_playmaker(loopback(server.port()), 200ms);
+  const RpcStatus status = playmaker
+                               ->call(kTeamNumber, Rpc::kRegisterTeam,
+                                      cls::playmaker::v1::RegisterTeamRequest(), kPatience)
+                               .status;
+  EXPECT_EQ(status.outcome, RpcOutcome::kDeadline);
+  EXPECT_EQ(status.message, "127.0.0.1:" + std::to_string(server.port()) +
+                                ": no reply to RegisterTeam within 200 ms");
 }
 
 TEST(GrpcPlaymaker, FailsAtDeadlineAndCallsAgain) {
