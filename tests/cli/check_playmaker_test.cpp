@@ -67,6 +67,8 @@ TEST(CheckPlaymaker, FailsStepsWithUnimplementedRpcs) {
   const auto results = results_of(json::parse(result.out));
   EXPECT_EQ(results.at("planner"), "skip");
   EXPECT_EQ(results.at("coach_actions"), "skip");
+  EXPECT_EQ(results.at("together_handshake"), "skip");
+  EXPECT_EQ(results.at("together_actions"), "skip");
   EXPECT_EQ(results.at("both_teams_at_once"), "pass");
   EXPECT_EQ(results.at("all_parameters"), "fail");
   EXPECT_EQ(results.at("player_actions"), "pass");

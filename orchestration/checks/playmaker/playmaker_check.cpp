@@ -88,7 +88,7 @@ base::Result<void> prepare(const PlaymakerCheckOptions& options, Environment& en
 std::vector<PlaymakerStep> selected_steps(const std::vector<std::string>& only) {
   std::vector<PlaymakerStep> steps;
   for (const auto& part : {handshake_steps(), decision_steps(), state_steps(), load_steps(),
-                           play_steps(), life_steps()}) {
+                           play_steps(), life_steps(), team_steps()}) {
     std::copy_if(part.begin(), part.end(), std::back_inserter(steps), [&](const auto& step) {
       return only.empty() || std::find(only.begin(), only.end(), step.name) != only.end();
     });

@@ -34,8 +34,7 @@ void begin(PlaymakerSubject& subject, int team, int agent) {
   const auto t = static_cast<std::size_t>(team);
   protos::State state = subject.next_state(agent == proxy::kCoachNumber ? 1 : agent);
   *state.mutable_register_response() = subject.identities[t][static_cast<std::size_t>(agent)];
-  const Rpc rpc = agent == proxy::kCoachNumber ? Rpc::kGetCoachActions : Rpc::kGetPlayerActions;
-  subject.teams[t]->begin(agent, rpc, state, subject.deadline);
+  subject.teams[t]->begin(agent, proto::decision_of(agent), state, subject.deadline);
 }
 
 void collect(PlaymakerSubject& subject, int team, Load& load) {

@@ -7,9 +7,7 @@
 
 #include "orchestration/checks/playmaker/sample_states.h"
 #include "proxy/messages/parameter_messages.h"
-#include "soccer/parameters/player_params.h"
 #include "soccer/parameters/player_type.h"
-#include "soccer/parameters/server_params.h"
 
 namespace cls::orchestration::checks {
 namespace {
@@ -23,6 +21,15 @@ protos::AgentType type_of(int agent) {
   return agent == proxy::kTrainerNumber ? protos::TrainerT : protos::PlayerT;
 }
 
+const std::shared_ptr<const proxy::MatchParameters>& parameters() {
+  static const auto kParameters = [] {
+    auto made = std::make_shared<proxy::MatchParameters>();
+    made->types = soccer::draw_player_types(made->server, made->player, kSeed);
+    return std::shared_ptr<const proxy::MatchParameters>(std::move(made));
+  }();
+  return kParameters;
+}
+
 }  // namespace
 
 std::string team_name(int team) { return team == 0 ? "Check_L" : "Check_R"; }
@@ -31,15 +38,28 @@ protos::State PlaymakerSubject::next_state(int agent) {
   return ordinary_state(identity(agent), ++cycle);
 }
 
-proxy::RpcStatus register_agent(PlaymakerSubject& subject, int team, int agent) {
+protos::RegisterRequest registration_request(int team, int agent) {
   protos::RegisterRequest request;
   request.set_agent_type(type_of(agent));
   request.set_team_name(team_name(team));
   request.set_uniform_number(agent);
   request.set_rpc_version(1);
+  return request;
+}
+
+proxy::TeamRegistration registration_of_team(int team) {
+  proxy::TeamRegistration registration;
+  for (int agent = 1; agent <= proxy::kCoachNumber; ++agent) {
+    registration.agents.emplace_back(agent, registration_request(team, agent));
+  }
+  registration.parameters = parameters();
+  return registration;
+}
+
+proxy::RpcStatus register_agent(PlaymakerSubject& subject, int team, int agent) {
   const auto t = static_cast<std::size_t>(team);
-  const proxy::Reply reply =
-      subject.teams[t]->call(agent, Rpc::kRegister, request, subject.start_timeout);
+  const proxy::Reply reply = subject.teams[t]->call(
+      agent, Rpc::kRegister, registration_request(team, agent), subject.start_timeout);
   if (const auto* identity = reply.as<protos::RegisterResponse>()) {
     subject.identities[t][static_cast<std::size_t>(agent)] = *identity;
   }
@@ -50,10 +70,9 @@ proxy::RpcStatus send_parameters(PlaymakerSubject& subject, int team, int agent)
   const auto t = static_cast<std::size_t>(team);
   proxy::Playmaker& playmaker = *subject.teams[t];
   const protos::RegisterResponse& identity = subject.identities[t][static_cast<std::size_t>(agent)];
-  const soccer::ServerParams server;
-  const soccer::PlayerParams player;
+  const proxy::MatchParameters& known = *parameters();
   protos::ServerParam server_message;
-  proxy::fill(server, server_message);
+  proxy::fill(known.server, server_message);
   *server_message.mutable_register_response() = identity;
   const auto send = [&](Rpc rpc, const google::protobuf::Message& message) {
     return playmaker.call(agent, rpc, message, subject.deadline).status;
@@ -61,13 +80,13 @@ proxy::RpcStatus send_parameters(PlaymakerSubject& subject, int team, int agent)
   auto status = send(Rpc::kSendServerParams, server_message);
   if (!status.ok()) return status;
   protos::PlayerParam player_message;
-  proxy::fill(player, player_message);
+  proxy::fill(known.player, player_message);
   *player_message.mutable_register_response() = identity;
   status = send(Rpc::kSendPlayerParams, player_message);
-  for (const soccer::PlayerType& type : soccer::draw_player_types(server, player, kSeed)) {
+  for (const soccer::PlayerType& type : known.types) {
     if (!status.ok()) return status;
     protos::PlayerType message;
-    proxy::fill(type, server, message);
+    proxy::fill(type, known.server, message);
     *message.mutable_register_response() = identity;
     status = send(Rpc::kSendPlayerType, message);
   }

@@ -34,6 +34,9 @@ struct PlaymakerSubject {
   int cycle = 1;
   bool has_coach = true;  ///< false after a reply of UNIMPLEMENTED
 
+  /// Asks the Playmaker for the left team in one call; null: it does not implement that.
+  std::unique_ptr<proxy::Playmaker> together;
+
   proxy::Playmaker& left() { return *teams[0]; }
   const protos::RegisterResponse& identity(int agent) const {
     return identities[0][static_cast<std::size_t>(agent)];
@@ -44,6 +47,12 @@ struct PlaymakerSubject {
 };
 
 std::string team_name(int team);
+
+/// Register of one agent.
+protos::RegisterRequest registration_request(int team, int agent);
+
+/// Players and coach of a team, with the parameters that all steps send.
+proxy::TeamRegistration registration_of_team(int team);
 
 /// Registers one agent and stores its identity.
 proxy::RpcStatus register_agent(PlaymakerSubject& subject, int team, int agent);
@@ -90,5 +99,6 @@ std::vector<PlaymakerStep> state_steps();
 std::vector<PlaymakerStep> load_steps();
 std::vector<PlaymakerStep> play_steps();
 std::vector<PlaymakerStep> life_steps();
+std::vector<PlaymakerStep> team_steps();
 
 }  // namespace cls::orchestration::checks
