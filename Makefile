@@ -17,7 +17,7 @@ help:
 	@echo 'make build         release build in build/'
 	@echo 'make test          build, run all tests with the short forms of slow suites'
 	@echo 'make full          long forms: 20 whole matches, all tests under ASan, UBSan and TSan'
-	@echo 'make bench         benchmarks (needs libbenchmark-dev)'
+	@echo 'make bench         benchmarks and matches, beside CLS_BENCH_BASE if set (libbenchmark-dev)'
 	@echo 'make asan | tsan   all tests under ASan and UBSan, or TSan, in build-asan/ or build-tsan/'
 	@echo 'make asan-input    the same for the rooms that read foreign input (Clang, build-fuzz/)'
 	@echo 'make fuzz          each fuzzer for FUZZ_SECONDS, default 60 (Clang, build-fuzz/)'
@@ -45,8 +45,9 @@ full: test
 
 bench:
 	@cmake --preset release -DCLS_BUILD_BENCH=ON
-	@cmake --build --preset release -j $(JOBS) --target cls_bench
-	@build/bin/cls_bench
+	@cmake --build --preset release -j $(JOBS) --target cls cls_bench cls_python_package
+	@build/bin/cls_bench --benchmark_filter=-rpc_ceiling
+	@bench/matches.py
 
 asan tsan:
 	@cmake --preset $@

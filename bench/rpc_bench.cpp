@@ -37,16 +37,21 @@ BENCHMARK(parse_state)->Unit(benchmark::kMicrosecond);
 void rpc_ceiling(benchmark::State& bench) {
   const auto transport = static_cast<Transport>(bench.range(0));
   const auto threads = static_cast<int>(bench.range(1));
+  const auto asking = static_cast<Asking>(bench.range(2));
   RpcCeiling ceiling;
-  for (auto _ : bench) ceiling = measure_rpc_ceiling(transport, threads, typical_state(), 3.0);
+  for (auto _ : bench) {
+    ceiling = measure_rpc_ceiling(transport, threads, asking, typical_state(), 3.0);
+  }
   bench.counters["cycles_per_second"] = ceiling.cycles_per_second;
   bench.counters["cpu_us_per_cycle"] = ceiling.cpu_us_per_cycle;
 }
 BENCHMARK(rpc_ceiling)
-    ->ArgNames({"transport", "threads"})
+    ->ArgNames({"transport", "threads", "asking"})
     ->ArgsProduct({{static_cast<long>(Transport::kInProcess), static_cast<long>(Transport::kTcp),
                     static_cast<long>(Transport::kUnixSocket)},
-                   {1, 2}})
+                   {1, 2},
+                   {static_cast<long>(Asking::kEachAgent), static_cast<long>(Asking::kTeam),
+                    static_cast<long>(Asking::kTeamLean)}})
     ->Iterations(1)
     ->UseRealTime()
     ->Unit(benchmark::kMillisecond);

@@ -12,9 +12,14 @@
 #include <stdexcept>
 #include <string>
 #include <thread>
+#include <utility>
+#include <vector>
 
 #include "bench/message_pool.h"
+#include "proto/grpc_settings.h"
 #include "proto/playmaker.grpc.pb.h"
+#include "proto/team_playmaker.grpc.pb.h"
+#include "proxy/playmaker/batch_playmaker.h"
 #include "proxy/playmaker/grpc_playmaker.h"
 #include "tests/support/files.h"
 #include "tests/support/message_stream.h"
@@ -23,7 +28,21 @@
 namespace cls::bench {
 namespace {
 
+namespace wire = cls::playmaker::v1;
 using Clock = std::chrono::steady_clock;
+
+void decide(protos::PlayerActions& actions) {
+  protos::Body_GoToPoint& go = *actions.add_actions()->mutable_body_go_to_point();
+  go.mutable_target_point()->set_x(10.0F);
+  go.set_max_dash_power(100.0F);
+  actions.add_actions()->mutable_neck_turn_to_ball_or_scan();
+}
+
+grpc::ServerUnaryReactor* finish(grpc::CallbackServerContext* context) {
+  grpc::ServerUnaryReactor* reactor = context->DefaultReactor();
+  reactor->Finish(grpc::Status::OK);
+  return reactor;
+}
 
 class MinimalService : public protos::Game::CallbackService {
  public:
@@ -33,16 +52,48 @@ class MinimalService : public protos::Game::CallbackService {
   grpc::ServerUnaryReactor* GetPlayerActions(grpc::CallbackServerContext* context,
                                              const protos::State*,
                                              protos::PlayerActions* actions) override {
-    protos::Body_GoToPoint& go = *actions->add_actions()->mutable_body_go_to_point();
-    go.mutable_target_point()->set_x(10.0F);
-    go.set_max_dash_power(100.0F);
-    actions->add_actions()->mutable_neck_turn_to_ball_or_scan();
-    grpc::ServerUnaryReactor* reactor = context->DefaultReactor();
-    reactor->Finish(grpc::Status::OK);
-    return reactor;
+    decide(*actions);
+    return finish(context);
   }
 
   MessagePool<protos::State, protos::PlayerActions> messages_;
+};
+
+/// Parses each State, as a Playmaker does.
+class MinimalTeamService : public wire::TeamPlaymaker::CallbackService {
+ public:
+  explicit MinimalTeamService(wire::Encoding encoding) : encoding_(encoding) {}
+
+ private:
+  grpc::ServerUnaryReactor* RegisterTeam(grpc::CallbackServerContext* context,
+                                         const wire::RegisterTeamRequest* request,
+                                         wire::RegisterTeamResponse* response) override {
+    response->set_version(proto::kTeamPlaymakerVersion);
+    response->set_encoding(encoding_);
+    for (const auto& agent : request->agents()) {
+      response->add_agents()->set_agent(agent.agent());
+    }
+    return finish(context);
+  }
+
+  grpc::ServerUnaryReactor* GetTeamActions(grpc::CallbackServerContext* context,
+                                           const wire::GetTeamActionsRequest* request,
+                                           wire::GetTeamActionsResponse* response) override {
+    static thread_local std::vector<char> block(2 << 20);
+    google::protobuf::Arena arena(block.data(), block.size());
+    for (const auto& agent : request->agents()) {
+      auto& state = *google::protobuf::Arena::CreateMessage<protos::State>(&arena);
+      if (!state.ParseFromString(agent.message())) throw std::runtime_error("unreadable State");
+      protos::PlayerActions actions;
+      decide(actions);
+      wire::AgentReply& reply = *response->add_agents();
+      reply.set_agent(agent.agent());
+      actions.SerializeToString(reply.mutable_message());
+    }
+    return finish(context);
+  }
+
+  wire::Encoding encoding_;
 };
 
 double cpu_seconds() {
@@ -55,17 +106,34 @@ double cpu_seconds() {
 }
 
 struct Match {
+  explicit Match(wire::Encoding encoding) : team_service(encoding) {}
+
   tests::TemporaryFolder folder;
   MinimalService service;
+  MinimalTeamService team_service;
   std::unique_ptr<grpc::Server> server;
   std::array<std::unique_ptr<proxy::Playmaker>, 2> teams;
 };
 
-void start(Match& match, Transport transport) {
+void register_team(proxy::Playmaker& team) {
+  proxy::TeamRegistration registration;
+  registration.parameters = std::make_shared<proxy::MatchParameters>();
+  for (int unum = 1; unum <= 11; ++unum) registration.agents.push_back({unum, {}});
+  team.announce_team(registration);
+  for (int unum = 1; unum <= 11; ++unum) {
+    const auto reply = team.call(unum, proto::Rpc::kRegister, registration.agents.front().second,
+                                 std::chrono::seconds(10));
+    if (!reply.status.ok()) throw std::runtime_error(reply.status.message);
+  }
+}
+
+void start(Match& match, Transport transport, Asking asking) {
   proxy::GrpcTarget target;
   target.host = "127.0.0.1";
   grpc::ServerBuilder builder;
   builder.RegisterService(&match.service);
+  builder.RegisterService(&match.team_service);
+  builder.AddChannelArgument(GRPC_ARG_HTTP2_STREAM_LOOKAHEAD_BYTES, proto::kTeamCallWindow);
   if (transport == Transport::kTcp) {
     builder.AddListeningPort("127.0.0.1:0", grpc::InsecureServerCredentials(), &target.port);
   } else if (transport == Transport::kUnixSocket) {
@@ -79,6 +147,9 @@ void start(Match& match, Transport transport) {
                ? proxy::make_grpc_playmaker(
                      match.server->InProcessChannel(grpc::ChannelArguments()), "in process")
                : proxy::make_grpc_playmaker(target);
+    if (asking == Asking::kEachAgent) continue;
+    team = proxy::make_batch_playmaker(std::move(team), proxy::BatchMode::kRequired);
+    register_team(*team);
   }
 }
 
@@ -86,6 +157,7 @@ void begin_all(proxy::Playmaker& team, const protos::State& state) {
   for (int unum = 1; unum <= 11; ++unum) {
     team.begin(unum, proto::Rpc::kGetPlayerActions, state, std::chrono::seconds(10));
   }
+  team.send();
 }
 
 void receive_all(proxy::Playmaker& team) {
@@ -125,10 +197,10 @@ int play_in_two_threads(Match& match, const protos::State& state, Clock::time_po
 
 }  // namespace
 
-RpcCeiling measure_rpc_ceiling(Transport transport, int threads, const protos::State& state,
-                               double seconds) {
-  Match match;
-  start(match, transport);
+RpcCeiling measure_rpc_ceiling(Transport transport, int threads, Asking asking,
+                               const protos::State& state, double seconds) {
+  Match match(asking == Asking::kTeamLean ? wire::LEAN_STATES : wire::STATES);
+  start(match, transport, asking);
   for (auto& team : match.teams) {  // connect before the measurement
     begin_all(*team, state);
     receive_all(*team);

@@ -66,7 +66,8 @@ void whole_match(benchmark::State& bench) {
   const protos::State state = typical_state();
   for (auto _ : bench) {
     const auto ceiling = [&] {
-      return measure_rpc_ceiling(Transport::kInProcess, kThreads, state, kCeilingSeconds)
+      return measure_rpc_ceiling(Transport::kInProcess, kThreads, Asking::kEachAgent, state,
+                                 kCeilingSeconds)
           .cycles_per_second;
     };
     const double before = ceiling();
