@@ -9,14 +9,15 @@ CXX_FILES = git ls-files --cached --others --exclude-standard -- '*.h' '*.cpp'
 INPUT_TESTS = cls_base_tests cls_soccer_tests cls_gamelog_tests cls_analysis_tests \
   cls_mock_server_tests
 INPUT_LABELS = ^(base|soccer|gamelog|analysis|mock-server)$$
-FUZZERS = protocol rcg rcl session agent
+FUZZERS = protocol rcg rcl session view agent
 
-.PHONY: help build test full bench asan tsan asan-input fuzz same-bytes format format-check lint clean
+.PHONY: help build test full web-test bench asan tsan asan-input fuzz same-bytes format format-check lint clean
 
 help:
 	@echo 'make build         release build in build/'
 	@echo 'make test          build, run all tests with the short forms of slow suites'
 	@echo 'make full          long forms: 20 whole matches, all tests under ASan, UBSan and TSan'
+	@echo 'make web-test      the replay page in Chromium (needs node 18, npm, chromium)'
 	@echo 'make bench         benchmarks and matches, beside CLS_BENCH_BASE if set (libbenchmark-dev)'
 	@echo 'make asan | tsan   all tests under ASan and UBSan, or TSan, in build-asan/ or build-tsan/'
 	@echo 'make asan-input    the same for the rooms that read foreign input (Clang, build-fuzz/)'
@@ -42,6 +43,10 @@ full: test
 	@CLS_FULL=1 ctest --test-dir build -L '^matches$$' -V
 	@$(MAKE) --no-print-directory asan
 	@$(MAKE) --no-print-directory tsan
+
+web-test:
+	@tests/viewer/web/run
+	@CLS_NEED_BROWSER=1 tests/viewer/browser/run
 
 bench:
 	@cmake --preset release -DCLS_BUILD_BENCH=ON

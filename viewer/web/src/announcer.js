@@ -7,7 +7,7 @@ export class Announcer {
   /** @param {import('./viewer.js').Viewer} viewer */
   constructor(viewer) {
     this.viewer = viewer;
-    this.root = element('p', {class: 'announcer', role: 'status', 'aria-live': 'polite'});
+    this.root = element('p', {class: 'unseen', role: 'status', 'aria-live': 'polite'});
     this.frame = viewer.frame;
   }
 

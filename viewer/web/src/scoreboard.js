@@ -11,7 +11,8 @@ export class Scoreboard {
     this.cycle = element('span', {class: 'clock-cycle'});
     this.minute = element('span', {class: 'clock-minute'});
     this.mode = element('span', {class: 'mode'});
-    this.root = element('header', {class: 'scoreboard', 'aria-label': 'Score and clock'},
+    this.title = element('h1', {class: 'unseen'});
+    this.root = element('header', {class: 'scoreboard', 'aria-label': 'Score and clock'}, this.title,
       element('div', {class: 'score'}, this.names[0], element('span', {class: 'score-box'}, this.scores[0], element('span', {class: 'score-colon', 'aria-hidden': 'true'}, ':'), this.scores[1]), this.names[1], this.penalties),
       element('div', {class: 'clock'}, this.mode, this.minute, this.cycle));
   }
@@ -24,6 +25,7 @@ export class Scoreboard {
       setText(this.names[index], names[index]);
       setText(this.scores[index], String(team.score));
     });
+    setText(this.title, `Replay of ${names[0]} against ${names[1]}`);
     const [left, right] = teams;
     const shootOut = left.scored + left.missed + right.scored + right.missed > 0;
     setText(this.penalties, shootOut ? `penalties ${left.scored}/${left.scored + left.missed} : ${right.scored}/${right.scored + right.missed}` : '');
