@@ -84,6 +84,7 @@ void add_commands(CLI::App& app, int& exit_code) {
   add_server_command(app, exit_code);
   add_config_command(app, exit_code);
   add_init_command(app, exit_code);
+  add_new_command(app, exit_code);
   add_version_command(app, exit_code);
 }
 

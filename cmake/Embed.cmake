@@ -1,13 +1,19 @@
 # Text files as part of a library.
 
-# cls_embed(<output.cpp> <file...>): generates the definition of cls::orchestration::scenario::shipped_files().
+# cls_embed(<output.cpp> FUNCTION <namespaced name> TYPE <struct> HEADER <header> BASE <folder>
+#   FILES <file...>)
+# Generates the definition of `const std::vector<TYPE>& FUNCTION()`, which HEADER declares: name,
+# relative to BASE, and text of each file.
 function(cls_embed output)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "FUNCTION;TYPE;HEADER;BASE" "FILES")
   set(script "${CMAKE_SOURCE_DIR}/cmake/EmbedFiles.cmake")
-  list(JOIN ARGN "|" files)
+  list(JOIN arg_FILES "|" files)
   add_custom_command(
     OUTPUT "${output}"
-    COMMAND "${CMAKE_COMMAND}" "-DOUTPUT=${output}" "-DFILES=${files}" -P "${script}"
-    DEPENDS ${ARGN} "${script}"
-    COMMENT "embedding scenarios"
+    COMMAND "${CMAKE_COMMAND}" "-DOUTPUT=${output}" "-DFUNCTION=${arg_FUNCTION}"
+            "-DTYPE=${arg_TYPE}" "-DHEADER=${arg_HEADER}" "-DBASE=${arg_BASE}" "-DFILES=${files}"
+            -P "${script}"
+    DEPENDS ${arg_FILES} "${script}"
+    COMMENT "embedding ${arg_BASE}"
     VERBATIM)
 endfunction()

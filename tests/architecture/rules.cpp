@@ -59,7 +59,7 @@ const std::map<std::string, Library>& libraries() {
        {{"base", "soccer", "proto", "gamelog", "proxy", "mock-server", "analysis", "simulator",
          "viewer", "training", "orchestration/process", "orchestration/match",
          "orchestration/tournament", "orchestration/scenario", "orchestration/checks"},
-        {"terminal", "support", "logs", "check", "tournament", "match", ""}}},
+        {"terminal", "support", "project", "logs", "check", "tournament", "match", ""}}},
       {"bench",
        {{"base", "soccer", "proto", "gamelog", "proxy", "mock-server", "analysis", "simulator",
          "viewer", "training", "orchestration/process", "orchestration/match",

@@ -65,6 +65,7 @@ TEST_F(CommandOutput, JsonIsOneDocumentOfItsSchema) {
       {{"check", "server-log", "m/match.rcg", "m/match.rcl"}, "cls.server-log/1"},
       {{"doctor"}, "cls.doctor/1"},
       {{"init", "new"}, "cls.init/1"},
+      {{"new", "go", "ada"}, "cls.new/1"},
       {{"version"}, "cls.version/1"},
   };
   for (const Document& document : documents) {

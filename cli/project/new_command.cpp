@@ -1,0 +1,102 @@
+// `cls new`: writes a project for an own team, never over existing files.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "base/io/occupied_path.h"
+#include "base/io/whole_file.h"
+#include "cli/project/project_files.h"
+#include "cli/support/commands.h"
+#include "cli/support/exit_code.h"
+#include "cli/support/print_error.h"
+#include "orchestration/match/options/endpoint.h"
+
+namespace cls::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kDescription =
+    "write a project for a team of your own\n"
+    "A folder NAME with a Playmaker, cls.toml, tests, and files for editor and CI.\n"
+    "\n"
+    "  cls new python ada                     the example team in Python\n"
+    "  cls new rust ada --template minimal    a few lines to begin with";
+
+struct Arguments {
+  std::string language;
+  std::string name;
+  std::string team_template = "team";
+  std::string dir;
+  bool json = false;
+};
+
+base::Result<void> write_project(const fs::path& folder, const std::vector<ProjectFile>& files) {
+  for (const ProjectFile& file : files) {
+    const fs::path path = folder / file.path;
+    if (auto created = base::create_folders(path.parent_path()); !created) return created;
+    if (auto written = base::write_file(path, file.text); !written) return written;
+  }
+  std::error_code code;
+  fs::permissions(folder / "run",
+                  fs::perms::owner_exec | fs::perms::group_exec | fs::perms::others_exec,
+                  fs::perm_options::add, code);
+  if (code) return base::Error{fmt::format("{}: {}", (folder / "run").string(), code.message())};
+  return {};
+}
+
+void print(const Arguments& arguments, const std::string& dir,
+           const std::vector<ProjectFile>& files) {
+  if (arguments.json) {
+    nlohmann::ordered_json document = {{"schema", "cls.new/1"}, {"dir", dir}};
+    document["files"] = nlohmann::ordered_json::array();
+    for (const ProjectFile& file : files) document["files"].push_back(file.path);
+    fmt::print("{}\n", document.dump(2));
+    return;
+  }
+  fmt::print(
+      "{0}/: {1} files; README.md has the next steps:\n"
+      "  cd {0}\n"
+      "  ./run build\n"
+      "  cls match {2} mock --cycles 1000\n",
+      dir, files.size(), arguments.name);
+}
+
+int run(const Arguments& arguments) {
+  const auto name = orchestration::match::check_team_name(arguments.name);
+  if (!name) return print_error(kUsage, name.error().message);
+  const auto files = project_files(arguments.language, arguments.name, arguments.team_template);
+  if (!files) return print_error(kUsage, files.error().message);
+  const std::string dir = arguments.dir.empty() ? arguments.name : arguments.dir;
+  if (const std::string contents = base::contents_of(dir); !contents.empty()) {
+    return print_error(kCannotCreate,
+                       fmt::format("{}: has {}; select a new folder with --dir", dir, contents));
+  }
+  if (const auto written = write_project(dir, *files); !written) {
+    return print_error(kCannotCreate, written.error().message);
+  }
+  print(arguments, dir, *files);
+  return kOk;
+}
+
+}  // namespace
+
+void add_new_command(CLI::App& app, int& exit_code) {
+  const auto arguments = std::make_shared<Arguments>();
+  CLI::App* command = app.add_subcommand("new", kDescription);
+  command->add_option("LANGUAGE", arguments->language, "python, typescript, go, java or rust")
+      ->required();
+  command->add_option("NAME", arguments->name, "name of the team")->required();
+  command->add_option("--template", arguments->team_template,
+                      "team: the example team; minimal: a few lines (default: team)");
+  command->add_option("--dir", arguments->dir, "folder of the project (default: NAME)");
+  command->add_flag("--json", arguments->json, "print one JSON document");
+  command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
+}
+
+}  // namespace cls::cli

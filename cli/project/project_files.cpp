@@ -1,0 +1,133 @@
+// Selects and renames embedded files, and fills in names.
+#include "cli/project/project_files.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "base/text/suggestion.h"
+
+namespace cls::cli {
+namespace {
+
+struct Language {
+  std::string_view folder;    ///< of examples/
+  std::string_view name;      ///< as its users write it
+  std::string_view decide;    ///< the file of decisions, in the project
+  std::string_view packages;  ///< of Debian, for the project's CI
+};
+
+constexpr Language kLanguages[] = {
+    {"python", "Python", "decide.py", "python3-grpcio python3-protobuf protobuf-compiler-grpc"},
+    {"typescript", "TypeScript", "src/decide.ts", "nodejs npm"},
+    {"go", "Go", "decide.go", "golang-go protobuf-compiler"},
+    {"java", "Java", "src/main/java/team/Decide.java", "default-jdk-headless maven"},
+    {"rust", "Rust", "src/decide.rs", "cargo"},
+};
+
+constexpr std::string_view kMinimal = "minimal";
+
+// Names of files that version control and editors would use inside the source tree of cls itself.
+constexpr std::pair<std::string_view, std::string_view> kRenamed[] = {
+    {"gitignore", ".gitignore"},
+    {"editorconfig", ".editorconfig"},
+    {"tasks.json", ".vscode/tasks.json"},
+    {"test.yml", ".github/workflows/test.yml"},
+};
+
+const Language* find_language(std::string_view folder) {
+  const auto* found = std::find_if(std::begin(kLanguages), std::end(kLanguages),
+                                   [&](const Language& each) { return each.folder == folder; });
+  return found == std::end(kLanguages) ? nullptr : found;
+}
+
+// The rest of `name` after `folder`.
+std::optional<std::string> inside(std::string_view name, std::string_view folder) {
+  if (name.substr(0, folder.size()) != folder) return std::nullopt;
+  return std::string(name.substr(folder.size()));
+}
+
+std::string_view file_name(std::string_view path) { return path.substr(path.rfind('/') + 1); }
+
+// Path in the project of an embedded file; nothing if the project lacks it.
+std::optional<std::string> project_path(std::string_view name, const Language& language,
+                                        bool is_minimal) {
+  if (const auto path = inside(name, "examples/project/")) {
+    for (const auto& [from, to] : kRenamed) {
+      if (*path == from) return std::string(to);
+    }
+    return path;
+  }
+  if (const auto path = inside(name, "proto/")) return "proto/" + *path;
+  if (const auto path = inside(name, "python/")) {
+    if (language.folder != "python") return std::nullopt;
+    return "package/" + *path;  // beside the program it would hide the generated modules
+  }
+  if (inside(name, "examples/minimal/")) {
+    const bool is_ours = is_minimal && file_name(name) == file_name(language.decide);
+    return is_ours ? std::optional(std::string(language.decide)) : std::nullopt;
+  }
+  const auto path = inside(name, fmt::format("examples/{}/", language.folder));
+  if (path && is_minimal && *path == language.decide) return std::nullopt;
+  return path;
+}
+
+void replace_all(std::string& text, std::string_view mark, std::string_view value) {
+  for (std::size_t at = text.find(mark); at != std::string::npos;
+       at = text.find(mark, at + value.size())) {
+    text.replace(at, mark.size(), value);
+  }
+}
+
+std::string filled_in(std::string_view text, std::string_view name, const Language& language) {
+  std::string filled(text);
+  replace_all(filled, "@NAME@", name);
+  replace_all(filled, "@LANGUAGE@", language.name);
+  replace_all(filled, "@DECIDE@", language.decide);
+  replace_all(filled, "@PACKAGES@", language.packages);
+  return filled;
+}
+
+base::Error unknown(std::string_view what, std::string_view word,
+                    const std::vector<std::string_view>& names) {
+  return {fmt::format("unknown {} '{}': {}{}", what, word, fmt::join(names, ", "),
+                      base::did_you_mean(word, names))};
+}
+
+}  // namespace
+
+const std::vector<std::string_view>& project_languages() {
+  static const std::vector<std::string_view> names = [] {
+    std::vector<std::string_view> all;
+    for (const Language& language : kLanguages) all.push_back(language.folder);
+    return all;
+  }();
+  return names;
+}
+
+const std::vector<std::string_view>& project_templates() {
+  static const std::vector<std::string_view> names = {"team", kMinimal};
+  return names;
+}
+
+base::Result<std::vector<ProjectFile>> project_files(std::string_view language_name,
+                                                     std::string_view name,
+                                                     std::string_view team_template) {
+  const Language* language = find_language(language_name);
+  if (language == nullptr) return unknown("language", language_name, project_languages());
+  const auto& templates = project_templates();
+  if (std::find(templates.begin(), templates.end(), team_template) == templates.end()) {
+    return unknown("template", team_template, templates);
+  }
+  std::vector<ProjectFile> files;
+  for (const EmbeddedFile& file : embedded_files()) {
+    auto path = project_path(file.name, *language, team_template == kMinimal);
+    if (path) files.push_back({std::move(*path), filled_in(file.text, name, *language)});
+  }
+  return files;
+}
+
+}  // namespace cls::cli

@@ -1,0 +1,36 @@
+// What `cls new` writes: the examples as projects of their own.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/result.h"
+
+namespace cls::cli {
+
+/// A file of examples/, proto/ or python/, embedded at build time.
+struct EmbeddedFile {
+  std::string_view name;  ///< from the root of the source tree: "examples/go/run"
+  std::string_view text;
+};
+const std::vector<EmbeddedFile>& embedded_files();
+
+/// A file of a project.
+struct ProjectFile {
+  std::string path;  ///< in the folder of the project: "src/decide.ts"
+  std::string text;
+};
+
+/// "python", "typescript", ...
+const std::vector<std::string_view>& project_languages();
+
+/// "team", the example team, and "minimal", a few lines on behaviors of the proxy.
+const std::vector<std::string_view>& project_templates();
+
+/// All files of a project. The error names an unknown language or template.
+base::Result<std::vector<ProjectFile>> project_files(std::string_view language,
+                                                     std::string_view name,
+                                                     std::string_view team_template);
+
+}  // namespace cls::cli

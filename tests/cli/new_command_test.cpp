@@ -1,0 +1,77 @@
+// `cls new`: the files of a project and what it refuses. tests/matches plays with projects.
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "tests/support/command.h"
+#include "tests/support/files.h"
+#include "tests/support/temporary_folder.h"
+
+namespace cls::tests {
+namespace {
+
+namespace fs = std::filesystem;
+
+class NewCommand : public testing::Test {
+ protected:
+  CommandResult run_new(std::vector<std::string> words) const {
+    words.insert(words.begin(), {cls_binary(), "new"});
+    Command command(words, {}, folder_.path());
+    return command.finish();
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(NewCommand, WritesProjectOfEachLanguage) {
+  for (const std::string language : {"python", "typescript", "go", "java", "rust"}) {
+    const CommandResult result = run_new({language, "ada", "--dir", language, "--json"});
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    const auto document = nlohmann::json::parse(result.out);
+    EXPECT_EQ(document["schema"], "cls.new/1");
+    const fs::path project = folder_.path() / language;
+    for (const std::string file : document["files"]) {
+      const std::string text = read_file(project / file);
+      EXPECT_FALSE(text.empty()) << language << " " << file;
+      EXPECT_EQ(text.find("@NAME@"), std::string::npos) << file;
+      EXPECT_EQ(file.find("vectors"), std::string::npos) << file;
+    }
+    EXPECT_EQ(access((project / "run").c_str(), X_OK), 0);
+    EXPECT_NE(read_file(project / "cls.toml").find("[teams.ada]"), std::string::npos);
+    for (const char* file : {"README.md", ".gitignore", ".editorconfig", ".vscode/tasks.json",
+                             ".github/workflows/test.yml", "tests/scores.json",
+                             "proto/playmaker.proto", "proto/team_playmaker.proto"}) {
+      EXPECT_TRUE(fs::exists(project / file)) << language << " " << file;
+    }
+  }
+}
+
+TEST_F(NewCommand, MinimalTemplateReplacesDecisionsOnly) {
+  ASSERT_EQ(run_new({"java", "ada", "--dir", "team"}).exit_code, 0);
+  ASSERT_EQ(run_new({"java", "ada", "--dir", "minimal", "--template", "minimal"}).exit_code, 0);
+  const fs::path source = "src/main/java/team";
+  const auto text = [&](const char* project, const char* file) {
+    return read_file(folder_.path() / project / source / file);
+  };
+  EXPECT_LT(text("minimal", "Decide.java").size(), text("team", "Decide.java").size() / 2);
+  EXPECT_EQ(text("minimal", "Game.java"), text("team", "Game.java"));
+}
+
+TEST_F(NewCommand, RefusesUnknownWordsAndExistingFiles) {
+  EXPECT_EQ(run_new({"rusty", "ada"}).err,
+            "cls: unknown language 'rusty': python, typescript, go, java, rust; did you mean "
+            "'rust'?\n");
+  EXPECT_EQ(run_new({"go", "ada", "--template", "teem"}).err,
+            "cls: unknown template 'teem': team, minimal; did you mean 'team'?\n");
+  EXPECT_EQ(run_new({"go", "a b"}).exit_code, 2);
+  ASSERT_EQ(run_new({"go", "ada"}).exit_code, 0);
+  const CommandResult again = run_new({"go", "ada"});
+  EXPECT_EQ(again.exit_code, 73);
+  EXPECT_NE(again.err.find("select a new folder with --dir"), std::string::npos) << again.err;
+}
+
+}  // namespace
+}  // namespace cls::tests

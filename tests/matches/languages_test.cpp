@@ -1,0 +1,135 @@
+// The example team in every language whose tools are on the host: the same replies to recorded
+// States, the same match with either service, and a project of `cls new` that passes its tests.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "tests/support/command.h"
+#include "tests/support/files.h"
+#include "tests/support/python.h"
+#include "tests/support/temporary_folder.h"
+
+namespace cls::tests {
+namespace {
+
+namespace fs = std::filesystem;
+using Words = std::vector<std::string>;
+constexpr std::chrono::seconds kLong{1500};
+
+struct Language {
+  const char* name;
+  Words tools;
+};
+
+void PrintTo(const Language& language, std::ostream* out) { *out << language.name; }
+
+bool is_on_path(const std::string& tool) {
+  return run({"sh", "-c", "command -v " + tool}).exit_code == 0;
+}
+
+// Registries are unreachable on some hosts; then nothing can be built.
+bool is_about_network(const std::string& text) {
+  for (const char* phrase :
+       {"Could not transfer artifact", "Could not resolve", "EAI_AGAIN", "ENOTFOUND",
+        "ECONNREFUSED", "ETIMEDOUT", "dial tcp", "failed to download",
+        "failed to query replaced source", "Couldn't connect to server", "network failure"}) {
+    if (text.find(phrase) != std::string::npos) return true;
+  }
+  return false;
+}
+
+CommandResult run_in(const fs::path& folder, const Words& words, const Words& environment = {}) {
+  Command command(words, environment, folder);
+  return command.finish(kLong);
+}
+
+fs::path example(const std::string& language) { return source_folder() / "examples" / language; }
+
+class Languages : public testing::TestWithParam<Language> {
+ protected:
+  void SetUp() override {
+    for (const std::string& tool : GetParam().tools) {
+      if (!is_on_path(tool)) GTEST_SKIP() << GetParam().name << ": no " << tool << " on PATH";
+    }
+    if (GetParam().name == std::string("python") && python_with_grpc().empty()) {
+      GTEST_SKIP() << kNoPython;
+    }
+    build(example(GetParam().name));
+  }
+
+  static void build(const fs::path& folder) {
+    const CommandResult built = run_in(folder, {"./run", "build"}, shared_build());
+    if (built.exit_code != 0 && is_about_network(built.out + built.err)) {
+      GTEST_SKIP() << GetParam().name << ": cannot reach the registry of its packages";
+    }
+    ASSERT_EQ(built.exit_code, 0) << built.out << built.err;
+  }
+
+  // Compiled dependencies of the example serve a project, too.
+  static Words shared_build() {
+    return {"CARGO_TARGET_DIR=" + (example("rust") / ".build").string()};
+  }
+
+  // The game log of a short match of a team in `language` against mock.
+  std::string game_log(const std::string& language, const std::string& batch) {
+    const fs::path dir = folder_.path() / (language + "-" + batch);
+    const CommandResult played =
+        run_in(folder_.path(),
+               {cls_binary(), "match",
+                "run:" + (example(language) / "run").string() + " --port {port} --coach", "mock",
+                "--left-name", "team", "--seed", "4", "--cycles", "100", "--batch", batch,
+                "--start-timeout", "300", "--dir", dir},
+               shared_build());
+    EXPECT_EQ(played.exit_code, 0) << played.err;
+    return read_file(dir / "match.rcg");
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_P(Languages, RepliesToRecordedStates) {
+  const CommandResult tested = run_in(example(GetParam().name), {"./run", "test"}, shared_build());
+  EXPECT_EQ(tested.exit_code, 0) << tested.out << tested.err;
+}
+
+TEST_P(Languages, PlaySameMatchWithEitherService) {
+  const std::string single = game_log(GetParam().name, "never");
+  EXPECT_GT(single.size(), 10000U);
+  EXPECT_TRUE(game_log(GetParam().name, "always") == single) << "differs with one call per team";
+  if (python_with_grpc().empty()) return;
+  EXPECT_TRUE(game_log("python", "always") == single) << "differs from the match in Python";
+}
+
+TEST_P(Languages, NewProjectPassesItsTests) {
+  for (const std::string team_template : {"team", "minimal"}) {
+    SCOPED_TRACE(team_template);
+    const CommandResult written =
+        run_in(folder_.path(), {cls_binary(), "new", GetParam().name, "ada", "--template",
+                                team_template, "--dir", team_template});
+    ASSERT_EQ(written.exit_code, 0) << written.err;
+    const fs::path project = folder_.path() / team_template;
+    build(project);
+    if (HasFatalFailure() || IsSkipped()) return;
+    for (const Words& words :
+         {Words{"match", "ada", "mock", "--cycles", "50", "--dir", "match", "--strict"},
+          Words{"test", "tests/"}, Words{"check", "playmaker", "run:./run --port {port}"}}) {
+      Words command = {cls_binary()};
+      command.insert(command.end(), words.begin(), words.end());
+      const CommandResult result = run_in(project, command, shared_build());
+      EXPECT_EQ(result.exit_code, 0) << words[0] << "\n" << result.out << result.err;
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Examples, Languages,
+                         testing::Values(Language{"python", {"protoc", "grpc_python_plugin"}},
+                                         Language{"typescript", {"node", "npm"}},
+                                         Language{"go", {"go", "protoc"}},
+                                         Language{"java", {"java", "mvn"}},
+                                         Language{"rust", {"cargo"}}),
+                         [](const auto& each) { return std::string(each.param.name); });
+
+}  // namespace
+}  // namespace cls::tests
