@@ -153,6 +153,7 @@ class Snapshot:
         handle = ctypes.c_uint64()
         _check(pool.call("snapshot", env, ctypes.byref(handle)))
         self.handle = handle.value
+        self.pool_handle = pool.handle
         weakref.finalize(self, library().cls_training_release, pool.handle, handle.value)
 
 
@@ -179,7 +180,7 @@ class Pool:
     def _allocate(self, n: int) -> None:
         spec, a = self.spec, len(self.spec.agents)
         k, v = len(spec.actions.names), len(spec.actions.values)
-        self.action_ids = np.zeros((n, a), np.int32)
+        self.action_ids = np.zeros((n, a if k else 0), np.int32)
         self.action_values = np.zeros((n, a, v), np.float32)
         self.observations = np.zeros((n, a, len(spec.features)), np.float32)
         self.rewards = np.zeros((n, a), np.float32)
@@ -229,6 +230,9 @@ class Pool:
 
     def restore(self, env: int, snapshot: Snapshot) -> None:
         """Continues in world `env` where the snapshot was taken."""
+        if snapshot.pool_handle != self.handle:
+            raise EngineError("restore: the snapshot is of another environment; worlds of one "
+                              "VectorEnv share their snapshots")
         _check(self.call("restore", env, snapshot.handle))
 
     def fork(self, source: int, target: int) -> None:

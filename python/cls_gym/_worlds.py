@@ -1,17 +1,18 @@
 """What single and vector environments share: a pool of worlds, its spaces, actions and infos."""
 from __future__ import annotations
 
-from typing import Any, Dict, List, Optional, Tuple
+from typing import Any, Dict, List, Optional, Sequence, Tuple
 
 import numpy as np
 
 from cls_gym import rendering
 from cls_gym._api import ClosedEnvironmentError, ResetNeeded, warn
 from cls_gym._engine import ActionError, Pool, Snapshot
+from cls_gym.spec import bounds
 from cls_gym.tasks import resolve
 
 Info = Dict[str, Any]
-METADATA = {"render_modes": ["rgb_array", "ansi"], "render_fps": 10}
+METADATA = {"render_modes": ["human", "rgb_array", "ansi"], "render_fps": 10}
 
 
 class Worlds:
@@ -41,6 +42,10 @@ class Worlds:
         self.masks = self._per_agent(pool.action_masks) if self.spec.actions.names else None
         if self.masks is not None:
             self.columns.append(("action_mask", self.masks))
+        if self.spec.actions.names:
+            self._part_sizes = [len(own) for own in self.spec.actions.parameters if own]
+            self._low, high = bounds(self.spec.actions.values)
+            self._half_range = (high - self._low) / 2
         self.everywhere = np.ones(num_envs, np.bool_)
 
     def _per_agent(self, array: np.ndarray) -> np.ndarray:
@@ -62,7 +67,7 @@ class Worlds:
     def _take_parts(self, parts: Any) -> None:
         """Which action, then the numbers of each action that has some."""
         values = self.pool.action_values
-        sizes = [len(own) for own in self.spec.actions.parameters if own]
+        sizes = self._part_sizes
         if not isinstance(parts, (tuple, list)) or len(parts) != len(sizes) + 1:
             raise ActionError(f"action: a tuple of {len(sizes) + 1} arrays, not {parts!r:.60}")
         self._take("action[0]", parts[0], self.pool.action_ids, ())
@@ -70,6 +75,10 @@ class Worlds:
         for place, (part, size) in enumerate(zip(parts[1:], sizes), 1):
             self._take(f"action[{place}]", part, values[..., start:start + size], (size,))
             start += size
+        # From -1..1 to the units of the engine.
+        values += 1.0
+        values *= self._half_range
+        values += self._low
 
     def _take(self, name: str, value: Any, into: np.ndarray, last: Tuple[int, ...]) -> None:
         value = np.asarray(value)
@@ -162,13 +171,15 @@ class Worlds:
                 players.append(rendering.Player(side, one.unum, one.x, one.y, one.body,
                                                 bool(one.goalie),
                                                 f"{side}_{one.unum}" in self.spec.agents))
-        status = self.spec.statuses[world.status].replace("_", " ")
+        status = self.spec.statuses[world.status].replace("_", " ").lower()
         title = (f"{self.spec.task}  cycle {world.cycle}  {world.score[0]}:{world.score[1]}  "
                  f"{status}")
         half = all(player.x > -2.0 for player in players) and world.ball_x > -2.0
         return rendering.Frame(title, (world.ball_x, world.ball_y), players, half)
 
     def render(self, index: int, mode: Optional[str]) -> Any:
+        if mode == "human":
+            return rendering.show(self.frame(index))
         if mode == "ansi":
             return rendering.ansi(self.frame(index))
         if mode == "rgb_array":
@@ -176,6 +187,11 @@ class Worlds:
         warn("render: no render_mode; pass render_mode=\"ansi\" or \"rgb_array\" to the "
              "constructor")
         return None
+
+    def show(self, mode: Optional[str]) -> None:
+        """Writes the situation of a single world to stdout if the mode is "human"."""
+        if mode == "human":
+            self.render(0, mode)
 
     # ---- end
 
@@ -187,8 +203,8 @@ class Worlds:
         self.pool.close()
 
 
-def check_render_mode(mode: Optional[str]) -> None:
+def check_render_mode(mode: Optional[str],
+                      modes: Sequence[str] = ("human", "rgb_array", "ansi")) -> None:
     """Raises ValueError for an unknown mode."""
-    if mode is not None and mode not in METADATA["render_modes"]:
-        modes = ", ".join(METADATA["render_modes"])
-        raise ValueError(f"render_mode: unknown {mode!r}; modes: {modes}")
+    if mode is not None and mode not in modes:
+        raise ValueError(f"render_mode: unknown {mode!r}; modes: {', '.join(modes)}")

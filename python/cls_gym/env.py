@@ -1,7 +1,6 @@
 """One world as a gymnasium.Env."""
 from __future__ import annotations
 
-import copy
 from typing import Any, Dict, Optional, Tuple
 
 import numpy as np
@@ -55,6 +54,7 @@ class Env(BaseEnv):
         super().reset(seed=seed)
         self._worlds.reset(None, np.array([episode_seed(self.np_random)], np.uint64), options)
         self._ended = False
+        self._worlds.show(self.render_mode)
         return self._worlds.observations[0].copy(), self._worlds.info(0)
 
     def step(self, action: Any) -> Tuple[np.ndarray, float, bool, bool, Info]:
@@ -67,6 +67,7 @@ class Env(BaseEnv):
         worlds.step()
         terminated, truncated = bool(worlds.pool.terminated[0]), bool(worlds.pool.truncated[0])
         self._ended = terminated or truncated
+        worlds.show(self.render_mode)
         return (worlds.observations[0].copy(), float(worlds.rewards()[0]), terminated, truncated,
                 worlds.info(0, self._ended))
 
@@ -76,11 +77,13 @@ class Env(BaseEnv):
         return self._worlds.pool.state[0].copy()
 
     def render(self) -> Any:
-        """str for "ansi", uint8[height, width, 3] for "rgb_array"."""
+        """str for "ansi", uint8[height, width, 3] for "rgb_array"; "human" writes the text to
+        stdout, after each reset and step too."""
         return self._worlds.render(0, self.render_mode)
 
     def snapshot(self) -> Snapshot:
-        """The whole episode as a value: restore() of it continues with the same bits."""
+        """The whole episode as a value: restore() of it continues with the same bits. VectorEnv
+        also copies episodes between worlds: fork()."""
         return self._worlds.snapshot(0)
 
     def restore(self, snapshot: Snapshot) -> np.ndarray:
@@ -88,13 +91,6 @@ class Env(BaseEnv):
         self._worlds.restore(0, snapshot)
         self._ended = bool(self._worlds.pool.terminated[0] or self._worlds.pool.truncated[0])
         return self._worlds.observations[0].copy()
-
-    def fork(self) -> "Env":
-        """Another environment in the same situation, with the same episode seeds to come."""
-        other = type(self)(self._worlds.id, render_mode=self.render_mode, **self._worlds.config)
-        other.restore(self.snapshot())
-        other._np_random = copy.deepcopy(self.np_random)
-        return other
 
     def record(self, path: Optional[str]) -> None:
         """Writes the next episode, from its reset() to its end, as a game log (rcg); None: not."""

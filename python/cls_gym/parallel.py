@@ -70,6 +70,7 @@ class ParallelEnv(_Base):
             self._random = generator(seed)
         self._worlds.reset(None, np.array([episode_seed(self._random)], np.uint64), options)
         self.agents = list(self.possible_agents)
+        self._worlds.show(self.render_mode)
         return self._observe(self.agents), self._infos(self.agents)
 
     def step(self, actions: Dict[str, Any]) -> Dicts:
@@ -79,6 +80,7 @@ class ParallelEnv(_Base):
             raise ResetNeeded("step: call reset() first")
         self._set_actions(actions)
         self._worlds.step()
+        self._worlds.show(self.render_mode)
         pool, acting = self._worlds.pool, self.agents
         over = bool(pool.terminated[0]), bool(pool.truncated[0])
         alive = {agent: bool(pool.alive[0, self._place[agent]]) for agent in acting}
@@ -131,7 +133,8 @@ class ParallelEnv(_Base):
         return self._worlds.pool.state[0].copy()
 
     def render(self) -> Any:
-        """str for "ansi", uint8[height, width, 3] for "rgb_array"."""
+        """str for "ansi", uint8[height, width, 3] for "rgb_array"; "human" writes the text to
+        stdout, after each reset and step too."""
         return self._worlds.render(0, self.render_mode)
 
     def close(self) -> None:

@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 import functools
+import sys
 from typing import List, NamedTuple, Sequence, Tuple
 
 import numpy as np
@@ -67,6 +68,13 @@ def ansi(frame: Frame) -> str:
     border = "+" + "-" * _COLUMNS + "+"
     lines = [border, *("|" + "".join(row) + "|" for row in cells), border]
     return "\n".join([frame.title, *lines]) + "\n"
+
+
+def show(frame: Frame) -> None:
+    """Writes the text to stdout; on a terminal, over the one before."""
+    home = "\x1b[H\x1b[2J" if sys.stdout.isatty() else ""
+    sys.stdout.write(home + ansi(frame))
+    sys.stdout.flush()
 
 
 # ---- pixels
@@ -196,4 +204,4 @@ def rgb_array(frame: Frame) -> np.ndarray:
     return canvas.image()
 
 
-__all__: List[str] = ["Frame", "Player", "ansi", "rgb_array"]
+__all__: List[str] = ["Frame", "Player", "ansi", "rgb_array", "show"]

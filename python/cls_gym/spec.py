@@ -30,7 +30,7 @@ class ActionSet(NamedTuple):
         """The space of one agent's action, or of `agents` actions side by side.
 
         Discrete; Box; or Tuple(Discrete, Box...): which action, then the numbers of each action
-        that has some.
+        that has some, scaled to -1..1.
         """
         if not self.values:
             n = len(self.names)
@@ -39,7 +39,8 @@ class ActionSet(NamedTuple):
             one = _box(self.values)
         else:
             one = spaces.Tuple((spaces.Discrete(len(self.names)),
-                                *(_box(own) for own in self.parameters if own)))
+                                *(spaces.Box(-1.0, 1.0, (len(own),), np.float32)
+                                  for own in self.parameters if own)))
         return one if agents == 1 else spaces.batch_space(one, agents)
 
 

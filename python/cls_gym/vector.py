@@ -37,7 +37,7 @@ class VectorEnv(BaseVectorEnv):
     def __init__(self, id: str = "cls/HFO-1v0-v0", num_envs: int = 1, *,
                  autoreset_mode: Union[str, AutoresetMode] = AutoresetMode.NEXT_STEP,
                  render_mode: Optional[str] = None, copy: bool = True, **config: Any) -> None:
-        check_render_mode(render_mode)
+        check_render_mode(render_mode, ("rgb_array", "ansi"))
         if isinstance(num_envs, bool) or not isinstance(num_envs, (int, np.integer)) \
                 or num_envs < 1:
             raise ValueError(f"num_envs: an integer from 1 on, not {num_envs!r}")
@@ -136,6 +136,12 @@ class VectorEnv(BaseVectorEnv):
     def record(self, index: int, path: Optional[str]) -> None:
         """Writes the next episode of a world as a game log (rcg); None: not."""
         self._worlds.record(index, path)
+
+    def __enter__(self) -> "VectorEnv":
+        return self
+
+    def __exit__(self, *_: Any) -> None:
+        self.close()
 
     def close_extras(self, **kwargs: Any) -> None:
         """Frees the worlds; close() may be called again."""
