@@ -56,32 +56,30 @@ class Languages : public testing::TestWithParam<Language> {
     if (GetParam().name == std::string("python") && python_with_grpc().empty()) {
       GTEST_SKIP() << kNoPython;
     }
-    build(example(GetParam().name));
+    build(example(GetParam().name), {});
   }
 
-  static void build(const fs::path& folder) {
-    const CommandResult built = run_in(folder, {"./run", "build"}, shared_build());
+  static void build(const fs::path& folder, const Words& environment) {
+    const CommandResult built = run_in(folder, {"./run", "build"}, environment);
     if (built.exit_code != 0 && is_about_network(built.out + built.err)) {
       GTEST_SKIP() << GetParam().name << ": cannot reach the registry of its packages";
     }
     ASSERT_EQ(built.exit_code, 0) << built.out << built.err;
   }
 
-  // Compiled dependencies of the example serve a project, too.
-  static Words shared_build() {
-    return {"CARGO_TARGET_DIR=" + (example("rust") / ".build").string()};
+  // Projects share compiled dependencies over test runs.
+  static Words project_builds() {
+    return {"CARGO_TARGET_DIR=" + (example("rust") / ".build/projects").string()};
   }
 
   // The game log of a short match of a team in `language` against mock.
   std::string game_log(const std::string& language, const std::string& batch) {
     const fs::path dir = folder_.path() / (language + "-" + batch);
-    const CommandResult played =
-        run_in(folder_.path(),
-               {cls_binary(), "match",
-                "run:" + (example(language) / "run").string() + " --port {port} --coach", "mock",
-                "--left-name", "team", "--seed", "4", "--cycles", "100", "--batch", batch,
-                "--start-timeout", "300", "--dir", dir},
-               shared_build());
+    const CommandResult played = run_in(
+        folder_.path(), {cls_binary(), "match",
+                         "run:" + (example(language) / "run").string() + " --port {port} --coach",
+                         "mock", "--left-name", "team", "--seed", "4", "--cycles", "100", "--batch",
+                         batch, "--start-timeout", "300", "--dir", dir});
     EXPECT_EQ(played.exit_code, 0) << played.err;
     return read_file(dir / "match.rcg");
   }
@@ -90,7 +88,7 @@ class Languages : public testing::TestWithParam<Language> {
 };
 
 TEST_P(Languages, RepliesToRecordedStates) {
-  const CommandResult tested = run_in(example(GetParam().name), {"./run", "test"}, shared_build());
+  const CommandResult tested = run_in(example(GetParam().name), {"./run", "test"});
   EXPECT_EQ(tested.exit_code, 0) << tested.out << tested.err;
 }
 
@@ -110,14 +108,14 @@ TEST_P(Languages, NewProjectPassesItsTests) {
                                 team_template, "--dir", team_template});
     ASSERT_EQ(written.exit_code, 0) << written.err;
     const fs::path project = folder_.path() / team_template;
-    build(project);
+    build(project, project_builds());
     if (HasFatalFailure() || IsSkipped()) return;
     for (const Words& words :
          {Words{"match", "ada", "mock", "--cycles", "50", "--dir", "match", "--strict"},
           Words{"test", "tests/"}, Words{"check", "playmaker", "run:./run --port {port}"}}) {
       Words command = {cls_binary()};
       command.insert(command.end(), words.begin(), words.end());
-      const CommandResult result = run_in(project, command, shared_build());
+      const CommandResult result = run_in(project, command, project_builds());
       EXPECT_EQ(result.exit_code, 0) << words[0] << "\n" << result.out << result.err;
     }
   }
