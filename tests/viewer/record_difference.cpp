@@ -1,6 +1,8 @@
 // Finds the first difference of two records.
 #include "tests/viewer/record_difference.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstring>
 
@@ -15,11 +17,10 @@ using namespace cls::gamelog;
 
 template <typename T>
 std::string column(const char* name, const Column<T>& a, const Column<T>& b, std::size_t series) {
-  if (a.size() != b.size()) return std::string("size of ") + name;
+  if (a.size() != b.size()) return fmt::format("size of {}", name);
   for (std::size_t i = 0; i < a.size(); ++i) {
     if (std::memcmp(&a[i], &b[i], sizeof(T)) == 0) continue;
-    return std::string(name) + " of frame " + std::to_string(i / series) + ", slot " +
-           std::to_string(i % series);
+    return fmt::format("{} of frame {}, slot {}", name, i / series, i % series);
   }
   return "";
 }

@@ -108,7 +108,7 @@ MonitorReport watch(soccer::UdpClients& clients, const ShouldContinue& proceed) 
   return news;
 }
 
-std::string to_text(const MonitorReport& news) {
+std::string monitor_text(const MonitorReport& news) {
   if (!news.params) return "no reply to a monitor";
   const std::string mode = news.params->synch_mode ? "synchronous mode"
                                                    : fmt::format("real time, {} ms per cycle",
@@ -130,7 +130,7 @@ DoctorCheck unreachable(DoctorCheck check, std::string found, std::string hint) 
 void examine(DoctorCheck& check, soccer::UdpClients& clients, const std::string& answer,
              const ShouldContinue& alive) {
   if (answer.starts_with("(")) {
-    check.found = to_text(watch(clients, alive));
+    check.found = monitor_text(watch(clients, alive));
     return;
   }
   check.status = DoctorStatus::kWrong;
