@@ -168,16 +168,17 @@ TEST_F(Batch, SameMatchOfPythonExampleInBothEncodings) {
   const std::string python = cls::tests::python_with_grpc();
   if (python.empty()) GTEST_SKIP() << cls::tests::kNoPython;
   cycles_ = "60";
+  const Arguments name = {"--left-name", "example"};  // not the name of the file
   std::vector<Played> played;
   for (const char* lean : {"True", "False"}) {
     const std::string main = folder_.path() / ("lean" + std::string(lean) + ".py");
     std::ofstream(main) << "import playmaker\nplaymaker.Team.lean_states = " << lean
                         << "\nplaymaker.main()\n";
-    played.push_back(play("always", python_example(python, main), "mock", "1"));
+    played.push_back(play("always", python_example(python, main), "mock", "1", name));
   }
   const std::string as_it_is = python_example(
       python, (cls::tests::source_folder() / "examples/python/playmaker.py").string());
-  played.push_back(play("never", as_it_is, "mock", "1"));
+  played.push_back(play("never", as_it_is, "mock", "1", name));
   expect_same_logs(played[2], played[0], "lean States");
   expect_same_logs(played[2], played[1], "whole States");
 }
