@@ -82,7 +82,8 @@ CLS_TRAINING_API const char* cls_training_error(void);
 
 // Writes the catalog of everything that can be trained as JSON (schema "cls.training.catalog/1"):
 //   {"tasks": [{"id", "version", "summary", "options": [{"name", "default", "low", "high",
-//               "summary"}], "sides", "max_cycles"...}],
+//               "summary"}], "offense", "defense", "agents", "features", "actions", "referee",
+//               "max_cycles"}],
 //    "feature_sets": [...], "action_sets": [...], "reward_terms": [...], "statuses": [...]}
 // `out` may be NULL if `capacity` is 0. Writes at most `capacity` bytes with a final 0; *length
 // becomes the length without it. If it does not fit: CLS_TRAINING_SMALL_BUFFER, call again.
@@ -95,10 +96,10 @@ CLS_TRAINING_API int cls_training_catalog(char* out, size_t capacity, size_t* le
 //   "num_envs"    N, 1..65536. Default 1.
 //   "threads"     threads that step(), 1..256; more than N are not used. Default 1. Results do not
 //                 depend on it.
-//   "obs"         "full_state" (exact, no messages) or "world_model" (real agents that see and hear
-//                 with noise). Default "full_state". Physics, rewards and ends are the same.
+//   "obs"         "full_state": the exact world, without messages. The only value.
 //   "features"    feature set: "hfo_low", "hfo_high" or "ego". Default: the task's.
-//   "actions"     action set: "low", "low_flat", "low_discrete" or "hfo". Default: the task's.
+//   "actions"     action set: "low", "low_all", "low_flat", "low_discrete" or
+//                 "hfo". Default: the task's.
 //   "offense"     players of the left (attacking) team, where the task lets one choose.
 //   "defense"     players of the right team, including its goalie.
 //   "agents"      whose actions the caller chooses: "offense" (left), "defense" (right) or "both".
@@ -209,7 +210,7 @@ CLS_TRAINING_API int cls_training_set_options(uint64_t pool, int64_t env, const 
 
 // -------------------------------------------------------------------------------- copies
 
-// Stores the whole episode of a world (physics, random streams, agents) and returns its handle.
+// Stores the whole episode of a world (physics, random streams, rules) and returns its handle.
 CLS_TRAINING_API int cls_training_snapshot(uint64_t pool, uint64_t env, uint64_t* snapshot);
 
 // Puts a snapshot of the same pool into world `env` and fills the row as a step would: observation,

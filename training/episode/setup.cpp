@@ -170,7 +170,6 @@ Result<std::shared_ptr<const Setup>> make_setup(const SetupChoices& choices) {
   if (!task) return task.error();
   auto setup = std::make_shared<Setup>();
   setup->task = *task;
-  setup->fidelity = choices.fidelity;
   if (Result<void> done = choose_cast(choices, *setup); !done) return done.error();
   if (Result<void> done = choose_sets(choices, *setup); !done) return done.error();
   setup->weights = choices.weights;

@@ -15,18 +15,11 @@
 
 namespace cls::training {
 
-/// What the learner perceives. The two are never mixed; physics, rewards and ends are the same.
-enum class Fidelity : unsigned char {
-  kFullState,   ///< the exact world, without messages
-  kWorldModel,  ///< the world model of an agent that sees and hears with noise
-};
-
 enum class Presence : unsigned char { kAbsent, kHold, kScripted };
 
 /// Choices of the caller. Counts of -1 and empty names mean the task's defaults.
 struct SetupChoices {
   std::string task;
-  Fidelity fidelity = Fidelity::kFullState;
   std::string features;
   std::string actions;
   int offense = -1;
@@ -44,7 +37,6 @@ struct SetupChoices {
 /// Immutable; shared by the episodes of a pool and by their copies.
 struct Setup {
   const Task* task = nullptr;
-  Fidelity fidelity = Fidelity::kFullState;
   Cast cast;
   std::array<Driver, soccer::kPlayersOnPitch> drivers{};  ///< of players that are no agents
   std::array<bool, soccer::kPlayersOnPitch> is_agent{};

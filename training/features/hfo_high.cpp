@@ -1,5 +1,6 @@
 // Feature set "hfo_high": HFO's high-level features, 12 + 6 per teammate + 3 per opponent. Missing
 // values are -2 and uniform numbers are not scaled, as in HFO; the bounds say so.
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>

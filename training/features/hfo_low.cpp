@@ -1,6 +1,7 @@
 // Feature set "hfo_low": HFO's low-level features, 59 + 9 per teammate + 9 per opponent. Its
 // quirks are preserved: the landmarks are those of the attacked half, players at x <= 0 are left
 // out, players are sorted by distance, numbers are divided by 100.
+#include <algorithm>
 #include <cmath>
 
 #include "soccer/math.h"
@@ -152,7 +153,7 @@ void add_ball(FeatureWriter& out, const Scene& scene, const Pose& pose) {
 
 /// The seats that HFO lists: seen, in the attacked half, nearest first.
 Seats listed(const PointOfView& view, Seats all) {
-  sort_by_distance(view, all);
+  sort_by_distance(view.scene, view.me().position, all);
   Seats seats;
   for (const Seat seat : all) {
     const ScenePlayer& player = view.scene.player(seat);

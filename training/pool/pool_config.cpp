@@ -21,7 +21,7 @@ const Names kKeys = {"task",      "num_envs",   "threads",    "obs",        "fea
                      "offense",   "defense",    "agents",     "num_agents", "teammates", "opponent",
                      "autoreset", "frame_skip", "max_cycles", "reward",     "options",   "types"};
 const Names kAutoresets = {"disabled", "next_step", "same_step"};
-const Names kFidelities = {"full_state", "world_model"};
+const Names kObservations = {"full_state"};
 const Names kAgents = {"offense", "defense", "both"};
 const Names kTeammates = {"hold", "scripted"};
 const Names kOpponents = {"none", "hold", "scripted"};
@@ -107,7 +107,6 @@ SetupChoices usual_choices() {
 
 void read_choices(Reader& in, SetupChoices& choices) {
   in.text("task", choices.task);
-  in.choice("obs", kFidelities, choices.fidelity);
   in.text("features", choices.features);
   in.text("actions", choices.actions);
   in.integer("offense", 0, soccer::kPlayersPerTeam, choices.offense);
@@ -118,6 +117,8 @@ void read_choices(Reader& in, SetupChoices& choices) {
   in.choice("opponent", kOpponents, choices.opponent);
   in.integer("frame_skip", 1, kMaxFrameSkip, choices.frame_skip);
   in.integer("max_cycles", 0, kMaxCycles, choices.max_cycles);
+  int observation = 0;
+  in.choice("obs", kObservations, observation);
   int types = 0;
   in.choice("types", kTypes, types);
   choices.random_types = types == 1;

@@ -129,12 +129,11 @@ Json specification(const Pool& pool) {
   for (std::size_t i = 0; i < setup.task->options.size(); ++i) {
     options[std::string(setup.task->options[i].name)] = pool.config().options[i];
   }
-  const bool full = setup.fidelity == Fidelity::kFullState;
   return {
       {"schema", "cls.training.spec/1"},
       {"task", setup.task->id},
       {"version", setup.task->version},
-      {"obs", full ? "full_state" : "world_model"},
+      {"obs", "full_state"},
       {"num_envs", pool.size()},
       {"threads", pool.threads()},
       {"num_agents", setup.agent_count()},

@@ -1,9 +1,9 @@
 // Who takes part in an episode.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "soccer/pitch.h"
@@ -69,15 +69,15 @@ inline Seats opponents_of(const PointOfView& view) {
   return seats;
 }
 
-/// Sorts by distance from the agent, nearest first.
-inline void sort_by_distance(const PointOfView& view, Seats& seats) {
-  const Vec2 me = view.me().position;
-  std::stable_sort(seats.items.begin(),
-                   seats.items.begin() + static_cast<std::ptrdiff_t>(seats.count),
-                   [&](Seat a, Seat b) {
-                     return squared_distance(view.scene.player(a).position, me) <
-                            squared_distance(view.scene.player(b).position, me);
-                   });
+/// Sorts by distance from `point`, nearest first. Stable, and without the buffer that the standard
+/// library's stable sort allocates.
+inline void sort_by_distance(const Scene& scene, Vec2 point, Seats& seats) {
+  const auto away = [&](Seat seat) { return squared_distance(scene.player(seat).position, point); };
+  for (std::size_t i = 1; i < seats.count; ++i) {
+    for (std::size_t k = i; k > 0 && away(seats.items[k]) < away(seats.items[k - 1]); --k) {
+      std::swap(seats.items[k], seats.items[k - 1]);
+    }
+  }
 }
 
 }  // namespace cls::training

@@ -72,12 +72,7 @@ Seat opponent_to_mark(const PointOfView& view) {
     rank += mate.seen && !mate.goalie && seat != chaser && seat < view.self ? 1 : 0;
   }
   Seats threats = opponents_of(view);
-  std::stable_sort(threats.items.begin(),
-                   threats.items.begin() + static_cast<std::ptrdiff_t>(threats.count),
-                   [&](Seat a, Seat b) {
-                     return squared_distance(view.scene.player(a).position, kOwnGoal) <
-                            squared_distance(view.scene.player(b).position, kOwnGoal);
-                   });
+  sort_by_distance(view.scene, kOwnGoal, threats);
   const Seat holder = nearest_player(view.scene, true, view.scene.ball);
   for (const Seat seat : threats) {
     if (seat == holder || !view.scene.player(seat).seen) continue;

@@ -1,0 +1,136 @@
+// Pools: equal seeds and actions give equal bytes, whatever threads, neighbors and history are.
+#include "training/pool/pool.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/allocation_count.h"
+#include "tests/training/stage.h"
+
+namespace cls::tests {
+namespace {
+
+std::string play(BoundPool& pool, std::uint64_t seed, int steps) {
+  std::string bytes;
+  soccer::RandomStream random(seed, "actions");
+  // Written only where an episode ends, so that rows of an earlier play would remain.
+  std::fill(pool.final_observations.begin(), pool.final_observations.end(), 0.0F);
+  EXPECT_EQ(pool.reset(seed), CLS_TRAINING_OK) << cls_training_error();
+  for (int i = 0; i < steps; ++i) {
+    pool.draw_actions(random);
+    EXPECT_EQ(pool.step(), CLS_TRAINING_OK) << cls_training_error();
+    bytes += pool.outputs();
+  }
+  return bytes;
+}
+
+std::string config(const std::string& more) {
+  return R"({"task": "HalfFieldOffense", "num_envs": 7, "autoreset": "same_step", "offense": 2,)"
+         R"( "defense": 2, "actions": "low_all", "max_cycles": 60)" +
+         more + "}";
+}
+
+TEST(TrainingPool, ResultsDoNotDependOnThreads) {
+  BoundPool one(config(R"(, "threads": 1)"));
+  BoundPool two(config(R"(, "threads": 2)"));
+  BoundPool seven(config(R"(, "threads": 7)"));
+  const std::string expected = play(one, 5, 150);
+  EXPECT_TRUE(expected == play(two, 5, 150));
+  EXPECT_TRUE(expected == play(seven, 5, 150));
+}
+
+TEST(TrainingPool, ResultsDoNotDependOnEarlierEpisodes) {
+  BoundPool fresh(config(""));
+  BoundPool used(config(""));
+  play(used, 99, 80);
+  EXPECT_TRUE(play(fresh, 5, 100) == play(used, 5, 100));
+}
+
+TEST(TrainingPool, OtherSeedsGiveOtherEpisodes) {
+  BoundPool pool(config(""));
+  EXPECT_FALSE(play(pool, 5, 20) == play(pool, 6, 20));
+}
+
+TEST(TrainingPool, EachWorldIsTheSameAlone) {
+  BoundPool many(R"({"task": "HalfFieldOffense", "num_envs": 3, "defense": 1})");
+  BoundPool one(R"({"task": "HalfFieldOffense", "num_envs": 1, "defense": 1})");
+  ASSERT_EQ(many.reset(10), CLS_TRAINING_OK);
+  ASSERT_EQ(one.reset(12), CLS_TRAINING_OK);
+  soccer::RandomStream random(1, "actions");
+  for (int i = 0; i < 50 && one.status[0] == CLS_TRAINING_IN_GAME; ++i) {
+    many.draw_actions(random);
+    one.action_ids[0] = many.action_ids[2];
+    std::copy(many.action_values.end() - static_cast<std::ptrdiff_t>(many.value_columns.size()),
+              many.action_values.end(), one.action_values.begin());
+    ASSERT_EQ(many.step(), CLS_TRAINING_OK);
+    ASSERT_EQ(one.step(), CLS_TRAINING_OK);
+    const std::vector<float> last(
+        many.observations.end() - static_cast<std::ptrdiff_t>(many.features),
+        many.observations.end());
+    EXPECT_EQ(last, one.observations);
+  }
+}
+
+TEST(TrainingPool, StepsDoNotAllocate) {
+  BoundPool pool(config(""));
+  play(pool, 3, 200);
+  soccer::RandomStream random(8, "actions");
+  if (!counts_allocations()) GTEST_SKIP() << "a sanitizer replaces the allocator";
+  const std::int64_t before = allocation_count();
+  for (int i = 0; i < 200; ++i) {
+    pool.draw_actions(random);
+    ASSERT_EQ(pool.step(), CLS_TRAINING_OK);
+  }
+  EXPECT_EQ(allocation_count() - before, 0);
+}
+
+TEST(TrainingPool, NextStepResetsInTheStepAfterTheEnd) {
+  BoundPool pool(R"({"task": "ReachBall", "autoreset": "next_step", "max_cycles": 5})");
+  ASSERT_EQ(pool.reset(1), CLS_TRAINING_OK);
+  EXPECT_EQ(pool.was_reset[0], 1);
+  pool.next_seeds[0] = 77;
+  for (int i = 0; i < 5; ++i) ASSERT_EQ(pool.step(), CLS_TRAINING_OK);
+  EXPECT_EQ(pool.truncated[0], 1);
+  EXPECT_EQ(pool.terminated[0], 0);
+  EXPECT_EQ(pool.status[0], CLS_TRAINING_OUT_OF_TIME);
+  EXPECT_EQ(pool.cycles[0], 5);
+  ASSERT_EQ(pool.step(), CLS_TRAINING_OK);
+  EXPECT_EQ(pool.was_reset[0], 1);
+  EXPECT_EQ(pool.truncated[0], 0);
+  EXPECT_EQ(pool.cycles[0], 0);
+  EXPECT_EQ(pool.seeds[0], 77U);
+}
+
+TEST(TrainingPool, SameStepKeepsTheFinalObservation) {
+  BoundPool same(R"({"task": "ReachBall", "autoreset": "same_step", "max_cycles": 5})");
+  BoundPool none(R"({"task": "ReachBall", "autoreset": "disabled", "max_cycles": 5})");
+  ASSERT_EQ(same.reset(1), CLS_TRAINING_OK);
+  ASSERT_EQ(none.reset(1), CLS_TRAINING_OK);
+  same.next_seeds[0] = 2;
+  for (int i = 0; i < 5; ++i) {
+    ASSERT_EQ(same.step(), CLS_TRAINING_OK);
+    ASSERT_EQ(none.step(), CLS_TRAINING_OK);
+  }
+  EXPECT_EQ(same.truncated[0], 1);
+  EXPECT_EQ(same.was_reset[0], 1);
+  EXPECT_EQ(same.final_observations, none.observations);
+  EXPECT_EQ(same.final_state, none.state);
+  ASSERT_EQ(none.reset(2), CLS_TRAINING_OK);
+  EXPECT_EQ(same.observations, none.observations);
+}
+
+TEST(TrainingPool, DisabledAutoresetStandsStillAndThenRefuses) {
+  BoundPool pool(R"({"task": "ReachBall", "num_envs": 2, "max_cycles": 5})");
+  ASSERT_EQ(pool.reset(1), CLS_TRAINING_OK);
+  for (int i = 0; i < 5; ++i) ASSERT_EQ(pool.step(), CLS_TRAINING_OK);
+  EXPECT_EQ(pool.step(), CLS_TRAINING_BAD_ORDER);
+  const std::uint8_t mask[] = {0, 1};
+  const std::uint64_t seeds[] = {8, 9};
+  ASSERT_EQ(cls_training_reset(pool.handle, mask, seeds, 2), CLS_TRAINING_OK);
+  ASSERT_EQ(pool.step(), CLS_TRAINING_OK);
+  EXPECT_EQ(pool.truncated[0], 1);
+  EXPECT_EQ(pool.cycles[0], 5);
+  EXPECT_EQ(pool.cycles[1], 1);
+}
+
+}  // namespace
+}  // namespace cls::tests

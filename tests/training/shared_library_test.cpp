@@ -1,0 +1,43 @@
+// libcls_training.so: what it exports and what it needs.
+#include <gtest/gtest.h>
+
+#include <dlfcn.h>
+
+#include <cstdint>
+#include <sstream>
+#include <string>
+
+#include "tests/support/command.h"
+
+namespace cls::tests {
+namespace {
+
+const std::string kLibrary = std::string(CLS_BUILD_DIR) + "/lib/libcls_training.so";
+
+TEST(TrainingLibrary, PlaysFromAnotherProgram) {
+  void* library = ::dlopen(kLibrary.c_str(), RTLD_NOW | RTLD_LOCAL);
+  ASSERT_NE(library, nullptr) << ::dlerror();
+  const auto abi = reinterpret_cast<std::int32_t (*)()>(::dlsym(library, "cls_training_abi"));
+  ASSERT_NE(abi, nullptr);
+  EXPECT_EQ(abi(), 1);
+  EXPECT_EQ(::dlsym(library, "_ZN3cls8training4PoolC1ENS0_10PoolConfigE"), nullptr);
+}
+
+TEST(TrainingLibrary, ExportsOnlyItsInterfaceAndNeedsNoProtobuf) {
+  const CommandResult symbols = run({"nm", "-D", "--defined-only", kLibrary});
+  if (symbols.exit_code != 0) GTEST_SKIP() << "no nm";
+  std::istringstream lines(symbols.out);
+  int count = 0;
+  for (std::string line; std::getline(lines, line); ++count) {
+    EXPECT_NE(line.find(" T cls_training_"), std::string::npos) << line;
+  }
+  EXPECT_EQ(count, 17);
+  const CommandResult needs = run({"readelf", "-d", kLibrary});
+  ASSERT_EQ(needs.exit_code, 0);
+  EXPECT_EQ(needs.out.find("protobuf"), std::string::npos);
+  EXPECT_EQ(needs.out.find("grpc"), std::string::npos);
+  EXPECT_NE(needs.out.find("libsleef"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace cls::tests

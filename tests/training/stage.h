@@ -1,0 +1,49 @@
+// Pools with buffers, through the C interface.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "training/c_api/cls_training.h"
+#include "training/pool/pool.h"
+
+namespace cls::tests {
+
+/// A setup of a configuration; throws std::runtime_error with the error text.
+std::shared_ptr<const training::Setup> setup_of(const std::string& config);
+
+/// A pool and all its arrays. Closes it at the end.
+class BoundPool {
+ public:
+  /// Throws std::runtime_error, which fails the test, if the configuration is refused.
+  explicit BoundPool(const std::string& config);
+  ~BoundPool();
+  BoundPool(const BoundPool&) = delete;
+  BoundPool& operator=(const BoundPool&) = delete;
+
+  /// Resets all worlds with the seeds first, first + 1, ...
+  int reset(std::uint64_t first);
+  int step() { return cls_training_step(handle); }
+  /// Draws actions of all agents; also seeds of automatic resets.
+  void draw_actions(soccer::RandomStream& random);
+  /// Everything that the pool writes, as bytes.
+  std::string outputs() const;
+
+  std::uint64_t handle = 0;
+  std::size_t worlds = 0;
+  std::size_t agents = 0;
+  std::size_t features = 0;
+  std::size_t ids = 0;
+  std::size_t states = 0;
+  training::Columns value_columns;
+
+  std::vector<std::int32_t> action_ids, status, cycles, score, illegal;
+  std::vector<float> action_values, observations, rewards, state, reward_terms, final_observations,
+      final_state;
+  std::vector<std::uint64_t> next_seeds, seeds;
+  std::vector<std::uint8_t> terminated, truncated, alive, action_masks, was_reset;
+  cls_training_buffers buffers = {};
+};
+
+}  // namespace cls::tests

@@ -1,0 +1,113 @@
+// Every task with every action set and feature set: random play stays within the promised bounds.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/training/stage.h"
+#include "training/pool/specification.h"
+
+namespace cls::tests {
+namespace {
+
+void expect_within(const std::vector<float>& values, const training::Columns& columns,
+                   const std::string& what) {
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const training::Column& column = columns[i % columns.size()];
+    ASSERT_GE(values[i], column.low) << what << " " << column.name;
+    ASSERT_LE(values[i], column.high) << what << " " << column.name;
+  }
+}
+
+void play_randomly(const std::string& config) {
+  SCOPED_TRACE(config);
+  const auto setup = setup_of(config);
+  BoundPool pool(config);
+  ASSERT_EQ(pool.reset(3), CLS_TRAINING_OK) << cls_training_error();
+  soccer::RandomStream random(5, "actions");
+  for (int i = 0; i < 25; ++i) {
+    pool.draw_actions(random);
+    ASSERT_EQ(pool.step(), CLS_TRAINING_OK) << cls_training_error();
+    expect_within(pool.observations, setup->feature_columns, "feature");
+    expect_within(pool.state, setup->state_columns, "state");
+  }
+}
+
+TEST(TrainingTasks, ObservationsStayWithinTheirBounds) {
+  // Every pair of task and action set, with the feature sets in turn.
+  std::size_t turn = 0;
+  for (const training::Task& task : training::tasks()) {
+    for (const training::ActionSet* actions : training::action_sets()) {
+      const auto& sets = training::feature_sets();
+      const training::FeatureSet* features = sets[turn++ % sets.size()];
+      if (features->left_only && task.agents != training::Agents::kLeft) continue;
+      play_randomly(nlohmann::json({{"task", task.id},
+                                    {"actions", actions->name},
+                                    {"features", features->name},
+                                    {"autoreset", "same_step"}})
+                        .dump());
+    }
+  }
+}
+
+TEST(TrainingTasks, BothTeamsCanBeAgents) {
+  play_randomly(R"({"task": "HalfFieldOffense", "offense": 2, "defense": 3, "agents": "both",)"
+                R"( "features": "ego", "actions": "hfo", "autoreset": "same_step"})");
+}
+
+TEST(TrainingTasks, HeldOpponentsStand) {
+  BoundPool pool(R"({"task": "HalfFieldOffense", "defense": 2, "opponent": "hold"})");
+  ASSERT_EQ(pool.reset(3), CLS_TRAINING_OK);
+  cls_training_world before = {};
+  before.struct_size = sizeof before;
+  ASSERT_EQ(cls_training_view(pool.handle, 0, &before), CLS_TRAINING_OK);
+  for (int i = 0; i < 20; ++i) ASSERT_EQ(pool.step(), CLS_TRAINING_OK);
+  cls_training_world after = before;
+  ASSERT_EQ(cls_training_view(pool.handle, 0, &after), CLS_TRAINING_OK);
+  EXPECT_NEAR(before.players[12].x, after.players[12].x, 1e-9);
+}
+
+TEST(TrainingTasks, ReachingTheBallEndsReachBall) {
+  BoundPool pool(R"({"task": "ReachBall", "actions": "hfo"})");
+  ASSERT_EQ(pool.reset(3), CLS_TRAINING_OK);
+  pool.action_ids[0] = 18;
+  while (pool.status[0] == CLS_TRAINING_IN_GAME) ASSERT_EQ(pool.step(), CLS_TRAINING_OK);
+  EXPECT_EQ(pool.status[0], CLS_TRAINING_REACHED);
+  EXPECT_EQ(pool.terminated[0], 1);
+  EXPECT_FLOAT_EQ(pool.rewards[0], 1.0F);
+}
+
+TEST(TrainingTasks, DifficultyMovesTheStart) {
+  BoundPool pool(R"({"task": "HalfFieldOffense", "num_envs": 2})");
+  ASSERT_EQ(cls_training_set_options(pool.handle, 1, R"({"difficulty": 0})"), CLS_TRAINING_OK);
+  ASSERT_EQ(pool.reset(3), CLS_TRAINING_OK);
+  cls_training_world world = {};
+  world.struct_size = sizeof world;
+  ASSERT_EQ(cls_training_view(pool.handle, 0, &world), CLS_TRAINING_OK);
+  EXPECT_LT(world.ball_x, 11.0);
+  ASSERT_EQ(cls_training_view(pool.handle, 1, &world), CLS_TRAINING_OK);
+  EXPECT_GT(world.ball_x, 40.0);
+}
+
+TEST(TrainingTasks, MatchKicksOffAndGoesOnAfterGoals) {
+  BoundPool pool(R"({"task": "Match", "num_agents": 1, "opponent": "hold"})");
+  ASSERT_EQ(pool.reset(1), CLS_TRAINING_OK);
+  pool.action_ids[0] = 13;
+  cls_training_world world = {};
+  world.struct_size = sizeof world;
+  for (int i = 0; i < 1200; ++i) ASSERT_EQ(pool.step(), CLS_TRAINING_OK);
+  ASSERT_EQ(cls_training_view(pool.handle, 0, &world), CLS_TRAINING_OK);
+  EXPECT_GT(world.time, 800);
+  EXPECT_GT(world.score[0], 0) << "scripted players against standing ones";
+  EXPECT_EQ(pool.status[0], CLS_TRAINING_IN_GAME);
+}
+
+TEST(TrainingTasks, CatalogListsEverything) {
+  const nlohmann::ordered_json catalog = training::catalog();
+  EXPECT_EQ(catalog["schema"], "cls.training.catalog/1");
+  EXPECT_EQ(catalog["tasks"].size(), 17U);
+  EXPECT_EQ(catalog["statuses"][1]["name"], "GOAL");
+  for (const auto& task : catalog["tasks"]) EXPECT_EQ(task["options"][0]["name"], "difficulty");
+}
+
+}  // namespace
+}  // namespace cls::tests
