@@ -14,6 +14,7 @@ import re
 import shutil
 import subprocess
 import sys
+import sysconfig
 import tempfile
 
 from setuptools import setup
@@ -103,13 +104,9 @@ def wheel_with_engine():
     """The command bdist_wheel: with the engine a wheel is for one platform and any Python 3."""
 
     class WheelWithEngine(bdist_wheel):
-        def finalize_options(self):
-            super().finalize_options()
-            self.root_is_pure = engine() is None
-
         def get_tag(self):
-            python, abi, platform = super().get_tag()
-            return (python, abi, platform) if engine() is None else ("py3", "none", platform)
+            platform = re.sub(r"[^A-Za-z0-9]", "_", sysconfig.get_platform())
+            return super().get_tag() if engine() is None else ("py3", "none", platform)
 
     return WheelWithEngine
 
