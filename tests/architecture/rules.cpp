@@ -36,9 +36,10 @@ const std::map<std::string, Library>& libraries() {
        {{"base", "soccer", "gamelog"},
         {"world", "referee", "rules", "motion", "actions", "", "senses", "replay", "sessions",
          "server"}}},
-      {"viewer", {{"base", "soccer", "gamelog", "analysis"}, {}}},
+      {"viewer", {{"base", "soccer", "gamelog", "analysis"}, {"stream", "page"}}},
       {"training",
-       {{"base", "soccer", "proto", "gamelog", "proxy", "mock-server", "simulator"}, {}}},
+       {{"base", "soccer", "gamelog", "simulator"},
+        {"scene", "features", "skills", "actions", "npc", "tasks", "episode", "pool", "c_api"}}},
       {"orchestration/process", {{"base"}, {}}},
       {"orchestration/match",
        {{"base", "soccer", "proto", "gamelog", "proxy", "mock-server", "analysis", "simulator",
@@ -110,7 +111,8 @@ struct ForbiddenHeader {
 
 const std::vector<ForbiddenHeader>& forbidden_headers() {
   static const std::vector<ForbiddenHeader> table = {
-      {{"base", "soccer", "gamelog", "analysis", "simulator", "viewer", "orchestration/process"},
+      {{"base", "soccer", "gamelog", "analysis", "simulator", "training", "viewer",
+        "orchestration/process"},
        "",
        {"grpc/", "grpcpp/", "grpc++/", "google/protobuf/"},
        "gRPC and protobuf do not belong in this folder"},
@@ -133,7 +135,7 @@ const std::vector<ForbiddenHeader>& forbidden_headers() {
        "simulator/server",
        {"base/system/"},
        "no threads, sockets or host facts below simulator/server*"},
-      {{"base", "soccer", "gamelog", "analysis", "simulator", "proxy", "mock-server"},
+      {{"base", "soccer", "gamelog", "analysis", "simulator", "training", "proxy", "mock-server"},
        "",
        {"math.h"},
        "include <cmath> for exact functions, soccer/math.h for the others"},
@@ -155,15 +157,15 @@ const std::vector<ForbiddenCode>& forbidden_code() {
       "(sin|cos|tan|asin|acos|atan|atan2|sinh|cosh|tanh|asinh|acosh|atanh|exp|exp2|expm1|log|log2|"
       "log10|log1p|pow|hypot|cbrt|erf|erfc|tgamma|lgamma)[fl]?";
   static const std::vector<ForbiddenCode> table = {
-      {{"base", "soccer", "simulator", "proxy", "mock-server"},
+      {{"base", "soccer", "simulator", "training", "proxy", "mock-server"},
        "soccer/math.",
        std::regex(R"((\bstd::|(^|[^\w:])::|(^|[^\w:.>])))" + functions + R"(\s*\()"),
        "last bits depend on the CPU; use soccer/math.h"},
-      {{"base", "soccer", "simulator", "proxy", "mock-server"},
+      {{"base", "soccer", "simulator", "training", "proxy", "mock-server"},
        "",
        std::regex(R"(\bstd::(\w+_distribution|random_device|shuffle|sample|generate_canonical)\b)"),
        "differs between libraries or runs; use the seeded streams of soccer/random.h"},
-      {{"base", "soccer", "simulator", "proxy", "mock-server"},
+      {{"base", "soccer", "simulator", "training", "proxy", "mock-server"},
        "",
        std::regex(R"((\bstd::|(^|[^\w:.>]))(rand|srand|random|drand48)\s*\()"),
        "hidden global state; use the seeded streams of soccer/random.h"},

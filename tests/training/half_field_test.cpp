@@ -12,7 +12,7 @@ using soccer::Side;
 using soccer::Vec2;
 using training::Status;
 
-/// A world of 1v2 (goalie and a defender), nobody near the ball, which lies in the half.
+/// A world of 1v2 (goalie and a defender), no player near the ball, which lies in the half.
 class HalfField : public testing::Test {
  protected:
   HalfField() {

@@ -17,7 +17,7 @@
 //
 // Every function returns CLS_TRAINING_OK (0) or a negative code; cls_training_error() then has one
 // line of text that names the cause. A call that fails has changed nothing, except where stated. No
-// exception and no abort crosses the interface. A pool must not be used by two threads at once;
+// exception and no abort crosses the interface. A pool must not be used by two threads in parallel;
 // different pools may. A child process after fork() must create its own pools: inherited ones
 // return CLS_TRAINING_FORKED.
 #ifndef CLS_TRAINING_H

@@ -130,7 +130,7 @@ void Episode::choose_commands(const AgentActions& actions) {
   }
 }
 
-// Before a kick-off everybody moves to the formation; the agents have no action for it.
+// Before a kick-off all players move to the formation; the agents have no action for it.
 void Episode::return_to_formation() {
   for (const Side side : {Side::kLeft, Side::kRight}) {
     for (const int slot : setup_->cast.team(side)) {

@@ -160,7 +160,7 @@ void fill(const PointOfView& view, float* numbers) {
   scale.x(view.scene.ball.x);
   scale.y(view.scene.ball.y);
   out.flag(can_kick(view.scene, view.self));
-  // Whoever plays in the left half of its own coordinates defends the goal there.
+  // A team that plays in the left half of its own coordinates defends the goal there.
   const Vec2 goal = {view.stage.right > 0.0 ? soccer::kHalfLength : -soccer::kHalfLength, 0.0};
   const Vec2 to_goal = goal - me.position;
   scale.length(to_goal.length());

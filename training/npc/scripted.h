@@ -1,4 +1,4 @@
-// Scripted players: teammates and opponents whose actions nobody chooses.
+// Scripted players: teammates and opponents whose actions the caller does not choose.
 #pragma once
 
 #include "training/scene/cast.h"

@@ -25,7 +25,7 @@ constexpr std::size_t kUntouched = 6;
 const std::vector<TaskOption>& options() {
   static const std::vector<TaskOption> all = {
       {"difficulty", 1, 0, 1, "0: ball and attackers start together near the goal; 1: as in HFO"},
-      {"offense_on_ball", 0, 0, 11, "0: nobody; k: the k-th attacker starts at the ball"},
+      {"offense_on_ball", 0, 0, 11, "0: no player; k: the k-th attacker starts at the ball"},
       {"min_ball_x", 0, 0, 1, "start of the ball, share of the half's length"},
       {"max_ball_x", 0.2, 0, 1, "same"},
       {"min_ball_y", -0.8, -1, 1, "start of the ball, share of half the width"},

@@ -12,7 +12,7 @@ namespace cls::training {
 
 const std::array<StatusInfo, 9>& statuses() {
   static const std::array<StatusInfo, 9> all = {
-      {{"IN_GAME", false, "the episode goes on"},
+      {{"IN_GAME", false, "the episode continues"},
        {"GOAL", false, "the left team scored"},
        {"CAPTURED_BY_DEFENSE", false, "the right team has the ball"},
        {"OUT_OF_BOUNDS", false, "the ball left the area of the task"},
