@@ -45,7 +45,7 @@ export class Situation {
     this.world = state.world_model!;
     this.self = this.world.self!;
     this.me = point(this.self.position);
-    this.ball = point(this.world.ball!.position);
+    this.ball = point(this.world.ball?.position ?? null);
     this.opponents = this.world.opponents
       .filter((player) => player.pos_count <= MAX_AGE)
       .map((player) => point(player.position));
