@@ -36,9 +36,9 @@ void Episode::reset(std::uint64_t seed, const OptionValues& options) {
   status_ = Status::kInGame;
   started_ = true;
   for (Agent& agent : agents_) agent = {};
-  soccer::RandomStream random(seed, "training start");
-  if (setup_->random_types) draw_types(random);
-  setup_->task->place({world_, setup_->cast, options_, random});
+  soccer::RandomStream stream(seed, "training start");
+  if (setup_->random_types) draw_types(stream);
+  setup_->task->place({world_, setup_->cast, options_, stream});
   memory_.previous_ball = world_.ball.position;
   begin_rewards(world_, setup_->cast, reward_memory_);
   rewards_ = {};
