@@ -96,7 +96,7 @@ TEST_P(Languages, PlaySameMatchWithEitherService) {
   const std::string single = game_log(GetParam().name, "never");
   EXPECT_GT(single.size(), 10000U);
   EXPECT_TRUE(game_log(GetParam().name, "always") == single) << "differs with one call per team";
-  if (python_with_grpc().empty()) return;
+  if (GetParam().name == std::string("python") || python_with_grpc().empty()) return;
   EXPECT_TRUE(game_log("python", "always") == single) << "differs from the match in Python";
 }
 
