@@ -11,12 +11,13 @@ INPUT_TESTS = cls_base_tests cls_soccer_tests cls_gamelog_tests cls_analysis_tes
 INPUT_LABELS = ^(base|soccer|gamelog|analysis|mock-server)$$
 FUZZERS = protocol rcg rcl session view agent
 
-.PHONY: help build test full web-test bench asan tsan asan-input fuzz same-bytes format format-check lint clean
+.PHONY: help build test full languages web-test bench asan tsan asan-input fuzz same-bytes format format-check lint clean
 
 help:
 	@echo 'make build         release build in build/'
 	@echo 'make test          build, run all tests with the short forms of slow suites'
 	@echo 'make full          long forms: 20 whole matches, all tests under ASan, UBSan and TSan'
+	@echo 'make languages     the sample teams and projects in every language whose tools are there'
 	@echo 'make web-test      the replay page in Chromium (needs node 18, npm, chromium)'
 	@echo 'make bench         benchmarks and matches, beside CLS_BENCH_BASE if set (libbenchmark-dev)'
 	@echo 'make asan | tsan   all tests under ASan and UBSan, or TSan, in build-asan/ or build-tsan/'
@@ -43,6 +44,9 @@ full: test
 	@CLS_FULL=1 ctest --test-dir build -L '^matches$$' -V
 	@$(MAKE) --no-print-directory asan
 	@$(MAKE) --no-print-directory tsan
+
+languages: test
+	@CLS_LANGUAGES=1 ctest --test-dir build -R Languages -V
 
 web-test:
 	@tests/viewer/web/run

@@ -9,7 +9,7 @@ from typing import Any, List, NamedTuple
 
 from cls_playmaker import proto as pb
 
-FAR = 1000.0  # meters or cycles: nobody is there
+FAR = 1000.0  # meters or cycles: no player is there
 MAX_AGE = 20  # cycles; older estimates of players are ignored
 
 

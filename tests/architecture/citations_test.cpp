@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "tests/architecture/rules.h"
+#include "tests/architecture/source_files.h"
 #include "tests/support/files.h"
 
 namespace cls::tests {
@@ -191,18 +192,10 @@ void add_file(const fs::path& path, std::vector<SourceFile>& files) {
   if (may_cite(name)) files.push_back({name, read_file(path)});
 }
 
-/// Sources, proto files, scripts and pages, except in build folders and hidden ones.
+/// Sources, proto files, scripts and pages.
 std::vector<SourceFile> read_tree() {
   std::vector<SourceFile> files;
-  for (const auto& top : fs::directory_iterator(source_folder())) {
-    const std::string name = top.path().filename().string();
-    if (top.is_regular_file()) add_file(top.path(), files);
-    const bool skip = name.front() == '.' || name.rfind("build", 0) == 0 || name == "runs";
-    if (!top.is_directory() || skip) continue;
-    for (const auto& entry : fs::recursive_directory_iterator(top.path())) {
-      if (entry.is_regular_file()) add_file(entry.path(), files);
-    }
-  }
+  for (const fs::path& file : source_files()) add_file(file, files);
   return files;
 }
 

@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "tests/architecture/source_files.h"
 #include "tests/support/files.h"
 
 namespace cls::tests {
@@ -221,26 +222,16 @@ bool is_checked(const fs::path& path) {
 /// The banned terms of all files, except in build folders and hidden folders.
 std::vector<std::string> find_in_tree() {
   std::vector<std::string> found;
-  const auto check = [&](const fs::path& file) {
+  for (const fs::path& file : source_files()) {
     const std::string path = fs::relative(file, source_folder()).generic_string();
     const bool excluded =
         std::any_of(std::begin(kExcludedPaths), std::end(kExcludedPaths),
                     [&](std::string_view start) { return path.starts_with(start); });
-    if (excluded || !is_checked(file)) return;
+    if (excluded || !is_checked(file)) continue;
     const std::string text = read_file(file);
     const auto terms = find_banned_terms(path, text);
     found.insert(found.end(), terms.begin(), terms.end());
-  };
-  for (const auto& top : fs::directory_iterator(source_folder())) {
-    const std::string name = top.path().filename().string();
-    if (name.front() == '.' || name.starts_with("build") || name == "runs") continue;
-    if (top.is_regular_file()) check(top.path());
-    if (!top.is_directory()) continue;
-    for (const auto& entry : fs::recursive_directory_iterator(top.path())) {
-      if (entry.is_regular_file()) check(entry.path());
-    }
   }
-  std::sort(found.begin(), found.end());
   return found;
 }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "tests/architecture/rules.h"
+#include "tests/architecture/source_files.h"
 #include "tests/support/files.h"
 
 namespace cls::tests {
@@ -21,21 +22,13 @@ bool is_source(const fs::path& path) {
   return extensions.count(path.extension().string()) != 0;
 }
 
-/// All C++ files except in build folders and hidden folders.
+/// All C++ files.
 std::vector<SourceFile> read_tree() {
   std::vector<SourceFile> files;
-  for (const auto& top : fs::directory_iterator(source_folder())) {
-    const std::string name = top.path().filename().string();
-    const bool skip = name.front() == '.' || name.rfind("build", 0) == 0 || name == "runs";
-    if (!top.is_directory() || skip) continue;
-    for (const auto& entry : fs::recursive_directory_iterator(top.path())) {
-      if (!entry.is_regular_file() || !is_source(entry.path())) continue;
-      files.push_back(
-          {fs::relative(entry.path(), source_folder()).generic_string(), read_file(entry.path())});
-    }
+  for (const fs::path& file : source_files()) {
+    if (!is_source(file)) continue;
+    files.push_back({fs::relative(file, source_folder()).generic_string(), read_file(file)});
   }
-  std::sort(files.begin(), files.end(),
-            [](const auto& a, const auto& b) { return a.path < b.path; });
   return files;
 }
 
