@@ -77,6 +77,7 @@ void add_commands(CLI::App& app, int& exit_code) {
   add_stats_command(app, exit_code);
   add_logs_command(app, exit_code);
   add_convert_command(app, exit_code);
+  add_watch_command(app, exit_code);
   add_check_command(app, exit_code);
   add_doctor_command(app, exit_code);
   add_mock_command(app, exit_code);

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <atomic>
 #include <cerrno>
 #include <cstring>
@@ -14,12 +15,13 @@
 #include <string>
 
 #include "base/io/gzip_sink.h"
+#include "base/text/json_text.h"
 #include "cli/support/exit_code.h"
 #include "cli/support/interrupt.h"
 #include "cli/support/log_errors.h"
 #include "cli/support/print_error.h"
-#include "gamelog/rcg/rcg_reader.h"
 #include "gamelog/rcg/record_writer.h"
+#include "viewer/page/page.h"
 
 namespace cls::cli {
 namespace {
@@ -29,11 +31,12 @@ using gamelog::RcgVersion;
 
 constexpr const char* kDescription =
     "convert a game log to another version\n"
-    "Reads rcg versions 1 to 6 and JSON, plain or gzip.\n"
+    "Reads rcg versions 1 to 6 and JSON, plain or gzip, and pages of 'cls watch'.\n"
     "\n"
     "  cls convert old.rcg.gz new.rcg             version 6\n"
     "  cls convert game.rcg game.rcg.gz --to 4    version 4, compressed\n"
     "  cls convert game.rcg game.json             JSON, by the name\n"
+    "  cls convert page.html game.rcg             the log of the page, as it was\n"
     "\n"
     "'-' is standard input or output. Of a corrupt log, the readable frames are\n"
     "converted.";
@@ -46,16 +49,19 @@ struct Arguments {
   bool force = false;
 };
 
-std::optional<RcgVersion> target_version(const Arguments& arguments) {
-  if (arguments.to.empty()) {
-    const bool json = arguments.out.ends_with(".json") || arguments.out.ends_with(".json.gz");
-    return json ? RcgVersion::kJson : RcgVersion::kV6;
-  }
-  if (arguments.to == "4") return RcgVersion::kV4;
-  if (arguments.to == "5") return RcgVersion::kV5;
-  if (arguments.to == "6") return RcgVersion::kV6;
-  if (arguments.to == "json") return RcgVersion::kJson;
-  return std::nullopt;
+// False for a value of --to that no log can be written in.
+bool parse_target(const std::string& to, std::optional<RcgVersion>& version) {
+  if (to == "4") version = RcgVersion::kV4;
+  if (to == "5") version = RcgVersion::kV5;
+  if (to == "6") version = RcgVersion::kV6;
+  if (to == "json") version = RcgVersion::kJson;
+  return to.empty() || version.has_value();
+}
+
+// Without --to the name decides; a page gives the log back in its own version.
+RcgVersion default_target(const std::string& out, const viewer::StreamMatch& match) {
+  if (out.ends_with(".json") || out.ends_with(".json.gz")) return RcgVersion::kJson;
+  return match.from_page ? std::max(match.record.version, RcgVersion::kV4) : RcgVersion::kV6;
 }
 
 void print_document(const Arguments& arguments, RcgVersion version,
@@ -65,7 +71,7 @@ void print_document(const Arguments& arguments, RcgVersion version,
       {"out", arguments.out},      {"version", static_cast<int>(version)},
       {"frames", record.frames()}, {"errors", record.errors.count}};
   if (version == RcgVersion::kJson) document["version"] = "json";
-  fmt::print("{}\n", document.dump(2));
+  fmt::print("{}", base::json_document(document));
 }
 
 // Where OUT is written until it is complete: beside it, with its ending. Standard output, devices
@@ -104,8 +110,8 @@ int write_log(const gamelog::MatchRecord& record, RcgVersion version, const fs::
 }
 
 int run_convert_command(const Arguments& arguments) {
-  const std::optional<RcgVersion> version = target_version(arguments);
-  if (!version) {
+  std::optional<RcgVersion> target;
+  if (!parse_target(arguments.to, target)) {
     return print_error(kUsage, fmt::format("--to '{}': must be 4, 5, 6 or json", arguments.to));
   }
   if (arguments.json && arguments.out == "-") {
@@ -116,15 +122,22 @@ int run_convert_command(const Arguments& arguments) {
     return print_error(kCannotCreate,
                        fmt::format("{}: exists; use --force to replace it", arguments.out));
   }
-  const auto record = gamelog::read_rcg_file(arguments.in);
-  if (!record) return print_error(kNoInput, record.error().message);
+  const auto match = viewer::read_log_or_page(arguments.in);
+  if (!match) return print_error(unreadable_code(arguments.in), match.error().message);
+  if (match->form.compact) {
+    return print_error(kBadData, fmt::format("{}: a compact page, which is no log; write it "
+                                             "without --compact",
+                                             arguments.in));
+  }
+  const gamelog::MatchRecord* record = &match->record;
+  const RcgVersion version = target ? *target : default_target(arguments.out, *match);
   report_errors(arguments.in, record->errors);
   if (record->frames() == 0 && !record->errors.empty()) return kBadData;
 
-  if (const int written = write_log(*record, *version, arguments.out); written != kOk) {
+  if (const int written = write_log(*record, version, arguments.out); written != kOk) {
     return written;
   }
-  if (arguments.json) print_document(arguments, *version, *record);
+  if (arguments.json) print_document(arguments, version, *record);
   return record->errors.empty() ? kOk : kBadData;
 }
 
@@ -137,7 +150,8 @@ void add_convert_command(CLI::App& app, int& exit_code) {
   command->add_option("OUT", arguments->out, "output game log, compressed if it ends in .gz")
       ->required();
   command->add_option("--to", arguments->to,
-                      "version: 4, 5, 6 or json (default: 6, json for OUT.json)");
+                      "version: 4, 5, 6 or json (default: 6, json for OUT.json, that of\n"
+                      "the log for a page)");
   command->add_flag("--force", arguments->force, "replace an existing OUT");
   command->add_flag("--json", arguments->json, "print frames and errors as one JSON document");
   command->callback([arguments, &exit_code] { exit_code = run_convert_command(*arguments); });

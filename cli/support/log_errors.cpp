@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <fstream>
 
 #include "cli/support/exit_code.h"
 
@@ -39,6 +41,13 @@ int report_log(int exit_code, const std::string& unreadable, std::string_view pa
   }
   report_errors(path, errors);
   return !errors.empty() && exit_code == kOk ? kBadData : exit_code;
+}
+
+int unreadable_code(const std::string& path) {
+  std::error_code code;
+  if (path == "-") return kBadData;
+  const bool opens = std::filesystem::is_regular_file(path, code) && std::ifstream(path).good();
+  return opens ? kBadData : kNoInput;
 }
 
 }  // namespace cls::cli

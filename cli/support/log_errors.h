@@ -20,4 +20,8 @@ int report_missing(const gamelog::FoundLogs& found);
 int report_log(int exit_code, const std::string& unreadable, std::string_view path,
                const gamelog::ParseErrors& errors);
 
+/// The exit code for a log or page that could not be read: kNoInput if it cannot be opened,
+/// kBadData if its contents are corrupt.
+int unreadable_code(const std::string& path);
+
 }  // namespace cls::cli

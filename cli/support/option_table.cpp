@@ -91,6 +91,7 @@ constexpr OptionRow kOptions[] = {
     {"--mode", nullptr, "MODE"},
     {"--seed", nullptr, "N"},
     {"--server", nullptr, "SERVER"},
+    {"--players", nullptr, "L7,R1,..."},
     {"--set", nullptr, "NAME=VALUE"},
     {"--shard", nullptr, "K/N"},
     {"--side", nullptr, "SIDE"},
@@ -114,11 +115,11 @@ struct CommandGroup {
 };
 
 constexpr CommandGroup kCommandGroups[] = {
-    {"match", "Play"},          {"tournament", "Play"},   {"compare", "Play"},
-    {"test", "Play"},           {"results", "Results"},   {"stats", "Results"},
-    {"logs", "Results"},        {"convert", "Results"},   {"check", "Checks"},
-    {"doctor", "Checks"},       {"mock", "Run one part"}, {"proxy", "Run one part"},
-    {"server", "Run one part"},
+    {"match", "Play"},         {"tournament", "Play"},     {"compare", "Play"},
+    {"test", "Play"},          {"results", "Results"},     {"stats", "Results"},
+    {"logs", "Results"},       {"convert", "Results"},     {"watch", "Results"},
+    {"check", "Checks"},       {"doctor", "Checks"},       {"mock", "Run one part"},
+    {"proxy", "Run one part"}, {"server", "Run one part"},
 };
 
 void complete_option(CLI::Option& option) {

@@ -62,6 +62,7 @@ TEST_F(CommandOutput, JsonIsOneDocumentOfItsSchema) {
       {{"results", "m"}, "cls.results/1"},
       {{"stats", "m"}, "cls.stats/1"},
       {{"convert", "m/match.rcg", "m/old.rcg", "--to", "4"}, "cls.convert/1"},
+      {{"watch", "m", "--out", "m/page.html"}, "cls.watch/1"},
       {{"check", "server-log", "m/match.rcg", "m/match.rcl"}, "cls.server-log/1"},
       {{"doctor"}, "cls.doctor/1"},
       {{"init", "new"}, "cls.init/1"},

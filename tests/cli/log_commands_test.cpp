@@ -1,4 +1,4 @@
-// End-to-end tests of `cls results`, `cls stats` and `cls convert`.
+// End-to-end tests of the commands that read logs: results, stats, watch, convert.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -116,6 +116,73 @@ TEST(ConvertCommand, ConvertsBetweenVersions) {
       cls_run({"convert", log_fixture("rcg-v1-excerpt.rcg.gz"), "-", "--to", "4"});
   EXPECT_EQ(old.exit_code, 0);
   EXPECT_EQ(old.out.substr(0, 5), "ULG4\n");
+}
+
+TEST(WatchCommand, WritesPagesThatAreLogs) {
+  const TemporaryFolder folder;
+  for (const std::string name : {"rcg-v4-excerpt", "rcg-v5-excerpt", "rcg-v6-excerpt",
+                                 "rcg-json-excerpt", "team-graphic-v6-excerpt"}) {
+    SCOPED_TRACE(name);
+    const std::string log = log_fixture(name + ".rcg.gz");
+    const std::string page = folder.path() / (name + ".html");
+    const CommandResult written = cls_run({"watch", log, "--out", page});
+    EXPECT_EQ(written.out, page + "\n") << written.err;
+    const std::string again = folder.path() / (name + ".rcg");
+    cls_run({"convert", page, again});
+    EXPECT_EQ(read_file(again), read_file(log));
+  }
+}
+
+TEST(WatchCommand, GivesWholeMatchesBackByteForByte) {
+  for (const std::string name : {"helios-vs-helios-full", "cyrus-vs-helios-full"}) {
+    const auto log = cls::tests::data("logs/" + name + ".rcg.gz");
+    if (!log) GTEST_SKIP() << "no data: set CLS_DATA";
+    const TemporaryFolder folder;
+    const std::string page = folder.path() / "page.html";
+    EXPECT_EQ(cls_run({"watch", log->string(), "--out", page}).exit_code, 0);
+    EXPECT_LE(fs::file_size(page), 1'700'000U);
+    const std::string again = folder.path() / "again.rcg";
+    EXPECT_EQ(cls_run({"convert", page, again}).exit_code, 0);
+    EXPECT_TRUE(read_file(again) == read_file(*log)) << name;
+  }
+}
+
+TEST(WatchCommand, WritesBesideTheLogAndReplacesPagesOnly) {
+  const TemporaryFolder folder;
+  const fs::path log = folder.path() / "game.rcg.gz";
+  fs::copy_file(log_fixture("match-start.rcg.gz"), log);
+  const CommandResult first = cls_run({"watch", log, "--no-open"});
+  EXPECT_EQ(first.out, "file://" + (folder.path() / "game.html").string() + "\n");
+  EXPECT_EQ(cls_run({"watch", log, "--no-open"}).out, first.out);
+  const std::string note = folder.path() / "note.html";
+  std::ofstream(note) << "mine";
+  const CommandResult refused = cls_run({"watch", log, "--out", note});
+  EXPECT_EQ(refused.exit_code, 73);
+  EXPECT_EQ(refused.err,
+            "cls: " + note + ": exists and is no page of cls; name another file with " + "--out\n");
+  EXPECT_EQ(read_file(note), "mine");
+}
+
+TEST(WatchCommand, SaysWhatIsWrong) {
+  const TemporaryFolder folder;
+  const std::string page = folder.path() / "page.html";
+  const std::string log = log_fixture("rcg-v6-excerpt.rcg.gz");
+  const CommandResult missing = cls_run({"watch", "nowhere.rcg"});
+  EXPECT_EQ(missing.exit_code, 66);
+  EXPECT_EQ(missing.err, "cls: nowhere.rcg: no such file\n");
+  const CommandResult player = cls_run({"watch", log, "--out", page, "--players", "l7,x3"});
+  EXPECT_EQ(player.exit_code, 2);
+  EXPECT_EQ(player.err, "cls: --players 'x3': must be l1 to l11 or r1 to r11, such as l7,r1\n");
+  EXPECT_EQ(cls_run({"watch", log_fixture("match-start.rcl.gz")}).exit_code, 66);
+  EXPECT_EQ(cls_run({"watch", log, "--out", page, "--compact"}).exit_code, 0);
+  const CommandResult compact = cls_run({"convert", page, folder.path() / "again.rcg"});
+  EXPECT_EQ(compact.exit_code, 65);
+  EXPECT_EQ(compact.err,
+            "cls: " + page + ": a compact page, which is no log; write it without --compact\n");
+  fs::resize_file(page, fs::file_size(page) - 1000);
+  const CommandResult cut = cls_run({"watch", page, "--out", folder.path() / "other.html"});
+  EXPECT_EQ(cut.exit_code, 65);
+  EXPECT_NE(cut.err.find("% of the match is there"), std::string::npos) << cut.err;
 }
 
 TEST(ConvertCommand, ConvertsReadableFramesOfCorruptLog) {

@@ -22,7 +22,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::uint64_t kMaxChunk = std::uint64_t{512} << 20;
 // Every frame has differences of time, ball and 22 players.
-constexpr std::size_t kLeastFrameBytes = 32;
+constexpr std::size_t kMinFrameBytes = 32;
 
 template <typename T>
 std::vector<T> by_frame(const std::vector<T>& values, std::size_t series) {
@@ -152,12 +152,12 @@ base::Result<void> ChunkReader::add(std::string_view bytes) {
 
 // False if the chunk is not complete.
 bool ChunkReader::read_chunk(std::string_view& rest) {
-  constexpr std::size_t kLongestHead = 6;
+  constexpr std::size_t kMaxHead = 6;
   ByteReader in(rest);
   const char kind = static_cast<char>(in.byte());
   const std::uint64_t length = in.varint();
   if (!in.good()) {
-    if (rest.size() >= kLongestHead) fail("corrupt length of a chunk");
+    if (rest.size() >= kMaxHead) fail("corrupt length of a chunk");
     return false;
   }
   if (length > kMaxChunk) {
@@ -251,7 +251,7 @@ void ChunkReader::read_frames(std::string_view contents) {
   ByteReader in(contents);
   const std::uint64_t count = in.varint();
   const std::size_t first = match_.record.frames();
-  if (count > in.left() / kLeastFrameBytes) return fail("corrupt frames");
+  if (count > in.left() / kMinFrameBytes) return fail("corrupt frames");
   if (first + count > gamelog::kMaxFrames) return fail(gamelog::kTooManyRecords);
   const auto frames = static_cast<std::size_t>(count);
   gamelog::resize_frames(match_.record, first + frames);

@@ -18,6 +18,7 @@ struct StreamMatch {
   StreamForm form;
   std::string statistics;  ///< one match of cls.stats/1; empty: none
   bool ended = false;
+  bool from_page = false;  ///< set by readers of pages
 };
 
 /// Reads chunks in any number of pieces. Errors are final.

@@ -1,4 +1,4 @@
-// Writes a match as chunks, at once or while it grows.
+// Writes a match as chunks, whole or while it grows.
 #pragma once
 
 #include <cstddef>

@@ -1,0 +1,57 @@
+// Starts xdg-open.
+#include "cli/support/browser.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <spawn.h>
+#include <unistd.h>
+
+#include <array>
+#include <cctype>
+#include <cstdlib>
+#include <string_view>
+
+namespace cls::cli {
+namespace {
+
+bool has_display() {
+  for (const char* name : {"DISPLAY", "WAYLAND_DISPLAY"}) {
+    const char* value = std::getenv(name);
+    if (value != nullptr && *value != '\0') return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+std::string file_url(const std::filesystem::path& file) {
+  constexpr std::string_view kPlain = "-._~/";
+  std::error_code code;
+  const std::filesystem::path whole = std::filesystem::absolute(file, code).lexically_normal();
+  std::string url = "file://";
+  for (const char c : whole.string()) {
+    const auto byte = static_cast<unsigned char>(c);
+    const bool plain = std::isalnum(byte) != 0 || kPlain.find(c) != std::string_view::npos;
+    url += plain ? std::string(1, c) : fmt::format("%{:02X}", byte);
+  }
+  return url;
+}
+
+bool open_in_browser(const std::string& url) {
+  if (!has_display()) return false;
+  posix_spawn_file_actions_t quiet;
+  if (posix_spawn_file_actions_init(&quiet) != 0) return false;
+  for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    posix_spawn_file_actions_addopen(&quiet, descriptor, "/dev/null", O_RDWR, 0);
+  }
+  std::string program = "xdg-open";
+  std::string argument = url;
+  std::array<char*, 3> arguments = {program.data(), argument.data(), nullptr};
+  pid_t process = 0;
+  const int failed =
+      posix_spawnp(&process, program.c_str(), &quiet, nullptr, arguments.data(), environ);
+  posix_spawn_file_actions_destroy(&quiet);
+  return failed == 0;
+}
+
+}  // namespace cls::cli

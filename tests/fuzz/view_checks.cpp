@@ -1,0 +1,61 @@
+// Checks that readers of streams accept nothing that they cannot write.
+#include "tests/fuzz/view_checks.h"
+
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+
+#include "gamelog/record/match_record.h"
+#include "tests/viewer/record_difference.h"
+#include "viewer/page/page.h"
+#include "viewer/stream/chunk_reader.h"
+#include "viewer/stream/chunk_writer.h"
+
+namespace cls::tests {
+namespace {
+
+void require(bool condition, const char* promise, const std::string& found = "") {
+  if (condition) return;
+  std::fprintf(stderr, "broken promise: %s: %s\n", promise, found.c_str());
+  std::abort();
+}
+
+void check_record(const gamelog::MatchRecord& record) {
+  for (std::size_t i = 0; i < record.frames(); ++i) {
+    require(record.team_state[i] < record.teams.size(), "frames name a state of the teams");
+    require(record.stopped[i] >= 0, "stopped time is not negative");
+    static_cast<void>(gamelog::frame_at(record, i));
+  }
+}
+
+// Notes may name frames that never came, and a record read without its end has no errors.
+void check_match(const viewer::StreamMatch& match) {
+  check_record(match.record);
+  if (!match.ended) return;
+  const auto again = viewer::read_stream(viewer::write_stream(match.record, {}, match.statistics));
+  require(again.ok(), "a written stream can be read", again ? "" : again.error().message);
+  const std::string difference = record_difference(match.record, again->record);
+  require(difference.empty(), "nothing is lost in writing", difference);
+}
+
+}  // namespace
+
+void check_view(std::string_view bytes) {
+  if (viewer::looks_like_page(bytes)) {
+    if (const auto match = viewer::read_page(bytes)) check_match(*match);
+    return;
+  }
+  viewer::ChunkReader whole;
+  const bool good = whole.add(bytes).ok();
+  check_match(whole.match());
+  viewer::ChunkReader pieces;
+  const std::size_t middle = bytes.size() / 2;
+  const bool again =
+      pieces.add(bytes.substr(0, middle)).ok() && pieces.add(bytes.substr(middle)).ok();
+  require(good == again, "pieces of any size are the same");
+  if (!good) return;
+  const std::string difference = record_difference(whole.match().record, pieces.match().record);
+  require(difference.empty(), "pieces give the same record", difference);
+}
+
+}  // namespace cls::tests

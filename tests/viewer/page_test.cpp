@@ -1,0 +1,152 @@
+// Pages: what they contain, what comes back, and what names of teams may not do.
+#include "viewer/page/page.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <regex>
+#include <string>
+
+#include "gamelog/rcg/rcg_reader.h"
+#include "tests/support/files.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/viewer/record_difference.h"
+#include "viewer/page/encoding.h"
+#include "viewer/page/match_page.h"
+#include "viewer/page/viewer_program.h"
+#include "viewer/stream/chunk_writer.h"
+
+namespace cls::viewer {
+namespace {
+
+gamelog::MatchRecord record_of(const std::string& fixture) {
+  return gamelog::read_rcg_file(tests::fixture(fixture).string()).value();
+}
+
+std::string page_of(const gamelog::MatchRecord& record, bool compact = false) {
+  return match_page(record, nullptr, "game.rcg", compact, {1234, {"l7", "r1"}});
+}
+
+std::size_t count(std::string_view text, std::string_view part) {
+  std::size_t found = 0;
+  for (std::size_t at = text.find(part); at != std::string_view::npos;
+       at = text.find(part, at + 1)) {
+    ++found;
+  }
+  return found;
+}
+
+std::string error_of(std::string_view page) {
+  const auto match = read_page(page);
+  return match ? "" : match.error().message;
+}
+
+TEST(Encoding, MatchesKnownValues) {
+  EXPECT_EQ(base64(""), "");
+  EXPECT_EQ(base64("f"), "Zg==");
+  EXPECT_EQ(base64("foobar"), "Zm9vYmFy");
+  EXPECT_EQ(from_base64(" Zm9v\nYg== ").value(), "foob");
+  EXPECT_EQ(from_base64("Zm9<").error().message, "no base64 at character 4 of the match");
+  EXPECT_EQ(csp_hash(""), "'sha256-47DEQpj8HBSa+/TImW+5JCeuQeRkm5NMpJWZG3hSuFU='");
+  EXPECT_EQ(gunzip(gzip("abc"), 3).value(), "abc");
+  EXPECT_EQ(gunzip(gzip("abcd"), 3).error().message, "the match is too large");
+  EXPECT_FALSE(gunzip("abc", 100));
+}
+
+TEST(Page, GivesTheRecordBack) {
+  for (const char* name : {"gamelog/rcg-v1-excerpt.rcg.gz", "gamelog/rcg-v3-excerpt.rcg.gz",
+                           "gamelog/match-start.rcg.gz", "gamelog/rcg-json-excerpt.rcg.gz"}) {
+    SCOPED_TRACE(name);
+    const gamelog::MatchRecord record = record_of(name);
+    const auto match = read_page(page_of(record));
+    ASSERT_TRUE(match) << match.error().message;
+    EXPECT_EQ(tests::record_difference(record, match->record), "");
+    EXPECT_NE(match->statistics.find("\"possession\""), std::string::npos);
+    EXPECT_NE(match->statistics.find("\"events\""), std::string::npos);
+  }
+}
+
+TEST(Page, ReadsFilesOfBothKinds) {
+  const tests::TemporaryFolder folder;
+  const gamelog::MatchRecord record = record_of("gamelog/rcg-v6-excerpt.rcg.gz");
+  const std::string path = folder.path() / "page.html";
+  std::ofstream(path) << page_of(record);
+  const auto page = read_log_or_page(path);
+  ASSERT_TRUE(page) << page.error().message;
+  EXPECT_TRUE(page->from_page);
+  EXPECT_EQ(tests::record_difference(record, page->record), "");
+  const auto log = read_log_or_page(tests::fixture("gamelog/rcg-v6-excerpt.rcg.gz").string());
+  ASSERT_TRUE(log) << log.error().message;
+  EXPECT_FALSE(log->from_page);
+  EXPECT_EQ(tests::record_difference(record, log->record), "");
+}
+
+TEST(Page, AllowsItsOwnProgramOnly) {
+  const std::string page = page_of(record_of("gamelog/rcg-v6-excerpt.rcg.gz"));
+  const std::string script = "<script>" + std::string(viewer_script()) + "</script>";
+  const std::string style = "<style>" + std::string(viewer_style()) + "</style>";
+  EXPECT_NE(page.find(script), std::string::npos);
+  EXPECT_NE(page.find(style), std::string::npos);
+  EXPECT_NE(page.find("default-src 'none'; script-src " + csp_hash(viewer_script()) +
+                      "; style-src " + csp_hash(viewer_style()) + "; img-src data: blob:"),
+            std::string::npos);
+  EXPECT_EQ(page.find("unsafe-"), std::string::npos);
+  EXPECT_EQ(count(page, "<script"), 3U);
+  EXPECT_EQ(count(page, "<style"), 1U);
+  EXPECT_NE(page.find(R"("at":1234,"players":["l7","r1"])"), std::string::npos);
+}
+
+TEST(Page, EmbedsAProgramThatCannotEndEarly) {
+  for (const std::string_view text : {viewer_script(), viewer_style()}) {
+    EXPECT_GT(text.size(), 1000U);
+    EXPECT_EQ(text.find("</script"), std::string_view::npos);
+    EXPECT_EQ(text.find("</style"), std::string_view::npos);
+    EXPECT_EQ(text.find("<!--"), std::string_view::npos);
+  }
+  EXPECT_FALSE(std::regex_search(std::string(viewer_script()), std::regex("\n(import|export) ")));
+}
+
+TEST(Page, ShowsNamesAsText) {
+  for (const std::string name : {"</script><script>alert(1)</script>", "</noscript><img src=x>",
+                                 "\"'><b>", "</title><h1>", "<!--", "\xff\xfe\x01", "&lt;b&gt;"}) {
+    SCOPED_TRACE(name);
+    gamelog::MatchRecord record = record_of("gamelog/rcg-v6-excerpt.rcg.gz");
+    for (gamelog::TeamFrames& teams : record.teams) teams[0].name = name;
+    for (gamelog::Note& note : record.notes) {
+      if (auto* teams = std::get_if<gamelog::TeamFrames>(&note.content)) (*teams)[0].name = name;
+      if (auto* message = std::get_if<gamelog::Message>(&note.content)) message->text = name;
+    }
+    const std::string page = match_page(record, nullptr, name, false, {0, {name}});
+    EXPECT_EQ(count(page, "<script"), 3U);
+    EXPECT_EQ(count(page, "</script"), 3U);
+    EXPECT_EQ(count(page, "</noscript"), 1U);
+    EXPECT_EQ(count(page, "</title"), 1U);
+    EXPECT_EQ(count(page, "<img"), 0U);
+    EXPECT_EQ(error_of(page), "");
+  }
+}
+
+TEST(Page, SaysHowMuchIsThere) {
+  const std::string page = page_of(record_of("gamelog/rcg-v6-excerpt.rcg.gz"));
+  const std::size_t data = page.find("data-length=");
+  const std::size_t start = page.find("\">", data) + 2;
+  const std::size_t length = page.find("</script>", start) - start;
+  EXPECT_EQ(error_of(page.substr(0, start + length * 61 / 100 + 1)),
+            "truncated: 61 % of the match is there");
+  EXPECT_EQ(error_of(page.substr(0, data)), "an HTML page without a match of cls");
+  EXPECT_EQ(error_of("<!doctype html><p>x"), "an HTML page without a match of cls");
+  std::string changed = page;
+  changed[start + length / 2] = changed[start + length / 2] == 'A' ? 'B' : 'A';
+  EXPECT_NE(error_of(changed), "");
+}
+
+TEST(Page, OfAWholeMatchIsSmall) {
+  const auto path = tests::data("logs/helios-vs-helios-full.rcg.gz");
+  if (!path) GTEST_SKIP() << "no data: set CLS_DATA";
+  const gamelog::MatchRecord record = gamelog::read_rcg_file(path->string()).value();
+  EXPECT_LE(page_of(record).size(), 1'700'000U);
+  EXPECT_LE(page_of(record, true).size(), 900'000U);
+}
+
+}  // namespace
+}  // namespace cls::viewer

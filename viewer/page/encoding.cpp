@@ -1,0 +1,100 @@
+// Base64 and hashes with OpenSSL, gzip with the sinks and sources of base.
+#include "viewer/page/encoding.h"
+
+#include <openssl/evp.h>
+
+#include <array>
+#include <cassert>
+#include <memory>
+
+#include "base/io/byte_source.h"
+#include "base/io/gzip_sink.h"
+
+namespace cls::viewer {
+namespace {
+
+class AppendingSink : public base::ByteSink {
+ public:
+  explicit AppendingSink(std::string& out) : out_(out) {}
+  void write(std::string_view bytes) override { out_ += bytes; }
+  base::Result<void> close() override { return {}; }
+
+ private:
+  std::string& out_;
+};
+
+constexpr int kNoDigit = -1;
+
+int digit_of(char c) {
+  if (c >= 'A' && c <= 'Z') return c - 'A';
+  if (c >= 'a' && c <= 'z') return c - 'a' + 26;
+  if (c >= '0' && c <= '9') return c - '0' + 52;
+  return c == '+' ? 62 : c == '/' ? 63 : kNoDigit;
+}
+
+bool is_space(char c) { return c == ' ' || c == '\n' || c == '\r' || c == '\t'; }
+
+}  // namespace
+
+std::string base64(std::string_view bytes) {
+  std::string text((bytes.size() + 2) / 3 * 4 + 1, '\0');
+  const int length = EVP_EncodeBlock(reinterpret_cast<unsigned char*>(text.data()),
+                                     reinterpret_cast<const unsigned char*>(bytes.data()),
+                                     static_cast<int>(bytes.size()));
+  text.resize(static_cast<std::size_t>(length));
+  return text;
+}
+
+base::Result<std::string> from_base64(std::string_view text) {
+  std::string bytes;
+  bytes.reserve(text.size() / 4 * 3);
+  unsigned buffer = 0;
+  int bits = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (is_space(text[i]) || text[i] == '=') continue;
+    const int digit = digit_of(text[i]);
+    if (digit == kNoDigit) {
+      return base::Error{"no base64 at character " + std::to_string(i + 1) + " of the match"};
+    }
+    buffer = buffer << 6 | static_cast<unsigned>(digit);
+    bits += 6;
+    if (bits < 8) continue;
+    bits -= 8;
+    bytes += static_cast<char>(buffer >> bits & 0xFF);
+  }
+  return bytes;
+}
+
+std::string csp_hash(std::string_view text) {
+  std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
+  unsigned size = 0;
+  const int done =
+      EVP_Digest(text.data(), text.size(), digest.data(), &size, EVP_sha256(), nullptr);
+  assert(done == 1);
+  static_cast<void>(done);
+  return "'sha256-" + base64({reinterpret_cast<const char*>(digest.data()), size}) + "'";
+}
+
+std::string gzip(std::string_view bytes) {
+  std::string packed;
+  base::GzipSink sink(std::make_unique<AppendingSink>(packed));
+  sink.write(bytes);
+  sink.close();
+  return packed;
+}
+
+base::Result<std::string> gunzip(std::string_view bytes, std::size_t max_size) {
+  if (!bytes.starts_with("\x1f\x8b")) return base::Error{"the match is not gzip"};
+  const auto source = base::decompress(std::make_unique<base::MemorySource>(bytes));
+  std::string unpacked;
+  std::array<char, 64 * 1024> block;
+  while (const std::size_t size = source->read(block.data(), block.size())) {
+    unpacked.append(block.data(), size);
+    if (unpacked.size() > max_size) return base::Error{"the match is too large"};
+  }
+  if (!source->error().empty())
+    return base::Error{"the match does not inflate: " + source->error()};
+  return unpacked;
+}
+
+}  // namespace cls::viewer

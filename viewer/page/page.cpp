@@ -1,0 +1,166 @@
+// Assembles pages: policy, program, text for readers without scripts, data. Takes them apart.
+#include "viewer/page/page.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "base/io/byte_source.h"
+#include "base/system/version.h"
+#include "base/text/number_text.h"
+#include "base/text/xml.h"
+#include "gamelog/rcg/rcg_reader.h"
+#include "soccer/side.h"
+#include "viewer/page/encoding.h"
+#include "viewer/page/viewer_program.h"
+
+namespace cls::viewer {
+namespace {
+
+using analysis::MatchSummary;
+using Json = nlohmann::ordered_json;
+
+constexpr std::string_view kDoctype = "<!doctype html>";
+constexpr std::string_view kDataTag =
+    R"(<script type="application/cls-view;base64" id="match" data-length=")";
+constexpr std::string_view kEndTag = "</script>";
+constexpr std::size_t kMaxStream = std::size_t{512} << 20;
+
+std::string team_name(const analysis::TeamSummary& team) {
+  return base::escape_xml(team.name.empty() ? "no team" : team.name);
+}
+
+std::string title(const MatchSummary& summary) {
+  return fmt::format("{} {} : {} {}", team_name(summary.teams[0]), summary.teams[0].score,
+                     summary.teams[1].score, team_name(summary.teams[1]));
+}
+
+std::string goal_line(const analysis::GoalSummary& goal) {
+  const std::string scorer = goal.unum > 0 ? fmt::format(", player {}", goal.unum) : "";
+  return fmt::format("<li>cycle {}: goal for the {} team{}{}</li>\n", goal.cycle,
+                     soccer::side_name(goal.side), scorer, goal.own_goal ? " (own goal)" : "");
+}
+
+// What readers without scripts see.
+std::string plain_text(const MatchSummary& summary) {
+  std::string text = fmt::format("<noscript>\n<h1>{}</h1>\n", title(summary));
+  if (summary.penalties) {
+    text += fmt::format("<p>Penalty shoot-out {} : {}</p>\n", summary.teams[0].penalty_score,
+                        summary.teams[1].penalty_score);
+  }
+  if (!summary.goals.empty()) {
+    text += "<ul>\n";
+    for (const analysis::GoalSummary& goal : summary.goals) text += goal_line(goal);
+    text += "</ul>\n";
+  }
+  text += "<p>This page shows the match with JavaScript, which is switched off.</p>\n";
+  return text + "</noscript>\n";
+}
+
+std::string settings_json(const PageSettings& settings) {
+  const Json json = {{"schema", "cls.page/1"},
+                     {"cls", base::kVersion},
+                     {"at", settings.at ? Json(*settings.at) : Json(nullptr)},
+                     {"players", settings.players},
+                     {"live", nullptr}};
+  std::string text = json.dump(-1, ' ', true, Json::error_handler_t::replace);
+  for (std::size_t at = text.find('<'); at != std::string::npos; at = text.find('<', at)) {
+    text.replace(at, 1, "\\u003c");
+  }
+  return text;
+}
+
+std::string policy() {
+  return fmt::format(
+      "default-src 'none'; script-src {}; style-src {}; img-src data: blob:; base-uri 'none'; "
+      "form-action 'none'",
+      csp_hash(viewer_script()), csp_hash(viewer_style()));
+}
+
+base::Error in_file(const std::string& path, const base::Error& error) {
+  return base::Error{path + ": " + error.message};
+}
+
+}  // namespace
+
+std::string write_page(const MatchSummary& summary, std::string_view stream,
+                       const PageSettings& settings) {
+  const std::string data = base64(gzip(stream));
+  std::string page;
+  page.reserve(data.size() + viewer_script().size() + viewer_style().size() + 8192);
+  page += kDoctype;
+  page += "\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n";
+  page += fmt::format("<meta http-equiv=\"Content-Security-Policy\" content=\"{}\">\n", policy());
+  page += "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n";
+  page += fmt::format("<meta name=\"generator\" content=\"cls {}\">\n", base::kVersion);
+  page += fmt::format("<title>{}</title>\n", title(summary));
+  page += fmt::format("<style>{}</style>\n</head>\n<body>\n", viewer_style());
+  page += plain_text(summary);
+  page += "<div id=\"app\"></div>\n";
+  page += fmt::format("<script type=\"application/json\" id=\"settings\">{}</script>\n",
+                      settings_json(settings));
+  page += fmt::format("<script>{}</script>\n", viewer_script());
+  page += fmt::format("{}{}\">{}</script>\n</body>\n</html>\n", kDataTag, data.size(), data);
+  return page;
+}
+
+bool looks_like_page(std::string_view start) {
+  if (start.size() < kDoctype.size()) return false;
+  return std::equal(kDoctype.begin(), kDoctype.end(), start.begin(), [](char a, char b) {
+    return a == std::tolower(static_cast<unsigned char>(b));
+  });
+}
+
+base::Result<StreamMatch> read_page(std::string_view page) {
+  // The last one: only base64 follows it, while names and programs come before it.
+  const std::size_t tag = page.rfind(kDataTag);
+  if (!looks_like_page(page) || tag == std::string_view::npos) {
+    return base::Error{"an HTML page without a match of cls"};
+  }
+  std::string_view rest = page.substr(tag + kDataTag.size());
+  const std::size_t quote = std::min(rest.find("\">"), rest.size());
+  const auto length = base::parse_int(rest.substr(0, quote));
+  if (!length || *length < 0 || quote == rest.size()) {
+    return base::Error{"corrupt: the size of the match is missing"};
+  }
+  rest.remove_prefix(quote + 2);
+  const std::string_view text = rest.substr(0, std::min(rest.find(kEndTag), rest.size()));
+  const auto size = static_cast<std::size_t>(*length);
+  if (text.size() < size) {
+    return base::Error{fmt::format("truncated: {} % of the match is there",
+                                   100 * std::uint64_t{text.size()} / size)};
+  }
+  const auto packed = from_base64(text);
+  if (!packed) return packed.error();
+  const auto stream = gunzip(*packed, kMaxStream);
+  if (!stream) return stream.error();
+  return read_stream(*stream);
+}
+
+base::Result<StreamMatch> read_log_or_page(const std::string& path) {
+  auto source = base::open_source(path);
+  if (!source) return source.error();
+  base::InputBuffer input(**source);
+  if (!looks_like_page(input.peek(kDoctype.size()))) {
+    StreamMatch match;
+    match.record = gamelog::read_rcg(input);
+    match.ended = true;
+    return match;
+  }
+  std::string page;
+  for (;;) {
+    const std::string_view block = input.take(base::InputBuffer::kMaxLine);
+    if (block.empty()) break;
+    page += block;
+    if (page.size() > kMaxStream) return base::Error{path + ": too large for a page"};
+  }
+  auto match = read_page(page);
+  if (!match) return in_file(path, match.error());
+  match->from_page = true;
+  return match;
+}
+
+}  // namespace cls::viewer

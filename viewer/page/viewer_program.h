@@ -1,0 +1,12 @@
+// The program in a page: viewer/web, joined and embedded.
+#pragma once
+
+#include <string_view>
+
+namespace cls::viewer {
+
+/// JavaScript and CSS between the tags of a page; neither contains a closing tag.
+std::string_view viewer_script();
+std::string_view viewer_style();
+
+}  // namespace cls::viewer
