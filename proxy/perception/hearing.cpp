@@ -122,7 +122,7 @@ bool hear_goal(WorldModel& world, std::string_view message, int time) {
   if (message.size() < 8 || !message.starts_with(kStart) || message[6] != '_') return false;
   const std::optional<Side> side = side_of_letter(message[5]);
   const std::optional<int> score = base::parse_int(message.substr(7));
-  if (!side || !score || *score < 0 || *score > soccer::kLargestInteger) return false;
+  if (!side || !score || *score < 0 || *score > soccer::kMaxInteger) return false;
   (*side == world.our_side ? world.game.our_score : world.game.their_score) = *score;
   change_mode(world, soccer::for_side(PlayMode::kGoalLeft, *side), time);
   return true;

@@ -21,7 +21,7 @@ std::unique_ptr<Playmaker> make_grpc_playmaker(std::shared_ptr<grpc::Channel> ch
 /// Connects to an address with the first call. All agents share one connection (with port_step
 /// each has its own) that is not shared with other objects. Reconnect backoff: 200 ms at most.
 /// `team_reply` limits the wait of call() for the reply to RegisterTeam once connected: a Playmaker
-/// that does not know it should say so at once.
+/// that does not know it should say so immediately.
 std::unique_ptr<Playmaker> make_grpc_playmaker(const GrpcTarget& target,
                                                RpcTimeout team_reply = kNoTimeout);
 

@@ -12,7 +12,7 @@
 namespace cls::soccer {
 
 /// No server counts further in a match, and sums of up to eight such integers fit an int.
-constexpr int kLargestInteger = (1 << 28) - 1;
+constexpr int kMaxInteger = (1 << 28) - 1;
 
 /// Each function consumes its text and returns true, or leaves the cursor unchanged, records the
 /// expected text and returns false; a message is one chain of calls joined with &&. Expected texts
@@ -63,8 +63,8 @@ class Scanner {
     return (value >= low && value <= high) || fail_at(start, "an integer in range");
   }
 
-  /// A cycle, count, score or angle: at most kLargestInteger in magnitude.
-  bool integer(int& value) { return integer(value, -kLargestInteger, kLargestInteger); }
+  /// A cycle, count, score or angle: at most kMaxInteger in magnitude.
+  bool integer(int& value) { return integer(value, -kMaxInteger, kMaxInteger); }
 
   /// One or more characters up to the next space, parenthesis, quote or the end.
   bool token(std::string_view& value) {

@@ -28,7 +28,7 @@ fs::path copy_package(const fs::path& folder) {
     fs::copy_file(source_folder() / "python" / name, folder / "python" / name);
   }
   for (const char* name :
-       {"__init__.py", "errors.py", "proto.py", "serving.py", "team.py", "py.typed"}) {
+       {"__init__.py", "errors.py", "proto.py", "serving.py", "states.py", "team.py", "py.typed"}) {
     fs::copy_file(source_folder() / "python/cls_playmaker" / name,
                   folder / "python/cls_playmaker" / name);
   }

@@ -106,7 +106,7 @@ TEST(SenseBody, RefusesIntegersThatNoServerReaches) {
   const auto with_kicks = [&text](std::string_view kicks) {
     return std::string(text).replace(text.find("(kick 3)"), 8, fmt::format("(kick {})", kicks));
   };
-  EXPECT_EQ(read<SenseBody>(with_kicks("268435455")).counts.kick, kLargestInteger);
+  EXPECT_EQ(read<SenseBody>(with_kicks("268435455")).counts.kick, kMaxInteger);
   EXPECT_NE(error_of<SenseBody>(with_kicks("268435456")), "no error");
   EXPECT_NE(error_of<SenseBody>(with_kicks("-268435456")), "no error");
 }
