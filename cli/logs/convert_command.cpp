@@ -129,16 +129,16 @@ int run_convert_command(const Arguments& arguments) {
                                              "without --compact",
                                              arguments.in));
   }
-  const gamelog::MatchRecord* record = &match->record;
+  const gamelog::MatchRecord& record = match->record;
   const RcgVersion version = target ? *target : default_target(arguments.out, *match);
-  report_errors(arguments.in, record->errors);
-  if (record->frames() == 0 && !record->errors.empty()) return kBadData;
+  report_errors(arguments.in, record.errors);
+  if (record.frames() == 0 && !record.errors.empty()) return kBadData;
 
-  if (const int written = write_log(*record, version, arguments.out); written != kOk) {
+  if (const int written = write_log(record, version, arguments.out); written != kOk) {
     return written;
   }
-  if (arguments.json) print_document(arguments, version, *record);
-  return record->errors.empty() ? kOk : kBadData;
+  if (arguments.json) print_document(arguments, version, record);
+  return record.errors.empty() ? kOk : kBadData;
 }
 
 }  // namespace

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "base/io/whole_file.h"
+#include "base/text/json_text.h"
 #include "base/text/number_text.h"
 #include "cli/logs/find_match_folder.h"
 #include "cli/support/browser.h"
@@ -142,7 +143,7 @@ void print_document(const viewer::StreamMatch& match, const fs::path& page, bool
                                            {"frames", match.record.frames()},
                                            {"compact", compact},
                                            {"errors", match.record.errors.count}};
-  fmt::print("{}\n", document.dump(2));
+  fmt::print("{}", base::json_document(document));
 }
 
 int write_match_page(const Arguments& arguments, const Found& found, const fs::path& page) {

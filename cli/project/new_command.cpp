@@ -10,6 +10,7 @@
 
 #include "base/io/occupied_path.h"
 #include "base/io/whole_file.h"
+#include "base/text/json_text.h"
 #include "cli/project/project_files.h"
 #include "cli/support/commands.h"
 #include "cli/support/exit_code.h"
@@ -56,7 +57,7 @@ void print(const Arguments& arguments, const std::string& dir,
     nlohmann::ordered_json document = {{"schema", "cls.new/1"}, {"dir", dir}};
     document["files"] = nlohmann::ordered_json::array();
     for (const ProjectFile& file : files) document["files"].push_back(file.path);
-    fmt::print("{}\n", document.dump(2));
+    fmt::print("{}", base::json_document(document));
     return;
   }
   fmt::print(

@@ -2,14 +2,13 @@
 #include "cli/support/browser.h"
 
 #include <fcntl.h>
-#include <fmt/format.h>
 #include <spawn.h>
 #include <unistd.h>
 
 #include <array>
-#include <cctype>
 #include <cstdlib>
-#include <string_view>
+
+#include "base/text/percent_encoding.h"
 
 namespace cls::cli {
 namespace {
@@ -25,16 +24,9 @@ bool has_display() {
 }  // namespace
 
 std::string file_url(const std::filesystem::path& file) {
-  constexpr std::string_view kPlain = "-._~/";
   std::error_code code;
   const std::filesystem::path whole = std::filesystem::absolute(file, code).lexically_normal();
-  std::string url = "file://";
-  for (const char c : whole.string()) {
-    const auto byte = static_cast<unsigned char>(c);
-    const bool plain = std::isalnum(byte) != 0 || kPlain.find(c) != std::string_view::npos;
-    url += plain ? std::string(1, c) : fmt::format("%{:02X}", byte);
-  }
-  return url;
+  return "file://" + base::percent_encoded(whole.string());
 }
 
 bool open_in_browser(const std::string& url) {

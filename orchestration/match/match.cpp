@@ -22,6 +22,7 @@ constexpr milliseconds kThrottleInterval{50};
 constexpr milliseconds kSignalSpread{100};
 // The match reports a reply that it has waited for this long.
 constexpr std::chrono::seconds kSlowReply{3};
+
 double seconds_between(MatchLimits::Clock::time_point from, MatchLimits::Clock::time_point to) {
   return std::chrono::duration<double>(to - from).count();
 }

@@ -1,6 +1,7 @@
 // Who is at fault when a match ends early.
 #pragma once
 
+#include <chrono>
 #include <memory>
 #include <string>
 #include <vector>

@@ -6,22 +6,13 @@
 #include <array>
 #include <cassert>
 #include <memory>
+#include <utility>
 
 #include "base/io/byte_source.h"
 #include "base/io/gzip_sink.h"
 
 namespace cls::viewer {
 namespace {
-
-class AppendingSink : public base::ByteSink {
- public:
-  explicit AppendingSink(std::string& out) : out_(out) {}
-  void write(std::string_view bytes) override { out_ += bytes; }
-  base::Result<void> close() override { return {}; }
-
- private:
-  std::string& out_;
-};
 
 constexpr int kNoDigit = -1;
 
@@ -76,11 +67,12 @@ std::string csp_hash(std::string_view text) {
 }
 
 std::string gzip(std::string_view bytes) {
-  std::string packed;
-  base::GzipSink sink(std::make_unique<AppendingSink>(packed));
+  auto packed = std::make_unique<base::StringSink>();
+  const std::string& result = packed->bytes();
+  base::GzipSink sink(std::move(packed));
   sink.write(bytes);
   sink.close();
-  return packed;
+  return result;
 }
 
 base::Result<std::string> gunzip(std::string_view bytes, std::size_t max_size) {

@@ -1,6 +1,10 @@
 // Chunks of a stream: kind, length, contents (docs/formats/view.md).
 #pragma once
 
+#include <fmt/format.h>
+#include <zlib.h>
+
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -27,5 +31,14 @@ inline void append_chunk(ChunkKind kind, std::string_view contents, std::string&
   out += static_cast<char>(kind);
   append_string(contents, out);
 }
+
+/// Continues the CRC-32 of a stream with the next bytes.
+inline void add_to_checksum(std::string_view bytes, std::uint32_t& checksum) {
+  checksum = static_cast<std::uint32_t>(
+      crc32_z(checksum, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()));
+}
+
+/// As the end of a stream has it.
+inline std::string checksum_text(std::uint32_t checksum) { return fmt::format("{:08x}", checksum); }
 
 }  // namespace cls::viewer

@@ -1,10 +1,7 @@
 // Takes chunks apart; every count is checked against the bytes that are there.
 #include "viewer/stream/chunk_reader.h"
 
-#include <zlib.h>
-
 #include <algorithm>
-#include <cstdio>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <utility>
@@ -23,16 +20,6 @@ using Json = nlohmann::ordered_json;
 constexpr std::uint64_t kMaxChunk = std::uint64_t{512} << 20;
 // Every frame has differences of time, ball and 22 players.
 constexpr std::size_t kMinFrameBytes = 32;
-
-template <typename T>
-std::vector<T> by_frame(const std::vector<T>& values, std::size_t series) {
-  const std::size_t frames = values.size() / series;
-  std::vector<T> sorted(values.size());
-  for (std::size_t s = 0; s < series; ++s) {
-    for (std::size_t i = 0; i < frames; ++i) sorted[i * series + s] = values[s * frames + i];
-  }
-  return sorted;
-}
 
 std::int32_t read_int32(ByteReader& in) {
   const std::int64_t value = in.zigzag();
@@ -168,8 +155,7 @@ bool ChunkReader::read_chunk(std::string_view& rest) {
   const std::string_view contents = in.take(length);
   const std::size_t size = rest.size() - in.left();
   read(kind, contents);
-  checksum_ = static_cast<std::uint32_t>(
-      crc32_z(checksum_, reinterpret_cast<const Bytef*>(rest.data()), size));
+  add_to_checksum(rest.substr(0, size), checksum_);
   rest.remove_prefix(size);
   return error_.empty();
 }
@@ -277,8 +263,7 @@ void ChunkReader::read_column(std::size_t index, std::size_t first, std::size_t 
     std::vector<float> values = reals_of(integers, column);
     read_exceptions(values, in);
     if (in.good() && column.spec != nullptr) {
-      column.spec->store_reals(record, entry, values.size(),
-                               by_frame(values, column.series).data());
+      column.spec->store_reals(record, entry, values.size(), transposed(values, frames).data());
     }
   } else if (column.spec != nullptr) {
     const bool teams = column.spec->name == "teams";
@@ -286,17 +271,16 @@ void ChunkReader::read_column(std::size_t index, std::size_t first, std::size_t 
     const std::int64_t max = teams ? last_teams : column.spec->max;
     if (!in_range(integers, column.spec->min, max)) return in.fail();
     column.spec->store_integers(record, entry, integers.size(),
-                                by_frame(integers, column.series).data());
+                                transposed(integers, frames).data());
   }
   state_.keep(index, std::move(integers));
 }
 
 void ChunkReader::read_end(std::string_view contents) {
   const Json json = Json::parse(contents, nullptr, false);
-  char digits[9];
-  std::snprintf(digits, sizeof digits, "%08x", static_cast<unsigned>(checksum_));
   try {
-    if (json.value("crc32", "") != digits) return fail("wrong checksum: the match is corrupt");
+    if (json.value("crc32", "") != checksum_text(checksum_))
+      return fail("wrong checksum: the match is corrupt");
     if (json.value("frames", std::size_t{0}) != match_.record.frames() ||
         json.value("notes", std::size_t{0}) != match_.record.notes.size()) {
       return fail("frames or notes are missing");

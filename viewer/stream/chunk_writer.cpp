@@ -1,8 +1,6 @@
 // Fills the chunks: notes, columns with their exceptions, checksum.
 #include "viewer/stream/chunk_writer.h"
 
-#include <zlib.h>
-
 #include <bit>
 #include <cmath>
 #include <cstdlib>
@@ -13,22 +11,12 @@
 #include <vector>
 
 #include "base/overloaded.h"
+#include "base/text/json_text.h"
 
 namespace cls::viewer {
 namespace {
 
 using gamelog::MatchRecord;
-
-// `values` by frame and series, as the record has them; returns them series after series.
-template <typename T>
-std::vector<T> by_series(const std::vector<T>& values, std::size_t series) {
-  const std::size_t frames = values.size() / series;
-  std::vector<T> sorted(values.size());
-  for (std::size_t s = 0; s < series; ++s) {
-    for (std::size_t i = 0; i < frames; ++i) sorted[s * frames + i] = values[i * series + s];
-  }
-  return sorted;
-}
 
 bool same_bits(float a, float b) {
   return std::bit_cast<std::uint32_t>(a) == std::bit_cast<std::uint32_t>(b);
@@ -124,8 +112,7 @@ nlohmann::ordered_json errors_json(const gamelog::ParseErrors& errors) {
 void ChunkWriter::append(ChunkKind kind, std::string_view contents, std::string& out) {
   const std::size_t start = out.size();
   append_chunk(kind, contents, out);
-  checksum_ = static_cast<std::uint32_t>(
-      crc32_z(checksum_, reinterpret_cast<const Bytef*>(out.data() + start), out.size() - start));
+  add_to_checksum(std::string_view(out).substr(start), checksum_);
 }
 
 void ChunkWriter::append_header(const MatchRecord& record, std::string& out) {
@@ -156,11 +143,11 @@ void ChunkWriter::append_column(const MatchRecord& record, std::size_t index, st
   if (column.spec->is_real()) {
     std::vector<float> values(count);
     column.spec->load_reals(record, first, count, values.data());
-    integers = scaled_values(by_series(values, column.series), column,
+    integers = scaled_values(transposed(values, column.series), column,
                              form_.compact ? nullptr : &exceptions);
   } else {
     column.spec->load_integers(record, first, count, integers.data());
-    integers = by_series(integers, column.series);
+    integers = transposed(integers, column.series);
   }
   const CodingInput input = state_.input(index, end - frames_);
   encode_column(input, integers, state_.state(index), contents);
@@ -189,14 +176,11 @@ void ChunkWriter::append_statistics(std::string_view json, std::string& out) {
 
 void ChunkWriter::append_end(const MatchRecord& record, std::string& out) {
   append_notes(record, std::numeric_limits<std::size_t>::max(), out);
-  char digits[9];
-  std::snprintf(digits, sizeof digits, "%08x", static_cast<unsigned>(checksum_));
   const nlohmann::ordered_json json = {{"frames", frames_},
                                        {"notes", notes_},
-                                       {"crc32", digits},
+                                       {"crc32", checksum_text(checksum_)},
                                        {"errors", errors_json(record.errors)}};
-  append(kEndChunk, json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace),
-         out);
+  append(kEndChunk, base::json_line(json), out);
 }
 
 std::string write_stream(const MatchRecord& record, StreamForm form, std::string_view statistics) {

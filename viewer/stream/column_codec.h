@@ -19,6 +19,19 @@ constexpr std::int64_t kMaxInteger = std::int64_t{1} << 32;
 /// The same for integers of real numbers; values beyond are exceptions.
 constexpr std::int64_t kMaxScaled = std::int64_t{1} << 30;
 
+/// `values` is a table with rows of `columns` entries; returns it column after column.
+template <typename T>
+std::vector<T> transposed(const std::vector<T>& values, std::size_t columns) {
+  const std::size_t rows = values.size() / columns;
+  std::vector<T> result(values.size());
+  for (std::size_t column = 0; column < columns; ++column) {
+    for (std::size_t row = 0; row < rows; ++row) {
+      result[column * rows + row] = values[row * columns + column];
+    }
+  }
+  return result;
+}
+
 /// Where the series of a column stand after the frames coded so far.
 struct ColumnState {
   explicit ColumnState(std::size_t series) : previous(series, 0), difference(series, 0) {}

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "base/text/counted.h"
+#include "base/text/percent_encoding.h"
 #include "orchestration/tournament/report/standings_columns.h"
 
 namespace cls::orchestration::tournament {
@@ -64,24 +65,12 @@ std::string time_text(const std::string& iso) {
   return text;
 }
 
-// Characters that end a link in Markdown or have a meaning in URLs.
-std::string percent_encoded(const std::string& path) {
-  std::string text;
-  for (const char c : path) {
-    const bool plain = std::isalnum(static_cast<unsigned char>(c)) != 0 ||
-                       std::string_view("/._-~").find(c) != std::string_view::npos;
-    text += plain ? std::string(1, c)
-                  : fmt::format("%{:02X}", static_cast<unsigned>(static_cast<unsigned char>(c)));
-  }
-  return text;
-}
-
 // Links the last row of the table to the match's folder.
 void link_folder(const Report& report, const ScheduledMatch& match, std::size_t column,
                  base::Table& table) {
   if (!match.outcome || match.outcome->folder.empty()) return;
   const auto path = (report.link_base / match.outcome->folder / "").lexically_normal();
-  table.link_last_row(column, percent_encoded(path.string()));
+  table.link_last_row(column, base::percent_encoded(path.string()));
 }
 
 std::string tiebreaker_note(const Report& report, const RankedTable& ranked) {
