@@ -11,6 +11,9 @@ namespace {
 using google::protobuf::Message;
 using proto::Rpc;
 
+// Calls of one cycle begin within this time, in an order that depends on the server's messages.
+constexpr std::chrono::milliseconds kSameCycle{100};
+
 class WatchedPlaymaker : public ForwardingPlaymaker {
  public:
   WatchedPlaymaker(Playmaker& inner, CallWatch& watch)
@@ -48,20 +51,22 @@ void CallWatch::end(int agent) {
 }
 
 std::optional<AwaitedCall> CallWatch::oldest() const {
-  AwaitedCall oldest;
+  std::array<Clock::rep, kAgentNumbers> begun{};  // 0: not awaited
   Clock::rep first = 0;
   int awaited = 0;
-  for (int agent = 1; agent < kAgentNumbers; ++agent) {
-    const Call& call = calls_[static_cast<std::size_t>(agent)];
-    const Clock::rep begun = call.begun.load(std::memory_order_acquire);
-    if (begun == 0) continue;
+  for (std::size_t agent = 1; agent < begun.size(); ++agent) {
+    begun[agent] = calls_[agent].begun.load(std::memory_order_acquire);
+    if (begun[agent] == 0) continue;
     ++awaited;
-    if (first != 0 && begun >= first) continue;
-    first = begun;
-    oldest.agent = agent;
-    oldest.rpc = call.rpc.load(std::memory_order_relaxed);
+    if (first == 0 || begun[agent] < first) first = begun[agent];
   }
   if (awaited == 0) return std::nullopt;
+  AwaitedCall oldest;
+  for (std::size_t agent = 1; agent < begun.size() && oldest.agent == 0; ++agent) {
+    if (begun[agent] == 0 || Clock::duration(begun[agent] - first) > kSameCycle) continue;
+    oldest.agent = static_cast<int>(agent);
+    oldest.rpc = calls_[agent].rpc.load(std::memory_order_relaxed);
+  }
   oldest.waited = Clock::now().time_since_epoch() - Clock::duration(first);
   oldest.others = awaited - 1;
   return oldest;

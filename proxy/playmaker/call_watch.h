@@ -29,7 +29,9 @@ class CallWatch {
   void begin(int agent, proto::Rpc rpc);
   void end(int agent);
 
-  /// The call that has waited longest; nothing when none is awaited.
+  /// The call that has waited longest; of calls that began in the same cycle, the one with the
+  /// lowest agent number, so that the order of messages does not show. Nothing when none is
+  /// awaited.
   std::optional<AwaitedCall> oldest() const;
 
  private:
