@@ -2,16 +2,19 @@
 JOBS ?= $(shell nproc)
 TEST_JOBS ?= 2
 FUZZ_SECONDS ?= 60
+CHAOS_SEEDS ?= 20
+CHAOS_SEED ?=
 LINT_BASE ?= main
+PREFIX ?= /usr/local
 CXX_FILES = git ls-files --cached --others --exclude-standard -- '*.h' '*.cpp'
 
 # Rooms that parse foreign input: logs, protocol, JSON and TOML files, replies.
 INPUT_TESTS = cls_base_tests cls_soccer_tests cls_gamelog_tests cls_analysis_tests \
   cls_mock_server_tests
 INPUT_LABELS = ^(base|soccer|gamelog|analysis|mock-server)$$
-FUZZERS = protocol rcg rcl session view agent
+FUZZERS = protocol rcg rcl session view agent compression user_file
 
-.PHONY: help build test full languages web-test bench asan tsan asan-input fuzz same-bytes format format-check lint clean
+.PHONY: help build test full languages web-test pictures bench asan tsan asan-input fuzz chaos same-bytes install package format format-check lint clean
 
 help:
 	@echo 'make build         release build in build/'
@@ -19,11 +22,15 @@ help:
 	@echo 'make full          long forms: 20 whole matches, all tests under ASan, UBSan and TSan'
 	@echo 'make languages     the sample teams and projects in every language whose tools are there'
 	@echo 'make web-test      the replay page in Chromium (needs node 18, npm, chromium)'
+	@echo 'make pictures      every picture of README and docs (after make web-test)'
 	@echo 'make bench         benchmarks and matches, beside CLS_BENCH_BASE if set (libbenchmark-dev)'
 	@echo 'make asan | tsan   all tests under ASan and UBSan, or TSan, in build-asan/ or build-tsan/'
 	@echo 'make asan-input    the same for the rooms that read foreign input (Clang, build-fuzz/)'
 	@echo 'make fuzz          each fuzzer for FUZZ_SECONDS, default 60 (Clang, build-fuzz/)'
+	@echo 'make chaos         CHAOS_SEEDS tournaments under faults, default 20, or the one of CHAOS_SEED'
 	@echo 'make same-bytes    play matches with the builds of GCC and Clang, compare the logs'
+	@echo 'make install       everything below PREFIX, default /usr/local (DESTDIR too)'
+	@echo 'make package       the one-file program and the Debian package, in build/dist/'
 	@echo 'make format        clang-format all sources; format-check only compares'
 	@echo 'make lint          clang-tidy on sources that differ from LINT_BASE, default main'
 	@echo 'make clean         remove all build folders'
@@ -47,6 +54,9 @@ full: test
 
 languages: test
 	@CLS_LANGUAGES=1 ctest --test-dir build -R Languages -V
+
+pictures: build
+	docs/pictures/make
 
 web-test:
 	@tests/viewer/web/run
@@ -73,11 +83,24 @@ fuzz:
 	@cmake --build --preset fuzz -j $(JOBS) --target $(FUZZERS:%=%_fuzz)
 	@printf '%s\n' $(FUZZERS) | xargs -P $(TEST_JOBS) -I NAME tests/fuzz/run NAME $(FUZZ_SECONDS)
 
+chaos: build
+	@tests/chaos/run --seeds $(CHAOS_SEEDS) $(if $(CHAOS_SEED),--seed $(CHAOS_SEED))
+
 # -O2 of GCC against -O1 of Clang, which also runs whole matches under ASan and UBSan.
 same-bytes: build
 	@cmake --preset fuzz
 	@cmake --build --preset fuzz -j $(JOBS) --target cls
 	@tests/same_bytes build/bin/cls build-fuzz/bin/cls
+
+install: build/build.ninja
+	@cmake --build --preset release -j $(JOBS) \
+	  --target cls cls_manual cls_python_package cls_training_shared
+	@cmake --install build --prefix $(PREFIX)
+
+package: build/build.ninja
+	@cmake --build --preset release -j $(JOBS) \
+	  --target cls cls_manual cls_python_package cls_training_shared
+	@packaging/build.py
 
 format:
 	@files=$$($(CXX_FILES)) && clang-format -i $$files

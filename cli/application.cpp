@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "cli/shell/completion_command.h"
 #include "cli/support/command_help.h"
 #include "cli/support/commands.h"
 #include "cli/support/exit_code.h"
@@ -24,6 +26,9 @@ constexpr const char* kDescription =
     "  cls match mock mock                    the bundled team against itself\n"
     "  cls match mock localhost:50051         against your Playmaker\n"
     "  cls help match                         options of matches";
+
+// What completion scripts call. No command of the tree, because it takes any words.
+constexpr std::string_view kCompleteCommand = "complete";
 
 using Words = std::vector<std::string>;
 
@@ -52,9 +57,15 @@ Words with_flags_behind_command(const CLI::App& app, Words words) {
   return words;
 }
 
+// "help" and a command, or nothing; the command `help` itself handles topics.
+bool asks_for_help(const CLI::App& app, const Words& words) {
+  if (words.empty() || words.front() != "help") return false;
+  return words.size() == 1 || find_command(app, words[1]) != nullptr;
+}
+
 // "help tournament run" -> "tournament run --help"; "--version" -> "version".
 Words canonical(const CLI::App& app, Words words) {
-  if (!words.empty() && words.front() == "help") {
+  if (asks_for_help(app, words)) {
     words.erase(words.begin());
     words.emplace_back("--help");
     return words;
@@ -71,27 +82,34 @@ Words canonical(const CLI::App& app, Words words) {
 void add_commands(CLI::App& app, int& exit_code) {
   add_match_command(app, exit_code);
   add_tournament_command(app, exit_code);
+  add_tune_command(app, exit_code);
   add_compare_command(app, exit_code);
   add_test_command(app, exit_code);
+  add_dev_command(app, exit_code);
   add_results_command(app, exit_code);
   add_stats_command(app, exit_code);
   add_logs_command(app, exit_code);
   add_convert_command(app, exit_code);
   add_watch_command(app, exit_code);
+  add_report_command(app, exit_code);
   add_check_command(app, exit_code);
   add_doctor_command(app, exit_code);
   add_mock_command(app, exit_code);
   add_proxy_command(app, exit_code);
   add_server_command(app, exit_code);
+  add_explain_command(app, exit_code);
   add_config_command(app, exit_code);
   add_init_command(app, exit_code);
   add_new_command(app, exit_code);
+  add_package_team_command(app, exit_code);
+  add_completion_command(app, exit_code);
+  add_train_command(app, exit_code);
   add_version_command(app, exit_code);
+  add_help_command(app, exit_code);
 }
 
 // canonical() replaces these; they are here for help and suggestions.
 void add_root_options(CLI::App& app) {
-  app.add_subcommand("help", "print help of a command: cls help tournament run")->group("Commands");
   app.add_flag("-V,--version")->description("print the version, as cls version");
   app.add_flag("--json")->description("of every command: print one JSON document on stdout");
   app.add_flag("--quiet")->description("of every command: print no progress and no notes");
@@ -112,6 +130,9 @@ int run_application(int argc, const char* const* argv) {
   complete_commands(app);
   add_root_options(app);
 
+  if (argc > 1 && argv[1] == kCompleteCommand) {
+    return print_completion(app, Words(argv + 2, argv + argc));
+  }
   Words words = canonical(app, Words(argv + 1, argv + argc));
   if (const auto error = unknown_command(app, words)) return print_error(kUsage, *error);
   try {

@@ -1,9 +1,15 @@
 // The binary `cls`: runs the command line; reports uncaught exceptions as internal errors.
 #include <fmt/format.h>
 
+#include <cerrno>
 #include <csignal>
+#include <cstdio>
+#include <cstring>
 #include <exception>
 #include <filesystem>
+#include <new>
+#include <string>
+#include <system_error>
 
 #include "cli/application.h"
 #include "cli/support/early_guard.h"
@@ -11,18 +17,43 @@
 #include "cli/support/print_error.h"
 #include "proto/grpc_settings.h"
 
+namespace {
+
+using namespace cls::cli;
+
+// A command whose output is lost has failed, although its work is done.
+int finish_output(int exit_code) {
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return exit_code;
+  const std::string cause = std::strerror(errno);
+  return print_error(exit_code == kOk ? static_cast<int>(kWriteFailed) : exit_code,
+                     "cannot write standard output: " + cause);
+}
+
+// Runs the command and turns exceptions into error lines.
+int run(int argc, char** argv) {
+  try {
+    const auto guard = start_early_guard(argc, argv);
+    return run_application(argc, argv);
+  } catch (const std::filesystem::filesystem_error& error) {
+    return print_error(kNoInput,
+                       fmt::format("{}: {}", error.path1().string(), error.code().message()));
+  } catch (const std::system_error& error) {
+    // As fmt throws it.
+    if (std::ferror(stdout) != 0) return kOk;
+    print_error(0, fmt::format("internal error: {}", error.what()));
+  } catch (const std::bad_alloc&) {
+    print_error(0, "out of memory");
+  } catch (const std::exception& error) {
+    print_error(0, fmt::format("internal error: {}", error.what()));
+  }
+  return kInternalError;
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
   // A file that reaches the size limit is a failed write like any other and must not kill cls.
   std::signal(SIGXFSZ, SIG_IGN);
-  try {
-    cls::proto::silence_grpc_log();
-    const auto guard = cls::cli::start_early_guard(argc, argv);
-    return cls::cli::run_application(argc, argv);
-  } catch (const std::filesystem::filesystem_error& error) {
-    return cls::cli::print_error(
-        cls::cli::kNoInput, fmt::format("{}: {}", error.path1().string(), error.code().message()));
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "cls: internal error: {}\n", error.what());
-    return cls::cli::kInternalError;
-  }
+  cls::proto::silence_grpc_log();
+  return finish_output(run(argc, argv));
 }

@@ -16,7 +16,11 @@
 
 #include "base/system/version.h"
 #include "base/text/json_text.h"
+#include "base/text/stored_formats.h"
 #include "cli/support/exit_code.h"
+#include "proto/recording_file.h"
+#include "soccer/protocol/protocol_version.h"
+#include "viewer/stream/chunk.h"
 
 namespace cls::cli {
 namespace {
@@ -24,7 +28,7 @@ namespace {
 constexpr const char* kDescription =
     "print the version\n"
     "\n"
-    "  cls version           of cls, its wire, its compiler and its libraries\n"
+    "  cls version           of cls, its wire, its files and its libraries\n"
     "  cls version --json    for bug reports and scripts";
 
 // "1.74.0" from 107400.
@@ -44,6 +48,15 @@ nlohmann::ordered_json document() {
       {"wire", base::kWireVersion},
       {"commit", nullptr},
       {"compiler", base::kCompiler},
+      {"protocol",
+       {{"oldest", soccer::kMinProtocolVersion}, {"newest", soccer::kMaxProtocolVersion}}},
+      {"formats",
+       {{"match", base::kMatchSchema},
+        {"scenario", base::kScenarioSchema},
+        {"page", viewer::kViewSchema},
+        {"cls.toml", fmt::to_string(base::kConfigSchema)},
+        {"tournament.db", fmt::to_string(base::kStoreSchema)},
+        {"rpc-recording", fmt::to_string(proto::kRecordingVersion)}}},
       {"libraries",
        {{"boost", boost_version()},
         {"cli11", CLI11_VERSION},
@@ -71,6 +84,9 @@ int print_version(bool json) {
   row("wire", versions["wire"]);
   if (!versions["commit"].is_null()) row("commit", versions["commit"]);
   row("compiler", versions["compiler"]);
+  row("protocol",
+      fmt::format("{} to {}", soccer::kMinProtocolVersion, soccer::kMaxProtocolVersion));
+  for (const auto& [name, version] : versions["formats"].items()) row(name, version);
   for (const auto& [name, version] : versions["libraries"].items()) row(name, version);
   return kOk;
 }

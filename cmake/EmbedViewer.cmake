@@ -15,19 +15,33 @@ if(NOT CMAKE_SCRIPT_MODE_FILE)
   return()
 endif()
 
-# Modules become one script: imports and the word export are left out.
-set(program "(() => {'use strict';")
-file(STRINGS "${WEB}/modules.txt" modules)
-foreach(module IN LISTS modules)
-  file(READ "${WEB}/src/${module}" text)
-  set(text "\n${text}")
-  string(REGEX REPLACE "\nimport [^\n]*" "" text "${text}")
-  string(REPLACE "\nexport " "\n" text "${text}")
-  string(APPEND program "${text}")
-endforeach()
-string(APPEND program "})();\n")
+cmake_policy(VERSION 3.25)
+
+# Modules become one script: imports, the word export and lines of comment are left out. A module with a second word
+# belongs to that part of the program, which only some pages have.
+function(join_modules output)
+  set(program "(() => {'use strict';")
+  file(STRINGS "${WEB}/modules.txt" lines)
+  foreach(line IN LISTS lines)
+    string(REPLACE " " ";" words "${line}")
+    list(POP_FRONT words module part)
+    if(part AND NOT part IN_LIST ARGN)
+      continue()
+    endif()
+    file(READ "${WEB}/src/${module}" text)
+    set(text "\n${text}")
+    string(REGEX REPLACE "\nimport [^\n]*" "" text "${text}")
+    string(REPLACE "\nexport " "\n" text "${text}")
+    string(REGEX REPLACE "\n *(//|/\\*\\*|\\*( |/))[^\n]*" "" text "${text}")
+    string(APPEND program "${text}")
+  endforeach()
+  set(${output} "${program}})();\n" PARENT_SCOPE)
+endfunction()
+
+join_modules(program)
+join_modules(debugger decisions)
 file(READ "${WEB}/style.css" style)
-foreach(text IN ITEMS "${program}" "${style}")
+foreach(text IN ITEMS "${debugger}" "${style}")
   string(FIND "${text}" ")embedded\"" found)
   if(NOT found EQUAL -1)
     message(FATAL_ERROR "${WEB}: the text )embedded\" cannot be embedded")
@@ -38,18 +52,19 @@ file(WRITE "${OUTPUT}" "// Generated from viewer/web.
 #include \"viewer/page/viewer_program.h\"
 
 namespace cls::viewer {
-
-std::string_view viewer_script() {
+")
+foreach(entry IN ITEMS viewer_script:program debugger_script:debugger viewer_style:style)
+  string(REPLACE ":" ";" entry "${entry}")
+  list(GET entry 0 function)
+  list(GET entry 1 text)
+  file(APPEND "${OUTPUT}" "
+std::string_view ${function}() {
   return R\"embedded(")
-file(APPEND "${OUTPUT}" "${program}")
-file(APPEND "${OUTPUT}" ")embedded\";
+  file(APPEND "${OUTPUT}" "${${text}}")
+  file(APPEND "${OUTPUT}" ")embedded\";
 }
-
-std::string_view viewer_style() {
-  return R\"embedded(")
-file(APPEND "${OUTPUT}" "${style}")
-file(APPEND "${OUTPUT}" ")embedded\";
-}
-
+")
+endforeach()
+file(APPEND "${OUTPUT}" "
 }  // namespace cls::viewer
 ")

@@ -16,6 +16,10 @@ set(CMAKE_CXX_FLAGS_RELEASE "-O2")
 # Same bits on every machine: no fused multiply-add, and never -ffast-math or -march (a test looks).
 add_compile_options(-ffp-contract=off)
 
+# Same bytes of a program wherever its source was: assertions and debug information name files
+# relative to the root. Debug builds keep whole paths, which debuggers find from any folder.
+add_compile_options("$<$<CONFIG:RelWithDebInfo,Release>:-ffile-prefix-map=${CMAKE_SOURCE_DIR}/=>")
+
 # Everywhere, not only where a library asks for it: precompiled headers want equal flags.
 add_compile_options(-pthread)
 

@@ -68,7 +68,7 @@ Result<std::unique_ptr<Server>> Server::start(Mock mock, const std::string& host
 
 std::shared_ptr<grpc::Channel> Server::in_process_channel() {
   grpc::ChannelArguments arguments;
-  arguments.SetMaxReceiveMessageSize(-1);  // as clients over a socket accept
+  proto::limit_replies(arguments);  // as clients over a socket do
   return server_->InProcessChannel(arguments);
 }
 

@@ -1,6 +1,8 @@
 // Settings of gRPC that hold for the whole process.
 #pragma once
 
+#include <grpcpp/support/channel_arguments.h>
+
 namespace cls::proto {
 
 /// Every client and server of gRPC calls it before its first channel: turns off abseil's search for
@@ -10,6 +12,10 @@ void apply_grpc_settings();
 /// Bytes of a call that a receiver accepts before it has read any (the window of a stream). The
 /// default, 64 KB, is less than the States of a team: the sender would wait for the receiver.
 constexpr int kTeamCallWindow = 1 << 20;
+
+/// For channels to Playmakers: limits what a reply takes in memory. Replies are not compressed,
+/// because gRPC limits their size before it decompresses them.
+void limit_replies(grpc::ChannelArguments& arguments);
 
 /// gRPC logs what its users report better, on stderr. Drops that unless GRPC_VERBOSITY is set.
 void silence_grpc_log();

@@ -22,7 +22,6 @@ using google::protobuf::util::ParseDelimitedFromZeroCopyStream;
 using google::protobuf::util::SerializeDelimitedToZeroCopyStream;
 
 constexpr const char* kFormat = "cls.rpc-recording";
-constexpr int kVersion = 1;
 
 std::string error_text(const std::string& path, int code) {
   return path + ": " + std::strerror(code);
@@ -63,7 +62,7 @@ std::unique_ptr<RecordingWriter> RecordingWriter::create(const std::string& path
   auto file = std::make_unique<File>(path, descriptor);
   recording::RecordingHeader complete = header;
   complete.set_format(kFormat);
-  complete.set_version(kVersion);
+  complete.set_version(kRecordingVersion);
   file->ok = SerializeDelimitedToZeroCopyStream(complete, &file->gzip);
   return std::unique_ptr<RecordingWriter>(new RecordingWriter(std::move(file)));
 }
@@ -109,9 +108,9 @@ std::unique_ptr<RecordingReader> RecordingReader::open(const std::string& path,
     error = path + ": not an RPC recording; record one with cls match --record-rpc";
     return nullptr;
   }
-  if (reader->header_.version() != kVersion) {
-    error = path + ": recording version " + std::to_string(reader->header_.version()) +
-            " is not supported; this cls reads version " + std::to_string(kVersion);
+  if (const int version = reader->header_.version(); version > kRecordingVersion) {
+    error = path + ": recording version " + std::to_string(version) +
+            " is newer than this cls reads (" + std::to_string(kRecordingVersion) + "); update cls";
     return nullptr;
   }
   return reader;

@@ -3,6 +3,7 @@
 
 #include <google/protobuf/message.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -66,6 +67,14 @@ constexpr Rpc decision_of(int agent) {
 /// True for the RPCs with which agents introduce themselves.
 constexpr bool is_registration(Rpc rpc) {
   return rpc == Rpc::kRegister || rpc == Rpc::kRegisterTeam;
+}
+
+/// A reply of more bytes is a protocol error: a Playmaker must not take all memory of the host.
+constexpr std::size_t kMaxReplyBytes = std::size_t{1} << 20;
+/// The same for the reply of a team, with those of all its agents.
+constexpr std::size_t kMaxTeamReplyBytes = 12 * kMaxReplyBytes;
+constexpr std::size_t max_reply_bytes(Rpc rpc) {
+  return static_cast<int>(rpc) < kAgentRpcs ? kMaxReplyBytes : kMaxTeamReplyBytes;
 }
 
 /// Default instances, for New().

@@ -81,10 +81,13 @@ struct MatchSummary {
 /// versions 1 to 3. Source: docs/spec/log-formats.md 5.
 MatchSummary summarize(const gamelog::MatchRecord& record, const gamelog::RclRecord* text);
 
+/// The reason of a match that is being played: its logs have no end yet.
+inline constexpr const char* kRunning = "running";
+
 /// How a match ended, as recorded outside its logs. The logs of a match with a limit of cycles look
 /// like those of an aborted match.
 struct RecordedEnd {
-  std::string reason;     ///< "finished", "stalled", ...
+  std::string reason;     ///< "finished", "stalled", ...; kRunning
   bool finished = false;  ///< ended as planned: the match is complete
 };
 

@@ -62,6 +62,11 @@ ReadResult read_match(const MatchInput& input) {
   result = text != nullptr ? summarize_text_log(path, *text)
                            : summarize_game_log(input.logs, std::get<gamelog::MatchRecord>(*log));
   if (input.end) set_end(*input.end, result.summary);
+  // It ends where its writer is.
+  if (input.end && input.end->reason == kRunning) {
+    result.errors = {};
+    result.summary.parse_errors = 0;
+  }
   // Logs of cls hold no date, so that equal matches give equal logs.
   std::string& date = result.summary.date;
   if (date.empty() || date == gamelog::LogDate().minute) date = input.date;

@@ -9,6 +9,7 @@
 
 #include "analysis/results/results_text.h"
 #include "analysis/statistics/fields.h"
+#include "base/text/printable.h"
 #include "base/text/wrap_text.h"
 
 namespace cls::analysis {
@@ -101,7 +102,9 @@ std::string format_figure(const Figure& figure, const Json& fields) {
   return text == "-0.0" ? "0.0" : text;
 }
 
-std::string team_part(const MatchSummary& summary, const MatchStatistics& all, std::size_t width) {
+}  // namespace
+
+base::Table team_figures(const MatchSummary& summary, const MatchStatistics& all) {
   const PerTeam<TeamTotals> totals = {sum_team(all, 0), sum_team(all, 1)};
   const PerTeam<Json> fields = {team_fields(summary, all, totals[0], 0),
                                 team_fields(summary, all, totals[1], 1)};
@@ -121,11 +124,10 @@ std::string team_part(const MatchSummary& summary, const MatchStatistics& all, s
     table.add_row({"rejected commands", std::to_string(totals[0].rejected),
                    std::to_string(totals[1].rejected)});
   }
-  return table.format_text({0, width});
+  return table;
 }
 
-std::string player_part(const MatchSummary& summary, const MatchStatistics& all,
-                        std::size_t width) {
+base::Table player_figures(const MatchSummary& summary, const MatchStatistics& all) {
   base::Table table;
   table.add_column("player");
   for (const Figure& figure : kPlayerFigures) table.add_column(figure.heading, Align::kRight);
@@ -137,10 +139,8 @@ std::string player_part(const MatchSummary& summary, const MatchStatistics& all,
     for (const Figure& figure : kPlayerFigures) cells.push_back(format_figure(figure, fields));
     table.add_row(std::move(cells));
   }
-  return table.format_text({0, width});
+  return table;
 }
-
-}  // namespace
 
 std::string statistics_text(const MatchSummary& summary, const MatchStatistics& all,
                             std::size_t width) {
@@ -151,11 +151,11 @@ std::string statistics_text(const MatchSummary& summary, const MatchStatistics& 
   for (const std::string& reason : exclusion_reasons(summary, all)) {
     text += "warning: " + reason + "\n";
   }
-  text = base::wrap_text(text, width);
+  text = base::wrap_text(base::printable_lines(text), width);
   text += '\n';
-  text += team_part(summary, all, width);
+  text += team_figures(summary, all).format_text({0, width});
   text += '\n';
-  text += player_part(summary, all, width);
+  text += player_figures(summary, all).format_text({0, width});
   return text;
 }
 

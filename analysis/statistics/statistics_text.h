@@ -15,6 +15,10 @@ namespace cls::analysis {
 std::string statistics_text(const MatchSummary& summary, const MatchStatistics& statistics,
                             std::size_t width = 80);
 
+/// Its two tables: a row per figure with a column per team, and a row per player that took part.
+base::Table team_figures(const MatchSummary& summary, const MatchStatistics& statistics);
+base::Table player_figures(const MatchSummary& summary, const MatchStatistics& statistics);
+
 /// CSV tables to which matches are added one by one; the first column is the file.
 base::Table team_table();
 void add_teams(const MatchSummary& summary, const MatchStatistics& statistics, base::Table& table);

@@ -60,8 +60,11 @@ InputBuffer::Line InputBuffer::next_line(std::string_view& line) {
       skip_line();
       return Line::kTooLong;
     }
-    if (fill(std::min(std::max(searched * 2, kBlock), kMaxLine)) || available() > searched)
-      continue;
+    // Larger blocks for long lines, but no more than what the source has now: a line of a growing
+    // file is returned when it is complete.
+    const std::size_t block = std::min(std::max(searched * 2, kBlock), kMaxLine);
+    if (bytes_.size() < block + kLookAhead) bytes_.resize(block + kLookAhead);
+    if (fill(searched + 1)) continue;
     if (searched == 0) return Line::kEnd;
     ++line_number_;
     line = std::string_view(bytes_.data() + begin_, searched);

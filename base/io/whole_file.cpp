@@ -1,7 +1,9 @@
 // Atomic writes by rename.
 #include "base/io/whole_file.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <cerrno>
 #include <cstring>
@@ -19,6 +21,31 @@ Error cannot_create(const std::filesystem::path& path, const std::string& cause)
   return Error{fmt::format("cannot create '{}': {}", path.string(), cause)};
 }
 
+// Puts the names in `folder` on the disk. File systems that cannot do that lose nothing else.
+void sync_folder(const std::filesystem::path& folder) {
+  const char* name = folder.empty() ? "." : folder.c_str();
+  const int opened = ::open(name, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (opened < 0) return;
+  ::fsync(opened);
+  ::close(opened);
+}
+
+Result<void> write_by_rename(const std::filesystem::path& path, std::string_view bytes,
+                             bool durable) {
+  std::filesystem::path temporary = path;
+  temporary += ".tmp";
+  auto file = FileSink::create(temporary.string());
+  if (!file) return cannot_create(path, std::strerror(errno));
+  (*file)->write(bytes);
+  if (durable) (*file)->sync();
+  if (const auto closed = (*file)->close(); !closed) return closed;
+  std::error_code code;
+  std::filesystem::rename(temporary, path, code);
+  if (code) return cannot_create(path, code.message());
+  if (durable) sync_folder(path.parent_path());
+  return {};
+}
+
 }  // namespace
 
 std::optional<std::string> read_file(const std::filesystem::path& path) {
@@ -30,16 +57,11 @@ std::optional<std::string> read_file(const std::filesystem::path& path) {
 }
 
 Result<void> write_file(const std::filesystem::path& path, std::string_view bytes) {
-  std::filesystem::path temporary = path;
-  temporary += ".tmp";
-  auto file = FileSink::create(temporary.string());
-  if (!file) return cannot_create(path, std::strerror(errno));
-  (*file)->write(bytes);
-  if (const auto closed = (*file)->close(); !closed) return closed;
-  std::error_code code;
-  std::filesystem::rename(temporary, path, code);
-  if (code) return cannot_create(path, code.message());
-  return {};
+  return write_by_rename(path, bytes, false);
+}
+
+Result<void> write_file_durably(const std::filesystem::path& path, std::string_view bytes) {
+  return write_by_rename(path, bytes, true);
 }
 
 std::optional<std::string> absence(const std::filesystem::path& path) {

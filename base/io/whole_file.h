@@ -17,6 +17,9 @@ std::optional<std::string> read_file(const std::filesystem::path& path);
 /// names the file and the cause.
 Result<void> write_file(const std::filesystem::path& path, std::string_view bytes);
 
+/// The same, and after a power cut the file has the old bytes or the new ones.
+Result<void> write_file_durably(const std::filesystem::path& path, std::string_view bytes);
+
 /// Why `path` cannot be used: "no such file", "Permission denied", ...; nothing if it exists.
 std::optional<std::string> absence(const std::filesystem::path& path);
 

@@ -35,17 +35,26 @@ void add_case(std::string& out, const JunitCase& one) {
   attribute("name", one.name);
   attribute("file", one.file);
   out += fmt::format(" time=\"{:.3f}\"", one.seconds);
-  if (one.result == Result::kPassed && one.text.empty()) {
+  // Jenkins and GitLab look for attachments in the output.
+  const std::string attachment =
+      one.attachment.empty() ? "" : fmt::format("[[ATTACHMENT|{}]]\n", one.attachment);
+  if (one.result == Result::kPassed && one.text.empty() && attachment.empty()) {
     out += "/>\n";
     return;
   }
   const char* element = element_of(one.result);
   out += fmt::format(">\n      <{}", element);
-  if (one.result != Result::kPassed) {
-    attribute("type", one.type);
-    attribute("message", one.message);
+  if (one.result == Result::kPassed) {
+    out += fmt::format(">{}</{}>\n    </testcase>\n", escape_xml(one.text + attachment), element);
+    return;
   }
-  out += fmt::format(">{}</{}>\n    </testcase>\n", escape_xml(one.text), element);
+  attribute("type", one.type);
+  attribute("message", one.message);
+  out += fmt::format(">{}</{}>\n", escape_xml(one.text), element);
+  if (!attachment.empty()) {
+    out += fmt::format("      <system-out>{}</system-out>\n", escape_xml(attachment));
+  }
+  out += "    </testcase>\n";
 }
 
 }  // namespace

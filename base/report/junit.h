@@ -19,9 +19,10 @@ struct JunitCase {
   std::string file;  ///< source of the test; may be empty
   double seconds = 0.0;
   Result result = Result::kPassed;
-  std::string type;     ///< kind of failure or error
-  std::string message;  ///< one line: why it failed or was skipped
-  std::string text;     ///< full output
+  std::string type;             ///< kind of failure or error
+  std::string message;          ///< one line: why it failed or was skipped
+  std::string text;             ///< full output
+  std::string attachment = {};  ///< path of a file about the case; empty: none
 };
 
 /// A report with one suite named `suite`.

@@ -17,6 +17,12 @@ double thread_cpu_seconds() {
   return static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec) * 1e-9;
 }
 
+double cpu_seconds_of(const std::function<void()>& work) {
+  const double begin = thread_cpu_seconds();
+  work();
+  return thread_cpu_seconds() - begin;
+}
+
 }  // namespace
 
 Worker::Worker() : thread_([this] { loop(); }) {}
@@ -40,6 +46,11 @@ void Worker::start(std::function<void()> work) {
   changed_.notify_all();
 }
 
+void Worker::run(const std::function<void()>& work) {
+  assert(!busy_);
+  cpu_seconds_ += cpu_seconds_of(work);
+}
+
 bool Worker::wait_for(std::chrono::milliseconds timeout) {
   std::unique_lock lock(mutex_);
   return changed_.wait_for(lock, timeout, [this] { return !busy_; });
@@ -51,9 +62,9 @@ void Worker::loop() {
     changed_.wait(lock, [this] { return busy_ || stopping_; });
     if (!busy_) return;
     lock.unlock();
-    work_();
+    const double seconds = cpu_seconds_of(work_);
     lock.lock();
-    cpu_seconds_ = thread_cpu_seconds();
+    cpu_seconds_ += seconds;
     busy_ = false;
     changed_.notify_all();
   }

@@ -23,13 +23,17 @@ class Worker {
   /// Starts `work`; the previous work must be done.
   void start(std::function<void()> work);
 
+  /// Does `work` on the calling thread, without the two thread switches of start() and wait_for().
+  /// The previous work must be done.
+  void run(const std::function<void()>& work);
+
   /// Waits until the work is done; false after `timeout`.
   bool wait_for(std::chrono::milliseconds timeout);
 
   /// Restricts the thread to these processors (none: no change). Call before the first start().
   void set_affinity(const std::vector<int>& cpus);
 
-  /// CPU time of the thread so far. Call only while no work is running.
+  /// CPU time of all work so far. Call only while no work is running.
   double cpu_seconds() const { return cpu_seconds_; }
 
  private:

@@ -19,6 +19,8 @@
 #include <utility>
 #include <vector>
 
+#include "base/text/schema.h"
+
 namespace cls::base {
 
 /// Appends members in the order of the calls.
@@ -75,8 +77,8 @@ class JsonEncoder {
   void derived(const char* key, Compute compute) {
     json_[key] = compute();
   }
-  /// A member that must have this value.
-  void constant(const char* key, const char* value) { json_[key] = value; }
+  /// The schema of the document; versions up to this one are read.
+  void schema(const char* key, const char* value) { json_[key] = value; }
   /// A nested object; `list_members` is called with its codec.
   template <typename ListMembers>
   void object(const char* key, ListMembers list_members) {
@@ -164,8 +166,10 @@ class JsonDecoder {
   }
   template <typename Compute>
   void derived(const char* /*key*/, Compute /*compute*/) {}
-  void constant(const char* key, const char* value) {
-    if (json_.at(key) != value) throw std::invalid_argument(std::string(key) + " is not " + value);
+  void schema(const char* key, const char* value) {
+    const Json& found = json_.at(key);
+    const auto error = schema_error(found.is_string() ? found.get<std::string>() : "", value);
+    if (error) throw std::invalid_argument(*error);
   }
   template <typename ListMembers>
   void object(const char* key, ListMembers list_members) {

@@ -141,6 +141,15 @@ Result<JsonDocument> JsonDocument::parse(std::string name, std::string text) {
     }
     return Error{
         fmt::format("{}:{}:{}: {}", result.name_, line_at(result.text_, position), column, what)};
+  } catch (const Json::out_of_range& error) {
+    // "... number overflow parsing '1e999'"
+    const std::string what = error.what();
+    const std::size_t quote = what.find('\'');
+    const std::string number =
+        quote == std::string::npos ? "" : what.substr(quote + 1, what.rfind('\'') - quote - 1);
+    const std::size_t position = std::min(result.text_.find(number), result.text_.size());
+    return Error{fmt::format("{}:{}: the number {} is too large", result.name_,
+                             line_at(result.text_, position), number)};
   }
   return result;
 }

@@ -21,6 +21,11 @@ std::string_view token_at(const char* at) {
   return {at, length};
 }
 
+bool is_decimal(std::string_view token) {
+  double read = 0.0;
+  return !token.empty() && parse_number_prefix(token, read) == token.size();
+}
+
 }  // namespace
 
 bool scan_any_number(const char*& at, float& value) {
@@ -42,3 +47,19 @@ bool scan_any_integer(const char*& at, std::int32_t& value) {
 }
 
 }  // namespace cls::base::detail
+
+namespace cls::base {
+
+bool scan_number_out_of_range(const char*& at, float& value) {
+  const std::string_view token = detail::token_at(at);
+  const bool negative = token.starts_with('-');
+  const std::string_view magnitude = token.substr(negative ? 1 : 0);
+  const bool is_nan = magnitude == "nan";
+  if (!is_nan && magnitude != "inf" && !detail::is_decimal(magnitude)) return false;
+  const double limit = negative ? -kMaxNumber : kMaxNumber;
+  value = is_nan ? 0.0F : static_cast<float>(limit);
+  at += token.size();
+  return true;
+}
+
+}  // namespace cls::base

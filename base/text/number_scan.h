@@ -16,6 +16,10 @@ namespace cls::base {
 /// Logs hold positions, angles and stamina; larger values are errors.
 constexpr double kMaxNumber = 1e9;
 
+/// A number of a log that scan_number() rejects: beyond kMaxNumber, "inf" or "nan", with a sign or
+/// without. The value is the nearest one in range, 0 for "nan".
+bool scan_number_out_of_range(const char*& at, float& value);
+
 namespace detail {
 
 static_assert(std::endian::native == std::endian::little);

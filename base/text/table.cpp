@@ -5,19 +5,14 @@
 #include <cassert>
 #include <utility>
 
+#include "base/text/number_text.h"
+#include "base/text/printable.h"
 #include "base/text/xml.h"
 
 namespace cls::base {
 namespace {
 
 constexpr std::size_t kGap = 2;  // spaces between columns
-
-bool is_control(char c) { return static_cast<unsigned char>(c) < ' ' || c == '\x7f'; }
-
-std::string without_control(std::string text) {
-  std::replace_if(text.begin(), text.end(), is_control, '?');
-  return text;
-}
 
 // Continuation bytes of UTF-8 have no width.
 std::size_t width_of(const std::string& text) {
@@ -45,12 +40,13 @@ std::string cut_to(std::string text, std::size_t width) {
   return text.append(kEllipsis);
 }
 
-std::string markdown_cell(const std::string& cell, std::string_view escaped) {
+std::string markdown_cell(std::string cell, std::string_view escaped) {
+  std::replace_if(
+      cell.begin(), cell.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
   std::string result;
-  for (const char c : cell) {
+  for (const char c : printable(cell)) {
     if (escaped.find(c) != std::string_view::npos) result += '\\';
-    const bool space = c == '\n' || c == '\t' || c == '\r';
-    result += space ? ' ' : is_control(c) ? '?' : c;
+    result += c;
   }
   return result;
 }
@@ -61,10 +57,17 @@ std::string markdown_row(const std::vector<std::string>& cells, std::string_view
   return line + '\n';
 }
 
+// What spreadsheets execute when they open the file. Numbers with a sign are none.
+bool is_formula(std::string_view text) {
+  constexpr std::string_view kStarts = "=+-@";
+  return text.size() > 1 && kStarts.find(text.front()) != std::string_view::npos &&
+         !parse_number(text.substr(text.front() == '+' ? 1 : 0));
+}
+
 std::string csv_row(const std::vector<std::string>& cells) {
   std::string line;
   for (std::size_t i = 0; i < cells.size(); ++i) {
-    line += (i > 0 ? "," : "") + csv_cell(without_control(cells[i]));
+    line += (i > 0 ? "," : "") + csv_cell(cells[i]);
   }
   return line + '\n';
 }
@@ -137,8 +140,8 @@ std::string Table::text_line(const std::vector<std::string>& cells,
   std::string line(indent, ' ');
   for (const std::size_t i : columns) {
     if (i != columns.front()) line.append(kGap, ' ');
-    line += pad(cut_to(without_control(cells[i]), widths[i]), widths[i],
-                columns_[i].align == Align::kRight);
+    line +=
+        pad(cut_to(printable(cells[i]), widths[i]), widths[i], columns_[i].align == Align::kRight);
   }
   line.resize(line.find_last_not_of(' ') + 1);
   return line + '\n';
@@ -204,6 +207,11 @@ std::string Table::format_html(std::string_view caption) const {
   };
   text += "<thead><tr>";
   for (std::size_t i = 0; i < columns_.size(); ++i) {
+    // A cell without text heads nothing.
+    if (columns_[i].heading.empty()) {
+      text += "<td></td>";
+      continue;
+    }
     text += std::string("<th scope=\"col\"") + class_of(i) + '>' + escape_xml(columns_[i].heading) +
             "</th>";
   }
@@ -223,8 +231,10 @@ std::string Table::format_html(std::string_view caption) const {
   return text + "</tbody>\n</table>\n";
 }
 
-std::string csv_cell(std::string_view text) {
-  if (text.find_first_of(",\"\n\r") == std::string_view::npos) return std::string(text);
+std::string csv_cell(std::string_view cell) {
+  std::string text = printable(cell);
+  if (is_formula(text)) text.insert(text.begin(), '\'');
+  if (text.find_first_of(",\"") == std::string::npos) return text;
   std::string quoted = "\"";
   for (const char c : text) {
     if (c == '"') quoted += '"';

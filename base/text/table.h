@@ -13,7 +13,7 @@ namespace cls::base {
 /// Markdown dialect: the characters that are escaped with a backslash, and the delimiter of
 /// right-aligned columns.
 struct MarkdownStyle {
-  std::string_view escaped_in_headings = "|\\";
+  std::string_view escaped_in_headings = "|\\<";
   std::string_view escaped_in_cells = "|\\*_`<[";
   std::string_view right_delimiter = "--:";
 };
@@ -45,16 +45,15 @@ class Table {
   /// True for a table without columns.
   bool empty() const { return columns_.empty(); }
 
-  /// Aligned columns, two spaces apart, each line indented by `indent` spaces. Control characters
-  /// become '?'.
+  /// Aligned columns, two spaces apart, each line indented by `indent` spaces. What
+  /// may not be printed (printable.h) becomes '?', here and in the other formats.
   std::string format_text(std::size_t indent = 0) const;
   /// The same within a width: a table that is wider is cut where allowed, then split into blocks of
   /// columns, one below the other. A single column may still be wider.
   std::string format_text(const TextLayout& layout) const;
-  /// White space in cells becomes a space, other control characters become '?'.
+  /// White space in cells becomes a space.
   std::string format_markdown(const MarkdownStyle& style = {}) const;
-  /// RFC 4180, with line feeds; cells are quoted only where necessary. Control characters become
-  /// '?'.
+  /// RFC 4180, with line feeds; cells are quoted only where necessary (csv_cell).
   std::string format_csv() const;
   /// A <table> element with `caption`, if there is one; cells of left-aligned columns have the
   /// class "w", the first column heads the rows.
@@ -78,8 +77,8 @@ class Table {
   std::map<std::pair<std::size_t, std::size_t>, std::string> links_;  ///< by row and column
 };
 
-/// `text` as a CSV cell (RFC 4180): quoted, with doubled quotes, if it holds a comma, quote or line
-/// end.
-std::string csv_cell(std::string_view text);
+/// `cell` as a CSV cell (RFC 4180): quoted, with doubled quotes, if it holds a comma or quote. One
+/// that spreadsheets would take for a formula gets an apostrophe in front.
+std::string csv_cell(std::string_view cell);
 
 }  // namespace cls::base

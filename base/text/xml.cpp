@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "base/text/printable.h"
 #include "base/text/utf8.h"
 
 namespace cls::base {
@@ -25,7 +26,7 @@ std::string escape_xml(std::string_view text) {
         escaped += "&quot;";
         break;
       default:
-        if (length == 0 || (static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\t')) {
+        if (printable_length(text) == 0 && c != '\n' && c != '\t') {
           escaped += '?';
         } else {
           escaped += text.substr(0, length);

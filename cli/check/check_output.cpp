@@ -38,7 +38,7 @@ std::function<void(const CheckStep&)> step_printer(const CheckOutput& output) {
 int finish_check(const CheckReport& report, const CheckOutput& output, int signal) {
   fmt::print("{}", output.json ? to_json(report) : summary(report));
   const ExitCode written =
-      write_ci_reports(output.reports, to_junit(report), to_annotations(report));
+      write_ci_reports(output.reports, {to_junit(report), to_annotations(report)});
   if (written != kOk) return written;
   if (signal != 0) return signal_exit_code(signal);
   if (report.steps.front().result != StepResult::kPass) return kUnavailable;

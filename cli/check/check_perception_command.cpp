@@ -41,10 +41,11 @@ struct Arguments {
 void report_transcript_errors(const std::string& path,
                               const orchestration::checks::PerceptionCheck& check) {
   for (std::size_t i = 0; i < std::min(check.damage.size(), kMaxShownErrors); ++i) {
-    fmt::print(stderr, "cls: {}: line {}: {}\n", path, check.damage[i].line, check.damage[i].what);
+    print_error(0,
+                fmt::format("{}: line {}: {}", path, check.damage[i].line, check.damage[i].what));
   }
   if (check.damage.size() > kMaxShownErrors) {
-    fmt::print(stderr, "cls: {}: {} more errors\n", path, check.damage.size() - kMaxShownErrors);
+    print_error(0, fmt::format("{}: {} more errors", path, check.damage.size() - kMaxShownErrors));
   }
 }
 
@@ -59,12 +60,12 @@ int run_check_perception(const Arguments& arguments) {
   }
   const std::string transcript = base::read_all(**source);
   const std::string& problem = (*source)->error();
-  if (!problem.empty()) fmt::print(stderr, "cls: {}: {}\n", arguments.transcript, problem);
+  if (!problem.empty()) print_error(0, fmt::format("{}: {}", arguments.transcript, problem));
   report_errors(arguments.truth, log->errors);
   if (log->frames() == 0) return kBadData;
   const auto check = orchestration::checks::check_perception(transcript, *log);
   if (!check) {
-    fmt::print(stderr, "cls: {}: {}\n", arguments.transcript, check.error().message);
+    print_error(0, fmt::format("{}: {}", arguments.transcript, check.error().message));
     return kBadData;
   }
   report_transcript_errors(arguments.transcript, *check);

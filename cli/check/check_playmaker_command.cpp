@@ -45,8 +45,11 @@ struct Arguments {
 
 int run_check_playmaker(const Arguments& arguments) {
   auto endpoint = orchestration::match::parse_endpoint(arguments.endpoint);
-  if (!endpoint || !endpoint->has_playmaker()) {
-    return print_error(kUsage, endpoint ? "team:DIR has no Playmaker" : endpoint.error().message);
+  if (!endpoint || !endpoint->has_one_playmaker()) {
+    return print_error(kUsage, !endpoint ? endpoint.error().message
+                               : endpoint->has_playmaker()
+                                   ? "mix: has several Playmakers; check each of them"
+                                   : "team:DIR has no Playmaker");
   }
   if (const int read = read_tls_files(*endpoint, arguments.tls); read != kOk) return read;
   if (const int read = read_side_script(*endpoint); read != kOk) return read;

@@ -48,7 +48,7 @@ int run_check_server_log(const Arguments& arguments) {
   report_errors(arguments.text, text->errors);
   const auto agreement = simulator::replay_log(*game, *text);
   if (!agreement) {
-    fmt::print(stderr, "cls: {}: {}\n", arguments.game, agreement.error().message);
+    print_error(0, fmt::format("{}: {}", arguments.game, agreement.error().message));
     return kBadData;
   }
   const auto log_checks = orchestration::checks::log_checks(*agreement);

@@ -105,8 +105,10 @@ int run_doctor(const Arguments& arguments) {
   if (!arguments.playmaker.empty()) {
     auto endpoint = orchestration::match::parse_endpoint(arguments.playmaker);
     if (!endpoint) return print_error(kUsage, endpoint.error().message);
-    if (!endpoint->has_playmaker()) {
-      return print_error(kUsage, "--playmaker: team:DIR has no Playmaker");
+    if (!endpoint->has_one_playmaker()) {
+      return print_error(kUsage, endpoint->has_playmaker()
+                                     ? "--playmaker: mix: has several; check each of them"
+                                     : "--playmaker: team:DIR has no Playmaker");
     }
     if (const int read = read_tls_files(*endpoint, arguments.tls); read != kOk) return read;
     options.playmaker = *std::move(endpoint);

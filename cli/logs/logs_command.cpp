@@ -14,6 +14,7 @@
 
 #include "base/io/whole_file.h"
 #include "base/text/json_text.h"
+#include "base/text/printable.h"
 #include "base/text/suggestion.h"
 #include "base/text/table.h"
 #include "cli/logs/find_match_folder.h"
@@ -95,22 +96,13 @@ std::vector<LogFile> files_in(const fs::path& folder, const match::MatchResult& 
   return files;
 }
 
-// Safe to print on a terminal.
-std::string printable(std::string line) {
-  for (char& c : line) {
-    const auto byte = static_cast<unsigned char>(c);
-    if ((byte < 0x20 && c != '\t') || byte == 0x7f) c = '?';
-  }
-  return line;
-}
-
 std::vector<std::string> last_lines(const std::string& text, std::size_t count) {
   std::vector<std::string> lines;
   std::size_t end = text.ends_with('\n') ? text.size() - 1 : text.size();
   while (lines.size() < count && end > 0) {
     const std::size_t feed = text.rfind('\n', end - 1);
     const std::size_t begin = feed == std::string::npos ? 0 : feed + 1;
-    lines.push_back(printable(text.substr(begin, end - begin)));
+    lines.push_back(base::printable(text.substr(begin, end - begin)));
     if (feed == std::string::npos) break;
     end = feed;
   }
@@ -144,9 +136,10 @@ std::string size_text(std::uintmax_t bytes) {
 
 void print_text(const FoundMatch& found, const match::MatchResult& result,
                 const std::vector<LogFile>& files, const std::optional<Tail>& tail) {
-  fmt::print("{}{}\n", found.folder.string(), found.why.empty() ? "" : "  (" + found.why + ")");
+  fmt::print("{}{}\n", base::printable(found.folder.string()),
+             found.why.empty() ? "" : "  (" + found.why + ")");
   fmt::print("{}{}\n\n", name(result.end_reason),
-             result.message.empty() ? "" : ": " + result.message);
+             result.message.empty() ? "" : ": " + base::printable(result.message));
   base::Table table;
   table.add_column("file");
   table.add_column("size", base::Table::Align::kRight);
@@ -155,7 +148,7 @@ void print_text(const FoundMatch& found, const match::MatchResult& result,
   table.allow_cuts(2);
   fmt::print("{}", table.format_text({0, static_cast<std::size_t>(stdout_width()), 1}));
   if (!tail) return;
-  fmt::print("\nlast {} lines of {}:\n", tail->lines.size(), tail->file.name);
+  fmt::print("\nlast {} lines of {}:\n", tail->lines.size(), base::printable(tail->file.name));
   for (const std::string& line : tail->lines) fmt::print("  {}\n", line);
 }
 

@@ -15,6 +15,7 @@
 #include "base/system/parallel.h"
 #include "cli/support/exit_code.h"
 #include "cli/support/log_errors.h"
+#include "cli/support/print_error.h"
 #include "cli/terminal/log_progress.h"
 #include "cli/terminal/terminal.h"
 #include "gamelog/files/log_files.h"
@@ -64,8 +65,8 @@ std::vector<ReadResult> read_all(const std::vector<gamelog::MatchLogs>& matches,
 int run_results_command(const Arguments& arguments) {
   const auto format = format_of(arguments);
   if (!format) {
-    fmt::print(stderr, "cls: --format '{}': must be table, json, csv or markdown\n",
-               arguments.format);
+    print_error(
+        0, fmt::format("--format '{}': must be table, json, csv or markdown", arguments.format));
     return kUsage;
   }
   const gamelog::FoundLogs found = gamelog::find_logs(arguments.logs);
@@ -76,7 +77,9 @@ int run_results_command(const Arguments& arguments) {
     if (result.usable) summaries.push_back(std::move(result.summary));
   }
   if (!summaries.empty() || *format == ResultsFormat::kJson) {
-    fmt::print("{}", format_results(summaries, *format, stdout_width()));
+    // Names of logs are cut on a terminal only: in a pipe or file they are used.
+    const std::size_t width = stdout_is_terminal() ? stdout_width() : 0;
+    fmt::print("{}", format_results(summaries, *format, width));
   }
   return exit_code;
 }

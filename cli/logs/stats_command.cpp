@@ -13,6 +13,7 @@
 #include "base/system/parallel.h"
 #include "cli/support/exit_code.h"
 #include "cli/support/log_errors.h"
+#include "cli/support/print_error.h"
 #include "cli/terminal/log_progress.h"
 #include "cli/terminal/terminal.h"
 #include "gamelog/files/log_files.h"
@@ -63,8 +64,8 @@ analysis::StatisticsOutput read_all(const std::vector<gamelog::MatchLogs>& match
 int run_stats_command(const Arguments& arguments) {
   const auto format = format_of(arguments);
   if (!format) {
-    fmt::print(stderr, "cls: --format '{}': must be text, json, csv, csv-players or csv-events\n",
-               arguments.format);
+    print_error(0, fmt::format("--format '{}': must be text, json, csv, csv-players or csv-events",
+                               arguments.format));
     return kUsage;
   }
   const gamelog::FoundLogs found = gamelog::find_logs(arguments.logs);

@@ -2,11 +2,8 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
-#include <array>
-#include <cctype>
+#include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -16,23 +13,28 @@
 #include "base/io/whole_file.h"
 #include "base/text/json_text.h"
 #include "base/text/number_text.h"
-#include "cli/logs/find_match_folder.h"
+#include "cli/logs/compare_matches.h"
+#include "cli/logs/find_log.h"
+#include "cli/logs/live_view.h"
+#include "cli/logs/running_match.h"
+#include "cli/logs/terminal_view.h"
+#include "cli/logs/tournament_view.h"
 #include "cli/support/browser.h"
 #include "cli/support/commands.h"
 #include "cli/support/exit_code.h"
+#include "cli/support/interrupt.h"
 #include "cli/support/log_errors.h"
 #include "cli/support/print_error.h"
-#include "gamelog/files/log_files.h"
 #include "gamelog/rcl/rcl_reader.h"
+#include "orchestration/tournament/store/folder.h"
 #include "soccer/side.h"
 #include "viewer/page/match_page.h"
+#include "viewer/page/page_decisions.h"
 
 namespace cls::cli {
 namespace {
 
 namespace fs = std::filesystem;
-using base::Error;
-using base::Result;
 
 constexpr const char* kDescription =
     "watch a match in a browser\n"
@@ -42,74 +44,33 @@ constexpr const char* kDescription =
     "  cls watch runs/match-1                 a match folder: its match.html\n"
     "  cls watch game.rcg.gz --out game.html  any game log\n"
     "  cls watch game.rcg --at 1234 --players l7,r1\n"
+    "  cls watch before.rcg after.rcg         two matches on one clock, side by side\n"
+    "  cls watch runs                         the match that is played now, live\n"
+    "  cls watch localhost:6000               the match on any soccer server\n"
+    "  cls watch runs --view terminal         without a browser, for example over ssh\n"
     "\n"
     "WHAT is a game log (rcg 1 to 6, JSON, gzip), a page of cls, a match folder, a\n"
-    "tournament's folder or a folder of matches (the latest that failed, else the\n"
-    "latest), or - for standard input.";
+    "folder of matches (the latest that failed, else the latest), a tournament's\n"
+    "folder (a list of its matches with a page of each; with --out as a folder of\n"
+    "matches), HOST:PORT of a soccer server, or - for standard input.";
 
 struct Arguments {
   std::string what;
+  std::string other;
   std::string out;
   std::optional<int> at;
   std::vector<std::string> players;
+  std::vector<std::string> world_models;
   bool compact = false;
   bool no_open = false;
   bool json = false;
+  bool live = false;
+  std::string viewer = "browser";
+  std::string cast;
+  LiveViewOptions view;
+
+  bool in_terminal() const { return viewer == "terminal" || !cast.empty(); }
 };
-
-// What to show, and where its page goes by default.
-struct Found {
-  gamelog::MatchLogs logs;
-  fs::path page;
-};
-
-std::string without_log_suffix(std::string name) {
-  for (const std::string_view suffix : {".gz", ".rcg", ".json", ".html"}) {
-    if (name.ends_with(suffix)) name.resize(name.size() - suffix.size());
-  }
-  return name;
-}
-
-Result<Found> find_in_folder(const fs::path& folder) {
-  auto match = find_match_folder(folder, std::nullopt);
-  fs::path where = folder;
-  if (match) where = match->folder;
-  const gamelog::FoundLogs found = gamelog::find_logs({where.string()});
-  const auto has_game = [](const gamelog::MatchLogs& one) { return !one.game.empty(); };
-  const auto first = std::find_if(found.matches.begin(), found.matches.end(), has_game);
-  if (first == found.matches.end()) {
-    return match ? Error{fmt::format("{}: no game log (*.rcg, *.rcg.gz)", where.string())}
-                 : match.error();
-  }
-  if (!match && found.matches.size() > 1) {
-    return Error{fmt::format("{}: {} logs; name one, such as {}", where.string(),
-                             found.matches.size(), first->game)};
-  }
-  return Found{*first, where / "match.html"};
-}
-
-Result<Found> find_what(const std::string& what) {
-  std::error_code code;
-  if (fs::is_directory(what, code)) return find_in_folder(what);
-  if (what == "-") return Found{{what, ""}, "match.html"};
-  if (what.ends_with(".rcl") || what.ends_with(".rcl.gz")) {
-    return Error{fmt::format("{}: a text log; name the game log (rcg) beside it", what)};
-  }
-  if (const auto why = base::why_no_file(what)) return Error{fmt::format("{}: {}", what, *why)};
-  const gamelog::FoundLogs found = gamelog::find_logs({what});
-  const fs::path path(what);
-  const std::string name = without_log_suffix(path.filename().string()) + ".html";
-  const gamelog::MatchLogs logs =
-      found.matches.size() == 1 ? found.matches.front() : gamelog::MatchLogs{what, ""};
-  return Found{logs, path.parent_path() / name};
-}
-
-std::string start_of(const fs::path& file) {
-  std::array<char, 32> bytes{};
-  std::ifstream in(file, std::ios::binary);
-  in.read(bytes.data(), bytes.size());
-  return {bytes.data(), static_cast<std::size_t>(in.gcount())};
-}
 
 bool is_player(const std::string& name) {
   if (name.size() < 2 || (name[0] != 'l' && name[0] != 'r')) return false;
@@ -117,14 +78,14 @@ bool is_player(const std::string& name) {
   return unum && *unum >= 1 && *unum <= soccer::kPlayersPerTeam;
 }
 
-// A page is replaced, another file is not.
-std::optional<std::string> why_not_written(const fs::path& page) {
-  std::error_code code;
-  if (!fs::exists(page, code)) return std::nullopt;
-  if (fs::is_directory(page, code)) return fmt::format("{}: a folder, not a file", page.string());
-  if (viewer::looks_like_page(start_of(page))) return std::nullopt;
-  return fmt::format("{}: exists and is no page of cls; name another file with --out",
-                     page.string());
+// Nothing if all names are players.
+std::optional<std::string> player_error(std::string_view option,
+                                        const std::vector<std::string>& players) {
+  for (const std::string& player : players) {
+    if (is_player(player)) continue;
+    return fmt::format("{} '{}': must be l1 to l11 or r1 to r11, such as l7,r1", option, player);
+  }
+  return std::nullopt;
 }
 
 void show(const Arguments& arguments, const fs::path& page) {
@@ -146,7 +107,16 @@ void print_document(const viewer::StreamMatch& match, const fs::path& page, bool
   fmt::print("{}", base::json_document(document));
 }
 
-int write_match_page(const Arguments& arguments, const Found& found, const fs::path& page) {
+// What --world-models asks for, of what the match folder has.
+base::Result<std::vector<viewer::PageDecisions>> decisions_of(const Arguments& arguments,
+                                                              const FoundLog& found) {
+  std::vector<std::string> players = arguments.world_models;
+  if (players == std::vector<std::string>{"none"}) return std::vector<viewer::PageDecisions>();
+  if (players == std::vector<std::string>{"all"}) players.clear();
+  return viewer::read_page_decisions(found.folder, players);
+}
+
+int write_match_page(const Arguments& arguments, const FoundLog& found, const fs::path& page) {
   const auto match = viewer::read_log_or_page(found.logs.game);
   if (!match) {
     return print_error(unreadable_code(found.logs.game), match.error().message);
@@ -162,10 +132,13 @@ int write_match_page(const Arguments& arguments, const Found& found, const fs::p
   if (!found.logs.text.empty()) {
     if (auto read = gamelog::read_rcl_file(found.logs.text)) text = *std::move(read);
   }
+  const auto decisions = decisions_of(arguments, found);
+  if (!decisions) return print_error(kBadData, decisions.error().message);
   const bool compact = arguments.compact || match->form.compact;
-  const std::string html = viewer::match_page(match->record, text ? &*text : nullptr,
-                                              fs::path(found.logs.game).filename().string(),
-                                              compact, {arguments.at, arguments.players});
+  const std::string html = viewer::match_page(
+      match->record, text ? &*text : nullptr, fs::path(found.logs.game).filename().string(),
+      compact, {arguments.at, arguments.players, viewer::read_missed_decisions(found.folder)},
+      *decisions);
   if (const auto written = base::write_file(page, html); !written) {
     return print_error(kCannotCreate, written.error().message);
   }
@@ -174,17 +147,80 @@ int write_match_page(const Arguments& arguments, const Found& found, const fs::p
   return match->record.errors.empty() ? kOk : kBadData;
 }
 
-int run_watch_command(const Arguments& arguments) {
-  for (const std::string& player : arguments.players) {
-    if (is_player(player)) continue;
-    return print_error(kUsage, fmt::format("--players '{}': must be l1 to l11 or r1 to r11, such "
-                                           "as l7,r1",
-                                           player));
+void print_live(const std::string& url, bool json) {
+  if (json) {
+    const nlohmann::ordered_json document = {{"schema", "cls.watch/1"}, {"url", url}};
+    fmt::print("{}", base::json_document(document));
+  } else {
+    fmt::print("{}\n", url);
   }
-  const auto found = find_what(arguments.what);
+  std::fflush(stdout);
+  if (const std::string hint = tunnel_hint(url); !hint.empty()) {
+    fmt::print(stderr, "cls: from another host: {}\n", hint);
+  }
+}
+
+int serve(const Arguments& arguments, RunningMatch match) {
+  LiveViewOptions options = arguments.view;
+  options.settings = {arguments.at, arguments.players, {}};
+  options.open_browser = !arguments.no_open;
+  const std::atomic<int>& signal = watch_interrupts();
+  const auto view = LiveView::start(std::move(match.input), match.text_log, match.title, options);
+  if (!view) return print_error(kTryAgain, view.error().message);
+  print_live((*view)->url(), arguments.json);
+  (*view)->serve(signal);
+  return kOk;
+}
+
+int serve_matches(const Arguments& arguments) {
+  LiveViewOptions options = arguments.view;
+  options.open_browser = !arguments.no_open;
+  return serve_tournament(arguments.what, options,
+                          [&](const std::string& url) { print_live(url, arguments.json); });
+}
+
+int show_running(const Arguments& arguments, RunningMatch match) {
+  if (!arguments.in_terminal()) return serve(arguments, std::move(match));
+  return show_in_terminal(std::move(match.input), {match.title, arguments.at, arguments.cast});
+}
+
+int show_log_in_terminal(const Arguments& arguments, const FoundLog& found) {
+  const auto match = viewer::read_log_or_page(found.logs.game);
+  if (!match) return print_error(unreadable_code(found.logs.game), match.error().message);
+  report_errors(found.logs.game, match->record.errors);
+  if (match->record.frames() == 0) return kBadData;
+  return show_in_terminal(match->record, {found.name, arguments.at, arguments.cast});
+}
+
+int run_watch_command(const Arguments& arguments) {
+  if (!arguments.other.empty()) {
+    return compare_matches(
+        {arguments.what, arguments.other, arguments.out, arguments.no_open, arguments.json});
+  }
+  if (const auto error = player_error("--players", arguments.players)) {
+    return print_error(kUsage, *error);
+  }
+  const std::vector<std::string>& world_models = arguments.world_models;
+  const bool one_word =
+      world_models.size() == 1 && (world_models[0] == "all" || world_models[0] == "none");
+  if (const auto error = player_error("--world-models", world_models); error && !one_word) {
+    return print_error(kUsage, *error);
+  }
+  if (arguments.out.empty() && !arguments.in_terminal() &&
+      orchestration::tournament::holds_plan(arguments.what)) {
+    return serve_matches(arguments);
+  }
+  if (arguments.out.empty()) {
+    auto running = find_running_match(arguments.what, arguments.live);
+    if (!running) return print_error(kNoInput, running.error().message);
+    if (*running) return show_running(arguments, **std::move(running));
+  }
+  const auto found = find_log(arguments.what);
   if (!found) return print_error(kNoInput, found.error().message);
-  const fs::path page = arguments.out.empty() ? found->page : fs::path(arguments.out);
-  if (const auto why = why_not_written(page)) return print_error(kCannotCreate, *why);
+  if (arguments.in_terminal()) return show_log_in_terminal(arguments, *found);
+  const fs::path page =
+      arguments.out.empty() ? found->folder / (found->name + ".html") : fs::path(arguments.out);
+  if (const auto why = why_no_page(page)) return print_error(kCannotCreate, *why);
   return write_match_page(arguments, *found, page);
 }
 
@@ -194,16 +230,37 @@ void add_watch_command(CLI::App& app, int& exit_code) {
   const auto arguments = std::make_shared<Arguments>();
   CLI::App* command = app.add_subcommand("watch", kDescription);
   command->add_option("WHAT", arguments->what, "game log, page or match folder")->required();
+  command->add_option("OTHER", arguments->other, "a second match, beside the first one");
   command->add_option("--out", arguments->out,
                       "write the page to this file and do not open it (default: beside\n"
                       "the log)");
   command->add_option("--at", arguments->at, "cycle to show first");
   command->add_option("--players", arguments->players, "players to select, such as l7,r1")
       ->delimiter(',');
+  command
+      ->add_option("--world-models", arguments->world_models,
+                   "whose decisions to include, of those that cls match --record-world-models\n"
+                   "recorded: all, none, or players such as l7,r1 (default: all)")
+      ->delimiter(',');
   command->add_flag("--compact", arguments->compact,
                     "half the size: centimeters, degrees, no velocities; the page is then\n"
                     "no log");
   command->add_flag("--no-open", arguments->no_open, "do not open the browser");
+  command
+      ->add_option("--view", arguments->viewer,
+                   "browser, or terminal: the match in characters, with keys (default: browser)")
+      ->check(CLI::IsMember({"browser", "terminal"}));
+  command->add_option("--cast", arguments->cast,
+                      "record what a terminal shows, for asciinema; of a log: all of it, without "
+                      "waiting");
+  command->add_flag("--live", arguments->live,
+                    "WHAT is a log that a server writes now (found out for match folders)");
+  command->add_option("--listen", arguments->view.address.host,
+                      "IP address of the page of a running match (default: 127.0.0.1; 0.0.0.0: "
+                      "all hosts that know the page's address may watch)");
+  command->add_option("--port", arguments->view.address.port, "its port (default: a free one)")
+      ->check(CLI::Range(0, 65535));
+  add_linger_option(*command, arguments->view.linger_s);
   command->add_flag("--json", arguments->json, "print page, size and frames as one JSON document");
   command->callback([arguments, &exit_code] { exit_code = run_watch_command(*arguments); });
 }

@@ -11,12 +11,15 @@
 #include <variant>
 
 #include "base/io/whole_file.h"
+#include "base/text/number_text.h"
+#include "cli/logs/live_view.h"
 #include "cli/support/command_line.h"
 #include "cli/support/exit_code.h"
 #include "cli/support/print_error.h"
 #include "cli/support/reply_options.h"
 #include "cli/support/side_arguments.h"
 #include "orchestration/match/options/match_settings.h"
+#include "orchestration/match/options/saved_match.h"
 #include "orchestration/tournament/config/config_file.h"
 #include "proxy/formation/formation_set.h"
 
@@ -50,6 +53,8 @@ void add_team_options(CLI::App& command, MatchArguments& arguments) {
   MatchOptions& options = arguments.options;
   command.add_option("--left-name", options.left_name, "team name of the left side");
   command.add_option("--right-name", options.right_name, "team name of the right side");
+  command.add_flag("--rated", options.rated,
+                   "refuse policies that were trained with the full state, as tournaments do");
   command.add_flag("--own-names", options.own_names, "allow external teams to use their own names");
   command.add_flag("--coach,!--no-coach", options.coach,
                    "connect an online coach for each cls team (default: on)");
@@ -61,6 +66,33 @@ void add_team_options(CLI::App& command, MatchArguments& arguments) {
   command.add_option("--left-formation", arguments.left_formation, "--formation of the left side");
   command.add_option("--right-formation", arguments.right_formation,
                      "--formation of the right side");
+}
+
+void add_debugging_options(CLI::App& command, MatchArguments& arguments) {
+  MatchOptions& options = arguments.options;
+  command.add_flag("--step", arguments.step,
+                   "wait for a line on stdin before each cycle (see docs/testing.md)");
+  command.add_option("--at", arguments.at, "--step, starting at this game time")
+      ->check(CLI::NonNegativeNumber);
+  command
+      .add_option("--record-rpc", arguments.record_rpc,
+                  "record all requests and replies in FILE (see cls test --replay)")
+      ->type_name("FILE");
+  command.add_flag("--record-world-models", options.record_world_models,
+                   "record what each player estimates, receives and sends; cls watch then\n"
+                   "shows it beside the full state (docs/watching.md)");
+  command
+      .add_option("--save-at", arguments.save_at,
+                  "save the match in FILE when game time reaches CYCLE (docs/matches.md)")
+      ->type_name("CYCLE FILE")
+      ->expected(2);
+  command
+      .add_option("--resume", arguments.resume,
+                  "continue the match saved in FILE; with --seed its random draws differ from "
+                  "there on")
+      ->type_name("FILE");
+  command.add_option("--monitor-port", options.monitor_port,
+                     "UDP port for monitors; 0 selects a free port and prints it");
 }
 
 }  // namespace
@@ -76,7 +108,7 @@ void add_match_options(CLI::App& command, MatchArguments& arguments) {
   command.add_option("--dir", arguments.folder,
                      "match folder (default: ./runs/<UTC>-<left>-vs-<right>)");
   command.add_flag("--force", arguments.force,
-                   "rename an existing --dir or --record-rpc to NAME.old");
+                   "rename an existing --dir, --record-rpc or --save-at file to NAME.old");
   command.add_option(
       "--config", arguments.config_file,
       "cls.toml with teams and settings (default: for the name of a team, the one in or "
@@ -103,21 +135,17 @@ void add_match_options(CLI::App& command, MatchArguments& arguments) {
                      "seconds without a new cycle that end the match (default: 10)");
   command.add_option("--time-limit", options.time_limit_s,
                      "maximum seconds of the match (default: no limit)");
-  command.add_flag("--step", arguments.step,
-                   "wait for a line on stdin before each cycle (see docs/testing.md)");
-  command.add_option("--at", arguments.at, "--step, starting at this game time")
-      ->check(CLI::NonNegativeNumber);
-  command
-      .add_option("--record-rpc", arguments.record_rpc,
-                  "record all requests and replies in FILE (see cls test --replay)")
-      ->type_name("FILE");
-  command.add_option("--monitor-port", options.monitor_port,
-                     "UDP port for monitors; 0 selects a free port and prints it");
+  add_debugging_options(command, arguments);
   command
       .add_option("--speed", options.speed, "limit speed to X times real time (default: no limit)")
       ->type_name("X");
   command.add_option("--protocol", options.protocol,
                      "protocol version of cls agents, 14 to 19 (default: 18)");
+  command.add_flag("--watch", arguments.watch,
+                   "serve a page that shows the match while it is played, and print its "
+                   "address (docs/watching.md)");
+  command.add_flag("--open", arguments.open, "--watch, and open the page in the browser");
+  add_linger_option(command, arguments.linger_s);
   command.add_flag("--strict", arguments.strict, "fail (exit 1) on any warning");
   command.add_flag("--quiet", arguments.quiet, "print no progress and no warnings");
 }
@@ -140,12 +168,24 @@ void read_formation_options(MatchArguments& arguments, std::vector<std::string>&
   read(arguments.right_formation, "--right-formation", arguments.options.right_formations);
 }
 
+void read_save_at(MatchArguments& arguments, std::vector<std::string>& errors) {
+  if (arguments.save_at.empty()) return;
+  const auto cycle = base::parse_int(arguments.save_at.front());
+  if (!cycle) {
+    errors.push_back(
+        fmt::format("--save-at '{}': must be a cycle, then a file", arguments.save_at.front()));
+    return;
+  }
+  arguments.options.save_at = *cycle;
+  arguments.options.save_file = arguments.save_at.back();
+}
+
 // Sets the options from the arguments; returns all errors.
 std::vector<std::string> resolve(MatchArguments& arguments) {
   std::vector<std::string> errors;
   MatchOptions& options = arguments.options;
   const auto read_side = [&](const std::string& text, orchestration::match::Endpoint& endpoint) {
-    const auto parsed = orchestration::match::parse_endpoint(text);
+    const auto parsed = parse_side(text, arguments.config_file);
     if (parsed) {
       endpoint = *parsed;
     } else {
@@ -171,6 +211,7 @@ std::vector<std::string> resolve(MatchArguments& arguments) {
     const auto applied = apply_match_setting(options, setting);
     if (!applied) errors.push_back("--set: " + applied.error().message);
   }
+  read_save_at(arguments, errors);
   options.folder = arguments.folder;
   options.replace = arguments.force;
   options.command_line = command_line();
@@ -305,6 +346,27 @@ int read_config_file(MatchArguments& arguments, bool names_used) {
   return take_config(parsed, file, arguments);
 }
 
+// The saved match replaces the parameters; a seed of cls.toml is not that of a branch.
+int resume(MatchArguments& arguments) {
+  if (arguments.resume.empty()) return kOk;
+  if (arguments.half_time || !arguments.settings.empty()) {
+    return print_error(kUsage,
+                       "--resume: the parameters are those of the saved match; no --set, no "
+                       "--half-time");
+  }
+  if (const auto why = base::why_no_file(arguments.resume)) {
+    return print_error(kNoInput, fmt::format("--resume {}: {}", arguments.resume, *why));
+  }
+  const auto match = orchestration::match::read_saved_match(arguments.resume);
+  if (!match) return print_error(kBadData, "--resume " + match.error().message);
+  MatchOptions& options = arguments.options;
+  if (arguments.origins["seed"] != "option --seed") options.seed.reset();
+  const auto resumed = orchestration::match::resume_from(*match, options);
+  if (!resumed) return print_error(kBadData, "--resume: " + resumed.error().message);
+  const std::vector<std::string> errors = validate_options(options);
+  return errors.empty() ? kOk : print_errors(kUsage, errors);
+}
+
 template <typename Value>
 std::string shown(const std::optional<Value>& value) {
   return value ? fmt::format("{}", *value) : std::string();
@@ -332,6 +394,7 @@ int resolve_match(const CLI::App& command, MatchArguments& arguments) {
   if (const int read = read_config_file(arguments, names.any); read != kOk) return read;
   const std::vector<std::string> errors = resolve(arguments);
   if (!errors.empty()) return print_errors(kUsage, errors);
+  if (const int resumed = resume(arguments); resumed != kOk) return resumed;
   std::vector<orchestration::match::Endpoint*> sides = {&arguments.options.left,
                                                         &arguments.options.right};
   if (arguments.options.trainer) sides.push_back(&*arguments.options.trainer);
@@ -368,6 +431,7 @@ std::vector<SettingRow> setting_rows(const MatchArguments& arguments) {
       {"speed", shown(options.speed), ""},
       {"monitor_port", shown(options.monitor_port), ""},
       {"record_rpc", options.record_rpc.string(), ""},
+      {"record_world_models", options.record_world_models ? "true" : "false", ""},
       {"dir", options.folder.string(), ""},
   };
   add_parameters(rows, "server", server_params(options), soccer::server_param_table());

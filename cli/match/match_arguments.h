@@ -40,8 +40,13 @@ struct MatchArguments {
   bool step = false;
   std::optional<int> at;
   std::string record_rpc;
+  std::vector<std::string> save_at;  ///< CYCLE and FILE
+  std::string resume;
   bool quiet = false;
   bool strict = false;
+  bool watch = false;
+  bool open = false;
+  std::optional<double> linger_s;
   bool force = false;
 
   /// Where settings come from that have not their default value: "cls.toml:12", "option --seed".

@@ -5,6 +5,9 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <atomic>
+#include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -12,6 +15,7 @@
 
 #include "base/text/counted.h"
 #include "base/text/json_text.h"
+#include "cli/logs/live_view.h"
 #include "cli/match/match_arguments.h"
 #include "cli/match/match_report.h"
 #include "cli/match/match_stepper.h"
@@ -21,6 +25,7 @@
 #include "cli/terminal/progress_line.h"
 #include "cli/terminal/terminal.h"
 #include "orchestration/match/dry_run.h"
+#include "orchestration/match/result/match_folder.h"
 #include "orchestration/match/run_match.h"
 
 namespace cls::cli {
@@ -48,7 +53,44 @@ constexpr const char* kDescription =
     "  HOST:PORT+step   the same; player n connects to PORT + n\n"
     "  run:COMMAND      a Playmaker that cls starts; {port} is filled in\n"
     "  team:DIR         an external team: DIR/start or DIR/start.sh\n"
+    "  mix:1=SIDE;2-11=SIDE;coach=SIDE    several Playmakers in one team\n"
     "  NAME             a team in cls.toml";
+
+/// Shows the progress of a match, and starts its page when its folder is known.
+class WatchedMatch : public ProgressLine {
+ public:
+  WatchedMatch(bool shown, const MatchArguments& arguments)
+      : ProgressLine(shown, arguments.quiet), arguments_(arguments) {}
+
+  void on_folder(const std::filesystem::path& folder, const std::string& game_log) override {
+    if (!arguments_.watch && !arguments_.open) return;
+    LiveViewOptions options;
+    options.open_browser = arguments_.open;
+    options.linger_s = arguments_.linger_s;
+    auto view = LiveView::start(
+        viewer::follow_log(folder / game_log, [this] { return over_.load(); }),
+        folder / orchestration::match::kTextLogFile, folder.filename().string(), options);
+    if (!view) return on_warning(view.error().message);
+    view_ = *std::move(view);
+    // Also with --quiet: without its address the page is of no use.
+    clear();
+    fmt::print(stderr, "{}", message_line(fmt::format("watch {}", view_->url())));
+    if (const std::string hint = tunnel_hint(view_->url()); !hint.empty()) {
+      on_notice(fmt::format("from another host: {}", hint));
+    }
+  }
+
+  /// Serves the page after the match, as long as the options say.
+  void serve_the_end(const std::atomic<int>& signal) {
+    over_.store(true);
+    if (view_ != nullptr) view_->serve(signal);
+  }
+
+ private:
+  const MatchArguments& arguments_;
+  std::atomic<bool> over_{false};
+  std::unique_ptr<LiveView> view_;
+};
 
 int exit_code_of(const MatchResult& result) {
   switch (result.end_reason) {
@@ -104,6 +146,11 @@ void print_interrupted(const MatchResult& result) {
 
 int run_match_command(const CLI::App& command, MatchArguments& arguments) {
   if (const int resolved = resolve_match(command, arguments); resolved != kOk) return resolved;
+  if ((arguments.watch || arguments.open) && !arguments.options.server.game_logging) {
+    return print_error(kUsage,
+                       "--watch: the page shows the game log, which server::game_logging "
+                       "switches off");
+  }
   if (arguments.dry_run) return print_dry_run(arguments);
   // A match without its programs leaves nothing in runs/.
   if (arguments.options.folder.empty()) {
@@ -111,7 +158,7 @@ int run_match_command(const CLI::App& command, MatchArguments& arguments) {
     if (!plan) return print_error(kUnavailable, plan.error().message);
   }
   const bool live = stderr_is_terminal() && !arguments.quiet && !arguments.step && !arguments.at;
-  ProgressLine progress(live, arguments.quiet);
+  WatchedMatch progress(live, arguments);
   const std::atomic<int>& signal = watch_interrupts();
   MatchStepper stepper(arguments.at.value_or(0), STDIN_FILENO, signal);
   const bool steps = arguments.step || arguments.at;
@@ -130,6 +177,8 @@ int run_match_command(const CLI::App& command, MatchArguments& arguments) {
   } else {
     fmt::print("{}", match_report(*result, stdout_supports_color()));
   }
+  std::fflush(stdout);
+  progress.serve_the_end(signal);
   const int exit_code = exit_code_of(*result);
   if (!arguments.strict || exit_code != kOk || result->warnings.empty()) return exit_code;
   return print_error(kFailed, base::counted(result->warnings.size(), "warning") + " (--strict)");

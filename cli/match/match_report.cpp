@@ -10,6 +10,7 @@
 #include "base/text/counted.h"
 #include "base/text/wrap_text.h"
 #include "cli/support/troubleshooting.h"
+#include "orchestration/match/result/late_warnings.h"
 #include "orchestration/process/command_plan.h"
 #include "proxy/playmaker/playmaker_errors.h"
 
@@ -187,6 +188,20 @@ std::string figures(const MatchResult& result) {
   return rows.take();
 }
 
+// The Playmakers of a mixed side.
+std::string parts(const TeamResult& team) {
+  std::string text;
+  for (const auto& part : team.parts) {
+    fmt::format_to(
+        std::back_inserter(text),
+        "  {} {}: {}\n    {}, {} missed, p50 {:.0f} us, p99 {:.0f} us, {:.2f} s of CPU\n",
+        team.name, part.agents, base::wrap_text(part.endpoint, kLineWidth, 4),
+        base::counted(part.decisions, "decision"), part.missed, part.rpc_us.p50, part.rpc_us.p99,
+        part.cpu_seconds);
+  }
+  return text.empty() ? text : text + "\n";
+}
+
 // What a side's Playmaker answered with an error, and how to ask it again.
 std::string errors(const MatchResult& result, const TeamResult& team) {
   if (!team.errors.first) return {};
@@ -204,14 +219,16 @@ std::string errors(const MatchResult& result, const TeamResult& team) {
   return text;
 }
 
-// The first exception that each program printed.
+// The first exception that each program printed; where errors() has its text, only its log.
 std::string exceptions(const MatchResult& result) {
   std::string text;
   for (const auto& process : result.processes) {
     if (process.exception.empty()) continue;
-    fmt::format_to(std::back_inserter(text), "  {}\n    output is in {}/{}\n",
-                   base::wrap_text(process.name + ": " + process.exception, kLineWidth, 2),
-                   result.folder, process.log);
+    if (!is_reported(result, process.exception)) {
+      text += "  " + base::wrap_text(process.name + ": " + process.exception, kLineWidth, 2) + "\n";
+    }
+    fmt::format_to(std::back_inserter(text), "    output is in {}/{}\n", result.folder,
+                   process.log);
   }
   return text;
 }
@@ -235,7 +252,7 @@ std::string match_report(const MatchResult& result, bool color) {
   }
   text += goals_line(result);
   text += errors(result, result.left) + errors(result, result.right) + exceptions(result);
-  text += "\n" + figures(result) + "\n";
+  text += "\n" + figures(result) + "\n" + parts(result.left) + parts(result.right);
   fmt::format_to(std::back_inserter(text),
                  "  {} cycles in {:.1f} s ({:.0f} cycles/s), {}, seed {}{}\n", result.cycles,
                  result.wall_seconds, result.cycles_per_second, result.mode, result.seed,

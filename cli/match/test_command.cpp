@@ -31,6 +31,7 @@
 #include "orchestration/scenario/scenario_library.h"
 #include "orchestration/scenario/suite.h"
 #include "orchestration/scenario/suite_report.h"
+#include "proto/rpc.h"
 #include "soccer/side.h"
 
 namespace cls::cli {
@@ -49,7 +50,8 @@ constexpr const char* kDescription =
     "  cls test --against localhost:50051        your Playmaker on the tested side\n"
     "  cls test my_tests/ --junit report.xml     your own, for CI (docs/testing.md)\n"
     "  cls test referee_corner_kick --seed 3     one scenario, one seed\n"
-    "  cls test --replay FILE localhost:50051    compare replies with a recording";
+    "  cls test --replay FILE localhost:50051    compare replies with a recording\n"
+    "  cls test --replay FILE --at 1234 --player 7 localhost:50051";
 
 struct Arguments {
   TlsOptions tls;
@@ -63,6 +65,8 @@ struct Arguments {
   std::string export_folder;
   std::string replay;
   std::string side;
+  std::optional<int> at;
+  std::optional<int> player;
   bool json = false;
   bool list = false;
   bool accept_golden = false;
@@ -277,8 +281,8 @@ int finish(const Arguments& arguments, const SuiteVerdict& suite, double seconds
   } else {
     fmt::print("{}", summary(suite, seconds, stdout_supports_color()));
   }
-  const ExitCode reported =
-      write_ci_reports(arguments.reports, to_junit(suite), to_annotations(suite));
+  const ExitCode reported = write_ci_reports(
+      arguments.reports, {to_junit(suite), to_annotations(suite), to_markdown(suite)});
   if (reported != kOk) return reported;
   if (arguments.accept_golden) {
     const auto changed = accept_golden_values(suite);
@@ -304,8 +308,8 @@ std::optional<Failure> resolve(const Arguments& arguments,
     return Failure{kUsage, "--replay FILE requires one ENDPOINT"};
   auto endpoint = orchestration::match::parse_endpoint(arguments.scenarios.front());
   if (!endpoint) return Failure{kUsage, endpoint.error().message};
-  if (!endpoint->has_playmaker())
-    return Failure{kUsage, "--replay requires a Playmaker, not team:DIR"};
+  if (!endpoint->has_one_playmaker())
+    return Failure{kUsage, "--replay requires one Playmaker, not team:DIR or mix:"};
   int read = read_side_script(*endpoint);
   if (read == kOk) read = read_tls_files(*endpoint, arguments.tls);
   if (read != kOk) return Failure{static_cast<ExitCode>(read), ""};
@@ -319,6 +323,8 @@ std::optional<Failure> resolve(const Arguments& arguments,
     const auto created = base::create_folders(options.folder);
     if (!created) return Failure{kCannotCreate, created.error().message};
   }
+  options.cycle = arguments.at;
+  options.agent = arguments.player;
   if (arguments.side.empty()) return std::nullopt;
   options.side = soccer::parse_side(arguments.side);
   if (!options.side) {
@@ -345,6 +351,8 @@ int run_replay(const Arguments& arguments) {
 int run_test_command(const Arguments& arguments) {
   if (!arguments.replay.empty()) return run_replay(arguments);
   if (!arguments.side.empty()) return print_error(kUsage, "--side requires --replay");
+  if (arguments.at) return print_error(kUsage, "--at requires --replay");
+  if (arguments.player) return print_error(kUsage, "--player requires --replay");
   if (!arguments.export_folder.empty()) {
     return export_to(arguments.export_folder, arguments.force, arguments.json);
   }
@@ -399,6 +407,9 @@ void add_test_command(CLI::App& app, int& exit_code) {
   command->add_option("--replay", a.replay,
                       "send a recording of `cls match --record-rpc` to the Playmaker ENDPOINT");
   command->add_option("--side", a.side, "side of the recording for --replay: left or right");
+  command->add_option("--at", a.at, "with --replay: only decisions of this cycle");
+  command->add_option("--player", a.player, "with --replay: only calls of this player")
+      ->check(CLI::Range(1, proto::kTrainerNumber));
   add_tls_options(*command, a.tls);
   command->add_flag("--strict", a.strict, "fail (exit 1) on any skipped scenario");
   command->add_flag("--quiet", a.quiet, "print only failures and the summary");

@@ -27,7 +27,9 @@ constexpr const char* kDescription =
     "A folder NAME with a Playmaker, cls.toml, tests, and files for editor and CI.\n"
     "\n"
     "  cls new python ada                     the example team in Python\n"
-    "  cls new rust ada --template minimal    a few lines to begin with";
+    "  cls new rust ada --template minimal    a few lines to begin with\n"
+    "  cls new go ada --template high-level   on behaviors and planner of the proxy\n"
+    "  cls new java ada --template rl         a policy with weights to train";
 
 struct Arguments {
   std::string language;
@@ -94,7 +96,7 @@ void add_new_command(CLI::App& app, int& exit_code) {
       ->required();
   command->add_option("NAME", arguments->name, "name of the team")->required();
   command->add_option("--template", arguments->team_template,
-                      "team: the example team; minimal: a few lines (default: team)");
+                      "team, minimal, high-level or rl (default: team)");
   command->add_option("--dir", arguments->dir, "folder of the project (default: NAME)");
   command->add_flag("--json", arguments->json, "print one JSON document");
   command->callback([arguments, &exit_code] { exit_code = run(*arguments); });

@@ -18,17 +18,24 @@ struct Language {
   std::string_view name;      ///< as its users write it
   std::string_view decide;    ///< the file of decisions, in the project
   std::string_view packages;  ///< of Debian, for the project's CI
+  std::string_view setup;     ///< steps of that CI for tools that Debian 12 lacks
 };
 
 constexpr Language kLanguages[] = {
-    {"python", "Python", "decide.py", "python3-grpcio python3-protobuf protobuf-compiler-grpc"},
-    {"typescript", "TypeScript", "src/decide.ts", "nodejs npm"},
-    {"go", "Go", "decide.go", "golang-go protobuf-compiler"},
-    {"java", "Java", "src/main/java/team/Decide.java", "default-jdk-headless maven"},
-    {"rust", "Rust", "src/decide.rs", "cargo"},
+    {"python", "Python", "decide.py", "python3-grpcio python3-protobuf protobuf-compiler-grpc", ""},
+    {"typescript", "TypeScript", "src/decide.ts", "xz-utils",
+     "      - uses: actions/setup-node@v4\n"
+     "        with: {node-version: 20}\n"},
+    {"go", "Go", "decide.go", "protobuf-compiler",
+     "      - uses: actions/setup-go@v5\n"
+     "        with: {go-version: '1.26', cache: false}\n"},
+    {"java", "Java", "src/main/java/team/Decide.java", "openjdk-17-jdk-headless maven", ""},
+    {"rust", "Rust", "src/decide.rs", "curl",
+     "      - uses: dtolnay/rust-toolchain@master\n"
+     "        with: {toolchain: '1.88'}\n"},
 };
 
-constexpr std::string_view kMinimal = "minimal";
+constexpr std::string_view kTeam = "team";
 
 // Names of files that version control and editors would use inside the source tree of cls itself.
 constexpr std::pair<std::string_view, std::string_view> kRenamed[] = {
@@ -52,9 +59,15 @@ std::optional<std::string> inside(std::string_view name, std::string_view folder
 
 std::string_view file_name(std::string_view path) { return path.substr(path.rfind('/') + 1); }
 
-// Path in the project of an embedded file; nothing if the project lacks it.
+bool is_decide(std::string_view file) {
+  return std::any_of(std::begin(kLanguages), std::end(kLanguages),
+                     [&](const Language& each) { return file_name(each.decide) == file; });
+}
+
+// Path in the project of an embedded file; nothing if the project lacks it. A template other than
+// the team replaces its decisions, and may add files.
 std::optional<std::string> project_path(std::string_view name, const Language& language,
-                                        bool is_minimal) {
+                                        std::string_view team_template) {
   if (const auto path = inside(name, "examples/project/")) {
     for (const auto& [from, to] : kRenamed) {
       if (*path == from) return std::string(to);
@@ -66,12 +79,12 @@ std::optional<std::string> project_path(std::string_view name, const Language& l
     if (language.folder != "python") return std::nullopt;
     return "package/" + *path;  // beside the program it would hide the generated modules
   }
-  if (inside(name, "examples/minimal/")) {
-    const bool is_ours = is_minimal && file_name(name) == file_name(language.decide);
-    return is_ours ? std::optional(std::string(language.decide)) : std::nullopt;
+  if (auto path = inside(name, fmt::format("examples/{}/", team_template))) {
+    if (*path == file_name(language.decide)) return std::string(language.decide);
+    return is_decide(*path) ? std::nullopt : path;
   }
   const auto path = inside(name, fmt::format("examples/{}/", language.folder));
-  if (path && is_minimal && *path == language.decide) return std::nullopt;
+  if (path && team_template != kTeam && *path == language.decide) return std::nullopt;
   return path;
 }
 
@@ -88,6 +101,7 @@ std::string filled_in(std::string_view text, std::string_view name, const Langua
   replace_all(filled, "@LANGUAGE@", language.name);
   replace_all(filled, "@DECIDE@", language.decide);
   replace_all(filled, "@PACKAGES@", language.packages);
+  replace_all(filled, "@SETUP@\n", language.setup);
   return filled;
 }
 
@@ -109,7 +123,7 @@ const std::vector<std::string_view>& project_languages() {
 }
 
 const std::vector<std::string_view>& project_templates() {
-  static const std::vector<std::string_view> names = {"team", kMinimal};
+  static const std::vector<std::string_view> names = {kTeam, "minimal", "high-level", "rl"};
   return names;
 }
 
@@ -124,7 +138,7 @@ base::Result<std::vector<ProjectFile>> project_files(std::string_view language_n
   }
   std::vector<ProjectFile> files;
   for (const EmbeddedFile& file : embedded_files()) {
-    auto path = project_path(file.name, *language, team_template == kMinimal);
+    auto path = project_path(file.name, *language, team_template);
     if (path) files.push_back({std::move(*path), filled_in(file.text, name, *language)});
   }
   return files;

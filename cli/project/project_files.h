@@ -25,7 +25,8 @@ struct ProjectFile {
 /// "python", "typescript", ...
 const std::vector<std::string_view>& project_languages();
 
-/// "team", the example team, and "minimal", a few lines on behaviors of the proxy.
+/// "team", the example team; "minimal", a few lines; "high-level", on behaviors and the planner of
+/// the proxy; "rl", a policy with weights to train.
 const std::vector<std::string_view>& project_templates();
 
 /// All files of a project. The error names an unknown language or template.

@@ -1,4 +1,4 @@
-// Reports for CI systems: JUnit file and GitHub Actions annotations.
+// Reports for CI systems: JUnit file, annotations and summary of GitHub Actions.
 #pragma once
 
 #include <string>
@@ -19,8 +19,14 @@ struct CiReports {
 /// --junit FILE and --github.
 void add_ci_options(CLI::App& command, CiReports& reports);
 
+/// The same results in each format.
+struct CiTexts {
+  std::string junit;
+  std::string annotations;
+  std::string summary = {};  ///< Markdown for the summary of a job of GitHub Actions; empty: none
+};
+
 /// Writes the requested reports; prints an error. Returns kOk or kCannotCreate.
-ExitCode write_ci_reports(const CiReports& reports, const std::string& junit,
-                          const std::string& annotations);
+ExitCode write_ci_reports(const CiReports& reports, const CiTexts& texts);
 
 }  // namespace cls::cli

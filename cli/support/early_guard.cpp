@@ -9,8 +9,8 @@
 namespace cls::cli {
 namespace {
 
-constexpr std::array<std::string_view, 7> kCommands = {"match", "tournament", "compare", "test",
-                                                       "check", "doctor",     "server"};
+constexpr std::array<std::string_view, 9> kCommands = {
+    "match", "tournament", "compare", "tune", "test", "dev", "check", "doctor", "server"};
 
 }  // namespace
 

@@ -8,7 +8,7 @@ enum ExitCode : int {
   kOk = 0,              ///< finished; a test or check passed
   kFailed = 1,          ///< a test or check failed; the match is invalid
   kUsage = 2,           ///< unknown option, command or side; bad value; wrong argument count
-  kUndecided = 3,       ///< `cls compare` ended without a verdict
+  kUndecided = 3,       ///< `cls compare` or `cls tune` ended without a verdict
   kBadData = 65,        ///< corrupt log, script or transcript
   kNoInput = 66,        ///< input not found
   kUnavailable = 69,    ///< a Playmaker or server refused or was unreachable until the timeout

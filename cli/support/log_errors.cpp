@@ -8,6 +8,7 @@
 #include <fstream>
 
 #include "cli/support/exit_code.h"
+#include "cli/support/print_error.h"
 
 namespace cls::cli {
 namespace {
@@ -19,16 +20,16 @@ constexpr std::size_t kShown = 5;
 void report_errors(std::string_view path, const gamelog::ParseErrors& errors) {
   const std::size_t shown = std::min(errors.first.size(), kShown);
   for (std::size_t i = 0; i < shown; ++i) {
-    fmt::print(stderr, "cls: {}\n", gamelog::format_error(path, errors.first[i]));
+    print_error(0, gamelog::format_error(path, errors.first[i]));
   }
   if (errors.count > shown) {
-    fmt::print(stderr, "cls: {}: {} more errors\n", path, errors.count - shown);
+    print_error(0, fmt::format("{}: {} more errors", path, errors.count - shown));
   }
 }
 
 int report_missing(const gamelog::FoundLogs& found) {
   for (const std::string& missing : found.missing) {
-    fmt::print(stderr, "cls: {}: no such log\n", missing);
+    print_error(0, fmt::format("{}: no such log", missing));
   }
   return found.missing.empty() ? kOk : kNoInput;
 }
@@ -36,7 +37,7 @@ int report_missing(const gamelog::FoundLogs& found) {
 int report_log(int exit_code, const std::string& unreadable, std::string_view path,
                const gamelog::ParseErrors& errors) {
   if (!unreadable.empty()) {
-    fmt::print(stderr, "cls: {}\n", unreadable);
+    print_error(0, unreadable);
     exit_code = kNoInput;
   }
   report_errors(path, errors);

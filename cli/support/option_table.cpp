@@ -29,6 +29,7 @@ constexpr OptionRow kOptions[] = {
     {"--left-name", kTeams, "NAME"},
     {"--right-name", kTeams, "NAME"},
     {"--own-names", kTeams, nullptr},
+    {"--rated", kTeams, nullptr},
     {"--coach", kTeams, nullptr},
     {"--without-coach", kTeams, nullptr},
     {"--trainer", kTeams, "SIDE"},
@@ -64,10 +65,19 @@ constexpr OptionRow kOptions[] = {
     {"--step", kDebugging, nullptr},
     {"--at", kDebugging, nullptr},
     {"--record-rpc", kDebugging, "FILE"},
+    {"--record-world-models", kDebugging, nullptr},
+    {"--world-models", kDebugging, "PLAYERS"},
+    {"--save-at", kDebugging, "CYCLE FILE"},
+    {"--resume", kDebugging, "FILE"},
     {"--replay", kDebugging, "FILE"},
+    {"--player", kDebugging, "N"},
     {"--dry-run", kDebugging, nullptr},
     {"--debug-log", kDebugging, "DIR"},
     {"--monitor-port", kDebugging, nullptr},
+    {"--watch", kOutput, nullptr},
+    {"--open", kOutput, nullptr},
+    {"--linger", kOutput, "X"},
+    {"--cast", kOutput, "FILE"},
     {"--json", kOutput, nullptr},
     {"--format", kOutput, "FORMAT"},
     {"--columns", kOutput, "A,B,..."},
@@ -88,6 +98,7 @@ constexpr OptionRow kOptions[] = {
     {"--filter", nullptr, "PATTERN"},
     {"--half-time", nullptr, "N"},
     {"--host", nullptr, "HOST"},
+    {"--listen", nullptr, "ADDRESS"},
     {"--mode", nullptr, "MODE"},
     {"--seed", nullptr, "N"},
     {"--server", nullptr, "SERVER"},
@@ -98,6 +109,7 @@ constexpr OptionRow kOptions[] = {
     {"--status", nullptr, "STATUS"},
     {"--to", nullptr, "VERSION"},
     {"--truth", nullptr, "FILE"},
+    {"--view", nullptr, "WHERE"},
     {"--unimplemented", nullptr, "RPC,RPC,..."},
 };
 
@@ -115,11 +127,12 @@ struct CommandGroup {
 };
 
 constexpr CommandGroup kCommandGroups[] = {
-    {"match", "Play"},         {"tournament", "Play"},     {"compare", "Play"},
-    {"test", "Play"},          {"results", "Results"},     {"stats", "Results"},
-    {"logs", "Results"},       {"convert", "Results"},     {"watch", "Results"},
-    {"check", "Checks"},       {"doctor", "Checks"},       {"mock", "Run one part"},
-    {"proxy", "Run one part"}, {"server", "Run one part"},
+    {"report", "Results"},    {"match", "Play"},         {"tournament", "Play"},
+    {"tune", "Play"},         {"compare", "Play"},       {"dev", "Play"},
+    {"test", "Play"},         {"train", "Play"},         {"results", "Results"},
+    {"stats", "Results"},     {"logs", "Results"},       {"convert", "Results"},
+    {"watch", "Results"},     {"check", "Checks"},       {"doctor", "Checks"},
+    {"mock", "Run one part"}, {"proxy", "Run one part"}, {"server", "Run one part"},
 };
 
 void complete_option(CLI::Option& option) {

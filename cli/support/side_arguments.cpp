@@ -12,6 +12,7 @@
 #include "base/text/suggestion.h"
 #include "cli/support/exit_code.h"
 #include "cli/support/print_error.h"
+#include "orchestration/match/options/endpoint.h"
 #include "orchestration/tournament/config/config_file.h"
 
 namespace cls::cli {
@@ -59,6 +60,18 @@ int resolve_team_name(std::string& side, std::string& team_name, const std::stri
   const bool means_mock = near.empty() && !base::nearest_name(side, {"mock"}).empty();
   if (teams.empty() || means_mock) return kOk;  // parse_endpoint() lists the valid sides
   return print_error(kUsage, unknown(side, near, *file, teams));
+}
+
+base::Result<orchestration::match::Endpoint> parse_side(const std::string& side,
+                                                        const std::string& config_file) {
+  auto endpoint = orchestration::match::parse_endpoint(side);
+  std::error_code code;
+  if (endpoint || is_endpoint(side) || !config_file.empty() ||
+      find_config(fs::current_path(code))) {
+    return endpoint;
+  }
+  return base::Error{endpoint.error().message +
+                     "; names of teams need a cls.toml here or above, or --config FILE"};
 }
 
 int read_side_script(orchestration::match::Endpoint& side) {

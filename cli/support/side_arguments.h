@@ -12,6 +12,11 @@ namespace cls::cli {
 /// unknown names unchanged. Prints errors; returns kOk, kNoInput, kBadConfig or kUsage.
 int resolve_team_name(std::string& side, std::string& team_name, const std::string& config_file);
 
+/// parse_endpoint() for a side without its team name. The error says where names of teams come from
+/// if there is no such file.
+base::Result<orchestration::match::Endpoint> parse_side(const std::string& side,
+                                                        const std::string& config_file);
+
 /// Reads the script file of a mock side, if it has one. Prints errors; returns kOk, kNoInput or
 /// kBadData.
 int read_side_script(orchestration::match::Endpoint& side);

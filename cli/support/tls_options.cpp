@@ -58,6 +58,9 @@ void add_tls_options(CLI::App& command, TlsOptions& options) {
 }
 
 int read_tls_files(orchestration::match::Endpoint& endpoint, const TlsOptions& options) {
+  for (auto& part : endpoint.parts) {
+    if (const int code = read_tls_files(part, options); code != kOk) return code;
+  }
   if (endpoint.tls == nullptr) return kOk;
   if (options.certificate.empty() != options.key.empty()) {
     return print_error(kUsage, "--tls-cert and --tls-key require each other");

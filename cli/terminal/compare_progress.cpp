@@ -23,6 +23,13 @@ double rounded(double value, double fraction = 1) {
 
 std::string difference_text(const Comparison& comparison, const ComparisonVerdict& known) {
   const Estimate& strength = known.strength;
+  if (comparison.test.measure == Measure::kGoals) {
+    const Estimate goals = estimate(known.samples);
+    return fmt::format("{:+.2f} goals ({:+.2f}..{:+.2f})",
+                       rounded(advantage(comparison, goals.score), 100),
+                       advantage(comparison, goals.score_interval.low),
+                       advantage(comparison, goals.score_interval.high));
+  }
   if (is_direct(comparison)) {
     return fmt::format("{:+.0f} Elo ({:+.0f}..{:+.0f})", rounded(strength.elo),
                        strength.elo_interval.low, strength.elo_interval.high);
@@ -32,6 +39,17 @@ std::string difference_text(const Comparison& comparison, const ComparisonVerdic
                      100 * gain(strength.score_interval.high));
 }
 
+// How far the test is.
+std::string test_state(const Comparison& comparison, const ComparisonVerdict& known) {
+  const Hypotheses& h = known.hypotheses;
+  if (comparison.test.kind == TestKind::kSprt) {
+    return fmt::format("LLR {:+.2f} ({:.2f}..{:+.2f})", rounded(known.llr, 100), lower_llr(h),
+                       upper_llr(h));
+  }
+  return fmt::format("evidence {:.1f}/{:g} for, {:.1f}/{:g} against", known.betting.for_h1(),
+                     1 / h.alpha, known.betting.for_h0(), 1 / h.beta);
+}
+
 }  // namespace
 
 std::string comparison_status(const Comparison& comparison, const ComparisonVerdict& known,
@@ -39,8 +57,7 @@ std::string comparison_status(const Comparison& comparison, const ComparisonVerd
   std::string text = fmt::format("{} {:.0f}", sample_name(comparison), samples_done(known));
   if (comparison.max_samples) text += fmt::format("/{}", *comparison.max_samples);
   if (total(known.samples) > 0) text += "  " + difference_text(comparison, known);
-  text += fmt::format("  LLR {:+.2f} ({:.2f}..{:+.2f})", rounded(known.state.llr, 100),
-                      comparison.sprt.lower(), comparison.sprt.upper());
+  text += "  " + test_state(comparison, known);
   if (progress.done_in_this_run > 0 && progress.seconds > 0) {
     const double seconds_per_match = progress.seconds / progress.done_in_this_run;
     text += "  " + time_left(expected_samples_left(comparison, known) *
@@ -58,8 +75,8 @@ std::string comparison_outlook(const Comparison& comparison, const ComparisonVer
   }
   const double most = std::ceil(max_expected_samples(comparison));
   if (most <= likely) return fmt::format("{} to play: {:.0f}", samples, likely);
-  return fmt::format("{} to play: about {:.0f} if H0 or H1 is true, {:.0f} halfway between",
-                     samples, likely, most);
+  return fmt::format("{} to play: {} if NEW wins all, about {:.0f} at H0 or H1, {:.0f} halfway",
+                     samples, walkover_samples(comparison), likely, most);
 }
 
 std::string CompareProgress::status(const RunProgress& progress) const {

@@ -9,7 +9,7 @@
 
 namespace cls::cli {
 
-/// Its status shows pairs, difference with its interval, LLR and its bounds, and the time left;
+/// Its status shows pairs, difference with its interval, the state of the test, and the time left;
 /// without a terminal after the first pair, then with new pairs every 10 s.
 class CompareProgress : public TournamentProgress {
  public:
@@ -30,14 +30,14 @@ class CompareProgress : public TournamentProgress {
   double shown_samples_ = 0.0;
 };
 
-/// "pairs 12/20  +35 Elo (-120..+190)  LLR +0.24 (-2.94..+2.94)  2:05 min left". The time follows
-/// from the matches of this run.
+/// "pairs 12/20  +35 Elo (-120..+190)  evidence 1.2/20 for, 0.7/20 against  2:05 min left"; with
+/// the SPRT "LLR +0.24 (-2.94..+2.94)". The time follows from the matches of this run.
 std::string comparison_status(const orchestration::tournament::Comparison& comparison,
                               const orchestration::tournament::ComparisonVerdict& known,
                               const orchestration::tournament::RunProgress& progress);
 
-/// Before the first match of a run without a verdict: "pairs to play: about 242 if H0 or H1 is
-/// true, 396 halfway between"; of a resumed one "pairs done: 12, to play: about 30".
+/// Before the first match of a run without a verdict: "pairs to play: 6 if NEW wins all, about 295
+/// at H0 or H1, 540 halfway"; of a resumed one "pairs done: 12, to play: about 30".
 std::string comparison_outlook(const orchestration::tournament::Comparison& comparison,
                                const orchestration::tournament::ComparisonVerdict& known);
 

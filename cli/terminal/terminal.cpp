@@ -11,6 +11,7 @@
 #include <cstdlib>
 #include <string_view>
 
+#include "base/text/printable.h"
 #include "base/text/wrap_text.h"
 
 namespace cls::cli {
@@ -50,18 +51,22 @@ bool stdout_supports_color() {
 
 int terminal_width() { return width_of(STDERR_FILENO); }
 
+bool stdout_is_terminal() { return isatty(STDOUT_FILENO) == 1; }
+
 std::size_t stdout_width() { return static_cast<std::size_t>(width_of(STDOUT_FILENO)); }
 
 std::string message_line(std::string_view text) {
   constexpr std::size_t kIndent = 5;
-  if (!stderr_is_terminal()) return fmt::format("cls: {}\n", text);
+  const std::string safe = base::printable_lines(text);
+  if (!stderr_is_terminal()) return fmt::format("cls: {}\n", safe);
   return fmt::format("cls: {}\n",
-                     base::wrap_text(text, static_cast<std::size_t>(terminal_width()), kIndent));
+                     base::wrap_text(safe, static_cast<std::size_t>(terminal_width()), kIndent));
 }
 
 void TerminalLine::show(std::string_view text) {
   const auto width = static_cast<std::size_t>(terminal_width() - 1);
-  fmt::print(stderr, "\r\x1b[K{}", text.substr(0, width));
+  const std::string safe = base::printable(text);
+  fmt::print(stderr, "\r\x1b[K{}", std::string_view(safe).substr(0, width));
   std::fflush(stderr);
   visible_ = true;
 }

@@ -26,6 +26,8 @@ bool stdout_supports_color();
 /// Columns of the terminal on stderr; 80 when unknown.
 int terminal_width();
 
+bool stdout_is_terminal();
+
 /// Columns of the terminal on stdout; 80 without one.
 std::size_t stdout_width();
 

@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "base/text/counted.h"
+#include "base/text/printable.h"
 #include "orchestration/tournament/report/report_model.h"
 
 namespace cls::cli {
@@ -53,7 +54,7 @@ bool TournamentProgress::is_due(const RunProgress& /*progress*/, Clock::duration
 void TournamentProgress::print(std::string_view line) {
   if (quiet_) return;
   clear();
-  fmt::print(stderr, "{}\n", line);
+  fmt::print(stderr, "{}\n", base::printable(line));
   std::fflush(stderr);
 }
 

@@ -1,4 +1,4 @@
-// `cls compare NEW BASE`: pairs of matches until a sequential test (SPRT) decides.
+// `cls compare NEW BASE`: pairs of matches until a sequential test decides.
 #include "cli/support/commands.h"
 
 #include <fmt/format.h>
@@ -10,18 +10,14 @@
 
 #include "base/text/fnv1a.h"
 #include "cli/support/exit_code.h"
-#include "cli/support/interrupt.h"
 #include "cli/support/print_error.h"
 #include "cli/support/side_arguments.h"
-#include "cli/terminal/compare_progress.h"
-#include "cli/terminal/terminal.h"
+#include "cli/tournament/comparison_run.h"
 #include "cli/tournament/tournament_options.h"
 #include "cli/tournament/tournament_session.h"
 #include "orchestration/match/options/endpoint.h"
 #include "orchestration/tournament/config/config_file.h"
 #include "orchestration/tournament/report/comparison.h"
-#include "orchestration/tournament/run/tournament_run.h"
-#include "orchestration/tournament/store/match_attempt.h"
 
 namespace cls::cli {
 namespace {
@@ -33,23 +29,27 @@ namespace match = orchestration::match;
 constexpr const char* kDescription =
     "test whether NEW is better than BASE\n"
     "Plays pairs of matches with one seed and swapped sides until a sequential\n"
-    "probability ratio test (SPRT) decides.\n"
+    "test decides: the sooner, the larger the difference.\n"
     "\n"
     "  cls compare NEW OLD                         teams of cls.toml\n"
     "  cls compare localhost:50051 mock --elo1 80  or any sides\n"
     "  cls compare NEW OLD --opponents A,B         both against each, same seeds\n"
+    "  cls compare NEW OLD --measure goals         by goal difference\n"
     "\n"
-    "H0: NEW is --elo0 better than BASE; H1: it is --elo1 better. Exit code: 0 if H1\n"
-    "is accepted (NEW is better), 1 if H0 is accepted, 3 if the test is undecided\n"
-    "after --max-pairs. The same command resumes, also with another --max-pairs;\n"
-    "other sides, seed or match settings have another folder.";
+    "NEW is better if it is surely more than --elo0 better than BASE, not better if\n"
+    "it is surely less than --elo1 better (with goals: --goals0, --goals1).\n"
+    "Exit code: 0 better, 1 not better, 3 undecided after --max-pairs. The same\n"
+    "command resumes, also with another test or --max-pairs; other sides, seed or\n"
+    "match settings have another folder.";
 
 struct Arguments {
   std::string candidate;
   std::string base;
   std::vector<std::string> opponents;
   TournamentOptions options;
-  SprtSettings sprt;
+  TestSettings test;
+  std::string test_name = "betting";
+  std::string measure = "points";
   std::optional<int> max_pairs;
   SessionOptions session;
 };
@@ -61,7 +61,7 @@ int add_team(TournamentConfig& config, std::string side, const std::string& suff
   if (const int exit_code = resolve_team_name(side, name, config_file); exit_code != kOk) {
     return exit_code;
   }
-  const auto endpoint = match::parse_endpoint(side);
+  const auto endpoint = parse_side(side, config_file);
   if (!endpoint) return print_error(kUsage, endpoint.error().message);
   constexpr std::size_t kMaxStem = 10;
   if (name.empty()) {
@@ -94,16 +94,14 @@ int make_comparison(const Arguments& arguments, Comparison& comparison) {
     if (const int code = add_team(config, opponent, "_opp", file); code != kOk) return code;
   }
   config.matches = {{config.teams[0].name, config.teams[1].name}};
-  comparison.sprt = arguments.sprt;
+  comparison.test = arguments.test;
+  comparison.test.kind = arguments.test_name == "sprt" ? TestKind::kSprt : TestKind::kBetting;
+  comparison.test.measure = arguments.measure == "goals" ? Measure::kGoals : Measure::kPoints;
   comparison.max_samples = arguments.max_pairs;
   const auto errors = validate(config);
   print_errors(kUsage, errors);
-  const SprtSettings& sprt = comparison.sprt;
-  if (sprt.elo0 >= sprt.elo1) return print_error(kUsage, "--elo0 must be below --elo1");
-  const auto is_rate = [](double rate) { return rate > 0 && rate < 0.5; };
-  if (!is_rate(sprt.alpha) || !is_rate(sprt.beta)) {
-    return print_error(kUsage, "--alpha and --beta must be between 0 and 0.5");
-  }
+  const std::string error = test_error(comparison.test);
+  if (!error.empty()) return print_error(kUsage, error);
   return errors.empty() ? kOk : kUsage;
 }
 
@@ -116,54 +114,35 @@ fs::path folder_of(const Arguments& arguments, const Comparison& comparison) {
          fmt::format("compare-{}-{}-{:08x}", config.teams[0].name, config.teams[1].name, plan);
 }
 
-int exit_code_of(const RunSummary& summary, const ComparisonVerdict& known) {
-  if (known.state.decision == SprtDecision::kH1) return kOk;
-  if (known.state.decision == SprtDecision::kH0) return kFailed;
-  if (summary.end == RunEnd::kInterrupted) return signal_exit_code(summary.signal);
-  return summary.end == RunEnd::kStopRequested ? kInterrupted : kUndecided;
-}
-
 int run(const Arguments& arguments) {
   Comparison comparison;
   if (const int code = make_comparison(arguments, comparison); code != kOk) return code;
-  const SessionOptions& session = arguments.session;
-  RunOptions options;
-  options.folder = folder_of(arguments, comparison);
-  options.config = comparison.config;
-  options.last_match = last_match(comparison);
-  options.next = [&](std::span<const ScheduledMatch> so_far) {
-    return next_fixtures(comparison, so_far);
-  };
-  ComparisonVerdict known;
-  options.decided = [&](std::span<const ScheduledMatch> matches) {
-    known = verdict(comparison, matches);
-    return known.state.decision != SprtDecision::kOpen;
-  };
-  const auto outlook_of = [&](const std::vector<ScheduledMatch>& matches) {
-    const ComparisonVerdict so_far = verdict(comparison, matches);
-    return Outlook{
-        expected_samples_left(comparison, so_far) * matches_in_sample(comparison),
-        fmt::format("{}/: {}", options.folder.string(), comparison_outlook(comparison, so_far))};
-  };
-  const OpenedFolder opened = begin_session(options.folder, options.config, session, outlook_of);
-  if (opened.exit_code != kOk) return opened.exit_code;
-  known = verdict(comparison, opened.matches);
-  CompareProgress progress(comparison, known, stderr_is_terminal(), session.quiet);
-  const auto make = [&](const TournamentConfig& config) {
-    return make_executor(config, options.folder, own_program());
-  };
-  const auto summary = run_tournament(options, make, progress, watch_interrupts());
-  progress.clear();
-  if (!summary) return print_error(kWriteFailed, summary.error().message);
-  fmt::print("{}", session.json ? comparison_json(comparison, summary->matches)
-                                : comparison_text(comparison, summary->matches, stdout_width()));
-  if (!session.json) fmt::print("{}/\n", options.folder.string());
-  const int exit_code =
-      end_session(*summary, options.config, session, exit_code_of(*summary, known), false);
-  if (summary->end == RunEnd::kComplete && !session.quiet) {
-    print_error(0, "undecided; the same command with a larger --max-pairs continues");
-  }
-  return exit_code;
+  return run_comparison(comparison, folder_of(arguments, comparison), arguments.session);
+}
+
+void add_test_options(CLI::App& command, Arguments& arguments) {
+  TestSettings& test = arguments.test;
+  command
+      .add_option("--test", arguments.test_name,
+                  "betting adapts to the difference; sprt as in chess engine testing")
+      ->check(CLI::IsMember({"betting", "sprt"}))
+      ->capture_default_str();
+  command.add_option("--measure", arguments.measure, "what counts: points, or goal difference")
+      ->check(CLI::IsMember({"points", "goals"}))
+      ->capture_default_str();
+  command.add_option("--elo0", test.elo0, "Elo difference of H0")->capture_default_str();
+  command.add_option("--elo1", test.elo1, "Elo difference of H1")->capture_default_str();
+  command.add_option("--goals0", test.goals0, "with --measure goals: goals a match of H0")
+      ->capture_default_str();
+  command.add_option("--goals1", test.goals1, "with --measure goals: goals a match of H1")
+      ->capture_default_str();
+  command.add_option("--max-goals", test.max_goals, "a goal difference above it counts as this")
+      ->check(CLI::Range(1, 20))
+      ->capture_default_str();
+  command.add_option("--alpha", test.alpha, "probability of a type I error (better by mistake)")
+      ->capture_default_str();
+  command.add_option("--beta", test.beta, "probability of a type II error (not better by mistake)")
+      ->capture_default_str();
 }
 
 }  // namespace
@@ -178,18 +157,7 @@ void add_compare_command(CLI::App& app, int& exit_code) {
                    "opponents of both teams: A,B,... (default: each other)")
       ->delimiter(',')
       ->expected(1);
-  command->add_option("--elo0", arguments->sprt.elo0, "Elo difference of H0")
-      ->capture_default_str();
-  command->add_option("--elo1", arguments->sprt.elo1, "Elo difference of H1")
-      ->capture_default_str();
-  command
-      ->add_option("--alpha", arguments->sprt.alpha,
-                   "probability of a type I error (accept H1 wrongly)")
-      ->capture_default_str();
-  command
-      ->add_option("--beta", arguments->sprt.beta,
-                   "probability of a type II error (accept H0 wrongly)")
-      ->capture_default_str();
+  add_test_options(*command, *arguments);
   command
       ->add_option("--max-pairs", arguments->max_pairs,
                    "maximum pairs; with --opponents: per team (default: no limit)")

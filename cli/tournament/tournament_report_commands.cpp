@@ -7,17 +7,22 @@
 #include <fstream>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "base/io/whole_file.h"
 #include "base/text/json_text.h"
 #include "base/text/suggestion.h"
+#include "cli/logs/find_log.h"
 #include "cli/support/commands.h"
 #include "cli/support/exit_code.h"
 #include "cli/support/print_error.h"
+#include "cli/terminal/log_progress.h"
 #include "cli/terminal/terminal.h"
 #include "cli/tournament/tournament_options.h"
+#include "gamelog/rcl/rcl_reader.h"
 #include "orchestration/tournament/config/config_file.h"
 #include "orchestration/tournament/config/config_keys.h"
 #include "orchestration/tournament/report/report_document.h"
@@ -26,6 +31,7 @@
 #include "orchestration/tournament/schedule/schedule.h"
 #include "orchestration/tournament/store/folder.h"
 #include "orchestration/tournament/store/match_document.h"
+#include "viewer/page/match_page.h"
 
 namespace cls::cli {
 namespace {
@@ -96,6 +102,7 @@ struct FolderArguments {
   std::string file;
   std::string columns;
   bool all_matches = false;
+  bool replays = false;
   bool json = false;
 };
 
@@ -187,6 +194,36 @@ fs::path link_base(const FolderArguments& arguments) {
       .lexically_relative(fs::weakly_canonical(from, code));
 }
 
+// Writes the replay page of a match folder. False without a game log.
+bool write_replay(const fs::path& folder) {
+  const auto found = find_log(folder.string());
+  if (!found) return false;
+  const auto match = viewer::read_log_or_page(found->logs.game);
+  if (!match || match->record.frames() == 0) return false;
+  std::optional<gamelog::RclRecord> text;
+  if (auto read = gamelog::read_rcl_file(found->logs.text)) text = *std::move(read);
+  const std::string page =
+      viewer::match_page(match->record, text ? &*text : nullptr,
+                         fs::path(found->logs.game).filename().string(), false, {});
+  return bool(base::write_file(folder / kReplayPage, page));
+}
+
+// The matches that have a replay page. With `write`, missing ones are written.
+std::set<int> replay_pages(const Report& report, bool write) {
+  std::set<int> found;
+  LogProgress progress(write ? report.matches.size() : 0);
+  std::size_t done = 0;
+  for (const ScheduledMatch& match : report.matches) {
+    if (write) progress.update(++done);
+    if (!match.outcome || match.outcome->folder.empty()) continue;
+    const fs::path folder = report.folder / match.outcome->folder;
+    std::error_code code;
+    const bool exists = fs::exists(folder / kReplayPage, code);
+    if (exists || (write && write_replay(folder))) found.insert(match.fixture.index);
+  }
+  return found;
+}
+
 int unknown_format(const std::string& format) {
   std::vector<std::string_view> names;
   for (const ReportFormat& known : kFormats) names.push_back(known.name);
@@ -207,6 +244,7 @@ int report(const FolderArguments& arguments) {
   if (const int exit_code = read_to_report(arguments, state); exit_code != kOk) return exit_code;
   Report report = make_report(state.config, state.matches, arguments.folder);
   report.link_base = link_base(arguments);
+  report.replays = replay_pages(report, arguments.replays);
   const std::string text = chosen->write(report, text_options(arguments));
   if (arguments.file.empty()) {
     fmt::print("{}", text);
@@ -292,6 +330,9 @@ void add_tournament_report_command(CLI::App& app, int& exit_code) {
   command->add_flag("--json", arguments->json, "the same as --format json");
   command->add_flag("--matches", arguments->all_matches,
                     "text: list all matches with their logs and commands");
+  command->add_flag("--replays", arguments->replays,
+                    "write a replay page into each match folder (1.5 MB each), to which the\n"
+                    "lists of matches in Markdown and HTML link");
   add_columns_option(*command, *arguments);
 }
 

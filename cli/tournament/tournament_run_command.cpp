@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <memory>
 #include <string>
 
@@ -17,6 +18,8 @@
 #include "orchestration/tournament/report/report_text.h"
 #include "orchestration/tournament/run/tournament_run.h"
 #include "orchestration/tournament/schedule/schedule.h"
+#include "orchestration/tournament/schedule/schedule_check.h"
+#include "orchestration/tournament/store/folder.h"
 #include "orchestration/tournament/store/match_attempt.h"
 
 namespace cls::cli {
@@ -73,6 +76,12 @@ int run(const Arguments& arguments) {
   };
   const OpenedFolder opened = begin_session(folder, chosen.config, arguments.session, outlook_of);
   if (opened.exit_code != kOk) return opened.exit_code;
+  if (const auto checked = check_schedule(chosen.config, opened.matches); !checked) {
+    return print_error(kBadData,
+                       fmt::format("{}: {}; --force renames the old folder and starts "
+                                   "again",
+                                   (folder / kStoreFile).string(), checked.error().message));
+  }
   RunOptions options;
   options.folder = folder;
   options.config = chosen.config;
@@ -84,8 +93,13 @@ int run(const Arguments& arguments) {
   progress.clear();
   if (!summary) return print_error(kWriteFailed, summary.error().message);
   const Report report = make_report(chosen.config, summary->matches, folder);
-  fmt::print("{}", arguments.session.json ? report_json(report)
-                                          : report_text(report, {stdout_width(), false}));
+  const bool any = std::any_of(summary->matches.begin(), summary->matches.end(),
+                               [](const ScheduledMatch& match) { return match.outcome; });
+  if (arguments.session.json) {
+    fmt::print("{}", report_json(report));
+  } else if (any) {
+    fmt::print("{}", report_text(report, {stdout_width(), false}));
+  }
   const bool listed = !arguments.session.json;  // the report lists them
   return end_session(*summary, chosen.config, arguments.session, exit_code_of(*summary), listed);
 }

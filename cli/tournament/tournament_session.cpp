@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/io/occupied_path.h"
+#include "base/io/whole_file.h"
 #include "base/text/counted.h"
 #include "cli/support/command_line.h"
 #include "cli/support/exit_code.h"
@@ -92,11 +93,11 @@ std::string warning_line(const TournamentConfig& config, const Warning& warning)
 void print_warnings(const TournamentConfig& config, const std::vector<Warning>& warnings) {
   constexpr std::size_t kShown = 10;
   for (std::size_t i = 0; i < std::min(kShown, warnings.size()); ++i) {
-    fmt::print(stderr, "cls: warning: {}\n", warning_line(config, warnings[i]));
+    print_error(0, "warning: " + warning_line(config, warnings[i]));
   }
   if (warnings.size() <= kShown) return;
-  fmt::print(stderr, "cls: {} more kinds of warnings: `warnings` in the JSON report\n",
-             warnings.size() - kShown);
+  print_error(0, fmt::format("{} more kinds of warnings: `warnings` in the JSON report",
+                             warnings.size() - kShown));
 }
 
 std::string warning_counts(const std::vector<ScheduledMatch>& matches) {
@@ -122,15 +123,21 @@ OpenedFolder open_folder(const fs::path& folder, const TournamentConfig& config,
   if (afresh) {
     if (const int code = start_over(folder); code != kOk) return failed(code);
   }
-  if (const auto ready = prepare_folder(folder, config); !ready) {
-    const int code = holds_plan(folder) ? kBadConfig : kCannotCreate;
-    return failed(print_error(code, ready.error().message));
+  if (const auto created = base::create_folders(folder); !created) {
+    return failed(print_error(kCannotCreate, created.error().message));
   }
   auto lock = FolderLock::try_lock(folder);
   if (!lock) return failed(print_error(kCannotCreate, lock.error().message));
   if (!*lock) return failed(busy(folder));
+  if (const auto same = check_plan(folder, config); !same) {
+    return failed(print_error(kBadConfig, same.error().message));
+  }
+  if (const auto written = write_plan(folder, config); !written) {
+    return failed(print_error(kCannotCreate, written.error().message));
+  }
   auto state = read_tournament(folder);
   if (!state) return failed(print_error(kBadData, state.error().message));
+  state->matches.resize(state->stored);
   return {kOk, *std::move(lock), std::move(state->matches)};
 }
 

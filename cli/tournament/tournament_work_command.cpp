@@ -12,6 +12,7 @@
 #include "cli/tournament/tournament_options.h"
 #include "orchestration/tournament/report/report_text.h"
 #include "orchestration/tournament/schedule/schedule.h"
+#include "orchestration/tournament/schedule/schedule_check.h"
 #include "orchestration/tournament/store/collector.h"
 #include "orchestration/tournament/store/folder.h"
 #include "orchestration/tournament/store/match_attempt.h"
@@ -46,8 +47,11 @@ int prepare(const Arguments& arguments) {
   if (holds_plan(folder) && fs::exists(folder / kScheduleFile, code)) return kOk;
   const ChosenConfig chosen = choose_config(arguments.tournament);
   if (chosen.exit_code != kOk) return chosen.exit_code;
-  if (const auto ready = prepare_folder(folder, chosen.config); !ready) {
-    return print_error(holds_plan(folder) ? kBadConfig : kCannotCreate, ready.error().message);
+  if (const auto same = check_plan(folder, chosen.config); !same) {
+    return print_error(kBadConfig, same.error().message);
+  }
+  if (const auto written = write_plan(folder, chosen.config); !written) {
+    return print_error(kCannotCreate, written.error().message);
   }
   std::vector<ScheduledMatch> matches;
   for (Fixture& fixture : next_fixtures(chosen.config, {})) {
@@ -64,14 +68,18 @@ int run(const Arguments& arguments) {
       arguments.schedule.empty() ? folder / kScheduleFile : fs::path(arguments.schedule),
       arguments.index);
   if (!fixture) return print_error(kNoInput, fixture.error().message);
+  const auto config = read_plan(folder);
+  if (!config) return print_error(kBadData, config.error().message);
+  if (const auto teams = check_teams(*config, *fixture); !teams) {
+    return print_error(kBadData, teams.error().message);
+  }
   const std::atomic<int>& signal = watch_interrupts();
   const auto outcome = work(folder, *fixture, arguments.attempt, own_program(), signal);
   if (!outcome) return print_error(kWriteFailed, outcome.error().message);
   if (!*outcome) return signal_exit_code(signal);
-  const auto config = read_plan(folder);
   if (arguments.json) {
     fmt::print("{}\n", format_work_result(*fixture, **outcome));
-  } else if (config) {
+  } else {
     ScheduledMatch played = planned(*fixture);
     played.outcome = **outcome;
     fmt::print("{}  {}\n", schedule_text(*config, *fixture), score_text(played));

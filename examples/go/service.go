@@ -4,7 +4,10 @@ import (
 	"context"
 	"fmt"
 	"log"
+	"path/filepath"
+	"runtime"
 	"runtime/debug"
+	"strings"
 
 	"google.golang.org/grpc/codes"
 	"google.golang.org/grpc/status"
@@ -82,7 +85,23 @@ func reportPanic(state *pb.State, err *error) {
 	if problem := recover(); problem != nil {
 		log.Printf("player %d at cycle %d: %v\n%s", state.GetRegisterResponse().GetUniformNumber(),
 			state.GetWorldModel().GetCycle(), problem, debug.Stack())
-		*err = status.Error(codes.Unknown, fmt.Sprint(problem))
+		*err = status.Error(codes.Unknown, fmt.Sprint(problem, placeOfPanic()))
+	}
+}
+
+// placeOfPanic is " (decide.go:83)", the line of this program that panicked.
+func placeOfPanic() string {
+	callers := make([]uintptr, 64)
+	frames := runtime.CallersFrames(callers[:runtime.Callers(0, callers)])
+	for panicked := false; ; {
+		frame, more := frames.Next()
+		if panicked && !strings.HasPrefix(frame.Function, "runtime.") {
+			return fmt.Sprintf(" (%s:%d)", filepath.Base(frame.File), frame.Line)
+		}
+		panicked = panicked || frame.Function == "runtime.gopanic"
+		if !more {
+			return ""
+		}
 	}
 }
 

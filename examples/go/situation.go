@@ -7,7 +7,7 @@ import (
 )
 
 const (
-	far    = 1000.0 // meters or cycles: nobody is there
+	far    = 1000.0 // meters or cycles: no player is there
 	maxAge = 20     // cycles; older estimates of players are ignored
 )
 

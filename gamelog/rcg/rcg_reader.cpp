@@ -66,10 +66,14 @@ MatchRecord read_rcg(base::ByteSource& source) {
 
 MatchRecord read_rcg(base::InputBuffer& input) {
   MatchRecord record;
+  read_rcg(input, record);
+  return record;
+}
+
+void read_rcg(base::InputBuffer& input, MatchRecord& record) {
   RecordBuilder builder(record);
   read_by_kind(input, builder);
   check_end(input, builder);
-  return record;
 }
 
 base::Result<MatchRecord> read_rcg_file(const std::string& path) {

@@ -149,7 +149,10 @@ class TextReader {
       LineError error;
       if (!read_show(line, builder_, error)) {
         add_error(error.column, unfinished ? kTruncated : error.message);
-      } else if (builder_.record().frames() == 1) {
+        return;
+      }
+      if (!error.message.empty()) add_error(error.column, error.message);
+      if (builder_.record().frames() == 1) {
         reserve(line.size());
       }
       return;

@@ -57,7 +57,11 @@ class ShowScanner {
     return literal(")") && (skip_spaces(), at_ == end_ || fail("expected the end"));
   }
 
-  LineError error() const { return {static_cast<std::size_t>(error_at_ - start_), error_}; }
+  /// What made a scan fail; otherwise the first number that is out of range; otherwise empty.
+  LineError error() const {
+    if (error_.empty()) return {};
+    return {static_cast<std::size_t>(error_at_ - start_), error_};
+  }
 
  private:
   bool fail(std::string_view message) {
@@ -84,7 +88,14 @@ class ShowScanner {
 
   bool number(float& value) {
     skip_spaces();
-    return base::scan_number(at_, value) || fail("expected a number");
+    if (base::scan_number(at_, value)) return true;
+    const char* start = at_;
+    if (!base::scan_number_out_of_range(at_, value)) return fail("expected a number");
+    if (error_.empty()) {
+      error_ = "number out of range";
+      error_at_ = start;
+    }
+    return true;
   }
 
   bool integer(std::int32_t& value) {
@@ -233,6 +244,7 @@ bool read_show(std::string_view line, RecordBuilder& builder, LineError& error) 
   if (scanner.skip_monitor_parts() &&
       scanner.scan_ball(record.ball_position[index], record.ball_velocity[index]) &&
       scanner.scan_players() && scanner.scan_end()) {
+    error = scanner.error();
     return true;
   }
   builder.drop_frame();

@@ -20,21 +20,29 @@ void add(std::string& text, const process::CommandPlan& plan) {
   fmt::format_to(std::back_inserter(text), "# {}\n{}\n", plan.name, process::to_shell(plan));
 }
 
-// The command of a side's Playmaker, or a comment on one that runs already.
+const Endpoint& endpoint_of(const MatchOptions& options, soccer::Side side) {
+  if (side == soccer::Side::kNeutral) return *options.trainer;
+  return side == soccer::Side::kLeft ? options.left : options.right;
+}
+
+// The command of a Playmaker, or a comment on one that runs already.
 Result<void> add_playmaker(std::string& text, const MatchOptions& options, const TeamNames& names,
-                           soccer::Side side, const fs::path& folder) {
+                           soccer::Side side, const Endpoint& endpoint, const fs::path& folder) {
   const bool left = side != soccer::Side::kRight;
   const bool trainer = side == soccer::Side::kNeutral;
-  const Endpoint& endpoint = trainer ? *options.trainer : left ? options.left : options.right;
+  for (const Endpoint& part : endpoint.parts) {
+    if (auto added = add_playmaker(text, options, names, side, part, folder); !added) return added;
+  }
+  if (endpoint.kind == Endpoint::Kind::kMixed) return {};
   if (endpoint.kind != Endpoint::Kind::kRun) {
-    fmt::format_to(std::back_inserter(text), "# {} Playmaker: {}\n",
-                   trainer ? "trainer" : side_name(side), endpoint.text);
+    fmt::format_to(std::back_inserter(text), "# {}: {}\n", playmaker_name(side, endpoint.label),
+                   endpoint.text);
     return {};
   }
   const auto port = process::ReservedPort::choose(1);
   if (!port) return port.error();
   const RunValues values = {port->front().number(), side, left ? names.left : names.right,
-                            options.seed.value_or(0)};
+                            options.seed.value_or(0), endpoint.label};
   process::CommandPlan plan = run_plan(endpoint.command, values, folder);
   if (!trainer) plan.cpus = left ? options.left_cpus : options.right_cpus;
   add(text, plan);
@@ -61,7 +69,8 @@ Result<std::string> dry_run(const MatchOptions& options) {
   for (const auto side : {soccer::Side::kLeft, soccer::Side::kRight}) {
     const auto& team = plan.teams[side == soccer::Side::kLeft ? 0 : 1];
     if (!team) {
-      const auto added = add_playmaker(text, options, names, side, folder);
+      const auto added =
+          add_playmaker(text, options, names, side, endpoint_of(options, side), folder);
       if (!added) return added.error();
       continue;
     }
@@ -69,7 +78,8 @@ Result<std::string> dry_run(const MatchOptions& options) {
     if (team->kill) add(text, *team->kill);
   }
   if (options.trainer) {
-    const auto added = add_playmaker(text, options, names, soccer::Side::kNeutral, folder);
+    const auto added =
+        add_playmaker(text, options, names, soccer::Side::kNeutral, *options.trainer, folder);
     if (!added) return added.error();
   }
   return text;

@@ -341,6 +341,7 @@ void Match::take_turn() {
     if (side->takes_turns()) side->begin_turn(view.progress.cycle);
   }
   if (server_->lockstep()) {
+    for (const auto& side : sides_) side->take_turn();
     wait_for_decisions();
     wait_for_external_clients();
     limits_.begin_cycle();  // every reply is in: the stall limit must not expire after this

@@ -4,6 +4,7 @@
 #include <array>
 #include <utility>
 
+#include "orchestration/match/options/saved_match.h"
 #include "orchestration/match/sides/external_side.h"
 #include "orchestration/match/sides/lockstep_agents.h"
 #include "orchestration/match/sides/network_agents.h"
@@ -106,9 +107,13 @@ Result<std::unique_ptr<Match>> make_lockstep_match(const MatchSetup& setup,
   if (!server) return server.error();
   EmbeddedServer& embedded = **server;
   embedded.record(logs.game_log, logs.text_log, logs.events);
+  if (options.resumed != nullptr && options.branch_seed) {
+    embedded.branch(options.resumed->steps(), *options.branch_seed);
+  }
   auto teams = plan_external_teams(setup, embedded);
   if (!teams) return teams.error();
   Sides sides;
+  bool match_thread_taken = false;
   for (const Side side : sides_of(options)) {
     if (side != Side::kNeutral && (*teams)[side == Side::kLeft ? 0 : 1]) {
       sides.push_back(std::make_unique<ExternalSide>(
@@ -120,9 +125,17 @@ Result<std::unique_ptr<Match>> make_lockstep_match(const MatchSetup& setup,
     const Endpoint& endpoint = endpoint_of(options, side);
     auto playmaker = connect_playmaker(endpoint, values);
     if (!playmaker) return playmaker.error();
-    sides.push_back(std::make_unique<LockstepAgents>(
-        identity_of(setup, side), *std::move(playmaker), team_options(values, endpoint, options),
-        options, values.cpus, embedded));
+    if (options.resumed != nullptr) {
+      playmaker->playmaker =
+          proxy::resume_with(std::move(playmaker->playmaker), replies_of(*options.resumed, side));
+    }
+    const bool on_match_thread =
+        playmaker->direct && values.cpus.empty() && !std::exchange(match_thread_taken, true);
+    auto agents = std::make_unique<LockstepAgents>(identity_of(setup, side), *std::move(playmaker),
+                                                   team_options(values, endpoint, options), options,
+                                                   values.cpus, embedded);
+    if (on_match_thread) agents->take_turns_on_match_thread();
+    sides.push_back(std::move(agents));
   }
   return std::make_unique<Match>(options, *std::move(server), std::move(sides), setup.seed,
                                  setup.stop_signal);

@@ -11,7 +11,10 @@
 #include "base/system/host.h"
 #include "orchestration/match/hooks/debug_log.h"
 #include "orchestration/match/hooks/error_recording.h"
+#include "orchestration/match/hooks/match_saver.h"
+#include "orchestration/match/hooks/missed_log.h"
 #include "orchestration/match/hooks/rpc_recorder.h"
+#include "orchestration/match/hooks/world_model_recorder.h"
 #include "orchestration/match/match_setup.h"
 #include "orchestration/match/options/match_settings.h"
 #include "orchestration/match/result/late_warnings.h"
@@ -59,6 +62,16 @@ class FileHooks {
  public:
   static Result<std::unique_ptr<FileHooks>> create(const MatchSetup& setup) {
     std::unique_ptr<FileHooks> hooks(new FileHooks(setup.folder));
+    const MatchOptions& options = setup.options;
+    if (options.save_at) {
+      hooks->saver_.emplace(
+          options.save_file, *options.save_at,
+          describe_match(options, setup.seed, setup.names.left, setup.names.right));
+    }
+    if (options.resumed != nullptr) hooks->resume_.emplace(options.resumed);
+    if (options.record_world_models) {
+      hooks->world_models_.emplace(setup.folder, setup.names.left, setup.names.right);
+    }
     if (setup.options.record_rpc.empty()) return hooks;
     auto recorder = RpcRecorder::create(setup.options.record_rpc, recording_header(setup));
     if (!recorder) return recorder.error();
@@ -68,18 +81,31 @@ class FileHooks {
 
   void add_to(Match& match) {
     match.add_hooks(debug_);
+    match.add_hooks(missed_);
+    if (resume_) match.add_hooks(*resume_);
+    if (saver_) match.add_hooks(*saver_);
     if (recorder_ != nullptr) match.add_hooks(*recorder_);
+    if (world_models_) match.add_hooks(*world_models_);
   }
+  /// Why the match is not the one to be resumed, or an empty string.
+  std::string problem() const { return resume_ ? resume_->problem() : std::string(); }
   void close(FirstError& error) {
     error.add(debug_.close());
+    error.add(missed_.close());
+    if (saver_) error.add(saver_->close());
     if (recorder_ != nullptr) error.add(recorder_->close());
+    if (world_models_) error.add(world_models_->close());
   }
 
  private:
-  explicit FileHooks(const fs::path& folder) : debug_(folder) {}
+  explicit FileHooks(const fs::path& folder) : debug_(folder), missed_(folder) {}
 
   DebugLog debug_;
+  MissedLog missed_;
+  std::optional<MatchSaver> saver_;
+  std::optional<ResumeCheck> resume_;
   std::unique_ptr<RpcRecorder> recorder_;
+  std::optional<WorldModelRecorder> world_models_;
 };
 
 // Saves the first failed call of each side.
@@ -101,8 +127,7 @@ void record_errors(const MatchSetup& setup, const Match& match, MatchResult& res
 // Adds what only the whole match shows.
 void add_late_warnings(const fs::path& folder, MatchResult& result, MatchObserver& observer) {
   std::vector<std::string> late = action_warnings(result.left);
-  for (const auto& lines :
-       {action_warnings(result.right), output_warnings(result.processes, folder)}) {
+  for (const auto& lines : {action_warnings(result.right), output_warnings(result, folder)}) {
     late.insert(late.end(), lines.begin(), lines.end());
   }
   for (const std::string& line : late) {
@@ -118,6 +143,10 @@ MatchResult play(const MatchSetup& setup, std::unique_ptr<Match> match, FileHook
   if (hooks != nullptr) match->add_hooks(*hooks);
   match->play(observer);
   MatchResult result = match->result();
+  if (std::string problem = files.problem(); !problem.empty()) {
+    result.end_reason = EndReason::kRefused;
+    result.message = std::move(problem);
+  }
   record_errors(setup, *match, result);
   return result;
 }
@@ -248,6 +277,7 @@ Result<MatchResult> run_match(const MatchOptions& options, MatchObserver& observ
       options, names, seed, stop_signal, host ? &*host : nullptr, fs::absolute(*folder)};
   std::vector<std::string> warnings = settings_without_effect(options);
   for (const std::string& warning : warnings) observer.on_warning(warning);
+  observer.on_folder(setup.folder, running_game_log(options));
   auto result = mode_of(options) == MatchMode::kLockstep ? play_lockstep(setup, hooks, observer)
                                                          : play_over_udp(setup, hooks, observer);
   if (!result) return result;
@@ -256,12 +286,14 @@ Result<MatchResult> run_match(const MatchOptions& options, MatchObserver& observ
   add_late_warnings(*folder, *result, observer);
   result->wall_seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  // For tournaments, which read only the document.
+  if (!result->write_error.empty()) result->warnings.push_back(result->write_error);
   times.ended = base::utc_now();
   times.server_version = result->server_version;
   for (const auto& [file, text] :
        {std::pair(kManifestFile, manifest_json(options, names, seed, times)),
         std::pair(kResultFile, to_json(*result))}) {
-    const auto written = base::write_file(*folder / file, text);
+    const auto written = base::write_file_durably(*folder / file, text);
     if (!written && result->write_error.empty()) result->write_error = written.error().message;
   }
   return result;

@@ -32,6 +32,12 @@ constexpr auto kOrphanTimeout = std::chrono::milliseconds(1500);
 constexpr auto kGuardExitTimeout = std::chrono::seconds(4);
 
 const Guard* the_guard = nullptr;
+std::string the_error;
+
+base::Error failed_start() {
+  the_error = fmt::format("no guard process: {}", std::strerror(errno));
+  return base::Error{the_error};
+}
 
 // Opened such that use in the wrong direction fails as on a closed descriptor.
 void open_closed_standard_streams() {
@@ -199,12 +205,14 @@ Guard::~Guard() {
 
 const Guard* Guard::active() { return the_guard; }
 
+const std::string& Guard::start_error() { return the_error; }
+
 base::Result<Guard> Guard::start(int argc, char** argv) {
   open_closed_standard_streams();
   auto sockets = make_socket_pair();
-  if (!sockets) return base::Error{fmt::format("no guard process: {}", std::strerror(errno))};
+  if (!sockets) return failed_start();
   const pid_t pid = ::fork();
-  if (pid < 0) return base::Error{fmt::format("no guard process: {}", std::strerror(errno))};
+  if (pid < 0) return failed_start();
   if (pid == 0) {
     sockets->first.reset();
     run_guard(std::move(sockets->second), ProcessTitle(argc, argv));

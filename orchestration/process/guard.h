@@ -4,6 +4,8 @@
 
 #include <sys/types.h>
 
+#include <string>
+
 #include "base/result.h"
 #include "base/system/unique_fd.h"
 
@@ -29,6 +31,8 @@ class Guard {
 
   /// The guard of this process; nullptr when none was started.
   static const Guard* active();
+  /// Why start() failed; empty: it did not, or was not called.
+  static const std::string& start_error();
 
   /// For requests to start a program: an encoded plan with two descriptors, the keeper's end of its
   /// connection and the program's output. Thread-safe.

@@ -14,6 +14,7 @@
 #include <chrono>
 #include <csignal>
 #include <optional>
+#include <vector>
 
 #include "orchestration/process/launch.h"
 #include "orchestration/process/packet.h"
@@ -116,6 +117,14 @@ class Keeper {
     }
   }
 
+  // Without /proc the descendants are unknown: those in the program's process group are left.
+  template <typename Action>
+  void for_each_descendant(Action action) const {
+    const std::vector<ProcessEntry> entries = descendants_of(::getpid());
+    for (const ProcessEntry& entry : entries) action(entry.pid);
+    if (entries.empty()) action(-program_);
+  }
+
   // A stopped process handles SIGTERM only after SIGCONT.
   static void ask_to_end(pid_t pid) {
     ::kill(pid, SIGTERM);
@@ -124,7 +133,7 @@ class Keeper {
 
   void ask_all_to_end() {
     all_asked_ = true;
-    for (const ProcessEntry& entry : descendants_of(::getpid())) ask_to_end(entry.pid);
+    for_each_descendant(ask_to_end);
   }
 
   int timeout_ms() const {
@@ -139,7 +148,7 @@ class Keeper {
     if (!kill_at_) return;
     if (Clock::now() >= *kill_at_) {
       // Repeated until nothing is left, because descendants may fork meanwhile.
-      for (const ProcessEntry& entry : descendants_of(::getpid())) ::kill(entry.pid, SIGKILL);
+      for_each_descendant([](pid_t pid) { ::kill(pid, SIGKILL); });
     } else if (exit_status_ && !all_asked_) {
       ask_all_to_end();
     }

@@ -6,26 +6,9 @@
 #include <algorithm>
 #include <cerrno>
 
-#include "base/text/utf8.h"
+#include "base/text/printable.h"
 
 namespace cls::orchestration::process {
-
-std::string printable(std::string_view text) {
-  std::string result;
-  while (!text.empty()) {
-    const std::size_t length = base::utf8_sequence_length(text);
-    const auto first = static_cast<unsigned char>(text.front());
-    if (text.front() == '\t') {
-      result += ' ';
-    } else if (length == 0 || first < 0x20 || first == 0x7F) {
-      result += '?';
-    } else {
-      result += text.substr(0, length);
-    }
-    text.remove_prefix(std::max<std::size_t>(length, 1));
-  }
-  return result;
-}
 
 OutputLog::OutputLog(base::UniqueFd file, std::size_t max_bytes,
                      std::function<void(std::string_view)> on_line)
@@ -104,10 +87,10 @@ void OutputLog::finish() {
 std::vector<std::string> OutputLog::last_lines(std::size_t count) const {
   std::vector<std::string> lines;
   for (std::size_t i = last_.size() - std::min(count, last_.size()); i < last_.size(); ++i) {
-    lines.push_back(printable(last_[i].text));
+    lines.push_back(base::printable(last_[i].text));
     if (last_[i].times > 1) lines.back() += fmt::format(" ×{}", last_[i].times);
   }
-  if (!partial_.empty() && !overlong_ && count > 0) lines.push_back(printable(partial_));
+  if (!partial_.empty() && !overlong_ && count > 0) lines.push_back(base::printable(partial_));
   return lines;
 }
 

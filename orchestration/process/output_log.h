@@ -30,8 +30,8 @@ class OutputLog {
   /// End of output: handles an incomplete last line, and writes what was held back.
   void finish();
 
-  /// The last lines, oldest first, safe to print and for JSON: control characters and invalid UTF-8
-  /// become '?'; a repeated line is one line with " ×N".
+  /// The last lines, oldest first, safe to print (base::printable); a repeated line is one line
+  /// with " ×N".
   std::vector<std::string> last_lines(std::size_t count = kMaxLastLines) const;
 
   /// errno of the first failed write; 0: none.
@@ -57,8 +57,5 @@ class OutputLog {
   bool full_ = false;
   int error_ = 0;
 };
-
-/// `text` with control characters and invalid UTF-8 replaced by '?', and tabs by spaces.
-std::string printable(std::string_view text);
 
 }  // namespace cls::orchestration::process

@@ -5,7 +5,7 @@
 #include <charconv>
 #include <vector>
 
-#include "orchestration/process/output_log.h"
+#include "base/text/printable.h"
 
 namespace cls::orchestration::process {
 namespace {
@@ -105,7 +105,7 @@ std::string printed_exception(std::string_view log) {
   const Lines lines = lines_of(log);
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const std::string_view found = exception_at(lines, i);
-    if (!found.empty()) return printable(found);
+    if (!found.empty()) return base::printable(found);
   }
   return {};
 }
@@ -119,7 +119,7 @@ RepeatedLine most_repeated_line(std::string_view log) {
       const std::string_view digits = line.substr(kCount.size());
       std::from_chars(digits.data(), digits.data() + digits.size(), times);
     }
-    if (times > most.times) most = {printable(before), times};
+    if (times > most.times) most = {base::printable(before), times};
     before = line;
   }
   return most;

@@ -132,8 +132,12 @@ bool Child::wait_gone(milliseconds limit) const {
 ProcessHost::ProcessHost(std::shared_ptr<ProcessHostCore> core) : core_(std::move(core)) {}
 
 Result<ProcessHost> ProcessHost::create(std::size_t log_limit) {
-  if (Guard::active() == nullptr)
-    return Error{"this process has no guard process; Guard::start was not called in main"};
+  if (Guard::active() == nullptr) {
+    const std::string& why = Guard::start_error();
+    return Error{why.empty()
+                     ? "this process has no guard process; Guard::start was not called in main"
+                     : why};
+  }
   return ProcessHost(std::make_shared<ProcessHostCore>(log_limit));
 }
 

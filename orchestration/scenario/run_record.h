@@ -4,12 +4,14 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "mock-server/script/expectations.h"
 #include "orchestration/match/result/match_result.h"
 #include "proto/playmaker.pb.h"
+#include "proxy/playmaker/playmaker_errors.h"
 #include "soccer/geometry.h"
 #include "soccer/play_mode.h"
 #include "soccer/side.h"
@@ -66,6 +68,8 @@ struct RunRecord {
   /// Failed expectations of the scripts of mock sides.
   std::vector<std::string> script_failures;
   match::MatchResult result;
+  /// The first call that the Playmaker of each side answered with an error.
+  std::array<std::optional<proxy::PlaymakerError>, 2> errors;
   std::string game_log;
   std::string text_log;
   double seconds = 0.0;  ///< wall time, for reports; not used by checks

@@ -7,6 +7,8 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "base/text/schema.h"
+#include "base/text/stored_formats.h"
 #include "mock-server/mock.h"
 #include "mock-server/script/named_behaviors.h"
 #include "mock-server/script/script.h"
@@ -26,6 +28,16 @@ using soccer::Side;
 
 constexpr int kMaxSeeds = 1000;
 constexpr int kMaxSteps = 100'000;
+
+// Files without a schema are of the first version.
+Result<void> check_schema(const JsonValue& json) {
+  if (!json.has("schema")) return {};
+  const auto schema = json["schema"].string();
+  if (!schema) return schema.error();
+  if (const auto error = base::schema_error(*schema, base::kScenarioSchema))
+    return json["schema"].error(*error);
+  return {};
+}
 
 Result<void> parse_settings(const JsonValue& json, const char* module,
                             match::MatchOptions& options) {
@@ -107,6 +119,19 @@ Result<StartingPlace> parse_place(const JsonValue& json) {
   return place;
 }
 
+// Reads the script of a mock, whose path starts in `folder`.
+Result<void> read_mock(const JsonValue& json, const std::filesystem::path& folder,
+                       match::Endpoint& endpoint) {
+  if (endpoint.kind != match::Endpoint::Kind::kMock) return {};
+  if (mock_server::is_script_name(endpoint.behavior)) {
+    endpoint.behavior = (folder / endpoint.behavior).string();
+    return match::load_script(endpoint);
+  }
+  const auto known = mock_server::make_behavior(endpoint.behavior);
+  if (!known) return json.error(known.error().message);
+  return {};
+}
+
 Result<void> parse_playmaker(const JsonValue& json, match::Endpoint& endpoint) {
   const std::filesystem::path folder = std::filesystem::path(json.text().name()).parent_path();
   if (json.is_object()) {
@@ -124,14 +149,10 @@ Result<void> parse_playmaker(const JsonValue& json, match::Endpoint& endpoint) {
   endpoint = *std::move(parsed);
   if (endpoint.kind == match::Endpoint::Kind::kTeam)
     endpoint.path = (folder / endpoint.path).string();
-  if (endpoint.kind != match::Endpoint::Kind::kMock) return {};
-  if (mock_server::is_script_name(endpoint.behavior)) {
-    endpoint.behavior = (folder / endpoint.behavior).string();
-    return match::load_script(endpoint);
+  for (match::Endpoint& part : endpoint.parts) {
+    if (auto read = read_mock(json, folder, part); !read) return read;
   }
-  const auto known = mock_server::make_behavior(endpoint.behavior);
-  if (!known) return json.error(known.error().message);
-  return {};
+  return read_mock(json, folder, endpoint);
 }
 
 Result<void> parse_team(const JsonValue& json, ScenarioSide& side) {
@@ -278,11 +299,12 @@ Result<void> parse_checks(const JsonValue& json, const Json& golden, Scenario& s
 Result<Scenario> parse_scenario(const JsonDocument& text, const Json& golden) {
   const JsonValue json(text);
   const auto keys =
-      json.expect_keys({"about",      "seed",    "seeds",   "noise", "server", "player",
-                        "mode",       "cycle",   "score",   "ball",  "left",   "right",
-                        "under_test", "coach",   "trainer", "steps", "until",  "rpc_deadline_ms",
-                        "max_missed", "on_late", "expect"});
+      json.expect_keys({"schema",          "about",      "seed",    "seeds",   "noise", "server",
+                        "player",          "mode",       "cycle",   "score",   "ball",  "left",
+                        "right",           "under_test", "coach",   "trainer", "steps", "until",
+                        "rpc_deadline_ms", "max_missed", "on_late", "expect"});
   if (!keys) return keys.error();
+  if (const auto checked = check_schema(json); !checked) return checked.error();
   Scenario scenario;
   scenario.file = scenario.argument = text.name();
   scenario.name = std::filesystem::path(text.name()).stem().string();

@@ -32,6 +32,7 @@ match::MatchOptions match_options(const Scenario& scenario, const RunSettings& s
   constexpr double kTimeToJoin = 60.0;
   const bool external = !options.left.has_playmaker() || !options.right.has_playmaker();
   if (external) options.start_timeout_s = kTimeToJoin;
+  if (settings.start_timeout_s) options.start_timeout_s = *settings.start_timeout_s;
   return options;
 }
 
@@ -58,6 +59,9 @@ base::Result<RunRecord> run_scenario(const Scenario& scenario, const RunSettings
   record.result = (*match)->result();
   for (const auto& side : (*match)->sides()) {
     if (side->identity().side == soccer::Side::kNeutral) continue;
+    if (const proxy::PlaymakerErrors* errors = side->errors(); errors != nullptr) {
+      record.errors.at(side->identity().side == soccer::Side::kLeft ? 0 : 1) = errors->first;
+    }
     for (const std::string& line : side->failed_expectations()) {
       record.script_failures.push_back(side->identity().name + ": " + line);
     }

@@ -17,6 +17,7 @@ struct RunSettings {
   std::optional<match::Endpoint> against;  ///< replaces the side under test
   process::ProcessHost* host = nullptr;    ///< for `run:` sides; their logs go to `folder`
   std::filesystem::path folder;
+  std::optional<double> start_timeout_s;  ///< none: that of matches
 };
 
 /// Plays the run. A failed run has a record too (see its result's end reason); an error means that

@@ -9,6 +9,7 @@
 
 #include "base/io/whole_file.h"
 #include "orchestration/scenario/scenario_run.h"
+#include "viewer/page/match_page.h"
 
 namespace cls::orchestration::scenario {
 namespace {
@@ -25,6 +26,7 @@ struct RunOutcome {
   std::vector<std::string> fingerprints;
   bool against = false;  ///< a check counts this run as a failure
   fs::path folder;       ///< its logs, if the run failed
+  fs::path page;         ///< that shows it, if the run failed and has a frame
   double seconds = 0.0;
 
   bool good() const { return problem.empty() && script_failures.empty() && !against; }
@@ -41,6 +43,7 @@ bool speaks_against(const Check& check, bool held) {
 constexpr const char* kGameLog = "match.rcg";
 constexpr const char* kTextLog = "match.rcl";
 constexpr const char* kFailures = "failures.txt";
+constexpr const char* kPage = "match.html";
 
 std::string folder_prefix(const Scenario& scenario) { return scenario.name + "-seed-"; }
 
@@ -69,7 +72,7 @@ void remove_run(const fs::path& folder) {
   for (const auto& entry : fs::directory_iterator(folder, code)) {
     const std::string name = entry.path().filename().string();
     const bool written = name == kGameLog || name == kTextLog || name == kFailures ||
-                         entry.path().extension() == ".log";
+                         name == kPage || entry.path().extension() == ".log";
     if (written && entry.is_regular_file(code)) files.push_back(entry.path());
   }
   for (const fs::path& file : files) fs::remove(file, code);
@@ -226,6 +229,8 @@ class SuiteRun {
                       base::write_file(folder / kTextLog, record.text_log) &&
                       base::write_file(folder / kFailures, report);
     if (kept) outcome.folder = folder;
+    const std::string page = viewer::page_of_logs(record.game_log, record.text_log, kGameLog);
+    if (!page.empty() && base::write_file(folder / kPage, page)) outcome.page = folder / kPage;
   }
 
   std::string repeat_command(const Scenario& scenario, std::uint64_t seed) const {
@@ -265,6 +270,7 @@ class SuiteRun {
           std::find_if(runs.begin(), runs.end(), [](const RunOutcome& run) { return !run.good(); });
       if (bad == runs.end()) bad = runs.begin();
       verdict.replay = bad->folder.string();
+      verdict.page = bad->page.string();
       verdict.rerun = repeat_command(scenario, bad->seed);
     }
     clear_folders(verdict, runs);

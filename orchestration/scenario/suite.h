@@ -19,8 +19,9 @@ struct SuiteOptions {
   int jobs = 1;
   std::optional<std::uint64_t> seed;  ///< overrides the seeds of the scenarios
   std::optional<match::Endpoint> against;
-  std::string against_text;      ///< for the command that reruns a seed
-  std::filesystem::path folder;  ///< logs of failed runs; created on demand, cleared when they pass
+  std::string against_text;  ///< for the command that reruns a seed
+  std::filesystem::path
+      folder;  ///< logs and pages of failed runs; created on demand, cleared when they pass
 };
 
 /// One check over all runs of a scenario.
@@ -49,6 +50,7 @@ struct ScenarioVerdict {
   std::vector<std::uint64_t> seeds;
   std::vector<std::string> fingerprints;  ///< of the golden checks in the first run, in order
   std::string replay;                     ///< folder with logs of the first failed run
+  std::string page;                       ///< page that shows that run; empty: none
   std::string rerun;                      ///< command that reruns it
   double seconds = 0.0;                   ///< wall time of all runs
 };

@@ -1,4 +1,4 @@
-// Formats verdicts as text, JSON, JUnit and GitHub annotations.
+// Formats verdicts as text, JSON, JUnit, Markdown and GitHub annotations.
 #include "orchestration/scenario/suite_report.h"
 
 #include <fmt/format.h>
@@ -9,6 +9,7 @@
 #include "base/report/junit.h"
 #include "base/system/version.h"
 #include "base/text/json_text.h"
+#include "base/text/table.h"
 
 namespace cls::orchestration::scenario {
 namespace {
@@ -59,6 +60,10 @@ std::string failures(const ScenarioVerdict& verdict) {
   return text;
 }
 
+std::string watch_line(const ScenarioVerdict& verdict) {
+  return verdict.page.empty() ? "" : fmt::format("watch: {}\n", verdict.page);
+}
+
 Json json_of(const CheckVerdict& check) {
   Json json = {{"name", check.name},
                {"line", check.line},
@@ -84,6 +89,7 @@ Json json_of(const ScenarioVerdict& verdict) {
   if (!verdict.rerun.empty()) {
     json["repeat"] = verdict.rerun;
     json["replay"] = verdict.replay;
+    json["page"] = verdict.page.empty() ? Json(nullptr) : Json(verdict.page);
   }
   json["seconds"] = verdict.seconds;
   return json;
@@ -112,6 +118,7 @@ std::string to_text(const ScenarioVerdict& verdict, bool color) {
   }
   if (!verdict.reason.empty()) text += fmt::format("      {}\n", verdict.reason);
   if (!verdict.replay.empty()) text += fmt::format("      logs: {}\n", verdict.replay);
+  if (!verdict.page.empty()) text += fmt::format("      watch: {}\n", verdict.page);
   text += fmt::format("      rerun: {}\n", verdict.rerun);
   if (scenario.built_in) {
     text += fmt::format("      file: cls test --export DIR writes DIR/{}.json\n", scenario.name);
@@ -163,7 +170,8 @@ std::string to_junit(const SuiteVerdict& suite) {
       one.result = base::JunitCase::Result::kFailed;
       one.type = "check";
       one.message = lines.substr(0, lines.find('\n'));
-      one.text = fmt::format("{}rerun: {}\n", lines, verdict.rerun);
+      one.text = fmt::format("{}{}rerun: {}\n", lines, watch_line(verdict), verdict.rerun);
+      one.attachment = verdict.page;
     }
   }
   return base::format_junit("cls test", cases);
@@ -175,9 +183,9 @@ std::string to_annotations(const SuiteVerdict& suite) {
     if (verdict.verdict != Verdict::kFailed) continue;
     const Scenario& scenario = *verdict.scenario;
     const auto add = [&](int line, const std::string& what) {
-      text += base::format_github_error({scenario.built_in ? "" : scenario.file, line},
-                                        "scenario " + scenario.name,
-                                        what + "\nrerun: " + verdict.rerun);
+      text += base::format_github_error(
+          {scenario.built_in ? "" : scenario.file, line}, "scenario " + scenario.name,
+          fmt::format("{}\n{}rerun: {}", what, watch_line(verdict), verdict.rerun));
     };
     for (const CheckVerdict& check : verdict.checks) {
       if (!check.passed) add(check.line, describe(check));
@@ -185,6 +193,21 @@ std::string to_annotations(const SuiteVerdict& suite) {
     if (!verdict.reason.empty()) add(1, verdict.reason);
   }
   return text;
+}
+
+std::string to_markdown(const SuiteVerdict& suite) {
+  std::string text =
+      fmt::format("### cls test: {} passed, {} failed, {} skipped\n", suite.count(Verdict::kPassed),
+                  suite.count(Verdict::kFailed), suite.count(Verdict::kSkipped));
+  base::Table table;
+  table.add_columns({"scenario", "failure", "replay page", "rerun"});
+  for (const ScenarioVerdict& verdict : suite.scenarios) {
+    if (verdict.verdict != Verdict::kFailed) continue;
+    const std::string lines = failures(verdict);
+    table.add_row({verdict.scenario->name, lines.substr(0, lines.find('\n')),
+                   verdict.page.empty() ? "-" : verdict.page, verdict.rerun});
+  }
+  return suite.passed() ? text : text + "\n" + table.format_markdown();
 }
 
 }  // namespace cls::orchestration::scenario

@@ -1,4 +1,4 @@
-// Reports of a suite: text, JSON, JUnit, GitHub annotations.
+// Reports of a suite: text, JSON, JUnit, Markdown, GitHub annotations.
 #pragma once
 
 #include <string>
@@ -23,5 +23,8 @@ std::string to_junit(const SuiteVerdict& suite);
 
 /// GitHub annotations, one ::error line per failed check.
 std::string to_annotations(const SuiteVerdict& suite);
+
+/// A summary for people: counts, and a row for each failed scenario with the page that shows it.
+std::string to_markdown(const SuiteVerdict& suite);
 
 }  // namespace cls::orchestration::scenario

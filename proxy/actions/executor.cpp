@@ -125,26 +125,48 @@ void update_possession(const WorldModel& world, ActionMemory& memory) {
   }
 }
 
+ActionOutcome run_action(const protos::PlayerAction& action, const ActionEntry& entry,
+                         bool main_done, ActionContext& context) {
+  if (entry.kind == ActionClass::kMain && main_done) return ActionOutcome::kSkipped;
+  if (entry.handler == nullptr) return ActionOutcome::kUnimplemented;
+  if (!all_finite(action)) return ActionOutcome::kInvalid;
+  return entry.handler(action, context) ? ActionOutcome::kExecuted : ActionOutcome::kFailed;
+}
+
+void count(ActionOutcome outcome, ActionCounts& counts) {
+  switch (outcome) {
+    case ActionOutcome::kExecuted:
+      ++counts.done;
+      return;
+    case ActionOutcome::kFailed:
+      ++counts.failed;
+      return;
+    case ActionOutcome::kSkipped:
+      ++counts.skipped;
+      return;
+    case ActionOutcome::kInvalid:
+      ++counts.invalid;
+      return;
+    case ActionOutcome::kUnimplemented:
+      ++counts.unimplemented;
+      return;
+  }
+}
+
 /// Executes the list: main actions until one succeeds, all side actions.
 void run_list(const protos::PlayerActions& reply, ActionContext& context) {
+  context.memory.trace.by = DecidedBy::kActions;
   bool main_done = false;
   bool any_done = false;
   for (const protos::PlayerAction& action : reply.actions()) {
     const int member = action.action_case();
     const ActionEntry& entry = action_entry(member);
-    ActionCounts& counts = context.report.actions[static_cast<std::size_t>(entry.member)];
-    if (entry.kind == ActionClass::kMain && main_done) {
-      ++counts.skipped;
-    } else if (entry.handler == nullptr) {
-      ++counts.unimplemented;
-    } else if (!all_finite(action)) {
-      ++counts.invalid;
-    } else {
-      const bool success = entry.handler(action, context);
-      ++(success ? counts.done : counts.failed);
-      any_done = any_done || success;
-      if (entry.kind == ActionClass::kMain && success) main_done = true;
-    }
+    const ActionOutcome outcome = run_action(action, entry, main_done, context);
+    count(outcome, context.report.actions[static_cast<std::size_t>(entry.member)]);
+    context.memory.trace.outcomes.push_back(outcome);
+    const bool success = outcome == ActionOutcome::kExecuted;
+    any_done = any_done || success;
+    main_done = main_done || (success && entry.kind == ActionClass::kMain);
   }
   ++context.report.lists;
   if (reply.actions().empty()) ++context.report.empty;
@@ -156,6 +178,7 @@ bool run_preprocess(ActionContext& context) {
   if (!reason) return false;
   preprocess(*reason, context.world, context.memory.view, context.slots, context.neck);
   ++context.report.preprocess;
+  context.memory.trace.by = DecidedBy::kPreprocess;
   return true;
 }
 
@@ -165,6 +188,7 @@ bool run_sure_shot(ActionContext& context) {
   context.memory.intention.clear();
   context.neck = {NeckPlan::Kind::kPoint, aim};
   ++context.report.sure_shot;
+  context.memory.trace.by = DecidedBy::kSureShot;
   return true;
 }
 
@@ -182,12 +206,14 @@ bool run_intention(ActionContext& context) {
       break;
   }
   ++context.report.intention;
+  context.memory.trace.by = DecidedBy::kIntention;
   return true;
 }
 
 bool run_heard_pass(ActionContext& context) {
   if (!receive_heard_pass(context)) return false;
   ++context.report.heard_pass;
+  context.memory.trace.by = DecidedBy::kHeardPass;
   return true;
 }
 
@@ -195,6 +221,7 @@ bool run_force_kick(ActionContext& context) {
   if (!force_kick(context.world, context.slots)) return false;
   context.neck.kind = NeckPlan::Kind::kScan;
   ++context.report.force_kick;
+  context.memory.trace.by = DecidedBy::kForceKick;
   return true;
 }
 
@@ -218,6 +245,7 @@ void execute(const protos::PlayerActions& reply, const WorldModel& world, Action
   NeckPlan neck;
   ActionContext context{world, memory, slots, neck, report, choice, &reply};
   memory.debug.clear();
+  memory.trace.outcomes.clear();
   update_view_memory(memory.view, world);
   update_possession(world, memory);
   const bool automatic = (!reply.ignore_preprocess() && run_preprocess(context)) ||
@@ -241,8 +269,10 @@ void execute_without_reply(const WorldModel& world, ActionMemory& memory, Comman
   PlanChoice choice;
   ActionContext context{world, memory, slots, neck, report, choice};
   memory.debug.clear();
+  memory.trace.outcomes.clear();
   update_view_memory(memory.view, world);
   if (!run_preprocess(context)) neck.kind = NeckPlan::Kind::kBallOrScan;
+  memory.trace.by = DecidedBy::kNoReply;
   finish(context);
 }
 

@@ -143,7 +143,13 @@ void PlayerAgent::count_lost_commands() {
   awaits_count_ = false;
 }
 
+// A datagram may arrive twice, and a faulty server may send a second reply: the number, under which
+// the Playmaker knows the agent, stays.
 void PlayerAgent::on_connected(const soccer::PlayerInitReply& init) {
+  if (server_.accepted) {
+    server_.errors.add_unreadable("reply to init after the first one", server_.message);
+    return;
+  }
   on_init(world_, init, options_.team_name, options_.goalie);
   server_.accepted = true;
   server_.channel->send(initial_commands(options_.protocol));
@@ -234,6 +240,7 @@ void PlayerAgent::act_on_planner_choice(std::optional<int> node) {
 
 void PlayerAgent::act_without_reply() {
   const WorldModel& world = decision_world();
+  choice_ = {};
   CommandSlots slots(world);
   if (options_.on_late == OnLate::kDefault) choose_fallback_actions(world, last_actions_);
   if (options_.on_late == OnLate::kHold || last_actions_.actions_size() == 0) {
@@ -252,7 +259,11 @@ void PlayerAgent::write_debug_log() {
         std::string(options_.team_name.view()) + "-" + std::to_string(world_.unum) + ".log";
     debug_log_.open(std::filesystem::path(options_.debug_log) / name);
   }
+  constexpr std::size_t kMaxDebugBytes = 10 << 20;
+  if (debug_bytes_ > kMaxDebugBytes) return;
+  debug_bytes_ += memory_.debug.size();
   debug_log_ << memory_.debug;
+  if (debug_bytes_ > kMaxDebugBytes) debug_log_ << "the rest is omitted\n";
 }
 
 void PlayerAgent::send(const CommandSlots& slots) {

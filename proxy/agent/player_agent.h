@@ -1,6 +1,7 @@
 // One player: server messages, world model, Playmaker's decision, commands.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <fstream>
 #include <memory>
@@ -92,8 +93,18 @@ class PlayerAgent {
   const protos::RegisterResponse& identity() const { return state_.register_response(); }
   bool has_identity() const { return state_.has_register_response(); }
 
+  /// How the latest decision was executed, the plan that it needed (empty: none), and what was
+  /// sent.
+  const DecisionTrace& trace() const { return memory_.trace; }
+  const PlanChoice& plan() const { return choice_; }
+  /// The list that needed a choice among planned actions.
+  const protos::PlayerActions& chosen_from() const { return chosen_from_; }
+  const std::string& sent_commands() const { return server_.datagram; }
+
   int unum() const { return world_.unum; }
   const WorldModel& world() const { return world_; }
+  /// The world that begin_decision() returned.
+  const WorldModel& decision_world() const { return view_ ? *view_ : world_; }
   const AgentOptions& options() const { return options_; }
   AgentStatistics& statistics() { return statistics_; }
   const AgentStatistics& statistics() const { return statistics_; }
@@ -111,7 +122,6 @@ class PlayerAgent {
   void count_lost_commands();
   void on_connected(const soccer::PlayerInitReply& init);
   void send(const CommandSlots& slots);
-  const WorldModel& decision_world() const { return view_ ? *view_ : world_; }
   void write_debug_log();
 
   ServerConnection server_;
@@ -129,6 +139,7 @@ class PlayerAgent {
   protos::PlayerActions chosen_from_;  // the action list that needs a choice
   protos::BestPlannerActionRequest planner_request_;
   std::ofstream debug_log_;
+  std::size_t debug_bytes_ = 0;  ///< written to it
 
   // Reused to avoid allocation.
   soccer::SenseBody sense_;

@@ -77,6 +77,10 @@ base::Result<void> Team::connect_one(const OpenChannel& open, const Serve& serve
   if (const base::Result<void> entered = connect_agent(*agent, serve); !entered) {
     return base::Error{who + entered.error().message};
   }
+  if (has_player(agent->unum())) {
+    return base::Error{who + "the soccer server gave it number " + std::to_string(agent->unum()) +
+                       ", which another player has"};
+  }
   players_.push_back(std::move(agent));
   return {};
 }
@@ -88,6 +92,9 @@ TeamRegistration Team::registration() const {
   }
   if (coach_ != nullptr) team.agents.emplace_back(coach_->number(), coach_registration());
   if (!team.agents.empty()) team.parameters = world().parameters;
+  team.codec = options_.codec;
+  team.world_of = [this](int unum) -> const WorldModel& { return player(unum).decision_world(); };
+  team.rated = options_.rated;
   return team;
 }
 
@@ -128,7 +135,12 @@ PlaymakerClient& Team::client_of(int unum) {
   return *client;
 }
 
-PlayerAgent& Team::player(int unum) {
+bool Team::has_player(int unum) const {
+  return std::any_of(players_.begin(), players_.end(),
+                     [unum](const auto& agent) { return agent->unum() == unum; });
+}
+
+PlayerAgent& Team::player(int unum) const {
   const auto found = std::find_if(players_.begin(), players_.end(),
                                   [unum](const auto& agent) { return agent->unum() == unum; });
   assert(found != players_.end());
@@ -249,9 +261,10 @@ void Team::execute(Reply reply) {
   if (actions == nullptr) {
     agent.act_without_reply();
   } else if (!agent.act(*actions)) {
-    request_planner_choice(agent);
+    request_planner_choice(agent, reply);
     return;
   }
+  report_decision(agent, actions, reply.status, reply.latency);
   warn_of_actions(agent);
   warn_of_server(agent.server().errors);
 }
@@ -285,8 +298,16 @@ void Team::count_error(const Reply& reply, int cycle, const protos::RegisterResp
   errors_.first = std::move(error);
 }
 
-void Team::request_planner_choice(PlayerAgent& agent) {
+void Team::report_decision(const PlayerAgent& agent, const protos::PlayerActions* actions,
+                           const RpcStatus& status, std::chrono::microseconds latency) const {
+  for (DecisionListener* listener : decision_listeners_) {
+    listener->on_decision({agent, actions, status, latency});
+  }
+}
+
+void Team::request_planner_choice(PlayerAgent& agent, const Reply& reply) {
   ++agent.statistics().planner_asked;
+  first_latency_.at(static_cast<std::size_t>(agent.unum())) = reply.latency;
   const RpcTimeout timeout = decision_timeout(agent, std::chrono::steady_clock::now());
   playmaker_->begin(agent.unum(), proto::Rpc::kGetBestPlannerAction, agent.planner_request(),
                     timeout);
@@ -304,6 +325,9 @@ void Team::handle_planner_reply(PlayerAgent& agent, const Reply& reply) {
     }
     agent.act_on_planner_choice(std::nullopt);
   }
+  // A choice that failed is no missed decision: the list was received.
+  report_decision(agent, &agent.chosen_from(), RpcStatus{},
+                  first_latency_.at(static_cast<std::size_t>(agent.unum())) + reply.latency);
   warn_of_actions(agent);
   warn_of_server(agent.server().errors);
 }

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/result.h"
+#include "proxy/agent/decision_listener.h"
 #include "proxy/agent/player_agent.h"
 #include "proxy/coach/coach_agent.h"
 #include "proxy/playmaker/playmaker.h"
@@ -33,7 +34,9 @@ struct TeamOptions {
   bool reconnect = false;               ///< take over disconnected players
   bool goalie = true;                   ///< the first player is the goalie
   std::shared_ptr<const FormationSet> formations;  ///< null: the built-in ones
-  std::string debug_log;  ///< folder for debug logs of the Playmaker; empty: none
+  std::string debug_log;               ///< folder for debug logs of the Playmaker; empty: none
+  std::shared_ptr<TensorCodec> codec;  ///< null: the form TENSOR is not offered
+  bool rated = false;                  ///< a match of a tournament or comparison
 };
 
 /// Time of a team by phase, summed over all cycles.
@@ -62,6 +65,9 @@ class Team {
 
   /// Replaces the Playmaker; before register_agents() only.
   void set_playmaker(Playmaker& playmaker) { playmaker_ = &playmaker; }
+
+  /// Adds a listener, which must outlive the team.
+  void listen_to_decisions(DecisionListener& listener) { decision_listeners_.push_back(&listener); }
 
   /// Opens a new connection to the server.
   using OpenChannel = std::function<std::unique_ptr<soccer::Channel>()>;
@@ -141,11 +147,14 @@ class Team {
   void handle_coach_reply(Reply reply);
   RpcTimeout decision_timeout(const PlayerAgent& agent, Instant now) const;
   void end_turn();
-  PlayerAgent& player(int unum);
+  PlayerAgent& player(int unum) const;
+  bool has_player(int unum) const;
   void execute(Reply reply);
   void count_reply(PlayerAgent& agent, const PlaymakerClient& client, const Reply& reply);
   void handle_planner_reply(PlayerAgent& agent, const Reply& reply);
-  void request_planner_choice(PlayerAgent& agent);
+  void request_planner_choice(PlayerAgent& agent, const Reply& reply);
+  void report_decision(const PlayerAgent& agent, const protos::PlayerActions* actions,
+                       const RpcStatus& status, std::chrono::microseconds latency) const;
   void count_error(const Reply& reply, int cycle, const protos::RegisterResponse& identity,
                    const google::protobuf::Message& request);
   RpcStatus send_bye(int agent, const protos::RegisterResponse& identity);
@@ -156,6 +165,9 @@ class Team {
   TeamOptions options_;
   std::string name_;
   Playmaker* playmaker_;
+  std::vector<DecisionListener*> decision_listeners_;
+  /// Of agents that await the Playmaker's choice of a plan: the latency of their first call.
+  std::array<std::chrono::microseconds, kAgentNumbers> first_latency_{};
   std::vector<std::unique_ptr<PlayerAgent>> players_;
   std::array<std::optional<PlaymakerClient>, kAgentNumbers> clients_;  // by agent number
   std::unique_ptr<CoachAgent> coach_;

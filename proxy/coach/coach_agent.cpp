@@ -76,6 +76,7 @@ void CoachAgent::handle_server_reply() {
   std::visit(base::Overloaded{
                  [this](const soccer::Think&) { due_ = true; },
                  [this](const soccer::CoachInitReply& init) {
+                   if (server_.accepted) return;
                    on_coach_init(world_, init.side, options_.team_name);
                    server_.accepted = true;
                    send(soccer::Eye{true});

@@ -6,6 +6,7 @@
 
 #include "proxy/world/motion.h"
 #include "proxy/world/view_cone.h"
+#include "soccer/commands/rounding.h"
 #include "soccer/pitch.h"
 
 namespace cls::proxy {
@@ -13,9 +14,6 @@ namespace {
 
 using soccer::AngleDeg;
 using soccer::Vec2;
-
-/// Rounds to three decimals: more has no effect in the server, and logs stay readable.
-double rounded(double value) { return std::rint(value * 1000.0) / 1000.0; }
 
 bool finite(Vec2 v) { return std::isfinite(v.x) && std::isfinite(v.y); }
 
@@ -39,7 +37,7 @@ bool CommandSlots::dash(double power, double direction) {
   direction = soccer::math::quantize(direction, server.dash_angle_step);
   const double payable = self.stamina + world_->self_type().extra_stamina;
   power = power >= 0.0 ? std::min(power, payable) : std::max(power, -payable / 2.0);
-  body_ = soccer::Dash{rounded(power), direction};
+  body_ = soccer::Dash{soccer::rounded_for_command(power), direction};
   return true;
 }
 
@@ -47,21 +45,24 @@ bool CommandSlots::turn(double angle) {
   const auto& server = world_->server();
   if (world_->self.frozen() || !std::isfinite(angle)) return false;
   const double moment = angle * turn_resistance(world_->self_type(), world_->self.velocity);
-  body_ = soccer::Turn{rounded(std::clamp(moment, server.minmoment, server.maxmoment))};
+  body_ = soccer::Turn{
+      soccer::rounded_for_command(std::clamp(moment, server.minmoment, server.maxmoment))};
   return true;
 }
 
 bool CommandSlots::kick(double power, double direction) {
   if (!world_->self.kickable || world_->self.frozen()) return false;
   if (!std::isfinite(power) || !std::isfinite(direction)) return false;
-  body_ = soccer::Kick{rounded(std::clamp(power, 0.0, world_->server().maxpower)),
-                       rounded(soccer::math::normalize_degrees(direction))};
+  body_ =
+      soccer::Kick{soccer::rounded_for_command(std::clamp(power, 0.0, world_->server().maxpower)),
+                   soccer::rounded_for_command(soccer::math::normalize_degrees(direction))};
   return true;
 }
 
 bool CommandSlots::tackle(double direction, bool foul) {
   if (world_->self.frozen() || !std::isfinite(direction)) return false;
-  body_ = soccer::Tackle{rounded(soccer::math::normalize_degrees(direction)), foul};
+  body_ =
+      soccer::Tackle{soccer::rounded_for_command(soccer::math::normalize_degrees(direction)), foul};
   return true;
 }
 
@@ -78,8 +79,8 @@ bool CommandSlots::catch_ball() {
       soccer::math::atan2(server.catchable_area_w / 2.0, server.catchable_area_l));
   const double ball = (world_->ball.angle_from_self - world_->self.body).degrees();
   const double direction = ball > 0.0 ? ball - corner : ball + corner;
-  body_ =
-      soccer::Catch{rounded(std::clamp(direction, server.min_catch_angle, server.max_catch_angle))};
+  body_ = soccer::Catch{soccer::rounded_for_command(
+      std::clamp(direction, server.min_catch_angle, server.max_catch_angle))};
   return true;
 }
 
@@ -100,7 +101,7 @@ bool CommandSlots::move(Vec2 point) {
   } else if (server.forbid_kick_off_offside && point.x > 0.0) {
     point.x = -0.1;
   }
-  body_ = soccer::Move{rounded(point.x), rounded(point.y)};
+  body_ = soccer::Move{soccer::rounded_for_command(point.x), soccer::rounded_for_command(point.y)};
   return true;
 }
 
@@ -134,8 +135,9 @@ bool CommandSlots::change_focus(double distance_moment, double direction_moment)
   const double direction =
       std::clamp(soccer::math::normalize_degrees(self.focus_direction.degrees() + direction_moment),
                  -half, half);
-  change_focus_ = soccer::ChangeFocus{rounded(distance - self.focus_distance),
-                                      rounded(direction - self.focus_direction.degrees())};
+  change_focus_ =
+      soccer::ChangeFocus{soccer::rounded_for_command(distance - self.focus_distance),
+                          soccer::rounded_for_command(direction - self.focus_direction.degrees())};
   return true;
 }
 
@@ -143,8 +145,9 @@ bool CommandSlots::point_to(Vec2 point) {
   const SelfState& self = world_->self;
   if (self.arm.movable_in > 0 || !self.position_valid() || !finite(point)) return false;
   const Vec2 relative = point - self.position;
-  arm_ = soccer::PointTo{rounded(relative.length()),
-                         rounded((AngleDeg::of(relative) - self.face()).degrees())};
+  arm_ = soccer::PointTo{
+      soccer::rounded_for_command(relative.length()),
+      soccer::rounded_for_command((AngleDeg::of(relative) - self.face()).degrees())};
   return true;
 }
 

@@ -13,6 +13,10 @@ void LatencySamples::add(std::chrono::microseconds latency) {
   samples_.push_back(static_cast<std::uint32_t>(count));
 }
 
+void LatencySamples::add(const LatencySamples& others) {
+  samples_.insert(samples_.end(), others.samples_.begin(), others.samples_.end());
+}
+
 double LatencySamples::percentile(double share) const {
   if (samples_.empty()) return 0.0;
   const double wanted = std::ceil(share * static_cast<double>(samples_.size()));

@@ -20,6 +20,7 @@ namespace cls::proxy {
 class LatencySamples {
  public:
   void add(std::chrono::microseconds latency);
+  void add(const LatencySamples& others);
   std::size_t size() const { return samples_.size(); }
   /// The value that `share` (0 to 1) of the samples do not exceed (nearest rank); 0 without any.
   double percentile(double share) const;

@@ -2,9 +2,10 @@
 #include "proxy/looking/neck_search.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
-#include "soccer/direction_pair.h"
+#include "soccer/directions.h"
 #include "soccer/pitch.h"
 
 namespace cls::proxy {
@@ -66,21 +67,16 @@ void NeckSearch::add_players(const WorldModel& world, const PlayerList& list, Ve
                              bool ours) {
   const bool attack = world.self.kickable || world.kickable_teammate() ||
                       world.intercept.first_teammate_steps < world.intercept.first_opponent_steps;
-  for (const PlayerState& player : list) {
-    const Vec2 relative = player.position - here;
+  FixedList<Vec2, PlayerList::capacity()> relatives;
+  for (const PlayerState& player : list) relatives.push_back(player.position - here);
+  std::array<double, PlayerList::capacity()> degrees;
+  soccer::directions(relatives.begin(), relatives.size(), degrees.data());
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const PlayerState& player = list[i];
     const double age = std::min(player.seen_pos_count, 100) + 1.0;
-    double weight = age * age * soccer::math::exp(-relative.squared_length() / 800.0);
+    double weight = age * age * soccer::math::exp(-relatives[i].squared_length() / 800.0);
     if (ours && attack && player.position.x > here.x) weight *= 4.0;
-    players_.push_back({0.0, weight});
-  }
-  // Directions are taken in pairs.
-  WeightedDirection* added = players_.end() - list.size();
-  for (std::size_t i = 0; i < list.size(); i += 2) {
-    const std::size_t other = std::min(i + 1, list.size() - 1);
-    const auto [first, second] =
-        soccer::direction_pair(list[i].position - here, list[other].position - here);
-    added[i].relative = (AngleDeg(first) - body_).degrees();
-    added[other].relative = (AngleDeg(second) - body_).degrees();
+    players_.push_back({(AngleDeg(degrees[i]) - body_).degrees(), weight});
   }
 }
 

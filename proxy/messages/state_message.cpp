@@ -5,7 +5,7 @@
 
 #include "proxy/world/motion.h"
 #include "soccer/angle.h"
-#include "soccer/direction_pair.h"
+#include "soccer/directions.h"
 #include "soccer/play_mode.h"
 
 namespace cls::proxy {
@@ -26,41 +26,37 @@ protos::ViewWidth wire_width(soccer::ViewWidth width) {
                                                : protos::WIDE;
 }
 
-/// Sets the angles of vectors, which cost most of a State, in pairs.
-class PairedAngles {
+/// Sets the angles of vectors, which cost most of a State, many at a time.
+class Angles {
  public:
-  PairedAngles() = default;
-  PairedAngles(const PairedAngles&) = delete;
-  PairedAngles& operator=(const PairedAngles&) = delete;
-  ~PairedAngles() {
-    if (waiting_ != nullptr) set(*waiting_, *waiting_);
+  Angles() = default;
+  Angles(const Angles&) = delete;
+  Angles& operator=(const Angles&) = delete;
+  ~Angles() { set(); }
+
+  /// `out` has its coordinates. It gets its angle by the next set(), or at the end of this object.
+  void add(protos::RpcVector2D& out) {
+    if (waiting_.full()) set();
+    waiting_.push_back(&out);
   }
 
-  /// `out` has its coordinates.
-  void add(protos::RpcVector2D& out) {
-    if (waiting_ == nullptr) {
-      waiting_ = &out;
-      return;
+  void set() {
+    FixedList<soccer::Vec2, kBatch> vectors;
+    std::array<double, kBatch> degrees;
+    for (const protos::RpcVector2D* message : waiting_) {
+      vectors.push_back({message->x(), message->y()});
     }
-    set(*waiting_, out);
-    waiting_ = nullptr;
+    soccer::directions(vectors.begin(), vectors.size(), degrees.data());
+    for (std::size_t i = 0; i < waiting_.size(); ++i) waiting_[i]->set_angle(f(degrees[i]));
+    waiting_.clear();
   }
 
  private:
-  static soccer::Vec2 vector(const protos::RpcVector2D& message) {
-    return {message.x(), message.y()};
-  }
-  static void set(protos::RpcVector2D& a, protos::RpcVector2D& b) {
-    const auto [of_a, of_b] = soccer::direction_pair(vector(a), vector(b));
-    a.set_angle(f(of_a));
-    b.set_angle(f(of_b));
-  }
-
-  protos::RpcVector2D* waiting_ = nullptr;
+  static constexpr std::size_t kBatch = 64;
+  FixedList<protos::RpcVector2D*, kBatch> waiting_;
 };
 
-void fill_vector(soccer::Vec2 vector, protos::RpcVector2D& out, const protos::RpcVector2D* known,
-                 PairedAngles& angles) {
+void fill_vector(soccer::Vec2 vector, protos::RpcVector2D& out, Angles& angles) {
   // + 0.0F removes the sign of zero, which would change the direction.
   const float x = f(vector.x) + 0.0F;
   const float y = f(vector.y) + 0.0F;
@@ -68,13 +64,15 @@ void fill_vector(soccer::Vec2 vector, protos::RpcVector2D& out, const protos::Rp
   if (out.x() == x && out.y() == y) return;
   out.set_x(x);
   out.set_y(y);
-  if (known != nullptr && known->x() == x && known->y() == y) {
-    out.set_dist(known->dist());
-    out.set_angle(known->angle());
-    return;
-  }
   out.set_dist(f(soccer::Vec2{x, y}.length()));
   angles.add(out);
+}
+
+void copy_vector(const protos::RpcVector2D& from, protos::RpcVector2D& out) {
+  out.set_x(from.x());
+  out.set_y(from.y());
+  out.set_dist(from.dist());
+  out.set_angle(from.angle());
 }
 
 float angle_from_ball(const BallState& ball) { return degrees(ball.angle_from_self + 180.0); }
@@ -83,12 +81,12 @@ float angle_from_ball(const BallState& ball) { return degrees(ball.angle_from_se
 template <typename Message>
 void fill_own(const WorldModel& world, Message& out) {
   const SelfState& self = world.self;
-  PairedAngles angles;
-  fill_vector(self.position, *out.mutable_position(), nullptr, angles);
-  fill_vector(self.seen_position, *out.mutable_seen_position(), nullptr, angles);
-  fill_vector({}, *out.mutable_heard_position(), nullptr, angles);
-  fill_vector(self.velocity, *out.mutable_velocity(), nullptr, angles);
-  fill_vector(self.seen_velocity, *out.mutable_seen_velocity(), nullptr, angles);
+  Angles angles;
+  fill_vector(self.position, *out.mutable_position(), angles);
+  fill_vector(self.seen_position, *out.mutable_seen_position(), angles);
+  fill_vector({}, *out.mutable_heard_position(), angles);
+  fill_vector(self.velocity, *out.mutable_velocity(), angles);
+  fill_vector(self.seen_velocity, *out.mutable_seen_velocity(), angles);
   out.set_pos_count(self.pos_count);
   out.set_seen_pos_count(self.seen_pos_count);
   out.set_heard_pos_count(kNever);
@@ -123,8 +121,8 @@ protos::Side wire_side(soccer::Side side) {
 }
 
 void fill(soccer::Vec2 vector, protos::RpcVector2D& out) {
-  PairedAngles angles;
-  fill_vector(vector, out, nullptr, angles);
+  Angles angles;
+  fill_vector(vector, out, angles);
 }
 
 void fill_self(const WorldModel& world, protos::Self& out) {
@@ -156,18 +154,29 @@ void fill_self_as_player(const WorldModel& world, protos::Player& out) {
   out.set_body_count(self.body_count);
 }
 
-void fill_player(const PlayerState& player, double decay, const protos::Player* twin,
-                 protos::Player& out) {
-  PairedAngles angles;
-  const auto& known = twin != nullptr ? *twin : protos::Player::default_instance();
-  fill_vector(player.position, *out.mutable_position(), &known.position(), angles);
-  fill_vector(player.seen_position, *out.mutable_seen_position(), &known.seen_position(), angles);
-  fill_vector(player.heard_position, *out.mutable_heard_position(), &known.heard_position(),
-              angles);
-  fill_vector(player.velocity, *out.mutable_velocity(), &known.velocity(), angles);
-  fill_vector(player.seen_velocity, *out.mutable_seen_velocity(), &known.seen_velocity(), angles);
+namespace {
+
+void fill_player_vectors(const PlayerState& player, double decay, Angles& angles,
+                         protos::Player& out) {
+  fill_vector(player.position, *out.mutable_position(), angles);
+  fill_vector(player.seen_position, *out.mutable_seen_position(), angles);
+  fill_vector(player.heard_position, *out.mutable_heard_position(), angles);
+  fill_vector(player.velocity, *out.mutable_velocity(), angles);
+  fill_vector(player.seen_velocity, *out.mutable_seen_velocity(), angles);
   fill_vector(rest_point(player.position, player.velocity, decay),
-              *out.mutable_inertia_final_point(), &known.inertia_final_point(), angles);
+              *out.mutable_inertia_final_point(), angles);
+}
+
+void copy_player_vectors(const protos::Player& from, protos::Player& out) {
+  copy_vector(from.position(), *out.mutable_position());
+  copy_vector(from.seen_position(), *out.mutable_seen_position());
+  copy_vector(from.heard_position(), *out.mutable_heard_position());
+  copy_vector(from.velocity(), *out.mutable_velocity());
+  copy_vector(from.seen_velocity(), *out.mutable_seen_velocity());
+  copy_vector(from.inertia_final_point(), *out.mutable_inertia_final_point());
+}
+
+void fill_player_numbers(const PlayerState& player, protos::Player& out) {
   out.set_pos_count(player.pos_count);
   out.set_seen_pos_count(player.seen_pos_count);
   out.set_heard_pos_count(player.heard_pos_count);
@@ -196,15 +205,23 @@ void fill_player(const PlayerState& player, double decay, const protos::Player* 
   out.set_body_count(player.body_count);
 }
 
+}  // namespace
+
+void fill_player(const PlayerState& player, double decay, protos::Player& out) {
+  Angles angles;
+  fill_player_vectors(player, decay, angles, out);
+  fill_player_numbers(player, out);
+}
+
 void fill_ball(const BallState& ball, protos::Ball& out) {
-  PairedAngles angles;
-  fill_vector(ball.position, *out.mutable_position(), nullptr, angles);
-  fill_vector(ball.relative_position, *out.mutable_relative_position(), nullptr, angles);
-  fill_vector(ball.seen_position, *out.mutable_seen_position(), nullptr, angles);
-  fill_vector(ball.heard_position, *out.mutable_heard_position(), nullptr, angles);
-  fill_vector(ball.velocity, *out.mutable_velocity(), nullptr, angles);
-  fill_vector(ball.seen_velocity, *out.mutable_seen_velocity(), nullptr, angles);
-  fill_vector(ball.heard_velocity, *out.mutable_heard_velocity(), nullptr, angles);
+  Angles angles;
+  fill_vector(ball.position, *out.mutable_position(), angles);
+  fill_vector(ball.relative_position, *out.mutable_relative_position(), angles);
+  fill_vector(ball.seen_position, *out.mutable_seen_position(), angles);
+  fill_vector(ball.heard_position, *out.mutable_heard_position(), angles);
+  fill_vector(ball.velocity, *out.mutable_velocity(), angles);
+  fill_vector(ball.seen_velocity, *out.mutable_seen_velocity(), angles);
+  fill_vector(ball.heard_velocity, *out.mutable_heard_velocity(), angles);
   out.set_pos_count(ball.pos_count);
   out.set_seen_pos_count(ball.seen_pos_count);
   out.set_heard_pos_count(ball.heard_pos_count);
@@ -297,14 +314,14 @@ protos::InterceptActionType wire_plan_kind(InterceptPlan::Kind kind) {
 }
 
 // `value`, the evaluation, stays unset.
-void fill_plan(const InterceptPlan& plan, PairedAngles& angles, protos::InterceptInfo& out) {
+void fill_plan(const InterceptPlan& plan, Angles& angles, protos::InterceptInfo& out) {
   out.set_action_type(wire_plan_kind(plan.kind));
   out.set_turn_steps(plan.turns);
   out.set_turn_angle(f(plan.turn_angle));
   out.set_dash_steps(plan.dashes);
   out.set_dash_power(f(plan.dash_power));
   out.set_dash_dir(f(plan.dash_direction));
-  fill_vector(plan.self_position, *out.mutable_final_self_position(), nullptr, angles);
+  fill_vector(plan.self_position, *out.mutable_final_self_position(), angles);
   out.set_final_ball_dist(f(plan.ball_distance));
   out.set_final_stamina(f(plan.stamina));
 }
@@ -332,7 +349,7 @@ void fill_intercept(const InterceptTable& table, protos::InterceptTable& out) {
   out.set_second_opponent_id(table.second_opponent_id);
   auto& plans = *out.mutable_self_intercept_info();
   int count = 0;
-  PairedAngles angles;
+  Angles angles;
   for (const InterceptPlan& plan : table.plans) fill_plan(plan, angles, element(plans, count++));
   shrink(plans, count);
 }
@@ -351,6 +368,12 @@ void remove_stale(const std::array<bool, 2 * kMaxKey + 1>& filled, PlayerMap& ma
   }
 }
 
+// A player and its filled entry in the dictionary.
+struct Numbered {
+  const PlayerState* player;
+  const protos::Player* keyed;
+};
+
 // Players with a known uniform number go into list and dictionary, others into the dictionary only.
 // `with_self` adds the agent to the dictionary.
 void fill_team(const WorldModel& world, const PlayerList& players, bool with_self,
@@ -360,16 +383,24 @@ void fill_team(const WorldModel& world, const PlayerList& players, bool with_sel
     filled[static_cast<std::size_t>(key + kMaxKey)] = true;
     return map[key];
   };
-  int numbered = 0;
+  FixedList<Numbered, PlayerList::capacity()> numbered;
   int unnumbered = 0;
+  Angles angles;
   for (const PlayerState& player : players) {
     if (!player.position_valid()) continue;
-    const double decay = world.type_of(player).player_decay;
     protos::Player& keyed = entry(player.unum != 0 ? player.unum : --unnumbered);
-    fill_player(player, decay, nullptr, keyed);
-    if (player.unum != 0) fill_player(player, decay, &keyed, element(list, numbered++));
+    fill_player_vectors(player, world.type_of(player).player_decay, angles, keyed);
+    fill_player_numbers(player, keyed);
+    if (player.unum != 0) numbered.push_back({&player, &keyed});
   }
-  shrink(list, numbered);
+  angles.set();
+  int count = 0;
+  for (const Numbered& one : numbered) {
+    protos::Player& listed = element(list, count++);
+    copy_player_vectors(*one.keyed, listed);
+    fill_player_numbers(*one.player, listed);
+  }
+  shrink(list, count);
   if (with_self) fill_self_as_player(world, entry(world.unum));
   remove_stale(filled, map);
 }
@@ -378,7 +409,7 @@ void fill_unknowns(const WorldModel& world, PlayerMessages& list) {
   int count = 0;
   for (const PlayerState& player : world.unknowns) {
     if (!player.position_valid()) continue;
-    fill_player(player, world.type_of(player).player_decay, nullptr, element(list, count++));
+    fill_player(player, world.type_of(player).player_decay, element(list, count++));
   }
   shrink(list, count);
 }

@@ -34,10 +34,8 @@ protos::Side wire_side(soccer::Side side);
 void fill(soccer::Vec2 vector, protos::RpcVector2D& out);
 void fill_self(const WorldModel& world, protos::Self& out);
 void fill_ball(const BallState& ball, protos::Ball& out);
-/// `decay` is player_decay of the player's type; `twin` is a filled message about the same player,
-/// or null.
-void fill_player(const PlayerState& player, double decay, const protos::Player* twin,
-                 protos::Player& out);
+/// `decay` is player_decay of the player's type.
+void fill_player(const PlayerState& player, double decay, protos::Player& out);
 /// The agent as an entry of its team.
 void fill_self_as_player(const WorldModel& world, protos::Player& out);
 

@@ -2,6 +2,7 @@
 #include "proxy/perception/perception.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "proxy/estimates/ball_control.h"
@@ -11,13 +12,17 @@
 #include "proxy/tracking/ball_tracking.h"
 #include "proxy/tracking/player_tracking.h"
 #include "proxy/tracking/self_localization.h"
-#include "soccer/direction_pair.h"
+#include "soccer/directions.h"
 #include "soccer/messages/parameter_message.h"
 #include "soccer/pitch.h"
 #include "soccer/protocol/message_kind.h"
 
 namespace cls::proxy {
 namespace {
+
+/// Estimates are advanced by at most this many cycles, one by one: none is of use after that.
+constexpr int kMaxLostCycles = 1000;
+static_assert(kMaxLostCycles >= kNever);
 
 /// Copy-on-write access: parameters are shared by copies of a world model.
 MatchParameters& mutable_parameters(WorldModel& world) {
@@ -108,27 +113,41 @@ int type_of_number(const std::array<int, soccer::kPlayersPerTeam>& types, int un
   return unum == 0 ? -1 : types[static_cast<std::size_t>(unum - 1)];
 }
 
-/// Sets distances, marks and types of all players.
-void update_players(WorldModel& world) {
+void update_marks(const WorldModel& world, PlayerState& player) {
+  const bool our_team = player.side == world.our_side;
+  player.type_id = type_of_number(our_team ? world.our_types : world.their_types, player.unum);
+  player.kicking = player.kick_count == 0;
+  player.tackling = player.tackle_count <= world.server().tackle_cycles - 2;
+}
+
+void update_distances(const WorldModel& world, PlayerList& players) {
   const soccer::Vec2 self = world.self.position;
   const soccer::Vec2 ball = world.ball.position;
-  for (PlayerList* list : {&world.teammates, &world.opponents, &world.unknowns}) {
-    for (PlayerState& player : *list) {
-      const bool our_team = player.side == world.our_side;
-      player.type_id = type_of_number(our_team ? world.our_types : world.their_types, player.unum);
-      player.kicking = player.kick_count == 0;
-      player.tackling = player.tackle_count <= world.server().tackle_cycles - 2;
-      const auto [from_self, from_ball] =
-          soccer::direction_pair(player.position - self, player.position - ball);
-      player.dist_from_self = soccer::distance(player.position, self);
-      player.angle_from_self = soccer::AngleDeg(from_self);
-      if (world.ball.pos_count >= kNever) {
-        player.dist_from_ball = kNever;
-        continue;
-      }
-      player.dist_from_ball = soccer::distance(player.position, ball);
-      player.angle_from_ball = soccer::AngleDeg(from_ball);
+  FixedList<soccer::Vec2, 2 * PlayerList::capacity()> vectors;  // from the agent, from the ball
+  for (const PlayerState& player : players) {
+    vectors.push_back(player.position - self);
+    vectors.push_back(player.position - ball);
+  }
+  std::array<double, 2 * PlayerList::capacity()> degrees;
+  soccer::directions(vectors.begin(), vectors.size(), degrees.data());
+  for (std::size_t i = 0; i < players.size(); ++i) {
+    PlayerState& player = players[i];
+    player.dist_from_self = soccer::distance(player.position, self);
+    player.angle_from_self = soccer::AngleDeg(degrees[2 * i]);
+    if (world.ball.pos_count >= kNever) {
+      player.dist_from_ball = kNever;
+      continue;
     }
+    player.dist_from_ball = soccer::distance(player.position, ball);
+    player.angle_from_ball = soccer::AngleDeg(degrees[2 * i + 1]);
+  }
+}
+
+/// Sets distances, marks and types of all players.
+void update_players(WorldModel& world) {
+  for (PlayerList* list : {&world.teammates, &world.opponents, &world.unknowns}) {
+    for (PlayerState& player : *list) update_marks(world, player);
+    update_distances(world, *list);
   }
 }
 
@@ -249,7 +268,7 @@ void on_sense_body(WorldModel& world, const soccer::SenseBody& sense) {
   SelfState& self = world.self;
   const int before = world.game.time.cycle;
   begin_step(world.game, sense.time);
-  const int cycles = std::max(1, before < 0 ? 1 : sense.time - before);
+  const int cycles = std::clamp(before < 0 ? 1 : sense.time - before, 1, kMaxLostCycles);
   age_self(self, cycles);
   world.ball_tracker.pushed = false;
   advance_ball(world, sense, cycles);

@@ -1,7 +1,9 @@
 // State of an agent's actions between decisions.
 #pragma once
 
+#include <cstdint>
 #include <string>
+#include <vector>
 
 #include "proxy/commands/intention.h"
 #include "proxy/world/view_cone.h"
@@ -14,6 +16,32 @@ struct GoalieKickMemory {
   int move_cycle = 0;
 };
 
+/// The outcome of a requested action.
+enum class ActionOutcome : std::uint8_t {
+  kExecuted,
+  kFailed,         ///< not possible in the situation
+  kSkipped,        ///< not tried: an earlier main action succeeded
+  kInvalid,        ///< contains a number that is not finite
+  kUnimplemented,  ///< unknown to this proxy
+};
+
+/// Who chose the body command of a decision.
+enum class DecidedBy : std::uint8_t {
+  kActions,  ///< the Playmaker's list
+  kPreprocess,
+  kSureShot,
+  kIntention,
+  kForceKick,
+  kHeardPass,
+  kNoReply,  ///< the proxy, without a reply
+};
+
+/// How the latest decision was executed.
+struct DecisionTrace {
+  DecidedBy by = DecidedBy::kNoReply;
+  std::vector<ActionOutcome> outcomes;  ///< of the list, action by action; empty: it was not tried
+};
+
 /// One per agent; a plain value.
 struct ActionMemory {
   ViewMemory view;
@@ -23,6 +51,7 @@ struct ActionMemory {
   int ball_since =
       -1;  ///< cycle since which the agent has had the ball in play; -1: does not have it
   std::string debug;  ///< this decision's debug lines (debug_log.h)
+  DecisionTrace trace;
 };
 
 }  // namespace cls::proxy

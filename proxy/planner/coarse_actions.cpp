@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "proxy/planner/generators.h"
-#include "soccer/direction_pair.h"
+#include "soccer/directions.h"
 #include "soccer/pitch.h"
 
 namespace cls::proxy {

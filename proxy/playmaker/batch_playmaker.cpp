@@ -8,6 +8,7 @@
 #include <bitset>
 #include <cassert>
 #include <deque>
+#include <iterator>
 #include <map>
 #include <utility>
 
@@ -17,6 +18,7 @@
 #include "proxy/messages/parameter_messages.h"
 #include "proxy/playmaker/playmaker_errors.h"
 #include "proxy/playmaker/replies.h"
+#include "proxy/playmaker/tensor_calls.h"
 
 namespace cls::proxy {
 namespace {
@@ -25,6 +27,7 @@ namespace wire = cls::playmaker::v1;
 using google::protobuf::Message;
 using proto::Rpc;
 
+bool is_player(int agent) { return agent != kTeamNumber && agent < kCoachNumber; }
 std::size_t slot(int agent) { return static_cast<std::size_t>(agent); }
 
 // Adds an agent without its message; returns the bytes to write.
@@ -43,8 +46,11 @@ struct Collected {
 
   bool empty() const { return request.agents().empty(); }
   // Returns the bytes of the agent's message, to be written.
+  // While some still wait for the connection and others have given it up, the time of those that
+  // wait counts: with the time of the others, the call would wait for it just as long.
   std::string& add(int agent, RpcTimeout call_timeout, bool wait) {
-    timeout = std::max(timeout, call_timeout);
+    if (wait && !wait_for_ready) timeout = RpcTimeout{0};
+    if (wait || !wait_for_ready) timeout = std::max(timeout, call_timeout);
     wait_for_ready = wait_for_ready || wait;
     return add_agent(agent, *request.mutable_agents());
   }
@@ -72,7 +78,13 @@ class BatchPlaymaker : public Playmaker {
     if (is_decision(rpc)) {
       const auto& state = static_cast<const protos::State&>(request);
       if (decisions_.empty()) decisions_.request.set_cycle(state.world_model().cycle());
-      write_state(state, decisions_.add(agent, timeout, wait_for_ready));
+      std::string& bytes = decisions_.add(agent, timeout, wait_for_ready);
+      if (tensors_.active() && is_player(agent)) {
+        const bool first = decisions_.request.agents_size() == 1;
+        tensors_.add_player(team_.world_of(agent), first, decisions_.request);
+      } else {
+        write_state(state, bytes);
+      }
     } else if (rpc == Rpc::kGetBestPlannerAction) {
       proto::write_with_sorted_maps(request, choices_.add(agent, timeout, wait_for_ready));
     } else if (rpc == Rpc::kRegister) {
@@ -192,6 +204,7 @@ class BatchPlaymaker : public Playmaker {
     protos::InitMessage().SerializeToString(request.mutable_init_message());
     request.add_encodings(wire::STATES);
     request.add_encodings(wire::LEAN_STATES);
+    TensorCalls::offer(team_, request);
   }
 
   // Registers the announced team and stores the result for each agent.
@@ -240,6 +253,7 @@ class BatchPlaymaker : public Playmaker {
   // Turns the reply to the team into replies to the agents of `due_`.
   void take_apart(const Reply& reply) {
     in_flight_ = false;
+    rows_.clear();
     if (is_registration(reply.rpc) && refuses_batch(reply)) return;
     if (!reply.status.ok()) {
       for (const int agent : due_) {
@@ -252,7 +266,7 @@ class BatchPlaymaker : public Playmaker {
       encoding_ = registered->encoding();
       hand_out(reply, registered->agents());
     } else if (const auto* actions = reply.as<wire::GetTeamActionsResponse>()) {
-      hand_out(reply, actions->agents());
+      hand_out_actions(reply, *actions);
     } else if (const auto* choices = reply.as<wire::GetBestPlannerActionsResponse>()) {
       hand_out(reply, choices->agents());
     }
@@ -262,11 +276,16 @@ class BatchPlaymaker : public Playmaker {
   bool refuses_batch(const Reply& reply) {
     const RpcOutcome outcome = reply.status.outcome;
     const auto* registered = reply.as<wire::RegisterTeamResponse>();
+    base::Result<void> tensors;
+    if (registered != nullptr) tensors = tensors_.choose(team_, *registered);
     std::string why;
     if (registered != nullptr && registered->version() != proto::kTeamPlaymakerVersion) {
       why = fmt::format("it speaks version {} of TeamPlaymaker, not {}", registered->version(),
                         proto::kTeamPlaymakerVersion);
-    } else if (registered != nullptr && registered->encoding() != wire::STATES &&
+    } else if (!tensors) {
+      why = tensors.error().message;
+    } else if (registered != nullptr && !tensors_.active() &&
+               registered->encoding() != wire::STATES &&
                registered->encoding() != wire::LEAN_STATES) {
       why = fmt::format("it chose encoding {}, which was not offered",
                         static_cast<int>(registered->encoding()));
@@ -302,6 +321,40 @@ class BatchPlaymaker : public Playmaker {
     decisions_.clear();
   }
 
+  // Rows of players become action lists, unless the player has a reply of its own.
+  void hand_out_actions(const Reply& team, const wire::GetTeamActionsResponse& response) {
+    if (!tensors_.active()) return hand_out(team, response.agents());
+    std::copy_if(due_.begin(), due_.end(), std::back_inserter(rows_), is_player);
+    const base::Result<void> read = tensors_.read(response, rows_.size());
+    if (!read || !tensors_.has_rows()) rows_.clear();
+    hand_out(team, response.agents());
+    if (read) return;
+    for (Reply& one : replies_) {
+      if (!one.status.ok()) one.status = {RpcOutcome::kProtocolError, 0, read.error().message};
+    }
+  }
+
+  // The reply in the agent's row of the actions; nullopt if it has none.
+  std::optional<Reply> reply_in_row(const Reply& team, int agent) {
+    const auto place = std::find(rows_.begin(), rows_.end(), agent);
+    if (place == rows_.end()) return std::nullopt;
+    const Rpc rpc = asked_.at(slot(agent));
+    const auto row = static_cast<std::size_t>(place - rows_.begin());
+    const protos::PlayerActions* actions = tensors_.actions(row, team_.world_of(agent));
+    if (actions == nullptr) {
+      return failed_reply(
+          agent, rpc,
+          {RpcOutcome::kProtocolError, 0,
+           fmt::format("{}: the row of {} is no action", name(team.rpc), agent_name(agent))});
+    }
+    Reply reply = empty_reply(agent, rpc);
+    Message& message = memory_.at(slot(agent)).create(rpc);
+    message.CopyFrom(*actions);
+    reply.message = &message;
+    reply.latency = team.latency;
+    return reply;
+  }
+
   template <typename Replies>
   void hand_out(const Reply& team, const Replies& replies) {
     std::bitset<kAgentNumbers> answered;
@@ -319,6 +372,10 @@ class BatchPlaymaker : public Playmaker {
     }
     for (const int agent : due_) {
       if (answered.test(slot(agent))) continue;
+      if (std::optional<Reply> reply = reply_in_row(team, agent)) {
+        replies_.push_back(std::move(*reply));
+        continue;
+      }
       replies_.push_back(
           failed_reply(agent, asked_.at(slot(agent)),
                        {RpcOutcome::kDeadline, 0,
@@ -354,6 +411,8 @@ class BatchPlaymaker : public Playmaker {
   Collected<wire::GetBestPlannerActionsRequest> choices_;
   std::array<Rpc, kAgentNumbers> asked_{};  // the latest call of each agent
   std::vector<int> due_;                    // agents of the call in flight
+  std::vector<int> rows_;                   // players of the rows of actions in a reply
+  TensorCalls tensors_;
   bool in_flight_ = false;
   std::uint64_t sequence_ = 0;
   wire::Encoding encoding_ = wire::STATES;

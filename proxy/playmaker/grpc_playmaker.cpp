@@ -46,7 +46,7 @@ grpc::ChannelArguments channel_arguments(const GrpcTarget& target) {
   arguments.SetInt(GRPC_ARG_USE_LOCAL_SUBCHANNEL_POOL, 1);
   // An idle connection, e.g. to a Playmaker in a debugger, must not count as lost.
   arguments.SetInt(GRPC_ARG_CLIENT_IDLE_TIMEOUT_MS, INT_MAX);
-  arguments.SetMaxReceiveMessageSize(-1);
+  proto::limit_replies(arguments);
   arguments.SetMaxSendMessageSize(-1);
   arguments.SetInt(GRPC_ARG_HTTP2_STREAM_LOOKAHEAD_BYTES, proto::kTeamCallWindow);
   // A retried decision would count twice, and retries need a copy of every request.

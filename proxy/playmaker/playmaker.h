@@ -4,6 +4,7 @@
 #include <google/protobuf/message.h>
 
 #include <chrono>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -14,8 +15,11 @@
 #include "proto/rpc.h"
 #include "proxy/playmaker/rpc_status.h"
 #include "proxy/world/match_parameters.h"
+#include "proxy/world/world_model.h"
 
 namespace cls::proxy {
+
+class TensorCodec;
 
 /// Agents of a team are numbered by the uniform number of their Register call. 0 is the team
 /// itself, in the RPCs of TeamPlaymaker.
@@ -53,6 +57,10 @@ struct Reply {
 struct TeamRegistration {
   std::vector<std::pair<int, protos::RegisterRequest>> agents;  ///< by agent number, ascending
   std::shared_ptr<const MatchParameters> parameters;
+  std::shared_ptr<TensorCodec> codec{};  ///< null: the form TENSOR is not offered
+  /// The world of the due decision of a player; needed with a codec.
+  std::function<const WorldModel&(int agent)> world_of{};
+  bool rated = false;  ///< a match of a tournament or comparison
 };
 
 /// Client of one Playmaker for all agents of a team. Used by one thread; only cancel() may be

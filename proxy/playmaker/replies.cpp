@@ -18,6 +18,12 @@ Message& ReplyMemory::create(Rpc rpc) {
 
 void ReplyMemory::parse(std::string_view bytes, Reply& reply) {
   Message& message = create(reply.rpc);
+  if (const std::size_t limit = proto::max_reply_bytes(reply.rpc); bytes.size() > limit) {
+    reply.status.outcome = RpcOutcome::kProtocolError;
+    reply.status.message = fmt::format("{}: reply of {} bytes, more than the {} that cls accepts",
+                                       name(reply.rpc), bytes.size(), limit);
+    return;
+  }
   if (message.ParseFromArray(bytes.data(), static_cast<int>(bytes.size()))) {
     reply.message = &message;
     return;

@@ -19,7 +19,8 @@ class ReplyMemory {
   /// An empty message of the RPC's reply type; replaces the one before.
   google::protobuf::Message& create(proto::Rpc rpc);
 
-  /// Parses the message of `reply`, whose RPC is set. Bytes that do not parse are a protocol error.
+  /// Parses the message of `reply`, whose RPC is set. Bytes that do not parse, and more than
+  /// proto::max_reply_bytes(), are a protocol error.
   void parse(std::string_view bytes, Reply& reply);
 
  private:

@@ -16,12 +16,16 @@ using soccer::Vec2;
 constexpr int kTenths = 1400;
 // Maximum error of rounding to 0.1 m.
 constexpr double kHalfTenth = 0.05;
+// Searches for a step begin in cells of this size. A power of two: cells have exact ends.
+constexpr double kCellsPerMeter = 8.0;
+constexpr std::size_t kCells = 1200;
 // Below this distance the logarithmic steps are finer than 0.1 m: no lookup.
 constexpr double kFine = 0.05;
 
 }  // namespace
 
-DistanceTable::DistanceTable(double step) : step_(step), by_tenths_(kTenths + 1) {
+DistanceTable::DistanceTable(double step)
+    : step_(step), share_(math::exp(0.5 * step) - 1.0), by_tenths_(kTenths + 1) {
   if (step <= math::kEps) {  // no rounding of the logarithm
     for (int i = 0; i <= kTenths; ++i) {
       by_tenths_[static_cast<std::size_t>(i)] = {std::max(0.0, 0.1 * i - kHalfTenth),
@@ -34,6 +38,10 @@ DistanceTable::DistanceTable(double step) : step_(step), by_tenths_(kTenths + 1)
   for (int k = first; k <= last; ++k) {
     steps_.push_back(
         {math::exp(k * step), {math::exp((k - 0.5) * step), math::exp((k + 0.5) * step)}});
+  }
+  for (std::size_t cell = 0; cell <= kCells; ++cell) {
+    const double distance = static_cast<double>(cell) / kCellsPerMeter;
+    first_steps_.push_back(find_step(distance, 0, steps_.size() - 1));
   }
   for (DistanceRange& range : by_tenths_) range = {-1.0, -1.0};
   for (const Step& s : steps_) {
@@ -60,11 +68,21 @@ DistanceRange DistanceTable::range(double printed) const {
   return by_tenths_[static_cast<std::size_t>(tenths)];
 }
 
+std::size_t DistanceTable::find_step(double distance, std::size_t from, std::size_t to) const {
+  const auto first = steps_.begin();
+  const auto found = std::lower_bound(
+      first + static_cast<std::ptrdiff_t>(from), first + static_cast<std::ptrdiff_t>(to), distance,
+      [](const Step& step, double value) { return step.ends.high < value; });
+  return static_cast<std::size_t>(found - first);
+}
+
 std::size_t DistanceTable::step_index(double distance) const {
-  const auto found =
-      std::lower_bound(steps_.begin(), steps_.end() - 1, distance,
-                       [](const Step& step, double value) { return step.ends.high < value; });
-  return static_cast<std::size_t>(found - steps_.begin());
+  const double cells = distance > 0.0 ? distance * kCellsPerMeter : 0.0;
+  if (cells >= static_cast<double>(kCells)) {
+    return find_step(distance, first_steps_[kCells], steps_.size() - 1);
+  }
+  const auto cell = static_cast<std::size_t>(cells);
+  return find_step(distance, first_steps_[cell], first_steps_[cell + 1]);
 }
 
 /// Range of (distance - rounded distance) for a distance known only as a range; the error rises
@@ -140,11 +158,9 @@ DistanceRange DistanceTable::range_along(double printed, Vec2 eye, Vec2 directio
   if (steps_.empty()) return range(printed);
   const Vec2 offset = focus - eye;
   const FocusRay ray{soccer::dot(offset, direction), std::fabs(soccer::cross(offset, direction))};
-  // A correction is at most half of this share of its distance.
-  const double share = math::exp(0.5 * step_) - 1.0;
-  const double beside = 0.5 * share * offset.length();
-  double d = std::max(kFine, (printed - kHalfTenth - beside) / (1.0 + share));
-  const double end = (printed + kHalfTenth + beside) / (1.0 - share);
+  const double beside = 0.5 * share_ * offset.length();
+  double d = std::max(kFine, (printed - kHalfTenth - beside) / (1.0 + share_));
+  const double end = (printed + kHalfTenth + beside) / (1.0 - share_);
   if (d >= end) return range(printed);
 
   // Piecewise: within one step of both distances the solution is one interval.
@@ -152,7 +168,7 @@ DistanceRange DistanceTable::range_along(double printed, Vec2 eye, Vec2 directio
   std::size_t own = step_index(d);
   std::size_t at_focus = own;
   // step_index(), searched from the step of the piece before.
-  const auto find_step = [this](double distance, std::size_t from) {
+  const auto step_near = [this](double distance, std::size_t from) {
     while (from > 0 && steps_[from - 1].ends.high >= distance) --from;
     while (from + 1 < steps_.size() && steps_[from].ends.high < distance) ++from;
     return from;
@@ -164,7 +180,7 @@ DistanceRange DistanceTable::range_along(double printed, Vec2 eye, Vec2 directio
     double next = std::min(end, steps_[own].ends.high);
     double rounded = steps_[own].rounded;
     if (f >= kFine) {
-      at_focus = find_step(f * (d < ray.foot ? 1.0 - 1e-9 : 1.0 + 1e-9), at_focus);
+      at_focus = step_near(f * (d < ray.foot ? 1.0 - 1e-9 : 1.0 + 1e-9), at_focus);
       const Step& step = steps_[at_focus];
       rounded += step.rounded;
       next = std::min(next, ray.leaves(d, step.ends));

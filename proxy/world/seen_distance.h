@@ -42,12 +42,17 @@ class DistanceTable {
     double rounded = 0.0;
     DistanceRange ends;
   };
+  /// The first step that ends at or beyond a distance; the last one for larger distances.
   std::size_t step_index(double distance) const;
+  /// The same for an index known to lie between `from` and `to`.
+  std::size_t find_step(double distance, std::size_t from, std::size_t to) const;
   DistanceRange rounding_errors(DistanceRange distance) const;
 
   double step_;
+  double share_;  ///< a correction is at most half of this share of its distance
   std::vector<DistanceRange> by_tenths_;
-  std::vector<Step> steps_;  ///< ascending; empty without quantization
+  std::vector<Step> steps_;               ///< ascending; empty without quantization
+  std::vector<std::size_t> first_steps_;  ///< step_index() at the begin of each cell
 };
 
 }  // namespace cls::proxy

@@ -44,10 +44,11 @@ def _engine(envs: cls_gym.VectorEnv, steps: int) -> float:
     return time.perf_counter() - start
 
 
-def measure(task: str, num_envs: int, threads: int, rounds: int,
+def measure(task: str, obs: str, num_envs: int, threads: int, rounds: int,
             seconds: float) -> Dict[str, Any]:
     """One row of the table."""
-    envs = cls_gym.VectorEnv(task, num_envs, threads=threads, autoreset_mode="same_step")
+    envs = cls_gym.VectorEnv(task, num_envs, obs=obs, threads=threads,
+                             autoreset_mode="same_step")
     actions = random_actions(envs, 64)
     envs.reset(seed=1)
     took, steps = 0.0, 8
@@ -62,7 +63,7 @@ def measure(task: str, num_envs: int, threads: int, rounds: int,
         envs.reset(seed=1)
     agents = len(envs.spec_of_task.agents)
     envs.close()
-    return {"task": task, "num_envs": num_envs, "threads": threads, "agents": agents,
+    return {"task": task, "obs": obs, "num_envs": num_envs, "threads": threads, "agents": agents,
             "python": statistics.median(python), "engine": statistics.median(engine),
             "share": statistics.median(p / e for p, e in zip(python, engine))}
 
@@ -73,6 +74,8 @@ def main() -> int:
     parser.add_argument("tasks", nargs="*", metavar="TASK",
                         default=["cls/HFO-1v0-v0", "cls/HFO-2v2-v0"],
                         help="ids (default: 1v0 and 2v2)")
+    parser.add_argument("--obs", choices=("full_state", "world_model"), default="full_state",
+                        help="what agents know (default: full_state)")
     parser.add_argument("--num-envs", type=int, default=64, metavar="N")
     parser.add_argument("--threads", type=int, default=1, metavar="T")
     parser.add_argument("--rounds", type=int, default=5, metavar="N")
@@ -85,7 +88,7 @@ def main() -> int:
         print(f"{'task':<28} {'N':>4} {'T':>2} {'python/s':>10} {'engine/s':>10} "
               f"{'share':>6}")
     for task in options.tasks:
-        row = measure(task, options.num_envs, options.threads, options.rounds, options.seconds)
+        row = measure(task, options.obs, options.num_envs, options.threads, options.rounds, options.seconds)
         rows.append(row)
         if not options.json:
             print(f"{task:<28} {row['num_envs']:>4} {row['threads']:>2} {row['python']:>10.0f} "

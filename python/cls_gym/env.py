@@ -93,7 +93,8 @@ class Env(BaseEnv):
         return self._worlds.observations[0].copy()
 
     def record(self, path: Optional[str]) -> None:
-        """Writes the next episode, from its reset() to its end, as a game log (rcg); None: not."""
+        """Writes the next episode, from its reset() to its end, as a game log (rcg) and its
+        commands as a text log (rcl); None: not."""
         self._worlds.record(0, path)
 
     def close(self) -> None:

@@ -105,6 +105,11 @@ class VectorEnv(BaseVectorEnv):
                 infos["action_mask"][ended] = 0
         return self._observations(), worlds.rewards(), terminations, truncations, infos
 
+    @property
+    def agent_rewards(self) -> np.ndarray:
+        """float32[N, A]: the rewards of the last step by agent."""
+        return self._worlds.pool.rewards.copy()
+
     def state(self) -> np.ndarray:
         """float32[N, S]: the full states; `spec_of_task.state_features` names the numbers."""
         self._worlds.check_open()
@@ -134,7 +139,8 @@ class VectorEnv(BaseVectorEnv):
             self._settle(other)
 
     def record(self, index: int, path: Optional[str]) -> None:
-        """Writes the next episode of a world as a game log (rcg); None: not."""
+        """Writes the next episode of a world as a game log (rcg) and its commands as a text log
+        (rcl); None: not."""
         self._worlds.record(index, path)
 
     def __enter__(self) -> "VectorEnv":

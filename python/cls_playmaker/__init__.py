@@ -13,7 +13,9 @@
 `proto` has the messages and the service of playmaker.proto.
 """
 from cls_playmaker import proto
+from cls_playmaker.rows import RowForm, TeamActions, TeamRows
 from cls_playmaker.serving import Playmaker, serve, start
 from cls_playmaker.states import complete_state
 
-__all__ = ["Playmaker", "complete_state", "proto", "serve", "start"]
+__all__ = ["Playmaker", "RowForm", "TeamActions", "TeamRows", "complete_state", "proto", "serve",
+           "start"]

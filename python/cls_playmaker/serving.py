@@ -15,6 +15,7 @@ import grpc
 
 from cls_playmaker import proto
 from cls_playmaker.errors import Errors, Failure
+from cls_playmaker.rows import RowForm, TeamActions, TeamRows
 from cls_playmaker.team import TeamServicer
 from cls_playmaker.team_playmaker_pb2_grpc import add_TeamPlaymakerServicer_to_server
 
@@ -35,9 +36,22 @@ class Playmaker(proto.GameServicer):
     With `lean_states = True` a match that asks for the whole team may send States whose
     `our_players_dict` and `their_players_dict` lack the players of `teammates` and `opponents`:
     less to parse. complete_state() adds them.
+
+    With a `row_form` a match that asks for the whole team sends numbers instead of States, and
+    GetTeamRows decides: for trained policies.
     """
 
     lean_states = False
+    row_form: Optional[RowForm] = None
+
+    def GetTeamRows(self, rows: TeamRows) -> TeamActions:
+        """The actions of the players of `rows`; needed with a `row_form`."""
+        raise NotImplementedError("GetTeamRows")
+
+    def refuses(self, rated: bool) -> str:
+        """Why this Playmaker plays no such match; empty: it does. `rated`: the match belongs to a
+        tournament or comparison."""
+        return ""
 
     def GetTeamActions(self, states: Dict[int, proto.State],
                        context: Any) -> Dict[int, proto.PlayerActions]:
@@ -53,6 +67,9 @@ class Playmaker(proto.GameServicer):
         return actions[unum] if unum in actions else super().GetPlayerActions(request, context)
 
     def Register(self, request: proto.RegisterRequest, context: Any) -> proto.RegisterResponse:
+        if self.row_form is not None and isinstance(context, grpc.ServicerContext):
+            context.abort(grpc.StatusCode.FAILED_PRECONDITION,
+                          "needs the calls of a team: play without --batch never, on one port")
         return proto.RegisterResponse(
             client_id=request.uniform_number, agent_type=request.agent_type,
             team_name=request.team_name, uniform_number=request.uniform_number,

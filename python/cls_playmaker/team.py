@@ -9,6 +9,7 @@ from cls_playmaker import proto
 from cls_playmaker import team_playmaker_pb2 as wire
 from cls_playmaker import team_playmaker_pb2_grpc as service
 from cls_playmaker.errors import Errors, Failure
+from cls_playmaker.rows import TeamActions, TeamRows
 
 _VERSION = 1
 _OTHER_DECISIONS = {12: "GetCoachActions", 13: "GetTrainerActions"}
@@ -29,6 +30,12 @@ class TeamServicer(service.TeamPlaymakerServicer):
         response = wire.RegisterTeamResponse(version=_VERSION)
         if getattr(self._playmaker, "lean_states", False) and wire.LEAN_STATES in request.encodings:
             response.encoding = wire.LEAN_STATES
+        refusal = self._refusal(request)
+        if refusal:
+            refused = Failure(grpc.StatusCode.FAILED_PRECONDITION, refusal)
+            response.agents.extend(_failed(one.agent, refused) for one in request.agents)
+            return response
+        self._choose_rows(request, response)
         for one in request.agents:
             registration = proto.RegisterRequest.FromString(one.message)
             reply = self._reply(one.agent, "Register", registration, context)
@@ -38,8 +45,56 @@ class TeamServicer(service.TeamPlaymakerServicer):
                 self._introduce(one.agent, identity, request, context)
         return response
 
+    def _refusal(self, request: wire.RegisterTeamRequest) -> str:
+        """Why the Playmaker does not play with this request; empty: it does."""
+        refusal: str = getattr(self._playmaker, "refuses", lambda rated: "")(request.rated)
+        form = getattr(self._playmaker, "row_form", None)
+        if refusal or form is None:
+            return refusal
+        for wanted, offered in ((form.feature_set, request.feature_sets),
+                                (form.action_set, request.action_sets)):
+            if wanted not in offered:
+                return f"needs {wanted}; the match has {', '.join(offered) or 'no such form'}"
+        return ""
+
+    def _choose_rows(self, request: wire.RegisterTeamRequest,
+                     response: wire.RegisterTeamResponse) -> None:
+        form = getattr(self._playmaker, "row_form", None)
+        if form is None:
+            return
+        response.encoding = wire.TENSOR
+        response.feature_set, response.action_set = form.feature_set, form.action_set
+        response.teammates, response.opponents = form.teammates, form.opponents
+
+    def _decide_rows(self, request: wire.GetTeamActionsRequest,
+                     context: Any) -> wire.GetTeamActionsResponse:
+        players = [one.agent for one in request.agents if one.agent not in _OTHER_DECISIONS]
+        rows = TeamRows(request.cycle, request.play_mode, players, request.features.data,
+                        request.masks.data)
+        response = wire.GetTeamActionsResponse()
+        try:
+            own = _AgentContext(context)
+            actions: TeamActions = self._errors.run(
+                "GetTeamRows", "TeamActions", lambda: f"cycle {request.cycle}", own,
+                lambda: self._playmaker.GetTeamRows(rows))
+        except Failure as failure:
+            response.agents.extend(_failed(agent, failure) for agent in players)
+        else:
+            for agent, reply in actions.replies.items():
+                response.agents.add(agent=agent, message=reply.SerializeToString())
+            if actions.rows:
+                response.actions.shape.extend((len(players), actions.width))
+                response.actions.data = actions.rows
+        for one in request.agents:
+            if one.agent in _OTHER_DECISIONS:
+                response.agents.append(self._reply(one.agent, _OTHER_DECISIONS[one.agent],
+                                                   proto.State.FromString(one.message), context))
+        return response
+
     def GetTeamActions(self, request: wire.GetTeamActionsRequest,
                        context: Any) -> wire.GetTeamActionsResponse:
+        if request.HasField("features"):
+            return self._decide_rows(request, context)
         states = {one.agent: proto.State.FromString(one.message) for one in request.agents}
         players = {agent: state for agent, state in states.items() if agent not in _OTHER_DECISIONS}
         failure: Optional[Failure] = None

@@ -122,6 +122,15 @@ class OldInterface(unittest.TestCase):
         self.assertEqual((env.getNumTeammates(), env.getNumOpponents()), (0, 0))
         self.assertEqual(env.playerOnBall().side, hfo.LEFT)
 
+    def test_without_fullstate_the_agent_has_its_world_model(self):
+        states = []
+        for fullstate in (True, False):
+            env = hfo.HFOEnvironment(fullstate=fullstate, seed=3)
+            env.connectToServer(hfo.LOW_LEVEL_FEATURE_SET)
+            states.append(env.getState())
+        self.assertEqual(states[0].shape, states[1].shape)
+        self.assertFalse((states[0] == states[1]).all())
+
     def test_parameters_and_settings(self):
         os.environ["CLS_HFO"] = "--defense-npcs 1 --fullstate --seed 4"
         try:

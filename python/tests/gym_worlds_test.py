@@ -329,6 +329,55 @@ class Faults(unittest.TestCase):
         other.close()
 
 
+class WorldModel(unittest.TestCase):
+    """What agents perceive themselves, obs="world_model"."""
+
+    def test_every_feature_set_keeps_its_bounds(self):
+        for features in ("ego", "hfo_low", "hfo_high"):
+            with self.subTest(features), cls_gym.Env(
+                    "cls/HFO-2v2-v0", obs="world_model", features=features, actions="hfo") as env:
+                self.assertEqual(env.spec_of_task.document["obs"], "world_model")
+                Conventions.check(self, env, 60)
+
+    def test_same_seed_gives_same_bits_on_any_number_of_threads(self):
+        results = []
+        for threads in (1, 2, 3):
+            with cls_gym.VectorEnv("cls/HFO-2v2-v0", 6, obs="world_model", threads=threads) as envs:
+                results.append(play(envs, 60))
+                self.assertEqual(differences(results[-1], play(envs, 60)), [])
+        self.assertEqual(differences(results[0], results[1]), [])
+        self.assertEqual(differences(results[0], results[2]), [])
+
+    def test_snapshots_have_the_world_model(self):
+        with cls_gym.Env("cls/HFO-2v2-v0", obs="world_model", actions="low_discrete") as env:
+            env.reset(seed=4)
+            actions = seeded_actions(env.action_space, 1, 40)
+            for action in actions[:15]:
+                env.step(action)
+            snapshot = env.snapshot()
+            first = [env.step(action) for action in actions[15:]]
+            env.restore(snapshot)
+            self.assertEqual(differences(first, [env.step(a) for a in actions[15:]]), [])
+
+    def test_agents_know_less_than_the_full_state(self):
+        seen = {}
+        for obs in ("full_state", "world_model"):
+            with cls_gym.Env("cls/HFO-2v2-v0", obs=obs, features="ego") as env:
+                observation, _ = env.reset(seed=1)
+                names = [feature.name for feature in env.spec_of_task.features]
+                seen[obs] = observation[:, [names.index("teammate1_seen"),
+                                            names.index("opponent1_seen"),
+                                            names.index("opponent2_seen")]]
+                if obs == "full_state":
+                    exact = observation
+        self.assertTrue((seen["full_state"] == 1).all())
+        self.assertTrue((seen["world_model"] == -1).any())
+        own = slice(0, 4)  # place and direction: noisy, and near the truth
+        error = np.abs(exact[:, own] - observation[:, own])
+        self.assertGreater(error.max(), 0.0)
+        self.assertLess(error.max(), 0.05)
+
+
 class Rendering(unittest.TestCase):
     def test_images(self):
         with cls_gym.Env("cls/HFO-2v1-v0", render_mode="ansi") as env:

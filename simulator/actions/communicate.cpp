@@ -1,4 +1,5 @@
 // pointto, attentionto, say, ear (docs/spec/simulation-model.md 4.12 to 4.14, 8.5).
+#include <algorithm>
 #include <optional>
 #include <utility>
 
@@ -21,6 +22,8 @@ namespace actions {
 namespace {
 
 using soccer::TeamReference;
+
+constexpr double kMaxArmDistance = 1e6;
 
 // Returns neutral for an unknown team name.
 Side referred_side(const World& world, const Player& player, const TeamReference& team) {
@@ -52,9 +55,11 @@ void set_ear_mode(Ears& ears, Side side, const soccer::Ear& command) {
 
 void point_to(World& world, Player& player, const soccer::PointTo& command) {
   if (!can_point(world, player)) return;
-  // Computed from the point relative to the face, as in rcssserver: a huge distance becomes
+  // Computed from the point relative to the face, as in rcssserver. The distance is limited,
+  // because rcssserver writes huge ones into the game log as numbers that readers reject, or as
   // infinite.
-  const Vec2 to = soccer::polar_radians(command.distance, exact_radians(command.direction));
+  const double distance = std::clamp(command.distance, -kMaxArmDistance, kMaxArmDistance);
+  const Vec2 to = soccer::polar_radians(distance, exact_radians(command.direction));
   const double direction = soccer::direction_radians(to) + (player.body + player.neck);
   player.arm = {soccer::polar_radians(to.length(), direction) + player.position, 0};
   ++player.counters.pointto;

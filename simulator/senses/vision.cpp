@@ -364,6 +364,13 @@ double DistanceQuantizer::operator()(double distance) const {
   return math::exp(multiple * step_);
 }
 
+int view_interval(const View& view) {
+  const int width = static_cast<int>(view.width);
+  if (view.synchronous) return width + 1;
+  const int rounds = 2 << width;
+  return view.quality == soccer::ViewQuality::kHigh ? rounds : rounds / 2;
+}
+
 void see(const VisionModel& model, const World& world, Slot slot, RandomStream& noise,
          soccer::See& out) {
   const Observer observer = make_observer(world, world.player(slot));

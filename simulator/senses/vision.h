@@ -42,6 +42,9 @@ struct VisionModel {
   DistanceQuantizer landmarks;
 };
 
+/// Rounds of the view (docs/spec/simulation-model.md 7.2) between two see messages.
+int view_interval(const View& view);
+
 /// Fills `out` with the see message of the enabled player in `slot`, for its client version (8 to
 /// 19), view width, quality and noise model. `noise` decides which details beyond 20 m are missing
 /// and draws the noise of the Gaussian model and of pointing arms.

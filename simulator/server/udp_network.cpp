@@ -30,6 +30,9 @@ struct Datagram {
   bool null_terminated = false;
 };
 
+/// Stands for the datagrams of a client that floods the server: it is not waited for.
+constexpr std::string_view kDoneCommand = "(done)";
+
 Datagram strip_nul(std::string_view bytes) {
   const bool terminated = !bytes.empty() && bytes.back() == '\0';
   return {bytes.substr(0, bytes.find('\0')), terminated};
@@ -79,6 +82,7 @@ class UdpChannel : public soccer::Channel {
   }
 
   bool can_compress() const override { return true; }
+  bool compresses() const { return compression_ != nullptr; }
   void compress(int level) override {
     compression_ = level < 0 ? nullptr : std::make_unique<MessageCompression>(level);
   }
@@ -270,6 +274,11 @@ class UdpNetwork::Sockets {
     UdpChannel& channel = *client_at(id).channel;
     if (incoming_.receive(channel.socket()) == ECONNREFUSED) return match_.mark_lost(id);
     for (std::size_t k = 0; k < incoming_.size() && is_connected(id, generation); ++k) {
+      // Decompressing what will be dropped would take the time of other clients.
+      if (channel.compresses() && match_.has_used_quota(id)) {
+        match_.receive(id, kDoneCommand, false);
+        continue;
+      }
       const Datagram datagram = channel.decode(incoming_.bytes(k));
       match_.receive(id, datagram.text, datagram.null_terminated);
     }

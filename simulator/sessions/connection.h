@@ -59,21 +59,27 @@ class ReceiveQuota {
 
   /// Returns false if the datagram exceeds the quota.
   bool consume(std::size_t datagram_bytes) {
+    exceeded_ = exceeded_ || datagrams_ == kMaxDatagrams || datagram_bytes > max_bytes_ - bytes_;
     if (datagrams_ == kMaxDatagrams || datagram_bytes > max_bytes_ - bytes_) return false;
     ++datagrams_;
     bytes_ += datagram_bytes;
     return true;
   }
 
+  /// True after a datagram that exceeded it, until reset().
+  bool exceeded() const { return exceeded_; }
+
   void reset() {
     datagrams_ = 0;
     bytes_ = 0;
+    exceeded_ = false;
   }
 
  private:
   std::size_t max_bytes_;
   std::size_t bytes_ = 0;
   int datagrams_ = 0;
+  bool exceeded_ = false;
 };
 
 struct Connection {

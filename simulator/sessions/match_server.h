@@ -80,6 +80,11 @@ class MatchServer {
 
   // Input.
 
+  /// True when a datagram of the client exceeded its ReceiveQuota since the last step.
+  bool has_used_quota(ClientId id) {
+    const Connection* client = connection(id);
+    return client != nullptr && client->quota.exceeded();
+  }
   /// Stores a datagram of a player, coach or trainer until execute(); executes one of a monitor
   /// immediately. Drops what exceeds the client's ReceiveQuota.
   void receive(ClientId id, std::string_view datagram, bool null_terminated = true);

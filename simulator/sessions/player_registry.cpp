@@ -22,14 +22,6 @@ constexpr std::size_t kMessageCapacity = 8192;  // bytes
 /// Sent to players that have not declared the version of the coach language that is needed.
 constexpr const char* kUnsupportedClang = "(unsupported_clang)";
 
-/// Rounds between two see messages (docs/spec/simulation-model.md 7.2).
-int view_interval(const View& view) {
-  const int width = static_cast<int>(view.width);
-  if (view.synchronous) return width + 1;
-  const int rounds = 2 << width;
-  return view.quality == soccer::ViewQuality::kHigh ? rounds : rounds / 2;
-}
-
 const std::string& fixed_name(const soccer::ServerParams& params, Side side) {
   return side == Side::kLeft ? params.fixed_teamname_l : params.fixed_teamname_r;
 }

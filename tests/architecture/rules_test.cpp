@@ -84,6 +84,15 @@ TEST(ForbiddenHeaders, AllowClocksThreadsAndSocketsOnlyInServerFiles) {
   }
 }
 
+TEST(ForbiddenHeaders, AllowHttpInOneFileOnly) {
+  for (const std::string header : {"boost/beast/http.hpp", "boost/asio/ip/tcp.hpp"}) {
+    const std::string text = "#include <" + header + ">\n";
+    EXPECT_EQ(check_forbidden_headers({"viewer/live/live_site.cpp", text}).size(), 1u) << header;
+    EXPECT_EQ(check_forbidden_headers({"cli/logs/live_view.cpp", text}).size(), 1u) << header;
+    EXPECT_EQ(check_forbidden_headers({"viewer/live/http_server.cpp", text}).size(), 0u) << header;
+  }
+}
+
 TEST(Determinism, RejectsCMathFunctionsInAllForms) {
   for (const std::string call :
        {"x = std::sin(y);", "x = ::cos(y);", "x = atan2(a, b);", "return -exp (z);",

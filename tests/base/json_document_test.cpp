@@ -17,6 +17,12 @@ JsonDocument document() {
                               "}\n");
 }
 
+TEST(JsonDocument, ReportsNumbersThatAreTooLarge) {
+  const auto read = JsonDocument::parse("drill.json", "{\n  \"x\": 1,\n  \"y\": -1e999\n}");
+  ASSERT_FALSE(read);
+  EXPECT_EQ(read.error().message, "drill.json:3: the number -1e999 is too large");
+}
+
 TEST(JsonDocument, FindsLineOfPointer) {
   const JsonDocument text = document();
   EXPECT_EQ(text.line_of({}), 1);

@@ -48,6 +48,20 @@ TEST(Table, QuotesCsvCellsWhereNecessary) {
   EXPECT_EQ(table.format_csv(), "\"a,b\",c\n\"say \"\"x\"\"\",plain\n");
 }
 
+TEST(Table, GuardsCsvCellsAgainstFormulas) {
+  Table table;
+  table.add_columns({"team", "x"});
+  for (const char* cell : {"=cmd|'/C calc'!A0", "+1+1", "-2+3", "@SUM(A1)", "\t=1"}) {
+    table.add_row({cell, "1"});
+  }
+  for (const char* cell : {"-3", "+12", "-1.5e-3", "+0.25", "-", "+", "a=b"}) {
+    table.add_row({cell, "1"});
+  }
+  EXPECT_EQ(table.format_csv(),
+            "team,x\n'=cmd|'/C calc'!A0,1\n'+1+1,1\n'-2+3,1\n'@SUM(A1),1\n =1,1\n"
+            "-3,1\n+12,1\n-1.5e-3,1\n+0.25,1\n-,1\n+,1\na=b,1\n");
+}
+
 TEST(Table, EscapesHtml) {
   Table table;
   table.add_column("<a>");
@@ -59,6 +73,13 @@ TEST(Table, EscapesHtml) {
             "<tr><th scope=\"row\" class=\"w\">x &amp; y</th><td>1</td></tr>\n"
             "</tbody>\n</table>\n");
   EXPECT_NE(table.format_html("a < b").find("<table>\n<caption>a &lt; b</caption>\n<thead>"),
+            std::string::npos);
+}
+
+TEST(Table, HasNoHtmlHeadingWithoutText) {
+  Table table;
+  table.add_columns({"", "a"});
+  EXPECT_NE(table.format_html().find("<tr><td></td><th scope=\"col\" class=\"w\">a</th></tr>"),
             std::string::npos);
 }
 

@@ -163,6 +163,11 @@ TEST(Application, VersionNamesReleaseWireCompilerAndLibraries) {
   for (const char* key : {"cls", "wire", "compiler"}) {
     EXPECT_NE(text.find(json[key].get<std::string>()), std::string::npos) << key << text;
   }
+  EXPECT_EQ(json["protocol"]["newest"], 19);
+  for (const auto& [name, version] : json["formats"].items()) {
+    EXPECT_NE(text.find(name), std::string::npos) << name;
+    EXPECT_NE(text.find(version.get<std::string>()), std::string::npos) << name;
+  }
   for (const char* library : {"grpc", "protobuf", "boost", "sqlite", "zlib", "nlohmann-json"}) {
     ASSERT_TRUE(json["libraries"].contains(library)) << json;
     EXPECT_NE(text.find(json["libraries"][library].get<std::string>()), std::string::npos);

@@ -63,10 +63,16 @@ TEST_F(CommandOutput, JsonIsOneDocumentOfItsSchema) {
       {{"stats", "m"}, "cls.stats/1"},
       {{"convert", "m/match.rcg", "m/old.rcg", "--to", "4"}, "cls.convert/1"},
       {{"watch", "m", "--out", "m/page.html"}, "cls.watch/1"},
+      {{"report", "m"}, "cls.report/1"},
       {{"check", "server-log", "m/match.rcg", "m/match.rcl"}, "cls.server-log/1"},
       {{"doctor"}, "cls.doctor/1"},
       {{"init", "new"}, "cls.init/1"},
       {{"new", "go", "ada"}, "cls.new/1"},
+      {{"train", "spec"}, "cls.training.catalog/1"},
+      {{"train", "spec", "ego"}, "cls.training.catalog/1"},
+      {{"completion", "bash"}, "cls.completion/1"},
+      {{"help", "topics"}, "cls.topics/1"},
+      {{"help", "testing"}, "cls.topic/1"},
       {{"version"}, "cls.version/1"},
   };
   for (const Document& document : documents) {

@@ -149,6 +149,12 @@ TEST_F(Doctor, ReportsVersionsOfPrograms) {
   expect(item(document, "protoc"), "ok", "3.21.12");
   expect(item(document, "slurm"), "ok", "22.05.8");
   EXPECT_EQ(item(document, "node")["version"], "20.1.0");
+  expect(item(document, "python3"), "ok", "; cls_playmaker missing: set PYTHONPATH");
+  put("python3",
+      "echo python 3.11.2; echo grpc 1.51.1; echo google.protobuf 3.21.12; "
+      "echo cls_playmaker installed");
+  const std::string found = item(examine(0), "python3")["found"];
+  EXPECT_EQ(found.find("cls_playmaker"), std::string::npos) << found;
   EXPECT_EQ(item(document, "python3")["path"], (path() / "python3").string());
 }
 

@@ -3,7 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
 #include <vector>
+
+#include "tests/support/command.h"
+#include "tests/support/temporary_folder.h"
 
 namespace cls::cli {
 namespace {
@@ -22,6 +26,18 @@ TEST(EarlyGuard, StartsForCommandsThatStartPrograms) {
   EXPECT_FALSE(guarded({"convert", "match", "x"}));
   EXPECT_FALSE(guarded({"--help"}));
   EXPECT_FALSE(guarded({}));
+}
+
+// The program loader needs the fourth descriptor, the guard two more.
+TEST(EarlyGuard, ReportsWhyItCannotStart) {
+  const tests::TemporaryFolder folder;
+  const tests::CommandResult result = tests::run(
+      {"/bin/sh", "-c",
+       "exec 3>&-; ulimit -n 4; exec '" + tests::cls_binary().string() +
+           "' match 'run:true --port {port}' mock --dir '" + (folder.path() / "m").string() + "'"});
+  EXPECT_NE(result.exit_code, 0);
+  EXPECT_NE(result.err.find("cls: no guard process: Too many open files\n"), std::string::npos)
+      << result.err;
 }
 
 }  // namespace

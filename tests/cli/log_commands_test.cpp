@@ -1,4 +1,4 @@
-// End-to-end tests of the commands that read logs: results, stats, watch, convert.
+// End-to-end tests of the commands that read logs: results, stats, watch, report, convert.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -70,6 +70,28 @@ TEST(ResultsCommand, ReportsParseErrorsAndUsesFramesBefore) {
   EXPECT_EQ(match["goals"][0]["unum"], 11);
   EXPECT_EQ(match["complete"], false);
   EXPECT_TRUE(match["winner"].is_null());
+}
+
+TEST(ResultsCommand, ReadsRunningMatchesAndNamesLogsInFull) {
+  const TemporaryFolder folder;
+  const std::string log = read_file(log_fixture("rcg-v6-excerpt.rcg.gz"));
+  const std::string name = "20261123T193600Z-a-long-name-of-a-team-against-another-one";
+  for (const std::string& match : {name, name + "-2"}) {
+    fs::create_directories(folder.path() / match);
+    // The last line is being written.
+    std::ofstream(folder.path() / match / "match.rcg") << log.substr(0, log.size() * 2 / 3);
+  }
+  std::ofstream(folder.path() / name / "manifest.json") << R"({"started": "x", "ended": null})";
+  std::ofstream(folder.path() / (name + "-2") / "manifest.json")
+      << R"({"started": "x", "ended": "2026-11-23T19:36:00Z"})";
+  const CommandResult result = cls_run({"results", folder.path().string()});
+  EXPECT_EQ(result.exit_code, 65) << "the other one is truncated";
+  EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
+  EXPECT_NE(result.err.find(name + "-2/match.rcg: line"), std::string::npos) << result.err;
+  EXPECT_NE(result.out.find(name + "\n"), std::string::npos) << result.out;
+  EXPECT_NE(result.out.find("running"), std::string::npos) << result.out;
+  fs::remove_all(folder.path() / (name + "-2"));
+  EXPECT_EQ(cls_run({"results", folder.path().string()}).exit_code, 0);
 }
 
 TEST(ResultsCommand, ReportsTruncatedGzipOnce) {
@@ -161,6 +183,58 @@ TEST(WatchCommand, WritesBesideTheLogAndReplacesPagesOnly) {
   EXPECT_EQ(refused.err,
             "cls: " + note + ": exists and is no page of cls; name another file with " + "--out\n");
   EXPECT_EQ(read_file(note), "mine");
+}
+
+TEST(ReportCommand, WritesOneFileThatIsALog) {
+  const TemporaryFolder folder;
+  const std::string log = log_fixture("rcg-v6-excerpt.rcg.gz");
+  const std::string report = folder.path() / "report.html";
+  const CommandResult written = cls_run({"report", log, "--out", report});
+  EXPECT_EQ(written.exit_code, 0) << written.err;
+  EXPECT_EQ(written.out, report + "\n");
+  const std::string again = folder.path() / "again.rcg";
+  EXPECT_EQ(cls_run({"convert", report, again}).exit_code, 0);
+  EXPECT_EQ(read_file(again), read_file(log));
+  const std::uintmax_t size = fs::file_size(report);
+  EXPECT_EQ(cls_run({"report", log, "--out", report, "--no-replay"}).exit_code, 0);
+  EXPECT_LT(fs::file_size(report), 120'000U);
+  EXPECT_GT(size, fs::file_size(report));
+}
+
+TEST(ReportCommand, WritesMarkdownWithImagesAndImagesAlone) {
+  const TemporaryFolder folder;
+  const fs::path log = folder.path() / "game.rcg.gz";
+  fs::copy_file(log_fixture("rcg-v5-excerpt.rcg.gz"), log);
+  const json written = json::parse(cls_run({"report", log, "--format", "md", "--json"}).out);
+  EXPECT_EQ(written["schema"], "cls.report/1");
+  EXPECT_EQ(written["files"][0], (folder.path() / "game-report.md").string());
+  for (const std::string file : written["files"]) EXPECT_TRUE(fs::exists(file)) << file;
+  const std::string text = read_file(folder.path() / "game-report.md");
+  EXPECT_NE(text.find("](game-report-charts/shots.svg)"), std::string::npos);
+  EXPECT_TRUE(read_file(folder.path() / "game-report-charts/shots.svg").starts_with("<svg "));
+  const CommandResult images =
+      cls_run({"report", log, "--format", "svg", "--out", folder.path() / "images"});
+  EXPECT_EQ(images.exit_code, 0) << images.err;
+  EXPECT_EQ(read_file(folder.path() / "images/shots.svg"),
+            read_file(folder.path() / "game-report-charts/shots.svg"));
+}
+
+TEST(ReportCommand, SaysWhatIsWrong) {
+  const TemporaryFolder folder;
+  const std::string log = log_fixture("rcg-v6-excerpt.rcg.gz");
+  const CommandResult format = cls_run({"report", log, "--format", "pdf"});
+  EXPECT_EQ(format.exit_code, 2);
+  EXPECT_EQ(format.err, "cls: --format 'pdf': must be html, md or svg\n");
+  EXPECT_EQ(cls_run({"report", "nowhere.rcg"}).exit_code, 66);
+  const std::string empty = folder.path() / "empty.rcg";
+  std::ofstream(empty) << "";
+  EXPECT_EQ(cls_run({"report", empty}).exit_code, 65);
+  const std::string note = folder.path() / "note.html";
+  std::ofstream(note) << "mine";
+  EXPECT_EQ(cls_run({"report", log, "--out", note}).exit_code, 73);
+  EXPECT_EQ(read_file(note), "mine");
+  const std::string nowhere = folder.path() / "note.html/report.html";
+  EXPECT_EQ(cls_run({"report", log, "--out", nowhere}).exit_code, 73);
 }
 
 TEST(WatchCommand, SaysWhatIsWrong) {

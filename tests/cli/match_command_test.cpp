@@ -94,6 +94,8 @@ TEST(MatchCommand, ReportsUsageErrorsInOneLine) {
   const std::vector<UsageError> errors = {
       {{"mock", "mock", "--sed", "7"}, "cls: unknown option '--sed'; did you mean '--seed'?\n"},
       {{"moc", "mock"}, "cls: unknown side 'moc'; did you mean 'mock'?"},
+      {{"drill.json", "mock"}, "unknown side 'drill.json'; did you mean 'mock:drill.json'?"},
+      {{"REDS", "mock"}, "names of teams need a cls.toml here or above, or --config FILE\n"},
       {{"mock", "mock:hodl"}, "cls: unknown mock behavior 'hodl'; did you mean 'hold'?\n"},
       {{"mock", "localhost:99999"}, "port 99999 is not within 1 to 65535\n"},
       {{"mock"}, "cls: RIGHT is required (see cls match --help)\n"},
@@ -220,8 +222,10 @@ class Interrupted : public testing::TestWithParam<Interruption> {};
 TEST_P(Interrupted, StopsCleanlyAndWritesLogs) {
   TemporaryFolder folder;
   Command playing(match({"mock", "mock", "--seed", "7"}, folder.path()));
-  const fs::path events = folder.path() / "match.rcg";
-  for (int i = 0; i < 1000 && (!fs::exists(events) || fs::file_size(events) == 0); ++i) {
+  const fs::path growing = folder.path() / "match.rcg";
+  for (int i = 0;
+       i < 1000 && (!fs::exists(growing) || read_file(growing).find("(show ") == std::string::npos);
+       ++i) {
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
   }
   playing.send_signal(GetParam().signal);

@@ -189,6 +189,35 @@ TEST_F(NetworkMatch, StartsAndStopsExternalTeam) {
   EXPECT_EQ(result_["processes"][1]["name"], "right team");
 }
 
+// The limit of the shell fails the server's writes as a full disk does.
+TEST_F(NetworkMatch, TakesScoreFromPlayersWhenServerCannotWriteItsLog) {
+  const std::string limited = script(
+      "limited", "ulimit -f 600\nexec " + cls::tests::cls_binary().string() + " server \"$@\"");
+  left_ = "mock";
+  play("mock:hold", limited, {"--cycles", "250", "--mode", "synch"});
+  EXPECT_EQ(played_.exit_code, 74) << played_.err;
+  EXPECT_EQ(result_["end_reason"], "finished");
+  EXPECT_GE(result_["cycles"], 245) << "a loaded host may miss the last cycles";
+  const std::string server = cls::tests::read_file(match_folder() + "/server.log");
+  const std::size_t score = server.find("Score: ");
+  ASSERT_NE(score, std::string::npos) << server;
+  EXPECT_EQ(server.substr(score, server.find('\n', score) - score),
+            "Score: " + result_["left"]["score"].dump() + " - " + result_["right"]["score"].dump());
+  const std::string warning = result_["warnings"].back();
+  EXPECT_NE(warning.find("match.rcg ends at cycle "), std::string::npos) << warning;
+  EXPECT_NE(warning.find(" (the soccer server could not write its logs: "), std::string::npos)
+      << warning;
+  EXPECT_NE(warning.find("match.rcg': File too large"), std::string::npos) << warning;
+}
+
+TEST_F(NetworkMatch, KnowsNoResultOfExternalTeamsWhenServerCannotWriteItsLog) {
+  const std::string limited =
+      script("limited", "ulimit -f 20\nexec " + built("cls_fake_server") + " \"$@\"");
+  left_ = team("");
+  play(left_, limited, {"--half-time", "3"});
+  expect_end("server_failed", 1, "the result is unknown: ");
+}
+
 // Logs contain no cycles of a stopped clock and are written in blocks: for such a short match the
 // server writes nothing before its end.
 TEST_F(NetworkMatch, StoppedClockBeforeKickOffIsNoStall) {
@@ -305,7 +334,11 @@ TEST_F(ServerFault, ContinuesDespiteFloodOfOutput) {
 
 TEST_F(ServerFault, KillsServerThatIgnoresSigterm) {
   play("mock", server("--ignore-term 1"), {"--cycles", "10"});
-  expect_finished();
+  // Killed, it did not write the rest of its log; the agents know the result.
+  EXPECT_EQ(played_.exit_code, 74) << played_.err;
+  EXPECT_EQ(result_["end_reason"], "finished");
+  EXPECT_EQ(result_["cycles"], 9);
+  EXPECT_NE(played_.err.find("match.rcg ends at cycle "), std::string::npos) << played_.err;
   EXPECT_EQ(result_["processes"][0]["exit"], "ended by cls (killed by SIGKILL)");
 }
 

@@ -60,12 +60,48 @@ TEST_F(NewCommand, MinimalTemplateReplacesDecisionsOnly) {
   EXPECT_EQ(text("minimal", "Game.java"), text("team", "Game.java"));
 }
 
+TEST_F(NewCommand, TemplatesAddFilesOfTheirOwn) {
+  for (const std::string language : {"python", "typescript", "go", "java", "rust"}) {
+    for (const std::string name : {"high-level", "rl"}) {
+      const std::string dir = language + "-" + name;
+      const CommandResult result =
+          run_new({language, "ada", "--dir", dir, "--template", name, "--json"});
+      ASSERT_EQ(result.exit_code, 0) << result.err;
+      int decisions = 0;
+      const auto document = nlohmann::json::parse(result.out);
+      for (const std::string file : document["files"]) {
+        const std::string stem = fs::path(file).stem();
+        if (stem == "decide" || stem == "Decide") ++decisions;
+      }
+      EXPECT_EQ(decisions, 1) << dir;
+      EXPECT_EQ(fs::exists(folder_.path() / dir / "policy.txt"), name == "rl") << dir;
+    }
+  }
+  const std::string train = read_file(folder_.path() / "go-rl/train.py");
+  EXPECT_NE(train.find("\"cls\", \"match\", \"ada\""), std::string::npos);
+}
+
+// Debian 12 has no Go, Node.js and Rust as recent as the projects need.
+TEST_F(NewCommand, WorkflowInstallsToolsOfTheLanguage) {
+  const auto workflow = [&](const std::string& language) {
+    run_new({language, "ada", "--dir", language});
+    return read_file(folder_.path() / language / ".github/workflows/test.yml");
+  };
+  EXPECT_NE(workflow("go").find("setup-go@v5\n        with: {go-version: '1.26'"),
+            std::string::npos);
+  EXPECT_NE(workflow("typescript").find("node-version: 20}"), std::string::npos);
+  EXPECT_NE(workflow("rust").find("toolchain: '1.88'}"), std::string::npos);
+  const std::string python = workflow("python");
+  EXPECT_NE(python.find("python3-grpcio"), std::string::npos);
+  EXPECT_EQ(python.find('@' + std::string("SETUP")), std::string::npos);
+}
+
 TEST_F(NewCommand, RefusesUnknownWordsAndExistingFiles) {
   EXPECT_EQ(run_new({"rusty", "ada"}).err,
             "cls: unknown language 'rusty': python, typescript, go, java, rust; did you mean "
             "'rust'?\n");
   EXPECT_EQ(run_new({"go", "ada", "--template", "teem"}).err,
-            "cls: unknown template 'teem': team, minimal; did you mean 'team'?\n");
+            "cls: unknown template 'teem': team, minimal, high-level, rl; did you mean 'team'?\n");
   EXPECT_EQ(run_new({"go", "a b"}).exit_code, 2);
   ASSERT_EQ(run_new({"go", "ada"}).exit_code, 0);
   const CommandResult again = run_new({"go", "ada"});

@@ -143,6 +143,28 @@ TEST_F(PlaymakerErrors, QuotesExceptionInOutputOfProgram) {
                  (folder_.path() / "match/right-playmaker.log").string() + "\n");
 }
 
+// Once while the match is played, and once in the summary.
+TEST_F(PlaymakerErrors, ReportsExceptionOfFailedCallOnce) {
+  const std::string program = folder_.path() / "playmaker.sh";
+  std::ofstream(program) << "printf 'Traceback (most recent call last):\\n  File \"b.py\"\\n"
+                            "ValueError: my brain hurts\\n'\nexec '"
+                         << cls_binary().string()
+                         << "' mock hold --port \"$1\" --error 1 --message "
+                            "'ValueError: my brain hurts' --fault-unum 9 --fault-cycles 5 5\n";
+  play("run:sh '" + program + "' {port}");
+  const auto count = [](const std::string& text) {
+    std::size_t times = 0;
+    for (std::size_t at = text.find("my brain hurts"); at != std::string::npos;
+         at = text.find("my brain hurts", at + 1)) {
+      ++times;
+    }
+    return times;
+  };
+  EXPECT_EQ(count(played_.err), 1u) << played_.err;
+  EXPECT_EQ(count(played_.out), 1u) << played_.out;
+  expect_printed("    output is in " + (folder_.path() / "match/right-playmaker.log").string());
+}
+
 TEST_F(PlaymakerErrors, WarnsOfNumbersThatAreNotFinite) {
   play(script("nan", R"({"rules": [{"reply": {"ignore_preprocess": true, "actions": [
                            {"dash": {"power": "NaN"}},

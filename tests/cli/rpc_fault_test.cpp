@@ -248,11 +248,15 @@ TEST_P(RpcFault, CountsInvalidReplyAsMissed) {
   EXPECT_EQ(played.total("missed"), 3);
 }
 
-TEST_P(RpcFault, AcceptsReplyOfFiveMegabytes) {
+TEST_P(RpcFault, CountsReplyOfFiveMegabytesAsMissed) {
   const Played played =
       play_mock({"--oversize", "1", "--fault-unum", "5", "--fault-cycles", "10", "11"});
   expect_finished(played);
-  EXPECT_EQ(played.total("missed"), 0);
+  EXPECT_EQ(played.player(5)["missed_by"], json({{"protocol error", 2}}));
+  EXPECT_EQ(played.total("missed"), 2);
+  EXPECT_NE(played.warnings().find("bytes, more than the 1048576 that cls accepts"),
+            std::string::npos)
+      << played.warnings();
 }
 
 TEST_P(RpcFault, ReportsDuplicateClientIds) {

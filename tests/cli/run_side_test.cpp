@@ -184,6 +184,21 @@ TEST_F(RunSide, ContinuesDespiteFloodOfOutput) {
   EXPECT_NE(log().find("\n  ×"), std::string::npos);
 }
 
+// The limit fails writes of cls as a full disk does.
+TEST_F(RunSide, WarnsOfLogThatCannotBeWritten) {
+  const cls::tests::TemporaryFolder folder;
+  const std::string match = folder.path() / "match";
+  const CommandResult played =
+      cls::tests::run({"/bin/sh", "-c",
+                       "ulimit -f 40; exec '" + cls::tests::cls_binary().string() +
+                           "' match 'run:seq 20000; exec \"" + cls::tests::cls_binary().string() +
+                           "\" mock hold --port {port}' mock:hold --cycles 5 --dir '" + match +
+                           "' --set server::game_logging=off --set server::text_logging=off"});
+  EXPECT_NE(played.err.find("left-playmaker.log failed: File too large; the log is incomplete"),
+            std::string::npos)
+      << played.err;
+}
+
 TEST_F(RunSide, KillsProgramThatIgnoresSigterm) {
   play("--ignore-term 1");
   EXPECT_EQ(played_.exit_code, 0) << played_.err;

@@ -72,11 +72,29 @@ TEST(TestCommand, ReportsAndStoresFailuresForRerun) {
   EXPECT_EQ(cls::tests::junit_errors(cls::tests::read_file(junit)).value_or(""), "");
   const fs::path logs = fs::path(kept) / "no_goal-seed-5";
   EXPECT_TRUE(fs::exists(logs / "match.rcg"));
+  const std::string from_page = folder.path() / "from_page.rcg";
+  cls::tests::run({cls_binary(), "convert", logs / "match.html", from_page});
+  EXPECT_EQ(cls::tests::read_file(from_page), cls::tests::read_file(logs / "match.rcg"));
+  EXPECT_NE(cls::tests::read_file(junit).find("[[ATTACHMENT|" + (logs / "match.html").string()),
+            std::string::npos);
   const auto results = cls::tests::run({cls_binary(), "results", logs / "match.rcg"});
   EXPECT_EQ(results.exit_code, 0) << results.err;
   const auto again = cls_test({file, "--seed", "5", "--dir", kept, "--json"});
   EXPECT_EQ(again.exit_code, 1);
   EXPECT_EQ(timeless(again.out)["scenarios"][0]["checks"][0]["passed"], false);
+}
+
+TEST(TestCommand, AddsToTheSummaryOfAJob) {
+  TemporaryFolder folder;
+  const std::string summary = folder.path() / "summary.md";
+  std::ofstream(summary) << "before\n";
+  const std::vector<std::string> words = {cls_binary(), "test", "referee_corner_kick", "--dir",
+                                          folder.path() / "kept"};
+  const std::vector<std::string> environment = {"GITHUB_STEP_SUMMARY=" + summary,
+                                                "GITHUB_ACTIONS=true"};
+  EXPECT_EQ(cls::tests::run(words, environment).exit_code, 0);
+  EXPECT_EQ(cls::tests::read_file(summary),
+            "before\n### cls test: 1 passed, 0 failed, 0 skipped\n\n");
 }
 
 TEST(TestCommand, SelectsByNameFilterAndShard) {
@@ -331,6 +349,32 @@ TEST_F(Recording, ReportsDifferentRepliesOfChangedPlaymaker) {
   EXPECT_EQ(right.exit_code, 0) << right.out << right.err;
 }
 
+TEST_F(Recording, SendsOneDecisionAgain) {
+  ASSERT_EQ(match("match", {"mock", "mock:hold", "--record-rpc", folder() + "/m.rpc"}).exit_code,
+            0);
+  std::ofstream(folder() + "/changed.json") << R"({"otherwise": "simple", "rules":
+      [{"when": {"unum": 5}, "reply": [{"dash": {"power": 33}}]}]})";
+  const std::string changed = "mock:" + folder() + "/changed.json";
+  const auto replay = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), {"--replay", folder() + "/m.rpc", changed, "--json"});
+    return cls_test(more);
+  };
+  const auto one = replay({"--at", "20", "--player", "5"});
+  EXPECT_EQ(one.exit_code, 1) << one.err;
+  const auto json = nlohmann::json::parse(one.out);
+  EXPECT_EQ(json["different"], 1);
+  EXPECT_EQ(json["differences"][0]["cycle"], 20);
+  EXPECT_LT(json["calls"].get<int>(), 40);  // with the handshake of player 5
+  const auto other = replay({"--at", "20", "--player", "6"});
+  EXPECT_EQ(other.exit_code, 0) << other.out << other.err;
+  const auto none = replay({"--at", "99999", "--player", "5"});
+  EXPECT_EQ(none.exit_code, 65);
+  EXPECT_NE(none.err.find("no decision of player 5 in cycle 99999 of the left side"),
+            std::string::npos)
+      << none.err;
+  EXPECT_EQ(cls_test({"--player", "5"}).exit_code, 2);
+}
+
 TEST_F(Recording, ServesAsBehaviorOfMock) {
   ASSERT_EQ(match("played", {"mock", "mock", "--record-rpc", folder() + "/m.rpc"}).exit_code, 0);
   const std::string again = "mock:replay:" + folder() + "/m.rpc";
@@ -373,6 +417,21 @@ TEST_F(Recording, WritesDebugActionsByCycleAndUnum) {
       << lines;
   EXPECT_EQ(std::count(lines.begin(), lines.end(), '\n'), 12);
   EXPECT_FALSE(fs::exists(folder() + "/talk/right-debug.jsonl"));
+}
+
+// Eleven players, 30 cycles, 60 kB each: 20 MB.
+TEST_F(Recording, LimitsSizeOfDebugActions) {
+  std::ofstream(folder() + "/flood.json")
+      << R"({"rules": [{"reply": [{"debug_client": {"message": ")" << std::string(60'000, 'x')
+      << R"("}}]}]})";
+  const auto played = match("flood", {"mock:" + folder() + "/flood.json", "mock:hold"});
+  ASSERT_EQ(played.exit_code, 0) << played.err;
+  const std::string lines = file("flood/left-debug.jsonl");
+  EXPECT_GT(lines.size(), 10'000'000u);
+  EXPECT_LT(lines.size(), 10'500'000u);
+  const std::size_t last = lines.rfind("{\"kind\":\"omitted\",\"count\":");
+  ASSERT_NE(last, std::string::npos);
+  EXPECT_EQ(lines.find('\n', last), lines.size() - 1);
 }
 
 TEST_F(Recording, StepsThroughMatchCycleByCycle) {

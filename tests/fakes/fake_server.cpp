@@ -59,6 +59,7 @@ void print_joined(const simulator::UdpServer& server, const simulator::UdpServer
 }  // namespace
 
 int main(int argc, char** argv) {
+  ::signal(SIGXFSZ, SIG_IGN);  // a file that is too large is a failed write
   const fakes::Flags flags(argc, argv);
   fakes::misbehave_at_start(flags);
   std::printf("rcssserver-19.0.0\n\nSimulator Random Seed: 1234\n");

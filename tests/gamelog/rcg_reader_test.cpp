@@ -191,13 +191,38 @@ TEST(ReadRcg, RejectsInvalidShows) {
        {Case{"((l 2)", "((l 1)"}, Case{"((l 2)", "((l 12)"}, Case{"((l 2)", "((n 2)"},
         Case{"0x1 1", "0x 1"}, Case{"0x1 1", "0x123456789 1"}, Case{"0x1 1", "1 1"},
         Case{"(v h", "(v x"}, Case{"0 0))", "0 0)"}, Case{"0 0))", "0 0 0))"},
-        Case{"0 0 0 0))", "0 0))"}, Case{"1.5 ", "nan "}, Case{"1.5 ", "1e12 "},
-        Case{"(show 2", "(show -2"}, Case{" 0 0x1", " 300 0x1"}}) {
+        Case{"0 0 0 0))", "0 0))"}, Case{"1.5 ", "nano "}, Case{"1.5 ", "1e12x "},
+        Case{"1.5 ", "- "}, Case{"1.5 ", "infinity "}, Case{"(show 2", "(show -2"},
+        Case{" 0 0x1", " 300 0x1"}}) {
     std::string broken = whole;
     broken.replace(broken.find(old), std::string(old).size(), with);
     const MatchRecord record = read("ULG6\n" + show(1) + broken + kEnd + show(9));
     EXPECT_EQ(record.errors.count, 1u) << old << " -> " << with;
     EXPECT_EQ(record.frames(), 2u) << old << " -> " << with;
+  }
+}
+
+// rcssserver prints such numbers for a player that points very far away.
+TEST(ReadRcg, RetainsFramesWithNumbersOutOfRange) {
+  struct Case {
+    const char* text;
+    float value;
+  };
+  for (const auto& [text, value] :
+       {Case{"inf", 1e9F}, Case{"-inf", -1e9F}, Case{"nan", 0.0F}, Case{"-nan", 0.0F},
+        Case{"-3.37711e+38", -1e9F}, Case{"1e+12", 1e9F}, Case{"1e999", 1e9F}}) {
+    std::string far = player("l 1");
+    far.replace(far.find("0 (v h"), 1, "0 " + std::string(text) + " 1.6418e+08");
+    const std::string before = "ULG6\n" + show(1);
+    const MatchRecord record = read(before + show(2, far) + kEnd + show(9));
+    ASSERT_EQ(record.frames(), 3u) << text;
+    EXPECT_EQ(record.players.pointing_at[kSlots].x, value) << text;
+    EXPECT_EQ(record.players.pointing_at[kSlots].y, 1.6418e8F) << text;
+    EXPECT_EQ(record.ball_position[1].x, 1.5F) << text;
+    ASSERT_EQ(record.errors.count, 1u) << text;
+    EXPECT_EQ(format_error("game.rcg", record.errors.first[0]),
+              "game.rcg: line 3, byte " + std::to_string(before.size() + show(2, far).find(text)) +
+                  ", cycle 2: number out of range");
   }
 }
 

@@ -4,7 +4,11 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tests/support/command.h"
@@ -106,7 +110,7 @@ TEST_P(Languages, PlaySameMatchWithEitherService) {
 }
 
 TEST_P(Languages, NewProjectPassesItsTests) {
-  for (const std::string team_template : {"team", "minimal"}) {
+  for (const std::string team_template : {"team", "minimal", "high-level", "rl"}) {
     SCOPED_TRACE(team_template);
     const CommandResult written =
         run_in(folder_.path(), {cls_binary(), "new", GetParam().name, "ada", "--template",
@@ -125,6 +129,59 @@ TEST_P(Languages, NewProjectPassesItsTests) {
       EXPECT_EQ(result.exit_code, 0) << words[0] << "\n" << result.out << result.err;
     }
   }
+}
+
+// The lines below `<!-- change: LANGUAGE FILE -->` in docs/playmakers.md, and the file.
+std::pair<std::string, std::vector<std::string>> change_of_tutorial(const std::string& language) {
+  std::istringstream page(read_file(source_folder() / "docs/playmakers.md"));
+  const std::string mark = "<!-- change: " + language + " ";
+  std::pair<std::string, std::vector<std::string>> change;
+  for (std::string line; std::getline(page, line);) {
+    if (line.rfind(mark, 0) != 0) continue;
+    change.first = line.substr(mark.size(), line.size() - mark.size() - 4);
+    std::getline(page, line);  // ```LANGUAGE
+    while (std::getline(page, line) && line != "```") change.second.push_back(line);
+  }
+  return change;
+}
+
+// Replaces the line of the kick, and those before it that belong to the same statement.
+void replace_kick(const std::vector<std::string>& change, const fs::path& file) {
+  std::vector<std::string> lines;
+  std::istringstream text(read_file(file));
+  for (std::string line; std::getline(text, line);) {
+    lines.push_back(line);
+    const bool kicks = line.find("smart_kick(") != std::string::npos ||
+                       line.find("smartKick(") != std::string::npos;
+    if (!kicks) continue;
+    ASSERT_GE(lines.size(), change.size());
+    lines.resize(lines.size() - change.size());
+    lines.insert(lines.end(), change.begin(), change.end());
+  }
+  std::ofstream out(file);
+  for (const std::string& line : lines) out << line << "\n";
+}
+
+TEST_P(Languages, FirstChangeOfTheTutorialWins) {
+  const auto [file, change] = change_of_tutorial(GetParam().name);
+  ASSERT_FALSE(change.empty());
+  const CommandResult written = run_in(
+      folder_.path(), {cls_binary(), "new", GetParam().name, "ada", "--template", "minimal"});
+  ASSERT_EQ(written.exit_code, 0) << written.err;
+  const fs::path project = folder_.path() / "ada";
+  const auto goals = [&](const std::string& dir) {
+    build(project, project_builds());
+    const CommandResult played = run_in(project,
+                                        {cls_binary(), "match", "ada", "mock", "--cycles", "1500",
+                                         "--seed", "1", "--dir", dir, "--json"},
+                                        project_builds());
+    EXPECT_EQ(played.exit_code, 0) << played.err;
+    const auto result = nlohmann::json::parse(played.out, nullptr, false);
+    return std::pair(result["left"]["score"].get<int>(), result["right"]["score"].get<int>());
+  };
+  EXPECT_EQ(goals("first"), std::pair(0, 0));
+  replace_kick(change, project / file);
+  EXPECT_EQ(goals("second"), std::pair(2, 0));
 }
 
 INSTANTIATE_TEST_SUITE_P(Examples, Languages,

@@ -63,12 +63,72 @@ TEST(PythonGym, PlaysHalfFieldOffenseByItsRules) {
   EXPECT_EQ(tested.exit_code, 0) << tested.err;
 }
 
+TEST(PythonGym, KeepsLeagues) {
+  const std::string python = python_with("numpy");
+  if (python.empty()) GTEST_SKIP() << kNoNumpy;
+  const auto tested = run_python(python, "gym_league_test.py");
+  EXPECT_EQ(tested.exit_code, 0) << tested.err;
+}
+
+constexpr const char* kNoGrpc = "no Python with numpy and grpc: install python3-grpcio";
+
+TEST(PythonGym, ServesPolicies) {
+  const std::string python = python_with("numpy, grpc");
+  if (python.empty()) GTEST_SKIP() << kNoGrpc;
+  const auto tested = run_python(python, "gym_play_test.py");
+  EXPECT_EQ(tested.exit_code, 0) << tested.err;
+}
+
+/// A match of an untrained policy. `options` are those of `cls match`.
+CommandResult play_policy(const std::string& python, const fs::path& folder, const char* obs,
+                          std::vector<std::string> options) {
+  constexpr const char* kSave =
+      "import sys; sys.path.insert(0, sys.argv[1]); from gym_play_test import policy; "
+      "policy(obs=sys.argv[2]).save('policy.npz')";
+  const std::vector<std::string> environment = {
+      "PYTHONPATH=" + (fs::path(CLS_BUILD_DIR) / "python").string(), "PYTHONDONTWRITEBYTECODE=1"};
+  const auto saved =
+      Command({python, "-c", kSave, source_folder() / "python/tests", obs}, environment, folder)
+          .finish();
+  EXPECT_EQ(saved.exit_code, 0) << saved.err;
+  std::vector<std::string> match = {
+      cls_binary(), "match", "run:" + python + " -m cls_gym.play policy.npz --port {port}",
+      "mock:hold",  "--dir", "match",
+      "--cycles",   "40",    "--quiet",
+      "--seed",     "1"};
+  match.insert(match.end(), options.begin(), options.end());
+  return Command(std::move(match), environment, folder).finish(std::chrono::seconds(300));
+}
+
+TEST(PythonGym, PolicyPlaysAMatchOnTheNumbersItObserves) {
+  const std::string python = python_with("numpy, grpc");
+  if (python.empty()) GTEST_SKIP() << kNoGrpc;
+  const TemporaryFolder folder;
+  const auto played = play_policy(python, folder.path(), "world_model", {"--rated", "--strict"});
+  ASSERT_EQ(played.exit_code, 0) << played.err;
+  // Actions that the skills of the other players never request.
+  const std::string result = read_file(folder.path() / "match/result.json");
+  const auto has = [&](const char* action) { return result.find(action) != std::string::npos; };
+  EXPECT_TRUE(has("\"dash\": {") || has("\"turn\": {") || has("\"kick\": {"));
+}
+
+TEST(PythonGym, RatedMatchRefusesAPolicyOfTheFullState) {
+  const std::string python = python_with("numpy, grpc");
+  if (python.empty()) GTEST_SKIP() << kNoGrpc;
+  const TemporaryFolder folder;
+  const auto refused = play_policy(python, folder.path(), "full_state", {"--rated"});
+  EXPECT_EQ(refused.exit_code, 69) << refused.err;
+  EXPECT_NE((refused.err + refused.out).find("was trained with obs='full_state'"),
+            std::string::npos)
+      << refused.err << refused.out;
+}
+
 TEST(PythonGym, SaysHowToGetItsEngine) {
   const std::string python = python_with("numpy");
   if (python.empty()) GTEST_SKIP() << kNoNumpy;
-  const auto imported =
-      run({python, "-c", "import cls_gym"}, {"PYTHONPATH=" + (source_folder() / "python").string(),
-                                             "CLS_TRAINING_LIBRARY=/no/such/library.so"});
+  const auto imported = run({python, "-c", "import cls_gym; cls_gym.ids()"},
+                            {"PYTHONPATH=" + (source_folder() / "python").string(),
+                             "CLS_TRAINING_LIBRARY=/no/such/library.so"});
   EXPECT_EQ(imported.exit_code, 1);
   EXPECT_NE(imported.err.find("cls_gym: cannot load /no/such/library.so"), std::string::npos)
       << imported.err;

@@ -20,22 +20,18 @@ std::string python_path(const fs::path& folder) { return "PYTHONPATH=" + folder.
 // A copy of what an installation reads, so that no test writes into the source tree.
 fs::path copy_package(const fs::path& folder) {
   fs::create_directories(folder / "proto");
-  fs::create_directories(folder / "python/cls_playmaker");
+  fs::create_directories(folder / "python");
   for (const char* name : {"playmaker.proto", "team_playmaker.proto"}) {
     fs::copy_file(source_folder() / "proto" / name, folder / "proto" / name);
   }
   for (const char* name : {"pyproject.toml", "setup.py", "README.md"}) {
     fs::copy_file(source_folder() / "python" / name, folder / "python" / name);
   }
-  for (const char* name :
-       {"__init__.py", "errors.py", "proto.py", "serving.py", "states.py", "team.py", "py.typed"}) {
-    fs::copy_file(source_folder() / "python/cls_playmaker" / name,
-                  folder / "python/cls_playmaker" / name);
-  }
-  fs::create_directories(folder / "python/cls_gym");
-  for (const auto& entry : fs::directory_iterator(source_folder() / "python/cls_gym")) {
-    if (entry.is_regular_file()) {
-      fs::copy_file(entry.path(), folder / "python/cls_gym" / entry.path().filename());
+  for (const char* package : {"cls_playmaker", "cls_gym"}) {
+    fs::create_directories(folder / "python" / package);
+    for (const auto& entry : fs::directory_iterator(source_folder() / "python" / package)) {
+      if (!entry.is_regular_file()) continue;
+      fs::copy_file(entry.path(), folder / "python" / package / entry.path().filename());
     }
   }
   return folder / "python";

@@ -92,7 +92,7 @@ TEST(Faults, GarbageFailsToParseAndOversizeArrives) {
   FaultyMock garbage(R"({"garbage": 1})");
   EXPECT_FALSE(garbage.decide(1, 1).ok());
   FaultyMock oversize(R"({"oversize": 1})");
-  EXPECT_TRUE(oversize.decide(1, 1).ok()) << "as over a socket: cls has no limit";
+  EXPECT_TRUE(oversize.decide(1, 1).ok()) << "the agent refuses it: see proto::max_reply_bytes";
 }
 
 TEST(Faults, OmitsUnimplementedRpcs) {

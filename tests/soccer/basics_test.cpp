@@ -2,14 +2,17 @@
 #include <gtest/gtest.h>
 
 #include <bit>
+#include <cstddef>
 #include <cstdint>
+#include <vector>
 
 #include "soccer/angle.h"
-#include "soccer/direction_pair.h"
+#include "soccer/directions.h"
 #include "soccer/geometry.h"
 #include "soccer/memory_channel.h"
 #include "soccer/pitch.h"
 #include "soccer/play_mode.h"
+#include "soccer/random.h"
 #include "soccer/side.h"
 
 namespace cls::soccer {
@@ -43,6 +46,25 @@ TEST(Directions, ArePairwiseTheSameBits) {
       EXPECT_EQ(std::bit_cast<std::uint64_t>(second),
                 std::bit_cast<std::uint64_t>(direction_degrees(b)));
     }
+  }
+}
+
+TEST(Directions, OfManyVectorsAreTheSameBits) {
+  RandomStream random(7, "directions");
+  std::vector<Vec2> vectors = {{0.0, 0.0}, {-0.0, 0.0}, {-1.0, 0.0}, {-1.0, -0.0}, {0.0, -2.0}};
+  while (vectors.size() < 997) {
+    const double scale = math::exp(random.uniform(-40.0, 40.0));
+    vectors.push_back({random.uniform(-1.0, 1.0) * scale, random.uniform(-1.0, 1.0)});
+  }
+  for (const std::size_t count : {std::size_t{0}, std::size_t{1}, std::size_t{2}, std::size_t{3},
+                                  std::size_t{4}, std::size_t{5}, vectors.size()}) {
+    std::vector<double> degrees(count + 1, 7.0);
+    directions(vectors.data(), count, degrees.data());
+    for (std::size_t i = 0; i < count; ++i) {
+      EXPECT_EQ(std::bit_cast<std::uint64_t>(degrees[i]),
+                std::bit_cast<std::uint64_t>(direction_degrees(vectors[i])));
+    }
+    EXPECT_EQ(degrees[count], 7.0);
   }
 }
 

@@ -38,7 +38,7 @@ TEST(TrainingCApi, RefusesBadConfigurations) {
   expect_error(create(R"({"task": "ReachBall", "num_env": 2})"), kBad, "num_envs");
   expect_error(create(R"({"task": "ReachBall", "num_envs": 0})"), kBad, "num_envs");
   expect_error(create(R"({"task": "ReachBall", "num_envs": 1e9})"), kBad, "num_envs");
-  expect_error(create(R"({"task": "ReachBall", "obs": "world_model"})"), kBad, "full_state");
+  expect_error(create(R"({"task": "ReachBall", "obs": "all"})"), kBad, "full_state");
   expect_error(create(R"({"task": "ReachBall", "defense": 3})"), kBad, "defense");
   expect_error(create(R"({"task": "ReachBall", "num_agents": 3})"), kBad, "num_agents");
   expect_error(create(R"({"task": "ReachBall", "features": "hfo_lo"})"), kBad, "hfo_low");

@@ -73,6 +73,9 @@ TEST(TrainingEpisode, RecordingIsAGameLog) {
     ++shows;
   }
   EXPECT_EQ(shows, 13U) << "the start and twelve steps";
+  const std::string commands = read_file((folder.path() / "episode.rcl").string());
+  EXPECT_EQ(commands.substr(0, 9), "0,0\tRecv ");
+  EXPECT_NE(commands.find("left_7: ("), std::string::npos);
 }
 
 TEST(TrainingEpisode, RecordingThatCannotBeWrittenIsAnError) {

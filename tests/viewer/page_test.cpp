@@ -97,13 +97,28 @@ TEST(Page, AllowsItsOwnProgramOnly) {
 }
 
 TEST(Page, EmbedsAProgramThatCannotEndEarly) {
-  for (const std::string_view text : {viewer_script(), viewer_style()}) {
+  for (const std::string_view text : {viewer_script(), debugger_script(), viewer_style()}) {
     EXPECT_GT(text.size(), 1000U);
     EXPECT_EQ(text.find("</script"), std::string_view::npos);
     EXPECT_EQ(text.find("</style"), std::string_view::npos);
     EXPECT_EQ(text.find("<!--"), std::string_view::npos);
   }
   EXPECT_FALSE(std::regex_search(std::string(viewer_script()), std::regex("\n(import|export) ")));
+}
+
+TEST(Page, HasTheDecisionDebuggerWithDecisionsOnly) {
+  constexpr std::string_view kDebugger = "class DecisionPanel";
+  EXPECT_EQ(viewer_script().find(kDebugger), std::string_view::npos);
+  EXPECT_NE(debugger_script().find(kDebugger), std::string_view::npos);
+  const analysis::MatchSummary summary;
+  const std::string without = write_page(summary, "stream", {});
+  const std::string with =
+      write_page(summary, "stream", {}, {{soccer::Side::kRight, gzip("decisions")}});
+  EXPECT_EQ(without.find(kDebugger), std::string::npos);
+  EXPECT_EQ(without.find("id=\"decisions-"), std::string::npos);
+  EXPECT_NE(with.find("script-src " + csp_hash(debugger_script())), std::string::npos);
+  EXPECT_NE(with.find("id=\"decisions-right\" data-length=\""), std::string::npos);
+  EXPECT_NE(with.find(base64(gzip("decisions"))), std::string::npos);
 }
 
 TEST(Page, ShowsNamesAsText) {

@@ -164,7 +164,7 @@ TEST(Stream, SaysWhatIsWrong) {
   std::string later = stream;
   later.replace(later.find("cls.view/1"), 10, "cls.view/2");
   EXPECT_EQ(error_of(later),
-            "a match of the format 'cls.view/2'; this version of cls reads 'cls.view/1'");
+            "schema cls.view/2 is newer than this cls reads (cls.view/1); update cls");
   std::string changed = stream;
   changed[changed.find("offside_active_area_size") + 3] ^= 1;
   EXPECT_EQ(error_of(changed), "wrong checksum: the match is corrupt");

@@ -96,7 +96,9 @@ CLS_TRAINING_API int cls_training_catalog(char* out, size_t capacity, size_t* le
 //   "num_envs"    N, 1..65536. Default 1.
 //   "threads"     threads that step(), 1..256; more than N are not used. Default 1. Results do not
 //                 depend on it.
-//   "obs"         "full_state": the exact world, without messages. The only value.
+//   "obs"         "full_state" (default): the exact world, without messages; "world_model": what
+//                 cls agents estimate from the messages of the server. Scripted players, rewards
+//                 and `state` use the exact world with either.
 //   "features"    feature set: "hfo_low", "hfo_high" or "ego". Default: the task's.
 //   "actions"     action set: "low", "low_all", "low_flat", "low_discrete" or
 //                 "hfo". Default: the task's.
@@ -227,7 +229,8 @@ CLS_TRAINING_API int cls_training_fork(uint64_t pool, uint64_t from, uint64_t to
 // -------------------------------------------------------------------------------- watching
 
 // Records the next episode of a world, from its next reset to its end, as a game log (rcg version
-// 6) in `path`. The file is written when the episode ends, when the world is reset or at close().
+// 6) in `path`; if that ends in .rcg or .rcg.gz, also its commands as a text log, in the file with
+// .rcl instead. The files are written when the episode ends, when the world is reset or at close().
 // Names that end in .gz are compressed. NULL: stops and forgets a recording. An error of writing is
 // the result of the call that ended the episode, which is complete otherwise.
 CLS_TRAINING_API int cls_training_record(uint64_t pool, uint64_t env, const char* path);

@@ -2,13 +2,17 @@
 #include "training/episode/episode.h"
 
 #include <algorithm>
+#include <cassert>
 #include <numeric>
 #include <span>
 #include <utility>
 
+#include "base/overloaded.h"
 #include "simulator/actions/actions.h"
 #include "simulator/step.h"
+#include "soccer/commands/rounding.h"
 #include "training/episode/state.h"
+#include "training/scene/estimated_scene.h"
 #include "training/tasks/formation.h"
 
 namespace cls::training {
@@ -22,10 +26,60 @@ bool allows_moves(soccer::PlayMode mode) {
          mode == soccer::PlayMode::kGoalRight;
 }
 
+// The text of a command has no more digits, so that a client can send the same command.
+void round_numbers(PlayerCommand& command) {
+  using soccer::rounded_for_command;
+  std::visit(
+      base::Overloaded{[](soccer::Dash& dash) {
+                         dash.power = rounded_for_command(dash.power);
+                         dash.direction = rounded_for_command(dash.direction);
+                       },
+                       [](soccer::Turn& turn) { turn.moment = rounded_for_command(turn.moment); },
+                       [](soccer::Kick& kick) {
+                         kick.power = rounded_for_command(kick.power);
+                         kick.direction = rounded_for_command(kick.direction);
+                       },
+                       [](soccer::Tackle& tackle) {
+                         tackle.angle_or_power = rounded_for_command(tackle.angle_or_power);
+                       },
+                       [](soccer::Catch& catches) {
+                         catches.direction = rounded_for_command(catches.direction);
+                       },
+                       [](soccer::Move& move) {
+                         move.x = rounded_for_command(move.x);
+                         move.y = rounded_for_command(move.y);
+                       },
+                       [](auto&) {}},
+      command);
+}
+
+// As one datagram.
+void record_commands(std::span<const PlayerCommand> commands, const simulator::World& world,
+                     simulator::Slot slot, simulator::MatchRecorder& recorder) {
+  std::string text;
+  for (const PlayerCommand& command : commands) {
+    [[maybe_unused]] const bool formatted = soccer::format(command, text);
+    assert(formatted);
+  }
+  recorder.command(world, slot, text);
+}
+
+// Of the events from index `first` on.
+void record_messages(const simulator::Events& events, std::size_t first,
+                     simulator::MatchRecorder& recorder) {
+  for (std::size_t i = first; i < events.size(); ++i) {
+    const auto* message = std::get_if<simulator::RefereeMessage>(&events[i].what);
+    if (message != nullptr) recorder.referee(events[i].clock, message->text());
+  }
+}
+
 }  // namespace
 
 Episode::Episode(std::shared_ptr<const Setup> setup)
-    : setup_(std::move(setup)), world_(setup_->prepared) {}
+    : setup_(std::move(setup)),
+      world_(setup_->prepared),
+      perceivers_(setup_->perceivers),
+      estimated_(perceivers_.size()) {}
 
 void Episode::reset(std::uint64_t seed, const OptionValues& options) {
   world_ = setup_->prepared;
@@ -42,6 +96,11 @@ void Episode::reset(std::uint64_t seed, const OptionValues& options) {
   memory_.previous_ball = world_.ball.position;
   begin_rewards(world_, setup_->cast, reward_memory_);
   rewards_ = {};
+  perceivers_ = setup_->perceivers;
+  for (std::size_t agent = 0; agent < perceivers_.size(); ++agent) {
+    begin_perception(*setup_->vision, world_, setup_->cast.agents[agent], perceivers_[agent],
+                     senses_);
+  }
   fill_scenes();
 }
 
@@ -55,17 +114,30 @@ void Episode::draw_types(soccer::RandomStream& random) {
 }
 
 void Episode::fill_scenes() {
-  fill_scene(world_, Side::kLeft, scenes_[0]);
-  fill_scene(world_, Side::kRight, scenes_[1]);
+  for (const Side side : {Side::kLeft, Side::kRight}) {
+    if (setup_->cast.team(side).empty()) continue;
+    fill_scene(world_, side, scenes_[side == Side::kRight ? 1 : 0]);
+  }
+  for (std::size_t agent = 0; agent < perceivers_.size(); ++agent) {
+    fill_scene(perceivers_[agent].world, setup_->cast, estimated_[agent]);
+  }
 }
 
 double Episode::time_left() const {
   return 1.0 - static_cast<double>(memory_.cycles) / setup_->max_cycles;
 }
 
+int Episode::agent_in(int slot) const {
+  const std::vector<int>& agents = setup_->cast.agents;
+  const auto place = std::find(agents.begin(), agents.end(), slot);
+  return place == agents.end() ? -1 : static_cast<int>(place - agents.begin());
+}
+
 PointOfView Episode::view_of(int slot, bool last_action_worked) const {
   const Side side = soccer::side_of_slot(slot);
-  return {scenes_[side == Side::kRight ? 1 : 0],
+  const int agent = has_world_models() ? agent_in(slot) : -1;
+  return {agent >= 0 ? estimated_[static_cast<std::size_t>(agent)]
+                     : scenes_[side == Side::kRight ? 1 : 0],
           setup_->cast,
           seat_of(side, slot),
           setup_->task->stage(side),
@@ -140,25 +212,50 @@ void Episode::return_to_formation() {
   }
 }
 
+std::span<const PlayerCommand> Episode::commands(int slot) const {
+  const int agent = has_world_models() ? agent_in(slot) : -1;
+  if (agent >= 0) return perceivers_[static_cast<std::size_t>(agent)].commands;
+  return {&commands_[static_cast<std::size_t>(slot)], 1};
+}
+
+void Episode::send_commands() {
+  for (PlayerCommand& command : commands_) round_numbers(command);
+  for (std::size_t agent = 0; agent < perceivers_.size(); ++agent) {
+    const auto slot = static_cast<std::size_t>(setup_->cast.agents[agent]);
+    if (!training::choose_commands(perceivers_[agent], commands_[slot])) {
+      agents_[agent].last_action_worked = false;
+    }
+  }
+}
+
 // In the order that a match server draws for this cycle.
-void Episode::execute_commands() {
+void Episode::execute_commands(simulator::MatchRecorder* recorder) {
   std::array<simulator::Slot, soccer::kPlayersOnPitch> order;
   std::iota(order.begin(), order.end(), 0);
   simulator::clock_stream(world_, "command order", 0).shuffle(std::span<simulator::Slot>(order));
   for (const simulator::Slot slot : order) {
     if (!world_.player(slot).enabled) continue;
-    simulator::apply(world_, slot, commands_[static_cast<std::size_t>(slot)], events_);
+    if (recorder != nullptr) record_commands(commands(slot), world_, slot, *recorder);
+    for (const PlayerCommand& command : commands(slot)) {
+      const std::size_t before = events_.size();
+      simulator::apply(world_, slot, command, events_);
+      if (recorder != nullptr) record_messages(events_, before, *recorder);
+    }
   }
 }
 
 void Episode::play_cycle(simulator::MatchRecorder* recorder) {
   if (setup_->task->referee && allows_moves(world_.mode)) return_to_formation();
   const std::array<int, 2> score = memory_.score;
-  execute_commands();
+  send_commands();
+  execute_commands(recorder);
   for (simulator::Player& player : world_.players) player.contacts = {};
+  const std::size_t before = events_.size();
   simulator::step(world_, events_);
   if (recorder != nullptr) recorder->step(world_);
   simulator::finish_step(world_, events_);
+  if (recorder != nullptr) record_messages(events_, before, *recorder);
+  perceive_step();
   events_.clear();
 
   ++memory_.cycles;
@@ -169,6 +266,13 @@ void Episode::play_cycle(simulator::MatchRecorder* recorder) {
   memory_.previous_ball = world_.ball.position;
   add_rewards(world_, setup_->cast, status_, memory_, score, reward_memory_, rewards_);
   fill_scenes();
+}
+
+void Episode::perceive_step() {
+  for (std::size_t agent = 0; agent < perceivers_.size(); ++agent) {
+    perceive(*setup_->vision, world_, events_, setup_->cast.agents[agent], perceivers_[agent],
+             senses_);
+  }
 }
 
 bool Episode::alive(std::size_t agent) const {

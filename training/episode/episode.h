@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "simulator/sessions/match_recorder.h"
@@ -46,6 +47,14 @@ class Episode {
   /// Mean over the agents, from the left team's view.
   double reward_term(std::size_t term) const;
 
+  /// The commands of the last cycle of a player in `slot`, in the order of execution: what a client
+  /// would have sent.
+  std::span<const PlayerCommand> commands(int slot) const;
+  /// What an agent estimates; null with the full state.
+  const proxy::WorldModel* world_model(std::size_t agent) const {
+    return has_world_models() ? &perceivers_[agent].world : nullptr;
+  }
+
   /// Writes the features of an agent; zeros if it is not alive.
   void observe(std::size_t agent, float* out) const;
   /// Writes 1 for each id that has an effect now.
@@ -60,11 +69,16 @@ class Episode {
 
   void play_cycle(simulator::MatchRecorder* recorder);
   void draw_types(soccer::RandomStream& random);
+  bool has_world_models() const { return !perceivers_.empty(); }
+  /// Index of the agent in `slot`; -1 for other players.
+  int agent_in(int slot) const;
+  void send_commands();
+  void perceive_step();
   PlayerCommand command_of(std::size_t agent, const AgentActions& actions);
   PointOfView view_of(int slot, bool last_action_worked) const;
   void choose_commands(const AgentActions& actions);
   void return_to_formation();
-  void execute_commands();
+  void execute_commands(simulator::MatchRecorder* recorder);
   void fill_scenes();
   double time_left() const;
 
@@ -76,10 +90,13 @@ class Episode {
   Status status_ = Status::kInGame;
   bool started_ = false;
   std::array<Scene, 2> scenes_;                          ///< exact: left, right
+  std::vector<Perceiver> perceivers_;                    ///< of the agents; may be empty
+  std::vector<Scene> estimated_;                         ///< by agent, from their world models
   std::array<Agent, soccer::kPlayersOnPitch> agents_{};  ///< in the order of the cast
   std::array<RewardValues, soccer::kPlayersOnPitch> rewards_{};
   std::array<PlayerCommand, soccer::kPlayersOnPitch> commands_;  ///< by slot
   simulator::Events events_;
+  SenseBuffers senses_;
 };
 
 }  // namespace cls::training

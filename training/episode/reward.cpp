@@ -23,6 +23,8 @@ enum Term : std::size_t {
 };
 
 constexpr Vec2 kRightGoal = {soccer::kHalfLength, 0.0};
+// Longer than the way between any two places; the referee moves ball and players within a cycle.
+constexpr double kMaxDistance = 150.0;
 constexpr int kRings = 10;
 constexpr double kOuterRing = 0.99 * soccer::kPitchLength;
 constexpr double kInnerRing = 0.20 * soccer::kHalfLength;
@@ -65,21 +67,25 @@ RewardValues team_values(const simulator::World& world, Status status, const Tas
 
 const std::array<RewardTerm, kRewardTerms>& reward_terms() {
   static const std::array<RewardTerm, kRewardTerms> all = {
-      {{"goal", 1, "1 for a goal of the own team, -1 for one of the others"},
-       {"captured", 0, "-1 for the left team when the defense wins the ball, 1 for the right"},
-       {"out_of_bounds", 0, "-1 for the left team when the ball leaves the area, 1 for the right"},
-       {"out_of_time", 0, "-1 for the left team when time runs out, 1 for the right"},
-       {"reached", 1, "1 when the aim of the task is reached"},
-       {"possession", 0, "1 for each cycle in which the own team had the ball last, -1 else"},
-       {"advance", 0,
+      {{"goal", 1, "goals", -1, 1, "1 for a goal of the own team, -1 for one of the others"},
+       {"captured", 0, "1", -1, 1,
+        "-1 for the left team when the defense wins the ball, 1 for the right"},
+       {"out_of_bounds", 0, "1", -1, 1,
+        "-1 for the left team when the ball leaves the area, 1 for the right"},
+       {"out_of_time", 0, "1", -1, 1, "-1 for the left team when time runs out, 1 for the right"},
+       {"reached", 1, "1", -1, 1, "1 when the aim of the task is reached"},
+       {"possession", 0, "cycles", -1, 1,
+        "1 for each cycle in which the own team had the ball last, -1 else"},
+       {"advance", 0, "m", -kMaxDistance, kMaxDistance,
         "meters that the ball came nearer to the goal that the left team attacks; "
         "negative for the right team"},
-       {"checkpoints", 0,
+       {"checkpoints", 0, "1", -1, 1,
         "0.1 for each of ten rings around the goal that the left team's ball "
         "enters; the rest with a goal; negative for the right team"},
-       {"approach", 0, "meters that the agent came nearer to the ball"},
-       {"first_touch", 0, "1 when the agent can kick the ball for the first time"},
-       {"effort", 0, "-1 for a dash with full power, less for weaker ones"}}};
+       {"approach", 0, "m", -kMaxDistance, kMaxDistance,
+        "meters that the agent came nearer to the ball"},
+       {"first_touch", 0, "1", 0, 1, "1 when the agent can kick the ball for the first time"},
+       {"effort", 0, "dashes", -1, 0, "-1 for a dash with full power, less for weaker ones"}}};
   return all;
 }
 

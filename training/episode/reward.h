@@ -11,10 +11,15 @@ namespace cls::training {
 struct RewardTerm {
   std::string_view name;
   double weight;  ///< default: the sparse reward
+  std::string_view unit;
+  double low;  ///< bounds of a cycle
+  double high;
   std::string_view summary;
 };
 
 constexpr std::size_t kRewardTerms = 11;
+/// A change of a term's value needs a new version.
+constexpr int kRewardVersion = 1;
 const std::array<RewardTerm, kRewardTerms>& reward_terms();
 
 /// Unweighted terms of one step for one player, from the view of its team.

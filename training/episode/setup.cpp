@@ -16,7 +16,6 @@ namespace {
 using base::Error;
 using base::Result;
 
-constexpr std::uint64_t kTypesSeed = 1;
 constexpr int kClientVersion = 18;
 
 template <typename Item, typename Name>
@@ -158,6 +157,13 @@ Result<void> prepare_world(Setup& setup) {
   return {};
 }
 
+void prepare_perceivers(Setup& setup) {
+  setup.vision = std::make_shared<simulator::VisionModel>(setup.prepared.params());
+  for (const int slot : setup.cast.agents) {
+    setup.perceivers.push_back(make_perceiver(setup.prepared, slot));
+  }
+}
+
 }  // namespace
 
 std::string agent_name(int slot) {
@@ -178,6 +184,8 @@ Result<std::shared_ptr<const Setup>> make_setup(const SetupChoices& choices) {
   setup->random_types = choices.random_types;
   setup->options = setup->task->usual_options();
   if (Result<void> done = prepare_world(*setup); !done) return done.error();
+  setup->fidelity = choices.fidelity;
+  if (choices.fidelity == Fidelity::kWorldModel) prepare_perceivers(*setup);
   return std::shared_ptr<const Setup>(std::move(setup));
 }
 

@@ -11,11 +11,21 @@
 #include "training/actions/action_set.h"
 #include "training/episode/reward.h"
 #include "training/features/feature_set.h"
+#include "training/senses/perceiver.h"
 #include "training/tasks/task.h"
 
 namespace cls::training {
 
+/// What agents know. Never mixed in a pool; the full state is not what players know in matches.
+enum class Fidelity : unsigned char {
+  kFullState,   ///< the exact world, without messages
+  kWorldModel,  ///< the estimates of cls agents, from the messages of the server
+};
+
 enum class Presence : unsigned char { kAbsent, kHold, kScripted };
+
+/// From which the player types of all pools are drawn.
+constexpr std::uint64_t kTypesSeed = 1;
 
 /// Choices of the caller. Counts of -1 and empty names mean the task's defaults.
 struct SetupChoices {
@@ -28,6 +38,7 @@ struct SetupChoices {
   int agents = -1;  ///< an Agents, or -1
   Driver teammates = Driver::kScripted;
   Presence opponent = Presence::kScripted;
+  Fidelity fidelity = Fidelity::kFullState;
   int frame_skip = 1;
   int max_cycles = 0;
   std::array<double, kRewardTerms> weights{};
@@ -52,6 +63,9 @@ struct Setup {
   bool random_types = false;
   OptionValues options{};     ///< defaults of the task
   simulator::World prepared;  ///< all players of the cast on the pitch, at rest
+  Fidelity fidelity = Fidelity::kFullState;
+  std::vector<Perceiver> perceivers;  ///< of the agents, connected; empty with the full state
+  std::shared_ptr<const simulator::VisionModel> vision;  ///< null with the full state
 
   std::size_t agent_count() const { return cast.agents.size(); }
   std::size_t feature_count() const { return feature_columns.size(); }

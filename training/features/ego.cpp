@@ -87,8 +87,7 @@ void add_player(FeatureWriter& out, const Axes& axes, const Scene& scene, Seat s
   out.flag(true);
   add_point(out, axes, player.position);
   add_vector(out, axes, player.velocity_known ? player.velocity : Vec2{}, kPlayerSpeed);
-  const Vec2 facing = player.body_known ? soccer::polar_radians(1.0, player.body) : Vec2{};
-  add_vector(out, axes, facing, 1.0);
+  add_vector(out, axes, player.facing, 1.0);
   out.flag(player.goalie);
   out.value(scene.ball_seen ? distance(player.position, scene.ball) / kFar : 1.0, 0.0);
 }
@@ -118,7 +117,7 @@ void add_ball(FeatureWriter& out, const Scene& scene, const Axes& axes) {
 
 void fill(const PointOfView& view, float* numbers) {
   FeatureWriter out(numbers);
-  const Axes axes = {view.me().position, soccer::polar_radians(1.0, view.me().body)};
+  const Axes axes = {view.me().position, view.me().facing};
   add_self(out, view, axes);
   add_ball(out, view.scene, axes);
   const double post = view.scene.server->goal_width / 2.0;

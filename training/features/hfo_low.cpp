@@ -164,7 +164,7 @@ Seats listed(const PointOfView& view, Seats all) {
 
 void fill(const PointOfView& view, float* numbers) {
   FeatureWriter out(numbers);
-  const Pose pose = {view.me().position, soccer::polar_radians(1.0, view.me().body)};
+  const Pose pose = {view.me().position, view.me().facing};
   add_self(out, view, pose);
   for (const Landmark& landmark : kLandmarks) add_landmark(out, pose, {landmark.x, landmark.y});
   add_proximity(out, pose.position.x, 1.1 * soccer::kHalfLength);

@@ -21,7 +21,7 @@ const Names kKeys = {"task",      "num_envs",   "threads",    "obs",        "fea
                      "offense",   "defense",    "agents",     "num_agents", "teammates", "opponent",
                      "autoreset", "frame_skip", "max_cycles", "reward",     "options",   "types"};
 const Names kAutoresets = {"disabled", "next_step", "same_step"};
-const Names kObservations = {"full_state"};
+const Names kObservations = {"full_state", "world_model"};
 const Names kAgents = {"offense", "defense", "both"};
 const Names kTeammates = {"hold", "scripted"};
 const Names kOpponents = {"none", "hold", "scripted"};
@@ -117,14 +117,17 @@ void read_choices(Reader& in, SetupChoices& choices) {
   in.choice("opponent", kOpponents, choices.opponent);
   in.integer("frame_skip", 1, kMaxFrameSkip, choices.frame_skip);
   in.integer("max_cycles", 0, kMaxCycles, choices.max_cycles);
-  int observation = 0;
-  in.choice("obs", kObservations, observation);
+  in.choice("obs", kObservations, choices.fidelity);
   int types = 0;
   in.choice("types", kTypes, types);
   choices.random_types = types == 1;
 }
 
 }  // namespace
+
+std::string_view fidelity_name(Fidelity fidelity) {
+  return kObservations[static_cast<std::size_t>(fidelity)];
+}
 
 std::string_view autoreset_name(Autoreset mode) {
   return kAutoresets[static_cast<std::size_t>(mode)];

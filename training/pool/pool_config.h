@@ -11,6 +11,9 @@ namespace cls::training {
 
 enum class Autoreset : unsigned char { kDisabled, kNextStep, kSameStep };
 
+/// "full_state" or "world_model"
+std::string_view fidelity_name(Fidelity fidelity);
+
 /// "disabled", "next_step" or "same_step"
 std::string_view autoreset_name(Autoreset mode);
 

@@ -1,4 +1,4 @@
-// The game log of one episode of a world.
+// The logs of one episode of a world.
 #pragma once
 
 #include <memory>
@@ -12,7 +12,9 @@ namespace cls::training {
 
 class Recording {
  public:
-  /// Creates the file. The error names it.
+  /// Creates the game log and, if its name ends in ".rcg" or ".rcg.gz", a text log of that name
+  /// with
+  /// ".rcl": the commands of the episode. The error names the file.
   static base::Result<std::unique_ptr<Recording>> create(const std::string& path);
 
   /// Writes the start of the episode: from now on pass recorder() to its steps.
@@ -23,9 +25,11 @@ class Recording {
   base::Result<void> finish(const Episode& episode);
 
  private:
-  explicit Recording(std::unique_ptr<base::ByteSink> sink) : sink_(std::move(sink)) {}
+  Recording(std::unique_ptr<base::ByteSink> game, std::unique_ptr<base::ByteSink> text)
+      : game_(std::move(game)), text_(std::move(text)) {}
 
-  std::unique_ptr<base::ByteSink> sink_;
+  std::unique_ptr<base::ByteSink> game_;
+  std::unique_ptr<base::ByteSink> text_;  ///< null: none
   simulator::MatchRecorder recorder_;
   bool running_ = false;
 };

@@ -56,6 +56,9 @@ Json reward_list(const std::array<double, kRewardTerms>* weights) {
     const RewardTerm& term = reward_terms()[i];
     list.push_back({{"name", term.name},
                     {"weight", weights != nullptr ? (*weights)[i] : term.weight},
+                    {"unit", term.unit},
+                    {"low", term.low},
+                    {"high", term.high},
                     {"summary", term.summary}});
   }
   return list;
@@ -71,6 +74,13 @@ Json action_list(const ActionSet& set) {
   return list;
 }
 
+Json describe(const FeatureSet& set) {
+  return {{"set", set.name},
+          {"version", set.version},
+          {"summary", set.summary},
+          {"offense_only", set.left_only}};
+}
+
 Json describe(const ActionSet& set) {
   const Columns values = set.values();
   return {{"set", set.name},           {"version", set.version},        {"summary", set.summary},
@@ -84,7 +94,7 @@ std::string_view agents_name(Agents agents) {
 
 }  // namespace
 
-Json task_document(const Task& task) {
+Json document_of(const Task& task) {
   Json options = Json::array();
   for (const TaskOption& option : task.options) options.push_back(to_json(option));
   return {{"id", task.id},
@@ -100,24 +110,29 @@ Json task_document(const Task& task) {
           {"options", options}};
 }
 
+Json document_of(const FeatureSet& set, int teammates, int opponents) {
+  Json document = describe(set);
+  document["teammates"] = teammates;
+  document["opponents"] = opponents;
+  document["items"] = to_json(set.columns(teammates, opponents));
+  return document;
+}
+
+Json document_of(const ActionSet& set) { return describe(set); }
+
 Json catalog() {
   Json task_list = Json::array();
-  for (const Task& task : tasks()) task_list.push_back(task_document(task));
+  for (const Task& task : tasks()) task_list.push_back(document_of(task));
   Json features = Json::array();
   for (const FeatureSet* set : feature_sets()) {
-    features.push_back({{"set", set->name},
-                        {"version", set->version},
-                        {"summary", set->summary},
-                        {"offense_only", set->left_only},
-                        {"items_1v1", to_json(set->columns(0, 1))}});
+    features.push_back(describe(*set));
+    features.back()["items_1v1"] = to_json(set->columns(0, 1));
   }
   Json actions = Json::array();
   for (const ActionSet* set : action_sets()) actions.push_back(describe(*set));
-  return {{"schema", "cls.training.catalog/1"},
-          {"tasks", task_list},
-          {"feature_sets", features},
-          {"action_sets", actions},
-          {"reward_terms", reward_list(nullptr)},
+  return {{"schema", kCatalogSchema},         {"tasks", task_list},
+          {"feature_sets", features},         {"action_sets", actions},
+          {"reward_version", kRewardVersion}, {"reward_terms", reward_list(nullptr)},
           {"statuses", status_list()}};
 }
 
@@ -133,7 +148,7 @@ Json specification(const Pool& pool) {
       {"schema", "cls.training.spec/1"},
       {"task", setup.task->id},
       {"version", setup.task->version},
-      {"obs", "full_state"},
+      {"obs", fidelity_name(setup.fidelity)},
       {"num_envs", pool.size()},
       {"threads", pool.threads()},
       {"num_agents", setup.agent_count()},
@@ -147,6 +162,7 @@ Json specification(const Pool& pool) {
         {"items", to_json(setup.feature_columns)}}},
       {"actions", describe(*setup.actions)},
       {"state", {{"size", setup.state_columns.size()}, {"items", to_json(setup.state_columns)}}},
+      {"reward_version", kRewardVersion},
       {"reward_terms", reward_list(&setup.weights)},
       {"max_cycles", setup.max_cycles},
       {"frame_skip", setup.frame_skip},

@@ -27,6 +27,7 @@ void fill_player(const simulator::World& world, const simulator::Player& player,
   out.position = player.position * sign;
   out.velocity = player.velocity * sign;
   out.body = sign > 0 ? player.body : math::normalize_radians(player.body + math::kPi);
+  out.facing = soccer::polar_radians(1.0, out.body);
   out.stamina = player.stamina.value;
   out.effort = player.stamina.effort;
   out.type = &world.type_of(player);

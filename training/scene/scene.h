@@ -28,6 +28,7 @@ struct ScenePlayer {
   Vec2 position;
   Vec2 velocity;
   double body = 0.0;
+  Vec2 facing;  ///< unit vector along the body; zero if that is not known
   double stamina = 0.0;
   double effort = 1.0;
   double kickable_area = 0.0;

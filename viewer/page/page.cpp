@@ -60,24 +60,57 @@ std::string plain_text(const MatchSummary& summary) {
   return text + "</noscript>\n";
 }
 
-std::string settings_json(const PageSettings& settings) {
-  const Json json = {{"schema", "cls.page/1"},
-                     {"cls", base::kVersion},
-                     {"at", settings.at ? Json(*settings.at) : Json(nullptr)},
-                     {"players", settings.players},
-                     {"live", nullptr}};
-  std::string text = json.dump(-1, ' ', true, Json::error_handler_t::replace);
-  for (std::size_t at = text.find('<'); at != std::string::npos; at = text.find('<', at)) {
-    text.replace(at, 1, "\\u003c");
+std::string settings_json(const PageSettings& settings, const std::string* live) {
+  Json json = {{"schema", "cls.page/1"},
+               {"cls", base::kVersion},
+               {"at", settings.at ? Json(*settings.at) : Json(nullptr)},
+               {"players", settings.players},
+               {"live", live != nullptr ? Json(*live) : Json(nullptr)}};
+  for (const MissedDecision& each : settings.missed) {
+    json["missed"].push_back({each.cycle, each.stopped, each.player, each.reason});
   }
-  return text;
+  return inert_json(json.dump(-1, ' ', true, Json::error_handler_t::replace));
 }
 
-std::string policy() {
+std::string policy(std::string_view script, bool live) {
   return fmt::format(
-      "default-src 'none'; script-src {}; style-src {}; img-src data: blob:; base-uri 'none'; "
+      "default-src 'none'; script-src {}; style-src {}; img-src data: blob:; {}base-uri 'none'; "
       "form-action 'none'",
-      csp_hash(viewer_script()), csp_hash(viewer_style()));
+      csp_hash(script), csp_hash(viewer_style()), live ? "connect-src 'self'; " : "");
+}
+
+// Everything before the match. `title` is HTML; `live` is the path of the stream, null in files.
+std::string page_start(const std::string& title, const std::string& without_scripts,
+                       std::string_view script, const PageSettings& settings,
+                       const std::string* live) {
+  std::string page(kDoctype);
+  page += "\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n";
+  page += fmt::format("<meta http-equiv=\"Content-Security-Policy\" content=\"{}\">\n",
+                      policy(script, live != nullptr));
+  page += "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n";
+  page += fmt::format("<meta name=\"generator\" content=\"cls {}\">\n", base::kVersion);
+  // Browsers ask servers for an icon, unless there is one.
+  if (live != nullptr) page += "<link rel=\"icon\" href=\"data:,\">\n";
+  page += fmt::format("<title>{}</title>\n", title);
+  page += fmt::format("<style>{}</style>\n</head>\n<body>\n", viewer_style());
+  page += without_scripts;
+  page += "<div id=\"app\"></div>\n";
+  page += fmt::format("<script type=\"application/json\" id=\"settings\">{}</script>\n",
+                      settings_json(settings, live));
+  page += fmt::format("<script>{}</script>\n", script);
+  return page;
+}
+
+std::string decision_elements(const std::vector<PageDecisions>& decisions) {
+  std::string elements;
+  for (const PageDecisions& each : decisions) {
+    const std::string data = base64(each.packed);
+    elements += fmt::format(
+        "<script type=\"application/cls-decisions;base64\" id=\"decisions-{}\" "
+        "data-length=\"{}\">{}</script>\n",
+        soccer::side_name(each.side), data.size(), data);
+  }
+  return elements;
 }
 
 base::Error in_file(const std::string& path, const base::Error& error) {
@@ -87,24 +120,28 @@ base::Error in_file(const std::string& path, const base::Error& error) {
 }  // namespace
 
 std::string write_page(const MatchSummary& summary, std::string_view stream,
-                       const PageSettings& settings) {
+                       const PageSettings& settings, const std::vector<PageDecisions>& decisions) {
   const std::string data = base64(gzip(stream));
-  std::string page;
-  page.reserve(data.size() + viewer_script().size() + viewer_style().size() + 8192);
-  page += kDoctype;
-  page += "\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n";
-  page += fmt::format("<meta http-equiv=\"Content-Security-Policy\" content=\"{}\">\n", policy());
-  page += "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n";
-  page += fmt::format("<meta name=\"generator\" content=\"cls {}\">\n", base::kVersion);
-  page += fmt::format("<title>{}</title>\n", title(summary));
-  page += fmt::format("<style>{}</style>\n</head>\n<body>\n", viewer_style());
-  page += plain_text(summary);
-  page += "<div id=\"app\"></div>\n";
-  page += fmt::format("<script type=\"application/json\" id=\"settings\">{}</script>\n",
-                      settings_json(settings));
-  page += fmt::format("<script>{}</script>\n", viewer_script());
-  page += fmt::format("{}{}\">{}</script>\n</body>\n</html>\n", kDataTag, data.size(), data);
-  return page;
+  const std::string_view script = decisions.empty() ? viewer_script() : debugger_script();
+  return page_start(title(summary), plain_text(summary), script, settings, nullptr) +
+         fmt::format("{}{}\">{}</script>\n{}</body>\n</html>\n", kDataTag, data.size(), data,
+                     decision_elements(decisions));
+}
+
+std::string live_page(const std::string& title, const std::string& stream_path,
+                      const PageSettings& settings) {
+  return page_start(base::escape_xml(title),
+                    "<noscript>\n<p>This page shows a running match with JavaScript, which is "
+                    "switched off.</p>\n</noscript>\n",
+                    viewer_script(), settings, &stream_path) +
+         "</body>\n</html>\n";
+}
+
+std::string inert_json(std::string json) {
+  for (std::size_t at = json.find('<'); at != std::string::npos; at = json.find('<', at)) {
+    json.replace(at, 1, "\\u003c");
+  }
+  return json;
 }
 
 bool looks_like_page(std::string_view start) {
@@ -115,7 +152,7 @@ bool looks_like_page(std::string_view start) {
 }
 
 base::Result<StreamMatch> read_page(std::string_view page) {
-  // The last one: only base64 follows it, while names and programs come before it.
+  // The last one: only data in base64 follow it, while names and programs come before it.
   const std::size_t tag = page.rfind(kDataTag);
   if (!looks_like_page(page) || tag == std::string_view::npos) {
     return base::Error{"an HTML page without a match of cls"};

@@ -9,20 +9,46 @@
 #include "analysis/results/match_summary.h"
 #include "base/result.h"
 #include "gamelog/record/match_record.h"
+#include "soccer/side.h"
 #include "viewer/stream/chunk_reader.h"
 
 namespace cls::viewer {
 
-/// What a page shows first.
+/// A decision without a usable reply.
+struct MissedDecision {
+  int cycle = 0;
+  int stopped = 0;     ///< cycles since the clock stopped
+  std::string player;  ///< "l7"
+  std::string reason;  ///< "deadline"
+};
+
+/// What a page shows first, and what it knows besides the log.
 struct PageSettings {
-  std::optional<int> at;             ///< cycle; none: the first frame
-  std::vector<std::string> players;  ///< selected: "l7", "r1"
+  std::optional<int> at;                 ///< cycle; none: the first frame
+  std::vector<std::string> players;      ///< selected: "l7", "r1"
+  std::vector<MissedDecision> missed{};  ///< in the order of the match
+};
+
+/// Recorded decisions of a side (viewer/decisions): the stream, compressed with gzip.
+struct PageDecisions {
+  soccer::Side side = soccer::Side::kLeft;
+  std::string packed;
 };
 
 /// The page. `stream` is the match (write_stream()), `summary` the result of the same match for
-/// readers without scripts.
+/// readers without scripts. With decisions the page has the decision debugger.
 std::string write_page(const analysis::MatchSummary& summary, std::string_view stream,
-                       const PageSettings& settings);
+                       const PageSettings& settings,
+                       const std::vector<PageDecisions>& decisions = {});
+
+/// The page of a match that is played now. It reads the stream from `stream_path`, relative to its
+/// own address, and allows requests to its own host only.
+std::string live_page(const std::string& title, const std::string& stream_path,
+                      const PageSettings& settings);
+
+/// JSON text as the content of a script element that browsers do not run: nothing in it ends the
+/// element.
+std::string inert_json(std::string json);
 
 /// True if a file that starts like this may be a page.
 bool looks_like_page(std::string_view start);

@@ -9,6 +9,7 @@
 #include <variant>
 
 #include "base/system/version.h"
+#include "base/text/schema.h"
 #include "soccer/play_mode.h"
 #include "viewer/stream/chunk.h"
 
@@ -202,10 +203,7 @@ base::Result<StreamHeader> parse_header(std::string_view text) {
   try {
     const Json json = Json::parse(text);
     const std::string schema = json.value("schema", "");
-    if (schema != kViewSchema) {
-      return base::Error{"a match of the format '" + schema + "'; this version of cls reads '" +
-                         std::string(kViewSchema) + "'"};
-    }
+    if (auto error = base::schema_error(schema, kViewSchema)) return base::Error{*std::move(error)};
     StreamHeader header;
     header.form = {json.value("compact", false), json.value("live", false)};
     if (!parse_version(json.value("log", ""), header.version) ||

@@ -36,6 +36,7 @@ async fn main() -> Result<(), Box<dyn std::error::Error>> {
         eprintln!("usage: run [--port N] [--coach]");
         std::process::exit(2);
     };
+    service::remember_panics();
     let listener = TcpListener::bind(("127.0.0.1", port)).await?;
     let (mut terminate, mut interrupt) =
         (signal(SignalKind::terminate())?, signal(SignalKind::interrupt())?);

@@ -1,5 +1,8 @@
 //! The services of a Playmaker: protos.Game, one call per agent and cycle, and
 //! cls.playmaker.v1.TeamPlaymaker, one call per team and cycle.
+use std::cell::Cell;
+use std::panic::AssertUnwindSafe;
+
 use prost::Message;
 use tonic::{Request, Response, Status};
 
@@ -63,18 +66,18 @@ impl Game for Playmaker {
     }
 
     async fn get_player_actions(&self, state: Request<State>) -> Reply<PlayerActions> {
-        Ok(Response::new(decide(state.get_ref())))
+        caught(|| decide(state.get_ref())).map(Response::new)
     }
 
     async fn get_coach_actions(&self, state: Request<State>) -> Reply<CoachActions> {
         if !self.with_coach {
             return Err(Status::unimplemented("started without --coach"));
         }
-        Ok(Response::new(decide_as_coach(state.get_ref())))
+        caught(|| decide_as_coach(state.get_ref())).map(Response::new)
     }
 
     async fn get_trainer_actions(&self, state: Request<State>) -> Reply<TrainerActions> {
-        Ok(Response::new(decide_as_trainer(state.get_ref())))
+        caught(|| decide_as_trainer(state.get_ref())).map(Response::new)
     }
 
     async fn get_best_planner_action(
@@ -83,6 +86,26 @@ impl Game for Playmaker {
     ) -> Reply<BestPlannerActionResponse> {
         Ok(Response::new(best_planner_action(request.get_ref())))
     }
+}
+
+thread_local! {
+    /// Of the last panic: "panicked at src/decide.rs:83:5: no plan".
+    static PANIC: Cell<String> = const { Cell::new(String::new()) };
+}
+
+/// Prints panics as usual, and keeps message and place for the status of the call.
+pub fn remember_panics() {
+    let print = std::panic::take_hook();
+    std::panic::set_hook(Box::new(move |panic| {
+        print(panic);
+        PANIC.set(panic.to_string().replace('\n', " "));
+    }));
+}
+
+/// A panic of a decision is the status of its call: one player's mistake costs one decision.
+fn caught<R>(decide: impl FnOnce() -> R) -> Result<R, Status> {
+    std::panic::catch_unwind(AssertUnwindSafe(decide))
+        .map_err(|_| Status::unknown(PANIC.take()))
 }
 
 /// One agent's reply. What fails for one agent concerns the reply to that agent alone.
@@ -113,11 +136,14 @@ impl Playmaker {
             COACH if !self.with_coach => one(agent, |_: State| -> Result<CoachActions, Status> {
                 Err(Status::unimplemented("started without --coach"))
             }),
-            COACH => one(agent, |state: State| Ok(decide_as_coach(&state))),
-            TRAINER => one(agent, |state: State| Ok(decide_as_trainer(&state))),
-            _ => one(agent, |state: State| Ok(decide(&state))),
+            COACH => one(agent, |state: State| caught(|| decide_as_coach(&state))),
+            TRAINER => one(agent, |state: State| caught(|| decide_as_trainer(&state))),
+            _ => one(agent, |state: State| caught(|| decide(&state))),
         };
-        GetTeamActionsResponse { agents: request.agents.iter().map(decision).collect() }
+        GetTeamActionsResponse {
+            agents: request.agents.iter().map(decision).collect(),
+            ..Default::default()
+        }
     }
 }
 

@@ -3,7 +3,7 @@
 //! Only + - * / and sqrt, in a fixed order: every language computes the same bits.
 use crate::protos::{Player, RpcVector2D, Self_, State, WorldModel};
 
-pub const FAR: f64 = 1000.0; // meters or cycles: nobody is there
+pub const FAR: f64 = 1000.0; // meters or cycles: no player is there
 const MAX_AGE: i32 = 20; // cycles; older estimates of players are ignored
 
 #[derive(Clone, Copy, Debug)]

@@ -35,7 +35,10 @@ fn replies_to_recorded_states() {
     }
 }
 
-fn same<T: Message + Default + PartialEq>(index: usize, actual: &AgentReply, expected: &AgentReply) {
+fn same<T>(index: usize, actual: &AgentReply, expected: &AgentReply)
+where
+    T: Message + Default + PartialEq + std::fmt::Debug,
+{
     let parse = |reply: &AgentReply| T::decode(reply.message.as_slice()).unwrap();
     assert_eq!(parse(actual), parse(expected), "State {index}");
 }

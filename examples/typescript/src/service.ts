@@ -102,7 +102,8 @@ function reply(methods: Methods, rpc: keyof typeof game & string,
 function statusOf(rpc: string, error: any): { code: number; message: string } {
   if (typeof error.code === 'number') return error;
   console.error(`${rpc}:`, error);
-  return { code: grpc.status.UNKNOWN, message: `${rpc}: ${error}` };
+  const place = /([\w.-]+\.ts:\d+)/.exec(error?.stack ?? '');
+  return { code: grpc.status.UNKNOWN, message: place ? `${error} (${place[1]})` : `${error}` };
 }
 
 /** Handlers for grpc.Server.addService. */

@@ -5,7 +5,7 @@ import { Self__Output } from './wire/protos/Self';
 import { State__Output } from './wire/protos/State';
 import { WorldModel__Output } from './wire/protos/WorldModel';
 
-export const FAR = 1000; // meters or cycles: nobody is there
+export const FAR = 1000; // meters or cycles: no player is there
 const MAX_AGE = 20; // cycles; older estimates of players are ignored
 
 export interface Point {

@@ -30,6 +30,11 @@ for name in ("grpc", "google.protobuf"):
         print(name, "missing")
     except Exception as error:
         print(name, "broken:", type(error).__name__, error)
+try:
+    importlib.import_module("cls_playmaker")
+    print("cls_playmaker installed")
+except Exception as error:
+    print("cls_playmaker missing")
 )";
 
 constexpr const char* kNodeScript = R"(
@@ -141,6 +146,11 @@ DoctorCheck judge_python(const ProgramOutput& answer) {
                                         "{} -m pip install grpcio protobuf; or {}, and run "
                                         "Playmakers with /usr/bin/python3",
                                         check.path, debian_packages);
+  } else if (text_after(answer.lines, "cls_playmaker") != "installed") {
+    // Other Playmakers in Python do without.
+    check.found +=
+        "; cls_playmaker missing: set PYTHONPATH to build/python, or pip install ./python "
+        "of cls";
   }
   return check;
 }

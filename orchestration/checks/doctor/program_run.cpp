@@ -6,7 +6,7 @@
 #include <mutex>
 #include <utility>
 
-#include "orchestration/process/output_log.h"
+#include "base/text/printable.h"
 
 namespace cls::orchestration::checks {
 namespace {
@@ -23,7 +23,7 @@ class FirstLines {
  public:
   void add(std::string_view line) {
     const std::lock_guard lock(mutex_);
-    if (lines_.size() < kLines && !line.empty()) lines_.push_back(process::printable(line));
+    if (lines_.size() < kLines && !line.empty()) lines_.push_back(base::printable(line));
   }
   std::vector<std::string> take_lines() {
     const std::lock_guard lock(mutex_);

@@ -12,8 +12,8 @@
 #include <utility>
 
 #include "base/system/version.h"
+#include "base/text/printable.h"
 #include "orchestration/checks/server/started_server.h"
-#include "orchestration/process/output_log.h"
 #include "soccer/messages/parameter_message.h"
 #include "soccer/play_mode.h"
 #include "soccer/udp_channel.h"
@@ -78,7 +78,7 @@ std::optional<std::string> moment_in(const std::string& show) {
   const std::string_view name =
       known ? soccer::name(static_cast<soccer::PlayMode>(mode)) : "unknown play mode";
   const auto team = [](const char* text) {
-    return std::string_view(text) == "null" ? std::string("no team") : process::printable(text);
+    return std::string_view(text) == "null" ? std::string("no team") : base::printable(text);
   };
   if (team(left.data()) == "no team" && team(right.data()) == "no team") {
     return fmt::format("{}, cycle {}, no teams", name, time);
@@ -135,7 +135,7 @@ void examine(DoctorCheck& check, soccer::UdpClients& clients, const std::string&
   }
   check.status = DoctorStatus::kWrong;
   check.found =
-      fmt::format("not a soccer server: replies '{}'", process::printable(answer.substr(0, 60)));
+      fmt::format("not a soccer server: replies '{}'", base::printable(answer.substr(0, 60)));
   check.hint = "find the process that uses this port";
 }
 

@@ -58,9 +58,24 @@ void DebugLog::SideLog::on_call(const proxy::RpcCall& call) {
   if (call.rpc != proto::Rpc::kGetPlayerActions || call.reply == nullptr) return;
   for (const auto& action : static_cast<const protos::PlayerActions&>(*call.reply).actions()) {
     if (!action.has_log() && !action.has_debug_client()) continue;
+    if (room_ == 0) {
+      ++omitted_;
+      continue;
+    }
     // The text of a Playmaker may not be UTF-8.
     lines_.emplace_back(call.agent, base::json_line(json_of(cycle_, call.agent, action)));
   }
+}
+
+void DebugLog::SideLog::write(std::string_view line) {
+  if (line.size() >= room_) room_ = 0;
+  if (room_ == 0) {
+    ++omitted_;
+    return;
+  }
+  sink_->write(line);
+  sink_->write("\n");
+  room_ -= line.size() + 1;
 }
 
 void DebugLog::SideLog::end_cycle() {
@@ -75,12 +90,16 @@ void DebugLog::SideLog::end_cycle() {
   }
   std::stable_sort(lines_.begin(), lines_.end(),
                    [](const auto& a, const auto& b) { return a.first < b.first; });
-  for (const auto& [unused, line] : lines_) sink_->write(line + "\n");
+  for (const auto& [unused, line] : lines_) write(line);
   lines_.clear();
 }
 
 std::string DebugLog::SideLog::close() {
   end_cycle();
+  if (sink_ != nullptr && omitted_ > 0) {
+    const Json last = {{"kind", "omitted"}, {"count", omitted_}};
+    sink_->write(base::json_line(last) + "\n");
+  }
   if (sink_ != nullptr && error_.empty()) {
     const auto closed = sink_->close();
     if (!closed) error_ = closed.error().message;

@@ -2,9 +2,12 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -17,8 +20,12 @@ namespace cls::orchestration::match {
 inline constexpr const char* kLeftDebugFile = "left-debug.jsonl";
 inline constexpr const char* kRightDebugFile = "right-debug.jsonl";
 
+/// Size of a file, without its last line.
+inline constexpr std::size_t kMaxDebugBytes = 10 << 20;
+
 /// One JSON object a line: {"t": 120, "unum": 7, "kind": "text", "level": "TEAM", "message": ...},
-/// in the order of cycle and number. Shapes have their fields as on the wire.
+/// in the order of cycle and number. Shapes have their fields as on the wire. After kMaxDebugBytes
+/// nothing more is written until the last line, {"kind": "omitted", "count": 12}.
 class DebugLog : public MatchHooks {
  public:
   explicit DebugLog(const std::filesystem::path& folder);
@@ -39,8 +46,12 @@ class DebugLog : public MatchHooks {
     std::string close();
 
    private:
+    void write(std::string_view line);
+
     std::filesystem::path file_;
     int cycle_ = 0;
+    std::size_t room_ = kMaxDebugBytes;
+    std::int64_t omitted_ = 0;
     std::vector<std::pair<int, std::string>> lines_;  ///< of this cycle, with uniform number
     std::unique_ptr<base::FileSink> sink_;
     std::string error_;

@@ -67,6 +67,25 @@ std::vector<std::string> differing_fields(const Message& recorded, const Message
   return fields;
 }
 
+int cycle_of(Rpc rpc, const RecordedCall& call) {
+  protos::State state;
+  if (!is_decision(rpc) || !state.ParseFromString(call.request())) return 0;
+  return state.world_model().cycle();
+}
+
+// The handshake of an agent belongs to each of its decisions.
+bool is_wanted(const ReplayOptions& options, const RecordedCall& call) {
+  if (options.agent && call.agent() != *options.agent) return false;
+  const auto rpc = proto::rpc_from_name(call.rpc());
+  return !options.cycle || !rpc || !is_decision(*rpc) || cycle_of(*rpc, call) == *options.cycle;
+}
+
+// What the options select, if that is not everything: "player 7 in cycle 1234".
+std::string selection(const ReplayOptions& options) {
+  const std::string who = options.agent ? proxy::agent_name(*options.agent) : "the side";
+  return options.cycle ? fmt::format("{} in cycle {}", who, *options.cycle) : who;
+}
+
 class Replay {
  public:
   Replay(const ReplayOptions& options, proxy::Playmaker& playmaker, ReplayResult& result)
@@ -163,12 +182,6 @@ class Replay {
                         {"fails as when recorded: " + status.message}});
   }
 
-  static int cycle_of(Rpc rpc, const RecordedCall& call) {
-    protos::State state;
-    if (!is_decision(rpc) || !state.ParseFromString(call.request())) return 0;
-    return state.world_model().cycle();
-  }
-
   const ReplayOptions& options_;
   proxy::Playmaker& playmaker_;
   ReplayResult& result_;
@@ -203,14 +216,21 @@ Result<ReplayResult> replay_recording(const ReplayOptions& options,
   if (!connection) return connection.error();
   Replay replay(options, *connection->playmaker, result);
   RecordedCall call;
+  bool any_decision = false;
   while (reader->next(call)) {
     result.interrupted = stop_signal.load() != 0;
     if (result.interrupted) break;
-    if (call.side() != number_of(result.side)) continue;
+    if (call.side() != number_of(result.side) || !is_wanted(options, call)) continue;
+    const auto rpc = proto::rpc_from_name(call.rpc());
+    any_decision = any_decision || (rpc && is_decision(*rpc));
     if (const auto taken = replay.take(call); !taken) return taken.error();
   }
   replay.finish_step();
   if (!reader->parse_error().empty()) return Error{reader->parse_error()};
+  if (!any_decision && !result.interrupted && (options.cycle || options.agent)) {
+    return Error{fmt::format("{}: no decision of {} of the {} side", options.file,
+                             selection(options), side_name(result.side))};
+  }
   return result;
 }
 

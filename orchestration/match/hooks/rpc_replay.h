@@ -21,6 +21,8 @@ struct ReplayOptions {
   Endpoint endpoint;
   /// Whose calls; else the only side with calls, the side that was no mock, or the left.
   std::optional<soccer::Side> side;
+  std::optional<int> cycle;  ///< only decisions of this cycle
+  std::optional<int> agent;  ///< only calls of this player
   int rpc_deadline_ms = 10'000;
   double start_timeout_s = 20.0;
   std::filesystem::path folder;  ///< for the log of a Playmaker that is started

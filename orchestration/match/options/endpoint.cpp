@@ -3,11 +3,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <filesystem>
 
 #include "base/text/suggestion.h"
 #include "mock-server/mock.h"
+#include "orchestration/match/options/mixed_side.h"
 #include "orchestration/match/options/run_command.h"
 
 namespace cls::orchestration::match {
@@ -28,10 +30,14 @@ bool is_team_character(char c) {
 Error unknown_form(std::string_view text) {
   std::string message = fmt::format("unknown side '{}'", text);
   const std::string_view near = base::nearest_name(text, {"mock", "mock:hold"});
-  if (!near.empty()) message += fmt::format("; did you mean '{}'?", near);
+  if (text.ends_with(".json")) {
+    message += fmt::format("; did you mean 'mock:{}'?", text);
+  } else if (!near.empty()) {
+    message += fmt::format("; did you mean '{}'?", near);
+  }
   message +=
       " (a side is mock, mock:BEHAVIOR, mock:FILE.json, HOST:PORT, HOST:PORT+step, "
-      "tls:HOST:PORT, unix:PATH, run:COMMAND or team:DIR)";
+      "tls:HOST:PORT, unix:PATH, run:COMMAND, team:DIR or mix:AGENTS=SIDE;...)";
   return Error{std::move(message)};
 }
 
@@ -56,6 +62,28 @@ Result<Endpoint> parse_address(std::string_view text) {
     return Error{fmt::format("side '{}': port {} is not within 1 to 65535", text, port)};
   }
   if (endpoint.host.empty()) return Error{fmt::format("side '{}': no host before the port", text)};
+  return endpoint;
+}
+
+Result<Endpoint> parse_mixed(std::string_view text) {
+  const auto wrong = [text](std::string_view what) {
+    return Error{fmt::format("side '{}': {}", text, what)};
+  };
+  const auto parts = parse_mixed_side(text.substr(4));
+  if (!parts) return wrong(parts.error().message);
+  Endpoint endpoint;
+  endpoint.kind = Endpoint::Kind::kMixed;
+  endpoint.text = text;
+  for (const MixedPart& part : *parts) {
+    auto parsed = parse_endpoint(part.side);
+    if (!parsed) return wrong(parsed.error().message);
+    if (parsed->kind == Endpoint::Kind::kMixed || !parsed->has_playmaker()) {
+      return wrong(fmt::format("'{}' cannot be a part", part.side));
+    }
+    parsed->label = part.label;
+    parsed->agents = part.agents;
+    endpoint.parts.push_back(*std::move(parsed));
+  }
   return endpoint;
 }
 
@@ -107,11 +135,21 @@ Result<Endpoint> parse_endpoint(std::string_view text) {
     if (endpoint.path.empty()) return Error{"side 'team:': no folder after the colon"};
     return endpoint;
   }
+  if (text.starts_with("mix:")) return parse_mixed(text);
   if (text.find(':') == std::string_view::npos) return unknown_form(text);
   return parse_address(text);
 }
 
+bool Endpoint::starts_programs() const {
+  return kind == Kind::kRun || kind == Kind::kTeam ||
+         std::any_of(parts.begin(), parts.end(),
+                     [](const Endpoint& part) { return part.starts_programs(); });
+}
+
 Result<void> load_script(Endpoint& endpoint) {
+  for (Endpoint& part : endpoint.parts) {
+    if (auto loaded = load_script(part); !loaded) return loaded;
+  }
   const bool named = endpoint.kind == Endpoint::Kind::kMock && endpoint.script == nullptr &&
                      mock_server::is_script_name(endpoint.behavior);
   if (!named) return {};
@@ -139,6 +177,9 @@ std::string default_team_name(const Endpoint& endpoint) {
       break;
     case Endpoint::Kind::kTeam:
       source = folder_name(endpoint.path);
+      break;
+    case Endpoint::Kind::kMixed:
+      source = "mix";
       break;
   }
   std::string name;

@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "base/result.h"
 #include "proxy/playmaker/grpc_target.h"
@@ -22,6 +23,7 @@ struct Endpoint {
     kUnixSocket,  ///< `unix:PATH`: a running Playmaker on a local socket
     kRun,         ///< `run:COMMAND`: a Playmaker that cls starts
     kTeam,        ///< `team:DIR`: an external team that cls starts; it needs no cls agents
+    kMixed,       ///< `mix:AGENTS=SIDE;...`: several Playmakers, each for some of the agents
   };
 
   Kind kind = Kind::kMock;
@@ -34,19 +36,25 @@ struct Endpoint {
   bool port_step = false;  ///< kAddress: player n connects to port + n, the coach to port + 13
   /// kAddress: null for plain text; `tls:` alone trusts the system CAs.
   std::shared_ptr<const proxy::TlsFiles> tls;
-  std::string path;     ///< kUnixSocket: the socket; kTeam: the folder
-  std::string command;  ///< kRun: for /bin/sh, with placeholders (run_command.h)
+  std::string path;             ///< kUnixSocket: the socket; kTeam: the folder
+  std::string command;          ///< kRun: for /bin/sh, with placeholders (run_command.h)
+  std::vector<Endpoint> parts;  ///< kMixed: the Playmakers, of any other kind but kTeam
+  std::string label;            ///< of a part: its agents as the user wrote them, "2-5,coach"
+  std::vector<int> agents;      ///< of a part: agent numbers (mixed_side.h)
 
   /// True for a side of cls agents with a Playmaker.
   bool has_playmaker() const { return kind != Kind::kTeam; }
+  /// True for one Playmaker that decides for all agents.
+  bool has_one_playmaker() const { return has_playmaker() && kind != Kind::kMixed; }
   /// True for a side for which cls starts programs.
-  bool starts_programs() const { return kind == Kind::kRun || kind == Kind::kTeam; }
+  bool starts_programs() const;
 };
 
 /// Parses a SIDE. The error quotes the text and lists what is allowed.
 base::Result<Endpoint> parse_endpoint(std::string_view text);
 
-/// Reads the script of a mock side; does nothing for other sides. Errors name file and line.
+/// Reads the scripts of a mock side or of mock parts; does nothing for other sides. Errors name
+/// file and line.
 base::Result<void> load_script(Endpoint& endpoint);
 
 /// A team name from the endpoint, valid in the soccer protocol (letters, digits, - and _, at most

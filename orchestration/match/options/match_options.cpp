@@ -174,6 +174,15 @@ void check_hooks(const MatchOptions& options, Errors& errors) {
   const bool embedded = options.server_choice.kind == ServerChoice::Kind::kEmbedded;
   errors.require(has_agents || options.record_rpc.empty(),
                  "--record-rpc needs a side with a Playmaker");
+  errors.require(has_agents || !options.record_world_models,
+                 "--record-world-models needs a side with a Playmaker");
+  const bool repeatable = mode == MatchMode::kLockstep && embedded && !options.trainer &&
+                          options.left.has_playmaker() && options.right.has_playmaker() &&
+                          options.left_formations == nullptr && options.right_formations == nullptr;
+  errors.require(repeatable || (!options.save_at && options.resumed == nullptr),
+                 "--save-at and --resume need the embedded server in lockstep, two sides with a "
+                 "Playmaker, the built-in formations, and no trainer");
+  errors.require(options.save_at.value_or(1) > 0, "--save-at: the cycle must be positive");
   errors.require(!options.speed || (mode != MatchMode::kRealtime && has_agents),
                  "--speed needs --mode lockstep or synch and a side with a Playmaker; in real time "
                  "the server sets the speed");
@@ -192,7 +201,13 @@ void check_playmakers(const MatchOptions& options, Errors& errors) {
     errors.require(
         options.trainer->has_playmaker(),
         fmt::format("--trainer '{}': an external team has its own", options.trainer->text));
+    errors.require(
+        options.trainer->kind != Endpoint::Kind::kMixed,
+        fmt::format("--trainer '{}': a trainer has one Playmaker", options.trainer->text));
     sides.push_back(&*options.trainer);
+  }
+  for (const Endpoint* side : {&options.left, &options.right}) {
+    for (const Endpoint& part : side->parts) sides.push_back(&part);
   }
   for (const Endpoint* side : sides) {
     if (side->kind != Endpoint::Kind::kMock || side->script != nullptr) continue;

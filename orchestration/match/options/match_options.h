@@ -20,6 +20,9 @@
 namespace cls::simulator {
 struct MatchConfig;
 }
+namespace cls::saved {
+class SavedMatch;
+}
 
 namespace cls::orchestration::match {
 
@@ -34,6 +37,7 @@ struct MatchOptions {
   std::string left_name;   ///< empty: from the endpoint
   std::string right_name;  ///< empty: from the endpoint
   bool own_names = false;  ///< external teams may play under other names
+  bool rated = false;      ///< policies trained with the full state are refused
 
   std::optional<std::uint64_t> seed;  ///< none: random, reported
   std::optional<int> cycles;          ///< end of the match in game time
@@ -52,8 +56,14 @@ struct MatchOptions {
   std::shared_ptr<const proxy::FormationSet> right_formations;
 
   std::filesystem::path record_rpc;  ///< file for all requests and replies; empty: none
-  std::filesystem::path folder;      ///< empty: ./runs/<UTC>-<left>-vs-<right>
-  bool replace = false;              ///< existing `folder` and `record_rpc` become NAME.old
+  bool record_world_models = false;  ///< what agents estimate, for the decision debugger
+  std::optional<int> save_at;        ///< game time at which `save_file` is written
+  std::filesystem::path save_file;
+  std::shared_ptr<const saved::SavedMatch> resumed;  ///< null: none; see resume_from()
+  /// With `resumed`: of the random draws after the saved step; none: those of the match.
+  std::optional<std::uint64_t> branch_seed;
+  std::filesystem::path folder;  ///< empty: ./runs/<UTC>-<left>-vs-<right>
+  bool replace = false;          ///< existing `folder` and `record_rpc` become NAME.old
 
   int protocol = 18;                   ///< version of the soccer protocol, 14 to 19
   std::optional<int> rpc_deadline_ms;  ///< none: depends on the mode, see decision_deadline()

@@ -54,6 +54,16 @@ std::string_view side_word(soccer::Side side) {
   return side == soccer::Side::kNeutral ? "trainer" : side_name(side);
 }
 
+// "2-5, coach" -> "2-5_coach".
+std::string file_part(std::string_view part) {
+  std::string text;
+  for (const char c : part) {
+    if (c == ' ' || c == '\t' || c == '\n') continue;
+    text += c == ',' ? '_' : c;
+  }
+  return text;
+}
+
 std::vector<std::string_view> words_of(std::string_view text) {
   std::vector<std::string_view> words;
   while (true) {
@@ -114,15 +124,17 @@ std::string fill_in(std::string_view command, const RunValues& values) {
   });
 }
 
-std::string playmaker_name(soccer::Side side) {
-  return fmt::format("{} Playmaker", side_word(side));
+std::string playmaker_name(soccer::Side side, std::string_view part) {
+  return part.empty() ? fmt::format("{} Playmaker", side_word(side))
+                      : fmt::format("{} Playmaker ({})", side_word(side), part);
 }
 
 process::CommandPlan run_plan(std::string_view command, const RunValues& values,
                               const std::filesystem::path& folder) {
-  const std::string name = playmaker_name(values.side);
+  const std::string name = playmaker_name(values.side, values.part);
   process::CommandPlan plan = process::shell_command(name, fill_in(command, values));
-  plan.log = folder / fmt::format("{}-playmaker.log", side_word(values.side));
+  const std::string suffix = values.part.empty() ? "" : "-" + file_part(values.part);
+  plan.log = folder / fmt::format("{}-playmaker{}.log", side_word(values.side), suffix);
   // Python buffers output to a pipe; the last lines of a killed process would be lost.
   plan.environment.push_back({"PYTHONUNBUFFERED", "1"});
   return plan;

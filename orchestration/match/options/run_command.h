@@ -18,6 +18,7 @@ struct RunValues {
   soccer::Side side = soccer::Side::kLeft;  ///< formatted as left, right or, if neutral, trainer
   std::string team_name;
   std::uint64_t seed = 0;
+  std::string part = {};  ///< of a mixed side: its agents, "2-5,coach"; not a placeholder
 };
 
 /// An error if the command is empty, lacks {port}, or has a mistyped placeholder.
@@ -27,10 +28,11 @@ base::Result<void> check_run_command(std::string_view command);
 /// is left to the shell.
 std::string fill_in(std::string_view command, const RunValues& values);
 
-/// How processes and results name the Playmaker of a side: "left Playmaker".
-std::string playmaker_name(soccer::Side side);
+/// How processes and results name the Playmaker of a side: "left Playmaker"; of a part of a mixed
+/// side: "left Playmaker (2-5)".
+std::string playmaker_name(soccer::Side side, std::string_view part = {});
 
-/// The plan that starts the Playmaker of a side; its log in `folder` is named after the side.
+/// The plan that starts the Playmaker of a side; its log in `folder` is named after side and part.
 process::CommandPlan run_plan(std::string_view command, const RunValues& values,
                               const std::filesystem::path& folder);
 

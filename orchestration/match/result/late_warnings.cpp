@@ -51,15 +51,25 @@ std::vector<std::string> action_warnings(const TeamResult& team) {
                   team.name, useless, replies, empty, most_failed(team))};
 }
 
-std::vector<std::string> output_warnings(std::vector<ProcessResult>& processes,
-                                         const std::filesystem::path& folder) {
+bool is_reported(const MatchResult& result, const std::string& exception) {
+  const auto reports = [&exception](const TeamResult& team) {
+    return team.errors.first && team.errors.first->message.find(exception) != std::string::npos;
+  };
+  return reports(result.left) || reports(result.right);
+}
+
+std::vector<std::string> output_warnings(MatchResult& result, const std::filesystem::path& folder) {
   std::vector<std::string> warnings;
-  for (ProcessResult& process : processes) {
+  for (ProcessResult& process : result.processes) {
     if (process.log.empty()) continue;
+    if (!process.log_error.empty()) {
+      warnings.push_back(
+          fmt::format("{}: {}; the log is incomplete", process.name, process.log_error));
+    }
     const auto log = base::read_file(folder / process.log);
     if (!log) continue;
     process.exception = process::printed_exception(*log);
-    if (!process.exception.empty()) {
+    if (!process.exception.empty() && !is_reported(result, process.exception)) {
       warnings.push_back(fmt::format("{} printed an exception: {}; its output is in {}",
                                      process.name, process.exception,
                                      (folder / process.log).string()));

@@ -12,9 +12,12 @@ namespace cls::orchestration::match {
 /// A side most of whose replies led to no executed action.
 std::vector<std::string> action_warnings(const TeamResult& team);
 
+/// True if the first failed call of a side reports this exception.
+bool is_reported(const MatchResult& result, const std::string& exception);
+
 /// Reads the logs of the processes in the match folder: sets `exception` of each process that
-/// printed one, and warns of exceptions and of lines that were repeated very often.
-std::vector<std::string> output_warnings(std::vector<ProcessResult>& processes,
-                                         const std::filesystem::path& folder);
+/// printed one, and warns of exceptions that no failed call reports, and of lines that were
+/// repeated very often, and of logs that could not be written.
+std::vector<std::string> output_warnings(MatchResult& result, const std::filesystem::path& folder);
 
 }  // namespace cls::orchestration::match

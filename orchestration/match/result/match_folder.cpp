@@ -97,8 +97,11 @@ Result<void> keep_earlier_files(const MatchOptions& options) {
     const auto made = make_way(options, options.folder, "holds " + contents);
     if (!made) return made;
   }
-  if (!fs::is_regular_file(options.record_rpc, code)) return {};
-  return make_way(options, options.record_rpc, "exists");
+  for (const fs::path& file : {options.record_rpc, options.save_file}) {
+    if (!fs::is_regular_file(file, code)) continue;
+    if (const auto made = make_way(options, file, "exists"); !made) return made;
+  }
+  return {};
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <string_view>
 
 #include "soccer/play_mode.h"
@@ -27,6 +28,9 @@ struct SourceProgress {
 class MatchObserver {
  public:
   virtual ~MatchObserver() = default;
+  /// Before the match starts: its folder, and the game log that will be in it (empty: none).
+  virtual void on_folder(const std::filesystem::path& /*folder*/, const std::string& /*game_log*/) {
+  }
   virtual void on_phase(std::string_view /*what*/) {}  ///< "connecting to left ...", one line
   virtual void on_cycle(const MatchProgress& /*progress*/) {}
   virtual void on_notice(std::string_view /*line*/) {}  ///< stays on the screen

@@ -7,6 +7,7 @@
 #include "base/catch_as_error.h"
 #include "base/text/json_codec.h"
 #include "base/text/json_text.h"
+#include "base/text/stored_formats.h"
 #include "soccer/side.h"
 
 namespace cls::orchestration::match {
@@ -76,6 +77,17 @@ static void members(Codec& codec, Object<Codec, ErrorResult>& errors) {
 }
 
 template <typename Codec>
+static void members(Codec& codec, Object<Codec, PartResult>& part) {
+  codec.member("agents", part.agents);
+  codec.member("endpoint", part.endpoint);
+  codec.member("decisions", part.decisions);
+  codec.member("late", part.late);
+  codec.member("missed", part.missed);
+  codec.member("rpc_us", part.rpc_us);
+  codec.rounded("cpu_seconds", part.cpu_seconds, 1000);
+}
+
+template <typename Codec>
 static void members(Codec& codec, Object<Codec, TeamResult>& team) {
   codec.member("name", team.name);
   codec.member("endpoint", team.endpoint);
@@ -85,6 +97,7 @@ static void members(Codec& codec, Object<Codec, TeamResult>& team) {
   codec.member("players", team.players);
   codec.member("coach", team.coach);
   codec.member("errors", team.errors);
+  codec.member("parts", team.parts);
 }
 
 template <typename Codec>
@@ -156,7 +169,7 @@ static void list_server(Codec& codec, Object<Codec, MatchResult>& result) {
 
 template <typename Codec>
 static void members(Codec& codec, Object<Codec, MatchResult>& result) {
-  codec.constant("schema", "cls.match/1");
+  codec.schema("schema", base::kMatchSchema);
   codec.member("left", result.left);
   codec.member("right", result.right);
   codec.member("trainer", result.trainer);

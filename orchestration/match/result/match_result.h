@@ -64,6 +64,17 @@ struct PlayerResult {
   std::int64_t useless = 0;  ///< of these, without an executed action; includes empty ones
 };
 
+/// One Playmaker of a mixed side.
+struct PartResult {
+  std::string agents;  ///< as the user wrote them: "2-5,coach"
+  std::string endpoint;
+  std::int64_t decisions = 0;
+  std::int64_t late = 0;
+  std::int64_t missed = 0;
+  RpcLatency rpc_us;         ///< of all its agents' decisions
+  double cpu_seconds = 0.0;  ///< of a Playmaker that cls started
+};
+
 struct TeamResult {
   std::string name;
   std::string endpoint;
@@ -73,6 +84,7 @@ struct TeamResult {
   std::vector<PlayerResult> players;
   std::optional<PlayerResult> coach;  ///< of a cls team; unum 12
   ErrorResult errors;
+  std::vector<PartResult> parts;  ///< of a mixed side
 };
 
 struct Goal {
@@ -89,6 +101,7 @@ struct ProcessResult {
   std::string exit;     ///< "exit code 0", "killed by SIGTERM"
   double cpu_seconds = 0.0;
   std::string exception;  ///< first one in its output: "ValueError: no ball"; empty: none
+  std::string log_error;  ///< why its log is incomplete; empty: it is not; not in the document
 };
 
 /// The program that made the match invalid, with its last output lines. One that cls did not start

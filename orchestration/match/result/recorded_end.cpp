@@ -4,6 +4,7 @@
 #include <fmt/chrono.h>
 #include <sys/stat.h>
 
+#include <chrono>
 #include <ctime>
 #include <filesystem>
 #include <fstream>
@@ -42,6 +43,21 @@ std::optional<std::time_t> started(const std::string& manifest) {
   return timegm(&utc);
 }
 
+// True for a log of `cls match` that still grows: its manifest has no end, and there is no result.
+bool is_running(const std::filesystem::path& log) {
+  constexpr std::chrono::seconds kQuiet{60};  // servers write in blocks
+  const std::string name = log.filename().string();
+  if (!name.starts_with(kGameLogFile) && !name.starts_with(kTextLogFile)) return false;
+  const auto text = base::read_file(log.parent_path() / kManifestFile);
+  const auto manifest = nlohmann::json::parse(text.value_or(""), nullptr, false);
+  if (!manifest.is_object() || !manifest.contains("ended") || !manifest["ended"].is_null()) {
+    return false;
+  }
+  std::error_code error;
+  const auto written = std::filesystem::last_write_time(log, error);
+  return !error && std::filesystem::file_time_type::clock::now() - written < kQuiet;
+}
+
 }  // namespace
 
 std::optional<analysis::RecordedEnd> recorded_end(const std::string& log) {
@@ -49,6 +65,7 @@ std::optional<analysis::RecordedEnd> recorded_end(const std::string& log) {
   const std::filesystem::path document = path.parent_path() / "result.json";
   std::error_code error;
   const std::uintmax_t size = std::filesystem::file_size(document, error);
+  if (error && is_running(path)) return analysis::RecordedEnd{analysis::kRunning, false};
   if (error || size > kMaxDocumentBytes) return std::nullopt;
   std::ifstream file(document, std::ios::binary);
   const auto result = parse_match_result(std::string(std::istreambuf_iterator<char>(file), {}));

@@ -11,7 +11,7 @@
 namespace cls::orchestration::match {
 
 /// The end of the match of `log`, if a `result.json` (cls.match/1) in its folder names it as one of
-/// its log files.
+/// its log files; analysis::kRunning while the match is played.
 std::optional<analysis::RecordedEnd> recorded_end(const std::string& log);
 
 /// When the match of `log` began, YYYYMMDDhhmm in local time: as its manifest.json says, else the

@@ -122,6 +122,12 @@ void EmbeddedServer::begin_play(const std::vector<Arrange>& arrange) {
 }
 
 void EmbeddedServer::step() {
+  if (branch_ && branch_->steps == steps_) {
+    server_->modify_world([seed = branch_->seed](simulator::World& world, simulator::Events&) {
+      world.seed = seed;
+      world.random = simulator::RandomStreams(seed);
+    });
+  }
   server_->run_cycle();
   ++steps_;
   if (events_ != nullptr) events_->follow(server_->world());

@@ -32,6 +32,9 @@ class EmbeddedServer : public Server {
   base::Result<ServerPorts> open_player_port(bool free_port);
   void expect_external_team(soccer::Side side) { external_[index(side)] = true; }
 
+  /// After `steps` steps all random draws come from `seed`.
+  void branch(std::int64_t steps, std::uint64_t seed) { branch_ = {steps, seed}; }
+
   bool lockstep() const override { return true; }
   std::optional<MatchEnd> start(const std::function<bool()>& keep_waiting) override;
   std::string waiting_for() const override { return {}; }
@@ -68,6 +71,11 @@ class EmbeddedServer : public Server {
   std::array<bool, soccer::kPlayersOnPitch> must_stay_{};  ///< external players on the pitch
   bool playing_ = false;
   std::int64_t steps_ = 0;
+  struct Branch {
+    std::int64_t steps;
+    std::uint64_t seed;
+  };
+  std::optional<Branch> branch_;
 };
 
 }  // namespace cls::orchestration::match

@@ -8,6 +8,7 @@
 
 #include "analysis/results/match_summary.h"
 #include "base/system/version.h"
+#include "base/text/printable.h"
 #include "gamelog/rcg/rcg_reader.h"
 #include "orchestration/match/result/match_folder.h"
 #include "proxy/agent/team_driver.h"
@@ -22,6 +23,7 @@ constexpr milliseconds kLogPollInterval{10};
 constexpr milliseconds kPortCheckInterval{30};
 constexpr milliseconds kServerGrace{1500};
 constexpr milliseconds kExitTimeout{10'000};
+constexpr int kServerWriteError = 74;  // exit code of `cls server` (sysexits.h: EX_IOERR)
 
 }  // namespace
 
@@ -163,6 +165,44 @@ void ExternalServer::report_missing_log(MatchResult& result, bool has_agents,
   result.message = fmt::format("the result is unknown: {}", why);
 }
 
+// An exit code of `cls server`; rcssserver does not report it.
+void ExternalServer::report_write_error(MatchResult& result) const {
+  const auto exit = child_ == nullptr ? std::nullopt : child_->status().exit;
+  if (!exit || exit->by_signal || exit->number != kServerWriteError) return;
+  constexpr std::string_view kMessage = "cls: ";
+  std::string why = to_text(*exit);
+  for (const std::string& line : child_->last_lines()) {
+    if (line.starts_with(kMessage)) why = line.substr(kMessage.size());
+  }
+  result.write_error = "the soccer server could not write its logs: " + why;
+}
+
+// Whether the log ends before the match: the disk was full, or the file too large. The players are
+// a cycle ahead of the log when a match ends at its cycle limit.
+bool ExternalServer::is_cut(int cycles, bool over, const std::vector<AgentProgress>& agents) const {
+  if (agents.empty()) return output_.status().game_over && !over;
+  return std::any_of(agents.begin(), agents.end(), [cycles](const AgentProgress& seen) {
+    return seen.progress.match.cycle > cycles + 1;
+  });
+}
+
+// `result` has what the agents heard. They do not hear the score of a shoot-out.
+void ExternalServer::report_cut_log(MatchResult& result, int cycles, bool has_agents) const {
+  const bool shoot_out =
+      result.left.score == result.right.score && options_.server.penalty_shoot_outs;
+  std::string line =
+      has_agents
+          ? fmt::format("{} ends at cycle {} of {}", kGameLogFile, cycles, result.cycles)
+          : fmt::format("{} ends at cycle {}, before the end of the match", kGameLogFile, cycles);
+  if (!result.write_error.empty()) line += fmt::format(" ({})", result.write_error);
+  if (!has_agents || shoot_out) {
+    result.end_reason = EndReason::kServerFailed;
+    result.message = "the result is unknown: " + line;
+    return;
+  }
+  result.write_error = line + "; score and cycles are those that the cls agents heard";
+}
+
 void ExternalServer::read_log(MatchResult& result, const std::vector<AgentProgress>& agents) const {
   const auto record = gamelog::read_rcg_file((folder_ / kGameLogFile).string());
   if (!record) return report_missing_log(result, !agents.empty(), record.error().message);
@@ -170,21 +210,26 @@ void ExternalServer::read_log(MatchResult& result, const std::vector<AgentProgre
     return report_missing_log(result, !agents.empty(), "the game log contains no cycle");
   }
   const analysis::MatchSummary summary = analysis::summarize(*record, nullptr);
-  for (std::size_t i = 0; i < 2; ++i) {
-    TeamResult& team = i == 0 ? result.left : result.right;
-    if (!summary.teams[i].name.empty()) team.name = summary.teams[i].name;
-    team.score = summary.teams[i].score;
-    team.penalty_score.reset();
-    if (summary.penalties) team.penalty_score = summary.teams[i].penalty_score;
-  }
-  result.cycles = summary.cycles;
-  result.steps = summary.frames;
   for (const analysis::GoalSummary& goal : summary.goals) {
     result.goals.push_back({goal.cycle, goal.side, goal.own_goal ? 0 : goal.unum});
   }
   result.rcg = kGameLogFile;
   std::error_code code;
   if (std::filesystem::exists(folder_ / kTextLogFile, code)) result.rcl = kTextLogFile;
+  report_write_error(result);
+  const bool over = !record->mode.empty() && record->mode.back() == soccer::PlayMode::kTimeOver;
+  if (result.valid() && is_cut(summary.cycles, over, agents)) {
+    return report_cut_log(result, summary.cycles, !agents.empty());
+  }
+  for (std::size_t i = 0; i < 2; ++i) {
+    TeamResult& team = i == 0 ? result.left : result.right;
+    if (!summary.teams[i].name.empty()) team.name = base::printable(summary.teams[i].name);
+    team.score = summary.teams[i].score;
+    team.penalty_score.reset();
+    if (summary.penalties) team.penalty_score = summary.teams[i].penalty_score;
+  }
+  result.cycles = summary.cycles;
+  result.steps = summary.frames;
   for (const AgentProgress& seen : agents) {
     const MatchProgress& heard = seen.progress.match;
     const bool same =

@@ -1,7 +1,11 @@
 // Opens, closes and converts the logs of a match folder.
 #include "orchestration/match/server/match_logs.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <chrono>
+#include <utility>
 
 #include "base/io/background_sink.h"
 #include "gamelog/rcg/rcg_reader.h"
@@ -14,6 +18,8 @@ namespace {
 
 namespace fs = std::filesystem;
 using base::Result;
+
+constexpr std::chrono::milliseconds kFlushInterval{50};
 
 int level(int compression) { return std::clamp(compression, 0, 9); }
 
@@ -35,7 +41,35 @@ Result<void> compress_log(const fs::path& folder, int compression, std::string& 
   return done;
 }
 
+/// Writes to `inner` and flushes it now and then, for readers that follow the log of a running
+/// match.
+class FlushedSink : public base::ByteSink {
+ public:
+  explicit FlushedSink(std::unique_ptr<base::ByteSink> inner) : inner_(std::move(inner)) {}
+
+  void write(std::string_view bytes) override {
+    inner_->write(bytes);
+    const auto now = std::chrono::steady_clock::now();
+    if (now - flushed_ < kFlushInterval) return;
+    flushed_ = now;
+    inner_->flush();
+  }
+  void flush() override { inner_->flush(); }
+  Result<void> close() override { return inner_->close(); }
+
+ private:
+  std::unique_ptr<base::ByteSink> inner_;
+  std::chrono::steady_clock::time_point flushed_{};
+};
+
 }  // namespace
+
+std::string running_game_log(const MatchOptions& options) {
+  if (!options.server.game_logging) return "";
+  const int compression =
+      mode_of(options) == MatchMode::kLockstep ? level(options.server.game_log_compression) : 0;
+  return fmt::format("{}{}", kGameLogFile, base::compressed_suffix(compression));
+}
 
 Result<MatchLogs> MatchLogs::create(const fs::path& folder, const soccer::ServerParams& params) {
   MatchLogs logs;
@@ -51,6 +85,7 @@ Result<MatchLogs> MatchLogs::create(const fs::path& folder, const soccer::Server
   const auto game = open(params.game_logging, kGameLogFile, params.game_log_compression,
                          logs.game_name_, logs.game_);
   if (!game) return game.error();
+  if (logs.game_ != nullptr) logs.game_ = std::make_unique<FlushedSink>(std::move(logs.game_));
   const auto text = open(params.text_logging, kTextLogFile, params.text_log_compression,
                          logs.text_name_, logs.text_);
   if (!text) return text.error();

@@ -7,6 +7,7 @@
 
 #include "base/io/byte_sink.h"
 #include "base/result.h"
+#include "orchestration/match/options/match_options.h"
 #include "orchestration/match/result/match_result.h"
 #include "soccer/parameters/server_params.h"
 
@@ -33,6 +34,10 @@ class MatchLogs {
   std::string game_name_;
   std::string text_name_;
 };
+
+/// The file of the game log while the match is played; empty: none is wanted. An external server
+/// writes it plain.
+std::string running_game_log(const MatchOptions& options);
 
 /// Turns the logs of an external server, which writes them plain and in version 6, into those that
 /// the parameters ask for, once the match is over. Names them in the result.

@@ -7,8 +7,10 @@
 #include <chrono>
 #include <utility>
 
+#include "orchestration/match/sides/policy_rows.h"
 #include "proxy/playmaker/direct_playmaker.h"
 #include "proxy/playmaker/grpc_playmaker.h"
+#include "proxy/playmaker/mixed_playmaker.h"
 
 namespace cls::orchestration::match {
 namespace {
@@ -32,6 +34,11 @@ std::map<std::string, std::int64_t> missed_by(const proxy::AgentStatistics& stat
   return by_outcome;
 }
 
+RpcLatency latency_of(const proxy::LatencySamples& samples) {
+  return {samples.percentile(0.50), samples.percentile(0.95), samples.percentile(0.99),
+          samples.max()};
+}
+
 /// Starts the mock and connects to it. Without faults no reply is late or fails, so `auto` calls
 /// the mock as a function; other modes of --batch ask for a way of gRPC.
 Result<void> connect_mock(const Endpoint& endpoint, const SideSetup& setup,
@@ -51,6 +58,38 @@ Result<void> connect_mock(const Endpoint& endpoint, const SideSetup& setup,
   return {};
 }
 
+/// Connects the parts, and has each agent's calls go to its own.
+Result<PlaymakerConnection> connect_parts(const Endpoint& endpoint, const SideSetup& setup) {
+  PlaymakerConnection connection;
+  connection.endpoint = endpoint;
+  std::vector<std::unique_ptr<proxy::Playmaker>> playmakers;
+  proxy::PartOfAgent part_of{};
+  for (const Endpoint& part : endpoint.parts) {
+    auto connected = connect_playmaker(part, setup);
+    if (!connected) return connected;
+    for (const int agent : part.agents) {
+      part_of.at(static_cast<std::size_t>(agent)) = playmakers.size();
+    }
+    playmakers.push_back(std::move(connected->playmaker));
+    connection.parts.push_back(*std::move(connected));
+  }
+  connection.playmaker = proxy::make_mixed_playmaker(std::move(playmakers), part_of);
+  return connection;
+}
+
+double cpu_seconds_of_mock(const PlaymakerConnection& connection) {
+  constexpr double kNanosecond = 1e-9;
+  // The decisions of a direct mock count as work of the side's thread.
+  if (connection.mock == nullptr || connection.direct) return 0.0;
+  return static_cast<double>(connection.mock->decision_nanoseconds()) * kNanosecond;
+}
+
+double cpu_seconds(const PlaymakerConnection& connection) {
+  const double program =
+      connection.process == nullptr ? 0.0 : connection.process->child().cpu_seconds();
+  return program + cpu_seconds_of_mock(connection);
+}
+
 }  // namespace
 
 proxy::TeamOptions team_options(const SideSetup& setup, const Endpoint& endpoint,
@@ -65,7 +104,9 @@ proxy::TeamOptions team_options(const SideSetup& setup, const Endpoint& endpoint
   team.decision_timeout = reply_timeout(options).value_or(proxy::kNoTimeout);
   team.start_timeout = to_timeout(options.start_timeout_s) + kMatchLimitMargin;
   team.reconnect_within = to_timeout(options.reconnect_within_s);
-  team.shared_playmaker = !endpoint.port_step;
+  team.codec = make_policy_rows();
+  team.rated = options.rated;
+  team.shared_playmaker = !endpoint.port_step && endpoint.kind != Endpoint::Kind::kMixed;
   return team;
 }
 
@@ -78,10 +119,7 @@ PlayerResult result_of(int number, const proxy::AgentStatistics& statistics) {
   result.undecided = statistics.undecided;
   result.lost_commands = statistics.lost_commands;
   result.late_wakeups = statistics.late_wakeups;
-  result.rpc_us.p50 = statistics.rpc_us.percentile(0.50);
-  result.rpc_us.p95 = statistics.rpc_us.percentile(0.95);
-  result.rpc_us.p99 = statistics.rpc_us.percentile(0.99);
-  result.rpc_us.max = statistics.rpc_us.max();
+  result.rpc_us = latency_of(statistics.rpc_us);
   result.commands = statistics.commands_by_name();
   result.unimplemented_actions = statistics.unimplemented_by_name();
   result.actions = outcomes_by_name(statistics.actions);
@@ -95,6 +133,7 @@ PlayerResult result_of(int number, const proxy::AgentStatistics& statistics) {
 }
 
 Result<PlaymakerConnection> connect_playmaker(const Endpoint& endpoint, const SideSetup& setup) {
+  if (endpoint.kind == Endpoint::Kind::kMixed) return connect_parts(endpoint, setup);
   PlaymakerConnection connection;
   connection.endpoint = endpoint;
   const proxy::RpcTimeout team_reply =
@@ -104,8 +143,9 @@ Result<PlaymakerConnection> connect_playmaker(const Endpoint& endpoint, const Si
       return connected.error();
     }
   } else if (endpoint.kind == Endpoint::Kind::kRun) {
-    auto started = PlaymakerProcess::start(
-        *setup.host, endpoint, {0, setup.side, setup.name, setup.seed}, setup.folder, setup.cpus);
+    auto started = PlaymakerProcess::start(*setup.host, endpoint,
+                                           {0, setup.side, setup.name, setup.seed, endpoint.label},
+                                           setup.folder, setup.cpus);
     if (!started) return started.error();
     connection.process = std::move(*started);
     proxy::GrpcTarget target;
@@ -132,8 +172,12 @@ AgentSide::AgentSide(SideIdentity identity, PlaymakerConnection connection, prox
 
 bool AgentSide::listen(SideListener& listener) {
   proxy::Playmaker& inner = listened_.empty() ? *watched_ : *listened_.back();
-  listened_.push_back(proxy::listen_to(inner, listener));
+  if (proxy::DecisionListener* decisions = listener.decisions()) {
+    team_->listen_to_decisions(*decisions);
+  }
   listeners_.push_back(&listener);
+  if (!listener.needs_calls()) return true;
+  listened_.push_back(proxy::listen_to(inner, listener));
   team_->set_playmaker(*listened_.back());
   return true;
 }
@@ -168,24 +212,49 @@ std::optional<MatchEnd> AgentSide::shake_hands() {
                   false};
 }
 
+std::vector<const PlaymakerConnection*> AgentSide::connections() const {
+  if (connection_.parts.empty()) return {&connection_};
+  std::vector<const PlaymakerConnection*> parts;
+  for (const PlaymakerConnection& part : connection_.parts) parts.push_back(&part);
+  return parts;
+}
+
+std::vector<const PlaymakerProcess*> AgentSide::playmaker_processes() const {
+  std::vector<const PlaymakerProcess*> processes;
+  for (const PlaymakerConnection* connection : connections()) {
+    if (connection->process != nullptr) processes.push_back(connection->process.get());
+  }
+  return processes;
+}
+
+const PlaymakerConnection* AgentSide::awaited_connection() const {
+  if (connection_.parts.empty()) return &connection_;
+  const auto call = awaited_reply();
+  for (const PlaymakerConnection& part : connection_.parts) {
+    const std::vector<int>& agents = part.endpoint.agents;
+    if (call && std::find(agents.begin(), agents.end(), call->agent) != agents.end()) return &part;
+  }
+  return nullptr;
+}
+
 std::string AgentSide::timeout_hint() const {
-  return playmaker_process() != nullptr ? playmaker_process()->port_hint()
-                                        : unreachable_hint(connection_.endpoint);
+  const PlaymakerConnection* awaited = awaited_connection();
+  if (awaited == nullptr) return {};
+  return awaited->process != nullptr ? awaited->process->port_hint()
+                                     : unreachable_hint(awaited->endpoint);
 }
 
 const process::Child* AgentSide::awaited_process() const {
-  return playmaker_process() == nullptr ? nullptr : &playmaker_process()->child();
+  const PlaymakerConnection* awaited = awaited_connection();
+  return awaited == nullptr || awaited->process == nullptr ? nullptr : &awaited->process->child();
 }
 
 std::optional<MatchEnd> AgentSide::failure(const MatchMoment& moment) {
   auto end = agent_failure(moment);
-  const PlaymakerProcess* started = playmaker_process();
-  if (started == nullptr) {
-    if (end) end->failure = playmaker_failure(identity().side);
-    return end;
-  }
-  if (end) started->child().wait_exit(kProgramExitDelay);
-  if (started->ended()) {
+  const auto programs = playmaker_processes();
+  for (const PlaymakerProcess* started : programs) {
+    if (end) started->child().wait_exit(kProgramExitDelay);
+    if (!started->ended()) continue;
     MatchEnd crash;
     crash.failure = failure_of(started->child());
     crash.reason = moment.playing ? EndReason::kCrashed : EndReason::kRefused;
@@ -195,19 +264,39 @@ std::optional<MatchEnd> AgentSide::failure(const MatchMoment& moment) {
         crash.failure->exit);
     return crash;
   }
-  if (end) end->failure = failure_of(started->child());
+  // Which program of a mixed side is at fault is not known.
+  if (end && connection_.process != nullptr) {
+    end->failure = failure_of(connection_.process->child());
+  } else if (end) {
+    end->failure = playmaker_failure(identity().side);
+  }
   return end;
 }
 
 std::vector<ProcessResult> AgentSide::wait_gone() {
-  if (playmaker_process() == nullptr) return {};
-  playmaker_process()->child().wait_gone(kTerminateGrace + kKillMargin);
-  return {match::result_of(playmaker_process()->child())};
+  std::vector<ProcessResult> results;
+  for (const PlaymakerProcess* started : playmaker_processes()) {
+    started->child().wait_gone(kTerminateGrace + kKillMargin);
+    results.push_back(match::result_of(started->child()));
+  }
+  return results;
 }
 
 std::vector<std::string> AgentSide::failed_expectations() const {
-  return connection_.mock == nullptr ? std::vector<std::string>()
-                                     : connection_.mock->failed_expectations();
+  std::vector<std::string> all;
+  for (const PlaymakerConnection* connection : connections()) {
+    if (connection->mock == nullptr) continue;
+    for (std::string& one : connection->mock->failed_expectations()) all.push_back(std::move(one));
+  }
+  return all;
+}
+
+double AgentSide::mock_cpu_seconds() const {
+  double sum = 0.0;
+  for (const PlaymakerConnection* connection : connections()) {
+    sum += cpu_seconds_of_mock(*connection);
+  }
+  return sum;
 }
 
 // In a turn the agents compute, or wait for replies.
@@ -217,10 +306,27 @@ TurnTimes AgentSide::turn_times() const {
   return {times.turns, std::max(std::chrono::nanoseconds(0), times.turns - work)};
 }
 
-double AgentSide::mock_cpu_seconds() const {
-  constexpr double kNanosecond = 1e-9;
-  if (connection_.mock == nullptr) return 0.0;
-  return static_cast<double>(connection_.mock->decision_nanoseconds()) * kNanosecond;
+// Latencies of several players are those of all their decisions.
+void AgentSide::add_parts(TeamResult& result) const {
+  for (const PlaymakerConnection& connection : connection_.parts) {
+    PartResult part;
+    part.agents = connection.endpoint.label;
+    part.endpoint = connection.endpoint.text;
+    part.cpu_seconds = cpu_seconds(connection);
+    proxy::LatencySamples samples;
+    const auto add = [&](int number, const proxy::AgentStatistics& statistics) {
+      const std::vector<int>& agents = connection.endpoint.agents;
+      if (std::find(agents.begin(), agents.end(), number) == agents.end()) return;
+      part.decisions += statistics.decisions;
+      part.late += statistics.late;
+      part.missed += statistics.missed;
+      samples.add(statistics.rpc_us);
+    };
+    for (const auto& agent : team_->players()) add(agent->unum(), agent->statistics());
+    if (team_->coach() != nullptr) add(team_->coach()->number(), team_->coach()->statistics());
+    part.rpc_us = latency_of(samples);
+    result.parts.push_back(std::move(part));
+  }
 }
 
 TeamResult AgentSide::result() const {
@@ -228,9 +334,8 @@ TeamResult AgentSide::result() const {
   result.name = identity().name;
   result.endpoint = identity().endpoint;
   result.cpu_seconds = worker_.cpu_seconds();
-  if (!connection_.direct) result.cpu_seconds += mock_cpu_seconds();
-  if (playmaker_process() != nullptr) {
-    result.cpu_seconds += playmaker_process()->child().cpu_seconds();
+  for (const PlaymakerConnection* connection : connections()) {
+    result.cpu_seconds += cpu_seconds(*connection);
   }
   for (const auto& agent : team_->players()) {
     result.players.push_back(match::result_of(agent->unum(), agent->statistics()));
@@ -247,6 +352,7 @@ TeamResult AgentSide::result() const {
     result.errors.first = {
         std::string(name(first.rpc)), first.status, first.message, first.cycle, first.agent, {}};
   }
+  add_parts(result);
   return result;
 }
 

@@ -36,10 +36,11 @@ struct PlaymakerConnection {
   bool direct = false;                        ///< the mock decides on the side's thread
   std::unique_ptr<PlaymakerProcess> process;  ///< for a `run:` side
   std::unique_ptr<proxy::Playmaker> playmaker;
+  std::vector<PlaymakerConnection> parts;  ///< of a mixed side, whose `playmaker` calls theirs
 };
 
-/// Starts the bundled mock or the user's command if the endpoint asks for one. Nothing is sent to a
-/// Playmaker that runs already.
+/// Starts the bundled mocks and the user's commands that the endpoint asks for. Nothing is sent to
+/// a Playmaker that runs already.
 base::Result<PlaymakerConnection> connect_playmaker(const Endpoint& endpoint,
                                                     const SideSetup& setup);
 
@@ -71,13 +72,14 @@ class AgentSide : public MatchSide {
   TeamResult result() const override;
 
   const proxy::Team& team() const { return *team_; }
-  /// CPU time of the bundled mock's decisions in seconds; 0 for any other Playmaker.
+  /// CPU time of this side's mocks, but for those called as functions: they are part of the team.
   double mock_cpu_seconds() const;
 
  protected:
   bool is_trainer() const { return identity().side == soccer::Side::kNeutral; }
   const MatchOptions& options() const { return options_; }
-  const PlaymakerProcess* playmaker_process() const { return connection_.process.get(); }
+  /// The programs of the side: those of all parts of a mixed one.
+  std::vector<const PlaymakerProcess*> playmaker_processes() const;
   proxy::Team& team() { return *team_; }
   base::Worker& worker() { return worker_; }
   void begin_listening(int cycle);
@@ -92,6 +94,12 @@ class AgentSide : public MatchSide {
   virtual std::optional<MatchEnd> agent_failure(const MatchMoment& moment) = 0;
 
  private:
+  /// The connection itself, or the parts of a mixed side.
+  std::vector<const PlaymakerConnection*> connections() const;
+  /// The one whose reply is awaited; without a call the only one, or nullptr.
+  const PlaymakerConnection* awaited_connection() const;
+  void add_parts(TeamResult& result) const;
+
   PlaymakerConnection connection_;
   const MatchOptions& options_;
   proxy::CallWatch watch_;

@@ -62,6 +62,11 @@ Problem check_endpoint(const Endpoint& endpoint, std::chrono::milliseconds patie
       const auto plan = team_plan(endpoint.path, {});
       return plan ? Problem() : EndpointProblem{Kind::kMissing, plan.error().message};
     }
+    case Endpoint::Kind::kMixed:
+      for (const Endpoint& part : endpoint.parts) {
+        if (auto problem = check_endpoint(part, patience)) return problem;
+      }
+      return {};
   }
   return {};
 }

@@ -49,7 +49,13 @@ void LockstepAgents::begin_handshake() {
 void LockstepAgents::begin_turn(int cycle) {
   begin_listening(cycle);
   busy_ = true;
-  worker().start([this] { team().run_cycle(); });
+  if (!on_match_thread_) worker().start([this] { team().run_cycle(); });
+}
+
+void LockstepAgents::take_turn() {
+  if (!on_match_thread_) return;
+  worker().run([this] { team().run_cycle(); });
+  busy_ = false;
 }
 
 bool LockstepAgents::turn_done() {
@@ -67,9 +73,10 @@ std::optional<MatchEnd> LockstepAgents::agent_failure(const MatchMoment& moment)
   if (failed_handshake_) return std::exchange(failed_handshake_, std::nullopt);
   if (!std::exchange(turn_over_, false)) return std::nullopt;
   const proxy::MissedDecisions missed = team().missed_decisions();
-  if (playmaker_process() != nullptr && missed.consecutive == 1 &&
-      missed.last.outcome == proxy::RpcOutcome::kUnavailable) {
-    playmaker_process()->child().wait_exit(kPlaymakerExitDelay);
+  if (missed.consecutive == 1 && missed.last.outcome == proxy::RpcOutcome::kUnavailable) {
+    for (const PlaymakerProcess* started : playmaker_processes()) {
+      started->child().wait_exit(kPlaymakerExitDelay);
+    }
   }
   return end_by_missed_decisions(missed, who(), moment.cycle, options());
 }
@@ -85,7 +92,7 @@ void LockstepAgents::leave() {
 void LockstepAgents::terminate() {
   while (!turn_done()) {
   }
-  if (playmaker_process() != nullptr) playmaker_process()->child().end(kTerminateGrace);
+  for (const auto* started : playmaker_processes()) started->child().end(kTerminateGrace);
 }
 
 }  // namespace cls::orchestration::match

@@ -18,6 +18,10 @@ class LockstepAgents : public AgentSide {
       : AgentSide(std::move(identity), std::move(connection), std::move(team), options, cpus),
         server_(server) {}
 
+  /// Turns are taken on the thread of the match, while other sides use their own. Only for a
+  /// Playmaker that decides in function calls: no other ends a turn in a known time.
+  void take_turns_on_match_thread() { on_match_thread_ = true; }
+
   std::optional<MatchEnd> join(const ServerStatus& server,
                                const std::vector<std::string>& others) override;
   bool joined() const override { return joined_; }
@@ -28,6 +32,7 @@ class LockstepAgents : public AgentSide {
   bool takes_turns() const override { return true; }
   bool at_turn() const override { return true; }
   void begin_turn(int cycle) override;
+  void take_turn() override;
   bool turn_done() override;
   void end_turn() override;
   std::vector<std::string> take_warnings() override { return team().take_warnings(); }
@@ -40,7 +45,8 @@ class LockstepAgents : public AgentSide {
 
   EmbeddedServer& server_;
   bool joined_ = false;
-  bool busy_ = false;       ///< the worker uses the team
+  bool on_match_thread_ = false;
+  bool busy_ = false;       ///< the worker uses the team, or take_turn() will
   bool turn_over_ = false;  ///< a turn has ended whose missed decisions were not checked yet
   std::optional<MatchEnd> failed_handshake_;
 };

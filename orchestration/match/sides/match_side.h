@@ -12,6 +12,7 @@
 #include "orchestration/match/result/match_result.h"
 #include "orchestration/match/result/speed.h"
 #include "orchestration/match/server/server_output.h"
+#include "proxy/agent/decision_listener.h"
 #include "proxy/connection/agent_statistics.h"
 #include "proxy/playmaker/call_watch.h"
 #include "proxy/playmaker/playmaker_errors.h"
@@ -38,6 +39,10 @@ struct MatchMoment {
 /// Playmaker at that time.
 class SideListener : public proxy::RpcListener {
  public:
+  /// Hears the decisions of the side's players; nullptr: none.
+  virtual proxy::DecisionListener* decisions() { return nullptr; }
+  /// False: on_call() is never called.
+  virtual bool needs_calls() const { return true; }
   /// Before the calls of a cycle.
   virtual void begin_cycle(int /*cycle*/) {}
   /// After the calls of a cycle, and after the handshake.
@@ -96,6 +101,8 @@ class MatchSide {
   virtual bool at_turn() const { return false; }
   /// Lets the agents decide about the current cycle.
   virtual void begin_turn(int /*cycle*/) {}
+  /// Takes a begun turn that has no thread of its own; after begin_turn() of all sides.
+  virtual void take_turn() {}
   virtual bool turn_done() { return true; }
   virtual void end_turn() {}
 

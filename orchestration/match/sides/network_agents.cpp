@@ -46,9 +46,10 @@ NetworkAgents::~NetworkAgents() {
 
 // A Playmaker that takes long to start must not make the players on the pitch wait for it.
 bool NetworkAgents::prepared() {
-  const PlaymakerProcess* started = playmaker_process();
-  return started == nullptr ||
-         process::tcp_answers("localhost", started->port(), kConnectTimeoutMs);
+  const auto programs = playmaker_processes();
+  return std::all_of(programs.begin(), programs.end(), [](const PlaymakerProcess* started) {
+    return process::tcp_answers("localhost", started->port(), kConnectTimeoutMs);
+  });
 }
 
 std::optional<MatchEnd> NetworkAgents::join(const ServerStatus& /*server*/,
@@ -259,7 +260,7 @@ void NetworkAgents::leave() { stop(); }
 
 void NetworkAgents::terminate() {
   if (stage_ != Stage::kIdle) worker().wait_for(kTerminateGrace + kKillMargin);
-  if (playmaker_process() != nullptr) playmaker_process()->child().end(kTerminateGrace);
+  for (const auto* started : playmaker_processes()) started->child().end(kTerminateGrace);
 }
 
 }  // namespace cls::orchestration::match

@@ -23,6 +23,9 @@ std::string unknown_team(const TournamentConfig& config, std::string_view key,
                      near.empty() ? "" : fmt::format("; did you mean '{}'?", near));
 }
 
+constexpr std::size_t kMaxTeams = 1000;
+constexpr double kMaxMatches = 1e6;
+
 class ErrorList {
  public:
   void require(bool condition, std::string message) {
@@ -39,6 +42,9 @@ void check_teams(ErrorList& errors, const TournamentConfig& config) {
                  fmt::format("a tournament requires at least two teams, there {}; add [teams.NAME] "
                              "with an endpoint for each",
                              config.teams.empty() ? "is none" : "is one"));
+  errors.require(config.teams.size() <= kMaxTeams,
+                 fmt::format("a tournament has at most {} teams, there are {}", kMaxTeams,
+                             config.teams.size()));
   std::set<std::string> seen;
   for (const TeamEntry& team : config.teams) {
     errors.require(seen.insert(team.name).second,
@@ -62,6 +68,19 @@ void check_pairings(ErrorList& errors, const TournamentConfig& config) {
                  "format 'gauntlet' requires the key gauntlet with the teams that meet all others");
   errors.require(config.format != Format::kList || !config.matches.empty(),
                  "format 'list' requires the key matches");
+}
+
+// Of each pair of teams: more than any schedule holds, but for a list.
+void check_size(ErrorList& errors, const TournamentConfig& config) {
+  const auto teams = static_cast<double>(config.teams.size());
+  const double pairings =
+      config.format == Format::kList       ? static_cast<double>(config.matches.size())
+      : config.format == Format::kGauntlet ? teams * static_cast<double>(config.gauntlet.size())
+                                           : teams * (teams - 1) / 2;
+  const double matches = pairings * rounds_of(config) * (config.swap_sides ? 2 : 1);
+  errors.require(config.format == Format::kSwiss || matches <= kMaxMatches,
+                 fmt::format("a schedule of about {:.0f} matches; at most {:.0f} are possible",
+                             matches, kMaxMatches));
 }
 
 void check_groups(ErrorList& errors, const TournamentConfig& config) {
@@ -120,6 +139,7 @@ std::vector<std::string> validate(const TournamentConfig& config) {
   check_teams(errors, config);
   check_pairings(errors, config);
   check_groups(errors, config);
+  check_size(errors, config);
   check_conditions(errors, config);
   const int teams = static_cast<int>(config.teams.size());
   errors.require(

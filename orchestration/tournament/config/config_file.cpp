@@ -8,8 +8,10 @@
 #include <utility>
 
 #include "base/io/whole_file.h"
+#include "base/text/stored_formats.h"
 #include "orchestration/match/options/endpoint.h"
 #include "orchestration/match/options/match_settings.h"
+#include "orchestration/match/options/mixed_side.h"
 #include "orchestration/process/command_plan.h"
 #include "orchestration/tournament/config/config_keys.h"
 
@@ -73,11 +75,29 @@ std::vector<Entry> in_file_order(const toml::table& table) {
   return entries;
 }
 
+// toml++ recurses into the parts of a dotted key.
+constexpr std::ptrdiff_t kMaxKeyParts = 1000;
+
+// The line of a key with too many parts, if there is one.
+std::optional<toml::source_index> find_deep_key(std::string_view text) {
+  for (toml::source_index line = 1; !text.empty(); ++line) {
+    const std::string_view whole = text.substr(0, text.find('\n'));
+    const std::string_view key = whole.substr(0, whole.find_first_of("=#"));
+    if (std::count(key.begin(), key.end(), '.') >= kMaxKeyParts) return line;
+    text.remove_prefix(std::min(whole.size() + 1, text.size()));
+  }
+  return std::nullopt;
+}
+
 class Parser {
  public:
   explicit Parser(std::string file) : file_(std::move(file)) {}
 
   ParsedConfig parse(std::string_view text) {
+    if (const auto line = find_deep_key(text)) {
+      add_error(*line, fmt::format("a key of more than {} parts", kMaxKeyParts));
+      return std::move(parsed_);
+    }
     try {
       const toml::table table = toml::parse(text, file_);
       parse_top(table);
@@ -99,16 +119,36 @@ class Parser {
     parsed_.lines[key] = static_cast<int>(entry.node->source().begin.line);
   }
 
-  const toml::table* table_of(const Entry& entry) {
+  // `parent` is the table that the entry belongs to, with a dot at its end; empty: the file.
+  const toml::table* table_of(const Entry& entry, std::string_view parent = "",
+                              std::string_view hint = "") {
     const toml::table* table = entry.node->as_table();
     if (table == nullptr) {
-      add_error(entry, fmt::format("'{}' must be a table, [{}]", entry.key, entry.key));
+      add_error(entry, fmt::format("'{0}' must be a table, [{1}{0}]{2}", entry.key, parent, hint));
     }
     return table;
   }
 
+  // A file without a schema is of the first version. Of a newer one no key is certain.
+  bool check_schema(const toml::table& top) {
+    const toml::node* node = top.get("schema");
+    if (node == nullptr) return true;
+    const auto version = node->value<std::int64_t>().value_or(0);
+    if (version >= 1 && version <= base::kConfigSchema) return true;
+    add_error(
+        node->source().begin.line,
+        version > base::kConfigSchema
+            ? fmt::format("schema {} is newer than this cls reads ({}); update "
+                          "cls",
+                          version, base::kConfigSchema)
+            : fmt::format("schema: must be a whole number from 1 to {}", base::kConfigSchema));
+    return false;
+  }
+
   void parse_top(const toml::table& top) {
+    if (!check_schema(top)) return;
     for (const Entry& entry : in_file_order(top)) {
+      if (entry.key == "schema") continue;
       if (entry.key != "tournament" && entry.key != "server" && entry.key != "player" &&
           entry.key != "teams") {
         add_error(entry, unknown_key(entry.node->is_table() ? "table" : "key", entry.key,
@@ -158,7 +198,7 @@ class Parser {
 
   void parse_teams(const toml::table& table) {
     for (const Entry& entry : in_file_order(table)) {
-      const toml::table* team = table_of(entry);
+      const toml::table* team = table_of(entry, "teams.", " with an endpoint");
       if (team == nullptr) continue;
       if (const auto good = match::check_team_name(entry.key); !good) {
         add_error(entry, good.error().message);
@@ -252,6 +292,16 @@ std::string endpoint_from(const fs::path& folder, const std::string& endpoint) {
   const std::size_t colon = endpoint.find(':');
   const std::string kind = endpoint.substr(0, colon + 1);
   const std::string rest = colon == std::string::npos ? "" : endpoint.substr(colon + 1);
+  if (kind == "mix:") {
+    const auto parts = match::parse_mixed_side(rest);
+    if (!parts) return endpoint;
+    std::string text;
+    for (const match::MixedPart& part : *parts) {
+      text += fmt::format("{}{}={}", text.empty() ? "mix:" : ";", part.label,
+                          endpoint_from(folder, part.side));
+    }
+    return text;
+  }
   if (kind == "run:")
     return fmt::format("run:cd {} && {}", process::shell_quoted(folder.string()), rest);
   const bool file =
@@ -305,6 +355,8 @@ std::string commented_config() {
   std::string text =
       "# A cls tournament. `cls tournament plan DIR` lists its matches, `cls tournament run DIR`\n"
       "# plays them. Lines that start with # show defaults and examples.\n"
+      "\n"
+      "schema = 1  # version of the format of this file\n"
       "\n"
       "[tournament]\n";
   const TournamentConfig defaults;

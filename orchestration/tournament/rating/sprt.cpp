@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "orchestration/tournament/rating/exit_time.h"
+
 namespace cls::orchestration::tournament {
 namespace {
 
@@ -38,19 +40,12 @@ double multiplier(const std::vector<double>& share, double target) {
 
 }  // namespace
 
-double SprtSettings::lower() const { return std::log(beta / (1 - alpha)); }
-double SprtSettings::upper() const { return std::log((1 - beta) / alpha); }
+double lower_llr(const Hypotheses& hypotheses) {
+  return std::log(hypotheses.beta / (1 - hypotheses.alpha));
+}
 
-std::string_view name(SprtDecision decision) {
-  switch (decision) {
-    case SprtDecision::kOpen:
-      return "open";
-    case SprtDecision::kH0:
-      return "H0";
-    case SprtDecision::kH1:
-      return "H1";
-  }
-  return "";
+double upper_llr(const Hypotheses& hypotheses) {
+  return std::log((1 - hypotheses.beta) / hypotheses.alpha);
 }
 
 double total(const Frequencies& frequencies) {
@@ -99,36 +94,18 @@ double log_likelihood_ratio(const Frequencies& frequencies, double score0, doubl
   return count * sum;
 }
 
-SprtState sprt_state(const Frequencies& frequencies, double score0, double score1,
-                     const SprtSettings& settings) {
+SprtState sprt_state(const Frequencies& frequencies, const Hypotheses& hypotheses) {
   SprtState state;
-  state.llr = log_likelihood_ratio(frequencies, score0, score1);
+  state.llr = log_likelihood_ratio(frequencies, hypotheses.mean0, hypotheses.mean1);
   if (total(frequencies) < kMinSprtResults) return state;
-  if (state.llr >= settings.upper()) state.decision = SprtDecision::kH1;
-  if (state.llr <= settings.lower()) state.decision = SprtDecision::kH0;
+  if (state.llr >= upper_llr(hypotheses)) state.decision = Decision::kH1;
+  if (state.llr <= lower_llr(hypotheses)) state.decision = Decision::kH0;
   return state;
 }
 
-double expected_results(double llr, double mean, double variance, double score0, double score1,
-                        const SprtSettings& settings) {
-  constexpr double kMinVariance = 1e-3;  // equal results so far
-  constexpr double kNoDrift = 1e-9;
-  const double gap = score1 - score0;
-  const double spread = std::max(variance, kMinVariance);
-  double drift = gap / spread * (mean - (score0 + score1) / 2);
-  const double diffusion = gap * gap / spread;
-  double below = llr - settings.lower();
-  double above = settings.upper() - llr;
-  if (below <= 0 || above <= 0) return 0.0;
-  if (std::abs(drift) < kNoDrift * diffusion) return below * above / diffusion;
-  if (drift < 0) {  // mirrored, so that no exponential overflows
-    drift = -drift;
-    std::swap(below, above);
-  }
-  const double rate = 2 * drift / diffusion;
-  const double reaches_upper =
-      (1 - std::exp(-rate * below)) / (1 - std::exp(-rate * (below + above)));
-  return ((below + above) * reaches_upper - below) / drift;
+double expected_results(double llr, double mean, double variance, const Hypotheses& hypotheses) {
+  return exit_time(llr, lower_llr(hypotheses), upper_llr(hypotheses),
+                   walk_of_mean(mean, variance, hypotheses.mean0, hypotheses.mean1));
 }
 
 }  // namespace cls::orchestration::tournament

@@ -6,6 +6,8 @@
 
 namespace cls::orchestration::tournament {
 
+double rounded(double value) { return std::round(value * 1e4) / 1e4; }
+
 double normal_cdf(double x) { return 0.5 * std::erfc(-x / std::sqrt(2.0)); }
 
 Interval wilson(double successes, double trials) {

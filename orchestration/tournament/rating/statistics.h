@@ -11,6 +11,9 @@ struct Interval {
   double high = 0.0;
 };
 
+/// Rounded to the four decimals of documents.
+double rounded(double value);
+
 /// Probability that a standard normal value is below `x`.
 double normal_cdf(double x);
 

@@ -1,10 +1,9 @@
 // Collects the samples of the test from matches.
 #include "orchestration/tournament/report/comparison.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
+#include "orchestration/tournament/report/comparison_hypotheses.h"
 #include "orchestration/tournament/schedule/schedule.h"
 
 namespace cls::orchestration::tournament {
@@ -33,62 +32,41 @@ void add_pair(const Comparison& comparison, std::vector<Fixture>& fixtures, int 
   }
 }
 
-// Half points of `team` in the matches of one sample, or nothing when one of them was not played.
-std::optional<int> half_points(std::span<const ScheduledMatch> sample, int team) {
+// The measure of `team` in the matches of one sample.
+int sum_of(std::span<const ScheduledMatch> sample, int team, Measure measure, int limit) {
   int sum = 0;
   for (const ScheduledMatch& match : sample) {
-    if (!match.outcome->played()) return std::nullopt;
-    const int sign = winner_sign(*match.outcome);
-    if (match.fixture.left == team) sum += 1 + sign;
-    if (match.fixture.right == team) sum += 1 - sign;
+    const Outcome& outcome = *match.outcome;
+    const int value = measure == Measure::kPoints ? winner_sign(outcome)
+                                                  : outcome.left_score - outcome.right_score;
+    const int counted = std::clamp(value, -limit, limit);
+    if (match.fixture.left == team) sum += counted;
+    if (match.fixture.right == team) sum -= counted;
   }
   return sum;
 }
 
-// 0..4 of a pair; 0..8 of a quartet, where 4 means equal points for NEW and BASE.
-std::optional<std::size_t> outcome_of(const Comparison& comparison,
-                                      std::span<const ScheduledMatch> sample) {
-  const auto points = half_points(sample, kNew);
-  if (!points) return std::nullopt;
-  if (is_direct(comparison)) return static_cast<std::size_t>(*points);
-  return static_cast<std::size_t>(4 + *points - *half_points(sample, kBase));
+std::size_t outcomes_of(const Comparison& comparison, Measure measure) {
+  const int span = 2 * matches_in_sample(comparison) * limit_of(comparison, measure);
+  return static_cast<std::size_t>(span + 1);
 }
 
-void set_model(ComparisonVerdict& verdict, const Comparison& comparison) {
-  const SprtSettings& sprt = comparison.sprt;
-  const double gain0 = score_from_elo(sprt.elo0) - 0.5;
-  const double gain1 = score_from_elo(sprt.elo1) - 0.5;
-  if (is_direct(comparison)) {
-    verdict.score0 = 0.5 + gain0;
-    verdict.score1 = 0.5 + gain1;
-    verdict.samples.assign(5, 0.0);
-    verdict.model = fmt::format(
-        "pentanomial SPRT (pairs on one seed, sides swapped), logistic Elo: H0 {:+g}, H1 {:+g}, "
-        "alpha {:g}, beta {:g}",
-        sprt.elo0, sprt.elo1, sprt.alpha, sprt.beta);
-    return;
-  }
-  // A sample's value is 1/2 + (score of NEW - score of BASE) / 2.
-  verdict.score0 = 0.5 + gain0 / 2;
-  verdict.score1 = 0.5 + gain1 / 2;
-  verdict.samples.assign(9, 0.0);
-  verdict.model = fmt::format(
-      "nonanomial SPRT (pair of NEW minus pair of BASE against the same opponent on one seed): H0 "
-      "a gain of {:+.1f} % of the points (Elo {:+g} between equals), H1 {:+.1f} % ({:+g}), alpha "
-      "{:g}, beta {:g}",
-      100 * gain0, sprt.elo0, 100 * gain1, sprt.elo1, sprt.alpha, sprt.beta);
+// From worst to best; the middle one means that NEW and BASE are equal.
+std::size_t outcome_of(const Comparison& comparison, std::span<const ScheduledMatch> sample,
+                       Measure measure) {
+  const int limit = limit_of(comparison, measure);
+  int sum = sum_of(sample, kNew, measure, limit);
+  if (!is_direct(comparison)) sum -= sum_of(sample, kBase, measure, limit);
+  return static_cast<std::size_t>(sum + matches_in_sample(comparison) * limit);
 }
 
-// Of a sample's value when a fifth of the matches are draws and the matches of a pair share half of
-// their randomness, as in the table of docs/tournaments.md.
-double typical_variance(const Comparison& comparison) {
-  constexpr double kOfPair = 0.15;
-  return is_direct(comparison) ? kOfPair : kOfPair / 2;
-}
-
-double limited(const Comparison& comparison, double samples, double done) {
-  if (!comparison.max_samples) return samples;
-  return std::clamp(*comparison.max_samples - done, 0.0, samples);
+void add_sample(ComparisonVerdict& verdict, std::size_t outcome, TestKind kind) {
+  verdict.samples[outcome] += 1;
+  verdict.betting.add(static_cast<double>(outcome) /
+                      static_cast<double>(verdict.samples.size() - 1));
+  verdict.decision = kind == TestKind::kBetting
+                         ? verdict.betting.decision()
+                         : sprt_state(verdict.samples, verdict.hypotheses).decision;
 }
 
 }  // namespace
@@ -100,8 +78,6 @@ std::string_view sample_name(const Comparison& comparison) {
 }
 
 int matches_in_sample(const Comparison& comparison) { return is_direct(comparison) ? 2 : 4; }
-
-double gain(double score) { return 2 * (score - 0.5); }
 
 std::vector<Fixture> next_fixtures(const Comparison& comparison,
                                    std::span<const ScheduledMatch> so_far) {
@@ -134,43 +110,42 @@ ComparisonVerdict verdict(const Comparison& comparison, std::span<const Schedule
     matches = matches.first(std::min(matches.size(), static_cast<std::size_t>(*last)));
   }
   ComparisonVerdict verdict;
-  set_model(verdict, comparison);
+  const Measure measure = comparison.test.measure;
+  verdict.hypotheses = hypotheses_of(comparison);
+  verdict.betting = BettingTest(verdict.hypotheses, typical_variance(comparison));
+  verdict.samples.assign(outcomes_of(comparison, measure), 0.0);
+  verdict.points.assign(outcomes_of(comparison, Measure::kPoints), 0.0);
+  verdict.model = model_text(comparison);
   const auto size = static_cast<std::size_t>(matches_in_sample(comparison));
   for (std::size_t at = 0; at + size <= matches.size(); at += size) {
     const auto sample = matches.subspan(at, size);
     const bool done = std::all_of(sample.begin(), sample.end(), [](const ScheduledMatch& match) {
       return match.outcome.has_value();
     });
-    if (!done || verdict.state.decision != SprtDecision::kOpen) break;
-    const auto outcome = outcome_of(comparison, sample);
-    if (!outcome) {
+    if (!done || verdict.decision != Decision::kOpen) break;
+    const bool played = std::all_of(sample.begin(), sample.end(), [](const ScheduledMatch& match) {
+      return match.outcome->played();
+    });
+    if (!played) {
       ++verdict.left_out;
       continue;
     }
-    verdict.samples[*outcome] += 1;
-    verdict.state = sprt_state(verdict.samples, verdict.score0, verdict.score1, comparison.sprt);
+    verdict.points[outcome_of(comparison, sample, Measure::kPoints)] += 1;
+    add_sample(verdict, outcome_of(comparison, sample, measure), comparison.test.kind);
   }
-  verdict.strength = estimate(verdict.samples);
+  verdict.llr = sprt_state(verdict.samples, verdict.hypotheses).llr;
+  verdict.strength = estimate(verdict.points);
   return verdict;
 }
 
-double expected_samples_left(const Comparison& comparison, const ComparisonVerdict& known) {
-  if (known.state.decision != SprtDecision::kOpen) return 0.0;
-  const double count = total(known.samples);
-  const bool tells = count >= kMinSprtResults;
-  const double left =
-      expected_results(known.state.llr, tells ? mean(known.samples) : known.score0,
-                       tells ? variance(known.samples) : typical_variance(comparison), known.score0,
-                       known.score1, comparison.sprt);
-  return limited(comparison, std::max(left, kMinSprtResults - count), count + known.left_out);
-}
-
-double max_expected_samples(const Comparison& comparison) {
-  const ComparisonVerdict start = verdict(comparison, {});
-  const double halfway = (start.score0 + start.score1) / 2;
-  const double left = expected_results(0.0, halfway, typical_variance(comparison), start.score0,
-                                       start.score1, comparison.sprt);
-  return limited(comparison, std::max<double>(left, kMinSprtResults), 0.0);
+int walkover_samples(const Comparison& comparison) {
+  constexpr int kMaxSamples = 10'000;  // bounds beyond the reach of any team
+  ComparisonVerdict verdict = cls::orchestration::tournament::verdict(comparison, {});
+  int count = 0;
+  for (; verdict.decision == Decision::kOpen && count < kMaxSamples; ++count) {
+    add_sample(verdict, verdict.samples.size() - 1, comparison.test.kind);
+  }
+  return count;
 }
 
 }  // namespace cls::orchestration::tournament

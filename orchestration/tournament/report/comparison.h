@@ -8,17 +8,36 @@
 #include <vector>
 
 #include "orchestration/tournament/config/config.h"
+#include "orchestration/tournament/rating/betting.h"
+#include "orchestration/tournament/rating/hypotheses.h"
 #include "orchestration/tournament/rating/sprt.h"
 #include "orchestration/tournament/rating/statistics.h"
 #include "orchestration/tournament/schedule/fixture.h"
 
 namespace cls::orchestration::tournament {
 
+enum class TestKind { kBetting, kSprt };
+enum class Measure { kPoints, kGoals };
+
+/// H0: NEW is better than BASE by `elo0` at most, or by `goals0` goals a match; H1: by `elo1` at
+/// least, or by `goals1`. Errors as in Hypotheses.
+struct TestSettings {
+  TestKind kind = TestKind::kBetting;
+  Measure measure = Measure::kPoints;
+  double elo0 = 0.0;
+  double elo1 = 40.0;
+  double goals0 = 0.0;
+  double goals1 = 0.5;
+  int max_goals = 3;  ///< a goal difference above it counts as this
+  double alpha = 0.05;
+  double beta = 0.05;
+};
+
 /// Team 0 of the configuration is NEW, team 1 BASE, further teams are opponents. Without opponents
 /// NEW plays BASE.
 struct Comparison {
   TournamentConfig config;
-  SprtSettings sprt;
+  TestSettings test;
   std::optional<int> max_samples;  ///< pairs of matches, or quartets with opponents; none: no limit
 };
 
@@ -29,9 +48,21 @@ bool is_direct(const Comparison& comparison);
 std::string_view sample_name(const Comparison& comparison);
 int matches_in_sample(const Comparison& comparison);
 
-/// The difference of two score rates that a quartet's mean `score` says: twice its distance from
-/// 1/2.
-double gain(double score);
+/// What is wrong with the settings, with the names of options; empty: nothing.
+std::string test_error(const TestSettings& test);
+
+/// A sample is the sum of the measure over its matches, scaled to 0 to 1: 1/2 means that NEW and
+/// BASE are equal. This is the advantage of NEW that a mean of samples shows: with points the
+/// difference of two score rates (directly: twice the distance of the score from 1/2), with goals
+/// goals a match.
+double advantage(const Comparison& comparison, double mean);
+
+/// The difference of two score rates that a mean score in points shows.
+inline double gain(double score) { return 2 * (score - 0.5); }
+
+/// The advantage in words: "+12.3 Elo", against opponents "+1.2 % of the points", "+0.25 goals a
+/// match".
+std::string advantage_text(const Comparison& comparison, double mean);
 
 /// The next matches when all before are done: pairs of NEW against BASE on one seed, sides swapped;
 /// with opponents quartets on one seed: NEW on both sides, then BASE on both sides, against one
@@ -46,14 +77,17 @@ std::optional<int> last_match(const Comparison& comparison);
 /// decision does not depend on which match ends first. Samples after the decision and above
 /// `max_samples` do not count.
 struct ComparisonVerdict {
-  SprtState state;
-  double score0 = 0.5;  ///< expected mean of a sample under H0
-  double score1 = 0.5;  ///< and under H1
-  Frequencies samples;  ///< counts of the five outcomes of pairs, or the nine of quartets
-  int left_out = 0;     ///< samples excluded because of an invalid match
-  Estimate strength;    ///< of NEW against BASE; with opponents the score is 1/2 + half the
-                        ///< difference of the two scores, and Elo does not apply
-  std::string model;    ///< one line that names the test
+  Decision decision = Decision::kOpen;
+  Hypotheses hypotheses;  ///< on the mean of the samples
+  BettingTest betting;    ///< with the other test too, which then does not decide
+  double llr = 0.0;       ///< of the SPRT, with the other test too
+  Frequencies samples;    ///< counts of the outcomes: of points the five of pairs or the nine of
+                          ///< quartets
+  Frequencies points;     ///< the same for points, whatever the measure
+  int left_out = 0;       ///< samples excluded because of an invalid match
+  Estimate strength;      ///< of NEW against BASE by points; with opponents the score is 1/2 + half
+                          ///< the difference of the two scores, and Elo does not apply
+  std::string model;      ///< one line that names the test
 };
 
 ComparisonVerdict verdict(const Comparison& comparison, std::span<const ScheduledMatch> matches);
@@ -65,6 +99,9 @@ double expected_samples_left(const Comparison& comparison, const ComparisonVerdi
 /// The same before the first match, if the true difference is halfway between H0 and H1, where the
 /// test takes longest.
 double max_expected_samples(const Comparison& comparison);
+
+/// The samples until the verdict if NEW gets the most out of every match.
+int walkover_samples(const Comparison& comparison);
 
 /// "better", "not better" or "undecided".
 std::string_view verdict_name(const ComparisonVerdict& verdict);

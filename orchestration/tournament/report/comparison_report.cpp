@@ -4,13 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "base/system/version.h"
 #include "base/text/json_text.h"
 #include "base/text/wrap_text.h"
+#include "orchestration/tournament/rating/statistics.h"
 #include "orchestration/tournament/report/report_model.h"
 #include "orchestration/tournament/report/report_tables.h"
 #include "orchestration/tournament/store/match_document.h"
@@ -19,8 +19,6 @@ namespace cls::orchestration::tournament {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-double rounded(double value) { return std::round(value * 1e4) / 1e4; }
 
 struct Names {
   std::string candidate;
@@ -33,16 +31,18 @@ Names names_of(const Comparison& comparison) {
   return {teams[0].name, teams[1].name, teams.size() == 2};
 }
 
-std::string decision_text(const Names& names, const ComparisonVerdict& verdict) {
-  switch (verdict.state.decision) {
-    case SprtDecision::kH1:
-      return fmt::format("{} is better than {} (H1 accepted)", names.candidate, names.base);
-    case SprtDecision::kH0:
-      return fmt::format("{} is not better than {} (H0 accepted)", names.candidate, names.base);
-    case SprtDecision::kOpen:
-      return "undecided";
+std::string decision_text(const Comparison& comparison, const Names& names,
+                          const ComparisonVerdict& verdict) {
+  if (verdict.decision == Decision::kOpen) return "undecided";
+  const bool better = verdict.decision == Decision::kH1;
+  const std::string who =
+      fmt::format("{} is {}better than {}", names.candidate, better ? "" : "not ", names.base);
+  if (comparison.test.kind == TestKind::kSprt) {
+    return fmt::format("{} ({} accepted)", who, name(verdict.decision));
   }
-  return {};
+  return fmt::format(
+      "{} ({} than {})", who, better ? "by more" : "by less",
+      advantage_text(comparison, better ? verdict.hypotheses.mean0 : verdict.hypotheses.mean1));
 }
 
 std::string strength_text(const Names& names, const ComparisonVerdict& verdict) {
@@ -65,15 +65,72 @@ std::string strength_text(const Names& names, const ComparisonVerdict& verdict) 
       difference_text(100 * gain(strength.score_interval.high), 1), 100 * strength.superiority);
 }
 
+std::string goals_text(const Comparison& comparison, const ComparisonVerdict& verdict) {
+  const Estimate goals = estimate(verdict.samples);
+  return fmt::format("{} (95 %: {:+.2f} to {:+.2f}), differences up to {}",
+                     advantage_text(comparison, goals.score),
+                     advantage(comparison, goals.score_interval.low),
+                     advantage(comparison, goals.score_interval.high), comparison.test.max_goals);
+}
+
+// What decides.
+std::string test_text(const Comparison& comparison, const ComparisonVerdict& verdict) {
+  const Hypotheses& h = verdict.hypotheses;
+  if (comparison.test.kind == TestKind::kSprt) {
+    return fmt::format("LLR {:+.2f} between {:+.2f} and {:+.2f}", verdict.llr, lower_llr(h),
+                       upper_llr(h));
+  }
+  const Interval bounds = verdict.betting.bounds();
+  return fmt::format(
+      "evidence {:.2f} of {:g} for more than {}, {:.2f} of {:g} for less than {}\n"
+      "at every moment: more than {} with {:g} % confidence, less than {} with {:g} %",
+      verdict.betting.for_h1(), 1 / h.alpha, advantage_text(comparison, h.mean0),
+      verdict.betting.for_h0(), 1 / h.beta, advantage_text(comparison, h.mean1),
+      advantage_text(comparison, bounds.low), 100 * (1 - h.alpha),
+      advantage_text(comparison, bounds.high), 100 * (1 - h.beta));
+}
+
+// Only where the unit is goals; the points have members of their own.
+void add_goals(Json& document, const Comparison& comparison, const ComparisonVerdict& verdict) {
+  const Estimate goals = estimate(verdict.samples);
+  const TestSettings& test = comparison.test;
+  document["goals0"] = test.goals0;
+  document["goals1"] = test.goals1;
+  document["max_goals"] = test.max_goals;
+  document["points"] = verdict.points;
+  document["goal_difference"] = rounded(advantage(comparison, goals.score));
+  document["goal_difference_interval"] = {
+      rounded(advantage(comparison, goals.score_interval.low)),
+      rounded(advantage(comparison, goals.score_interval.high))};
+}
+
+// Names of the members by the measure: bounds that are valid at every moment.
+void add_bounds(Json& document, const Comparison& comparison, const ComparisonVerdict& verdict) {
+  const Interval bounds = verdict.betting.bounds();
+  const auto advantages = [&]() -> Json {
+    return {rounded(advantage(comparison, bounds.low)),
+            rounded(advantage(comparison, bounds.high))};
+  };
+  if (comparison.test.measure == Measure::kGoals) {
+    document["goal_difference_bounds"] = advantages();
+  } else if (is_direct(comparison)) {
+    document["score_bounds"] = {rounded(bounds.low), rounded(bounds.high)};
+    document["elo_bounds"] = {rounded(elo_from_score(bounds.low)),
+                              rounded(elo_from_score(bounds.high))};
+  } else {
+    document["gain_bounds"] = advantages();
+  }
+}
+
 }  // namespace
 
 std::string_view verdict_name(const ComparisonVerdict& verdict) {
-  switch (verdict.state.decision) {
-    case SprtDecision::kH1:
+  switch (verdict.decision) {
+    case Decision::kH1:
       return "better";
-    case SprtDecision::kH0:
+    case Decision::kH0:
       return "not better";
-    case SprtDecision::kOpen:
+    case Decision::kOpen:
       return "undecided";
   }
   return "";
@@ -83,15 +140,17 @@ std::string comparison_text(const Comparison& comparison, std::span<const Schedu
                             std::size_t width) {
   const ComparisonVerdict known = verdict(comparison, matches);
   const Names names = names_of(comparison);
-  std::string text = fmt::format("verdict: {}\n", decision_text(names, known));
+  std::string text = fmt::format("verdict: {}\n", decision_text(comparison, names, known));
   auto out = std::back_inserter(text);
   fmt::format_to(out, "{}\n", strength_text(names, known));
+  if (comparison.test.measure == Measure::kGoals) {
+    fmt::format_to(out, "{}\n", goals_text(comparison, known));
+  }
   fmt::format_to(out, "{} {}, from worst to best: {}", total(known.samples),
                  sample_name(comparison), fmt::join(known.samples, " "));
   if (known.left_out > 0) fmt::format_to(out, "; {} excluded (INVALID matches)", known.left_out);
-  fmt::format_to(out, "\nLLR {:+.2f} between {:+.2f} and {:+.2f}\n{}\n", known.state.llr,
-                 comparison.sprt.lower(), comparison.sprt.upper(), known.model);
-  if (known.state.decision != SprtDecision::kOpen) {
+  fmt::format_to(out, "\n{}\n{}\n", test_text(comparison, known), known.model);
+  if (known.decision != Decision::kOpen) {
     text += "a test that stops early slightly overstates the difference; the verdict is valid\n";
   }
   return base::wrap_text(text, width);
@@ -110,14 +169,22 @@ std::string comparison_json(const Comparison& comparison, std::span<const Schedu
                    {"new", names.candidate},
                    {"base", names.base},
                    {"verdict", verdict_name(known)},
-                   {"answer", name(known.state.decision)},
-                   {"llr", rounded(known.state.llr)},
-                   {"lower", rounded(comparison.sprt.lower())},
-                   {"upper", rounded(comparison.sprt.upper())},
-                   {"elo0", comparison.sprt.elo0},
-                   {"elo1", comparison.sprt.elo1},
-                   {"alpha", comparison.sprt.alpha},
-                   {"beta", comparison.sprt.beta},
+                   {"answer", name(known.decision)},
+                   {"test", comparison.test.kind == TestKind::kBetting ? "betting" : "sprt"},
+                   {"measure", comparison.test.measure == Measure::kPoints ? "points" : "goals"},
+                   {"pairs", total(known.samples)},
+                   {"evidence",
+                    {{"better", rounded(known.betting.for_h1())},
+                     {"better_at", rounded(1 / known.hypotheses.alpha)},
+                     {"not_better", rounded(known.betting.for_h0())},
+                     {"not_better_at", rounded(1 / known.hypotheses.beta)}}},
+                   {"llr", rounded(known.llr)},
+                   {"lower", rounded(lower_llr(known.hypotheses))},
+                   {"upper", rounded(upper_llr(known.hypotheses))},
+                   {"elo0", comparison.test.elo0},
+                   {"elo1", comparison.test.elo1},
+                   {"alpha", comparison.test.alpha},
+                   {"beta", comparison.test.beta},
                    {"model", known.model},
                    {"samples", known.samples},
                    {"left_out", known.left_out},
@@ -134,6 +201,8 @@ std::string comparison_json(const Comparison& comparison, std::span<const Schedu
     document["gain_interval"] = {rounded(gain(strength.score_interval.low)),
                                  rounded(gain(strength.score_interval.high))};
   }
+  if (comparison.test.measure == Measure::kGoals) add_goals(document, comparison, known);
+  add_bounds(document, comparison, known);
   document["counts"] = {{"finished", counts.finished}, {"invalid", counts.invalid}};
   document["matches"] = std::move(rows);
   document["versions"] = {{"cls", base::kVersion}, {"wire", base::kWireVersion}};

@@ -13,6 +13,7 @@
 #include "base/system/version.h"
 #include "base/text/json_text.h"
 #include "base/text/table.h"
+#include "orchestration/tournament/rating/statistics.h"
 #include "orchestration/tournament/store/match_document.h"
 
 namespace cls::orchestration::tournament {
@@ -20,7 +21,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-double rounded(double value) { return std::round(value * 1e4) / 1e4; }
 double tenths(double value) { return std::round(value * 10) / 10; }
 
 void add_strength(Json& json, const Estimate& strength) {
@@ -46,7 +46,7 @@ Json json_of(const Report& report, const Standing& standing) {
                {"points", standing.points},
                {"shoot_outs", json_of(standing.shoot_outs)},
                {"forfeits", json_of(standing.forfeits)}};
-  add_strength(json, report.records[team].strength());
+  add_strength(json, standing.record.strength());
   json["elo"] = tenths(report.ratings.elo[team]);
   json["elo_error"] = tenths(report.ratings.error[team]);
   if (report.config->format == Format::kSwiss) {

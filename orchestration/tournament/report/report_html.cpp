@@ -13,55 +13,15 @@
 #include "base/text/xml.h"
 #include "orchestration/tournament/report/report_bracket.h"
 #include "orchestration/tournament/report/report_tables.h"
+#include "viewer/report/report_page.h"
 
 namespace cls::orchestration::tournament {
 namespace {
 
-// Text and lines have a contrast of at least 4.5:1 (text) and 3:1 (lines) to the ground.
-constexpr const char* kStyle =
-    ":root{color-scheme:light dark;--text:#1b1b1b;--muted:#5c5c5c;--ground:#fff;--line:#8a8a8a;"
-    "--faint:#e2e2e2;--accent:#0b5cad}"
-    "@media(prefers-color-scheme:dark){:root{--text:#e8e8e8;--muted:#a8a8a8;--ground:#161616;"
-    "--line:#858585;--faint:#333;--accent:#7db8f2}}"
-    "body{font:15px/1.5 system-ui,sans-serif;margin:2em auto;max-width:72em;padding:0 1em;"
-    "color:var(--text);background:var(--ground)}"
-    "h1{margin:0 0 .2em;line-height:1.2}h2{margin:1.8em 0 .4em;font-size:1.25em}"
-    "h2::first-letter{text-transform:uppercase}"
-    "h3{font-size:.9em;font-weight:600;color:var(--muted)}"
-    "a{color:var(--accent)}.head p{margin:.1em 0;color:var(--muted)}"
-    ".head .state{color:var(--text);font-size:1.1em}"
-    ".note{color:var(--muted);max-width:50em;margin:.3em 0 0;font-size:.9em}"
-    ".scroll{overflow-x:auto}"
-    "table{border-collapse:collapse;font-variant-numeric:tabular-nums}"
-    "caption{position:absolute;width:1px;height:1px;overflow:hidden;clip-path:inset(50%)}"
-    "th,td{padding:.25em .7em;text-align:right;border-bottom:1px solid var(--faint);"
-    "font-weight:400;white-space:nowrap}"
-    "thead th{border-bottom:2px solid var(--line);font-weight:600;color:var(--muted)}"
-    ".w{text-align:left}tbody tr:hover{background:var(--faint)}"
-    ".long td.w{white-space:normal;overflow-wrap:break-word}"
-    ".dense{font-size:.85em}.dense th,.dense td{padding:.2em .55em}"
-    "svg{max-width:100%;height:auto;display:block;margin-bottom:.8em}svg "
-    "text{fill:var(--text);font-size:13px}"
-    ".axis{stroke:var(--faint)}.zero,.bar{stroke:var(--line)}.dot{fill:var(--accent)}"
-    "svg .tick{fill:var(--muted);font-size:11px}"
-    "pre{overflow-x:auto;border:1px solid var(--faint);padding:.6em .8em;font-size:.85em}"
-    "footer{margin-top:2em;color:var(--muted);font-size:.85em}"
-    "@media print{:root{--text:#000;--muted:#333;--ground:#fff;--line:#666;--faint:#ccc;"
-    "--accent:#000}body{margin:0;max-width:none;font-size:10pt}"
-    ".scroll,.bracket,pre{overflow:visible}pre{white-space:pre-wrap;overflow-wrap:anywhere}"
-    "h2{break-after:avoid}tr,li,svg{break-inside:avoid}}";
+using viewer::text_element;
 
-std::string element(const char* tag, std::string_view text, const char* kind = "") {
-  if (text.empty()) return {};
-  const std::string attribute = *kind == '\0' ? "" : fmt::format(" class=\"{}\"", kind);
-  return fmt::format("<{0}{1}>{2}</{0}>\n", tag, attribute, base::escape_xml(text));
-}
-
-std::string table_html(const ReportTable& table, const char* kind = "scroll") {
-  if (table.empty()) return {};
-  return element("h2", table.title) +
-         fmt::format("<div class=\"{}\">\n{}</div>\n", kind, table.table.format_html(table.title)) +
-         element("p", table.note, "note");
+std::string table_html(const ReportTable& table, std::string_view kind = "scroll") {
+  return viewer::table_section(table.title, table.table, table.note, kind);
 }
 
 // A step of 1, 2 or 5 times a power of ten that divides `range` into at most eight parts.
@@ -124,15 +84,15 @@ std::string ratings_chart(const Report& report) {
 std::string ratings_html(const Report& report) {
   const ReportTable table = ratings_table(report);
   if (table.empty()) return {};
-  return element("h2", table.title) + ratings_chart(report) + "<div class=\"scroll\">\n" +
-         table.table.format_html(table.title) + "</div>\n" + element("p", table.note, "note");
+  return text_element("h2", table.title) + ratings_chart(report) +
+         viewer::table_box(table.title, table.table) + text_element("p", table.note, "note");
 }
 
 std::string warnings_html(const Report& report) {
   const std::vector<std::string> lines = warning_lines(report);
   if (lines.empty()) return {};
   std::string text = fmt::format("<h2>{} warnings</h2>\n<ul>\n", lines.size());
-  for (const std::string& line : lines) text += element("li", line);
+  for (const std::string& line : lines) text += text_element("li", line);
   return text + "</ul>\n";
 }
 
@@ -142,9 +102,9 @@ std::string head_html(const Report& report) {
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
       "<title>{0}</title>\n<style>{1}{2}</style>\n</head>\n<body>\n<main>\n"
       "<header class=\"head\">\n<h1>{0}</h1>\n",
-      base::escape_xml(report.name), kStyle, kBracketStyle);
-  text += element("p", headline(report), "state");
-  for (const std::string& line : head_lines(report)) text += element("p", line);
+      base::escape_xml(report.name), viewer::report_style(), kBracketStyle);
+  text += text_element("p", headline(report), "state");
+  for (const std::string& line : head_lines(report)) text += text_element("p", line);
   return text + "</header>\n";
 }
 
@@ -167,7 +127,7 @@ std::string report_html(const Report& report) {
   text += table_html(failures_table(report), "scroll long");
   text += table_html(matches_table(report, MatchDetails::kLinks), "scroll dense");
   if (!report.matches.empty()) {
-    text += "<h2>rerun a match</h2>\n" + element("pre", rerun_lines(report));
+    text += "<h2>rerun a match</h2>\n" + text_element("pre", rerun_lines(report));
   }
   return text + fmt::format("</main>\n<footer>cls {}</footer>\n</body>\n</html>\n", base::kVersion);
 }

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -15,6 +16,9 @@
 #include "orchestration/tournament/schedule/schedule.h"
 
 namespace cls::orchestration::tournament {
+
+/// Name of the replay page in a match folder.
+inline constexpr const char* kReplayPage = "match.html";
 
 /// Numbers of matches by state.
 struct MatchCounts {
@@ -37,6 +41,7 @@ struct Report {
   std::span<const ScheduledMatch> matches;
   std::filesystem::path folder;     ///< of the tournament
   std::filesystem::path link_base;  ///< path from the document to `folder`, for links
+  std::set<int> replays;            ///< indices of matches with a replay page in their folder
   std::string name;                 ///< of the tournament: configured, or that of its folder
   MatchCounts counts;
   bool complete = false;

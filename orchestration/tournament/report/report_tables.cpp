@@ -11,6 +11,7 @@
 
 #include "base/text/counted.h"
 #include "base/text/percent_encoding.h"
+#include "base/text/printable.h"
 #include "orchestration/tournament/report/standings_columns.h"
 
 namespace cls::orchestration::tournament {
@@ -66,10 +67,11 @@ std::string time_text(const std::string& iso) {
 }
 
 // Links the last row of the table to the match's folder.
-void link_folder(const Report& report, const ScheduledMatch& match, std::size_t column,
-                 base::Table& table) {
+// Links to `file` in the folder of a match; "" is the folder.
+void link_folder(const Report& report, const ScheduledMatch& match, const char* file,
+                 std::size_t column, base::Table& table) {
   if (!match.outcome || match.outcome->folder.empty()) return;
-  const auto path = (report.link_base / match.outcome->folder / "").lexically_normal();
+  const auto path = (report.link_base / match.outcome->folder / file).lexically_normal();
   table.link_last_row(column, base::percent_encoded(path.string()));
 }
 
@@ -150,7 +152,7 @@ std::vector<std::string> warning_lines(const Report& report) {
   for (const ScheduledMatch& match : report.matches) {
     if (!match.outcome) continue;
     for (const std::string& warning : match.outcome->warnings) {
-      lines.push_back(fmt::format("{}: {}", match_text(report, match), warning));
+      lines.push_back(fmt::format("{}: {}", match_text(report, match), base::printable(warning)));
     }
   }
   return lines;
@@ -347,7 +349,7 @@ ReportTable failures_table(const Report& report) {
     table.add_row({fmt::to_string(match.fixture.index), report.team(match.fixture.left),
                    report.team(match.fixture.right), std::string(name(outcome.end_reason)),
                    outcome.message, outcome.folder.empty() ? "" : "logs"});
-    link_folder(report, match, 5, table);
+    link_folder(report, match, "", 5, table);
   }
   return result;
 }
@@ -364,7 +366,9 @@ ReportTable matches_table(const Report& report, MatchDetails details) {
   table.add_columns({"stage", "left"});
   table.add_column("score", Align::kRight);
   table.add_column("right");
+  const bool replays = links && !report.replays.empty();
   if (links) table.add_column("logs");
+  if (replays) table.add_column("replay");
   if (figures) {
     table.add_column("end reason");
     table.add_columns({"cycles", "seed"}, Align::kRight);
@@ -379,6 +383,8 @@ ReportTable matches_table(const Report& report, MatchDetails details) {
     const bool known = match.outcome.has_value();
     const Outcome outcome = match.outcome.value_or(Outcome());
     if (links) cells.emplace_back(outcome.folder.empty() ? "" : "logs");
+    const bool replay = replays && report.replays.contains(fixture.index);
+    if (replays) cells.emplace_back(replay ? "watch" : "");
     if (figures) {
       cells.emplace_back(known ? name(outcome.end_reason) : "not played");
       cells.push_back(known ? fmt::to_string(outcome.cycles) : "");
@@ -388,7 +394,8 @@ ReportTable matches_table(const Report& report, MatchDetails details) {
       cells.push_back(known ? fmt::to_string(outcome.warnings.size()) : "");
     }
     table.add_row(std::move(cells));
-    if (links) link_folder(report, match, kLinkColumn, table);
+    if (links) link_folder(report, match, "", kLinkColumn, table);
+    if (replay) link_folder(report, match, kReplayPage, kLinkColumn + 1, table);
   }
   return result;
 }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/system/version.h"
+#include "base/text/printable.h"
 #include "base/text/wrap_text.h"
 #include "orchestration/process/command_plan.h"
 #include "orchestration/tournament/report/report_bracket.h"
@@ -42,6 +43,16 @@ std::string format_markdown(const ReportTable& table) {
   std::string text = fmt::format("## {}\n\n", table.title);
   text += table.table.format_markdown();
   return text + (table.note.empty() ? "" : "\n" + table.note + "\n");
+}
+
+// Text of others outside of tables and code: Markdown may contain HTML.
+std::string without_markup(std::string_view text) {
+  std::string result;
+  for (const char c : base::printable(text)) {
+    if (c == '<') result += '\\';
+    result += c;
+  }
+  return result;
 }
 
 // A shell command in lines that end in a backslash, broken between arguments.
@@ -180,14 +191,17 @@ std::string report_text(const Report& report, const TextOptions& options) {
   for (const ReportTable& table : middle_tables(report, crosstable_within(report, width), false)) {
     text += "\n" + format_text(table, width);
   }
-  return text + format_endpoints(report, width) + format_warnings(report, options) +
-         format_matches(report, options) + format_failures(report, options);
+  return base::printable_lines(text + format_endpoints(report, width) +
+                               format_warnings(report, options) + format_matches(report, options) +
+                               format_failures(report, options));
 }
 
 std::string report_markdown(const Report& report) {
   constexpr std::size_t kTreeWidth = 120;
-  std::string text = fmt::format("# {}\n\n{}\n", report.name, headline(report));
-  for (const std::string& line : head_lines(report)) text += fmt::format("{}\n", line);
+  std::string text = fmt::format("# {}\n\n{}\n", without_markup(report.name), headline(report));
+  for (const std::string& line : head_lines(report)) {
+    text += fmt::format("{}\n", without_markup(line));
+  }
   for (const RankedTable& ranked : report.tables) {
     text += "\n" + format_markdown(standings_table(report, ranked, Headings::kLong));
   }
@@ -204,8 +218,10 @@ std::string report_markdown(const Report& report) {
     text += fmt::format("\n## {} warnings\n\n```text\n{}\n```\n", warnings.size(),
                         fmt::join(warnings, "\n"));
   }
-  if (report.matches.empty()) return text;
-  return text + fmt::format("\n## Rerun a match\n\n```sh\n{}```\n", rerun_lines(report));
+  if (!report.matches.empty()) {
+    text += fmt::format("\n## Rerun a match\n\n```sh\n{}```\n", rerun_lines(report));
+  }
+  return base::printable_lines(text);
 }
 
 }  // namespace cls::orchestration::tournament

@@ -14,17 +14,13 @@ namespace {
 constexpr auto kLeft = base::Table::Align::kLeft;
 constexpr auto kRight = base::Table::Align::kRight;
 
-Estimate strength(const Report& report, const Standing& row) {
-  return report.records[static_cast<std::size_t>(row.team)].strength();
-}
-
-std::string score_cell(const Report& report, const Standing& row) {
-  const Estimate known = strength(report, row);
+std::string score_cell(const Report& /*report*/, const Standing& row) {
+  const Estimate known = row.record.strength();
   return known.count == 0 ? "-" : fmt::format("{:.1f}", 100 * known.score);
 }
 
-std::string interval_cell(const Report& report, const Standing& row) {
-  const Estimate known = strength(report, row);
+std::string interval_cell(const Report& /*report*/, const Standing& row) {
+  const Estimate known = row.record.strength();
   if (known.count == 0) return "-";
   return fmt::format("{:.1f}..{:.1f}", 100 * known.score_interval.low,
                      100 * known.score_interval.high);

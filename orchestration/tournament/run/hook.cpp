@@ -41,7 +41,9 @@ void HookRunner::start(const std::string& name, const std::string& command,
   }
   const std::string line =
       fmt::format("exec <{}\n{}", process::shell_quoted(file.string()), command);
-  auto child = host_->start(process::shell_command(name, line));
+  process::CommandPlan plan = process::shell_command(name, line);
+  plan.folder = working_folder_;
+  auto child = host_->start(plan);
   if (!child) {
     errors_.push_back(child.error().message);
     return;

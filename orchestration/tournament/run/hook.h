@@ -14,8 +14,10 @@ namespace cls::orchestration::tournament {
 /// Runs commands concurrently with the matches, each with a document on its standard input.
 class HookRunner {
  public:
-  /// Documents are stored in `folder` while their command runs.
-  explicit HookRunner(std::filesystem::path folder) : folder_(std::move(folder)) {}
+  /// Commands run in `working_folder` (empty: that of cls). Documents are stored in `folder` while
+  /// their command runs.
+  HookRunner(std::filesystem::path folder, std::filesystem::path working_folder)
+      : folder_(std::move(folder)), working_folder_(std::move(working_folder)) {}
   HookRunner(const HookRunner&) = delete;
   HookRunner& operator=(const HookRunner&) = delete;
   /// Kills commands that still run.
@@ -35,6 +37,7 @@ class HookRunner {
   };
 
   std::filesystem::path folder_;
+  std::filesystem::path working_folder_;
   std::optional<process::ProcessHost> host_;
   std::vector<Running> running_;
   std::vector<std::string> errors_;

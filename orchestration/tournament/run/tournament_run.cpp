@@ -47,7 +47,7 @@ class TournamentRun {
         store_(std::move(store)),
         events_(std::move(events)),
         executor_(std::move(executor)),
-        hooks_(options.folder) {}
+        hooks_(options.folder, config_.folder) {}
 
   Result<RunSummary> run() {
     const auto done = play();
@@ -215,8 +215,8 @@ class TournamentRun {
     ScheduledMatch recorded = match;  // a match that is rerun has no outcome
     recorded.outcome = std::move(outcome);
     const Json document = json_of(config_, recorded);
-    if (auto logged =
-            log_event("match_finished", {{"match", index}, {"again", rerun}, {"result", document}});
+    if (auto logged = log_event(
+            "match_finished", {{"match", index}, {"again", rerun || stops}, {"result", document}});
         !logged) {
       return logged;
     }

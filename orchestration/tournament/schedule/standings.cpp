@@ -35,7 +35,12 @@ class Table {
       rows_.back().team = team;
       place_[team] = rows_.size() - 1;
     }
-    for (const ScheduledMatch& match : matches) add(match);
+    std::vector<ScheduledMatch> counted;
+    for (const ScheduledMatch& match : matches) {
+      if (add(match)) counted.push_back(match);
+    }
+    const std::vector<HeadToHead> met = head_to_heads(counted);
+    for (Standing& standing : rows_) standing.record = record_of(standing.team, met);
     for (const Bye& bye : byes) {
       if (!place_.contains(bye.team)) continue;
       ++row(bye.team).byes;
@@ -65,19 +70,22 @@ class Table {
 
   Standing& row(int team) { return rows_[place_.at(team)]; }
 
-  void add(const ScheduledMatch& match) {
+  // False for a match without a result, and for one of other teams.
+  bool add(const ScheduledMatch& match) {
     const Fixture& fixture = match.fixture;
-    if (!match.outcome || !place_.contains(fixture.left) || !place_.contains(fixture.right)) return;
+    if (!match.outcome || !place_.contains(fixture.left) || !place_.contains(fixture.right)) {
+      return false;
+    }
     const Outcome& outcome = *match.outcome;
     if (!outcome.counts()) {
       ++row(fixture.left).invalid;
       ++row(fixture.right).invalid;
-      return;
+      return true;
     }
     const int sign = winner_sign(outcome);
     add_side(fixture.left, fixture.right, sign, outcome.left_score, outcome.right_score);
     add_side(fixture.right, fixture.left, -sign, outcome.right_score, outcome.left_score);
-    if (sign == 0) return;
+    if (sign == 0) return true;
     Standing& winner = row(sign > 0 ? fixture.left : fixture.right);
     Standing& loser = row(sign > 0 ? fixture.right : fixture.left);
     if (outcome.forfeit) {
@@ -87,6 +95,7 @@ class Table {
       ++winner.shoot_outs.won;
       ++loser.shoot_outs.lost;
     }
+    return true;
   }
 
   void add_side(int team, int opponent, int sign, int goals_for, int goals_against) {

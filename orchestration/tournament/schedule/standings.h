@@ -29,6 +29,7 @@ struct Standing {
   double buchholz = 0.0;          ///< sum of the opponents' points
   double median_buchholz = 0.0;   ///< without the highest and the lowest
   double sonneborn_berger = 0.0;  ///< points of beaten opponents, half of those drawn with
+  TeamRecord record;              ///< over the matches of this table
   std::string separated_by;       ///< the tiebreaker that ranked it below the team above, or empty
 
   int goal_difference() const { return goals_for - goals_against; }

@@ -10,7 +10,7 @@
 #include <thread>
 
 #include "base/io/whole_file.h"
-#include "base/system/host.h"
+#include "orchestration/match/result/match_folder.h"
 #include "orchestration/tournament/store/folder.h"
 #include "orchestration/tournament/store/match_attempt.h"
 
@@ -34,20 +34,18 @@ std::optional<WorkResultName> parse_result_name(const std::string& name) {
 }
 
 // Distinct from every other process that plays the same match.
-std::string process_label() {
-  std::string host = base::host_name();
-  std::replace(host.begin(), host.end(), '/', '-');
-  return fmt::format("{}-{}", host, ::getpid());
-}
+std::string process_label() { return fmt::format("{}-{}", unfinished_host(), ::getpid()); }
 
 // Renames the match folder to its final name. A folder that an aborted process left there is
-// replaced. Returns the resulting name.
+// replaced, one with a result is not: another process has played the match. Returns the resulting
+// name.
 fs::path publish_folder(const fs::path& tournament, const fs::path& unfinished,
                         const fs::path& final_name) {
   std::error_code code;
   fs::create_directories((tournament / final_name).parent_path(), code);
   fs::rename(tournament / unfinished, tournament / final_name, code);
   if (!code) return final_name;
+  if (fs::exists(tournament / final_name / match::kResultFile, code)) return unfinished;
   fs::remove_all(tournament / final_name, code);
   fs::rename(tournament / unfinished, tournament / final_name, code);
   return code ? unfinished : final_name;
@@ -60,7 +58,8 @@ Result<Outcome> publish_result(const fs::path& tournament, const Fixture& fixtur
   const fs::path own = file.string() + "." + process_label();
   std::error_code code;
   fs::create_directories(file.parent_path(), code);
-  if (const auto written = base::write_file(own, format_work_result(fixture, outcome)); !written) {
+  if (const auto written = base::write_file_durably(own, format_work_result(fixture, outcome));
+      !written) {
     return written.error();
   }
   fs::create_hard_link(own, file, code);

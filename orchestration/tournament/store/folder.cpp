@@ -5,13 +5,16 @@
 #include <fmt/format.h>
 #include <sys/file.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
 #include <iterator>
 
 #include "base/io/whole_file.h"
+#include "base/system/host.h"
 #include "orchestration/tournament/config/config_file.h"
+#include "orchestration/tournament/schedule/schedule_check.h"
 #include "orchestration/tournament/store/collector.h"
 #include "orchestration/tournament/store/match_document.h"
 #include "orchestration/tournament/store/store.h"
@@ -36,6 +39,12 @@ fs::path match_folder(const TournamentConfig& config, const Fixture& fixture, in
 
 fs::path result_file(int index, int attempt) {
   return fs::path(kResultsFolder) / fmt::format("{:06}.{}.json", index, attempt);
+}
+
+std::string unfinished_host() {
+  std::string host = base::host_name();
+  std::replace(host.begin(), host.end(), '/', '-');
+  return host;
 }
 
 fs::path unfinished_folder(int index, int attempt, std::string_view label) {
@@ -63,36 +72,46 @@ Result<TournamentConfig> read_plan(const fs::path& folder) {
   }
   ParsedConfig parsed = read_config(folder / kPlanFile);
   if (!parsed.errors.empty()) return Error{parsed.errors.front()};
+  // The plan was valid when cls wrote it.
+  if (const auto errors = validate(parsed.config); !errors.empty()) {
+    return Error{fmt::format("{}: not the plan of a tournament: {}", (folder / kPlanFile).string(),
+                             errors.front())};
+  }
   return std::move(parsed.config);
 }
 
-Result<void> prepare_folder(const fs::path& folder, const TournamentConfig& config) {
+Result<void> check_plan(const fs::path& folder, const TournamentConfig& config) {
+  if (!holds_plan(folder)) return {};
   std::error_code code;
-  fs::create_directories(folder, code);
-  if (code || !fs::is_directory(folder, code)) {
-    return Error{fmt::format("cannot create folder {}: {}", folder.string(),
-                             code ? code.message() : "not a folder")};
-  }
   const bool begun =
       fs::exists(folder / kStoreFile, code) || fs::exists(folder / kResultsFolder, code);
-  if (holds_plan(folder) && begun) {
-    const auto before = read_plan(folder);
-    if (!before) return before.error();
-    const std::string difference = first_difference(config, *before);
-    if (!difference.empty()) {
-      return Error{
-          fmt::format("{} holds another plan: {}; --force renames the old folder and "
-                      "starts again",
-                      folder.string(), difference)};
-    }
+  const auto before = read_plan(folder);
+  if (!before && begun) return before.error();
+  const std::string difference = before ? first_difference(config, *before) : "unreadable";
+  if (difference.empty()) return {};
+  if (!begun) {
+    fs::remove(folder / kScheduleFile, code);
+    return {};
   }
-  return base::write_file(folder / kPlanFile, format_config(config));
+  return Error{
+      fmt::format("{} holds another plan: {}; --force renames the old folder and starts again",
+                  folder.string(), difference)};
+}
+
+Result<void> write_plan(const fs::path& folder, const TournamentConfig& config) {
+  if (auto created = base::create_folders(folder); !created) return created;
+  return base::write_file_durably(folder / kPlanFile, format_config(config));
+}
+
+Result<void> prepare_folder(const fs::path& folder, const TournamentConfig& config) {
+  if (auto checked = check_plan(folder, config); !checked) return checked;
+  return write_plan(folder, config);
 }
 
 Result<void> write_schedule(const fs::path& folder, const std::vector<ScheduledMatch>& matches) {
   std::string text;
   for (const ScheduledMatch& match : matches) text += format_fixture(match.fixture);
-  return base::write_file(folder / kScheduleFile, text);
+  return base::write_file_durably(folder / kScheduleFile, text);
 }
 
 namespace {
@@ -126,6 +145,39 @@ Result<Fixture> read_fixture(const fs::path& schedule, int index) {
   return *std::move(found);
 }
 
+namespace {
+
+Error corrupt(const fs::path& file, const Error& error) {
+  return Error{
+      fmt::format("{}: {}: the file is corrupt or was changed", file.string(), error.message)};
+}
+
+std::vector<ScheduledMatch> schedule_in(const fs::path& folder) {
+  std::vector<ScheduledMatch> matches;
+  const auto read = read_schedule(folder / kScheduleFile, [&](Fixture fixture) {
+    matches.push_back(planned(std::move(fixture)));
+    return true;
+  });
+  if (!read) matches.clear();
+  return matches;
+}
+
+// schedule.jsonl is written before the store. Matches that the store lacks were not played.
+Result<void> add_scheduled(const fs::path& folder, std::vector<ScheduledMatch>& matches) {
+  std::vector<ScheduledMatch> scheduled = schedule_in(folder);
+  for (std::size_t i = 0; i < std::min(matches.size(), scheduled.size()); ++i) {
+    if (matches[i].fixture == scheduled[i].fixture) continue;
+    return corrupt(folder / kStoreFile,
+                   {fmt::format("match {} is not that of {}", i + 1, kScheduleFile)});
+  }
+  for (std::size_t i = matches.size(); i < scheduled.size(); ++i) {
+    matches.push_back(std::move(scheduled[i]));
+  }
+  return {};
+}
+
+}  // namespace
+
 Result<TournamentState> read_tournament(const fs::path& folder) {
   TournamentState state;
   auto config = read_plan(folder);
@@ -138,6 +190,11 @@ Result<TournamentState> read_tournament(const fs::path& folder) {
     auto matches = store->matches();
     if (!matches) return matches.error();
     state.matches = *std::move(matches);
+    state.stored = state.matches.size();
+    if (const auto rows = check_rows(state.config, state.matches); !rows) {
+      return corrupt(folder / kStoreFile, rows.error());
+    }
+    if (auto added = add_scheduled(folder, state.matches); !added) return added.error();
     const auto lock = FolderLock::try_lock(folder);
     if (lock && !*lock) {
       auto running = store->running();
@@ -150,6 +207,9 @@ Result<TournamentState> read_tournament(const fs::path& folder) {
       return true;
     });
     if (!read) return read.error();
+  }
+  if (const auto rows = check_rows(state.config, state.matches); !rows) {
+    return corrupt(folder / kScheduleFile, rows.error());
   }
   for (WorkResult& result : collect_work_results(folder, state.matches)) {
     state.matches[static_cast<std::size_t>(result.index) - 1].outcome = std::move(result.outcome);

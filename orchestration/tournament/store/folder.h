@@ -33,6 +33,10 @@ std::filesystem::path match_folder(const TournamentConfig& config, const Fixture
 /// "results/000017.1.json".
 std::filesystem::path result_file(int index, int attempt);
 
+/// The host in the label of a `work` process, HOST-PID: the name of this one as part of a file
+/// name.
+std::string unfinished_host();
+
 /// "unfinished/000017.1.LABEL": match folder of one `work` process; `label` identifies it.
 std::filesystem::path unfinished_folder(int index, int attempt, std::string_view label);
 
@@ -48,8 +52,14 @@ class FolderLock {
   base::UniqueFd file_;
 };
 
-/// Writes the plan of the valid `config` to `folder`. An error when a tournament with another plan
-/// has begun there; it names the first difference.
+/// An error when a tournament with another plan has begun in `folder`; it names the first
+/// difference.
+base::Result<void> check_plan(const std::filesystem::path& folder, const TournamentConfig& config);
+
+/// Creates `folder` and writes the plan of the valid `config`, which passed check_plan().
+base::Result<void> write_plan(const std::filesystem::path& folder, const TournamentConfig& config);
+
+/// Both.
 base::Result<void> prepare_folder(const std::filesystem::path& folder,
                                   const TournamentConfig& config);
 
@@ -68,10 +78,12 @@ base::Result<Fixture> read_fixture(const std::filesystem::path& schedule, int in
 struct TournamentState {
   TournamentConfig config;
   std::vector<ScheduledMatch> matches;  ///< by number
+  std::size_t stored = 0;               ///< of these, in the store; the others were not played
   std::vector<int> running;             ///< numbers, ascending; empty without a running `run`
 };
 
-/// Reads plan, store and result files of `work`, without writing.
+/// Reads plan, store and result files of `work`, without writing. An error if they contradict each
+/// other.
 base::Result<TournamentState> read_tournament(const std::filesystem::path& folder);
 
 }  // namespace cls::orchestration::tournament

@@ -5,10 +5,13 @@
 #include <signal.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <string_view>
 #include <utility>
 
 #include "base/io/whole_file.h"
 #include "base/system/host.h"
+#include "base/text/number_text.h"
 #include "orchestration/match/options/endpoint.h"
 #include "orchestration/match/options/server_choice.h"
 #include "orchestration/match/result/match_folder.h"
@@ -62,14 +65,38 @@ bool is_external(const TeamEntry& team) {
   return endpoint && endpoint->kind == match::Endpoint::Kind::kTeam;
 }
 
+// True for the label of a `work` process that runs on this host (process_label in collector.cpp).
+bool is_running(std::string_view label) {
+  const std::string host = unfinished_host();
+  if (!label.starts_with(host + "-")) return false;
+  const auto pid = base::parse_int(label.substr(host.size() + 1));
+  return pid && *pid > 0 && (::kill(*pid, 0) == 0 || errno == EPERM);
+}
+
 // Removes the folders of killed `work` processes.
 void remove_unfinished(const fs::path& tournament, int index, int attempt) {
   const std::string prefix = unfinished_folder(index, attempt, "").filename().string();
   std::error_code code;
   for (const auto& entry : fs::directory_iterator(tournament / kUnfinishedFolder, code)) {
     std::error_code ignored;
-    if (entry.path().filename().string().starts_with(prefix)) fs::remove_all(entry.path(), ignored);
+    const std::string name = entry.path().filename().string();
+    if (!name.starts_with(prefix) || is_running(std::string_view(name).substr(prefix.size()))) {
+      continue;
+    }
+    fs::remove_all(entry.path(), ignored);
   }
+}
+
+// The reason in the output of a `cls match` without a result: its last message, else its last line.
+std::string reason_in(const std::vector<std::string>& output,
+                      const process::Child::Status& status) {
+  constexpr std::string_view kMessage = "cls: ";
+  std::string last_line;
+  for (auto line = output.rbegin(); line != output.rend(); ++line) {
+    if (line->starts_with(kMessage)) return line->substr(kMessage.size());
+    if (last_line.empty() && line->find_first_not_of(' ') != std::string::npos) last_line = *line;
+  }
+  return last_line.empty() ? to_text(status.exit.value_or(process::ProcessExit{})) : last_line;
 }
 
 bool interrupted(const Outcome& outcome) {
@@ -98,6 +125,7 @@ process::CommandPlan match_plan(const TournamentConfig& config, const Fixture& f
   add_option(plan.argv, "--left-name", left.name);
   add_option(plan.argv, "--right-name", right.name);
   if (is_external(left) || is_external(right)) plan.argv.emplace_back("--own-names");
+  plan.argv.emplace_back("--rated");
   add_option(plan.argv, "--seed", fmt::to_string(fixture.seed));
   add_option(plan.argv, "--cycles", config.cycles);
   add_option(plan.argv, "--half-time", config.half_time);
@@ -178,10 +206,8 @@ Result<std::optional<Outcome>> MatchAttempt::outcome() const {
     outcome.end_reason = match::EndReason::kServerFailed;
     outcome.message = "cls match was " + to_text(*status.exit);
   } else {
-    const std::vector<std::string> lines = child_->last_lines(1);
-    return Error{fmt::format(
-        "match {} cannot be played: {}", fixture_.index,
-        lines.empty() ? to_text(status.exit.value_or(process::ProcessExit{})) : lines.front())};
+    return Error{fmt::format("match {} cannot be played: {}", fixture_.index,
+                             reason_in(child_->last_lines(), status))};
   }
   outcome.attempts = number_;
   outcome.folder = folder_.string();

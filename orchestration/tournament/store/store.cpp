@@ -8,6 +8,8 @@
 #include <utility>
 
 #include "base/catch_as_error.h"
+#include "base/text/percent_encoding.h"
+#include "base/text/stored_formats.h"
 #include "orchestration/tournament/store/match_document.h"
 
 namespace cls::orchestration::tournament {
@@ -17,7 +19,6 @@ using base::Error;
 using base::Result;
 
 // Version 2 replaced one column for each member of an outcome by the JSON column `outcome`.
-constexpr int kSchemaVersion = 2;
 constexpr int kBusyTimeoutMs = 5000;
 
 // The generated columns keep the names of version 1, so that users' queries still work. Like
@@ -115,11 +116,11 @@ int schema_version(const SQLite::Database& database) {
 }
 
 void check_not_newer(int version) {
-  if (version <= kSchemaVersion) return;
+  if (version <= base::kStoreSchema) return;
   throw SQLite::Exception(
       fmt::format("schema version {} is newer than this cls supports ({}); "
                   "use the cls that wrote it",
-                  version, kSchemaVersion));
+                  version, base::kStoreSchema));
 }
 
 // Creates the tables of an empty database, or those that replace version 1.
@@ -134,7 +135,7 @@ void update_schema(SQLite::Database& database) {
                     "DROP TABLE match_1;",
                     kScheduleColumns, kOutcomeOfVersion1));
   }
-  database.exec(fmt::format("PRAGMA user_version = {}", kSchemaVersion));
+  database.exec(fmt::format("PRAGMA user_version = {}", base::kStoreSchema));
   transaction.commit();
 }
 
@@ -198,23 +199,52 @@ Result<Store> Store::open(const std::filesystem::path& file) {
     database->exec("PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL;");
     const int version = schema_version(*database);
     check_not_newer(version);
-    if (version < kSchemaVersion) update_schema(*database);
+    if (version < base::kStoreSchema) update_schema(*database);
     return Store(std::move(database));
   });
 }
+
+namespace {
+
+// "file:/home/ada/my%20cup/tournament.db?immutable=1"
+std::string immutable_uri(const std::filesystem::path& file) {
+  return "file:" + base::percent_encoded(std::filesystem::absolute(file).string()) + "?immutable=1";
+}
+
+// A reader of a WAL database writes too: the shared index beside the file. Where the folder is
+// read-only, the file alone is the database, unless a `run` that was killed has left a log.
+std::unique_ptr<SQLite::Database> database_to_read(const std::filesystem::path& file) {
+  try {
+    auto database =
+        std::make_unique<SQLite::Database>(file.string(), SQLite::OPEN_READWRITE, kBusyTimeoutMs);
+    check_not_newer(schema_version(*database));
+    return database;
+  } catch (const SQLite::Exception& error) {
+    constexpr int kReadOnly = 8;     // SQLITE_READONLY
+    constexpr int kCannotOpen = 14;  // SQLITE_CANTOPEN
+    if (error.getErrorCode() != kReadOnly && error.getErrorCode() != kCannotOpen) throw;
+    std::error_code code;
+    const auto log_bytes = std::filesystem::file_size(file.string() + "-wal", code);
+    if (!code && log_bytes > 0) {
+      throw SQLite::Exception(
+          "a killed run has left results in tournament.db-wal, and the folder is read-only; copy "
+          "the folder");
+    }
+  }
+  auto database = std::make_unique<SQLite::Database>(
+      immutable_uri(file), SQLite::OPEN_READONLY | SQLite::OPEN_URI, kBusyTimeoutMs);
+  check_not_newer(schema_version(*database));
+  return database;
+}
+
+}  // namespace
 
 Result<Store> Store::open_to_read(const std::filesystem::path& file) {
   std::error_code code;
   if (!std::filesystem::exists(file, code)) {
     return Error{fmt::format("{}: no such file", file.string())};
   }
-  return guarded(file.string(), [&] {
-    // WAL readers write too: the shared index beside the file.
-    auto database =
-        std::make_unique<SQLite::Database>(file.string(), SQLite::OPEN_READWRITE, kBusyTimeoutMs);
-    check_not_newer(schema_version(*database));
-    return Store(std::move(database));
-  });
+  return guarded(file.string(), [&] { return Store(database_to_read(file)); });
 }
 
 Result<std::vector<ScheduledMatch>> Store::matches() const {

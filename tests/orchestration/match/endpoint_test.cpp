@@ -47,7 +47,7 @@ TEST(Endpoint, ReportsErrorAndAllForms) {
   EXPECT_EQ(error_of("moc"),
             "unknown side 'moc'; did you mean 'mock'? (a side is mock, mock:BEHAVIOR, "
             "mock:FILE.json, HOST:PORT, HOST:PORT+step, tls:HOST:PORT, unix:PATH, "
-            "run:COMMAND or team:DIR)");
+            "run:COMMAND, team:DIR or mix:AGENTS=SIDE;...)");
   EXPECT_NE(error_of("brain").find("unknown side 'brain' (a side is"), std::string::npos);
   EXPECT_EQ(error_of("localhost:0"), "side 'localhost:0': port 0 is not within 1 to 65535");
   EXPECT_EQ(error_of("localhost:70000"),
@@ -67,6 +67,46 @@ TEST(Endpoint, ReportsErrorAndAllForms) {
   for (const char* text : {"", "localhost:", "localhost:x", "localhost:5+stop", "a:5x"}) {
     EXPECT_NE(error_of(text).find("unknown side"), std::string::npos) << text;
   }
+}
+
+TEST(Endpoint, ParsesPartsOfMixedSide) {
+  const auto mixed = parse_endpoint(
+      "mix: goalie = mock:hold; 2-4,forwards=run:cd team; ./run {port}\n;others=localhost:50051");
+  ASSERT_TRUE(mixed) << mixed.error().message;
+  EXPECT_EQ(mixed->kind, Endpoint::Kind::kMixed);
+  EXPECT_TRUE(mixed->starts_programs());
+  EXPECT_FALSE(mixed->has_one_playmaker());
+  ASSERT_EQ(mixed->parts.size(), 3U);
+  EXPECT_EQ(mixed->parts[0].behavior, "hold");
+  EXPECT_EQ(mixed->parts[0].agents, std::vector<int>({1}));
+  EXPECT_EQ(mixed->parts[1].label, "2-4,forwards");
+  EXPECT_EQ(mixed->parts[1].command, "cd team; ./run {port}") << "the shell's own separator";
+  EXPECT_EQ(mixed->parts[1].agents, std::vector<int>({2, 3, 4, 9, 10, 11}));
+  EXPECT_EQ(mixed->parts[2].port, 50051);
+  EXPECT_EQ(mixed->parts[2].agents, std::vector<int>({5, 6, 7, 8, 12})) << "and the coach";
+}
+
+TEST(Endpoint, GivesCoachToFirstPart) {
+  EXPECT_EQ(parse_endpoint("mix:1=mock;2-11=mock:hold")->parts[0].agents, std::vector({1, 12}));
+  const auto elsewhere = parse_endpoint("mix:players=mock;coach=localhost:50051");
+  EXPECT_EQ(elsewhere->parts[1].agents, std::vector({12}));
+}
+
+TEST(Endpoint, ReportsErrorsOfMixedSide) {
+  EXPECT_EQ(error_of("mix:"), "side 'mix:': '' is not AGENTS=SIDE");
+  EXPECT_EQ(error_of("mix:mock"), "side 'mix:mock': 'mock' is not AGENTS=SIDE");
+  EXPECT_EQ(error_of("mix:1-9=mock"),
+            "side 'mix:1-9=mock': player 10 has no part; add others=SIDE");
+  EXPECT_EQ(error_of("mix:players=mock;7=mock"),
+            "side 'mix:players=mock;7=mock': player 7 has two parts");
+  EXPECT_EQ(error_of("mix:players=mock;others=mock;coach=mock"),
+            "side 'mix:players=mock;others=mock;coach=mock': no player is left for 'others'");
+  EXPECT_NE(error_of("mix:golie=mock;others=mock").find("did you mean 'goalie'?"),
+            std::string::npos);
+  EXPECT_NE(error_of("mix:12=mock;others=mock").find("'12' is no player"), std::string::npos);
+  EXPECT_NE(error_of("mix:1=team:helios;others=mock").find("'team:helios' cannot be a part"),
+            std::string::npos);
+  EXPECT_NE(error_of("mix:1=moc;others=mock").find("did you mean 'mock'?"), std::string::npos);
 }
 
 TEST(TeamNames, AreDerivedFromEndpoint) {

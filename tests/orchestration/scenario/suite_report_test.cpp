@@ -36,6 +36,7 @@ struct Sample {
     failed.seconds = 0.25;
     failed.checks = {{"a <name> & \"more\"", 9, false, 0, 1, "the score is 1 : 0,\n50% off", 7}};
     failed.replay = "runs/test/bad-seed-7";
+    failed.page = "runs/test/bad-seed-7/match.html";
     failed.rerun = "cls test tests/bad.json --seed 7";
     ScenarioVerdict not_played;
     not_played.scenario = &skipped;
@@ -54,6 +55,7 @@ TEST(SuiteReport, TextNamesFailureLocationAndRerunCommand) {
             "      tests/bad.json: line 9, seed 7: a <name> & \"more\": the score is 1 : 0,\n50% "
             "off\n"
             "      logs: runs/test/bad-seed-7\n"
+            "      watch: runs/test/bad-seed-7/match.html\n"
             "      rerun: cls test tests/bad.json --seed 7\n");
   EXPECT_EQ(to_text(sample.suite.scenarios[2]), "skip  skipped: no side under test\n");
   EXPECT_EQ(summary(sample.suite, 1.25), "1 passed, 1 failed, 1 skipped in 1.2 s\n");
@@ -99,20 +101,36 @@ TEST(SuiteReport, JsonContainsEveryCheck) {
   EXPECT_EQ(json["scenarios"][1]["checks"][0]["line"], 9);
   EXPECT_EQ(json["scenarios"][1]["checks"][0]["seed"], 7);
   EXPECT_EQ(json["scenarios"][1]["repeat"], "cls test tests/bad.json --seed 7");
+  EXPECT_EQ(json["scenarios"][1]["page"], "runs/test/bad-seed-7/match.html");
 }
 
 TEST(SuiteReport, AnnotationsEscapeControlCharacters) {
   const Sample sample;
-  EXPECT_EQ(to_annotations(sample.suite),
-            "::error file=tests/bad.json,line=9,title=scenario bad::line 9, seed 7: a <name> & "
-            "\"more\": the score is 1 : 0,%0A50%25 off%0Arerun: cls test tests/bad.json --seed "
-            "7\n");
+  EXPECT_EQ(
+      to_annotations(sample.suite),
+      "::error file=tests/bad.json,line=9,title=scenario bad::line 9, seed 7: a <name> & "
+      "\"more\": the score is 1 : 0,%0A50%25 off%0Awatch: runs/test/bad-seed-7/match.html%0Arerun: "
+      "cls test tests/bad.json --seed 7\n");
+}
+
+TEST(SuiteReport, MarkdownNamesThePageOfEachFailure) {
+  Sample sample;
+  EXPECT_EQ(to_markdown(sample.suite),
+            "### cls test: 1 passed, 1 failed, 1 skipped\n\n"
+            "| scenario | failure | replay page | rerun |\n"
+            "|---|---|---|---|\n"
+            "| bad | line 9, seed 7: a \\<name> & \"more\": the score is 1 : 0, | "
+            "runs/test/bad-seed-7/match.html | cls test tests/bad.json --seed 7 |\n");
+  sample.suite.scenarios.pop_back();
+  sample.suite.scenarios.pop_back();
+  EXPECT_EQ(to_markdown(sample.suite), "### cls test: 1 passed, 0 failed, 0 skipped\n");
 }
 
 TEST(SuiteReport, JUnitIsValid) {
   const Sample sample;
   const std::string xml = to_junit(sample.suite);
   EXPECT_NE(xml.find("a &lt;name&gt; &amp; &quot;more&quot;"), std::string::npos) << xml;
+  EXPECT_NE(xml.find("[[ATTACHMENT|runs/test/bad-seed-7/match.html]]"), std::string::npos) << xml;
   const auto errors = tests::junit_errors(xml);
   if (!errors) GTEST_SKIP() << "no xmllint (package libxml2-utils)";
   EXPECT_EQ(*errors, "");

@@ -99,6 +99,33 @@ TEST(Config, ReportsTomlSyntaxErrorsWithTheirLine) {
   EXPECT_EQ(parsed.errors[0].rfind("f.toml:2: ", 0), 0u) << parsed.errors[0];
 }
 
+TEST(Config, SuggestsTablesOfTeams) {
+  const ParsedConfig parsed = parse_config("[teams]\nRED = \"mock\"\n", "cls.toml");
+  ASSERT_EQ(parsed.errors.size(), 1u);
+  EXPECT_EQ(parsed.errors[0], "cls.toml:2: 'RED' must be a table, [teams.RED] with an endpoint");
+}
+
+// toml++ recurses into the parts of a key.
+TEST(Config, RejectsKeysOfTooManyParts) {
+  std::string key = "a";
+  for (int i = 0; i < 50'000; ++i) key += ".a";
+  for (const std::string& text : {"\n" + key + " = 1\n", "\n[" + key + "]\n"}) {
+    const ParsedConfig parsed = parse_config(text, "cls.toml");
+    ASSERT_EQ(parsed.errors.size(), 1u);
+    EXPECT_EQ(parsed.errors[0], "cls.toml:2: a key of more than 1000 parts");
+  }
+}
+
+TEST(Config, RejectsSchedulesThatFillTheMemory) {
+  TournamentConfig config;
+  for (int i = 0; i < 1001; ++i) config.teams.push_back({"T" + std::to_string(i), "mock"});
+  EXPECT_EQ(validate(config).at(0), "a tournament has at most 1000 teams, there are 1001");
+  config.teams.resize(1000);
+  EXPECT_TRUE(validate(config).empty());
+  config.rounds = 1'000'000;
+  EXPECT_NE(validate(config).at(0).find("at most 1000000 are possible"), std::string::npos);
+}
+
 TEST(Config, RejectsContradictions) {
   TournamentConfig config = parse_config(kWhole, "").config;
   config.gauntlet = {"NEWW"};

@@ -83,18 +83,23 @@ TEST(Sprt, LikelihoodRatiosMatchOtherTools) {
   EXPECT_NEAR(llr({50, 40, 70}, 0, 35), 1.608825, 1e-6);
 }
 
+Hypotheses elo_hypotheses(double elo0, double elo1) {
+  return {score_from_elo(elo0), score_from_elo(elo1), 0.05, 0.05};
+}
+
 TEST(Sprt, DecidesEdgeCases) {
-  const SprtSettings settings;
-  EXPECT_NEAR(settings.upper(), 2.944, 1e-3);
-  EXPECT_NEAR(settings.lower(), -2.944, 1e-3);
-  const double s0 = score_from_elo(settings.elo0);
-  const double s1 = score_from_elo(settings.elo1);
-  EXPECT_EQ(sprt_state({0, 0, 0, 0, 0}, s0, s1, settings).decision, SprtDecision::kOpen);
-  EXPECT_EQ(sprt_state({0, 0, 0, 0, 0}, s0, s1, settings).llr, 0.0);
-  EXPECT_EQ(sprt_state({0, 0, 0, 0, 3}, s0, s1, settings).decision, SprtDecision::kOpen);
-  EXPECT_EQ(sprt_state({0, 0, 0, 0, 60}, s0, s1, settings).decision, SprtDecision::kH1);
-  EXPECT_EQ(sprt_state({60, 0, 0, 0, 0}, s0, s1, settings).decision, SprtDecision::kH0);
-  EXPECT_EQ(sprt_state({0, 0, 500, 0, 0}, s0, s1, settings).decision, SprtDecision::kH0);
+  const Hypotheses hypotheses = elo_hypotheses(0, 40);
+  EXPECT_NEAR(upper_llr(hypotheses), 2.944, 1e-3);
+  EXPECT_NEAR(lower_llr(hypotheses), -2.944, 1e-3);
+  const auto decision = [&](const Frequencies& seen) {
+    return sprt_state(seen, hypotheses).decision;
+  };
+  EXPECT_EQ(decision({0, 0, 0, 0, 0}), Decision::kOpen);
+  EXPECT_EQ(sprt_state({0, 0, 0, 0, 0}, hypotheses).llr, 0.0);
+  EXPECT_EQ(decision({0, 0, 0, 0, 3}), Decision::kOpen);
+  EXPECT_EQ(decision({0, 0, 0, 0, 60}), Decision::kH1);
+  EXPECT_EQ(decision({60, 0, 0, 0, 0}), Decision::kH0);
+  EXPECT_EQ(decision({0, 0, 500, 0, 0}), Decision::kH0);
   // Extreme bounds still give finite values.
   for (const double huge : {100.0, 1000.0, 5000.0}) {
     const double llr =
@@ -127,22 +132,20 @@ struct ErrorRate {
   double length = 0.0;
 };
 
-ErrorRate simulate(double elo, const SprtSettings& settings, int runs) {
+ErrorRate simulate(double elo, const Hypotheses& hypotheses, int runs) {
   constexpr int kMaxPairs = 100'000;
-  const double s0 = score_from_elo(settings.elo0);
-  const double s1 = score_from_elo(settings.elo1);
   ErrorRate rate;
   for (int run = 0; run < runs; ++run) {
     Opponents opponents(elo, static_cast<std::uint64_t>(run) + 1);
     Frequencies seen(5);
     SprtState state;
     int pairs = 0;
-    for (; state.decision == SprtDecision::kOpen && pairs < kMaxPairs; ++pairs) {
+    for (; state.decision == Decision::kOpen && pairs < kMaxPairs; ++pairs) {
       seen[opponents.pair()] += 1;
-      state = sprt_state(seen, s0, s1, settings);
+      state = sprt_state(seen, hypotheses);
     }
-    EXPECT_NE(state.decision, SprtDecision::kOpen);
-    rate.h1 += state.decision == SprtDecision::kH1;
+    EXPECT_NE(state.decision, Decision::kOpen);
+    rate.h1 += state.decision == Decision::kH1;
     rate.length += pairs;
   }
   rate.h1 /= runs;
@@ -157,11 +160,9 @@ TEST(Sprt, ErrorRatesStayWithinAlphaAndBeta) {
   std::vector<std::pair<double, double>> bounds = {{0.0, 80.0}, {0.0, 160.0}};
   if (full) bounds.insert(bounds.begin(), {0.0, 40.0});
   for (const auto& [elo0, elo1] : bounds) {
-    SprtSettings settings;
-    settings.elo0 = elo0;
-    settings.elo1 = elo1;
-    const ErrorRate at_h0 = simulate(elo0, settings, runs);
-    const ErrorRate at_h1 = simulate(elo1, settings, runs);
+    const Hypotheses hypotheses = elo_hypotheses(elo0, elo1);
+    const ErrorRate at_h0 = simulate(elo0, hypotheses, runs);
+    const ErrorRate at_h1 = simulate(elo1, hypotheses, runs);
     // Three standard errors above the nominal rate.
     const double max_rate = 0.05 + 3 * std::sqrt(0.05 * 0.95 / runs);
     EXPECT_LE(at_h0.h1, max_rate) << elo1;
@@ -173,10 +174,9 @@ TEST(Sprt, ErrorRatesStayWithinAlphaAndBeta) {
 
 // Within a tenth of the simulated lengths that docs/tournaments.md lists.
 TEST(Sprt, PredictsItsLength) {
-  const SprtSettings settings;
   constexpr double kVariance = 0.15;
   const auto pairs = [&](double llr, double mean, double elo) {
-    return expected_results(llr, mean, kVariance, 0.5, score_from_elo(elo), settings);
+    return expected_results(llr, mean, kVariance, elo_hypotheses(0, elo));
   };
   EXPECT_NEAR(pairs(0, 0.5, 40), 247, 25);
   EXPECT_NEAR(pairs(0, score_from_elo(40), 40), 251, 25);
@@ -270,8 +270,8 @@ TEST(Comparison, SchedulesPairsOnOneSeedUntilDecided) {
   EXPECT_NE(fixtures[1].seed, fixtures[2].seed);
   const auto matches = play(comparison, better_wins);
   const ComparisonVerdict known = verdict(comparison, matches);
-  EXPECT_EQ(known.state.decision, SprtDecision::kH1);
-  EXPECT_LT(total(known.samples), 50) << "samples after the decision do not count";
+  EXPECT_EQ(known.decision, Decision::kH1);
+  EXPECT_EQ(total(known.samples), 6) << "samples after the decision do not count";
   EXPECT_EQ(next_fixtures(comparison, matches).front().index, 101);
 }
 
@@ -283,7 +283,7 @@ TEST(Comparison, DecisionIsIndependentOfMatchCompletionOrder) {
   matches[2].outcome = fault(EndReason::kCrashed);
   const ComparisonVerdict with_invalid = verdict(comparison, matches);
   EXPECT_EQ(with_invalid.left_out, 1);
-  EXPECT_EQ(with_invalid.state.decision, SprtDecision::kH1);
+  EXPECT_EQ(with_invalid.decision, Decision::kH1);
 }
 
 TEST(Comparison, BothTeamsMeetOpponentsOnTheSameSeed) {
@@ -310,6 +310,7 @@ TEST(Comparison, BothTeamsMeetOpponentsOnTheSameSeed) {
 
 TEST(Comparison, IgnoresSamplesAboveTheMaximum) {
   Comparison comparison = comparison_of(0);
+  comparison.test.kind = TestKind::kSprt;
   EXPECT_EQ(last_match(comparison), std::nullopt);
   EXPECT_NEAR(expected_samples_left(comparison, verdict(comparison, {})), 247, 25);
   EXPECT_NEAR(max_expected_samples(comparison), 396, 1);
@@ -321,6 +322,62 @@ TEST(Comparison, IgnoresSamplesAboveTheMaximum) {
   EXPECT_EQ(expected_samples_left(comparison, known), 0);
   EXPECT_EQ(expected_samples_left(comparison, verdict(comparison, {})), 3);
   EXPECT_EQ(max_expected_samples(comparison), 3);
+}
+
+TEST(Comparison, KeepsTheSprt) {
+  Comparison comparison = comparison_of(0);
+  comparison.test.kind = TestKind::kSprt;
+  const ComparisonVerdict known = verdict(comparison, play(comparison, better_wins));
+  EXPECT_EQ(known.decision, Decision::kH1);
+  EXPECT_EQ(total(known.samples), 28) << "its log-likelihood ratio gains 0.11 per pair";
+  EXPECT_EQ(walkover_samples(comparison), 28);
+}
+
+TEST(Comparison, CountsGoalsUpToTheirLimit) {
+  Comparison comparison = comparison_of(0);
+  comparison.test.measure = Measure::kGoals;
+  comparison.max_samples = 2;
+  // 5:0 counts as 3:0; A wins the first pair 5:0, 1:0 and loses the second one 0:1, 0:2.
+  const auto matches = play(comparison, [](const Fixture& fixture) {
+    if (fixture.round == 2) return fixture.left == 0 ? score(0, 1) : score(2, 0);
+    return fixture.left == 0 ? score(5, 0) : score(0, 1);
+  });
+  const ComparisonVerdict known = verdict(comparison, matches);
+  EXPECT_EQ(known.samples, (Frequencies{0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 1, 0, 0}));
+  EXPECT_EQ(known.points, (Frequencies{1, 0, 0, 0, 1}));
+  EXPECT_NEAR(known.hypotheses.mean0, 0.5, 1e-12);
+  EXPECT_NEAR(known.hypotheses.mean1, 0.5 + 0.5 / 6, 1e-12) << "half a goal a match of +-3";
+  EXPECT_NEAR(advantage(comparison, mean(known.samples)), 0.25, 1e-12);
+  EXPECT_EQ(advantage_text(comparison, mean(known.samples)), "+0.25 goals a match");
+  comparison.max_samples.reset();
+  EXPECT_EQ(walkover_samples(comparison), 6);
+}
+
+TEST(Comparison, CountsGoalsAgainstOpponents) {
+  Comparison comparison = comparison_of(1);
+  comparison.test.measure = Measure::kGoals;
+  comparison.max_samples = 1;
+  // NEW wins both by three goals, BASE loses both by one: four goals a match.
+  const auto matches = play(comparison, [](const Fixture& fixture) {
+    if (fixture.left == 0) return score(3, 0);
+    if (fixture.right == 0) return score(0, 3);
+    return fixture.left == 1 ? score(0, 1) : score(1, 0);
+  });
+  const ComparisonVerdict known = verdict(comparison, matches);
+  ASSERT_EQ(known.samples.size(), 25u);
+  EXPECT_NEAR(advantage(comparison, mean(known.samples)), 4.0, 1e-12);
+  EXPECT_EQ(known.strength.score, 1.0) << "by points";
+}
+
+TEST(Comparison, ExpectsFewPairsAfterClearResults) {
+  Comparison comparison = comparison_of(0);
+  EXPECT_EQ(walkover_samples(comparison), 6);
+  EXPECT_NEAR(expected_samples_left(comparison, verdict(comparison, {})), 280, 30);
+  EXPECT_NEAR(max_expected_samples(comparison), 525, 50);
+  comparison.max_samples = 3;
+  const auto won = play(comparison, better_wins);
+  comparison.max_samples.reset();
+  EXPECT_LT(expected_samples_left(comparison, verdict(comparison, won)), 20);
 }
 
 }  // namespace

@@ -143,6 +143,7 @@ TEST(Report, GivesOneIntervalForOneScore) {
   EXPECT_EQ(standing["score_interval"], crosstable["score_interval"]);
   Comparison comparison;
   comparison.config = played.config;
+  comparison.test.kind = TestKind::kSprt;
   const json compared = json::parse(comparison_json(comparison, played.matches));
   ASSERT_EQ(compared["verdict"], "undecided") << "all eight pairs count";
   EXPECT_EQ(compared["score_interval"], standing["score_interval"]);
@@ -150,7 +151,7 @@ TEST(Report, GivesOneIntervalForOneScore) {
 }
 
 TEST(Report, ListsMatchesWithCommandsInEveryFormat) {
-  const Played played(config_of(Format::kRoundRobin, 3), complete_outcome);
+  Played played(config_of(Format::kRoundRobin, 3), complete_outcome);
   TextOptions all;
   all.all_matches = true;
   const std::string text = report_text(played.report, all);
@@ -168,6 +169,11 @@ TEST(Report, ListsMatchesWithCommandsInEveryFormat) {
   expect_part(text, "logs: cups/spring/matches/000003/");
   expect_part(md, "[logs](cups/spring/matches/000003/)");
   expect_part(html, "<a href=\"cups/spring/matches/000003/\">logs</a>");
+  EXPECT_EQ(html.find("match.html"), std::string::npos);
+  played.report.replays = {3};
+  expect_part(report_html(played.report),
+              "<a href=\"cups/spring/matches/000003/match.html\">watch</a>");
+  expect_part(report_markdown(played.report), "[watch](cups/spring/matches/000003/match.html)");
   const json document = json::parse(report_json(played.report));
   expect_part(document["matches"][2]["command"], "cls match mock mock");
   EXPECT_EQ(document["matches"][2]["folder"], "matches/000003");
@@ -359,6 +365,26 @@ TEST(Report, ShowsTablesOfGroupsAndTheirBracket) {
     expect_part(html, part);
   }
   expect_part(bracket_text(played.report, 80), "|- semi-final 2:");
+}
+
+// The winner of a group has no other matches in the table of its group than those of its group.
+TEST(Report, CountsMatchesOfTheGroupInTheTableOfAGroup) {
+  TournamentConfig config = config_of(Format::kGroups, 4);
+  config.advance = 1;
+  // A wins its group and loses the final.
+  const Played played(config, [](const Fixture& fixture) {
+    return fixture.stage == "final" ? score(fixture.left == 0 ? 0 : 1, fixture.left == 0 ? 1 : 0)
+                                    : better_wins(fixture);
+  });
+  const RankedTable& group = played.report.tables.front();
+  ASSERT_EQ(group.title, "group A");
+  const Standing& winner = group.standings.front();
+  EXPECT_EQ(winner.record.games.games(), winner.played);
+  EXPECT_EQ(winner.record.strength().score, 1.0);
+  const RankedTable& last = played.report.tables.back();
+  ASSERT_EQ(last.title, "knock-out");
+  for (const Standing& row : last.standings) EXPECT_EQ(row.record.games.games(), row.played);
+  EXPECT_LT(last.standings[1].record.strength().score, 1.0);
 }
 
 TEST(Report, ShowsChosenColumnsOfStandings) {

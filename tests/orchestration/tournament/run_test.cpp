@@ -1,6 +1,7 @@
 // Running a tournament: storing, resuming, rerunning, forfeits and automatic concurrency.
 #include <gtest/gtest.h>
 #include <signal.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -144,6 +145,24 @@ TEST_F(TournamentRunTest, StopsAtFaultAndReplaysThatMatchInNextRun) {
   EXPECT_EQ(second.end, RunEnd::kComplete);
   EXPECT_EQ(second.progress.invalid, 0);
   EXPECT_EQ(starts()[3], 2);
+  std::map<int, int> final_results;
+  for (const auto& event : events()) {
+    if (event["type"] == "match_finished" && !event["again"]) ++final_results[event["match"]];
+  }
+  EXPECT_EQ(final_results[3], 1) << "the match is played again";
+}
+
+TEST_F(TournamentRunTest, LeavesFoldersOfWorkProcessesThatAreAlive) {
+  const TournamentConfig config = config_of(Format::kRoundRobin, 2);
+  const std::string own = unfinished_host() + "-" + std::to_string(::getpid());
+  const fs::path alive = folder_.path() / unfinished_folder(1, 1, own);
+  // Above the highest number that a kernel gives.
+  const fs::path killed = folder_.path() / unfinished_folder(1, 1, unfinished_host() + "-4999999");
+  fs::create_directories(alive);
+  fs::create_directories(killed);
+  run(config, fair);
+  EXPECT_TRUE(fs::exists(alive));
+  EXPECT_FALSE(fs::exists(killed));
 }
 
 TEST_F(TournamentRunTest, ScoresForfeitThreeNilAgainstSideAtFault) {

@@ -36,7 +36,7 @@ void ScriptedServer::serve() {
       } else if (!refusal.empty()) {
         clients_[i]->send(refusal);
       } else {
-        accept(*clients_[i], static_cast<int>(i) + 1);
+        accept(*clients_[i], only_unum != 0 ? only_unum : static_cast<int>(i) + 1);
       }
     }
   }

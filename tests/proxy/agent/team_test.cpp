@@ -4,12 +4,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
 #include <map>
 #include <sstream>
 #include <string>
 #include <vector>
 
 #include "proxy/playmaker/grpc_playmaker.h"
+#include "soccer/protocol/scanner.h"
 #include "tests/proxy/agent/scripted_server.h"
 #include "tests/proxy/playmaker/fake_playmaker.h"
 #include "tests/proxy/playmaker/playmaker_server.h"
@@ -303,6 +305,45 @@ TEST(Team, ReportsMissingReplyOfSoccerServer) {
   const base::Result<void> done = team.connect([&] { return server.open(); }, [] { return false; });
   ASSERT_FALSE(done);
   EXPECT_NE(done.error().message.find("no reply from the soccer server"), std::string::npos);
+}
+
+TEST(Team, RejectsServerThatGivesANumberTwice) {
+  FakePlaymaker playmaker;
+  ScriptedServer server;
+  server.only_unum = 3;
+  Team team(options(), playmaker);
+  const base::Result<void> done = connect(team, server);
+  ASSERT_FALSE(done);
+  EXPECT_EQ(done.error().message,
+            "us, player 2: the soccer server gave it number 3, which another player has");
+}
+
+// As a duplicated datagram does, or a server that fails.
+TEST(Team, ContinuesAfterSecondReplyToInit) {
+  for (const char* second : {"(init l 2 before_kick_off)", "(init r 9 play_on)"}) {
+    FakePlaymaker playmaker;
+    Game game(playmaker);
+    for (int cycle = 1; cycle <= 3; ++cycle) {
+      game.server.send(2, second);
+      game.server.send_cycle(cycle);
+      EXPECT_EQ(game.team.run_cycle(), 11) << second;
+    }
+    EXPECT_EQ(game.team.players()[1]->world().our_side, soccer::Side::kLeft);
+    const Said warnings = game.team.take_warnings();
+    ASSERT_EQ(warnings.size(), 1U);
+    EXPECT_NE(warnings.front().find(second), std::string::npos) << warnings.front();
+  }
+}
+
+TEST(Team, HandlesCycleThatIsFarAheadQuickly) {
+  FakePlaymaker playmaker;
+  Game game(playmaker);
+  game.server.send_cycle(1);
+  EXPECT_EQ(game.team.run_cycle(), 11);
+  const auto begin = std::chrono::steady_clock::now();
+  game.server.send_cycle(soccer::kMaxInteger);
+  EXPECT_EQ(game.team.run_cycle(), 11);
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(5));
 }
 
 TEST(Team, SendsByeToPlaymakerAndServer) {

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <deque>
 #include <functional>
 #include <memory>
@@ -11,6 +12,7 @@
 #include <vector>
 
 #include "proto/team_playmaker.pb.h"
+#include "proxy/playmaker/tensor_codec.h"
 
 namespace cls::proxy {
 namespace {
@@ -34,9 +36,14 @@ class FakeConnection : public Playmaker {
   std::function<Answer(int agent, Rpc rpc, const Message& request)> answer;
   std::vector<std::string> calls;  ///< "0 GetTeamActions"
   bool lost = false;
+  RpcTimeout timeout{};           ///< of the last call that was begun
+  bool waited_for_ready = false;  ///< whether that call waits for the connection
 
-  void begin(int agent, Rpc rpc, const Message& request, RpcTimeout timeout, bool) override {
-    replies_.push_back(call(agent, rpc, request, timeout));
+  void begin(int agent, Rpc rpc, const Message& request, RpcTimeout call_timeout,
+             bool wait_for_ready) override {
+    timeout = call_timeout;
+    waited_for_ready = wait_for_ready;
+    replies_.push_back(call(agent, rpc, request, call_timeout));
   }
   Reply call(int agent, Rpc rpc, const Message& request, RpcTimeout) override {
     calls.push_back(std::to_string(agent) + " " + std::string(name(rpc)));
@@ -387,6 +394,69 @@ TEST_F(BatchPlaymakerTest, EncodingThatWasNotOfferedIsOneWarning) {
             "offered");
 }
 
+/// One feature, the uniform number; a row is the power of a dash.
+class NumberCodec : public TensorCodec {
+ public:
+  std::shared_ptr<TensorCodec> clone() const override { return std::make_shared<NumberCodec>(); }
+  std::vector<std::string> feature_sets() const override { return {"number/1"}; }
+  std::vector<std::string> action_sets() const override { return {"dash/1"}; }
+  base::Result<TensorSizes> choose(const TensorChoice&) override { return TensorSizes{1, 0, 1}; }
+  void encode(const WorldModel& world, std::vector<float>& features,
+              std::vector<std::uint8_t>&) override {
+    features.push_back(static_cast<float>(world.unum));
+  }
+  std::optional<soccer::PlayerCommand> decode(const WorldModel&, const float* row) override {
+    if (row[0] < 0.0F) return std::nullopt;
+    return soccer::Dash{static_cast<double>(row[0]), 0.0};
+  }
+};
+
+TEST_F(BatchPlaymakerTest, SendsRowsOfPlayersAndHandsOutRowsOrReplies) {
+  playmaker();
+  std::array<WorldModel, 4> worlds;
+  for (std::size_t i = 0; i < worlds.size(); ++i) worlds[i].unum = static_cast<int>(i);
+  TeamRegistration team;
+  for (const int agent : {1, 2, 3, 12}) team.agents.emplace_back(agent, registration(agent));
+  team.parameters = std::make_shared<MatchParameters>();
+  team.codec = std::make_shared<NumberCodec>();
+  team.world_of = [&](int agent) -> const WorldModel& {
+    return worlds.at(static_cast<std::size_t>(agent));
+  };
+  playmaker().announce_team(std::move(team));
+  wire::GetTeamActionsRequest sent;
+  connection_->answer = [&](int agent, Rpc rpc, const Message& request) {
+    Answer answer = answer_as_team(agent, rpc, request);
+    if (rpc == Rpc::kRegisterTeam) {
+      static_cast<wire::RegisterTeamResponse&>(*answer.message).set_encoding(wire::TENSOR);
+    }
+    if (rpc == Rpc::kGetTeamActions) {
+      sent.CopyFrom(request);
+      auto& response = static_cast<wire::GetTeamActionsResponse&>(*answer.message);
+      response.mutable_agents()->DeleteSubrange(0, 1);  // player 1 has its row alone
+      response.mutable_agents()->DeleteSubrange(1, 1);  // and so has player 3
+      const std::array<float, 3> rows = {40.0F, 50.0F, -1.0F};
+      response.mutable_actions()->add_shape(3);
+      response.mutable_actions()->add_shape(1);
+      response.mutable_actions()->set_data(
+          std::string(reinterpret_cast<const char*>(rows.data()), sizeof rows));
+    }
+    return answer;
+  };
+  register_all();
+  for (const int agent : {1, 2, 3, 12}) begin_decision(agent);
+  const std::vector<Reply> all = replies();
+  ASSERT_EQ(sent.agents_size(), 4);
+  EXPECT_TRUE(sent.agents(0).message().empty());
+  EXPECT_FALSE(sent.agents(3).message().empty()) << "the coach has a State";
+  EXPECT_EQ(sent.features().shape(0), 3);
+  ASSERT_EQ(all.size(), 4U);
+  EXPECT_EQ(all[0].as<protos::PlayerActions>()->actions(0).dash().power(), 40.0F);
+  EXPECT_EQ(all[1].as<protos::PlayerActions>()->actions(0).dash().power(), 2.0F)
+      << "a reply replaces the row";
+  EXPECT_EQ(all[2].status.message, "GetTeamActions: the row of player 3 is no action");
+  EXPECT_NE(all[3].as<protos::CoachActions>(), nullptr);
+}
+
 TEST_F(BatchPlaymakerTest, PlaymakerThatLeavesRegistrationUnansweredIsAskedForEachAgent) {
   connection_->answer = [](int agent, Rpc rpc, const Message& request) {
     return agent == kTeamNumber ? Answer{failure(RpcOutcome::kDeadline), nullptr}
@@ -428,6 +498,18 @@ TEST_F(BatchPlaymakerTest, ConnectionLossConcernsAllAgentsWhoRegisterAgainTogeth
   EXPECT_EQ(all[1].rpc, Rpc::kRegister);
   EXPECT_EQ(all[1].as<protos::RegisterResponse>()->client_id(), 102);
   EXPECT_EQ(connection_->calls.size(), 2U);
+}
+
+TEST_F(BatchPlaymakerTest, WaitsForConnectionOnlyAsLongAsAgentsThatWait) {
+  register_all();
+  const std::vector<std::pair<int, RpcTimeout>> waiting = {{1, 5ms}, {2, 20s}, {12, 3ms}};
+  for (const auto& [agent, timeout] : waiting) {
+    const bool wait = agent != 2;
+    playmaker().begin(agent, Rpc::kRegister, registration(agent), timeout, wait);
+  }
+  playmaker().send();
+  EXPECT_TRUE(connection_->waited_for_ready);
+  EXPECT_EQ(connection_->timeout, 5ms);
 }
 
 TEST_F(BatchPlaymakerTest, PlaymakerRestartedWithoutServiceGetsCallsOfAgents) {

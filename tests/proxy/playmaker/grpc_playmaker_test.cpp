@@ -373,6 +373,37 @@ TEST(GrpcPlaymaker, ReportsUnparsableReplyAsProtocolError) {
             RpcOutcome::kProtocolError);
 }
 
+/// Replies with many bytes that compress well, compressed or not.
+class Flood : public protos::Game::Service {
+ public:
+  explicit Flood(grpc_compression_algorithm algorithm) : algorithm_(algorithm) {}
+
+  grpc::Status GetPlayerActions(grpc::ServerContext* context, const protos::State*,
+                                protos::PlayerActions* response) override {
+    context->set_compression_algorithm(algorithm_);
+    response->add_actions()->mutable_debug_client()->set_message(std::string(64 << 20, 'x'));
+    return grpc::Status::OK;
+  }
+
+ private:
+  grpc_compression_algorithm algorithm_;
+};
+
+TEST(GrpcPlaymaker, RejectsHugeRepliesCompressedOrNot) {
+  for (const grpc_compression_algorithm algorithm : {GRPC_COMPRESS_NONE, GRPC_COMPRESS_GZIP}) {
+    Flood service(algorithm);
+    PlaymakerServer server(service);
+    const auto playmaker = make_grpc_playmaker(loopback(server.port()));
+    const Reply reply = decision(*playmaker, 1, kPatience);
+    const bool compressed = algorithm != GRPC_COMPRESS_NONE;
+    EXPECT_EQ(reply.status.outcome, compressed ? RpcOutcome::kUnimplemented : RpcOutcome::kError);
+    EXPECT_NE(reply.status.message.find(compressed ? "'gzip' is disabled" : "larger than max"),
+              std::string::npos)
+        << reply.status.message;
+    EXPECT_EQ(reply.message, nullptr);
+  }
+}
+
 TEST(GrpcPlaymaker, DistinguishesMissingRpcFromErrorStatus) {
   protos::Game::Service older;
   PlaymakerServer older_server(older);

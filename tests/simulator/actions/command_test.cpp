@@ -151,6 +151,16 @@ TEST_F(Command, MovesArmOnlyAfterPointToBan) {
   EXPECT_FALSE(is_pointing(stage.world, player));
 }
 
+TEST_F(Command, LimitsDistanceToWhichArmPoints) {
+  for (const char* command :
+       {"(pointto 3e38 30)", "(pointto -1e12 -20)", "(pointto 1e308 1e308)"}) {
+    stage.command(player, command);
+    EXPECT_LT((player.arm.target - player.position).length(), 1.1e6) << command;
+    stage.step(20);
+  }
+  EXPECT_EQ(player.counters.pointto, 3);
+}
+
 TEST_F(Command, AttendsOnlyToConnectedPlayers) {
   stage.add(Side::kLeft, {-10, 0});
   stage.world.team(Side::kLeft).name = "Blue";

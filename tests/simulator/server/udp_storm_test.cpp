@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "simulator/server/message_compression.h"
 #include "tests/simulator/server/running_server.h"
 #include "tests/support/scripted_player.h"
 #include "tests/support/udp_client.h"
@@ -115,6 +116,38 @@ TEST(UdpStorm, FloodOfOneClientDelaysNoOtherClient) {
     while (!client.wait().starts_with("(ok synch_see)")) {
     }
     while (!stop) client.send("(turn 10)(say \"abc\")(done)");
+  });
+  const auto begin = std::chrono::steady_clock::now();
+  witness.play(50);
+  const auto needed = std::chrono::steady_clock::now() - begin;
+  stop = true;
+  flood.join();
+  EXPECT_LT(needed, std::chrono::seconds(20));
+  EXPECT_EQ(running.stop(), UdpServerExit::kStopped);
+  EXPECT_GT(running.server->world().player(Side::kRight, 1).counters.turn, 0);
+}
+
+// The datagrams of a client that compresses cost the server a hundred times their size.
+TEST(UdpStorm, CompressedFloodDelaysNoOtherClient) {
+  UdpConfig config = endless();
+  config.max_wait = milliseconds(2000);
+  RunningServer running(config);
+  Witness witness(running.port);
+  MessageCompression zlib(9);
+  std::string turns;
+  while (turns.size() < 8000) turns += "(turn 10)";
+  const std::string datagram(zlib.compress(turns));
+  ASSERT_LT(datagram.size(), 100u);
+  std::atomic<bool> stop{false};
+  std::thread flood([&] {
+    UdpClient client(running.port);
+    client.send("(init Flood (version 18))");
+    while (!client.wait().starts_with("(ok synch_see)")) {
+    }
+    client.send("(compression 9)");
+    client.wait_bytes();
+    // It never sends (done), and never has to: it floods the server.
+    while (!stop) client.send_bytes(datagram);
   });
   const auto begin = std::chrono::steady_clock::now();
   witness.play(50);

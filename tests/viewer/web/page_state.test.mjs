@@ -57,6 +57,44 @@ test('Clock does not skip play after a hidden tab', () => {
   assert.equal(clock.at, 2.5);
 });
 
+test('Clock follows a live match smoothly, and rests when nothing comes', () => {
+  const clock = new Clock(100);
+  clock.grow(100, true);
+  clock.expected = 6000;
+  assert.equal(clock.span, 6000);
+  clock.seek(99);
+  clock.follow();
+  assert.equal(clock.waiting, true);
+  clock.grow(101, true);
+  assert.equal(clock.waiting, false);
+  clock.tick(16);
+  assert.ok(clock.at > 99 && clock.at < 99.5);
+  for (let i = 0; i < 60; ++i) clock.tick(16);
+  assert.equal(clock.at, 100);
+  clock.grow(5000, true);
+  for (let i = 0; i < 120; ++i) clock.tick(16);
+  assert.equal(clock.frame, 4999);
+  clock.grow(5000, false);
+  clock.tick(16);
+  assert.deepEqual([clock.playing, clock.following, clock.span], [false, false, 4999]);
+});
+
+test('Clock leaves the present with every seek, and returns to it at the head', () => {
+  const clock = new Clock(100);
+  clock.grow(100, true);
+  for (const leave of [() => clock.seek(5), () => clock.step(-1), () => clock.reverse(), () => clock.playSegments([[1, 2]]), () => clock.pause()]) {
+    clock.follow();
+    leave();
+    assert.equal(clock.following, false);
+  }
+  clock.seek(98.5);
+  clock.backwards = false;
+  clock.segments = [];
+  clock.play();
+  clock.tick(100);
+  assert.deepEqual([clock.following, clock.playing], [true, true]);
+});
+
 test('Clock steps, seeks and changes speeds within limits', () => {
   const clock = new Clock(100);
   clock.step(Infinity);
@@ -123,8 +161,8 @@ test('poseAt lets the ball not glide where it jumps', () => {
 });
 
 test('A hash restores what it was made from', () => {
-  const moment = {time: 1234, stopped: 7, selected: [6, 11], speed: 0.5, view: {zoom: 2.5, x: 10, y: -3.5}, follow: 'ball', play: true};
-  assert.equal(formatHash(moment), '#t=1234+7&p=l7,r1&s=0.5&z=2.5,10,-3.5&f=ball&play=1');
+  const moment = {time: 1234, stopped: 7, selected: [6, 11], speed: 0.5, view: {zoom: 2.5, x: 10, y: -3.5}, follow: 'ball', debugging: true, play: true};
+  assert.equal(formatHash(moment), '#t=1234+7&p=l7,r1&s=0.5&z=2.5,10,-3.5&f=ball&d=1&play=1');
   assert.deepEqual(parseHash(formatHash(moment)), moment);
   assert.deepEqual(parseHash('#t=12%2B3&p=l7%2Cr1').stopped, 3);
 });
@@ -218,7 +256,10 @@ test('Play modes read as text and have a class', () => {
 });
 
 const kWeb = new URL('../../../viewer/web/', import.meta.url);
-const kModules = fs.readFileSync(new URL('modules.txt', kWeb), 'utf8').trim().split('\n');
+const kLines = fs.readFileSync(new URL('modules.txt', kWeb), 'utf8').trim().split('\n').map((line) => line.split(' '));
+const kModules = kLines.map(([name]) => name);
+/** Modules that every page has. */
+const kEveryPage = kLines.filter((line) => line.length === 1).map(([name]) => name);
 const kSources = kModules.map((name) => [name, fs.readFileSync(new URL(`src/${name}`, kWeb), 'utf8')]);
 
 test('Modules can be joined: each listed once, after what it imports, names unique', () => {
@@ -226,7 +267,10 @@ test('Modules can be joined: each listed once, after what it imports, names uniq
   const names = new Map();
   const before = new Set();
   for (const [file, text] of kSources) {
-    for (const [, imported] of text.matchAll(/^import .* from '\.\/(.*)';$/gm)) assert.ok(before.has(imported), `${file} imports ${imported}`);
+    for (const [, imported] of text.matchAll(/^import .* from '\.\/(.*)';$/gm)) {
+      assert.ok(before.has(imported), `${file} imports ${imported}`);
+      assert.ok(kEveryPage.includes(imported) || !kEveryPage.includes(file), `${file} is in every page, ${imported} is not`);
+    }
     assert.equal((text.match(/^import /gm) ?? []).length, (text.match(/^import .*;$/gm) ?? []).length, `${file}: imports of more than one line`);
     assert.doesNotMatch(text, /^export (default|\{|\*)/m);
     for (const [, name] of text.matchAll(/^(?:export )?(?:async )?(?:function\*?|class|const|let)\s+(\w+)/gm)) {
@@ -242,9 +286,22 @@ test('The page never makes markup out of text, and fits into 150 kB', () => {
   assert.doesNotMatch(whole, /innerHTML|outerHTML|insertAdjacentHTML|document\.write|eval\(|new Function|setAttribute\('style'/);
   assert.doesNotMatch(whole, /<\/script|\)embedded"/);
   assert.doesNotMatch(whole, /https?:\/\/(?!www\.w3\.org\/2000\/svg)/);
-  assert.ok(whole.length <= 150000, `${whole.length} bytes`);
+  const common = kSources.filter(([name]) => kEveryPage.includes(name)).map(([, text]) => text).join('');
+  const embedded = common.split('\n').filter((line) => !/^( *(\/\/|\/\*\*|\*( |\/))|import )/.test(line)).join('\n');
+  assert.ok(embedded.length <= 150000, `${embedded.length} bytes`);
 });
 
 test('The sample is as long as the tests say', () => {
   assert.equal(sampleRecord().frames, kFrames);
+});
+
+test('Missed decisions are events, neighboring ones together', () => {
+  const record = sampleRecord();
+  const missed = (cycle, stopped, player, reason = 'deadline') => [cycle, stopped, player, reason];
+  record.missed = [missed(10, 0, 'l7'), missed(30, 0, 'r2'), missed(31, 0, 'r2'), missed(33, 0, 'r3'), missed(100, 7, 'l7', 'error'), missed(5, 0, 'x9'), missed('a', 0, 'l1')];
+  const found = eventsOf(record).filter(({kind}) => kind === 'missed');
+  assert.deepEqual(found.map(({frame, end, text}) => [frame, end, text]), [
+    [10, 10, 'Missed decision: Azure 7, deadline'], [30, 33, '3 missed decisions: 2 players of Amber, deadline'], [107, 107, 'Missed decision: Azure 7, error']]);
+  record.missed = /** @type {any} */ ('nonsense');
+  assert.deepEqual(eventsOf(record).filter(({kind}) => kind === 'missed'), []);
 });

@@ -7,9 +7,9 @@ export const kStoppedFrames = 20;
 const kModes = ['', 'before_kick_off', 'time_over', 'play_on', 'kick_off_l', 'kick_off_r', 'kick_in_l', 'kick_in_r', 'free_kick_l', 'free_kick_r', 'corner_kick_l', 'corner_kick_r', 'goal_kick_l', 'goal_kick_r', 'goal_l', 'goal_r'];
 
 /** @param {{names?: [any, any], texts?: any[]}} [options] names of the teams, texts of messages and unknown lines */
-export function sampleHeader({names = ['Azure', 'Amber']} = {}) {
+export function sampleHeader({names = ['Azure', 'Amber'], live = false} = {}) {
   return {
-    schema: 'cls.view/1', cls: '1.0', log: '6', names, score: [1, 0], frames: kFrames,
+    schema: 'cls.view/1', cls: '1.0', log: '6', names, score: [1, 0], frames: live ? null : kFrames, live,
     server: {half_time: 300, stamina_max: 8000, ball_size: 0.085, ball_speed_max: 3, ball_accel_max: 2.7, goal_width: 14.02, simulator_step: 100},
     types: [{id: 0, player_size: 0.3, kickable_margin: 0.7, player_decay: 0.4, player_speed_max: 1.05}],
     modes: kModes, ball_decay: 9400, type_decay: [4000], columns: kColumns,
@@ -71,6 +71,28 @@ export function sampleStatistics(names) {
     shots: [{cycle: 98, frame: 98, side: 'left', unum: 10, outcome: 'goal', expected_goals: 0.5}, {cycle: 200, stopped: 0, side: 'right', unum: 9, outcome: 'saved', expected_goals: 0.3}],
     events: [{kind: 'pass', cycle: 20, frame: 20, side: 'left', unum: 4, result: 'completed'}, {kind: 'pass', cycle: 60, frame: 60, side: 'right', unum: 5, result: 'intercepted', frames: 5}],
   };
+}
+
+/** The same match while it is played: pieces of the stream of `size` frames, the last one with statistics and end.
+ * With `early`, the first piece has statistics of a match without goals. */
+export function liveSamplePieces(size, early = false) {
+  const names = ['Azure', 'Amber'];
+  const header = sampleHeader({names, live: true});
+  const team = (name, score) => ({name, score, scored: 0, missed: 0});
+  const columns = sampleColumns();
+  const encoder = new FrameEncoder(header);
+  const start = notesChunk([{frame: 0, kind: 'teams', teams: [team(names[0], 0), team(names[1], 0)]}]);
+  const goal = notesChunk([{frame: kGoalFrame, time: kGoalFrame, kind: 'teams', teams: [team(names[0], 1), team(names[1], 0)]}]);
+  const pieces = [];
+  for (let first = 0; first < kFrames; first += size) {
+    const count = Math.min(size, kFrames - first);
+    const part = Object.fromEntries(Object.entries(columns).map(([name, series]) => [name, series.map((values) => values.slice(first, first + count))]));
+    const before = [...(first === 0 ? [jsonChunk('H', header), start] : []), ...(first <= kGoalFrame && kGoalFrame < first + count ? [goal] : [])];
+    const statistics = early && first === 0 ? [jsonChunk('S', {...sampleStatistics(names), goals: [], shots: [], events: []})] : [];
+    pieces.push(Buffer.concat([...before, encoder.chunk(count, part), ...statistics]));
+  }
+  const whole = finished([...pieces, jsonChunk('S', sampleStatistics(names))], {frames: kFrames, notes: 2});
+  return [...pieces, whole.subarray(Buffer.concat(pieces).length)];
 }
 
 /** A whole stream; `size` frames a chunk. */

@@ -35,7 +35,7 @@ export const kColumns = [
     .map((name) => ({name: `count_${name}`, coding: 'c', series: 22})),
 ];
 
-class ByteWriter {
+export class ByteWriter {
   constructor() {
     this.bytes = [];
   }

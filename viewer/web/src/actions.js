@@ -11,6 +11,7 @@ const kDigits = ['1', '2', '3', '4', '5', '6', '7', '8', '9', '0', '-'];
 const kGoals = ['goal'];
 const kShots = ['goal', 'shot'];
 const kCards = ['card', 'offense'];
+const kMissed = ['missed'];
 const kZoomStep = 1.3;
 
 /** @returns {Action} */
@@ -30,6 +31,7 @@ export const kActions = Object.freeze([
   action('Time', 'reverse', 'Play backwards or forwards', ['Shift+R'], (viewer) => viewer.reverse()),
   action('Time', 'start', 'Start of the match', ['Home'], (viewer) => viewer.step(-Infinity)),
   action('Time', 'end', 'End of the match', ['End'], (viewer) => viewer.step(Infinity)),
+  action('Time', 'live', 'Live: follow a running match', ['Shift+N'], (viewer) => viewer.follow()),
 
   action('Events', 'next-event', 'Next event', ['E'], (viewer) => viewer.jump(1)),
   action('Events', 'previous-event', 'Previous event', ['Shift+E'], (viewer) => viewer.jump(-1)),
@@ -39,6 +41,7 @@ export const kActions = Object.freeze([
   action('Events', 'previous-shot', 'Previous shot or goal', ['Shift+D'], (viewer) => viewer.jump(-1, kShots)),
   action('Events', 'next-card', 'Next foul, offside or card', ['Q'], (viewer) => viewer.jump(1, kCards)),
   action('Events', 'previous-card', 'Previous foul, offside or card', ['Shift+Q'], (viewer) => viewer.jump(-1, kCards)),
+  action('Events', 'next-missed', 'Next missed decision', ['Shift+M'], (viewer) => viewer.jump(1, kMissed)),
   action('Events', 'highlights', 'Play the highlights', ['Y'], (viewer) => viewer.playHighlights()),
 
   action('Players', 'select-left', 'Player 1 to 11 of the left team', kDigits, (viewer, key) => viewer.select(key)),
@@ -47,6 +50,7 @@ export const kActions = Object.freeze([
   action('Players', 'select-nearest-left', 'Nearest of the left team', ['L'], (viewer) => viewer.selectNearest('left')),
   action('Players', 'select-nearest-right', 'Nearest of the right team', ['R'], (viewer) => viewer.selectNearest('right')),
   action('Players', 'select-none', 'No player', ['U'], (viewer) => viewer.select(-1)),
+  action('Players', 'decisions', 'Decisions of the selected player', ['Shift+P'], (viewer) => viewer.toggleDecisions()),
 
   action('View', 'zoom-in', 'Zoom in', ['Z', '+'], (viewer) => viewer.zoom(kZoomStep)),
   action('View', 'zoom-out', 'Zoom out', ['X'], (viewer) => viewer.zoom(1 / kZoomStep)),

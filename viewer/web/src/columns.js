@@ -105,6 +105,19 @@ function readExceptions(reader, column, first, count) {
   }
 }
 
+/** Decodes a column whose integers depend on no other column, without exceptions, into entries from `first` on.
+ * @param {import('./varint.js').ByteReader} reader @param {Column} column @param {number} first @param {number} count */
+export function decodePlainColumn(reader, column, first, count) {
+  const {row} = column;
+  column.integers = new Int32Array(count * row.series);
+  const changes = row.coding === 'c' ? readChanges(reader, count * row.series) : null;
+  for (let s = 0; s < row.series; ++s) {
+    decodeSeries(reader, column, s, count, changes, null);
+    for (let i = 0; i < count; ++i) column.series[s][first + i] = column.integers[s * count + i] / (row.scale ?? 1);
+  }
+  column.integers = new Int32Array(0);
+}
+
 /** Decodes one column of an `F` chunk into frames from `first` on. Yields between series, so that the caller can
  * give the browser time.
  * @param {import('./varint.js').ByteReader} reader

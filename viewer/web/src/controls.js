@@ -23,10 +23,11 @@ export class Controls {
     this.speed = element('output', {class: 'speed', 'aria-label': 'Speed'});
     this.follow = actionButton(viewer, 'follow-ball', 'follow');
     this.panel = actionButton(viewer, 'panel', 'panel');
+    this.live = actionButton(viewer, 'live', null, 'live', 'LIVE');
     this.layers = this.#layerMenu();
     const more = (ids) => ids.map(([id, name]) => actionButton(viewer, id, name));
     this.root = element('div', {class: 'controls', role: 'toolbar', 'aria-label': 'Controls'},
-      element('div', {class: 'group'}, ...more([['previous-event', 'previous'], ['step-back', 'stepBack']]), this.play, ...more([['step', 'stepForward'], ['next-event', 'next']])),
+      element('div', {class: 'group'}, ...more([['previous-event', 'previous'], ['step-back', 'stepBack']]), this.play, ...more([['step', 'stepForward'], ['next-event', 'next']]), this.live),
       element('div', {class: 'group'}, actionButton(viewer, 'slower', null, 'narrow', '−'), this.speed, actionButton(viewer, 'faster', null, 'narrow', '+'), this.reverse),
       element('div', {class: 'group'}, actionButton(viewer, 'next-goal', 'goal'), this.highlights),
       element('div', {class: 'group end'}, ...more([['zoom-out', 'zoomOut'], ['zoom-in', 'zoomIn'], ['fit', 'fit']]), this.follow),
@@ -61,6 +62,8 @@ export class Controls {
       setAttribute(this.play, 'aria-label', clock.playing ? 'Pause' : 'Play');
     }
     setText(this.speed, `${clock.backwards ? '−' : ''}${clock.speed}×`);
+    this.live.hidden = !clock.live;
+    setAttribute(this.live, 'aria-pressed', String(clock.following));
     setAttribute(this.reverse, 'aria-pressed', String(clock.backwards));
     setAttribute(this.highlights, 'aria-pressed', String(clock.segments.length > 0));
     setAttribute(this.follow, 'aria-pressed', String(camera.follow === 'ball'));

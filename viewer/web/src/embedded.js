@@ -43,10 +43,8 @@ function joinedPieces(pieces) {
   return all;
 }
 
-/** Decodes the text of the data element.
- * @param {string} text @param {(fraction: number) => void} onProgress
- * @returns {Promise<import('./record.js').MatchRecord>} rejects with one sentence */
-export async function readEmbedded(text, onProgress) {
+/** Bytes of base64 of gzip. @param {string} text @returns {Promise<Uint8Array>} rejects with one sentence */
+export async function inflatedBytes(text) {
   if (typeof DecompressionStream === 'undefined') {
     throw new Error('this browser cannot inflate the match; one from May 2023 or later can');
   }
@@ -55,12 +53,20 @@ export async function readEmbedded(text, onProgress) {
   try {
     await inflateGzip(packed, (piece) => pieces.push(piece));
   } catch {
-    throw new Error('the match in this page is corrupt: it does not inflate');
+    throw new Error('the data in this page is corrupt: it does not inflate');
   }
+  return joinedPieces(pieces);
+}
+
+/** Decodes the text of the data element.
+ * @param {string} text @param {(fraction: number) => void} onProgress
+ * @returns {Promise<import('./record.js').MatchRecord>} rejects with one sentence */
+export async function readEmbedded(text, onProgress) {
+  const bytes = await inflatedBytes(text);
   onProgress(0.3);
   const decoder = new StreamDecoder();
   let sliceStart = performance.now();
-  for (const fraction of decoder.push(joinedPieces(pieces))) {
+  for (const fraction of decoder.push(bytes)) {
     if (performance.now() - sliceStart < kSliceMs) continue;
     onProgress(0.3 + 0.7 * fraction);
     await nextTask();
@@ -70,4 +76,23 @@ export async function readEmbedded(text, onProgress) {
   if (decoder.corrupt) throw new Error('the match in this page is corrupt: its checksum differs');
   if (decoder.record.frames === 0) throw new Error('the log of this match has no frames');
   return decoder.record;
+}
+
+/** The text of a data element in the page, which it removes. Throws an error of one sentence.
+ * @param {string} id @param {string} what "the match" @returns {string} */
+export function takeData(id, what) {
+  const data = document.getElementById(id);
+  if (!data) throw new Error(`the page was truncated before ${what}; get the file again`);
+  const text = data.textContent ?? '';
+  const share = completeness(text, Number(data.getAttribute('data-length')));
+  if (share < 1) throw new Error(`the page was truncated at ${Math.floor(100 * share)} % of ${what}; get the file again`);
+  data.remove();
+  return text;
+}
+
+/** The match of a data element in the page, which it removes.
+ * @param {string} id @param {(fraction: number) => void} onProgress
+ * @returns {Promise<import('./record.js').MatchRecord>} rejects with one sentence */
+export async function readData(id, onProgress) {
+  return readEmbedded(takeData(id, 'the match'), onProgress);
 }

@@ -2,16 +2,16 @@
 import {PlayerState} from './player_state.js';
 import {playModeClass, playModeText, splitPlayMode} from './play_modes.js';
 import {frameOfCycle} from './record.js';
-import {kSlots, sideOfSlot, slotOf, unumOfSlot} from './sides.js';
+import {kSlots, sideOfSlot, slotOf, slotOfShortName, unumOfSlot} from './sides.js';
 
 /**
- * @typedef {{frame: number, kind: 'goal' | 'shot' | 'card' | 'set_play' | 'offense' | 'turnover', side: string, slot: number,
+ * @typedef {{frame: number, kind: 'goal' | 'shot' | 'card' | 'set_play' | 'offense' | 'turnover' | 'missed', side: string, slot: number,
  *   text: string, expectedGoals?: number, red?: boolean}} MatchEvent
  */
 
 /** All events in order of time. @param {import('./record.js').MatchRecord} record @returns {MatchEvent[]} */
 export function eventsOf(record) {
-  const events = [...goals(record), ...shots(record), ...cards(record), ...modeEvents(record), ...turnovers(record)];
+  const events = [...goals(record), ...shots(record), ...cards(record), ...modeEvents(record), ...turnovers(record), ...missedDecisions(record)];
   return events.sort((a, b) => a.frame - b.frame);
 }
 
@@ -30,17 +30,17 @@ function eventFrame(record, event) {
 }
 
 function goals(record) {
-  if (!record.statistics) return goalsOfNotes(record);
-  return record.statistics.goals.map((goal) => ({
+  const later = goalsOfNotes(record).filter(({frame}) => frame >= record.statisticsFrames);
+  return [...(record.statistics?.goals ?? []).map((goal) => ({
     frame: eventFrame(record, goal),
     kind: 'goal',
     side: goal.side,
     slot: goal.own_goal ? -1 : slotOf(goal.side, goal.unum),
     text: `Goal: ${goal.own_goal ? `${teamName(record, goal.side)}, own goal` : playerText(record, goal.side, goal.unum)}`,
-  }));
+  })), ...(record.end && record.statistics ? [] : later)];
 }
 
-/** Without statistics, as in a live match: each increase of a score. */
+/** Where statistics are missing, as in a live match: each increase of a score. */
 function goalsOfNotes(record) {
   const found = [];
   let before = [0, 0];
@@ -112,6 +112,36 @@ function turnovers(record) {
     slot: slotOf(event.side, event.unum),
     text: `Ball lost: ${playerText(record, event.side, event.unum)}`,
   }));
+}
+
+/** Missed decisions of this many frames in a row, or with this many frames between them, are one event. */
+const kMissedGap = 5;
+
+/** Where players got no usable reply in time; one event for neighboring frames of a team. */
+function missedDecisions(record) {
+  const found = [];
+  for (const [cycle, stopped, player, reason] of Array.isArray(record.missed) ? record.missed : []) {
+    const slot = slotOfShortName(String(player));
+    if (slot < 0 || !Number.isInteger(cycle)) continue;
+    const frame = frameOfCycle(record, cycle, stopped);
+    const side = sideOfSlot(slot);
+    const last = found.findLast((event) => event.side === side);
+    if (last && frame - last.end <= kMissedGap) {
+      last.end = frame;
+      ++last.count;
+      last.slots.add(slot);
+    } else {
+      found.push({frame, end: frame, kind: 'missed', side, slot, count: 1, slots: new Set([slot]), reason: String(reason), text: ''});
+    }
+  }
+  for (const event of found) event.text = missedText(record, event);
+  return found;
+}
+
+function missedText(record, {side, count, slots, reason}) {
+  if (count === 1) return `Missed decision: ${playerText(record, side, unumOfSlot([...slots][0]))}, ${reason}`;
+  const who = slots.size === 1 ? playerText(record, side, unumOfSlot([...slots][0])) : `${slots.size} players of ${teamName(record, side)}`;
+  return `${count} missed decisions: ${who}, ${reason}`;
 }
 
 const kHighlightBefore = 60;

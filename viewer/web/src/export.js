@@ -47,8 +47,10 @@ export async function copyLink(viewer) {
 }
 
 /** Makes the address that of the moment, without a new entry in the history.
+ * The address of a live page that follows the match stays, so that a reload follows it, too.
  * @param {import('./viewer.js').Viewer} viewer */
 export function writeHash(viewer) {
+  if (viewer.clock.following) return;
   try {
     window.history.replaceState(null, '', viewer.hash);
   } catch {

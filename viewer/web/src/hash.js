@@ -1,14 +1,14 @@
-// Links to a moment: #t=1234+7&p=l7,r1&s=0.5&z=2.5,10,-3&play=1
+// Links to a moment: #t=1234+7&p=l7,r1&s=0.5&z=2.5,10,-3&d=1&play=1
 import {kSlots, shortNameOfSlot, slotOfShortName} from './sides.js';
 
 /**
  * @typedef {{time: number | null, stopped: number, selected: number[] | null, speed: number | null,
- *   view: {zoom: number, x: number, y: number} | null, follow: string, play: boolean}} Moment
+ *   view: {zoom: number, x: number, y: number} | null, follow: string, debugging: boolean, play: boolean}} Moment
  */
 
 /** Reads what it understands and ignores the rest. @param {string} hash @returns {Moment} */
 export function parseHash(hash) {
-  const moment = {time: null, stopped: 0, selected: null, speed: null, view: null, follow: '', play: false};
+  const moment = {time: null, stopped: 0, selected: null, speed: null, view: null, follow: '', debugging: false, play: false};
   for (const part of hash.replace(/^#/, '').split('&')) {
     const equals = part.indexOf('=');
     const key = part.slice(0, Math.max(0, equals));
@@ -18,6 +18,7 @@ export function parseHash(hash) {
     if (key === 's' && /^\d+(\.\d+)?$/.test(value)) moment.speed = Number(value);
     if (key === 'z') readView(value, moment);
     if (key === 'f' && (value === 'ball' || value === 'player')) moment.follow = value;
+    if (key === 'd') moment.debugging = value === '1';
     if (key === 'play') moment.play = value === '1';
   }
   return moment;
@@ -51,6 +52,7 @@ export function formatHash(moment) {
     parts.push(`z=${Number(zoom.toFixed(2))},${Number(x.toFixed(1))},${Number(y.toFixed(1))}`);
   }
   if (moment.follow !== '') parts.push(`f=${moment.follow}`);
+  if (moment.debugging) parts.push('d=1');
   if (moment.play) parts.push('play=1');
   return `#${parts.join('&')}`;
 }

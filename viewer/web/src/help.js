@@ -9,7 +9,8 @@ const kSymbols = [
   ['Nose and line', 'direction of the body, direction of the neck'],
   ['Ring around a disc', 'white: kick, pink: tackle, yellow: catch; broken: the action failed'],
   ['Stroke through a disc', 'was fouled and cannot move'],
-  ['Timeline', 'circle: goal, triangle: shot, rectangle: card, tick: ball lost; band: play modes; line below: which team has the ball'],
+  ['Broken outline', 'with Shift P: where the selected player estimates ball and players; red line: to where they are; dotted ring: unknown to it'],
+  ['Timeline', 'circle: goal, triangle: shot, rectangle: card, tick: ball lost, red: missed decisions; band: play modes; line below: which team has the ball'],
 ];
 
 export class Help {

@@ -15,8 +15,8 @@ export function keyName(event) {
   return event.key;
 }
 
-/** Elements that need a key for themselves. */
-function needsKey(target, name) {
+/** True for elements that need a key for themselves. @param {any} target @param {string} name of the key */
+export function needsKey(target, name) {
   if (!(target instanceof Element)) return false;
   const tag = target.tagName;
   if (tag === 'INPUT') return target.getAttribute('type') !== 'checkbox' || name === 'Space';

@@ -1,7 +1,9 @@
 // Starts the page: reads the match, shows how far it is, then hands over to Page.
+import {Comparison} from './comparison.js';
 import {element, setText} from './dom.js';
-import {completeness, readEmbedded} from './embedded.js';
+import {readData} from './embedded.js';
 import {slotsOfNames} from './hash.js';
+import {readLive} from './live.js';
 import {Page} from './page.js';
 import {Settings} from './settings.js';
 import {Viewer} from './viewer.js';
@@ -20,17 +22,6 @@ function showProblem(root, text) {
   root.replaceChildren(element('main', {class: 'message', role: 'alert'}, element('h1', {}, 'No match to show'), element('p', {}, `${text}.`)));
 }
 
-async function readMatch(onProgress) {
-  const data = document.getElementById('match');
-  if (!data) throw new Error('the page was truncated before the match; get the file again');
-  const text = data.textContent ?? '';
-  const share = completeness(text, Number(data.getAttribute('data-length')));
-  if (share < 1) throw new Error(`the page was truncated at ${Math.floor(100 * share)} % of the match; get the file again`);
-  const record = await readEmbedded(text, onProgress);
-  data.remove();
-  return record;
-}
-
 /** The hash wins over what the page was written with. */
 function showFirstMoment(viewer, options) {
   if (Array.isArray(options.players)) viewer.selected = slotsOfNames(options.players);
@@ -38,25 +29,69 @@ function showFirstMoment(viewer, options) {
   viewer.restore(window.location.hash);
 }
 
-async function startPage() {
-  const root = document.getElementById('app');
+/** What the browser's user prefers. */
+function hostPreferences() {
+  const light = window.matchMedia('(prefers-color-scheme: light)');
+  return {prefersLight: () => light.matches, reducedMotion: window.matchMedia('(prefers-reduced-motion: reduce)').matches};
+}
+
+function makePage(root, record, options) {
+  const host = hostPreferences();
+  record.missed = options.missed ?? [];
+  const viewer = new Viewer(record, new Settings(host), host);
+  const page = new Page(root, viewer);
+  showFirstMoment(viewer, options);
+  page.draw();
+  performance.mark('cls-first-picture');
+  // For scripts and tests: the parts of this page.
+  Object.assign(window, {clsViewer: {viewer, page}});
+  return page;
+}
+
+async function startReplay(root, options) {
   const bar = element('progress', {max: 1, value: 0, 'aria-label': 'Reading the match'});
   const percent = element('p', {}, 'Reading the match');
   root.replaceChildren(element('main', {class: 'message'}, percent, bar));
-  const reducedMotion = window.matchMedia('(prefers-reduced-motion: reduce)').matches;
-  const light = window.matchMedia('(prefers-color-scheme: light)');
+  const onProgress = (fraction) => {
+    bar.value = fraction;
+    setText(percent, `Reading the match: ${Math.floor(100 * fraction)} %`);
+  };
+  const record = await readData('match', onProgress);
+  const differences = document.getElementById('differences');
+  if (!differences) return void makePage(root, record, options);
+  const records = [record, await readData('other', onProgress)];
+  const host = hostPreferences();
+  const comparison = new Comparison(root, records, JSON.parse(differences.textContent), new Settings(host), host);
+  // For scripts and tests.
+  Object.assign(window, {clsComparison: comparison});
+}
+
+async function startLive(root, options) {
+  const state = element('p', {role: 'status'}, 'Connecting');
+  root.replaceChildren(element('main', {class: 'message'}, state));
+  /** @type {Page | null} */
+  let page = null;
+  await readLive(options.live, {
+    onConnection(connected) {
+      setText(state, connected ? 'Waiting for the kick-off' : 'No connection to cls; trying again');
+      page?.showNotice(connected ? '' : 'No connection to cls; trying again');
+    },
+    onRecord(record) {
+      if (record.frames === 0) return;
+      if (page) return page.viewer.grow();
+      page = makePage(root, record, options);
+      const chosen = Number.isInteger(options.at) || window.location.hash.includes('t=');
+      if (record.isLive && !chosen) page.viewer.follow();
+    },
+  });
+  if (!page) throw new Error('the match ended before it began');
+}
+
+async function startPage() {
+  const root = document.getElementById('app');
+  const options = pageSettings();
   try {
-    const record = await readMatch((fraction) => {
-      bar.value = fraction;
-      setText(percent, `Reading the match: ${Math.floor(100 * fraction)} %`);
-    });
-    const viewer = new Viewer(record, new Settings({reducedMotion}), {prefersLight: () => light.matches, reducedMotion});
-    const page = new Page(root, viewer);
-    showFirstMoment(viewer, pageSettings());
-    page.draw();
-    performance.mark('cls-first-picture');
-    // For scripts and tests: the parts of this page.
-    Object.assign(window, {clsViewer: {viewer, page}});
+    await (typeof options.live === 'string' ? startLive(root, options) : startReplay(root, options));
   } catch (error) {
     showProblem(root, error instanceof Error ? error.message : String(error));
     console.warn(error);

@@ -1,7 +1,7 @@
 // The page: puts the parts together, draws when something changed, and keeps the address at the shown moment.
 import {Announcer} from './announcer.js';
 import {actionButton, Controls} from './controls.js';
-import {element, setAttribute} from './dom.js';
+import {element, setAttribute, setText} from './dom.js';
 import {copyLink, saveImage, writeHash} from './export.js';
 import {Help} from './help.js';
 import {listenToKeys} from './keys.js';
@@ -28,13 +28,15 @@ export class Page {
     this.help = new Help(viewer);
     this.announcer = new Announcer(viewer);
     this.bigPlay = actionButton(viewer, 'play', 'play', 'big-play');
-    this.stage = element('div', {class: 'stage'}, this.canvas, this.bigPlay);
+    this.notice = element('p', {class: 'notice', hidden: true});
+    this.stage = element('div', {class: 'stage'}, this.canvas, this.bigPlay, this.notice);
     this.root = root;
     root.replaceChildren(this.scoreboard.root, element('main', {class: 'player', 'aria-label': 'Replay'}, this.stage, this.timeline.root, this.controls.root), this.panel.root, this.announcer.root, this.help.dialog);
     this.scheduled = false;
     this.lastTick = 0;
     this.lastPanel = 0;
     this.addressTimer = 0;
+    if (viewer.decisions) viewer.decisions.onLoad = () => this.#onChange('moment');
     viewer.say = (text) => this.announcer.say(text);
     viewer.listeners.add((what) => this.#onChange(what));
     listenToKeys(viewer, () => this.help.dialog.open);
@@ -63,12 +65,19 @@ export class Page {
     const {viewer} = this;
     if (what === 'settings') this.#applySettings();
     if (what === 'selection' && viewer.selected.length > 0 && this.panel.current === 'statistics') this.panel.open('player');
+    if (what === 'decisions') this.#showDecisions();
     if (what === 'describe') viewer.say(momentText(viewer.record, viewer.frame, viewer.selected));
     if (what === 'help') this.help.open();
     if (what === 'link') copyLink(viewer);
     if (what === 'image') saveImage(viewer, this.canvas, this.renderer.ratio);
     this.lastPanel = 0;
     this.requestDraw();
+  }
+
+  #showDecisions() {
+    const {viewer, panel} = this;
+    if (viewer.debugging && !viewer.settings.panel) viewer.togglePanel();
+    if (viewer.debugging !== (panel.current === 'decision')) panel.open(viewer.debugging ? 'decision' : 'player');
   }
 
   #applySettings() {
@@ -96,15 +105,22 @@ export class Page {
     }
     this.announcer.followClock();
     this.draw(now);
-    if (clock.playing) this.requestDraw();
+    if (clock.playing && !clock.waiting) this.requestDraw();
     else this.lastTick = 0;
+  }
+
+  /** One line over the field, until it is ''. @param {string} text */
+  showNotice(text) {
+    setText(this.notice, text);
+    this.notice.hidden = text === '';
+    if (text !== '') this.announcer.say(text);
   }
 
   /** Draws the moment. @param {number} [now] milliseconds */
   draw(now = performance.now()) {
     const {viewer} = this;
     const {clock, settings} = viewer;
-    this.renderer.draw(clock, {theme: viewer.theme, layers: settings.layers, selected: viewer.selected, smooth: clock.playing});
+    this.renderer.draw(clock, {theme: viewer.theme, layers: settings.layers, selected: viewer.selected, smooth: clock.playing, track: viewer.track});
     this.scoreboard.show(viewer.record, clock.frame);
     this.timeline.draw();
     this.controls.show();

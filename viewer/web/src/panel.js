@@ -1,6 +1,7 @@
 // The side panel: tabs for statistics, players, events and the pitch as a table.
 import {element, setAttribute} from './dom.js';
 import {EventsPanel} from './panel_events.js';
+import {kExtensions} from './extensions.js';
 import {PitchPanel} from './panel_pitch.js';
 import {PlayerPanel} from './panel_player.js';
 import {StatisticsPanel} from './panel_statistics.js';
@@ -13,7 +14,9 @@ export class Panel {
       {id: 'events', label: 'Events', page: new EventsPanel(viewer)},
       {id: 'player', label: 'Player', page: new PlayerPanel(viewer)},
       {id: 'pitch', label: 'Pitch', page: new PitchPanel(viewer)},
+      ...(viewer.decisions ? [{id: 'decision', label: 'Decision', page: kExtensions.decisions.makePanel(viewer)}] : []),
     ];
+    this.viewer = viewer;
     this.current = 'statistics';
     const tabs = element('div', {class: 'tabs', role: 'tablist', 'aria-label': 'Side panel'});
     for (const page of this.pages) {
@@ -35,6 +38,7 @@ export class Panel {
       body.hidden = each !== id;
       if (each === id) page.show();
     }
+    this.viewer.setDebugging(id === 'decision');
   }
 
   #moveTab(event) {

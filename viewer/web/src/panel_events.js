@@ -2,7 +2,7 @@
 import {element, setAttribute} from './dom.js';
 import {cycleLabel} from './record.js';
 
-const kKeyKinds = ['goal', 'shot', 'card'];
+const kKeyKinds = ['goal', 'shot', 'card', 'missed'];
 
 export class EventsPanel {
   /** @param {import('./viewer.js').Viewer} viewer */
@@ -11,13 +11,13 @@ export class EventsPanel {
     this.all = element('input', {type: 'checkbox', onchange: () => this.#fill()});
     this.list = element('ol', {class: 'events'});
     this.root = element('div', {}, element('label', {class: 'filter'}, this.all, element('span', {}, 'Set plays, offenses and lost balls, too')), this.list);
-    this.filled = -1;
+    this.filled = null;
   }
 
   #fill() {
     const {viewer} = this;
     const {record} = viewer;
-    this.filled = viewer.events.length;
+    this.filled = viewer.events;
     this.rows = viewer.events.filter((event) => this.all.checked || kKeyKinds.includes(event.kind)).map((event) => ({
       event,
       button: element('button', {type: 'button', class: `event ${event.kind}`, 'data-side': event.side, onclick: () => this.#open(event)},
@@ -25,7 +25,7 @@ export class EventsPanel {
         ...(event.expectedGoals === undefined ? [] : [element('span', {class: 'event-extra'}, `${event.expectedGoals.toFixed(2)} xG`)])),
     }));
     this.list.replaceChildren(...this.rows.map(({button}) => element('li', {}, button)));
-    if (this.rows.length === 0) this.list.append(element('li', {class: 'hint'}, 'No goals, shots or cards.'));
+    if (this.rows.length === 0) this.list.append(element('li', {class: 'hint'}, 'No goals, shots, cards or missed decisions.'));
     this.show();
   }
 
@@ -35,7 +35,7 @@ export class EventsPanel {
   }
 
   show() {
-    if (this.filled !== this.viewer.events.length) return this.#fill();
+    if (this.filled !== this.viewer.events) return this.#fill();
     const frame = this.viewer.frame;
     let current = null;
     for (const row of this.rows) {

@@ -23,7 +23,7 @@ export class PlayerPanel {
 
   show() {
     const {viewer} = this;
-    const key = `${viewer.selected.join(' ')} ${viewer.record.statistics !== null}`;
+    const key = `${viewer.selected.join(' ')} ${viewer.record.statisticsFrames}`;
     if (key !== this.shown) {
       this.shown = key;
       this.rows = viewer.selected.map((slot) => new PlayerCard(viewer, slot));

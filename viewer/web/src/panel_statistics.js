@@ -39,23 +39,25 @@ export class StatisticsPanel {
   }
 
   show() {
-    const {statistics} = this.viewer.record;
-    if (this.shown === statistics && this.root.childElementCount > 0) return;
+    const {statistics, isLive} = this.viewer.record;
+    if (this.shown === statistics && this.shownLive === isLive && this.root.childElementCount > 0) return;
     this.shown = statistics;
+    this.shownLive = isLive;
     if (!statistics) {
-      this.root.replaceChildren(element('p', {class: 'hint'}, 'Statistics follow at the end of the match.'));
+      this.root.replaceChildren(element('p', {class: 'hint'}, 'The first statistics come after ten seconds.'));
       return;
     }
     const {left, right} = statistics;
     const rows = kRows.map(([label, figure, format]) => comparison(label, figure(left), figure(right), format)).filter((row) => row !== null);
     const head = element('tr', {}, element('th', {scope: 'col', class: 'team-name left'}, left.name || 'left'),
-      element('th', {scope: 'col', class: 'middle'}, 'Whole match'), element('th', {scope: 'col', class: 'team-name right'}, right.name || 'right'));
+      element('th', {scope: 'col', class: 'middle'}, isLive ? 'So far' : 'Whole match'), element('th', {scope: 'col', class: 'team-name right'}, right.name || 'right'));
     const table = element('table', {class: 'comparison'}, element('thead', {}, head), element('tbody', {}, ...rows));
     this.root.replaceChildren(table, ...this.#remarks());
   }
 
   #remarks() {
-    const {statistics, end} = this.viewer.record;
+    const {statistics, end, isLive} = this.viewer.record;
+    if (isLive) return [];
     const remarks = (statistics.doubts ?? []).map((doubt) => element('li', {}, typeof doubt === 'string' ? doubt : JSON.stringify(doubt)));
     if (end?.errors?.count > 0) remarks.push(element('li', {}, `The log has ${end.errors.count} corrupt lines.`));
     if (remarks.length === 0) return [];

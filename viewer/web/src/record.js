@@ -31,8 +31,11 @@ export class MatchRecord {
     this.notes = [];
     /** @type {[import('./notes.js').Team, import('./notes.js').Team][]} by value of the column `teams` */
     this.teams = [[emptyTeam(header, 0), emptyTeam(header, 1)]];
-    /** cls.stats/1, or null while the match runs. */
+    /** cls.stats/1 of the first `statisticsFrames` frames, or null. */
     this.statistics = null;
+    this.statisticsFrames = 0;
+    /** Missed decisions, as the settings of the page have them: cycle, stopped, player, reason. @type {[number, number, string, string][]} */
+    this.missed = [];
     /** Chunk E, or null while the match runs. */
     this.end = null;
     this.missing = constantColumn(kNoNumbers);
@@ -41,6 +44,11 @@ export class MatchRecord {
   /** @param {string} name @returns {(Float32Array | Int32Array)[]} */
   column(name) {
     return this.columns.get(name)?.series ?? this.missing;
+  }
+
+  /** More frames will come. */
+  get isLive() {
+    return this.header.live === true && this.end === null;
   }
 
   has(name) {
@@ -53,6 +61,12 @@ export class MatchRecord {
       this.notes.push(note);
       if (note.kind === 'teams') this.teams.push(note.teams);
     }
+  }
+
+  /** @param {any} statistics of all frames so far */
+  setStatistics(statistics) {
+    this.statistics = statistics;
+    this.statisticsFrames = this.frames;
   }
 
   time(frame) {

@@ -1,4 +1,5 @@
 // Draws the field: pitch from a cache, then the layers.
+import {kExtensions} from './extensions.js';
 import {Pose, poseAt} from './interpolate.js';
 import {drawAreas} from './layer_areas.js';
 import {drawBall} from './layer_ball.js';
@@ -32,7 +33,8 @@ export class Renderer {
   }
 
   /** @param {{at: number, playing: boolean, framesPerSecond: number}} clock
-   * @param {{theme: import('./theme.js').Theme, layers: import('./settings.js').Layers, selected: number[], smooth: boolean}} view */
+   * @param {{theme: import('./theme.js').Theme, layers: import('./settings.js').Layers, selected: number[], smooth: boolean,
+   * track?: import('./decision_track.js').DecisionTrack | null}} view */
   draw(clock, view) {
     poseAt(this.record, clock.at, this.pose, view.smooth);
     this.#follow(view.selected);
@@ -40,13 +42,14 @@ export class Renderer {
     this.#drawPitch(context, view.theme);
     context.setTransform(this.ratio, 0, 0, this.ratio, 0, 0);
     const markFrames = clock.playing ? Math.max(1, Math.ceil((clock.framesPerSecond * kMarkMs) / 1000)) : 1;
-    const scene = {context, record: this.record, pose: this.pose, camera: this.camera, theme: view.theme, layers: view.layers, selected: view.selected, markFrames};
+    const scene = {context, record: this.record, pose: this.pose, camera: this.camera, theme: view.theme, layers: view.layers, selected: view.selected, markFrames, track: view.track};
     drawOffsideLines(scene);
     drawView(scene);
     drawAreas(scene);
     drawTrails(scene);
     drawPlayers(scene);
     drawBall(scene);
+    kExtensions.decisions?.draw(scene);
   }
 
   #follow(selected) {

@@ -10,6 +10,7 @@ import {clamp} from './geometry.js';
  * @property {import('./theme.js').Theme} theme
  * @property {import('./settings.js').Layers} layers
  * @property {number[]} selected slots
+ * @property {import('./decision_track.js').DecisionTrack | null} [track] decisions whose estimates to draw
  * @property {number} markFrames how many frames a mark of one frame stays visible
  */
 

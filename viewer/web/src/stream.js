@@ -41,7 +41,7 @@ export class StreamDecoder {
     if (!this.record) throw new Error('the data starts without a header');
     if (kind === 'N') this.record.addNotes(readNotes(new ByteReader(contents)));
     if (kind === 'F') yield* this.#frames(new ByteReader(contents));
-    if (kind === 'S') this.record.statistics = JSON.parse(kUtf8Text.decode(contents));
+    if (kind === 'S') this.record.setStatistics(JSON.parse(kUtf8Text.decode(contents)));
     if (kind === 'E') {
       this.record.end = JSON.parse(kUtf8Text.decode(contents));
       this.corrupt = parseInt(this.record.end.crc32, 16) !== this.crc;
@@ -82,7 +82,7 @@ function joined(first, second) {
 }
 
 /** The chunk at `start`, or null if it is not complete. */
-function chunkAt(data, start) {
+export function chunkAt(data, start) {
   if (start >= data.length) return null;
   const reader = new ByteReader(data);
   reader.at = start + 1;

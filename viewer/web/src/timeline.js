@@ -28,14 +28,19 @@ export class Timeline {
 
   /** @param {number} frame @returns {number} pixels from the left */
   xOf(frame) {
-    return (frame / Math.max(1, this.viewer.clock.last)) * this.width;
+    return (frame / Math.max(1, this.viewer.clock.span)) * this.width;
+  }
+
+  #frameOfX(x) {
+    const {clock} = this.viewer;
+    return Math.min(clock.last, Math.round(clamp(x / this.width, 0, 1) * clock.span));
   }
 
   #frameAt(event) {
     const x = event.clientX - this.root.getBoundingClientRect().left;
     const near = this.#eventNear(x);
     if (near && event.pointerType !== 'touch') return near.frame;
-    return Math.round(clamp(x / this.width, 0, 1) * this.viewer.clock.last);
+    return this.#frameOfX(x);
   }
 
   /** The most important mark at the pointer. */
@@ -54,7 +59,7 @@ export class Timeline {
     this.root.addEventListener('pointermove', (event) => {
       if (dragging) {
         const x = event.clientX - this.root.getBoundingClientRect().left;
-        this.viewer.seek(Math.round(clamp(x / this.width, 0, 1) * this.viewer.clock.last));
+        this.viewer.seek(this.#frameOfX(x));
       }
       this.#showTip(event);
     });
@@ -83,7 +88,7 @@ export class Timeline {
   draw() {
     const {viewer, canvas, ratio} = this;
     const {theme, clock, record} = viewer;
-    const key = [canvas.width, ratio, viewer.themeName, record.frames, viewer.events.length].join(' ');
+    const key = [canvas.width, ratio, viewer.themeName, record.frames, clock.span, viewer.events.length].join(' ');
     if (key !== this.backKey) {
       this.backKey = key;
       this.#drawBack(theme);
@@ -115,7 +120,7 @@ export class Timeline {
     this.#drawPossession(context, theme);
     this.#drawAxis(context, theme);
     const byRank = [...this.viewer.events].sort((a, b) => (kMarks[b.kind]?.rank ?? 9) - (kMarks[a.kind]?.rank ?? 9));
-    for (const event of byRank) kMarks[event.kind]?.draw(context, this.xOf(event.frame), theme, event);
+    for (const event of byRank) kMarks[event.kind]?.draw(context, this.xOf(event.frame), theme, event, (frame) => this.xOf(frame));
   }
 
   #drawModes(context, theme) {
@@ -125,6 +130,10 @@ export class Timeline {
     context.beginPath();
     context.roundRect(0, kBandTop, this.width, kBandHeight, 4);
     context.clip();
+    context.globalAlpha = 0.35;
+    context.fillStyle = theme.timeline.pause;
+    context.fillRect(0, kBandTop, this.width, kBandHeight);
+    context.globalAlpha = 1;
     let start = 0;
     for (let frame = 1; frame <= record.frames; ++frame) {
       if (frame < record.frames && modes[frame] === modes[start]) continue;
@@ -148,7 +157,7 @@ export class Timeline {
   #drawAxis(context, theme) {
     const {record} = this.viewer;
     const times = record.column('time')[0];
-    const last = times[record.frames - 1];
+    const last = Math.max(times[record.frames - 1], this.viewer.clock.expected);
     const wanted = last / Math.max(2, this.width / 90);
     const step = [10, 20, 50, 100, 200, 500, 1000, 2000, 5000].find((each) => each >= wanted) ?? 10000;
     context.fillStyle = theme.timeline.text;
@@ -184,6 +193,7 @@ const kMarks = {
   card: {rank: 1, draw: drawCardMark},
   shot: {rank: 2, draw: drawShotMark},
   turnover: {rank: 3, draw: drawTurnoverMark},
+  missed: {rank: 4, draw: drawMissedMark},
 };
 
 function sideColor(theme, event) {
@@ -221,6 +231,12 @@ function drawCardMark(context, x, theme, event) {
   context.rect(x - 3.5, 6, 7, 11);
   context.fill();
   context.stroke();
+}
+
+/** Below the band, as wide as the decisions were missed for. */
+function drawMissedMark(context, x, theme, event, xOf) {
+  context.fillStyle = theme.warn;
+  context.fillRect(x - 1, kPossessionTop, Math.max(2, xOf(event.end) - x), kPossessionHeight + 5);
 }
 
 function drawTurnoverMark(context, x, theme, event) {

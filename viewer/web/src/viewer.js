@@ -1,6 +1,7 @@
 // The state of the page: one match, one clock, one view. Actions change it, views read it.
 import {Camera} from './camera.js';
 import {Clock} from './clock.js';
+import {kExtensions} from './extensions.js';
 import {eventsOf, highlightsOf, nextEvent} from './events.js';
 import {formatHash, parseHash} from './hash.js';
 import {nearestToBall} from './moment.js';
@@ -10,6 +11,13 @@ import {kLayers} from './settings.js';
 import {themeOf} from './theme.js';
 
 const kMaxSelected = 4;
+const kNormalHalves = 2;
+const kCyclesPerSecond = 10;
+
+/** Frames of a match without extra time, if the clock never stops. */
+function expectedFrames(record) {
+  return kNormalHalves * kCyclesPerSecond * Math.max(0, record.parameter('half_time', 300));
+}
 
 export class Viewer {
   /** @param {import('./record.js').MatchRecord} record @param {import('./settings.js').Settings} settings
@@ -19,15 +27,46 @@ export class Viewer {
     this.settings = settings;
     this.host = host;
     this.clock = new Clock(record.frames, record.parameter('simulator_step', 100));
+    this.clock.grow(record.frames, record.isLive);
+    this.clock.expected = record.isLive ? expectedFrames(record) : 0;
     this.camera = new Camera(kPitch);
     /** Slots, the first one leads. @type {number[]} */
     this.selected = [];
-    this.events = eventsOf(record);
-    this.highlights = highlightsOf(this.events, record.frames);
+    /** Recorded decisions, or null. */
+    this.decisions = kExtensions.decisions?.makeStore(record) ?? null;
+    /** The field shows what the selected player estimates. */
+    this.debugging = false;
+    this.#findEvents();
     /** @type {Set<(what: string) => void>} */
     this.listeners = new Set();
     /** What the last action did, for people who do not see it. */
     this.say = (/** @type {string} */ text) => void text;
+  }
+
+  #findEvents() {
+    const {record} = this;
+    this.events = eventsOf(record);
+    this.highlights = highlightsOf(this.events, record.frames);
+    this.notesSeen = record.notes.length;
+    this.statisticsSeen = record.statistics;
+  }
+
+  /** The record has more frames, or its end. Each event comes with a note. */
+  grow() {
+    const {record, clock} = this;
+    const wasLive = clock.live;
+    clock.grow(record.frames, record.isLive);
+    if (record.notes.length !== this.notesSeen || record.statistics !== this.statisticsSeen) this.#findEvents();
+    if (wasLive && !clock.live) this.say('The match is over');
+    this.changed('moment');
+  }
+
+  /** Shows what happens now, in a live match. */
+  follow() {
+    if (!this.clock.live) return this.say('The match is over');
+    this.clock.follow();
+    this.say('Live');
+    this.changed('moment');
   }
 
   get frame() {
@@ -111,6 +150,25 @@ export class Viewer {
     this.select(nearestToBall(this.record, this.frame, side));
   }
 
+  /** Shows what the selected player estimates. @param {boolean} on */
+  setDebugging(on) {
+    if (on === this.debugging) return;
+    this.debugging = on;
+    if (on && (this.selected.length === 0 || !this.decisions.has(this.selected[0]))) this.select(this.decisions.nearest(this.frame));
+    this.changed('decisions');
+  }
+
+  toggleDecisions() {
+    if (!this.decisions) return this.say('The page has no decisions; cls match --record-world-models records them');
+    this.setDebugging(!this.debugging);
+    this.say(this.debugging ? 'Decisions' : 'No decisions');
+  }
+
+  /** The decisions to draw, or null. */
+  get track() {
+    return this.debugging && this.selected.length > 0 ? this.decisions.track(this.selected[0]) : null;
+  }
+
   /** @param {'ball' | 'player'} what */
   toggleFollow(what) {
     if (what === 'player' && this.selected.length === 0) this.selectNearest('');
@@ -171,6 +229,7 @@ export class Viewer {
       speed: clock.speed,
       view: {zoom: camera.zoom, x: camera.x, y: camera.y},
       follow: camera.follow,
+      debugging: this.debugging,
       play: false,
     });
   }
@@ -188,6 +247,7 @@ export class Viewer {
     if (moment.follow !== '') this.camera.follow = /** @type {'ball' | 'player'} */ (moment.follow);
     if (moment.time !== null) this.clock.seek(frameOfCycle(this.record, moment.time, moment.stopped));
     if (moment.play && !this.host.reducedMotion) this.clock.play();
+    if (moment.debugging && this.decisions) this.setDebugging(true);
     this.changed('moment');
     this.changed('selection');
   }

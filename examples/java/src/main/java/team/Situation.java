@@ -8,7 +8,7 @@ import protos.Playmaker.WorldModel;
 
 /** The State of one player, with the facts that most decisions begin with. */
 final class Situation {
-    static final double FAR = 1000; // meters or cycles: nobody is there
+    static final double FAR = 1000; // meters or cycles: no player is there
     private static final int MAX_AGE = 20; // cycles; older estimates of players are ignored
 
     final WorldModel world;

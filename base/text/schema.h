@@ -1,0 +1,14 @@
+// Versions of the formats of stored documents: "cls.match/1".
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace cls::base {
+
+/// Why a document of `schema` cannot be read where `newest`, such as "cls.match/2", and its older
+/// versions can: another format, or a newer version. Nothing if it can.
+std::optional<std::string> schema_error(std::string_view schema, std::string_view newest);
+
+}  // namespace cls::base

@@ -1,0 +1,12 @@
+// Versions of the formats of files that cls writes and reads again, if they have no other place.
+// A newer one must read the older ones; fixtures/formats has a file of each.
+#pragma once
+
+namespace cls::base {
+
+constexpr const char* kMatchSchema = "cls.match/1";        ///< result.json
+constexpr const char* kScenarioSchema = "cls.scenario/1";  ///< scenario files
+constexpr int kConfigSchema = 1;                           ///< cls.toml
+constexpr int kStoreSchema = 2;                            ///< tournament.db
+
+}  // namespace cls::base

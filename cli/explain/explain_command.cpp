@@ -1,0 +1,193 @@
+// `cls explain`: the reference in the terminal.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <regex>
+#include <string>
+#include <vector>
+
+#include "base/io/whole_file.h"
+#include "base/text/json_text.h"
+#include "base/text/suggestion.h"
+#include "base/text/table.h"
+#include "base/text/wrap_text.h"
+#include "cli/explain/reference.h"
+#include "cli/support/commands.h"
+#include "cli/support/exit_code.h"
+#include "cli/support/print_error.h"
+#include "cli/terminal/terminal.h"
+
+namespace cls::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+constexpr const char* kDescription =
+    "explain a field, an action, a play mode or an end reason\n"
+    "\n"
+    "  cls explain body_smart_kick     what it does, ends in, and when it fails\n"
+    "  cls explain Self.stamina        unit and range of a field\n"
+    "  cls explain offside_line_x      in whatever message it is\n"
+    "  cls explain Ball                a message with its fields\n"
+    "  cls explain KickIn_ stalled     a play mode and an end reason\n"
+    "  cls explain --list              all names";
+
+struct Arguments {
+  std::vector<std::string> names;
+  std::string folder;
+  bool list = false;
+  bool json = false;
+};
+
+// For a terminal: no marks of code, links without targets.
+std::string plain(std::string_view text) {
+  static const std::regex link(R"(\[([^\]\n]+)\]\([^)\n]*\))");
+  std::string result = std::regex_replace(std::string(text), link, "$1");
+  std::erase(result, '`');
+  return result;
+}
+
+std::vector<const ReferenceEntry*> members_of(const ReferenceEntry& entry) {
+  const std::string_view message =
+      entry.kind == ReferenceKind::kAction ? fact(entry, "message") : std::string_view(entry.name);
+  std::vector<const ReferenceEntry*> members;
+  for (const ReferenceEntry& one : reference()) {
+    if (one.kind != ReferenceKind::kAction && one.group == message) members.push_back(&one);
+  }
+  return members;
+}
+
+bool has_members(const ReferenceEntry& entry) {
+  return entry.kind == ReferenceKind::kMessage || entry.kind == ReferenceKind::kEnum ||
+         entry.kind == ReferenceKind::kAction;
+}
+
+std::string members_text(const ReferenceEntry& entry) {
+  base::Table table;
+  table.add_columns({"name", "type", "unit", "meaning"});
+  for (const ReferenceEntry* one : members_of(entry)) {
+    table.add_row({one->name.substr(one->name.rfind('.') + 1), std::string(fact(*one, "type")),
+                   std::string(fact(*one, "unit")), plain(one->text)});
+  }
+  table.allow_cuts(3);
+  return table.format_text({2, stdout_width(), 1});
+}
+
+void print(const ReferenceEntry& entry, bool color) {
+  const std::size_t width = stdout_width();
+  const std::string of = entry.kind == ReferenceKind::kAction ? " of a " + entry.group
+                         : entry.group.empty()                ? ""
+                                                              : " of " + entry.group;
+  fmt::print("{}{}{} ({}{})\n", color ? "\x1b[1m" : "", entry.name, color ? "\x1b[0m" : "",
+             name(entry.kind), of);
+  if (!entry.text.empty()) {
+    fmt::print("  {}\n", base::wrap_text(plain(entry.text), width, 2));
+  }
+  for (const auto& [label, value] : entry.facts) {
+    fmt::print("  {:<11} {}\n", label, base::wrap_text(plain(value), width, 14));
+  }
+  if (has_members(entry) && !members_of(entry).empty()) fmt::print("\n{}", members_text(entry));
+}
+
+Json document(const std::vector<const ReferenceEntry*>& entries) {
+  Json list = Json::array();
+  for (const ReferenceEntry* entry : entries) {
+    Json one = {{"kind", name(entry->kind)}, {"name", entry->name}, {"text", entry->text}};
+    one["group"] = entry->group.empty() ? Json(nullptr) : Json(entry->group);
+    one["facts"] = Json::object();
+    for (const auto& [label, value] : entry->facts) one["facts"][label] = value;
+    one["members"] = Json::array();
+    if (has_members(*entry)) {
+      for (const ReferenceEntry* member : members_of(*entry))
+        one["members"].push_back(member->name);
+    }
+    list.push_back(std::move(one));
+  }
+  return {{"schema", "cls.explain/1"}, {"entries", std::move(list)}};
+}
+
+int list(bool json) {
+  std::vector<const ReferenceEntry*> all;
+  for (const ReferenceEntry& entry : reference()) all.push_back(&entry);
+  if (json) {
+    fmt::print("{}", base::json_document(document(all)));
+    return kOk;
+  }
+  for (const ReferenceEntry* entry : all) fmt::print("{:<11} {}\n", name(entry->kind), entry->name);
+  return kOk;
+}
+
+int export_pages(const std::string& folder, bool json) {
+  if (const auto created = base::create_folders(folder); !created) {
+    return print_error(kCannotCreate, created.error().message);
+  }
+  Json files = Json::array();
+  for (const auto& [file, text] : reference_pages()) {
+    const std::string path = (fs::path(folder) / file).string();
+    if (const auto written = base::write_file(path, text); !written) {
+      return print_error(kWriteFailed, written.error().message);
+    }
+    if (!json) fmt::print("{}\n", path);
+    files.push_back(path);
+  }
+  if (json) {
+    fmt::print("{}", base::json_document(Json{{"schema", "cls.explain/1"}, {"files", files}}));
+  }
+  return kOk;
+}
+
+int report_unknown(const std::string& word) {
+  std::vector<std::string_view> names;
+  for (const ReferenceEntry& entry : reference()) {
+    names.emplace_back(entry.name);
+    if (entry.kind == ReferenceKind::kField) {
+      names.push_back(std::string_view(entry.name).substr(entry.name.rfind('.') + 1));
+    }
+  }
+  const std::string near = base::did_you_mean(word, names);
+  return print_error(kUsage, fmt::format("unknown name '{}'{}", word,
+                                         near.empty() ? " (see cls explain --list)" : near));
+}
+
+int run(const Arguments& arguments) {
+  if (!arguments.folder.empty()) return export_pages(arguments.folder, arguments.json);
+  if (arguments.list) return list(arguments.json);
+  if (arguments.names.empty())
+    return print_error(kUsage, "explain: NAME is missing (see cls explain --list)");
+  std::vector<const ReferenceEntry*> entries;
+  for (const std::string& word : arguments.names) {
+    const auto found = find_entries(word);
+    if (found.empty()) return report_unknown(word);
+    entries.insert(entries.end(), found.begin(), found.end());
+  }
+  if (arguments.json) {
+    fmt::print("{}", base::json_document(document(entries)));
+    return kOk;
+  }
+  const bool color = stdout_supports_color();
+  for (const ReferenceEntry* entry : entries) {
+    if (entry != entries.front()) fmt::print("\n");
+    print(*entry, color);
+  }
+  return kOk;
+}
+
+}  // namespace
+
+void add_explain_command(CLI::App& app, int& exit_code) {
+  const auto arguments = std::make_shared<Arguments>();
+  CLI::App* command = app.add_subcommand("explain", kDescription);
+  command->add_option("NAME", arguments->names, "a name of the interface, or its last part");
+  command->add_flag("--list", arguments->list, "print all names");
+  command
+      ->add_option("--export", arguments->folder, "write the pages of docs/reference to a folder")
+      ->type_name("DIR");
+  command->add_flag("--json", arguments->json, "print one JSON document");
+  command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
+}
+
+}  // namespace cls::cli

@@ -1,0 +1,325 @@
+// Builds the reference from the interface, the manual and the notes.
+#include "cli/explain/reference.h"
+
+#include <fmt/format.h>
+#include <fnmatch.h>
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <cctype>
+#include <map>
+#include <regex>
+#include <set>
+#include <sstream>
+
+#include "cli/explain/proto_text.h"
+#include "orchestration/match/result/end_reason.h"
+#include "soccer/parameters/player_params.h"
+#include "soccer/parameters/server_params.h"
+
+namespace cls::cli {
+namespace {
+
+using Facts = std::vector<std::pair<std::string, std::string>>;
+constexpr std::string_view kPlayModes = "GameModeType";
+
+std::string_view file(std::string_view name) {
+  for (const ReferenceFile& one : reference_files()) {
+    if (one.name == name) return one.text;
+  }
+  return {};
+}
+
+void add_fact(Facts& facts, std::string_view label, std::string_view value) {
+  if (!value.empty()) facts.emplace_back(label, value);
+}
+
+// The unit, range, ... of fields.
+class Notes {
+ public:
+  Notes() : notes_(toml::parse(file("cli/explain/notes.toml"))) {}
+
+  std::map<std::string, std::string> of_field(const std::string& name,
+                                              const std::string& type) const {
+    std::map<std::string, std::string> values;
+    for (const toml::node& node : *notes_["field"].as_array()) {
+      const toml::table& rule = *node.as_table();
+      if (!matches(rule, name, type)) continue;
+      for (const char* key : {"unit", "range", "unknown", "set"}) {
+        if (const auto value = rule[key].value<std::string>()) values[key] = *value;
+      }
+    }
+    return values;
+  }
+
+  std::string play_mode(const std::string& name) const {
+    return notes_["play_modes"][name].value_or(std::string());
+  }
+
+ private:
+  static bool matches(const toml::table& rule, const std::string& name, const std::string& type) {
+    const toml::array* types = rule["types"].as_array();
+    const auto is_type = [&](const toml::node& one) { return one.value_or(std::string()) == type; };
+    if (types != nullptr && std::none_of(types->begin(), types->end(), is_type)) return false;
+    const toml::array& patterns = *rule["match"].as_array();
+    return std::any_of(patterns.begin(), patterns.end(), [&](const toml::node& pattern) {
+      return fnmatch(pattern.value_or(std::string()).c_str(), name.c_str(), 0) == 0;
+    });
+  }
+
+  toml::table notes_;
+};
+
+// Unit, default and effect of a parameter that the server has under the same name.
+template <typename Params>
+void add_parameter(const soccer::ParameterTable<Params>& table, const std::string& name,
+                   ReferenceEntry& entry) {
+  const auto* row = soccer::find_parameter(table, name);
+  if (row == nullptr) return;
+  if (entry.text.empty()) entry.text = row->effect;
+  add_fact(entry.facts, "unit", row->unit);
+  const Params defaults;
+  const std::string value =
+      std::visit([&](auto member) { return fmt::to_string(defaults.*member); }, row->member);
+  add_fact(entry.facts, "default", value);
+}
+
+ReferenceEntry field_entry(const ProtoBlock& message, const ProtoField& field, const Notes& notes) {
+  ReferenceEntry entry;
+  entry.kind = ReferenceKind::kField;
+  entry.name = message.name + "." + field.name;
+  entry.group = message.name;
+  entry.text = field.comment;
+  entry.facts = {{"type", field.type}};
+  if (message.name == "ServerParam") {
+    add_parameter(soccer::server_param_table(), field.name, entry);
+  } else if (message.name == "PlayerParam") {
+    add_parameter(soccer::player_param_table(), field.name, entry);
+  } else {
+    auto values = notes.of_field(entry.name, field.type);
+    for (const char* key : {"unit", "range", "unknown", "set"}) {
+      add_fact(entry.facts, key, values[key]);
+    }
+  }
+  return entry;
+}
+
+void add_block(std::vector<ReferenceEntry>& all, const ProtoBlock& block, const Notes& notes) {
+  all.push_back({block.is_enum ? ReferenceKind::kEnum : ReferenceKind::kMessage,
+                 block.name,
+                 "",
+                 block.comment,
+                 {}});
+  for (const ProtoField& field : block.fields) {
+    if (!block.is_enum) {
+      all.push_back(field_entry(block, field, notes));
+      continue;
+    }
+    const bool is_mode = block.name == kPlayModes;
+    ReferenceEntry entry;
+    entry.kind = is_mode ? ReferenceKind::kPlayMode : ReferenceKind::kValue;
+    entry.name = field.name;
+    entry.group = block.name;
+    entry.text = is_mode ? notes.play_mode(field.name) : field.comment;
+    entry.facts = {{"number", std::to_string(field.number)}};
+    all.push_back(std::move(entry));
+  }
+}
+
+// The cells of "| a | b |"; empty for another line.
+std::vector<std::string> cells_of(const std::string& line) {
+  std::vector<std::string> cells;
+  if (line.size() < 2 || line.front() != '|') return cells;
+  std::istringstream stream(line.substr(1));
+  for (std::string cell; std::getline(stream, cell, '|');) {
+    const std::size_t begin = cell.find_first_not_of(' ');
+    cells.push_back(begin == std::string::npos
+                        ? ""
+                        : cell.substr(begin, cell.find_last_not_of(' ') - begin + 1));
+  }
+  return cells;
+}
+
+// A row of the tables of docs/actions.md.
+struct ActionRow {
+  std::vector<std::string> patterns;  ///< names; "neck_*"
+  std::string kind;                   ///< "main" or "side"; empty for coach and trainer
+  std::string effect;
+  std::string ends;
+  std::string fails;
+};
+
+std::vector<ActionRow> action_rows() {
+  static const std::regex name_in_code("`([a-z_*]+)`");
+  std::vector<ActionRow> rows;
+  std::istringstream lines{std::string(file("docs/actions.md"))};
+  std::size_t columns = 0;  // of the table of actions around the line; 0: none
+  for (std::string line; std::getline(lines, line);) {
+    const std::vector<std::string> cells = cells_of(line);
+    if (!cells.empty() && cells[0] == "action") columns = cells.size();
+    if (cells.empty()) columns = 0;
+    if (columns == 0 || cells.size() != columns || cells[0].front() != '`') continue;
+    ActionRow row;
+    for (std::sregex_iterator i(cells[0].begin(), cells[0].end(), name_in_code), end; i != end;
+         ++i) {
+      row.patterns.push_back((*i)[1]);
+    }
+    const bool is_player = columns == 5;
+    row.kind = is_player ? cells[1] : "";
+    row.effect = cells[is_player ? 2 : 1];
+    row.ends = is_player ? cells[3] : "";
+    row.fails = cells.back();
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+const ActionRow* find_row(const std::vector<ActionRow>& rows, const std::string& action) {
+  for (const ActionRow& row : rows) {
+    for (const std::string& pattern : row.patterns) {
+      if (fnmatch(pattern.c_str(), action.c_str(), 0) == 0) return &row;
+    }
+  }
+  return nullptr;
+}
+
+// The fields of PlayerAction, CoachAction and TrainerAction.
+void add_actions(std::vector<ReferenceEntry>& all, const std::vector<ProtoBlock>& blocks) {
+  const std::vector<ActionRow> rows = action_rows();
+  std::map<std::string, std::string> comments;
+  for (const ProtoBlock& block : blocks) comments[block.name] = block.comment;
+  for (const auto& [message, agent] :
+       {std::pair{"PlayerAction", "player"}, std::pair{"CoachAction", "coach"},
+        std::pair{"TrainerAction", "trainer"}}) {
+    const auto block = std::find_if(
+        blocks.begin(), blocks.end(),
+        [name = std::string_view(message)](const ProtoBlock& one) { return one.name == name; });
+    if (block == blocks.end()) continue;
+    for (const ProtoField& field : block->fields) {
+      ReferenceEntry entry;
+      entry.kind = ReferenceKind::kAction;
+      entry.name = field.name;
+      entry.group = agent;
+      entry.text = comments[field.type];
+      add_fact(entry.facts, "message", field.type);
+      if (const ActionRow* row = find_row(rows, field.name)) {
+        add_fact(entry.facts, "class", row->kind);
+        add_fact(entry.facts, "does", row->effect);
+        add_fact(entry.facts, "ends in", row->ends);
+        add_fact(entry.facts, "fails when", row->fails);
+      }
+      all.push_back(std::move(entry));
+    }
+  }
+}
+
+// "### crashed" and the text below it, in docs/troubleshooting.md.
+void add_end_reasons(std::vector<ReferenceEntry>& all) {
+  std::istringstream lines{std::string(file("docs/troubleshooting.md"))};
+  ReferenceEntry* current = nullptr;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with("#")) {
+      current = nullptr;
+      const std::string heading = line.substr(line.find_first_not_of("# "));
+      if (line.starts_with("### ") && orchestration::match::parse_end_reason(heading)) {
+        current = &all.emplace_back();
+        current->kind = ReferenceKind::kEndReason;
+        current->name = heading;
+      }
+    } else if (current != nullptr && (!line.empty() || !current->text.empty())) {
+      const bool goes_on = !current->text.empty() && current->text.back() != '\n' &&
+                           !line.empty() && !line.starts_with("- ");
+      if (goes_on) {
+        current->text += ' ';
+      } else if (!current->text.empty()) {
+        current->text += '\n';
+      }
+      current->text += line;
+    }
+  }
+  for (ReferenceEntry& entry : all) {
+    while (!entry.text.empty() && entry.text.back() == '\n') entry.text.pop_back();
+  }
+}
+
+std::vector<ReferenceEntry> build() {
+  const Notes notes;
+  const std::vector<ProtoBlock> blocks = read_proto(file("proto/playmaker.proto"));
+  std::vector<ReferenceEntry> all;
+  for (const ProtoBlock& block : blocks) add_block(all, block, notes);
+  add_actions(all, blocks);
+  add_end_reasons(all);
+  return all;
+}
+
+// Lower case without '_' and '-': "kick_off" and "KickOff_" are the same.
+std::string folded(std::string_view name) {
+  std::string result;
+  for (const char c : name) {
+    if (c != '_' && c != '-' && c != ' ') {
+      result += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    }
+  }
+  return result;
+}
+
+std::string_view last_part(std::string_view name) { return name.substr(name.rfind('.') + 1); }
+
+}  // namespace
+
+std::string_view name(ReferenceKind kind) {
+  switch (kind) {
+    case ReferenceKind::kMessage:
+      return "message";
+    case ReferenceKind::kField:
+      return "field";
+    case ReferenceKind::kAction:
+      return "action";
+    case ReferenceKind::kEnum:
+      return "enumeration";
+    case ReferenceKind::kValue:
+      return "value";
+    case ReferenceKind::kPlayMode:
+      return "play mode";
+    case ReferenceKind::kEndReason:
+      return "end reason";
+  }
+  return "";
+}
+
+const std::vector<ReferenceEntry>& reference() {
+  static const std::vector<ReferenceEntry> entries = build();
+  return entries;
+}
+
+std::string_view fact(const ReferenceEntry& entry, std::string_view label) {
+  for (const auto& [name, value] : entry.facts) {
+    if (name == label) return value;
+  }
+  return {};
+}
+
+std::vector<const ReferenceEntry*> find_entries(std::string_view word) {
+  const auto select = [](auto matches) {
+    std::vector<const ReferenceEntry*> found;
+    for (const ReferenceEntry& entry : reference()) {
+      // The action says more than the field of PlayerAction.
+      const bool is_choice = entry.group == "PlayerAction" || entry.group == "CoachAction" ||
+                             entry.group == "TrainerAction";
+      if (!is_choice && matches(entry)) found.push_back(&entry);
+    }
+    return found;
+  };
+  auto found = select([&](const ReferenceEntry& entry) { return entry.name == word; });
+  const std::string wanted = folded(word);
+  if (found.empty()) {
+    found = select([&](const ReferenceEntry& entry) { return folded(entry.name) == wanted; });
+  }
+  if (found.empty()) {
+    found = select(
+        [&](const ReferenceEntry& entry) { return folded(last_part(entry.name)) == wanted; });
+  }
+  return found;
+}
+
+}  // namespace cls::cli

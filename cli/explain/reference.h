@@ -1,0 +1,45 @@
+// What `cls explain` knows: messages, fields, actions, play modes, end reasons, parameters.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace cls::cli {
+
+/// A file of docs/, proto/ or cli/explain/, embedded at build time.
+struct ReferenceFile {
+  std::string_view name;  ///< from the root of the source tree: "docs/actions.md"
+  std::string_view text;
+};
+const std::vector<ReferenceFile>& reference_files();
+
+enum class ReferenceKind { kMessage, kField, kAction, kEnum, kValue, kPlayMode, kEndReason };
+
+/// "message", "field", "action", "enumeration", "value", "play mode", "end reason".
+std::string_view name(ReferenceKind kind);
+
+struct ReferenceEntry {
+  ReferenceKind kind = ReferenceKind::kMessage;
+  std::string name;   ///< "Self", "Self.stamina", "body_smart_kick", "KickOff_", "crashed"
+  std::string group;  ///< message of a field, enumeration of a value, agent of an action
+  std::string text;   ///< what it means; may be empty
+  /// Label and value, in the order of output: {"type", "float"}, {"unit", "m"}.
+  std::vector<std::pair<std::string, std::string>> facts;
+};
+
+/// All entries: those of a message directly before those of its fields.
+const std::vector<ReferenceEntry>& reference();
+
+/// The value of a fact; empty if the entry lacks it.
+std::string_view fact(const ReferenceEntry& entry, std::string_view label);
+
+/// The entries that `word` names: a full name, or the last part of it ("stamina"). Case, `_` and
+/// `-` do not count. Exact names win.
+std::vector<const ReferenceEntry*> find_entries(std::string_view word);
+
+/// The pages of docs/reference/: name of the file and text.
+std::vector<std::pair<std::string, std::string>> reference_pages();
+
+}  // namespace cls::cli

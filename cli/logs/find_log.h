@@ -1,0 +1,26 @@
+// The log that a user means: a file, or one in a match folder.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "base/result.h"
+#include "gamelog/files/log_files.h"
+
+namespace cls::cli {
+
+struct FoundLog {
+  gamelog::MatchLogs logs;
+  std::filesystem::path folder;  ///< where files about the match go by default
+  std::string name;              ///< of those files, without suffix: "match", "game"
+};
+
+/// `what` is a game log, a page, a folder that find_match_folder() knows, or "-" for standard
+/// input.
+base::Result<FoundLog> find_log(const std::string& what);
+
+/// Why a page cannot be written to `file`: pages are replaced, other files are not.
+std::optional<std::string> why_no_page(const std::filesystem::path& file);
+
+}  // namespace cls::cli

@@ -1,0 +1,209 @@
+// `cls report WHAT`: a match as a report with charts.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "base/io/whole_file.h"
+#include "base/text/json_text.h"
+#include "base/text/percent_encoding.h"
+#include "cli/logs/analyzed_match.h"
+#include "cli/support/commands.h"
+#include "cli/support/exit_code.h"
+#include "cli/support/print_error.h"
+#include "orchestration/match/result/match_folder.h"
+#include "orchestration/match/result/match_result.h"
+#include "orchestration/match/result/recorded_end.h"
+#include "viewer/charts/drawing.h"
+#include "viewer/page/match_page.h"
+#include "viewer/report/match_report.h"
+
+namespace cls::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using orchestration::match::MatchResult;
+using orchestration::match::PlayerResult;
+using orchestration::match::RpcLatency;
+using orchestration::match::TeamResult;
+
+constexpr const char* kDescription =
+    "write the report of a match\n"
+    "Charts (expected goals, shots, possession, passes, positions, goals), statistics\n"
+    "of teams and players, latencies of the Playmakers, and the match to watch.\n"
+    "\n"
+    "  cls report runs/match-1                          one HTML file: report.html\n"
+    "  cls report game.rcg.gz --out game.html           any game log\n"
+    "  cls report game.rcg --format md --out report.md  Markdown and SVG, for READMEs\n"
+    "  cls report game.rcg --format svg --out charts    the charts alone\n"
+    "\n"
+    "WHAT is as for 'cls watch': a game log, a page, a match folder, ...";
+
+struct Arguments {
+  std::string what;
+  std::string format = "html";
+  std::string out;
+  bool without_replay = false;
+  bool json = false;
+};
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+void add_replies(const TeamResult& team, std::vector<viewer::PlaymakerReplies>& rows) {
+  viewer::PlaymakerReplies row;
+  row.team = team.name;
+  row.endpoint = team.endpoint;
+  std::vector<double> medians;
+  for (const PlayerResult& player : team.players) {
+    row.decisions += player.decisions;
+    row.late += player.late;
+    row.missed += player.missed;
+    medians.push_back(player.rpc_us.p50);
+    row.p95_us = std::max(row.p95_us, player.rpc_us.p95);
+    row.p99_us = std::max(row.p99_us, player.rpc_us.p99);
+    row.max_us = std::max(row.max_us, player.rpc_us.max);
+  }
+  if (row.decisions == 0) return;
+  row.p50_us = median(std::move(medians));
+  rows.push_back(std::move(row));
+}
+
+// What `cls match` wrote beside the log, if it is the log of that match.
+void add_result(const fs::path& log, viewer::MatchReport& report) {
+  namespace match = orchestration::match;
+  if (!match::recorded_end(log.string())) return;
+  const auto text = base::read_file(log.parent_path() / match::kResultFile);
+  const auto result = match::parse_match_result(text.value_or(""));
+  if (!result) return;
+  add_replies(result->left, report.playmakers);
+  add_replies(result->right, report.playmakers);
+  report.warnings = result->warnings;
+  if (!result->message.empty()) report.warnings.insert(report.warnings.begin(), result->message);
+  const auto manifest = nlohmann::json::parse(
+      base::read_file(log.parent_path() / match::kManifestFile).value_or(""), nullptr, false);
+  if (!manifest.is_object()) return;
+  const auto command = manifest.find("command");
+  if (command != manifest.end() && command->is_string()) {
+    report.command = command->get<std::string>();
+  }
+}
+
+struct File {
+  fs::path path;
+  std::string text;
+};
+
+std::vector<File> chart_files(const fs::path& folder, const std::vector<viewer::Chart>& charts) {
+  std::vector<File> files;
+  for (const viewer::Chart& chart : charts) {
+    files.push_back({folder / (chart.name + ".svg"), viewer::standalone_svg(chart.svg)});
+  }
+  return files;
+}
+
+std::string html_text(const Arguments& arguments, const AnalyzedMatch& match,
+                      const viewer::MatchReport& report, const std::vector<viewer::Chart>& charts) {
+  std::string replay;
+  if (!arguments.without_replay) {
+    replay = viewer::match_page(match.match.record, match.text_log(), match.summary.file,
+                                match.match.form.compact, {});
+  }
+  return viewer::report_html(report, charts, replay);
+}
+
+// The file that --out names, or its default.
+fs::path target_of(const Arguments& arguments, const FoundLog& found) {
+  if (!arguments.out.empty()) return arguments.out;
+  const std::string prefix = found.name == "match" ? "" : found.name + "-";
+  if (arguments.format == "svg") return found.folder / (prefix + "charts");
+  return found.folder / (prefix + "report." + arguments.format);
+}
+
+std::vector<File> files_of(const Arguments& arguments, const AnalyzedMatch& match,
+                           const fs::path& target) {
+  const std::vector<viewer::Chart> charts = viewer::match_charts(match.summary, match.statistics);
+  if (arguments.format == "svg") return chart_files(target, charts);
+  viewer::MatchReport report;
+  report.summary = match.summary;
+  report.statistics = &match.statistics;
+  add_result(match.found.logs.game, report);
+  if (arguments.format == "html") return {{target, html_text(arguments, match, report, charts)}};
+  const std::string folder = target.stem().string() + "-charts";
+  std::vector<File> files = chart_files(target.parent_path() / folder, charts);
+  files.insert(files.begin(),
+               {target, viewer::report_markdown(report, charts, base::percent_encoded(folder))});
+  return files;
+}
+
+int write_files(const std::vector<File>& files) {
+  for (const File& file : files) {
+    const fs::path folder = file.path.parent_path();
+    if (!folder.empty()) {
+      if (const auto created = base::create_folders(folder); !created) {
+        return print_error(kCannotCreate, created.error().message);
+      }
+    }
+    if (const auto written = base::write_file(file.path, file.text); !written) {
+      return print_error(kCannotCreate, written.error().message);
+    }
+  }
+  return kOk;
+}
+
+void print_document(const std::vector<File>& files, const AnalyzedMatch& match) {
+  nlohmann::ordered_json document = {{"schema", "cls.report/1"},
+                                     {"files", nlohmann::ordered_json::array()},
+                                     {"errors", match.match.record.errors.count}};
+  for (const File& file : files) document["files"].push_back(file.path.string());
+  fmt::print("{}", base::json_document(document));
+}
+
+int run_report_command(const Arguments& arguments) {
+  if (arguments.format != "html" && arguments.format != "md" && arguments.format != "svg") {
+    return print_error(kUsage,
+                       fmt::format("--format '{}': must be html, md or svg", arguments.format));
+  }
+  AnalyzedMatch match;
+  if (const int exit_code = read_match(arguments.what, match); exit_code != kOk) return exit_code;
+  const fs::path target = target_of(arguments, match.found);
+  if (arguments.format == "html") {
+    if (const auto why = why_no_page(target)) return print_error(kCannotCreate, *why);
+  }
+  const std::vector<File> files = files_of(arguments, match, target);
+  if (const int exit_code = write_files(files); exit_code != kOk) return exit_code;
+  if (arguments.json) {
+    print_document(files, match);
+  } else {
+    fmt::print("{}\n", target.string());
+  }
+  return match.match.record.errors.empty() ? kOk : kBadData;
+}
+
+}  // namespace
+
+void add_report_command(CLI::App& app, int& exit_code) {
+  const auto arguments = std::make_shared<Arguments>();
+  CLI::App* command = app.add_subcommand("report", kDescription);
+  command->add_option("WHAT", arguments->what, "game log, page or match folder")->required();
+  command
+      ->add_option("--format", arguments->format,
+                   "html, md (Markdown and a folder of charts) or svg (the folder alone)")
+      ->capture_default_str();
+  command->add_option("--out", arguments->out,
+                      "file to write, for svg the folder (default: beside the log)");
+  command->add_flag("--no-replay", arguments->without_replay,
+                    "HTML: without the match to watch, about 1.5 MB less");
+  command->add_flag("--json", arguments->json, "print the written files as one JSON document");
+  command->callback([arguments, &exit_code] { exit_code = run_report_command(*arguments); });
+}
+
+}  // namespace cls::cli

@@ -1,0 +1,85 @@
+// Judges by files and their ages.
+#include "cli/logs/running_match.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <utility>
+
+#include "base/io/whole_file.h"
+#include "base/system/socket_address.h"
+#include "base/text/number_text.h"
+#include "cli/logs/find_match_folder.h"
+#include "orchestration/match/result/match_folder.h"
+
+namespace cls::cli {
+namespace {
+
+namespace fs = std::filesystem;
+namespace match = orchestration::match;
+
+// The log of a running match may rest this long, for example under a debugger.
+constexpr std::chrono::seconds kRunningLogAge{30};
+
+bool changed_lately(const fs::path& file) {
+  std::error_code code;
+  const auto changed = fs::last_write_time(file, code);
+  return !code && fs::file_time_type::clock::now() - changed < kRunningLogAge;
+}
+
+// A match that was killed has no result either, but an old log.
+std::optional<RunningMatch> in_folder(const std::string& what) {
+  const auto found = find_match_folder(what, std::nullopt);
+  if (!found || has_result(found->folder)) return std::nullopt;
+  const fs::path folder = found->folder;
+  const fs::path log = game_log_in(folder);
+  if (!changed_lately(log) && !changed_lately(folder / match::kManifestFile)) return std::nullopt;
+  return RunningMatch{viewer::follow_log(log, [folder] { return has_result(folder); }),
+                      folder / match::kTextLogFile, folder.filename().string()};
+}
+
+base::Result<std::optional<RunningMatch>> on_server(const std::string& what) {
+  const std::size_t colon = what.rfind(':');
+  if (colon == std::string::npos || colon == 0) return std::optional<RunningMatch>();
+  const auto port = base::parse_int(std::string_view(what).substr(colon + 1));
+  if (!port || what.find('/') != std::string::npos) return std::optional<RunningMatch>();
+  if (*port < 1 || *port > 65535) {
+    return base::Error{fmt::format("{}: a port is a number from 1 to 65535", what)};
+  }
+  auto input = viewer::follow_server(base::strip_brackets(what.substr(0, colon)), *port);
+  if (!input) return input.error();
+  return std::optional(RunningMatch{*std::move(input), {}, what});
+}
+
+}  // namespace
+
+fs::path game_log_in(const fs::path& folder) {
+  fs::path log = folder / match::kGameLogFile;
+  std::error_code code;
+  if (fs::exists(log, code)) return log;
+  fs::path packed = log.string() + ".gz";
+  return fs::exists(packed, code) ? packed : log;
+}
+
+bool has_result(const fs::path& folder) {
+  std::error_code code;
+  return fs::exists(folder / match::kResultFile, code);
+}
+
+base::Result<std::optional<RunningMatch>> find_running_match(const std::string& what,
+                                                             bool is_live_log) {
+  std::error_code code;
+  if (fs::is_directory(what, code)) return in_folder(what);
+  if (!fs::exists(what, code) && what != "-") {
+    auto found = on_server(what);
+    if (!found || *found) return found;
+  }
+  if (!is_live_log) return std::optional<RunningMatch>();
+  if (const auto why = base::why_no_file(what)) {
+    return base::Error{fmt::format("{}: {}", what, *why)};
+  }
+  return std::optional(
+      RunningMatch{viewer::follow_log(what, nullptr), {}, fs::path(what).filename().string()});
+}
+
+}  // namespace cls::cli

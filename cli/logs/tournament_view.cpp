@@ -1,0 +1,163 @@
+// Reads the state of the tournament for each request; matches are followed on demand.
+#include "cli/logs/tournament_view.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <map>
+#include <optional>
+#include <thread>
+#include <utility>
+
+#include "base/text/number_text.h"
+#include "cli/logs/running_match.h"
+#include "cli/support/browser.h"
+#include "cli/support/exit_code.h"
+#include "cli/support/interrupt.h"
+#include "cli/support/print_error.h"
+#include "gamelog/files/log_files.h"
+#include "gamelog/rcl/rcl_reader.h"
+#include "orchestration/tournament/store/folder.h"
+#include "viewer/live/live_site.h"
+#include "viewer/live/match_list.h"
+#include "viewer/page/match_page.h"
+
+namespace cls::cli {
+namespace {
+
+namespace fs = std::filesystem;
+namespace tournament = orchestration::tournament;
+using tournament::ScheduledMatch;
+using viewer::HttpReply;
+
+constexpr std::chrono::milliseconds kTournamentPollInterval{200};
+
+HttpReply not_found(std::string why) {
+  HttpReply reply;
+  reply.body = std::move(why) + "\n";
+  return reply;
+}
+
+class TournamentSite {
+ public:
+  explicit TournamentSite(fs::path folder) : folder_(std::move(folder)) {}
+
+  HttpReply reply(std::string_view path, std::string_view query) {
+    const auto state = tournament::read_tournament(folder_);
+    if (!state) return not_found(state.error().message);
+    if (path.empty()) return list(*state);
+    // match/INDEX/ and match/INDEX/live
+    constexpr std::string_view kMatch = "match/";
+    if (!path.starts_with(kMatch)) return not_found("not found");
+    path.remove_prefix(kMatch.size());
+    const std::size_t slash = std::min(path.find('/'), path.size());
+    const auto index = base::parse_int(path.substr(0, slash));
+    const auto match = std::find_if(
+        state->matches.begin(), state->matches.end(),
+        [&](const ScheduledMatch& one) { return index && one.fixture.index == *index; });
+    if (match == state->matches.end() || slash == path.size()) return not_found("not found");
+    const std::string_view rest = path.substr(slash + 1);
+    if (rest == "live") return stream(*match, query);
+    return rest.empty() ? page(*state, *match) : not_found("not found");
+  }
+
+ private:
+  HttpReply list(const tournament::TournamentState& state) const {
+    std::vector<viewer::ListedMatch> rows;
+    bool running = false;
+    for (const ScheduledMatch& match : state.matches) {
+      rows.push_back(row(state, match));
+      running = running || !match.outcome;
+    }
+    return viewer::page_reply(viewer::match_list_page(folder_.filename().string(), rows, running));
+  }
+
+  viewer::ListedMatch row(const tournament::TournamentState& state,
+                          const ScheduledMatch& match) const {
+    const auto name = [&](int team) {
+      return state.config.teams[static_cast<std::size_t>(team)].name;
+    };
+    viewer::ListedMatch row{
+        match.fixture.index, name(match.fixture.left), name(match.fixture.right), "", "", false};
+    std::error_code code;
+    row.has_page = match.attempts > 0 && fs::exists(game_log_in(match_folder(state, match)), code);
+    if (!match.outcome) {
+      const bool running =
+          std::binary_search(state.running.begin(), state.running.end(), match.fixture.index);
+      row.state = running ? "playing" : match.attempts > 0 ? "not finished" : "planned";
+    } else {
+      row.score = fmt::format("{} : {}", match.outcome->left_score, match.outcome->right_score);
+      if (match.outcome->forfeit) row.state = "forfeited";
+      if (!match.outcome->counts()) row.state = "failed: " + match.outcome->message;
+      row.has_page = row.has_page && !match.outcome->folder.empty();
+    }
+    return row;
+  }
+
+  fs::path match_folder(const tournament::TournamentState& state,
+                        const ScheduledMatch& match) const {
+    if (match.outcome && !match.outcome->folder.empty()) return folder_ / match.outcome->folder;
+    return folder_ /
+           tournament::match_folder(state.config, match.fixture, std::max(1, match.attempts));
+  }
+
+  HttpReply page(const tournament::TournamentState& state, const ScheduledMatch& match) {
+    const fs::path folder = match_folder(state, match);
+    const std::string title = fmt::format("match {}", match.fixture.index);
+    if (!match.outcome) {
+      follow(match.fixture.index, folder);
+      return viewer::page_reply(viewer::live_page(title, "live", {}));
+    }
+    const auto read = viewer::read_log_or_page(game_log_in(folder).string());
+    if (!read || read->record.frames() == 0) return not_found("the match has no log");
+    return viewer::page_reply(viewer::match_page(
+        read->record, nullptr, game_log_in(folder).filename().string(), false, {}));
+  }
+
+  void follow(int index, const fs::path& folder) {
+    const auto found = followed_.find(index);
+    if (found != followed_.end() && found->second.first == folder) return;
+    auto input = viewer::follow_log(game_log_in(folder), [folder] { return has_result(folder); });
+    followed_[index] = {folder, std::make_unique<viewer::LiveMatch>(std::move(input))};
+  }
+
+  HttpReply stream(const ScheduledMatch& match, std::string_view query) const {
+    const auto found = followed_.find(match.fixture.index);
+    if (found == followed_.end()) return not_found("the match is not played now");
+    return viewer::feed_reply(found->second.second->feed(), query);
+  }
+
+  fs::path folder_;
+  std::map<int, std::pair<fs::path, std::unique_ptr<viewer::LiveMatch>>> followed_;
+};
+
+// Without a running `cls tournament run`, too.
+bool is_over(const fs::path& folder) {
+  const auto state = tournament::read_tournament(folder);
+  return !state || state->running.empty();
+}
+
+}  // namespace
+
+int serve_tournament(const fs::path& folder, const LiveViewOptions& options,
+                     const std::function<void(const std::string& url)>& on_start) {
+  const std::atomic<int>& signal = watch_interrupts();
+  // Used by the server's thread only.
+  TournamentSite site(fs::canonical(folder));
+  const auto server = viewer::HttpServer::start(
+      options.address,
+      [&site](std::string_view path, std::string_view query) { return site.reply(path, query); });
+  if (!server) return print_error(kTryAgain, server.error().message);
+  on_start((*server)->url());
+  if (options.open_browser) open_in_browser((*server)->url());
+  while (signal.load() == 0 && !is_over(folder))
+    std::this_thread::sleep_for(10 * kTournamentPollInterval);
+  const auto end = end_of_linger(options.linger_s);
+  while (signal.load() == 0 && std::chrono::steady_clock::now() < end) {
+    std::this_thread::sleep_for(kTournamentPollInterval);
+  }
+  return kOk;
+}
+
+}  // namespace cls::cli

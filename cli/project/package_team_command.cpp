@@ -1,0 +1,115 @@
+// `cls package-team`: a team of cls.toml as a folder that the machines of a competition start.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/io/occupied_path.h"
+#include "base/io/whole_file.h"
+#include "base/text/json_text.h"
+#include "base/text/suggestion.h"
+#include "cli/project/team_package.h"
+#include "cli/support/commands.h"
+#include "cli/support/exit_code.h"
+#include "cli/support/print_error.h"
+#include "orchestration/tournament/config/config_file.h"
+
+namespace cls::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace orchestration::tournament;
+
+constexpr const char* kDescription =
+    "write a team of cls.toml as a folder for a competition\n"
+    "It holds start HOST DIR NUM, kill, this cls, and the project of the Playmaker.\n"
+    "\n"
+    "  cls package-team ada                       writes ada-team/\n"
+    "  cls match team:ada-team mock               plays it as a competition does";
+
+constexpr std::string_view kRunForm = "run:";
+
+struct Arguments {
+  std::string name;
+  std::string dir;
+  std::string config;
+  bool json = false;
+};
+
+int report_unknown_team(const Arguments& arguments, const fs::path& file,
+                        const TournamentConfig& config) {
+  std::vector<std::string_view> teams;
+  for (const TeamEntry& team : config.teams) teams.push_back(team.name);
+  return print_error(kUsage, fmt::format("{} has no team '{}'{}", file.string(), arguments.name,
+                                         base::did_you_mean(arguments.name, teams)));
+}
+
+int write(const Arguments& arguments, const TeamPackage& package) {
+  const std::string dir = arguments.dir.empty() ? arguments.name + "-team" : arguments.dir;
+  if (const std::string contents = base::contents_of(dir); !contents.empty()) {
+    return print_error(kCannotCreate,
+                       fmt::format("{}: has {}; select a new folder with --dir", dir, contents));
+  }
+  if (const auto written = write_package(package, dir); !written) {
+    return print_error(kCannotCreate, written.error().message);
+  }
+  if (arguments.json) {
+    const nlohmann::ordered_json document = {
+        {"schema", "cls.package-team/1"}, {"dir", dir}, {"command", package.command}};
+    fmt::print("{}", base::json_document(document));
+  } else {
+    fmt::print(
+        "{0}/: start, kill, cls, and team/ with the Playmaker; try it as a competition does:\n"
+        "  cls match team:{0} mock --cycles 300\n",
+        dir);
+  }
+  return kOk;
+}
+
+int run(const Arguments& arguments) {
+  std::error_code code;
+  const auto found = find_config(fs::current_path(code));
+  const std::optional<fs::path> file =
+      arguments.config.empty() ? found : std::optional<fs::path>(arguments.config);
+  if (!file) {
+    return print_error(kNoInput,
+                       "no cls.toml in or above the working directory; cls init writes one");
+  }
+  if (const auto why = base::why_no_file(*file)) {
+    return print_error(kNoInput, fmt::format("{}: {}", file->string(), *why));
+  }
+  const ParsedConfig parsed = read_config(*file);
+  if (!parsed.errors.empty()) return print_errors(kBadConfig, parsed.errors);
+  const int team = team_index(parsed.config, arguments.name);
+  if (team < 0) return report_unknown_team(arguments, *file, parsed.config);
+  const std::string& endpoint = parsed.config.teams[static_cast<std::size_t>(team)].endpoint;
+  if (!endpoint.starts_with(kRunForm)) {
+    return print_error(kUsage,
+                       fmt::format("team '{}' is '{}'; a package needs run:COMMAND, which starts "
+                                   "the Playmaker",
+                                   arguments.name, endpoint));
+  }
+  return write(arguments, {arguments.name, endpoint.substr(kRunForm.size()), parsed.config.folder,
+                           "/proc/self/exe"});
+}
+
+}  // namespace
+
+void add_package_team_command(CLI::App& app, int& exit_code) {
+  const auto arguments = std::make_shared<Arguments>();
+  CLI::App* command = app.add_subcommand("package-team", kDescription);
+  command->add_option("NAME", arguments->name, "a team of cls.toml")->required();
+  command->add_option("--dir", arguments->dir, "folder of the package (default: NAME-team)");
+  command->add_option("--config", arguments->config,
+                      "cls.toml with the team (default: in or above the working directory)");
+  command->add_flag("--json", arguments->json, "print one JSON document");
+  command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
+}
+
+}  // namespace cls::cli

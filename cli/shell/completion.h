@@ -1,0 +1,33 @@
+// Completion of a command line of `cls`: what may stand at the cursor, from the tree of commands.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+namespace cls::cli {
+
+/// A word that may stand at the cursor. A shell adds no space after one that ends in '=', ':', or
+/// '/'.
+struct Candidate {
+  std::string text;
+  std::string note;  ///< what it means; may be empty
+};
+
+/// The shell completes names of files itself, after a part of the word that is no path.
+enum class PathKind { kNone, kFiles, kFolders };
+
+struct Completion {
+  std::vector<Candidate> candidates;  ///< all begin with the word at the cursor
+  PathKind paths = PathKind::kNone;
+  std::string path_prefix;  ///< "team:" in "team:../helios", "--dir=" in "--dir=runs"
+};
+
+/// Completes the last of `words`, the arguments of `cls` up to the cursor; it may be empty. `app`
+/// has all commands. Reads cls.toml for names of teams; an invalid one has none.
+Completion complete(const CLI::App& app, const std::vector<std::string>& words);
+
+}  // namespace cls::cli

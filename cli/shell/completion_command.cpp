@@ -1,0 +1,76 @@
+// `cls completion`, and what its scripts call.
+#include "cli/shell/completion_command.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "base/text/json_text.h"
+#include "base/text/suggestion.h"
+#include "cli/shell/completion.h"
+#include "cli/shell/shells.h"
+#include "cli/support/commands.h"
+#include "cli/support/exit_code.h"
+#include "cli/support/print_error.h"
+
+namespace cls::cli {
+namespace {
+
+constexpr const char* kDescription =
+    "print the completion script of a shell\n"
+    "Packages of cls install the scripts.\n"
+    "\n"
+    "  cls completion bash > ~/.local/share/bash-completion/completions/cls\n"
+    "  cls completion zsh > ~/.zfunc/_cls      with fpath+=~/.zfunc before compinit\n"
+    "  cls completion fish > ~/.config/fish/completions/cls.fish";
+
+struct Arguments {
+  std::string shell;
+  bool json = false;
+};
+
+int run(const Arguments& arguments) {
+  const ShellScript* script = find_shell(arguments.shell);
+  if (script == nullptr) {
+    return print_error(kUsage, fmt::format("unknown shell '{}': {}{}", arguments.shell,
+                                           fmt::join(shell_names(), ", "),
+                                           base::did_you_mean(arguments.shell, shell_names())));
+  }
+  if (arguments.json) {
+    const nlohmann::ordered_json document = {
+        {"schema", "cls.completion/1"}, {"shell", arguments.shell}, {"script", script->text}};
+    fmt::print("{}", base::json_document(document));
+  } else {
+    fmt::print("{}", script->text);
+  }
+  return kOk;
+}
+
+}  // namespace
+
+int print_completion(const CLI::App& app, std::vector<std::string> words) {
+  if (!words.empty() && words.front() == "--") words.erase(words.begin());
+  const Completion completion = complete(app, words);
+  for (const Candidate& candidate : completion.candidates) {
+    fmt::print("{}\t{}\n", candidate.text, candidate.note);
+  }
+  if (completion.paths != PathKind::kNone) {
+    fmt::print("{}\t{}\n", completion.paths == PathKind::kFiles ? ":files" : ":folders",
+               completion.path_prefix);
+  }
+  return kOk;
+}
+
+void add_completion_command(CLI::App& app, int& exit_code) {
+  const auto arguments = std::make_shared<Arguments>();
+  CLI::App* command = app.add_subcommand("completion", kDescription);
+  command->add_option("SHELL", arguments->shell, fmt::format("{}", fmt::join(shell_names(), ", ")))
+      ->required();
+  command->add_flag("--json", arguments->json, "print one JSON document");
+  command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
+}
+
+}  // namespace cls::cli

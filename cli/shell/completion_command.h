@@ -1,0 +1,17 @@
+// What completion scripts call.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+namespace cls::cli {
+
+/// `cls complete -- WORD...`: prints one candidate per line, "TEXT<tab>NOTE", and a line
+/// ":files<tab>PREFIX" or ":folders<tab>PREFIX" where paths may stand. Returns kOk.
+int print_completion(const CLI::App& app, std::vector<std::string> words);
+
+}  // namespace cls::cli

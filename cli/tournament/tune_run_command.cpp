@@ -1,0 +1,232 @@
+// `cls tune run DIR`: generations of candidates, then the verdict.
+#include "cli/support/commands.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "base/io/occupied_path.h"
+#include "base/io/whole_file.h"
+#include "cli/support/exit_code.h"
+#include "cli/support/interrupt.h"
+#include "cli/support/print_error.h"
+#include "cli/terminal/terminal.h"
+#include "cli/terminal/tournament_progress.h"
+#include "cli/tournament/comparison_run.h"
+#include "cli/tournament/tournament_options.h"
+#include "cli/tournament/tournament_session.h"
+#include "cli/tournament/tune_session.h"
+#include "orchestration/tournament/config/config.h"
+#include "orchestration/tournament/run/tournament_run.h"
+#include "orchestration/tournament/store/folder.h"
+#include "orchestration/tournament/store/match_attempt.h"
+#include "orchestration/tournament/tuning/candidate.h"
+
+namespace cls::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace orchestration::tournament;
+
+constexpr const char* kDescription =
+    "search, generation by generation, then compare the best values with the start\n"
+    "\n"
+    "  cls tune run DIR                     what DIR/tune.toml describes\n"
+    "  cls tune run DIR --generations 40    more of them; also after the end\n"
+    "  cls tune run DIR --executor slurm    on a cluster\n"
+    "\n"
+    "Conditions of the matches are those of cls.toml in DIR, in or above the working\n"
+    "directory, and of the options. The same command resumes a search, also after\n"
+    "kill -9. Exit code: that of the final comparison: 0 the best values are better,\n"
+    "1 not better, 3 undecided; 0 without one.";
+
+struct Arguments {
+  TournamentOptions options;
+  SessionOptions session;
+  std::optional<int> generations;
+};
+
+// One line per generation; the status has the matches of the current one.
+class TuneProgress : public TournamentProgress {
+ public:
+  TuneProgress(const Tuning& tuning, bool on_terminal, bool quiet)
+      : TournamentProgress(on_terminal, quiet), tuning_(tuning) {}
+
+  void on_match(const TournamentConfig& config, const ScheduledMatch& match,
+                const RunProgress& progress) override {
+    if (match.outcome && !match.outcome->finished()) {
+      TournamentProgress::on_match(config, match, progress);
+    }
+    matches_ = progress.done;
+  }
+
+  void finish_generation(double seconds) {
+    seconds_ += seconds;
+    played_ += matches_;
+    matches_ = 0;
+  }
+
+ protected:
+  std::string status(const RunProgress& progress) const override {
+    const TuneConfig& config = tuning_.config();
+    const Race race = tuning_.race();
+    std::string text = fmt::format("generation {}/{}  match {}/{}", race.generation,
+                                   config.generations, progress.done, progress.total);
+    if (!tuning_.history().empty()) {
+      text += "  " + score_text(config, tuning_.history().back().score);
+    }
+    const int played = played_ + progress.done_in_this_run;
+    if (played > 0) {
+      const int per_generation = (race.opponents == 0 ? 1 : race.candidates) * config.pairs * 2;
+      const int left = (config.generations - race.generation + 1) * per_generation - progress.done;
+      text += "  " + time_left(left * (seconds_ + progress.seconds) / played);
+    }
+    return text;
+  }
+
+ private:
+  const Tuning& tuning_;
+  int matches_ = 0;
+  int played_ = 0;
+  double seconds_ = 0.0;
+};
+
+// Plays one generation; an exit code other than kOk ends the run.
+int play_generation(const TuneSetup& setup, Tuning& tuning, const Arguments& arguments,
+                    TuneProgress& progress) {
+  const fs::path folder = fs::absolute(arguments.options.folder);
+  const auto config = generation_config(tuning, setup.conditions, setup.opponents, folder);
+  if (!config) return print_error(kCannotCreate, config.error().message);
+  if (const auto errors = validate(*config); !errors.empty()) {
+    print_errors(kBadConfig, errors);
+    return kBadConfig;
+  }
+  RunOptions options;
+  const Race race = tuning.race();
+  options.folder = generation_folder(arguments.options.folder, race.generation);
+  options.config = *config;
+  options.next = [&](std::span<const ScheduledMatch> so_far) {
+    return next_round(tuning.config(), race, so_far);
+  };
+  // Teams and host are checked once, before the first generation of this run.
+  SessionOptions session = arguments.session;
+  session.force = false;
+  session.no_preflight = session.no_preflight || race.generation > 1;
+  session.quiet = true;
+  const auto outlook_of = [&](const std::vector<ScheduledMatch>&) { return Outlook{1.0, ""}; };
+  const OpenedFolder opened = begin_session(options.folder, options.config, session, outlook_of);
+  if (opened.exit_code != kOk) return opened.exit_code;
+  const auto make = [&](const TournamentConfig& one) {
+    return make_executor(one, options.folder, own_program());
+  };
+  const auto summary = run_tournament(options, make, progress, watch_interrupts());
+  progress.clear();
+  if (!summary) return print_error(kWriteFailed, summary.error().message);
+  progress.finish_generation(summary->progress.seconds);
+  if (summary->end == RunEnd::kComplete) {
+    tuning.record(race_results(tuning.config(), race, summary->matches));
+    return kOk;
+  }
+  const int code = summary->end == RunEnd::kInterrupted ? signal_exit_code(summary->signal)
+                   : summary->end == RunEnd::kFault     ? kFailed
+                                                        : kInterrupted;
+  return end_session(*summary, options.config, arguments.session, code, false);
+}
+
+int write_result(const Tuning& tuning, const fs::path& folder) {
+  for (const auto& [name, text] :
+       {std::pair{fs::path(kBestFile), values_text(tuning.config(), tuning.best())},
+        {fs::path("search.svg"), tune_picture(tuning)}}) {
+    const auto written = base::write_file(folder / name, text);
+    if (!written) return print_error(kWriteFailed, written.error().message);
+  }
+  return kOk;
+}
+
+int search(const TuneSetup& setup, Tuning& tuning, const Arguments& arguments) {
+  const fs::path folder = arguments.options.folder;
+  TuneProgress progress(tuning, stderr_is_terminal(), arguments.session.quiet);
+  while (!tuning.finished()) {
+    if (const int code = play_generation(setup, tuning, arguments, progress); code != kOk) {
+      return code;
+    }
+    if (const int code = write_result(tuning, folder); code != kOk) return code;
+    if (!arguments.session.quiet) fmt::print(stderr, "{}\n", generation_line(tuning));
+  }
+  return kOk;
+}
+
+// Renames what an earlier search wrote; tune.toml and its template stay.
+int start_over(const fs::path& folder) {
+  std::error_code code;
+  for (const char* name : {"generations", kVerdictFolder, kTunePlanFile}) {
+    if (!fs::exists(folder / name, code)) continue;
+    const auto aside = base::set_aside(folder / name);
+    if (!aside) return print_error(kCannotCreate, aside.error().message);
+  }
+  return kOk;
+}
+
+// The final comparison; after more generations it starts over with other values.
+int compare_best(const TuneSetup& setup, const Tuning& tuning, const Arguments& arguments) {
+  if (setup.tune.verdict_pairs == 0) return kOk;
+  const fs::path folder = arguments.options.folder;
+  Comparison comparison;
+  if (const int code = make_verdict(setup, tuning, folder, comparison); code != kOk) return code;
+  if (!check_plan(folder / kVerdictFolder, comparison.config)) {
+    const auto aside = base::set_aside(folder / kVerdictFolder);
+    if (!aside) return print_error(kCannotCreate, aside.error().message);
+    if (const int code = make_verdict(setup, tuning, folder, comparison); code != kOk) return code;
+  }
+  SessionOptions session = arguments.session;
+  session.force = false;
+  return run_comparison(comparison, folder / kVerdictFolder, session, false);
+}
+
+int run(const Arguments& arguments) {
+  TuneSetup setup;
+  if (const int code = make_tune_setup(arguments.options, setup); code != kOk) return code;
+  if (arguments.generations) setup.tune.generations = *arguments.generations;
+  const fs::path folder = arguments.options.folder;
+  const auto lock = FolderLock::try_lock(folder);
+  if (!lock) return print_error(kCannotCreate, lock.error().message);
+  if (!*lock) {
+    return print_error(kTryAgain,
+                       fmt::format("{}: another `cls tune run` is in progress", folder.string()));
+  }
+  if (arguments.session.force) {
+    if (const int code = start_over(folder); code != kOk) return code;
+  }
+  if (const int code = check_tune_plan(folder, setup.tune); code != kOk) return code;
+  Tuning tuning(setup.tune);
+  if (const auto replayed = replay_generations(tuning, folder); !replayed) {
+    return print_error(kBadData, replayed.error().message);
+  }
+  if (const int code = search(setup, tuning, arguments); code != kOk) return code;
+  const int exit_code = compare_best(setup, tuning, arguments);
+  const auto verdict = known_verdict(setup.tune, folder);
+  fmt::print("{}", arguments.session.json ? tune_json(tuning, verdict)
+                                          : tune_text(tuning, verdict, stdout_width()));
+  return exit_code;
+}
+
+}  // namespace
+
+void add_tune_run_command(CLI::App& app, int& exit_code) {
+  const auto arguments = std::make_shared<Arguments>();
+  CLI::App* command = app.add_subcommand("run", kDescription);
+  command->add_option("DIR", arguments->options.folder, "folder of tune.toml")->required();
+  command
+      ->add_option("--generations", arguments->generations,
+                   "number of generations (default: that of tune.toml)")
+      ->check(CLI::PositiveNumber);
+  add_condition_options(*command, arguments->options);
+  add_session_options(*command, arguments->session, "report");
+  command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
+}
+
+}  // namespace cls::cli

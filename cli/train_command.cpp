@@ -1,0 +1,121 @@
+// `cls train spec`: what can be trained.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "base/text/json_text.h"
+#include "base/text/suggestion.h"
+#include "cli/support/commands.h"
+#include "cli/support/exit_code.h"
+#include "cli/support/print_error.h"
+#include "cli/terminal/terminal.h"
+#include "training/pool/spec_tables.h"
+#include "training/pool/specification.h"
+
+namespace cls::cli {
+namespace {
+
+constexpr const char* kDescription =
+    "describe what cls_gym trains\n"
+    "\n"
+    "  cls train spec     tasks, observations, actions and rewards\n"
+    "\n"
+    "docs/training.md leads from an environment to a policy that plays a match.";
+
+constexpr const char* kSpecDescription =
+    "print tasks, feature sets, action sets and reward terms\n"
+    "\n"
+    "  cls train spec                       all, one line each\n"
+    "  cls train spec HalfFieldOffense      options of a task\n"
+    "  cls train spec ego --offense 2       numbers of an observation\n"
+    "  cls train spec hfo                   ids and values of an action set\n"
+    "  cls train spec --json                for programs\n"
+    "\n"
+    "NAME is a task, a feature set or an action set. In Python: cls_gym.catalog().";
+
+struct Arguments {
+  std::string name;
+  std::string format = "text";
+  bool json = false;
+  int offense = 2;
+  int defense = 1;
+};
+
+struct Description {
+  std::vector<training::SpecTable> tables;
+  nlohmann::ordered_json document;
+};
+
+// A task by its id, with or without "cls/" and "-v0".
+const training::Task* find_task(const std::string& name) {
+  for (const training::Task& task : training::tasks()) {
+    if (name == task.id || name == training::full_id(task)) return &task;
+  }
+  return nullptr;
+}
+
+base::Result<Description> describe(const Arguments& arguments) {
+  const std::string& name = arguments.name;
+  if (name.empty()) return Description{training::overview_tables(), training::catalog()};
+  if (const training::Task* task = find_task(name)) {
+    return Description{tables_of(*task), document_of(*task)};
+  }
+  if (const training::FeatureSet* set = training::find_feature_set(name)) {
+    const int teammates = arguments.offense - 1;
+    return Description{tables_of(*set, teammates, arguments.defense),
+                       document_of(*set, teammates, arguments.defense)};
+  }
+  if (const training::ActionSet* set = training::find_action_set(name)) {
+    return Description{tables_of(*set), document_of(*set)};
+  }
+  return base::Error{fmt::format("unknown task, feature set or action set '{}'{}", name,
+                                 base::did_you_mean(name, training::spec_names()))};
+}
+
+int run_train_spec(const Arguments& arguments) {
+  const std::string format = arguments.json ? "json" : arguments.format;
+  if (format != "text" && format != "json" && format != "markdown") {
+    return print_error(
+        kUsage, fmt::format("--format '{}': must be text, json or markdown", arguments.format));
+  }
+  base::Result<Description> description = describe(arguments);
+  if (!description) return print_error(kUsage, description.error().message);
+  if (format == "json") {
+    nlohmann::ordered_json document = {{"schema", training::kCatalogSchema}};
+    document.update(description->document);
+    fmt::print("{}", base::json_document(document));
+  } else if (format == "markdown") {
+    fmt::print("{}", training::format_markdown(description->tables));
+  } else {
+    fmt::print("{}", training::format_text(description->tables, stdout_width()));
+  }
+  return kOk;
+}
+
+}  // namespace
+
+void add_train_command(CLI::App& app, int& exit_code) {
+  CLI::App* train = app.add_subcommand("train", kDescription);
+  train->require_subcommand(1);
+  const auto arguments = std::make_shared<Arguments>();
+  CLI::App* command = train->add_subcommand("spec", kSpecDescription);
+  command->add_option("NAME", arguments->name, "task, feature set or action set (default: all)");
+  command
+      ->add_option("--offense", arguments->offense,
+                   "players of the own team in a feature set, with the agent")
+      ->check(CLI::Range(1, 11))
+      ->capture_default_str();
+  command->add_option("--defense", arguments->defense, "players of the other team")
+      ->check(CLI::Range(0, 11))
+      ->capture_default_str();
+  command->add_option("--format", arguments->format, "text, json or markdown")
+      ->capture_default_str();
+  command->add_flag("--json", arguments->json, "the same as --format json");
+  command->callback([arguments, &exit_code] { exit_code = run_train_spec(*arguments); });
+}
+
+}  // namespace cls::cli

@@ -1,0 +1,25 @@
+// Checks that matches read from a folder are those of its plan: folders are copied, edited and cut.
+#pragma once
+
+#include <span>
+
+#include "base/result.h"
+#include "orchestration/tournament/config/config.h"
+#include "orchestration/tournament/schedule/fixture.h"
+
+namespace cls::orchestration::tournament {
+
+/// An error unless both sides are teams of `config`. It names the match.
+base::Result<void> check_teams(const TournamentConfig& config, const Fixture& fixture);
+
+/// An error unless the matches have the numbers 1, 2, 3, ... and teams of `config`. Callers may
+/// then use numbers and teams as indices.
+base::Result<void> check_rows(const TournamentConfig& config,
+                              std::span<const ScheduledMatch> matches);
+
+/// An error unless the matches, which passed check_rows(), are those that next_fixtures()
+/// schedules. It names the first match that is missing or different.
+base::Result<void> check_schedule(const TournamentConfig& config,
+                                  std::span<const ScheduledMatch> matches);
+
+}  // namespace cls::orchestration::tournament

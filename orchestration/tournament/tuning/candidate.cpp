@@ -1,0 +1,95 @@
+// Replaces placeholders and writes files.
+#include "orchestration/tournament/tuning/candidate.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "base/io/occupied_path.h"
+#include "base/io/whole_file.h"
+#include "base/text/json_text.h"
+#include "orchestration/process/command_plan.h"
+
+namespace cls::orchestration::tournament {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+void replace_all(std::string& text, std::string_view from, std::string_view to) {
+  for (std::size_t at = text.find(from); at != std::string::npos;
+       at = text.find(from, at + to.size())) {
+    text.replace(at, from.size(), to);
+  }
+}
+
+Json json_value(const Parameter& parameter, double value) {
+  return Json::parse(value_text(parameter, value));
+}
+
+// "a.b" becomes member b of a.
+Json json_of_values(const TuneConfig& config, const Values& values) {
+  Json document = Json::object();
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    Json* place = &document;
+    std::string_view name = config.parameters[i].name;
+    for (std::size_t dot = name.find('.'); dot != std::string_view::npos; dot = name.find('.')) {
+      place = &(*place)[std::string(name.substr(0, dot))];
+      name.remove_prefix(dot + 1);
+    }
+    (*place)[std::string(name)] = json_value(config.parameters[i], values[i]);
+  }
+  return document;
+}
+
+}  // namespace
+
+std::string with_values(std::string_view text, const TuneConfig& config, const Values& values) {
+  std::string replaced(text);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const Parameter& parameter = config.parameters[i];
+    replace_all(replaced, "{" + parameter.name + "}", value_text(parameter, values[i]));
+  }
+  return replaced;
+}
+
+std::string side_of(const TuneConfig& config, const Values& values, const fs::path& file) {
+  std::string side = with_values(config.team, config, values);
+  replace_all(side, "{file}", file.string());
+  if (config.environment.empty()) return side;
+  std::string exports;
+  for (const auto& [name, text] : config.environment) {
+    exports += fmt::format("export {}={}; ", name,
+                           process::shell_quoted(with_values(text, config, values)));
+  }
+  constexpr std::string_view kRun = "run:";
+  return fmt::format("{}{}{}", kRun, exports, side.substr(kRun.size()));
+}
+
+std::string values_text(const TuneConfig& config, const Values& values) {
+  std::string text;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    text += fmt::format("{} = {}\n", config.parameters[i].name,
+                        value_text(config.parameters[i], values[i]));
+  }
+  return text;
+}
+
+std::string file_text(const TuneConfig& config, const Values& values) {
+  if (!config.file_template.empty()) return with_values(config.file_template, config, values);
+  if (config.file.ends_with(".toml")) return values_text(config, values);
+  return base::json_document(json_of_values(config, values));
+}
+
+base::Result<std::string> prepare_candidate(const TuneConfig& config, const Values& values,
+                                            const fs::path& folder) {
+  if (config.file.empty()) return side_of(config, values, {});
+  if (auto created = base::create_folders(folder); !created) return created.error();
+  const fs::path file = folder / config.file;
+  if (auto written = base::write_file(file, file_text(config, values)); !written) {
+    return written.error();
+  }
+  return side_of(config, values, file);
+}
+
+}  // namespace cls::orchestration::tournament

@@ -1,0 +1,158 @@
+#!/usr/bin/env python3
+"""Builds what users install from a release build: `cls` as one file, a Debian package, their bill of
+materials, licenses and checksums, in build/dist. The same build gives the same bytes."""
+import argparse
+import email.utils
+import gzip
+import hashlib
+import os
+import pathlib
+import re
+import shlex
+import shutil
+import subprocess
+import zlib
+
+import libraries
+
+SOURCE = pathlib.Path(__file__).resolve().parent.parent
+ARCHIVES = pathlib.Path("/usr/lib/x86_64-linux-gnu")
+SLEEF = ARCHIVES / "libsleef.so.3"
+# In place of the shared libraries; the linker takes from archives what is used.
+STATIC = ["grpc++_reflection", "grpc++", "grpc", "gpr", "address_sorting", "upb", "re2", "cares",
+          "protobuf", "SQLiteCpp", "sqlite3", "ssl", "crypto", "z"]
+# Without an archive in Debian; packaging/ has what takes their place.
+REPLACED = {"fmt": "static_fmt", "tomlplusplus": "static_toml", "sleef": "embedded_sleef"}
+HARDENED = ["-Wl,-z,relro,-z,now", "-Wl,--exclude-libs,ALL", "-static-libstdc++", "-static-libgcc"]
+
+
+def run(*command: object, cwd: pathlib.Path | None = None) -> str:
+    done = subprocess.run([str(word) for word in command], cwd=cwd, capture_output=True, text=True,
+                          check=False)
+    if done.returncode != 0:
+        raise SystemExit(f"{shlex.join(map(str, command))}\n{done.stdout}{done.stderr}")
+    return done.stdout
+
+
+def sleef_functions(build: pathlib.Path) -> str:
+    names = run("nm", "--undefined-only", "--no-sort", build / "soccer/libcls_soccer.a")
+    return " ".join(f"CLS_SLEEF_FUNCTION({name})" for name in sorted(set(
+        re.findall(r"U (Sleef_\w+)", names))))
+
+
+def compile_replacements(build: pathlib.Path, work: pathlib.Path) -> list[pathlib.Path]:
+    compressed = work / "sleef.z"
+    compressed.write_bytes(zlib.compress(SLEEF.read_bytes(), 9))
+    objects = []
+    for name in REPLACED.values():
+        objects.append(work / f"{name}.o")
+        run("c++", "-std=c++20", "-O2", "-fPIC", "-ffunction-sections",
+            f"-DCLS_SLEEF_FILE=\"{compressed}\"",
+            f"-DCLS_SLEEF_SIZE={SLEEF.stat().st_size}",
+            f"-DCLS_SLEEF_FUNCTIONS={sleef_functions(build)}", "-c", SOURCE / "packaging" / f"{name}.cpp",
+            "-o", objects[-1])
+    return objects
+
+
+def link(build: pathlib.Path, target: str, out: pathlib.Path, replacements: list[pathlib.Path]) -> None:
+    """Links `target` again, with archives in place of Debian's shared libraries."""
+    command = run("ninja", "-C", build, "-t", "commands", "-s", target).strip().splitlines()[-1]
+    words = shlex.split(command.removeprefix(": && ").removesuffix(" && :"))
+    shared = re.compile(r"/lib[\w+-]+\.so[\d.]*$|^-l|^-Wl,-rpath")
+    kept = [word for word in words if not shared.search(word)]
+    kept[kept.index("-o") + 1] = str(out)
+    # Programs of the group need each other in both directions.
+    archives = [ARCHIVES / f"lib{name}.a" for name in STATIC]
+    archives += sorted(ARCHIVES.glob("libabsl_*.a"))
+    inputs = kept.index(str(out)) + 1
+    run(*kept[:inputs], *HARDENED, "-Wl,--gc-sections", "-Wl,--start-group", *kept[inputs:],
+        *replacements, *archives, "-Wl,--end-group", "-ldl", "-lm", cwd=build)
+    run("strip", "--strip-all" if "shared" not in words else "--strip-unneeded", out)
+
+
+def stage(build: pathlib.Path, root: pathlib.Path, program: pathlib.Path, library: pathlib.Path,
+          licenses: pathlib.Path, version: str) -> None:
+    """The files of the Debian package."""
+    os.environ["DESTDIR"] = str(root)
+    run("cmake", "--install", build, "--prefix", "/usr")
+    del os.environ["DESTDIR"]
+    usr = root / "usr"
+    shutil.copy(program, usr / "bin/cls")
+    [installed] = [path for path in usr.rglob("libcls_training.so.1")]
+    shutil.copyfile(library, installed)
+    installed.chmod(0o644)
+    packages = usr / "lib/python3/dist-packages"
+    packages.parent.mkdir(parents=True, exist_ok=True)
+    (usr / "share/cls/python").rename(packages)
+    engine = packages / "cls_gym/libcls_training.so"
+    engine.unlink()
+    engine.symlink_to(os.path.relpath(installed, engine.parent))
+    complete_for_debian(usr, licenses, version)
+
+
+def complete_for_debian(usr: pathlib.Path, licenses: pathlib.Path, version: str) -> None:
+    debian = SOURCE / "packaging/debian"
+    pages = usr / "share/doc/cls"
+    (usr / "share/lintian/overrides").mkdir(parents=True)
+    shutil.copyfile(debian / "lintian-overrides", usr / "share/lintian/overrides/cls")
+    shutil.copyfile(debian / "copyright", pages / "copyright")
+    (pages / "LICENSE").unlink()
+    date = email.utils.formatdate(int(os.environ["SOURCE_DATE_EPOCH"]))
+    (pages / "changelog").write_text(
+        f"cls ({version}) unstable; urgency=medium\n\n  * See CHANGELOG.md.\n\n"
+        f" -- the cls maintainers <cls@localhost.localdomain>  {date}\n")
+    shutil.copyfile(licenses, pages / "LIBRARIES")
+    for page in [pages / "changelog", pages / "LIBRARIES", *usr.glob("share/man/man1/*.1")]:
+        with open(f"{page}.gz", "wb") as out, gzip.GzipFile("", "wb", 9, out, mtime=0) as packed:
+            packed.write(page.read_bytes())
+        page.unlink()
+
+
+def tree_of_same_age(root: pathlib.Path, epoch: int) -> None:
+    for path in [root, *root.rglob("*")]:
+        if path.is_symlink():
+            os.utime(path, (epoch, epoch), follow_symlinks=False)
+            continue
+        runs = path.is_dir() or path.stat().st_mode & 0o100
+        path.chmod(0o755 if runs else 0o644)
+        os.utime(path, (epoch, epoch))
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("build", nargs="?", type=pathlib.Path, default=SOURCE / "build")
+    build = parser.parse_args().build.resolve()
+    epoch = int(os.environ.setdefault("SOURCE_DATE_EPOCH", run(
+        "git", "-C", SOURCE, "log", "-1", "--format=%ct").strip()))
+    work, dist = build / "package", build / "dist"
+    for folder in (work, dist):
+        shutil.rmtree(folder, ignore_errors=True)
+        folder.mkdir()
+    cache = (build / "CMakeCache.txt").read_text()
+    version = re.search(r"^CMAKE_PROJECT_VERSION:STATIC=(.*)$", cache, re.M)[1]
+    name = f"cls-{version}-linux-x86_64"
+
+    replacements = compile_replacements(build, work)
+    program, library = dist / name, work / "libcls_training.so.1"
+    link(build, "bin/cls", program, replacements)
+    link(build, "lib/libcls_training.so.1", library, replacements)
+    libraries.write(program, version, epoch, STATIC, dist)
+
+    stage(build, work / "root", program, library, dist / f"{name}.licenses.txt",
+          version)
+    tree_of_same_age(work / "root", epoch)
+    os.environ["CLS_ROOT"] = str(work / "root")
+    run("cpack", "--config", SOURCE / "packaging/debian/cpack.cmake", "-D",
+        f"CPACK_PACKAGE_VERSION={version}", "-B", work)
+    [package] = work.glob("*.deb")
+    package.rename(dist / package.name)
+
+    lines = [f"{hashlib.sha256(path.read_bytes()).hexdigest()}  {path.name}\n"
+             for path in sorted(dist.iterdir())]
+    (dist / "SHA256SUMS").write_text("".join(lines))
+    for path in sorted(dist.iterdir()):
+        print(f"{path.stat().st_size:>10}  {path}")
+
+
+if __name__ == "__main__":
+    main()

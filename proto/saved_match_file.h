@@ -1,0 +1,16 @@
+// Reads and writes files of saved matches (saved_match.proto).
+#pragma once
+
+#include <string>
+
+#include "proto/saved_match.pb.h"
+
+namespace cls::proto {
+
+/// Sets format and version and writes the file. Returns the error, or an empty string.
+std::string write_saved_match(const std::string& path, saved::SavedMatch match);
+
+/// Returns why the file is no saved match that this version reads, or an empty string.
+std::string read_saved_match(const std::string& path, saved::SavedMatch& out);
+
+}  // namespace cls::proto

@@ -1,0 +1,113 @@
+"""Leagues: results, payoff table, sampling of opponents, self-play."""
+import tempfile
+import unittest
+
+import numpy as np
+
+from cls_gym.league import CONFIG, TASK, League, LeagueError, SelfPlay, play_episodes
+from cls_gym.policy import Policy, describe
+from cls_gym.vector import VectorEnv
+
+
+def policy(seed):
+    """An untrained policy for the worlds of a league."""
+    with VectorEnv(TASK, 1, **CONFIG, agents="both") as envs:
+        about = describe(envs)
+    random = np.random.default_rng(seed)
+    inputs, outputs = len(about["feature_names"]), len(about["action_names"])
+    layers = [(random.standard_normal((inputs, 16)).astype(np.float32), np.zeros(16, np.float32)),
+              (random.standard_normal((16, outputs)).astype(np.float32),
+               np.zeros(outputs, np.float32))]
+    return Policy(layers, about)
+
+
+def chaser():
+    """Runs to the ball and kicks it ahead: by the columns of "ego"."""
+    with VectorEnv(TASK, 1, **CONFIG, agents="both") as envs:
+        about = describe(envs)
+    names, actions = about["feature_names"], about["action_names"]
+    weight = np.zeros((len(names), len(actions)), np.float32)
+    bias = np.full(len(actions), -10, np.float32)
+    weight[names.index("ball_cos"), actions.index("dash_100_0")] = 2.0
+    bias[actions.index("dash_100_0")] = -1.0
+    weight[names.index("ball_sin"), actions.index("turn_30")] = 1.0
+    weight[names.index("ball_sin"), actions.index("turn_-30")] = -1.0
+    bias[[actions.index("turn_30"), actions.index("turn_-30")]] = 0.0
+    weight[names.index("self_kickable"), actions.index("kick_100_8")] = 20.0
+    return Policy([(weight, bias)], about)
+
+
+class Leagues(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.league = League(folder.name, max_cycles=150)
+        self.addCleanup(self.league.close)
+
+    def test_payoff_is_an_independent_count(self):
+        one, other = self.league.add(chaser()), self.league.add(policy(2))
+        self.assertEqual((one, other), (1, 2))
+        results = self.league.play(one, other, 200, seed=5)
+        self.assertEqual(sum(results), 200)
+        config = {**CONFIG, "max_cycles": 150}
+        home = play_episodes(chaser(), policy(2), 100, 5, config)
+        away = play_episodes(policy(2), chaser(), 100, 105, config)
+        won = (home[:, 0] > home[:, 1]).sum() + (away[:, 1] > away[:, 0]).sum()
+        drawn = (home[:, 0] == home[:, 1]).sum() + (away[:, 0] == away[:, 1]).sum()
+        self.assertEqual((results.wins, results.draws), (won, drawn))
+        points = (won + 0.5 * drawn) / 200
+        np.testing.assert_allclose(self.league.payoff(), [[0.5, points], [1 - points, 0.5]])
+        self.assertEqual(self.league.results(other, one), results[::-1])
+
+    def test_results_outlive_the_object(self):
+        for seed in (1, 2):
+            self.league.add(policy(seed))
+        results = self.league.play(1, 2, 3)
+        again = League(self.league.folder)
+        self.addCleanup(again.close)
+        self.assertEqual(again.results(1, 2), results)
+        self.assertEqual(again.numbers(), [1, 2])
+
+    def test_pfsp_prefers_those_that_win(self):
+        for seed in (1, 2, 3, 4):
+            self.league.add(policy(seed))
+        goals = {2: [(3, 0)] * 4, 3: [(0, 1), (1, 0)], 4: [(0, 2)] * 3}  # of 1 against them
+        for number, games in goals.items():
+            self.league._store(1, number, 1, np.array(games))
+        np.testing.assert_allclose(self.league.weights(1), [0.0, 0.0, 0.2, 0.8])
+        np.testing.assert_allclose(self.league.weights(1, "uniform"), [0, 1 / 3, 1 / 3, 1 / 3])
+        self.assertEqual(self.league.opponent(1, "latest"), 4)
+        self.assertEqual(self.league.opponent(4, "latest"), 3)
+        drawn = [self.league.opponent(1, random=seed) for seed in range(200)]
+        self.assertEqual(set(drawn), {3, 4})
+        self.assertGreater(drawn.count(4), 120)
+        with self.assertRaisesRegex(ValueError, "pfsp"):
+            self.league.weights(1, "best")
+
+    def test_an_opponent_needs_another_snapshot(self):
+        self.league.add(policy(1))
+        with self.assertRaisesRegex(LeagueError, "no snapshot but 1"):
+            self.league.opponent(1)
+
+
+class SelfPlays(unittest.TestCase):
+    def test_learner_has_its_own_rows_and_rewards(self):
+        worlds = SelfPlay(policy(1), 4, reward={"possession": 1})
+        seen, infos = worlds.reset(1)
+        self.assertEqual(seen.shape[:2], (4, 2))
+        self.assertEqual(infos["action_mask"].shape, (4, 2, 81))
+        for _ in range(30):
+            seen, rewards, terminated, _, infos = worlds.step(np.zeros((4, 2), np.int64))
+            both = worlds.envs.agent_rewards
+            np.testing.assert_array_equal(rewards, both[:, :2])
+            np.testing.assert_array_equal(both[:, 0], -both[:, 2])
+        worlds.close()
+
+    def test_a_policy_that_chases_the_ball_scores(self):
+        goals = play_episodes(chaser(), chaser(), 60, 1, {**CONFIG, "max_cycles": 300})
+        wins = (goals[:, 0] > goals[:, 1]).sum(), (goals[:, 0] < goals[:, 1]).sum()
+        self.assertGreater(sum(wins), 0)
+
+
+if __name__ == "__main__":
+    unittest.main()

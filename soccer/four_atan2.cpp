@@ -1,0 +1,15 @@
+// The whole file is compiled for AVX: Clang passes vectors of four doubles to functions as the
+// file's flags say, whatever target a function has. It includes no header with functions that the
+// linker might share with other files.
+#include "soccer/four_atan2.h"
+
+#include <immintrin.h>
+#include <sleef.h>
+
+namespace cls::soccer::detail {
+
+void four_atan2(const double* y, const double* x, double* radians) {
+  _mm256_storeu_pd(radians, Sleef_cinz_atan2d4_u10avx(_mm256_loadu_pd(y), _mm256_loadu_pd(x)));
+}
+
+}  // namespace cls::soccer::detail

@@ -1,0 +1,192 @@
+"""A short tournament under faults, and the promises that hold afterwards."""
+import fcntl
+import json
+import os
+import random
+import re
+import sqlite3
+import subprocess
+import time
+
+import faults
+import plan
+import processes
+
+LIMIT = 300.0  # seconds of a tournament with all its faults, on a loaded host
+# Exit codes with which a disturbed run may end; the same command then continues.
+EXPECTED = {0, 1, 65, 69, 73, 74, 75, 78, 130, 143, 129, 131}
+# What a crash of cls prints or leaves in a result.
+CRASH = re.compile(r"Assertion|terminate called|Sanitizer|Segmentation|SIGSEGV|SIGABRT|SIGBUS|SIGFPE"
+                   r"|SIGILL|internal error|double free|corrupted")
+
+
+class Campaign:
+    def __init__(self, options, seed, folder, forwarder, references):
+        self.cls = options.cls
+        self.options = options
+        self.seed = seed
+        self.random = random.Random(seed)
+        self.folder = folder / "cup"
+        self.on_small_disk = options.small_disk
+        self.temporary = folder / "tmp"
+        self.temporary.mkdir(parents=True)
+        self.forwarder = forwarder
+        self.references = references
+        self.mark = f"{os.getpid()}-{seed}-{time.monotonic_ns()}"
+        self.environment = {**os.environ, processes.MARK: self.mark, "TMPDIR": str(self.temporary)}
+        self.process = None
+        self.errors = references.folder / f"errors-{seed}"  # where no disk is full
+        self.last_fault = ""
+        self.wanted = None
+        self.log = []
+        self.violations = []
+        self.begin = time.monotonic()
+
+    def processes(self):
+        return processes.marked(self.mark)
+
+    def violate(self, text):
+        self.violations.append(text)
+
+    def note(self, text):
+        self.log.append(f"{time.monotonic() - self.begin:6.2f} s  {text}")
+
+    # ---- the run
+
+    def start(self):
+        with open(self.errors, "wb") as errors:
+            self.process = subprocess.Popen(
+                [self.cls, "tournament", "run", self.folder, "--quiet", "--no-preflight"],
+                stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=errors,
+                env=self.environment)
+
+    def is_running(self):
+        return self.process is not None and self.process.poll() is None
+
+    def check_exit(self, code, errors, who):
+        """One reason for each failure, and no crash."""
+        if code < 0:
+            if -code in (6, 7, 8, 11, 4):
+                self.violate(f"{who} was ended by signal {-code}: {errors}")
+            return
+        limited = self.last_fault.startswith("limit_")
+        if code not in EXPECTED and not (code == 70 and limited):
+            self.violate(f"{who} ended with {code}: {errors}")
+        # Without memory or descriptors gRPC may end a match; the run survives it.
+        if CRASH.search(errors) and not limited:
+            self.violate(f"{who} ({code}) prints: {errors}")
+        lines = [line for line in errors.splitlines() if line.strip()]
+        if code not in (0, 1, 130, 143) and not any(line.startswith("cls: ") for line in lines):
+            self.violate(f"{who} ended with {code} and no reason: {errors!r}")
+
+    def finish_run(self):
+        code = self.process.wait()
+        errors = self.errors.read_text(errors="replace")
+        self.check_exit(code, errors, "run")
+        self.note(f"run ended with {code}  {errors.strip()[:300]}")
+        self.process = None
+        return code
+
+    def play(self):
+        """True when the tournament is complete."""
+        plan.write(self.folder, plan.PLANS[self.seed % len(plan.PLANS)], self.cls,
+                   self.forwarder.port)
+        count = self.random.randint(1, self.options.faults)
+        self.start()
+        for _ in range(count):
+            time.sleep(self.random.choice([0.0, 0.05, 0.2, 0.5, 1.0]) * self.random.random())
+            fault = faults.choose(self.random, self.options.only)
+            self.last_fault = fault.__name__
+            # A store can only be damaged between two runs.
+            if fault is faults.corrupt_store and self.is_running():
+                faults.kill_run_and_matches(self)
+                self.process.wait()
+                if left := processes.wait_gone(self.mark, 5):
+                    self.violate(f"after SIGKILL to run and matches: {left}")
+            done = fault(self)
+            self.note(f"{fault.__name__}: {done}")
+            if done:
+                self.options.counts[fault.__name__] += 1
+            if not self.is_running():
+                if self.process is not None and self.finish_run() == 0:
+                    break
+                self.start()
+        while time.monotonic() - self.begin < LIMIT:
+            while self.is_running() and time.monotonic() - self.begin < LIMIT:
+                time.sleep(0.02)
+            if self.is_running():
+                break
+            if self.process is not None and self.finish_run() == 0:
+                return True
+            self.last_fault = ""
+            self.start()
+        self.violate(f"not complete after {LIMIT:.0f} s")
+        return False
+
+    # ---- the promises
+
+    def check(self):
+        self.wanted = self.references.of(self.seed % len(plan.PLANS))
+        self.begin = time.monotonic()
+        complete = self.play()
+        if left := processes.wait_gone(self.mark, 4):
+            self.violate("processes are left: " + ", ".join(f"{p} ({p.command})" for p in left))
+            processes.kill_all(self.mark)
+        if complete:
+            self.check_files()
+            self.check_events()
+            self.check_outcome()
+        return self.violations
+
+    def check_files(self):
+        with open(self.folder / "lock", "rb") as lock:
+            try:
+                fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+            except OSError:
+                self.violate("the lock is held")
+        names = [path for path in self.folder.rglob("*") if not path.is_dir()]
+        for path in names:
+            left = path.name.endswith(".tmp") or path.name.startswith(".hook-")
+            if left or path.name in ("tournament.db-wal", "tournament.db-shm", "stop"):
+                self.violate(f"a temporary file is left: {path.relative_to(self.folder)}")
+        if rest := list(self.temporary.iterdir()):
+            self.violate(f"files are left in TMPDIR: {rest}")
+
+    def check_events(self):
+        done = {}
+        sequence = -1
+        for line in (self.folder / "events.jsonl").read_text().splitlines():
+            try:
+                event = json.loads(line)
+            except ValueError:
+                continue  # cut by a kill in the middle of a write
+            if event["seq"] <= sequence:
+                self.violate(f"event {event['seq']} after {sequence}")
+            sequence = event["seq"]
+            index = event.get("match")
+            if event["type"] == "match_started" and index in done:
+                self.violate(f"match {index} is played again after it was finished")
+            if event["type"] == "match_finished" and not event["again"]:
+                done[index] = event
+        database = sqlite3.connect(self.folder / "tournament.db")
+        for index, outcome in database.execute("SELECT number, outcome FROM match"):
+            if CRASH.search(outcome or ""):
+                self.violate(f"match {index}: {outcome}")
+        database.close()
+
+    def check_outcome(self):
+        document, errors, code = plan.report(self.cls, self.folder)
+        if document is None:
+            self.violate(f"no report: exit {code}: {errors}")
+            return
+        got = plan.outcome(document, self.folder)
+        wanted = self.wanted
+        if got == wanted:
+            return
+        for one, other in zip(got["matches"], wanted["matches"]):
+            if one != other:
+                self.violate(f"match {one['index']} differs: {one} instead of {other}")
+        if len(got["matches"]) != len(wanted["matches"]):
+            self.violate(f"{len(got['matches'])} matches instead of {len(wanted['matches'])}")
+        if got["standings"] != wanted["standings"]:
+            self.violate(f"standings differ: {got['standings']}")

@@ -1,0 +1,116 @@
+// What may stand at the cursor, as completion scripts receive it.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "tests/support/command.h"
+#include "tests/support/temporary_folder.h"
+
+namespace cls::tests {
+namespace {
+
+using Words = std::vector<std::string>;
+
+class Completion : public testing::Test {
+ protected:
+  Completion() {
+    std::ofstream(folder_.path() / "cls.toml")
+        << "[teams.ada]\nendpoint = \"mock\"\n[teams.grace]\nendpoint = \"mock:hold\"\n";
+  }
+
+  // Lines without notes; the last of `words` is at the cursor.
+  Words complete(Words words) const {
+    words.insert(words.begin(), {cls_binary(), "complete", "--"});
+    const CommandResult result = Command(words, {}, folder_.path()).finish();
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_EQ(result.err, "");
+    Words lines;
+    std::istringstream in(result.out);
+    for (std::string line; std::getline(in, line);) {
+      const std::string path_prefix = line[0] == ':' ? line.substr(line.find('\t') + 1) : "";
+      lines.push_back(line.substr(0, line.find('\t')) +
+                      (path_prefix.empty() ? "" : " " + path_prefix));
+    }
+    return lines;
+  }
+
+  TemporaryFolder folder_;
+};
+
+bool has(const Words& words, const std::string& word) {
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+TEST_F(Completion, OffersCommandsAndSubcommands) {
+  EXPECT_EQ(complete({"mat"}), Words{"match"});
+  EXPECT_TRUE(has(complete({""}), "tournament"));
+  EXPECT_EQ(complete({"tournament", "r"}), (Words{"run", "report"}));
+  EXPECT_EQ(complete({"--json", "check", "pe"}), Words{"perception"});
+  EXPECT_EQ(complete({"nonsense", ""}), Words{});
+}
+
+TEST_F(Completion, OffersOptionsThatAreNotGivenYet) {
+  EXPECT_EQ(complete({"match", "--se"}), (Words{"--seed", "--set", "--server"}));
+  EXPECT_EQ(complete({"match", "--seed", "7", "--set", "server::half_time=10", "--se"}),
+            (Words{"--set", "--server"}));
+  EXPECT_TRUE(has(complete({"--"}), "--version"));
+  const Words test = complete({"test", "--"});
+  EXPECT_TRUE(has(test, "--accept"));
+  EXPECT_FALSE(has(test, "--bless")) << "a former name";
+}
+
+TEST_F(Completion, OffersChoicesOfAnOption) {
+  EXPECT_EQ(complete({"match", "--mode", ""}), (Words{"lockstep", "synch", "realtime"}));
+  EXPECT_EQ(complete({"match", "--mode=r"}), Words{"--mode=realtime"});
+  EXPECT_EQ(complete({"match", "--seed", ""}), Words{});
+  EXPECT_EQ(complete({"mock", "--fault-cycles", "1", "2", "--host"}), Words{"--host"});
+}
+
+TEST_F(Completion, OffersSidesAndTeamsOfTheConfiguration) {
+  EXPECT_EQ(complete({"match", "mock", "g"}), Words{"grace"});
+  const Words left = complete({"match", ""});
+  for (const char* side : {"ada", "grace", "mock", "localhost:", "run:", "team:"}) {
+    EXPECT_TRUE(has(left, side)) << side;
+  }
+  EXPECT_EQ(complete({"match", "mock:h"}), (Words{"mock:hold", ":files mock:"}));
+  EXPECT_EQ(complete({"match", "mock", "team:../x"}), Words{":folders team:"});
+  EXPECT_EQ(complete({"match", "mock", "mock", "m"}), Words{}) << "a third side";
+  EXPECT_EQ(complete({"compare", "ad"}), Words{"ada"});
+  EXPECT_EQ(complete({"test", "--against", "ad"}), Words{"ada"});
+}
+
+TEST_F(Completion, ToleratesABrokenConfiguration) {
+  std::ofstream(folder_.path() / "cls.toml") << "[teams\n";
+  EXPECT_TRUE(has(complete({"match", ""}), "mock"));
+}
+
+TEST_F(Completion, OffersServerParameters) {
+  EXPECT_EQ(complete({"match", "--set", "server::half_t"}), Words{"server::half_time="});
+  EXPECT_EQ(complete({"match", "--set", "server::coach="}),
+            (Words{"server::coach=on", "server::coach=off"}));
+  EXPECT_EQ(complete({"match", "--set=player::player_ty"}), Words{"--set=player::player_types="});
+  EXPECT_EQ(complete({"server", "server::synch_mo"}), Words{"server::synch_mode="});
+}
+
+TEST_F(Completion, OffersNamesOfOtherArguments) {
+  EXPECT_EQ(complete({"test", "referee_of"}), (Words{"referee_offside", ":files"}));
+  EXPECT_EQ(complete({"new", "ty"}), Words{"typescript"});
+  EXPECT_EQ(complete({"new", "go", "ada", "--template", "m"}), Words{"minimal"});
+  EXPECT_EQ(complete({"completion", ""}), (Words{"bash", "fish", "zsh"}));
+  EXPECT_EQ(complete({"stats", "x"}), Words{":files"});
+  EXPECT_EQ(complete({"match", "--dir", ""}), Words{":folders"});
+  EXPECT_EQ(complete({"match", "--dir="}), Words{":folders --dir="});
+}
+
+TEST_F(Completion, OffersCommandsAndTopicsOfHelp) {
+  EXPECT_EQ(complete({"help", "tourn"}), (Words{"tournament", "tournaments"}));
+  EXPECT_EQ(complete({"help", "tournament", "st"}), (Words{"status", "stop"}));
+}
+
+}  // namespace
+}  // namespace cls::tests

@@ -1,0 +1,123 @@
+// Folders of tournaments that were changed or cut: every command refuses them with one line.
+#include <SQLiteCpp/SQLiteCpp.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "tests/support/command.h"
+#include "tests/support/temporary_folder.h"
+
+namespace {
+
+namespace fs = std::filesystem;
+using cls::tests::CommandResult;
+using Arguments = std::vector<std::string>;
+
+class CorruptTournament : public testing::Test {
+ protected:
+  // A complete tournament of six short matches.
+  void SetUp() override {
+    std::ofstream(cup() / "cls.toml") << "[tournament]\ncycles = 10\n"
+                                         "[server]\nkick_off_wait = 2\n"
+                                         "[teams.RED]\nendpoint = \"mock\"\n"
+                                         "[teams.BLUE]\nendpoint = \"mock\"\n"
+                                         "[teams.HOLD]\nendpoint = \"mock:hold\"\n";
+    ASSERT_EQ(tournament({"run", cup(), "--quiet"}).exit_code, 0);
+  }
+
+  static CommandResult tournament(Arguments arguments) {
+    arguments.insert(arguments.begin(), {cls::tests::cls_binary(), "tournament"});
+    return cls::tests::run(arguments);
+  }
+  fs::path cup() const { return folder_.path(); }
+
+  void sql(const std::string& statement) const {
+    SQLite::Database(cup() / "tournament.db", SQLite::OPEN_READWRITE).exec(statement);
+  }
+
+  void expect_corrupt(const Arguments& arguments, const std::string& reason) const {
+    const CommandResult refused = tournament(arguments);
+    EXPECT_EQ(refused.exit_code, 65) << arguments[0] << ": " << refused.out << refused.err;
+    EXPECT_EQ(refused.out, "");
+    EXPECT_EQ(std::count(refused.err.begin(), refused.err.end(), '\n'), 1) << refused.err;
+    EXPECT_NE(refused.err.find(reason), std::string::npos) << refused.err;
+  }
+  void expect_corrupt_everywhere(const std::string& reason) const {
+    for (const char* command : {"status", "report", "run"}) {
+      expect_corrupt({command, cup()}, reason);
+    }
+  }
+
+ private:
+  cls::tests::TemporaryFolder folder_;
+};
+
+TEST_F(CorruptTournament, RejectsTeamsOutOfRange) {
+  sql("UPDATE match SET left_team = 99 WHERE number = 3");
+  expect_corrupt_everywhere("tournament.db: match 3: there is no team 99");
+  sql("UPDATE match SET left_team = -1 WHERE number = 3");
+  expect_corrupt_everywhere("tournament.db: match 3: there is no team -1");
+}
+
+TEST_F(CorruptTournament, RejectsMissingAndRenumberedMatches) {
+  sql("UPDATE match SET number = -5 WHERE number = 1");
+  expect_corrupt_everywhere("match number -5 is out of place");
+  sql("UPDATE match SET number = 1 WHERE number = -5");
+  sql("DELETE FROM match WHERE number = 2");
+  expect_corrupt_everywhere("match 2 is missing");
+}
+
+TEST_F(CorruptTournament, CountsLastMatchesThatAreMissing) {
+  sql("DELETE FROM match WHERE number > 4");
+  EXPECT_NE(tournament({"status", cup()}).out.find("4 of 6 matches done"), std::string::npos);
+  expect_corrupt({"run", cup()}, "match 5 is missing");
+}
+
+TEST_F(CorruptTournament, RejectsMatchesOfAnotherPlan) {
+  sql("UPDATE match SET seed = seed + 1 WHERE number = 4");
+  expect_corrupt_everywhere("match 4 is not that of schedule.jsonl");
+  fs::remove(cup() / "schedule.jsonl");
+  expect_corrupt({"run", cup()}, "match 4 is not the one that the plan schedules");
+}
+
+TEST_F(CorruptTournament, RejectsEmptyPlan) {
+  std::ofstream(cup() / "plan.toml", std::ios::trunc).close();
+  for (const char* command : {"status", "report"}) {
+    expect_corrupt({command, cup()}, "plan.toml: not the plan of a tournament");
+  }
+  const CommandResult refused = tournament({"run", cup()});
+  EXPECT_EQ(refused.exit_code, 78) << refused.err;
+}
+
+TEST_F(CorruptTournament, WorkRejectsTeamsOutOfRange) {
+  std::ofstream(cup() / "schedule.jsonl")
+      << R"({"index":7,"round":1,"stage":"","pairing":0,"left":0,"right":9,"seed":1,"decides":false})"
+      << "\n";
+  const CommandResult refused = tournament({"work", cup(), "--index", "7"});
+  EXPECT_EQ(refused.exit_code, 65) << refused.err;
+  EXPECT_NE(refused.err.find("match 7: there is no team 9"), std::string::npos) << refused.err;
+}
+
+// An archive: no file can be created in the folder, and a reader needs none.
+TEST_F(CorruptTournament, IsReadInAReadOnlyFolder) {
+  using fs::perms;
+  fs::permissions(cup(), perms::owner_read | perms::owner_exec | perms::others_read |
+                             perms::others_exec | perms::group_read | perms::group_exec);
+  Arguments command;
+  if (::geteuid() == 0) command = {"setpriv", "--reuid=65534", "--regid=65534", "--clear-groups"};
+  for (const char* name : {"status", "report"}) {
+    Arguments arguments = command;
+    arguments.insert(arguments.end(), {cls::tests::cls_binary(), "tournament", name, cup()});
+    const CommandResult result = cls::tests::run(arguments);
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_NE(result.out.find("6 of 6 matches done"), std::string::npos) << result.out;
+  }
+  fs::permissions(cup(), perms::owner_all);
+}
+
+}  // namespace

@@ -1,0 +1,136 @@
+// `cls dev`: plays scenarios again when files change, and reports what differs.
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "tests/support/built.h"
+#include "tests/support/command.h"
+#include "tests/support/files.h"
+#include "tests/support/temporary_folder.h"
+
+namespace cls::tests {
+namespace {
+
+class DevCommand : public testing::Test {
+ protected:
+  DevCommand() {
+    std::filesystem::create_directories(folder_.path() / "tests");
+    write("tests/runs.json", R"({
+      "about": "Player 8 runs forward.",
+      "mode": "play_on",
+      "left": {"playmaker": "mock:../team.json", "players": {"8": {"at": [0, 20]}}},
+      "right": {"playmaker": "mock:hold", "players": {"2": {"at": [40, -30]}}},
+      "under_test": "left",
+      "steps": 10,
+      "expect": [{"player": "left 8", "is": {"x": {">": 2}}, "at": "end"}]
+    })");
+    write_team(20);
+  }
+
+  void write(const std::string& name, const std::string& text) const {
+    std::ofstream(folder_.path() / name) << text;
+  }
+
+  // Runs to x.
+  void write_team(int x) const {
+    write("team.json", R"({"rules": [{"reply": [{"body_go_to_point": {"target_point": {"x": )" +
+                           std::to_string(x) +
+                           R"(, "y": 20}, "distance_threshold": 0.5, "max_dash_power": 100}}]}]})");
+  }
+
+  std::vector<std::string> dev(const std::vector<std::string>& more = {}) const {
+    std::vector<std::string> words = {cls_binary(), "dev"};
+    words.insert(words.end(), more.begin(), more.end());
+    return words;
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(DevCommand, PlaysAgainAfterChange) {
+  Command command(dev(), {}, folder_.path());
+  ASSERT_TRUE(command.wait_for_output("watching .")) << command.out();
+  EXPECT_NE(command.out().find("ok    runs\n"), std::string::npos) << command.out();
+  write_team(-20);
+  ASSERT_TRUE(command.wait_for_output("decisions differ")) << command.out();
+  const std::string out = command.out();
+  EXPECT_NE(out.find("changed: team.json\nFAIL  runs (passed before)\n"), std::string::npos) << out;
+  EXPECT_NE(out.find(", player 8: "), std::string::npos) << out;
+  write_team(20);
+  ASSERT_TRUE(command.wait_for_output("ok    runs (failed before)")) << command.out();
+  command.send_signal(SIGINT);
+  EXPECT_EQ(command.finish().exit_code, 130);
+}
+
+TEST_F(DevCommand, ReportsEachRoundAsJson) {
+  Command command(dev({"tests/runs.json", "--json"}), {}, folder_.path());
+  ASSERT_TRUE(command.wait_for_output("\n")) << command.out();
+  const auto round = nlohmann::json::parse(command.out());
+  EXPECT_EQ(round["schema"], "cls.dev/1");
+  EXPECT_EQ(round["scenarios"][0]["passed"], true);
+  EXPECT_TRUE(round["scenarios"][0]["difference"].is_null());
+  command.send_signal(SIGTERM);
+  EXPECT_EQ(command.finish().exit_code, 143);
+}
+
+TEST_F(DevCommand, ReportsWhatKeepsProgramFromStarting) {
+  Command command(
+      dev({"tests/runs.json", "--against",
+           "run:exec " + built("cls_fake_playmaker") + " --port {port} --exit-at-start 5"}),
+      {}, folder_.path());
+  ASSERT_TRUE(command.wait_for_output("watching .")) << command.out();
+  EXPECT_NE(command.out().find("cannot load the formation"), std::string::npos) << command.out();
+  command.send_signal(SIGINT);
+  command.finish();
+}
+
+TEST_F(DevCommand, ContinuesAfterBrokenScenario) {
+  Command command(dev(), {}, folder_.path());
+  ASSERT_TRUE(command.wait_for_output("watching .")) << command.out();
+  write("tests/runs.json", "{\n  \"steps\": -1}");
+  ASSERT_TRUE(command.wait_for_output("runs.json:2")) << command.out();
+  command.send_signal(SIGINT);
+  EXPECT_EQ(command.finish().exit_code, 130);
+}
+
+// Its own output is no change of the team.
+TEST_F(DevCommand, IgnoresItsOutputInTheWatchedFolder) {
+  Command command({"/bin/sh", "-c", "exec '" + cls_binary().string() + "' dev >out.txt"}, {},
+                  folder_.path());
+  const auto rounds = [this] {
+    const std::string out = read_file(folder_.path() / "out.txt");
+    std::size_t count = 0;
+    for (std::size_t at = out.find("watching ."); at != std::string::npos;
+         at = out.find("watching .", at + 1)) {
+      ++count;
+    }
+    return count;
+  };
+  const auto limit = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+  while (!std::filesystem::exists(folder_.path() / "out.txt") ||
+         (rounds() == 0 && std::chrono::steady_clock::now() < limit)) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+  std::this_thread::sleep_for(std::chrono::seconds(2));
+  EXPECT_EQ(rounds(), 1u);
+  command.send_signal(SIGINT);
+  command.finish();
+}
+
+TEST_F(DevCommand, NeedsScenarios) {
+  const TemporaryFolder empty;
+  Command command(dev(), {}, empty.path());
+  const CommandResult result = command.finish();
+  EXPECT_EQ(result.exit_code, 66);
+  EXPECT_NE(result.err.find("no folder tests/ here"), std::string::npos) << result.err;
+}
+
+}  // namespace
+}  // namespace cls::tests

@@ -1,0 +1,122 @@
+// `cls explain`: every name of the interface has an entry, and docs/reference/ is up to date.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <string>
+
+#include "proto/playmaker.pb.h"
+#include "tests/support/command.h"
+#include "tests/support/files.h"
+#include "tests/support/temporary_folder.h"
+
+namespace cls::tests {
+namespace {
+
+using nlohmann::json;
+
+CommandResult explain(std::vector<std::string> words) {
+  words.insert(words.begin(), {cls_binary(), "explain"});
+  return run(words);
+}
+
+const json& all_entries() {
+  static const json entries = json::parse(explain({"--list", "--json"}).out)["entries"];
+  return entries;
+}
+
+const json* find_entry(const std::string& kind, const std::string& name) {
+  for (const json& entry : all_entries()) {
+    if (entry["kind"] == kind && entry["name"] == name) return &entry;
+  }
+  return nullptr;
+}
+
+TEST(ExplainCommand, KnowsEveryMessageAndFieldOfTheInterface) {
+  const auto* file = protos::State::descriptor()->file();
+  for (int i = 0; i < file->message_type_count(); ++i) {
+    const auto* message = file->message_type(i);
+    EXPECT_NE(find_entry("message", message->name()), nullptr) << message->name();
+    for (int j = 0; j < message->field_count(); ++j) {
+      const std::string name = message->name() + "." + message->field(j)->name();
+      EXPECT_NE(find_entry("field", name), nullptr) << name;
+    }
+  }
+  for (int i = 0; i < file->enum_type_count(); ++i) {
+    EXPECT_NE(find_entry("enumeration", file->enum_type(i)->name()), nullptr)
+        << file->enum_type(i)->name();
+  }
+}
+
+TEST(ExplainCommand, GivesNumbersUnits) {
+  const std::set<std::string> numbers = {"float", "double", "int32", "RpcVector2D"};
+  for (const json& entry : all_entries()) {
+    if (entry["kind"] != "field" || entry["group"] == "ServerParam" ||
+        entry["group"] == "PlayerParam" || entry["group"] == "PlayerType") {
+      continue;
+    }
+    if (!numbers.contains(entry["facts"]["type"])) continue;
+    EXPECT_TRUE(entry["facts"].contains("unit")) << entry["name"];
+  }
+}
+
+TEST(ExplainCommand, DescribesEveryActionModeAndEndReason) {
+  const auto check_actions = [](const google::protobuf::Descriptor* message) {
+    for (int i = 0; i < message->field_count(); ++i) {
+      const json* entry = find_entry("action", message->field(i)->name());
+      ASSERT_NE(entry, nullptr) << message->field(i)->name();
+      EXPECT_TRUE((*entry)["facts"].contains("does")) << message->field(i)->name();
+      if (message->name() == "PlayerAction") {
+        EXPECT_TRUE((*entry)["facts"].contains("ends in")) << message->field(i)->name();
+      }
+    }
+  };
+  check_actions(protos::PlayerAction::descriptor());
+  check_actions(protos::CoachAction::descriptor());
+  check_actions(protos::TrainerAction::descriptor());
+  const auto* modes = protos::GameModeType_descriptor();
+  for (int i = 0; i < modes->value_count(); ++i) {
+    const json* entry = find_entry("play mode", modes->value(i)->name());
+    ASSERT_NE(entry, nullptr) << modes->value(i)->name();
+    EXPECT_NE((*entry)["text"], "") << modes->value(i)->name();
+  }
+  for (const char* reason : {"finished", "crashed", "stalled", "late", "refused", "protocol_error",
+                             "server_failed", "timed_out", "interrupted"}) {
+    const json* entry = find_entry("end reason", reason);
+    ASSERT_NE(entry, nullptr) << reason;
+    EXPECT_NE((*entry)["text"], "") << reason;
+  }
+}
+
+TEST(ExplainCommand, FindsFullNamesLastPartsAndOtherSpellings) {
+  const CommandResult full = explain({"Self.stamina"});
+  EXPECT_EQ(full.exit_code, 0) << full.err;
+  EXPECT_NE(full.out.find("Self.stamina (field of Self)"), std::string::npos) << full.out;
+  EXPECT_NE(full.out.find("0 to 8000"), std::string::npos) << full.out;
+  EXPECT_NE(explain({"offside_line_x"}).out.find("WorldModel.offside_line_x"), std::string::npos);
+  EXPECT_NE(explain({"kick-in"}).out.find("KickIn_ (play mode"), std::string::npos);
+  const CommandResult several = explain({"stalled", "body_smart_kick"});
+  EXPECT_NE(several.out.find("stalled (end reason)"), std::string::npos);
+  EXPECT_NE(several.out.find("fails when  speed out of reach"), std::string::npos) << several.out;
+}
+
+TEST(ExplainCommand, SuggestsNamesForTypos) {
+  const CommandResult typo = explain({"body_smart_kik"});
+  EXPECT_EQ(typo.exit_code, 2);
+  EXPECT_EQ(typo.err, "cls: unknown name 'body_smart_kik'; did you mean 'body_smart_kick'?\n");
+  EXPECT_NE(explain({}).err.find("cls explain --list"), std::string::npos);
+}
+
+TEST(ExplainCommand, WritesThePagesOfTheReference) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(explain({"--export", folder.path()}).exit_code, 0);
+  for (const char* page : {"README.md", "messages.md", "actions.md", "parameters.md", "modes.md"}) {
+    EXPECT_TRUE(read_file(folder.path() / page) ==
+                read_file(source_folder() / "docs/reference" / page))
+        << page << ": cls explain --export docs/reference";
+  }
+}
+
+}  // namespace
+}  // namespace cls::tests

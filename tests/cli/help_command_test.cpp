@@ -1,0 +1,79 @@
+// Topics of `cls help`, and manual pages.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+
+#include "tests/support/command.h"
+#include "tests/support/files.h"
+#include "tests/support/temporary_folder.h"
+
+namespace cls::tests {
+namespace {
+
+namespace fs = std::filesystem;
+
+TEST(HelpCommand, PrintsPagesWithoutLinkTargets) {
+  const CommandResult page = run({cls_binary(), "help", "testing"});
+  EXPECT_EQ(page.exit_code, 0);
+  const std::string source = read_file(source_folder() / "docs/testing.md");
+  EXPECT_EQ(page.out.substr(0, page.out.find('\n')), source.substr(0, source.find('\n')));
+  EXPECT_NE(source.find("]("), std::string::npos);
+  EXPECT_EQ(page.out.find("]("), std::string::npos);
+}
+
+TEST(HelpCommand, ListsTopics) {
+  const CommandResult topics = run({cls_binary(), "help", "topics"});
+  EXPECT_NE(topics.out.find("formats/rcg "), std::string::npos) << topics.out;
+  const auto json = nlohmann::json::parse(run({cls_binary(), "help", "topics", "--json"}).out);
+  ASSERT_GE(json["topics"].size(), 20u);
+  for (const auto& topic : json["topics"]) {
+    const std::string name = topic["name"];
+    EXPECT_EQ(run({cls_binary(), "help", name}).exit_code, 0) << name;
+    EXPECT_TRUE(fs::exists(source_folder() / "docs" / (name + ".md"))) << name;
+  }
+}
+
+TEST(HelpCommand, SuggestsCommandsAndTopics) {
+  EXPECT_EQ(run({cls_binary(), "help", "mtch"}).err,
+            "cls: unknown command or topic 'mtch'; did you mean 'match'?\n");
+  EXPECT_EQ(run({cls_binary(), "help", "troubleshoting"}).err,
+            "cls: unknown command or topic 'troubleshoting'; did you mean 'troubleshooting'?\n");
+}
+
+TEST(ManPages, DescribeAllCommandsAndOptions) {
+  TemporaryFolder folder;
+  ASSERT_EQ(run({cls_binary(), "help", "--man", folder.path()}).exit_code, 0);
+  for (const char* page : {"cls.1", "cls-match.1", "cls-tournament-run.1", "cls-check-server.1"}) {
+    EXPECT_TRUE(fs::exists(folder.path() / page)) << page;
+  }
+  const std::string match = read_file(folder.path() / "cls-match.1");
+  for (const char* text :
+       {".SH NAME\ncls\\-match \\- play one match", ".SH SYNOPSIS\n.B cls match\n",
+        "\n  cls match mock mock", "\n.B \\-\\-seed N\n", "\n.SS Playmakers\n"}) {
+    EXPECT_NE(match.find(text), std::string::npos) << text << "\n" << match;
+  }
+  for (const char* page : {"match", "tournament", "help"}) {
+    EXPECT_NE(read_file(folder.path() / "cls.1").find(".BR cls\\-" + std::string(page)),
+              std::string::npos);
+  }
+}
+
+TEST(ManPages, AreWellFormed) {
+  if (run({"/bin/sh", "-c", "command -v mandoc"}).exit_code != 0) GTEST_SKIP() << "no mandoc";
+  TemporaryFolder folder;
+  ASSERT_EQ(run({cls_binary(), "help", "--man", folder.path()}).exit_code, 0);
+  for (const auto& page : fs::directory_iterator(folder.path())) {
+    const CommandResult lint = run({"mandoc", "-T", "lint", "-W", "warning", page.path()});
+    std::istringstream warnings(lint.out + lint.err);
+    for (std::string line; std::getline(warnings, line);) {
+      // The same binary writes the same pages on any day.
+      EXPECT_NE(line.find("missing date"), std::string::npos) << line;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace cls::tests

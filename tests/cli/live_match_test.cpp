@@ -1,0 +1,232 @@
+// Matches with viewers: the same bytes, the page while it is played, an end without a terminal.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <filesystem>
+#include <memory>
+#include <regex>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "base/system/udp_socket.h"
+#include "gamelog/rcg/rcg_reader.h"
+#include "tests/support/command.h"
+#include "tests/support/files.h"
+#include "tests/support/http_client.h"
+#include "tests/support/pseudo_terminal.h"
+#include "tests/support/temporary_folder.h"
+#include "viewer/stream/chunk_reader.h"
+
+namespace {
+
+namespace fs = std::filesystem;
+using cls::tests::Command;
+
+std::vector<std::string> match_command(const fs::path& folder) {
+  return {cls::tests::cls_binary(),
+          "match",
+          "mock",
+          "mock",
+          "--seed",
+          "7",
+          "--half-time",
+          "20",
+          "--set",
+          "server::kick_off_wait=3",
+          "--dir",
+          folder.string()};
+}
+
+std::vector<std::string> with(std::vector<std::string> arguments,
+                              const std::vector<std::string>& more) {
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return arguments;
+}
+
+std::string url_in(const std::string& text) {
+  std::smatch found;
+  return std::regex_search(text, found, std::regex("http://127[^ \"\n]*")) ? found.str() : "";
+}
+
+void wait_for_file(const fs::path& file) {
+  for (int i = 0; i < 400 && !fs::exists(file); ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  }
+}
+
+/// A viewer that asks for the whole match and reads nothing, until it is destroyed.
+std::unique_ptr<cls::tests::HttpConnection> stalled_viewer(const std::string& url) {
+  auto viewer = std::make_unique<cls::tests::HttpConnection>(cls::tests::port_of(url));
+  viewer->send("GET " + cls::tests::path_of(url) + "live HTTP/1.1\r\nHost: localhost\r\n\r\n");
+  return viewer;
+}
+
+TEST(LiveMatch, HasTheSameBytesWithViewers) {
+  const cls::tests::TemporaryFolder folder;
+  const auto alone = cls::tests::run(match_command(folder.path() / "alone"));
+  ASSERT_EQ(alone.exit_code, 0) << alone.err;
+  const fs::path where = folder.path() / "watched";
+  // Slow enough to be watched.
+  Command watched(with(match_command(where), {"--watch", "--linger", "0", "--speed", "20"}));
+  wait_for_file(where / "match.rcg");
+  Command watch({cls::tests::cls_binary(), "watch", where, "--no-open"});
+  ASSERT_TRUE(watch.wait_for_output("/\n"));
+  std::vector<std::unique_ptr<cls::tests::HttpConnection>> viewers;
+  for (int i = 0; i < 3; ++i) viewers.push_back(stalled_viewer(url_in(watch.out())));
+  const auto played = watched.finish();
+  EXPECT_EQ(played.exit_code, 0) << played.err;
+  EXPECT_NE(url_in(played.err), "") << played.err;
+  viewers.clear();
+  for (const char* file : {"match.rcg", "match.rcl", "events.jsonl"}) {
+    EXPECT_TRUE(cls::tests::read_file(folder.path() / "alone" / file) ==
+                cls::tests::read_file(folder.path() / "watched" / file))
+        << file;
+  }
+}
+
+TEST(LiveMatch, IsServedWhileItIsPlayed) {
+  const cls::tests::TemporaryFolder folder;
+  const fs::path where = folder.path() / "match";
+  Command match(with(match_command(where), {"--speed", "20"}));
+  wait_for_file(where / "match.rcg");
+  Command watch({cls::tests::cls_binary(), "watch", where, "--no-open", "--json"});
+  ASSERT_TRUE(watch.wait_for_output("\"url\""));
+  const std::string url = url_in(watch.out());
+  EXPECT_EQ(cls::tests::get(url).status, 200);
+  const auto stream = cls::tests::get(url + "live");
+  EXPECT_EQ(match.finish().exit_code, 0);
+  const auto live = cls::viewer::read_stream(stream.body);
+  ASSERT_TRUE(live) << live.error().message;
+  const auto record = cls::gamelog::read_rcg_file(where / "match.rcg").value();
+  EXPECT_EQ(live->record.frames(), record.frames());
+  EXPECT_EQ(live->record.notes.size(), record.notes.size());
+  EXPECT_EQ(live->record.errors.count, 0U);
+  EXPECT_NE(live->statistics, "");
+  // Without a terminal the page ends with the match.
+  EXPECT_EQ(watch.finish().exit_code, 0);
+}
+
+TEST(LiveMatch, StaysAsLongAsItIsTold) {
+  const cls::tests::TemporaryFolder folder;
+  const fs::path log = folder.path() / "game.rcg";
+  fs::copy_file(cls::tests::fixture("gamelog/rcg-v6-excerpt.rcg.gz"), log);
+  Command watch({cls::tests::cls_binary(), "watch", log, "--live", "--no-open", "--linger", "60"});
+  ASSERT_TRUE(watch.wait_for_output("/\n"));
+  EXPECT_EQ(cls::tests::get(url_in(watch.out())).status, 200);
+  watch.send_signal(SIGINT);
+  EXPECT_EQ(watch.finish().exit_code, 0);
+}
+
+TEST(LiveMatch, NeedsALogAndAFreePort) {
+  const auto without = cls::tests::run({cls::tests::cls_binary(), "match", "mock", "mock",
+                                        "--watch", "--set", "server::game_logging=false"});
+  EXPECT_EQ(without.exit_code, 2);
+  EXPECT_NE(without.err.find("server::game_logging"), std::string::npos) << without.err;
+  const auto missing = cls::tests::run({cls::tests::cls_binary(), "watch", "none.rcg", "--live"});
+  EXPECT_EQ(missing.exit_code, 66);
+  const auto host = cls::tests::run({cls::tests::cls_binary(), "watch",
+                                     cls::tests::fixture("gamelog/rcg-v6-excerpt.rcg.gz"), "--live",
+                                     "--listen", "example.org", "--no-open"});
+  EXPECT_EQ(host.exit_code, 75);
+  EXPECT_NE(host.err.find("not an IP address of this host"), std::string::npos) << host.err;
+}
+
+// Free a moment ago.
+int free_port() {
+  const auto address = cls::base::parse_ip_address("127.0.0.1", 0).value();
+  return cls::base::UdpSocket::bind(address).value().local_port();
+}
+
+TEST(LiveMatch, IsWatchedOnItsServerAsAMonitor) {
+  const cls::tests::TemporaryFolder folder;
+  const std::string port = std::to_string(free_port());
+  const fs::path where = folder.path() / "match";
+  // Without a terminal, the view is a line per second: the match must last some seconds longer than
+  // the start of a program on a busy host.
+  Command match(with(match_command(where), {"--speed", "2", "--monitor-port", port}));
+  wait_for_file(where / "match.rcg");
+  Command watch({cls::tests::cls_binary(), "watch", "127.0.0.1:" + port, "--view", "terminal"});
+  EXPECT_TRUE(watch.wait_for_output("play_on, mock_l")) << watch.out();
+  match.send_signal(SIGINT);
+  EXPECT_EQ(match.finish().exit_code, 128 + SIGINT);
+  watch.send_signal(SIGINT);
+  EXPECT_EQ(watch.finish().exit_code, 0);
+}
+
+TEST(LiveMatch, SaysThatNoServerAnswers) {
+  const auto none = cls::tests::run({cls::tests::cls_binary(), "watch", "127.0.0.1:9"});
+  EXPECT_EQ(none.exit_code, 66);
+  EXPECT_NE(none.err.find("127.0.0.1:9: no soccer server answers"), std::string::npos) << none.err;
+  const auto wrong = cls::tests::run({cls::tests::cls_binary(), "watch", "127.0.0.1:70000"});
+  EXPECT_EQ(wrong.exit_code, 66);
+  EXPECT_NE(wrong.err.find("1 to 65535"), std::string::npos) << wrong.err;
+}
+
+TEST(TournamentView, ListsTheMatchesAndHasAPageOfEach) {
+  const cls::tests::TemporaryFolder folder;
+  const fs::path cup = folder.path() / "cup";
+  const auto played = cls::tests::run({cls::tests::cls_binary(), "tournament", "run", cup, "--team",
+                                       "A=mock", "--team", "B=mock:hold", "--rounds", "1",
+                                       "--half-time", "2", "--no-preflight"});
+  ASSERT_EQ(played.exit_code, 0) << played.err;
+  // It is over: without a terminal only --linger makes it stay.
+  EXPECT_EQ(cls::tests::run({cls::tests::cls_binary(), "watch", cup, "--no-open"}).exit_code, 0);
+  Command watch({cls::tests::cls_binary(), "watch", cup, "--no-open", "--linger", "60"});
+  ASSERT_TRUE(watch.wait_for_output("/\n"));
+  const std::string url = url_in(watch.out());
+  const std::string list = cls::tests::get(url).body;
+  for (const char* part : {">A<", ">B<", "href=\"match/1/\"", "href=\"match/2/\"", " : "}) {
+    EXPECT_NE(list.find(part), std::string::npos) << part;
+  }
+  EXPECT_NE(cls::tests::get(url + "match/1/").body.find("id=\"match\""), std::string::npos);
+  for (const char* path :
+       {"match/3/", "match/1", "match/1/../2/", "match/1/live", "match/x/", "x"}) {
+    EXPECT_EQ(cls::tests::get(url + path).status, 404) << path;
+  }
+  watch.send_signal(SIGTERM);
+  EXPECT_EQ(watch.finish().exit_code, 0);
+}
+
+TEST(TerminalView, PlaysALogAndRestoresTheTerminal) {
+  const std::string log = cls::tests::fixture("gamelog/match-start.rcg.gz");
+  cls::tests::PseudoTerminal terminal(
+      {cls::tests::cls_binary(), "watch", log, "--view", "terminal"}, {"TERM=xterm"}, ".");
+  EXPECT_TRUE(terminal.wait_for("\x1b[?1049h"));
+  EXPECT_TRUE(terminal.wait_for("q quit"));
+  terminal.type(" ");
+  // "play" becomes "pause"; only what changed is written.
+  EXPECT_TRUE(terminal.wait_for("ause"));
+  terminal.type("q");
+  EXPECT_TRUE(terminal.wait_for("\x1b[?25h\x1b[?1049l"));
+}
+
+TEST(TerminalView, RestoresTheTerminalAfterCtrlC) {
+  const std::string log = cls::tests::fixture("gamelog/match-start.rcg.gz");
+  cls::tests::PseudoTerminal terminal(
+      {cls::tests::cls_binary(), "watch", log, "--view", "terminal"}, {"TERM=xterm", "NO_COLOR=1"},
+      ".");
+  EXPECT_TRUE(terminal.wait_for("q quit"));
+  EXPECT_EQ(terminal.shown().find("38;5"), std::string::npos);
+  terminal.type("\x03");
+  EXPECT_TRUE(terminal.wait_for("\x1b[?1049l"));
+}
+
+TEST(TerminalView, RecordsALogWithoutATerminal) {
+  const cls::tests::TemporaryFolder folder;
+  const std::string log = cls::tests::fixture("gamelog/match-start.rcg.gz");
+  const auto refused =
+      cls::tests::run({cls::tests::cls_binary(), "watch", log, "--view", "terminal"});
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_NE(refused.err.find("--cast FILE"), std::string::npos) << refused.err;
+  const fs::path cast = folder.path() / "a.cast";
+  const auto made = cls::tests::run({cls::tests::cls_binary(), "watch", log, "--cast", cast});
+  EXPECT_EQ(made.exit_code, 0) << made.err;
+  const std::string text = cls::tests::read_file(cast);
+  EXPECT_EQ(text.find("{\"version\":2,\"width\":80,\"height\":24"), 0U);
+  EXPECT_GT(std::count(text.begin(), text.end(), '\n'), 20);
+}
+
+}  // namespace

@@ -1,0 +1,124 @@
+// `mix:` sides: one team whose agents are decided for by several Playmakers.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "tests/support/built.h"
+#include "tests/support/command.h"
+#include "tests/support/files.h"
+#include "tests/support/temporary_folder.h"
+
+namespace cls::tests {
+namespace {
+
+using nlohmann::json;
+using Arguments = std::vector<std::string>;
+
+class MixedSide : public testing::Test {
+ protected:
+  static std::string fake(const std::string& flags = "") {
+    return "run:exec " + built("cls_fake_playmaker") + " --port {port} " + flags;
+  }
+
+  CommandResult play(const std::string& left, const std::string& folder,
+                     const Arguments& more = {}) const {
+    Arguments argv = {cls_binary(), "match",        left,   "mock",    "--seed",
+                      "5",          "--left-name",  "left", "--force", "--dir",
+                      folder,       "--right-name", "right"};
+    argv.insert(argv.end(), more.begin(), more.end());
+    Command command(argv, {}, folder_.path());
+    return command.finish();
+  }
+
+  json result(const std::string& folder) const {
+    return json::parse(read_file(folder_.path() / folder / "result.json"));
+  }
+
+  TemporaryFolder folder_;
+};
+
+// Who decides for whom does not show in the match.
+TEST_F(MixedSide, PlaysTheMatchOfOnePlaymaker) {
+  const Arguments cycles = {"--cycles", "60"};
+  ASSERT_EQ(play("mock", "one", cycles).exit_code, 0);
+  const CommandResult mixed = play(
+      "mix:goalie=mock;2-6," + std::string("forwards=") + fake() + ";others=mock", "three", cycles);
+  ASSERT_EQ(mixed.exit_code, 0) << mixed.err;
+  EXPECT_EQ(mixed.err, "");
+  EXPECT_TRUE(read_file(folder_.path() / "one/match.rcg") ==
+              read_file(folder_.path() / "three/match.rcg"));
+  EXPECT_NE(mixed.out.find("left 2-6,forwards: run:exec"), std::string::npos) << mixed.out;
+}
+
+TEST_F(MixedSide, ReportsEachPart) {
+  ASSERT_EQ(play("mix:1-7=mock:hold;others=" + fake() + ";coach=" + fake("x"), "match",
+                 {"--cycles", "30"})
+                .exit_code,
+            0);
+  const json document = result("match");
+  const json& parts = document["left"]["parts"];
+  ASSERT_EQ(parts.size(), 3U);
+  EXPECT_EQ(parts[0]["agents"], "1-7");
+  EXPECT_EQ(parts[0]["endpoint"], "mock:hold");
+  std::int64_t decisions = document["left"]["coach"]["decisions"];
+  for (const json& player : document["left"]["players"]) {
+    decisions += player["decisions"].get<std::int64_t>();
+  }
+  EXPECT_EQ(parts[0]["decisions"].get<std::int64_t>() + parts[1]["decisions"].get<std::int64_t>() +
+                parts[2]["decisions"].get<std::int64_t>(),
+            decisions);
+  EXPECT_EQ(parts[2]["decisions"], document["left"]["coach"]["decisions"]);
+  EXPECT_GT(parts[1]["cpu_seconds"], 0.0);
+  EXPECT_EQ(document["right"]["parts"].size(), 0U);
+  EXPECT_EQ(document["processes"][0]["name"], "left Playmaker (others)");
+  EXPECT_EQ(document["processes"][1]["log"], "left-playmaker-coach.log");
+}
+
+TEST_F(MixedSide, NamesTheProgramThatCrashes) {
+  const CommandResult played =
+      play("mix:1-10=mock;11=" + fake("--exit-at-cycle 10"), "match", {"--cycles", "60"});
+  EXPECT_EQ(played.exit_code, 1) << played.err;
+  const json document = result("match");
+  EXPECT_EQ(document["end_reason"], "crashed");
+  EXPECT_EQ(document["fault"], "left");
+  EXPECT_EQ(document["failure"]["process"], "left Playmaker (11)");
+  EXPECT_EQ(document["failure"]["output"].back(), "out of ideas");
+}
+
+TEST_F(MixedSide, RefusesWhenOnePartDoesNotListen) {
+  const CommandResult played =
+      play("mix:1-10=mock;11=" + fake("--never-listen 1"), "match", {"--start-timeout", "1"});
+  EXPECT_EQ(played.exit_code, 69);
+  EXPECT_NE(played.err.find("no answer to Register of player 11"), std::string::npos) << played.err;
+  EXPECT_NE(played.err.find("it does not listen on port "), std::string::npos) << played.err;
+}
+
+TEST_F(MixedSide, PlaysInSynchMode) {
+  const CommandResult played =
+      play("mix:players=" + fake() + ";coach=mock", "match",
+           {"--cycles", "20", "--mode", "synch", "--set", "server::kick_off_wait=3"});
+  EXPECT_EQ(played.exit_code, 0) << played.err;
+}
+
+TEST_F(MixedSide, IsATeamOfAConfiguration) {
+  std::filesystem::create_directory(folder_.path() / "below");
+  std::ofstream(folder_.path() / "cls.toml")
+      << "[teams.ada]\nendpoint = \"\"\"mix:\n  1 = mock:hold;\n  others = mock\"\"\"\n";
+  Command command({cls_binary(), "match", "ada", "mock", "--cycles", "10", "--dir", "match"}, {},
+                  folder_.path() / "below");
+  const CommandResult played = command.finish();
+  EXPECT_EQ(played.exit_code, 0) << played.err;
+}
+
+TEST_F(MixedSide, HasNoSinglePlaymakerToCheck) {
+  const CommandResult checked = run({cls_binary(), "check", "playmaker", "mix:1=mock;others=mock"});
+  EXPECT_EQ(checked.exit_code, 2);
+  EXPECT_EQ(checked.err, "cls: mix: has several Playmakers; check each of them\n");
+}
+
+}  // namespace
+}  // namespace cls::tests

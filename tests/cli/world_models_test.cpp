@@ -1,0 +1,270 @@
+// Recorded world models: what they contain, that they change nothing, and the page with them.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "gamelog/rcg/rcg_reader.h"
+#include "gamelog/rcl/logged_commands.h"
+#include "gamelog/rcl/rcl_reader.h"
+#include "soccer/side.h"
+#include "tests/support/command.h"
+#include "tests/support/files.h"
+#include "tests/support/temporary_folder.h"
+#include "viewer/decisions/decision_files.h"
+#include "viewer/decisions/decision_reader.h"
+#include "viewer/page/page_decisions.h"
+
+namespace {
+
+namespace fs = std::filesystem;
+using cls::soccer::Side;
+using cls::viewer::DecisionSample;
+
+cls::tests::CommandResult play(const fs::path& folder, std::vector<std::string> more) {
+  std::vector<std::string> words = {cls::tests::cls_binary(),
+                                    "match",
+                                    "mock",
+                                    "mock:hold",
+                                    "--seed",
+                                    "7",
+                                    "--cycles",
+                                    "120",
+                                    "--dir",
+                                    folder.string(),
+                                    "--set",
+                                    "server::kick_off_wait=3"};
+  words.insert(words.end(), more.begin(), more.end());
+  return cls::tests::run(words);
+}
+
+cls::viewer::TeamDecisions decisions_in(const fs::path& file) {
+  return cls::viewer::read_decisions(cls::tests::read_file(file)).value();
+}
+
+/// Two matches of one seed, one of them recorded.
+class WorldModels : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    folder_ = new cls::tests::TemporaryFolder;
+    ASSERT_EQ(play(where("plain"), {}).exit_code, 0);
+    ASSERT_EQ(play(where("recorded"), {"--record-world-models"}).exit_code, 0);
+  }
+  static void TearDownTestSuite() {
+    delete folder_;
+    folder_ = nullptr;
+  }
+  static fs::path where(const std::string& name) { return folder_->path() / name; }
+
+ private:
+  static cls::tests::TemporaryFolder* folder_;
+};
+
+cls::tests::TemporaryFolder* WorldModels::folder_ = nullptr;
+
+TEST_F(WorldModels, ChangeNothingInTheMatch) {
+  for (const char* file : {"match.rcg", "match.rcl", "events.jsonl"}) {
+    EXPECT_TRUE(cls::tests::read_file(where("plain") / file) ==
+                cls::tests::read_file(where("recorded") / file))
+        << file;
+  }
+  EXPECT_FALSE(fs::exists(where("plain") / cls::viewer::kLeftWorldModelsFile));
+}
+
+/// The frame of a decision: the one that the player perceived.
+std::map<std::pair<int, int>, std::size_t> frames_by_clock(
+    const cls::gamelog::MatchRecord& record) {
+  std::map<std::pair<int, int>, std::size_t> frames;
+  for (std::size_t i = 0; i < record.frames(); ++i) {
+    frames[{record.time[i], record.stopped[i]}] = i;
+  }
+  return frames;
+}
+
+double distance(cls::soccer::Vec2 a, double x, double y) { return std::hypot(a.x - x, a.y - y); }
+
+TEST_F(WorldModels, AreBesideTheFullStateOfBothSides) {
+  const auto record = cls::gamelog::read_rcg_file((where("recorded") / "match.rcg")).value();
+  const auto frames = frames_by_clock(record);
+  for (const char* file : {cls::viewer::kLeftWorldModelsFile, cls::viewer::kRightWorldModelsFile}) {
+    const auto team = decisions_in(where("recorded") / file);
+    int located = 0;
+    int close = 0;
+    int balls = 0;
+    int ball_close = 0;
+    for (int unum = 1; unum <= cls::soccer::kPlayersPerTeam; ++unum) {
+      const auto& samples = team.players.at(static_cast<std::size_t>(unum - 1));
+      EXPECT_GE(samples.size(), 120U) << file << ", player " << unum;
+      for (const DecisionSample& sample : samples) {
+        const auto frame = frames.find({sample.cycle, sample.stopped});
+        if (frame == frames.end()) continue;
+        const std::size_t entry =
+            frame->second * 22 + static_cast<std::size_t>(cls::soccer::slot_of(team.side, unum));
+        const auto position = record.players.position[entry];
+        if (sample.self_age == 0) {
+          ++located;
+          close += distance(sample.self, position.x, position.y) < 0.5 ? 1 : 0;
+        }
+        if (sample.ball_age == 0) {
+          ++balls;
+          const auto ball = record.ball_position[frame->second];
+          ball_close += distance(sample.ball, ball.x, ball.y) < 2.0 ? 1 : 0;
+        }
+      }
+    }
+    EXPECT_GT(located, 400) << file;
+    EXPECT_GT(close, located * 95 / 100) << file << ": " << close << " of " << located;
+    EXPECT_GT(balls, 300) << file;
+    EXPECT_GT(ball_close, balls * 90 / 100) << file << ": " << ball_close << " of " << balls;
+  }
+}
+
+/// The names of the commands of a datagram: "dash turn_neck done".
+std::string command_names(std::string_view datagram) {
+  std::string names;
+  cls::gamelog::CommandCursor cursor(datagram);
+  for (cls::gamelog::LoggedCommand command; cursor.next(command);) {
+    const std::string_view kind = name(command.kind);
+    if (kind != "done" && kind != "change_focus") names += std::string(kind) + " ";
+  }
+  return names;
+}
+
+TEST_F(WorldModels, HaveTheCommandsOfTheTextLog) {
+  const auto text = cls::gamelog::read_rcl_file((where("recorded") / "match.rcl")).value();
+  const auto team = decisions_in(where("recorded") / cls::viewer::kLeftWorldModelsFile);
+  std::map<std::pair<int, int>, std::string> logged;
+  for (const auto& line : text.lines) {
+    if (line.source != cls::gamelog::RclSource::kPlayer || line.unum != 7) continue;
+    if (text.teams.at(line.team) != team.team) continue;
+    logged[{line.time, line.stopped}] = command_names(text.text.substr(line.offset, line.length));
+  }
+  const auto& samples = team.players[6];
+  int found = 0;
+  for (const DecisionSample& sample : samples) {
+    const auto line = logged.find({sample.cycle, sample.stopped});
+    if (line != logged.end() && line->second == command_names(sample.commands)) ++found;
+  }
+  EXPECT_GT(found, 110) << "of " << samples.size();
+}
+
+TEST_F(WorldModels, HaveTheActionsWithTheirOutcomes) {
+  const auto team = decisions_in(where("recorded") / cls::viewer::kLeftWorldModelsFile);
+  int executed = 0;
+  int with_fields = 0;
+  for (const auto& samples : team.players) {
+    for (const DecisionSample& sample : samples) {
+      EXPECT_EQ(sample.call, 0);
+      EXPECT_GT(sample.latency_us, 0);
+      if (sample.reply.find("e ") != std::string::npos) ++executed;
+      if (sample.reply.find('=') != std::string::npos) ++with_fields;
+    }
+  }
+  EXPECT_GT(executed, 500);
+  EXPECT_GT(with_fields, 100);
+}
+
+TEST_F(WorldModels, AreTheSameInEachRunButForLatencies) {
+  ASSERT_EQ(play(where("again"), {"--record-world-models"}).exit_code, 0);
+  const auto a = decisions_in(where("recorded") / cls::viewer::kRightWorldModelsFile);
+  const auto b = decisions_in(where("again") / cls::viewer::kRightWorldModelsFile);
+  for (std::size_t i = 0; i < a.players.size(); ++i) {
+    ASSERT_EQ(a.players[i].size(), b.players[i].size());
+    for (std::size_t k = 0; k < a.players[i].size(); ++k) {
+      EXPECT_EQ(a.players[i][k].ball.x, b.players[i][k].ball.x);
+      EXPECT_EQ(a.players[i][k].reply, b.players[i][k].reply);
+      EXPECT_EQ(a.players[i][k].commands, b.players[i][k].commands);
+    }
+  }
+}
+
+std::size_t page_size(const fs::path& match, const fs::path& page,
+                      const std::vector<std::string>& more) {
+  std::vector<std::string> words = {cls::tests::cls_binary(), "watch", match.string(), "--out",
+                                    page.string()};
+  words.insert(words.end(), more.begin(), more.end());
+  const auto written = cls::tests::run(words);
+  EXPECT_EQ(written.exit_code, 0) << written.err;
+  return cls::tests::read_file(page).size();
+}
+
+TEST_F(WorldModels, AreInThePageAsFarAsTheyAreAskedFor) {
+  const std::size_t plain = page_size(where("plain"), where("plain.html"), {});
+  const std::size_t all = page_size(where("recorded"), where("all.html"), {});
+  const std::size_t some =
+      page_size(where("recorded"), where("some.html"), {"--world-models", "l7,l8"});
+  const std::size_t none =
+      page_size(where("recorded"), where("none.html"), {"--world-models", "none"});
+  EXPECT_GT(all, some);
+  EXPECT_GT(some, plain);
+  EXPECT_EQ(none, plain);
+  const std::string page = cls::tests::read_file(where("some.html"));
+  EXPECT_NE(page.find("id=\"decisions-left\""), std::string::npos);
+  EXPECT_EQ(page.find("id=\"decisions-right\""), std::string::npos);
+  EXPECT_EQ(cls::tests::read_file(where("plain.html")).find("decisions-left\""), std::string::npos);
+  // The page is still the log.
+  const auto log =
+      cls::tests::run({cls::tests::cls_binary(), "convert", where("all.html"), where("log.rcg")});
+  EXPECT_EQ(log.exit_code, 0) << log.err;
+  EXPECT_TRUE(cls::tests::read_file(where("log.rcg")) ==
+              cls::tests::read_file(where("recorded") / "match.rcg"));
+}
+
+TEST_F(WorldModels, AreRefusedWhenTheyAreCorruptOrNamesAreWrong) {
+  const auto wrong = cls::tests::run({cls::tests::cls_binary(), "watch", where("recorded"), "--out",
+                                      where("x.html"), "--world-models", "l12"});
+  EXPECT_EQ(wrong.exit_code, 2);
+  EXPECT_NE(wrong.err.find("--world-models 'l12'"), std::string::npos) << wrong.err;
+  fs::copy(where("recorded"), where("cut"), fs::copy_options::recursive);
+  fs::resize_file(where("cut") / cls::viewer::kLeftWorldModelsFile, 2000);
+  const auto cut =
+      cls::tests::run({cls::tests::cls_binary(), "watch", where("cut"), "--out", where("y.html")});
+  EXPECT_EQ(cut.exit_code, 65);
+  EXPECT_NE(cut.err.find("left.world-models: "), std::string::npos) << cut.err;
+}
+
+TEST(MissedDecisions, AreInTheFolderAndInThePage) {
+  const cls::tests::TemporaryFolder folder;
+  const fs::path script = folder.path() / "errors.json";
+  std::ofstream(script)
+      << R"({"faults": {"error": 0.2, "status": "INTERNAL", "only": {"unum": 8}}})";
+  const fs::path match = folder.path() / "match";
+  const auto played =
+      cls::tests::run({cls::tests::cls_binary(), "match", "mock:" + script.string(), "mock:hold",
+                       "--seed", "7", "--cycles", "60", "--dir", match});
+  ASSERT_EQ(played.exit_code, 0) << played.err;
+  const auto result = nlohmann::json::parse(cls::tests::read_file(match / "result.json"));
+  const int missed = result["left"]["players"][7]["missed"].get<int>();
+  ASSERT_GT(missed, 3);
+  const auto read = cls::viewer::read_missed_decisions(match);
+  ASSERT_EQ(read.size(), static_cast<std::size_t>(missed));
+  for (const auto& one : read) {
+    EXPECT_EQ(one.player, "l8");
+    EXPECT_EQ(one.reason, "error");
+  }
+  const fs::path page = folder.path() / "page.html";
+  EXPECT_EQ(cls::tests::run({cls::tests::cls_binary(), "watch", match, "--out", page}).exit_code,
+            0);
+  EXPECT_NE(cls::tests::read_file(page).find("\"missed\":[["), std::string::npos);
+}
+
+TEST(MissedDecisions, SurviveLinesThatAreNone) {
+  const cls::tests::TemporaryFolder folder;
+  EXPECT_TRUE(cls::viewer::read_missed_decisions(folder.path()).empty());
+  std::ofstream(folder.path() / "missed.jsonl")
+      << "{\"t\":5,\"side\":\"left\",\"unum\":12,\"reason\":\"x\"}\nnonsense\n\n[1]\n"
+      << "{\"t\":5,\"stopped\":2,\"side\":\"right\",\"unum\":11,\"reason\":\"deadline\"}";
+  const auto read = cls::viewer::read_missed_decisions(folder.path());
+  ASSERT_EQ(read.size(), 1U);
+  EXPECT_EQ(read[0].player, "r11");
+  EXPECT_EQ(read[0].stopped, 2);
+}
+
+}  // namespace

@@ -1,0 +1,114 @@
+// Two matches side by side in Chromium, from disk.
+import assert from 'node:assert/strict';
+import fs from 'node:fs';
+import {createRequire} from 'node:module';
+import os from 'node:os';
+import path from 'node:path';
+import test, {after, before} from 'node:test';
+import {pathToFileURL} from 'node:url';
+import zlib from 'node:zlib';
+import {kGoalFrame, sampleStream} from '../web/sample_match.mjs';
+import {kInjections} from './injections.mjs';
+import {pageOf} from './page_writer.mjs';
+
+const {chromium} = createRequire(import.meta.url)('playwright-core');
+const kAxe = createRequire(import.meta.url).resolve('axe-core');
+const kFolder = fs.mkdtempSync(path.join(os.tmpdir(), 'cls-comparison-'));
+
+let browser;
+
+before(async () => {
+  const args = ['--disable-gpu', ...(process.getuid() === 0 ? ['--no-sandbox'] : [])];
+  browser = await chromium.launch({executablePath: process.env.CHROMIUM, args});
+});
+
+after(async () => {
+  await browser?.close();
+  fs.rmSync(kFolder, {recursive: true, force: true});
+});
+
+const kDifferences = {
+  names: ['before', 'after'],
+  first: {frame: 42, text: 'cycle 42 (frame 42): ball position'},
+  events: [{match: 1, cycle: kGoalFrame, text: 'goal, left 9'}],
+  columns: ['', 'left A', 'left B', 'B - A'],
+  rows: [['goals', '1', '2', '+1']],
+};
+
+function write(differences) {
+  const data = zlib.gzipSync(sampleStream({names: ['Crimson', 'Cobalt']})).toString('base64');
+  const json = JSON.stringify(differences).replaceAll('<', '\\u003c');
+  const more = `<script type="application/cls-view;base64" id="other" data-length="${data.length}">${data}</script>
+<script type="application/json" id="differences">${json}</script></body>`;
+  const file = path.join(kFolder, 'compare.html');
+  fs.writeFileSync(file, pageOf(sampleStream()).replace('</body>', () => more));
+  return file;
+}
+
+async function open(differences = kDifferences, options = {}) {
+  const context = await browser.newContext({viewport: {width: 1280, height: 900}, colorScheme: 'dark', ...options});
+  const page = await context.newPage();
+  const problems = [];
+  page.on('console', (message) => ['error', 'warning'].includes(message.type()) && problems.push(message.text()));
+  page.on('pageerror', (error) => problems.push(error.stack));
+  page.on('request', (request) => !/^(file|blob):/.test(request.url()) && problems.push(`request of ${request.url()}`));
+  await page.goto(pathToFileURL(write(differences)).href);
+  await page.waitForFunction(() => window.clsComparison || document.querySelector('[role=alert]'), null, {timeout: 120000});
+  return {page, problems, context};
+}
+
+const momentOf = (page) => page.evaluate(() => window.clsComparison.clock.frame);
+
+test('shows both matches, their difference and jumps to it', async () => {
+  const {page, problems, context} = await open();
+  for (const name of ['Azure', 'Crimson', 'A: before', 'B: after', 'cycle 42 (frame 42): ball position']) {
+    assert.ok((await page.getByText(name).count()) > 0, name);
+  }
+  await page.getByRole('button', {name: 'Show it'}).click();
+  assert.equal(await momentOf(page), 42);
+  await page.getByRole('button', {name: /goal, left 9/}).click();
+  assert.equal(await momentOf(page), kGoalFrame);
+  assert.deepEqual(await page.locator('.findings tbody td').allTextContents(), ['1', '2', '+1']);
+  assert.deepEqual(problems, []);
+  await context.close();
+});
+
+test('has keys, and one clock for both', async () => {
+  const {page, context} = await open();
+  for (const [key, moment] of [['ArrowRight', 1], ['Shift+ArrowRight', 11], ['ArrowLeft', 10], ['End', 299], ['Home', 0]]) {
+    await page.keyboard.press(key);
+    assert.equal(await momentOf(page), moment, key);
+  }
+  await page.keyboard.press('Space');
+  await page.waitForFunction(() => window.clsComparison.clock.frame > 2);
+  await page.keyboard.press('Space');
+  const clocks = await page.locator('.clock-cycle').allTextContents();
+  assert.equal(clocks[0], clocks[1]);
+  await context.close();
+});
+
+test('says that all frames are equal', async () => {
+  const {page, context} = await open({...kDifferences, first: null, events: []});
+  assert.ok(await page.getByText('All frames are equal').isVisible());
+  assert.equal(await page.getByRole('button', {name: 'Show it'}).count(), 0);
+  await context.close();
+});
+
+test('shows names as text', async () => {
+  for (const name of kInjections.slice(0, 12)) {
+    const {page, context} = await open({...kDifferences, names: [name, name], events: [{match: 0, cycle: 1, text: name}], rows: [[name, '1', '2', '3']]});
+    assert.equal(await page.evaluate(() => document.querySelectorAll('#app img, #app script, #app iframe').length), 0, name);
+    assert.equal(await page.evaluate(() => window.injected), undefined, name);
+    await context.close();
+  }
+});
+
+test('has no accessibility violations', async () => {
+  for (const options of [{}, {colorScheme: 'light'}, {viewport: {width: 360, height: 800}}]) {
+    const {page, context} = await open(kDifferences, options);
+    await page.evaluate(fs.readFileSync(kAxe, 'utf8'));
+    const {violations} = await page.evaluate(() => window.axe.run());
+    assert.deepEqual(violations.map((each) => `${each.id}: ${each.nodes.map((node) => node.html).join(' ')}`), []);
+    await context.close();
+  }
+});

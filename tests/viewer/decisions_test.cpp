@@ -1,0 +1,177 @@
+// Recorded decisions written as chunks and read again, and what corrupt files become.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdint>
+#include <string>
+
+#include "viewer/decisions/decision_reader.h"
+#include "viewer/decisions/decision_writer.h"
+
+namespace cls::viewer {
+namespace {
+
+using soccer::Side;
+
+// A decision with everything in it; numbers have the precision of the format.
+DecisionSample sample_at(int cycle) {
+  DecisionSample sample;
+  sample.cycle = cycle;
+  sample.stopped = cycle % 5;
+  sample.self = {-10.0 + 0.25 * cycle, 3.5};
+  sample.self_body = cycle % 2 == 0 ? 179.0 : -179.0;
+  sample.self_neck = -30.0;
+  sample.self_age = 0;
+  sample.ball = {12.25, -33.75};
+  sample.ball_velocity = {2.5, -0.75};
+  sample.ball_age = cycle % 3;
+  sample.ball_velocity_age = kUnknownAge;
+  sample.players[13] = {cycle % 4, {20.5, -1.2}};
+  sample.players[21] = {kUnknownAge, {}};
+  sample.unnumbered.push_back({40 + cycle / 10, Side::kRight, {2, {1.5, 2.5}}});
+  sample.own_reach = 12;
+  sample.maker = DecisionMaker::kSureShot;
+  sample.call = cycle % 7 == 0 ? 1 : 0;
+  sample.reply = "e body_intercept_and_score save_recovery=true\n- neck_scan_field\n";
+  sample.commands = "(dash 100)(turn_neck " + std::to_string(cycle) + ")";
+  sample.plan = cycle == 3 ? "* pass 9 (12, -4) 45.2\n" : "";
+  sample.latency_us = 1000 - cycle;
+  return sample;
+}
+
+void expect_equal(const EstimatedPlayer& a, const EstimatedPlayer& b) {
+  EXPECT_EQ(a.age, b.age);
+  if (a.age == kUnknownAge) return;
+  EXPECT_NEAR(a.position.x, b.position.x, 1e-9);
+  EXPECT_NEAR(a.position.y, b.position.y, 1e-9);
+}
+
+void expect_equal(const DecisionSample& a, const DecisionSample& b) {
+  EXPECT_EQ(a.cycle, b.cycle);
+  EXPECT_EQ(a.stopped, b.stopped);
+  EXPECT_NEAR(a.self.x, b.self.x, 1e-9);
+  EXPECT_NEAR(a.self_body, b.self_body, 1e-9);
+  EXPECT_NEAR(a.self_neck, b.self_neck, 1e-9);
+  EXPECT_NEAR(a.ball.y, b.ball.y, 1e-9);
+  EXPECT_NEAR(a.ball_velocity.x, b.ball_velocity.x, 1e-9);
+  EXPECT_EQ(a.ball_age, b.ball_age);
+  EXPECT_EQ(a.ball_velocity_age, b.ball_velocity_age);
+  for (std::size_t i = 0; i < a.players.size(); ++i) expect_equal(a.players[i], b.players[i]);
+  ASSERT_EQ(a.unnumbered.size(), b.unnumbered.size());
+  for (std::size_t i = 0; i < a.unnumbered.size(); ++i) {
+    EXPECT_EQ(a.unnumbered[i].id, b.unnumbered[i].id);
+    EXPECT_EQ(a.unnumbered[i].side, b.unnumbered[i].side);
+    EXPECT_NEAR(a.unnumbered[i].estimate.position.x, b.unnumbered[i].estimate.position.x, 1e-9);
+  }
+  EXPECT_EQ(a.own_reach, b.own_reach);
+  EXPECT_EQ(a.opponent_reach, b.opponent_reach);
+  EXPECT_EQ(a.maker, b.maker);
+  EXPECT_EQ(a.call, b.call);
+  EXPECT_EQ(a.reply, b.reply);
+  EXPECT_EQ(a.commands, b.commands);
+  EXPECT_EQ(a.plan, b.plan);
+  EXPECT_EQ(a.latency_us, b.latency_us);
+}
+
+// Player 7 decides in more cycles than a block has, player 11 in some.
+std::string stream_of_two_players() {
+  std::string stream;
+  DecisionWriter writer;
+  writer.append_header(Side::kRight, "Amber", stream);
+  for (int cycle = 0; cycle < 700; ++cycle) {
+    writer.append(7, sample_at(cycle), stream);
+    if (cycle % 10 == 0) writer.append(11, sample_at(cycle), stream);
+  }
+  writer.append_end(stream);
+  return stream;
+}
+
+std::string error_of(std::string_view stream) {
+  const auto decisions = read_decisions(stream);
+  return decisions ? "" : decisions.error().message;
+}
+
+TEST(Decisions, AreReadAsTheyWereWritten) {
+  const auto decisions = read_decisions(stream_of_two_players());
+  ASSERT_TRUE(decisions) << decisions.error().message;
+  EXPECT_EQ(decisions->side, Side::kRight);
+  EXPECT_EQ(decisions->team, "Amber");
+  ASSERT_EQ(decisions->players[6].size(), 700U);
+  ASSERT_EQ(decisions->players[10].size(), 70U);
+  EXPECT_TRUE(decisions->players[0].empty());
+  for (const int cycle : {0, 1, 3, 511, 512, 699}) {
+    SCOPED_TRACE(cycle);
+    expect_equal(decisions->players[6][static_cast<std::size_t>(cycle)], sample_at(cycle));
+  }
+  expect_equal(decisions->players[10][69], sample_at(690));
+}
+
+TEST(Decisions, HoldASlotForEachTrackedPlayer) {
+  DecisionSample crowded;
+  for (int id = 1; id <= 30; ++id) crowded.unnumbered.push_back({id, Side::kLeft, {0, {}}});
+  DecisionSample later;
+  later.unnumbered.push_back({22, Side::kLeft, {1, {5, 5}}});
+  later.unnumbered.push_back({31, Side::kRight, {0, {6, 6}}});
+  std::string stream;
+  DecisionWriter writer;
+  writer.append_header(Side::kLeft, "Azure", stream);
+  writer.append(1, crowded, stream);
+  writer.append(1, later, stream);
+  writer.append_end(stream);
+  const auto decisions = read_decisions(stream);
+  ASSERT_TRUE(decisions) << decisions.error().message;
+  EXPECT_EQ(decisions->players[0][0].unnumbered.size(), 22U);
+  ASSERT_EQ(decisions->players[0][1].unnumbered.size(), 2U);
+  // The new player has the first free slot, the other one its own.
+  EXPECT_EQ(decisions->players[0][1].unnumbered[0].id, 31);
+  EXPECT_EQ(decisions->players[0][1].unnumbered[1].id, 22);
+}
+
+TEST(Decisions, OfSomePlayersCanBeSelected) {
+  const std::string stream = stream_of_two_players();
+  const auto one = select_players(stream, {11});
+  ASSERT_TRUE(one) << one.error().message;
+  EXPECT_LT(one->size(), stream.size() / 5);
+  const auto decisions = read_decisions(*one);
+  ASSERT_TRUE(decisions) << decisions.error().message;
+  EXPECT_TRUE(decisions->players[6].empty());
+  EXPECT_EQ(decisions->players[10].size(), 70U);
+  EXPECT_EQ(select_players(stream, {}).value(), stream);
+}
+
+TEST(Decisions, SayWhyTheyCannotBeRead) {
+  const std::string stream = stream_of_two_players();
+  EXPECT_EQ(error_of(""), "incomplete decisions: the match did not end");
+  EXPECT_EQ(error_of(stream.substr(0, stream.size() / 2)),
+            "incomplete decisions: the match did not end");
+  ByteReader header(stream);
+  header.byte();
+  header.string();
+  EXPECT_EQ(error_of(stream.substr(stream.size() - header.left())), "corrupt decisions: no header");
+  std::string other = stream;
+  other.replace(other.find("cls.decisions/1"), 15, "cls.decisions/9");
+  EXPECT_EQ(error_of(other), "no decisions of cls (cls.decisions/1)");
+}
+
+// Whatever a file contains, reading it ends with an error or with decisions.
+TEST(Decisions, SurviveAnyChangeOfAByte) {
+  std::string stream;
+  DecisionWriter writer;
+  writer.append_header(Side::kLeft, "Azure", stream);
+  for (int cycle = 0; cycle < 4; ++cycle) writer.append(2, sample_at(cycle), stream);
+  writer.append_end(stream);
+  int unchanged = 0;
+  for (std::size_t at = 0; at < stream.size(); ++at) {
+    for (const int flip : {1, 0x80, 0xFF}) {
+      std::string changed = stream;
+      changed[at] = static_cast<char>(changed[at] ^ flip);
+      if (read_decisions(changed)) ++unchanged;
+      static_cast<void>(select_players(changed, {2}));
+    }
+  }
+  // Latencies, and the end's count, are not part of the checksum.
+  EXPECT_LT(unchanged, 100);
+}
+
+}  // namespace
+}  // namespace cls::viewer

@@ -1,0 +1,370 @@
+// Matches that are played now: their streams equal their logs, and their server is careful.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <chrono>
+#include <fstream>
+#include <memory>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "base/io/byte_source.h"
+#include "gamelog/rcg/rcg_reader.h"
+#include "tests/support/files.h"
+#include "tests/support/http_client.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/viewer/record_difference.h"
+#include "viewer/live/http_server.h"
+#include "viewer/live/live_feed.h"
+#include "viewer/live/live_match.h"
+#include "viewer/live/live_site.h"
+#include "viewer/live/match_list.h"
+#include "viewer/stream/chunk_reader.h"
+
+namespace cls::viewer {
+namespace {
+
+using std::chrono::milliseconds;
+using tests::exchange;
+using tests::get;
+
+constexpr milliseconds kLimit{20'000};
+
+// All bytes of a feed, up to its end.
+std::string whole(const LiveFeed& feed) {
+  std::string bytes;
+  while (feed.wait(bytes.size(), kLimit)) {
+    const LiveFeed::Piece piece = feed.read(bytes.size(), 1000);
+    bytes += piece.bytes;
+    if (piece.ended) return bytes;
+  }
+  ADD_FAILURE() << "the feed has no end";
+  return bytes;
+}
+
+std::string unpacked(const std::string& fixture) {
+  return base::read_all(*base::open_source(tests::fixture(fixture).string()).value());
+}
+
+std::size_t frames_in(const std::string& stream) {
+  ChunkReader reader;
+  EXPECT_TRUE(reader.add(stream));
+  return reader.match().record.frames();
+}
+
+/// Appends to a file as a server does.
+class GrowingFile {
+ public:
+  explicit GrowingFile(const std::filesystem::path& path) : out_(path, std::ios::binary) {}
+  void add(std::string_view bytes) {
+    out_ << bytes;
+    out_.flush();
+  }
+
+ private:
+  std::ofstream out_;
+};
+
+// Frames may arrive after any look; waits until there are as many.
+void wait_for_frames(const LiveFeed& feed, std::size_t frames) {
+  const auto end = std::chrono::steady_clock::now() + kLimit;
+  while (frames_in(feed.read(0, std::string::npos).bytes) < frames) {
+    ASSERT_LT(std::chrono::steady_clock::now(), end) << frames << " frames";
+    std::this_thread::sleep_for(milliseconds(5));
+  }
+}
+
+TEST(LiveFeed, GivesEachReaderAllBytes) {
+  LiveFeed feed;
+  EXPECT_FALSE(feed.wait(0, milliseconds(0)));
+  feed.append("abc");
+  EXPECT_EQ(feed.read(0, 2).bytes, "ab");
+  EXPECT_EQ(feed.read(2, 9).bytes, "c");
+  EXPECT_FALSE(feed.read(2, 9).ended);
+  feed.finish();
+  EXPECT_TRUE(feed.read(2, 9).ended);
+  EXPECT_FALSE(feed.read(0, 2).ended);
+  EXPECT_TRUE(feed.wait(3, milliseconds(0)));
+  EXPECT_EQ(feed.read(17, 9).bytes, "");
+}
+
+TEST(LiveMatch, EqualsTheLogHoweverItArrives) {
+  for (const char* name : {"gamelog/rcg-v1-excerpt.rcg.gz", "gamelog/rcg-v3-excerpt.rcg.gz",
+                           "gamelog/match-start.rcg.gz", "gamelog/rcg-json-excerpt.rcg.gz"}) {
+    // Packed bytes, too: the log of a match may be gzip.
+    for (const auto& [bytes, block] : {std::pair(unpacked(name), 7'777),
+                                       {unpacked(name), 100'000},
+                                       {tests::read_file(tests::fixture(name)), 7'777}}) {
+      SCOPED_TRACE(fmt::format("{}, {} bytes in blocks of {}", name, bytes.size(), block));
+      const tests::TemporaryFolder folder;
+      const auto file = folder.path() / "match.rcg";
+      std::atomic<bool> complete{false};
+      LiveMatch live(follow_log(file, [&] { return complete.load(); }));
+      GrowingFile out(file);
+      for (std::size_t at = 0; at < bytes.size(); at += static_cast<std::size_t>(block)) {
+        out.add(std::string_view(bytes).substr(at, static_cast<std::size_t>(block)));
+      }
+      complete.store(true);
+      const auto match = read_stream(whole(*live.feed()));
+      ASSERT_TRUE(match) << match.error().message;
+      const auto record = gamelog::read_rcg_file(tests::fixture(name).string()).value();
+      EXPECT_EQ(tests::record_difference(record, match->record), "");
+      EXPECT_TRUE(match->form.live);
+      EXPECT_NE(match->statistics.find("\"possession\""), std::string::npos);
+    }
+  }
+}
+
+TEST(LiveMatch, ShowsWholeLinesWhileTheyArrive) {
+  const tests::TemporaryFolder folder;
+  const auto file = folder.path() / "match.rcg";
+  const std::string text = unpacked("gamelog/rcg-v6-excerpt.rcg.gz");
+  LiveMatch live(follow_log(file, nullptr));
+  GrowingFile out(file);
+  std::size_t shows = 0;
+  for (std::size_t at = 0; shows < 3;) {
+    const std::size_t end = text.find('\n', at) + 1;
+    out.add(text.substr(at, end - at));
+    if (text.compare(at, 6, "(show ") == 0) wait_for_frames(*live.feed(), ++shows);
+    at = end;
+  }
+  EXPECT_FALSE(live.over());
+  EXPECT_FALSE(live.feed()->read(0, 1).ended);
+}
+
+// rcssserver writes the teams after the result.
+TEST(LiveMatch, EndsWithTheResultInTheLog) {
+  const tests::TemporaryFolder folder;
+  const auto file = folder.path() / "match.rcg";
+  GrowingFile(file).add(unpacked("gamelog/rcg-v6-excerpt.rcg.gz"));
+  const LiveMatch live(follow_log(file, nullptr));
+  const auto match = read_stream(whole(*live.feed()));
+  ASSERT_TRUE(match) << match.error().message;
+  EXPECT_EQ(match->record.errors.count, 0U);
+}
+
+TEST(LiveMatch, HasStatisticsWhileItIsPlayed) {
+  const tests::TemporaryFolder folder;
+  const auto file = folder.path() / "match.rcg";
+  GrowingFile(file).add(unpacked("gamelog/match-start.rcg.gz"));
+  LiveMatch live(follow_log(file, nullptr), {}, milliseconds(0));
+  ASSERT_TRUE(live.feed()->wait(0, kLimit));
+  ChunkReader reader;
+  ASSERT_TRUE(reader.add(live.feed()->read(0, std::string::npos).bytes));
+  EXPECT_GT(reader.match().record.frames(), 100U);
+  EXPECT_NE(reader.match().statistics.find("\"possession\""), std::string::npos);
+  EXPECT_FALSE(live.over());
+}
+
+TEST(LiveMatch, EndsWithAnErrorWhenTheLogIsCut) {
+  const tests::TemporaryFolder folder;
+  const auto file = folder.path() / "match.rcg";
+  GrowingFile(file).add("ULG6\n(show 1 ");
+  LiveMatch live(follow_log(file, [] { return true; }));
+  const auto match = read_stream(whole(*live.feed()));
+  ASSERT_TRUE(match) << match.error().message;
+  EXPECT_EQ(match->record.frames(), 0U);
+  EXPECT_EQ(match->record.errors.count, 1U);
+}
+
+/// A match that is over, and counts who reads it.
+class CountingInput : public LiveInput {
+ public:
+  explicit CountingInput(std::atomic<int>& reads) : reads_(reads) {}
+  std::size_t read(char* /*to*/, std::size_t /*size*/) override {
+    ++reads_;
+    return 0;
+  }
+  State state() override { return State::kEnded; }
+  bool knows_its_end() const override { return true; }
+
+ private:
+  std::atomic<int>& reads_;
+};
+
+// The match pays nothing for a page that is not open.
+TEST(LiveMatch, ReadsNothingBeforeTheFirstReader) {
+  std::atomic<int> reads{0};
+  const LiveMatch live(std::make_unique<CountingInput>(reads));
+  const auto end = std::chrono::steady_clock::now() + kLimit;
+  while (!live.over() && std::chrono::steady_clock::now() < end) {
+    std::this_thread::sleep_for(milliseconds(5));
+  }
+  EXPECT_TRUE(live.over());
+  EXPECT_EQ(reads.load(), 0);
+  EXPECT_NE(whole(*live.feed()), "");
+  EXPECT_GT(reads.load(), 0);
+}
+
+TEST(LiveMatch, StopsWithoutALog) {
+  LiveMatch live(follow_log("/nonexistent/match.rcg", nullptr));
+  EXPECT_FALSE(live.over());
+}
+
+std::unique_ptr<HttpServer> serve(HttpRoutes routes) {
+  auto server = HttpServer::start({}, std::move(routes));
+  EXPECT_TRUE(server) << (server ? "" : server.error().message);
+  return *std::move(server);
+}
+
+std::string request(const std::string& line, const std::string& host = "localhost") {
+  return line + "\r\nHost: " + host + "\r\nConnection: close\r\n\r\n";
+}
+
+class LiveSite : public testing::Test {
+ protected:
+  LiveSite() : feed_(std::make_shared<LiveFeed>()) {
+    server_ = serve(live_site("a<b", {12, {"l7"}}, feed_));
+    token_ = tests::path_of(server_->url());
+  }
+  int status(const std::string& bytes) const { return exchange(server_->port(), bytes).status; }
+
+  std::shared_ptr<LiveFeed> feed_;
+  std::unique_ptr<HttpServer> server_;
+  std::string token_;  // "/.../"
+};
+
+TEST_F(LiveSite, ServesThePage) {
+  const auto response = get(server_->url());
+  EXPECT_EQ(response.status, 200);
+  EXPECT_NE(response.body.find("<title>a&lt;b</title>"), std::string::npos);
+  EXPECT_NE(response.body.find(R"("at":12,"players":["l7"],"live":"live")"), std::string::npos);
+  EXPECT_NE(response.body.find("connect-src 'self'"), std::string::npos);
+  EXPECT_EQ(response.body.find("id=\"match\""), std::string::npos);
+  for (const char* line : {"Content-Type: text/html; charset=utf-8", "Cache-Control: no-store",
+                           "X-Content-Type-Options: nosniff", "Referrer-Policy: no-referrer",
+                           "Content-Security-Policy: frame-ancestors 'none'",
+                           "Cross-Origin-Resource-Policy: same-origin"}) {
+    EXPECT_NE(response.header.find(line), std::string::npos) << line;
+  }
+  const auto head = exchange(server_->port(), request("HEAD " + token_ + " HTTP/1.1"));
+  EXPECT_EQ(head.status, 200);
+  EXPECT_EQ(head.body, "");
+}
+
+TEST_F(LiveSite, SendsTheFeedFromAnyByteWhileItGrows) {
+  feed_->append("0123");
+  const tests::HttpConnection connection(server_->port());
+  connection.send(request("GET " + token_ + "live?from=2 HTTP/1.1"));
+  std::string start;
+  while (start.find("23") == std::string::npos) start += connection.receive();
+  EXPECT_EQ(server_->streams(), 1U);
+  feed_->append("456");
+  feed_->finish();
+  EXPECT_NE((start + connection.receive()).find("456"), std::string::npos);
+  EXPECT_EQ(get(server_->url() + "live").body, "0123456");
+  EXPECT_EQ(get(server_->url() + "live?from=5").body, "56");
+  EXPECT_EQ(get(server_->url() + "live?from=99").body, "");
+}
+
+TEST_F(LiveSite, RefusesWhatItDoesNotKnow) {
+  for (const std::string path : {"/", "/live", "/../../etc/passwd", "/%2e%2e/", "//", "*"}) {
+    EXPECT_EQ(status(request("GET " + path + " HTTP/1.1")), 404) << path;
+  }
+  for (const std::string path : {"x", "..", "%2e%2e/passwd", "../live", "live/", "live%00"}) {
+    EXPECT_EQ(status(request("GET " + token_ + path + " HTTP/1.1")), 404) << path;
+  }
+  for (const std::string query : {"from=-1", "from=x", "from=", "to=2", "from=1&x", "from=1 "}) {
+    EXPECT_EQ(status(request("GET " + token_ + "live?" + query + " HTTP/1.1")), 400) << query;
+  }
+  std::string wrong = token_;
+  wrong[5] = wrong[5] == '0' ? '1' : '0';
+  EXPECT_EQ(status(request("GET " + wrong + " HTTP/1.1")), 404);
+  EXPECT_EQ(status(request("GET " + token_.substr(0, token_.size() - 1) + " HTTP/1.1")), 404);
+}
+
+TEST_F(LiveSite, AnswersToItsOwnNamesOnly) {
+  const std::string line = "GET " + token_ + " HTTP/1.1";
+  for (const std::string host : {"localhost", "127.0.0.1:81", "localhost:80", "[::1]:80"}) {
+    EXPECT_EQ(status(request(line, host)), 200) << host;
+  }
+  for (const std::string host :
+       {"example.org", "localhost.example.org", "127.0.0.1.example.org", "", "[::1", "evil:80"}) {
+    EXPECT_EQ(status(request(line, host)), 403) << host;
+  }
+  EXPECT_EQ(status(line + "\r\nConnection: close\r\n\r\n"), 403);
+}
+
+TEST_F(LiveSite, RefusesOtherMethodsAndBrokenRequests) {
+  for (const std::string method : {"POST", "PUT", "DELETE", "OPTIONS", "TRACE"}) {
+    EXPECT_EQ(status(request(method + " " + token_ + " HTTP/1.1")), 405) << method;
+  }
+  EXPECT_EQ(status("POST " + token_ + " HTTP/1.1\r\nHost: localhost\r\nContent-Length: 9\r\n\r\n"),
+            405);
+  EXPECT_EQ(status("GET " + token_ + " HTTP/1.1\r\nX: " + std::string(9000, 'x') + "\r\n\r\n"),
+            431);
+  EXPECT_EQ(status("\x16\x03\x01\x02\x03\r\n\r\n"), 400);
+  EXPECT_EQ(status("GET\r\n\r\n"), 400);
+  EXPECT_EQ(get(server_->url()).status, 200);
+}
+
+TEST_F(LiveSite, ServesOthersWhileOneReaderStalls) {
+  const std::string bytes(8 << 20, 'x');
+  const tests::HttpConnection stalled(server_->port());
+  stalled.send(request("GET " + token_ + "live HTTP/1.1"));
+  feed_->append(bytes);
+  feed_->finish();
+  EXPECT_EQ(get(server_->url() + "live").body.size(), bytes.size());
+  EXPECT_EQ(server_->streams(), 1U);
+}
+
+TEST_F(LiveSite, ForgetsReadersThatAreGone) {
+  {
+    const tests::HttpConnection connection(server_->port());
+    connection.send(request("GET " + token_ + "live HTTP/1.1"));
+    EXPECT_NE(connection.receive(), "");
+  }
+  const auto end = std::chrono::steady_clock::now() + kLimit;
+  while (server_->streams() > 0 && std::chrono::steady_clock::now() < end) {
+    std::this_thread::sleep_for(milliseconds(5));
+  }
+  EXPECT_EQ(server_->streams(), 0U);
+}
+
+TEST_F(LiveSite, LimitsTheNumberOfConnections) {
+  std::vector<std::unique_ptr<tests::HttpConnection>> readers;
+  for (int i = 0; i < 64; ++i) {
+    readers.push_back(std::make_unique<tests::HttpConnection>(server_->port()));
+    readers.back()->send(request("GET " + token_ + "live HTTP/1.1"));
+    EXPECT_NE(readers.back()->receive(), "");
+  }
+  const auto refused = get(server_->url());
+  EXPECT_TRUE(refused.status == 503 || refused.status == 0) << refused.status;
+  readers.clear();
+  const auto end = std::chrono::steady_clock::now() + kLimit;
+  int code = 0;
+  while (code != 200 && std::chrono::steady_clock::now() < end) code = get(server_->url()).status;
+  EXPECT_EQ(code, 200);
+}
+
+TEST(MatchList, LinksMatchesAndShowsNamesAsText) {
+  const std::vector<ListedMatch> matches = {{1, "<b>", "B", "2 : 1", "", true},
+                                            {2, "A", "B", "", "playing", true},
+                                            {3, "A", "B", "", "planned", false}};
+  const std::string page = match_list_page("c\"up", matches, true);
+  EXPECT_NE(page.find("&lt;b&gt;"), std::string::npos);
+  EXPECT_EQ(page.find("<b>"), std::string::npos);
+  EXPECT_NE(page.find("<a href=\"match/1/\" aria-label=\"Watch match 1\">2 : 1</a>"),
+            std::string::npos);
+  EXPECT_NE(page.find(">live</a>"), std::string::npos);
+  EXPECT_EQ(page.find("match/3/"), std::string::npos);
+  EXPECT_NE(page.find("http-equiv=\"refresh\""), std::string::npos);
+  EXPECT_EQ(match_list_page("cup", matches, false).find("refresh"), std::string::npos);
+  EXPECT_EQ(page.find("<script"), std::string::npos);
+}
+
+TEST(HttpServer, SaysWhyItCannotListen) {
+  const auto first = serve([](auto, auto) { return HttpReply{}; });
+  const auto second = HttpServer::start({"127.0.0.1", first->port()}, nullptr);
+  ASSERT_FALSE(second);
+  EXPECT_NE(second.error().message.find("Address already in use"), std::string::npos)
+      << second.error().message;
+  EXPECT_EQ(HttpServer::start({"example.org", 0}, nullptr).error().message,
+            "cannot listen on example.org port 0: not an IP address of this host");
+  EXPECT_NE(serve(nullptr)->url(), serve(nullptr)->url());
+}
+
+}  // namespace
+}  // namespace cls::viewer

@@ -1,0 +1,214 @@
+// Reports of real logs: their charts, tables and texts.
+#include "viewer/report/match_report.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <optional>
+
+#include "gamelog/rcg/rcg_reader.h"
+#include "tests/support/files.h"
+#include "tests/viewer/markup.h"
+#include "tests/viewer/record_difference.h"
+#include "viewer/charts/drawing.h"
+#include "viewer/page/match_page.h"
+#include "viewer/page/page.h"
+#include "viewer/report/match_series.h"
+
+namespace cls::viewer {
+namespace {
+
+using tests::count;
+
+/// Statistics refer to the record.
+struct Match {
+  gamelog::MatchRecord record;
+  analysis::MatchStatistics statistics;
+  MatchReport report;
+};
+
+std::unique_ptr<Match> analyzed(gamelog::MatchRecord record) {
+  auto match = std::make_unique<Match>();
+  match->record = std::move(record);
+  match->statistics = analysis::compute_statistics(match->record, nullptr);
+  match->report.summary = analysis::summarize(match->record, nullptr);
+  match->report.summary.file = "game.rcg";
+  match->report.statistics = &match->statistics;
+  return match;
+}
+
+gamelog::MatchRecord record_of(const std::string& fixture) {
+  return gamelog::read_rcg_file(tests::fixture("gamelog/" + fixture + ".rcg.gz").string()).value();
+}
+
+std::vector<Chart> charts_of(const Match& match) {
+  return match_charts(match.report.summary, match.statistics);
+}
+
+void rename_teams(gamelog::MatchRecord& record, const std::string& name) {
+  for (gamelog::TeamFrames& teams : record.teams) {
+    for (auto& team : teams) team.name = name;
+  }
+}
+
+TEST(MatchCharts, DrawLogsOfAllVersions) {
+  for (const char* fixture :
+       {"rcg-v1-excerpt", "rcg-v2-excerpt", "rcg-v3-excerpt", "rcg-v4-excerpt", "rcg-v5-excerpt",
+        "rcg-v6-excerpt", "rcg-json-excerpt", "match-start", "recorded-messages-excerpt"}) {
+    SCOPED_TRACE(fixture);
+    const auto match = analyzed(record_of(fixture));
+    const std::vector<Chart> charts = charts_of(*match);
+    ASSERT_GE(charts.size(), 8U);
+    EXPECT_EQ(charts.size(), 8U + match->statistics.goals.size());
+    for (const Chart& chart : charts) EXPECT_EQ(tests::svg_error(chart.svg), "") << chart.name;
+  }
+}
+
+TEST(MatchCharts, DrawNothingWithoutFrames) {
+  const auto match = analyzed({});
+  EXPECT_TRUE(charts_of(*match).empty());
+}
+
+TEST(MatchCharts, DrawAMatchOfOnePlayer) {
+  gamelog::MatchRecord record = record_of("match-start");
+  for (std::size_t entry = 0; entry < record.players.state.size(); ++entry) {
+    if (entry % gamelog::kSlots != 8) record.players.state[entry] = 0;
+  }
+  for (const Chart& chart : charts_of(*analyzed(std::move(record)))) {
+    EXPECT_EQ(tests::svg_error(chart.svg), "") << chart.name;
+  }
+}
+
+TEST(MatchCharts, ShowTheSumsOfTheStatistics) {
+  const auto path = tests::data("logs/helios-vs-helios-full.rcg.gz");
+  if (!path) GTEST_SKIP() << "no data: set CLS_DATA";
+  const auto match = analyzed(gamelog::read_rcg_file(path->string()).value());
+  const std::vector<Chart> charts = charts_of(*match);
+  double expected = 0.0;
+  for (std::size_t i = 0; i < match->statistics.shots.size(); ++i) {
+    if (match->statistics.shots[i].slot < 11) expected += match->statistics.expected[i];
+  }
+  ASSERT_GT(expected, 0.0);
+  EXPECT_NE(charts[0].svg.find(">" + svg_number(expected) + "</text>"), std::string::npos);
+  EXPECT_EQ(count(charts[2].svg, "<title>"), match->statistics.shots.size());
+  EXPECT_EQ(charts.size(), 8U + match->statistics.goals.size());
+}
+
+TEST(MatchSeries, FollowsPossession) {
+  const auto match = analyzed(record_of("match-start"));
+  const std::vector<double> shares = possession_over_time(match->statistics);
+  ASSERT_EQ(shares.size(), 121U);
+  int known = 0;
+  for (const double share : shares) {
+    if (!std::isfinite(share)) continue;
+    ++known;
+    EXPECT_GE(share, 0.0);
+    EXPECT_LE(share, 1.0);
+  }
+  EXPECT_GT(known, 60);
+}
+
+TEST(MatchSeries, CountsTheFramesOfAnOwner) {
+  gamelog::MatchRecord record = record_of("match-start");
+  analysis::MatchStatistics all = analysis::compute_statistics(record, nullptr);
+  for (std::size_t i = 0; i < record.frames(); ++i) {
+    all.flow.phase[i] = analysis::Phase::kLive;
+    all.flow.owner[i] = i < record.frames() / 2 ? 3 : 15;
+  }
+  const std::vector<double> shares = possession_over_time(all);
+  EXPECT_EQ(shares.front(), 1.0);
+  EXPECT_EQ(shares.back(), 0.0);
+  EXPECT_NEAR(shares[60], 0.5, 0.02);
+}
+
+TEST(MatchSeries, HasTicksInTheOrderOfTheLog) {
+  const TimeAxis axis = time_axis(record_of("match-start"));
+  ASSERT_GE(axis.ticks.size(), 2U);
+  EXPECT_LE(axis.ticks.size(), 12U);
+  for (std::size_t i = 1; i < axis.ticks.size(); ++i) {
+    EXPECT_GT(axis.ticks[i].at, axis.ticks[i - 1].at);
+    EXPECT_GT(std::stoi(axis.ticks[i].text), std::stoi(axis.ticks[i - 1].text));
+  }
+}
+
+TEST(MatchSeries, DividesNormalTimeOnly) {
+  gamelog::MatchRecord record = record_of("match-start");
+  const double half = analysis::half_time_cycles(record.server);
+  ASSERT_GT(half, static_cast<double>(record.time[record.frames() - 1]));
+  EXPECT_TRUE(time_axis(record).halves.empty());
+  for (std::size_t i = 0; i < record.frames(); ++i) {
+    record.time[i] = static_cast<int>(half * 5.0 * static_cast<double>(i) /
+                                      static_cast<double>(record.frames() - 1));
+  }
+  const TimeAxis axis = time_axis(record);
+  ASSERT_EQ(axis.halves.size(), 2U);
+  EXPECT_NEAR(axis.halves[0], axis.last / 5, 2.0);
+  EXPECT_NEAR(axis.halves[1], axis.last * 2 / 5, 2.0);
+}
+
+TEST(MatchReport, IsALogWithAReplay) {
+  const auto match = analyzed(record_of("rcg-v6-excerpt"));
+  const std::string page = match_page(match->record, nullptr, "game.rcg", false, {});
+  const std::string html = report_html(match->report, charts_of(*match), page);
+  EXPECT_TRUE(looks_like_page(html));
+  const auto read = read_page(html);
+  ASSERT_TRUE(read) << read.error().message;
+  EXPECT_EQ(tests::record_difference(match->record, read->record), "");
+  EXPECT_EQ(html.find("unsafe-"), std::string::npos);
+}
+
+TEST(MatchReport, HasNoScriptWithoutAReplay) {
+  const auto match = analyzed(record_of("match-start"));
+  const std::string html = report_html(match->report, charts_of(*match), "");
+  EXPECT_EQ(count(html, "<script"), 0U);
+  EXPECT_EQ(count(html, "script-src"), 0U);
+  EXPECT_EQ(count(html, "<svg"), charts_of(*match).size());
+  EXPECT_EQ(count(html, " style="), 0U);
+  EXPECT_EQ(count(html, "http"), charts_of(*match).size() + 1) << "namespaces and http-equiv only";
+}
+
+TEST(MatchReport, ShowsNamesAsText) {
+  for (const std::string name :
+       {"</script><script>alert(1)</script>", "\"'><img src=x>", "</style><b>", "\xff\xfe\x01",
+        "<script type=\"application/cls-view;base64\" id=\"match\" data-length=\"4\">AAAA"}) {
+    SCOPED_TRACE(name);
+    gamelog::MatchRecord record = record_of("match-start");
+    rename_teams(record, name);
+    const auto match = analyzed(std::move(record));
+    match->report.playmakers = {{name, name, 10, 1, 2, 1.0, 2.0, 3.0, 4.0}};
+    match->report.warnings = {name};
+    match->report.command = name;
+    const std::string page = match_page(match->record, nullptr, "game.rcg", false, {});
+    const std::string html = report_html(match->report, charts_of(*match), page);
+    EXPECT_EQ(count(html, "<script"), 3U) << "those of the replay";
+    EXPECT_EQ(count(html, "<img"), 0U);
+    EXPECT_EQ(count(html, "</style"), 3U);
+    EXPECT_TRUE(read_page(html));
+  }
+}
+
+TEST(MatchReport, HasLatenciesOfPlaymakers) {
+  const auto match = analyzed(record_of("match-start"));
+  EXPECT_EQ(report_html(match->report, {}, "").find("Playmaker"), std::string::npos);
+  match->report.playmakers = {{"RED", "mock", 72479, 3, 4, 110.4, 210.0, 310.0, 4100.0}};
+  for (const std::string& text :
+       {report_html(match->report, {}, ""), report_markdown(match->report, {}, "")}) {
+    EXPECT_NE(text.find("72479"), std::string::npos);
+    EXPECT_NE(text.find("110 us"), std::string::npos);
+    EXPECT_NE(text.find("4100 us"), std::string::npos);
+  }
+}
+
+TEST(MatchReport, IsMarkdownWithImages) {
+  gamelog::MatchRecord record = record_of("match-start");
+  rename_teams(record, "a|*b*<img>");
+  const auto match = analyzed(std::move(record));
+  const std::string text = report_markdown(match->report, charts_of(*match), "report-charts");
+  EXPECT_TRUE(text.starts_with("# a\\|\\*b\\*\\<img> 1:0 ")) << text.substr(0, 60);
+  EXPECT_EQ(count(text, "](report-charts/"), charts_of(*match).size());
+  EXPECT_NE(text.find("\n| possession (last touch) |"), std::string::npos);
+  EXPECT_EQ(report_markdown(match->report, charts_of(*match), "").find("svg"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace cls::viewer

@@ -1,0 +1,117 @@
+// Recorded decisions: the decoder, how they belong to frames, and what the page says about them.
+import assert from 'node:assert/strict';
+import test from 'node:test';
+import {DecisionStore} from '../../../viewer/web/src/decision_store.js';
+import {DecisionTrack, executedCommands, makerText, missText, plannedActions, requestedActions} from '../../../viewer/web/src/decision_track.js';
+import {TeamDecisions} from '../../../viewer/web/src/decisions.js';
+import {scenarioOfMoment} from '../../../viewer/web/src/moment_scenario.js';
+import {StreamDecoder} from '../../../viewer/web/src/stream.js';
+import {kMissedFrame, kWorstFrame, sampleDecisionStream} from './sample_decisions.mjs';
+import {kFrames, kGoalFrame, sampleStream} from './sample_match.mjs';
+
+function sampleRecord() {
+  const decoder = new StreamDecoder();
+  for (const _ of decoder.push(sampleStream()));
+  return decoder.record;
+}
+
+const sampleTrack = () => new DecisionTrack(sampleRecord(), 6, new TeamDecisions(sampleDecisionStream()).player(7));
+const near = (a, b) => assert.ok(Math.abs(a - b) < 0.011, `${a} is not ${b}`);
+
+test('TeamDecisions decodes the players that are recorded', () => {
+  const team = new TeamDecisions(sampleDecisionStream());
+  assert.equal(team.header.team, 'Azure');
+  assert.equal(team.player(8), null);
+  const player = team.player(7);
+  assert.equal(player, team.player(7));
+  assert.equal(player.count, kFrames);
+  assert.equal(player.commands[200], '(dash 100)(turn_neck 200)');
+  assert.equal(player.latencies[299], 1799);
+  assert.equal(player.value('age', 10, 12), 12);
+  assert.equal(player.value('no_such_column', 10), -1);
+});
+
+test('TeamDecisions refuses what is cut, corrupt, or newer', () => {
+  const stream = sampleDecisionStream();
+  assert.throws(() => new TeamDecisions(stream.subarray(0, 5000)), /incomplete/);
+  const changed = Buffer.from(stream);
+  changed[3000] ^= 1;
+  assert.throws(() => new TeamDecisions(changed), /corrupt/);
+  const newer = Buffer.from(stream);
+  newer.write('cls.decisions/2', newer.indexOf('cls.decisions/1'));
+  assert.throws(() => new TeamDecisions(newer), /format cls.decisions\/2; write the page again/);
+});
+
+test('DecisionTrack finds the decision of each frame, stopped clock included', () => {
+  const track = sampleTrack();
+  assert.equal(track.at(5), 5);
+  assert.equal(track.at(kGoalFrame + 7), kGoalFrame + 7);
+  assert.equal(track.at(kFrames - 1), kFrames - 1);
+  assert.equal(track.at(kFrames), -1);
+});
+
+test('DecisionTrack compares estimates with the full state', () => {
+  const track = sampleTrack();
+  const rows = track.rows(10);
+  assert.deepEqual(rows.slice(0, 2).map(({name}) => name), ['self', 'ball']);
+  assert.equal(rows.length, 7);
+  near(rows[0].error, 0.5);
+  near(rows[1].error, 1);
+  near(rows[2].error, 2);
+  assert.ok(rows.slice(2).every(({slot}) => slot >= 0 && slot !== 6));
+  const unseen = track.playerRow(10, 19);
+  assert.equal(unseen.estimated, null);
+  assert.ok(Number.isNaN(unseen.error));
+  assert.deepEqual(track.unnumbered(10), [{side: -1, x: 1, y: 2, age: 3}]);
+});
+
+test('DecisionTrack lists the worst moments, apart from each other', () => {
+  const worst = sampleTrack().worstMoments();
+  assert.equal(worst[0].frame, kWorstFrame);
+  near(worst[0].ballError, 9);
+  assert.ok(worst.length >= 3 && worst.length <= 8);
+  for (const a of worst) assert.ok(worst.every((b) => a === b || Math.abs(a.decision - b.decision) >= 40));
+});
+
+test('A decision reads as text', () => {
+  const {decisions} = sampleTrack();
+  assert.deepEqual(requestedActions(decisions.replies[3]).map(({outcome}) => outcome), ['not possible', 'executed', 'not tried: an earlier action succeeded']);
+  assert.deepEqual(requestedActions(''), []);
+  assert.deepEqual(plannedActions(decisions.plans[kWorstFrame]), [{chosen: true, text: 'pass 9 (12, -4) 45.2'}, {chosen: false, text: 'dribble 7 (1, 1) 30'}]);
+  assert.equal(missText(decisions.value('call', kMissedFrame)), 'no reply before the deadline');
+  assert.equal(missText(0), '');
+  assert.match(makerText(decisions.value('maker', kMissedFrame)), /without a reply/);
+  assert.equal(makerText(99), '');
+  assert.deepEqual(executedCommands(sampleRecord(), 6, 20), ['dash']);
+  assert.deepEqual(executedCommands(sampleRecord(), 6, kFrames - 1), []);
+});
+
+test('DecisionStore loads a side once, and says why it has nothing', async () => {
+  let reads = 0;
+  const store = new DecisionStore(sampleRecord(), ['left'], async () => (++reads, new TeamDecisions(sampleDecisionStream())));
+  const loaded = new Promise((resolve) => (store.onLoad = resolve));
+  assert.equal(store.track(6), null);
+  assert.equal(store.track(6), null);
+  assert.match(store.problem(6), /^Reading/);
+  await loaded;
+  assert.equal(store.track(6).slot, 6);
+  assert.equal(store.track(7), null);
+  assert.match(store.problem(7), /no decisions of this player/);
+  assert.match(store.problem(17), /--record-world-models/);
+  assert.equal(reads, 1);
+  const broken = new DecisionStore(sampleRecord(), ['left'], () => Promise.reject(new Error('the page was truncated')));
+  const failed = new Promise((resolve) => (broken.onLoad = resolve));
+  broken.track(6);
+  await failed;
+  assert.equal(broken.problem(6), 'the page was truncated.');
+});
+
+test('A moment becomes a scenario of cls test', () => {
+  const scenario = JSON.parse(scenarioOfMoment(sampleRecord(), 30, 17));
+  assert.equal(scenario.mode, 'play_on');
+  assert.deepEqual(scenario.ball, {at: [15.9, 2.9925], velocity: [0.4213, 0]});
+  assert.equal(Object.keys(scenario.left.players).length, 11);
+  assert.deepEqual(Object.keys(scenario.right.players['7']), ['at', 'body', 'velocity', 'stamina']);
+  assert.equal(scenario.right.players['7'].stamina, 7700);
+  assert.deepEqual(scenario.expect, [{actions: '*', side: 'right', unum: 7}]);
+});

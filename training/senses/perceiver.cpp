@@ -1,0 +1,115 @@
+// Messages from the simulator to the world model of the agents.
+#include "training/senses/perceiver.h"
+
+#include <cassert>
+#include <memory>
+#include <utility>
+#include <variant>
+
+#include "proxy/looking/body_command.h"
+#include "proxy/perception/perception.h"
+#include "simulator/senses/body_sense.h"
+#include "simulator/sessions/handshake.h"
+#include "soccer/memory_channel.h"
+
+namespace cls::training {
+namespace {
+
+// What the server has formatted parses.
+template <typename Message>
+void read(std::string_view text, Message& out) {
+  const base::Result<void> parsed = parse(text, out);
+  assert(parsed);
+}
+
+void hear_referee(const simulator::Events& events, Perceiver& agent, SenseBuffers& buffers) {
+  for (const simulator::Event& event : events) {
+    const auto* message = std::get_if<simulator::RefereeMessage>(&event.what);
+    if (message == nullptr) continue;
+    soccer::Hear& hear = buffers.hear;
+    hear = {};
+    hear.time = event.clock.time;
+    message->append_to(hear.text);
+    buffers.text.clear();
+    format(hear, soccer::Recipient::kPlayer, buffers.text);
+    read(buffers.text, hear);
+    on_hear(agent.world, hear);
+  }
+}
+
+void sense(const simulator::World& world, simulator::Slot slot, Perceiver& agent,
+           SenseBuffers& buffers) {
+  buffers.text.clear();
+  format(sense_body(world, slot), world.player(slot).client_version, buffers.text);
+  read(buffers.text, buffers.sense_body);
+  on_sense_body(agent.world, buffers.sense_body);
+}
+
+void look(const simulator::VisionModel& vision, const simulator::World& world, simulator::Slot slot,
+          Perceiver& agent, SenseBuffers& buffers) {
+  simulator::RandomStream noise = simulator::clock_stream(world, "see", slot);
+  see(vision, world, slot, noise, buffers.see);
+  buffers.text.clear();
+  format(buffers.see, buffers.text);
+  read(buffers.text, buffers.see);
+  on_see(agent.world, buffers.see);
+  agent.see_rounds = 0;
+}
+
+void read_changed_types(const simulator::World& world, Perceiver& agent) {
+  for (const simulator::Player& player : world.players) {
+    if (player.type == 0) continue;
+    soccer::PlayerTypeChange change{player.unum, std::nullopt};
+    if (player.side == agent.world.our_side) change.type = player.type;
+    on_change_player_type(agent.world, change);
+  }
+}
+
+}  // namespace
+
+Perceiver make_perceiver(const simulator::World& world, simulator::Slot slot) {
+  const simulator::Player& player = world.player(slot);
+  Perceiver agent;
+  on_init(agent.world, {player.side, player.unum, world.mode}, world.team(player.side).name,
+          player.goalie);
+  auto [server_end, agent_end] = soccer::make_memory_channel();
+  simulator::Connection connection;
+  connection.version = player.client_version;
+  connection.channel = std::move(server_end);
+  send_parameters(world, connection);
+  std::string message;
+  while (agent_end->receive(message)) {
+    const base::Result<void> parsed = on_parameter_message(agent.world, message);
+    assert(parsed);
+  }
+  return agent;
+}
+
+void begin_perception(const simulator::VisionModel& vision, const simulator::World& world,
+                      simulator::Slot slot, Perceiver& agent, SenseBuffers& buffers) {
+  read_changed_types(world, agent);
+  sense(world, slot, agent, buffers);
+  look(vision, world, slot, agent, buffers);
+  update_derived(agent.world);
+}
+
+void perceive(const simulator::VisionModel& vision, const simulator::World& world,
+              const simulator::Events& events, simulator::Slot slot, Perceiver& agent,
+              SenseBuffers& buffers) {
+  hear_referee(events, agent, buffers);
+  const simulator::Player& player = world.player(slot);
+  if (!player.enabled) return;
+  sense(world, slot, agent, buffers);
+  if (++agent.see_rounds >= view_interval(player.view)) {
+    look(vision, world, slot, agent, buffers);
+  }
+  update_derived(agent.world);
+}
+
+bool choose_commands(Perceiver& agent, const soccer::PlayerCommand& body) {
+  const bool accepted = complete_body_command(agent.world, agent.view, body, agent.commands, false);
+  record_sent_commands(agent.world, agent.commands);
+  return accepted;
+}
+
+}  // namespace cls::training

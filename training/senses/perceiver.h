@@ -1,0 +1,52 @@
+// An agent that perceives the world through messages, as cls agents do in matches.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "proxy/world/view_cone.h"
+#include "proxy/world/world_model.h"
+#include "simulator/senses/vision.h"
+#include "simulator/world/event.h"
+#include "soccer/commands/player_command.h"
+#include "soccer/messages/hear.h"
+#include "soccer/messages/see.h"
+#include "soccer/messages/sense_body.h"
+
+namespace cls::training {
+
+/// A copyable value: world model and what the server remembers of the agent's senses.
+struct Perceiver {
+  proxy::WorldModel world;
+  proxy::ViewMemory view;
+  int see_rounds = 0;                           ///< since the last see message
+  std::vector<soccer::PlayerCommand> commands;  ///< of the current cycle
+};
+
+/// Memory that is reused from message to message.
+struct SenseBuffers {
+  std::string text;
+  soccer::SenseBody sense_body;
+  soccer::See see;
+  soccer::Hear hear;
+};
+
+/// A connected player in `slot` that has received parameters and player types.
+Perceiver make_perceiver(const simulator::World& world, simulator::Slot slot);
+
+/// The first messages of an episode: changed player types, sense_body and see.
+void begin_perception(const simulator::VisionModel& vision, const simulator::World& world,
+                      simulator::Slot slot, Perceiver& agent, SenseBuffers& buffers);
+
+/// The messages that MatchServer sends between a step and the decision: referee messages among
+/// `events`, sense_body, and see where one is due. Each is formatted and parsed, because numbers
+/// are rounded on the way. Then completes the world model. Does not allocate after the first
+/// cycles.
+void perceive(const simulator::VisionModel& vision, const simulator::World& world,
+              const simulator::Events& events, simulator::Slot slot, Perceiver& agent,
+              SenseBuffers& buffers);
+
+/// Completes a body command to agent.commands; false if the server would reject it.
+bool choose_commands(Perceiver& agent, const soccer::PlayerCommand& body);
+
+}  // namespace cls::training

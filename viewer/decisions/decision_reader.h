@@ -1,0 +1,26 @@
+// Reads the recorded decisions of a team.
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/result.h"
+#include "viewer/decisions/decision_sample.h"
+
+namespace cls::viewer {
+
+struct TeamDecisions {
+  soccer::Side side = soccer::Side::kLeft;
+  std::string team;
+  std::array<std::vector<DecisionSample>, soccer::kPlayersPerTeam> players;  ///< by unum - 1
+};
+
+/// A whole stream of DecisionWriter. Errors: another schema, other columns, corrupt, no end.
+base::Result<TeamDecisions> read_decisions(std::string_view stream);
+
+/// The stream with the chunks of some players only; empty `unums`: as it is.
+base::Result<std::string> select_players(std::string_view stream, const std::vector<int>& unums);
+
+}  // namespace cls::viewer

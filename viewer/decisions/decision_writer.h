@@ -1,0 +1,74 @@
+// Writes the decisions of a team as chunks (docs/formats/decisions.md).
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "viewer/decisions/decision_columns.h"
+#include "viewer/stream/chunk.h"
+
+namespace cls::viewer {
+
+constexpr std::string_view kDecisionsSchema = "cls.decisions/1";
+
+/// Kinds of chunks, beside kHeaderChunk and kEndChunk.
+enum DecisionChunkKind : char {
+  kDecisionsChunk = 'B',  ///< numbers of the decisions of a player
+  kTextsChunk = 'X',      ///< their texts of one kind
+  kLatencyChunk = 'T',    ///< their latencies, which are not the same in each run
+};
+
+/// The texts of a decision, by their kind in a kTextsChunk.
+constexpr std::array<std::string DecisionSample::*, 3> kDecisionTexts = {
+    &DecisionSample::reply, &DecisionSample::commands, &DecisionSample::plan};
+
+/// Decisions that a chunk holds at most.
+constexpr std::size_t kDecisionBlock = 512;
+
+/// The states of a player's columns. Writers and readers go through the same states.
+class DecisionStates {
+ public:
+  DecisionStates();
+  ColumnState& of(std::size_t column) { return states_[column]; }
+
+ private:
+  std::vector<ColumnState> states_;
+};
+
+/// Each function appends complete chunks to `out`.
+class DecisionWriter {
+ public:
+  /// Called first.
+  void append_header(soccer::Side side, std::string_view team, std::string& out);
+  /// A decision of player `unum`, in the order of the match; writes those of all players when a
+  /// block is full. Like chunks are neighbors: together they compress better.
+  void append(int unum, const DecisionSample& sample, std::string& out);
+  /// Called last: writes what is left, and the end.
+  void append_end(std::string& out);
+
+ private:
+  struct Player {
+    DecisionStates states;
+    std::array<UnnumberedPlayer, kUnnumberedSlots> unnumbered;  ///< as in the last sample
+    std::vector<SlottedSample> samples;                         ///< not written yet
+    DecisionSample last;                                        ///< the last written one
+    std::int64_t last_latency = 0;
+  };
+
+  Player& player_of(int unum);
+  void append_chunk(char kind, std::string_view contents, std::string& out);
+  void append_blocks(std::string& out);
+  std::string numbers_of(int unum);
+  std::string texts_of(int unum, std::size_t kind) const;
+  std::string latencies_of(int unum);
+
+  std::array<Player, soccer::kPlayersPerTeam> players_;
+  std::int64_t decisions_ = 0;
+  std::uint32_t checksum_ = 0;
+};
+
+}  // namespace cls::viewer

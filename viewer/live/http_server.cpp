@@ -1,0 +1,315 @@
+// HTTP with Boost.Beast: the only file that includes it. Feeds are sent in pieces as readers accept
+// them, so a slow reader delays nothing but itself.
+#include "viewer/live/http_server.h"
+
+#include <fmt/format.h>
+#include <openssl/crypto.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/steady_timer.hpp>
+#include <boost/beast/core.hpp>
+#include <boost/beast/http.hpp>
+#include <chrono>
+#include <optional>
+#include <random>
+#include <set>
+#include <thread>
+#include <utility>
+
+#include "base/system/socket_address.h"
+
+namespace cls::viewer {
+namespace {
+
+namespace asio = boost::asio;
+namespace beast = boost::beast;
+namespace http = boost::beast::http;
+using asio::ip::tcp;
+using ErrorCode = boost::system::error_code;
+
+constexpr std::size_t kMaxConnections = 64;
+constexpr std::size_t kMaxHeader = 8 * 1024;
+constexpr std::size_t kPiece = 64 * 1024;
+constexpr std::chrono::seconds kRequestTimeout{10};
+constexpr std::chrono::seconds kWriteTimeout{60};
+constexpr std::chrono::milliseconds kFeedInterval{20};
+
+std::string random_token() {
+  std::random_device random;
+  std::string token;
+  for (int i = 0; i < 4; ++i) token += fmt::format("{:08x}", random());
+  return token;
+}
+
+bool is_ip_address(const std::string& host) { return bool(base::parse_ip_address(host, 0)); }
+
+std::string host_name() {
+  std::array<char, 256> name{};
+  return ::gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "";
+}
+
+// The host of a Host header, "[::1]:80" or "localhost:80". The port may be that of a tunnel.
+std::string host_of(std::string_view header) {
+  if (header.starts_with('[') && header.find(']') != std::string_view::npos) {
+    return std::string(header.substr(1, header.find(']') - 1));
+  }
+  return std::string(header.substr(0, header.find(':')));
+}
+
+bool is_own_host(std::string_view header) {
+  const std::string host = host_of(header);
+  return is_ip_address(host) || host == "localhost" || (!host.empty() && host == host_name());
+}
+
+}  // namespace
+
+// What the server and its sessions share. Sessions run on the server's thread only.
+struct HttpServer::State {
+  State(HttpRoutes given, std::string shown)
+      : routes(std::move(given)), shown_host(std::move(shown)) {}
+
+  HttpRoutes routes;
+  std::string shown_host;
+  std::string token = random_token();
+  std::atomic<std::size_t> connections{0};
+  std::atomic<std::size_t> streams{0};
+  asio::io_context io{1};  // sessions end with it, before what they use
+  tcp::acceptor acceptor{io};
+  std::thread thread;
+};
+
+namespace {
+
+template <typename State>
+class Session : public std::enable_shared_from_this<Session<State>> {
+ public:
+  Session(tcp::socket socket, State& state)
+      : stream_(std::move(socket)), timer_(stream_.get_executor()), state_(state) {
+    ++state_.connections;
+  }
+  ~Session() {
+    --state_.connections;
+    if (feed_ != nullptr) --state_.streams;
+  }
+
+  void read_request() {
+    parser_.emplace();
+    parser_->header_limit(kMaxHeader);
+    stream_.expires_after(kRequestTimeout);
+    http::async_read_header(stream_, buffer_, *parser_,
+                            [self = this->shared_from_this()](ErrorCode error, std::size_t) {
+                              self->on_request(error);
+                            });
+  }
+
+  void refuse_as_busy() { send_text({503, "", "too many viewers\n", nullptr, 0}, false, false); }
+
+ private:
+  void on_request(ErrorCode error) {
+    if (error == http::error::header_limit) return refuse(431, "the header is too large\n");
+    if (error == http::error::end_of_stream || error == beast::error::timeout) return close();
+    if (error.category() == http::make_error_code(http::error::bad_method).category()) {
+      return refuse(400, "no HTTP request\n");
+    }
+    if (error) return close();
+    const auto& request = parser_->get();
+    const bool head = request.method() == http::verb::head;
+    if (!head && request.method() != http::verb::get) return refuse(405, "GET and HEAD only\n");
+    // The body of a request is not read, so nothing may follow it.
+    const bool keep = request.keep_alive() && parser_->is_done();
+    if (!is_own_host(view(request[http::field::host]))) return refuse(403, "unknown host\n");
+    reply(route(view(request.target())), head, keep);
+  }
+
+  static std::string_view view(beast::string_view text) { return {text.data(), text.size()}; }
+
+  HttpReply route(std::string_view target) {
+    const std::string prefix = "/" + state_.token + "/";
+    if (target.size() < prefix.size() ||
+        CRYPTO_memcmp(target.data(), prefix.data(), prefix.size()) != 0) {
+      return {404, HttpReply().type, "not found\n", nullptr, 0};
+    }
+    target.remove_prefix(prefix.size());
+    const std::size_t mark = std::min(target.find('?'), target.size());
+    const std::string_view query = mark < target.size() ? target.substr(mark + 1) : "";
+    return state_.routes(target.substr(0, mark), query);
+  }
+
+  void reply(HttpReply reply, bool head, bool keep) {
+    if (reply.feed == nullptr || head) return send_text(std::move(reply), head, keep);
+    send_feed(std::move(reply));
+  }
+
+  void refuse(int status, std::string text) {
+    send_text({status, HttpReply().type, std::move(text), nullptr, 0}, false, false);
+  }
+
+  template <typename Message>
+  void set_fields(Message& message, const std::string& type) {
+    message.set(http::field::content_type, type);
+    message.set(http::field::cache_control, "no-store");
+    message.set("X-Content-Type-Options", "nosniff");
+    message.set("X-Frame-Options", "DENY");
+    message.set("Referrer-Policy", "no-referrer");
+    message.set("Cross-Origin-Resource-Policy", "same-origin");
+    message.set("Content-Security-Policy", "frame-ancestors 'none'");
+  }
+
+  void send_text(HttpReply reply, bool head, bool keep) {
+    text_.emplace(static_cast<http::status>(reply.status), 11);
+    set_fields(*text_, reply.type);
+    if (reply.status == 405) text_->set(http::field::allow, "GET, HEAD");
+    text_->keep_alive(keep);
+    if (reply.feed == nullptr) text_->content_length(reply.body.size());
+    if (!head) text_->body() = std::move(reply.body);
+    serializer_.emplace(*text_);
+    if (head) serializer_->split(true);
+    stream_.expires_after(kWriteTimeout);
+    const auto sent = [self = this->shared_from_this(), keep](ErrorCode error, std::size_t) {
+      if (error || !keep) return self->close();
+      self->read_request();
+    };
+    if (head) {
+      http::async_write_header(stream_, *serializer_, sent);
+    } else {
+      http::async_write(stream_, *serializer_, sent);
+    }
+  }
+
+  void send_feed(HttpReply reply) {
+    feed_ = std::move(reply.feed);
+    from_ = reply.from;
+    ++state_.streams;
+    head_.emplace(http::status::ok, 11);
+    set_fields(*head_, reply.type);
+    head_->chunked(true);
+    head_->keep_alive(false);
+    head_serializer_.emplace(*head_);
+    stream_.expires_after(kWriteTimeout);
+    http::async_write_header(stream_, *head_serializer_,
+                             [self = this->shared_from_this()](ErrorCode error, std::size_t) {
+                               if (error) return self->close();
+                               self->watch_reader();
+                               self->send_piece();
+                             });
+  }
+
+  // A reader of a feed sends nothing more: readable means gone.
+  void watch_reader() {
+    stream_.socket().async_wait(tcp::socket::wait_read,
+                                [self = this->shared_from_this()](ErrorCode) { self->close(); });
+  }
+
+  void send_piece() {
+    if (closed_) return;
+    LiveFeed::Piece piece = feed_->read(from_, kPiece);
+    if (piece.bytes.empty() && !piece.ended) return wait_for_bytes();
+    from_ += piece.bytes.size();
+    piece_ = std::move(piece.bytes);
+    stream_.expires_after(kWriteTimeout);
+    const auto sent = [self = this->shared_from_this()](ErrorCode error, std::size_t) {
+      error || self->piece_.empty() ? self->close() : self->send_piece();
+    };
+    if (piece_.empty()) {
+      asio::async_write(stream_, http::make_chunk_last(), sent);
+    } else {
+      asio::async_write(stream_, http::make_chunk(asio::buffer(piece_)), sent);
+    }
+  }
+
+  void wait_for_bytes() {
+    timer_.expires_after(kFeedInterval);
+    timer_.async_wait([self = this->shared_from_this()](ErrorCode error) {
+      if (!error) self->send_piece();
+    });
+  }
+
+  void close() {
+    closed_ = true;
+    ErrorCode ignored;
+    timer_.cancel();
+    stream_.socket().shutdown(tcp::socket::shutdown_send, ignored);
+    stream_.close();
+  }
+
+  beast::tcp_stream stream_;
+  asio::steady_timer timer_;
+  State& state_;
+  beast::flat_buffer buffer_{2 * kMaxHeader};
+  std::optional<http::request_parser<http::empty_body>> parser_;
+  std::optional<http::response<http::string_body>> text_;
+  std::optional<http::response_serializer<http::string_body>> serializer_;
+  std::optional<http::response<http::empty_body>> head_;
+  std::optional<http::response_serializer<http::empty_body>> head_serializer_;
+  std::shared_ptr<const LiveFeed> feed_;
+  std::size_t from_ = 0;
+  std::string piece_;
+  bool closed_ = false;
+};
+
+template <typename State>
+void accept_next(State& state) {
+  state.acceptor.async_accept([&state](ErrorCode error, tcp::socket socket) {
+    if (error == asio::error::operation_aborted) return;
+    if (!error) {
+      const bool busy = state.connections.load() >= kMaxConnections;
+      const auto session = std::make_shared<Session<State>>(std::move(socket), state);
+      busy ? session->refuse_as_busy() : session->read_request();
+    }
+    accept_next(state);
+  });
+}
+
+// Listens; returns the error, empty if there is none.
+std::string listen(tcp::acceptor& acceptor, const HttpAddress& address) {
+  ErrorCode error;
+  const auto ip = asio::ip::make_address(address.host, error);
+  if (error) return "not an IP address of this host";
+  const tcp::endpoint endpoint(ip, static_cast<unsigned short>(address.port));
+  acceptor.open(endpoint.protocol(), error);
+  if (!error) acceptor.set_option(tcp::acceptor::reuse_address(true), error);
+  if (!error) acceptor.bind(endpoint, error);
+  if (!error) acceptor.listen(tcp::acceptor::max_listen_connections, error);
+  return error ? error.message() : "";
+}
+
+}  // namespace
+
+base::Result<std::unique_ptr<HttpServer>> HttpServer::start(const HttpAddress& address,
+                                                            HttpRoutes routes) {
+  auto state = std::make_unique<State>(std::move(routes), address.host);
+  if (const std::string error = listen(state->acceptor, address); !error.empty()) {
+    return base::Error{
+        fmt::format("cannot listen on {} port {}: {}", address.host, address.port, error)};
+  }
+  accept_next(*state);
+  state->thread = std::thread([io = &state->io] { io->run(); });
+  return std::unique_ptr<HttpServer>(new HttpServer(std::move(state)));
+}
+
+HttpServer::HttpServer(std::unique_ptr<State> state) : state_(std::move(state)) {}
+
+HttpServer::~HttpServer() {
+  state_->io.stop();
+  state_->thread.join();
+}
+
+int HttpServer::port() const {
+  ErrorCode ignored;
+  return state_->acceptor.local_endpoint(ignored).port();
+}
+
+std::string HttpServer::url() const {
+  std::string host = state_->shown_host;
+  if (host == "0.0.0.0" || host == "::") host = host_name();
+  if (host.find(':') != std::string::npos) host = fmt::format("[{}]", host);
+  return fmt::format("http://{}:{}/{}/", host, port(), state_->token);
+}
+
+std::size_t HttpServer::streams() const { return state_->streams.load(); }
+
+}  // namespace cls::viewer

@@ -1,0 +1,102 @@
+// Escape sequences of ECMA-48 that every terminal knows.
+#include "viewer/terminal/screen.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace cls::viewer {
+namespace {
+
+// Terminals that know the sequence show a picture as a whole, others ignore it.
+constexpr std::string_view kBeginUpdate = "\x1b[?2026h";
+constexpr std::string_view kEndUpdate = "\x1b[?2026l";
+
+std::string_view ink_code(Ink ink, bool color) {
+  switch (ink) {
+    case Ink::kDim:
+      return "2";
+    case Ink::kBold:
+      return "1";
+    case Ink::kLeft:
+      return color ? "1;38;5;75" : "1";
+    case Ink::kRight:
+      return color ? "1;38;5;215" : "1";
+    case Ink::kPlain:
+      break;
+  }
+  return "";
+}
+
+std::string style(const Cell& cell, bool color) {
+  std::string codes = "\x1b[0";
+  if (const std::string_view ink = ink_code(cell.ink, color); !ink.empty()) {
+    codes += ";";
+    codes += ink;
+  }
+  if (cell.reverse) codes += ";7";
+  return codes + "m";
+}
+
+}  // namespace
+
+Screen::Screen(int columns, int rows) : columns_(std::max(1, columns)), rows_(std::max(1, rows)) {
+  cells_.resize(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_));
+}
+
+std::size_t Screen::index(int row, int column) const {
+  return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
+         static_cast<std::size_t>(column);
+}
+
+const Cell& Screen::at(int row, int column) const { return cells_[index(row, column)]; }
+
+void Screen::put(int row, int column, Cell cell) {
+  if (row < 0 || row >= rows_ || column < 0 || column >= columns_) return;
+  cells_[index(row, column)] = std::move(cell);
+}
+
+void Screen::write(int row, int column, std::string_view text, Ink ink) {
+  for (const char c : text) {
+    const bool printable = c >= ' ' && c <= '~';
+    put(row, column++, {std::string(1, printable ? c : '?'), ink, false});
+  }
+}
+
+std::string Screen::update(const Screen* before, bool color) const {
+  std::string out(kBeginUpdate);
+  std::string shown_style;
+  for (int row = 0; row < rows_; ++row) {
+    bool adjacent = false;
+    for (int column = 0; column < columns_; ++column) {
+      const Cell& cell = at(row, column);
+      if (before != nullptr && before->at(row, column) == cell) {
+        adjacent = false;
+        continue;
+      }
+      if (!adjacent) out += fmt::format("\x1b[{};{}H", row + 1, column + 1);
+      adjacent = true;
+      if (const std::string wanted = style(cell, color); wanted != shown_style) {
+        out += wanted;
+        shown_style = wanted;
+      }
+      out += cell.text;
+    }
+  }
+  out += "\x1b[0m";
+  return out.append(kEndUpdate);
+}
+
+std::string Screen::text() const {
+  std::string all;
+  for (int row = 0; row < rows_; ++row) {
+    std::string line;
+    for (int column = 0; column < columns_; ++column) line += at(row, column).text;
+    line.erase(line.find_last_not_of(' ') + 1);
+    all += line + "\n";
+  }
+  return all;
+}
+
+}  // namespace cls::viewer

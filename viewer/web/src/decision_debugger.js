@@ -1,0 +1,16 @@
+// The decision debugger, in pages with recorded decisions.
+import {DecisionStore} from './decision_store.js';
+import {readDecisions, sidesWithDecisions} from './decision_data.js';
+import {kExtensions} from './extensions.js';
+import {drawEstimates} from './layer_estimates.js';
+import {DecisionPanel} from './panel_decision.js';
+
+kExtensions.decisions = {
+  makeStore(record) {
+    return new DecisionStore(record, sidesWithDecisions(), readDecisions);
+  },
+  makePanel(viewer) {
+    return new DecisionPanel(viewer);
+  },
+  draw: drawEstimates,
+};
