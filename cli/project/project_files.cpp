@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/text/replace_all.h"
 #include "base/text/suggestion.h"
 
 namespace cls::cli {
@@ -88,20 +89,13 @@ std::optional<std::string> project_path(std::string_view name, const Language& l
   return path;
 }
 
-void replace_all(std::string& text, std::string_view mark, std::string_view value) {
-  for (std::size_t at = text.find(mark); at != std::string::npos;
-       at = text.find(mark, at + value.size())) {
-    text.replace(at, mark.size(), value);
-  }
-}
-
 std::string filled_in(std::string_view text, std::string_view name, const Language& language) {
   std::string filled(text);
-  replace_all(filled, "@NAME@", name);
-  replace_all(filled, "@LANGUAGE@", language.name);
-  replace_all(filled, "@DECIDE@", language.decide);
-  replace_all(filled, "@PACKAGES@", language.packages);
-  replace_all(filled, "@SETUP@\n", language.setup);
+  base::replace_all(filled, "@NAME@", name);
+  base::replace_all(filled, "@LANGUAGE@", language.name);
+  base::replace_all(filled, "@DECIDE@", language.decide);
+  base::replace_all(filled, "@PACKAGES@", language.packages);
+  base::replace_all(filled, "@SETUP@\n", language.setup);
   return filled;
 }
 

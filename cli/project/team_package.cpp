@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "base/io/whole_file.h"
+#include "base/text/replace_all.h"
 #include "cli/project/project_files.h"
 #include "orchestration/match/options/run_command.h"
 
@@ -20,13 +21,6 @@ std::string embedded(std::string_view name) {
   const auto found = std::find_if(files.begin(), files.end(),
                                   [name](const EmbeddedFile& file) { return file.name == name; });
   return found == files.end() ? std::string() : std::string(found->text);
-}
-
-void replace_all(std::string& text, std::string_view mark, std::string_view value) {
-  for (std::size_t at = text.find(mark); at != std::string::npos;
-       at = text.find(mark, at + value.size())) {
-    text.replace(at, mark.size(), value);
-  }
 }
 
 Result<void> write_program(const fs::path& path, std::string_view text) {
@@ -59,12 +53,12 @@ void copy_project(const fs::path& from, const fs::path& to, const fs::path& pack
 
 std::string start_script(const TeamPackage& package) {
   std::string command = package.command;
-  replace_all(command, "{port}", "\"$port\"");
+  base::replace_all(command, "{port}", "\"$port\"");
   orchestration::match::RunValues values;
   values.team_name = package.name;
   std::string script = embedded("cli/project/league/start");
-  replace_all(script, "@NAME@", package.name);
-  replace_all(script, "@COMMAND@", orchestration::match::fill_in(command, values));
+  base::replace_all(script, "@NAME@", package.name);
+  base::replace_all(script, "@COMMAND@", orchestration::match::fill_in(command, values));
   return script;
 }
 

@@ -8,6 +8,7 @@
 #include "base/io/occupied_path.h"
 #include "base/io/whole_file.h"
 #include "base/text/json_text.h"
+#include "base/text/replace_all.h"
 #include "orchestration/process/command_plan.h"
 
 namespace cls::orchestration::tournament {
@@ -15,13 +16,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
-
-void replace_all(std::string& text, std::string_view from, std::string_view to) {
-  for (std::size_t at = text.find(from); at != std::string::npos;
-       at = text.find(from, at + to.size())) {
-    text.replace(at, from.size(), to);
-  }
-}
 
 Json json_value(const Parameter& parameter, double value) {
   return Json::parse(value_text(parameter, value));
@@ -48,14 +42,14 @@ std::string with_values(std::string_view text, const TuneConfig& config, const V
   std::string replaced(text);
   for (std::size_t i = 0; i < values.size(); ++i) {
     const Parameter& parameter = config.parameters[i];
-    replace_all(replaced, "{" + parameter.name + "}", value_text(parameter, values[i]));
+    base::replace_all(replaced, "{" + parameter.name + "}", value_text(parameter, values[i]));
   }
   return replaced;
 }
 
 std::string side_of(const TuneConfig& config, const Values& values, const fs::path& file) {
   std::string side = with_values(config.team, config, values);
-  replace_all(side, "{file}", file.string());
+  base::replace_all(side, "{file}", file.string());
   if (config.environment.empty()) return side;
   std::string exports;
   for (const auto& [name, text] : config.environment) {

@@ -18,7 +18,7 @@ double off_diagonal(const SymmetricMatrix& matrix) {
 }
 
 // Makes the element at (p, q) zero.
-void rotate(SymmetricMatrix& matrix, Columns& vectors, std::size_t p, std::size_t q) {
+void rotate(SymmetricMatrix& matrix, ColumnVectors& vectors, std::size_t p, std::size_t q) {
   const double apart = matrix(q, q) - matrix(p, p);
   const double theta = apart / (2 * matrix(p, q));
   const double tangent = (theta >= 0 ? 1 : -1) / (std::abs(theta) + std::sqrt(theta * theta + 1));
@@ -54,7 +54,7 @@ EigenDecomposition eigen_decomposition(const SymmetricMatrix& symmetric) {
   constexpr double kNegligible = 1e-24;
   SymmetricMatrix matrix = symmetric;
   const std::size_t size = matrix.size();
-  EigenDecomposition result{Columns(size), std::vector<double>(size)};
+  EigenDecomposition result{ColumnVectors(size), std::vector<double>(size)};
   for (std::size_t i = 0; i < size; ++i) result.vectors(i, i) = 1.0;
   for (int sweep = 0; sweep < kMaxSweeps && off_diagonal(matrix) > kNegligible; ++sweep) {
     for (std::size_t q = 1; q < size; ++q) {

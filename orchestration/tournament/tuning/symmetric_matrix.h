@@ -27,9 +27,9 @@ class SymmetricMatrix {
 };
 
 /// The columns of a square matrix.
-class Columns {
+class ColumnVectors {
  public:
-  explicit Columns(std::size_t size) : size_(size), cells_(size * size) {}
+  explicit ColumnVectors(std::size_t size) : size_(size), cells_(size * size) {}
   double operator()(std::size_t row, std::size_t column) const {
     return cells_[row * size_ + column];
   }
@@ -42,7 +42,7 @@ class Columns {
 
 /// Eigenvectors as columns, and the square roots of their eigenvalues, which are at least 1e-10.
 struct EigenDecomposition {
-  Columns vectors;
+  ColumnVectors vectors;
   std::vector<double> roots;
 };
 
