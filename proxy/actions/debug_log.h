@@ -1,6 +1,7 @@
 // Formats Playmakers' debug texts and drawings as lines of a soccerwindow2 debug log.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -11,6 +12,9 @@ class Log;
 }
 
 namespace cls::proxy {
+
+/// Limits a file of debug texts and drawings; its last line, which says so, is not counted.
+inline constexpr std::size_t kMaxDebugBytes = 10 << 20;
 
 /// Appends one line for the text or shape: `CYCLE,STOPPED LEVEL KIND ...` (docs/actions.md). False,
 /// appending nothing, when no member is set.

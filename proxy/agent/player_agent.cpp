@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/overloaded.h"
+#include "proxy/actions/debug_log.h"
 #include "proxy/actions/executor.h"
 #include "proxy/actions/fallback.h"
 #include "proxy/messages/shoot_out_view.h"
@@ -259,7 +260,6 @@ void PlayerAgent::write_debug_log() {
         std::string(options_.team_name.view()) + "-" + std::to_string(world_.unum) + ".log";
     debug_log_.open(std::filesystem::path(options_.debug_log) / name);
   }
-  constexpr std::size_t kMaxDebugBytes = 10 << 20;
   if (debug_bytes_ > kMaxDebugBytes) return;
   debug_bytes_ += memory_.debug.size();
   debug_log_ << memory_.debug;

@@ -59,8 +59,10 @@ class ReceiveQuota {
 
   /// Returns false if the datagram exceeds the quota.
   bool consume(std::size_t datagram_bytes) {
-    exceeded_ = exceeded_ || datagrams_ == kMaxDatagrams || datagram_bytes > max_bytes_ - bytes_;
-    if (datagrams_ == kMaxDatagrams || datagram_bytes > max_bytes_ - bytes_) return false;
+    if (datagrams_ == kMaxDatagrams || datagram_bytes > max_bytes_ - bytes_) {
+      exceeded_ = true;
+      return false;
+    }
     ++datagrams_;
     bytes_ += datagram_bytes;
     return true;

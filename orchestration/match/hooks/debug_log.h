@@ -13,6 +13,7 @@
 
 #include "base/io/byte_sink.h"
 #include "orchestration/match/hooks/match_hooks.h"
+#include "proxy/actions/debug_log.h"
 
 namespace cls::orchestration::match {
 
@@ -20,12 +21,10 @@ namespace cls::orchestration::match {
 inline constexpr const char* kLeftDebugFile = "left-debug.jsonl";
 inline constexpr const char* kRightDebugFile = "right-debug.jsonl";
 
-/// Size of a file, without its last line.
-inline constexpr std::size_t kMaxDebugBytes = 10 << 20;
-
 /// One JSON object a line: {"t": 120, "unum": 7, "kind": "text", "level": "TEAM", "message": ...},
-/// in the order of cycle and number. Shapes have their fields as on the wire. After kMaxDebugBytes
-/// nothing more is written until the last line, {"kind": "omitted", "count": 12}.
+/// in the order of cycle and number. Shapes have their fields as on the wire. After
+/// proxy::kMaxDebugBytes nothing more is written until the last line, {"kind": "omitted", "count":
+/// 12}.
 class DebugLog : public MatchHooks {
  public:
   explicit DebugLog(const std::filesystem::path& folder);
@@ -50,7 +49,7 @@ class DebugLog : public MatchHooks {
 
     std::filesystem::path file_;
     int cycle_ = 0;
-    std::size_t room_ = kMaxDebugBytes;
+    std::size_t room_ = proxy::kMaxDebugBytes;
     std::int64_t omitted_ = 0;
     std::vector<std::pair<int, std::string>> lines_;  ///< of this cycle, with uniform number
     std::unique_ptr<base::FileSink> sink_;
