@@ -3,6 +3,7 @@
 // linker might share with other files.
 #include "soccer/four_atan2.h"
 
+#ifdef __AVX__
 #include <immintrin.h>
 #include <sleef.h>
 
@@ -13,3 +14,4 @@ void four_atan2(const double* y, const double* x, double* radians) {
 }
 
 }  // namespace cls::soccer::detail
+#endif
