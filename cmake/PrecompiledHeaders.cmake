@@ -1,6 +1,6 @@
 # Precompiled headers: one per family of folders, so that each large library header is parsed once.
-# -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON builds without them, as the preset `fuzz` does, which finds
-# missing includes.
+# -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON builds without them, as the preset `lint` does: clang-tidy
+# then finds missing includes.
 
 # cls_pch(<name> LINK <targets...> HEADERS <headers...>)
 # Precompiles the headers as target cls_pch_<name>; a cls_library() or cls_test() takes it by
