@@ -71,9 +71,10 @@ TEST(Drawing, IsAFileOfItsOwnWithItsStyle) {
 }
 
 TEST(Charts, DrawEmptyData) {
-  const std::vector<std::string> charts = {heat_map({}),    pass_network_chart({}), shot_map({}),
-                                           race_chart({}),  shares_chart({}),       scene_chart({}),
-                                           search_chart({})};
+  const std::vector<std::string> charts = {
+      heat_map({}),     pass_network_chart({}), shot_map({}),
+      race_chart({}),   shares_chart({}),       scene_chart({}),
+      search_chart({}), ratings_chart({}),      differences_chart({})};
   for (const std::string& chart : charts) EXPECT_EQ(svg_error(chart), "") << chart;
   EXPECT_NE(charts[1].find("no completed pass"), std::string::npos);
 }
@@ -93,7 +94,9 @@ TEST(Charts, ShowNamesAsText) {
       race_chart(steps),
       shares_chart({title, axis(), teams, {{kMarkup, {0.4, 0.6}}}}),
       scene_chart({title, teams, {{0, 7, {1.0, 2.0}, 90.0, true}}, {}, {}}),
-      search_chart({title, kMarkup, 0.0, {{1, 0, 2}}, {{kMarkup, teams, {{0.5, 0.4, 0.6}}}}})};
+      search_chart({title, kMarkup, 0.0, {{1, 0, 2}}, {{kMarkup, teams, {{0.5, 0.4, 0.6}}}}}),
+      ratings_chart({title, {{kMarkup, 20.0, 10.0}}}),
+      differences_chart({title, {1, -2}})};
   for (const std::string& chart : charts) {
     EXPECT_EQ(svg_error(chart), "") << chart;
     EXPECT_NE(chart.find("&lt;script&gt;"), std::string::npos) << chart;
@@ -111,7 +114,8 @@ TEST(Charts, LeaveOutWhatIsNotFinite) {
       race_chart(steps),
       shares_chart({{}, axis(), {}, {{"x", {kNan, 0.5, kInfinity, 0.2, 0.9}}}}),
       scene_chart({{}, {}, {{0, 7, {kNan, 2.0}, kNan, true}}, {kNan, kNan}, {{kNan, 1.0}}}),
-      search_chart({{}, "", 0.0, {{kNan, kNan, kInfinity}}, {{"x", {}, {{kNan, kNan, kNan}}}}})};
+      search_chart({{}, "", 0.0, {{kNan, kNan, kInfinity}}, {{"x", {}, {{kNan, kNan, kNan}}}}}),
+      ratings_chart({{}, {{"x", kNan, kNan}, {"y", 3.0, kInfinity}}})};
   for (const std::string& chart : charts) EXPECT_EQ(svg_error(chart), "") << chart;
 }
 
@@ -119,6 +123,41 @@ TEST(Charts, GiveTheSameTextAgain) {
   EXPECT_EQ(race_chart(race()), race_chart(race()));
   const SceneData scene = {{"a", "b"}, {"c", "d"}, {{1, 11, {-3.25, 8.5}, 45.0, false}}, {}, {}};
   EXPECT_EQ(scene_chart(scene), scene_chart(scene));
+}
+
+TEST(RatingsChart, DrawsATeamWithItsInterval) {
+  const std::string chart = ratings_chart({{}, {{"A", 100.0, 50.0}, {"B", -100.0, 100.0}}});
+  const std::vector<double> dots = attributes_of(chart, "circle", "cx", "");
+  const std::vector<double> starts = attributes_of(chart, "line", "x1", "left-line");
+  const std::vector<double> ends = attributes_of(chart, "line", "x2", "left-line");
+  ASSERT_EQ(dots.size(), 2U);
+  ASSERT_EQ(starts.size(), 2U);
+  EXPECT_NEAR(dots[0] - dots[1], 2 * (ends[1] - dots[1]), 0.05) << "200 Elo apart";
+  EXPECT_NEAR(ends[0] - dots[0], (dots[1] - starts[1]) / 2, 0.05);
+}
+
+TEST(DifferencesChart, HasABarForEachDifference) {
+  const std::string chart = differences_chart({{}, {3, 0, 3, -1, 3}});
+  const std::vector<double> bars = attributes_of(chart, "rect", "height", "left\"");
+  ASSERT_EQ(bars.size(), 1U);
+  const std::vector<double> lost = attributes_of(chart, "rect", "height", "right\"");
+  ASSERT_EQ(lost.size(), 1U);
+  EXPECT_NEAR(bars[0], 3 * lost[0], 0.05);
+  EXPECT_NE(chart.find(">+3<"), std::string::npos);
+}
+
+TEST(DifferencesChart, DrawsTheMeanFromTheFifthMatchOn) {
+  std::vector<int> differences = {1, 1, 1, 1};
+  EXPECT_EQ(count(differences_chart({{}, differences}), "<polyline"), 0U);
+  differences.insert(differences.end(), {1, 6});
+  const std::vector<double> heights = heights_of(differences_chart({{}, differences}), "left-line");
+  ASSERT_EQ(heights.size(), 2U);
+  EXPECT_LT(heights[1], heights[0]) << "up";
+}
+
+TEST(DifferencesChart, DrawsHugeDifferences) {
+  const int huge = std::numeric_limits<int>::max();
+  EXPECT_EQ(svg_error(differences_chart({{}, {huge, -huge, 0, 1, huge}})), "");
 }
 
 TEST(HeatMap, DrawsRareCellsFainter) {

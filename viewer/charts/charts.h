@@ -144,4 +144,24 @@ struct SearchData {
 };
 std::string search_chart(const SearchData& data);
 
+/// The strength of teams with its uncertainty.
+struct RatingsData {
+  struct Team {
+    std::string name;
+    double elo = 0.0;
+    double error = 0.0;  ///< half of the interval
+  };
+  ChartTitle title;
+  std::vector<Team> teams;  ///< from the top
+};
+std::string ratings_chart(const RatingsData& data);
+
+/// The goal differences of a team against another: their mean as it came about, and how often each
+/// occurred.
+struct DifferencesData {
+  ChartTitle title;
+  std::vector<int> differences;  ///< goals for minus goals against, match by match
+};
+std::string differences_chart(const DifferencesData& data);
+
 }  // namespace cls::viewer

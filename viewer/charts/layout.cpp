@@ -107,4 +107,15 @@ void draw_time_axis(Drawing& drawing, const PlotPlace& place, const TimeAxis& ax
   }
 }
 
+double tick_step(double range, double parts, double finest) {
+  constexpr double kMaxUnit = 1e15;
+  for (double unit = 0.01; unit < kMaxUnit; unit *= 10) {
+    for (const double factor : {1.0, 2.0, 5.0}) {
+      const double step = factor * unit;
+      if (step >= finest && range / step <= parts) return step;
+    }
+  }
+  return kMaxUnit;
+}
+
 }  // namespace cls::viewer

@@ -52,4 +52,8 @@ struct PlotPlace {
 /// Draws ticks and half times.
 void draw_time_axis(Drawing& drawing, const PlotPlace& place, const TimeAxis& axis);
 
+/// The distance of ticks: 1, 2 or 5 times a power of ten, at least `finest` (0.01 or more), that
+/// divides `range` into at most `parts`.
+double tick_step(double range, double parts, double finest);
+
 }  // namespace cls::viewer

@@ -26,17 +26,6 @@ double highest_sum(const RaceData& data) {
   return most;
 }
 
-// 1, 2 or 5 times a power of ten: at most five parts.
-double tick_step(double range) {
-  double step = 0.05;
-  for (const double factors[] = {2.0, 2.0, 2.5}; range / step > 5;) {
-    for (const double factor : factors) {
-      if (range / step > 5) step *= factor;
-    }
-  }
-  return step;
-}
-
 class Race {
  public:
   Race(Drawing& drawing, const RaceData& data)
@@ -46,7 +35,8 @@ class Race {
 
   void draw() {
     draw_time_axis(drawing_, place_, data_.axis);
-    const double step = tick_step(range_);
+    constexpr double kParts = 5.0;
+    const double step = tick_step(range_, kParts, 0.05);
     for (int i = 0; i * step <= range_; ++i) {
       const double at = y(i * step);
       drawing_.line({place_.left, at}, {place_.right, at}, {i == 0 ? "zero" : "axis"});

@@ -33,8 +33,6 @@ constexpr std::string_view kReportStyle =
     ".dense{font-size:.85em}.dense th,.dense td{padding:.2em .55em}"
     "svg{max-width:100%;height:auto;display:block;margin-bottom:.8em}svg "
     "text{fill:var(--text);font-size:13px}"
-    ".axis{stroke:var(--faint)}.zero,.bar{stroke:var(--line)}.dot{fill:var(--accent)}"
-    "svg .tick{fill:var(--muted);font-size:11px}"
     "pre{overflow-x:auto;border:1px solid var(--faint);padding:.6em .8em;font-size:.85em}"
     "footer{margin-top:2em;color:var(--muted);font-size:.85em}"
     ".charts{display:grid;grid-template-columns:repeat(auto-fit,minmax(min(100%,26em),1fr));gap:1."
