@@ -209,7 +209,7 @@ std::string report_html(const MatchReport& report, const std::vector<Chart>& cha
   text += table_section("Playmakers", playmakers_table(report), kLatencyNote, "scroll long");
   text += replay_html(replay);
   if (!report.command.empty()) {
-    text += "<h2>rerun</h2>\n" + text_element("pre", report.command);
+    text += "<h2>rerun</h2>\n" + commands_box(report.command);
   }
   return text + fmt::format("</main>\n<footer>cls {}</footer>\n</body>\n</html>\n", base::kVersion);
 }

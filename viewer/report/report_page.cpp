@@ -56,6 +56,10 @@ std::string text_element(std::string_view tag, std::string_view text, std::strin
   return fmt::format("<{0}{1}>{2}</{0}>\n", tag, attribute, base::escape_xml(text));
 }
 
+std::string commands_box(std::string_view commands) {
+  return fmt::format("<pre tabindex=\"0\">{}</pre>\n", base::escape_xml(commands));
+}
+
 std::string table_box(std::string_view title, const base::Table& table, std::string_view kind) {
   return fmt::format(
       "<div class=\"{}\" tabindex=\"0\" role=\"region\" aria-label=\"{}\">\n{}</div>\n", kind,

@@ -14,6 +14,9 @@ std::string_view report_style();
 /// An element with escaped text; empty without text. `kind` is its class.
 std::string text_element(std::string_view tag, std::string_view text, std::string_view kind = {});
 
+/// Shell commands, in an element that scrolls and that keys reach.
+std::string commands_box(std::string_view commands);
+
 /// The table with its caption in an element that scrolls. `kind` is the class of that: "scroll",
 /// "scroll dense" or "scroll long".
 std::string table_box(std::string_view title, const base::Table& table,

@@ -80,7 +80,7 @@ std::string report_html(const Report& report) {
   text += table_html(failures_table(report), "scroll long");
   text += table_html(matches_table(report, MatchDetails::kLinks), "scroll dense");
   if (!report.matches.empty()) {
-    text += "<h2>rerun a match</h2>\n" + text_element("pre", rerun_lines(report));
+    text += "<h2>rerun a match</h2>\n" + viewer::commands_box(rerun_lines(report));
   }
   return text + fmt::format("</main>\n<footer>cls {}</footer>\n</body>\n</html>\n", base::kVersion);
 }
