@@ -15,11 +15,14 @@ import argparse
 import json
 import os
 import pathlib
+import re
 import shutil
 import statistics
 import subprocess
 import sys
 import tempfile
+import threading
+import urllib.request
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 
@@ -51,6 +54,7 @@ def rows():
     sample = os.environ.get("CLS_UPSTREAM_PYTHON")
     server = os.environ.get("CLS_RCSSSERVER") or shutil.which("rcssserver")
     yield "mock mock", ["mock", "mock"], None
+    yield "mock mock, watched", ["mock", "mock", "--watch"], None
     yield "mock mock, one call per team", ["mock", "mock", "--batch", "always"], None
     yield "mock mock, a call per agent", ["mock", "mock", "--batch", "never"], None
     yield "mock:planner both", ["mock:planner", "mock:planner"], None
@@ -62,10 +66,29 @@ def rows():
            None if server else "no rcssserver")
 
 
-def knows_batch(binary):
+def unknown_options(binary, arguments):
+    """Those of the arguments that `cls match` of an older build lacks."""
     help_text = subprocess.run([binary, "match", "--help"], capture_output=True, text=True,
                                check=True).stdout
-    return "--batch" in help_text
+    return [word for word in arguments if word.startswith("--") and word not in help_text]
+
+
+def watch(program):
+    """Returns what cls prints; meanwhile reads the stream of --watch to its end, as its page does."""
+    lines = []
+    for line in program.stderr:
+        lines.append(line)
+        address = re.search(rb"http://\S+", line)
+        if address:
+            reader = threading.Thread(target=read_all, args=(address.group().decode() + "live",))
+            reader.start()
+    return b"".join(lines)
+
+
+def read_all(url):
+    with urllib.request.urlopen(url) as stream:
+        while stream.read(1 << 16):
+            pass
 
 
 def match(binary, arguments, cycles):
@@ -74,7 +97,8 @@ def match(binary, arguments, cycles):
         command = [binary, "match", *arguments, "--seed", "7", "--cycles", str(cycles), "--json",
                    "--quiet", "--dir", os.path.join(folder, "match")]
         with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE) as program:
-            text, errors = program.stdout.read(), program.stderr.read()
+            errors = watch(program)
+            text = program.stdout.read()
             _, status, usage = os.wait4(program.pid, 0)  # its processes included
             program.returncode = os.waitstatus_to_exitcode(status)
     if program.returncode != 0:
@@ -139,7 +163,6 @@ def print_ceilings(binaries, args):
 def main():
     args = options()
     binaries = [args.base, args.cls] if args.base else [args.cls]
-    batch = {binary: knows_batch(binary) for binary in binaries}
     print(f"{args.cycles} cycles, median of {args.rounds}; "
           + (f"left {args.base}, right {args.cls}" if args.base else args.cls))
     print(f"{'match':30}" + f" |{'cycles/s':>9} {'CPU s':>8} {'peak MB':>8}" * len(binaries))
@@ -147,7 +170,7 @@ def main():
     for name, arguments, reason in rows():
         if args.only not in name:
             continue
-        usable = [one for one in binaries if batch[one] or "--batch" not in arguments]
+        usable = [one for one in binaries if not unknown_options(one, arguments)]
         try:
             if reason:
                 raise Skipped(reason)
