@@ -35,7 +35,8 @@ def run(*command: object, cwd: pathlib.Path | None = None) -> str:
 
 
 def sleef_functions(build: pathlib.Path) -> str:
-    names = run("nm", "--undefined-only", "--no-sort", build / "soccer/libcls_soccer.a")
+    archives = sorted((build / "soccer").glob("libcls_soccer*.a"))
+    names = run("nm", "--undefined-only", "--no-sort", *archives)
     return " ".join(f"CLS_SLEEF_FUNCTION({name})" for name in sorted(set(
         re.findall(r"U (Sleef_\w+)", names))))
 
