@@ -11,6 +11,7 @@
 #include <variant>
 
 #include "base/io/whole_file.h"
+#include "base/text/byte_size.h"
 #include "base/text/number_text.h"
 #include "cli/logs/live_view.h"
 #include "cli/support/command_line.h"
@@ -135,6 +136,7 @@ void add_match_options(CLI::App& command, MatchArguments& arguments) {
                      "seconds without a new cycle that end the match (default: 10)");
   command.add_option("--time-limit", options.time_limit_s,
                      "maximum seconds of the match (default: no limit)");
+  add_program_options(command, arguments.programs);
   add_debugging_options(command, arguments);
   command
       .add_option("--speed", options.speed, "limit speed to X times real time (default: no limit)")
@@ -212,6 +214,7 @@ std::vector<std::string> resolve(MatchArguments& arguments) {
     if (!applied) errors.push_back("--set: " + applied.error().message);
   }
   read_save_at(arguments, errors);
+  read_program_options(arguments.programs, options, errors);
   options.folder = arguments.folder;
   options.replace = arguments.force;
   options.command_line = command_line();
@@ -327,6 +330,8 @@ int take_config(const ParsedConfig& parsed, const fs::path& file, MatchArguments
   values.take("start_timeout", config.start_timeout_s.value_or(0), options.start_timeout_s);
   values.take("stall_after", config.stall_after_s.value_or(0), options.stall_after_s);
   values.take("time_limit", config.time_limit_s, options.time_limit_s);
+  values.take("max_memory", config.max_memory.value_or(0), options.limits.memory);
+  values.take("max_cpu", config.max_cpu_s.value_or(0), options.limits.cpu_seconds);
   return kOk;
 }
 
@@ -408,6 +413,7 @@ int resolve_match(const CLI::App& command, MatchArguments& arguments) {
 std::vector<SettingRow> setting_rows(const MatchArguments& arguments) {
   const MatchOptions& options = arguments.options;
   const auto deadline = decision_deadline(options);
+  const auto [memory, cpu] = options.limits;
   std::vector<SettingRow> rows = {
       {"left", options.left.text, ""},
       {"right", options.right.text, ""},
@@ -425,6 +431,8 @@ std::vector<SettingRow> setting_rows(const MatchArguments& arguments) {
       {"start_timeout", fmt::format("{}", options.start_timeout_s), ""},
       {"stall_after", fmt::format("{}", options.stall_after_s), ""},
       {"time_limit", shown(options.time_limit_s), ""},
+      {"max_memory", memory == 0 ? "" : base::byte_size_text(memory), ""},
+      {"max_cpu", cpu == 0 ? "" : fmt::to_string(cpu), ""},
       {"coach", options.coach ? "true" : "false", ""},
       {"trainer", arguments.trainer, ""},
       {"protocol", fmt::to_string(options.protocol), ""},

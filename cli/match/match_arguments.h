@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/match/program_options.h"
 #include "cli/support/tls_options.h"
 #include "orchestration/match/options/match_options.h"
 
@@ -28,6 +29,7 @@ struct MatchArguments {
   std::string server = "embedded";
   std::string mode;
   TlsOptions tls;
+  ProgramOptions programs;
   std::string trainer;
   std::string formation;
   std::string left_formation;

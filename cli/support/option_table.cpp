@@ -61,6 +61,8 @@ constexpr OptionRow kOptions[] = {
     {"--start-timeout", kLimits, "X"},
     {"--stall-after", kLimits, "X"},
     {"--time-limit", kLimits, "X"},
+    {"--max-memory", kLimits, "SIZE"},
+    {"--max-cpu", kLimits, "N"},
     {"--latency-limit", kLimits, nullptr},
     {"--step", kDebugging, nullptr},
     {"--at", kDebugging, nullptr},

@@ -44,6 +44,7 @@ Result<void> add_playmaker(std::string& text, const MatchOptions& options, const
   const RunValues values = {port->front().number(), side, left ? names.left : names.right,
                             options.seed.value_or(0), endpoint.label};
   process::CommandPlan plan = run_plan(endpoint.command, values, folder);
+  plan.limits = options.limits;
   if (!trainer) plan.cpus = left ? options.left_cpus : options.right_cpus;
   add(text, plan);
   return {};

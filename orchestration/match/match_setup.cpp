@@ -35,6 +35,7 @@ SideSetup side_setup(const MatchSetup& setup, Side side) {
   result.folder = setup.folder;
   result.host = setup.host;
   result.batch = setup.options.batch;
+  result.limits = setup.options.limits;
   if (side == Side::kLeft) result.cpus = setup.options.left_cpus;
   if (side == Side::kRight) result.cpus = setup.options.right_cpus;
   return result;

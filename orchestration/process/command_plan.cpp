@@ -49,7 +49,11 @@ std::string shell_quoted(std::string_view word) {
 
 std::string to_shell(const CommandPlan& plan) {
   std::string line;
-  if (!plan.folder.empty()) line = fmt::format("cd {} && ", shell_quoted(plan.folder.string()));
+  const bool limited = plan.limits != ResourceLimits();
+  if (limited) line += "(";  // so that the limits end with the command
+  if (plan.limits.memory != 0) line += fmt::format("ulimit -d {}; ", plan.limits.memory / 1024);
+  if (plan.limits.cpu_seconds != 0) line += fmt::format("ulimit -t {}; ", plan.limits.cpu_seconds);
+  if (!plan.folder.empty()) line += fmt::format("cd {} && ", shell_quoted(plan.folder.string()));
   if (!plan.environment.empty()) {
     line += "env ";
     for (const EnvironmentChange& change : plan.environment) {
@@ -64,6 +68,7 @@ std::string to_shell(const CommandPlan& plan) {
     if (i > 0) line += ' ';
     line += shell_quoted(plan.argv[i]);
   }
+  if (limited) line += ")";
   return line;
 }
 

@@ -1,6 +1,7 @@
 // A process to start, as plain data: for --dry-run and for the start itself.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -19,6 +20,15 @@ struct EnvironmentChange {
   bool operator==(const EnvironmentChange&) const = default;
 };
 
+/// What the kernel allows each process of a program; descendants inherit the limits, but do not
+/// share them. 0: no limit.
+struct ResourceLimits {
+  std::uint64_t memory = 0;  ///< bytes of private writable memory (RLIMIT_DATA)
+  int cpu_seconds = 0;       ///< user and system time; SIGXCPU, then SIGKILL (RLIMIT_CPU)
+
+  bool operator==(const ResourceLimits&) const = default;
+};
+
 /// One process to start.
 struct CommandPlan {
   std::string name;               ///< in messages: "right coach", "rcssserver"
@@ -27,6 +37,7 @@ struct CommandPlan {
   std::vector<EnvironmentChange> environment;
   std::filesystem::path log;  ///< for stdout and stderr; empty: none
   std::vector<int> cpus;      ///< processor cores it may run on; empty: all
+  ResourceLimits limits;
 
   bool operator==(const CommandPlan&) const = default;
 };
@@ -37,7 +48,7 @@ CommandPlan shell_command(std::string name, const std::string& text);
 /// `word` quoted as one word of POSIX sh: unchanged where that is safe, otherwise in single quotes.
 std::string shell_quoted(std::string_view word);
 
-/// The plan as an equivalent line of sh, with `cd` and `env` where needed.
+/// The plan as an equivalent line of sh, with `ulimit`, `cd` and `env` where needed.
 std::string to_shell(const CommandPlan& plan);
 
 /// The file of `program`: the path itself if it has a slash, otherwise the first match on PATH. The

@@ -38,9 +38,20 @@ double reaped_cpu_seconds() {
   return seconds_of(usage.ru_utime) + seconds_of(usage.ru_stime);
 }
 
+// True for a process that died of its limit of CPU time: by SIGXCPU, or, if it ignored that, by the
+// SIGKILL that follows; also for a shell that reports such an end of its command.
+bool died_of_cpu_limit(int status, const rusage& usage, int limit_s) {
+  constexpr int kShellSignals = 128;
+  if (limit_s == 0) return false;
+  if (WIFEXITED(status)) return WEXITSTATUS(status) == kShellSignals + SIGXCPU;
+  const double seconds = seconds_of(usage.ru_utime) + seconds_of(usage.ru_stime);
+  return WTERMSIG(status) == SIGXCPU || (WTERMSIG(status) == SIGKILL && seconds >= limit_s);
+}
+
 class Keeper {
  public:
-  Keeper(base::UniqueFd control, pid_t program) : control_(std::move(control)), program_(program) {}
+  Keeper(base::UniqueFd control, pid_t program, int cpu_limit_s)
+      : control_(std::move(control)), program_(program), cpu_limit_s_(cpu_limit_s) {}
 
   [[noreturn]] void run(int child_signals) {
     report(KeeperReport::Kind::kStarted);
@@ -62,6 +73,7 @@ class Keeper {
     KeeperReport report;
     report.kind = kind;
     report.pid = program_;
+    report.at_cpu_limit = at_cpu_limit_;
     if (exit_status_) {
       report.by_signal = WIFSIGNALED(*exit_status_);
       report.number = report.by_signal ? WTERMSIG(*exit_status_) : WEXITSTATUS(*exit_status_);
@@ -78,10 +90,15 @@ class Keeper {
   void reap_children() {
     while (true) {
       int status = 0;
-      const pid_t pid = ::waitpid(-1, &status, WNOHANG);
+      rusage usage{};
+      const pid_t pid = ::wait4(-1, &status, WNOHANG, &usage);
+      const bool at_limit = pid > 0 && !kill_at_ && died_of_cpu_limit(status, usage, cpu_limit_s_);
+      at_cpu_limit_ = at_cpu_limit_ || at_limit;
       if (pid == program_) {
         exit_status_ = status;
         report(KeeperReport::Kind::kExited);
+      } else if (at_limit) {
+        report(KeeperReport::Kind::kCpuLimit);
       } else if (pid < 0 && errno == ECHILD) {
         report(KeeperReport::Kind::kGone);
         ::_exit(0);
@@ -156,6 +173,8 @@ class Keeper {
 
   base::UniqueFd control_;
   pid_t program_;
+  int cpu_limit_s_;
+  bool at_cpu_limit_ = false;
   std::optional<int> exit_status_;
   std::optional<Clock::time_point> kill_at_;
   bool all_asked_ = false;
@@ -183,7 +202,7 @@ void run_keeper(base::UniqueFd control, base::UniqueFd output, const CommandPlan
     send_report(control.get(), report);
     ::_exit(0);
   }
-  Keeper(std::move(control), launched.pid).run(child_signals.get());
+  Keeper(std::move(control), launched.pid, plan.limits.cpu_seconds).run(child_signals.get());
 }
 
 }  // namespace cls::orchestration::process

@@ -4,8 +4,10 @@
 #include <linux/close_range.h>
 #include <sched.h>
 #include <sys/prctl.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <boost/process/args.hpp>
 #include <boost/process/child.hpp>
 #include <boost/process/env.hpp>
@@ -41,6 +43,24 @@ void set_affinity(const std::vector<int>& cpus) {
   ::sched_setaffinity(0, sizeof set, &set);  // on error (no such core) any core will do
 }
 
+// Never above the hard limit that cls itself has: only root may raise that.
+void set_limit(decltype(RLIMIT_CPU) resource, rlim_t soft, rlim_t hard) {
+  rlimit limit{};
+  ::getrlimit(resource, &limit);
+  limit.rlim_max = std::min(limit.rlim_max, hard);
+  limit.rlim_cur = std::min(limit.rlim_max, soft);
+  ::setrlimit(resource, &limit);
+}
+
+void set_limits(const ResourceLimits& limits) {
+  // Between them the process may handle SIGXCPU.
+  constexpr rlim_t kSecondsUntilKill = 2;
+  if (limits.memory != 0) set_limit(RLIMIT_DATA, limits.memory, limits.memory);
+  if (limits.cpu_seconds == 0) return;
+  const auto seconds = static_cast<rlim_t>(limits.cpu_seconds);
+  set_limit(RLIMIT_CPU, seconds, seconds + kSecondsUntilKill);
+}
+
 // Runs in the new process just before exec. Returns false when the folder cannot be entered.
 bool prepare(const CommandPlan& plan, pid_t parent) {
   ::setpgid(0, 0);
@@ -48,6 +68,7 @@ bool prepare(const CommandPlan& plan, pid_t parent) {
   if (::getppid() != parent) ::_exit(127);  // the parent exited before prctl took effect
   if (!plan.folder.empty() && ::chdir(plan.folder.c_str()) != 0) return false;
   set_affinity(plan.cpus);
+  set_limits(plan.limits);
   // The descriptor with which Boost reports a failed exec must stay open until exec.
   ::close_range(3, ~0U, CLOSE_RANGE_CLOEXEC);
   reset_signals();

@@ -16,9 +16,9 @@ struct Launch {
 };
 
 /// Starts the plan's program with `output` as stdout and stderr, in its own process group, with
-/// only descriptors 0, 1 and 2 open, default signal handlers and no blocked signals. It is killed
-/// when the caller exits. argv[0] must be a path. Runs a script without `#!` line with /bin/sh, as
-/// shells do. Only for a single-threaded process.
+/// only descriptors 0, 1 and 2 open, default signal handlers, no blocked signals and the plan's
+/// limits. It is killed when the caller exits. argv[0] must be a path. Runs a script without `#!`
+/// line with /bin/sh, as shells do. Only for a single-threaded process.
 Launch launch(const CommandPlan& plan, int output);
 
 }  // namespace cls::orchestration::process

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
 #include <type_traits>
 
@@ -138,6 +139,8 @@ std::string encode(const CommandPlan& plan) {
   }
   add(bytes, std::to_string(plan.cpus.size()));
   for (const int cpu : plan.cpus) add(bytes, std::to_string(cpu));
+  add(bytes, std::to_string(plan.limits.memory));
+  add(bytes, std::to_string(plan.limits.cpu_seconds));
   return bytes;
 }
 
@@ -158,6 +161,8 @@ std::optional<CommandPlan> decode_plan(std::string_view bytes) {
   for (int left = fields.number(); left > 0 && fields.good(); --left) {
     plan.cpus.push_back(fields.number());
   }
+  plan.limits.memory = std::strtoull(fields.text().c_str(), nullptr, 10);
+  plan.limits.cpu_seconds = fields.number();
   if (!fields.good() || plan.argv.empty()) return std::nullopt;
   return plan;
 }

@@ -15,20 +15,22 @@ namespace cls::orchestration::process {
 /// From a keeper to cls.
 struct KeeperReport {
   enum class Kind : std::uint8_t {
-    kStarted,  ///< the program is running
-    kFailed,   ///< it could not be started: `error` (errno) and `stage`
-    kExited,   ///< the program itself exited; `living` descendants are still running
-    kUsage,    ///< reply to kUsage
-    kGone,     ///< no process is left; the last report
+    kStarted,   ///< the program is running
+    kFailed,    ///< it could not be started: `error` (errno) and `stage`
+    kExited,    ///< the program itself exited; `living` descendants are still running
+    kUsage,     ///< reply to kUsage
+    kCpuLimit,  ///< a process below the program died of its limit of CPU time
+    kGone,      ///< no process is left; the last report
   };
 
   Kind kind = Kind::kStarted;
-  bool by_signal = false;    ///< kExited
-  bool in_folder = false;    ///< kFailed: changing to the working directory, not the program
-  std::int32_t pid = 0;      ///< kStarted
-  std::int32_t number = 0;   ///< kExited: exit code or signal; kFailed: errno
-  std::int32_t living = 0;   ///< kExited: descendants still running
-  double cpu_seconds = 0.0;  ///< of the program and all its descendants until now
+  bool by_signal = false;     ///< kExited
+  bool at_cpu_limit = false;  ///< kCpuLimit, and kExited if the program itself died of that limit
+  bool in_folder = false;     ///< kFailed: changing to the working directory, not the program
+  std::int32_t pid = 0;       ///< kStarted
+  std::int32_t number = 0;    ///< kExited: exit code or signal; kFailed: errno
+  std::int32_t living = 0;    ///< kExited: descendants still running
+  double cpu_seconds = 0.0;   ///< of the program and all its descendants until now
 };
 
 /// From cls to a keeper.

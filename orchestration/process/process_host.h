@@ -31,6 +31,7 @@ class Child {
     std::optional<ProcessExit> exit;  ///< of the program itself, once it has exited
     int living = 0;                   ///< descendants still running at the program's exit
     bool asked_to_end = false;        ///< end() was called before it exited
+    bool at_cpu_limit = false;        ///< it or a descendant died of ResourceLimits::cpu_seconds
     bool gone = false;                ///< no process is left, and all output has been read
   };
 

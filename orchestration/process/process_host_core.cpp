@@ -85,6 +85,7 @@ void ProcessHostCore::handle_report(ChildRecord& record) {
   const auto report = read_report(packet);
   if (!report) return;
   record.cpu_seconds = std::max(record.cpu_seconds, report->cpu_seconds);
+  record.status.at_cpu_limit = record.status.at_cpu_limit || report->at_cpu_limit;
   switch (report->kind) {
     case KeeperReport::Kind::kStarted:
     case KeeperReport::Kind::kFailed:
@@ -98,6 +99,8 @@ void ProcessHostCore::handle_report(ChildRecord& record) {
       break;
     case KeeperReport::Kind::kUsage:
       ++record.usage_answers;
+      break;
+    case KeeperReport::Kind::kCpuLimit:
       break;
     case KeeperReport::Kind::kGone:
       return mark_gone(record);

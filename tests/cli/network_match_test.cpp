@@ -239,6 +239,18 @@ TEST_F(NetworkMatch, WarnsWhenDeadlineExceedsServerTimeout) {
       << played_.err;
 }
 
+// The script ends after a process that it has left to others.
+TEST_F(TeamFault, NamesTheLimitThatEndedAProcessOfTheTeam) {
+  script("team/start.sh",
+         "(sh -c 'echo $$ > pid; while :; do :; done' &)\n"
+         "while [ ! -s pid ]; do sleep 0.1; done\n"
+         "while kill -0 $(cat pid); do sleep 0.1; done\nexit 3");
+  play("team:" + (folder_.path() / "team").string(), "embedded", {"--max-cpu", "1"});
+  expect_end("refused", 69,
+             "the process of right team ended before the match: exit code 3; a process of right "
+             "team had used the 1 s of CPU time that --max-cpu allows: raise or omit the limit");
+}
+
 TEST_F(NetworkMatch, StartsAgentsInSequence) {
   const cls::tests::PortLock lock;
   script("team/kill", "echo ended > killed");

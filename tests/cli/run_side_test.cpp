@@ -122,6 +122,34 @@ TEST_F(RunSide, RefusesImmediatelyAfterExitAtStart) {
   expect_last_words("cannot load the formation", "exit code 5");
 }
 
+TEST_F(RunSide, NamesTheLimitThatEndedTheProgram) {
+  const auto busy = cls::tests::run(
+      arguments("run:while :; do :; done # {port}", {"--max-cpu", "1"}), environment());
+  EXPECT_EQ(busy.exit_code, 69);
+  EXPECT_NE(busy.err.find(": its process ended before it answered: killed by SIGXCPU; a process of "
+                          "right Playmaker had used the 1 s of CPU time that --max-cpu allows: "
+                          "raise or omit the limit"),
+            std::string::npos)
+      << busy.err;
+  const auto large =
+      cls::tests::run(arguments("run:dd if=/dev/zero of=/dev/null bs=64M count=1; exit 3 # {port}",
+                                {"--max-memory", "32M", "--force"}),
+                      environment());
+  EXPECT_EQ(large.exit_code, 69);
+  EXPECT_NE(large.err.find("exit code 3; a process of right Playmaker needed more than the 32M of "
+                           "memory that --max-memory allows: raise or omit the limit"),
+            std::string::npos)
+      << large.err;
+}
+
+TEST_F(RunSide, PlaysWithinItsLimits) {
+  play("", {"--max-memory", "1000T", "--max-cpu", "600"});
+  EXPECT_EQ(played_.exit_code, 0) << played_.err;
+  EXPECT_EQ(result_["processes"][0]["command"].get<std::string>().find(
+                "(ulimit -d 1073741824000; ulimit -t 600; env "),
+            0U);
+}
+
 TEST_F(RunSide, RefusesAtStartTimeoutWithoutListener) {
   play("--never-listen 1", {"--start-timeout", "1"});
   expect_end("refused", 69, "it does not listen on port ");

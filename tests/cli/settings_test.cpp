@@ -122,6 +122,17 @@ TEST_F(Settings, ConfigNamesOriginOfEachValue) {
   EXPECT_EQ(rows["time_limit"]["value"], nullptr);
 }
 
+TEST_F(Settings, LimitsOfProcessesAreReadFromFileAndOptions) {
+  write("limits.toml", "[tournament]\nmax_memory = \"2G\"\nmax_cpu = 600\n");
+  const json rows = config({"mock", "mock", "--config", "limits.toml", "--max-cpu", "5"});
+  EXPECT_EQ(rows["max_memory"]["value"], "2G");
+  EXPECT_EQ(rows["max_memory"]["origin"], "limits.toml:2");
+  EXPECT_EQ(rows["max_cpu"]["value"], "5");
+  EXPECT_EQ(rows["max_cpu"]["origin"], "option --max-cpu");
+  EXPECT_EQ(run({"match", "mock", "mock", "--max-memory", "2000"}).err,
+            "cls: --max-memory '2000': must be a size such as 512M or 2G\n");
+}
+
 TEST_F(Settings, DryRunShowsOrigins) {
   const CommandResult printed = run({"match", "RED", "BLUE", "--dry-run", "--seed", "7"});
   EXPECT_EQ(printed.exit_code, 0) << printed.err;

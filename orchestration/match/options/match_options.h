@@ -12,6 +12,7 @@
 #include "base/result.h"
 #include "orchestration/match/options/endpoint.h"
 #include "orchestration/match/options/server_choice.h"
+#include "orchestration/process/command_plan.h"
 #include "proxy/agent/player_agent.h"
 #include "proxy/playmaker/batch_playmaker.h"
 #include "soccer/parameters/player_params.h"
@@ -50,6 +51,7 @@ struct MatchOptions {
   std::optional<Endpoint> trainer;  ///< whose Playmaker handles GetTrainerActions
   std::vector<int> left_cpus;   ///< processor cores of that side's programs and agents; empty: all
   std::vector<int> right_cpus;  ///< see pin_sides()
+  process::ResourceLimits limits;  ///< of each process that a `run:` or `team:` side starts
 
   // Home positions of cls agents; null: the built-in formations.
   std::shared_ptr<const proxy::FormationSet> left_formations;

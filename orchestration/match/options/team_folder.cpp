@@ -25,6 +25,7 @@ process::CommandPlan plan_of(const fs::path& team, const TeamValues& values,
   plan.folder = team;
   plan.log = values.folder / fmt::format("{}-{}.log", side_name(values.side), log);
   plan.cpus = values.cpus;
+  plan.limits = values.limits;
   return plan;
 }
 

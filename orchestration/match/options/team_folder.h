@@ -22,6 +22,7 @@ struct TeamValues {
   bool coach = true;             ///< start its online coach too
   std::filesystem::path folder;  ///< match folder, for the logs
   std::vector<int> cpus;
+  process::ResourceLimits limits;
 };
 
 /// One process of a team.

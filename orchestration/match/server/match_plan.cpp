@@ -98,6 +98,7 @@ TeamValues team_values(const MatchOptions& options, const TeamNames& names, Side
   values.coach = options.coach;
   values.folder = folder;
   values.cpus = left ? options.left_cpus : options.right_cpus;
+  values.limits = options.limits;
   return values;
 }
 

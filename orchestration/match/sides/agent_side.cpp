@@ -7,6 +7,7 @@
 #include <chrono>
 #include <utility>
 
+#include "orchestration/match/result/limit_hint.h"
 #include "orchestration/match/sides/policy_rows.h"
 #include "proxy/playmaker/direct_playmaker.h"
 #include "proxy/playmaker/grpc_playmaker.h"
@@ -145,7 +146,7 @@ Result<PlaymakerConnection> connect_playmaker(const Endpoint& endpoint, const Si
   } else if (endpoint.kind == Endpoint::Kind::kRun) {
     auto started = PlaymakerProcess::start(*setup.host, endpoint,
                                            {0, setup.side, setup.name, setup.seed, endpoint.label},
-                                           setup.folder, setup.cpus);
+                                           setup.folder, setup.cpus, setup.limits);
     if (!started) return started.error();
     connection.process = std::move(*started);
     proxy::GrpcTarget target;
@@ -259,9 +260,9 @@ std::optional<MatchEnd> AgentSide::failure(const MatchMoment& moment) {
     crash.failure = failure_of(started->child());
     crash.reason = moment.playing ? EndReason::kCrashed : EndReason::kRefused;
     crash.message = fmt::format(
-        "{}: its process ended {}: {}", who(),
+        "{}: its process ended {}: {}{}", who(),
         moment.playing ? fmt::format("at cycle {}", moment.cycle) : "before it answered",
-        crash.failure->exit);
+        crash.failure->exit, limit_hint(started->child()));
     return crash;
   }
   // Which program of a mixed side is at fault is not known.

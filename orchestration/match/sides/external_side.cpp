@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <thread>
 
+#include "orchestration/match/result/limit_hint.h"
 #include "soccer/side.h"
 
 namespace cls::orchestration::match {
@@ -126,10 +127,28 @@ MatchEnd ExternalSide::exit_failure(const process::Child& child, const MatchMome
   end.reason = moment.playing ? EndReason::kCrashed : EndReason::kRefused;
   end.failure = failure_of(child);
   end.message =
-      fmt::format("{}: the process of {} ended {}: {}{}", who(), child.plan().name,
+      fmt::format("{}: the process of {} ended {}: {}{}{}", who(), child.plan().name,
                   moment.playing ? fmt::format("at cycle {}", moment.cycle) : "before the match",
-                  end.failure->exit, shared_name_hint_);
+                  end.failure->exit, limit_hint(child), shared_name_hint_);
   return end;
+}
+
+// Of processes that have died below a script that goes on or has ended well.
+std::string ExternalSide::limit_hints() const {
+  const auto limited = std::find_if(agents_.begin(), agents_.end(), [](const Agent& agent) {
+    return agent.child->status().at_cpu_limit;
+  });
+  return limited == agents_.end() ? std::string() : limit_hint(*limited->child);
+}
+
+// A server may continue without the players that a limit has ended.
+std::vector<std::string> ExternalSide::take_warnings() {
+  constexpr std::string_view kSeparator = "; ";
+  if (const std::string hint = limit_hints(); !hint.empty() && !warned_of_limit_) {
+    warned_of_limit_ = true;
+    warnings_.push_back(hint.substr(kSeparator.size()));
+  }
+  return std::exchange(warnings_, {});
 }
 
 // A server that reports connections shows a lost player before its process exits.
@@ -139,7 +158,8 @@ std::optional<MatchEnd> ExternalSide::lost_player_failure(const MatchMoment& mom
   const Agent* exited = wait_for_exited_agent();
   if (exited != nullptr && exited->unum == *unum) return exit_failure(*exited->child, moment);
   return MatchEnd{EndReason::kCrashed,
-                  fmt::format("{}: player {} has left (at cycle {})", who(), *unum, moment.cycle),
+                  fmt::format("{}: player {} has left (at cycle {}){}", who(), *unum, moment.cycle,
+                              limit_hints()),
                   {},
                   {},
                   false};

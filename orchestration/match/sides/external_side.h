@@ -37,11 +37,11 @@ class ExternalSide : public MatchSide {
                                const std::vector<std::string>& others) override;
   bool joined() const override { return joined_; }
   std::string waiting_for() const override;
-  std::string timeout_hint() const override { return shared_name_hint_; }
+  std::string timeout_hint() const override { return shared_name_hint_ + limit_hints(); }
   const process::Child* awaited_process() const override;
   std::optional<MatchEnd> failure(const MatchMoment& moment) override;
   std::optional<MatchEnd> final_failure(const MatchMoment& moment) override;
-  std::vector<std::string> take_warnings() override { return std::exchange(warnings_, {}); }
+  std::vector<std::string> take_warnings() override;
   void leave() override;
   void terminate() override;
   std::vector<ProcessResult> wait_gone() override;
@@ -70,6 +70,7 @@ class ExternalSide : public MatchSide {
   std::optional<MatchEnd> lost_player_failure(const MatchMoment& moment);
   MatchEnd exit_failure(const process::Child& child, const MatchMoment& moment) const;
   bool exited_before_the_end(int cycle) const;
+  std::string limit_hints() const;
 
   TeamPlan plan_;
   OnOtherName on_other_name_;
@@ -83,6 +84,7 @@ class ExternalSide : public MatchSide {
   std::chrono::steady_clock::time_point kill_script_deadline_;
   int on_pitch_ = 0;
   bool joined_ = false;
+  bool warned_of_limit_ = false;
   std::vector<std::string> warnings_;
 };
 

@@ -49,13 +49,14 @@ Result<std::unique_ptr<mock_server::Server>> start_mock(const Endpoint& endpoint
 
 Result<std::unique_ptr<PlaymakerProcess>> PlaymakerProcess::start(
     process::ProcessHost& host, const Endpoint& endpoint, RunValues values,
-    const std::filesystem::path& folder, std::vector<int> cpus) {
+    const std::filesystem::path& folder, std::vector<int> cpus, process::ResourceLimits limits) {
   auto ports = process::ReservedPort::choose(1);
   if (!ports) return ports.error();
   std::unique_ptr<PlaymakerProcess> created(new PlaymakerProcess(std::move(ports->front())));
   values.port = created->port();
   process::CommandPlan plan = run_plan(endpoint.command, values, folder);
   plan.cpus = std::move(cpus);
+  plan.limits = limits;
   auto child = host.start(plan);
   if (!child) return child.error();
   created->child_ = std::move(*child);

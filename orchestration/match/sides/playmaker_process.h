@@ -35,7 +35,8 @@ class PlaymakerProcess {
                                                                const Endpoint& endpoint,
                                                                RunValues values,
                                                                const std::filesystem::path& folder,
-                                                               std::vector<int> cpus = {});
+                                                               std::vector<int> cpus = {},
+                                                               process::ResourceLimits limits = {});
 
   int port() const { return port_.number(); }
   const process::Child& child() const { return *child_; }

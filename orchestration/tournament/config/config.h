@@ -112,9 +112,11 @@ struct TournamentConfig {
   std::optional<double> start_timeout_s;
   std::optional<double> stall_after_s;
   std::optional<double> time_limit_s;
-  std::string on_match_finish;   ///< shell command that gets the match as JSON on stdin
-  std::string on_finish;         ///< shell command that gets the report as JSON on stdin
-  std::filesystem::path folder;  ///< of the file; base of relative paths in endpoints
+  std::optional<std::uint64_t> max_memory;  ///< bytes of each process of a side
+  std::optional<int> max_cpu_s;             ///< CPU time of each process of a side
+  std::string on_match_finish;              ///< shell command that gets the match as JSON on stdin
+  std::string on_finish;                    ///< shell command that gets the report as JSON on stdin
+  std::filesystem::path folder;             ///< of the file; base of relative paths in endpoints
 
   // Reports.
   std::string name;                  ///< of the tournament; empty: that of its folder

@@ -8,6 +8,7 @@
 #include <charconv>
 #include <optional>
 
+#include "base/text/byte_size.h"
 #include "base/text/suggestion.h"
 
 namespace cls::orchestration::tournament {
@@ -241,6 +242,14 @@ Result<void> parse_folder(Config& config, const ConfigValue& value) {
   return {};
 }
 
+Result<void> parse_max_memory(Config& config, const ConfigValue& value) {
+  const auto* text = std::get_if<std::string>(&value);
+  const auto size = text == nullptr ? std::nullopt : base::parse_byte_size(*text);
+  if (!size) return Error{"must be a size such as \"512M\" or \"2G\""};
+  config.max_memory = *size;
+  return {};
+}
+
 std::vector<Row> schedule_rows() {
   constexpr Group kGroup = Group::kSchedule;
   return {
@@ -318,6 +327,14 @@ std::vector<Row> execution_rows() {
               "seconds without a new cycle after which a match ends"),
       seconds("time_limit", kGroup, &Config::time_limit_s, "600",
               "time limit of a match in seconds"),
+      Row{"max_memory", kGroup, "memory of each process of a side, as --max-memory of cls match",
+          "\"2G\"", parse_max_memory,
+          [](const Config& config) {
+            return config.max_memory ? toml_quoted(base::byte_size_text(*config.max_memory))
+                                     : std::string();
+          }},
+      integer("max_cpu", kGroup, &Config::max_cpu_s, 1, 1'000'000'000, "600",
+              "seconds of CPU time of each process of a side"),
       Row{"folder", kGroup, "base of relative paths in endpoints (default: folder of this file)",
           "\".\"", parse_folder,
           [](const Config& config) {

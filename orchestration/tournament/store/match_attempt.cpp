@@ -11,6 +11,7 @@
 
 #include "base/io/whole_file.h"
 #include "base/system/host.h"
+#include "base/text/byte_size.h"
 #include "base/text/number_text.h"
 #include "orchestration/match/options/endpoint.h"
 #include "orchestration/match/options/server_choice.h"
@@ -136,6 +137,10 @@ process::CommandPlan match_plan(const TournamentConfig& config, const Fixture& f
   add_option(plan.argv, "--start-timeout", config.start_timeout_s);
   add_option(plan.argv, "--stall-after", config.stall_after_s);
   add_option(plan.argv, "--time-limit", config.time_limit_s);
+  if (config.max_memory) {
+    add_option(plan.argv, "--max-memory", base::byte_size_text(*config.max_memory));
+  }
+  add_option(plan.argv, "--max-cpu", config.max_cpu_s);
   for (const ServerSetting& setting : config.settings) {
     add_option(plan.argv, "--set", setting.name + "=" + setting.value);
   }

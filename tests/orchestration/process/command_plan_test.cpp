@@ -37,6 +37,10 @@ TEST(CommandPlan, FormatsEquivalentShellCommand) {
             "cd '/opt/my team' && env -u DISPLAY LANG=C taskset -c 0,2 '/opt/my team/start' "
             "localhost 1");
   EXPECT_EQ(to_shell(shell_command("x", "sleep 1; echo done")), "/bin/sh -c 'sleep 1; echo done'");
+  plan = shell_command("x", "true");
+  plan.folder = "/opt";
+  plan.limits = {64 << 20, 9};
+  EXPECT_EQ(to_shell(plan), "(ulimit -d 65536; ulimit -t 9; cd /opt && /bin/sh -c true)");
 }
 
 TEST(CommandPlan, DecodesWhatWasEncoded) {
@@ -46,6 +50,7 @@ TEST(CommandPlan, DecodesWhatWasEncoded) {
   plan.folder = "/tmp";
   plan.environment = {{"A", "1=2"}, {"B", ""}, {"C", std::nullopt}};
   plan.cpus = {3, 5};
+  plan.limits = {5ULL << 30, 7};
   const auto decoded = decode_plan(encode(plan));
   ASSERT_TRUE(decoded);
   EXPECT_EQ(*decoded, plan);

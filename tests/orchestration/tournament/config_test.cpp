@@ -20,6 +20,8 @@ cycles = 600
 concurrency = 3
 on_crash = "rerun"
 time_limit = 90
+max_memory = "2G"
+max_cpu = 600
 
 [server]
 kick_off_wait = 3
@@ -43,6 +45,8 @@ TEST(Config, ReadsTeamsInFileOrder) {
   EXPECT_EQ(config.concurrency, 3);
   EXPECT_EQ(config.on_crash, OnCrash::kRerun);
   EXPECT_EQ(config.time_limit_s, 90.0);
+  EXPECT_EQ(config.max_memory, 2ULL << 30);
+  EXPECT_EQ(config.max_cpu_s, 600);
   EXPECT_EQ(config.settings, (std::vector<ServerSetting>{{"server::kick_off_wait", "3"},
                                                          {"server::wind_none", "true"}}));
   EXPECT_EQ(config.teams, (std::vector<TeamEntry>{{"OLD", "mock"}, {"NEW", "localhost:50051"}}));
