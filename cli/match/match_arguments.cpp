@@ -137,6 +137,7 @@ void add_match_options(CLI::App& command, MatchArguments& arguments) {
   command.add_option("--time-limit", options.time_limit_s,
                      "maximum seconds of the match (default: no limit)");
   add_program_options(command, arguments.programs);
+  add_sandbox_option(command, options.sandbox);
   add_debugging_options(command, arguments);
   command
       .add_option("--speed", options.speed, "limit speed to X times real time (default: no limit)")
@@ -331,6 +332,7 @@ int take_config(const ParsedConfig& parsed, const fs::path& file, MatchArguments
   values.take("stall_after", config.stall_after_s.value_or(0), options.stall_after_s);
   values.take("time_limit", config.time_limit_s, options.time_limit_s);
   values.take("max_memory", config.max_memory.value_or(0), options.limits.memory);
+  values.take("sandbox", config.sandbox, options.sandbox);
   values.take("max_cpu", config.max_cpu_s.value_or(0), options.limits.cpu_seconds);
   return kOk;
 }
@@ -432,6 +434,7 @@ std::vector<SettingRow> setting_rows(const MatchArguments& arguments) {
       {"stall_after", fmt::format("{}", options.stall_after_s), ""},
       {"time_limit", shown(options.time_limit_s), ""},
       {"max_memory", memory == 0 ? "" : base::byte_size_text(memory), ""},
+      {"sandbox", options.sandbox ? "true" : "false", ""},
       {"max_cpu", cpu == 0 ? "" : fmt::to_string(cpu), ""},
       {"coach", options.coach ? "true" : "false", ""},
       {"trainer", arguments.trainer, ""},

@@ -9,6 +9,12 @@
 
 namespace cls::cli {
 
+void add_sandbox_option(CLI::App& command, bool& sandbox) {
+  command.add_flag("--sandbox,!--no-sandbox", sandbox,
+                   "let team: sides read the system and change their own folder only\n"
+                   "(default: on; docs/security.md)");
+}
+
 void add_program_options(CLI::App& command, ProgramOptions& programs) {
   command.add_option("--max-memory", programs.max_memory,
                      "memory of each process of run: and team: sides, such as 512M or 2G:\n"

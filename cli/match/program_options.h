@@ -1,4 +1,4 @@
-// Options for the programs that a match starts for its sides: limits.
+// Options for the programs that a match starts for its sides: limits and the sandbox.
 #pragma once
 
 #include <string>
@@ -18,8 +18,11 @@ struct ProgramOptions {
   std::optional<int> max_cpu;
 };
 
-/// --max-memory, --max-cpu.
+/// --max-memory and --max-cpu.
 void add_program_options(CLI::App& command, ProgramOptions& programs);
+
+/// --sandbox and --no-sandbox.
+void add_sandbox_option(CLI::App& command, bool& sandbox);
 
 /// Adds a line to `errors` for each value that cannot be used. Options that were not given change
 /// nothing.

@@ -20,6 +20,7 @@
 #include "base/text/json_document.h"
 #include "base/text/json_text.h"
 #include "base/text/suggestion.h"
+#include "cli/match/program_options.h"
 #include "cli/support/ci_reports.h"
 #include "cli/support/exit_code.h"
 #include "cli/support/interrupt.h"
@@ -28,6 +29,7 @@
 #include "cli/support/tls_options.h"
 #include "cli/terminal/terminal.h"
 #include "orchestration/match/hooks/rpc_replay.h"
+#include "orchestration/match/options/team_sandbox.h"
 #include "orchestration/scenario/scenario_library.h"
 #include "orchestration/scenario/suite.h"
 #include "orchestration/scenario/suite_report.h"
@@ -69,6 +71,7 @@ struct Arguments {
   std::optional<int> player;
   bool json = false;
   bool list = false;
+  bool sandbox = true;
   bool accept_golden = false;
   bool quiet = false;
   bool force = false;
@@ -180,6 +183,7 @@ std::optional<Failure> choose(const Arguments& arguments, std::vector<Scenario>&
 std::optional<Failure> resolve(const Arguments& arguments, SuiteOptions& options) {
   options.seed = arguments.seed;
   options.folder = arguments.folder;
+  options.sandbox = arguments.sandbox;
   options.jobs = arguments.jobs;
   if (options.jobs == 0) options.jobs = static_cast<int>(std::thread::hardware_concurrency());
   options.jobs = std::max(options.jobs, 1);
@@ -348,6 +352,18 @@ int run_replay(const Arguments& arguments) {
   return result->passed() ? kOk : kFailed;
 }
 
+void warn_without_sandbox(const std::vector<Scenario>& scenarios, const SuiteOptions& options) {
+  const auto is_external = [](const auto& side) { return !side.playmaker.has_playmaker(); };
+  const bool external =
+      (options.against && !options.against->has_playmaker()) ||
+      std::any_of(scenarios.begin(), scenarios.end(), [&](const Scenario& scenario) {
+        return std::any_of(scenario.sides.begin(), scenario.sides.end(), is_external);
+      });
+  const std::string missing = orchestration::match::missing_sandbox();
+  if (!external || !options.sandbox || missing.empty()) return;
+  fmt::print(stderr, "cls: warning: {}\n", missing);
+}
+
 int run_test_command(const Arguments& arguments) {
   if (!arguments.replay.empty()) return run_replay(arguments);
   if (!arguments.side.empty()) return print_error(kUsage, "--side requires --replay");
@@ -361,6 +377,7 @@ int run_test_command(const Arguments& arguments) {
   if (arguments.list) return list(scenarios, arguments.json);
   SuiteOptions options;
   if (const auto failure = resolve(arguments, options)) return report_failure(*failure);
+  warn_without_sandbox(scenarios, options);
   const bool color = !arguments.json && stdout_supports_color();
   const auto on_done = [&](const orchestration::scenario::ScenarioVerdict& verdict) {
     // The summary counts those that an interrupt cut off.
@@ -410,6 +427,7 @@ void add_test_command(CLI::App& app, int& exit_code) {
   command->add_option("--at", a.at, "with --replay: only decisions of this cycle");
   command->add_option("--player", a.player, "with --replay: only calls of this player")
       ->check(CLI::Range(1, proto::kTrainerNumber));
+  add_sandbox_option(*command, a.sandbox);
   add_tls_options(*command, a.tls);
   command->add_flag("--strict", a.strict, "fail (exit 1) on any skipped scenario");
   command->add_flag("--quiet", a.quiet, "print only failures and the summary");

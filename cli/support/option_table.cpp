@@ -61,6 +61,7 @@ constexpr OptionRow kOptions[] = {
     {"--start-timeout", kLimits, "X"},
     {"--stall-after", kLimits, "X"},
     {"--time-limit", kLimits, "X"},
+    {"--sandbox", kTeams, nullptr},
     {"--max-memory", kLimits, "SIZE"},
     {"--max-cpu", kLimits, "N"},
     {"--latency-limit", kLimits, nullptr},

@@ -17,7 +17,9 @@ namespace fs = std::filesystem;
 using base::Result;
 
 void add(std::string& text, const process::CommandPlan& plan) {
-  fmt::format_to(std::back_inserter(text), "# {}\n{}\n", plan.name, process::to_shell(plan));
+  const char* sandboxed = plan.files ? " (in a sandbox: docs/security.md)" : "";
+  fmt::format_to(std::back_inserter(text), "# {}{}\n{}\n", plan.name, sandboxed,
+                 process::to_shell(plan));
 }
 
 const Endpoint& endpoint_of(const MatchOptions& options, soccer::Side side) {

@@ -17,6 +17,7 @@
 #include "orchestration/match/hooks/world_model_recorder.h"
 #include "orchestration/match/match_setup.h"
 #include "orchestration/match/options/match_settings.h"
+#include "orchestration/match/options/team_sandbox.h"
 #include "orchestration/match/result/late_warnings.h"
 #include "orchestration/match/result/match_folder.h"
 #include "orchestration/match/server/match_logs.h"
@@ -276,6 +277,7 @@ Result<MatchResult> run_match(const MatchOptions& options, MatchObserver& observ
   const MatchSetup setup{
       options, names, seed, stop_signal, host ? &*host : nullptr, fs::absolute(*folder)};
   std::vector<std::string> warnings = settings_without_effect(options);
+  for (std::string& line : sandbox_warnings(options, *folder)) warnings.push_back(std::move(line));
   for (const std::string& warning : warnings) observer.on_warning(warning);
   observer.on_folder(setup.folder, running_game_log(options));
   auto result = mode_of(options) == MatchMode::kLockstep ? play_lockstep(setup, hooks, observer)

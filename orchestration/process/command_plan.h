@@ -29,6 +29,14 @@ struct ResourceLimits {
   bool operator==(const ResourceLimits&) const = default;
 };
 
+/// The files that a program and its descendants can use; folders stand for all that is in them.
+struct FileAccess {
+  std::vector<std::filesystem::path> readable;  ///< to read and to execute
+  std::vector<std::filesystem::path> writable;  ///< to change, too
+
+  bool operator==(const FileAccess&) const = default;
+};
+
 /// One process to start.
 struct CommandPlan {
   std::string name;               ///< in messages: "right coach", "rcssserver"
@@ -38,6 +46,7 @@ struct CommandPlan {
   std::filesystem::path log;  ///< for stdout and stderr; empty: none
   std::vector<int> cpus;      ///< processor cores it may run on; empty: all
   ResourceLimits limits;
+  std::optional<FileAccess> files;  ///< by Landlock, which must be there; none: as the user may
 
   bool operator==(const CommandPlan&) const = default;
 };
@@ -48,7 +57,8 @@ CommandPlan shell_command(std::string name, const std::string& text);
 /// `word` quoted as one word of POSIX sh: unchanged where that is safe, otherwise in single quotes.
 std::string shell_quoted(std::string_view word);
 
-/// The plan as an equivalent line of sh, with `ulimit`, `cd` and `env` where needed.
+/// The plan as an equivalent line of sh, with `ulimit`, `cd` and `env` where needed; without
+/// `files`.
 std::string to_shell(const CommandPlan& plan);
 
 /// The file of `program`: the path itself if it has a slash, otherwise the first match on PATH. The

@@ -198,7 +198,7 @@ void run_keeper(base::UniqueFd control, base::UniqueFd output, const CommandPlan
     KeeperReport report;
     report.kind = KeeperReport::Kind::kFailed;
     report.number = launched.error;
-    report.in_folder = launched.in_folder;
+    report.step = launched.step;
     send_report(control.get(), report);
     ::_exit(0);
   }

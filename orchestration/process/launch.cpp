@@ -1,4 +1,4 @@
-// Boost.Process, plus process group, signals, affinity and descriptors.
+// Boost.Process, plus process group, signals, affinity, limits, files and descriptors.
 #include "orchestration/process/launch.h"
 
 #include <linux/close_range.h>
@@ -18,7 +18,11 @@
 #include <boost/process/posix.hpp>
 #include <cerrno>
 #include <csignal>
+#include <optional>
 #include <system_error>
+
+#include "base/system/unique_fd.h"
+#include "orchestration/process/landlock.h"
 
 namespace cls::orchestration::process {
 namespace {
@@ -61,18 +65,19 @@ void set_limits(const ResourceLimits& limits) {
   set_limit(RLIMIT_CPU, seconds, seconds + kSecondsUntilKill);
 }
 
-// Runs in the new process just before exec. Returns false when the folder cannot be entered.
-bool prepare(const CommandPlan& plan, pid_t parent) {
+// Runs in the new process just before exec. Returns the step that failed, with errno set.
+std::optional<LaunchStep> prepare(const CommandPlan& plan, int ruleset, pid_t parent) {
   ::setpgid(0, 0);
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (::getppid() != parent) ::_exit(127);  // the parent exited before prctl took effect
-  if (!plan.folder.empty() && ::chdir(plan.folder.c_str()) != 0) return false;
+  if (!plan.folder.empty() && ::chdir(plan.folder.c_str()) != 0) return LaunchStep::kFolder;
   set_affinity(plan.cpus);
   set_limits(plan.limits);
   // The descriptor with which Boost reports a failed exec must stay open until exec.
   ::close_range(3, ~0U, CLOSE_RANGE_CLOEXEC);
   reset_signals();
-  return true;
+  if (plan.files && !enforce_ruleset(ruleset)) return LaunchStep::kFiles;
+  return std::nullopt;
 }
 
 bp::environment environment_of(const CommandPlan& plan) {
@@ -88,12 +93,15 @@ bp::environment environment_of(const CommandPlan& plan) {
 }
 
 Launch launch_program(const CommandPlan& plan, const std::vector<std::string>& argv, int output) {
-  constexpr int kFolderError = 100'000;  // distinct from the errno values of exec
+  constexpr int kStepError = 100'000;  // more than any errno: the step is a multiple of it
+  const base::UniqueFd ruleset = plan.files ? make_ruleset(*plan.files) : base::UniqueFd();
+  if (plan.files && !ruleset) return {0, errno, LaunchStep::kFiles};
   const pid_t parent = ::getpid();
-  const auto before_exec = [&plan, parent](auto& executor) {
-    if (prepare(plan, parent)) return;
-    const int error = errno;
-    executor.set_error(std::error_code(kFolderError + error, std::system_category()), "chdir");
+  const auto before_exec = [&, parent](auto& executor) {
+    const auto failed = prepare(plan, ruleset.get(), parent);
+    if (!failed) return;
+    const int error = static_cast<int>(*failed) * kStepError + errno;
+    executor.set_error(std::error_code(error, std::system_category()), "before exec");
     ::_exit(127);
   };
   std::error_code error;
@@ -103,8 +111,8 @@ Launch launch_program(const CommandPlan& plan, const std::vector<std::string>& a
                   bp::posix::fd.bind(2, output), bp::extend::on_exec_setup = before_exec, error);
   Launch result;
   if (error) {
-    result.in_folder = error.value() >= kFolderError;
-    result.error = result.in_folder ? error.value() - kFolderError : error.value();
+    result.step = static_cast<LaunchStep>(error.value() / kStepError);
+    result.error = error.value() % kStepError;
     return result;
   }
   result.pid = child.id();
@@ -116,7 +124,7 @@ Launch launch_program(const CommandPlan& plan, const std::vector<std::string>& a
 
 Launch launch(const CommandPlan& plan, int output) {
   Launch result = launch_program(plan, plan.argv, output);
-  if (result.pid == 0 && result.error == ENOEXEC && !result.in_folder) {
+  if (result.pid == 0 && result.error == ENOEXEC && result.step == LaunchStep::kProgram) {
     std::vector<std::string> argv = plan.argv;
     argv.insert(argv.begin(), "/bin/sh");
     result = launch_program(plan, argv, output);

@@ -45,6 +45,12 @@ class Fields {
     return field;
   }
 
+  std::vector<std::filesystem::path> paths() {
+    std::vector<std::filesystem::path> all;
+    for (int left = number(); left > 0 && good_; --left) all.emplace_back(text());
+    return all;
+  }
+
   int number() { return std::atoi(text().c_str()); }
   bool good() const { return good_; }
 
@@ -56,6 +62,11 @@ class Fields {
 void add(std::string& bytes, std::string_view field) {
   bytes += field;
   bytes += '\0';
+}
+
+void add_paths(std::string& bytes, const std::vector<std::filesystem::path>& paths) {
+  add(bytes, std::to_string(paths.size()));
+  for (const auto& path : paths) add(bytes, path.string());
 }
 
 }  // namespace
@@ -141,6 +152,10 @@ std::string encode(const CommandPlan& plan) {
   for (const int cpu : plan.cpus) add(bytes, std::to_string(cpu));
   add(bytes, std::to_string(plan.limits.memory));
   add(bytes, std::to_string(plan.limits.cpu_seconds));
+  add(bytes, plan.files ? "1" : "0");
+  if (!plan.files) return bytes;
+  add_paths(bytes, plan.files->readable);
+  add_paths(bytes, plan.files->writable);
   return bytes;
 }
 
@@ -163,6 +178,11 @@ std::optional<CommandPlan> decode_plan(std::string_view bytes) {
   }
   plan.limits.memory = std::strtoull(fields.text().c_str(), nullptr, 10);
   plan.limits.cpu_seconds = fields.number();
+  if (fields.number() != 0) {
+    FileAccess& files = plan.files.emplace();
+    files.readable = fields.paths();
+    files.writable = fields.paths();
+  }
   if (!fields.good() || plan.argv.empty()) return std::nullopt;
   return plan;
 }

@@ -9,6 +9,7 @@
 
 #include "base/system/unique_fd.h"
 #include "orchestration/process/command_plan.h"
+#include "orchestration/process/launch.h"
 
 namespace cls::orchestration::process {
 
@@ -16,7 +17,7 @@ namespace cls::orchestration::process {
 struct KeeperReport {
   enum class Kind : std::uint8_t {
     kStarted,   ///< the program is running
-    kFailed,    ///< it could not be started: `error` (errno) and `stage`
+    kFailed,    ///< it could not be started: `number` (errno) and `step`
     kExited,    ///< the program itself exited; `living` descendants are still running
     kUsage,     ///< reply to kUsage
     kCpuLimit,  ///< a process below the program died of its limit of CPU time
@@ -26,11 +27,11 @@ struct KeeperReport {
   Kind kind = Kind::kStarted;
   bool by_signal = false;     ///< kExited
   bool at_cpu_limit = false;  ///< kCpuLimit, and kExited if the program itself died of that limit
-  bool in_folder = false;     ///< kFailed: changing to the working directory, not the program
-  std::int32_t pid = 0;       ///< kStarted
-  std::int32_t number = 0;    ///< kExited: exit code or signal; kFailed: errno
-  std::int32_t living = 0;    ///< kExited: descendants still running
-  double cpu_seconds = 0.0;   ///< of the program and all its descendants until now
+  LaunchStep step = LaunchStep::kProgram;  ///< kFailed
+  std::int32_t pid = 0;                    ///< kStarted
+  std::int32_t number = 0;                 ///< kExited: exit code or signal; kFailed: errno
+  std::int32_t living = 0;                 ///< kExited: descendants still running
+  double cpu_seconds = 0.0;                ///< of the program and all its descendants until now
 };
 
 /// From cls to a keeper.

@@ -55,6 +55,11 @@ Result<base::UniqueFd> open_log(const CommandPlan& plan) {
                       fmt::format("cannot create {}: {}", plan.log.string(), std::strerror(errno)));
 }
 
+std::string place_of(LaunchStep step, const CommandPlan& plan) {
+  if (step == LaunchStep::kFolder) return plan.folder.string();
+  return step == LaunchStep::kFiles ? "Landlock" : plan.argv.front();
+}
+
 struct Pipe {
   base::UniqueFd read;
   base::UniqueFd write;
@@ -180,8 +185,8 @@ Result<std::shared_ptr<Child>> ProcessHost::start(const CommandPlan& plan, OnLin
   if (!record->first_report) return cannot_start(plan, "no process could be made for it");
   const KeeperReport& report = *record->first_report;
   if (report.kind == KeeperReport::Kind::kStarted) return child;
-  const std::string where = report.in_folder ? complete->folder.string() : complete->argv.front();
-  return cannot_start(plan, fmt::format("{}: {}", where, std::strerror(report.number)));
+  return cannot_start(
+      plan, fmt::format("{}: {}", place_of(report.step, *complete), std::strerror(report.number)));
 }
 
 bool ProcessHost::end_all(milliseconds grace) {

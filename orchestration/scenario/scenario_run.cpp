@@ -28,6 +28,7 @@ match::MatchOptions match_options(const Scenario& scenario, const RunSettings& s
   options.rpc_deadline_ms = scenario.rpc_deadline_ms;
   options.max_missed = scenario.max_missed;
   options.on_late = scenario.on_late;
+  options.sandbox = settings.sandbox;
   // A team starts 11 programs in sequence, possibly on a busy host.
   constexpr double kTimeToJoin = 60.0;
   const bool external = !options.left.has_playmaker() || !options.right.has_playmaker();

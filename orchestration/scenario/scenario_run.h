@@ -18,6 +18,7 @@ struct RunSettings {
   process::ProcessHost* host = nullptr;    ///< for `run:` sides; their logs go to `folder`
   std::filesystem::path folder;
   std::optional<double> start_timeout_s;  ///< none: that of matches
+  bool sandbox = true;                    ///< as of matches
 };
 
 /// Plays the run. A failed run has a record too (see its result's end reason); an error means that

@@ -183,6 +183,7 @@ class SuiteRun {
     RunSettings settings;
     settings.seed = task.seed;
     settings.against = options_.against;
+    settings.sandbox = options_.sandbox;
     settings.host = host_;
     settings.folder = fs::absolute(run_folder(options_.folder, scenario, task.seed));
     if (host_ != nullptr) {

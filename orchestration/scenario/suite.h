@@ -20,6 +20,7 @@ struct SuiteOptions {
   std::optional<std::uint64_t> seed;  ///< overrides the seeds of the scenarios
   std::optional<match::Endpoint> against;
   std::string against_text;  ///< for the command that reruns a seed
+  bool sandbox = true;       ///< of external teams, as in matches
   std::filesystem::path
       folder;  ///< logs and pages of failed runs; created on demand, cleared when they pass
 };

@@ -35,7 +35,9 @@ class ExternalScenario : public testing::Test {
                std::to_string(players) + "); do\n  goalie=; [ $i = 1 ] && goalie='--goalie 1'\n  " +
                player() + " --port $port --name $name $goalie " + flags + " &\n  sleep 0.02\ndone");
   }
-  static std::string player() { return cls::tests::built("cls_fake_player"); }
+  std::string player() const {
+    return cls::tests::copy_built("cls_fake_player", folder_.path() / "guests");
+  }
 
   /// A left striker shoots at the goal behind player 5 of the external team.
   CommandResult play(const std::string& expect, const std::vector<std::string>& more = {},

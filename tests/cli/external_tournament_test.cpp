@@ -46,7 +46,7 @@ class ExternalTournament : public testing::Test {
     script("team/start.sh",
            "while [ $# -gt 0 ]; do case $1 in -p) port=$2;; esac; shift 2; done\n" + more +
                "\nfor i in $(seq 11); do\n  goalie=; [ $i = 1 ] && goalie='--goalie 1'\n" +
-               built("cls_fake_player") +
+               cls::tests::copy_built("cls_fake_player", path() / "team") +
                " --port $port --name Others $goalie $flags &\n  sleep 0.02\ndone");
   }
 

@@ -44,6 +44,11 @@ class NetworkMatch : public testing::Test {
     return script("server", "exec " + built("cls_fake_server") + " " + flags + " \"$@\"");
   }
 
+  /// The program of the team's agents.
+  std::string player() const {
+    return cls::tests::copy_built("cls_fake_player", folder_.path() / "team");
+  }
+
   /// A team folder with a start.sh that starts up to 11 players and returns.
   std::string team(const std::string& flags, int players = 11) {
     script("team/start.sh",
@@ -52,8 +57,7 @@ class NetworkMatch : public testing::Test {
                std::to_string(players) +
                "); do\n"
                "  goalie=; [ $i = 1 ] && goalie='--goalie 1'\n" +
-               built("cls_fake_player") + " --port $port --name $name $goalie " + flags +
-               " &\n  sleep 0.02\ndone");
+               player() + " --port $port --name $name $goalie " + flags + " &\n  sleep 0.02\ndone");
     return "team:" + (folder_.path() / "team").string();
   }
 
@@ -62,7 +66,7 @@ class NetworkMatch : public testing::Test {
     script("team/start",
            "[ $3 = 12 ] && exec sleep 1000\n[ $3 = 1 ] && more='--goalie 1'\n"
            "[ $3 = 7 ] && more='" +
-               flags + "'\nexec " + built("cls_fake_player") + " --name Guests $more");
+               flags + "'\nexec " + player() + " --name Guests $more");
     return "team:" + (folder_.path() / "team").string();
   }
 
@@ -281,7 +285,7 @@ TEST_F(NetworkMatch, DryRunPrintsCommands) {
   const auto printed = cls::tests::run(argv);
   EXPECT_EQ(printed.exit_code, 0) << printed.err;
   for (const char* part : {"# soccer server\ncd ", "RCSS_CONF_DIR=", "server::synch_mode=on",
-                           "# left Playmaker: mock:hold\n", "# right team\ncd ", "/start.sh -h "}) {
+                           "# left Playmaker: mock:hold\n", "# right team", "/start.sh -h "}) {
     EXPECT_NE(printed.out.find(part), std::string::npos) << part << " in\n" << printed.out;
   }
   EXPECT_FALSE(std::filesystem::exists(match_folder()));

@@ -118,7 +118,8 @@ TEST_F(Pin, PinsProcessesOfExternalTeam) {
   std::ofstream(team / "start.sh")
       << "#!/bin/sh\nwhile [ $# -gt 0 ]; do case $1 in -p) port=$2;; -t) name=$2;; esac; shift 2; "
          "done\nexec "
-      << built("cls_fake_player") << " --port $port --name $name --players 11 --print-cpus 1\n";
+      << cls::tests::copy_built("cls_fake_player", team)
+      << " --port $port --name $name --players 11 --print-cpus 1\n";
   ::chmod((team / "start.sh").c_str(), 0755);
   Command command(match("mock:hold", "team:" + team.string()));
   EXPECT_TRUE(wait_for([&] { return !log("right-team.log").empty(); }));

@@ -60,7 +60,8 @@ class MatchSequence : public testing::Test {
     write_script(path() / "team/start.sh",
                  "while [ $# -gt 0 ]; do case $1 in -p) port=$2;; -t) name=$2;; esac; shift 2; "
                  "done\nfor i in $(seq 11); do " +
-                     built("cls_fake_player") + " --port $port --name $name & sleep 0.01; done");
+                     cls::tests::copy_built("cls_fake_player", path() / "team") +
+                     " --port $port --name $name & sleep 0.01; done");
     write_script(path() / "server", "echo \"$*\" >> " + (path() / "words").string() + "\nexec " +
                                         built("cls_fake_server") + " \"$@\"");
     fs::create_directories(path() / "tmp");

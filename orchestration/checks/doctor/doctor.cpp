@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/io/scratch_folder.h"
 #include "orchestration/checks/checked_program.h"
 #include "orchestration/checks/doctor/host_checks.h"
 #include "orchestration/checks/doctor/playmaker_probe.h"
@@ -29,7 +30,7 @@ std::vector<DoctorCheck> ask_all(const DoctorOptions& options, const std::atomic
   starting.name = "processes";
   starting.purpose = "servers, run: and team: sides";
   starting.needed = true;
-  const ScratchFolder scratch;
+  const base::ScratchFolder scratch;
   auto host = process::ProcessHost::create();
   if (!host || scratch.path().empty()) {
     starting.status = DoctorStatus::kWrong;

@@ -7,6 +7,7 @@
 #include <thread>
 #include <utility>
 
+#include "base/io/scratch_folder.h"
 #include "orchestration/checks/checked_program.h"
 #include "orchestration/match/sides/playmaker_process.h"
 #include "proxy/playmaker/grpc_playmaker.h"
@@ -18,7 +19,7 @@ constexpr std::chrono::milliseconds kPollInterval{20};
 
 /// Resources of the subject; outlives it.
 struct Environment {
-  ScratchFolder folder;
+  base::ScratchFolder folder;
   std::unique_ptr<mock_server::Server> mock;
   std::optional<process::ProcessHost> host;
   std::unique_ptr<match::PlaymakerProcess> program;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/io/scratch_folder.h"
 #include "base/result.h"
 #include "orchestration/match/options/server_choice.h"
 #include "orchestration/match/options/server_command.h"
@@ -13,8 +14,6 @@
 #include "orchestration/process/process_host.h"
 
 namespace cls::orchestration::checks {
-
-class ScratchFolder;
 
 /// The destructor terminates the server and removes its folder.
 class StartedServer {
@@ -36,7 +35,7 @@ class StartedServer {
  private:
   StartedServer();
 
-  std::unique_ptr<ScratchFolder> folder_;
+  std::unique_ptr<base::ScratchFolder> folder_;
   std::vector<process::ReservedPort> reserved_;
   std::shared_ptr<match::ServerOutput> output_ = std::make_shared<match::ServerOutput>();
   std::unique_ptr<process::ProcessHost> host_;

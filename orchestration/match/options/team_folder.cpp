@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "base/io/whole_file.h"
+#include "orchestration/match/options/team_sandbox.h"
 #include "soccer/side.h"
 
 namespace cls::orchestration::match {
@@ -16,6 +17,12 @@ using base::Result;
 constexpr int kPlayers = 11;
 constexpr int kCoach = 12;
 
+std::vector<fs::path> hidden_folders(const TeamValues& values) {
+  std::vector<fs::path> hidden = {values.folder};
+  if (!values.opponent.empty()) hidden.push_back(values.opponent);
+  return hidden;
+}
+
 process::CommandPlan plan_of(const fs::path& team, const TeamValues& values,
                              const fs::path& program, const std::string& who,
                              const std::string& log) {
@@ -26,6 +33,7 @@ process::CommandPlan plan_of(const fs::path& team, const TeamValues& values,
   plan.log = values.folder / fmt::format("{}-{}.log", side_name(values.side), log);
   plan.cpus = values.cpus;
   plan.limits = values.limits;
+  if (values.sandbox) plan.files = team_files(team, hidden_folders(values));
   return plan;
 }
 

@@ -23,6 +23,8 @@ struct TeamValues {
   std::filesystem::path folder;  ///< match folder, for the logs
   std::vector<int> cpus;
   process::ResourceLimits limits;
+  bool sandbox = false;            ///< its own files only, see team_files()
+  std::filesystem::path opponent;  ///< folder of the other external team; empty: none
 };
 
 /// One process of a team.

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <string_view>
 #include <thread>
 
 #include "orchestration/match/result/limit_hint.h"
@@ -33,9 +35,21 @@ milliseconds time_until(Clock::time_point end) {
 
 }  // namespace
 
+// A team in a sandbox cannot use the folder for temporary files of all programs.
+Result<std::shared_ptr<process::Child>> ExternalSide::start(process::CommandPlan plan) {
+  if (!plan.files) return host_.start(plan);
+  if (!temporary_) temporary_.emplace();
+  if (temporary_->path().empty()) {
+    return Error{"cannot create a folder for temporary files; set TMPDIR to a folder for them"};
+  }
+  plan.files->writable.push_back(temporary_->path());
+  plan.environment.push_back({"TMPDIR", temporary_->path().string()});
+  return host_.start(plan);
+}
+
 Result<void> ExternalSide::start_next() {
   const AgentPlan& next = plan_.agents[agents_.size()];
-  auto child = host_.start(next.command);
+  auto child = start(next.command);
   if (!child) return child.error();
   agents_.push_back({next.unum, std::move(*child)});
   return {};
@@ -130,6 +144,7 @@ MatchEnd ExternalSide::exit_failure(const process::Child& child, const MatchMome
       fmt::format("{}: the process of {} ended {}: {}{}{}", who(), child.plan().name,
                   moment.playing ? fmt::format("at cycle {}", moment.cycle) : "before the match",
                   end.failure->exit, limit_hint(child), shared_name_hint_);
+  if (!moment.playing) end.message += sandbox_hint(child);
   return end;
 }
 
@@ -139,6 +154,23 @@ std::string ExternalSide::limit_hints() const {
     return agent.child->status().at_cpu_limit;
   });
   return limited == agents_.end() ? std::string() : limit_hint(*limited->child);
+}
+
+// What programs print when the sandbox withholds a file that they need.
+std::string ExternalSide::sandbox_hint(const process::Child& child) const {
+  constexpr std::array<std::string_view, 4> kMissing = {
+      "ermission denied", "cannot open shared object", "not found", "No module named"};
+  const std::vector<std::string> lines = child.last_lines();
+  const bool missing = std::any_of(lines.begin(), lines.end(), [&](const std::string& line) {
+    return std::any_of(kMissing.begin(), kMissing.end(), [&](std::string_view words) {
+      return line.find(words) != std::string::npos;
+    });
+  });
+  if (!missing || !child.plan().files) return {};
+  return fmt::format(
+      "; it runs in a sandbox: if it needs files outside of {}, copy them there or use "
+      "--no-sandbox",
+      child.plan().folder.string());
 }
 
 // A server may continue without the players that a limit has ended.
@@ -187,7 +219,7 @@ std::optional<MatchEnd> ExternalSide::final_failure(const MatchMoment& moment) {
 // The kill script may end agents of other teams, looking for its own by name.
 void ExternalSide::leave() {
   if (!plan_.kill || agents_.empty()) return;
-  auto script = host_.start(*plan_.kill);
+  auto script = start(*plan_.kill);
   if (!script) return;
   kill_script_ = std::move(*script);
   kill_script_deadline_ = Clock::now() + kKillScriptTimeout;

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "base/io/scratch_folder.h"
 #include "base/result.h"
 #include "orchestration/match/options/team_folder.h"
 #include "orchestration/match/server/server.h"
@@ -63,6 +64,7 @@ class ExternalSide : public MatchSide {
   base::Result<void> continue_joining(const ServerStatus& server,
                                       const std::vector<std::string>& others);
   base::Result<void> start_next();
+  base::Result<std::shared_ptr<process::Child>> start(process::CommandPlan plan);
   bool find_name(const ServerStatus& server, const std::vector<std::string>& others);
   base::Result<void> check_name();
   const Agent* exited_agent() const;
@@ -71,11 +73,13 @@ class ExternalSide : public MatchSide {
   MatchEnd exit_failure(const process::Child& child, const MatchMoment& moment) const;
   bool exited_before_the_end(int cycle) const;
   std::string limit_hints() const;
+  std::string sandbox_hint(const process::Child& child) const;
 
   TeamPlan plan_;
   OnOtherName on_other_name_;
   Server& server_;
   process::ProcessHost& host_;
+  std::optional<base::ScratchFolder> temporary_;  ///< of a team in a sandbox
   std::string name_;              ///< that the team plays under; empty before its first player
   std::string shared_name_hint_;  ///< while the team has not been seen, but another one has
   std::vector<Agent> agents_;

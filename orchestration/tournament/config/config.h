@@ -112,6 +112,7 @@ struct TournamentConfig {
   std::optional<double> start_timeout_s;
   std::optional<double> stall_after_s;
   std::optional<double> time_limit_s;
+  bool sandbox = true;                      ///< `team:` teams use their own files only
   std::optional<std::uint64_t> max_memory;  ///< bytes of each process of a side
   std::optional<int> max_cpu_s;             ///< CPU time of each process of a side
   std::string on_match_finish;              ///< shell command that gets the match as JSON on stdin

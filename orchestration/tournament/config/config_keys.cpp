@@ -327,6 +327,8 @@ std::vector<Row> execution_rows() {
               "seconds without a new cycle after which a match ends"),
       seconds("time_limit", kGroup, &Config::time_limit_s, "600",
               "time limit of a match in seconds"),
+      flag("sandbox", kGroup, &Config::sandbox, "true",
+           "let team: teams read the system and change their own folder only"),
       Row{"max_memory", kGroup, "memory of each process of a side, as --max-memory of cls match",
           "\"2G\"", parse_max_memory,
           [](const Config& config) {

@@ -137,6 +137,7 @@ process::CommandPlan match_plan(const TournamentConfig& config, const Fixture& f
   add_option(plan.argv, "--start-timeout", config.start_timeout_s);
   add_option(plan.argv, "--stall-after", config.stall_after_s);
   add_option(plan.argv, "--time-limit", config.time_limit_s);
+  if (!config.sandbox) plan.argv.emplace_back("--no-sandbox");
   if (config.max_memory) {
     add_option(plan.argv, "--max-memory", base::byte_size_text(*config.max_memory));
   }

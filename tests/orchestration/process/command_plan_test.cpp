@@ -51,9 +51,12 @@ TEST(CommandPlan, DecodesWhatWasEncoded) {
   plan.environment = {{"A", "1=2"}, {"B", ""}, {"C", std::nullopt}};
   plan.cpus = {3, 5};
   plan.limits = {5ULL << 30, 7};
+  plan.files = {{"/usr", "/bin"}, {"/tmp/a b"}};
   const auto decoded = decode_plan(encode(plan));
   ASSERT_TRUE(decoded);
   EXPECT_EQ(*decoded, plan);
+  plan.files.reset();
+  EXPECT_EQ(decode_plan(encode(plan)), plan);
   EXPECT_FALSE(decode_plan("rubbish"));
   EXPECT_FALSE(decode_plan(encode(CommandPlan{})));
 }

@@ -1,0 +1,122 @@
+// Lists of folders; warnings.
+#include "orchestration/match/options/team_sandbox.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <string_view>
+#include <system_error>
+
+#include "orchestration/process/landlock.h"
+
+namespace cls::orchestration::match {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::array kSystemFolders = {
+    "/usr", "/bin", "/sbin", "/lib", "/lib32", "/lib64", "/libx32",
+    "/etc", "/opt", "/proc", "/sys", "/nix",   "/gnu",   "/run/current-system"};
+// Semaphores and shared memory of the C library, and of Python's multiprocessing, are in /dev/shm.
+constexpr std::array kDevices = {"/dev/null",   "/dev/zero",    "/dev/full", "/dev/tty",
+                                 "/dev/random", "/dev/urandom", "/dev/shm"};
+constexpr std::array kFolderLists = {"PATH", "LD_LIBRARY_PATH"};
+
+fs::path real(const fs::path& path) {
+  std::error_code code;
+  const fs::path found = fs::weakly_canonical(fs::absolute(path, code), code);
+  return found.has_filename() ? found : found.parent_path();
+}
+
+bool encloses(const fs::path& folder, const fs::path& path) {
+  return std::mismatch(folder.begin(), folder.end(), path.begin(), path.end()).first ==
+         folder.end();
+}
+
+// Adds the folder or, if it contains a hidden one, what is beside that. The kernel knows no
+// exceptions from what it allows.
+void add_folder(const fs::path& folder, const std::vector<fs::path>& hidden,
+                std::vector<fs::path>& folders) {
+  const auto is_hidden = [&](const fs::path& one) { return encloses(one, folder); };
+  const auto has_hidden = [&](const fs::path& one) { return encloses(folder, one); };
+  if (std::any_of(hidden.begin(), hidden.end(), is_hidden)) return;
+  if (std::none_of(hidden.begin(), hidden.end(), has_hidden)) {
+    folders.push_back(folder);
+    return;
+  }
+  std::error_code code;
+  for (const auto& entry : fs::directory_iterator(folder, code)) {
+    // Where a link leads is allowed or hidden by itself.
+    if (!entry.is_symlink(code)) add_folder(entry.path(), hidden, folders);
+  }
+}
+
+// The absolute folders of a variable like PATH, without those above the home folder: they are no
+// folders of programs.
+std::vector<fs::path> listed_folders(const char* variable) {
+  const char* value = std::getenv(variable);
+  std::string_view rest = value == nullptr ? "" : value;
+  const char* home_variable = std::getenv("HOME");
+  const fs::path home = home_variable == nullptr ? fs::path("/") : real(home_variable);
+  std::vector<fs::path> folders;
+  while (!rest.empty()) {
+    const std::size_t end = std::min(rest.find(':'), rest.size());
+    const fs::path folder(rest.substr(0, end));
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+    if (folder.is_absolute() && !encloses(real(folder), home)) folders.push_back(real(folder));
+  }
+  return folders;
+}
+
+}  // namespace
+
+process::FileAccess team_files(const fs::path& folder, const std::vector<fs::path>& hidden) {
+  std::vector<fs::path> closed;
+  for (const fs::path& one : hidden) closed.push_back(real(one));
+  process::FileAccess files;
+  for (const char* one : kSystemFolders) add_folder(real(one), closed, files.readable);
+  for (const char* variable : kFolderLists) {
+    for (const fs::path& one : listed_folders(variable)) add_folder(one, closed, files.readable);
+  }
+  for (const char* one : kDevices) add_folder(real(one), closed, files.writable);
+  files.writable.push_back(real(folder));
+  return files;
+}
+
+std::string missing_sandbox() {
+  if (process::landlock_version() > 0) return {};
+  return "this kernel has no Landlock: the programs of team:DIR can use all your files; run them "
+         "as "
+         "another user or in a container, or accept that with --no-sandbox";
+}
+
+std::vector<std::string> sandbox_warnings(const MatchOptions& options,
+                                          const fs::path& match_folder) {
+  std::vector<std::string> lines;
+  const std::array<const Endpoint*, 2> sides = {&options.left, &options.right};
+  const bool external = !options.left.has_playmaker() || !options.right.has_playmaker();
+  if (!options.sandbox || !external) return lines;
+  if (std::string missing = missing_sandbox(); !missing.empty()) return {std::move(missing)};
+  for (std::size_t i = 0; i < sides.size(); ++i) {
+    if (sides[i]->has_playmaker()) continue;
+    const fs::path team = real(sides[i]->path);
+    if (!match_folder.empty() && encloses(team, real(match_folder))) {
+      lines.push_back(fmt::format(
+          "the folder of {} contains the match folder: the team can change the results; "
+          "choose another --dir",
+          sides[i]->text));
+    }
+    const Endpoint& other = *sides[1 - i];
+    if (other.has_playmaker() || real(other.path) == team) continue;
+    if (encloses(team, real(other.path))) {
+      lines.push_back(fmt::format(
+          "the folder of {} contains that of {}: it can change the other team; move one of them",
+          sides[i]->text, other.text));
+    }
+  }
+  return lines;
+}
+
+}  // namespace cls::orchestration::match

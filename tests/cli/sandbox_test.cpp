@@ -1,0 +1,135 @@
+// External teams in their sandbox: what they can use, and what happens where there is none.
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "orchestration/process/landlock.h"
+#include "tests/support/built.h"
+#include "tests/support/command.h"
+#include "tests/support/files.h"
+#include "tests/support/temporary_folder.h"
+
+namespace cls::tests {
+namespace {
+
+namespace fs = std::filesystem;
+using Words = std::vector<std::string>;
+
+bool has_landlock() { return orchestration::process::landlock_version() > 0; }
+
+/// Two external teams. The left one has a secret; the right one runs `probes` before it plays, with
+/// output in its folder.
+class Sandbox : public testing::Test {
+ protected:
+  Sandbox() {
+    add_team("rivals", "");
+    std::ofstream(path("rivals/secret")) << "our tactics\n";
+  }
+
+  void add_team(const std::string& name, const std::string& probes) const {
+    fs::create_directories(path(name));
+    const std::string player = copy_built("cls_fake_player", path(name));
+    std::ofstream(path(name + "/start.sh"))
+        << "#!/bin/sh\nwhile [ $# -gt 0 ]; do case $1 in -p) port=$2;; esac; shift 2; done\n"
+        << "exec 2>&1\n"
+        << probes << "\nexec " << player << " --port $port --name " << name << " --players 11\n";
+    ::chmod(path(name + "/start.sh").c_str(), 0755);
+  }
+
+  CommandResult play(const Words& more = {}, const Words& launcher = {},
+                     const Words& environment = {}) const {
+    Words argv = launcher;
+    for (const std::string& word :
+         {cls_binary().string(), std::string("match"), "team:" + path("rivals").string(),
+          "team:" + path("guests").string(), std::string("--cycles"), std::string("10"),
+          std::string("--force")}) {
+      argv.push_back(word);
+    }
+    argv.insert(argv.end(), more.begin(), more.end());
+    if (std::find(more.begin(), more.end(), "--dir") == more.end()) {
+      argv.insert(argv.end(), {"--dir", path("match")});
+    }
+    return run(argv, environment);
+  }
+
+  std::string probe(const std::string& name) const { return read_file(path("guests/" + name)); }
+  fs::path path(const std::string& name) const { return folder_.path() / name; }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(Sandbox, ClosesResultsAndTheOtherTeam) {
+  if (!has_landlock()) GTEST_SKIP() << "this kernel has no Landlock";
+  add_team("guests",
+           "(cat ../rivals/secret || echo closed) > rivals\n"
+           "(echo worse > ../rivals/secret || echo closed) > change\n"
+           "(ls ../match || echo closed) > results\n"
+           "(echo '{}' > ../match/manifest.json || echo closed) > manifest\n"
+           "(echo new > ../file || echo closed) > beside\n"
+           "(echo 'a file' > $TMPDIR/file && cat $TMPDIR/file) > temporary\n"
+           "echo $TMPDIR > folder");
+  const CommandResult played = play();
+  EXPECT_EQ(played.exit_code, 0) << played.err;
+  EXPECT_EQ(played.err, "");
+  for (const char* name : {"rivals", "change", "results", "manifest", "beside"}) {
+    EXPECT_NE(probe(name).find("closed\n"), std::string::npos) << name << ": " << probe(name);
+  }
+  EXPECT_EQ(read_file(path("rivals/secret")), "our tactics\n");
+  EXPECT_FALSE(nlohmann::json::parse(read_file(path("match/manifest.json"))).empty());
+  EXPECT_EQ(probe("temporary"), "a file\n");
+  std::string folder = probe("folder");
+  folder.pop_back();
+  EXPECT_TRUE(fs::path(folder).is_absolute());
+  EXPECT_FALSE(fs::exists(folder)) << "of the match only";
+}
+
+TEST_F(Sandbox, CanBeTurnedOff) {
+  add_team("guests", "cat ../rivals/secret > rivals");
+  const CommandResult played = play({"--no-sandbox"});
+  EXPECT_EQ(played.exit_code, 0) << played.err;
+  EXPECT_EQ(probe("rivals"), "our tactics\n");
+}
+
+TEST_F(Sandbox, WarnsOnAKernelWithoutLandlock) {
+  const Words launcher = {built("cls_without_landlock")};
+  add_team("guests", "cat ../rivals/secret > rivals");
+  const CommandResult played = play({}, launcher);
+  if (played.exit_code == 97) GTEST_SKIP() << played.err;
+  EXPECT_EQ(played.exit_code, 0) << played.err;
+  EXPECT_EQ(played.err,
+            "cls: warning: this kernel has no Landlock: the programs of team:DIR can use all your "
+            "files; run them as another user or in a container, or accept that with "
+            "--no-sandbox\n");
+  EXPECT_EQ(probe("rivals"), "our tactics\n");
+  EXPECT_EQ(play({"--no-sandbox"}, launcher).err, "");
+}
+
+TEST_F(Sandbox, WarnsOfResultsInTheFolderOfATeam) {
+  if (!has_landlock()) GTEST_SKIP() << "this kernel has no Landlock";
+  add_team("guests", "");
+  const CommandResult played = play({"--dir", path("guests/match")});
+  EXPECT_EQ(played.exit_code, 0) << played.err;
+  EXPECT_EQ(played.err, "cls: warning: the folder of team:" + path("guests").string() +
+                            " contains the match folder: the team can change the results; choose "
+                            "another --dir\n");
+}
+
+TEST_F(Sandbox, IsNamedWhenATeamMissesAFile) {
+  if (!has_landlock()) GTEST_SKIP() << "this kernel has no Landlock";
+  add_team("guests", "cat ../rivals/secret || exit 3");
+  const CommandResult played = play();
+  EXPECT_EQ(played.exit_code, 69);
+  EXPECT_NE(played.err.find("exit code 3; it runs in a sandbox: if it needs files outside of " +
+                            fs::canonical(path("guests")).string() +
+                            ", copy them there or use --no-sandbox"),
+            std::string::npos)
+      << played.err;
+}
+
+}  // namespace
+}  // namespace cls::tests
