@@ -54,8 +54,8 @@ std::string to_shell(const CommandPlan& plan) {
   if (plan.limits.memory != 0) line += fmt::format("ulimit -d {}; ", plan.limits.memory / 1024);
   if (plan.limits.cpu_seconds != 0) line += fmt::format("ulimit -t {}; ", plan.limits.cpu_seconds);
   if (!plan.folder.empty()) line += fmt::format("cd {} && ", shell_quoted(plan.folder.string()));
-  if (!plan.environment.empty()) {
-    line += "env ";
+  if (plan.empty_environment || !plan.environment.empty()) {
+    line += plan.empty_environment ? "env -i " : "env ";
     for (const EnvironmentChange& change : plan.environment) {
       if (!change.value) line += fmt::format("-u {} ", shell_quoted(change.name));
     }

@@ -39,9 +39,10 @@ struct FileAccess {
 
 /// One process to start.
 struct CommandPlan {
-  std::string name;               ///< in messages: "right coach", "rcssserver"
-  std::vector<std::string> argv;  ///< the program, then its arguments
-  std::filesystem::path folder;   ///< working directory; empty: that of cls
+  std::string name;                ///< in messages: "right coach", "rcssserver"
+  std::vector<std::string> argv;   ///< the program, then its arguments
+  std::filesystem::path folder;    ///< working directory; empty: that of cls
+  bool empty_environment = false;  ///< inherit no variables: `environment` has all
   std::vector<EnvironmentChange> environment;
   std::filesystem::path log;  ///< for stdout and stderr; empty: none
   std::vector<int> cpus;      ///< processor cores it may run on; empty: all

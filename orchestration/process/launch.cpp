@@ -81,7 +81,8 @@ std::optional<LaunchStep> prepare(const CommandPlan& plan, int ruleset, pid_t pa
 }
 
 bp::environment environment_of(const CommandPlan& plan) {
-  bp::environment variables = boost::this_process::environment();
+  bp::environment variables;
+  if (!plan.empty_environment) variables = bp::environment(boost::this_process::environment());
   for (const EnvironmentChange& change : plan.environment) {
     if (change.value) {
       variables[change.name] = *change.value;

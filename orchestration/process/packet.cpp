@@ -152,6 +152,7 @@ std::string encode(const CommandPlan& plan) {
   for (const int cpu : plan.cpus) add(bytes, std::to_string(cpu));
   add(bytes, std::to_string(plan.limits.memory));
   add(bytes, std::to_string(plan.limits.cpu_seconds));
+  add(bytes, plan.empty_environment ? "1" : "0");
   add(bytes, plan.files ? "1" : "0");
   if (!plan.files) return bytes;
   add_paths(bytes, plan.files->readable);
@@ -178,6 +179,7 @@ std::optional<CommandPlan> decode_plan(std::string_view bytes) {
   }
   plan.limits.memory = std::strtoull(fields.text().c_str(), nullptr, 10);
   plan.limits.cpu_seconds = fields.number();
+  plan.empty_environment = fields.number() != 0;
   if (fields.number() != 0) {
     FileAccess& files = plan.files.emplace();
     files.readable = fields.paths();

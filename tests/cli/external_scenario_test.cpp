@@ -23,7 +23,7 @@ class ExternalScenario : public testing::Test {
   void script(const std::string& name, const std::string& text) {
     const fs::path file = folder_.path() / name;
     fs::create_directories(file.parent_path());
-    std::ofstream(file) << "#!/bin/sh\n" << text << "\n";
+    std::ofstream(file) << "#!/bin/sh\n" << cls::tests::export_mark(mark_) << text << "\n";
     ::chmod(file.c_str(), 0755);
   }
 

@@ -37,7 +37,7 @@ class ExternalTournament : public testing::Test {
   void script(const std::string& name, const std::string& text) const {
     const fs::path file = path() / name;
     fs::create_directories(file.parent_path());
-    std::ofstream(file) << "#!/bin/sh\n" << text << "\n";
+    std::ofstream(file) << "#!/bin/sh\n" << cls::tests::export_mark(mark_) << text << "\n";
     ::chmod(file.c_str(), 0755);
   }
 

@@ -34,7 +34,7 @@ class NetworkMatch : public testing::Test {
   std::string script(const std::string& name, const std::string& text) {
     const std::filesystem::path file = folder_.path() / name;
     std::filesystem::create_directories(file.parent_path());
-    std::ofstream(file) << "#!/bin/sh\n" << text << "\n";
+    std::ofstream(file) << "#!/bin/sh\n" << cls::tests::export_mark(mark_) << text << "\n";
     ::chmod(file.c_str(), 0755);
     return file;
   }
@@ -284,8 +284,9 @@ TEST_F(NetworkMatch, DryRunPrintsCommands) {
   Arguments argv = arguments(team(""), server(""), {"--dry-run"});
   const auto printed = cls::tests::run(argv);
   EXPECT_EQ(printed.exit_code, 0) << printed.err;
-  for (const char* part : {"# soccer server\ncd ", "RCSS_CONF_DIR=", "server::synch_mode=on",
-                           "# left Playmaker: mock:hold\n", "# right team", "/start.sh -h "}) {
+  for (const char* part :
+       {"# soccer server\ncd ", "RCSS_CONF_DIR=", "server::synch_mode=on",
+        "# left Playmaker: mock:hold\n", "# right team", " && env -i ", "/start.sh -h "}) {
     EXPECT_NE(printed.out.find(part), std::string::npos) << part << " in\n" << printed.out;
   }
   EXPECT_FALSE(std::filesystem::exists(match_folder()));

@@ -88,10 +88,25 @@ TEST_F(Sandbox, ClosesResultsAndTheOtherTeam) {
   EXPECT_FALSE(fs::exists(folder)) << "of the match only";
 }
 
-TEST_F(Sandbox, CanBeTurnedOff) {
-  add_team("guests", "cat ../rivals/secret > rivals");
-  const CommandResult played = play({"--no-sandbox"});
+// On every kernel.
+TEST_F(Sandbox, PassesNoSecretsOfTheEnvironment) {
+  add_team("guests", "env > variables");
+  const Words environment = {"API_TOKEN=hunter2", "LC_ALL=C", "CLS_TLS_KEY=key.pem"};
+  const CommandResult played = play({}, {}, environment);
   EXPECT_EQ(played.exit_code, 0) << played.err;
+  const std::string variables = probe("variables");
+  EXPECT_EQ(variables.find("hunter2"), std::string::npos) << variables;
+  EXPECT_EQ(variables.find("CLS_"), std::string::npos) << variables;
+  for (const char* name : {"PATH=", "TMPDIR=", "LC_ALL=C\n"}) {
+    EXPECT_NE(variables.find(name), std::string::npos) << name << " in " << variables;
+  }
+}
+
+TEST_F(Sandbox, CanBeTurnedOff) {
+  add_team("guests", "cat ../rivals/secret > rivals; env > variables");
+  const CommandResult played = play({"--no-sandbox"}, {}, {"API_TOKEN=hunter2"});
+  EXPECT_EQ(played.exit_code, 0) << played.err;
+  EXPECT_NE(probe("variables").find("API_TOKEN=hunter2\n"), std::string::npos);
   EXPECT_EQ(probe("rivals"), "our tactics\n");
 }
 
@@ -126,7 +141,8 @@ TEST_F(Sandbox, IsNamedWhenATeamMissesAFile) {
   EXPECT_EQ(played.exit_code, 69);
   EXPECT_NE(played.err.find("exit code 3; it runs in a sandbox: if it needs files outside of " +
                             fs::canonical(path("guests")).string() +
-                            ", copy them there or use --no-sandbox"),
+                            " or variables of your environment, copy them there or use "
+                            "--no-sandbox"),
             std::string::npos)
       << played.err;
 }

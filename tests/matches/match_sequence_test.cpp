@@ -58,8 +58,9 @@ class MatchSequence : public testing::Test {
   // A team of 11 that never exits, and a server that records its ports.
   void SetUp() override {
     write_script(path() / "team/start.sh",
-                 "while [ $# -gt 0 ]; do case $1 in -p) port=$2;; -t) name=$2;; esac; shift 2; "
-                 "done\nfor i in $(seq 11); do " +
+                 cls::tests::export_mark(mark_) +
+                     "while [ $# -gt 0 ]; do case $1 in -p) port=$2;; -t) name=$2;; esac; shift 2; "
+                     "done\nfor i in $(seq 11); do " +
                      cls::tests::copy_built("cls_fake_player", path() / "team") +
                      " --port $port --name $name & sleep 0.01; done");
     write_script(path() / "server", "echo \"$*\" >> " + (path() / "words").string() + "\nexec " +

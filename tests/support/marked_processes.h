@@ -10,6 +10,11 @@ namespace cls::tests {
 /// The variable with the mark; descendants of a marked process inherit it.
 inline constexpr const char* kMarkVariable = "CLS_TEST_MARK";
 
+/// The line of a shell script that passes the mark on: external teams inherit no variables.
+inline std::string export_mark(const std::string& mark) {
+  return std::string("export ") + kMarkVariable + "=" + mark + "\n";
+}
+
 /// A unique mark.
 std::string new_mark();
 

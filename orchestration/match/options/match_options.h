@@ -51,7 +51,7 @@ struct MatchOptions {
   std::optional<Endpoint> trainer;  ///< whose Playmaker handles GetTrainerActions
   std::vector<int> left_cpus;   ///< processor cores of that side's programs and agents; empty: all
   std::vector<int> right_cpus;  ///< see pin_sides()
-  bool sandbox = true;          ///< `team:` sides use their own files only, see team_files()
+  bool sandbox = true;          ///< `team:` sides use their own files only, see TeamValues
   process::ResourceLimits limits;  ///< of each process that a `run:` or `team:` side starts
 
   // Home positions of cls agents; null: the built-in formations.

@@ -33,7 +33,10 @@ process::CommandPlan plan_of(const fs::path& team, const TeamValues& values,
   plan.log = values.folder / fmt::format("{}-{}.log", side_name(values.side), log);
   plan.cpus = values.cpus;
   plan.limits = values.limits;
-  if (values.sandbox) plan.files = team_files(team, hidden_folders(values));
+  if (!values.sandbox) return plan;
+  plan.empty_environment = true;
+  plan.environment = team_environment();
+  if (missing_sandbox().empty()) plan.files = team_files(team, hidden_folders(values));
   return plan;
 }
 

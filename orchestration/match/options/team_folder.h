@@ -23,7 +23,7 @@ struct TeamValues {
   std::filesystem::path folder;  ///< match folder, for the logs
   std::vector<int> cpus;
   process::ResourceLimits limits;
-  bool sandbox = false;            ///< its own files only, see team_files()
+  bool sandbox = false;            ///< see team_files() and team_environment()
   std::filesystem::path opponent;  ///< folder of the other external team; empty: none
 };
 

@@ -2,6 +2,7 @@
 #include "orchestration/match/options/team_sandbox.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -23,6 +24,17 @@ constexpr std::array kSystemFolders = {
 constexpr std::array kDevices = {"/dev/null",   "/dev/zero",    "/dev/full", "/dev/tty",
                                  "/dev/random", "/dev/urandom", "/dev/shm"};
 constexpr std::array kFolderLists = {"PATH", "LD_LIBRARY_PATH"};
+
+// None of them holds a secret. Names that end with '_' stand for all that begin so.
+constexpr std::array<std::string_view, 11> kVariables = {
+    "PATH", "LD_LIBRARY_PATH", "HOME", "USER", "LOGNAME", "SHELL",
+    "LANG", "LANGUAGE",        "LC_",  "TZ",   "TERM"};
+
+bool is_passed(std::string_view name) {
+  return std::any_of(kVariables.begin(), kVariables.end(), [&](std::string_view one) {
+    return one.ends_with('_') ? name.starts_with(one) : name == one;
+  });
+}
 
 fs::path real(const fs::path& path) {
   std::error_code code;
@@ -85,11 +97,24 @@ process::FileAccess team_files(const fs::path& folder, const std::vector<fs::pat
   return files;
 }
 
+std::vector<process::EnvironmentChange> team_environment() {
+  std::vector<process::EnvironmentChange> variables;
+  for (char** line = environ; *line != nullptr; ++line) {
+    const std::string_view text(*line);
+    const std::size_t equals = text.find('=');
+    if (equals == std::string_view::npos || !is_passed(text.substr(0, equals))) continue;
+    variables.push_back(
+        {std::string(text.substr(0, equals)), std::string(text.substr(equals + 1))});
+  }
+  std::sort(variables.begin(), variables.end(),
+            [](const auto& one, const auto& other) { return one.name < other.name; });
+  return variables;
+}
+
 std::string missing_sandbox() {
   if (process::landlock_version() > 0) return {};
   return "this kernel has no Landlock: the programs of team:DIR can use all your files; run them "
-         "as "
-         "another user or in a container, or accept that with --no-sandbox";
+         "as another user or in a container, or accept that with --no-sandbox";
 }
 
 std::vector<std::string> sandbox_warnings(const MatchOptions& options,

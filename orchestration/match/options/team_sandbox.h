@@ -16,6 +16,10 @@ namespace cls::orchestration::match {
 process::FileAccess team_files(const std::filesystem::path& folder,
                                const std::vector<std::filesystem::path>& hidden);
 
+/// The environment of a team: from the environment of cls the search paths of programs and
+/// libraries, the user's name, home and shell, the language and the time zone.
+std::vector<process::EnvironmentChange> team_environment();
+
 /// That external teams run without a sandbox on this kernel; empty: they run in one.
 std::string missing_sandbox();
 

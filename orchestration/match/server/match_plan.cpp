@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include "orchestration/process/landlock.h"
-
 namespace cls::orchestration::match {
 namespace {
 
@@ -101,7 +99,7 @@ TeamValues team_values(const MatchOptions& options, const TeamNames& names, Side
   values.folder = folder;
   values.cpus = left ? options.left_cpus : options.right_cpus;
   values.limits = options.limits;
-  values.sandbox = options.sandbox && process::landlock_version() > 0;
+  values.sandbox = options.sandbox;
   const Endpoint& other = left ? options.right : options.left;
   if (other.kind == Endpoint::Kind::kTeam) values.opponent = other.path;
   return values;

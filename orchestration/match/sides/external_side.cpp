@@ -37,12 +37,12 @@ milliseconds time_until(Clock::time_point end) {
 
 // A team in a sandbox cannot use the folder for temporary files of all programs.
 Result<std::shared_ptr<process::Child>> ExternalSide::start(process::CommandPlan plan) {
-  if (!plan.files) return host_.start(plan);
+  if (!plan.empty_environment) return host_.start(plan);
   if (!temporary_) temporary_.emplace();
   if (temporary_->path().empty()) {
     return Error{"cannot create a folder for temporary files; set TMPDIR to a folder for them"};
   }
-  plan.files->writable.push_back(temporary_->path());
+  if (plan.files) plan.files->writable.push_back(temporary_->path());
   plan.environment.push_back({"TMPDIR", temporary_->path().string()});
   return host_.start(plan);
 }
@@ -166,10 +166,10 @@ std::string ExternalSide::sandbox_hint(const process::Child& child) const {
       return line.find(words) != std::string::npos;
     });
   });
-  if (!missing || !child.plan().files) return {};
+  if (!missing || !child.plan().empty_environment) return {};
   return fmt::format(
-      "; it runs in a sandbox: if it needs files outside of {}, copy them there or use "
-      "--no-sandbox",
+      "; it runs in a sandbox: if it needs files outside of {} or variables of your environment, "
+      "copy them there or use --no-sandbox",
       child.plan().folder.string());
 }
 

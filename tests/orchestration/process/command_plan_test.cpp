@@ -39,6 +39,9 @@ TEST(CommandPlan, FormatsEquivalentShellCommand) {
   EXPECT_EQ(to_shell(shell_command("x", "sleep 1; echo done")), "/bin/sh -c 'sleep 1; echo done'");
   plan = shell_command("x", "true");
   plan.folder = "/opt";
+  plan.empty_environment = true;
+  EXPECT_EQ(to_shell(plan), "cd /opt && env -i /bin/sh -c true");
+  plan.empty_environment = false;
   plan.limits = {64 << 20, 9};
   EXPECT_EQ(to_shell(plan), "(ulimit -d 65536; ulimit -t 9; cd /opt && /bin/sh -c true)");
 }
@@ -51,6 +54,7 @@ TEST(CommandPlan, DecodesWhatWasEncoded) {
   plan.environment = {{"A", "1=2"}, {"B", ""}, {"C", std::nullopt}};
   plan.cpus = {3, 5};
   plan.limits = {5ULL << 30, 7};
+  plan.empty_environment = true;
   plan.files = {{"/usr", "/bin"}, {"/tmp/a b"}};
   const auto decoded = decode_plan(encode(plan));
   ASSERT_TRUE(decoded);

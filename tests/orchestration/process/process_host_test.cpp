@@ -197,6 +197,18 @@ TEST(ProcessHost, DistinguishesScriptThatLeavesWorkersFromExit) {
   EXPECT_TRUE(processes.nothing_left());
 }
 
+TEST(ProcessHost, PassesOnlyNamedVariablesIfThePlanSaysSo) {
+  MarkedHost processes;
+  ::setenv("CLS_TEST_SECRET", "hunter2", 1);
+  CommandPlan plan = fake(
+      {"print-variable", "PATH", "print-variable", "CLS_TEST_SECRET", "print-variable", "GIVEN"});
+  plan.empty_environment = true;
+  plan.environment = {{"GIVEN", "value"}};
+  const auto child = processes.start(plan);
+  ASSERT_TRUE(child->wait_gone(10s));
+  EXPECT_EQ(child->last_lines(), (Lines{"unset", "unset", "value: value"}));
+}
+
 TEST(ProcessHost, TreatsFailedScriptAsEndedDespiteWorkers) {
   MarkedHost processes;
   const auto child = processes.start_fake({"grandchild", "exit", "2"});
