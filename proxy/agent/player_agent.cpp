@@ -69,6 +69,7 @@ std::optional<OnLate> parse_on_late(std::string_view name) {
 PlayerAgent::PlayerAgent(std::unique_ptr<soccer::Channel> channel, AgentOptions options)
     : server_(std::move(channel)), options_(std::move(options)) {
   if (options_.formations != nullptr) world_.formations = options_.formations;
+  if (options_.planner != nullptr) world_.planner = options_.planner;
 }
 
 bool PlayerAgent::connect() {

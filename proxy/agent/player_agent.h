@@ -45,8 +45,9 @@ struct AgentOptions {
   bool goalie = false;
   int protocol = soccer::kDefaultProtocolVersion;  ///< version of the text protocol, 14 to 19
   OnLate on_late = OnLate::kHold;
-  int reconnect_unum = 0;                          ///< not 0: take over this disconnected player
-  std::shared_ptr<const FormationSet> formations;  ///< null: built-in
+  int reconnect_unum = 0;                            ///< not 0: take over this disconnected player
+  std::shared_ptr<const FormationSet> formations;    ///< null: built-in
+  std::shared_ptr<const PlannerParameters> planner;  ///< null: the defaults
   std::string debug_log;  ///< folder for debug logs of the Playmaker; empty: none
 };
 

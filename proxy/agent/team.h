@@ -33,7 +33,8 @@ struct TeamOptions {
   int first_unum = 1;                   ///< first player to take over with `reconnect`
   bool reconnect = false;               ///< take over disconnected players
   bool goalie = true;                   ///< the first player is the goalie
-  std::shared_ptr<const FormationSet> formations;  ///< null: the built-in ones
+  std::shared_ptr<const FormationSet> formations;    ///< null: the built-in ones
+  std::shared_ptr<const PlannerParameters> planner;  ///< null: the defaults
   std::string debug_log;               ///< folder for debug logs of the Playmaker; empty: none
   std::shared_ptr<TensorCodec> codec;  ///< null: the form TENSOR is not offered
   bool rated = false;                  ///< a match of a tournament or comparison

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "proxy/world/motion.h"
+#include "proxy/world/planner_parameters.h"
 #include "soccer/pitch.h"
 #include "soccer/play_mode.h"
 
@@ -39,6 +40,20 @@ Vec2 ball_of_interest(const WorldModel& world) {
   const PlayMode kind = without_side(world.game.mode);
   const bool rolling = kind == PlayMode::kPlayOn || kind == PlayMode::kGoalKickLeft;
   return rolling ? first_reach_point(world) : world.ball.position;
+}
+
+/// Meters that field players stand ahead of the formation.
+double shift_of(FormationKind kind, const PlannerParameters& parameters) {
+  switch (kind) {
+    case FormationKind::kNormal:
+      return parameters.shift_normal;
+    case FormationKind::kDefense:
+      return parameters.shift_defense;
+    case FormationKind::kOffense:
+      return parameters.shift_offense;
+    default:
+      return 0.0;
+  }
 }
 
 /// Maximum x that is not offside.
@@ -85,8 +100,11 @@ FormationKind formation_kind(const WorldModel& world) {
 }
 
 TeamPoints home_positions(const WorldModel& world) {
-  const Formation& formation = world.formations->of(formation_kind(world));
-  TeamPoints points = formation.positions(ball_of_interest(world));
+  const FormationKind kind = formation_kind(world);
+  TeamPoints points = world.formations->of(kind).positions(ball_of_interest(world));
+  if (const double shift = shift_of(kind, *world.planner); shift != 0.0) {
+    for (std::size_t i = 1; i < points.size(); ++i) points[i].x += shift;
+  }
   const double max_x = farthest_x(world);
   for (Vec2& point : points) {
     point.x = std::clamp(std::min(point.x, max_x), -soccer::kHalfLength, soccer::kHalfLength);

@@ -85,7 +85,7 @@ void add_simple_passes(const CoarseState& state, std::vector<PlanAction>& out) {
     if (teammate.position.x > std::max(field.world.lines.offside, now.ball.x)) continue;
     const Vec2 to = teammate.position;
     if (to.x < -33.0 && std::fabs(to.y) < 23.0) continue;
-    if (nearest_opponent(field, to) < 5.0) continue;
+    if (nearest_opponent(field, to) < field.parameters.later_pass_room) continue;
     const double speed = coarse_speed(length);
     const double angle = (teammate.goalie || way.x < 0.0 ? 17.5 : 14.5) * 2.5 / speed;
     if (!lane_open(field, now.ball, way, length, angle)) continue;
@@ -136,15 +136,15 @@ void add_simple_dribbles(const CoarseState& state, std::vector<PlanAction>& out)
 }
 
 bool can_shoot_from(const PlannerField& field, Vec2 ball, int holder, int max_age) {
-  constexpr double kRange = 17.0;
   constexpr double kFar = 20.0;
   constexpr int kDirections = 15;
   const Vec2 goal{soccer::kHalfLength, 0.0};
-  if (squared_distance(ball, goal) > kRange * kRange || ball.x >= soccer::kHalfLength) return false;
+  const double range = field.parameters.shot_range;
+  if (squared_distance(ball, goal) > range * range || ball.x >= soccer::kHalfLength) return false;
   const FieldPlayer* player = field.our_player(holder);
   if (player == nullptr || player->age > max_age) return false;
   const bool self = holder == field.self.unum;
-  const double min_gap = self ? 20.0 : 15.0;
+  const double min_gap = self ? field.parameters.shot_gap : field.parameters.shot_gap_teammate;
   const double post = field.world.server().goal_width / 2.0 - 0.5;
   const auto [low, high] =
       soccer::direction_pair(Vec2{goal.x, -post} - ball, Vec2{goal.x, post} - ball);

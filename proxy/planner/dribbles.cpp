@@ -53,8 +53,10 @@ int turns_needed(const WorldModel& world, AngleDeg heading) {
   return turns;
 }
 
-bool enough_stamina(const WorldModel& world, int dashes) {
-  const double threshold = world.server().recover_dec_thr * world.server().stamina_max + 300.0;
+bool enough_stamina(const PlannerField& field, int dashes) {
+  const WorldModel& world = field.world;
+  const double threshold = world.server().recover_dec_thr * world.server().stamina_max +
+                           field.parameters.dribble_reserve;
   const double income = world.self_type().stamina_inc_max * world.self.recovery;
   const double cost = dashes * std::max(0.0, world.server().max_dash_power - income);
   return world.self.stamina - cost > threshold;
@@ -93,7 +95,8 @@ PlanAction dribble(const PlannerField& field, PlanTag tag, Vec2 end, Vec2 veloci
 bool short_dribble_spoiled(const PlannerField& field, Vec2 end, AngleDeg heading, int cycles) {
   const Vec2 here = field.self.position;
   const Vec2 ahead = soccer::polar(1.0, heading);
-  int bonus = end.x < 30.0 ? 1 : 0;
+  int bonus = field.parameters.short_dribble_head_start;
+  if (end.x < 30.0) ++bonus;
   if (end.x < 0.0) ++bonus;
   for (const FieldOpponent& opponent : field.opponents) {
     const Vec2 relative = opponent.position - here;
@@ -123,7 +126,7 @@ void add_short_dribbles(const PlannerField& field, std::vector<PlanAction>& out)
     const int turns = turns_needed(world, heading);
     if (turns > 2) continue;
     for (int dashes = 4; dashes >= 2; --dashes) {
-      if (!enough_stamina(world, dashes)) continue;
+      if (!enough_stamina(field, dashes)) continue;
       const Course course = course_of(world, heading, turns, dashes);
       const Vec2 end =
           course.positions[static_cast<std::size_t>(course.steps)] + soccer::polar(radius, heading);
@@ -139,7 +142,7 @@ void add_short_dribbles(const PlannerField& field, std::vector<PlanAction>& out)
       const double length = velocity.length();
       if (length > 1e-6) {
         StopRules rules;
-        rules.extra_reach = 0.0;
+        rules.extra_reach = field.parameters.short_dribble_margin;
         if (is_stopped(field, {velocity / length, length, course.steps}, rules)) continue;
       }
       const double turn = (heading - world.self.body).degrees();
@@ -165,8 +168,9 @@ void add_self_passes(const PlannerField& field, std::vector<PlanAction>& out) {
     if (off > max_turn || (heading.abs() > 85.0 && x < 41.0)) continue;
     const int turns = off > 1.0 ? 1 : 0;
     int found = 0;
-    for (int dashes = max_dashes; dashes >= 5 && found < 10; --dashes) {
-      if (!enough_stamina(world, dashes)) continue;
+    for (int dashes = max_dashes; dashes >= field.parameters.self_pass_dashes && found < 10;
+         --dashes) {
+      if (!enough_stamina(field, dashes)) continue;
       const Course course = course_of(world, heading, turns, dashes);
       const Vec2 end =
           course.positions[static_cast<std::size_t>(course.steps)] + soccer::polar(radius, heading);
@@ -181,7 +185,7 @@ void add_self_passes(const PlannerField& field, std::vector<PlanAction>& out) {
       if (hits_self(field, course, velocity)) continue;
       const double length = velocity.length();
       StopRules rules;
-      rules.extra_reach = 0.2;
+      rules.extra_reach = field.parameters.self_pass_margin;
       if (is_stopped(field, {velocity / length, length, course.steps}, rules)) continue;
       if (opponent_gets_there(field, end, course.steps, true)) continue;
       const double turn = (heading - world.self.body).degrees();

@@ -20,9 +20,9 @@ constexpr double kOwnShot = 5e5;
 constexpr double kImpossible = 1e300;
 
 struct FieldWeights {
-  double x = 1.0;
-  double goal_distance = 1.0;
-  double goal_radius = 40.0;
+  double x = 0.0;
+  double goal_distance = 0.0;
+  double goal_radius = 0.0;
 };
 
 double ball_value(const PlannerField& field, const PlanNode& state, const FieldWeights& weights) {
@@ -51,19 +51,24 @@ double ball_value(const PlannerField& field, const PlanNode& state, const FieldW
 /// meters before it; near opponents and long ball possession cost; time and number of actions cost,
 /// so of equal results the most direct one wins.
 double default_value(const PlannerField& field, const PlanNode& state) {
-  constexpr double kCycle = 0.25;
-  constexpr double kLaterAction = 1.0;
-  double value = ball_value(field, state, {});
+  const PlannerParameters& parameters = field.parameters;
+  double value = ball_value(field, state,
+                            {parameters.x_weight, parameters.goal_weight, parameters.goal_radius});
   if (value == -kImpossible) return value;
-  value -= kCycle * state.time + kLaterAction * std::max(0, state.depth - 1);
+  value -=
+      parameters.cycle_cost * state.time + parameters.action_cost * std::max(0, state.depth - 1);
   if (std::fabs(value) >= kShot / 2.0) return value;
   const Vec2 ball = state.ball;
-  constexpr double kDeep = 45.0;
-  if (std::fabs(ball.y) > 10.0) value -= 1.5 * std::max(0.0, ball.x - kDeep);
-  constexpr double kClose = 3.0;
+  if (std::fabs(ball.y) > parameters.deep_y) {
+    value -= parameters.deep_cost * std::max(0.0, ball.x - parameters.deep_x);
+  }
+  const double close = parameters.pressure_distance;
   const double room = nearest_opponent(field, ball);
-  if (state.depth > 0 && room < kClose) value -= 1.5 * (kClose - room);
-  if (state.depth == 0) value -= std::clamp(1.0 * (field.held - 5), 0.0, 40.0);
+  if (state.depth > 0 && room < close) value -= parameters.pressure_cost * (close - room);
+  if (state.depth == 0) {
+    const int held_long = field.held - parameters.hold_cycles;
+    value -= std::clamp(parameters.hold_cost * held_long, 0.0, parameters.hold_limit);
+  }
   return value;
 }
 

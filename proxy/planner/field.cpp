@@ -14,8 +14,6 @@ namespace {
 using soccer::AngleDeg;
 using soccer::Vec2;
 
-// Added to every player's reach for observation errors and motion noise.
-constexpr double kSightError = 0.15;
 constexpr int kUnknownTeamAge = 6;
 constexpr int kGettingUp = 5;  ///< cycles until a player on the ground runs
 constexpr int kMaxAge = 20;
@@ -64,24 +62,25 @@ FieldPlayer field_player(const WorldModel& world, const PlayerState& player,
 
 /// Distance from its coasting position within which an opponent controls the ball after `cycles` of
 /// running straight.
-double grasp(const FieldOpponent& opponent, int cycles) {
-  return opponent.control + kSightError + opponent.unseen_run + opponent.reach->run(cycles);
+double grasp(const FieldOpponent& opponent, double margin, int cycles) {
+  return opponent.control + margin + opponent.unseen_run + opponent.reach->run(cycles);
 }
 
-void prepare(FieldOpponent& opponent, bool in_box_catches, double catch_reach) {
+void prepare(FieldOpponent& opponent, double margin, bool in_box_catches, double catch_reach) {
   if (opponent.goalie && in_box_catches) opponent.control = catch_reach;
   for (int cycle = 0; cycle <= kPlannerHorizon; ++cycle) {
     const auto i = static_cast<std::size_t>(cycle);
     opponent.drift[i] =
         coast(opponent.position, opponent.velocity, opponent.type->player_decay, cycle);
     // A player on the ground starts later.
-    opponent.grasp[i] = grasp(opponent, opponent.lying ? cycle - kGettingUp : cycle);
+    opponent.grasp[i] = grasp(opponent, margin, opponent.lying ? cycle - kGettingUp : cycle);
   }
 }
 
 }  // namespace
 
-PlannerField::PlannerField(const WorldModel& w, int cycles_held) : world(w), held(cycles_held) {
+PlannerField::PlannerField(const WorldModel& w, int cycles_held)
+    : world(w), parameters(*w.planner), held(cycles_held) {
   const double decay = world.server().ball_decay;
   left_[0] = 1.0;
   for (std::size_t i = 1; i < roll_.size(); ++i) {
@@ -118,7 +117,7 @@ PlannerField::PlannerField(const WorldModel& w, int cycles_held) : world(w), hel
   const auto add = [&](const PlayerState& player) {
     FieldOpponent opponent;
     static_cast<FieldPlayer&>(opponent) = field_player(world, player, reach_of(player.type_id));
-    prepare(opponent, ball.x > 20.0, catch_reach);
+    prepare(opponent, parameters.opponent_margin, ball.x > 20.0, catch_reach);
     opponents.push_back(opponent);
   };
   for (const PlayerState& player : world.opponents) {
@@ -171,9 +170,8 @@ int cycles_before_run(const FieldPlayer& player, Vec2 way, double length) {
          (player.lying ? kGettingUp : 0);
 }
 
-int age_credit(const FieldPlayer& player, bool count_age) {
-  constexpr int kMax = 5;
-  return count_age ? std::min(player.age, kMax) : 0;
+int age_credit(const PlannerField& field, const FieldPlayer& player, bool count_age) {
+  return count_age ? std::min(player.age, field.parameters.opponent_credit) : 0;
 }
 
 }  // namespace
@@ -189,7 +187,7 @@ int cycles_to_get(const FieldPlayer& player, Vec2 point) {
 int opponents_cycles_to(const PlannerField& field, Vec2 point, bool count_age) {
   int least = kNever;
   for (const FieldOpponent& opponent : field.opponents) {
-    const int cycles = cycles_to_get(opponent, point) - age_credit(opponent, count_age);
+    const int cycles = cycles_to_get(opponent, point) - age_credit(field, opponent, count_age);
     least = std::min(least, std::max(0, cycles));
   }
   return least;
@@ -197,7 +195,7 @@ int opponents_cycles_to(const PlannerField& field, Vec2 point, bool count_age) {
 
 bool opponent_gets_there(const PlannerField& field, Vec2 point, int cycles, bool count_age) {
   for (const FieldOpponent& opponent : field.opponents) {
-    const int time = cycles + age_credit(opponent, count_age);
+    const int time = cycles + age_credit(field, opponent, count_age);
     const Vec2 way = point - opponent.rest;
     const double far = opponent.control + opponent.reach->run(time);
     const double length2 = way.squared_length();
@@ -222,10 +220,11 @@ namespace {
 
 /// True if the opponent controls the ball in `now` cycles at the end of `way`, as seen from its
 /// coasting position. A turn costs one or two cycles.
-bool stops_there(const FieldOpponent& opponent, Vec2 way, double length, int now,
-                 const StopRules& rules) {
+bool stops_there(const PlannerField& field, const FieldOpponent& opponent, Vec2 way, double length,
+                 int now, const StopRules& rules) {
   const double unseen = rules.count_age ? opponent.unseen_run : 0.0;
-  const double run = length - opponent.control - kSightError - unseen - rules.extra_reach;
+  const double run =
+      length - opponent.control - field.parameters.opponent_margin - unseen - rules.extra_reach;
   if (run <= 0.0) return true;
   constexpr double kArmsLength = 0.2;
   const Slack slack = slack_for(opponent.control + kArmsLength, length, kTwentyDegrees);
@@ -256,7 +255,7 @@ bool stops(const PlannerField& field, const BallRoll& roll, const StopRules& rul
     const double gap = length - opponent.grasp[at(cycle)] - rules.extra_reach;
     if (gap > 0.0) {
       cycle += static_cast<int>(gap / closing);
-    } else if (stops_there(opponent, way, length, static_cast<int>(at(cycle)), rules)) {
+    } else if (stops_there(field, opponent, way, length, static_cast<int>(at(cycle)), rules)) {
       return true;
     }
   }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "proxy/world/fixed_list.h"
+#include "proxy/world/planner_parameters.h"
 #include "proxy/world/running.h"
 #include "proxy/world/world_model.h"
 
@@ -49,6 +50,7 @@ class PlannerField {
   PlannerField& operator=(const PlannerField&) = delete;
 
   const WorldModel& world;
+  const PlannerParameters& parameters;
   soccer::Vec2 ball;
   soccer::Vec2 ball_velocity;
   double kick_limit = 0.0;  ///< maximum acceleration by one kick

@@ -74,7 +74,8 @@ class OutletSearch {
     for (int cycle = 1; cycle <= kPlannerHorizon; ++cycle) {
       outlet.target = field_.ball + direction * (speed * field_.roll(cycle));
       if (!on_pitch(outlet.target)) {
-        outlet.value = value_of_loss(outlet.target) + kKickIn;
+        // Bonus: a kick-in gives us time to take positions.
+        outlet.value = value_of_loss(outlet.target) + field_.parameters.outlet_kick_in;
         return outlet;
       }
       if (opponent_gets(outlet.target, cycle)) break;
@@ -100,25 +101,24 @@ class OutletSearch {
   bool teammate_gets(Vec2 ball, int cycle) const {
     // A goal kick is in play after leaving the penalty area.
     if (goal_kick_ && in_own_box(ball)) return false;
-    constexpr int kSurprise = 4;  // reaction time of teammates, cycles
     return std::any_of(teammates_.begin(), teammates_.end(), [&](const FieldPlayer* teammate) {
-      return gets(*teammate, ball, cycle - kSurprise);
+      return gets(*teammate, ball, cycle - field_.parameters.outlet_reaction);
     });
   }
 
-  // Bonus: a kick-in gives us time to take positions.
-  static constexpr double kKickIn = 8.0;
-  static double value_of_loss(Vec2 ball) {
+  double value_of_loss(Vec2 ball) const {
     if (ball.x <= -soccer::kHalfLength) return -100.0;  // corner kick or own goal
-    return 0.5 * (ball.x + soccer::kHalfLength) + 0.4 * std::fabs(ball.y);
+    return field_.parameters.outlet_x_weight * (ball.x + soccer::kHalfLength) +
+           field_.parameters.outlet_y_weight * std::fabs(ball.y);
   }
   /// `ahead`: cycles by which the nearest opponent is later than the ball.
-  static double value_of_gain(Vec2 ball, int ahead) {
-    constexpr double kSafe = 7.0;
+  double value_of_gain(Vec2 ball, int ahead) const {
     constexpr double kTouchLine = soccer::kHalfWidth - 3.0;  // beyond it a missed ball goes out
-    const double share = std::clamp(ahead / kSafe, 0.0, std::fabs(ball.y) < kTouchLine ? 1.0 : 0.7);
+    const double max_share = std::fabs(ball.y) < kTouchLine ? 1.0 : 0.7;
+    const double share = std::clamp(ahead / field_.parameters.outlet_safe_lead, 0.0, max_share);
     // Otherwise the receiver loses it there.
-    return share * (30.0 + ball.x + soccer::kHalfLength) + (1.0 - share) * value_of_loss(ball);
+    return share * (field_.parameters.outlet_gain + ball.x + soccer::kHalfLength) +
+           (1.0 - share) * value_of_loss(ball);
   }
 
   const PlannerField& field_;

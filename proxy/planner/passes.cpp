@@ -13,9 +13,6 @@ namespace {
 using soccer::AngleDeg;
 using soccer::Vec2;
 
-constexpr int kReceiverAge = 10;
-constexpr double kFarReceiver = 40.0;
-
 bool inside(Vec2 point, double side_margin, double own_goal_margin) {
   return std::fabs(point.x) < soccer::kHalfLength - side_margin &&
          point.x > -soccer::kHalfLength + own_goal_margin &&
@@ -61,11 +58,14 @@ class PassSearch {
  public:
   PassSearch(const PlannerField& field, std::vector<PlanAction>& out) : field_(field), out_(out) {
     const WorldModel& world = field.world;
+    const PlannerParameters& parameters = field.parameters;
     for (const FieldPlayer& teammate : field.teammates) {
-      if (teammate.unum == 0 || teammate.age > kReceiverAge || teammate.ghost || teammate.lying)
+      if (teammate.unum == 0 || teammate.age > parameters.pass_age || teammate.ghost ||
+          teammate.lying) {
         continue;
+      }
       const double dist = distance(teammate.position, field.ball);
-      if (dist > kFarReceiver) continue;
+      if (dist > parameters.pass_distance) continue;
       if (teammate.position.x > world.lines.offside && field.open_play) continue;
       if (teammate.goalie && teammate.position.x < -22.0) continue;
       receivers_.push_back(&teammate);
@@ -129,7 +129,8 @@ class PassSearch {
       rules.head_start = kicks - 1;
       rules.count_age = tag != PlanTag::kStrictThrough ||
                         (point.x < field_.world.lines.offside && point.x < 30.0);
-      rules.extra_reach = point.x < 25.0 ? 0.35 : 0.1;
+      rules.extra_reach =
+          point.x < 25.0 ? field_.parameters.pass_margin : field_.parameters.pass_margin_deep;
       if (tag != PlanTag::kStrictDirect &&
           opponent_gets_there(field_, point, n + kicks - 1, rules.count_age)) {
         continue;
@@ -188,7 +189,7 @@ class PassSearch {
     const double push = 100.0 * receiver.type->dash_power_rate * receiver.type->effort_max;
     Speeds speeds;
     speeds.min_first = usual_speed_;
-    speeds.min_arrival = 0.6;
+    speeds.min_arrival = field_.parameters.lead_arrival_speed;
     speeds.max_arrival = receiver.control + 1.5 * push;
     for (std::size_t ring = 0; ring < kRings.size(); ++ring) {
       for (std::size_t i = 0; i < kRingDirections; i += ring < 2 ? 2 : 1) {
@@ -212,7 +213,7 @@ class PassSearch {
     const double min_x = std::min({std::max(10.0, field_.ball.x + 10.0), offside - 10.0, 31.0});
     if (receiver.position.x < min_x - 30.0) return;
     Speeds speeds;
-    speeds.min_first = 1.4;
+    speeds.min_first = field_.parameters.through_first_speed;
     const double push = 100.0 * receiver.type->dash_power_rate * receiver.type->effort_max;
     speeds.max_arrival = receiver.control + 1.5 * push;
     const bool runs = receiver.velocity.length() > 0.2;
@@ -246,15 +247,16 @@ void add_passes(const PlannerField& field, std::vector<PlanAction>& out) {
 }
 
 void add_crosses(const PlannerField& field, std::vector<PlanAction>& out) {
-  constexpr double kNear = 35.0;
+  const PlannerParameters& parameters = field.parameters;
   const Vec2 goal{soccer::kHalfLength, 0.0};
-  if (distance(field.ball, goal) > kNear || soccer::is_penalty_mode(field.world.game.mode)) return;
+  if (distance(field.ball, goal) > parameters.cross_range) return;
+  if (soccer::is_penalty_mode(field.world.game.mode)) return;
   const double max = field.world.server().ball_speed_max;
   const double own_area = kickable_area(field.world);
   for (const FieldPlayer& teammate : field.teammates) {
     if (teammate.unum == 0 || teammate.ghost || teammate.age >= 4 || teammate.lying) continue;
     if (teammate.position.x > field.world.lines.offside && field.open_play) continue;
-    if (distance(teammate.position, goal) > 16.0) continue;
+    if (distance(teammate.position, goal) > parameters.cross_target_range) continue;
     const double dist = distance(teammate.position, field.ball);
     if (dist < 2.2 * own_area || dist > max * field.roll(9)) continue;
     const AngleDeg straight = AngleDeg::of(teammate.position - field.ball);
@@ -277,7 +279,7 @@ void add_crosses(const PlannerField& field, std::vector<PlanAction>& out) {
         for (int n = std::max(2, ready); n <= 12 && !found; ++n) {
           const double speed = field.first_speed(length, n);
           if (speed > max) continue;
-          if (speed < 0.67 * max) break;
+          if (speed < parameters.cross_speed * max) break;
           if (speed * field.speed_left(n) < 1.0) break;
           const int kicks = field.kicks_for(direction, speed);
           if (!field.open_play && kicks > 1) continue;

@@ -13,6 +13,7 @@
 #include "proxy/planner/field.h"
 #include "proxy/planner/search.h"
 #include "proxy/world/motion.h"
+#include "proxy/world/planner_parameters.h"
 #include "soccer/pitch.h"
 
 namespace cls::proxy {
@@ -121,11 +122,13 @@ Gap widest_gap(const WorldModel& world) {
 /// Near their goal without a better action: shoots into the widest gap.
 bool shoot_into_gap(ActionContext& c) {
   const WorldModel& world = c.world;
-  constexpr double kRange = 15.0;
-  if (distance(world.ball.position, kTheirGoal) > kRange) return false;
+  const PlannerParameters& parameters = *world.planner;
+  if (distance(world.ball.position, kTheirGoal) > parameters.late_shot_range) return false;
   const bool pressed = world.intercept.first_opponent_steps <= 2;
   const Gap gap = widest_gap(world);
-  if (gap.degrees < (pressed ? 2.0 : 6.0)) return false;
+  if (gap.degrees < (pressed ? parameters.late_shot_gap_pressed : parameters.late_shot_gap)) {
+    return false;
+  }
   const double max = world.server().ball_speed_max;
   c.neck = {NeckPlan::Kind::kPoint, gap.target};
   if (!pressed && smart_kick(world, c.slots, gap.target, max, 0.9 * max, 2)) return true;
@@ -152,12 +155,10 @@ double lane_room(const WorldModel& world, Vec2 target) {
 /// After holding for long: the pass with the most free space.
 bool lay_off(ActionContext& c) {
   const WorldModel& world = c.world;
-  constexpr int kLong = 20;
-  constexpr double kRoom = 0.8;
   const int since = c.memory.ball_since;
-  if (since < 0 || world.game.time.cycle - since < kLong) return false;
+  if (since < 0 || world.game.time.cycle - since < world.planner->lay_off_cycles) return false;
   const PlayerState* best = nullptr;
-  double best_room = kRoom;
+  double best_room = world.planner->lay_off_room;
   for (const PlayerState& teammate : world.teammates) {
     if (teammate.pos_count > 8 || teammate.ghost() || teammate.goalie ||
         teammate.position.x < -25.0)

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "proxy/world/planner_parameters.h"
+
 namespace cls::proxy {
 namespace {
 
@@ -15,7 +17,9 @@ const PlayerState* find(const PlayerList& list, Predicate predicate) {
 }  // namespace
 
 WorldModel::WorldModel()
-    : parameters(std::make_shared<const MatchParameters>()), formations(built_in_formations()) {}
+    : parameters(std::make_shared<const MatchParameters>()),
+      formations(built_in_formations()),
+      planner(std::make_shared<const PlannerParameters>()) {}
 
 const PlayerState* WorldModel::teammate(int number) const {
   return find(teammates, [number](const PlayerState& p) { return p.unum == number; });

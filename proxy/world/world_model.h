@@ -19,6 +19,8 @@
 
 namespace cls::proxy {
 
+struct PlannerParameters;
+
 /// Commands sent in the previous cycle; at most one of each kind.
 struct SentCommands {
   std::optional<soccer::Turn> turn;
@@ -89,6 +91,7 @@ struct WorldModel {
   soccer::TeamName their_team_name;                   ///< empty until an opponent was seen
   std::shared_ptr<const MatchParameters> parameters;  ///< not null
   std::shared_ptr<const FormationSet> formations;     ///< not null
+  std::shared_ptr<const PlannerParameters> planner;   ///< of the own team; not null
 
   GameState game;
   SelfState self;
