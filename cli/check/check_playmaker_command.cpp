@@ -52,7 +52,7 @@ int run_check_playmaker(const Arguments& arguments) {
                                    : "team:DIR has no Playmaker");
   }
   if (const int read = read_tls_files(*endpoint, arguments.tls); read != kOk) return read;
-  if (const int read = read_side_script(*endpoint); read != kOk) return read;
+  if (const int read = read_side_files(*endpoint); read != kOk) return read;
   orchestration::checks::PlaymakerCheckOptions options;
   options.endpoint = *endpoint;
   options.start_timeout =

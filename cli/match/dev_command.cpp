@@ -118,7 +118,7 @@ class DevSession {
     if (!arguments_.against.empty()) {
       auto side = orchestration::match::parse_endpoint(arguments_.against);
       if (!side) return problem(scenario, side.error().message);
-      if (const auto loaded = load_script(*side); !loaded) {
+      if (const auto loaded = load_files(*side); !loaded) {
         return problem(scenario, loaded.error().message);
       }
       settings.against = *std::move(side);

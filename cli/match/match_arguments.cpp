@@ -406,7 +406,7 @@ int resolve_match(const CLI::App& command, MatchArguments& arguments) {
                                                         &arguments.options.right};
   if (arguments.options.trainer) sides.push_back(&*arguments.options.trainer);
   for (orchestration::match::Endpoint* side : sides) {
-    if (const int read = read_side_script(*side); read != kOk) return read;
+    if (const int read = read_side_files(*side); read != kOk) return read;
     if (const int read = read_tls_files(*side, arguments.tls); read != kOk) return read;
   }
   return kOk;

@@ -21,6 +21,7 @@
 #include "cli/support/interrupt.h"
 #include "cli/support/print_error.h"
 #include "cli/support/reply_options.h"
+#include "cli/support/side_arguments.h"
 #include "cli/support/tls_options.h"
 #include "cli/support/troubleshooting.h"
 #include "cli/terminal/json_stdout.h"
@@ -170,11 +171,14 @@ int read_playmaker(Arguments& arguments) {
   using Kind = orchestration::match::Endpoint::Kind;
   if (!endpoint || (endpoint->kind != Kind::kAddress && endpoint->kind != Kind::kUnixSocket)) {
     return print_error(
-        kUsage, fmt::format("--playmaker '{}': must be HOST:PORT, tls:HOST:PORT or unix:PATH",
+        kUsage, fmt::format("--playmaker '{}': must be HOST:PORT, tls:HOST:PORT or unix:PATH; "
+                            "planner:FILE= may precede it",
                             arguments.playmaker));
   }
   if (const int code = read_tls_files(*endpoint, arguments.tls); code != kOk) return code;
+  if (const int code = read_side_files(*endpoint); code != kOk) return code;
   arguments.options.playmaker = target_of(*endpoint);
+  arguments.options.team.planner = endpoint->planner;
   return kOk;
 }
 

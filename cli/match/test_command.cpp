@@ -190,7 +190,7 @@ std::optional<Failure> resolve(const Arguments& arguments, SuiteOptions& options
   if (arguments.against.empty()) return std::nullopt;
   auto endpoint = orchestration::match::parse_endpoint(arguments.against);
   if (!endpoint) return Failure{kUsage, "--against: " + endpoint.error().message};
-  int read = read_side_script(*endpoint);
+  int read = read_side_files(*endpoint);
   if (read == kOk) read = read_tls_files(*endpoint, arguments.tls);
   if (read != kOk) return Failure{static_cast<ExitCode>(read), ""};
   options.against = *std::move(endpoint);
@@ -314,7 +314,7 @@ std::optional<Failure> resolve(const Arguments& arguments,
   if (!endpoint) return Failure{kUsage, endpoint.error().message};
   if (!endpoint->has_one_playmaker())
     return Failure{kUsage, "--replay requires one Playmaker, not team:DIR or mix:"};
-  int read = read_side_script(*endpoint);
+  int read = read_side_files(*endpoint);
   if (read == kOk) read = read_tls_files(*endpoint, arguments.tls);
   if (read != kOk) return Failure{static_cast<ExitCode>(read), ""};
   options.endpoint = *std::move(endpoint);

@@ -57,8 +57,10 @@ void add_behaviors(Completion& completion, const std::string& prefix) {
 }
 
 void add_sides(const ValueContext& context, Completion& completion) {
-  constexpr std::pair<const char*, PathKind> kPathForms[] = {
-      {"mock:", PathKind::kFiles}, {"unix:", PathKind::kFiles}, {"team:", PathKind::kFolders}};
+  constexpr std::pair<const char*, PathKind> kPathForms[] = {{"mock:", PathKind::kFiles},
+                                                             {"unix:", PathKind::kFiles},
+                                                             {"planner:", PathKind::kFiles},
+                                                             {"team:", PathKind::kFolders}};
   for (const auto& [prefix, kind] : kPathForms) {
     if (context.word.starts_with(prefix)) add_paths(completion, kind, prefix);
   }
@@ -71,7 +73,8 @@ void add_sides(const ValueContext& context, Completion& completion) {
                                    {"tls:", "HOST:PORT with TLS"},
                                    {"unix:", "PATH of a socket"},
                                    {"run:", "COMMAND that starts a Playmaker"},
-                                   {"team:", "DIR of an external team"}}) {
+                                   {"team:", "DIR of an external team"},
+                                   {"planner:", "FILE=SIDE with other parameters"}}) {
     completion.candidates.push_back({form, note});
   }
 }

@@ -74,10 +74,10 @@ base::Result<orchestration::match::Endpoint> parse_side(const std::string& side,
                      "; names of teams need a cls.toml here or above, or --config FILE"};
 }
 
-int read_side_script(orchestration::match::Endpoint& side) {
-  const auto loaded = load_script(side);
+int read_side_files(orchestration::match::Endpoint& side) {
+  const auto loaded = load_files(side);
   if (loaded) return kOk;
-  const bool exists = !base::absence(side.behavior);
+  const bool exists = missing_file(side).empty();
   return print_error(exists ? kBadData : kNoInput, loaded.error().message);
 }
 

@@ -17,8 +17,8 @@ int resolve_team_name(std::string& side, std::string& team_name, const std::stri
 base::Result<orchestration::match::Endpoint> parse_side(const std::string& side,
                                                         const std::string& config_file);
 
-/// Reads the script file of a mock side, if it has one. Prints errors; returns kOk, kNoInput or
-/// kBadData.
-int read_side_script(orchestration::match::Endpoint& side);
+/// Reads the script of a mock side and the parameters of the planner, if the side has them. Prints
+/// errors; returns kOk, kNoInput or kBadData.
+int read_side_files(orchestration::match::Endpoint& side);
 
 }  // namespace cls::cli

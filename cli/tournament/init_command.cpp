@@ -1,4 +1,4 @@
-// `cls init`: writes cls.toml, never over an existing one.
+// `cls init`: writes cls.toml or planner.toml, never over an existing one.
 #include "cli/support/commands.h"
 
 #include <fmt/format.h>
@@ -14,6 +14,7 @@
 #include "base/text/json_text.h"
 #include "cli/support/exit_code.h"
 #include "cli/support/print_error.h"
+#include "orchestration/match/options/planner_file.h"
 #include "orchestration/tournament/config/config_file.h"
 
 namespace cls::cli {
@@ -25,14 +26,26 @@ constexpr const char* kDescription =
     "write a commented cls.toml with teams and tournament\n"
     "\n"
     "  cls init            into the working directory\n"
-    "  cls init cup        into cup, which is created";
+    "  cls init cup        into cup, which is created\n"
+    "  cls init --planner  planner.toml: all parameters of the planner (docs/mock.md)";
 
-int run(const std::string& folder, bool force, bool json) {
-  const fs::path file = fs::path(folder) / orchestration::tournament::kConfigFile;
+constexpr const char* kPlannerFile = "planner.toml";
+
+struct Arguments {
+  std::string folder = ".";
+  bool planner = false;
+  bool force = false;
+  bool json = false;
+};
+
+int run(const Arguments& arguments) {
+  const fs::path folder = arguments.folder;
+  const fs::path file =
+      folder / (arguments.planner ? kPlannerFile : orchestration::tournament::kConfigFile);
   std::error_code code;
-  if (fs::exists(file, code) && !force) {
-    return print_error(kCannotCreate, fmt::format("{}: exists; --force renames it to cls.toml.old",
-                                                  file.string()));
+  if (fs::exists(file, code) && !arguments.force) {
+    return print_error(kCannotCreate, fmt::format("{}: exists; --force renames it to {}.old",
+                                                  file.string(), file.filename().string()));
   }
   if (fs::exists(file, code)) {
     const auto old = base::set_aside(file);
@@ -41,9 +54,11 @@ int run(const std::string& folder, bool force, bool json) {
   if (const auto created = base::create_folders(folder); !created) {
     return print_error(kCannotCreate, created.error().message);
   }
-  const auto written = base::write_file(file, orchestration::tournament::commented_config());
+  const auto written =
+      base::write_file(file, arguments.planner ? orchestration::match::commented_planner_file()
+                                               : orchestration::tournament::commented_config());
   if (!written) return print_error(kCannotCreate, written.error().message);
-  if (json) {
+  if (arguments.json) {
     const nlohmann::ordered_json document = {{"schema", "cls.init/1"}, {"file", file.string()}};
     fmt::print("{}", base::json_document(document));
   } else {
@@ -55,14 +70,14 @@ int run(const std::string& folder, bool force, bool json) {
 }  // namespace
 
 void add_init_command(CLI::App& app, int& exit_code) {
-  const auto folder = std::make_shared<std::string>(".");
-  const auto force = std::make_shared<bool>(false);
-  const auto json = std::make_shared<bool>(false);
+  const auto arguments = std::make_shared<Arguments>();
   CLI::App* command = app.add_subcommand("init", kDescription);
-  command->add_option("DIR", *folder, "folder of the file (default: working directory)");
-  command->add_flag("--force", *force, "rename an existing file to cls.toml.old");
-  command->add_flag("--json", *json, "print one JSON document");
-  command->callback([folder, force, json, &exit_code] { exit_code = run(*folder, *force, *json); });
+  command->add_option("DIR", arguments->folder, "folder of the file (default: working directory)");
+  command->add_flag("--planner", arguments->planner,
+                    "write planner.toml, parameters of the planner, instead of cls.toml");
+  command->add_flag("--force", arguments->force, "rename an existing file to NAME.old");
+  command->add_flag("--json", arguments->json, "print one JSON document");
+  command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
 }
 
 }  // namespace cls::cli

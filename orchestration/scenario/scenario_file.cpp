@@ -119,14 +119,18 @@ Result<StartingPlace> parse_place(const JsonValue& json) {
   return place;
 }
 
-// Reads the script of a mock, whose path starts in `folder`.
-Result<void> read_mock(const JsonValue& json, const std::filesystem::path& folder,
-                       match::Endpoint& endpoint) {
-  if (endpoint.kind != match::Endpoint::Kind::kMock) return {};
-  if (mock_server::is_script_name(endpoint.behavior)) {
-    endpoint.behavior = (folder / endpoint.behavior).string();
-    return match::load_script(endpoint);
+// Reads the files of a side, whose paths start in `folder`.
+Result<void> read_files(const JsonValue& json, const std::filesystem::path& folder,
+                        match::Endpoint& endpoint) {
+  if (!endpoint.planner_file.empty()) {
+    endpoint.planner_file = (folder / endpoint.planner_file).string();
   }
+  const bool mock = endpoint.kind == match::Endpoint::Kind::kMock;
+  if (mock && mock_server::is_script_name(endpoint.behavior)) {
+    endpoint.behavior = (folder / endpoint.behavior).string();
+  }
+  if (const auto loaded = match::load_files(endpoint); !loaded) return loaded;
+  if (!mock || endpoint.script != nullptr) return {};
   const auto known = mock_server::make_behavior(endpoint.behavior);
   if (!known) return json.error(known.error().message);
   return {};
@@ -150,9 +154,9 @@ Result<void> parse_playmaker(const JsonValue& json, match::Endpoint& endpoint) {
   if (endpoint.kind == match::Endpoint::Kind::kTeam)
     endpoint.path = (folder / endpoint.path).string();
   for (match::Endpoint& part : endpoint.parts) {
-    if (auto read = read_mock(json, folder, part); !read) return read;
+    if (auto read = read_files(json, folder, part); !read) return read;
   }
-  return read_mock(json, folder, endpoint);
+  return read_files(json, folder, endpoint);
 }
 
 Result<void> parse_team(const JsonValue& json, ScenarioSide& side) {

@@ -74,11 +74,12 @@ TEST_F(Completion, OffersChoicesOfAnOption) {
 TEST_F(Completion, OffersSidesAndTeamsOfTheConfiguration) {
   EXPECT_EQ(complete({"match", "mock", "g"}), Words{"grace"});
   const Words left = complete({"match", ""});
-  for (const char* side : {"ada", "grace", "mock", "localhost:", "run:", "team:"}) {
+  for (const char* side : {"ada", "grace", "mock", "localhost:", "run:", "team:", "planner:"}) {
     EXPECT_TRUE(has(left, side)) << side;
   }
   EXPECT_EQ(complete({"match", "mock:h"}), (Words{"mock:hold", ":files mock:"}));
   EXPECT_EQ(complete({"match", "mock", "team:../x"}), Words{":folders team:"});
+  EXPECT_EQ(complete({"match", "planner:x"}), Words{":files planner:"});
   EXPECT_EQ(complete({"match", "mock", "mock", "m"}), Words{}) << "a third side";
   EXPECT_EQ(complete({"compare", "ad"}), Words{"ada"});
   EXPECT_EQ(complete({"test", "--against", "ad"}), Words{"ada"});

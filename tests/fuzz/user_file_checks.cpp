@@ -9,6 +9,7 @@
 
 #include "base/text/json_document.h"
 #include "mock-server/script/script.h"
+#include "orchestration/match/options/planner_file.h"
 #include "orchestration/scenario/scenario_file.h"
 #include "orchestration/tournament/config/config.h"
 #include "orchestration/tournament/config/config_file.h"
@@ -17,6 +18,7 @@
 #include "proto/playmaker.pb.h"
 #include "proxy/formation/formation_file.h"
 #include "proxy/formation/librcsc_formation.h"
+#include "proxy/world/planner_parameters.h"
 
 namespace cls::tests {
 namespace {
@@ -74,6 +76,15 @@ void check_config(const std::string& text) {
   }
 }
 
+void check_planner_file(const std::string& text) {
+  const auto parameters = orchestration::match::parse_planner_file(text, "planner.toml");
+  if (!parameters) return require(!parameters.error().message.empty());
+  for (const proxy::PlannerParameter& row : proxy::planner_parameter_table()) {
+    const double value = value_of(**parameters, row);
+    require(value >= row.low && value <= row.high);
+  }
+}
+
 }  // namespace
 
 void check_user_file(std::string_view input) {
@@ -92,6 +103,8 @@ void check_user_file(std::string_view input) {
       return;
     case 't':
       return check_config(text);
+    case 'p':
+      return check_planner_file(text);
     default:
       return;
   }

@@ -1,4 +1,4 @@
-// Parses what users write: scenarios, formations, cls.toml, scripts of the mock.
+// Parses what users write: scenarios, formations, cls.toml, scripts of the mock, planner files.
 #pragma once
 
 #include <string_view>
@@ -6,8 +6,9 @@
 namespace cls::tests {
 
 /// The first byte of `input` selects the kind of file: 's' scenario, 'f' formation, 'l' formation
-/// of librcsc, 't' cls.toml, 'm' script of the mock; the rest is the file. Aborts when an accepted
-/// file is not equal to itself after it was formatted and parsed again.
+/// of librcsc, 't' cls.toml, 'm' script of the mock, 'p' parameters of the planner; the rest is the
+/// file. Aborts when an accepted file is not equal to itself after it was formatted and parsed
+/// again.
 void check_user_file(std::string_view input);
 
 }  // namespace cls::tests

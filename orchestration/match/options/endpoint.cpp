@@ -7,9 +7,11 @@
 #include <charconv>
 #include <filesystem>
 
+#include "base/io/whole_file.h"
 #include "base/text/suggestion.h"
 #include "mock-server/mock.h"
 #include "orchestration/match/options/mixed_side.h"
+#include "orchestration/match/options/planner_file.h"
 #include "orchestration/match/options/run_command.h"
 
 namespace cls::orchestration::match {
@@ -20,6 +22,7 @@ using base::Result;
 
 constexpr std::size_t kMaxTeamName = 15;
 constexpr int kMaxPort = 65535;
+constexpr std::string_view kPlannerForm = "planner:";
 constexpr int kMaxPortStep = 13;
 
 bool is_team_character(char c) {
@@ -37,7 +40,7 @@ Error unknown_form(std::string_view text) {
   }
   message +=
       " (a side is mock, mock:BEHAVIOR, mock:FILE.json, HOST:PORT, HOST:PORT+step, "
-      "tls:HOST:PORT, unix:PATH, run:COMMAND, team:DIR or mix:AGENTS=SIDE;...)";
+      "tls:HOST:PORT, unix:PATH, run:COMMAND, team:DIR, mix:AGENTS=SIDE;... or planner:FILE=SIDE)";
   return Error{std::move(message)};
 }
 
@@ -77,6 +80,9 @@ Result<Endpoint> parse_mixed(std::string_view text) {
   for (const MixedPart& part : *parts) {
     auto parsed = parse_endpoint(part.side);
     if (!parsed) return wrong(parsed.error().message);
+    if (!parsed->planner_file.empty()) {
+      return wrong("planner:FILE= applies to the whole team; write it before mix:");
+    }
     if (parsed->kind == Endpoint::Kind::kMixed || !parsed->has_playmaker()) {
       return wrong(fmt::format("'{}' cannot be a part", part.side));
     }
@@ -85,6 +91,26 @@ Result<Endpoint> parse_mixed(std::string_view text) {
     endpoint.parts.push_back(*std::move(parsed));
   }
   return endpoint;
+}
+
+Result<Endpoint> parse_with_planner(std::string_view text) {
+  const auto wrong = [text](std::string_view what) {
+    return Error{fmt::format("side '{}': {}", text, what)};
+  };
+  const std::size_t equals = text.find('=');
+  auto endpoint = parse_endpoint(text.substr(equals + 1));
+  if (!endpoint) return wrong(endpoint.error().message);
+  if (!endpoint->has_playmaker()) return wrong("an external team does not use the planner of cls");
+  if (!endpoint->planner_file.empty()) return wrong("planner:FILE= may be given once");
+  endpoint->planner_file = text.substr(kPlannerForm.size(), equals - kPlannerForm.size());
+  if (endpoint->planner_file.empty()) return wrong("no file after 'planner:'");
+  endpoint->text = text;
+  return endpoint;
+}
+
+bool has_script(const Endpoint& endpoint) {
+  return endpoint.kind == Endpoint::Kind::kMock && endpoint.script == nullptr &&
+         mock_server::is_script_name(endpoint.behavior);
 }
 
 // "teams/helios/" is "helios", "." the name of the working directory.
@@ -136,6 +162,10 @@ Result<Endpoint> parse_endpoint(std::string_view text) {
     return endpoint;
   }
   if (text.starts_with("mix:")) return parse_mixed(text);
+  // Without "=" it is the port of a host of this name.
+  if (text.starts_with(kPlannerForm) && text.find('=') != std::string_view::npos) {
+    return parse_with_planner(text);
+  }
   if (text.find(':') == std::string_view::npos) return unknown_form(text);
   return parse_address(text);
 }
@@ -146,17 +176,29 @@ bool Endpoint::starts_programs() const {
                      [](const Endpoint& part) { return part.starts_programs(); });
 }
 
-Result<void> load_script(Endpoint& endpoint) {
+Result<void> load_files(Endpoint& endpoint) {
   for (Endpoint& part : endpoint.parts) {
-    if (auto loaded = load_script(part); !loaded) return loaded;
+    if (auto loaded = load_files(part); !loaded) return loaded;
   }
-  const bool named = endpoint.kind == Endpoint::Kind::kMock && endpoint.script == nullptr &&
-                     mock_server::is_script_name(endpoint.behavior);
-  if (!named) return {};
+  if (!endpoint.planner_file.empty() && endpoint.planner == nullptr) {
+    auto parameters = read_planner_file(endpoint.planner_file);
+    if (!parameters) return parameters.error();
+    endpoint.planner = *std::move(parameters);
+  }
+  if (!has_script(endpoint)) return {};
   auto script = mock_server::read_script(endpoint.behavior);
   if (!script) return script.error();
   endpoint.script = *std::move(script);
   return {};
+}
+
+std::string missing_file(const Endpoint& endpoint) {
+  for (const Endpoint& part : endpoint.parts) {
+    if (std::string missing = missing_file(part); !missing.empty()) return missing;
+  }
+  const std::string& planner = endpoint.planner_file;
+  if (!planner.empty() && base::absence(planner)) return planner;
+  return has_script(endpoint) && base::absence(endpoint.behavior) ? endpoint.behavior : "";
 }
 
 std::string default_team_name(const Endpoint& endpoint) {

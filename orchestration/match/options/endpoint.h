@@ -12,6 +12,9 @@
 namespace cls::mock_server {
 struct Script;
 }
+namespace cls::proxy {
+struct PlannerParameters;
+}
 
 namespace cls::orchestration::match {
 
@@ -41,6 +44,10 @@ struct Endpoint {
   std::vector<Endpoint> parts;  ///< kMixed: the Playmakers, of any other kind but kTeam
   std::string label;            ///< of a part: its agents as the user wrote them, "2-5,coach"
   std::vector<int> agents;      ///< of a part: agent numbers (mixed_side.h)
+  /// Of `planner:FILE=SIDE`, whose other members are those of SIDE; empty: none.
+  std::string planner_file;
+  /// The content of `planner_file`, once it is read; null: the defaults.
+  std::shared_ptr<const proxy::PlannerParameters> planner;
 
   /// True for a side of cls agents with a Playmaker.
   bool has_playmaker() const { return kind != Kind::kTeam; }
@@ -53,9 +60,12 @@ struct Endpoint {
 /// Parses a SIDE. The error quotes the text and lists what is allowed.
 base::Result<Endpoint> parse_endpoint(std::string_view text);
 
-/// Reads the scripts of a mock side or of mock parts; does nothing for other sides. Errors name
-/// file and line.
-base::Result<void> load_script(Endpoint& endpoint);
+/// Reads the files that cls itself needs for a side: scripts of a mock or of mock parts, and
+/// parameters of the planner. Errors name file and line.
+base::Result<void> load_files(Endpoint& endpoint);
+
+/// The first of these files that does not exist; empty: none.
+std::string missing_file(const Endpoint& endpoint);
 
 /// A team name from the endpoint, valid in the soccer protocol (letters, digits, - and _, at most
 /// 15 characters).

@@ -178,10 +178,12 @@ void check_hooks(const MatchOptions& options, Errors& errors) {
                  "--record-world-models needs a side with a Playmaker");
   const bool repeatable = mode == MatchMode::kLockstep && embedded && !options.trainer &&
                           options.left.has_playmaker() && options.right.has_playmaker() &&
-                          options.left_formations == nullptr && options.right_formations == nullptr;
+                          options.left_formations == nullptr &&
+                          options.right_formations == nullptr &&
+                          options.left.planner_file.empty() && options.right.planner_file.empty();
   errors.require(repeatable || (!options.save_at && options.resumed == nullptr),
                  "--save-at and --resume need the embedded server in lockstep, two sides with a "
-                 "Playmaker, the built-in formations, and no trainer");
+                 "Playmaker, the built-in formations and planner, and no trainer");
   errors.require(options.save_at.value_or(1) > 0, "--save-at: the cycle must be positive");
   errors.require(!options.speed || (mode != MatchMode::kRealtime && has_agents),
                  "--speed needs --mode lockstep or synch and a side with a Playmaker; in real time "
@@ -204,6 +206,9 @@ void check_playmakers(const MatchOptions& options, Errors& errors) {
     errors.require(
         options.trainer->kind != Endpoint::Kind::kMixed,
         fmt::format("--trainer '{}': a trainer has one Playmaker", options.trainer->text));
+    errors.require(
+        options.trainer->planner_file.empty(),
+        fmt::format("--trainer '{}': a trainer does not use the planner", options.trainer->text));
     sides.push_back(&*options.trainer);
   }
   for (const Endpoint* side : {&options.left, &options.right}) {

@@ -100,6 +100,7 @@ proxy::TeamOptions team_options(const SideSetup& setup, const Endpoint& endpoint
   if (setup.side == soccer::Side::kNeutral) team.players = 0;
   team.formations =
       setup.side == soccer::Side::kRight ? options.right_formations : options.left_formations;
+  team.planner = endpoint.planner;
   team.protocol = options.protocol;
   team.on_late = options.on_late;
   team.decision_timeout = reply_timeout(options).value_or(proxy::kNoTimeout);

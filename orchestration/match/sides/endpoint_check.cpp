@@ -4,7 +4,6 @@
 #include <filesystem>
 #include <thread>
 
-#include "base/io/whole_file.h"
 #include "mock-server/mock.h"
 #include "orchestration/match/options/run_command_check.h"
 #include "orchestration/match/options/team_folder.h"
@@ -17,13 +16,15 @@ namespace {
 using Kind = EndpointProblem::Kind;
 using Problem = std::optional<EndpointProblem>;
 
-Problem check_mock(Endpoint endpoint) {
-  if (mock_server::is_script_name(endpoint.behavior)) {
-    const auto loaded = load_script(endpoint);
-    if (loaded) return {};
-    const bool exists = !base::absence(endpoint.behavior);
-    return EndpointProblem{exists ? Kind::kBadScript : Kind::kMissing, loaded.error().message};
-  }
+Problem check_files(Endpoint endpoint) {
+  const auto loaded = load_files(endpoint);
+  if (loaded) return {};
+  const bool exists = missing_file(endpoint).empty();
+  return EndpointProblem{exists ? Kind::kBadScript : Kind::kMissing, loaded.error().message};
+}
+
+Problem check_mock(const Endpoint& endpoint) {
+  if (mock_server::is_script_name(endpoint.behavior)) return {};
   const auto mock = mock_server::make_mock(endpoint.behavior);
   return mock ? Problem() : EndpointProblem{Kind::kUnknown, mock.error().message};
 }
@@ -48,6 +49,7 @@ Problem check_address(const Endpoint& endpoint, std::chrono::milliseconds patien
 }  // namespace
 
 Problem check_endpoint(const Endpoint& endpoint, std::chrono::milliseconds patience) {
+  if (auto problem = check_files(endpoint)) return problem;
   switch (endpoint.kind) {
     case Endpoint::Kind::kMock:
       return check_mock(endpoint);

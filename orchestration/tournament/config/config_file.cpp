@@ -302,6 +302,10 @@ std::string endpoint_from(const fs::path& folder, const std::string& endpoint) {
     }
     return text;
   }
+  if (const std::size_t equals = rest.find('='); kind == "planner:" && equals != rest.npos) {
+    return kind + (folder / rest.substr(0, equals)).lexically_normal().string() + "=" +
+           endpoint_from(folder, rest.substr(equals + 1));
+  }
   if (kind == "run:")
     return fmt::format("run:cd {} && {}", process::shell_quoted(folder.string()), rest);
   const bool file =

@@ -47,7 +47,7 @@ TEST(Endpoint, ReportsErrorAndAllForms) {
   EXPECT_EQ(error_of("moc"),
             "unknown side 'moc'; did you mean 'mock'? (a side is mock, mock:BEHAVIOR, "
             "mock:FILE.json, HOST:PORT, HOST:PORT+step, tls:HOST:PORT, unix:PATH, "
-            "run:COMMAND, team:DIR or mix:AGENTS=SIDE;...)");
+            "run:COMMAND, team:DIR, mix:AGENTS=SIDE;... or planner:FILE=SIDE)");
   EXPECT_NE(error_of("brain").find("unknown side 'brain' (a side is"), std::string::npos);
   EXPECT_EQ(error_of("localhost:0"), "side 'localhost:0': port 0 is not within 1 to 65535");
   EXPECT_EQ(error_of("localhost:70000"),
@@ -107,6 +107,32 @@ TEST(Endpoint, ReportsErrorsOfMixedSide) {
   EXPECT_NE(error_of("mix:1=team:helios;others=mock").find("'team:helios' cannot be a part"),
             std::string::npos);
   EXPECT_NE(error_of("mix:1=moc;others=mock").find("did you mean 'mock'?"), std::string::npos);
+}
+
+TEST(Endpoint, ParsesSideWithPlannerFile) {
+  const auto mock = parse_endpoint("planner:a/b.toml=mock:planner");
+  EXPECT_EQ(mock->kind, Endpoint::Kind::kMock);
+  EXPECT_EQ(mock->behavior, "planner");
+  EXPECT_EQ(mock->planner_file, "a/b.toml");
+  EXPECT_EQ(mock->text, "planner:a/b.toml=mock:planner");
+  EXPECT_EQ(default_team_name(*mock), "planner");
+  EXPECT_EQ(parse_endpoint("planner:x=run:A=1 ./go {port}")->command, "A=1 ./go {port}");
+  EXPECT_EQ(parse_endpoint("planner:x=mix:1=mock;others=mock:hold")->parts.size(), 2U);
+  EXPECT_EQ(parse_endpoint("planner:50051")->host, "planner") << "a host of this name";
+  EXPECT_EQ(parse_endpoint("mock:planner")->planner_file, "");
+}
+
+TEST(Endpoint, ReportsErrorsOfSideWithPlannerFile) {
+  EXPECT_EQ(error_of("planner:=mock"), "side 'planner:=mock': no file after 'planner:'");
+  EXPECT_EQ(error_of("planner:x=team:helios"),
+            "side 'planner:x=team:helios': an external team does not use the planner of cls");
+  EXPECT_EQ(error_of("planner:x=planner:y=mock"),
+            "side 'planner:x=planner:y=mock': planner:FILE= may be given once");
+  EXPECT_EQ(error_of("mix:1=planner:x=mock;others=mock"),
+            "side 'mix:1=planner:x=mock;others=mock': planner:FILE= applies to the whole team; "
+            "write it before mix:");
+  EXPECT_NE(error_of("planner:x=moc").find("side 'planner:x=moc': unknown side 'moc'; did you"),
+            std::string::npos);
 }
 
 TEST(TeamNames, AreDerivedFromEndpoint) {

@@ -220,6 +220,8 @@ TEST(Config, ResolvesEndpointsRelativeToItsFolder) {
   EXPECT_EQ(endpoint_from("/a", "mock:x.json"), "mock:/a/x.json");
   EXPECT_EQ(endpoint_from("/a", "mock:hold"), "mock:hold");
   EXPECT_EQ(endpoint_from("/a", "host:1"), "host:1");
+  EXPECT_EQ(endpoint_from("/a", "planner:p.toml=mock:x.json"), "planner:/a/p.toml=mock:/a/x.json");
+  EXPECT_EQ(endpoint_from("/a", "planner:/b/p.toml=mock"), "planner:/b/p.toml=mock");
   EXPECT_EQ(endpoint_from(std::filesystem::current_path(), "run:./go {port}"), "run:./go {port}");
 }
 

@@ -1,0 +1,133 @@
+// `planner:FILE=SIDE`: matches with other parameters of the planner.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "tests/support/command.h"
+#include "tests/support/files.h"
+#include "tests/support/temporary_folder.h"
+
+namespace cls::tests {
+namespace {
+
+using Arguments = std::vector<std::string>;
+
+class PlannerSide : public testing::Test {
+ protected:
+  void write(const std::string& name, const std::string& text) const {
+    std::ofstream(folder_.path() / name) << text;
+  }
+
+  CommandResult run_cls(Arguments arguments) const {
+    arguments.insert(arguments.begin(), cls_binary());
+    return Command(arguments, {}, folder_.path()).finish(std::chrono::seconds(180));
+  }
+
+  CommandResult match(const std::string& left, const std::string& folder) const {
+    return run_cls({"match", left, "mock:planner", "--left-name", "left", "--right-name", "right",
+                    "--seed", "7", "--cycles", "60", "--quiet", "--force", "--dir", folder});
+  }
+
+  /// The game log of a match of this side against mock:planner.
+  std::string game_log(const std::string& left) const {
+    const CommandResult played = match(left, "match");
+    EXPECT_EQ(played.exit_code, 0) << left << ": " << played.err;
+    return read_file(folder_.path() / "match/match.rcg");
+  }
+
+  TemporaryFolder folder_;
+};
+
+// The planner is at work in the first seconds: other passes, another match.
+constexpr const char* kOther = "pass_margin = 1.5\nx_weight = 0.2\nshift_normal = -8\n";
+
+TEST_F(PlannerSide, PlaysTheSameMatchWithDefaults) {
+  ASSERT_EQ(run_cls({"init", "--planner"}).exit_code, 0);
+  write("empty.toml", "");
+  const std::string plain = game_log("mock:planner");
+  EXPECT_TRUE(game_log("planner:planner.toml=mock:planner") == plain);
+  EXPECT_TRUE(game_log("planner:empty.toml=mock:planner") == plain);
+}
+
+TEST_F(PlannerSide, PlaysAnotherMatchWithOtherValues) {
+  write("other.toml", kOther);
+  const std::string plain = game_log("mock:planner");
+  const std::string other = game_log("planner:other.toml=mock:planner");
+  EXPECT_FALSE(other == plain);
+  EXPECT_TRUE(game_log("planner:other.toml=mock:planner") == other) << "reproducible";
+}
+
+// The parameters belong to the agents, wherever their Playmaker runs.
+TEST_F(PlannerSide, PlaysTheSameMatchWithPlaymakerElsewhere) {
+  write("other.toml", kOther);
+  const std::string here = game_log("planner:other.toml=mock:planner");
+  EXPECT_TRUE(game_log("planner:other.toml=run:exec " + cls_binary().string() +
+                       " mock planner --port {port}") == here);
+  EXPECT_TRUE(game_log("planner:other.toml=mix:1-5=mock:planner;others=mock:planner") == here);
+}
+
+TEST_F(PlannerSide, ReportsErrorsBeforeTheMatch) {
+  const CommandResult missing = match("planner:no.toml=mock:planner", "match");
+  EXPECT_EQ(missing.exit_code, 66);
+  EXPECT_EQ(missing.err, "cls: no.toml: no such file; `cls init --planner` writes one\n");
+  write("typo.toml", "# mine\npas_margin = 1\n");
+  const CommandResult typo = match("planner:typo.toml=mock:planner", "match");
+  EXPECT_EQ(typo.exit_code, 65);
+  EXPECT_EQ(typo.err,
+            "cls: typo.toml:2: unknown parameter 'pas_margin'; did you mean 'pass_margin'?\n");
+  EXPECT_FALSE(std::filesystem::exists(folder_.path() / "match"));
+}
+
+TEST_F(PlannerSide, IsRefusedWhereAMatchIsRepeated) {
+  write("other.toml", kOther);
+  const CommandResult refused = run_cls({"match", "planner:other.toml=mock", "mock", "--cycles",
+                                         "20", "--save-at", "10", "x.saved", "--dir", "match"});
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_NE(refused.err.find("the built-in formations and planner"), std::string::npos)
+      << refused.err;
+}
+
+TEST_F(PlannerSide, InitWritesAFileOnce) {
+  EXPECT_EQ(run_cls({"init", "--planner", "a"}).out, "a/planner.toml\n");
+  const CommandResult again = run_cls({"init", "--planner", "a"});
+  EXPECT_EQ(again.exit_code, 73);
+  EXPECT_EQ(again.err, "cls: a/planner.toml: exists; --force renames it to planner.toml.old\n");
+  EXPECT_EQ(run_cls({"init", "--planner", "a", "--force"}).exit_code, 0);
+  EXPECT_TRUE(std::filesystem::exists(folder_.path() / "a/planner.toml.old"));
+}
+
+// The search of docs/tuning.md, with few and short matches.
+TEST_F(PlannerSide, IsTuned) {
+  std::filesystem::create_directory(folder_.path() / "search");
+  write("search/tune.toml", R"(
+[tune]
+team = "planner:{file}=mock:planner"
+file = "planner.toml"
+opponents = ["mock:hold"]
+generations = 1
+population = 4
+pairs = 1
+verdict_pairs = 0
+
+[parameters.pass_margin]
+min = 0
+max = 1.5
+start = 0.35
+
+[parameters.hold_cycles]
+min = 0
+max = 20
+start = 5
+integer = true
+)");
+  const CommandResult ran = run_cls({"tune", "run", "search", "--cycles", "10", "--quiet"});
+  ASSERT_EQ(ran.exit_code, 0) << ran.err;
+  const CommandResult best = match("planner:search/best.toml=mock:planner", "match");
+  EXPECT_EQ(best.exit_code, 0) << best.err;
+}
+
+}  // namespace
+}  // namespace cls::tests
