@@ -90,7 +90,7 @@ bool parse_spaced_names(std::string_view line, SpacedNames& record) {
 }
 
 // Splits the names where the result message does. Without a fitting result, splits at the middle
-// space.
+// space. Both together have a limit, so one may be too long: it is cut as all readers limit names.
 void split_names(std::string_view names, std::string_view result, TeamFrames& teams) {
   const std::vector<std::string_view> words = split_at_spaces(names);
   std::size_t left_words = (words.size() + 1) / 2;
@@ -104,7 +104,7 @@ void split_names(std::string_view names, std::string_view result, TeamFrames& te
   const std::array<std::string_view, 2> parts = {joined(words.front(), words[left_words - 1]),
                                                  joined(words[left_words], words.back())};
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    teams[i].name = parts[i] == kNoTeam ? std::string_view() : parts[i];
+    teams[i].name = parts[i] == kNoTeam ? std::string_view() : parts[i].substr(0, kMaxNameLength);
   }
 }
 

@@ -155,6 +155,8 @@ TEST(ReadRcg, SplitsNamesWithSpacesByResult) {
   EXPECT_EQ(names("Team 1 Team 2", "odd"), Names("Team 1", "Team 2"));
   EXPECT_EQ(names("null my team", ""), Names("", "my team"));
   EXPECT_EQ(names("A-vs-B C  D null", ""), Names("A-vs-B C  D", ""));
+  const std::string long_name(80, 'M');
+  EXPECT_EQ(names("A " + long_name, ""), Names("A", long_name.substr(0, 64)));
   EXPECT_FALSE(read("ULG6\n(team 1 my team 0 0)\n(team 1 a b c)\n" + std::string(kEnd) + show(9))
                    .errors.empty());
 }

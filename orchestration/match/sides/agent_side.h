@@ -26,7 +26,7 @@ struct SideSetup {
   std::filesystem::path folder;          ///< of the match
   process::ProcessHost* host = nullptr;  ///< for sides that start programs
   std::vector<int> cpus;                 ///< processor cores of agents and Playmaker; empty: all
-  process::ResourceLimits limits;        ///< of the Playmaker's processes
+  process::ResourceLimits limits{};      ///< of the Playmaker's processes
   proxy::BatchMode batch = proxy::BatchMode::kOff;
 };
 
