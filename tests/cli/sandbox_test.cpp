@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -37,7 +38,8 @@ class Sandbox : public testing::Test {
     std::ofstream(path(name + "/start.sh"))
         << "#!/bin/sh\nwhile [ $# -gt 0 ]; do case $1 in -p) port=$2;; esac; shift 2; done\n"
         << "exec 2>&1\n"
-        << probes << "\nexec " << player << " --port $port --name " << name << " --players 11\n";
+        << probes << "\nfor i in $(seq 11); do\n  goalie=; [ $i = 1 ] && goalie='--goalie 1'\n  "
+        << player << " --port $port --name " << name << " $goalie &\n  sleep 0.02\ndone\n";
     ::chmod(path(name + "/start.sh").c_str(), 0755);
   }
 
@@ -46,7 +48,7 @@ class Sandbox : public testing::Test {
     Words argv = launcher;
     for (const std::string& word :
          {cls_binary().string(), std::string("match"), "team:" + path("rivals").string(),
-          "team:" + path("guests").string(), std::string("--cycles"), std::string("10"),
+          "team:" + path("guests").string(), std::string("--half-time"), std::string("1"),
           std::string("--force")}) {
       argv.push_back(word);
     }

@@ -60,7 +60,7 @@ void add_folder(const fs::path& folder, const std::vector<fs::path>& hidden,
   }
   std::error_code code;
   for (const auto& entry : fs::directory_iterator(folder, code)) {
-    // Where a link leads is allowed or hidden by itself.
+    // Where a link leads has an entry of its own, or is hidden.
     if (!entry.is_symlink(code)) add_folder(entry.path(), hidden, folders);
   }
 }

@@ -140,15 +140,15 @@ MatchEnd ExternalSide::exit_failure(const process::Child& child, const MatchMome
   MatchEnd end;
   end.reason = moment.playing ? EndReason::kCrashed : EndReason::kRefused;
   end.failure = failure_of(child);
-  end.message =
-      fmt::format("{}: the process of {} ended {}: {}{}{}", who(), child.plan().name,
-                  moment.playing ? fmt::format("at cycle {}", moment.cycle) : "before the match",
-                  end.failure->exit, limit_hint(child), shared_name_hint_);
-  if (!moment.playing) end.message += sandbox_hint(child);
+  end.message = fmt::format(
+      "{}: the process of {} ended {}: {}{}{}", who(), child.plan().name,
+      moment.playing ? fmt::format("at cycle {}", moment.cycle) : "before the match",
+      end.failure->exit, limit_hint(child) + (moment.playing ? std::string() : sandbox_hint(child)),
+      shared_name_hint_);
   return end;
 }
 
-// Of processes that have died below a script that goes on or has ended well.
+// Of processes that have died below a script that still runs or has succeeded.
 std::string ExternalSide::limit_hints() const {
   const auto limited = std::find_if(agents_.begin(), agents_.end(), [](const Agent& agent) {
     return agent.child->status().at_cpu_limit;
@@ -176,7 +176,8 @@ std::string ExternalSide::sandbox_hint(const process::Child& child) const {
 // A server may continue without the players that a limit has ended.
 std::vector<std::string> ExternalSide::take_warnings() {
   constexpr std::string_view kSeparator = "; ";
-  if (const std::string hint = limit_hints(); !hint.empty() && !warned_of_limit_) {
+  const std::string hint = limit_hints();
+  if (!hint.empty() && exited_agent() == nullptr && !warned_of_limit_) {
     warned_of_limit_ = true;
     warnings_.push_back(hint.substr(kSeparator.size()));
   }
