@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <iterator>
+#include <regex>
 #include <set>
 
 #include "base/text/table.h"
@@ -153,18 +154,11 @@ std::string ends_page() {
   text += "\n## End reasons\n\n`end_reason` of a result.\n";
   for (const ReferenceEntry& entry : reference()) {
     if (entry.kind != ReferenceKind::kEndReason) continue;
-    std::string about = entry.text;
-    // The links of the page that the text is from.
-    for (std::size_t at = about.find("](#"); at != std::string::npos;
-         at = about.find("](#", at + 1)) {
-      about.replace(at, 3, "](../troubleshooting.md#");
-    }
-    for (const char* page : {"](matches.md", "](playmaker.md"}) {
-      for (std::size_t at = about.find(page); at != std::string::npos;
-           at = about.find(page, at + 5)) {
-        about.insert(at + 2, "../");
-      }
-    }
+    // The text is from a page of the folder above.
+    static const std::regex in_page(R"(\]\(#)");
+    static const std::regex beside_page(R"(\]\((?=[a-z-]+\.md))");
+    std::string about = std::regex_replace(entry.text, in_page, "](troubleshooting.md#");
+    about = std::regex_replace(about, beside_page, "](../");
     fmt::format_to(std::back_inserter(text), "\n### {}\n\n{}\n", entry.name, about);
   }
   return text;

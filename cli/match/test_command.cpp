@@ -361,7 +361,7 @@ void warn_without_sandbox(const std::vector<Scenario>& scenarios, const SuiteOpt
       });
   const std::string missing = orchestration::match::missing_sandbox();
   if (!external || !options.sandbox || missing.empty()) return;
-  fmt::print(stderr, "cls: warning: {}\n", missing);
+  print_error(kOk, "warning: " + missing);
 }
 
 int run_test_command(const Arguments& arguments) {

@@ -206,7 +206,7 @@ TEST(ProcessHost, PassesOnlyNamedVariablesIfThePlanSaysSo) {
   plan.environment = {{"GIVEN", "value"}};
   const auto child = processes.start(plan);
   ASSERT_TRUE(child->wait_gone(10s));
-  EXPECT_EQ(child->last_lines(), (Lines{"unset", "unset", "value: value"}));
+  EXPECT_EQ(child->last_lines(), (Lines{"unset ×2", "value: value"}));
 }
 
 TEST(ProcessHost, TreatsFailedScriptAsEndedDespiteWorkers) {
