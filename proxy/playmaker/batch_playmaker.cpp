@@ -263,6 +263,7 @@ class BatchPlaymaker : public Playmaker {
       return;
     }
     if (const auto* registered = reply.as<wire::RegisterTeamResponse>()) {
+      for (const int agent : due_) lost_.reset(slot(agent));
       encoding_ = registered->encoding();
       hand_out(reply, registered->agents());
     } else if (const auto* actions = reply.as<wire::GetTeamActionsResponse>()) {

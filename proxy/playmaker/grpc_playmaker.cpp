@@ -270,6 +270,10 @@ class GrpcPlaymaker : public Playmaker {
   Reply reply_of(const GrpcCall& call) {
     const Reply& reply = call.reply();
     answered_[static_cast<std::size_t>(reply.agent)] |= reply.status.ok();
+    // A loss that was noticed while the agent registered needs no second registration.
+    if (is_registration(reply.rpc) && reply.status.ok()) {
+      lost_[static_cast<std::size_t>(reply.agent)] = false;
+    }
     return reply;
   }
 

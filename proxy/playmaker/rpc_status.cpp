@@ -7,7 +7,7 @@
 namespace cls::proxy {
 namespace {
 
-RpcOutcome outcome_of(int code) {
+RpcOutcome outcome_of(proto::Rpc rpc, int code) {
   switch (code) {
     case GRPC_STATUS_OK:
       return RpcOutcome::kOk;
@@ -15,6 +15,9 @@ RpcOutcome outcome_of(int code) {
       return RpcOutcome::kDeadline;
     case GRPC_STATUS_UNAVAILABLE:
       return RpcOutcome::kUnavailable;
+    case GRPC_STATUS_CANCELLED:
+      // A server that stops cancels the calls that it has taken: the next one may register.
+      return is_registration(rpc) ? RpcOutcome::kUnavailable : RpcOutcome::kError;
     case GRPC_STATUS_UNIMPLEMENTED:
       return RpcOutcome::kUnimplemented;
     default:
@@ -33,7 +36,7 @@ std::string one_line(std::string_view text) {
 }  // namespace
 
 RpcStatus rpc_status(proto::Rpc rpc, int code, std::string_view error) {
-  RpcStatus status{outcome_of(code), code, {}};
+  RpcStatus status{outcome_of(rpc, code), code, {}};
   if (!status.ok()) status.message = fmt::format("{}: {}", proto::name(rpc), one_line(error));
   return status;
 }

@@ -76,6 +76,14 @@ class Barrier {
   int expected_;
 };
 
+TEST(RpcStatus, TakesACancelledRegistrationForAServerThatStops) {
+  for (const proto::Rpc rpc : {proto::Rpc::kRegister, proto::Rpc::kRegisterTeam}) {
+    EXPECT_EQ(rpc_status(rpc, grpc::CANCELLED, "CANCELLED").outcome, RpcOutcome::kUnavailable);
+  }
+  const RpcStatus decision = rpc_status(proto::Rpc::kGetPlayerActions, grpc::CANCELLED, "by hand");
+  EXPECT_EQ(decision.outcome, RpcOutcome::kError);
+}
+
 TEST(GrpcPlaymaker, CallsInProcessAndOverTcpAndUnixSocket) {
   GameService service;
   PlaymakerServer server(service);
