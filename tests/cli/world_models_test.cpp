@@ -25,7 +25,6 @@
 namespace {
 
 namespace fs = std::filesystem;
-using cls::soccer::Side;
 using cls::viewer::DecisionSample;
 
 cls::tests::CommandResult play(const fs::path& folder, std::vector<std::string> more) {
