@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -19,6 +18,7 @@
 #include "orchestration/match/result/match_folder.h"
 #include "orchestration/match/result/match_result.h"
 #include "orchestration/match/result/recorded_end.h"
+#include "orchestration/match/result/reply_summary.h"
 #include "viewer/charts/drawing.h"
 #include "viewer/page/match_page.h"
 #include "viewer/report/match_report.h"
@@ -52,29 +52,11 @@ struct Arguments {
   bool json = false;
 };
 
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 void add_replies(const TeamResult& team, std::vector<viewer::PlaymakerReplies>& rows) {
-  viewer::PlaymakerReplies row;
-  row.team = team.name;
-  row.endpoint = team.endpoint;
-  std::vector<double> medians;
-  for (const PlayerResult& player : team.players) {
-    row.decisions += player.decisions;
-    row.late += player.late;
-    row.missed += player.missed;
-    medians.push_back(player.rpc_us.p50);
-    row.p95_us = std::max(row.p95_us, player.rpc_us.p95);
-    row.p99_us = std::max(row.p99_us, player.rpc_us.p99);
-    row.max_us = std::max(row.max_us, player.rpc_us.max);
-  }
-  if (row.decisions == 0) return;
-  row.p50_us = median(std::move(medians));
-  rows.push_back(std::move(row));
+  const auto sums = orchestration::match::reply_summary(team);
+  if (sums.decisions == 0) return;
+  rows.push_back({team.name, team.endpoint, sums.decisions, sums.late, sums.missed, sums.rpc_us.p50,
+                  sums.rpc_us.p95, sums.rpc_us.p99, sums.rpc_us.max});
 }
 
 // What `cls match` wrote beside the log, if it is the log of that match.

@@ -7,6 +7,7 @@
 #include <functional>
 #include <iterator>
 
+#include "base/median.h"
 #include "base/text/counted.h"
 #include "base/text/wrap_text.h"
 #include "cli/support/troubleshooting.h"
@@ -43,9 +44,7 @@ std::string latency(const TeamResult& team, double orchestration::match::RpcLate
   const auto figure = [&](double orchestration::match::RpcLatency::*which) {
     std::vector<double> values;
     for (const PlayerResult& player : team.players) values.push_back(player.rpc_us.*which);
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return worst ? *std::max_element(values.begin(), values.end()) : *middle;
+    return worst ? *std::max_element(values.begin(), values.end()) : base::median(values);
   };
   if (team.players.empty()) return "-";
   return fmt::format("{:.0f} / {:.0f} us", figure(first), figure(second));

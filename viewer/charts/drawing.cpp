@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/text/decimal_text.h"
 #include "base/text/utf8.h"
 #include "base/text/xml.h"
 
@@ -53,11 +54,7 @@ std::string attributes(Look look) {
 }  // namespace
 
 std::string svg_number(double value) {
-  if (!std::isfinite(value)) return "0";
-  std::string text = fmt::format("{:.2f}", value);
-  text.erase(text.find_last_not_of('0') + 1);
-  if (text.back() == '.') text.pop_back();
-  return text == "-0" ? "0" : text;
+  return std::isfinite(value) ? base::decimal_text(value, 2) : "0";
 }
 
 std::string shortened_name(std::string_view name, std::size_t count) {

@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/text/decimal_text.h"
 #include "base/text/json_text.h"
 #include "proxy/planner/planner_messages.h"
 
@@ -27,7 +28,7 @@ constexpr std::size_t kMaxCandidates = 8;
 // Three digits: 123, 12.3, 1.23, 0.123.
 std::string number_text(double value) {
   const double size = std::abs(value);
-  return short_number(value, size >= 100 ? 0 : size >= 10 ? 1 : size >= 1 ? 2 : 3);
+  return base::decimal_text(value, size >= 100 ? 0 : size >= 10 ? 1 : size >= 1 ? 2 : 3);
 }
 
 std::string point_text(double x, double y) {
@@ -115,15 +116,6 @@ std::string_view category_name(proxy::PlanCategory category) {
 }
 
 }  // namespace
-
-std::string short_number(double value, int decimals) {
-  std::string text = fmt::format("{:.{}f}", value, decimals);
-  if (text.find('.') != std::string::npos) {
-    text.erase(text.find_last_not_of('0') + 1);
-    if (text.back() == '.') text.pop_back();
-  }
-  return text == "-0" ? "0" : text;
-}
 
 std::string action_text(const protos::PlayerAction& action) {
   const auto* field = protos::PlayerAction::descriptor()->FindFieldByNumber(action.action_case());

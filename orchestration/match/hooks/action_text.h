@@ -18,7 +18,4 @@ std::string action_text(const protos::PlayerAction& action);
 /// one. At most eight lines; empty without a plan.
 std::string plan_text(const proxy::PlanChoice& choice);
 
-/// A number with at most `decimals` decimals, without trailing zeros: "12.3", "0".
-std::string short_number(double value, int decimals);
-
 }  // namespace cls::orchestration::match

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/io/gzip_sink.h"
+#include "base/text/decimal_text.h"
 #include "base/text/number_text.h"
 #include "orchestration/match/hooks/action_text.h"
 #include "viewer/decisions/decision_files.h"
@@ -107,7 +108,7 @@ std::string command_text(const std::string& datagram) {
         quoted || !starts ? 0
                           : base::parse_number_prefix(std::string_view(datagram).substr(at), value);
     if (length > 0) {
-      text += short_number(value, 1);
+      text += base::decimal_text(value, 1);
       at += length;
     } else {
       text += c;

@@ -6,6 +6,8 @@
 #include <map>
 #include <set>
 
+#include "base/median.h"
+
 namespace cls::orchestration::tournament {
 namespace {
 
@@ -19,13 +21,6 @@ void add_side(PlaymakerFigures& figures, std::vector<double>& medians, const Sid
   figures.p99_us = std::max(figures.p99_us, side.rpc_p99_us);
   figures.max_us = std::max(figures.max_us, side.rpc_max_us);
   medians.push_back(side.rpc_p50_us);
-}
-
-double median(std::vector<double> values) {
-  if (values.empty()) return 0.0;
-  const auto middle = values.begin() + static_cast<long>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 void mark_outliers(std::vector<HostFigures>& hosts) {
@@ -64,7 +59,8 @@ std::vector<PlaymakerFigures> playmaker_figures(std::size_t teams,
     add_side(figures[left], medians[left], match.outcome->left);
     add_side(figures[right], medians[right], match.outcome->right);
   }
-  for (std::size_t team = 0; team < teams; ++team) figures[team].p50_us = median(medians[team]);
+  for (std::size_t team = 0; team < teams; ++team)
+    figures[team].p50_us = base::median(medians[team]);
   return figures;
 }
 

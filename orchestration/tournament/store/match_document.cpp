@@ -3,13 +3,12 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
-#include <vector>
 
 #include "base/catch_as_error.h"
 #include "base/text/json_codec.h"
 #include "base/text/json_text.h"
+#include "orchestration/match/result/reply_summary.h"
 #include "soccer/side.h"
 
 namespace cls::orchestration::tournament {
@@ -144,26 +143,10 @@ Result<WorkResult> parse_work_result(std::string_view text) { return parse<WorkR
 
 namespace {
 
-// The median player's p50, the slowest player's p95, p99 and maximum, and sums of the rest.
 SideStats stats_of(const match::TeamResult& team) {
-  SideStats side;
-  std::vector<double> medians;
-  for (const match::PlayerResult& player : team.players) {
-    side.decisions += player.decisions;
-    side.late += player.late;
-    side.missed += player.missed;
-    medians.push_back(player.rpc_us.p50);
-    side.rpc_p95_us = std::max(side.rpc_p95_us, player.rpc_us.p95);
-    side.rpc_p99_us = std::max(side.rpc_p99_us, player.rpc_us.p99);
-    side.rpc_max_us = std::max(side.rpc_max_us, player.rpc_us.max);
-  }
-  if (!medians.empty()) {
-    const auto middle = medians.begin() + static_cast<long>(medians.size() / 2);
-    std::nth_element(medians.begin(), middle, medians.end());
-    side.rpc_p50_us = *middle;
-  }
-  side.cpu_seconds = team.cpu_seconds;
-  return side;
+  const match::ReplySummary sums = match::reply_summary(team);
+  return {sums.decisions,  sums.late,       sums.missed,     sums.rpc_us.p50,
+          sums.rpc_us.p95, sums.rpc_us.p99, sums.rpc_us.max, team.cpu_seconds};
 }
 
 }  // namespace
