@@ -5,13 +5,13 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
-#include <array>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <thread>
 #include <utility>
 
+#include "base/system/host.h"
 #include "cli/support/browser.h"
 #include "cli/terminal/terminal.h"
 #include "viewer/live/live_site.h"
@@ -26,11 +26,6 @@ constexpr std::chrono::milliseconds kViewPollInterval{50};
 constexpr std::chrono::seconds kDrainTime{3};
 
 bool has_terminal() { return ::isatty(STDIN_FILENO) == 1 && stderr_is_terminal(); }
-
-std::string host_name() {
-  std::array<char, 256> name{};
-  return ::gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "HOST";
-}
 
 }  // namespace
 
@@ -53,7 +48,8 @@ std::string tunnel_hint(const std::string& url) {
   if (connection == nullptr || *connection == '\0') return "";
   const std::size_t port = url.find(':', url.find("//")) + 1;
   const std::string number = url.substr(port, url.find('/', port) - port);
-  return fmt::format("ssh -L {0}:127.0.0.1:{0} {1}", number, host_name());
+  const std::string host = base::host_name();
+  return fmt::format("ssh -L {0}:127.0.0.1:{0} {1}", number, host.empty() ? "HOST" : host);
 }
 
 base::Result<std::unique_ptr<LiveView>> LiveView::start(std::unique_ptr<viewer::LiveInput> input,

@@ -2,8 +2,8 @@
 #include "viewer/decisions/decision_reader.h"
 
 #include <fmt/format.h>
-#include <algorithm>
 
+#include <algorithm>
 #include <cstdint>
 #include <nlohmann/json.hpp>
 #include <optional>

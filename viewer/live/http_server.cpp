@@ -4,10 +4,8 @@
 
 #include <fmt/format.h>
 #include <openssl/crypto.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/steady_timer.hpp>
@@ -20,6 +18,7 @@
 #include <thread>
 #include <utility>
 
+#include "base/system/host.h"
 #include "base/system/socket_address.h"
 
 namespace cls::viewer {
@@ -47,11 +46,6 @@ std::string random_token() {
 
 bool is_ip_address(const std::string& host) { return bool(base::parse_ip_address(host, 0)); }
 
-std::string host_name() {
-  std::array<char, 256> name{};
-  return ::gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "";
-}
-
 // The host of a Host header, "[::1]:80" or "localhost:80". The port may be that of a tunnel.
 std::string host_of(std::string_view header) {
   if (header.starts_with('[') && header.find(']') != std::string_view::npos) {
@@ -62,7 +56,7 @@ std::string host_of(std::string_view header) {
 
 bool is_own_host(std::string_view header) {
   const std::string host = host_of(header);
-  return is_ip_address(host) || host == "localhost" || (!host.empty() && host == host_name());
+  return is_ip_address(host) || host == "localhost" || (!host.empty() && host == base::host_name());
 }
 
 }  // namespace
@@ -305,7 +299,7 @@ int HttpServer::port() const {
 
 std::string HttpServer::url() const {
   std::string host = state_->shown_host;
-  if (host == "0.0.0.0" || host == "::") host = host_name();
+  if (host == "0.0.0.0" || host == "::") host = base::host_name();
   if (host.find(':') != std::string::npos) host = fmt::format("[{}]", host);
   return fmt::format("http://{}:{}/{}/", host, port(), state_->token);
 }
