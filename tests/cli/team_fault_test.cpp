@@ -1,0 +1,170 @@
+// Matches of external teams with each kind of fault.
+#include "tests/cli/network_match.h"
+#include "tests/support/port_lock.h"
+
+namespace {
+
+using namespace std::chrono_literals;
+using cls::tests::built;
+using nlohmann::json;
+using TeamFault = cls::tests::NetworkMatch;
+
+// The script ends after a process that it has left to others.
+TEST_F(TeamFault, NamesTheLimitThatEndedAProcessOfTheTeam) {
+  script("team/start.sh",
+         "(sh -c 'echo $$ > pid; while :; do :; done' &)\n"
+         "while [ ! -s pid ]; do sleep 0.1; done\n"
+         "while kill -0 $(cat pid); do sleep 0.1; done\nexit 3");
+  play("team:" + (folder_.path() / "team").string(), "embedded", {"--max-cpu", "1"});
+  expect_end("refused", 69,
+             "the process of right team ended before the match: exit code 3; a process of right "
+             "team had used the 1 s of CPU time that --max-cpu allows: raise or omit the limit");
+}
+
+TEST_F(TeamFault, ReportsExitAtStart) {
+  play(team("--exit-at-start 2"), server(""));
+  // The script succeeds, but its players are gone.
+  expect_end("refused", 69, "the process of right team ended before the match");
+  expect_failed("right team", "cannot read formation.conf");
+  EXPECT_LT(took_, 10s);
+}
+
+TEST_F(TeamFault, ReportsTeamThatNeverConnects) {
+  play(team("--never-join 1"), server(""), {"--start-timeout", "2"});
+  expect_end("refused", 69, "0 of 11 players of the right team have joined within the start limit");
+}
+
+TEST_F(TeamFault, ReportsDifferentTeamName) {
+  play(team("--name Others"), server(""), {"--right-name", "Guests"});
+  expect_end("refused", 69, "the team plays under the name Others instead of Guests");
+}
+
+TEST_F(TeamFault, ReportsTeamNameOfOpponent) {
+  play(team("--name hold"), server(""), {"--right-name", "Guests", "--start-timeout", "2"});
+  expect_end("refused", 69, "; or it plays under the name hold too");
+}
+
+TEST_F(TeamFault, ReportsCrashOfAllPlayers) {
+  play(team("--exit-at-cycle 10"), server(""));
+  expect_end("crashed", 1, "the process of right team ended at cycle ");
+  expect_failed("right team", "lost my boots");
+}
+
+TEST_F(TeamFault, ReportsHangDuringMatch) {
+  play(team("--hang-at-cycle 10"), server(""), {"--stall-after", "1"});
+  expect_end("stalled", 1, "no new cycle for 1 s");
+}
+
+// The cls agents have replied to every cycle, so the server gave up waiting for the others.
+TEST_F(TeamFault, BlamesTheTeamThatTheServerGaveUp) {
+  play(team(""), server("--until-cycle 20 --give-up 1 --code 1"), {"--right-name", "Guests"});
+  expect_end("late", 1, "clients stopped responding: those of Guests (team:");
+  EXPECT_EQ(result_["fault"], "right");
+}
+
+TEST_F(TeamFault, KillsTeamThatIgnoresSigterm) {
+  play(team("--ignore-term 1 --grandchild 1"), server(""), {"--cycles", "10"});
+  expect_finished();
+}
+
+TEST_F(TeamFault, ReportsMissingFolder) {
+  play("team:/no/such/team", server(""));
+  expect_end("refused", 69, "team folder /no/such/team: no such folder");
+}
+
+TEST_F(TeamFault, ReportsMissingStartScript) {
+  script("team/play", "exit 0");
+  play("team:" + (folder_.path() / "team").string(), server(""));
+  expect_end("refused", 69, ": neither start nor start.sh in it");
+}
+
+TEST_F(TeamFault, ReportsIncompleteTeam) {
+  play(team("", 10), server(""), {"--start-timeout", "2"});
+  expect_end("refused", 69,
+             "10 of 11 players of the right team have joined within the start limit");
+}
+
+TEST_F(TeamFault, AcceptsOwnNameOfTeam) {
+  play(team("--name Others"), server(""), {"--cycles", "10"});
+  expect_finished();
+  EXPECT_EQ(result_["right"]["name"], "Others");
+  EXPECT_NE(played_.err.find("plays under the name Others instead of team"), std::string::npos)
+      << played_.err;
+}
+
+TEST_F(TeamFault, AcceptsDisconnectAtTimeOver) {
+  play(team("--exit-at-cycle 60 --code 0"), server(""), {"--half-time", "3"});
+  expect_finished();
+  EXPECT_EQ(result_["cycles"], 60);
+}
+
+TEST_F(TeamFault, ReportsCrashOfOneAgent) {
+  const cls::tests::PortLock lock;
+  play(team_of_single_agents("--exit-at-cycle 10"), server(""));
+  if (played_.exit_code == 75) GTEST_SKIP() << played_.err;
+  expect_end("crashed", 1, "the process of right player 7 ended at cycle ");
+  expect_failed("right player 7", "lost my boots");
+  EXPECT_EQ(result_["failure"]["exit"], "exit code 4");
+}
+
+TEST_F(TeamFault, ReportsAgentThatNeverConnects) {
+  const cls::tests::PortLock lock;
+  play(team_of_single_agents("--never-join 1"), server(""), {"--start-timeout", "2"});
+  if (played_.exit_code == 75) GTEST_SKIP() << played_.err;
+  expect_end("refused", 69, "right player 7 has not joined within the start limit");
+  EXPECT_EQ(result_["failure"]["process"], "right player 7");
+}
+
+TEST_F(TeamFault, ReportsAgentThatConnectsTwoPlayers) {
+  const cls::tests::PortLock lock;
+  play(team_of_single_agents("--players 2"), server(""));
+  if (played_.exit_code == 75) GTEST_SKIP() << played_.err;
+  expect_end("refused", 69, "right player 7 brought players 1, 2, 3, 4, 5, 6, 7, 8 onto the pitch");
+}
+
+TEST_F(TeamFault, AcceptsOwnNameWithOwnNamesOption) {
+  const cls::tests::PortLock lock;
+  play(team_of_single_agents(""), server(""), {"--right-name", "Visitors"});
+  if (played_.exit_code == 75) GTEST_SKIP() << played_.err;
+  expect_end("refused", 69, "the team plays under the name Guests instead of Visitors");
+}
+
+TEST_F(TeamFault, TerminatesHangingKillScript) {
+  script("team/kill", "trap '' TERM\nwhile true; do sleep 1; done");
+  play(team("--ignore-term 1"), server(""), {"--cycles", "10"});
+  expect_finished();
+  EXPECT_EQ(result_["processes"].back()["exit"], "ended by cls (killed by SIGKILL)");
+}
+
+TEST_F(TeamFault, PrintsFiveAndStoresFiftyLastOutputLines) {
+  script("team/start.sh", "for i in $(seq 100); do echo line $i; done; exit 1");
+  play("team:" + (folder_.path() / "team").string(), server(""));
+  expect_end("refused", 69, "the process of right team ended before the match: exit code 1");
+  const json& output = result_["failure"]["output"];
+  ASSERT_EQ(output.size(), 50U);
+  EXPECT_EQ(output.front(), "line 51");
+  EXPECT_EQ(output.back(), "line 100");
+  EXPECT_EQ(played_.err.find("line 95\n"), std::string::npos) << played_.err;
+  EXPECT_NE(played_.err.find("  right team: line 96\n"), std::string::npos) << played_.err;
+  EXPECT_NE(played_.err.find("  right team: line 100\n"), std::string::npos) << played_.err;
+}
+
+TEST_F(TeamFault, ContinuesDespiteFloodOfOutput) {
+  play(team("--flood 1"), server(""), {"--cycles", "10"});
+  expect_finished();
+  EXPECT_LT(std::filesystem::file_size(match_folder() + "/right-team.log"), 20'000U);
+}
+
+TEST_F(TeamFault, ReportsCrashOfPlaymakerOverUdp) {
+  play("run:exec " + built("cls_fake_playmaker") + " --port {port} --exit-at-cycle 10", server(""));
+  expect_end("crashed", 1, "its process ended at cycle ");
+  expect_failed("right Playmaker", "out of ideas");
+}
+
+TEST_F(TeamFault, RefusesPlaymakerThatNeverListensOverUdp) {
+  play("run:exec " + built("cls_fake_playmaker") + " --port {port} --never-listen 1", server(""),
+       {"--start-timeout", "1"});
+  expect_end("refused", 69, "it does not listen on port");
+}
+
+}  // namespace
