@@ -1,25 +1,22 @@
 // Two matches side by side in Chromium, from disk.
 import assert from 'node:assert/strict';
 import fs from 'node:fs';
-import {createRequire} from 'node:module';
 import os from 'node:os';
 import path from 'node:path';
 import test, {after, before} from 'node:test';
 import {pathToFileURL} from 'node:url';
 import zlib from 'node:zlib';
 import {kGoalFrame, sampleStream} from '../web/sample_match.mjs';
+import {accessibilityViolations, launch, openPage} from './browser.mjs';
 import {kInjections} from './injections.mjs';
 import {pageOf} from './page_writer.mjs';
 
-const {chromium} = createRequire(import.meta.url)('playwright-core');
-const kAxe = createRequire(import.meta.url).resolve('axe-core');
 const kFolder = fs.mkdtempSync(path.join(os.tmpdir(), 'cls-comparison-'));
 
 let browser;
 
 before(async () => {
-  const args = ['--disable-gpu', ...(process.getuid() === 0 ? ['--no-sandbox'] : [])];
-  browser = await chromium.launch({executablePath: process.env.CHROMIUM, args});
+  browser = await launch();
 });
 
 after(async () => {
@@ -46,15 +43,9 @@ function write(differences) {
 }
 
 async function open(differences = kDifferences, options = {}) {
-  const context = await browser.newContext({viewport: {width: 1280, height: 900}, colorScheme: 'dark', ...options});
-  const page = await context.newPage();
-  const problems = [];
-  page.on('console', (message) => ['error', 'warning'].includes(message.type()) && problems.push(message.text()));
-  page.on('pageerror', (error) => problems.push(error.stack));
-  page.on('request', (request) => !/^(file|blob):/.test(request.url()) && problems.push(`request of ${request.url()}`));
-  await page.goto(pathToFileURL(write(differences)).href);
-  await page.waitForFunction(() => window.clsComparison || document.querySelector('[role=alert]'), null, {timeout: 120000});
-  return {page, problems, context};
+  const opened = await openPage(browser, pathToFileURL(write(differences)).href, /^(file|blob):/, {viewport: {width: 1280, height: 900}, ...options});
+  await opened.page.waitForFunction(() => window.clsComparison || document.querySelector('[role=alert]'), null, {timeout: 120000});
+  return opened;
 }
 
 const momentOf = (page) => page.evaluate(() => window.clsComparison.clock.frame);
@@ -106,9 +97,7 @@ test('shows names as text', async () => {
 test('has no accessibility violations', async () => {
   for (const options of [{}, {colorScheme: 'light'}, {viewport: {width: 360, height: 800}}]) {
     const {page, context} = await open(kDifferences, options);
-    await page.evaluate(fs.readFileSync(kAxe, 'utf8'));
-    const {violations} = await page.evaluate(() => window.axe.run());
-    assert.deepEqual(violations.map((each) => `${each.id}: ${each.nodes.map((node) => node.html).join(' ')}`), []);
+    assert.deepEqual(await accessibilityViolations(page), []);
     await context.close();
   }
 });

@@ -1,25 +1,22 @@
 // The decision debugger in Chromium: estimates on the field, the panel, keys and links, texts that try to be markup.
 import assert from 'node:assert/strict';
 import fs from 'node:fs';
-import {createRequire} from 'node:module';
 import os from 'node:os';
 import path from 'node:path';
 import test, {after, before} from 'node:test';
 import {pathToFileURL} from 'node:url';
 import {kMissedFrame, kWorstFrame, sampleDecisionStream} from '../web/sample_decisions.mjs';
 import {sampleStream} from '../web/sample_match.mjs';
+import {accessibilityViolations, launch, openPage} from './browser.mjs';
 import {kInjections} from './injections.mjs';
 import {pageOf} from './page_writer.mjs';
 
-const {chromium} = createRequire(import.meta.url)('playwright-core');
-const kAxe = createRequire(import.meta.url).resolve('axe-core');
 const kFolder = fs.mkdtempSync(path.join(os.tmpdir(), 'cls-decisions-'));
 
 let browser;
 
 before(async () => {
-  const args = ['--disable-gpu', ...(process.getuid() === 0 ? ['--no-sandbox'] : [])];
-  browser = await chromium.launch({executablePath: process.env.CHROMIUM, args});
+  browser = await launch();
 });
 
 after(async () => {
@@ -31,19 +28,9 @@ after(async () => {
 async function open({hash = '', text, decisions = {left: sampleDecisionStream(text)}, ...options} = {}) {
   const file = path.join(kFolder, `${Object.keys(decisions).length}-${text ? 'text' : 'plain'}.html`);
   fs.writeFileSync(file, pageOf(sampleStream(), {}, decisions));
-  const context = await browser.newContext({viewport: {width: 1280, height: 900}, colorScheme: 'dark', ...options});
-  const page = await context.newPage();
-  const problems = [];
-  page.on('console', (message) => ['error', 'warning'].includes(message.type()) && problems.push(message.text()));
-  page.on('pageerror', (error) => problems.push(error.stack));
-  page.on('request', (request) => !/^(file|blob):/.test(request.url()) && problems.push(`request of ${request.url()}`));
-  await page.addInitScript(() => {
-    window.violations = [];
-    document.addEventListener('securitypolicyviolation', (event) => window.violations.push(event.violatedDirective));
-  });
-  await page.goto(pathToFileURL(file).href + hash);
-  await page.waitForFunction(() => window.clsViewer, null, {timeout: 120000});
-  return {page, problems, context};
+  const opened = await openPage(browser, pathToFileURL(file).href + hash, /^(file|blob):/, {viewport: {width: 1280, height: 900}, ...options});
+  await opened.page.waitForFunction(() => window.clsViewer, null, {timeout: 120000});
+  return opened;
 }
 
 const loaded = (page) => page.waitForFunction(() => window.clsViewer.viewer.track !== null && !document.querySelector('.decision > div').hidden);
@@ -144,9 +131,7 @@ test('has no accessibility violations, in both themes and on narrow screens', as
   for (const options of [{}, {colorScheme: 'light'}, {viewport: {width: 320, height: 800}}]) {
     const {page, context} = await open({hash: `#t=${kMissedFrame}&p=l7&d=1`, ...options});
     await loaded(page);
-    await page.evaluate(fs.readFileSync(kAxe, 'utf8'));
-    const {violations} = await page.evaluate(() => window.axe.run());
-    assert.deepEqual(violations.map(({id, nodes}) => `${id}: ${nodes.map(({html}) => html).join(' ')}`), []);
+    assert.deepEqual(await accessibilityViolations(page), []);
     const overflow = await page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);
     assert.ok(overflow <= 0, `${overflow} pixels too wide`);
     await context.close();

@@ -1,23 +1,19 @@
 // The page of a running match in Chromium: it follows, goes back, returns, and survives its server. CLS_LIVE_URL names
 // the page of a match that `cls` serves, to look at as well; CLS_SCREENSHOTS a folder for pictures.
 import assert from 'node:assert/strict';
-import fs from 'node:fs';
 import http from 'node:http';
-import {createRequire} from 'node:module';
 import path from 'node:path';
 import test, {after, before} from 'node:test';
 import {kFrames, kGoalFrame, liveSamplePieces} from '../web/sample_match.mjs';
+import {accessibilityViolations, launch, openPage} from './browser.mjs';
 import {pageOf} from './page_writer.mjs';
 
-const {chromium} = createRequire(import.meta.url)('playwright-core');
-const kAxe = createRequire(import.meta.url).resolve('axe-core');
 const kPieceFrames = 10;
 
 let browser;
 
 before(async () => {
-  const args = ['--disable-gpu', ...(process.getuid() === 0 ? ['--no-sandbox'] : [])];
-  browser = await chromium.launch({executablePath: process.env.CHROMIUM, args});
+  browser = await launch();
 });
 
 after(() => browser?.close());
@@ -64,19 +60,7 @@ class Match {
   }
 }
 
-async function open(url, options = {}) {
-  const context = await browser.newContext({viewport: {width: 1280, height: 800}, colorScheme: 'dark', ...options});
-  const page = await context.newPage();
-  const problems = [];
-  page.on('console', (message) => ['error', 'warning'].includes(message.type()) && problems.push(message.text()));
-  page.on('pageerror', (error) => problems.push(error.stack));
-  await page.addInitScript(() => {
-    window.violations = [];
-    document.addEventListener('securitypolicyviolation', (event) => window.violations.push(event.violatedDirective));
-  });
-  await page.goto(url);
-  return {page, problems, context};
-}
+const open = (url, options = {}) => openPage(browser, url, /./, options);
 
 const frameOf = (page) => page.evaluate(() => window.clsViewer?.viewer.frame ?? -1);
 const shows = (page, frame) => page.waitForFunction((wanted) => window.clsViewer?.viewer.frame === wanted, frame);
@@ -245,9 +229,7 @@ test('axe finds no accessibility violations while the page follows', async () =>
   const {match, page, context} = await following(12);
   for (const colorScheme of ['dark', 'light']) {
     await page.emulateMedia({colorScheme});
-    await page.evaluate(fs.readFileSync(kAxe, 'utf8'));
-    const found = await page.evaluate(() => window.axe.run());
-    assert.deepEqual(found.violations.map(({id, nodes}) => `${id}: ${nodes.map(({html}) => html).join(' ')}`), []);
+    assert.deepEqual(await accessibilityViolations(page), []);
   }
   if (process.env.CLS_SCREENSHOTS) await page.screenshot({path: path.join(process.env.CLS_SCREENSHOTS, 'live.png')});
   await context.close();

@@ -2,26 +2,23 @@
 // CLS_SCREENSHOTS a folder for pictures of its states.
 import assert from 'node:assert/strict';
 import fs from 'node:fs';
-import {createRequire} from 'node:module';
 import os from 'node:os';
 import path from 'node:path';
 import test, {after, before} from 'node:test';
 import {pathToFileURL} from 'node:url';
 import {kActions} from '../../../viewer/web/src/actions.js';
 import {kFrames, kGoalFrame, sampleStream} from '../web/sample_match.mjs';
+import {accessibilityViolations, launch, openPage} from './browser.mjs';
 import {kBrokenBytes, kInjections} from './injections.mjs';
 import {pageOf} from './page_writer.mjs';
 
-const {chromium} = createRequire(import.meta.url)('playwright-core');
-const kAxe = createRequire(import.meta.url).resolve('axe-core');
 const kFolder = fs.mkdtempSync(path.join(os.tmpdir(), 'cls-browser-'));
 
 let browser;
 let samplePath;
 
 before(async () => {
-  const args = ['--disable-gpu', ...(process.getuid() === 0 ? ['--no-sandbox'] : [])];
-  browser = await chromium.launch({executablePath: process.env.CHROMIUM, args});
+  browser = await launch();
   samplePath = write('sample.html', pageOf(sampleStream()));
 });
 
@@ -38,19 +35,9 @@ function write(name, text) {
 
 /** Opens a page; `problems` collects console messages, errors and requests. */
 async function open(file, hash = '', options = {}) {
-  const context = await browser.newContext({viewport: {width: 1280, height: 800}, colorScheme: 'dark', ...options});
-  const page = await context.newPage();
-  const problems = [];
-  page.on('console', (message) => ['error', 'warning'].includes(message.type()) && problems.push(message.text()));
-  page.on('pageerror', (error) => problems.push(error.stack));
-  page.on('request', (request) => !/^(file|blob):/.test(request.url()) && problems.push(`request of ${request.url()}`));
-  await page.addInitScript(() => {
-    window.violations = [];
-    document.addEventListener('securitypolicyviolation', (event) => window.violations.push(event.violatedDirective));
-  });
-  await page.goto(pathToFileURL(file).href + hash);
-  await page.waitForFunction(() => window.clsViewer || document.querySelector('[role=alert]'), null, {timeout: 120000});
-  return {page, problems, context};
+  const opened = await openPage(browser, pathToFileURL(file).href + hash, /^(file|blob):/, options);
+  await opened.page.waitForFunction(() => window.clsViewer || document.querySelector('[role=alert]'), null, {timeout: 120000});
+  return opened;
 }
 
 const frameOf = (page) => page.evaluate(() => window.clsViewer.viewer.frame);
@@ -253,9 +240,7 @@ test('axe finds no accessibility violations', async () => {
     for (const tab of ['Match', 'Events', 'Player', 'Pitch', 'help']) {
       if (tab === 'help') await page.keyboard.press('?');
       else await page.getByRole('tab', {name: tab}).click();
-      await page.evaluate(fs.readFileSync(kAxe, 'utf8'));
-      const found = await page.evaluate(async () => (await window.axe.run()).violations.map(({id, nodes}) => `${id}: ${nodes[0].html.slice(0, 160)} ${nodes[0].failureSummary}`));
-      assert.deepEqual(found, [], `${name}, ${tab}`);
+      assert.deepEqual(await accessibilityViolations(page), [], `${name}, ${tab}`);
     }
     await context.close();
   }

@@ -2,14 +2,12 @@
 import assert from 'node:assert/strict';
 import {execFileSync} from 'node:child_process';
 import fs from 'node:fs';
-import {createRequire} from 'node:module';
 import os from 'node:os';
 import path from 'node:path';
 import test, {after, before} from 'node:test';
 import {fileURLToPath, pathToFileURL} from 'node:url';
+import {accessibilityViolations, launch, openPage} from './browser.mjs';
 
-const {chromium} = createRequire(import.meta.url)('playwright-core');
-const kAxe = createRequire(import.meta.url).resolve('axe-core');
 const kCls = process.env.CLS ?? fileURLToPath(new URL('../../../build/bin/cls', import.meta.url));
 const kSkip = fs.existsSync(kCls) ? false : `no ${kCls}; build it or set CLS`;
 const kFolder = fs.mkdtempSync(path.join(os.tmpdir(), 'cls-reports-'));
@@ -39,8 +37,7 @@ before(async () => {
   fs.writeFileSync(path.join(kFolder, 'cup/cls.toml'), kTournament);
   cls('tournament', 'run', 'cup', '--quiet');
   cls('tournament', 'report', 'cup', '--format', 'html', '--out', 'cup.html');
-  const args = ['--disable-gpu', ...(process.getuid() === 0 ? ['--no-sandbox'] : [])];
-  browser = await chromium.launch({executablePath: process.env.CHROMIUM, args});
+  browser = await launch();
 });
 
 after(async () => {
@@ -48,24 +45,13 @@ after(async () => {
   fs.rmSync(kFolder, {recursive: true, force: true});
 });
 
-async function open(file, options) {
-  const context = await browser.newContext(options);
-  const page = await context.newPage();
-  const problems = [];
-  page.on('console', (message) => ['error', 'warning'].includes(message.type()) && problems.push(message.text()));
-  page.on('pageerror', (error) => problems.push(error.stack));
-  page.on('request', (request) => !/^(file|blob|data|about):/.test(request.url()) && problems.push(`request of ${request.url()}`));
-  await page.goto(pathToFileURL(path.join(kFolder, file)).href);
-  return {page, problems, context};
-}
+const open = (file, options) => openPage(browser, pathToFileURL(path.join(kFolder, file)).href, /^(file|blob|data|about):/, options);
 
 for (const file of ['match.html', 'cup.html']) {
   test(`${file} has no accessibility violations and loads nothing`, {skip: kSkip}, async () => {
     for (const options of kViews) {
       const {page, problems, context} = await open(file, options);
-      await page.evaluate(fs.readFileSync(kAxe, 'utf8'));
-      const {violations} = await page.evaluate(() => window.axe.run({iframes: false}));
-      assert.deepEqual(violations.map((each) => `${each.id}: ${each.nodes.map((node) => node.html).join(' ')}`), []);
+      assert.deepEqual(await accessibilityViolations(page, {iframes: false}), []);
       const overflow = await page.evaluate(() => document.documentElement.scrollWidth - window.innerWidth);
       assert.ok(overflow <= 0, `${overflow} px wider than the window`);
       assert.deepEqual(problems, []);
