@@ -110,7 +110,8 @@ TEST_F(Installation, HasPythonPackagesThatFindTheirLibrary) {
   GTEST_SKIP() << "Python does not load a library with sanitizers";
 #endif
   const CommandResult engine = run_there(
-      {python, "-c", "from cls_gym import _engine as e; print(e.library_path(), len(e.catalog()))"},
+      {python, "-c",
+       "from cls_gym._engine import catalog, library_path; print(library_path(), len(catalog()))"},
       environment);
   EXPECT_EQ(engine.exit_code, 0) << engine.err;
   EXPECT_NE(engine.out.find((prefix() / "share").string()), std::string::npos) << engine.out;
