@@ -11,6 +11,15 @@ constexpr double kFar = 1000.0;  // no opponent known
 // Player id 0 in the intercept table: no player.
 int reach(int steps, int player_id) { return player_id == 0 ? kNeverReached : steps; }
 
+// Calls `use` with the position of each opponent that was seen lately.
+template <typename Use>
+void for_each_opponent(const protos::WorldModel& world, const Use& use) {
+  constexpr int kLately = 20;
+  for (const protos::Player& player : world.opponents()) {
+    if (player.pos_count() <= kLately) use(point_of(player.position()));
+  }
+}
+
 }  // namespace
 
 soccer::Vec2 point_of(const protos::RpcVector2D& vector) { return {vector.x(), vector.y()}; }
@@ -19,12 +28,7 @@ Situation::Situation(const protos::State& state)
     : world_(state.world_model()),
       self_position_(point_of(world_.self().position())),
       ball_(point_of(world_.ball().position())),
-      ball_velocity_(point_of(world_.ball().velocity())) {
-  opponents_.reserve(static_cast<std::size_t>(world_.opponents_size()));
-  for (const protos::Player& player : world_.opponents()) {
-    if (player.pos_count() <= 20) opponents_.push_back(point_of(player.position()));
-  }
-}
+      ball_velocity_(point_of(world_.ball().velocity())) {}
 
 int Situation::own_reach() const {
   const int steps = world_.intercept_table().self_reach_steps();
@@ -45,9 +49,9 @@ int Situation::opponents_reach() const {
 
 double Situation::nearest_opponent_to(soccer::Vec2 point) const {
   double nearest = kFar;
-  for (const soccer::Vec2 opponent : opponents_) {
+  for_each_opponent(world_, [&](soccer::Vec2 opponent) {
     nearest = std::min(nearest, distance(point, opponent));
-  }
+  });
   return nearest;
 }
 
@@ -56,14 +60,14 @@ double Situation::lane_margin(soccer::Vec2 from, soccer::Vec2 to, double base,
   const soccer::Vec2 way = to - from;
   const double length = std::max(way.length(), 0.1);
   double margin = kFar;
-  for (const soccer::Vec2 opponent : opponents_) {
+  for_each_opponent(world_, [&](soccer::Vec2 opponent) {
     const soccer::Vec2 relative = opponent - from;
     const double along = dot(relative, way) / length;
-    if (along < 0.0) continue;
+    if (along < 0.0) return;
     const double passed = std::min(along, length);
     const double beside = distance(opponent, from + way * (passed / length));
     margin = std::min(margin, beside - base - spread * passed);
-  }
+  });
   return margin;
 }
 

@@ -1,8 +1,6 @@
 // A State as the simple team uses it.
 #pragma once
 
-#include <vector>
-
 #include "proto/playmaker.pb.h"
 #include "soccer/geometry.h"
 #include "soccer/pitch.h"
@@ -69,7 +67,6 @@ class Situation {
   soccer::Vec2 self_position_;
   soccer::Vec2 ball_;
   soccer::Vec2 ball_velocity_;
-  std::vector<soccer::Vec2> opponents_;
 };
 
 }  // namespace cls::mock_server

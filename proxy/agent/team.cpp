@@ -383,15 +383,17 @@ void Team::warn_once(const std::string& line) {
 void Team::warn_of_actions(const PlayerAgent& agent) {
   const ActionReport& report = agent.statistics().actions;
   const auto warn = [&](const auto& counts, auto& warned, const char* verb, auto name_of) {
+    const auto warn_of = [&](std::size_t kind, const char* consequence) {
+      warn_once(std::string("the Playmaker ") + verb + " " +
+                std::string(name_of(static_cast<int>(kind))) + consequence);
+    };
     for (std::size_t kind = 0; kind < warned.size(); ++kind) {
-      const std::string sends = std::string("the Playmaker ") + verb + " ";
-      const auto name = [&] { return std::string(name_of(static_cast<int>(kind))); };
       ActionWarnings& given = warned[kind];
       if (counts[kind].unimplemented != 0 && !std::exchange(given.unimplemented, true)) {
-        warn_once(sends + name() + ", unknown to this proxy: skipped");
+        warn_of(kind, ", unknown to this proxy: skipped");
       }
       if (counts[kind].invalid != 0 && !std::exchange(given.invalid, true)) {
-        warn_once(sends + name() + " with a number that is not finite (NaN or infinity): ignored");
+        warn_of(kind, " with a number that is not finite (NaN or infinity): ignored");
       }
     }
   };

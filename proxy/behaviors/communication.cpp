@@ -2,11 +2,12 @@
 #include "proxy/behaviors/behaviors.h"
 
 #include <algorithm>
-#include <array>
+#include <cstddef>
 #include <string>
-#include <vector>
+#include <utility>
 
 #include "proxy/perception/say_message.h"
+#include "proxy/world/fixed_list.h"
 #include "proxy/world/motion.h"
 #include "soccer/pitch.h"
 
@@ -31,9 +32,19 @@ struct Seen {
   double relevance;
 };
 
+using SeenPlayers = FixedList<Seen, 2 * PlayerList::capacity()>;
+
+/// Adds a player before those of lower relevance.
+void insert(const Seen& one, SeenPlayers& seen) {
+  seen.push_back(one);
+  for (std::size_t i = seen.size() - 1; i > 0 && seen[i - 1].relevance < seen[i].relevance; --i) {
+    std::swap(seen[i - 1], seen[i]);
+  }
+}
+
 /// Players seen in this step by descending relevance: near the ball, opponents before teammates.
-std::vector<Seen> seen_now(const WorldModel& world) {
-  std::vector<Seen> seen;
+SeenPlayers seen_now(const WorldModel& world) {
+  SeenPlayers seen;
   for (const PlayerList* list : {&world.opponents, &world.teammates}) {
     for (const PlayerState& player : *list) {
       constexpr int kSure = 10;
@@ -43,11 +54,9 @@ std::vector<Seen> seen_now(const WorldModel& world) {
       const bool is_opponent = list == &world.opponents;
       const double near =
           60.0 / (5.0 + player.dist_from_ball) + 10.0 / (5.0 + player.dist_from_self);
-      seen.push_back({&player, near * (is_opponent ? 1.5 : 1.0)});
+      insert({&player, near * (is_opponent ? 1.5 : 1.0)}, seen);
     }
   }
-  std::stable_sort(seen.begin(), seen.end(),
-                   [](const Seen& a, const Seen& b) { return a.relevance > b.relevance; });
   return seen;
 }
 
@@ -68,7 +77,7 @@ SayBall next_ball(const ActionContext& c) {
   return {world.ball.position + velocity, velocity * world.server().ball_decay};
 }
 
-bool say_ball(ActionContext& c, const std::vector<Seen>& seen) {
+bool say_ball(ActionContext& c, const SeenPlayers& seen) {
   const SayBall ball = next_ball(c);
   for (const Seen& each : seen) {
     if (each.player->side == c.world.our_side || each.player->body_count > 0) continue;
@@ -83,7 +92,7 @@ bool say_ball(ActionContext& c, const std::vector<Seen>& seen) {
   return say(c, ball);
 }
 
-bool say_players(ActionContext& c, const std::vector<Seen>& seen) {
+bool say_players(ActionContext& c, const SeenPlayers& seen) {
   for (std::size_t count = std::min<std::size_t>(3, seen.size()); count > 0; --count) {
     SayPlayers message;
     for (std::size_t i = 0; i < count; ++i) {
@@ -134,7 +143,7 @@ bool communicate(ActionContext& c) {
     added = c.slots.attention_to(world.our_side, speaker);
   }
   if (!world.self.position_valid() || world.game.see_time != world.game.time.cycle) return added;
-  const std::vector<Seen> seen = seen_now(world);
+  const SeenPlayers seen = seen_now(world);
   if (should_say_ball(world) && say_ball(c, seen)) added = true;
   return say_players(c, seen) || added;
 }

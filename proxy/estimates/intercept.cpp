@@ -2,8 +2,10 @@
 #include "proxy/estimates/intercept.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
+#include "proxy/world/fixed_list.h"
 #include "soccer/math.h"
 
 namespace cls::proxy {
@@ -41,6 +43,77 @@ bool table_is_empty(const WorldModel& world) {
          !world.self.position_valid() || !world.ball.position_valid();
 }
 
+/// How far players of a type run with full dashes.
+struct FullRun {
+  const soccer::PlayerType* type = nullptr;
+  double top_speed = 0.0;
+  std::array<double, kInterceptHorizon + 1> distance{};  ///< from rest, by number of dashes
+  std::array<double, kInterceptHorizon + 1> drift{};     ///< per unit of initial velocity, by cycle
+};
+
+FullRun full_run(const soccer::ServerParams& server, const soccer::PlayerType& type) {
+  FullRun run;
+  run.type = &type;
+  const double push = server.max_dash_power * type.dash_power_rate * type.effort_max;
+  run.top_speed = std::min(push / (1.0 - type.player_decay), type.player_speed_max);
+  double speed = 0.0;
+  double fading = 1.0;
+  for (std::size_t n = 1; n < run.distance.size(); ++n) {
+    speed = std::min(speed + push, type.player_speed_max);
+    run.distance[n] = run.distance[n - 1] + speed;
+    run.drift[n] = run.drift[n - 1] + fading;
+    speed *= type.player_decay;
+    fading *= type.player_decay;
+  }
+  return run;
+}
+
+/// Those of the types that are on the pitch, computed once.
+class FullRuns {
+ public:
+  explicit FullRuns(const soccer::ServerParams& server) : server_(server) {}
+
+  const FullRun& of(const soccer::PlayerType& type) {
+    for (const FullRun& run : runs_) {
+      if (run.type == &type) return run;
+    }
+    if (runs_.full()) runs_.clear();
+    runs_.push_back(full_run(server_, type));
+    return runs_.back();
+  }
+
+ private:
+  const soccer::ServerParams& server_;
+  FixedList<FullRun, 18> runs_;  // as many types as servers have
+};
+
+/// Cycles until another player can intercept the ball; kNever beyond the horizon. Assumes the best
+/// case for players not seen recently.
+int reach_steps(const WorldModel& world, const PlayerState& player, const BallPath& path,
+                FullRuns& runs) {
+  const soccer::ServerParams& server = world.server();
+  const soccer::PlayerType& type = world.type_of(player);
+  const FullRun& run = runs.of(type);
+  const double control = type.kickable_area(server.ball_size);
+  // It may have run in any direction since it was seen.
+  constexpr int kMaxCredit = 10;
+  const double credit = 0.5 * run.top_speed * std::min(player.pos_count, kMaxCredit);
+  const Vec2 velocity = player.velocity_valid() ? player.velocity : Vec2{};
+  for (int n = 0; n <= kInterceptHorizon; ++n) {
+    const auto i = static_cast<std::size_t>(n);
+    const Vec2 offset = path[i] - (player.position + velocity * run.drift[i]);
+    const double far = run.distance[i] + control + credit;
+    if (offset.squared_length() > far * far) continue;
+    const int dashes = n - turns_needed(server, type, player, offset, control);
+    const double distance = offset.length() - control - credit;
+    if (distance <= 0.0 ||
+        (dashes >= 0 && distance <= run.distance[static_cast<std::size_t>(dashes)])) {
+      return n;
+    }
+  }
+  return kNever;
+}
+
 struct Ranking {
   int first = kNever;
   int second = kNever;
@@ -61,12 +134,12 @@ struct Ranking {
 };
 
 Ranking rank(const WorldModel& world, PlayerList& players, int kicker_id, int oldest,
-             const BallPath& path) {
+             const BallPath& path, FullRuns& runs) {
   Ranking ranking;
   for (PlayerState& player : players) {
     player.ball_reach_steps = kNever;
     if (player.pos_count >= oldest || player.ghost()) continue;
-    player.ball_reach_steps = player.id == kicker_id ? 0 : reach_steps(world, player, path);
+    player.ball_reach_steps = player.id == kicker_id ? 0 : reach_steps(world, player, path, runs);
     if (player.ball_reach_steps < kNever) ranking.add(player.ball_reach_steps, player.id);
   }
   return ranking;
@@ -87,43 +160,6 @@ BallPath ball_path(const WorldModel& world) {
   return path;
 }
 
-int reach_steps(const WorldModel& world, const PlayerState& player, const BallPath& path) {
-  const soccer::ServerParams& server = world.server();
-  const soccer::PlayerType& type = world.type_of(player);
-  const double control = type.kickable_area(server.ball_size);
-  const double push = server.max_dash_power * type.dash_power_rate * type.effort_max;
-  const double top_speed = std::min(push / (1.0 - type.player_decay), type.player_speed_max);
-  // It may have run in any direction since it was seen.
-  constexpr int kMaxCredit = 10;
-  const double credit = 0.5 * top_speed * std::min(player.pos_count, kMaxCredit);
-  const Vec2 velocity = player.velocity_valid() ? player.velocity : Vec2{};
-
-  std::array<double, kInterceptHorizon + 1> run{};  // distance by number of full dashes from rest
-  double speed = 0.0;
-  double drift = 0.0;  // distance per unit of initial velocity
-  double fading = 1.0;
-  for (int n = 0; n <= kInterceptHorizon; ++n) {
-    const auto i = static_cast<std::size_t>(n);
-    if (n > 0) {
-      speed = std::min(speed + push, type.player_speed_max);
-      run[i] = run[i - 1] + speed;
-      speed *= type.player_decay;
-      drift += fading;
-      fading *= type.player_decay;
-    }
-    const Vec2 offset = path[i] - (player.position + velocity * drift);
-    const double far = run[i] + control + credit;
-    if (offset.squared_length() > far * far) continue;
-    const int turns = turns_needed(server, type, player, offset, control);
-    const int dashes = n - turns;
-    const double distance = offset.length() - control - credit;
-    if (distance <= 0.0 || (dashes >= 0 && distance <= run[static_cast<std::size_t>(dashes)])) {
-      return n;
-    }
-  }
-  return kNever;
-}
-
 void update_intercept_table(WorldModel& world) {
   InterceptTable& table = world.intercept;
   table.plans.clear();
@@ -137,11 +173,13 @@ void update_intercept_table(WorldModel& world) {
   } else {
     const BallPath path = ball_path(world);
     if (!world.sideline) plan_self_intercept(world, path, table);
-    opponents = rank(world, world.opponents, world.kickable_opponent_id, kMaxOpponentAge, path);
+    FullRuns runs(world.server());
+    opponents =
+        rank(world, world.opponents, world.kickable_opponent_id, kMaxOpponentAge, path, runs);
     BallPath resting;
     resting.fill(world.ball.position);
     teammates = rank(world, world.teammates, world.kickable_teammate_id, kMaxTeammateAge,
-                     world.kickable_opponent() ? resting : path);
+                     world.kickable_opponent() ? resting : path, runs);
   }
   table.first_teammate_steps = teammates.first;
   table.second_teammate_steps = teammates.second;

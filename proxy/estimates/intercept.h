@@ -19,10 +19,6 @@ BallPath ball_path(const WorldModel& world);
 /// (docs/spec/proxy-behavior.md 3.6).
 void plan_self_intercept(const WorldModel& world, const BallPath& path, InterceptTable& table);
 
-/// Cycles until another player can intercept the ball; kNever beyond the horizon. Assumes the best
-/// case for players not seen recently.
-int reach_steps(const WorldModel& world, const PlayerState& player, const BallPath& path);
-
 /// Sets `world.intercept` and every player's ball_reach_steps. The table is empty before kick-off,
 /// after the match, and without a valid own or ball position.
 void update_intercept_table(WorldModel& world);
