@@ -4,6 +4,7 @@ Only + - * / and sqrt, in a fixed order: every language computes the same bits.
 """
 from __future__ import annotations
 
+import functools
 import math
 from typing import Any, List, NamedTuple
 
@@ -42,15 +43,18 @@ class Situation:
         self.world: Any = state.world_model
         self.me = point(self.world.self.position)
         self.ball = point(self.world.ball.position)
-        self.opponents: List[Point] = [
-            point(player.position) for player in self.world.opponents
-            if player.pos_count <= MAX_AGE]
         table = self.world.intercept_table
         self.my_steps = 0 if self.world.self.is_kickable else table.self_reach_steps
         self.our_steps = _steps(self.world.kickable_teammate_existance,
                                 table.first_teammate_id, table.first_teammate_reach_steps)
         self.their_steps = _steps(self.world.kickable_opponent_existance,
                                   table.first_opponent_id, table.first_opponent_reach_steps)
+
+    @functools.cached_property
+    def opponents(self) -> List[Point]:
+        """Where opponents are who were seen lately."""
+        return [point(player.position) for player in self.world.opponents
+                if player.pos_count <= MAX_AGE]
 
     def room(self, place: Point) -> float:
         """The distance of the nearest opponent."""

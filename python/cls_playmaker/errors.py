@@ -11,7 +11,8 @@ import grpc
 from cls_playmaker import proto
 
 _log = logging.getLogger("cls_playmaker")
-_GAME = proto.DESCRIPTOR.services_by_name["Game"]
+_REPLIES = {method.name: "proto." + method.output_type.name
+            for method in proto.DESCRIPTOR.services_by_name["Game"].methods}
 _OWN = os.path.dirname(__file__) + os.sep
 
 
@@ -32,8 +33,7 @@ class Errors:
 
     def call(self, rpc: str, method: Callable[[Any, Any], Any], request: Any, context: Any) -> Any:
         """The reply of the method for one agent to an RPC of protos.Game."""
-        wanted = "proto." + _GAME.methods_by_name[rpc].output_type.name
-        return self.run(rpc, wanted, lambda: _caller(request), context,
+        return self.run(rpc, _REPLIES[rpc], lambda: _caller(request), context,
                         lambda: method(request, context))
 
     def run(self, name: str, wanted: str, caller: Callable[[], str], context: Any,
@@ -66,7 +66,9 @@ def _chosen(context: Any) -> bool:
 
 
 def _is_a(reply: Any, wanted: str) -> bool:
-    return wanted.rpartition(".")[2] in (base.__name__ for base in type(reply).__mro__)
+    name = wanted.rpartition(".")[2]
+    kind = type(reply)
+    return kind.__name__ == name or any(base.__name__ == name for base in kind.__mro__)
 
 
 def _caller(request: Any) -> str:
