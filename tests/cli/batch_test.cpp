@@ -68,18 +68,51 @@ class Batch : public testing::Test {
     }
   }
 
-  static int seeds() { return std::getenv("CLS_FULL") != nullptr ? 20 : 2; }
+  // Against the bundled team, with every seed.
+  void expect_same_matches(const std::string& playmaker, const Arguments& more = {}) {
+    for (int seed = 1; seed <= seeds(); ++seed) {
+      expect_same_match(playmaker, "mock", std::to_string(seed), more);
+    }
+  }
+
+  std::string file(const std::string& name, const std::string& text) {
+    const std::string path = folder_.path() / name;
+    std::ofstream(path) << text;
+    return path;
+  }
+
+  // A mock that decides by what it reads in States, lists and dictionaries among it.
+  std::string scripted() {
+    return file("scripted.json", R"({
+      "rules": [
+        {"when": {"unum": 1}, "reply": "planner"},
+        {"when": {"state": {"teammates.size": {"<": 8}}}, "reply": [{"body_turn_to_ball": {}}]},
+        {"when": {"state": {"their_players_dict.9.pos_count": {">": 2}}},
+         "reply": [{"dash": {"power": 60}}, {"neck_scan_field": {}}]},
+        {"when": {"unum": [9, 10, 11], "state": {"self.is_kickable": true}},
+         "reply": [{"helios_offensive_planner": {"direct_pass": true, "simple_shoot": true,
+                                                 "server_side_decision": true}}]}
+      ],
+      "otherwise": "simple"})");
+  }
+
+  // A mock of the interface before GetBestPlannerAction.
+  std::string older() {
+    return file("older.json", R"({"otherwise": "simple",
+      "faults": {"unimplemented": ["GetBestPlannerAction"]}})");
+  }
+
+  static bool long_form() { return std::getenv("CLS_FULL") != nullptr; }
+  static int seeds() { return long_form() ? 20 : 2; }
 
   cls::tests::TemporaryFolder folder_;
   int matches_ = 0;
-  std::string cycles_ = "120";
+  std::string cycles_ = long_form() ? "600" : "120";
 };
 
-TEST_F(Batch, SameMatchInProcess) {
-  for (int seed = 1; seed <= seeds(); ++seed) {
-    expect_same_match("mock", "mock", std::to_string(seed));
-  }
-}
+TEST_F(Batch, SameMatchInProcess) { expect_same_matches("mock"); }
+
+TEST_F(Batch, SameMatchOfScriptInProcess) { expect_same_matches("mock:" + scripted()); }
 
 TEST_F(Batch, SameMatchWithPlannerChoices) {
   for (int seed = 1; seed <= seeds(); ++seed) {
@@ -88,18 +121,36 @@ TEST_F(Batch, SameMatchWithPlannerChoices) {
 }
 
 TEST_F(Batch, SameMatchWithFaultsOfSingleAgents) {
-  const std::string script = folder_.path() / "faults.json";
-  std::ofstream(script) << R"({"otherwise": "simple",
-                               "faults": {"error": 0.05, "garbage": 0.05}})";
-  for (int seed = 1; seed <= seeds(); ++seed) {
-    expect_same_match("mock:" + script, "mock", std::to_string(seed), {"--max-missed", "1000"});
+  const std::string script = file("faults.json", R"({"otherwise": "simple",
+      "faults": {"error": 0.05, "garbage": 0.05}})");
+  expect_same_matches("mock:" + script, {"--max-missed", "1000"});
+}
+
+// A fault of the mock has the same effect on an agent that is asked alone and on one of a team.
+TEST_F(Batch, SameMatchWithEachFault) {
+  cycles_ = "40";
+  const Arguments limits = {"--max-missed", "1000", "--rpc-deadline", "1000"};
+  for (const std::string fault : {
+           R"("error": 0.1, "status": "INTERNAL", "message": "x", "seed": 3)",
+           R"("garbage": 0.1, "only": {"unum": [2, 5, 8]})",
+           R"("oversize": 0.1, "only": {"unum": [3, 7]})",  // more would exceed the team's limit
+           R"("drop": 1, "only": {"cycle": [10, 11], "unum": [4, 9]})",
+           R"("delay_ms": 2, "jitter_ms": 3)",
+           R"("slow_start_ms": 300)",
+           R"("wrong_client_id": true)",
+           R"("restart_at_cycle": 15, "restart_cycles": 5)",
+           R"("full_states": true)",
+       }) {
+    const std::string script =
+        file("fault.json", R"({"otherwise": "simple", "faults": {)" + fault + "}}");
+    SCOPED_TRACE(fault);
+    expect_same_match("mock:" + script, "mock", "1", limits);
   }
 }
 
 TEST_F(Batch, OversizedReplyOfOneAgentIsMissedByThatAgentOnly) {
-  const std::string script = folder_.path() / "oversize.json";
-  std::ofstream(script) << R"({"otherwise": "simple",
-             "faults": {"oversize": 1, "only": {"cycle": [4, 4], "unum": [5]}}})";
+  const std::string script = file("oversize.json", R"({"otherwise": "simple",
+      "faults": {"oversize": 1, "only": {"cycle": [4, 4], "unum": [5]}}})");
   cycles_ = "8";
   const Played single = play("never", "mock:" + script, "mock", "1");
   const Played batch = play("always", "mock:" + script, "mock", "1");
@@ -111,76 +162,114 @@ TEST_F(Batch, OversizedReplyOfOneAgentIsMissedByThatAgentOnly) {
   }
 }
 
+// The address in what a program prints when it listens.
+std::string printed_address(const Command& program) {
+  const std::string out = program.out();
+  const std::size_t begin = out.find("127.0.0.1:");
+  return out.substr(begin, out.find_first_of(" \n", begin) - begin);
+}
+
 TEST_F(Batch, SameMatchOverTcp) {
-  Command mock({cls_binary(), "mock", "--port", "0"});
-  ASSERT_TRUE(mock.wait_for_output("127.0.0.1:"));
-  const std::string out = mock.out();
-  const std::string endpoint =
-      out.substr(out.find("127.0.0.1:"),
-                 out.find_first_of(" \n", out.find("127.0.0.1:")) - out.find("127.0.0.1:"));
-  for (int seed = 1; seed <= seeds(); ++seed) {
-    expect_same_match(endpoint, "mock", std::to_string(seed));
+  for (const std::string& spec : {std::string("simple"), scripted()}) {
+    Command mock({cls_binary(), "mock", spec, "--port", "0"});
+    ASSERT_TRUE(mock.wait_for_output("127.0.0.1:"));
+    expect_same_matches(printed_address(mock));
   }
 }
 
 TEST_F(Batch, SameMatchOverUnixSocket) {
-  const std::string path = folder_.path() / "socket";
-  const auto mock = cls::mock_server::make_mock("");
-  ASSERT_TRUE(mock);
-  cls::mock_server::RequestHandler handler(*mock->behavior, nullptr);
-  cls::mock_server::Responder responder(handler, {}, {});
-  using cls::mock_server::RawService;
-  RawService game(0, cls::proto::kAgentRpcs, cls::mock_server::kStateMemory,
-                  [&](auto rpc, const auto& request, auto& reply, auto&) {
-                    return responder.respond(rpc, request, reply);
-                  });
-  RawService team(cls::proto::kAgentRpcs, cls::proto::kRpcs, cls::mock_server::kTeamMemory,
-                  [&](auto rpc, const auto& request, auto& reply, auto& workspace) {
-                    return respond_to_team(responder, rpc, request, reply, workspace);
-                  });
-  grpc::ServerBuilder builder;
-  builder.RegisterService(&game);
-  builder.RegisterService(&team);
-  builder.AddListeningPort("unix:" + path, grpc::InsecureServerCredentials());
-  const auto server = builder.BuildAndStart();
-  ASSERT_NE(server, nullptr);
-  for (int seed = 1; seed <= seeds(); ++seed) {
-    expect_same_match("unix:" + path, "mock", std::to_string(seed));
+  for (const std::string& spec : {std::string("simple"), scripted()}) {
+    const std::string path = folder_.path() / "socket";
+    const auto mock = cls::mock_server::make_mock(spec);
+    ASSERT_TRUE(mock);
+    cls::mock_server::RequestHandler handler(*mock->behavior, nullptr);
+    cls::mock_server::Responder responder(handler, {}, {});
+    using cls::mock_server::RawService;
+    RawService game(0, cls::proto::kAgentRpcs, cls::mock_server::kStateMemory,
+                    [&](auto rpc, const auto& request, auto& reply, auto&) {
+                      return responder.respond(rpc, request, reply);
+                    });
+    RawService team(cls::proto::kAgentRpcs, cls::proto::kRpcs, cls::mock_server::kTeamMemory,
+                    [&](auto rpc, const auto& request, auto& reply, auto& workspace) {
+                      return respond_to_team(responder, rpc, request, reply, workspace);
+                    });
+    grpc::ServerBuilder builder;
+    builder.RegisterService(&game);
+    builder.RegisterService(&team);
+    builder.AddListeningPort("unix:" + path, grpc::InsecureServerCredentials());
+    const auto server = builder.BuildAndStart();
+    ASSERT_NE(server, nullptr);
+    expect_same_matches("unix:" + path);
   }
 }
 
 TEST_F(Batch, SameMatchWithWholeStates) {
-  const std::string script = folder_.path() / "whole.json";
-  std::ofstream(script) << R"({"otherwise": "simple", "faults": {"full_states": true}})";
+  expect_same_matches("mock:" + file("whole.json", R"({"otherwise": "simple",
+      "faults": {"full_states": true}})"));
+}
+
+// What a Python program of the example needs in front of it.
+std::string python_path() {
+  return std::string(CLS_BUILD_DIR) +
+         "/python:" + (cls::tests::source_folder() / "examples/python").string();
+}
+
+class PythonBatch : public Batch {
+ protected:
+  PythonBatch() : python_(cls::tests::python_with_grpc()) { cycles_ = long_form() ? "300" : "60"; }
+  void SetUp() override {
+    if (python_.empty()) GTEST_SKIP() << cls::tests::kNoPython;
+  }
+
+  static int seeds() { return long_form() ? 20 : 1; }
+  std::string started(const std::string& program) const {
+    return "run:PYTHONPATH=" + python_path() + " " + python_ + " " + program + " --port {port}";
+  }
+
+  std::string python_;
+  Arguments name_ = {"--left-name", "example"};  // not the name of the file
+};
+
+// Over TCP, and the example as it is, or as a subclass.
+TEST_F(PythonBatch, SameMatchInBothEncodings) {
+  const auto example = [this](const std::string& lean) {
+    return started(file("lean" + lean + ".py", "import playmaker\nplaymaker.Team.lean_states = " +
+                                                   lean + "\nplaymaker.main()\n"));
+  };
+  const std::string as_it_is =
+      started((cls::tests::source_folder() / "examples/python/playmaker.py").string());
+  for (int i = 1; i <= seeds(); ++i) {
+    const std::string seed = std::to_string(i);
+    const Played single = play("never", as_it_is, "mock", seed, name_);
+    expect_same_logs(single, play("always", example("True"), "mock", seed, name_),
+                     "lean States, seed " + seed);
+    expect_same_logs(single, play("always", example("False"), "mock", seed, name_),
+                     "whole States, seed " + seed);
+  }
+}
+
+TEST_F(PythonBatch, SameMatchOverUnixSocket) {
+  const std::string path = folder_.path() / "socket";
+  const std::string program = file("unix.py", R"(import sys
+from concurrent import futures
+import grpc
+import playmaker
+from cls_playmaker import errors, proto, team, team_playmaker_pb2_grpc
+example = playmaker.Team(False)
+server = grpc.server(futures.ThreadPoolExecutor(max_workers=16))
+proto.add_GameServicer_to_server(example, server)
+team_playmaker_pb2_grpc.add_TeamPlaymakerServicer_to_server(
+    team.TeamServicer(example, errors.Errors()), server)
+server.add_insecure_port("unix:" + sys.argv[1])
+server.start()
+print("listens", flush=True)
+server.wait_for_termination()
+)");
+  Command playmaker({python_, program, path}, {"PYTHONPATH=" + python_path()});
+  ASSERT_TRUE(playmaker.wait_for_output("listens"));
   for (int seed = 1; seed <= seeds(); ++seed) {
-    expect_same_match("mock:" + script, "mock", std::to_string(seed));
+    expect_same_match("unix:" + path, "mock", std::to_string(seed), name_);
   }
-}
-
-// The example as it is, or as a subclass: Python lines that follow `import playmaker`.
-std::string python_example(const std::string& python, const std::string& main) {
-  const std::string folder = (cls::tests::source_folder() / "examples/python").string();
-  return "run:PYTHONPATH=" CLS_BUILD_DIR "/python:" + folder + " " + python + " " + main +
-         " --port {port}";
-}
-
-TEST_F(Batch, SameMatchOfPythonExampleInBothEncodings) {
-  const std::string python = cls::tests::python_with_grpc();
-  if (python.empty()) GTEST_SKIP() << cls::tests::kNoPython;
-  cycles_ = "60";
-  const Arguments name = {"--left-name", "example"};  // not the name of the file
-  std::vector<Played> played;
-  for (const char* lean : {"True", "False"}) {
-    const std::string main = folder_.path() / ("lean" + std::string(lean) + ".py");
-    std::ofstream(main) << "import playmaker\nplaymaker.Team.lean_states = " << lean
-                        << "\nplaymaker.main()\n";
-    played.push_back(play("always", python_example(python, main), "mock", "1", name));
-  }
-  const std::string as_it_is = python_example(
-      python, (cls::tests::source_folder() / "examples/python/playmaker.py").string());
-  played.push_back(play("never", as_it_is, "mock", "1", name));
-  expect_same_logs(played[2], played[0], "lean States");
-  expect_same_logs(played[2], played[1], "whole States");
 }
 
 TEST_F(Batch, RecordingHoldsCallsOfAgents) {
@@ -196,18 +285,14 @@ TEST_F(Batch, RecordingHoldsCallsOfAgents) {
 }
 
 TEST_F(Batch, OlderPlaymakerIsAskedForEachAgentWithoutWarning) {
-  const std::string script = folder_.path() / "older.json";
-  std::ofstream(script)
-      << R"({"otherwise": "simple", "faults": {"unimplemented": ["GetBestPlannerAction"]}})";
+  const std::string script = older();
   const Played played = play("auto", "mock:" + script, "mock", "1");
   EXPECT_EQ(played.result["warnings"], json::array());
   EXPECT_GT(played.result["left"]["players"][0]["decisions"], 100);
 }
 
 TEST_F(Batch, RequiredServiceThatIsMissingRefusesMatch) {
-  const std::string script = folder_.path() / "older.json";
-  std::ofstream(script)
-      << R"({"otherwise": "simple", "faults": {"unimplemented": ["GetBestPlannerAction"]}})";
+  const std::string script = older();
   const CommandResult refused =
       cls::tests::run({cls_binary(), "match", "mock:" + script, "mock", "--batch", "always",
                        "--cycles", "10", "--dir", folder_.path() / "refused"});
