@@ -4,8 +4,16 @@
     bench/matches.py                         build/bin/cls alone
     bench/matches.py --base OTHER/bin/cls    alternating with another build
 
-Prints a table: cycles per second, CPU seconds (cls, servers and Playmakers together) and peak memory
-of the largest process; medians over the rounds. Environment, each optional:
+Prints a table, medians over the rounds:
+    cycles/s    of the match
+    CPU s       of all processes: cls, servers and Playmakers
+    of cls      CPU seconds of cls itself, with its agents and mocks
+    peak MB     memory of the largest process
+    reply us    time in which half of the decisions of the right side were received
+Unless the row says how they are asked, mocks are called as functions, without gRPC. Matches with
+Python are a third as long. A build without `--batch` asks each agent in every row. Then cycles per
+second and CPU time of gRPC alone, with the smallest Playmaker (rpc_ceiling of cls_bench beside the
+binary). Environment, each optional:
     CLS_BENCH_BASE      as --base
     CLS_BENCH_CYCLES    as --cycles
     CLS_UPSTREAM_PYTHON command of a Playmaker of the upstream project, with {port}:
@@ -25,6 +33,8 @@ import threading
 import urllib.request
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
+HEAD = f"{'cycles/s':>9} {'CPU s':>7} {'of cls':>7} {'peak MB':>8} {'reply us':>9}"
+NAME_WIDTH = 42
 
 
 class Skipped(Exception):
@@ -39,12 +49,12 @@ def options():
     parser.add_argument("--cycles", type=int, default=os.environ.get("CLS_BENCH_CYCLES", "6000"),
                         help="length of each match (default: 6000)")
     parser.add_argument("--rounds", type=int, default=5, help="matches of each row (default: 5)")
-    parser.add_argument("--only", default="", help="rows whose name contains this")
+    parser.add_argument("--only", default="", help="rows whose name has this regular expression")
     return parser.parse_args()
 
 
 def rows():
-    """Name and arguments of `cls match`, or the reason why there are none."""
+    """Name, arguments of `cls match`, and the reason why the row is skipped, if it is."""
     python = "/usr/bin/python3" if os.path.exists("/usr/bin/python3") else sys.executable
     example = (f"run:PYTHONPATH='{ROOT}/build/python' {python} '{ROOT}/examples/python/playmaker.py'"
                " --port {port}")
@@ -58,19 +68,25 @@ def rows():
     yield "mock mock, one call per team", ["mock", "mock", "--batch", "always"], None
     yield "mock mock, a call per agent", ["mock", "mock", "--batch", "never"], None
     yield "mock:planner both", ["mock:planner", "mock:planner"], None
+    yield ("mock:planner both, a call per agent",
+           ["mock:planner", "mock:planner", "--batch", "never"], None)
     yield "mock, Python example", ["mock", example], no_grpc
-    yield "the same, a call per agent", ["mock", example, "--batch", "never"], no_grpc
+    yield "mock, Python example, a call per agent", ["mock", example, "--batch", "never"], no_grpc
     yield ("mock, upstream Python sample", ["mock", f"run:{sample}"],
            None if sample else "CLS_UPSTREAM_PYTHON is not set")
     yield ("mock mock on rcssserver", ["mock", "mock", "--server", server or ""],
            None if server else "no rcssserver")
 
 
-def unknown_options(binary, arguments):
-    """Those of the arguments that `cls match` of an older build lacks."""
+def known_arguments(binary, arguments):
+    """The arguments for `cls match` of this build; None if it is older and lacks one that matters."""
     help_text = subprocess.run([binary, "match", "--help"], capture_output=True, text=True,
                                check=True).stdout
-    return [word for word in arguments if word.startswith("--") and word not in help_text]
+    if "--batch" in arguments and "--batch" not in help_text:
+        place = arguments.index("--batch")
+        arguments = arguments[:place] + arguments[place + 2:]
+    unknown = [word for word in arguments if word.startswith("--") and word not in help_text]
+    return None if unknown else arguments
 
 
 def watch(program):
@@ -92,7 +108,7 @@ def read_all(url):
 
 
 def match(binary, arguments, cycles):
-    """One match: cycles/s, CPU seconds, peak MB."""
+    """The figures of one match, in the order of HEAD."""
     with tempfile.TemporaryDirectory() as folder:
         command = [binary, "match", *arguments, "--seed", "7", "--cycles", str(cycles), "--json",
                    "--quiet", "--dir", os.path.join(folder, "match")]
@@ -104,60 +120,80 @@ def match(binary, arguments, cycles):
     if program.returncode != 0:
         lines = errors.decode(errors="replace").strip().splitlines() or ["no message"]
         raise Skipped(lines[-1])
-    return (json.loads(text)["cycles_per_second"], usage.ru_utime + usage.ru_stime,
-            usage.ru_maxrss / 1024)
+    result = json.loads(text)
+    cpu = usage.ru_utime + usage.ru_stime
+    others = sum(process["cpu_seconds"] for process in result["processes"])
+    replies = [player["rpc_us"]["p50"] for player in result["right"]["players"]]
+    return (result["cycles_per_second"], cpu, cpu - others, usage.ru_maxrss / 1024,
+            statistics.median(replies))
 
 
-def measure(binaries, arguments, args):
-    """Medians for each binary; the binaries take turns."""
-    figures = {binary: [] for binary in binaries}
+def measure(arguments_of, args):
+    """Medians for each binary of `arguments_of`; the binaries take turns."""
+    figures = {binary: [] for binary in arguments_of}
     for _ in range(args.rounds):
-        for binary in binaries:
-            figures[binary].append(match(binary, arguments, args.cycles))
+        for binary, arguments in arguments_of.items():
+            is_python = any(word.startswith("run:") for word in arguments)
+            cycles = max(args.cycles // 3, 1) if is_python else args.cycles
+            figures[binary].append(match(binary, arguments, cycles))
     return {binary: [statistics.median(column) for column in zip(*values)]
             for binary, values in figures.items()}
 
 
 def cell(figures):
-    return f"{figures[0]:9.0f} {figures[1]:8.1f} {figures[2]:8.0f}" if figures else f"{'-':>27}"
+    if not figures:
+        return f"{'-':>{len(HEAD)}}"
+    return "{:9.0f} {:7.1f} {:7.1f} {:8.0f} {:9.0f}".format(*figures)
+
+
+def ratio(figures, binaries):
+    """How many times as many cycles a second the second build plays."""
+    if len(binaries) < 2 or not all(figures.get(binary) for binary in binaries):
+        return ""
+    return f" | {figures[binaries[1]][0] / figures[binaries[0]][0]:5.2f} x"
 
 
 def print_row(name, figures, binaries):
-    line = f"{name:30}" + "".join(" |" + cell(figures.get(binary)) for binary in binaries)
-    if len(binaries) == 2 and all(figures.get(binary) for binary in binaries):
-        line += f" | {figures[binaries[1]][0] / figures[binaries[0]][0]:5.2f} x"
-    print(line, flush=True)
+    cells = "".join(" |" + cell(figures.get(binary)) for binary in binaries)
+    print(f"{name:{NAME_WIDTH}}{cells}{ratio(figures, binaries)}", flush=True)
 
 
-def ceilings(binary, rounds):
-    """Median cycles/s and CPU µs per cycle of RPC alone, by benchmark name."""
+def ceiling_name(benchmark):
+    """The row of a benchmark such as rpc_ceiling/transport:0/threads:2/asking:1/..."""
+    transports = ("in process", "TCP", "Unix socket")
+    asking = ("a call per agent", "one call per team", "lean States")
+    values = dict(part.split(":") for part in benchmark.split("/") if ":" in part)
+    return (f"RPC alone, {transports[int(values['transport'])]}, "
+            f"{asking[int(values.get('asking', 0))]}")
+
+
+def ceilings(binary):
+    """Cycles/s and CPU seconds of 6000 cycles of RPC alone, by row."""
     bench = os.path.join(os.path.dirname(binary), "cls_bench")
     if not os.path.exists(bench):
         return {}
-    text = subprocess.run([bench, "--benchmark_filter=^rpc_ceiling/.*threads:2", "--benchmark_format=json",
-                           f"--benchmark_repetitions={rounds}"], capture_output=True, text=True,
+    text = subprocess.run([bench, "--benchmark_filter=^rpc_ceiling/.*threads:2",
+                           "--benchmark_format=json"], capture_output=True, text=True,
                           check=True).stdout
-    found = {}
-    for run in json.loads(text)["benchmarks"]:
-        if run.get("run_type") == "iteration":
-            found.setdefault(run["name"], []).append(
-                (run["cycles_per_second"], run["cpu_us_per_cycle"]))
-    return {name: [statistics.median(column) for column in zip(*values)]
-            for name, values in found.items()}
+    return {ceiling_name(run["name"]): (run["cycles_per_second"], run["cpu_us_per_cycle"] * 6e-3)
+            for run in json.loads(text)["benchmarks"]}
 
 
 def print_ceilings(binaries, args):
-    transports = ("in process", "TCP", "Unix socket")
-    asking = ("a call per agent", "one call per team", "the same, lean States")
-    by_binary = {binary: ceilings(binary, args.rounds) for binary in binaries}
-    names = list(dict.fromkeys(name for found in by_binary.values() for name in found))
-    for name in names:
-        values = dict(part.split(":") for part in name.split("/") if ":" in part)
-        title = (f"RPC alone, {transports[int(values['transport'])]}, "
-                 f"{asking[int(values.get('asking', 0))]}")
-        cells = [f"{found[name][0]:6.0f} cycles/s, {found[name][1]:6.0f} us CPU a cycle"
-                 if name in found else "-" for found in by_binary.values()]
-        print(f"{title:48} {' | '.join(cells)}", flush=True)
+    found = {}  # figures by row and binary
+    for _ in range(args.rounds):
+        for binary in binaries:
+            for name, figures in ceilings(binary).items():
+                found.setdefault(name, {}).setdefault(binary, []).append(figures)
+    for name, by_binary in found.items():
+        medians = {binary: [statistics.median(column) for column in zip(*values)]
+                   for binary, values in by_binary.items()}
+        cells = "".join(f" |{'-':>{len(HEAD)}}" if binary not in medians else
+                        f" |{{:9.0f}} {{:7.1f}}{'':26}".format(*medians[binary])
+                        for binary in binaries)
+        print(f"{name:{NAME_WIDTH}}{cells}{ratio(medians, binaries)}", flush=True)
+    if found:
+        print("(CPU s of RPC alone: for 6000 cycles)")
 
 
 def main():
@@ -165,19 +201,20 @@ def main():
     binaries = [args.base, args.cls] if args.base else [args.cls]
     print(f"{args.cycles} cycles, median of {args.rounds}; "
           + (f"left {args.base}, right {args.cls}" if args.base else args.cls))
-    print(f"{'match':30}" + f" |{'cycles/s':>9} {'CPU s':>8} {'peak MB':>8}" * len(binaries))
+    print(f"{'match':{NAME_WIDTH}}" + f" |{HEAD}" * len(binaries))
     skipped = []
     for name, arguments, reason in rows():
-        if args.only not in name:
+        if not re.search(args.only, name):
             continue
-        usable = [one for one in binaries if not unknown_options(one, arguments)]
         try:
             if reason:
                 raise Skipped(reason)
-            print_row(name, measure(usable, arguments, args), binaries)
+            arguments_of = {binary: known_arguments(binary, arguments) for binary in binaries}
+            usable = {binary: known for binary, known in arguments_of.items() if known is not None}
+            print_row(name, measure(usable, args), binaries)
         except Skipped as problem:
             skipped.append(f"skipped: {name}: {problem}")
-    if not args.only or args.only in "RPC alone":
+    if re.search(args.only, "RPC alone"):
         print_ceilings(binaries, args)
     print("\n".join(skipped))
 
