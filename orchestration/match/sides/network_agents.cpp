@@ -172,12 +172,22 @@ void NetworkAgents::end_play() {
 void NetworkAgents::before_decisions() {
   end_listening();
   if (stop_) return;
-  if (settings_.hold_turns) {
+  holds_turns_ = holds_turns_ || (settings_.hold_turns && has_kicked_off());
+  if (holds_turns_) {
     update_snapshot();
     gate_.wait();
   }
   throttle();
   begin_listening(team().world().game.time.cycle);
+}
+
+// All sides hear of the kick-off in the same cycle. If they began to wait in different ones, a side
+// would wait for its turn, and the server and the other side for that side.
+bool NetworkAgents::has_kicked_off() const {
+  const auto& players = team().players();
+  return std::any_of(players.begin(), players.end(), [](const auto& player) {
+    return player->world().game.mode != soccer::PlayMode::kBeforeKickOff;
+  });
 }
 
 void NetworkAgents::begin_turn(int /*cycle*/) { gate_.let_pass(); }

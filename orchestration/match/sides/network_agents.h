@@ -28,8 +28,8 @@ struct NetworkSettings {
   /// nothing in it.
   std::optional<int> cycle_limit;
   bool leave_at_time_over = true;  ///< otherwise play until the server stops responding
-  bool hold_turns = false;         ///< each cycle waits for begin_turn(), for --step
-  std::optional<double> speed;     ///< limit in multiples of real time; synch mode only
+  bool hold_turns = false;  ///< from the kick-off on each cycle waits for begin_turn(), for --step
+  std::optional<double> speed;  ///< limit in multiples of real time; synch mode only
   /// Another Playmaker for a team on the right; may be empty.
   std::function<std::unique_ptr<proxy::Playmaker>()> right_playmaker;
   /// Called once, when the players are on the pitch and registered; may be empty.
@@ -56,7 +56,7 @@ class NetworkAgents : public AgentSide {
   std::string timeout_hint() const override;
   void begin_play() override;
   void end_play() override;
-  bool takes_turns() const override { return gate_.is_closed(); }
+  bool takes_turns() const override { return playing_ && gate_.is_closed(); }
   bool at_turn() const override { return gate_.has_waiting(); }
   void begin_turn(int cycle) override;
   TurnTimes turn_times() const override;
@@ -87,7 +87,8 @@ class NetworkAgents : public AgentSide {
   NetworkAgents(SideIdentity identity, PlaymakerConnection connection, proxy::TeamOptions team,
                 const MatchOptions& options, const std::vector<int>& cpus, NetworkSettings settings)
       : AgentSide(std::move(identity), std::move(connection), std::move(team), options, cpus),
-        settings_(std::move(settings)) {}
+        settings_(std::move(settings)),
+        gate_(settings_.hold_turns) {}
 
   std::optional<MatchEnd> agent_failure(const MatchMoment& moment) override;
   void stop();
@@ -100,6 +101,7 @@ class NetworkAgents : public AgentSide {
   bool keep_playing();
   void update_snapshot();
   bool near_cycle_limit() const;
+  bool has_kicked_off() const;
   void wait_for_cycle_limit();
   void fail(MatchEnd end);
 
@@ -113,6 +115,7 @@ class NetworkAgents : public AgentSide {
   std::atomic<MatchMode> mode_{MatchMode::kSynch};
   bool near_limit_ = false;
   std::atomic<bool> playing_{false};  ///< the match has begun
+  bool holds_turns_ = false;
   std::int64_t turns_ = 0;
   std::chrono::steady_clock::time_point first_turn_;
   mutable std::mutex mutex_;  ///< of what follows

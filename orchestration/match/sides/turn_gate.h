@@ -7,9 +7,11 @@
 
 namespace cls::orchestration::match {
 
-/// One per side, open at first. The server must wait for its clients (synch mode).
+/// One per side. The server must wait for its clients (synch mode).
 class TurnGate {
  public:
+  explicit TurnGate(bool closed) : open_(!closed) {}
+
   /// On the side's thread: waits until the match lets one turn pass, unless the gate is open.
   void wait() {
     std::unique_lock lock(mutex_);
@@ -27,10 +29,6 @@ class TurnGate {
     const std::lock_guard lock(mutex_);
     return !open_;
   }
-  void close() {
-    const std::lock_guard lock(mutex_);
-    open_ = false;
-  }
   void open() {
     const std::lock_guard lock(mutex_);
     open_ = true;
@@ -45,7 +43,7 @@ class TurnGate {
  private:
   mutable std::mutex mutex_;
   std::condition_variable changed_;
-  bool open_ = true;
+  bool open_;
   bool waiting_ = false;
   bool pass_ = false;
 };
