@@ -212,6 +212,15 @@ bool Team::handle_reply(std::chrono::microseconds timeout) {
   return true;
 }
 
+Instant Team::heard_at() const {
+  if (players_.empty() && coach_ != nullptr) return coach_->server().channel->received_at();
+  Instant latest;
+  for (const auto& agent : players_) {
+    latest = std::max(latest, agent->server().channel->received_at());
+  }
+  return latest;
+}
+
 Instant Team::next_due() const {
   Instant next = Instant::max();
   for (const auto& agent : players_) {

@@ -120,6 +120,8 @@ class Team {
   bool synchronous() const { return world().server().synch_mode; }
   /// The coach or trainer; null: none.
   const CoachAgent* coach() const { return coach_.get(); }
+  /// Arrival of the latest message to a player that was perceived; of a trainer, to the trainer.
+  Instant heard_at() const;
   const TeamTimes& times() const { return times_; }
   MissedDecisions missed_decisions() const;
   /// What the Playmaker answered with an error so far.

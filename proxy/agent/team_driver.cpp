@@ -94,9 +94,9 @@ DriveResult TeamDriver::run(const ShouldContinue& should_continue) {
     }
     const auto now = steady_clock::now();
     const bool begun = team_.begin_decisions(now) > 0;
+    last_message = std::max(last_message, team_.heard_at());
     if (team_.outstanding() > 0) {
       const bool received = clients_.wait_until(now);
-      if (received) last_message = now;
       // More messages may make more decisions due, which should be requested first.
       team_.handle_reply(received && begun ? std::chrono::microseconds(0) : kReplyTimeout);
       continue;
@@ -105,13 +105,15 @@ DriveResult TeamDriver::run(const ShouldContinue& should_continue) {
       end = DriveResult::kTimeOver;
       break;
     }
-    if (clients_.wait_until(std::min(team_.next_due(), now + kPollInterval))) {
-      last_message = steady_clock::now();
-    } else if (steady_clock::now() - last_message >
-               (time_over() ? options_.timeout_after_end : options_.server_timeout)) {
-      end = DriveResult::kServerUnresponsive;
+    const milliseconds patience =
+        time_over() ? options_.timeout_after_end : options_.server_timeout;
+    if (now - last_message > patience) {
+      const bool coach_hears = team_.coach() != nullptr &&
+                               now - team_.coach()->server().channel->received_at() < patience;
+      end = coach_hears ? DriveResult::kPlayersUnheard : DriveResult::kServerUnresponsive;
       break;
     }
+    clients_.wait_until(std::min(team_.next_due(), now + kPollInterval));
   }
   finish_replies();
   return end;

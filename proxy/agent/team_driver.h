@@ -23,6 +23,7 @@ enum class DriveResult {
   kStopped,             ///< should_continue returned false
   kTimeOver,            ///< the match has ended
   kServerUnresponsive,  ///< no message within server_timeout
+  kPlayersUnheard,      ///< the same for the players alone: the coach still gets messages
 };
 
 struct DriverOptions {

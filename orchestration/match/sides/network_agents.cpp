@@ -150,19 +150,20 @@ void NetworkAgents::play() {
   const proxy::DriveResult end = driver_->run([this] { return keep_playing(); });
   update_snapshot();
   const bool over = team().world().game.mode == soccer::PlayMode::kTimeOver;
-  if (end == proxy::DriveResult::kServerUnresponsive && (!over || settings_.leave_at_time_over)) {
-    fail({EndReason::kServerFailed,
-          fmt::format("{}: the soccer server stopped responding", who()),
-          {},
-          {},
-          false});
-  }
+  const bool unheard = end == proxy::DriveResult::kPlayersUnheard;
+  if (!unheard && end != proxy::DriveResult::kServerUnresponsive) return;
+  if (over && !settings_.leave_at_time_over) return;
+  fail({EndReason::kServerFailed,
+        fmt::format("{}: the soccer server {}", who(),
+                    unheard ? "sends nothing to the players any more: another client may have "
+                              "taken them over by (reconnect)"
+                            : "stopped responding"),
+        {},
+        {},
+        false});
 }
 
-void NetworkAgents::begin_play() {
-  playing_ = true;
-  if (settings_.hold_turns && !stop_) gate_.close();
-}
+void NetworkAgents::begin_play() { playing_ = true; }
 
 void NetworkAgents::end_play() {
   playing_ = false;

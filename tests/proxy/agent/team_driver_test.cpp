@@ -13,6 +13,7 @@
 #include "simulator/server/udp_server.h"
 #include "tests/proxy/agent/scripted_server.h"
 #include "tests/proxy/playmaker/fake_playmaker.h"
+#include "tests/support/udp_client.h"
 
 namespace cls::proxy {
 namespace {
@@ -59,12 +60,12 @@ struct Server {
 
 /// A team with a bundled mock on its own thread.
 struct Side {
-  Side(const char* name, int port, bool on_thread)
+  Side(const char* name, int port, bool on_thread, DriverOptions driving = quick())
       : mock(std::move(*mock_server::Server::start(std::move(*mock_server::make_behavior(""))))),
         playmaker(make_grpc_playmaker(mock->in_process_channel(), "mock")),
         clients(std::move(*soccer::UdpClients::create("127.0.0.1", port))),
         team(options(name), *playmaker),
-        driver(team, *clients, quick()) {
+        driver(team, *clients, std::move(driving)) {
     if (on_thread) clients->read_on_thread();
   }
 
@@ -164,6 +165,28 @@ TEST(TeamDriver, EndsWhenServerStopsSending) {
   server.wait();
   left.thread.join();
   EXPECT_EQ(left.end, DriveResult::kServerUnresponsive);
+}
+
+// A client of the same host may reconnect as a player that is connected, before the kick-off.
+TEST(TeamDriver, EndsWhenOthersTakeOverItsPlayers) {
+  simulator::UdpConfig config = short_match(100000);
+  config.max_wait = milliseconds(100);
+  Server server(config);
+  const auto limit = steady_clock::now() + std::chrono::seconds(30);
+  const ShouldContinue go_on = [limit] { return steady_clock::now() < limit; };
+  DriverOptions driving = Side::quick();
+  driving.coach_port = server.udp->port(simulator::ListeningPort::kOnlineCoaches);
+  Side left("left", server.port, false, driving);
+  left.join(go_on);
+  left.play(go_on);
+  std::vector<std::unique_ptr<tests::UdpClient>> others;
+  for (int unum = 1; unum <= soccer::kPlayersPerTeam; ++unum) {
+    others.push_back(std::make_unique<tests::UdpClient>(server.port));
+    others.back()->send("(reconnect left " + std::to_string(unum) + ")");
+    EXPECT_TRUE(others.back()->wait().starts_with("(reconnect l before_kick_off)"));
+  }
+  left.thread.join();
+  EXPECT_EQ(left.end, DriveResult::kPlayersUnheard);
 }
 
 TEST(RealTime, DecidesOnSeeWithoutThinkAndSendsNoDone) {
