@@ -126,6 +126,21 @@ TEST_F(Sandbox, WarnsOnAKernelWithoutLandlock) {
   EXPECT_EQ(play({"--no-sandbox"}, launcher).err, "");
 }
 
+TEST_F(Sandbox, TournamentsWarnOnceOnAKernelWithoutLandlock) {
+  add_team("guests", "");
+  std::ofstream(path("cls.toml")) << "[tournament]\nhalf_time = 1\n"
+                                     "[teams.RIVALS]\nendpoint = \"team:rivals\"\n"
+                                     "[teams.GUESTS]\nendpoint = \"team:guests\"\n";
+  const CommandResult played =
+      run({built("cls_without_landlock"), cls_binary(), "tournament", "run", folder_.path()});
+  if (played.exit_code == 97) GTEST_SKIP() << played.err;
+  EXPECT_EQ(played.exit_code, 0) << played.err;
+  const std::size_t first = played.err.find("cls: warning: this kernel has no Landlock");
+  EXPECT_NE(first, std::string::npos) << played.err;
+  EXPECT_LT(first, played.err.find("match 1")) << "before the first match: " << played.err;
+  EXPECT_EQ(played.err.find("Landlock", first + 40), std::string::npos) << played.err;
+}
+
 TEST_F(Sandbox, WarnsOfResultsInTheFolderOfATeam) {
   if (!has_landlock()) GTEST_SKIP() << "this kernel has no Landlock";
   add_team("guests", "");

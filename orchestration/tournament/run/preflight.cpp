@@ -12,6 +12,7 @@
 #include "orchestration/match/options/endpoint.h"
 #include "orchestration/match/options/match_options.h"
 #include "orchestration/match/options/server_choice.h"
+#include "orchestration/match/options/team_sandbox.h"
 #include "orchestration/process/command_plan.h"
 #include "orchestration/tournament/config/config_file.h"
 #include "orchestration/tournament/run/concurrency.h"
@@ -74,6 +75,11 @@ double bytes_of_logs(const TournamentConfig& config, double to_play) {
   return stored * cycles_of(config) * kLogBytesPerCycle;
 }
 
+bool has_external_team(const TournamentConfig& config) {
+  return std::any_of(config.teams.begin(), config.teams.end(),
+                     [](const TeamEntry& team) { return team.endpoint.starts_with("team:"); });
+}
+
 }  // namespace
 
 std::vector<StartProblem> check_start(const TournamentConfig& config,
@@ -111,6 +117,11 @@ std::vector<std::string> host_warnings(const TournamentConfig& config,
         "failed keeps those of invalid matches only",
         to_play, needed / kMegabyte, folder.string(),
         static_cast<double>(space.available) / kMegabyte));
+  }
+  const std::string missing = match::missing_sandbox();
+  const bool local = config.executor == ExecutorKind::kLocal;
+  if (local && config.sandbox && has_external_team(config) && !missing.empty()) {
+    lines.push_back(missing);
   }
   for (const ScheduledMatch& match : matches) {
     if (!match.outcome || match.outcome->version.empty()) continue;

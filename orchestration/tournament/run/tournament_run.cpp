@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "base/text/json_text.h"
+#include "orchestration/match/options/team_sandbox.h"
 #include "orchestration/tournament/report/report_document.h"
 #include "orchestration/tournament/run/hook.h"
 #include "orchestration/tournament/schedule/schedule.h"
@@ -197,6 +198,10 @@ class TournamentRun {
     ScheduledMatch& match = match_at(index);
     const bool failed = !outcome.counts();
     bool rerun = false;
+    // Of this host, not of a match: the checks before the first match have said it.
+    if (config_.executor == ExecutorKind::kLocal) {
+      std::erase(outcome.warnings, match::missing_sandbox());
+    }
     if (failed && config_.on_crash == OnCrash::kForfeit && outcome.fault) make_forfeit(outcome);
     if (failed && config_.on_crash == OnCrash::kRerun)
       rerun = outcome.attempts <= config_.max_reruns;
