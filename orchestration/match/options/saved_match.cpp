@@ -84,6 +84,9 @@ Result<void> resume_from(std::shared_ptr<const saved::SavedMatch> match, MatchOp
   for (const std::string& setting : match->settings()) {
     if (auto applied = apply_setting(options, setting); !applied) return applied.error();
   }
+  if (match->on_late() < 0 || match->on_late() > static_cast<int>(proxy::OnLate::kDefault)) {
+    return Error{fmt::format("on_late {}: unknown in this version", match->on_late())};
+  }
   options.branch_seed = options.seed;
   options.seed = match->seed();
   options.left_name = match->left_name();
