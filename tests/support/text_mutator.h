@@ -14,6 +14,8 @@ std::vector<std::string> fuzz_seeds(const std::string& kind);
 /// Mutates texts with its own random generator.
 class TextMutator {
  public:
+  explicit TextMutator(std::uint64_t seed = 7) : state_(seed) {}
+
   /// Changes, cuts, repeats or inserts bytes; at most `max` mutations.
   std::string mutate(std::string bytes, int max = 4);
 
@@ -28,7 +30,7 @@ class TextMutator {
     return static_cast<std::size_t>(state_ >> 33) % below;
   }
 
-  std::uint64_t state_ = 7;
+  std::uint64_t state_;
 };
 
 }  // namespace cls::tests
