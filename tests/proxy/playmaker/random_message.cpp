@@ -160,7 +160,7 @@ std::string RandomMessages::damaged(std::string bytes) {
     case 4: {
       const std::size_t limit = one_in(20) ? 2'000'000 : 200'000;
       std::string repeated;
-      for (int i = 0; i < 10'000 && repeated.size() < limit; ++i) repeated += bytes;
+      for (int i = 0; i < 100'000 && repeated.size() < limit; ++i) repeated += bytes;
       return repeated;
     }
     default:

@@ -16,8 +16,8 @@ class RandomMessages {
 
   /// The bytes of a reply of the type of `prototype`. Most parse: with extreme numbers (NaN,
   /// infinity, limits), unknown values of enumerations, texts of any characters, missing and
-  /// repeated fields. The others are cut, changed, nested deeply, repeated 10'000 times, too large
-  /// or no message at all.
+  /// repeated fields. The others are cut, changed, nested deeply, repeated up to 100'000 times, too
+  /// large or no message at all.
   std::string reply(const google::protobuf::Message& prototype);
 
   /// Sets random fields.

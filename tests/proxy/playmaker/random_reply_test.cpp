@@ -1,4 +1,5 @@
-// Playmakers that reply at random: nothing crashes, hangs or grows, and every effect is counted.
+// Playmakers that reply at random and restart: nothing crashes, hangs or grows, and every effect is
+// counted.
 #include <google/protobuf/stubs/logging.h>
 #include <grpcpp/grpcpp.h>
 #include <gtest/gtest.h>
@@ -39,6 +40,8 @@ using tests::RandomMessages;
 namespace wire = cls::playmaker::v1;
 
 constexpr int kCycles = 40;
+// In which a Playmaker over a socket has restarted.
+constexpr int kRestart = 23;
 // Of a Playmaker over a socket that forgets a call; short, because many are forgotten.
 constexpr RpcTimeout kDeadline{250};
 
@@ -179,9 +182,9 @@ class RandomReplies : public testing::TestWithParam<Form> {
  protected:
   /// Plays some cycles; returns the number of replies.
   std::int64_t play(std::uint64_t seed) {
-    RandomPlaymaker random(seed);
+    auto random = std::make_unique<RandomPlaymaker>(seed);
     const std::unique_ptr<Playmaker> playmaker =
-        make_batch_playmaker(connect(random), GetParam().batch);
+        make_batch_playmaker(connect(*random), GetParam().batch);
     const auto mock =
         std::move(*mock_server::Server::start(std::move(*mock_server::make_behavior(""))));
     const auto opponent =
@@ -195,7 +198,14 @@ class RandomReplies : public testing::TestWithParam<Form> {
     Team left(options("left"), *playmaker);
     Team right(options("right"), *opponent);
     for (Team* team : {&left, &right}) join(*server, *team);
+    std::int64_t earlier_replies = 0;
     for (int i = 0; i < kCycles && !HasFatalFailure(); ++i) {
+      if (i == kRestart && GetParam().transport != Transport::kInProcess) {
+        earlier_replies = random->replies();
+        random.reset();
+        random = std::make_unique<RandomPlaymaker>(~seed);
+        random->serve(address_);
+      }
       server->run_cycle();
       left.begin_cycle();
       right.begin_cycle();
@@ -207,7 +217,7 @@ class RandomReplies : public testing::TestWithParam<Form> {
     right.leave();
     server->finish();
     check_log(game_log.bytes());
-    return random.replies();
+    return earlier_replies + random->replies();
   }
 
  private:
@@ -229,10 +239,12 @@ class RandomReplies : public testing::TestWithParam<Form> {
         random.serve("127.0.0.1:0");
         target.host = "127.0.0.1";
         target.port = random.port();
+        address_ = "127.0.0.1:" + std::to_string(target.port);
         break;
       case Transport::kUnix:
         target.unix_path = folder_.path() / ("socket-" + std::to_string(++sockets_));
-        random.serve("unix:" + target.unix_path);
+        address_ = "unix:" + target.unix_path;
+        random.serve(address_);
         break;
     }
     return make_grpc_playmaker(target);
@@ -288,6 +300,7 @@ class RandomReplies : public testing::TestWithParam<Form> {
 
   tests::TemporaryFolder folder_;
   int sockets_ = 0;
+  std::string address_;  ///< of the Playmaker, over a socket
 };
 
 std::int64_t wanted_replies() {
