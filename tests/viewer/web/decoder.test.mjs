@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import test from 'node:test';
 import zlib from 'node:zlib';
 import {bytesOfBase64} from '../../../viewer/web/src/base64.js';
-import {completeness, readEmbedded} from '../../../viewer/web/src/embedded.js';
+import {completeRecord, completeness, readEmbedded} from '../../../viewer/web/src/embedded.js';
 import {cycleLabel, frameOfCycle} from '../../../viewer/web/src/record.js';
 import {StreamDecoder} from '../../../viewer/web/src/stream.js';
 import {ByteReader} from '../../../viewer/web/src/varint.js';
@@ -55,6 +55,26 @@ test('StreamDecoder restores every value of every column', () => {
 
 test('StreamDecoder restores the same from chunks of 1, 7 and 50 frames', () => {
   for (const size of [1, 7, 50]) assertEqualsSample(decoded(sampleStream({size})).record);
+});
+
+test('StreamDecoder leaves columns for later, whatever asks for them first', async () => {
+  const deferred = (stream) => {
+    const decoder = new StreamDecoder(true);
+    Array.from(decoder.push(stream));
+    return decoder.record;
+  };
+  assertEqualsSample(deferred(sampleStream()));
+  assertEqualsSample(deferred(sampleStream({size: 50})));
+  const backwards = deferred(sampleStream());
+  for (const {name} of [...kColumns].reverse()) backwards.column(name);
+  assertEqualsSample(backwards);
+  const record = deferred(sampleStream());
+  const waiting = () => [...record.columns.values()].filter(({pending}) => pending).length;
+  assert.ok(waiting() > 20);
+  await completeRecord(record);
+  assert.equal(waiting(), 0);
+  assert.ok([...record.columns.values()].every(({integers}) => integers.length === 0));
+  assertEqualsSample(record);
 });
 
 test('StreamDecoder accepts bytes in any pieces', () => {

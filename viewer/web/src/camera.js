@@ -16,21 +16,21 @@ export class Camera {
     this.y = 0;
     /** @type {'' | 'ball' | 'player'} */
     this.follow = '';
+    /** Pixels (of CSS) per meter. */
+    this.scale = 1;
+    this.#setScale();
   }
 
-  /** Pixels (of CSS) per meter at zoom 1: the whole pitch with its goals. */
-  get fitScale() {
+  /** At zoom 1 the whole pitch with its goals is visible. */
+  #setScale() {
     const {length, width} = this.pitch;
-    return Math.min(this.width / (length + 2 * kMarginX), this.height / (width + 2 * kMarginY));
-  }
-
-  get scale() {
-    return this.fitScale * this.zoom;
+    this.scale = this.zoom * Math.min(this.width / (length + 2 * kMarginX), this.height / (width + 2 * kMarginY));
   }
 
   resize(width, height) {
     this.width = Math.max(1, width);
     this.height = Math.max(1, height);
+    this.#setScale();
     this.#limit();
   }
 
@@ -55,6 +55,7 @@ export class Camera {
     const fieldX = this.fieldX(x);
     const fieldY = this.fieldY(y);
     this.zoom = clamp(this.zoom * factor, 1, kMaxZoom);
+    this.#setScale();
     if (this.follow === '') {
       this.x += fieldX - this.fieldX(x);
       this.y += fieldY - this.fieldY(y);
@@ -83,6 +84,7 @@ export class Camera {
     this.x = 0;
     this.y = 0;
     this.follow = '';
+    this.#setScale();
   }
 
   /** Keeps the pitch in the picture. */

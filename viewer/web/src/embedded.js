@@ -2,7 +2,7 @@
 import {bytesOfBase64} from './base64.js';
 import {StreamDecoder} from './stream.js';
 
-const kSliceMs = 24;
+const kSliceMs = 40;
 
 /** Lets the browser draw and handle input. */
 function nextTask() {
@@ -58,13 +58,18 @@ export async function inflatedBytes(text) {
   return joinedPieces(pieces);
 }
 
-/** Decodes the text of the data element.
+/** Decodes what readEmbedded() left for later, a column at a time. @param {import('./record.js').MatchRecord} record */
+export async function completeRecord(record) {
+  do await nextTask(); while (record.completeOne());
+}
+
+/** Decodes the text of the data element. What the first picture does not need is left to completeRecord(), or decoded when it is read.
  * @param {string} text @param {(fraction: number) => void} onProgress
  * @returns {Promise<import('./record.js').MatchRecord>} rejects with one sentence */
 export async function readEmbedded(text, onProgress) {
   const bytes = await inflatedBytes(text);
   onProgress(0.3);
-  const decoder = new StreamDecoder();
+  const decoder = new StreamDecoder(true);
   let sliceStart = performance.now();
   for (const fraction of decoder.push(bytes)) {
     if (performance.now() - sliceStart < kSliceMs) continue;

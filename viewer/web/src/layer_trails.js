@@ -45,6 +45,7 @@ function pathStart(scene, frames, glides) {
 /** A line in pieces that fade towards the past. */
 function drawTrail(scene, trail) {
   const {context, camera, pose} = scene;
+  const {x, y, end} = trail;
   const first = pathStart(scene, trail.frames, trail.glides);
   const length = pose.frame - first;
   if (length < 1) return;
@@ -57,9 +58,9 @@ function drawTrail(scene, trail) {
     const age = pose.frame - (from + to) / 2;
     context.strokeStyle = `${trail.color}${(0.75 * (1 - age / trail.frames)).toFixed(3)})`;
     context.beginPath();
-    context.moveTo(camera.screenX(trail.x[from]), camera.screenY(trail.y[from]));
-    for (let frame = from + 1; frame <= to; ++frame) context.lineTo(camera.screenX(trail.x[frame]), camera.screenY(trail.y[frame]));
-    if (piece === kPieces - 1) context.lineTo(camera.screenX(trail.end[0]), camera.screenY(trail.end[1]));
+    context.moveTo(camera.screenX(x[from]), camera.screenY(y[from]));
+    for (let frame = from + 1; frame <= to; ++frame) context.lineTo(camera.screenX(x[frame]), camera.screenY(y[frame]));
+    if (piece === kPieces - 1) context.lineTo(camera.screenX(end[0]), camera.screenY(end[1]));
     context.stroke();
   }
   context.lineCap = 'butt';

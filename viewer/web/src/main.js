@@ -1,7 +1,7 @@
 // Starts the page: reads the match, shows how far it is, then hands over to Page.
 import {Comparison} from './comparison.js';
 import {element, setText} from './dom.js';
-import {readData} from './embedded.js';
+import {completeRecord, readData} from './embedded.js';
 import {slotsOfNames} from './hash.js';
 import {readLive} from './live.js';
 import {Page} from './page.js';
@@ -58,7 +58,10 @@ async function startReplay(root, options) {
   };
   const record = await readData('match', onProgress);
   const differences = document.getElementById('differences');
-  if (!differences) return void makePage(root, record, options);
+  if (!differences) {
+    makePage(root, record, options);
+    return completeRecord(record);
+  }
   const records = [record, await readData('other', onProgress)];
   const host = hostPreferences();
   const comparison = new Comparison(root, records, JSON.parse(differences.textContent), new Settings(host), host);

@@ -23,7 +23,7 @@ const kNoNumbers = constantColumn(0);
 export class MatchRecord {
   /** @param {any} header */
   constructor(header) {
-    this.header = header;
+    this.setHeader(header);
     this.frames = 0;
     /** @type {Map<string, Column>} */
     this.columns = new Map(header.columns.map((row) => [row.name, new Column(row)]));
@@ -41,9 +41,39 @@ export class MatchRecord {
     this.missing = constantColumn(kNoNumbers);
   }
 
+  /** A live match may have several. @param {any} header */
+  setHeader(header) {
+    this.header = header;
+    /** @type {Map<number, any>} */
+    this.types = new Map((header.types ?? []).map((type) => [type.id, type]));
+  }
+
   /** @param {string} name @returns {(Float32Array | Int32Array)[]} */
   column(name) {
-    return this.columns.get(name)?.series ?? this.missing;
+    const column = this.columns.get(name);
+    if (column?.pending) column.complete();
+    return column?.series ?? this.missing;
+  }
+
+  /** Decodes one column that was left for later. @returns {boolean} false: there is none */
+  completeOne() {
+    for (const column of this.columns.values()) {
+      if (!column.pending) continue;
+      column.complete();
+      return true;
+    }
+    this.forgetIntegers();
+    return false;
+  }
+
+  /** Decodes all columns. */
+  complete() {
+    while (this.completeOne());
+  }
+
+  /** The integers of the last frames have done their work. */
+  forgetIntegers() {
+    for (const column of this.columns.values()) column.integers = new Int32Array(0);
   }
 
   /** More frames will come. */
@@ -96,7 +126,7 @@ export class MatchRecord {
   /** The player type of a slot in a frame; types change with substitutions. */
   playerType(slot, frame) {
     const id = this.column('type')[slot][frame];
-    return this.header.types?.find((type) => type.id === id) ?? this.header.types?.[0] ?? {};
+    return this.types.get(id) ?? this.header.types?.[0] ?? {};
   }
 }
 

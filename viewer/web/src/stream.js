@@ -1,15 +1,20 @@
 // A stream of chunks becomes a match (docs/formats/view.md). File and live match have the same grammar.
 import {ByteReader} from './varint.js';
 import {crc32} from './crc32.js';
-import {decodeColumn} from './columns.js';
+import {decodeColumn, deferColumn} from './columns.js';
 import {readNotes} from './notes.js';
 import {MatchRecord, headerProblem} from './record.js';
 
 const kUtf8Text = new TextDecoder();
 
+/** Columns of the first picture. */
+const kFirstColumns = new Set(['time', 'stopped', 'mode', 'teams', 'ball_x', 'ball_y', 'state', 'type', 'x', 'y', 'body', 'neck']);
+
 /** Collects bytes and decodes complete chunks. */
 export class StreamDecoder {
-  constructor() {
+  /** @param {boolean} [deferring] leaves columns that the first picture does not need for later */
+  constructor(deferring = false) {
+    this.deferring = deferring;
     /** @type {MatchRecord | null} */
     this.record = null;
     this.rest = new Uint8Array(0);
@@ -51,7 +56,7 @@ export class StreamDecoder {
   #header(header) {
     const problem = headerProblem(header);
     if (problem) throw new Error(problem);
-    if (this.record) this.record.header = header;
+    if (this.record) this.record.setHeader(header);
     else this.record = new MatchRecord(header);
   }
 
@@ -60,16 +65,22 @@ export class StreamDecoder {
     const count = reader.varint();
     const {header} = record;
     const decays = {ball: header.ball_decay ?? 0, types: header.type_decay ?? []};
+    record.complete();
+    const defers = this.deferring && record.frames === 0;
     let column = 0;
     for (const row of header.columns) {
       const target = record.columns.get(row.name);
       target.reserve(record.frames + count, !header.live);
-      for (const _ of decodeColumn(reader, record.columns, target, record.frames, count, decays)) {
-        yield column / header.columns.length;
+      if (defers && !kFirstColumns.has(row.name) && !header.columns.some(({of}) => of === row.name)) {
+        deferColumn(reader, record.columns, target, record.frames, count, decays);
+      } else {
+        for (const _ of decodeColumn(reader, record.columns, target, record.frames, count, decays)) {
+          yield column / header.columns.length;
+        }
       }
       ++column;
     }
-    for (const each of record.columns.values()) each.integers = new Int32Array(0);
+    if (!defers) record.forgetIntegers();
     record.frames += count;
   }
 }

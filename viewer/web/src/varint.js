@@ -39,6 +39,40 @@ export class ByteReader {
     return value % 2 === 0 ? value / 2 : -(value + 1) / 2;
   }
 
+  /** Reads `count` signed numbers into `to`, most of which have one or two bytes. @param {Int32Array} to @param {number} count */
+  zigzags(to, count) {
+    const bytes = this.bytes;
+    const safe = bytes.length - 1;
+    let at = this.at;
+    for (let i = 0; i < count; ++i) {
+      let value = at < safe ? bytes[at] : 0x80;
+      if (value < 0x80) {
+        at += 1;
+      } else if (at < safe && bytes[at + 1] < 0x80) {
+        value += (bytes[at + 1] << 7) - 0x80;
+        at += 2;
+      } else {
+        this.at = at;
+        to[i] = this.zigzag();
+        at = this.at;
+        continue;
+      }
+      to[i] = (value >>> 1) ^ -(value & 1);
+    }
+    this.at = at;
+  }
+
+  /** Passes over varints. @param {number} count */
+  skip(count) {
+    const {bytes} = this;
+    let at = this.at;
+    for (let left = count; left > 0; ++at) {
+      if (at >= bytes.length) throw new RangeError('the data ends too early');
+      if (bytes[at] < 0x80) --left;
+    }
+    this.at = at;
+  }
+
   /** @param {number} count @returns {Uint8Array} a view of the next bytes */
   take(count) {
     if (count > this.bytes.length - this.at) throw new RangeError('the data ends too early');
