@@ -111,7 +111,7 @@ void add_player_columns(std::vector<ColumnSpec>& table) {
   table.push_back(points("point_y", CLS_AT(players.pointing_at[i].y)));
   table.push_back(reals("view_width", Coding::kChanges, kSlots, kDegree, 1, CLS_AT(players.view_width[i])));
   table.push_back(integers("high_quality", Coding::kChanges, kSlots, 0, 1, CLS_AT(players.high_quality[i])));
-  table.push_back(reals("focus_distance", Coding::kChanges, kSlots, kLength, kCentimeter, CLS_AT(players.focus[i].x)));
+  table.push_back(reals("focus_distance", Coding::kChanges, kSlots, kLength, 10, CLS_AT(players.focus[i].x)));
   table.push_back(reals("focus_direction", Coding::kChanges, kSlots, kLength, 1, CLS_AT(players.focus[i].y)));
   table.push_back(reals("stamina", Coding::kFirst, kSlots, kStamina, 1, CLS_AT(players.stamina[i])));
   table.push_back(reals("effort", Coding::kChanges, kSlots, kFactor, 100, CLS_AT(players.effort[i])));

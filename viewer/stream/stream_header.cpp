@@ -73,6 +73,41 @@ Json columns_json(const StreamHeader& header) {
   return list;
 }
 
+bool is_exact(float value, int scale) {
+  const double integer = std::round(static_cast<double>(value) * scale);
+  return static_cast<float>(integer / scale) == value;
+}
+
+// The coarsest scale that loses nothing of what the usual one keeps: angles of necks are often
+// whole degrees.
+std::int64_t coarsest_scale(const std::vector<float>& values, int usual) {
+  int scale = 1;
+  for (const float value : values) {
+    if (scale == usual) break;
+    if (is_exact(value, scale) || !is_exact(value, usual)) continue;
+    while (!is_exact(value, scale)) scale *= 10;
+  }
+  return scale;
+}
+
+bool changes_often(const std::vector<float>& values, std::size_t series) {
+  std::size_t changes = 0;
+  for (std::size_t i = series; i < values.size(); ++i) changes += values[i] != values[i - series];
+  return 2 * changes > values.size();
+}
+
+// Fits a column of a whole match to its values. Columns of positions and velocities predict each
+// other and keep their form.
+void fit(const MatchRecord& record, StreamColumn& column) {
+  const ColumnSpec& spec = *column.spec;
+  if (spec.coding == Coding::kSecond || spec.coding == Coding::kVelocity) return;
+  std::vector<float> values(record.frames() * spec.series);
+  spec.load_reals(record, 0, values.size(), values.data());
+  column.scale = coarsest_scale(values, spec.scale);
+  const bool may_change = spec.coding == Coding::kChanges && !spec.optional;
+  if (may_change && changes_often(values, spec.series)) column.coding = Coding::kFirst;
+}
+
 std::string version_text(RcgVersion version) {
   return version == RcgVersion::kJson ? "json" : std::to_string(static_cast<int>(version));
 }
@@ -167,6 +202,7 @@ StreamHeader header_of(const MatchRecord& record, StreamForm form) {
     const int scale = form.compact ? spec.compact_scale : spec.scale;
     if (spec.is_real() && scale == 0) continue;
     header.columns.push_back({&spec, spec.coding, spec.series, scale, 0, false});
+    if (spec.is_real() && !form.compact && !form.live) fit(record, header.columns.back());
     names.emplace_back(spec.name);
     of.emplace_back(spec.of);
   }
