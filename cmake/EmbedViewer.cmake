@@ -17,15 +17,18 @@ endif()
 
 cmake_policy(VERSION 3.25)
 
-# Modules become one script: imports, the word export and lines of comment are left out. A module with a second word
-# belongs to that part of the program, which only some pages have.
+# The modules of some parts become one script: imports, the word export and lines of comment are left out. The part of a
+# module is its second word, without one `page`.
 function(join_modules output)
   set(program "(() => {'use strict';")
   file(STRINGS "${WEB}/modules.txt" lines)
   foreach(line IN LISTS lines)
     string(REPLACE " " ";" words "${line}")
     list(POP_FRONT words module part)
-    if(part AND NOT part IN_LIST ARGN)
+    if(NOT part)
+      set(part page)
+    endif()
+    if(NOT part IN_LIST ARGN)
       continue()
     endif()
     file(READ "${WEB}/src/${module}" text)
@@ -38,10 +41,11 @@ function(join_modules output)
   set(${output} "${program}})();\n" PARENT_SCOPE)
 endfunction()
 
-join_modules(program)
-join_modules(debugger decisions)
+join_modules(program page)
+join_modules(debugger page decisions)
+join_modules(list list)
 file(READ "${WEB}/style.css" style)
-foreach(text IN ITEMS "${debugger}" "${style}")
+foreach(text IN ITEMS "${debugger}" "${list}" "${style}")
   string(FIND "${text}" ")embedded\"" found)
   if(NOT found EQUAL -1)
     message(FATAL_ERROR "${WEB}: the text )embedded\" cannot be embedded")
@@ -53,7 +57,7 @@ file(WRITE "${OUTPUT}" "// Generated from viewer/web.
 
 namespace cls::viewer {
 ")
-foreach(entry IN ITEMS viewer_script:program debugger_script:debugger viewer_style:style)
+foreach(entry IN ITEMS viewer_script:program debugger_script:debugger list_script:list viewer_style:style)
   string(REPLACE ":" ";" entry "${entry}")
   list(GET entry 0 function)
   list(GET entry 1 text)

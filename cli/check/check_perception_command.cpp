@@ -5,15 +5,24 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "base/io/byte_source.h"
+#include "base/io/whole_file.h"
 #include "cli/support/exit_code.h"
 #include "cli/support/log_errors.h"
 #include "cli/support/print_error.h"
 #include "gamelog/rcg/rcg_reader.h"
 #include "orchestration/checks/perception_check.h"
+#include "orchestration/match/hooks/world_model_sample.h"
+#include "soccer/side.h"
+#include "viewer/decisions/decision_writer.h"
+#include "viewer/page/encoding.h"
+#include "viewer/page/match_page.h"
 
 namespace cls::cli {
 namespace {
@@ -25,6 +34,7 @@ constexpr const char* kDescription =
     "\n"
     "  cls check perception player_7.txt.gz --truth game.rcg.gz\n"
     "  cls check perception player_7.txt.gz --truth game.rcg.gz --json\n"
+    "  cls check perception player_7.txt.gz --truth game.rcg.gz --page game.html\n"
     "\n"
     "TRANSCRIPT has a line per datagram of one player: S>C or C>S, seconds, text,\n"
     "separated by tabs; plain or gzip, - for standard input. It is replayed through\n"
@@ -35,6 +45,7 @@ constexpr const char* kDescription =
 struct Arguments {
   std::string transcript;
   std::string truth;
+  std::string page;
   bool json = false;
 };
 
@@ -47,6 +58,22 @@ void report_transcript_errors(const std::string& path,
   if (check.damage.size() > kMaxShownErrors) {
     print_error(0, fmt::format("{}: {} more errors", path, check.damage.size() - kMaxShownErrors));
   }
+}
+
+// The page of the match with what the player estimated.
+base::Result<void> write_page(const Arguments& arguments, const gamelog::MatchRecord& log,
+                              const orchestration::checks::PerceptionCheck& check,
+                              const std::vector<viewer::DecisionSample>& samples) {
+  std::string stream;
+  viewer::DecisionWriter writer;
+  writer.append_header(check.side, check.team, stream);
+  for (const viewer::DecisionSample& sample : samples) writer.append(check.unum, sample, stream);
+  writer.append_end(stream);
+  const std::string player = soccer::letter(check.side) + std::to_string(check.unum);
+  const std::string file = std::filesystem::path(arguments.truth).filename().string();
+  return base::write_file(
+      arguments.page, viewer::match_page(log, nullptr, file, false, {std::nullopt, {player}, {}},
+                                         {{check.side, viewer::gzip(stream)}}));
 }
 
 int run_check_perception(const Arguments& arguments) {
@@ -63,12 +90,21 @@ int run_check_perception(const Arguments& arguments) {
   if (!problem.empty()) print_error(0, fmt::format("{}: {}", arguments.transcript, problem));
   report_errors(arguments.truth, log->errors);
   if (log->frames() == 0) return kBadData;
-  const auto check = orchestration::checks::check_perception(transcript, *log);
+  std::vector<viewer::DecisionSample> samples;
+  const auto check = orchestration::checks::check_perception(
+      transcript, *log, [&samples](const proxy::WorldModel& world) {
+        samples.push_back(orchestration::match::sample_of(world));
+      });
   if (!check) {
     print_error(0, fmt::format("{}: {}", arguments.transcript, check.error().message));
     return kBadData;
   }
   report_transcript_errors(arguments.transcript, *check);
+  if (!arguments.page.empty()) {
+    if (const auto written = write_page(arguments, *log, *check, samples); !written) {
+      return print_error(kCannotCreate, written.error().message);
+    }
+  }
   fmt::print("{}", arguments.json ? to_json(*check) : to_text(*check));
   return problem.empty() && check->damage.empty() && log->errors.empty() ? kOk : kBadData;
 }
@@ -80,6 +116,8 @@ void add_check_perception_command(CLI::App& check, int& exit_code) {
   CLI::App* command = check.add_subcommand("perception", kDescription);
   command->add_option("TRANSCRIPT", arguments->transcript, "datagrams of one player")->required();
   command->add_option("--truth", arguments->truth, "game log (rcg) of the match")->required();
+  command->add_option("--page", arguments->page,
+                      "also write a page of the match with the decision debugger of the player");
   command->add_flag("--json", arguments->json, "print one JSON document instead of the table");
   command->callback([arguments, &exit_code] { exit_code = run_check_perception(*arguments); });
 }

@@ -18,8 +18,11 @@
 #include "cli/support/print_error.h"
 #include "gamelog/files/log_files.h"
 #include "gamelog/rcl/rcl_reader.h"
+#include "orchestration/tournament/report/report_model.h"
+#include "orchestration/tournament/report/report_tables.h"
 #include "orchestration/tournament/store/folder.h"
 #include "viewer/live/live_site.h"
+#include "viewer/live/log_glance.h"
 #include "viewer/live/match_list.h"
 #include "viewer/page/match_page.h"
 
@@ -32,6 +35,7 @@ using tournament::ScheduledMatch;
 using viewer::HttpReply;
 
 constexpr std::chrono::milliseconds kTournamentPollInterval{200};
+constexpr double kShortlySeconds = 60.0;
 
 HttpReply not_found(std::string why) {
   HttpReply reply;
@@ -63,18 +67,40 @@ class TournamentSite {
   }
 
  private:
-  HttpReply list(const tournament::TournamentState& state) const {
-    std::vector<viewer::ListedMatch> rows;
-    bool running = false;
-    for (const ScheduledMatch& match : state.matches) {
-      rows.push_back(row(state, match));
-      running = running || !match.outcome;
+  HttpReply list(const tournament::TournamentState& state) {
+    const tournament::Report report = tournament::make_report(state.config, state.matches, folder_);
+    viewer::MatchList list;
+    list.title = report.name;
+    list.status = status(report, state.running.size());
+    list.running = !report.complete;
+    for (const tournament::RankedTable& ranked : report.tables) {
+      add_table(tournament::standings_table(report, ranked, tournament::Headings::kShort), list);
     }
-    return viewer::page_reply(viewer::match_list_page(folder_.filename().string(), rows, running));
+    add_table(tournament::crosstable(report, false), list);
+    for (const ScheduledMatch& match : state.matches) list.matches.push_back(row(state, match));
+    return viewer::page_reply(viewer::match_list_page(list));
   }
 
-  viewer::ListedMatch row(const tournament::TournamentState& state,
-                          const ScheduledMatch& match) const {
+  static void add_table(const tournament::ReportTable& table, viewer::MatchList& list) {
+    if (!table.empty()) list.tables.push_back(table.table.format_html(table.title));
+  }
+
+  // "4 of 6 matches done, 2 played now, about 3 min left".
+  std::string status(const tournament::Report& report, std::size_t running) {
+    std::string text = tournament::counts_text(report.counts);
+    if (running > 0) text += fmt::format(", {} played now", running);
+    const auto now = std::chrono::steady_clock::now();
+    const int done = report.counts.done();
+    if (!first_look_) first_look_ = {now, done};
+    if (running == 0 || done <= first_look_->second) return text;
+    const double seconds = std::chrono::duration<double>(now - first_look_->first).count() *
+                           report.counts.open / (done - first_look_->second);
+    return text + (seconds < kShortlySeconds
+                       ? ", less than a minute left"
+                       : fmt::format(", about {:.0f} min left", seconds / 60.0));
+  }
+
+  viewer::ListedMatch row(const tournament::TournamentState& state, const ScheduledMatch& match) {
     const auto name = [&](int team) {
       return state.config.teams[static_cast<std::size_t>(team)].name;
     };
@@ -85,7 +111,8 @@ class TournamentSite {
     if (!match.outcome) {
       const bool running =
           std::binary_search(state.running.begin(), state.running.end(), match.fixture.index);
-      row.state = running ? "playing" : match.attempts > 0 ? "not finished" : "planned";
+      row.state = running ? "starting" : match.attempts > 0 ? "not finished" : "planned";
+      if (running && row.has_page) look_at(match.fixture.index, match_folder(state, match), row);
     } else {
       row.score = fmt::format("{} : {}", match.outcome->left_score, match.outcome->right_score);
       if (match.outcome->forfeit) row.state = "forfeited";
@@ -115,6 +142,20 @@ class TournamentSite {
         read->record, nullptr, game_log_in(folder).filename().string(), false, {}));
   }
 
+  // Score and clock of a match that is played now.
+  void look_at(int index, const fs::path& folder, viewer::ListedMatch& row) {
+    const fs::path log = game_log_in(folder);
+    auto found = glances_.find(index);
+    if (found == glances_.end() || found->second.first != log) {
+      found = glances_.insert_or_assign(index, std::pair(log, viewer::LogGlance(log))).first;
+    }
+    const auto glance = found->second.second.now();
+    if (!glance) return;
+    row.score = fmt::format("{} : {}", glance->left, glance->right);
+    row.state = fmt::format("cycle {}", glance->cycle);
+    row.ball = glance->ball;
+  }
+
   void follow(int index, const fs::path& folder) {
     const auto found = followed_.find(index);
     if (found != followed_.end() && found->second.first == folder) return;
@@ -130,6 +171,9 @@ class TournamentSite {
 
   fs::path folder_;
   std::map<int, std::pair<fs::path, std::unique_ptr<viewer::LiveMatch>>> followed_;
+  std::map<int, std::pair<fs::path, viewer::LogGlance>> glances_;
+  /// When the list was first asked for, and how many matches were done then.
+  std::optional<std::pair<std::chrono::steady_clock::time_point, int>> first_look_;
 };
 
 // Without a running `cls tournament run`, too.

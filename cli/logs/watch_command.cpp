@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -107,13 +108,57 @@ void print_document(const viewer::StreamMatch& match, const fs::path& page, bool
   fmt::print("{}", base::json_document(document));
 }
 
-// What --world-models asks for, of what the match folder has.
+// "1234" or "1200-1400".
+std::optional<viewer::CycleRange> cycles_of(const std::string& word) {
+  const std::size_t dash = std::min(word.find('-'), word.size());
+  const auto first = base::parse_int(std::string_view(word).substr(0, dash));
+  const auto last =
+      dash < word.size() ? base::parse_int(std::string_view(word).substr(dash + 1)) : first;
+  if (!first || !last || *first < 0 || *last < *first) return std::nullopt;
+  return viewer::CycleRange{*first, *last};
+}
+
+// What --world-models asks for; nothing: no decisions.
+base::Result<std::optional<viewer::DecisionChoice>> decision_choice(
+    const std::vector<std::string>& words) {
+  viewer::DecisionChoice choice;
+  for (const std::string& word : words) {
+    const auto cycles = cycles_of(word);
+    if (words.size() == 1 && word == "none") return std::optional<viewer::DecisionChoice>();
+    if (words.size() == 1 && word == "all") break;
+    if (is_player(word)) {
+      choice.players.push_back(word);
+    } else if (cycles) {
+      choice.cycles.push_back(*cycles);
+    } else {
+      return base::Error{
+          fmt::format("--world-models '{}': must be all, none, players such as l7,r1, or cycles "
+                      "such as 1200-1400",
+                      word)};
+    }
+  }
+  return std::optional(std::move(choice));
+}
+
 base::Result<std::vector<viewer::PageDecisions>> decisions_of(const Arguments& arguments,
                                                               const FoundLog& found) {
-  std::vector<std::string> players = arguments.world_models;
-  if (players == std::vector<std::string>{"none"}) return std::vector<viewer::PageDecisions>();
-  if (players == std::vector<std::string>{"all"}) players.clear();
-  return viewer::read_page_decisions(found.folder, players);
+  constexpr double kWorthALine = 2e6;
+  constexpr double kBase64 = 4.0 / 3.0;
+  const auto choice = decision_choice(arguments.world_models);
+  if (!choice) return choice.error();
+  if (!*choice) return std::vector<viewer::PageDecisions>();
+  auto decisions = viewer::read_page_decisions(found.folder, **choice);
+  if (!decisions) return decisions;
+  double size = 0.0;
+  for (const viewer::PageDecisions& each : *decisions)
+    size += kBase64 * static_cast<double>(each.packed.size());
+  if (size > kWorthALine && arguments.world_models.empty()) {
+    fmt::print(stderr,
+               "cls: {:.1f} MB of decisions go into the page; --world-models none, l7,r1 or "
+               "1200-1400 makes it smaller\n",
+               size / 1e6);
+  }
+  return decisions;
 }
 
 int write_match_page(const Arguments& arguments, const FoundLog& found, const fs::path& page) {
@@ -200,11 +245,8 @@ int run_watch_command(const Arguments& arguments) {
   if (const auto error = player_error("--players", arguments.players)) {
     return print_error(kUsage, *error);
   }
-  const std::vector<std::string>& world_models = arguments.world_models;
-  const bool one_word =
-      world_models.size() == 1 && (world_models[0] == "all" || world_models[0] == "none");
-  if (const auto error = player_error("--world-models", world_models); error && !one_word) {
-    return print_error(kUsage, *error);
+  if (const auto choice = decision_choice(arguments.world_models); !choice) {
+    return print_error(kUsage, choice.error().message);
   }
   if (arguments.out.empty() && !arguments.in_terminal() &&
       orchestration::tournament::holds_plan(arguments.what)) {
@@ -239,8 +281,9 @@ void add_watch_command(CLI::App& app, int& exit_code) {
       ->delimiter(',');
   command
       ->add_option("--world-models", arguments->world_models,
-                   "whose decisions to include, of those that cls match --record-world-models\n"
-                   "recorded: all, none, or players such as l7,r1 (default: all)")
+                   "which decisions to include, of those that cls match --record-world-models\n"
+                   "recorded: all, none, players such as l7,r1, cycles such as 1200-1400, or\n"
+                   "both (default: all)")
       ->delimiter(',');
   command->add_flag("--compact", arguments->compact,
                     "half the size: centimeters, degrees, no velocities; the page is then\n"

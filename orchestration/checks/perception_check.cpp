@@ -98,8 +98,8 @@ std::vector<Row> rows(const proxy::PerceptionError& errors) {
 
 }  // namespace
 
-base::Result<PerceptionCheck> check_perception(std::string_view transcript,
-                                               const MatchRecord& log) {
+base::Result<PerceptionCheck> check_perception(std::string_view transcript, const MatchRecord& log,
+                                               const WorldModelObserver& on_decision) {
   PerceptionCheck check;
   const FrameIndex frames = index_frames(log);
   proxy::TranscriptReplay replay =
@@ -107,6 +107,7 @@ base::Result<PerceptionCheck> check_perception(std::string_view transcript,
         const auto frame = frames.find({world.game.time.cycle, world.game.time.stopped});
         if (frame == frames.end() || world.unum == 0) return;
         ++check.decisions;
+        if (on_decision) on_decision(world);
         check.errors.add(world, truth_of(log, frame->second));
       });
   if (const auto fits = belong_together(replay.world, log); !fits) return fits.error();

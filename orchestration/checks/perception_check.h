@@ -1,6 +1,7 @@
 // Compares the world model of a player, replayed from its transcript, with the game log.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -9,6 +10,8 @@
 #include "proxy/perception/transcript.h"
 
 namespace cls::orchestration::checks {
+
+using WorldModelObserver = std::function<void(const proxy::WorldModel&)>;
 
 struct PerceptionCheck {
   std::string team;
@@ -19,11 +22,13 @@ struct PerceptionCheck {
   std::vector<proxy::TranscriptError> damage;
 };
 
-/// Replays the transcript (proxy/transcript.h). The k-th sense_body of a time belongs to the k-th
+/// Replays the transcript (proxy/transcript.h) and calls `on_decision`, if there is one, with the
+/// world model of each compared decision. The k-th sense_body of a time belongs to the k-th
 /// frame of that time. Errors: no player in the transcript, team or
 /// side not in the log, no common cycle.
 base::Result<PerceptionCheck> check_perception(std::string_view transcript,
-                                               const gamelog::MatchRecord& log);
+                                               const gamelog::MatchRecord& log,
+                                               const WorldModelObserver& on_decision = {});
 
 /// A text table, and the document of `cls check perception --json`.
 std::string to_text(const PerceptionCheck& check);

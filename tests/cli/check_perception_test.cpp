@@ -1,6 +1,7 @@
 // End-to-end tests of `cls check perception`.
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
@@ -72,6 +73,22 @@ TEST(CheckPerception, RejectsLogOfAnotherMatch) {
   expect_refusal(*same_name, "the player types differ from those of the log");
   expect_refusal(*other_name, "the player is of team 'HELIOS_L' on the left, the log has 'PROXY'");
   expect_refusal(*coach, "no player connects");
+}
+
+TEST(CheckPerception, WritesAPageWithTheDecisions) {
+  const TemporaryFolder folder;
+  const auto page = folder.path() / "page.html";
+  const auto written = [&](const std::filesystem::path& where) {
+    return cls::tests::run({cls_binary(), "check", "perception", transcript_fixture(), "--truth",
+                            log_fixture(), "--page", where.string()});
+  };
+  EXPECT_EQ(written(page).exit_code, 0);
+  const std::string text = read_file(page);
+  EXPECT_NE(text.find("id=\"decisions-left\""), std::string::npos);
+  EXPECT_NE(text.find("\"players\":[\"l7\"]"), std::string::npos);
+  const CommandResult refused = written(folder.path() / "no/page.html");
+  EXPECT_EQ(refused.exit_code, 73);
+  EXPECT_NE(refused.err.find("no/page.html"), std::string::npos) << refused.err;
 }
 
 TEST(CheckPerception, UsesLinesBeforeParseError) {

@@ -204,7 +204,11 @@ TEST_F(WorldModels, AreInThePageAsFarAsTheyAreAskedFor) {
       page_size(where("recorded"), where("some.html"), {"--world-models", "l7,l8"});
   const std::size_t none =
       page_size(where("recorded"), where("none.html"), {"--world-models", "none"});
+  const std::size_t part =
+      page_size(where("recorded"), where("part.html"), {"--world-models", "l7,50-60,70"});
   EXPECT_GT(all, some);
+  EXPECT_GT(some, part);
+  EXPECT_GT(part, plain);
   EXPECT_GT(some, plain);
   EXPECT_EQ(none, plain);
   const std::string page = cls::tests::read_file(where("some.html"));
@@ -223,13 +227,39 @@ TEST_F(WorldModels, AreRefusedWhenTheyAreCorruptOrNamesAreWrong) {
   const auto wrong = cls::tests::run({cls::tests::cls_binary(), "watch", where("recorded"), "--out",
                                       where("x.html"), "--world-models", "l12"});
   EXPECT_EQ(wrong.exit_code, 2);
-  EXPECT_NE(wrong.err.find("--world-models 'l12'"), std::string::npos) << wrong.err;
+  EXPECT_NE(wrong.err.find("--world-models 'l12': must be"), std::string::npos) << wrong.err;
+  for (const char* which : {"9-3", "-5", "7-", "all,l7", "none,3"}) {
+    const auto refused =
+        cls::tests::run({cls::tests::cls_binary(), "watch", where("recorded"), "--out",
+                         where("x.html"), std::string("--world-models=") + which});
+    EXPECT_EQ(refused.exit_code, 2) << which;
+  }
   fs::copy(where("recorded"), where("cut"), fs::copy_options::recursive);
   fs::resize_file(where("cut") / cls::viewer::kLeftWorldModelsFile, 2000);
   const auto cut =
       cls::tests::run({cls::tests::cls_binary(), "watch", where("cut"), "--out", where("y.html")});
   EXPECT_EQ(cut.exit_code, 65);
   EXPECT_NE(cut.err.find("left.world-models: "), std::string::npos) << cut.err;
+}
+
+TEST(Drawings, AreWithTheDecision) {
+  const cls::tests::TemporaryFolder folder;
+  const fs::path script = folder.path() / "draws.json";
+  std::ofstream(script) << R"({"rules": [{"reply": [
+    {"log": {"add_circle": {"level": "SHOOT", "center": {"x": 1.23456, "y": -2}, "radius": 3, "color": "red", "fill": true}}},
+    {"body_go_to_point": {"target_point": {"x": 5, "y": 6}, "distance_threshold": 1, "max_dash_power": 50}},
+    {"log": {"add_text": {"level": "TEAM", "message": "two\nlines 1.5"}}},
+    {"debug_client": {"message": "shown"}}]}]})";
+  const fs::path match = folder.path() / "match";
+  const auto played =
+      cls::tests::run({cls::tests::cls_binary(), "match", "mock:" + script.string(), "mock:hold",
+                       "--seed", "7", "--cycles", "5", "--record-world-models", "--dir", match});
+  ASSERT_EQ(played.exit_code, 0) << played.err;
+  const auto team = decisions_in(match / cls::viewer::kLeftWorldModelsFile);
+  const DecisionSample& last = team.players[6].back();
+  EXPECT_EQ(last.drawings, "1024 C 1.23 -2 3 red\n65536 M two lines 1.5\n0 M shown\n");
+  EXPECT_EQ(last.reply.find("log"), std::string::npos) << last.reply;
+  EXPECT_NE(last.reply.find("body_go_to_point"), std::string::npos) << last.reply;
 }
 
 TEST(MissedDecisions, AreInTheFolderAndInThePage) {

@@ -4,9 +4,12 @@
 #include <cstdio>
 #include <cstdlib>
 #include <string>
+#include <tuple>
 
 #include "gamelog/record/match_record.h"
 #include "tests/viewer/record_difference.h"
+#include "viewer/decisions/decision_cycles.h"
+#include "viewer/decisions/decision_reader.h"
 #include "viewer/page/page.h"
 #include "viewer/stream/chunk_reader.h"
 #include "viewer/stream/chunk_writer.h"
@@ -38,9 +41,32 @@ void check_match(const viewer::StreamMatch& match) {
   require(difference.empty(), "nothing is lost in writing", difference);
 }
 
+/// Decisions that were read are the same when they were written again.
+void check_decisions(std::string_view bytes) {
+  const auto decisions = viewer::read_decisions(bytes);
+  static_cast<void>(viewer::select_players(bytes, {7}));
+  const auto again = viewer::select_cycles(bytes, {{0, 1 << 30}});
+  require(decisions.ok() == again.ok(), "cycles of readable decisions can be selected");
+  if (!decisions) return;
+  const auto read = viewer::read_decisions(*again);
+  require(read.ok(), "written decisions can be read", read ? "" : read.error().message);
+  for (std::size_t i = 0; i < decisions->players.size(); ++i) {
+    for (const viewer::DecisionSample& sample : read->players[i])
+      require(sample.cycle >= 0, "only chosen cycles are kept");
+    if (decisions->players[i].size() != read->players[i].size()) continue;
+    for (std::size_t k = 0; k < read->players[i].size(); ++k) {
+      const auto& [a, b] = std::tie(decisions->players[i][k], read->players[i][k]);
+      require(a.reply == b.reply && a.commands == b.commands && a.drawings == b.drawings &&
+                  a.ball_age == b.ball_age,
+              "nothing is lost in writing decisions");
+    }
+  }
+}
+
 }  // namespace
 
 void check_view(std::string_view bytes) {
+  check_decisions(bytes);
   if (viewer::looks_like_page(bytes)) {
     if (const auto match = viewer::read_page(bytes)) check_match(*match);
     return;

@@ -1,4 +1,4 @@
-// libFuzzer target: arbitrary bytes as a page or stream of the viewer.
+// libFuzzer target: arbitrary bytes as a page, a stream or recorded decisions of the viewer.
 #include <cstddef>
 #include <cstdint>
 

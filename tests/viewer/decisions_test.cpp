@@ -4,7 +4,10 @@
 #include <cmath>
 #include <cstdint>
 #include <string>
+#include <vector>
 
+#include "tests/support/files.h"
+#include "viewer/decisions/decision_cycles.h"
 #include "viewer/decisions/decision_reader.h"
 #include "viewer/decisions/decision_writer.h"
 
@@ -35,6 +38,7 @@ DecisionSample sample_at(int cycle) {
   sample.reply = "e body_intercept_and_score save_recovery=true\n- neck_scan_field\n";
   sample.commands = "(dash 100)(turn_neck " + std::to_string(cycle) + ")";
   sample.plan = cycle == 3 ? "* pass 9 (12, -4) 45.2\n" : "";
+  sample.drawings = cycle % 2 == 0 ? "1024 c -0.5 " + std::to_string(cycle) + ".25 3 red\n" : "";
   sample.latency_us = 1000 - cycle;
   return sample;
 }
@@ -70,6 +74,7 @@ void expect_equal(const DecisionSample& a, const DecisionSample& b) {
   EXPECT_EQ(a.reply, b.reply);
   EXPECT_EQ(a.commands, b.commands);
   EXPECT_EQ(a.plan, b.plan);
+  EXPECT_EQ(a.drawings, b.drawings);
   EXPECT_EQ(a.latency_us, b.latency_us);
 }
 
@@ -137,6 +142,97 @@ TEST(Decisions, OfSomePlayersCanBeSelected) {
   EXPECT_TRUE(decisions->players[6].empty());
   EXPECT_EQ(decisions->players[10].size(), 70U);
   EXPECT_EQ(select_players(stream, {}).value(), stream);
+}
+
+std::string replies_of(const std::vector<std::string>& replies) {
+  std::string stream;
+  DecisionWriter writer;
+  writer.append_header(Side::kLeft, "Azure", stream);
+  for (const std::string& reply : replies) {
+    DecisionSample sample;
+    sample.reply = reply;
+    writer.append(3, sample, stream);
+  }
+  writer.append_end(stream);
+  return stream;
+}
+
+// Texts differ in numbers of all kinds, and what only looks like one.
+TEST(Decisions, KeepTextsAsTheyAre) {
+  const std::vector<std::string> texts = {"",
+                                          "a 1 b",
+                                          "a -1 b",
+                                          "a 99999 b",
+                                          "a -99999.999 b",
+                                          "a 0 b",
+                                          "a 0.5 b",
+                                          "a -0.001 b",
+                                          "a -0 b",
+                                          "a -0.00 b",
+                                          "a 1.50 b",
+                                          "a 1. b",
+                                          "a .5 b",
+                                          "a 007 b",
+                                          "a 123456789012 b",
+                                          "a 1.23456 b",
+                                          "a 1e-5 b",
+                                          "a - b",
+                                          "a -",
+                                          "1",
+                                          "-1",
+                                          "1-2",
+                                          "1--2",
+                                          "1.2.3",
+                                          "\xFF 5 \xC3\xA4\n2\n",
+                                          "a 1 b",
+                                          "a 1.005 b",
+                                          "a 1.0 b",
+                                          "a -1.5 b",
+                                          "a 2 b"};
+  const auto decisions = read_decisions(replies_of(texts));
+  ASSERT_TRUE(decisions) << decisions.error().message;
+  ASSERT_EQ(decisions->players[2].size(), texts.size());
+  for (std::size_t i = 0; i < texts.size(); ++i)
+    EXPECT_EQ(decisions->players[2][i].reply, texts[i]) << i;
+}
+
+TEST(Decisions, CutTextsThatAreTooLong) {
+  const auto decisions =
+      read_decisions(replies_of({std::string(2 * kMaxDecisionText, 'x'), std::string("a\x01z")}));
+  ASSERT_TRUE(decisions) << decisions.error().message;
+  EXPECT_EQ(decisions->players[2][0].reply.size(), kMaxDecisionText);
+  EXPECT_EQ(decisions->players[2][1].reply, "a z");
+}
+
+TEST(Decisions, OfSomeCyclesCanBeSelected) {
+  const std::string stream = stream_of_two_players();
+  const auto some = select_cycles(stream, {{100, 119}, {600, 600}});
+  ASSERT_TRUE(some) << some.error().message;
+  const auto decisions = read_decisions(*some);
+  ASSERT_TRUE(decisions) << decisions.error().message;
+  ASSERT_EQ(decisions->players[6].size(), 21U);
+  EXPECT_EQ(decisions->players[10].size(), 3U);
+  expect_equal(decisions->players[6][5], sample_at(105));
+  expect_equal(decisions->players[6][20], sample_at(600));
+  EXPECT_EQ(select_cycles(stream, {}).value(), stream);
+  EXPECT_FALSE(select_cycles(stream.substr(0, 1000), {{1, 2}}));
+}
+
+// Whoever recorded decisions with an earlier version can watch them.
+TEST(Decisions, OfTheFirstVersionAreRead) {
+  const auto decisions =
+      read_decisions(cls::tests::read_file(cls::tests::fixture("formats/right.world-models")));
+  ASSERT_TRUE(decisions) << decisions.error().message;
+  EXPECT_EQ(decisions->side, Side::kRight);
+  EXPECT_EQ(decisions->team, "hold");
+  for (const auto& samples : decisions->players) ASSERT_EQ(samples.size(), 104U);
+  const DecisionSample& last = decisions->players[6].back();
+  EXPECT_EQ(last.cycle, 4);
+  EXPECT_EQ(last.reply, "f body_turn_to_ball cycle=1\ne neck_turn_to_ball\n");
+  EXPECT_EQ(last.commands, "(turn 0)(turn_neck 0)(say)");
+  EXPECT_NEAR(last.self.y, 11.0, 1e-9);
+  EXPECT_NEAR(last.ball.x, 0.03, 1e-9);
+  EXPECT_EQ(last.ball_age, 0);
 }
 
 TEST(Decisions, SayWhyTheyCannotBeRead) {

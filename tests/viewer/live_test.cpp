@@ -20,7 +20,10 @@
 #include "viewer/live/live_feed.h"
 #include "viewer/live/live_match.h"
 #include "viewer/live/live_site.h"
+#include "viewer/live/log_glance.h"
 #include "viewer/live/match_list.h"
+#include "viewer/page/encoding.h"
+#include "viewer/page/viewer_program.h"
 #include "viewer/stream/chunk_reader.h"
 
 namespace cls::viewer {
@@ -340,19 +343,47 @@ TEST_F(LiveSite, LimitsTheNumberOfConnections) {
 }
 
 TEST(MatchList, LinksMatchesAndShowsNamesAsText) {
-  const std::vector<ListedMatch> matches = {{1, "<b>", "B", "2 : 1", "", true},
-                                            {2, "A", "B", "", "playing", true},
-                                            {3, "A", "B", "", "planned", false}};
-  const std::string page = match_list_page("c\"up", matches, true);
+  const std::vector<ListedMatch> matches = {
+      {1, "<b>", "B", "2 : 1", "", true},
+      {2, "A", "B", "", "playing", true, soccer::Vec2{-12.5, 3.0}},
+      {3, "A", "B", "", "planned", false}};
+  const MatchList list = {"c\"up", "1 of 3 <matches>", {"<table>\n</table>\n"}, matches, true};
+  const std::string page = match_list_page(list);
   EXPECT_NE(page.find("&lt;b&gt;"), std::string::npos);
   EXPECT_EQ(page.find("<b>"), std::string::npos);
   EXPECT_NE(page.find("<a href=\"match/1/\" aria-label=\"Watch match 1\">2 : 1</a>"),
             std::string::npos);
   EXPECT_NE(page.find(">live</a>"), std::string::npos);
   EXPECT_EQ(page.find("match/3/"), std::string::npos);
-  EXPECT_NE(page.find("http-equiv=\"refresh\""), std::string::npos);
-  EXPECT_EQ(match_list_page("cup", matches, false).find("refresh"), std::string::npos);
-  EXPECT_EQ(page.find("<script"), std::string::npos);
+  EXPECT_NE(page.find("1 of 3 &lt;matches&gt;"), std::string::npos);
+  EXPECT_NE(page.find("<noscript><meta http-equiv=\"refresh\""), std::string::npos);
+  EXPECT_NE(page.find("script-src " + csp_hash(list_script())), std::string::npos);
+  EXPECT_NE(page.find("<circle cx=\"-12.5\" cy=\"3.0\""), std::string::npos);
+  const std::string over = match_list_page({"cup", "", {}, matches, false});
+  for (const char* part : {"refresh", "<script", "script-src", "data-running"}) {
+    EXPECT_EQ(over.find(part), std::string::npos) << part;
+  }
+}
+
+TEST(LogGlance, SeesWholeLinesOfAGrowingLog) {
+  const cls::tests::TemporaryFolder folder;
+  const auto file = folder.path() / "match.rcg";
+  LogGlance glance(file);
+  EXPECT_FALSE(glance.now());
+  const auto append = [&](const char* text) {
+    std::ofstream(file, std::ios::app | std::ios::binary) << text;
+  };
+  append("ULG6\n(team 1 A B 0 0)\n(show 1 ((b) 0 0 0 0) ((l 1) 0");
+  EXPECT_FALSE(glance.now());
+  append(")\n(team 2 A (x 2 1)\n(show 23 ((b) -1.5 2.25 0 0) ((l 1) 0)\n(show 24 ((b) 9");
+  const auto seen = glance.now();
+  ASSERT_TRUE(seen);
+  EXPECT_EQ(seen->cycle, 23);
+  EXPECT_EQ(seen->left, 2);
+  EXPECT_EQ(seen->right, 1);
+  EXPECT_EQ(seen->ball.x, -1.5);
+  std::ofstream(file, std::ios::binary) << "ULG6\n";
+  EXPECT_FALSE(glance.now());
 }
 
 TEST(HttpServer, SaysWhyItCannotListen) {

@@ -39,6 +39,9 @@ std::optional<Chunk> next_chunk(std::string_view& rest) {
   return chunk;
 }
 
+/// Texts of a team that are longer than this together are no recording.
+constexpr std::size_t kMaxTexts = std::size_t{1} << 28;
+
 class Reader {
  public:
   std::optional<base::Error> read(const Chunk& chunk) {
@@ -54,6 +57,7 @@ class Reader {
  private:
   struct Player {
     DecisionStates states;
+    std::array<TextShapes, kDecisionTexts.size()> shapes;
     std::array<std::size_t, kDecisionTexts.size()> texts{};  ///< how many decisions have them
     std::size_t latencies = 0;                               ///< the same
     std::int64_t last_latency = 0;
@@ -115,12 +119,16 @@ class Reader {
     const int unum = read_start(in, count);
     const auto kind = static_cast<std::size_t>(in.varint());
     if (unum == 0 || kind >= kDecisionTexts.size()) return corrupt("texts");
-    std::size_t& first = players_[static_cast<std::size_t>(unum - 1)].texts[kind];
+    Player& player = players_[static_cast<std::size_t>(unum - 1)];
+    std::size_t& first = player.texts[kind];
     std::vector<DecisionSample>& samples = decisions_.players[static_cast<std::size_t>(unum - 1)];
     if (first + count > samples.size()) return corrupt("texts");
-    for (std::size_t i = 0; i < count; ++i) samples[first + i].*kDecisionTexts[kind] = in.string();
-    first += count;
+    std::vector<std::string> texts = decode_texts(count, player.shapes[kind], room_, in);
     if (!in.good() || !in.at_end()) return corrupt("texts");
+    for (std::string& text : texts) {
+      room_ -= std::min(room_, text.size());
+      samples[first++].*kDecisionTexts[kind] = std::move(text);
+    }
     return std::nullopt;
   }
 
@@ -142,6 +150,7 @@ class Reader {
 
   TeamDecisions decisions_;
   std::array<Player, soccer::kPlayersPerTeam> players_;
+  std::size_t room_ = kMaxTexts;
   bool has_header_ = false;
 };
 

@@ -69,6 +69,7 @@ struct DecisionSample {
   std::string reply;
   std::string commands;  ///< as sent to the soccer server
   std::string plan;      ///< a line per candidate of the planner; empty: none
+  std::string drawings;  ///< a line per text or shape that the Playmaker shows; empty: none
   std::int64_t latency_us = 0;
 };
 

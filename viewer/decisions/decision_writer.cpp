@@ -126,14 +126,15 @@ std::string DecisionWriter::numbers_of(int unum) {
   return contents;
 }
 
-std::string DecisionWriter::texts_of(int unum, std::size_t kind) const {
-  const std::vector<SlottedSample>& samples =
-      players_.at(static_cast<std::size_t>(unum - 1)).samples;
-  std::string contents = block_start(unum, samples.size());
-  append_varint(kind, contents);
-  for (const SlottedSample& row : samples) {
-    append_string(row.sample.*kDecisionTexts.at(kind), contents);
+std::string DecisionWriter::texts_of(int unum, std::size_t kind) {
+  Player& player = player_of(unum);
+  std::vector<std::string_view> texts;
+  for (const SlottedSample& row : player.samples) {
+    texts.emplace_back(row.sample.*kDecisionTexts.at(kind));
   }
+  std::string contents = block_start(unum, texts.size());
+  append_varint(kind, contents);
+  encode_texts(texts, player.shapes.at(kind), contents);
   return contents;
 }
 

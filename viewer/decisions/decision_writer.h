@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "viewer/decisions/decision_columns.h"
+#include "viewer/decisions/decision_texts.h"
 #include "viewer/stream/chunk.h"
 
 namespace cls::viewer {
@@ -18,13 +19,14 @@ constexpr std::string_view kDecisionsSchema = "cls.decisions/1";
 /// Kinds of chunks, beside kHeaderChunk and kEndChunk.
 enum DecisionChunkKind : char {
   kDecisionsChunk = 'B',  ///< numbers of the decisions of a player
-  kTextsChunk = 'X',      ///< their texts of one kind
+  kTextsChunk = 'W',      ///< their texts of one kind
   kLatencyChunk = 'T',    ///< their latencies, which are not the same in each run
 };
 
 /// The texts of a decision, by their kind in a kTextsChunk.
-constexpr std::array<std::string DecisionSample::*, 3> kDecisionTexts = {
-    &DecisionSample::reply, &DecisionSample::commands, &DecisionSample::plan};
+constexpr std::array<std::string DecisionSample::*, 4> kDecisionTexts = {
+    &DecisionSample::reply, &DecisionSample::commands, &DecisionSample::plan,
+    &DecisionSample::drawings};
 
 /// Decisions that a chunk holds at most.
 constexpr std::size_t kDecisionBlock = 512;
@@ -53,6 +55,7 @@ class DecisionWriter {
  private:
   struct Player {
     DecisionStates states;
+    std::array<TextShapes, kDecisionTexts.size()> shapes;
     std::array<UnnumberedPlayer, kUnnumberedSlots> unnumbered;  ///< as in the last sample
     std::vector<SlottedSample> samples;                         ///< not written yet
     DecisionSample last;                                        ///< the last written one
@@ -63,7 +66,7 @@ class DecisionWriter {
   void append_chunk(char kind, std::string_view contents, std::string& out);
   void append_blocks(std::string& out);
   std::string numbers_of(int unum);
-  std::string texts_of(int unum, std::size_t kind) const;
+  std::string texts_of(int unum, std::size_t kind);
   std::string latencies_of(int unum);
 
   std::array<Player, soccer::kPlayersPerTeam> players_;

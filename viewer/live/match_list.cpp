@@ -1,61 +1,100 @@
-// A table.
+// Tables, the matches as the last one.
 #include "viewer/live/match_list.h"
 
 #include <fmt/format.h>
 
 #include "base/text/xml.h"
 #include "viewer/page/encoding.h"
+#include "viewer/page/viewer_program.h"
 
 namespace cls::viewer {
 namespace {
 
 constexpr int kReloadSeconds = 3;
 
+// Columns have fixed widths and rows one line, so nothing moves when cells change.
 constexpr std::string_view kStyle = R"(
 :root { color-scheme: light dark; font: 16px/1.4 system-ui, sans-serif; }
-body { max-width: 60rem; margin: 2rem auto; padding: 0 1rem; }
-table { border-collapse: collapse; width: 100%; font-variant-numeric: tabular-nums; }
-th, td { padding: 0.35rem 0.6rem; text-align: left; border-bottom: 1px solid #8884; }
-td.score { text-align: center; white-space: nowrap; }
-td.left { text-align: right; }
+body { max-width: 64rem; margin: 2rem auto; padding: 0 1rem; }
+h1 { margin: 0; }
+#status { margin: 0.25rem 0 1.5rem; min-height: 1.4em; }
+section { margin: 0 0 1.75rem; overflow-x: auto; }
+table { border-collapse: collapse; width: 100%; min-width: 34rem; table-layout: fixed; font-variant-numeric: tabular-nums; }
+caption { padding: 0.35rem 0; text-align: left; font-weight: 650; }
+th, td { height: 1.9rem; padding: 0.2rem 0.6rem; text-align: right; border-bottom: 1px solid #8884; overflow: hidden; text-overflow: ellipsis; white-space: nowrap; }
+thead th { font-size: 0.9rem; font-weight: 600; }
+.w { text-align: left; }
+.number { width: 4.5rem; }
+.score { width: 7rem; text-align: center; }
+.state { width: 36%; text-align: left; }
+.state svg { width: 31px; height: 20px; margin-right: 0.6rem; vertical-align: middle; }
+.state rect { fill: #2f6b4f; }
+.state circle { fill: #ffffff; }
+button { font: inherit; }
 )";
 
+// The pitch with the ball, 31 by 20 pixels.
+std::string small_pitch(soccer::Vec2 ball) {
+  return fmt::format(
+      "<svg viewBox=\"-55 -36 110 72\" aria-hidden=\"true\"><rect x=\"-55\" y=\"-36\" "
+      "width=\"110\" height=\"72\"/><circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"6\"/></svg>",
+      ball.x, ball.y);
+}
+
 std::string row(const ListedMatch& match) {
-  const std::string none = match.has_page ? "live" : "–";
-  const std::string score = match.score.empty() ? none : match.score;
+  const std::string score = !match.score.empty() ? match.score : match.has_page ? "live" : "–";
   const std::string link =
       match.has_page ? fmt::format("<a href=\"match/{}/\" aria-label=\"Watch match {}\">{}</a>",
                                    match.index, match.index, base::escape_xml(score))
                      : base::escape_xml(score);
+  const std::string state = base::escape_xml(match.state);
   return fmt::format(
-      "<tr><td>{}</td><td class=\"left\">{}</td><td class=\"score\">{}</td><td>{}</td><td>{}</td>"
-      "</tr>\n",
-      match.index, base::escape_xml(match.left), link, base::escape_xml(match.right),
-      base::escape_xml(match.state));
+      "<tr><th scope=\"row\" class=\"number\">{}</th><td>{}</td><td class=\"score\">{}</td>"
+      "<td class=\"w\">{}</td><td class=\"state\" title=\"{}\">{}{}</td></tr>\n",
+      match.index, base::escape_xml(match.left), link, base::escape_xml(match.right), state,
+      match.ball ? small_pitch(*match.ball) : "", state);
+}
+
+std::string matches_table(const std::vector<ListedMatch>& matches) {
+  std::string table =
+      "<table>\n<caption>matches</caption>\n<thead><tr><th scope=\"col\" class=\"number\">match"
+      "</th><th scope=\"col\">left</th><th scope=\"col\" class=\"score\">score</th>"
+      "<th scope=\"col\" class=\"w\">right</th><th scope=\"col\" class=\"state\">state</th></tr>"
+      "</thead>\n<tbody>\n";
+  for (const ListedMatch& match : matches) table += row(match);
+  return table + "</tbody>\n</table>\n";
+}
+
+std::string head(const MatchList& list) {
+  const std::string policy =
+      list.running ? fmt::format("script-src {}; connect-src 'self'; ", csp_hash(list_script()))
+                   : "";
+  std::string head = fmt::format(
+      "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+      "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; {}style-src {}; "
+      "img-src data:; base-uri 'none'; form-action 'none'\">\n"
+      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+      "<link rel=\"icon\" href=\"data:,\">\n",
+      policy, csp_hash(kStyle));
+  if (list.running) {
+    head += fmt::format("<noscript><meta http-equiv=\"refresh\" content=\"{}\"></noscript>\n",
+                        kReloadSeconds);
+  }
+  return head + fmt::format("<title>{}</title>\n<style>{}</style>\n</head>\n",
+                            base::escape_xml(list.title), kStyle);
 }
 
 }  // namespace
 
-std::string match_list_page(const std::string& title, const std::vector<ListedMatch>& matches,
-                            bool running) {
-  std::string page = fmt::format(
-      "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-      "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src {}; "
-      "img-src data:\">\n"
-      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-      "<link rel=\"icon\" href=\"data:,\">\n",
-      csp_hash(kStyle));
-  if (running) {
-    page += fmt::format("<meta http-equiv=\"refresh\" content=\"{}\">\n", kReloadSeconds);
-  }
-  page += fmt::format(
-      "<title>{0}</title>\n<style>{1}</style>\n</head>\n<body>\n<main>\n<h1>{0}</h1>\n"
-      "<table>\n<thead><tr><th scope=\"col\">Match</th><th scope=\"col\">Left</th>"
-      "<th scope=\"col\">Score</th><th scope=\"col\">Right</th><th scope=\"col\">State</th></tr>"
-      "</thead>\n<tbody>\n",
-      base::escape_xml(title), kStyle);
-  for (const ListedMatch& match : matches) page += row(match);
-  return page + "</tbody>\n</table>\n</main>\n</body>\n</html>\n";
+std::string match_list_page(const MatchList& list) {
+  std::string page = head(list);
+  page += fmt::format("<body{}>\n<main>\n<h1>{}</h1>\n<p id=\"status\" role=\"status\">{}</p>\n",
+                      list.running ? " data-running" : "", base::escape_xml(list.title),
+                      base::escape_xml(list.status));
+  for (const std::string& table : list.tables) page += "<section>\n" + table + "</section>\n";
+  page += "<section>\n" + matches_table(list.matches) + "</section>\n</main>\n";
+  if (list.running) page += fmt::format("<script>{}</script>\n", list_script());
+  return page + "</body>\n</html>\n";
 }
 
 }  // namespace cls::viewer

@@ -1,8 +1,11 @@
-// The page of many matches: who plays whom, scores, and a link to each.
+// The page of many matches: tables, who plays whom, scores, and a link to each.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
+
+#include "soccer/geometry.h"
 
 namespace cls::viewer {
 
@@ -10,13 +13,23 @@ struct ListedMatch {
   int index = 0;  ///< its page is at "match/INDEX/"
   std::string left;
   std::string right;
-  std::string score;  ///< "2 : 1"; empty before the end
-  std::string state;  ///< "playing", "failed: ..."; empty: finished
+  std::string score;  ///< "2 : 1"; empty: unknown
+  std::string state;  ///< "cycle 1200", "failed: ..."; empty: finished
   bool has_page = false;
+  std::optional<soccer::Vec2> ball = {};  ///< of a match that is played now
 };
 
-/// HTML without scripts. While `running`, browsers load it again every few seconds.
-std::string match_list_page(const std::string& title, const std::vector<ListedMatch>& matches,
-                            bool running);
+struct MatchList {
+  std::string title;
+  std::string status;               ///< "2 of 6 matches done"
+  std::vector<std::string> tables;  ///< <table> elements of base::Table, for example the standings
+  std::vector<ListedMatch> matches;
+  bool running = false;
+};
+
+/// HTML. While matches are running, a script fetches the page again and copies what changed into
+/// it: cells change in place, rows keep theirs until the reader sorts them. Without scripts,
+/// browsers load the page again.
+std::string match_list_page(const MatchList& list);
 
 }  // namespace cls::viewer

@@ -63,13 +63,13 @@ std::vector<MissedDecision> read_missed_decisions(const std::filesystem::path& f
   return missed;
 }
 
-base::Result<std::vector<PageDecisions>> read_page_decisions(
-    const std::filesystem::path& folder, const std::vector<std::string>& players) {
+base::Result<std::vector<PageDecisions>> read_page_decisions(const std::filesystem::path& folder,
+                                                             const DecisionChoice& choice) {
   std::vector<PageDecisions> decisions;
   for (const auto& [side, name] : {std::pair(soccer::Side::kLeft, kLeftWorldModelsFile),
                                    std::pair(soccer::Side::kRight, kRightWorldModelsFile)}) {
-    const std::vector<int> numbers = numbers_of(players, side);
-    if (!players.empty() && numbers.empty()) continue;
+    const std::vector<int> numbers = numbers_of(choice.players, side);
+    if (!choice.players.empty() && numbers.empty()) continue;
     auto packed = base::read_file(folder / name);
     if (!packed) continue;
     const auto in_file = [&, file = (folder / name).string()](const base::Error& error) {
@@ -77,9 +77,12 @@ base::Result<std::vector<PageDecisions>> read_page_decisions(
     };
     const auto stream = gunzip(*packed, kMaxDecisions);
     if (!stream) return in_file(stream.error());
-    const auto selected = select_players(*stream, numbers);
+    const auto players = select_players(*stream, numbers);
+    if (!players) return in_file(players.error());
+    const auto selected = select_cycles(*players, choice.cycles);
     if (!selected) return in_file(selected.error());
-    decisions.push_back({side, numbers.empty() ? *std::move(packed) : gzip(*selected)});
+    const bool all = numbers.empty() && choice.cycles.empty();
+    decisions.push_back({side, all ? *std::move(packed) : gzip(*selected)});
   }
   return decisions;
 }

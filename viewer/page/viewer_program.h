@@ -10,5 +10,7 @@ std::string_view viewer_script();
 /// The same with the decision debugger, for pages with recorded decisions.
 std::string_view debugger_script();
 std::string_view viewer_style();
+/// The program of the list of matches.
+std::string_view list_script();
 
 }  // namespace cls::viewer

@@ -5,7 +5,7 @@ import os from 'node:os';
 import path from 'node:path';
 import test, {after, before} from 'node:test';
 import {pathToFileURL} from 'node:url';
-import {kMissedFrame, kWorstFrame, sampleDecisionStream} from '../web/sample_decisions.mjs';
+import {kDrawnFrame, kMissedFrame, kWorstFrame, sampleDecisionStream} from '../web/sample_decisions.mjs';
 import {sampleStream} from '../web/sample_match.mjs';
 import {accessibilityViolations, launch, openPage} from './browser.mjs';
 import {kInjections} from './injections.mjs';
@@ -106,6 +106,34 @@ test('lists the worst moments, marks missed decisions, and links restore the mod
   await context.close();
 });
 
+test('draws what the Playmaker shows, as far as the filter lets it', async () => {
+  const {page, problems, context} = await open({hash: `#t=${kDrawnFrame}&p=l7&d=1`});
+  await loaded(page);
+  const red = () => page.evaluate(() => {
+    const {viewer, page} = window.clsViewer;
+    page.draw();
+    const {camera} = viewer;
+    const data = page.canvas.getContext('2d').getImageData(Math.round(camera.screenX(10 + 3)), Math.round(camera.screenY(5)), 1, 1).data;
+    return data[0] > 200 && data[1] < 90 && data[2] < 90;
+  });
+  const list = page.locator('.drawings li');
+  assert.equal(await list.count(), 6);
+  assert.equal(await red(), true);
+  await page.getByLabel('Level of texts and drawings').selectOption({label: 'team'});
+  assert.deepEqual(await list.allInnerTexts().then((texts) => texts.map((text) => text.split('\n').pop())), ['run here', 'plan 7.50, -0, 1234567']);
+  assert.equal(await red(), false);
+  await page.getByLabel('Level of texts and drawings').selectOption({label: 'all levels'});
+  await page.getByLabel('Filter texts and drawings').fill('filled');
+  assert.equal(await list.count(), 1);
+  assert.equal(await red(), true);
+  await page.keyboard.press('7');
+  assert.equal(await page.evaluate(() => window.clsViewer.viewer.selected.join()), '6');
+  // Reading pixels often is this test's own.
+  assert.deepEqual(problems.filter((each) => !each.includes('willReadFrequently')), []);
+  assert.deepEqual(await page.evaluate(() => window.violations), []);
+  await context.close();
+});
+
 test('has no debugger where nothing is recorded', async () => {
   const {page, problems, context} = await open({decisions: {}});
   assert.equal(await page.getByRole('tab', {name: 'Decision'}).count(), 0);
@@ -128,7 +156,8 @@ test('makes no markup out of actions', async () => {
 });
 
 test('has no accessibility violations, in both themes and on narrow screens', async () => {
-  for (const options of [{}, {colorScheme: 'light'}, {viewport: {width: 320, height: 800}}]) {
+  const drawn = `#t=${kDrawnFrame}&p=l7&d=1`;
+  for (const options of [{}, {colorScheme: 'light', hash: drawn}, {viewport: {width: 320, height: 800}}, {viewport: {width: 320, height: 800}, hash: drawn}]) {
     const {page, context} = await open({hash: `#t=${kMissedFrame}&p=l7&d=1`, ...options});
     await loaded(page);
     assert.deepEqual(await accessibilityViolations(page), []);

@@ -310,6 +310,40 @@ test('saves an image', async () => {
   await context.close();
 });
 
+test('records a clip that plays', async () => {
+  const {page, problems, context} = await open(samplePath, '#t=50');
+  const [download] = await Promise.all([page.waitForEvent('download'), page.keyboard.press('Shift+C').then(async () => {
+    assert.equal(await page.evaluate(() => window.clsViewer.viewer.clock.playing), true);
+    await page.waitForFunction(() => window.clsViewer.viewer.frame >= 60);
+    await page.keyboard.press('Space');
+  })]);
+  assert.match(download.suggestedFilename(), /^cycles-50-to-6\d\.webm$/);
+  const bytes = fs.readFileSync(await download.path());
+  assert.equal(bytes.readUInt32BE(0), 0x1a45dfa3);
+  assert.deepEqual(problems, []);
+  assert.deepEqual(await page.evaluate(() => window.violations), []);
+  // The page's policy lets no video in, so another page plays it.
+  const player = await context.newPage();
+  await player.goto(pathToFileURL(write('empty.html', '<!doctype html><video></video>')).href);
+  const picture = await player.evaluate(playedPicture, bytes.toString('base64'));
+  assert.ok(picture.seconds > 0.3 && picture.green > 40 && picture.green > picture.red, JSON.stringify(picture));
+  await context.close();
+});
+
+/** In another page: plays a video and says what color its field has. */
+async function playedPicture(base64) {
+  const video = document.querySelector('video');
+  video.muted = true;
+  video.src = `data:video/webm;base64,${base64}`;
+  await video.play();
+  await new Promise((resolve) => video.addEventListener('ended', resolve));
+  const canvas = Object.assign(document.createElement('canvas'), {width: video.videoWidth, height: video.videoHeight});
+  const context = canvas.getContext('2d');
+  context.drawImage(video, 0, 0);
+  const [red, green] = context.getImageData(canvas.width / 4, canvas.height / 3, 1, 1).data;
+  return {seconds: video.currentTime, red, green};
+}
+
 test('draws and seeks in time, without growth of the heap', async (t) => {
   const file = process.env.CLS_PAGE ?? samplePath;
   for (const rate of [1, 4]) {

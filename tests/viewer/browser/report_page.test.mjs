@@ -60,6 +60,42 @@ for (const file of ['match.html', 'cup.html']) {
   });
 }
 
+/** In the page: mean errors of the player in play_on, of itself and of the ball when it was just seen. */
+function shownErrors() {
+  const {track, record} = window.clsViewer.viewer;
+  const sums = {self: [], ball: []};
+  for (let i = 0; i < track.decisions.count; ++i) {
+    if (record.modeName(track.frames[i]) !== 'play_on') continue;
+    sums.self.push(track.selfErrors[i]);
+    if (track.ballRow(i).age === 0) sums.ball.push(track.ballErrors[i]);
+  }
+  const summary = (errors) => ({n: errors.length, mean: errors.reduce((sum, error) => sum + error, 0) / errors.length});
+  return {self: summary(sums.self), ball: summary(sums.ball)};
+}
+
+test('the debugger shows the errors that cls check perception measures', {skip: kSkip}, async () => {
+  const fixture = (name) => fileURLToPath(new URL(`../../../fixtures/perception/${name}`, import.meta.url));
+  const words = ['check', 'perception', fixture('player_7.txt.gz'), '--truth', fixture('game.rcg.gz'), '--page', 'perception.html', '--json'];
+  const measured = JSON.parse(execFileSync(kCls, words, {cwd: kFolder, encoding: 'utf8'}));
+  const {page, problems, context} = await open('perception.html', {});
+  await page.waitForFunction(() => window.clsViewer, null, {timeout: 60000});
+  await page.keyboard.press('Shift+P');
+  await page.waitForFunction(() => window.clsViewer.viewer.track);
+  const shown = await page.evaluate(shownErrors);
+  for (const what of ['self', 'ball']) {
+    assert.equal(shown[what].n, measured[what].n, what);
+    assert.ok(Math.abs(shown[what].mean - measured[what].mean) < 0.01, `${what}: ${shown[what].mean} m shown, ${measured[what].mean} m measured`);
+  }
+  // The panel shows the error of a moment, the field a ghost at the estimate.
+  await page.evaluate(() => window.clsViewer.viewer.seek(window.clsViewer.viewer.track.frames[60]));
+  await page.waitForTimeout(100);
+  const row = await page.locator('.estimates tbody tr').nth(1).locator('td').allInnerTexts();
+  const error = await page.evaluate(() => window.clsViewer.viewer.track.ballErrors[60]);
+  assert.equal(row[2], Number.isNaN(error) ? '' : error.toFixed(2));
+  assert.deepEqual(problems, []);
+  await context.close();
+});
+
 test('cup.html charts goal differences, and shows names as text', {skip: kSkip}, async () => {
   const {page, context} = await open('cup.html', {});
   assert.equal(await page.getByRole('img', {name: 'Goals of A minus those of B', exact: true}).count(), 1);

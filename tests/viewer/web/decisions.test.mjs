@@ -4,9 +4,10 @@ import test from 'node:test';
 import {DecisionStore} from '../../../viewer/web/src/decision_store.js';
 import {DecisionTrack, executedCommands, makerText, missText, plannedActions, requestedActions} from '../../../viewer/web/src/decision_track.js';
 import {TeamDecisions} from '../../../viewer/web/src/decisions.js';
+import {DrawingFilter, drawingsOf, levelsIn} from '../../../viewer/web/src/drawings.js';
 import {scenarioOfMoment} from '../../../viewer/web/src/moment_scenario.js';
 import {StreamDecoder} from '../../../viewer/web/src/stream.js';
-import {kMissedFrame, kWorstFrame, sampleDecisionStream} from './sample_decisions.mjs';
+import {kDrawnFrame, kMissedFrame, kWorstFrame, sampleDecisionStream} from './sample_decisions.mjs';
 import {kFrames, kGoalFrame, sampleStream} from './sample_match.mjs';
 
 function sampleRecord() {
@@ -114,4 +115,34 @@ test('A moment becomes a scenario of cls test', () => {
   assert.deepEqual(Object.keys(scenario.right.players['7']), ['at', 'body', 'velocity', 'stamina']);
   assert.equal(scenario.right.players['7'].stamina, 7700);
   assert.deepEqual(scenario.expect, [{actions: '*', side: 'right', unum: 7}]);
+});
+
+test('Texts and shapes of a Playmaker are read, on both sides of the pitch', () => {
+  const text = sampleTrack().decisions.drawings[kDrawnFrame];
+  const drawings = drawingsOf(text, 6);
+  assert.deepEqual(drawings[0], {kind: 'circle', filled: true, level: 1024, numbers: [10, 5, 3], text: '', color: '#ff0000'});
+  assert.deepEqual(drawings[1].numbers, [-10, -5.25, 0, 0]);
+  assert.deepEqual(drawings[2], {kind: 'message', filled: false, level: 65536, numbers: [1, -2], text: 'run here', color: 'white'});
+  assert.equal(drawings[3].text, 'plan 7.50, -0, 1234567');
+  assert.deepEqual(drawings[4].numbers, [1, 2, 4, 6]);
+  const mirrored = drawingsOf(text, 17);
+  assert.deepEqual(mirrored[0].numbers, [-10, -5, 3]);
+  assert.deepEqual(mirrored[4].numbers, [-1, -2, -4, -6]);
+  assert.deepEqual(drawingsOf('8 a 1 2 3 30 60 \n', 17)[0].numbers, [-1, -2, 3, 210, 60]);
+  assert.deepEqual(drawingsOf('8 q 1\n8 c 1 2\nno line\n8 c x 2 3', 6), []);
+  assert.deepEqual(levelsIn([text, '']).map(([, name]) => name), ['system', 'action', 'kick', 'shoot', 'team']);
+});
+
+test('DrawingFilter chooses by level and text', () => {
+  const drawings = drawingsOf(sampleTrack().decisions.drawings[kDrawnFrame], 6);
+  const filter = new DrawingFilter();
+  const shown = () => drawings.filter((drawing) => filter.shows(drawing)).map(({kind}) => kind);
+  assert.equal(shown().length, drawings.length);
+  filter.level = 65536;
+  assert.deepEqual(shown(), ['message', 'text']);
+  filter.text = ' RUN';
+  assert.deepEqual(shown(), ['message']);
+  filter.level = 0;
+  filter.text = 'circle';
+  assert.deepEqual(shown(), ['circle']);
 });

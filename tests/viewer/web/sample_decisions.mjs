@@ -22,6 +22,10 @@ export const kWorstFrame = 40;
 /** The frame of the missed decision. */
 export const kMissedFrame = 50;
 
+/** The frame that the Playmaker draws about. */
+export const kDrawnFrame = 45;
+const kSampleDrawings = '1024 C 10 5 3 #ff0000\n8 l -10 -5.25 0 0 blue\n65536 m 1 -2 (c white) run here\n65536 M plan 7.50, -0, 1234567\n32 r 1 2 3 4 \n';
+
 /** Numbers by column and series, and the texts of a frame. The player sees all but right player 9, whom it never saw, and has a
  * player of unknown number at (1, 2). */
 function sampleDecision(columns, frame, text) {
@@ -37,11 +41,45 @@ function sampleDecision(columns, frame, text) {
     other_id: [77], other_side: [-1], other_age: [3], other_x: [1], other_y: [2],
   };
   return {numbers, reply: missed ? '' : `f body_smart_kick target_point=(1, 2)\ne body_go_to_point target_point=(3, 4)\ns ${text}\n`,
-    commands: `(dash 100)(turn_neck ${frame})`, plan: frame === kWorstFrame ? '* pass 9 (12, -4) 45.2\n- dribble 7 (1, 1) 30\n' : '', latency: 1500 + frame};
+    commands: `(dash 100)(turn_neck ${frame})`, plan: frame === kWorstFrame ? '* pass 9 (12, -4) 45.2\n- dribble 7 (1, 1) 30\n' : '',
+    drawings: frame === kDrawnFrame ? kSampleDrawings + `1 M ${text}\n` : '', latency: 1500 + frame};
 }
 
-function textColumn(writer, decisions, name) {
-  for (const decision of decisions) writer.string(decision[name]);
+const kUnits = [1000, 100, 10, 1];
+
+/** Writes the texts of one kind; `shapes` keeps what came before. */
+function textColumn(writer, texts, shapes) {
+  const fresh = [];
+  const parts = texts.map((text) => {
+    const numbers = [];
+    const shape = text.replace(/-?(?:0|[1-9]\d{0,4})(?:\.\d{1,3})?/g, (number) => {
+      const sign = /^-[0.]+$/.test(number) ? '-' : '';
+      numbers.push(number.slice(sign.length));
+      return `${sign}\x01`;
+    });
+    if (!shapes.has(shape)) {
+      shapes.set(shape, {id: shapes.size, last: numbers.map(() => 0)});
+      fresh.push(shape);
+    }
+    return {...shapes.get(shape), numbers};
+  });
+  writer.varint(fresh.length);
+  for (const shape of fresh) writer.string(shape);
+  for (const {id} of parts) writer.varint(id);
+  for (const {id, last} of shapes.values()) {
+    for (let place = 0; place < last.length; ++place) {
+      for (const part of parts) if (part.id === id) writeNumber(writer, part.numbers[place], last, place);
+    }
+  }
+}
+
+function writeNumber(writer, text, last, place) {
+  const decimals = text.includes('.') ? text.length - text.indexOf('.') - 1 : 0;
+  const unit = kUnits[decimals];
+  const thousandths = Math.round(Number(text) * 1000);
+  const step = thousandths / unit - Math.floor((2 * last[place] + unit) / (2 * unit));
+  writer.varint(4 * (step >= 0 ? 2 * step : -2 * step - 1) + decimals);
+  last[place] = thousandths;
 }
 
 /** The integers of a column: series after series. */
@@ -82,6 +120,7 @@ export function sampleDecisionStream(text = 'body_turn_to_ball') {
   const states = new Map(kDecisionColumns.map((row) => [row.name, Array.from({length: row.series}, () => ({p: 0, d: 0}))]));
   const chunks = [jsonChunk('H', {schema: 'cls.decisions/1', cls: '1.0', side: 'left', team: 'Azure', columns: kDecisionColumns})];
   const timing = [];
+  const shapes = ['reply', 'commands', 'plan', 'drawings'].map(() => new Map());
   let lastLatency = 0;
   for (let first = 0; first < kFrames; first += 128) {
     const decisions = Array.from({length: Math.min(128, kFrames - first)}, (_, i) => sampleDecision(columns, first + i, text));
@@ -90,11 +129,11 @@ export function sampleDecisionStream(text = 'body_turn_to_ball') {
     writer.varint(decisions.length);
     for (const row of kDecisionColumns) writeColumn(writer, row, columnValues(row, decisions), states.get(row.name));
     chunks.push(chunk('B', writer.bytes));
-    for (const [kind, name] of ['reply', 'commands', 'plan'].entries()) {
+    for (const [kind, name] of ['reply', 'commands', 'plan', 'drawings'].entries()) {
       const texts = new ByteWriter();
       for (const number of [7, decisions.length, kind]) texts.varint(number);
-      textColumn(texts, decisions, name);
-      chunks.push(chunk('X', texts.bytes));
+      textColumn(texts, decisions.map((decision) => decision[name]), shapes[kind]);
+      chunks.push(chunk('W', texts.bytes));
     }
     const latencies = new ByteWriter();
     latencies.varint(7);

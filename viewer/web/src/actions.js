@@ -64,6 +64,7 @@ export const kActions = Object.freeze([
   action('Page', 'describe', 'Say where the ball and the players are', ['W'], (viewer) => viewer.changed('describe')),
   action('Page', 'link', 'Copy a link to this moment', ['Shift+L'], (viewer) => viewer.changed('link')),
   action('Page', 'image', 'Save an image of this moment', ['Shift+S'], (viewer) => viewer.changed('image')),
+  action('Page', 'clip', 'Record a clip: start, stop', ['Shift+C'], (viewer) => viewer.changed('clip')),
   action('Page', 'help', 'Keys and symbols', ['?'], (viewer) => viewer.changed('help')),
 ]);
 

@@ -23,6 +23,7 @@ export class Controls {
     this.speed = element('output', {class: 'speed', 'aria-label': 'Speed'});
     this.follow = actionButton(viewer, 'follow-ball', 'follow');
     this.panel = actionButton(viewer, 'panel', 'panel');
+    this.clip = actionButton(viewer, 'clip', 'clip');
     this.live = actionButton(viewer, 'live', null, 'live', 'LIVE');
     this.layers = this.#layerMenu();
     const more = (ids) => ids.map(([id, name]) => actionButton(viewer, id, name));
@@ -31,7 +32,7 @@ export class Controls {
       element('div', {class: 'group'}, actionButton(viewer, 'slower', null, 'narrow', '−'), this.speed, actionButton(viewer, 'faster', null, 'narrow', '+'), this.reverse),
       element('div', {class: 'group'}, actionButton(viewer, 'next-goal', 'goal'), this.highlights),
       element('div', {class: 'group end'}, ...more([['zoom-out', 'zoomOut'], ['zoom-in', 'zoomIn'], ['fit', 'fit']]), this.follow),
-      element('div', {class: 'group'}, this.layers, this.panel, ...more([['theme', 'theme'], ['image', 'image'], ['link', 'link'], ['help', 'help']])));
+      element('div', {class: 'group'}, this.layers, this.panel, ...more([['theme', 'theme'], ['image', 'image']]), this.clip, ...more([['link', 'link'], ['help', 'help']])));
   }
 
   #layerMenu() {
@@ -67,6 +68,7 @@ export class Controls {
     setAttribute(this.reverse, 'aria-pressed', String(clock.backwards));
     setAttribute(this.highlights, 'aria-pressed', String(clock.segments.length > 0));
     setAttribute(this.follow, 'aria-pressed', String(camera.follow === 'ball'));
+    setAttribute(this.clip, 'aria-pressed', String(this.viewer.recording));
     setAttribute(this.panel, 'aria-pressed', String(settings.panel));
     for (const {name, box} of this.boxes) box.checked = settings.layers[name];
   }

@@ -1,5 +1,6 @@
 // The recorded decisions of both teams, loaded when they are first shown.
 import {DecisionTrack} from './decision_track.js';
+import {DrawingFilter} from './drawings.js';
 import {nearestToBall} from './moment.js';
 import {sideOfSlot, unumOfSlot} from './sides.js';
 
@@ -10,6 +11,7 @@ export class DecisionStore {
     this.record = record;
     this.sides = sides;
     this.read = read;
+    this.filter = new DrawingFilter();
     /** Called when decisions have arrived. */
     this.onLoad = () => {};
     /** @type {Map<string, import('./decisions.js').TeamDecisions | Error | null>} null: on the way */
@@ -36,7 +38,7 @@ export class DecisionStore {
     if (!team || team instanceof Error) return null;
     if (!this.tracks.has(slot)) {
       const player = team.player(unumOfSlot(slot));
-      this.tracks.set(slot, player ? new DecisionTrack(this.record, slot, player) : null);
+      this.tracks.set(slot, player ? new DecisionTrack(this.record, slot, player, this.filter) : null);
     }
     return this.tracks.get(slot) ?? null;
   }

@@ -1,5 +1,6 @@
 // The decisions of a player beside the frames of the match: which belongs to which, and how wrong the estimates were.
 import {kUnknownAge} from './decisions.js';
+import {DrawingFilter} from './drawings.js';
 import {PlayerState} from './player_state.js';
 import {kSlots, shortNameOfSlot} from './sides.js';
 
@@ -28,11 +29,13 @@ function clockKeys(count, time, stopped) {
 }
 
 export class DecisionTrack {
-  /** @param {import('./record.js').MatchRecord} record @param {number} slot @param {import('./decisions.js').PlayerDecisions} decisions */
-  constructor(record, slot, decisions) {
+  /** @param {import('./record.js').MatchRecord} record @param {number} slot @param {import('./decisions.js').PlayerDecisions} decisions
+   * @param {DrawingFilter} [filter] of texts and drawings */
+  constructor(record, slot, decisions, filter = new DrawingFilter()) {
     this.record = record;
     this.slot = slot;
     this.decisions = decisions;
+    this.filter = filter;
     this.#align();
     this.ballErrors = Float32Array.from({length: decisions.count}, (_, i) => this.ballRow(i)?.error ?? NaN);
     this.selfErrors = Float32Array.from({length: decisions.count}, (_, i) => this.selfRow(i)?.error ?? NaN);

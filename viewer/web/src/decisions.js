@@ -1,12 +1,15 @@
 // Recorded decisions of a team (docs/formats/decisions.md): what its players estimated, received and sent.
 import {Column, decodePlainColumn} from './columns.js';
 import {crc32} from './crc32.js';
+import {TextShapes} from './decision_texts.js';
 import {kPlayersPerTeam} from './sides.js';
 import {chunkAt} from './stream.js';
 import {ByteReader} from './varint.js';
 
 const kDecisionsText = new TextDecoder();
 const kDecisionsMajorVersion = 1;
+/** Replies, commands, plans, drawings. */
+const kTextKinds = 4;
 
 /** The age of what a player does not know. */
 export const kUnknownAge = -1;
@@ -23,6 +26,9 @@ export class PlayerDecisions {
     this.commands = [];
     /** @type {string[]} */
     this.plans = [];
+    /** Texts and shapes that the Playmaker shows, a line each: drawings.js. @type {string[]} */
+    this.drawings = [];
+    this.shapes = Array.from({length: kTextKinds}, () => new TextShapes());
     /** Microseconds until the reply. @type {number[]} */
     this.latencies = [];
   }
@@ -41,11 +47,13 @@ export class PlayerDecisions {
     this.count += count;
   }
 
-  /** Adds a chunk X. */
+  /** Adds a chunk W. */
   addTexts(reader) {
     const count = reader.varint();
-    const texts = [this.replies, this.commands, this.plans][reader.varint()];
-    for (let i = 0; i < count; ++i) texts?.push(kDecisionsText.decode(reader.take(reader.varint())));
+    const kind = reader.varint();
+    if (kind >= kTextKinds) return;
+    const texts = [this.replies, this.commands, this.plans, this.drawings][kind];
+    for (const text of this.shapes[kind].read(reader, count)) texts.push(text);
   }
 
   /** Adds a chunk T. */
@@ -71,7 +79,7 @@ export class TeamDecisions {
   /** @param {Uint8Array} bytes a stream of chunks; throws an error of one sentence */
   constructor(bytes) {
     this.header = null;
-    /** Chunks B, X and T by uniform number. @type {Map<number, {kind: string, reader: ByteReader}[]>} */
+    /** Chunks B, W and T by uniform number. @type {Map<number, {kind: string, reader: ByteReader}[]>} */
     this.chunks = new Map();
     /** @type {Map<number, PlayerDecisions>} */
     this.players = new Map();
@@ -88,7 +96,7 @@ export class TeamDecisions {
         return;
       }
       if (chunk.kind === 'H') this.#readHeader(chunk.contents);
-      if ('BXT'.includes(chunk.kind)) this.#addChunk(chunk);
+      if ('BWT'.includes(chunk.kind)) this.#addChunk(chunk);
       if (chunk.kind !== 'T') crc = crc32(bytes.subarray(at, chunk.end), crc);
       at = chunk.end;
     }
@@ -117,7 +125,7 @@ export class TeamDecisions {
     const player = new PlayerDecisions(this.header.columns);
     for (const {kind, reader} of chunks) {
       if (kind === 'B') player.addBlock(reader);
-      if (kind === 'X') player.addTexts(reader);
+      if (kind === 'W') player.addTexts(reader);
       if (kind === 'T') player.addLatencies(reader);
     }
     this.chunks.delete(unum);

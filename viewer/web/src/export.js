@@ -5,6 +5,13 @@ import {cycleLabel} from './record.js';
 
 const kCaptionHeight = 34;
 
+/** The browser saves a file. @param {Blob} blob @param {string} name */
+export function saveFile(blob, name) {
+  const address = URL.createObjectURL(blob);
+  element('a', {href: address, download: name}).click();
+  setTimeout(() => URL.revokeObjectURL(address), 10000);
+}
+
 /** The field with a caption, as a PNG file that the browser saves.
  * @param {import('./viewer.js').Viewer} viewer @param {HTMLCanvasElement} field @param {number} ratio */
 export async function saveImage(viewer, field, ratio) {
@@ -26,10 +33,7 @@ export async function saveImage(viewer, field, ratio) {
   context.fillText(`cycle ${cycleLabel(record, frame)}`, canvas.width - 14 * ratio, caption / 2);
   const blob = await new Promise((resolve) => canvas.toBlob(resolve, 'image/png'));
   if (!blob) return viewer.say('The browser could not make the image');
-  const address = URL.createObjectURL(blob);
-  const link = element('a', {href: address, download: `cycle-${cycleLabel(record, frame).replace('+', '-')}.png`});
-  link.click();
-  setTimeout(() => URL.revokeObjectURL(address), 10000);
+  saveFile(blob, `cycle-${cycleLabel(record, frame).replace('+', '-')}.png`);
   viewer.say('Image saved');
 }
 

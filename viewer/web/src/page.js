@@ -1,5 +1,6 @@
 // The page: puts the parts together, draws when something changed, and keeps the address at the shown moment.
 import {Announcer} from './announcer.js';
+import {Clip} from './clip.js';
 import {actionButton, Controls} from './controls.js';
 import {element, setAttribute, setText} from './dom.js';
 import {copyLink, saveImage, writeHash} from './export.js';
@@ -21,6 +22,7 @@ export class Page {
     this.viewer = viewer;
     this.canvas = element('canvas', {class: 'field', role: 'img'});
     this.renderer = new Renderer(this.canvas, viewer.record, viewer.camera);
+    this.clip = new Clip(viewer, this.canvas);
     this.scoreboard = new Scoreboard();
     this.timeline = new Timeline(viewer);
     this.controls = new Controls(viewer);
@@ -69,6 +71,7 @@ export class Page {
     if (what === 'describe') viewer.say(momentText(viewer.record, viewer.frame, viewer.selected));
     if (what === 'help') this.help.open();
     if (what === 'link') copyLink(viewer);
+    if (what === 'clip') this.clip.toggle();
     if (what === 'image') saveImage(viewer, this.canvas, this.renderer.ratio);
     this.lastPanel = 0;
     this.requestDraw();
@@ -104,6 +107,7 @@ export class Page {
       this.lastTick = 0;
     }
     this.announcer.followClock();
+    this.clip.followClock();
     this.draw(now);
     if (clock.playing && !clock.waiting) this.requestDraw();
     else this.lastTick = 0;

@@ -4,6 +4,7 @@ import {executedCommands, makerText, missText, plannedActions, requestedActions}
 import {element, setText} from './dom.js';
 import {playerName} from './moment.js';
 import {scenarioOfMoment} from './moment_scenario.js';
+import {DrawingsPanel} from './panel_drawings.js';
 import {cycleLabel} from './record.js';
 import {sideOfSlot, unumOfSlot} from './sides.js';
 
@@ -24,10 +25,11 @@ export class DecisionPanel {
     this.plan = element('ol', {class: 'plan'});
     this.rows = element('tbody', {});
     this.reach = element('p', {class: 'hint'});
+    this.drawings = new DrawingsPanel(viewer);
     this.strips = new DecisionStrips(viewer);
     this.worst = element('ul', {class: 'events worst'});
     this.body = element('div', {}, this.call, element('h3', {}, 'Requested actions'), this.actions, this.mirrored, this.maker,
-      element('h3', {}, 'Commands'), this.sent, this.executed, this.planTitle, this.plan,
+      element('h3', {}, 'Commands'), this.sent, this.executed, this.planTitle, this.plan, this.drawings.root,
       element('h3', {}, 'World model beside the full state'), this.#table(), this.reach,
       element('h3', {}, 'All decisions of the player'), this.strips.root,
       element('h3', {}, 'Largest errors near the ball'), this.worst,
@@ -91,6 +93,7 @@ export class DecisionPanel {
     const key = `${track.slot} ${this.viewer.frame}`;
     if (key === this.shown) return;
     this.shown = key;
+    this.drawings.show(track, decision);
     if (decision < 0) this.#showNone();
     else this.#showDecision(track, decision);
   }

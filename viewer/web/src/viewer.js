@@ -36,6 +36,8 @@ export class Viewer {
     this.decisions = kExtensions.decisions?.makeStore(record) ?? null;
     /** The field shows what the selected player estimates. */
     this.debugging = false;
+    /** A clip is being recorded. */
+    this.recording = false;
     this.#findEvents();
     /** @type {Set<(what: string) => void>} */
     this.listeners = new Set();

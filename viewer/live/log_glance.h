@@ -1,0 +1,37 @@
+// Clock, score and ball of a game log that grows, without reading it as a match.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "soccer/geometry.h"
+
+namespace cls::viewer {
+
+struct Glance {
+  int cycle = 0;
+  int left = 0;  ///< goals
+  int right = 0;
+  soccer::Vec2 ball;
+};
+
+/// Follows an uncompressed text log (rcg 4 to 6). Each call reads what was added.
+class LogGlance {
+ public:
+  explicit LogGlance(std::filesystem::path file) : file_(std::move(file)) {}
+
+  /// The last whole frame; nothing before the first one, and for other logs.
+  std::optional<Glance> now();
+
+ private:
+  void read_line(std::string_view line);
+
+  std::filesystem::path file_;
+  std::uintmax_t read_ = 0;  ///< bytes of whole lines
+  Glance glance_;
+  bool any_ = false;
+};
+
+}  // namespace cls::viewer
