@@ -218,7 +218,7 @@ TEST(Decisions, OfSomeCyclesCanBeSelected) {
   EXPECT_FALSE(select_cycles(stream.substr(0, 1000), {{1, 2}}));
 }
 
-// Whoever recorded decisions with an earlier version can watch them.
+// Decisions that an earlier version recorded can be watched.
 TEST(Decisions, OfTheFirstVersionAreRead) {
   const auto decisions =
       read_decisions(cls::tests::read_file(cls::tests::fixture("formats/right.world-models")));
