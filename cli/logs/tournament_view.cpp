@@ -107,10 +107,11 @@ class TournamentSite {
     viewer::ListedMatch row{
         match.fixture.index, name(match.fixture.left), name(match.fixture.right), "", "", false};
     std::error_code code;
-    row.has_page = match.attempts > 0 && fs::exists(game_log_in(match_folder(state, match)), code);
+    const bool running =
+        std::binary_search(state.running.begin(), state.running.end(), match.fixture.index);
+    row.has_page = (running || match.attempts > 0) &&
+                   fs::exists(game_log_in(match_folder(state, match)), code);
     if (!match.outcome) {
-      const bool running =
-          std::binary_search(state.running.begin(), state.running.end(), match.fixture.index);
       row.state = running ? "starting" : match.attempts > 0 ? "not finished" : "planned";
       if (running && row.has_page) look_at(match.fixture.index, match_folder(state, match), row);
     } else {

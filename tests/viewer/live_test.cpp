@@ -386,6 +386,25 @@ TEST(LogGlance, SeesWholeLinesOfAGrowingLog) {
   EXPECT_FALSE(glance.now());
 }
 
+TEST(LogGlance, InflatesWhatIsThere) {
+  const cls::tests::TemporaryFolder folder;
+  const auto file = folder.path() / "match.rcg.gz";
+  std::string text = "ULG6\n(team 1 A B 3 0)\n";
+  for (int cycle = 1; cycle < 5000; ++cycle) {
+    text += fmt::format("(show {} ((b) {} {} 0 0))\n", cycle, cycle * 7 % 52, cycle * 11 % 34);
+  }
+  const std::string packed = gzip(text);
+  std::ofstream(file, std::ios::binary) << packed.substr(0, packed.size() / 2);
+  LogGlance glance(file);
+  const auto half = glance.now();
+  ASSERT_TRUE(half);
+  EXPECT_GT(half->cycle, 500);
+  EXPECT_LT(half->cycle, 4999);
+  std::ofstream(file, std::ios::app | std::ios::binary) << packed.substr(packed.size() / 2);
+  EXPECT_EQ(glance.now()->cycle, 4999);
+  EXPECT_EQ(glance.now()->left, 3);
+}
+
 TEST(HttpServer, SaysWhyItCannotListen) {
   const auto first = serve([](auto, auto) { return HttpReply{}; });
   const auto second = HttpServer::start({"127.0.0.1", first->port()}, nullptr);

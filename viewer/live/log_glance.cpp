@@ -1,9 +1,10 @@
 // Looks at lines of teams and frames only.
 #include "viewer/live/log_glance.h"
 
-#include <array>
 #include <cstdio>
 #include <fstream>
+
+#include "base/io/byte_source.h"
 
 namespace cls::viewer {
 namespace {
@@ -25,27 +26,50 @@ void LogGlance::read_line(std::string_view line) {
   }
 }
 
+void LogGlance::read_lines(std::string& text) {
+  std::size_t start = 0;
+  for (std::size_t end = text.find('\n'); end != std::string::npos; end = text.find('\n', start)) {
+    read_line(std::string_view(text).substr(start, end - start));
+    start = end + 1;
+  }
+  text.erase(0, start);
+}
+
+// The end of a compressed log that grows is missing: what is there inflates.
+void LogGlance::read_compressed() {
+  const auto source = base::open_source(file_.string());
+  if (!source) return;
+  std::string rest;
+  std::string block(kBlock, '\0');
+  while (const std::size_t size = (*source)->read(block.data(), block.size())) {
+    rest.append(block, 0, size);
+    read_lines(rest);
+  }
+}
+
 std::optional<Glance> LogGlance::now() {
   std::error_code code;
   const std::uintmax_t size = std::filesystem::file_size(file_, code);
   if (code) return std::nullopt;
-  if (size < read_) *this = LogGlance(file_);  // another match
+  const bool compressed = file_.extension() == ".gz";
+  if (size < read_ || (compressed && size != read_)) *this = LogGlance(file_);
+  if (compressed) {
+    if (size != read_) read_compressed();
+    read_ = size;
+    return any_ ? std::optional(glance_) : std::nullopt;
+  }
   std::ifstream in(file_, std::ios::binary);
   in.seekg(static_cast<std::streamoff>(read_));
   std::string rest;
   std::string block(kBlock, '\0');
   while (in) {
     in.read(block.data(), static_cast<std::streamsize>(block.size()));
-    rest.append(block, 0, static_cast<std::size_t>(in.gcount()));
-    std::size_t start = 0;
-    for (std::size_t end = rest.find('\n'); end != std::string::npos;
-         end = rest.find('\n', start)) {
-      read_line(std::string_view(rest).substr(start, end - start));
-      start = end + 1;
-    }
-    rest.erase(0, start);
-    read_ += start;
+    const auto count = static_cast<std::size_t>(in.gcount());
+    read_ += count;
+    rest.append(block, 0, count);
+    read_lines(rest);
   }
+  read_ -= rest.size();
   return any_ ? std::optional(glance_) : std::nullopt;
 }
 

@@ -17,7 +17,8 @@ struct Glance {
   soccer::Vec2 ball;
 };
 
-/// Follows an uncompressed text log (rcg 4 to 6). Each call reads what was added.
+/// Follows a text log (rcg 4 to 6). Each call reads what was added; a compressed log, which arrives
+/// in blocks, from its start.
 class LogGlance {
  public:
   explicit LogGlance(std::filesystem::path file) : file_(std::move(file)) {}
@@ -27,9 +28,12 @@ class LogGlance {
 
  private:
   void read_line(std::string_view line);
+  /// Takes whole lines from the start of `text`.
+  void read_lines(std::string& text);
+  void read_compressed();
 
   std::filesystem::path file_;
-  std::uintmax_t read_ = 0;  ///< bytes of whole lines
+  std::uintmax_t read_ = 0;  ///< bytes that were used
   Glance glance_;
   bool any_ = false;
 };

@@ -15,9 +15,9 @@ const kFolder = fs.mkdtempSync(path.join(os.tmpdir(), 'cls-cup-'));
 const kMatches = 6;
 const kConfig = `[tournament]
 name = "<b>cup</b>"
-rounds = 2
+rounds = 1
 [server]
-half_time = 60
+half_time = 120
 nr_normal_halfs = 1
 [teams."A"]
 endpoint = "mock"
