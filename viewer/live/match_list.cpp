@@ -14,7 +14,12 @@ constexpr int kReloadSeconds = 3;
 
 // Columns have fixed widths and rows one line, so nothing moves when cells change.
 constexpr std::string_view kStyle = R"(
-:root { color-scheme: light dark; font: 16px/1.4 system-ui, sans-serif; }
+:root { color-scheme: light dark; font: 16px/1.4 system-ui, sans-serif; background: #ffffff; color: #16202a; }
+a { color: #0b5fa5; }
+@media (prefers-color-scheme: dark) {
+  :root { background: #11151a; color: #e8ecf0; }
+  a { color: #7cc4f8; }
+}
 body { max-width: 64rem; margin: 2rem auto; padding: 0 1rem; }
 h1 { margin: 0; }
 #status { margin: 0.25rem 0 1.5rem; min-height: 1.4em; }
