@@ -92,7 +92,11 @@ void WorldModelRecorder::SideRecorder::on_decision(const proxy::Decision& decisi
   sample.call = static_cast<int>(decision.status.outcome);
   if (decision.reply != nullptr) {
     sample.reply = reply_text(*decision.reply, agent.trace());
-    sample.drawings = drawings_text(*decision.reply);
+    std::string drawings = drawings_text(*decision.reply);
+    if (drawings.size() <= room_) {
+      room_ -= drawings.size();
+      sample.drawings = std::move(drawings);
+    }
   }
   sample.commands = command_text(agent.sent_commands());
   sample.plan = plan_text(agent.plan());

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -14,6 +15,9 @@
 #include "viewer/decisions/decision_writer.h"
 
 namespace cls::orchestration::match {
+
+/// Texts and drawings of a team beyond this are left out.
+constexpr std::size_t kMaxDrawings = std::size_t{64} << 20;
 
 /// Writes viewer::kLeftWorldModelsFile and kRightWorldModelsFile into the match folder; each is
 /// created with the first decision of its side. In lockstep the same match gives the same
@@ -50,6 +54,7 @@ class WorldModelRecorder : public MatchHooks {
     viewer::DecisionWriter writer_;
     std::array<std::vector<viewer::DecisionSample>, soccer::kPlayersPerTeam> waiting_;
     std::string bytes_;
+    std::size_t room_ = kMaxDrawings;
     std::string error_;
   };
 
