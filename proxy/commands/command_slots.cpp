@@ -15,7 +15,9 @@ namespace {
 using soccer::AngleDeg;
 using soccer::Vec2;
 
-bool finite(Vec2 v) { return std::isfinite(v.x) && std::isfinite(v.y); }
+// Arguments, and what becomes of them: parameters and senses of a faulty server may be anything.
+bool finite(double one, double other = 0.0) { return std::isfinite(one) && std::isfinite(other); }
+bool finite(Vec2 v) { return finite(v.x, v.y); }
 
 /// The agent is the goalie and holds the ball after a catch.
 bool holds_caught_ball(const WorldModel& world) {
@@ -31,36 +33,39 @@ bool after_goal(soccer::PlayMode mode) {
 bool CommandSlots::dash(double power, double direction) {
   const auto& server = world_->server();
   const SelfState& self = world_->self;
-  if (self.frozen() || !std::isfinite(power) || !std::isfinite(direction)) return false;
+  if (self.frozen() || !finite(power, direction)) return false;
   power = std::clamp(power, server.min_dash_power, server.max_dash_power);
   direction = std::clamp(direction, server.min_dash_angle, server.max_dash_angle);
   direction = soccer::math::quantize(direction, server.dash_angle_step);
   const double payable = self.stamina + world_->self_type().extra_stamina;
   power = power >= 0.0 ? std::min(power, payable) : std::max(power, -payable / 2.0);
+  if (!finite(power, direction)) return false;
   body_ = soccer::Dash{soccer::rounded_for_command(power), direction};
   return true;
 }
 
 bool CommandSlots::turn(double angle) {
   const auto& server = world_->server();
-  if (world_->self.frozen() || !std::isfinite(angle)) return false;
-  const double moment = angle * turn_resistance(world_->self_type(), world_->self.velocity);
-  body_ = soccer::Turn{
-      soccer::rounded_for_command(std::clamp(moment, server.minmoment, server.maxmoment))};
+  if (world_->self.frozen() || !finite(angle)) return false;
+  const double needed = angle * turn_resistance(world_->self_type(), world_->self.velocity);
+  const double moment = std::clamp(needed, server.minmoment, server.maxmoment);
+  if (!finite(moment)) return false;
+  body_ = soccer::Turn{soccer::rounded_for_command(moment)};
   return true;
 }
 
 bool CommandSlots::kick(double power, double direction) {
   if (!world_->self.kickable || world_->self.frozen()) return false;
-  if (!std::isfinite(power) || !std::isfinite(direction)) return false;
-  body_ =
-      soccer::Kick{soccer::rounded_for_command(std::clamp(power, 0.0, world_->server().maxpower)),
-                   soccer::rounded_for_command(soccer::math::normalize_degrees(direction))};
+  if (!finite(power, direction)) return false;
+  power = std::clamp(power, 0.0, world_->server().maxpower);
+  if (!finite(power)) return false;
+  body_ = soccer::Kick{soccer::rounded_for_command(power),
+                       soccer::rounded_for_command(soccer::math::normalize_degrees(direction))};
   return true;
 }
 
 bool CommandSlots::tackle(double direction, bool foul) {
-  if (world_->self.frozen() || !std::isfinite(direction)) return false;
+  if (world_->self.frozen() || !finite(direction)) return false;
   body_ =
       soccer::Tackle{soccer::rounded_for_command(soccer::math::normalize_degrees(direction)), foul};
   return true;
@@ -78,9 +83,10 @@ bool CommandSlots::catch_ball() {
   const double corner = soccer::math::to_degrees(
       soccer::math::atan2(server.catchable_area_w / 2.0, server.catchable_area_l));
   const double ball = (world_->ball.angle_from_self - world_->self.body).degrees();
-  const double direction = ball > 0.0 ? ball - corner : ball + corner;
-  body_ = soccer::Catch{soccer::rounded_for_command(
-      std::clamp(direction, server.min_catch_angle, server.max_catch_angle))};
+  const double direction = std::clamp(ball > 0.0 ? ball - corner : ball + corner,
+                                      server.min_catch_angle, server.max_catch_angle);
+  if (!finite(direction)) return false;
+  body_ = soccer::Catch{soccer::rounded_for_command(direction)};
   return true;
 }
 
@@ -107,12 +113,14 @@ bool CommandSlots::move(Vec2 point) {
 
 bool CommandSlots::turn_neck(double moment) {
   const auto& server = world_->server();
-  if (!std::isfinite(moment)) return false;
+  if (!finite(moment)) return false;
   const double neck = world_->self.neck.degrees();
   const double target =
       std::clamp(neck + std::clamp(moment, -360.0, 360.0), server.minneckang, server.maxneckang);
-  turn_neck_ = soccer::TurnNeck{
-      std::clamp(std::rint(target - neck), server.minneckmoment, server.maxneckmoment)};
+  const double turn =
+      std::clamp(std::rint(target - neck), server.minneckmoment, server.maxneckmoment);
+  if (!finite(turn)) return false;
+  turn_neck_ = soccer::TurnNeck{turn};
   return true;
 }
 
@@ -128,16 +136,18 @@ bool CommandSlots::change_view(soccer::ViewWidth width) {
 
 bool CommandSlots::change_focus(double distance_moment, double direction_moment) {
   constexpr double kMaxFocusDistance = 40.0;
-  if (!std::isfinite(distance_moment) || !std::isfinite(direction_moment)) return false;
+  if (!finite(distance_moment, direction_moment)) return false;
   const SelfState& self = world_->self;
   const double half = view_angle(world_->server(), next_view_width()) / 2.0;
   const double distance = std::clamp(self.focus_distance + distance_moment, 0.0, kMaxFocusDistance);
   const double direction =
       std::clamp(soccer::math::normalize_degrees(self.focus_direction.degrees() + direction_moment),
                  -half, half);
+  const double farther = distance - self.focus_distance;
+  const double turn = direction - self.focus_direction.degrees();
+  if (!finite(farther, turn)) return false;
   change_focus_ =
-      soccer::ChangeFocus{soccer::rounded_for_command(distance - self.focus_distance),
-                          soccer::rounded_for_command(direction - self.focus_direction.degrees())};
+      soccer::ChangeFocus{soccer::rounded_for_command(farther), soccer::rounded_for_command(turn)};
   return true;
 }
 
@@ -145,9 +155,10 @@ bool CommandSlots::point_to(Vec2 point) {
   const SelfState& self = world_->self;
   if (self.arm.movable_in > 0 || !self.position_valid() || !finite(point)) return false;
   const Vec2 relative = point - self.position;
-  arm_ = soccer::PointTo{
-      soccer::rounded_for_command(relative.length()),
-      soccer::rounded_for_command((AngleDeg::of(relative) - self.face()).degrees())};
+  const double direction = (AngleDeg::of(relative) - self.face()).degrees();
+  if (!finite(relative.length(), direction)) return false;
+  arm_ = soccer::PointTo{soccer::rounded_for_command(relative.length()),
+                         soccer::rounded_for_command(direction)};
   return true;
 }
 

@@ -17,9 +17,9 @@ using BodyCommand = std::variant<std::monostate, soccer::Turn, soccer::Dash, soc
                                  soccer::Tackle, soccer::Catch, soccer::Move>;
 
 /// Collects commands during one decision; compose() returns them. Every setter clamps to the
-/// server's limits and returns false without change when the server would reject the command or an
-/// argument is not finite (docs/spec/proxy-behavior.md 2.7). A later command of the same kind
-/// replaces an earlier one. The world model must outlive the object.
+/// server's limits and returns false without change when the server would reject the command, or
+/// when a number would not be finite (docs/spec/proxy-behavior.md 2.7). A later command of the same
+/// kind replaces an earlier one. The world model must outlive the object.
 class CommandSlots {
  public:
   explicit CommandSlots(const WorldModel& world) : world_(&world) {}

@@ -190,6 +190,18 @@ TEST(CommandSlots, RejectsSayTextThatDoesNotFit) {
   EXPECT_EQ(slots.say_text(), "b12345w");
 }
 
+// Of finite arguments, on a pitch that a faulty server has described.
+TEST(CommandSlots, SendsNoInfiniteNumber) {
+  KnownPitch pitch;
+  CommandSlots slots(pitch.world);
+  EXPECT_FALSE(slots.point_to({1e306, 0.0}));
+  pitch.place_self({}, 0.0, {kNaN, 0.0});
+  EXPECT_FALSE(slots.turn(20.0));
+  pitch.world.self.focus_distance = kNaN;
+  EXPECT_FALSE(slots.change_focus(1.0, 0.0));
+  EXPECT_EQ(text_of(slots), "(turn 0)");
+}
+
 TEST(CommandSlots, RejectsNaN) {
   KnownPitch pitch;
   pitch.place_ball({0.6, 0.0});
