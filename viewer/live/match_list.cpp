@@ -26,7 +26,7 @@ h1 { margin: 0; }
 section { margin: 0 0 1.75rem; overflow-x: auto; }
 table { border-collapse: collapse; width: 100%; min-width: 34rem; table-layout: fixed; font-variant-numeric: tabular-nums; }
 caption { padding: 0.35rem 0; text-align: left; font-weight: 650; }
-th, td { height: 1.9rem; padding: 0.2rem 0.6rem; text-align: right; border-bottom: 1px solid #8884; overflow: hidden; text-overflow: ellipsis; white-space: nowrap; }
+th, td { height: 1.9rem; padding: 0.2rem 0.3rem; font-size: 0.95rem; text-align: right; border-bottom: 1px solid #8884; overflow: hidden; text-overflow: ellipsis; white-space: nowrap; }
 thead th { font-size: 0.9rem; font-weight: 600; }
 .w { text-align: left; }
 .number { width: 4.5rem; }
@@ -36,6 +36,7 @@ thead th { font-size: 0.9rem; font-weight: 600; }
 .state rect { fill: #2f6b4f; }
 .state circle { fill: #ffffff; }
 button { font: inherit; }
+button:disabled { visibility: hidden; }
 )";
 
 // The pitch with the ball, 31 by 20 pixels.
