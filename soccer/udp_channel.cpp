@@ -2,6 +2,7 @@
 #include "soccer/udp_channel.h"
 
 #include <poll.h>
+#include <sys/epoll.h>
 #include <sys/eventfd.h>
 #include <unistd.h>
 
@@ -94,11 +95,13 @@ struct UdpClients::Sockets {
     Client(base::UdpSocket socket, const base::SocketAddress& server)
         : connection(std::move(socket), server) {}
     Connection connection;
+    bool readable = true;         // without the thread: may have a message
     std::deque<Message> waiting;  // filled by the thread; guarded by `mutex`
   };
   class ClientChannel;
 
-  explicit Sockets(const base::SocketAddress& to) : server(to) {}
+  explicit Sockets(const base::SocketAddress& to)
+      : server(to), ready(::epoll_create1(EPOLL_CLOEXEC)) {}
   ~Sockets() { stop(); }
 
   bool has_thread() const { return static_cast<bool>(wake); }
@@ -124,9 +127,6 @@ struct UdpClients::Sockets {
   std::vector<std::shared_ptr<Client>> collect(std::vector<pollfd>& polled) {
     std::vector<std::shared_ptr<Client>> open;
     const std::lock_guard lock(mutex);
-    clients.erase(std::remove_if(clients.begin(), clients.end(),
-                                 [](const auto& client) { return client.expired(); }),
-                  clients.end());
     for (const std::weak_ptr<Client>& each : clients) {
       std::shared_ptr<Client> client = each.lock();
       if (client == nullptr || client->connection.gone()) continue;
@@ -175,14 +175,40 @@ struct UdpClients::Sockets {
     return arrived_in_time;
   }
 
-  bool wait_for_sockets(Time deadline) {
-    std::vector<pollfd> polled;
-    const auto open = collect(polled);
-    const auto left = std::max(deadline - std::chrono::steady_clock::now(), Time::duration::zero());
+  // For wait_for_sockets().
+  bool add(Client& client) const {
+    epoll_event event{EPOLLIN, {&client}};
+    return ::epoll_ctl(ready.get(), EPOLL_CTL_ADD, client.connection.fd(), &event) == 0;
+  }
+  void remove(const Client& client) const {
+    ::epoll_ctl(ready.get(), EPOLL_CTL_DEL, client.connection.fd(), nullptr);
+  }
+
+  // Marks the clients with a message or an error; false when there are none.
+  bool mark_readable() const {
+    std::array<epoll_event, 32> events;
+    const int count = ::epoll_wait(ready.get(), events.data(), static_cast<int>(events.size()), 0);
+    bool any = false;
+    for (int i = 0; i < count; ++i) {
+      auto& client = *static_cast<Client*>(events[static_cast<std::size_t>(i)].data.ptr);
+      if (client.connection.gone()) {
+        remove(client);
+      } else {
+        client.readable = any = true;
+      }
+    }
+    return any;
+  }
+
+  bool wait_for_sockets(Time deadline) const {
+    if (mark_readable()) return true;
+    const auto left = deadline - std::chrono::steady_clock::now();
+    if (left <= Time::duration::zero()) return false;
     const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(left);
     const timespec limit{static_cast<time_t>(seconds.count()),
                          static_cast<long>(std::chrono::nanoseconds(left - seconds).count())};
-    return ::ppoll(polled.data(), polled.size(), &limit, nullptr) > 0;
+    pollfd polled{ready.get(), POLLIN, 0};
+    return ::ppoll(&polled, 1, &limit, nullptr) > 0 && mark_readable();
   }
 
   const base::SocketAddress server;
@@ -192,6 +218,7 @@ struct UdpClients::Sockets {
   std::uint64_t arrivals = 0;
   std::uint64_t reported = 0;
   std::atomic<bool> stopping{false};
+  base::UniqueFd ready;  // epoll, of all clients
   base::UniqueFd wake;
   std::thread thread;
 };
@@ -200,13 +227,18 @@ class UdpClients::Sockets::ClientChannel : public Channel {
  public:
   ClientChannel(std::shared_ptr<Sockets> sockets, std::shared_ptr<Client> client)
       : sockets_(std::move(sockets)), client_(std::move(client)) {}
+  ClientChannel(const ClientChannel&) = delete;
+  ClientChannel& operator=(const ClientChannel&) = delete;
+  ~ClientChannel() override { sockets_->remove(*client_); }
 
   bool send(std::string_view message) override { return client_->connection.send(message); }
 
   bool receive(std::string& message) override {
     if (!sockets_->has_thread()) {
       std::string_view text;
-      if (!client_->connection.receive(text)) return false;
+      if (!client_->readable) return false;
+      client_->readable = client_->connection.receive(text);
+      if (!client_->readable) return false;
       message = text;
       received_at_ = std::chrono::steady_clock::now();
       return true;
@@ -230,7 +262,9 @@ class UdpClients::Sockets::ClientChannel : public Channel {
 base::Result<std::unique_ptr<UdpClients>> UdpClients::create(const std::string& host, int port) {
   const base::Result<base::SocketAddress> server = base::resolve_udp(host, port);
   if (!server) return base::Error{"soccer server host '" + host + "': " + server.error().message};
-  return std::unique_ptr<UdpClients>(new UdpClients(std::make_shared<Sockets>(*server)));
+  auto sockets = std::make_shared<Sockets>(*server);
+  if (!sockets->ready) return base::Error{"no file descriptor left for connections"};
+  return std::unique_ptr<UdpClients>(new UdpClients(std::move(sockets)));
 }
 
 UdpClients::UdpClients(std::shared_ptr<Sockets> sockets) : sockets_(std::move(sockets)) {}
@@ -247,8 +281,10 @@ std::unique_ptr<Channel> UdpClients::connect(int port) {
   auto socket = base::UdpSocket::open(server.family());
   if (!socket) return nullptr;
   auto client = std::make_shared<Sockets::Client>(*std::move(socket), server);
+  if (!sockets_->add(*client)) return nullptr;
   {
     const std::lock_guard lock(sockets_->mutex);
+    std::erase_if(sockets_->clients, [](const auto& other) { return other.expired(); });
     sockets_->clients.push_back(client);
   }
   if (sockets_->has_thread()) sockets_->wake_up();

@@ -23,7 +23,8 @@ class UdpClients {
   ~UdpClients();
 
   /// From now on a thread reads the sockets and records arrival times, for real-time matches. Until
-  /// then receive() reads, which is faster if the server waits for the client.
+  /// then receive() reads, which is faster if the server waits for the client. After receive() has
+  /// returned false it reads again when wait_until() has seen a message.
   void read_on_thread();
 
   /// Opens a socket. Null if the system has no sockets left. send() returns false once the server's

@@ -19,6 +19,10 @@ ServerClient& ServerSubject::connect(soccer::UdpClients& door, const std::string
 bool ServerSubject::read_all() {
   bool any = false;
   std::string message;
+  const auto now = steady_clock::now();
+  for (const auto* port : {&player_port, &trainer_port, &coach_port}) {
+    if (*port != nullptr) (*port)->wait_until(now);
+  }
   for (const auto& client : clients) {
     while (client->channel != nullptr && client->channel->receive(message)) {
       any = true;
