@@ -107,7 +107,7 @@ class Batch : public testing::Test {
 
   cls::tests::TemporaryFolder folder_;
   int matches_ = 0;
-  std::string cycles_ = long_form() ? "600" : "120";
+  std::string cycles_ = long_form() ? "300" : "120";
 };
 
 TEST_F(Batch, SameMatchInProcess) { expect_same_matches("mock"); }
@@ -216,7 +216,7 @@ std::string python_path() {
 
 class PythonBatch : public Batch {
  protected:
-  PythonBatch() : python_(cls::tests::python_with_grpc()) { cycles_ = long_form() ? "300" : "60"; }
+  PythonBatch() : python_(cls::tests::python_with_grpc()) { cycles_ = long_form() ? "120" : "60"; }
   void SetUp() override {
     if (python_.empty()) GTEST_SKIP() << cls::tests::kNoPython;
   }
