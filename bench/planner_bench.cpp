@@ -51,7 +51,7 @@ void plans_of(const std::string& file, std::vector<double>& times, std::size_t& 
     world.self.kick_rate = 0.024;
     const auto before = Clock::now();
     const proxy::PlannerField field(world);
-    const proxy::Plan plan = proxy::make_plan(field, all_kinds(), nullptr);
+    const proxy::Plan plan = proxy::make_plan(field, all_kinds());
     times.push_back(std::chrono::duration<double, std::micro>(Clock::now() - before).count());
     nodes += plan.nodes.size();
   }

@@ -9,7 +9,6 @@
 #include "proxy/ball_skills/dribble.h"
 #include "proxy/ball_skills/hold_ball.h"
 #include "proxy/ball_skills/kick.h"
-#include "proxy/ball_skills/shoot.h"
 #include "proxy/ball_skills/smart_kick.h"
 #include "proxy/behaviors/behaviors.h"
 #include "proxy/looking/body_neck.h"
@@ -85,13 +84,6 @@ bool basic_offensive(Context& c) {
 bool basic_tackle_and_look(const protos::HeliosBasicTackle& action, Context& c) {
   if (!basic_tackle(c.world, c.slots, action.min_prob())) return false;
   c.neck.kind = NeckPlan::Kind::kBall;
-  return true;
-}
-
-bool shoot_and_look(Context& c) {
-  Vec2 aim;
-  if (!shoot(c.world, c.slots, &aim)) return false;
-  c.neck = {NeckPlan::Kind::kPoint, aim};
   return true;
 }
 

@@ -13,10 +13,6 @@ class PlayerActions;
 
 namespace cls::proxy {
 
-/// True when the proxy acts automatically before the Playmaker's actions: frozen, before kick-off,
-/// after goals, own position or ball unknown. Sent as State.need_preprocess.
-bool needs_preprocess(const WorldModel& world);
-
 /// One decision: automatic actions unless the reply disables them, then the list in sequence, then
 /// queued neck and view defaults (docs/spec/proxy-behavior.md 2.3, 2.6). The first main action (one
 /// that ends in a body command) that succeeds ends the main actions; side actions always run. Call

@@ -10,6 +10,7 @@
 #include "proxy/actions/debug_log.h"
 #include "proxy/actions/executor.h"
 #include "proxy/actions/fallback.h"
+#include "proxy/behaviors/automatic_play.h"
 #include "proxy/messages/shoot_out_view.h"
 #include "proxy/messages/state_message.h"
 #include "proxy/movement/home_positions.h"

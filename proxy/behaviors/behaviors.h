@@ -17,6 +17,9 @@ bool basic_move(const WorldModel& world, CommandSlots& slots, NeckPlan& neck, bo
 /// stamina falls below 50 percent, clears it above 70 percent.
 double normal_dash_power(const WorldModel& world, bool& recovering);
 
+/// Shoots at their goal (ball_skills/shoot.h) and looks where it aims.
+bool shoot_and_look(ActionContext& context);
+
 // Goalie.
 
 /// Catches the ball, or kicks it out, or calls goalie_move().

@@ -111,7 +111,7 @@ bool play_planned_pass(ActionContext& c) {
   const PlannerField field(c.world);
   PlannerOptions options;
   options.short_dribble = options.long_dribble = false;
-  const Plan plan = make_plan(field, options, nullptr);
+  const Plan plan = make_plan(field, options);
   const int first = plan.first_of(plan.best);
   if (plan.nodes[static_cast<std::size_t>(first)].action.category != PlanCategory::kPass) {
     // Holding is impossible in a set play: take the best pass.

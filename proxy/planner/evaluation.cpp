@@ -1,10 +1,9 @@
-// Computes the field value, then applies the effectors in the order of the interface.
+// Values of planner states.
 #include "proxy/planner/evaluation.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "proto/playmaker.pb.h"
 #include "proxy/planner/generators.h"
 #include "soccer/pitch.h"
 
@@ -19,11 +18,7 @@ constexpr double kShot = 1e6;
 constexpr double kOwnShot = 5e5;
 constexpr double kImpossible = 1e300;
 
-struct FieldWeights {
-  double x = 0.0;
-  double goal_distance = 0.0;
-  double goal_radius = 0.0;
-};
+}  // namespace
 
 double ball_value(const PlannerField& field, const PlanNode& state, const FieldWeights& weights) {
   constexpr double kGoalLine = soccer::kHalfLength - 0.1;
@@ -47,10 +42,8 @@ double ball_value(const PlannerField& field, const PlanNode& state, const FieldW
   return value;
 }
 
-/// Default value, as in helios with changes: the goal line beside the goal is not better than a few
-/// meters before it; near opponents and long ball possession cost; time and number of actions cost,
-/// so of equal results the most direct one wins.
-double default_value(const PlannerField& field, const PlanNode& state) {
+double default_value(const PlannerField& field, const Plan& plan, int node) {
+  const PlanNode& state = plan.nodes[static_cast<std::size_t>(node)];
   const PlannerParameters& parameters = field.parameters;
   double value = ball_value(field, state,
                             {parameters.x_weight, parameters.goal_weight, parameters.goal_radius});
@@ -70,137 +63,6 @@ double default_value(const PlannerField& field, const PlanNode& state) {
     value -= std::clamp(parameters.hold_cost * held_long, 0.0, parameters.hold_limit);
   }
   return value;
-}
-
-/// Cell value of a matrix that covers the pitch, relative to its minimum.
-double matrix_value(const protos::MatrixFieldEvaluator& matrix, Vec2 ball) {
-  const auto cell = [](double from_edge, double size, int count) {
-    const int index = static_cast<int>(std::floor(from_edge / (size / count)));
-    return std::clamp(index, 0, count - 1);
-  };
-  double least = kImpossible;
-  for (const auto& column : matrix.evals()) {
-    for (const float value : column.evals()) least = std::min(least, static_cast<double>(value));
-  }
-  if (matrix.evals_size() == 0) return 0.0;
-  const auto& column =
-      matrix.evals(cell(ball.x + soccer::kHalfLength, soccer::kPitchLength, matrix.evals_size()));
-  if (column.evals_size() == 0) return 0.0;
-  return column.evals(cell(ball.y + soccer::kHalfWidth, soccer::kPitchWidth, column.evals_size())) -
-         least;
-}
-
-double field_value(const PlannerField& field, const PlanNode& state,
-                   const protos::PlannerFieldEvaluator& evaluation) {
-  double value = 0.0;
-  if (evaluation.has_helios_field_evaluator()) {
-    const auto& helios = evaluation.helios_field_evaluator();
-    FieldWeights weights;
-    weights.x = std::max(0.0F, helios.x_coefficient());
-    weights.goal_distance = std::max(0.0F, helios.ball_dist_to_goal_coefficient());
-    weights.goal_radius = std::max(0.0F, helios.effective_max_ball_dist_to_goal());
-    value += ball_value(field, state, weights);
-  }
-  if (evaluation.has_matrix_field_evaluator()) {
-    value += matrix_value(evaluation.matrix_field_evaluator(), state.ball);
-  }
-  return value;
-}
-
-double kind_factor(const protos::ActionTypeEffector& factors, PlanTag first) {
-  const auto factor = [](float value) { return std::max(0.0, static_cast<double>(value)); };
-  switch (first) {
-    case PlanTag::kStrictDirect:
-      return factor(factors.direct_pass());
-    case PlanTag::kStrictLead:
-      return factor(factors.lead_pass());
-    case PlanTag::kStrictThrough:
-      return factor(factors.through_pass());
-    case PlanTag::kCross:
-      return factor(factors.cross());
-    case PlanTag::kShortDribble:
-      return factor(factors.short_dribble());
-    case PlanTag::kSelfPass:
-      return factor(factors.long_dribble());
-    case PlanTag::kHold:
-      return factor(factors.hold());
-    default:
-      return 1.0;
-  }
-}
-
-/// Entry for the integer part of `at`, 0 beyond the list. Positive entries count as zero; the list
-/// is shifted so that the worst entry gives zero.
-template <typename List>
-double listed_effect(const List& list, double at) {
-  if (list.empty()) return 0.0;
-  double worst = 0.0;
-  for (const float entry : list) worst = std::min(worst, static_cast<double>(entry));
-  const bool listed = at >= 0.0 && at < static_cast<double>(list.size());
-  const double entry = listed ? std::min(0.0F, list.Get(static_cast<int>(at))) : 0.0;
-  return entry - worst;
-}
-
-double steps_of_nearest(const PlannerField& field, Vec2 point) {
-  double steps = 1000.0;
-  for (const FieldOpponent& opponent : field.opponents) {
-    if (opponent.unum == 0) continue;
-    const double dist = distance(opponent.position, point);
-    steps = std::min(steps, static_cast<double>(opponent.reach->cycles(dist)));
-  }
-  return steps;
-}
-
-double distance_of_nearest(const PlannerField& field, Vec2 point) {
-  double least = 1000.0;
-  for (const FieldOpponent& opponent : field.opponents) {
-    if (opponent.unum != 0) least = std::min(least, distance(opponent.position, point));
-  }
-  return least;
-}
-
-double with_effectors(const PlannerField& field, const Plan& plan, int node, double value,
-                      const protos::PlannerEvaluationEffector& effectors) {
-  const PlanNode& state = plan.nodes[static_cast<std::size_t>(node)];
-  const PlanNode& first = plan.nodes[static_cast<std::size_t>(plan.first_of(node))];
-  if (effectors.has_action_type_effector()) {
-    value *= kind_factor(effectors.action_type_effector(), first.action.tag);
-  }
-  if (effectors.has_opponent_effector()) {
-    const auto& opponents = effectors.opponent_effector();
-    const auto at = [&](bool first_layer) { return first_layer ? first.ball : state.ball; };
-    const Vec2 near = at(opponents.negetive_effect_by_distance_based_on_first_layer());
-    const Vec2 reached = at(opponents.negetive_effect_by_reach_steps_based_on_first_layer());
-    value +=
-        listed_effect(opponents.negetive_effect_by_distance(), distance_of_nearest(field, near));
-    value +=
-        listed_effect(opponents.negetive_effect_by_reach_steps(), steps_of_nearest(field, reached));
-  }
-  if (effectors.has_teammate_effector()) {
-    const auto& teammates = effectors.teammate_effector();
-    const int holder = teammates.apply_based_on_first_layer() ? first.holder : state.holder;
-    const auto found = teammates.coefficients().find(holder);
-    if (found != teammates.coefficients().end()) value *= std::max(0.0F, found->second);
-  }
-  return value;
-}
-
-}  // namespace
-
-double evaluate(const PlannerField& field, const Plan& plan, int node,
-                const protos::PlannerEvaluation* evaluation) {
-  const PlanNode& state = plan.nodes[static_cast<std::size_t>(node)];
-  double value = 0.0;
-  const bool own_field = evaluation != nullptr && evaluation->has_field_evaluators() &&
-                         (evaluation->field_evaluators().has_helios_field_evaluator() ||
-                          evaluation->field_evaluators().has_matrix_field_evaluator());
-  if (own_field) {
-    value = field_value(field, state, evaluation->field_evaluators());
-  } else {
-    value = default_value(field, state);
-  }
-  if (evaluation == nullptr || !evaluation->has_effectors()) return value;
-  return with_effectors(field, plan, node, value, evaluation->effectors());
 }
 
 }  // namespace cls::proxy

@@ -1,15 +1,21 @@
 // Plans, chooses and executes an action.
 #include "proxy/planner/offensive_planner.h"
 
+#include <algorithm>
+
 #include "proto/playmaker.pb.h"
-#include "proxy/ball_skills/hold_ball.h"
-#include "proxy/planner/field.h"
 #include "proxy/planner/plan_execution.h"
 #include "proxy/planner/planner_messages.h"
-#include "proxy/planner/search.h"
+#include "proxy/planner/playmaker_evaluation.h"
 
 namespace cls::proxy {
 namespace {
+
+constexpr int kDefaultDepth = 4;
+constexpr int kDefaultNodes = 500;
+// Limits that keep planning within a cycle.
+constexpr int kMaxNodes = 10000;
+constexpr int kMaxDepth = 10;
 
 /// The planner action that defines the tree of this decision: the first one in the reply.
 const protos::HeliosOffensivePlanner& tree_action(const protos::HeliosOffensivePlanner& action,
@@ -21,24 +27,37 @@ const protos::HeliosOffensivePlanner& tree_action(const protos::HeliosOffensiveP
   return action;
 }
 
-bool hold(ActionContext& c) {
-  c.neck.kind = NeckPlan::Kind::kScan;
-  return hold_ball(c.world, c.slots, false, {});
+NodeValue node_value(const protos::HeliosOffensivePlanner& action) {
+  if (!action.has_evaluation()) return default_value;
+  return
+      [&evaluation = action.evaluation()](const PlannerField& field, const Plan& plan, int node) {
+        return evaluate(field, plan, node, evaluation);
+      };
 }
 
 }  // namespace
 
+PlannerOptions planner_options(const protos::HeliosOffensivePlanner& action) {
+  PlannerOptions options;
+  options.passes = action.direct_pass() || action.lead_pass() || action.through_pass();
+  options.cross = action.cross();
+  options.short_dribble = action.short_dribble();
+  options.long_dribble = action.long_dribble();
+  options.simple_pass = action.simple_pass();
+  options.simple_dribble = action.simple_dribble();
+  options.simple_shoot = action.simple_shoot();
+  options.max_depth =
+      action.max_depth() > 0 ? std::min(action.max_depth(), kMaxDepth) : kDefaultDepth;
+  options.max_nodes =
+      action.max_nodes() > 0 ? std::min(action.max_nodes(), kMaxNodes) : kDefaultNodes;
+  return options;
+}
+
 bool run_offensive_planner(const protos::HeliosOffensivePlanner& action, ActionContext& c) {
   if (!c.world.self.kickable || c.world.self.frozen()) return false;
   const protos::HeliosOffensivePlanner& tree_options = tree_action(action, c);
-  if (c.choice.plan.empty()) {
-    const int held = c.memory.ball_since < 0 ? 0 : c.world.game.time.cycle - c.memory.ball_since;
-    const PlannerField field(c.world, held);
-    c.choice.plan = make_plan(field, planner_options(tree_options),
-                              tree_options.has_evaluation() ? &tree_options.evaluation() : nullptr);
-  }
-  const Plan& plan = c.choice.plan;
-  if (!action.server_side_decision()) return execute_plan(c, plan, plan.best) || hold(c);
+  const Plan& plan = plan_of_decision(c, planner_options(tree_options), node_value(tree_options));
+  if (!action.server_side_decision()) return execute_plan_or_hold(c, plan, plan.best);
   switch (c.choice.chooser) {
     case PlanChoice::Chooser::kPlaymaker:
     case PlanChoice::Chooser::kRequested:
@@ -46,11 +65,11 @@ bool run_offensive_planner(const protos::HeliosOffensivePlanner& action, ActionC
       return true;
     case PlanChoice::Chooser::kReplied:
       if (c.choice.node < 0) return false;
-      return execute_plan(c, plan, first_action_of(plan, c.choice.node)) || hold(c);
+      return execute_plan_or_hold(c, plan, first_action_of(plan, c.choice.node));
     case PlanChoice::Chooser::kProxy:
       break;
   }
-  return execute_plan(c, plan, plan.best) || hold(c);
+  return execute_plan_or_hold(c, plan, plan.best);
 }
 
 }  // namespace cls::proxy

@@ -209,10 +209,26 @@ bool execute_plan(ActionContext& c, const Plan& plan, int node) {
   }
 }
 
+bool execute_plan_or_hold(ActionContext& c, const Plan& plan, int node) {
+  if (execute_plan(c, plan, node)) return true;
+  c.neck.kind = NeckPlan::Kind::kScan;
+  return hold_ball(c.world, c.slots, false, {});
+}
+
+const Plan& plan_of_decision(ActionContext& c, const PlannerOptions& options,
+                             const NodeValue& value) {
+  if (c.choice.plan.empty()) {
+    const int held = c.memory.ball_since < 0 ? 0 : c.world.game.time.cycle - c.memory.ball_since;
+    const PlannerField field(c.world, held);
+    c.choice.plan = make_plan(field, options, value);
+  }
+  return c.choice.plan;
+}
+
 bool execute_default_plan(ActionContext& c) {
   if (!c.world.self.kickable) return false;
   const PlannerField field(c.world);
-  const Plan plan = make_plan(field, PlannerOptions{}, nullptr);
+  const Plan plan = make_plan(field, PlannerOptions{});
   return execute_plan(c, plan, plan.best);
 }
 

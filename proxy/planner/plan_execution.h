@@ -2,6 +2,7 @@
 #pragma once
 
 #include "proxy/planner/action_context.h"
+#include "proxy/planner/evaluation.h"
 #include "proxy/planner/plan.h"
 
 namespace cls::proxy {
@@ -13,5 +14,12 @@ bool execute_default_plan(ActionContext& context);
 /// neck plan. A dribble sets an intention; a pass is announced to its receiver. False without
 /// effect if the ball is not kickable, and for dribbles and holds in set plays.
 bool execute_plan(ActionContext& context, const Plan& plan, int node);
+
+/// The same, or holds the ball where the plan cannot be executed.
+bool execute_plan_or_hold(ActionContext& context, const Plan& plan, int node);
+
+/// The plan of this decision, made at the first call. The agent has the ball.
+const Plan& plan_of_decision(ActionContext& context, const PlannerOptions& options,
+                             const NodeValue& value = default_value);
 
 }  // namespace cls::proxy

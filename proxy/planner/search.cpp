@@ -6,24 +6,15 @@
 #include <queue>
 #include <utility>
 
-#include "proto/playmaker.pb.h"
-#include "proxy/planner/evaluation.h"
 #include "proxy/planner/generators.h"
 
 namespace cls::proxy {
 namespace {
 
-constexpr int kDefaultDepth = 4;
-constexpr int kDefaultNodes = 500;
-// Limits that keep planning within a cycle.
-constexpr int kMaxNodes = 10000;
-constexpr int kMaxDepth = 10;
-
 class Search {
  public:
-  Search(const PlannerField& field, const PlannerOptions& options,
-         const protos::PlannerEvaluation* evaluation)
-      : field_(field), options_(options), evaluation_(evaluation) {
+  Search(const PlannerField& field, const PlannerOptions& options, const NodeValue& value)
+      : field_(field), options_(options), value_(value) {
     plan_.nodes.reserve(static_cast<std::size_t>(options.max_nodes) + 1);
   }
 
@@ -49,7 +40,7 @@ class Search {
     root.ball = field_.ball;
     root.our_defense_line = field_.world.lines.our_defense;
     plan_.nodes.push_back(root);
-    plan_.nodes[0].value = evaluate(field_, plan_, 0, evaluation_);
+    plan_.nodes[0].value = value_(field_, plan_, 0);
     open_.push({plan_.nodes[0].value, 0});
   }
 
@@ -84,7 +75,7 @@ class Search {
   /// Adds and evaluates a node.
   void add(PlanNode node) {
     plan_.nodes.push_back(node);
-    plan_.nodes.back().value = evaluate(field_, plan_, count() - 1, evaluation_);
+    plan_.nodes.back().value = value_(field_, plan_, count() - 1);
   }
 
   /// Keeps only the best first actions of each kind and receiver, so that the tree has room for
@@ -125,7 +116,7 @@ class Search {
 
   const PlannerField& field_;
   const PlannerOptions& options_;
-  const protos::PlannerEvaluation* evaluation_;
+  const NodeValue& value_;
   Plan plan_;
   std::vector<PlanAction> actions_;
   std::priority_queue<std::pair<double, int>> open_;
@@ -133,25 +124,8 @@ class Search {
 
 }  // namespace
 
-PlannerOptions planner_options(const protos::HeliosOffensivePlanner& action) {
-  PlannerOptions options;
-  options.passes = action.direct_pass() || action.lead_pass() || action.through_pass();
-  options.cross = action.cross();
-  options.short_dribble = action.short_dribble();
-  options.long_dribble = action.long_dribble();
-  options.simple_pass = action.simple_pass();
-  options.simple_dribble = action.simple_dribble();
-  options.simple_shoot = action.simple_shoot();
-  options.max_depth =
-      action.max_depth() > 0 ? std::min(action.max_depth(), kMaxDepth) : kDefaultDepth;
-  options.max_nodes =
-      action.max_nodes() > 0 ? std::min(action.max_nodes(), kMaxNodes) : kDefaultNodes;
-  return options;
-}
-
-Plan make_plan(const PlannerField& field, const PlannerOptions& options,
-               const protos::PlannerEvaluation* evaluation) {
-  return Search(field, options, evaluation).run();
+Plan make_plan(const PlannerField& field, const PlannerOptions& options, const NodeValue& value) {
+  return Search(field, options, value).run();
 }
 
 }  // namespace cls::proxy

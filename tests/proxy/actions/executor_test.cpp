@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "proxy/actions/action_handlers.h"
+#include "proxy/behaviors/automatic_play.h"
 #include "tests/proxy/support/known_pitch.h"
 
 namespace cls::proxy {

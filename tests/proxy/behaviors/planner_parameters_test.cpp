@@ -76,7 +76,7 @@ TEST(PlannerParameters, ChangeTheValueOfStates) {
   node.ball = {10.0, 0.0};
   node.time = 12;
   plan.nodes.push_back(node);
-  const auto value = [&] { return evaluate(PlannerField(pitch.world), plan, 0, nullptr); };
+  const auto value = [&] { return default_value(PlannerField(pitch.world), plan, 0); };
   const double usual = value();
   const auto change = [&](std::string_view name, double to) {
     const auto before = pitch.world.planner;

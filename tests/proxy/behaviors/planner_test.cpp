@@ -11,7 +11,9 @@
 #include "proxy/planner/evaluation.h"
 #include "proxy/planner/field.h"
 #include "proxy/planner/generators.h"
+#include "proxy/planner/offensive_planner.h"
 #include "proxy/planner/planner_messages.h"
+#include "proxy/planner/playmaker_evaluation.h"
 #include "proxy/planner/search.h"
 #include "proxy/world/motion.h"
 #include "tests/proxy/support/known_pitch.h"
@@ -149,7 +151,7 @@ TEST(Dribbles, EndAtPlannedPoint) {
   const PlannerField field(pitch.world);
   PlannerOptions options;
   options.passes = options.cross = options.long_dribble = false;
-  const Plan plan = make_plan(field, options, nullptr);
+  const Plan plan = make_plan(field, options);
   const PlanAction action = plan.nodes[static_cast<std::size_t>(plan.best)].action;
   ASSERT_EQ(action.category, PlanCategory::kDribble);
   pitch.act(only_dribble);
@@ -207,14 +209,14 @@ TEST(HeliosOffensivePlanner, RespectsMaxNodesAndMaxDepth) {
   protos::HeliosOffensivePlanner action;
   kEverything(action);
   action.set_max_nodes(20);
-  EXPECT_LE(make_plan(field, planner_options(action), nullptr).nodes.size(), 20U);
+  EXPECT_LE(make_plan(field, planner_options(action)).nodes.size(), 20U);
   action.set_max_nodes(0);
   action.set_max_depth(1);
-  for (const PlanNode& node : make_plan(field, planner_options(action), nullptr).nodes) {
+  for (const PlanNode& node : make_plan(field, planner_options(action)).nodes) {
     EXPECT_LE(node.depth, 1);
   }
   action.set_max_depth(0);
-  const Plan deep = make_plan(field, planner_options(action), nullptr);
+  const Plan deep = make_plan(field, planner_options(action));
   EXPECT_TRUE(std::any_of(deep.nodes.begin(), deep.nodes.end(),
                           [](const PlanNode& node) { return node.depth > 1; }));
   EXPECT_LE(deep.nodes.size(), 500U);
@@ -223,7 +225,10 @@ TEST(HeliosOffensivePlanner, RespectsMaxNodesAndMaxDepth) {
 /// First action of the best plan with the Playmaker's evaluation.
 PlanAction best_first(const KnownPitch& pitch, const protos::PlannerEvaluation& evaluation) {
   const PlannerField field(pitch.world);
-  const Plan plan = make_plan(field, PlannerOptions{}, &evaluation);
+  const Plan plan = make_plan(field, PlannerOptions{},
+                              [&](const PlannerField& of, const Plan& planned, int node) {
+                                return evaluate(of, planned, node, evaluation);
+                              });
   return plan.nodes[static_cast<std::size_t>(plan.first_of(plan.best))].action;
 }
 
@@ -346,7 +351,7 @@ TEST(ServerSideDecision, UsesBestNodeForInvalidIndex) {
   KnownPitch pitch = with_ball({0.0, 0.0});
   pitch.add_teammate(9, {12.0, 8.0});
   const PlannerField field(pitch.world);
-  const Plan plan = make_plan(field, PlannerOptions{}, nullptr);
+  const Plan plan = make_plan(field, PlannerOptions{});
   EXPECT_EQ(first_action_of(plan, 99999), plan.first_of(plan.best));
   EXPECT_EQ(first_action_of(plan, 0), 0) << "hold";
 }

@@ -216,9 +216,9 @@ TEST(PlannerEvaluation, PrefersEarlierOfEqualStates) {
   node.ball = {10.0, 0.0};
   node.time = 30;
   plan.nodes.push_back(node);
-  const double late = evaluate(field, plan, 0, nullptr);
+  const double late = default_value(field, plan, 0);
   plan.nodes[0].time = 12;
-  EXPECT_GT(evaluate(field, plan, 0, nullptr), late);
+  EXPECT_GT(default_value(field, plan, 0), late);
 }
 
 }  // namespace
