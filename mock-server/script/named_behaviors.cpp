@@ -7,7 +7,7 @@
 
 #include "base/text/suggestion.h"
 #include "mock-server/behavior/bundled.h"
-#include "mock-server/simple_team/simple_team.h"
+#include "mock-server/behavior/simple_team.h"
 
 namespace cls::mock_server {
 namespace {

@@ -1,22 +1,55 @@
-// Builds a reply: one function per action that the simple team uses.
+// Actions of the simple team as plain data, in the order of preference.
 #pragma once
 
-#include "proto/playmaker.pb.h"
+#include "mock-server/simple_team/few.h"
 #include "soccer/geometry.h"
 
 namespace cls::mock_server {
 
-/// Appends to a reply. The proxy tries body actions in sequence until one succeeds and executes all
+/// Distance at which the target of a dribble is reached, meters.
+constexpr float kDribbleDistance = 1.0F;
+
+/// One action, with the numbers as a message carries them.
+struct TeamAction {
+  enum class Kind : unsigned char {
+    kSmartKick,  ///< point; speed, least speed of the first kick; kicks
+    kDribble,    ///< point; dash power; dashes
+    kClearBall,
+    kIntercept,  ///< point to face
+    kGoTo,       ///< point; distance that is near enough, dash power
+    kTackle,     ///< point; least probability
+    kCatch,
+    kTurnToBall,
+    kTurnTo,   ///< point
+    kMoveTo,   ///< point
+    kKickOff,  ///< point to stand at
+    kSearchBall,
+    kPenalty,
+    // Neck and view.
+    kWatchBall,
+    kWatchBallOrScan,  ///< age of the ball in cycles
+    kWatchGoalieOrScan,
+    kScan,
+  };
+
+  Kind kind = Kind::kScan;
+  float x = 0.0F;
+  float y = 0.0F;
+  float first = 0.0F;
+  float second = 0.0F;
+  int count = 0;
+
+  soccer::Vec2 point() const { return {x, y}; }
+};
+
+/// Collects actions. The agent tries body actions in sequence until one succeeds and executes all
 /// neck and view actions, so the order of calls is the order of preference.
 class ActionList {
  public:
-  explicit ActionList(protos::PlayerActions& actions) : actions_(actions) {}
-
   // With the ball. Speeds in meters per cycle.
   void smart_kick(soccer::Vec2 target, double speed, double min_speed, int kicks);
   void dribble(soccer::Vec2 target, double dash_power, int dashes);
   void clear_ball();
-  void hold_ball(soccer::Vec2 face);
 
   // Without the ball.
   void intercept(soccer::Vec2 face);
@@ -28,6 +61,7 @@ class ActionList {
   void move_to(soccer::Vec2 target);
   void stand_for_kick_off(soccer::Vec2 target);
   void search_ball();
+  void play_penalty();
 
   // Neck and view.
   void watch_ball();
@@ -35,10 +69,17 @@ class ActionList {
   void watch_goalie_or_scan();
   void scan();
 
- private:
-  protos::PlayerAction& add() { return *actions_.add_actions(); }
+  /// No decision has more.
+  static constexpr std::size_t kMaxActions = 12;
+  const Few<TeamAction, kMaxActions>& actions() const { return actions_; }
 
-  protos::PlayerActions& actions_;
+  bool places_itself = false;  ///< the agent must not place itself by its own formation
+
+ private:
+  void add(TeamAction::Kind kind, soccer::Vec2 point = {}, double first = 0.0, double second = 0.0,
+           int count = 0);
+
+  Few<TeamAction, kMaxActions> actions_;
 };
 
 }  // namespace cls::mock_server

@@ -50,8 +50,8 @@ bool we_attack(const Situation& now) {
 double forward_x(const Situation& now, double formation_x) {
   constexpr double kLineMargin = 0.3;
   constexpr double kMaxFromBall = 24.0;
-  if (!now.is_play_on() || !we_attack(now)) return formation_x;
-  const double line = std::min(now.offside_line() - kLineMargin, now.ball().x + kMaxFromBall);
+  if (now.mode != TeamMode::kPlayOn || !we_attack(now)) return formation_x;
+  const double line = std::min(now.offside_line - kLineMargin, now.ball.x + kMaxFromBall);
   return std::max(formation_x, std::min(line, 46.0));
 }
 
@@ -61,15 +61,15 @@ Vec2 home_position(const Situation& now) {
   constexpr int kFirstForward = 9;
   constexpr double kOffsideMargin = 0.3;
   constexpr double kTouchLineMargin = 1.5;
-  const HomePosition& home = entry_of(now.unum());
-  const Vec2 ball = now.ball_is_known() ? now.ball() : Vec2{};
+  const HomePosition& home = entry_of(now.unum);
+  const Vec2 ball = now.ball_is_known() ? now.ball : Vec2{};
   double x = std::clamp(home.base.x + home.follow_x * ball.x, home.min_x, home.max_x);
-  if (now.unum() >= kFirstForward) x = forward_x(now, x);
-  x = std::min(x, std::max(now.offside_line() - kOffsideMargin, 0.0));
+  if (now.unum >= kFirstForward) x = forward_x(now, x);
+  x = std::min(x, std::max(now.offside_line - kOffsideMargin, 0.0));
   const double widest = soccer::kHalfWidth - kTouchLineMargin;
   return {x, std::clamp(home.base.y + home.follow_y * ball.y, -widest, widest)};
 }
 
-Vec2 kick_off_position(const Situation& now) { return entry_of(now.unum()).kick_off; }
+Vec2 kick_off_position(const Situation& now) { return entry_of(now.unum).kick_off; }
 
 }  // namespace cls::mock_server

@@ -10,24 +10,24 @@ using soccer::Vec2;
 constexpr int kWaitCycles = 15;
 
 bool is_taker(const Situation& now) {
-  const protos::GameModeType mode = now.mode();
-  if (mode == protos::GoalKick_ || mode == protos::GoalieCatch_) return now.is_goalie();
-  return !now.is_goalie() && now.is_nearest_to_ball();
+  const TeamMode mode = now.mode;
+  if (mode == TeamMode::kGoalKick || mode == TeamMode::kGoalieCatch) return now.goalie;
+  return !now.goalie && now.is_nearest_to_ball();
 }
 
 // 0.5 m behind the ball, so that the kick goes toward the opponent goal.
 Vec2 behind_ball(const Situation& now) {
-  return now.ball() + with_length(now.ball() - Vec2{40.0, 0.0}, 0.5);
+  return now.ball + with_length(now.ball - Vec2{40.0, 0.0}, 0.5);
 }
 
 void take_set_play(const Situation& now, ActionList& list) {
-  if (!now.can_kick()) {
+  if (!now.kickable) {
     list.go_to(behind_ball(now), 0.3, 80.0);
     list.turn_to_ball();
     list.watch_ball();
     return;
   }
-  if (now.world().set_play_count() < kWaitCycles) {
+  if (now.set_play_count < kWaitCycles) {
     list.turn_to({40.0, 0.0});
     list.scan();
     return;
@@ -42,13 +42,13 @@ void play_set_play(const Situation& now, ActionList& list) {
     list.search_ball();
     return;
   }
-  const bool in_hand = now.mode() == protos::GoalieCatch_ ||
-                       (now.mode() == protos::FreeKick_ && now.is_goalie() && now.can_kick());
-  if (now.is_our_set_play() && now.is_goalie() && in_hand) {
+  const bool in_hand = now.mode == TeamMode::kGoalieCatch ||
+                       (now.mode == TeamMode::kFreeKick && now.goalie && now.kickable);
+  if (now.our_set_play && now.goalie && in_hand) {
     bring_out_caught_ball(now, list);
-  } else if (now.is_our_set_play() && is_taker(now)) {
+  } else if (now.our_set_play && is_taker(now)) {
     take_set_play(now, list);
-  } else if (now.is_goalie()) {
+  } else if (now.goalie) {
     keep_goal(now, list);
   } else {
     go_home(now, list);

@@ -1,21 +1,16 @@
 // The bundled team, and a team that only holds its positions.
 #pragma once
 
-#include "mock-server/behavior/behavior.h"
+#include "mock-server/simple_team/action_list.h"
+#include "mock-server/simple_team/situation.h"
 
 namespace cls::mock_server {
 
 /// A 4-3-3 that passes, dribbles, shoots and defends well enough for an ordinary match against
-/// itself. A pure function of the State.
-class SimpleTeam : public Behavior {
- public:
-  void decide(const protos::State& state, protos::PlayerActions& actions) const override;
-};
+/// itself. Appends the actions of one player for one cycle to the empty list.
+void play_simple_team(const Situation& now, ActionList& list);
 
-/// Moves to its kick-off positions, then only turns to the ball: a baseline opponent.
-class Hold : public Behavior {
- public:
-  void decide(const protos::State& state, protos::PlayerActions& actions) const override;
-};
+/// Moves to the kick-off positions, then only turns to the ball: a baseline opponent.
+void hold_positions(const Situation& now, ActionList& list);
 
 }  // namespace cls::mock_server

@@ -1,7 +1,7 @@
-// A State as the simple team uses it.
+// What the simple team knows when it decides, as plain data.
 #pragma once
 
-#include "proto/playmaker.pb.h"
+#include "mock-server/simple_team/few.h"
 #include "soccer/geometry.h"
 #include "soccer/pitch.h"
 
@@ -14,43 +14,63 @@ constexpr int kNeverReached = 1000;
 constexpr soccer::Vec2 kOurGoal{-soccer::kHalfLength, 0.0};
 constexpr soccer::Vec2 kTheirGoal{soccer::kHalfLength, 0.0};
 
-soccer::Vec2 point_of(const protos::RpcVector2D& vector);
+/// Play modes that the team tells apart.
+enum class TeamMode : unsigned char {
+  kPlayOn,
+  kBeforeKickOff,  ///< or after a goal
+  kKickOff,
+  kGoalKick,
+  kGoalieCatch,
+  kFreeKick,
+  kPenalty,  ///< of a shoot-out
+  kOther,
+};
 
-/// A read-only view of one State, which must outlive it. Coordinates of the State: the own team
-/// attacks +x.
-class Situation {
- public:
-  explicit Situation(const protos::State& state);
+/// A player as the agent estimates it.
+struct SeenPlayer {
+  int unum = 0;
+  soccer::Vec2 position;
+  soccer::Vec2 velocity;
+  int age = 0;  ///< cycles since its position was seen
+  bool goalie = false;
+  bool tackling = false;
+};
 
-  const protos::WorldModel& world() const { return world_; }
-  const protos::Self& self() const { return world_.self(); }
+/// One agent's view. Coordinates: the own team attacks +x. Numbers have the precision of a State.
+struct Situation {
+  /// Players whose position is older count as absent.
+  static constexpr int kMaxAge = 20;
+  static constexpr std::size_t kMaxPlayers = 22;  ///< of a State
 
-  int unum() const { return self().uniform_number(); }
-  bool is_goalie() const { return self().is_goalie(); }
-  soccer::Vec2 self_position() const { return self_position_; }
-  soccer::Vec2 ball() const { return ball_; }
-  soccer::Vec2 ball_velocity() const { return ball_velocity_; }
-  bool ball_is_known() const { return world_.ball().pos_count() < 10; }
+  TeamMode mode = TeamMode::kOther;
+  bool our_set_play = false;
+  int set_play_count = 0;  ///< cycles since play was stopped
 
-  protos::GameModeType mode() const { return world_.game_mode_type(); }
-  bool is_play_on() const { return mode() == protos::PlayOn; }
-  bool is_before_kick_off() const {
-    return mode() == protos::BeforeKickOff || mode() == protos::AfterGoal_;
-  }
-  /// A set play of the own team, or of the opponents.
-  bool is_our_set_play() const { return world_.is_our_set_play(); }
-  bool is_their_set_play() const { return world_.is_their_set_play(); }
+  int unum = 0;
+  bool goalie = false;
+  soccer::Vec2 position;
+  double stamina = 0.0;
+  double catch_probability = 0.0;
+  bool kickable = false;
 
-  bool can_kick() const { return self().is_kickable(); }
+  soccer::Vec2 ball;
+  soccer::Vec2 ball_velocity;
+  int ball_age = 0;
   /// Cycles until the agent, a teammate or an opponent can have the ball.
-  int own_reach() const;
-  int teammates_reach() const;
-  int opponents_reach() const;
-  bool teammate_has_ball() const { return world_.kickable_teammate_existance(); }
-  bool opponent_has_ball() const { return world_.kickable_opponent_existance(); }
+  int own_steps = kNeverReached;
+  int teammates_steps = kNeverReached;
+  int opponents_steps = kNeverReached;
+  bool teammate_kicks = false;  ///< can kick the ball now
+  bool opponent_kicks = false;
 
-  /// x at which teammates become offside.
-  double offside_line() const { return world_.offside_line_x(); }
+  double offside_line = 0.0;  ///< x at which teammates become offside
+  Few<SeenPlayer, kMaxPlayers> teammates;
+  Few<soccer::Vec2, kMaxPlayers> opponents;  ///< not older than kMaxAge
+
+  bool ball_is_known() const { return ball_age < 10; }
+  int own_reach() const { return kickable ? 0 : own_steps; }
+  int teammates_reach() const { return teammate_kicks ? 0 : teammates_steps; }
+  int opponents_reach() const { return opponent_kicks ? 0 : opponents_steps; }
 
   /// Distance of the nearest opponent to a point; 1000 when none is known.
   double nearest_opponent_to(soccer::Vec2 point) const;
@@ -61,12 +81,6 @@ class Situation {
 
   /// No teammate is nearer to the ball; equal distances go to the lower uniform number.
   bool is_nearest_to_ball() const;
-
- private:
-  const protos::WorldModel& world_;
-  soccer::Vec2 self_position_;
-  soccer::Vec2 ball_;
-  soccer::Vec2 ball_velocity_;
 };
 
 }  // namespace cls::mock_server

@@ -1,5 +1,5 @@
 // The simple team's decisions in plain situations.
-#include "mock-server/simple_team/simple_team.h"
+#include "mock-server/behavior/simple_team.h"
 
 #include <gtest/gtest.h>
 
@@ -132,7 +132,7 @@ TEST(SimpleTeam, HomePositionIsOnsideAndOnPitch) {
     for (double x = -52; x <= 52; x += 8) {
       for (double y = -34; y <= 34; y += 8) {
         const protos::State state = state_of(unum, {0, 0}, {x, y});
-        const soccer::Vec2 home = home_position(Situation(state));
+        const soccer::Vec2 home = home_position(situation_of(state));
         EXPECT_LE(home.x, 30.0);
         EXPECT_LE(std::fabs(home.x), 52.5);
         EXPECT_LE(std::fabs(home.y), 34.0);
