@@ -53,7 +53,8 @@ class Rules(unittest.TestCase):
             for one in players[:3]:
                 self.assertIn(one.unum, (11, 7, 8))
                 self.assertTrue(-0.1 <= one.x <= 52.5 and abs(one.y) <= 27.2 + 1e-9)
-                self.assertLess(abs(one.x - world.ball_x), 21.0 + 1e-9)
+                # HFO's squares of 10.5 m: from two before the ball to three behind it.
+                self.assertTrue(-21.0 - 1e-9 <= one.x - world.ball_x <= 31.5 + 1e-9)
 
     def test_untouched_ball_ends_the_episode_in_time(self):
         def stand(envs, step, seen):

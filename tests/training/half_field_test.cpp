@@ -1,6 +1,15 @@
 // The rules of HFO, one by one.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <random>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
 #include "soccer/pitch.h"
 #include "tests/training/stage.h"
 #include "training/tasks/task_rules.h"
@@ -111,32 +120,122 @@ TEST_F(HalfField, TouchResetsTheUntouchedCount) {
   EXPECT_EQ(memory_.untouched, 0);
 }
 
-TEST(HalfFieldStart, PlacesAreInHfosRanges) {
-  const auto setup = setup_of(R"({"task": "HalfFieldOffense", "offense": 4, "defense": 4})");
+using Samples = std::map<std::string, std::vector<double>>;
+
+void add_point(Samples& samples, const std::string& name, Vec2 point) {
+  samples[name + " x"].push_back(point.x);
+  samples[name + " y"].push_back(point.y);
+}
+
+// The formulas of HFO's server, with random numbers of the standard library.
+Samples drawn_by_hfo(int draws, int attackers) {
+  std::mt19937 random(7);
+  const auto uniform = [&](double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random);
+  };
+  std::vector<Vec2> squares = {{-1, -1}, {-1, 1},  {1, 1},  {1, -1}, {0, 2},
+                               {0, -2},  {-2, -2}, {-2, 2}, {2, 2},  {2, -2}};
+  Samples samples;
+  for (int i = 0; i < draws; ++i) {
+    const Vec2 ball = {uniform(0.0, 0.2) * 52.5, uniform(-0.8, 0.8) * 34.0};
+    add_point(samples, "ball", ball);
+    std::shuffle(squares.begin(), squares.end(), random);
+    for (int k = 0; k < attackers; ++k) {
+      const Vec2 square = squares[static_cast<std::size_t>(k)];
+      const double x = ball.x + 10.5 * (uniform(0.0, 1.0) + square.x);
+      const double y = ball.y + 10.5 * (uniform(0.0, 1.0) + square.y);
+      add_point(samples, "attacker", {std::clamp(x, -0.1, 52.5), std::clamp(y, -27.2, 27.2)});
+    }
+    add_point(samples, "defender", {uniform(42.0, 52.5), uniform(-27.2, 27.2)});
+  }
+  return samples;
+}
+
+Samples drawn_by_task(int draws) {
+  const auto setup = setup_of(R"({"task": "HalfFieldOffense", "offense": 3, "defense": 2})");
   training::Episode episode(setup);
-  double least_x = 99.0;
-  double most_x = -99.0;
-  for (std::uint64_t seed = 0; seed < 2000; ++seed) {
-    episode.reset(seed, setup->options);
+  Samples samples;
+  for (int seed = 0; seed < draws; ++seed) {
+    episode.reset(static_cast<std::uint64_t>(seed), setup->options);
     const simulator::World& world = episode.world();
-    const Vec2 ball = world.ball.position;
-    least_x = std::min(least_x, ball.x);
-    most_x = std::max(most_x, ball.x);
-    ASSERT_LE(std::abs(ball.y), 0.8 * soccer::kHalfWidth);
+    add_point(samples, "ball", world.ball.position);
     for (const int slot : setup->cast.left) {
-      const Vec2 place = world.player(slot).position;
-      ASSERT_GE(place.x, -0.1);
-      ASSERT_LE(place.x, soccer::kHalfLength);
-      ASSERT_LE(std::abs(place.x - ball.x), 21.0);
+      add_point(samples, "attacker", world.player(slot).position);
     }
     EXPECT_EQ(world.player(setup->cast.right[0]).position, (Vec2{soccer::kHalfLength, 0.0}));
-    for (std::size_t i = 1; i < setup->cast.right.size(); ++i) {
-      ASSERT_GE(world.player(setup->cast.right[i]).position.x, 42.0);
+    add_point(samples, "defender", world.player(setup->cast.right[1]).position);
+  }
+  return samples;
+}
+
+// The greatest difference of the two distributions (Kolmogorov and Smirnov). Places at a border,
+// where many are equal, count once.
+double greatest_difference(std::vector<double> one, std::vector<double> other) {
+  std::sort(one.begin(), one.end());
+  std::sort(other.begin(), other.end());
+  const auto share = [](const std::vector<double>& sorted, double value) {
+    const auto up_to = std::upper_bound(sorted.begin(), sorted.end(), value + 1e-9);
+    return static_cast<double>(up_to - sorted.begin()) / static_cast<double>(sorted.size());
+  };
+  double most = 0.0;
+  for (const auto* values : {&one, &other}) {
+    for (const double value : *values) {
+      most = std::max(most, std::abs(share(one, value) - share(other, value)));
     }
   }
-  EXPECT_LT(least_x, 0.1);
-  EXPECT_GT(most_x, 10.4);
-  EXPECT_LE(most_x, 10.5);
+  return most;
+}
+
+TEST(HalfFieldStart, PlacesAreDistributedAsHfos) {
+  constexpr int kDraws = 10000;
+  const Samples expected = drawn_by_hfo(kDraws, 3);
+  const Samples drawn = drawn_by_task(kDraws);
+  ASSERT_EQ(drawn.size(), 6U);
+  for (const auto& [name, values] : expected) {
+    const auto count = static_cast<double>(values.size());
+    // 1.63: exceeded by chance in one of a hundred comparisons.
+    EXPECT_LT(greatest_difference(drawn.at(name), values), 1.63 * std::sqrt(2.0 / count)) << name;
+  }
+}
+
+TEST(HalfFieldStart, AttackersStartInDifferentSquares) {
+  const auto setup = setup_of(R"({"task": "HalfFieldOffense", "offense": 10})");
+  training::Episode episode(setup);
+  episode.reset(3, setup->options);
+  std::set<std::pair<int, int>> squares;
+  int inside = 0;  // not moved to the border
+  for (const int slot : setup->cast.left) {
+    const Vec2 place = episode.world().player(slot).position;
+    if (place.x <= -0.1 || std::abs(place.y) >= 27.2) continue;
+    const Vec2 away = (place - episode.world().ball.position) / 10.5;
+    squares.insert({static_cast<int>(std::floor(away.x)), static_cast<int>(std::floor(away.y))});
+    ++inside;
+  }
+  EXPECT_EQ(squares.size(), static_cast<std::size_t>(inside));
+  EXPECT_GE(inside, 3);
+}
+
+TEST(HalfFieldStart, AttackerAtTheBallIsTheOneAskedFor) {
+  const auto at_ball = [](int wanted, std::uint64_t seed) {
+    const auto setup = setup_of(R"({"task": "HalfFieldOffense", "offense": 3})");
+    training::Episode episode(setup);
+    training::OptionValues options = setup->options;
+    options[1] = wanted;
+    episode.reset(seed, options);
+    const Vec2 behind = episode.world().ball.position - Vec2{0.1, 0.0};
+    for (const int slot : setup->cast.left) {
+      if (distance(episode.world().player(slot).position, behind) < 1e-9) {
+        return soccer::unum_of_slot(slot);
+      }
+    }
+    return 0;
+  };
+  EXPECT_EQ(at_ball(0, 1), 0);
+  EXPECT_EQ(at_ball(1, 1), 7) << "by uniform number";
+  EXPECT_EQ(at_ball(3, 1), 11);
+  std::set<int> chosen;
+  for (std::uint64_t seed = 0; seed < 40; ++seed) chosen.insert(at_ball(4, seed));
+  EXPECT_EQ(chosen, (std::set<int>{7, 8, 11})) << "a random one where there are fewer";
 }
 
 TEST(HalfFieldStart, NumbersAreHfos) {

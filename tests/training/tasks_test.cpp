@@ -1,7 +1,10 @@
 // Every task with every action set and feature set: random play stays within the promised bounds.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
 
 #include "tests/training/stage.h"
 #include "training/pool/specification.h"
@@ -32,6 +35,13 @@ void play_randomly(const std::string& config) {
   }
 }
 
+cls_training_world view_of(const BoundPool& pool) {
+  cls_training_world world = {};
+  world.struct_size = sizeof world;
+  EXPECT_EQ(cls_training_view(pool.handle, 0, &world), CLS_TRAINING_OK);
+  return world;
+}
+
 TEST(TrainingTasks, ObservationsStayWithinTheirBounds) {
   // Every pair of task and action set, with the feature sets in turn.
   std::size_t turn = 0;
@@ -57,13 +67,64 @@ TEST(TrainingTasks, BothTeamsCanBeAgents) {
 TEST(TrainingTasks, HeldOpponentsStand) {
   BoundPool pool(R"({"task": "HalfFieldOffense", "defense": 2, "opponent": "hold"})");
   ASSERT_EQ(pool.reset(3), CLS_TRAINING_OK);
-  cls_training_world before = {};
-  before.struct_size = sizeof before;
-  ASSERT_EQ(cls_training_view(pool.handle, 0, &before), CLS_TRAINING_OK);
+  const cls_training_world before = view_of(pool);
   for (int i = 0; i < 20; ++i) ASSERT_EQ(pool.step(), CLS_TRAINING_OK);
-  cls_training_world after = before;
-  ASSERT_EQ(cls_training_view(pool.handle, 0, &after), CLS_TRAINING_OK);
+  const cls_training_world after = view_of(pool);
   EXPECT_NEAR(before.players[12].x, after.players[12].x, 1e-9);
+}
+
+// Positions of Google Research Football in its scale, x -1..1 and y -0.42..0.42, of the right team
+// as that team sees them.
+TEST(TrainingTasks, AcademyStartsAtTheOriginalPlaces) {
+  struct Case {
+    const char* task;
+    int players[2];
+    double ball[2];
+    double second_left[2];
+    double second_right[2];
+  };
+  const std::vector<Case> cases = {
+      {"3Vs1WithKeeper", {3, 2}, {0.62, 0.0}, {0.7, 0.2}, {-0.75, 0.0}},
+      {"Corner", {11, 11}, {0.99, 0.41}, {1.0, 0.42}, {-0.75, -0.18}},
+      {"CounterattackEasy", {11, 11}, {0.26, -0.11}, {-0.672, -0.19576}, {0.128, -0.19576}},
+      {"PassAndShootWithKeeper", {2, 2}, {0.7, -0.28}, {0.7, -0.3}, {-0.75, 0.3}},
+      {"SingleGoalVersusLazy", {11, 11}, {-0.48, -0.06356}, {0.0, 0.02}, {-0.05, 0.0}}};
+  for (const Case& one : cases) {
+    SCOPED_TRACE(one.task);
+    const std::string id = std::string("Academy-") + one.task;
+    BoundPool pool(R"({"task": ")" + id + R"(", "options": {"difficulty": 0}})");
+    ASSERT_EQ(pool.reset(1), CLS_TRAINING_OK);
+    const cls_training_world world = view_of(pool);
+    const auto x = [](double value) { return value * 52.5; };
+    const auto y = [](double value) { return value / 0.42 * 34.0; };
+    EXPECT_NEAR(world.ball_x, x(one.ball[0]), 1e-9);
+    EXPECT_NEAR(world.ball_y, y(one.ball[1]), 1e-9);
+    EXPECT_NEAR(world.players[1].x, x(one.second_left[0]), 1e-9);
+    EXPECT_NEAR(world.players[1].y, y(one.second_left[1]), 1e-9);
+    EXPECT_NEAR(world.players[12].x, -x(one.second_right[0]), 1e-9);
+    EXPECT_NEAR(world.players[12].y, -y(one.second_right[1]), 1e-9);
+    int players[2] = {0, 0};
+    for (const cls_training_player& player : world.players) {
+      if (player.on_pitch != 0) ++players[player.side > 0 ? 0 : 1];
+    }
+    EXPECT_EQ(players[0], one.players[0]);
+    EXPECT_EQ(players[1], one.players[1]);
+  }
+}
+
+TEST(TrainingTasks, LazyOpponentsStandButTheirGoalie) {
+  BoundPool pool(R"({"task": "Academy-SingleGoalVersusLazy", "options": {"difficulty": 0}})");
+  ASSERT_EQ(pool.reset(1), CLS_TRAINING_OK);
+  const cls_training_world before = view_of(pool);
+  for (int i = 0; i < 30; ++i) ASSERT_EQ(pool.step(), CLS_TRAINING_OK);
+  const cls_training_world after = view_of(pool);
+  int moved = 0;
+  for (int slot = 11; slot < 22; ++slot) {
+    const bool away = std::abs(after.players[slot].x - before.players[slot].x) > 0.01;
+    EXPECT_EQ(away, after.players[slot].goalie == 1) << slot;
+    moved += away ? 1 : 0;
+  }
+  EXPECT_EQ(moved, 1);
 }
 
 TEST(TrainingTasks, ReachingTheBallEndsReachBall) {

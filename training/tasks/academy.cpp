@@ -19,27 +19,46 @@ struct Place {
   double y;
 };
 
+/// Who takes part and where. Goalies who stand at the other end of the pitch are left out.
 struct Situation {
   std::string_view id;
   std::string_view summary;
   Place ball;
   std::vector<Place> left;
   std::vector<Place> right;
-  bool goalie;  ///< the first player of the right team is one
+  bool goalie;                ///< the first player of the right team is one
+  bool lazy = false;          ///< the right team stands, except its goalie
+  bool ends_captured = true;  ///< the right team's possession ends the episode
+  int cycles = 400;
 };
 
-// A team behind the ball for the situations of eleven against eleven.
-const std::vector<Place> kLeftEleven = {{-1.0, 0.0},   {0.0, 0.02},  {0.0, -0.02},  {-0.42, -0.2},
-                                        {-0.5, -0.06}, {-0.5, 0.06}, {-0.42, 0.2},  {-0.18, -0.1},
-                                        {-0.27, 0.0},  {-0.18, 0.1}, {-0.01, -0.22}};
-const std::vector<Place> kRightEleven = {{1.0, 0.0},  {0.05, 0.0},  {0.01, 0.22}, {0.42, 0.2},
-                                         {0.5, 0.06}, {0.5, -0.06}, {0.42, -0.2}, {0.18, 0.1},
-                                         {0.27, 0.0}, {0.18, -0.1}, {0.01, -0.22}};
+// Eleven of the left team in their half; those of the right team mirrored.
+const std::vector<Place> kLeftEleven = {
+    {-1.0, 0.0},      {0.0, 0.02},          {0.0, -0.02},      {-0.422, -0.19576},
+    {-0.5, -0.06356}, {-0.5, 0.063559},     {-0.422, 0.19576}, {-0.184212, -0.10568},
+    {-0.267574, 0.0}, {-0.184212, 0.10568}, {-0.01, -0.2161}};
+const std::vector<Place> kRightEleven = {
+    {1.0, 0.0},      {0.05, 0.0},          {0.01, -0.216102}, {0.422, 0.19576},
+    {0.5, 0.06356},  {0.5, -0.063559},     {0.422, -0.19576}, {0.184212, 0.10568},
+    {0.267574, 0.0}, {0.184212, -0.10568}, {0.01, 0.2161}};
 
 const std::vector<Place> kChasers = {
     {-0.12, -0.2}, {-0.12, -0.1}, {-0.12, 0.0}, {-0.12, 0.1}, {-0.12, 0.2}};
 const std::vector<Place> kGoalieAndChasers = {{1.0, 0.0},   {-0.12, -0.2}, {-0.12, -0.1},
                                               {-0.12, 0.0}, {-0.12, 0.1},  {-0.12, 0.2}};
+
+const std::vector<Place> kCounterattack = {
+    {-1.0, 0.0},       {-0.672, -0.19576}, {-0.75, -0.06356}, {-0.75, 0.063559},
+    {-0.672, 0.19576}, {-0.434, -0.10568}, {-0.434, 0.10568}, {0.5, -0.3161},
+    {0.25, -0.1},      {0.25, 0.1},        {0.35, 0.316102}};
+
+// Eleven whose center backs stand at `first` and `second`, the others before them.
+std::vector<Place> countered(Place first, Place second) {
+  return {{1.0, 0.0},    {-0.128, 0.19576},  first,
+          second,        {-0.128, 0.19576},  {-0.365, 0.10568},
+          {-0.282, 0.0}, {-0.365, -0.10568}, {-0.54, 0.3161},
+          {-0.51, 0.0},  {-0.54, -0.316102}};
+}
 
 const std::vector<Situation> kSituations = {
     {"Academy-EmptyGoalClose",
@@ -67,15 +86,15 @@ const std::vector<Situation> kSituations = {
      kGoalieAndChasers,
      true},
     {"Academy-PassAndShootWithKeeper",
-     "two attackers, the free one is in the middle",
+     "two attackers, the one without the ball is free",
      {0.7, -0.28},
-     {{0.7, -0.3}, {0.7, 0.0}},
+     {{0.7, 0.0}, {0.7, -0.3}},
      {{1.0, 0.0}, {0.75, -0.3}},
      true},
     {"Academy-RunPassAndShootWithKeeper",
      "two attackers, the one at the ball is free",
      {0.7, -0.28},
-     {{0.7, -0.3}, {0.7, 0.0}},
+     {{0.7, 0.0}, {0.7, -0.3}},
      {{1.0, 0.0}, {0.75, -0.1}},
      true},
     {"Academy-3Vs1WithKeeper",
@@ -90,44 +109,49 @@ const std::vector<Situation> kSituations = {
      {{-1.0, 0.0},
       {1.0, 0.42},
       {0.7, 0.15},
-      {0.74, -0.19},
-      {0.76, 0.06},
-      {0.79, -0.04},
-      {0.83, 0.1},
-      {0.66, -0.05},
-      {0.45, 0.22},
-      {0.47, -0.16},
-      {-0.1, 0.0}},
+      {0.7, 0.05},
+      {0.7, -0.05},
+      {0.0, 0.0},
+      {0.6, 0.35},
+      {0.8, 0.07},
+      {0.8, -0.03},
+      {0.8, -0.13},
+      {0.7, -0.3}},
      {{1.0, 0.0},
-      {0.9, 0.05},
-      {0.87, -0.09},
-      {0.82, 0.12},
-      {0.79, 0.0},
-      {0.84, -0.01},
-      {0.76, -0.15},
-      {0.72, 0.12},
-      {0.68, 0.0},
-      {0.65, -0.2},
-      {0.3, 0.0}},
-     true},
+      {0.75, 0.18},
+      {0.75, 0.08},
+      {0.75, -0.02},
+      {1.0, 0.1},
+      {0.8, 0.25},
+      {0.88, 0.07},
+      {0.88, -0.03},
+      {0.88, -0.13},
+      {0.75, -0.25},
+      {0.2, 0.0}},
+     true,
+     false,
+     false},
     {"Academy-CounterattackEasy",
-     "four attackers against one defender and a goalie",
+     "eleven against eleven, one defender and the goalie are back",
      {0.26, -0.11},
-     {{0.25, -0.11}, {0.2, 0.14}, {0.15, -0.25}, {0.05, 0.02}},
-     {{1.0, 0.0}, {0.4, 0.05}, {-0.05, -0.1}, {-0.1, 0.1}},
+     kCounterattack,
+     countered({-0.4, 0.06356}, {0.4, -0.063559}),
      true},
     {"Academy-CounterattackHard",
-     "four attackers against two defenders and a goalie",
+     "the same with two defenders",
      {0.26, -0.11},
-     {{0.25, -0.11}, {0.2, 0.14}, {0.15, -0.25}, {0.05, 0.02}},
-     {{1.0, 0.0}, {0.4, 0.07}, {0.4, -0.12}, {-0.05, -0.1}, {-0.1, 0.1}},
+     kCounterattack,
+     countered({0.4, 0.06356}, {0.4, -0.063559}),
      true},
     {"Academy-SingleGoalVersusLazy",
-     "eleven against eleven who hold their positions",
-     {0.0, 0.0},
+     "eleven against a goalie and ten who stand",
+     {-0.48, -0.06356},
      kLeftEleven,
      kRightEleven,
-     true}};
+     true,
+     true,
+     true,
+     3000}};
 
 Vec2 to_pitch(Place place) {
   return {place.x * soccer::kHalfLength, place.y / 0.42 * soccer::kHalfWidth};
@@ -155,7 +179,7 @@ void place(const Placing& start) {
   place_situation(kSituations[kIndex], start);
 }
 
-// A possession of the right team ends the episode.
+template <std::size_t kIndex>
 Status judge(const simulator::World& world, const OptionValues& /*options*/, TaskMemory& memory) {
   if (scored_against(world, Side::kRight, memory)) {
     ++memory.score[0];
@@ -169,7 +193,7 @@ Status judge(const simulator::World& world, const OptionValues& /*options*/, Tas
   if (std::fabs(ball.x) > soccer::kHalfLength + 0.1 || std::fabs(ball.y) > soccer::kHalfWidth) {
     return Status::kOutOfBounds;
   }
-  if (memory.taken >= 2) return Status::kCaptured;
+  if (kSituations[kIndex].ends_captured && memory.taken >= 2) return Status::kCaptured;
   count_possession(world, memory);
   return Status::kInGame;
 }
@@ -190,10 +214,11 @@ Task make() {
           false,
           situation.goalie,
           false,
-          400,
+          situation.cycles,
           {{"difficulty", 1, 0, 1, "0: players start exactly at their places; 1: within 0.5 m"}},
           place<kIndex>,
-          judge};
+          judge<kIndex>,
+          situation.lazy};
 }
 
 template <std::size_t... kIndices>

@@ -13,7 +13,8 @@ namespace {
 
 using soccer::math::kPi;
 
-constexpr int kTurnover = 2;  // cycles of possession by the defense
+constexpr int kTrialTime = 1000;  // cycles; a trial ends when more have passed
+constexpr int kTurnover = 2;      // cycles of possession by the defense
 constexpr std::size_t kDifficulty = 0;
 constexpr std::size_t kOnBall = 1;
 constexpr std::size_t kMinBallX = 2;
@@ -25,7 +26,9 @@ constexpr std::size_t kUntouched = 6;
 const std::vector<TaskOption>& options() {
   static const std::vector<TaskOption> all = {
       {"difficulty", 1, 0, 1, "0: ball and attackers start together near the goal; 1: as in HFO"},
-      {"offense_on_ball", 0, 0, 11, "0: no player; k: the k-th attacker starts at the ball"},
+      {"offense_on_ball", 0, 0, 11,
+       "0: no player; k: the k-th attacker by number starts at the ball, a random one if there is "
+       "no k-th"},
       {"min_ball_x", 0, 0, 1, "start of the ball, share of the half's length"},
       {"max_ball_x", 0.2, 0, 1, "same"},
       {"min_ball_y", -0.8, -1, 1, "start of the ball, share of half the width"},
@@ -45,26 +48,34 @@ Vec2 place_ball(const Placing& start) {
   return ball;
 }
 
-// One of nine squares around the ball for each attacker, without repetition.
+// Index of the attacker at the ball; -1: none.
+int on_ball(const Placing& start) {
+  const int wanted = static_cast<int>(std::lround(start.options[kOnBall]));
+  const int attackers = static_cast<int>(start.cast.left.size());
+  return wanted > attackers ? start.random.integer(attackers) : wanted - 1;
+}
+
+// One of HFO's ten squares around the ball for each attacker, without repetition.
 void place_attackers(const Placing& start, Vec2 ball) {
   constexpr double kSquare = 0.1 * soccer::kPitchLength;
-  std::array<Vec2, 9> squares;
-  for (std::size_t i = 0; i < squares.size(); ++i) {
-    squares[i] = {static_cast<double>(i / 3) - 1.0, static_cast<double>(i % 3) - 1.0};
-  }
+  std::array<Vec2, 10> squares = {
+      {{-1, -1}, {-1, 1}, {1, 1}, {1, -1}, {0, 2}, {0, -2}, {-2, -2}, {-2, 2}, {2, 2}, {2, -2}}};
   start.random.shuffle(std::span<Vec2>(squares));
-  const int on_ball = static_cast<int>(std::lround(start.options[kOnBall]));
+  const int chosen = on_ball(start);
+  std::array<int, soccer::kPlayersPerTeam> slots{};  // by number, as HFO counts them
+  const auto end = std::copy(start.cast.left.begin(), start.cast.left.end(), slots.begin());
+  std::sort(slots.begin(), end);
   const double spread = by_difficulty(start.options[kDifficulty], 0.2, 1.0);
   for (std::size_t i = 0; i < start.cast.left.size(); ++i) {
-    const Vec2 square = squares[i % squares.size()];
+    const Vec2 square = squares[i];
     const Vec2 place = {ball.x + spread * kSquare * (start.random.unit() + square.x),
                         ball.y + spread * kSquare * (start.random.unit() + square.y)};
     const double body = start.random.uniform(-kPi, kPi);
-    const bool at_ball = static_cast<int>(i) + 1 == on_ball;
     const Vec2 position = {
         std::clamp(place.x, -0.1, soccer::kHalfLength),
         std::clamp(place.y, -0.8 * soccer::kHalfWidth, 0.8 * soccer::kHalfWidth)};
-    start.put(start.cast.left[i], at_ball ? Vec2{ball.x - 0.1, ball.y} : position, body);
+    const bool at_ball = static_cast<int>(i) == chosen;
+    start.put(slots[i], at_ball ? Vec2{ball.x - 0.1, ball.y} : position, body);
   }
 }
 
@@ -119,7 +130,7 @@ Task half_field_offense() {
           false,
           true,
           true,
-          1000,
+          kTrialTime + 1,
           options(),
           place,
           judge};

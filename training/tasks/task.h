@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "simulator/world/world.h"
-#include "training/npc/scripted.h"
 #include "training/scene/cast.h"
 
 namespace cls::training {
@@ -92,6 +91,7 @@ struct Task {
   void (*place)(const Placing& start);
   /// Called after every step; updates the memory.
   Status (*judge)(const simulator::World& world, const OptionValues& options, TaskMemory& memory);
+  bool lazy = false;  ///< opponents stand, except their goalie, where "scripted" would play
 
   Stage stage(Side side) const;
   OptionValues usual_options() const;
