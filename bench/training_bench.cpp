@@ -69,18 +69,19 @@ struct Arena {
 };
 
 // All players of both teams are agents.
-std::string config(int offense, int defense, int threads) {
+std::string config(int offense, int defense, int threads, bool world_model) {
   const std::string task = offense == 11 ? "Match" : "HalfFieldOffense";
   return R"({"task": ")" + task + R"(", "features": "ego", "actions": "low", "agents": ")" +
          (defense > 0 ? "both" : "offense") + R"(", "offense": )" + std::to_string(offense) +
          R"(, "defense": )" + std::to_string(defense) + R"(, "num_envs": )" +
          std::to_string(kWorlds) + R"(, "threads": )" + std::to_string(threads) +
-         R"(, "autoreset": "same_step"})";
+         R"(, "autoreset": "same_step", "obs": ")" + (world_model ? "world_model" : "full_state") +
+         R"("})";
 }
 
 void training_step(benchmark::State& bench) {
   Arena arena(config(static_cast<int>(bench.range(0)), static_cast<int>(bench.range(1)),
-                     static_cast<int>(bench.range(2))));
+                     static_cast<int>(bench.range(2)), bench.range(3) != 0));
   for (auto _ : bench) {
     arena.draw();
     cls_training_step(arena.pool);
@@ -88,26 +89,33 @@ void training_step(benchmark::State& bench) {
   bench.SetItemsProcessed(bench.iterations() * static_cast<std::int64_t>(kWorlds));
 }
 BENCHMARK(training_step)
-    ->ArgNames({"offense", "defense", "threads"})
-    ->Args({1, 0, 1})
-    ->Args({1, 0, 2})
-    ->Args({1, 1, 1})
-    ->Args({2, 2, 1})
-    ->Args({2, 2, 2})
-    ->Args({5, 5, 1})
-    ->Args({11, 11, 1})
+    ->ArgNames({"offense", "defense", "threads", "world_model"})
+    ->Args({1, 0, 1, 0})
+    ->Args({1, 0, 2, 0})
+    ->Args({1, 1, 1, 0})
+    ->Args({2, 2, 1, 0})
+    ->Args({2, 2, 2, 0})
+    ->Args({5, 5, 1, 0})
+    ->Args({11, 11, 1, 0})
+    ->Args({1, 0, 1, 1})
+    ->Args({2, 2, 1, 1})
+    ->Args({2, 2, 2, 1})
+    ->Args({11, 11, 1, 1})
     ->UseRealTime()
     ->Unit(benchmark::kMicrosecond);
 
 void training_reset(benchmark::State& bench) {
-  Arena arena(config(static_cast<int>(bench.range(0)), static_cast<int>(bench.range(1)), 1));
+  Arena arena(config(static_cast<int>(bench.range(0)), static_cast<int>(bench.range(1)), 1,
+                     bench.range(2) != 0));
   for (auto _ : bench) arena.reset();
   bench.SetItemsProcessed(bench.iterations() * static_cast<std::int64_t>(kWorlds));
 }
 BENCHMARK(training_reset)
-    ->ArgNames({"offense", "defense"})
-    ->Args({1, 0})
-    ->Args({2, 2})
+    ->ArgNames({"offense", "defense", "world_model"})
+    ->Args({1, 0, 0})
+    ->Args({2, 2, 0})
+    ->Args({1, 0, 1})
+    ->Args({2, 2, 1})
     ->Unit(benchmark::kMicrosecond);
 
 }  // namespace

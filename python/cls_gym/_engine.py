@@ -15,7 +15,7 @@ from cls_gym.spec import ActionSet, Feature, Spec
 
 LIBRARY = "libcls_training.so"
 VARIABLE = "CLS_TRAINING_LIBRARY"
-ABI = 1
+ABI = 2
 
 _SMALL_BUFFER = -9
 
@@ -44,7 +44,8 @@ class _Buffers(ctypes.Structure):
     _fields_ = [("struct_size", ctypes.c_uint64)] + [(name, _Buffer) for name in (
         "action_ids", "action_values", "next_seeds", "observations", "rewards", "terminated",
         "truncated", "status", "alive", "action_masks", "state", "reward_terms",
-        "final_observations", "final_state", "was_reset", "cycles", "score", "illegal", "seeds")]
+        "final_observations", "final_state", "was_reset", "cycles", "score", "illegal", "seeds",
+        "opponent")]
 
 
 class _Player(ctypes.Structure):
@@ -195,6 +196,7 @@ class Pool:
         self.score = np.zeros((n, 2), np.int32)
         self.illegal = np.zeros((n, a), np.int32)
         self.seeds = np.zeros(n, np.uint64)
+        self.opponent = np.zeros(n, np.int32)
         self.next_seeds = np.zeros(n, np.uint64)
         self.was_reset = np.zeros(n, np.bool_)
         same_step = self.config.get("autoreset") == "same_step"
@@ -272,7 +274,8 @@ def _spec(document: Dict[str, Any]) -> Spec:
             features(actions["value_items"])),
         reward_terms=tuple(one["name"] for one in document["reward_terms"]),
         statuses=tuple(_status_name(one) for one in document["statuses"]),
-        options=tuple(document["options"]), document=document)
+        options=tuple(document["options"]), opponents=tuple(document["opponents"]),
+        document=document)
 
 
 def _status_name(entry: Any) -> str:

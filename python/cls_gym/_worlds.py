@@ -33,20 +33,24 @@ class Worlds:
         pool = self.pool
         # float32[N, F] or float32[N, A, F]
         self.observations = self._per_agent(pool.observations)
+        self._own_rewards = pool.rewards[:, 0]
         if pool.final_observations is not None:
             self.final_observations = self._per_agent(pool.final_observations)
         self.columns: List[Tuple[str, np.ndarray]] = [
             ("status", pool.status), ("cycles", pool.cycles), ("score", pool.score),
             ("illegal", self._per_agent(pool.illegal)), ("seed", pool.seeds),
-            ("reward_terms", pool.reward_terms)]
+            ("reward_terms", pool.reward_terms), ("opponent", pool.opponent)]
         self.masks = self._per_agent(pool.action_masks) if self.spec.actions.names else None
         if self.masks is not None:
             self.columns.append(("action_mask", self.masks))
-        if self.spec.actions.names:
-            self._part_sizes = [len(own) for own in self.spec.actions.parameters if own]
-            self._low, high = bounds(self.spec.actions.values)
-            self._half_range = (high - self._low) / 2
-        self.everywhere = np.ones(num_envs, np.bool_)
+        self._targets = self._action_targets()
+        self._scaled = bool(self.spec.actions.names and self.spec.actions.values)
+        if self._scaled:
+            low, high = bounds(self.spec.actions.values)
+            self._half_range = (high - low) / 2
+            self._middle = low + self._half_range
+        everywhere = np.ones(num_envs, np.bool_)
+        self._set_everywhere = {"_" + key: everywhere for key, _ in self.columns}
 
     def _per_agent(self, array: np.ndarray) -> np.ndarray:
         """[N, A, ...], or [N, ...] of the only agent."""
@@ -56,40 +60,44 @@ class Worlds:
 
     def set_actions(self, actions: Any) -> None:
         """Takes the actions of all worlds, in the batched form of the action space."""
-        kinds = self.spec.actions
-        if not kinds.values:
-            self._take("action", actions, self.pool.action_ids, ())
-        elif not kinds.names:
-            self._take("action", actions, self.pool.action_values, (len(kinds.values),))
-        else:
-            self._take_parts(actions)
-
-    def _take_parts(self, parts: Any) -> None:
-        """Which action, then the numbers of each action that has some."""
-        values = self.pool.action_values
-        sizes = self._part_sizes
-        if not isinstance(parts, (tuple, list)) or len(parts) != len(sizes) + 1:
-            raise ActionError(f"action: a tuple of {len(sizes) + 1} arrays, not {parts!r:.60}")
-        self._take("action[0]", parts[0], self.pool.action_ids, ())
-        start = 0
-        for place, (part, size) in enumerate(zip(parts[1:], sizes), 1):
-            self._take(f"action[{place}]", part, values[..., start:start + size], (size,))
-            start += size
+        if not self._scaled:
+            self._take(self._targets[0], actions)
+            return
+        if not isinstance(actions, (tuple, list)) or len(actions) != len(self._targets):
+            raise ActionError(f"action: a tuple of {len(self._targets)} arrays, not "
+                              f"{actions!r:.60}")
+        for target, part in zip(self._targets, actions):
+            self._take(target, part)
         # From -1..1 to the units of the engine.
-        values += 1.0
+        values = self.pool.action_values
         values *= self._half_range
-        values += self._low
+        values += self._middle
 
-    def _take(self, name: str, value: Any, into: np.ndarray, last: Tuple[int, ...]) -> None:
-        value = np.asarray(value)
-        shape = (self.num_envs, *(() if self.agents == 1 else (self.agents,)), *last)
-        if value.shape != shape:
+    def _take(self, target: Tuple[str, np.ndarray, str], value: Any) -> None:
+        name, into, kinds = target
+        if value.__class__ is not np.ndarray:
+            value = np.asarray(value)
+        if value.shape != into.shape:
             of = slice(1 if self.num_envs == 1 else 0, None)
-            raise ActionError(f"{name}: shape {value.shape[of]}, must be {shape[of]}")
-        if value.dtype.kind not in ("iu" if into.dtype.kind == "i" else "iuf"):
-            kind = "integers" if into.dtype.kind == "i" else "numbers"
-            raise ActionError(f"{name}: type {value.dtype}, must be {kind}")
-        self._per_agent(into)[...] = value
+            raise ActionError(f"{name}: shape {value.shape[of]}, must be {into.shape[of]}")
+        if value.dtype.kind not in kinds:
+            must = "integers" if into.dtype.kind == "i" else "numbers"
+            raise ActionError(f"{name}: type {value.dtype}, must be {must}")
+        into[...] = value
+
+    def _action_targets(self) -> List[Tuple[str, np.ndarray, str]]:
+        """What an action consists of: name, where it goes, which kinds of numbers it may have."""
+        kinds, values = self.spec.actions, self._per_agent(self.pool.action_values)
+        if not kinds.names:
+            return [("action", values, "iuf")]
+        ids = self._per_agent(self.pool.action_ids)
+        if not kinds.values:
+            return [("action", ids, "iu")]
+        targets, start = [("action[0]", ids, "iu")], 0
+        for size in (len(own) for own in kinds.parameters if own):
+            targets.append((f"action[{len(targets)}]", values[..., start:start + size], "iuf"))
+            start += size
+        return targets
 
     # ---- episodes
 
@@ -120,10 +128,9 @@ class Worlds:
 
     def rewards(self) -> np.ndarray:
         """float64[N]: the mean over the agents."""
-        rewards = self.pool.rewards
         if self.agents == 1:
-            return rewards[:, 0].astype(np.float64)
-        return rewards.mean(axis=1, dtype=np.float64)
+            return self._own_rewards.astype(np.float64)
+        return self.pool.rewards.mean(axis=1, dtype=np.float64)
 
     def info(self, index: int, ended: bool = False) -> Info:
         """What Env.step() returns beside the observation, of one world."""
@@ -134,10 +141,9 @@ class Worlds:
 
     def infos(self) -> Info:
         """The same of all worlds, running ones: an array per key, `_key`: where it was set."""
-        infos: Info = {}
+        infos: Info = self._set_everywhere.copy()
         for key, column in self.columns:
             infos[key] = column.copy()
-            infos["_" + key] = self.everywhere
         return infos
 
     # ---- worlds as values

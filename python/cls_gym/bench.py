@@ -2,7 +2,8 @@
 
 World steps per second with random actions of a fixed seed, through VectorEnv (`python`) and
 through the engine alone (`engine`): calls of the same functions without spaces, copies and infos.
-The share is the median over rounds that measure both in turn.
+The share is the median over rounds that measure both in turn. `reset` is the time of a reset with
+its first observation, in microseconds per world.
 """
 from __future__ import annotations
 
@@ -44,6 +45,17 @@ def _engine(envs: cls_gym.VectorEnv, steps: int) -> float:
     return time.perf_counter() - start
 
 
+def _reset(envs: cls_gym.VectorEnv, count: int) -> float:
+    """Seconds of a reset of all worlds."""
+    pool = envs._worlds.pool  # noqa: SLF001
+    seeds = np.arange(envs.num_envs, dtype=np.uint64)
+    start = time.perf_counter()
+    for _ in range(count):
+        pool.reset(None, seeds)
+        seeds += np.uint64(envs.num_envs)
+    return (time.perf_counter() - start) / count
+
+
 def measure(task: str, obs: str, num_envs: int, threads: int, rounds: int,
             seconds: float) -> Dict[str, Any]:
     """One row of the table."""
@@ -56,15 +68,17 @@ def measure(task: str, obs: str, num_envs: int, threads: int, rounds: int,
         steps *= 2
         took = _python(envs, actions, steps)
     steps = max(1, int(steps * seconds / took))
-    python, engine = [], []
+    python, engine, resets = [], [], []
     for _ in range(rounds):
         python.append(steps * num_envs / _python(envs, actions, steps))
         engine.append(steps * num_envs / _engine(envs, steps))
+        resets.append(1e6 * _reset(envs, 10) / num_envs)
         envs.reset(seed=1)
     agents = len(envs.spec_of_task.agents)
     envs.close()
     return {"task": task, "obs": obs, "num_envs": num_envs, "threads": threads, "agents": agents,
             "python": statistics.median(python), "engine": statistics.median(engine),
+            "reset_us": statistics.median(resets),
             "share": statistics.median(p / e for p, e in zip(python, engine))}
 
 
@@ -86,13 +100,15 @@ def main() -> int:
     rows = []
     if not options.json:
         print(f"{'task':<28} {'N':>4} {'T':>2} {'python/s':>10} {'engine/s':>10} "
-              f"{'share':>6}")
+              f"{'share':>6} {'reset':>6}")
     for task in options.tasks:
-        row = measure(task, options.obs, options.num_envs, options.threads, options.rounds, options.seconds)
+        row = measure(task, options.obs, options.num_envs, options.threads, options.rounds,
+                      options.seconds)
         rows.append(row)
         if not options.json:
             print(f"{task:<28} {row['num_envs']:>4} {row['threads']:>2} {row['python']:>10.0f} "
-                  f"{row['engine']:>10.0f} {row['share']:>6.2f}", flush=True)
+                  f"{row['engine']:>10.0f} {row['share']:>6.2f} {row['reset_us']:>6.1f}",
+                  flush=True)
     if options.json:
         json.dump({"schema": "cls.training.bench/1", "rows": rows}, sys.stdout, indent=2)
         print()

@@ -24,8 +24,9 @@ class Env(BaseEnv):
     reward: float, the mean over the agents. terminated, truncated: bool.
     info: `status` (index of `statuses`), `cycles` since the start of the episode, `score` (left,
     right), `illegal` actions of the episode, `seed` of the episode, `reward_terms`
-    (`spec_of_task.reward_terms` names them) and, where the action set has ids, `action_mask`
-    (int8[K], or int8[A, K]: 1 where an id has an effect now; 0 after the end).
+    (`spec_of_task.reward_terms` names them), `opponent` of the episode (index in
+    `spec_of_task.opponents`; -1: none) and, where the action set has ids, `action_mask` (int8[K],
+    or int8[A, K]: 1 where an id has an effect now; 0 after the end).
 
     An episode is a function of task, options, seed and actions. reset(seed=S) starts the same
     sequence of episodes each time.

@@ -80,8 +80,8 @@ class HFOEnvironment:
                         record_dir: str = "") -> None:
         """Starts the first episode. `team_name` "base_right" joins the defense.
 
-        `config_dir`, `server_port`, `server_addr` and `record_dir` have no effect; the first
-        defender is the goalie, as in HFO.
+        `config_dir`, `server_port`, `server_addr` and `record_dir` have no effect. The agent is the
+        goalie of the defense if `play_goalie` is true, or if it has no NPCs.
         """
         offense = not team_name.endswith("right")
         mine, others = (self._settings.offense_npcs, self._settings.defense_npcs)
@@ -90,6 +90,7 @@ class HFOEnvironment:
         config: Dict[str, Any] = {
             "features": "hfo_high" if feature_set == HIGH_LEVEL_FEATURE_SET else "hfo_low",
             "actions": "hfo", "agents": "offense" if offense else "defense", "num_agents": 1,
+            "goalie_agent": bool(play_goalie),
             "obs": "full_state" if self._settings.fullstate else "world_model",
             "max_cycles": self._settings.frames_per_trial,
             "offense": mine + 1 if offense else others, "defense": others if offense else mine + 1}

@@ -30,6 +30,7 @@ class SeedQueues:
         self._used = np.full(count, _AHEAD)
         self._all = np.arange(count)
         self.next = np.zeros(count, np.uint64)  # uint64[N]: the first unused seed of each world
+        self.current = np.zeros(count, np.uint64)  # the one used last
         self._look(self._all)
 
     def start(self, index: int, seed: int) -> None:
@@ -41,6 +42,7 @@ class SeedQueues:
     def take(self, which: Optional[np.ndarray] = None) -> None:
         """Uses up `next` of the worlds in `which` (bool[N]; None: all)."""
         chosen = self._all if which is None else which.nonzero()[0]
+        self.current[chosen] = self.next[chosen]
         self._used[chosen] += 1
         self._look(chosen)
 

@@ -57,6 +57,7 @@ class Spec(NamedTuple):
     reward_terms: Tuple[str, ...]
     statuses: Tuple[str, ...]
     options: Tuple[str, ...]
+    opponents: Tuple[str, ...]  #: who plays them; info["opponent"] is an index
     document: Dict[str, Any]
 
     def observation_space(self, agents: int) -> spaces.Box:

@@ -54,6 +54,7 @@ class VectorEnv(BaseVectorEnv):
         self.action_space = spaces.batch_space(self.single_action_space, self.num_envs)
         self._seeds = SeedQueues(self.num_envs)
         self._worlds.pool.use_seeds(self._seeds.next)
+        self._opponents = self._worlds.pool.opponent.copy()  # of the running episodes
         self._ended = np.zeros(self.num_envs, np.bool_)
 
     @property
@@ -78,6 +79,7 @@ class VectorEnv(BaseVectorEnv):
                 self._seeds.start(int(index), seeds[index])
         worlds.reset(which, self._seeds.next, options)
         self._seeds.take(which)
+        self._opponents = worlds.pool.opponent.copy()
         self._ended[slice(None) if which is None else which] = False
         infos = worlds.infos()
         return self._observations(), infos if which is None else _only(infos, which)
@@ -91,18 +93,18 @@ class VectorEnv(BaseVectorEnv):
                               f"{np.flatnonzero(self._ended).tolist()}; reset(options="
                               "{'reset_mask': bool[N]}) first")
         worlds.set_actions(actions)
-        seeds = pool.seeds.copy() if self._same_step else pool.seeds
         worlds.step()
-        if np.count_nonzero(pool.was_reset):
-            self._seeds.take(pool.was_reset)
         terminations, truncations = pool.terminated.copy(), pool.truncated.copy()
         infos = worlds.infos()
         self._ended = ended = terminations | truncations
         if np.count_nonzero(ended):
             if self._same_step:
-                infos.update(self._final(infos, seeds))
+                infos.update(self._final(infos))
             elif worlds.masks is not None:
                 infos["action_mask"][ended] = 0
+        if np.count_nonzero(pool.was_reset):
+            self._seeds.take(pool.was_reset)
+            self._opponents = pool.opponent.copy()
         return self._observations(), worlds.rewards(), terminations, truncations, infos
 
     @property
@@ -154,15 +156,17 @@ class VectorEnv(BaseVectorEnv):
         self._worlds.close()
 
     def _settle(self, index: int) -> None:
-        """Notes whether the episode that a world has received is over."""
+        """Notes what a world has received: whether its episode is over, seed and opponents."""
         pool = self._worlds.pool
         self._ended[index] = bool(pool.terminated[index] or pool.truncated[index])
+        self._seeds.current[index] = pool.seeds[index]
+        self._opponents[index] = pool.opponent[index]
 
     def _observations(self) -> np.ndarray:
         rows = self._worlds.observations
         return rows.copy() if self._copy else rows
 
-    def _final(self, infos: Info, seeds: np.ndarray) -> Info:
+    def _final(self, infos: Info) -> Info:
         """final_obs and final_info of the worlds whose episodes have ended. `infos` has what they
         ended with, and becomes what the next episodes begin with."""
         ended = self._ended
@@ -170,7 +174,8 @@ class VectorEnv(BaseVectorEnv):
         for index in np.flatnonzero(ended):
             final[index] = self._worlds.final_observations[index].copy()
         last = _only(infos, ended)
-        last["seed"][ended] = seeds[ended]
+        last["seed"][ended] = self._seeds.current[ended]
+        last["opponent"][ended] = self._opponents[ended]
         if "action_mask" in last:
             last["action_mask"][ended] = 0
         for key in ("status", "cycles", "score", "illegal", "reward_terms"):

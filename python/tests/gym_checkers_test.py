@@ -1,6 +1,7 @@
 """The official checkers of Gymnasium, PettingZoo and Stable-Baselines3, without a warning."""
 import contextlib
 import io
+import types
 import unittest
 import warnings
 
@@ -17,7 +18,8 @@ try:
 except ImportError:
     gymnasium = None
 try:
-    from pettingzoo.test import parallel_api_test, parallel_seed_test, render_test
+    from pettingzoo.test import (max_cycles_test, parallel_api_test, parallel_seed_test,
+                                 render_test)
     from pettingzoo.utils import parallel_to_aec
 except ImportError:
     parallel_api_test = None
@@ -51,6 +53,15 @@ class Gymnasium(unittest.TestCase):
             for actions in ACTION_SETS:
                 with self.subTest(f"{features} {actions}"):
                     env = gymnasium.make(HFO, features=features, actions=actions)
+                    check(env)
+                    env.close()
+
+    def test_checker_accepts_what_players_know(self):
+        for actions in ACTION_SETS:
+            for opponent in ("scripted", "mock", {"planner": 1, "hold": 1}):
+                with self.subTest(f"{actions} {opponent}"):
+                    env = gymnasium.make("cls/HFO-1v1-v0", obs="world_model", actions=actions,
+                                         opponent=opponent)
                     check(env)
                     env.close()
 
@@ -115,6 +126,11 @@ class PettingZoo(unittest.TestCase):
                 warnings.filterwarnings("ignore", ".*option 'options' is unknown")
                 parallel_api_test(self.make(actions=actions), 1000)
                 parallel_seed_test(lambda: self.make(actions=actions))
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            max_cycles_test(types.SimpleNamespace(
+                env=lambda max_cycles: parallel_to_aec(self.make(max_cycles=max_cycles)),
+                parallel_env=lambda max_cycles: self.make(max_cycles=max_cycles)))
         with contextlib.redirect_stdout(io.StringIO()):
             render_test(lambda render_mode: parallel_to_aec(self.make(render_mode=render_mode)))
 

@@ -215,6 +215,23 @@ class Copies(unittest.TestCase):
             np.testing.assert_array_equal(seen[0], seen[1])
             self.assertFalse(np.array_equal(seen[0], seen[2]))
 
+    def test_restored_episode_keeps_its_seed_and_opponent(self):
+        with cls_gym.VectorEnv("cls/HFO-1v1-v0", 2, actions="low_discrete", max_cycles=5,
+                               opponent={"hold": 1, "scripted": 1},
+                               autoreset_mode="same_step") as envs:
+            for seed in range(20):
+                _, infos = envs.reset(seed=seed)
+                if infos["opponent"][0] != infos["opponent"][1]:
+                    break
+            envs.fork(0, [1])
+            last = None
+            for _ in range(5):
+                step = envs.step(np.zeros(2, np.int64))
+                if (step[2] | step[3]).any():
+                    last = step[4]["final_info"]
+            self.assertEqual(last["seed"].tolist(), [infos["seed"][0]] * 2)
+            self.assertEqual(last["opponent"].tolist(), [infos["opponent"][0]] * 2)
+
     def test_recorded_episode_is_a_game_log(self):
         with tempfile.TemporaryDirectory() as folder, cls_gym.Env(HFO, max_cycles=30) as env:
             path = os.path.join(folder, "episode.rcg")
@@ -360,20 +377,16 @@ class WorldModel(unittest.TestCase):
             self.assertEqual(differences(first, [env.step(a) for a in actions[15:]]), [])
 
     def test_agents_know_less_than_the_full_state(self):
-        seen = {}
+        observed = {}
         for obs in ("full_state", "world_model"):
-            with cls_gym.Env("cls/HFO-2v2-v0", obs=obs, features="ego") as env:
-                observation, _ = env.reset(seed=1)
-                names = [feature.name for feature in env.spec_of_task.features]
-                seen[obs] = observation[:, [names.index("teammate1_seen"),
-                                            names.index("opponent1_seen"),
-                                            names.index("opponent2_seen")]]
-                if obs == "full_state":
-                    exact = observation
-        self.assertTrue((seen["full_state"] == 1).all())
-        self.assertTrue((seen["world_model"] == -1).any())
+            with cls_gym.VectorEnv("cls/HFO-2v2-v0", 8, obs=obs, features="ego") as envs:
+                observed[obs], _ = envs.reset(seed=1)
+                names = [feature.name for feature in envs.spec_of_task.features]
+        others = [names.index(f"{who}_seen") for who in ("teammate1", "opponent1", "opponent2")]
+        self.assertTrue((observed["full_state"][..., others] == 1).all())
+        self.assertTrue((observed["world_model"][..., others] == -1).any())
         own = slice(0, 4)  # place and direction: noisy, and near the truth
-        error = np.abs(exact[:, own] - observation[:, own])
+        error = np.abs(observed["full_state"][..., own] - observed["world_model"][..., own])
         self.assertGreater(error.max(), 0.0)
         self.assertLess(error.max(), 0.05)
 

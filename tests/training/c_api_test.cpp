@@ -43,6 +43,11 @@ TEST(TrainingCApi, RefusesBadConfigurations) {
   expect_error(create(R"({"task": "ReachBall", "num_agents": 3})"), kBad, "num_agents");
   expect_error(create(R"({"task": "ReachBall", "features": "hfo_lo"})"), kBad, "hfo_low");
   expect_error(create(R"({"task": "ReachBall", "reward": {"goals": 1}})"), kBad, "goal");
+  expect_error(create(R"({"task": "ReachBall", "opponent": "helios"})"), kBad, "planner");
+  expect_error(create(R"({"task": "ReachBall", "opponent": {"mocc": 1}})"), kBad, "mock");
+  expect_error(create(R"({"task": "ReachBall", "opponent": {"mock": -1}})"), kBad, "mock");
+  expect_error(create(R"({"task": "ReachBall", "opponent": {"mock": 0}})"), kBad, "above 0");
+  expect_error(create(R"({"task": "ReachBall", "teammates": "none"})"), kBad, "scripted");
   expect_error(create(R"({"task": "ReachBall", "options": {"speed": 9}})"), kBad, "speed");
 }
 

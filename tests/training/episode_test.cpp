@@ -84,6 +84,20 @@ TEST(TrainingEpisode, RecordingThatCannotBeWrittenIsAnError) {
   EXPECT_NE(std::string(cls_training_error()).find("/nowhere/episode.rcg"), std::string::npos);
 }
 
+TEST(TrainingEpisode, GoalieIsAnAgentIfAskedForOrIfAllAre) {
+  const auto agents = [](const std::string& more) {
+    std::vector<std::string> names;
+    const auto setup = setup_of(R"({"task": "HalfFieldDefense", "defense": 3)" + more + "}");
+    for (const int slot : setup->cast.agents) names.push_back(training::agent_name(slot));
+    return names;
+  };
+  using Names = std::vector<std::string>;
+  EXPECT_EQ(agents(R"(, "num_agents": 1)"), (Names{"right_2"}));
+  EXPECT_EQ(agents(R"(, "num_agents": 2)"), (Names{"right_2", "right_3"}));
+  EXPECT_EQ(agents(R"(, "num_agents": 1, "goalie_agent": true)"), (Names{"right_1"}));
+  EXPECT_EQ(agents(""), (Names{"right_1", "right_2", "right_3"}));
+}
+
 TEST(TrainingEpisode, RandomTypesComeFromTheSeed) {
   const auto setup =
       setup_of(R"({"task": "HalfFieldOffense", "offense": 4, "defense": 4, "types": "random"})");

@@ -3,10 +3,17 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <map>
 #include <memory>
+#include <set>
 #include <sstream>
 #include <stdexcept>
 
+#include "mock-server/script/named_behaviors.h"
+#include "proxy/actions/executor.h"
+#include "proxy/behaviors/automatic_play.h"
+#include "proxy/messages/state_message.h"
+#include "proxy/movement/home_positions.h"
 #include "proxy/perception/perception.h"
 #include "simulator/sessions/match_server.h"
 #include "soccer/memory_channel.h"
@@ -269,6 +276,86 @@ TEST_P(TrainingWorldModel, IsThatOfAClientOfAMatchServer) {
   }
   EXPECT_GT(episode.cycles(), 20);
 }
+
+/// A player of a match: States to the mock Playmaker, its replies to commands.
+struct MatchAgent {
+  explicit MatchAgent(const training::MatchPlayer& player)
+      : world(player.senses.world), memory(player.memory) {}
+
+  std::vector<soccer::PlayerCommand> decide(const mock_server::Behavior& behavior) {
+    fill_state(world, home_positions(world), needs_preprocess(world), state);
+    protos::PlayerActions actions;
+    behavior.decide(state, actions);
+    proxy::CommandSlots slots(world);
+    proxy::ActionReport report;
+    execute(actions, world, memory, slots, report);
+    std::vector<soccer::PlayerCommand> commands;
+    slots.compose(commands);
+    record_sent_commands(world, commands);
+    return commands;
+  }
+
+  proxy::WorldModel world;
+  proxy::ActionMemory memory;
+  protos::State state;
+};
+
+std::string text_of(std::span<const soccer::PlayerCommand> commands) {
+  std::string text;
+  for (const soccer::PlayerCommand& command : commands) EXPECT_TRUE(format(command, text));
+  return text;
+}
+
+struct MatchPlayers {
+  const char* behavior;
+  const char* config;
+};
+
+class TrainingMatchPlayers : public testing::TestWithParam<MatchPlayers> {};
+
+TEST_P(TrainingMatchPlayers, DecideAsTheAgentsOfAMatch) {
+  const auto behavior = mock_server::make_behavior(GetParam().behavior);
+  ASSERT_TRUE(behavior);
+  const auto setup = setup_of(GetParam().config);
+  training::Episode episode(setup);
+  std::set<std::size_t> kinds;
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    episode.reset(seed, setup->options);
+    ServerMatch match(episode);
+    std::map<int, MatchAgent> agents;
+    for (int slot = 0; slot < soccer::kPlayersOnPitch; ++slot) {
+      match.received(slot);  // of the handshake
+      const training::MatchPlayer* player = episode.match_player(slot);
+      if (player != nullptr) agents.emplace(slot, *player);
+    }
+    EXPECT_EQ(agents.size(), setup->match_players.size());
+    RandomActions actions(*setup);
+    for (int cycle = 0; cycle < 150 && !episode.ended(); ++cycle) {
+      episode.step(actions.draw(), nullptr);
+      for (auto& [slot, agent] : agents) {
+        const auto commands = agent.decide(**behavior);
+        ASSERT_EQ(text_of(episode.commands(slot)), text_of(commands))
+            << "slot " << slot << ", cycle " << cycle;
+        for (const soccer::PlayerCommand& command : commands) kinds.insert(command.index());
+      }
+      match.play_cycle(episode);
+      for (auto& [slot, agent] : agents) read_messages(match.received(slot), agent.world);
+    }
+  }
+  EXPECT_GE(kinds.size(), 5U) << "kinds of commands";
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Teams, TrainingMatchPlayers,
+    testing::Values(
+        MatchPlayers{"simple", R"({"task": "HalfFieldOffense", "offense": 3, "defense": 4,
+                        "num_agents": 1, "actions": "hfo", "opponent": "mock",
+                        "teammates": "mock"})"},
+        MatchPlayers{"planner", R"({"task": "HalfFieldOffense", "offense": 3, "defense": 4,
+                        "num_agents": 1, "actions": "hfo", "opponent": "planner",
+                        "teammates": "planner"})"},
+        MatchPlayers{"planner", R"({"task": "Match", "num_agents": 1, "actions": "hfo",
+                        "opponent": "planner", "teammates": "planner"})"}));
 
 INSTANTIATE_TEST_SUITE_P(
     Tasks, TrainingWorldModel,

@@ -3,6 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <numeric>
+#include <utility>
+
 #include "tests/support/allocation_count.h"
 #include "tests/training/stage.h"
 
@@ -81,6 +85,72 @@ TEST(TrainingPool, StepsDoNotAllocate) {
     ASSERT_EQ(pool.step(), CLS_TRAINING_OK);
   }
   EXPECT_EQ(allocation_count() - before, 0);
+}
+
+TEST(TrainingPool, AMillionResetsDoNotAllocate) {
+  BoundPool pool(R"({"task": "HalfFieldOffense", "num_envs": 64})");
+  ASSERT_EQ(pool.reset(0), CLS_TRAINING_OK);
+  if (!counts_allocations()) GTEST_SKIP() << "a sanitizer replaces the allocator";
+  const std::int64_t before = allocation_count();
+  for (std::uint64_t first = 0; first < 1'000'000; first += 64) {
+    std::iota(pool.seeds.begin(), pool.seeds.end(), first);
+    ASSERT_EQ(cls_training_reset(pool.handle, nullptr, pool.seeds.data(), 64), CLS_TRAINING_OK);
+  }
+  EXPECT_EQ(allocation_count() - before, 0);
+}
+
+TEST(TrainingPool, WorldModelsDoNotAllocateAfterTheFirstCycles) {
+  BoundPool pool(config(R"(, "obs": "world_model")"));
+  play(pool, 3, 300);
+  soccer::RandomStream random(8, "actions");
+  if (!counts_allocations()) GTEST_SKIP() << "a sanitizer replaces the allocator";
+  const std::int64_t before = allocation_count();
+  for (int i = 0; i < 200; ++i) {
+    pool.draw_actions(random);
+    ASSERT_EQ(pool.step(), CLS_TRAINING_OK);
+  }
+  EXPECT_EQ(allocation_count() - before, 0);
+}
+
+TEST(TrainingPool, DrawsOpponentsFromAPool) {
+  BoundPool pool(R"({"task": "HalfFieldOffense", "defense": 2, "num_envs": 400,)"
+                 R"( "opponent": {"hold": 1, "scripted": 3, "mock": 0}})");
+  ASSERT_EQ(pool.reset(1), CLS_TRAINING_OK);
+  std::array<int, 3> counts = {};
+  for (const int drawn : pool.opponent) ++counts.at(static_cast<std::size_t>(drawn));
+  EXPECT_NEAR(counts[0], 100, 40);
+  EXPECT_NEAR(counts[1], 300, 40);
+  EXPECT_EQ(counts[2], 0);
+  const std::vector<std::int32_t> first = pool.opponent;
+  ASSERT_EQ(pool.reset(1), CLS_TRAINING_OK);
+  EXPECT_EQ(pool.opponent, first) << "a function of the seed";
+}
+
+TEST(TrainingPool, StandingOpponentsStandInTheirEpisodesOnly) {
+  BoundPool pool(R"({"task": "HalfFieldOffense", "defense": 2, "num_envs": 40,)"
+                 R"( "opponent": {"hold": 1, "scripted": 1}, "actions": "low_discrete"})");
+  ASSERT_EQ(pool.reset(1), CLS_TRAINING_OK);
+  const auto places = [&](std::size_t world) {
+    cls_training_world view = {};
+    view.struct_size = sizeof view;
+    EXPECT_EQ(cls_training_view(pool.handle, world, &view), CLS_TRAINING_OK);
+    return std::pair{view.players[12].x, view.players[12].y};
+  };
+  std::vector<std::pair<double, double>> before;
+  for (std::size_t world = 0; world < 40; ++world) before.push_back(places(world));
+  for (int i = 0; i < 10; ++i) ASSERT_EQ(pool.step(), CLS_TRAINING_OK);
+  for (std::size_t world = 0; world < 40; ++world) {
+    EXPECT_EQ(places(world) == before[world], pool.opponent[world] == 0) << world;
+  }
+}
+
+TEST(TrainingPool, WithoutOpponentsThereIsNone) {
+  BoundPool alone(R"({"task": "HalfFieldOffense"})");
+  BoundPool both(R"({"task": "HalfFieldDefense", "features": "ego", "agents": "both"})");
+  ASSERT_EQ(alone.reset(1), CLS_TRAINING_OK);
+  ASSERT_EQ(both.reset(1), CLS_TRAINING_OK);
+  EXPECT_EQ(alone.opponent[0], -1);
+  EXPECT_EQ(both.opponent[0], -1);
 }
 
 TEST(TrainingPool, NextStepResetsInTheStepAfterTheEnd) {

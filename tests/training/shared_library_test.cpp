@@ -8,6 +8,7 @@
 #include <string>
 
 #include "tests/support/command.h"
+#include "training/c_api/cls_training.h"
 
 namespace cls::tests {
 namespace {
@@ -19,7 +20,7 @@ TEST(TrainingLibrary, PlaysFromAnotherProgram) {
   ASSERT_NE(library, nullptr) << ::dlerror();
   const auto abi = reinterpret_cast<std::int32_t (*)()>(::dlsym(library, "cls_training_abi"));
   ASSERT_NE(abi, nullptr);
-  EXPECT_EQ(abi(), 1);
+  EXPECT_EQ(abi(), CLS_TRAINING_ABI);
   EXPECT_EQ(::dlsym(library, "_ZN3cls8training4PoolC1ENS0_10PoolConfigE"), nullptr);
 }
 

@@ -59,6 +59,7 @@ BoundPool::BoundPool(const std::string& config) {
   buffers.score = sized(score, 2 * worlds);
   buffers.illegal = sized(illegal, rows);
   buffers.seeds = sized(seeds, worlds);
+  buffers.opponent = sized(opponent, worlds);
   if (cls_training_bind(handle, &buffers) != CLS_TRAINING_OK) {
     throw std::runtime_error(cls_training_error());
   }
@@ -99,6 +100,7 @@ std::string BoundPool::outputs() const {
   append(out, score);
   append(out, illegal);
   append(out, seeds);
+  append(out, opponent);
   return out;
 }
 

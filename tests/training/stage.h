@@ -38,7 +38,7 @@ class BoundPool {
   std::size_t states = 0;
   training::Columns value_columns;
 
-  std::vector<std::int32_t> action_ids, status, cycles, score, illegal;
+  std::vector<std::int32_t> action_ids, status, cycles, score, illegal, opponent;
   std::vector<float> action_values, observations, rewards, state, reward_terms, final_observations,
       final_state;
   std::vector<std::uint64_t> next_seeds, seeds;

@@ -146,6 +146,7 @@ Outcome bind(Pool& pool, const cls_training_buffers& in) {
   binder.take("score", in.score, 2 * n, false, out.score);
   binder.take("illegal", in.illegal, rows, false, out.illegal);
   binder.take("seeds", in.seeds, n, false, out.seeds);
+  binder.take("opponent", in.opponent, n, false, out.opponent);
   if (binder.outcome.ok()) pool.bind(out);
   return binder.outcome;
 }

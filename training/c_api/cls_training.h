@@ -37,7 +37,7 @@ extern "C" {
 #endif
 
 // Changes when a function, a struct or a meaning below changes.
-#define CLS_TRAINING_ABI 1
+#define CLS_TRAINING_ABI 2
 
 enum {
   CLS_TRAINING_OK = 0,
@@ -107,10 +107,15 @@ CLS_TRAINING_API int cls_training_catalog(char* out, size_t capacity, size_t* le
 //   "agents"      whose actions the caller chooses: "offense" (left), "defense" (right) or "both".
 //                 Default: the task's.
 //   "num_agents"  how many players of the agents' team the caller controls (the others are
-//                 `teammates`). Default: all.
-//   "teammates"   "scripted" or "hold": players of the agents' team that are no agents.
-//   "opponent"    "none" (they are not on the pitch), "hold" (they stand) or "scripted": the other
-//                 team, unless "agents" is "both".
+//                 `teammates`). Default: all. The first ones after the goalie, or with
+//                 "goalie_agent": true the goalie and the first ones.
+//   "teammates"   who plays the players of the agents' team that are no agents, by name: "hold"
+//                 (they stand), "scripted" (geometry, from the exact world), "mock" or "planner"
+//                 (they perceive and decide as in matches `cls match mock` and `mock:planner`).
+//                 Or a pool: {"NAME": weight, ...}, from which each episode draws one for all.
+//                 Default: "scripted".
+//   "opponent"    the same for the other team, unless "agents" is "both"; also "none": they are not
+//                 on the pitch.
 //   "autoreset"   "next_step", "same_step" or "disabled" (Gymnasium's modes). Default "disabled".
 //   "frame_skip"  cycles per step, 1..100; rewards are summed, an end ends the step. Default 1.
 //   "max_cycles"  length of an episode in cycles; 0: the task's.
@@ -130,6 +135,7 @@ CLS_TRAINING_API int cls_training_create(const char* config_json, uint64_t* pool
 //                "value_items": [{"name", "unit", "low", "high"}, ...]},
 //    "state": {"size": S, "items": [{"name", "unit", "low", "high"}, ...]},
 //    "reward_terms": [{"name", "weight", "summary"}, ...]   (R of them),
+//    "teammates": [NAME, ...], "opponents": [NAME, ...],
 //    "max_cycles", "frame_skip", "autoreset", "options": {...}, "statuses": [...]}
 // K is 0 for action sets without ids (a box), V is 0 for those without values (discrete ids).
 CLS_TRAINING_API int cls_training_spec(uint64_t pool, char* out, size_t capacity, size_t* length);
@@ -173,10 +179,12 @@ typedef struct {
   cls_training_buffer final_observations;  // float32 [N, A, F]: same_step only, where was_reset
   cls_training_buffer final_state;         // float32 [N, S]: same
   cls_training_buffer was_reset;           // uint8 [N]: 1 if this step (or reset) began an episode
-  cls_training_buffer cycles;   // int32 [N]: cycles of the episode so far (of the ended one)
-  cls_training_buffer score;    // int32 [N, 2]: left, right
-  cls_training_buffer illegal;  // int32 [N, A]: illegal actions of the episode so far
-  cls_training_buffer seeds;    // uint64 [N]: seed of the running episode
+  cls_training_buffer cycles;    // int32 [N]: cycles of the episode so far (of the ended one)
+  cls_training_buffer score;     // int32 [N, 2]: left, right
+  cls_training_buffer illegal;   // int32 [N, A]: illegal actions of the episode so far
+  cls_training_buffer seeds;     // uint64 [N]: seed of the running episode
+  cls_training_buffer opponent;  // int32 [N]: the opponents of the episode, an index in the spec's
+                                 // "opponents"; -1: none, or agents on both teams
 } cls_training_buffers;
 
 // Binds the arrays; replaces earlier ones. Nothing is written until the next reset or step.
@@ -202,7 +210,7 @@ CLS_TRAINING_API int cls_training_reset(uint64_t pool, const uint8_t* mask, cons
 //   same_step   does not occur: the world was reset in the step in which it ended. `observations`
 //               and `state` are then those of the new episode, `final_*` those of the old; rewards,
 //               terminated, truncated, status, cycles, score, illegal and reward_terms are those of
-//               the old episode. `seeds` is the new episode's.
+//               the old episode. `seeds` and `opponent` are the new episode's.
 CLS_TRAINING_API int cls_training_step(uint64_t pool);
 
 // Sets options of the task ({"NAME": number, ...}, names in the catalog) for world `env`, or for

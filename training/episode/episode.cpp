@@ -12,6 +12,7 @@
 #include "simulator/step.h"
 #include "soccer/commands/rounding.h"
 #include "training/episode/state.h"
+#include "training/npc/scripted.h"
 #include "training/scene/estimated_scene.h"
 #include "training/tasks/formation.h"
 
@@ -79,7 +80,9 @@ Episode::Episode(std::shared_ptr<const Setup> setup)
     : setup_(std::move(setup)),
       world_(setup_->prepared),
       perceivers_(setup_->perceivers),
-      estimated_(perceivers_.size()) {}
+      estimated_(perceivers_.size()) {
+  others_.players = setup_->match_players;
+}
 
 void Episode::reset(std::uint64_t seed, const OptionValues& options) {
   world_ = setup_->prepared;
@@ -96,6 +99,7 @@ void Episode::reset(std::uint64_t seed, const OptionValues& options) {
   memory_.previous_ball = world_.ball.position;
   begin_rewards(world_, setup_->cast, reward_memory_);
   rewards_ = {};
+  begin_others(*setup_, world_, senses_, others_);
   perceivers_ = setup_->perceivers;
   for (std::size_t agent = 0; agent < perceivers_.size(); ++agent) {
     begin_perception(*setup_->vision, world_, setup_->cast.agents[agent], perceivers_[agent],
@@ -195,11 +199,18 @@ void Episode::choose_commands(const AgentActions& actions) {
   for (const Side side : {Side::kLeft, Side::kRight}) {
     for (const int slot : cast.team(side)) {
       const auto i = static_cast<std::size_t>(slot);
-      if (setup_->is_agent[i] || !world_.player(slot).enabled) continue;
-      commands_[i] =
-          setup_->drivers[i] == Driver::kScripted ? scripted_command(view_of(slot, true)) : stand();
+      if (!setup_->is_agent[i] && world_.player(slot).enabled) commands_[i] = driven_command(slot);
     }
   }
+}
+
+PlayerCommand Episode::driven_command(int slot) {
+  const Driver driver = others_.drivers[static_cast<std::size_t>(slot)];
+  if (driver == Driver::kScripted) return scripted_command(view_of(slot, true));
+  if (MatchPlayer* player = training::match_player(*setup_, others_, slot)) {
+    decide(driver, *player);
+  }
+  return stand();
 }
 
 // Before a kick-off all players move to the formation; the agents have no action for it.
@@ -215,6 +226,7 @@ void Episode::return_to_formation() {
 std::span<const PlayerCommand> Episode::commands(int slot) const {
   const int agent = has_world_models() ? agent_in(slot) : -1;
   if (agent >= 0) return perceivers_[static_cast<std::size_t>(agent)].commands;
+  if (const MatchPlayer* player = match_player(slot)) return player->senses.commands;
   return {&commands_[static_cast<std::size_t>(slot)], 1};
 }
 
@@ -240,6 +252,18 @@ void Episode::execute_commands(simulator::MatchRecorder* recorder) {
       const std::size_t before = events_.size();
       simulator::apply(world_, slot, command, events_);
       if (recorder != nullptr) record_messages(events_, before, *recorder);
+      queue_says(before);
+    }
+  }
+}
+
+// For all who hear.
+void Episode::queue_says(std::size_t first_event) {
+  training::queue_says(*setup_, world_, events_, first_event, others_);
+  for (std::size_t i = first_event; i < events_.size() && has_world_models(); ++i) {
+    const auto* said = std::get_if<simulator::PlayerSaid>(&events_[i].what);
+    for (std::size_t agent = 0; said != nullptr && agent < perceivers_.size(); ++agent) {
+      queue_say(world_, *said, setup_->cast.agents[agent], perceivers_[agent].said);
     }
   }
 }
@@ -273,6 +297,7 @@ void Episode::perceive_step() {
     perceive(*setup_->vision, world_, events_, setup_->cast.agents[agent], perceivers_[agent],
              senses_);
   }
+  perceive_others(*setup_, world_, events_, senses_, others_);
 }
 
 bool Episode::alive(std::size_t agent) const {

@@ -9,7 +9,7 @@
 
 #include "simulator/sessions/match_recorder.h"
 #include "simulator/world/event.h"
-#include "training/episode/setup.h"
+#include "training/episode/others.h"
 
 namespace cls::training {
 
@@ -38,6 +38,8 @@ class Episode {
   std::uint64_t seed() const { return world_.seed; }
   int cycles() const { return memory_.cycles; }
   std::array<int, 2> score() const { return memory_.score; }
+  /// Index of the opponents' driver in Setup::opponents; -1 without opponents.
+  int opponent() const { return others_.opponent; }
   const simulator::World& world() const { return world_; }
 
   bool alive(std::size_t agent) const;
@@ -53,6 +55,10 @@ class Episode {
   /// What an agent estimates; null with the full state.
   const proxy::WorldModel* world_model(std::size_t agent) const {
     return has_world_models() ? &perceivers_[agent].world : nullptr;
+  }
+  /// The player in `slot` if its driver perceives; else null.
+  const MatchPlayer* match_player(int slot) const {
+    return training::match_player(*setup_, others_, slot);
   }
 
   /// Writes the features of an agent; zeros if it is not alive.
@@ -74,6 +80,8 @@ class Episode {
   int agent_in(int slot) const;
   void send_commands();
   void perceive_step();
+  void queue_says(std::size_t first_event);
+  PlayerCommand driven_command(int slot);
   PlayerCommand command_of(std::size_t agent, const AgentActions& actions);
   PointOfView view_of(int slot, bool last_action_worked) const;
   void choose_commands(const AgentActions& actions);
@@ -89,9 +97,10 @@ class Episode {
   OptionValues options_{};
   Status status_ = Status::kInGame;
   bool started_ = false;
-  std::array<Scene, 2> scenes_;                          ///< exact: left, right
-  std::vector<Perceiver> perceivers_;                    ///< of the agents; may be empty
-  std::vector<Scene> estimated_;                         ///< by agent, from their world models
+  std::array<Scene, 2> scenes_;        ///< exact: left, right
+  std::vector<Perceiver> perceivers_;  ///< of the agents; may be empty
+  std::vector<Scene> estimated_;       ///< by agent, from their world models
+  Others others_;
   std::array<Agent, soccer::kPlayersOnPitch> agents_{};  ///< in the order of the cast
   std::array<RewardValues, soccer::kPlayersOnPitch> rewards_{};
   std::array<PlayerCommand, soccer::kPlayersOnPitch> commands_;  ///< by slot

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/text/suggestion.h"
+#include "simulator/actions/actions.h"
 #include "simulator/world/rules.h"
 #include "training/episode/state.h"
 
@@ -48,6 +49,19 @@ Result<int> choose_count(std::string_view key, int wanted, const Task& task, con
                            range.high, task.id, count)};
 }
 
+// Of all players that are no agents.
+void choose_drivers(const SetupChoices& choices, Agents agents, Setup& setup) {
+  for (const Side side : {Side::kLeft, Side::kRight}) {
+    const bool own = agents == Agents::kBoth || (agents == Agents::kLeft) == (side == Side::kLeft);
+    for (const int slot : setup.cast.team(side)) {
+      const auto i = static_cast<std::size_t>(slot);
+      setup.is_opponent[i] = !own;
+      if (!own) setup.opponents = choices.opponents;
+      if (own && !setup.is_agent[i]) setup.teammates = choices.teammates;
+    }
+  }
+}
+
 Result<void> choose_cast(const SetupChoices& choices, Setup& setup) {
   const Task& task = *setup.task;
   const Result<int> left = choose_count("offense", choices.offense, task, task.offense);
@@ -56,7 +70,7 @@ Result<void> choose_cast(const SetupChoices& choices, Setup& setup) {
   if (!right) return right.error();
   const Agents agents = choices.agents < 0 ? task.agents : static_cast<Agents>(choices.agents);
   int players[] = {*left, *right};
-  if (choices.opponent == Presence::kAbsent && agents != Agents::kBoth) {
+  if (choices.opponents.empty() && agents != Agents::kBoth) {
     players[agents == Agents::kLeft ? 1 : 0] = 0;
   }
   setup.cast.left = team_slots(task, Side::kLeft, players[0]);
@@ -72,15 +86,13 @@ Result<void> choose_cast(const SetupChoices& choices, Setup& setup) {
       return Error{
           fmt::format("'num_agents' must be 1..{}, the size of the team, not {}", most, wanted)};
     }
-    setup.cast.agents.insert(setup.cast.agents.end(), team.begin(), team.begin() + wanted);
+    const bool has_goalie = side == Side::kRight ? task.right_goalie : task.referee;
+    const int first = has_goalie && !choices.goalie_agent && wanted < most ? 1 : 0;
+    setup.cast.agents.insert(setup.cast.agents.end(), team.begin() + first,
+                             team.begin() + first + wanted);
   }
   for (const int slot : setup.cast.agents) setup.is_agent[static_cast<std::size_t>(slot)] = true;
-  const Driver others = choices.opponent == Presence::kHold ? Driver::kHold : Driver::kScripted;
-  for (int slot = 0; slot < soccer::kPlayersOnPitch; ++slot) {
-    const bool left_side = soccer::side_of_slot(slot) == Side::kLeft;
-    const bool own = agents == Agents::kBoth || left_side == (agents == Agents::kLeft);
-    setup.drivers[static_cast<std::size_t>(slot)] = own ? choices.teammates : others;
-  }
+  choose_drivers(choices, agents, setup);
   return {};
 }
 
@@ -157,11 +169,41 @@ Result<void> prepare_world(Setup& setup) {
   return {};
 }
 
-void prepare_perceivers(Setup& setup) {
-  setup.vision = std::make_shared<simulator::VisionModel>(setup.prepared.params());
-  for (const int slot : setup.cast.agents) {
-    setup.perceivers.push_back(make_perceiver(setup.prepared, slot));
+bool may_perceive(const DriverPool& pool) {
+  return std::any_of(pool.begin(), pool.end(), [](const DriverShare& share) {
+    return share.weight > 0.0 && perceives(share.driver);
+  });
+}
+
+// The agents of cls do not listen to opponents.
+void stop_ears(Setup& setup) {
+  const soccer::Ear off{
+      false, soccer::TeamReference{soccer::TeamReference::Kind::kOpponent, ""}, {}};
+  simulator::Events none;
+  for (simulator::Player& player : setup.prepared.players) {
+    if (player.enabled) simulator::apply(setup.prepared, player.slot(), off, none);
   }
+}
+
+void prepare_senses(Setup& setup) {
+  setup.match_player_of.fill(-1);
+  if (setup.fidelity == Fidelity::kWorldModel) {
+    for (const int slot : setup.cast.agents) {
+      setup.perceivers.push_back(make_perceiver(setup.prepared, slot));
+    }
+  }
+  for (const Side side : {Side::kLeft, Side::kRight}) {
+    for (const int slot : setup.cast.team(side)) {
+      const auto i = static_cast<std::size_t>(slot);
+      if (setup.is_agent[i]) continue;
+      if (!may_perceive(setup.is_opponent[i] ? setup.opponents : setup.teammates)) continue;
+      setup.match_player_of[i] = static_cast<int>(setup.match_players.size());
+      setup.match_players.push_back({make_perceiver(setup.prepared, slot), {}});
+    }
+  }
+  if (setup.perceivers.empty() && setup.match_players.empty()) return;
+  stop_ears(setup);
+  setup.vision = std::make_shared<simulator::VisionModel>(setup.prepared.params());
 }
 
 }  // namespace
@@ -185,7 +227,7 @@ Result<std::shared_ptr<const Setup>> make_setup(const SetupChoices& choices) {
   setup->options = setup->task->usual_options();
   if (Result<void> done = prepare_world(*setup); !done) return done.error();
   setup->fidelity = choices.fidelity;
-  if (choices.fidelity == Fidelity::kWorldModel) prepare_perceivers(*setup);
+  prepare_senses(*setup);
   return std::shared_ptr<const Setup>(std::move(setup));
 }
 

@@ -11,6 +11,7 @@
 #include "training/actions/action_set.h"
 #include "training/episode/reward.h"
 #include "training/features/feature_set.h"
+#include "training/npc/match_player.h"
 #include "training/senses/perceiver.h"
 #include "training/tasks/task.h"
 
@@ -21,8 +22,6 @@ enum class Fidelity : unsigned char {
   kFullState,   ///< the exact world, without messages
   kWorldModel,  ///< the estimates of cls agents, from the messages of the server
 };
-
-enum class Presence : unsigned char { kAbsent, kHold, kScripted };
 
 /// From which the player types of all pools are drawn.
 constexpr std::uint64_t kTypesSeed = 1;
@@ -35,9 +34,10 @@ struct SetupChoices {
   int offense = -1;
   int defense = -1;
   int num_agents = -1;
-  int agents = -1;  ///< an Agents, or -1
-  Driver teammates = Driver::kScripted;
-  Presence opponent = Presence::kScripted;
+  bool goalie_agent = false;               ///< with num_agents below the size of the team
+  int agents = -1;                         ///< an Agents, or -1
+  DriverPool teammates = {DriverShare{}};  ///< not empty
+  DriverPool opponents = {DriverShare{}};  ///< empty: there are none
   Fidelity fidelity = Fidelity::kFullState;
   int frame_skip = 1;
   int max_cycles = 0;
@@ -49,8 +49,10 @@ struct SetupChoices {
 struct Setup {
   const Task* task = nullptr;
   Cast cast;
-  std::array<Driver, soccer::kPlayersOnPitch> drivers{};  ///< of players that are no agents
+  DriverPool teammates;  ///< of players of the agents' team that are no agents; empty: none
+  DriverPool opponents;  ///< empty: none
   std::array<bool, soccer::kPlayersOnPitch> is_agent{};
+  std::array<bool, soccer::kPlayersOnPitch> is_opponent{};  ///< of the agents; none with both teams
   const FeatureSet* features = nullptr;
   const ActionSet* actions = nullptr;
   Columns feature_columns;  ///< of an agent; the widest if the teams differ in size
@@ -65,7 +67,10 @@ struct Setup {
   simulator::World prepared;  ///< all players of the cast on the pitch, at rest
   Fidelity fidelity = Fidelity::kFullState;
   std::vector<Perceiver> perceivers;  ///< of the agents, connected; empty with the full state
-  std::shared_ptr<const simulator::VisionModel> vision;  ///< null with the full state
+  /// Connected players that drivers may play who perceive; by match_player_of.
+  std::vector<MatchPlayer> match_players;
+  std::array<int, soccer::kPlayersOnPitch> match_player_of{};  ///< by slot; -1: none
+  std::shared_ptr<const simulator::VisionModel> vision;        ///< null if no player perceives
 
   std::size_t agent_count() const { return cast.agents.size(); }
   std::size_t feature_count() const { return feature_columns.size(); }

@@ -6,12 +6,6 @@
 
 namespace cls::training {
 
-/// Who plays a player that is no agent.
-enum class Driver : unsigned char {
-  kHold,      ///< stands still
-  kScripted,  ///< plays by geometry
-};
-
 /// A player of the team that attacks, defends or keeps goal, whatever the situation asks for. A
 /// pure function of the scene.
 PlayerCommand scripted_command(const PointOfView& view);

@@ -27,6 +27,7 @@ struct Buffers {
   std::int32_t* score = nullptr;
   std::int32_t* illegal = nullptr;
   std::uint64_t* seeds = nullptr;
+  std::int32_t* opponent = nullptr;
 };
 
 }  // namespace cls::training

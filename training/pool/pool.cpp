@@ -123,6 +123,7 @@ void Pool::step_world(std::size_t env) {
   if (slot.recording) slot.recording->begin(slot.episode);
   fill_views(env, buffers_.observations, buffers_.state);
   if (buffers_.seeds != nullptr) buffers_.seeds[env] = slot.episode.seed();
+  if (buffers_.opponent != nullptr) buffers_.opponent[env] = slot.episode.opponent();
   if (buffers_.was_reset != nullptr) buffers_.was_reset[env] = 1;
 }
 
@@ -165,6 +166,7 @@ void Pool::fill_row(std::size_t env, bool step) {
     buffers_.score[2 * env + 1] = episode.score()[1];
   }
   if (buffers_.seeds != nullptr) buffers_.seeds[env] = episode.seed();
+  if (buffers_.opponent != nullptr) buffers_.opponent[env] = episode.opponent();
 }
 
 Outcome Pool::set_options(std::int64_t env, const std::string& json) {

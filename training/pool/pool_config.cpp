@@ -1,6 +1,8 @@
 // Parses configurations.
 #include "training/pool/pool_config.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>
@@ -17,14 +19,13 @@ using base::JsonValue;
 using base::Result;
 using Names = std::vector<std::string_view>;
 
-const Names kKeys = {"task",      "num_envs",   "threads",    "obs",        "features",  "actions",
-                     "offense",   "defense",    "agents",     "num_agents", "teammates", "opponent",
-                     "autoreset", "frame_skip", "max_cycles", "reward",     "options",   "types"};
+const Names kKeys = {"task",       "num_envs", "threads",      "obs",       "features",
+                     "actions",    "offense",  "defense",      "agents",    "num_agents",
+                     "teammates",  "opponent", "goalie_agent", "autoreset", "frame_skip",
+                     "max_cycles", "reward",   "options",      "types"};
 const Names kAutoresets = {"disabled", "next_step", "same_step"};
 const Names kObservations = {"full_state", "world_model"};
 const Names kAgents = {"offense", "defense", "both"};
-const Names kTeammates = {"hold", "scripted"};
-const Names kOpponents = {"none", "hold", "scripted"};
 const Names kTypes = {"default", "random"};
 
 constexpr int kMaxEnvs = 65536;
@@ -32,6 +33,31 @@ constexpr int kMaxThreads = 256;
 constexpr int kMaxFrameSkip = 100;
 constexpr int kMaxCycles = 1000000;
 constexpr double kMaxWeight = 1e6;
+
+Result<DriverPool> parse_drivers(const JsonValue& value, bool or_none) {
+  Names names(kDriverNames.begin(), kDriverNames.end());
+  DriverPool pool;
+  if (!value.is_object()) {
+    if (or_none) names.push_back("none");
+    const Result<std::string> name = value.one_of(names);
+    if (!name) return name.error();
+    const auto at =
+        static_cast<std::size_t>(std::find(names.begin(), names.end(), *name) - names.begin());
+    if (at < kDriverNames.size()) pool.push_back({static_cast<Driver>(at), 1.0});
+    return pool;
+  }
+  if (Result<void> known = value.expect_keys(names); !known) return known.error();
+  double sum = 0.0;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (!value.has(names[i])) continue;
+    const Result<double> weight = value[names[i]].number(0.0, kMaxWeight);
+    if (!weight) return weight.error();
+    pool.push_back({static_cast<Driver>(i), *weight});
+    sum += *weight;
+  }
+  if (sum > 0.0) return pool;
+  return value.error(fmt::format("needs a weight above 0 for one of {}", fmt::join(names, ", ")));
+}
 
 /// Reads members of an object; remembers the first error.
 class Reader {
@@ -53,6 +79,13 @@ class Reader {
     if (error.message.empty()) {
       out = static_cast<Enum>(std::find(names.begin(), names.end(), name) - names.begin());
     }
+  }
+  void flag(std::string_view key, bool& out) {
+    if (wanted(key)) take(object_[key].boolean(), out);
+  }
+  /// The name of a driver, or an object of weights by name.
+  void drivers(std::string_view key, bool or_none, DriverPool& out) {
+    if (wanted(key)) take(parse_drivers(object_[key], or_none), out);
   }
   bool wanted(std::string_view key) const { return error.message.empty() && object_.has(key); }
 
@@ -113,8 +146,9 @@ void read_choices(Reader& in, SetupChoices& choices) {
   in.integer("defense", 0, soccer::kPlayersPerTeam, choices.defense);
   in.choice("agents", kAgents, choices.agents);
   in.integer("num_agents", 1, soccer::kPlayersPerTeam, choices.num_agents);
-  in.choice("teammates", kTeammates, choices.teammates);
-  in.choice("opponent", kOpponents, choices.opponent);
+  in.flag("goalie_agent", choices.goalie_agent);
+  in.drivers("teammates", false, choices.teammates);
+  in.drivers("opponent", true, choices.opponents);
   in.integer("frame_skip", 1, kMaxFrameSkip, choices.frame_skip);
   in.integer("max_cycles", 0, kMaxCycles, choices.max_cycles);
   in.choice("obs", kObservations, choices.fidelity);

@@ -88,6 +88,14 @@ Json describe(const ActionSet& set) {
           {"items", action_list(set)}, {"value_items", to_json(values)}};
 }
 
+Json names_of(const DriverPool& pool) {
+  Json names = Json::array();
+  for (const DriverShare& share : pool) {
+    names.push_back(kDriverNames[static_cast<std::size_t>(share.driver)]);
+  }
+  return names;
+}
+
 std::string_view agents_name(Agents agents) {
   return agents == Agents::kLeft ? "offense" : agents == Agents::kRight ? "defense" : "both";
 }
@@ -164,6 +172,8 @@ Json specification(const Pool& pool) {
       {"state", {{"size", setup.state_columns.size()}, {"items", to_json(setup.state_columns)}}},
       {"reward_version", kRewardVersion},
       {"reward_terms", reward_list(&setup.weights)},
+      {"teammates", names_of(setup.teammates)},
+      {"opponents", names_of(setup.opponents)},
       {"max_cycles", setup.max_cycles},
       {"frame_skip", setup.frame_skip},
       {"autoreset", autoreset_name(pool.config().autoreset)},

@@ -22,19 +22,31 @@ void read(std::string_view text, Message& out) {
   assert(parsed);
 }
 
+void hear(const soccer::Hear& message, Perceiver& agent, SenseBuffers& buffers) {
+  buffers.text.clear();
+  format(message, soccer::Recipient::kPlayer, buffers.text);
+  read(buffers.text, buffers.hear);
+  on_hear(agent.world, buffers.hear);
+}
+
 void hear_referee(const simulator::Events& events, Perceiver& agent, SenseBuffers& buffers) {
   for (const simulator::Event& event : events) {
     const auto* message = std::get_if<simulator::RefereeMessage>(&event.what);
     if (message == nullptr) continue;
-    soccer::Hear& hear = buffers.hear;
-    hear = {};
-    hear.time = event.clock.time;
-    message->append_to(hear.text);
-    buffers.text.clear();
-    format(hear, soccer::Recipient::kPlayer, buffers.text);
-    read(buffers.text, hear);
-    on_hear(agent.world, hear);
+    soccer::Hear heard;
+    heard.time = event.clock.time;
+    message->append_to(heard.text);
+    hear(heard, agent, buffers);
   }
+}
+
+void hear_players(simulator::World& world, simulator::Slot slot, Perceiver& agent,
+                  SenseBuffers& buffers) {
+  if (agent.said.says.empty()) return;
+  simulator::RandomStream choice = simulator::clock_stream(world, "hear", slot);
+  buffers.heard.clear();
+  simulator::hear(world, slot, agent.said, choice, buffers.heard);
+  for (const soccer::Hear& message : buffers.heard) hear(message, agent, buffers);
 }
 
 void sense(const simulator::World& world, simulator::Slot slot, Perceiver& agent,
@@ -93,13 +105,14 @@ void begin_perception(const simulator::VisionModel& vision, const simulator::Wor
   update_derived(agent.world);
 }
 
-void perceive(const simulator::VisionModel& vision, const simulator::World& world,
+void perceive(const simulator::VisionModel& vision, simulator::World& world,
               const simulator::Events& events, simulator::Slot slot, Perceiver& agent,
               SenseBuffers& buffers) {
   hear_referee(events, agent, buffers);
   const simulator::Player& player = world.player(slot);
   if (!player.enabled) return;
   sense(world, slot, agent, buffers);
+  hear_players(world, slot, agent, buffers);
   if (++agent.see_rounds >= view_interval(player.view)) {
     look(vision, world, slot, agent, buffers);
   }

@@ -6,6 +6,7 @@
 
 #include "proxy/world/view_cone.h"
 #include "proxy/world/world_model.h"
+#include "simulator/senses/hearing.h"
 #include "simulator/senses/vision.h"
 #include "simulator/world/event.h"
 #include "soccer/commands/player_command.h"
@@ -20,6 +21,7 @@ struct Perceiver {
   proxy::WorldModel world;
   proxy::ViewMemory view;
   int see_rounds = 0;                           ///< since the last see message
+  simulator::PendingMessages said;              ///< by players, not heard yet
   std::vector<soccer::PlayerCommand> commands;  ///< of the current cycle
 };
 
@@ -29,6 +31,7 @@ struct SenseBuffers {
   soccer::SenseBody sense_body;
   soccer::See see;
   soccer::Hear hear;
+  std::vector<soccer::Hear> heard;
 };
 
 /// A connected player in `slot` that has received parameters and player types.
@@ -39,10 +42,10 @@ void begin_perception(const simulator::VisionModel& vision, const simulator::Wor
                       simulator::Slot slot, Perceiver& agent, SenseBuffers& buffers);
 
 /// The messages that MatchServer sends between a step and the decision: referee messages among
-/// `events`, sense_body, and see where one is due. Each is formatted and parsed, because numbers
-/// are rounded on the way. Then completes the world model. Does not allocate after the first
-/// cycles.
-void perceive(const simulator::VisionModel& vision, const simulator::World& world,
+/// `events`, sense_body, what players said (agent.said), and see where one is due. Each is
+/// formatted and parsed, because numbers are rounded on the way. Then completes the world model.
+/// Uses up hearing capacity. Does not allocate after the first cycles.
+void perceive(const simulator::VisionModel& vision, simulator::World& world,
               const simulator::Events& events, simulator::Slot slot, Perceiver& agent,
               SenseBuffers& buffers);
 

@@ -1,0 +1,64 @@
+// The decision of an agent without a Playmaker's messages.
+#include "training/npc/match_player.h"
+
+#include "proxy/behaviors/automatic_play.h"
+#include "proxy/behaviors/behaviors.h"
+#include "proxy/perception/perception.h"
+#include "proxy/planner/plan_execution.h"
+#include "training/npc/simple_team_player.h"
+
+namespace cls::training {
+namespace {
+
+using proxy::ActionContext;
+
+// What the mock Playmaker's behavior "planner" asks for.
+proxy::PlannerOptions all_kinds() {
+  proxy::PlannerOptions options;
+  options.simple_pass = true;
+  options.simple_dribble = true;
+  return options;
+}
+
+bool in_play(const proxy::GameState& game) {
+  return !game.goalie_catch &&
+         (game.mode == soccer::PlayMode::kPlayOn || game.mode == soccer::PlayMode::kDropBall);
+}
+
+void play_by_planner(ActionContext& context) {
+  const proxy::WorldModel& world = context.world;
+  if (soccer::is_penalty_mode(world.game.mode)) {
+    play_penalty(context);
+  } else if (!in_play(world.game)) {
+    play_set_play(context);
+  } else if (world.goalie) {
+    play_goalie(context);
+  } else if (!world.self.kickable) {
+    basic_move(world, context.slots, context.neck, context.memory.recovering);
+  } else if (!shoot_and_look(context) && !world.self.frozen()) {
+    const proxy::Plan& plan = plan_of_decision(context, all_kinds());
+    execute_plan_or_hold(context, plan, plan.best);
+  }
+}
+
+}  // namespace
+
+void decide(Driver driver, MatchPlayer& player) {
+  const proxy::WorldModel& world = player.senses.world;
+  proxy::CommandSlots slots(world);
+  proxy::NeckPlan neck;
+  proxy::ActionReport report;
+  proxy::PlanChoice choice;
+  ActionContext context{world, player.memory, slots, neck, report, choice};
+  begin_decision(context);
+  if (driver == Driver::kMock) {
+    play_as_simple_team(context);
+  } else if (!play_automatically(context, {})) {
+    play_by_planner(context);
+  }
+  finish_decision(context);
+  slots.compose(player.senses.commands);
+  record_sent_commands(player.senses.world, player.senses.commands);
+}
+
+}  // namespace cls::training
