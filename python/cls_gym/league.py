@@ -16,20 +16,16 @@ import pathlib
 import sqlite3
 import subprocess
 import sys
-from typing import Any, Callable, Dict, List, NamedTuple, Sequence, Tuple, Union
+from typing import Any, Dict, List, NamedTuple, Sequence, Union
 
 import numpy as np
 
 from cls_gym.policy import Policy, load
+from cls_gym.selfplay import CONFIG, TASK, SelfPlay
 from cls_gym.vector import VectorEnv
 
-TASK = "cls/Match-v0"
-#: Two players per side; an episode ends with the first goal.
-CONFIG: Dict[str, Any] = {"offense": 2, "defense": 2, "features": "ego",
-                          "actions": "low_discrete", "max_cycles": 600,
-                          "options": {"stop_play": 1}}
+__all__ = ["CONFIG", "TASK", "League", "LeagueError", "Results", "SelfPlay", "play_episodes"]
 SAMPLINGS = ("latest", "uniform", "pfsp")
-Act = Callable[[np.ndarray, np.ndarray], np.ndarray]
 
 
 class LeagueError(RuntimeError):
@@ -189,36 +185,3 @@ def play_episodes(home: Policy, away: Policy, episodes: int, seed: int,
         running &= ~ended
     envs.close()
     return goals
-
-
-class SelfPlay:
-    """Worlds in which the caller plays the left team and a frozen policy the right one. Shapes as
-    those of VectorEnv for the left agents alone; rewards are per agent, float32[N, A]."""
-
-    def __init__(self, opponent: Union[Policy, Act], num_envs: int, **config: Any) -> None:
-        self.envs = VectorEnv(TASK, num_envs, **{**CONFIG, **config, "agents": "both"},
-                              autoreset_mode="same_step")
-        self.act: Act = opponent.act if isinstance(opponent, Policy) else opponent
-        self.agents = sum(agent.startswith("left") for agent in self.envs.spec_of_task.agents)
-
-    def reset(self, seed: int) -> Tuple[np.ndarray, Dict[str, Any]]:
-        self._seen, self._infos = self.envs.reset(seed=seed)
-        return self._own()
-
-    def step(self, actions: np.ndarray) -> Tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray,
-                                                 Dict[str, Any]]:
-        """`actions`: int64[N, A] of the left agents."""
-        a = self.agents
-        others = self.act(self._seen[:, a:], self._infos["action_mask"][:, a:])
-        self._seen, _, terminated, truncated, self._infos = self.envs.step(
-            np.concatenate([actions, others], axis=1))
-        seen, infos = self._own()
-        return seen, self.envs.agent_rewards[:, :a], terminated, truncated, infos
-
-    def _own(self) -> Tuple[np.ndarray, Dict[str, Any]]:
-        a = self.agents
-        infos = dict(self._infos, action_mask=self._infos["action_mask"][:, :a])
-        return self._seen[:, :a], infos
-
-    def close(self) -> None:
-        self.envs.close()

@@ -35,6 +35,20 @@ def check(policy: Policy, path: str, who: str) -> None:
                           "the ball: use --who all")
 
 
+def skill(pb: Any, unum: int, play_mode: str) -> Any:
+    """What a player does without the policy: proto.PlayerActions of the module `pb`."""
+    if play_mode.startswith("penalty_"):
+        body = pb.PlayerAction(helios_penalty=pb.HeliosPenalty())
+    elif play_mode != "play_on":
+        body = pb.PlayerAction(helios_set_play=pb.HeliosSetPlay())
+    elif unum == GOALIE:
+        body = pb.PlayerAction(helios_goalie=pb.HeliosGoalie())
+    else:
+        body = pb.PlayerAction(helios_basic_move=pb.HeliosBasicMove())
+    look = pb.PlayerAction(neck_turn_to_ball_or_scan=pb.Neck_TurnToBallOrScan())
+    return pb.PlayerActions(actions=[body, look])
+
+
 class Decider:
     """Decisions of a policy for the players of a team."""
 
@@ -52,7 +66,7 @@ class Decider:
         features = np.frombuffer(rows.features, "<f4").reshape(count, self._features)
         masks = np.frombuffer(rows.masks, np.uint8).reshape(count, self._ids)
         acts = self.acting(rows.players, rows.play_mode, features)
-        replies = {unum: self._skill(unum, rows.play_mode)
+        replies = {unum: skill(self._pb, unum, rows.play_mode)
                    for unum, own in zip(rows.players, acts) if not own}
         ids = self._policy.act(features, masks).astype("<f4").reshape(count, 1)
         return actions_type(ids.tobytes() if acts.any() else b"", 1, replies)
@@ -67,19 +81,6 @@ class Decider:
         nearest = np.zeros_like(acts)
         nearest[away.argmin()] = np.isfinite(away.min())
         return nearest
-
-    def _skill(self, unum: int, play_mode: str) -> Any:
-        pb = self._pb
-        if play_mode.startswith("penalty_"):
-            body = pb.PlayerAction(helios_penalty=pb.HeliosPenalty())
-        elif play_mode != "play_on":
-            body = pb.PlayerAction(helios_set_play=pb.HeliosSetPlay())
-        elif unum == GOALIE:
-            body = pb.PlayerAction(helios_goalie=pb.HeliosGoalie())
-        else:
-            body = pb.PlayerAction(helios_basic_move=pb.HeliosBasicMove())
-        look = pb.PlayerAction(neck_turn_to_ball_or_scan=pb.Neck_TurnToBallOrScan())
-        return pb.PlayerActions(actions=[body, look])
 
 
 def refusal(about: Dict[str, Any], path: str, rated: bool) -> str:

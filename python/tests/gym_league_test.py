@@ -4,6 +4,7 @@ import unittest
 
 import numpy as np
 
+from cls_gym import ConfigError
 from cls_gym.league import CONFIG, TASK, League, LeagueError, SelfPlay, play_episodes
 from cls_gym.policy import Policy, describe
 from cls_gym.vector import VectorEnv
@@ -102,6 +103,79 @@ class SelfPlays(unittest.TestCase):
             np.testing.assert_array_equal(rewards, both[:, :2])
             np.testing.assert_array_equal(both[:, 0], -both[:, 2])
         worlds.close()
+
+    def test_one_call_per_policy_decides_for_all_its_players(self):
+        calls = []
+
+        def chooses(action):
+            def act(seen, mask):
+                calls.append((action, seen.shape, mask.shape))
+                return np.full(len(seen), action)
+            return act
+
+        worlds = SelfPlay([(chooses(0), 1), (chooses(1), 3)], 40, id="cls/HalfFieldOffense-v0",
+                          offense=2, defense=2, features="ego", actions="low_discrete")
+        _, infos = worlds.reset(1)
+        drawn = infos["opponent"]
+        self.assertTrue(20 <= (drawn == 1).sum() < 40)
+        worlds.step(np.zeros((40, 2), np.int64))
+        features = worlds.envs.single_observation_space.shape[1]
+        self.assertEqual(calls, [(number, (2 * (drawn == number).sum(), features),
+                                  (2 * (drawn == number).sum(), 81)) for number in (0, 1)])
+        # Each plays in its own worlds alone: standing players stay where they are.
+        before = worlds.envs.state()
+        for _ in range(5):
+            worlds.step(np.zeros((40, 2), np.int64))
+        names = [one.name for one in worlds.envs.spec_of_task.state_features]
+        moved = np.abs(worlds.envs.state() - before)[:, names.index("right_1_x")] > 1e-6
+        np.testing.assert_array_equal(moved, drawn == 1)
+        worlds.close()
+
+    def test_opponents_are_drawn_anew_by_the_seed_of_the_episode(self):
+        def stand(seen, _):
+            return np.zeros(len(seen), np.int64)
+
+        def play():
+            worlds = SelfPlay([(stand, 1), (stand, 1)], 8, max_cycles=10)
+            _, infos = worlds.reset(5)
+            drawn = [infos["opponent"]]
+            for _ in range(35):
+                before = infos["opponent"]
+                _, _, terminated, truncated, infos = worlds.step(np.zeros((8, 2), np.int64))
+                ended = terminated | truncated
+                if ended.any():
+                    np.testing.assert_array_equal(infos["final_info"]["opponent"][ended],
+                                                  before[ended])
+                np.testing.assert_array_equal(infos["opponent"][~ended], before[~ended])
+                drawn.append(infos["opponent"])
+            worlds.close()
+            return np.array(drawn)
+
+        drawn = play()
+        np.testing.assert_array_equal(drawn, play())
+        self.assertTrue((drawn[0] != drawn[-1]).any())
+        self.assertEqual(set(drawn.ravel()), {0, 1})
+
+    def test_teammates_may_be_frozen_too(self):
+        rows = []
+
+        def teammate(seen, _):
+            rows.append(len(seen))
+            return np.ones(len(seen), np.int64)
+
+        worlds = SelfPlay(lambda seen, _: np.zeros(len(seen), np.int64), 3, offense=3, defense=2,
+                          id="cls/HalfFieldOffense-v0", features="ego", actions="low_discrete",
+                          num_agents=1, teammates=teammate)
+        seen, infos = worlds.reset(1)
+        self.assertEqual((seen.shape[:2], infos["action_mask"].shape), ((3, 1), (3, 1, 81)))
+        worlds.step(np.zeros((3, 1), np.int64))
+        self.assertEqual(rows, [6])
+        worlds.close()
+        with self.assertRaisesRegex(ConfigError, "teammates"):
+            SelfPlay(teammate, 3, num_agents=1)
+        for pool in ([], [(teammate, 0)], [(teammate, -1), (teammate, 2)]):
+            with self.assertRaisesRegex(ConfigError, "weights"):
+                SelfPlay(pool, 3)
 
     def test_a_policy_that_chases_the_ball_scores(self):
         goals = play_episodes(chaser(), chaser(), 60, 1, {**CONFIG, "max_cycles": 300})

@@ -79,6 +79,14 @@ TEST(PythonGym, ServesPolicies) {
   EXPECT_EQ(tested.exit_code, 0) << tested.err;
 }
 
+TEST(PythonGym, PlaysWholeMatchesAsAnEnvironment) {
+  const std::string python = python_with("numpy, grpc");
+  if (python.empty()) GTEST_SKIP() << kNoGrpc;
+  const auto tested =
+      run_python(python, "gym_match_test.py", {"CLS_BINARY=" + cls_binary().string()});
+  EXPECT_EQ(tested.exit_code, 0) << tested.err;
+}
+
 /// A match of an untrained policy. `options` are those of `cls match`.
 CommandResult play_policy(const std::string& python, const fs::path& folder, const char* obs,
                           std::vector<std::string> options) {
