@@ -198,7 +198,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--offense", type=int, default=1)
     parser.add_argument("--defense", type=int, default=0)
-    parser.add_argument("--steps", type=int, default=800_000, help="of the worlds together")
+    parser.add_argument("--steps", type=int, default=2_000_000, help="of the worlds together")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--out", metavar="FILE", help="the trained policy (.npz)")
     parser.add_argument("--curve", metavar="FILE", help="share of goals by steps (.json)")
@@ -236,8 +236,8 @@ def main():
         policy.save(options.out)
     if options.curve:
         with open(options.curve, "w", encoding="utf-8") as out:
-            json.dump({"seed": options.seed, "goals": goals, "cpu_seconds": spent,
-                       "curve": curve}, out)
+            json.dump({"label": f"seed {options.seed}", "goals": goals, "episodes": 200,
+                       "cpu_seconds": spent, "curve": curve}, out)
     return 0
 
 

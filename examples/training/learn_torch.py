@@ -4,6 +4,7 @@
     python3 examples/training/learn_torch.py --defense 1 --steps 2000000 --out policy.npz
 
 The attackers share network, reward and experience; each observes the pitch from its own place.
+`--curriculum` begins near the goal and moves the start away as the share of goals grows.
 `--obs world_model` lets them see what players know in matches, and `--start policy.npz` continues
 with a trained policy: most of the learning is cheap with the full state, the rest is not. With
 `--steps 0` it is evaluated alone. At the end
@@ -30,6 +31,7 @@ HORIZON = 128
 GAMMA, LAMBDA, CLIP = 0.99, 0.95, 0.2
 EPOCHS, BATCHES = 4, 8
 EPISODES = 500
+RAISE = 0.7  # share of goals at which the curriculum continues
 REWARD = {"goal": 5, "captured": 1, "out_of_bounds": 1, "out_of_time": 1, "advance": 0.1,
           "approach": 0.05}
 
@@ -78,6 +80,11 @@ class Learner:
         self.optimizer = torch.optim.Adam(
             [*self.actor.parameters(), *self.critic.parameters()], lr=rate, eps=1e-5)
         self.seen, infos = envs.reset(seed=seed)
+        self.mask = infos["action_mask"]
+
+    def set_difficulty(self, difficulty):
+        """Starts new episodes in all worlds: 0 near the goal, 1 the task itself."""
+        self.seen, infos = self.envs.reset(options={"difficulty": difficulty})
         self.mask = infos["action_mask"]
 
     def tensors(self, seen, mask):
@@ -176,18 +183,39 @@ def interval(share, count):
     return middle - half, middle + half
 
 
+class Curriculum:
+    """Raises the difficulty in ten steps."""
+
+    def __init__(self, learner, active):
+        self.learner, self.level, self.ends = learner, 0 if active else 10, []
+        if active:
+            learner.set_difficulty(0.0)
+
+    def note(self, ends):
+        """Takes the statuses of the episodes that ended."""
+        self.ends = (self.ends + ends)[-200:]
+        if self.level < 10 and len(self.ends) == 200 and np.mean(
+                np.array(self.ends) == 1) >= RAISE:
+            self.level += 1
+            self.ends = []
+            self.learner.set_difficulty(self.level / 10)
+
+
 def train(options, config, report):
     envs = cls_gym.VectorEnv(num_envs=options.worlds, autoreset_mode="same_step", **config)
     learner = Learner(envs, options.seed, options.rate, options.entropy)
     if options.start:
         start_from(learner.actor, load(options.start))
+    curriculum = Curriculum(learner, options.curriculum)
     per_update = options.worlds * HORIZON
     start = time.process_time()
     for done in range(0, options.steps, per_update):
         if options.minutes and time.process_time() - start > 60 * options.minutes:
             break
         ends = learner.learn(done / options.steps)
-        report(done + per_update, float(np.mean(np.array(ends) == 1)) if ends else 0.0)
+        curriculum.note(ends)
+        report(done + per_update, float(np.mean(np.array(ends) == 1)) if ends else 0.0,
+               curriculum.level / 10)
     about = describe(envs)
     envs.close()
     return as_policy(learner.actor, about)
@@ -204,6 +232,9 @@ def parse():
     parser.add_argument("--rate", type=float, default=1e-3)
     parser.add_argument("--entropy", type=float, default=0.005)
     parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--curriculum", action="store_true", help="begin near the goal")
+    parser.add_argument("--opponent", default="scripted",
+                        help="who plays the defense: scripted, mock or planner")
     parser.add_argument("--start", metavar="FILE", help="a trained policy to continue with")
     parser.add_argument("--out", metavar="FILE", help="the trained policy (.npz)")
     parser.add_argument("--curve", metavar="FILE", help="share of goals by steps (.json)")
@@ -215,14 +246,15 @@ def main():
     torch.set_num_threads(1)
     config = {"id": "cls/HalfFieldOffense-v0", "offense": options.offense,
               "defense": options.defense, "features": "ego", "actions": "low_discrete",
-              "obs": options.obs, "max_cycles": 500, "reward": REWARD}
+              "obs": options.obs, "opponent": options.opponent, "max_cycles": 500,
+              "reward": REWARD}
     curve, start = [], time.process_time()
 
-    def report(steps, goals):
-        curve.append((steps, goals))
+    def report(steps, goals, difficulty):
+        curve.append((steps, goals, difficulty))
         if len(curve) % 20 == 0:
-            print(f"{steps:>9} steps  {goals:.2f} goals  {time.process_time() - start:.0f} s CPU",
-                  flush=True)
+            print(f"{steps:>9} steps  {goals:.2f} goals at difficulty {difficulty:.1f}  "
+                  f"{time.process_time() - start:.0f} s CPU", flush=True)
 
     try:
         policy = train(options, config, report)
@@ -231,14 +263,16 @@ def main():
     spent = time.process_time() - start
     goals = evaluate(config, policy, EPISODES, 10_000)
     low, high = interval(goals, EPISODES)
-    print(f"{options.offense}v{options.defense}, {options.obs}, seed {options.seed}: {goals:.3f} "
-          f"({low:.3f} to {high:.3f}) of {EPISODES} fresh episodes end with a goal; "
-          f"{curve[-1][0] if curve else 0} steps, {spent:.0f} s CPU")
+    print(f"{options.offense}v{options.defense} ({options.opponent}), {options.obs}, "
+          f"seed {options.seed}: {goals:.3f} ({low:.3f} to {high:.3f}) of {EPISODES} fresh "
+          f"episodes end with a goal; {curve[-1][0] if curve else 0} steps, "
+          f"{spent:.0f} s CPU")
     if options.out:
         policy.save(options.out)
     if options.curve:
         with open(options.curve, "w", encoding="utf-8") as out:
-            json.dump({"seed": options.seed, "goals": goals, "cpu_seconds": spent,
+            json.dump({"label": f"{options.offense}v{options.defense}, seed {options.seed}",
+                       "goals": goals, "episodes": EPISODES, "cpu_seconds": spent,
                        "curve": curve}, out)
     return 0
 

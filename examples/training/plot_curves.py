@@ -1,5 +1,9 @@
 #!/usr/bin/env python3
-"""Draws learning curves of learn_numpy.py as SVG: plot_curves.py OUT.svg CURVE.json ..."""
+"""Draws the learning curves of learn_numpy.py and learn_torch.py (--curve) as SVG.
+
+    python3 examples/training/plot_curves.py curves.svg curve-1.json curve-2.json
+"""
+import argparse
 import json
 import sys
 
@@ -13,7 +17,15 @@ def smooth(values, width=5):
             for i in range(len(values))]
 
 
-def main(out, paths):
+def ticks(end):
+    """Four to nine round numbers from 0 to `end`."""
+    step = 10 ** (len(str(int(end))) - 1)
+    while end < 4 * step:
+        step /= 2
+    return [step * i for i in range(int(end / step) + 1)]
+
+
+def main(out, paths, title):
     runs = []
     for path in paths:
         with open(path, encoding="utf-8") as file:
@@ -29,34 +41,35 @@ def main(out, paths):
     lines = [f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {HEIGHT}" '
              'font-family="sans-serif" font-size="13">',
              f'<rect width="{WIDTH}" height="{HEIGHT}" fill="#ffffff"/>',
-             f'<text x="{LEFT}" y="22" font-size="15">Half field offense 1v0: share of training '
-             'episodes that end with a goal</text>']
+             f'<text x="{LEFT}" y="22" font-size="15">{title}</text>']
     for share in (0, 0.25, 0.5, 0.75, 1):
         lines.append(f'<path d="M{LEFT} {y(share):.1f}H{WIDTH - RIGHT}" stroke="#dddddd"/>'
                      f'<text x="{LEFT - 8}" y="{y(share) + 4:.1f}" text-anchor="end">'
                      f'{share:.2f}</text>')
-    for i in range(5):
-        steps = end * i / 4
+    for steps in ticks(end):
         lines.append(f'<text x="{x(steps):.1f}" y="{HEIGHT - 26}" text-anchor="middle">'
                      f'{steps / 1000:.0f} k</text>')
     lines.append(f'<text x="{(LEFT + WIDTH - RIGHT) / 2}" y="{HEIGHT - 8}" '
                  'text-anchor="middle">steps of the worlds together</text>')
     for number, run in enumerate(runs):
         color = COLORS[number % len(COLORS)]
-        shares = smooth([share for _, share in run["curve"]])
-        points = " ".join(f"{x(steps):.1f},{y(share):.1f}"
-                          for (steps, _), share in zip(run["curve"], shares))
+        shares = smooth([point[1] for point in run["curve"]])
+        points = " ".join(f"{x(point[0]):.1f},{y(share):.1f}"
+                          for point, share in zip(run["curve"], shares))
         lines.append(f'<polyline points="{points}" fill="none" stroke="{color}" '
                      'stroke-width="2"/>')
-        at = y(0.44) + 20 * number
-        lines.append(f'<path d="M{WIDTH - 220} {at - 4:.0f}h22" stroke="{color}" '
-                     f'stroke-width="2"/><text x="{WIDTH - 192}" y="{at:.0f}">seed {run["seed"]}: '
-                     f'{run["goals"]:.3f} of 200 fresh</text>')
+        at = y(0.6) + 20 * number
+        lines.append(f'<path d="M{WIDTH - 260} {at - 4:.0f}h22" stroke="{color}" '
+                     f'stroke-width="2"/><text x="{WIDTH - 232}" y="{at:.0f}">{run["label"]}: '
+                     f'{run["goals"]:.3f} of {run["episodes"]} fresh</text>')
     with open(out, "w", encoding="utf-8") as file:
         file.write("\n".join([*lines, "</svg>\n"]))
 
 
 if __name__ == "__main__":
-    if len(sys.argv) < 3:
-        sys.exit("usage: plot_curves.py OUT.svg CURVE.json ...")
-    main(sys.argv[1], sys.argv[2:])
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("out", metavar="OUT.svg")
+    parser.add_argument("curves", metavar="CURVE.json", nargs="+")
+    parser.add_argument("--title", default="Share of training episodes that end with a goal")
+    options = parser.parse_args()
+    sys.exit(main(options.out, options.curves, options.title))
