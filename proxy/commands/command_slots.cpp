@@ -15,7 +15,7 @@ namespace {
 using soccer::AngleDeg;
 using soccer::Vec2;
 
-// Arguments, and what becomes of them: parameters and senses of a faulty server may be anything.
+// Arguments and results: parameters and senses of a faulty server may be anything.
 bool finite(double one, double other = 0.0) { return std::isfinite(one) && std::isfinite(other); }
 bool finite(Vec2 v) { return finite(v.x, v.y); }
 
