@@ -35,6 +35,8 @@ thead th { font-size: 0.9rem; font-weight: 600; }
 .state svg { width: 31px; height: 20px; margin-right: 0.6rem; vertical-align: middle; }
 .state rect { fill: #2f6b4f; }
 .state circle { fill: #ffffff; }
+section:first-of-type thead th:first-child { width: 2.5rem; }
+section:first-of-type thead th:last-child { width: 7rem; }
 button { font: inherit; }
 button:disabled { visibility: hidden; }
 )";
