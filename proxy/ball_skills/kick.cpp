@@ -52,23 +52,41 @@ bool kick_one_step(const WorldModel& world, CommandSlots& slots, Vec2 target, do
   return hold_ball(world, slots, false, {});
 }
 
-bool stop_ball(const WorldModel& world, CommandSlots& slots) {
-  if (!world.self.kickable) return false;
+namespace {
+
+/// Change of the ball's velocity that stops it beside the agent.
+Vec2 stopping_change(const WorldModel& world) {
   const Vec2 velocity = world.ball.velocity_valid() ? world.ball.velocity : Vec2{};
   const Vec2 relative = world.ball.position - world.self.position;
   const double dist = relative.length();
   const double gap = std::clamp(dist, collide_distance(world) + 0.1, kickable_area(world) - 0.1);
   const Vec2 outwards = dist > 1e-6 ? relative / dist : soccer::polar(1.0, world.self.body);
   const Vec2 next_self = self_after(world, 1);
-  const double limit = kick_limit(world);
   Vec2 desired = next_self + outwards * gap - world.ball.position;
-  if ((desired - velocity).length() > limit) {
+  if ((desired - velocity).length() > kick_limit(world)) {
     // Too fast to stop: reduce the speed and let the ball come closer.
     desired = next_self + outwards * (collide_distance(world) + 0.1) - world.ball.position;
   }
-  const Vec2 needed = desired - velocity;
-  const double power = std::min(needed.length(), limit) / world.self.kick_rate;
-  if (power < 0.5) {
+  return desired - velocity;
+}
+
+double power_for(const WorldModel& world, Vec2 change) {
+  return std::min(change.length(), kick_limit(world)) / world.self.kick_rate;
+}
+
+constexpr double kWorthwhilePower = 0.5;
+
+}  // namespace
+
+bool stop_needs_kick(const WorldModel& world) {
+  return power_for(world, stopping_change(world)) >= kWorthwhilePower;
+}
+
+bool stop_ball(const WorldModel& world, CommandSlots& slots) {
+  if (!world.self.kickable) return false;
+  const Vec2 needed = stopping_change(world);
+  const double power = power_for(world, needed);
+  if (power < kWorthwhilePower) {
     slots.turn(0.0);
     return false;
   }

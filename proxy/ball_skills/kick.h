@@ -25,6 +25,9 @@ bool kick_to_velocity(const WorldModel& world, CommandSlots& slots, soccer::Vec2
 bool kick_one_step(const WorldModel& world, CommandSlots& slots, soccer::Vec2 target,
                    double first_speed, bool force_mode);
 
+/// True if a ball beside the agent is not at rest where it can be kicked: stop_ball() would kick.
+bool stop_needs_kick(const WorldModel& world);
+
 /// Keeps the ball at its position relative to the moving agent. False (and `turn 0`) if no kick is
 /// needed.
 bool stop_ball(const WorldModel& world, CommandSlots& slots);

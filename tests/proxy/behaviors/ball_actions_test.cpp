@@ -210,6 +210,20 @@ TEST(BodyDribble, CarriesBallToTarget) {
   }
 }
 
+// A ball at the feet whose velocity nobody has seen: the player must not wait for it.
+TEST(BodyDribble, StartsWithARestingBallOfUnknownVelocity) {
+  KnownPitch pitch;
+  pitch.place_self({}, 122.0);
+  pitch.place_ball({0.5, 0.0});
+  pitch.world.ball.vel_count = kNever;
+  protos::PlayerActions reply;
+  dribble_to({20.0, 0.0}, 4)(reply);
+  pitch.act(reply);
+  const auto* turn = pitch.sent<soccer::Turn>();
+  const bool turns = turn != nullptr && std::fabs(turn->moment) > 10.0;
+  EXPECT_TRUE(turns || pitch.sent<soccer::Kick>() != nullptr);
+}
+
 TEST(BodyDribble, InterceptsBallFirst) {
   KnownPitch pitch;
   pitch.place_ball({6.0, 3.0});
