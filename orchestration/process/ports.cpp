@@ -4,6 +4,7 @@
 #include <dirent.h>
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <netdb.h>
 #include <netinet/in.h>
 #include <sys/random.h>
 #include <sys/socket.h>
@@ -137,6 +138,16 @@ int random_port() {
 }
 
 }  // namespace
+
+const std::string& loopback_host() {
+  static const std::string host = [] {
+    addrinfo* addresses = nullptr;
+    const bool known = ::getaddrinfo("localhost", nullptr, nullptr, &addresses) == 0;
+    if (known) ::freeaddrinfo(addresses);
+    return known ? "localhost" : "127.0.0.1";
+  }();
+  return host;
+}
 
 bool port_is_free(Protocol protocol, int port) {
   return can_bind(protocol == Protocol::kTcp ? SOCK_STREAM : SOCK_DGRAM, port);

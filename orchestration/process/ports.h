@@ -17,6 +17,10 @@ struct PortOwner {
   std::string program;  ///< its name as ps shows it; empty when unknown
 };
 
+/// The name of this host for a connection to a program on it: localhost, which has addresses of
+/// both families, or 127.0.0.1 where the system does not know that name (no /etc/hosts).
+const std::string& loopback_host();
+
 /// True when no process on this host has bound `port` on any address.
 bool port_is_free(Protocol protocol, int port);
 

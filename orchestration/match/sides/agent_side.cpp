@@ -151,7 +151,7 @@ Result<PlaymakerConnection> connect_playmaker(const Endpoint& endpoint, const Si
     if (!started) return started.error();
     connection.process = std::move(*started);
     proxy::GrpcTarget target;
-    target.host = "localhost";
+    target.host = process::loopback_host();
     target.port = connection.process->port();
     connection.playmaker = proxy::make_grpc_playmaker(target, team_reply);
   } else {

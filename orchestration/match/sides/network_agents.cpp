@@ -48,7 +48,7 @@ NetworkAgents::~NetworkAgents() {
 bool NetworkAgents::prepared() {
   const auto programs = playmaker_processes();
   return std::all_of(programs.begin(), programs.end(), [](const PlaymakerProcess* started) {
-    return process::tcp_answers("localhost", started->port(), kConnectTimeoutMs);
+    return process::tcp_answers(process::loopback_host(), started->port(), kConnectTimeoutMs);
   });
 }
 

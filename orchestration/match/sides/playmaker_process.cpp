@@ -68,7 +68,7 @@ std::string PlaymakerProcess::port_hint() const {
   if (open.empty()) return fmt::format("; it does not listen on port {}", port());
   if (std::find(open.begin(), open.end(), port()) != open.end()) {
     proxy::GrpcTarget target;
-    target.host = "localhost";
+    target.host = process::loopback_host();
     target.port = port();
     return hint_at(target);
   }

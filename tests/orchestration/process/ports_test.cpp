@@ -47,6 +47,7 @@ TEST(Ports, ReportsOwnerOfPortInUse) {
   EXPECT_EQ(ports_of(Protocol::kTcp, pid), std::vector<int>{tcp});
   EXPECT_TRUE(tcp_answers("127.0.0.1", tcp, 1000));
   EXPECT_TRUE(tcp_answers("localhost", tcp, 1000));
+  EXPECT_TRUE(tcp_answers(loopback_host(), tcp, 1000));
 }
 
 TEST(Ports, LimitsWaitForTcpConnection) {
