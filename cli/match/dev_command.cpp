@@ -60,7 +60,7 @@ struct Arguments {
 /// The last run of a scenario.
 struct LastRun {
   bool passed = false;
-  std::string text_log;
+  std::string text_log;  ///< of the last valid one; empty: there is none
 };
 
 class DevSession {
@@ -151,7 +151,6 @@ class DevSession {
     const std::string verdict = passed ? "ok" : "FAIL";
     print("{}{:<5}{} {}{}\n", color ? (passed ? "\x1b[32m" : "\x1b[31m") : "", verdict,
           color ? "\x1b[0m" : "", scenario.name, change_of_verdict(scenario, passed));
-    for (const std::string& failure : failures) print("      {}\n", failure);
     Json document = {{"name", scenario.name},
                      {"seed", record.seed},
                      {"passed", passed},
@@ -159,10 +158,17 @@ class DevSession {
                      {"difference", nullptr},
                      {"errors", Json::array()},
                      {"message", record.result.message}};
-    print_end(record);
-    print_difference(scenario, record, document);
     print_errors_of(scenario, settings, record, document);
-    last_[scenario.name] = {passed, record.text_log};
+    print_end(record);
+    for (const std::string& failure : failures) {
+      if (!is_consequence(failure, record)) print("      {}\n", failure);
+    }
+    LastRun& last = last_[scenario.name];
+    if (record.result.valid()) {
+      print_difference(scenario, record, document);
+      last.text_log = record.text_log;
+    }
+    last.passed = passed;
     return document;
   }
 
@@ -172,11 +178,22 @@ class DevSession {
     return passed ? " (failed before)" : " (passed before)";
   }
 
-  // Why a match is invalid, with the last output of the program: a compiler names file and line.
+  // Checks fail when the match does not take place, and some when the Playmaker has an error. Then
+  // the cause is printed.
+  static bool is_consequence(const std::string& failure, const RunRecord& record) {
+    return !record.result.valid() ||
+           std::any_of(record.errors.begin(), record.errors.end(), [&](const auto& error) {
+             return error && failure.find(error->message) != std::string::npos;
+           });
+  }
+
+  // Why a match is invalid, with the last output of the program: a compiler names file and line. A
+  // program with an error in decisions repeats that error.
   void print_end(const RunRecord& record) const {
     if (record.result.valid()) return;
     print("      {}\n", record.result.message);
-    if (!record.result.failure) return;
+    const bool has_error = record.errors[0] || record.errors[1];
+    if (!record.result.failure || has_error) return;
     constexpr std::size_t kLines = 10;
     const auto& output = record.result.failure->output;
     for (std::size_t i = output.size() - std::min(output.size(), kLines); i < output.size(); ++i) {
@@ -186,7 +203,7 @@ class DevSession {
 
   void print_difference(const Scenario& scenario, const RunRecord& record, Json& document) const {
     const auto last = last_.find(scenario.name);
-    if (last == last_.end()) return;
+    if (last == last_.end() || last->second.text_log.empty()) return;
     const soccer::Side side = scenario.under_test.value_or(soccer::Side::kLeft);
     const auto difference =
         compare_commands(last->second.text_log, record.text_log, soccer::side_name(side));

@@ -91,6 +91,27 @@ TEST_F(DevCommand, ReportsWhatKeepsProgramFromStarting) {
   command.finish();
 }
 
+// The error once, with the command that sends its State again, instead of the checks that fail
+// for it; and then the difference from the last run that was played.
+TEST_F(DevCommand, ReportsErrorsOfDecisions) {
+  Command command(dev(), {}, folder_.path());
+  ASSERT_TRUE(command.wait_for_output("watching .")) << command.out();
+  write("team.json", R"({"faults": {"error": 1, "message": "ValueError: no plan at decide.py:17",
+                                    "only": {"unum": 8}}})");
+  ASSERT_TRUE(command.wait_for_output("FAIL  runs (passed before)")) << command.out();
+  ASSERT_TRUE(command.wait_for_output("cls test --replay")) << command.out();
+  write_team(20);
+  ASSERT_TRUE(command.wait_for_output("the same commands as before")) << command.out();
+  const std::string out = command.out();
+  const std::string error = "ValueError: no plan at decide.py:17";
+  const std::size_t first = out.find(error);
+  ASSERT_NE(first, std::string::npos) << out;
+  EXPECT_EQ(out.find(error, first + 1), std::string::npos) << out;
+  EXPECT_EQ(out.find("misses no decision"), std::string::npos) << out;
+  command.send_signal(SIGINT);
+  command.finish();
+}
+
 TEST_F(DevCommand, ContinuesAfterBrokenScenario) {
   Command command(dev(), {}, folder_.path());
   ASSERT_TRUE(command.wait_for_output("watching .")) << command.out();
