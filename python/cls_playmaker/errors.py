@@ -34,27 +34,29 @@ class Errors:
     def call(self, rpc: str, method: Callable[[Any, Any], Any], request: Any, context: Any) -> Any:
         """The reply of the method for one agent to an RPC of protos.Game."""
         return self.run(rpc, _REPLIES[rpc], lambda: _caller(request), context,
-                        lambda: method(request, context))
+                        lambda: method(request, context), method)
 
     def run(self, name: str, wanted: str, caller: Callable[[], str], context: Any,
-            method: Callable[[], Any]) -> Any:
-        """What `method` returns, which must be a `wanted`; `name` and `caller` are for the log."""
+            method: Callable[[], Any], source: Any = None) -> Any:
+        """What `method` returns, which must be a `wanted`; `name` and `caller` are for the log.
+        A wrong value is reported with the line that defines `source`, or `method`."""
         try:
             reply = method()
             if not _chosen(context) and not _is_a(reply, wanted):
                 raise TypeError(f"{name} returned {type(reply).__name__}, must return {wanted}")
         except (Exception, SystemExit) as error:  # gRPC's thread would end without a reply
             if not _chosen(context):
-                self._log(name, caller(), error)
-                text = f"{type(error).__name__}: {error} ({_place(error)})"
+                place = _place(error, source or method)
+                self._log(name, caller(), error, place)
+                text = f"{type(error).__name__}: {error} ({place})"
                 raise Failure(grpc.StatusCode.UNKNOWN, text) from error
         if _chosen(context):  # by the method, UNIMPLEMENTED by default
             raise Failure(context.code(), _text(context.details()))
         return reply
 
-    def _log(self, name: str, caller: str, error: BaseException) -> None:
+    def _log(self, name: str, caller: str, error: BaseException, place: str) -> None:
         """The first exception of each line with its traceback, later ones in one line."""
-        key = (name, type(error).__name__, _place(error))
+        key = (name, type(error).__name__, place)
         first = key not in self._seen
         self._seen.add(key)
         _log.error("%s: %s: %s: %s (%s)", caller, name, type(error).__name__, error, key[2],
@@ -81,13 +83,18 @@ def _caller(request: Any) -> str:
     return f"{role}{number} of {agent.team_name}{cycle}"
 
 
-def _place(error: BaseException) -> str:
-    """"team.py:12": the innermost line outside installed packages."""
+def _place(error: BaseException, source: Any) -> str:
+    """"team.py:12": the innermost line outside installed packages, or the definition of `source`."""
     frames = traceback.extract_tb(error.__traceback__)
     own = [frame for frame in frames if os.sep + "site-packages" + os.sep not in frame.filename
            and not frame.filename.startswith(_OWN)]
-    frame = (own or frames)[-1]
-    return f"{os.path.basename(frame.filename)}:{frame.lineno}"
+    code = getattr(source, "__code__", None)
+    file, line = frames[-1].filename, frames[-1].lineno
+    if own:
+        file, line = own[-1].filename, own[-1].lineno
+    elif code is not None:
+        file, line = code.co_filename, code.co_firstlineno
+    return f"{os.path.basename(file)}:{line}"
 
 
 def _text(details: Any) -> str:

@@ -76,7 +76,7 @@ class TeamServicer(service.TeamPlaymakerServicer):
             own = _AgentContext(context)
             actions: TeamActions = self._errors.run(
                 "GetTeamRows", "TeamActions", lambda: f"cycle {request.cycle}", own,
-                lambda: self._playmaker.GetTeamRows(rows))
+                lambda: self._playmaker.GetTeamRows(rows), self._playmaker.GetTeamRows)
         except Failure as failure:
             response.agents.extend(_failed(agent, failure) for agent in players)
         else:
@@ -154,7 +154,7 @@ class TeamServicer(service.TeamPlaymakerServicer):
             "GetTeamActions", "dict",
             lambda: f"{any_state.register_response.team_name} at cycle "
                     f"{any_state.world_model.cycle}",
-            own, lambda: method(states, own))
+            own, lambda: method(states, own), method)
 
     def _reply(self, agent: int, rpc: str, request: Any, context: Any,
                method: Any = None) -> wire.AgentReply:

@@ -81,9 +81,10 @@ class Serving(unittest.TestCase):
         with self.assertLogs("cls_playmaker"):
             for unum, wrong in ((3, "NoneType"), (4, "dict")):
                 error = self.fail_of(self.stub.GetPlayerActions, state(unum))
-                self.assertEqual(error.details().split(" (")[0],
+                place = f"serving_test.py:{Team.GetPlayerActions.__code__.co_firstlineno}"
+                self.assertEqual(error.details(),
                                  f"TypeError: GetPlayerActions returned {wrong}, "
-                                 "must return proto.PlayerActions")
+                                 f"must return proto.PlayerActions ({place})")
 
     def test_leaves_roles_it_does_not_play_unimplemented_without_a_log_line(self):
         with self.assertNoLogs() if hasattr(self, "assertNoLogs") else self.subTest():
