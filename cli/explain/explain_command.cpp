@@ -34,11 +34,13 @@ constexpr const char* kDescription =
     "  cls explain offside_line_x      in whatever message it is\n"
     "  cls explain Ball                a message with its fields\n"
     "  cls explain KickIn_ stalled     a play mode and an end reason\n"
+    "  cls explain --search offside    names whose explanation has the text\n"
     "  cls explain --list              all names";
 
 struct Arguments {
   std::vector<std::string> names;
   std::string folder;
+  std::string search;
   bool list = false;
   bool json = false;
 };
@@ -90,6 +92,7 @@ void print(const ReferenceEntry& entry, bool color) {
   for (const auto& [label, value] : entry.facts) {
     fmt::print("  {:<11} {}\n", label, base::wrap_text(plain(value), width, 14));
   }
+  fmt::print("  {:<11} docs/reference/{}\n", "see", page_of(entry));
   if (has_members(entry) && !members_of(entry).empty()) fmt::print("\n{}", members_text(entry));
 }
 
@@ -98,6 +101,7 @@ Json document(const std::vector<const ReferenceEntry*>& entries) {
   for (const ReferenceEntry* entry : entries) {
     Json one = {{"kind", name(entry->kind)}, {"name", entry->name}, {"text", entry->text}};
     one["group"] = entry->group.empty() ? Json(nullptr) : Json(entry->group);
+    one["page"] = page_of(*entry);
     one["facts"] = Json::object();
     for (const auto& [label, value] : entry->facts) one["facts"][label] = value;
     one["members"] = Json::array();
@@ -118,6 +122,25 @@ int list(bool json) {
     return kOk;
   }
   for (const ReferenceEntry* entry : all) fmt::print("{:<11} {}\n", name(entry->kind), entry->name);
+  return kOk;
+}
+
+int search(const std::string& text, bool json) {
+  const auto found = entries_with(text);
+  if (json) {
+    fmt::print("{}", base::json_document(document(found)));
+    return kOk;
+  }
+  if (found.empty()) return print_error(kUsage, fmt::format("nothing explains '{}'", text));
+  base::Table table;
+  table.add_columns({"kind", "name", "meaning"});
+  for (const ReferenceEntry* entry : found) {
+    const std::string_view effect = fact(*entry, "does");
+    table.add_row({std::string(name(entry->kind)), entry->name,
+                   plain(effect.empty() ? std::string_view(entry->text) : effect)});
+  }
+  table.allow_cuts(2);
+  fmt::print("{}", table.format_text({0, stdout_width(), 1}));
   return kOk;
 }
 
@@ -156,6 +179,7 @@ int report_unknown(const std::string& word) {
 int run(const Arguments& arguments) {
   if (!arguments.folder.empty()) return export_pages(arguments.folder, arguments.json);
   if (arguments.list) return list(arguments.json);
+  if (!arguments.search.empty()) return search(arguments.search, arguments.json);
   if (arguments.names.empty())
     return print_error(kUsage, "explain: NAME is missing (see cls explain --list)");
   std::vector<const ReferenceEntry*> entries;
@@ -183,6 +207,8 @@ void add_explain_command(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand("explain", kDescription);
   command->add_option("NAME", arguments->names, "a name of the interface, or its last part");
   command->add_flag("--list", arguments->list, "print all names");
+  command->add_option("--search", arguments->search, "list the entries with a text")
+      ->type_name("TEXT");
   command
       ->add_option("--export", arguments->folder, "write the pages of docs/reference to a folder")
       ->type_name("DIR");

@@ -40,7 +40,9 @@ std::vector<ProtoBlock> read_proto(std::string_view text) {
       if (!is_enum) one.type = match[1];
       one.name = match[is_enum ? 1 : 2];
       one.number = std::stoi(match[is_enum ? 2 : 3]);
-      one.comment = match[is_enum ? 3 : 4];
+      // A comment above belongs to the next line, unless it heads several.
+      if (!pending.ends_with(":")) one.comment = pending;
+      if (match[is_enum ? 3 : 4].matched) add_line(one.comment, match[is_enum ? 3 : 4]);
       blocks.back().fields.push_back(std::move(one));
     } else if (std::regex_match(line, match, comment)) {
       add_line(pending, match[1]);

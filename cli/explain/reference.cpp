@@ -12,10 +12,9 @@
 #include <set>
 #include <sstream>
 
+#include "cli/explain/parameter_facts.h"
 #include "cli/explain/proto_text.h"
 #include "orchestration/match/result/end_reason.h"
-#include "soccer/parameters/player_params.h"
-#include "soccer/parameters/server_params.h"
 
 namespace cls::cli {
 namespace {
@@ -34,55 +33,57 @@ void add_fact(Facts& facts, std::string_view label, std::string_view value) {
   if (!value.empty()) facts.emplace_back(label, value);
 }
 
-// The unit, range, ... of fields.
+bool matches(std::string_view pattern, const std::string& name) {
+  return fnmatch(std::string(pattern).c_str(), name.c_str(), 0) == 0;
+}
+
+// What comments of the protos leave out: unit, range, ... of fields, and meanings.
 class Notes {
  public:
-  Notes() : notes_(toml::parse(file("cli/explain/notes.toml"))) {}
-
   std::map<std::string, std::string> of_field(const std::string& name,
                                               const std::string& type) const {
     std::map<std::string, std::string> values;
     for (const toml::node& node : *notes_["field"].as_array()) {
       const toml::table& rule = *node.as_table();
-      if (!matches(rule, name, type)) continue;
+      if (!applies(rule, name, type)) continue;
       for (const char* key : {"unit", "range", "unknown", "set"}) {
         if (const auto value = rule[key].value<std::string>()) values[key] = *value;
+      }
+    }
+    for (const toml::node& node : *meanings_["fields"].as_array()) {
+      const toml::array& row = *node.as_array();
+      const bool is_type = row.size() < 3 || row[2].value_or(std::string()) == type;
+      if (is_type && matches(row[0].value_or(std::string_view()), name)) {
+        values["meaning"] = row[1].value_or(std::string());
       }
     }
     return values;
   }
 
+  std::string message(const std::string& name) const {
+    return meanings_["messages"][name].value_or(std::string());
+  }
+  std::string value(const std::string& type, const std::string& name) const {
+    return meanings_["values"][type][name].value_or(std::string());
+  }
   std::string play_mode(const std::string& name) const {
-    return notes_["play_modes"][name].value_or(std::string());
+    return meanings_["play_modes"][name].value_or(std::string());
   }
 
  private:
-  static bool matches(const toml::table& rule, const std::string& name, const std::string& type) {
+  static bool applies(const toml::table& rule, const std::string& name, const std::string& type) {
     const toml::array* types = rule["types"].as_array();
     const auto is_type = [&](const toml::node& one) { return one.value_or(std::string()) == type; };
     if (types != nullptr && std::none_of(types->begin(), types->end(), is_type)) return false;
     const toml::array& patterns = *rule["match"].as_array();
     return std::any_of(patterns.begin(), patterns.end(), [&](const toml::node& pattern) {
-      return fnmatch(pattern.value_or(std::string()).c_str(), name.c_str(), 0) == 0;
+      return matches(pattern.value_or(std::string_view()), name);
     });
   }
 
-  toml::table notes_;
+  const toml::table notes_ = toml::parse(file("cli/explain/notes.toml"));
+  const toml::table meanings_ = toml::parse(file("cli/explain/meanings.toml"));
 };
-
-// Unit, default and effect of a parameter that the server has under the same name.
-template <typename Params>
-void add_parameter(const soccer::ParameterTable<Params>& table, const std::string& name,
-                   ReferenceEntry& entry) {
-  const auto* row = soccer::find_parameter(table, name);
-  if (row == nullptr) return;
-  if (entry.text.empty()) entry.text = row->effect;
-  add_fact(entry.facts, "unit", row->unit);
-  const Params defaults;
-  const std::string value =
-      std::visit([&](auto member) { return fmt::to_string(defaults.*member); }, row->member);
-  add_fact(entry.facts, "default", value);
-}
 
 ReferenceEntry field_entry(const ProtoBlock& message, const ProtoField& field, const Notes& notes) {
   ReferenceEntry entry;
@@ -91,15 +92,18 @@ ReferenceEntry field_entry(const ProtoBlock& message, const ProtoField& field, c
   entry.group = message.name;
   entry.text = field.comment;
   entry.facts = {{"type", field.type}};
-  if (message.name == "ServerParam") {
-    add_parameter(soccer::server_param_table(), field.name, entry);
-  } else if (message.name == "PlayerParam") {
-    add_parameter(soccer::player_param_table(), field.name, entry);
-  } else {
-    auto values = notes.of_field(entry.name, field.type);
-    for (const char* key : {"unit", "range", "unknown", "set"}) {
-      add_fact(entry.facts, key, values[key]);
-    }
+  auto values = notes.of_field(entry.name, field.type);
+  if (is_parameter_message(message.name)) {
+    const ParameterFacts facts = parameter_facts(message.name, field.name);
+    if (!facts.unit.empty()) values["unit"] = facts.unit;
+    if (!facts.effect.empty()) values["meaning"] = facts.effect;
+    values["default"] = facts.default_value;
+    values["setting"] = facts.setting;
+    values["range"].clear();  // a setting may have any value
+  }
+  if (entry.text.empty()) entry.text = values["meaning"];
+  for (const char* key : {"unit", "range", "default", "unknown", "set", "setting"}) {
+    add_fact(entry.facts, key, values[key]);
   }
   return entry;
 }
@@ -108,7 +112,7 @@ void add_block(std::vector<ReferenceEntry>& all, const ProtoBlock& block, const 
   all.push_back({block.is_enum ? ReferenceKind::kEnum : ReferenceKind::kMessage,
                  block.name,
                  "",
-                 block.comment,
+                 block.comment.empty() ? notes.message(block.name) : block.comment,
                  {}});
   for (const ProtoField& field : block.fields) {
     if (!block.is_enum) {
@@ -120,7 +124,9 @@ void add_block(std::vector<ReferenceEntry>& all, const ProtoBlock& block, const 
     entry.kind = is_mode ? ReferenceKind::kPlayMode : ReferenceKind::kValue;
     entry.name = field.name;
     entry.group = block.name;
-    entry.text = is_mode ? notes.play_mode(field.name) : field.comment;
+    entry.text = is_mode                 ? notes.play_mode(field.name)
+                 : field.comment.empty() ? notes.value(block.name, field.name)
+                                         : field.comment;
     entry.facts = {{"number", std::to_string(field.number)}};
     all.push_back(std::move(entry));
   }
@@ -177,7 +183,7 @@ std::vector<ActionRow> action_rows() {
 const ActionRow* find_row(const std::vector<ActionRow>& rows, const std::string& action) {
   for (const ActionRow& row : rows) {
     for (const std::string& pattern : row.patterns) {
-      if (fnmatch(pattern.c_str(), action.c_str(), 0) == 0) return &row;
+      if (matches(pattern, action)) return &row;
     }
   }
   return nullptr;
@@ -207,6 +213,11 @@ void add_actions(std::vector<ReferenceEntry>& all, const std::vector<ProtoBlock>
         add_fact(entry.facts, "does", row->effect);
         add_fact(entry.facts, "ends in", row->ends);
         add_fact(entry.facts, "fails when", row->fails);
+        // The choice in the message of all actions means the same.
+        const std::string choice = block->name + "." + field.name;
+        const auto same = std::find_if(
+            all.begin(), all.end(), [&](const ReferenceEntry& one) { return one.name == choice; });
+        if (same != all.end() && same->text.empty()) same->text = row->effect;
       }
       all.push_back(std::move(entry));
     }
@@ -247,6 +258,9 @@ std::vector<ReferenceEntry> build() {
   const std::vector<ProtoBlock> blocks = read_proto(file("proto/playmaker.proto"));
   std::vector<ReferenceEntry> all;
   for (const ProtoBlock& block : blocks) add_block(all, block, notes);
+  for (const ProtoBlock& block : read_proto(file("proto/team_playmaker.proto"))) {
+    add_block(all, block, notes);
+  }
   add_actions(all, blocks);
   add_end_reasons(all);
   return all;
@@ -261,6 +275,12 @@ std::string folded(std::string_view name) {
     }
   }
   return result;
+}
+
+// Fields of PlayerAction and the like: the action says more.
+bool is_choice(const ReferenceEntry& entry) {
+  return entry.group == "PlayerAction" || entry.group == "CoachAction" ||
+         entry.group == "TrainerAction";
 }
 
 std::string_view last_part(std::string_view name) { return name.substr(name.rfind('.') + 1); }
@@ -303,10 +323,7 @@ std::vector<const ReferenceEntry*> find_entries(std::string_view word) {
   const auto select = [](auto matches) {
     std::vector<const ReferenceEntry*> found;
     for (const ReferenceEntry& entry : reference()) {
-      // The action says more than the field of PlayerAction.
-      const bool is_choice = entry.group == "PlayerAction" || entry.group == "CoachAction" ||
-                             entry.group == "TrainerAction";
-      if (!is_choice && matches(entry)) found.push_back(&entry);
+      if (!is_choice(entry) && matches(entry)) found.push_back(&entry);
     }
     return found;
   };
@@ -318,6 +335,25 @@ std::vector<const ReferenceEntry*> find_entries(std::string_view word) {
   if (found.empty()) {
     found = select(
         [&](const ReferenceEntry& entry) { return folded(last_part(entry.name)) == wanted; });
+  }
+  return found;
+}
+
+std::vector<const ReferenceEntry*> entries_with(std::string_view text) {
+  const auto same = [](char a, char b) {
+    return std::tolower(static_cast<unsigned char>(a)) ==
+           std::tolower(static_cast<unsigned char>(b));
+  };
+  const auto has = [&](std::string_view where) {
+    return std::search(where.begin(), where.end(), text.begin(), text.end(), same) != where.end();
+  };
+  std::vector<const ReferenceEntry*> found;
+  for (const ReferenceEntry& entry : reference()) {
+    const bool in_facts = std::any_of(entry.facts.begin(), entry.facts.end(),
+                                      [&](const auto& one) { return has(one.second); });
+    if (!is_choice(entry) && (has(entry.name) || has(entry.text) || in_facts)) {
+      found.push_back(&entry);
+    }
   }
   return found;
 }

@@ -39,6 +39,12 @@ std::string_view fact(const ReferenceEntry& entry, std::string_view label);
 /// `-` do not count. Exact names win.
 std::vector<const ReferenceEntry*> find_entries(std::string_view word);
 
+/// The entries whose name, text or facts have `text`, whatever its case.
+std::vector<const ReferenceEntry*> entries_with(std::string_view text);
+
+/// Where an entry stands in docs/reference/: "messages.md#self", "actions.md#body_smart_kick".
+std::string page_of(const ReferenceEntry& entry);
+
 /// The pages of docs/reference/: name of the file and text.
 std::vector<std::pair<std::string, std::string>> reference_pages();
 

@@ -1,28 +1,28 @@
 // docs/reference/ as Markdown.
 #include <fmt/format.h>
 
+#include <cctype>
 #include <iterator>
 #include <regex>
 #include <set>
 
 #include "base/text/table.h"
+#include "cli/explain/parameter_facts.h"
 #include "cli/explain/reference.h"
 
 namespace cls::cli {
 namespace {
 
 constexpr const char* kGenerated =
-    "<!-- Written by `cls explain --export docs/reference`. Change proto/playmaker.proto,\n"
-    "     docs/actions.md, docs/troubleshooting.md or cli/explain/notes.toml instead. -->\n";
+    "<!-- Written by `cls explain --export docs/reference`. Change proto/*.proto,\n"
+    "     docs/actions.md, docs/troubleshooting.md or cli/explain/*.toml instead. -->\n";
+
+constexpr std::string_view kPlayModes = "GameModeType";
 
 // Readable as text, too: names are code, in which nothing is escaped.
 constexpr base::MarkdownStyle kStyle = {"|", "|", "--:"};
 
 std::string code(std::string_view text) { return text.empty() ? "" : fmt::format("`{}`", text); }
-
-bool is_parameter_message(std::string_view message) {
-  return message == "ServerParam" || message == "PlayerParam" || message == "PlayerType";
-}
 
 const ReferenceEntry* find(ReferenceKind kind, std::string_view name) {
   for (const ReferenceEntry& entry : reference()) {
@@ -38,7 +38,7 @@ std::string fields_of(std::string_view message) {
   }
   if (fields.empty()) return {};
   std::vector<std::string_view> labels = {"type"};
-  for (const char* label : {"unit", "range", "default", "unknown", "set"}) {
+  for (const char* label : {"unit", "range", "default", "unknown", "set", "setting"}) {
     for (const ReferenceEntry* field : fields) {
       if (fact(*field, label).empty()) continue;
       labels.emplace_back(label);
@@ -66,7 +66,9 @@ std::string messages_page() {
   text +=
       "The messages of [playmaker.proto](../../proto/playmaker.proto), but for "
       "[actions](actions.md) and\n"
-      "[parameters](parameters.md). Lengths are in meters, angles in degrees with 0 along +x and "
+      "[parameters](parameters.md), and at the end those of "
+      "[team_playmaker.proto](../../proto/team_playmaker.proto)\n"
+      "([wire.md](../wire.md)). Lengths are in meters, angles in degrees with 0 along +x and "
       "positive\n"
       "toward +y, in the coordinates of the agent's own team, which attacks toward +x. *unknown* "
       "is the value\n"
@@ -79,7 +81,7 @@ std::string messages_page() {
     const bool is_block =
         entry.kind == ReferenceKind::kMessage || entry.kind == ReferenceKind::kEnum;
     if (!is_block || is_parameter_message(entry.name) || actions.contains(entry.name)) continue;
-    if (entry.name == "GameModeType") continue;
+    if (entry.name == kPlayModes) continue;
     fmt::format_to(std::back_inserter(text), "\n## {}\n", entry.name);
     if (!entry.text.empty()) fmt::format_to(std::back_inserter(text), "\n{}\n", entry.text);
     if (entry.kind == ReferenceKind::kMessage) {
@@ -178,7 +180,32 @@ std::string index_page() {
       kGenerated);
 }
 
+// The action with this message; null for another message.
+const ReferenceEntry* action_of(std::string_view message) {
+  for (const ReferenceEntry& entry : reference()) {
+    if (entry.kind == ReferenceKind::kAction && fact(entry, "message") == message) return &entry;
+  }
+  return nullptr;
+}
+
+// Of a heading.
+std::string anchor(std::string_view heading) {
+  std::string text(heading);
+  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return text;
+}
+
 }  // namespace
+
+std::string page_of(const ReferenceEntry& entry) {
+  if (entry.kind == ReferenceKind::kAction) return "actions.md#" + anchor(entry.name);
+  if (entry.kind == ReferenceKind::kEndReason) return "modes.md#" + anchor(entry.name);
+  const std::string_view block = entry.group.empty() ? entry.name : entry.group;
+  if (block == kPlayModes) return "modes.md#play-modes";
+  if (is_parameter_message(block)) return "parameters.md#" + anchor(block);
+  if (const ReferenceEntry* action = action_of(block)) return page_of(*action);
+  return "messages.md#" + anchor(block);
+}
 
 std::vector<std::pair<std::string, std::string>> reference_pages() {
   return {{"README.md", index_page()},

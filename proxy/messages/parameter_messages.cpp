@@ -144,6 +144,12 @@ void clear_but_identity(Out& out) {
 
 }  // namespace
 
+std::string_view server_parameter_of(std::string_view field) {
+  const auto* found = std::find_if(std::begin(kWireNames), std::end(kWireNames),
+                                   [field](const auto& pair) { return pair.second == field; });
+  return found == std::end(kWireNames) ? field : found->first;
+}
+
 void fill(const soccer::ServerParams& params, protos::ServerParam& out) {
   clear_but_identity(out);
   fill_from_table(params, soccer::server_param_table(), out);

@@ -1,12 +1,16 @@
 // `cls explain`: every name of the interface has an entry, and docs/reference/ is up to date.
 #include <gtest/gtest.h>
 
+#include <cctype>
 #include <filesystem>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <sstream>
 #include <string>
 
 #include "proto/playmaker.pb.h"
+#include "proto/team_playmaker.pb.h"
 #include "tests/support/command.h"
 #include "tests/support/files.h"
 #include "tests/support/temporary_folder.h"
@@ -33,8 +37,7 @@ const json* find_entry(const std::string& kind, const std::string& name) {
   return nullptr;
 }
 
-TEST(ExplainCommand, KnowsEveryMessageAndFieldOfTheInterface) {
-  const auto* file = protos::State::descriptor()->file();
+void check_names(const google::protobuf::FileDescriptor* file) {
   for (int i = 0; i < file->message_type_count(); ++i) {
     const auto* message = file->message_type(i);
     EXPECT_NE(find_entry("message", message->name()), nullptr) << message->name();
@@ -49,16 +52,35 @@ TEST(ExplainCommand, KnowsEveryMessageAndFieldOfTheInterface) {
   }
 }
 
+TEST(ExplainCommand, KnowsEveryMessageAndFieldOfBothInterfaces) {
+  check_names(protos::State::descriptor()->file());
+  check_names(playmaker::v1::RegisterTeamRequest::descriptor()->file());
+}
+
+TEST(ExplainCommand, SaysWhatEveryNameMeans) {
+  for (const json& entry : all_entries()) {
+    if (entry["kind"] == "action") continue;
+    EXPECT_NE(entry["text"], "") << entry["name"];
+  }
+}
+
 TEST(ExplainCommand, GivesNumbersUnits) {
   const std::set<std::string> numbers = {"float", "double", "int32", "RpcVector2D"};
   for (const json& entry : all_entries()) {
-    if (entry["kind"] != "field" || entry["group"] == "ServerParam" ||
-        entry["group"] == "PlayerParam" || entry["group"] == "PlayerType") {
-      continue;
-    }
-    if (!numbers.contains(entry["facts"]["type"])) continue;
+    if (entry["kind"] != "field" || !numbers.contains(entry["facts"]["type"])) continue;
     EXPECT_TRUE(entry["facts"].contains("unit")) << entry["name"];
   }
+}
+
+TEST(ExplainCommand, GivesParametersTheDefaultsThatAPlaymakerReceives) {
+  const json* power = find_entry("field", "ServerParam.max_power");
+  ASSERT_NE(power, nullptr);
+  EXPECT_EQ((*power)["facts"]["default"], "100");
+  EXPECT_EQ((*power)["facts"]["setting"], "server::maxpower");
+  const json* inertia = find_entry("field", "PlayerType.inertia_moment");
+  ASSERT_NE(inertia, nullptr);
+  EXPECT_EQ((*inertia)["facts"]["default"], "5");
+  EXPECT_FALSE((*inertia)["facts"].contains("range"));
 }
 
 TEST(ExplainCommand, DescribesEveryActionModeAndEndReason) {
@@ -101,6 +123,17 @@ TEST(ExplainCommand, FindsFullNamesLastPartsAndOtherSpellings) {
   EXPECT_NE(several.out.find("fails when  speed out of reach"), std::string::npos) << several.out;
 }
 
+TEST(ExplainCommand, SearchesNamesAndExplanations) {
+  const CommandResult found = explain({"--search", "offside LINE"});
+  EXPECT_EQ(found.exit_code, 0) << found.err;
+  EXPECT_NE(found.out.find("WorldModel.offside_line_x"), std::string::npos) << found.out;
+  EXPECT_NE(found.out.find("OffsideLineMessage"), std::string::npos) << found.out;
+  EXPECT_EQ(found.out.find("Self.stamina"), std::string::npos) << found.out;
+  const CommandResult nothing = explain({"--search", "croquet"});
+  EXPECT_EQ(nothing.exit_code, 2);
+  EXPECT_EQ(nothing.err, "cls: nothing explains 'croquet'\n");
+}
+
 TEST(ExplainCommand, SuggestsNamesForTypos) {
   const CommandResult typo = explain({"body_smart_kik"});
   EXPECT_EQ(typo.exit_code, 2);
@@ -116,6 +149,28 @@ TEST(ExplainCommand, WritesThePagesOfTheReference) {
                 read_file(source_folder() / "docs/reference" / page))
         << page << ": cls explain --export docs/reference";
   }
+}
+
+TEST(ExplainCommand, NamesThePlaceInThePages) {
+  std::map<std::string, std::set<std::string>> anchors;
+  for (const char* page : {"messages.md", "actions.md", "parameters.md", "modes.md"}) {
+    std::istringstream lines(read_file(source_folder() / "docs/reference" / page));
+    for (std::string line; std::getline(lines, line);) {
+      if (!line.starts_with("##")) continue;
+      std::string heading = line.substr(line.find(' ') + 1);
+      for (char& c : heading) c = c == ' ' ? '-' : static_cast<char>(std::tolower(c));
+      anchors[page].insert(heading);
+    }
+  }
+  for (const json& entry : all_entries()) {
+    const std::string place = entry["page"];
+    const std::size_t mark = place.find('#');
+    ASSERT_NE(mark, std::string::npos) << place;
+    EXPECT_EQ(anchors[place.substr(0, mark)].count(place.substr(mark + 1)), 1U)
+        << entry["name"] << ": " << place;
+  }
+  EXPECT_NE(explain({"Self.stamina"}).out.find("docs/reference/messages.md#self"),
+            std::string::npos);
 }
 
 }  // namespace

@@ -1,0 +1,23 @@
+// What the tables of the server say of the fields that a Playmaker receives before a match.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace cls::cli {
+
+/// Empty where the tables do not say it.
+struct ParameterFacts {
+  std::string unit;
+  std::string default_value;  ///< of a match without settings; numbers and bool
+  std::string setting;        ///< NAME of `--set server::NAME=VALUE`, where it is another name
+  std::string effect;
+};
+
+/// ServerParam, PlayerParam and PlayerType.
+bool is_parameter_message(std::string_view message);
+
+/// Of a field of one of these messages.
+ParameterFacts parameter_facts(const std::string& message, const std::string& field);
+
+}  // namespace cls::cli
