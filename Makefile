@@ -20,7 +20,7 @@ help:
 	@echo 'make build         release build in build/'
 	@echo 'make test          build, run all tests with the short forms of slow suites'
 	@echo 'make full          long forms: 20 whole matches, all tests under ASan, UBSan and TSan'
-	@echo 'make languages     the sample teams and projects in every language whose tools are there'
+	@echo 'make languages     teams and projects of every language at length: all templates, the tutorial'
 	@echo 'make web-test      the replay page in Chromium (needs node 18, npm, chromium)'
 	@echo 'make pictures      every picture of README and docs (after make web-test)'
 	@echo 'make bench         benchmarks and matches, beside CLS_BENCH_BASE if set (libbenchmark-dev)'
