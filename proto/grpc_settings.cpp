@@ -3,6 +3,7 @@
 
 #include <absl/synchronization/mutex.h>
 #include <grpc/compression.h>
+#include <grpc/grpc.h>
 #include <grpc/support/log.h>
 
 #include <cstdlib>
@@ -11,7 +12,11 @@
 
 namespace cls::proto {
 
-void apply_grpc_settings() { absl::SetMutexDeadlockDetectionMode(absl::OnDeadlockCycle::kIgnore); }
+void apply_grpc_settings() {
+  absl::SetMutexDeadlockDetectionMode(absl::OnDeadlockCycle::kIgnore);
+  static const bool kept = (grpc_init(), true);
+  static_cast<void>(kept);
+}
 
 void limit_replies(grpc::ChannelArguments& arguments) {
   constexpr int kEnvelope = 1 << 16;  // of a team's reply

@@ -6,7 +6,9 @@
 namespace cls::proto {
 
 /// Every client and server of gRPC calls it before its first channel: turns off abseil's search for
-/// deadlocks, a debugging aid of distributions' builds that costs each lock. Thread safe.
+/// deadlocks, a debugging aid of distributions' builds that costs each lock, and keeps gRPC until
+/// the process ends, because gRPC 1.51 may hang when its last user shuts it down while it still
+/// polls a lost connection. Thread safe.
 void apply_grpc_settings();
 
 /// Bytes of a call that a receiver accepts before it has read any (the window of a stream). The

@@ -59,6 +59,7 @@ class RandomPlaymaker {
   RandomPlaymaker& operator=(const RandomPlaymaker&) = delete;
 
   void serve(const std::string& address) {
+    proto::apply_grpc_settings();
     grpc::ServerBuilder builder;
     builder.RegisterService(&service_);
     builder.RegisterService(&team_service_);
