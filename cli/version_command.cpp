@@ -4,7 +4,10 @@
 #include <fmt/format.h>
 #include <google/protobuf/stubs/common.h>
 #include <grpcpp/version_info.h>
+#include <openssl/opensslv.h>
+#include <sleef.h>
 #include <sqlite3.h>
+#include <toml++/toml.h>
 #include <zlib.h>
 #include <CLI/Version.hpp>
 
@@ -19,7 +22,9 @@
 #include "base/text/stored_formats.h"
 #include "cli/support/exit_code.h"
 #include "proto/recording_file.h"
+#include "proto/saved_match_file.h"
 #include "soccer/protocol/protocol_version.h"
+#include "viewer/decisions/decision_writer.h"
 #include "viewer/stream/chunk.h"
 
 namespace cls::cli {
@@ -54,9 +59,13 @@ nlohmann::ordered_json document() {
        {{"match", base::kMatchSchema},
         {"scenario", base::kScenarioSchema},
         {"page", viewer::kViewSchema},
+        {"decisions", viewer::kDecisionsSchema},
         {"cls.toml", fmt::to_string(base::kConfigSchema)},
+        {"tune.toml", fmt::to_string(base::kTuneSchema)},
+        {"planner.toml", fmt::to_string(base::kPlannerSchema)},
         {"tournament.db", fmt::to_string(base::kStoreSchema)},
-        {"rpc-recording", fmt::to_string(proto::kRecordingVersion)}}},
+        {"rpc-recording", fmt::to_string(proto::kRecordingVersion)},
+        {"saved-match", fmt::to_string(proto::kSavedMatchVersion)}}},
       {"libraries",
        {{"boost", boost_version()},
         {"cli11", CLI11_VERSION},
@@ -64,8 +73,12 @@ nlohmann::ordered_json document() {
         {"grpc", GRPC_CPP_VERSION_STRING},
         {"nlohmann-json", fmt::format("{}.{}.{}", NLOHMANN_JSON_VERSION_MAJOR,
                                       NLOHMANN_JSON_VERSION_MINOR, NLOHMANN_JSON_VERSION_PATCH)},
+        {"openssl", OPENSSL_VERSION_STR},
         {"protobuf", dotted(GOOGLE_PROTOBUF_VERSION, 1000)},
+        {"sleef", fmt::format("{}.{}.{}", SLEEF_VERSION_MAJOR, SLEEF_VERSION_MINOR,
+                              SLEEF_VERSION_PATCHLEVEL)},
         {"sqlite", SQLITE_VERSION},
+        {"tomlplusplus", fmt::format("{}.{}.{}", TOML_LIB_MAJOR, TOML_LIB_MINOR, TOML_LIB_PATCH)},
         {"zlib", ZLIB_VERSION}}}};
   if (!base::kGitVersion.empty()) versions["commit"] = base::kGitVersion;
   return versions;

@@ -109,8 +109,9 @@ std::unique_ptr<RecordingReader> RecordingReader::open(const std::string& path,
     return nullptr;
   }
   if (const int version = reader->header_.version(); version > kRecordingVersion) {
-    error = path + ": recording version " + std::to_string(version) +
-            " is newer than this cls reads (" + std::to_string(kRecordingVersion) + "); update cls";
+    error = path + ": version " + std::to_string(version) +
+            " of recordings is newer than this cls reads (" + std::to_string(kRecordingVersion) +
+            "); update cls";
     return nullptr;
   }
   return reader;

@@ -17,7 +17,6 @@ using google::protobuf::io::GzipInputStream;
 using google::protobuf::io::GzipOutputStream;
 
 constexpr const char* kFormat = "cls.saved-match";
-constexpr int kVersion = 1;
 
 std::string error_text(const std::string& path, int code) {
   return path + ": " + (code == 0 ? "write failed" : std::strerror(code));
@@ -27,7 +26,7 @@ std::string error_text(const std::string& path, int code) {
 
 std::string write_saved_match(const std::string& path, saved::SavedMatch match) {
   match.set_format(kFormat);
-  match.set_version(kVersion);
+  match.set_version(kSavedMatchVersion);
   const int descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
   if (descriptor < 0) return error_text(path, errno);
   FileOutputStream file(descriptor);
@@ -48,9 +47,10 @@ std::string read_saved_match(const std::string& path, saved::SavedMatch& out) {
       out.format() != kFormat) {
     return path + ": not a saved match, or truncated; save one with cls match --save-at";
   }
-  if (out.version() != kVersion) {
-    return path + ": saved match of version " + std::to_string(out.version()) +
-           "; this cls reads version " + std::to_string(kVersion);
+  if (out.version() > kSavedMatchVersion) {
+    return path + ": version " + std::to_string(out.version()) +
+           " of saved matches is newer than this cls reads (" + std::to_string(kSavedMatchVersion) +
+           "); update cls";
   }
   return {};
 }

@@ -7,6 +7,9 @@
 
 namespace cls::proto {
 
+/// Of the files that are written; those of newer versions are refused.
+constexpr int kSavedMatchVersion = 1;
+
 /// Sets format and version and writes the file. Returns the error, or an empty string.
 std::string write_saved_match(const std::string& path, saved::SavedMatch match);
 

@@ -32,4 +32,10 @@ std::optional<std::string> schema_error(std::string_view schema, std::string_vie
   return fmt::format("schema {} is newer than this cls reads ({}); update cls", schema, newest);
 }
 
+std::optional<std::string> schema_error(std::int64_t version, int newest) {
+  if (version < 1) return fmt::format("schema: must be a whole number from 1 to {}", newest);
+  if (version <= newest) return std::nullopt;
+  return fmt::format("schema {} is newer than this cls reads ({}); update cls", version, newest);
+}
+
 }  // namespace cls::base

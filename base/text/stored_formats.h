@@ -6,7 +6,9 @@ namespace cls::base {
 
 constexpr const char* kMatchSchema = "cls.match/1";        ///< result.json
 constexpr const char* kScenarioSchema = "cls.scenario/1";  ///< scenario files
-constexpr int kConfigSchema = 1;                           ///< cls.toml
+constexpr int kConfigSchema = 1;                           ///< cls.toml, plan.toml
+constexpr int kTuneSchema = 1;                             ///< tune.toml
+constexpr int kPlannerSchema = 1;                          ///< parameters of the planner
 constexpr int kStoreSchema = 2;                            ///< tournament.db
 
 }  // namespace cls::base

@@ -177,31 +177,34 @@ void print_json(const FoundMatch& found, const match::MatchResult& result,
   fmt::print("{}", base::json_document(document));
 }
 
-// A match without a result was killed, or is running.
-match::MatchResult result_of(const fs::path& folder) {
-  const auto text = base::read_file(folder / match::kResultFile);
-  const auto read = text ? match::parse_match_result(*text)
-                         : base::Result<match::MatchResult>(base::Error{"no result.json"});
-  if (read) return *read;
+// A match without a result was killed, or is running. The error: a result that cannot be read.
+base::Result<match::MatchResult> result_of(const fs::path& folder) {
+  const fs::path file = folder / match::kResultFile;
+  if (const auto text = base::read_file(file)) {
+    auto result = match::parse_match_result(*text);
+    if (result) return result;
+    return base::Error{fmt::format("{}: {}", file.string(), result.error().message)};
+  }
   match::MatchResult unknown;
   unknown.end_reason = match::EndReason::kInterrupted;
-  unknown.message = read.error().message + ": cls was killed, or the match is running";
+  unknown.message = "no result.json: cls was killed, or the match is running";
   return unknown;
 }
 
 int run_logs_command(const Arguments& arguments) {
   const auto found = find_match_folder(arguments.folder, arguments.match);
   if (!found) return print_error(kNoInput, found.error().message);
-  const match::MatchResult result = result_of(found->folder);
-  const std::vector<LogFile> files = files_in(found->folder, result);
-  const auto log = select_log(files, result, arguments.process);
+  const auto result = result_of(found->folder);
+  if (!result) return print_error(kBadData, result.error().message);
+  const std::vector<LogFile> files = files_in(found->folder, *result);
+  const auto log = select_log(files, *result, arguments.process);
   if (!log) return print_error(kUsage, log.error().message);
   std::optional<Tail> tail;
   if (*log) {
     const auto text = base::read_file(found->folder / (*log)->name);
     tail = Tail{**log, last_lines(text.value_or(""), arguments.tail)};
   }
-  (arguments.json ? print_json : print_text)(*found, result, files, tail);
+  (arguments.json ? print_json : print_text)(*found, *result, files, tail);
   return kOk;
 }
 

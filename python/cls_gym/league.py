@@ -25,11 +25,13 @@ from cls_gym.selfplay import CONFIG, TASK, SelfPlay
 from cls_gym.vector import VectorEnv
 
 __all__ = ["CONFIG", "TASK", "League", "LeagueError", "Results", "SelfPlay", "play_episodes"]
+#: Of results.sqlite.
+VERSION = 1
 SAMPLINGS = ("latest", "uniform", "pfsp")
 
 
 class LeagueError(RuntimeError):
-    """A league without policies, or a comparison that did not run."""
+    """A league without policies or of a later version, or a comparison that did not run."""
 
 
 class Results(NamedTuple):
@@ -54,8 +56,18 @@ class League:
         self.folder.mkdir(parents=True, exist_ok=True)
         self.config = {**CONFIG, **config}
         self._results = sqlite3.connect(self.folder / "results.sqlite")
+        self._check_version()
         self._results.execute("create table if not exists episodes (home integer, away integer, "
                               "seed integer, home_goals integer, away_goals integer)")
+
+    def _check_version(self) -> None:
+        """Leagues without a version are of the first one."""
+        [version] = self._results.execute("pragma user_version").fetchone()
+        if version > VERSION:
+            self._results.close()
+            raise LeagueError(f"{self.folder / 'results.sqlite'}: version {version} is newer than "
+                              f"this cls_gym reads ({VERSION}); update cls")
+        self._results.execute(f"pragma user_version = {VERSION}")
 
     def numbers(self) -> List[int]:
         """The snapshots, ascending from 1."""

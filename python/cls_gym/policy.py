@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import json
 import pathlib
+import re
 from typing import Any, Dict, List, Optional, Sequence, Tuple, Union
 
 import numpy as np
@@ -86,7 +87,11 @@ def load(path: Union[str, pathlib.Path]) -> Policy:
 
 
 def _check_layers(path: Any, layers: List[Layer], about: Any) -> None:
-    if not isinstance(about, dict) or about.get("schema") != SCHEMA:
+    schema = about.get("schema") if isinstance(about, dict) else None
+    if re.fullmatch(r"cls\.policy/[1-9]\d*", str(schema)) and schema != SCHEMA:
+        raise PolicyError(f"{path}: schema {schema} is newer than this cls_gym reads ({SCHEMA}); "
+                          "update cls")
+    if schema != SCHEMA:
         raise PolicyError(f"{path}: no policy of cls_gym: schema is not {SCHEMA}")
     width = len(about.get("feature_names", []))
     for number, (weight, bias) in enumerate(layers):

@@ -1,4 +1,6 @@
 """Leagues: results, payoff table, sampling of opponents, self-play."""
+import contextlib
+import sqlite3
 import tempfile
 import unittest
 
@@ -44,6 +46,17 @@ class Leagues(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         self.league = League(folder.name, max_cycles=150)
         self.addCleanup(self.league.close)
+
+    def test_a_later_version_is_refused(self):
+        folder = self.league.folder
+        self.league.close()
+        League(folder).close()
+        with contextlib.closing(sqlite3.connect(folder / "results.sqlite")) as results:
+            self.assertEqual(results.execute("pragma user_version").fetchone(), (1,))
+            results.execute("pragma user_version = 2")
+        with self.assertRaisesRegex(LeagueError, r"results.sqlite: version 2 is newer than this "
+                                                 r"cls_gym reads \(1\); update cls$"):
+            League(folder)
 
     def test_payoff_is_an_independent_count(self):
         one, other = self.league.add(chaser()), self.league.add(policy(2))

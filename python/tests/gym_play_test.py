@@ -93,6 +93,18 @@ class Files(unittest.TestCase):
         self.assertEqual((about["obs"], about["teammates"], about["opponents"]),
                          ("world_model", 0, 1))
 
+    def test_a_later_version_is_refused(self):
+        trained = policy()
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / "policy.npz"
+            for schema, error in (("cls.policy/2", r"schema cls\.policy/2 is newer than this cls_gym "
+                                                   r"reads \(cls\.policy/1\); update cls$"),
+                                  ("cls.match/1", r"schema is not cls\.policy/1$")):
+                trained.about["schema"] = schema
+                trained.save(path)
+                with self.assertRaisesRegex(PolicyError, error):
+                    load(path)
+
     def test_features_without_the_ball_need_all(self):
         trained = policy()
         trained.about["feature_names"] = ["x"] * len(trained.about["feature_names"])

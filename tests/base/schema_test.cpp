@@ -21,5 +21,12 @@ TEST(Schema, RefusesNewerVersionsAndOtherFormats) {
   }
 }
 
+TEST(Schema, OfANumberAlone) {
+  EXPECT_EQ(schema_error(1, 2), std::nullopt);
+  EXPECT_EQ(schema_error(2, 2), std::nullopt);
+  EXPECT_EQ(schema_error(3, 2), "schema 3 is newer than this cls reads (2); update cls");
+  EXPECT_EQ(schema_error(0, 2), "schema: must be a whole number from 1 to 2");
+}
+
 }  // namespace
 }  // namespace cls::base

@@ -246,7 +246,10 @@ TEST(Decisions, SayWhyTheyCannotBeRead) {
   EXPECT_EQ(error_of(stream.substr(stream.size() - header.left())), "corrupt decisions: no header");
   std::string other = stream;
   other.replace(other.find("cls.decisions/1"), 15, "cls.decisions/9");
-  EXPECT_EQ(error_of(other), "no decisions of cls (cls.decisions/1)");
+  EXPECT_EQ(error_of(other),
+            "schema cls.decisions/9 is newer than this cls reads (cls.decisions/1); update cls");
+  other.replace(other.find("cls.decisions/9"), 15, "cls.excisions/1");
+  EXPECT_EQ(error_of(other), "schema 'cls.excisions/1' is not cls.decisions/1");
 }
 
 // Whatever a file contains, reading it ends with an error or with decisions.

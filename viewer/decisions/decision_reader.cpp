@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "base/text/json_text.h"
+#include "base/text/schema.h"
 #include "viewer/decisions/decision_columns.h"
 #include "viewer/decisions/decision_writer.h"
 
@@ -65,8 +66,9 @@ class Reader {
 
   std::optional<base::Error> read_header(std::string_view contents) {
     const Json json = Json::parse(contents, nullptr, false);
-    if (!json.is_object() || json.value("schema", "") != kDecisionsSchema) {
-      return base::Error{fmt::format("no decisions of cls ({})", kDecisionsSchema)};
+    if (!json.is_object()) return corrupt("header");
+    if (auto error = base::schema_error(json.value("schema", ""), kDecisionsSchema)) {
+      return base::Error{*std::move(error)};
     }
     const auto side = soccer::parse_side(json.value("side", ""));
     if (!side || !json.contains("columns") || !json["columns"].is_array()) return corrupt("header");

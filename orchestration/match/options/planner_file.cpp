@@ -5,8 +5,11 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "base/io/whole_file.h"
+#include "base/text/schema.h"
+#include "base/text/stored_formats.h"
 #include "proxy/world/planner_parameters.h"
 
 namespace cls::orchestration::match {
@@ -29,6 +32,16 @@ std::vector<std::pair<std::string_view, const toml::node*>> in_file_order(const 
   return entries;
 }
 
+// A file without a schema is of the first version. Of a newer one no parameter is certain.
+std::optional<Error> schema_error_of(const toml::table& top, const std::string& name) {
+  const toml::node* node = top.get("schema");
+  if (node == nullptr) return std::nullopt;
+  const auto version = node->value<std::int64_t>().value_or(0);
+  const auto error = base::schema_error(version, base::kPlannerSchema);
+  if (!error) return std::nullopt;
+  return error_at(name, node->source(), *error);
+}
+
 }  // namespace
 
 Result<SharedPlannerParameters> parse_planner_file(std::string_view text, const std::string& name) {
@@ -39,7 +52,9 @@ Result<SharedPlannerParameters> parse_planner_file(std::string_view text, const 
     return error_at(name, error.source(), error.description());
   }
   auto parameters = std::make_shared<proxy::PlannerParameters>();
+  if (auto error = schema_error_of(top, name)) return *std::move(error);
   for (const auto& [key, node] : in_file_order(top)) {
+    if (key == "schema") continue;
     if (!node->is_number()) {
       return error_at(name, node->source(), fmt::format("{}: must be a number", key));
     }
@@ -63,6 +78,8 @@ std::string commented_planner_file() {
       "# Parameters of the offensive planner, with their defaults. A side plays with this file as\n"
       "# planner:FILE=SIDE, such as planner:planner.toml=mock:planner (docs/mock.md). A line\n"
       "# may be omitted. After each value: its range, its unit and what it is.\n";
+  fmt::format_to(std::back_inserter(text), "\nschema = {}  # version of the format of this file\n",
+                 base::kPlannerSchema);
   const proxy::PlannerParameters defaults;
   std::string_view group;
   for (const proxy::PlannerParameter& row : proxy::planner_parameter_table()) {

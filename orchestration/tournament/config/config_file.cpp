@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/io/whole_file.h"
+#include "base/text/schema.h"
 #include "base/text/stored_formats.h"
 #include "orchestration/match/options/endpoint.h"
 #include "orchestration/match/options/match_settings.h"
@@ -134,15 +135,9 @@ class Parser {
     const toml::node* node = top.get("schema");
     if (node == nullptr) return true;
     const auto version = node->value<std::int64_t>().value_or(0);
-    if (version >= 1 && version <= base::kConfigSchema) return true;
-    add_error(
-        node->source().begin.line,
-        version > base::kConfigSchema
-            ? fmt::format("schema {} is newer than this cls reads ({}); update "
-                          "cls",
-                          version, base::kConfigSchema)
-            : fmt::format("schema: must be a whole number from 1 to {}", base::kConfigSchema));
-    return false;
+    const auto error = base::schema_error(version, base::kConfigSchema);
+    if (error) add_error(node->source().begin.line, *error);
+    return !error;
   }
 
   void parse_top(const toml::table& top) {

@@ -13,6 +13,7 @@
 
 #include "base/io/whole_file.h"
 #include "base/system/host.h"
+#include "base/text/stored_formats.h"
 #include "orchestration/tournament/config/config_file.h"
 #include "orchestration/tournament/schedule/schedule_check.h"
 #include "orchestration/tournament/store/collector.h"
@@ -100,7 +101,9 @@ Result<void> check_plan(const fs::path& folder, const TournamentConfig& config) 
 
 Result<void> write_plan(const fs::path& folder, const TournamentConfig& config) {
   if (auto created = base::create_folders(folder); !created) return created;
-  return base::write_file_durably(folder / kPlanFile, format_config(config));
+  return base::write_file_durably(
+      folder / kPlanFile,
+      fmt::format("schema = {}\n\n{}", base::kConfigSchema, format_config(config)));
 }
 
 Result<void> prepare_folder(const fs::path& folder, const TournamentConfig& config) {

@@ -9,12 +9,12 @@
 #include <functional>
 #include <optional>
 
+#include "base/text/schema.h"
+#include "base/text/stored_formats.h"
 #include "orchestration/tournament/config/config_keys.h"
 
 namespace cls::orchestration::tournament {
 namespace {
-
-constexpr std::int64_t kSchema = 1;
 
 // Reads the keys of a table; every key must be read.
 class TableReader {
@@ -30,6 +30,11 @@ class TableReader {
 
   bool has(std::string_view key) const { return table_.contains(key); }
 
+  /// nullptr if there is no such key.
+  const toml::node* take(std::string_view key) {
+    known_.push_back(key);
+    return table_.get(key);
+  }
   void read(std::string_view key, std::string& value) {
     read_as<std::string>(key, "a string", [&](std::string found) { value = std::move(found); });
   }
@@ -91,11 +96,6 @@ class TableReader {
   }
 
  private:
-  const toml::node* take(std::string_view key) {
-    known_.push_back(key);
-    return table_.get(key);
-  }
-
   template <typename T, typename Store>
   void read_as(std::string_view key, std::string_view form, const Store& store) {
     const toml::node* node = take(key);
@@ -133,10 +133,19 @@ class TuneParser {
     return {table, place, file_, parsed_.errors};
   }
 
+  // Of a newer file no key is certain.
+  static bool read_schema(TableReader& read) {
+    const toml::node* node = read.take("schema");
+    if (node == nullptr) return true;
+    const auto error =
+        base::schema_error(node->value<std::int64_t>().value_or(0), base::kTuneSchema);
+    if (error) read.error(*node, *error);
+    return !error;
+  }
+
   void parse_top(const toml::table& top) {
     TableReader read = reader(top, "");
-    int schema = static_cast<int>(kSchema);
-    read.read("schema", schema, 1, static_cast<int>(kSchema));
+    if (!read_schema(read)) return;
     const toml::table* parameters = read.read_table("parameters");
     const toml::table* tune = read.read_table("tune");
     if (parameters != nullptr) parse_parameters(*parameters);

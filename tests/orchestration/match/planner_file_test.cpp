@@ -44,6 +44,13 @@ TEST(PlannerFile, ReportsPlaceAndRemedyOfErrors) {
   EXPECT_EQ(error_of("x_weight = 1\n=").rfind("p.toml:2: ", 0), 0U);
 }
 
+TEST(PlannerFile, OfALaterFormatIsRefused) {
+  EXPECT_EQ(error_of("schema = 1\nx_weight = 1\n"), "accepted");
+  EXPECT_EQ(error_of("schema = 2\nz_weight = 1\n"),
+            "p.toml:1: schema 2 is newer than this cls reads (1); update cls");
+  EXPECT_EQ(error_of("schema = \"new\""), "p.toml:1: schema: must be a whole number from 1 to 1");
+}
+
 TEST(PlannerFile, CommentedFileHasAllDefaults) {
   const std::string text = commented_planner_file();
   const auto parsed = parse_planner_file(text, "p.toml");

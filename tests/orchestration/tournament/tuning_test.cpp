@@ -275,6 +275,10 @@ TEST(TuneConfig, NamesLineAndRemedyOfErrors) {
   EXPECT_EQ(errors(kFile, "press <= width", "press >= width"),
             Lines{"tune.toml:2: constraints: 'press >= width': the start values violate it"});
   EXPECT_EQ(parse_tune_config("", "tune.toml").errors.size(), 2u);
+  EXPECT_EQ(parse_tune_config("schema = 2\npais = 4\n", "tune.toml").errors,
+            Lines{"tune.toml:1: schema 2 is newer than this cls reads (1); update cls"});
+  EXPECT_EQ(parse_tune_config("schema = 'x'\n", "tune.toml").errors,
+            Lines{"tune.toml:1: schema: must be a whole number from 1 to 1"});
 }
 
 TEST(TuneConfig, WritesAnExampleThatParses) {
