@@ -168,7 +168,8 @@ TEST(Application, VersionNamesReleaseWireCompilerAndLibraries) {
     EXPECT_NE(text.find(name), std::string::npos) << name;
     EXPECT_NE(text.find(version.get<std::string>()), std::string::npos) << name;
   }
-  for (const char* library : {"grpc", "protobuf", "boost", "sqlite", "zlib", "nlohmann-json"}) {
+  for (const char* library : {"grpc", "protobuf", "boost", "sqlite", "zlib", "nlohmann-json",
+                              "openssl", "sleef", "tomlplusplus"}) {
     ASSERT_TRUE(json["libraries"].contains(library)) << json;
     EXPECT_NE(text.find(json["libraries"][library].get<std::string>()), std::string::npos);
   }

@@ -60,6 +60,24 @@ TEST_F(Formats, OfTheFirstReleaseAreRead) {
   fs::rename(folder_.path() / "result.json", folder_.path() / "match/result.json");
   const CommandResult logs = run({"logs", "match"});
   EXPECT_NE(logs.out.find("finished"), std::string::npos) << logs.out << logs.err;
+  const CommandResult search = run({"tune", "report", "search"});
+  EXPECT_NE(search.out.find("generation 1 of 1, 4 pairs"), std::string::npos) << search.err;
+  const CommandResult planner = run({"match", "planner:planner.toml=mock:hold", "mock:hold",
+                                     "--cycles", "3", "--dir", "planned", "--quiet"});
+  EXPECT_EQ(planner.exit_code, 0) << planner.err;
+}
+
+// A saved match is simulated again up to its cycle. A cls whose players act differently reads it,
+// finds the difference and says so.
+TEST_F(Formats, SavedMatchOfTheFirstReleaseGoesOnOrDiffers) {
+  const CommandResult resumed = run({"match", "mock:hold", "mock", "--cycles", "12", "--resume",
+                                     "saved.match", "--dir", "resumed", "--quiet"});
+  const bool goes_on = resumed.out.find("12 cycles") != std::string::npos;
+  EXPECT_EQ(resumed.exit_code == 0, goes_on) << resumed.out << resumed.err;
+  if (goes_on) return;
+  EXPECT_NE(resumed.err.find("differs from the saved one at cycle 6; it was saved by cls 0.1.0"),
+            std::string::npos)
+      << resumed.err;
 }
 
 TEST_F(Formats, OfLaterReleasesAreRefusedInOneLine) {
@@ -69,6 +87,21 @@ TEST_F(Formats, OfLaterReleasesAreRefusedInOneLine) {
   replace("cls.toml", "schema = 1", "schema = 2");
   expect_refusal({"tournament", "plan", "."}, 78,
                  "cls.toml:1: schema 2 is newer than this cls reads (1); update cls");
+  replace("plan.toml", "[tournament]", "schema = 2\n[tournament]");
+  expect_refusal({"tournament", "report", "."}, 65,
+                 "plan.toml:1: schema 2 is newer than this cls reads (1); update cls");
+  replace("search/tune.toml", "schema = 1", "schema = 2");
+  expect_refusal({"tune", "report", "search"}, 78,
+                 "tune.toml:4: schema 2 is newer than this cls reads (1); update cls");
+  replace("planner.toml", "schema = 1", "schema = 2");
+  expect_refusal({"match", "planner:planner.toml=mock", "mock"}, 65,
+                 "planner.toml:5: schema 2 is newer than this cls reads (1); update cls");
+  replace("result.json", "cls.match/1", "cls.match/2");
+  fs::create_directory(folder_.path() / "match");
+  fs::rename(folder_.path() / "result.json", folder_.path() / "match/result.json");
+  expect_refusal({"logs", "match"}, 65,
+                 "result.json: schema cls.match/2 is newer than this cls reads (cls.match/1); "
+                 "update cls");
 }
 
 TEST_F(Formats, WithoutASchemaAreOfTheFirstVersion) {
