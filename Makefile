@@ -19,7 +19,7 @@ FUZZERS = protocol rcg rcl session view agent compression user_file
 help:
 	@echo 'make build         release build in build/'
 	@echo 'make test          build, run all tests with the short forms of slow suites'
-	@echo 'make full          long forms: 20 whole matches, all tests under ASan, UBSan and TSan'
+	@echo 'make full          long forms: 20 whole matches, packages, all tests under ASan, UBSan and TSan'
 	@echo 'make languages     teams and projects of every language at length: all templates, the tutorial'
 	@echo 'make web-test      the replay page in Chromium (needs node 18, npm, chromium)'
 	@echo 'make pictures      every picture of README and docs (after make web-test)'
@@ -48,7 +48,7 @@ test: build/build.ninja
 	@ctest --test-dir build -j $(TEST_JOBS) --output-on-failure
 
 full: test
-	@CLS_FULL=1 ctest --test-dir build -L '^matches$$' -V
+	@CLS_FULL=1 ctest --test-dir build -L '^(matches|packaging)$$' -V
 	@$(MAKE) --no-print-directory asan
 	@$(MAKE) --no-print-directory tsan
 

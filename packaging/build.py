@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Builds what users install from a release build: `cls` as one file, a Debian package, their bill of
-materials, licenses and checksums, in build/dist. The same build gives the same bytes."""
+materials, licenses and checksums, in build/dist. The same source gives the same bytes."""
 import argparse
 import email.utils
 import gzip
@@ -68,7 +68,8 @@ def link(build: pathlib.Path, target: str, out: pathlib.Path, replacements: list
     inputs = kept.index(str(out)) + 1
     run(*kept[:inputs], *HARDENED, "-Wl,--gc-sections", "-Wl,--start-group", *kept[inputs:],
         *replacements, *archives, "-Wl,--end-group", "-ldl", "-lm", cwd=build)
-    run("strip", "--strip-all" if "shared" not in words else "--strip-unneeded", out)
+    run("strip", "--strip-all" if "-shared" not in words else "--strip-unneeded",
+        "--remove-section=.comment", out)
 
 
 def stage(build: pathlib.Path, root: pathlib.Path, program: pathlib.Path, library: pathlib.Path,
@@ -122,13 +123,16 @@ def tree_of_same_age(root: pathlib.Path, epoch: int) -> None:
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("build", nargs="?", type=pathlib.Path, default=SOURCE / "build")
-    build = parser.parse_args().build.resolve()
+    parser.add_argument("--out", type=pathlib.Path, help="folder of the files (default: BUILD/dist)")
+    arguments = parser.parse_args()
+    build = arguments.build.resolve()
+    dist = (arguments.out or build / "dist").resolve()
+    work = dist.with_name("package")
     epoch = int(os.environ.setdefault("SOURCE_DATE_EPOCH", run(
         "git", "-C", SOURCE, "log", "-1", "--format=%ct").strip()))
-    work, dist = build / "package", build / "dist"
     for folder in (work, dist):
         shutil.rmtree(folder, ignore_errors=True)
-        folder.mkdir()
+        folder.mkdir(parents=True)
     cache = (build / "CMakeCache.txt").read_text()
     version = re.search(r"^CMAKE_PROJECT_VERSION:STATIC=(.*)$", cache, re.M)[1]
     name = f"cls-{version}-linux-x86_64"

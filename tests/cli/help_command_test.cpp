@@ -8,6 +8,7 @@
 
 #include "tests/support/command.h"
 #include "tests/support/files.h"
+#include "tests/support/installed.h"
 #include "tests/support/temporary_folder.h"
 
 namespace cls::tests {
@@ -62,7 +63,7 @@ TEST(ManPages, DescribeAllCommandsAndOptions) {
 }
 
 TEST(ManPages, AreWellFormed) {
-  if (run({"/bin/sh", "-c", "command -v mandoc"}).exit_code != 0) GTEST_SKIP() << "no mandoc";
+  if (!is_installed("mandoc")) GTEST_SKIP() << "no mandoc";
   TemporaryFolder folder;
   ASSERT_EQ(run({cls_binary(), "help", "--man", folder.path()}).exit_code, 0);
   for (const auto& page : fs::directory_iterator(folder.path())) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "tests/support/command.h"
+#include "tests/support/installed.h"
 #include "tests/support/pseudo_terminal.h"
 #include "tests/support/temporary_folder.h"
 
@@ -31,10 +32,6 @@ const Shell kShells[] = {
      "unsetopt prompt_sp; autoload -Uz compinit; compinit -D -u; "
      "cls() { echo \"ran:$*:\"; }; . ./cls.zsh"},
 };
-
-bool is_installed(const std::string& program) {
-  return run({"/bin/sh", "-c", "command -v " + program}).exit_code == 0;
-}
 
 /// A folder with scripts, a configuration, and `cls` on PATH.
 class ShellCompletion : public testing::TestWithParam<Shell> {

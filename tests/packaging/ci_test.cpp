@@ -9,6 +9,7 @@
 
 #include "tests/support/command.h"
 #include "tests/support/files.h"
+#include "tests/support/installed.h"
 #include "tests/support/temporary_folder.h"
 
 namespace cls::tests {
@@ -84,6 +85,25 @@ TEST_P(CiTemplate, TestsAndComparesAPlaymaker) {
   if (std::string(GetParam().name) == "github") {
     EXPECT_NE(read_file(folder_.path() / "summary.md").find(table), std::string::npos);
   }
+}
+
+// The services' own checkers, where they are installed.
+TEST(CiTemplates, AreValid) {
+  const std::string github = source_folder() / kTemplates[0].file;
+  const std::string gitlab = source_folder() / kTemplates[1].file;
+  const std::vector<std::vector<std::string>> checks = {
+      {"actionlint", github},
+      {"check-jsonschema", "--builtin-schema", "vendor.github-workflows", github},
+      {"check-jsonschema", "--builtin-schema", "vendor.gitlab-ci", "--data-transform", "gitlab-ci",
+       gitlab}};
+  int checked = 0;
+  for (const std::vector<std::string>& check : checks) {
+    if (!is_installed(check[0])) continue;
+    const CommandResult result = tests::run(check);
+    EXPECT_EQ(result.exit_code, 0) << check[0] << "\n" << result.out << result.err;
+    ++checked;
+  }
+  if (checked == 0) GTEST_SKIP() << "neither actionlint nor check-jsonschema";
 }
 
 INSTANTIATE_TEST_SUITE_P(Ci, CiTemplate, testing::ValuesIn(kTemplates),

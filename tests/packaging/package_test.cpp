@@ -1,0 +1,135 @@
+// `make package`: what the files need, hold and do, and that they are the same bytes again. Builds
+// them twice, so only in the long form (CLS_FULL).
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <regex>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "tests/support/command.h"
+#include "tests/support/files.h"
+#include "tests/support/installed.h"
+#include "tests/support/temporary_folder.h"
+
+namespace cls::tests {
+namespace {
+
+namespace fs = std::filesystem;
+using Words = std::vector<std::string>;
+
+class Package : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    if (std::getenv("CLS_FULL") == nullptr) return;
+    folder_ = new TemporaryFolder;
+    build("one");
+    build("two");
+  }
+  static void TearDownTestSuite() { delete folder_; }
+  void SetUp() override {
+    if (folder_ == nullptr) GTEST_SKIP() << "takes minutes: CLS_FULL=1";
+  }
+
+  static fs::path dist(const std::string& name = "one") { return folder_->path() / name / "dist"; }
+
+  /// The file of the first package whose name matches `pattern`.
+  static fs::path file(const std::string& pattern) {
+    const std::regex form(pattern);
+    for (const auto& entry : fs::directory_iterator(dist())) {
+      if (std::regex_match(entry.path().filename().string(), form)) return entry.path();
+    }
+    ADD_FAILURE() << "no file " << pattern;
+    return {};
+  }
+  static fs::path program() { return file("cls-[0-9.]+-linux-x86_64"); }
+
+  static CommandResult run_there(const Words& words) {
+    return Command(words, {}, folder_->path()).finish(std::chrono::seconds(300));
+  }
+
+  static inline TemporaryFolder* folder_ = nullptr;
+
+ private:
+  static void build(const std::string& name) {
+    const CommandResult built = run_there(
+        {"python3", source_folder() / "packaging/build.py", CLS_BUILD_DIR, "--out", dist(name)});
+    ASSERT_EQ(built.exit_code, 0) << built.out << built.err;
+  }
+};
+
+TEST_F(Package, IsTheSameBytesAgain) {
+  const std::string sums = read_file(dist("one") / "SHA256SUMS");
+  EXPECT_EQ(sums, read_file(dist("two") / "SHA256SUMS"));
+  const CommandResult checked =
+      Command({"sha256sum", "-c", "SHA256SUMS"}, {}, dist("two")).finish();
+  EXPECT_EQ(checked.exit_code, 0) << checked.out;
+  int files = 0;
+  for (const auto& entry : fs::directory_iterator(dist())) {
+    const std::string name = entry.path().filename().string();
+    if (name == "SHA256SUMS") continue;
+    EXPECT_NE(sums.find("  " + name + "\n"), std::string::npos) << name;
+    ++files;
+  }
+  EXPECT_EQ(files, 4);
+}
+
+TEST_F(Package, ProgramNeedsTheCLibraryOnly) {
+  const std::string text = run_there({"readelf", "-d", "-V", program()}).out;
+  const std::regex needed(R"(\(NEEDED\).*\[([^\]]+)\])");
+  std::set<std::string> libraries;
+  for (std::sregex_iterator at(text.begin(), text.end(), needed), end; at != end; ++at) {
+    libraries.insert((*at)[1]);
+  }
+  libraries.erase("ld-linux-x86-64.so.2");
+  libraries.erase("libm.so.6");
+  EXPECT_EQ(libraries, std::set<std::string>{"libc.so.6"});
+  const std::regex version(R"(GLIBC_2\.(\d+))");
+  for (std::sregex_iterator at(text.begin(), text.end(), version), end; at != end; ++at) {
+    EXPECT_LE(std::stoi((*at)[1]), 36) << "docs/install.md states 2.36";
+  }
+}
+
+TEST_F(Package, ProgramPlaysTheBytesOfTheBuild) {
+  std::string logs[2];
+  int next = 0;
+  for (const fs::path& cls : {program(), cls_binary()}) {
+    const std::string dir = "match" + std::to_string(next);
+    const CommandResult played = run_there({cls, "match", "mock", "mock:planner", "--seed", "7",
+                                            "--cycles", "60", "--dir", dir, "--quiet"});
+    ASSERT_EQ(played.exit_code, 0) << played.err;
+    logs[next++] = read_file(folder_->path() / dir / "match.rcg");
+  }
+  EXPECT_EQ(logs[0], logs[1]);
+}
+
+TEST_F(Package, BillOfMaterialsNamesWhatTheProgramLinks) {
+  const auto document = nlohmann::json::parse(read_file(file(".*\\.spdx\\.json")));
+  EXPECT_EQ(document["spdxVersion"], "SPDX-2.3");
+  std::set<std::string> names;
+  for (const auto& package : document["packages"]) names.insert(package["name"]);
+  for (const char* name : {"cls", "grpc", "openssl", "protobuf", "sqlite3", "sleef", "zlib"}) {
+    EXPECT_TRUE(names.contains(name)) << name;
+  }
+  EXPECT_EQ(document["relationships"].size(), document["packages"].size());
+  const std::string sum = document["packages"][0]["checksums"][0]["checksumValue"];
+  EXPECT_EQ(run_there({"sha256sum", program()}).out.substr(0, sum.size()), sum);
+  if (is_installed("pyspdxtools")) {
+    const CommandResult valid = run_there({"pyspdxtools", "-i", file(".*\\.spdx\\.json")});
+    EXPECT_EQ(valid.exit_code, 0) << valid.out << valid.err;
+  }
+}
+
+TEST_F(Package, DebianPackageIsClean) {
+  if (!is_installed("lintian")) GTEST_SKIP() << "no lintian";
+  const CommandResult lint = run_there(
+      {"lintian", "--allow-root", "--fail-on", "error,warning", file("cls_[0-9.]+_amd64\\.deb")});
+  EXPECT_EQ(lint.exit_code, 0) << lint.out << lint.err;
+  EXPECT_EQ(lint.out, "");
+}
+
+}  // namespace
+}  // namespace cls::tests
