@@ -24,6 +24,9 @@ STATIC = ["grpc++_reflection", "grpc++", "grpc", "gpr", "address_sorting", "upb"
 # Without an archive in Debian; packaging/ has what takes their place.
 REPLACED = {"fmt": "static_fmt", "tomlplusplus": "static_toml", "sleef": "embedded_sleef"}
 HARDENED = ["-Wl,-z,relro,-z,now", "-Wl,--exclude-libs,ALL", "-static-libstdc++", "-static-libgcc"]
+# A megabyte less of relocations, which glibc reads since 2.36; no symbols, so that the build id does
+# not depend on debug information.
+SMALL = ["-Wl,--gc-sections", "-Wl,-z,pack-relative-relocs", "-Wl,--strip-all"]
 
 
 def run(*command: object, cwd: pathlib.Path | None = None) -> str:
@@ -66,10 +69,9 @@ def link(build: pathlib.Path, target: str, out: pathlib.Path, replacements: list
     archives = [ARCHIVES / f"lib{name}.a" for name in STATIC]
     archives += sorted(ARCHIVES.glob("libabsl_*.a"))
     inputs = kept.index(str(out)) + 1
-    run(*kept[:inputs], *HARDENED, "-Wl,--gc-sections", "-Wl,--start-group", *kept[inputs:],
+    run(*kept[:inputs], *HARDENED, *SMALL, "-Wl,--start-group", *kept[inputs:],
         *replacements, *archives, "-Wl,--end-group", "-ldl", "-lm", cwd=build)
-    run("strip", "--strip-all" if "-shared" not in words else "--strip-unneeded",
-        "--remove-section=.comment", out)
+    run("strip", "--remove-section=.comment", out)
 
 
 def stage(build: pathlib.Path, root: pathlib.Path, program: pathlib.Path, library: pathlib.Path,
