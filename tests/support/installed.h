@@ -1,4 +1,4 @@
-// Foreign programs that tests use where they are installed.
+// Programs that tests use where they are installed.
 #pragma once
 
 #include <string>
