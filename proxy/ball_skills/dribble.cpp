@@ -219,7 +219,7 @@ bool dribble(const WorldModel& world, Intention& intention, CommandSlots& slots,
              const DribbleOptions& options) {
   if (!world.self.kickable) return intercept(world, slots, true, target);
   // A ball of unknown velocity is stopped; one that needs no kick for that is at rest as far as
-  // anybody knows, and a player who waits for more might wait forever.
+  // is known, and a player who waits for more might wait forever.
   if (!world.ball.velocity_valid() && stop_needs_kick(world)) return stop_ball(world, slots);
   const Vec2 from = self_after(world, 1);
   if (distance(from, target) < options.threshold) return hold_ball(world, slots, true, target);

@@ -210,7 +210,7 @@ TEST(BodyDribble, CarriesBallToTarget) {
   }
 }
 
-// A ball at the feet whose velocity nobody has seen: the player must not wait for it.
+// A ball at the feet whose velocity was never seen: the player must not wait for it.
 TEST(BodyDribble, StartsWithARestingBallOfUnknownVelocity) {
   KnownPitch pitch;
   pitch.place_self({}, 122.0);
