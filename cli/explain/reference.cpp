@@ -213,11 +213,12 @@ void add_actions(std::vector<ReferenceEntry>& all, const std::vector<ProtoBlock>
         add_fact(entry.facts, "does", row->effect);
         add_fact(entry.facts, "ends in", row->ends);
         add_fact(entry.facts, "fails when", row->fails);
-        // The choice in the message of all actions means the same.
+        // Its message, and the choice in the message of all actions, mean the same.
         const std::string choice = block->name + "." + field.name;
-        const auto same = std::find_if(
-            all.begin(), all.end(), [&](const ReferenceEntry& one) { return one.name == choice; });
-        if (same != all.end() && same->text.empty()) same->text = row->effect;
+        for (ReferenceEntry& one : all) {
+          const bool same = one.name == field.type || one.name == choice;
+          if (same && one.text.empty()) one.text = row->effect;
+        }
       }
       all.push_back(std::move(entry));
     }
