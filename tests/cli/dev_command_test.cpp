@@ -92,7 +92,7 @@ TEST_F(DevCommand, ReportsWhatKeepsProgramFromStarting) {
 }
 
 // The error once, with the command that sends its State again, instead of the checks that fail
-// for it; and then the difference from the last run that was played.
+// for it.
 TEST_F(DevCommand, ReportsErrorsOfDecisions) {
   Command command(dev(), {}, folder_.path());
   ASSERT_TRUE(command.wait_for_output("watching .")) << command.out();
@@ -101,7 +101,7 @@ TEST_F(DevCommand, ReportsErrorsOfDecisions) {
   ASSERT_TRUE(command.wait_for_output("FAIL  runs (passed before)")) << command.out();
   ASSERT_TRUE(command.wait_for_output("cls test --replay")) << command.out();
   write_team(20);
-  ASSERT_TRUE(command.wait_for_output("the same commands as before")) << command.out();
+  ASSERT_TRUE(command.wait_for_output("ok    runs (failed before)")) << command.out();
   const std::string out = command.out();
   const std::string error = "ValueError: no plan at decide.py:17";
   const std::size_t first = out.find(error);
