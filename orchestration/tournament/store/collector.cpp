@@ -150,9 +150,14 @@ Result<std::optional<Outcome>> work(const fs::path& folder, const Fixture& fixtu
   } else if (auto existing = read_work_result(folder, fixture, attempt)) {
     fs::remove_all(folder / unfinished, code);
     return std::optional<Outcome>(*std::move(existing));
-  } else {
-    (*outcome)->folder =
-        publish_folder(folder, unfinished, match_folder(*config, fixture, attempt)).string();
+  } else if (const fs::path published =
+                 publish_folder(folder, unfinished, match_folder(*config, fixture, attempt));
+             published != unfinished) {
+    (*outcome)->folder = published.string();
+  } else if (auto earlier = recover_result(*config, fixture, attempt, folder)) {
+    // Another process has published its folder, but not yet its result file.
+    fs::remove_all(folder / unfinished, code);
+    *outcome = *std::move(earlier);
   }
   auto published = publish_result(folder, fixture, attempt, **std::move(outcome));
   if (!published) return published.error();

@@ -67,8 +67,8 @@ class MatchAttempt {
   bool timed_out_ = false;
 };
 
-/// The outcome of an attempt that finished while no `cls tournament run` was running, from its
-/// result.json. Nothing when that is missing or the match is invalid.
+/// The outcome of an attempt that another process played, from the result.json of its match folder.
+/// Nothing when that is missing or the match is invalid.
 std::optional<Outcome> recover_result(const TournamentConfig& config, const Fixture& fixture,
                                       int attempt, const std::filesystem::path& tournament);
 
