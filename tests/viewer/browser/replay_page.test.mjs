@@ -310,6 +310,19 @@ test('saves an image', async () => {
   await context.close();
 });
 
+test('prints the field without its controls', async () => {
+  const {page, context} = await open(samplePath, '#t=50');
+  await page.emulateMedia({media: 'print'});
+  assert.equal(await page.locator('.controls').first().isVisible(), false);
+  const field = await page.locator('canvas').first().boundingBox();
+  assert.ok(field.width > 200 && field.height > 100, JSON.stringify(field));
+  const bytes = await page.pdf();
+  assert.equal(bytes.subarray(0, 4).toString(), '%PDF');
+  assert.ok(bytes.length > 10000, `${bytes.length} bytes`);
+  if (process.env.CLS_SCREENSHOTS) fs.writeFileSync(path.join(process.env.CLS_SCREENSHOTS, 'print.pdf'), bytes);
+  await context.close();
+});
+
 test('records a clip that plays', async () => {
   const {page, problems, context} = await open(samplePath, '#t=50');
   const [download] = await Promise.all([page.waitForEvent('download'), page.keyboard.press('Shift+C').then(async () => {
