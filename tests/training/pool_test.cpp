@@ -74,17 +74,21 @@ TEST(TrainingPool, EachWorldIsTheSameAlone) {
   }
 }
 
-TEST(TrainingPool, StepsDoNotAllocate) {
-  BoundPool pool(config(""));
-  play(pool, 3, 200);
+void expect_steps_do_not_allocate(BoundPool& pool) {
   soccer::RandomStream random(8, "actions");
-  if (!counts_allocations()) GTEST_SKIP() << "a sanitizer replaces the allocator";
   const std::int64_t before = allocation_count();
   for (int i = 0; i < 200; ++i) {
     pool.draw_actions(random);
     ASSERT_EQ(pool.step(), CLS_TRAINING_OK);
   }
   EXPECT_EQ(allocation_count() - before, 0);
+}
+
+TEST(TrainingPool, StepsDoNotAllocate) {
+  BoundPool pool(config(""));
+  play(pool, 3, 200);
+  if (!counts_allocations()) GTEST_SKIP() << "a sanitizer replaces the allocator";
+  expect_steps_do_not_allocate(pool);
 }
 
 TEST(TrainingPool, AMillionResetsDoNotAllocate) {
@@ -102,14 +106,8 @@ TEST(TrainingPool, AMillionResetsDoNotAllocate) {
 TEST(TrainingPool, WorldModelsDoNotAllocateAfterTheFirstCycles) {
   BoundPool pool(config(R"(, "obs": "world_model")"));
   play(pool, 3, 300);
-  soccer::RandomStream random(8, "actions");
   if (!counts_allocations()) GTEST_SKIP() << "a sanitizer replaces the allocator";
-  const std::int64_t before = allocation_count();
-  for (int i = 0; i < 200; ++i) {
-    pool.draw_actions(random);
-    ASSERT_EQ(pool.step(), CLS_TRAINING_OK);
-  }
-  EXPECT_EQ(allocation_count() - before, 0);
+  expect_steps_do_not_allocate(pool);
 }
 
 TEST(TrainingPool, DrawsOpponentsFromAPool) {
