@@ -248,6 +248,9 @@ TEST(Decisions, SayWhyTheyCannotBeRead) {
   other.replace(other.find("cls.decisions/1"), 15, "cls.decisions/9");
   EXPECT_EQ(error_of(other),
             "schema cls.decisions/9 is newer than this cls reads (cls.decisions/1); update cls");
+  const auto selected = select_players(other, {});
+  ASSERT_FALSE(selected);
+  EXPECT_EQ(selected.error().message, error_of(other));
   other.replace(other.find("cls.decisions/9"), 15, "cls.excisions/1");
   EXPECT_EQ(error_of(other), "schema 'cls.excisions/1' is not cls.decisions/1");
 }

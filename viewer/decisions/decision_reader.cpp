@@ -40,6 +40,20 @@ std::optional<Chunk> next_chunk(std::string_view& rest) {
   return chunk;
 }
 
+/// The error of a header that this version does not read.
+std::optional<base::Error> header_error(const Json& json) {
+  if (!json.is_object()) return corrupt("header");
+  if (auto error = base::schema_error(json.value("schema", ""), kDecisionsSchema)) {
+    return base::Error{*std::move(error)};
+  }
+  if (!soccer::parse_side(json.value("side", "")) || !json.contains("columns") ||
+      !json["columns"].is_array()) {
+    return corrupt("header");
+  }
+  if (json["columns"].size() != decision_columns().size()) return corrupt("other columns");
+  return std::nullopt;
+}
+
 /// Texts of a team that are longer than this together are no recording.
 constexpr std::size_t kMaxTexts = std::size_t{1} << 28;
 
@@ -66,14 +80,8 @@ class Reader {
 
   std::optional<base::Error> read_header(std::string_view contents) {
     const Json json = Json::parse(contents, nullptr, false);
-    if (!json.is_object()) return corrupt("header");
-    if (auto error = base::schema_error(json.value("schema", ""), kDecisionsSchema)) {
-      return base::Error{*std::move(error)};
-    }
-    const auto side = soccer::parse_side(json.value("side", ""));
-    if (!side || !json.contains("columns") || !json["columns"].is_array()) return corrupt("header");
-    if (json["columns"].size() != decision_columns().size()) return corrupt("other columns");
-    decisions_.side = *side;
+    if (auto error = header_error(json)) return error;
+    decisions_.side = *soccer::parse_side(json.value("side", ""));
     decisions_.team = json.value("team", "");
     has_header_ = true;
     return std::nullopt;
@@ -190,7 +198,9 @@ base::Result<std::string> select_players(std::string_view stream, const std::vec
       append_string(base::json_line(end), selected);
       return selected;
     }
-    if (chunk->kind != kHeaderChunk) {
+    if (chunk->kind == kHeaderChunk) {
+      if (auto error = header_error(Json::parse(chunk->contents, nullptr, false))) return *error;
+    } else {
       ByteReader in(chunk->contents);
       const auto unum = static_cast<int>(in.varint());
       const bool wanted =
