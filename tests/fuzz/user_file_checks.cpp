@@ -2,20 +2,36 @@
 #include "tests/fuzz/user_file_checks.h"
 
 #include <google/protobuf/stubs/logging.h>
+#include <google/protobuf/text_format.h>
+#include <google/protobuf/util/delimited_message_util.h>
+#include <sys/mman.h>
+#include <unistd.h>
 
 #include <cstdlib>
+#include <memory>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <string>
+#include <utility>
 
+#include "base/io/byte_sink.h"
+#include "base/io/gzip_sink.h"
+#include "base/system/unique_fd.h"
 #include "base/text/json_document.h"
+#include "mock-server/script/named_behaviors.h"
 #include "mock-server/script/script.h"
 #include "orchestration/match/options/planner_file.h"
+#include "orchestration/match/options/saved_match.h"
+#include "orchestration/match/result/match_result.h"
 #include "orchestration/scenario/scenario_file.h"
 #include "orchestration/tournament/config/config.h"
 #include "orchestration/tournament/config/config_file.h"
 #include "orchestration/tournament/schedule/schedule.h"
 #include "orchestration/tournament/schedule/schedule_check.h"
+#include "orchestration/tournament/store/match_document.h"
 #include "proto/playmaker.pb.h"
+#include "proto/recording_file.h"
+#include "proto/saved_match.pb.h"
 #include "proxy/formation/formation_file.h"
 #include "proxy/formation/librcsc_formation.h"
 #include "proxy/world/planner_parameters.h"
@@ -85,6 +101,105 @@ void check_planner_file(const std::string& text) {
   }
 }
 
+/// A compressed file in memory, for functions that read files.
+class MemoryFile {
+ public:
+  explicit MemoryFile(std::string_view content) : fd_(::memfd_create("fuzz", MFD_CLOEXEC)) {
+    auto out = std::make_unique<base::StringSink>();
+    const base::StringSink& compressed = *out;
+    base::GzipSink gzip(std::move(out), 1);
+    gzip.write(content);
+    require(gzip.close().ok());
+    const std::string& bytes = compressed.bytes();
+    require(::write(fd_.get(), bytes.data(), bytes.size()) == static_cast<ssize_t>(bytes.size()));
+  }
+  std::string path() const { return "/proc/self/fd/" + std::to_string(fd_.get()); }
+
+ private:
+  base::UniqueFd fd_;
+};
+
+// What the text format of `Message` says, with the length in front.
+template <typename Message>
+std::string delimited(const std::string& text) {
+  Message message;
+  google::protobuf::TextFormat::Parser parser;
+  parser.AllowPartialMessage(true);
+  parser.ParseFromString(text, &message);
+  std::ostringstream out;
+  google::protobuf::util::SerializeDelimitedToOstream(message, &out);
+  return out.str();
+}
+
+// A header and calls in protobuf's text format, with lines of "--" in between.
+std::string recording_of(const std::string& text) {
+  constexpr std::string_view kBorder = "\n--\n";
+  std::size_t end = text.find(kBorder);
+  std::string bytes = delimited<recording::RecordingHeader>(text.substr(0, end));
+  while (end != std::string::npos) {
+    const std::size_t begin = end + kBorder.size();
+    end = text.find(kBorder, begin);
+    bytes += delimited<recording::RecordedCall>(text.substr(begin, end - begin));
+  }
+  return bytes;
+}
+
+void check_recording(const std::string& bytes) {
+  const MemoryFile file(bytes);
+  std::string error;
+  const auto reader = proto::RecordingReader::open(file.path(), error);
+  if (reader == nullptr) return require(!error.empty());
+  recording::RecordedCall call;
+  std::size_t calls = 0;
+  while (reader->next(call)) ++calls;
+  require(calls <= bytes.size());
+  const auto replay = mock_server::make_behavior("replay:" + file.path());
+  require(replay.ok() == reader->parse_error().empty());
+  if (!replay) return;
+  protos::PlayerActions actions;
+  (*replay)->decide(protos::State(), actions);
+}
+
+void check_saved_match(const std::string& bytes) {
+  const MemoryFile file(bytes);
+  const auto match = orchestration::match::read_saved_match(file.path());
+  if (!match) return require(!match.error().message.empty());
+  orchestration::match::MatchOptions options;
+  const auto resumed = orchestration::match::resume_from(*match, options);
+  require(resumed.ok() || !resumed.error().message.empty());
+  require(options.on_late <= proxy::OnLate::kDefault);
+  for (const soccer::Side side : {soccer::Side::kLeft, soccer::Side::kRight}) {
+    orchestration::match::replies_of(**match, side);
+  }
+}
+
+std::string saved_match_of(const std::string& text) {
+  saved::SavedMatch match;
+  google::protobuf::TextFormat::Parser parser;
+  parser.AllowPartialMessage(true);
+  parser.ParseFromString(text, &match);
+  return match.SerializePartialAsString();
+}
+
+// Lines of schedules, rows of the store, results of matches.
+void check_record(const std::string& text) {
+  using namespace orchestration::tournament;
+  if (const auto fixture = parse_fixture(text)) {
+    const std::string written = format_fixture(*fixture);
+    const auto again = parse_fixture(written);
+    require(again.ok() && format_fixture(*again) == written);
+  }
+  if (const auto outcome = parse_outcome(text)) {
+    const std::string written = format_outcome(*outcome);
+    const auto again = parse_outcome(written);
+    require(again.ok() && format_outcome(*again) == written);
+  }
+  if (const auto work = parse_work_result(text)) parse_outcome(format_outcome(work->outcome));
+  if (const auto result = orchestration::match::parse_match_result(text)) {
+    parse_outcome(format_outcome(outcome_of(*result)));
+  }
+}
+
 }  // namespace
 
 void check_user_file(std::string_view input) {
@@ -105,6 +220,16 @@ void check_user_file(std::string_view input) {
       return check_config(text);
     case 'p':
       return check_planner_file(text);
+    case 'r':
+      return check_recording(recording_of(text));
+    case 'R':
+      return check_recording(text);
+    case 'v':
+      return check_saved_match(saved_match_of(text));
+    case 'V':
+      return check_saved_match(text);
+    case 'e':
+      return check_record(text);
     default:
       return;
   }
