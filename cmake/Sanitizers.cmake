@@ -7,6 +7,8 @@ if(CLS_SANITIZE)
   add_compile_options(
     -O1 -fsanitize=${CLS_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
   add_link_options(-fsanitize=${CLS_SANITIZE})
+  # Indices and iterators of the standard library are checked, too.
+  add_compile_definitions(_GLIBCXX_ASSERTIONS)
   # GCC sees uninitialized values that are none in instrumented library headers, and warns of the
   # fences in Boost.Asio's, which thread sanitizer does not follow.
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
