@@ -6,6 +6,7 @@
 
 #include "proxy/ball_skills/hold_ball.h"
 #include "proxy/world/motion.h"
+#include "soccer/interval.h"
 
 namespace cls::proxy {
 
@@ -37,7 +38,7 @@ bool kick_one_step(const WorldModel& world, CommandSlots& slots, Vec2 target, do
   if (!world.ball.velocity_valid() && !force_mode) return stop_ball(world, slots);
   const Vec2 way = target - world.ball.position;
   const double length = way.length();
-  const double desired = std::clamp(first_speed, 0.0, world.server().ball_speed_max);
+  const double desired = soccer::between(first_speed, 0.0, world.server().ball_speed_max);
   if (length < 1e-6 || desired < 1e-6) return stop_ball(world, slots);
   const Vec2 direction = way / length;
   const double limit = kick_limit(world);
@@ -59,7 +60,8 @@ Vec2 stopping_change(const WorldModel& world) {
   const Vec2 velocity = world.ball.velocity_valid() ? world.ball.velocity : Vec2{};
   const Vec2 relative = world.ball.position - world.self.position;
   const double dist = relative.length();
-  const double gap = std::clamp(dist, collide_distance(world) + 0.1, kickable_area(world) - 0.1);
+  const double gap =
+      soccer::between(dist, collide_distance(world) + 0.1, kickable_area(world) - 0.1);
   const Vec2 outwards = dist > 1e-6 ? relative / dist : soccer::polar(1.0, world.self.body);
   const Vec2 next_self = self_after(world, 1);
   Vec2 desired = next_self + outwards * gap - world.ball.position;

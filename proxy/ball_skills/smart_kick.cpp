@@ -9,6 +9,7 @@
 #include "proxy/ball_skills/kick.h"
 #include "proxy/ball_skills/threats.h"
 #include "proxy/world/motion.h"
+#include "soccer/interval.h"
 #include "soccer/pitch.h"
 
 namespace cls::proxy {
@@ -185,7 +186,7 @@ Plan Search::best(int max_steps) {
 bool smart_kick(const WorldModel& world, CommandSlots& slots, Vec2 target, double first_speed,
                 double speed_threshold, int max_steps) {
   if (!world.self.kickable) return false;
-  const double desired = std::clamp(first_speed, 0.0, world.server().ball_speed_max);
+  const double desired = soccer::between(first_speed, 0.0, world.server().ball_speed_max);
   Search search(world, target, desired, std::min(speed_threshold, desired));
   const Plan plan = search.best(std::clamp(max_steps, 1, 3));
   if (plan.speed > 0.0 && plan.speed >= std::min(speed_threshold, desired) - 1e-6) {

@@ -10,6 +10,7 @@
 #include "proxy/movement/off_ball.h"
 #include "proxy/movement/tackle.h"
 #include "proxy/world/motion.h"
+#include "soccer/interval.h"
 #include "soccer/pitch.h"
 
 namespace cls::proxy {
@@ -39,7 +40,7 @@ double normal_dash_power(const WorldModel& world, bool& recovering) {
   const int our_cycles = std::min(table.best_self_steps(), table.first_teammate_steps);
   if (ball.x > 25.0 && ball.x > self.position.x + 10.0 &&
       our_cycles < table.first_opponent_steps - 6) {
-    return std::clamp(0.5 * income, 10.0, max);
+    return soccer::between(0.5 * income, 10.0, max);
   }
   return std::min(max, 1.7 * income);
 }

@@ -8,6 +8,7 @@
 #include "proxy/world/fixed_list.h"
 #include "proxy/world/motion.h"
 #include "proxy/world/running.h"
+#include "soccer/interval.h"
 #include "soccer/pitch.h"
 
 namespace cls::proxy {
@@ -103,7 +104,7 @@ Vec2 point_on_bisector(const WorldModel& world, Vec2 ball, double x) {
   const double post = world.server().goal_width / 2.0 - 0.5;
   const Vec2 behind{kGoalX - kBehind, 0.0};
   const double share = (x - behind.x) / std::max(0.5, ball.x - behind.x);
-  return {x, std::clamp(ball.y * std::clamp(share, 0.0, 1.0), -post, post)};
+  return {x, soccer::between(ball.y * std::clamp(share, 0.0, 1.0), -post, post)};
 }
 
 }  // namespace

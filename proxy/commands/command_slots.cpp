@@ -7,6 +7,7 @@
 #include "proxy/world/motion.h"
 #include "proxy/world/view_cone.h"
 #include "soccer/commands/rounding.h"
+#include "soccer/interval.h"
 #include "soccer/pitch.h"
 
 namespace cls::proxy {
@@ -34,8 +35,8 @@ bool CommandSlots::dash(double power, double direction) {
   const auto& server = world_->server();
   const SelfState& self = world_->self;
   if (self.frozen() || !finite(power, direction)) return false;
-  power = std::clamp(power, server.min_dash_power, server.max_dash_power);
-  direction = std::clamp(direction, server.min_dash_angle, server.max_dash_angle);
+  power = soccer::between(power, server.min_dash_power, server.max_dash_power);
+  direction = soccer::between(direction, server.min_dash_angle, server.max_dash_angle);
   direction = soccer::math::quantize(direction, server.dash_angle_step);
   const double payable = self.stamina + world_->self_type().extra_stamina;
   power = power >= 0.0 ? std::min(power, payable) : std::max(power, -payable / 2.0);
@@ -48,7 +49,7 @@ bool CommandSlots::turn(double angle) {
   const auto& server = world_->server();
   if (world_->self.frozen() || !finite(angle)) return false;
   const double needed = angle * turn_resistance(world_->self_type(), world_->self.velocity);
-  const double moment = std::clamp(needed, server.minmoment, server.maxmoment);
+  const double moment = soccer::between(needed, server.minmoment, server.maxmoment);
   if (!finite(moment)) return false;
   body_ = soccer::Turn{soccer::rounded_for_command(moment)};
   return true;
@@ -57,7 +58,7 @@ bool CommandSlots::turn(double angle) {
 bool CommandSlots::kick(double power, double direction) {
   if (!world_->self.kickable || world_->self.frozen()) return false;
   if (!finite(power, direction)) return false;
-  power = std::clamp(power, 0.0, world_->server().maxpower);
+  power = soccer::between(power, 0.0, world_->server().maxpower);
   if (!finite(power)) return false;
   body_ = soccer::Kick{soccer::rounded_for_command(power),
                        soccer::rounded_for_command(soccer::math::normalize_degrees(direction))};
@@ -83,8 +84,8 @@ bool CommandSlots::catch_ball() {
   const double corner = soccer::math::to_degrees(
       soccer::math::atan2(server.catchable_area_w / 2.0, server.catchable_area_l));
   const double ball = (world_->ball.angle_from_self - world_->self.body).degrees();
-  const double direction = std::clamp(ball > 0.0 ? ball - corner : ball + corner,
-                                      server.min_catch_angle, server.max_catch_angle);
+  const double direction = soccer::between(ball > 0.0 ? ball - corner : ball + corner,
+                                           server.min_catch_angle, server.max_catch_angle);
   if (!finite(direction)) return false;
   body_ = soccer::Catch{soccer::rounded_for_command(direction)};
   return true;
@@ -115,10 +116,10 @@ bool CommandSlots::turn_neck(double moment) {
   const auto& server = world_->server();
   if (!finite(moment)) return false;
   const double neck = world_->self.neck.degrees();
-  const double target =
-      std::clamp(neck + std::clamp(moment, -360.0, 360.0), server.minneckang, server.maxneckang);
+  const double target = soccer::between(neck + std::clamp(moment, -360.0, 360.0), server.minneckang,
+                                        server.maxneckang);
   const double turn =
-      std::clamp(std::rint(target - neck), server.minneckmoment, server.maxneckmoment);
+      soccer::between(std::rint(target - neck), server.minneckmoment, server.maxneckmoment);
   if (!finite(turn)) return false;
   turn_neck_ = soccer::TurnNeck{turn};
   return true;
@@ -140,9 +141,9 @@ bool CommandSlots::change_focus(double distance_moment, double direction_moment)
   const SelfState& self = world_->self;
   const double half = view_angle(world_->server(), next_view_width()) / 2.0;
   const double distance = std::clamp(self.focus_distance + distance_moment, 0.0, kMaxFocusDistance);
-  const double direction =
-      std::clamp(soccer::math::normalize_degrees(self.focus_direction.degrees() + direction_moment),
-                 -half, half);
+  const double direction = soccer::between(
+      soccer::math::normalize_degrees(self.focus_direction.degrees() + direction_moment), -half,
+      half);
   const double farther = distance - self.focus_distance;
   const double turn = direction - self.focus_direction.degrees();
   if (!finite(farther, turn)) return false;

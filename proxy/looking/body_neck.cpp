@@ -6,6 +6,7 @@
 
 #include "proxy/looking/neck.h"
 #include "proxy/world/motion.h"
+#include "soccer/interval.h"
 
 namespace cls::proxy {
 namespace {
@@ -101,7 +102,8 @@ bool look_around(const WorldModel& world, const ViewMemory& view, CommandSlots& 
     }
   }
   const double relative = (best - world.self.body).degrees();
-  const double neck = std::clamp(relative, world.server().minneckang, world.server().maxneckang);
+  const double neck =
+      soccer::between(relative, world.server().minneckang, world.server().maxneckang);
   const bool set = slots.turn(relative - neck);
   face(world, slots, best);
   return set;

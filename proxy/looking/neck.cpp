@@ -6,6 +6,7 @@
 
 #include "proxy/looking/neck_search.h"
 #include "proxy/world/motion.h"
+#include "soccer/interval.h"
 #include "soccer/pitch.h"
 
 namespace cls::proxy {
@@ -46,9 +47,9 @@ bool aim_near(const WorldModel& world, const ViewMemory& view, CommandSlots& slo
               double edge) {
   const double slack = std::max(0.0, half_view(world, slots) - edge);
   const double low =
-      std::clamp(relative - slack, world.server().minneckang, world.server().maxneckang);
+      soccer::between(relative - slack, world.server().minneckang, world.server().maxneckang);
   const double high =
-      std::clamp(relative + slack, world.server().minneckang, world.server().maxneckang);
+      soccer::between(relative + slack, world.server().minneckang, world.server().maxneckang);
   const NeckSearch search(world, view, slots);
   return aim(world, slots, search.best_field(low, high));
 }
@@ -63,7 +64,7 @@ bool neck_scan_field(const WorldModel& world, const ViewMemory& view, CommandSlo
       std::fabs(here.x) > soccer::kHalfLength - 5.0 || std::fabs(here.y) > soccer::kHalfWidth - 5.0;
   if (at_edge && slots.next_view_width() == soccer::ViewWidth::kWide) {
     const double inward = relative_direction(slots, {here.x * 0.3, 0.0});
-    return aim(world, slots, std::clamp(inward, server.minneckang, server.maxneckang));
+    return aim(world, slots, soccer::between(inward, server.minneckang, server.maxneckang));
   }
   if (search.knows_all_players()) {
     return aim(world, slots, search.best_players(server.minneckang, server.maxneckang));
@@ -114,7 +115,7 @@ bool neck_turn_to_ball_and_player(const WorldModel& world, const ViewMemory& vie
   const double gap = soccer::math::normalize_degrees(other - ball);
   const double middle = soccer::math::normalize_degrees(ball + gap / 2.0);
   const double width = 2.0 * (half_view(world, slots) - kEdge);
-  const double neck = std::clamp(middle, world.server().minneckang, world.server().maxneckang);
+  const double neck = soccer::between(middle, world.server().minneckang, world.server().maxneckang);
   const bool fits = std::fabs(gap) / 2.0 + std::fabs(middle - neck) <= width / 2.0;
   return fits ? aim(world, slots, neck) : neck_turn_to_ball(world, view, slots);
 }

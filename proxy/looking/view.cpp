@@ -6,6 +6,7 @@
 
 #include "proxy/world/motion.h"
 #include "proxy/world/view_cone.h"
+#include "soccer/interval.h"
 #include "soccer/pitch.h"
 
 namespace cls::proxy {
@@ -89,7 +90,7 @@ bool focus_to_point(const WorldModel& world, CommandSlots& slots, Vec2 point) {
   const Vec2 relative = point - slots.next_position();
   const double half = view_angle(world.server(), slots.next_view_width()) / 2.0;
   const double direction = (AngleDeg::of(relative) - slots.next_face()).degrees();
-  const double inside = std::clamp(direction, -half, half);
+  const double inside = soccer::between(direction, -half, half);
   // Outside the view cone: use the nearest point on its edge.
   const double off = soccer::math::to_radians(direction - inside);
   const double reach = relative.length() * std::max(0.0, soccer::math::cos(off));

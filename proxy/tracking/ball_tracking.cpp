@@ -6,6 +6,7 @@
 
 #include "proxy/tracking/observed_object.h"
 #include "proxy/world/view_cone.h"
+#include "soccer/interval.h"
 #include "soccer/math.h"
 
 namespace cls::proxy {
@@ -33,8 +34,8 @@ Push own_kick(const WorldModel& world, const soccer::Kick& kick) {
   const BallState& ball = world.ball;
   const soccer::ServerParams& server = world.server();
   const soccer::PlayerType& type = world.self_type();
-  const double power = std::clamp(kick.power, server.minpower, server.maxpower);
-  const double direction = std::clamp(kick.direction, server.minmoment, server.maxmoment);
+  const double power = soccer::between(kick.power, server.minpower, server.maxpower);
+  const double direction = soccer::between(kick.direction, server.minmoment, server.maxmoment);
   const Vec2 offset = ball.position - self.position;
   const double turn = (soccer::AngleDeg::of(offset) - self.body).abs() / 180.0;
   const double gap = (offset.length() - type.player_size - server.ball_size) / type.kickable_margin;

@@ -4,6 +4,7 @@
 
 #include "proxy/tracking/self_localization.h"
 #include "proxy/world/running.h"
+#include "soccer/interval.h"
 #include "soccer/math.h"
 
 namespace cls::proxy {
@@ -48,7 +49,8 @@ void turn_body(WorldModel& world, const Executed& done) {
   Gaussian<3>& pose = tracker.pose;
   if (done.turn) {
     const soccer::ServerParams& server = world.server();
-    const double moment = std::clamp(tracker.sent.turn->moment, server.minmoment, server.maxmoment);
+    const double moment =
+        soccer::between(tracker.sent.turn->moment, server.minmoment, server.maxmoment);
     const double turned =
         moment / (1.0 + world.self_type().inertia_moment * world.self.velocity.length());
     pose.mean[2] = math::normalize_degrees(pose.mean[2] + turned);
@@ -64,9 +66,9 @@ AngleDeg neck_after(WorldModel& world, const Executed& done, int head_angle) {
   double neck = world.self.neck.degrees();
   if (done.turn_neck) {
     const soccer::ServerParams& server = world.server();
-    const double moment = std::clamp(world.self_tracker.sent.turn_neck->moment,
-                                     server.minneckmoment, server.maxneckmoment);
-    neck = std::clamp(neck + moment, server.minneckang, server.maxneckang);
+    const double moment = soccer::between(world.self_tracker.sent.turn_neck->moment,
+                                          server.minneckmoment, server.maxneckmoment);
+    neck = soccer::between(neck + moment, server.minneckang, server.maxneckang);
   }
   // Truncated toward zero: the true angle is up to one degree larger; the server's radians may
   // round to either side at the border.
@@ -83,8 +85,8 @@ AngleDeg neck_after(WorldModel& world, const Executed& done, int head_angle) {
 Vec2 dash_acceleration(const WorldModel& world) {
   const soccer::Dash& dash = *world.self_tracker.sent.dash;
   const soccer::ServerParams& server = world.server();
-  const double power = std::clamp(dash.power, server.min_dash_power, server.max_dash_power);
-  double direction = std::clamp(dash.direction, server.min_dash_angle, server.max_dash_angle);
+  const double power = soccer::between(dash.power, server.min_dash_power, server.max_dash_power);
+  double direction = soccer::between(dash.direction, server.min_dash_angle, server.max_dash_angle);
   if (server.dash_angle_step > math::kEps) {
     direction = math::quantize(direction, server.dash_angle_step);
   }

@@ -7,6 +7,7 @@
 #include "simulator/referee/collision.h"
 #include "simulator/referee/referee.h"
 #include "simulator/world/angles.h"
+#include "soccer/interval.h"
 
 namespace cls::simulator::actions {
 namespace {
@@ -102,8 +103,8 @@ void catch_ball(World& world, Player& player, const soccer::Catch& command, Even
   }
   player.catch_ban = server.catch_ban_cycle;
   const double direction =
-      player.body +
-      exact_radians(std::clamp(command.direction, server.min_catch_angle, server.max_catch_angle));
+      player.body + exact_radians(soccer::between(command.direction, server.min_catch_angle,
+                                                  server.max_catch_angle));
   const CatchArea area = catch_area(server, world.type_of(player));
   const Vec2 ball = ball_relative_to(world, player, direction);
   if (!area.contains(ball)) {

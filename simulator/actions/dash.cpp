@@ -6,6 +6,7 @@
 #include "simulator/actions/commands.h"
 #include "simulator/motion/motion.h"
 #include "simulator/world/angles.h"
+#include "soccer/interval.h"
 
 namespace cls::simulator {
 namespace {
@@ -30,8 +31,8 @@ double direction_rate(const soccer::ServerParams& server, double direction) {
 Vec2 leg_acceleration(const World& world, const Player& player, const Leg& leg, double cost) {
   if (!leg.dashes) return {};
   const soccer::ServerParams& server = world.params();
-  const double power = std::clamp(leg.power >= 0.0 ? cost * 2.0 : -cost, server.min_dash_power,
-                                  server.max_dash_power);
+  const double power = soccer::between(leg.power >= 0.0 ? cost * 2.0 : -cost, server.min_dash_power,
+                                       server.max_dash_power);
   const double length =
       std::fabs(player.stamina.effort * power * direction_rate(server, leg.direction) *
                 world.type_of(player).dash_power_rate) /
@@ -54,9 +55,9 @@ void rotate(World& world, Player& player, Vec2 left, Vec2 right) {
 }
 
 void command_leg(const soccer::ServerParams& server, Leg& leg, const soccer::Dash& command) {
-  const double power = std::clamp(command.power, server.min_dash_power, server.max_dash_power);
+  const double power = soccer::between(command.power, server.min_dash_power, server.max_dash_power);
   const double direction =
-      std::clamp(command.direction, server.min_dash_angle, server.max_dash_angle);
+      soccer::between(command.direction, server.min_dash_angle, server.max_dash_angle);
   leg = {true, true, power, math::quantize(direction, server.dash_angle_step)};
 }
 

@@ -1,11 +1,11 @@
 // kick: strongest and most accurate when the ball is close and in front
 // (docs/spec/simulation-model.md 4.4).
-#include <algorithm>
 #include <cmath>
 
 #include "simulator/actions/commands.h"
 #include "simulator/referee/referee.h"
 #include "simulator/world/angles.h"
+#include "soccer/interval.h"
 
 namespace cls::simulator::actions {
 
@@ -28,9 +28,9 @@ void kick(World& world, Player& player, const soccer::Kick& command, Events& eve
 
   const soccer::ServerParams& server = world.params();
   const soccer::PlayerType& type = world.type_of(player);
-  const double power = std::clamp(command.power, server.minpower, server.maxpower);
+  const double power = soccer::between(command.power, server.minpower, server.maxpower);
   const double direction =
-      exact_radians(std::clamp(command.direction, server.minmoment, server.maxmoment));
+      exact_radians(soccer::between(command.direction, server.minmoment, server.maxmoment));
   const Vec2 to_ball = world.ball.position - player.position;
   // 0 is the best value of both; the gap is negative while the ball overlaps the player.
   const double angle_off =

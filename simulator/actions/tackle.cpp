@@ -6,6 +6,7 @@
 #include "simulator/actions/commands.h"
 #include "simulator/referee/referee.h"
 #include "simulator/world/angles.h"
+#include "soccer/interval.h"
 
 namespace cls::simulator::actions {
 namespace {
@@ -47,7 +48,7 @@ bool moves_the_ball(PlayMode mode) {
 
 Push push_by_angle(const soccer::ServerParams& server, const Player& player, double degrees,
                    double side_rate) {
-  const double angle = exact_radians(std::clamp(degrees, server.minmoment, server.maxmoment));
+  const double angle = exact_radians(soccer::between(degrees, server.minmoment, server.maxmoment));
   const double power =
       server.max_back_tackle_power + (server.max_tackle_power - server.max_back_tackle_power) *
                                          (1.0 - std::fabs(angle) / math::kPi);
@@ -58,7 +59,7 @@ Push push_by_angle(const soccer::ServerParams& server, const Player& player, dou
 Push push_by_power(const soccer::ServerParams& server, const Player& player, double commanded_power,
                    double side_rate) {
   const double power =
-      std::clamp(commanded_power, -server.max_back_tackle_power, server.max_tackle_power);
+      soccer::between(commanded_power, -server.max_back_tackle_power, server.max_tackle_power);
   double rate = 1.0;
   if (power >= 0.0) {
     rate = power / server.max_tackle_power;

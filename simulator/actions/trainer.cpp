@@ -11,6 +11,7 @@
 #include "simulator/world/angles.h"
 #include "simulator/world/roster.h"
 #include "simulator/world/stamina.h"
+#include "soccer/interval.h"
 #include "soccer/pitch.h"
 
 namespace cls::simulator {
@@ -92,7 +93,7 @@ void move_player(World& world, Slot slot, Vec2 position, std::optional<double> b
   player.position = limited(position);
   if (body_degrees) {
     const soccer::ServerParams& server = world.params();
-    player.body = exact_radians(std::clamp(*body_degrees, server.minmoment, server.maxmoment));
+    player.body = exact_radians(soccer::between(*body_degrees, server.minmoment, server.maxmoment));
   }
   player.pending_body = player.body;  // discards a turn of this cycle
   if (velocity) player.velocity = limited(*velocity);

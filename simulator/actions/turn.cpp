@@ -1,10 +1,10 @@
 // turn: the angle depends on the speed (docs/spec/simulation-model.md 4.2).
-#include <algorithm>
 #include <cmath>
 
 #include "simulator/actions/commands.h"
 #include "simulator/motion/motion.h"
 #include "simulator/world/angles.h"
+#include "soccer/interval.h"
 
 namespace cls::simulator::actions {
 
@@ -31,7 +31,7 @@ void turn(World& world, Player& player, const soccer::Turn& command) {
   if (player.command_done) return;
   const soccer::ServerParams& server = world.params();
   const double moment =
-      exact_radians(std::clamp(command.moment, server.minmoment, server.maxmoment));
+      exact_radians(soccer::between(command.moment, server.minmoment, server.maxmoment));
   const double inertia = 1.0 + world.type_of(player).inertia_moment * player.velocity.length();
   const double share = executed_share(world, player, moment / inertia);
   player.pending_body = math::normalize_radians(player.body + share * moment / inertia);

@@ -3,6 +3,7 @@
 
 #include "simulator/actions/commands.h"
 #include "simulator/world/angles.h"
+#include "soccer/interval.h"
 
 namespace cls::simulator::actions {
 namespace {
@@ -13,7 +14,7 @@ constexpr double kMaxFocusDistance = 40.0;
 
 double clamp_to_view(const World& world, const View& view, double direction) {
   const double half = view_cone(view, world.params().visible_angle) / 2.0;
-  return std::clamp(direction, -half, half);
+  return soccer::between(direction, -half, half);
 }
 
 }  // namespace
@@ -21,10 +22,10 @@ double clamp_to_view(const World& world, const View& view, double direction) {
 void turn_neck(World& world, Player& player, const soccer::TurnNeck& command) {
   if (player.turn_neck_done) return;
   const soccer::ServerParams& server = world.params();
-  const double moment = std::clamp(command.moment, server.minneckmoment, server.maxneckmoment);
+  const double moment = soccer::between(command.moment, server.minneckmoment, server.maxneckmoment);
   player.pending_neck =
-      std::clamp(player.neck + exact_radians(moment), exact_radians(server.minneckang),
-                 exact_radians(server.maxneckang));
+      soccer::between(player.neck + exact_radians(moment), exact_radians(server.minneckang),
+                      exact_radians(server.maxneckang));
   player.turn_neck_done = true;
   ++player.counters.turn_neck;
 }

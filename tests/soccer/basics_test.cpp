@@ -1,6 +1,7 @@
 // Angles, shapes, sides, play modes, landmarks and channels in memory.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -9,6 +10,7 @@
 #include "soccer/angle.h"
 #include "soccer/directions.h"
 #include "soccer/geometry.h"
+#include "soccer/interval.h"
 #include "soccer/memory_channel.h"
 #include "soccer/pitch.h"
 #include "soccer/play_mode.h"
@@ -32,6 +34,13 @@ TEST(Angles, QuantizeRoundsHalfToEven) {
   EXPECT_EQ(math::quantize(0.25, 0.1), 0.2);
   EXPECT_DOUBLE_EQ(math::quantize(0.35, 0.1), 0.3);  // 0.35 / 0.1 is just below 3.5
   EXPECT_EQ(math::quantize(0.123, 0.0), 0.123);
+}
+
+TEST(Interval, HasItsEndsInEitherOrder) {
+  for (const double value : {-30.0, -2.0, 0.0, 1.5, 3.0, 1e300}) {
+    EXPECT_EQ(between(value, -2.0, 3.0), std::clamp(value, -2.0, 3.0));
+    EXPECT_EQ(between(value, 3.0, -2.0), std::clamp(value, -2.0, 3.0));
+  }
 }
 
 TEST(Directions, ArePairwiseTheSameBits) {
