@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 #include <signal.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
@@ -246,6 +247,15 @@ Failure why_not_listening(const Arguments& arguments, const std::string& error) 
   return {taken.empty() ? error : taken + "; --port 0 selects a free port", kTryAgain};
 }
 
+// gRPC 1.51 closes its listener for good when accept() finds no free descriptor, so take as many as
+// the system allows (docs/reliability.md).
+void raise_descriptor_limit() {
+  rlimit limit{};
+  if (::getrlimit(RLIMIT_NOFILE, &limit) != 0) return;
+  limit.rlim_cur = limit.rlim_max;
+  ::setrlimit(RLIMIT_NOFILE, &limit);
+}
+
 int run_mock(const Arguments& arguments) {
   Failure failure;
   auto mock = make(arguments, failure);
@@ -253,6 +263,7 @@ int run_mock(const Arguments& arguments) {
   const std::atomic<int>& signal = watch_interrupts();
   failure.code = kTryAgain;
   wait(milliseconds(static_cast<int>(arguments.slow_start_s * 1000.0)), signal);
+  raise_descriptor_limit();
   const JsonStdout json(arguments.json);
   ServingProcess process(arguments);
   if (const auto started = process.start(*std::move(mock)); !started) {

@@ -1,11 +1,15 @@
 // `cls mock` as a separate process that matches connect to.
 #include <gtest/gtest.h>
 #include <signal.h>
+#include <sys/resource.h>
 
+#include <chrono>
 #include <fstream>
 #include <string>
 #include <vector>
 
+#include "base/system/tcp_connect.h"
+#include "base/system/unique_fd.h"
 #include "tests/support/command.h"
 #include "tests/support/temporary_folder.h"
 
@@ -114,6 +118,33 @@ TEST(MockCommand, ListensAgainAfterRestart) {
   EXPECT_NE(played.err.find("connection to the Playmaker lost"), std::string::npos) << played.err;
   const auto again = play_at(address_of(mock), {}, "5");
   EXPECT_EQ(again.exit_code, 0) << again.err;
+}
+
+// A listener of gRPC that once found no free descriptor never accepts again.
+TEST(MockCommand, AcceptsMatchesAfterMoreConnectionsThanItsSoftLimit) {
+  rlimit limit{};
+  ASSERT_EQ(getrlimit(RLIMIT_NOFILE, &limit), 0);
+  if (limit.rlim_max < 1000) GTEST_SKIP() << "needs 1000 descriptors, " << limit.rlim_max;
+  rlimit low = limit;
+  low.rlim_cur = 64;
+  ASSERT_EQ(setrlimit(RLIMIT_NOFILE, &low), 0);
+  Command mock({cls::tests::cls_binary(), "mock"});
+  ASSERT_EQ(setrlimit(RLIMIT_NOFILE, &limit), 0);
+  ASSERT_TRUE(mock.wait_for_output("\n"));
+  const std::string address = address_of(mock);
+  const int port = std::stoi(address.substr(address.rfind(':') + 1));
+  {
+    const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+    std::vector<cls::base::UniqueFd> idle;
+    for (int i = 0; i < 120; ++i) {
+      idle.push_back(cls::base::connect_tcp("127.0.0.1", port, deadline));
+      ASSERT_TRUE(idle.back()) << i;
+    }
+    const auto beside = play_at(address, {}, "5");
+    EXPECT_EQ(beside.exit_code, 0) << beside.err;
+  }
+  const auto after = play_at(address, {}, "5");
+  EXPECT_EQ(after.exit_code, 0) << after.err;
 }
 
 TEST(MockCommand, ReportsFailedExpectationsOfScript) {
