@@ -40,7 +40,9 @@ int run(int argc, char** argv) {
   } catch (const std::system_error& error) {
     // As fmt throws it.
     if (std::ferror(stdout) != 0) return kOk;
-    print_error(0, fmt::format("internal error: {}", error.what()));
+    const bool no_thread = error.code() == std::errc::resource_unavailable_try_again;
+    print_error(0, no_thread ? "out of memory or processes: cannot start a thread"
+                             : fmt::format("internal error: {}", error.what()));
   } catch (const std::bad_alloc&) {
     print_error(0, "out of memory");
   } catch (const std::exception& error) {

@@ -30,6 +30,7 @@ using Clock = std::chrono::steady_clock;
 // Keepers allow 1 s after SIGTERM; what is still running after this time is killed with its keeper.
 constexpr auto kOrphanTimeout = std::chrono::milliseconds(1500);
 constexpr auto kGuardExitTimeout = std::chrono::seconds(4);
+constexpr int kReapInterval = 20;  // ms
 
 const Guard* the_guard = nullptr;
 std::string the_error;
@@ -86,8 +87,9 @@ class GuardLoop {
   [[noreturn]] void run() {
     while (socket_) {
       std::array<pollfd, 2> waits{{{child_signals_.get(), POLLIN, 0}, {socket_.get(), POLLIN, 0}}};
-      ::poll(waits.data(), waits.size(), -1);
-      if (waits[0].revents != 0) reap_children();
+      // Without a descriptor for signals it looks for children that ended now and then.
+      ::poll(waits.data(), waits.size(), child_signals_ ? -1 : kReapInterval);
+      if (waits[0].revents != 0 || !child_signals_) reap_children();
       if (waits[1].revents != 0) serve();
     }
     sweep();

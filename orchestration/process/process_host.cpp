@@ -3,6 +3,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/eventfd.h>
 #include <unistd.h>
 
 #include <array>
@@ -143,7 +144,11 @@ Result<ProcessHost> ProcessHost::create(std::size_t log_limit) {
                      ? "this process has no guard process; Guard::start was not called in main"
                      : why};
   }
-  return ProcessHost(std::make_shared<ProcessHostCore>(log_limit));
+  base::UniqueFd wake_event(::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK));
+  if (!wake_event) {
+    return Error{fmt::format("cannot start processes: {}", std::strerror(errno))};
+  }
+  return ProcessHost(std::make_shared<ProcessHostCore>(log_limit, std::move(wake_event)));
 }
 
 ProcessHost::~ProcessHost() {

@@ -3,13 +3,13 @@
 
 #include <poll.h>
 #include <pthread.h>
-#include <sys/eventfd.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <cerrno>
 #include <csignal>
+#include <utility>
 
 namespace cls::orchestration::process {
 namespace {
@@ -35,8 +35,8 @@ void drain_output(ChildRecord& record) {
 
 }  // namespace
 
-ProcessHostCore::ProcessHostCore(std::size_t limit)
-    : log_limit(limit), wake_(::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)) {
+ProcessHostCore::ProcessHostCore(std::size_t limit, base::UniqueFd wake_event)
+    : log_limit(limit), wake_(std::move(wake_event)) {
   // Other threads of cls handle signals.
   sigset_t all;
   sigset_t before;

@@ -34,7 +34,8 @@ struct ChildRecord {
 
 /// Shared by the host and its children, because a Child may outlive the host.
 struct ProcessHostCore {
-  explicit ProcessHostCore(std::size_t log_limit);
+  /// `wake_event` is an eventfd.
+  ProcessHostCore(std::size_t log_limit, base::UniqueFd wake_event);
   ~ProcessHostCore();
 
   void add(std::shared_ptr<ChildRecord> record);

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 #include <signal.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -37,6 +38,19 @@ std::string error_of_start(const CommandPlan& plan) {
   MarkedHost processes;
   const auto child = processes.host.start(plan);
   return child ? "started" : child.error().message;
+}
+
+TEST(ProcessHost, SaysThatItHasNoDescriptors) {
+  rlimit limit{};
+  ASSERT_EQ(::getrlimit(RLIMIT_NOFILE, &limit), 0);
+  const int next = ::dup(STDERR_FILENO);
+  ::close(next);
+  const rlimit none_free{static_cast<rlim_t>(next), limit.rlim_max};
+  ASSERT_EQ(::setrlimit(RLIMIT_NOFILE, &none_free), 0);
+  const auto host = ProcessHost::create();
+  ASSERT_EQ(::setrlimit(RLIMIT_NOFILE, &limit), 0);
+  ASSERT_FALSE(host);
+  EXPECT_EQ(host.error().message, "cannot start processes: Too many open files");
 }
 
 TEST(ProcessHost, ReportsExitCodeAndLastOutputLines) {
