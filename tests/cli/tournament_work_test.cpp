@@ -110,6 +110,31 @@ TEST_F(TournamentWork, RepeatsAfterSigkillAndRemovesLeftovers) {
   expect_whole(1);
 }
 
+// As when `work` publishes its folder at the moment at which `run` begins the same match.
+TEST_F(TournamentWork, FolderIsKeptByARunThatDoesNotKnowItsResult) {
+  ASSERT_EQ(cls::tests::run(work(1)).exit_code, 0);
+  const fs::path log = cup() / result(1)["folder"].get<std::string>() / "match.rcg.gz";
+  const auto written = fs::last_write_time(log);
+  fs::remove_all(cup() / "results");
+  ASSERT_EQ(cls::tests::run({cls_binary(), "tournament", "run", cup()}).exit_code, 0);
+  ASSERT_TRUE(fs::exists(log));
+  EXPECT_EQ(fs::last_write_time(log), written);
+}
+
+TEST_F(TournamentWork, ReplacesTheFolderOfAnInterruptedAttempt) {
+  ASSERT_EQ(cls::tests::run(work(1)).exit_code, 0);
+  const fs::path folder = cup() / result(1)["folder"].get<std::string>();
+  json interrupted = json::parse(cls::tests::read_file(folder / "result.json"));
+  interrupted["end_reason"] = "interrupted";
+  std::ofstream(folder / "result.json") << interrupted;
+  fs::remove(folder / "match.rcg.gz");
+  fs::remove_all(cup() / "results");
+  ASSERT_EQ(cls::tests::run(work(1)).exit_code, 0);
+  ASSERT_EQ(cls::tests::run({cls_binary(), "tournament", "run", cup()}).exit_code, 0);
+  EXPECT_EQ(cup() / result(1)["folder"].get<std::string>(), folder);
+  expect_whole(1);
+}
+
 TEST_F(TournamentWork, ReplacesInvalidResult) {
   fs::create_directories(cup() / "results");
   std::ofstream(cup() / "results/000001.1.json") << "{ half";

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 #include <thread>
+#include <utility>
 
 #include "base/system/host.h"
 #include "orchestration/tournament/run/concurrency.h"
@@ -32,10 +33,15 @@ class LocalExecutor : public MatchExecutor {
   }
 
   int free_slots() const override { return std::max(0, concurrency_.current() - running()); }
-  int running() const override { return static_cast<int>(attempts_.size()); }
+  int running() const override { return static_cast<int>(attempts_.size() + played_.size()); }
 
   Result<void> start(std::span<const Assignment> assignments) override {
     for (const Assignment& assignment : assignments) {
+      // `work` may have played it since the run looked; a new attempt would replace its folder.
+      if (auto outcome = recover_result(config_, assignment.fixture, assignment.number, folder_)) {
+        played_.push_back({assignment.fixture.index, std::move(outcome)});
+        continue;
+      }
       const int slot = free_slot();
       auto attempt = MatchAttempt::start(
           host_, config_, assignment.fixture, assignment.number,
@@ -49,7 +55,7 @@ class LocalExecutor : public MatchExecutor {
   Result<std::vector<FinishedMatch>> wait(std::chrono::milliseconds limit) override {
     constexpr std::chrono::milliseconds kPollInterval{2};
     const auto end = std::chrono::steady_clock::now() + limit;
-    std::vector<FinishedMatch> finished;
+    std::vector<FinishedMatch> finished = std::exchange(played_, {});
     while (true) {
       for (auto at = attempts_.begin(); at != attempts_.end();) {
         at->second.enforce_limit();
@@ -97,6 +103,7 @@ class LocalExecutor : public MatchExecutor {
   std::vector<std::vector<int>> cores_;  // to divide among matches; empty: no pinning
   process::ProcessHost host_;
   std::map<int, MatchAttempt> attempts_;  // by slot
+  std::vector<FinishedMatch> played_;     // by others, before their attempt began
   std::vector<std::string> notes_;
 };
 

@@ -10,7 +10,6 @@
 #include <thread>
 
 #include "base/io/whole_file.h"
-#include "orchestration/match/result/match_folder.h"
 #include "orchestration/tournament/store/folder.h"
 #include "orchestration/tournament/store/match_attempt.h"
 
@@ -36,16 +35,16 @@ std::optional<WorkResultName> parse_result_name(const std::string& name) {
 // Distinct from every other process that plays the same match.
 std::string process_label() { return fmt::format("{}-{}", unfinished_host(), ::getpid()); }
 
-// Renames the match folder to its final name. A folder that an aborted process left there is
-// replaced, one with a result is not: another process has played the match. Returns the resulting
-// name.
-fs::path publish_folder(const fs::path& tournament, const fs::path& unfinished,
-                        const fs::path& final_name) {
+// Renames the match folder to its final name. A folder that an aborted or interrupted process left
+// there is replaced, but not one of another process that has played the match. Returns the
+// resulting name.
+fs::path publish_folder(const fs::path& tournament, const Fixture& fixture,
+                        const fs::path& unfinished, const fs::path& final_name) {
   std::error_code code;
   fs::create_directories((tournament / final_name).parent_path(), code);
   fs::rename(tournament / unfinished, tournament / final_name, code);
   if (!code) return final_name;
-  if (fs::exists(tournament / final_name / match::kResultFile, code)) return unfinished;
+  if (was_played(tournament / final_name, fixture)) return unfinished;
   fs::remove_all(tournament / final_name, code);
   fs::rename(tournament / unfinished, tournament / final_name, code);
   return code ? unfinished : final_name;
@@ -150,8 +149,8 @@ Result<std::optional<Outcome>> work(const fs::path& folder, const Fixture& fixtu
   } else if (auto existing = read_work_result(folder, fixture, attempt)) {
     fs::remove_all(folder / unfinished, code);
     return std::optional<Outcome>(*std::move(existing));
-  } else if (const fs::path published =
-                 publish_folder(folder, unfinished, match_folder(*config, fixture, attempt));
+  } else if (const fs::path published = publish_folder(folder, fixture, unfinished,
+                                                       match_folder(*config, fixture, attempt));
              published != unfinished) {
     (*outcome)->folder = published.string();
   } else if (auto earlier = recover_result(*config, fixture, attempt, folder)) {

@@ -53,12 +53,14 @@ void add_log_compression(std::vector<std::string>& argv, const TournamentConfig&
   }
 }
 
-// The outcome in the result.json of a match folder; nothing when there is none, or a corrupt one.
-std::optional<Outcome> read_outcome(const fs::path& folder) {
+// The outcome in the result.json of a match folder; nothing when there is none, a corrupt one, or
+// one of another seed.
+std::optional<Outcome> read_outcome(const fs::path& folder, const Fixture& fixture) {
   const auto text = base::read_file(folder / match::kResultFile);
   if (!text) return std::nullopt;
   const auto result = match::parse_match_result(*text);
-  return result ? std::optional(outcome_of(*result)) : std::nullopt;
+  if (!result || result->seed != fixture.seed) return std::nullopt;
+  return outcome_of(*result);
 }
 
 bool is_external(const TeamEntry& team) {
@@ -74,14 +76,15 @@ bool is_running(std::string_view label) {
   return pid && *pid > 0 && (::kill(*pid, 0) == 0 || errno == EPERM);
 }
 
-// Removes the folders of killed `work` processes.
-void remove_unfinished(const fs::path& tournament, int index, int attempt) {
+// Removes the folders of killed `work` processes, but not `kept`.
+void remove_unfinished(const fs::path& tournament, int index, int attempt, const fs::path& kept) {
   const std::string prefix = unfinished_folder(index, attempt, "").filename().string();
   std::error_code code;
   for (const auto& entry : fs::directory_iterator(tournament / kUnfinishedFolder, code)) {
     std::error_code ignored;
     const std::string name = entry.path().filename().string();
-    if (!name.starts_with(prefix) || is_running(std::string_view(name).substr(prefix.size()))) {
+    if (!name.starts_with(prefix) || is_running(std::string_view(name).substr(prefix.size())) ||
+        name == kept.filename()) {
       continue;
     }
     fs::remove_all(entry.path(), ignored);
@@ -197,7 +200,7 @@ void MatchAttempt::interrupt() {
 
 Result<std::optional<Outcome>> MatchAttempt::outcome() const {
   const process::Child::Status status = child_->status();
-  auto read = read_outcome(tournament_ / folder_);
+  auto read = read_outcome(tournament_ / folder_, fixture_);
   if (read && interrupted(*read)) return std::optional<Outcome>();
   Outcome outcome;
   if (read) {
@@ -226,10 +229,15 @@ Result<std::optional<Outcome>> MatchAttempt::outcome() const {
   return std::optional<Outcome>(std::move(outcome));
 }
 
+bool was_played(const fs::path& folder, const Fixture& fixture) {
+  const auto outcome = read_outcome(folder, fixture);
+  return outcome && !interrupted(*outcome);
+}
+
 std::optional<Outcome> recover_result(const TournamentConfig& config, const Fixture& fixture,
                                       int attempt, const fs::path& tournament) {
   const fs::path folder = match_folder(config, fixture, attempt);
-  auto outcome = read_outcome(tournament / folder);
+  auto outcome = read_outcome(tournament / folder, fixture);
   if (!outcome || !outcome->finished()) return std::nullopt;
   outcome->attempts = attempt;
   outcome->folder = folder.string();
@@ -251,12 +259,11 @@ void clean_up(const TournamentConfig& config, const Fixture& fixture, const Outc
     const fs::path folder = tournament / match_folder(config, fixture, attempt);
     bool keep = attempt == outcome.attempts && keeps_folder(config, outcome);
     if (attempt < outcome.attempts && config.keep_logs != KeepLogs::kNone) {
-      const auto earlier = read_outcome(folder);
-      keep = earlier && !interrupted(*earlier);
+      keep = was_played(folder, fixture);
     }
     std::error_code code;
     if (!keep) fs::remove_all(folder, code);
-    remove_unfinished(tournament, fixture.index, attempt);
+    remove_unfinished(tournament, fixture.index, attempt, outcome.folder);
   }
 }
 

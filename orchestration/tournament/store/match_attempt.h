@@ -67,6 +67,9 @@ class MatchAttempt {
   bool timed_out_ = false;
 };
 
+/// True when `folder` holds the result of this match, valid or not, but not an interrupted one.
+bool was_played(const std::filesystem::path& folder, const Fixture& fixture);
+
 /// The outcome of an attempt that another process played, from the result.json of its match folder.
 /// Nothing when that is missing or the match is invalid.
 std::optional<Outcome> recover_result(const TournamentConfig& config, const Fixture& fixture,

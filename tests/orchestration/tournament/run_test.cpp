@@ -254,10 +254,12 @@ TEST_F(TournamentRunTest, RecoversResultOfMatchThatOutlivedTheRun) {
   match::MatchResult result;
   result.left.name = "A";
   result.left.score = 2;
+  result.seed = next_fixtures(config, {})[0].seed;
   const fs::path finished = folder_.path() / match_folder(config, next_fixtures(config, {})[0], 1);
   fs::create_directories(finished);
   ASSERT_TRUE(base::write_file(finished / "result.json", to_json(result)).ok());
   result.end_reason = match::EndReason::kInterrupted;
+  result.seed = next_fixtures(config, {})[1].seed;
   const fs::path broken = folder_.path() / match_folder(config, next_fixtures(config, {})[1], 1);
   fs::create_directories(broken);
   ASSERT_TRUE(base::write_file(broken / "result.json", to_json(result)).ok());
