@@ -8,6 +8,7 @@
 #include "base/text/json_cursor.h"
 #include "gamelog/rcg/rcg_json_show.h"
 #include "soccer/messages/parameter_message.h"
+#include "soccer/protocol/scanner.h"
 
 namespace cls::gamelog {
 namespace {
@@ -15,6 +16,12 @@ namespace {
 using soccer::Side;
 
 constexpr int kNoType = -1;
+
+// With the limit of text logs, so that these can hold what was read.
+bool read_integer(base::JsonCursor& in, int& value) {
+  if (!in.integer(value)) return false;
+  return value >= -soccer::kMaxInteger && value <= soccer::kMaxInteger;
+}
 
 class JsonReader {
  public:
@@ -109,7 +116,8 @@ class JsonReader {
 
   // Parses the keys of all notes. False if `key` is none of them or its value is invalid.
   static bool read_time(std::string_view key, base::JsonCursor& in, int& time, int& stopped) {
-    return (key == "time" && in.integer(time)) || (key == "stime" && in.integer(stopped));
+    return (key == "time" && read_integer(in, time)) ||
+           (key == "stime" && read_integer(in, stopped));
   }
 
   bool read_play_mode(base::JsonCursor& in) {
@@ -160,9 +168,9 @@ class JsonReader {
     std::string_view key;
     while (in.next_key(key)) {
       const bool read = key == "name"        ? in.string_or_null(team.name)
-                        : key == "score"     ? in.integer(team.score)
-                        : key == "pen_score" ? in.integer(team.penalty_scored)
-                        : key == "pen_miss"  ? in.integer(team.penalty_missed)
+                        : key == "score"     ? read_integer(in, team.score)
+                        : key == "pen_score" ? read_integer(in, team.penalty_scored)
+                        : key == "pen_miss"  ? read_integer(in, team.penalty_missed)
                         : key == "side"      ? read_side(in, side)
                                              : in.skip_value();
       if (!read) return kNoTeam;
@@ -190,7 +198,7 @@ class JsonReader {
     std::string text;
     std::string_view key;
     while (in.next_key(key)) {
-      const bool read = key == "board" ? in.integer(board)
+      const bool read = key == "board" ? read_integer(in, board)
                         : key == "message"
                             ? in.string(text)
                             : read_time(key, in, time, stopped) || (in.good() && in.skip_value());
