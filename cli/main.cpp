@@ -1,15 +1,10 @@
 // The binary `cls`: runs the command line; reports uncaught exceptions as internal errors.
-#include <fmt/format.h>
-
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
 #include <cstring>
 #include <exception>
-#include <filesystem>
-#include <new>
 #include <string>
-#include <system_error>
 
 #include "cli/application.h"
 #include "cli/support/early_guard.h"
@@ -34,21 +29,9 @@ int run(int argc, char** argv) {
   try {
     const auto guard = start_early_guard(argc, argv);
     return run_application(argc, argv);
-  } catch (const std::filesystem::filesystem_error& error) {
-    return print_error(kNoInput,
-                       fmt::format("{}: {}", error.path1().string(), error.code().message()));
-  } catch (const std::system_error& error) {
-    // As fmt throws it.
-    if (std::ferror(stdout) != 0) return kOk;
-    const bool no_thread = error.code() == std::errc::resource_unavailable_try_again;
-    print_error(0, no_thread ? "out of memory or processes: cannot start a thread"
-                             : fmt::format("internal error: {}", error.what()));
-  } catch (const std::bad_alloc&) {
-    print_error(0, "out of memory");
   } catch (const std::exception& error) {
-    print_error(0, fmt::format("internal error: {}", error.what()));
+    return print_exception(error);
   }
-  return kInternalError;
 }
 
 }  // namespace

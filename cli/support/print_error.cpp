@@ -4,7 +4,11 @@
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <filesystem>
+#include <new>
+#include <system_error>
 
+#include "cli/support/exit_code.h"
 #include "cli/terminal/terminal.h"
 
 namespace cls::cli {
@@ -17,6 +21,24 @@ int print_error(int exit_code, std::string_view message) {
 int print_errors(int exit_code, const std::vector<std::string>& messages) {
   for (const std::string& message : messages) print_error(exit_code, message);
   return exit_code;
+}
+
+int print_exception(const std::exception& error) {
+  if (const auto* file = dynamic_cast<const std::filesystem::filesystem_error*>(&error)) {
+    return print_error(kNoInput,
+                       fmt::format("{}: {}", file->path1().string(), file->code().message()));
+  }
+  if (const auto* system = dynamic_cast<const std::system_error*>(&error)) {
+    // As fmt throws it.
+    if (std::ferror(stdout) != 0) return kOk;
+    if (system->code() == std::errc::resource_unavailable_try_again) {
+      return print_error(kInternalError, "out of memory or processes: cannot start a thread");
+    }
+  }
+  if (dynamic_cast<const std::bad_alloc*>(&error) != nullptr) {
+    return print_error(kInternalError, "out of memory");
+  }
+  return print_error(kInternalError, fmt::format("internal error: {}", error.what()));
 }
 
 }  // namespace cls::cli
