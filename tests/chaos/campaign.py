@@ -121,6 +121,8 @@ class Campaign:
             self.last_fault = ""
             self.start()
         self.violate(f"not complete after {LIMIT:.0f} s")
+        for process in self.processes():
+            self.note(f"{process} ({process.command}):\n{process.stacks()}")
         return False
 
     # ---- the promises

@@ -1,6 +1,7 @@
 """Processes of a run, found by a mark in their environment, whatever their parents are."""
 import os
 import signal
+import subprocess
 import time
 
 MARK = "CLS_CHAOS_MARK"
@@ -26,6 +27,18 @@ class Process:
             os.kill(self.pid, number)
         except OSError:
             pass
+
+    def stacks(self):
+        """What its threads wait for, if gdb is installed, and its open files and limits."""
+        text = _read(self.pid, "limits").decode() + "descriptors: "
+        try:
+            text += " ".join(os.listdir(f"/proc/{self.pid}/fd")) + "\n"
+            text += subprocess.run(["gdb", "-p", str(self.pid), "-batch", "-ex",
+                                    "thread apply all bt 16"], check=False, capture_output=True,
+                                   text=True, errors="replace", timeout=60).stdout
+        except (OSError, subprocess.TimeoutExpired) as error:
+            text += f"no stacks: {error}"
+        return text
 
     def __repr__(self):
         return f"{self.role} {self.pid}"
