@@ -28,6 +28,16 @@ constexpr std::uint64_t kRefer = 1ULL << 13;
 // Since version 3, which is newer than the header of Debian 12.
 constexpr std::uint64_t kTruncate = 1ULL << 14;
 
+// landlock_ruleset_attr of version 6, which is newer than the header, too.
+struct RulesetAttributes {
+  std::uint64_t files = 0;
+  std::uint64_t network = 0;
+  std::uint64_t scoped = 0;
+};
+constexpr int kFirstScopedVersion = 6;
+// No abstract sockets of others, no signals to others.
+constexpr std::uint64_t kScoped = (1ULL << 0) | (1ULL << 1);
+
 std::uint64_t writing(int version) {
   return kWritingFirst | (version >= 2 ? kRefer : 0) | (version >= 3 ? kTruncate : 0);
 }
@@ -56,11 +66,12 @@ int landlock_version() {
 }
 
 base::UniqueFd make_ruleset(const FileAccess& files) {
-  const std::uint64_t everything = kReading | writing(landlock_version());
-  landlock_ruleset_attr handled{};
-  handled.handled_access_fs = everything;
-  base::UniqueFd ruleset(static_cast<int>(
-      ::syscall(SYS_landlock_create_ruleset, &handled, sizeof handled.handled_access_fs, 0)));
+  const int version = landlock_version();
+  const bool scoped = version >= kFirstScopedVersion;
+  const std::uint64_t everything = kReading | writing(version);
+  const RulesetAttributes handled{everything, 0, scoped ? kScoped : 0};
+  base::UniqueFd ruleset(static_cast<int>(::syscall(
+      SYS_landlock_create_ruleset, &handled, scoped ? sizeof handled : sizeof handled.files, 0)));
   if (!ruleset) return ruleset;
   for (const auto& path : files.readable) {
     if (!allow(ruleset.get(), path, kReading)) return {};

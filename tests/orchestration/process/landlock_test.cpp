@@ -3,6 +3,7 @@
 #include "orchestration/process/landlock.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <chrono>
 #include <filesystem>
@@ -72,6 +73,13 @@ TEST_F(Landlock, ForbidsEmptyingFilesOfOthersSinceVersion3) {
   EXPECT_NE(exit_code_of("truncate -s 0 ../others/file"), 0);
   EXPECT_EQ(others(), "others\n");
   EXPECT_EQ(exit_code_of("truncate -s 0 file"), 0);
+}
+
+TEST_F(Landlock, ForbidsSignalsToOthersSinceVersion6) {
+  if (landlock_version() < 6) GTEST_SKIP() << "version " << landlock_version();
+  EXPECT_NE(exit_code_of("kill -0 $PPID"), 0);
+  EXPECT_NE(exit_code_of("setsid sh -c 'kill -0 " + std::to_string(::getpid()) + "'"), 0);
+  EXPECT_EQ(exit_code_of("sleep 60 & kill $! && kill -0 $$"), 0);
 }
 
 TEST_F(Landlock, HoldsForDescendants) {
