@@ -192,7 +192,7 @@ void run_keeper(base::UniqueFd control, base::UniqueFd output, const CommandPlan
   ::sigemptyset(&children);
   ::sigaddset(&children, SIGCHLD);
   const base::UniqueFd child_signals(::signalfd(-1, &children, SFD_CLOEXEC | SFD_NONBLOCK));
-  const Launch launched = launch(plan, output.get());
+  const Launch launched = child_signals ? launch(plan, output.get()) : Launch{0, errno, {}};
   output.reset();
   if (launched.pid == 0) {
     KeeperReport report;

@@ -111,6 +111,8 @@ Launch launch_program(const CommandPlan& plan, const std::vector<std::string>& a
                   environment_of(plan), bp::posix::fd.bind(1, output),
                   bp::posix::fd.bind(2, output), bp::extend::on_exec_setup = before_exec, error);
   Launch result;
+  if (!error && child.id() <= 0)
+    error = std::error_code(EMFILE, std::system_category());  // no pipe
   if (error) {
     result.step = static_cast<LaunchStep>(error.value() / kStepError);
     result.error = error.value() % kStepError;

@@ -12,6 +12,7 @@
 #include <fstream>
 #include <thread>
 
+#include "orchestration/process/guard.h"
 #include "orchestration/process/process_tree.h"
 #include "tests/orchestration/process/test_guard.h"
 #include "tests/support/built.h"
@@ -51,6 +52,27 @@ TEST(ProcessHost, SaysThatItHasNoDescriptors) {
   ASSERT_EQ(::setrlimit(RLIMIT_NOFILE, &limit), 0);
   ASSERT_FALSE(host);
   EXPECT_EQ(host.error().message, "cannot start processes: Too many open files");
+}
+
+// Keepers inherit the limit of the guard.
+TEST(ProcessHost, StartsOrSaysWhyNotWithFewDescriptors) {
+  MarkedHost processes;
+  const pid_t guard = Guard::active()->pid();
+  rlimit before{};
+  ASSERT_EQ(::prlimit(guard, RLIMIT_NOFILE, nullptr, &before), 0);
+  int failed = 0;
+  for (rlim_t limit = 5; limit < 14; ++limit) {
+    const rlimit low{limit, before.rlim_max};
+    ASSERT_EQ(::prlimit(guard, RLIMIT_NOFILE, &low, nullptr), 0);
+    const auto child = processes.host.start(shell_command("a shell", "exit 3"));
+    failed += !child;
+    if (child) {
+      EXPECT_TRUE((*child)->wait_gone(10s)) << limit;
+    }
+  }
+  ASSERT_EQ(::prlimit(guard, RLIMIT_NOFILE, &before, nullptr), 0);
+  EXPECT_GT(failed, 0);
+  EXPECT_LT(failed, 9);
 }
 
 TEST(ProcessHost, ReportsExitCodeAndLastOutputLines) {
