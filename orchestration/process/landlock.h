@@ -13,7 +13,8 @@ int landlock_version();
 
 /// A descriptor of the rules for enforce_ruleset(). Paths that do not exist are left out. Since
 /// version 6 (Linux 6.12) the rules also forbid signals to processes, and connections to abstract
-/// sockets of processes, that they do not hold for. An empty descriptor, with errno set, on failure.
+/// sockets of processes, that they do not hold for. An empty descriptor, with errno set, on
+/// failure.
 base::UniqueFd make_ruleset(const FileAccess& files);
 
 /// Restricts this process and all its descendants for good; it gains no privileges by set-user-ID
