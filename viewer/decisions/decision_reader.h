@@ -20,8 +20,8 @@ struct TeamDecisions {
 /// A whole stream of DecisionWriter. Errors: another schema, other columns, corrupt, no end.
 base::Result<TeamDecisions> read_decisions(std::string_view stream);
 
-/// The stream with the chunks of some players only; empty `unums`: as it is. Errors: another schema,
-/// other columns, no end.
+/// The stream with the chunks of some players only; empty `unums`: as it is. Errors: another
+/// schema, other columns, no end.
 base::Result<std::string> select_players(std::string_view stream, const std::vector<int>& unums);
 
 }  // namespace cls::viewer
