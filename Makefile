@@ -12,7 +12,7 @@ CXX_FILES = git ls-files --cached --others --exclude-standard -- '*.h' '*.cpp'
 INPUT_TESTS = cls_base_tests cls_soccer_tests cls_gamelog_tests cls_analysis_tests \
   cls_mock_server_tests
 INPUT_LABELS = ^(base|soccer|gamelog|analysis|mock-server)$$
-FUZZERS = protocol rcg rcl session view agent compression user_file
+FUZZERS = protocol rcg rcl session view agent compression user_file training
 
 .PHONY: help build test full languages web-test pictures bench asan tsan asan-input fuzz chaos same-bytes install package format format-check lint clean
 
