@@ -74,11 +74,18 @@ bool log_text(const std::string& text, Context& c) {
   return true;
 }
 
+bool offensive_planner(const protos::HeliosOffensivePlanner& action, Context& c) {
+  const bool can_kick = c.world.self.kickable && !c.world.self.frozen();
+  if (can_kick && must_leave_ball(c.world, c.memory)) return leave_ball(c);
+  return run_offensive_planner(action, c);
+}
+
 /// Default plan with the ball, otherwise basic move.
 bool basic_offensive(Context& c) {
+  if (c.world.self.kickable && must_leave_ball(c.world, c.memory)) return leave_ball(c);
   if (execute_default_plan(c)) return true;
   if (c.world.self.kickable) return hold_ball(c.world, c.slots, false, {});
-  return basic_move(c.world, c.slots, c.neck, c.memory.recovering);
+  return basic_move(c);
 }
 
 bool basic_tackle_and_look(const protos::HeliosBasicTackle& action, Context& c) {
@@ -208,10 +215,9 @@ constexpr std::array kEntries{
     CLS_MAIN(kHeliosGoalieMove, helios_goalie_move, goalie_move(c)),
     CLS_MAIN(kHeliosGoalieKick, helios_goalie_kick, goalie_kick(c)),
     CLS_MAIN(kHeliosShoot, helios_shoot, shoot_and_look(c)),
-    CLS_MAIN(kHeliosOffensivePlanner, helios_offensive_planner, run_offensive_planner(m, c)),
+    CLS_MAIN(kHeliosOffensivePlanner, helios_offensive_planner, offensive_planner(m, c)),
     CLS_MAIN(kHeliosBasicOffensive, helios_basic_offensive, basic_offensive(c)),
-    CLS_MAIN(kHeliosBasicMove, helios_basic_move,
-             basic_move(c.world, c.slots, c.neck, c.memory.recovering)),
+    CLS_MAIN(kHeliosBasicMove, helios_basic_move, basic_move(c)),
     CLS_MAIN(kHeliosSetPlay, helios_set_play, play_set_play(c)),
     CLS_MAIN(kHeliosPenalty, helios_penalty, play_penalty(c)),
     CLS_SIDE(kHeliosCommunication, helios_communication, communicate(c)),

@@ -133,6 +133,7 @@ bool run_force_kick(ActionContext& context) {
 
 bool shoot_and_look(ActionContext& context) {
   soccer::Vec2 aim;
+  if (must_leave_ball(context.world, context.memory)) return false;
   if (!shoot(context.world, context.slots, &aim)) return false;
   context.neck = {NeckPlan::Kind::kPoint, aim};
   return true;
@@ -146,6 +147,7 @@ void begin_decision(ActionContext& context) {
   memory.trace.outcomes.clear();
   update_view_memory(memory.view, context.world);
   update_possession(context.world, memory);
+  update_set_play_kick(context.world, memory.set_play_kick);
 }
 
 bool play_automatically(ActionContext& context, const AutomaticPlay& enabled) {
@@ -174,6 +176,7 @@ void finish_decision(ActionContext& context) {
     focus_to_point(world, context.slots, ball_after(world, 1));
   }
   communicate(context);
+  record_set_play_kick(world, context.slots, context.memory.set_play_kick);
 }
 
 }  // namespace cls::proxy

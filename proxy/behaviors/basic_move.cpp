@@ -45,7 +45,10 @@ double normal_dash_power(const WorldModel& world, bool& recovering) {
   return std::min(max, 1.7 * income);
 }
 
-bool basic_move(const WorldModel& world, CommandSlots& slots, NeckPlan& neck, bool& recovering) {
+bool basic_move(ActionContext& c) {
+  const WorldModel& world = c.world;
+  CommandSlots& slots = c.slots;
+  NeckPlan& neck = c.neck;
   constexpr double kTackleProbability = 0.8;
   if (basic_tackle(world, slots, kTackleProbability)) {
     neck.kind = NeckPlan::Kind::kBall;
@@ -55,7 +58,8 @@ bool basic_move(const WorldModel& world, CommandSlots& slots, NeckPlan& neck, bo
   const int self = table.best_self_steps();
   const bool ours_to_get =
       self <= 3 || (self <= table.first_teammate_steps && self < table.first_opponent_steps + 3);
-  if (!world.kickable_teammate() && ours_to_get && self < kNever) {
+  if (!world.kickable_teammate() && ours_to_get && self < kNever &&
+      !must_leave_ball(world, c.memory)) {
     neck.kind = NeckPlan::Kind::kOffensiveIntercept;
     return intercept(world, slots, true, {soccer::kHalfLength, 0.0});
   }
@@ -75,7 +79,7 @@ bool basic_move(const WorldModel& world, CommandSlots& slots, NeckPlan& neck, bo
   const std::optional<Vec2> mark = mark_point(world, homes);
   const Vec2 home = mark ? *mark : homes[static_cast<std::size_t>(world.unum - 1)];
   const double threshold = mark ? 0.5 : std::max(1.0, 0.1 * world.ball.dist_from_self);
-  const double usual = normal_dash_power(world, recovering);
+  const double usual = normal_dash_power(world, c.memory.recovering);
   const double power = mark ? world.server().max_dash_power : usual;
   if (!go_to_point(world, slots, home, threshold, power)) turn_to_ball(world, slots);
   const bool duel = world.kickable_opponent() && world.ball.dist_from_self < 18.0;

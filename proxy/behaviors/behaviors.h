@@ -10,8 +10,8 @@ namespace cls::proxy {
 
 // Basic move.
 
-/// True unless frozen. `recovering` stores between decisions whether the agent saves stamina.
-bool basic_move(const WorldModel& world, CommandSlots& slots, NeckPlan& neck, bool& recovering);
+/// Tackles, intercepts, blocks, supports, marks, or goes to the home position. True unless frozen.
+bool basic_move(ActionContext& context);
 
 /// Dash power by situation and stamina (docs/spec/proxy-behavior.md 6.4). Sets `recovering` when
 /// stamina falls below 50 percent, clears it above 70 percent.
@@ -65,6 +65,16 @@ bool kick_outlet(ActionContext& context);
 
 /// Best planned pass; false if there is none.
 bool play_planned_pass(ActionContext& context);
+
+/// Forgets the kick when another player has touched the ball, or does not fetch it.
+void update_set_play_kick(const WorldModel& world, SetPlayKick& kick);
+/// Stores a kick that takes a set play of our team, and whether a dash follows.
+void record_set_play_kick(const WorldModel& world, const CommandSlots& slots, SetPlayKick& kick);
+
+/// True for the taker of a set play until another player touches the ball.
+bool must_leave_ball(const WorldModel& world, const ActionMemory& memory);
+/// Lets the ball roll; kicks it again if it stays, which is allowed before the first dash.
+bool leave_ball(ActionContext& context);
 
 // Shoot-out.
 

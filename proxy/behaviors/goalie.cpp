@@ -184,7 +184,8 @@ bool in_own_penalty_area(Vec2 point, double inset) {
 bool goalie_move(ActionContext& c) {
   if (c.world.self.frozen()) return false;
   const bool our_set_play = is_set_play_of(c.world.game, c.world.our_side);
-  if (!our_set_play && should_come_out(c.world) && chase(c)) return true;
+  const bool may_touch = !our_set_play && !must_leave_ball(c.world, c.memory);
+  if (may_touch && should_come_out(c.world) && chase(c)) return true;
   return go_to_position(c);
 }
 
@@ -196,6 +197,7 @@ bool goalie_kick(ActionContext& c) {
 
 bool play_goalie(ActionContext& c) {
   if (c.world.self.frozen()) return false;
+  if (must_leave_ball(c.world, c.memory)) return goalie_move(c);
   if (can_catch(c.world) && c.slots.catch_ball()) {
     c.neck.kind = NeckPlan::Kind::kBall;
     return true;

@@ -169,7 +169,7 @@ bool play_set_play(ActionContext& c) {
   }
   if (is_ours) return our_set_play(c);
   if (is_set_play_of(world.game, world.their_side())) return their_set_play(c);
-  return basic_move(world, c.slots, c.neck, c.memory.recovering);
+  return basic_move(c);
 }
 
 }  // namespace cls::proxy

@@ -16,6 +16,12 @@ struct GoalieKickMemory {
   int move_cycle = 0;
 };
 
+/// A kick of the agent in a set play of its team, until another player touches the ball.
+struct SetPlayKick {
+  int cycle = -1;       ///< -1: none
+  bool dashed = false;  ///< the agent has dashed since
+};
+
 /// The outcome of a requested action.
 enum class ActionOutcome : std::uint8_t {
   kExecuted,
@@ -48,6 +54,7 @@ struct ActionMemory {
   Intention intention;
   bool recovering = false;  ///< saves stamina until it has recovered (normal_dash_power)
   GoalieKickMemory goalie_kick;
+  SetPlayKick set_play_kick;
   int ball_since =
       -1;  ///< cycle since which the agent has had the ball in play; -1: does not have it
   std::string debug;  ///< this decision's debug lines (debug_log.h)

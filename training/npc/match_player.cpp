@@ -34,7 +34,9 @@ void play_by_planner(ActionContext& context) {
   } else if (world.goalie) {
     play_goalie(context);
   } else if (!world.self.kickable) {
-    basic_move(world, context.slots, context.neck, context.memory.recovering);
+    basic_move(context);
+  } else if (must_leave_ball(world, context.memory)) {
+    leave_ball(context);
   } else if (!shoot_and_look(context) && !world.self.frozen()) {
     const proxy::Plan& plan = plan_of_decision(context, all_kinds());
     execute_plan_or_hold(context, plan, plan.best);
