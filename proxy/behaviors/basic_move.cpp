@@ -10,6 +10,7 @@
 #include "proxy/movement/off_ball.h"
 #include "proxy/movement/tackle.h"
 #include "proxy/world/motion.h"
+#include "proxy/world/planner_parameters.h"
 #include "soccer/interval.h"
 #include "soccer/pitch.h"
 
@@ -17,12 +18,27 @@ namespace cls::proxy {
 
 using soccer::Vec2;
 
+double running_pace(const WorldModel& world) {
+  constexpr double kSlowest = 0.5;
+  constexpr double kFastest = 1.3;
+  const soccer::ServerParams& server = world.server();
+  const int half = server.half_time_cycles();
+  const int cycle = world.game.time.cycle;
+  const bool is_limited = server.stamina_capacity > 0.0 && world.self.capacity >= 0.0;
+  if (!is_limited || half <= 0 || cycle >= server.normal_time_cycles()) return 1.0;
+  const double remaining_time = static_cast<double>(half - cycle % half) / half;
+  const double even = (server.stamina_max + server.stamina_capacity) * remaining_time;
+  const double ahead = (world.self.stamina + world.self.capacity) / even - 1.0;
+  return std::clamp(1.0 + world.planner->pace * ahead, kSlowest, kFastest);
+}
+
 double normal_dash_power(const WorldModel& world, bool& recovering) {
   const SelfState& self = world.self;
   const double max = world.server().max_dash_power;
   const double stamina_max = world.server().stamina_max;
-  if (self.stamina < 0.5 * stamina_max) recovering = true;
-  if (self.stamina > 0.7 * stamina_max) recovering = false;
+  const PlannerParameters& parameters = *world.planner;
+  if (self.stamina < parameters.tired_below * stamina_max) recovering = true;
+  if (self.stamina > parameters.rested_above * stamina_max) recovering = false;
   const double income = world.self_type().stamina_inc_max * self.recovery;
   const InterceptTable& table = world.intercept;
   const Vec2 ball = first_reach_point(world);
@@ -34,7 +50,7 @@ double normal_dash_power(const WorldModel& world, bool& recovering) {
   }
   if (recovering) return std::max(0.0, income - 25.0);
   if (world.kickable_teammate() && world.ball.dist_from_self < 20.0) {
-    return std::min(max, 1.1 * income);
+    return std::min(max, parameters.run_power_near * income);
   }
   if (self.position.x > world.lines.offside) return max;
   const int our_cycles = std::min(table.best_self_steps(), table.first_teammate_steps);
@@ -42,7 +58,7 @@ double normal_dash_power(const WorldModel& world, bool& recovering) {
       our_cycles < table.first_opponent_steps - 6) {
     return soccer::between(0.5 * income, 10.0, max);
   }
-  return std::min(max, 1.7 * income);
+  return std::min(max, running_pace(world) * parameters.run_power * income);
 }
 
 bool basic_move(ActionContext& c) {
@@ -76,9 +92,10 @@ bool basic_move(ActionContext& c) {
     if (!go_to_point(world, slots, *support, 1.0, power)) turn_to_ball(world, slots);
     return slots.has_body();
   }
-  const std::optional<Vec2> mark = mark_point(world, homes);
+  const std::optional<Vec2> mark = mark_point(world, homes, marking_in_open_play(world));
   const Vec2 home = mark ? *mark : homes[static_cast<std::size_t>(world.unum - 1)];
-  const double threshold = mark ? 0.5 : std::max(1.0, 0.1 * world.ball.dist_from_self);
+  const double usual_threshold = std::max(1.0, 0.1 * world.ball.dist_from_self);
+  const double threshold = mark ? 0.5 : usual_threshold / std::min(1.0, running_pace(world));
   const double usual = normal_dash_power(world, c.memory.recovering);
   const double power = mark ? world.server().max_dash_power : usual;
   if (!go_to_point(world, slots, home, threshold, power)) turn_to_ball(world, slots);

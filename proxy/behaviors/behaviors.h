@@ -13,6 +13,10 @@ namespace cls::proxy {
 /// Tackles, intercepts, blocks, supports, marks, or goes to the home position. True unless frozen.
 bool basic_move(ActionContext& context);
 
+/// Factor of the dash power on the way to home positions. 1 for a player with as much stamina and
+/// capacity left as an even pace until the end of the half needs, more for one with a surplus.
+double running_pace(const WorldModel& world);
+
 /// Dash power by situation and stamina (docs/spec/proxy-behavior.md 6.4). Sets `recovering` when
 /// stamina falls below 50 percent, clears it above 70 percent.
 double normal_dash_power(const WorldModel& world, bool& recovering);

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "proxy/world/motion.h"
+#include "proxy/world/planner_parameters.h"
 #include "soccer/pitch.h"
 
 namespace cls::proxy {
@@ -91,7 +92,8 @@ bool their_attack(const WorldModel& world) {
   const int our_cycles = std::min(table.best_self_steps(), table.first_teammate_steps);
   const bool opponents_first = world.kickable_opponent() || table.first_opponent_steps < our_cycles;
   const bool their_set_play = is_set_play_of(world.game, world.their_side());
-  return (opponents_first || their_set_play) && first_reach_point(world).x < 5.0;
+  return (opponents_first || their_set_play) &&
+         first_reach_point(world).x < world.planner->mark_ball_x;
 }
 
 /// Marking cost: weighted distance of a teammate's position and home position to the opponent.
@@ -104,6 +106,11 @@ double marking_cost(const WorldModel& world, int unum, Vec2 home, Vec2 opponent)
 }
 
 }  // namespace
+
+MarkRules marking_in_open_play(const WorldModel& world) {
+  const PlannerParameters& parameters = *world.planner;
+  return {parameters.mark_range, parameters.mark_way, parameters.mark_step};
+}
 
 std::optional<Vec2> mark_point(const WorldModel& world, const TeamPoints& home,
                                const MarkRules& rules) {
@@ -123,7 +130,7 @@ std::optional<Vec2> mark_point(const WorldModel& world, const TeamPoints& home,
   std::array<bool, soccer::kPlayersPerTeam> taken{};
   for (const PlayerState* attacker : attackers) {
     int marker = 0;
-    double best_cost = rules.from_home;
+    double best_cost = rules.max_cost;
     for (int unum = 2; unum <= soccer::kPlayersPerTeam; ++unum) {
       const auto i = static_cast<std::size_t>(unum - 1);
       const double away = marking_cost(world, unum, home[i], attacker->position);
@@ -145,8 +152,6 @@ namespace {
 
 // Support.
 
-constexpr double kMinSupportBallX = 10.0;  ///< minimum ball x for support runs
-constexpr double kMaxSupportDistance = 28.0;
 constexpr std::array<double, 4> kRings{0.0, 2.5, 5.0, 7.5};
 constexpr int kDirections = 12;
 constexpr int kMaxSupportAge = 10;
@@ -210,12 +215,15 @@ double support_score(const WorldModel& world, const TeamPoints& home, Vec2 ball,
 }  // namespace
 
 std::optional<Vec2> support_point(const WorldModel& world, const TeamPoints& home) {
+  const PlannerParameters& parameters = *world.planner;
   const Vec2 ball = first_reach_point(world);
   const Vec2 own = home[static_cast<std::size_t>(world.unum - 1)];
   const double away = distance(own, ball);
-  if (world.goalie || !teammate_has_ball(world) || ball.x < kMinSupportBallX) return std::nullopt;
-  if (away > kMaxSupportDistance || own.x < ball.x - 12.0) return std::nullopt;
-  if (world.self.stamina < 0.55 * world.server().stamina_max) return std::nullopt;
+  if (world.goalie || !teammate_has_ball(world) || ball.x < parameters.support_ball_x)
+    return std::nullopt;
+  if (away > parameters.support_distance || own.x < ball.x - 12.0) return std::nullopt;
+  if (world.self.stamina < parameters.support_stamina * world.server().stamina_max)
+    return std::nullopt;
   Vec2 best = own;
   double best_score = -1e9;
   for (const double ring : kRings) {

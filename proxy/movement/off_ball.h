@@ -13,10 +13,11 @@ namespace cls::proxy {
 std::optional<soccer::Vec2> block_point(const WorldModel& world);
 
 struct MarkRules {
-  double near_goal = 38.0;  ///< opponents within this distance of our goal are marked, meters
-  double from_home = 11.0;  ///< maximum marking cost, meters
-  double step = 1.3;        ///< distance of the marker from the opponent toward our goal, meters
+  double near_goal = 0.0;  ///< opponents within this distance of our goal are marked, meters
+  double max_cost = 0.0;   ///< maximum marking cost, meters
+  double step = 0.0;       ///< distance of the marker from the opponent toward our goal, meters
 };
+MarkRules marking_in_open_play(const WorldModel& world);
 /// For set plays of the opponents: there is no offside at kick-ins and corner kicks, so unmarked
 /// opponents behind our defense line are alone with the goalie.
 constexpr MarkRules kSetPlayMarking{58.0, 20.0, 1.8};
@@ -26,7 +27,7 @@ constexpr MarkRules kSetPlayMarking{58.0, 20.0, 1.8};
 /// home position (`home`, by unum - 1). Empty when our team has the ball, it is far from our goal,
 /// or the agent has no opponent to mark.
 std::optional<soccer::Vec2> mark_point(const WorldModel& world, const TeamPoints& home,
-                                       const MarkRules& rules = {});
+                                       const MarkRules& rules);
 
 /// Best point near the home position (`home`, by unum - 1) to receive a pass from the teammate with
 /// the ball: open pass lane, space, near their goal, not offside. Empty in our half, when our team

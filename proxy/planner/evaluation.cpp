@@ -61,6 +61,7 @@ double default_value(const PlannerField& field, const Plan& plan, int node) {
   if (state.depth == 0) {
     const int held_long = field.held - parameters.hold_cycles;
     value -= std::clamp(parameters.hold_cost * held_long, 0.0, parameters.hold_limit);
+    value -= parameters.hold_pressure_cost * std::max(0.0, close - room);
   }
   return value;
 }

@@ -152,11 +152,22 @@ double lane_room(const WorldModel& world, Vec2 target) {
   return room;
 }
 
-/// After holding for long: the pass with the most free space.
+/// True if an opponent may tackle.
+bool is_pressed(const WorldModel& world) {
+  const double close = world.planner->lay_off_pressure;
+  return std::any_of(world.opponents.begin(), world.opponents.end(), [&](const auto& opponent) {
+    return opponent.dist_from_ball < close && opponent.pos_count <= 3 && !opponent.ghost() &&
+           !opponent.tackling;
+  });
+}
+
+/// Under pressure, or after holding for long: the pass with the most free space.
 bool lay_off(ActionContext& c) {
   const WorldModel& world = c.world;
   const int since = c.memory.ball_since;
-  if (since < 0 || world.game.time.cycle - since < world.planner->lay_off_cycles) return false;
+  const bool long_held =
+      since >= 0 && world.game.time.cycle - since >= world.planner->lay_off_cycles;
+  if (!long_held && !is_pressed(world)) return false;
   const PlayerState* best = nullptr;
   double best_room = world.planner->lay_off_room;
   for (const PlayerState& teammate : world.teammates) {

@@ -8,10 +8,13 @@
 #include <set>
 #include <vector>
 
+#include "proxy/behaviors/behaviors.h"
 #include "proxy/movement/home_positions.h"
+#include "proxy/movement/off_ball.h"
 #include "proxy/planner/evaluation.h"
 #include "proxy/planner/generators.h"
 #include "proxy/planner/outlet.h"
+#include "proxy/planner/plan_execution.h"
 #include "tests/proxy/support/known_pitch.h"
 
 namespace cls::proxy {
@@ -91,6 +94,11 @@ TEST(PlannerParameters, ChangeTheValueOfStates) {
   EXPECT_NEAR(change("goal_radius", 50.0), 7.5, 1e-9);
   EXPECT_NEAR(change("pressure_cost", 2.5), -2.0, 1e-9);
   EXPECT_NEAR(change("pressure_distance", 1.0), 3.0, 1e-9);
+  EXPECT_DOUBLE_EQ(change("hold_pressure_cost", 5.0), 0.0) << "a pass";
+  plan.nodes[0].depth = 0;
+  const double held = value();
+  set(pitch, "hold_pressure_cost", 5.0);
+  EXPECT_NEAR(value() - held, -10.0, 1e-9);
 }
 
 TEST(PlannerParameters, ChangeWhichPassesAreGenerated) {
@@ -112,6 +120,29 @@ TEST(PlannerParameters, ChangeWhichPassesAreGenerated) {
   EXPECT_GT(passes(), usual);
   set(pitch, "pass_distance", 10.0);
   EXPECT_EQ(passes(), 0U);
+}
+
+TEST(PlannerParameters, ChangeWhenTheBallIsLaidOff) {
+  KnownPitch pitch;
+  pitch.place_ball({0.6, 0.0});
+  pitch.add_teammate(5, {-8.0, 14.0});
+  pitch.add_opponent(4, {2.1, 0.0});
+  pitch.add_opponent(6, {-1.2, 10.6});  // four meters beside the lane
+  Plan hold;
+  hold.nodes.emplace_back();
+  const auto lays_off = [&] {
+    NeckPlan neck;
+    PlanChoice choice;
+    CommandSlots slots(pitch.world);
+    ActionContext context{pitch.world, pitch.memory, slots, neck, pitch.report, choice};
+    EXPECT_TRUE(execute_plan(context, hold, 0));
+    return slots.say_text().starts_with('p');  // a pass is announced
+  };
+  EXPECT_FALSE(lays_off());
+  set(pitch, "lay_off_pressure", 2.0);
+  EXPECT_TRUE(lays_off());
+  set(pitch, "lay_off_room", 5.0);
+  EXPECT_FALSE(lays_off());
 }
 
 TEST(PlannerParameters, ChangeOutlets) {
@@ -140,6 +171,82 @@ TEST(PlannerParameters, ShiftHomePositionsOfFieldPlayers) {
     EXPECT_NEAR(shifted[i].x, usual[i].x + 4.0, 1e-9) << i + 1;
     EXPECT_EQ(shifted[i].y, usual[i].y);
   }
+}
+
+TEST(PlannerParameters, ChangeWhoIsMarked) {
+  KnownPitch pitch;
+  pitch.place_ball({-20.0, 25.0});
+  pitch.add_opponent(8, {-20.3, 25.0});
+  pitch.place_self({-36.0, -3.0});
+  pitch.world.unum = 2;
+  pitch.add_opponent(11, {-35.0, -3.0});
+  const TeamPoints homes = home_positions(pitch.world);
+  const auto mark = [&] {
+    return mark_point(pitch.world, homes, marking_in_open_play(pitch.world));
+  };
+  ASSERT_TRUE(mark());
+  const double usual = mark()->x;
+  set(pitch, "mark_step", 4.0);
+  EXPECT_LT(mark()->x, usual - 2.0);
+  set(pitch, "mark_range", 10.0);
+  EXPECT_FALSE(mark());
+  set(pitch, "mark_range", 38.0);
+  set(pitch, "mark_way", 0.1);
+  EXPECT_FALSE(mark());
+  set(pitch, "mark_way", 11.0);
+  set(pitch, "mark_ball_x", -40.0);
+  EXPECT_FALSE(mark());
+}
+
+/// The agent has this share of what an even pace needs.
+void set_stamina_share(KnownPitch& pitch, double share) {
+  const soccer::ServerParams& server = pitch.world.server();
+  const double half = server.half_time_cycles();
+  const double left = half - pitch.world.game.time.cycle;
+  const double even = (server.stamina_max + server.stamina_capacity) * left / half;
+  pitch.world.self.capacity = share * even - pitch.world.self.stamina;
+}
+
+TEST(PlannerParameters, ChangePaceAndRestingOfRuns) {
+  KnownPitch pitch;
+  pitch.set_time(1500);
+  pitch.place_ball({-20.0, 0.0});
+  bool recovering = false;
+  const auto power = [&] { return normal_dash_power(pitch.world, recovering); };
+  set_stamina_share(pitch, 0.5);
+  EXPECT_DOUBLE_EQ(running_pace(pitch.world), 1.0) << "by default the same at all times";
+  const double usual = power();
+  set(pitch, "pace", 4.0);
+  set_stamina_share(pitch, 1.0);
+  EXPECT_DOUBLE_EQ(power(), usual);
+  set_stamina_share(pitch, 0.95);
+  EXPECT_NEAR(power(), 0.8 * usual, 1e-9) << "saves for the end of the half";
+  set_stamina_share(pitch, 0.2);
+  EXPECT_DOUBLE_EQ(running_pace(pitch.world), 0.5);
+  set_stamina_share(pitch, 2.0);
+  EXPECT_DOUBLE_EQ(running_pace(pitch.world), 1.3);
+  set(pitch, "pace", 0.0);
+  EXPECT_DOUBLE_EQ(power(), usual);
+  set(pitch, "run_power", 0.85);
+  EXPECT_NEAR(power(), 0.5 * usual, 1e-9);
+  pitch.set_stamina(4500.0);
+  power();
+  EXPECT_FALSE(recovering);
+  set(pitch, "tired_below", 0.6);
+  power();
+  EXPECT_TRUE(recovering);
+  set(pitch, "tired_below", 0.4);
+  set(pitch, "rested_above", 0.5);
+  power();
+  EXPECT_FALSE(recovering);
+}
+
+TEST(Pace, DoesNotDependOnStaminaWithoutLimit) {
+  KnownPitch pitch;
+  pitch.set_time(2900);
+  set(pitch, "pace", 4.0);
+  pitch.world.self.capacity = -1.0;
+  EXPECT_DOUBLE_EQ(running_pace(pitch.world), 1.0);
 }
 
 }  // namespace

@@ -43,6 +43,7 @@ TEST(SecondTouch, IsRememberedFromOurSetPlay) {
   pitch.set_mode(PlayMode::kFreeKickLeft);
   pitch.place_ball({0.6, 0.0});
   pitch.add_teammate(9, {14.0, 6.0}, 180.0);
+  pitch.world.unum = set_play_kicker(pitch.world);
   pitch.world.game.last_set_play_start = -1000;  // it is time to kick
   const int cycles = pitch.act_until(30, kSetPlay, [&] { return touches(pitch); });
   ASSERT_LT(cycles, 30) << "nobody took the free kick";
