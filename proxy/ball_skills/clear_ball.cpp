@@ -129,8 +129,10 @@ bool force_kick(const WorldModel& world, CommandSlots& slots) {
   if (world.game.mode != PlayMode::kPlayOn || world.goalie) return false;
   if (!world.self.kickable || !world.kickable_opponent()) return false;
   const Vec2 here = world.self.position;
-  const bool wing = here.x > 36.0 && std::fabs(here.y) > 10.0;
-  const Vec2 target{wing ? 45.0 : soccer::kHalfLength, 0.0};
+  const bool wing = std::fabs(here.y) > 10.0;
+  Vec2 target{wing && here.x > 36.0 ? 45.0 : soccer::kHalfLength, 0.0};
+  // The opponent kicks too, before our goal most likely inwards.
+  if (wing && here.x < -30.0) target = {here.x + 10.0, std::copysign(soccer::kHalfWidth, here.y)};
   return kick_one_step(world, slots, target, world.server().ball_speed_max, true);
 }
 

@@ -11,7 +11,7 @@ namespace {
 
 using soccer::PlayMode;
 
-/// Cycles after which the taker plays a ball that nobody fetches: a fault is not worse.
+/// Cycles after which the taker plays a ball that no player fetches: a fault is not worse.
 constexpr int kPatience = 40;
 
 bool is_our_set_play(const WorldModel& world) {

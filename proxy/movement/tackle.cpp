@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "proxy/movement/ball_race.h"
 #include "proxy/world/motion.h"
 #include "soccer/pitch.h"
 
@@ -37,35 +38,27 @@ bool rolls_into_goal(const WorldModel& world, Vec2 velocity, double x) {
   return std::fabs(y) < world.server().goal_width / 2.0 + 1.0;
 }
 
-int opponent_steps_to(const WorldModel& world, Vec2 point) {
-  int best = 1000;
-  for (const PlayerState& opponent : world.opponents) {
-    if (opponent.ghost() || opponent.pos_count > 15) continue;
-    const soccer::PlayerType& type = world.type_of(opponent);
-    const double gap =
-        distance(opponent.position, point) - type.kickable_area(world.server().ball_size);
-    best = std::min(best, cycles_to_run(world.server(), type, gap));
-  }
-  return best;
-}
-
-double outcome(const WorldModel& world, Vec2 velocity) {
+double outcome(const WorldModel& world, const BallRace& race, Vec2 velocity) {
   if (rolls_into_goal(world, velocity, soccer::kHalfLength)) return 1e6;
   if (rolls_into_goal(world, velocity, -soccer::kHalfLength)) return -1e6;
-  // The position after five cycles indicates who gets the ball.
   const Vec2 there = coast(world.ball.position, velocity, world.server().ball_decay, 5);
   const double from_goal = distance(there, {-soccer::kHalfLength, 0.0});
   const double outwards = std::fabs(there.y) - std::fabs(world.ball.position.y);
-  return 2.0 * from_goal + outwards + 3.0 * std::min(10, opponent_steps_to(world, there));
+  constexpr double kPossession = 6.0;  // points per cycle of the lead
+  constexpr int kMaxLead = 5;
+  const RaceResult result = race.run(velocity);
+  const int lead = std::clamp(result.theirs - result.ours, -kMaxLead, kMaxLead);
+  return 2.0 * from_goal + outwards + kPossession * lead;
 }
 
-double best_direction(const WorldModel& world) {
+double best_direction(const WorldModel& world, bool foul) {
   constexpr int kDirections = 40;
+  const BallRace race(world, foul);
   double best = 0.0;
   double best_value = -1e9;
   for (int i = 0; i < kDirections; ++i) {
     const double direction = 360.0 * i / kDirections - 180.0;
-    const double value = outcome(world, tackled_velocity(world, direction));
+    const double value = outcome(world, race, tackled_velocity(world, direction));
     if (value > best_value) {
       best_value = value;
       best = direction;
@@ -142,7 +135,7 @@ bool basic_tackle(const WorldModel& world, CommandSlots& slots, double min_proba
   // An indirect free kick in front of our goal is worse than their current possession.
   const bool goal_in_danger = rolls_into_goal(world, world.ball.velocity, -soccer::kHalfLength);
   if (in_own_area(world) && !goal_in_danger && hits_back(world)) return false;
-  return slots.tackle(best_direction(world), foul);
+  return slots.tackle(best_direction(world, foul), foul);
 }
 
 }  // namespace cls::proxy

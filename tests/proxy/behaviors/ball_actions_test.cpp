@@ -294,6 +294,18 @@ TEST(BhvDoForceKick, KicksContestedBallTowardGoal) {
   EXPECT_NEAR(pitch.world.ball.velocity.y, 0.0, 0.1);
 }
 
+TEST(BhvDoForceKick, KicksOutwardsBesideOurGoal) {
+  for (const double side : {1.0, -1.0}) {
+    KnownPitch pitch;
+    pitch.place_self({-50.0, 17.0 * side}, 90.0 * side);
+    pitch.place_ball({-50.0, 17.5 * side});
+    pitch.add_opponent(11, {-50.0, 18.2 * side});
+    pitch.act(
+        [](protos::PlayerActions& reply) { reply.add_actions()->mutable_bhv_do_force_kick(); });
+    EXPECT_GT(pitch.world.ball.velocity.y * side, 1.0);
+  }
+}
+
 TEST(HeliosShoot, ScoresPastGoalie) {
   KnownPitch pitch;
   pitch.place_self({40.0, 3.0}, 0.0);
@@ -381,6 +393,19 @@ TEST(HeliosBasicTackle, TakesBallFromOpponent) {
   }
   // It succeeds with 1 - 0.7^6 = 0.88.
   EXPECT_GE(taken, 14);
+}
+
+TEST(HeliosBasicTackle, SendsBallToTeammate) {
+  for (const double side : {1.0, -1.0}) {
+    KnownPitch pitch;
+    pitch.place_ball({1.3, 0.0});
+    pitch.add_opponent(4, {2.1, 0.1 * side}, 180.0);
+    pitch.add_teammate(8, {3.0, 9.0 * side});
+    pitch.add_opponent(6, {4.0, -9.0 * side});
+    pitch.act(basic_tackle);
+    ASSERT_NE(pitch.sent<soccer::Tackle>(), nullptr);
+    EXPECT_GT(pitch.sent<soccer::Tackle>()->angle_or_power * side, 0.0);
+  }
 }
 
 TEST(HeliosBasicTackle, AvoidsFoulsNearOurGoal) {

@@ -46,7 +46,7 @@ TEST(SecondTouch, IsRememberedFromOurSetPlay) {
   pitch.world.unum = set_play_kicker(pitch.world);
   pitch.world.game.last_set_play_start = -1000;  // it is time to kick
   const int cycles = pitch.act_until(30, kSetPlay, [&] { return touches(pitch); });
-  ASSERT_LT(cycles, 30) << "nobody took the free kick";
+  ASSERT_LT(cycles, 30) << "the free kick was not taken";
   EXPECT_GE(pitch.memory.set_play_kick.cycle, 0);
 }
 
@@ -89,7 +89,7 @@ TEST(SecondTouch, IsAllowedAfterAnotherPlayersTouch) {
   EXPECT_LT(pitch.memory.set_play_kick.cycle, 0);
 }
 
-TEST(SecondTouch, IsAllowedWhenNobodyFetchesTheBall) {
+TEST(SecondTouch, IsAllowedWhenTheBallIsNotFetched) {
   KnownPitch pitch = after_free_kick({0.5, 0.0}, {-0.2, 0.0});
   pitch.memory.set_play_kick = {pitch.world.game.time.cycle - 50, true};
   pitch.act(kWithBall);
