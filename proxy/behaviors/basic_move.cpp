@@ -92,8 +92,8 @@ bool basic_move(ActionContext& c) {
     if (!go_to_point(world, slots, *support, 1.0, power)) turn_to_ball(world, slots);
     return slots.has_body();
   }
-  const std::optional<Vec2> mark = mark_point(world, homes, marking_in_open_play(world));
-  const Vec2 home = mark ? *mark : homes[static_cast<std::size_t>(world.unum - 1)];
+  const std::optional<Mark> mark = find_mark(world, homes, marking_in_open_play(world));
+  const Vec2 home = mark ? mark->point : homes[static_cast<std::size_t>(world.unum - 1)];
   const double usual_threshold = std::max(1.0, 0.1 * world.ball.dist_from_self);
   const double threshold = mark ? 0.5 : usual_threshold / std::min(1.0, running_pace(world));
   const double usual = normal_dash_power(world, c.memory.recovering);

@@ -87,11 +87,19 @@ bool their_set_play(ActionContext& c) {
       return intercept(world, c.slots, true, {soccer::kHalfLength, 0.0});
     }
     return go_to_position(c, position);
-  } else if (const auto mark = mark_point(world, homes, kSetPlayMarking)) {
-    position = *mark;
   }
+  std::optional<Mark> mark;
+  if (kind != PlayMode::kKickOffLeft) mark = find_mark(world, homes, kSetPlayMarking);
+  if (mark) position = mark->point;
   position = clear_of_ball(position, world.ball.position);
-  return go_to_position(c, around_circle(world.self.position, position, world.ball.position));
+  if (!go_to_position(c, around_circle(world.self.position, position, world.ball.position))) {
+    return false;
+  }
+  constexpr int kMaxAge = 2;  // an opponent out of sight would be forgotten
+  if (mark && mark->opponent->pos_count > kMaxAge && world.ball.pos_count <= kMaxAge) {
+    c.neck = {NeckPlan::Kind::kPoint, mark->opponent->position};
+  }
+  return true;
 }
 
 /// Sidesteps periodically to get away from a marker.

@@ -112,8 +112,8 @@ MarkRules marking_in_open_play(const WorldModel& world) {
   return {parameters.mark_range, parameters.mark_way, parameters.mark_step};
 }
 
-std::optional<Vec2> mark_point(const WorldModel& world, const TeamPoints& home,
-                               const MarkRules& rules) {
+std::optional<Mark> find_mark(const WorldModel& world, const TeamPoints& home,
+                              const MarkRules& rules) {
   if (!their_attack(world) || world.goalie) return std::nullopt;
   const Vec2 ball = first_reach_point(world);
   FixedList<const PlayerState*, 22> attackers;
@@ -130,7 +130,9 @@ std::optional<Vec2> mark_point(const WorldModel& world, const TeamPoints& home,
   std::array<bool, soccer::kPlayersPerTeam> taken{};
   for (const PlayerState* attacker : attackers) {
     int marker = 0;
-    double best_cost = rules.max_cost;
+    constexpr double kNear = 35.0;
+    const bool near = distance(attacker->position, kOurGoal) < kNear;
+    double best_cost = near ? std::max(rules.max_cost, rules.max_cost_near_goal) : rules.max_cost;
     for (int unum = 2; unum <= soccer::kPlayersPerTeam; ++unum) {
       const auto i = static_cast<std::size_t>(unum - 1);
       const double away = marking_cost(world, unum, home[i], attacker->position);
@@ -143,7 +145,7 @@ std::optional<Vec2> mark_point(const WorldModel& world, const TeamPoints& home,
     if (marker != world.unum) continue;
     const Vec2 there =
         attacker->position + (attacker->velocity_valid() ? attacker->velocity * 2.0 : Vec2{});
-    return there + soccer::with_length(kOurGoal - there, rules.step);
+    return Mark{there + soccer::with_length(kOurGoal - there, rules.step), attacker};
   }
   return std::nullopt;
 }

@@ -182,12 +182,12 @@ TEST(PlannerParameters, ChangeWhoIsMarked) {
   pitch.add_opponent(11, {-35.0, -3.0});
   const TeamPoints homes = home_positions(pitch.world);
   const auto mark = [&] {
-    return mark_point(pitch.world, homes, marking_in_open_play(pitch.world));
+    return find_mark(pitch.world, homes, marking_in_open_play(pitch.world));
   };
   ASSERT_TRUE(mark());
-  const double usual = mark()->x;
+  const double usual = mark()->point.x;
   set(pitch, "mark_step", 4.0);
-  EXPECT_LT(mark()->x, usual - 2.0);
+  EXPECT_LT(mark()->point.x, usual - 2.0);
   set(pitch, "mark_range", 10.0);
   EXPECT_FALSE(mark());
   set(pitch, "mark_range", 38.0);

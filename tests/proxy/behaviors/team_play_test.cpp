@@ -120,9 +120,30 @@ TEST(Marking, AssignsOnePlayerPerOpponent) {
         teammate.position = homes[6];
       }
     }
-    if (mark_point(other.world, homes, kSetPlayMarking)) ++markers;
+    if (find_mark(other.world, homes, kSetPlayMarking)) ++markers;
   }
   EXPECT_EQ(markers, 2);
+}
+
+TEST(Marking, CoversWingerBehindTheDefenseAtKickIn) {
+  KnownPitch pitch;
+  pitch.world.unum = 5;
+  pitch.set_mode(PlayMode::kKickInRight);
+  pitch.place_ball({-22.7, 34.0});
+  const TeamPoints homes = home_positions(pitch.world);
+  for (int unum = 2; unum <= 8; ++unum) {
+    if (unum != 5) pitch.add_teammate(unum, homes[static_cast<std::size_t>(unum - 1)]);
+  }
+  pitch.place_self({-20.0, 22.5});
+  pitch.add_opponent(10, {-37.0, 0.0});
+  pitch.add_opponent(11, {-39.0, 16.0});
+  pitch.add_opponent(9, {-43.0, 30.0});
+  const std::optional<Mark> mark = find_mark(pitch.world, homes, kSetPlayMarking);
+  ASSERT_TRUE(mark);
+  EXPECT_EQ(mark->opponent->unum, 9);
+  MarkRules nearer = kSetPlayMarking;
+  nearer.max_cost_near_goal = 0.0;
+  EXPECT_FALSE(find_mark(pitch.world, homes, nearer)) << "too far away";
 }
 
 /// Our winger has the ball; the agent is in front of their goal.
