@@ -63,10 +63,6 @@ bool kick_set_play(ActionContext& context);
 /// False only if the ball is not kickable.
 bool kick_into_play(ActionContext& context);
 
-/// Best outlet (planner/outlet.h), where losing the ball would cost a goal. False only if the ball
-/// is not kickable.
-bool kick_outlet(ActionContext& context);
-
 /// Best planned pass; false if there is none.
 bool play_planned_pass(ActionContext& context);
 

@@ -11,6 +11,7 @@
 #include "proxy/movement/intercept.h"
 #include "proxy/movement/movement.h"
 #include "proxy/movement/tackle.h"
+#include "proxy/planner/plan_execution.h"
 #include "proxy/world/motion.h"
 #include "soccer/pitch.h"
 
@@ -267,8 +268,6 @@ bool goalie_free_kick(ActionContext& c) {
   const bool seen = world.game.see_time == world.game.time.cycle;
   const bool due = since >= limit;
   if (!due && (world.game.time.cycle - memory.move_cycle < kAfterMove || !seen)) return wait(c);
-  if (play_planned_pass(c)) return true;
-  if (!due && world.game.time.cycle - memory.move_cycle < 3 * kAfterMove) return wait(c);
   return kick_outlet(c);
 }
 

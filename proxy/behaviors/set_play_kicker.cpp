@@ -9,7 +9,6 @@
 #include "proxy/movement/home_positions.h"
 #include "proxy/movement/movement.h"
 #include "proxy/planner/field.h"
-#include "proxy/planner/outlet.h"
 #include "proxy/planner/plan_execution.h"
 #include "proxy/planner/search.h"
 #include "proxy/world/motion.h"
@@ -126,16 +125,6 @@ bool play_planned_pass(ActionContext& c) {
     return best != 0 && execute_plan(c, plan, best);
   }
   return execute_plan(c, plan, plan.best);
-}
-
-bool kick_outlet(ActionContext& c) {
-  const WorldModel& world = c.world;
-  if (!world.self.kickable) return false;
-  const PlannerField field(world);
-  const std::optional<Outlet> outlet = best_outlet(field);
-  if (!outlet) return clear_ball(world, c.slots);
-  c.neck.kind = NeckPlan::Kind::kScan;
-  return kick_one_step(world, c.slots, outlet->target, outlet->speed, true);
 }
 
 bool kick_into_play(ActionContext& c) {

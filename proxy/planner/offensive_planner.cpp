@@ -57,7 +57,10 @@ bool run_offensive_planner(const protos::HeliosOffensivePlanner& action, ActionC
   if (!c.world.self.kickable || c.world.self.frozen()) return false;
   const protos::HeliosOffensivePlanner& tree_options = tree_action(action, c);
   const Plan& plan = plan_of_decision(c, planner_options(tree_options), node_value(tree_options));
-  if (!action.server_side_decision()) return execute_plan_or_hold(c, plan, plan.best);
+  if (!action.server_side_decision()) {
+    return (!action.has_evaluation() && kick_out_of_danger(c)) ||
+           execute_plan_or_hold(c, plan, plan.best);
+  }
   switch (c.choice.chooser) {
     case PlanChoice::Chooser::kPlaymaker:
     case PlanChoice::Chooser::kRequested:

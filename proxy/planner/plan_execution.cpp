@@ -11,6 +11,7 @@
 #include "proxy/movement/movement.h"
 #include "proxy/perception/say_message.h"
 #include "proxy/planner/field.h"
+#include "proxy/planner/outlet.h"
 #include "proxy/planner/search.h"
 #include "proxy/world/motion.h"
 #include "proxy/world/planner_parameters.h"
@@ -236,8 +237,36 @@ const Plan& plan_of_decision(ActionContext& c, const PlannerOptions& options,
   return c.choice.plan;
 }
 
+bool kick_outlet(ActionContext& c) {
+  const WorldModel& world = c.world;
+  if (!world.self.kickable) return false;
+  const PlannerField field(world);
+  const std::optional<Outlet> outlet = best_outlet(field);
+  if (!outlet) return clear_ball(world, c.slots);
+  c.neck.kind = NeckPlan::Kind::kScan;
+  return kick_one_step(world, c.slots, outlet->target, outlet->speed, true);
+}
+
+bool kick_out_of_danger(ActionContext& c) {
+  const WorldModel& world = c.world;
+  const PlannerParameters& parameters = *world.planner;
+  const Vec2 our_goal{-soccer::kHalfLength, 0.0};
+  if (world.game.mode != PlayMode::kPlayOn ||
+      distance(world.ball.position, our_goal) > parameters.outlet_range) {
+    return false;
+  }
+  constexpr int kMaxAge = 10;
+  const bool pressed =
+      std::any_of(world.opponents.begin(), world.opponents.end(), [&](const PlayerState& opponent) {
+        return opponent.dist_from_ball < parameters.outlet_pressure && !opponent.ghost() &&
+               opponent.pos_count <= kMaxAge;
+      });
+  return pressed && kick_outlet(c);
+}
+
 bool execute_default_plan(ActionContext& c) {
   if (!c.world.self.kickable) return false;
+  if (kick_out_of_danger(c)) return true;
   const PlannerField field(c.world);
   const Plan plan = make_plan(field, PlannerOptions{});
   return execute_plan(c, plan, plan.best);

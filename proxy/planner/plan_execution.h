@@ -18,6 +18,12 @@ bool execute_plan(ActionContext& context, const Plan& plan, int node);
 /// The same, or holds the ball where the plan cannot be executed.
 bool execute_plan_or_hold(ActionContext& context, const Plan& plan, int node);
 
+/// Best outlet, or a clearance. False if the ball is not kickable.
+bool kick_outlet(ActionContext& context);
+
+/// The same with the ball near our goal and an opponent near: a lost pass would be a shot at us.
+bool kick_out_of_danger(ActionContext& context);
+
 /// The plan of this decision, made at the first call. The agent has the ball.
 const Plan& plan_of_decision(ActionContext& context, const PlannerOptions& options,
                              const NodeValue& value = default_value);

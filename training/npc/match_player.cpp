@@ -39,7 +39,7 @@ void play_by_planner(ActionContext& context) {
     leave_ball(context);
   } else if (!shoot_and_look(context) && !world.self.frozen()) {
     const proxy::Plan& plan = plan_of_decision(context, all_kinds());
-    execute_plan_or_hold(context, plan, plan.best);
+    if (!kick_out_of_danger(context)) execute_plan_or_hold(context, plan, plan.best);
   }
 }
 

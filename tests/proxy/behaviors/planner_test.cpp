@@ -196,6 +196,22 @@ TEST(HeliosOffensivePlanner, HoldsBallWithoutEnabledActions) {
   EXPECT_EQ(pitch.counts(PlayerAction::kHeliosOffensivePlanner).done, 5);
 }
 
+TEST(HeliosOffensivePlanner, KicksOutOfDangerBeforeOurGoal) {
+  const auto kick = [](Vec2 opponent) {
+    KnownPitch pitch = with_ball({-48.0, 12.0});
+    pitch.add_teammate(6, {-40.0, 0.0});
+    pitch.add_opponent(8, {-38.0, 1.0});
+    pitch.add_opponent(11, opponent);
+    pitch.act(
+        plan_with([](protos::HeliosOffensivePlanner& planner) { planner.set_direct_pass(true); }));
+    return pitch.world.ball.velocity;
+  };
+  const Vec2 away = kick({-44.0, 10.0});
+  EXPECT_GT(away.y, 0.5) << "not through the middle, " << away.x << ", " << away.y;
+  EXPECT_GT(away.length(), 1.5);
+  EXPECT_LT(kick({-30.0, -5.0}).y, 0.5) << "no opponent near the ball";
+}
+
 TEST(HeliosOffensivePlanner, FailsWithoutBall) {
   KnownPitch pitch;
   pitch.act(plan_with(kEverything));
