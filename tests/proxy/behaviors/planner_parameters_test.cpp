@@ -213,8 +213,9 @@ TEST(PlannerParameters, ChangePaceAndRestingOfRuns) {
   pitch.place_ball({-20.0, 0.0});
   bool recovering = false;
   const auto power = [&] { return normal_dash_power(pitch.world, recovering); };
+  set(pitch, "pace", 0.0);
   set_stamina_share(pitch, 0.5);
-  EXPECT_DOUBLE_EQ(running_pace(pitch.world), 1.0) << "by default the same at all times";
+  EXPECT_DOUBLE_EQ(running_pace(pitch.world), 1.0) << "the same at all times";
   const double usual = power();
   set(pitch, "pace", 4.0);
   set_stamina_share(pitch, 1.0);
