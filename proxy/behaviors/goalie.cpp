@@ -49,10 +49,29 @@ std::optional<Shot> shot_at_us(const WorldModel& world) {
   return std::nullopt;
 }
 
-/// Back pass rule: a ball last kicked by a teammate must not be caught.
+/// Back pass rule: a ball last kicked by our team must not be caught, not even by its kicker after
+/// a pass to it.
 bool is_back_pass(const WorldModel& world) {
   return world.server().back_passes && world.last_kick.side == world.our_side &&
-         world.last_kick.unum != world.unum && world.last_kick.unum != 0;
+         world.last_kick.unum != 0;
+}
+
+/// True if the ball rolled past a teammate that has tackled since: that counts as a pass too.
+bool comes_from_tackle(const WorldModel& world) {
+  if (!world.server().back_passes || !world.ball.velocity_valid()) return false;
+  constexpr double kReach = 2.3;
+  return std::any_of(world.teammates.begin(), world.teammates.end(),
+                     [&](const PlayerState& teammate) {
+                       if (!teammate.tackling || teammate.ghost()) return false;
+                       Vec2 ball = world.ball.position;
+                       Vec2 step = world.ball.velocity;
+                       for (int cycle = 0; cycle <= world.server().tackle_cycles; ++cycle) {
+                         if (distance(ball, teammate.position) < kReach) return true;
+                         step = step / world.server().ball_decay;
+                         ball -= step;
+                       }
+                       return false;
+                     });
 }
 
 bool can_catch(const WorldModel& world) {
@@ -63,6 +82,8 @@ bool can_catch(const WorldModel& world) {
   if (mode != PlayMode::kPlayOn && !penalty) return false;
   if (!in_own_penalty_area(world.ball.position, kInset) && !penalty) return false;
   if (world.self.catch_probability <= 0.0 || (is_back_pass(world) && !penalty)) return false;
+  // Unless it is a shot: it may have been the touch of an opponent.
+  if (comes_from_tackle(world) && !shot_at_us(world) && !penalty) return false;
   // Maximum angle of a catch: 90 degrees plus the width of the catch area.
   constexpr double kMaxCatchAngle = 108.0;
   if ((world.ball.angle_from_self - world.self.body).abs() > kMaxCatchAngle) return false;

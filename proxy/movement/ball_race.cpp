@@ -33,6 +33,7 @@ void BallRace::add_others(const PlayerList& players, bool ours, bool foul) {
   const soccer::ServerParams& server = world_.server();
   for (const PlayerState& player : players) {
     if (player.ghost() || player.pos_count > kMaxAge || runners_.full()) continue;
+    if (ours && player.goalie) continue;  // must not catch the ball
     const soccer::PlayerType& type = world_.type_of(player);
     const bool fouled = foul && player.dist_from_ball < type.kickable_area(server.ball_size);
     const int delay = player.tackling ? server.tackle_cycles / 2 : fouled ? server.foul_cycles : 0;

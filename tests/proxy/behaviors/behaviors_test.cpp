@@ -44,6 +44,22 @@ TEST(HeliosGoalie, CatchesBallAndKicksBackPass) {
   EXPECT_NE(passed_back.sent<soccer::Kick>(), nullptr);
 }
 
+TEST(HeliosGoalie, DoesNotCatchBallFromTackleOfTeammate) {
+  const auto catches = [](Vec2 tackler, Vec2 goalie) {
+    KnownPitch pitch;
+    pitch.make_goalie();
+    pitch.place_self(goalie);
+    pitch.place_ball({-47.9, 8.3}, {0.4, -1.2});
+    pitch.add_teammate(3, tackler);
+    pitch.world.teammates.back().tackling = true;
+    pitch.act(kGoalie);
+    return pitch.sent<soccer::Catch>() != nullptr;
+  };
+  const Vec2 beside{-48.0, 7.1};
+  EXPECT_FALSE(catches({-50.0, 14.5}, beside));
+  EXPECT_TRUE(catches({-40.0, 14.5}, beside)) << "far from the ball's way";
+}
+
 TEST(HeliosGoalie, KicksBallOutsidePenaltyArea) {
   KnownPitch pitch;
   pitch.make_goalie();
