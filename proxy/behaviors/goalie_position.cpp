@@ -64,8 +64,9 @@ class OpenGoal {
       double missing = 100.0;
       int cycle = flight.notice;
       for (const Vec2& ball : flight.ball) {
-        // Reach reduced for turning and side dashes.
-        missing = std::min(missing, distance(position, ball) - arms_ - 0.85 * reach_.run(cycle++));
+        // Reach reduced for turning, which takes a cycle, and side dashes.
+        const double run = 0.85 * reach_.run(std::max(0, cycle++ - 1));
+        missing = std::min(missing, distance(position, ball) - arms_ - run);
       }
       if (missing > 0.0) sum += flight.weight * (0.5 + std::min(missing, 3.0));
     }
@@ -113,13 +114,14 @@ Vec2 goalie_position(const WorldModel& world, Vec2 ball) {
   const double far = distance(ball, {kGoalX, 0.0});
   // The farther the ball, the farther out, but within reach of the line.
   if (far > kShotRange) return point_on_bisector(world, ball, far > 40.0 ? -48.0 : -50.0);
-  static constexpr std::array<double, 4> kLines{-50.0, -51.3, -48.8, -47.5};
+  static constexpr double kOnLine = -52.2;  // at the post against shots from the goal line
+  static constexpr std::array<double, 5> kLines{-50.0, -51.3, -48.8, -47.5, kOnLine};
   constexpr double kStep = 0.75;
   const OpenGoal goal(world, ball);
   Vec2 best = point_on_bisector(world, ball, kLines[0]);
   double best_cost = 1e9;
   for (const double x : kLines) {
-    if (x > ball.x - 1.0) continue;  // behind the ball
+    if (x > ball.x - 1.0 && x > kOnLine) continue;  // behind the ball
     for (double y = -6.75; y <= 6.75; y += kStep) {
       const Vec2 position{x, y};
       // Ties: prefer the nearest position.

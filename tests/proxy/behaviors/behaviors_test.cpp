@@ -86,6 +86,22 @@ TEST(HeliosGoalie, SavesShots) {
   EXPECT_GE(saved, 5);
 }
 
+TEST(HeliosGoalieMove, CoversNearPostAgainstShotsFromTheGoalLine) {
+  for (const double side : {1.0, -1.0}) {
+    for (const double x : {-49.0, -50.7, -51.6}) {
+      KnownPitch pitch;
+      pitch.make_goalie();
+      pitch.place_self({-50.0, 6.6 * side});
+      const Vec2 ball{x, 12.3 * side};
+      pitch.place_ball(ball);
+      const Vec2 position = goalie_position(pitch.world, ball);
+      // Just inside the near post, and no ball passes between it and the goalie.
+      const soccer::Segment shot{ball, {-52.5, 6.4 * side}};
+      EXPECT_LT(distance(shot, position), 1.0) << x << ": " << position.x << ", " << position.y;
+    }
+  }
+}
+
 TEST(HeliosGoalieMove, StaysBetweenBallAndGoal) {
   for (const Vec2 ball : {Vec2{-20.0, 20.0}, Vec2{-30.0, -15.0}, Vec2{0.0, 0.0}}) {
     KnownPitch pitch;
