@@ -12,10 +12,12 @@
 #pragma once
 
 #include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -181,6 +183,13 @@ class JsonDecoder {
 
   template <typename T>
   static void decode(const Json& json, T& value) {
+    if constexpr (std::is_integral_v<T> && !std::is_same_v<T, bool>) {
+      // Converting a floating-point number that is too large is undefined.
+      if (json.is_number_float() &&
+          !(std::fabs(json.get<double>()) < static_cast<double>(std::numeric_limits<T>::max()))) {
+        throw std::out_of_range("a number is too large");
+      }
+    }
     if constexpr (std::is_constructible_v<Json, const T&>) {
       value = json.get<T>();
     } else {

@@ -26,7 +26,8 @@ constexpr double kFine = 0.05;
 
 DistanceTable::DistanceTable(double step)
     : step_(step), share_(math::exp(0.5 * step) - 1.0), by_tenths_(kTenths + 1) {
-  if (step <= math::kEps) {  // no rounding of the logarithm
+  constexpr double kMinStep = 1e-5;  // a smaller one changes nothing, but needs much memory
+  if (step < kMinStep) {             // no rounding of the logarithm
     for (int i = 0; i <= kTenths; ++i) {
       by_tenths_[static_cast<std::size_t>(i)] = {std::max(0.0, 0.1 * i - kHalfTenth),
                                                  0.1 * i + kHalfTenth};
@@ -45,9 +46,9 @@ DistanceTable::DistanceTable(double step)
   }
   for (DistanceRange& range : by_tenths_) range = {-1.0, -1.0};
   for (const Step& s : steps_) {
-    const long tenths = std::lround(math::quantize(s.rounded, 0.1) * 10.0);
-    if (tenths > kTenths) break;
-    DistanceRange& range = by_tenths_[static_cast<std::size_t>(tenths)];
+    const double tenths = math::quantize(s.rounded, 0.1) * 10.0;
+    if (!(tenths < kTenths + 0.5)) break;  // infinite with a large step
+    DistanceRange& range = by_tenths_[static_cast<std::size_t>(std::lround(tenths))];
     if (range.high < 0.0) range.low = s.ends.low;
     range.high = s.ends.high;
   }

@@ -112,6 +112,7 @@ Moments truncated(Moments normal, double low, double high) {
   const double deviation = std::sqrt(normal.variance);
   const double a = (low - normal.mean) / deviation;
   const double b = (high - normal.mean) / deviation;
+  if (!(a <= b)) return normal;  // numbers of a faulty server: no interval, or none that is finite
   const Moments standardized = standard(a, b);
   const double mean = std::clamp(normal.mean + deviation * standardized.mean, low, high);
   const double width = high - low;
