@@ -355,7 +355,9 @@ INSTANTIATE_TEST_SUITE_P(
                         "num_agents": 1, "actions": "hfo", "opponent": "planner",
                         "teammates": "planner"})"},
         MatchPlayers{"planner", R"({"task": "Match", "num_agents": 1, "actions": "hfo",
-                        "opponent": "planner", "teammates": "planner"})"}));
+                        "opponent": "planner", "teammates": "planner"})"},
+        MatchPlayers{"simple", R"({"task": "Match", "num_agents": 5, "actions": "hfo",
+                        "opponent": "mock", "teammates": "mock"})"}));
 
 INSTANTIATE_TEST_SUITE_P(
     Tasks, TrainingWorldModel,

@@ -271,9 +271,10 @@ void Episode::queue_says(std::size_t first_event) {
 void Episode::play_cycle(simulator::MatchRecorder* recorder) {
   if (setup_->task->referee && allows_moves(world_.mode)) return_to_formation();
   const std::array<int, 2> score = memory_.score;
+  // As a match server after the senses: a catch or a move may give contacts before the step.
+  for (simulator::Player& player : world_.players) player.contacts = {};
   send_commands();
   execute_commands(recorder);
-  for (simulator::Player& player : world_.players) player.contacts = {};
   const std::size_t before = events_.size();
   simulator::step(world_, events_);
   if (recorder != nullptr) recorder->step(world_);
