@@ -74,7 +74,7 @@ class Gymnasium(unittest.TestCase):
 
     def test_vector_equals_sync_vector_env(self):
         for mode in gymnasium.vector.AutoresetMode:
-            for actions in ("low", "low_flat", "low_discrete"):
+            for actions in ("low", "low_flat", "low_discrete", "skills"):
                 with self.subTest(f"{mode} {actions}"):
                     self.compare(mode, actions=actions, max_cycles=30)
 
@@ -119,7 +119,7 @@ class PettingZoo(unittest.TestCase):
         return cls_gym.ParallelEnv(task, agents="both", **dict({"features": "ego"}, **config))
 
     def test_checkers_accept(self):
-        for actions in ("low", "low_flat", "low_discrete"):
+        for actions in ("low", "low_flat", "low_discrete", "skills"):
             with self.subTest(actions), warnings.catch_warnings():
                 warnings.simplefilter("error")
                 # The test passes the unknown option "options", which must warn.

@@ -66,7 +66,7 @@ class Rules(unittest.TestCase):
         self.assertTrue(((cycles[far] >= 101) & (cycles[far] <= 102)).all(), cycles)
 
     def test_random_policy_does_not_score(self):
-        for actions in ("low", "low_flat", "low_discrete"):
+        for actions in ("low", "low_flat", "low_discrete", "skills"):
             def random(envs, step, seen):
                 if step == 0:
                     envs.action_space.seed(3)

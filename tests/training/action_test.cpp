@@ -3,6 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <set>
+
 #include "tests/training/stage.h"
 
 namespace cls::tests {
@@ -30,17 +34,44 @@ TEST(TrainingActions, DiscreteSetHas81Ids) {
   EXPECT_TRUE(training::low_discrete_actions().values().empty());
 }
 
+// Trained policies know actions by number.
+TEST(TrainingActions, KeepTheirNumbers) {
+  const std::vector<training::Action>& low = training::low_discrete_actions().actions;
+  EXPECT_EQ(low[0].name, "noop");
+  EXPECT_EQ(low[4].name, "dash_100_-135");
+  EXPECT_EQ(low[17].name, "turn_-120");
+  EXPECT_EQ(low[29].name, "kick_50_1");
+  EXPECT_EQ(low[80].name, "tackle_135");
+  const std::vector<training::Action>& skills = training::skill_actions().actions;
+  ASSERT_EQ(skills.size(), 83U);
+  EXPECT_EQ(skills[1].name, "shoot");
+  EXPECT_EQ(skills[9].name, "pass_1");
+  EXPECT_EQ(skills[20].name, "kick_hard_0");
+  EXPECT_EQ(skills[51].name, "dribble_0");
+  EXPECT_EQ(skills[82].name, "run_15");
+}
+
+TEST(TrainingActions, HaveNamesOfTheirOwn) {
+  for (const training::ActionSet* set : training::action_sets()) {
+    std::set<std::string_view> names;
+    for (const training::Action& action : set->actions) names.insert(action.name);
+    EXPECT_EQ(names.size(), set->actions.size()) << set->name;
+  }
+}
+
 /// One attacker without opponents whose action is repeated.
 class OneAttacker : public testing::Test {
  protected:
-  OneAttacker()
-      : pool_(R"({"task": "HalfFieldOffense", "actions": "hfo", "max_cycles": 400,)"
-              R"( "options": {"offense_on_ball": 1}})") {
+  explicit OneAttacker(const training::ActionSet& set = training::hfo_actions())
+      : set_(set),
+        pool_(R"({"task": "HalfFieldOffense", "max_cycles": 400,)"
+              R"( "options": {"offense_on_ball": 1}, "actions": ")" +
+              std::string(set.name) + R"("})") {
     EXPECT_EQ(pool_.reset(4), CLS_TRAINING_OK);
   }
 
   int id(std::string_view name) const {
-    const auto& actions = training::hfo_actions().actions;
+    const auto& actions = set_.actions;
     for (std::size_t i = 0; i < actions.size(); ++i) {
       if (actions[i].name == name) return static_cast<int>(i);
     }
@@ -61,16 +92,26 @@ class OneAttacker : public testing::Test {
     return world;
   }
 
+  bool is_legal(std::string_view name) const {
+    return pool_.action_masks[static_cast<std::size_t>(id(name))] == 1;
+  }
+
+  const training::ActionSet& set_;
   BoundPool pool_;
 };
 
+class OneSkilledAttacker : public OneAttacker {
+ protected:
+  OneSkilledAttacker() : OneAttacker(training::skill_actions()) {}
+};
+
 TEST_F(OneAttacker, ShootNeedsTheBall) {
-  EXPECT_EQ(pool_.action_masks[static_cast<std::size_t>(id("SHOOT"))], 1);
+  EXPECT_TRUE(is_legal("SHOOT"));
   repeat("SHOOT", 1);
   const cls_training_world world = view();
   EXPECT_GT(world.ball_vx, 1.0);
   repeat("NOOP", 3);
-  EXPECT_EQ(pool_.action_masks[static_cast<std::size_t>(id("SHOOT"))], 0);
+  EXPECT_FALSE(is_legal("SHOOT"));
   repeat("SHOOT", 1);
   EXPECT_EQ(pool_.illegal[0], 1);
 }
@@ -78,12 +119,11 @@ TEST_F(OneAttacker, ShootNeedsTheBall) {
 TEST_F(OneAttacker, DribblingScores) {
   while (pool_.status[0] == CLS_TRAINING_IN_GAME) {
     const cls_training_world world = view();
-    repeat(world.ball_x > 40.0 && pool_.action_masks[static_cast<std::size_t>(id("SHOOT"))] == 1
-               ? "SHOOT"
-           : world.ball_x > 40.0 ? "INTERCEPT"
-                                 : "DRIBBLE",
+    repeat(world.ball_x > 40.0 && is_legal("SHOOT") ? "SHOOT"
+           : world.ball_x > 40.0                    ? "INTERCEPT"
+                                                    : "DRIBBLE",
            1);
-    if (pool_.action_masks[static_cast<std::size_t>(id("DRIBBLE"))] == 0) repeat("INTERCEPT", 1);
+    if (!is_legal("DRIBBLE")) repeat("INTERCEPT", 1);
   }
   EXPECT_EQ(pool_.status[0], CLS_TRAINING_GOAL);
   EXPECT_EQ(pool_.score[0], 1);
@@ -108,6 +148,61 @@ TEST_F(OneAttacker, ReorientFacesTheBall) {
   const cls_training_player& me = world.players[10];
   const double bearing = soccer::direction_degrees(Vec2{world.ball_x - me.x, world.ball_y - me.y});
   EXPECT_LT(std::abs(soccer::math::normalize_degrees(bearing - me.body)), 20.0);
+}
+
+TEST_F(OneSkilledAttacker, KeepsTheBallNearWhileItDribbles) {
+  const double start = view().ball_x;
+  double farthest = 0.0;
+  for (int cycle = 0; cycle < 40; ++cycle) {
+    repeat("dribble_8", 1);
+    const cls_training_world world = view();
+    const cls_training_player& me = world.players[10];
+    farthest = std::max(farthest, std::hypot(world.ball_x - me.x, world.ball_y - me.y));
+  }
+  EXPECT_LT(farthest, 3.0);
+  EXPECT_GT(view().ball_x - start, 20.0);
+  EXPECT_EQ(pool_.illegal[0], 0);
+}
+
+TEST_F(OneSkilledAttacker, StopsTheBall) {
+  repeat("kick_soft_8", 1);
+  repeat("take_ball", 25);
+  const cls_training_world world = view();
+  EXPECT_LT(std::hypot(world.ball_vx, world.ball_vy), 0.1);
+  EXPECT_TRUE(is_legal("shoot"));
+}
+
+TEST_F(OneSkilledAttacker, HasNoOneToPassToOrToMark) {
+  EXPECT_TRUE(is_legal("kick_hard_8"));
+  EXPECT_FALSE(is_legal("pass_1"));
+  EXPECT_FALSE(is_legal("mark"));
+  EXPECT_FALSE(is_legal("catch"));
+}
+
+TEST(TrainingSkills, PassReachesTheTeammate) {
+  BoundPool pool(R"({"task": "HalfFieldOffense", "offense": 2, "actions": "skills",)"
+                 R"( "options": {"offense_on_ball": 1}})");
+  const std::vector<training::Action>& actions = training::skill_actions().actions;
+  const auto id = [&](std::string_view name) {
+    const auto named = [&](const training::Action& action) { return action.name == name; };
+    return static_cast<std::int32_t>(std::find_if(actions.begin(), actions.end(), named) -
+                                     actions.begin());
+  };
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    ASSERT_EQ(pool.reset(seed), CLS_TRAINING_OK);
+    const bool first = pool.action_masks[static_cast<std::size_t>(id("pass_1"))] == 1;
+    const std::size_t passer = first ? 0 : 1;
+    const std::size_t mate = 1 - passer;
+    pool.action_ids[passer] = id("pass_1");
+    pool.action_ids[mate] = id("take_ball");
+    const auto shoot = mate * pool.ids + static_cast<std::size_t>(id("shoot"));
+    int cycles = 0;
+    while (pool.action_masks[shoot] == 0 && cycles < 60) {
+      ASSERT_EQ(pool.step(), CLS_TRAINING_OK);
+      ++cycles;
+    }
+    EXPECT_LT(cycles, 60) << "seed " << seed;
+  }
 }
 
 }  // namespace

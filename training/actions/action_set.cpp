@@ -28,9 +28,9 @@ std::vector<int> ActionSet::offsets() const {
 }
 
 const std::vector<const ActionSet*>& action_sets() {
-  static const std::vector<const ActionSet*> sets = {&low_actions(), &low_all_actions(),
+  static const std::vector<const ActionSet*> sets = {&low_actions(),      &low_all_actions(),
                                                      &low_flat_actions(), &low_discrete_actions(),
-                                                     &hfo_actions()};
+                                                     &hfo_actions(),      &skill_actions()};
   return sets;
 }
 

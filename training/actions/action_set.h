@@ -43,6 +43,7 @@ const ActionSet& low_all_actions();
 const ActionSet& low_flat_actions();
 const ActionSet& low_discrete_actions();
 const ActionSet& hfo_actions();
+const ActionSet& skill_actions();
 
 const std::vector<const ActionSet*>& action_sets();
 

@@ -100,7 +100,7 @@ PlayerCommand reorient(const PointOfView& view, const float*) {
 
 const ActionSet& hfo_actions() {
   static const ActionSet set = {"hfo",
-                                1,
+                                2,
                                 "HFO's twenty actions; QUIT acts as NOOP",
                                 {{"DASH", {kPower, kDirection}, dash},
                                  {"TURN", {kDirection}, turn},

@@ -1,77 +1,68 @@
 // Action set "low_discrete": 81 commands without parameters.
 #include <array>
-#include <deque>
 #include <string>
-#include <utility>
 
 #include "training/actions/action_set.h"
+#include "training/actions/family.h"
 
 namespace cls::training {
 namespace {
 
-constexpr std::array<int, 8> kDashDirections = {-180, -135, -90, -45, 0, 45, 90, 135};
-constexpr std::array<int, 2> kDashPowers = {50, 100};
-constexpr std::array<int, 8> kTurns = {-120, -60, -30, -10, 10, 30, 60, 120};
-constexpr std::array<int, 3> kKickPowers = {20, 50, 100};
-constexpr std::array<int, 8> kTackles = {-180, -135, -90, -45, 0, 45, 90, 135};
+struct Dashes {
+  static constexpr std::array<int, 8> kDirections = {-180, -135, -90, -45, 0, 45, 90, 135};
+  static constexpr std::array<int, 2> kPowers = {50, 100};
+  static constexpr std::size_t kCount = kDirections.size() * kPowers.size();
 
-template <std::size_t kIndex>
-PlayerCommand dash(const PointOfView&, const float*) {
-  return soccer::Dash{static_cast<double>(kDashPowers[kIndex % 2]),
-                      static_cast<double>(kDashDirections[kIndex / 2])};
-}
-template <std::size_t kIndex>
-PlayerCommand turn(const PointOfView&, const float*) {
-  return soccer::Turn{static_cast<double>(kTurns[kIndex])};
-}
-template <std::size_t kIndex>
-PlayerCommand kick(const PointOfView&, const float*) {
-  return soccer::Kick{static_cast<double>(kKickPowers[kIndex % 3]),
-                      22.5 * static_cast<double>(kIndex / 3) - 180.0};
-}
-template <std::size_t kIndex>
-PlayerCommand tackle(const PointOfView&, const float*) {
-  return soccer::Tackle{static_cast<double>(kTackles[kIndex]), false};
-}
+  static int power(std::size_t i) { return kPowers[i % 2]; }
+  static int direction(std::size_t i) { return kDirections[i / 2]; }
+  static std::string name(std::size_t i) {
+    return "dash_" + std::to_string(power(i)) + "_" + std::to_string(direction(i));
+  }
+  static PlayerCommand command(const PointOfView&, std::size_t i) {
+    return soccer::Dash{static_cast<double>(power(i)), static_cast<double>(direction(i))};
+  }
+  static bool legal(const PointOfView&, std::size_t) { return true; }
+};
 
-bool can_kick_now(const PointOfView& view) { return can_kick(view.scene, view.self); }
-bool can_tackle_now(const PointOfView& view) { return tackle_chance(view.scene, view.self) > 0.0; }
+struct Turns {
+  static constexpr std::array<int, 8> kMoments = {-120, -60, -30, -10, 10, 30, 60, 120};
+  static constexpr std::size_t kCount = kMoments.size();
 
-/// Names that live as long as the program.
-std::string_view stored(std::string name) {
-  static std::deque<std::string> names;
-  return names.emplace_back(std::move(name));
-}
+  static std::string name(std::size_t i) { return "turn_" + std::to_string(kMoments[i]); }
+  static PlayerCommand command(const PointOfView&, std::size_t i) {
+    return soccer::Turn{static_cast<double>(kMoments[i])};
+  }
+  static bool legal(const PointOfView&, std::size_t) { return true; }
+};
 
-template <std::size_t... kIndices>
-void add_dashes(std::vector<Action>& out, std::index_sequence<kIndices...>) {
-  (out.push_back({stored("dash_" + std::to_string(kDashPowers[kIndices % 2]) + "_" +
-                         std::to_string(kDashDirections[kIndices / 2])),
-                  {},
-                  dash<kIndices>}),
-   ...);
-}
-template <std::size_t... kIndices>
-void add_turns(std::vector<Action>& out, std::index_sequence<kIndices...>) {
-  (out.push_back({stored("turn_" + std::to_string(kTurns[kIndices])), {}, turn<kIndices>}), ...);
-}
-template <std::size_t... kIndices>
-void add_kicks(std::vector<Action>& out, std::index_sequence<kIndices...>) {
-  (out.push_back({stored("kick_" + std::to_string(kKickPowers[kIndices % 3]) + "_" +
-                         std::to_string(static_cast<int>(kIndices / 3))),
-                  {},
-                  kick<kIndices>,
-                  can_kick_now}),
-   ...);
-}
-template <std::size_t... kIndices>
-void add_tackles(std::vector<Action>& out, std::index_sequence<kIndices...>) {
-  (out.push_back({stored("tackle_" + std::to_string(kTackles[kIndices])),
-                  {},
-                  tackle<kIndices>,
-                  can_tackle_now}),
-   ...);
-}
+struct Kicks {
+  static constexpr std::array<int, 3> kPowers = {20, 50, 100};
+  static constexpr std::size_t kCount = 48;  // sixteen directions
+
+  static int power(std::size_t i) { return kPowers[i % 3]; }
+  static std::string name(std::size_t i) {
+    return "kick_" + std::to_string(power(i)) + "_" + std::to_string(i / 3);
+  }
+  static PlayerCommand command(const PointOfView&, std::size_t i) {
+    return soccer::Kick{static_cast<double>(power(i)), 22.5 * static_cast<double>(i / 3) - 180.0};
+  }
+  static bool legal(const PointOfView& view, std::size_t) {
+    return can_kick(view.scene, view.self);
+  }
+};
+
+struct Tackles {
+  static constexpr std::array<int, 8> kDirections = {-180, -135, -90, -45, 0, 45, 90, 135};
+  static constexpr std::size_t kCount = kDirections.size();
+
+  static std::string name(std::size_t i) { return "tackle_" + std::to_string(kDirections[i]); }
+  static PlayerCommand command(const PointOfView&, std::size_t i) {
+    return soccer::Tackle{static_cast<double>(kDirections[i]), false};
+  }
+  static bool legal(const PointOfView& view, std::size_t) {
+    return tackle_chance(view.scene, view.self) > 0.0;
+  }
+};
 
 PlayerCommand nothing(const PointOfView&, const float*) { return stand(); }
 
@@ -87,10 +78,10 @@ const ActionSet& low_discrete_actions() {
                      {},
                      nullptr};
     all.actions.push_back({"noop", {}, nothing});
-    add_dashes(all.actions, std::make_index_sequence<16>());
-    add_turns(all.actions, std::make_index_sequence<8>());
-    add_kicks(all.actions, std::make_index_sequence<48>());
-    add_tackles(all.actions, std::make_index_sequence<8>());
+    append_family<Dashes>(all.actions);
+    append_family<Turns>(all.actions);
+    append_family<Kicks>(all.actions);
+    append_family<Tackles>(all.actions);
     return all;
   }();
   return set;

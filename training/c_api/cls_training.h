@@ -100,8 +100,8 @@ CLS_TRAINING_API int cls_training_catalog(char* out, size_t capacity, size_t* le
 //                 cls agents estimate from the messages of the server. Scripted players, rewards
 //                 and `state` use the exact world with either.
 //   "features"    feature set: "hfo_low", "hfo_high" or "ego". Default: the task's.
-//   "actions"     action set: "low", "low_all", "low_flat", "low_discrete" or
-//                 "hfo". Default: the task's.
+//   "actions"     action set: "low", "low_all", "low_flat", "low_discrete", "hfo"
+//                 or "skills". Default: the task's.
 //   "offense"     players of the left (attacking) team, where the task lets one choose.
 //   "defense"     players of the right team, including its goalie.
 //   "agents"      whose actions the caller chooses: "offense" (left), "defense" (right) or "both".

@@ -99,6 +99,33 @@ PlayerCommand kick_to(const Scene& scene, Seat self, Vec2 point, double speed) {
   return soccer::Kick{push.length() / rate, bearing_degrees(me, push)};
 }
 
+namespace {
+
+// How far the player comes along `axis` in a cycle without a dash and `dashes` with one.
+double run_length(const ScenePlayer& player, Vec2 axis, int dashes) {
+  const double push = kFullPower * player.type->dash_power_rate * player.effort;
+  double speed = dot(player.velocity, axis);
+  double length = speed;
+  for (int i = 0; i < dashes; ++i) {
+    speed = std::min(speed * player.type->player_decay + push, player.type->player_speed_max);
+    length += speed;
+  }
+  return length;
+}
+
+// Ball speed with which the ball is within reach again, in front of the player, after a kick and
+// two dashes.
+double dribble_speed(const Scene& scene, const ScenePlayer& me, Vec2 axis) {
+  constexpr int kDashes = 2;
+  const double decay = scene.server->ball_decay;
+  const double rolled = (1.0 - decay * decay * decay) / (1.0 - decay);
+  const double ahead = dot(scene.ball - me.position, axis);
+  const double wanted = run_length(me, axis, kDashes) + 0.7 * me.kickable_area;
+  return std::max(0.1, (wanted - ahead) / rolled);
+}
+
+}  // namespace
+
 PlayerCommand dribble_to(const Scene& scene, Seat self, Vec2 point) {
   if (!can_kick(scene, self)) return intercept(scene, self);
   const ScenePlayer& me = scene.player(self);
@@ -114,7 +141,7 @@ PlayerCommand dribble_to(const Scene& scene, Seat self, Vec2 point) {
   const Vec2 next_me = next_position(me) + unit(way) * 0.6;
   const bool stays_close = distance(next_ball, next_me) < me.kickable_area * 0.9;
   if (stays_close && dot(next_ball - next_me, way) > 0.0) return soccer::Dash{kFullPower, bearing};
-  const double speed = std::min(1.2, way.length());
+  const double speed = std::min(dribble_speed(scene, me, unit(way)), way.length());
   return kick_to(scene, self, me.position + unit(way) * 10.0, speed);
 }
 
@@ -152,10 +179,12 @@ PlayerCommand shoot(const Scene& scene, Seat self) {
 }
 
 PlayerCommand pass_to(const Scene& scene, Seat self, Vec2 point) {
-  // A ball of speed v rolls v / (1 - decay) meters; it should still move at about 1 at the target.
+  // A ball of speed v rolls v / (1 - decay) meters; at the target it still moves fast enough that
+  // few opponents come in between.
+  constexpr double kArrival = 1.5;
   const double length = distance(scene.ball, point);
   const double speed =
-      std::min(1.0 + length * (1.0 - scene.server->ball_decay), scene.server->ball_speed_max);
+      std::min(kArrival + length * (1.0 - scene.server->ball_decay), scene.server->ball_speed_max);
   return kick_to(scene, self, point, speed);
 }
 

@@ -45,7 +45,7 @@ Shot best_shot(const Scene& scene, Seat self);
 /// Kicks with full power at best_shot().
 PlayerCommand shoot(const Scene& scene, Seat self);
 
-/// Kicks the ball so that it is slow when it arrives at `point`.
+/// Kicks the ball so that it is slow enough to be stopped when it arrives at `point`.
 PlayerCommand pass_to(const Scene& scene, Seat self, Vec2 point);
 
 /// Angle (radians) between the line to `point` and the nearest opponent that is nearer than it; pi

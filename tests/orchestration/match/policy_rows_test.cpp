@@ -43,7 +43,7 @@ TEST(PolicyRows, AreTheObservationsOfTraining) {
     Episode episode(setup);
     episode.reset(3, setup->options);
     const auto codec = make_policy_rows();
-    const auto sizes = codec->choose({fmt::format("{}/1", features), "hfo/1", 10, 11});
+    const auto sizes = codec->choose({fmt::format("{}/1", features), "hfo/2", 10, 11});
     ASSERT_TRUE(sizes) << sizes.error().message;
     ASSERT_EQ(sizes->features, static_cast<int>(setup->feature_count()));
     EXPECT_EQ(sizes->ids, 20);
