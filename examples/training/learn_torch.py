@@ -1,15 +1,16 @@
 #!/usr/bin/env python3
 """Learns half field offense with PyTorch: PPO with one policy for all attackers.
 
-    python3 examples/training/learn_torch.py --defense 1 --steps 2000000 --out policy.npz
+    python3 examples/training/learn_torch.py --defense 1 --out policy.npz
 
 The attackers share network, reward and experience; each observes the pitch from its own place.
-`--curriculum` begins near the goal and moves the start away as the share of goals grows.
-`--obs world_model` lets them see what players know in matches, and `--start policy.npz` continues
-with a trained policy: most of the learning is cheap with the full state, the rest is not. With
-`--steps 0` it is evaluated alone. At the end
-it plays 500 fresh episodes without exploration and prints the share of goals with a confidence
-interval. `--out` writes a policy that plays matches (docs/training.md).
+They choose among skills (`--actions skills`) or single commands (`low_discrete`). `--imitate`
+begins with rules (attack_rules.py): where nearly all random play loses the ball, nothing else is
+found to improve. `--obs world_model` lets them see what players know in matches, and
+`--start policy.npz` continues with a trained policy, also one for fewer players: most of the
+learning is cheap with the full state, the rest is not. With `--steps 0` it is evaluated alone. At
+the end it plays 500 fresh episodes without exploration and prints the share of goals with a
+confidence interval. `--out` writes a policy that plays matches (docs/training.md).
 """
 import argparse
 import json
@@ -20,6 +21,7 @@ import time
 import numpy as np
 
 import cls_gym
+from attack_rules import AttackRules
 from cls_gym.policy import Policy, PolicyError, describe, load
 
 try:
@@ -27,13 +29,12 @@ try:
 except ImportError:
     sys.exit("learn_torch.py needs PyTorch: pip install torch; learn_numpy.py does without")
 
-HORIZON = 128
-GAMMA, LAMBDA, CLIP = 0.99, 0.95, 0.2
+HORIZON = 64
+GAMMA, LAMBDA, CLIP = 0.9925, 0.95, 0.2  # GAMMA: per cycle
 EPOCHS, BATCHES = 4, 8
 EPISODES = 500
-RAISE = 0.7  # share of goals at which the curriculum continues
-REWARD = {"goal": 5, "captured": 1, "out_of_bounds": 1, "out_of_time": 1, "advance": 0.1,
-          "approach": 0.05}
+WARM_UP = 12  # updates of the critic alone after imitation
+REWARD = {"goal": 5, "captured": 1, "out_of_bounds": 1, "out_of_time": 1, "advance": 0.05}
 
 
 def network(sizes, last_scale):
@@ -56,11 +57,18 @@ def as_policy(actor, about):
                    for layer in linears(actor)], about)
 
 
-def start_from(actor, policy):
-    """Takes over the weights of a trained policy."""
-    for layer, (weight, bias) in zip(linears(actor), policy.layers):
+def start_from(actor, policy, spec):
+    """Takes over the weights of a trained policy, features by name: those that it does not know,
+    of further players, begin without influence."""
+    mine, known = [feature.name for feature in spec.features], policy.about["feature_names"]
+    if list(spec.actions.names) != policy.about["action_names"] or not set(known) <= set(mine):
+        raise PolicyError("--start: the policy has other features or actions")
+    first = np.zeros((len(mine), policy.layers[0][0].shape[1]), np.float32)
+    first[[mine.index(name) for name in known]] = policy.layers[0][0]
+    weights = [first, *(weight for weight, _ in policy.layers[1:])]
+    for layer, weight, (_, bias) in zip(linears(actor), weights, policy.layers):
         if layer.weight.shape != weight.T.shape:
-            raise PolicyError("--start: the policy has other features, actions or layers")
+            raise PolicyError("--start: the policy has other layers")
         with torch.no_grad():
             layer.weight.copy_(torch.from_numpy(weight.T.copy()))
             layer.bias.copy_(torch.from_numpy(bias))
@@ -69,22 +77,18 @@ def start_from(actor, policy):
 class Learner:
     """Proximal policy optimization. T steps of N worlds with A agents each."""
 
-    def __init__(self, envs, seed, rate, entropy):
+    def __init__(self, envs, seed, rate, entropy, frame_skip):
         torch.manual_seed(seed)
         spec = envs.spec_of_task
         features, self.actions = len(spec.features), len(spec.actions.names)
-        self.envs, self.agents, self.entropy = envs, len(spec.agents), entropy
+        self.envs, self.agents, self.entropy, self.warm_up = envs, len(spec.agents), entropy, 0
+        self.gamma = GAMMA ** frame_skip
         self.actor = network([features, 128, 128, self.actions], 0.01)
         self.critic = network([features, 128, 128, 1], 1.0)
         self.rate = rate
         self.optimizer = torch.optim.Adam(
             [*self.actor.parameters(), *self.critic.parameters()], lr=rate, eps=1e-5)
         self.seen, infos = envs.reset(seed=seed)
-        self.mask = infos["action_mask"]
-
-    def set_difficulty(self, difficulty):
-        """Starts new episodes in all worlds: 0 near the goal, 1 the task itself."""
-        self.seen, infos = self.envs.reset(options={"difficulty": difficulty})
         self.mask = infos["action_mask"]
 
     def tensors(self, seen, mask):
@@ -114,7 +118,7 @@ class Learner:
             for world in np.flatnonzero(truncated):  # its value stands in for the rest
                 last = torch.from_numpy(np.atleast_2d(infos["final_obs"][world]).copy())
                 own = slice(world * self.agents, (world + 1) * self.agents)
-                reward[own] += GAMMA * self.critic(last)[:, 0].numpy()
+                reward[own] += self.gamma * self.critic(last)[:, 0].numpy()
             if ended.any():
                 ends += infos["final_info"]["status"][ended].tolist()
             steps.append((seen, mask, acted, chances.log_prob(acted), value,
@@ -125,13 +129,12 @@ class Learner:
         last = self.critic(self.tensors(self.seen, self.mask)[0])[:, 0]
         return parts, last, ends
 
-    @staticmethod
-    def advantages(values, rewards, ended, last):
+    def advantages(self, values, rewards, ended, last):
         result, running, following = torch.zeros_like(rewards), 0.0, last
         for t in reversed(range(len(rewards))):
             alive = (~ended[t]).float()
-            surprise = rewards[t] + GAMMA * following * alive - values[t]
-            running = surprise + GAMMA * LAMBDA * alive * running
+            surprise = rewards[t] + self.gamma * following * alive - values[t]
+            running = surprise + self.gamma * LAMBDA * alive * running
             result[t], following = running, values[t]
         return result
 
@@ -146,6 +149,7 @@ class Learner:
         for _ in range(EPOCHS):
             for chosen in torch.randperm(len(flat[2])).chunk(BATCHES):
                 self.improve(*(part[chosen] for part in flat))
+        self.warm_up -= 1
         return ends
 
     def improve(self, seen, mask, acted, before, better, target):
@@ -154,12 +158,43 @@ class Learner:
         better = (better - better.mean()) / (better.std() + 1e-8)
         gain = torch.minimum(ratio * better, ratio.clamp(1 - CLIP, 1 + CLIP) * better).mean()
         error = 0.5 * (self.critic(seen)[:, 0] - target).square().mean()
-        loss = error - gain - self.entropy * chances.entropy().mean()
+        loss = error
+        if self.warm_up <= 0:
+            loss = loss - gain - self.entropy * chances.entropy().mean()
         self.optimizer.zero_grad()
         loss.backward()
         torch.nn.utils.clip_grad_norm_(self.actor.parameters(), 0.5)
         torch.nn.utils.clip_grad_norm_(self.critic.parameters(), 0.5)
         self.optimizer.step()
+
+
+def imitate(learner, rules, rounds):
+    """Learns to choose what the rules choose, in situations that they and the policy bring about.
+    """
+    envs, optimizer = learner.envs, torch.optim.Adam(learner.actor.parameters(), lr=1e-3)
+    random, data = np.random.default_rng(1), []
+    for number in range(rounds):
+        for _ in range(HORIZON):
+            wanted = np.asarray(rules.act(learner.seen, learner.mask))
+            seen, mask = learner.tensors(learner.seen, learner.mask)
+            data.append((seen, mask, torch.from_numpy(wanted.reshape(-1))))
+            with torch.no_grad():
+                own = learner.distribution(seen, mask).sample().numpy().reshape(wanted.shape)
+            by_rules = random.random((envs.num_envs,) + (1,) * (wanted.ndim - 1)) < 0.5
+            acted = wanted if number == 0 else np.where(by_rules, wanted, own)
+            learner.seen, _, _, _, infos = envs.step(acted)
+            learner.mask = infos["action_mask"]
+        data = data[-6 * HORIZON:]
+        seen, mask, wanted = (torch.cat(part) for part in zip(*data))
+        for chosen in [*torch.randperm(len(wanted)).split(2048),
+                       *torch.randperm(len(wanted)).split(2048)]:
+            chances = learner.distribution(seen[chosen], mask[chosen])
+            error = torch.nn.functional.cross_entropy(chances.logits, wanted[chosen])
+            optimizer.zero_grad()
+            (error - 0.02 * chances.entropy().mean()).backward()
+            optimizer.step()
+        print(f"imitates: round {number + 1} of {rounds}, error {error.item():.2f}", flush=True)
+    learner.warm_up = WARM_UP
 
 
 def evaluate(config, policy, episodes, seed):
@@ -183,39 +218,20 @@ def interval(share, count):
     return middle - half, middle + half
 
 
-class Curriculum:
-    """Raises the difficulty in ten steps."""
-
-    def __init__(self, learner, active):
-        self.learner, self.level, self.ends = learner, 0 if active else 10, []
-        if active:
-            learner.set_difficulty(0.0)
-
-    def note(self, ends):
-        """Takes the statuses of the episodes that ended."""
-        self.ends = (self.ends + ends)[-200:]
-        if self.level < 10 and len(self.ends) == 200 and np.mean(
-                np.array(self.ends) == 1) >= RAISE:
-            self.level += 1
-            self.ends = []
-            self.learner.set_difficulty(self.level / 10)
-
-
 def train(options, config, report):
     envs = cls_gym.VectorEnv(num_envs=options.worlds, autoreset_mode="same_step", **config)
-    learner = Learner(envs, options.seed, options.rate, options.entropy)
+    learner = Learner(envs, options.seed, options.rate, options.entropy, options.frame_skip)
     if options.start:
-        start_from(learner.actor, load(options.start))
-    curriculum = Curriculum(learner, options.curriculum)
+        start_from(learner.actor, load(options.start), envs.spec_of_task)
+    if options.imitate:
+        imitate(learner, AttackRules(envs), options.imitate)
     per_update = options.worlds * HORIZON
     start = time.process_time()
     for done in range(0, options.steps, per_update):
         if options.minutes and time.process_time() - start > 60 * options.minutes:
             break
         ends = learner.learn(done / options.steps)
-        curriculum.note(ends)
-        report(done + per_update, float(np.mean(np.array(ends) == 1)) if ends else 0.0,
-               curriculum.level / 10)
+        report(done + per_update, float(np.mean(np.array(ends) == 1)) if ends else 0.0)
     about = describe(envs)
     envs.close()
     return as_policy(learner.actor, about)
@@ -226,35 +242,42 @@ def parse():
     parser.add_argument("--offense", type=int, default=1)
     parser.add_argument("--defense", type=int, default=0, help="with the goalie")
     parser.add_argument("--obs", choices=("full_state", "world_model"), default="full_state")
-    parser.add_argument("--steps", type=int, default=2_000_000, help="of the worlds together")
+    parser.add_argument("--steps", type=int, default=1_000_000, help="decisions of the worlds together")
     parser.add_argument("--minutes", type=float, help="of CPU time at most")
-    parser.add_argument("--worlds", type=int, default=64)
+    parser.add_argument("--worlds", type=int, default=256)
     parser.add_argument("--rate", type=float, default=1e-3)
-    parser.add_argument("--entropy", type=float, default=0.005)
+    parser.add_argument("--entropy", type=float, default=0.01)
     parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--curriculum", action="store_true", help="begin near the goal")
+    parser.add_argument("--actions", choices=("skills", "low_discrete"), default="skills",
+                        help="skills such as shoot, pass and dribble, or single commands")
+    parser.add_argument("--frame-skip", type=int, default=4, help="cycles per decision")
+    parser.add_argument("--imitate", type=int, default=0, metavar="ROUNDS",
+                        help="rounds of imitation of the rules before (2v2: 12)")
     parser.add_argument("--opponent", default="scripted",
                         help="who plays the defense: scripted, mock or planner")
     parser.add_argument("--start", metavar="FILE", help="a trained policy to continue with")
     parser.add_argument("--out", metavar="FILE", help="the trained policy (.npz)")
     parser.add_argument("--curve", metavar="FILE", help="share of goals by steps (.json)")
-    return parser.parse_args()
+    options = parser.parse_args()
+    if options.imitate and (options.offense < 2 or options.actions != "skills"):
+        parser.error("--imitate: the rules are for two or more attackers with --actions skills")
+    return options
 
 
 def main():
     options = parse()
     torch.set_num_threads(1)
     config = {"id": "cls/HalfFieldOffense-v0", "offense": options.offense,
-              "defense": options.defense, "features": "ego", "actions": "low_discrete",
+              "defense": options.defense, "features": "ego", "actions": options.actions,
               "obs": options.obs, "opponent": options.opponent, "max_cycles": 500,
-              "reward": REWARD}
+              "frame_skip": options.frame_skip, "reward": REWARD}
     curve, start = [], time.process_time()
 
-    def report(steps, goals, difficulty):
-        curve.append((steps, goals, difficulty))
-        if len(curve) % 20 == 0:
-            print(f"{steps:>9} steps  {goals:.2f} goals at difficulty {difficulty:.1f}  "
-                  f"{time.process_time() - start:.0f} s CPU", flush=True)
+    def report(steps, goals):
+        curve.append((steps, goals))
+        if len(curve) % 10 == 0:
+            print(f"{steps:>9} steps  {goals:.2f} goals  {time.process_time() - start:.0f} s CPU",
+                  flush=True)
 
     try:
         policy = train(options, config, report)

@@ -58,7 +58,7 @@ def main(out, paths, title):
                           for point, share in zip(run["curve"], shares))
         lines.append(f'<polyline points="{points}" fill="none" stroke="{color}" '
                      'stroke-width="2"/>')
-        at = y(0.6) + 20 * number
+        at = y(0.04) - 20 * (len(runs) - 1 - number)
         lines.append(f'<path d="M{WIDTH - 260} {at - 4:.0f}h22" stroke="{color}" '
                      f'stroke-width="2"/><text x="{WIDTH - 232}" y="{at:.0f}">{run["label"]}: '
                      f'{run["goals"]:.3f} of {run["episodes"]} fresh</text>')
