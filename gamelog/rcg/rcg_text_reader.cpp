@@ -56,6 +56,13 @@ void set_numbers(const std::vector<int>& numbers, TeamFrames& teams) {
   }
 }
 
+// With the limit of all integers in messages.
+std::optional<int> parse_limited(std::string_view word) {
+  const std::optional<int> value = base::parse_int(word);
+  if (!value || *value < -soccer::kMaxInteger || *value > soccer::kMaxInteger) return std::nullopt;
+  return value;
+}
+
 // A `(team ...)` record whose names contain spaces, which rcssserver does not allow but other
 // writers produce.
 struct SpacedNames {
@@ -73,14 +80,14 @@ bool parse_spaced_names(std::string_view line, SpacedNames& record) {
   const std::vector<std::string_view> words = split_at_spaces(line);
   std::vector<int> numbers;
   while (numbers.size() < kScoresAndPenalties && words.size() > numbers.size() + 3) {
-    const auto number = base::parse_int(words[words.size() - 1 - numbers.size()]);
+    const auto number = parse_limited(words[words.size() - 1 - numbers.size()]);
     if (!number) break;
     numbers.push_back(*number);
   }
   if (numbers.size() < kScores) return false;
   if (numbers.size() < kScoresAndPenalties) numbers.resize(kScores);
   std::reverse(numbers.begin(), numbers.end());
-  const auto time = base::parse_int(words.front());
+  const auto time = parse_limited(words.front());
   if (!time || *time < 0) return false;
   const std::string_view names = joined(words[1], words[words.size() - 1 - numbers.size()]);
   if (names.size() > 2 * kMaxNameLength) return false;

@@ -157,6 +157,8 @@ TEST(ReadRcg, SplitsNamesWithSpacesByResult) {
   EXPECT_EQ(names("A-vs-B C  D null", ""), Names("A-vs-B C  D", ""));
   const std::string long_name(80, 'M');
   EXPECT_EQ(names("A " + long_name, ""), Names("A", long_name.substr(0, 64)));
+  EXPECT_FALSE(
+      read("ULG6\n(team 1 my team -2147483648 0)\n" + std::string(kEnd) + show(9)).errors.empty());
   EXPECT_FALSE(read("ULG6\n(team 1 my team 0 0)\n(team 1 a b c)\n" + std::string(kEnd) + show(9))
                    .errors.empty());
 }
