@@ -1,6 +1,7 @@
 // Parameter messages from the parameter tables.
 #include "soccer/messages/parameter_message.h"
 
+#include <algorithm>
 #include <variant>
 
 #include "soccer/messages/sense_groups.h"
@@ -90,7 +91,12 @@ void format(const PlayerType& type, int version, std::string& out) {
 }
 
 base::Result<void> parse(std::string_view message, ServerParams& out) {
-  return parse_all(kServerParam, message, server_param_table(), out);
+  auto parsed = parse_all(kServerParam, message, server_param_table(), out);
+  // The end of a match is their product with the length of a half.
+  constexpr int kMaxHalfs = 1000;
+  out.nr_normal_halfs = std::clamp(out.nr_normal_halfs, -kMaxHalfs, kMaxHalfs);
+  out.nr_extra_halfs = std::clamp(out.nr_extra_halfs, -kMaxHalfs, kMaxHalfs);
+  return parsed;
 }
 base::Result<void> parse(std::string_view message, PlayerParams& out) {
   return parse_all(kPlayerParam, message, player_param_table(), out);

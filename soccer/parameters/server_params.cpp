@@ -1,14 +1,20 @@
 // The table of server:: parameters.
 #include "soccer/parameters/server_params.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace cls::soccer {
 namespace {
 
+// No half is longer, whatever a server sends: a thousand of them fit an int.
+constexpr double kMaxHalf = 1 << 20;
+
 int cycles_of(int seconds, const ServerParams& params) {
   const double step = static_cast<double>(params.simulator_step) / params.slow_down_factor;
-  return static_cast<int>(std::floor(seconds * 1000.0 / step + 0.5));
+  const double cycles = std::floor(seconds * 1000.0 / step + 0.5);
+  if (std::isnan(cycles)) return 0;
+  return static_cast<int>(std::clamp(cycles, -kMaxHalf, kMaxHalf));
 }
 
 }  // namespace

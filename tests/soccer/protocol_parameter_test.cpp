@@ -58,6 +58,18 @@ TEST(ParameterMessage, ParsesAllTypesOfValues) {
   EXPECT_EQ(params.ball_decay, 0.94);
 }
 
+// The end of a match fits an int, whatever a server sends.
+TEST(ParameterMessage, LimitsLengthOfMatch) {
+  ServerParams params;
+  ASSERT_TRUE(
+      parse("(server_param (half_time 2147483647)(nr_normal_halfs -2147483648)"
+            "(extra_half_time 2147483647)(nr_extra_halfs -2147483648))",
+            params));
+  EXPECT_EQ(params.nr_normal_halfs, -1000);
+  EXPECT_EQ(params.half_time_cycles(), 1 << 20);
+  EXPECT_EQ(params.total_time_cycles(), -2000 * (1 << 20));
+}
+
 TEST(ParameterMessage, SkipsUnknownNames) {
   ServerParams params;
   ASSERT_TRUE(parse("(server_param (new_thing 1.5)(new_text \"(a) b\")(goal_width 7))", params));
