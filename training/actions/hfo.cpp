@@ -4,6 +4,7 @@
 
 #include "soccer/pitch.h"
 #include "training/actions/action_set.h"
+#include "training/actions/conditions.h"
 #include "training/skills/positions.h"
 
 namespace cls::training {
@@ -23,10 +24,7 @@ Vec2 target(const PointOfView& view, const float* v) {
   return {left + (v[0] + 1.0) / 2.0 * (right - left), v[1] * 1.1 * soccer::kHalfWidth};
 }
 
-bool has_ball(const PointOfView& view) { return can_kick(view.scene, view.self); }
 bool has_no_ball(const PointOfView& view) { return !has_ball(view); }
-bool tackle_reaches(const PointOfView& view) { return tackle_chance(view.scene, view.self) > 0.0; }
-bool catch_reaches(const PointOfView& view) { return can_catch(view.scene, view.self); }
 bool can_pass(const PointOfView& view) { return has_ball(view) && view.teammate_count() > 0; }
 bool can_mark(const PointOfView& view) { return view.opponent_count() > 0; }
 
@@ -50,9 +48,6 @@ PlayerCommand intercept_ball(const PointOfView& view, const float*) {
 PlayerCommand move(const PointOfView& view, const float*) {
   return go_to(view.scene, view.self, support_position(view), 1.0);
 }
-PlayerCommand shoot_at_goal(const PointOfView& view, const float*) {
-  return shoot(view.scene, view.self);
-}
 
 // A number that no teammate wears acts as noop.
 PlayerCommand pass(const PointOfView& view, const float* v) {
@@ -69,10 +64,6 @@ PlayerCommand dribble(const PointOfView& view, const float*) {
   const Vec2 goal = {soccer::kHalfLength - 3.0, 0.0};
   return dribble_to(view.scene, view.self, goal);
 }
-PlayerCommand catch_now(const PointOfView& view, const float*) {
-  return catch_ball(view.scene, view.self);
-}
-PlayerCommand nothing(const PointOfView&, const float*) { return stand(); }
 PlayerCommand reduce_angle(const PointOfView& view, const float*) {
   return go_to(view.scene, view.self, angle_reducing_position(view), 0.5);
 }

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "training/actions/action_set.h"
+#include "training/actions/conditions.h"
 
 namespace cls::training {
 namespace {
@@ -10,22 +11,15 @@ namespace {
 const Column kPower = {"power", "1", 0, 100};
 const Column kDirection = {"direction", "deg", -180, 180};
 
-bool kick_is_legal(const PointOfView& view) { return can_kick(view.scene, view.self); }
-bool tackle_is_legal(const PointOfView& view) { return tackle_chance(view.scene, view.self) > 0.0; }
-bool catch_is_legal(const PointOfView& view) { return can_catch(view.scene, view.self); }
-
 PlayerCommand dash(const PointOfView&, const float* v) { return soccer::Dash{v[0], v[1]}; }
 PlayerCommand turn(const PointOfView&, const float* v) { return soccer::Turn{v[0]}; }
 PlayerCommand kick(const PointOfView&, const float* v) { return soccer::Kick{v[0], v[1]}; }
 PlayerCommand tackle(const PointOfView&, const float* v) { return soccer::Tackle{v[0], false}; }
-PlayerCommand catch_now(const PointOfView& view, const float*) {
-  return catch_ball(view.scene, view.self);
-}
 
 std::vector<Action> common() {
   return {{"dash", {kPower, kDirection}, dash},
           {"turn", {kDirection}, turn},
-          {"kick", {kPower, kDirection}, kick, kick_is_legal}};
+          {"kick", {kPower, kDirection}, kick, has_ball}};
 }
 
 // Layout of "low_flat": scores of the four kinds, then their parameters.
@@ -57,8 +51,8 @@ const ActionSet& low_actions() {
 const ActionSet& low_all_actions() {
   static const ActionSet set = [] {
     ActionSet all = {"low_all", 1, "low, tackle and catch", common(), {}, nullptr};
-    all.actions.push_back({"tackle", {kDirection}, tackle, tackle_is_legal});
-    all.actions.push_back({"catch", {}, catch_now, catch_is_legal});
+    all.actions.push_back({"tackle", {kDirection}, tackle, tackle_reaches});
+    all.actions.push_back({"catch", {}, catch_now, catch_reaches});
     return all;
   }();
   return set;

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "training/actions/action_set.h"
+#include "training/actions/conditions.h"
 #include "training/actions/family.h"
 
 namespace cls::training {
@@ -46,9 +47,7 @@ struct Kicks {
   static PlayerCommand command(const PointOfView&, std::size_t i) {
     return soccer::Kick{static_cast<double>(power(i)), 22.5 * static_cast<double>(i / 3) - 180.0};
   }
-  static bool legal(const PointOfView& view, std::size_t) {
-    return can_kick(view.scene, view.self);
-  }
+  static bool legal(const PointOfView& view, std::size_t) { return has_ball(view); }
 };
 
 struct Tackles {
@@ -59,12 +58,8 @@ struct Tackles {
   static PlayerCommand command(const PointOfView&, std::size_t i) {
     return soccer::Tackle{static_cast<double>(kDirections[i]), false};
   }
-  static bool legal(const PointOfView& view, std::size_t) {
-    return tackle_chance(view.scene, view.self) > 0.0;
-  }
+  static bool legal(const PointOfView& view, std::size_t) { return tackle_reaches(view); }
 };
-
-PlayerCommand nothing(const PointOfView&, const float*) { return stand(); }
 
 }  // namespace
 

@@ -7,6 +7,7 @@
 #include "soccer/math.h"
 #include "soccer/pitch.h"
 #include "training/actions/action_set.h"
+#include "training/actions/conditions.h"
 #include "training/actions/family.h"
 #include "training/skills/positions.h"
 
@@ -14,8 +15,6 @@ namespace cls::training {
 namespace {
 
 constexpr std::size_t kDirections = 16;
-
-bool has_ball(const PointOfView& view) { return can_kick(view.scene, view.self); }
 
 /// Radians of direction `i` of sixteen, in the scene's coordinates.
 double direction(std::size_t i) {
@@ -78,12 +77,6 @@ struct Runs {
   static bool legal(const PointOfView&, std::size_t) { return true; }
 };
 
-PlayerCommand nothing(const PointOfView&, const float*) { return stand(); }
-
-PlayerCommand shoot_at_goal(const PointOfView& view, const float*) {
-  return shoot(view.scene, view.self);
-}
-
 // Goes to the ball and stops it.
 PlayerCommand take_ball(const PointOfView& view, const float*) {
   if (has_ball(view)) return kick_to(view.scene, view.self, view.scene.ball, 0.0);
@@ -114,13 +107,6 @@ bool can_mark(const PointOfView& view) {
 PlayerCommand tackle(const PointOfView& view, const float*) {
   return soccer::Tackle{bearing_degrees(view.me(), {1.0, 0.0}), false};
 }
-bool tackle_reaches(const PointOfView& view) { return tackle_chance(view.scene, view.self) > 0.0; }
-
-PlayerCommand catch_now(const PointOfView& view, const float*) {
-  return catch_ball(view.scene, view.self);
-}
-bool catch_reaches(const PointOfView& view) { return can_catch(view.scene, view.self); }
-
 }  // namespace
 
 const ActionSet& skill_actions() {
