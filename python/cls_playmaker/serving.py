@@ -2,14 +2,14 @@
 from __future__ import annotations
 
 import argparse
+import contextlib
 import logging
 import os
 import signal
 import socket
 import sys
-import threading
 from concurrent import futures
-from typing import Any, Callable, Dict, Optional, Tuple
+from typing import Any, Callable, Dict, Iterator, Optional, Tuple
 
 import grpc
 
@@ -142,6 +142,32 @@ def start(playmaker: proto.GameServicer, port: int = 0,
     return server, bound
 
 
+@contextlib.contextmanager
+def _stop_signals() -> Iterator[Callable[[], None]]:
+    """Catches SIGTERM and SIGINT; yields what waits for the first of them.
+
+    Their numbers come through a socket. A handler in Python would not do: it runs between two
+    bytecodes of the main thread, so it is too late for a wait that is just about to begin.
+    """
+    receiver, sender = socket.socketpair()
+    with receiver, sender:
+        sender.setblocking(False)
+        numbers = (signal.SIGTERM, signal.SIGINT)
+        previous_descriptor = signal.set_wakeup_fd(sender.fileno(), warn_on_full_buffer=False)
+        previous = {number: signal.signal(number, lambda *_: None) for number in numbers}
+
+        def wait() -> None:
+            while receiver.recv(1)[0] not in numbers:
+                pass
+
+        try:
+            yield wait
+        finally:
+            for number, handler in previous.items():
+                signal.signal(number, handler)
+            signal.set_wakeup_fd(previous_descriptor)
+
+
 def _port_of_command_line() -> int:
     parser = argparse.ArgumentParser(description="A Playmaker: serves a team of cls.")
     parser.add_argument("--port", type=int, default=50051,
@@ -160,15 +186,11 @@ def serve(playmaker: proto.GameServicer, port: Optional[int] = None,
     """
     logging.basicConfig(format="%(asctime)s %(levelname)s %(message)s", level=logging.INFO)
     port = _port_of_command_line() if port is None else port
-    stop = threading.Event()
-    previous = {number: signal.signal(number, lambda *_: stop.set())
-                for number in (signal.SIGTERM, signal.SIGINT)}
-    try:
-        server, bound = start(playmaker, port, host)
-    except OSError as error:
-        sys.exit(error.strerror)
-    print(f"listening on {host}:{bound}", flush=True)
-    stop.wait()
-    server.stop(_GRACE).wait()
-    for number, handler in previous.items():
-        signal.signal(number, handler)
+    with _stop_signals() as wait_for_stop:
+        try:
+            server, bound = start(playmaker, port, host)
+        except OSError as error:
+            sys.exit(error.strerror)
+        print(f"listening on {host}:{bound}", flush=True)
+        wait_for_stop()
+        server.stop(_GRACE).wait()
