@@ -10,12 +10,12 @@ const {chromium} = require('playwright-core');
 const [work, pictures] = process.argv.slice(2);
 
 /** Of the recording. */
-const kTerminalSecond = 324;
+const kTerminalSecond = 340.5;
 
 /** name, file, hash, size and theme, when the page is ready */
 const kPictures = [
-  ['replay', 'match/match.html', '#t=3240&p=l9', {viewport: {width: 1360, height: 820}, colorScheme: 'dark'}, () => window.clsViewer],
-  ['replay-narrow', 'match/match.html', '#t=3240', {viewport: {width: 390, height: 844}, deviceScaleFactor: 1.5, colorScheme: 'light'}, () => window.clsViewer],
+  ['replay', 'match/match.html', '#t=3405&p=l11', {viewport: {width: 1360, height: 820}, colorScheme: 'dark'}, () => window.clsViewer],
+  ['replay-narrow', 'match/match.html', '#t=3405', {viewport: {width: 390, height: 844}, deviceScaleFactor: 1.5, colorScheme: 'light'}, () => window.clsViewer],
   ['report', 'match/report.html', '', {viewport: {width: 1240, height: 1160}, colorScheme: 'light'}, () => document.querySelector('.charts')],
   ['debugger', 'debugged/match.html', '#t=1211&p=r9&d=1', {viewport: {width: 1360, height: 900}, colorScheme: 'dark'}, () => window.clsViewer?.viewer.track],
   ['compare', 'compare.html', '#t=400', {viewport: {width: 1300, height: 880}, colorScheme: 'dark'}, () => window.clsComparison],
