@@ -8,7 +8,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <boost/process/args.hpp>
 #include <boost/process/child.hpp>
 #include <boost/process/env.hpp>
 #include <boost/process/environment.hpp>
@@ -20,6 +19,8 @@
 #include <csignal>
 #include <optional>
 #include <system_error>
+#include <utility>
+#include <vector>
 
 #include "base/system/unique_fd.h"
 #include "orchestration/process/landlock.h"
@@ -93,12 +94,17 @@ bp::environment environment_of(const CommandPlan& plan) {
   return variables;
 }
 
-Launch launch_program(const CommandPlan& plan, const std::vector<std::string>& argv, int output) {
+Launch launch_program(const CommandPlan& plan, std::vector<std::string> argv, int output) {
   constexpr int kStepError = 100'000;  // more than any errno: the step is a multiple of it
   const base::UniqueFd ruleset = plan.files ? make_ruleset(*plan.files) : base::UniqueFd();
   if (plan.files && !ruleset) return {0, errno, LaunchStep::kFiles};
+  // Boost's own arguments would take the first character of empty ones.
+  std::vector<char*> arguments;
+  for (std::string& argument : argv) arguments.push_back(argument.data());
+  arguments.push_back(nullptr);
   const pid_t parent = ::getpid();
   const auto before_exec = [&, parent](auto& executor) {
+    executor.cmd_line = arguments.data();
     const auto failed = prepare(plan, ruleset.get(), parent);
     if (!failed) return;
     const int error = static_cast<int>(*failed) * kStepError + errno;
@@ -106,9 +112,7 @@ Launch launch_program(const CommandPlan& plan, const std::vector<std::string>& a
     ::_exit(127);
   };
   std::error_code error;
-  bp::child child(bp::exe = argv.front(),
-                  bp::args = std::vector<std::string>(argv.begin() + 1, argv.end()),
-                  environment_of(plan), bp::posix::fd.bind(1, output),
+  bp::child child(bp::exe = argv.front(), environment_of(plan), bp::posix::fd.bind(1, output),
                   bp::posix::fd.bind(2, output), bp::extend::on_exec_setup = before_exec, error);
   Launch result;
   if (!error && child.id() <= 0)
@@ -130,7 +134,7 @@ Launch launch(const CommandPlan& plan, int output) {
   if (result.pid == 0 && result.error == ENOEXEC && result.step == LaunchStep::kProgram) {
     std::vector<std::string> argv = plan.argv;
     argv.insert(argv.begin(), "/bin/sh");
-    result = launch_program(plan, argv, output);
+    result = launch_program(plan, std::move(argv), output);
   }
   return result;
 }

@@ -1,6 +1,7 @@
 // End-to-end tests of `cls match`: results, files, exit codes, errors.
 #include <gtest/gtest.h>
 #include <signal.h>
+#include <string.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -216,6 +217,8 @@ struct Interruption {
   int signal;
   int exit_code;
 };
+
+void PrintTo(const Interruption& one, std::ostream* out) { *out << strsignal(one.signal); }
 
 class Interrupted : public testing::TestWithParam<Interruption> {};
 

@@ -25,6 +25,8 @@ struct Shell {
   std::string setup;  ///< reads the script cls.NAME
 };
 
+void PrintTo(const Shell& shell, std::ostream* out) { *out << shell.name; }
+
 const Shell kShells[] = {
     {"bash", {"bash", "--norc", "--noprofile", "-i"}, "cls() { echo \"ran:$*:\"; }; . ./cls.bash"},
     {"zsh",

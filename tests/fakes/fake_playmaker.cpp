@@ -27,7 +27,7 @@ class FaultyTeam : public Behavior {
       std::fprintf(stderr, "out of ideas\n");
       std::_Exit(flags_.number("code", 3));
     }
-    if (reached("signal-at-cycle", cycle)) ::raise(flags_.number("signal", SIGSEGV));
+    if (reached("signal-at-cycle", cycle)) cls::fakes::die_of(flags_.number("signal", SIGSEGV));
     if (reached("hang-at-cycle", cycle)) std::this_thread::sleep_for(std::chrono::hours(1));
     team_->decide(state, actions);
   }

@@ -176,7 +176,7 @@ const std::map<std::string, Action>& actions() {
       {"hang", [](Script&) { hang(); }},
       {"burn", [](Script& script) { burn(script.seconds()); }},
       {"exit", [](Script& script) { std::exit(script.number()); }},
-      {"signal", [](Script& script) { ::raise(script.number()); }},
+      {"signal", [](Script& script) { cls::fakes::die_of(script.number()); }},
       {"stop", [](Script&) { ::raise(SIGSTOP); }},
       {"ignore-term", [](Script&) { ::signal(SIGTERM, SIG_IGN); }},
       {"exit-on-term", [](Script&) { ::signal(SIGTERM, [](int) { ::_exit(0); }); }},

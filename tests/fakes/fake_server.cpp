@@ -87,7 +87,7 @@ int main(int argc, char** argv) {
   server->run(stop);
   (*game)->close();
   (*text)->close();
-  if (flags.has("signal")) ::raise(flags.number("signal"));
+  if (flags.has("signal")) fakes::die_of(flags.number("signal"));
   if (flags.has("then-hang")) fakes::hang();
   if (flags.has("give-up")) std::printf("Waiting too long for clients! Exiting\n");
   if (!flags.has("until-cycle")) std::printf("Game Over. Exiting...\n");

@@ -23,6 +23,8 @@ struct Template {
   const char* commands;  ///< Python expression of a list of shell texts, from the document `d`
 };
 
+void PrintTo(const Template& one, std::ostream* out) { *out << one.name; }
+
 // Not the steps that download cls and install packages.
 const Template kTemplates[] = {
     {"github", ".github/workflows/playmaker.yml",

@@ -311,6 +311,9 @@ struct MatchPlayers {
   const char* config;
 };
 
+// Names the test; without it the name would be the addresses of this run.
+void PrintTo(const MatchPlayers& players, std::ostream* out) { *out << players.behavior; }
+
 class TrainingMatchPlayers : public testing::TestWithParam<MatchPlayers> {};
 
 TEST_P(TrainingMatchPlayers, DecideAsTheAgentsOfAMatch) {

@@ -1,4 +1,5 @@
 // Kicks, dribbles and tackles: the resulting ball motion.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -52,6 +53,11 @@ struct SmartCase {
   Vec2 target;
   double speed;
 };
+
+void PrintTo(const SmartCase& one, std::ostream* out) {
+  *out << fmt::format("from ({}, {}) to ({}, {}) at {}", one.ball.x, one.ball.y, one.target.x,
+                      one.target.y, one.speed);
+}
 
 class SmartKick : public testing::TestWithParam<SmartCase> {};
 

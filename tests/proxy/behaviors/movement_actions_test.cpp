@@ -1,4 +1,5 @@
 // Running and turning: final position and body direction.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -33,6 +34,11 @@ struct GoToCase {
   Vec2 target;
   double threshold;
 };
+
+void PrintTo(const GoToCase& one, std::ostream* out) {
+  *out << fmt::format("from ({}, {}) facing {} to ({}, {})", one.from.x, one.from.y, one.body,
+                      one.target.x, one.target.y);
+}
 
 class GoToPoint : public testing::TestWithParam<GoToCase> {};
 

@@ -333,6 +333,10 @@ struct ModeCase {
   PlayMode right;
 };
 
+void PrintTo(const ModeCase& one, std::ostream* out) {
+  *out << protos::GameModeType_Name(one.mode);
+}
+
 class DoChangeMode : public testing::TestWithParam<ModeCase> {};
 
 TEST_P(DoChangeMode, SetsPlayMode) {

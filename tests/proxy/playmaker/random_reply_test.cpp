@@ -179,6 +179,8 @@ struct Form {
   BatchMode batch;
 };
 
+void PrintTo(const Form& form, std::ostream* out) { *out << form.name; }
+
 class RandomReplies : public testing::TestWithParam<Form> {
  protected:
   /// Plays some cycles; returns the number of replies.
