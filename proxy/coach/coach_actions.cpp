@@ -47,10 +47,10 @@ Outcome change_type(const protos::ChangePlayerType& action, const WorldModel& wo
 
 // Sent only when changed and when the server accepts it: the number of messages is limited.
 Outcome say_types(const WorldModel& world, CoachMemory& memory, Commands& out) {
-  if (world.their_types == memory.said_types || !can_say_freeform(world, memory)) {
-    return Outcome::kDone;
-  }
+  if (!has_types_to_say(world, memory) || !can_say_freeform(world, memory)) return Outcome::kDone;
   memory.said_types = world.their_types;
+  memory.said_in = world.game.mode_start;
+  memory.said_in_vain = false;
   ++memory.freeforms_sent;
   const std::string text = "(freeform \"" + format_player_types(memory.said_types) + "\")";
   out.push_back(soccer::CoachSay{soccer::ClangKind::kFreeform, text});

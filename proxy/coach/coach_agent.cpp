@@ -97,7 +97,7 @@ void CoachAgent::handle_server_reply() {
                    world_.their_team_name = names.right;
                    names_complete_ = !names.left.empty() && !names.right.empty();
                  },
-                 [this](const soccer::ErrorReply& error) { handle(server_, error); },
+                 [this](const soccer::ErrorReply& error) { handle_error(error); },
                  [this](const soccer::WarningReply& warning) { handle(server_, warning); },
                  [](const auto&) {},
              },
@@ -112,6 +112,16 @@ void CoachAgent::change_type(const soccer::PlayerTypeChange& change) {
     record_type_change(memory_, world_, change.unum, *change.type);
   } else {
     memory_.analysis.forget(change.unum);
+  }
+}
+
+// A kick may start play between the view and the coach's message, which the server then refuses.
+// That happens in healthy matches, so it is not counted as an error.
+void CoachAgent::handle_error(const soccer::ErrorReply& error) {
+  if (error.code == soccer::ErrorCode::kCannotSayFreeformWhilePlayOn) {
+    record_refused_types(memory_);
+  } else {
+    handle(server_, error);
   }
 }
 

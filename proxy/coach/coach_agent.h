@@ -85,6 +85,7 @@ class CoachAgent {
   void handle_message();
   void handle_server_reply();
   void change_type(const soccer::PlayerTypeChange& change);
+  void handle_error(const soccer::ErrorReply& error);
   void send(const soccer::CoachCommand& command);
   void send_commands();
 

@@ -31,6 +31,17 @@ void update_memory(CoachMemory& memory, const WorldModel& world) {
   if (memory.used.empty() && world.game.time.cycle > 0) count_lineup(memory, world);
 }
 
+void record_refused_types(CoachMemory& memory) {
+  if (memory.said_in_vain || memory.freeforms_sent == 0) return;  // not about our message
+  memory.said_in_vain = true;
+  --memory.freeforms_sent;
+}
+
+bool has_types_to_say(const WorldModel& world, const CoachMemory& memory) {
+  if (world.their_types != memory.said_types) return true;
+  return memory.said_in_vain && !(world.game.mode_start == memory.said_in);
+}
+
 bool can_say_freeform(const WorldModel& world, const CoachMemory& memory) {
   const soccer::ServerParams& server = world.server();
   const int most = server.say_coach_cnt_max;

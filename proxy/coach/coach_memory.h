@@ -20,8 +20,10 @@ struct CoachMemory {
   std::vector<int> used;       ///< by type: own players with it since the kick-off
   int substitutions = 0;       ///< since the kick-off
 
-  TypeIds said_types{};  ///< last types sent to the players; initially all 0
-  int freeforms_sent = 0;
+  TypeIds said_types{};       ///< last types sent to the players; initially all 0
+  int freeforms_sent = 0;     ///< without refused ones
+  GameTime said_in;           ///< when the play mode of the last one had begun
+  bool said_in_vain = false;  ///< the server refused the last one
 };
 
 /// An own player was substituted or changed type.
@@ -29,6 +31,14 @@ void record_type_change(CoachMemory& memory, const WorldModel& world, int unum, 
 
 /// Evaluates a completed view. Once per decision.
 void update_memory(CoachMemory& memory, const WorldModel& world);
+
+/// The server refused the last types sent, because a kick had started play in the cycle of the
+/// message. The players have not heard them; the server does not count them.
+void record_refused_types(CoachMemory& memory);
+
+/// True when the types are to be sent: the players do not have them yet. Refused types wait until
+/// the play mode has changed; without that the server would refuse them in each cycle.
+bool has_types_to_say(const WorldModel& world, const CoachMemory& memory);
 
 /// True when the server accepts freeform messages now and the quota is not used up.
 bool can_say_freeform(const WorldModel& world, const CoachMemory& memory);

@@ -181,6 +181,54 @@ TEST(DoHeliosSayPlayerTypes, SendsOpponentTypesToPlayers) {
   }
 }
 
+// A kick that starts play in the cycle of the message makes the server refuse it. The players have
+// not heard the types then, so the coach repeats them in the next stoppage.
+TEST(DoHeliosSayPlayerTypes, RepeatsWhatTheServerRefused) {
+  CoachedMatch match(CoachRole::kOnlineCoach, Side::kRight, true);
+  bool is_at_ball = false;
+  bool kicks = false;
+  match.play = [&](const proxy::PlayerAgent& player, protos::PlayerActions& actions) {
+    if (is_at_ball && player.unum() == 9) {
+      if (kicks) actions.add_actions()->mutable_kick()->set_power(50.0F);
+      return;
+    }
+    auto& dash = *actions.add_actions()->mutable_dash();
+    dash.set_power(100.0F);
+    dash.set_relative_direction(player.world().game.time.cycle / 7 % 2 == 0 ? 0.0F : 180.0F);
+  };
+  match.steps_until(PlayMode::kKickOffLeft);
+  match.set_mode(PlayMode::kPlayOn);
+  match.steps(60);
+  match.set_mode(PlayMode::kFreeKickLeft);
+  match.arrange([](simulator::World& world) {
+    simulator::Player& kicker = world.player(Side::kLeft, 9);
+    kicker.position = {-10.0, 20.0};
+    kicker.velocity = world.ball.velocity = {};
+    world.ball.position = {-9.4, 20.0};
+  });
+  is_at_ball = true;
+  match.steps(10);  // the kicker looks for the ball
+  kicks = true;
+  match.step_as_coach(say_types);
+  kicks = false;
+  ASSERT_EQ(match.coach().commands().at("say"), 1);
+  match.step_as_coach(say_types);
+  ASSERT_EQ(match.world().mode, PlayMode::kPlayOn);
+  const auto type_heard_of = [&](int unum) {
+    return match.player(Side::kRight, 6).world().their_types[static_cast<std::size_t>(unum - 1)];
+  };
+  for (int i = 0; i < 60; ++i) match.step_as_coach(say_types);
+  ASSERT_NE(type_heard_of(5), match.world().player(Side::kLeft, 5).type);
+  EXPECT_EQ(match.coach().memory().freeforms_sent, 0) << "the server does not count it";
+  EXPECT_EQ(match.coach().commands().at("say"), 1);
+  match.set_mode(PlayMode::kFreeKickLeft);
+  match.arrange([](simulator::World& world) { world.ball.velocity = {}; });
+  for (int i = 0; i < 4; ++i) match.step_as_coach(say_types);
+  EXPECT_EQ(match.coach().commands().at("say"), 2) << "once again";
+  EXPECT_EQ(type_heard_of(5), match.world().player(Side::kLeft, 5).type);
+  EXPECT_EQ(match.coach().server().errors.errors, 0) << match.coach().server().errors.first_error;
+}
+
 // The server does not send the play mode to a late coach.
 TEST(CoachState, HasPlayOnWhenConnectedDuringMatch) {
   proxy::WorldModel world;
