@@ -134,6 +134,11 @@ ChosenConfig read_and_override(TournamentOptions options, const std::optional<fs
 
 }  // namespace
 
+bool is_given(const TournamentOptions& options, const std::string& key) {
+  const auto found = options.overrides.find(key);
+  return found != options.overrides.end() && !found->second.empty();
+}
+
 void add_condition_options(CLI::App& command, TournamentOptions& options) {
   add_shared_options(command, options, false);
 }

@@ -17,10 +17,13 @@ namespace cls::cli {
 struct TournamentOptions {
   std::string folder;
   std::string config_file;
-  std::map<std::string, std::string> overrides;  ///< value by key of [tournament]
+  std::map<std::string, std::string> overrides;  ///< value by key of [tournament]; empty: not given
   std::vector<std::string> teams;                ///< NAME=ENDPOINT
   std::vector<std::string> settings;             ///< server::NAME=VALUE
 };
+
+/// True when the command line gives this key of [tournament].
+bool is_given(const TournamentOptions& options, const std::string& key);
 
 /// Adds DIR, --config, --team, --set and one option for every key of [tournament] to `command`;
 /// `options` must outlive it.

@@ -100,10 +100,9 @@ int make_tune_setup(const TournamentOptions& options, TuneSetup& setup) {
   if (chosen.exit_code != kOk) return chosen.exit_code;
   setup.conditions = std::move(chosen.config);
   if (setup.conditions.folder.empty()) setup.conditions.folder = fs::absolute(options.folder);
-  const auto set = options.overrides.find("seed");
-  if (set != options.overrides.end()) setup.tune.seed = setup.conditions.seed;
+  if (is_given(options, "seed")) setup.tune.seed = setup.conditions.seed;
   // Hundreds of match folders are of no use; --keep-logs all retains them.
-  if (!options.overrides.contains("keep_logs")) setup.conditions.keep_logs = KeepLogs::kFailed;
+  if (!is_given(options, "keep_logs")) setup.conditions.keep_logs = KeepLogs::kFailed;
   for (const std::string& side : setup.tune.opponents) {
     if (const int code = add_opponent(setup, side); code != kOk) return code;
   }

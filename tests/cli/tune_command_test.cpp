@@ -73,6 +73,10 @@ TEST_F(Tune, SearchesComparesAndReports) {
                            "generations/0002/files/tune4/striker.json"}) {
     EXPECT_TRUE(fs::exists(path("a") / name)) << name;
   }
+  for (const char* matches : {"generations/0001/matches", "verdict/matches"}) {
+    const fs::path folder = path("a") / matches;
+    EXPECT_TRUE(!fs::exists(folder) || fs::is_empty(folder)) << "no match failed: " << folder;
+  }
   EXPECT_EQ(json::parse(tune({"report", "a", "--json"}).out), document);
   const CommandResult text = tune({"report", "a", "--picture", "found.svg"});
   EXPECT_NE(text.out.find("cma-es: generation 2 of 2, 8 pairs"), std::string::npos) << text.out;
@@ -84,6 +88,19 @@ TEST_F(Tune, SearchesComparesAndReports) {
   const json more = json::parse(search("a", {"--generations", "3"}).out);
   EXPECT_EQ(more["played"], 3);
   EXPECT_EQ(more["history"][0], document["history"][0]);
+}
+
+TEST_F(Tune, TakesSeedAndMatchFoldersToKeepFromFileAndCommandLine) {
+  replace("a/tune.toml", "#seed = 1", "seed = 5");
+  replace("a/tune.toml", "verdict_pairs = 1", "verdict_pairs = 0");
+  copy_search("b");
+  const Arguments one = {"--generations", "1", "--keep-logs", "all"};
+  const json five = json::parse(search("a", one).out);
+  EXPECT_NE(cls::tests::read_file(path("a/tune.plan")).find("\nseed = 5\n"), std::string::npos);
+  EXPECT_FALSE(fs::is_empty(path("a/generations/0001/matches")));
+  const json seven = json::parse(search("b", {"--generations", "1", "--seed", "7"}).out);
+  EXPECT_NE(cls::tests::read_file(path("b/tune.plan")).find("\nseed = 7\n"), std::string::npos);
+  EXPECT_NE(five["history"], seven["history"]) << "other candidates and matches";
 }
 
 TEST_F(Tune, ResumesAfterKill) {
