@@ -68,6 +68,7 @@ double grasp(const FieldOpponent& opponent, double margin, int cycles) {
 
 void prepare(FieldOpponent& opponent, double margin, bool in_box_catches, double catch_reach) {
   if (opponent.goalie && in_box_catches) opponent.control = catch_reach;
+  opponent.speed = opponent.velocity.length();
   for (int cycle = 0; cycle <= kPlannerHorizon; ++cycle) {
     const auto i = static_cast<std::size_t>(cycle);
     opponent.drift[i] =
@@ -174,6 +175,20 @@ int age_credit(const PlannerField& field, const FieldPlayer& player, bool count_
   return count_age ? std::min(player.age, field.parameters.opponent_credit) : 0;
 }
 
+/// True if `holds` for an opponent. Consecutive candidates are similar: tries the one first for
+/// which it held the last time.
+template <typename Condition>
+bool any_opponent(const PlannerField& field, std::size_t& last, Condition holds) {
+  const auto& opponents = field.opponents;
+  if (last < opponents.size() && holds(opponents[last])) return true;
+  for (std::size_t i = 0; i < opponents.size(); ++i) {
+    if (i == last || !holds(opponents[i])) continue;
+    last = i;
+    return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 int cycles_to_get(const FieldPlayer& player, Vec2 point) {
@@ -194,18 +209,17 @@ int opponents_cycles_to(const PlannerField& field, Vec2 point, bool count_age) {
 }
 
 bool opponent_gets_there(const PlannerField& field, Vec2 point, int cycles, bool count_age) {
-  for (const FieldOpponent& opponent : field.opponents) {
+  return any_opponent(field, field.last_arriver, [&](const FieldOpponent& opponent) {
     const int time = cycles + age_credit(field, opponent, count_age);
     const Vec2 way = point - opponent.rest;
     const double far = opponent.control + opponent.reach->run(time);
     const double length2 = way.squared_length();
-    if (length2 > far * far) continue;  // out of reach even without a turn
+    if (length2 > far * far) return false;  // out of reach even without a turn
     const double length = std::sqrt(length2);
     const double run = length - opponent.control;
-    if (run <= 0.0) return true;
-    if (opponent.reach->run(time - cycles_before_run(opponent, way, length)) >= run) return true;
-  }
-  return false;
+    return run <= 0.0 ||
+           opponent.reach->run(time - cycles_before_run(opponent, way, length)) >= run;
+  });
 }
 
 double nearest_opponent(const PlannerField& field, Vec2 point) {
@@ -243,11 +257,10 @@ bool stops(const PlannerField& field, const BallRoll& roll, const StopRules& rul
   // Quick rejection: the whole path is out of reach.
   const Vec2 relative = opponent.drift[at(roll.cycles)] - field.ball;
   const double along = std::clamp(dot(relative, roll.direction), 0.0, way_length);
-  const double speed = opponent.velocity.length();
-  const double far = opponent.grasp[at(roll.cycles)] + speed * 2.0 + rules.extra_reach;
+  const double far = opponent.grasp[at(roll.cycles)] + opponent.speed * 2.0 + rules.extra_reach;
   if ((relative - roll.direction * along).squared_length() > far * far) return false;
   // Maximum closing speed of ball and opponent.
-  const double closing = roll.speed + speed + opponent.type->player_speed_max;
+  const double closing = roll.speed + opponent.speed + opponent.type->player_speed_max;
   const Vec2 step = roll.direction * roll.speed;
   for (int cycle = 1; cycle <= roll.cycles; ++cycle) {
     const Vec2 way = field.ball + step * field.roll(cycle) - opponent.drift[at(cycle)];
@@ -265,16 +278,9 @@ bool stops(const PlannerField& field, const BallRoll& roll, const StopRules& rul
 }  // namespace
 
 bool is_stopped(const PlannerField& field, const BallRoll& roll, const StopRules& rules) {
-  const auto& opponents = field.opponents;
-  // Consecutive candidates are similar: check the opponent that stopped the last one first.
-  const std::size_t last = field.last_stopper;
-  if (last < opponents.size() && stops(field, roll, rules, opponents[last])) return true;
-  for (std::size_t i = 0; i < opponents.size(); ++i) {
-    if (i == last || !stops(field, roll, rules, opponents[i])) continue;
-    field.last_stopper = i;
-    return true;
-  }
-  return false;
+  return any_opponent(field, field.last_stopper, [&](const FieldOpponent& opponent) {
+    return stops(field, roll, rules, opponent);
+  });
 }
 
 }  // namespace cls::proxy

@@ -35,6 +35,7 @@ struct FieldPlayer {
 
 /// An opponent that may stop the ball.
 struct FieldOpponent : FieldPlayer {
+  double speed = 0.0;                                   ///< of `velocity`
   std::array<soccer::Vec2, kPlannerHorizon + 1> drift;  ///< coasting positions by cycle
   /// Reach from there by cycle.
   std::array<double, kPlannerHorizon + 1> grasp;
@@ -59,7 +60,9 @@ class PlannerField {
   FieldPlayer self;
   FixedList<FieldPlayer, 22> teammates;
   std::vector<FieldOpponent> opponents;  ///< including players of unknown team
-  mutable std::size_t last_stopper = 0;  ///< opponent that stopped the last ball (cache)
+  /// Opponents that stopped the last ball and got to the last point (caches).
+  mutable std::size_t last_stopper = 0;
+  mutable std::size_t last_arriver = 0;
 
   /// Distance a ball rolls in `cycles` per unit of initial speed.
   double roll(int cycles) const { return roll_[static_cast<std::size_t>(cycles)]; }

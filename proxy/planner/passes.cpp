@@ -116,6 +116,7 @@ class PassSearch {
     const double length = way.length();
     const Vec2 direction = way / length;
     const double max = field_.world.server().ball_speed_max;
+    int theirs_from = kNever;  // an opponent is at the point from this cycle on
     for (int n = std::max(1, first); n <= std::min(last, kPlannerHorizon); ++n) {
       const double speed = field_.first_speed(length, n);
       if (speed > max) continue;
@@ -131,8 +132,11 @@ class PassSearch {
                         (point.x < field_.world.lines.offside && point.x < 30.0);
       rules.extra_reach =
           point.x < 25.0 ? field_.parameters.pass_margin : field_.parameters.pass_margin_deep;
+      const int arrives = n + kicks - 1;
+      if (arrives >= theirs_from) continue;
       if (tag != PlanTag::kStrictDirect &&
-          opponent_gets_there(field_, point, n + kicks - 1, rules.count_age)) {
+          opponent_gets_there(field_, point, arrives, rules.count_age)) {
+        theirs_from = arrives;
         continue;
       }
       if (is_stopped(field_, {direction, speed, n}, rules)) continue;
