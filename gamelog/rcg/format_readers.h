@@ -5,8 +5,14 @@
 
 #include "base/io/input_buffer.h"
 #include "gamelog/record/record_builder.h"
+#include "soccer/protocol/scanner.h"
 
 namespace cls::gamelog {
+
+/// True if a text log can hold the number: the limit of all integers in messages.
+inline bool fits_text_log(int value) {
+  return value >= -soccer::kMaxInteger && value <= soccer::kMaxInteger;
+}
 
 /// True if `start`, the first bytes of a file, can be those of a version 1 log, which has no
 /// header.

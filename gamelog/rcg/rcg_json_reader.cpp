@@ -17,10 +17,8 @@ using soccer::Side;
 
 constexpr int kNoType = -1;
 
-// With the limit of text logs, so that these can hold what was read.
 bool read_integer(base::JsonCursor& in, int& value) {
-  if (!in.integer(value)) return false;
-  return value >= -soccer::kMaxInteger && value <= soccer::kMaxInteger;
+  return in.integer(value) && fits_text_log(value);
 }
 
 class JsonReader {

@@ -56,11 +56,9 @@ void set_numbers(const std::vector<int>& numbers, TeamFrames& teams) {
   }
 }
 
-// With the limit of all integers in messages.
 std::optional<int> parse_limited(std::string_view word) {
   const std::optional<int> value = base::parse_int(word);
-  if (!value || *value < -soccer::kMaxInteger || *value > soccer::kMaxInteger) return std::nullopt;
-  return value;
+  return value && fits_text_log(*value) ? value : std::nullopt;
 }
 
 // A `(team ...)` record whose names contain spaces, which rcssserver does not allow but other

@@ -107,6 +107,7 @@ bool can_mark(const PointOfView& view) {
 PlayerCommand tackle(const PointOfView& view, const float*) {
   return soccer::Tackle{bearing_degrees(view.me(), {1.0, 0.0}), false};
 }
+
 }  // namespace
 
 const ActionSet& skill_actions() {
