@@ -22,14 +22,16 @@ class Scan {
 
   std::size_t position() const { return at_; }
 
+  // Comments begin and end where nlohmann's parser has them begin and end.
   void skip_space() {
-    while (at_ < text_.size()) {
-      if (std::strchr(" \t\r\n", text_[at_]) != nullptr) {
+    using namespace std::string_view_literals;
+    for (;;) {
+      if (is_one_of(kSpace)) {
         ++at_;
       } else if (text_.substr(at_, 2) == "//") {
-        at_ = std::min(text_.find('\n', at_), text_.size());
+        skip_through(text_.find_first_of("\n\r\0"sv, at_), 1);
       } else if (text_.substr(at_, 2) == "/*") {
-        at_ = std::min(text_.find("*/", at_), text_.size() - 2) + 2;
+        skip_through(text_.find("*/", at_ + 2), 2);
       } else {
         return;
       }
@@ -39,57 +41,67 @@ class Scan {
   // Moves to the member or element `key` of the current value; false if there is none.
   bool enter(const std::string& key) {
     const std::size_t start = at_;
-    const char open = text_[at_];
-    if (open != '{' && open != '[') return false;
+    if (!is_one_of("{[")) return false;
+    const bool object = text_[at_] == '{';
     ++at_;
-    for (std::size_t index = 0;; ++index) {
-      skip_space();
-      if (text_[at_] == '}' || text_[at_] == ']') break;
-      std::string found = std::to_string(index);
-      if (open == '{') {
-        const std::size_t from = at_;
-        skip_string();
-        found = Json::parse(text_.substr(from, at_ - from)).get<std::string>();
-        skip_space();
-        ++at_;  // the colon
-        skip_space();
-      }
-      if (found == key) return true;
+    skip_space();
+    for (std::size_t index = 0; !at_end() && !is_one_of("}]"); ++index) {
+      if ((object ? take_key() : std::to_string(index)) == key) return true;
       skip_value();
       skip_space();
-      if (text_[at_] == ',') ++at_;
+      if (is_one_of(",")) ++at_;
+      skip_space();
     }
     at_ = start;
     return false;
   }
 
  private:
+  static constexpr std::string_view kSpace = " \t\r\n";
+
+  bool at_end() const { return at_ == text_.size(); }
+
+  bool is_one_of(std::string_view characters) const {
+    return !at_end() && characters.find(text_[at_]) != std::string_view::npos;
+  }
+
+  // `position` may be npos.
+  void skip_through(std::size_t position, std::size_t length) {
+    at_ = position < text_.size() ? std::min(position + length, text_.size()) : text_.size();
+  }
+
+  // Moves behind a key and its colon.
+  std::string take_key() {
+    const std::size_t from = at_;
+    skip_string();
+    const Json key = Json::parse(text_.substr(from, at_ - from), nullptr, false);
+    skip_space();
+    if (is_one_of(":")) ++at_;
+    skip_space();
+    return key.is_string() ? key.get<std::string>() : "";
+  }
+
   void skip_string() {
-    for (++at_; text_[at_] != '"'; ++at_) {
-      if (text_[at_] == '\\') ++at_;
-    }
-    ++at_;
+    std::size_t end = at_ + 1;
+    while (end < text_.size() && text_[end] != '"') end += text_[end] == '\\' ? 2 : 1;
+    skip_through(end, 1);
   }
 
   void skip_value() {
     int depth = 0;
     do {
       skip_space();
-      const char c = text_[at_];
-      if (c == '"') {
+      if (is_one_of("\"")) {
         skip_string();
-      } else if (c == '{' || c == '[') {
-        ++depth;
-        ++at_;
-      } else if (c == '}' || c == ']') {
-        --depth;
-        ++at_;
-      } else if (c == ',' || c == ':') {
+        continue;
+      }
+      depth += is_one_of("{[") ? 1 : is_one_of("}]") ? -1 : 0;
+      if (is_one_of("{[}],:")) {
         ++at_;
       } else {
-        while (at_ < text_.size() && std::strchr(",:]} \t\r\n/", text_[at_]) == nullptr) ++at_;
+        skip_through(text_.find_first_of(",:]} \t\r\n/", at_ + 1), 0);
       }
-    } while (depth > 0);
+    } while (depth > 0 && !at_end());
   }
 
   std::string_view text_;

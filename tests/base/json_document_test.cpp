@@ -32,6 +32,20 @@ TEST(JsonDocument, FindsLineOfPointer) {
   EXPECT_EQ(text.line_of(JsonPointer() / "list" / 2 / "deep" / "a/b"), 6);
 }
 
+// The parser ends a comment there, too.
+TEST(JsonDocument, FindsLinesAfterCommentsThatEndEarly) {
+  using namespace std::string_literals;
+  for (const std::string& comment : {"//\r"s, "// x\0"s, "/*/ \n*/"s, "/**/"s}) {
+    const auto read =
+        JsonDocument::parse("script.json", "{\"a\": " + comment + "[1],\n\"b\": 2} //");
+    ASSERT_TRUE(read) << comment;
+    const int lines = comment.find('\n') == std::string::npos ? 0 : 1;
+    EXPECT_EQ(read->line_of(JsonPointer() / "a"), 1 + lines) << comment;
+    EXPECT_EQ(read->line_of(JsonPointer() / "b"), 2 + lines) << comment;
+    EXPECT_EQ(read->line_of(JsonPointer() / "c"), 1) << comment;
+  }
+}
+
 TEST(JsonDocument, ErrorsNameFileLineAndPointer) {
   const JsonDocument text = document();
   const JsonValue flag = JsonValue(text)["list"][2]["deep"]["a/b"];
