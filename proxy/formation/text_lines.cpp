@@ -33,6 +33,7 @@ std::vector<std::string_view> TextLines::tokens(char separator) const {
     tokens.push_back(line_.substr(at, end - at));
     at = line_.find_first_not_of(separators, end);
   }
+  if (tokens.empty()) tokens.emplace_back();  // separators alone
   return tokens;
 }
 

@@ -19,7 +19,8 @@ class TextLines {
 
   /// Advances to the next non-empty line; false at the end.
   bool next();
-  /// Tokens of the current line, separated by whitespace or `separator`; at least one.
+  /// Tokens of the current line, separated by whitespace or `separator`; at least one, which is
+  /// empty in a line of separators alone.
   std::vector<std::string_view> tokens(char separator = ' ') const;
 
   /// Error with file name and current line number.

@@ -8,6 +8,7 @@
 
 #include "proxy/formation/formation_file.h"
 #include "proxy/formation/formation_set.h"
+#include "proxy/formation/librcsc_formation.h"
 #include "proxy/formation/triangulation.h"
 #include "proxy/movement/home_positions.h"
 #include "tests/proxy/support/known_pitch.h"
@@ -263,6 +264,14 @@ TEST(FormationSet, BuiltInFormationsKeepAllPlayersOnPitch) {
   }
   for (const Vec2 point : set->of(FormationKind::kBeforeKickOff).positions({})) {
     EXPECT_LE(point.x, 0.0);
+  }
+}
+
+TEST(LibrcscFormation, RefusesLinesOfCommasAlone) {
+  for (const char* text :
+       {"l,\n", ",,\n", "Method,Static\n,,,\n", "Method,DelaunayTriangulation\n,"}) {
+    const auto read = parse_librcsc_formation(text, "form.csv");
+    EXPECT_TRUE(!read || read->empty()) << text;
   }
 }
 
