@@ -18,7 +18,7 @@ constexpr std::string_view kDigits =
 constexpr std::uint64_t kBase = kDigits.size();
 static_assert(kBase == 74);
 
-constexpr double kSpeedSteps = 31.0;
+constexpr int kMaxSpeedStep = 31;
 
 /// Quantization grid: low, low + step, ... low + (count - 1) step.
 struct Grid {
@@ -27,13 +27,16 @@ struct Grid {
   int count = 1;
 };
 
+/// The nearest integer from 0 to `last`; 0 for NaN, which Playmakers may send.
+int rounded(double value, int last) {
+  return std::isnan(value) ? 0 : static_cast<int>(std::rint(std::clamp(value, 0.0, 1.0 * last)));
+}
+
 /// Encoder; encoder and decoder visit the fields of a group from the least significant.
 class Encoder {
  public:
   void field(double& value, const Grid& grid) {
-    const double index = std::rint((value - grid.low) / grid.step);
-    const double last = grid.count - 1;
-    push(static_cast<int>(std::clamp(std::isnan(index) ? 0.0 : index, 0.0, last)), grid.count);
+    push(rounded((value - grid.low) / grid.step, grid.count - 1), grid.count);
   }
   void integer(int& value, int low, int count) {
     ok_ &= value >= low && value < low + count;
@@ -41,8 +44,8 @@ class Encoder {
   }
   /// Sign and magnitude of a speed component, six bits.
   void speed(double& value, double max) {
-    const double size = std::min(std::fabs(value), max) * kSpeedSteps / max;
-    push(static_cast<int>(std::rint(size)) + (std::signbit(value) ? 32 : 0), 64);
+    const int size = rounded(std::min(std::fabs(value), max) * kMaxSpeedStep / max, kMaxSpeedStep);
+    push(size + (std::signbit(value) ? kMaxSpeedStep + 1 : 0), 2 * (kMaxSpeedStep + 1));
   }
   void fail() { ok_ = false; }
   bool ok() const { return ok_; }
@@ -84,8 +87,9 @@ class Decoder {
   void field(double& value, const Grid& grid) { value = grid.low + grid.step * pop(grid.count); }
   void integer(int& value, int low, int count) { value = low + pop(count); }
   void speed(double& value, double max) {
-    const int bits = pop(64);
-    value = (bits % 32) * max / kSpeedSteps * (bits >= 32 ? -1.0 : 1.0);
+    const int bits = pop(2 * (kMaxSpeedStep + 1));
+    const double size = bits % (kMaxSpeedStep + 1) * max / kMaxSpeedStep;
+    value = bits > kMaxSpeedStep ? -size : size;
   }
 
  private:

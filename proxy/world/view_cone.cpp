@@ -30,8 +30,9 @@ void for_sectors_around(soccer::AngleDeg direction, double half_width, const Vis
 }  // namespace
 
 int ViewMemory::sector_of(soccer::AngleDeg direction) {
-  const int sector = static_cast<int>(std::floor((direction.degrees() + 180.0) / kSectorDegrees));
-  return std::clamp(sector, 0, kSectors - 1);
+  const double sector = std::floor((direction.degrees() + 180.0) / kSectorDegrees);
+  if (std::isnan(sector)) return 0;
+  return static_cast<int>(std::clamp(sector, 0.0, kSectors - 1.0));
 }
 
 int ViewMemory::age_around(soccer::AngleDeg direction, double half_width) const {

@@ -141,6 +141,13 @@ TEST(SayMessage, RejectsUnsupportedValues) {
               1e-9);
 }
 
+TEST(SayMessage, WritesNumbersThatAreNotFiniteAsLimitsOrZero) {
+  const double nan = std::nan("");
+  const auto ball = read<SayBall>(written(SayBall{{nan, 0.0}, {nan, -HUGE_VAL}}));
+  EXPECT_EQ(ball.velocity, (Vec2{0.0, -kServer.ball_speed_max}));
+  EXPECT_EQ(ball.position.x, -52.5);
+}
+
 TEST(SayMessage, RejectsInvalidTextWithoutConsumingIt) {
   for (const char* text : {"", "Z123", "b1234", "Rabcdefgh", "p&&&&&&&&&", "iz9", "Pab"}) {
     std::string_view rest = text;

@@ -206,6 +206,7 @@ TEST(ViewMemory, DirectionThatIsNotANumberHasNoSectors) {
   for (int& age : view.ages) age = 3;
   EXPECT_EQ(view.age_around(soccer::AngleDeg(std::nan("")), 30.0), 0);
   EXPECT_EQ(view.age_around(soccer::AngleDeg(0.0), std::nan("")), 0);
+  EXPECT_EQ(ViewMemory::sector_of(soccer::AngleDeg(std::nan(""))), 0);
   EXPECT_GT(view.age_around(soccer::AngleDeg(0.0), 30.0), 0);
 }
 
