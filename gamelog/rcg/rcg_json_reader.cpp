@@ -112,10 +112,12 @@ class JsonReader {
     return true;
   }
 
-  // Parses the keys of all notes. False if `key` is none of them or its value is invalid.
-  static bool read_time(std::string_view key, base::JsonCursor& in, int& time, int& stopped) {
-    return (key == "time" && read_integer(in, time)) ||
-           (key == "stime" && read_integer(in, stopped));
+  // Parses a member that all notes can have, or skips one of another name.
+  static bool read_time_or_skip(std::string_view key, base::JsonCursor& in, int& time,
+                                int& stopped) {
+    return key == "time"    ? read_integer(in, time)
+           : key == "stime" ? read_integer(in, stopped)
+                            : in.skip_value();
   }
 
   bool read_play_mode(base::JsonCursor& in) {
@@ -124,9 +126,7 @@ class JsonReader {
     std::string name;
     std::string_view key;
     while (in.next_key(key)) {
-      const bool read = key == "mode"
-                            ? in.string(name)
-                            : read_time(key, in, time, stopped) || (in.good() && in.skip_value());
+      const bool read = key == "mode" ? in.string(name) : read_time_or_skip(key, in, time, stopped);
       if (!read) return false;
     }
     const auto mode = soccer::parse_play_mode(name);
@@ -148,7 +148,7 @@ class JsonReader {
       } else if (key == "teams") {
         read = read_team_array(in, teams);
       } else {
-        read = read_time(key, in, time, stopped) || (in.good() && in.skip_value());
+        read = read_time_or_skip(key, in, time, stopped);
       }
       if (!read) return false;
     }
@@ -196,10 +196,9 @@ class JsonReader {
     std::string text;
     std::string_view key;
     while (in.next_key(key)) {
-      const bool read = key == "board" ? read_integer(in, board)
-                        : key == "message"
-                            ? in.string(text)
-                            : read_time(key, in, time, stopped) || (in.good() && in.skip_value());
+      const bool read = key == "board"     ? read_integer(in, board)
+                        : key == "message" ? in.string(text)
+                                           : read_time_or_skip(key, in, time, stopped);
       if (!read) return false;
     }
     builder_.add_message(time, board, std::move(text));
@@ -224,8 +223,8 @@ class JsonReader {
         }
       } else {
         read = key == "side" ? in.string(side)
-               : key == "x"  ? in.integer(x)
-               : key == "y"  ? in.integer(y)
+               : key == "x"  ? read_integer(in, x)
+               : key == "y"  ? read_integer(in, y)
                              : in.skip_value();
       }
       if (!read || !in.good()) return false;

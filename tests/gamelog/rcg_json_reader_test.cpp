@@ -131,6 +131,7 @@ TEST(ReadRcgJson, ReportsInvalidLinesAndReadsTheRest) {
        {"{\"show\":{\"time\":43", "{\"msg\":{\"time\":1,\"board\":1,\"message\":\"half", "nonsense",
         "{\"show\":{\"time\":-1}}", "{\"team\":5}", "{}", "{\"playmode\":{\"time\":x}}",
         "{\"show\":{\"time\":1,\"players\":[{\"side\":\"l\",\"unum\":12}]}}",
+        "{\"msg\":{\"time\":-2147483648 1,\"board\":1,\"message\":\"\"}}",
         "{\"player_type\":{\"id\":900}}", "{\"playmode\":{\"time\":1,\"mode\":\"play_on\"}} x"}) {
     const std::string before = "[\n" + show(kPlayer) + ",\n";
     const MatchRecord record = read(before + bad + kEnd + show(kPlayer) + "\n]\n");
