@@ -87,7 +87,7 @@ void CoachRegistry::begin_step(const World& world, std::vector<CoachMessage>& ou
 
 void CoachRegistry::end_step(const World& world) {
   const soccer::ServerParams& params = world.params();
-  const int game_time = params.nr_normal_halfs * world.rules->half_time;
+  const int game_time = world.rules->normal_time;
   if (params.nr_normal_halfs <= 0 || game_time == 0) return;
   if (world.clock.stoppage != 0 || world.clock.time <= 0 || world.clock.time % game_time != 0) {
     return;

@@ -1,6 +1,10 @@
 // Validates parameters and draws player types.
 #include "simulator/world/rules.h"
 
+#include <fmt/format.h>
+
+#include <cstdint>
+#include <cstdlib>
 #include <string>
 #include <utility>
 
@@ -19,6 +23,13 @@ Result<void> validate(const soccer::ServerParams& server, const soccer::PlayerPa
   if (server.ball_size <= 0) return Error{"server::ball_size must be positive"};
   if (server.player_size <= 0) return Error{"server::player_size must be positive"};
   if (server.maxpower <= 0) return Error{"server::maxpower must be positive"};
+  for (const auto& [name, halfs] : {std::pair{"nr_normal_halfs", server.nr_normal_halfs},
+                                    std::pair{"nr_extra_halfs", server.nr_extra_halfs}}) {
+    if (std::abs(std::int64_t{halfs}) > soccer::kMaxHalfs) {
+      return Error{fmt::format("server::{} must be within {}..{}", name, -soccer::kMaxHalfs,
+                               soccer::kMaxHalfs)};
+    }
+  }
   if (player.player_types < 1 || player.player_types > kMaxPlayerTypes) {
     return Error{"player::player_types must be within 1.." + std::to_string(kMaxPlayerTypes)};
   }

@@ -1,7 +1,6 @@
 // Parameter messages from the parameter tables.
 #include "soccer/messages/parameter_message.h"
 
-#include <algorithm>
 #include <variant>
 
 #include "soccer/messages/sense_groups.h"
@@ -91,12 +90,7 @@ void format(const PlayerType& type, int version, std::string& out) {
 }
 
 base::Result<void> parse(std::string_view message, ServerParams& out) {
-  auto parsed = parse_all(kServerParam, message, server_param_table(), out);
-  // The end of a match is their product with the length of a half.
-  constexpr int kMaxHalfs = 1000;
-  out.nr_normal_halfs = std::clamp(out.nr_normal_halfs, -kMaxHalfs, kMaxHalfs);
-  out.nr_extra_halfs = std::clamp(out.nr_extra_halfs, -kMaxHalfs, kMaxHalfs);
-  return parsed;
+  return parse_all(kServerParam, message, server_param_table(), out);
 }
 base::Result<void> parse(std::string_view message, PlayerParams& out) {
   return parse_all(kPlayerParam, message, player_param_table(), out);

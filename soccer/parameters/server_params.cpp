@@ -7,7 +7,7 @@
 namespace cls::soccer {
 namespace {
 
-// No half is longer, whatever a server sends: a thousand of them fit an int.
+// No half is longer, whatever a server sends: kMaxHalfs of them fit an int.
 constexpr double kMaxHalf = 1 << 20;
 
 int cycles_of(int seconds, const ServerParams& params) {
@@ -17,10 +17,18 @@ int cycles_of(int seconds, const ServerParams& params) {
   return static_cast<int>(std::clamp(cycles, -kMaxHalf, kMaxHalf));
 }
 
+int limited(int halfs) { return std::clamp(halfs, -kMaxHalfs, kMaxHalfs); }
+
 }  // namespace
 
 int ServerParams::half_time_cycles() const { return cycles_of(half_time, *this); }
 int ServerParams::extra_half_time_cycles() const { return cycles_of(extra_half_time, *this); }
+int ServerParams::normal_time_cycles() const {
+  return half_time_cycles() * limited(nr_normal_halfs);
+}
+int ServerParams::total_time_cycles() const {
+  return normal_time_cycles() + extra_half_time_cycles() * limited(nr_extra_halfs);
+}
 
 const ParameterTable<ServerParams>& server_param_table() {
   static const ParameterTable<ServerParams> table = sorted_by_name(ParameterTable<ServerParams>{

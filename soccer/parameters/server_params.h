@@ -19,12 +19,13 @@ struct ServerParams {
   int half_time_cycles() const;
   /// Length of an extra half in cycles.
   int extra_half_time_cycles() const;
-  /// End of normal time, and of extra time, in cycles.
-  int normal_time_cycles() const { return half_time_cycles() * nr_normal_halfs; }
-  int total_time_cycles() const {
-    return normal_time_cycles() + extra_half_time_cycles() * nr_extra_halfs;
-  }
+  /// End of normal time, and of extra time, in cycles; of at most kMaxHalfs halves each.
+  int normal_time_cycles() const;
+  int total_time_cycles() const;
 };
+
+/// More halves than any match has; so many of the longest ones fit an int.
+inline constexpr int kMaxHalfs = 1000;
 
 /// All rows, sorted by name as the server sends them.
 const ParameterTable<ServerParams>& server_param_table();

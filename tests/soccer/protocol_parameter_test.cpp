@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "soccer/messages/parameter_message.h"
 
@@ -65,7 +66,7 @@ TEST(ParameterMessage, LimitsLengthOfMatch) {
       parse("(server_param (half_time 2147483647)(nr_normal_halfs -2147483648)"
             "(extra_half_time 2147483647)(nr_extra_halfs -2147483648))",
             params));
-  EXPECT_EQ(params.nr_normal_halfs, -1000);
+  EXPECT_EQ(params.nr_normal_halfs, std::numeric_limits<int>::min());
   EXPECT_EQ(params.half_time_cycles(), 1 << 20);
   EXPECT_EQ(params.total_time_cycles(), -2000 * (1 << 20));
 }

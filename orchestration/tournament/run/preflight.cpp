@@ -53,13 +53,12 @@ std::optional<StartProblem> check_server(const TournamentConfig& config) {
 
 // Cycles of normal time.
 int cycles_of(const TournamentConfig& config) {
-  constexpr int kCyclesPerSecond = 10;
   match::MatchOptions options;
   for (const ServerSetting& setting : config.settings) {
     match::apply_setting(options, setting.name + "=" + setting.value);
   }
-  const int half_time = config.half_time.value_or(options.server.half_time);
-  const int whole = half_time * kCyclesPerSecond * options.server.nr_normal_halfs;
+  if (config.half_time) options.server.half_time = *config.half_time;
+  const int whole = options.server.normal_time_cycles();
   if (!config.cycles) return whole;
   return whole > 0 ? std::min(whole, *config.cycles) : *config.cycles;
 }

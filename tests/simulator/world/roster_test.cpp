@@ -192,6 +192,10 @@ TEST(Rules, ErrorNamesInvalidParameter) {
   soccer::ServerParams server;
   server.simulator_step = 0;
   EXPECT_NE(make_rules(server, {}, 1).error().message.find("simulator_step"), std::string::npos);
+  server = {};
+  server.nr_normal_halfs = 2'000'000'000;  // would end before it starts
+  EXPECT_EQ(make_rules(server, {}, 1).error().message,
+            "server::nr_normal_halfs must be within -1000..1000");
   soccer::PlayerParams player;
   player.player_types = 1000;
   EXPECT_NE(make_rules({}, player, 1).error().message.find("player_types"), std::string::npos);
