@@ -5,6 +5,7 @@
 #include <google/protobuf/text_format.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <cstdlib>
 #include <memory>
 #include <optional>
@@ -18,6 +19,7 @@
 #include "soccer/commands/coach_command.h"
 #include "soccer/commands/player_command.h"
 #include "soccer/memory_channel.h"
+#include "tests/proxy/playmaker/random_message.h"
 
 namespace cls::tests {
 namespace {
@@ -32,13 +34,18 @@ constexpr proxy::Instant kMuchLater = proxy::Instant(std::chrono::hours(1));
 /// Replies of the scripted Playmaker.
 struct Answer {
   std::string actions;
+  std::optional<int> random;  ///< instead of `actions`: the seed of random ones
   std::optional<int> node;
   bool missing = false;
 
   template <typename Actions>
   Actions as() const {
-    google::protobuf::LogSilencer no_complaints;
     Actions parsed;
+    if (random) {
+      RandomMessages(static_cast<std::uint64_t>(*random)).fill(parsed);
+      return parsed;
+    }
+    google::protobuf::LogSilencer no_complaints;
     google::protobuf::TextFormat::Parser parser;
     if (!parser.ParseFromString(actions, &parsed)) parsed.Clear();
     return parsed;
@@ -114,6 +121,14 @@ class Coach {
   proxy::CoachAgent agent_;
 };
 
+std::optional<int> number_after(std::string_view word, std::string_view line) {
+  int number = 0;
+  if (!line.starts_with(word) || base::parse_int_prefix(line.substr(word.size()), number) == 0) {
+    return std::nullopt;
+  }
+  return number;
+}
+
 template <typename Agent>
 int play(std::string_view script, soccer::Channel& server, Agent& agent) {
   int decisions = 0;
@@ -124,11 +139,11 @@ int play(std::string_view script, soccer::Channel& server, Agent& agent) {
     const std::string_view line = script.substr(0, script.find('\n'));
     script.remove_prefix(std::min(line.size() + 1, script.size()));
     if (line.starts_with("a ")) {
-      answer.actions = line.substr(2);
-      answer.missing = false;
-    } else if (line.starts_with("n ")) {
-      int node = 0;
-      if (base::parse_int_prefix(line.substr(2), node) > 0) answer.node = node;
+      answer = {std::string(line.substr(2)), std::nullopt, answer.node, false};
+    } else if (const auto seed = number_after("r ", line)) {
+      answer = {"", seed, answer.node, false};
+    } else if (const auto node = number_after("n ", line)) {
+      answer.node = node;
     } else if (line == "l") {
       answer.missing = true;
     } else {

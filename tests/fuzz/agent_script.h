@@ -9,6 +9,7 @@ namespace cls::tests {
 /// could parse. The first character selects the agent: p player, g goalie, c online coach, t
 /// trainer. Lines:
 ///     a ACTIONS      reply of the Playmaker from now on, in protobuf text format
+///     r NUMBER       random reply of the Playmaker from now on, over all fields
 ///     n NUMBER       planner node that the Playmaker selects
 ///     l              the Playmaker does not reply from now on
 ///     anything else  a datagram of the server, followed by the decision that is due

@@ -6,6 +6,7 @@
 #include <string>
 #include <tuple>
 
+#include "analysis/results/match_summary.h"
 #include "gamelog/record/match_record.h"
 #include "tests/viewer/record_difference.h"
 #include "viewer/decisions/decision_cycles.h"
@@ -31,14 +32,26 @@ void check_record(const gamelog::MatchRecord& record) {
   }
 }
 
+// Names of teams and messages of a match do not break its page.
+void check_page(const gamelog::MatchRecord& record, std::string_view stream) {
+  const auto page = viewer::write_page(analysis::summarize(record, nullptr), stream, {});
+  const auto read = viewer::read_page(page);
+  require(read.ok(), "a written page can be read", read ? "" : read.error().message);
+  const std::string difference = record_difference(record, read->record);
+  require(difference.empty(), "a page has the match of its stream", difference);
+}
+
 // Notes may name frames that never came, and a record read without its end has no errors.
 void check_match(const viewer::StreamMatch& match) {
   check_record(match.record);
   if (!match.ended) return;
-  const auto again = viewer::read_stream(viewer::write_stream(match.record, {}, match.statistics));
+  const std::string stream = viewer::write_stream(match.record, {}, match.statistics);
+  const auto again = viewer::read_stream(stream);
   require(again.ok(), "a written stream can be read", again ? "" : again.error().message);
   const std::string difference = record_difference(match.record, again->record);
   require(difference.empty(), "nothing is lost in writing", difference);
+  // Slower than everything else here.
+  if (stream.size() % 8 == 0) check_page(match.record, stream);
 }
 
 /// Decisions that were read are the same when they were written again.
