@@ -32,6 +32,12 @@ std::vector<std::pair<std::string_view, const toml::node*>> in_file_order(const 
   return entries;
 }
 
+// toml++ makes no double of integers that it would have to round.
+std::optional<double> number_of(const toml::node& node) {
+  if (const auto* integer = node.as_integer()) return static_cast<double>(integer->get());
+  return node.value<double>();
+}
+
 // A file without a schema is of the first version. Of a newer one no parameter is certain.
 std::optional<Error> schema_error_of(const toml::table& top, const std::string& name) {
   const toml::node* node = top.get("schema");
@@ -55,10 +61,9 @@ Result<SharedPlannerParameters> parse_planner_file(std::string_view text, const 
   if (auto error = schema_error_of(top, name)) return *std::move(error);
   for (const auto& [key, node] : in_file_order(top)) {
     if (key == "schema") continue;
-    if (!node->is_number()) {
-      return error_at(name, node->source(), fmt::format("{}: must be a number", key));
-    }
-    const auto set = set_planner_parameter(*parameters, key, *node->value<double>());
+    const auto value = number_of(*node);
+    if (!value) return error_at(name, node->source(), fmt::format("{}: must be a number", key));
+    const auto set = set_planner_parameter(*parameters, key, *value);
     if (!set) return error_at(name, node->source(), set.error().message);
   }
   return SharedPlannerParameters(std::move(parameters));

@@ -36,6 +36,8 @@ TEST(PlannerFile, ReportsPlaceAndRemedyOfErrors) {
             "p.toml:1: pass_margin: must be a number from 0 to 3 (m)");
   EXPECT_EQ(error_of("hold_cycles = 2.5"),
             "p.toml:1: hold_cycles: must be a whole number from 0 to 100 (cycles)");
+  EXPECT_EQ(error_of("x_weight = -9223372036854775808"),
+            "p.toml:1: x_weight: must be a number from 0 to 10 (points/m)");
   EXPECT_EQ(error_of("x_weight = \"1\""), "p.toml:1: x_weight: must be a number");
   EXPECT_EQ(error_of("[evaluation]\nx_weight = 1"), "p.toml:1: evaluation: must be a number");
   EXPECT_EQ(error_of("x_weight = 99\nshift_normal = 99"),
