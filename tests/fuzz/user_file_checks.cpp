@@ -29,6 +29,7 @@
 #include "orchestration/tournament/schedule/schedule.h"
 #include "orchestration/tournament/schedule/schedule_check.h"
 #include "orchestration/tournament/store/match_document.h"
+#include "orchestration/tournament/tuning/tune_config.h"
 #include "proto/playmaker.pb.h"
 #include "proto/recording_file.h"
 #include "proto/saved_match.pb.h"
@@ -90,6 +91,14 @@ void check_config(const std::string& text) {
   for (const Fixture& fixture : next_fixtures(parsed.config, {})) {
     require(check_teams(parsed.config, fixture).ok());
   }
+}
+
+void check_tune_config(const std::string& text) {
+  using namespace orchestration::tournament;
+  const ParsedTuneConfig parsed = parse_tune_config(text, kTuneFile);
+  if (!parsed.errors.empty()) return;
+  require(!parsed.config.parameters.empty());
+  require(!plan_lines(parsed.config).empty());
 }
 
 void check_planner_file(const std::string& text) {
@@ -218,6 +227,8 @@ void check_user_file(std::string_view input) {
       return;
     case 't':
       return check_config(text);
+    case 'u':
+      return check_tune_config(text);
     case 'p':
       return check_planner_file(text);
     case 'r':
