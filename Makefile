@@ -8,10 +8,10 @@ LINT_BASE ?= main
 PREFIX ?= /usr/local
 CXX_FILES = git ls-files --cached --others --exclude-standard -- '*.h' '*.cpp'
 
-# Rooms that parse foreign input: logs, protocol, JSON and TOML files, replies.
+# Rooms that parse foreign input (logs, protocol, JSON and TOML files, replies) or start programs.
 INPUT_TESTS = cls_base_tests cls_soccer_tests cls_gamelog_tests cls_analysis_tests \
-  cls_mock_server_tests
-INPUT_LABELS = ^(base|soccer|gamelog|analysis|mock-server)$$
+  cls_mock_server_tests cls_orchestration_process_tests
+INPUT_LABELS = ^(base|soccer|gamelog|analysis|mock-server|orchestration/process)$$
 FUZZERS = protocol rcg rcl session view agent compression user_file training
 
 .PHONY: help build test full languages web-test pictures bench asan tsan asan-input fuzz chaos same-bytes install package format format-check lint clean

@@ -9,8 +9,6 @@
 
 #include <algorithm>
 #include <boost/process/child.hpp>
-#include <boost/process/env.hpp>
-#include <boost/process/environment.hpp>
 #include <boost/process/error.hpp>
 #include <boost/process/exe.hpp>
 #include <boost/process/extend.hpp>
@@ -18,6 +16,7 @@
 #include <cerrno>
 #include <csignal>
 #include <optional>
+#include <string>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -81,17 +80,27 @@ std::optional<LaunchStep> prepare(const CommandPlan& plan, int ruleset, pid_t pa
   return std::nullopt;
 }
 
-bp::environment environment_of(const CommandPlan& plan) {
-  bp::environment variables;
-  if (!plan.empty_environment) variables = bp::environment(boost::this_process::environment());
-  for (const EnvironmentChange& change : plan.environment) {
-    if (change.value) {
-      variables[change.name] = *change.value;
-    } else {
-      variables.erase(change.name);
-    }
+// Entries NAME=VALUE. Boost's environment reads behind the end of entries that are shorter than the
+// name it looks for.
+std::vector<std::string> environment_of(const CommandPlan& plan) {
+  std::vector<std::string> entries;
+  for (char** entry = plan.empty_environment ? nullptr : environ; entry && *entry; ++entry) {
+    entries.emplace_back(*entry);
   }
-  return variables;
+  for (const EnvironmentChange& change : plan.environment) {
+    const std::string start = change.name + "=";
+    std::erase_if(entries, [&](const std::string& entry) { return entry.starts_with(start); });
+    if (change.value) entries.push_back(start + *change.value);
+  }
+  return entries;
+}
+
+// What exec takes; `texts` must outlive it.
+std::vector<char*> pointers_to(std::vector<std::string>& texts) {
+  std::vector<char*> pointers;
+  for (std::string& text : texts) pointers.push_back(text.data());
+  pointers.push_back(nullptr);
+  return pointers;
 }
 
 Launch launch_program(const CommandPlan& plan, std::vector<std::string> argv, int output) {
@@ -99,12 +108,13 @@ Launch launch_program(const CommandPlan& plan, std::vector<std::string> argv, in
   const base::UniqueFd ruleset = plan.files ? make_ruleset(*plan.files) : base::UniqueFd();
   if (plan.files && !ruleset) return {0, errno, LaunchStep::kFiles};
   // Boost's own arguments would take the first character of empty ones.
-  std::vector<char*> arguments;
-  for (std::string& argument : argv) arguments.push_back(argument.data());
-  arguments.push_back(nullptr);
+  std::vector<char*> arguments = pointers_to(argv);
+  std::vector<std::string> entries = environment_of(plan);
+  std::vector<char*> environment = pointers_to(entries);
   const pid_t parent = ::getpid();
   const auto before_exec = [&, parent](auto& executor) {
     executor.cmd_line = arguments.data();
+    executor.env = environment.data();
     const auto failed = prepare(plan, ruleset.get(), parent);
     if (!failed) return;
     const int error = static_cast<int>(*failed) * kStepError + errno;
@@ -112,7 +122,7 @@ Launch launch_program(const CommandPlan& plan, std::vector<std::string> argv, in
     ::_exit(127);
   };
   std::error_code error;
-  bp::child child(bp::exe = argv.front(), environment_of(plan), bp::posix::fd.bind(1, output),
+  bp::child child(bp::exe = argv.front(), bp::posix::fd.bind(1, output),
                   bp::posix::fd.bind(2, output), bp::extend::on_exec_setup = before_exec, error);
   Launch result;
   if (!error && child.id() <= 0)
