@@ -13,6 +13,7 @@
 
 #include <cmath>
 #include <limits>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <stdexcept>
@@ -147,7 +148,9 @@ class JsonDecoder {
   }
   void number_or_null(const char* key, int& value) {
     const Json* found = find(key);
-    if (found != nullptr) value = found->is_null() ? 0 : found->get<int>();
+    if (found == nullptr) return;
+    value = 0;
+    if (!found->is_null()) decode(*found, value);
   }
   template <typename T>
   void pair(const char* key, T& first, T& second) {
@@ -206,6 +209,12 @@ class JsonDecoder {
   static void decode(const Json& json, std::vector<T>& values) {
     values.clear();
     for (const Json& element : json) decode(element, values.emplace_back());
+  }
+  template <typename T>
+  static void decode(const Json& json, std::map<std::string, T>& values) {
+    if (!json.is_object()) throw std::invalid_argument("not a JSON object");
+    values.clear();
+    for (const auto& [key, element] : json.items()) decode(element, values[key]);
   }
 
  private:
