@@ -51,7 +51,8 @@ class OpenGoal {
       if (opponent.ghost() || opponent.pos_count > kMaxAge || opponent.goalie) continue;
       const Vec2 from = opponent.position;
       const double pass = distance(from, ball);
-      if (distance(from, {kGoalX, 0.0}) > kNear || pass < 3.0 || pass > 25.0) continue;
+      const bool possible = distance(from, {kGoalX, 0.0}) <= kNear && pass >= 3.0 && pass <= 25.0;
+      if (!possible) continue;  // nor is a place that is not a number
       if (flights_.size() + kTargets > flights_.capacity()) break;
       add({from, 2 + static_cast<int>(pass / kPassSpeed), 0.35}, world.server().ball_decay);
     }
