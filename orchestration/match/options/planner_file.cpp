@@ -42,7 +42,7 @@ std::optional<double> number_of(const toml::node& node) {
 std::optional<Error> schema_error_of(const toml::table& top, const std::string& name) {
   const toml::node* node = top.get("schema");
   if (node == nullptr) return std::nullopt;
-  const auto version = node->value<std::int64_t>().value_or(0);
+  const auto version = node->value_exact<std::int64_t>().value_or(0);
   const auto error = base::schema_error(version, base::kPlannerSchema);
   if (!error) return std::nullopt;
   return error_at(name, node->source(), *error);

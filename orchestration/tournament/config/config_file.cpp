@@ -134,7 +134,7 @@ class Parser {
   bool check_schema(const toml::table& top) {
     const toml::node* node = top.get("schema");
     if (node == nullptr) return true;
-    const auto version = node->value<std::int64_t>().value_or(0);
+    const auto version = node->value_exact<std::int64_t>().value_or(0);
     const auto error = base::schema_error(version, base::kConfigSchema);
     if (error) add_error(node->source().begin.line, *error);
     return !error;

@@ -138,7 +138,7 @@ class TuneParser {
     const toml::node* node = read.take("schema");
     if (node == nullptr) return true;
     const auto error =
-        base::schema_error(node->value<std::int64_t>().value_or(0), base::kTuneSchema);
+        base::schema_error(node->value_exact<std::int64_t>().value_or(0), base::kTuneSchema);
     if (error) read.error(*node, *error);
     return !error;
   }
