@@ -223,8 +223,8 @@ class JsonReader {
         }
       } else {
         read = key == "side" ? in.string(side)
-               : key == "x"  ? read_integer(in, x)
-               : key == "y"  ? read_integer(in, y)
+               : key == "x"  ? in.integer(x)
+               : key == "y"  ? in.integer(y)
                              : in.skip_value();
       }
       if (!read || !in.good()) return false;
