@@ -253,7 +253,8 @@ TEST_F(Tournament, SigkillLosesOnlyCurrentMatches) {
     playing.finish();
     EXPECT_TRUE(cls::tests::all_marked_gone(mark, 3s)) << "no process survives";
     if (!fs::exists(cup() / "tournament.db")) continue;
-    for (const json& match : report()["matches"]) {
+    const json reported = report();
+    for (const json& match : reported["matches"]) {
       if (match["end_reason"].is_null()) continue;
       const int index = match["index"];
       const std::string once = match["ended"].get<std::string>() + match["folder"].dump();

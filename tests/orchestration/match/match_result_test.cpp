@@ -64,7 +64,7 @@ TEST(MatchResult, WritesMembersOfTheSchema) {
 TEST(MatchResult, ReplacesInvalidUtf8) {
   MatchResult result = two_to_one();
   result.message = "it said \xff\xfe";
-  EXPECT_NO_THROW(nlohmann::json::parse(to_json(result)));
+  EXPECT_TRUE(nlohmann::json::accept(to_json(result)));
 }
 
 // Every member with a value of its own.

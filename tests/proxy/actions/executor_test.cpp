@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "proxy/actions/action_handlers.h"
@@ -329,6 +331,10 @@ TEST(Executor, RejectsActionsWithNonFiniteNumbers) {
 }
 
 /// Fills every number of a message, including nested messages.
+int limited(double number, double limit) {
+  return std::isnan(number) ? 0 : static_cast<int>(std::clamp(number, -limit, limit));
+}
+
 void fill_numbers(google::protobuf::Message& message, double number) {
   const auto& reflection = *message.GetReflection();
   for (int i = 0; i < message.GetDescriptor()->field_count(); ++i) {
@@ -339,13 +345,10 @@ void fill_numbers(google::protobuf::Message& message, double number) {
         reflection.SetFloat(&message, field, static_cast<float>(number));
         break;
       case google::protobuf::FieldDescriptor::CPPTYPE_INT32:
-        reflection.SetInt32(&message, field,
-                            static_cast<int>(number > 2e9    ? 2e9
-                                             : number < -2e9 ? -2e9
-                                                             : number));
+        reflection.SetInt32(&message, field, limited(number, 2e9));
         break;
       case google::protobuf::FieldDescriptor::CPPTYPE_ENUM:
-        reflection.SetEnumValue(&message, field, static_cast<int>(number > 99 ? 99 : number));
+        reflection.SetEnumValue(&message, field, limited(number, 99.0));
         break;
       case google::protobuf::FieldDescriptor::CPPTYPE_MESSAGE:
         if (field->containing_oneof() == nullptr) {
