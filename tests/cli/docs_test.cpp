@@ -13,6 +13,7 @@
 #include "tests/support/command.h"
 #include "tests/support/files.h"
 #include "tests/support/python.h"
+#include "tests/support/sanitizers.h"
 #include "tests/support/temporary_folder.h"
 
 namespace cls::tests {
@@ -20,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-#if defined(__OPTIMIZE__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#if defined(__OPTIMIZE__) && !CLS_SANITIZED
 constexpr bool kPlaysWholeMatches = true;
 #else
 constexpr bool kPlaysWholeMatches = false;  // minutes each

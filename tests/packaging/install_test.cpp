@@ -11,6 +11,7 @@
 #include "tests/support/command.h"
 #include "tests/support/files.h"
 #include "tests/support/python.h"
+#include "tests/support/sanitizers.h"
 #include "tests/support/temporary_folder.h"
 
 namespace cls::tests {
@@ -106,9 +107,7 @@ TEST_F(Installation, HasPythonPackagesThatFindTheirLibrary) {
       environment);
   EXPECT_EQ(wire.exit_code, 0) << wire.err;
   if (run_there({python, "-c", "import numpy"}).exit_code != 0) GTEST_SKIP() << "no numpy";
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-  GTEST_SKIP() << "Python does not load a library with sanitizers";
-#endif
+  if (CLS_SANITIZED) GTEST_SKIP() << "Python does not load a library with sanitizers";
   const CommandResult engine = run_there(
       {python, "-c",
        "from cls_gym._engine import catalog, library_path; print(library_path(), len(catalog()))"},
@@ -118,9 +117,7 @@ TEST_F(Installation, HasPythonPackagesThatFindTheirLibrary) {
 }
 
 TEST_F(Installation, HasACMakePackageOfTheTrainingLibrary) {
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-  GTEST_SKIP() << "the library needs the sanitizers of this build";
-#endif
+  if (CLS_SANITIZED) GTEST_SKIP() << "the library needs the sanitizers of this build";
   TemporaryFolder project;
   std::ofstream(project.path() / "CMakeLists.txt")
       << "cmake_minimum_required(VERSION 3.22)\nproject(consumer LANGUAGES CXX)\n"

@@ -5,17 +5,7 @@
 #include <cstdlib>
 #include <new>
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-#define CLS_SANITIZED 1
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer) || \
-    __has_feature(memory_sanitizer)
-#define CLS_SANITIZED 1
-#endif
-#endif
-#ifndef CLS_SANITIZED
-#define CLS_SANITIZED 0
-#endif
+#include "tests/support/sanitizers.h"
 
 namespace {
 
