@@ -93,8 +93,8 @@ double NeckSearch::player_score(double neck) const {
 
 double NeckSearch::field_score(double neck) const {
   const double center = ((body_ + neck).degrees() + 180.0) / kSectorDegrees - 0.5;
-  const double reach = half_view_ / kSectorDegrees;
-  if (!std::isfinite(center)) return 0.0;  // after nonsense of a faulty server
+  if (!std::isfinite(center) || std::isnan(half_view_)) return 0.0;  // of a faulty server
+  const double reach = std::clamp(half_view_, 0.0, 180.0) / kSectorDegrees;
   const int first = static_cast<int>(std::ceil(center - reach));
   const int last = static_cast<int>(std::floor(center + reach));
   const int from = (first + 2 * ViewMemory::kSectors) % ViewMemory::kSectors;

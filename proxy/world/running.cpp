@@ -49,7 +49,10 @@ int cycles_to_run(const soccer::ServerParams& server, const soccer::PlayerType& 
   }
   if (distance <= 0.0) return cycles;
   const double settled = std::min(speed + acceleration, type.player_speed_max);
-  return cycles + static_cast<int>(std::ceil(std::min(distance, 1000.0) / settled));
+  // Players of a faulty server may not get anywhere.
+  constexpr double kForever = 1e6;
+  const double rest = std::min(distance, 1000.0) / settled;
+  return cycles + static_cast<int>(std::ceil(rest >= 0.0 && rest < kForever ? rest : kForever));
 }
 
 ReachTable::ReachTable(const soccer::ServerParams& server, const soccer::PlayerType& type) {

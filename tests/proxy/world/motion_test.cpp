@@ -55,6 +55,9 @@ TEST(Motion, CyclesToRunFollowModel) {
   EXPECT_EQ(cycles_to_run(server, type, 0.59), 1);
   EXPECT_EQ(cycles_to_run(server, type, 0.61), 2);
   EXPECT_EQ(cycles_to_run(server, type, 1.45), 3);
+  soccer::ServerParams stuck = server;
+  stuck.max_dash_power = 0.0;
+  EXPECT_GE(cycles_to_run(stuck, type, 10.0), 1'000'000);
   EXPECT_EQ(cycles_to_run(server, type, 2.38), 4);
   // Constant 1 meter per cycle after losing 2/3 meter.
   EXPECT_EQ(cycles_to_run(server, type, 50.0), 51);
