@@ -14,14 +14,12 @@ namespace {
 using soccer::AngleDeg;
 using soccer::Vec2;
 
-constexpr double kSectorDegrees = 360.0 / ViewMemory::kSectors;
-
 /// Unit vectors along the middles of the sectors.
 const std::array<Vec2, ViewMemory::kSectors>& sector_directions() {
   static const auto directions = [] {
     std::array<Vec2, ViewMemory::kSectors> table;
     for (int i = 0; i < ViewMemory::kSectors; ++i) {
-      table[i] = soccer::polar_degrees(1.0, (i + 0.5) * kSectorDegrees - 180.0);
+      table[i] = soccer::polar_degrees(1.0, (i + 0.5) * ViewMemory::kSectorDegrees - 180.0);
     }
     return table;
   }();
@@ -92,15 +90,9 @@ double NeckSearch::player_score(double neck) const {
 }
 
 double NeckSearch::field_score(double neck) const {
-  const double center = ((body_ + neck).degrees() + 180.0) / kSectorDegrees - 0.5;
-  if (!std::isfinite(center) || std::isnan(half_view_)) return 0.0;  // of a faulty server
-  const double reach = std::clamp(half_view_, 0.0, 180.0) / kSectorDegrees;
-  const int first = static_cast<int>(std::ceil(center - reach));
-  const int last = static_cast<int>(std::floor(center + reach));
-  const int from = (first + 2 * ViewMemory::kSectors) % ViewMemory::kSectors;
-  const int count = std::clamp(last - first + 1, 0, ViewMemory::kSectors);
-  return field_before_[static_cast<std::size_t>(from + count)] -
-         field_before_[static_cast<std::size_t>(from)];
+  const SectorRange range = sectors_around(body_ + neck, half_view_);
+  return field_before_[static_cast<std::size_t>(range.first + range.count)] -
+         field_before_[static_cast<std::size_t>(range.first)];
 }
 
 template <typename Score>

@@ -19,6 +19,7 @@ constexpr std::uint64_t kBase = kDigits.size();
 static_assert(kBase == 74);
 
 constexpr int kMaxSpeedStep = 31;
+constexpr int kSpeedSign = kMaxSpeedStep + 1;  // added to the step of a negative speed
 
 /// Quantization grid: low, low + step, ... low + (count - 1) step.
 struct Grid {
@@ -45,7 +46,7 @@ class Encoder {
   /// Sign and magnitude of a speed component, six bits.
   void speed(double& value, double max) {
     const int size = rounded(std::min(std::fabs(value), max) * kMaxSpeedStep / max, kMaxSpeedStep);
-    push(size + (std::signbit(value) ? kMaxSpeedStep + 1 : 0), 2 * (kMaxSpeedStep + 1));
+    push(size + (std::signbit(value) ? kSpeedSign : 0), 2 * kSpeedSign);
   }
   void fail() { ok_ = false; }
   bool ok() const { return ok_; }
@@ -87,9 +88,9 @@ class Decoder {
   void field(double& value, const Grid& grid) { value = grid.low + grid.step * pop(grid.count); }
   void integer(int& value, int low, int count) { value = low + pop(count); }
   void speed(double& value, double max) {
-    const int bits = pop(2 * (kMaxSpeedStep + 1));
-    const double size = bits % (kMaxSpeedStep + 1) * max / kMaxSpeedStep;
-    value = bits > kMaxSpeedStep ? -size : size;
+    const int bits = pop(2 * kSpeedSign);
+    const double size = bits % kSpeedSign * max / kMaxSpeedStep;
+    value = bits >= kSpeedSign ? -size : size;
   }
 
  private:

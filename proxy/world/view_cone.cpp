@@ -9,25 +9,27 @@
 namespace cls::proxy {
 namespace {
 
-constexpr double kSectorDegrees = 360.0 / ViewMemory::kSectors;
-
-/// Calls `visit` for each range [from, to) of sectors whose middle is within `half_width` of
-/// `direction`: two ranges where they pass 180 degrees; none where a number is not finite.
+/// Calls `visit` for each range [from, to) of sectors around a direction: two ranges where they
+/// pass 180 degrees.
 template <typename Visit>
 void for_sectors_around(soccer::AngleDeg direction, double half_width, const Visit& visit) {
-  const double center = (direction.degrees() + 180.0) / kSectorDegrees - 0.5;
-  if (!std::isfinite(center) || std::isnan(half_width)) return;
-  const double reach = std::clamp(half_width, 0.0, 180.0) / kSectorDegrees;
-  const int first = static_cast<int>(std::ceil(center - reach));
-  const int end =
-      std::min(static_cast<int>(std::floor(center + reach)) + 1, first + ViewMemory::kSectors);
-  const int from = first < 0 ? first + ViewMemory::kSectors : first;
-  const int to = from + end - first;
-  visit(from, std::min(to, ViewMemory::kSectors));
-  visit(0, to - ViewMemory::kSectors);
+  const SectorRange range = sectors_around(direction, half_width);
+  const int end = range.first + range.count;
+  visit(range.first, std::min(end, ViewMemory::kSectors));
+  visit(0, end - ViewMemory::kSectors);
 }
 
 }  // namespace
+
+SectorRange sectors_around(soccer::AngleDeg direction, double half_width) {
+  constexpr int kSectors = ViewMemory::kSectors;
+  const double center = (direction.degrees() + 180.0) / ViewMemory::kSectorDegrees - 0.5;
+  if (!std::isfinite(center) || std::isnan(half_width)) return {};
+  const double reach = std::clamp(half_width, 0.0, 180.0) / ViewMemory::kSectorDegrees;
+  const int first = static_cast<int>(std::ceil(center - reach));
+  const int end = static_cast<int>(std::floor(center + reach)) + 1;
+  return {(first + 2 * kSectors) % kSectors, std::clamp(end - first, 0, kSectors)};
+}
 
 int ViewMemory::sector_of(soccer::AngleDeg direction) {
   const double sector = std::floor((direction.degrees() + 180.0) / kSectorDegrees);

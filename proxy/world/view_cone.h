@@ -10,6 +10,7 @@ namespace cls::proxy {
 /// Cycles since each direction was in view: global directions in 5-degree sectors from -180.
 struct ViewMemory {
   static constexpr int kSectors = 72;
+  static constexpr double kSectorDegrees = 360.0 / kSectors;
   std::array<int, kSectors> ages;  ///< cycles since the sector was in view
   GameTime updated;
 
@@ -19,6 +20,16 @@ struct ViewMemory {
   /// Sum of the ages of the sectors within `half_width` degrees of `direction`.
   int age_around(soccer::AngleDeg direction, double half_width) const;
 };
+
+/// Neighboring sectors of ViewMemory; the first one follows the last.
+struct SectorRange {
+  int first = 0;
+  int count = 0;
+};
+
+/// The sectors whose middle is within `half_width` degrees of `direction`; none where a number is
+/// not finite, as after nonsense of a faulty server.
+SectorRange sectors_around(soccer::AngleDeg direction, double half_width);
 
 /// Call once per decision: increments the ages and resets those in the current view cone.
 void update_view_memory(ViewMemory& view, const WorldModel& world);
