@@ -8,8 +8,8 @@
 #include <optional>
 
 #include "base/io/whole_file.h"
-#include "base/text/schema.h"
 #include "base/text/stored_formats.h"
+#include "orchestration/match/options/toml_schema.h"
 #include "proxy/world/planner_parameters.h"
 
 namespace cls::orchestration::match {
@@ -42,8 +42,7 @@ std::optional<double> number_of(const toml::node& node) {
 std::optional<Error> schema_error_of(const toml::table& top, const std::string& name) {
   const toml::node* node = top.get("schema");
   if (node == nullptr) return std::nullopt;
-  const auto version = node->value_exact<std::int64_t>().value_or(0);
-  const auto error = base::schema_error(version, base::kPlannerSchema);
+  const auto error = schema_error(*node, base::kPlannerSchema);
   if (!error) return std::nullopt;
   return error_at(name, node->source(), *error);
 }

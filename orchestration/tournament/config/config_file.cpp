@@ -8,11 +8,11 @@
 #include <utility>
 
 #include "base/io/whole_file.h"
-#include "base/text/schema.h"
 #include "base/text/stored_formats.h"
 #include "orchestration/match/options/endpoint.h"
 #include "orchestration/match/options/match_settings.h"
 #include "orchestration/match/options/mixed_side.h"
+#include "orchestration/match/options/toml_schema.h"
 #include "orchestration/process/command_plan.h"
 #include "orchestration/tournament/config/config_keys.h"
 
@@ -134,8 +134,7 @@ class Parser {
   bool check_schema(const toml::table& top) {
     const toml::node* node = top.get("schema");
     if (node == nullptr) return true;
-    const auto version = node->value_exact<std::int64_t>().value_or(0);
-    const auto error = base::schema_error(version, base::kConfigSchema);
+    const auto error = match::schema_error(*node, base::kConfigSchema);
     if (error) add_error(node->source().begin.line, *error);
     return !error;
   }

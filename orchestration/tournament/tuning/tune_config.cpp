@@ -9,8 +9,8 @@
 #include <functional>
 #include <optional>
 
-#include "base/text/schema.h"
 #include "base/text/stored_formats.h"
+#include "orchestration/match/options/toml_schema.h"
 #include "orchestration/tournament/config/config_keys.h"
 
 namespace cls::orchestration::tournament {
@@ -137,8 +137,7 @@ class TuneParser {
   static bool read_schema(TableReader& read) {
     const toml::node* node = read.take("schema");
     if (node == nullptr) return true;
-    const auto error =
-        base::schema_error(node->value_exact<std::int64_t>().value_or(0), base::kTuneSchema);
+    const auto error = match::schema_error(*node, base::kTuneSchema);
     if (error) read.error(*node, *error);
     return !error;
   }
