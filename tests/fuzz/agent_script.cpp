@@ -139,9 +139,12 @@ int play(std::string_view script, soccer::Channel& server, Agent& agent) {
     const std::string_view line = script.substr(0, script.find('\n'));
     script.remove_prefix(std::min(line.size() + 1, script.size()));
     if (line.starts_with("a ")) {
-      answer = {std::string(line.substr(2)), std::nullopt, answer.node, false};
+      answer.actions = line.substr(2);
+      answer.random.reset();
+      answer.missing = false;
     } else if (const auto seed = number_after("r ", line)) {
-      answer = {"", seed, answer.node, false};
+      answer.random = seed;
+      answer.missing = false;
     } else if (const auto node = number_after("n ", line)) {
       answer.node = node;
     } else if (line == "l") {

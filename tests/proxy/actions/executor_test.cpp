@@ -330,11 +330,11 @@ TEST(Executor, RejectsActionsWithNonFiniteNumbers) {
   EXPECT_EQ(pitch.sent<soccer::Dash>(), nullptr);
 }
 
-/// Fills every number of a message, including nested messages.
 int limited(double number, double limit) {
   return std::isnan(number) ? 0 : static_cast<int>(std::clamp(number, -limit, limit));
 }
 
+/// Fills every number of a message, including nested messages.
 void fill_numbers(google::protobuf::Message& message, double number) {
   const auto& reflection = *message.GetReflection();
   for (int i = 0; i < message.GetDescriptor()->field_count(); ++i) {
