@@ -91,8 +91,7 @@ double NeckSearch::player_score(double neck) const {
 
 double NeckSearch::field_score(double neck) const {
   const SectorRange range = sectors_around(body_ + neck, half_view_);
-  return field_before_[static_cast<std::size_t>(range.first + range.count)] -
-         field_before_[static_cast<std::size_t>(range.first)];
+  return field_before_[range.first + range.count] - field_before_[range.first];
 }
 
 template <typename Score>
