@@ -60,12 +60,14 @@ bool is_back_pass(const WorldModel& world) {
 bool comes_from_tackle(const WorldModel& world) {
   if (!world.server().back_passes || !world.ball.velocity_valid()) return false;
   constexpr double kReach = 2.3;
+  constexpr int kMaxCycles = 100;  // a faulty server may send more
+  const int cycles = std::min(world.server().tackle_cycles, kMaxCycles);
   return std::any_of(world.teammates.begin(), world.teammates.end(),
                      [&](const PlayerState& teammate) {
                        if (!teammate.tackling || teammate.ghost()) return false;
                        Vec2 ball = world.ball.position;
                        Vec2 step = world.ball.velocity;
-                       for (int cycle = 0; cycle <= world.server().tackle_cycles; ++cycle) {
+                       for (int cycle = 0; cycle <= cycles; ++cycle) {
                          if (distance(ball, teammate.position) < kReach) return true;
                          step = step / world.server().ball_decay;
                          ball -= step;

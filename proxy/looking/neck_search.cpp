@@ -97,6 +97,9 @@ double NeckSearch::field_score(double neck) const {
 template <typename Score>
 double NeckSearch::best(double low, double high, const Score& score) const {
   constexpr double kStep = 5.0;
+  constexpr double kHalfTurn = 180.0;  // a faulty server may send larger limits
+  low = std::clamp(low, -kHalfTurn, kHalfTurn);
+  high = std::clamp(high, -kHalfTurn, kHalfTurn);
   const int steps = static_cast<int>(std::floor((high - low) / kStep + 1e-9));
   double best_neck = low;
   double best_score = -1.0;

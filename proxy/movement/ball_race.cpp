@@ -19,6 +19,7 @@ BallRace::BallRace(const WorldModel& world, bool foul) : world_(world) {
 
 void BallRace::add(const soccer::PlayerType& type, Runner runner) {
   const auto known = std::find(types_.begin(), types_.end(), &type);
+  runner.delay = std::max(0, runner.delay);
   runner.type = static_cast<std::size_t>(known - types_.begin());
   if (known == types_.end()) {
     types_.push_back(&type);

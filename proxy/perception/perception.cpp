@@ -97,7 +97,8 @@ void update_catches(WorldModel& world, const soccer::SenseBody& sense, int cycle
   self.catch_ban = std::max(0, self.catch_ban - cycles);
   if (sense.counts.catches > self.counts.catches) self.catch_time = sense.time;
   const bool tried = world.self_tracker.sent.catches.has_value() && world.goalie;
-  if (tried && self.catch_ban == 0) self.catch_ban = world.server().catch_ban_cycle - 1;
+  if (tried && self.catch_ban == 0)
+    self.catch_ban = std::max(1, world.server().catch_ban_cycle) - 1;
 }
 
 void publish_pose(WorldModel& world) {
@@ -117,7 +118,7 @@ void update_marks(const WorldModel& world, PlayerState& player) {
   const bool our_team = player.side == world.our_side;
   player.type_id = type_of_number(our_team ? world.our_types : world.their_types, player.unum);
   player.kicking = player.kick_count == 0;
-  player.tackling = player.tackle_count <= world.server().tackle_cycles - 2;
+  player.tackling = player.tackle_count + 2 <= world.server().tackle_cycles;
 }
 
 void update_distances(const WorldModel& world, PlayerList& players) {

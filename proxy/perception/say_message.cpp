@@ -40,8 +40,9 @@ class Encoder {
     push(rounded((value - grid.low) / grid.step, grid.count - 1), grid.count);
   }
   void integer(int& value, int low, int count) {
-    ok_ &= value >= low && value < low + count;
-    push(value - low, count);
+    const bool fits = value >= low && value < low + count;
+    ok_ &= fits;
+    push(fits ? value - low : 0, count);
   }
   /// Sign and magnitude of a speed component, six bits.
   void speed(double& value, double max) {

@@ -6,6 +6,7 @@
 
 #include "proxy/ball_skills/kick.h"
 #include "proxy/world/motion.h"
+#include "soccer/interval.h"
 #include "soccer/pitch.h"
 
 namespace cls::proxy {
@@ -256,18 +257,20 @@ bool stops(const PlannerField& field, const BallRoll& roll, const StopRules& rul
   };
   // Quick rejection: the whole path is out of reach.
   const Vec2 relative = opponent.drift[at(roll.cycles)] - field.ball;
-  const double along = std::clamp(dot(relative, roll.direction), 0.0, way_length);
+  const double along = soccer::between(dot(relative, roll.direction), 0.0, way_length);
   const double far = opponent.grasp[at(roll.cycles)] + opponent.speed * 2.0 + rules.extra_reach;
   if ((relative - roll.direction * along).squared_length() > far * far) return false;
-  // Maximum closing speed of ball and opponent.
-  const double closing = roll.speed + opponent.speed + opponent.type->player_speed_max;
+  // Maximum closing speed of ball and opponent; a faulty server may send types that never run.
+  constexpr double kMinClosing = 0.1;
+  const double closing =
+      std::max(kMinClosing, roll.speed + opponent.speed + opponent.type->player_speed_max);
   const Vec2 step = roll.direction * roll.speed;
   for (int cycle = 1; cycle <= roll.cycles; ++cycle) {
     const Vec2 way = field.ball + step * field.roll(cycle) - opponent.drift[at(cycle)];
     const double length = way.length();
     const double gap = length - opponent.grasp[at(cycle)] - rules.extra_reach;
     if (gap > 0.0) {
-      cycle += static_cast<int>(gap / closing);
+      cycle += static_cast<int>(std::min<double>(gap / closing, kPlannerHorizon));
     } else if (stops_there(field, opponent, way, length, static_cast<int>(at(cycle)), rules)) {
       return true;
     }

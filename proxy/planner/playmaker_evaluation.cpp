@@ -17,8 +17,8 @@ using soccer::Vec2;
 /// Cell value of a matrix that covers the pitch, relative to its minimum.
 double matrix_value(const protos::MatrixFieldEvaluator& matrix, Vec2 ball) {
   const auto cell = [](double from_edge, double size, int count) {
-    const int index = static_cast<int>(std::floor(from_edge / (size / count)));
-    return std::clamp(index, 0, count - 1);
+    const double index = std::floor(from_edge / (size / count));
+    return static_cast<int>(std::clamp(index, 0.0, static_cast<double>(count - 1)));
   };
   double least = std::numeric_limits<double>::max();
   for (const auto& column : matrix.evals()) {

@@ -60,7 +60,8 @@ ReachTable::ReachTable(const soccer::ServerParams& server, const soccer::PlayerT
                                server.player_accel_max);
   double speed = 0.0;
   for (std::size_t cycle = 1; cycle < run_.size(); ++cycle) {
-    speed = std::min(speed * type.player_decay + push, type.player_speed_max);
+    // Players of a faulty server may run backwards.
+    speed = std::max(0.0, std::min(speed * type.player_decay + push, type.player_speed_max));
     run_[cycle] = run_[cycle - 1] + speed;
   }
   settled_speed_ = speed;
@@ -68,8 +69,9 @@ ReachTable::ReachTable(const soccer::ServerParams& server, const soccer::PlayerT
 
 int ReachTable::cycles(double distance) const {
   if (distance <= 0.0) return 0;
-  // Lower bound: constant terminal speed.
-  std::size_t cycle = static_cast<std::size_t>(std::min(distance / settled_speed_, 1.0 * kCycles));
+  // Lower bound: constant terminal speed. Neither of the two need be a number.
+  const double least = distance / settled_speed_;
+  std::size_t cycle = least < kCycles ? static_cast<std::size_t>(least) : kCycles;
   while (cycle < run_.size() && run_[cycle] < distance) ++cycle;
   return static_cast<int>(cycle);
 }

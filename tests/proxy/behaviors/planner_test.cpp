@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <memory>
 #include <vector>
 
 #include "proxy/actions/executor.h"
@@ -101,6 +102,19 @@ TEST(Passes, ArriveBeforeAnyOpponent) {
     }
   }
   EXPECT_GT(passes, 10);
+}
+
+// A faulty server may send any numbers.
+TEST(Passes, EndWithTypesThatRunBackwardsOrNeverRun) {
+  KnownPitch pitch = with_ball({0.0, 0.0});
+  pitch.add_teammate(9, {16.0, 9.0});
+  pitch.add_opponent(4, {10.0, 4.0}, 180.0);
+  for (const double speed : {-1e30, -20.0, -1.5, 0.0, 1e30}) {
+    auto parameters = std::make_shared<MatchParameters>(*pitch.world.parameters);
+    for (soccer::PlayerType& type : parameters->types) type.player_speed_max = speed;
+    pitch.world.parameters = parameters;
+    for (const PlanAction& pass : generated(pitch, add_passes)) EXPECT_GE(pass.duration, 1);
+  }
 }
 
 TEST(Passes, SkipOffsideAndStaleReceivers) {
@@ -284,6 +298,17 @@ TEST(PlannerEvaluation, FollowsFieldMatrix) {
   auto& column = *matrix.add_evals();  // one column: only y matters, positive y is good
   for (int i = 0; i < 8; ++i) column.add_evals(static_cast<float>(i));
   EXPECT_EQ(best_first(pitch, evaluation).target, 9);
+}
+
+TEST(PlannerEvaluation, HoldsABallFarOutsideOfFieldMatrix) {
+  KnownPitch pitch = with_ball({0.0, 0.0});
+  protos::PlannerEvaluation evaluation;
+  auto& matrix = *evaluation.mutable_field_evaluators()->mutable_matrix_field_evaluator();
+  matrix.add_evals()->add_evals(1.0F);
+  for (const double far : {-1e30, 1e30}) {
+    pitch.place_ball({far, far});
+    EXPECT_EQ(best_first(pitch, evaluation).category, PlanCategory::kHold) << far;
+  }
 }
 
 TEST(PlannerEvaluation, FollowsHeliosWeightsAndOpponentEffect) {
