@@ -2,6 +2,7 @@
 import fcntl
 import json
 import os
+import pathlib
 import random
 import re
 import sqlite3
@@ -181,11 +182,20 @@ class Campaign:
                 self.violate(f"match {index}: {outcome}")
         database.close()
 
+    def check_unfinished(self, document):
+        """Only folders of matches that count may be below unfinished/."""
+        kept = {pathlib.Path(match["folder"]).name for match in document["matches"]
+                if match.get("folder")}
+        for path in self.folder.glob("unfinished/*"):
+            if path.name not in kept:
+                self.violate(f"a killed `work` left {path.relative_to(self.folder)}")
+
     def check_outcome(self):
         document, errors, code = plan.report(self.cls, self.folder)
         if document is None:
             self.violate(f"no report: exit {code}: {errors}")
             return
+        self.check_unfinished(document)
         got = plan.outcome(document, self.folder)
         wanted = self.wanted
         if got == wanted:

@@ -309,6 +309,7 @@ class TournamentRun {
       std::error_code code;
       fs::remove(options_.folder / kStopFile, code);
     }
+    clean_up_unfinished(matches_, options_.folder);
     const RunProgress now = progress();
     if (auto logged = log_event("tournament_ended", {{"end", name(summary_.end)},
                                                      {"scheduled", now.total},

@@ -54,9 +54,12 @@ fs::path publish_folder(const fs::path& tournament, const Fixture& fixture,
 Result<Outcome> publish_result(const fs::path& tournament, const Fixture& fixture, int attempt,
                                Outcome outcome) {
   const fs::path file = tournament / result_file(fixture.index, attempt);
-  const fs::path own = file.string() + "." + process_label();
+  // There clean_up() finds it when this process is killed.
+  const fs::path own = tournament / unfinished_folder(fixture.index, attempt,
+                                                      process_label() + file.extension().string());
   std::error_code code;
   fs::create_directories(file.parent_path(), code);
+  fs::create_directories(own.parent_path(), code);
   if (const auto written = base::write_file_durably(own, format_work_result(fixture, outcome));
       !written) {
     return written.error();

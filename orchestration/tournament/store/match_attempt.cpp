@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <iterator>
 #include <string_view>
 #include <utility>
 
@@ -68,27 +69,39 @@ bool is_external(const TeamEntry& team) {
   return endpoint && endpoint->kind == match::Endpoint::Kind::kTeam;
 }
 
+// An entry of unfinished/: a match folder, or a result file with an extension after the label.
+struct Unfinished {
+  int index = 0;
+  int attempt = 0;
+  std::string_view label;
+};
+
+// "000017.1.LABEL" (unfinished_folder).
+std::optional<Unfinished> parse_unfinished(std::string_view name) {
+  const std::size_t first = name.find('.');
+  const std::size_t second = first == name.npos ? first : name.find('.', first + 1);
+  if (second == name.npos) return std::nullopt;
+  const auto index = base::parse_int(name.substr(0, first));
+  const auto attempt = base::parse_int(name.substr(first + 1, second - first - 1));
+  if (!index || !attempt) return std::nullopt;
+  return Unfinished{*index, *attempt, name.substr(second + 1)};
+}
+
 // True for the label of a `work` process that runs on this host (process_label in collector.cpp).
 bool is_running(std::string_view label) {
   const std::string host = unfinished_host();
   if (!label.starts_with(host + "-")) return false;
-  const auto pid = base::parse_int(label.substr(host.size() + 1));
+  const std::string_view rest = label.substr(host.size() + 1);
+  const auto pid = base::parse_int(rest.substr(0, rest.find('.')));
   return pid && *pid > 0 && (::kill(*pid, 0) == 0 || errno == EPERM);
 }
 
-// Removes the folders of killed `work` processes, but not `kept`.
-void remove_unfinished(const fs::path& tournament, int index, int attempt, const fs::path& kept) {
-  const std::string prefix = unfinished_folder(index, attempt, "").filename().string();
+// Removes what killed `work` processes have left of an attempt at a match with this outcome.
+void remove_unfinished(const fs::path& entry, const Unfinished& work, const Outcome& outcome) {
+  const bool kept = entry.filename() == fs::path(outcome.folder).filename();
+  if (work.attempt > outcome.attempts || kept || is_running(work.label)) return;
   std::error_code code;
-  for (const auto& entry : fs::directory_iterator(tournament / kUnfinishedFolder, code)) {
-    std::error_code ignored;
-    const std::string name = entry.path().filename().string();
-    if (!name.starts_with(prefix) || is_running(std::string_view(name).substr(prefix.size())) ||
-        name == kept.filename()) {
-      continue;
-    }
-    fs::remove_all(entry.path(), ignored);
-  }
+  fs::remove_all(entry, code);
 }
 
 // The reason in the output of a `cls match` without a result: its last message, else its last line.
@@ -255,15 +268,30 @@ bool keeps_folder(const TournamentConfig& config, const Outcome& outcome) {
 
 void clean_up(const TournamentConfig& config, const Fixture& fixture, const Outcome& outcome,
               const fs::path& tournament) {
+  std::error_code code;
   for (int attempt = 1; attempt <= outcome.attempts; ++attempt) {
     const fs::path folder = tournament / match_folder(config, fixture, attempt);
     bool keep = attempt == outcome.attempts && keeps_folder(config, outcome);
     if (attempt < outcome.attempts && config.keep_logs != KeepLogs::kNone) {
       keep = was_played(folder, fixture);
     }
-    std::error_code code;
     if (!keep) fs::remove_all(folder, code);
-    remove_unfinished(tournament, fixture.index, attempt, outcome.folder);
+  }
+  for (const auto& entry : fs::directory_iterator(tournament / kUnfinishedFolder, code)) {
+    const std::string name = entry.path().filename().string();
+    const auto work = parse_unfinished(name);
+    if (work && work->index == fixture.index) remove_unfinished(entry.path(), *work, outcome);
+  }
+}
+
+void clean_up_unfinished(std::span<const ScheduledMatch> matches, const fs::path& tournament) {
+  std::error_code code;
+  for (const auto& entry : fs::directory_iterator(tournament / kUnfinishedFolder, code)) {
+    const std::string name = entry.path().filename().string();
+    const auto work = parse_unfinished(name);
+    if (!work || work->index < 1 || work->index > std::ssize(matches)) continue;
+    const ScheduledMatch& match = matches[static_cast<std::size_t>(work->index) - 1];
+    if (match.outcome) remove_unfinished(entry.path(), *work, *match.outcome);
   }
 }
 

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -79,6 +80,11 @@ std::optional<Outcome> recover_result(const TournamentConfig& config, const Fixt
 /// without a result. Call it when the outcome is committed.
 void clean_up(const TournamentConfig& config, const Fixture& fixture, const Outcome& outcome,
               const std::filesystem::path& tournament);
+
+/// Removes what `work` processes have left of `matches` with an outcome, because they were killed
+/// after it was committed.
+void clean_up_unfinished(std::span<const ScheduledMatch> matches,
+                         const std::filesystem::path& tournament);
 
 /// True when `keep_logs` keeps the folder of a match with this outcome.
 bool keeps_folder(const TournamentConfig& config, const Outcome& outcome);

@@ -8,6 +8,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <sstream>
+#include <vector>
 
 #include "base/io/whole_file.h"
 #include "orchestration/match/result/match_result.h"
@@ -163,6 +164,25 @@ TEST_F(TournamentRunTest, LeavesFoldersOfWorkProcessesThatAreAlive) {
   run(config, fair);
   EXPECT_TRUE(fs::exists(alive));
   EXPECT_FALSE(fs::exists(killed));
+}
+
+// A `work` process may be killed at any moment, also when the match has an outcome already.
+TEST_F(TournamentRunTest, RemovesWhatKilledWorkProcessesLeft) {
+  const TournamentConfig config = config_of(Format::kRoundRobin, 2);
+  const auto left_behind = [&](const std::string& extension) {
+    fs::path path = folder_.path() / unfinished_folder(1, 1, unfinished_host() + "-4999999");
+    path += extension;
+    fs::create_directories(path.parent_path());
+    std::ofstream(path) << "{";
+    return path;
+  };
+  std::vector<fs::path> left = {left_behind(".json"), left_behind(".json.tmp")};
+  int played = 0;
+  run(config, [&](const Assignment& one) {
+    if (++played > 1) left.push_back(left_behind(""));  // when match 1 has its outcome
+    return fair(one);
+  });
+  for (const fs::path& path : left) EXPECT_FALSE(fs::exists(path)) << path;
 }
 
 TEST_F(TournamentRunTest, ScoresForfeitThreeNilAgainstSideAtFault) {
