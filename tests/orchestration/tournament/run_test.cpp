@@ -169,17 +169,17 @@ TEST_F(TournamentRunTest, LeavesFoldersOfWorkProcessesThatAreAlive) {
 // A `work` process may be killed at any moment, also when the match has an outcome already.
 TEST_F(TournamentRunTest, RemovesWhatKilledWorkProcessesLeft) {
   const TournamentConfig config = config_of(Format::kRoundRobin, 2);
-  const auto left_behind = [&](const std::string& extension) {
+  const auto leftover = [&](const std::string& extension) {
     fs::path path = folder_.path() / unfinished_folder(1, 1, unfinished_host() + "-4999999");
     path += extension;
     fs::create_directories(path.parent_path());
     std::ofstream(path) << "{";
     return path;
   };
-  std::vector<fs::path> left = {left_behind(".json"), left_behind(".json.tmp")};
+  std::vector<fs::path> left = {leftover(".json"), leftover(".json.tmp")};
   int played = 0;
   run(config, [&](const Assignment& one) {
-    if (++played > 1) left.push_back(left_behind(""));  // when match 1 has its outcome
+    if (++played > 1) left.push_back(leftover(""));  // when match 1 has its outcome
     return fair(one);
   });
   for (const fs::path& path : left) EXPECT_FALSE(fs::exists(path)) << path;
