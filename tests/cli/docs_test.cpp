@@ -83,7 +83,8 @@ bool says_that_host_is_slow(const std::string& line) {
 }
 
 bool is_whole_match(const std::string& command) {
-  return command.starts_with("cls match") && command.find("--cycles") == std::string::npos;
+  return command.starts_with("cls match") && command.find("--cycles") == std::string::npos &&
+         command.find("--half-time") == std::string::npos;
 }
 
 class DocExamples : public testing::TestWithParam<std::string> {};
