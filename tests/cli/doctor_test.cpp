@@ -69,7 +69,7 @@ class Doctor : public testing::Test {
   /// Runs it to its end; no process may survive.
   CommandResult run(const Arguments& more) {
     CommandResult result = cls::tests::run(argv(more), environment());
-    EXPECT_TRUE(cls::tests::marked_processes(mark_).empty());
+    EXPECT_TRUE(cls::tests::all_marked_gone(mark_));
     return result;
   }
 
@@ -268,7 +268,7 @@ TEST_F(Doctor, LeavesNoProcessAfterSignal) {
   ASSERT_TRUE(asked());
   command.send_signal(SIGINT);
   EXPECT_EQ(command.finish().exit_code, 130);
-  EXPECT_TRUE(cls::tests::marked_processes(mark_).empty());
+  EXPECT_TRUE(cls::tests::all_marked_gone(mark_));
 }
 
 using DoctorServer = Doctor;

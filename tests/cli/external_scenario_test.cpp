@@ -58,7 +58,7 @@ class ExternalScenario : public testing::Test {
     argv.insert(argv.end(), more.begin(), more.end());
     CommandResult result =
         cls::tests::run(argv, {std::string(cls::tests::kMarkVariable) + "=" + mark_});
-    EXPECT_TRUE(cls::tests::marked_processes(mark_).empty());
+    EXPECT_TRUE(cls::tests::all_marked_gone(mark_));
     return result;
   }
 

@@ -32,7 +32,7 @@ class ExternalTournament : public testing::Test {
            "[teams.GUESTS]\nendpoint = \"team:team\"\n";
   }
 
-  void TearDown() override { EXPECT_TRUE(cls::tests::marked_processes(mark_).empty()); }
+  void TearDown() override { EXPECT_TRUE(cls::tests::all_marked_gone(mark_)); }
 
   void script(const std::string& name, const std::string& text) const {
     const fs::path file = path() / name;

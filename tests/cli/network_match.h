@@ -82,7 +82,7 @@ class NetworkMatch : public testing::Test {
     const auto begin = std::chrono::steady_clock::now();
     played_ = run(arguments(right, server, more, settings), environment());
     took_ = std::chrono::steady_clock::now() - begin;
-    EXPECT_TRUE(marked_processes(mark_).empty());
+    EXPECT_TRUE(all_marked_gone(mark_));
     const std::string file = match_folder() + "/result.json";
     if (std::filesystem::exists(file)) result_ = nlohmann::json::parse(read_file(file));
   }

@@ -195,7 +195,7 @@ TEST_F(NetworkMatch, StopsCleanlyAfterSignal) {
     const CommandResult ended = command.finish();
     EXPECT_LT(std::chrono::steady_clock::now() - begin, 5s);
     EXPECT_EQ(ended.exit_code, exit_code) << ended.err;
-    EXPECT_TRUE(cls::tests::marked_processes(mark_).empty());
+    EXPECT_TRUE(cls::tests::all_marked_gone(mark_));
     const json result = json::parse(cls::tests::read_file(match_folder() + "/result.json"));
     EXPECT_EQ(result["end_reason"], "interrupted");
     EXPECT_GT(result["cycles"], 0);
@@ -214,7 +214,7 @@ TEST_F(NetworkMatch, LeavesNoProcessAfterSignalAtStart) {
   command.send_signal(SIGINT);
   const CommandResult ended = command.finish();
   EXPECT_EQ(ended.exit_code, 130) << ended.err;
-  EXPECT_TRUE(cls::tests::marked_processes(mark_).empty());
+  EXPECT_TRUE(cls::tests::all_marked_gone(mark_));
   const json result = json::parse(cls::tests::read_file(match_folder() + "/result.json"));
   EXPECT_EQ(result["end_reason"], "interrupted");
   EXPECT_EQ(result["cycles"], 0);

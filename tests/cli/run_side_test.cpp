@@ -53,7 +53,7 @@ class RunSide : public testing::Test {
   /// Plays; no process may survive the return of cls.
   void play(const std::string& flags, const Arguments& more = {}) {
     played_ = cls::tests::run(arguments(fake(flags), more), environment());
-    EXPECT_TRUE(cls::tests::marked_processes(mark_).empty());
+    EXPECT_TRUE(cls::tests::all_marked_gone(mark_));
     result_ = json::parse(cls::tests::read_file(folder_.path() / "result.json"));
   }
 
@@ -261,7 +261,7 @@ TEST_F(RunSide, StopsCleanlyAfterSignal) {
     EXPECT_EQ(ended.exit_code, exit_code) << ended.err;
     const json result = json::parse(cls::tests::read_file(folder_.path() / "result.json"));
     EXPECT_EQ(result["end_reason"], "interrupted");
-    EXPECT_TRUE(cls::tests::marked_processes(mark_).empty());
+    EXPECT_TRUE(cls::tests::all_marked_gone(mark_));
     for (const auto& entry : std::filesystem::directory_iterator(folder_.path())) {
       std::filesystem::remove_all(entry.path());  // the next match wants an empty folder
     }

@@ -22,6 +22,7 @@ std::string new_mark();
 std::vector<int> marked_processes(const std::string& mark);
 
 /// Waits until no marked process is left; false after `limit`.
-bool all_marked_gone(const std::string& mark, std::chrono::milliseconds limit);
+bool all_marked_gone(const std::string& mark,
+                     std::chrono::milliseconds limit = std::chrono::seconds(2));
 
 }  // namespace cls::tests
