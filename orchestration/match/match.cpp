@@ -392,7 +392,7 @@ void Match::play_cycles() {
   times_.play = std::chrono::duration<double>(played_).count();
   for (const auto& side : sides_) {
     if (auto failure = side->final_failure(moment())) {
-      failure->fault = side->identity().side;
+      if (!is_trainer(*side)) failure->fault = side->identity().side;
       if (!ended()) end_unless_interrupted(*std::move(failure));
     }
   }

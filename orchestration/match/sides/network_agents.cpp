@@ -109,6 +109,14 @@ std::vector<std::string> NetworkAgents::take_warnings() {
   return std::exchange(warnings_, {});
 }
 
+std::optional<MatchEnd> NetworkAgents::final_failure(const MatchMoment& moment) {
+  {
+    const std::lock_guard lock(mutex_);
+    if (!gave_up_) return std::nullopt;
+  }
+  return failure(moment);
+}
+
 void NetworkAgents::fail(MatchEnd end) {
   const std::lock_guard lock(mutex_);
   if (!end_ && !stop_) end_ = std::move(end);
@@ -262,6 +270,8 @@ bool NetworkAgents::keep_playing() {
   const int cycle = team().world().game.time.cycle;
   if (auto end = end_by_missed_decisions(team().missed_decisions(), who(), cycle, options())) {
     fail(*std::move(end));
+    const std::lock_guard lock(mutex_);
+    gave_up_ = end_.has_value();
     return false;
   }
   return !stop_ && !near_limit_;

@@ -65,6 +65,8 @@ class NetworkAgents : public AgentSide {
   std::optional<MatchMode> mode() const override;
   bool finished() const override;
   bool at_cycle_limit() const override { return reached_limit_; }
+  /// Of a team that missed too many decisions: the server may reach the end at once without it.
+  std::optional<MatchEnd> final_failure(const MatchMoment& moment) override;
   std::vector<std::string> take_warnings() override;
   void leave() override;
   void terminate() override;
@@ -121,6 +123,7 @@ class NetworkAgents : public AgentSide {
   mutable std::mutex mutex_;  ///< of what follows
   Snapshot snapshot_;
   std::optional<MatchEnd> end_;
+  bool gave_up_ = false;  ///< end_ is for missed decisions
   std::vector<std::string> warnings_;
 };
 
