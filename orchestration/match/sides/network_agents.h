@@ -65,7 +65,7 @@ class NetworkAgents : public AgentSide {
   std::optional<MatchMode> mode() const override;
   bool finished() const override;
   bool at_cycle_limit() const override { return reached_limit_; }
-  /// Of a team that missed too many decisions: the server may reach the end at once without it.
+  /// Of a team that missed too many decisions: the server may reach its end without it.
   std::optional<MatchEnd> final_failure(const MatchMoment& moment) override;
   std::vector<std::string> take_warnings() override;
   void leave() override;
