@@ -61,6 +61,11 @@ void Match::end_unless_interrupted(MatchEnd end) {
   if (server_->lockstep()) cancel_calls();
 }
 
+void Match::end_by_side(const MatchSide& side, MatchEnd end) {
+  if (!is_trainer(side)) end.fault = side.identity().side;
+  end_unless_interrupted(std::move(end));
+}
+
 // Over UDP the server may continue without a side whose Playmaker hangs: that is a stall, too.
 std::optional<EndReason> Match::exceeded_limit() const {
   if (const auto limit = limits_.exceeded()) return limit;
@@ -143,9 +148,7 @@ void Match::check() {
   for (const auto& side : sides_) {
     if (ended() || (is_over() && !server_->lockstep())) break;
     auto failure = side->failure(moment());
-    if (!failure) continue;
-    if (!is_trainer(*side)) failure->fault = side->identity().side;
-    end_unless_interrupted(*std::move(failure));
+    if (failure) end_by_side(*side, *std::move(failure));
   }
   if (ended()) return;
   if (playing_) warn_of_slow_reply();
@@ -391,10 +394,8 @@ void Match::play_cycles() {
   played_ = Clock::now() - start;
   times_.play = std::chrono::duration<double>(played_).count();
   for (const auto& side : sides_) {
-    if (auto failure = side->final_failure(moment())) {
-      if (!is_trainer(*side)) failure->fault = side->identity().side;
-      if (!ended()) end_unless_interrupted(*std::move(failure));
-    }
+    if (ended()) break;
+    if (auto failure = side->final_failure(moment())) end_by_side(*side, *std::move(failure));
   }
 }
 

@@ -82,6 +82,7 @@ class Match {
   void check();
   void end(MatchEnd end);
   void end_unless_interrupted(MatchEnd end);
+  void end_by_side(const MatchSide& side, MatchEnd end);
   void end_by_limit(EndReason limit);
   void end_by_stall();
   std::optional<EndReason> exceeded_limit() const;

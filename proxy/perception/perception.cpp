@@ -97,8 +97,9 @@ void update_catches(WorldModel& world, const soccer::SenseBody& sense, int cycle
   self.catch_ban = std::max(0, self.catch_ban - cycles);
   if (sense.counts.catches > self.counts.catches) self.catch_time = sense.time;
   const bool tried = world.self_tracker.sent.catches.has_value() && world.goalie;
-  if (tried && self.catch_ban == 0)
+  if (tried && self.catch_ban == 0) {
     self.catch_ban = std::max(1, world.server().catch_ban_cycle) - 1;
+  }
 }
 
 void publish_pose(WorldModel& world) {

@@ -261,9 +261,8 @@ bool stops(const PlannerField& field, const BallRoll& roll, const StopRules& rul
   const double far = opponent.grasp[at(roll.cycles)] + opponent.speed * 2.0 + rules.extra_reach;
   if ((relative - roll.direction * along).squared_length() > far * far) return false;
   // Maximum closing speed of ball and opponent; a faulty server may send types that never run.
-  constexpr double kMinClosing = 0.1;
   const double closing =
-      std::max(kMinClosing, roll.speed + opponent.speed + opponent.type->player_speed_max);
+      std::max(0.0, roll.speed + opponent.speed + opponent.type->player_speed_max);
   const Vec2 step = roll.direction * roll.speed;
   for (int cycle = 1; cycle <= roll.cycles; ++cycle) {
     const Vec2 way = field.ball + step * field.roll(cycle) - opponent.drift[at(cycle)];

@@ -109,11 +109,10 @@ std::vector<std::string> NetworkAgents::take_warnings() {
   return std::exchange(warnings_, {});
 }
 
+// A server that has ended stops responding. Any other failure came before.
 std::optional<MatchEnd> NetworkAgents::final_failure(const MatchMoment& moment) {
-  {
-    const std::lock_guard lock(mutex_);
-    if (!gave_up_) return std::nullopt;
-  }
+  const auto end = agent_failure(moment);
+  if (!end || end->reason == EndReason::kServerFailed) return std::nullopt;
   return failure(moment);
 }
 
@@ -270,8 +269,6 @@ bool NetworkAgents::keep_playing() {
   const int cycle = team().world().game.time.cycle;
   if (auto end = end_by_missed_decisions(team().missed_decisions(), who(), cycle, options())) {
     fail(*std::move(end));
-    const std::lock_guard lock(mutex_);
-    gave_up_ = end_.has_value();
     return false;
   }
   return !stop_ && !near_limit_;

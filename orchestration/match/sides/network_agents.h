@@ -123,7 +123,6 @@ class NetworkAgents : public AgentSide {
   mutable std::mutex mutex_;  ///< of what follows
   Snapshot snapshot_;
   std::optional<MatchEnd> end_;
-  bool gave_up_ = false;  ///< end_ is for missed decisions
   std::vector<std::string> warnings_;
 };
 

@@ -5,7 +5,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <charconv>
 #include <map>
 #include <thread>
 
@@ -19,18 +18,6 @@ namespace {
 namespace fs = std::filesystem;
 using base::Error;
 using base::Result;
-
-// {17, 2} for "000017.2.json".
-std::optional<WorkResultName> parse_result_name(const std::string& name) {
-  const std::size_t dot = name.find('.');
-  if (!name.ends_with(".json") || dot == std::string::npos) return std::nullopt;
-  WorkResultName numbers;
-  const char* text = name.data();
-  const auto first = std::from_chars(text, text + dot, numbers.index);
-  const auto second = std::from_chars(text + dot + 1, text + name.size(), numbers.attempt);
-  if (first.ptr != text + dot || second.ec != std::errc{}) return std::nullopt;
-  return numbers;
-}
 
 // Distinct from every other process that plays the same match.
 std::string process_label() { return fmt::format("{}-{}", unfinished_host(), ::getpid()); }
@@ -54,7 +41,7 @@ fs::path publish_folder(const fs::path& tournament, const Fixture& fixture,
 Result<Outcome> publish_result(const fs::path& tournament, const Fixture& fixture, int attempt,
                                Outcome outcome) {
   const fs::path file = tournament / result_file(fixture.index, attempt);
-  // There clean_up() finds it when this process is killed.
+  // There clean_up_unfinished() finds it when this process is killed.
   const fs::path own = tournament / unfinished_folder(fixture.index, attempt,
                                                       process_label() + file.extension().string());
   std::error_code code;
@@ -101,9 +88,9 @@ std::vector<WorkResultName> list_work_results(const fs::path& folder) {
   std::vector<WorkResultName> names;
   std::error_code code;
   for (const auto& entry : fs::directory_iterator(folder / kResultsFolder, code)) {
-    if (const auto numbers = parse_result_name(entry.path().filename().string())) {
-      names.push_back(*numbers);
-    }
+    const std::string name = entry.path().filename().string();
+    const auto parts = parse_attempt_name(name);
+    if (parts && parts->rest == "json") names.push_back({parts->index, parts->attempt});
   }
   return names;
 }

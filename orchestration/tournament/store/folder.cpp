@@ -13,6 +13,7 @@
 
 #include "base/io/whole_file.h"
 #include "base/system/host.h"
+#include "base/text/number_text.h"
 #include "base/text/stored_formats.h"
 #include "orchestration/tournament/config/config_file.h"
 #include "orchestration/tournament/schedule/schedule_check.h"
@@ -50,6 +51,16 @@ std::string unfinished_host() {
 
 fs::path unfinished_folder(int index, int attempt, std::string_view label) {
   return fs::path(kUnfinishedFolder) / fmt::format("{:06}.{}.{}", index, attempt, label);
+}
+
+std::optional<AttemptName> parse_attempt_name(std::string_view name) {
+  const std::size_t first = name.find('.');
+  const std::size_t second = first == name.npos ? first : name.find('.', first + 1);
+  if (second == name.npos) return std::nullopt;
+  const auto index = base::parse_int(name.substr(0, first));
+  const auto attempt = base::parse_int(name.substr(first + 1, second - first - 1));
+  if (!index || !attempt) return std::nullopt;
+  return AttemptName{*index, *attempt, name.substr(second + 1)};
 }
 
 Result<std::optional<FolderLock>> FolderLock::try_lock(const fs::path& folder) {

@@ -40,6 +40,16 @@ std::string unfinished_host();
 /// "unfinished/000017.1.LABEL": match folder of one `work` process; `label` identifies it.
 std::filesystem::path unfinished_folder(int index, int attempt, std::string_view label);
 
+/// What the names in results/ and unfinished/ begin with.
+struct AttemptName {
+  int index = 0;
+  int attempt = 0;
+  std::string_view rest;  ///< after the second dot
+};
+
+/// {17, 2, "json"} for "000017.2.json".
+std::optional<AttemptName> parse_attempt_name(std::string_view name);
+
 /// Held by the one `cls tournament run` that may write to a folder. Released when the process
 /// exits.
 class FolderLock {

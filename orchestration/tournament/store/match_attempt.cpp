@@ -69,39 +69,14 @@ bool is_external(const TeamEntry& team) {
   return endpoint && endpoint->kind == match::Endpoint::Kind::kTeam;
 }
 
-// An entry of unfinished/: a match folder, or a result file with an extension after the label.
-struct Unfinished {
-  int index = 0;
-  int attempt = 0;
-  std::string_view label;
-};
-
-// "000017.1.LABEL" (unfinished_folder).
-std::optional<Unfinished> parse_unfinished(std::string_view name) {
-  const std::size_t first = name.find('.');
-  const std::size_t second = first == name.npos ? first : name.find('.', first + 1);
-  if (second == name.npos) return std::nullopt;
-  const auto index = base::parse_int(name.substr(0, first));
-  const auto attempt = base::parse_int(name.substr(first + 1, second - first - 1));
-  if (!index || !attempt) return std::nullopt;
-  return Unfinished{*index, *attempt, name.substr(second + 1)};
-}
-
-// True for the label of a `work` process that runs on this host (process_label in collector.cpp).
+// True for the label of a `work` process that runs on this host (process_label in collector.cpp),
+// also with an extension.
 bool is_running(std::string_view label) {
   const std::string host = unfinished_host();
   if (!label.starts_with(host + "-")) return false;
   const std::string_view rest = label.substr(host.size() + 1);
   const auto pid = base::parse_int(rest.substr(0, rest.find('.')));
   return pid && *pid > 0 && (::kill(*pid, 0) == 0 || errno == EPERM);
-}
-
-// Removes what killed `work` processes have left of an attempt at a match with this outcome.
-void remove_unfinished(const fs::path& entry, const Unfinished& work, const Outcome& outcome) {
-  const bool kept = entry.filename() == fs::path(outcome.folder).filename();
-  if (work.attempt > outcome.attempts || kept || is_running(work.label)) return;
-  std::error_code code;
-  fs::remove_all(entry, code);
 }
 
 // The reason in the output of a `cls match` without a result: its last message, else its last line.
@@ -277,21 +252,18 @@ void clean_up(const TournamentConfig& config, const Fixture& fixture, const Outc
     }
     if (!keep) fs::remove_all(folder, code);
   }
-  for (const auto& entry : fs::directory_iterator(tournament / kUnfinishedFolder, code)) {
-    const std::string name = entry.path().filename().string();
-    const auto work = parse_unfinished(name);
-    if (work && work->index == fixture.index) remove_unfinished(entry.path(), *work, outcome);
-  }
 }
 
 void clean_up_unfinished(std::span<const ScheduledMatch> matches, const fs::path& tournament) {
   std::error_code code;
   for (const auto& entry : fs::directory_iterator(tournament / kUnfinishedFolder, code)) {
     const std::string name = entry.path().filename().string();
-    const auto work = parse_unfinished(name);
+    const auto work = parse_attempt_name(name);
     if (!work || work->index < 1 || work->index > std::ssize(matches)) continue;
-    const ScheduledMatch& match = matches[static_cast<std::size_t>(work->index) - 1];
-    if (match.outcome) remove_unfinished(entry.path(), *work, *match.outcome);
+    const auto& outcome = matches[static_cast<std::size_t>(work->index) - 1].outcome;
+    if (!outcome || work->attempt > outcome->attempts || is_running(work->rest)) continue;
+    std::error_code ignored;
+    if (name != fs::path(outcome->folder).filename()) fs::remove_all(entry.path(), ignored);
   }
 }
 

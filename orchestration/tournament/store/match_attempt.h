@@ -77,12 +77,11 @@ std::optional<Outcome> recover_result(const TournamentConfig& config, const Fixt
                                       int attempt, const std::filesystem::path& tournament);
 
 /// Removes the folders of all attempts at a match that `keep_logs` does not keep, and of attempts
-/// without a result. Call it when the outcome is committed.
+/// without a result, below matches/. Call it when the outcome is committed.
 void clean_up(const TournamentConfig& config, const Fixture& fixture, const Outcome& outcome,
               const std::filesystem::path& tournament);
 
-/// Removes what `work` processes have left of `matches` with an outcome, because they were killed
-/// after it was committed.
+/// Removes what killed `work` processes have left below unfinished/ of `matches` with an outcome.
 void clean_up_unfinished(std::span<const ScheduledMatch> matches,
                          const std::filesystem::path& tournament);
 

@@ -26,7 +26,7 @@ constexpr std::array kNumbers = {"0",          "1",           "-1",    "0.001", 
                                  "7",          "-360",        "1000",  "1e-12", "1e12",
                                  "2147483647", "-2147483648", "1e300", "-1e30"};
 
-/// CLS_FAULTY_PARAMETERS=100000 plays that many situations.
+/// CLS_FAULTY_PARAMETERS=60000 plays that many situations.
 std::uint64_t wanted_situations() {
   const char* text = std::getenv("CLS_FAULTY_PARAMETERS");
   return text == nullptr ? 400 : std::strtoull(text, nullptr, 10);
@@ -93,29 +93,15 @@ KnownPitch random_pitch(RandomMessages& random) {
 /// One of all actions, half of the time with the behavior of `mock:planner` around it.
 protos::PlayerActions decision(RandomMessages& random) {
   protos::PlayerActions reply;
-  if (random.one_in(2)) {
-    reply.set_ignore_preprocess(true);
-    reply.set_ignore_shootinpreprocess(true);
-    reply.set_ignore_dointention(true);
-    reply.set_ignore_doforcekick(true);
-  }
+  if (random.one_in(2)) tests::disable_automatic_behavior(reply);
   protos::PlayerAction& action = *reply.add_actions();
   const google::protobuf::OneofDescriptor& kinds = *action.GetDescriptor()->oneof_decl(0);
   const auto kind = static_cast<int>(random.below(static_cast<std::size_t>(kinds.field_count())));
   auto& chosen = *action.GetReflection()->MutableMessage(&action, kinds.field(kind));
   if (random.one_in(3)) random.fill(chosen);
-  if (!action.has_helios_offensive_planner() && !random.one_in(3)) return reply;
-  protos::HeliosOffensivePlanner& planner =
-      *reply.add_actions()->mutable_helios_offensive_planner();
-  planner.set_direct_pass(true);
-  planner.set_lead_pass(true);
-  planner.set_through_pass(true);
-  planner.set_short_dribble(true);
-  planner.set_long_dribble(true);
-  planner.set_cross(true);
-  planner.set_simple_pass(true);
-  planner.set_simple_dribble(true);
-  planner.set_simple_shoot(true);
+  if (action.has_helios_offensive_planner() || random.one_in(3)) {
+    tests::allow_everything(*reply.add_actions()->mutable_helios_offensive_planner());
+  }
   return reply;
 }
 

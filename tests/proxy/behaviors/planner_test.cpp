@@ -43,18 +43,6 @@ auto plan_with(const std::function<void(protos::HeliosOffensivePlanner&)>& allow
   };
 }
 
-const auto kEverything = [](protos::HeliosOffensivePlanner& planner) {
-  planner.set_direct_pass(true);
-  planner.set_lead_pass(true);
-  planner.set_through_pass(true);
-  planner.set_short_dribble(true);
-  planner.set_long_dribble(true);
-  planner.set_cross(true);
-  planner.set_simple_pass(true);
-  planner.set_simple_dribble(true);
-  planner.set_simple_shoot(true);
-};
-
 template <typename Generator>
 std::vector<PlanAction> generated(const KnownPitch& pitch, Generator generator) {
   const PlannerField field(pitch.world);
@@ -228,7 +216,7 @@ TEST(HeliosOffensivePlanner, KicksOutOfDangerBeforeOurGoal) {
 
 TEST(HeliosOffensivePlanner, FailsWithoutBall) {
   KnownPitch pitch;
-  pitch.act(plan_with(kEverything));
+  pitch.act(plan_with(tests::allow_everything));
   EXPECT_EQ(pitch.counts(PlayerAction::kHeliosOffensivePlanner).failed, 1);
 }
 
@@ -237,7 +225,7 @@ TEST(HeliosOffensivePlanner, RespectsMaxNodesAndMaxDepth) {
   for (int unum = 8; unum <= 11; ++unum) pitch.add_teammate(unum, {10.0, 8.0 * (unum - 9)});
   const PlannerField field(pitch.world);
   protos::HeliosOffensivePlanner action;
-  kEverything(action);
+  tests::allow_everything(action);
   action.set_max_nodes(20);
   EXPECT_LE(make_plan(field, planner_options(action)).nodes.size(), 20U);
   action.set_max_nodes(0);
@@ -332,7 +320,7 @@ protos::PlayerActions server_side() {
   PlayerActions reply;
   reply.set_ignore_shootinpreprocess(true);
   auto& planner = *reply.add_actions()->mutable_helios_offensive_planner();
-  kEverything(planner);
+  tests::allow_everything(planner);
   planner.set_server_side_decision(true);
   reply.add_actions()->mutable_turn()->set_relative_direction(77.0F);
   return reply;

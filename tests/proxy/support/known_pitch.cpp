@@ -53,6 +53,25 @@ void put(simulator::Player& player, Vec2 position, double body_deg, Vec2 velocit
 
 }  // namespace
 
+void allow_everything(protos::HeliosOffensivePlanner& planner) {
+  planner.set_direct_pass(true);
+  planner.set_lead_pass(true);
+  planner.set_through_pass(true);
+  planner.set_short_dribble(true);
+  planner.set_long_dribble(true);
+  planner.set_cross(true);
+  planner.set_simple_pass(true);
+  planner.set_simple_dribble(true);
+  planner.set_simple_shoot(true);
+}
+
+void disable_automatic_behavior(protos::PlayerActions& reply) {
+  reply.set_ignore_preprocess(true);
+  reply.set_ignore_shootinpreprocess(true);
+  reply.set_ignore_dointention(true);
+  reply.set_ignore_doforcekick(true);
+}
+
 KnownPitch::KnownPitch(Noise noise, std::uint64_t seed) : truth_(make_truth(noise, seed)) {
   auto parameters = std::make_shared<proxy::MatchParameters>();
   parameters->server = truth_.params();
@@ -210,10 +229,7 @@ void KnownPitch::act(const protos::PlayerActions& reply) {
 
 void KnownPitch::act(const std::function<void(protos::PlayerActions&)>& fill) {
   protos::PlayerActions reply;
-  reply.set_ignore_preprocess(true);
-  reply.set_ignore_shootinpreprocess(true);
-  reply.set_ignore_dointention(true);
-  reply.set_ignore_doforcekick(true);
+  disable_automatic_behavior(reply);
   fill(reply);
   act(reply);
 }

@@ -15,6 +15,12 @@
 
 namespace cls::tests {
 
+/// All kinds of actions of the planner.
+void allow_everything(protos::HeliosOffensivePlanner& planner);
+
+/// Disables all automatic behavior around the actions of `reply`.
+void disable_automatic_behavior(protos::PlayerActions& reply);
+
 enum class Noise { kNone, kReal };
 
 /// The agent is number 7 of the left team at the center, facing +x; play_on, cycle 100, the ball
