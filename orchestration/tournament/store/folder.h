@@ -21,7 +21,7 @@ inline constexpr const char* kScheduleFile = "schedule.jsonl";  ///< a line a ma
 inline constexpr const char* kTournamentEvents = "events.jsonl";
 inline constexpr const char* kMatchesFolder = "matches";
 inline constexpr const char* kResultsFolder = "results";        ///< result files of `work`
-inline constexpr const char* kUnfinishedFolder = "unfinished";  ///< matches that `work` is playing
+inline constexpr const char* kUnfinishedFolder = "unfinished";  ///< what `work` has in hand
 inline constexpr const char* kSlurmFolder = "slurm";            ///< job arrays, see slurm_batch.h
 inline constexpr const char* kStopFile = "stop";
 inline constexpr const char* kLockFile = "lock";
@@ -37,7 +37,8 @@ std::filesystem::path result_file(int index, int attempt);
 /// name.
 std::string unfinished_host();
 
-/// "unfinished/000017.1.LABEL": match folder of one `work` process; `label` identifies it.
+/// "unfinished/000017.1.LABEL": match folder of one `work` process, which `label` identifies;
+/// with an extension of the label, the result that it is writing.
 std::filesystem::path unfinished_folder(int index, int attempt, std::string_view label);
 
 /// What the names in results/ and unfinished/ begin with.
