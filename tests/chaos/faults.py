@@ -295,6 +295,26 @@ def _damage_by_sql(campaign, store):
     return f"after {statement}"
 
 
+def step_clock(campaign):
+    """The host's clock goes wrong by up to a day, and in half of the cases right again. In a third of
+    them a Playmaker hangs from then on: the stall limit must still end it."""
+    step = campaign.random.choice([-1, 1]) * campaign.random.choice([1, 60, 3600, 86400])
+    if campaign.random.random() < 1 / 3:
+        _signal(campaign, ["playmaker"], signal.SIGSTOP)
+    time.clock_settime(time.CLOCK_REALTIME, time.time() + step)
+    if campaign.random.random() < 0.5:
+        return f"clock stepped by {step} s"
+    time.sleep(campaign.random.uniform(0.1, 1.0))
+    time.clock_settime(time.CLOCK_REALTIME, time.time() - step)
+    return f"clock stepped by {step} s and back"
+
+
+def clock_is_ours():
+    """True in the kernel that tests/chaos/clock boots: no other process needs its clock."""
+    with open("/proc/cpuinfo", encoding="ascii", errors="replace") as file:
+        return "User Mode Linux" in file.read()
+
+
 # By frequency: faults of processes are cheap, and what users meet.
 FAULTS = [
     (kill_run, 3), (kill_match, 3), (kill_guard, 2), (kill_keeper, 2), (kill_playmaker, 3),
@@ -304,6 +324,8 @@ FAULTS = [
     (flood_ports, 1), (start_second_run, 1), (read_reports, 2), (play_by_hand, 1.5),
     (corrupt_store, 2),
 ]
+if clock_is_ours():
+    FAULTS.append((step_clock, 3))
 
 
 def names():
