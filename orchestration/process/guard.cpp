@@ -14,6 +14,7 @@
 #include <chrono>
 #include <csignal>
 #include <cstring>
+#include <filesystem>
 #include <set>
 #include <string>
 #include <thread>
@@ -31,6 +32,10 @@ using Clock = std::chrono::steady_clock;
 constexpr auto kOrphanTimeout = std::chrono::milliseconds(1500);
 constexpr auto kGuardExitTimeout = std::chrono::seconds(4);
 constexpr int kReapInterval = 20;  // ms
+
+// First bytes of a packet without descriptors; the name of a folder follows.
+constexpr char kDeleteAtExit = '+';
+constexpr char kForget = '-';
 
 const Guard* the_guard = nullptr;
 std::string the_error;
@@ -93,6 +98,8 @@ class GuardLoop {
       if (waits[1].revents != 0) serve();
     }
     sweep();
+    std::error_code ignored;
+    for (const std::string& folder : folders_) std::filesystem::remove_all(folder, ignored);
     ::_exit(0);
   }
 
@@ -101,6 +108,12 @@ class GuardLoop {
     Packet packet = receive_packet(socket_.get());
     if (packet.bytes.empty()) {
       socket_.reset();
+      return;
+    }
+    if (packet.fds.empty()) {
+      const std::string folder = packet.bytes.substr(1);
+      if (packet.bytes[0] == kDeleteAtExit) folders_.insert(folder);
+      if (packet.bytes[0] == kForget) folders_.erase(folder);
       return;
     }
     const auto plan = decode_plan(packet.bytes);
@@ -152,6 +165,7 @@ class GuardLoop {
   base::UniqueFd child_signals_;
   ProcessTitle title_;
   std::set<pid_t> keepers_;
+  std::set<std::string> folders_;  ///< to delete at the end
 };
 
 // Closes all files, sockets and terminals inherited from the caller of cls, but for this one.
@@ -203,6 +217,14 @@ Guard::~Guard() {
     if (Clock::now() >= kill_at) ::kill(pid_, SIGKILL);
     std::this_thread::sleep_for(std::chrono::milliseconds(2));
   }
+}
+
+void Guard::delete_at_exit(const std::filesystem::path& folder) const {
+  send_packet(socket_.get(), kDeleteAtExit + folder.string());
+}
+
+void Guard::forget(const std::filesystem::path& folder) const {
+  send_packet(socket_.get(), kForget + folder.string());
 }
 
 const Guard* Guard::active() { return the_guard; }

@@ -4,6 +4,7 @@
 
 #include <sys/types.h>
 
+#include <filesystem>
 #include <string>
 
 #include "base/result.h"
@@ -16,7 +17,7 @@ namespace cls::orchestration::process {
 /// The guard is a fork of cls in a session of its own. For each program it forks a keeper
 /// (keeper.h), which starts it. When this object is destroyed or cls exits in any way, kill -9
 /// included, the keepers see their connections close and terminate everything (SIGTERM, 1 s,
-/// SIGKILL). The guard kills orphans that are left, and exits.
+/// SIGKILL). The guard kills orphans that are left, deletes temporary folders, and exits.
 class Guard {
  public:
   /// Forks the guard. Call once, at the start of main, before any thread or gRPC object exists.
@@ -37,6 +38,9 @@ class Guard {
   /// For requests to start a program: an encoded plan with two descriptors, the keeper's end of its
   /// connection and the program's output. Thread-safe.
   int socket() const { return socket_.get(); }
+  /// The guard deletes this folder when it exits, after the last process. Thread-safe, as forget().
+  void delete_at_exit(const std::filesystem::path& folder) const;
+  void forget(const std::filesystem::path& folder) const;
   pid_t pid() const { return pid_; }
 
  private:

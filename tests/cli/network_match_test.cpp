@@ -220,14 +220,20 @@ TEST_F(NetworkMatch, LeavesNoProcessAfterSignalAtStart) {
   EXPECT_EQ(result["cycles"], 0);
 }
 
-TEST_F(NetworkMatch, LeavesNoProcessAfterSigkill) {
+TEST_F(NetworkMatch, LeavesNoProcessAndNoTemporaryFolderAfterSigkill) {
+  const std::filesystem::path temporary = folder_.path() / "tmp";
+  std::filesystem::create_directory(temporary);
+  std::vector<std::string> variables = environment();
+  variables.push_back("TMPDIR=" + temporary.string());
   Command command(arguments(team("--ignore-term 1 --grandchild 1"),
                             server("--ignore-term 1 --grandchild 1"), {}),
-                  environment());
+                  variables);
   wait_for_play(match_folder());
+  EXPECT_FALSE(std::filesystem::is_empty(temporary));
   EXPECT_GT(cls::tests::marked_processes(mark_).size(), 20U);
   command.send_signal(SIGKILL);
   EXPECT_TRUE(cls::tests::all_marked_gone(mark_, 2s));
+  EXPECT_TRUE(std::filesystem::is_empty(temporary));
 }
 
 TEST_F(NetworkMatch, StopsAtTimeLimit) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -131,9 +132,10 @@ TEST_F(RunSide, NamesTheLimitThatEndedTheProgram) {
                           "raise or omit the limit"),
             std::string::npos)
       << busy.err;
+  std::filesystem::remove_all(folder_.path());
   const auto large =
       cls::tests::run(arguments("run:dd if=/dev/zero of=/dev/null bs=64M count=1; exit 3 # {port}",
-                                {"--max-memory", "32M", "--force"}),
+                                {"--max-memory", "32M"}),
                       environment());
   EXPECT_EQ(large.exit_code, 69);
   EXPECT_NE(large.err.find("exit code 3; a process of right Playmaker needed more than the 32M of "

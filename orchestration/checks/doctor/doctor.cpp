@@ -7,13 +7,13 @@
 #include <utility>
 #include <vector>
 
-#include "base/io/scratch_folder.h"
 #include "orchestration/checks/checked_program.h"
 #include "orchestration/checks/doctor/host_checks.h"
 #include "orchestration/checks/doctor/playmaker_probe.h"
 #include "orchestration/checks/doctor/program_checks.h"
 #include "orchestration/checks/doctor/server_probe.h"
 #include "orchestration/process/process_host.h"
+#include "orchestration/process/scratch_folder.h"
 
 namespace cls::orchestration::checks {
 namespace {
@@ -30,7 +30,7 @@ std::vector<DoctorCheck> ask_all(const DoctorOptions& options, const std::atomic
   starting.name = "processes";
   starting.purpose = "servers, run: and team: sides";
   starting.needed = true;
-  const base::ScratchFolder scratch;
+  const process::ScratchFolder scratch;
   auto host = process::ProcessHost::create();
   if (!host || scratch.path().empty()) {
     starting.status = DoctorStatus::kWrong;

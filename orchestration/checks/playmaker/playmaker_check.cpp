@@ -7,9 +7,9 @@
 #include <thread>
 #include <utility>
 
-#include "base/io/scratch_folder.h"
 #include "orchestration/checks/checked_program.h"
 #include "orchestration/match/sides/playmaker_process.h"
+#include "orchestration/process/scratch_folder.h"
 #include "proxy/playmaker/grpc_playmaker.h"
 
 namespace cls::orchestration::checks {
@@ -19,7 +19,7 @@ constexpr std::chrono::milliseconds kPollInterval{20};
 
 /// Resources of the subject; outlives it.
 struct Environment {
-  base::ScratchFolder folder;
+  process::ScratchFolder folder;
   std::unique_ptr<mock_server::Server> mock;
   std::optional<process::ProcessHost> host;
   std::unique_ptr<match::PlaymakerProcess> program;

@@ -10,7 +10,7 @@ namespace cls::orchestration::checks {
 using base::Error;
 using base::Result;
 
-StartedServer::StartedServer() : folder_(std::make_unique<base::ScratchFolder>()) {}
+StartedServer::StartedServer() : folder_(std::make_unique<process::ScratchFolder>()) {}
 StartedServer::StartedServer(StartedServer&&) noexcept = default;
 StartedServer::~StartedServer() = default;
 

@@ -5,13 +5,13 @@
 #include <string>
 #include <vector>
 
-#include "base/io/scratch_folder.h"
 #include "base/result.h"
 #include "orchestration/match/options/server_choice.h"
 #include "orchestration/match/options/server_command.h"
 #include "orchestration/match/server/server_output.h"
 #include "orchestration/process/ports.h"
 #include "orchestration/process/process_host.h"
+#include "orchestration/process/scratch_folder.h"
 
 namespace cls::orchestration::checks {
 
@@ -35,7 +35,7 @@ class StartedServer {
  private:
   StartedServer();
 
-  std::unique_ptr<base::ScratchFolder> folder_;
+  std::unique_ptr<process::ScratchFolder> folder_;
   std::vector<process::ReservedPort> reserved_;
   std::shared_ptr<match::ServerOutput> output_ = std::make_shared<match::ServerOutput>();
   std::unique_ptr<process::ProcessHost> host_;

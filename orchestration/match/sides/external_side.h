@@ -7,12 +7,12 @@
 #include <string>
 #include <vector>
 
-#include "base/io/scratch_folder.h"
 #include "base/result.h"
 #include "orchestration/match/options/team_folder.h"
 #include "orchestration/match/server/server.h"
 #include "orchestration/match/sides/match_side.h"
 #include "orchestration/process/process_host.h"
+#include "orchestration/process/scratch_folder.h"
 
 namespace cls::orchestration::match {
 
@@ -79,7 +79,7 @@ class ExternalSide : public MatchSide {
   OnOtherName on_other_name_;
   Server& server_;
   process::ProcessHost& host_;
-  std::optional<base::ScratchFolder> temporary_;  ///< of a team in a sandbox
+  std::optional<process::ScratchFolder> temporary_;  ///< of a team in a sandbox
   std::string name_;              ///< that the team plays under; empty before its first player
   std::string shared_name_hint_;  ///< while the team has not been seen, but another one has
   std::vector<Agent> agents_;
