@@ -58,7 +58,7 @@ class LocalExecutor : public MatchExecutor {
     std::vector<FinishedMatch> finished = std::exchange(played_, {});
     while (true) {
       for (auto at = attempts_.begin(); at != attempts_.end();) {
-        at->second.enforce_limit();
+        at->second.end_overdue();
         if (!at->second.exited()) {
           ++at;
           continue;

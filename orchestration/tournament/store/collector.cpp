@@ -76,7 +76,7 @@ Result<std::optional<Outcome>> play(const TournamentConfig& config, const Fixtur
   if (!running) return running.error();
   while (!running->exited()) {
     std::this_thread::sleep_for(kPollInterval);
-    running->enforce_limit();
+    running->end_overdue();
     if (stop_signal != 0) running->interrupt();
   }
   return running->outcome();

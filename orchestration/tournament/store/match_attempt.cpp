@@ -31,6 +31,8 @@ using base::Result;
 constexpr double kKillAfterLimitS = 15.0;
 constexpr int kLogCompression = 1;  // higher levels cost several times the CPU time
 constexpr std::chrono::milliseconds kGracePeriod{4000};
+// More than the match's guard takes, if it is alive.
+constexpr std::chrono::milliseconds kRestGrace{2000};
 
 void add_option(std::vector<std::string>& argv, const char* option, const std::string& value) {
   argv.emplace_back(option);
@@ -173,7 +175,8 @@ Result<MatchAttempt> MatchAttempt::start(process::ProcessHost& host, const Tourn
   return started;
 }
 
-void MatchAttempt::enforce_limit() {
+void MatchAttempt::end_overdue() {
+  if (child_->status().exit && !std::exchange(ended_rest_, true)) child_->end(kRestGrace);
   if (!limit_s_ || timed_out_) return;
   const auto now = std::chrono::steady_clock::now();
   if (std::chrono::duration<double>(now - begin_).count() < *limit_s_ + kKillAfterLimitS) return;

@@ -42,10 +42,12 @@ class MatchAttempt {
 
   const Fixture& fixture() const { return fixture_; }
   int number() const { return number_; }
+  /// No process of it is left.
   bool exited() const { return child_->status().gone; }
 
-  /// Kills the process when it runs well beyond its own time limit.
-  void enforce_limit();
+  /// Kills the match when it runs well beyond its own time limit, and what outlives it: without its
+  /// guard no other process does. Call again and again until exited().
+  void end_overdue();
   /// Asks the match to shut down cleanly; it then has no outcome.
   void interrupt();
 
@@ -66,6 +68,7 @@ class MatchAttempt {
   std::string started_;
   bool interrupted_ = false;
   bool timed_out_ = false;
+  bool ended_rest_ = false;
 };
 
 /// True when `folder` holds the result of this match, valid or not, but not an interrupted one.
