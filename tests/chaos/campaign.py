@@ -183,11 +183,16 @@ class Campaign:
         database.close()
 
     def check_unfinished(self, document):
-        """Only folders of matches that count may be below unfinished/."""
+        """Only folders of matches that count may be below unfinished/. What a `work` leaves that is
+        killed while the run ends, the next run removes."""
         kept = {pathlib.Path(match["folder"]).name for match in document["matches"]
                 if match.get("folder")}
-        for path in self.folder.glob("unfinished/*"):
-            if path.name not in kept:
+        left = [path for path in self.folder.glob("unfinished/*") if path.name not in kept]
+        if left:
+            self.start()
+            self.finish_run()
+        for path in left:
+            if path.exists():
                 self.violate(f"a killed `work` left {path.relative_to(self.folder)}")
 
     def check_outcome(self):
