@@ -38,10 +38,16 @@ Result<void> write_by_rename(const std::filesystem::path& path, std::string_view
   if (!file) return cannot_create(path, std::strerror(errno));
   (*file)->write(bytes);
   if (durable) (*file)->sync();
-  if (const auto closed = (*file)->close(); !closed) return closed;
   std::error_code code;
-  std::filesystem::rename(temporary, path, code);
-  if (code) return cannot_create(path, code.message());
+  Result<void> written = (*file)->close();
+  if (written) {
+    std::filesystem::rename(temporary, path, code);
+    if (code) written = cannot_create(path, code.message());
+  }
+  if (!written) {
+    std::filesystem::remove(temporary, code);
+    return written;
+  }
   if (durable) sync_folder(path.parent_path());
   return {};
 }

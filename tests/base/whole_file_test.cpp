@@ -6,6 +6,7 @@
 #include <sys/syscall.h>
 #include <unistd.h>
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -58,6 +59,27 @@ TEST(WriteFile, ReplacesAFileAtomicallyWithoutSync) {
   ASSERT_TRUE(write_file(target, "new"));
   EXPECT_TRUE(syncs.empty());
   EXPECT_EQ(read_file(target), "new");
+}
+
+TEST(WriteFile, LeavesTheOldFileAndNoTemporaryOneOnAFullDisk) {
+  tests::TemporaryFolder folder;
+  target = folder.path() / "result.json";
+  ASSERT_TRUE(write_file(target, "old"));
+  std::filesystem::create_symlink("/dev/full", target + ".tmp");
+  const auto written = write_file(target, "new");
+  ASSERT_FALSE(written);
+  EXPECT_NE(written.error().message.find("No space left"), std::string::npos)
+      << written.error().message;
+  EXPECT_EQ(read_file(target), "old");
+  EXPECT_FALSE(std::filesystem::is_symlink(target + ".tmp"));
+}
+
+TEST(WriteFile, LeavesNoTemporaryFileBesideAFolderOfThatName) {
+  tests::TemporaryFolder folder;
+  target = folder.path() / "result.json";
+  std::filesystem::create_directory(target);
+  EXPECT_FALSE(write_file(target, "new"));
+  EXPECT_FALSE(std::filesystem::exists(target + ".tmp"));
 }
 
 }  // namespace
