@@ -11,7 +11,6 @@
 // members() is found by argument-dependent lookup, so it must not be in an unnamed namespace.
 #pragma once
 
-#include <cmath>
 #include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -187,10 +186,9 @@ class JsonDecoder {
   template <typename T>
   static void decode(const Json& json, T& value) {
     if constexpr (std::is_integral_v<T> && !std::is_same_v<T, bool>) {
-      // Converting a floating-point number that is too large is undefined.
-      if (json.is_number_float() &&
-          !(std::fabs(json.get<double>()) < static_cast<double>(std::numeric_limits<T>::max()))) {
-        throw std::out_of_range("a number is too large");
+      // Converting a floating-point number that does not fit is undefined.
+      if (json.is_number_float() && !fits<T>(json.get<double>())) {
+        throw std::out_of_range("a number is out of range");
       }
     }
     if constexpr (std::is_constructible_v<Json, const T&>) {
@@ -218,6 +216,15 @@ class JsonDecoder {
   }
 
  private:
+  /// Tells whether `number`, without its fraction, is a T. Not a number is none.
+  template <typename T>
+  static bool fits(double number) {
+    using Limits = std::numeric_limits<T>;
+    const double lowest = static_cast<double>(Limits::min());
+    const double end = 2.0 * static_cast<double>(Limits::max() / 2 + 1);
+    return number > lowest - 1.0 && number < end;
+  }
+
   const Json* find(const char* key) const {
     const auto found = json_.find(key);
     return found == json_.end() ? nullptr : &*found;

@@ -71,6 +71,19 @@ TEST(Store, RoundTripsEveryMember) {
   EXPECT_EQ(json_of(config, (*matches)[0]), json_of(config, before));
 }
 
+TEST(Store, RefusesSeedsThatAreNoUnsignedIntegers) {
+  const auto with_seed = [](const std::string& seed) {
+    return parse_fixture(
+        R"({"index":1,"round":1,"stage":"","pairing":1,"left":0,"right":1,"seed":)" + seed +
+        R"(,"decides":false})");
+  };
+  const auto largest = with_seed("18446744073709549568.0");  // the largest double below 2^64
+  ASSERT_TRUE(largest) << largest.error().message;
+  EXPECT_EQ(largest->seed, 18446744073709549568U);
+  EXPECT_FALSE(with_seed("-1e9"));
+  EXPECT_FALSE(with_seed("18446744073709551616.0"));
+}
+
 TEST(FolderLock, IsExclusive) {
   const tests::TemporaryFolder folder;
   const auto first = FolderLock::try_lock(folder.path());
