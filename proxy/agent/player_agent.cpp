@@ -277,7 +277,7 @@ void PlayerAgent::send(const CommandSlots& slots) {
     if (!std::holds_alternative<soccer::Done>(command)) statistics_.count(command);
     awaits_count_ = awaits_count_ || is_counted(command, world_.game.mode);
   }
-  server_.channel->send(server_.datagram);
+  if (!server_.datagram.empty()) server_.channel->send(server_.datagram);
   record_sent_commands(world_, commands_);
   phase_ = Phase::kIdle;
   write_debug_log();

@@ -140,7 +140,9 @@ bool can_shoot_from(const PlannerField& field, Vec2 ball, int holder, int max_ag
   constexpr int kDirections = 15;
   const Vec2 goal{soccer::kHalfLength, 0.0};
   const double range = field.parameters.shot_range;
-  if (squared_distance(ball, goal) > range * range || ball.x >= soccer::kHalfLength) return false;
+  // A ball at no place, whose distance is not a number, is not in range.
+  const bool in_range = squared_distance(ball, goal) <= range * range;
+  if (!in_range || ball.x >= soccer::kHalfLength) return false;
   const FieldPlayer* player = field.our_player(holder);
   if (player == nullptr || player->age > max_age) return false;
   const bool self = holder == field.self.unum;
