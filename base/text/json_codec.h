@@ -11,6 +11,7 @@
 // members() is found by argument-dependent lookup, so it must not be in an unnamed namespace.
 #pragma once
 
+#include <cmath>
 #include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
