@@ -12,9 +12,9 @@
 #include <string>
 #include <vector>
 
+#include "player/movement/home_positions.h"
 #include "proxy/agent/player_agent.h"
 #include "proxy/messages/state_message.h"
-#include "proxy/movement/home_positions.h"
 #include "soccer/memory_channel.h"
 #include "soccer/protocol/message_kind.h"
 #include "tests/support/files.h"
@@ -114,9 +114,9 @@ void replay(const std::vector<tests::Spoken>& transcript, Cycles& cycles) {
     agent.perceive();
     perceived += lap(last);
     if (!agent.decision_due()) continue;
-    const proxy::WorldModel& world = agent.begin_decision();
+    const player::WorldModel& world = agent.begin_decision();
     const double completed = lap(last);
-    proxy::fill_state(world, proxy::home_positions(world), false, state);
+    proxy::fill_state(world, player::home_positions(world), false, state);
     const double built = lap(last);
     const double serialized = serialize(state, bytes);
     last = Clock::now();

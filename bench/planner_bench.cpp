@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "player/planner/field.h"
+#include "player/planner/search.h"
 #include "proxy/agent/player_agent.h"
-#include "proxy/planner/field.h"
-#include "proxy/planner/search.h"
 #include "soccer/memory_channel.h"
 #include "tests/support/files.h"
 #include "tests/support/transcript.h"
@@ -19,8 +19,8 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 /// All kinds of actions, as upstream's samples request.
-proxy::PlannerOptions all_kinds() {
-  proxy::PlannerOptions options;
+player::PlannerOptions all_kinds() {
+  player::PlannerOptions options;
   options.simple_pass = options.simple_dribble = true;
   return options;
 }
@@ -42,7 +42,7 @@ void plans_of(const std::string& file, std::vector<double>& times, std::size_t& 
     agent.perceive();
     if (!agent.decision_due()) continue;
     agent.state();
-    proxy::WorldModel world = agent.world();
+    player::WorldModel world = agent.world();
     agent.act(no_actions);
     if (world.game.mode != soccer::PlayMode::kPlayOn || world.ball.dist_from_self > 10.0) continue;
     world.ball.position = world.self.position + soccer::polar(0.6, world.self.body);
@@ -50,8 +50,8 @@ void plans_of(const std::string& file, std::vector<double>& times, std::size_t& 
     world.self.kickable = true;
     world.self.kick_rate = 0.024;
     const auto before = Clock::now();
-    const proxy::PlannerField field(world);
-    const proxy::Plan plan = proxy::make_plan(field, all_kinds());
+    const player::PlannerField field(world);
+    const player::Plan plan = player::make_plan(field, all_kinds());
     times.push_back(std::chrono::duration<double, std::micro>(Clock::now() - before).count());
     nodes += plan.nodes.size();
   }

@@ -117,7 +117,7 @@ struct Match {
 
 void register_team(proxy::Playmaker& team) {
   proxy::TeamRegistration registration;
-  registration.parameters = std::make_shared<proxy::MatchParameters>();
+  registration.parameters = std::make_shared<player::MatchParameters>();
   for (int unum = 1; unum <= 11; ++unum) registration.agents.push_back({unum, {}});
   team.announce_team(registration);
   for (int unum = 1; unum <= 11; ++unum) {

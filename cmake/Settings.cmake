@@ -20,6 +20,10 @@ add_compile_options(-ffp-contract=off)
 # relative to the root. Debug builds keep whole paths, which debuggers find from any folder.
 add_compile_options("$<$<CONFIG:RelWithDebInfo,Release>:-ffile-prefix-map=${CMAKE_SOURCE_DIR}/=>")
 
+# One compilation serves the programs and libcls_training.so. Code of a program stays as fast: hidden
+# functions are inlined and called directly, as without -fPIC.
+add_compile_options(-fPIC -fvisibility=hidden -fvisibility-inlines-hidden)
+
 # Everywhere, not only where a library asks for it: precompiled headers want equal flags.
 add_compile_options(-pthread)
 

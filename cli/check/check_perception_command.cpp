@@ -92,7 +92,7 @@ int run_check_perception(const Arguments& arguments) {
   if (log->frames() == 0) return kBadData;
   std::vector<viewer::DecisionSample> samples;
   const auto check = orchestration::checks::check_perception(
-      transcript, *log, [&samples](const proxy::WorldModel& world) {
+      transcript, *log, [&samples](const player::WorldModel& world) {
         samples.push_back(orchestration::match::sample_of(world));
       });
   if (!check) {

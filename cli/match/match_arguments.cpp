@@ -22,7 +22,7 @@
 #include "orchestration/match/options/match_settings.h"
 #include "orchestration/match/options/saved_match.h"
 #include "orchestration/tournament/config/config_file.h"
-#include "proxy/formation/formation_set.h"
+#include "player/formation/formation_set.h"
 
 namespace cls::cli {
 namespace {
@@ -157,9 +157,9 @@ namespace {
 
 void read_formation_options(MatchArguments& arguments, std::vector<std::string>& errors) {
   const auto read = [&](const std::string& folder, const char* option,
-                        std::shared_ptr<const proxy::FormationSet>& out) {
+                        std::shared_ptr<const player::FormationSet>& out) {
     if (folder.empty()) return;
-    if (auto set = proxy::read_formations(folder)) {
+    if (auto set = player::read_formations(folder)) {
       out = std::move(*set);
     } else {
       errors.push_back(fmt::format("{}: {}", option, set.error().message));

@@ -30,7 +30,7 @@
 #include "orchestration/match/options/endpoint.h"
 #include "orchestration/match/sides/playmaker_process.h"
 #include "orchestration/match/standalone_team.h"
-#include "proxy/formation/formation_set.h"
+#include "player/formation/formation_set.h"
 #include "soccer/side.h"
 
 namespace cls::cli {
@@ -222,7 +222,7 @@ std::vector<std::string> resolve(Arguments& arguments) {
   }
   resolve_coach_ports(arguments, errors);
   if (!arguments.formation.empty()) {
-    if (auto set = proxy::read_formations(arguments.formation)) {
+    if (auto set = player::read_formations(arguments.formation)) {
       options.team.formations = std::move(*set);
     } else {
       errors.push_back("--formation: " + set.error().message);

@@ -1,38 +1,38 @@
 // From a State to the situation of the simple team, from its actions to messages.
 #include "mock-server/behavior/simple_team.h"
 
-#include "mock-server/simple_team/simple_team.h"
+#include "player/simple_team/simple_team.h"
 
 namespace cls::mock_server {
 namespace {
 
 soccer::Vec2 point_of(const protos::RpcVector2D& vector) { return {vector.x(), vector.y()}; }
 
-TeamMode mode_of(const protos::WorldModel& world) {
-  if (world.is_penalty_kick_mode()) return TeamMode::kPenalty;
+player::TeamMode mode_of(const protos::WorldModel& world) {
+  if (world.is_penalty_kick_mode()) return player::TeamMode::kPenalty;
   switch (world.game_mode_type()) {
     case protos::PlayOn:
-      return TeamMode::kPlayOn;
+      return player::TeamMode::kPlayOn;
     case protos::BeforeKickOff:
     case protos::AfterGoal_:
-      return TeamMode::kBeforeKickOff;
+      return player::TeamMode::kBeforeKickOff;
     case protos::KickOff_:
-      return TeamMode::kKickOff;
+      return player::TeamMode::kKickOff;
     case protos::GoalKick_:
-      return TeamMode::kGoalKick;
+      return player::TeamMode::kGoalKick;
     case protos::GoalieCatch_:
-      return TeamMode::kGoalieCatch;
+      return player::TeamMode::kGoalieCatch;
     case protos::FreeKick_:
-      return TeamMode::kFreeKick;
+      return player::TeamMode::kFreeKick;
     default:
-      return TeamMode::kOther;
+      return player::TeamMode::kOther;
   }
 }
 
 // Player id 0 in the intercept table: no player.
-int reach(int steps, int player_id) { return player_id == 0 ? kNeverReached : steps; }
+int reach(int steps, int player_id) { return player_id == 0 ? player::kNeverReached : steps; }
 
-void read_self(const protos::Self& self, Situation& now) {
+void read_self(const protos::Self& self, player::Situation& now) {
   now.unum = self.uniform_number();
   now.goalie = self.is_goalie();
   now.position = point_of(self.position());
@@ -41,7 +41,7 @@ void read_self(const protos::Self& self, Situation& now) {
   now.kickable = self.is_kickable();
 }
 
-void read_ball(const protos::WorldModel& world, Situation& now) {
+void read_ball(const protos::WorldModel& world, player::Situation& now) {
   now.ball = point_of(world.ball().position());
   now.ball_velocity = point_of(world.ball().velocity());
   now.ball_age = world.ball().pos_count();
@@ -53,44 +53,44 @@ void read_ball(const protos::WorldModel& world, Situation& now) {
   now.opponent_kicks = world.kickable_opponent_existance();
 }
 
-void set_point(const TeamAction& action, protos::RpcVector2D& vector) {
+void set_point(const player::TeamAction& action, protos::RpcVector2D& vector) {
   vector.set_x(action.x);
   vector.set_y(action.y);
 }
 
-void set_smart_kick(const TeamAction& action, protos::Body_SmartKick& kick) {
+void set_smart_kick(const player::TeamAction& action, protos::Body_SmartKick& kick) {
   set_point(action, *kick.mutable_target_point());
   kick.set_first_speed(action.first);
   kick.set_first_speed_threshold(action.second);
   kick.set_max_steps(action.count);
 }
 
-void set_dribble(const TeamAction& action, protos::Body_Dribble& dribble) {
+void set_dribble(const player::TeamAction& action, protos::Body_Dribble& dribble) {
   set_point(action, *dribble.mutable_target_point());
-  dribble.set_distance_threshold(kDribbleDistance);
+  dribble.set_distance_threshold(player::kDribbleDistance);
   dribble.set_dash_power(action.first);
   dribble.set_dash_count(action.count);
   dribble.set_dodge(true);
 }
 
-void set_go_to(const TeamAction& action, protos::Body_GoToPoint& go) {
+void set_go_to(const player::TeamAction& action, protos::Body_GoToPoint& go) {
   set_point(action, *go.mutable_target_point());
   go.set_distance_threshold(action.first);
   go.set_max_dash_power(action.second);
 }
 
-void set_tackle(const TeamAction& action, protos::Body_TackleToPoint& tackle) {
+void set_tackle(const player::TeamAction& action, protos::Body_TackleToPoint& tackle) {
   set_point(action, *tackle.mutable_target_point());
   tackle.set_min_probability(action.first);
 }
 
-void set_turn_to(const TeamAction& action, protos::Body_TurnToPoint& turn) {
+void set_turn_to(const player::TeamAction& action, protos::Body_TurnToPoint& turn) {
   set_point(action, *turn.mutable_target_point());
   turn.set_cycle(1);
 }
 
-void write(const TeamAction& action, protos::PlayerAction& out) {
-  using Kind = TeamAction::Kind;
+void write(const player::TeamAction& action, protos::PlayerAction& out) {
+  using Kind = player::TeamAction::Kind;
   switch (action.kind) {
     case Kind::kSmartKick:
       return set_smart_kick(action, *out.mutable_body_smart_kick());
@@ -137,17 +137,17 @@ void write(const TeamAction& action, protos::PlayerAction& out) {
   }
 }
 
-void write(const ActionList& list, protos::PlayerActions& actions) {
+void write(const player::ActionList& list, protos::PlayerActions& actions) {
   // The proxy would place players by its own formation.
   if (list.places_itself) actions.set_ignore_preprocess(true);
-  for (const TeamAction& action : list.actions()) write(action, *actions.add_actions());
+  for (const player::TeamAction& action : list.actions()) write(action, *actions.add_actions());
 }
 
 }  // namespace
 
-Situation situation_of(const protos::State& state) {
+player::Situation situation_of(const protos::State& state) {
   const protos::WorldModel& world = state.world_model();
-  Situation now;
+  player::Situation now;
   now.mode = mode_of(world);
   now.our_set_play = world.is_our_set_play();
   now.set_play_count = world.set_play_count();
@@ -160,20 +160,20 @@ Situation situation_of(const protos::State& state) {
                        player.is_tackling()});
   }
   for (const protos::Player& player : world.opponents()) {
-    if (player.pos_count() > Situation::kMaxAge) continue;
+    if (player.pos_count() > player::Situation::kMaxAge) continue;
     now.opponents.add(point_of(player.position()));
   }
   return now;
 }
 
 void SimpleTeam::decide(const protos::State& state, protos::PlayerActions& actions) const {
-  ActionList list;
+  player::ActionList list;
   play_simple_team(situation_of(state), list);
   write(list, actions);
 }
 
 void Hold::decide(const protos::State& state, protos::PlayerActions& actions) const {
-  ActionList list;
+  player::ActionList list;
   hold_positions(situation_of(state), list);
   write(list, actions);
 }

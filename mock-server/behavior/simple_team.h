@@ -2,12 +2,12 @@
 #pragma once
 
 #include "mock-server/behavior/behavior.h"
-#include "mock-server/simple_team/situation.h"
+#include "player/simple_team/situation.h"
 
 namespace cls::mock_server {
 
 /// What the simple team reads of a State.
-Situation situation_of(const protos::State& state);
+player::Situation situation_of(const protos::State& state);
 
 /// See play_simple_team().
 class SimpleTeam : public Behavior {

@@ -17,7 +17,7 @@ namespace {
 
 using gamelog::MatchRecord;
 using gamelog::RcgVersion;
-using proxy::ErrorSummary;
+using player::ErrorSummary;
 using soccer::Side;
 
 /// Frames by game time and index among the frames of that time.
@@ -32,8 +32,8 @@ FrameIndex index_frames(const MatchRecord& log) {
   return index;
 }
 
-proxy::GroundTruth truth_of(const MatchRecord& log, std::size_t frame) {
-  proxy::GroundTruth truth;
+player::GroundTruth truth_of(const MatchRecord& log, std::size_t frame) {
+  player::GroundTruth truth;
   truth.ball_position = log.ball_position[frame];
   if (log.version != RcgVersion::kV1 && log.version != RcgVersion::kV2) {
     truth.ball_velocity = log.ball_velocity[frame];
@@ -47,7 +47,7 @@ proxy::GroundTruth truth_of(const MatchRecord& log, std::size_t frame) {
 }
 
 // Player types are random per match. Types the player did not receive equal the default type.
-bool same_types(const proxy::MatchParameters& received, const MatchRecord& log) {
+bool same_types(const player::MatchParameters& received, const MatchRecord& log) {
   constexpr double kRounding = 1e-4;  // of binary game logs
   for (std::size_t i = 1; i < std::min(received.types.size(), log.types.size()); ++i) {
     const double speed = received.types[i].player_speed_max;
@@ -63,7 +63,7 @@ bool same_types(const proxy::MatchParameters& received, const MatchRecord& log) 
   return true;
 }
 
-base::Result<void> belong_together(const proxy::WorldModel& world, const MatchRecord& log) {
+base::Result<void> belong_together(const player::WorldModel& world, const MatchRecord& log) {
   if (world.unum == 0) {
     return base::Error{"no player connects (no valid reply to init or reconnect)"};
   }
@@ -87,7 +87,7 @@ struct Row {
   ErrorSummary error;
 };
 
-std::vector<Row> rows(const proxy::PerceptionError& errors) {
+std::vector<Row> rows(const player::PerceptionError& errors) {
   return {{"own position", "m", "self", errors.self()},
           {"body angle", "deg", "body_angle", errors.body_angle()},
           {"ball", "m", "ball", errors.ball()},
@@ -102,8 +102,8 @@ base::Result<PerceptionCheck> check_perception(std::string_view transcript, cons
                                                const WorldModelObserver& on_decision) {
   PerceptionCheck check;
   const FrameIndex frames = index_frames(log);
-  proxy::TranscriptReplay replay =
-      proxy::replay_transcript(transcript, [&](const proxy::WorldModel& world) {
+  player::TranscriptReplay replay =
+      player::replay_transcript(transcript, [&](const player::WorldModel& world) {
         const auto frame = frames.find({world.game.time.cycle, world.game.time.stopped});
         if (frame == frames.end() || world.unum == 0) return;
         ++check.decisions;

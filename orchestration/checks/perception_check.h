@@ -6,20 +6,20 @@
 #include <string_view>
 
 #include "gamelog/record/match_record.h"
-#include "proxy/perception/perception_error.h"
-#include "proxy/perception/transcript.h"
+#include "player/perception/perception_error.h"
+#include "player/perception/transcript.h"
 
 namespace cls::orchestration::checks {
 
-using WorldModelObserver = std::function<void(const proxy::WorldModel&)>;
+using WorldModelObserver = std::function<void(const player::WorldModel&)>;
 
 struct PerceptionCheck {
   std::string team;
   soccer::Side side = soccer::Side::kLeft;
   int unum = 0;
   int decisions = 0;  ///< with a frame in the log, in any play mode
-  proxy::PerceptionError errors;
-  std::vector<proxy::TranscriptError> damage;
+  player::PerceptionError errors;
+  std::vector<player::TranscriptError> damage;
 };
 
 /// Replays the transcript (proxy/transcript.h) and calls `on_decision`, if there is one, with the

@@ -74,7 +74,7 @@ base::Result<std::unique_ptr<NetworkAgents>> make_agents(const StandaloneTeamOpt
 }
 
 void add_statistics(StandaloneTeamResult& result, PlayerResult player,
-                    const proxy::GameState& game) {
+                    const player::GameState& game) {
   result.players.push_back(std::move(player));
   result.cycles = std::max(result.cycles, game.time.cycle);
   result.our_score = game.our_score;

@@ -4,22 +4,22 @@
 #include <array>
 #include <optional>
 
+#include "player/ball_skills/clear_ball.h"
+#include "player/ball_skills/dribble.h"
+#include "player/ball_skills/hold_ball.h"
+#include "player/ball_skills/kick.h"
+#include "player/ball_skills/smart_kick.h"
+#include "player/behaviors/behaviors.h"
+#include "player/looking/body_neck.h"
+#include "player/looking/neck.h"
+#include "player/looking/view.h"
+#include "player/movement/intercept.h"
+#include "player/movement/movement.h"
+#include "player/movement/tackle.h"
+#include "player/planner/plan_execution.h"
 #include "proxy/actions/debug_log.h"
-#include "proxy/ball_skills/clear_ball.h"
-#include "proxy/ball_skills/dribble.h"
-#include "proxy/ball_skills/hold_ball.h"
-#include "proxy/ball_skills/kick.h"
-#include "proxy/ball_skills/smart_kick.h"
-#include "proxy/behaviors/behaviors.h"
-#include "proxy/looking/body_neck.h"
-#include "proxy/looking/neck.h"
-#include "proxy/looking/view.h"
 #include "proxy/messages/say_payload.h"
-#include "proxy/movement/intercept.h"
-#include "proxy/movement/movement.h"
-#include "proxy/movement/tackle.h"
 #include "proxy/planner/offensive_planner.h"
-#include "proxy/planner/plan_execution.h"
 
 namespace cls::proxy {
 namespace {
@@ -29,7 +29,7 @@ using soccer::Vec2;
 using soccer::ViewWidth;
 
 using Action = protos::PlayerAction;
-using Context = ActionContext;
+using Context = ReplyContext;
 
 Vec2 vec(const protos::RpcVector2D& v) { return {v.x(), v.y()}; }
 
@@ -38,7 +38,7 @@ soccer::Side side(protos::Side side) {
 }
 
 /// The player named by a neck action; null when not tracked.
-const PlayerState* player(const WorldModel& world, protos::Side team, int unum) {
+const player::PlayerState* player(const player::WorldModel& world, protos::Side team, int unum) {
   return side(team) == world.our_side ? world.teammate(unum) : world.opponent(unum);
 }
 
@@ -57,8 +57,8 @@ bool change_width(Context& c, protos::ViewWidth width) {
 
 bool say(const protos::Say& say, Context& c) {
   const auto kind = static_cast<std::size_t>(say.message_case());
-  ActionCounts& counts = c.report.say[kind < c.report.say.size() ? kind : 0];
-  const std::optional<SayMessage> message = say_message_of(say, c.world.server());
+  player::ActionCounts& counts = c.report.say[kind < c.report.say.size() ? kind : 0];
+  const std::optional<player::SayMessage> message = say_message_of(say, c.world.server());
   if (!message) {
     ++counts.unimplemented;  // member of a later interface
     return false;
@@ -90,12 +90,12 @@ bool basic_offensive(Context& c) {
 
 bool basic_tackle_and_look(const protos::HeliosBasicTackle& action, Context& c) {
   if (!basic_tackle(c.world, c.slots, action.min_prob())) return false;
-  c.neck.kind = NeckPlan::Kind::kBall;
+  c.neck.kind = player::NeckPlan::Kind::kBall;
   return true;
 }
 
 bool kick_and_scan(bool kicked, Context& c) {
-  if (kicked) c.neck.kind = NeckPlan::Kind::kScan;
+  if (kicked) c.neck.kind = player::NeckPlan::Kind::kScan;
   return kicked;
 }
 
@@ -239,7 +239,7 @@ constexpr bool in_field_order() {
   }
   return true;
 }
-static_assert(kEntries.size() == kActionKinds && in_field_order());
+static_assert(kEntries.size() == player::kActionKinds && in_field_order());
 
 }  // namespace
 

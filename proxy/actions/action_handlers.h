@@ -2,7 +2,7 @@
 #pragma once
 
 #include "proto/playmaker.pb.h"
-#include "proxy/planner/action_context.h"
+#include "proxy/planner/reply_context.h"
 
 namespace cls::proxy {
 
@@ -10,7 +10,7 @@ namespace cls::proxy {
 enum class ActionClass : unsigned char { kMain, kSide };
 
 /// True when the action succeeded. The named member is set and its numbers are finite.
-using ActionHandler = bool (*)(const protos::PlayerAction& action, ActionContext& context);
+using ActionHandler = bool (*)(const protos::PlayerAction& action, ReplyContext& context);
 
 struct ActionEntry {
   protos::PlayerAction::ActionCase member;

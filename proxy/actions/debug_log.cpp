@@ -21,7 +21,7 @@ std::string one_line(std::string_view text) {
 
 class LineWriter {
  public:
-  LineWriter(GameTime now, int level, std::string& out) : out_(out) {
+  LineWriter(player::GameTime now, int level, std::string& out) : out_(out) {
     fmt::format_to(std::back_inserter(out_), "{},{} {}", now.cycle, now.stopped, level);
   }
   LineWriter& kind(char letter) {
@@ -49,7 +49,7 @@ char letter(char plain, bool filled) {
 }
 
 /// Shapes that can be filled.
-bool append_shape(const protos::Log& log, GameTime now, std::string& out) {
+bool append_shape(const protos::Log& log, player::GameTime now, std::string& out) {
   using Log = protos::Log;
   const auto line = [&](const auto& m) { return LineWriter(now, m.level(), out); };
   switch (log.log_case()) {
@@ -98,7 +98,7 @@ bool append_shape(const protos::Log& log, GameTime now, std::string& out) {
 
 }  // namespace
 
-bool append_debug_action(const protos::Log& log, GameTime now, std::string& out) {
+bool append_debug_action(const protos::Log& log, player::GameTime now, std::string& out) {
   using Log = protos::Log;
   const auto line = [&](const auto& m) { return LineWriter(now, m.level(), out); };
   switch (log.log_case()) {
@@ -139,7 +139,7 @@ bool append_debug_action(const protos::Log& log, GameTime now, std::string& out)
   }
 }
 
-void append_debug_text(std::string_view text, GameTime now, std::string& out) {
+void append_debug_text(std::string_view text, player::GameTime now, std::string& out) {
   LineWriter(now, 0, out).kind('M').rest(text);
 }
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "proxy/world/age.h"
+#include "player/world/age.h"
 
 namespace protos {
 class Log;
@@ -18,9 +18,9 @@ inline constexpr std::size_t kMaxDebugBytes = 10 << 20;
 
 /// Appends one line for the text or shape: `CYCLE,STOPPED LEVEL KIND ...` (docs/actions.md). False,
 /// appending nothing, when no member is set.
-bool append_debug_action(const protos::Log& log, GameTime now, std::string& out);
+bool append_debug_action(const protos::Log& log, player::GameTime now, std::string& out);
 
 /// Formats a debug_client message as a text of level 0.
-void append_debug_text(std::string_view text, GameTime now, std::string& out);
+void append_debug_text(std::string_view text, player::GameTime now, std::string& out);
 
 }  // namespace cls::proxy

@@ -5,9 +5,9 @@
 
 #include <cmath>
 
+#include "player/behaviors/automatic_play.h"
 #include "proto/playmaker.pb.h"
 #include "proxy/actions/action_handlers.h"
-#include "proxy/behaviors/automatic_play.h"
 
 namespace cls::proxy {
 namespace {
@@ -54,82 +54,85 @@ bool finite_field(const pb::Message& message, const pb::Reflection& reflection,
   return true;
 }
 
-ActionOutcome run_action(const protos::PlayerAction& action, const ActionEntry& entry,
-                         bool main_done, ActionContext& context) {
-  if (entry.kind == ActionClass::kMain && main_done) return ActionOutcome::kSkipped;
-  if (entry.handler == nullptr) return ActionOutcome::kUnimplemented;
-  if (!all_finite(action)) return ActionOutcome::kInvalid;
-  return entry.handler(action, context) ? ActionOutcome::kExecuted : ActionOutcome::kFailed;
+player::ActionOutcome run_action(const protos::PlayerAction& action, const ActionEntry& entry,
+                                 bool main_done, ReplyContext& context) {
+  if (entry.kind == ActionClass::kMain && main_done) return player::ActionOutcome::kSkipped;
+  if (entry.handler == nullptr) return player::ActionOutcome::kUnimplemented;
+  if (!all_finite(action)) return player::ActionOutcome::kInvalid;
+  return entry.handler(action, context) ? player::ActionOutcome::kExecuted
+                                        : player::ActionOutcome::kFailed;
 }
 
-void count(ActionOutcome outcome, ActionCounts& counts) {
+void count(player::ActionOutcome outcome, player::ActionCounts& counts) {
   switch (outcome) {
-    case ActionOutcome::kExecuted:
+    case player::ActionOutcome::kExecuted:
       ++counts.done;
       return;
-    case ActionOutcome::kFailed:
+    case player::ActionOutcome::kFailed:
       ++counts.failed;
       return;
-    case ActionOutcome::kSkipped:
+    case player::ActionOutcome::kSkipped:
       ++counts.skipped;
       return;
-    case ActionOutcome::kInvalid:
+    case player::ActionOutcome::kInvalid:
       ++counts.invalid;
       return;
-    case ActionOutcome::kUnimplemented:
+    case player::ActionOutcome::kUnimplemented:
       ++counts.unimplemented;
       return;
   }
 }
 
 /// Executes the list: main actions until one succeeds, all side actions.
-void run_list(const protos::PlayerActions& reply, ActionContext& context) {
-  context.memory.trace.by = DecidedBy::kActions;
+void run_list(ReplyContext& context) {
+  context.memory.trace.by = player::DecidedBy::kActions;
   bool main_done = false;
   bool any_done = false;
-  for (const protos::PlayerAction& action : reply.actions()) {
+  for (const protos::PlayerAction& action : context.reply.actions()) {
     const int member = action.action_case();
     const ActionEntry& entry = action_entry(member);
-    const ActionOutcome outcome = run_action(action, entry, main_done, context);
+    const player::ActionOutcome outcome = run_action(action, entry, main_done, context);
     count(outcome, context.report.actions[static_cast<std::size_t>(entry.member)]);
     context.memory.trace.outcomes.push_back(outcome);
-    const bool success = outcome == ActionOutcome::kExecuted;
+    const bool success = outcome == player::ActionOutcome::kExecuted;
     any_done = any_done || success;
     main_done = main_done || (success && entry.kind == ActionClass::kMain);
   }
   ++context.report.lists;
-  if (reply.actions().empty()) ++context.report.empty;
+  if (context.reply.actions().empty()) ++context.report.empty;
   if (!any_done) ++context.report.useless;
 }
 
 }  // namespace
 
-void execute(const protos::PlayerActions& reply, const WorldModel& world, ActionMemory& memory,
-             CommandSlots& slots, ActionReport& report, PlanChoice& choice) {
-  NeckPlan neck;
-  ActionContext context{world, memory, slots, neck, report, choice, &reply};
-  begin_decision(context);
-  AutomaticPlay automatic;
+void execute(const protos::PlayerActions& reply, const player::WorldModel& world,
+             player::ActionMemory& memory, player::CommandSlots& slots,
+             player::ActionReport& report, player::PlanChoice& choice) {
+  player::NeckPlan neck;
+  ReplyContext context{{world, memory, slots, neck, report, choice}, reply};
+  player::begin_decision(context);
+  player::AutomaticPlay automatic;
   automatic.preprocess = !reply.ignore_preprocess();
   automatic.sure_shot = !reply.ignore_shootinpreprocess();
   automatic.intention = !reply.ignore_dointention();
   automatic.force_kick = !reply.ignore_doforcekick();
   automatic.heard_pass = !reply.ignore_doheardpassrecieve();
-  if (!play_automatically(context, automatic)) run_list(reply, context);
-  if (choice.chooser != PlanChoice::Chooser::kRequested) finish_decision(context);
+  if (!play_automatically(context, automatic)) run_list(context);
+  if (choice.chooser != player::PlanChoice::Chooser::kRequested) player::finish_decision(context);
 }
 
-void execute(const protos::PlayerActions& reply, const WorldModel& world, ActionMemory& memory,
-             CommandSlots& slots, ActionReport& report) {
-  PlanChoice choice;
+void execute(const protos::PlayerActions& reply, const player::WorldModel& world,
+             player::ActionMemory& memory, player::CommandSlots& slots,
+             player::ActionReport& report) {
+  player::PlanChoice choice;
   execute(reply, world, memory, slots, report, choice);
 }
 
-void execute_without_reply(const WorldModel& world, ActionMemory& memory, CommandSlots& slots,
-                           ActionReport& report) {
-  NeckPlan neck;
-  PlanChoice choice;
-  ActionContext context{world, memory, slots, neck, report, choice};
+void execute_without_reply(const player::WorldModel& world, player::ActionMemory& memory,
+                           player::CommandSlots& slots, player::ActionReport& report) {
+  player::NeckPlan neck;
+  player::PlanChoice choice;
+  player::ActionContext context{world, memory, slots, neck, report, choice};
   decide_without_reply(context);
 }
 

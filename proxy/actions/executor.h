@@ -1,11 +1,11 @@
 // Executes a Playmaker's reply as this cycle's commands.
 #pragma once
 
-#include "proxy/commands/command_slots.h"
-#include "proxy/connection/action_report.h"
-#include "proxy/planner/action_context.h"
-#include "proxy/planner/action_memory.h"
-#include "proxy/world/world_model.h"
+#include "player/commands/command_slots.h"
+#include "player/planner/action_context.h"
+#include "player/planner/action_memory.h"
+#include "player/planner/action_report.h"
+#include "player/world/world_model.h"
 
 namespace protos {
 class PlayerActions;
@@ -22,14 +22,16 @@ namespace cls::proxy {
 /// With `choice` open, a planner action may request the Playmaker's choice: `choice.chooser` is
 /// then kRequested and nothing is decided. Call execute() again with the reply in `choice` and with
 /// memory, slots and report as before. Without `choice` the proxy chooses.
-void execute(const protos::PlayerActions& reply, const WorldModel& world, ActionMemory& memory,
-             CommandSlots& slots, ActionReport& report, PlanChoice& choice);
-void execute(const protos::PlayerActions& reply, const WorldModel& world, ActionMemory& memory,
-             CommandSlots& slots, ActionReport& report);
+void execute(const protos::PlayerActions& reply, const player::WorldModel& world,
+             player::ActionMemory& memory, player::CommandSlots& slots,
+             player::ActionReport& report, player::PlanChoice& choice);
+void execute(const protos::PlayerActions& reply, const player::WorldModel& world,
+             player::ActionMemory& memory, player::CommandSlots& slots,
+             player::ActionReport& report);
 
 /// The decision without a reply (deadline exceeded or failed call): automatic actions (preprocess,
 /// view), and looking at the ball.
-void execute_without_reply(const WorldModel& world, ActionMemory& memory, CommandSlots& slots,
-                           ActionReport& report);
+void execute_without_reply(const player::WorldModel& world, player::ActionMemory& memory,
+                           player::CommandSlots& slots, player::ActionReport& report);
 
 }  // namespace cls::proxy

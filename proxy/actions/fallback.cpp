@@ -1,7 +1,7 @@
 // Actions chosen by the proxy.
 #include "proxy/actions/fallback.h"
 
-#include "proxy/movement/home_positions.h"
+#include "player/movement/home_positions.h"
 
 namespace cls::proxy {
 namespace {
@@ -9,7 +9,7 @@ namespace {
 constexpr float kHomeDistance = 1.0F;
 constexpr float kRunningPower = 70.0F;
 
-void go_home(const WorldModel& world, protos::PlayerActions& out) {
+void go_home(const player::WorldModel& world, protos::PlayerActions& out) {
   const soccer::Vec2 home = own_home_position(world);
   protos::Body_GoToPoint& go = *out.add_actions()->mutable_body_go_to_point();
   go.mutable_target_point()->set_x(static_cast<float>(home.x));
@@ -20,13 +20,13 @@ void go_home(const WorldModel& world, protos::PlayerActions& out) {
 
 }  // namespace
 
-void choose_fallback_actions(const WorldModel& world, protos::PlayerActions& out) {
+void choose_fallback_actions(const player::WorldModel& world, protos::PlayerActions& out) {
   out.Clear();
-  const InterceptTable& table = world.intercept;
+  const player::InterceptTable& table = world.intercept;
   const bool may_touch = !is_set_play_of(world.game, world.their_side());
   if (world.self.kickable) {
     out.add_actions()->mutable_body_clear_ball();
-  } else if (may_touch && table.self_steps < kNever &&
+  } else if (may_touch && table.self_steps < player::kNever &&
              table.self_steps <= table.first_teammate_steps) {
     out.add_actions()->mutable_body_intercept();
   } else {

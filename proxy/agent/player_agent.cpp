@@ -7,13 +7,13 @@
 #include <utility>
 
 #include "base/overloaded.h"
+#include "player/behaviors/automatic_play.h"
+#include "player/movement/home_positions.h"
 #include "proxy/actions/debug_log.h"
 #include "proxy/actions/executor.h"
 #include "proxy/actions/fallback.h"
-#include "proxy/behaviors/automatic_play.h"
 #include "proxy/messages/shoot_out_view.h"
 #include "proxy/messages/state_message.h"
-#include "proxy/movement/home_positions.h"
 #include "proxy/planner/planner_messages.h"
 #include "soccer/commands/connection_request.h"
 #include "soccer/protocol/message_kind.h"
@@ -55,7 +55,7 @@ bool requests_choice(const protos::PlayerActions& actions) {
 bool is_counted(const soccer::PlayerCommand& command, soccer::PlayMode mode) {
   return std::holds_alternative<soccer::Turn>(command) ||
          std::holds_alternative<soccer::Dash>(command) ||
-         (std::holds_alternative<soccer::Tackle>(command) && !clock_stopped(mode));
+         (std::holds_alternative<soccer::Tackle>(command) && !player::clock_stopped(mode));
 }
 
 }  // namespace
@@ -136,7 +136,7 @@ void PlayerAgent::count_lost_commands() {
   const auto total = [](const soccer::CommandCounts& counts, int tackles) {
     return counts.kick + counts.dash + counts.turn + counts.catches + counts.move + tackles;
   };
-  const SelfState& self = world_.self;
+  const player::SelfState& self = world_.self;
   const bool frozen =
       self.tackle_expires_in > 0 || self.foul_charged > 0 || sense_.foul_charged > 0;
   const int before = total(self.counts, self.tackle_count);
@@ -180,7 +180,7 @@ void PlayerAgent::handle_server_reply() {
       reply);
 }
 
-const WorldModel& PlayerAgent::begin_decision(Instant now) {
+const player::WorldModel& PlayerAgent::begin_decision(Instant now) {
   assert(decision_due(now));
   if (!timer_.synchronous()) {
     const auto delay = std::chrono::duration_cast<std::chrono::microseconds>(now - timer_.due_at());
@@ -191,28 +191,28 @@ const WorldModel& PlayerAgent::begin_decision(Instant now) {
   timer_.decided();
   update_derived(world_);
   view_.reset();
-  if (needs_shoot_out_view(world_)) view_ = std::make_unique<WorldModel>(rotated(world_));
+  if (needs_shoot_out_view(world_)) view_ = std::make_unique<player::WorldModel>(rotated(world_));
   return decision_world();
 }
 
 const protos::State& PlayerAgent::state(Instant now) {
-  const WorldModel& world = begin_decision(now);
+  const player::WorldModel& world = begin_decision(now);
   fill_state(world, home_positions(world), needs_preprocess(world), state_);
   return state_;
 }
 
 bool PlayerAgent::act(const protos::PlayerActions& actions) {
-  const WorldModel& world = decision_world();
+  const player::WorldModel& world = decision_world();
   if (options_.on_late == OnLate::kLast) last_actions_ = actions;
   choice_ = {};
   if (world.self.kickable && requests_choice(actions)) {
     // This attempt is repeated with the choice.
-    choice_.chooser = PlanChoice::Chooser::kPlaymaker;
-    ActionMemory memory = memory_;
-    CommandSlots slots(world);
-    ActionReport report = statistics_.actions;
+    choice_.chooser = player::PlanChoice::Chooser::kPlaymaker;
+    player::ActionMemory memory = memory_;
+    player::CommandSlots slots(world);
+    player::ActionReport report = statistics_.actions;
     execute(actions, world, memory, slots, report, choice_);
-    if (choice_.chooser == PlanChoice::Chooser::kRequested) {
+    if (choice_.chooser == player::PlanChoice::Chooser::kRequested) {
       chosen_from_ = actions;
       fill_planner_request(world, choice_.plan, state_, planner_request_);
       phase_ = Phase::kAwaitingChoice;
@@ -223,7 +223,7 @@ bool PlayerAgent::act(const protos::PlayerActions& actions) {
     send(slots);
     return true;
   }
-  CommandSlots slots(world);
+  player::CommandSlots slots(world);
   execute(actions, world, memory_, slots, statistics_.actions, choice_);
   send(slots);
   return true;
@@ -231,25 +231,25 @@ bool PlayerAgent::act(const protos::PlayerActions& actions) {
 
 void PlayerAgent::act_on_planner_choice(std::optional<int> node) {
   assert(awaits_planner_choice());
-  const WorldModel& world = decision_world();
-  choice_.chooser = PlanChoice::Chooser::kReplied;
+  const player::WorldModel& world = decision_world();
+  choice_.chooser = player::PlanChoice::Chooser::kReplied;
   choice_.node = node.value_or(-1);
   // A negative index is not a failure: use the plan's best node.
   if (node && *node < 0) choice_.node = choice_.plan.best;
-  CommandSlots slots(world);
+  player::CommandSlots slots(world);
   execute(chosen_from_, world, memory_, slots, statistics_.actions, choice_);
   send(slots);
 }
 
 void PlayerAgent::act_without_reply() {
-  const WorldModel& world = decision_world();
+  const player::WorldModel& world = decision_world();
   choice_ = {};
-  CommandSlots slots(world);
+  player::CommandSlots slots(world);
   if (options_.on_late == OnLate::kDefault) choose_fallback_actions(world, last_actions_);
   if (options_.on_late == OnLate::kHold || last_actions_.actions_size() == 0) {
     execute_without_reply(world, memory_, slots, statistics_.actions);
   } else {
-    ActionReport uncounted;  // not requested in this cycle
+    player::ActionReport uncounted;  // not requested in this cycle
     execute(last_actions_, world, memory_, slots, uncounted);
   }
   send(slots);
@@ -268,7 +268,7 @@ void PlayerAgent::write_debug_log() {
   if (debug_bytes_ > kMaxDebugBytes) debug_log_ << "the rest is omitted\n";
 }
 
-void PlayerAgent::send(const CommandSlots& slots) {
+void PlayerAgent::send(const player::CommandSlots& slots) {
   slots.compose(commands_, timer_.synchronous());
   server_.datagram.clear();
   for (const soccer::PlayerCommand& command : commands_) {

@@ -10,16 +10,16 @@
 #include <string_view>
 #include <vector>
 
+#include "player/commands/command_slots.h"
+#include "player/formation/formation_set.h"
+#include "player/perception/perception.h"
+#include "player/planner/action_context.h"
+#include "player/planner/action_memory.h"
+#include "player/world/world_model.h"
 #include "proto/playmaker.pb.h"
-#include "proxy/commands/command_slots.h"
 #include "proxy/connection/agent_statistics.h"
 #include "proxy/connection/decision_timer.h"
 #include "proxy/connection/server_connection.h"
-#include "proxy/formation/formation_set.h"
-#include "proxy/perception/perception.h"
-#include "proxy/planner/action_context.h"
-#include "proxy/planner/action_memory.h"
-#include "proxy/world/world_model.h"
 #include "soccer/channel.h"
 #include "soccer/commands/player_command.h"
 #include "soccer/messages/hear.h"
@@ -45,9 +45,9 @@ struct AgentOptions {
   bool goalie = false;
   int protocol = soccer::kDefaultProtocolVersion;  ///< version of the text protocol, 14 to 19
   OnLate on_late = OnLate::kHold;
-  int reconnect_unum = 0;                            ///< not 0: take over this disconnected player
-  std::shared_ptr<const FormationSet> formations;    ///< null: built-in
-  std::shared_ptr<const PlannerParameters> planner;  ///< null: the defaults
+  int reconnect_unum = 0;  ///< not 0: take over this disconnected player
+  std::shared_ptr<const player::FormationSet> formations;    ///< null: built-in
+  std::shared_ptr<const player::PlannerParameters> planner;  ///< null: the defaults
   std::string debug_log;  ///< folder for debug logs of the Playmaker; empty: none
 };
 
@@ -72,7 +72,7 @@ class PlayerAgent {
   bool deciding() const { return phase_ != Phase::kIdle; }
   /// Completes the world model for the due decision and returns the world of the decision, which
   /// is rotated in a shoot-out. Once per decision; valid until the next call.
-  const WorldModel& begin_decision(Instant now = {});
+  const player::WorldModel& begin_decision(Instant now = {});
   /// begin_decision(), and its world as a State. Valid until the next call.
   const protos::State& state(Instant now = {});
   /// The last State; the caller sets its register_response.
@@ -96,16 +96,16 @@ class PlayerAgent {
 
   /// How the latest decision was executed, the plan that it needed (empty: none), and what was
   /// sent.
-  const DecisionTrace& trace() const { return memory_.trace; }
-  const PlanChoice& plan() const { return choice_; }
+  const player::DecisionTrace& trace() const { return memory_.trace; }
+  const player::PlanChoice& plan() const { return choice_; }
   /// The list that needed a choice among planned actions.
   const protos::PlayerActions& chosen_from() const { return chosen_from_; }
   const std::string& sent_commands() const { return server_.datagram; }
 
   int unum() const { return world_.unum; }
-  const WorldModel& world() const { return world_; }
+  const player::WorldModel& world() const { return world_; }
   /// The world that begin_decision() returned.
-  const WorldModel& decision_world() const { return view_ ? *view_ : world_; }
+  const player::WorldModel& decision_world() const { return view_ ? *view_ : world_; }
   const AgentOptions& options() const { return options_; }
   AgentStatistics& statistics() { return statistics_; }
   const AgentStatistics& statistics() const { return statistics_; }
@@ -122,21 +122,21 @@ class PlayerAgent {
   void handle_sense_body();
   void count_lost_commands();
   void on_connected(const soccer::PlayerInitReply& init);
-  void send(const CommandSlots& slots);
+  void send(const player::CommandSlots& slots);
   void write_debug_log();
 
   ServerConnection server_;
   AgentOptions options_;
-  WorldModel world_;
-  ActionMemory memory_;
+  player::WorldModel world_;
+  player::ActionMemory memory_;
   AgentStatistics statistics_;
   DecisionTimer timer_;
   Phase phase_ = Phase::kIdle;
   bool awaits_count_ = false;  ///< sent a command that the next sense_body must count
   protos::State state_;
-  protos::PlayerActions last_actions_;  // kLast, kDefault
-  std::unique_ptr<WorldModel> view_;    // rotated for a shoot-out
-  PlanChoice choice_;
+  protos::PlayerActions last_actions_;        // kLast, kDefault
+  std::unique_ptr<player::WorldModel> view_;  // rotated for a shoot-out
+  player::PlanChoice choice_;
   protos::PlayerActions chosen_from_;  // the action list that needs a choice
   protos::BestPlannerActionRequest planner_request_;
   std::ofstream debug_log_;

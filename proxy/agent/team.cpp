@@ -94,7 +94,9 @@ TeamRegistration Team::registration() const {
   if (coach_ != nullptr) team.agents.emplace_back(coach_->number(), coach_registration());
   if (!team.agents.empty()) team.parameters = world().parameters;
   team.codec = options_.codec;
-  team.world_of = [this](int unum) -> const WorldModel& { return player(unum).decision_world(); };
+  team.world_of = [this](int unum) -> const player::WorldModel& {
+    return player(unum).decision_world();
+  };
   team.rated = options_.rated;
   return team;
 }
@@ -390,7 +392,7 @@ void Team::warn_once(const std::string& line) {
 }
 
 void Team::warn_of_actions(const PlayerAgent& agent) {
-  const ActionReport& report = agent.statistics().actions;
+  const player::ActionReport& report = agent.statistics().actions;
   const auto warn = [&](const auto& counts, auto& warned, const char* verb, auto name_of) {
     const auto warn_of = [&](std::size_t kind, const char* consequence) {
       warn_once(std::string("the Playmaker ") + verb + " " +

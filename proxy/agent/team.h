@@ -33,8 +33,8 @@ struct TeamOptions {
   int first_unum = 1;                   ///< first player to take over with `reconnect`
   bool reconnect = false;               ///< take over disconnected players
   bool goalie = true;                   ///< the first player is the goalie
-  std::shared_ptr<const FormationSet> formations;    ///< null: the built-in ones
-  std::shared_ptr<const PlannerParameters> planner;  ///< null: the defaults
+  std::shared_ptr<const player::FormationSet> formations;    ///< null: the built-in ones
+  std::shared_ptr<const player::PlannerParameters> planner;  ///< null: the defaults
   std::string debug_log;               ///< folder for debug logs of the Playmaker; empty: none
   std::shared_ptr<TensorCodec> codec;  ///< null: the form TENSOR is not offered
   bool rated = false;                  ///< a match of a tournament or comparison
@@ -115,7 +115,7 @@ class Team {
   soccer::Side side() const;
   const std::vector<std::unique_ptr<PlayerAgent>>& players() const { return players_; }
   /// World model of the first player, otherwise of coach or trainer. Valid after connecting.
-  const WorldModel& world() const;
+  const player::WorldModel& world() const;
   /// True when the server runs in synchronous mode.
   bool synchronous() const { return world().server().synch_mode; }
   /// The coach or trainer; null: none.
@@ -178,8 +178,8 @@ class Team {
   Instant turn_began_;
   std::int64_t turn_ = 0;  ///< most decisions of any player, one that is due included
   TeamTimes times_;
-  std::array<ActionWarnings, kActionKinds> warned_actions_{};
-  std::array<ActionWarnings, kSayKinds> warned_say_{};
+  std::array<ActionWarnings, player::kActionKinds> warned_actions_{};
+  std::array<ActionWarnings, player::kSayKinds> warned_say_{};
   PlaymakerErrors errors_;
   bool warned_of_error_ = false;
   std::vector<std::string> warnings_;

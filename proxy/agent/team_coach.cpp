@@ -45,7 +45,7 @@ RpcStatus Team::register_coach() {
   return status;
 }
 
-const WorldModel& Team::world() const {
+const player::WorldModel& Team::world() const {
   assert((!players_.empty() || coach_ != nullptr) && "the team is connected");
   return players_.empty() ? coach_->world() : players_.front()->world();
 }

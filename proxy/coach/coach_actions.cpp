@@ -5,9 +5,9 @@
 #include <optional>
 #include <string>
 
+#include "player/perception/player_types_message.h"
 #include "proxy/coach/substitution.h"
 #include "proxy/messages/state_message.h"
-#include "proxy/perception/player_types_message.h"
 #include "soccer/play_mode.h"
 
 namespace cls::proxy {
@@ -20,7 +20,7 @@ using Commands = std::vector<CoachCommand>;
 
 bool is_unum(int unum) { return unum >= 1 && unum <= soccer::kPlayersPerTeam; }
 
-bool is_type(const WorldModel& world, int type) {
+bool is_type(const player::WorldModel& world, int type) {
   return type >= 0 && type < world.parameters->player.player_types;
 }
 
@@ -36,7 +36,7 @@ void count(CoachActionReport& report, int kind, Outcome outcome) {
   ++counts[static_cast<std::size_t>(kind)];
 }
 
-Outcome change_type(const protos::ChangePlayerType& action, const WorldModel& world,
+Outcome change_type(const protos::ChangePlayerType& action, const player::WorldModel& world,
                     Commands& out) {
   if (!is_unum(action.uniform_number()) || !is_type(world, action.type())) {
     return Outcome::kInvalid;
@@ -46,13 +46,13 @@ Outcome change_type(const protos::ChangePlayerType& action, const WorldModel& wo
 }
 
 // Sent only when changed and when the server accepts it: the number of messages is limited.
-Outcome say_types(const WorldModel& world, CoachMemory& memory, Commands& out) {
+Outcome say_types(const player::WorldModel& world, CoachMemory& memory, Commands& out) {
   if (!has_types_to_say(world, memory) || !can_say_freeform(world, memory)) return Outcome::kDone;
   memory.said_types = world.their_types;
   memory.said_in = world.game.mode_start;
   memory.said_in_vain = false;
   ++memory.freeforms_sent;
-  const std::string text = "(freeform \"" + format_player_types(memory.said_types) + "\")";
+  const std::string text = "(freeform \"" + player::format_player_types(memory.said_types) + "\")";
   out.push_back(soccer::CoachSay{soccer::ClangKind::kFreeform, text});
   return Outcome::kDone;
 }
@@ -71,7 +71,7 @@ std::optional<PlayMode> mode_of(const protos::DoChangeMode& action) {
   return std::nullopt;
 }
 
-std::string team_name(const WorldModel& world, bool own_team) {
+std::string team_name(const player::WorldModel& world, bool own_team) {
   return std::string((own_team ? world.our_team_name : world.their_team_name).view());
 }
 
@@ -83,7 +83,8 @@ Outcome move_ball(const protos::DoMoveBall& action, Commands& out) {
   return Outcome::kDone;
 }
 
-Outcome move_player(const protos::DoMovePlayer& action, const WorldModel& world, Commands& out) {
+Outcome move_player(const protos::DoMovePlayer& action, const player::WorldModel& world,
+                    Commands& out) {
   const Vec2 position = vector(action.position());
   const std::string team = team_name(world, action.our_side());
   if (!is_finite(position) || !std::isfinite(action.body_direction()) || team.empty() ||
@@ -103,7 +104,7 @@ Outcome change_mode(const protos::DoChangeMode& action, Commands& out) {
   return Outcome::kDone;
 }
 
-Outcome change_type(const protos::DoChangePlayerType& action, const WorldModel& world,
+Outcome change_type(const protos::DoChangePlayerType& action, const player::WorldModel& world,
                     Commands& out) {
   const std::string team = team_name(world, action.our_side());
   if (team.empty() || !is_unum(action.uniform_number()) || !is_type(world, action.type())) {
@@ -115,8 +116,8 @@ Outcome change_type(const protos::DoChangePlayerType& action, const WorldModel& 
 
 }  // namespace
 
-void execute(const protos::CoachActions& actions, const WorldModel& world, CoachMemory& memory,
-             CoachActionReport& report, Commands& out) {
+void execute(const protos::CoachActions& actions, const player::WorldModel& world,
+             CoachMemory& memory, CoachActionReport& report, Commands& out) {
   using protos::CoachAction;
   for (const CoachAction& action : actions.actions()) {
     const int kind = action.action_case();
@@ -138,7 +139,7 @@ void execute(const protos::CoachActions& actions, const WorldModel& world, Coach
   }
 }
 
-void execute(const protos::TrainerActions& actions, const WorldModel& world,
+void execute(const protos::TrainerActions& actions, const player::WorldModel& world,
              CoachActionReport& report, Commands& out) {
   using protos::TrainerAction;
   for (const TrainerAction& action : actions.actions()) {

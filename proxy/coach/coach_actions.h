@@ -5,10 +5,10 @@
 #include <cstdint>
 #include <vector>
 
+#include "player/world/world_model.h"
 #include "proto/playmaker.pb.h"
 #include "proxy/coach/coach_memory.h"
-#include "proxy/connection/action_report.h"
-#include "proxy/world/world_model.h"
+#include "proxy/connection/action_names.h"
 #include "soccer/commands/coach_command.h"
 
 namespace cls::proxy {
@@ -29,9 +29,10 @@ ActionOutcomes outcomes_by_name(const CoachActionReport& report, bool is_trainer
 
 /// Appends the commands in the order of the list. An unknown uniform number or type, a coordinate
 /// that is not finite, or a play mode that the server lacks makes no command.
-void execute(const protos::CoachActions& actions, const WorldModel& world, CoachMemory& memory,
-             CoachActionReport& report, std::vector<soccer::CoachCommand>& out);
-void execute(const protos::TrainerActions& actions, const WorldModel& world,
+void execute(const protos::CoachActions& actions, const player::WorldModel& world,
+             CoachMemory& memory, CoachActionReport& report,
+             std::vector<soccer::CoachCommand>& out);
+void execute(const protos::TrainerActions& actions, const player::WorldModel& world,
              CoachActionReport& report, std::vector<soccer::CoachCommand>& out);
 
 }  // namespace cls::proxy

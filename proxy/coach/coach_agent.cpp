@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "base/overloaded.h"
+#include "player/perception/perception.h"
 #include "proxy/coach/global_perception.h"
 #include "proxy/messages/state_message.h"
-#include "proxy/perception/perception.h"
 #include "soccer/commands/connection_request.h"
 #include "soccer/protocol/message_kind.h"
 
@@ -131,7 +131,7 @@ const protos::State& CoachAgent::state() {
   complete_global(world_);
   if (!is_trainer()) {
     update_memory(memory_, world_);
-    for (PlayerState& opponent : world_.opponents) {
+    for (player::PlayerState& opponent : world_.opponents) {
       const auto i = static_cast<std::size_t>(opponent.unum - 1);
       int& known = world_.their_types[i];
       if (known < 0) known = memory_.analysis.found()[i];

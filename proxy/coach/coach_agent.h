@@ -9,13 +9,13 @@
 #include <variant>
 #include <vector>
 
+#include "player/world/world_model.h"
 #include "proto/playmaker.pb.h"
 #include "proxy/coach/coach_actions.h"
 #include "proxy/coach/coach_memory.h"
 #include "proxy/connection/agent_statistics.h"
 #include "proxy/connection/server_connection.h"
 #include "proxy/playmaker/playmaker.h"
-#include "proxy/world/world_model.h"
 #include "soccer/channel.h"
 #include "soccer/commands/coach_command.h"
 #include "soccer/messages/global_view.h"
@@ -73,7 +73,7 @@ class CoachAgent {
   /// Agent number at the Playmaker.
   int number() const { return is_trainer() ? kTrainerNumber : kCoachNumber; }
   const char* role_name() const { return is_trainer() ? "trainer" : "coach"; }
-  const WorldModel& world() const { return world_; }
+  const player::WorldModel& world() const { return world_; }
   const CoachMemory& memory() const { return memory_; }
   AgentStatistics& statistics() { return statistics_; }
   const AgentStatistics& statistics() const { return statistics_; }
@@ -91,7 +91,7 @@ class CoachAgent {
 
   ServerConnection server_;
   CoachOptions options_;
-  WorldModel world_;
+  player::WorldModel world_;
   CoachMemory memory_;
   AgentStatistics statistics_;
   CoachActionReport report_;

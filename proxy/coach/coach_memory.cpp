@@ -5,7 +5,7 @@ namespace cls::proxy {
 namespace {
 
 // Types on the field at the kick-off count as used.
-void count_lineup(CoachMemory& memory, const WorldModel& world) {
+void count_lineup(CoachMemory& memory, const player::WorldModel& world) {
   memory.used.assign(static_cast<std::size_t>(world.parameters->player.player_types), 0);
   for (const int type : world.our_types) {
     if (type >= 0 && static_cast<std::size_t>(type) < memory.used.size()) {
@@ -16,7 +16,7 @@ void count_lineup(CoachMemory& memory, const WorldModel& world) {
 
 }  // namespace
 
-void record_type_change(CoachMemory& memory, const WorldModel& world, int unum, int type) {
+void record_type_change(CoachMemory& memory, const player::WorldModel& world, int unum, int type) {
   memory.stamina.replace(world, unum);
   if (world.game.time.cycle <= 0 || memory.used.empty()) return;
   ++memory.substitutions;
@@ -25,7 +25,7 @@ void record_type_change(CoachMemory& memory, const WorldModel& world, int unum, 
   }
 }
 
-void update_memory(CoachMemory& memory, const WorldModel& world) {
+void update_memory(CoachMemory& memory, const player::WorldModel& world) {
   memory.analysis.update(world);
   memory.stamina.update(world);
   if (memory.used.empty() && world.game.time.cycle > 0) count_lineup(memory, world);
@@ -37,12 +37,12 @@ void record_refused_types(CoachMemory& memory) {
   --memory.freeforms_sent;
 }
 
-bool has_types_to_say(const WorldModel& world, const CoachMemory& memory) {
+bool has_types_to_say(const player::WorldModel& world, const CoachMemory& memory) {
   if (world.their_types != memory.said_types) return true;
   return memory.said_in_vain && !(world.game.mode_start == memory.said_in);
 }
 
-bool can_say_freeform(const WorldModel& world, const CoachMemory& memory) {
+bool can_say_freeform(const player::WorldModel& world, const CoachMemory& memory) {
   const soccer::ServerParams& server = world.server();
   const int most = server.say_coach_cnt_max;
   if (most >= 0 && memory.freeforms_sent >= most) return false;

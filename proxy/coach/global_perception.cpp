@@ -1,10 +1,10 @@
 // Exact views as a world model.
 #include "proxy/coach/global_perception.h"
 
-#include "proxy/estimates/ball_control.h"
-#include "proxy/estimates/intercept.h"
-#include "proxy/estimates/team_lines.h"
-#include "proxy/perception/hearing.h"
+#include "player/estimates/ball_control.h"
+#include "player/estimates/intercept.h"
+#include "player/estimates/team_lines.h"
+#include "player/perception/hearing.h"
 
 namespace cls::proxy {
 namespace {
@@ -21,7 +21,7 @@ struct Rotation {
   AngleDeg operator()(double degrees) const { return AngleDeg(degrees + (sign < 0 ? 180.0 : 0.0)); }
 };
 
-void see_ball(BallState& ball, const soccer::GlobalView& view, const Rotation& rotate) {
+void see_ball(player::BallState& ball, const soccer::GlobalView& view, const Rotation& rotate) {
   ball = {};
   ball.position = ball.seen_position = rotate(view.ball_position);
   ball.velocity = ball.seen_velocity = rotate(view.ball_velocity);
@@ -29,8 +29,8 @@ void see_ball(BallState& ball, const soccer::GlobalView& view, const Rotation& r
   ball.dist_from_self = 0.0;
 }
 
-PlayerState player_of(const soccer::GlobalViewPlayer& seen, const Rotation& rotate) {
-  PlayerState player;
+player::PlayerState player_of(const soccer::GlobalViewPlayer& seen, const Rotation& rotate) {
+  player::PlayerState player;
   player.unum = seen.unum;
   player.goalie = seen.goalie;
   player.position = player.seen_position = rotate(seen.position);
@@ -38,7 +38,7 @@ PlayerState player_of(const soccer::GlobalViewPlayer& seen, const Rotation& rota
   player.body = rotate(seen.body);
   player.face = rotate(seen.body + seen.neck);
   if (seen.pointing) player.point_direction = rotate(seen.point_direction);
-  player.point_count = seen.pointing ? 0 : kNever;
+  player.point_count = seen.pointing ? 0 : player::kNever;
   player.kicking = seen.mark == soccer::ActionMark::kKicked;
   player.tackling = seen.mark == soccer::ActionMark::kTackling;
   for (int* age : {&player.unum_count, &player.pos_count, &player.seen_pos_count, &player.vel_count,
@@ -50,7 +50,7 @@ PlayerState player_of(const soccer::GlobalViewPlayer& seen, const Rotation& rota
 }
 
 // Sorted by uniform number; the server usually sends this order.
-void insert(PlayerList& list, const PlayerState& player) {
+void insert(player::PlayerList& list, const player::PlayerState& player) {
   if (!list.push_back(player)) return;
   for (std::size_t i = list.size() - 1; i > 0 && list[i].unum < list[i - 1].unum; --i) {
     std::swap(list[i], list[i - 1]);
@@ -59,13 +59,13 @@ void insert(PlayerList& list, const PlayerState& player) {
 
 }  // namespace
 
-void on_coach_init(WorldModel& world, soccer::Side side, soccer::TeamName team_name) {
+void on_coach_init(player::WorldModel& world, soccer::Side side, soccer::TeamName team_name) {
   world.sideline = true;
   world.our_side = side == soccer::Side::kRight ? side : soccer::Side::kLeft;
   world.our_team_name = team_name;
 }
 
-void on_global_view(WorldModel& world, const soccer::GlobalView& view) {
+void on_global_view(player::WorldModel& world, const soccer::GlobalView& view) {
   const Rotation rotate(world.our_side);
   // A coach that connects during a match does not receive the play mode; play_on permits least.
   if (view.time > 0 && world.game.mode_start.cycle < 0) {
@@ -81,7 +81,7 @@ void on_global_view(WorldModel& world, const soccer::GlobalView& view) {
   for (const soccer::GlobalViewPlayer& seen : view.players) {
     if (seen.unum < 1 || seen.unum > soccer::kPlayersPerTeam) continue;
     const bool is_own = seen.team == world.our_team_name;
-    PlayerState player = player_of(seen, rotate);
+    player::PlayerState player = player_of(seen, rotate);
     player.side = is_own ? world.our_side : world.their_side();
     player.id = seen.unum + (is_own ? 0 : soccer::kPlayersPerTeam);
     const auto& types = is_own ? world.our_types : world.their_types;
@@ -94,11 +94,11 @@ void on_global_view(WorldModel& world, const soccer::GlobalView& view) {
   }
 }
 
-void on_coach_hear(WorldModel& world, const soccer::Hear& hear) {
+void on_coach_hear(player::WorldModel& world, const soccer::Hear& hear) {
   if (hear.sender == soccer::Hear::Sender::kReferee) hear_referee(world, hear.time, hear.text);
 }
 
-void complete_global(WorldModel& world) {
+void complete_global(player::WorldModel& world) {
   ++world.game.set_play_count;
   update_last_kicker(world);
   update_kickable_players(world);

@@ -4,14 +4,14 @@
 #include <algorithm>
 #include <variant>
 
-#include "proxy/perception/say_message.h"
+#include "player/perception/say_message.h"
 
 namespace cls::proxy {
 namespace {
 
 using soccer::Vec2;
 
-Stamina fresh(const WorldModel& world, int unum) {
+player::Stamina fresh(const player::WorldModel& world, int unum) {
   const auto& types = world.our_types;
   const soccer::PlayerType& type =
       world.parameters->type(types[static_cast<std::size_t>(unum - 1)]);
@@ -21,15 +21,15 @@ Stamina fresh(const WorldModel& world, int unum) {
 
 }  // namespace
 
-void StaminaEstimate::replace(const WorldModel& world, int unum) {
+void StaminaEstimate::replace(const player::WorldModel& world, int unum) {
   track(unum).stamina = fresh(world, unum);
 }
 
 // Power of the dash that explains the movement, given the velocity before. Noise is up to
 // player_rand of the speed; a smaller difference counts as coasting. A movement that does not match
 // the new velocity ended in a collision: assume the previous power.
-double StaminaEstimate::dash_power(const WorldModel& world, const PlayerState& player,
-                                   const Track& before) {
+double StaminaEstimate::dash_power(const player::WorldModel& world,
+                                   const player::PlayerState& player, const Track& before) {
   constexpr double kCollided = 0.02;  // meters per cycle
   constexpr double kPlausible = 1.5;  // above it, a trainer moved the player
   const soccer::ServerParams& server = world.server();
@@ -40,17 +40,17 @@ double StaminaEstimate::dash_power(const WorldModel& world, const PlayerState& p
   const Vec2 push = movement - before.velocity;
   if (push.length() <= server.player_rand * movement.length()) return 0.0;
   const double direction = (soccer::AngleDeg::of(push) - player.body).degrees();
-  const double rate = std::max(0.1, dash_rate(server, direction));
+  const double rate = std::max(0.1, player::dash_rate(server, direction));
   const double power = push.length() / (rate * type.dash_power_rate * before.stamina.effort);
   return power > kPlausible * server.max_dash_power ? 0.0 : std::min(power, server.max_dash_power);
 }
 
-void StaminaEstimate::update(const WorldModel& world) {
+void StaminaEstimate::update(const player::WorldModel& world) {
   const int now = world.game.time.cycle;
   // Stamina is reset before each half of normal time.
   const bool is_reset = world.game.mode == soccer::PlayMode::kBeforeKickOff &&
                         now < world.server().normal_time_cycles();
-  for (const PlayerState& teammate : world.teammates) {
+  for (const player::PlayerState& teammate : world.teammates) {
     Track& one = track(teammate.unum);
     if (is_reset || one.cycle < 0) {
       replace(world, teammate.unum);
@@ -64,16 +64,16 @@ void StaminaEstimate::update(const WorldModel& world) {
   }
 }
 
-void StaminaEstimate::hear(const WorldModel& world, int unum, std::string_view text) {
+void StaminaEstimate::hear(const player::WorldModel& world, int unum, std::string_view text) {
   const soccer::ServerParams& server = world.server();
-  Stamina& estimate = track(unum).stamina;
-  while (const auto said = parse_say_message(text, server)) {
-    if (const auto* stamina = std::get_if<SayStamina>(&*said)) {
+  player::Stamina& estimate = track(unum).stamina;
+  while (const auto said = player::parse_say_message(text, server)) {
+    if (const auto* stamina = std::get_if<player::SayStamina>(&*said)) {
       estimate.stamina = stamina->fraction * server.stamina_max;
-    } else if (const auto* recovery = std::get_if<SayRecovery>(&*said)) {
+    } else if (const auto* recovery = std::get_if<player::SayRecovery>(&*said)) {
       estimate.recovery =
           server.recover_min + recovery->fraction * (server.recover_init - server.recover_min);
-    } else if (const auto* capacity = std::get_if<SayCapacity>(&*said)) {
+    } else if (const auto* capacity = std::get_if<player::SayCapacity>(&*said)) {
       if (server.stamina_capacity >= 0.0) {
         estimate.capacity = capacity->fraction * server.stamina_capacity;
       }

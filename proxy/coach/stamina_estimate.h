@@ -5,21 +5,23 @@
 #include <array>
 #include <string_view>
 
-#include "proxy/world/running.h"
-#include "proxy/world/world_model.h"
+#include "player/world/running.h"
+#include "player/world/world_model.h"
 
 namespace cls::proxy {
 
 class StaminaEstimate {
  public:
   /// Estimates the dash power behind each movement since the last view.
-  void update(const WorldModel& world);
+  void update(const player::WorldModel& world);
   /// Reads stamina values from an own player's say message; ignores other content.
-  void hear(const WorldModel& world, int unum, std::string_view text);
+  void hear(const player::WorldModel& world, int unum, std::string_view text);
   /// A fresh player has that uniform number now.
-  void replace(const WorldModel& world, int unum);
+  void replace(const player::WorldModel& world, int unum);
 
-  const Stamina& of(int unum) const { return tracks_[static_cast<std::size_t>(unum - 1)].stamina; }
+  const player::Stamina& of(int unum) const {
+    return tracks_[static_cast<std::size_t>(unum - 1)].stamina;
+  }
 
  private:
   struct Track {
@@ -27,10 +29,11 @@ class StaminaEstimate {
     soccer::Vec2 position;
     soccer::Vec2 velocity;
     double power = 0.0;  ///< of the last recognized dash
-    Stamina stamina;
+    player::Stamina stamina;
   };
 
-  static double dash_power(const WorldModel& world, const PlayerState& player, const Track& before);
+  static double dash_power(const player::WorldModel& world, const player::PlayerState& player,
+                           const Track& before);
 
   Track& track(int unum) { return tracks_[static_cast<std::size_t>(unum - 1)]; }
 

@@ -21,14 +21,16 @@ using Pool = std::vector<int>;
 
 // Stamina per cycle at top speed, minus the recovery per cycle.
 double cost_of_top_speed(const soccer::ServerParams& server, const soccer::PlayerType& type) {
-  const double push = top_speed(server, type) * (1.0 - type.player_decay);
+  const double push = player::top_speed(server, type) * (1.0 - type.player_decay);
   return push / (type.dash_power_rate * type.effort_max) - type.stamina_inc_max;
 }
 
 // -1 when the pool is empty.
-int fastest(const MatchParameters& parameters, const Pool& pool) {
+int fastest(const player::MatchParameters& parameters, const Pool& pool) {
   constexpr double kAlike = 0.01;  // meters per cycle
-  const auto speed = [&](int id) { return top_speed(parameters.server, parameters.type(id)); };
+  const auto speed = [&](int id) {
+    return player::top_speed(parameters.server, parameters.type(id));
+  };
   double best_speed = 0.0;
   for (int id = 0; id < static_cast<int>(pool.size()); ++id) {
     if (pool[static_cast<std::size_t>(id)] > 0) best_speed = std::max(best_speed, speed(id));
@@ -38,8 +40,8 @@ int fastest(const MatchParameters& parameters, const Pool& pool) {
     if (best < 0) return true;
     const soccer::PlayerType& one = parameters.type(id);
     const soccer::PlayerType& other = parameters.type(best);
-    const int cycles = cycles_to_top_speed(parameters.server, one);
-    const int other_cycles = cycles_to_top_speed(parameters.server, other);
+    const int cycles = player::cycles_to_top_speed(parameters.server, one);
+    const int other_cycles = player::cycles_to_top_speed(parameters.server, other);
     if (cycles != other_cycles) return cycles < other_cycles;
     return cost_of_top_speed(parameters.server, one) < cost_of_top_speed(parameters.server, other);
   };
@@ -56,8 +58,8 @@ Pool whole_pool(const soccer::PlayerParams& params) {
   return pool;
 }
 
-void choose_lineup(const WorldModel& world, Commands& out) {
-  const MatchParameters& parameters = *world.parameters;
+void choose_lineup(const player::WorldModel& world, Commands& out) {
+  const player::MatchParameters& parameters = *world.parameters;
   Pool pool = whole_pool(parameters.player);
   const int goalie = world.our_goalie_unum != 0 ? world.our_goalie_unum : 1;
   if (world.teammate(goalie) != nullptr) out.push_back(soccer::ChangePlayerType{goalie, 0});
@@ -71,9 +73,9 @@ void choose_lineup(const WorldModel& world, Commands& out) {
   }
 }
 
-std::vector<int> tired_players(const WorldModel& world, const CoachMemory& memory) {
+std::vector<int> tired_players(const player::WorldModel& world, const CoachMemory& memory) {
   std::vector<int> tired;
-  for (const PlayerState& teammate : world.teammates) {
+  for (const player::PlayerState& teammate : world.teammates) {
     const double recovery = memory.stamina.of(teammate.unum).recovery;
     if (recovery < world.server().recover_init - kTired) tired.push_back(teammate.unum);
   }
@@ -83,8 +85,8 @@ std::vector<int> tired_players(const WorldModel& world, const CoachMemory& memor
   return tired;
 }
 
-void replace_tired(const WorldModel& world, const CoachMemory& memory, Commands& out) {
-  const MatchParameters& parameters = *world.parameters;
+void replace_tired(const player::WorldModel& world, const CoachMemory& memory, Commands& out) {
+  const player::MatchParameters& parameters = *world.parameters;
   Pool pool = whole_pool(parameters.player);
   for (std::size_t id = 0; id < pool.size() && id < memory.used.size(); ++id) {
     pool[id] -= memory.used[id];
@@ -98,7 +100,7 @@ void replace_tired(const WorldModel& world, const CoachMemory& memory, Commands&
   }
 }
 
-bool is_stoppage(const WorldModel& world) {
+bool is_stoppage(const player::WorldModel& world) {
   const soccer::PlayMode mode = world.game.mode;
   return mode != soccer::PlayMode::kPlayOn && mode != soccer::PlayMode::kTimeOver &&
          !soccer::is_penalty_mode(mode);
@@ -106,8 +108,8 @@ bool is_stoppage(const WorldModel& world) {
 
 }  // namespace
 
-void substitute(const WorldModel& world, CoachMemory& memory, Commands& out) {
-  const GameTime now = world.game.time;
+void substitute(const player::WorldModel& world, CoachMemory& memory, Commands& out) {
+  const player::GameTime now = world.game.time;
   if (now.cycle <= 0) {
     if (now.stopped <= kMinStoppedSteps || memory.lineup_chosen) return;
     memory.lineup_chosen = true;

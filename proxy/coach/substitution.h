@@ -3,8 +3,8 @@
 
 #include <vector>
 
+#include "player/world/world_model.h"
 #include "proxy/coach/coach_memory.h"
-#include "proxy/world/world_model.h"
 #include "soccer/commands/coach_command.h"
 
 namespace cls::proxy {
@@ -13,7 +13,7 @@ namespace cls::proxy {
 /// fastest types for the others, forwards and defenders first. In the last 500 cycles of normal
 /// time, during stoppages: fresh players for those with reduced recovery, lowest first. Never more
 /// than the rules allow.
-void substitute(const WorldModel& world, CoachMemory& memory,
+void substitute(const player::WorldModel& world, CoachMemory& memory,
                 std::vector<soccer::CoachCommand>& out);
 
 }  // namespace cls::proxy

@@ -26,7 +26,7 @@ void TypeAnalysis::forget(int unum) {
 }
 
 // A movement that fits no type came from a collision or a trainer.
-void TypeAnalysis::add_step(const MatchParameters& parameters, Track& track, Vec2 movement,
+void TypeAnalysis::add_step(const player::MatchParameters& parameters, Track& track, Vec2 movement,
                             Vec2 velocity) {
   const double squared = movement.squared_length();
   const double length = std::sqrt(squared);
@@ -43,7 +43,7 @@ void TypeAnalysis::add_step(const MatchParameters& parameters, Track& track, Vec
   track.weight += squared;
 }
 
-int TypeAnalysis::type_by(const MatchParameters& parameters, const Track& track) {
+int TypeAnalysis::type_by(const player::MatchParameters& parameters, const Track& track) {
   const double decay = track.weighted_decay / track.weight;
   const double error = kMovementError * decay / std::sqrt(track.weight);
   int found = -1;
@@ -55,10 +55,10 @@ int TypeAnalysis::type_by(const MatchParameters& parameters, const Track& track)
   return found;
 }
 
-void TypeAnalysis::update(const WorldModel& world) {
-  const bool stopped = clock_stopped(world.game.mode);
+void TypeAnalysis::update(const player::WorldModel& world) {
+  const bool stopped = player::clock_stopped(world.game.mode);
   const int now = world.game.time.cycle;
-  for (const PlayerState& opponent : world.opponents) {
+  for (const player::PlayerState& opponent : world.opponents) {
     const auto i = static_cast<std::size_t>(opponent.unum - 1);
     Track& track = tracks_[i];
     if (!stopped && track.cycle == now - 1) {

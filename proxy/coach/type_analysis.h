@@ -3,8 +3,8 @@
 
 #include <array>
 
-#include "proxy/perception/player_types_message.h"
-#include "proxy/world/world_model.h"
+#include "player/perception/player_types_message.h"
+#include "player/world/world_model.h"
 
 namespace cls::proxy {
 
@@ -16,12 +16,12 @@ class TypeAnalysis {
   TypeAnalysis() { types_.fill(-1); }
 
   /// Evaluates a view; ignored while the clock is stopped.
-  void update(const WorldModel& world);
+  void update(const player::WorldModel& world);
   /// The opponent with that uniform number was substituted.
   void forget(int unum);
 
   /// By unum - 1, for players whose type was changed; -1: unknown or ambiguous.
-  const TypeIds& found() const { return types_; }
+  const player::TypeIds& found() const { return types_; }
 
  private:
   struct Track {
@@ -31,12 +31,12 @@ class TypeAnalysis {
     double weight = 0.0;          ///< sum over steps: squared movement
   };
 
-  void add_step(const MatchParameters& parameters, Track& track, soccer::Vec2 movement,
+  void add_step(const player::MatchParameters& parameters, Track& track, soccer::Vec2 movement,
                 soccer::Vec2 velocity);
-  static int type_by(const MatchParameters& parameters, const Track& track);
+  static int type_by(const player::MatchParameters& parameters, const Track& track);
 
   std::array<Track, soccer::kPlayersPerTeam> tracks_{};
-  TypeIds types_{};
+  player::TypeIds types_{};
 };
 
 }  // namespace cls::proxy

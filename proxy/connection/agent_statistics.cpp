@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "proxy/connection/action_names.h"
+
 namespace cls::proxy {
 
 void LatencySamples::add(std::chrono::microseconds latency) {
@@ -63,11 +65,11 @@ std::map<std::string, std::int64_t> AgentStatistics::commands_by_name() const {
 
 std::map<std::string, std::int64_t> AgentStatistics::unimplemented_by_name() const {
   std::map<std::string, std::int64_t> by_name;
-  for (int kind = 0; kind < kActionKinds; ++kind) {
+  for (int kind = 0; kind < player::kActionKinds; ++kind) {
     const std::int64_t n = actions.actions[static_cast<std::size_t>(kind)].unimplemented;
     if (n != 0) by_name[std::string(action_name(kind))] += n;
   }
-  for (int kind = 0; kind < kSayKinds; ++kind) {
+  for (int kind = 0; kind < player::kSayKinds; ++kind) {
     const std::int64_t n = actions.say[static_cast<std::size_t>(kind)].unimplemented;
     if (n != 0) by_name["say." + std::string(say_name(kind))] += n;
   }

@@ -10,7 +10,7 @@
 #include <variant>
 #include <vector>
 
-#include "proxy/connection/action_report.h"
+#include "player/planner/action_report.h"
 #include "proxy/playmaker/playmaker.h"
 #include "soccer/commands/player_command.h"
 
@@ -59,7 +59,7 @@ struct AgentStatistics {
   std::chrono::microseconds longest_wakeup{0};  ///< maximum delay from due time to begin
 
   std::array<std::int64_t, kCommandKinds> commands{};  ///< sent, by index of the variant
-  ActionReport actions;                                ///< results by kind
+  player::ActionReport actions;                        ///< results by kind
 
   void count(const Reply& reply);
   void count(const soccer::PlayerCommand& command) { ++commands[command.index()]; }

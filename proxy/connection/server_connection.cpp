@@ -1,7 +1,7 @@
 // Parameters, errors and warnings of the server.
 #include "proxy/connection/server_connection.h"
 
-#include "proxy/perception/perception.h"
+#include "player/perception/perception.h"
 #include "soccer/protocol/message_kind.h"
 
 namespace cls::proxy {
@@ -10,12 +10,12 @@ bool is_temporary_refusal(const ServerConnection& server) {
   return server.refusal == soccer::name(soccer::ErrorCode::kCannotReconnectWhilePlayOn);
 }
 
-bool ready(const ServerConnection& server, const WorldModel& world) {
+bool ready(const ServerConnection& server, const player::WorldModel& world) {
   return server.accepted && server.known_types > 0 &&
          server.known_types >= world.parameters->player.player_types;
 }
 
-bool read_parameters(ServerConnection& server, WorldModel& world) {
+bool read_parameters(ServerConnection& server, player::WorldModel& world) {
   const base::Result<void> result = on_parameter_message(world, server.message);
   if (!result) {
     server.errors.add_unreadable(result.error().message, server.message);

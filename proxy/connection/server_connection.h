@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "base/result.h"
-#include "proxy/world/world_model.h"
+#include "player/world/world_model.h"
 #include "soccer/channel.h"
 #include "soccer/messages/server_reply.h"
 
@@ -65,7 +65,7 @@ bool send_init(ServerConnection& server, const Request& request) {
 bool is_temporary_refusal(const ServerConnection& server);
 
 /// True when the server has accepted the agent and sent parameters and all player types.
-bool ready(const ServerConnection& server, const WorldModel& world);
+bool ready(const ServerConnection& server, const player::WorldModel& world);
 
 /// Parses the last message as `Message`; counts one that does not parse.
 template <typename Message>
@@ -76,7 +76,7 @@ bool read(ServerConnection& server, Message& out) {
 }
 
 /// The same for server_param, player_param and player_type, into the world.
-bool read_parameters(ServerConnection& server, WorldModel& world);
+bool read_parameters(ServerConnection& server, player::WorldModel& world);
 
 /// Counts an (error ...) or (warning ...). An error before acceptance is the refusal.
 void handle(ServerConnection& server, const soccer::ErrorReply& error);

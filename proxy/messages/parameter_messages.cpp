@@ -12,7 +12,7 @@
 #include <utility>
 #include <variant>
 
-#include "proxy/world/running.h"
+#include "player/world/running.h"
 #include "soccer/pitch.h"
 
 namespace cls::proxy {
@@ -157,7 +157,7 @@ void fill(const soccer::ServerParams& params, protos::ServerParam& out) {
   out.set_control_radius_width(static_cast<float>(params.control_radius - params.player_size));
   out.set_kickable_area(static_cast<float>(type.kickable_area(params.ball_size)));
   out.set_catchable_area(static_cast<float>(catch_distance(params, 1.0)));
-  out.set_real_speed_max(static_cast<float>(top_speed(params, type)));
+  out.set_real_speed_max(static_cast<float>(player::top_speed(params, type)));
   out.set_lcm_step(std::lcm(std::lcm(params.simulator_step, params.send_step),
                             std::lcm(params.recv_step, params.sense_body_step)));
   fill_unannounced(out);
@@ -173,7 +173,7 @@ void fill(const soccer::PlayerType& type, const soccer::ServerParams& server,
           protos::PlayerType& out) {
   clear_but_identity(out);
   fill_from_table(type, soccer::player_type_table(), out);
-  const double speed = top_speed(server, type);
+  const double speed = player::top_speed(server, type);
   out.set_kickable_area(static_cast<float>(type.kickable_area(server.ball_size)));
   out.set_reliable_catchable_dist(
       static_cast<float>(catch_distance(server, 2.0 - type.catchable_area_l_stretch)));
@@ -182,7 +182,7 @@ void fill(const soccer::PlayerType& type, const soccer::ServerParams& server,
   out.set_real_speed_max(static_cast<float>(speed));
   out.set_player_speed_max2(static_cast<float>(type.player_speed_max * type.player_speed_max));
   out.set_real_speed_max2(static_cast<float>(speed * speed));
-  out.set_cycles_to_reach_max_speed(cycles_to_top_speed(server, type));
+  out.set_cycles_to_reach_max_speed(player::cycles_to_top_speed(server, type));
 }
 
 }  // namespace cls::proxy

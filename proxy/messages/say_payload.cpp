@@ -12,12 +12,12 @@ namespace {
 soccer::Vec2 vec(const protos::RpcVector2D& v) { return {v.x(), v.y()}; }
 
 template <typename Message>
-SayBall ball(const Message& m) {
+player::SayBall ball(const Message& m) {
   return {vec(m.ball_position()), vec(m.ball_velocity())};
 }
 
 template <typename Message>
-SayGoalie goalie(const Message& m) {
+player::SayGoalie goalie(const Message& m) {
   return {vec(m.goalie_position()), m.goalie_body_direction()};
 }
 
@@ -25,21 +25,21 @@ double fraction(double value, double min, double max) {
   return max > min ? std::clamp((value - min) / (max - min), 0.0, 1.0) : 0.0;
 }
 
-SayPlayers players(const protos::OnePlayerMessage& m) {
-  SayPlayers said;
+player::SayPlayers players(const protos::OnePlayerMessage& m) {
+  player::SayPlayers said;
   said.players.push_back({m.uniform_number(), vec(m.position())});
   return said;
 }
 
-SayPlayers players(const protos::TwoPlayerMessage& m) {
-  SayPlayers said;
+player::SayPlayers players(const protos::TwoPlayerMessage& m) {
+  player::SayPlayers said;
   said.players.push_back({m.first_uniform_number(), vec(m.first_position())});
   said.players.push_back({m.second_uniform_number(), vec(m.second_position())});
   return said;
 }
 
-SayPlayers players(const protos::ThreePlayerMessage& m) {
-  SayPlayers said;
+player::SayPlayers players(const protos::ThreePlayerMessage& m) {
+  player::SayPlayers said;
   said.players.push_back({m.first_uniform_number(), vec(m.first_position())});
   said.players.push_back({m.second_uniform_number(), vec(m.second_position())});
   said.players.push_back({m.third_uniform_number(), vec(m.third_position())});
@@ -47,37 +47,37 @@ SayPlayers players(const protos::ThreePlayerMessage& m) {
 }
 
 /// Members with one or two values.
-std::optional<SayMessage> short_message(const protos::Say& say,
-                                        const soccer::ServerParams& server) {
+std::optional<player::SayMessage> short_message(const protos::Say& say,
+                                                const soccer::ServerParams& server) {
   using Say = protos::Say;
   switch (say.message_case()) {
     case Say::kInterceptMessage: {
       const auto& m = say.intercept_message();
       const int first = m.our() ? 0 : soccer::kPlayersPerTeam;
       const bool known = m.uniform_number() >= 1 && m.uniform_number() <= soccer::kPlayersPerTeam;
-      return SayIntercept{known ? first + m.uniform_number() : 0, m.cycle()};
+      return player::SayIntercept{known ? first + m.uniform_number() : 0, m.cycle()};
     }
     case Say::kOffsideLineMessage:
-      return SayOffsideLine{say.offside_line_message().offside_line_x()};
+      return player::SayOffsideLine{say.offside_line_message().offside_line_x()};
     case Say::kDefenseLineMessage:
-      return SayDefenseLine{say.defense_line_message().defense_line_x()};
+      return player::SayDefenseLine{say.defense_line_message().defense_line_x()};
     case Say::kWaitRequestMessage:
-      return SayWaitRequest{};
+      return player::SayWaitRequest{};
     case Say::kSetplayMessage:
-      return SaySetplay{say.setplay_message().wait_step()};
+      return player::SaySetplay{say.setplay_message().wait_step()};
     case Say::kPassRequestMessage:
-      return SayPassRequest{vec(say.pass_request_message().target_point())};
+      return player::SayPassRequest{vec(say.pass_request_message().target_point())};
     case Say::kStaminaMessage:
-      return SayStamina{fraction(say.stamina_message().stamina(), 0.0, server.stamina_max)};
+      return player::SayStamina{fraction(say.stamina_message().stamina(), 0.0, server.stamina_max)};
     case Say::kRecoveryMessage:
-      return SayRecovery{
+      return player::SayRecovery{
           fraction(say.recovery_message().recovery(), server.recover_min, server.recover_init)};
     case Say::kStaminaCapacityMessage:
-      return SayCapacity{fraction(say.stamina_capacity_message().stamina_capacity(), 0.0,
-                                  server.stamina_capacity)};
+      return player::SayCapacity{fraction(say.stamina_capacity_message().stamina_capacity(), 0.0,
+                                          server.stamina_capacity)};
     case Say::kDribbleMessage:
-      return SayDribble{vec(say.dribble_message().target_point()),
-                        say.dribble_message().queue_count()};
+      return player::SayDribble{vec(say.dribble_message().target_point()),
+                                say.dribble_message().queue_count()};
     default:
       return std::nullopt;
   }
@@ -85,25 +85,26 @@ std::optional<SayMessage> short_message(const protos::Say& say,
 
 }  // namespace
 
-std::optional<SayMessage> say_message_of(const protos::Say& say,
-                                         const soccer::ServerParams& server) {
+std::optional<player::SayMessage> say_message_of(const protos::Say& say,
+                                                 const soccer::ServerParams& server) {
   using Say = protos::Say;
   switch (say.message_case()) {
     case Say::kBallMessage:
       return ball(say.ball_message());
     case Say::kPassMessage: {
       const auto& m = say.pass_message();
-      return SayPass{m.receiver_uniform_number(), vec(m.receiver_point()), ball(m)};
+      return player::SayPass{m.receiver_uniform_number(), vec(m.receiver_point()), ball(m)};
     }
     case Say::kGoalieMessage:
       return goalie(say.goalie_message());
     case Say::kGoalieAndPlayerMessage: {
       const auto& m = say.goalie_and_player_message();
-      return SayGoalieAndPlayer{goalie(m), {m.player_uniform_number(), vec(m.player_position())}};
+      return player::SayGoalieAndPlayer{goalie(m),
+                                        {m.player_uniform_number(), vec(m.player_position())}};
     }
     case Say::kBallGoalieMessage: {
       const auto& m = say.ball_goalie_message();
-      return SayBallGoalie{ball(m), goalie(m)};
+      return player::SayBallGoalie{ball(m), goalie(m)};
     }
     case Say::kOnePlayerMessage:
       return players(say.one_player_message());
@@ -113,20 +114,20 @@ std::optional<SayMessage> say_message_of(const protos::Say& say,
       return players(say.three_player_message());
     case Say::kSelfMessage: {
       const auto& m = say.self_message();
-      return SaySelf{vec(m.self_position()), m.self_body_direction(),
-                     fraction(m.self_stamina(), 0.0, server.stamina_max)};
+      return player::SaySelf{vec(m.self_position()), m.self_body_direction(),
+                             fraction(m.self_stamina(), 0.0, server.stamina_max)};
     }
     case Say::kTeammateMessage: {
       const auto& m = say.teammate_message();
-      return SayTeammate{m.uniform_number(), vec(m.position()), m.body_direction()};
+      return player::SayTeammate{m.uniform_number(), vec(m.position()), m.body_direction()};
     }
     case Say::kOpponentMessage: {
       const auto& m = say.opponent_message();
-      return SayOpponent{m.uniform_number(), vec(m.position()), m.body_direction()};
+      return player::SayOpponent{m.uniform_number(), vec(m.position()), m.body_direction()};
     }
     case Say::kBallPlayerMessage: {
       const auto& m = say.ball_player_message();
-      return SayBallPlayer{
+      return player::SayBallPlayer{
           ball(m), {m.uniform_number(), vec(m.player_position())}, m.body_direction()};
     }
     default:

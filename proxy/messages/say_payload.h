@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "proxy/perception/say_message.h"
+#include "player/perception/say_message.h"
 
 namespace protos {
 class Say;
@@ -12,7 +12,7 @@ class Say;
 namespace cls::proxy {
 
 /// nullopt for a Say without a known member.
-std::optional<SayMessage> say_message_of(const protos::Say& say,
-                                         const soccer::ServerParams& server);
+std::optional<player::SayMessage> say_message_of(const protos::Say& say,
+                                                 const soccer::ServerParams& server);
 
 }  // namespace cls::proxy

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "proxy/world/motion.h"
+#include "player/world/motion.h"
 #include "soccer/angle.h"
 #include "soccer/directions.h"
 #include "soccer/play_mode.h"
@@ -41,7 +41,7 @@ class Angles {
   }
 
   void set() {
-    FixedList<soccer::Vec2, kBatch> vectors;
+    player::FixedList<soccer::Vec2, kBatch> vectors;
     std::array<double, kBatch> degrees;
     for (const protos::RpcVector2D* message : waiting_) {
       vectors.push_back({message->x(), message->y()});
@@ -53,7 +53,7 @@ class Angles {
 
  private:
   static constexpr std::size_t kBatch = 64;
-  FixedList<protos::RpcVector2D*, kBatch> waiting_;
+  player::FixedList<protos::RpcVector2D*, kBatch> waiting_;
 };
 
 void fill_vector(soccer::Vec2 vector, protos::RpcVector2D& out, Angles& angles) {
@@ -75,12 +75,14 @@ void copy_vector(const protos::RpcVector2D& from, protos::RpcVector2D& out) {
   out.set_angle(from.angle());
 }
 
-float angle_from_ball(const BallState& ball) { return degrees(ball.angle_from_self + 180.0); }
+float angle_from_ball(const player::BallState& ball) {
+  return degrees(ball.angle_from_self + 180.0);
+}
 
 // Fields that Self and Player have in common, for the agent.
 template <typename Message>
-void fill_own(const WorldModel& world, Message& out) {
-  const SelfState& self = world.self;
+void fill_own(const player::WorldModel& world, Message& out) {
+  const player::SelfState& self = world.self;
   Angles angles;
   fill_vector(self.position, *out.mutable_position(), angles);
   fill_vector(self.seen_position, *out.mutable_seen_position(), angles);
@@ -89,7 +91,7 @@ void fill_own(const WorldModel& world, Message& out) {
   fill_vector(self.seen_velocity, *out.mutable_seen_velocity(), angles);
   out.set_pos_count(self.pos_count);
   out.set_seen_pos_count(self.seen_pos_count);
-  out.set_heard_pos_count(kNever);
+  out.set_heard_pos_count(player::kNever);
   out.set_vel_count(self.vel_count);
   out.set_seen_vel_count(self.seen_vel_count);
   out.set_ghost_count(0);
@@ -125,8 +127,8 @@ void fill(soccer::Vec2 vector, protos::RpcVector2D& out) {
   fill_vector(vector, out, angles);
 }
 
-void fill_self(const WorldModel& world, protos::Self& out) {
-  const SelfState& self = world.self;
+void fill_self(const player::WorldModel& world, protos::Self& out) {
+  const player::SelfState& self = world.self;
   fill_own(world, out);
   out.set_relative_neck_direction(degrees(self.neck));
   out.set_stamina(f(self.stamina));
@@ -144,26 +146,26 @@ void fill_self(const WorldModel& world, protos::Self& out) {
   out.set_get_safety_dash_power(f(self.safety_dash_power));
 }
 
-void fill_self_as_player(const WorldModel& world, protos::Player& out) {
-  const SelfState& self = world.self;
+void fill_self_as_player(const player::WorldModel& world, protos::Player& out) {
+  const player::SelfState& self = world.self;
   fill_own(world, out);
   out.set_dist_from_self(0.0F);
   out.set_angle_from_self(0.0F);
   const double decay = world.self_type().player_decay;
-  fill(rest_point(self.position, self.velocity, decay), *out.mutable_inertia_final_point());
+  fill(player::rest_point(self.position, self.velocity, decay), *out.mutable_inertia_final_point());
   out.set_body_count(self.body_count);
 }
 
 namespace {
 
-void fill_player_vectors(const PlayerState& player, double decay, Angles& angles,
+void fill_player_vectors(const player::PlayerState& player, double decay, Angles& angles,
                          protos::Player& out) {
   fill_vector(player.position, *out.mutable_position(), angles);
   fill_vector(player.seen_position, *out.mutable_seen_position(), angles);
   fill_vector(player.heard_position, *out.mutable_heard_position(), angles);
   fill_vector(player.velocity, *out.mutable_velocity(), angles);
   fill_vector(player.seen_velocity, *out.mutable_seen_velocity(), angles);
-  fill_vector(rest_point(player.position, player.velocity, decay),
+  fill_vector(player::rest_point(player.position, player.velocity, decay),
               *out.mutable_inertia_final_point(), angles);
 }
 
@@ -176,7 +178,7 @@ void copy_player_vectors(const protos::Player& from, protos::Player& out) {
   copy_vector(from.inertia_final_point(), *out.mutable_inertia_final_point());
 }
 
-void fill_player_numbers(const PlayerState& player, protos::Player& out) {
+void fill_player_numbers(const player::PlayerState& player, protos::Player& out) {
   out.set_pos_count(player.pos_count);
   out.set_seen_pos_count(player.seen_pos_count);
   out.set_heard_pos_count(player.heard_pos_count);
@@ -207,13 +209,13 @@ void fill_player_numbers(const PlayerState& player, protos::Player& out) {
 
 }  // namespace
 
-void fill_player(const PlayerState& player, double decay, protos::Player& out) {
+void fill_player(const player::PlayerState& player, double decay, protos::Player& out) {
   Angles angles;
   fill_player_vectors(player, decay, angles, out);
   fill_player_numbers(player, out);
 }
 
-void fill_ball(const BallState& ball, protos::Ball& out) {
+void fill_ball(const player::BallState& ball, protos::Ball& out) {
   Angles angles;
   fill_vector(ball.position, *out.mutable_position(), angles);
   fill_vector(ball.relative_position, *out.mutable_relative_position(), angles);
@@ -293,7 +295,7 @@ constexpr std::array<protos::GameModeType, soccer::kPlayModeCount> kWireModes = 
     protos::IllegalDefense_,
     protos::IllegalDefense_};
 
-protos::GameModeType wire_mode_of(const GameState& game) {
+protos::GameModeType wire_mode_of(const player::GameState& game) {
   return game.goalie_catch ? protos::GoalieCatch_ : wire_mode(game.mode);
 }
 
@@ -301,20 +303,20 @@ void assign(std::string_view text, std::string* out) {
   if (*out != text) out->assign(text);
 }
 
-protos::InterceptActionType wire_plan_kind(InterceptPlan::Kind kind) {
+protos::InterceptActionType wire_plan_kind(player::InterceptPlan::Kind kind) {
   switch (kind) {
-    case InterceptPlan::Kind::kOmniDash:
+    case player::InterceptPlan::Kind::kOmniDash:
       return protos::OMNI_DASH;
-    case InterceptPlan::Kind::kTurnForwardDash:
+    case player::InterceptPlan::Kind::kTurnForwardDash:
       return protos::TURN_FORWARD_DASH;
-    case InterceptPlan::Kind::kTurnBackwardDash:
+    case player::InterceptPlan::Kind::kTurnBackwardDash:
       return protos::TURN_BACKWARD_DASH;
   }
   return protos::UNKNOWN_Intercept_Action_Type;
 }
 
 // `value`, the evaluation, stays unset.
-void fill_plan(const InterceptPlan& plan, Angles& angles, protos::InterceptInfo& out) {
+void fill_plan(const player::InterceptPlan& plan, Angles& angles, protos::InterceptInfo& out) {
   out.set_action_type(wire_plan_kind(plan.kind));
   out.set_turn_steps(plan.turns);
   out.set_turn_angle(f(plan.turn_angle));
@@ -337,7 +339,7 @@ void shrink(google::protobuf::RepeatedPtrField<Message>& list, int size) {
   while (list.size() > size) list.RemoveLast();
 }
 
-void fill_intercept(const InterceptTable& table, protos::InterceptTable& out) {
+void fill_intercept(const player::InterceptTable& table, protos::InterceptTable& out) {
   out.set_self_reach_steps(table.self_steps);
   out.set_first_teammate_reach_steps(table.first_teammate_steps);
   out.set_second_teammate_reach_steps(table.second_teammate_steps);
@@ -350,7 +352,8 @@ void fill_intercept(const InterceptTable& table, protos::InterceptTable& out) {
   auto& plans = *out.mutable_self_intercept_info();
   int count = 0;
   Angles angles;
-  for (const InterceptPlan& plan : table.plans) fill_plan(plan, angles, element(plans, count++));
+  for (const player::InterceptPlan& plan : table.plans)
+    fill_plan(plan, angles, element(plans, count++));
   shrink(plans, count);
 }
 
@@ -370,23 +373,23 @@ void remove_stale(const std::array<bool, 2 * kMaxKey + 1>& filled, PlayerMap& ma
 
 // A player and its filled entry in the dictionary.
 struct Numbered {
-  const PlayerState* player;
+  const player::PlayerState* player;
   const protos::Player* keyed;
 };
 
 // Players with a known uniform number go into list and dictionary, others into the dictionary only.
 // `with_self` adds the agent to the dictionary.
-void fill_team(const WorldModel& world, const PlayerList& players, bool with_self,
+void fill_team(const player::WorldModel& world, const player::PlayerList& players, bool with_self,
                PlayerMessages& list, PlayerMap& map) {
   std::array<bool, 2 * kMaxKey + 1> filled{};
   const auto entry = [&](int key) -> protos::Player& {
     filled[static_cast<std::size_t>(key + kMaxKey)] = true;
     return map[key];
   };
-  FixedList<Numbered, PlayerList::capacity()> numbered;
+  player::FixedList<Numbered, player::PlayerList::capacity()> numbered;
   int unnumbered = 0;
   Angles angles;
-  for (const PlayerState& player : players) {
+  for (const player::PlayerState& player : players) {
     if (!player.position_valid()) continue;
     protos::Player& keyed = entry(player.unum != 0 ? player.unum : --unnumbered);
     fill_player_vectors(player, world.type_of(player).player_decay, angles, keyed);
@@ -405,9 +408,9 @@ void fill_team(const WorldModel& world, const PlayerList& players, bool with_sel
   remove_stale(filled, map);
 }
 
-void fill_unknowns(const WorldModel& world, PlayerMessages& list) {
+void fill_unknowns(const player::WorldModel& world, PlayerMessages& list) {
   int count = 0;
-  for (const PlayerState& player : world.unknowns) {
+  for (const player::PlayerState& player : world.unknowns) {
     if (!player.position_valid()) continue;
     fill_player(player, world.type_of(player).player_decay, element(list, count++));
   }
@@ -424,12 +427,12 @@ void fill_home(const HomePositions& home, protos::WorldModel& out) {
   }
 }
 
-void fill_penalty(const WorldModel& world, protos::WorldModel& out) {
+void fill_penalty(const player::WorldModel& world, protos::WorldModel& out) {
   if (!soccer::is_penalty_mode(world.game.mode)) {
     out.clear_penalty_kick_state();
     return;
   }
-  const PenaltyState& penalty = world.game.penalty;
+  const player::PenaltyState& penalty = world.game.penalty;
   protos::PenaltyKickState& state = *out.mutable_penalty_kick_state();
   state.set_on_field_side(wire_side(penalty.field_side));
   state.set_current_taker_side(wire_side(penalty.taker));
@@ -438,12 +441,12 @@ void fill_penalty(const WorldModel& world, protos::WorldModel& out) {
   state.set_our_score(penalty.our_score);
   state.set_their_score(penalty.their_score);
   state.set_is_kick_taker(penalty.taker == world.our_side &&
-                          world.unum == default_penalty_taker(penalty.our_taken));
+                          world.unum == player::default_penalty_taker(penalty.our_taken));
   state.set_cycle(penalty.cycle);
 }
 
-void fill_game(const WorldModel& world, protos::WorldModel& out) {
-  const GameState& game = world.game;
+void fill_game(const player::WorldModel& world, protos::WorldModel& out) {
+  const player::GameState& game = world.game;
   const bool left = world.our_side == soccer::Side::kLeft;
   out.set_cycle(game.time.cycle);
   out.set_time_stopped(game.time.stopped);
@@ -465,7 +468,7 @@ void fill_game(const WorldModel& world, protos::WorldModel& out) {
   fill_penalty(world, out);
 }
 
-void fill_lines(const TeamLines& lines, protos::WorldModel& out) {
+void fill_lines(const player::TeamLines& lines, protos::WorldModel& out) {
   out.set_offside_line_x(f(lines.offside));
   out.set_ofside_line_x_count(lines.offside_count);
   out.set_our_defense_line_x(lines.our_defense);
@@ -474,7 +477,7 @@ void fill_lines(const TeamLines& lines, protos::WorldModel& out) {
   out.set_their_defense_player_line_x(lines.their_defense_players);
 }
 
-void fill_teams(const WorldModel& world, protos::WorldModel& out) {
+void fill_teams(const player::WorldModel& world, protos::WorldModel& out) {
   assign(world.our_team_name.view(), out.mutable_our_team_name());
   assign(world.their_team_name.view(), out.mutable_their_team_name());
   out.set_our_side(wire_side(world.our_side));
@@ -497,7 +500,7 @@ protos::GameModeType wire_mode(soccer::PlayMode mode) {
   return kWireModes.at(static_cast<std::size_t>(mode));
 }
 
-void fill_coach_state(const WorldModel& world, soccer::CoachRole role, protos::State& out) {
+void fill_coach_state(const player::WorldModel& world, soccer::CoachRole role, protos::State& out) {
   protos::WorldModel& model = *out.mutable_world_model();
   fill_ball(world.ball, *model.mutable_ball());
   fill_teams(world, model);
@@ -506,7 +509,7 @@ void fill_coach_state(const WorldModel& world, soccer::CoachRole role, protos::S
   if (role == soccer::CoachRole::kTrainer) model.set_our_side(protos::UNKNOWN);
 }
 
-void fill_state(const WorldModel& world, const HomePositions& home, bool need_preprocess,
+void fill_state(const player::WorldModel& world, const HomePositions& home, bool need_preprocess,
                 protos::State& out) {
   out.set_need_preprocess(need_preprocess);
   protos::WorldModel& model = *out.mutable_world_model();

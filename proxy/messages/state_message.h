@@ -3,8 +3,8 @@
 
 #include <array>
 
+#include "player/world/world_model.h"
 #include "proto/playmaker.pb.h"
-#include "proxy/world/world_model.h"
 #include "soccer/commands/coach_command.h"
 #include "soccer/play_mode.h"
 
@@ -18,13 +18,13 @@ using HomePositions = std::array<soccer::Vec2, soccer::kPlayersPerTeam>;
 /// register_response unchanged. Every field that needs no planner is set as
 /// docs/spec/playmaker-wire.md 3.2 and docs/spec/proxy-behavior.md 3 define it, except that objects
 /// never observed are at (0, 0) with age 1000, never infinite. full_world_model stays unset.
-void fill_state(const WorldModel& world, const HomePositions& home, bool need_preprocess,
+void fill_state(const player::WorldModel& world, const HomePositions& home, bool need_preprocess,
                 protos::State& out);
 
 /// The same for a coach or trainer, completed by proxy/coach/global_perception.h: without self,
 /// intercept table and home positions. Counts are 0 and positions exact.
 /// A trainer's side is unknown; "our" means the left team.
-void fill_coach_state(const WorldModel& world, soccer::CoachRole role, protos::State& out);
+void fill_coach_state(const player::WorldModel& world, soccer::CoachRole role, protos::State& out);
 
 /// drop_ball, which GameModeType lacks, becomes PlayOn.
 protos::GameModeType wire_mode(soccer::PlayMode mode);
@@ -32,11 +32,11 @@ protos::GameModeType wire_mode(soccer::PlayMode mode);
 protos::Side wire_side(soccer::Side side);
 /// With length and direction, computed from the rounded coordinates.
 void fill(soccer::Vec2 vector, protos::RpcVector2D& out);
-void fill_self(const WorldModel& world, protos::Self& out);
-void fill_ball(const BallState& ball, protos::Ball& out);
+void fill_self(const player::WorldModel& world, protos::Self& out);
+void fill_ball(const player::BallState& ball, protos::Ball& out);
 /// `decay` is player_decay of the player's type.
-void fill_player(const PlayerState& player, double decay, protos::Player& out);
+void fill_player(const player::PlayerState& player, double decay, protos::Player& out);
 /// The agent as an entry of its team.
-void fill_self_as_player(const WorldModel& world, protos::Player& out);
+void fill_self_as_player(const player::WorldModel& world, protos::Player& out);
 
 }  // namespace cls::proxy

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
+#include "player/planner/plan_execution.h"
 #include "proto/playmaker.pb.h"
-#include "proxy/planner/plan_execution.h"
 #include "proxy/planner/planner_messages.h"
 #include "proxy/planner/playmaker_evaluation.h"
 
@@ -19,26 +19,25 @@ constexpr int kMaxDepth = 10;
 
 /// The planner action that defines the tree of this decision: the first one in the reply.
 const protos::HeliosOffensivePlanner& tree_action(const protos::HeliosOffensivePlanner& action,
-                                                  const ActionContext& c) {
-  if (c.reply == nullptr) return action;
-  for (const protos::PlayerAction& each : c.reply->actions()) {
+                                                  const ReplyContext& c) {
+  for (const protos::PlayerAction& each : c.reply.actions()) {
     if (each.has_helios_offensive_planner()) return each.helios_offensive_planner();
   }
   return action;
 }
 
-NodeValue node_value(const protos::HeliosOffensivePlanner& action) {
-  if (!action.has_evaluation()) return default_value;
-  return
-      [&evaluation = action.evaluation()](const PlannerField& field, const Plan& plan, int node) {
-        return evaluate(field, plan, node, evaluation);
-      };
+player::NodeValue node_value(const protos::HeliosOffensivePlanner& action) {
+  if (!action.has_evaluation()) return player::default_value;
+  return [&evaluation = action.evaluation()](const player::PlannerField& field,
+                                             const player::Plan& plan, int node) {
+    return evaluate(field, plan, node, evaluation);
+  };
 }
 
 }  // namespace
 
-PlannerOptions planner_options(const protos::HeliosOffensivePlanner& action) {
-  PlannerOptions options;
+player::PlannerOptions planner_options(const protos::HeliosOffensivePlanner& action) {
+  player::PlannerOptions options;
   options.passes = action.direct_pass() || action.lead_pass() || action.through_pass();
   options.cross = action.cross();
   options.short_dribble = action.short_dribble();
@@ -53,23 +52,24 @@ PlannerOptions planner_options(const protos::HeliosOffensivePlanner& action) {
   return options;
 }
 
-bool run_offensive_planner(const protos::HeliosOffensivePlanner& action, ActionContext& c) {
+bool run_offensive_planner(const protos::HeliosOffensivePlanner& action, ReplyContext& c) {
   if (!c.world.self.kickable || c.world.self.frozen()) return false;
   const protos::HeliosOffensivePlanner& tree_options = tree_action(action, c);
-  const Plan& plan = plan_of_decision(c, planner_options(tree_options), node_value(tree_options));
+  const player::Plan& plan =
+      plan_of_decision(c, planner_options(tree_options), node_value(tree_options));
   if (!action.server_side_decision()) {
     return (!action.has_evaluation() && kick_out_of_danger(c)) ||
            execute_plan_or_hold(c, plan, plan.best);
   }
   switch (c.choice.chooser) {
-    case PlanChoice::Chooser::kPlaymaker:
-    case PlanChoice::Chooser::kRequested:
-      c.choice.chooser = PlanChoice::Chooser::kRequested;
+    case player::PlanChoice::Chooser::kPlaymaker:
+    case player::PlanChoice::Chooser::kRequested:
+      c.choice.chooser = player::PlanChoice::Chooser::kRequested;
       return true;
-    case PlanChoice::Chooser::kReplied:
+    case player::PlanChoice::Chooser::kReplied:
       if (c.choice.node < 0) return false;
       return execute_plan_or_hold(c, plan, first_action_of(plan, c.choice.node));
-    case PlanChoice::Chooser::kProxy:
+    case player::PlanChoice::Chooser::kProxy:
       break;
   }
   return execute_plan_or_hold(c, plan, plan.best);

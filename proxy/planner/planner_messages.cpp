@@ -9,54 +9,54 @@
 namespace cls::proxy {
 namespace {
 
-protos::RpcActionCategory category(PlanCategory category) {
+protos::RpcActionCategory category(player::PlanCategory category) {
   switch (category) {
-    case PlanCategory::kHold:
+    case player::PlanCategory::kHold:
       return protos::AC_Hold;
-    case PlanCategory::kDribble:
+    case player::PlanCategory::kDribble:
       return protos::AC_Dribble;
-    case PlanCategory::kPass:
+    case player::PlanCategory::kPass:
       return protos::AC_Pass;
-    case PlanCategory::kShoot:
+    case player::PlanCategory::kShoot:
       return protos::AC_Shoot;
-    case PlanCategory::kClear:
+    case player::PlanCategory::kClear:
       return protos::AC_Clear;
-    case PlanCategory::kMove:
+    case player::PlanCategory::kMove:
       return protos::AC_Move;
-    case PlanCategory::kNoAction:
+    case player::PlanCategory::kNoAction:
       break;
   }
   return protos::AC_NoAction;
 }
 
-const char* description(PlanTag tag) {
+const char* description(player::PlanTag tag) {
   switch (tag) {
-    case PlanTag::kHold:
+    case player::PlanTag::kHold:
       return "Hold";
-    case PlanTag::kStrictDirect:
+    case player::PlanTag::kStrictDirect:
       return "strictDirect";
-    case PlanTag::kStrictLead:
+    case player::PlanTag::kStrictLead:
       return "strictLead";
-    case PlanTag::kStrictThrough:
+    case player::PlanTag::kStrictThrough:
       return "strictThrough";
-    case PlanTag::kCross:
+    case player::PlanTag::kCross:
       return "cross";
-    case PlanTag::kShortDribble:
+    case player::PlanTag::kShortDribble:
       return "shortDribble";
-    case PlanTag::kSelfPass:
+    case player::PlanTag::kSelfPass:
       return "SelfPass";
-    case PlanTag::kSimplePass:
+    case player::PlanTag::kSimplePass:
       return "actgenDirect";
-    case PlanTag::kSimpleDribble:
+    case player::PlanTag::kSimpleDribble:
       return "actgenDribble";
-    case PlanTag::kSimpleShoot:
+    case player::PlanTag::kSimpleShoot:
       return "shoot";
   }
   return "";
 }
 
-void fill_action(const PlanNode& node, int index, protos::RpcCooperativeAction& out) {
-  const PlanAction& action = node.action;
+void fill_action(const player::PlanNode& node, int index, protos::RpcCooperativeAction& out) {
+  const player::PlanAction& action = node.action;
   out.set_category(category(action.category));
   out.set_index(index);
   out.set_sender_unum(action.sender);
@@ -72,14 +72,15 @@ void fill_action(const PlanNode& node, int index, protos::RpcCooperativeAction& 
   out.set_parent_index(node.parent > 0 ? node.parent : -1);
 }
 
-void fill_state(const WorldModel& world, const PlanNode& node, protos::RpcPredictState& out) {
+void fill_state(const player::WorldModel& world, const player::PlanNode& node,
+                protos::RpcPredictState& out) {
   out.set_spend_time(node.time);
   out.set_ball_holder_unum(node.holder);
   fill(node.ball, *out.mutable_ball_position());
   fill({}, *out.mutable_ball_velocity());
   out.set_our_defense_line_x(node.our_defense_line);
   double foremost = std::max(world.self.position.x, node.ball.x);
-  for (const PlayerState& teammate : world.teammates) {
+  for (const player::PlayerState& teammate : world.teammates) {
     if (teammate.position_valid()) foremost = std::max(foremost, teammate.position.x);
   }
   out.set_our_offense_line_x(foremost);
@@ -87,14 +88,14 @@ void fill_state(const WorldModel& world, const PlanNode& node, protos::RpcPredic
 
 }  // namespace
 
-void fill_planner_request(const WorldModel& world, const Plan& plan, const protos::State& state,
-                          protos::BestPlannerActionRequest& out) {
+void fill_planner_request(const player::WorldModel& world, const player::Plan& plan,
+                          const protos::State& state, protos::BestPlannerActionRequest& out) {
   *out.mutable_register_response() = state.register_response();
   *out.mutable_state() = state;
   auto& pairs = *out.mutable_pairs();
   pairs.clear();
   for (std::size_t i = 0; i < plan.nodes.size(); ++i) {
-    const PlanNode& node = plan.nodes[i];
+    const player::PlanNode& node = plan.nodes[i];
     protos::RpcActionState& pair = pairs[static_cast<int>(i)];
     fill_action(node, static_cast<int>(i), *pair.mutable_action());
     fill_state(world, node, *pair.mutable_predict_state());
@@ -102,7 +103,7 @@ void fill_planner_request(const WorldModel& world, const Plan& plan, const proto
   }
 }
 
-int first_action_of(const Plan& plan, int chosen) {
+int first_action_of(const player::Plan& plan, int chosen) {
   const bool known = chosen >= 0 && chosen < static_cast<int>(plan.nodes.size());
   return plan.first_of(known ? chosen : plan.best);
 }

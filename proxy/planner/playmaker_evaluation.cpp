@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "player/planner/evaluation.h"
 #include "proto/playmaker.pb.h"
-#include "proxy/planner/evaluation.h"
 #include "soccer/pitch.h"
 
 namespace cls::proxy {
@@ -32,12 +32,12 @@ double matrix_value(const protos::MatrixFieldEvaluator& matrix, Vec2 ball) {
          least;
 }
 
-double field_value(const PlannerField& field, const PlanNode& state,
+double field_value(const player::PlannerField& field, const player::PlanNode& state,
                    const protos::PlannerFieldEvaluator& evaluation) {
   double value = 0.0;
   if (evaluation.has_helios_field_evaluator()) {
     const auto& helios = evaluation.helios_field_evaluator();
-    FieldWeights weights;
+    player::FieldWeights weights;
     weights.x = std::max(0.0F, helios.x_coefficient());
     weights.goal_distance = std::max(0.0F, helios.ball_dist_to_goal_coefficient());
     weights.goal_radius = std::max(0.0F, helios.effective_max_ball_dist_to_goal());
@@ -49,22 +49,22 @@ double field_value(const PlannerField& field, const PlanNode& state,
   return value;
 }
 
-double kind_factor(const protos::ActionTypeEffector& factors, PlanTag first) {
+double kind_factor(const protos::ActionTypeEffector& factors, player::PlanTag first) {
   const auto factor = [](float value) { return std::max(0.0, static_cast<double>(value)); };
   switch (first) {
-    case PlanTag::kStrictDirect:
+    case player::PlanTag::kStrictDirect:
       return factor(factors.direct_pass());
-    case PlanTag::kStrictLead:
+    case player::PlanTag::kStrictLead:
       return factor(factors.lead_pass());
-    case PlanTag::kStrictThrough:
+    case player::PlanTag::kStrictThrough:
       return factor(factors.through_pass());
-    case PlanTag::kCross:
+    case player::PlanTag::kCross:
       return factor(factors.cross());
-    case PlanTag::kShortDribble:
+    case player::PlanTag::kShortDribble:
       return factor(factors.short_dribble());
-    case PlanTag::kSelfPass:
+    case player::PlanTag::kSelfPass:
       return factor(factors.long_dribble());
-    case PlanTag::kHold:
+    case player::PlanTag::kHold:
       return factor(factors.hold());
     default:
       return 1.0;
@@ -83,9 +83,9 @@ double listed_effect(const List& list, double at) {
   return entry - worst;
 }
 
-double steps_of_nearest(const PlannerField& field, Vec2 point) {
+double steps_of_nearest(const player::PlannerField& field, Vec2 point) {
   double steps = 1000.0;
-  for (const FieldOpponent& opponent : field.opponents) {
+  for (const player::FieldOpponent& opponent : field.opponents) {
     if (opponent.unum == 0) continue;
     const double dist = distance(opponent.position, point);
     steps = std::min(steps, static_cast<double>(opponent.reach->cycles(dist)));
@@ -93,18 +93,18 @@ double steps_of_nearest(const PlannerField& field, Vec2 point) {
   return steps;
 }
 
-double distance_of_nearest(const PlannerField& field, Vec2 point) {
+double distance_of_nearest(const player::PlannerField& field, Vec2 point) {
   double least = 1000.0;
-  for (const FieldOpponent& opponent : field.opponents) {
+  for (const player::FieldOpponent& opponent : field.opponents) {
     if (opponent.unum != 0) least = std::min(least, distance(opponent.position, point));
   }
   return least;
 }
 
-double with_effectors(const PlannerField& field, const Plan& plan, int node, double value,
-                      const protos::PlannerEvaluationEffector& effectors) {
-  const PlanNode& state = plan.nodes[static_cast<std::size_t>(node)];
-  const PlanNode& first = plan.nodes[static_cast<std::size_t>(plan.first_of(node))];
+double with_effectors(const player::PlannerField& field, const player::Plan& plan, int node,
+                      double value, const protos::PlannerEvaluationEffector& effectors) {
+  const player::PlanNode& state = plan.nodes[static_cast<std::size_t>(node)];
+  const player::PlanNode& first = plan.nodes[static_cast<std::size_t>(plan.first_of(node))];
   if (effectors.has_action_type_effector()) {
     value *= kind_factor(effectors.action_type_effector(), first.action.tag);
   }
@@ -129,9 +129,9 @@ double with_effectors(const PlannerField& field, const Plan& plan, int node, dou
 
 }  // namespace
 
-double evaluate(const PlannerField& field, const Plan& plan, int node,
+double evaluate(const player::PlannerField& field, const player::Plan& plan, int node,
                 const protos::PlannerEvaluation& evaluation) {
-  const PlanNode& state = plan.nodes[static_cast<std::size_t>(node)];
+  const player::PlanNode& state = plan.nodes[static_cast<std::size_t>(node)];
   double value = 0.0;
   const bool own_field = evaluation.has_field_evaluators() &&
                          (evaluation.field_evaluators().has_helios_field_evaluator() ||

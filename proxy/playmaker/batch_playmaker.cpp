@@ -185,7 +185,7 @@ class BatchPlaymaker : public Playmaker {
   // What a registration says beside its agents.
   void add_parameters(wire::RegisterTeamRequest& request) const {
     assert(team_.parameters != nullptr && "announce_team() comes first");
-    const MatchParameters& parameters = *team_.parameters;
+    const player::MatchParameters& parameters = *team_.parameters;
     request.set_version(proto::kTeamPlaymakerVersion);
     protos::ServerParam server;
     fill(parameters.server, server);

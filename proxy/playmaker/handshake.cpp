@@ -24,7 +24,7 @@ protos::RegisterResponse identity_from(const protos::RegisterRequest& request) {
 }  // namespace
 
 Handshake::Handshake(protos::RegisterRequest registration,
-                     std::shared_ptr<const MatchParameters> parameters)
+                     std::shared_ptr<const player::MatchParameters> parameters)
     : registration_(std::move(registration)), parameters_(std::move(parameters)) {
   make_request();
 }

@@ -8,10 +8,10 @@
 #include <memory>
 #include <string>
 
+#include "player/world/match_parameters.h"
 #include "proto/playmaker.pb.h"
 #include "proto/rpc.h"
 #include "proxy/playmaker/playmaker.h"
-#include "proxy/world/match_parameters.h"
 
 namespace cls::proxy {
 
@@ -27,7 +27,7 @@ class Handshake {
   };
 
   Handshake(protos::RegisterRequest registration,
-            std::shared_ptr<const MatchParameters> parameters);
+            std::shared_ptr<const player::MatchParameters> parameters);
 
   proto::Rpc rpc() const;
   const google::protobuf::Message& request() const { return *request_; }
@@ -47,7 +47,7 @@ class Handshake {
   void make_request();
 
   protos::RegisterRequest registration_;
-  std::shared_ptr<const MatchParameters> parameters_;
+  std::shared_ptr<const player::MatchParameters> parameters_;
   protos::RegisterResponse identity_;
   std::unique_ptr<google::protobuf::Message> request_;
   std::size_t position_ = 0;

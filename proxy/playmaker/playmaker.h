@@ -11,11 +11,11 @@
 #include <utility>
 #include <vector>
 
+#include "player/world/match_parameters.h"
+#include "player/world/world_model.h"
 #include "proto/playmaker.pb.h"
 #include "proto/rpc.h"
 #include "proxy/playmaker/rpc_status.h"
-#include "proxy/world/match_parameters.h"
-#include "proxy/world/world_model.h"
 
 namespace cls::proxy {
 
@@ -56,10 +56,10 @@ struct Reply {
 /// What the agents of a team will register with.
 struct TeamRegistration {
   std::vector<std::pair<int, protos::RegisterRequest>> agents;  ///< by agent number, ascending
-  std::shared_ptr<const MatchParameters> parameters;
+  std::shared_ptr<const player::MatchParameters> parameters;
   std::shared_ptr<TensorCodec> codec{};  ///< null: the form TENSOR is not offered
   /// The world of the due decision of a player; needed with a codec.
-  std::function<const WorldModel&(int agent)> world_of{};
+  std::function<const player::WorldModel&(int agent)> world_of{};
   bool rated = false;  ///< a match of a tournament or comparison
 };
 

@@ -26,7 +26,7 @@ void append_once(std::string& warnings, const std::string& warning) {
 }  // namespace
 
 PlaymakerClient::PlaymakerClient(int agent, Rpc decision, protos::RegisterRequest registration,
-                                 std::shared_ptr<const MatchParameters> parameters)
+                                 std::shared_ptr<const player::MatchParameters> parameters)
     : agent_(agent),
       decision_(decision),
       registration_request_(std::move(registration)),

@@ -37,7 +37,7 @@ class PlaymakerClient {
  public:
   /// `decision` is one of the three RPCs whose request is a State.
   PlaymakerClient(int agent, proto::Rpc decision, protos::RegisterRequest registration,
-                  std::shared_ptr<const MatchParameters> parameters);
+                  std::shared_ptr<const player::MatchParameters> parameters);
 
   /// First handshake; blocks. Writes the identity into `state`.
   RpcStatus register_agent(Playmaker& playmaker, RpcTimeout timeout, protos::State& state);
@@ -82,7 +82,7 @@ class PlaymakerClient {
   int agent_;
   proto::Rpc decision_;
   protos::RegisterRequest registration_request_;
-  std::shared_ptr<const MatchParameters> parameters_;
+  std::shared_ptr<const player::MatchParameters> parameters_;
 
   Registration registration_ = Registration::kRegistered;
   std::optional<Handshake> handshake_;           ///< set while kReregistering

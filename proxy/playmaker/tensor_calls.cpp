@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "base/overloaded.h"
-#include "proxy/world/motion.h"
+#include "player/world/motion.h"
 
 namespace cls::proxy {
 namespace {
@@ -31,7 +31,7 @@ void append_row(const std::vector<Number>& row, wire::Tensor& tensor) {
 }
 
 // The action of a body command. The list has it and the neck action that training has by default.
-void fill(const soccer::PlayerCommand& command, const WorldModel& world,
+void fill(const soccer::PlayerCommand& command, const player::WorldModel& world,
           protos::PlayerAction& out) {
   const auto number = [](double value) { return static_cast<float>(value); };
   std::visit(base::Overloaded{
@@ -40,8 +40,8 @@ void fill(const soccer::PlayerCommand& command, const WorldModel& world,
                    out.mutable_dash()->set_relative_direction(number(dash.direction));
                  },
                  [&](const soccer::Turn& turn) {
-                   const double angle =
-                       turn.moment / turn_resistance(world.self_type(), world.self.velocity);
+                   const double angle = turn.moment / player::turn_resistance(world.self_type(),
+                                                                              world.self.velocity);
                    out.mutable_turn()->set_relative_direction(number(angle));
                  },
                  [&](const soccer::Kick& kick) {
@@ -86,7 +86,7 @@ base::Result<void> TensorCalls::choose(const TeamRegistration& team,
   return {};
 }
 
-void TensorCalls::add_player(const WorldModel& world, bool first,
+void TensorCalls::add_player(const player::WorldModel& world, bool first,
                              wire::GetTeamActionsRequest& request) {
   if (first) request.set_play_mode(std::string(soccer::name(world.game.mode)));
   features_.clear();
@@ -115,7 +115,8 @@ base::Result<void> TensorCalls::read(const wire::GetTeamActionsResponse& respons
   return {};
 }
 
-const protos::PlayerActions* TensorCalls::actions(std::size_t row, const WorldModel& world) {
+const protos::PlayerActions* TensorCalls::actions(std::size_t row,
+                                                  const player::WorldModel& world) {
   const auto command =
       codec_->decode(world, actions_.data() + row * static_cast<std::size_t>(sizes_.actions));
   if (!command) return nullptr;

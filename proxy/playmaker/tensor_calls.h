@@ -24,7 +24,7 @@ class TensorCalls {
   bool active() const { return codec_ != nullptr; }
 
   /// Adds the row of a player to the request of the cycle; the first one begins the rows.
-  void add_player(const WorldModel& world, bool first,
+  void add_player(const player::WorldModel& world, bool first,
                   playmaker::v1::GetTeamActionsRequest& request);
 
   /// Reads the rows of the players `due`, in the order of the request. The error concerns them all.
@@ -34,7 +34,7 @@ class TensorCalls {
   bool has_rows() const { return !actions_.empty(); }
   /// The action list of row `row`; null for an action that does not exist. Valid until the next
   /// call.
-  const protos::PlayerActions* actions(std::size_t row, const WorldModel& world);
+  const protos::PlayerActions* actions(std::size_t row, const player::WorldModel& world);
 
  private:
   std::shared_ptr<TensorCodec> codec_;  // null: another encoding

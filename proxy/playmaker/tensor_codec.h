@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "base/result.h"
-#include "proxy/world/world_model.h"
+#include "player/world/world_model.h"
 #include "soccer/commands/player_command.h"
 
 namespace cls::proxy {
@@ -45,11 +45,11 @@ class TensorCodec {
   virtual base::Result<TensorSizes> choose(const TensorChoice& choice) = 0;
 
   /// Appends the row of a player with a completed world model. After choose().
-  virtual void encode(const WorldModel& world, std::vector<float>& features,
+  virtual void encode(const player::WorldModel& world, std::vector<float>& features,
                       std::vector<std::uint8_t>& masks) = 0;
 
   /// The body command of a row; nullopt for a row that is not finite or has no such id.
-  virtual std::optional<soccer::PlayerCommand> decode(const WorldModel& world,
+  virtual std::optional<soccer::PlayerCommand> decode(const player::WorldModel& world,
                                                       const float* row) = 0;
 };
 

@@ -12,7 +12,7 @@ TEST(Includes, RejectHigherAndUnrelatedFolders) {
            {"base/a.h", "soccer/b.h"},
            {"soccer/a.h", "gamelog/b.h"},
            {"gamelog/rcg/a.cpp", "simulator/b.h"},
-           {"simulator/world/a.cpp", "proxy/world/b.h"},
+           {"simulator/world/a.cpp", "player/world/b.h"},
            {"simulator/a.cpp", "proto/playmaker.pb.h"},
            {"proxy/deep/a.cpp", "simulator/deep/b.h"},
            {"proxy/a.cpp", "mock-server/b.h"},
@@ -20,8 +20,8 @@ TEST(Includes, RejectHigherAndUnrelatedFolders) {
            {"orchestration/match/a.cpp", "orchestration/scenario/b.h"},
            {"orchestration/match/a.cpp", "cli/b.h"},
            {"simulator/world/a.h", "simulator/referee/b.h"},
-           {"proxy/world/a.h", "proxy/agent/b.h"},
-           {"proxy/unknown/a.h", "proxy/world/b.h"},
+           {"player/world/a.h", "proxy/agent/b.h"},
+           {"proxy/unknown/a.h", "player/world/b.h"},
            {"cli/a.cpp", "tests/b.h"}}) {
     const auto found = check_includes({from, "// x\n\n#include \"" + to + "\"\n"});
     ASSERT_EQ(found.size(), 1u) << from << " -> " << to;
@@ -71,7 +71,7 @@ TEST(ForbiddenHeaders, RejectProtobufInObservationAndSkillLayers) {
     }
   }
   const std::string text = "#include \"proto/playmaker.pb.h\"\n";
-  EXPECT_EQ(check_forbidden_headers({"proxy/planner/a.cpp", text}).size(), 0u);
+  EXPECT_EQ(check_forbidden_headers({"player/planner/a.cpp", text}).size(), 0u);
 }
 
 TEST(ForbiddenHeaders, AllowClocksThreadsAndSocketsOnlyInServerFiles) {

@@ -30,12 +30,12 @@
 #include "orchestration/tournament/schedule/schedule_check.h"
 #include "orchestration/tournament/store/match_document.h"
 #include "orchestration/tournament/tuning/tune_config.h"
+#include "player/formation/formation_file.h"
+#include "player/formation/librcsc_formation.h"
+#include "player/world/planner_parameters.h"
 #include "proto/playmaker.pb.h"
 #include "proto/recording_file.h"
 #include "proto/saved_match.pb.h"
-#include "proxy/formation/formation_file.h"
-#include "proxy/formation/librcsc_formation.h"
-#include "proxy/world/planner_parameters.h"
 
 namespace cls::tests {
 namespace {
@@ -70,12 +70,12 @@ void check_script(const std::string& text) {
 }
 
 void check_formation(const std::string& text) {
-  const auto formation = proxy::parse_formation(text, "fuzz");
+  const auto formation = player::parse_formation(text, "fuzz");
   if (!formation) return;
-  const std::string written = proxy::format_formation(*formation);
-  const auto again = proxy::parse_formation(written, "fuzz");
+  const std::string written = player::format_formation(*formation);
+  const auto again = player::parse_formation(written, "fuzz");
   require(again.ok());
-  require(proxy::format_formation(*again) == written);
+  require(player::format_formation(*again) == written);
 }
 
 void check_config(const std::string& text) {
@@ -104,7 +104,7 @@ void check_tune_config(const std::string& text) {
 void check_planner_file(const std::string& text) {
   const auto parameters = orchestration::match::parse_planner_file(text, "planner.toml");
   if (!parameters) return require(!parameters.error().message.empty());
-  for (const proxy::PlannerParameter& row : proxy::planner_parameter_table()) {
+  for (const player::PlannerParameter& row : player::planner_parameter_table()) {
     const double value = value_of(**parameters, row);
     require(value >= row.low && value <= row.high);
   }
@@ -223,7 +223,7 @@ void check_user_file(std::string_view input) {
     case 'f':
       return check_formation(text);
     case 'l':
-      proxy::parse_librcsc_formation(text, "fuzz").ok();
+      player::parse_librcsc_formation(text, "fuzz").ok();
       return;
     case 't':
       return check_config(text);

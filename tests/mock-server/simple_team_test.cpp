@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "mock-server/simple_team/formation.h"
-#include "mock-server/simple_team/situation.h"
+#include "player/simple_team/formation.h"
+#include "player/simple_team/situation.h"
 
 namespace cls::mock_server {
 namespace {

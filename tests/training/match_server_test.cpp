@@ -10,11 +10,11 @@
 #include <stdexcept>
 
 #include "mock-server/script/named_behaviors.h"
+#include "player/behaviors/automatic_play.h"
+#include "player/movement/home_positions.h"
+#include "player/perception/perception.h"
 #include "proxy/actions/executor.h"
-#include "proxy/behaviors/automatic_play.h"
 #include "proxy/messages/state_message.h"
-#include "proxy/movement/home_positions.h"
-#include "proxy/perception/perception.h"
 #include "simulator/sessions/match_server.h"
 #include "soccer/memory_channel.h"
 #include "soccer/protocol/message_kind.h"
@@ -196,7 +196,7 @@ INSTANTIATE_TEST_SUITE_P(
         R"({"task": "Match", "agents": "both", "actions": "hfo", "obs": "world_model"})"));
 
 /// The world model of a client that reads the messages of a match server.
-void read_messages(const std::vector<std::string>& messages, proxy::WorldModel& world) {
+void read_messages(const std::vector<std::string>& messages, player::WorldModel& world) {
   for (const std::string& message : messages) {
     soccer::SenseBody sense;
     soccer::See see;
@@ -221,7 +221,7 @@ void read_messages(const std::vector<std::string>& messages, proxy::WorldModel& 
   update_derived(world);
 }
 
-void expect_equal(const proxy::PlayerList& one, const proxy::PlayerList& other) {
+void expect_equal(const player::PlayerList& one, const player::PlayerList& other) {
   ASSERT_EQ(one.size(), other.size());
   for (std::size_t i = 0; i < one.size(); ++i) {
     EXPECT_EQ(one[i].unum, other[i].unum);
@@ -232,7 +232,7 @@ void expect_equal(const proxy::PlayerList& one, const proxy::PlayerList& other) 
   }
 }
 
-void expect_equal(const proxy::WorldModel& one, const proxy::WorldModel& other) {
+void expect_equal(const player::WorldModel& one, const player::WorldModel& other) {
   EXPECT_EQ(one.game.time, other.game.time);
   EXPECT_EQ(one.game.mode, other.game.mode);
   EXPECT_EQ(one.game.our_score, other.game.our_score);
@@ -256,7 +256,7 @@ TEST_P(TrainingWorldModel, IsThatOfAClientOfAMatchServer) {
   training::Episode episode(setup);
   episode.reset(5, setup->options);
   ServerMatch match(episode);
-  std::vector<proxy::WorldModel> clients;
+  std::vector<player::WorldModel> clients;
   for (std::size_t agent = 0; agent < setup->agent_count(); ++agent) {
     match.received(setup->cast.agents[agent]);  // of the handshake
     clients.push_back(*episode.world_model(agent));
@@ -286,8 +286,8 @@ struct MatchAgent {
     fill_state(world, home_positions(world), needs_preprocess(world), state);
     protos::PlayerActions actions;
     behavior.decide(state, actions);
-    proxy::CommandSlots slots(world);
-    proxy::ActionReport report;
+    player::CommandSlots slots(world);
+    player::ActionReport report;
     execute(actions, world, memory, slots, report);
     std::vector<soccer::PlayerCommand> commands;
     slots.compose(commands);
@@ -295,8 +295,8 @@ struct MatchAgent {
     return commands;
   }
 
-  proxy::WorldModel world;
-  proxy::ActionMemory memory;
+  player::WorldModel world;
+  player::ActionMemory memory;
   protos::State state;
 };
 

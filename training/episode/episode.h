@@ -53,7 +53,7 @@ class Episode {
   /// would have sent.
   std::span<const PlayerCommand> commands(int slot) const;
   /// What an agent estimates; null with the full state.
-  const proxy::WorldModel* world_model(std::size_t agent) const {
+  const player::WorldModel* world_model(std::size_t agent) const {
     return has_world_models() ? &perceivers_[agent].world : nullptr;
   }
   /// The player in `slot` if its driver perceives; else null.

@@ -1,32 +1,32 @@
 // The decision of an agent without a Playmaker's messages.
 #include "training/npc/match_player.h"
 
-#include "proxy/behaviors/automatic_play.h"
-#include "proxy/behaviors/behaviors.h"
-#include "proxy/perception/perception.h"
-#include "proxy/planner/plan_execution.h"
+#include "player/behaviors/automatic_play.h"
+#include "player/behaviors/behaviors.h"
+#include "player/perception/perception.h"
+#include "player/planner/plan_execution.h"
 #include "training/npc/simple_team_player.h"
 
 namespace cls::training {
 namespace {
 
-using proxy::ActionContext;
+using player::ActionContext;
 
 // What the mock Playmaker's behavior "planner" asks for.
-proxy::PlannerOptions all_kinds() {
-  proxy::PlannerOptions options;
+player::PlannerOptions all_kinds() {
+  player::PlannerOptions options;
   options.simple_pass = true;
   options.simple_dribble = true;
   return options;
 }
 
-bool in_play(const proxy::GameState& game) {
+bool in_play(const player::GameState& game) {
   return !game.goalie_catch &&
          (game.mode == soccer::PlayMode::kPlayOn || game.mode == soccer::PlayMode::kDropBall);
 }
 
 void play_by_planner(ActionContext& context) {
-  const proxy::WorldModel& world = context.world;
+  const player::WorldModel& world = context.world;
   if (soccer::is_penalty_mode(world.game.mode)) {
     play_penalty(context);
   } else if (!in_play(world.game)) {
@@ -38,7 +38,7 @@ void play_by_planner(ActionContext& context) {
   } else if (must_leave_ball(world, context.memory)) {
     leave_ball(context);
   } else if (!shoot_and_look(context) && !world.self.frozen()) {
-    const proxy::Plan& plan = plan_of_decision(context, all_kinds());
+    const player::Plan& plan = plan_of_decision(context, all_kinds());
     if (!kick_out_of_danger(context)) execute_plan_or_hold(context, plan, plan.best);
   }
 }
@@ -46,11 +46,11 @@ void play_by_planner(ActionContext& context) {
 }  // namespace
 
 void decide(Driver driver, MatchPlayer& player) {
-  const proxy::WorldModel& world = player.senses.world;
-  proxy::CommandSlots slots(world);
-  proxy::NeckPlan neck;
-  proxy::ActionReport report;
-  proxy::PlanChoice choice;
+  const player::WorldModel& world = player.senses.world;
+  player::CommandSlots slots(world);
+  player::NeckPlan neck;
+  player::ActionReport report;
+  player::PlanChoice choice;
   ActionContext context{world, player.memory, slots, neck, report, choice};
   begin_decision(context);
   if (driver == Driver::kMock) {

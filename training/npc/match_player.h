@@ -1,7 +1,7 @@
 // Players that perceive and decide as the agents of a match do.
 #pragma once
 
-#include "proxy/planner/action_memory.h"
+#include "player/planner/action_memory.h"
 #include "training/npc/driver.h"
 #include "training/senses/perceiver.h"
 
@@ -10,7 +10,7 @@ namespace cls::training {
 /// A copyable value.
 struct MatchPlayer {
   Perceiver senses;
-  proxy::ActionMemory memory;
+  player::ActionMemory memory;
 };
 
 /// Decides from the completed world model: fills player.senses.commands with what such an agent of

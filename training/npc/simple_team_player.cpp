@@ -1,27 +1,27 @@
 // From a world model to the situation of the simple team, from its actions to skills.
 #include "training/npc/simple_team_player.h"
 
-#include "mock-server/simple_team/simple_team.h"
-#include "proxy/ball_skills/clear_ball.h"
-#include "proxy/ball_skills/dribble.h"
-#include "proxy/ball_skills/smart_kick.h"
-#include "proxy/behaviors/automatic_play.h"
-#include "proxy/behaviors/behaviors.h"
-#include "proxy/looking/body_neck.h"
-#include "proxy/looking/neck.h"
-#include "proxy/movement/intercept.h"
-#include "proxy/movement/movement.h"
-#include "proxy/movement/tackle.h"
+#include "player/ball_skills/clear_ball.h"
+#include "player/ball_skills/dribble.h"
+#include "player/ball_skills/smart_kick.h"
+#include "player/behaviors/automatic_play.h"
+#include "player/behaviors/behaviors.h"
+#include "player/looking/body_neck.h"
+#include "player/looking/neck.h"
+#include "player/movement/intercept.h"
+#include "player/movement/movement.h"
+#include "player/movement/tackle.h"
+#include "player/simple_team/simple_team.h"
 
 namespace cls::training {
 namespace {
 
-using mock_server::Situation;
-using mock_server::TeamAction;
-using mock_server::TeamMode;
-using proxy::ActionContext;
-using proxy::PlayerState;
-using proxy::WorldModel;
+using player::ActionContext;
+using player::PlayerState;
+using player::Situation;
+using player::TeamAction;
+using player::TeamMode;
+using player::WorldModel;
 using soccer::PlayMode;
 using soccer::Vec2;
 
@@ -29,7 +29,7 @@ using soccer::Vec2;
 double shortened(double value) { return static_cast<double>(static_cast<float>(value)); }
 Vec2 shortened(Vec2 point) { return {shortened(point.x), shortened(point.y)}; }
 
-TeamMode mode_of(const proxy::GameState& game) {
+TeamMode mode_of(const player::GameState& game) {
   if (soccer::is_penalty_mode(game.mode)) return TeamMode::kPenalty;
   if (game.goalie_catch) return TeamMode::kGoalieCatch;
   switch (game.mode) {
@@ -55,13 +55,13 @@ TeamMode mode_of(const proxy::GameState& game) {
   }
 }
 
-int reach(int steps, int player_id) { return player_id == 0 ? mock_server::kNeverReached : steps; }
+int reach(int steps, int player_id) { return player_id == 0 ? player::kNeverReached : steps; }
 
 void read_ball(const WorldModel& world, Situation& now) {
   now.ball = shortened(world.ball.position);
   now.ball_velocity = shortened(world.ball.velocity);
   now.ball_age = world.ball.pos_count;
-  const proxy::InterceptTable& table = world.intercept;
+  const player::InterceptTable& table = world.intercept;
   now.own_steps = table.self_steps;
   now.teammates_steps = reach(table.first_teammate_steps, table.first_teammate_id);
   now.opponents_steps = reach(table.first_opponent_steps, table.first_opponent_id);
@@ -108,7 +108,7 @@ bool execute_body(const TeamAction& action, ActionContext& c) {
       return smart_kick(world, c.slots, action.point(), first, second, action.count);
     case Kind::kDribble:
       return dribble(world, c.memory.intention, c.slots, action.point(),
-                     {mock_server::kDribbleDistance, first, action.count, true});
+                     {player::kDribbleDistance, first, action.count, true});
     case Kind::kClearBall:
       return clear_ball(world, c.slots);
     case Kind::kIntercept:
@@ -137,7 +137,7 @@ bool execute_body(const TeamAction& action, ActionContext& c) {
 }
 
 void execute_neck(const TeamAction& action, ActionContext& c) {
-  const proxy::ViewMemory& view = c.memory.view;
+  const player::ViewMemory& view = c.memory.view;
   switch (action.kind) {
     case TeamAction::Kind::kWatchBall:
       neck_turn_to_ball(c.world, view, c.slots);
@@ -157,9 +157,9 @@ void execute_neck(const TeamAction& action, ActionContext& c) {
 }  // namespace
 
 void play_as_simple_team(ActionContext& context) {
-  mock_server::ActionList list;
+  player::ActionList list;
   play_simple_team(situation_of(context.world), list);
-  proxy::AutomaticPlay automatic;
+  player::AutomaticPlay automatic;
   automatic.preprocess = !list.places_itself;
   if (play_automatically(context, automatic)) return;
   bool done = false;

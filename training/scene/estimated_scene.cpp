@@ -8,8 +8,8 @@ namespace {
 
 double radians(soccer::AngleDeg angle) { return soccer::math::to_radians(angle.degrees()); }
 
-void fill_self(const proxy::WorldModel& world, ScenePlayer& out) {
-  const proxy::SelfState& self = world.self;
+void fill_self(const player::WorldModel& world, ScenePlayer& out) {
+  const player::SelfState& self = world.self;
   out.seen = self.position_valid();
   out.velocity_known = true;
   out.body_known = true;
@@ -27,11 +27,11 @@ void fill_self(const proxy::WorldModel& world, ScenePlayer& out) {
   out.type = &world.self_type();
 }
 
-void fill_player(const proxy::WorldModel& world, const proxy::PlayerState& player,
+void fill_player(const player::WorldModel& world, const player::PlayerState& player,
                  ScenePlayer& out) {
   out.seen = player.position_valid();
   out.velocity_known = player.velocity_valid();
-  out.body_known = player.body_count < proxy::kPlayerFaceAgeLimit;
+  out.body_known = player.body_count < player::kPlayerFaceAgeLimit;
   out.goalie = player.goalie;
   out.frozen = player.tackling;
   out.position = player.position;
@@ -54,10 +54,10 @@ Seat choose_seat(const Cast& cast, Side side, bool opponent, int unum, const Sce
   return kNoSeat;
 }
 
-void add_players(const proxy::WorldModel& world, const proxy::PlayerList& players, bool opponents,
+void add_players(const player::WorldModel& world, const player::PlayerList& players, bool opponents,
                  const Cast& cast, Scene& out) {
   // Numbered players come first in the list, so that the others find the free seats.
-  for (const proxy::PlayerState& player : players) {
+  for (const player::PlayerState& player : players) {
     if (!player.position_valid()) continue;
     const Seat seat = choose_seat(cast, world.our_side, opponents, player.unum, out);
     if (seat != kNoSeat) fill_player(world, player, out.player(seat));
@@ -66,7 +66,7 @@ void add_players(const proxy::WorldModel& world, const proxy::PlayerList& player
 
 }  // namespace
 
-void fill_scene(const proxy::WorldModel& world, const Cast& cast, Scene& out) {
+void fill_scene(const player::WorldModel& world, const Cast& cast, Scene& out) {
   out.server = &world.server();
   out.side = world.our_side;
   out.play_on = world.game.mode == soccer::PlayMode::kPlayOn;

@@ -6,8 +6,8 @@
 #include <utility>
 #include <variant>
 
-#include "proxy/looking/body_command.h"
-#include "proxy/perception/perception.h"
+#include "player/looking/body_command.h"
+#include "player/perception/perception.h"
 #include "simulator/senses/body_sense.h"
 #include "simulator/sessions/handshake.h"
 #include "soccer/memory_channel.h"

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "proxy/world/view_cone.h"
-#include "proxy/world/world_model.h"
+#include "player/world/view_cone.h"
+#include "player/world/world_model.h"
 #include "simulator/senses/hearing.h"
 #include "simulator/senses/vision.h"
 #include "simulator/world/event.h"
@@ -18,8 +18,8 @@ namespace cls::training {
 
 /// A copyable value: world model and what the server remembers of the agent's senses.
 struct Perceiver {
-  proxy::WorldModel world;
-  proxy::ViewMemory view;
+  player::WorldModel world;
+  player::ViewMemory view;
   int see_rounds = 0;                           ///< since the last see message
   simulator::PendingMessages said;              ///< by players, not heard yet
   std::vector<soccer::PlayerCommand> commands;  ///< of the current cycle

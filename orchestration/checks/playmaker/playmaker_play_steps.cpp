@@ -32,12 +32,12 @@ struct Outcomes {
 };
 
 Outcomes outcomes_of(const proxy::Team& team) {
-  proxy::ActionReport sum;
+  player::ActionReport sum;
   for (const auto& player : team.players()) add(sum, player->statistics().actions);
   Outcomes outcomes;
   outcomes.replies = sum.lists;
   outcomes.useless = sum.useless;
-  for (const proxy::ActionCounts& counts : sum.actions) {
+  for (const player::ActionCounts& counts : sum.actions) {
     outcomes.executed += counts.done;
     outcomes.failed += counts.failed;
     outcomes.skipped += counts.skipped;

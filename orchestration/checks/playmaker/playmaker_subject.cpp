@@ -21,11 +21,11 @@ protos::AgentType type_of(int agent) {
   return agent == proxy::kTrainerNumber ? protos::TrainerT : protos::PlayerT;
 }
 
-const std::shared_ptr<const proxy::MatchParameters>& parameters() {
+const std::shared_ptr<const player::MatchParameters>& parameters() {
   static const auto kParameters = [] {
-    auto made = std::make_shared<proxy::MatchParameters>();
+    auto made = std::make_shared<player::MatchParameters>();
     made->types = soccer::draw_player_types(made->server, made->player, kSeed);
-    return std::shared_ptr<const proxy::MatchParameters>(std::move(made));
+    return std::shared_ptr<const player::MatchParameters>(std::move(made));
   }();
   return kParameters;
 }
@@ -70,7 +70,7 @@ proxy::RpcStatus send_parameters(PlaymakerSubject& subject, int team, int agent)
   const auto t = static_cast<std::size_t>(team);
   proxy::Playmaker& playmaker = *subject.teams[t];
   const protos::RegisterResponse& identity = subject.identities[t][static_cast<std::size_t>(agent)];
-  const proxy::MatchParameters& known = *parameters();
+  const player::MatchParameters& known = *parameters();
   protos::ServerParam server_message;
   proxy::fill(known.server, server_message);
   *server_message.mutable_register_response() = identity;

@@ -109,7 +109,7 @@ std::string message_text(const pb::Message& message) {
   return "{" + fields_text(message) + "}";
 }
 
-std::string_view category_name(proxy::PlanCategory category) {
+std::string_view category_name(player::PlanCategory category) {
   constexpr std::array<std::string_view, 7> kNames = {"hold",  "dribble", "pass",     "shoot",
                                                       "clear", "move",    "no_action"};
   return kNames.at(static_cast<std::size_t>(category));
@@ -124,8 +124,8 @@ std::string action_text(const protos::PlayerAction& action) {
   return fields.empty() ? field->name() : field->name() + " " + fields;
 }
 
-std::string plan_text(const proxy::PlanChoice& choice) {
-  const proxy::Plan& plan = choice.plan;
+std::string plan_text(const player::PlanChoice& choice) {
+  const player::Plan& plan = choice.plan;
   if (plan.nodes.size() < 2) return {};
   std::map<int, double> best;  // of the sequences that begin with the node
   for (int node = 0; node < static_cast<int>(plan.nodes.size()); ++node) {
@@ -136,12 +136,12 @@ std::string plan_text(const proxy::PlanChoice& choice) {
   std::vector<std::pair<int, double>> candidates(best.begin(), best.end());
   std::stable_sort(candidates.begin(), candidates.end(),
                    [](const auto& a, const auto& b) { return a.second > b.second; });
-  const bool replied = choice.chooser == proxy::PlanChoice::Chooser::kReplied;
+  const bool replied = choice.chooser == player::PlanChoice::Chooser::kReplied;
   const int chosen = replied ? proxy::first_action_of(plan, choice.node) : plan.first_of(plan.best);
   std::string text;
   for (std::size_t i = 0; i < std::min(candidates.size(), kMaxCandidates); ++i) {
     const auto [node, value] = candidates[i];
-    const proxy::PlanAction& action = plan.nodes[static_cast<std::size_t>(node)].action;
+    const player::PlanAction& action = plan.nodes[static_cast<std::size_t>(node)].action;
     text +=
         fmt::format("{} {} {} {} {}\n", node == chosen ? '*' : '-', category_name(action.category),
                     action.target, point_text(action.target_point.x, action.target_point.y),

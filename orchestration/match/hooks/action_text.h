@@ -16,6 +16,6 @@ std::string action_text(const protos::PlayerAction& action);
 /// A line for each action that the planner considered first, best first: "* pass strictLead 9
 /// (12.3, -4) 45.2", with the value of the best sequence that begins with it. `*` marks the chosen
 /// one. At most eight lines; empty without a plan.
-std::string plan_text(const proxy::PlanChoice& choice);
+std::string plan_text(const player::PlanChoice& choice);
 
 }  // namespace cls::orchestration::match

@@ -16,7 +16,7 @@ SideListener* MissedLog::listener(soccer::Side side) {
 
 void MissedLog::SideLog::on_decision(const proxy::Decision& decision) {
   if (decision.status.ok()) return;
-  const proxy::GameTime time = decision.agent.world().game.time;
+  const player::GameTime time = decision.agent.world().game.time;
   missed_.push_back(
       {time.cycle, time.stopped, side_, decision.agent.unum(), decision.status.outcome});
 }

@@ -19,17 +19,17 @@ namespace {
 using soccer::Side;
 using viewer::DecisionSample;
 
-char letter_of(proxy::ActionOutcome outcome) {
+char letter_of(player::ActionOutcome outcome) {
   constexpr std::array<char, 5> kLetters = {'e', 'f', 's', 'i', 'u'};
   return kLetters.at(static_cast<std::size_t>(outcome));
 }
 
-std::string reply_text(const protos::PlayerActions& reply, const proxy::DecisionTrace& trace) {
+std::string reply_text(const protos::PlayerActions& reply, const player::DecisionTrace& trace) {
   std::string text;
   for (int i = 0; i < reply.actions_size(); ++i) {
     if (is_drawing(reply.actions(i))) continue;
     const auto index = static_cast<std::size_t>(i);
-    const bool tried = trace.by == proxy::DecidedBy::kActions && index < trace.outcomes.size();
+    const bool tried = trace.by == player::DecidedBy::kActions && index < trace.outcomes.size();
     text += tried ? letter_of(trace.outcomes[index]) : '-';
     text += ' ' + action_text(reply.actions(i)) + '\n';
   }

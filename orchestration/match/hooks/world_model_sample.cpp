@@ -7,7 +7,7 @@ namespace {
 using soccer::Side;
 using viewer::DecisionSample;
 
-int age_of(int count) { return count < proxy::kNever ? count : viewer::kUnknownAge; }
+int age_of(int count) { return count < player::kNever ? count : viewer::kUnknownAge; }
 
 /// The own team attacks +x in a world model, the left team in a log.
 class View {
@@ -22,12 +22,12 @@ class View {
   int sign_;
 };
 
-viewer::EstimatedPlayer estimate(const proxy::PlayerState& player, View view) {
+viewer::EstimatedPlayer estimate(const player::PlayerState& player, View view) {
   return {age_of(player.pos_count), view.point(player.position)};
 }
 
-void add_players(const proxy::PlayerList& players, View view, DecisionSample& sample) {
-  for (const proxy::PlayerState& player : players) {
+void add_players(const player::PlayerList& players, View view, DecisionSample& sample) {
+  for (const player::PlayerState& player : players) {
     const viewer::EstimatedPlayer known = estimate(player, view);
     if (player.unum > 0 && player.side != Side::kNeutral) {
       sample.players.at(static_cast<std::size_t>(soccer::slot_of(player.side, player.unum))) =
@@ -40,7 +40,7 @@ void add_players(const proxy::PlayerList& players, View view, DecisionSample& sa
 
 }  // namespace
 
-DecisionSample sample_of(const proxy::WorldModel& world) {
+DecisionSample sample_of(const player::WorldModel& world) {
   const View view(world.our_side);
   DecisionSample sample;
   sample.cycle = world.game.time.cycle;
@@ -53,7 +53,7 @@ DecisionSample sample_of(const proxy::WorldModel& world) {
   sample.ball_velocity = view.point(world.ball.velocity);
   sample.ball_age = age_of(world.ball.pos_count);
   sample.ball_velocity_age = age_of(world.ball.vel_count);
-  for (const proxy::PlayerList* list : {&world.teammates, &world.opponents, &world.unknowns}) {
+  for (const player::PlayerList* list : {&world.teammates, &world.opponents, &world.unknowns}) {
     add_players(*list, view, sample);
   }
   sample.own_reach = age_of(world.intercept.best_self_steps());

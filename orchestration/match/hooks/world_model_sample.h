@@ -1,12 +1,12 @@
 // A world model as the decision debugger shows it.
 #pragma once
 
-#include "proxy/world/world_model.h"
+#include "player/world/world_model.h"
 #include "viewer/decisions/decision_sample.h"
 
 namespace cls::orchestration::match {
 
 /// The estimates of a player, in the coordinates of the game log. Without reply and commands.
-viewer::DecisionSample sample_of(const proxy::WorldModel& world);
+viewer::DecisionSample sample_of(const player::WorldModel& world);
 
 }  // namespace cls::orchestration::match

@@ -12,7 +12,7 @@
 namespace cls::mock_server {
 struct Script;
 }
-namespace cls::proxy {
+namespace cls::player {
 struct PlannerParameters;
 }
 
@@ -47,7 +47,7 @@ struct Endpoint {
   /// Of `planner:FILE=SIDE`, whose other members are those of SIDE; empty: none.
   std::string planner_file;
   /// The content of `planner_file`, once it is read; null: the defaults.
-  std::shared_ptr<const proxy::PlannerParameters> planner;
+  std::shared_ptr<const player::PlannerParameters> planner;
 
   /// True for a side of cls agents with a Playmaker.
   bool has_playmaker() const { return kind != Kind::kTeam; }

@@ -55,8 +55,8 @@ struct MatchOptions {
   process::ResourceLimits limits;  ///< of each process that a `run:` or `team:` side starts
 
   // Home positions of cls agents; null: the built-in formations.
-  std::shared_ptr<const proxy::FormationSet> left_formations;
-  std::shared_ptr<const proxy::FormationSet> right_formations;
+  std::shared_ptr<const player::FormationSet> left_formations;
+  std::shared_ptr<const player::FormationSet> right_formations;
 
   std::filesystem::path record_rpc;  ///< file for all requests and replies; empty: none
   bool record_world_models = false;  ///< what agents estimate, for the decision debugger

@@ -10,7 +10,7 @@
 #include "base/io/whole_file.h"
 #include "base/text/stored_formats.h"
 #include "orchestration/match/options/toml_schema.h"
-#include "proxy/world/planner_parameters.h"
+#include "player/world/planner_parameters.h"
 
 namespace cls::orchestration::match {
 namespace {
@@ -56,7 +56,7 @@ Result<SharedPlannerParameters> parse_planner_file(std::string_view text, const 
   } catch (const toml::parse_error& error) {
     return error_at(name, error.source(), error.description());
   }
-  auto parameters = std::make_shared<proxy::PlannerParameters>();
+  auto parameters = std::make_shared<player::PlannerParameters>();
   if (auto error = schema_error_of(top, name)) return *std::move(error);
   for (const auto& [key, node] : in_file_order(top)) {
     if (key == "schema") continue;
@@ -84,9 +84,9 @@ std::string commented_planner_file() {
       "# may be omitted. After each value: its range, its unit and what it is.\n";
   fmt::format_to(std::back_inserter(text), "\nschema = {}  # version of the format of this file\n",
                  base::kPlannerSchema);
-  const proxy::PlannerParameters defaults;
+  const player::PlannerParameters defaults;
   std::string_view group;
-  for (const proxy::PlannerParameter& row : proxy::planner_parameter_table()) {
+  for (const player::PlannerParameter& row : player::planner_parameter_table()) {
     if (row.group != group) fmt::format_to(std::back_inserter(text), "\n# {}\n", row.group);
     group = row.group;
     fmt::format_to(std::back_inserter(text), "{} = {:g}  # {:g} to {:g} {}: {}\n", row.name,

@@ -8,13 +8,13 @@
 
 #include "base/result.h"
 
-namespace cls::proxy {
+namespace cls::player {
 struct PlannerParameters;
 }
 
 namespace cls::orchestration::match {
 
-using SharedPlannerParameters = std::shared_ptr<const proxy::PlannerParameters>;
+using SharedPlannerParameters = std::shared_ptr<const player::PlannerParameters>;
 
 /// Parameters that the text does not name have their defaults. `name` is the file name in errors,
 /// which name the line, the parameter and what it must be.

@@ -124,8 +124,8 @@ PlayerResult result_of(int number, const proxy::AgentStatistics& statistics) {
   result.rpc_us = latency_of(statistics.rpc_us);
   result.commands = statistics.commands_by_name();
   result.unimplemented_actions = statistics.unimplemented_by_name();
-  result.actions = outcomes_by_name(statistics.actions);
-  result.automatic = automatic_by_name(statistics.actions);
+  result.actions = proxy::outcomes_by_name(statistics.actions);
+  result.automatic = proxy::automatic_by_name(statistics.actions);
   result.lists = statistics.actions.lists;
   result.empty = statistics.actions.empty;
   result.useless = statistics.actions.useless;

@@ -238,8 +238,8 @@ void NetworkAgents::wait_for_cycle_limit() {
 }
 
 void NetworkAgents::update_snapshot() {
-  const proxy::WorldModel& world = std::as_const(*this).team().world();
-  const proxy::GameState& game = world.game;
+  const player::WorldModel& world = std::as_const(*this).team().world();
+  const player::GameState& game = world.game;
   const bool left = team().side() != soccer::Side::kRight;
   const std::lock_guard lock(mutex_);
   MatchProgress& progress = snapshot_.progress.match;

@@ -89,7 +89,7 @@ class PolicyRows : public proxy::TensorCodec {
                               static_cast<int>(values_.size()) + (ids > 0 ? 1 : 0)};
   }
 
-  void encode(const proxy::WorldModel& world, std::vector<float>& features,
+  void encode(const player::WorldModel& world, std::vector<float>& features,
               std::vector<std::uint8_t>& masks) override {
     const PointOfView view = look(world);
     const std::size_t first = features.size();
@@ -100,7 +100,7 @@ class PolicyRows : public proxy::TensorCodec {
     }
   }
 
-  std::optional<soccer::PlayerCommand> decode(const proxy::WorldModel& world,
+  std::optional<soccer::PlayerCommand> decode(const player::WorldModel& world,
                                               const float* row) override {
     const bool has_ids = actions_->id_count() > 0;
     const float* given = row + (has_ids ? 1 : 0);
@@ -120,7 +120,7 @@ class PolicyRows : public proxy::TensorCodec {
   }
 
  private:
-  PointOfView look(const proxy::WorldModel& world) {
+  PointOfView look(const player::WorldModel& world) {
     fill_scene(world, everybody_, scene_);
     const soccer::Side side = world.our_side;
     const int self = soccer::slot_of(side, world.unum);

@@ -5,7 +5,7 @@
 
 #include "base/io/whole_file.h"
 #include "orchestration/match/options/endpoint.h"
-#include "proxy/world/planner_parameters.h"
+#include "player/world/planner_parameters.h"
 #include "tests/support/temporary_folder.h"
 
 namespace cls::orchestration::match {
@@ -24,7 +24,7 @@ TEST(PlannerFile, SetsNamedParametersOnly) {
   EXPECT_EQ((*parameters)->hold_cycles, 8);
   EXPECT_EQ((*parameters)->x_weight, 2.0);
   EXPECT_EQ((*parameters)->pass_age, 7);
-  EXPECT_EQ((*parameters)->goal_weight, proxy::PlannerParameters().goal_weight);
+  EXPECT_EQ((*parameters)->goal_weight, player::PlannerParameters().goal_weight);
 }
 
 TEST(PlannerFile, ReportsPlaceAndRemedyOfErrors) {
@@ -61,8 +61,8 @@ TEST(PlannerFile, CommentedFileHasAllDefaults) {
   const std::string text = commented_planner_file();
   const auto parsed = parse_planner_file(text, "p.toml");
   ASSERT_TRUE(parsed) << parsed.error().message;
-  const proxy::PlannerParameters defaults;
-  for (const proxy::PlannerParameter& row : proxy::planner_parameter_table()) {
+  const player::PlannerParameters defaults;
+  for (const player::PlannerParameter& row : player::planner_parameter_table()) {
     EXPECT_EQ(value_of(**parsed, row), value_of(defaults, row)) << row.name;
     EXPECT_NE(text.find("\n" + std::string(row.name) + " = "), std::string::npos) << row.name;
   }

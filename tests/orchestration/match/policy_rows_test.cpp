@@ -104,7 +104,7 @@ TEST(PolicyRows, DecodeTheActionsOfTheSet) {
   const auto setup = setup_of(R"({"task": "Match", "agents": "both", "obs": "world_model"})");
   Episode episode(setup);
   episode.reset(3, setup->options);
-  const proxy::WorldModel& world = *episode.world_model(5);
+  const player::WorldModel& world = *episode.world_model(5);
   const auto codec = make_policy_rows();
   ASSERT_TRUE(codec->choose({"ego/1", "low/1", 0, 0}));
   const std::array<float, 6> dash = {0.0F, 150.0F, 45.0F, 0.0F, 0.0F, 0.0F};

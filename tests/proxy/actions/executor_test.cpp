@@ -7,8 +7,8 @@
 #include <cmath>
 #include <limits>
 
+#include "player/behaviors/automatic_play.h"
 #include "proxy/actions/action_handlers.h"
-#include "proxy/behaviors/automatic_play.h"
 #include "tests/proxy/support/known_pitch.h"
 
 namespace cls::proxy {
@@ -139,7 +139,7 @@ TEST(Executor, PreprocessesInPlayForEachReason) {
   pitch.world.goalie = true;
   EXPECT_FALSE(needs_preprocess(pitch.world)) << "the goalie is more patient";
   pitch.world.ball.pos_count = 0;
-  pitch.world.self.pos_count = kSelfPositionAgeLimit;
+  pitch.world.self.pos_count = player::kSelfPositionAgeLimit;
   EXPECT_TRUE(needs_preprocess(pitch.world));
   pitch.world.self.pos_count = 0;
   pitch.knock_down(1);
@@ -368,7 +368,8 @@ TEST(Executor, EveryActionAcceptsAnyNumberInAnySituation) {
       for (int i = 0; i < type->field_count(); ++i) {
         KnownPitch pitch;
         if (situation == 1) pitch.place_ball({0.6, 0.1}, {0.3, -0.2});
-        if (situation == 2) pitch.world.self.pos_count = pitch.world.ball.pos_count = kNever;
+        if (situation == 2)
+          pitch.world.self.pos_count = pitch.world.ball.pos_count = player::kNever;
         if (situation == 3) pitch.knock_down(4);
         pitch.add_opponent(4, {1.9, 0.2});
         pitch.act([&](PlayerActions& reply) {
@@ -381,7 +382,7 @@ TEST(Executor, EveryActionAcceptsAnyNumberInAnySituation) {
           EXPECT_TRUE(soccer::format(command, text))
               << type->field(i)->name() << " " << number << " " << situation;
         }
-        const ActionCounts& counts =
+        const player::ActionCounts& counts =
             pitch.report.actions[static_cast<std::size_t>(type->field(i)->number())];
         EXPECT_EQ(counts.done + counts.failed, 1) << type->field(i)->name();
       }
@@ -393,15 +394,15 @@ TEST(Executor, LooksForBallWithoutReply) {
   KnownPitch pitch;
   pitch.place_ball({0.0, 20.0});
   pitch.world.ball.pos_count = 3;
-  CommandSlots slots(pitch.world);
+  player::CommandSlots slots(pitch.world);
   execute_without_reply(pitch.world, pitch.memory, slots, pitch.report);
   EXPECT_FALSE(slots.has_body());
   EXPECT_GT(slots.next_neck(), 40.0);
 }
 
 TEST(Executor, AddsReports) {
-  ActionReport sum;
-  ActionReport one;
+  player::ActionReport sum;
+  player::ActionReport one;
   one.actions[16].done = 2;
   one.say[1].unimplemented = 3;
   one.preprocess = 1;

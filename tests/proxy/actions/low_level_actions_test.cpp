@@ -156,7 +156,7 @@ TEST(Say, IsHeardByListeningTeammate) {
   };
   const auto heard = [&] {
     const auto& all = match.player(Side::kLeft, 9).world().heard;
-    return std::any_of(all.begin(), all.end(), [](const proxy::HeardMessage& message) {
+    return std::any_of(all.begin(), all.end(), [](const player::HeardMessage& message) {
       return message.unum == 7 && message.text.starts_with("p");
     });
   };

@@ -4,9 +4,9 @@
 
 #include <cmath>
 
-#include "proxy/ball_skills/kick.h"
-#include "proxy/movement/home_positions.h"
-#include "proxy/world/motion.h"
+#include "player/ball_skills/kick.h"
+#include "player/movement/home_positions.h"
+#include "player/world/motion.h"
 #include "tests/proxy/support/known_pitch.h"
 #include "tests/proxy/support/wire_vector.h"
 
@@ -221,7 +221,7 @@ TEST(BodyDribble, StartsWithARestingBallOfUnknownVelocity) {
   KnownPitch pitch;
   pitch.place_self({}, 122.0);
   pitch.place_ball({0.5, 0.0});
-  pitch.world.ball.vel_count = kNever;
+  pitch.world.ball.vel_count = player::kNever;
   protos::PlayerActions reply;
   dribble_to({20.0, 0.0}, 4)(reply);
   pitch.act(reply);
@@ -249,7 +249,7 @@ TEST(BodyAdvanceBall, KicksUpfieldIntoFreeSpace) {
       [&] { return pitch.world.ball.velocity.length() > 1.8; });
   EXPECT_GT(pitch.world.ball.velocity.x, 0.7);
   pitch.roll(10);
-  for (const PlayerState& opponent : pitch.world.opponents) {
+  for (const player::PlayerState& opponent : pitch.world.opponents) {
     EXPECT_GT(opponent.dist_from_ball, 2.0);
   }
 }

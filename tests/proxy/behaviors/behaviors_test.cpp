@@ -3,11 +3,11 @@
 
 #include <cmath>
 
-#include "proxy/behaviors/behaviors.h"
-#include "proxy/estimates/team_lines.h"
+#include "player/behaviors/behaviors.h"
+#include "player/estimates/team_lines.h"
+#include "player/movement/home_positions.h"
+#include "player/perception/say_message.h"
 #include "proxy/messages/shoot_out_view.h"
-#include "proxy/movement/home_positions.h"
-#include "proxy/perception/say_message.h"
 #include "tests/proxy/support/known_pitch.h"
 
 namespace cls::proxy {
@@ -203,7 +203,7 @@ TEST(HeliosSetPlay, KickerGoesToBallWaitsAndPasses) {
   KnownPitch pitch = kick_in();
   // Make the agent the kicker by placing it nearest.
   pitch.place_ball(pitch.world.self.position + Vec2{6.0, -5.0});
-  for (PlayerState& teammate : pitch.world.teammates) teammate.position.x -= 25.0;
+  for (player::PlayerState& teammate : pitch.world.teammates) teammate.position.x -= 25.0;
   const int kicker = set_play_kicker(pitch.world);
   ASSERT_NE(kicker, 0);
   if (kicker != pitch.world.unum) {
@@ -264,7 +264,7 @@ TEST(HeliosSetPlay, StaysOutOfTheirPenaltyAreaAtTheirGoalKick) {
 TEST(SetPlayKicker, HasOneOfTwoNearestHomePositions) {
   KnownPitch pitch = kick_in();
   const int kicker = set_play_kicker(pitch.world);
-  const TeamPoints homes = home_positions(pitch.world);
+  const player::TeamPoints homes = home_positions(pitch.world);
   const Vec2 ball = pitch.world.ball.position;
   int nearer = 0;
   for (std::size_t i = 1; i < homes.size(); ++i) {
@@ -332,7 +332,7 @@ TEST(ShootOutView, RotatesSoThatTakerAttacksRight) {
   EXPECT_FALSE(needs_shoot_out_view(pitch.world)) << "their goal is in use";
   pitch.world.game.penalty.field_side = Side::kLeft;
   ASSERT_TRUE(needs_shoot_out_view(pitch.world));
-  const WorldModel view = rotated(pitch.world);
+  const player::WorldModel view = rotated(pitch.world);
   EXPECT_EQ(view.self.position, (Vec2{12.0, -1.0}));
   EXPECT_NEAR(view.self.body.degrees(), 0.0, 1e-9);
   EXPECT_EQ(view.ball.velocity, (Vec2{0.5, -0.1}));
@@ -343,8 +343,8 @@ TEST(ShootOutView, RotatesSoThatTakerAttacksRight) {
   EXPECT_TRUE(needs_shoot_out_view(pitch.world)) << "we defend the goal on the right";
 }
 
-void hear(WorldModel& world, int unum, const SayMessage& said) {
-  HeardMessage message;
+void hear(player::WorldModel& world, int unum, const player::SayMessage& said) {
+  player::HeardMessage message;
   message.time = world.game.time;
   message.side = world.our_side;
   message.unum = unum;
@@ -357,12 +357,12 @@ TEST(BhvDoHeardPassRecieve, RunsToAnnouncedPointAndContinues) {
   pitch.place_ball({-30.0, 0.0});
   pitch.world.ball.vel_count = 3;
   const Vec2 point{12.0, -9.0};
-  hear(pitch.world, 4, SayPass{7, point, {{-29.0, 0.0}, {1.5, 0.0}}});
+  hear(pitch.world, 4, player::SayPass{7, point, {{-29.0, 0.0}, {1.5, 0.0}}});
   PlayerActions reply;
   reply.add_actions()->mutable_turn()->set_relative_direction(120.0F);
   pitch.act(reply);
   EXPECT_EQ(pitch.report.heard_pass, 1) << "automatically";
-  ASSERT_EQ(pitch.memory.intention.kind, Intention::Kind::kReceive);
+  ASSERT_EQ(pitch.memory.intention.kind, player::Intention::Kind::kReceive);
   pitch.world.heard.clear();
   const double before = distance(pitch.world.self.position, point);
   for (int i = 0; i < 5; ++i) pitch.act(reply);
@@ -372,7 +372,7 @@ TEST(BhvDoHeardPassRecieve, RunsToAnnouncedPointAndContinues) {
 
 TEST(BhvDoHeardPassRecieve, FailsForOtherReceiver) {
   KnownPitch pitch;
-  hear(pitch.world, 4, SayPass{8, {12.0, -9.0}, {{0.0, 0.0}, {1.5, 0.0}}});
+  hear(pitch.world, 4, player::SayPass{8, {12.0, -9.0}, {{0.0, 0.0}, {1.5, 0.0}}});
   pitch.act([](PlayerActions& reply) { reply.add_actions()->mutable_bhv_do_heard_pass_recieve(); });
   EXPECT_EQ(pitch.counts(PlayerAction::kBhvDoHeardPassRecieve).failed, 1);
 }
@@ -382,13 +382,14 @@ TEST(HeliosCommunication, SaysVisibleBallAndPlayers) {
   pitch.place_ball({5.0, 0.0}, {1.0, 0.0});
   pitch.add_opponent(4, {8.0, 1.0});
   pitch.add_teammate(9, {10.0, -10.0});
-  for (PlayerState& player : pitch.world.opponents) player.seen_pos_count = player.unum_count = 0;
+  for (player::PlayerState& player : pitch.world.opponents)
+    player.seen_pos_count = player.unum_count = 0;
   pitch.act([](PlayerActions& reply) { reply.add_actions()->mutable_helios_communication(); });
   ASSERT_NE(pitch.sent<soccer::Say>(), nullptr);
   std::string_view text = pitch.sent<soccer::Say>()->text;
   const auto message = parse_say_message(text, pitch.world.server());
   ASSERT_TRUE(message);
-  const auto* said = std::get_if<SayBallPlayer>(&*message);
+  const auto* said = std::get_if<player::SayBallPlayer>(&*message);
   ASSERT_NE(said, nullptr);
   EXPECT_NEAR(said->ball.position.x, 6.0, 0.11) << "predicted position in the next cycle";
   EXPECT_EQ(said->player.number, 15);

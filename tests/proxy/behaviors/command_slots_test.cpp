@@ -1,5 +1,5 @@
 // Which commands are rejected or clamped, and in which order they are sent.
-#include "proxy/commands/command_slots.h"
+#include "player/commands/command_slots.h"
 
 #include <gtest/gtest.h>
 
@@ -18,7 +18,7 @@ using tests::KnownPitch;
 
 const double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-std::string text_of(const CommandSlots& slots, bool done = false) {
+std::string text_of(const player::CommandSlots& slots, bool done = false) {
   std::vector<soccer::PlayerCommand> commands;
   slots.compose(commands, done);
   std::string text;
@@ -28,16 +28,16 @@ std::string text_of(const CommandSlots& slots, bool done = false) {
   return text;
 }
 
-TEST(CommandSlots, SendsTurnZeroWithoutBodyCommand) {
+TEST(player::CommandSlots, SendsTurnZeroWithoutBodyCommand) {
   KnownPitch pitch;
-  EXPECT_EQ(text_of(CommandSlots(pitch.world)), "(turn 0)");
+  EXPECT_EQ(text_of(player::CommandSlots(pitch.world)), "(turn 0)");
   pitch.world.self.tackle_expires_in = 3;
-  EXPECT_EQ(text_of(CommandSlots(pitch.world)), "");
+  EXPECT_EQ(text_of(player::CommandSlots(pitch.world)), "");
 }
 
-TEST(CommandSlots, ComposesInWireOrder) {
+TEST(player::CommandSlots, ComposesInWireOrder) {
   KnownPitch pitch;
-  CommandSlots slots(pitch.world);
+  player::CommandSlots slots(pitch.world);
   EXPECT_TRUE(slots.say("abc"));
   EXPECT_TRUE(slots.attention_to(Side::kLeft, 5));
   EXPECT_TRUE(slots.point_to({10.0, 0.0}));
@@ -50,9 +50,9 @@ TEST(CommandSlots, ComposesInWireOrder) {
             "(attentionto our 5)(done)(say \"abc\")");
 }
 
-TEST(CommandSlots, ClampsDashToServerLimitsAndStamina) {
+TEST(player::CommandSlots, ClampsDashToServerLimitsAndStamina) {
   KnownPitch pitch;
-  CommandSlots slots(pitch.world);
+  player::CommandSlots slots(pitch.world);
   EXPECT_TRUE(slots.dash(150.0, 33.4));
   EXPECT_EQ(text_of(slots), "(dash 100 33)");
   EXPECT_TRUE(slots.dash(-50.0));
@@ -62,10 +62,10 @@ TEST(CommandSlots, ClampsDashToServerLimitsAndStamina) {
   EXPECT_EQ(text_of(slots), "(dash 53)");
 }
 
-TEST(CommandSlots, CompensatesTurnForInertia) {
+TEST(player::CommandSlots, CompensatesTurnForInertia) {
   KnownPitch pitch;
   pitch.place_self({}, 0.0, {0.3, 0.4});
-  CommandSlots slots(pitch.world);
+  player::CommandSlots slots(pitch.world);
   EXPECT_TRUE(slots.turn(20.0));
   EXPECT_EQ(text_of(slots), "(turn 70)");
   EXPECT_NEAR(slots.next_body().degrees(), 20.0, 1e-9);
@@ -73,11 +73,11 @@ TEST(CommandSlots, CompensatesTurnForInertia) {
   EXPECT_EQ(text_of(slots), "(turn 180)");
 }
 
-TEST(CommandSlots, RejectsBodyCommandsWhileFrozen) {
+TEST(player::CommandSlots, RejectsBodyCommandsWhileFrozen) {
   KnownPitch pitch;
   pitch.place_ball({0.6, 0.0});
   pitch.world.self.foul_charged = 2;
-  CommandSlots slots(pitch.world);
+  player::CommandSlots slots(pitch.world);
   EXPECT_FALSE(slots.dash(50.0));
   EXPECT_FALSE(slots.turn(50.0));
   EXPECT_FALSE(slots.kick(50.0, 0.0));
@@ -87,9 +87,9 @@ TEST(CommandSlots, RejectsBodyCommandsWhileFrozen) {
   EXPECT_FALSE(slots.has_body());
 }
 
-TEST(CommandSlots, RejectsKickWithoutKickableBall) {
+TEST(player::CommandSlots, RejectsKickWithoutKickableBall) {
   KnownPitch pitch;
-  CommandSlots slots(pitch.world);
+  player::CommandSlots slots(pitch.world);
   EXPECT_FALSE(slots.kick(50.0, 0.0));
   pitch.place_ball({0.6, 0.0});
   EXPECT_TRUE(slots.kick(150.0, 200.0));
@@ -98,23 +98,23 @@ TEST(CommandSlots, RejectsKickWithoutKickableBall) {
   EXPECT_EQ(text_of(slots), "(kick 0 0)");
 }
 
-TEST(CommandSlots, AimsFarCornerOfCatchAreaAtBall) {
+TEST(player::CommandSlots, AimsFarCornerOfCatchAreaAtBall) {
   KnownPitch pitch;
   pitch.world.unum = 1;
   pitch.place_ball({0.0, 1.2});
-  CommandSlots slots(pitch.world);
+  player::CommandSlots slots(pitch.world);
   EXPECT_FALSE(slots.catch_ball()) << "not the goalie";
   pitch.world.goalie = true;
   EXPECT_TRUE(slots.catch_ball());
   // The corner of the rectangle 1.2 x 1.0 lies atan(0.5 / 1.2) = 22.62 degrees off its axis.
   EXPECT_NEAR(std::get<soccer::Catch>(slots.body()).direction, 90.0 - 22.62, 0.005);
   pitch.set_mode(PlayMode::kKickInLeft);
-  EXPECT_FALSE(CommandSlots(pitch.world).catch_ball());
+  EXPECT_FALSE(player::CommandSlots(pitch.world).catch_ball());
 }
 
-TEST(CommandSlots, AcceptsMoveBeforeKickOffAndAfterCatch) {
+TEST(player::CommandSlots, AcceptsMoveBeforeKickOffAndAfterCatch) {
   KnownPitch pitch;
-  CommandSlots slots(pitch.world);
+  player::CommandSlots slots(pitch.world);
   EXPECT_FALSE(slots.move({-10.0, 0.0}));
   pitch.set_mode(PlayMode::kBeforeKickOff);
   EXPECT_TRUE(slots.move({10.0, 40.0}));
@@ -127,19 +127,19 @@ TEST(CommandSlots, AcceptsMoveBeforeKickOffAndAfterCatch) {
   EXPECT_EQ(text_of(slots), "(move -37 19.16)");
 }
 
-TEST(CommandSlots, ClampsNeckToRange) {
+TEST(player::CommandSlots, ClampsNeckToRange) {
   KnownPitch pitch;
   pitch.set_neck(60.0);
-  CommandSlots slots(pitch.world);
+  player::CommandSlots slots(pitch.world);
   EXPECT_TRUE(slots.turn_neck(70.0));
   EXPECT_DOUBLE_EQ(slots.next_neck(), 90.0);
   EXPECT_TRUE(slots.turn_neck(-1e30));
   EXPECT_DOUBLE_EQ(slots.next_neck(), -90.0);
 }
 
-TEST(CommandSlots, ChangesViewOnlyToDifferentWidth) {
+TEST(player::CommandSlots, ChangesViewOnlyToDifferentWidth) {
   KnownPitch pitch;
-  CommandSlots slots(pitch.world);
+  player::CommandSlots slots(pitch.world);
   EXPECT_FALSE(slots.change_view(soccer::ViewWidth::kNarrow));
   EXPECT_TRUE(slots.view_requested());
   EXPECT_EQ(text_of(slots), "(turn 0)");
@@ -147,18 +147,18 @@ TEST(CommandSlots, ChangesViewOnlyToDifferentWidth) {
   EXPECT_EQ(slots.next_view_width(), soccer::ViewWidth::kNormal);
 }
 
-TEST(CommandSlots, ClampsFocusToRangeAndViewCone) {
+TEST(player::CommandSlots, ClampsFocusToRangeAndViewCone) {
   KnownPitch pitch;
   pitch.set_focus(30.0, 0.0);
-  CommandSlots slots(pitch.world);
+  player::CommandSlots slots(pitch.world);
   EXPECT_TRUE(slots.change_focus(25.0, -80.0));
   EXPECT_EQ(text_of(slots), "(turn 0)(change_focus 10 -30)");
 }
 
-TEST(CommandSlots, RejectsPointToWhileArmIsImmovable) {
+TEST(player::CommandSlots, RejectsPointToWhileArmIsImmovable) {
   KnownPitch pitch;
   pitch.place_self({1.0, 0.0}, 90.0);
-  CommandSlots slots(pitch.world);
+  player::CommandSlots slots(pitch.world);
   EXPECT_TRUE(slots.point_to({11.0, 0.0}));
   EXPECT_EQ(text_of(slots), "(turn 0)(pointto 10 -90)");
   EXPECT_TRUE(slots.point_to_off());
@@ -168,9 +168,9 @@ TEST(CommandSlots, RejectsPointToWhileArmIsImmovable) {
   EXPECT_FALSE(slots.point_to_off());
 }
 
-TEST(CommandSlots, RejectsAttentionToSelfAndInvalidPlayers) {
+TEST(player::CommandSlots, RejectsAttentionToSelfAndInvalidPlayers) {
   KnownPitch pitch;
-  CommandSlots slots(pitch.world);
+  player::CommandSlots slots(pitch.world);
   EXPECT_FALSE(slots.attention_to(Side::kLeft, 7));
   EXPECT_FALSE(slots.attention_to(Side::kRight, 12));
   EXPECT_FALSE(slots.attention_to(Side::kNeutral, 3));
@@ -180,9 +180,9 @@ TEST(CommandSlots, RejectsAttentionToSelfAndInvalidPlayers) {
   EXPECT_EQ(text_of(slots), "(turn 0)(attentionto off)");
 }
 
-TEST(CommandSlots, RejectsSayTextThatDoesNotFit) {
+TEST(player::CommandSlots, RejectsSayTextThatDoesNotFit) {
   KnownPitch pitch;
-  CommandSlots slots(pitch.world);
+  player::CommandSlots slots(pitch.world);
   EXPECT_TRUE(slots.say("b12345"));
   EXPECT_FALSE(slots.say("p6789"));
   EXPECT_TRUE(slots.say("w"));
@@ -191,9 +191,9 @@ TEST(CommandSlots, RejectsSayTextThatDoesNotFit) {
 }
 
 // Of finite arguments, on a pitch that a faulty server has described.
-TEST(CommandSlots, SendsNoInfiniteNumber) {
+TEST(player::CommandSlots, SendsNoInfiniteNumber) {
   KnownPitch pitch;
-  CommandSlots slots(pitch.world);
+  player::CommandSlots slots(pitch.world);
   EXPECT_FALSE(slots.point_to({1e306, 0.0}));
   pitch.place_self({}, 0.0, {kNaN, 0.0});
   EXPECT_FALSE(slots.turn(20.0));
@@ -202,11 +202,11 @@ TEST(CommandSlots, SendsNoInfiniteNumber) {
   EXPECT_EQ(text_of(slots), "(turn 0)");
 }
 
-TEST(CommandSlots, RejectsNaN) {
+TEST(player::CommandSlots, RejectsNaN) {
   KnownPitch pitch;
   pitch.place_ball({0.6, 0.0});
   pitch.set_mode(PlayMode::kBeforeKickOff);
-  CommandSlots slots(pitch.world);
+  player::CommandSlots slots(pitch.world);
   EXPECT_FALSE(slots.dash(kNaN));
   EXPECT_FALSE(slots.turn(kNaN));
   EXPECT_FALSE(slots.kick(kNaN, 0.0));

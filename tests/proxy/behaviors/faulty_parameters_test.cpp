@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "player/perception/perception.h"
 #include "proxy/messages/state_message.h"
-#include "proxy/perception/perception.h"
 #include "soccer/parameters/parameter.h"
 #include "tests/proxy/playmaker/random_message.h"
 #include "tests/proxy/support/known_pitch.h"

@@ -279,14 +279,14 @@ TEST(BhvScanField, TurnsWhenBallIsKnownOrSelfIsNot) {
   const auto scan = [](PlayerActions& reply) { reply.add_actions()->mutable_bhv_scan_field(); };
   pitch.act(scan);
   EXPECT_NEAR(pitch.world.self.body.degrees(), 120.0, 0.1) << "mean of 60 and 180 degrees";
-  pitch.world.self.pos_count = kNever;
+  pitch.world.self.pos_count = player::kNever;
   pitch.act(scan);
   EXPECT_NEAR(pitch.world.self.body.degrees(), 180.0, 0.1);
 }
 
 TEST(BhvEmergency, OverridesBodyAction) {
   KnownPitch pitch;
-  pitch.world.self.pos_count = kNever;
+  pitch.world.self.pos_count = player::kNever;
   pitch.act([](PlayerActions& reply) {
     reply.add_actions()->mutable_dash()->set_power(50.0F);
     reply.add_actions()->mutable_bhv_emergency();

@@ -1,5 +1,5 @@
 // Parameters of the planner: their table, and what they change.
-#include "proxy/world/planner_parameters.h"
+#include "player/world/planner_parameters.h"
 
 #include <gtest/gtest.h>
 
@@ -8,13 +8,13 @@
 #include <set>
 #include <vector>
 
-#include "proxy/behaviors/behaviors.h"
-#include "proxy/movement/home_positions.h"
-#include "proxy/movement/off_ball.h"
-#include "proxy/planner/evaluation.h"
-#include "proxy/planner/generators.h"
-#include "proxy/planner/outlet.h"
-#include "proxy/planner/plan_execution.h"
+#include "player/behaviors/behaviors.h"
+#include "player/movement/home_positions.h"
+#include "player/movement/off_ball.h"
+#include "player/planner/evaluation.h"
+#include "player/planner/generators.h"
+#include "player/planner/outlet.h"
+#include "player/planner/plan_execution.h"
 #include "tests/proxy/support/known_pitch.h"
 
 namespace cls::proxy {
@@ -25,15 +25,15 @@ using tests::KnownPitch;
 
 /// The agent plays with this value from now on.
 void set(KnownPitch& pitch, std::string_view name, double value) {
-  auto parameters = std::make_shared<PlannerParameters>(*pitch.world.planner);
+  auto parameters = std::make_shared<player::PlannerParameters>(*pitch.world.planner);
   ASSERT_TRUE(set_planner_parameter(*parameters, name, value)) << name;
   pitch.world.planner = std::move(parameters);
 }
 
-TEST(PlannerParameters, HaveDistinctNamesAndDefaultsWithinTheirRange) {
-  const PlannerParameters defaults;
+TEST(player::PlannerParameters, HaveDistinctNamesAndDefaultsWithinTheirRange) {
+  const player::PlannerParameters defaults;
   std::set<std::string_view> names;
-  for (const PlannerParameter& row : planner_parameter_table()) {
+  for (const player::PlannerParameter& row : planner_parameter_table()) {
     EXPECT_TRUE(names.insert(row.name).second) << row.name;
     EXPECT_GE(value_of(defaults, row), row.low) << row.name;
     EXPECT_LE(value_of(defaults, row), row.high) << row.name;
@@ -41,20 +41,20 @@ TEST(PlannerParameters, HaveDistinctNamesAndDefaultsWithinTheirRange) {
   }
 }
 
-TEST(PlannerParameters, SetsOnlyTheNamedOne) {
-  for (const PlannerParameter& row : planner_parameter_table()) {
-    PlannerParameters parameters;
+TEST(player::PlannerParameters, SetsOnlyTheNamedOne) {
+  for (const player::PlannerParameter& row : planner_parameter_table()) {
+    player::PlannerParameters parameters;
     ASSERT_TRUE(set_planner_parameter(parameters, row.name, row.high)) << row.name;
-    for (const PlannerParameter& other : planner_parameter_table()) {
+    for (const player::PlannerParameter& other : planner_parameter_table()) {
       const double expected =
-          other.name == row.name ? row.high : value_of(PlannerParameters(), other);
+          other.name == row.name ? row.high : value_of(player::PlannerParameters(), other);
       EXPECT_EQ(value_of(parameters, other), expected) << row.name << " and " << other.name;
     }
   }
 }
 
-TEST(PlannerParameters, RefusesWrongNamesAndValues) {
-  PlannerParameters parameters;
+TEST(player::PlannerParameters, RefusesWrongNamesAndValues) {
+  player::PlannerParameters parameters;
   const auto error = [&](std::string_view name, double value) {
     const auto set = set_planner_parameter(parameters, name, value);
     return set ? "accepted" : set.error().message;
@@ -68,18 +68,18 @@ TEST(PlannerParameters, RefusesWrongNamesAndValues) {
   EXPECT_EQ(error("x_weight", 10.0), "accepted") << "bounds are allowed";
 }
 
-TEST(PlannerParameters, ChangeTheValueOfStates) {
+TEST(player::PlannerParameters, ChangeTheValueOfStates) {
   KnownPitch pitch;
   pitch.place_ball({0.6, 0.0});
   pitch.add_opponent(4, {11.0, 0.0});
-  Plan plan;
-  PlanNode node;
+  player::Plan plan;
+  player::PlanNode node;
   node.holder = 7;
   node.depth = 3;
   node.ball = {10.0, 0.0};
   node.time = 12;
   plan.nodes.push_back(node);
-  const auto value = [&] { return default_value(PlannerField(pitch.world), plan, 0); };
+  const auto value = [&] { return default_value(player::PlannerField(pitch.world), plan, 0); };
   const double usual = value();
   const auto change = [&](std::string_view name, double to) {
     const auto before = pitch.world.planner;
@@ -101,7 +101,7 @@ TEST(PlannerParameters, ChangeTheValueOfStates) {
   EXPECT_NEAR(value() - held, -10.0, 1e-9);
 }
 
-TEST(PlannerParameters, ChangeWhichPassesAreGenerated) {
+TEST(player::PlannerParameters, ChangeWhichPassesAreGenerated) {
   KnownPitch pitch;
   pitch.place_ball({0.6, 0.0});
   pitch.add_opponent(1, {50.0, 0.0});
@@ -109,8 +109,8 @@ TEST(PlannerParameters, ChangeWhichPassesAreGenerated) {
   pitch.add_opponent(4, {10.0, 4.0});
   pitch.add_teammate(9, {16.0, 9.0});
   const auto passes = [&] {
-    std::vector<PlanAction> actions;
-    add_passes(PlannerField(pitch.world), actions);
+    std::vector<player::PlanAction> actions;
+    add_passes(player::PlannerField(pitch.world), actions);
     return actions.size();
   };
   const std::size_t usual = passes();
@@ -122,19 +122,19 @@ TEST(PlannerParameters, ChangeWhichPassesAreGenerated) {
   EXPECT_EQ(passes(), 0U);
 }
 
-TEST(PlannerParameters, ChangeWhenTheBallIsLaidOff) {
+TEST(player::PlannerParameters, ChangeWhenTheBallIsLaidOff) {
   KnownPitch pitch;
   pitch.place_ball({0.6, 0.0});
   pitch.add_teammate(5, {-8.0, 14.0});
   pitch.add_opponent(4, {2.1, 0.0});
   pitch.add_opponent(6, {-1.2, 10.6});  // four meters beside the lane
-  Plan hold;
+  player::Plan hold;
   hold.nodes.emplace_back();
   const auto lays_off = [&] {
-    NeckPlan neck;
-    PlanChoice choice;
-    CommandSlots slots(pitch.world);
-    ActionContext context{pitch.world, pitch.memory, slots, neck, pitch.report, choice};
+    player::NeckPlan neck;
+    player::PlanChoice choice;
+    player::CommandSlots slots(pitch.world);
+    player::ActionContext context{pitch.world, pitch.memory, slots, neck, pitch.report, choice};
     EXPECT_TRUE(execute_plan(context, hold, 0));
     return slots.say_text().starts_with('p');  // a pass is announced
   };
@@ -145,27 +145,27 @@ TEST(PlannerParameters, ChangeWhenTheBallIsLaidOff) {
   EXPECT_FALSE(lays_off());
 }
 
-TEST(PlannerParameters, ChangeOutlets) {
+TEST(player::PlannerParameters, ChangeOutlets) {
   KnownPitch pitch;
   pitch.place_self({-45.0, 0.0});
   pitch.place_ball({-44.5, 0.0});
   pitch.add_teammate(6, {-30.0, 20.0}, 180.0);
-  EXPECT_TRUE(best_outlet(PlannerField(pitch.world))->teammate_first);
+  EXPECT_TRUE(best_outlet(player::PlannerField(pitch.world))->teammate_first);
   set(pitch, "outlet_gain", 0.0);
   set(pitch, "outlet_kick_in", 100.0);
-  EXPECT_FALSE(best_outlet(PlannerField(pitch.world))->teammate_first);
+  EXPECT_FALSE(best_outlet(player::PlannerField(pitch.world))->teammate_first);
 }
 
-TEST(PlannerParameters, ShiftHomePositionsOfFieldPlayers) {
+TEST(player::PlannerParameters, ShiftHomePositionsOfFieldPlayers) {
   KnownPitch pitch;
   pitch.place_ball({0.0, 0.0});
   pitch.add_opponent(1, {50.0, 0.0});
   pitch.add_opponent(2, {48.0, 0.0});
-  ASSERT_EQ(formation_kind(pitch.world), FormationKind::kOffense);
-  const TeamPoints usual = home_positions(pitch.world);
+  ASSERT_EQ(formation_kind(pitch.world), player::FormationKind::kOffense);
+  const player::TeamPoints usual = home_positions(pitch.world);
   set(pitch, "shift_offense", 4.0);
   set(pitch, "shift_defense", -20.0);
-  const TeamPoints shifted = home_positions(pitch.world);
+  const player::TeamPoints shifted = home_positions(pitch.world);
   EXPECT_EQ(shifted[0].x, usual[0].x) << "the goalie stays";
   for (std::size_t i = 1; i < usual.size(); ++i) {
     EXPECT_NEAR(shifted[i].x, usual[i].x + 4.0, 1e-9) << i + 1;
@@ -173,14 +173,14 @@ TEST(PlannerParameters, ShiftHomePositionsOfFieldPlayers) {
   }
 }
 
-TEST(PlannerParameters, ChangeWhoIsMarked) {
+TEST(player::PlannerParameters, ChangeWhoIsMarked) {
   KnownPitch pitch;
   pitch.place_ball({-20.0, 25.0});
   pitch.add_opponent(8, {-20.3, 25.0});
   pitch.place_self({-36.0, -3.0});
   pitch.world.unum = 2;
   pitch.add_opponent(11, {-35.0, -3.0});
-  const TeamPoints homes = home_positions(pitch.world);
+  const player::TeamPoints homes = home_positions(pitch.world);
   const auto mark = [&] {
     return find_mark(pitch.world, homes, marking_in_open_play(pitch.world));
   };
@@ -207,7 +207,7 @@ void set_stamina_share(KnownPitch& pitch, double share) {
   pitch.world.self.capacity = share * even - pitch.world.self.stamina;
 }
 
-TEST(PlannerParameters, ChangePaceAndRestingOfRuns) {
+TEST(player::PlannerParameters, ChangePaceAndRestingOfRuns) {
   KnownPitch pitch;
   pitch.set_time(1500);
   pitch.place_ball({-20.0, 0.0});

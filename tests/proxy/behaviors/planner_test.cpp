@@ -7,16 +7,16 @@
 #include <memory>
 #include <vector>
 
+#include "player/perception/say_message.h"
+#include "player/planner/evaluation.h"
+#include "player/planner/field.h"
+#include "player/planner/generators.h"
+#include "player/planner/search.h"
+#include "player/world/motion.h"
 #include "proxy/actions/executor.h"
-#include "proxy/perception/say_message.h"
-#include "proxy/planner/evaluation.h"
-#include "proxy/planner/field.h"
-#include "proxy/planner/generators.h"
 #include "proxy/planner/offensive_planner.h"
 #include "proxy/planner/planner_messages.h"
 #include "proxy/planner/playmaker_evaluation.h"
-#include "proxy/planner/search.h"
-#include "proxy/world/motion.h"
 #include "tests/proxy/support/known_pitch.h"
 
 namespace cls::proxy {
@@ -44,16 +44,16 @@ auto plan_with(const std::function<void(protos::HeliosOffensivePlanner&)>& allow
 }
 
 template <typename Generator>
-std::vector<PlanAction> generated(const KnownPitch& pitch, Generator generator) {
-  const PlannerField field(pitch.world);
-  std::vector<PlanAction> actions;
+std::vector<player::PlanAction> generated(const KnownPitch& pitch, Generator generator) {
+  const player::PlannerField field(pitch.world);
+  std::vector<player::PlanAction> actions;
   generator(field, actions);
   return actions;
 }
 
-bool has(const std::vector<PlanAction>& actions, PlanTag tag) {
+bool has(const std::vector<player::PlanAction>& actions, player::PlanTag tag) {
   return std::any_of(actions.begin(), actions.end(),
-                     [tag](const PlanAction& action) { return action.tag == tag; });
+                     [tag](const player::PlanAction& action) { return action.tag == tag; });
 }
 
 TEST(Passes, GeneratesDirectLeadAndThroughPasses) {
@@ -62,9 +62,9 @@ TEST(Passes, GeneratesDirectLeadAndThroughPasses) {
   pitch.add_opponent(4, {20.0, -8.0});
   pitch.add_opponent(5, {20.0, 18.0});
   const auto passes = generated(pitch, add_passes);
-  EXPECT_TRUE(has(passes, PlanTag::kStrictDirect));
-  EXPECT_TRUE(has(passes, PlanTag::kStrictLead));
-  EXPECT_TRUE(has(passes, PlanTag::kStrictThrough));
+  EXPECT_TRUE(has(passes, player::PlanTag::kStrictDirect));
+  EXPECT_TRUE(has(passes, player::PlanTag::kStrictLead));
+  EXPECT_TRUE(has(passes, player::PlanTag::kStrictThrough));
 }
 
 TEST(Passes, ArriveBeforeAnyOpponent) {
@@ -73,7 +73,7 @@ TEST(Passes, ArriveBeforeAnyOpponent) {
     KnownPitch pitch = with_ball({0.0, 0.0});
     pitch.add_teammate(9, {16.0, 9.0});
     pitch.add_opponent(4, where, 180.0);
-    for (const PlanAction& pass : generated(pitch, add_passes)) {
+    for (const player::PlanAction& pass : generated(pitch, add_passes)) {
       ++passes;
       const Vec2 ball = pitch.world.ball.position;
       const Vec2 velocity = soccer::with_length(pass.target_point - ball, pass.first_speed);
@@ -98,10 +98,10 @@ TEST(Passes, EndWithTypesThatRunBackwardsOrNeverRun) {
   pitch.add_teammate(9, {16.0, 9.0});
   pitch.add_opponent(4, {10.0, 4.0}, 180.0);
   for (const double speed : {-1e30, -20.0, -1.5, 0.0, 1e30}) {
-    auto parameters = std::make_shared<MatchParameters>(*pitch.world.parameters);
+    auto parameters = std::make_shared<player::MatchParameters>(*pitch.world.parameters);
     for (soccer::PlayerType& type : parameters->types) type.player_speed_max = speed;
     pitch.world.parameters = parameters;
-    for (const PlanAction& pass : generated(pitch, add_passes)) EXPECT_GE(pass.duration, 1);
+    for (const player::PlanAction& pass : generated(pitch, add_passes)) EXPECT_GE(pass.duration, 1);
   }
 }
 
@@ -135,11 +135,11 @@ TEST(Crosses, ReachTeammateInFrontOfGoal) {
 TEST(Dribbles, AvoidOpponents) {
   KnownPitch open = with_ball({0.0, 0.0});
   const auto free = generated(open, add_short_dribbles);
-  EXPECT_TRUE(has(free, PlanTag::kShortDribble));
-  EXPECT_TRUE(has(generated(open, add_self_passes), PlanTag::kSelfPass));
+  EXPECT_TRUE(has(free, player::PlanTag::kShortDribble));
+  EXPECT_TRUE(has(generated(open, add_self_passes), player::PlanTag::kSelfPass));
   KnownPitch met = with_ball({0.0, 0.0});
   met.add_opponent(4, {4.5, 0.0});
-  for (const PlanAction& dribble : generated(met, add_short_dribbles)) {
+  for (const player::PlanAction& dribble : generated(met, add_short_dribbles)) {
     EXPECT_GT(soccer::AngleDeg::of(dribble.target_point).abs(), 25.0)
         << dribble.target_point.x << " " << dribble.target_point.y;
   }
@@ -150,12 +150,12 @@ TEST(Dribbles, EndAtPlannedPoint) {
   KnownPitch pitch = with_ball({0.0, 0.0});
   const auto only_dribble =
       plan_with([](protos::HeliosOffensivePlanner& planner) { planner.set_short_dribble(true); });
-  const PlannerField field(pitch.world);
-  PlannerOptions options;
+  const player::PlannerField field(pitch.world);
+  player::PlannerOptions options;
   options.passes = options.cross = options.long_dribble = false;
-  const Plan plan = make_plan(field, options);
-  const PlanAction action = plan.nodes[static_cast<std::size_t>(plan.best)].action;
-  ASSERT_EQ(action.category, PlanCategory::kDribble);
+  const player::Plan plan = make_plan(field, options);
+  const player::PlanAction action = plan.nodes[static_cast<std::size_t>(plan.best)].action;
+  ASSERT_EQ(action.category, player::PlanCategory::kDribble);
   pitch.act(only_dribble);
   ASSERT_TRUE(pitch.memory.intention.active());
   for (int cycle = 1; cycle < action.duration; ++cycle) {
@@ -178,9 +178,9 @@ TEST(HeliosOffensivePlanner, PassesToAnnouncedPoint) {
   std::string_view text = pitch.sent<soccer::Say>()->text;
   const auto said = parse_say_message(text, pitch.world.server());
   ASSERT_TRUE(said);
-  EXPECT_EQ(std::get<SayPass>(*said).receiver, 9);
+  EXPECT_EQ(std::get<player::SayPass>(*said).receiver, 9);
   double nearest = 100.0;
-  const Vec2 announced = std::get<SayPass>(*said).point;
+  const Vec2 announced = std::get<player::SayPass>(*said).point;
   for (int i = 0; i < 30; ++i) {
     pitch.roll(1);
     nearest = std::min(nearest, distance(pitch.world.ball.position, announced));
@@ -223,30 +223,32 @@ TEST(HeliosOffensivePlanner, FailsWithoutBall) {
 TEST(HeliosOffensivePlanner, RespectsMaxNodesAndMaxDepth) {
   KnownPitch pitch = with_ball({0.0, 0.0});
   for (int unum = 8; unum <= 11; ++unum) pitch.add_teammate(unum, {10.0, 8.0 * (unum - 9)});
-  const PlannerField field(pitch.world);
+  const player::PlannerField field(pitch.world);
   protos::HeliosOffensivePlanner action;
   tests::allow_everything(action);
   action.set_max_nodes(20);
   EXPECT_LE(make_plan(field, planner_options(action)).nodes.size(), 20U);
   action.set_max_nodes(0);
   action.set_max_depth(1);
-  for (const PlanNode& node : make_plan(field, planner_options(action)).nodes) {
+  for (const player::PlanNode& node : make_plan(field, planner_options(action)).nodes) {
     EXPECT_LE(node.depth, 1);
   }
   action.set_max_depth(0);
-  const Plan deep = make_plan(field, planner_options(action));
+  const player::Plan deep = make_plan(field, planner_options(action));
   EXPECT_TRUE(std::any_of(deep.nodes.begin(), deep.nodes.end(),
-                          [](const PlanNode& node) { return node.depth > 1; }));
+                          [](const player::PlanNode& node) { return node.depth > 1; }));
   EXPECT_LE(deep.nodes.size(), 500U);
 }
 
 /// First action of the best plan with the Playmaker's evaluation.
-PlanAction best_first(const KnownPitch& pitch, const protos::PlannerEvaluation& evaluation) {
-  const PlannerField field(pitch.world);
-  const Plan plan = make_plan(field, PlannerOptions{},
-                              [&](const PlannerField& of, const Plan& planned, int node) {
-                                return evaluate(of, planned, node, evaluation);
-                              });
+player::PlanAction best_first(const KnownPitch& pitch,
+                              const protos::PlannerEvaluation& evaluation) {
+  const player::PlannerField field(pitch.world);
+  const player::Plan plan =
+      make_plan(field, player::PlannerOptions{},
+                [&](const player::PlannerField& of, const player::Plan& planned, int node) {
+                  return evaluate(of, planned, node, evaluation);
+                });
   return plan.nodes[static_cast<std::size_t>(plan.first_of(plan.best))].action;
 }
 
@@ -256,13 +258,13 @@ TEST(PlannerEvaluation, ExcludesActionTypesWithFactorZero) {
   protos::PlannerEvaluation evaluation;
   auto& types = *evaluation.mutable_effectors()->mutable_action_type_effector();
   types.set_direct_pass(1.0F);
-  EXPECT_EQ(best_first(pitch, evaluation).tag, PlanTag::kStrictDirect);
+  EXPECT_EQ(best_first(pitch, evaluation).tag, player::PlanTag::kStrictDirect);
   types.set_direct_pass(0.0F);
   types.set_long_dribble(1.0F);
-  EXPECT_EQ(best_first(pitch, evaluation).tag, PlanTag::kSelfPass);
+  EXPECT_EQ(best_first(pitch, evaluation).tag, player::PlanTag::kSelfPass);
   types.set_long_dribble(0.0F);
   types.set_hold(1.0F);
-  EXPECT_EQ(best_first(pitch, evaluation).category, PlanCategory::kHold);
+  EXPECT_EQ(best_first(pitch, evaluation).category, player::PlanCategory::kHold);
 }
 
 TEST(PlannerEvaluation, PrefersTeammateWithHigherFactor) {
@@ -295,7 +297,7 @@ TEST(PlannerEvaluation, HoldsABallFarOutsideOfFieldMatrix) {
   matrix.add_evals()->add_evals(1.0F);
   for (const double far : {-1e30, 1e30}) {
     pitch.place_ball({far, far});
-    EXPECT_EQ(best_first(pitch, evaluation).category, PlanCategory::kHold) << far;
+    EXPECT_EQ(best_first(pitch, evaluation).category, player::PlanCategory::kHold) << far;
   }
 }
 
@@ -330,13 +332,13 @@ TEST(ServerSideDecision, RequestsChoiceAndExecutesIt) {
   KnownPitch pitch = with_ball({0.0, 0.0});
   pitch.add_teammate(9, {12.0, 8.0});
   const PlayerActions reply = server_side();
-  PlanChoice choice;
-  choice.chooser = PlanChoice::Chooser::kPlaymaker;
-  ActionMemory memory = pitch.memory;
-  CommandSlots tried(pitch.world);
-  ActionReport report;
+  player::PlanChoice choice;
+  choice.chooser = player::PlanChoice::Chooser::kPlaymaker;
+  player::ActionMemory memory = pitch.memory;
+  player::CommandSlots tried(pitch.world);
+  player::ActionReport report;
   execute(reply, pitch.world, memory, tried, report, choice);
-  ASSERT_EQ(choice.chooser, PlanChoice::Chooser::kRequested);
+  ASSERT_EQ(choice.chooser, player::PlanChoice::Chooser::kRequested);
   EXPECT_FALSE(tried.has_body());
 
   protos::State state;
@@ -357,9 +359,9 @@ TEST(ServerSideDecision, RequestsChoiceAndExecutesIt) {
   }
   ASSERT_NE(deep, 0);
 
-  choice.chooser = PlanChoice::Chooser::kReplied;
+  choice.chooser = player::PlanChoice::Chooser::kReplied;
   choice.node = deep;
-  CommandSlots slots(pitch.world);
+  player::CommandSlots slots(pitch.world);
   execute(reply, pitch.world, memory, slots, report, choice);
   EXPECT_TRUE(std::holds_alternative<soccer::Kick>(slots.body()));
   EXPECT_EQ(report.actions[PlayerAction::kTurn].done, 0);
@@ -367,10 +369,10 @@ TEST(ServerSideDecision, RequestsChoiceAndExecutesIt) {
 
 TEST(ServerSideDecision, ContinuesActionListWithoutReply) {
   KnownPitch pitch = with_ball({0.0, 0.0});
-  PlanChoice choice;
-  choice.chooser = PlanChoice::Chooser::kReplied;
+  player::PlanChoice choice;
+  choice.chooser = player::PlanChoice::Chooser::kReplied;
   choice.node = -1;
-  CommandSlots slots(pitch.world);
+  player::CommandSlots slots(pitch.world);
   execute(server_side(), pitch.world, pitch.memory, slots, pitch.report, choice);
   EXPECT_EQ(pitch.counts(PlayerAction::kHeliosOffensivePlanner).failed, 1);
   EXPECT_TRUE(std::holds_alternative<soccer::Turn>(slots.body()));
@@ -379,8 +381,8 @@ TEST(ServerSideDecision, ContinuesActionListWithoutReply) {
 TEST(ServerSideDecision, UsesBestNodeForInvalidIndex) {
   KnownPitch pitch = with_ball({0.0, 0.0});
   pitch.add_teammate(9, {12.0, 8.0});
-  const PlannerField field(pitch.world);
-  const Plan plan = make_plan(field, PlannerOptions{});
+  const player::PlannerField field(pitch.world);
+  const player::Plan plan = make_plan(field, player::PlannerOptions{});
   EXPECT_EQ(first_action_of(plan, 99999), plan.first_of(plan.best));
   EXPECT_EQ(first_action_of(plan, 0), 0) << "hold";
 }

@@ -1,7 +1,7 @@
 // The taker of a set play does not touch the ball twice.
 #include <gtest/gtest.h>
 
-#include "proxy/behaviors/behaviors.h"
+#include "player/behaviors/behaviors.h"
 #include "tests/proxy/support/known_pitch.h"
 
 namespace cls::proxy {

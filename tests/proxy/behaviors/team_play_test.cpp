@@ -3,11 +3,11 @@
 
 #include <cmath>
 
-#include "proxy/behaviors/behaviors.h"
-#include "proxy/movement/home_positions.h"
-#include "proxy/movement/off_ball.h"
-#include "proxy/planner/evaluation.h"
-#include "proxy/planner/outlet.h"
+#include "player/behaviors/behaviors.h"
+#include "player/movement/home_positions.h"
+#include "player/movement/off_ball.h"
+#include "player/planner/evaluation.h"
+#include "player/planner/outlet.h"
 #include "tests/proxy/support/known_pitch.h"
 
 namespace cls::proxy {
@@ -35,20 +35,20 @@ KnownPitch goal_kick() {
   return pitch;
 }
 
-TEST(Outlet, TargetsFreeTeammate) {
+TEST(player::Outlet, TargetsFreeTeammate) {
   KnownPitch pitch = goal_kick();
   pitch.add_teammate(4, {-38.0, -31.0}, 180.0);
   pitch.add_teammate(6, {-30.0, 0.0}, 180.0);
-  const PlannerField field(pitch.world);
+  const player::PlannerField field(pitch.world);
   const auto outlet = best_outlet(field);
   ASSERT_TRUE(outlet);
   EXPECT_TRUE(outlet->teammate_first);
   EXPECT_LT(distance(outlet->target, {-38.0, -31.0}), 12.0);
 }
 
-TEST(Outlet, ClearsFarFromGoalWithoutFreeTeammate) {
+TEST(player::Outlet, ClearsFarFromGoalWithoutFreeTeammate) {
   KnownPitch pitch = goal_kick();
-  const PlannerField field(pitch.world);
+  const player::PlannerField field(pitch.world);
   const auto outlet = best_outlet(field);
   ASSERT_TRUE(outlet);
   EXPECT_FALSE(outlet->teammate_first);
@@ -101,7 +101,7 @@ TEST(Marking, AssignsOnePlayerPerOpponent) {
   KnownPitch pitch;
   pitch.set_mode(PlayMode::kKickInRight);
   pitch.place_ball({-20.0, -34.0});
-  const TeamPoints homes = home_positions(pitch.world);
+  const player::TeamPoints homes = home_positions(pitch.world);
   pitch.add_opponent(10, {-40.0, -26.0});
   pitch.add_opponent(11, {-38.0, -10.0});
   for (int unum = 2; unum <= 8; ++unum) {
@@ -114,13 +114,13 @@ TEST(Marking, AssignsOnePlayerPerOpponent) {
     if (unum != 7) {  // the same pitch from another player's perspective
       other.world.unum = unum;
       other.place_self(homes[static_cast<std::size_t>(unum - 1)]);
-      for (PlayerState& teammate : other.world.teammates) {
+      for (player::PlayerState& teammate : other.world.teammates) {
         if (teammate.unum != unum) continue;
         teammate.unum = 7;
         teammate.position = homes[6];
       }
     }
-    if (find_mark(other.world, homes, kSetPlayMarking)) ++markers;
+    if (find_mark(other.world, homes, player::kSetPlayMarking)) ++markers;
   }
   EXPECT_EQ(markers, 2);
 }
@@ -130,7 +130,7 @@ TEST(Marking, CoversWingerBehindTheDefenseAtKickIn) {
   pitch.world.unum = 5;
   pitch.set_mode(PlayMode::kKickInRight);
   pitch.place_ball({-22.7, 34.0});
-  const TeamPoints homes = home_positions(pitch.world);
+  const player::TeamPoints homes = home_positions(pitch.world);
   for (int unum = 2; unum <= 8; ++unum) {
     if (unum != 5) pitch.add_teammate(unum, homes[static_cast<std::size_t>(unum - 1)]);
   }
@@ -138,10 +138,10 @@ TEST(Marking, CoversWingerBehindTheDefenseAtKickIn) {
   pitch.add_opponent(10, {-37.0, 0.0});
   pitch.add_opponent(11, {-39.0, 16.0});
   pitch.add_opponent(9, {-43.0, 30.0});
-  const std::optional<Mark> mark = find_mark(pitch.world, homes, kSetPlayMarking);
+  const std::optional<player::Mark> mark = find_mark(pitch.world, homes, player::kSetPlayMarking);
   ASSERT_TRUE(mark);
   EXPECT_EQ(mark->opponent->unum, 9);
-  MarkRules nearer = kSetPlayMarking;
+  player::MarkRules nearer = player::kSetPlayMarking;
   nearer.max_cost_near_goal = 0.0;
   EXPECT_FALSE(find_mark(pitch.world, homes, nearer)) << "too far away";
 }
@@ -163,7 +163,7 @@ KnownPitch attack() {
 double lane_clearance(const KnownPitch& pitch, Vec2 point) {
   const soccer::Segment way{pitch.world.ball.position, point};
   double least = 100.0;
-  for (const PlayerState& opponent : pitch.world.opponents) {
+  for (const player::PlayerState& opponent : pitch.world.opponents) {
     least = std::min(least, distance(way, opponent.position));
   }
   return least;
@@ -171,7 +171,7 @@ double lane_clearance(const KnownPitch& pitch, Vec2 point) {
 
 TEST(Support, OpensPassLane) {
   const KnownPitch pitch = attack();
-  const TeamPoints homes = home_positions(pitch.world);
+  const player::TeamPoints homes = home_positions(pitch.world);
   const auto position = support_point(pitch.world, homes);
   ASSERT_TRUE(position);
   EXPECT_GT(lane_clearance(pitch, *position), lane_clearance(pitch, homes[10]));
@@ -182,7 +182,7 @@ TEST(Support, OpensPassLane) {
 
 TEST(Support, IsEmptyWithoutOurAttack) {
   KnownPitch pitch = attack();
-  const TeamPoints homes = home_positions(pitch.world);
+  const player::TeamPoints homes = home_positions(pitch.world);
   pitch.set_stamina(3000.0);
   EXPECT_FALSE(support_point(pitch.world, homes)) << "low stamina";
   KnownPitch own_half = attack();
@@ -229,9 +229,9 @@ TEST(HeliosGoalieMove, StaysInGoalWhileOpponentHasBallBesideIt) {
 TEST(PlannerEvaluation, PrefersEarlierOfEqualStates) {
   KnownPitch pitch;
   pitch.place_ball({0.6, 0.0});
-  const PlannerField field(pitch.world);
-  Plan plan;
-  PlanNode node;
+  const player::PlannerField field(pitch.world);
+  player::Plan plan;
+  player::PlanNode node;
   node.holder = 7;
   node.depth = 2;
   node.ball = {10.0, 0.0};

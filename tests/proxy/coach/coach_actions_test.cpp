@@ -118,7 +118,7 @@ TEST(DoHeliosSubstitute, ReplacesTiredPlayersDuringStoppage) {
   // Three players run up and down all the time, below the stamina at which recovery falls.
   const std::set<int> runners = {4, 7, 10, 11};
   match.play = [&](const proxy::PlayerAgent& player, protos::PlayerActions& actions) {
-    const proxy::WorldModel& world = player.world();
+    const player::WorldModel& world = player.world();
     if (world.our_side != Side::kLeft || runners.count(player.unum()) == 0) return;
     auto& dash = *actions.add_actions()->mutable_dash();
     dash.set_power(100.0F);
@@ -231,7 +231,7 @@ TEST(DoHeliosSayPlayerTypes, RepeatsWhatTheServerRefused) {
 
 // The server does not send the play mode to a late coach.
 TEST(CoachState, HasPlayOnWhenConnectedDuringMatch) {
-  proxy::WorldModel world;
+  player::WorldModel world;
   proxy::on_coach_init(world, Side::kLeft, "left");
   soccer::GlobalView view;
   proxy::on_global_view(world, view);
@@ -440,7 +440,7 @@ INSTANTIATE_TEST_SUITE_P(Modes, DoChangeMode, testing::ValuesIn(kModes), [](cons
 });
 
 TEST(DoChangeMode, SupportsEveryPlayModeOfServer) {
-  const proxy::WorldModel world;
+  const player::WorldModel world;
   for (int i = 1; i < soccer::kPlayModeCount; ++i) {
     const auto mode = static_cast<PlayMode>(i);
     const bool is_said_so = proxy::wire_mode(mode) != protos::PenaltyKick_ &&

@@ -26,8 +26,8 @@ using google::protobuf::util::MessageDifferencer;
 using soccer::AngleDeg;
 using Paths = std::set<std::string>;
 
-PlayerState player(int id, soccer::Side side, int unum) {
-  PlayerState player;
+player::PlayerState player(int id, soccer::Side side, int unum) {
+  player::PlayerState player;
   player.id = id;
   player.side = side;
   player.unum = unum;
@@ -46,7 +46,7 @@ PlayerState player(int id, soccer::Side side, int unum) {
   return player;
 }
 
-void fill_everything(SelfState& self) {
+void fill_everything(player::SelfState& self) {
   self.position = self.seen_position = {-20.0, 15.0};
   self.velocity = self.seen_velocity = {0.2, -0.1};
   self.body = AngleDeg(45.0);
@@ -66,7 +66,7 @@ void fill_everything(SelfState& self) {
   self.safety_dash_power = 60.0;
 }
 
-void fill_everything(BallState& ball) {
+void fill_everything(player::BallState& ball) {
   ball.position = {1.0, 2.0};
   ball.velocity = ball.seen_velocity = ball.heard_velocity = {-1.0, 0.5};
   ball.relative_position = ball.seen_position = ball.heard_position = {21.0, -13.0};
@@ -77,7 +77,7 @@ void fill_everything(BallState& ball) {
   ball.angle_from_self = AngleDeg(-31.8);
 }
 
-void fill_everything(InterceptTable& table) {
+void fill_everything(player::InterceptTable& table) {
   table.self_steps = 4;
   table.first_teammate_steps = 5;
   table.second_teammate_steps = 6;
@@ -87,8 +87,8 @@ void fill_everything(InterceptTable& table) {
   table.second_teammate_id = 2;
   table.first_opponent_id = 3;
   table.second_opponent_id = 4;
-  InterceptPlan plan;
-  plan.kind = InterceptPlan::Kind::kTurnForwardDash;
+  player::InterceptPlan plan;
+  plan.kind = player::InterceptPlan::Kind::kTurnForwardDash;
   plan.turns = 1;
   plan.dashes = 3;
   plan.turn_angle = plan.dash_direction = 20.0;
@@ -99,7 +99,7 @@ void fill_everything(InterceptTable& table) {
   table.plans.push_back(plan);
 }
 
-void fill_everything(GameState& game) {
+void fill_everything(player::GameState& game) {
   game.time = {3012, 4};
   game.see_time = 3012;
   game.mode = soccer::PlayMode::kPenaltySetupRight;
@@ -112,8 +112,8 @@ void fill_everything(GameState& game) {
 }
 
 /// The right team's number 10 in its first penalty kick; nothing is zero.
-WorldModel full_world() {
-  WorldModel world;
+player::WorldModel full_world() {
+  player::WorldModel world;
   world.our_side = soccer::Side::kRight;
   world.unum = 10;
   world.goalie = true;
@@ -142,7 +142,7 @@ HomePositions some_home() {
   return home;
 }
 
-protos::State state_of(const WorldModel& world) {
+protos::State state_of(const player::WorldModel& world) {
   protos::State state;
   fill_state(world, some_home(), true, state);
   return state;
@@ -158,7 +158,7 @@ Paths without(Paths paths, const std::vector<std::string>& prefixes) {
 }
 
 TEST(StateMessage, SetsEveryField) {
-  WorldModel world = full_world();
+  player::WorldModel world = full_world();
   protos::State state = state_of(world);
   Paths set;
   tests::add_field_paths(state, set);
@@ -193,7 +193,7 @@ TEST(StateMessage, SetsEveryField) {
 }
 
 TEST(StateMessage, WritesUnknownAsZeroWithAge1000) {
-  WorldModel world;
+  player::WorldModel world;
   world.unum = 4;
   const protos::State state = state_of(world);
   EXPECT_FALSE(tests::has_unreal_number(state));
@@ -251,11 +251,11 @@ TEST(StateMessage, ComputesLengthAndDirectionOfVectors) {
 TEST(StateMessage, ClearsPreviousCycle) {
   protos::State reused;
   reused.mutable_register_response()->set_client_id(3);
-  WorldModel crowded = full_world();
+  player::WorldModel crowded = full_world();
   for (int unum = 7; unum <= 11; ++unum) {
     crowded.opponents.push_back(player(unum, soccer::Side::kLeft, unum));
   }
-  WorldModel lonely = full_world();
+  player::WorldModel lonely = full_world();
   lonely.opponents.clear();
   lonely.unknowns.clear();
   lonely.intercept.plans.clear();
@@ -271,7 +271,7 @@ TEST(StateMessage, ClearsPreviousCycle) {
 
 TEST(StateMessage, MapsEveryPlayMode) {
   for (int mode = 0; mode < soccer::kPlayModeCount; ++mode) {
-    WorldModel world;
+    player::WorldModel world;
     world.unum = 1;
     world.game.mode = static_cast<soccer::PlayMode>(mode);
     const protos::WorldModel model = state_of(world).world_model();
@@ -279,7 +279,7 @@ TEST(StateMessage, MapsEveryPlayMode) {
     const bool sided = model.game_mode_side() != protos::UNKNOWN;
     EXPECT_EQ(name.back() == '_', sided) << mode << " " << name;
   }
-  WorldModel world;
+  player::WorldModel world;
   world.unum = 1;
   world.game.mode = soccer::PlayMode::kFreeKickLeft;
   world.game.goalie_catch = true;

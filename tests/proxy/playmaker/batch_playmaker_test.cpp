@@ -142,7 +142,7 @@ class BatchPlaymakerTest : public testing::Test {
       playmaker_ = make_batch_playmaker(std::move(owned_), mode);
       TeamRegistration team;
       for (const int agent : {1, 2, 12}) team.agents.emplace_back(agent, registration(agent));
-      team.parameters = std::make_shared<MatchParameters>();
+      team.parameters = std::make_shared<player::MatchParameters>();
       playmaker_->announce_team(std::move(team));
     }
     return *playmaker_;
@@ -208,7 +208,7 @@ TEST_F(BatchPlaymakerTest, RegistrationCarriesParametersOnce) {
     if (rpc == Rpc::kRegisterTeam) sent.CopyFrom(request);
     return answer_as_team(agent, rpc, request);
   };
-  auto parameters = std::make_shared<MatchParameters>();
+  auto parameters = std::make_shared<player::MatchParameters>();
   parameters->server.half_time = 77;
   parameters->types.resize(3);
   playmaker().announce_team({{{4, registration(4)}}, parameters});
@@ -401,11 +401,12 @@ class NumberCodec : public TensorCodec {
   std::vector<std::string> feature_sets() const override { return {"number/1"}; }
   std::vector<std::string> action_sets() const override { return {"dash/1"}; }
   base::Result<TensorSizes> choose(const TensorChoice&) override { return TensorSizes{1, 0, 1}; }
-  void encode(const WorldModel& world, std::vector<float>& features,
+  void encode(const player::WorldModel& world, std::vector<float>& features,
               std::vector<std::uint8_t>&) override {
     features.push_back(static_cast<float>(world.unum));
   }
-  std::optional<soccer::PlayerCommand> decode(const WorldModel&, const float* row) override {
+  std::optional<soccer::PlayerCommand> decode(const player::WorldModel&,
+                                              const float* row) override {
     if (row[0] < 0.0F) return std::nullopt;
     return soccer::Dash{static_cast<double>(row[0]), 0.0};
   }
@@ -413,13 +414,13 @@ class NumberCodec : public TensorCodec {
 
 TEST_F(BatchPlaymakerTest, SendsRowsOfPlayersAndHandsOutRowsOrReplies) {
   playmaker();
-  std::array<WorldModel, 4> worlds;
+  std::array<player::WorldModel, 4> worlds;
   for (std::size_t i = 0; i < worlds.size(); ++i) worlds[i].unum = static_cast<int>(i);
   TeamRegistration team;
   for (const int agent : {1, 2, 3, 12}) team.agents.emplace_back(agent, registration(agent));
-  team.parameters = std::make_shared<MatchParameters>();
+  team.parameters = std::make_shared<player::MatchParameters>();
   team.codec = std::make_shared<NumberCodec>();
-  team.world_of = [&](int agent) -> const WorldModel& {
+  team.world_of = [&](int agent) -> const player::WorldModel& {
     return worlds.at(static_cast<std::size_t>(agent));
   };
   playmaker().announce_team(std::move(team));

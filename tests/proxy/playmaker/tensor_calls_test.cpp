@@ -23,13 +23,14 @@ class FakeCodec : public TensorCodec {
     if (choice.feature_set != "pair/1") return base::Error{"no such set"};
     return TensorSizes{2, 2, 2};
   }
-  void encode(const WorldModel& world, std::vector<float>& features,
+  void encode(const player::WorldModel& world, std::vector<float>& features,
               std::vector<std::uint8_t>& masks) override {
     features.push_back(static_cast<float>(world.unum));
     features.push_back(static_cast<float>(world.self.position.x));
     masks.insert(masks.end(), {1, 0});
   }
-  std::optional<soccer::PlayerCommand> decode(const WorldModel&, const float* row) override {
+  std::optional<soccer::PlayerCommand> decode(const player::WorldModel&,
+                                              const float* row) override {
     if (!std::isfinite(row[1]) || row[0] > 1.0F) return std::nullopt;
     if (row[0] == 0.0F) return soccer::Turn{30.0};
     return soccer::Dash{static_cast<double>(row[1]), 45.0};
@@ -56,8 +57,8 @@ class TensorCallsTest : public testing::Test {
   }
 
   TeamRegistration team_;
-  WorldModel one_;
-  WorldModel two_;
+  player::WorldModel one_;
+  player::WorldModel two_;
   wire::RegisterTeamResponse response_;
   wire::GetTeamActionsResponse actions_;
   TensorCalls calls_;

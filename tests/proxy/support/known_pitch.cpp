@@ -4,10 +4,10 @@
 #include <memory>
 #include <stdexcept>
 
+#include "player/commands/command_slots.h"
+#include "player/perception/perception.h"
+#include "player/world/view_cone.h"
 #include "proxy/actions/executor.h"
-#include "proxy/commands/command_slots.h"
-#include "proxy/perception/perception.h"
-#include "proxy/world/view_cone.h"
 #include "simulator/actions/actions.h"
 #include "simulator/step.h"
 #include "simulator/world/roster.h"
@@ -15,7 +15,7 @@
 namespace cls::tests {
 namespace {
 
-using proxy::PlayerState;
+using player::PlayerState;
 using soccer::AngleDeg;
 using soccer::Side;
 using soccer::Vec2;
@@ -73,7 +73,7 @@ void disable_automatic_behavior(protos::PlayerActions& reply) {
 }
 
 KnownPitch::KnownPitch(Noise noise, std::uint64_t seed) : truth_(make_truth(noise, seed)) {
-  auto parameters = std::make_shared<proxy::MatchParameters>();
+  auto parameters = std::make_shared<player::MatchParameters>();
   parameters->server = truth_.params();
   parameters->types = truth_.rules->types;
   world.parameters = parameters;
@@ -96,18 +96,18 @@ void KnownPitch::place_self(Vec2 position, double body_deg, Vec2 velocity) {
 
 void KnownPitch::place_ball(Vec2 position, Vec2 velocity) {
   truth_.ball = {position, velocity, {}};
-  proxy::BallState& ball = world.ball;
+  player::BallState& ball = world.ball;
   ball.pos_count = ball.relative_pos_count = ball.vel_count = 0;
   ball.seen_pos_count = ball.seen_vel_count = 0;
   update_world();
 }
 
-void KnownPitch::add(proxy::PlayerList& list, Side side, int unum, Vec2 position, double body_deg,
+void KnownPitch::add(player::PlayerList& list, Side side, int unum, Vec2 position, double body_deg,
                      int age) {
   simulator::Player& player = truth_.player(side, unum);
   player.enabled = true;
   put(player, position, body_deg, {});
-  PlayerState estimate;
+  player::PlayerState estimate;
   estimate.id = world.next_player_id++;
   estimate.side = side;
   estimate.unum = unum;
@@ -139,7 +139,7 @@ void KnownPitch::set_shoot_out(soccer::PlayMode mode) {
   rule.taker_side = soccer::side(mode);
   rule.timer = truth_.params().pen_taken_wait;
   rule.previous_ball = truth_.ball.position;
-  proxy::PenaltyState& penalty = world.game.penalty;
+  player::PenaltyState& penalty = world.game.penalty;
   penalty.field_side = Side::kRight;
   penalty.taker = soccer::side(mode);
   penalty.our_taken = penalty.their_taken = 1;
@@ -180,7 +180,7 @@ void KnownPitch::knock_down(int cycles) {
 }
 
 void KnownPitch::update_self() {
-  proxy::SelfState& estimate = world.self;
+  player::SelfState& estimate = world.self;
   const simulator::Player& player = self();
   estimate.position = estimate.seen_position = player.position;
   estimate.velocity = estimate.seen_velocity = player.velocity;
@@ -199,7 +199,7 @@ void KnownPitch::update_self() {
   estimate.arm.movable_in = simulator::can_point(truth_, player) ? 0 : 1;
 }
 
-void KnownPitch::update_player(PlayerState& estimate) const {
+void KnownPitch::update_player(player::PlayerState& estimate) const {
   const simulator::Player& player = truth_.player(estimate.side, estimate.unum);
   estimate.position = estimate.seen_position = player.position;
   estimate.velocity = estimate.seen_velocity = player.velocity;
@@ -212,16 +212,16 @@ void KnownPitch::update_world() {
   world.game.see_time = truth_.clock.time;
   world.game.mode = truth_.mode;
   update_self();
-  for (PlayerState& player : world.teammates) update_player(player);
-  for (PlayerState& player : world.opponents) update_player(player);
+  for (player::PlayerState& player : world.teammates) update_player(player);
+  for (player::PlayerState& player : world.opponents) update_player(player);
   world.ball.position = truth_.ball.position;
   world.ball.velocity = truth_.ball.velocity;
   world.ball.relative_position = truth_.ball.position - self().position;
-  proxy::update_derived(world);
+  player::update_derived(world);
 }
 
 void KnownPitch::act(const protos::PlayerActions& reply) {
-  proxy::CommandSlots slots(world);
+  player::CommandSlots slots(world);
   proxy::execute(reply, world, memory, slots, report);
   slots.compose(commands);
   step();
@@ -266,7 +266,7 @@ bool KnownPitch::sees(Vec2 point) const {
 
 Vec2 KnownPitch::focus_point() const { return simulator::focus_point(self()); }
 
-const proxy::ActionCounts& KnownPitch::counts(protos::PlayerAction::ActionCase member) const {
+const player::ActionCounts& KnownPitch::counts(protos::PlayerAction::ActionCase member) const {
   return report.actions[static_cast<std::size_t>(member)];
 }
 

@@ -5,10 +5,10 @@
 #include <functional>
 #include <vector>
 
+#include "player/planner/action_memory.h"
+#include "player/planner/action_report.h"
+#include "player/world/world_model.h"
 #include "proto/playmaker.pb.h"
-#include "proxy/connection/action_report.h"
-#include "proxy/planner/action_memory.h"
-#include "proxy/world/world_model.h"
 #include "simulator/world/event.h"
 #include "simulator/world/world.h"
 #include "soccer/commands/player_command.h"
@@ -30,9 +30,9 @@ class KnownPitch {
  public:
   explicit KnownPitch(Noise noise = Noise::kNone, std::uint64_t seed = 1);
 
-  proxy::WorldModel world;
-  proxy::ActionMemory memory;
-  proxy::ActionReport report;
+  player::WorldModel world;
+  player::ActionMemory memory;
+  player::ActionReport report;
   std::vector<soccer::PlayerCommand> commands;  ///< of the last cycle
 
   void place_self(soccer::Vec2 position, double body_deg = 0.0, soccer::Vec2 velocity = {});
@@ -66,7 +66,7 @@ class KnownPitch {
   bool sees(soccer::Vec2 point) const;
   soccer::Vec2 focus_point() const;
   bool touched_ball() const { return self().contacts.ball; }
-  const proxy::ActionCounts& counts(protos::PlayerAction::ActionCase member) const;
+  const player::ActionCounts& counts(protos::PlayerAction::ActionCase member) const;
   /// Command of that type in the last cycle; null if none.
   template <typename Command>
   const Command* sent() const {
@@ -80,11 +80,11 @@ class KnownPitch {
   simulator::Player& self();
   const simulator::Player& self() const;
   void step();
-  void add(proxy::PlayerList& list, soccer::Side side, int unum, soccer::Vec2 position,
+  void add(player::PlayerList& list, soccer::Side side, int unum, soccer::Vec2 position,
            double body_deg, int age);
   void update_world();
   void update_self();
-  void update_player(proxy::PlayerState& player) const;
+  void update_player(player::PlayerState& player) const;
 
   simulator::World truth_;
   simulator::Events events_;

@@ -1,0 +1,240 @@
+// Validates and clamps commands, and predicts their effect on the next cycle.
+#include "player/commands/command_slots.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "player/world/motion.h"
+#include "player/world/view_cone.h"
+#include "soccer/commands/rounding.h"
+#include "soccer/interval.h"
+#include "soccer/pitch.h"
+
+namespace cls::player {
+namespace {
+
+using soccer::AngleDeg;
+using soccer::Vec2;
+
+// Arguments and results: parameters and senses of a faulty server may be anything.
+bool finite(double one, double other = 0.0) { return std::isfinite(one) && std::isfinite(other); }
+bool finite(Vec2 v) { return finite(v.x, v.y); }
+
+/// The agent is the goalie and holds the ball after a catch.
+bool holds_caught_ball(const WorldModel& world) {
+  return world.goalie && world.game.goalie_catch && world.game.mode_side() == world.our_side;
+}
+
+bool after_goal(soccer::PlayMode mode) {
+  return mode == soccer::PlayMode::kGoalLeft || mode == soccer::PlayMode::kGoalRight;
+}
+
+}  // namespace
+
+bool CommandSlots::dash(double power, double direction) {
+  const auto& server = world_->server();
+  const SelfState& self = world_->self;
+  if (self.frozen() || !finite(power, direction)) return false;
+  power = soccer::between(power, server.min_dash_power, server.max_dash_power);
+  direction = soccer::between(direction, server.min_dash_angle, server.max_dash_angle);
+  direction = soccer::math::quantize(direction, server.dash_angle_step);
+  const double payable = self.stamina + world_->self_type().extra_stamina;
+  power = power >= 0.0 ? std::min(power, payable) : std::max(power, -payable / 2.0);
+  if (!finite(power, direction)) return false;
+  body_ = soccer::Dash{soccer::rounded_for_command(power), direction};
+  return true;
+}
+
+bool CommandSlots::turn(double angle) {
+  const auto& server = world_->server();
+  if (world_->self.frozen() || !finite(angle)) return false;
+  const double needed = angle * turn_resistance(world_->self_type(), world_->self.velocity);
+  const double moment = soccer::between(needed, server.minmoment, server.maxmoment);
+  if (!finite(moment)) return false;
+  body_ = soccer::Turn{soccer::rounded_for_command(moment)};
+  return true;
+}
+
+bool CommandSlots::kick(double power, double direction) {
+  if (!world_->self.kickable || world_->self.frozen()) return false;
+  if (!finite(power, direction)) return false;
+  power = soccer::between(power, 0.0, world_->server().maxpower);
+  if (!finite(power)) return false;
+  body_ = soccer::Kick{soccer::rounded_for_command(power),
+                       soccer::rounded_for_command(soccer::math::normalize_degrees(direction))};
+  return true;
+}
+
+bool CommandSlots::tackle(double direction, bool foul) {
+  if (world_->self.frozen() || !finite(direction)) return false;
+  body_ =
+      soccer::Tackle{soccer::rounded_for_command(soccer::math::normalize_degrees(direction)), foul};
+  return true;
+}
+
+bool CommandSlots::catch_ball() {
+  const auto& server = world_->server();
+  const soccer::PlayMode mode = world_->game.mode;
+  const bool allowed = mode == soccer::PlayMode::kPlayOn ||
+                       mode == soccer::PlayMode::kPenaltyTakenLeft ||
+                       mode == soccer::PlayMode::kPenaltyTakenRight;
+  if (!world_->goalie || !allowed || world_->self.frozen()) return false;
+  if (!world_->ball.relative_position_valid()) return false;
+  // The far corner of the catch rectangle has the longest reach: aim it at the ball.
+  const double corner = soccer::math::to_degrees(
+      soccer::math::atan2(server.catchable_area_w / 2.0, server.catchable_area_l));
+  const double ball = (world_->ball.angle_from_self - world_->self.body).degrees();
+  const double direction = soccer::between(ball > 0.0 ? ball - corner : ball + corner,
+                                           server.min_catch_angle, server.max_catch_angle);
+  if (!finite(direction)) return false;
+  body_ = soccer::Catch{soccer::rounded_for_command(direction)};
+  return true;
+}
+
+bool CommandSlots::move(Vec2 point) {
+  const auto& server = world_->server();
+  const bool caught = holds_caught_ball(*world_);
+  const bool kick_off =
+      world_->game.mode == soccer::PlayMode::kBeforeKickOff || after_goal(world_->game.mode);
+  if (world_->self.frozen() || !finite(point) || !(kick_off || caught)) return false;
+  point.x = std::clamp(point.x, -soccer::kHalfLength, soccer::kHalfLength);
+  point.y = std::clamp(point.y, -soccer::kHalfWidth, soccer::kHalfWidth);
+  if (caught) {
+    constexpr double kInset = 1.0;
+    const double half_width = soccer::kPenaltyAreaWidth / 2.0 - kInset;
+    point.x = std::clamp(point.x, -soccer::kHalfLength + kInset,
+                         -soccer::kHalfLength + soccer::kPenaltyAreaLength - kInset);
+    point.y = std::clamp(point.y, -half_width, half_width);
+  } else if (server.forbid_kick_off_offside && point.x > 0.0) {
+    point.x = -0.1;
+  }
+  body_ = soccer::Move{soccer::rounded_for_command(point.x), soccer::rounded_for_command(point.y)};
+  return true;
+}
+
+bool CommandSlots::turn_neck(double moment) {
+  const auto& server = world_->server();
+  if (!finite(moment)) return false;
+  const double neck = world_->self.neck.degrees();
+  const double target = soccer::between(neck + std::clamp(moment, -360.0, 360.0), server.minneckang,
+                                        server.maxneckang);
+  const double turn =
+      soccer::between(std::rint(target - neck), server.minneckmoment, server.maxneckmoment);
+  if (!finite(turn)) return false;
+  turn_neck_ = soccer::TurnNeck{turn};
+  return true;
+}
+
+bool CommandSlots::change_view(soccer::ViewWidth width) {
+  view_asked_ = true;
+  if (width == world_->self.view_width) {
+    change_view_.reset();
+    return false;
+  }
+  change_view_ = width;
+  return true;
+}
+
+bool CommandSlots::change_focus(double distance_moment, double direction_moment) {
+  constexpr double kMaxFocusDistance = 40.0;
+  if (!finite(distance_moment, direction_moment)) return false;
+  const SelfState& self = world_->self;
+  const double half = view_angle(world_->server(), next_view_width()) / 2.0;
+  const double distance = std::clamp(self.focus_distance + distance_moment, 0.0, kMaxFocusDistance);
+  const double direction = soccer::between(
+      soccer::math::normalize_degrees(self.focus_direction.degrees() + direction_moment), -half,
+      half);
+  const double farther = distance - self.focus_distance;
+  const double turn = direction - self.focus_direction.degrees();
+  if (!finite(farther, turn)) return false;
+  change_focus_ =
+      soccer::ChangeFocus{soccer::rounded_for_command(farther), soccer::rounded_for_command(turn)};
+  return true;
+}
+
+bool CommandSlots::point_to(Vec2 point) {
+  const SelfState& self = world_->self;
+  if (self.arm.movable_in > 0 || !self.position_valid() || !finite(point)) return false;
+  const Vec2 relative = point - self.position;
+  const double direction = (AngleDeg::of(relative) - self.face()).degrees();
+  if (!finite(relative.length(), direction)) return false;
+  arm_ = soccer::PointTo{soccer::rounded_for_command(relative.length()),
+                         soccer::rounded_for_command(direction)};
+  return true;
+}
+
+bool CommandSlots::point_to_off() {
+  if (world_->self.arm.movable_in > 0) return false;
+  arm_ = soccer::PointToOff{};
+  return true;
+}
+
+bool CommandSlots::attention_to(soccer::Side side, int unum) {
+  const bool ours = side == world_->our_side;
+  if (side == soccer::Side::kNeutral || unum < 1 || unum > soccer::kPlayersPerTeam) return false;
+  if (ours && unum == world_->unum) return false;
+  using Kind = soccer::TeamReference::Kind;
+  attention_ = soccer::AttentionTo{{ours ? Kind::kOur : Kind::kOpponent, {}}, unum};
+  return true;
+}
+
+bool CommandSlots::attention_to_off() {
+  attention_ = soccer::AttentionToOff{};
+  return true;
+}
+
+bool CommandSlots::say(std::string_view text) {
+  const auto room = static_cast<std::size_t>(std::max(0, world_->server().say_msg_size));
+  if (!soccer::is_sayable(text) || say_.size() + text.size() > room) return false;
+  say_ += text;
+  return true;
+}
+
+Vec2 CommandSlots::next_position() const {
+  const SelfState& self = world_->self;
+  if (const auto* to = std::get_if<soccer::Move>(&body_)) return {to->x, to->y};
+  Vec2 step = self.velocity;
+  if (const auto* command = std::get_if<soccer::Dash>(&body_)) {
+    step = speed_limited(step + dash_acceleration(*world_, command->power, command->direction),
+                         world_->self_type().player_speed_max);
+  }
+  return self.position + step;
+}
+
+AngleDeg CommandSlots::next_body() const {
+  const SelfState& self = world_->self;
+  const auto* command = std::get_if<soccer::Turn>(&body_);
+  if (command == nullptr) return self.body;
+  return self.body + command->moment / turn_resistance(world_->self_type(), self.velocity);
+}
+
+double CommandSlots::next_neck() const {
+  return world_->self.neck.degrees() + (turn_neck_ ? turn_neck_->moment : 0.0);
+}
+
+soccer::ViewWidth CommandSlots::next_view_width() const {
+  return change_view_.value_or(world_->self.view_width);
+}
+
+void CommandSlots::compose(std::vector<soccer::PlayerCommand>& out, bool with_done) const {
+  out.clear();
+  const auto append = [&out](const auto& command) {
+    if constexpr (!std::is_same_v<std::decay_t<decltype(command)>, std::monostate>) {
+      out.emplace_back(command);
+    }
+  };
+  if (has_body()) {
+    std::visit(append, body_);
+  } else if (!world_->self.frozen()) {
+    out.emplace_back(soccer::Turn{0.0});
+  }
+  if (turn_neck_) out.emplace_back(*turn_neck_);
+  if (change_view_) out.emplace_back(soccer::ChangeView{*change_view_, {}});
+  if (change_focus_) out.emplace_back(*change_focus_);
+  std::visit(append, arm_);
+  std::visit(append, attention_);
+  if (with_done) out.emplace_back(soccer::Done{});
+  if (!say_.empty()) out.emplace_back(soccer::Say{say_});
+}
+
+}  // namespace cls::player

@@ -1,0 +1,194 @@
+// Predicts when the other players intercept the ball, and fills the intercept table.
+#include "player/estimates/intercept.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "player/world/fixed_list.h"
+#include "soccer/math.h"
+
+namespace cls::player {
+namespace {
+
+namespace math = soccer::math;
+using soccer::PlayMode;
+using soccer::Vec2;
+
+// Players not seen for longer are ignored.
+constexpr int kMaxTeammateAge = 10;
+constexpr int kMaxOpponentAge = 15;
+
+/// Cycles a player spends turning before it can run along `offset`.
+int turns_needed(const soccer::ServerParams& server, const soccer::PlayerType& type,
+                 const PlayerState& player, Vec2 offset, double control) {
+  if (player.body_count > player.pos_count + 1) return 0;  // unknown body: assume the best case
+  const double distance = offset.length();
+  if (distance <= control) return 0;
+  const double slack = math::to_degrees(math::asin(control / distance));
+  double missing = (soccer::AngleDeg::of(offset) - player.body).abs();
+  double speed = player.velocity.length();
+  int turns = 0;
+  while (missing > slack && turns < 5) {
+    missing -= server.maxmoment / (1.0 + type.inertia_moment * speed);
+    speed *= type.player_decay;
+    ++turns;
+  }
+  return turns;
+}
+
+bool table_is_empty(const WorldModel& world) {
+  if (world.sideline) return !world.ball.position_valid();
+  return world.game.mode == PlayMode::kBeforeKickOff || world.game.mode == PlayMode::kTimeOver ||
+         !world.self.position_valid() || !world.ball.position_valid();
+}
+
+/// How far players of a type run with full dashes.
+struct FullRun {
+  const soccer::PlayerType* type = nullptr;
+  double top_speed = 0.0;
+  std::array<double, kInterceptHorizon + 1> distance{};  ///< from rest, by number of dashes
+  std::array<double, kInterceptHorizon + 1> drift{};     ///< per unit of initial velocity, by cycle
+};
+
+FullRun full_run(const soccer::ServerParams& server, const soccer::PlayerType& type) {
+  FullRun run;
+  run.type = &type;
+  const double push = server.max_dash_power * type.dash_power_rate * type.effort_max;
+  run.top_speed = std::min(push / (1.0 - type.player_decay), type.player_speed_max);
+  double speed = 0.0;
+  double fading = 1.0;
+  for (std::size_t n = 1; n < run.distance.size(); ++n) {
+    speed = std::min(speed + push, type.player_speed_max);
+    run.distance[n] = run.distance[n - 1] + speed;
+    run.drift[n] = run.drift[n - 1] + fading;
+    speed *= type.player_decay;
+    fading *= type.player_decay;
+  }
+  return run;
+}
+
+/// Those of the types that are on the pitch, computed once.
+class FullRuns {
+ public:
+  explicit FullRuns(const soccer::ServerParams& server) : server_(server) {}
+
+  const FullRun& of(const soccer::PlayerType& type) {
+    for (const FullRun& run : runs_) {
+      if (run.type == &type) return run;
+    }
+    if (runs_.full()) runs_.clear();
+    runs_.push_back(full_run(server_, type));
+    return runs_.back();
+  }
+
+ private:
+  const soccer::ServerParams& server_;
+  FixedList<FullRun, 18> runs_;  // as many types as servers have
+};
+
+/// Cycles until another player can intercept the ball; kNever beyond the horizon. Assumes the best
+/// case for players not seen recently.
+int reach_steps(const WorldModel& world, const PlayerState& player, const BallPath& path,
+                FullRuns& runs) {
+  const soccer::ServerParams& server = world.server();
+  const soccer::PlayerType& type = world.type_of(player);
+  const FullRun& run = runs.of(type);
+  const double control = type.kickable_area(server.ball_size);
+  // It may have run in any direction since it was seen.
+  constexpr int kMaxCredit = 10;
+  const double credit = 0.5 * run.top_speed * std::min(player.pos_count, kMaxCredit);
+  const Vec2 velocity = player.velocity_valid() ? player.velocity : Vec2{};
+  for (int n = 0; n <= kInterceptHorizon; ++n) {
+    const auto i = static_cast<std::size_t>(n);
+    const Vec2 offset = path[i] - (player.position + velocity * run.drift[i]);
+    const double far = run.distance[i] + control + credit;
+    if (offset.squared_length() > far * far) continue;
+    const int dashes = n - turns_needed(server, type, player, offset, control);
+    const double distance = offset.length() - control - credit;
+    if (distance <= 0.0 ||
+        (dashes >= 0 && distance <= run.distance[static_cast<std::size_t>(dashes)])) {
+      return n;
+    }
+  }
+  return kNever;
+}
+
+struct Ranking {
+  int first = kNever;
+  int second = kNever;
+  int first_id = 0;
+  int second_id = 0;
+
+  void add(int steps, int id) {
+    if (steps < first) {
+      second = first;
+      second_id = first_id;
+      first = steps;
+      first_id = id;
+    } else if (steps < second) {
+      second = steps;
+      second_id = id;
+    }
+  }
+};
+
+Ranking rank(const WorldModel& world, PlayerList& players, int kicker_id, int oldest,
+             const BallPath& path, FullRuns& runs) {
+  Ranking ranking;
+  for (PlayerState& player : players) {
+    player.ball_reach_steps = kNever;
+    if (player.pos_count >= oldest || player.ghost()) continue;
+    player.ball_reach_steps = player.id == kicker_id ? 0 : reach_steps(world, player, path, runs);
+    if (player.ball_reach_steps < kNever) ranking.add(player.ball_reach_steps, player.id);
+  }
+  return ranking;
+}
+
+}  // namespace
+
+BallPath ball_path(const WorldModel& world) {
+  BallPath path;
+  Vec2 position = world.ball.position;
+  Vec2 velocity = world.ball.velocity_valid() ? world.ball.velocity : Vec2{};
+  const double decay = world.server().ball_decay;
+  for (Vec2& point : path) {
+    point = position;
+    position += velocity;
+    velocity *= decay;
+  }
+  return path;
+}
+
+void update_intercept_table(WorldModel& world) {
+  InterceptTable& table = world.intercept;
+  table.plans.clear();
+  Ranking teammates;
+  Ranking opponents;
+  if (table_is_empty(world)) {
+    table.self_steps = table.self_exhausting_steps = kNever;
+    for (PlayerList* list : {&world.teammates, &world.opponents}) {
+      for (PlayerState& player : *list) player.ball_reach_steps = kNever;
+    }
+  } else {
+    const BallPath path = ball_path(world);
+    if (!world.sideline) plan_self_intercept(world, path, table);
+    FullRuns runs(world.server());
+    opponents =
+        rank(world, world.opponents, world.kickable_opponent_id, kMaxOpponentAge, path, runs);
+    BallPath resting;
+    resting.fill(world.ball.position);
+    teammates = rank(world, world.teammates, world.kickable_teammate_id, kMaxTeammateAge,
+                     world.kickable_opponent() ? resting : path, runs);
+  }
+  table.first_teammate_steps = teammates.first;
+  table.second_teammate_steps = teammates.second;
+  table.first_teammate_id = teammates.first_id;
+  table.second_teammate_id = teammates.second_id;
+  table.first_opponent_steps = opponents.first;
+  table.second_opponent_steps = opponents.second;
+  table.first_opponent_id = opponents.first_id;
+  table.second_opponent_id = opponents.second_id;
+}
+
+}  // namespace cls::player

@@ -1,0 +1,225 @@
+// Neck actions.
+#include "player/looking/neck.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "player/looking/neck_search.h"
+#include "player/world/motion.h"
+#include "soccer/interval.h"
+#include "soccer/pitch.h"
+
+namespace cls::player {
+namespace {
+
+using soccer::AngleDeg;
+using soccer::Vec2;
+
+/// Margin in degrees inside the view cone for reliable visibility.
+constexpr double kEdge = 5.0;
+
+/// Sets the neck slot to `relative` degrees from the next body.
+bool aim(const WorldModel& world, CommandSlots& slots, double relative) {
+  return slots.turn_neck(relative - world.self.neck.degrees());
+}
+
+double half_view(const WorldModel& world, const CommandSlots& slots) {
+  return view_angle(world.server(), slots.next_view_width()) / 2.0;
+}
+
+/// Direction of a point in the next cycle, degrees relative to the next body.
+double relative_direction(const CommandSlots& slots, Vec2 point) {
+  return (AngleDeg::of(point - slots.next_position()) - slots.next_body()).degrees();
+}
+
+bool can_see(const WorldModel& world, const CommandSlots& slots, double relative, double edge) {
+  const double reach = half_view(world, slots) - edge;
+  return relative > world.server().minneckang - reach &&
+         relative < world.server().maxneckang + reach;
+}
+
+Vec2 next_position_of(const PlayerState& player) {
+  return player.velocity_valid() ? player.position + player.velocity : player.position;
+}
+
+/// Best scan direction that keeps `relative` at least `edge` degrees inside the view cone.
+bool aim_near(const WorldModel& world, const ViewMemory& view, CommandSlots& slots, double relative,
+              double edge) {
+  const double slack = std::max(0.0, half_view(world, slots) - edge);
+  const double low =
+      soccer::between(relative - slack, world.server().minneckang, world.server().maxneckang);
+  const double high =
+      soccer::between(relative + slack, world.server().minneckang, world.server().maxneckang);
+  const NeckSearch search(world, view, slots);
+  return aim(world, slots, search.best_field(low, high));
+}
+
+}  // namespace
+
+bool neck_scan_field(const WorldModel& world, const ViewMemory& view, CommandSlots& slots) {
+  const auto& server = world.server();
+  const NeckSearch search(world, view, slots);
+  const Vec2 here = slots.next_position();
+  const bool at_edge =
+      std::fabs(here.x) > soccer::kHalfLength - 5.0 || std::fabs(here.y) > soccer::kHalfWidth - 5.0;
+  if (at_edge && slots.next_view_width() == soccer::ViewWidth::kWide) {
+    const double inward = relative_direction(slots, {here.x * 0.3, 0.0});
+    return aim(world, slots, soccer::between(inward, server.minneckang, server.maxneckang));
+  }
+  if (search.knows_all_players()) {
+    return aim(world, slots, search.best_players(server.minneckang, server.maxneckang));
+  }
+  return aim(world, slots, search.best_field(server.minneckang, server.maxneckang));
+}
+
+bool neck_scan_players(const WorldModel& world, const ViewMemory& view, CommandSlots& slots) {
+  const NeckSearch search(world, view, slots);
+  if (!search.knows_all_players()) return neck_scan_field(world, view, slots);
+  return aim(world, slots,
+             search.best_players(world.server().minneckang, world.server().maxneckang));
+}
+
+bool neck_turn_to_ball(const WorldModel& world, const ViewMemory& view, CommandSlots& slots) {
+  const bool known = world.ball.position_valid() && world.ball.ghost_count == 0;
+  if (!known) return neck_scan_field(world, view, slots);
+  const double ball = relative_direction(slots, ball_after(world, 1));
+  if (!can_see(world, slots, ball, kEdge)) return neck_scan_field(world, view, slots);
+  if (world.intercept.first_opponent_steps <= 1) return aim(world, slots, ball);
+  constexpr double kBallEdge = 10.0;
+  constexpr double kDuelEdge = 20.0;
+  const bool duel = world.kickable_opponent() || world.intercept.first_opponent_steps <= 3;
+  return aim_near(world, view, slots, ball, duel ? kDuelEdge : kBallEdge);
+}
+
+bool neck_turn_to_ball_or_scan(const WorldModel& world, const ViewMemory& view, CommandSlots& slots,
+                               int count_threshold) {
+  if (world.ball.pos_count <= count_threshold) return neck_scan_field(world, view, slots);
+  const Vec2 ball = ball_after(world, 1);
+  const bool sensed = distance(ball, slots.next_position()) < world.server().visible_distance - 0.3;
+  if (count_threshold >= 0 && sensed && world.ball.position_valid() &&
+      world.intercept.first_opponent_steps > 1) {
+    return neck_scan_field(world, view, slots);
+  }
+  return neck_turn_to_ball(world, view, slots);
+}
+
+bool neck_turn_to_ball_and_player(const WorldModel& world, const ViewMemory& view,
+                                  CommandSlots& slots, const PlayerState* player,
+                                  int count_threshold) {
+  if (player == nullptr) return false;
+  if (player->seen_pos_count <= count_threshold || !world.ball.position_valid()) {
+    return neck_turn_to_ball(world, view, slots);
+  }
+  const double ball = relative_direction(slots, ball_after(world, 1));
+  const double other = relative_direction(slots, next_position_of(*player));
+  const double gap = soccer::math::normalize_degrees(other - ball);
+  const double middle = soccer::math::normalize_degrees(ball + gap / 2.0);
+  const double width = 2.0 * (half_view(world, slots) - kEdge);
+  const double neck = soccer::between(middle, world.server().minneckang, world.server().maxneckang);
+  const bool fits = std::fabs(gap) / 2.0 + std::fabs(middle - neck) <= width / 2.0;
+  return fits ? aim(world, slots, neck) : neck_turn_to_ball(world, view, slots);
+}
+
+bool neck_turn_to_player_or_scan(const WorldModel& world, const ViewMemory& view,
+                                 CommandSlots& slots, const PlayerState* player,
+                                 int count_threshold) {
+  if (player == nullptr) return false;
+  if (player->seen_pos_count <= count_threshold) return neck_scan_field(world, view, slots);
+  const double relative = relative_direction(slots, next_position_of(*player));
+  if (can_see(world, slots, relative, kEdge)) return aim(world, slots, relative);
+  return neck_turn_to_ball_or_scan(world, view, slots, 0);
+}
+
+bool neck_turn_to_goalie_or_scan(const WorldModel& world, const ViewMemory& view,
+                                 CommandSlots& slots, int count_threshold) {
+  const PlayerState* goalie =
+      world.their_goalie_unum > 0 ? world.opponent(world.their_goalie_unum) : nullptr;
+  if (goalie == nullptr || goalie->seen_pos_count <= count_threshold) {
+    return neck_turn_to_ball_or_scan(world, view, slots, 0);
+  }
+  const double relative = relative_direction(slots, next_position_of(*goalie));
+  if (!can_see(world, slots, relative, kEdge)) {
+    return neck_turn_to_ball_or_scan(world, view, slots, 0);
+  }
+  // Include the goal beside the goalie: shift toward the goal center.
+  const double goal = relative_direction(slots, {soccer::kHalfLength, 0.0});
+  const double lean = std::clamp(soccer::math::normalize_degrees(goal - relative), -10.0, 10.0);
+  return aim(world, slots, relative + lean);
+}
+
+bool neck_turn_to_low_conf_teammate(const WorldModel& world, const ViewMemory& view,
+                                    CommandSlots& slots) {
+  constexpr double kFar = 40.0;
+  const PlayerState* stalest = nullptr;
+  double direction = 0.0;
+  for (const PlayerState& teammate : world.teammates) {
+    if (teammate.ghost() || !teammate.position_valid() || teammate.dist_from_self > kFar) continue;
+    if (teammate.position.x < world.self.position.x || teammate.unum < 1) continue;
+    if (stalest != nullptr && teammate.seen_pos_count <= stalest->seen_pos_count) continue;
+    const double relative = relative_direction(slots, next_position_of(teammate));
+    if (!can_see(world, slots, relative, kEdge)) continue;
+    stalest = &teammate;
+    direction = relative;
+  }
+  if (stalest == nullptr || stalest->seen_pos_count == 0) {
+    return neck_turn_to_ball_or_scan(world, view, slots, 0);
+  }
+  return aim_near(world, view, slots, direction, 2.0 * kEdge);
+}
+
+bool neck_turn_to_point(const WorldModel& world, const ViewMemory& view, CommandSlots& slots,
+                        Vec2 point) {
+  const double relative = relative_direction(slots, point);
+  if (!can_see(world, slots, relative, kEdge)) return neck_scan_field(world, view, slots);
+  return aim(world, slots, relative);
+}
+
+bool neck_turn_to_relative(const WorldModel& world, CommandSlots& slots, double angle) {
+  return aim(world, slots, soccer::math::normalize_degrees(angle));
+}
+
+bool neck_offensive_intercept(const WorldModel& world, const ViewMemory& view,
+                              CommandSlots& slots) {
+  const InterceptTable& table = world.intercept;
+  if (world.kickable_opponent()) {
+    return neck_turn_to_ball_and_player(world, view, slots,
+                                        world.player_by_id(world.kickable_opponent_id), 0);
+  }
+  const Vec2 goal{soccer::kHalfLength, 0.0};
+  const bool near_goal = distance(first_reach_point(world), goal) < 20.0;
+  if (table.self_steps <= 1 && near_goal) {
+    return neck_turn_to_goalie_or_scan(world, view, slots, 0);
+  }
+  if (world.ball.pos_count > 0 || table.first_opponent_steps <= table.self_steps + 1) {
+    slots.change_view(soccer::ViewWidth::kNarrow);
+    return neck_turn_to_ball(world, view, slots);
+  }
+  if (table.self_steps > 4) {
+    slots.change_view(soccer::ViewWidth::kNormal);
+    return neck_turn_to_ball_or_scan(world, view, slots, 0);
+  }
+  return neck_turn_to_low_conf_teammate(world, view, slots);
+}
+
+bool execute_neck_plan(const NeckPlan& plan, const WorldModel& world, const ViewMemory& view,
+                       CommandSlots& slots) {
+  switch (plan.kind) {
+    case NeckPlan::Kind::kNone:
+      return false;
+    case NeckPlan::Kind::kBall:
+      return neck_turn_to_ball(world, view, slots);
+    case NeckPlan::Kind::kBallOrScan:
+      return neck_turn_to_ball_or_scan(world, view, slots, 0);
+    case NeckPlan::Kind::kScan:
+      return neck_scan_field(world, view, slots);
+    case NeckPlan::Kind::kPoint:
+      return neck_turn_to_point(world, view, slots, plan.point);
+    case NeckPlan::Kind::kGoalieOrScan:
+      return neck_turn_to_goalie_or_scan(world, view, slots, 0);
+    case NeckPlan::Kind::kOffensiveIntercept:
+      return neck_offensive_intercept(world, view, slots);
+  }
+  return false;
+}
+
+}  // namespace cls::player

@@ -1,0 +1,142 @@
+// Selects an intercept plan and executes its first command.
+#include "player/movement/intercept.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "player/movement/movement.h"
+#include "player/world/motion.h"
+#include "soccer/pitch.h"
+
+namespace cls::player {
+namespace {
+
+using soccer::AngleDeg;
+using soccer::Vec2;
+
+using Kind = InterceptPlan::Kind;
+
+bool outside_pitch(Vec2 point) {
+  constexpr double kInset = 1.0;
+  return std::fabs(point.x) > soccer::kHalfLength - kInset ||
+         std::fabs(point.y) > soccer::kHalfWidth - kInset;
+}
+
+/// Penalty for players who reach the ball before this plan; zero or negative.
+double race_score(const WorldModel& world, int steps) {
+  const InterceptTable& table = world.intercept;
+  const PlayerState* opponent = world.player_by_id(table.first_opponent_id);
+  const int age = opponent != nullptr ? std::min(5, opponent->pos_count) : 0;
+  const double ahead_of_opponent = table.first_opponent_steps - age - (steps + 3);
+  const double ahead_of_teammate = table.first_teammate_steps - (steps + 3);
+  return 5.0 * std::min(0.0, ahead_of_opponent) + 0.5 * std::min(0.0, ahead_of_teammate);
+}
+
+double turn_score(const WorldModel& world, const InterceptPlan& plan) {
+  if (plan.turns == 0) return 0.0;
+  const double turn = std::fabs(plan.turn_angle);
+  // helios penalizes turns less and oscillates between plans; prefer continuing without a turn
+  // unless the turn is clearly better.
+  double score = -0.4;
+  if (plan.ball_distance > kickable_area(world) - 0.3) score -= 0.025 * turn;
+  if (plan.kind == Kind::kTurnBackwardDash && turn > 90.0) score -= 0.1 * (turn - 90.0);
+  return score;
+}
+
+/// Penalty for a ball that will be slow: another player may intercept it earlier.
+double slow_ball_score(const WorldModel& world, const InterceptPlan& plan, Vec2 velocity) {
+  const AngleDeg run = AngleDeg::of(plan.self_position - world.self.position);
+  const double speed = velocity.length();
+  if (plan.dashes > 0 && speed > 1e-3 && (AngleDeg::of(velocity) - run).abs() < 15.0) {
+    const double fast = 0.8 * world.self_type().real_speed_max(world.server().max_dash_power);
+    return -20.0 * std::max(0.0, fast - speed);
+  }
+  const double missing = std::max(0.0, 0.55 - speed);
+  return -70.0 * missing * missing;
+}
+
+double plan_score(const WorldModel& world, const InterceptPlan& plan) {
+  const int steps = plan.steps();
+  const Vec2 ball = ball_after(world, steps);
+  if (outside_pitch(ball)) return -1000.0 - steps;
+  const double area = kickable_area(world);
+  const Vec2 velocity = world.ball.velocity * power_of(world.server().ball_decay, steps);
+  const double dx = ball.x - 44.0;
+  const double dy = ball.y / 2.0;
+  // Cost per cycle: an earlier intercept is worth more than one farther upfield.
+  constexpr double kStepCost = 0.35;
+  double score = -0.2 * std::sqrt(dx * dx + dy * dy) - kStepCost * steps +
+                 race_score(world, steps) + turn_score(world, plan) +
+                 slow_ball_score(world, plan, velocity);
+  const double moved = distance(plan.self_position, world.self.position);
+  score -= 0.3 * moved;
+  if (plan.ball_distance > area - 0.3) score -= 0.5 * moved;
+  if (plan.ball_distance > area - 0.4) score -= 3.0 * (plan.ball_distance - (area - 0.4)) + 0.5;
+  score += 1e-4 * (plan.stamina - world.self.stamina);
+  const double off_body = (world.ball.angle_from_self - world.self.body).abs();
+  if (world.kickable_opponent() && plan.kind != Kind::kTurnForwardDash && off_body > 40.0) {
+    score -= 100.0;
+  }
+  return score;
+}
+
+/// The goalie prefers an early and close intercept.
+double goalie_score(const WorldModel& world, const InterceptPlan& plan) {
+  const Vec2 ball = ball_after(world, plan.steps());
+  if (outside_pitch(ball)) return -1000.0 - plan.steps();
+  return race_score(world, plan.steps()) - plan.steps() - plan.ball_distance +
+         turn_score(world, plan);
+}
+
+const InterceptPlan* best_plan(const WorldModel& world, bool save_recovery) {
+  const InterceptPlan* best = nullptr;
+  double best_score = 0.0;
+  const bool own_area =
+      world.goalie && world.ball.position.x < -soccer::kHalfLength + soccer::kPenaltyAreaLength;
+  for (const InterceptPlan& plan : world.intercept.plans) {
+    if (save_recovery && plan.exhausting) continue;
+    const double score = own_area ? goalie_score(world, plan) : plan_score(world, plan);
+    if (best == nullptr || score > best_score) {
+      best = &plan;
+      best_score = score;
+    }
+  }
+  return best;
+}
+
+/// Waits for the ball facing `face_point`, or the ball if the neck could not follow it.
+bool wait_for_ball(const WorldModel& world, CommandSlots& slots, Vec2 face_point, int steps) {
+  const Vec2 here = self_after(world, steps);
+  const AngleDeg desired = AngleDeg::of(face_point - here);
+  const AngleDeg ball = AngleDeg::of(ball_after(world, 1) - self_after(world, 1));
+  const double in_sight = world.server().maxneckang + 25.0;
+  const AngleDeg body = (ball - desired).abs() < in_sight ? desired : ball;
+  return slots.turn((body - world.self.body).degrees());
+}
+
+}  // namespace
+
+bool intercept(const WorldModel& world, CommandSlots& slots, bool save_recovery, Vec2 face_point) {
+  const double area = kickable_area(world);
+  const InterceptPlan* plan = best_plan(world, save_recovery);
+  if (plan == nullptr || plan->steps() > 100) {
+    const Vec2 rest =
+        rest_point(world.ball.position, world.ball.velocity, world.server().ball_decay);
+    go_to_point(world, slots, rest, area - 0.2, world.server().max_dash_power);
+    return slots.has_body();
+  }
+  if (plan->dashes == 0 && plan->steps() <= 1) {
+    return wait_for_ball(world, slots, face_point, 1);
+  }
+  if (plan->turns > 0) return slots.turn(plan->turn_angle);
+  const double threshold = world.server().recover_dec_thr * world.server().stamina_max;
+  const bool tired = save_recovery && world.self.stamina - plan->dash_power < threshold;
+  const bool comes_by_itself =
+      distance(ball_after(world, plan->steps()), self_after(world, plan->steps())) < area - 0.3;
+  if (tired || comes_by_itself || plan->dashes == 0) {
+    return wait_for_ball(world, slots, face_point, plan->steps());
+  }
+  return slots.dash(plan->dash_power, plan->dash_direction);
+}
+
+}  // namespace cls::player

@@ -1,0 +1,275 @@
+// Executes planned actions.
+#include "player/planner/plan_execution.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "player/ball_skills/clear_ball.h"
+#include "player/ball_skills/hold_ball.h"
+#include "player/ball_skills/kick.h"
+#include "player/ball_skills/smart_kick.h"
+#include "player/movement/movement.h"
+#include "player/perception/say_message.h"
+#include "player/planner/field.h"
+#include "player/planner/outlet.h"
+#include "player/planner/search.h"
+#include "player/world/motion.h"
+#include "player/world/planner_parameters.h"
+#include "soccer/pitch.h"
+
+namespace cls::player {
+namespace {
+
+using soccer::AngleDeg;
+using soccer::PlayMode;
+using soccer::Vec2;
+
+const Vec2 kTheirGoal{soccer::kHalfLength, 0.0};
+
+void say_pass(ActionContext& c, const PlanAction& action) {
+  const Vec2 ball = c.world.ball.position;
+  const Vec2 velocity = soccer::with_length(action.target_point - ball, action.first_speed);
+  SayPass pass;
+  pass.receiver = action.target;
+  pass.point = action.target_point;
+  pass.ball = {ball + velocity, velocity * c.world.server().ball_decay};
+  std::string text;
+  if (append_say_message(pass, c.world.server(), text)) c.slots.say(text);
+}
+
+void look_at(ActionContext& c, int unum) {
+  const PlayerState* teammate = c.world.teammate(unum);
+  if (teammate != nullptr && teammate->pos_count > 0) {
+    c.neck = {NeckPlan::Kind::kPoint, teammate->position};
+  } else {
+    c.neck.kind = NeckPlan::Kind::kScan;
+  }
+}
+
+bool pass(ActionContext& c, const PlanAction& action) {
+  const WorldModel& world = c.world;
+  look_at(c, action.target);
+  const Vec2 target = action.target_point;
+  const Vec2 way = target - world.ball.position;
+  const Vec2 direction = way / std::max(1e-6, way.length());
+  const double max = world.server().ball_speed_max;
+  const bool at_once = world.game.mode != PlayMode::kPlayOn ||
+                       max_speed_along(world.ball.velocity, direction, kick_limit(world), max) >=
+                           action.first_speed - 1e-6;
+  const bool kicked = at_once ? kick_one_step(world, c.slots, target, action.first_speed, false)
+                              : smart_kick(world, c.slots, target, action.first_speed,
+                                           0.96 * action.first_speed, 3);
+  if (!kicked) return c.slots.has_body();
+  say_pass(c, action);
+  return true;
+}
+
+bool dribble(ActionContext& c, const PlanAction& action) {
+  const WorldModel& world = c.world;
+  const bool open =
+      world.game.mode == PlayMode::kPlayOn || soccer::is_penalty_mode(world.game.mode);
+  if (!open || !kick_to_velocity(world, c.slots, action.first_velocity)) return false;
+  Intention& intention = c.memory.intention;
+  intention.kind = Intention::Kind::kDribble;
+  intention.target = action.target_point;
+  intention.heading = world.self.body + action.turn;
+  intention.turns = action.turns;
+  intention.dash_power = world.server().max_dash_power;
+  intention.dashes = action.dashes;
+  intention.last = world.game.time;
+  constexpr double kNearGoal = 18.0;
+  c.neck.kind = distance(action.target_point, kTheirGoal) < kNearGoal
+                    ? NeckPlan::Kind::kGoalieOrScan
+                    : NeckPlan::Kind::kScan;
+  return true;
+}
+
+bool shoot_hard(ActionContext& c) {
+  const double max = c.world.server().ball_speed_max;
+  c.neck = {NeckPlan::Kind::kPoint, kTheirGoal};
+  if (c.world.game.mode == PlayMode::kPlayOn &&
+      smart_kick(c.world, c.slots, kTheirGoal, max, 0.96 * max, 3)) {
+    return true;
+  }
+  return kick_one_step(c.world, c.slots, kTheirGoal, max, true);
+}
+
+/// Widest gap between the posts as seen from the ball: target and free angle.
+struct Gap {
+  Vec2 target;
+  double degrees = 0.0;
+};
+
+Gap widest_gap(const WorldModel& world) {
+  constexpr int kTargets = 13;
+  const double half = world.server().goal_width / 2.0 - 0.7;
+  Gap best;
+  for (int i = 0; i < kTargets; ++i) {
+    const Vec2 target{soccer::kHalfLength, half * (2.0 * i / (kTargets - 1) - 1.0)};
+    const Vec2 way = target - world.ball.position;
+    const AngleDeg direction = AngleDeg::of(way);
+    double gap = 90.0;
+    for (const PlayerState& opponent : world.opponents) {
+      if (opponent.pos_count > 10 || opponent.dist_from_ball > way.length()) continue;
+      const double width = soccer::math::to_degrees(
+          soccer::math::atan2(opponent.goalie ? 1.2 : 0.8, std::max(0.3, opponent.dist_from_ball)));
+      gap = std::min(gap, (opponent.angle_from_ball - direction).abs() - width);
+    }
+    if (gap > best.degrees) best = {target, gap};
+  }
+  return best;
+}
+
+/// Near their goal without a better action: shoots into the widest gap.
+bool shoot_into_gap(ActionContext& c) {
+  const WorldModel& world = c.world;
+  const PlannerParameters& parameters = *world.planner;
+  if (distance(world.ball.position, kTheirGoal) > parameters.late_shot_range) return false;
+  const bool pressed = world.intercept.first_opponent_steps <= 2;
+  const Gap gap = widest_gap(world);
+  if (gap.degrees < (pressed ? parameters.late_shot_gap_pressed : parameters.late_shot_gap)) {
+    return false;
+  }
+  const double max = world.server().ball_speed_max;
+  c.neck = {NeckPlan::Kind::kPoint, gap.target};
+  if (!pressed && smart_kick(world, c.slots, gap.target, max, 0.9 * max, 2)) return true;
+  return kick_one_step(world, c.slots, gap.target, max, true);
+}
+
+/// Free space of a hard pass: lateral distance of the nearest opponent in meters, reduced with its
+/// distance along the lane because it has time to approach.
+double lane_room(const WorldModel& world, Vec2 target) {
+  const Vec2 way = target - world.ball.position;
+  const double length = way.length();
+  double room = 10.0;
+  for (const PlayerState& opponent : world.opponents) {
+    if (opponent.pos_count > 10 || opponent.ghost()) continue;
+    const Vec2 relative = opponent.position - world.ball.position;
+    const double along = dot(relative, way) / length;
+    if (along < 0.3 || along > length + 1.0) continue;
+    const double beside = std::fabs(cross(way, relative)) / length;
+    room = std::min(room, beside - 0.12 * along);
+  }
+  return room;
+}
+
+/// True if an opponent may tackle.
+bool is_pressed(const WorldModel& world) {
+  const double close = world.planner->lay_off_pressure;
+  return std::any_of(world.opponents.begin(), world.opponents.end(), [&](const auto& opponent) {
+    return opponent.dist_from_ball < close && opponent.pos_count <= 3 && !opponent.ghost() &&
+           !opponent.tackling;
+  });
+}
+
+/// Under pressure, or after holding for long: the pass with the most free space.
+bool lay_off(ActionContext& c) {
+  const WorldModel& world = c.world;
+  const int since = c.memory.ball_since;
+  const bool long_held =
+      since >= 0 && world.game.time.cycle - since >= world.planner->lay_off_cycles;
+  if (!long_held && !is_pressed(world)) return false;
+  const PlayerState* best = nullptr;
+  double best_room = world.planner->lay_off_room;
+  for (const PlayerState& teammate : world.teammates) {
+    if (teammate.pos_count > 8 || teammate.ghost() || teammate.goalie ||
+        teammate.position.x < -25.0)
+      continue;
+    if (teammate.dist_from_ball < 4.0 || teammate.dist_from_ball > 30.0) continue;
+    if (teammate.position.x > world.lines.offside) continue;
+    const double room = lane_room(world, teammate.position);
+    if (room > best_room) {
+      best_room = room;
+      best = &teammate;
+    }
+  }
+  if (best == nullptr) return false;
+  PlanAction action;
+  action.target = best->unum;
+  action.target_point = best->position;
+  constexpr double kArrival = 1.3;
+  action.first_speed =
+      std::min(world.server().ball_speed_max,
+               kArrival + best->dist_from_ball * (1.0 - world.server().ball_decay));
+  return pass(c, action);
+}
+
+bool hold(ActionContext& c) {
+  if (c.world.game.mode != PlayMode::kPlayOn) return false;
+  if (shoot_into_gap(c) || lay_off(c)) return true;
+  c.neck.kind = NeckPlan::Kind::kScan;
+  const Vec2 here = c.world.self.position;
+  const bool in_own_goal_mouth = here.x < -44.5 && std::fabs(here.y) < 8.0;
+  if (in_own_goal_mouth) return clear_ball(c.world, c.slots);
+  return hold_ball(c.world, c.slots, false, {});
+}
+
+}  // namespace
+
+bool execute_plan(ActionContext& c, const Plan& plan, int node) {
+  if (!c.world.self.kickable || plan.empty()) return false;
+  const PlanAction& action = plan.nodes[static_cast<std::size_t>(plan.first_of(node))].action;
+  switch (action.category) {
+    case PlanCategory::kPass:
+      return pass(c, action);
+    case PlanCategory::kDribble:
+      return dribble(c, action);
+    case PlanCategory::kShoot:
+      return shoot_hard(c);
+    default:
+      return hold(c);
+  }
+}
+
+bool execute_plan_or_hold(ActionContext& c, const Plan& plan, int node) {
+  if (execute_plan(c, plan, node)) return true;
+  c.neck.kind = NeckPlan::Kind::kScan;
+  return hold_ball(c.world, c.slots, false, {});
+}
+
+const Plan& plan_of_decision(ActionContext& c, const PlannerOptions& options,
+                             const NodeValue& value) {
+  if (c.choice.plan.empty()) {
+    const int held = c.memory.ball_since < 0 ? 0 : c.world.game.time.cycle - c.memory.ball_since;
+    const PlannerField field(c.world, held);
+    c.choice.plan = make_plan(field, options, value);
+  }
+  return c.choice.plan;
+}
+
+bool kick_outlet(ActionContext& c) {
+  const WorldModel& world = c.world;
+  if (!world.self.kickable) return false;
+  const PlannerField field(world);
+  const std::optional<Outlet> outlet = best_outlet(field);
+  if (!outlet) return clear_ball(world, c.slots);
+  c.neck.kind = NeckPlan::Kind::kScan;
+  return kick_one_step(world, c.slots, outlet->target, outlet->speed, true);
+}
+
+bool kick_out_of_danger(ActionContext& c) {
+  const WorldModel& world = c.world;
+  const PlannerParameters& parameters = *world.planner;
+  const Vec2 our_goal{-soccer::kHalfLength, 0.0};
+  if (world.game.mode != PlayMode::kPlayOn ||
+      distance(world.ball.position, our_goal) > parameters.outlet_range) {
+    return false;
+  }
+  constexpr int kMaxAge = 10;
+  const bool pressed =
+      std::any_of(world.opponents.begin(), world.opponents.end(), [&](const PlayerState& opponent) {
+        return opponent.dist_from_ball < parameters.outlet_pressure && !opponent.ghost() &&
+               opponent.pos_count <= kMaxAge;
+      });
+  return pressed && kick_outlet(c);
+}
+
+bool execute_default_plan(ActionContext& c) {
+  if (!c.world.self.kickable) return false;
+  if (kick_out_of_danger(c)) return true;
+  const PlannerField field(c.world);
+  const Plan plan = make_plan(field, PlannerOptions{});
+  return execute_plan(c, plan, plan.best);
+}
+
+}  // namespace cls::player

@@ -1,0 +1,200 @@
+// Intercept prediction: every plan is executed by the rules of motion and must end at the ball.
+#include "player/estimates/intercept.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "player/perception/perception.h"
+#include "player/world/motion.h"
+#include "soccer/math.h"
+#include "soccer/random.h"
+
+namespace cls::player {
+namespace {
+
+namespace math = soccer::math;
+using soccer::Side;
+using soccer::Vec2;
+
+/// A world model as if every object had just been seen.
+WorldModel known_world() {
+  WorldModel world;
+  on_init(world, {Side::kLeft, 7, soccer::PlayMode::kPlayOn}, "Us", false);
+  world.self.pos_count = world.self.vel_count = world.self.body_count = 0;
+  world.self.stamina = 8000.0;
+  world.self.capacity = 130600.0;
+  world.ball.pos_count = world.ball.seen_pos_count = world.ball.vel_count = 0;
+  world.ball.relative_pos_count = 0;
+  return world;
+}
+
+PlayerState player(Side side, int unum, Vec2 position) {
+  PlayerState out;
+  static int id = 0;
+  out.id = ++id;
+  out.side = side;
+  out.unum = unum;
+  out.position = position;
+  out.pos_count = out.seen_pos_count = out.vel_count = 0;
+  return out;
+}
+
+/// Executes a plan without noise (docs/spec/simulation-model.md 4.2, 4.3 and 3.1); returns the
+/// final distance to the ball.
+double distance_after(const WorldModel& world, const InterceptPlan& plan) {
+  const soccer::ServerParams server;
+  const soccer::PlayerType& type = world.self_type();
+  Vec2 position = world.self.position;
+  Vec2 velocity = world.self.velocity;
+  double body = world.self.body.degrees();
+  double missing = plan.turn_angle;
+  for (int i = 0; i < plan.turns; ++i) {
+    const double most = 180.0 / (1.0 + type.inertia_moment * velocity.length());
+    const double turned = std::clamp(missing, -most, most);
+    body += turned;
+    missing -= turned;
+    position += velocity;
+    velocity *= type.player_decay;
+  }
+  const Vec2 ball =
+      ball_after(world.ball.position, world.ball.velocity, plan.steps(), server.ball_decay);
+  for (int i = 0; i < plan.dashes; ++i) {
+    const Vec2 left = ball - position;
+    const Vec2 heading = soccer::polar_degrees(1.0, body + plan.dash_direction);
+    const double d = std::fabs(plan.dash_direction);
+    const double rate =
+        d > 90.0 ? 0.7 - 0.3 * (1.0 - (d - 90.0) / 90.0) : 0.4 + 0.6 * (1.0 - d / 90.0);
+    if (soccer::dot(left, heading) > 0.0 || plan.kind == InterceptPlan::Kind::kOmniDash) {
+      velocity += heading * (plan.dash_power * type.dash_power_rate * rate);
+      velocity = velocity.length() > type.player_speed_max
+                     ? soccer::with_length(velocity, type.player_speed_max)
+                     : velocity;
+    }
+    position += velocity;
+    velocity *= type.player_decay;
+  }
+  return soccer::distance(position, ball);
+}
+
+TEST(SelfIntercept, PlansEndAtBall) {
+  soccer::RandomStream random(4, "plans");
+  int plans = 0;
+  int hopeless = 0;
+  for (int i = 0; i < 200; ++i) {
+    WorldModel world = known_world();
+    world.self.position = {random.uniform(-30.0, 30.0), random.uniform(-20.0, 20.0)};
+    world.self.body = soccer::AngleDeg(random.uniform(-180.0, 180.0));
+    world.self.velocity = soccer::polar(random.uniform(0.0, 0.4), world.self.body);
+    world.ball.position = world.self.position + soccer::polar_degrees(random.uniform(1.5, 20.0),
+                                                                      random.uniform(-180, 180.0));
+    world.ball.velocity =
+        soccer::polar_degrees(random.uniform(0.0, 2.0), random.uniform(-180.0, 180.0));
+    update_derived(world);
+    const InterceptTable& table = world.intercept;
+    if (table.plans.empty()) {  // the ball is too fast
+      EXPECT_EQ(table.self_steps, kNever);
+      ++hopeless;
+      continue;
+    }
+    EXPECT_EQ(table.self_steps, table.plans[0].steps());
+    const double area = world.self_type().kickable_area(0.085);
+    for (const InterceptPlan& plan : table.plans) {
+      EXPECT_LE(plan.ball_distance, area) << i;
+      EXPECT_NEAR(distance_after(world, plan), plan.ball_distance, 0.02) << i;
+      ++plans;
+    }
+  }
+  EXPECT_GT(plans, 1000);
+  EXPECT_LT(hopeless, 10);
+}
+
+TEST(SelfIntercept, IsZeroStepsWhenKickable) {
+  WorldModel world = known_world();
+  world.ball.position = {0.5, 0.0};
+  update_derived(world);
+  EXPECT_TRUE(world.self.kickable);
+  EXPECT_EQ(world.intercept.self_steps, 0);
+  EXPECT_TRUE(world.intercept.plans.empty());
+}
+
+TEST(SelfIntercept, CountsTurnAsCycle) {
+  WorldModel ahead = known_world();
+  ahead.ball.position = {8.0, 0.0};
+  update_derived(ahead);
+  WorldModel aside = ahead;
+  aside.ball.position = {0.0, 8.0};
+  update_derived(aside);
+  EXPECT_EQ(aside.intercept.self_steps, ahead.intercept.self_steps + 1);
+  EXPECT_EQ(ahead.intercept.plans[0].kind, InterceptPlan::Kind::kOmniDash);
+  EXPECT_EQ(aside.intercept.plans[0].kind, InterceptPlan::Kind::kTurnForwardDash);
+  EXPECT_NEAR(aside.intercept.plans[0].turn_angle, 90.0, 1e-9);
+}
+
+TEST(SelfIntercept, DistinguishesExhaustingPlans) {
+  WorldModel world = known_world();
+  world.ball.position = {15.0, 0.0};
+  world.self.stamina = 2500.0;  // the threshold is 2400
+  update_derived(world);
+  EXPECT_EQ(world.intercept.self_steps, kNever);
+  EXPECT_LT(world.intercept.self_exhausting_steps, 30);
+  EXPECT_EQ(world.intercept.best_self_steps(), world.intercept.self_exhausting_steps);
+}
+
+TEST(InterceptTable, RanksTeammatesAndOpponents) {
+  WorldModel world = known_world();
+  world.self.position = {-30.0, 0.0};
+  world.ball.position = {0.0, 0.0};
+  world.teammates.push_back(player(Side::kLeft, 2, {-10.0, 0.0}));
+  world.teammates.push_back(player(Side::kLeft, 3, {5.0, 0.0}));
+  world.teammates.push_back(player(Side::kLeft, 4, {20.0, 0.0}));
+  world.opponents.push_back(player(Side::kRight, 5, {0.0, 0.5}));
+  world.opponents.push_back(player(Side::kRight, 6, {0.0, 25.0}));
+  update_derived(world);
+  const InterceptTable& table = world.intercept;
+  EXPECT_EQ(table.first_teammate_id, world.teammates[1].id);
+  EXPECT_EQ(table.second_teammate_id, world.teammates[0].id);
+  EXPECT_LT(table.first_teammate_steps, table.second_teammate_steps);
+  // 5 m to run less the kickable area 1.085: four full dashes from rest carry 3.12 m, five 4.09 m.
+  EXPECT_EQ(table.first_teammate_steps, 5);
+  EXPECT_EQ(table.first_opponent_steps, 0);
+  EXPECT_EQ(table.first_opponent_id, world.opponents[0].id);
+  EXPECT_TRUE(world.kickable_opponent());
+  EXPECT_FALSE(world.kickable_teammate());
+  EXPECT_EQ(world.teammates[1].ball_reach_steps, 5);
+}
+
+TEST(InterceptTable, IgnoresOldPositionsAndIsEmptyBeforeKickOff) {
+  WorldModel world = known_world();
+  world.ball.position = {0.0, 0.0};
+  world.self.position = {-30.0, 0.0};
+  world.teammates.push_back(player(Side::kLeft, 2, {-10.0, 0.0}));
+  world.teammates[0].pos_count = 10;
+  world.opponents.push_back(player(Side::kRight, 5, {4.0, 0.0}));
+  world.opponents[0].pos_count = 14;
+  update_derived(world);
+  EXPECT_EQ(world.intercept.first_teammate_steps, kNever);
+  EXPECT_EQ(world.teammates[0].ball_reach_steps, kNever);
+  EXPECT_LT(world.intercept.first_opponent_steps, kNever);
+  world.game.mode = soccer::PlayMode::kBeforeKickOff;
+  update_derived(world);
+  EXPECT_EQ(world.intercept.self_steps, kNever);
+  EXPECT_EQ(world.intercept.first_opponent_steps, kNever);
+  EXPECT_EQ(world.intercept.first_opponent_id, 0);
+}
+
+TEST(InterceptTable, ChasingTakesLongerThanMeetingBall) {
+  WorldModel world = known_world();
+  world.self.position = {-40.0, 0.0};
+  world.ball.position = {0.0, 0.0};
+  world.ball.velocity = {1.5, 0.0};
+  world.opponents.push_back(player(Side::kRight, 5, {-5.0, 0.0}));
+  world.opponents.push_back(player(Side::kRight, 6, {10.0, 1.0}));
+  update_derived(world);
+  EXPECT_LT(world.opponents[1].ball_reach_steps, 8);
+  EXPECT_GT(world.opponents[0].ball_reach_steps, 15);
+}
+
+}  // namespace
+}  // namespace cls::player
