@@ -283,12 +283,12 @@ struct MatchAgent {
       : world(player.senses.world), memory(player.memory) {}
 
   std::vector<soccer::PlayerCommand> decide(const mock_server::Behavior& behavior) {
-    fill_state(world, home_positions(world), needs_preprocess(world), state);
+    proxy::fill_state(world, home_positions(world), needs_preprocess(world), state);
     protos::PlayerActions actions;
     behavior.decide(state, actions);
     player::CommandSlots slots(world);
     player::ActionReport report;
-    execute(actions, world, memory, slots, report);
+    proxy::execute(actions, world, memory, slots, report);
     std::vector<soccer::PlayerCommand> commands;
     slots.compose(commands);
     record_sent_commands(world, commands);

@@ -9,6 +9,7 @@
 
 #include "player/behaviors/automatic_play.h"
 #include "proxy/actions/action_handlers.h"
+#include "proxy/connection/action_names.h"
 #include "tests/proxy/support/known_pitch.h"
 
 namespace cls::proxy {

@@ -387,7 +387,7 @@ TEST(HeliosCommunication, SaysVisibleBallAndPlayers) {
   pitch.act([](PlayerActions& reply) { reply.add_actions()->mutable_helios_communication(); });
   ASSERT_NE(pitch.sent<soccer::Say>(), nullptr);
   std::string_view text = pitch.sent<soccer::Say>()->text;
-  const auto message = parse_say_message(text, pitch.world.server());
+  const auto message = player::parse_say_message(text, pitch.world.server());
   ASSERT_TRUE(message);
   const auto* said = std::get_if<player::SayBallPlayer>(&*message);
   ASSERT_NE(said, nullptr);

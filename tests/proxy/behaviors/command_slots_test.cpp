@@ -28,14 +28,14 @@ std::string text_of(const player::CommandSlots& slots, bool done = false) {
   return text;
 }
 
-TEST(player::CommandSlots, SendsTurnZeroWithoutBodyCommand) {
+TEST(CommandSlots, SendsTurnZeroWithoutBodyCommand) {
   KnownPitch pitch;
   EXPECT_EQ(text_of(player::CommandSlots(pitch.world)), "(turn 0)");
   pitch.world.self.tackle_expires_in = 3;
   EXPECT_EQ(text_of(player::CommandSlots(pitch.world)), "");
 }
 
-TEST(player::CommandSlots, ComposesInWireOrder) {
+TEST(CommandSlots, ComposesInWireOrder) {
   KnownPitch pitch;
   player::CommandSlots slots(pitch.world);
   EXPECT_TRUE(slots.say("abc"));
@@ -50,7 +50,7 @@ TEST(player::CommandSlots, ComposesInWireOrder) {
             "(attentionto our 5)(done)(say \"abc\")");
 }
 
-TEST(player::CommandSlots, ClampsDashToServerLimitsAndStamina) {
+TEST(CommandSlots, ClampsDashToServerLimitsAndStamina) {
   KnownPitch pitch;
   player::CommandSlots slots(pitch.world);
   EXPECT_TRUE(slots.dash(150.0, 33.4));
@@ -62,7 +62,7 @@ TEST(player::CommandSlots, ClampsDashToServerLimitsAndStamina) {
   EXPECT_EQ(text_of(slots), "(dash 53)");
 }
 
-TEST(player::CommandSlots, CompensatesTurnForInertia) {
+TEST(CommandSlots, CompensatesTurnForInertia) {
   KnownPitch pitch;
   pitch.place_self({}, 0.0, {0.3, 0.4});
   player::CommandSlots slots(pitch.world);
@@ -73,7 +73,7 @@ TEST(player::CommandSlots, CompensatesTurnForInertia) {
   EXPECT_EQ(text_of(slots), "(turn 180)");
 }
 
-TEST(player::CommandSlots, RejectsBodyCommandsWhileFrozen) {
+TEST(CommandSlots, RejectsBodyCommandsWhileFrozen) {
   KnownPitch pitch;
   pitch.place_ball({0.6, 0.0});
   pitch.world.self.foul_charged = 2;
@@ -87,7 +87,7 @@ TEST(player::CommandSlots, RejectsBodyCommandsWhileFrozen) {
   EXPECT_FALSE(slots.has_body());
 }
 
-TEST(player::CommandSlots, RejectsKickWithoutKickableBall) {
+TEST(CommandSlots, RejectsKickWithoutKickableBall) {
   KnownPitch pitch;
   player::CommandSlots slots(pitch.world);
   EXPECT_FALSE(slots.kick(50.0, 0.0));
@@ -98,7 +98,7 @@ TEST(player::CommandSlots, RejectsKickWithoutKickableBall) {
   EXPECT_EQ(text_of(slots), "(kick 0 0)");
 }
 
-TEST(player::CommandSlots, AimsFarCornerOfCatchAreaAtBall) {
+TEST(CommandSlots, AimsFarCornerOfCatchAreaAtBall) {
   KnownPitch pitch;
   pitch.world.unum = 1;
   pitch.place_ball({0.0, 1.2});
@@ -112,7 +112,7 @@ TEST(player::CommandSlots, AimsFarCornerOfCatchAreaAtBall) {
   EXPECT_FALSE(player::CommandSlots(pitch.world).catch_ball());
 }
 
-TEST(player::CommandSlots, AcceptsMoveBeforeKickOffAndAfterCatch) {
+TEST(CommandSlots, AcceptsMoveBeforeKickOffAndAfterCatch) {
   KnownPitch pitch;
   player::CommandSlots slots(pitch.world);
   EXPECT_FALSE(slots.move({-10.0, 0.0}));
@@ -127,7 +127,7 @@ TEST(player::CommandSlots, AcceptsMoveBeforeKickOffAndAfterCatch) {
   EXPECT_EQ(text_of(slots), "(move -37 19.16)");
 }
 
-TEST(player::CommandSlots, ClampsNeckToRange) {
+TEST(CommandSlots, ClampsNeckToRange) {
   KnownPitch pitch;
   pitch.set_neck(60.0);
   player::CommandSlots slots(pitch.world);
@@ -137,7 +137,7 @@ TEST(player::CommandSlots, ClampsNeckToRange) {
   EXPECT_DOUBLE_EQ(slots.next_neck(), -90.0);
 }
 
-TEST(player::CommandSlots, ChangesViewOnlyToDifferentWidth) {
+TEST(CommandSlots, ChangesViewOnlyToDifferentWidth) {
   KnownPitch pitch;
   player::CommandSlots slots(pitch.world);
   EXPECT_FALSE(slots.change_view(soccer::ViewWidth::kNarrow));
@@ -147,7 +147,7 @@ TEST(player::CommandSlots, ChangesViewOnlyToDifferentWidth) {
   EXPECT_EQ(slots.next_view_width(), soccer::ViewWidth::kNormal);
 }
 
-TEST(player::CommandSlots, ClampsFocusToRangeAndViewCone) {
+TEST(CommandSlots, ClampsFocusToRangeAndViewCone) {
   KnownPitch pitch;
   pitch.set_focus(30.0, 0.0);
   player::CommandSlots slots(pitch.world);
@@ -155,7 +155,7 @@ TEST(player::CommandSlots, ClampsFocusToRangeAndViewCone) {
   EXPECT_EQ(text_of(slots), "(turn 0)(change_focus 10 -30)");
 }
 
-TEST(player::CommandSlots, RejectsPointToWhileArmIsImmovable) {
+TEST(CommandSlots, RejectsPointToWhileArmIsImmovable) {
   KnownPitch pitch;
   pitch.place_self({1.0, 0.0}, 90.0);
   player::CommandSlots slots(pitch.world);
@@ -168,7 +168,7 @@ TEST(player::CommandSlots, RejectsPointToWhileArmIsImmovable) {
   EXPECT_FALSE(slots.point_to_off());
 }
 
-TEST(player::CommandSlots, RejectsAttentionToSelfAndInvalidPlayers) {
+TEST(CommandSlots, RejectsAttentionToSelfAndInvalidPlayers) {
   KnownPitch pitch;
   player::CommandSlots slots(pitch.world);
   EXPECT_FALSE(slots.attention_to(Side::kLeft, 7));
@@ -180,7 +180,7 @@ TEST(player::CommandSlots, RejectsAttentionToSelfAndInvalidPlayers) {
   EXPECT_EQ(text_of(slots), "(turn 0)(attentionto off)");
 }
 
-TEST(player::CommandSlots, RejectsSayTextThatDoesNotFit) {
+TEST(CommandSlots, RejectsSayTextThatDoesNotFit) {
   KnownPitch pitch;
   player::CommandSlots slots(pitch.world);
   EXPECT_TRUE(slots.say("b12345"));
@@ -191,7 +191,7 @@ TEST(player::CommandSlots, RejectsSayTextThatDoesNotFit) {
 }
 
 // Of finite arguments, on a pitch that a faulty server has described.
-TEST(player::CommandSlots, SendsNoInfiniteNumber) {
+TEST(CommandSlots, SendsNoInfiniteNumber) {
   KnownPitch pitch;
   player::CommandSlots slots(pitch.world);
   EXPECT_FALSE(slots.point_to({1e306, 0.0}));
@@ -202,7 +202,7 @@ TEST(player::CommandSlots, SendsNoInfiniteNumber) {
   EXPECT_EQ(text_of(slots), "(turn 0)");
 }
 
-TEST(player::CommandSlots, RejectsNaN) {
+TEST(CommandSlots, RejectsNaN) {
   KnownPitch pitch;
   pitch.place_ball({0.6, 0.0});
   pitch.set_mode(PlayMode::kBeforeKickOff);

@@ -30,10 +30,10 @@ void set(KnownPitch& pitch, std::string_view name, double value) {
   pitch.world.planner = std::move(parameters);
 }
 
-TEST(player::PlannerParameters, HaveDistinctNamesAndDefaultsWithinTheirRange) {
+TEST(PlannerParameters, HaveDistinctNamesAndDefaultsWithinTheirRange) {
   const player::PlannerParameters defaults;
   std::set<std::string_view> names;
-  for (const player::PlannerParameter& row : planner_parameter_table()) {
+  for (const player::PlannerParameter& row : player::planner_parameter_table()) {
     EXPECT_TRUE(names.insert(row.name).second) << row.name;
     EXPECT_GE(value_of(defaults, row), row.low) << row.name;
     EXPECT_LE(value_of(defaults, row), row.high) << row.name;
@@ -41,11 +41,11 @@ TEST(player::PlannerParameters, HaveDistinctNamesAndDefaultsWithinTheirRange) {
   }
 }
 
-TEST(player::PlannerParameters, SetsOnlyTheNamedOne) {
-  for (const player::PlannerParameter& row : planner_parameter_table()) {
+TEST(PlannerParameters, SetsOnlyTheNamedOne) {
+  for (const player::PlannerParameter& row : player::planner_parameter_table()) {
     player::PlannerParameters parameters;
     ASSERT_TRUE(set_planner_parameter(parameters, row.name, row.high)) << row.name;
-    for (const player::PlannerParameter& other : planner_parameter_table()) {
+    for (const player::PlannerParameter& other : player::planner_parameter_table()) {
       const double expected =
           other.name == row.name ? row.high : value_of(player::PlannerParameters(), other);
       EXPECT_EQ(value_of(parameters, other), expected) << row.name << " and " << other.name;
@@ -53,7 +53,7 @@ TEST(player::PlannerParameters, SetsOnlyTheNamedOne) {
   }
 }
 
-TEST(player::PlannerParameters, RefusesWrongNamesAndValues) {
+TEST(PlannerParameters, RefusesWrongNamesAndValues) {
   player::PlannerParameters parameters;
   const auto error = [&](std::string_view name, double value) {
     const auto set = set_planner_parameter(parameters, name, value);
@@ -68,7 +68,7 @@ TEST(player::PlannerParameters, RefusesWrongNamesAndValues) {
   EXPECT_EQ(error("x_weight", 10.0), "accepted") << "bounds are allowed";
 }
 
-TEST(player::PlannerParameters, ChangeTheValueOfStates) {
+TEST(PlannerParameters, ChangeTheValueOfStates) {
   KnownPitch pitch;
   pitch.place_ball({0.6, 0.0});
   pitch.add_opponent(4, {11.0, 0.0});
@@ -101,7 +101,7 @@ TEST(player::PlannerParameters, ChangeTheValueOfStates) {
   EXPECT_NEAR(value() - held, -10.0, 1e-9);
 }
 
-TEST(player::PlannerParameters, ChangeWhichPassesAreGenerated) {
+TEST(PlannerParameters, ChangeWhichPassesAreGenerated) {
   KnownPitch pitch;
   pitch.place_ball({0.6, 0.0});
   pitch.add_opponent(1, {50.0, 0.0});
@@ -122,7 +122,7 @@ TEST(player::PlannerParameters, ChangeWhichPassesAreGenerated) {
   EXPECT_EQ(passes(), 0U);
 }
 
-TEST(player::PlannerParameters, ChangeWhenTheBallIsLaidOff) {
+TEST(PlannerParameters, ChangeWhenTheBallIsLaidOff) {
   KnownPitch pitch;
   pitch.place_ball({0.6, 0.0});
   pitch.add_teammate(5, {-8.0, 14.0});
@@ -145,7 +145,7 @@ TEST(player::PlannerParameters, ChangeWhenTheBallIsLaidOff) {
   EXPECT_FALSE(lays_off());
 }
 
-TEST(player::PlannerParameters, ChangeOutlets) {
+TEST(PlannerParameters, ChangeOutlets) {
   KnownPitch pitch;
   pitch.place_self({-45.0, 0.0});
   pitch.place_ball({-44.5, 0.0});
@@ -156,7 +156,7 @@ TEST(player::PlannerParameters, ChangeOutlets) {
   EXPECT_FALSE(best_outlet(player::PlannerField(pitch.world))->teammate_first);
 }
 
-TEST(player::PlannerParameters, ShiftHomePositionsOfFieldPlayers) {
+TEST(PlannerParameters, ShiftHomePositionsOfFieldPlayers) {
   KnownPitch pitch;
   pitch.place_ball({0.0, 0.0});
   pitch.add_opponent(1, {50.0, 0.0});
@@ -173,7 +173,7 @@ TEST(player::PlannerParameters, ShiftHomePositionsOfFieldPlayers) {
   }
 }
 
-TEST(player::PlannerParameters, ChangeWhoIsMarked) {
+TEST(PlannerParameters, ChangeWhoIsMarked) {
   KnownPitch pitch;
   pitch.place_ball({-20.0, 25.0});
   pitch.add_opponent(8, {-20.3, 25.0});
@@ -207,7 +207,7 @@ void set_stamina_share(KnownPitch& pitch, double share) {
   pitch.world.self.capacity = share * even - pitch.world.self.stamina;
 }
 
-TEST(player::PlannerParameters, ChangePaceAndRestingOfRuns) {
+TEST(PlannerParameters, ChangePaceAndRestingOfRuns) {
   KnownPitch pitch;
   pitch.set_time(1500);
   pitch.place_ball({-20.0, 0.0});

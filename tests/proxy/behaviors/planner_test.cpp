@@ -61,7 +61,7 @@ TEST(Passes, GeneratesDirectLeadAndThroughPasses) {
   pitch.add_teammate(9, {12.0, 8.0});
   pitch.add_opponent(4, {20.0, -8.0});
   pitch.add_opponent(5, {20.0, 18.0});
-  const auto passes = generated(pitch, add_passes);
+  const auto passes = generated(pitch, player::add_passes);
   EXPECT_TRUE(has(passes, player::PlanTag::kStrictDirect));
   EXPECT_TRUE(has(passes, player::PlanTag::kStrictLead));
   EXPECT_TRUE(has(passes, player::PlanTag::kStrictThrough));
@@ -73,19 +73,19 @@ TEST(Passes, ArriveBeforeAnyOpponent) {
     KnownPitch pitch = with_ball({0.0, 0.0});
     pitch.add_teammate(9, {16.0, 9.0});
     pitch.add_opponent(4, where, 180.0);
-    for (const player::PlanAction& pass : generated(pitch, add_passes)) {
+    for (const player::PlanAction& pass : generated(pitch, player::add_passes)) {
       ++passes;
       const Vec2 ball = pitch.world.ball.position;
       const Vec2 velocity = soccer::with_length(pass.target_point - ball, pass.first_speed);
       const auto& type = pitch.world.type_of(pitch.world.opponents[2]);
       for (int cycle = 1; cycle <= pass.duration - pass.kicks; ++cycle) {
-        const Vec2 there = coast(ball, velocity, pitch.world.server().ball_decay, cycle);
+        const Vec2 there = player::coast(ball, velocity, pitch.world.server().ball_decay, cycle);
         const double run = distance(there, where) - type.kickable_area(0.085);
         // Lower bound of running time, independent of the planner's tables.
         if (run <= 0.0) ADD_FAILURE() << "through the opponent";
         const int turn =
             (soccer::AngleDeg::of(there - where) - soccer::AngleDeg(180.0)).abs() > 40 ? 1 : 0;
-        EXPECT_GT(turn + cycles_to_run(pitch.world.server(), type, run), cycle) << cycle;
+        EXPECT_GT(turn + player::cycles_to_run(pitch.world.server(), type, run), cycle) << cycle;
       }
     }
   }
@@ -101,7 +101,7 @@ TEST(Passes, EndWithTypesThatRunBackwardsOrNeverRun) {
     auto parameters = std::make_shared<player::MatchParameters>(*pitch.world.parameters);
     for (soccer::PlayerType& type : parameters->types) type.player_speed_max = speed;
     pitch.world.parameters = parameters;
-    for (const player::PlanAction& pass : generated(pitch, add_passes)) EXPECT_GE(pass.duration, 1);
+    for (const player::PlanAction& pass : generated(pitch, player::add_passes)) EXPECT_GE(pass.duration, 1);
   }
 }
 
@@ -111,11 +111,11 @@ TEST(Passes, SkipOffsideAndStaleReceivers) {
   offside.add_opponent(1, {50.0, 0.0});
   offside.add_opponent(4, {10.0, -20.0});
   offside.add_teammate(9, {20.0, 8.0});
-  EXPECT_TRUE(generated(offside, add_passes).empty());
+  EXPECT_TRUE(generated(offside, player::add_passes).empty());
   KnownPitch stale = with_ball({0.0, 0.0});
   stale.add_opponent(4, {40.0, -20.0});
   stale.add_teammate(9, {12.0, 8.0}, 0.0, 11);
-  EXPECT_TRUE(generated(stale, add_passes).empty());
+  EXPECT_TRUE(generated(stale, player::add_passes).empty());
 }
 
 TEST(Crosses, ReachTeammateInFrontOfGoal) {
@@ -123,27 +123,27 @@ TEST(Crosses, ReachTeammateInFrontOfGoal) {
   pitch.add_opponent(4, {50.0, -16.0});
   pitch.add_teammate(11, {42.0, -6.0});
   pitch.add_opponent(5, {50.0, 10.0});
-  const auto crosses = generated(pitch, add_crosses);
+  const auto crosses = generated(pitch, player::add_crosses);
   ASSERT_EQ(crosses.size(), 1U);
   EXPECT_EQ(crosses[0].target, 11);
   EXPECT_LT(distance(crosses[0].target_point, {42.0, -6.0}), 5.0);
   KnownPitch far = with_ball({0.0, -25.0});
   far.add_teammate(11, {44.0, 0.0});
-  EXPECT_TRUE(generated(far, add_crosses).empty());
+  EXPECT_TRUE(generated(far, player::add_crosses).empty());
 }
 
 TEST(Dribbles, AvoidOpponents) {
   KnownPitch open = with_ball({0.0, 0.0});
-  const auto free = generated(open, add_short_dribbles);
+  const auto free = generated(open, player::add_short_dribbles);
   EXPECT_TRUE(has(free, player::PlanTag::kShortDribble));
-  EXPECT_TRUE(has(generated(open, add_self_passes), player::PlanTag::kSelfPass));
+  EXPECT_TRUE(has(generated(open, player::add_self_passes), player::PlanTag::kSelfPass));
   KnownPitch met = with_ball({0.0, 0.0});
   met.add_opponent(4, {4.5, 0.0});
-  for (const player::PlanAction& dribble : generated(met, add_short_dribbles)) {
+  for (const player::PlanAction& dribble : generated(met, player::add_short_dribbles)) {
     EXPECT_GT(soccer::AngleDeg::of(dribble.target_point).abs(), 25.0)
         << dribble.target_point.x << " " << dribble.target_point.y;
   }
-  EXPECT_LT(generated(met, add_short_dribbles).size(), free.size());
+  EXPECT_LT(generated(met, player::add_short_dribbles).size(), free.size());
 }
 
 TEST(Dribbles, EndAtPlannedPoint) {
@@ -176,7 +176,7 @@ TEST(HeliosOffensivePlanner, PassesToAnnouncedPoint) {
   while (pitch.world.self.kickable) pitch.act(only_direct);
   ASSERT_NE(pitch.sent<soccer::Say>(), nullptr);
   std::string_view text = pitch.sent<soccer::Say>()->text;
-  const auto said = parse_say_message(text, pitch.world.server());
+  const auto said = player::parse_say_message(text, pitch.world.server());
   ASSERT_TRUE(said);
   EXPECT_EQ(std::get<player::SayPass>(*said).receiver, 9);
   double nearest = 100.0;

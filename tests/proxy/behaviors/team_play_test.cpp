@@ -35,7 +35,7 @@ KnownPitch goal_kick() {
   return pitch;
 }
 
-TEST(player::Outlet, TargetsFreeTeammate) {
+TEST(Outlet, TargetsFreeTeammate) {
   KnownPitch pitch = goal_kick();
   pitch.add_teammate(4, {-38.0, -31.0}, 180.0);
   pitch.add_teammate(6, {-30.0, 0.0}, 180.0);
@@ -46,7 +46,7 @@ TEST(player::Outlet, TargetsFreeTeammate) {
   EXPECT_LT(distance(outlet->target, {-38.0, -31.0}), 12.0);
 }
 
-TEST(player::Outlet, ClearsFarFromGoalWithoutFreeTeammate) {
+TEST(Outlet, ClearsFarFromGoalWithoutFreeTeammate) {
   KnownPitch pitch = goal_kick();
   const player::PlannerField field(pitch.world);
   const auto outlet = best_outlet(field);
