@@ -61,10 +61,14 @@ struct Collected {
   }
 };
 
-class BatchPlaymaker : public Playmaker {
+/// The calls of the team. After a Playmaker has refused them, only begin_alone() and left_reply()
+/// are called.
+class TeamCalls : public Playmaker {
  public:
-  BatchPlaymaker(std::unique_ptr<Playmaker> inner, BatchMode mode)
-      : inner_(std::move(inner)), mode_(mode) {}
+  TeamCalls(Playmaker& inner, BatchMode mode) : inner_(inner), mode_(mode) {}
+
+  /// The last call had no reply for an agent, because the Playmaker needs the calls of Game.
+  bool refused() const { return refused_; }
 
   void announce_team(TeamRegistration team) override {
     team_ = std::move(team);
@@ -73,7 +77,6 @@ class BatchPlaymaker : public Playmaker {
 
   void begin(int agent, Rpc rpc, const Message& request, RpcTimeout timeout,
              bool wait_for_ready) override {
-    if (unary_) return inner_->begin(agent, rpc, request, timeout, wait_for_ready);
     asked_.at(slot(agent)) = rpc;
     if (is_decision(rpc)) {
       const auto& state = static_cast<const protos::State&>(request);
@@ -95,7 +98,7 @@ class BatchPlaymaker : public Playmaker {
   }
 
   void send() override {
-    if (unary_ || in_flight_) return;
+    if (in_flight_) return;
     if (!registrations_.empty()) {
       add_parameters(registrations_.request);
       send(registrations_, Rpc::kRegisterTeam);
@@ -107,45 +110,62 @@ class BatchPlaymaker : public Playmaker {
     }
   }
 
-  Reply call(int agent, Rpc rpc, const Message& request, RpcTimeout timeout) override {
-    if (!unary_ && rpc == Rpc::kRegister) {
-      if (!registered_.test(slot(agent))) register_team(timeout);
-      if (!unary_) return registration_of(agent);
-    }
-    if (unary_) return inner_->call(agent, rpc, request, timeout);
+  Reply call(int agent, Rpc rpc, const Message& /*request*/, RpcTimeout timeout) override {
     if (rpc == Rpc::kSendByeCommand) return goodbye(agent, timeout);
-    return sent_with_registration(agent, rpc);
+    if (rpc != Rpc::kRegister) return sent_with_registration(agent, rpc);
+    if (!registered_.test(slot(agent))) register_team(timeout);
+    return refused_ ? empty_reply(agent, rpc) : registration_of(agent);
   }
 
   bool take_connection_loss(int agent) override {
-    if (unary_) return inner_->take_connection_loss(agent);
-    if (inner_->take_connection_loss(kTeamNumber)) lost_.set();
+    if (inner_.take_connection_loss(kTeamNumber)) lost_.set();
     const bool lost = lost_.test(slot(agent));
     lost_.reset(slot(agent));
     return lost;
   }
 
   std::optional<Reply> next_reply() override {
-    for (;;) {
+    while (!refused_) {
       if (std::optional<Reply> reply = collected_reply()) return reply;
-      std::optional<Reply> reply = inner_->next_reply();
-      if (unary_ || !reply) return reply;
+      const std::optional<Reply> reply = inner_.next_reply();
+      if (!reply) return std::nullopt;
       take_apart(*reply);
-      if (unary_) begin_alone();
     }
+    return std::nullopt;
   }
 
   std::optional<Reply> next_reply_within(std::chrono::microseconds timeout) override {
     if (std::optional<Reply> reply = collected_reply()) return reply;
-    std::optional<Reply> reply = inner_->next_reply_within(timeout);
-    if (unary_ || !reply) return reply;
+    const std::optional<Reply> reply = inner_.next_reply_within(timeout);
+    if (!reply) return std::nullopt;
     take_apart(*reply);
-    if (unary_) begin_alone();
-    return collected_reply();
+    return refused_ ? std::nullopt : collected_reply();
   }
 
   std::string take_warning() override { return std::exchange(warning_, {}); }
-  void cancel() override { inner_->cancel(); }
+
+  void cancel() override { inner_.cancel(); }
+
+  /// A restarted Playmaker has no TeamPlaymaker: begins the calls that were to be one call.
+  void begin_alone() {
+    for (const auto& [agent, registration] : team_.agents) {
+      if (std::find(due_.begin(), due_.end(), agent) == due_.end()) continue;
+      inner_.begin(agent, Rpc::kRegister, registration, kRegisterTimeout);
+    }
+    for (const auto& one : decisions_.request.agents()) {
+      replies_.push_back(failed_reply(one.agent(), asked_.at(slot(one.agent())),
+                                      {RpcOutcome::kError, 0, "the Playmaker has restarted"}));
+    }
+    decisions_.clear();
+  }
+
+  /// A reply that is here already.
+  std::optional<Reply> left_reply() {
+    if (replies_.empty()) return std::nullopt;
+    Reply reply = std::move(replies_.front());
+    replies_.pop_front();
+    return reply;
+  }
 
  private:
   void write_state(const protos::State& state, std::string& bytes) {
@@ -167,10 +187,7 @@ class BatchPlaymaker : public Playmaker {
   // A reply that is here already; sends what waits when there is none.
   std::optional<Reply> collected_reply() {
     if (replies_.empty()) send();
-    if (replies_.empty()) return std::nullopt;
-    Reply reply = std::move(replies_.front());
-    replies_.pop_front();
-    return reply;
+    return left_reply();
   }
 
   template <typename Request>
@@ -178,7 +195,7 @@ class BatchPlaymaker : public Playmaker {
     due_.clear();
     for (const auto& one : calls.request.agents()) due_.push_back(one.agent());
     in_flight_ = true;
-    inner_->begin(kTeamNumber, rpc, calls.request, calls.timeout, calls.wait_for_ready);
+    inner_.begin(kTeamNumber, rpc, calls.request, calls.timeout, calls.wait_for_ready);
     calls.clear();
   }
 
@@ -218,11 +235,11 @@ class BatchPlaymaker : public Playmaker {
     }
     add_parameters(request);
     sequence_ = 0;
-    Reply reply = inner_->call(kTeamNumber, Rpc::kRegisterTeam, request, timeout);
+    Reply reply = inner_.call(kTeamNumber, Rpc::kRegisterTeam, request, timeout);
     // It is connected and leaves the call unanswered: it may know Register.
     if (reply.status.outcome == RpcOutcome::kDeadline) reply.status.outcome = RpcOutcome::kError;
     take_apart(reply);
-    if (unary_) return;
+    if (refused_) return;
     for (Reply& one : replies_) {
       registered_.set(slot(one.agent));
       registrations_taken_.at(slot(one.agent)) = std::move(one);
@@ -230,7 +247,7 @@ class BatchPlaymaker : public Playmaker {
     replies_.clear();
   }
 
-  // Of this agent, once; a later Register makes a call again.
+  // The stored registration of this agent. A later Register makes a new call.
   Reply registration_of(int agent) {
     registered_.reset(slot(agent));
     return registrations_taken_.at(slot(agent));
@@ -244,7 +261,7 @@ class BatchPlaymaker : public Playmaker {
         message.set_agent(one);
         message.set_message(identity);
       }
-      goodbye_ = inner_->call(kTeamNumber, Rpc::kUnregisterTeam, request, timeout).status;
+      goodbye_ = inner_.call(kTeamNumber, Rpc::kUnregisterTeam, request, timeout).status;
     }
     return goodbye_->ok() ? sent_with_registration(agent, Rpc::kSendByeCommand)
                           : failed_reply(agent, Rpc::kSendByeCommand, *goodbye_);
@@ -305,21 +322,8 @@ class BatchPlaymaker : public Playmaker {
       return true;
     }
     if (!why.empty()) warning_ = "the Playmaker decides for each agent alone: " + why;
-    unary_ = true;
+    refused_ = true;
     return true;
-  }
-
-  // A restarted Playmaker has no TeamPlaymaker: begins the calls that were to be one call.
-  void begin_alone() {
-    for (const auto& [agent, registration] : team_.agents) {
-      if (std::find(due_.begin(), due_.end(), agent) == due_.end()) continue;
-      inner_->begin(agent, Rpc::kRegister, registration, kRegisterTimeout);
-    }
-    for (const auto& one : decisions_.request.agents()) {
-      replies_.push_back(failed_reply(one.agent(), asked_.at(slot(one.agent())),
-                                      {RpcOutcome::kError, 0, "the Playmaker has restarted"}));
-    }
-    decisions_.clear();
   }
 
   // Rows of players become action lists, unless the player has a reply of its own.
@@ -346,7 +350,7 @@ class BatchPlaymaker : public Playmaker {
       return failed_reply(
           agent, rpc,
           {RpcOutcome::kProtocolError, 0,
-           fmt::format("{}: the row of {} is no action", name(team.rpc), agent_name(agent))});
+           fmt::format("{}: the row of {} is not an action", name(team.rpc), agent_name(agent))});
     }
     Reply reply = empty_reply(agent, rpc);
     Message& message = memory_.at(slot(agent)).create(rpc);
@@ -401,9 +405,9 @@ class BatchPlaymaker : public Playmaker {
     return reply;
   }
 
-  std::unique_ptr<Playmaker> inner_;
+  Playmaker& inner_;
   BatchMode mode_;
-  bool unary_ = false;  // the Playmaker has no TeamPlaymaker
+  bool refused_ = false;  // the Playmaker has no TeamPlaymaker
   TeamRegistration team_;
   std::bitset<kAgentNumbers> registered_;  // not handed out yet
   std::array<Reply, kAgentNumbers> registrations_taken_;
@@ -424,6 +428,94 @@ class BatchPlaymaker : public Playmaker {
   std::map<int, std::string> identities_;  // protos.RegisterResponse by agent
   std::optional<RpcStatus> goodbye_;
   std::string warning_;
+};
+
+/// The calls of Game, once the Playmaker has refused those of the team.
+class AgentCalls : public Playmaker {
+ public:
+  /// `team` may have replies that were not handed out yet.
+  AgentCalls(Playmaker& inner, TeamCalls& team) : inner_(inner), team_(team) {}
+
+  void begin(int agent, Rpc rpc, const Message& request, RpcTimeout timeout,
+             bool wait_for_ready) override {
+    inner_.begin(agent, rpc, request, timeout, wait_for_ready);
+  }
+
+  Reply call(int agent, Rpc rpc, const Message& request, RpcTimeout timeout) override {
+    return inner_.call(agent, rpc, request, timeout);
+  }
+
+  bool take_connection_loss(int agent) override { return inner_.take_connection_loss(agent); }
+
+  std::optional<Reply> next_reply() override {
+    if (std::optional<Reply> reply = team_.left_reply()) return reply;
+    return inner_.next_reply();
+  }
+
+  std::optional<Reply> next_reply_within(std::chrono::microseconds timeout) override {
+    if (std::optional<Reply> reply = team_.left_reply()) return reply;
+    return inner_.next_reply_within(timeout);
+  }
+
+  void cancel() override { inner_.cancel(); }
+
+ private:
+  Playmaker& inner_;
+  TeamCalls& team_;
+};
+
+/// Has two states: it asks for the team until the Playmaker refuses that, and for each agent alone
+/// from then on.
+class BatchPlaymaker : public Playmaker {
+ public:
+  BatchPlaymaker(std::unique_ptr<Playmaker> inner, BatchMode mode)
+      : inner_(std::move(inner)), team_(*inner_, mode), alone_(*inner_, team_), state_(&team_) {}
+
+  void announce_team(TeamRegistration team) override { state_->announce_team(std::move(team)); }
+
+  void begin(int agent, Rpc rpc, const Message& request, RpcTimeout timeout,
+             bool wait_for_ready) override {
+    state_->begin(agent, rpc, request, timeout, wait_for_ready);
+  }
+
+  void send() override { state_->send(); }
+
+  Reply call(int agent, Rpc rpc, const Message& request, RpcTimeout timeout) override {
+    Reply reply = state_->call(agent, rpc, request, timeout);
+    return was_refused() ? state_->call(agent, rpc, request, timeout) : reply;
+  }
+
+  bool take_connection_loss(int agent) override { return state_->take_connection_loss(agent); }
+
+  std::optional<Reply> next_reply() override {
+    std::optional<Reply> reply = state_->next_reply();
+    if (!was_refused()) return reply;
+    team_.begin_alone();
+    return state_->next_reply();
+  }
+
+  std::optional<Reply> next_reply_within(std::chrono::microseconds timeout) override {
+    std::optional<Reply> reply = state_->next_reply_within(timeout);
+    if (!was_refused()) return reply;
+    team_.begin_alone();
+    return state_->next_reply_within(std::chrono::microseconds(0));
+  }
+
+  std::string take_warning() override { return team_.take_warning(); }
+  void cancel() override { inner_->cancel(); }
+
+ private:
+  /// True once, after the call that was refused; changes the state.
+  bool was_refused() {
+    if (state_ == &alone_ || !team_.refused()) return false;
+    state_ = &alone_;
+    return true;
+  }
+
+  std::unique_ptr<Playmaker> inner_;
+  TeamCalls team_;
+  AgentCalls alone_;
+  Playmaker* state_;
 };
 
 }  // namespace

@@ -454,7 +454,7 @@ TEST_F(BatchPlaymakerTest, SendsRowsOfPlayersAndHandsOutRowsOrReplies) {
   EXPECT_EQ(all[0].as<protos::PlayerActions>()->actions(0).dash().power(), 40.0F);
   EXPECT_EQ(all[1].as<protos::PlayerActions>()->actions(0).dash().power(), 2.0F)
       << "a reply replaces the row";
-  EXPECT_EQ(all[2].status.message, "GetTeamActions: the row of player 3 is no action");
+  EXPECT_EQ(all[2].status.message, "GetTeamActions: the row of player 3 is not an action");
   EXPECT_NE(all[3].as<protos::CoachActions>(), nullptr);
 }
 
