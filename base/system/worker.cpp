@@ -51,6 +51,11 @@ void Worker::run(const std::function<void()>& work) {
   cpu_seconds_ += cpu_seconds_of(work);
 }
 
+void Worker::wait() {
+  std::unique_lock lock(mutex_);
+  changed_.wait(lock, [this] { return !busy_; });
+}
+
 bool Worker::wait_for(std::chrono::milliseconds timeout) {
   std::unique_lock lock(mutex_);
   return changed_.wait_for(lock, timeout, [this] { return !busy_; });

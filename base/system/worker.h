@@ -27,6 +27,9 @@ class Worker {
   /// The previous work must be done.
   void run(const std::function<void()>& work);
 
+  /// Waits until the work is done.
+  void wait();
+
   /// Waits until the work is done; false after `timeout`.
   bool wait_for(std::chrono::milliseconds timeout);
 

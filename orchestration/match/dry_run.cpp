@@ -22,11 +22,6 @@ void add(std::string& text, const process::CommandPlan& plan) {
                  process::to_shell(plan));
 }
 
-const Endpoint& endpoint_of(const MatchOptions& options, soccer::Side side) {
-  if (side == soccer::Side::kNeutral) return *options.trainer;
-  return side == soccer::Side::kLeft ? options.left : options.right;
-}
-
 // The command of a Playmaker, or a comment on one that runs already.
 Result<void> add_playmaker(std::string& text, const MatchOptions& options, const TeamNames& names,
                            soccer::Side side, const Endpoint& endpoint, const fs::path& folder) {
@@ -69,8 +64,8 @@ Result<std::string> dry_run(const MatchOptions& options) {
     text = fmt::format("# soccer server: {}\n", options.server_choice.text);
     if (plan.server) add(text, *plan.server);
   }
-  for (const auto side : {soccer::Side::kLeft, soccer::Side::kRight}) {
-    const auto& team = plan.teams[side == soccer::Side::kLeft ? 0 : 1];
+  for (const auto side : soccer::kBothSides) {
+    const auto& team = plan.teams[side];
     if (!team) {
       const auto added =
           add_playmaker(text, options, names, side, endpoint_of(options, side), folder);

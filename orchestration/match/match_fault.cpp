@@ -9,8 +9,8 @@ namespace cls::orchestration::match {
 
 bool is_trainer(const MatchSide& side) { return side.identity().side == soccer::Side::kNeutral; }
 
-std::vector<const MatchSide*> sides_awaited_for(
-    const std::vector<std::unique_ptr<MatchSide>>& sides, std::chrono::duration<double> limit) {
+std::vector<const MatchSide*> sides_awaited_for(const Sides& sides,
+                                                std::chrono::duration<double> limit) {
   std::vector<const MatchSide*> found;
   for (const auto& side : sides) {
     const auto call = side->awaited_reply();
@@ -34,7 +34,7 @@ void blame(const MatchSide& side, const MatchMoment& moment, MatchEnd& end) {
   if (moment.playing) end.failure->cycle = moment.cycle;
 }
 
-void blame_unresponsive(const std::vector<std::unique_ptr<MatchSide>>& sides, MatchEnd& end) {
+void blame_unresponsive(const Sides& sides, MatchEnd& end) {
   auto suspects = sides_awaited_for(sides, kServerWait);
   for (const auto& side : sides) {
     if (side->is_external()) suspects.push_back(side.get());

@@ -14,8 +14,8 @@ namespace cls::orchestration::match {
 bool is_trainer(const MatchSide& side);
 
 /// The sides whose Playmaker has kept the match waiting for longer than `limit`.
-std::vector<const MatchSide*> sides_awaited_for(
-    const std::vector<std::unique_ptr<MatchSide>>& sides, std::chrono::duration<double> limit);
+std::vector<const MatchSide*> sides_awaited_for(const Sides& sides,
+                                                std::chrono::duration<double> limit);
 
 /// Adds to `end` that `side` is at fault: its process or Playmaker, and the RPC that it has not
 /// answered.
@@ -24,7 +24,7 @@ void blame(const MatchSide& side, const MatchMoment& moment, MatchEnd& end);
 /// Adds to `end`, of a server whose clients stopped responding, whose they were if that is certain:
 /// the server does not say so, but agents of cls reply to every cycle unless their Playmaker is
 /// awaited.
-void blame_unresponsive(const std::vector<std::unique_ptr<MatchSide>>& sides, MatchEnd& end);
+void blame_unresponsive(const Sides& sides, MatchEnd& end);
 
 /// "brain (localhost:50051): no reply to GetPlayerActions of player 7 at cycle 12; ...: STALL".
 std::string stall_message(const std::vector<const MatchSide*>& sides, int cycle,

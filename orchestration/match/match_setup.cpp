@@ -1,7 +1,6 @@
 // One constructor of sides for each kind of server.
 #include "orchestration/match/match_setup.h"
 
-#include <array>
 #include <utility>
 
 #include "orchestration/match/options/saved_match.h"
@@ -14,17 +13,12 @@ namespace {
 
 using base::Result;
 using soccer::Side;
-using Sides = std::vector<std::unique_ptr<MatchSide>>;
+using TeamPlans = soccer::PerSide<std::optional<TeamPlan>>;
 
 std::vector<Side> sides_of(const MatchOptions& options) {
   std::vector<Side> sides = {Side::kLeft, Side::kRight};
   if (options.trainer) sides.push_back(Side::kNeutral);
   return sides;
-}
-
-const Endpoint& endpoint_of(const MatchOptions& options, Side side) {
-  if (side == Side::kNeutral) return *options.trainer;
-  return side == Side::kLeft ? options.left : options.right;
 }
 
 SideSetup side_setup(const MatchSetup& setup, Side side) {
@@ -47,15 +41,14 @@ SideIdentity identity_of(const MatchSetup& setup, Side side) {
 }
 
 // Plans of the external teams, with the port that the server has opened for them.
-Result<std::array<std::optional<TeamPlan>, 2>> plan_external_teams(const MatchSetup& setup,
-                                                                   EmbeddedServer& server) {
+Result<TeamPlans> plan_external_teams(const MatchSetup& setup, EmbeddedServer& server) {
   constexpr const char* kHost = "127.0.0.1";
-  std::array<std::optional<TeamPlan>, 2> plans;
+  TeamPlans plans;
   bool takes_ports = true;
   ServerPorts ports;
   // The first round shows whether the start scripts take ports, the second one uses them.
   for (const bool opened : {false, true}) {
-    for (const Side side : {Side::kLeft, Side::kRight}) {
+    for (const Side side : soccer::kBothSides) {
       const Endpoint& endpoint = endpoint_of(setup.options, side);
       if (endpoint.kind != Endpoint::Kind::kTeam) continue;
       TeamValues values = team_values(setup.options, setup.names, side, kHost, ports, setup.folder);
@@ -63,10 +56,10 @@ Result<std::array<std::optional<TeamPlan>, 2>> plan_external_teams(const MatchSe
       auto plan = team_plan(endpoint.path, values);
       if (!plan) return plan.error();
       takes_ports = takes_ports && plan->takes_ports;
-      plans[side == Side::kLeft ? 0 : 1] = *std::move(plan);
+      plans[side] = *std::move(plan);
       server.expect_external_team(side);
     }
-    if (opened || (!plans[0] && !plans[1])) break;
+    if (opened || (!plans.left && !plans.right)) break;
     const auto chosen = server.open_player_port(takes_ports);
     if (!chosen) return chosen.error();
     ports = *chosen;
@@ -116,10 +109,10 @@ Result<std::unique_ptr<Match>> make_lockstep_match(const MatchSetup& setup,
   Sides sides;
   bool match_thread_taken = false;
   for (const Side side : sides_of(options)) {
-    if (side != Side::kNeutral && (*teams)[side == Side::kLeft ? 0 : 1]) {
+    if (side != Side::kNeutral && (*teams)[side]) {
       sides.push_back(std::make_unique<ExternalSide>(
-          identity_of(setup, side), *std::move((*teams)[side == Side::kLeft ? 0 : 1]),
-          ExternalSide::OnOtherName::kAccept, embedded, *setup.host));
+          identity_of(setup, side), *std::move((*teams)[side]), ExternalSide::OnOtherName::kAccept,
+          embedded, *setup.host));
       continue;
     }
     const SideSetup values = side_setup(setup, side);
@@ -151,10 +144,10 @@ Result<std::unique_ptr<Match>> make_external_match(const MatchSetup& setup, Matc
       std::make_unique<ExternalServer>(options, std::move(plan), setup.host, setup.folder);
   Sides sides;
   for (const Side side : sides_of(options)) {
-    if (side != Side::kNeutral && teams[side == Side::kLeft ? 0 : 1]) {
-      sides.push_back(std::make_unique<ExternalSide>(
-          identity_of(setup, side), *std::move(teams[side == Side::kLeft ? 0 : 1]),
-          on_other_name(options, side), *server, *setup.host));
+    if (side != Side::kNeutral && teams[side]) {
+      sides.push_back(
+          std::make_unique<ExternalSide>(identity_of(setup, side), *std::move(teams[side]),
+                                         on_other_name(options, side), *server, *setup.host));
       continue;
     }
     const SideSetup values = side_setup(setup, side);

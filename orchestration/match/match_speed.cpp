@@ -14,7 +14,7 @@ constexpr std::chrono::seconds kEstimateAfter{5};
 constexpr double kLongMatch_s = 60.0;
 constexpr std::int64_t kStepsOfEstimate = 3;
 
-DecisionTimes decision_times(const MatchSpeed::Sides& sides) {
+DecisionTimes decision_times(const Sides& sides) {
   constexpr double kMs = 1000.0;
   DecisionTimes slower;
   for (const auto& side : sides) {
@@ -60,13 +60,14 @@ void MatchSpeed::add_turns(Duration wall) {
 // In real time, or slowed down by --speed.
 bool MatchSpeed::is_paced() const {
   return options_.speed.has_value() || mode_of(options_) == MatchMode::kRealtime ||
-         std::any_of(sides_.begin(), sides_.end(),
-                     [](const auto& side) { return side->mode() == MatchMode::kRealtime; });
+         std::any_of(sides_.begin(), sides_.end(), [](const auto& side) {
+           const auto seen = side->seen();
+           return seen && seen->mode == MatchMode::kRealtime;
+         });
 }
 
-// Over UDP the rest of the time belongs to the server, or to its clock.
 SpeedResult MatchSpeed::shares(Duration played) const {
-  if (lockstep_) return meter_.result();
+  if (measure_ == Measure::kCycles) return meter_.result();
   SpeedMeter meter;
   std::array<SpeedMeter::SideTurn, 3> turns;
   Duration longest{0};
@@ -98,7 +99,7 @@ std::optional<std::string> MatchSpeed::estimate(const MatchProgress& now, std::i
 std::optional<SpeedResult> MatchSpeed::result(Duration played, const MatchResult& result) const {
   if (result.steps == 0) return std::nullopt;
   SpeedResult speed = shares(played);
-  if (speed.limited_by.empty()) return std::nullopt;
+  if (speed.limited_by == SpeedLimit::kNothing) return std::nullopt;
   speed.decision_ms = decision_times(sides_);
   speed.fits_100_ms = speed.decision_ms.p99 <= static_cast<double>(kRealtimeDeadline.count()) &&
                       !is_often_late(result.left) && !is_often_late(result.right);

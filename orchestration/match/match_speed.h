@@ -21,17 +21,19 @@ namespace cls::orchestration::match {
 class MatchSpeed {
  public:
   using Duration = std::chrono::nanoseconds;
-  using Sides = std::vector<std::unique_ptr<MatchSide>>;
+  /// What is measured: each cycle by add_step() and add_turns(), or the match as a whole, in which
+  /// the time without decisions belongs to the server or to its clock.
+  enum class Measure { kCycles, kWholeMatch };
 
-  MatchSpeed(const MatchOptions& options, const Sides& sides, bool lockstep)
-      : options_(options), sides_(sides), lockstep_(lockstep) {}
+  MatchSpeed(const MatchOptions& options, const Sides& sides, Measure measure)
+      : options_(options), sides_(sides), measure_(measure) {}
 
-  /// Of one cycle in lockstep: waiting for the clock of --speed, and the server's step.
+  /// Adds a cycle in lockstep: the wait for the clock of --speed, and the server's step.
   void add_step(Duration clock, Duration server);
-  /// Of one cycle in lockstep, where the sides have no work now: the decisions, which took `wall`.
+  /// Adds the decisions of a cycle in lockstep, which took `wall`. The sides have no work now.
   void add_turns(Duration wall);
 
-  /// Of a slow match, once: how long it will take, and who limits that. `steps` were made in
+  /// Says once of a slow match how long it will take, and who limits that. `steps` were made in
   /// `played`, `now` is where the match is.
   std::optional<std::string> estimate(const MatchProgress& now, std::int64_t steps,
                                       Duration played);
@@ -45,8 +47,8 @@ class MatchSpeed {
 
   const MatchOptions& options_;
   const Sides& sides_;
-  bool lockstep_;
-  SpeedMeter meter_;                   ///< in lockstep
+  Measure measure_;
+  SpeedMeter meter_;                   ///< of measured cycles
   std::array<TurnTimes, 3> measured_;  ///< of the sides, up to the last turn
   bool estimated_ = false;
 };

@@ -1,11 +1,14 @@
 // From options to a folder with logs and a result.
 #include "orchestration/match/run_match.h"
 
+#include <array>
 #include <chrono>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <random>
 #include <utility>
+#include <vector>
 
 #include "base/io/whole_file.h"
 #include "base/system/host.h"
@@ -22,6 +25,7 @@
 #include "orchestration/match/result/match_folder.h"
 #include "orchestration/match/server/match_logs.h"
 #include "orchestration/process/ports.h"
+#include "soccer/per_side.h"
 
 namespace cls::orchestration::match {
 namespace {
@@ -58,69 +62,104 @@ recording::RecordingHeader recording_header(const MatchSetup& setup) {
   return header;
 }
 
-/// The hooks that write files, in the order of their calls.
+/// A hook that a match has for its folder, with what it says at the end.
+struct FileHook {
+  std::unique_ptr<MatchHooks> hooks;               ///< null: not wanted
+  std::function<std::string()> close = nothing;    ///< why a file is not complete, or nothing
+  std::function<std::string()> problem = nothing;  ///< why the match is refused, or nothing
+
+  static std::string nothing() { return {}; }
+};
+
+template <typename Hook>
+FileHook closed_at_end(std::unique_ptr<Hook> hook) {
+  Hook* closed = hook.get();
+  return {.hooks = std::move(hook), .close = [closed] { return closed->close(); }};
+}
+
+Result<FileHook> debug_log(const MatchSetup& setup) {
+  return closed_at_end(std::make_unique<DebugLog>(setup.folder));
+}
+
+Result<FileHook> missed_log(const MatchSetup& setup) {
+  return closed_at_end(std::make_unique<MissedLog>(setup.folder));
+}
+
+Result<FileHook> resume_check(const MatchSetup& setup) {
+  if (setup.options.resumed == nullptr) return FileHook{};
+  auto check = std::make_unique<ResumeCheck>(setup.options.resumed);
+  const ResumeCheck* resumed = check.get();
+  return FileHook{.hooks = std::move(check), .problem = [resumed] { return resumed->problem(); }};
+}
+
+Result<FileHook> match_saver(const MatchSetup& setup) {
+  const MatchOptions& options = setup.options;
+  if (!options.save_at) return FileHook{};
+  return closed_at_end(std::make_unique<MatchSaver>(
+      options.save_file, *options.save_at,
+      describe_match(options, setup.seed, setup.names.left, setup.names.right)));
+}
+
+Result<FileHook> rpc_recorder(const MatchSetup& setup) {
+  if (setup.options.record_rpc.empty()) return FileHook{};
+  auto recorder = RpcRecorder::create(setup.options.record_rpc, recording_header(setup));
+  if (!recorder) return recorder.error();
+  return closed_at_end(*std::move(recorder));
+}
+
+Result<FileHook> world_model_recorder(const MatchSetup& setup) {
+  if (!setup.options.record_world_models) return FileHook{};
+  return closed_at_end(
+      std::make_unique<WorldModelRecorder>(setup.folder, setup.names.left, setup.names.right));
+}
+
+/// In the order of their calls.
+constexpr std::array kFileHooks = {debug_log,   missed_log,   resume_check,
+                                   match_saver, rpc_recorder, world_model_recorder};
+
+/// Those that the options ask for.
 class FileHooks {
  public:
-  static Result<std::unique_ptr<FileHooks>> create(const MatchSetup& setup) {
-    std::unique_ptr<FileHooks> hooks(new FileHooks(setup.folder));
-    const MatchOptions& options = setup.options;
-    if (options.save_at) {
-      hooks->saver_.emplace(
-          options.save_file, *options.save_at,
-          describe_match(options, setup.seed, setup.names.left, setup.names.right));
+  static Result<FileHooks> create(const MatchSetup& setup) {
+    FileHooks all;
+    for (const auto& make : kFileHooks) {
+      auto hook = make(setup);
+      if (!hook) return hook.error();
+      if (hook->hooks != nullptr) all.hooks_.push_back(*std::move(hook));
     }
-    if (options.resumed != nullptr) hooks->resume_.emplace(options.resumed);
-    if (options.record_world_models) {
-      hooks->world_models_.emplace(setup.folder, setup.names.left, setup.names.right);
-    }
-    if (setup.options.record_rpc.empty()) return hooks;
-    auto recorder = RpcRecorder::create(setup.options.record_rpc, recording_header(setup));
-    if (!recorder) return recorder.error();
-    hooks->recorder_ = *std::move(recorder);
-    return hooks;
+    return all;
   }
 
   void add_to(Match& match) {
-    match.add_hooks(debug_);
-    match.add_hooks(missed_);
-    if (resume_) match.add_hooks(*resume_);
-    if (saver_) match.add_hooks(*saver_);
-    if (recorder_ != nullptr) match.add_hooks(*recorder_);
-    if (world_models_) match.add_hooks(*world_models_);
+    for (const FileHook& hook : hooks_) match.add_hooks(*hook.hooks);
   }
-  /// Why the match is not the one to be resumed, or an empty string.
-  std::string problem() const { return resume_ ? resume_->problem() : std::string(); }
+  /// Why the match is refused, or an empty string.
+  std::string problem() const {
+    FirstError first;
+    for (const FileHook& hook : hooks_) first.add(hook.problem());
+    return first.text();
+  }
   void close(FirstError& error) {
-    error.add(debug_.close());
-    error.add(missed_.close());
-    if (saver_) error.add(saver_->close());
-    if (recorder_ != nullptr) error.add(recorder_->close());
-    if (world_models_) error.add(world_models_->close());
+    for (const FileHook& hook : hooks_) error.add(hook.close());
   }
 
  private:
-  explicit FileHooks(const fs::path& folder) : debug_(folder), missed_(folder) {}
-
-  DebugLog debug_;
-  MissedLog missed_;
-  std::optional<MatchSaver> saver_;
-  std::optional<ResumeCheck> resume_;
-  std::unique_ptr<RpcRecorder> recorder_;
-  std::optional<WorldModelRecorder> world_models_;
+  std::vector<FileHook> hooks_;
 };
+
+constexpr soccer::PerSide<const char*> kErrorFiles = {kLeftErrorFile, kRightErrorFile};
 
 // Saves the first failed call of each side.
 void record_errors(const MatchSetup& setup, const Match& match, MatchResult& result) {
   for (const auto& side : match.sides()) {
     const soccer::Side which = side->identity().side;
-    const bool left = which == soccer::Side::kLeft;
     const proxy::PlaymakerErrors* errors = side->errors();
     if (errors == nullptr || !errors->first || which == soccer::Side::kNeutral) continue;
     if (errors->first->calls.empty()) continue;
-    const char* file = left ? kLeftErrorFile : kRightErrorFile;
+    const char* file = kErrorFiles[which];
     const auto written =
         write_error_recording(setup.folder / file, recording_header(setup), which, *errors->first);
-    if (written) (left ? result.left : result.right).errors.first->recording = file;
+    if (written) result.team(which).errors.first->recording = file;
     if (!written && result.write_error.empty()) result.write_error = written.error().message;
   }
 }
@@ -172,7 +211,7 @@ MatchResult refused(const MatchSetup& setup, std::string message, bool try_again
   return result;
 }
 
-// Of a match without a cycle.
+// A match without a cycle has no logs.
 void remove_logs(const fs::path& folder, MatchResult& result) {
   for (std::string* log : {&result.rcg, &result.rcl}) {
     std::error_code code;
@@ -193,18 +232,18 @@ Result<MatchResult> play_lockstep(const MatchSetup& setup, MatchHooks* hooks,
   if (!logs) return logs.error();
   const auto event_file = create_file(setup, kEventsFile);
   if (!event_file) return event_file.error();
-  const auto files = FileHooks::create(setup);
+  auto files = FileHooks::create(setup);
   if (!files) return files.error();
   EventRecorder events(**event_file);
   auto match = make_lockstep_match(setup, {logs->game(), logs->text(), &events});
   events.start(setup.names, setup.seed);
-  MatchResult result = match ? play(setup, *std::move(match), **files, hooks, observer)
+  MatchResult result = match ? play(setup, *std::move(match), *files, hooks, observer)
                              : refused(setup, match.error().message, stock_port_is_taken(setup));
   events.end(result);
   FirstError error;
   if (const auto closed = logs->close(result); !closed) error.add(closed.error().message);
   error.close(**event_file);
-  (*files)->close(error);
+  files->close(error);
   error.add(result.write_error);
   result.write_error = error.text();
   if (result.steps == 0) remove_logs(setup.folder, result);
@@ -215,7 +254,7 @@ Result<MatchResult> play_over_udp(const MatchSetup& setup, MatchHooks* hooks,
                                   MatchObserver& observer) {
   const auto event_file = create_file(setup, kEventsFile);
   if (!event_file) return event_file.error();
-  const auto files = FileHooks::create(setup);
+  auto files = FileHooks::create(setup);
   if (!files) return files.error();
   FirstError error;
   MatchResult result;
@@ -226,7 +265,7 @@ Result<MatchResult> play_over_udp(const MatchSetup& setup, MatchHooks* hooks,
     result = refused(setup, in_use, true);
   } else {
     auto match = make_external_match(setup, *std::move(plan));
-    result = match ? play(setup, *std::move(match), **files, hooks, observer)
+    result = match ? play(setup, *std::move(match), *files, hooks, observer)
                    : refused(setup, match.error().message, false);
   }
   result.deterministic = false;
@@ -234,7 +273,7 @@ Result<MatchResult> play_over_udp(const MatchSetup& setup, MatchHooks* hooks,
   const auto converted = convert_server_logs(setup.folder, setup.options.server, result);
   if (!converted) error.add(converted.error().message);
   error.close(**event_file);
-  (*files)->close(error);
+  files->close(error);
   error.add(result.write_error);
   result.write_error = error.text();
   return result;
@@ -260,7 +299,8 @@ Result<MatchResult> run_match(const MatchOptions& options, MatchObserver& observ
   const auto start = std::chrono::steady_clock::now();
   const TeamNames names = team_names(options);
   const std::uint64_t seed = options.seed.value_or(random_seed());
-  ManifestTimes times{base::utc_now(), {}, {}};
+  ManifestTimes times;
+  times.started = base::utc_now();
   const auto folder = make_match_folder(options, names);
   if (!folder) return folder.error();
   if (const auto written =

@@ -126,7 +126,7 @@ StandaloneTeamResult run_standalone_team(const StandaloneTeamOptions& options,
   MatchPlan plan;
   plan.server_host = options.server_host;
   plan.ports.player = options.server_port;
-  std::vector<std::unique_ptr<MatchSide>> sides;
+  Sides sides;
   sides.push_back(*std::move(agents));
   Match match(match_options,
               std::make_unique<ExternalServer>(match_options, std::move(plan), nullptr,

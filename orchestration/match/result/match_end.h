@@ -21,16 +21,16 @@ inline constexpr std::chrono::milliseconds kKillMargin{300};
 
 struct MatchEnd {
   EndReason reason = EndReason::kFinished;
-  std::string message;                    ///< one line; empty when finished
-  std::optional<ProcessFailure> failure;  ///< the process that caused it
-  std::optional<soccer::Side> fault;      ///< the side that caused it
-  bool try_again = false;                 ///< a port was in use: nothing was started
+  std::string message{};                    ///< one line; empty when finished
+  std::optional<ProcessFailure> failure{};  ///< the process that caused it
+  std::optional<soccer::Side> fault{};      ///< the side that caused it
+  bool try_again = false;                   ///< a port was in use: nothing was started
 };
 
 /// Exit status and last output lines of a child that has exited or will be terminated.
 ProcessFailure failure_of(const process::Child& child);
 
-/// The same for a Playmaker that cls did not start.
+/// The report on a Playmaker that cls did not start.
 ProcessFailure playmaker_failure(soccer::Side side);
 
 /// "GetPlayerActions of player 3 and 8 other agents".

@@ -147,7 +147,9 @@ static void members(Codec& codec, Object<Codec, DecisionTimes>& times) {
 
 template <typename Codec>
 static void members(Codec& codec, Object<Codec, SpeedResult>& speed) {
-  codec.member("limited_by", speed.limited_by);
+  codec.named(
+      "limited_by", speed.limited_by, [](SpeedLimit limit) { return name(limit); },
+      parse_speed_limit);
   codec.member("shares", speed.shares);
   codec.member("decision_ms", speed.decision_ms);
   codec.member("fits_100_ms", speed.fits_100_ms);

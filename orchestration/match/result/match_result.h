@@ -150,6 +150,7 @@ struct MatchResult {
   std::string wire_version{base::kWireVersion};
 
   bool valid() const { return end_reason == EndReason::kFinished; }
+  TeamResult& team(soccer::Side side) { return side == soccer::Side::kRight ? right : left; }
 };
 
 /// The player statistics of `cls.match/1`: a list, not indented.

@@ -34,9 +34,26 @@ void round_shares(SpeedShares& shares) {
   *largest = std::round((*largest + 1.0 - sum) * kSteps) / kSteps;
 }
 
+/// How a limit is called in the order of SpeedLimit: in result.json, and in a sentence.
+struct LimitNames {
+  std::string_view document;
+  std::string_view sentence;
+};
+constexpr std::array<LimitNames, 8> kLimits = {{
+    {"", ""},
+    {"left playmaker", "the left Playmaker"},
+    {"right playmaker", "the right Playmaker"},
+    {"both playmakers", "both Playmakers"},
+    {"trainer playmaker", "the trainer Playmaker"},
+    {"agents", "the agents"},
+    {"server", "the server"},
+    {"clock", "the clock"},
+}};
+static_assert(kLimits.size() == static_cast<std::size_t>(SpeedLimit::kClock) + 1);
+
 struct Party {
   double share;
-  const char* name;
+  SpeedLimit limit;
 };
 
 Party largest_party(const SpeedShares& shares) {
@@ -44,12 +61,13 @@ Party largest_party(const SpeedShares& shares) {
   const bool both = less >= kComparable * more;
   const bool left = shares.left_playmaker > shares.right_playmaker;
   const std::array<Party, 5> parties = {{
-      {both ? less + more : more,
-       both ? "both playmakers" : (left ? "left playmaker" : "right playmaker")},
-      {shares.trainer_playmaker, "trainer playmaker"},
-      {shares.agents, "agents"},
-      {shares.server, "server"},
-      {shares.clock, "clock"},
+      {both ? less + more : more, both   ? SpeedLimit::kBothPlaymakers
+                                  : left ? SpeedLimit::kLeftPlaymaker
+                                         : SpeedLimit::kRightPlaymaker},
+      {shares.trainer_playmaker, SpeedLimit::kTrainerPlaymaker},
+      {shares.agents, SpeedLimit::kAgents},
+      {shares.server, SpeedLimit::kServer},
+      {shares.clock, SpeedLimit::kClock},
   }};
   return *std::max_element(parties.begin(), parties.end(),
                            [](const Party& a, const Party& b) { return a.share < b.share; });
@@ -58,6 +76,17 @@ Party largest_party(const SpeedShares& shares) {
 }  // namespace
 
 double SpeedResult::limiting_share() const { return largest_party(shares).share; }
+
+std::string_view name(SpeedLimit limit) {
+  return kLimits[static_cast<std::size_t>(limit)].document;
+}
+
+std::optional<SpeedLimit> parse_speed_limit(std::string_view name) {
+  for (std::size_t i = 0; i < kLimits.size(); ++i) {
+    if (kLimits[i].document == name) return static_cast<SpeedLimit>(i);
+  }
+  return std::nullopt;
+}
 
 void SpeedMeter::add_turns(Duration wall, std::span<SideTurn> turns) {
   std::sort(turns.begin(), turns.end(),
@@ -91,22 +120,19 @@ SpeedResult SpeedMeter::result() const {
   speed.shares = {share(server_),        share(agents_),        share(playmakers_[0]),
                   share(playmakers_[1]), share(playmakers_[2]), share(clock_)};
   round_shares(speed.shares);
-  speed.limited_by = largest_party(speed.shares).name;
+  speed.limited_by = largest_party(speed.shares).limit;
   return speed;
 }
 
 std::string limiting_party(const SpeedResult& speed) {
-  std::string who = speed.limited_by;
-  if (const auto at = who.find("playmaker"); at != std::string::npos) who[at] = 'P';
-  const bool both = speed.limited_by == "both playmakers";
-  return fmt::format("limited by {}{} ({:.0f} %)", both ? "" : "the ", who,
-                     speed.limiting_share() * 100.0);
+  const std::string_view who = kLimits[static_cast<std::size_t>(speed.limited_by)].sentence;
+  return fmt::format("limited by {} ({:.0f} %)", who, speed.limiting_share() * 100.0);
 }
 
 std::string describe(const SpeedResult& speed) {
   return fmt::format("{}, p99 {:.{}f} ms: {}", limiting_party(speed), speed.decision_ms.p99,
                      speed.decision_ms.p99 < 10.0 ? 1 : 0,
-                     speed.fits_100_ms ? "would do in real time" : "too slow for real time");
+                     speed.fits_100_ms ? "fast enough for real time" : "too slow for real time");
 }
 
 }  // namespace cls::orchestration::match

@@ -3,8 +3,10 @@
 
 #include <array>
 #include <chrono>
+#include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "soccer/side.h"
 
@@ -27,15 +29,31 @@ struct DecisionTimes {
   double max = 0.0;
 };
 
+/// Who limits the speed of a match.
+enum class SpeedLimit {
+  kNothing,  ///< no cycle was played
+  kLeftPlaymaker,
+  kRightPlaymaker,
+  kBothPlaymakers,
+  kTrainerPlaymaker,
+  kAgents,
+  kServer,
+  kClock,
+};
+
+/// Its name in result.json, such as "left playmaker"; empty for kNothing.
+std::string_view name(SpeedLimit limit);
+
+/// The limit of this name, if there is one.
+std::optional<SpeedLimit> parse_speed_limit(std::string_view name);
+
 struct SpeedResult {
-  /// "left playmaker", "right playmaker", "both playmakers", "trainer playmaker", "agents",
-  /// "server", "clock"; empty: no cycle was played.
-  std::string limited_by;
+  SpeedLimit limited_by = SpeedLimit::kNothing;
   SpeedShares shares;
   DecisionTimes decision_ms;
   bool fits_100_ms = false;  ///< 99 % of the decisions arrive in time for a server in real time
 
-  /// Of `limited_by`.
+  /// The share of `limited_by`.
   double limiting_share() const;
 };
 

@@ -55,9 +55,11 @@ std::optional<MatchEnd> EmbeddedServer::start(const std::function<bool()>& /*kee
   if (!port) {
     const std::string taken =
         process::taken_port(process::Protocol::kUdp, {*options_.monitor_port});
-    if (taken.empty())
-      return MatchEnd{EndReason::kServerFailed, port.error().message, {}, {}, false};
-    return MatchEnd{EndReason::kRefused, "--monitor-port: " + taken, {}, {}, true};
+    if (taken.empty()) {
+      return MatchEnd{.reason = EndReason::kServerFailed, .message = port.error().message};
+    }
+    return MatchEnd{
+        .reason = EndReason::kRefused, .message = "--monitor-port: " + taken, .try_again = true};
   }
   monitor_address_ = fmt::format("{}:{}", kHost, *port);
   return std::nullopt;
@@ -99,7 +101,7 @@ void EmbeddedServer::drain_late_commands() {
   const auto deadline = Clock::now() + kLateCommandTimeout;
   const auto awaits_external_player = [this] {
     for (const simulator::Player& player : server_->world().players) {
-      if (external_[index(player.side)] && server_->awaits(player.slot())) return true;
+      if (external_[player.side] && server_->awaits(player.slot())) return true;
     }
     return false;
   };
@@ -116,8 +118,7 @@ void EmbeddedServer::begin_play(const std::vector<Arrange>& arrange) {
   drain_late_commands();
   set_kick_off_wait(server_->world().params().kick_off_wait);
   for (const simulator::Player& player : server_->world().players) {
-    must_stay_[static_cast<std::size_t>(player.slot())] =
-        external_[index(player.side)] && player.enabled;
+    must_stay_[static_cast<std::size_t>(player.slot())] = external_[player.side] && player.enabled;
   }
 }
 
@@ -133,7 +134,7 @@ void EmbeddedServer::step() {
   if (events_ != nullptr) events_->follow(server_->world());
 }
 
-bool EmbeddedServer::turn_done(milliseconds limit) {
+bool EmbeddedServer::wait_for_commands(milliseconds limit) {
   return !has_external_team() || server_->wait_for_clients(Clock::now() + limit);
 }
 
@@ -161,7 +162,7 @@ void EmbeddedServer::add_result(MatchResult& result,
   const simulator::World& world = server_->world();
   for (const Side side : {Side::kLeft, Side::kRight}) {
     const simulator::Team& team = world.team(side);
-    TeamResult& reported = side == Side::kLeft ? result.left : result.right;
+    TeamResult& reported = result.team(side);
     reported.score = team.score;
     if (team.penalty_kicks > 0) reported.penalty_score = team.penalty_goals;
   }

@@ -2,14 +2,20 @@
 #pragma once
 
 #include <array>
+#include <chrono>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "base/io/byte_sink.h"
 #include "orchestration/match/options/server_command.h"
 #include "orchestration/match/server/server.h"
 #include "simulator/server/lockstep_server.h"
+#include "simulator/world/event.h"
+#include "simulator/world/world.h"
+#include "soccer/per_side.h"
 
 namespace cls::orchestration::match {
 
@@ -30,12 +36,23 @@ class EmbeddedServer : public Server {
   /// Accepts players over UDP, for an external team on `side`. With `free_port` at a free port,
   /// otherwise at 6000. The error names the owner of the port.
   base::Result<ServerPorts> open_player_port(bool free_port);
-  void expect_external_team(soccer::Side side) { external_[index(side)] = true; }
+  void expect_external_team(soccer::Side side) { external_[side] = true; }
+
+  /// All sides have joined: the match begins, in a world that `arrange` has changed.
+  using Arrange = std::function<void(simulator::World&, simulator::Events&)>;
+  void begin_play(const std::vector<Arrange>& arrange);
+  /// Advances by one step, after all sides have ended their turn.
+  void step();
+  /// True when all external clients have ended their turn; waits for them up to `limit`.
+  bool wait_for_commands(std::chrono::milliseconds limit);
+  /// The world after the last step.
+  const simulator::World& world() const { return server_->world(); }
+  /// Completes the logs.
+  void finish() { server_->finish(); }
 
   /// After `steps` steps all random draws come from `seed`.
   void branch(std::int64_t steps, std::uint64_t seed) { branch_ = {steps, seed}; }
 
-  bool lockstep() const override { return true; }
   std::optional<MatchEnd> start(const std::function<bool()>& keep_waiting) override;
   std::string waiting_for() const override { return {}; }
   std::string monitor_address() const override { return monitor_address_; }
@@ -43,23 +60,15 @@ class EmbeddedServer : public Server {
   ServerStatus status() const override;
   std::optional<int> lost_player(soccer::Side side) override;
   bool reports_lost_players() const override { return true; }
-  void begin_play(const std::vector<Arrange>& arrange) override;
-  void step() override;
-  bool turn_done(std::chrono::milliseconds limit) override;
   SourceProgress progress() const override;
-  const simulator::World* world() const override { return &server_->world(); }
   bool finished() const override { return server_->finished(); }
   std::optional<MatchEnd> failure(bool) override { return std::nullopt; }
-  void finish(FinalState, const std::atomic<int>&) override { server_->finish(); }
   void add_result(MatchResult& result, const std::vector<AgentProgress>& agents) const override;
 
  private:
   explicit EmbeddedServer(const MatchOptions& options) : options_(options) {}
 
-  static constexpr std::size_t index(soccer::Side side) {
-    return side == soccer::Side::kRight ? 1 : 0;
-  }
-  bool has_external_team() const { return external_[0] || external_[1]; }
+  bool has_external_team() const { return external_.left || external_.right; }
   void set_kick_off_wait(int cycles);
   void drain_late_commands();
 
@@ -67,7 +76,7 @@ class EmbeddedServer : public Server {
   std::unique_ptr<simulator::LockstepServer> server_;
   EventRecorder* events_ = nullptr;
   std::string monitor_address_;
-  std::array<bool, 2> external_{};
+  soccer::PerSide<bool> external_;
   std::array<bool, soccer::kPlayersOnPitch> must_stay_{};  ///< external players on the pitch
   bool playing_ = false;
   std::int64_t steps_ = 0;

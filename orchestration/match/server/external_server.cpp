@@ -36,7 +36,7 @@ ExternalServer::ExternalServer(const MatchOptions& options, MatchPlan plan,
       log_(plan_.server ? folder / kGameLogFile : std::filesystem::path()) {}
 
 MatchEnd ExternalServer::refused(std::string message) const {
-  MatchEnd end{EndReason::kRefused, std::move(message), {}, {}, false};
+  MatchEnd end{.reason = EndReason::kRefused, .message = std::move(message)};
   if (child_ != nullptr) end.failure = failure_of(*child_);
   return end;
 }
@@ -86,7 +86,7 @@ std::string ExternalServer::monitor_address() const {
 
 void ExternalServer::wait_for_clients() { std::this_thread::sleep_for(kLogPollInterval); }
 
-void ExternalServer::step() {
+void ExternalServer::poll() {
   std::this_thread::sleep_for(kLogPollInterval);
   log_.poll();
 }
@@ -115,19 +115,15 @@ std::optional<MatchEnd> ExternalServer::failure(bool playing) {
   const ServerStatus status = output_.status();
   const int cycle = log_.progress().match.cycle;
   if (status.gave_up) {
-    return MatchEnd{
-        EndReason::kLate,
-        fmt::format("the soccer server gave up at cycle {}: clients stopped responding", cycle),
-        failure_of(*child_),
-        {},
-        false};
+    return MatchEnd{.reason = EndReason::kLate,
+                    .message = fmt::format(
+                        "the soccer server gave up at cycle {}: clients stopped responding", cycle),
+                    .failure = failure_of(*child_)};
   }
   if (playing) {
-    return MatchEnd{EndReason::kServerFailed,
-                    fmt::format("the soccer server ended at cycle {}: {}", cycle, exit),
-                    failure_of(*child_),
-                    {},
-                    false};
+    return MatchEnd{.reason = EndReason::kServerFailed,
+                    .message = fmt::format("the soccer server ended at cycle {}: {}", cycle, exit),
+                    .failure = failure_of(*child_)};
   }
   const std::string why =
       status.first_error.empty() ? "" : fmt::format(" ({})", status.first_error);

@@ -1,6 +1,8 @@
 // A soccer server over UDP: a process that the match starts, or one that runs already.
 #pragma once
 
+#include <atomic>
+#include <chrono>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -22,20 +24,29 @@ class ExternalServer : public Server {
   ExternalServer(const MatchOptions& options, MatchPlan plan, process::ProcessHost* host,
                  const std::filesystem::path& folder);
 
-  bool lockstep() const override { return false; }
+  /// Waits for a poll interval and reads what is new.
+  void poll();
+  /// How long a healthy match may show no progress.
+  std::chrono::milliseconds quiet_time() const;
+
+  /// How the match leaves the server.
+  enum class FinalState {
+    kOver,     ///< the match is over: the server exits
+    kHeld,     ///< the clients hold it at the cycle limit
+    kRunning,  ///< it would continue
+  };
+  /// Shuts the server down if cls started it. A signal shortens the wait for its exit.
+  void finish(FinalState state, const std::atomic<int>& signal);
+
   std::optional<MatchEnd> start(const std::function<bool()>& keep_waiting) override;
   std::string waiting_for() const override;
   std::string monitor_address() const override;
   const process::Child* child() const override { return child_.get(); }
   void wait_for_clients() override;
   ServerStatus status() const override { return output_.status(); }
-  void begin_play(const std::vector<Arrange>&) override {}
-  void step() override;
   SourceProgress progress() const override;
-  std::chrono::milliseconds quiet_time() const override;
   bool finished() const override;
   std::optional<MatchEnd> failure(bool playing) override;
-  void finish(FinalState state, const std::atomic<int>& signal) override;
   std::vector<ProcessResult> wait_gone() override;
   void add_result(MatchResult& result, const std::vector<AgentProgress>& agents) const override;
 

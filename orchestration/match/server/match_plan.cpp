@@ -39,22 +39,20 @@ Result<std::vector<std::string>> server_program(const MatchOptions& options, std
 
 Result<void> plan_teams(MatchPlan& plan, const MatchOptions& options, const TeamNames& names,
                         const fs::path& folder) {
-  for (const Side side : {Side::kLeft, Side::kRight}) {
-    const Endpoint& endpoint = side == Side::kLeft ? options.left : options.right;
+  for (const Side side : soccer::kBothSides) {
+    const Endpoint& endpoint = endpoint_of(options, side);
     if (endpoint.kind != Endpoint::Kind::kTeam) continue;
     auto team = team_plan(endpoint.path,
                           team_values(options, names, side, plan.server_host, plan.ports, folder));
     if (!team) return team.error();
-    plan.teams[side == Side::kLeft ? 0 : 1] = std::move(*team);
+    plan.teams[side] = std::move(*team);
   }
   return {};
 }
 
 bool needs_stock_ports(const MatchPlan& plan) {
-  for (const auto& team : plan.teams) {
-    if (team && !team->takes_ports) return true;
-  }
-  return false;
+  const auto needs = [](const std::optional<TeamPlan>& team) { return team && !team->takes_ports; };
+  return needs(plan.teams.left) || needs(plan.teams.right);
 }
 
 // Free ports; the player port is the one that monitors were promised.
@@ -86,6 +84,11 @@ ServerSetup server_setup(const MatchOptions& options, const MatchPlan& plan,
 }
 
 }  // namespace
+
+const Endpoint& endpoint_of(const MatchOptions& options, Side side) {
+  if (side == Side::kNeutral) return *options.trainer;
+  return side == Side::kLeft ? options.left : options.right;
+}
 
 TeamValues team_values(const MatchOptions& options, const TeamNames& names, Side side,
                        const std::string& host, const ServerPorts& ports, const fs::path& folder) {

@@ -1,7 +1,6 @@
 // What a match over UDP will start: programs, ports and folders, before anything is started.
 #pragma once
 
-#include <array>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -12,6 +11,7 @@
 #include "orchestration/match/options/server_command.h"
 #include "orchestration/match/options/team_folder.h"
 #include "orchestration/process/ports.h"
+#include "soccer/per_side.h"
 
 namespace cls::orchestration::match {
 
@@ -19,10 +19,13 @@ namespace cls::orchestration::match {
 struct MatchPlan {
   std::string server_host = "127.0.0.1";
   ServerPorts ports;
-  std::optional<process::CommandPlan> server;    ///< none: the server runs already
-  std::array<std::optional<TeamPlan>, 2> teams;  ///< of `team:` sides, left and right
-  std::vector<process::ReservedPort> reserved;   ///< held for the server
+  std::optional<process::CommandPlan> server;      ///< none: the server runs already
+  soccer::PerSide<std::optional<TeamPlan>> teams;  ///< of `team:` sides
+  std::vector<process::ReservedPort> reserved;     ///< held for the server
 };
+
+/// Who plays on a side; the trainer, which there must be, for the neutral one.
+const Endpoint& endpoint_of(const MatchOptions& options, soccer::Side side);
 
 /// Finds programs and folders and chooses ports. With a team whose start script takes no ports the
 /// server gets 6000, 6001 and 6002. The error says what is missing.

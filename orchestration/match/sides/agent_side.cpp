@@ -18,9 +18,6 @@ namespace {
 
 using base::Result;
 
-// Calls to a crashed process fail before its exit is known.
-constexpr std::chrono::milliseconds kProgramExitDelay{500};
-
 proxy::RpcTimeout to_timeout(double seconds) {
   return std::chrono::duration_cast<proxy::RpcTimeout>(std::chrono::duration<double>(seconds));
 }
@@ -207,11 +204,8 @@ std::optional<MatchEnd> AgentSide::shake_hands() {
   const proxy::RpcStatus status = team_->register_agents();
   if (status.ok()) return std::nullopt;
   const bool garbled = status.outcome == proxy::RpcOutcome::kProtocolError;
-  return MatchEnd{garbled ? EndReason::kProtocolError : EndReason::kRefused,
-                  fmt::format("{}: {}", who(), status.message),
-                  {},
-                  {},
-                  false};
+  return MatchEnd{.reason = garbled ? EndReason::kProtocolError : EndReason::kRefused,
+                  .message = fmt::format("{}: {}", who(), status.message)};
 }
 
 std::vector<const PlaymakerConnection*> AgentSide::connections() const {

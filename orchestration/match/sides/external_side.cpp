@@ -72,8 +72,8 @@ std::optional<MatchEnd> ExternalSide::join(const ServerStatus& server,
                                            const std::vector<std::string>& others) {
   const Result<void> step = continue_joining(server, others);
   if (step) return std::nullopt;
-  MatchEnd end{
-      EndReason::kRefused, fmt::format("{}: {}", who(), step.error().message), {}, {}, false};
+  MatchEnd end{.reason = EndReason::kRefused,
+               .message = fmt::format("{}: {}", who(), step.error().message)};
   if (!agents_.empty()) end.failure = failure_of(*agents_.back().child);
   return end;
 }
@@ -148,7 +148,7 @@ MatchEnd ExternalSide::exit_failure(const process::Child& child, const MatchMome
   return end;
 }
 
-// Of processes that have died below a script that still runs or has succeeded.
+// Processes may die below a script that still runs or has succeeded.
 std::string ExternalSide::limit_hints() const {
   const auto limited = std::find_if(agents_.begin(), agents_.end(), [](const Agent& agent) {
     return agent.child->status().at_cpu_limit;
@@ -190,12 +190,9 @@ std::optional<MatchEnd> ExternalSide::lost_player_failure(const MatchMoment& mom
   if (!unum) return std::nullopt;
   const Agent* exited = wait_for_exited_agent();
   if (exited != nullptr && exited->unum == *unum) return exit_failure(*exited->child, moment);
-  return MatchEnd{EndReason::kCrashed,
-                  fmt::format("{}: player {} has left (at cycle {}){}", who(), *unum, moment.cycle,
-                              limit_hints()),
-                  {},
-                  {},
-                  false};
+  return MatchEnd{.reason = EndReason::kCrashed,
+                  .message = fmt::format("{}: player {} has left (at cycle {}){}", who(), *unum,
+                                         moment.cycle, limit_hints())};
 }
 
 std::optional<MatchEnd> ExternalSide::failure(const MatchMoment& moment) {

@@ -5,11 +5,8 @@ namespace cls::orchestration::match {
 namespace {
 
 using base::Result;
-using std::chrono::milliseconds;
-
-constexpr milliseconds kTurnPollInterval{20};
-// Calls to a crashed process fail before its exit is known.
-constexpr milliseconds kPlaymakerExitDelay{500};
+// A side that does not end its turn in this time when the match ends has to be cancelled.
+constexpr std::chrono::milliseconds kLeaveWait{20};
 
 }  // namespace
 
@@ -18,7 +15,7 @@ std::optional<MatchEnd> LockstepAgents::join(const ServerStatus& /*server*/,
   joined_ = true;
   const Result<void> connected = connect();
   if (connected) return std::nullopt;
-  return MatchEnd{EndReason::kServerFailed, connected.error().message, {}, {}, false};
+  return MatchEnd{.reason = EndReason::kServerFailed, .message = connected.error().message};
 }
 
 Result<void> LockstepAgents::connect() {
@@ -34,8 +31,9 @@ Result<void> LockstepAgents::connect() {
     return team().connect_coach(soccer::CoachRole::kTrainer,
                                 open(simulator::ListeningPort::kTrainers), serve);
   }
-  if (auto done = team().connect(open(simulator::ListeningPort::kPlayers), serve); !done)
+  if (auto done = team().connect(open(simulator::ListeningPort::kPlayers), serve); !done) {
     return done;
+  }
   if (!options().coach) return {};
   return team().connect_coach(soccer::CoachRole::kOnlineCoach,
                               open(simulator::ListeningPort::kOnlineCoaches), serve);
@@ -58,8 +56,14 @@ void LockstepAgents::take_turn() {
   busy_ = false;
 }
 
-bool LockstepAgents::turn_done() {
-  if (busy_) busy_ = !worker().wait_for(kTurnPollInterval);
+bool LockstepAgents::wait_work(std::chrono::milliseconds limit) {
+  if (!busy_) return true;
+  if (limit == kNoLimit) {
+    worker().wait();
+    busy_ = false;
+  } else {
+    busy_ = !worker().wait_for(limit);
+  }
   return !busy_;
 }
 
@@ -75,23 +79,23 @@ std::optional<MatchEnd> LockstepAgents::agent_failure(const MatchMoment& moment)
   const proxy::MissedDecisions missed = team().missed_decisions();
   if (missed.consecutive == 1 && missed.last.outcome == proxy::RpcOutcome::kUnavailable) {
     for (const PlaymakerProcess* started : playmaker_processes()) {
-      started->child().wait_exit(kPlaymakerExitDelay);
+      started->child().wait_exit(kProgramExitDelay);
     }
   }
   return end_by_missed_decisions(missed, who(), moment.cycle, options());
 }
 
 void LockstepAgents::leave() {
-  if (!turn_done()) cancel();
-  while (!turn_done()) {
+  if (!wait_work(kLeaveWait)) {
+    cancel();
+    wait_work(kNoLimit);
   }
   busy_ = true;
   worker().start([this] { team().leave(); });
 }
 
 void LockstepAgents::terminate() {
-  while (!turn_done()) {
-  }
+  wait_work(kNoLimit);
   for (const auto* started : playmaker_processes()) started->child().end(kTerminateGrace);
 }
 

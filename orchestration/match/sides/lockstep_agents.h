@@ -10,7 +10,7 @@
 namespace cls::orchestration::match {
 
 /// Handshake, turns and goodbye run on the side's worker; between them the team is the match's.
-class LockstepAgents : public AgentSide {
+class LockstepAgents : public AgentSide, private TurnTaker {
  public:
   /// `server` and `options` must outlive the side.
   LockstepAgents(SideIdentity identity, PlaymakerConnection connection, proxy::TeamOptions team,
@@ -26,21 +26,23 @@ class LockstepAgents : public AgentSide {
                                const std::vector<std::string>& others) override;
   bool joined() const override { return joined_; }
   void begin_handshake() override;
-  bool handshake_done() override { return turn_done(); }
+  bool wait_handshake(std::chrono::milliseconds limit) override { return wait_work(limit); }
   std::string waiting_for() const override { return no_answer(); }
   void begin_play() override { end_listening(); }
-  bool takes_turns() const override { return true; }
-  bool at_turn() const override { return true; }
-  void begin_turn(int cycle) override;
-  void take_turn() override;
-  bool turn_done() override;
-  void end_turn() override;
+  TurnTaker* turns() override { return this; }
   std::vector<std::string> take_warnings() override { return team().take_warnings(); }
   void leave() override;
   void terminate() override;
 
  private:
+  void begin_turn(int cycle) override;
+  void take_turn() override;
+  bool wait_turn(std::chrono::milliseconds limit) override { return wait_work(limit); }
+  void end_turn() override;
+
   base::Result<void> connect();
+  /// Waits until the worker no longer uses the team; false after `limit`.
+  bool wait_work(std::chrono::milliseconds limit);
   std::optional<MatchEnd> agent_failure(const MatchMoment& moment) override;
 
   EmbeddedServer& server_;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,6 +13,7 @@
 #include "orchestration/match/result/match_result.h"
 #include "orchestration/match/result/speed.h"
 #include "orchestration/match/server/server_output.h"
+#include "orchestration/match/sides/turn_taker.h"
 #include "proxy/agent/decision_listener.h"
 #include "proxy/connection/agent_statistics.h"
 #include "proxy/playmaker/call_watch.h"
@@ -49,8 +51,17 @@ class SideListener : public proxy::RpcListener {
   virtual void end_cycle() {}
 };
 
-/// Used by the match's thread only. Use: prepare, join, handshake, turns, leave, terminate,
-/// wait_gone, add_result.
+/// What the agents of a side over UDP have seen of the match.
+struct SeenMatch {
+  SourceProgress progress;
+  std::optional<soccer::Vec2> ball;    ///< its position, if known, in the server's coordinates
+  MatchMode mode = MatchMode::kSynch;  ///< that the server told the agents
+  bool finished = false;               ///< the match has ended
+  bool at_cycle_limit = false;         ///< the first cycle beyond --cycles has begun
+};
+
+/// Used by the match's thread only. Use: prepare, join, handshake, play, leave, terminate,
+/// wait_gone, result.
 class MatchSide {
  public:
   explicit MatchSide(SideIdentity identity) : identity_(std::move(identity)) {}
@@ -79,7 +90,8 @@ class MatchSide {
   virtual bool joined() const = 0;
   /// Introduces the agents to their Playmaker.
   virtual void begin_handshake() {}
-  virtual bool handshake_done() { return true; }
+  /// True when that is over; may wait for it, up to `limit`.
+  virtual bool wait_handshake(std::chrono::milliseconds /*limit*/) { return true; }
   /// What join() or the handshake waits for, as the beginning of a message.
   virtual std::string waiting_for() const = 0;
   /// What may be wrong when that lasts too long: "; it listens on port 50051, not on 21234".
@@ -94,36 +106,20 @@ class MatchSide {
   virtual void begin_play() {}
   /// The match has ended: agents continue without turns until the server or leave() stops them.
   virtual void end_play() {}
-  /// True for a side that decides only after begin_turn(): always in lockstep, and over UDP with
-  /// --step.
-  virtual bool takes_turns() const { return false; }
-  /// True while such a side waits for begin_turn().
-  virtual bool at_turn() const { return false; }
-  /// Lets the agents decide about the current cycle.
-  virtual void begin_turn(int /*cycle*/) {}
-  /// Takes a begun turn that has no thread of its own; after begin_turn() of all sides.
-  virtual void take_turn() {}
-  virtual bool turn_done() { return true; }
-  virtual void end_turn() {}
+  /// nullptr for a side that decides without being told: agents over UDP without --step, and
+  /// external teams.
+  virtual TurnTaker* turns() { return nullptr; }
 
   /// How long the decisions of this side have taken so far; zero for an external team. In lockstep
   /// between turns only.
   virtual TurnTimes turn_times() const { return {}; }
   /// The time of each turn; after wait_gone().
   virtual const proxy::LatencySamples* turn_samples() const { return nullptr; }
-  /// What the agents have seen of the match; nothing for an external team.
-  virtual std::optional<SourceProgress> progress() const { return std::nullopt; }
-  /// The ball's position if the agents know it, in the server's coordinates.
-  virtual std::optional<soccer::Vec2> ball() const { return std::nullopt; }
-  /// The mode that the server told the agents; nothing when the match decides.
-  virtual std::optional<MatchMode> mode() const { return std::nullopt; }
-  /// True when the side has seen the match end.
-  virtual bool finished() const { return false; }
-  /// True when the side has seen the first cycle beyond --cycles.
-  virtual bool at_cycle_limit() const { return false; }
+  /// Nothing in lockstep, and for an external team.
+  virtual std::optional<SeenMatch> seen() const { return std::nullopt; }
   /// Why this side cannot continue, if so.
   virtual std::optional<MatchEnd> failure(const MatchMoment& moment) = 0;
-  /// The same at the end of the match, for a failure that could have been the end itself.
+  /// Asked at the end of a match over UDP: a failure that could have been the end itself.
   virtual std::optional<MatchEnd> final_failure(const MatchMoment& /*moment*/) {
     return std::nullopt;
   }
@@ -148,5 +144,7 @@ class MatchSide {
  private:
   SideIdentity identity_;
 };
+
+using Sides = std::vector<std::unique_ptr<MatchSide>>;
 
 }  // namespace cls::orchestration::match

@@ -4,8 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <thread>
 #include <utility>
+
+#include "orchestration/match/sides/pace.h"
 
 namespace cls::orchestration::match {
 namespace {
@@ -15,7 +16,6 @@ using std::chrono::milliseconds;
 using Clock = std::chrono::steady_clock;
 
 constexpr milliseconds kLimitPollInterval{5};
-constexpr milliseconds kAgentThrottleInterval{50};
 constexpr int kConnectTimeoutMs = 100;
 
 }  // namespace
@@ -40,8 +40,7 @@ Result<std::unique_ptr<NetworkAgents>> NetworkAgents::create(
 
 NetworkAgents::~NetworkAgents() {
   stop();
-  while (!worker().wait_for(milliseconds(1000))) {
-  }
+  worker().wait();
 }
 
 // A Playmaker that takes long to start must not make the players on the pitch wait for it.
@@ -76,27 +75,24 @@ void NetworkAgents::stop() {
   cancel();
 }
 
-std::optional<SourceProgress> NetworkAgents::progress() const {
+// With the lock.
+bool NetworkAgents::has_finished() const {
+  if (!settings_.leave_at_time_over) return stage_ == Stage::kOver && !end_;
+  return snapshot_.progress.match.mode == soccer::PlayMode::kTimeOver;
+}
+
+std::optional<SeenMatch> NetworkAgents::seen() const {
   const std::lock_guard lock(mutex_);
-  return snapshot_.progress;
+  return SeenMatch{.progress = snapshot_.progress,
+                   .ball = snapshot_.ball,
+                   .mode = mode_,
+                   .finished = has_finished(),
+                   .at_cycle_limit = reached_limit_};
 }
 
 TurnTimes NetworkAgents::turn_times() const {
   const std::lock_guard lock(mutex_);
   return snapshot_.turns;
-}
-
-std::optional<soccer::Vec2> NetworkAgents::ball() const {
-  const std::lock_guard lock(mutex_);
-  return snapshot_.ball;
-}
-
-std::optional<MatchMode> NetworkAgents::mode() const { return mode_.load(); }
-
-bool NetworkAgents::finished() const {
-  const std::lock_guard lock(mutex_);
-  if (!settings_.leave_at_time_over) return stage_ == Stage::kOver && !end_;
-  return snapshot_.progress.match.mode == soccer::PlayMode::kTimeOver;
 }
 
 std::optional<MatchEnd> NetworkAgents::agent_failure(const MatchMoment& /*moment*/) {
@@ -132,7 +128,7 @@ void NetworkAgents::live() {
 bool NetworkAgents::join_server() {
   const auto connected = driver_->connect([this] { return !stop_.load(); });
   if (!connected) {
-    fail({EndReason::kRefused, connected.error().message, {}, {}, false});
+    fail({.reason = EndReason::kRefused, .message = connected.error().message});
     return false;
   }
   mode_ = team().synchronous() ? MatchMode::kSynch : MatchMode::kRealtime;
@@ -160,14 +156,11 @@ void NetworkAgents::play() {
   const bool unheard = end == proxy::DriveResult::kPlayersUnheard;
   if (!unheard && end != proxy::DriveResult::kServerUnresponsive) return;
   if (over && !settings_.leave_at_time_over) return;
-  fail({EndReason::kServerFailed,
-        fmt::format("{}: the soccer server {}", who(),
-                    unheard ? "sends nothing to the players any more: another client may have "
-                              "taken them over by (reconnect)"
-                            : "stopped responding"),
-        {},
-        {},
-        false});
+  const char* problem = unheard ? "sends nothing to the players any more: another client may have "
+                                  "taken them over by (reconnect)"
+                                : "stopped responding";
+  fail({.reason = EndReason::kServerFailed,
+        .message = fmt::format("{}: the soccer server {}", who(), problem)});
 }
 
 void NetworkAgents::begin_play() { playing_ = true; }
@@ -198,19 +191,12 @@ bool NetworkAgents::has_kicked_off() const {
   });
 }
 
-void NetworkAgents::begin_turn(int /*cycle*/) { gate_.let_pass(); }
-
-// Waits until the next cycle is due, in slices, so that a signal is noticed.
+// Waits until the next cycle is due.
 void NetworkAgents::throttle() {
   if (!settings_.speed || !playing_ || !team().synchronous()) return;
   if (turns_++ == 0) first_turn_ = Clock::now();
-  const std::chrono::duration<double, std::milli> step(team().world().server().simulator_step /
-                                                       *settings_.speed);
-  const auto due =
-      first_turn_ + std::chrono::duration_cast<Clock::duration>(step * static_cast<double>(turns_));
-  for (auto now = Clock::now(); now < due && !stop_; now = Clock::now()) {
-    std::this_thread::sleep_until(std::min(due, now + kAgentThrottleInterval));
-  }
+  keep_pace(first_turn_, turns_, team().world().server().simulator_step, *settings_.speed,
+            [this] { return stop_.load(); });
 }
 
 // All players have sent their commands of the last cycle before the limit.

@@ -37,7 +37,7 @@ struct NetworkSettings {
 };
 
 /// Lives on its worker's thread from join() on. The match's thread polls.
-class NetworkAgents : public AgentSide {
+class NetworkAgents : public AgentSide, private TurnTaker {
  public:
   /// The error says that the server's host is unknown. Nothing is sent yet. `options` must outlive
   /// the side.
@@ -51,21 +51,17 @@ class NetworkAgents : public AgentSide {
   std::optional<MatchEnd> join(const ServerStatus& server,
                                const std::vector<std::string>& others) override;
   bool joined() const override { return stage_ > Stage::kJoining; }
-  bool handshake_done() override { return stage_ > Stage::kHandshake; }
+  bool wait_handshake(std::chrono::milliseconds /*limit*/) override {
+    return stage_ > Stage::kHandshake;
+  }
   std::string waiting_for() const override;
   std::string timeout_hint() const override;
   void begin_play() override;
   void end_play() override;
-  bool takes_turns() const override { return playing_ && gate_.is_closed(); }
-  bool at_turn() const override { return gate_.has_waiting(); }
-  void begin_turn(int cycle) override;
+  TurnTaker* turns() override { return playing_ && gate_.is_closed() ? this : nullptr; }
   TurnTimes turn_times() const override;
-  std::optional<SourceProgress> progress() const override;
-  std::optional<soccer::Vec2> ball() const override;
-  std::optional<MatchMode> mode() const override;
-  bool finished() const override;
-  bool at_cycle_limit() const override { return reached_limit_; }
-  /// Of a team that missed too many decisions: the server may reach its end without it.
+  std::optional<SeenMatch> seen() const override;
+  /// A team that missed too many decisions: the server may reach its end without it.
   std::optional<MatchEnd> final_failure(const MatchMoment& moment) override;
   std::vector<std::string> take_warnings() override;
   void leave() override;
@@ -92,7 +88,11 @@ class NetworkAgents : public AgentSide {
         settings_(std::move(settings)),
         gate_(settings_.hold_turns) {}
 
+  bool at_turn() const override { return gate_.has_waiting(); }
+  void begin_turn(int /*cycle*/) override { gate_.let_pass(); }
+
   std::optional<MatchEnd> agent_failure(const MatchMoment& moment) override;
+  bool has_finished() const;
   void stop();
   void live();
   bool join_server();

@@ -16,6 +16,9 @@
 
 namespace cls::orchestration::match {
 
+/// Calls to a crashed program fail before its exit is known.
+inline constexpr std::chrono::milliseconds kProgramExitDelay{500};
+
 /// Where a running Playmaker listens; for kAddress and kUnixSocket.
 proxy::GrpcTarget target_of(const Endpoint& endpoint);
 

@@ -7,6 +7,7 @@
 
 namespace {
 
+using cls::orchestration::match::SpeedLimit;
 using cls::orchestration::match::SpeedMeter;
 using cls::orchestration::match::SpeedResult;
 using cls::soccer::Side;
@@ -20,7 +21,7 @@ TEST(SpeedMeter, GivesWaitingTimeToThePlaymakerThatIsAwaited) {
        {Side::kRight, {milliseconds(90), milliseconds(90)}}}};
   meter.add_turns(milliseconds(90), turns);
   const SpeedResult speed = meter.result();
-  EXPECT_EQ(speed.limited_by, "right playmaker");
+  EXPECT_EQ(name(speed.limited_by), "right playmaker");
   EXPECT_DOUBLE_EQ(speed.shares.server, 0.1);
   EXPECT_DOUBLE_EQ(speed.shares.right_playmaker, 0.85);  // 80 ms alone, half of 10 ms
   EXPECT_DOUBLE_EQ(speed.shares.agents, 0.05);
@@ -35,7 +36,7 @@ TEST(SpeedMeter, NamesBothPlaymakersWhenTheyAreEquallySlow) {
        {Side::kRight, {milliseconds(60), milliseconds(60)}}}};
   meter.add_turns(milliseconds(60), turns);
   const SpeedResult speed = meter.result();
-  EXPECT_EQ(speed.limited_by, "both playmakers");
+  EXPECT_EQ(name(speed.limited_by), "both playmakers");
   EXPECT_DOUBLE_EQ(speed.limiting_share(), 0.6);
 }
 
@@ -43,16 +44,16 @@ TEST(SpeedMeter, NamesServerAndClock) {
   SpeedMeter meter;
   meter.add_server(milliseconds(30));
   meter.add_clock(milliseconds(20));
-  EXPECT_EQ(meter.result().limited_by, "server");
+  EXPECT_EQ(name(meter.result().limited_by), "server");
   meter.add_clock(milliseconds(50));
-  EXPECT_EQ(meter.result().limited_by, "clock");
+  EXPECT_EQ(name(meter.result().limited_by), "clock");
 }
 
-TEST(SpeedMeter, HasNoVerdictWithoutTime) { EXPECT_EQ(SpeedMeter().result().limited_by, ""); }
+TEST(SpeedMeter, HasNoVerdictWithoutTime) { EXPECT_EQ(name(SpeedMeter().result().limited_by), ""); }
 
 TEST(SpeedMeter, DescribesTheVerdictInOneLine) {
   SpeedResult speed;
-  speed.limited_by = "trainer playmaker";
+  speed.limited_by = SpeedLimit::kTrainerPlaymaker;
   speed.shares.trainer_playmaker = 1.0;
   speed.decision_ms.p99 = 12345.0;
   const std::string line = describe(speed);
