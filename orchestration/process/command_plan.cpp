@@ -36,6 +36,7 @@ std::string shell_quoted(std::string_view word) {
   bool plain = !word.empty();
   for (const char c : word) plain = plain && is_plain(c);
   if (plain) return std::string(word);
+
   std::string quoted = "'";
   for (const char c : word) {
     if (c == '\'') {
@@ -51,9 +52,11 @@ std::string to_shell(const CommandPlan& plan) {
   std::string line;
   const bool limited = plan.limits != ResourceLimits();
   if (limited) line += "(";  // so that the limits end with the command
+
   if (plan.limits.memory != 0) line += fmt::format("ulimit -d {}; ", plan.limits.memory / 1024);
   if (plan.limits.cpu_seconds != 0) line += fmt::format("ulimit -t {}; ", plan.limits.cpu_seconds);
   if (!plan.folder.empty()) line += fmt::format("cd {} && ", shell_quoted(plan.folder.string()));
+
   if (plan.empty_environment || !plan.environment.empty()) {
     line += plan.empty_environment ? "env -i " : "env ";
     for (const EnvironmentChange& change : plan.environment) {
@@ -63,11 +66,13 @@ std::string to_shell(const CommandPlan& plan) {
       if (change.value) line += fmt::format("{}={} ", change.name, shell_quoted(*change.value));
     }
   }
+
   if (!plan.cpus.empty()) line += fmt::format("taskset -c {} ", fmt::join(plan.cpus, ","));
   for (std::size_t i = 0; i < plan.argv.size(); ++i) {
     if (i > 0) line += ' ';
     line += shell_quoted(plan.argv[i]);
   }
+
   if (limited) line += ")";
   return line;
 }
@@ -84,8 +89,10 @@ Result<fs::path> find_program(const std::string& program) {
     if (!is_program(path)) return Error{fmt::format("{} is not executable", program)};
     return path;
   }
+
   const char* variable = std::getenv("PATH");
   std::string_view folders = variable == nullptr ? "/usr/local/bin:/usr/bin:/bin" : variable;
+
   while (true) {
     const std::size_t colon = folders.find(':');
     const std::string folder(folders.substr(0, colon));

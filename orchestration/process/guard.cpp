@@ -97,6 +97,7 @@ class GuardLoop {
       if (waits[0].revents != 0 || !child_signals_) reap_children();
       if (waits[1].revents != 0) serve();
     }
+
     sweep();
     std::error_code ignored;
     for (const std::string& folder : folders_) std::filesystem::remove_all(folder, ignored);
@@ -110,17 +111,20 @@ class GuardLoop {
       socket_.reset();
       return;
     }
+
     if (packet.fds.empty()) {
       const std::string folder = packet.bytes.substr(1);
       if (packet.bytes[0] == kDeleteAtExit) folders_.insert(folder);
       if (packet.bytes[0] == kForget) folders_.erase(folder);
       return;
     }
+
     const auto plan = decode_plan(packet.bytes);
     if (!plan || packet.fds.size() != 2) return;
     const pid_t pid = ::fork();
     if (pid > 0) keepers_.insert(pid);
     if (pid != 0) return;  // after a failed fork cls sees the connection closed without a report
+
     socket_.reset();
     child_signals_.reset();
     title_.set("match-keeper of " + plan->name);
@@ -132,6 +136,7 @@ class GuardLoop {
     signalfd_siginfo ignored{};
     while (::read(child_signals_.get(), &ignored, sizeof ignored) > 0) {
     }
+
     while (true) {
       int status = 0;
       const pid_t pid = ::waitpid(-1, &status, WNOHANG);
@@ -172,11 +177,13 @@ class GuardLoop {
 base::UniqueFd close_others(base::UniqueFd socket) {
   const int null = ::open("/dev/null", O_RDWR);
   for (const int fd : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) ::dup2(null, fd);
+
   constexpr int kKeptFd = 3;
   if (socket.get() != kKeptFd) {
     ::dup2(socket.get(), kKeptFd);
     socket = base::UniqueFd(kKeptFd);
   }
+
   ::closefrom(kKeptFd + 1);
   ::fcntl(kKeptFd, F_SETFD, FD_CLOEXEC);
   return socket;
@@ -185,13 +192,16 @@ base::UniqueFd close_others(base::UniqueFd socket) {
 [[noreturn]] void run_guard(base::UniqueFd socket, ProcessTitle title) {
   ::setsid();
   ::prctl(PR_SET_CHILD_SUBREAPER, 1);
+
   struct sigaction standard = {};
   standard.sa_handler = SIG_DFL;
   ::sigaction(SIGCHLD, &standard,
               nullptr);  // if ignored, the kernel would not report exited children
+
   sigset_t all;
   ::sigfillset(&all);
   ::sigprocmask(SIG_SETMASK, &all, nullptr);
+
   title.set(fmt::format("match-guard of process {}", ::getppid()));
   GuardLoop(close_others(std::move(socket)), title).run();
 }
@@ -235,6 +245,7 @@ base::Result<Guard> Guard::start(int argc, char** argv) {
   open_closed_standard_streams();
   auto sockets = make_socket_pair();
   if (!sockets) return failed_start();
+
   const pid_t pid = ::fork();
   if (pid < 0) return failed_start();
   if (pid == 0) {

@@ -62,6 +62,7 @@ class Keeper {
         signalfd_siginfo ignored{};
         if (::read(child_signals, &ignored, sizeof ignored) < 0) continue;
       }
+
       reap_children();
       if (control_ && waits[1].revents != 0) obey();
       escalate();
@@ -78,10 +79,12 @@ class Keeper {
       report.by_signal = WIFSIGNALED(*exit_status_);
       report.number = report.by_signal ? WTERMSIG(*exit_status_) : WEXITSTATUS(*exit_status_);
     }
+
     const pid_t self = ::getpid();
     if (kind == KeeperReport::Kind::kExited) {
       report.living = static_cast<std::int32_t>(descendants_of(self).size());
     }
+
     report.cpu_seconds = reaped_cpu_seconds();
     if (kind != KeeperReport::Kind::kGone) report.cpu_seconds += living_cpu_seconds(self);
     if (control_) send_report(control_.get(), report);
@@ -94,6 +97,7 @@ class Keeper {
       const pid_t pid = ::wait4(-1, &status, WNOHANG, &usage);
       const bool at_limit = pid > 0 && !kill_at_ && died_of_cpu_limit(status, usage, cpu_limit_s_);
       at_cpu_limit_ = at_cpu_limit_ || at_limit;
+
       if (pid == program_) {
         exit_status_ = status;
         report(KeeperReport::Kind::kExited);
@@ -115,8 +119,10 @@ class Keeper {
       end(kOrphanGraceSeconds, false);
       return;
     }
+
     const auto request = read_request(packet);
     if (!request) return;
+
     if (request->kind == KeeperRequest::Kind::kUsage) {
       report(KeeperReport::Kind::kUsage);
     } else {
@@ -188,11 +194,13 @@ void run_keeper(base::UniqueFd control, base::UniqueFd output, const CommandPlan
   sigset_t all;
   ::sigfillset(&all);
   ::sigprocmask(SIG_SETMASK, &all, nullptr);
+
   sigset_t children;
   ::sigemptyset(&children);
   ::sigaddset(&children, SIGCHLD);
   const base::UniqueFd child_signals(::signalfd(-1, &children, SFD_CLOEXEC | SFD_NONBLOCK));
   const Launch launched = child_signals ? launch(plan, output.get()) : Launch{0, errno, {}};
+
   output.reset();
   if (launched.pid == 0) {
     KeeperReport report;
@@ -202,6 +210,7 @@ void run_keeper(base::UniqueFd control, base::UniqueFd output, const CommandPlan
     send_report(control.get(), report);
     ::_exit(0);
   }
+
   Keeper(std::move(control), launched.pid, plan.limits.cpu_seconds).run(child_signals.get());
 }
 

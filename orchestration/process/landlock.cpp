@@ -70,9 +70,11 @@ base::UniqueFd make_ruleset(const FileAccess& files) {
   const bool scoped = version >= kFirstScopedVersion;
   const std::uint64_t everything = kReading | writing(version);
   const RulesetAttributes handled{everything, 0, scoped ? kScoped : 0};
+
   base::UniqueFd ruleset(static_cast<int>(::syscall(
       SYS_landlock_create_ruleset, &handled, scoped ? sizeof handled : sizeof handled.files, 0)));
   if (!ruleset) return ruleset;
+
   for (const auto& path : files.readable) {
     if (!allow(ruleset.get(), path, kReading)) return {};
   }

@@ -71,8 +71,10 @@ std::optional<LaunchStep> prepare(const CommandPlan& plan, int ruleset, pid_t pa
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (::getppid() != parent) ::_exit(127);  // the parent exited before prctl took effect
   if (!plan.folder.empty() && ::chdir(plan.folder.c_str()) != 0) return LaunchStep::kFolder;
+
   set_affinity(plan.cpus);
   set_limits(plan.limits);
+
   // The descriptor with which Boost reports a failed exec must stay open until exec.
   ::close_range(3, ~0U, CLOSE_RANGE_CLOEXEC);
   reset_signals();
@@ -87,6 +89,7 @@ std::vector<std::string> environment_of(const CommandPlan& plan) {
   for (char** entry = plan.empty_environment ? nullptr : environ; entry && *entry; ++entry) {
     entries.emplace_back(*entry);
   }
+
   for (const EnvironmentChange& change : plan.environment) {
     const std::string start = change.name + "=";
     std::erase_if(entries, [&](const std::string& entry) { return entry.starts_with(start); });
@@ -107,11 +110,13 @@ Launch launch_program(const CommandPlan& plan, std::vector<std::string> argv, in
   constexpr int kStepError = 100'000;  // more than any errno: the step is a multiple of it
   const base::UniqueFd ruleset = plan.files ? make_ruleset(*plan.files) : base::UniqueFd();
   if (plan.files && !ruleset) return {0, errno, LaunchStep::kFiles};
+
   // Boost's own arguments would take the first character of empty ones.
   std::vector<char*> arguments = pointers_to(argv);
   std::vector<std::string> entries = environment_of(plan);
   std::vector<char*> environment = pointers_to(entries);
   const pid_t parent = ::getpid();
+
   const auto before_exec = [&, parent](auto& executor) {
     executor.cmd_line = arguments.data();
     executor.env = environment.data();
@@ -121,9 +126,11 @@ Launch launch_program(const CommandPlan& plan, std::vector<std::string> argv, in
     executor.set_error(std::error_code(error, std::system_category()), "before exec");
     ::_exit(127);
   };
+
   std::error_code error;
   bp::child child(bp::exe = argv.front(), bp::posix::fd.bind(1, output),
                   bp::posix::fd.bind(2, output), bp::extend::on_exec_setup = before_exec, error);
+
   Launch result;
   if (!error && child.id() <= 0)
     error = std::error_code(EMFILE, std::system_category());  // no pipe
@@ -132,6 +139,7 @@ Launch launch_program(const CommandPlan& plan, std::vector<std::string> argv, in
     result.error = error.value() % kStepError;
     return result;
   }
+
   result.pid = child.id();
   child.detach();  // the keeper reaps all its children itself
   return result;

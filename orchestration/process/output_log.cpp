@@ -20,10 +20,12 @@ void OutputLog::add(std::string_view bytes) {
     const std::string_view piece = bytes.substr(0, end);
     if (!overlong_)
       partial_ += piece.substr(0, kMaxLineBytes - std::min(partial_.size(), kMaxLineBytes));
+
     if (partial_.size() >= kMaxLineBytes && !overlong_) {
       add_line(partial_);
       overlong_ = true;
     }
+
     if (end == std::string_view::npos) return;
     if (!overlong_) add_line(partial_);
     partial_.clear();
@@ -35,10 +37,12 @@ void OutputLog::add(std::string_view bytes) {
 void OutputLog::add_line(std::string_view line) {
   if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
   if (on_line_) on_line_(line);
+
   if (!last_.empty() && last_.back().text == line) {
     ++last_.back().times;
     return;
   }
+
   write_repetitions();
   last_.push_back({std::string(line), 1});
   if (last_.size() > kMaxLastLines) last_.pop_front();
@@ -51,12 +55,14 @@ void OutputLog::write_repetitions() {
 
 void OutputLog::write(std::string_view text) {
   if (!file_) return;
+
   full_ = full_ || text.size() > room_;
   if (full_) {
     ++omitted_;
     return;
   }
   room_ -= text.size();
+
   while (!text.empty()) {
     const ssize_t written = ::write(file_.get(), text.data(), text.size());
     if (written < 0 && errno == EINTR) continue;
@@ -73,6 +79,7 @@ void OutputLog::finish() {
   if (!partial_.empty() && !overlong_) add_line(partial_);
   partial_.clear();
   write_repetitions();
+
   if (full_) {
     std::string rest = fmt::format("[size limit of this log: {} lines left out]\n",
                                    omitted_ - std::min(omitted_, last_.size()));

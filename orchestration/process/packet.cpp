@@ -83,6 +83,7 @@ bool send_packet(int socket, std::string_view bytes, const std::vector<int>& fds
   message.msg_iov = &part;
   message.msg_iovlen = 1;
   alignas(cmsghdr) std::array<char, CMSG_SPACE(sizeof(int) * kMaxFds)> control{};
+
   if (!fds.empty()) {
     const std::size_t size = sizeof(int) * fds.size();
     message.msg_control = control.data();
@@ -93,6 +94,7 @@ bool send_packet(int socket, std::string_view bytes, const std::vector<int>& fds
     header->cmsg_len = CMSG_LEN(size);
     std::memcpy(CMSG_DATA(header), fds.data(), size);
   }
+
   ssize_t sent = -1;
   do {
     sent = ::sendmsg(socket, &message, MSG_NOSIGNAL);
@@ -105,17 +107,21 @@ Packet receive_packet(int socket) {
   packet.bytes.resize(kMaxPacket);
   iovec part{packet.bytes.data(), packet.bytes.size()};
   alignas(cmsghdr) std::array<char, CMSG_SPACE(sizeof(int) * kMaxFds)> control{};
+
   msghdr message{};
   message.msg_iov = &part;
   message.msg_iovlen = 1;
   message.msg_control = control.data();
   message.msg_controllen = control.size();
+
   ssize_t got = -1;
   do {
     got = ::recvmsg(socket, &message, MSG_CMSG_CLOEXEC);
   } while (got < 0 && errno == EINTR);
+
   packet.bytes.resize(got > 0 ? static_cast<std::size_t>(got) : 0);
   if (got < 0) return packet;
+
   for (cmsghdr* header = CMSG_FIRSTHDR(&message); header != nullptr;
        header = CMSG_NXTHDR(&message, header)) {
     if (header->cmsg_level != SOL_SOCKET || header->cmsg_type != SCM_RIGHTS) continue;
@@ -142,18 +148,21 @@ std::string encode(const CommandPlan& plan) {
   add(bytes, plan.name);
   add(bytes, plan.folder.string());
   add(bytes, std::to_string(plan.argv.size()));
+
   for (const std::string& word : plan.argv) add(bytes, word);
   add(bytes, std::to_string(plan.environment.size()));
   for (const EnvironmentChange& change : plan.environment) {
     add(bytes, change.name);
     add(bytes, change.value ? "=" + *change.value : "");
   }
+
   add(bytes, std::to_string(plan.cpus.size()));
   for (const int cpu : plan.cpus) add(bytes, std::to_string(cpu));
   add(bytes, std::to_string(plan.limits.memory));
   add(bytes, std::to_string(plan.limits.cpu_seconds));
   add(bytes, plan.empty_environment ? "1" : "0");
   add(bytes, plan.files ? "1" : "0");
+
   if (!plan.files) return bytes;
   add_paths(bytes, plan.files->readable);
   add_paths(bytes, plan.files->writable);
@@ -165,6 +174,7 @@ std::optional<CommandPlan> decode_plan(std::string_view bytes) {
   CommandPlan plan;
   plan.name = fields.text();
   plan.folder = fields.text();
+
   for (int left = fields.number(); left > 0 && fields.good(); --left) {
     plan.argv.push_back(fields.text());
   }
@@ -177,6 +187,7 @@ std::optional<CommandPlan> decode_plan(std::string_view bytes) {
   for (int left = fields.number(); left > 0 && fields.good(); --left) {
     plan.cpus.push_back(fields.number());
   }
+
   plan.limits.memory = std::strtoull(fields.text().c_str(), nullptr, 10);
   plan.limits.cpu_seconds = fields.number();
   plan.empty_environment = fields.number() != 0;
@@ -185,6 +196,7 @@ std::optional<CommandPlan> decode_plan(std::string_view bytes) {
     files.readable = fields.paths();
     files.writable = fields.paths();
   }
+
   if (!fields.good() || plan.argv.empty()) return std::nullopt;
   return plan;
 }

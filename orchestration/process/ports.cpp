@@ -43,10 +43,12 @@ bool can_bind(int type, int port) {
     any = "0.0.0.0";  // host without IPv6
     socket = base::UniqueFd(::socket(AF_INET, type | SOCK_CLOEXEC, 0));
   }
+
   // A server can reuse a TCP port with old connections in TIME_WAIT.
   if (type == SOCK_STREAM) {
     ::setsockopt(socket.get(), SOL_SOCKET, SO_REUSEADDR, &on, sizeof on);
   }
+
   const base::SocketAddress address = *base::parse_ip_address(any, port);
   return ::bind(socket.get(), address.get(), address.size) == 0;
 }
@@ -61,17 +63,20 @@ struct BoundSocket {
 std::vector<BoundSocket> bound_sockets(Protocol protocol) {
   constexpr const char* kListening = "0A";
   std::vector<BoundSocket> sockets;
+
   const std::string name = protocol == Protocol::kTcp ? "/proc/net/tcp" : "/proc/net/udp";
   for (const std::string& path : {name, name + "6"}) {
     std::ifstream file(path);
     std::string line;
     std::getline(file, line);  // header
+
     while (std::getline(file, line)) {
       std::istringstream fields(line);
       std::string slot, local, remote, state, queues, timer, retransmits, user, timeout;
       BoundSocket socket;
       fields >> slot >> local >> remote >> state >> queues >> timer >> retransmits >> user >>
           timeout >> socket.inode;
+
       const std::size_t colon = local.rfind(':');
       if (!fields || colon == std::string::npos) continue;
       if (protocol == Protocol::kTcp && state != kListening) continue;
@@ -86,6 +91,7 @@ std::vector<BoundSocket> bound_sockets(Protocol protocol) {
 std::set<unsigned long> sockets_of(int pid) {
   std::set<unsigned long> inodes;
   std::error_code code;
+
   for (fs::directory_iterator fd(fmt::format("/proc/{}/fd", pid), code), end; !code && fd != end;
        fd.increment(code)) {
     std::error_code unreadable;
@@ -118,12 +124,14 @@ std::vector<int> all_pids() {
 std::optional<base::UniqueFd> reserve(int port) {
   base::UniqueFd mark(::socket(AF_UNIX, SOCK_DGRAM | SOCK_CLOEXEC, 0));
   if (!mark) return std::nullopt;
+
   sockaddr_un address{};
   address.sun_family = AF_UNIX;
   // An abstract socket (name begins with NUL) leaves no file.
   const std::string name = fmt::format("cls-port-{}", port);
   std::memcpy(address.sun_path + 1, name.data(), name.size());
   const auto size = static_cast<socklen_t>(offsetof(sockaddr_un, sun_path) + 1 + name.size());
+
   if (::bind(mark.get(), reinterpret_cast<const sockaddr*>(&address), size) != 0) {
     return std::nullopt;
   }
@@ -158,8 +166,10 @@ std::vector<PortOwner> owners_of(Protocol protocol, int port) {
   for (const BoundSocket& socket : bound_sockets(protocol)) {
     if (socket.port == port) wanted.insert(socket.inode);
   }
+
   std::vector<PortOwner> owners;
   if (wanted.empty()) return owners;
+
   for (const int pid : all_pids()) {
     for (const unsigned long inode : sockets_of(pid)) {
       if (wanted.count(inode) == 0) continue;

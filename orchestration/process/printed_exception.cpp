@@ -50,6 +50,7 @@ std::string_view python_exception(const Lines& lines, std::size_t traceback) {
   std::size_t at = traceback + 1;
   while (at < lines.size() && (lines[at].empty() || is_indented(lines[at]))) ++at;
   if (at >= lines.size()) return {};
+
   const bool chained = at + 2 < lines.size() && lines[at + 1].empty() &&
                        (begins_with(lines[at + 2], "During handling of the above exception") ||
                         begins_with(lines[at + 2], "The above exception was the direct cause"));
@@ -58,6 +59,7 @@ std::string_view python_exception(const Lines& lines, std::size_t traceback) {
     const std::string_view last = python_exception(lines, next);
     return last.empty() ? lines[at] : last;
   }
+
   return lines[at];
 }
 
@@ -65,6 +67,7 @@ std::string_view python_exception(const Lines& lines, std::size_t traceback) {
 std::string_view stack_trace_exception(const Lines& lines, std::size_t first_frame) {
   constexpr std::string_view kCausedBy = "Caused by: ";
   std::string_view exception = trimmed(lines[first_frame - 1]);
+
   for (std::size_t i = first_frame; i < lines.size(); ++i) {
     if (begins_with(lines[i], kCausedBy)) {
       exception = lines[i].substr(kCausedBy.size());
@@ -87,6 +90,7 @@ bool is_go_panic(const Lines& lines, std::size_t at) {
 std::string_view exception_at(const Lines& lines, std::size_t at) {
   const std::string_view line = lines[at];
   const std::string_view next = at + 1 < lines.size() ? lines[at + 1] : std::string_view();
+
   if (line == kTraceback) return python_exception(lines, at);
   if (is_go_panic(lines, at)) return line;
   if (begins_with(line, "terminate called ")) {
@@ -95,6 +99,7 @@ std::string_view exception_at(const Lines& lines, std::size_t at) {
   if (begins_with(line, "thread '") && line.find("panicked at") != std::string_view::npos) {
     return next.empty() ? line : next;
   }
+
   const bool titles_frames = !line.empty() && !is_stack_frame(line) && is_stack_frame(next);
   return titles_frames ? stack_trace_exception(lines, at + 1) : std::string_view();
 }
@@ -119,6 +124,7 @@ RepeatedLine most_repeated_line(std::string_view log) {
       const std::string_view digits = line.substr(kCount.size());
       std::from_chars(digits.data(), digits.data() + digits.size(), times);
     }
+
     if (times > most.times) most = {base::printable(before), times};
     before = line;
   }

@@ -36,12 +36,14 @@ Error cannot_start(const CommandPlan& plan, const std::string& reason) {
 Result<CommandPlan> resolved(const CommandPlan& plan) {
   CommandPlan result = plan;
   std::error_code code;
+
   if (!plan.folder.empty()) {
     result.folder = std::filesystem::absolute(plan.folder, code);
     if (!std::filesystem::is_directory(result.folder, code)) {
       return cannot_start(plan, fmt::format("{}: no such folder", plan.folder.string()));
     }
   }
+
   const auto program = find_program(plan.argv.empty() ? "" : plan.argv.front());
   if (!program) return cannot_start(plan, program.error().message);
   result.argv.front() = program->string();
@@ -144,6 +146,7 @@ Result<ProcessHost> ProcessHost::create(std::size_t log_limit) {
                      ? "this process has no guard process; Guard::start was not called in main"
                      : why};
   }
+
   base::UniqueFd wake_event(::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK));
   if (!wake_event) {
     return Error{fmt::format("cannot start processes: {}", std::strerror(errno))};
@@ -162,13 +165,16 @@ std::uint64_t ProcessHost::changes() const { return core_->changes.load(); }
 Result<std::shared_ptr<Child>> ProcessHost::start(const CommandPlan& plan, OnLine on_line) {
   const auto complete = resolved(plan);
   if (!complete) return Error{complete.error()};
+
   auto log = open_log(plan);
   if (!log) return Error{log.error()};
+
   auto control = make_socket_pair();
   auto output = make_pipe();
   const Guard* guard = Guard::active();
   if (guard == nullptr) return cannot_start(plan, "the guard is gone");
   if (!control || !output) return cannot_start(plan, std::strerror(errno));
+
   if (!send_packet(guard->socket(), encode(*complete),
                    {control->second.get(), output->write.get()})) {
     return cannot_start(
@@ -184,10 +190,12 @@ Result<std::shared_ptr<Child>> ProcessHost::start(const CommandPlan& plan, OnLin
   record->log = OutputLog(*std::move(log), core_->log_limit, std::move(on_line));
   auto child = std::make_shared<Child>(core_, record);
   core_->add(record);
+
   std::unique_lock lock(core_->mutex);
   core_->changed.wait_for(lock, kStartTimeout,
                           [&] { return record->first_report || record->status.gone; });
   if (!record->first_report) return cannot_start(plan, "no process could be made for it");
+
   const KeeperReport& report = *record->first_report;
   if (report.kind == KeeperReport::Kind::kStarted) return child;
   return cannot_start(

@@ -82,10 +82,12 @@ void ProcessHostCore::handle_report(ChildRecord& record) {
     if (!record.status.exit) record.status.exit = ProcessExit{true, SIGKILL};
     return mark_gone(record);
   }
+
   const auto report = read_report(packet);
   if (!report) return;
   record.cpu_seconds = std::max(record.cpu_seconds, report->cpu_seconds);
   record.status.at_cpu_limit = record.status.at_cpu_limit || report->at_cpu_limit;
+
   switch (report->kind) {
     case KeeperReport::Kind::kStarted:
     case KeeperReport::Kind::kFailed:
@@ -134,11 +136,13 @@ void ProcessHostCore::run() {
       waits.push_back({record->control.get(), POLLIN, 0});
       if (record->output) waits.push_back({record->output.get(), POLLIN, 0});
     }
+
     lock.unlock();
     ::poll(waits.data(), waits.size(), -1);
     std::uint64_t ignored = 0;
     while (::read(wake_.get(), &ignored, sizeof ignored) > 0) {
     }
+
     lock.lock();
     for (const auto& record : records) poll_child(*record);
     std::erase_if(records, [](const auto& record) { return record->status.gone; });

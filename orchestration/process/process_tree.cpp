@@ -28,12 +28,15 @@ std::optional<ProcessEntry> read_entry(pid_t pid) {
   std::snprintf(path.data(), path.size(), "/proc/%d/stat", pid);
   const base::UniqueFd file(::open(path.data(), O_RDONLY | O_CLOEXEC));
   if (!file) return std::nullopt;
+
   std::array<char, 1024> text{};
   const ssize_t size = ::read(file.get(), text.data(), text.size() - 1);
   if (size <= 0) return std::nullopt;
+
   const std::string_view line(text.data(), static_cast<std::size_t>(size));
   const std::size_t name_end = line.rfind(')');
   if (name_end == std::string_view::npos) return std::nullopt;
+
   char state = '?';
   int parent = 0;
   unsigned long long user = 0;
@@ -45,9 +48,11 @@ std::optional<ProcessEntry> read_entry(pid_t pid) {
       std::sscanf(text.data() + name_end + 1,
                   " %c %d %*d %*d %*d %*d %*u %*u %*u %*u %*u %llu %llu %lld %lld %*d %*d %d",
                   &state, &parent, &user, &system, &fetched_user, &fetched_system, &threads);
+
   if (fields != 7 || state == 'X') return std::nullopt;
   // A process whose first thread has exited is a Z too, while its other threads run.
   if (state == 'Z' && threads < 2) return std::nullopt;
+
   ProcessEntry entry;
   entry.pid = pid;
   entry.parent = parent;
@@ -61,9 +66,11 @@ std::vector<ProcessEntry> all_processes() {
   struct Close {
     void operator()(DIR* folder) const { ::closedir(folder); }
   };
+
   std::vector<ProcessEntry> entries;
   const std::unique_ptr<DIR, Close> folder(::opendir("/proc"));
   if (!folder) return entries;
+
   while (const dirent* item = ::readdir(folder.get())) {
     const int pid = std::atoi(item->d_name);
     if (pid <= 0) continue;
@@ -77,11 +84,13 @@ std::vector<ProcessEntry> all_processes() {
 std::vector<ProcessEntry> descendants_of(pid_t root) {
   const std::vector<ProcessEntry> all = all_processes();
   std::vector<ProcessEntry> tree;
+
   const auto add_children = [&](pid_t parent) {
     for (const ProcessEntry& entry : all) {
       if (entry.parent == parent && entry.pid != parent) tree.push_back(entry);
     }
   };
+
   add_children(root);
   for (std::size_t i = 0; i < tree.size(); ++i) add_children(tree[i].pid);
   return tree;
