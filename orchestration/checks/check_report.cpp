@@ -72,6 +72,7 @@ std::string to_json(const CheckReport& report) {
                      {"evidence", step.evidence},
                      {"why", step.why}});
   }
+
   return base::json_document(document);
 }
 
@@ -82,16 +83,19 @@ std::string to_junit(const CheckReport& report) {
     one.group = fmt::format("{} {}", report.command, report.subject);
     one.name = step.name;
     one.seconds = step.seconds;
+
     if (step.result == StepResult::kPass) {
       one.text = step.evidence;
       continue;
     }
+
     const bool failed = step.result == StepResult::kFail;
     one.result = failed ? base::JunitCase::Result::kFailed : base::JunitCase::Result::kSkipped;
     one.message = step.evidence;
     if (failed) one.type = "step";
     if (failed) one.text = fmt::format("{}\nwhy: {}\n", step.evidence, step.why);
   }
+
   return base::format_junit(report.command, cases);
 }
 

@@ -38,6 +38,7 @@ player::GroundTruth truth_of(const MatchRecord& log, std::size_t frame) {
   if (log.version != RcgVersion::kV1 && log.version != RcgVersion::kV2) {
     truth.ball_velocity = log.ball_velocity[frame];
   }
+
   for (std::size_t slot = 0; slot < gamelog::kSlots; ++slot) {
     const std::size_t entry = frame * gamelog::kSlots + slot;
     truth.players[slot] = {is_enabled(log, entry), log.players.position[entry],
@@ -54,7 +55,9 @@ bool same_types(const player::MatchParameters& received, const MatchRecord& log)
     const double reach = received.types[i].kickable_margin;
     const bool is_default =
         speed == received.types[0].player_speed_max && reach == received.types[0].kickable_margin;
+
     if (is_default) continue;
+
     if (std::fabs(speed - log.types[i].player_speed_max) > kRounding ||
         std::fabs(reach - log.types[i].kickable_margin) > kRounding) {
       return false;
@@ -67,6 +70,7 @@ base::Result<void> belong_together(const player::WorldModel& world, const MatchR
   if (world.unum == 0) {
     return base::Error{"no player connects (no valid reply to init or reconnect)"};
   }
+
   const gamelog::TeamFrames& teams = log.final_teams();
   const std::string_view recorded = teams[world.our_side == Side::kRight ? 1 : 0].name;
   const std::string_view name = world.our_team_name.view();
@@ -74,6 +78,7 @@ base::Result<void> belong_together(const player::WorldModel& world, const MatchR
     return base::Error{fmt::format("the player is of team '{}' on the {}, the log has '{}' there",
                                    name, side_name(world.our_side), recorded)};
   }
+
   if (!same_types(*world.parameters, log)) {
     return base::Error{"the player types differ from those of the log: another match"};
   }
@@ -110,10 +115,12 @@ base::Result<PerceptionCheck> check_perception(std::string_view transcript, cons
         if (on_decision) on_decision(world);
         check.errors.add(world, truth_of(log, frame->second));
       });
+
   if (const auto fits = belong_together(replay.world, log); !fits) return fits.error();
   if (check.decisions == 0) {
     return base::Error{"no decision of the player matches a cycle of the log"};
   }
+
   check.team = replay.world.our_team_name.view();
   check.side = replay.world.our_side;
   check.unum = replay.world.unum;
@@ -125,6 +132,7 @@ std::string to_text(const PerceptionCheck& check) {
   std::string text = fmt::format("player {} of {} ({}), {} cycles of play_on\n\n", check.unum,
                                  check.team.empty() ? "an unnamed team" : check.team,
                                  side_name(check.side), check.errors.cycles());
+
   text += fmt::format("{:14} {:8} {:>9} {:>9} {:>9}\n", "error of", "in", "mean", "p95", "samples");
   for (const Row& row : rows(check.errors)) {
     if (row.error.n == 0) {
@@ -143,9 +151,11 @@ std::string to_json(const PerceptionCheck& check) {
                                      {"side", side_name(check.side)},
                                      {"player", check.unum},
                                      {"cycles", check.errors.cycles()}};
+
   for (const Row& row : rows(check.errors)) {
     nlohmann::ordered_json& error = document[row.key];
     error = {{"mean", nullptr}, {"p95", nullptr}, {"n", row.error.n}};
+
     if (row.error.n == 0) continue;
     error["mean"] = row.error.mean;
     error["p95"] = row.error.p95;

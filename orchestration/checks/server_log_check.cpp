@@ -116,11 +116,13 @@ void add_classes(const LogAgreement& agreement, std::string& text) {
     text += fmt::format("{:18} {:8} {:8} {:7} {:>11}\n", name, tally.steps, tally.agreed,
                         tally.misses(), worst);
   };
+
   for (std::size_t i = 0; i < simulator::kStepClassCount; ++i) {
     const ClassTally& tally = agreement.by_class[i];
     if (tally.steps == 0) continue;
     row(simulator::name(static_cast<StepClass>(i)), tally, fmt::format("{:.6f}", tally.worst));
   }
+
   text += "\n";
   row("ball", agreement.ball, "");
   row("players", agreement.players, "");
@@ -142,6 +144,7 @@ std::vector<LogCheck> log_checks(const LogAgreement& agreement) {
   std::vector<LogCheck> out;
   out.push_back(at_least("ball", agreement.ball, 0.999));
   out.push_back(at_least("players", agreement.players, 0.999));
+
   for (std::size_t i = 0; i < simulator::kStepClassCount; ++i) {
     const ClassTally& tally = agreement.by_class[i];
     const int most = std::max(1, tally.steps / 1000);
@@ -149,6 +152,7 @@ std::vector<LogCheck> log_checks(const LogAgreement& agreement) {
     out.push_back({fmt::format("misses of {}", simulator::name(static_cast<StepClass>(i))),
                    std::to_string(tally.misses()), fmt::format("<= {}", most), false});
   }
+
   // Which of two contacts in a cycle is stronger may depend on noise, which no log records.
   const double game = agreement.has_noise ? 0.999 : 1.0;
   out.push_back(at_least("mode", agreement.mode, game));
@@ -156,6 +160,7 @@ std::vector<LogCheck> log_checks(const LogAgreement& agreement) {
   out.push_back(at_least("score", agreement.score, game));
   out.push_back(at_least("counters", agreement.counters, 1.0));
   out.push_back(at_least("state bits", agreement.state, 0.9999));
+
   if (!agreement.has_noise) out.push_back(at_most("excused", agreement.excused_share(), 0.005));
   check_uniform("players", agreement.player_noise, out);
   check_uniform("the ball", agreement.ball_noise, out);
@@ -173,10 +178,12 @@ std::string to_text(const LogAgreement& agreement, const std::vector<LogCheck>& 
       fmt::format("{} steps of {} frames{}: {:.4f} % agree, {:.4f} % excused\n", agreement.steps(),
                   agreement.frames, agreement.has_noise ? ", with noise" : ", without noise",
                   100.0 * agreement.agreement(), 100.0 * agreement.excused_share());
+
   if (agreement.skipped > 0) {
     text += fmt::format("{} pairs of frames skipped: frames or text log missing between them\n",
                         agreement.skipped);
   }
+
   add_classes(agreement, text);
   std::string causes;
   for (std::size_t i = 0; i < simulator::kExcuseCount; ++i) {
@@ -185,10 +192,12 @@ std::string to_text(const LogAgreement& agreement, const std::vector<LogCheck>& 
                           simulator::name(static_cast<Excuse>(i)), agreement.by_cause[i]);
   }
   if (!causes.empty()) text += fmt::format("\nexcused: {}\n", causes);
+
   add_list(text, "first misses (cycle,stopped)", miss_lines(agreement));
   add_list(text, "different course of the game", agreement.game_misses);
   add_list(text, "called only in the log", agreement.missing_calls);
   add_list(text, "called only by the simulator", agreement.extra_calls);
+
   text += "\n";
   for (const LogCheck& demand : log_checks) {
     text += fmt::format("{} {:35} {:>10}  {}\n", demand.passed ? "pass" : "FAIL", demand.what,
@@ -211,6 +220,7 @@ std::string to_json(const LogAgreement& agreement, const std::vector<LogCheck>& 
                            {"skipped", agreement.skipped},
                            {"ball", to_json(agreement.ball)},
                            {"players", to_json(agreement.players)}};
+
   ordered_json& classes = document["by_class"] = ordered_json::object();
   for (std::size_t i = 0; i < simulator::kStepClassCount; ++i) {
     const ClassTally& tally = agreement.by_class[i];
@@ -219,22 +229,26 @@ std::string to_json(const LogAgreement& agreement, const std::vector<LogCheck>& 
     entry = to_json(static_cast<const Tally&>(tally));
     entry["worst"] = tally.worst;
   }
+
   ordered_json& causes = document["by_cause"] = ordered_json::object();
   for (std::size_t i = 0; i < simulator::kExcuseCount; ++i) {
     if (agreement.by_cause[i] == 0) continue;
     causes[std::string(simulator::name(static_cast<Excuse>(i)))] = agreement.by_cause[i];
   }
   for (const GameTally& game : game_tallies(agreement)) document[game.name] = to_json(game.tally);
+
   if (agreement.has_noise) {
     document["noise"] = {
         {"players", to_json(agreement.player_noise)},
         {"ball", to_json(agreement.ball_noise)},
         {"kicks", {{"n", agreement.kick_noise.n}, {"variance", agreement.kick_noise.mean()}}}};
   }
+
   document["misses"] = misses_json(agreement);
   document["game_misses"] = agreement.game_misses;
   document["missing_words"] = agreement.missing_calls;
   document["added_words"] = agreement.extra_calls;
+
   ordered_json& list = document["demands"] = ordered_json::array();
   for (const LogCheck& demand : log_checks) {
     list.push_back({{"what", demand.what},

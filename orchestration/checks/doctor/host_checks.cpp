@@ -63,6 +63,7 @@ DoctorCheck memory(const fs::path& meminfo) {
   DoctorCheck check;
   check.name = "memory";
   check.purpose = "a match of two mocks takes about 0.1 GB";
+
   const auto lines = memory_lines(meminfo);
   const auto total = lines.find("MemTotal:");
   const auto available = lines.find("MemAvailable:");
@@ -70,6 +71,7 @@ DoctorCheck memory(const fs::path& meminfo) {
     check.found = fmt::format("unknown: not in {}", meminfo.string());
     return check;
   }
+
   check.found =
       fmt::format("{} of {} free", gigabytes(available->second), gigabytes(total->second));
   return check;
@@ -81,6 +83,7 @@ DoctorCheck working_folder(const fs::path& folder) {
   check.purpose = "match folders in ./runs";
   check.needed = true;
   check.path = folder.string();
+
   std::error_code code;
   const fs::path runs = folder / "runs";
   const fs::path written = fs::exists(runs, code) ? runs : folder;
@@ -91,6 +94,7 @@ DoctorCheck working_folder(const fs::path& folder) {
     check.hint = "change to a writable folder, or use --dir DIR";
     return check;
   }
+
   const fs::space_info space = fs::space(written, code);
   const double available = code ? 0.0 : static_cast<double>(space.available);
   check.found = fmt::format("{}, {} free", written.string(), gigabytes(available));
@@ -98,6 +102,7 @@ DoctorCheck working_folder(const fs::path& folder) {
     check.status = DoctorStatus::kWrong;
     check.hint = "free disk space, or use --dir DIR";
   }
+
   return check;
 }
 
@@ -107,7 +112,9 @@ DoctorCheck udp_port(int port, const std::string& role) {
   check.purpose =
       fmt::format("{} of a server at its default ports, which some team:DIR require", role);
   check.found = "free";
+
   if (process::port_is_free(process::Protocol::kUdp, port)) return check;
+
   check.status = DoctorStatus::kTaken;
   check.found = process::port_taken_text(process::Protocol::kUdp, port);
   check.hint = "stop that process; other sides and servers use free ports";

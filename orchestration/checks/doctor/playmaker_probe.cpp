@@ -32,7 +32,9 @@ std::string no_connection(const match::Endpoint& endpoint, std::chrono::millisec
     if (!fs::exists(status)) return fmt::format("{}: no such file", endpoint.path);
     return fs::is_socket(status) ? "" : fmt::format("{}: not a socket", endpoint.path);
   }
+
   if (endpoint.kind != match::Endpoint::Kind::kAddress) return {};
+
   const int port = endpoint.port + (endpoint.port_step ? 1 : 0);
   const auto longest = static_cast<int>(limit.count());
   if (process::tcp_answers(endpoint.host, port, longest)) return {};
@@ -50,6 +52,7 @@ DoctorCheck probe_playmaker(const match::Endpoint& endpoint, std::chrono::millis
   if (std::string why = no_connection(endpoint, limit); !why.empty()) {
     return unreachable(std::move(check), std::move(why));
   }
+
   PlaymakerCheckOptions options;
   options.endpoint = endpoint;
   options.start_timeout = limit;
@@ -57,6 +60,7 @@ DoctorCheck probe_playmaker(const match::Endpoint& endpoint, std::chrono::millis
   options.only = {kReach,           "register_identity", "register_language",
                   "all_parameters", "init_message",      "player_actions",
                   "planner"};
+
   std::string found = endpoint.text + ":";
   CheckStep failed;
   std::atomic<int> enough{0};
@@ -74,6 +78,7 @@ DoctorCheck probe_playmaker(const match::Endpoint& endpoint, std::chrono::millis
                                                 : " does not implement GetBestPlannerAction";
     }
   };
+
   const auto report = check_playmaker(options, on_step, enough);
   if (!report) return unreachable(std::move(check), report.error().message);
   // Skipped if the program exited before it was reached.
@@ -81,10 +86,12 @@ DoctorCheck probe_playmaker(const match::Endpoint& endpoint, std::chrono::millis
   if (reach.result != StepResult::kPass) {
     return unreachable(std::move(check), fmt::format("{}: {}", endpoint.text, reach.evidence));
   }
+
   if (failed.name.empty()) {
     check.found = std::move(found);
     return check;
   }
+
   check.status = DoctorStatus::kWrong;
   check.found = fmt::format("{}: {}: {}", endpoint.text, failed.name, failed.evidence);
   check.hint = fmt::format("{} All steps: cls check playmaker {}", failed.why, endpoint.text);

@@ -75,6 +75,7 @@ DoctorCheck evaluate_version(const ProgramOutput& answer, std::string name, std:
   check.name = std::move(name);
   check.purpose = std::move(purpose);
   check.path = answer.path.string();
+
   if (answer.path.empty()) {
     check.status = DoctorStatus::kMissing;
     check.found = "not on PATH";
@@ -101,6 +102,7 @@ bool add_packages(DoctorCheck& check, const ProgramOutput& answer,
     complete = complete && is_version(version);
     found += fmt::format(", {} {}", package, version.empty() ? "missing" : version);
   }
+
   check.found = fmt::format("{}, {}", found, check.path);
   if (!complete) check.status = DoctorStatus::kMissing;
   return complete;
@@ -112,8 +114,10 @@ DoctorCheck judge_soccer_server(const ProgramOutput& answer) {
   for (const std::string& line : answer.lines) {
     if (version.empty() && line.starts_with(kName)) version = line.substr(kName.size());
   }
+
   DoctorCheck check = evaluate_version(
       answer, "rcssserver", "--server rcssserver; not needed by the embedded server", version);
+
   const bool no_library =
       !answer.lines.empty() && answer.lines.front().find("shared librar") != std::string::npos;
   if (no_library) {
@@ -134,6 +138,7 @@ DoctorCheck judge_soccer_server(const ProgramOutput& answer) {
 DoctorCheck judge_python(const ProgramOutput& answer) {
   DoctorCheck check = evaluate_version(answer, "python3", "Playmakers in Python, examples/python",
                                        text_after(answer.lines, "python"));
+
   const bool is_debian_python = check.path == "/usr/bin/python3" || check.path == "/bin/python3";
   if (check.status == DoctorStatus::kMissing) {
     check.hint = install_command("python3 python3-grpcio python3-protobuf");
@@ -174,6 +179,7 @@ DoctorCheck judge_protobuf_compiler(const ProgramOutput& answer) {
   DoctorCheck check =
       evaluate_version(answer, "protoc", "classes of proto/playmaker.proto for your own Playmaker",
                        text_after(answer.lines, "libprotoc"));
+
   if (check.status == DoctorStatus::kOk && !process::find_program("grpc_python_plugin")) {
     check.status = DoctorStatus::kMissing;
     check.found += ", grpc_python_plugin missing";
@@ -185,14 +191,17 @@ DoctorCheck judge_protobuf_compiler(const ProgramOutput& answer) {
 DoctorCheck judge_slurm(const ProgramOutput& answer) {
   DoctorCheck check = evaluate_version(answer, "slurm", "tournaments on a cluster",
                                        text_after(answer.lines, "slurm"));
+
   if (check.status == DoctorStatus::kMissing) {
     check.hint = install_command("slurm-client");
     return check;
   }
+
   std::string absent;
   for (const char* command : {"squeue", "scancel", "scontrol"}) {
     if (!process::find_program(command)) absent += fmt::format(", {} missing", command);
   }
+
   const bool fails =
       check.status == DoctorStatus::kWrong && answer.exit && answer.exit->number != 0;
   if (fails && !answer.lines.empty()) {

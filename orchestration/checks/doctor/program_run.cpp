@@ -49,12 +49,14 @@ Asked start(process::ProcessHost& host, const ProgramRun& question) {
     return asked;
   }
   asked.answer.path = *path;
+
   process::CommandPlan plan;
   plan.name = question.program;
   plan.argv = {path->string()};
   plan.argv.insert(plan.argv.end(), question.arguments.begin(), question.arguments.end());
   plan.folder = question.folder;
   plan.environment = question.environment;
+
   auto child = host.start(plan, [lines = asked.lines](std::string_view line) { lines->add(line); });
   if (!child) {
     asked.answer.absence = child.error().message;
@@ -71,6 +73,7 @@ std::vector<ProgramOutput> run_programs(process::ProcessHost& host,
                                         milliseconds limit, const std::atomic<int>& stop) {
   std::vector<Asked> all;
   for (const ProgramRun& question : questions) all.push_back(start(host, question));
+
   const auto end = steady_clock::now() + limit;
   const auto nothing = [] { return false; };
   for (const Asked& asked : all) {
@@ -79,6 +82,7 @@ std::vector<ProgramOutput> run_programs(process::ProcessHost& host,
     process::wait_until_ready(*asked.child, nothing, std::max(left, milliseconds(0)), stop);
     asked.child->end(kGrace);  // terminates hanging programs and their orphans
   }
+
   std::vector<ProgramOutput> answers;
   for (Asked& asked : all) {
     if (asked.child != nullptr) {

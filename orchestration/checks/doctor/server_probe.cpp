@@ -50,6 +50,7 @@ Contact contact_server(soccer::UdpClients& clients, bool may_open_later,
   Contact contact;
   std::unique_ptr<soccer::Channel> client;
   auto ask_at = steady_clock::now();
+
   while (proceed()) {
     if (steady_clock::now() >= ask_at) {
       if (client == nullptr) client = clients.connect();
@@ -58,6 +59,7 @@ Contact contact_server(soccer::UdpClients& clients, bool may_open_later,
       if (contact.closed) client.reset();
       ask_at = steady_clock::now() + kRetryInterval;
     }
+
     clients.wait_until(std::min(ask_at, steady_clock::now() + kPollInterval));
     if (client != nullptr && client->receive(contact.reply)) break;
   }
@@ -74,12 +76,14 @@ std::optional<std::string> moment_in(const std::string& show) {
                   right.data()) != 4) {
     return std::nullopt;
   }
+
   const auto known = mode > 0 && mode < soccer::kPlayModeCount;
   const std::string_view name =
       known ? soccer::name(static_cast<soccer::PlayMode>(mode)) : "unknown play mode";
   const auto team = [](const char* text) {
     return std::string_view(text) == "null" ? std::string("no team") : base::printable(text);
   };
+
   if (team(left.data()) == "no team" && team(right.data()) == "no team") {
     return fmt::format("{}, cycle {}, no teams", name, time);
   }
@@ -91,9 +95,11 @@ MonitorReport watch(soccer::UdpClients& clients, const ShouldContinue& proceed) 
   MonitorReport news;
   const std::unique_ptr<soccer::Channel> monitor = clients.connect();
   if (monitor == nullptr) return news;
+
   monitor->send("(dispinit version 4)");
   const auto end = steady_clock::now() + kMonitorLimit;
   std::string message;
+
   while (news.state.empty() && proceed() && steady_clock::now() < end) {
     clients.wait_until(steady_clock::now() + kPollInterval);
     while (monitor->receive(message)) {
@@ -104,6 +110,7 @@ MonitorReport watch(soccer::UdpClients& clients, const ShouldContinue& proceed) 
       if (const auto moment = moment_in(message)) news.state = *moment;
     }
   }
+
   monitor->send("(dispbye)");
   return news;
 }
@@ -143,17 +150,21 @@ DoctorCheck probe_address(DoctorCheck check, const match::ServerChoice& server, 
                           const std::atomic<int>& stop) {
   constexpr const char* kStartHint =
       "start it, or let cls start one: --server rcssserver or embedded";
+
   auto clients = soccer::UdpClients::create(server.host, server.port);
   if (!clients) return unreachable(std::move(check), clients.error().message, kStartHint);
+
   const auto end = steady_clock::now() + limit;
   const auto alive = [&] { return stop.load() == 0; };
   const auto proceed = [&] { return alive() && steady_clock::now() < end; };
   const Contact contact = contact_server(**clients, false, proceed);
+
   if (contact.reply.empty()) {
     const std::string why = contact.closed ? std::string("no listener at this UDP port")
                                            : fmt::format("no reply within {} s", seconds(limit));
     return unreachable(std::move(check), fmt::format("{}: {}", server.text, why), kStartHint);
   }
+
   examine(check, **clients, contact.reply, alive);
   check.found = fmt::format("{}: {}", server.text, check.found);
   return check;
@@ -164,14 +175,17 @@ std::string describe_no_reply(const StartedServer& started, milliseconds limit) 
   const process::Child::Status status = started.child().status();
   const std::vector<std::string> last = started.child().last_lines(1);
   const std::string last_line = last.empty() ? "" : fmt::format(" ({})", last.front());
+
   if (process::has_ended(status) && status.exit) {
     return fmt::format("exited at start: {}{}", to_text(*status.exit), last_line);
   }
+
   const std::vector<int> open = process::ports_of(process::Protocol::kUdp, status.pid);
   const int port = started.ports().player;
   if (std::find(open.begin(), open.end(), port) != open.end()) {
     return fmt::format("no reply at its port within {} s{}", seconds(limit), last_line);
   }
+
   const std::string but = open.empty() ? "" : fmt::format(", but {}", fmt::join(open, ", "));
   return fmt::format("did not open UDP port {}{} within {} s{}", port, but, seconds(limit),
                      last_line);
@@ -181,23 +195,28 @@ DoctorCheck probe_program(DoctorCheck check, const match::ServerChoice& server,
                           const std::string& own_program, milliseconds limit,
                           const std::atomic<int>& stop) {
   constexpr const char* kManualHint = "start it by hand and read its output";
+
   soccer::ServerParams params;
   auto started = StartedServer::start(server, own_program, params);
   if (!started) return unreachable(std::move(check), started.error().message, "give its PATH");
   check.path = started->child().plan().argv.front();
+
   auto clients = soccer::UdpClients::create(started->host(), started->ports().player);
   if (!clients) return unreachable(std::move(check), clients.error().message, kManualHint);
+
   const auto end = steady_clock::now() + limit;
   const auto alive = [&] {
     return stop.load() == 0 && !process::has_ended(started->child().status());
   };
   const auto proceed = [&] { return alive() && steady_clock::now() < end; };
+
   const Contact contact = contact_server(**clients, true, proceed);
   if (contact.reply.empty()) {
     return unreachable(std::move(check),
                        fmt::format("{}: {}", check.path, describe_no_reply(*started, limit)),
                        kManualHint);
   }
+
   examine(check, **clients, contact.reply, alive);
   check.version = started->status().version;
   if (server.kind == match::ServerChoice::Kind::kEmbedded) check.version = base::kVersion;

@@ -39,14 +39,17 @@ base::Result<void> connect_mock(const match::Endpoint& endpoint, Environment& en
 base::Result<void> start_program(const match::Endpoint& endpoint, Environment& environment,
                                  PlaymakerSubject& subject) {
   if (environment.folder.path().empty()) return base::Error{"cannot create a folder for its log"};
+
   auto host = process::ProcessHost::create();
   if (!host) return host.error();
   environment.host.emplace(*std::move(host));
+
   auto program = match::PlaymakerProcess::start(*environment.host, endpoint,
                                                 {0, soccer::Side::kLeft, team_name(0), 1},
                                                 environment.folder.path());
   if (!program) return program.error();
   environment.program = *std::move(program);
+
   subject.host = "localhost";
   subject.port = environment.program->port();
   subject.pid = [&environment]() -> std::optional<int> {
@@ -63,6 +66,7 @@ base::Result<void> prepare(const PlaymakerCheckOptions& options, Environment& en
   subject.calls = options.calls;
   subject.latency_limit = options.latency_limit;
   subject.pid = [] { return std::optional<int>(); };
+
   proxy::GrpcTarget target = match::target_of(options.endpoint);
   if (options.endpoint.kind == match::Endpoint::Kind::kMock) {
     if (auto connected = connect_mock(options.endpoint, environment, subject); !connected) {
@@ -82,6 +86,7 @@ base::Result<void> prepare(const PlaymakerCheckOptions& options, Environment& en
     }
     subject.connect = [target] { return proxy::make_grpc_playmaker(target); };
   }
+
   for (auto& team : subject.teams) team = subject.connect();
   return {};
 }
@@ -111,9 +116,11 @@ Finding run_first_step(const PlaymakerStep& step, PlaymakerSubject& subject,
     cancelled = true;
     subject.left().cancel();
   });
+
   Finding found = step.run(subject);
   done = true;
   watch.join();
+
   const bool failed = found.result == StepResult::kFail;
   return cancelled && failed ? fail("no reply") : found;
 }
@@ -141,15 +148,18 @@ base::Result<CheckReport> check_playmaker(const PlaymakerCheckOptions& options,
   PlaymakerSubject subject;
   if (const auto prepared = prepare(options, environment, subject); !prepared)
     return prepared.error();
+
   const FailureReason failure_reason = [&environment, &stop]() -> std::string {
     if (stop != 0) return "interrupted";
     if (environment.program == nullptr) return {};
     return describe_exit("the program", environment.program->child());
   };
+
   CheckReport report;
   report.schema = "cls.check/1";
   report.command = "cls check playmaker";
   report.subject = options.endpoint.text;
+
   for (const PlaymakerStep& step : selected_steps(options.only)) {
     CheckStep& done = report.steps.emplace_back();
     done.name = step.name;

@@ -38,6 +38,7 @@ std::string not_finite_in(const Message& message, const FieldDescriptor& field) 
       value = field.is_repeated() ? reflection.GetRepeatedDouble(message, &field, i)
                                   : reflection.GetDouble(message, &field);
     }
+
     if (!std::isfinite(value)) return fmt::format("{} is {}", field.name(), value);
   }
   return {};
@@ -73,6 +74,7 @@ Finding known_actions(PlaymakerSubject& subject) {
     const Answer answer = ask(subject, agent, subject.next_state(agent));
     if (!answer.status.ok())
       return fail(fmt::format("player {}: {}", agent, to_text(answer.status)));
+
     for (const protos::PlayerAction& action : answer.actions.actions()) {
       const bool unknown = !action.GetReflection()->GetUnknownFields(action).empty() ||
                            action.action_case() == protos::PlayerAction::ACTION_NOT_SET;
@@ -133,10 +135,12 @@ Finding coach_actions(PlaymakerSubject& subject) {
   const proxy::Reply reply =
       subject.left().call(proxy::kCoachNumber, Rpc::kGetCoachActions,
                           subject.next_state(proxy::kCoachNumber), subject.deadline);
+
   if (is_unimplemented(reply)) {
     subject.has_coach = false;
     return skip("not implemented: the team plays without a coach");
   }
+
   const auto* actions = reply.as<protos::CoachActions>();
   const int count = actions != nullptr ? actions->actions_size() : 0;
   return finding(reply.status, fmt::format("{} actions", count));
@@ -157,10 +161,12 @@ Finding plan(PlaymakerSubject& subject, int candidates) {
   const proxy::Reply reply =
       subject.left().call(kAgent, Rpc::kGetBestPlannerAction, request, subject.deadline);
   if (is_unimplemented(reply)) return skip("not implemented: the proxy decides itself");
+
   const auto* choice = reply.as<protos::BestPlannerActionResponse>();
   const int index = choice != nullptr ? choice->index() : 0;
   const std::string evidence = fmt::format("{} candidates ({} bytes), chosen: {}", candidates,
                                            request.ByteSizeLong(), index);
+
   const Finding found = finding(reply.status, evidence);
   const bool in_range = candidates == 0 || request.pairs().contains(index);
   return found.result == StepResult::kPass && !in_range ? fail(evidence) : found;

@@ -76,6 +76,7 @@ Finding second_team(PlaymakerSubject& subject) {
   const auto note = [&](const protos::RegisterResponse& received) {
     keys.insert({received.client_id(), received.team_name()});
   };
+
   for (int agent = 1; agent <= 11; ++agent) note(subject.identity(agent));
   for (int agent = 1; agent <= proxy::kCoachNumber; ++agent) {
     const proxy::RpcStatus status = register_agent(subject, 1, agent);
@@ -84,6 +85,7 @@ Finding second_team(PlaymakerSubject& subject) {
   for (int agent = 1; agent <= 11; ++agent) {
     note(subject.identities[1][static_cast<std::size_t>(agent)]);
   }
+
   const std::string evidence =
       fmt::format("22 players have {} different pairs of client id and team", keys.size());
   return keys.size() == 22 ? pass(evidence) : fail(evidence);

@@ -22,6 +22,7 @@ double resident_mb(int pid) {
     }
     return 0.0;
   };
+
   double sum = of_one(pid);
   for (const process::ProcessEntry& child : process::descendants_of(pid)) sum += of_one(child.pid);
   return sum;
@@ -34,6 +35,7 @@ proxy::RpcStatus ask_many(PlaymakerSubject& subject, int calls) {
       subject.left().begin(agent, Rpc::kGetPlayerActions, subject.next_state(agent),
                            subject.deadline);
     }
+
     proxy::RpcStatus worst;
     while (const auto reply = subject.left().next_reply()) {
       if (!reply->status.ok()) worst = reply->status;
@@ -47,13 +49,16 @@ Finding memory(PlaymakerSubject& subject) {
   constexpr double kMaxGrowthMb = 20.0;
   const int warm_up = subject.calls / 5;
   proxy::RpcStatus status = ask_many(subject, warm_up);
+
   const auto pid = subject.pid();
   const double before = pid ? resident_mb(*pid) : 0.0;
   if (status.ok()) status = ask_many(subject, subject.calls - warm_up);
+
   if (!status.ok()) return fail(to_text(status));
   if (!pid)
     return pass(
         fmt::format("{} calls replied; memory is known only for run: sides", subject.calls));
+
   const double after = resident_mb(*pid);
   const std::string evidence = fmt::format("{:.1f} MB after {} calls, {:.1f} MB after {}", before,
                                            warm_up, after, subject.calls);

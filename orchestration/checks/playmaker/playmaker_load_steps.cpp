@@ -146,6 +146,7 @@ Finding many_connections(PlaymakerSubject& subject) {
       return fail(fmt::format("connection {}: {}", agent, to_text(answer.status)));
     }
   }
+
   return pass(fmt::format("{} parallel connections", kConnections));
 }
 

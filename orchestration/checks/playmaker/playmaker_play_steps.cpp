@@ -34,6 +34,7 @@ struct Outcomes {
 Outcomes outcomes_of(const proxy::Team& team) {
   player::ActionReport sum;
   for (const auto& player : team.players()) add(sum, player->statistics().actions);
+
   Outcomes outcomes;
   outcomes.replies = sum.lists;
   outcomes.useless = sum.useless;
@@ -70,21 +71,26 @@ Finding actions_in_play(PlaymakerSubject& subject) {
   auto created = simulator::LockstepServer::create(match::server_config({}, kSeed));
   if (!created) return fail(created.error().message);
   simulator::LockstepServer& server = **created;
+
   const auto playmaker = subject.connect();
   proxy::TeamOptions options;
   options.name = soccer::TeamName("Check_P");
   options.decision_timeout = subject.deadline;
   options.start_timeout = subject.start_timeout;
   proxy::Team team(options, *playmaker);
+
   if (const auto entered = enter(team, server); !entered) return fail(entered.error().message);
   if (const auto status = team.register_agents(); !status.ok()) return fail(to_text(status));
   server.modify_world(begin_play);
+
   for (int cycle = 0; cycle < kCycles; ++cycle) {
     server.run_cycle();
     team.run_cycle();
   }
+
   team.leave();
   if (team.errors().first) return fail(team.errors().first->describe());
+
   const Outcomes outcomes = outcomes_of(team);
   const bool wrong = outcomes.invalid + outcomes.unimplemented > 0;
   const bool useless = 2 * outcomes.useless > outcomes.replies;

@@ -36,6 +36,7 @@ Finding every_mode(PlaymakerSubject& subject) {
       world.set_game_mode_side(side);
       world.set_is_our_set_play(side == protos::LEFT);
       world.set_is_their_set_play(side == protos::RIGHT);
+
       const Answer answer = ask(subject, kAgent, state);
       if (!answer.status.ok()) {
         return fail(fmt::format("{} of side {}: {}",
@@ -143,6 +144,7 @@ Finding nameless_players(PlaymakerSubject& subject) {
   protos::State state = subject.next_state(kAgent);
   protos::WorldModel& world = *state.mutable_world_model();
   auto& players = *world.mutable_their_players_dict();
+
   for (int i = 1; i <= 4; ++i) {
     players[-i] = players[i];
     players[-i].set_uniform_number(-1);

@@ -71,18 +71,22 @@ proxy::RpcStatus send_parameters(PlaymakerSubject& subject, int team, int agent)
   proxy::Playmaker& playmaker = *subject.teams[t];
   const protos::RegisterResponse& identity = subject.identities[t][static_cast<std::size_t>(agent)];
   const player::MatchParameters& known = *parameters();
+
   protos::ServerParam server_message;
   proxy::fill(known.server, server_message);
   *server_message.mutable_register_response() = identity;
+
   const auto send = [&](Rpc rpc, const google::protobuf::Message& message) {
     return playmaker.call(agent, rpc, message, subject.deadline).status;
   };
   auto status = send(Rpc::kSendServerParams, server_message);
   if (!status.ok()) return status;
+
   protos::PlayerParam player_message;
   proxy::fill(known.player, player_message);
   *player_message.mutable_register_response() = identity;
   status = send(Rpc::kSendPlayerParams, player_message);
+
   for (const soccer::PlayerType& type : known.types) {
     if (!status.ok()) return status;
     protos::PlayerType message;
@@ -99,6 +103,7 @@ proxy::RpcStatus complete_handshake(PlaymakerSubject& subject, int team) {
     status = register_agent(subject, team, agent);
     if (status.ok()) status = send_parameters(subject, team, agent);
     if (!status.ok()) return status;
+
     const auto t = static_cast<std::size_t>(team);
     protos::InitMessage message;
     *message.mutable_register_response() = subject.identities[t][static_cast<std::size_t>(agent)];

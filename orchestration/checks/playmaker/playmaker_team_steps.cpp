@@ -30,6 +30,7 @@ Finding handshake(PlaymakerSubject& subject) {
   subject.together = proxy::make_batch_playmaker(subject.connect(), proxy::BatchMode::kRequired);
   const proxy::TeamRegistration team = registration_of_team(0);
   subject.together->announce_team(team);
+
   for (const auto& [agent, request] : team.agents) {
     const proxy::Reply reply =
         subject.together->call(agent, Rpc::kRegister, request, subject.start_timeout);
@@ -54,11 +55,13 @@ std::string ask_together(PlaymakerSubject& subject, int first, int last) {
                             subject.deadline);
   }
   subject.together->send();
+
   std::string wrong;
   while (const auto reply = subject.together->next_reply()) {
     if (reply->status.ok() || !wrong.empty()) continue;
     wrong = fmt::format("player {}: {}", reply->agent, to_text(reply->status));
   }
+
   const std::string warning = subject.together->take_warning();
   return wrong.empty() ? warning : wrong;
 }
@@ -78,6 +81,7 @@ Finding one_player(PlaymakerSubject& subject) { return decisions(subject, 7, 7);
 
 Finding unreadable_state(PlaymakerSubject& subject) {
   if (subject.together == nullptr) return not_implemented();
+
   wire::GetTeamActionsRequest request;
   for (const int agent : {6, 7}) {
     wire::AgentMessage& one = *request.add_agents();
@@ -85,6 +89,7 @@ Finding unreadable_state(PlaymakerSubject& subject) {
     one.set_message(agent == 6 ? std::string(40, '\xff')
                                : subject.next_state(agent).SerializeAsString());
   }
+
   const proxy::Reply reply =
       subject.left().call(proxy::kTeamNumber, Rpc::kGetTeamActions, request, subject.deadline);
   std::string before = "refused: " + to_text(reply.status);
@@ -94,6 +99,7 @@ Finding unreadable_state(PlaymakerSubject& subject) {
                                        [](const auto& agent) { return agent.code() == 0; });
     before = fmt::format("actions for {} of 2 players", decided);
   }
+
   const std::string wrong = ask_together(subject, 1, kPlayers);
   if (!wrong.empty()) return fail(before + "; then an ordinary call: " + wrong);
   return pass(before + "; replies to the next ordinary call");
@@ -102,12 +108,14 @@ Finding unreadable_state(PlaymakerSubject& subject) {
 Finding choices(PlaymakerSubject& subject) {
   constexpr int kCandidates = 20;
   if (subject.together == nullptr) return not_implemented();
+
   for (const int agent : {7, 9}) {
     subject.together->begin(agent, Rpc::kGetBestPlannerAction,
                             planner_request(subject.next_state(agent), kCandidates),
                             subject.deadline);
   }
   subject.together->send();
+
   std::string chosen;
   std::optional<Finding> wrong;
   while (const auto reply = subject.together->next_reply()) {
@@ -120,6 +128,7 @@ Finding choices(PlaymakerSubject& subject) {
                             reply->as<protos::BestPlannerActionResponse>()->index());
     }
   }
+
   return wrong ? *wrong : pass("chose " + chosen);
 }
 

@@ -30,6 +30,7 @@ void place(protos::Player& player, protos::Side side, int unum, bool ours) {
   const double sign = ours ? 1.0 : -1.0;
   const double x = sign * (unum == 1 ? -50.0 : -12.0 * (4 - (unum - 2) / 3));
   const double y = unum == 1 ? 0.0 : 12.0 * ((unum - 2) % 3 - 1);
+
   set_vector(*player.mutable_position(), x, y);
   set_vector(*player.mutable_seen_position(), x, y);
   set_vector(*player.mutable_velocity(), 0.1 * sign, 0.0);
@@ -47,6 +48,7 @@ void fill_players(protos::WorldModel& world, int own_number) {
     place(ours, world.our_side(), unum, true);
     if (unum != own_number) *world.add_teammates() = ours;
     (*world.mutable_our_players_dict())[unum] = ours;
+
     protos::Player theirs;
     place(theirs, world.our_side() == protos::LEFT ? protos::RIGHT : protos::LEFT, unum, false);
     *world.add_opponents() = theirs;
@@ -68,6 +70,7 @@ void fill_self(protos::Self& self, const protos::WorldModel& world, int unum) {
   self.set_view_width(protos::NORMAL);
   self.set_ball_reach_steps(5 + unum);
   self.set_get_safety_dash_power(100.0f);
+
   const auto own = world.our_players_dict().find(unum);
   if (own == world.our_players_dict().end()) return;
   *self.mutable_position() = own->second.position();
@@ -84,6 +87,7 @@ void fill_intercepts(protos::InterceptTable& table) {
   table.set_second_opponent_reach_steps(11);
   table.set_first_teammate_id(9);
   table.set_first_opponent_id(20);
+
   protos::InterceptInfo& way = *table.add_self_intercept_info();
   way.set_action_type(protos::TURN_FORWARD_DASH);
   way.set_turn_steps(1);
@@ -149,11 +153,13 @@ protos::State ordinary_state(const protos::RegisterResponse& identity, int cycle
   world.set_their_goalie_uniform_number(1);
   world.set_our_defense_line_x(-36.0);
   world.set_their_defense_line_x(36.0);
+
   fill_players(world, identity.uniform_number());
   if (identity.agent_type() == protos::PlayerT) {
     fill_self(*world.mutable_self(), world, identity.uniform_number());
     fill_intercepts(*world.mutable_intercept_table());
   }
+
   protos::Ball& ball = *world.mutable_ball();
   set_vector(*ball.mutable_position(), 1.5, -0.5);
   set_vector(*ball.mutable_seen_position(), 1.5, -0.5);
@@ -168,12 +174,14 @@ void forget_everything(protos::State& state, float unseen) {
   world.clear_opponents();
   for (auto& [unum, player] : *world.mutable_our_players_dict()) forget(player, unseen);
   for (auto& [unum, player] : *world.mutable_their_players_dict()) forget(player, unseen);
+
   protos::Self& self = *world.mutable_self();
   self.set_pos_count(kForever);
   self.set_seen_pos_count(kForever);
   self.set_vel_count(kForever);
   self.set_ball_reach_steps(kForever);
   set_unseen(*self.mutable_heard_position(), unseen);
+
   protos::InterceptTable& table = *world.mutable_intercept_table();
   table.Clear();
   table.set_self_reach_steps(kForever);
@@ -185,10 +193,12 @@ void remove_newer_fields(protos::State& state) {
   protos::WorldModel& world = *state.mutable_world_model();
   world.mutable_self()->clear_get_safety_dash_power();
   if (world.has_penalty_kick_state()) world.mutable_penalty_kick_state()->clear_cycle();
+
   const auto reduce = [](protos::Player& player) {
     player.clear_inertia_final_point();
     player.clear_body_count();
   };
+
   for (protos::Player& player : *world.mutable_teammates()) reduce(player);
   for (protos::Player& player : *world.mutable_opponents()) reduce(player);
   for (auto& [unum, player] : *world.mutable_our_players_dict()) reduce(player);
@@ -205,6 +215,7 @@ protos::BestPlannerActionRequest planner_request(const protos::State& state, int
   protos::BestPlannerActionRequest request;
   *request.mutable_register_response() = state.register_response();
   *request.mutable_state() = state;
+
   for (int index = 1; index <= candidates; ++index) {
     protos::RpcActionState& node = (*request.mutable_pairs())[index];
     protos::RpcCooperativeAction& action = *node.mutable_action();

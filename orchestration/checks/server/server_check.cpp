@@ -18,6 +18,7 @@ base::Result<void> prepare(const ServerCheckOptions& options, std::optional<Star
     if (stop != 0) return "interrupted";
     return server ? describe_exit("the server", server->child()) : "";
   };
+
   if (options.server.kind == match::ServerChoice::Kind::kAddress) {
     subject.host = options.server.host;
     const int port = options.server.port;
@@ -32,6 +33,7 @@ base::Result<void> prepare(const ServerCheckOptions& options, std::optional<Star
     subject.host = server->host();
     subject.ports = server->ports();
   }
+
   struct Door {
     std::unique_ptr<soccer::UdpClients>& clients;
     int port;
@@ -63,12 +65,15 @@ base::Result<CheckReport> check_server(const ServerCheckOptions& options,
   ServerSubject subject;
   if (const auto prepared = prepare(options, server, subject, stop); !prepared)
     return prepared.error();
+
   CheckReport report;
   report.schema = "cls.check/1";
   report.command = "cls check server";
   report.subject = options.server.text;
+
   std::vector<ServerStep> steps = server_connection_steps();
   for (const ServerStep& step : server_play_steps()) steps.push_back(step);
+
   for (const ServerStep& step : steps) {
     CheckStep& step_result = report.steps.emplace_back();
     step_result.name = step.name;

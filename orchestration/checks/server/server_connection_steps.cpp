@@ -37,6 +37,7 @@ Finding reach(ServerSubject& subject) {
     const auto answer = subject.await(client, is_reply, std::chrono::milliseconds(500));
     if (answer && answer->starts_with("(init")) return pass(*answer);
     if (answer) return fail(*answer);
+
     subject.clients.clear();
     if (const std::string reason = subject.failure_reason(); !reason.empty()) {
       return fail("no reply to (init ...); " + reason);
@@ -97,6 +98,7 @@ Finding versions(ServerSubject& subject) {
     if (!answer || !answer->starts_with("(init r")) {
       return fail(fmt::format("version {}: {}", version, answer.value_or("no reply")));
     }
+
     if (!subject.await(client, starts_with_text("(server_param "))) {
       return fail(fmt::format("version {}: no server_param", version));
     }

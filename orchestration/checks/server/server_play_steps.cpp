@@ -107,11 +107,13 @@ Finding unknown_command(ServerSubject& subject) {
 Finding garbage(ServerSubject& subject) {
   std::string bytes;
   for (int i = 0; i < 8000; ++i) bytes.push_back(static_cast<char>(1 + i * 31 % 255));
+
   for (int i = 0; i < 20; ++i) {
     const auto channel = subject.player_port->connect();
     if (channel != nullptr) channel->send(bytes);
     subject.player().channel->send(bytes.substr(0, 1000));
   }
+
   subject.player().inbox.clear();
   const auto next = subject.await(subject.player(), starts_with_text("(sense_body "));
   return next ? pass("20 datagrams of 8000 bytes, the match continues")
@@ -126,6 +128,7 @@ Finding rhythm(ServerSubject& subject) {
     if (!subject.await(subject.player(), starts_with_text("(sense_body ")))
       return fail("no sense_body");
   }
+
   const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - start;
   return pass(fmt::format("{:.1f} ms per cycle, {}", took.count() / kCycles,
                           subject.thinks > thinks ? "synch mode" : "real time"));

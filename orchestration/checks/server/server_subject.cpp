@@ -20,9 +20,11 @@ bool ServerSubject::read_all() {
   bool any = false;
   std::string message;
   const auto now = steady_clock::now();
+
   for (const auto* port : {&player_port, &trainer_port, &coach_port}) {
     if (*port != nullptr) (*port)->wait_until(now);
   }
+
   for (const auto& client : clients) {
     while (client->channel != nullptr && client->channel->receive(message)) {
       any = true;
@@ -48,6 +50,7 @@ std::optional<std::string> ServerSubject::await(ServerClient& client, const Want
       client.inbox.erase(client.inbox.begin(), found + 1);
       return message;
     }
+
     if (steady_clock::now() >= end) return std::nullopt;
     player_port->wait_until(std::min(end, steady_clock::now() + milliseconds(5)));
   }

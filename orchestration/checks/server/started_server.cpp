@@ -23,6 +23,7 @@ Result<StartedServer> StartedServer::start(const match::ServerChoice& choice,
                                            const soccer::ServerParams& params) {
   StartedServer server;
   if (server.folder_->path().empty()) return Error{"cannot create a folder for its logs"};
+
   match::ServerSetup setup;
   if (choice.kind == match::ServerChoice::Kind::kEmbedded) {
     setup.program = {own_program, "server"};
@@ -31,15 +32,18 @@ Result<StartedServer> StartedServer::start(const match::ServerChoice& choice,
     if (!program) return program.error();
     setup.program = {program->string()};
   }
+
   auto ports = process::ReservedPort::choose(3);
   if (!ports) return ports.error();
   server.reserved_ = *std::move(ports);
   setup.folder = server.folder_->path();
   setup.ports = server.ports();
   setup.server = params;
+
   auto host = process::ProcessHost::create();
   if (!host) return host.error();
   server.host_ = std::make_unique<process::ProcessHost>(*std::move(host));
+
   auto child = server.host_->start(
       server_plan(setup),
       [output = server.output_](std::string_view line) { output->read_line(line); });
