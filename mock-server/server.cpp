@@ -33,18 +33,22 @@ Server::~Server() { stop(); }
 
 Result<void> Server::listen(const std::string& address) {
   proto::apply_grpc_settings();
+
   grpc::ServerBuilder builder;
   builder.RegisterService(&service_);
   builder.RegisterService(&team_service_);
+
   // A second server on the same port must fail, not share it.
   builder.AddChannelArgument(GRPC_ARG_ALLOW_REUSEPORT, 0);
   builder.AddChannelArgument(GRPC_ARG_HTTP2_STREAM_LOOKAHEAD_BYTES, proto::kTeamCallWindow);
   builder.SetMaxReceiveMessageSize(-1);
+
   if (!address.empty()) {
     grpc::EnableDefaultHealthCheckService(true);
     grpc::reflection::InitProtoReflectionServerBuilderPlugin();
     builder.AddListeningPort(address, grpc::InsecureServerCredentials(), &port_);
   }
+
   server_ = builder.BuildAndStart();
   if (server_ == nullptr || (!address.empty() && port_ == 0)) {
     return Error{fmt::format("the mock Playmaker cannot listen on {}", address)};

@@ -20,6 +20,7 @@ class PlannerBehavior : public Behavior {
  public:
   void decide(const protos::State& state, protos::PlayerActions& actions) const override {
     const protos::WorldModel& world = state.world_model();
+
     if (world.is_penalty_kick_mode()) {
       actions.add_actions()->mutable_helios_penalty();
     } else if (world.game_mode_type() != protos::PlayOn) {

@@ -55,6 +55,7 @@ void fill(Message& message, RandomStream& draw, int depth) {
   const Descriptor& type = *message.GetDescriptor();
   if (depth > kMaxDepth) return;
   if (type.oneof_decl_count() > 0) return fill_oneof(message, draw, depth + 1);
+
   for (int i = 0; i < type.field_count(); ++i) {
     const FieldDescriptor& field = *type.field(i);
     if (field.is_repeated()) continue;

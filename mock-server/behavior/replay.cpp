@@ -58,6 +58,7 @@ base::Result<std::unique_ptr<Behavior>> read_replay_behavior(const std::string& 
   std::string error;
   const auto reader = proto::RecordingReader::open(path, error);
   if (reader == nullptr) return Error{error};
+
   auto behavior = std::make_unique<ReplayBehavior>();
   recording::RecordedCall call;
   while (reader->next(call)) {
@@ -67,6 +68,7 @@ base::Result<std::unique_ptr<Behavior>> read_replay_behavior(const std::string& 
     if (!state.ParseFromString(call.request())) continue;
     behavior->add(state, call.reply());
   }
+
   if (!reader->parse_error().empty()) return Error{reader->parse_error()};
   return std::unique_ptr<Behavior>(std::move(behavior));
 }

@@ -10,6 +10,7 @@ soccer::Vec2 point_of(const protos::RpcVector2D& vector) { return {vector.x(), v
 
 player::TeamMode mode_of(const protos::WorldModel& world) {
   if (world.is_penalty_kick_mode()) return player::TeamMode::kPenalty;
+
   switch (world.game_mode_type()) {
     case protos::PlayOn:
       return player::TeamMode::kPlayOn;
@@ -154,15 +155,18 @@ player::Situation situation_of(const protos::State& state) {
   now.offside_line = world.offside_line_x();
   read_self(world.self(), now);
   read_ball(world, now);
+
   for (const protos::Player& player : world.teammates()) {
     now.teammates.add({player.uniform_number(), point_of(player.position()),
                        point_of(player.velocity()), player.pos_count(), player.is_goalie(),
                        player.is_tackling()});
   }
+
   for (const protos::Player& player : world.opponents()) {
     if (player.pos_count() > player::Situation::kMaxAge) continue;
     now.opponents.add(point_of(player.position()));
   }
+
   return now;
 }
 

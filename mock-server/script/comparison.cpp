@@ -20,6 +20,7 @@ Result<std::string> enum_name(const base::JsonValue& json,
                               const google::protobuf::EnumDescriptor& names) {
   const auto word = json.string();
   if (!word) return word.error();
+
   std::vector<std::string_view> known;
   for (int i = 0; i < names.value_count(); ++i) {
     const std::string& name = names.value(i)->name();
@@ -35,6 +36,7 @@ Result<Value> operand(const base::JsonValue& json, const ValueKind& kind) {
     if (!parsed) return parsed.error();
     return Value(*parsed);
   };
+
   switch (kind.kind) {
     case ValueKind::Kind::kNumber:
       return value_of(json.number());
@@ -65,10 +67,12 @@ Result<Comparison::Part> Comparison::parse_part(std::string_view word, const bas
     return json.error(
         fmt::format("unknown operator '{}' (known: {})", word, fmt::join(kOperators, " ")));
   }
+
   Part part;
   part.what = static_cast<Operator>(found - kOperators.begin());
   const bool list = part.what == Operator::kIn || part.what == Operator::kBetween;
   const bool ordered = part.what >= Operator::kLess && part.what != Operator::kIn;
+
   if (ordered && kind.kind != ValueKind::Kind::kNumber) {
     return json.error(fmt::format("'{}' is for numbers", word));
   }
@@ -78,6 +82,7 @@ Result<Comparison::Part> Comparison::parse_part(std::string_view word, const bas
   if (part.what == Operator::kBetween && json.size() != 2) {
     return json.error("'between' needs two numbers");
   }
+
   for (std::size_t i = 0; i < (list ? json.size() : 1); ++i) {
     const auto value = operand(list ? json[i] : json, kind);
     if (!value) return value.error();
@@ -94,11 +99,13 @@ Result<Comparison> Comparison::parse(const base::JsonValue& json, const ValueKin
     comparison.parts_.push_back(*part);
     return comparison;
   }
+
   for (const std::string& word : json.keys()) {
     const auto part = parse_part(word, json[word], kind);
     if (!part) return part.error();
     comparison.parts_.push_back(*part);
   }
+
   if (comparison.parts_.empty()) return json.error("an empty comparison");
   return comparison;
 }

@@ -36,6 +36,7 @@ Result<Expectation> parse_expectation(const base::JsonValue& json,
                                         "always", "order"};
   keys.insert(keys.end(), other_keys.begin(), other_keys.end());
   if (const auto known = json.expect_keys(keys); !known) return known.error();
+
   Expectation what;
   what.name = fmt::format("line {}", json.line());
   if (json.has("name")) {
@@ -43,16 +44,19 @@ Result<Expectation> parse_expectation(const base::JsonValue& json,
     if (!text) return text.error();
     what.name = *text;
   }
+
   if (json.has("order")) {
     const auto order = parse_order(json["order"]);
     if (!order) return order.error();
     what.order = *order;
     return what;
   }
+
   if (!json.has("rpc")) return json.error("needs \"rpc\" or \"order\"");
   const auto word = json["rpc"].one_of(proto::agent_rpc_names());
   if (!word) return word.error();
   what.rpc = *proto::rpc_from_name(*word);
+
   if (json.has("when")) {
     const auto when = SituationFilter::parse(json["when"], what.rpc);
     if (!when) return when.error();
@@ -65,11 +69,13 @@ Result<Expectation> parse_expectation(const base::JsonValue& json,
     if (!count) return count.error();
     *member = *count;
   }
+
   if (json.has("always")) {
     auto always = parse_conditions(*request_prototype(what.rpc).GetDescriptor(), json["always"]);
     if (!always) return always.error();
     what.always = *std::move(always);
   }
+
   if (!what.count && !what.count_per_agent && what.always.empty()) {
     return json.error("needs \"count\", \"count_per_agent\" or \"always\"");
   }
@@ -110,6 +116,7 @@ void Expectations::add(proto::Rpc rpc, const google::protobuf::Message& request)
   const std::lock_guard lock(mutex_);
   std::vector<proto::Rpc>& calls = calls_[agent];
   if (calls.size() < kMaxOrder && (calls.empty() || calls.back() != rpc)) calls.push_back(rpc);
+
   for (Entry& entry : entries_) {
     if (!entry.what.order.empty() || entry.what.rpc != rpc) continue;
     if (!entry.what.when.matches(rpc, request)) continue;
@@ -130,8 +137,10 @@ std::string Expectations::order_failure(const Entry& entry) const {
     for (const proto::Rpc rpc : rpcs) words.push_back(name(rpc));
     return fmt::format("{}", fmt::join(words, ", "));
   };
+
   const std::vector<proto::Rpc>& order = entry.what.order;
   if (calls_.empty()) return "no agent called";
+
   for (const auto& [agent, calls] : calls_) {
     const bool begins =
         calls.size() >= order.size() && std::equal(order.begin(), order.end(), calls.begin());
@@ -148,10 +157,12 @@ std::string Expectations::count_failure(const Entry& entry) const {
   const auto wrong = [](const Comparison& expected, std::int64_t count) {
     return !expected.holds(static_cast<double>(count));
   };
+
   const std::string_view what = name(entry.what.rpc);
   if (entry.what.count && wrong(*entry.what.count, total)) {
     return fmt::format("{} calls of {}, not {}", total, what, entry.what.count->text());
   }
+
   if (!entry.what.count_per_agent) return {};
   if (calls_.empty()) return "no agent called";
   for (const auto& [agent, unused] : calls_) {

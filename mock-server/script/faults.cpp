@@ -88,6 +88,7 @@ Result<Faults> parse_faults(const base::JsonValue& json) {
        "crash_at_cycle", "hang_at_cycle", "restart_at_cycle", "restart_cycles", "wrong_client_id",
        "unimplemented", "full_states", "slow_start_ms", "only", "seed"});
   if (!keys) return keys.error();
+
   Faults faults;
   for (const std::string& key : json.keys()) {
     if (const auto assigned = parse_fault(key, json[key], faults); !assigned)
@@ -111,6 +112,7 @@ Fault draw_fault(const Faults& faults, proto::Rpc rpc, const google::protobuf::M
     return {Fault::What::kUnimplemented, 0};
   }
   if (!is_decision(rpc)) return {};
+
   const protos::WorldModel& world = static_cast<const protos::State&>(request).world_model();
   const int unum = caller_of(rpc, request).unum;
   if (faults.crash_at_cycle && world.cycle() >= *faults.crash_at_cycle) {
@@ -119,10 +121,12 @@ Fault draw_fault(const Faults& faults, proto::Rpc rpc, const google::protobuf::M
   if (faults.hang_at_cycle && world.cycle() >= *faults.hang_at_cycle) {
     return {Fault::What::kHang, 0};
   }
+
   if (!applies_to(faults, unum, world.cycle())) return {};
   const auto clock = static_cast<std::uint64_t>(world.cycle()) << 32U |
                      static_cast<std::uint32_t>(world.time_stopped());
   soccer::RandomStream draw(faults.seed, "mock faults", static_cast<std::uint64_t>(unum), clock);
+
   Fault fault;
   fault.delay_ms = faults.delay_ms + draw.integer(faults.jitter_ms + 1);
   for (const auto& [share, what] :

@@ -103,6 +103,7 @@ Result<FieldPath::Step> FieldPath::compile_step(const Descriptor& type, std::str
   step.field = find_field(type, name);
   if (step.field == nullptr) return no_such_field(type, name);
   if (!step.field->is_repeated()) return step;
+
   if (selector == "*") {
     step.select = Select::kAny;
   } else if (selector == "size") {
@@ -128,6 +129,7 @@ Result<FieldPath> FieldPath::compile(const Descriptor& root, std::string_view te
       find_field(*world->message_type(), names.front()) != nullptr) {
     names.insert(names.begin(), "world_model");
   }
+
   FieldPath path;
   path.text_ = text;
   for (std::size_t i = 0; i < names.size(); ++i) {
@@ -135,6 +137,7 @@ Result<FieldPath> FieldPath::compile(const Descriptor& root, std::string_view te
     const auto step = compile_step(*type, names[i], i + 1 < names.size() ? names[i + 1] : "");
     if (!step) return step.error();
     path.steps_.push_back(*step);
+
     const FieldDescriptor& field = step->field->is_map() ? *map_value(*step->field) : *step->field;
     path.kind_ = step->select == Select::kSize ? ValueKind{} : kind_of(field);
     type = path.kind_.kind == ValueKind::Kind::kMessage ? field.message_type() : nullptr;
@@ -149,6 +152,7 @@ void FieldPath::collect_elements(const Message& message, std::size_t at, bool& p
   const Reflection& reflection = *message.GetReflection();
   const int size = reflection.FieldSize(message, step.field);
   const bool last = at + 1 == steps_.size();
+
   for (int i = 0; i < size; ++i) {
     if (step.select == Select::kIndex && i != step.number) continue;
     if (step.field->cpp_type() != FieldDescriptor::CPPTYPE_MESSAGE) {
@@ -156,6 +160,7 @@ void FieldPath::collect_elements(const Message& message, std::size_t at, bool& p
       values.push_back(scalar(message, *step.field, i));
       continue;
     }
+
     const Message* element = &reflection.GetRepeatedMessage(message, step.field, i);
     if (step.field->is_map()) {
       const FieldDescriptor& key = *step.field->message_type()->field(0);
@@ -171,6 +176,7 @@ void FieldPath::collect_elements(const Message& message, std::size_t at, bool& p
       }
       element = &element->GetReflection()->GetMessage(*element, &value);
     }
+
     if (last) {
       present = true;
     } else {
@@ -183,6 +189,7 @@ void FieldPath::collect(const Message& message, std::size_t at, bool& present,
                         std::vector<Value>& values) const {
   const Step& step = steps_[at];
   const Reflection& reflection = *message.GetReflection();
+
   if (step.select == Select::kSize) {
     present = true;
     values.emplace_back(static_cast<double>(reflection.FieldSize(message, step.field)));
@@ -216,6 +223,7 @@ Result<Condition> Condition::parse(const Descriptor& root, std::string_view path
                                    const base::JsonValue& json) {
   auto compiled = FieldPath::compile(root, path);
   if (!compiled) return json.error(compiled.error().message);
+
   Condition condition;
   condition.path_ = *std::move(compiled);
   if (json.is_object() && json.has("present")) {
@@ -225,6 +233,7 @@ Result<Condition> Condition::parse(const Descriptor& root, std::string_view path
     condition.present_ = *present;
     return condition;
   }
+
   auto comparison = Comparison::parse(json, condition.path_.kind());
   if (!comparison) return comparison.error();
   condition.comparison_ = *std::move(comparison);

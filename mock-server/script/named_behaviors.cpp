@@ -35,6 +35,7 @@ base::Result<std::unique_ptr<Behavior>> make_behavior(std::string_view name) {
   if (name == "random") return make_random("");
   if (name.starts_with("random:")) return make_random(name.substr(7));
   if (name.starts_with("replay:")) return read_replay_behavior(std::string(name.substr(7)));
+
   std::string message = fmt::format("unknown mock behavior '{}'", name);
   const std::string_view near = base::nearest_name(name, behavior_names());
   if (near.empty()) {
@@ -42,6 +43,7 @@ base::Result<std::unique_ptr<Behavior>> make_behavior(std::string_view name) {
   } else {
     message += fmt::format("; did you mean '{}'?", near);
   }
+
   return base::Error{std::move(message)};
 }
 

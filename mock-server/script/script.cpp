@@ -43,6 +43,7 @@ Result<void> check_field(const base::JsonValue& json, const FieldDescriptor& fie
     }
     return {};
   }
+
   if (!field.is_repeated()) return check_element(json, field);
   if (!json.is_array()) return json.error("must be a list");
   for (std::size_t i = 0; i < json.size(); ++i) {
@@ -55,8 +56,10 @@ Result<void> check_keys(const base::JsonValue& json, const Descriptor& type) {
   if (!json.is_object()) {
     return json.error(fmt::format("must be an object with the fields of {}", type.name()));
   }
+
   std::vector<std::string_view> names;
   for (int i = 0; i < type.field_count(); ++i) names.push_back(type.field(i)->name());
+
   for (const std::string& key : json.keys()) {
     const FieldDescriptor* field = type.FindFieldByName(key);
     for (int i = 0; field == nullptr && i < type.field_count(); ++i) {
@@ -96,6 +99,7 @@ Result<std::shared_ptr<const google::protobuf::Message>> parse_reply(const base:
     if (const auto read = read_message(json, *reply); !read) return read.error();
     return std::shared_ptr<const google::protobuf::Message>(std::move(reply));
   }
+
   const auto* descriptor = reply->GetDescriptor()->FindFieldByName("actions");
   for (std::size_t i = 0; i < json.size(); ++i) {
     auto* action = reply->GetReflection()->AddMessage(reply.get(), descriptor);
@@ -108,6 +112,7 @@ Result<ScriptRule> parse_rule(const base::JsonValue& json) {
   if (const auto keys = json.expect_keys({"rpc", "when", "reply", "note"}); !keys) {
     return keys.error();
   }
+
   ScriptRule rule;
   if (json.has("rpc")) {
     const auto name =
@@ -115,11 +120,13 @@ Result<ScriptRule> parse_rule(const base::JsonValue& json) {
     if (!name) return name.error();
     rule.rpc = *proto::rpc_from_name(*name);
   }
+
   if (json.has("when")) {
     auto when = SituationFilter::parse(json["when"], rule.rpc);
     if (!when) return when.error();
     rule.when = *std::move(when);
   }
+
   if (!json.has("reply")) return json.error("needs \"reply\"");
   const base::JsonValue reply = json["reply"];
   if (reply.is_string()) {
@@ -128,6 +135,7 @@ Result<ScriptRule> parse_rule(const base::JsonValue& json) {
     rule.behavior = *std::move(behavior);
     return rule;
   }
+
   auto message = parse_reply(reply, rule.rpc);
   if (!message) return message.error();
   rule.reply = *std::move(message);
@@ -145,6 +153,7 @@ const std::vector<std::string_view>& script_keys() {
 Result<std::shared_ptr<const Script>> parse_script(const base::JsonValue& json) {
   if (const auto keys = json.expect_keys(script_keys()); !keys) return keys.error();
   auto script = std::make_shared<Script>();
+
   if (json.has("rules")) {
     const base::JsonValue rules = json["rules"];
     if (!rules.is_array()) return rules.error("must be a list");
@@ -154,6 +163,7 @@ Result<std::shared_ptr<const Script>> parse_script(const base::JsonValue& json) 
       script->rules.push_back(*std::move(rule));
     }
   }
+
   if (json.has("otherwise")) {
     auto behavior = parse_behavior(json["otherwise"]);
     if (!behavior) return behavior.error();
@@ -161,6 +171,7 @@ Result<std::shared_ptr<const Script>> parse_script(const base::JsonValue& json) 
   } else {
     script->otherwise = *make_behavior("hold");
   }
+
   if (json.has("expect")) {
     auto expectations = parse_expectations(json["expect"]);
     if (!expectations) return expectations.error();
@@ -171,6 +182,7 @@ Result<std::shared_ptr<const Script>> parse_script(const base::JsonValue& json) 
     if (!faults) return faults.error();
     script->faults = *std::move(faults);
   }
+
   return std::shared_ptr<const Script>(std::move(script));
 }
 

@@ -22,6 +22,7 @@ Result<std::vector<std::string>> parse_modes(const base::JsonValue& json) {
   std::vector<std::string_view> known;
   const auto& names = *protos::GameModeType_descriptor();
   for (int i = 0; i < names.value_count(); ++i) known.push_back(names.value(i)->name());
+
   const bool list = json.is_array();
   for (std::size_t i = 0; i < (list ? json.size() : 1); ++i) {
     const base::JsonValue each = list ? json[i] : json;
@@ -50,11 +51,13 @@ Result<CycleRange> parse_cycles(const base::JsonValue& json) {
     if (!last) return last.error();
     return CycleRange{*first, *last, 1};
   }
+
   if (!json.is_object()) {
     const auto cycle = json.integer(0, kMaxCycle);
     if (!cycle) return cycle.error();
     return CycleRange{*cycle, *cycle, 1};
   }
+
   if (const auto keys = json.expect_keys({"from", "to", "every"}); !keys) return keys.error();
   range.last = kMaxCycle;
   for (const auto& [key, member, low] :
@@ -94,12 +97,14 @@ Result<SituationFilter> SituationFilter::parse(const base::JsonValue& json, prot
   if (const auto keys = json.expect_keys({"cycle", "mode", "unum", "state"}); !keys) {
     return keys.error();
   }
+
   SituationFilter filter;
   for (const char* key : {"cycle", "mode"}) {
     if (json.has(key) && !is_decision(rpc)) {
       return json[key].error(fmt::format("{} has no {}", name(rpc), key));
     }
   }
+
   if (json.has("cycle")) {
     const auto cycles = parse_cycles(json["cycle"]);
     if (!cycles) return cycles.error();
@@ -120,6 +125,7 @@ Result<SituationFilter> SituationFilter::parse(const base::JsonValue& json, prot
     if (!conditions) return conditions.error();
     filter.conditions_ = *std::move(conditions);
   }
+
   return filter;
 }
 
@@ -128,6 +134,7 @@ bool SituationFilter::matches(proto::Rpc rpc, const google::protobuf::Message& r
     const int unum = caller_of(rpc, request).unum;
     if (std::find(unums_.begin(), unums_.end(), unum) == unums_.end()) return false;
   }
+
   if (cycles_ || !modes_.empty()) {
     const protos::WorldModel& world = static_cast<const protos::State&>(request).world_model();
     if (cycles_ && !cycles_->contains(world.cycle())) return false;
@@ -136,6 +143,7 @@ bool SituationFilter::matches(proto::Rpc rpc, const google::protobuf::Message& r
       return false;
     }
   }
+
   return std::all_of(conditions_.begin(), conditions_.end(),
                      [&](const Condition& condition) { return condition.holds(request); });
 }

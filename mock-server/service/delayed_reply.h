@@ -50,12 +50,14 @@ inline grpc::ServerUnaryReactor* finish(const Response& response,
     reactor->Finish(response.status);
     return reactor;
   }
+
   auto* reactor = new DelayedReply;
   if (response.hangs) {
     reactor->hang();
   } else {
     reactor->finish_after(response.delay_ms, response.status);
   }
+
   return reactor;
 }
 

@@ -34,14 +34,17 @@ grpc::ServerUnaryReactor* RawService::handle(Rpc rpc, grpc::CallbackServerContex
   auto workspace = workspaces_.acquire();
   Message& parsed = workspace->create(request_prototype(rpc));
   Message& message = workspace->create(reply_prototype(rpc));
+
   Response response;
   response.status = parse(request, parsed);
   if (response.status.ok()) response = respond_(rpc, parsed, message, *workspace);
+
   if (response.bytes) {
     reply = buffer_of(*response.bytes);
   } else if (response.status.ok() && !response.hangs) {
     response.status = serialize(message, reply);
   }
+
   workspaces_.release(std::move(workspace));
   return finish(response, context);
 }

@@ -42,10 +42,12 @@ void RequestHandler::handle_register(const protos::RegisterRequest& request,
 void RequestHandler::handle(proto::Rpc rpc, const google::protobuf::Message& request,
                             google::protobuf::Message& reply) {
   if (expectations_ != nullptr) expectations_->add(rpc, request);
+
   const std::int64_t before = thread_cpu_nanoseconds();
   const auto state = [&request]() -> const protos::State& {
     return static_cast<const protos::State&>(request);
   };
+
   switch (rpc) {
     case proto::Rpc::kRegister:
       handle_register(static_cast<const protos::RegisterRequest&>(request),
@@ -67,6 +69,7 @@ void RequestHandler::handle(proto::Rpc rpc, const google::protobuf::Message& req
     default:
       break;  // replies with an Empty
   }
+
   decision_nanoseconds_ += thread_cpu_nanoseconds() - before;
 }
 

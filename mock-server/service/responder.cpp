@@ -49,6 +49,7 @@ Fault Responder::choose_fault(Rpc rpc, const Message& request) {
   const std::lock_guard lock(mutex_);
   if (fault.what == Fault::What::kCrash) dead_ = true;
   if (dead_) return {Fault::What::kCrash, 0};
+
   if (faults_.restart_at_cycle && is_decision(rpc)) {
     const int cycle = static_cast<const protos::State&>(request).world_model().cycle();
     const int elapsed = cycle - *faults_.restart_at_cycle;
@@ -76,13 +77,16 @@ Response Responder::respond(Rpc rpc, const Message& request, Message& message) {
     handler_.handle(rpc, request, message);
     return response;
   }
+
   const Fault fault = choose_fault(rpc, request);
   if (fault.what == Fault::What::kCrash && die_) die_();
+
   const auto up_for = std::chrono::duration_cast<std::chrono::milliseconds>(
       std::chrono::steady_clock::now() - start_);
   response.delay_ms =
       std::max(fault.delay_ms, faults_.slow_start_ms - static_cast<int>(up_for.count()));
   response.status = status_of(fault, faults_);
+
   switch (fault.what) {
     case Fault::What::kHang:
       response.hangs = true;
@@ -100,6 +104,7 @@ Response Responder::respond(Rpc rpc, const Message& request, Message& message) {
     default:
       break;
   }
+
   return response;
 }
 

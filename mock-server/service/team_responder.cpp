@@ -27,19 +27,23 @@ class TeamCall {
     Message& request = workspace_.create(request_prototype(rpc));
     Message& message = workspace_.create(reply_prototype(rpc));
     Response one;
+
     if (request.ParseFromString(call.message())) {
       if (is_decision(rpc)) proto::complete(static_cast<protos::State&>(request));
       one = responder_.respond(rpc, request, message);
     } else {
       one.status = {grpc::StatusCode::INTERNAL, "the request does not parse"};
     }
+
     response_.delay_ms = std::max(response_.delay_ms, one.delay_ms);
     if (one.status.error_code() == grpc::StatusCode::UNAVAILABLE) response_.status = one.status;
     ++calls_;
+
     if (one.hangs) {
       ++hanging_;
       return;
     }
+
     wire::AgentReply& reply = *replies.Add();
     reply.set_agent(call.agent());
     if (!one.status.ok()) {
@@ -80,14 +84,17 @@ class TeamCall {
 void register_team(TeamCall& call, const wire::RegisterTeamRequest& request,
                    wire::RegisterTeamResponse& response) {
   response.set_version(proto::kTeamPlaymakerVersion);
+
   const auto& offered = request.encodings();
   if (call.lean_states() &&
       std::find(offered.begin(), offered.end(), wire::LEAN_STATES) != offered.end()) {
     response.set_encoding(wire::LEAN_STATES);
   }
+
   for (const wire::AgentMessage& agent : request.agents()) {
     call.respond(agent, Rpc::kRegister, *response.mutable_agents());
   }
+
   for (const wire::AgentReply& agent : response.agents()) {
     protos::RegisterResponse identity;
     if (agent.code() != 0 || !identity.ParseFromString(agent.message())) continue;
