@@ -41,15 +41,18 @@ ShotSituation situation_of(const Flow& flow, const Shot& shot) {
   const Touch& touch = flow.touches[shot.touch];
   const auto slot = slot_index(shot.slot);
   const double sign = attack_sign(slot);
+
   const Vec2 from = touch.contact * sign;
   const double half_width = record.server.goal_width / 2;
   const Vec2 top = {soccer::kHalfLength, -half_width};
   const Vec2 bottom = {soccer::kHalfLength, half_width};
+
   ShotSituation situation;
   situation.distance = shot.distance;
   situation.cycles = shot.cycles;
   situation.opening = std::fabs(soccer::math::to_radians(soccer::math::normalize_degrees(
       soccer::direction_degrees(bottom - from) - soccer::direction_degrees(top - from))));
+
   situation.goalie_margin = std::numeric_limits<double>::max();
   for (const std::size_t other : kTeamSlots[1 - team_of(slot)]) {
     const std::size_t entry = entry_of(touch.frame - 1, other);
@@ -61,6 +64,7 @@ ShotSituation situation_of(const Flow& flow, const Shot& shot) {
       situation.opponents_between += in_triangle(position, from, top, bottom);
     }
   }
+
   return situation;
 }
 

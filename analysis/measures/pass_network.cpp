@@ -20,6 +20,7 @@ void add_passes(const std::vector<Pass>& passes, const ThreatGrid& grid, std::si
     if (!pass.completed() || team_of(passer) != team) continue;
     const std::size_t from = passer % kTeamSize;
     const std::size_t to = slot_index(pass.receiver) % kTeamSize;
+
     PassEdge& edge = network.edges[from][to];
     ++edge.passes;
     edge.length += pass.length();
@@ -30,6 +31,7 @@ void add_passes(const std::vector<Pass>& passes, const ThreatGrid& grid, std::si
     network.nodes[from].mean_contact += pass.from;
     ++network.passes;
   }
+
   for (auto& row : network.edges) {
     for (PassEdge& edge : row) {
       if (edge.passes == 0) continue;
@@ -37,6 +39,7 @@ void add_passes(const std::vector<Pass>& passes, const ThreatGrid& grid, std::si
       edge.gain /= edge.passes;
     }
   }
+
   for (PassNode& node : network.nodes) {
     if (node.given > 0) node.mean_contact = node.mean_contact / node.given;
   }
@@ -52,6 +55,7 @@ void set_partners(PassNetwork& network) {
     for (std::size_t j = 0; j < kTeamSize; ++j) {
       if (j != i && exchanged(network, i, j)) partners.push_back(j);
     }
+
     int pairs = 0;
     int linked = 0;
     for (std::size_t a = 0; a < partners.size(); ++a) {
@@ -60,6 +64,7 @@ void set_partners(PassNetwork& network) {
         linked += exchanged(network, partners[a], partners[b]);
       }
     }
+
     network.nodes[i].partners = static_cast<int>(partners.size());
     network.nodes[i].clustering = pairs == 0 ? 0.0 : static_cast<double>(linked) / pairs;
   }
@@ -69,6 +74,7 @@ void set_partners(PassNetwork& network) {
 void set_page_rank(PassNetwork& network) {
   std::array<double, kTeamSize> rank;
   rank.fill(1.0 / kTeamSize);
+
   for (int round = 0; round < kPageRankRounds; ++round) {
     std::array<double, kTeamSize> next;
     double spread = 1.0 - kDamping;
@@ -76,6 +82,7 @@ void set_page_rank(PassNetwork& network) {
       if (network.nodes[i].given == 0) spread += kDamping * rank[i];
     }
     next.fill(spread / kTeamSize);
+
     for (std::size_t from = 0; from < kTeamSize; ++from) {
       for (std::size_t to = 0; to < kTeamSize; ++to) {
         const int passes = network.edges[from][to].passes;
@@ -84,6 +91,7 @@ void set_page_rank(PassNetwork& network) {
     }
     rank = next;
   }
+
   for (std::size_t i = 0; i < kTeamSize; ++i) network.nodes[i].page_rank = rank[i];
 }
 
@@ -96,6 +104,7 @@ struct Paths {
 Paths shortest_paths(const PassNetwork& network) {
   constexpr double kSame = 1e-12;
   Paths paths;
+
   for (std::size_t i = 0; i < kTeamSize; ++i) {
     for (std::size_t j = 0; j < kTeamSize; ++j) {
       const int passes = network.edges[i][j].passes;
@@ -103,6 +112,7 @@ Paths shortest_paths(const PassNetwork& network) {
       paths.count[i][j] = passes > 0 && i != j ? 1.0 : 0.0;
     }
   }
+
   for (std::size_t k = 0; k < kTeamSize; ++k) {
     for (std::size_t i = 0; i < kTeamSize; ++i) {
       for (std::size_t j = 0; j < kTeamSize; ++j) {
@@ -123,6 +133,7 @@ Paths shortest_paths(const PassNetwork& network) {
 void set_betweenness(PassNetwork& network) {
   constexpr double kPairs = (kTeamSize - 1) * (kTeamSize - 2);
   const Paths paths = shortest_paths(network);
+
   for (std::size_t k = 0; k < kTeamSize; ++k) {
     double sum = 0.0;
     for (std::size_t i = 0; i < kTeamSize; ++i) {
@@ -140,6 +151,7 @@ void set_betweenness(PassNetwork& network) {
 void set_totals(PassNetwork& network) {
   constexpr double kAllEdges = kTeamSize * (kTeamSize - 1);
   int used = 0;
+
   for (const auto& row : network.edges) {
     for (const PassEdge& edge : row) {
       if (edge.passes == 0) continue;
@@ -149,6 +161,7 @@ void set_totals(PassNetwork& network) {
       network.entropy -= share * soccer::math::log(share) / soccer::math::log(2.0);
     }
   }
+
   network.density = used / kAllEdges;
 }
 

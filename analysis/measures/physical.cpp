@@ -58,12 +58,14 @@ class StaminaMeter {
       result_.used += used_by_rules(frame);
     }
     last_ = frame;
+
     const std::size_t entry = entry_of(frame, slot_);
     const soccer::ServerParams& server = record_.server;
     const double now = stamina(frame);
     result_.lowest = std::min(result_.lowest, now);
     result_.last = now;
     result_.last_capacity = has_capacity() ? capacity(frame) : kNoCapacity;
+
     const bool empty = has_capacity() && capacity(frame) == 0.0F;
     result_.exhausted_frames += empty || now < server.effort_dec_thr * server.stamina_max;
     result_.tired_frames += now < server.recover_dec_thr * server.stamina_max;
@@ -112,6 +114,7 @@ class StaminaMeter {
 PerPlayer<Movement> measure_movement(const Flow& flow) {
   const gamelog::MatchRecord& record = *flow.record;
   PerPlayer<Movement> result;
+
   for (std::size_t i = 1; i < record.frames(); ++i) {
     if (record.time[i] < record.time[i - 1]) continue;
     for (std::size_t slot = 0; slot < gamelog::kSlots; ++slot) {
@@ -119,10 +122,12 @@ PerPlayer<Movement> measure_movement(const Flow& flow) {
       if (!gamelog::is_enabled(record, entry) ||
           !gamelog::is_enabled(record, entry - gamelog::kSlots))
         continue;
+
       const double step = soccer::distance(record.players.position[entry],
                                            record.players.position[entry - gamelog::kSlots]);
       const double top_speed = type_of(record, entry).player_speed_max;
       if (step > kMaxStepFactor * top_speed) continue;
+
       Movement& player = result[slot];
       if (!flow.is_live(i)) {
         player.other_distance += step;

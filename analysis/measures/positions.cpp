@@ -58,8 +58,10 @@ struct PlayerSums {
 
 double hull_area(std::vector<Vec2> points) {
   if (points.size() < 3) return 0.0;
+
   std::sort(points.begin(), points.end(),
             [](Vec2 a, Vec2 b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });
+
   std::vector<Vec2> hull;
   const auto extend = [&hull](Vec2 p, std::size_t start) {
     while (hull.size() >= start + 2 &&
@@ -68,9 +70,11 @@ double hull_area(std::vector<Vec2> points) {
     }
     hull.push_back(p);
   };
+
   for (const Vec2 p : points) extend(p, 0);
   const std::size_t lower = hull.size() - 1;
   for (auto p = points.rbegin() + 1; p != points.rend(); ++p) extend(*p, lower);
+
   double twice = 0.0;
   for (std::size_t i = 0; i + 1 < hull.size(); ++i) twice += soccer::cross(hull[i], hull[i + 1]);
   return twice / 2;
@@ -88,9 +92,11 @@ void ShapeAccumulator::add(const gamelog::MatchRecord& record, std::size_t frame
     xs.push_back(players.back().x);
     center += players.back();
   }
+
   if (players.size() < kMinPlayers) return;
   const auto count = static_cast<double>(players.size());
   center = center / count;
+
   double distance_sum = 0.0;
   double top = players[0].y;
   double bottom = players[0].y;
@@ -99,6 +105,7 @@ void ShapeAccumulator::add(const gamelog::MatchRecord& record, std::size_t frame
     top = std::min(top, p.y);
     bottom = std::max(bottom, p.y);
   }
+
   std::sort(xs.begin(), xs.end());
   ++count_;
   sum_.length += xs.back() - xs.front();
@@ -121,15 +128,18 @@ TeamShape ShapeAccumulator::shape() const {
 
 void set_formation(std::vector<double> mean_x, TeamShape& shape) {
   if (mean_x.size() < 2 * kMinPlayers) return;
+
   std::sort(mean_x.begin(), mean_x.end());
   std::vector<std::size_t> gaps(mean_x.size() - 1);
   for (std::size_t i = 0; i < gaps.size(); ++i) gaps[i] = i;
   const auto width = [&](std::size_t i) { return mean_x[i + 1] - mean_x[i]; };
   std::sort(gaps.begin(), gaps.end(),
             [&](std::size_t a, std::size_t b) { return width(a) > width(b); });
+
   const bool four_lines = width(gaps[2]) >= kWideGap;
   gaps.resize(four_lines ? 3 : 2);
   std::sort(gaps.begin(), gaps.end());
+
   std::vector<double> lines;
   std::size_t first = 0;
   gaps.push_back(mean_x.size() - 1);
@@ -140,6 +150,7 @@ void set_formation(std::vector<double> mean_x, TeamShape& shape) {
     shape.formation += (first == 0 ? "" : "-") + std::to_string(last + 1 - first);
     first = last + 1;
   }
+
   shape.line_distance = (lines.back() - lines.front()) / static_cast<double>(lines.size() - 1);
 }
 
@@ -149,10 +160,12 @@ PositionStats measure_positions(const Flow& flow) {
   PerPlayer<PlayerSums> sums;
   PerTeam<ShapeAccumulator> shapes;
   int live = 0;
+
   for (std::size_t i = 0; i < record.frames(); ++i) {
     if (!flow.is_live(i)) continue;
     ++result.ball[heat_cell(record.ball_position[i])];
     const std::int8_t owner = flow.owner[i];
+
     for (std::size_t slot = 0; slot < gamelog::kSlots; ++slot) {
       const std::size_t entry = entry_of(i, slot);
       if (!gamelog::is_enabled(record, entry)) continue;
@@ -164,15 +177,18 @@ PositionStats measure_positions(const Flow& flow) {
       const bool own = same_team(slot_index(owner), slot);
       (own ? sums[slot].own_ball : sums[slot].opponent_ball).add(seen);
     }
+
     if (live++ % kShapeStep == 0) {
       for (std::size_t team = 0; team < 2; ++team) shapes[team].add(record, i, team);
     }
   }
+
   for (std::size_t slot = 0; slot < gamelog::kSlots; ++slot) {
     result.players[slot].all = sums[slot].all.cloud();
     result.players[slot].mean_own_ball = sums[slot].own_ball.mean();
     result.players[slot].mean_opponent_ball = sums[slot].opponent_ball.mean();
   }
+
   for (std::size_t team = 0; team < 2; ++team) {
     std::vector<double> mean_x;
     for (const std::size_t slot : kTeamSlots[team]) {

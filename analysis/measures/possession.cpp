@@ -26,6 +26,7 @@ void count_next_kickers(const Flow& flow, Possession& result) {
 void count_at_feet(const gamelog::MatchRecord& record, std::size_t frame, Possession& result) {
   const soccer::Vec2 ball = record.ball_position[frame];
   PerTeam<bool> has = {};
+
   for (std::size_t slot = 0; slot < gamelog::kSlots; ++slot) {
     const std::size_t entry = entry_of(frame, slot);
     const double radius = kickable_radius(record, entry);
@@ -34,6 +35,7 @@ void count_at_feet(const gamelog::MatchRecord& record, std::size_t frame, Posses
       has[team_of(slot)] = true;
     }
   }
+
   if (has[0] && has[1]) {
     ++result.at_feet_contested;
   } else if (has[0] || has[1]) {
@@ -46,12 +48,14 @@ void count_at_feet(const gamelog::MatchRecord& record, std::size_t frame, Posses
 Possession measure_possession(const Flow& flow) {
   const gamelog::MatchRecord& record = *flow.record;
   Possession result;
+
   for (std::size_t i = 0; i < record.frames(); ++i) {
     if (flow.phase[i] == Phase::kSet) {
       const soccer::Side taker = soccer::side(record.mode[i]);
       if (taker != soccer::Side::kNeutral) ++result.all_play[taker == soccer::Side::kLeft ? 0 : 1];
     }
     if (!flow.is_live(i)) continue;
+
     ++result.live_frames;
     count(flow.owner[i], result.last_touch);
     count(flow.owner[i], result.all_play);
@@ -59,6 +63,7 @@ Possession measure_possession(const Flow& flow) {
     const auto first = first_to_ball(record, i);
     if (first) ++result.fastest[team_of(first->slot)];
   }
+
   count_next_kickers(flow, result);
   return result;
 }

@@ -23,6 +23,7 @@ void add_pressure(const Flow& flow, PressingStats& result) {
     const std::size_t owner = slot_index(flow.owner[i]);
     Pressing& team = result.teams[1 - team_of(owner)];
     ++team.opponent_frames;
+
     const Vec2 at = record.players.position[entry_of(i, owner)];
     for (const std::size_t slot : kTeamSlots[1 - team_of(owner)]) {
       const std::size_t entry = entry_of(i, slot);
@@ -46,6 +47,7 @@ void add_actions(const Flow& flow, const std::vector<Pass>& passes, const Stoppa
     ++result.interceptions[slot_index(pass.receiver)];
     result.teams[opponents].defensive_actions += in_opponents_60_percent(pass.to);
   }
+
   for (std::size_t i = 1; i < record.frames(); ++i) {
     if (!flow.is_live(i) || record.time[i] < record.time[i - 1]) continue;
     for (std::size_t slot = 0; slot < gamelog::kSlots; ++slot) {
@@ -58,6 +60,7 @@ void add_actions(const Flow& flow, const std::vector<Pass>& passes, const Stoppa
       result.teams[team_of(slot)].defensive_actions += in_opponents_60_percent(seen);
     }
   }
+
   for (const Foul& foul : stoppages.fouls) {
     const bool left = soccer::side(foul.mode) == soccer::Side::kLeft;
     const Vec2 seen = Vec2(record.ball_position[foul.frame]) * (left ? -1.0 : 1.0);
@@ -74,6 +77,7 @@ void add_recoveries(const Flow& flow, PressingStats& result) {
     if (touch.contested() || touch.live_phase < 0) continue;
     const std::size_t slot = slot_index(touch.slot);
     const std::size_t team = team_of(slot);
+
     if (before != kNoPlayer && team_of(slot_index(before)) != team) {
       ++result.recoveries[slot];
       ++result.teams[team].recoveries;
@@ -90,9 +94,11 @@ void add_recoveries(const Flow& flow, PressingStats& result) {
       }
       lost_in[team] = -1;
     }
+
     before = touch.slot;
     phase_before = touch.live_phase;
   }
+
   for (Pressing& team : result.teams) {
     if (team.regained > 0) team.regain_cycles /= team.regained;
   }

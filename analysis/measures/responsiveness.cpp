@@ -30,11 +30,13 @@ bool requests_foul(std::string_view arguments) {
 void add_datagram(std::string_view datagram, SentCommands& sent, Responsiveness& player) {
   ++sent.datagrams;
   ++player.datagrams;
+
   gamelog::CommandCursor cursor(datagram);
   gamelog::LoggedCommand command;
   while (cursor.next(command)) {
     ++player.commands[static_cast<std::size_t>(command.kind)];
     sent.body += gamelog::is_body_command(command.kind);
+
     switch (command.kind) {
       case gamelog::CommandKind::kKick:
         ++sent.kicks;
@@ -96,6 +98,7 @@ class LogWalker {
       ++line_;
       if (order < 0 || line.source != gamelog::RclSource::kPlayer || sides_[line.team] < 0)
         continue;
+
       const std::size_t slot =
           static_cast<std::size_t>(sides_[line.team]) * (kTeamSize) + line.unum - 1U;
       add_datagram(text_.text_of(line), sent_[slot], players_[slot]);
@@ -113,11 +116,13 @@ class LogWalker {
     if (!gamelog::is_enabled(record_, entry) ||
         !gamelog::is_enabled(record_, entry + gamelog::kSlots))
       return;
+
     const SentCommands& sent = sent_[slot];
     Responsiveness& player = players_[slot];
     ++player.steps;
     player.answered += sent.datagrams > 0;
     player.silent += synchronous_ ? !sent.done : sent.datagrams == 0;
+
     // While the clock is stopped, only turns have an effect, and players do not need them.
     const bool could_act =
         (record_.players.state[entry] & kImmobile) == 0 && flow_.phase[frame] != Phase::kStopped;
@@ -127,6 +132,7 @@ class LogWalker {
     if (was_double_[slot] ? idle : (sent.body > 1 && was_idle_[slot])) ++player.late_steps;
     was_double_[slot] = sent.body > 1;
     was_idle_[slot] = idle && could_act;
+
     player.rejected_kicks += std::max(0, sent.kicks - increase(entry, gamelog::Counter::kKick));
     player.rejected_turn_necks +=
         std::max(0, sent.turn_necks - increase(entry, gamelog::Counter::kTurnNeck));
@@ -154,6 +160,7 @@ std::array<std::int8_t, 256> assign_sides(const gamelog::MatchRecord& record,
                                           const gamelog::RclRecord& text) {
   std::array<std::int8_t, 256> sides;
   sides.fill(-1);
+
   const auto& [left, right] = record.final_teams();
   bool found = false;
   for (std::size_t i = 0; i < text.teams.size() && i < sides.size(); ++i) {
@@ -161,6 +168,7 @@ std::array<std::int8_t, 256> assign_sides(const gamelog::MatchRecord& record,
     if (text.teams[i] == right.name && left.name != right.name) sides[i] = 1;
     found = found || sides[i] >= 0;
   }
+
   if (!found) {
     sides[0] = 0;
     sides[1] = 1;
@@ -176,24 +184,28 @@ PerPlayer<Attention> measure_attention(const gamelog::MatchRecord& record) {
   constexpr float kNormal = 90.0F;
   constexpr float kWide = 150.0F;
   PerPlayer<Attention> result;
+
   for (std::size_t i = 0; i < record.frames(); ++i) {
     for (std::size_t slot = 0; slot < gamelog::kSlots; ++slot) {
       const std::size_t entry = entry_of(i, slot);
       if (!gamelog::is_enabled(record, entry)) continue;
       Attention& player = result[slot];
       const float width = record.players.view_width[entry];
+
       ++player.frames;
       ++(width < kNormal ? player.narrow : width < kWide ? player.normal : player.wide);
       player.mean_view_width += width;
       player.low_quality += record.players.high_quality[entry] == 0;
       player.pointing += !std::isnan(record.players.pointing_at[entry].x);
       player.counted = record.players.counters[entry];
+
       const int target = record.players.attention[entry];
       if (target < 0) continue;
       ++player.attentive;
       ++player.targets[static_cast<std::size_t>(target)];
     }
   }
+
   for (Attention& player : result) {
     if (player.frames > 0) player.mean_view_width /= player.frames;
   }

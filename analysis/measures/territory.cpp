@@ -50,6 +50,7 @@ class ControlMap {
         cells[1] += right < left;
       }
     }
+
     constexpr double kCells = kControlColumns * kControlRows;
     return {cells[0] / kCells, cells[1] / kCells};
   }
@@ -79,12 +80,14 @@ class ControlMap {
 void add_pitch_control(const Flow& flow, Territory& result) {
   int samples = 0;
   int live = 0;
+
   for (std::size_t i = 0; i < flow.phase.size(); ++i) {
     if (!flow.is_live(i) || live++ % static_cast<int>(kControlStep) != 0) continue;
     const PerTeam<double> shares = ControlMap(*flow.record, i).shares();
     ++samples;
     for (std::size_t team = 0; team < 2; ++team) result.teams[team].pitch_control += shares[team];
   }
+
   for (TeamTerritory& team : result.teams) {
     if (samples > 0) team.pitch_control /= samples;
   }
@@ -116,6 +119,7 @@ Territory measure_territory(const Flow& flow) {
   Territory result;
   result.frames = static_cast<int>(record.frames());
   double sum_x = 0.0;
+
   for (std::size_t i = 0; i < record.frames(); ++i) {
     if (!flow.is_live(i)) continue;
     const Vec2 ball = record.ball_position[i];
@@ -123,6 +127,7 @@ Territory measure_territory(const Flow& flow) {
     ++result.thirds[third_of(ball.x)];
     ++result.quarters[quarter_of(ball.x)];
     sum_x += ball.x;
+
     if (flow.owner[i] == kNoPlayer) continue;
     const auto owner = static_cast<std::size_t>(flow.owner[i]);
     const double sign = attack_sign(owner);
@@ -132,6 +137,7 @@ Territory measure_territory(const Flow& flow) {
     team.box_entries += continues && in_opponent_box(ball * sign) &&
                         !in_opponent_box(Vec2(record.ball_position[i - 1]) * sign);
   }
+
   if (result.live_frames > 0) result.mean_ball_x = sum_x / result.live_frames;
   add_touches(flow, result);
   add_pitch_control(flow, result);

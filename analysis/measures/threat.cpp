@@ -33,6 +33,7 @@ ThreatGrid threat_grid(const Flow& flow, const std::vector<Pass>& passes,
   ThreatGrid actions = {};  // all actions that began in a cell, including lost balls
   ThreatGrid shot_worth = {};
   std::vector<Move> moves;
+
   for (const Pass& pass : passes) {
     ++actions[threat_cell(pass.from)];
     if (pass.completed()) moves.push_back({threat_cell(pass.from), threat_cell(pass.to)});
@@ -41,12 +42,14 @@ ThreatGrid threat_grid(const Flow& flow, const std::vector<Pass>& passes,
     ++actions[threat_cell(carry.from)];
     moves.push_back({threat_cell(carry.from), threat_cell(carry.to)});
   }
+
   for (std::size_t i = 0; i < shots.size(); ++i) {
     const double sign = attack_sign(static_cast<std::size_t>(shots[i].slot));
     const std::size_t cell = threat_cell(flow.touches[shots[i].touch].contact * sign);
     ++actions[cell];
     shot_worth[cell] += expected[i];
   }
+
   ThreatGrid grid = {};
   for (int round = 0; round < kRounds; ++round) {
     ThreatGrid next = shot_worth;

@@ -15,6 +15,7 @@ int opponents_passed(const gamelog::MatchRecord& record, const Carry& carry, std
   const auto slot = slot_index(carry.slot);
   const double sign = attack_sign(slot);
   int passed = 0;
+
   for (const std::size_t other : kTeamSlots[1 - team_of(slot)]) {
     const std::size_t entry = entry_of(first, other);
     if (!gamelog::is_enabled(record, entry)) continue;
@@ -39,13 +40,16 @@ std::vector<Carry> find_carries(const Flow& flow) {
         touch.live_phase != next.live_phase) {
       continue;
     }
+
     const auto slot = slot_index(touch.slot);
     const double sign = attack_sign(slot);
+
     Carry carry;
     carry.touch = static_cast<std::uint32_t>(i);
     carry.slot = touch.slot;
     carry.from = touch.contact * sign;
     carry.to = next.contact * sign;
+
     const std::size_t last = next.frame - 1;
     const auto dashes = [&](std::size_t frame) {
       return record.players.counters[entry_of(frame, slot)][kDash];
@@ -55,6 +59,7 @@ std::vector<Carry> find_carries(const Flow& flow) {
         record.version < gamelog::RcgVersion::kV3 || dashes(last) > dashes(touch.frame);
     carry.dribble = ran && carry.distance() >= kMinDribble;
     carry.passed = opponents_passed(record, carry, touch.frame - 1, last);
+
     carries.push_back(carry);
   }
   return carries;

@@ -29,10 +29,12 @@ class ChainClassifier {
     const Touch& first = flow_.touches[chain.first_touch];
     const Touch& last = flow_.touches[chain.last_touch];
     const double sign = chain.team == 0 ? 1.0 : -1.0;
+
     chain.frames = last.frame - first.frame;
     chain.from = first.contact * sign;
     chain.to = last.contact * sign;
     chain.from_set_play = first.frame > 0 && flow_.phase[first.frame - 1] == Phase::kSet;
+
     for (; pass_ < passes_.size() && passes_[pass_].touch <= chain.last_touch; ++pass_) {
       chain.passes += passes_[pass_].touch >= chain.first_touch && passes_[pass_].completed();
     }
@@ -48,10 +50,12 @@ class ChainClassifier {
       shot = true;
     }
     if (shot) return ChainResult::kShot;
+
     const std::size_t next = chain.last_touch + 1;
     const bool touched =
         next < flow_.touches.size() && flow_.touches[next].live_phase == last.live_phase;
     const std::size_t end = touched ? flow_.touches[next].frame : flow_.end_of_play(last);
+
     for (std::size_t i = flow_.touches[chain.first_touch].frame; i < end; ++i) {
       if (in_opponent_box(soccer::Vec2(flow_.record->ball_position[i]) * sign)) {
         return ChainResult::kBoxEntry;
@@ -81,12 +85,14 @@ std::vector<Chain> find_chains(const Flow& flow, const std::vector<Pass>& passes
       ++i;
       continue;
     }
+
     Chain chain;
     chain.team = team_of(slot_index(first.slot));
     chain.first_touch = static_cast<std::uint32_t>(i);
     while (i + 1 < flow.touches.size() && continues(flow.touches[i + 1], chain, flow.touches[i])) {
       ++i;
     }
+
     chain.last_touch = static_cast<std::uint32_t>(i++);
     judge.judge(chain);
     chains.push_back(chain);
@@ -100,6 +106,7 @@ Assist find_assist(const Flow& flow, const std::vector<Pass>& passes, const Shot
   const gamelog::MatchRecord& record = *flow.record;
   std::int8_t receiver = shot.slot;
   const std::size_t team = team_of(slot_index(shot.slot));
+
   // No opponent touched the ball between pass and shot.
   const auto in_chain = [&](const Pass& pass) {
     return std::all_of(flow.touches.begin() + pass.touch, flow.touches.begin() + shot.touch,
@@ -108,9 +115,11 @@ Assist find_assist(const Flow& flow, const std::vector<Pass>& passes, const Shot
                                 team_of(slot_index(touch.slot)) == team;
                        });
   };
+
   auto at =
       std::upper_bound(passes.begin(), passes.end(), shot.touch,
                        [](std::uint32_t touch, const Pass& pass) { return touch <= pass.touch; });
+
   while (at != passes.begin()) {
     --at;
     const std::uint32_t frame = flow.touches[at->touch].frame;

@@ -99,19 +99,23 @@ std::optional<Touch> touch_in(const gamelog::MatchRecord& record, std::size_t fr
   PerTeam<double> nearest = {std::numeric_limits<double>::max(),
                              std::numeric_limits<double>::max()};
   PerTeam<TouchKind> kinds = {};
+
   for (std::size_t slot = 0; slot < gamelog::kSlots; ++slot) {
     const std::size_t entry = entry_of(frame, slot);
     const auto kind = TouchDetector(record, entry).kind();
     if (!kind) continue;
+
     touch.touchers |= std::uint32_t{1} << slot;
     const std::size_t team = team_of(slot);
     const double distance =
         soccer::distance(record.players.position[entry - gamelog::kSlots], ball);
+
     if (distance >= nearest[team]) continue;
     nearest[team] = distance;
     touch.nearest[team] = static_cast<std::int8_t>(slot);
     kinds[team] = *kind;
   }
+
   if (touch.touchers == 0) return std::nullopt;
   const bool both = touch.nearest[0] != kNoPlayer && touch.nearest[1] != kNoPlayer;
   const std::size_t first = nearest[0] <= nearest[1] ? 0 : 1;
@@ -126,6 +130,7 @@ std::optional<Touch> touch_in(const gamelog::MatchRecord& record, std::size_t fr
 void find_phases(Flow& flow) {
   const gamelog::MatchRecord& record = *flow.record;
   std::int32_t phases = 0;
+
   for (std::size_t i = 0; i < record.frames(); ++i) {
     flow.phase.push_back(phase_of(record.mode[i]));
     bool continues = i > 0 && flow.is_live(i) && flow.is_live(i - 1) && follows(record, i);
@@ -133,6 +138,7 @@ void find_phases(Flow& flow) {
       flow.placed.push_back(static_cast<std::uint32_t>(i));
       continues = false;
     }
+
     if (flow.is_live(i) && !continues) ++phases;
     flow.live_phase.push_back(flow.is_live(i) ? phases - 1 : -1);
   }
@@ -177,12 +183,14 @@ Flow build_flow(const gamelog::MatchRecord& record) {
   flow.record = &record;
   find_phases(flow);
   flow.owner.assign(record.frames(), kNoPlayer);
+
   for (std::size_t i = 1; i < record.frames(); ++i) {
     if (!follows(record, i)) continue;
     const bool live = flow.is_live(i);
     const bool continues = live && flow.live_phase[i] == flow.live_phase[i - 1];
     const bool begins = live && !flow.is_live(i - 1);
     if (continues) flow.owner[i] = flow.owner[i - 1];
+
     auto touch = touch_in(record, i);
     if (touch) {
       // If the referee then placed the ball, the touch ends the previous phase.

@@ -27,6 +27,7 @@ void add_actions(const gamelog::MatchRecord& record, std::size_t entry, bool hol
   const auto increase = [&](std::size_t counter) {
     return record.players.counters[entry][counter] - record.players.counters[before][counter];
   };
+
   if ((state & gamelog::kStateCatch) != 0) {
     // Without counters (versions 1 and 2) punches cannot be distinguished from other failures.
     const bool counted = record.version >= gamelog::RcgVersion::kV3
@@ -37,6 +38,7 @@ void add_actions(const gamelog::MatchRecord& record, std::size_t entry, bool hol
     goalie.punches += counted && failed;
     goalie.failed_catches += !counted;
   }
+
   if (holds_ball) goalie.moves_after_catch += std::max(0, increase(kMove));
 }
 
@@ -59,6 +61,7 @@ PerTeam<Goalkeeping> measure_goalkeeping(const Flow& flow, const std::vector<Sho
   PerTeam<Goalkeeping> goalies;
   PerTeam<PositionSum> positions;
   PerTeam<bool> holds = {};
+
   for (std::size_t i = 1; i < record.frames(); ++i) {
     const bool free_kick = record.mode[i] == soccer::PlayMode::kFreeKickLeft ||
                            record.mode[i] == soccer::PlayMode::kFreeKickRight;
@@ -67,6 +70,7 @@ PerTeam<Goalkeeping> measure_goalkeeping(const Flow& flow, const std::vector<Sho
       const std::size_t team = team_of(slot);
       if (!is_goalie(record, entry) || !gamelog::is_enabled(record, entry)) continue;
       if (flow.phase[i] == Phase::kPenalty || record.time[i] < record.time[i - 1]) continue;
+
       add_actions(record, entry, holds[team], goalies[team]);
       const bool caught =
           (record.players.state[entry] & (gamelog::kStateCatch | gamelog::kStateCatchFailed)) ==
@@ -75,11 +79,13 @@ PerTeam<Goalkeeping> measure_goalkeeping(const Flow& flow, const std::vector<Sho
       if (flow.is_live(i)) add_position(flow, i, slot, positions[team], goalies[team]);
     }
   }
+
   for (std::size_t team = 0; team < 2; ++team) {
     if (positions[team].count > 0) {
       goalies[team].mean_position = positions[team].sum / positions[team].count;
     }
   }
+
   for (const Shot& shot : shots) {
     Goalkeeping& goalie = goalies[1 - team_of(slot_index(shot.slot))];
     goalie.saves += shot.outcome == ShotOutcome::kSaved;

@@ -17,6 +17,7 @@ std::int32_t shot_before(const Flow& flow, const std::vector<Shot>& shots, const
     const Shot& shot = shots[i - 1];
     const std::uint32_t frame = flow.touches[shot.touch].frame;
     if (frame > goal.frame || team_of(slot_index(shot.slot)) != team) continue;
+
     const bool this_one = shot.outcome == ShotOutcome::kGoal &&
                           (goal.frame == frame ||
                            flow.live_phase[goal.frame - 1] == flow.touches[shot.touch].live_phase);
@@ -34,6 +35,7 @@ std::int8_t shooter_deflected_by(const Flow& flow, std::size_t touch, std::size_
     const std::int8_t shooter = before.nearest[team];
     if (record.time[deflection.frame] - record.time[before.frame] > kDeflectionCycles) break;
     if (shooter == kNoPlayer) continue;
+
     Shot shot;
     const bool on_target =
         heads_for_goal(record, before, slot_index(shooter), shot) && shot.on_target;
@@ -46,15 +48,18 @@ void find_scorer(const Flow& flow, std::size_t team, Goal& goal) {
   std::size_t last = flow.touches.size();
   while (last > 0 && flow.touches[last - 1].frame > goal.frame) --last;
   if (last == 0) return;
+
   const Touch& touch = flow.touches[last - 1];
   const bool in_play =
       goal.frame > 0 && touch.live_phase >= 0 &&
       (touch.frame == goal.frame || touch.live_phase == flow.live_phase[goal.frame - 1]);
   if (!in_play) return;
+
   if (touch.nearest[team] != kNoPlayer) {
     goal.scorer = touch.nearest[team];
     return;
   }
+
   goal.scorer = shooter_deflected_by(flow, last - 1, team);
   if (goal.scorer != kNoPlayer) return;
   goal.scorer = touch.nearest[1 - team];
@@ -72,6 +77,7 @@ void add_goals(const Flow& flow, const std::vector<Shot>& shots, const gamelog::
     } else {
       find_scorer(flow, team, goal);
     }
+
     // Only a trainer can raise a score by more than one.
     for (int i = before[team].score; i < std::min(now[team].score, before[team].score + 100); ++i) {
       goals.push_back(goal);
@@ -85,6 +91,7 @@ std::vector<Goal> find_goals(const Flow& flow, const std::vector<Shot>& shots) {
   std::vector<Goal> goals;
   const gamelog::MatchRecord& record = *flow.record;
   if (record.frames() == 0) return goals;
+
   Goal goal;
   for (std::size_t i = 1; i < record.frames(); ++i) {
     const std::uint32_t before = record.team_state[i - 1];
@@ -94,6 +101,7 @@ std::vector<Goal> find_goals(const Flow& flow, const std::vector<Shot>& shots) {
     goal.cycle = record.time[i];
     add_goals(flow, shots, record.teams[before], record.teams[now], goal, goals);
   }
+
   // A golden goal ends the match before another frame is written.
   const std::uint32_t last = record.team_state[record.frames() - 1];
   goal.frame = static_cast<std::uint32_t>(record.frames() - 1);

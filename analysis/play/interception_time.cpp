@@ -88,11 +88,13 @@ std::optional<Interception> first_to_ball(const gamelog::MatchRecord& record, st
     const std::size_t entry = entry_of(frame, slot);
     if (gamelog::is_enabled(record, entry)) runners[count++] = runner_at(record, entry);
   }
+
   RollingBall ball(record, frame);
   for (int cycles = 0; cycles <= kMaxInterceptionCycles; ++cycles, ball.step()) {
     std::optional<Interception> first;
     double nearest = std::numeric_limits<double>::max();
     bool both = false;
+
     for (std::size_t i = 0; i < count; ++i) {
       if (!reaches(record, runners[i], ball.position(), cycles)) continue;
       const std::size_t slot = runners[i].entry - entry_of(frame, 0);

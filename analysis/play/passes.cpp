@@ -48,12 +48,15 @@ class PassClassifier {
     const auto receiver = slot_index(pass_.receiver);
     const double line = offside_line(record_, launch_, team_);
     const double start_x = seen(record_, entry_of(launch_, receiver), sign_).x;
+
     pass_.through =
         start_x <= line + 0.5 && pass_.to.x > line && pass_.gain() >= 5.0 && pass_.to.x > 15.0;
     pass_.cutback = pass_.from.x > 44.0 && pass_.gain() < 0.0 && pass_.to.x > 36.0 &&
                     std::fabs(pass_.to.y) < 16.0;
+
     const Vec2 reception = seen(record_, entry_of(end_, receiver), sign_);
     pass_.nearest_opponent = std::numeric_limits<double>::max();
+
     for (const std::size_t slot : kTeamSlots[1 - team_]) {
       if (!gamelog::is_enabled(record_, entry_of(end_, slot))) continue;
       const Vec2 now = seen(record_, entry_of(end_, slot), sign_);
@@ -76,15 +79,18 @@ class PassClassifier {
   // teammates.
   bool is_clearance() const {
     if (pass_.completed() || pass_.from.x > -kThirdBorder || pass_.speed < 2.0) return false;
+
     const double range = pass_.speed / (1.0 - record_.server.ball_decay);
     const Vec2 launch = record_.ball_position[launch_ + 1];
     const Vec2 path = launch * sign_ - pass_.from;
     const double length = path.length();
     if (length == 0.0) return false;
+
     const Vec2 landing = pass_.from + path * (range / length);
     if (std::fabs(landing.x) > soccer::kHalfLength || std::fabs(landing.y) > soccer::kHalfWidth) {
       return true;
     }
+
     if (landing.x - pass_.from.x <= 25.0) return false;
     for (const std::size_t slot : kTeamSlots[team_]) {
       const std::size_t entry = entry_of(launch_, slot);
@@ -137,11 +143,13 @@ struct PassBuilder {
     const gamelog::MatchRecord& record = *flow.record;
     const auto passer = slot_index(touch.slot);
     const double sign = attack_sign(passer);
+
     Pass pass;
     pass.touch = static_cast<std::uint32_t>(index);
     pass.passer = touch.slot;
     pass.from = touch.contact * sign;
     pass.speed = touch.launch.length();
+
     const Touch* next = next_in_play(index);
     std::size_t end = 0;
     if (next != nullptr) {
@@ -159,6 +167,7 @@ struct PassBuilder {
       pass.to = Vec2(record.ball_position[dropped ? end - 1 : end]) * sign;
       pass.outcome = outcome_of_dead_ball(flow, end);
     }
+
     pass.frames = static_cast<std::uint32_t>(end + 1 - touch.frame);
     pass.direction = direction_of(pass.to - pass.from);
     PassClassifier view(record, touch.frame - 1, end, pass);
@@ -185,6 +194,7 @@ double offside_line(const gamelog::MatchRecord& record, std::size_t frame,
   const double sign = attacking_team == 0 ? 1.0 : -1.0;
   double last = 0.0;  // opponents behind the half line do not count
   double second = 0.0;
+
   for (const std::size_t slot : kTeamSlots[1 - attacking_team]) {
     const std::size_t entry = entry_of(frame, slot);
     if (!gamelog::is_enabled(record, entry)) continue;
@@ -207,14 +217,17 @@ std::vector<Pass> find_passes(const Flow& flow, const std::vector<Shot>& shots) 
   std::vector<Pass> passes;
   const PassBuilder builder{flow};
   auto shot = shots.begin();
+
   for (std::size_t i = 0; i < flow.touches.size(); ++i) {
     while (shot != shots.end() && shot->touch < i) ++shot;
     const Touch& touch = flow.touches[i];
     const bool played = touch.kind == TouchKind::kKick || touch.kind == TouchKind::kTackle;
     const bool is_shot = shot != shots.end() && shot->touch == i;
     if (touch.live_phase < 0 || touch.contested() || !played || is_shot) continue;
+
     const Touch* next = builder.next_in_play(i);
     if (next != nullptr && next->slot == touch.slot) continue;  // a carry
+
     const Pass pass = builder.build(i);
     if (was_played(pass)) passes.push_back(pass);
   }
@@ -230,6 +243,7 @@ PerTeam<int> one_twos(const Flow& flow, const std::vector<Pass>& passes) {
         back.passer != there.receiver) {
       continue;
     }
+
     const Touch& first = flow.touches[there.touch];
     const Touch& second = flow.touches[back.touch];
     const bool one_phase = first.live_phase == second.live_phase;

@@ -37,6 +37,7 @@ bool goal_at(const Flow& flow, std::size_t frame, std::size_t team) {
 bool hit_post(const Flow& flow, std::size_t first, std::size_t last, double sign) {
   const gamelog::MatchRecord& record = *flow.record;
   const double half_width = record.server.goal_width / 2;
+
   for (std::size_t i = first + 1; i < std::min(last, record.frames()); ++i) {
     const Vec2 ball = Vec2(record.ball_position[i]) * sign;
     const Vec2 post = {soccer::kHalfLength, std::copysign(half_width, ball.y)};
@@ -70,6 +71,7 @@ bool find_outcome(const Flow& flow, Shot& shot) {
   const std::size_t team = team_of(slot);
   const std::size_t end = flow.end_of_play(touch);
   const std::size_t next = shot.touch + 1;
+
   if (next < flow.touches.size() && flow.touches[next].frame <= end) {
     const Touch& after = flow.touches[next];
     if (!ends_shot(after, slot)) return false;
@@ -82,6 +84,7 @@ bool find_outcome(const Flow& flow, Shot& shot) {
     }
     return true;
   }
+
   if (goal_at(flow, end, team)) {
     shot.outcome = ShotOutcome::kGoal;
   } else if (hit_post(flow, touch.frame, end, attack_sign(slot))) {
@@ -109,17 +112,20 @@ std::string_view name(ShotOutcome outcome) {
 bool heads_for_goal(const gamelog::MatchRecord& record, const Touch& touch, std::size_t slot,
                     Shot& shot) {
   if (touch.kind != TouchKind::kKick && touch.kind != TouchKind::kTackle) return false;
+
   const Vec2 from = touch.contact * attack_sign(slot);
   const Vec2 launch = touch.launch * attack_sign(slot);
   shot.distance = soccer::distance(from, {soccer::kHalfLength, 0.0});
   shot.speed = launch.length();
   if (launch.x <= 0.0 || shot.distance > kMaxDistance) return false;
+
   const double steps = std::max(0.0, (soccer::kHalfLength - from.x) / launch.x);
   shot.goal_y = from.y + steps * launch.y;
   const double decay = record.server.ball_decay;
   const double left_over = 1.0 - steps * (1.0 - decay);  // steps = distance / speed
   if (left_over <= 0.0 || decay <= 0.0 || decay >= 1.0) return false;
   shot.cycles = soccer::math::log(left_over) / soccer::math::log(decay);
+
   const double half_width = record.server.goal_width / 2;
   shot.on_target = std::fabs(shot.goal_y) <= half_width;
   return shot.cycles <= kMaxCycles && std::fabs(shot.goal_y) <= half_width + kWideMargin;
@@ -136,6 +142,7 @@ std::vector<Shot> find_shots(const Flow& flow) {
       Shot shot;
       if (!heads_for_goal(*flow.record, touch, slot, shot) || touches_again(flow, i, slot))
         continue;
+
       shot.touch = static_cast<std::uint32_t>(i);
       shot.slot = player;
       if (find_outcome(flow, shot)) shots.push_back(shot);

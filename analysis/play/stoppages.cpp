@@ -15,6 +15,7 @@ constexpr std::size_t kTackle = static_cast<std::size_t>(gamelog::Counter::kTack
 
 int* counter_of(PlayMode mode, TeamStoppages& team) {
   if (soccer::side(mode) == Side::kNeutral) return nullptr;
+
   switch (soccer::for_side(mode, Side::kLeft)) {
     case PlayMode::kKickOffLeft:
       return &team.kick_offs;
@@ -55,6 +56,7 @@ bool is_foul(PlayMode mode) {
 bool is_goalie_catch(const Flow& flow, std::size_t frame, std::size_t team) {
   const PlayMode mode = flow.record->mode[frame];
   if (mode != PlayMode::kFreeKickLeft && mode != PlayMode::kFreeKickRight) return false;
+
   for (const std::size_t slot : kTeamSlots[team]) {
     const std::uint32_t state = flow.record->players.state[entry_of(frame, slot)];
     if ((state & gamelog::kStateGoalie) != 0 && (state & gamelog::kStateCatch) != 0 &&
@@ -70,6 +72,7 @@ std::int8_t fouler_of(const gamelog::MatchRecord& record, std::size_t frame, std
   std::int8_t found = kNoPlayer;
   double nearest = std::numeric_limits<double>::max();
   const std::size_t first = frame > kTackleFrames ? frame - kTackleFrames : 1;
+
   for (const std::size_t slot : kTeamSlots[team]) {
     for (std::size_t i = first; i <= frame; ++i) {
       const std::size_t entry = entry_of(i, slot);
@@ -80,6 +83,7 @@ std::int8_t fouler_of(const gamelog::MatchRecord& record, std::size_t frame, std
           (record.players.state[entry - gamelog::kSlots] & gamelog::kStateTackle) == 0;
       const double distance =
           soccer::distance(record.players.position[entry], record.ball_position[i]);
+
       if ((counted || began) && distance < nearest) {
         nearest = distance;
         found = static_cast<std::int8_t>(slot);
@@ -135,17 +139,20 @@ Stoppages count_stoppages(const Flow& flow) {
   Stoppages result;
   for (std::size_t i = 0; i < record.frames(); ++i) {
     if (i > 0) add_cards(record, i, result);
+
     const PlayMode mode = record.mode[i];
     const Side side = soccer::side(mode);
     if (side == Side::kNeutral) continue;
     const std::size_t team = side == Side::kLeft ? 0 : 1;
     result.teams[team].restart_frames += flow.phase[i] == Phase::kSet;
     if (i > 0 && record.mode[i - 1] == mode) continue;
+
     if (is_goalie_catch(flow, i, team)) {
       ++result.teams[team].goalie_catches;
     } else if (int* counter = counter_of(mode, result.teams[team])) {
       ++*counter;
     }
+
     if (is_foul(mode) && i > 0) add_foul(record, i, team, result);
   }
   return result;

@@ -21,6 +21,7 @@ void classify_hits(const Flow& flow, PerPlayer<Tackles>& tackles) {
   for (std::size_t i = 0; i < flow.touches.size(); ++i) {
     const Touch& touch = flow.touches[i];
     if (touch.kind != TouchKind::kTackle || touch.contested()) continue;
+
     const auto slot = slot_index(touch.slot);
     const std::int8_t owner = flow.owner[touch.frame - 1];
     if (owner == kNoPlayer) continue;
@@ -28,6 +29,7 @@ void classify_hits(const Flow& flow, PerPlayer<Tackles>& tackles) {
       ++tackles[slot].as_kick;
       continue;
     }
+
     std::size_t next = i + 1;
     while (next < flow.touches.size() && flow.touches[next].contested()) ++next;
     if (next < flow.touches.size() &&
@@ -42,18 +44,21 @@ void classify_hits(const Flow& flow, PerPlayer<Tackles>& tackles) {
 PerPlayer<Tackles> count_tackles(const Flow& flow) {
   const gamelog::MatchRecord& record = *flow.record;
   PerPlayer<Tackles> tackles;
+
   for (std::size_t i = 1; i < record.frames(); ++i) {
     if (flow.phase[i] == Phase::kPenalty || record.time[i] < record.time[i - 1]) continue;
     for (std::size_t slot = 0; slot < gamelog::kSlots; ++slot) {
       const std::size_t entry = entry_of(i, slot);
       if (!begins(record, entry)) continue;
       const std::uint32_t bits = record.players.state[entry] & kTackleBits;
+
       ++tackles[slot].tried;
       tackles[slot].succeeded += bits == gamelog::kStateTackle;
       tackles[slot].failed += bits == kTackleBits;
       tackles[slot].out_of_reach += bits == gamelog::kStateTackleFailed;
     }
   }
+
   classify_hits(flow, tackles);
   return tackles;
 }

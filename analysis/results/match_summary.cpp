@@ -33,6 +33,7 @@ void read_teams(const gamelog::MatchRecord& record, MatchSummary& summary) {
     for (const gamelog::TeamFrames& teams : record.teams) {
       if (!teams[i].name.empty()) team.name = teams[i].name;
     }
+
     const gamelog::TeamFrame& last = record.final_teams()[i];
     team.score = last.score;
     team.penalty_score = last.penalty_scored;
@@ -68,16 +69,19 @@ void read_player(const gamelog::MatchRecord& record, std::size_t slot, MatchSumm
   bool seen = false;
   bool gone = false;
   std::uint32_t before = 0;
+
   for (std::size_t i = 0; i < record.frames(); ++i) {
     const std::size_t entry = entry_of(i, slot);
     const std::uint32_t state = record.players.state[entry];
     const int cycle = record.time[i];
     const bool enabled = (state & gamelog::kStateEnabled) != 0;
+
     if (i > 0 && (state & ~before & gamelog::kStateYellowCard) != 0) {
       summary.cards.push_back({at(cycle), false});
     }
     if (i > 0 && (state & ~before & gamelog::kStateRedCard) != 0)
       summary.cards.push_back({at(cycle), true});
+
     if (enabled && !seen) {
       seen = true;
       if (i > 0) summary.late_starts.push_back(at(cycle));
@@ -88,6 +92,7 @@ void read_player(const gamelog::MatchRecord& record, std::size_t slot, MatchSumm
       gone = true;
       summary.disconnections.push_back(at(cycle));
     }
+
     if (i > 0 && enabled && (before & gamelog::kStateEnabled) != 0) {
       const int old_type = record.players.type[entry - gamelog::kSlots];
       const int new_type = record.players.type[entry];
@@ -95,6 +100,7 @@ void read_player(const gamelog::MatchRecord& record, std::size_t slot, MatchSumm
         summary.substitutions.push_back({at(cycle), old_type, new_type});
       }
     }
+
     before = state;
   }
   if (!seen && record.frames() > 0) summary.never_connected.push_back(player);
@@ -199,6 +205,7 @@ void set_end(const RecordedEnd& end, MatchSummary& summary) {
 void set_winner(MatchSummary& summary, Winner tossed) {
   const TeamSummary& left = summary.teams[0];
   const TeamSummary& right = summary.teams[1];
+
   if (!summary.complete) {
     summary.winner = Winner::kNone;
   } else if (left.score != right.score) {
@@ -219,17 +226,21 @@ MatchSummary summarize(const gamelog::MatchRecord& record, const gamelog::RclRec
   summary.frames = static_cast<int>(record.frames());
   summary.cycles = record.time.empty() ? 0 : record.time.back();
   summary.complete = is_complete(record);
+
   for (std::size_t slot = 0; slot < gamelog::kSlots; ++slot) read_player(record, slot, summary);
   if (record.version < gamelog::RcgVersion::kV4 && text != nullptr) read_cards(*text, summary);
+
   sort_by_cycle(summary.cards);
   sort_by_cycle(summary.substitutions);
   sort_by_cycle(summary.disconnections);
   sort_by_cycle(summary.reconnections);
   sort_by_cycle(summary.late_starts);
+
   read_goals(record, summary);
   Winner tossed = Winner::kNone;
   if (text != nullptr) read_coin_toss(*text, summary, tossed);
   set_winner(summary, tossed);
+
   summary.parse_errors = record.errors.count + (text != nullptr ? text->errors.count : 0);
   return summary;
 }
@@ -237,19 +248,23 @@ MatchSummary summarize(const gamelog::MatchRecord& record, const gamelog::RclRec
 MatchSummary summarize(const gamelog::RclRecord& text) {
   MatchSummary summary;
   summary.version = "rcl";
+
   for (std::size_t i = 0; i < std::min<std::size_t>(2, text.teams.size()); ++i) {
     summary.teams[i].name = text.teams[i];
   }
+
   for (const gamelog::RclLine& line : text.lines) {
     summary.cycles = line.time;
     if (line.source != gamelog::RclSource::kReferee) continue;
     const std::string_view message = text.text_of(line);
     summary.complete = summary.complete || message == "time_over";
+
     const auto scored = parse_referee_message(message);
     if (scored && scored->what == "goal") {
       summary.goals.push_back({line.time, scored->side, 0, false});
       summary.teams[scored->side == Side::kLeft ? 0 : 1].score = scored->number;
     }
+
     for (std::size_t i = 0; i < 2; ++i) {
       TeamSummary& team = summary.teams[i];
       if (message == "half_time" && team.first_half == 0) team.first_half = team.score;
@@ -258,10 +273,12 @@ MatchSummary summarize(const gamelog::RclRecord& text) {
       summary.penalties = summary.penalties || team.penalty_score + team.penalty_missed > 0;
     }
   }
+
   read_cards(text, summary);
   Winner tossed = Winner::kNone;
   read_coin_toss(text, summary, tossed);
   set_winner(summary, tossed);
+
   summary.parse_errors = text.errors.count;
   return summary;
 }

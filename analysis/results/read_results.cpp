@@ -37,12 +37,14 @@ ReadResult summarize_game_log(const gamelog::MatchLogs& logs, const gamelog::Mat
     auto read = gamelog::read_rcl_file(logs.text);
     if (read) text = std::move(*read);
   }
+
   result.usable = record.frames() > 0 || record.errors.empty();
   result.summary = summarize(record, text ? &*text : nullptr);
   result.summary.file = logs.game;
   result.summary.text_log = logs.text;
   result.errors = record.errors;
   result.error_file = logs.game;
+
   if (result.errors.empty() && text && !text->errors.empty()) {
     result.errors = text->errors;
     result.error_file = logs.text;
@@ -54,19 +56,23 @@ ReadResult read_match(const MatchInput& input) {
   const std::string& path = input.logs.game.empty() ? input.logs.text : input.logs.game;
   const auto log = gamelog::read_log_file(path);
   ReadResult result;
+
   if (!log) {
     result.unreadable = log.error().message;
     return result;
   }
+
   const auto* text = std::get_if<gamelog::RclRecord>(&*log);
   result = text != nullptr ? summarize_text_log(path, *text)
                            : summarize_game_log(input.logs, std::get<gamelog::MatchRecord>(*log));
+
   if (input.end) set_end(*input.end, result.summary);
   // It ends where its writer is.
   if (input.end && input.end->reason == kRunning) {
     result.errors = {};
     result.summary.parse_errors = 0;
   }
+
   // Logs of cls hold no date, so that equal matches give equal logs.
   std::string& date = result.summary.date;
   if (date.empty() || date == gamelog::LogDate().minute) date = input.date;

@@ -69,6 +69,7 @@ Json match_json(const MatchSummary& match) {
   json["frames"] = match.frames;
   json["complete"] = match.complete;
   json["end_reason"] = match.end_reason.empty() ? Json(nullptr) : Json(match.end_reason);
+
   json["goals"] = list_json(match.goals, goal_json);
   json["cards"] = list_json(match.cards, card_json);
   json["substitutions"] = list_json(match.substitutions, substitution_json);

@@ -70,9 +70,11 @@ std::string remarks_text(const MatchSummary& match) {
     if (!text.empty()) text += ", ";
     text += fmt::format("{} {}", count, what);
   };
+
   const auto red = static_cast<std::size_t>(std::count_if(
       match.cards.begin(), match.cards.end(), [](const CardSummary& card) { return card.red; }));
   if (match.coin_toss) text = "coin toss";
+
   add(match.cards.size() - red, "yellow");
   add(red, "red");
   add(match.substitutions.size(), "substituted");
@@ -80,6 +82,7 @@ std::string remarks_text(const MatchSummary& match) {
   add(match.late_starts.size(), "connected late");
   add(match.never_connected.size(), "never connected");
   add(match.parse_errors, match.parse_errors == 1 ? "parse error" : "parse errors");
+
   if (!match.complete && !match.end_reason.empty()) {
     text = match.end_reason + (text.empty() ? "" : ", ") + text;
   }
@@ -93,6 +96,7 @@ std::vector<std::string> short_names(const std::vector<MatchSummary>& matches) {
   std::set<std::string> distinct;
   std::set<std::string> folders;
   std::string shared = matches.empty() ? "" : matches.front().file;
+
   for (const MatchSummary& match : matches) {
     names.push_back(match.file.substr(match.file.rfind('/') + 1));
     distinct.insert(names.back());
@@ -101,9 +105,11 @@ std::vector<std::string> short_names(const std::vector<MatchSummary>& matches) {
         std::mismatch(shared.begin(), shared.end(), match.file.begin(), match.file.end());
     shared.erase(differ.first, shared.end());
   }
+
   if (distinct.size() == names.size()) return names;
   const std::size_t start = shared.rfind('/') + 1;
   const bool by_folder = distinct.size() == 1 && folders.size() == names.size();
+
   for (std::size_t i = 0; i < names.size(); ++i) {
     names[i] = matches[i].file.substr(start);
     if (by_folder) names[i].resize(names[i].rfind('/'));
@@ -118,6 +124,7 @@ base::Table markdown_table(const std::vector<MatchSummary>& matches) {
   table.add_columns({"right", "winner"});
   table.add_column("cycles", Align::kRight);
   table.add_columns({"goals", "remarks", "log"});
+
   const std::vector<std::string> names = short_names(matches);
   for (std::size_t i = 0; i < matches.size(); ++i) {
     const MatchSummary& match = matches[i];
@@ -141,6 +148,7 @@ base::Table text_table(const std::vector<MatchSummary>& matches) {
   const bool remarks = std::any_of(matches.begin(), matches.end(), [](const MatchSummary& match) {
     return !all_remarks(match).empty();
   });
+
   base::Table table;
   table.add_column("left");
   table.add_column("score", Align::kRight);
@@ -150,6 +158,7 @@ base::Table text_table(const std::vector<MatchSummary>& matches) {
   if (remarks) table.add_column("remarks");
   table.add_column("log");
   for (std::size_t column = 4; column < (remarks ? 7 : 6); ++column) table.allow_cuts(column);
+
   const std::vector<std::string> names = short_names(matches);
   for (std::size_t i = 0; i < matches.size(); ++i) {
     const MatchSummary& match = matches[i];
@@ -174,6 +183,7 @@ base::Table csv_table(const std::vector<MatchSummary>& matches) {
                            "damage",         "end_reason"}) {
     table.add_column(head);
   }
+
   for (const MatchSummary& match : matches) {
     const auto& [left, right] = match.teams;
     const auto penalties = [&match](const TeamSummary& team) {
@@ -209,6 +219,7 @@ base::Table team_table_text(const TeamTable& standings) {
   for (const char* head : {"played", "won", "drawn", "lost", "goals", "difference", "points"}) {
     table.add_column(head, Align::kRight);
   }
+
   for (const TeamResults& row : standings.rows) {
     table.add_row({row.team, std::to_string(row.played), std::to_string(row.won),
                    std::to_string(row.drawn), std::to_string(row.lost),
@@ -233,10 +244,12 @@ std::string format_results(const std::vector<MatchSummary>& matches, ResultsForm
                            std::size_t width) {
   if (format == ResultsFormat::kJson) return results_json(matches);
   if (format == ResultsFormat::kCsv) return csv_table(matches).format_csv();
+
   const bool markdown = format == ResultsFormat::kMarkdown;
   constexpr std::size_t kKeyColumns = 3;  // teams and score
   std::string text = markdown ? markdown_table(matches).format_markdown()
                               : text_table(matches).format_text({0, width, kKeyColumns});
+
   const TeamTable standings = team_table(matches);
   if (matches.size() > 1 && !standings.rows.empty()) {
     const base::Table teams = team_table_text(standings);

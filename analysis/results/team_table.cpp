@@ -36,10 +36,12 @@ TeamTable team_table(const std::vector<MatchSummary>& matches) {
       ++standings.not_counted;
       continue;
     }
+
     const bool drawn = match.winner == Winner::kDraw;
     add(left, right, match.winner == Winner::kLeft, drawn, by_name[left.name]);
     add(right, left, match.winner == Winner::kRight, drawn, by_name[right.name]);
   }
+
   for (auto& [name, row] : by_name) standings.rows.push_back(std::move(row));
   std::sort(standings.rows.begin(), standings.rows.end(),
             [](const TeamResults& a, const TeamResults& b) { return order(a) < order(b); });
