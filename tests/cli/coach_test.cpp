@@ -151,7 +151,7 @@ TEST_F(Sideline, ReportsInvalidOptions) {
 // Other formations change the kick-off positions; the built-in ones read from files change nothing.
 TEST_F(Sideline, UsesFormationsOfEachSide) {
   const std::filesystem::path built_in =
-      cls::tests::source_folder() / "proxy" / "formation" / "built_in";
+      cls::tests::source_folder() / "player" / "formation" / "built_in";
   for (const char* name : {"same", "other"}) {
     std::filesystem::copy(built_in, folder_.path() / name);
   }
