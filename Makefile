@@ -8,7 +8,7 @@ LINT_BASE ?= main
 PREFIX ?= /usr/local
 CXX_FILES = git ls-files --cached --others --exclude-standard -- '*.h' '*.cpp'
 
-# Rooms that parse foreign input (logs, protocol, JSON and TOML files, replies) or start programs.
+# Libraries that parse untrusted input (logs, protocol, JSON and TOML files, replies) or start programs.
 INPUT_TESTS = cls_base_tests cls_soccer_tests cls_gamelog_tests cls_analysis_tests \
   cls_mock_server_tests cls_orchestration_process_tests
 INPUT_LABELS = ^(base|soccer|gamelog|analysis|mock-server|orchestration/process)$$
@@ -25,7 +25,7 @@ help:
 	@echo 'make pictures      every picture of README and docs (after make web-test)'
 	@echo 'make bench         benchmarks and matches, beside CLS_BENCH_BASE if set (libbenchmark-dev)'
 	@echo 'make asan | tsan   all tests under ASan and UBSan, or TSan, in build-asan/ or build-tsan/'
-	@echo 'make asan-input    the same for the rooms that read foreign input (Clang, build-fuzz/)'
+	@echo 'make asan-input    the same for libraries that read untrusted input (Clang, build-fuzz/)'
 	@echo 'make fuzz          each fuzzer for FUZZ_SECONDS, default 60 (Clang, build-fuzz/)'
 	@echo 'make chaos         CHAOS_SEEDS tournaments under faults, default 20, or the one of CHAOS_SEED'
 	@echo 'make same-bytes    play matches with the builds of GCC and Clang, compare the logs'

@@ -50,7 +50,7 @@ function(cls_test folder)
     target_link_libraries(${target} PRIVATE cls_${name})
   endif()
   target_link_libraries(${target} PRIVATE
-    ${arg_LINK} cls_test_support GTest::gtest_main cls_warnings)
+    ${arg_LINK} cls_test_support GTest::gmock GTest::gtest_main cls_warnings)
   cls_cold(${target})
   target_compile_definitions(${target} PRIVATE CLS_BUILD_DIR="${CMAKE_BINARY_DIR}")
   if(NOT arg_PCH)

@@ -1,6 +1,6 @@
 // The functions of SLEEF that soccer/ calls, for programs without libsleef.so.3 on their host: the
 // library, compressed, is part of the program, which gives it to the dynamic linker at its start.
-// So a static program computes the same bits as one that links Debian's library.
+// Therefore a static program computes the same bits as one that links Debian's library.
 //
 // packaging/build.py defines CLS_SLEEF_FILE, the library compressed by zlib, CLS_SLEEF_SIZE, and
 // CLS_SLEEF_FUNCTIONS, CLS_SLEEF_FUNCTION(name) for each function that programs call.

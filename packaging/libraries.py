@@ -8,7 +8,7 @@ import re
 import subprocess
 
 ARCHIVES = "/usr/lib/x86_64-linux-gnu/lib{}.a"
-# Of headers only, and what the linker takes from elsewhere.
+# Libraries of headers only, and what the linker takes from elsewhere.
 OTHERS = ["libabsl-dev", "libboost-dev", "libcli11-dev", "libfmt-dev", "libgcc-12-dev", "libsleef3",
           "libstdc++-12-dev", "libtomlplusplus-dev", "nlohmann-json3-dev"]
 KEYS = ("name", "version", "source", "source_version", "homepage")

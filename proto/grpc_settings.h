@@ -15,7 +15,7 @@ void apply_grpc_settings();
 /// default, 64 KB, is less than the States of a team: the sender would wait for the receiver.
 constexpr int kTeamCallWindow = 1 << 20;
 
-/// For channels to Playmakers: limits what a reply takes in memory. Replies are not compressed,
+/// Limits what a reply takes in memory, for channels to Playmakers. Replies are not compressed,
 /// because gRPC limits their size before it decompresses them.
 void limit_replies(grpc::ChannelArguments& arguments);
 

@@ -30,7 +30,7 @@ class RecordingWriter {
   std::unique_ptr<File> file_;
 };
 
-/// Of the recordings that are written; those of newer versions are refused.
+/// The version of the recordings that are written; those of newer versions are refused.
 constexpr int kRecordingVersion = 1;
 
 /// Reads one recording call by call.

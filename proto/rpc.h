@@ -37,7 +37,7 @@ enum class Rpc : std::uint8_t {
 constexpr int kAgentRpcs = 10;  ///< those of Game: each concerns one agent
 constexpr int kRpcs = 14;
 
-/// Of TeamPlaymaker; both sides say theirs in RegisterTeam.
+/// The version of TeamPlaymaker; both sides send theirs in RegisterTeam.
 constexpr int kTeamPlaymakerVersion = 1;
 /// Agents of a team have numbers: players their uniform numbers, the others these.
 constexpr int kCoachNumber = 12;
@@ -49,7 +49,7 @@ std::string_view name(Rpc rpc);
 const std::string& path(Rpc rpc);
 /// Names of the RPCs of Game, in the order of the enumeration.
 const std::vector<std::string_view>& agent_rpc_names();
-/// Of all RPCs.
+/// The RPC with a name; nothing if there is none.
 std::optional<Rpc> rpc_from_name(std::string_view name);
 
 /// True for the three RPCs that request a decision; their request is a State.
@@ -71,7 +71,7 @@ constexpr bool is_registration(Rpc rpc) {
 
 /// A reply of more bytes is a protocol error: a Playmaker must not take all memory of the host.
 constexpr std::size_t kMaxReplyBytes = std::size_t{1} << 20;
-/// The same for the reply of a team, with those of all its agents.
+/// The largest reply of a team, with those of all its agents.
 constexpr std::size_t kMaxTeamReplyBytes = 12 * kMaxReplyBytes;
 constexpr std::size_t max_reply_bytes(Rpc rpc) {
   return static_cast<int>(rpc) < kAgentRpcs ? kMaxReplyBytes : kMaxTeamReplyBytes;

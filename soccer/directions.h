@@ -1,4 +1,4 @@
-// Directions of several vectors for little more than the price of one.
+// Directions of several vectors at little more than the cost of one.
 #pragma once
 
 #include <array>

@@ -175,7 +175,7 @@ struct UdpClients::Sockets {
     return arrived_in_time;
   }
 
-  // For wait_for_sockets().
+  // Adds a client to those that wait_for_sockets() waits for.
   bool add(Client& client) const {
     epoll_event event{EPOLLIN, {&client}};
     return ::epoll_ctl(ready.get(), EPOLL_CTL_ADD, client.connection.fd(), &event) == 0;

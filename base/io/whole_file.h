@@ -17,17 +17,17 @@ std::optional<std::string> read_file(const std::filesystem::path& path);
 /// names the file and the cause.
 Result<void> write_file(const std::filesystem::path& path, std::string_view bytes);
 
-/// The same, and after a power cut the file has the old bytes or the new ones.
+/// Writes a whole file so that it has the old bytes or the new ones even after a power cut.
 Result<void> write_file_durably(const std::filesystem::path& path, std::string_view bytes);
 
 /// Why `path` cannot be used: "no such file", "Permission denied", ...; nothing if it exists.
 std::optional<std::string> absence(const std::filesystem::path& path);
 
-/// Why `path` is no file to read: "no such file", "a folder, not a file", ...; nothing if it is
+/// Why `path` is not a readable file: "no such file", "a folder, not a file", ...; nothing if it is
 /// one.
 std::optional<std::string> why_no_file(const std::filesystem::path& path);
 
-/// Why `path` is no folder: "no such folder", "a file, not a folder"; nothing if it is one.
+/// Why `path` is not a folder: "no such folder", "a file, not a folder"; nothing if it is one.
 std::optional<std::string> why_no_folder(const std::filesystem::path& path);
 
 /// Creates a folder and those above it; succeeds if it exists. The error names the folder and the

@@ -32,7 +32,8 @@ double load_average();
 /// CPU numbers of the affinity mask of this process, ascending; empty if unknown.
 std::vector<int> allowed_processors();
 
-/// The same grouped by physical core: each entry holds the hardware threads of one core.
+/// The allowed hardware threads grouped by physical core: each entry holds the hardware threads of
+/// one core.
 std::vector<std::vector<int>> allowed_cores();
 
 /// Splits cores into two halves of equal size; the middle one of an odd number belongs to neither.

@@ -6,7 +6,7 @@
 
 namespace cls::base {
 
-/// The same value on every host and in every build.
+/// The FNV-1a hash of `bytes`: the same value on every host and in every build.
 constexpr std::uint64_t fnv1a(std::string_view bytes) {
   std::uint64_t hash = 0xCBF29CE484222325ULL;
   for (const char c : bytes) {

@@ -32,7 +32,8 @@ void append_shortest(double value, std::string& out);
 /// correctly rounded and finite: values beyond the range of a double become the largest double.
 std::size_t parse_number_prefix(std::string_view text, double& value);
 
-/// Likewise for a decimal integer; values beyond the range of an int become the nearest int.
+/// Parses a decimal integer at the start of `text` and returns its length, 0 if there is none.
+/// Values beyond the range of an int become the nearest int.
 std::size_t parse_int_prefix(std::string_view text, int& value);
 
 /// Parses all of `text`; nothing if it is not a number.

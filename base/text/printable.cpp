@@ -38,7 +38,7 @@ bool is_unprintable(std::uint32_t code) {
   });
 }
 
-// Of a well-formed sequence.
+// The code point of a well-formed sequence.
 std::uint32_t code_point(std::string_view sequence) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(sequence[i]); };
   constexpr std::array<std::uint32_t, 5> kFirstBits = {0, 0x7F, 0x1F, 0x0F, 0x07};

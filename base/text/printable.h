@@ -1,4 +1,4 @@
-// Text of others made safe for terminals: names, messages and output of programs.
+// Makes untrusted text safe to print: names, messages and output of programs.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +15,7 @@ std::size_t printable_length(std::string_view text);
 /// One line: what may not be printed becomes '?', tabs become spaces.
 std::string printable(std::string_view text);
 
-/// The same for each line of a text.
+/// Makes each line of a text safe to print.
 std::string printable_lines(std::string_view text);
 
 /// A JSON document with the characters that may not be printed as escapes: the same document.

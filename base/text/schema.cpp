@@ -9,7 +9,7 @@
 namespace cls::base {
 namespace {
 
-// {"cls.match", 1}; the version is 0 if it is no number.
+// {"cls.match", 1}; the version is 0 if it is not a number.
 std::pair<std::string_view, int> name_and_version(std::string_view schema) {
   const std::size_t slash = schema.find('/');
   if (slash == std::string_view::npos) return {schema, 0};

@@ -12,7 +12,7 @@ namespace cls::base {
 /// versions can: another format, or a newer version. Nothing if it can.
 std::optional<std::string> schema_error(std::string_view schema, std::string_view newest);
 
-/// The same for a format whose files have the version alone, `schema = 2`. An error begins with
+/// The error of a format whose files have the version alone, `schema = 2`. It begins with
 /// "schema".
 std::optional<std::string> schema_error(std::int64_t version, int newest);
 

@@ -48,8 +48,8 @@ class Table {
   /// Aligned columns, two spaces apart, each line indented by `indent` spaces. What
   /// may not be printed (printable.h) becomes '?', here and in the other formats.
   std::string format_text(std::size_t indent = 0) const;
-  /// The same within a width: a table that is wider is cut where allowed, then split into blocks of
-  /// columns, one below the other. A single column may still be wider.
+  /// Formats the table within a width: a table that is wider is cut where allowed, then split into
+  /// blocks of columns, one below the other. A single column may still be wider.
   std::string format_text(const TextLayout& layout) const;
   /// White space in cells becomes a space.
   std::string format_markdown(const MarkdownStyle& style = {}) const;

@@ -1,4 +1,4 @@
-// What the tables of the server say of the fields that a Playmaker receives before a match.
+// Facts about parameter fields, from the server's parameter tables.
 #pragma once
 
 #include <string>
@@ -14,10 +14,10 @@ struct ParameterFacts {
   std::string effect;
 };
 
-/// ServerParam, PlayerParam and PlayerType.
+/// True for ServerParam, PlayerParam and PlayerType.
 bool is_parameter_message(std::string_view message);
 
-/// Of a field of one of these messages.
+/// The facts about a field of ServerParam, PlayerParam or PlayerType.
 ParameterFacts parameter_facts(const std::string& message, const std::string& field);
 
 }  // namespace cls::cli

@@ -188,7 +188,7 @@ const ReferenceEntry* action_of(std::string_view message) {
   return nullptr;
 }
 
-// Of a heading.
+// The anchor that Markdown gives a heading.
 std::string anchor(std::string_view heading) {
   std::string text(heading);
   for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));

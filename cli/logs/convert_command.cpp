@@ -125,7 +125,7 @@ int run_convert_command(const Arguments& arguments) {
   const auto match = viewer::read_log_or_page(arguments.in);
   if (!match) return print_error(unreadable_code(arguments.in), match.error().message);
   if (match->form.compact) {
-    return print_error(kBadData, fmt::format("{}: a compact page, which is no log; write it "
+    return print_error(kBadData, fmt::format("{}: a compact page, which is not a log; write it "
                                              "without --compact",
                                              arguments.in));
   }

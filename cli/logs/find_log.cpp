@@ -72,7 +72,7 @@ std::optional<std::string> why_no_page(const fs::path& file) {
   if (!fs::exists(file, code)) return std::nullopt;
   if (fs::is_directory(file, code)) return fmt::format("{}: a folder, not a file", file.string());
   if (viewer::looks_like_page(start_of(file))) return std::nullopt;
-  return fmt::format("{}: exists and is no page of cls; name another file with --out",
+  return fmt::format("{}: exists and is not a page of cls; name another file with --out",
                      file.string());
 }
 

@@ -99,7 +99,7 @@ Result<FoundMatch> find_match_folder(const fs::path& folder, std::optional<int> 
   }
   if (tournament::holds_plan(folder)) return find_in_tournament(folder, index);
   if (index) {
-    return Error{fmt::format("--match {}: {} is no tournament", *index, folder.string())};
+    return Error{fmt::format("--match {}: {} is not a tournament", *index, folder.string())};
   }
   if (is_match_folder(folder)) return FoundMatch{folder, ""};
   return find_below(folder);

@@ -220,7 +220,7 @@ int show_in_terminal(const gamelog::MatchRecord& record, const TerminalViewOptio
   }
   if (!options.cast.empty()) return write_cast(match, cast);
   if (::isatty(STDOUT_FILENO) != 1) {
-    return print_error(kUsage, "--view terminal: stdout is no terminal; --cast FILE records");
+    return print_error(kUsage, "--view terminal: stdout is not a terminal; --cast FILE records");
   }
   Painter painter(cast, stdout_supports_color());
   run(match, painter, [] {});

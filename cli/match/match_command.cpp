@@ -73,7 +73,7 @@ class WatchedMatch : public ProgressLine {
         folder / orchestration::match::kTextLogFile, folder.filename().string(), options);
     if (!view) return on_warning(view.error().message);
     view_ = *std::move(view);
-    // Also with --quiet: without its address the page is of no use.
+    // Prints the address also with --quiet: without it the page is of no use.
     clear();
     fmt::print(stderr, "{}", message_line(fmt::format("watch {}", view_->url())));
     if (const std::string hint = tunnel_hint(view_->url()); !hint.empty()) {

@@ -170,7 +170,7 @@ std::string figures(const MatchResult& result) {
   rows.add("decisions", [](const TeamResult& team) {
     return total(team, [](const PlayerResult& player) { return player.decisions; });
   });
-  rows.add("missed, of them late", missed(result.left), missed(result.right));
+  rows.add("missed (late)", missed(result.left), missed(result.right));
   add_reconnects(rows, result);
   using Latency = orchestration::match::RpcLatency;
   rows.add("rpc p50 / p95", latency(result.left, &Latency::p50, &Latency::p95, false),

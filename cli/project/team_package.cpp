@@ -29,7 +29,7 @@ Result<void> write_program(const fs::path& path, std::string_view text) {
   return {};
 }
 
-// Version control and results are no part of a team.
+// Version control and results are not part of a team.
 bool is_left_out(const fs::path& path, const fs::path& package) {
   const fs::path name = path.filename();
   std::error_code code;

@@ -36,7 +36,7 @@ struct Place {
   Words options;                        ///< given before the cursor: "--seed"
 };
 
-// False if a word is no command.
+// False if a word is not a command.
 bool advance(Place& place, const std::string& word) {
   if (visible_commands(*place.command).empty()) {
     place.arguments.push_back(word);

@@ -17,7 +17,7 @@ struct Candidate {
   std::string note;  ///< what it means; may be empty
 };
 
-/// The shell completes names of files itself, after a part of the word that is no path.
+/// The shell completes names of files itself, after a part of the word that is not a path.
 enum class PathKind { kNone, kFiles, kFolders };
 
 struct Completion {

@@ -40,7 +40,7 @@ void add_folders(const ValueContext&, Completion& completion) {
   add_paths(completion, PathKind::kFolders);
 }
 
-// Of the cls.toml in or above the working directory.
+// Adds the teams of the cls.toml in or above the working directory.
 void add_teams(Completion& completion) {
   std::error_code code;
   const auto file = orchestration::tournament::find_config(fs::current_path(code));

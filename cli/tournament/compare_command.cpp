@@ -29,15 +29,16 @@ namespace match = orchestration::match;
 constexpr const char* kDescription =
     "test whether NEW is better than BASE\n"
     "Plays pairs of matches with one seed and swapped sides until a sequential\n"
-    "test decides: the sooner, the larger the difference.\n"
+    "test decides; a larger difference is decided sooner.\n"
     "\n"
     "  cls compare NEW OLD                         teams of cls.toml\n"
     "  cls compare localhost:50051 mock --elo1 80  or any sides\n"
     "  cls compare NEW OLD --opponents A,B         both against each, same seeds\n"
     "  cls compare NEW OLD --measure goals         by goal difference\n"
     "\n"
-    "NEW is better if it is surely more than --elo0 better than BASE, not better if\n"
-    "it is surely less than --elo1 better (with goals: --goals0, --goals1).\n"
+    "NEW is better if it is better than BASE by more than --elo0, with confidence\n"
+    "1 - alpha, and not better if it is better by less than --elo1, with confidence\n"
+    "1 - beta (with goals: --goals0, --goals1).\n"
     "Exit code: 0 better, 1 not better, 3 undecided after --max-pairs. The same\n"
     "command resumes, also with another test or --max-pairs; other sides, seed or\n"
     "match settings have another folder.";
@@ -132,16 +133,24 @@ void add_test_options(CLI::App& command, Arguments& arguments) {
       ->capture_default_str();
   command.add_option("--elo0", test.elo0, "Elo difference of H0")->capture_default_str();
   command.add_option("--elo1", test.elo1, "Elo difference of H1")->capture_default_str();
-  command.add_option("--goals0", test.goals0, "with --measure goals: goals a match of H0")
+  command
+      .add_option("--goals0", test.goals0,
+                  "with --measure goals: goal difference per match under H0")
       ->capture_default_str();
-  command.add_option("--goals1", test.goals1, "with --measure goals: goals a match of H1")
+  command
+      .add_option("--goals1", test.goals1,
+                  "with --measure goals: goal difference per match under H1")
       ->capture_default_str();
   command.add_option("--max-goals", test.max_goals, "a goal difference above it counts as this")
       ->check(CLI::Range(1, 20))
       ->capture_default_str();
-  command.add_option("--alpha", test.alpha, "probability of a type I error (better by mistake)")
+  command
+      .add_option("--alpha", test.alpha,
+                  "probability of a type I error (NEW wrongly called better)")
       ->capture_default_str();
-  command.add_option("--beta", test.beta, "probability of a type II error (not better by mistake)")
+  command
+      .add_option("--beta", test.beta,
+                  "probability of a type II error (NEW wrongly called not better)")
       ->capture_default_str();
 }
 

@@ -16,11 +16,11 @@ namespace cls::gamelog {
 MatchRecord read_rcg(base::ByteSource& source);
 MatchRecord read_rcg(base::InputBuffer& input);
 
-/// The same into an empty record, whose frames are complete whenever the source is read. So a
-/// source that waits for a growing log can look at what was read.
+/// Reads a game log into an empty record, whose frames are complete whenever the source is read. So
+/// a source that waits for a growing log can look at what was read.
 void read_rcg(base::InputBuffer& input, MatchRecord& record);
 
-/// The same for a plain or gzip file, "-" for standard input. Fails if the file does not exist or
+/// Reads a plain or gzip game log, "-" for standard input. Fails if the file does not exist or
 /// cannot be opened.
 base::Result<MatchRecord> read_rcg_file(const std::string& path);
 

@@ -15,7 +15,7 @@ namespace cls::gamelog {
 RclRecord read_rcl(base::ByteSource& source);
 RclRecord read_rcl(base::InputBuffer& input);
 
-/// The same for a plain or gzip file, "-" for standard input. Fails if the file does not exist or
+/// Reads a plain or gzip text log, "-" for standard input. Fails if the file does not exist or
 /// cannot be opened.
 base::Result<RclRecord> read_rcl_file(const std::string& path);
 

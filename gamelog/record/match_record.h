@@ -128,7 +128,8 @@ struct MatchRecord {
   soccer::ServerParams server;
   soccer::PlayerParams player;
   std::vector<soccer::PlayerType> types;
-  /// The same as lines of a text log, in the order of the log; empty for versions without them.
+  /// The parameters as lines of a text log, in the order of the log; empty for versions without
+  /// them.
   std::vector<std::string> parameter_lines;
 
   // One entry per frame.

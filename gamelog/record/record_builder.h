@@ -63,7 +63,7 @@ class RecordBuilder {
 
   /// Adds an error `column` bytes into what `input` returned last.
   void add_error(const base::InputBuffer& input, std::string message, std::size_t column = 0);
-  /// The same, as the cause of an error at the same place (ParseErrors::add_cause).
+  /// Adds the cause of an error at the same place (ParseErrors::add_cause).
   void add_cause(const base::InputBuffer& input, std::string message);
 
   MatchRecord& record() { return record_; }

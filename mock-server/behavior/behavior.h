@@ -14,7 +14,7 @@ class Behavior {
   /// Appends a player's actions for this cycle to the empty `actions`.
   virtual void decide(const protos::State& state, protos::PlayerActions& actions) const = 0;
 
-  /// The same for coach and trainer; no actions by default.
+  /// Decide for the coach and for the trainer; no actions by default.
   virtual void decide_as_coach(const protos::State& /*state*/,
                                protos::CoachActions& /*actions*/) const {}
   virtual void decide_as_trainer(const protos::State& /*state*/,

@@ -92,7 +92,7 @@ class GuardLoop {
   [[noreturn]] void run() {
     while (socket_) {
       std::array<pollfd, 2> waits{{{child_signals_.get(), POLLIN, 0}, {socket_.get(), POLLIN, 0}}};
-      // Without a descriptor for signals it looks for children that ended now and then.
+      // Without a descriptor for signals it polls for exited children.
       ::poll(waits.data(), waits.size(), child_signals_ ? -1 : kReapInterval);
       if (waits[0].revents != 0 || !child_signals_) reap_children();
       if (waits[1].revents != 0) serve();

@@ -21,7 +21,7 @@ namespace cls::orchestration::process {
 class Guard {
  public:
   /// Forks the guard. Call once, at the start of main, before any thread or gRPC object exists.
-  /// Also opens /dev/null for closed standard streams, so that later files do not get their
+  /// It also opens /dev/null for closed standard streams, so that later files do not get their
   /// descriptors. Overwrites `argv` of main to name the process for ps.
   static base::Result<Guard> start(int argc, char** argv);
 

@@ -64,7 +64,7 @@ Packet receive_packet(int socket);
 
 bool send_report(int socket, const KeeperReport& report);
 bool send_request(int socket, const KeeperRequest& request);
-/// Nothing if the bytes are no such message.
+/// Nothing if the bytes are not such a message.
 std::optional<KeeperReport> read_report(const Packet& packet);
 std::optional<KeeperRequest> read_request(const Packet& packet);
 

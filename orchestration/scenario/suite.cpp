@@ -278,7 +278,7 @@ class SuiteRun {
     on_done_(verdict);
   }
 
-  // The seeds that a check tolerates are no failures, and neither is what failed before.
+  // Tolerated seeds are not failures; folders of earlier failures are obsolete.
   void clear_folders(const ScenarioVerdict& verdict, const std::vector<RunOutcome>& runs) const {
     const Scenario& scenario = *verdict.scenario;
     const bool failed = verdict.verdict == Verdict::kFailed;

@@ -8,7 +8,7 @@ namespace cls::player {
 
 /// Maximum ball acceleration by one kick now, meters per cycle.
 double kick_limit(const WorldModel& world);
-/// The same for a given kick rate.
+/// The kick limit for a given kick rate.
 double kick_limit(const WorldModel& world, double rate);
 
 /// Maximum speed along the unit vector `direction` of a ball with `velocity` after an acceleration

@@ -38,8 +38,8 @@ bool goalie_kick(ActionContext& context);
 /// True for points at least `inset` meters inside our penalty area.
 bool in_own_penalty_area(soccer::Vec2 point, double inset = 0.0);
 
-/// After an own catch: waits for teammates, moves inside the penalty area to free space, and kicks.
-/// Otherwise goalie_move().
+/// After catching the ball: waits for teammates, moves inside the penalty area to free space, and
+/// kicks. Otherwise the goalie does goalie_move().
 bool goalie_free_kick(ActionContext& context);
 
 /// Position of the goalie for a ball position: for a far ball on the bisector of ball and goal,

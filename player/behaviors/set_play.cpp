@@ -50,7 +50,7 @@ Vec2 clear_of_ball(Vec2 position, Vec2 ball) {
     out.x = ball.x -
             std::sqrt(std::max(0.0, kClearance * kClearance - (out.y - ball.y) * (out.y - ball.y)));
   }
-  // Not behind the goal line.
+  // The point must not be behind the goal line.
   out.x = std::max(out.x, -soccer::kHalfLength + 0.5);
   return out;
 }

@@ -41,7 +41,7 @@ bool neck_turn_to_point(const WorldModel& world, const ViewMemory& view, Command
                         soccer::Vec2 point);
 /// To `angle` degrees relative to the body.
 bool neck_turn_to_relative(const WorldModel& world, CommandSlots& slots, double angle);
-/// For intercepting in attack: opponent with the ball, goalie, teammates or ball.
+/// Looks while intercepting in attack: opponent with the ball, goalie, teammates or ball.
 bool neck_offensive_intercept(const WorldModel& world, const ViewMemory& view, CommandSlots& slots);
 
 /// Neck action that a behavior queues until all body commands are set. At most one per decision;

@@ -9,7 +9,7 @@ namespace cls::player {
 /// Index: the field number in PlayerAction; 0 is an action without a known member (nothing set, or
 /// a member of a later interface).
 constexpr int kActionKinds = 70;
-/// The same for the members of Say.
+/// Index: the field number in Say; 0 is a message without a known member.
 constexpr int kSayKinds = 23;
 
 struct ActionCounts {

@@ -116,7 +116,7 @@ class OutletSearch {
     constexpr double kTouchLine = soccer::kHalfWidth - 3.0;  // beyond it a missed ball goes out
     const double max_share = std::fabs(ball.y) < kTouchLine ? 1.0 : 0.7;
     const double share = std::clamp(ahead / field_.parameters.outlet_safe_lead, 0.0, max_share);
-    // Otherwise the receiver loses it there.
+    // With the remaining probability the receiver loses the ball there.
     return share * (field_.parameters.outlet_gain + ball.x + soccer::kHalfLength) +
            (1.0 - share) * value_of_loss(ball);
   }

@@ -15,13 +15,14 @@ bool execute_default_plan(ActionContext& context);
 /// effect if the ball is not kickable, and for dribbles and holds in set plays.
 bool execute_plan(ActionContext& context, const Plan& plan, int node);
 
-/// The same, or holds the ball where the plan cannot be executed.
+/// Executes the plan, or holds the ball where the plan cannot be executed.
 bool execute_plan_or_hold(ActionContext& context, const Plan& plan, int node);
 
 /// Best outlet, or a clearance. False if the ball is not kickable.
 bool kick_outlet(ActionContext& context);
 
-/// The same with the ball near our goal and an opponent near: a lost pass would be a shot at us.
+/// Kicks to the best outlet, or clears, with the ball near the own goal and an opponent near: a
+/// lost pass would be a shot at us.
 bool kick_out_of_danger(ActionContext& context);
 
 /// The plan of this decision, made at the first call. The agent has the ball.

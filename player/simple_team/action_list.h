@@ -46,7 +46,7 @@ struct TeamAction {
 /// neck and view actions, so the order of calls is the order of preference.
 class ActionList {
  public:
-  // With the ball. Speeds in meters per cycle.
+  // Actions with the ball. Speeds are in meters per cycle.
   void smart_kick(soccer::Vec2 target, double speed, double min_speed, int kicks);
   void dribble(soccer::Vec2 target, double dash_power, int dashes);
   void clear_ball();

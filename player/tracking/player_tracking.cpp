@@ -21,7 +21,7 @@ using soccer::Vec2;
 // kRunOn of the velocity lost to decay, with this noise per axis and step.
 constexpr double kRunOn = 0.8;
 constexpr double kStepDeviation = 0.14;
-// For players without any observed velocity.
+// The variance of players without any observed velocity.
 constexpr double kUnknownVelocityVariance = 0.04;
 constexpr double kLostDeviation = 12.0;  ///< of a lost player
 

@@ -247,7 +247,7 @@ double fit(const SeeContext& context, const soccer::See& see, Gaussian<3>& estim
     if (moved < 0.1 && std::fabs(shift.mean[2]) < 0.5) return violation;
     origin.mean = estimate.mean;
   }
-  // Not converged: evaluate the intervals at the final pose.
+  // The estimate has not converged: evaluate the intervals at the final pose.
   const Pose at{{estimate.mean[0], estimate.mean[1]}, estimate.mean[2] + context.neck};
   return worst_violation(slabs_at(context, see, at), {});
 }

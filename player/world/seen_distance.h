@@ -24,15 +24,15 @@ class DistanceTable {
 
   double step() const { return step_; }
 
-  /// For a focus point at the observer. A value the server never prints maps to the nearest one it
-  /// prints.
+  /// The range for a focus point at the observer. A value the server never prints maps to the
+  /// nearest one it prints.
   DistanceRange range(double printed) const;
 
-  /// For a focus point at `focus_distance` +- `focus_error` from the object.
+  /// The range for a focus point at `focus_distance` +- `focus_error` from the object.
   DistanceRange range(double printed, double focus_distance, double focus_error) const;
 
-  /// For a focus point at `focus` and an object on the ray from `eye` along the unit vector
-  /// `direction`: the focus distance depends on the unknown distance.
+  /// The range for a focus point at `focus` and an object on the ray from `eye` along the unit
+  /// vector `direction`: the focus distance depends on the unknown distance.
   DistanceRange range_along(double printed, soccer::Vec2 eye, soccer::Vec2 direction,
                             soccer::Vec2 focus) const;
 
@@ -44,7 +44,7 @@ class DistanceTable {
   };
   /// The first step that ends at or beyond a distance; the last one for larger distances.
   std::size_t step_index(double distance) const;
-  /// The same for an index known to lie between `from` and `to`.
+  /// As step_index(), if the index is known to lie between `from` and `to`.
   std::size_t find_step(double distance, std::size_t from, std::size_t to) const;
   DistanceRange rounding_errors(DistanceRange distance) const;
 

@@ -1,4 +1,4 @@
-// The same texts as in docs/actions.md, by action.
+// Why actions fail, by action; docs/actions.md has the same texts.
 #include "proxy/actions/failure_reasons.h"
 
 #include <algorithm>
@@ -59,7 +59,7 @@ constexpr std::array kReasons{
     Reason{"focus_move_to_point", "own position unknown"},
     Reason{"focus_reset", "own position unknown"},
     Reason{"helios_basic_move", kLies},
-    Reason{"helios_basic_tackle", "no tackle pays"},
+    Reason{"helios_basic_tackle", "no tackle would win the ball"},
     Reason{"helios_shoot", "no such shot exists"},
     Reason{"helios_goalie", kLies},
     Reason{"helios_goalie_move", kLies},

@@ -337,7 +337,7 @@ void Team::handle_planner_reply(PlayerAgent& agent, const Reply& reply) {
     }
     agent.act_on_planner_choice(std::nullopt);
   }
-  // A choice that failed is no missed decision: the list was received.
+  // A choice that failed is not a missed decision: the list was received.
   report_decision(agent, &agent.chosen_from(), RpcStatus{},
                   first_latency_.at(static_cast<std::size_t>(agent.unum())) + reply.latency);
   warn_of_actions(agent);

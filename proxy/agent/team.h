@@ -93,7 +93,7 @@ class Team {
   void finish_cycle();
   int run_cycle();
 
-  // The same in smaller steps, for real time: begin_decisions() whenever messages arrive or
+  // A cycle in smaller steps, for real time: begin_decisions() whenever messages arrive or
   // next_due() is reached, handle_reply() while replies are outstanding.
 
   /// begin_cycle() at the time `now`; may be repeated while replies are outstanding.
@@ -169,7 +169,7 @@ class Team {
   std::string name_;
   Playmaker* playmaker_;
   std::vector<DecisionListener*> decision_listeners_;
-  /// Of agents that await the Playmaker's choice of a plan: the latency of their first call.
+  /// The latency of the first call of agents that await the Playmaker's choice of a plan.
   std::array<std::chrono::microseconds, kAgentNumbers> first_latency_{};
   std::vector<std::unique_ptr<PlayerAgent>> players_;
   std::array<std::optional<PlaymakerClient>, kAgentNumbers> clients_;  // by agent number

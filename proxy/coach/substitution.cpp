@@ -117,7 +117,7 @@ void substitute(const player::WorldModel& world, CoachMemory& memory, Commands& 
     return;
   }
   const int end = world.server().normal_time_cycles();
-  // Only in normal time.
+  // The coach substitutes only in normal time.
   if (end <= 0 || now.cycle < end - kLastCycles || !is_stoppage(world)) return;
   if (now.cycle >= world.server().total_time_cycles()) return;
   replace_tired(world, memory, out);

@@ -75,7 +75,7 @@ bool read(ServerConnection& server, Message& out) {
   return result.ok();
 }
 
-/// The same for server_param, player_param and player_type, into the world.
+/// Reads server_param, player_param and player_type, into the world.
 bool read_parameters(ServerConnection& server, player::WorldModel& world);
 
 /// Counts an (error ...) or (warning ...). An error before acceptance is the refusal.

@@ -21,16 +21,16 @@ using HomePositions = std::array<soccer::Vec2, soccer::kPlayersPerTeam>;
 void fill_state(const player::WorldModel& world, const HomePositions& home, bool need_preprocess,
                 protos::State& out);
 
-/// The same for a coach or trainer, completed by proxy/coach/global_perception.h: without self,
-/// intercept table and home positions. Counts are 0 and positions exact.
-/// A trainer's side is unknown; "our" means the left team.
+/// Fills the State of a coach or trainer, completed by proxy/coach/global_perception.h: without
+/// self, intercept table and home positions. Counts are 0 and positions exact. A trainer's side is
+/// unknown; "our" means the left team.
 void fill_coach_state(const player::WorldModel& world, soccer::CoachRole role, protos::State& out);
 
 /// drop_ball, which GameModeType lacks, becomes PlayOn.
 protos::GameModeType wire_mode(soccer::PlayMode mode);
 
 protos::Side wire_side(soccer::Side side);
-/// With length and direction, computed from the rounded coordinates.
+/// Fills coordinates, and length and direction computed from the rounded coordinates.
 void fill(soccer::Vec2 vector, protos::RpcVector2D& out);
 void fill_self(const player::WorldModel& world, protos::Self& out);
 void fill_ball(const player::BallState& ball, protos::Ball& out);

@@ -30,7 +30,7 @@ class GrpcCall {
 
   /// Parses the reply; once, after the queue returned the call.
   void finish();
-  /// Of the latest call; its message is valid until the next start().
+  /// The reply to the latest call; its message is valid until the next start().
   const Reply& reply() const { return reply_; }
 
  private:

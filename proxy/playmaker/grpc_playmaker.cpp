@@ -24,9 +24,9 @@ using proto::Rpc;
 constexpr int kReconnectBackoffMs = 200;
 // Poll interval of a waiting thread for cancel().
 constexpr int kCancelPollMs = 50;
-// Of the call that finds the reason for an unreachable Playmaker.
+// The timeout of the call that finds the reason for an unreachable Playmaker.
 constexpr RpcTimeout kProbeTimeout{500};
-// While a Playmaker does not connect: between looks at what answers at its address.
+// How often cls probes what answers at the address of a Playmaker that does not connect.
 constexpr std::chrono::milliseconds kProbeInterval{1000};
 
 std::shared_ptr<grpc::ChannelCredentials> credentials_for(const GrpcTarget& target) {
@@ -212,7 +212,7 @@ class GrpcPlaymaker : public Playmaker {
     return explain_deadline(agent, rpc, request, timeout);
   }
 
-  // Cancels the call and says why where waiting is no use: a program that does not speak gRPC will
+  // Cancels the call and says why where waiting is useless: a program that does not speak gRPC will
   // not learn it, and one that is connected and leaves RegisterTeam unanswered does not know it.
   GrpcCall& wait_for_registration(int agent, Rpc rpc, std::optional<RpcStatus>& given_up) {
     using Clock = std::chrono::steady_clock;

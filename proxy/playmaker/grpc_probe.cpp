@@ -81,7 +81,7 @@ GrpcProbe probe_grpc(const GrpcTarget& target, int agent) {
   // Servers with TLS answer with an alert, or close the connection.
   const std::string tls = explain_tls_failure(target, agent);
   if (!tls.empty()) return {tls, true};
-  // So does a forwarder whose Playmaker is not up yet.
+  // A forwarder whose Playmaker is not up yet closes connections, too.
   if (answer == Answer::kClosed) {
     return {"the program at " + place + " closes connections: not ready, or does not speak gRPC",
             false};

@@ -10,7 +10,7 @@ namespace cls::proxy {
 struct GrpcProbe {
   /// "nothing listens at localhost:50051"; empty: an HTTP/2 server answers, as gRPC servers are.
   std::string problem;
-  /// True when the program that answers speaks another protocol: waiting longer is no use.
+  /// True when the program that answers speaks another protocol: waiting longer is useless.
   bool is_other_protocol = false;
 };
 

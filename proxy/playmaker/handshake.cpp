@@ -12,7 +12,7 @@ using proto::Rpc;
 
 constexpr std::size_t kFirstType = 3;  // position of the first SendPlayerType
 
-// For Playmakers of the first interface, which assign no identities.
+// The identity for Playmakers of the first interface, which assign none.
 protos::RegisterResponse identity_from(const protos::RegisterRequest& request) {
   protos::RegisterResponse identity;
   identity.set_agent_type(request.agent_type());

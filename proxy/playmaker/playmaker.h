@@ -40,8 +40,8 @@ struct Reply {
   int agent = 0;
   proto::Rpc rpc = proto::Rpc::kRegister;
   RpcStatus status;
-  /// Of the RPC's reply type; null unless `status` is ok. Owned by the Playmaker, valid until the
-  /// next call of this agent.
+  /// A message of the RPC's reply type; null unless `status` is ok. Owned by the Playmaker, valid
+  /// until the next call of this agent.
   const google::protobuf::Message* message = nullptr;
   std::chrono::microseconds latency{0};  ///< from begin() or call() until the reply arrived
 

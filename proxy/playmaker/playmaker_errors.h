@@ -17,7 +17,7 @@ struct PlaymakerError {
   int agent = 0;
   int cycle = 0;  ///< game time
   proto::Rpc rpc = proto::Rpc::kGetPlayerActions;
-  std::string status;   ///< "UNKNOWN"; "unreadable reply" for bytes that are no message
+  std::string status;   ///< "UNKNOWN"; "unreadable reply" for bytes that are not a message
   std::string message;  ///< of the Playmaker, one line
   /// The agent's handshake and the call itself: a recording to be sent again. `side` is not set.
   std::vector<recording::RecordedCall> calls;

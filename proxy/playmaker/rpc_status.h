@@ -37,8 +37,8 @@ struct RpcStatus {
   bool ok() const { return outcome == RpcOutcome::kOk; }
 };
 
-/// Of a call that ended with this gRPC status; not cancelled by us. Control characters of `error`
-/// become spaces: reports have one line.
+/// The status of a call that ended with this gRPC status; not cancelled by us. Control characters
+/// of `error` become spaces: reports have one line.
 RpcStatus rpc_status(proto::Rpc rpc, int code, std::string_view error);
 
 }  // namespace cls::proxy

@@ -6,7 +6,7 @@
 
 Each episode is a process, `cls match`, whose left team asks this one; the numbers are those of
 obs="world_model" in cls/Match-v0. A step takes milliseconds, with an external team tens of
-milliseconds, and against one the episode is no function of its seed: for training use
+milliseconds, and against one the episode is not a function of its seed: for training use
 cls_gym.VectorEnv, for evaluation and the last hours of training this. It needs cls_playmaker.
 """
 from __future__ import annotations

@@ -18,7 +18,7 @@ Layer = Tuple[np.ndarray, np.ndarray]
 
 
 class PolicyError(ValueError):
-    """A file that is no policy, or one for other features or actions."""
+    """A file that is not a policy, or one for other features or actions."""
 
 
 class Policy:
@@ -80,7 +80,7 @@ def load(path: Union[str, pathlib.Path]) -> Policy:
             layers = [(archive[f"weight{i}"], archive[f"bias{i}"]) for i in range(count)]
     except OSError as error:
         raise PolicyError(f"{path}: cannot read: {error.strerror or error}") from error
-    except Exception as error:  # a foreign file may be damaged in any way
+    except Exception as error:  # an untrusted file may be damaged in any way
         raise PolicyError(f"{path}: no policy of cls_gym: {error}") from error
     _check_layers(path, layers, about)
     return Policy(layers, about)

@@ -26,7 +26,7 @@ class VectorEnv(BaseVectorEnv):
     and bool[N] `_key`: where it was set.
 
     autoreset_mode: "next_step" (default: the step after the end ignores the action and starts the
-    next episode; that step is no transition), "same_step" (the last observation is in
+    next episode; that step is not a transition), "same_step" (the last observation is in
     infos["final_obs"], its info in infos["final_info"]) or "disabled" (call
     reset(options={"reset_mask": bool[N]})).
     copy=False returns observations as a view that the next step overwrites.

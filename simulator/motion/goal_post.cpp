@@ -71,7 +71,7 @@ std::optional<Vec2> first_intersection(Vec2 from, Vec2 to, Vec2 center, double r
   const double second = middle + half;
   const auto on_segment = [](double t) { return t >= 0.0 && t <= 1.0; };
   if (on_segment(first)) {
-    // Leaving the circle along its tangent is no contact.
+    // Leaving the circle along its tangent is not a contact.
     if (first == 0.0 && !on_segment(second)) return std::nullopt;
     return from + path * first;
   }

@@ -26,9 +26,9 @@ ReplayOverrides recorded_outcomes(const gamelog::Frame& after);
 void override_arrivals(ReplayOverrides& overrides, const World& world, const gamelog::Frame& after);
 
 /// Adds the fouls called in the step: foul_charge_l, yellow_card_r_7, red_card_l_3. Other tackles
-/// of the step were no fouls. `called_after` has the sender of the last command before each call,
-/// because the server calls fouls immediately. If that is no tackler of the side, all its tackles
-/// were fouls.
+/// of the step were not fouls. `called_after` has the sender of the last command before each call,
+/// because the server calls fouls immediately. If that is not a tackler of the side, all its
+/// tackles were fouls.
 void override_fouls(ReplayOverrides& overrides, const std::vector<std::string>& calls,
                     const std::vector<Slot>& called_after);
 

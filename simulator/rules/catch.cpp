@@ -25,7 +25,7 @@ void call_catch_fault(World& world, Side side, Events& events) {
              move_out_of_penalty_area(side, clamp_to_pitch(world.ball.position)), events);
 }
 
-// Returns true if both teams touched the ball in this cycle; then it is no pass.
+// Returns true if both teams touched the ball in this cycle; then it is not a pass.
 bool record_touch(World& world, const Player& player) {
   CatchState& state = world.referee.catch_ball;
   state.touched[player.side == Side::kRight ? 1 : 0] = true;
@@ -72,7 +72,7 @@ bool is_own_ball(const World& world, const Player& catcher) {
   return state.passer == catcher.slot() && is_opponent(world, state.passer_before, catcher);
 }
 
-// A kick and a catch in one cycle are no pass unless a teammate kicked the ball before.
+// A kick and a catch in one cycle are not a pass unless a teammate kicked the ball before.
 bool is_same_cycle_kick(const World& world, const Player& catcher) {
   const CatchState& state = world.referee.catch_ball;
   return state.pass_time == world.clock.time &&

@@ -130,7 +130,7 @@ void mode_changed(World& world, PlayMode mode, Events&) {
   if (mode != PlayMode::kPlayOn) world.referee.offside.marks = {};
 }
 
-// Not the parameter offside_active_area_size, which has the same default.
+// This radius is not the parameter offside_active_area_size, which has the same default.
 constexpr double kClearedRadius = 2.5;
 
 // Moves offenders at or beyond the line behind it and away from the offense

@@ -173,8 +173,8 @@ std::optional<Side> offender_of_kick(World& world, const Player& kicker) {
     return taker_side;
   }
   if (is_penalty_ready(world.mode) && by_taker_side && has_kicked(world, kicker)) return taker_side;
-  // Also checked for opponents: once the taker has kicked, a kick of the defending goalie is a
-  // fault of the taker's side (docs/spec/simulation-model.md 15.2).
+  // This rule applies to opponents, too: once the taker has kicked, a kick of the defending goalie
+  // is a fault of the taker's side (docs/spec/simulation-model.md 15.2).
   const bool taker_has_kicked =
       state.last_taker != kNoPlayer && world.player(state.last_taker).side == taker_side;
   if (taker_has_kicked && state.last_taker != kicker.slot()) return taker_side;

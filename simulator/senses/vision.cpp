@@ -327,7 +327,7 @@ DistanceQuantizer::DistanceQuantizer(double step) : step_(step) {
   make_table();
 }
 
-// Only for steps so large that few edges share their leading bits.
+// Makes a table only for steps so large that few edges share their leading bits.
 void DistanceQuantizer::make_table() {
   constexpr double kMinStep = 0.5 / (1 << kMantissaBits);
   if (step_ < kMinStep) return;

@@ -7,8 +7,8 @@
 
 namespace cls::simulator {
 
-/// For angles that messages truncate to whole degrees: the last bits of both conversions decide
-/// whether a neck turned by 20 degrees is sent as 20 or 19.
+/// Converts angles that messages truncate to whole degrees: the last bits of both conversions
+/// decide whether a neck turned by 20 degrees is sent as 20 or 19.
 constexpr double exact_radians(double degrees) { return degrees * (soccer::math::kPi / 180.0); }
 constexpr double exact_degrees(double radians) { return radians * (180.0 / soccer::math::kPi); }
 

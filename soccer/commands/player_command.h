@@ -21,7 +21,7 @@ struct Turn {
   double moment = 0.0;
 };
 
-/// Both legs, with the same power and direction.
+/// Dashes with both legs, with the same power and direction.
 struct Dash {
   double power = 0.0;
   double direction = 0.0;

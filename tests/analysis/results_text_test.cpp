@@ -1,6 +1,7 @@
 // Result tables as text, Markdown, CSV and JSON, and reading results from logs.
 #include "analysis/results/results_text.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -15,6 +16,8 @@ namespace cls::analysis {
 namespace {
 
 using soccer::Side;
+using testing::HasSubstr;
+using testing::Not;
 
 MatchSummary example() {
   MatchSummary match;
@@ -48,35 +51,34 @@ TEST(ResultsText, FitsEachMatchIntoOneLine) {
   tossed.winner = Winner::kLeft;
   tossed.coin_toss = true;
   const std::string text = format_results({example(), tossed}, ResultsFormat::kTable);
-  EXPECT_NE(text.find("\nA|b                1:2  \xc3\x9c        6000  169 l 11;...  1 yellow, "),
-            std::string::npos)
+  EXPECT_THAT(text,
+              HasSubstr("\nA|b                1:2  \xc3\x9c        6000  169 l 11;...  1 yellow, "))
       << text;
-  EXPECT_NE(text.find("coin toss: FIFT..."), std::string::npos);
+  EXPECT_THAT(text, HasSubstr("coin toss: FIFT..."));
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 82U) << line;
   MatchSummary plain = example();
   plain.cards.clear();
   plain.substitutions.clear();
-  EXPECT_EQ(format_results({plain}, ResultsFormat::kTable).find("remarks"), std::string::npos);
+  EXPECT_THAT(format_results({plain}, ResultsFormat::kTable), Not(HasSubstr("remarks")));
 }
 
 TEST(ResultsText, AppendsTeamTableForSeveralMatches) {
   MatchSummary open = example();
   open.winner = Winner::kNone;
   const std::string text = format_results({example(), example(), open}, ResultsFormat::kTable);
-  EXPECT_NE(text.find("\n\nteam  played  won  drawn  lost  goals  difference  points\n"
-                      "\xc3\x9c          2    2      0     0    4:2          +2       6\n"
-                      "A|b        2    0      0     2    2:4          -2       0\n"
-                      "\n1 incomplete not counted\n"),
-            std::string::npos)
+  EXPECT_THAT(text, HasSubstr("\n\nteam  played  won  drawn  lost  goals  difference  points\n"
+                              "\xc3\x9c          2    2      0     0    4:2          +2       6\n"
+                              "A|b        2    0      0     2    2:4          -2       0\n"
+                              "\n1 incomplete not counted\n"))
       << text;
 }
 
 TEST(ResultsText, EscapesMarkdown) {
   const std::string text = format_results({example()}, ResultsFormat::kMarkdown);
-  EXPECT_NE(text.find("| left | score | right |"), std::string::npos) << text;
-  EXPECT_NE(text.find("|---|--:|---|"), std::string::npos);
-  EXPECT_NE(text.find("| A\\|b | 1:2 |"), std::string::npos) << text;
+  EXPECT_THAT(text, HasSubstr("| left | score | right |")) << text;
+  EXPECT_THAT(text, HasSubstr("|---|--:|---|"));
+  EXPECT_THAT(text, HasSubstr("| A\\|b | 1:2 |")) << text;
 }
 
 TEST(ResultsText, QuotesCsv) {
@@ -118,13 +120,13 @@ TEST(ResultsText, ShowsPathsWhenFileNamesAreEqual) {
   MatchSummary b = example();
   b.file = "runs/5/bb/match.rcg";
   const std::string table = format_results({a, b}, ResultsFormat::kTable);
-  EXPECT_NE(table.find("  a\n"), std::string::npos) << table;
-  EXPECT_NE(table.find("  bb\n"), std::string::npos) << table;
+  EXPECT_THAT(table, HasSubstr("  a\n")) << table;
+  EXPECT_THAT(table, HasSubstr("  bb\n")) << table;
   MatchSummary c = example();
   c.file = "runs/5/c/other.rcg";
   const std::string mixed = format_results({a, b, c}, ResultsFormat::kTable);
-  EXPECT_NE(mixed.find("  a/match.rcg\n"), std::string::npos) << mixed;
-  EXPECT_NE(mixed.find("  c/other.rcg\n"), std::string::npos) << mixed;
+  EXPECT_THAT(mixed, HasSubstr("  a/match.rcg\n")) << mixed;
+  EXPECT_THAT(mixed, HasSubstr("  c/other.rcg\n")) << mixed;
 }
 
 TEST(ReadResults, DetectsTextLogByFirstBytes) {

@@ -2,6 +2,7 @@
 // movement, stamina, positions, responsiveness.
 #include "analysis/statistics/match_statistics.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -18,6 +19,8 @@ namespace {
 
 using soccer::PlayMode;
 using soccer::Vec2;
+using testing::HasSubstr;
+using testing::Not;
 using tests::left;
 using tests::right;
 using tests::ScriptedMatch;
@@ -448,8 +451,8 @@ TEST(StatisticsText, WritesNoNegativeZero) {
   all.ratings[left(5)].passing = -0.04;
   all.ratings[right(5)].passing = -0.06;
   const std::string text = statistics_text(summarize(match.record(), nullptr), all);
-  EXPECT_EQ(text.find("-0.0"), std::string::npos) << text;
-  EXPECT_NE(text.find("-0.1"), std::string::npos) << text;
+  EXPECT_THAT(text, Not(HasSubstr("-0.0"))) << text;
+  EXPECT_THAT(text, HasSubstr("-0.1")) << text;
 }
 
 TEST(StatisticsText, FitsLinesIntoWidth) {

@@ -1,4 +1,5 @@
 // Build files follow the architecture: dependencies, floating point flags, packages.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,6 +13,9 @@
 
 namespace cls::tests {
 namespace {
+
+using testing::HasSubstr;
+using testing::Not;
 
 namespace fs = std::filesystem;
 
@@ -58,11 +62,11 @@ TEST(BuildFiles, DisableFloatingPointContraction) {
   for (std::sregex_iterator at(commands.begin(), commands.end(), command), end; at != end; ++at) {
     const std::string line = at->str();
     ++seen;
-    EXPECT_NE(line.find("-ffp-contract=off"), std::string::npos) << line;
+    EXPECT_THAT(line, HasSubstr("-ffp-contract=off")) << line;
     for (const char* flag : {"-ffast-math", "-Ofast", "-march=", "-mfma", "-funsafe"}) {
-      EXPECT_EQ(line.find(flag), std::string::npos) << line;
+      EXPECT_THAT(line, Not(HasSubstr(flag))) << line;
     }
-    EXPECT_EQ(line.find("-DNDEBUG"), std::string::npos) << "assertions must stay enabled: " << line;
+    EXPECT_THAT(line, Not(HasSubstr("-DNDEBUG"))) << "assertions must stay enabled: " << line;
   }
   EXPECT_GE(seen, 10);
 }

@@ -1,10 +1,13 @@
 // Tables as text, Markdown, CSV and HTML.
 #include "base/text/table.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 namespace cls::base {
 namespace {
+
+using testing::HasSubstr;
 
 Table example() {
   Table table;
@@ -72,15 +75,15 @@ TEST(Table, EscapesHtml) {
             "<th scope=\"col\">n</th></tr></thead>\n<tbody>\n"
             "<tr><th scope=\"row\" class=\"w\">x &amp; y</th><td>1</td></tr>\n"
             "</tbody>\n</table>\n");
-  EXPECT_NE(table.format_html("a < b").find("<table>\n<caption>a &lt; b</caption>\n<thead>"),
-            std::string::npos);
+  EXPECT_THAT(table.format_html("a < b"),
+              HasSubstr("<table>\n<caption>a &lt; b</caption>\n<thead>"));
 }
 
 TEST(Table, HasNoHtmlHeadingWithoutText) {
   Table table;
   table.add_columns({"", "a"});
-  EXPECT_NE(table.format_html().find("<tr><td></td><th scope=\"col\" class=\"w\">a</th></tr>"),
-            std::string::npos);
+  EXPECT_THAT(table.format_html(),
+              HasSubstr("<tr><td></td><th scope=\"col\" class=\"w\">a</th></tr>"));
 }
 
 TEST(Table, LinksCellsInMarkdownAndHtml) {
@@ -91,8 +94,7 @@ TEST(Table, LinksCellsInMarkdownAndHtml) {
   table.link_last_row(1, "matches/2/?a&b");
   EXPECT_EQ(table.format_markdown(),
             "| match | logs |\n|---|---|\n| 1 | folder |\n| 2 | [folder](matches/2/?a&b) |\n");
-  EXPECT_NE(table.format_html().find("<a href=\"matches/2/?a&amp;b\">folder</a>"),
-            std::string::npos);
+  EXPECT_THAT(table.format_html(), HasSubstr("<a href=\"matches/2/?a&amp;b\">folder</a>"));
   EXPECT_EQ(table.format_csv(), "match,logs\n1,folder\n2,folder\n");
 }
 
@@ -119,7 +121,7 @@ TEST(Table, CutsCellsWhereAllowedBeforeItSplits) {
             "X     1247 r 10;...  a.rcg\n"
             "Y     \xc3\xb6\xc3\xb6\xc3\xb6\xc3\xb6 1247 ...  b.rcg\n");
   for (const std::size_t width : {0U, 22U}) {
-    EXPECT_NE(table.format_text({0, width}).find("1247 r 10; 3243 l 9"), std::string::npos)
+    EXPECT_THAT(table.format_text({0, width}), HasSubstr("1247 r 10; 3243 l 9"))
         << "where cuts do not suffice, blocks show everything";
   }
 }

@@ -1,6 +1,7 @@
 // Atomic and durable writes of small files.
 #include "base/io/whole_file.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 #include <sys/syscall.h>
@@ -13,6 +14,8 @@
 #include "tests/support/temporary_folder.h"
 
 namespace {
+
+using testing::HasSubstr;
 
 struct Sync {
   bool folder = false;
@@ -68,8 +71,7 @@ TEST(WriteFile, LeavesTheOldFileAndNoTemporaryOneOnAFullDisk) {
   std::filesystem::create_symlink("/dev/full", target + ".tmp");
   const auto written = write_file(target, "new");
   ASSERT_FALSE(written);
-  EXPECT_NE(written.error().message.find("No space left"), std::string::npos)
-      << written.error().message;
+  EXPECT_THAT(written.error().message, HasSubstr("No space left")) << written.error().message;
   EXPECT_EQ(read_file(target), "old");
   EXPECT_FALSE(std::filesystem::is_symlink(target + ".tmp"));
 }

@@ -1,6 +1,7 @@
 // Parsing of the command line, help and usage errors.
 #include "cli/application.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,6 +14,9 @@
 #include "cli/support/exit_code.h"
 
 namespace {
+
+using testing::HasSubstr;
+using testing::Not;
 
 struct Answer {
   int exit_code;
@@ -50,8 +54,7 @@ TEST(Application, PrintsVersionOnStdout) {
 TEST(Application, PrintsHelpOnStdoutWithExamplesFirst) {
   const Answer answer = run({"--help"});
   EXPECT_EQ(answer.exit_code, cls::cli::kOk);
-  EXPECT_NE(answer.out.find("  match         play one match and print its result\n"),
-            std::string::npos)
+  EXPECT_THAT(answer.out, HasSubstr("  match         play one match and print its result\n"))
       << answer.out;
   EXPECT_LT(answer.out.find("cls match mock mock"), answer.out.find("Usage: cls"))
       << "examples come first";
@@ -114,7 +117,7 @@ TEST(Application, HelpNamesNoTypeOfTheParser) {
   for (const Words& words : commands()) {
     const std::string help = run(with(words, {"--help"})).out;
     for (const char* raw : {" INT", " UINT", " FLOAT", " TEXT", "REQUIRED", "{false}", ":POS"}) {
-      EXPECT_EQ(help.find(raw), std::string::npos) << raw << "\n" << help;
+      EXPECT_THAT(help, Not(HasSubstr(raw))) << raw << "\n" << help;
     }
   }
 }
@@ -161,17 +164,17 @@ TEST(Application, VersionNamesReleaseWireCompilerAndLibraries) {
   EXPECT_EQ(json["schema"], "cls.version/1");
   const std::string text = run({"version"}).out;
   for (const char* key : {"cls", "wire", "compiler"}) {
-    EXPECT_NE(text.find(json[key].get<std::string>()), std::string::npos) << key << text;
+    EXPECT_THAT(text, HasSubstr(json[key].get<std::string>())) << key << text;
   }
   EXPECT_EQ(json["protocol"]["newest"], 19);
   for (const auto& [name, version] : json["formats"].items()) {
-    EXPECT_NE(text.find(name), std::string::npos) << name;
-    EXPECT_NE(text.find(version.get<std::string>()), std::string::npos) << name;
+    EXPECT_THAT(text, HasSubstr(name)) << name;
+    EXPECT_THAT(text, HasSubstr(version.get<std::string>())) << name;
   }
   for (const char* library : {"grpc", "protobuf", "boost", "sqlite", "zlib", "nlohmann-json",
                               "openssl", "sleef", "tomlplusplus"}) {
     ASSERT_TRUE(json["libraries"].contains(library)) << json;
-    EXPECT_NE(text.find(json["libraries"][library].get<std::string>()), std::string::npos);
+    EXPECT_THAT(text, HasSubstr(json["libraries"][library].get<std::string>()));
   }
 }
 
@@ -186,7 +189,7 @@ TEST(Application, AllCommandsTakeTheSharedFlags) {
   for (const Words& words : commands()) {
     const std::string help = run(with(words, {"--help"})).out;
     for (const char* flag : {"  --json ", "  --quiet ", "  --no-color "}) {
-      EXPECT_NE(help.find(flag), std::string::npos) << flag << help;
+      EXPECT_THAT(help, HasSubstr(flag)) << flag << help;
     }
   }
 }
@@ -264,7 +267,7 @@ TEST(Application, ReportsUnknownCommandInOneLine) {
   const Answer answer = run({"mtach"});
   EXPECT_EQ(answer.exit_code, cls::cli::kUsage);
   EXPECT_EQ(answer.out, "");
-  EXPECT_NE(answer.err.find("mtach"), std::string::npos) << answer.err;
+  EXPECT_THAT(answer.err, HasSubstr("mtach")) << answer.err;
   EXPECT_EQ(answer.err.find('\n'), answer.err.size() - 1) << answer.err;
 }
 

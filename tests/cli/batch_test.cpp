@@ -1,4 +1,5 @@
 // Matches with one call per team and cycle are the matches with a call per agent.
+#include <gmock/gmock.h>
 #include <grpcpp/grpcpp.h>
 #include <gtest/gtest.h>
 
@@ -22,6 +23,7 @@ using cls::tests::cls_binary;
 using cls::tests::Command;
 using cls::tests::CommandResult;
 using nlohmann::json;
+using testing::HasSubstr;
 using Arguments = std::vector<std::string>;
 
 class Batch : public testing::Test {
@@ -297,7 +299,7 @@ TEST_F(Batch, RequiredServiceThatIsMissingRefusesMatch) {
       cls::tests::run({cls_binary(), "match", "mock:" + script, "mock", "--batch", "always",
                        "--cycles", "10", "--dir", folder_.path() / "refused"});
   EXPECT_EQ(refused.exit_code, 69);
-  EXPECT_NE(refused.err.find("does not implement TeamPlaymaker"), std::string::npos) << refused.err;
+  EXPECT_THAT(refused.err, HasSubstr("does not implement TeamPlaymaker")) << refused.err;
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
 // End-to-end tests of `cls check perception`.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -18,6 +19,7 @@ using cls::tests::fixture;
 using cls::tests::read_file;
 using cls::tests::TemporaryFolder;
 using nlohmann::json;
+using testing::HasSubstr;
 
 CommandResult check(const std::string& transcript, const std::string& truth, bool as_json = false) {
   std::vector<std::string> arguments = {cls_binary(), "check",   "perception",
@@ -54,7 +56,7 @@ TEST(CheckPerception, PassesOnWholeLogs) {
     const CommandResult result = check(*data(std::string("aligned/udp/") + name + ".txt.gz"), *log);
     EXPECT_EQ(result.exit_code, 0) << name << ": " << result.err;
     EXPECT_EQ(result.err, "");
-    EXPECT_NE(result.out.find("of PROXY (left), "), std::string::npos) << result.out;
+    EXPECT_THAT(result.out, HasSubstr("of PROXY (left), ")) << result.out;
   }
 }
 
@@ -68,7 +70,7 @@ TEST(CheckPerception, RejectsLogOfAnotherMatch) {
     const CommandResult result = check(transcript, *log);
     EXPECT_EQ(result.exit_code, 65);
     EXPECT_EQ(result.out, "");
-    EXPECT_NE(result.err.find(why), std::string::npos) << result.err;
+    EXPECT_THAT(result.err, HasSubstr(why)) << result.err;
   };
   expect_refusal(*same_name, "the player types differ from those of the log");
   expect_refusal(*other_name, "the player is of team 'HELIOS_L' on the left, the log has 'PROXY'");
@@ -84,11 +86,11 @@ TEST(CheckPerception, WritesAPageWithTheDecisions) {
   };
   EXPECT_EQ(written(page).exit_code, 65);  // the log of the fixture has no end
   const std::string text = read_file(page);
-  EXPECT_NE(text.find("id=\"decisions-left\""), std::string::npos);
-  EXPECT_NE(text.find("\"players\":[\"l7\"]"), std::string::npos);
+  EXPECT_THAT(text, HasSubstr("id=\"decisions-left\""));
+  EXPECT_THAT(text, HasSubstr("\"players\":[\"l7\"]"));
   const CommandResult refused = written(folder.path() / "no/page.html");
   EXPECT_EQ(refused.exit_code, 73);
-  EXPECT_NE(refused.err.find("no/page.html"), std::string::npos) << refused.err;
+  EXPECT_THAT(refused.err, HasSubstr("no/page.html")) << refused.err;
 }
 
 TEST(CheckPerception, UsesLinesBeforeParseError) {
@@ -98,7 +100,7 @@ TEST(CheckPerception, UsesLinesBeforeParseError) {
   std::ofstream(path) << whole.substr(0, whole.size() * 5 / 6) << "\nnonsense\n";
   const CommandResult result = check(path, log_fixture(), true);
   EXPECT_EQ(result.exit_code, 65);
-  EXPECT_NE(result.err.find(": not a transcript line"), std::string::npos) << result.err;
+  EXPECT_THAT(result.err, HasSubstr(": not a transcript line")) << result.err;
   const int cycles = json::parse(result.out)["cycles"];
   EXPECT_GT(cycles, 0);
   EXPECT_LT(cycles, 97);
@@ -112,7 +114,7 @@ TEST(CheckPerception, ReadsTruncatedGzipFile) {
   std::ofstream(path, std::ios::binary) << bytes.substr(0, bytes.size() * 5 / 6);
   const CommandResult result = check(path, log_fixture(), true);
   EXPECT_EQ(result.exit_code, 65);
-  EXPECT_NE(result.err.find("gzip data is truncated"), std::string::npos) << result.err;
+  EXPECT_THAT(result.err, HasSubstr("gzip data is truncated")) << result.err;
   EXPECT_EQ(json::parse(result.out)["player"], 7);
 }
 
@@ -124,15 +126,15 @@ TEST(CheckPerception, ReportsUnusableInput) {
   std::ofstream(path) << "# nothing\n";
   const CommandResult unreachable = check(path, log_fixture());
   EXPECT_EQ(unreachable.exit_code, 65);
-  EXPECT_NE(unreachable.err.find("no player connects"), std::string::npos) << unreachable.err;
+  EXPECT_THAT(unreachable.err, HasSubstr("no player connects")) << unreachable.err;
   EXPECT_EQ(unreachable.out, "");
   EXPECT_EQ(check(transcript_fixture(), path).exit_code, 65);
   const CommandResult usage = cls::tests::run({cls_binary(), "check", "perception", path});
   EXPECT_EQ(usage.exit_code, 2);
-  EXPECT_NE(usage.err.find("cls check perception --help"), std::string::npos) << usage.err;
+  EXPECT_THAT(usage.err, HasSubstr("cls check perception --help")) << usage.err;
   const CommandResult slip = cls::tests::run({cls_binary(), "check", "perceptoin"});
   EXPECT_EQ(slip.exit_code, 2);
-  EXPECT_NE(slip.err.find("did you mean 'perception'?"), std::string::npos) << slip.err;
+  EXPECT_THAT(slip.err, HasSubstr("did you mean 'perception'?")) << slip.err;
 }
 
 }  // namespace

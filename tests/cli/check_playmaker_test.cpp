@@ -1,4 +1,5 @@
 // End-to-end tests of `cls check playmaker`.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -18,6 +19,8 @@ using cls::tests::cls_binary;
 using cls::tests::CommandResult;
 using cls::tests::TemporaryFolder;
 using nlohmann::json;
+using testing::HasSubstr;
+using testing::Not;
 
 CommandResult check(std::vector<std::string> arguments) {
   // These tests do not measure latency: a loaded host must not fail them.
@@ -57,12 +60,12 @@ TEST(CheckPlaymaker, MeasuresMemoryOfRunSide) {
     GTEST_SKIP() << "address sanitizer keeps freed memory, which looks like a leak";
   const CommandResult result = check({program_line(""), "--calls", "1000"});
   EXPECT_EQ(result.exit_code, 0) << result.out << result.err;
-  EXPECT_NE(result.out.find(" MB after 1000"), std::string::npos) << result.out;
-  EXPECT_NE(result.out.find("pass garbage "), std::string::npos) << result.out;
+  EXPECT_THAT(result.out, HasSubstr(" MB after 1000")) << result.out;
+  EXPECT_THAT(result.out, HasSubstr("pass garbage ")) << result.out;
 }
 
 TEST(CheckPlaymaker, FailsStepsWithUnimplementedRpcs) {
-  // Unimplemented RPCs are no failure if the proxy works without them.
+  // Unimplemented RPCs are not failures if the proxy works without them.
   const CommandResult result =
       check({program_line("--unimplemented GetBestPlannerAction,GetCoachActions,SendPlayerType"),
              "--calls", "100", "--json"});
@@ -95,8 +98,8 @@ TEST(CheckPlaymaker, SkipsRemainingStepsAfterProgramExit) {
   const json document = json::parse(result.out);
   EXPECT_GT(document["steps_failed"], 0);
   EXPECT_EQ(document["steps"].back()["result"], "skip");
-  EXPECT_NE(document["steps"].back()["evidence"].get<std::string>().find("the program exited"),
-            std::string::npos);
+  EXPECT_THAT(document["steps"].back()["evidence"].get<std::string>(),
+              HasSubstr("the program exited"));
 }
 
 TEST(CheckPlaymaker, FailsImmediatelyWhenProgramExitsAtStart) {
@@ -106,9 +109,8 @@ TEST(CheckPlaymaker, FailsImmediatelyWhenProgramExitsAtStart) {
   EXPECT_EQ(result.exit_code, 69) << result.out << result.err;
   const json reach = json::parse(result.out)["steps"].front();
   EXPECT_NE(reach["result"], "pass");
-  EXPECT_NE(reach["evidence"].get<std::string>().find(
-                "the program exited (exit code 3); last output line: no formation"),
-            std::string::npos)
+  EXPECT_THAT(reach["evidence"].get<std::string>(),
+              HasSubstr("the program exited (exit code 3); last output line: no formation"))
       << reach["evidence"];
 }
 
@@ -118,8 +120,8 @@ TEST(CheckPlaymaker, ReportsFailuresByExitCode) {
   EXPECT_EQ(results_of(json::parse(unreachable.out)).at("bye"), "skip");
   // In text, one line about it, and no lines of skipped steps.
   const CommandResult text = check({"127.0.0.1:9", "--start-timeout", "0.3"});
-  EXPECT_EQ(text.out.find("skip "), std::string::npos) << text.out;
-  EXPECT_NE(text.out.find("nothing listens at 127.0.0.1:9"), std::string::npos) << text.out;
+  EXPECT_THAT(text.out, Not(HasSubstr("skip "))) << text.out;
+  EXPECT_THAT(text.out, HasSubstr("nothing listens at 127.0.0.1:9")) << text.out;
   EXPECT_LT(std::count(text.out.begin(), text.out.end(), '\n'), 8) << text.out;
   // A program that exits before the first step is unreachable too.
   EXPECT_EQ(check({"run:exit 3; : {port}", "--start-timeout", "0.5"}).exit_code, 69);
@@ -136,11 +138,10 @@ TEST(CheckPlaymaker, WritesCiReports) {
                                       "100", "--junit", file, "--github"});
   EXPECT_EQ(result.exit_code, 1) << result.out << result.err;
   const std::string xml = cls::tests::read_file(file);
-  EXPECT_NE(xml.find("name=\"all_parameters\""), std::string::npos) << xml;
+  EXPECT_THAT(xml, HasSubstr("name=\"all_parameters\"")) << xml;
   EXPECT_EQ(cls::tests::junit_errors(xml).value_or(""), "");
-  EXPECT_NE(result.err.find("::error title=cls check playmaker run"), std::string::npos)
-      << result.err;
-  EXPECT_NE(result.err.find(" all_parameters::"), std::string::npos) << result.err;
+  EXPECT_THAT(result.err, HasSubstr("::error title=cls check playmaker run")) << result.err;
+  EXPECT_THAT(result.err, HasSubstr(" all_parameters::")) << result.err;
   EXPECT_EQ(check({"mock", "--calls", "10", "--junit", "/no/such/folder/junit.xml"}).exit_code, 73);
 }
 

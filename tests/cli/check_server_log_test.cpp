@@ -1,4 +1,5 @@
 // End-to-end tests of `cls check server-log`.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -16,6 +17,7 @@ using cls::tests::fixture;
 using cls::tests::read_file;
 using cls::tests::TemporaryFolder;
 using nlohmann::json;
+using testing::HasSubstr;
 
 std::string game_fixture() { return fixture("simulator/noise-free.rcg.gz").string(); }
 std::string text_fixture() { return fixture("simulator/noise-free.rcl.gz").string(); }
@@ -70,8 +72,8 @@ TEST(CheckServerLog, FailsAndReportsDifferentSteps) {
   std::ofstream(path) << text;
   const CommandResult result = check(game_fixture(), path);
   EXPECT_EQ(result.exit_code, 1) << result.err;
-  EXPECT_NE(result.out.find(" l5 player_turn: position "), std::string::npos) << result.out;
-  EXPECT_NE(result.out.find("FAIL counters"), std::string::npos) << result.out;
+  EXPECT_THAT(result.out, HasSubstr(" l5 player_turn: position ")) << result.out;
+  EXPECT_THAT(result.out, HasSubstr("FAIL counters")) << result.out;
 }
 
 TEST(CheckServerLog, ReportsFailuresByExitCode) {
@@ -87,7 +89,7 @@ TEST(CheckServerLog, ReportsFailuresByExitCode) {
   std::ofstream(cut) << read_file(game_fixture()).substr(0, 600000);
   const CommandResult damaged = check(cut, text_fixture(), true);
   EXPECT_EQ(damaged.exit_code, 65);
-  EXPECT_NE(damaged.err.find("truncated log"), std::string::npos) << damaged.err;
+  EXPECT_THAT(damaged.err, HasSubstr("truncated log")) << damaged.err;
   EXPECT_EQ(json::parse(damaged.out)["passed"], true);
   const std::string cut_text = folder.path() / "cut.rcl";
   const std::string text = read_file(text_fixture());

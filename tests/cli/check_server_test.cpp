@@ -1,4 +1,5 @@
 // End-to-end tests of `cls check server`.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -14,6 +15,7 @@ namespace {
 using cls::tests::cls_binary;
 using cls::tests::CommandResult;
 using nlohmann::json;
+using testing::HasSubstr;
 
 CommandResult check(std::vector<std::string> arguments) {
   std::vector<std::string> all = {cls_binary(), "check", "server"};
@@ -34,8 +36,7 @@ TEST(CheckServer, EmbeddedServerPassesEveryStep) {
   const std::string file = folder.path() / "junit.xml";
   expect_all_passed(check({"embedded", "--json", "--junit", file}));
   const std::string xml = cls::tests::read_file(file);
-  EXPECT_NE(xml.find("<testsuite name=\"cls check server\" tests=\"32\" failures=\"0\""),
-            std::string::npos)
+  EXPECT_THAT(xml, HasSubstr("<testsuite name=\"cls check server\" tests=\"32\" failures=\"0\""))
       << xml;
   EXPECT_EQ(cls::tests::junit_errors(xml).value_or(""), "");
 }
@@ -55,7 +56,7 @@ TEST(CheckServer, ReportsFailuresByExitCode) {
   EXPECT_EQ(document["steps"][1]["result"], "skip");
   const CommandResult ended = check({"/bin/false", "--start-timeout", "3"});
   EXPECT_EQ(ended.exit_code, 69) << ended.out << ended.err;
-  EXPECT_NE(ended.out.find("the server exited"), std::string::npos) << ended.out;
+  EXPECT_THAT(ended.out, HasSubstr("the server exited")) << ended.out;
   EXPECT_EQ(check({"/no/such/server"}).exit_code, 69);
   EXPECT_EQ(check({}).exit_code, 2);
 }

@@ -1,4 +1,5 @@
 // Scripted coaches and trainers in full matches, verified by logs and results.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -14,6 +15,8 @@
 namespace {
 
 using nlohmann::json;
+using testing::HasSubstr;
+using testing::Not;
 using Arguments = std::vector<std::string>;
 
 constexpr const char* kCoach = R"({
@@ -84,7 +87,7 @@ TEST_F(Sideline, SubstitutesPlayersReproducibly) {
   }
   EXPECT_EQ(result["warnings"], json::array());
   EXPECT_EQ(result["deterministic"], true);
-  EXPECT_NE(log("one", "match.rcl").find("_Coach: (change_player_type 11 "), std::string::npos);
+  EXPECT_THAT(log("one", "match.rcl"), HasSubstr("_Coach: (change_player_type 11 "));
   play(side, side, more, "two");
   for (const char* file : {"match.rcg", "match.rcl", "events.jsonl"}) {
     EXPECT_TRUE(log("one", file) == log("two", file)) << file;
@@ -105,7 +108,7 @@ TEST_F(Sideline, ConnectsNoCoachWithNoCoachOption) {
   const json result =
       play("mock", "mock", {"--cycles", "10", "--no-coach", "--set", "server::kick_off_wait=3"});
   EXPECT_EQ(result["left"]["coach"], nullptr);
-  EXPECT_EQ(log("match", "match.rcl").find("Coach"), std::string::npos);
+  EXPECT_THAT(log("match", "match.rcl"), Not(HasSubstr("Coach")));
 }
 
 TEST_F(Sideline, TrainerMovesBallInLockstepAndOverUdp) {
@@ -140,12 +143,12 @@ TEST_F(Sideline, ReportsInvalidOptions) {
   const auto wrong = cls::tests::run({cls::tests::cls_binary(), "match", "mock", "mock",
                                       "--trainer", "team:/tmp", "--dir", folder("x")});
   EXPECT_EQ(wrong.exit_code, 2);
-  EXPECT_NE(wrong.err.find("--trainer 'team:/tmp'"), std::string::npos) << wrong.err;
+  EXPECT_THAT(wrong.err, HasSubstr("--trainer 'team:/tmp'")) << wrong.err;
   const auto folder_missing =
       cls::tests::run({cls::tests::cls_binary(), "match", "mock", "mock", "--left-formation",
                        "no/such/folder", "--dir", folder("x")});
   EXPECT_EQ(folder_missing.exit_code, 2);
-  EXPECT_NE(folder_missing.err.find("--left-formation: "), std::string::npos) << folder_missing.err;
+  EXPECT_THAT(folder_missing.err, HasSubstr("--left-formation: ")) << folder_missing.err;
 }
 
 // Other formations change the kick-off positions; the built-in ones read from files change nothing.

@@ -1,5 +1,6 @@
 // Folders of tournaments that were changed or cut: every command refuses them with one line.
 #include <SQLiteCpp/SQLiteCpp.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -13,6 +14,8 @@
 #include "tests/support/temporary_folder.h"
 
 namespace {
+
+using testing::HasSubstr;
 
 namespace fs = std::filesystem;
 using cls::tests::CommandResult;
@@ -45,7 +48,7 @@ class CorruptTournament : public testing::Test {
     EXPECT_EQ(refused.exit_code, 65) << arguments[0] << ": " << refused.out << refused.err;
     EXPECT_EQ(refused.out, "");
     EXPECT_EQ(std::count(refused.err.begin(), refused.err.end(), '\n'), 1) << refused.err;
-    EXPECT_NE(refused.err.find(reason), std::string::npos) << refused.err;
+    EXPECT_THAT(refused.err, HasSubstr(reason)) << refused.err;
   }
   void expect_corrupt_everywhere(const std::string& reason) const {
     for (const char* command : {"status", "report", "run"}) {
@@ -74,7 +77,7 @@ TEST_F(CorruptTournament, RejectsMissingAndRenumberedMatches) {
 
 TEST_F(CorruptTournament, CountsLastMatchesThatAreMissing) {
   sql("DELETE FROM match WHERE number > 4");
-  EXPECT_NE(tournament({"status", cup()}).out.find("4 of 6 matches done"), std::string::npos);
+  EXPECT_THAT(tournament({"status", cup()}).out, HasSubstr("4 of 6 matches done"));
   expect_corrupt({"run", cup()}, "match 5 is missing");
 }
 
@@ -100,7 +103,7 @@ TEST_F(CorruptTournament, WorkRejectsTeamsOutOfRange) {
       << "\n";
   const CommandResult refused = tournament({"work", cup(), "--index", "7"});
   EXPECT_EQ(refused.exit_code, 65) << refused.err;
-  EXPECT_NE(refused.err.find("match 7: there is no team 9"), std::string::npos) << refused.err;
+  EXPECT_THAT(refused.err, HasSubstr("match 7: there is no team 9")) << refused.err;
 }
 
 // An archive: no file can be created in the folder, and a reader needs none.
@@ -115,7 +118,7 @@ TEST_F(CorruptTournament, IsReadInAReadOnlyFolder) {
     arguments.insert(arguments.end(), {cls::tests::cls_binary(), "tournament", name, cup()});
     const CommandResult result = cls::tests::run(arguments);
     EXPECT_EQ(result.exit_code, 0) << result.err;
-    EXPECT_NE(result.out.find("6 of 6 matches done"), std::string::npos) << result.out;
+    EXPECT_THAT(result.out, HasSubstr("6 of 6 matches done")) << result.out;
   }
   fs::permissions(cup(), perms::owner_all);
 }

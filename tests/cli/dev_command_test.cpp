@@ -1,4 +1,5 @@
 // `cls dev`: plays scenarios again when files change, and reports what differs.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <signal.h>
 
@@ -17,6 +18,9 @@
 
 namespace cls::tests {
 namespace {
+
+using testing::HasSubstr;
+using testing::Not;
 
 class DevCommand : public testing::Test {
  protected:
@@ -57,12 +61,12 @@ class DevCommand : public testing::Test {
 TEST_F(DevCommand, PlaysAgainAfterChange) {
   Command command(dev(), {}, folder_.path());
   ASSERT_TRUE(command.wait_for_output("watching .")) << command.out();
-  EXPECT_NE(command.out().find("ok    runs\n"), std::string::npos) << command.out();
+  EXPECT_THAT(command.out(), HasSubstr("ok    runs\n")) << command.out();
   write_team(-20);
   ASSERT_TRUE(command.wait_for_output("decisions differ")) << command.out();
   const std::string out = command.out();
-  EXPECT_NE(out.find("changed: team.json\nFAIL  runs (passed before)\n"), std::string::npos) << out;
-  EXPECT_NE(out.find(", player 8: "), std::string::npos) << out;
+  EXPECT_THAT(out, HasSubstr("changed: team.json\nFAIL  runs (passed before)\n")) << out;
+  EXPECT_THAT(out, HasSubstr(", player 8: ")) << out;
   write_team(20);
   ASSERT_TRUE(command.wait_for_output("ok    runs (failed before)")) << command.out();
   command.send_signal(SIGINT);
@@ -86,7 +90,7 @@ TEST_F(DevCommand, ReportsWhatKeepsProgramFromStarting) {
            "run:exec " + built("cls_fake_playmaker") + " --port {port} --exit-at-start 5"}),
       {}, folder_.path());
   ASSERT_TRUE(command.wait_for_output("watching .")) << command.out();
-  EXPECT_NE(command.out().find("cannot load the formation"), std::string::npos) << command.out();
+  EXPECT_THAT(command.out(), HasSubstr("cannot load the formation")) << command.out();
   command.send_signal(SIGINT);
   command.finish();
 }
@@ -107,7 +111,7 @@ TEST_F(DevCommand, ReportsErrorsOfDecisions) {
   const std::size_t first = out.find(error);
   ASSERT_NE(first, std::string::npos) << out;
   EXPECT_EQ(out.find(error, first + 1), std::string::npos) << out;
-  EXPECT_EQ(out.find("misses no decision"), std::string::npos) << out;
+  EXPECT_THAT(out, Not(HasSubstr("misses no decision"))) << out;
   command.send_signal(SIGINT);
   command.finish();
 }
@@ -121,7 +125,7 @@ TEST_F(DevCommand, ContinuesAfterBrokenScenario) {
   EXPECT_EQ(command.finish().exit_code, 130);
 }
 
-// Its own output is no change of the team.
+// Its own output is not a change of the team.
 TEST_F(DevCommand, IgnoresItsOutputInTheWatchedFolder) {
   Command command({"/bin/sh", "-c", "exec '" + cls_binary().string() + "' dev >out.txt"}, {},
                   folder_.path());
@@ -150,7 +154,7 @@ TEST_F(DevCommand, NeedsScenarios) {
   Command command(dev(), {}, empty.path());
   const CommandResult result = command.finish();
   EXPECT_EQ(result.exit_code, 66);
-  EXPECT_NE(result.err.find("no folder tests/ here"), std::string::npos) << result.err;
+  EXPECT_THAT(result.err, HasSubstr("no folder tests/ here")) << result.err;
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 // `cls doctor` with programs that work, are missing, hang or print garbage, and with servers and
 // Playmakers that respond or fail.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/stat.h>
@@ -24,6 +25,8 @@
 
 namespace {
 
+using testing::HasSubstr;
+using testing::Not;
 using namespace std::chrono_literals;
 using cls::tests::built;
 using cls::tests::cls_binary;
@@ -96,10 +99,10 @@ class Doctor : public testing::Test {
   static void expect(const json& item, const std::string& status, const std::string& found,
                      const std::string& hint = "") {
     EXPECT_EQ(item.value("status", ""), status) << item;
-    EXPECT_NE(item.value("found", "").find(found), std::string::npos) << item;
+    EXPECT_THAT(item.value("found", ""), HasSubstr(found)) << item;
     EXPECT_EQ(item["remedy"].is_null(), hint.empty()) << item;
     if (!hint.empty() && item["remedy"].is_string()) {
-      EXPECT_NE(item["remedy"].get<std::string>().find(hint), std::string::npos) << item;
+      EXPECT_THAT(item["remedy"].get<std::string>(), HasSubstr(hint)) << item;
     }
   }
 
@@ -154,7 +157,7 @@ TEST_F(Doctor, ReportsVersionsOfPrograms) {
       "echo python 3.11.2; echo grpc 1.51.1; echo google.protobuf 3.21.12; "
       "echo cls_playmaker installed");
   const std::string found = item(examine(0), "python3")["found"];
-  EXPECT_EQ(found.find("cls_playmaker"), std::string::npos) << found;
+  EXPECT_THAT(found, Not(HasSubstr("cls_playmaker"))) << found;
   EXPECT_EQ(item(document, "python3")["path"], (path() / "python3").string());
 }
 
@@ -237,7 +240,7 @@ TEST_F(Doctor, PrintsTable) {
        {"ok           python3        3.11.2, grpc 1.51.1", "\nmissing      node ",
         "needed for: Playmakers in JavaScript\n", "hint: ", "apt-get install nodejs npm",
         "\nReady to play: cls match mock mock\n"}) {
-    EXPECT_NE(result.out.find(line), std::string::npos) << line << " in\n" << result.out;
+    EXPECT_THAT(result.out, HasSubstr(line)) << line << " in\n" << result.out;
   }
   EXPECT_EQ(result.out.find('\x1b'), std::string::npos) << "no color in a file";
 }
@@ -328,9 +331,9 @@ TEST_F(DoctorServer, ReportsNonexecutablePrograms) {
   const auto found = [&](const std::string& server) {
     return item(examine(69, {"--server", server}), "server")["found"].get<std::string>();
   };
-  EXPECT_NE(found(path() / "server").find(" is not executable"), std::string::npos);
-  EXPECT_NE(found(path()).find(" is a folder"), std::string::npos);
-  EXPECT_NE(found("rcssserver").find("no such program on PATH"), std::string::npos);
+  EXPECT_THAT(found(path() / "server"), HasSubstr(" is not executable"));
+  EXPECT_THAT(found(path()), HasSubstr(" is a folder"));
+  EXPECT_THAT(found("rcssserver"), HasSubstr("no such program on PATH"));
 }
 
 TEST_F(DoctorServer, ProbesRunningServerWithoutConnectingAPlayer) {
@@ -453,7 +456,7 @@ TEST_F(Doctor, ReportsUsageErrors) {
     const CommandResult result = run(more);
     EXPECT_EQ(result.exit_code, 2) << message;
     EXPECT_EQ(result.out, "");
-    EXPECT_NE(result.err.find(message), std::string::npos) << result.err;
+    EXPECT_THAT(result.err, HasSubstr(message)) << result.err;
     EXPECT_EQ(result.err.find('\n'), result.err.size() - 1) << result.err;
   }
 }

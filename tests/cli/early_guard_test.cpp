@@ -1,6 +1,7 @@
 // Commands that start a guard process.
 #include "cli/support/early_guard.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <string>
@@ -11,6 +12,8 @@
 
 namespace cls::cli {
 namespace {
+
+using testing::HasSubstr;
 
 bool guarded(std::vector<const char*> arguments) {
   arguments.insert(arguments.begin(), "cls");
@@ -36,8 +39,7 @@ TEST(EarlyGuard, ReportsWhyItCannotStart) {
        "exec 3>&-; ulimit -n 4; exec '" + tests::cls_binary().string() +
            "' match 'run:true --port {port}' mock --dir '" + (folder.path() / "m").string() + "'"});
   EXPECT_NE(result.exit_code, 0);
-  EXPECT_NE(result.err.find("cls: no guard process: Too many open files\n"), std::string::npos)
-      << result.err;
+  EXPECT_THAT(result.err, HasSubstr("cls: no guard process: Too many open files\n")) << result.err;
 }
 
 }  // namespace

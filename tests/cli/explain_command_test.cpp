@@ -1,4 +1,5 @@
 // `cls explain`: every name of the interface has an entry, and docs/reference/ is up to date.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cctype>
@@ -19,6 +20,8 @@ namespace cls::tests {
 namespace {
 
 using nlohmann::json;
+using testing::HasSubstr;
+using testing::Not;
 
 CommandResult explain(std::vector<std::string> words) {
   words.insert(words.begin(), {cls_binary(), "explain"});
@@ -114,21 +117,21 @@ TEST(ExplainCommand, DescribesEveryActionModeAndEndReason) {
 TEST(ExplainCommand, FindsFullNamesLastPartsAndOtherSpellings) {
   const CommandResult full = explain({"Self.stamina"});
   EXPECT_EQ(full.exit_code, 0) << full.err;
-  EXPECT_NE(full.out.find("Self.stamina (field of Self)"), std::string::npos) << full.out;
-  EXPECT_NE(full.out.find("0 to 8000"), std::string::npos) << full.out;
-  EXPECT_NE(explain({"offside_line_x"}).out.find("WorldModel.offside_line_x"), std::string::npos);
-  EXPECT_NE(explain({"kick-in"}).out.find("KickIn_ (play mode"), std::string::npos);
+  EXPECT_THAT(full.out, HasSubstr("Self.stamina (field of Self)")) << full.out;
+  EXPECT_THAT(full.out, HasSubstr("0 to 8000")) << full.out;
+  EXPECT_THAT(explain({"offside_line_x"}).out, HasSubstr("WorldModel.offside_line_x"));
+  EXPECT_THAT(explain({"kick-in"}).out, HasSubstr("KickIn_ (play mode"));
   const CommandResult several = explain({"stalled", "body_smart_kick"});
-  EXPECT_NE(several.out.find("stalled (end reason)"), std::string::npos);
-  EXPECT_NE(several.out.find("fails when  speed out of reach"), std::string::npos) << several.out;
+  EXPECT_THAT(several.out, HasSubstr("stalled (end reason)"));
+  EXPECT_THAT(several.out, HasSubstr("fails when  speed out of reach")) << several.out;
 }
 
 TEST(ExplainCommand, SearchesNamesAndExplanations) {
   const CommandResult found = explain({"--search", "offside LINE"});
   EXPECT_EQ(found.exit_code, 0) << found.err;
-  EXPECT_NE(found.out.find("WorldModel.offside_line_x"), std::string::npos) << found.out;
-  EXPECT_NE(found.out.find("OffsideLineMessage"), std::string::npos) << found.out;
-  EXPECT_EQ(found.out.find("Self.stamina"), std::string::npos) << found.out;
+  EXPECT_THAT(found.out, HasSubstr("WorldModel.offside_line_x")) << found.out;
+  EXPECT_THAT(found.out, HasSubstr("OffsideLineMessage")) << found.out;
+  EXPECT_THAT(found.out, Not(HasSubstr("Self.stamina"))) << found.out;
   const CommandResult nothing = explain({"--search", "croquet"});
   EXPECT_EQ(nothing.exit_code, 2);
   EXPECT_EQ(nothing.err, "cls: nothing explains 'croquet'\n");
@@ -138,7 +141,7 @@ TEST(ExplainCommand, SuggestsNamesForTypos) {
   const CommandResult typo = explain({"body_smart_kik"});
   EXPECT_EQ(typo.exit_code, 2);
   EXPECT_EQ(typo.err, "cls: unknown name 'body_smart_kik'; did you mean 'body_smart_kick'?\n");
-  EXPECT_NE(explain({}).err.find("cls explain --list"), std::string::npos);
+  EXPECT_THAT(explain({}).err, HasSubstr("cls explain --list"));
 }
 
 TEST(ExplainCommand, WritesThePagesOfTheReference) {
@@ -169,8 +172,7 @@ TEST(ExplainCommand, NamesThePlaceInThePages) {
     EXPECT_EQ(anchors[place.substr(0, mark)].count(place.substr(mark + 1)), 1U)
         << entry["name"] << ": " << place;
   }
-  EXPECT_NE(explain({"Self.stamina"}).out.find("docs/reference/messages.md#self"),
-            std::string::npos);
+  EXPECT_THAT(explain({"Self.stamina"}).out, HasSubstr("docs/reference/messages.md#self"));
 }
 
 }  // namespace

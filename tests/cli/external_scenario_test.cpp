@@ -1,4 +1,5 @@
 // Scenarios with an external team on one side.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
@@ -16,6 +17,7 @@
 namespace {
 
 using cls::tests::CommandResult;
+using testing::HasSubstr;
 namespace fs = std::filesystem;
 
 class ExternalScenario : public testing::Test {
@@ -99,9 +101,8 @@ TEST_F(ExternalScenario, ReportsProgramOfCrashedPlayer) {
       play(R"({"score": [0, 0]}], "rpc_deadline_ms": 300, "until": [{"goals": 9})");
   if (played.out.find("is taken by") != std::string::npos) GTEST_SKIP() << "port 6000 is taken";
   EXPECT_EQ(played.exit_code, 1);
-  EXPECT_NE(played.out.find("the process of right player 5 ended at cycle "), std::string::npos)
-      << played.out;
-  EXPECT_NE(played.out.find("last output line: lost my boots"), std::string::npos) << played.out;
+  EXPECT_THAT(played.out, HasSubstr("the process of right player 5 ended at cycle ")) << played.out;
+  EXPECT_THAT(played.out, HasSubstr("last output line: lost my boots")) << played.out;
 }
 
 TEST_F(ExternalScenario, TakesSideUnderTest) {
@@ -116,12 +117,12 @@ TEST_F(ExternalScenario, RejectsChecksThatNeedAPlaymaker) {
   team();
   const CommandResult written = play(R"({"actions": "dash", "side": "right"})");
   EXPECT_EQ(written.exit_code, 65);
-  EXPECT_NE(written.err.find("/expect/0: an external team has no Playmaker: "), std::string::npos)
+  EXPECT_THAT(written.err, HasSubstr("/expect/0: an external team has no Playmaker: "))
       << written.err;
   const CommandResult against = play(R"({"commands": "dash", "side": "right"})",
                                      {"--against", "team:" + path("guests")}, "mock:hold");
   EXPECT_EQ(against.exit_code, 0);
-  EXPECT_NE(against.out.find("skip  guests: line "), std::string::npos) << against.out;
+  EXPECT_THAT(against.out, HasSubstr("skip  guests: line ")) << against.out;
 }
 
 // A player that exits after the request is missed once; the next request does not reach it.
@@ -132,10 +133,9 @@ TEST_F(ExternalScenario, EndsAsCrashedWhenPlayersDisconnect) {
   EXPECT_EQ(result.exit_code, 0) << result.out << result.err;
   const CommandResult played = play(R"({"score": [0, 0]})" + impatient);
   EXPECT_EQ(played.exit_code, 1);
-  EXPECT_NE(played.out.find("the run ended as crashed, not finished: right (team:"),
-            std::string::npos)
+  EXPECT_THAT(played.out, HasSubstr("the run ended as crashed, not finished: right (team:"))
       << played.out;
-  EXPECT_NE(played.out.find(" has left (at cycle "), std::string::npos) << played.out;
+  EXPECT_THAT(played.out, HasSubstr(" has left (at cycle ")) << played.out;
 }
 
 TEST_F(ExternalScenario, EndsAsLateWithoutReplies) {
@@ -149,12 +149,11 @@ TEST_F(ExternalScenario, EndsAsLateWithoutReplies) {
 TEST_F(ExternalScenario, ReportsInvalidTeamFolder) {
   const CommandResult none = play(R"({"score": [0, 0]})");
   EXPECT_EQ(none.exit_code, 1);
-  EXPECT_NE(none.out.find("guests: no such folder"), std::string::npos) << none.out;
+  EXPECT_THAT(none.out, HasSubstr("guests: no such folder")) << none.out;
   script("guests/start.sh", "echo no formation found; exit 3");
   const CommandResult dead = play(R"({"score": [0, 0]})");
   EXPECT_EQ(dead.exit_code, 1);
-  EXPECT_NE(dead.out.find("the process of right team ended before the match: exit code 3"),
-            std::string::npos)
+  EXPECT_THAT(dead.out, HasSubstr("the process of right team ended before the match: exit code 3"))
       << dead.out;
 }
 

@@ -1,4 +1,5 @@
 // External teams in tournaments over UDP: names, and results of matches with crashes.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
@@ -13,6 +14,8 @@
 #include "tests/support/temporary_folder.h"
 
 namespace {
+
+using testing::HasSubstr;
 
 namespace fs = std::filesystem;
 using cls::tests::built;
@@ -85,7 +88,7 @@ TEST_F(ExternalTournament, ListsTeamByConfiguredName) {
     const json result = json::parse(
         cls::tests::read_file(path() / "cup" / match["folder"].get<std::string>() / "result.json"));
     EXPECT_EQ(result[side]["name"], "Others") << "on the pitch";
-    EXPECT_NE(match["command"].get<std::string>().find("--own-names"), std::string::npos);
+    EXPECT_THAT(match["command"].get<std::string>(), HasSubstr("--own-names"));
   }
   EXPECT_NE(report["matches"][0]["left"], report["matches"][1]["left"]);
 }
@@ -94,8 +97,8 @@ TEST_F(ExternalTournament, StopsAfterCrash) {
   team("flags='--exit-at-cycle 10'");
   const CommandResult played = play(kLong);
   EXPECT_EQ(played.exit_code, 1);
-  EXPECT_NE(played.err.find("is invalid (crashed): "), std::string::npos) << played.err;
-  EXPECT_NE(played.err.find("see "), std::string::npos) << played.err;
+  EXPECT_THAT(played.err, HasSubstr("is invalid (crashed): ")) << played.err;
+  EXPECT_THAT(played.err, HasSubstr("see ")) << played.err;
   EXPECT_EQ(json::parse(played.out)["counts"]["finished"], 0);
 }
 
@@ -128,8 +131,7 @@ TEST_F(ExternalTournament, RetriesMatchAfterCrash) {
 TEST_F(ExternalTournament, RunsTeamWithFixedPortsInSequence) {
   script("team/start", "exit 1");
   const CommandResult played = play({"--concurrency", "4", "--on-crash", "forfeit"});
-  EXPECT_NE(played.err.find("one match at a time: GUESTS requires the ports 6000 to 6002"),
-            std::string::npos)
+  EXPECT_THAT(played.err, HasSubstr("one match at a time: GUESTS requires the ports 6000 to 6002"))
       << played.err;
 }
 

@@ -1,4 +1,5 @@
 // Files of former versions are read, those of later ones refused with one line.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,6 +14,8 @@
 
 namespace cls::tests {
 namespace {
+
+using testing::HasSubstr;
 
 namespace fs = std::filesystem;
 
@@ -38,7 +41,7 @@ class Formats : public testing::Test {
                       const std::string& text) const {
     const CommandResult result = run(words);
     EXPECT_EQ(result.exit_code, exit_code) << words[0];
-    EXPECT_NE(result.err.find(text), std::string::npos) << result.err;
+    EXPECT_THAT(result.err, HasSubstr(text)) << result.err;
     EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
   }
 
@@ -49,19 +52,19 @@ TEST_F(Formats, OfTheFirstReleaseAreRead) {
   const CommandResult scenario = run({"test", "scenario.json"});
   EXPECT_EQ(scenario.exit_code, 0) << scenario.out << scenario.err;
   const CommandResult replay = run({"test", "--replay", "match.rpc", "mock:hold"});
-  EXPECT_NE(replay.out.find("25 replies as recorded"), std::string::npos) << replay.err;
+  EXPECT_THAT(replay.out, HasSubstr("25 replies as recorded")) << replay.err;
   const CommandResult plan = run({"tournament", "plan", "."});
   EXPECT_EQ(plan.exit_code, 0) << plan.err;
   const CommandResult report = run({"tournament", "report", "."});
-  EXPECT_NE(report.out.find("BLUE    0:0  RED"), std::string::npos) << report.out << report.err;
+  EXPECT_THAT(report.out, HasSubstr("BLUE    0:0  RED")) << report.out << report.err;
   const CommandResult page = run({"watch", "page.html", "--out", "again.html"});
   EXPECT_EQ(page.exit_code, 0) << page.err;
   fs::create_directory(folder_.path() / "match");
   fs::rename(folder_.path() / "result.json", folder_.path() / "match/result.json");
   const CommandResult logs = run({"logs", "match"});
-  EXPECT_NE(logs.out.find("finished"), std::string::npos) << logs.out << logs.err;
+  EXPECT_THAT(logs.out, HasSubstr("finished")) << logs.out << logs.err;
   const CommandResult search = run({"tune", "report", "search"});
-  EXPECT_NE(search.out.find("generation 1 of 1, 4 pairs"), std::string::npos) << search.err;
+  EXPECT_THAT(search.out, HasSubstr("generation 1 of 1, 4 pairs")) << search.err;
   const CommandResult planner = run({"match", "planner:planner.toml=mock:hold", "mock:hold",
                                      "--cycles", "3", "--dir", "planned", "--quiet"});
   EXPECT_EQ(planner.exit_code, 0) << planner.err;
@@ -75,8 +78,8 @@ TEST_F(Formats, SavedMatchOfTheFirstReleaseGoesOnOrDiffers) {
   const bool goes_on = resumed.out.find("12 cycles") != std::string::npos;
   EXPECT_EQ(resumed.exit_code == 0, goes_on) << resumed.out << resumed.err;
   if (goes_on) return;
-  EXPECT_NE(resumed.err.find("differs from the saved one at cycle 6; it was saved by cls 0.1.0"),
-            std::string::npos)
+  EXPECT_THAT(resumed.err,
+              HasSubstr("differs from the saved one at cycle 6; it was saved by cls 0.1.0"))
       << resumed.err;
 }
 

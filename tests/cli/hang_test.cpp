@@ -1,4 +1,5 @@
 // Playmakers that stop replying: whichever limit expires, the result names side, player and RPC.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -21,6 +22,8 @@ using cls::tests::GameService;
 using cls::tests::PlaymakerServer;
 using cls::tests::TemporaryFolder;
 using nlohmann::json;
+using testing::HasSubstr;
+using testing::Not;
 
 void write_file(const std::filesystem::path& path, const std::string& text) {
   std::ofstream(path) << text;
@@ -69,10 +72,9 @@ void expect_blamed(const Played& played, const std::string& end_reason, const st
   EXPECT_EQ(result["failure"]["process"], "right Playmaker");
   EXPECT_EQ(result["failure"]["rpc"], rpc);
   const std::string awaited = rpc + " of " + agent;
-  EXPECT_NE(result["message"].get<std::string>().find(awaited), std::string::npos)
-      << result["message"];
-  EXPECT_NE(played.command.err.find(awaited), std::string::npos) << played.command.err;
-  EXPECT_NE(played.command.err.find("cls: hangs ("), std::string::npos) << played.command.err;
+  EXPECT_THAT(result["message"].get<std::string>(), HasSubstr(awaited)) << result["message"];
+  EXPECT_THAT(played.command.err, HasSubstr(awaited)) << played.command.err;
+  EXPECT_THAT(played.command.err, HasSubstr("cls: hangs (")) << played.command.err;
 }
 
 // Deadline and stall limit may be equal or nearly so: both must lead to the same end.
@@ -84,7 +86,7 @@ TEST_P(EqualLimits, BlameTheSideThatHangs) {
   expect_blamed(played, "stalled", "GetPlayerActions", "player 1 and 11 other agents");
   EXPECT_EQ(played.result["failure"]["unum"], 1);
   EXPECT_EQ(played.result["failure"]["cycle"], 3);
-  EXPECT_NE(played.command.err.find("at cycle 3"), std::string::npos) << played.command.err;
+  EXPECT_THAT(played.command.err, HasSubstr("at cycle 3")) << played.command.err;
 }
 
 INSTANTIATE_TEST_SUITE_P(Hangs, EqualLimits, testing::Values("2000", "2001", "9000"));
@@ -96,8 +98,7 @@ TEST(Hangs, EndAsLateWithShortDeadline) {
   EXPECT_EQ(played.result["end_reason"], "late");
   EXPECT_EQ(played.result["fault"], "right");
   EXPECT_EQ(played.result["failure"]["process"], "right Playmaker");
-  EXPECT_NE(played.command.err.find("player 1 had no usable reply"), std::string::npos)
-      << played.command.err;
+  EXPECT_THAT(played.command.err, HasSubstr("player 1 had no usable reply")) << played.command.err;
 }
 
 TEST(Hangs, BlameTheCoach) {
@@ -149,7 +150,7 @@ TEST(Hangs, BlameRegisterAtTheStart) {
   over = true;
   expect_blamed(played, "refused", "Register", "player 4");
   EXPECT_TRUE(played.result["failure"]["cycle"].is_null());
-  EXPECT_NE(played.command.err.find("within the start limit of 4 s"), std::string::npos);
+  EXPECT_THAT(played.command.err, HasSubstr("within the start limit of 4 s"));
 }
 
 TEST(Hangs, BlameTheSideOverUdp) {
@@ -173,13 +174,13 @@ TEST(Hangs, BlameRegisterOverUdp) {
   expect_blamed(played, "refused", "Register", "player 1");
 }
 
-// The players leave because the match has ended: that is no news.
+// The players leave because the match has ended: it is not reported.
 TEST(Hangs, EndInRealTimeWithoutALineForEachPlayer) {
   const Played played =
       play_with_faults(R"({"delay_ms": 300})", {"--mode", "realtime", "--max-missed", "5"});
   EXPECT_EQ(played.result["end_reason"], "late") << played.command.err;
   EXPECT_EQ(played.result["fault"], "right");
-  EXPECT_EQ(played.command.err.find("left the match"), std::string::npos) << played.command.err;
+  EXPECT_THAT(played.command.err, Not(HasSubstr("left the match"))) << played.command.err;
 }
 
 TEST(Hangs, NameBothSidesWhenBothHang) {
@@ -192,8 +193,8 @@ TEST(Hangs, NameBothSidesWhenBothHang) {
   const json result = json::parse(cls::tests::read_file(folder.path() / "match" / "result.json"));
   EXPECT_EQ(result["end_reason"], "stalled");
   EXPECT_TRUE(result["fault"].is_null());
-  EXPECT_NE(command.err.find("script_l ("), std::string::npos) << command.err;
-  EXPECT_NE(command.err.find("; script_r ("), std::string::npos) << command.err;
+  EXPECT_THAT(command.err, HasSubstr("script_l (")) << command.err;
+  EXPECT_THAT(command.err, HasSubstr("; script_r (")) << command.err;
 }
 
 TEST(Hangs, AreForfeitedInTournaments) {

@@ -1,4 +1,5 @@
 // Topics of `cls help`, and manual pages.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -14,6 +15,9 @@
 namespace cls::tests {
 namespace {
 
+using testing::HasSubstr;
+using testing::Not;
+
 namespace fs = std::filesystem;
 
 TEST(HelpCommand, PrintsPagesWithoutLinkTargets) {
@@ -21,13 +25,13 @@ TEST(HelpCommand, PrintsPagesWithoutLinkTargets) {
   EXPECT_EQ(page.exit_code, 0);
   const std::string source = read_file(source_folder() / "docs/testing.md");
   EXPECT_EQ(page.out.substr(0, page.out.find('\n')), source.substr(0, source.find('\n')));
-  EXPECT_NE(source.find("]("), std::string::npos);
-  EXPECT_EQ(page.out.find("]("), std::string::npos);
+  EXPECT_THAT(source, HasSubstr("]("));
+  EXPECT_THAT(page.out, Not(HasSubstr("](")));
 }
 
 TEST(HelpCommand, ListsTopics) {
   const CommandResult topics = run({cls_binary(), "help", "topics"});
-  EXPECT_NE(topics.out.find("formats/rcg "), std::string::npos) << topics.out;
+  EXPECT_THAT(topics.out, HasSubstr("formats/rcg ")) << topics.out;
   const auto json = nlohmann::json::parse(run({cls_binary(), "help", "topics", "--json"}).out);
   ASSERT_GE(json["topics"].size(), 20u);
   for (const auto& topic : json["topics"]) {
@@ -54,11 +58,10 @@ TEST(ManPages, DescribeAllCommandsAndOptions) {
   for (const char* text :
        {".SH NAME\ncls\\-match \\- play one match", ".SH SYNOPSIS\n.B cls match\n",
         "\n  cls match mock mock", "\n.B \\-\\-seed N\n", "\n.SS Playmakers\n"}) {
-    EXPECT_NE(match.find(text), std::string::npos) << text << "\n" << match;
+    EXPECT_THAT(match, HasSubstr(text)) << text << "\n" << match;
   }
   for (const char* page : {"match", "tournament", "help"}) {
-    EXPECT_NE(read_file(folder.path() / "cls.1").find(".BR cls\\-" + std::string(page)),
-              std::string::npos);
+    EXPECT_THAT(read_file(folder.path() / "cls.1"), HasSubstr(".BR cls\\-" + std::string(page)));
   }
 }
 
@@ -71,7 +74,7 @@ TEST(ManPages, AreWellFormed) {
     std::istringstream warnings(lint.out + lint.err);
     for (std::string line; std::getline(warnings, line);) {
       // The same binary writes the same pages on any day.
-      EXPECT_NE(line.find("missing date"), std::string::npos) << line;
+      EXPECT_THAT(line, HasSubstr("missing date")) << line;
     }
   }
 }

@@ -1,5 +1,6 @@
 // Names and messages of strangers do nothing to terminals, spreadsheets and pages.
 #include <SQLiteCpp/SQLiteCpp.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,6 +16,9 @@
 #include "tests/support/temporary_folder.h"
 
 namespace {
+
+using testing::HasSubstr;
+using testing::Not;
 
 namespace fs = std::filesystem;
 using cls::tests::cls_binary;
@@ -75,12 +79,12 @@ TEST_F(HostileText, OfGameLogsIsNotPrinted) {
 TEST_F(HostileText, OfGameLogsIsNoFormulaInCsv) {
   const std::string log = log_of("=cmd|'/C_calc'!A0");
   const std::string results = run({"results", log, "--format", "csv"}).out;
-  EXPECT_NE(results.find("'=cmd|"), std::string::npos) << results;
+  EXPECT_THAT(results, HasSubstr("'=cmd|")) << results;
   for (const char* format : {"csv", "csv-players"}) {
     const std::string stats = run({"stats", log, "--format", format}).out;
-    EXPECT_EQ(stats.find(",=cmd"), std::string::npos) << stats;
-    EXPECT_EQ(stats.find("\n=cmd"), std::string::npos) << stats;
-    EXPECT_NE(stats.find("'=cmd|"), std::string::npos) << stats;
+    EXPECT_THAT(stats, Not(HasSubstr(",=cmd"))) << stats;
+    EXPECT_THAT(stats, Not(HasSubstr("\n=cmd"))) << stats;
+    EXPECT_THAT(stats, HasSubstr("'=cmd|")) << stats;
   }
 }
 
@@ -122,7 +126,7 @@ TEST_F(HostileText, OfTournamentFoldersIsNotPrinted) {
     EXPECT_TRUE(at == std::string::npos || line[at - 1] == '\\') << line;
   }
   const std::string csv = run({"tournament", "report", cup, "--format", "csv"}).out;
-  EXPECT_EQ(csv.find(",+1+1"), std::string::npos) << csv;
+  EXPECT_THAT(csv, Not(HasSubstr(",+1+1"))) << csv;
 }
 
 class FullOutput : public HostileText {
@@ -140,8 +144,8 @@ TEST_F(FullOutput, IsAnErrorOfEveryCommand) {
         "match mock mock --cycles 2 --dir " + path("m")}) {
     const CommandResult result = run_into_full_disk(arguments);
     EXPECT_EQ(result.exit_code, 74) << arguments << result.err;
-    EXPECT_NE(result.err.find("cls: cannot write standard output: No space left on device\n"),
-              std::string::npos)
+    EXPECT_THAT(result.err,
+                HasSubstr("cls: cannot write standard output: No space left on device\n"))
         << arguments << ": " << result.err;
   }
 }

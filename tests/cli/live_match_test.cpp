@@ -1,4 +1,5 @@
 // Matches with viewers: the same bytes, the page while it is played, an end without a terminal.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -21,6 +22,9 @@
 #include "viewer/stream/chunk_reader.h"
 
 namespace {
+
+using testing::HasSubstr;
+using testing::Not;
 
 namespace fs = std::filesystem;
 using cls::tests::Command;
@@ -124,14 +128,14 @@ TEST(LiveMatch, NeedsALogAndAFreePort) {
   const auto without = cls::tests::run({cls::tests::cls_binary(), "match", "mock", "mock",
                                         "--watch", "--set", "server::game_logging=false"});
   EXPECT_EQ(without.exit_code, 2);
-  EXPECT_NE(without.err.find("server::game_logging"), std::string::npos) << without.err;
+  EXPECT_THAT(without.err, HasSubstr("server::game_logging")) << without.err;
   const auto missing = cls::tests::run({cls::tests::cls_binary(), "watch", "none.rcg", "--live"});
   EXPECT_EQ(missing.exit_code, 66);
   const auto host = cls::tests::run({cls::tests::cls_binary(), "watch",
                                      cls::tests::fixture("gamelog/rcg-v6-excerpt.rcg.gz"), "--live",
                                      "--listen", "example.org", "--no-open"});
   EXPECT_EQ(host.exit_code, 75);
-  EXPECT_NE(host.err.find("not an IP address of this host"), std::string::npos) << host.err;
+  EXPECT_THAT(host.err, HasSubstr("not an IP address of this host")) << host.err;
 }
 
 // Free a moment ago.
@@ -159,10 +163,10 @@ TEST(LiveMatch, IsWatchedOnItsServerAsAMonitor) {
 TEST(LiveMatch, SaysThatNoServerAnswers) {
   const auto none = cls::tests::run({cls::tests::cls_binary(), "watch", "127.0.0.1:9"});
   EXPECT_EQ(none.exit_code, 66);
-  EXPECT_NE(none.err.find("127.0.0.1:9: no soccer server answers"), std::string::npos) << none.err;
+  EXPECT_THAT(none.err, HasSubstr("127.0.0.1:9: no soccer server answers")) << none.err;
   const auto wrong = cls::tests::run({cls::tests::cls_binary(), "watch", "127.0.0.1:70000"});
   EXPECT_EQ(wrong.exit_code, 66);
-  EXPECT_NE(wrong.err.find("1 to 65535"), std::string::npos) << wrong.err;
+  EXPECT_THAT(wrong.err, HasSubstr("1 to 65535")) << wrong.err;
 }
 
 TEST(TournamentView, ListsTheMatchesAndHasAPageOfEach) {
@@ -179,9 +183,9 @@ TEST(TournamentView, ListsTheMatchesAndHasAPageOfEach) {
   const std::string url = url_in(watch.out());
   const std::string list = cls::tests::get(url).body;
   for (const char* part : {">A<", ">B<", "href=\"match/1/\"", "href=\"match/2/\"", " : "}) {
-    EXPECT_NE(list.find(part), std::string::npos) << part;
+    EXPECT_THAT(list, HasSubstr(part)) << part;
   }
-  EXPECT_NE(cls::tests::get(url + "match/1/").body.find("id=\"match\""), std::string::npos);
+  EXPECT_THAT(cls::tests::get(url + "match/1/").body, HasSubstr("id=\"match\""));
   for (const char* path :
        {"match/3/", "match/1", "match/1/../2/", "match/1/live", "match/x/", "x"}) {
     EXPECT_EQ(cls::tests::get(url + path).status, 404) << path;
@@ -209,7 +213,7 @@ TEST(TerminalView, RestoresTheTerminalAfterCtrlC) {
       {cls::tests::cls_binary(), "watch", log, "--view", "terminal"}, {"TERM=xterm", "NO_COLOR=1"},
       ".");
   EXPECT_TRUE(terminal.wait_for("q quit"));
-  EXPECT_EQ(terminal.shown().find("38;5"), std::string::npos);
+  EXPECT_THAT(terminal.shown(), Not(HasSubstr("38;5")));
   terminal.type("\x03");
   EXPECT_TRUE(terminal.wait_for("\x1b[?1049l"));
 }
@@ -220,7 +224,7 @@ TEST(TerminalView, RecordsALogWithoutATerminal) {
   const auto refused =
       cls::tests::run({cls::tests::cls_binary(), "watch", log, "--view", "terminal"});
   EXPECT_EQ(refused.exit_code, 2);
-  EXPECT_NE(refused.err.find("--cast FILE"), std::string::npos) << refused.err;
+  EXPECT_THAT(refused.err, HasSubstr("--cast FILE")) << refused.err;
   const fs::path cast = folder.path() / "a.cast";
   const auto made = cls::tests::run({cls::tests::cls_binary(), "watch", log, "--cast", cast});
   EXPECT_EQ(made.exit_code, 0) << made.err;

@@ -1,4 +1,5 @@
 // End-to-end tests of the commands that read logs: results, stats, watch, report, convert.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,6 +13,8 @@
 #include "tests/support/temporary_folder.h"
 
 namespace {
+
+using testing::HasSubstr;
 
 namespace fs = std::filesystem;
 using cls::tests::cls_binary;
@@ -47,10 +50,10 @@ TEST(ResultsCommand, ReadsFoldersAndPrintsTables) {
     const CommandResult result =
         cls_run({"results", fixture("gamelog").string(), "--format", format, "--jobs", "2"});
     EXPECT_EQ(result.exit_code, 65) << result.err;  // one of them is truncated
-    EXPECT_NE(result.out.find("HELIOS"), std::string::npos);
-    EXPECT_NE(result.err.find("match-start.rcg.gz: line 312, byte 932854, cycle 234: no end of the "
-                              "match: the log is incomplete"),
-              std::string::npos)
+    EXPECT_THAT(result.out, HasSubstr("HELIOS"));
+    EXPECT_THAT(result.err,
+                HasSubstr("match-start.rcg.gz: line 312, byte 932854, cycle 234: no end of the "
+                          "match: the log is incomplete"))
         << result.err;
   }
 }
@@ -61,8 +64,7 @@ TEST(ResultsCommand, ReportsParseErrorsAndUsesFramesBefore) {
   std::ofstream(path) << read_file(fixture("gamelog/match-start.rcg.gz")).substr(0, 700000);
   const CommandResult result = cls_run({"results", path, "--json"});
   EXPECT_EQ(result.exit_code, 65);
-  EXPECT_NE(result.err.find("cut.rcg: line 239, byte 700000, cycle 169: truncated log"),
-            std::string::npos)
+  EXPECT_THAT(result.err, HasSubstr("cut.rcg: line 239, byte 700000, cycle 169: truncated log"))
       << result.err;
   const json match = json::parse(result.out)["matches"][0];
   EXPECT_EQ(match["left"]["score"], 1);
@@ -87,9 +89,9 @@ TEST(ResultsCommand, ReadsRunningMatchesAndNamesLogsInFull) {
   const CommandResult result = cls_run({"results", folder.path().string()});
   EXPECT_EQ(result.exit_code, 65) << "the other one is truncated";
   EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
-  EXPECT_NE(result.err.find(name + "-2/match.rcg: line"), std::string::npos) << result.err;
-  EXPECT_NE(result.out.find(name + "\n"), std::string::npos) << result.out;
-  EXPECT_NE(result.out.find("running"), std::string::npos) << result.out;
+  EXPECT_THAT(result.err, HasSubstr(name + "-2/match.rcg: line")) << result.err;
+  EXPECT_THAT(result.out, HasSubstr(name + "\n")) << result.out;
+  EXPECT_THAT(result.out, HasSubstr("running")) << result.out;
   fs::remove_all(folder.path() / (name + "-2"));
   EXPECT_EQ(cls_run({"results", folder.path().string()}).exit_code, 0);
 }
@@ -103,9 +105,8 @@ TEST(ResultsCommand, ReportsTruncatedGzipOnce) {
     const CommandResult result = cls_run({"results", path});
     EXPECT_EQ(result.exit_code, 65);
     EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
-    EXPECT_NE(result.err.find("truncated log: gzip data is truncated"), std::string::npos)
-        << result.err;
-    EXPECT_NE(result.out.find("incomplete"), std::string::npos);
+    EXPECT_THAT(result.err, HasSubstr("truncated log: gzip data is truncated")) << result.err;
+    EXPECT_THAT(result.out, HasSubstr("incomplete"));
   }
 }
 
@@ -180,8 +181,9 @@ TEST(WatchCommand, WritesBesideTheLogAndReplacesPagesOnly) {
   std::ofstream(note) << "mine";
   const CommandResult refused = cls_run({"watch", log, "--out", note});
   EXPECT_EQ(refused.exit_code, 73);
-  EXPECT_EQ(refused.err,
-            "cls: " + note + ": exists and is no page of cls; name another file with " + "--out\n");
+  EXPECT_EQ(
+      refused.err,
+      "cls: " + note + ": exists and is not a page of cls; name another file with " + "--out\n");
   EXPECT_EQ(read_file(note), "mine");
 }
 
@@ -210,7 +212,7 @@ TEST(ReportCommand, WritesMarkdownWithImagesAndImagesAlone) {
   EXPECT_EQ(written["files"][0], (folder.path() / "game-report.md").string());
   for (const std::string file : written["files"]) EXPECT_TRUE(fs::exists(file)) << file;
   const std::string text = read_file(folder.path() / "game-report.md");
-  EXPECT_NE(text.find("](game-report-charts/shots.svg)"), std::string::npos);
+  EXPECT_THAT(text, HasSubstr("](game-report-charts/shots.svg)"));
   EXPECT_TRUE(read_file(folder.path() / "game-report-charts/shots.svg").starts_with("<svg "));
   const CommandResult images =
       cls_run({"report", log, "--format", "svg", "--out", folder.path() / "images"});
@@ -252,11 +254,11 @@ TEST(WatchCommand, SaysWhatIsWrong) {
   const CommandResult compact = cls_run({"convert", page, folder.path() / "again.rcg"});
   EXPECT_EQ(compact.exit_code, 65);
   EXPECT_EQ(compact.err,
-            "cls: " + page + ": a compact page, which is no log; write it without --compact\n");
+            "cls: " + page + ": a compact page, which is not a log; write it without --compact\n");
   fs::resize_file(page, fs::file_size(page) - 1000);
   const CommandResult cut = cls_run({"watch", page, "--out", folder.path() / "other.html"});
   EXPECT_EQ(cut.exit_code, 65);
-  EXPECT_NE(cut.err.find("% of the match is there"), std::string::npos) << cut.err;
+  EXPECT_THAT(cut.err, HasSubstr("% of the match is there")) << cut.err;
 }
 
 TEST(ConvertCommand, ConvertsReadableFramesOfCorruptLog) {
@@ -266,7 +268,7 @@ TEST(ConvertCommand, ConvertsReadableFramesOfCorruptLog) {
   std::ofstream(path) << whole.substr(0, 90000);
   const CommandResult result = cls_run({"convert", path, "-", "--to", "5"});
   EXPECT_EQ(result.exit_code, 65);
-  EXPECT_NE(result.err.find("truncated log"), std::string::npos);
+  EXPECT_THAT(result.err, HasSubstr("truncated log"));
   EXPECT_EQ(result.out, whole.substr(0, whole.rfind('\n', 90000) + 1));
 }
 
@@ -316,7 +318,7 @@ TEST(StatsCommand, PrintsTextAndRows) {
   const CommandResult text = cls_run({"stats", log});
   EXPECT_EQ(text.exit_code, 0) << text.err;
   EXPECT_EQ(text.out.substr(0, text.out.find('(')), "HELIOS_L 0:0 HELIOS_R  ");
-  EXPECT_NE(text.out.find("possession (last touch)"), std::string::npos);
+  EXPECT_THAT(text.out, HasSubstr("possession (last touch)"));
   struct Rows {
     const char* format;
     int lines;

@@ -1,4 +1,5 @@
 // End-to-end tests of `cls match`: results, files, exit codes, errors.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <string.h>
@@ -15,6 +16,8 @@
 #include "tests/support/udp_client.h"
 
 namespace {
+
+using testing::HasSubstr;
 
 namespace fs = std::filesystem;
 using cls::tests::cls_binary;
@@ -83,7 +86,7 @@ TEST(MatchCommand, UsesHalfTimeOption) {
       cls::tests::run(match({"mock", "mock", "--half-time", "5", "--seed", "3"}, folder.path()));
   EXPECT_EQ(played.exit_code, 0) << played.err;
   EXPECT_EQ(result_in(folder.path())["cycles"], 100);
-  EXPECT_NE(read_file(folder.path() / "events.jsonl").find("time_over"), std::string::npos);
+  EXPECT_THAT(read_file(folder.path() / "events.jsonl"), HasSubstr("time_over"));
 }
 
 struct UsageError {
@@ -126,7 +129,7 @@ TEST(MatchCommand, ReportsUsageErrorsInOneLine) {
     const CommandResult refused = cls::tests::run(match(error.arguments, target));
     EXPECT_EQ(refused.exit_code, 2) << error.message;
     EXPECT_EQ(refused.out, "") << error.message;
-    EXPECT_NE(refused.err.find(error.message), std::string::npos) << refused.err;
+    EXPECT_THAT(refused.err, HasSubstr(error.message)) << refused.err;
     EXPECT_EQ(lines_in(refused.err), 1) << refused.err;
     EXPECT_FALSE(fs::exists(target)) << "nothing is written after a usage error";
   }
@@ -152,14 +155,14 @@ TEST(MatchCommand, MonitorDoesNotChangeTheMatch) {
   monitor.send("(dispfoul 0 0 1)");
   while (!message.starts_with("(show 5 ") && !(message = monitor.wait()).empty()) {
   }
-  EXPECT_NE(message.find("(tm mock_l mock_r 0 0)"), std::string::npos) << message;
+  EXPECT_THAT(message, HasSubstr("(tm mock_l mock_r 0 0)")) << message;
   cls::tests::UdpClient player(port);
   player.send("(init A (version 18))");
   EXPECT_EQ(player.wait(), "(error unknown_command)");
   const CommandResult played = running.finish();
   EXPECT_EQ(played.exit_code, 0) << played.err;
-  EXPECT_NE(played.err.find("cls: monitors may attach at 127.0.0.1:" + std::to_string(port)),
-            std::string::npos)
+  EXPECT_THAT(played.err,
+              HasSubstr("cls: monitors may attach at 127.0.0.1:" + std::to_string(port)))
       << played.err;
   EXPECT_EQ(read_file(watched.path() / "match.rcg"), read_file(alone.path() / "match.rcg"));
   EXPECT_TRUE(result_in(watched.path())["deterministic"]);
@@ -182,8 +185,8 @@ TEST(MatchCommand, ReportsFolderThatCannotBeCreated) {
       cls::tests::run(match({"mock", "mock"}, folder.path() / "file" / "match"));
   EXPECT_EQ(refused.exit_code, 73);
   EXPECT_EQ(lines_in(refused.err), 1) << refused.err;
-  EXPECT_NE(refused.err.find("cannot create folder"), std::string::npos) << refused.err;
-  EXPECT_NE(refused.err.find("file/match"), std::string::npos) << refused.err;
+  EXPECT_THAT(refused.err, HasSubstr("cannot create folder")) << refused.err;
+  EXPECT_THAT(refused.err, HasSubstr("file/match")) << refused.err;
 }
 
 TEST(MatchCommand, FinishesMatchWhenDiskIsFull) {
@@ -194,7 +197,7 @@ TEST(MatchCommand, FinishesMatchWhenDiskIsFull) {
   }
   const CommandResult played = cls::tests::run({"sh", "-c", line});
   EXPECT_EQ(played.exit_code, 74) << played.err;
-  EXPECT_NE(played.err.find("match.rcg"), std::string::npos) << played.err;
+  EXPECT_THAT(played.err, HasSubstr("match.rcg")) << played.err;
   EXPECT_EQ(result_in(folder.path())["cycles"], 200);
 }
 
@@ -206,7 +209,7 @@ TEST(MatchCommand, ReportsUnreachablePlaymakerAfterStartTimeout) {
   EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10));
   EXPECT_EQ(refused.exit_code, 69);
   EXPECT_EQ(lines_in(refused.err), 1) << refused.err;
-  EXPECT_NE(refused.err.find("127.0.0.1:1"), std::string::npos) << refused.err;
+  EXPECT_THAT(refused.err, HasSubstr("127.0.0.1:1")) << refused.err;
   const json result = result_in(folder.path());
   EXPECT_EQ(result["end_reason"], "refused");
   EXPECT_FALSE(result["valid"]);
@@ -239,7 +242,7 @@ TEST_P(Interrupted, StopsCleanlyAndWritesLogs) {
   EXPECT_GT(result["steps"], 0);
   const std::string game_log = read_file(folder.path() / "match.rcg");
   EXPECT_EQ(game_log.substr(0, 5), "ULG6\n");
-  EXPECT_NE(game_log.find("(result "), std::string::npos) << "the log is complete";
+  EXPECT_THAT(game_log, HasSubstr("(result ")) << "the log is complete";
 }
 
 INSTANTIATE_TEST_SUITE_P(Signals, Interrupted,

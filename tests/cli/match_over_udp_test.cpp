@@ -1,4 +1,5 @@
 // What works in matches over UDP as in lockstep: recordings, debug logs, stepping, speed, monitors.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
@@ -20,6 +21,8 @@ using cls::tests::cls_binary;
 using cls::tests::Command;
 using cls::tests::CommandResult;
 using nlohmann::json;
+using testing::HasSubstr;
+using testing::Not;
 using Arguments = std::vector<std::string>;
 
 class MatchOverUdp : public testing::Test {
@@ -105,18 +108,18 @@ TEST_F(MatchOverUdp, ReportsFailedExpectationsOfMockScripts) {
   const CommandResult played =
       cls::tests::run(match({"mock:hold", "mock:" + script, "--mode", "synch", "--cycles", "5"}));
   EXPECT_EQ(played.exit_code, 0) << played.err;
-  EXPECT_NE(played.err.find("GetTrainerActions"), std::string::npos) << played.err;
+  EXPECT_THAT(played.err, HasSubstr("GetTrainerActions")) << played.err;
 }
 
 TEST_F(MatchOverUdp, StepsThroughCyclesInSynchMode) {
   const CommandResult played = play_with_input(
       "\\n3\\nq\\n", {"mock:hold", "mock:hold", "--mode", "synch", "--at", "10", "--cycles", "30"});
   EXPECT_EQ(played.exit_code, 0) << played.err;
-  EXPECT_NE(played.err.find("cycle 10 "), std::string::npos) << played.err;
-  EXPECT_NE(played.err.find("cycle 11 "), std::string::npos) << played.err;
-  EXPECT_EQ(played.err.find("cycle 12 "), std::string::npos) << played.err;
-  EXPECT_NE(played.err.find("cycle 14 "), std::string::npos) << played.err;
-  EXPECT_EQ(played.err.find("cycle 15 "), std::string::npos) << played.err;
+  EXPECT_THAT(played.err, HasSubstr("cycle 10 ")) << played.err;
+  EXPECT_THAT(played.err, HasSubstr("cycle 11 ")) << played.err;
+  EXPECT_THAT(played.err, Not(HasSubstr("cycle 12 "))) << played.err;
+  EXPECT_THAT(played.err, HasSubstr("cycle 14 ")) << played.err;
+  EXPECT_THAT(played.err, Not(HasSubstr("cycle 15 "))) << played.err;
   EXPECT_EQ(result()["end_reason"], "finished");
   EXPECT_LT(result()["cycles"], 17);
 }
@@ -152,8 +155,7 @@ TEST_F(MatchOverUdp, PrintsWhereMonitorsConnect) {
   EXPECT_TRUE(message.starts_with("(server_param ")) << message;
   const CommandResult played = running.finish();
   EXPECT_EQ(played.exit_code, 0) << played.err;
-  EXPECT_NE(played.err.find("monitors may attach at 127.0.0.1:" + std::to_string(port)),
-            std::string::npos)
+  EXPECT_THAT(played.err, HasSubstr("monitors may attach at 127.0.0.1:" + std::to_string(port)))
       << played.err;
 }
 

@@ -1,4 +1,5 @@
 // `cls mock` as a separate process that matches connect to.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/resource.h>
@@ -16,6 +17,7 @@
 namespace {
 
 using cls::tests::Command;
+using testing::HasSubstr;
 
 TEST(MockCommand, ServesMatchOnFreePortUntilSignal) {
   Command mock({cls::tests::cls_binary(), "mock"});
@@ -58,8 +60,7 @@ TEST(MockCommand, ReportsUnknownBehaviorsAndPortsInUse) {
   const std::string port = line.substr(line.rfind(':') + 1, line.find('\n') - line.rfind(':') - 1);
   const auto taken = cls::tests::run({cls::tests::cls_binary(), "mock", "--port", port});
   EXPECT_EQ(taken.exit_code, 75);
-  EXPECT_NE(taken.err.find("TCP port " + port + " is taken by cls"), std::string::npos)
-      << taken.err;
+  EXPECT_THAT(taken.err, HasSubstr("TCP port " + port + " is taken by cls")) << taken.err;
 }
 
 // Plays cycles of the Playmaker at `address` against a mock that holds.
@@ -100,10 +101,10 @@ cls::tests::CommandResult play_against(std::vector<std::string> flags,
 TEST(MockCommand, MatchReportsProcessFaults) {
   const auto crashed = play_against({"--crash-at-cycle", "10"});
   EXPECT_EQ(crashed.exit_code, 1);
-  EXPECT_NE(crashed.err.find("no usable reply"), std::string::npos) << crashed.err;
+  EXPECT_THAT(crashed.err, HasSubstr("no usable reply")) << crashed.err;
   const auto failing = play_against({"--error", "1", "--status", "DATA_LOSS"});
   EXPECT_EQ(failing.exit_code, 1);
-  EXPECT_NE(failing.err.find("injected error"), std::string::npos) << failing.err;
+  EXPECT_THAT(failing.err, HasSubstr("injected error")) << failing.err;
   const auto dropping = play_against({"--drop", "0.02", "--fault-unum", "4"});
   EXPECT_EQ(dropping.exit_code, 0) << dropping.err;
 }
@@ -115,7 +116,7 @@ TEST(MockCommand, ListensAgainAfterRestart) {
   ASSERT_TRUE(mock.wait_for_output("\n"));
   const auto played = play_at(address_of(mock), {"--max-missed", "1000"});
   EXPECT_EQ(played.exit_code, 0) << played.err;
-  EXPECT_NE(played.err.find("connection to the Playmaker lost"), std::string::npos) << played.err;
+  EXPECT_THAT(played.err, HasSubstr("connection to the Playmaker lost")) << played.err;
   const auto again = play_at(address_of(mock), {}, "5");
   EXPECT_EQ(again.exit_code, 0) << again.err;
 }
@@ -156,8 +157,7 @@ TEST(MockCommand, ReportsFailedExpectationsOfScript) {
       cls::tests::run({cls::tests::cls_binary(), "match", "mock:" + script, "mock:hold", "--cycles",
                        "5", "--set", "server::kick_off_wait=3", "--dir", match.path()});
   EXPECT_EQ(played.exit_code, 0) << played.err;
-  EXPECT_NE(played.err.find("script: expected (line 1): 12 calls of Register, not == 13"),
-            std::string::npos)
+  EXPECT_THAT(played.err, HasSubstr("script: expected (line 1): 12 calls of Register, not == 13"))
       << played.err;
 }
 

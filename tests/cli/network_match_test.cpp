@@ -1,6 +1,7 @@
 // Matches over UDP with external servers and teams that work, and their ends.
 #include "tests/cli/network_match.h"
 
+#include <gmock/gmock.h>
 #include <signal.h>
 
 #include <algorithm>
@@ -10,6 +11,7 @@
 
 namespace {
 
+using testing::HasSubstr;
 using namespace std::chrono_literals;
 using cls::tests::built;
 using cls::tests::Command;
@@ -37,7 +39,7 @@ TEST_F(NetworkMatch, PlaysOnServerProgram) {
     }
   }
   const std::string events = cls::tests::read_file(match_folder() + "/events.jsonl");
-  EXPECT_NE(events.find("\"mode\":\"kick_off_l\""), std::string::npos) << events;
+  EXPECT_THAT(events, HasSubstr("\"mode\":\"kick_off_l\"")) << events;
 }
 
 TEST_F(NetworkMatch, StopsAtRequestedCycle) {
@@ -101,10 +103,9 @@ TEST_F(NetworkMatch, TakesScoreFromPlayersWhenServerCannotWriteItsLog) {
   EXPECT_EQ(server.substr(score, server.find('\n', score) - score),
             "Score: " + result_["left"]["score"].dump() + " - " + result_["right"]["score"].dump());
   const std::string warning = result_["warnings"].back();
-  EXPECT_NE(warning.find("match.rcg ends at cycle "), std::string::npos) << warning;
-  EXPECT_NE(warning.find(" (the soccer server could not write its logs: "), std::string::npos)
-      << warning;
-  EXPECT_NE(warning.find("match.rcg': File too large"), std::string::npos) << warning;
+  EXPECT_THAT(warning, HasSubstr("match.rcg ends at cycle ")) << warning;
+  EXPECT_THAT(warning, HasSubstr(" (the soccer server could not write its logs: ")) << warning;
+  EXPECT_THAT(warning, HasSubstr("match.rcg': File too large")) << warning;
 }
 
 TEST_F(NetworkMatch, KnowsNoResultOfExternalTeamsWhenServerCannotWriteItsLog) {
@@ -146,8 +147,8 @@ TEST_F(NetworkMatch, StartsAgentsInSequence) {
   ASSERT_EQ(result_["processes"].size(), 14U);
   EXPECT_EQ(result_["processes"][13]["name"], "right kill script");
   EXPECT_EQ(result_["processes"][7]["name"], "right player 7");
-  EXPECT_NE(result_["processes"][7]["command"].get<std::string>().find("/start 127.0.0.1 "),
-            std::string::npos);
+  EXPECT_THAT(result_["processes"][7]["command"].get<std::string>(),
+              HasSubstr("/start 127.0.0.1 "));
   EXPECT_TRUE(std::filesystem::exists(folder_.path() / "team/killed"));
 }
 
@@ -158,7 +159,7 @@ TEST_F(NetworkMatch, ReportsOwnerOfPortInUse) {
   if (!owner.wait_for_output("bound")) GTEST_SKIP() << "port 6001 is in use by another process";
   play("team:" + (folder_.path() / "team").string(), server(""));
   expect_end("refused", 75, "UDP port 600");
-  EXPECT_NE(played_.err.find("is taken by "), std::string::npos) << played_.err;
+  EXPECT_THAT(played_.err, HasSubstr("is taken by ")) << played_.err;
 }
 
 TEST_F(NetworkMatch, DryRunPrintsCommands) {
@@ -168,7 +169,7 @@ TEST_F(NetworkMatch, DryRunPrintsCommands) {
   for (const char* part :
        {"# soccer server\ncd ", "RCSS_CONF_DIR=", "server::synch_mode=on",
         "# left Playmaker: mock:hold\n", "# right team", " && env -i ", "/start.sh -h "}) {
-    EXPECT_NE(printed.out.find(part), std::string::npos) << part << " in\n" << printed.out;
+    EXPECT_THAT(printed.out, HasSubstr(part)) << part << " in\n" << printed.out;
   }
   EXPECT_FALSE(std::filesystem::exists(match_folder()));
 }
@@ -245,17 +246,16 @@ TEST(MatchOptions, RejectsSettingsOfRunningServer) {
   const auto answer = cls::tests::run({cls::tests::cls_binary(), "match", "mock", "team:x",
                                        "--half-time", "3", "--server", "localhost:6000"});
   EXPECT_EQ(answer.exit_code, 2);
-  EXPECT_NE(answer.err.find("the server at localhost:6000 has settings of its own"),
-            std::string::npos);
-  EXPECT_NE(answer.err.find("side 'team:x' requires a server started by cls"), std::string::npos);
+  EXPECT_THAT(answer.err, HasSubstr("the server at localhost:6000 has settings of its own"));
+  EXPECT_THAT(answer.err, HasSubstr("side 'team:x' requires a server started by cls"));
 }
 
 TEST(MatchOptions, LockstepRejectsExternalServerAndTeam) {
   const auto answer = cls::tests::run({cls::tests::cls_binary(), "match", "mock", "team:x",
                                        "--mode", "lockstep", "--server", "rcssserver"});
   EXPECT_EQ(answer.exit_code, 2);
-  EXPECT_NE(answer.err.find("--mode lockstep needs the embedded server"), std::string::npos);
-  EXPECT_NE(answer.err.find("--mode lockstep does not support side 'team:x'"), std::string::npos);
+  EXPECT_THAT(answer.err, HasSubstr("--mode lockstep needs the embedded server"));
+  EXPECT_THAT(answer.err, HasSubstr("--mode lockstep does not support side 'team:x'"));
 }
 
 }  // namespace

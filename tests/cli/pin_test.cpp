@@ -1,4 +1,5 @@
 // `--pin`: programs and agents of each side run on its half of the processor cores.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sched.h>
 #include <signal.h>
@@ -21,6 +22,8 @@
 #include "tests/support/temporary_folder.h"
 
 namespace {
+
+using testing::HasSubstr;
 
 namespace fs = std::filesystem;
 using namespace std::chrono_literals;
@@ -144,7 +147,7 @@ TEST_F(Pin, DryRunPrintsPinnedCommands) {
   const auto printed = cls::tests::run(match(playmaker(), playmaker(), {"--dry-run"}));
   EXPECT_EQ(printed.exit_code, 0) << printed.err;
   for (const Processors& half : halves_) {
-    EXPECT_NE(printed.out.find("taskset -c " + std::to_string(half.front())), std::string::npos)
+    EXPECT_THAT(printed.out, HasSubstr("taskset -c " + std::to_string(half.front())))
         << printed.out;
   }
 }
@@ -158,8 +161,7 @@ TEST(PinOnOneProcessor, ReportsError) {
       cls::tests::run({cls::tests::cls_binary(), "match", "mock", "mock", "--pin", "--dry-run"});
   ASSERT_EQ(::sched_setaffinity(0, sizeof before, &before), 0);
   EXPECT_EQ(answer.exit_code, 2);
-  EXPECT_NE(answer.err.find("--pin: only one processor core is available"), std::string::npos)
-      << answer.err;
+  EXPECT_THAT(answer.err, HasSubstr("--pin: only one processor core is available")) << answer.err;
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
 // What a user learns of a Playmaker that fails, or whose actions have no effect.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -16,6 +17,7 @@ namespace {
 using cls::tests::cls_binary;
 using cls::tests::CommandResult;
 using nlohmann::json;
+using testing::HasSubstr;
 using Arguments = std::vector<std::string>;
 
 /// Matches of `mock:hold` (left) against a script (right).
@@ -53,11 +55,11 @@ class PlaymakerErrors : public testing::Test {
 
   std::string warnings() const { return result_["warnings"].dump(); }
   void expect_printed(const std::string& text) const {
-    EXPECT_NE(played_.out.find(text), std::string::npos) << played_.out;
+    EXPECT_THAT(played_.out, HasSubstr(text)) << played_.out;
   }
   void expect_warning(const std::string& text) const {
-    EXPECT_NE(warnings().find(text), std::string::npos) << warnings();
-    EXPECT_NE(played_.err.find(text), std::string::npos) << played_.err;
+    EXPECT_THAT(warnings(), HasSubstr(text)) << warnings();
+    EXPECT_THAT(played_.err, HasSubstr(text)) << played_.err;
   }
 
   cls::tests::TemporaryFolder folder_;
@@ -98,16 +100,15 @@ TEST_F(PlaymakerErrors, ReplaysStateOfFirstError) {
   play(failing);
   const CommandResult again = replay("match/right-error.rpc", failing);
   EXPECT_EQ(again.exit_code, 1) << again.out << again.err;
-  EXPECT_NE(again.out.find("cycle 5 (step 1), player 9, GetPlayerActions:\n"
-                           "    fails as when recorded: GetPlayerActions: my brain hurts\n"),
-            std::string::npos)
+  EXPECT_THAT(again.out,
+              HasSubstr("cycle 5 (step 1), player 9, GetPlayerActions:\n"
+                        "    fails as when recorded: GetPlayerActions: my brain hurts\n"))
       << again.out;
   const CommandResult fixed = replay("match/right-error.rpc", "mock:hold");
   EXPECT_EQ(fixed.exit_code, 0) << fixed.out << fixed.err;
-  EXPECT_NE(fixed.out.find(", 0 different, 1 skipped\n"
-                           "(no reply to compare with was recorded; now 1 with a reply, 0 "
-                           "without)\n"),
-            std::string::npos)
+  EXPECT_THAT(fixed.out, HasSubstr(", 0 different, 1 skipped\n"
+                                   "(no reply to compare with was recorded; now 1 with a reply, 0 "
+                                   "without)\n"))
       << fixed.out;
 }
 
@@ -182,7 +183,7 @@ TEST_F(PlaymakerErrors, WarnsOfNumbersThatAreNotFinite) {
 
 TEST_F(PlaymakerErrors, WarnsOfUselessReplies) {
   play(script("empty", R"({"rules": [{"reply": {"ignore_preprocess": true}}]})"));
-  expect_warning(" replies had no action that could be executed, ");
+  expect_warning(" replies had no executable action (");
   EXPECT_EQ(result_["right"]["players"][0]["replies"]["empty"],
             result_["right"]["players"][0]["replies"]["tried"]);
   play(script("no_ball", R"({"rules": [{"reply": {"ignore_preprocess": true, "actions": [

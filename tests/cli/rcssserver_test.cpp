@@ -1,4 +1,5 @@
 // cls teams on rcssserver: from PATH or CLS_RCSSSERVER; skipped if not installed.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <signal.h>
 
@@ -21,6 +22,8 @@ using cls::tests::cls_binary;
 using cls::tests::Command;
 using cls::tests::rcssserver_program;
 using cls::tests::TemporaryFolder;
+using testing::HasSubstr;
+using testing::Not;
 
 /// rcssserver with two teams of `cls proxy` and one `cls mock`.
 class Rcssserver : public testing::Test {
@@ -84,14 +87,14 @@ TEST_F(Rcssserver, PlaysInSynchronousModeWithoutAMissedCycle) {
   Command right(team("Blues", port, rpc_port));
   const auto served = server->finish();
   EXPECT_EQ(served.exit_code, 0) << served.err;
-  EXPECT_EQ(served.err.find("missed a cycle"), std::string::npos) << served.err;
-  EXPECT_NE(served.out.find("'Reds' vs 'Blues'"), std::string::npos) << served.out;
+  EXPECT_THAT(served.err, Not(HasSubstr("missed a cycle"))) << served.err;
+  EXPECT_THAT(served.out, HasSubstr("'Reds' vs 'Blues'")) << served.out;
   for (Command* each : {&left, &right}) {
     const auto played = each->finish();
     EXPECT_EQ(played.exit_code, 0) << played.err;
     EXPECT_EQ(played.err, "");
-    EXPECT_NE(played.out.find(" at cycle 200;"), std::string::npos) << played.out;
-    EXPECT_NE(played.out.find(" 0 missed, 0 undecided cycles, 0 late commands"), std::string::npos)
+    EXPECT_THAT(played.out, HasSubstr(" at cycle 200;")) << played.out;
+    EXPECT_THAT(played.out, HasSubstr(" 0 missed, 0 undecided cycles, 0 late commands"))
         << played.out;
   }
 }
@@ -115,9 +118,8 @@ TEST_F(Rcssserver, IsStartedAndStoppedByMatch) {
   EXPECT_EQ(result["processes"][0]["exit"], "exit code 0");
   // The server prints its random seed in a separate line.
   const std::string log = cls::tests::read_file(folder + "/server.log");
-  EXPECT_NE(log.find("Simulator Random Seed: " + result["server"]["seed"].dump()),
-            std::string::npos);
-  EXPECT_NE(log.find(folder + "/server-conf/server.conf"), std::string::npos);
+  EXPECT_THAT(log, HasSubstr("Simulator Random Seed: " + result["server"]["seed"].dump()));
+  EXPECT_THAT(log, HasSubstr(folder + "/server-conf/server.conf"));
 }
 
 // By default it reads ~/.rcssserver and renames old configuration files there.

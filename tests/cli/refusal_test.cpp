@@ -1,4 +1,5 @@
 // Matches and programs that cannot start: taken ports, and programs that are no Playmaker.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <netinet/in.h>
 #include <sys/socket.h>
@@ -21,6 +22,8 @@ namespace {
 using cls::tests::cls_binary;
 using cls::tests::CommandResult;
 using cls::tests::TemporaryFolder;
+using testing::HasSubstr;
+using testing::Not;
 
 // A port of this process on loopback; for TCP it replies with `answer` to each connection.
 class TakenPort {
@@ -76,9 +79,9 @@ std::string this_process() { return "(process " + std::to_string(::getpid()) + "
 
 void expect_taken(const CommandResult& result, const TakenPort& port, const char* protocol) {
   EXPECT_EQ(result.exit_code, 75) << result.err;
-  EXPECT_NE(result.err.find(port.owner(protocol)), std::string::npos) << result.err;
-  EXPECT_NE(result.err.find(this_process()), std::string::npos) << result.err;
-  EXPECT_EQ(result.err.find("chttp2"), std::string::npos) << result.err;
+  EXPECT_THAT(result.err, HasSubstr(port.owner(protocol))) << result.err;
+  EXPECT_THAT(result.err, HasSubstr(this_process())) << result.err;
+  EXPECT_THAT(result.err, Not(HasSubstr("chttp2"))) << result.err;
   EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
 }
 
@@ -112,14 +115,13 @@ TEST(Refusals, SayThatAnHttpServerAnswers) {
       {cls_binary(), "match", "mock", "127.0.0.1:" + port.number(), "--dir", match});
   EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10));
   EXPECT_EQ(result.exit_code, 69);
-  EXPECT_NE(result.err.find("an HTTP server answers at 127.0.0.1:" + port.number() +
-                            ", it does not speak gRPC"),
-            std::string::npos)
+  EXPECT_THAT(result.err, HasSubstr("an HTTP server answers at 127.0.0.1:" + port.number() +
+                                    ", it does not speak gRPC"))
       << result.err;
   // No figures, no score and no logs of a match that did not begin.
-  EXPECT_EQ(result.out.find(" 0 : 0 "), std::string::npos) << result.out;
-  EXPECT_EQ(result.out.find("decisions"), std::string::npos) << result.out;
-  EXPECT_NE(result.out.find("invalid match: refused"), std::string::npos) << result.out;
+  EXPECT_THAT(result.out, Not(HasSubstr(" 0 : 0 "))) << result.out;
+  EXPECT_THAT(result.out, Not(HasSubstr("decisions"))) << result.out;
+  EXPECT_THAT(result.out, HasSubstr("invalid match: refused")) << result.out;
   EXPECT_FALSE(std::filesystem::exists(match / "match.rcg"));
   EXPECT_FALSE(std::filesystem::exists(match / "match.rcl"));
   const auto document = nlohmann::json::parse(cls::tests::read_file(match / "result.json"));
@@ -133,7 +135,7 @@ TEST(Refusals, SayThatNothingListens) {
       cls::tests::run({cls_binary(), "match", "127.0.0.1:9", "mock", "--start-timeout", "1",
                        "--dir", folder.path() / "match"});
   EXPECT_EQ(result.exit_code, 69);
-  EXPECT_NE(result.err.find("nothing listens at 127.0.0.1:9"), std::string::npos) << result.err;
+  EXPECT_THAT(result.err, HasSubstr("nothing listens at 127.0.0.1:9")) << result.err;
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 // Full matches with a faulty Playmaker: the match continues, the result reports the fault, and the
 // other side is unaffected. Each fault in lockstep and over UDP.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -25,6 +26,7 @@ using cls::tests::CommandResult;
 using cls::tests::GameService;
 using cls::tests::PlaymakerServer;
 using nlohmann::json;
+using testing::HasSubstr;
 using Arguments = std::vector<std::string>;
 
 /// `cls mock hold` with faults, as a separate process.
@@ -143,8 +145,8 @@ TEST_P(RpcFault, SlowRepliesChangeOnlyPercentiles) {
     EXPECT_GE(us["p99"], us["p95"]);
     EXPECT_GE(us["max"], us["p99"]);
   }
-  EXPECT_NE(played.command.out.find("rpc p50 / p95"), std::string::npos) << played.command.out;
-  EXPECT_NE(played.command.out.find("rpc worst p99 / max"), std::string::npos);
+  EXPECT_THAT(played.command.out, HasSubstr("rpc p50 / p95")) << played.command.out;
+  EXPECT_THAT(played.command.out, HasSubstr("rpc worst p99 / max"));
 }
 
 TEST_P(RpcFault, EndsAsLateWithoutReplies) {
@@ -162,7 +164,7 @@ TEST_P(RpcFault, EndsAsLateWhenPlaymakerHangs) {
       play_mock({"--hang-at-cycle", "15"}, {"--rpc-deadline", "400", "--max-missed", "2"});
   expect_invalid(played, "late");
   EXPECT_GE(played.missed_by("deadline"), 3);
-  EXPECT_NE(played.command.err.find("had no usable reply for 3 cycles"), std::string::npos)
+  EXPECT_THAT(played.command.err, HasSubstr("had no usable reply for 3 cycles"))
       << played.command.err;
 }
 
@@ -172,7 +174,7 @@ TEST_P(RpcFault, RegistersPlayersAgainAfterPlaymakerRestart) {
   expect_finished(played);
   EXPECT_EQ(played.total("reconnects"), 11);
   EXPECT_EQ(played.total("late"), 0);
-  EXPECT_NE(played.warnings().find("connection to the Playmaker lost"), std::string::npos)
+  EXPECT_THAT(played.warnings(), HasSubstr("connection to the Playmaker lost"))
       << played.warnings();
   EXPECT_FALSE(played.result["deterministic"]);
 }
@@ -227,8 +229,7 @@ TEST_P(RpcFault, AssumesFirstInterfaceWithoutRegister) {
   const Played played = play_mock({"--unimplemented", "Register,SendByeCommand"});
   expect_finished(played);
   EXPECT_EQ(played.total("missed"), 0);
-  EXPECT_NE(played.warnings().find("does not implement Register"), std::string::npos)
-      << played.warnings();
+  EXPECT_THAT(played.warnings(), HasSubstr("does not implement Register")) << played.warnings();
 }
 
 TEST_P(RpcFault, AcceptsPlaymakerWithOnlyDecisions) {
@@ -254,8 +255,7 @@ TEST_P(RpcFault, CountsReplyOfFiveMegabytesAsMissed) {
   expect_finished(played);
   EXPECT_EQ(played.player(5)["missed_by"], json({{"protocol error", 2}}));
   EXPECT_EQ(played.total("missed"), 2);
-  EXPECT_NE(played.warnings().find("bytes, more than the 1048576 that cls accepts"),
-            std::string::npos)
+  EXPECT_THAT(played.warnings(), HasSubstr("bytes, more than the 1048576 that cls accepts"))
       << played.warnings();
 }
 
@@ -263,7 +263,7 @@ TEST_P(RpcFault, ReportsDuplicateClientIds) {
   const Played played = play_mock({"--wrong-client-id"});
   expect_finished(played);
   EXPECT_EQ(played.total("missed"), 0);
-  EXPECT_NE(played.warnings().find("the same client_id 1"), std::string::npos) << played.warnings();
+  EXPECT_THAT(played.warnings(), HasSubstr("the same client_id 1")) << played.warnings();
 }
 
 TEST_P(RpcFault, OnLateSelectsSubstituteCommands) {

@@ -1,4 +1,5 @@
 // External teams in their sandbox: what they can use, and what happens where there is none.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
@@ -17,6 +18,9 @@
 
 namespace cls::tests {
 namespace {
+
+using testing::HasSubstr;
+using testing::Not;
 
 namespace fs = std::filesystem;
 using Words = std::vector<std::string>;
@@ -79,7 +83,7 @@ TEST_F(Sandbox, ClosesResultsAndTheOtherTeam) {
   EXPECT_EQ(played.exit_code, 0) << played.err;
   EXPECT_EQ(played.err, "");
   for (const char* name : {"rivals", "change", "results", "manifest", "beside"}) {
-    EXPECT_NE(probe(name).find("closed\n"), std::string::npos) << name << ": " << probe(name);
+    EXPECT_THAT(probe(name), HasSubstr("closed\n")) << name << ": " << probe(name);
   }
   EXPECT_EQ(read_file(path("rivals/secret")), "our tactics\n");
   EXPECT_FALSE(nlohmann::json::parse(read_file(path("match/manifest.json"))).empty());
@@ -97,10 +101,10 @@ TEST_F(Sandbox, PassesNoSecretsOfTheEnvironment) {
   const CommandResult played = play({}, {}, environment);
   EXPECT_EQ(played.exit_code, 0) << played.err;
   const std::string variables = probe("variables");
-  EXPECT_EQ(variables.find("hunter2"), std::string::npos) << variables;
-  EXPECT_EQ(variables.find("CLS_"), std::string::npos) << variables;
+  EXPECT_THAT(variables, Not(HasSubstr("hunter2"))) << variables;
+  EXPECT_THAT(variables, Not(HasSubstr("CLS_"))) << variables;
   for (const char* name : {"PATH=", "TMPDIR=", "LC_ALL=C\n"}) {
-    EXPECT_NE(variables.find(name), std::string::npos) << name << " in " << variables;
+    EXPECT_THAT(variables, HasSubstr(name)) << name << " in " << variables;
   }
 }
 
@@ -108,7 +112,7 @@ TEST_F(Sandbox, CanBeTurnedOff) {
   add_team("guests", "cat ../rivals/secret > rivals; env > variables");
   const CommandResult played = play({"--no-sandbox"}, {}, {"API_TOKEN=hunter2"});
   EXPECT_EQ(played.exit_code, 0) << played.err;
-  EXPECT_NE(probe("variables").find("API_TOKEN=hunter2\n"), std::string::npos);
+  EXPECT_THAT(probe("variables"), HasSubstr("API_TOKEN=hunter2\n"));
   EXPECT_EQ(probe("rivals"), "our tactics\n");
 }
 
@@ -156,11 +160,11 @@ TEST_F(Sandbox, IsNamedWhenATeamMissesAFile) {
   add_team("guests", "cat ../rivals/secret || exit 3");
   const CommandResult played = play();
   EXPECT_EQ(played.exit_code, 69);
-  EXPECT_NE(played.err.find("exit code 3; it runs in a sandbox: if it needs files outside of " +
-                            fs::canonical(path("guests")).string() +
-                            " or variables of your environment, copy them there or use "
-                            "--no-sandbox"),
-            std::string::npos)
+  EXPECT_THAT(played.err,
+              HasSubstr("exit code 3; it runs in a sandbox: if it needs files outside of " +
+                        fs::canonical(path("guests")).string() +
+                        " or variables of your environment, copy them there or use "
+                        "--no-sandbox"))
       << played.err;
 }
 

@@ -1,4 +1,5 @@
 // `cls server`, two teams of `cls proxy` and `cls mock`, each a separate process.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <signal.h>
 
@@ -20,6 +21,8 @@ namespace {
 using cls::tests::cls_binary;
 using cls::tests::Command;
 using cls::tests::run;
+using testing::HasSubstr;
+using testing::Not;
 
 // Ignore the user's ~/.rcssserver.
 const int kNoUserConfiguration = setenv("RCSS_CONF_DIR", "/nonexistent", 1);
@@ -56,21 +59,21 @@ TEST(ServerCommand, ServesTwoProxyTeams) {
   Command right(blues);
   const auto served = server.finish();
   EXPECT_EQ(served.exit_code, 0) << served.err;
-  EXPECT_NE(served.out.find("\n100 cycles, 0 of them missed"), std::string::npos) << served.out;
-  EXPECT_NE(served.out.find("Simulator Random Seed: 7\n"), std::string::npos) << served.out;
-  EXPECT_NE(served.out.find("A new (v18) player (Reds 1) connected.\n"), std::string::npos);
-  EXPECT_NE(served.out.find("A new (v18) player (Blues 11) connected.\n"), std::string::npos);
-  EXPECT_NE(served.out.find("Game Over. Exiting...\n"), std::string::npos) << served.out;
+  EXPECT_THAT(served.out, HasSubstr("\n100 cycles, 0 of them missed")) << served.out;
+  EXPECT_THAT(served.out, HasSubstr("Simulator Random Seed: 7\n")) << served.out;
+  EXPECT_THAT(served.out, HasSubstr("A new (v18) player (Reds 1) connected.\n"));
+  EXPECT_THAT(served.out, HasSubstr("A new (v18) player (Blues 11) connected.\n"));
+  EXPECT_THAT(served.out, HasSubstr("Game Over. Exiting...\n")) << served.out;
   for (const char* line :
        {"\nWaiting for players to connect\n", "\nWaiting to kick off\n", "\nKick_off_left\n"}) {
-    EXPECT_NE(served.out.find(line), std::string::npos) << line << served.out;
+    EXPECT_THAT(served.out, HasSubstr(line)) << line << served.out;
   }
   for (Command* team : {&left, &right}) {
     const auto played = team->finish();
     EXPECT_EQ(played.exit_code, 0) << played.err;
-    EXPECT_EQ(played.err.find("stopped responding"), std::string::npos) << played.err;
-    EXPECT_NE(played.out.find(" at cycle 100; "), std::string::npos) << played.out;
-    EXPECT_NE(played.out.find(" 0 missed, 0 undecided cycles, 0 late commands"), std::string::npos)
+    EXPECT_THAT(played.err, Not(HasSubstr("stopped responding"))) << played.err;
+    EXPECT_THAT(played.out, HasSubstr(" at cycle 100; ")) << played.out;
+    EXPECT_THAT(played.out, HasSubstr(" 0 missed, 0 undecided cycles, 0 late commands"))
         << played.out << played.err;
   }
   const auto document = nlohmann::json::parse(cls::tests::read_file(result));
@@ -83,8 +86,8 @@ TEST(ServerCommand, ServesTwoProxyTeams) {
     EXPECT_GT(player["rpc_us"]["p50"], 0);
   }
   const std::string log = cls::tests::read_file(std::filesystem::path(folder.path()) / "match.rcg");
-  EXPECT_NE(log.find("Reds"), std::string::npos);
-  EXPECT_NE(log.find("Blues"), std::string::npos);
+  EXPECT_THAT(log, HasSubstr("Reds"));
+  EXPECT_THAT(log, HasSubstr("Blues"));
 }
 
 TEST(ServerCommand, ProxyRefusesPlaymakerWithoutRequiredTeamService) {
@@ -96,7 +99,7 @@ TEST(ServerCommand, ProxyRefusesPlaymakerWithoutRequiredTeamService) {
   const auto refused = run({cls_binary(), "proxy", "-p", port, "--rpc-port", rpc_port, "-h",
                             "127.0.0.1", "-C", "--batch", "always"});
   EXPECT_EQ(refused.exit_code, 69) << refused.err;
-  EXPECT_NE(refused.err.find("does not implement TeamPlaymaker"), std::string::npos) << refused.err;
+  EXPECT_THAT(refused.err, HasSubstr("does not implement TeamPlaymaker")) << refused.err;
   EXPECT_EQ(run({cls_binary(), "proxy", "--rpc-port-step", "--batch", "always"}).exit_code, 2);
 }
 
@@ -111,15 +114,15 @@ cls::tests::CommandResult end_server_by(int signal) {
 TEST(ServerCommand, PrintsResultAfterSignal) {
   const auto served = end_server_by(SIGTERM);
   EXPECT_EQ(served.exit_code, 143);
-  EXPECT_NE(served.out.find("\nServer Killed. Exiting...\n"), std::string::npos) << served.out;
-  EXPECT_NE(served.out.find("\tnull vs null\n\tScore: 0 - 0\n"), std::string::npos) << served.out;
-  EXPECT_NE(served.out.find("; step lateness: mean "), std::string::npos) << served.out;
+  EXPECT_THAT(served.out, HasSubstr("\nServer Killed. Exiting...\n")) << served.out;
+  EXPECT_THAT(served.out, HasSubstr("\tnull vs null\n\tScore: 0 - 0\n")) << served.out;
+  EXPECT_THAT(served.out, HasSubstr("; step lateness: mean ")) << served.out;
 }
 
 TEST(ServerCommand, StopsCleanlyOnSighup) {
   const auto served = end_server_by(SIGHUP);
   EXPECT_EQ(served.exit_code, 130);
-  EXPECT_NE(served.out.find("\nServer Killed. Exiting...\n"), std::string::npos) << served.out;
+  EXPECT_THAT(served.out, HasSubstr("\nServer Killed. Exiting...\n")) << served.out;
 }
 
 TEST(ServerCommand, SendsRequestedPorts) {
@@ -133,7 +136,7 @@ TEST(ServerCommand, SendsRequestedPorts) {
   for (const std::string& document :
        {"(port " + std::to_string(port) + ')', "(coach_port " + std::to_string(port + 1) + ')',
         "(olcoach_port " + std::to_string(port + 2) + ')'}) {
-    EXPECT_NE(log.find(document), std::string::npos) << document;
+    EXPECT_THAT(log, HasSubstr(document)) << document;
   }
 }
 
@@ -148,7 +151,7 @@ TEST(ServerCommand, RejectsUnsupportedSettings) {
   for (const auto& [setting, reason] : wishes) {
     const auto refused = run({cls_binary(), "server", "--port", "0", setting});
     EXPECT_EQ(refused.exit_code, 2) << setting;
-    EXPECT_NE(refused.err.find(reason), std::string::npos) << refused.err;
+    EXPECT_THAT(refused.err, HasSubstr(reason)) << refused.err;
     EXPECT_EQ(std::count(refused.err.begin(), refused.err.end(), '\n'), 1) << refused.err;
   }
 }
@@ -180,10 +183,9 @@ TEST(ServerCommand, WritesLogsAndCsvToRcssserverPaths) {
   const auto served = server.finish();
   EXPECT_EQ(served.exit_code, 143) << served.err;
   EXPECT_TRUE(std::filesystem::exists(here / "null-vs-null.rcg")) << served.out;
-  EXPECT_NE(cls::tests::read_file(here / "table.csv").find(", NULL, NULL, NULL, NULL, 0, 0, "),
-            std::string::npos);
-  EXPECT_NE(served.out.find("configuration: " + (here / "server.conf").string()),
-            std::string::npos);
+  EXPECT_THAT(cls::tests::read_file(here / "table.csv"),
+              HasSubstr(", NULL, NULL, NULL, NULL, 0, 0, "));
+  EXPECT_THAT(served.out, HasSubstr("configuration: " + (here / "server.conf").string()));
 }
 
 TEST(ServerCommand, ReportsErrorsInConfigurationFile) {
@@ -204,7 +206,7 @@ TEST(ServerCommand, ReportsPortInUse) {
   const std::string port = port_in(server);
   const auto taken = run({cls_binary(), "server", "--port", port, "--dir", folder.path()});
   EXPECT_EQ(taken.exit_code, 75);
-  EXPECT_NE(taken.err.find("UDP port " + port + " is taken by"), std::string::npos) << taken.err;
+  EXPECT_THAT(taken.err, HasSubstr("UDP port " + port + " is taken by")) << taken.err;
 }
 
 TEST(ProxyCommand, ReportsUnreachableServer) {
@@ -216,8 +218,7 @@ TEST(ProxyCommand, ReportsUnreachableServer) {
   }
   const auto alone = run({cls_binary(), "proxy", "-p", port, "--start-timeout", "0.5"});
   EXPECT_EQ(alone.exit_code, 69);
-  EXPECT_NE(alone.err.find("no soccer server answers at localhost:" + port), std::string::npos)
-      << alone.err;
+  EXPECT_THAT(alone.err, HasSubstr("no soccer server answers at localhost:" + port)) << alone.err;
 }
 
 TEST(ProxyCommand, ReportsUnreachablePlaymaker) {
@@ -227,7 +228,7 @@ TEST(ProxyCommand, ReportsUnreachablePlaymaker) {
   const auto alone = run(
       {cls_binary(), "proxy", "-p", port, "-t", "Reds", "--rpc-port", "1", "--start-timeout", "1"});
   EXPECT_EQ(alone.exit_code, 69);
-  EXPECT_NE(alone.err.find("localhost:1"), std::string::npos) << alone.err;
+  EXPECT_THAT(alone.err, HasSubstr("localhost:1")) << alone.err;
 }
 
 TEST(ProxyCommand, AcceptsOptionsOfUpstreamStartScript) {
@@ -280,8 +281,7 @@ TEST(ProxyCommand, AcceptsOptionsOfUpstreamStartScript) {
   const auto ended = proxy.finish();
   EXPECT_EQ(ended.exit_code, 69) << ended.err;
   for (const char* option : {"--offline-logging", "--debug", "--team-graphic", "--log-dir"}) {
-    EXPECT_NE(ended.err.find("cls: warning: " + std::string(option) + " has no effect\n"),
-              std::string::npos)
+    EXPECT_THAT(ended.err, HasSubstr("cls: warning: " + std::string(option) + " has no effect\n"))
         << ended.err;
   }
   // The warnings, the reason, and where to read on.
@@ -295,8 +295,7 @@ TEST(ProxyCommand, ReportsUsageErrors) {
   EXPECT_EQ(run({cls_binary(), "proxy", "--rpc-prot", "1"}).exit_code, 2);
   const auto formation = run({cls_binary(), "proxy", "--formation", "no/such/folder"});
   EXPECT_EQ(formation.exit_code, 2);
-  EXPECT_NE(formation.err.find("no/such/folder: no such folder"), std::string::npos)
-      << formation.err;
+  EXPECT_THAT(formation.err, HasSubstr("no/such/folder: no such folder")) << formation.err;
   EXPECT_EQ(run({cls_binary(), "proxy", "--debug-log", "no/such/folder"}).exit_code, 2);
 }
 

@@ -1,8 +1,11 @@
 // Matches on external servers with each kind of fault.
 #include "tests/cli/network_match.h"
 
+#include <gmock/gmock.h>
+
 namespace {
 
+using testing::HasSubstr;
 using namespace std::chrono_literals;
 using cls::tests::built;
 using ServerFault = cls::tests::NetworkMatch;
@@ -70,7 +73,7 @@ TEST_F(ServerFault, KillsServerThatIgnoresSigterm) {
   EXPECT_EQ(played_.exit_code, 74) << played_.err;
   EXPECT_EQ(result_["end_reason"], "finished");
   EXPECT_EQ(result_["cycles"], 9);
-  EXPECT_NE(played_.err.find("match.rcg ends at cycle "), std::string::npos) << played_.err;
+  EXPECT_THAT(played_.err, HasSubstr("match.rcg ends at cycle ")) << played_.err;
   EXPECT_EQ(result_["processes"][0]["exit"], "ended by cls (killed by SIGKILL)");
 }
 
@@ -110,8 +113,7 @@ TEST_F(ServerFault, WarnsWhenLogAndPlayersDisagreeOnScore) {
   expect_finished();
   EXPECT_EQ(result_["left"]["score"], 7);
   EXPECT_EQ(result_["right"]["score"], 8);
-  EXPECT_NE(played_.err.find("the log says 7 : 8, but the players of hold counted "),
-            std::string::npos)
+  EXPECT_THAT(played_.err, HasSubstr("the log says 7 : 8, but the players of hold counted "))
       << played_.err;
 }
 
@@ -120,8 +122,7 @@ TEST_F(ServerFault, TakesScoreFromPlayersWithoutLog) {
   expect_finished();
   EXPECT_EQ(result_["cycles"], 40);
   EXPECT_TRUE(result_["log_files"]["rcg"].is_null());
-  EXPECT_NE(played_.err.find("score and cycles are those that the cls agents heard: "),
-            std::string::npos)
+  EXPECT_THAT(played_.err, HasSubstr("score and cycles are those that the cls agents heard: "))
       << played_.err;
 }
 

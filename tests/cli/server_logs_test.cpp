@@ -1,4 +1,5 @@
 // Compares the logs of `cls server` with those of rcssserver for the same match, cycle by cycle.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <signal.h>
 
@@ -18,6 +19,8 @@
 
 namespace cls::tests {
 namespace {
+
+using testing::HasSubstr;
 
 namespace fs = std::filesystem;
 
@@ -213,7 +216,7 @@ TEST(GameLogMessages, ContainCommandsAndRefereeMessages) {
        {"(msg 0 2 \"Recv A_1: (init A (version 18))\")\n", "(msg 0 1 \"(referee kick_off_l)\")\n",
         "2 \"Recv Coach: (start)\")\n", "2 \"Recv B_1: (pointto 10 20)(attentionto opp 1)\")\n",
         "1 \"((player A 1) hi)\")\n", "1 \"(referee (hello there))\")\n"}) {
-    EXPECT_NE(log.find(line), std::string::npos) << line;
+    EXPECT_THAT(log, HasSubstr(line)) << line;
   }
 }
 

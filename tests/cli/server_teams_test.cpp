@@ -1,4 +1,5 @@
 // Teams started by `cls server`: server::team_l_start and team_r_start.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <signal.h>
 
@@ -15,6 +16,8 @@
 
 namespace cls::tests {
 namespace {
+
+using testing::HasSubstr;
 
 constexpr std::chrono::seconds kSoon{20};
 
@@ -69,7 +72,7 @@ TEST_F(ServerTeams, PlayMatchAndStopWithServer) {
     ASSERT_NE(found, std::string::npos) << line << "\nin\n" << served.out;
     at = found;
   }
-  EXPECT_NE(served.out.find("\nthe right one comes\n"), std::string::npos) << served.out;
+  EXPECT_THAT(served.out, HasSubstr("\nthe right one comes\n")) << served.out;
   EXPECT_EQ(served.err, "");
 }
 

@@ -1,4 +1,5 @@
 // The verdict on speed: in the result, in the summary, and early in a slow match.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -16,6 +17,7 @@ using cls::tests::cls_binary;
 using cls::tests::CommandResult;
 using cls::tests::TemporaryFolder;
 using nlohmann::json;
+using testing::HasSubstr;
 
 struct Played {
   CommandResult command;
@@ -53,9 +55,9 @@ TEST_P(Speed, NamesTheSlowPlaymaker) {
   EXPECT_GE(played.speed["decision_ms"]["p99"], 600.0);
   EXPECT_FALSE(played.speed["fits_100_ms"].get<bool>());
   expect_whole(played.speed["shares"]);
-  EXPECT_NE(played.command.out.find("\n  limited by the right Playmaker ("), std::string::npos)
+  EXPECT_THAT(played.command.out, HasSubstr("\n  limited by the right Playmaker ("))
       << played.command.out;
-  EXPECT_NE(played.command.out.find("ms: too slow for real time\n"), std::string::npos);
+  EXPECT_THAT(played.command.out, HasSubstr("ms: too slow for real time\n"));
 }
 
 INSTANTIATE_TEST_SUITE_P(Modes, Speed, testing::Values("lockstep", "synch"));
@@ -63,9 +65,9 @@ INSTANTIATE_TEST_SUITE_P(Modes, Speed, testing::Values("lockstep", "synch"));
 TEST(SpeedEstimate, SaysHowLongASlowMatchTakes) {
   const Played played = play_with_delay(
       600, {"--time-limit", "20", "--set", "server::kick_off_wait=3", "--cycles", "6000"});
-  EXPECT_NE(played.command.err.find(" cycles/s: 6000 cycles will take about "), std::string::npos)
+  EXPECT_THAT(played.command.err, HasSubstr(" cycles/s: 6000 cycles will take about "))
       << played.command.err;
-  EXPECT_NE(played.command.err.find("min; limited by the right Playmaker ("), std::string::npos)
+  EXPECT_THAT(played.command.err, HasSubstr("min; limited by the right Playmaker ("))
       << played.command.err;
 }
 

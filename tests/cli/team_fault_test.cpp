@@ -1,9 +1,14 @@
 // Matches of external teams with each kind of fault.
 #include "tests/cli/network_match.h"
+
+#include <gmock/gmock.h>
+
 #include "tests/support/port_lock.h"
 
 namespace {
 
+using testing::HasSubstr;
+using testing::Not;
 using namespace std::chrono_literals;
 using cls::tests::built;
 using nlohmann::json;
@@ -88,8 +93,7 @@ TEST_F(TeamFault, AcceptsOwnNameOfTeam) {
   play(team("--name Others"), server(""), {"--cycles", "10"});
   expect_finished();
   EXPECT_EQ(result_["right"]["name"], "Others");
-  EXPECT_NE(played_.err.find("plays under the name Others instead of team"), std::string::npos)
-      << played_.err;
+  EXPECT_THAT(played_.err, HasSubstr("plays under the name Others instead of team")) << played_.err;
 }
 
 TEST_F(TeamFault, AcceptsDisconnectAtTimeOver) {
@@ -144,9 +148,9 @@ TEST_F(TeamFault, PrintsFiveAndStoresFiftyLastOutputLines) {
   ASSERT_EQ(output.size(), 50U);
   EXPECT_EQ(output.front(), "line 51");
   EXPECT_EQ(output.back(), "line 100");
-  EXPECT_EQ(played_.err.find("line 95\n"), std::string::npos) << played_.err;
-  EXPECT_NE(played_.err.find("  right team: line 96\n"), std::string::npos) << played_.err;
-  EXPECT_NE(played_.err.find("  right team: line 100\n"), std::string::npos) << played_.err;
+  EXPECT_THAT(played_.err, Not(HasSubstr("line 95\n"))) << played_.err;
+  EXPECT_THAT(played_.err, HasSubstr("  right team: line 96\n")) << played_.err;
+  EXPECT_THAT(played_.err, HasSubstr("  right team: line 100\n")) << played_.err;
 }
 
 TEST_F(TeamFault, ContinuesDespiteFloodOfOutput) {

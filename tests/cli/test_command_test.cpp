@@ -1,4 +1,5 @@
 // End-to-end tests of `cls test`.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <signal.h>
 
@@ -21,6 +22,8 @@ using cls::tests::cls_binary;
 using cls::tests::Command;
 using cls::tests::CommandResult;
 using cls::tests::TemporaryFolder;
+using testing::HasSubstr;
+using testing::Not;
 namespace fs = std::filesystem;
 
 CommandResult cls_test(std::vector<std::string> arguments) {
@@ -64,19 +67,19 @@ TEST(TestCommand, ReportsAndStoresFailuresForRerun) {
   const std::string kept = folder.path() / "kept";
   const auto failed = cls_test({file, "--dir", kept, "--junit", junit, "--github"});
   EXPECT_EQ(failed.exit_code, 1);
-  EXPECT_NE(failed.out.find("FAIL  no_goal"), std::string::npos) << failed.out;
-  EXPECT_NE(failed.out.find("the score is 1 : 0, not == 0 for the left"), std::string::npos);
-  EXPECT_NE(failed.out.find("rerun: cls test " + file + " --seed 5"), std::string::npos);
+  EXPECT_THAT(failed.out, HasSubstr("FAIL  no_goal")) << failed.out;
+  EXPECT_THAT(failed.out, HasSubstr("the score is 1 : 0, not == 0 for the left"));
+  EXPECT_THAT(failed.out, HasSubstr("rerun: cls test " + file + " --seed 5"));
   EXPECT_EQ(failed.err.rfind("::error file=", 0), 0u) << failed.err;
-  EXPECT_NE(cls::tests::read_file(junit).find("<failure "), std::string::npos);
+  EXPECT_THAT(cls::tests::read_file(junit), HasSubstr("<failure "));
   EXPECT_EQ(cls::tests::junit_errors(cls::tests::read_file(junit)).value_or(""), "");
   const fs::path logs = fs::path(kept) / "no_goal-seed-5";
   EXPECT_TRUE(fs::exists(logs / "match.rcg"));
   const std::string from_page = folder.path() / "from_page.rcg";
   cls::tests::run({cls_binary(), "convert", logs / "match.html", from_page});
   EXPECT_EQ(cls::tests::read_file(from_page), cls::tests::read_file(logs / "match.rcg"));
-  EXPECT_NE(cls::tests::read_file(junit).find("[[ATTACHMENT|" + (logs / "match.html").string()),
-            std::string::npos);
+  EXPECT_THAT(cls::tests::read_file(junit),
+              HasSubstr("[[ATTACHMENT|" + (logs / "match.html").string()));
   const auto results = cls::tests::run({cls_binary(), "results", logs / "match.rcg"});
   EXPECT_EQ(results.exit_code, 0) << results.err;
   const auto again = cls_test({file, "--seed", "5", "--dir", kept, "--json"});
@@ -135,10 +138,10 @@ TEST(TestCommand, ReplacesPlaymakerOfSideUnderTest) {
   const auto hold = cls_test(
       {"team_goes_for_the_ball", "--against", "mock:hold", "--dir", folder.path(), "--seed", "1"});
   EXPECT_EQ(hold.exit_code, 1) << "a player that only observes does not move to the ball";
-  EXPECT_NE(hold.out.find("--against 'mock:hold'"), std::string::npos) << hold.out;
+  EXPECT_THAT(hold.out, HasSubstr("--against 'mock:hold'")) << hold.out;
   const auto skipped = cls_test({"referee_goal", "--against", "mock", "--dir", folder.path()});
   EXPECT_EQ(skipped.exit_code, 0);
-  EXPECT_NE(skipped.out.find("skip  referee_goal: no side under test"), std::string::npos);
+  EXPECT_THAT(skipped.out, HasSubstr("skip  referee_goal: no side under test"));
 }
 
 TEST(TestCommand, RunsProgramAsSideUnderTest) {
@@ -147,13 +150,13 @@ TEST(TestCommand, RunsProgramAsSideUnderTest) {
   const auto played = cls_test({"team_goes_for_the_ball", "team_finds_a_lost_ball", "--against",
                                 program, "--dir", folder.path()});
   EXPECT_EQ(played.exit_code, 0) << played.out << played.err;
-  EXPECT_NE(played.out.find("2 passed, 0 failed"), std::string::npos) << played.out;
+  EXPECT_THAT(played.out, HasSubstr("2 passed, 0 failed")) << played.out;
   const auto gone = cls_test(
       {"team_goes_for_the_ball", "--against", "run:exit 3 # {port}", "--dir", folder.path()});
   EXPECT_EQ(gone.exit_code, 1);
-  EXPECT_NE(gone.out.find("the run ended as refused, not finished: left (run:exit 3 # {port}): its "
-                          "process ended before it answered: exit code 3"),
-            std::string::npos)
+  EXPECT_THAT(gone.out,
+              HasSubstr("the run ended as refused, not finished: left (run:exit 3 # {port}): its "
+                        "process ended before it answered: exit code 3"))
       << gone.out;
 }
 
@@ -179,15 +182,15 @@ TEST(TestCommand, AcceptsChecksThatHoldInSomeSeeds) {
   for (const char* runs : {R"({">=": 8})", "0"}) {
     const auto failed = play(runs);
     EXPECT_EQ(failed.exit_code, 1) << runs;
-    EXPECT_NE(failed.out.find(" of 8 runs, not "), std::string::npos) << failed.out;
+    EXPECT_THAT(failed.out, HasSubstr(" of 8 runs, not ")) << failed.out;
     // The printed command reruns a single failed run.
     const std::size_t seed = failed.out.find("--seed ");
     ASSERT_NE(seed, std::string::npos) << failed.out;
     const std::string number = failed.out.substr(seed + 7, failed.out.find('\n', seed) - seed - 7);
     EXPECT_EQ(play(runs, {"--seed", number}).exit_code, 1) << runs;
-    EXPECT_NE(failed.out.find("      logs: "), std::string::npos) << failed.out;
+    EXPECT_THAT(failed.out, HasSubstr("      logs: ")) << failed.out;
   }
-  // A seed in which it does not hold is no failure if the count allows it.
+  // A seed in which it does not hold is not a failure if the count allows it.
   EXPECT_EQ(play(R"({"<=": 8})", {"--seed", "1"}).exit_code, 0);
   EXPECT_EQ(cls_test({"physics_noise_spreads_the_ball", "--seed", "3", "--filter", "noise", "--dir",
                       folder.path() / "kept"})
@@ -229,10 +232,9 @@ TEST(TestCommand, InterruptIsNoFailure) {
   testing.send_signal(SIGINT);
   const CommandResult result = testing.finish();
   EXPECT_EQ(result.exit_code, 130) << result.err;
-  EXPECT_EQ(result.out.find("FAIL"), std::string::npos) << result.out;
-  EXPECT_NE(result.out.find("1 passed, 0 failed, 0 skipped"), std::string::npos) << result.out;
-  EXPECT_NE(result.out.find("interrupted: 1 of 2 scenarios were not played to the end\n"),
-            std::string::npos)
+  EXPECT_THAT(result.out, Not(HasSubstr("FAIL"))) << result.out;
+  EXPECT_THAT(result.out, HasSubstr("1 passed, 0 failed, 0 skipped")) << result.out;
+  EXPECT_THAT(result.out, HasSubstr("interrupted: 1 of 2 scenarios were not played to the end\n"))
       << result.out;
 }
 
@@ -242,11 +244,10 @@ TEST(TestCommand, NamesBuiltInScenarioWithoutPathThatIsNotThere) {
                   folder.path());
   const CommandResult result = testing.finish();
   EXPECT_EQ(result.exit_code, 1) << result.err;
-  EXPECT_EQ(result.out.find("examples/"), std::string::npos) << result.out;
-  EXPECT_NE(result.out.find("      built-in scenario: line "), std::string::npos) << result.out;
-  EXPECT_NE(result.out.find("      file: cls test --export DIR writes "
-                            "DIR/team_takes_a_goal_kick.json\n"),
-            std::string::npos)
+  EXPECT_THAT(result.out, Not(HasSubstr("examples/"))) << result.out;
+  EXPECT_THAT(result.out, HasSubstr("      built-in scenario: line ")) << result.out;
+  EXPECT_THAT(result.out, HasSubstr("      file: cls test --export DIR writes "
+                                    "DIR/team_takes_a_goal_kick.json\n"))
       << result.out;
 }
 
@@ -261,7 +262,7 @@ TEST(TestCommand, AcceptsGoldenValues) {
   EXPECT_EQ(cls_test({file, "--dir", dir}).exit_code, 1);
   const auto accepted = cls_test({file, "--dir", dir, "--accept"});
   EXPECT_EQ(accepted.exit_code, 0) << accepted.err;
-  EXPECT_NE(accepted.err.find("1 golden values changed"), std::string::npos) << accepted.err;
+  EXPECT_THAT(accepted.err, HasSubstr("1 golden values changed")) << accepted.err;
   EXPECT_EQ(cls_test({file, "--dir", dir}).exit_code, 0);
   EXPECT_EQ(cls_test({file, "--dir", dir, "--seed", "2"}).exit_code, 1);
 }
@@ -328,7 +329,7 @@ TEST_F(Recording, IsReproducibleAndReplaysWithoutDifferences) {
   EXPECT_EQ(file("one.rpc"), file("two.rpc"));
   const auto same = cls_test({"--replay", folder() + "/one.rpc", "mock"});
   EXPECT_EQ(same.exit_code, 0) << same.out << same.err;
-  EXPECT_NE(same.out.find(" 0 different"), std::string::npos) << same.out;
+  EXPECT_THAT(same.out, HasSubstr(" 0 different")) << same.out;
 }
 
 TEST_F(Recording, ReportsDifferentRepliesOfChangedPlaymaker) {
@@ -344,7 +345,7 @@ TEST_F(Recording, ReportsDifferentRepliesOfChangedPlaymaker) {
   ASSERT_EQ(json["different"], 1);
   EXPECT_EQ(json["differences"][0]["cycle"], 20);
   EXPECT_EQ(json["differences"][0]["agent"], 5);
-  EXPECT_NE(json["differences"][0]["fields"].dump().find("dash"), std::string::npos);
+  EXPECT_THAT(json["differences"][0]["fields"].dump(), HasSubstr("dash"));
   const auto right = cls_test({"--replay", folder() + "/m.rpc", "mock:hold", "--side", "right"});
   EXPECT_EQ(right.exit_code, 0) << right.out << right.err;
 }
@@ -369,8 +370,7 @@ TEST_F(Recording, SendsOneDecisionAgain) {
   EXPECT_EQ(other.exit_code, 0) << other.out << other.err;
   const auto none = replay({"--at", "99999", "--player", "5"});
   EXPECT_EQ(none.exit_code, 65);
-  EXPECT_NE(none.err.find("no decision of player 5 in cycle 99999 of the left side"),
-            std::string::npos)
+  EXPECT_THAT(none.err, HasSubstr("no decision of player 5 in cycle 99999 of the left side"))
       << none.err;
   EXPECT_EQ(cls_test({"--player", "5"}).exit_code, 2);
 }
@@ -390,11 +390,11 @@ TEST_F(Recording, ReportsCorruptRecording) {
   fs::resize_file(folder() + "/m.rpc", fs::file_size(folder() + "/m.rpc") / 2);
   const auto cut = cls_test({"--replay", folder() + "/m.rpc", "mock"});
   EXPECT_EQ(cut.exit_code, 65);
-  EXPECT_NE(cut.err.find("corrupt or truncated after call"), std::string::npos) << cut.err;
+  EXPECT_THAT(cut.err, HasSubstr("corrupt or truncated after call")) << cut.err;
   std::ofstream(folder() + "/text.rpc") << "no recording";
   const auto text = cls_test({"--replay", folder() + "/text.rpc", "mock"});
   EXPECT_EQ(text.exit_code, 65);
-  EXPECT_NE(text.err.find("not an RPC recording"), std::string::npos) << text.err;
+  EXPECT_THAT(text.err, HasSubstr("not an RPC recording")) << text.err;
   EXPECT_EQ(cls_test({"--replay", folder() + "/none.rpc", "mock"}).exit_code, 66);
   EXPECT_EQ(cls_test({"--replay", folder() + "/m.rpc"}).exit_code, 2);
 }
@@ -407,7 +407,7 @@ TEST_F(Recording, WritesDebugActionsByCycleAndUnum) {
                {"debug_client": {"message": "for the viewer"}}]}]})";
   const auto played = match("talk", {"mock:" + folder() + "/talk.json", "mock:hold"});
   ASSERT_EQ(played.exit_code, 0) << played.err;
-  EXPECT_EQ(played.err.find("does not have"), std::string::npos) << played.err;
+  EXPECT_THAT(played.err, Not(HasSubstr("does not have"))) << played.err;
   const std::string lines = file("talk/left-debug.jsonl");
   EXPECT_EQ(lines.rfind("{\"t\":5,\"unum\":3,\"kind\":\"text\",\"level\":\"TEAM\",\"message\":"
                         "\"hello\"}\n"
@@ -442,15 +442,15 @@ TEST_F(Recording, StepsThroughMatchCycleByCycle) {
                               folder() + "/steps";
   const auto walked = cls::tests::run({"/bin/sh", "-c", "printf '\\n3\\nx\\nq\\n' | " + command});
   EXPECT_EQ(walked.exit_code, 0) << walked.err;
-  EXPECT_NE(walked.err.find("cycle 10 "), std::string::npos) << walked.err;
-  EXPECT_NE(walked.err.find("cycle 11 "), std::string::npos) << walked.err;
-  EXPECT_EQ(walked.err.find("cycle 12 "), std::string::npos) << walked.err;
-  EXPECT_NE(walked.err.find("cycle 14 "), std::string::npos) << walked.err;
-  EXPECT_NE(walked.err.find("Enter: one cycle"), std::string::npos) << walked.err;
-  EXPECT_EQ(walked.err.find("cycle 15 "), std::string::npos) << walked.err;
+  EXPECT_THAT(walked.err, HasSubstr("cycle 10 ")) << walked.err;
+  EXPECT_THAT(walked.err, HasSubstr("cycle 11 ")) << walked.err;
+  EXPECT_THAT(walked.err, Not(HasSubstr("cycle 12 "))) << walked.err;
+  EXPECT_THAT(walked.err, HasSubstr("cycle 14 ")) << walked.err;
+  EXPECT_THAT(walked.err, HasSubstr("Enter: one cycle")) << walked.err;
+  EXPECT_THAT(walked.err, Not(HasSubstr("cycle 15 "))) << walked.err;
   const auto all = cls::tests::run({"/bin/sh", "-c", "printf 'c\\n' | " + command + "-again"});
   EXPECT_EQ(all.exit_code, 0) << all.err;
-  EXPECT_NE(all.out.find("30 cycles"), std::string::npos) << all.out;
+  EXPECT_THAT(all.out, HasSubstr("30 cycles")) << all.out;
 }
 
 TEST_F(Recording, StepContinuesAtEndOfInput) {
@@ -461,8 +461,8 @@ TEST_F(Recording, StepContinuesAtEndOfInput) {
   const auto walked = cls::tests::run({"/bin/sh", "-c", "printf '\\n2\\n' | " + command});
   EXPECT_EQ(walked.exit_code, 0) << walked.err;
   EXPECT_EQ(walked.err.rfind("cycle 0", 0), 0u) << walked.err;
-  EXPECT_NE(walked.err.find(" before_kick_off  0 : 0"), std::string::npos) << walked.err;
-  EXPECT_NE(walked.out.find("3 cycles"), std::string::npos) << walked.out;
+  EXPECT_THAT(walked.err, HasSubstr(" before_kick_off  0 : 0")) << walked.err;
+  EXPECT_THAT(walked.out, HasSubstr("3 cycles")) << walked.out;
 }
 
 // A Playmaker stopped at a breakpoint replies after every deadline.

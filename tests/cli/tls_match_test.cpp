@@ -1,4 +1,5 @@
 // End-to-end tests of matches with a Playmaker over TLS.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -21,6 +22,8 @@ using cls::tests::CommandResult;
 using cls::tests::GameService;
 using cls::tests::Identity;
 using cls::tests::PlaymakerServer;
+using testing::HasSubstr;
+using testing::Not;
 using Arguments = std::vector<std::string>;
 
 class TlsMatch : public testing::Test {
@@ -62,7 +65,7 @@ TEST_F(TlsMatch, UsesCaFromOptionOrEnvironment) {
   const std::string authority = file("ca.pem", authority_.certificate());
   const CommandResult played = play({"tls:" + address_, "--tls-ca", authority});
   EXPECT_EQ(played.exit_code, 0) << played.err;
-  EXPECT_EQ(played.err.find("TLS"), std::string::npos) << played.err;
+  EXPECT_THAT(played.err, Not(HasSubstr("TLS"))) << played.err;
   const CommandResult again = play({"tls:" + address_}, {"CLS_TLS_CA=" + authority});
   EXPECT_EQ(again.exit_code, 0) << again.err;
 }
@@ -70,14 +73,12 @@ TEST_F(TlsMatch, UsesCaFromOptionOrEnvironment) {
 TEST_F(TlsMatch, ReportsTlsErrorsInOneLine) {
   const CommandResult untrusted = play({"tls:" + address_});
   EXPECT_EQ(untrusted.exit_code, 69);
-  EXPECT_NE(untrusted.err.find("(tls:" + address_ + "): player 1: " + address_ +
-                               ": the certificate is not trusted"),
-            std::string::npos)
+  EXPECT_THAT(untrusted.err, HasSubstr("(tls:" + address_ + "): player 1: " + address_ +
+                                       ": the certificate is not trusted"))
       << untrusted.err;
   const CommandResult plain = play({address_, "--start-timeout", "1"});
   EXPECT_EQ(plain.exit_code, 69);
-  EXPECT_NE(plain.err.find("the Playmaker uses TLS; use tls:" + address_), std::string::npos)
-      << plain.err;
+  EXPECT_THAT(plain.err, HasSubstr("the Playmaker uses TLS; use tls:" + address_)) << plain.err;
 }
 
 TEST_F(TlsMatch, ReportsInvalidPemFiles) {

@@ -1,6 +1,7 @@
 // docs/troubleshooting.md explains every end reason, exit code and warning, each at its anchor.
 #include "cli/support/troubleshooting.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,6 +16,8 @@
 
 namespace cls::tests {
 namespace {
+
+using testing::HasSubstr;
 
 namespace fs = std::filesystem;
 using orchestration::match::EndReason;
@@ -40,7 +43,7 @@ TEST(Troubleshooting, HintNamesAnchorUnlessMatchFinished) {
 }
 
 TEST(Troubleshooting, HintNamesDoctorWhenNothingStarted) {
-  EXPECT_NE(cli::troubleshooting_hint(EndReason::kRefused).find("`cls doctor`"), std::string::npos);
+  EXPECT_THAT(cli::troubleshooting_hint(EndReason::kRefused), HasSubstr("`cls doctor`"));
 }
 
 TEST(Troubleshooting, HasAnchorOfEveryExitCode) {
@@ -100,7 +103,7 @@ TEST(Troubleshooting, ExplainsEveryWarning) {
       if (entry.path().extension() != ".cpp") continue;
       for (const std::string& warning : warnings_of(read_file(entry.path()))) {
         ++count;
-        EXPECT_NE(page.find(warning), std::string::npos) << entry.path() << ": " << warning;
+        EXPECT_THAT(page, HasSubstr(warning)) << entry.path() << ": " << warning;
       }
     }
   }
@@ -112,7 +115,7 @@ TEST(WarningsOf, FindsTextOfWarnings) {
             std::vector<std::string>{"no reply within the limit"});
   EXPECT_EQ(warnings_of("warning_ = \"the Playmaker is a fake\";"),
             std::vector<std::string>{"the Playmaker is a fake"});
-  EXPECT_TRUE(warnings_of("warn(line); print(\"a text that is no warning\");").empty());
+  EXPECT_TRUE(warnings_of("warn(line); print(\"a text that is not a warning\");").empty());
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
 // Recorded world models: what they contain, that they change nothing, and the page with them.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -23,6 +24,9 @@
 #include "viewer/page/page_decisions.h"
 
 namespace {
+
+using testing::HasSubstr;
+using testing::Not;
 
 namespace fs = std::filesystem;
 using cls::viewer::DecisionSample;
@@ -212,9 +216,9 @@ TEST_F(WorldModels, AreInThePageAsFarAsTheyAreAskedFor) {
   EXPECT_GT(some, plain);
   EXPECT_EQ(none, plain);
   const std::string page = cls::tests::read_file(where("some.html"));
-  EXPECT_NE(page.find("id=\"decisions-left\""), std::string::npos);
-  EXPECT_EQ(page.find("id=\"decisions-right\""), std::string::npos);
-  EXPECT_EQ(cls::tests::read_file(where("plain.html")).find("decisions-left\""), std::string::npos);
+  EXPECT_THAT(page, HasSubstr("id=\"decisions-left\""));
+  EXPECT_THAT(page, Not(HasSubstr("id=\"decisions-right\"")));
+  EXPECT_THAT(cls::tests::read_file(where("plain.html")), Not(HasSubstr("decisions-left\"")));
   // The page is still the log.
   const auto log =
       cls::tests::run({cls::tests::cls_binary(), "convert", where("all.html"), where("log.rcg")});
@@ -227,7 +231,7 @@ TEST_F(WorldModels, AreRefusedWhenTheyAreCorruptOrNamesAreWrong) {
   const auto wrong = cls::tests::run({cls::tests::cls_binary(), "watch", where("recorded"), "--out",
                                       where("x.html"), "--world-models", "l12"});
   EXPECT_EQ(wrong.exit_code, 2);
-  EXPECT_NE(wrong.err.find("--world-models 'l12': must be"), std::string::npos) << wrong.err;
+  EXPECT_THAT(wrong.err, HasSubstr("--world-models 'l12': must be")) << wrong.err;
   for (const char* which : {"9-3", "-5", "7-", "all,l7", "none,3"}) {
     const auto refused =
         cls::tests::run({cls::tests::cls_binary(), "watch", where("recorded"), "--out",
@@ -239,7 +243,7 @@ TEST_F(WorldModels, AreRefusedWhenTheyAreCorruptOrNamesAreWrong) {
   const auto cut =
       cls::tests::run({cls::tests::cls_binary(), "watch", where("cut"), "--out", where("y.html")});
   EXPECT_EQ(cut.exit_code, 65);
-  EXPECT_NE(cut.err.find("left.world-models: "), std::string::npos) << cut.err;
+  EXPECT_THAT(cut.err, HasSubstr("left.world-models: ")) << cut.err;
 }
 
 TEST(Drawings, AreWithTheDecision) {
@@ -258,8 +262,8 @@ TEST(Drawings, AreWithTheDecision) {
   const auto team = decisions_in(match / cls::viewer::kLeftWorldModelsFile);
   const DecisionSample& last = team.players[6].back();
   EXPECT_EQ(last.drawings, "1024 C 1.23 -2 3 red\n65536 M two lines 1.5\n0 M shown\n");
-  EXPECT_EQ(last.reply.find("log"), std::string::npos) << last.reply;
-  EXPECT_NE(last.reply.find("body_go_to_point"), std::string::npos) << last.reply;
+  EXPECT_THAT(last.reply, Not(HasSubstr("log"))) << last.reply;
+  EXPECT_THAT(last.reply, HasSubstr("body_go_to_point")) << last.reply;
 }
 
 TEST(MissedDecisions, AreInTheFolderAndInThePage) {
@@ -284,7 +288,7 @@ TEST(MissedDecisions, AreInTheFolderAndInThePage) {
   const fs::path page = folder.path() / "page.html";
   EXPECT_EQ(cls::tests::run({cls::tests::cls_binary(), "watch", match, "--out", page}).exit_code,
             0);
-  EXPECT_NE(cls::tests::read_file(page).find("\"missed\":[["), std::string::npos);
+  EXPECT_THAT(cls::tests::read_file(page), HasSubstr("\"missed\":[["));
 }
 
 TEST(MissedDecisions, SurviveLinesThatAreNone) {

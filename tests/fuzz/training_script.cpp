@@ -36,7 +36,7 @@ bool succeeds(int code) {
   return false;
 }
 
-// The same with a few worlds; none if it has so many threads, agents or skipped cycles that a run
+// The setup with a few worlds; none if it has so many threads, agents or skipped cycles that a run
 // would take long.
 std::string smaller(std::string_view config) {
   constexpr int kMaxWorlds = 3;

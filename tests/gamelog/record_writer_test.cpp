@@ -1,6 +1,7 @@
 // Rcssserver logs read and written again, in their own version and in others.
 #include "gamelog/rcg/record_writer.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "base/io/gzip_sink.h"
@@ -11,6 +12,8 @@
 
 namespace cls::gamelog {
 namespace {
+
+using testing::HasSubstr;
 
 MatchRecord read(std::string_view log) {
   base::MemorySource source(log);
@@ -134,11 +137,10 @@ TEST(WriteRcg, ConvertsBinaryLogsToText) {
 TEST(WriteRcg, EscapesStringsInJson) {
   MatchRecord record;
   record.notes.push_back({0, 5, 3, Message{2, "a\"b\\c\n\x01\xc3\xbc"}});
-  EXPECT_NE(
-      written(record, RcgVersion::kJson)
-          .find("{\"msg\":{\"time\":5,\"stime\":3,\"board\":2,\"message\":\"a\\\"b\\\\c\\u000a"
-                "\\u0001\xc3\xbc\"}}\n]\n"),
-      std::string::npos);
+  EXPECT_THAT(
+      written(record, RcgVersion::kJson),
+      HasSubstr("{\"msg\":{\"time\":5,\"stime\":3,\"board\":2,\"message\":\"a\\\"b\\\\c\\u000a"
+                "\\u0001\xc3\xbc\"}}\n]\n"));
 }
 
 TEST(GzipSink, RoundTripsCompressedData) {

@@ -1,4 +1,5 @@
 // The Python package cls_gym: conventions, determinism, faults, and the official checkers.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -10,6 +11,8 @@
 
 namespace cls::tests {
 namespace {
+
+using testing::HasSubstr;
 
 namespace fs = std::filesystem;
 
@@ -126,8 +129,7 @@ TEST(PythonGym, RatedMatchRefusesAPolicyOfTheFullState) {
   const TemporaryFolder folder;
   const auto refused = play_policy(python, folder.path(), "full_state", {"--rated"});
   EXPECT_EQ(refused.exit_code, 69) << refused.err;
-  EXPECT_NE((refused.err + refused.out).find("was trained with obs='full_state'"),
-            std::string::npos)
+  EXPECT_THAT((refused.err + refused.out), HasSubstr("was trained with obs='full_state'"))
       << refused.err << refused.out;
 }
 
@@ -138,8 +140,7 @@ TEST(PythonGym, SaysHowToGetItsEngine) {
                             {"PYTHONPATH=" + (source_folder() / "python").string(),
                              "CLS_TRAINING_LIBRARY=/no/such/library.so"});
   EXPECT_EQ(imported.exit_code, 1);
-  EXPECT_NE(imported.err.find("cls_gym: cannot load /no/such/library.so"), std::string::npos)
-      << imported.err;
+  EXPECT_THAT(imported.err, HasSubstr("cls_gym: cannot load /no/such/library.so")) << imported.err;
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // Scripts: rule selection and error messages.
 #include "mock-server/script/script.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "mock-server/mock.h"
@@ -8,6 +9,8 @@
 
 namespace cls::mock_server {
 namespace {
+
+using testing::HasSubstr;
 
 std::shared_ptr<const Script> script(const std::string& text) {
   const base::JsonDocument json = *base::JsonDocument::parse("s.json", text);
@@ -104,8 +107,7 @@ TEST(Script, ReportsErrorsWithLocationAndSuggestion) {
   EXPECT_EQ(error(R"({"rules": [{"when": {}}]})"), "s.json:1: /rules/0: needs \"reply\"");
   EXPECT_EQ(error(R"({"rules": [{"reply": "smple"}]})"),
             "s.json:1: /rules/0/reply: unknown mock behavior 'smple'; did you mean 'simple'?");
-  EXPECT_NE(error(R"({"rules": [{"reply": [{"dash": {"power": "fast"}}]}]})").find("fast"),
-            std::string::npos);
+  EXPECT_THAT(error(R"({"rules": [{"reply": [{"dash": {"power": "fast"}}]}]})"), HasSubstr("fast"));
 }
 
 TEST(RandomBehavior, DependsOnlyOnSeedUnumAndCycle) {

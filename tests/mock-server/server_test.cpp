@@ -1,6 +1,7 @@
 // The mock Playmaker as a gRPC server, in process and on a port.
 #include "mock-server/server.h"
 
+#include <gmock/gmock.h>
 #include <grpcpp/generic/generic_stub.h>
 #include <gtest/gtest.h>
 
@@ -9,6 +10,8 @@
 
 namespace cls::mock_server {
 namespace {
+
+using testing::HasSubstr;
 
 std::unique_ptr<Server> running(std::string_view behavior) {
   auto made = make_behavior(behavior);
@@ -117,10 +120,9 @@ TEST(MockServer, ServesHealthAndReflectionOnPort) {
   const std::string serving = "\x08\x01";  // status: SERVING
   EXPECT_EQ(ask(**server, "/grpc.health.v1.Health/Check", ""), serving);
   const std::string list_services("\x3a\x00", 2);
-  EXPECT_NE(
-      ask(**server, "/grpc.reflection.v1alpha.ServerReflection/ServerReflectionInfo", list_services)
-          .find("protos.Game"),
-      std::string::npos);
+  EXPECT_THAT(ask(**server, "/grpc.reflection.v1alpha.ServerReflection/ServerReflectionInfo",
+                  list_services),
+              HasSubstr("protos.Game"));
 }
 
 TEST(Behaviors, ReportsUnknownNameWithSuggestion) {

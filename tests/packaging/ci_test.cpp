@@ -1,4 +1,5 @@
 // The CI templates for users: their commands run in a repository as they stand.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -14,6 +15,8 @@
 
 namespace cls::tests {
 namespace {
+
+using testing::HasSubstr;
 
 namespace fs = std::filesystem;
 
@@ -80,12 +83,12 @@ TEST_P(CiTemplate, TestsAndComparesAPlaymaker) {
   ASSERT_EQ(commands.exit_code, 0) << commands.err;
   const CommandResult ran = shell("cd work\n" + commands.out);
   EXPECT_EQ(ran.exit_code, 0) << commands.out << ran.out << ran.err;
-  EXPECT_NE(ran.out.find("1 passed"), std::string::npos) << ran.out;
+  EXPECT_THAT(ran.out, HasSubstr("1 passed")) << ran.out;
   const std::string table = read_file(folder_.path() / "work/runs/compare.txt");
-  EXPECT_NE(table.find("base"), std::string::npos) << table;
+  EXPECT_THAT(table, HasSubstr("base")) << table;
   EXPECT_TRUE(fs::exists(folder_.path() / "work/junit.xml"));
   if (std::string(GetParam().name) == "github") {
-    EXPECT_NE(read_file(folder_.path() / "summary.md").find(table), std::string::npos);
+    EXPECT_THAT(read_file(folder_.path() / "summary.md"), HasSubstr(table));
   }
 }
 

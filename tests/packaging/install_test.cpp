@@ -1,4 +1,5 @@
 // cmake --install into an empty prefix, which is then moved: everything works from there.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -16,6 +17,9 @@
 
 namespace cls::tests {
 namespace {
+
+using testing::HasSubstr;
+using testing::Not;
 
 namespace fs = std::filesystem;
 using Words = std::vector<std::string>;
@@ -61,12 +65,12 @@ TEST_F(Installation, PlaysAndTestsWithItsOwnData) {
 TEST_F(Installation, IsStrippedAndNamesNoFolderOfTheBuild) {
   const CommandResult sections = run_there({"readelf", "-S", "-d", prefix() / "bin/cls"});
   ASSERT_EQ(sections.exit_code, 0) << sections.err;
-  EXPECT_EQ(sections.out.find(".debug_info"), std::string::npos);
-  EXPECT_EQ(sections.out.find(".symtab"), std::string::npos);
-  EXPECT_EQ(sections.out.find("RUNPATH"), std::string::npos);
+  EXPECT_THAT(sections.out, Not(HasSubstr(".debug_info")));
+  EXPECT_THAT(sections.out, Not(HasSubstr(".symtab")));
+  EXPECT_THAT(sections.out, Not(HasSubstr("RUNPATH")));
   for (const auto& entry : fs::recursive_directory_iterator(prefix() / "share")) {
     if (!entry.is_regular_file()) continue;
-    EXPECT_EQ(read_file(entry.path()).find(CLS_BUILD_DIR), std::string::npos) << entry.path();
+    EXPECT_THAT(read_file(entry.path()), Not(HasSubstr(CLS_BUILD_DIR))) << entry.path();
   }
 }
 
@@ -113,7 +117,7 @@ TEST_F(Installation, HasPythonPackagesThatFindTheirLibrary) {
        "from cls_gym._engine import catalog, library_path; print(library_path(), len(catalog()))"},
       environment);
   EXPECT_EQ(engine.exit_code, 0) << engine.err;
-  EXPECT_NE(engine.out.find((prefix() / "share").string()), std::string::npos) << engine.out;
+  EXPECT_THAT(engine.out, HasSubstr((prefix() / "share").string())) << engine.out;
 }
 
 TEST_F(Installation, HasACMakePackageOfTheTrainingLibrary) {

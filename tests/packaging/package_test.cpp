@@ -1,5 +1,6 @@
 // `make package`: what the files need, hold and do, and that they are the same bytes again. Builds
 // them twice, so only in the long form (CLS_FULL).
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -17,6 +18,8 @@
 
 namespace cls::tests {
 namespace {
+
+using testing::HasSubstr;
 
 namespace fs = std::filesystem;
 using Words = std::vector<std::string>;
@@ -71,7 +74,7 @@ TEST_F(Package, IsTheSameBytesAgain) {
   for (const auto& entry : fs::directory_iterator(dist())) {
     const std::string name = entry.path().filename().string();
     if (name == "SHA256SUMS") continue;
-    EXPECT_NE(sums.find("  " + name + "\n"), std::string::npos) << name;
+    EXPECT_THAT(sums, HasSubstr("  " + name + "\n")) << name;
     ++files;
   }
   EXPECT_EQ(files, 4);

@@ -1,6 +1,7 @@
 // Client channels against sockets that reply like a soccer server.
 #include "soccer/udp_channel.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <poll.h>
 
@@ -16,6 +17,7 @@ namespace {
 
 using std::chrono::milliseconds;
 using std::chrono::steady_clock;
+using testing::HasSubstr;
 
 /// A server socket: the well-known port, or the port for one client.
 class ServerSocket {
@@ -223,7 +225,7 @@ TEST(UdpChannelOnThread, ChannelsOutliveReader) {
 TEST(UdpClients, ReportsUnknownHost) {
   const auto made = UdpClients::create("no.such.host.invalid", 6000);
   ASSERT_FALSE(made);
-  EXPECT_NE(made.error().message.find("no.such.host.invalid"), std::string::npos);
+  EXPECT_THAT(made.error().message, HasSubstr("no.such.host.invalid"));
 }
 
 }  // namespace

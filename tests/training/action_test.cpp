@@ -130,7 +130,7 @@ TEST_F(OneAttacker, DribblingScores) {
 }
 
 TEST_F(OneAttacker, MoveToReachesItsTarget) {
-  // Of HFO's scale: x from -5.25 to 57.75, y from -37.4 to 37.4.
+  // Targets have HFO's scale: x from -5.25 to 57.75, y from -37.4 to 37.4.
   const std::vector<int> offsets = training::hfo_actions().offsets();
   const auto first = static_cast<std::size_t>(offsets[static_cast<std::size_t>(id("MOVE_TO"))]);
   pool_.action_values[first] = 0.0F;

@@ -1,4 +1,5 @@
 // The C interface answers bad input with a code and a text.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <sys/wait.h>
@@ -12,13 +13,15 @@
 namespace cls::tests {
 namespace {
 
+using testing::HasSubstr;
+
 constexpr const char* kConfig =
     R"({"task": "HalfFieldOffense", "num_envs": 2, "actions": "low", "autoreset": "next_step"})";
 
 void expect_error(int code, int expected, std::string_view part) {
   EXPECT_EQ(code, expected);
   const std::string_view text = cls_training_error();
-  EXPECT_NE(text.find(part), std::string_view::npos) << text;
+  EXPECT_THAT(text, HasSubstr(part)) << text;
   EXPECT_EQ(text.find('\n'), std::string_view::npos);
 }
 

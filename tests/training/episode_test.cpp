@@ -1,6 +1,7 @@
 // Episodes: copies, recordings, heterogeneous types.
 #include "training/episode/episode.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "tests/support/files.h"
@@ -9,6 +10,8 @@
 
 namespace cls::tests {
 namespace {
+
+using testing::HasSubstr;
 
 constexpr const char* kConfig =
     R"({"task": "HalfFieldOffense", "num_envs": 2, "offense": 2, "defense": 2, "actions": "hfo"})";
@@ -66,7 +69,7 @@ TEST(TrainingEpisode, RecordingIsAGameLog) {
   ASSERT_EQ(pool.reset(8), CLS_TRAINING_OK) << cls_training_error();
   const std::string text = read_file(path);
   EXPECT_EQ(text.substr(0, 5), "ULG6\n");
-  EXPECT_NE(text.find(" play_on)"), std::string::npos);
+  EXPECT_THAT(text, HasSubstr(" play_on)"));
   std::size_t shows = 0;
   for (std::size_t at = text.find("(show "); at != std::string::npos;
        at = text.find("(show ", at + 1)) {
@@ -75,13 +78,13 @@ TEST(TrainingEpisode, RecordingIsAGameLog) {
   EXPECT_EQ(shows, 13U) << "the start and twelve steps";
   const std::string commands = read_file((folder.path() / "episode.rcl").string());
   EXPECT_EQ(commands.substr(0, 9), "0,0\tRecv ");
-  EXPECT_NE(commands.find("left_7: ("), std::string::npos);
+  EXPECT_THAT(commands, HasSubstr("left_7: ("));
 }
 
 TEST(TrainingEpisode, RecordingThatCannotBeWrittenIsAnError) {
   BoundPool pool(kConfig);
   EXPECT_EQ(cls_training_record(pool.handle, 0, "/nowhere/episode.rcg"), CLS_TRAINING_BAD_FILE);
-  EXPECT_NE(std::string(cls_training_error()).find("/nowhere/episode.rcg"), std::string::npos);
+  EXPECT_THAT(std::string(cls_training_error()), HasSubstr("/nowhere/episode.rcg"));
 }
 
 TEST(TrainingEpisode, GoalieIsAnAgentIfAskedForOrIfAllAre) {

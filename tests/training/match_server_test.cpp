@@ -54,7 +54,7 @@ std::vector<std::string> comparable_lines(const std::string& log, bool has_start
   return lines;
 }
 
-// The lines of a text log that are no handshake.
+// The lines of a text log that are not a handshake.
 std::vector<std::string> command_lines(const std::string& log) {
   std::vector<std::string> lines;
   std::istringstream in(log);

@@ -1,4 +1,5 @@
 // libcls_training.so: what it exports and what it needs.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <dlfcn.h>
@@ -12,6 +13,9 @@
 
 namespace cls::tests {
 namespace {
+
+using testing::HasSubstr;
+using testing::Not;
 
 const std::string kLibrary = std::string(CLS_BUILD_DIR) + "/lib/libcls_training.so";
 
@@ -30,14 +34,14 @@ TEST(TrainingLibrary, ExportsOnlyItsInterfaceAndNeedsNoProtobuf) {
   std::istringstream lines(symbols.out);
   int count = 0;
   for (std::string line; std::getline(lines, line); ++count) {
-    EXPECT_NE(line.find(" T cls_training_"), std::string::npos) << line;
+    EXPECT_THAT(line, HasSubstr(" T cls_training_")) << line;
   }
   EXPECT_EQ(count, 17);
   const CommandResult needs = run({"readelf", "-d", kLibrary});
   ASSERT_EQ(needs.exit_code, 0);
-  EXPECT_EQ(needs.out.find("protobuf"), std::string::npos);
-  EXPECT_EQ(needs.out.find("grpc"), std::string::npos);
-  EXPECT_NE(needs.out.find("libsleef"), std::string::npos);
+  EXPECT_THAT(needs.out, Not(HasSubstr("protobuf")));
+  EXPECT_THAT(needs.out, Not(HasSubstr("grpc")));
+  EXPECT_THAT(needs.out, HasSubstr("libsleef"));
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
 // The catalog: documents, tables, and the page that shows them.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -11,6 +12,8 @@
 
 namespace cls::tests {
 namespace {
+
+using testing::HasSubstr;
 
 TEST(TrainingSpec, ManualShowsTheTables) {
   const std::string page = read_file(source_folder() / "docs" / "training.md");
@@ -33,7 +36,7 @@ TEST(TrainingSpec, TablesHaveARowPerColumn) {
   const auto tables = training::tables_of(training::kEgoFeatures, 1, 2);
   const std::string text = training::format_text(tables, 0);
   for (const training::Column& column : training::kEgoFeatures.columns(1, 2)) {
-    EXPECT_NE(text.find(" " + column.name + " "), std::string::npos) << column.name;
+    EXPECT_THAT(text, HasSubstr(" " + column.name + " ")) << column.name;
   }
 }
 

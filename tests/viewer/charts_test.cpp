@@ -1,6 +1,7 @@
 // Charts: what they show, and what data cannot break.
 #include "viewer/charts/charts.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,6 +14,7 @@
 namespace cls::viewer {
 namespace {
 
+using testing::HasSubstr;
 using tests::attributes_of;
 using tests::count;
 using tests::svg_error;
@@ -65,7 +67,7 @@ TEST(Drawing, ShortensNamesByCharacters) {
 TEST(Drawing, IsAFileOfItsOwnWithItsStyle) {
   const std::string file = standalone_svg(race_chart(race()));
   EXPECT_EQ(count(file, "<style>"), 1U);
-  EXPECT_NE(file.find("prefers-color-scheme:dark"), std::string::npos);
+  EXPECT_THAT(file, HasSubstr("prefers-color-scheme:dark"));
   EXPECT_TRUE(file.starts_with("<svg xmlns=\"http://www.w3.org/2000/svg\""));
   EXPECT_EQ(svg_error(race_chart(race())), "");
 }
@@ -76,7 +78,7 @@ TEST(Charts, DrawEmptyData) {
       race_chart({}),   shares_chart({}),       scene_chart({}),
       search_chart({}), ratings_chart({}),      differences_chart({})};
   for (const std::string& chart : charts) EXPECT_EQ(svg_error(chart), "") << chart;
-  EXPECT_NE(charts[1].find("no completed pass"), std::string::npos);
+  EXPECT_THAT(charts[1], HasSubstr("no completed pass"));
 }
 
 TEST(Charts, ShowNamesAsText) {
@@ -99,7 +101,7 @@ TEST(Charts, ShowNamesAsText) {
       differences_chart({title, {1, -2}})};
   for (const std::string& chart : charts) {
     EXPECT_EQ(svg_error(chart), "") << chart;
-    EXPECT_NE(chart.find("&lt;script&gt;"), std::string::npos) << chart;
+    EXPECT_THAT(chart, HasSubstr("&lt;script&gt;")) << chart;
   }
 }
 
@@ -143,7 +145,7 @@ TEST(DifferencesChart, HasABarForEachDifference) {
   const std::vector<double> lost = attributes_of(chart, "rect", "height", "right\"");
   ASSERT_EQ(lost.size(), 1U);
   EXPECT_NEAR(bars[0], 3 * lost[0], 0.05);
-  EXPECT_NE(chart.find(">+3<"), std::string::npos);
+  EXPECT_THAT(chart, HasSubstr(">+3<"));
 }
 
 TEST(DifferencesChart, DrawsTheMeanFromTheFifthMatchOn) {
@@ -184,7 +186,7 @@ TEST(PassNetwork, ShowsFrequentPairsOnly) {
   const std::vector<double> radii = attributes_of(chart, "circle", "r", "\"right\"");
   ASSERT_EQ(radii.size(), 3U);
   EXPECT_DOUBLE_EQ(radii[0] * 2, radii[1]) << "a quarter of the area";
-  EXPECT_NE(chart.find("3 or more passes"), std::string::npos);
+  EXPECT_THAT(chart, HasSubstr("3 or more passes"));
 }
 
 TEST(PassNetwork, ShowsASinglePass) {
@@ -216,9 +218,9 @@ TEST(Race, RisesToTheSum) {
   ASSERT_EQ(heights.size(), 8U);
   EXPECT_TRUE(std::is_sorted(heights.rbegin(), heights.rend()));
   EXPECT_GT(heights.front(), heights.back());
-  EXPECT_NE(chart.find(">0.75<"), std::string::npos);
-  EXPECT_NE(chart.find(">0.1<"), std::string::npos);
-  EXPECT_NE(chart.find("<title>1:0</title>"), std::string::npos);
+  EXPECT_THAT(chart, HasSubstr(">0.75<"));
+  EXPECT_THAT(chart, HasSubstr(">0.1<"));
+  EXPECT_THAT(chart, HasSubstr("<title>1:0</title>"));
 }
 
 TEST(Race, MovesEqualSumsApart) {
@@ -245,7 +247,7 @@ TEST(Shares, ChangesTeamsAtTheMiddle) {
   const std::size_t start = chart.find("<polygon points=\"") + 17;
   const std::string points = chart.substr(start, chart.find('"', start) - start);
   EXPECT_EQ(count(points, " "), 4U) << points;
-  EXPECT_NE(points.find(" 332,"), std::string::npos) << points;
+  EXPECT_THAT(points, HasSubstr(" 332,")) << points;
 }
 
 TEST(Scene, PlacesPlayersAndBall) {
@@ -258,8 +260,8 @@ TEST(Scene, PlacesPlayersAndBall) {
   EXPECT_EQ(attributes_of(chart, "circle", "cx", "\"left\"").back(), 320.0);
   EXPECT_EQ(attributes_of(chart, "circle", "cx", "\"ball\"").back(),
             attributes_of(chart, "circle", "cx", "\"right\"").back());
-  EXPECT_NE(chart.find(">7</text>"), std::string::npos);
-  EXPECT_NE(chart.find(">9</text>"), std::string::npos);
+  EXPECT_THAT(chart, HasSubstr(">7</text>"));
+  EXPECT_THAT(chart, HasSubstr(">9</text>"));
 }
 
 }  // namespace

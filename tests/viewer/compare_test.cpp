@@ -1,6 +1,7 @@
 // What distinguishes two matches, and the page that shows both.
 #include "viewer/report/compare_page.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -14,6 +15,8 @@
 
 namespace cls::viewer {
 namespace {
+
+using testing::HasSubstr;
 
 gamelog::MatchRecord record_of(const std::string& fixture) {
   return gamelog::read_rcg_file(tests::fixture("gamelog/" + fixture + ".rcg.gz").string()).value();
@@ -118,7 +121,7 @@ TEST(ComparePage, HoldsBothMatches) {
   ASSERT_TRUE(read) << read.error().message;
   EXPECT_EQ(tests::record_difference(a.record, read->record), "");
   EXPECT_EQ(tests::count(page, "id=\"other\""), 1U);
-  EXPECT_NE(page.find("(frame 100): ball position"), std::string::npos);
+  EXPECT_THAT(page, HasSubstr("(frame 100): ball position"));
 }
 
 TEST(ComparePage, ShowsNamesAsText) {

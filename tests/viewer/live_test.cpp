@@ -1,5 +1,6 @@
 // Matches that are played now: their streams equal their logs, and their server is careful.
 #include <fmt/format.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -30,6 +31,8 @@ namespace cls::viewer {
 namespace {
 
 using std::chrono::milliseconds;
+using testing::HasSubstr;
+using testing::Not;
 using tests::exchange;
 using tests::get;
 
@@ -115,7 +118,7 @@ TEST(LiveMatch, EqualsTheLogHoweverItArrives) {
       const auto record = gamelog::read_rcg_file(tests::fixture(name).string()).value();
       EXPECT_EQ(tests::record_difference(record, match->record), "");
       EXPECT_TRUE(match->form.live);
-      EXPECT_NE(match->statistics.find("\"possession\""), std::string::npos);
+      EXPECT_THAT(match->statistics, HasSubstr("\"possession\""));
     }
   }
 }
@@ -157,7 +160,7 @@ TEST(LiveMatch, HasStatisticsWhileItIsPlayed) {
   ChunkReader reader;
   ASSERT_TRUE(reader.add(live.feed()->read(0, std::string::npos).bytes));
   EXPECT_GT(reader.match().record.frames(), 100U);
-  EXPECT_NE(reader.match().statistics.find("\"possession\""), std::string::npos);
+  EXPECT_THAT(reader.match().statistics, HasSubstr("\"possession\""));
   EXPECT_FALSE(live.over());
 }
 
@@ -232,15 +235,15 @@ class LiveSite : public testing::Test {
 TEST_F(LiveSite, ServesThePage) {
   const auto response = get(server_->url());
   EXPECT_EQ(response.status, 200);
-  EXPECT_NE(response.body.find("<title>a&lt;b</title>"), std::string::npos);
-  EXPECT_NE(response.body.find(R"("at":12,"players":["l7"],"live":"live")"), std::string::npos);
-  EXPECT_NE(response.body.find("connect-src 'self'"), std::string::npos);
-  EXPECT_EQ(response.body.find("id=\"match\""), std::string::npos);
+  EXPECT_THAT(response.body, HasSubstr("<title>a&lt;b</title>"));
+  EXPECT_THAT(response.body, HasSubstr(R"("at":12,"players":["l7"],"live":"live")"));
+  EXPECT_THAT(response.body, HasSubstr("connect-src 'self'"));
+  EXPECT_THAT(response.body, Not(HasSubstr("id=\"match\"")));
   for (const char* line : {"Content-Type: text/html; charset=utf-8", "Cache-Control: no-store",
                            "X-Content-Type-Options: nosniff", "Referrer-Policy: no-referrer",
                            "Content-Security-Policy: frame-ancestors 'none'",
                            "Cross-Origin-Resource-Policy: same-origin"}) {
-    EXPECT_NE(response.header.find(line), std::string::npos) << line;
+    EXPECT_THAT(response.header, HasSubstr(line)) << line;
   }
   const auto head = exchange(server_->port(), request("HEAD " + token_ + " HTTP/1.1"));
   EXPECT_EQ(head.status, 200);
@@ -256,7 +259,7 @@ TEST_F(LiveSite, SendsTheFeedFromAnyByteWhileItGrows) {
   EXPECT_EQ(server_->streams(), 1U);
   feed_->append("456");
   feed_->finish();
-  EXPECT_NE((start + connection.receive()).find("456"), std::string::npos);
+  EXPECT_THAT((start + connection.receive()), HasSubstr("456"));
   EXPECT_EQ(get(server_->url() + "live").body, "0123456");
   EXPECT_EQ(get(server_->url() + "live?from=5").body, "56");
   EXPECT_EQ(get(server_->url() + "live?from=99").body, "");
@@ -349,19 +352,18 @@ TEST(MatchList, LinksMatchesAndShowsNamesAsText) {
       {3, "A", "B", "", "planned", false}};
   const MatchList list = {"c\"up", "1 of 3 <matches>", {"<table>\n</table>\n"}, matches, true};
   const std::string page = match_list_page(list);
-  EXPECT_NE(page.find("&lt;b&gt;"), std::string::npos);
-  EXPECT_EQ(page.find("<b>"), std::string::npos);
-  EXPECT_NE(page.find("<a href=\"match/1/\" aria-label=\"Watch match 1\">2 : 1</a>"),
-            std::string::npos);
-  EXPECT_NE(page.find(">live</a>"), std::string::npos);
-  EXPECT_EQ(page.find("match/3/"), std::string::npos);
-  EXPECT_NE(page.find("1 of 3 &lt;matches&gt;"), std::string::npos);
-  EXPECT_NE(page.find("<noscript><meta http-equiv=\"refresh\""), std::string::npos);
-  EXPECT_NE(page.find("script-src " + csp_hash(list_script())), std::string::npos);
-  EXPECT_NE(page.find("<circle cx=\"-12.5\" cy=\"3.0\""), std::string::npos);
+  EXPECT_THAT(page, HasSubstr("&lt;b&gt;"));
+  EXPECT_THAT(page, Not(HasSubstr("<b>")));
+  EXPECT_THAT(page, HasSubstr("<a href=\"match/1/\" aria-label=\"Watch match 1\">2 : 1</a>"));
+  EXPECT_THAT(page, HasSubstr(">live</a>"));
+  EXPECT_THAT(page, Not(HasSubstr("match/3/")));
+  EXPECT_THAT(page, HasSubstr("1 of 3 &lt;matches&gt;"));
+  EXPECT_THAT(page, HasSubstr("<noscript><meta http-equiv=\"refresh\""));
+  EXPECT_THAT(page, HasSubstr("script-src " + csp_hash(list_script())));
+  EXPECT_THAT(page, HasSubstr("<circle cx=\"-12.5\" cy=\"3.0\""));
   const std::string over = match_list_page({"cup", "", {}, matches, false});
   for (const char* part : {"refresh", "<script", "script-src", "data-running"}) {
-    EXPECT_EQ(over.find(part), std::string::npos) << part;
+    EXPECT_THAT(over, Not(HasSubstr(part))) << part;
   }
 }
 
@@ -409,7 +411,7 @@ TEST(HttpServer, SaysWhyItCannotListen) {
   const auto first = serve([](auto, auto) { return HttpReply{}; });
   const auto second = HttpServer::start({"127.0.0.1", first->port()}, nullptr);
   ASSERT_FALSE(second);
-  EXPECT_NE(second.error().message.find("Address already in use"), std::string::npos)
+  EXPECT_THAT(second.error().message, HasSubstr("Address already in use"))
       << second.error().message;
   EXPECT_EQ(HttpServer::start({"example.org", 0}, nullptr).error().message,
             "cannot listen on example.org port 0: not an IP address of this host");

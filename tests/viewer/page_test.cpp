@@ -1,6 +1,7 @@
 // Pages: what they contain, what comes back, and what names of teams may not do.
 #include "viewer/page/page.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -18,6 +19,9 @@
 
 namespace cls::viewer {
 namespace {
+
+using testing::HasSubstr;
+using testing::Not;
 
 gamelog::MatchRecord record_of(const std::string& fixture) {
   return gamelog::read_rcg_file(tests::fixture(fixture).string()).value();
@@ -61,8 +65,8 @@ TEST(Page, GivesTheRecordBack) {
     const auto match = read_page(page_of(record));
     ASSERT_TRUE(match) << match.error().message;
     EXPECT_EQ(tests::record_difference(record, match->record), "");
-    EXPECT_NE(match->statistics.find("\"possession\""), std::string::npos);
-    EXPECT_NE(match->statistics.find("\"events\""), std::string::npos);
+    EXPECT_THAT(match->statistics, HasSubstr("\"possession\""));
+    EXPECT_THAT(match->statistics, HasSubstr("\"events\""));
   }
 }
 
@@ -85,40 +89,39 @@ TEST(Page, AllowsItsOwnProgramOnly) {
   const std::string page = page_of(record_of("gamelog/rcg-v6-excerpt.rcg.gz"));
   const std::string script = "<script>" + std::string(viewer_script()) + "</script>";
   const std::string style = "<style>" + std::string(viewer_style()) + "</style>";
-  EXPECT_NE(page.find(script), std::string::npos);
-  EXPECT_NE(page.find(style), std::string::npos);
-  EXPECT_NE(page.find("default-src 'none'; script-src " + csp_hash(viewer_script()) +
-                      "; style-src " + csp_hash(viewer_style()) + "; img-src data: blob:"),
-            std::string::npos);
-  EXPECT_EQ(page.find("unsafe-"), std::string::npos);
+  EXPECT_THAT(page, HasSubstr(script));
+  EXPECT_THAT(page, HasSubstr(style));
+  EXPECT_THAT(page, HasSubstr("default-src 'none'; script-src " + csp_hash(viewer_script()) +
+                              "; style-src " + csp_hash(viewer_style()) + "; img-src data: blob:"));
+  EXPECT_THAT(page, Not(HasSubstr("unsafe-")));
   EXPECT_EQ(count(page, "<script"), 3U);
   EXPECT_EQ(count(page, "<style"), 1U);
-  EXPECT_NE(page.find(R"("at":1234,"players":["l7","r1"])"), std::string::npos);
+  EXPECT_THAT(page, HasSubstr(R"("at":1234,"players":["l7","r1"])"));
 }
 
 TEST(Page, EmbedsAProgramThatCannotEndEarly) {
   for (const std::string_view text : {viewer_script(), debugger_script(), viewer_style()}) {
     EXPECT_GT(text.size(), 1000U);
-    EXPECT_EQ(text.find("</script"), std::string_view::npos);
-    EXPECT_EQ(text.find("</style"), std::string_view::npos);
-    EXPECT_EQ(text.find("<!--"), std::string_view::npos);
+    EXPECT_THAT(text, Not(HasSubstr("</script")));
+    EXPECT_THAT(text, Not(HasSubstr("</style")));
+    EXPECT_THAT(text, Not(HasSubstr("<!--")));
   }
   EXPECT_FALSE(std::regex_search(std::string(viewer_script()), std::regex("\n(import|export) ")));
 }
 
 TEST(Page, HasTheDecisionDebuggerWithDecisionsOnly) {
   constexpr std::string_view kDebugger = "class DecisionPanel";
-  EXPECT_EQ(viewer_script().find(kDebugger), std::string_view::npos);
-  EXPECT_NE(debugger_script().find(kDebugger), std::string_view::npos);
+  EXPECT_THAT(viewer_script(), Not(HasSubstr(kDebugger)));
+  EXPECT_THAT(debugger_script(), HasSubstr(kDebugger));
   const analysis::MatchSummary summary;
   const std::string without = write_page(summary, "stream", {});
   const std::string with =
       write_page(summary, "stream", {}, {{soccer::Side::kRight, gzip("decisions")}});
-  EXPECT_EQ(without.find(kDebugger), std::string::npos);
-  EXPECT_EQ(without.find("id=\"decisions-"), std::string::npos);
-  EXPECT_NE(with.find("script-src " + csp_hash(debugger_script())), std::string::npos);
-  EXPECT_NE(with.find("id=\"decisions-right\" data-length=\""), std::string::npos);
-  EXPECT_NE(with.find(base64(gzip("decisions"))), std::string::npos);
+  EXPECT_THAT(without, Not(HasSubstr(kDebugger)));
+  EXPECT_THAT(without, Not(HasSubstr("id=\"decisions-")));
+  EXPECT_THAT(with, HasSubstr("script-src " + csp_hash(debugger_script())));
+  EXPECT_THAT(with, HasSubstr("id=\"decisions-right\" data-length=\""));
+  EXPECT_THAT(with, HasSubstr(base64(gzip("decisions"))));
 }
 
 TEST(Page, ShowsNamesAsText) {

@@ -1,6 +1,7 @@
 // Reports of real logs: their charts, tables and texts.
 #include "viewer/report/match_report.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -18,6 +19,8 @@
 namespace cls::viewer {
 namespace {
 
+using testing::HasSubstr;
+using testing::Not;
 using tests::count;
 
 /// Statistics refer to the record.
@@ -89,7 +92,7 @@ TEST(MatchCharts, ShowTheSumsOfTheStatistics) {
     if (match->statistics.shots[i].slot < 11) expected += match->statistics.expected[i];
   }
   ASSERT_GT(expected, 0.0);
-  EXPECT_NE(charts[0].svg.find(">" + svg_number(expected) + "</text>"), std::string::npos);
+  EXPECT_THAT(charts[0].svg, HasSubstr(">" + svg_number(expected) + "</text>"));
   EXPECT_EQ(count(charts[2].svg, "<title>"), match->statistics.shots.size());
   EXPECT_EQ(charts.size(), 8U + match->statistics.goals.size());
 }
@@ -154,7 +157,7 @@ TEST(MatchReport, IsALogWithAReplay) {
   const auto read = read_page(html);
   ASSERT_TRUE(read) << read.error().message;
   EXPECT_EQ(tests::record_difference(match->record, read->record), "");
-  EXPECT_EQ(html.find("unsafe-"), std::string::npos);
+  EXPECT_THAT(html, Not(HasSubstr("unsafe-")));
 }
 
 TEST(MatchReport, HasNoScriptWithoutAReplay) {
@@ -189,13 +192,13 @@ TEST(MatchReport, ShowsNamesAsText) {
 
 TEST(MatchReport, HasLatenciesOfPlaymakers) {
   const auto match = analyzed(record_of("match-start"));
-  EXPECT_EQ(report_html(match->report, {}, "").find("Playmaker"), std::string::npos);
+  EXPECT_THAT(report_html(match->report, {}, ""), Not(HasSubstr("Playmaker")));
   match->report.playmakers = {{"RED", "mock", 72479, 3, 4, 110.4, 210.0, 310.0, 4100.0}};
   for (const std::string& text :
        {report_html(match->report, {}, ""), report_markdown(match->report, {}, "")}) {
-    EXPECT_NE(text.find("72479"), std::string::npos);
-    EXPECT_NE(text.find("110 us"), std::string::npos);
-    EXPECT_NE(text.find("4100 us"), std::string::npos);
+    EXPECT_THAT(text, HasSubstr("72479"));
+    EXPECT_THAT(text, HasSubstr("110 us"));
+    EXPECT_THAT(text, HasSubstr("4100 us"));
   }
 }
 
@@ -206,8 +209,8 @@ TEST(MatchReport, IsMarkdownWithImages) {
   const std::string text = report_markdown(match->report, charts_of(*match), "report-charts");
   EXPECT_TRUE(text.starts_with("# a\\|\\*b\\*\\<img> 1:0 ")) << text.substr(0, 60);
   EXPECT_EQ(count(text, "](report-charts/"), charts_of(*match).size());
-  EXPECT_NE(text.find("\n| possession (last touch) |"), std::string::npos);
-  EXPECT_EQ(report_markdown(match->report, charts_of(*match), "").find("svg"), std::string::npos);
+  EXPECT_THAT(text, HasSubstr("\n| possession (last touch) |"));
+  EXPECT_THAT(report_markdown(match->report, charts_of(*match), ""), Not(HasSubstr("svg")));
 }
 
 }  // namespace

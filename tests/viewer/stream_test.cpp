@@ -1,4 +1,5 @@
 // Matches written as chunks and read again, whole and in pieces.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,6 +17,8 @@ namespace cls::viewer {
 namespace {
 
 using gamelog::MatchRecord;
+using testing::HasSubstr;
+using testing::Not;
 using tests::record_difference;
 
 const char* const kLogs[] = {"gamelog/rcg-v1-excerpt",
@@ -130,9 +133,9 @@ std::string column_of(const std::string& stream, const std::string& name) {
 TEST(Stream, FitsColumnsToTheirValues) {
   MatchRecord record = read("gamelog/match-start");
   std::string stream = write_stream(record, {}, "");
-  EXPECT_NE(column_of(stream, "neck").find("\"scale\":1"), std::string::npos);
-  EXPECT_EQ(column_of(stream, "neck").find("\"scale\":10"), std::string::npos);
-  EXPECT_NE(column_of(stream, "focus_distance").find("\"c\""), std::string::npos);
+  EXPECT_THAT(column_of(stream, "neck"), HasSubstr("\"scale\":1"));
+  EXPECT_THAT(column_of(stream, "neck"), Not(HasSubstr("\"scale\":10")));
+  EXPECT_THAT(column_of(stream, "focus_distance"), HasSubstr("\"c\""));
   for (std::size_t i = 0; i < record.players.focus.size(); ++i) {
     record.players.focus[i].x = 0.001F * static_cast<float>(i % 1000);
   }
@@ -140,16 +143,16 @@ TEST(Stream, FitsColumnsToTheirValues) {
   record.players.neck[6] = -0.0F;
   record.players.neck[7] = 1.0F / 3.0F;  // in no scale
   stream = write_stream(record, {}, "");
-  EXPECT_NE(column_of(stream, "focus_distance").find("\"d1\",\"series\":22,\"scale\":1000"),
-            std::string::npos);
-  EXPECT_NE(column_of(stream, "neck").find("\"scale\":10"), std::string::npos);
-  EXPECT_EQ(column_of(stream, "neck").find("\"scale\":100"), std::string::npos);
+  EXPECT_THAT(column_of(stream, "focus_distance"),
+              HasSubstr("\"d1\",\"series\":22,\"scale\":1000"));
+  EXPECT_THAT(column_of(stream, "neck"), HasSubstr("\"scale\":10"));
+  EXPECT_THAT(column_of(stream, "neck"), Not(HasSubstr("\"scale\":100")));
   const auto match = read_stream(stream);
   ASSERT_TRUE(match) << match.error().message;
   EXPECT_EQ(record_difference(match->record, record), "");
   // What will come in a live match is not known.
-  EXPECT_NE(column_of(write_stream(record, {.live = true}, ""), "neck").find("\"scale\":1000"),
-            std::string::npos);
+  EXPECT_THAT(column_of(write_stream(record, {.live = true}, ""), "neck"),
+              HasSubstr("\"scale\":1000"));
 }
 
 TEST(Stream, RoundsInCompactForm) {

@@ -1,4 +1,5 @@
 // A match in characters: what is drawn, what keys do, what reaches the terminal.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -16,6 +17,8 @@ namespace cls::viewer {
 namespace {
 
 using gamelog::Frame;
+using testing::HasSubstr;
+using testing::Not;
 
 Frame frame_with(int time) {
   Frame frame;
@@ -150,7 +153,7 @@ TEST(MatchScreen, FollowsALiveMatch) {
   MatchScreen match(record);
   match.set_live(true);
   EXPECT_EQ(match.line(), "waiting for the kick-off");
-  EXPECT_NE(match.draw(80, 24, true).text().find("waiting for the kick-off"), std::string::npos);
+  EXPECT_THAT(match.draw(80, 24, true).text(), HasSubstr("waiting for the kick-off"));
   record = short_match();
   match.advance(0);
   EXPECT_EQ(match.frame(), 9U);
@@ -174,8 +177,8 @@ TEST(MatchScreen, ShowsScoreClockAndMode) {
     EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), rows);
     if (columns < 80) continue;
     const std::string head = text.substr(0, text.find('\n'));
-    EXPECT_NE(head.find(" : "), std::string::npos) << head;
-    EXPECT_NE(text.find("q quit"), std::string::npos);
+    EXPECT_THAT(head, HasSubstr(" : ")) << head;
+    EXPECT_THAT(text, HasSubstr("q quit"));
   }
 }
 
@@ -190,12 +193,12 @@ TEST(Screen, UpdatesOnlyWhatChanged) {
   Screen after = before;
   after.write(3, 5, "xy", Ink::kLeft);
   const std::string update = after.update(&before, true);
-  EXPECT_NE(update.find("\x1b[4;6H\x1b[0;1;38;5;75mxy"), std::string::npos);
+  EXPECT_THAT(update, HasSubstr("\x1b[4;6H\x1b[0;1;38;5;75mxy"));
   EXPECT_LT(update.size(), 60U);
   EXPECT_GT(after.update(nullptr, true).size(), 80U * 24U);
   const std::string plain = after.update(&before, false);
-  EXPECT_EQ(plain.find("38;5"), std::string::npos);
-  EXPECT_NE(plain.find("xy"), std::string::npos);
+  EXPECT_THAT(plain, Not(HasSubstr("38;5")));
+  EXPECT_THAT(plain, HasSubstr("xy"));
 }
 
 TEST(Keys, AreReadWholeInAnyPieces) {

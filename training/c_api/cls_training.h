@@ -109,7 +109,7 @@ CLS_TRAINING_API int cls_training_catalog(char* out, size_t capacity, size_t* le
 //   "num_agents"  how many players of the agents' team the caller controls (the others are
 //                 `teammates`). Default: all. The first ones after the goalie, or with
 //                 "goalie_agent": true the goalie and the first ones.
-//   "teammates"   who plays the players of the agents' team that are no agents, by name: "hold"
+//   "teammates"   who plays the players of the agents' team that are not agents, by name: "hold"
 //                 (they stand), "scripted" (geometry, from the exact world), "mock" or "planner"
 //                 (they perceive and decide as in matches `cls match mock` and `mock:planner`).
 //                 Or a pool: {"NAME": weight, ...}, from which each episode draws one for all.

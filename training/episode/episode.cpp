@@ -54,7 +54,7 @@ void round_numbers(PlayerCommand& command) {
       command);
 }
 
-// As one datagram.
+// Logs the commands as one datagram.
 void record_commands(std::span<const PlayerCommand> commands, const simulator::World& world,
                      simulator::Slot slot, simulator::MatchRecorder& recorder) {
   std::string text;
@@ -65,7 +65,7 @@ void record_commands(std::span<const PlayerCommand> commands, const simulator::W
   recorder.command(world, slot, text);
 }
 
-// Of the events from index `first` on.
+// Logs the messages of the referee among the events from index `first` on.
 void record_messages(const simulator::Events& events, std::size_t first,
                      simulator::MatchRecorder& recorder) {
   for (std::size_t i = first; i < events.size(); ++i) {
@@ -257,7 +257,7 @@ void Episode::execute_commands(simulator::MatchRecorder* recorder) {
   }
 }
 
-// For all who hear.
+// Queues the messages for every player in earshot.
 void Episode::queue_says(std::size_t first_event) {
   training::queue_says(*setup_, world_, events_, first_event, others_);
   for (std::size_t i = first_event; i < events_.size() && has_world_models(); ++i) {
@@ -271,7 +271,8 @@ void Episode::queue_says(std::size_t first_event) {
 void Episode::play_cycle(simulator::MatchRecorder* recorder) {
   if (setup_->task->referee && allows_moves(world_.mode)) return_to_formation();
   const std::array<int, 2> score = memory_.score;
-  // As a match server after the senses: a catch or a move may give contacts before the step.
+  // A match server does the same after the senses: a catch or a move may give contacts before the
+  // step.
   for (simulator::Player& player : world_.players) player.contacts = {};
   send_commands();
   execute_commands(recorder);

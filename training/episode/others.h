@@ -1,4 +1,4 @@
-// The players of an episode that are no agents: who plays them, and what they know.
+// The players of an episode that are not agents: who plays them, and what they know.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@ namespace cls::training {
 /// A copyable value.
 struct Others {
   std::array<Driver, soccer::kPlayersOnPitch>
-      drivers{};                     ///< by slot; of players that are no agents
+      drivers{};                     ///< by slot; of players that are not agents
   std::vector<MatchPlayer> players;  ///< by Setup::match_player_of
   int opponent = -1;  ///< index of the opponents' driver in Setup::opponents; -1: none
 };

@@ -49,7 +49,7 @@ Result<int> choose_count(std::string_view key, int wanted, const Task& task, con
                            range.high, task.id, count)};
 }
 
-// Of all players that are no agents.
+// Chooses the drivers of all players that are not agents.
 void choose_drivers(const SetupChoices& choices, Agents agents, Setup& setup) {
   for (const Side side : {Side::kLeft, Side::kRight}) {
     const bool own = agents == Agents::kBoth || (agents == Agents::kLeft) == (side == Side::kLeft);

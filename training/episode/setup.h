@@ -49,7 +49,7 @@ struct SetupChoices {
 struct Setup {
   const Task* task = nullptr;
   Cast cast;
-  DriverPool teammates;  ///< of players of the agents' team that are no agents; empty: none
+  DriverPool teammates;  ///< of players of the agents' team that are not agents; empty: none
   DriverPool opponents;  ///< empty: none
   std::array<bool, soccer::kPlayersOnPitch> is_agent{};
   std::array<bool, soccer::kPlayersOnPitch> is_opponent{};  ///< of the agents; none with both teams

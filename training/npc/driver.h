@@ -1,4 +1,4 @@
-// Who plays the players that are no agents.
+// Who plays the players that are not agents.
 #pragma once
 
 #include <array>

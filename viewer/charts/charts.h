@@ -125,7 +125,7 @@ std::string scene_chart(const SceneData& data);
 
 /// A search for the best parameters over its generations.
 struct SearchData {
-  /// With a band around it.
+  /// A value with a band around it.
   struct Value {
     double center = 0.0;
     double low = 0.0;

@@ -54,7 +54,7 @@ std::optional<base::Error> header_error(const Json& json) {
   return std::nullopt;
 }
 
-/// Texts of a team that are longer than this together are no recording.
+/// Texts of a team that are longer than this together are not a recording.
 constexpr std::size_t kMaxTexts = std::size_t{1} << 28;
 
 class Reader {

@@ -34,7 +34,7 @@ class LiveInput {
 /// ended: another one replaces it.
 std::unique_ptr<LiveInput> follow_log(std::filesystem::path log, std::function<bool()> complete);
 
-/// The same from a running soccer server, as a monitor (version 5) that only watches. Repeated
+/// Follows a running soccer server, as a monitor (version 5) that only watches. Repeated
 /// frames before kick-off and after the match are left out. The input ends when the server has been
 /// silent for 30 seconds. The error names the address.
 base::Result<std::unique_ptr<LiveInput>> follow_server(const std::string& host, int port);

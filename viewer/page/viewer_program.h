@@ -7,7 +7,7 @@ namespace cls::viewer {
 
 /// JavaScript and CSS between the tags of a page; neither contains a closing tag.
 std::string_view viewer_script();
-/// The same with the decision debugger, for pages with recorded decisions.
+/// The viewer script with the decision debugger, for pages with recorded decisions.
 std::string_view debugger_script();
 std::string_view viewer_style();
 /// The program of the list of matches.

@@ -16,7 +16,7 @@ TimeAxis time_axis(const gamelog::MatchRecord& record);
 /// the match around each of 121 equally distant frames. NaN: no such frame.
 std::vector<double> possession_over_time(const analysis::MatchStatistics& statistics);
 
-/// Likewise the left team's share of touches in the final thirds (analysis/measures/territory.h).
+/// The left team's share of touches in the final thirds (analysis/measures/territory.h).
 std::vector<double> field_tilt_over_time(const analysis::MatchStatistics& statistics);
 
 /// True if the player is the goalie in the first frame in which it is connected.

@@ -38,7 +38,7 @@ inline void add_to_checksum(std::string_view bytes, std::uint32_t& checksum) {
       crc32_z(checksum, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()));
 }
 
-/// As the end of a stream has it.
+/// The checksum as text at the end of a stream.
 inline std::string checksum_text(std::uint32_t checksum) { return fmt::format("{:08x}", checksum); }
 
 }  // namespace cls::viewer

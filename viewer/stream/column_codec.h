@@ -16,7 +16,7 @@ using Integers = std::vector<std::int64_t>;
 
 /// Largest magnitude of an integer in a stream.
 constexpr std::int64_t kMaxInteger = std::int64_t{1} << 32;
-/// The same for integers of real numbers; values beyond are exceptions.
+/// The largest integer that stands for a real number; values beyond are exceptions.
 constexpr std::int64_t kMaxScaled = std::int64_t{1} << 30;
 
 /// `values` is a table with rows of `columns` entries; returns it column after column.

@@ -19,7 +19,7 @@ namespace cls::orchestration::match {
 struct ReplayOptions {
   std::string file;
   Endpoint endpoint;
-  /// Whose calls; else the only side with calls, the side that was no mock, or the left.
+  /// Whose calls; else the only side with calls, the side that was not a mock, or the left.
   std::optional<soccer::Side> side;
   std::optional<int> cycle;  ///< only decisions of this cycle
   std::optional<int> agent;  ///< only calls of this player

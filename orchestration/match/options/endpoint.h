@@ -44,7 +44,7 @@ struct Endpoint {
   std::vector<Endpoint> parts;  ///< kMixed: the Playmakers, of any other kind but kTeam
   std::string label;            ///< of a part: its agents as the user wrote them, "2-5,coach"
   std::vector<int> agents;      ///< of a part: agent numbers (mixed_side.h)
-  /// Of `planner:FILE=SIDE`, whose other members are those of SIDE; empty: none.
+  /// The FILE of `planner:FILE=SIDE`, whose other members are those of SIDE; empty: none.
   std::string planner_file;
   /// The content of `planner_file`, once it is read; null: the defaults.
   std::shared_ptr<const player::PlannerParameters> planner;

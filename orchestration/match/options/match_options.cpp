@@ -89,7 +89,7 @@ simulator::MatchConfig server_config(const MatchOptions& options, std::uint64_t 
   simulator::MatchConfig config;
   config.server = server_params(options);
   config.server.auto_mode = true;
-  // How logs are stored is no matter of the players: compressed logs hold the bytes of plain ones.
+  // Players must not notice how logs are stored: compressed logs hold the bytes of plain ones.
   config.server.game_log_compression = config.server.text_log_compression = 0;
   config.player = options.player;
   config.seed = seed;

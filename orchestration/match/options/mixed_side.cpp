@@ -79,7 +79,7 @@ Error unknown_agents(std::string_view word) {
   std::vector<std::string_view> names = {kOthers};
   for (const Role& role : kRoles) names.push_back(role.name);
   return Error{fmt::format(
-      "'{}' is no player{} (1 to 11, 2-5, goalie, defenders, midfielders, forwards, players, "
+      "'{}' is not a player{} (1 to 11, 2-5, goalie, defenders, midfielders, forwards, players, "
       "coach, others)",
       word, base::did_you_mean(word, names))};
 }

@@ -21,7 +21,7 @@ using SharedPlannerParameters = std::shared_ptr<const player::PlannerParameters>
 base::Result<SharedPlannerParameters> parse_planner_file(std::string_view text,
                                                          const std::string& name);
 
-/// The same for a file; the error says why it cannot be read.
+/// Parses the parameters of a file; the error says why it cannot be read.
 base::Result<SharedPlannerParameters> read_planner_file(const std::filesystem::path& file);
 
 /// A file with all parameters, their defaults, units, ranges and effects.

@@ -16,7 +16,7 @@ namespace {
 using base::Error;
 using base::Result;
 
-// The parameters that are not `usual`, in the form of --set. Logs are no part of the match.
+// The parameters that are not `usual`, in the form of --set. Logs are not part of the match.
 template <typename Params>
 void add_settings(std::string_view module, const Params& params, const Params& usual,
                   const soccer::ParameterTable<Params>& table, saved::SavedMatch& out) {

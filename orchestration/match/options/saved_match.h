@@ -27,7 +27,7 @@ base::Result<std::shared_ptr<const saved::SavedMatch>> read_saved_match(
 base::Result<void> resume_from(std::shared_ptr<const saved::SavedMatch> match,
                                MatchOptions& options);
 
-/// Of one side.
+/// The saved replies of one side.
 proxy::SavedReplies replies_of(const saved::SavedMatch& match, soccer::Side side);
 
 /// Hash of time, score, ball and players.

@@ -14,7 +14,7 @@ namespace cls::orchestration::match {
 namespace {
 
 constexpr std::size_t kManyRepetitions = 100;
-// A team that stands still for a while is no warning.
+// A team that stands still for a while is not worth a warning.
 constexpr std::int64_t kMinReplies = 50;
 
 // "; most often failed: body_hold_ball (ball not kickable)"; empty when nothing failed.
@@ -45,10 +45,8 @@ std::vector<std::string> action_warnings(const TeamResult& team) {
     useless += player.useless;
   }
   if (replies < kMinReplies || 2 * useless < replies) return {};
-  return {
-      fmt::format("{}: {} of {} replies had no action that could be executed, {} of them no "
-                  "action at all{}",
-                  team.name, useless, replies, empty, most_failed(team))};
+  return {fmt::format("{}: {} of {} replies had no executable action ({} were empty){}", team.name,
+                      useless, replies, empty, most_failed(team))};
 }
 
 bool is_reported(const MatchResult& result, const std::string& exception) {

@@ -18,7 +18,7 @@ struct MatchProgress {
   soccer::PlayMode mode = soccer::PlayMode::kNull;
 };
 
-/// The same as one source (server, game log, agents) reports it.
+/// The progress that one source (server, game log, agents) reports.
 struct SourceProgress {
   MatchProgress match;
   std::int64_t steps = 0;  ///< also counts steps while the clock is stopped

@@ -65,8 +65,8 @@ std::optional<MatchEnd> EmbeddedServer::start(const std::function<bool()>& /*kee
   return std::nullopt;
 }
 
-// External players that get no messages would take the server for dead, so cycles go by; but there
-// is no kick-off before all players are there.
+// External players that get no messages would take the server for dead, so cycles pass; but the
+// match does not kick off before all players are there.
 void EmbeddedServer::wait_for_clients() {
   constexpr int kNoKickOff = 1'000'000;
   if (!has_external_team()) return;

@@ -15,7 +15,7 @@
 
 namespace cls::orchestration::match {
 
-/// Also printed by `--dry-run`.
+/// What a match starts, and where; `--dry-run` prints it.
 struct MatchPlan {
   std::string server_host = "127.0.0.1";
   ServerPorts ports;

@@ -70,7 +70,7 @@ void check_pairings(ErrorList& errors, const TournamentConfig& config) {
                  "format 'list' requires the key matches");
 }
 
-// Of each pair of teams: more than any schedule holds, but for a list.
+// Requires that the schedule has a possible number of matches.
 void check_size(ErrorList& errors, const TournamentConfig& config) {
   const auto teams = static_cast<double>(config.teams.size());
   const double pairings =

@@ -5,9 +5,9 @@
 
 namespace cls::orchestration::tournament {
 
-/// Of the mean of independent samples, which are scaled to 0 to 1. H0: it is at most `mean0`; H1:
-/// it is at least `mean1`, which is above `mean0`. `alpha` is the probability to accept H1 when H0
-/// is true, `beta` the probability to accept H0 when H1 is true.
+/// Hypotheses about the mean of independent samples, which are scaled to 0 to 1. H0: it is at most
+/// `mean0`; H1: it is at least `mean1`, which is above `mean0`. `alpha` is the probability to
+/// accept H1 when H0 is true, `beta` the probability to accept H0 when H1 is true.
 struct Hypotheses {
   double mean0 = 0.5;
   double mean1 = 0.5;

@@ -96,8 +96,8 @@ ComparisonVerdict verdict(const Comparison& comparison, std::span<const Schedule
 /// the samples so far say; before these say enough, if H0 or H1 is true.
 double expected_samples_left(const Comparison& comparison, const ComparisonVerdict& known);
 
-/// The same before the first match, if the true difference is halfway between H0 and H1, where the
-/// test takes longest.
+/// The number of samples expected before the first match if the true difference is halfway between
+/// H0 and H1, where the test takes longest.
 double max_expected_samples(const Comparison& comparison);
 
 /// The samples until the verdict if NEW gets the most out of every match.

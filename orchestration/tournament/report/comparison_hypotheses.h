@@ -13,9 +13,9 @@ int limit_of(const Comparison& comparison, Measure measure);
 
 Hypotheses hypotheses_of(const Comparison& comparison);
 
-/// Of a sample when a fifth of the matches are draws and the matches of a pair share half of their
-/// randomness, as in the table of docs/tournaments.md; of goals when the difference of a match has
-/// a standard deviation of about two.
+/// The variance of a sample when a fifth of the matches are draws and the matches of a pair share
+/// half of their randomness, as in the table of docs/tournaments.md; of goals when the difference
+/// of a match has a standard deviation of about two.
 double typical_variance(const Comparison& comparison);
 
 /// One line that names the test, its hypotheses and its errors.

@@ -17,7 +17,7 @@ struct TextOptions {
 /// commands.
 std::string report_text(const Report& report, const TextOptions& options = {});
 
-/// The same as Markdown, with the logs and commands of all matches.
+/// The report as Markdown, with the logs and commands of all matches.
 std::string report_markdown(const Report& report);
 
 /// The tables alone.

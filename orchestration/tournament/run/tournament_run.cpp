@@ -198,7 +198,7 @@ class TournamentRun {
     ScheduledMatch& match = match_at(index);
     const bool failed = !outcome.counts();
     bool rerun = false;
-    // Of this host, not of a match: the checks before the first match have said it.
+    // This warning concerns the host; the preflight checks have reported it already.
     if (config_.executor == ExecutorKind::kLocal) {
       std::erase(outcome.warnings, match::missing_sandbox());
     }

@@ -70,7 +70,7 @@ base::Result<void> check_plan(const std::filesystem::path& folder, const Tournam
 /// Creates `folder` and writes the plan of the valid `config`, which passed check_plan().
 base::Result<void> write_plan(const std::filesystem::path& folder, const TournamentConfig& config);
 
-/// Both.
+/// Does both: check_plan() and write_plan().
 base::Result<void> prepare_folder(const std::filesystem::path& folder,
                                   const TournamentConfig& config);
 

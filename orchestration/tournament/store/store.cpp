@@ -153,7 +153,7 @@ class Columns {
   int next_ = 0;
 };
 
-// Of a row with kScheduleColumns and the outcome as JSON.
+// The match in a row with kScheduleColumns and the outcome as JSON.
 ScheduledMatch match_in(SQLite::Statement& row) {
   Columns columns(row);
   ScheduledMatch match;

@@ -46,7 +46,7 @@ struct EigenDecomposition {
   std::vector<double> roots;
 };
 
-/// Of a positive semidefinite matrix, by Jacobi rotations.
+/// Decomposes a positive semidefinite matrix by Jacobi rotations.
 EigenDecomposition eigen_decomposition(const SymmetricMatrix& matrix);
 
 }  // namespace cls::orchestration::tournament

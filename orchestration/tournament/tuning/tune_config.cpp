@@ -133,7 +133,7 @@ class TuneParser {
     return {table, place, file_, parsed_.errors};
   }
 
-  // Of a newer file no key is certain.
+  // The keys of a newer file may have other meanings.
   static bool read_schema(TableReader& read) {
     const toml::node* node = read.take("schema");
     if (node == nullptr) return true;

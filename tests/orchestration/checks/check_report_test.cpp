@@ -1,12 +1,15 @@
 // Steps of a check as JUnit XML and GitHub annotations.
 #include "orchestration/checks/check_report.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "tests/support/junit.h"
 
 namespace cls::orchestration::checks {
 namespace {
+
+using testing::HasSubstr;
 
 CheckReport report() {
   CheckReport report;
@@ -23,14 +26,13 @@ CheckReport report() {
 
 TEST(CheckReport, JUnitContainsEachStep) {
   const std::string xml = to_junit(report());
-  EXPECT_NE(xml.find("<testsuite name=\"cls check playmaker\" tests=\"3\" failures=\"1\" "
-                     "errors=\"0\" time=\"0.500\" skipped=\"1\">"),
-            std::string::npos)
+  EXPECT_THAT(xml, HasSubstr("<testsuite name=\"cls check playmaker\" tests=\"3\" failures=\"1\" "
+                             "errors=\"0\" time=\"0.500\" skipped=\"1\">"))
       << xml;
-  EXPECT_NE(xml.find("name=\"reach\""), std::string::npos);
-  EXPECT_NE(xml.find("<system-out>Register replied</system-out>"), std::string::npos) << xml;
-  EXPECT_NE(xml.find("why: It may be refused, not crash."), std::string::npos);
-  EXPECT_NE(xml.find("<skipped message=\"not reached\">"), std::string::npos);
+  EXPECT_THAT(xml, HasSubstr("name=\"reach\""));
+  EXPECT_THAT(xml, HasSubstr("<system-out>Register replied</system-out>")) << xml;
+  EXPECT_THAT(xml, HasSubstr("why: It may be refused, not crash."));
+  EXPECT_THAT(xml, HasSubstr("<skipped message=\"not reached\">"));
 }
 
 TEST(CheckReport, JUnitIsValidForArbitraryBytes) {
@@ -46,7 +48,7 @@ TEST(CheckReport, AnnotationsContainFailedSteps) {
                         0),
             0u)
       << lines;
-  EXPECT_NE(lines.find("ends,%0Aat 50%25%0Awhy: It may be refused"), std::string::npos) << lines;
+  EXPECT_THAT(lines, HasSubstr("ends,%0Aat 50%25%0Awhy: It may be refused")) << lines;
 }
 
 }  // namespace

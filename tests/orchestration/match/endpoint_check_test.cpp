@@ -1,6 +1,7 @@
 // Checks of sides before the first match: what is missing is named, and nothing is started.
 #include "orchestration/match/sides/endpoint_check.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -13,6 +14,8 @@
 
 namespace cls::orchestration::match {
 namespace {
+
+using testing::HasSubstr;
 
 namespace fs = std::filesystem;
 using Kind = EndpointProblem::Kind;
@@ -43,14 +46,12 @@ TEST_F(EndpointCheck, FindsProgramsAndScriptsOfRunCommands) {
   EXPECT_EQ(missing("sh -e team/playmaker.py {port}"), "");
   EXPECT_EQ(missing("cd team && A=1 exec sh playmaker.py --port {port}"), "");
   EXPECT_EQ(missing("cd 'team' && env sh \"playmaker.py\" {port}"), "");
-  EXPECT_NE(missing("./brane --port {port}").find("brane: no such file"), std::string::npos);
-  EXPECT_NE(missing("team/playmaker.py {port}").find("playmaker.py is not executable"),
-            std::string::npos);
+  EXPECT_THAT(missing("./brane --port {port}"), HasSubstr("brane: no such file"));
+  EXPECT_THAT(missing("team/playmaker.py {port}"), HasSubstr("playmaker.py is not executable"));
   EXPECT_EQ(missing("sh playmaker.py --port {port}"), "playmaker.py: no such file");
   EXPECT_EQ(missing("sh -x nope.sh {port}"), "nope.sh: no such file");
   EXPECT_EQ(missing("cls_no_such_program {port}"), "cls_no_such_program: no such program on PATH");
-  EXPECT_NE(missing("cd nowhere && sh x.py {port}").find("nowhere: no such folder"),
-            std::string::npos);
+  EXPECT_THAT(missing("cd nowhere && sh x.py {port}"), HasSubstr("nowhere: no such folder"));
 }
 
 TEST_F(EndpointCheck, AcceptsRunCommandsThatOnlyTheShellUnderstands) {
@@ -75,8 +76,8 @@ TEST_F(EndpointCheck, NamesTheProblemOfEachKindOfSide) {
   const auto unreachable = check("unix:" + (path() / "none.sock").string());
   ASSERT_TRUE(unreachable);
   EXPECT_EQ(unreachable->kind, Kind::kUnreachable);
-  EXPECT_NE(unreachable->text.find("nothing listens at "), std::string::npos) << unreachable->text;
-  EXPECT_NE(unreachable->text.find("; start it first"), std::string::npos);
+  EXPECT_THAT(unreachable->text, HasSubstr("nothing listens at ")) << unreachable->text;
+  EXPECT_THAT(unreachable->text, HasSubstr("; start it first"));
 }
 
 TEST_F(EndpointCheck, AcceptsRunningPlaymaker) {

@@ -1,12 +1,15 @@
 // SIDE arguments: parsing, errors, and team names derived from them.
 #include "orchestration/match/options/endpoint.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "orchestration/match/sides/playmaker_process.h"
 
 namespace cls::orchestration::match {
 namespace {
+
+using testing::HasSubstr;
 
 std::string error_of(std::string_view text) {
   const auto endpoint = parse_endpoint(text);
@@ -48,7 +51,7 @@ TEST(Endpoint, ReportsErrorAndAllForms) {
             "unknown side 'moc'; did you mean 'mock'? (a side is mock, mock:BEHAVIOR, "
             "mock:FILE.json, HOST:PORT, HOST:PORT+step, tls:HOST:PORT, unix:PATH, "
             "run:COMMAND, team:DIR, mix:AGENTS=SIDE;... or planner:FILE=SIDE)");
-  EXPECT_NE(error_of("brain").find("unknown side 'brain' (a side is"), std::string::npos);
+  EXPECT_THAT(error_of("brain"), HasSubstr("unknown side 'brain' (a side is"));
   EXPECT_EQ(error_of("localhost:0"), "side 'localhost:0': port 0 is not within 1 to 65535");
   EXPECT_EQ(error_of("localhost:70000"),
             "side 'localhost:70000': port 70000 is not within 1 to 65535");
@@ -65,7 +68,7 @@ TEST(Endpoint, ReportsErrorAndAllForms) {
   EXPECT_EQ(error_of("run:./brain {prot}"),
             "side 'run:./brain {prot}': unknown placeholder {prot}; did you mean {port}?");
   for (const char* text : {"", "localhost:", "localhost:x", "localhost:5+stop", "a:5x"}) {
-    EXPECT_NE(error_of(text).find("unknown side"), std::string::npos) << text;
+    EXPECT_THAT(error_of(text), HasSubstr("unknown side")) << text;
   }
 }
 
@@ -101,12 +104,11 @@ TEST(Endpoint, ReportsErrorsOfMixedSide) {
             "side 'mix:players=mock;7=mock': player 7 has two parts");
   EXPECT_EQ(error_of("mix:players=mock;others=mock;coach=mock"),
             "side 'mix:players=mock;others=mock;coach=mock': no player is left for 'others'");
-  EXPECT_NE(error_of("mix:golie=mock;others=mock").find("did you mean 'goalie'?"),
-            std::string::npos);
-  EXPECT_NE(error_of("mix:12=mock;others=mock").find("'12' is no player"), std::string::npos);
-  EXPECT_NE(error_of("mix:1=team:helios;others=mock").find("'team:helios' cannot be a part"),
-            std::string::npos);
-  EXPECT_NE(error_of("mix:1=moc;others=mock").find("did you mean 'mock'?"), std::string::npos);
+  EXPECT_THAT(error_of("mix:golie=mock;others=mock"), HasSubstr("did you mean 'goalie'?"));
+  EXPECT_THAT(error_of("mix:12=mock;others=mock"), HasSubstr("'12' is not a player"));
+  EXPECT_THAT(error_of("mix:1=team:helios;others=mock"),
+              HasSubstr("'team:helios' cannot be a part"));
+  EXPECT_THAT(error_of("mix:1=moc;others=mock"), HasSubstr("did you mean 'mock'?"));
 }
 
 TEST(Endpoint, ParsesSideWithPlannerFile) {
@@ -131,8 +133,8 @@ TEST(Endpoint, ReportsErrorsOfSideWithPlannerFile) {
   EXPECT_EQ(error_of("mix:1=planner:x=mock;others=mock"),
             "side 'mix:1=planner:x=mock;others=mock': planner:FILE= applies to the whole team; "
             "write it before mix:");
-  EXPECT_NE(error_of("planner:x=moc").find("side 'planner:x=moc': unknown side 'moc'; did you"),
-            std::string::npos);
+  EXPECT_THAT(error_of("planner:x=moc"),
+              HasSubstr("side 'planner:x=moc': unknown side 'moc'; did you"));
 }
 
 TEST(TeamNames, AreDerivedFromEndpoint) {

@@ -1,6 +1,7 @@
 // The result document, the match folder and the events file.
 #include "orchestration/match/result/match_result.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -14,6 +15,8 @@
 
 namespace cls::orchestration::match {
 namespace {
+
+using testing::HasSubstr;
 
 namespace fs = std::filesystem;
 
@@ -174,8 +177,8 @@ TEST(MatchFolder, IsCreatedAndNamedInErrors) {
   options.folder = base / "file" / "c";
   const auto refused = make_match_folder(options, {"l", "r"});
   ASSERT_FALSE(refused);
-  EXPECT_NE(refused.error().message.find("cannot create folder " + options.folder.string()),
-            std::string::npos);
+  EXPECT_THAT(refused.error().message,
+              HasSubstr("cannot create folder " + options.folder.string()));
 }
 
 TEST(MatchFolder, IsDistinctForMatchesInTheSameSecond) {
@@ -188,7 +191,7 @@ TEST(MatchFolder, IsDistinctForMatchesInTheSameSecond) {
   ASSERT_TRUE(first && second);
   EXPECT_NE(*first, *second);
   EXPECT_TRUE(first->string().starts_with("runs/"));
-  EXPECT_TRUE(first->string().find("Z-l-vs-r") != std::string::npos);
+  EXPECT_THAT(first->string(), HasSubstr("Z-l-vs-r"));
 }
 
 TEST(Manifest, ListsOnlySettingsThatDifferFromDefaults) {
@@ -244,7 +247,7 @@ TEST(WholeFile, NamesFileThatCannotBeWritten) {
   EXPECT_EQ(tests::read_file(folder.path() / "a.json"), "{}");
   const auto refused = base::write_file(folder.path() / "none" / "a.json", "{}");
   ASSERT_FALSE(refused);
-  EXPECT_NE(refused.error().message.find("No such file or directory"), std::string::npos);
+  EXPECT_THAT(refused.error().message, HasSubstr("No such file or directory"));
 }
 
 }  // namespace

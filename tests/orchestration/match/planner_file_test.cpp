@@ -1,6 +1,7 @@
 // Files with parameters of the planner: values, errors, and the file that `cls init` writes.
 #include "orchestration/match/options/planner_file.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "base/io/whole_file.h"
@@ -10,6 +11,8 @@
 
 namespace cls::orchestration::match {
 namespace {
+
+using testing::HasSubstr;
 
 std::string error_of(std::string_view text) {
   const auto parameters = parse_planner_file(text, "p.toml");
@@ -64,10 +67,9 @@ TEST(PlannerFile, CommentedFileHasAllDefaults) {
   const player::PlannerParameters defaults;
   for (const player::PlannerParameter& row : player::planner_parameter_table()) {
     EXPECT_EQ(value_of(**parsed, row), value_of(defaults, row)) << row.name;
-    EXPECT_NE(text.find("\n" + std::string(row.name) + " = "), std::string::npos) << row.name;
+    EXPECT_THAT(text, HasSubstr("\n" + std::string(row.name) + " = ")) << row.name;
   }
-  EXPECT_NE(text.find("\npass_margin = 0.35  # 0 to 3 m: extra reach of opponents"),
-            std::string::npos)
+  EXPECT_THAT(text, HasSubstr("\npass_margin = 0.35  # 0 to 3 m: extra reach of opponents"))
       << text;
 }
 

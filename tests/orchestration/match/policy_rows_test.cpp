@@ -61,7 +61,7 @@ TEST(PolicyRows, AreTheObservationsOfTraining) {
         EXPECT_EQ(mask, legal);
         for (std::size_t i = 0; i < row.size(); ++i) {
           const std::string& name = setup->feature_columns[i].name;
-          // Of the episode, and of its last action: a match has neither.
+          // Columns of the episode and of its last action: a match has neither.
           if (name == "time_left" || name == "last_action_worked") continue;
           EXPECT_EQ(std::memcmp(&row[i], &observed[i], sizeof(float)), 0)
               << name << " of agent " << agent << ": " << row[i] << ", " << observed[i];

@@ -1,6 +1,7 @@
 // The end of a match read from result.json beside its logs.
 #include "orchestration/match/result/recorded_end.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -12,6 +13,8 @@
 
 namespace cls::orchestration::match {
 namespace {
+
+using testing::HasSubstr;
 
 namespace fs = std::filesystem;
 
@@ -41,9 +44,8 @@ TEST_F(RecordedEndTest, MarksPlannedEndAsComplete) {
   EXPECT_TRUE(summary.complete);
   EXPECT_EQ(summary.end_reason, "finished");
   EXPECT_EQ(summary.winner, analysis::Winner::kLeft);
-  EXPECT_NE(analysis::format_results({summary}, analysis::ResultsFormat::kJson)
-                .find("\"end_reason\": \"finished\""),
-            std::string::npos);
+  EXPECT_THAT(analysis::format_results({summary}, analysis::ResultsFormat::kJson),
+              HasSubstr("\"end_reason\": \"finished\""));
 }
 
 TEST_F(RecordedEndTest, ReportsEndReasonOfAbortedMatch) {
@@ -51,8 +53,8 @@ TEST_F(RecordedEndTest, ReportsEndReasonOfAbortedMatch) {
   EXPECT_FALSE(summary.complete);
   EXPECT_EQ(summary.winner, analysis::Winner::kNone);
   const std::string table = analysis::format_results({summary}, analysis::ResultsFormat::kTable);
-  EXPECT_NE(table.find("incomplete"), std::string::npos);
-  EXPECT_NE(table.find("stalled, "), std::string::npos) << table;
+  EXPECT_THAT(table, HasSubstr("incomplete"));
+  EXPECT_THAT(table, HasSubstr("stalled, ")) << table;
 }
 
 TEST_F(RecordedEndTest, IgnoresDocumentsOfOtherLogsAndSchemas) {

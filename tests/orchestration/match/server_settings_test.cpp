@@ -1,6 +1,7 @@
 // Settings, logs and report of `cls server`.
 #include "orchestration/match/options/server_settings.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -13,6 +14,7 @@
 namespace cls::orchestration::match {
 namespace {
 
+using testing::HasSubstr;
 using tests::TemporaryFolder;
 
 void write(const std::filesystem::path& path, const std::string& text) {
@@ -54,8 +56,7 @@ TEST(ServerSettings, ReportsFileAndLineOfErrorsInIncludedFiles) {
             (here / "player.conf").string() + ":1: " + (here / "more.conf").string() +
                 ":2: unknown parameter 'player_type'; did you mean 'player_types'?");
   write(here / "player.conf", "include = 'player.conf'\n");
-  EXPECT_NE(apply_folder(settings, here).error().message.find("circular include"),
-            std::string::npos);
+  EXPECT_THAT(apply_folder(settings, here).error().message, HasSubstr("circular include"));
   write(here / "server.conf", "server::version = '18.1.0'\n");
   EXPECT_EQ(apply_folder(settings, here).error().message,
             (here / "server.conf").string() + ":1: a configuration of version 18.1.0, not 19.0.0");
@@ -139,11 +140,10 @@ TEST(ServerReport, MatchesRcssserver) {
   report.left.penalties_scored = 2;
   report.coin_toss_winner = soccer::Side::kRight;
   const std::string text = console_report(report, true);
-  EXPECT_NE(text.find("\t'TA' vs null\n"), std::string::npos);
-  EXPECT_NE(text.find(" \tPenalties: 2 (3) - 0 (0)\n\tCoin Toss Winner: Right Team\n\n"),
-            std::string::npos)
+  EXPECT_THAT(text, HasSubstr("\t'TA' vs null\n"));
+  EXPECT_THAT(text, HasSubstr(" \tPenalties: 2 (3) - 0 (0)\n\tCoin Toss Winner: Right Team\n\n"))
       << text;
-  EXPECT_NE(csv_line(report).find("0, 0, 3, 0, 2, 0, RIGHT\n"), std::string::npos);
+  EXPECT_THAT(csv_line(report), HasSubstr("0, 0, 3, 0, 2, 0, RIGHT\n"));
 }
 
 }  // namespace

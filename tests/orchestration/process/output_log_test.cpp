@@ -2,6 +2,7 @@
 #include "orchestration/process/output_log.h"
 
 #include <fcntl.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cerrno>
@@ -11,6 +12,8 @@
 
 namespace cls::orchestration::process {
 namespace {
+
+using testing::HasSubstr;
 
 class OutputLogTest : public testing::Test {
  protected:
@@ -53,7 +56,7 @@ TEST_F(OutputLogTest, StopsAtSizeLimitAndStoresLastLines) {
   const std::string text = written();
   EXPECT_EQ(text.substr(0, 7), "line 1\n");
   EXPECT_LT(text.size(), 3000U);
-  EXPECT_NE(text.find("\nline 5000\n"), std::string::npos);
+  EXPECT_THAT(text, HasSubstr("\nline 5000\n"));
   EXPECT_EQ(log.last_lines().size(), OutputLog::kMaxLastLines);
   // Every line is either written or counted.
   const std::size_t mark = text.find("[size limit of this log: ");

@@ -1,6 +1,7 @@
 // Verdicts as text, JSON, JUnit XML and annotations.
 #include "orchestration/scenario/suite_report.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -9,6 +10,9 @@
 
 namespace cls::orchestration::scenario {
 namespace {
+
+using testing::HasSubstr;
+using testing::Not;
 
 Scenario scenario(const std::string& name) {
   Scenario scenario;
@@ -86,9 +90,9 @@ TEST(SuiteReport, NamesNoFileOfBuiltInScenario) {
   Sample sample;
   sample.bad.built_in = true;
   const std::string text = to_text(sample.suite.scenarios[1]);
-  EXPECT_EQ(text.find("tests/bad.json: "), std::string::npos) << text;
-  EXPECT_NE(text.find("      built-in scenario: line 9, seed 7: "), std::string::npos) << text;
-  EXPECT_EQ(to_annotations(sample.suite).find("file="), std::string::npos);
+  EXPECT_THAT(text, Not(HasSubstr("tests/bad.json: "))) << text;
+  EXPECT_THAT(text, HasSubstr("      built-in scenario: line 9, seed 7: ")) << text;
+  EXPECT_THAT(to_annotations(sample.suite), Not(HasSubstr("file=")));
 }
 
 TEST(SuiteReport, JsonContainsEveryCheck) {
@@ -129,8 +133,8 @@ TEST(SuiteReport, MarkdownNamesThePageOfEachFailure) {
 TEST(SuiteReport, JUnitIsValid) {
   const Sample sample;
   const std::string xml = to_junit(sample.suite);
-  EXPECT_NE(xml.find("a &lt;name&gt; &amp; &quot;more&quot;"), std::string::npos) << xml;
-  EXPECT_NE(xml.find("[[ATTACHMENT|runs/test/bad-seed-7/match.html]]"), std::string::npos) << xml;
+  EXPECT_THAT(xml, HasSubstr("a &lt;name&gt; &amp; &quot;more&quot;")) << xml;
+  EXPECT_THAT(xml, HasSubstr("[[ATTACHMENT|runs/test/bad-seed-7/match.html]]")) << xml;
   const auto errors = tests::junit_errors(xml);
   if (!errors) GTEST_SKIP() << "no xmllint (package libxml2-utils)";
   EXPECT_EQ(*errors, "");

@@ -162,7 +162,7 @@ std::vector<Table> tables() {
   };
 }
 
-/// Of simulated tests.
+/// Results of simulated tests.
 struct Lengths {
   double h1 = 0.0;  ///< share that accepted H1
   double pairs = 0.0;

@@ -1,4 +1,5 @@
 // cls.toml: parsing, validation, error messages and plan differences.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -10,6 +11,8 @@
 
 namespace cls::orchestration::tournament {
 namespace {
+
+using testing::HasSubstr;
 
 constexpr const char* kWhole = R"([tournament]
 format = "gauntlet"
@@ -127,7 +130,7 @@ TEST(Config, RejectsSchedulesThatFillTheMemory) {
   config.teams.resize(1000);
   EXPECT_TRUE(validate(config).empty());
   config.rounds = 1'000'000;
-  EXPECT_NE(validate(config).at(0).find("at most 1000000 are possible"), std::string::npos);
+  EXPECT_THAT(validate(config).at(0), HasSubstr("at most 1000000 are possible"));
 }
 
 TEST(Config, RejectsContradictions) {
@@ -188,7 +191,7 @@ TEST(Config, NamesFirstDifferenceOfTwoPlans) {
 TEST(Config, CommentedFileHasEveryKeyAndIsValid) {
   const std::string text = commented_config();
   for (const ConfigKey& key : tournament_keys()) {
-    EXPECT_NE(text.find(std::string(key.name) + " = "), std::string::npos) << key.name;
+    EXPECT_THAT(text, HasSubstr(std::string(key.name) + " = ")) << key.name;
   }
   const ParsedConfig parsed = parse_config(text, "cls.toml");
   EXPECT_TRUE(parsed.errors.empty()) << parsed.errors.front();

@@ -1,6 +1,7 @@
 // Checks and estimates before the first match.
 #include "orchestration/tournament/run/preflight.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -15,6 +16,7 @@
 namespace cls::orchestration::tournament {
 namespace {
 
+using testing::HasSubstr;
 using Kind = match::EndpointProblem::Kind;
 
 TEST(Preflight, NamesTeamAndEndpoint) {
@@ -53,10 +55,10 @@ TEST(Preflight, WarnsOfTooManyMatchesTooLittleSpaceAndOtherVersion) {
   EXPECT_TRUE(warnings(10).empty());
   config.concurrency = base::usable_cores() + 1;
   ASSERT_EQ(warnings(10).size(), 1u);
-  EXPECT_NE(warnings(10)[0].find(" cores: they slow each other down"), std::string::npos);
+  EXPECT_THAT(warnings(10)[0], HasSubstr(" cores: they slow each other down"));
   config.concurrency = 1;
   ASSERT_EQ(warnings(1e12).size(), 1u);
-  EXPECT_NE(warnings(1e12)[0].find("--keep-logs failed"), std::string::npos);
+  EXPECT_THAT(warnings(1e12)[0], HasSubstr("--keep-logs failed"));
   config.keep_logs = KeepLogs::kFailed;
   EXPECT_TRUE(warnings(1e12).empty());
   matches[1].outcome->version = base::kVersion;

@@ -1,4 +1,5 @@
 // Reports of made-up tournaments in every format.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -24,6 +25,8 @@ namespace {
 
 using match::EndReason;
 using nlohmann::json;
+using testing::HasSubstr;
+using testing::Not;
 
 Outcome shoot_out(int goals, int left, int right) {
   Outcome outcome = score(goals, goals);
@@ -93,7 +96,7 @@ int occurrences(const std::string& text, const std::string& part) {
 }
 
 void expect_part(const std::string& text, const std::string& part) {
-  EXPECT_NE(text.find(part), std::string::npos) << "'" << part << "' is missing in\n" << text;
+  EXPECT_THAT(text, HasSubstr(part)) << "'" << part << "' is missing in\n" << text;
 }
 
 TEST(Report, CountsForfeitsAndInvalidMatchesAsPartOfThoseDone) {
@@ -122,7 +125,7 @@ TEST(Report, PrintsNoNegativeZero) {
   const Played drawn(config_of(Format::kRoundRobin, 3), [](const Fixture&) { return score(1, 1); });
   for (const std::string& text : {report_text(drawn.report), report_html(drawn.report)}) {
     for (const char* zero : {" -0 ", ">-0<", " -0.", ">-0.", "..-0"}) {
-      EXPECT_EQ(text.find(zero), std::string::npos) << text;
+      EXPECT_THAT(text, Not(HasSubstr(zero))) << text;
     }
   }
 }
@@ -170,7 +173,7 @@ TEST(Report, ListsMatchesWithCommandsInEveryFormat) {
   expect_part(text, "logs: cups/spring/matches/000003/");
   expect_part(md, "[logs](cups/spring/matches/000003/)");
   expect_part(html, "<a href=\"cups/spring/matches/000003/\">logs</a>");
-  EXPECT_EQ(html.find("match.html"), std::string::npos);
+  EXPECT_THAT(html, Not(HasSubstr("match.html")));
   played.report.replays = {3};
   expect_part(report_html(played.report),
               "<a href=\"cups/spring/matches/000003/match.html\">watch</a>");
@@ -482,7 +485,7 @@ TEST(Report, IsOneAccessiblePageWithoutScripts) {
     expect_part(html, part);
   }
   for (const char* foreign : {"<script", "http://", "https://", "src=", "@import", "url("}) {
-    EXPECT_EQ(html.find(foreign), std::string::npos) << foreign;
+    EXPECT_THAT(html, Not(HasSubstr(foreign))) << foreign;
   }
 }
 
@@ -494,7 +497,7 @@ TEST(Report, ChartsTheGoalDifferencesOfPairsThatMetOften) {
   expect_part(html, "<h2>goal differences</h2>");
   config.rounds = 1;
   const std::string once = report_html(Played(config, better_wins).report);
-  EXPECT_EQ(once.find("goal differences"), std::string::npos);
+  EXPECT_THAT(once, Not(HasSubstr("goal differences")));
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
 // The Slurm executor against fake Slurm programs: limits, lost tasks, restarts.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <signal.h>
 
@@ -22,6 +23,8 @@
 
 namespace cls::orchestration::tournament {
 namespace {
+
+using testing::HasSubstr;
 
 namespace fs = std::filesystem;
 using namespace std::chrono_literals;
@@ -153,14 +156,13 @@ TEST_F(SlurmExecutorTest, SubmitsMatchesAsOneJobArray) {
   EXPECT_EQ(executor_->running(), 3);
   const auto calls = slurm_.calls("sbatch");
   ASSERT_EQ(calls.size(), 1u);
-  EXPECT_NE(calls[0].find(" --partition=short --time=10 "), std::string::npos) << calls[0];
-  EXPECT_NE(calls[0].find(" --array=0-2 "), std::string::npos) << calls[0];
-  EXPECT_NE(calls[0].find(" --requeue "), std::string::npos) << calls[0];
+  EXPECT_THAT(calls[0], HasSubstr(" --partition=short --time=10 ")) << calls[0];
+  EXPECT_THAT(calls[0], HasSubstr(" --array=0-2 ")) << calls[0];
+  EXPECT_THAT(calls[0], HasSubstr(" --requeue ")) << calls[0];
   const std::string script = tests::read_file(folder_.path() / "slurm/000001.sh");
-  EXPECT_NE(script.find("\nset -- 1 1 2 1 3 1\n"), std::string::npos) << script;
-  EXPECT_NE(script.find("exec /opt/cls tournament work " + folder_.path().string() +
-                        " --index \"$1\" --attempt \"$2\" --schedule "),
-            std::string::npos)
+  EXPECT_THAT(script, HasSubstr("\nset -- 1 1 2 1 3 1\n")) << script;
+  EXPECT_THAT(script, HasSubstr("exec /opt/cls tournament work " + folder_.path().string() +
+                                " --index \"$1\" --attempt \"$2\" --schedule "))
       << script;
   const auto fixture = read_fixture(folder_.path() / "slurm/000001.jsonl", 2);
   ASSERT_TRUE(fixture);
@@ -177,9 +179,9 @@ TEST_F(SlurmExecutorTest, SplitsArraysAboveMaxArraySize) {
   start(10);
   const auto calls = slurm_.calls("sbatch");
   ASSERT_EQ(calls.size(), 3u);
-  EXPECT_NE(calls[0].find("--array=0-3 "), std::string::npos);
-  EXPECT_NE(calls[1].find("--array=0-3 "), std::string::npos);
-  EXPECT_NE(calls[2].find("--array=0-1 "), std::string::npos);
+  EXPECT_THAT(calls[0], HasSubstr("--array=0-3 "));
+  EXPECT_THAT(calls[1], HasSubstr("--array=0-3 "));
+  EXPECT_THAT(calls[2], HasSubstr("--array=0-1 "));
   EXPECT_EQ(slurm_.count("PENDING"), 10);
   for (int index = 1; index <= 10; ++index) write_result(index);
   EXPECT_EQ(ended(10).size(), 10u);
@@ -330,11 +332,11 @@ TEST_F(SlurmExecutorTest, FailsAfterThreeTasksWithoutResult) {
   set_state(1, "FAILED");
   lose_ = true;
   const std::string message = error();
-  EXPECT_NE(message.find("match 1: task 0 of cls-"), std::string::npos) << message;
-  EXPECT_NE(
-      message.find("produced no result (FAILED): cls: /opt/cls: not found; failed 3 times; see " +
-                   (folder_.path() / "slurm/000003-0.out").string()),
-      std::string::npos)
+  EXPECT_THAT(message, HasSubstr("match 1: task 0 of cls-")) << message;
+  EXPECT_THAT(
+      message,
+      HasSubstr("produced no result (FAILED): cls: /opt/cls: not found; failed 3 times; see " +
+                (folder_.path() / "slurm/000003-0.out").string()))
       << message;
   EXPECT_EQ(slurm_.calls("sbatch").size(), 3u);
 }
@@ -408,7 +410,7 @@ TEST_F(SlurmExecutorTest, LimitedConcurrencyRunsArraysInSequence) {
   begin();
   EXPECT_EQ(executor_->free_slots(), 4);
   ASSERT_TRUE(executor_->start(assignments(4)).ok());
-  EXPECT_NE(slurm_.calls("sbatch")[0].find("--array=0-3%2 "), std::string::npos);
+  EXPECT_THAT(slurm_.calls("sbatch")[0], HasSubstr("--array=0-3%2 "));
   EXPECT_EQ(executor_->free_slots(), 0);
   for (const int index : {1, 2, 3}) write_result(index);
   ended(3);

@@ -2,6 +2,7 @@
 #include "orchestration/tournament/store/store.h"
 
 #include <SQLiteCpp/SQLiteCpp.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -20,6 +21,8 @@
 
 namespace cls::orchestration::tournament {
 namespace {
+
+using testing::HasSubstr;
 
 namespace fs = std::filesystem;
 using match::EndReason;
@@ -150,8 +153,7 @@ TEST_F(OldStore, IsReadWithoutMigration) {
   EXPECT_EQ(report.counts.forfeits, 2);
   EXPECT_EQ(report.counts.invalid, 1);
   EXPECT_EQ(report.counts.open, 1);
-  EXPECT_NE(report_csv(report).find("\n3,1,,2,A,B,305414156,finished,0,0,0,3,0,"),
-            std::string::npos);
+  EXPECT_THAT(report_csv(report), HasSubstr("\n3,1,,2,A,B,305414156,finished,0,0,0,3,0,"));
 }
 
 TEST_F(OldStore, IsMigratedWhenOpenedForWriting) {

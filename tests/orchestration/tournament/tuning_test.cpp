@@ -1,4 +1,5 @@
 // The search of `cls tune`: optimizers on functions with a known optimum, parameters, races, files.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -21,6 +22,8 @@
 
 namespace cls::orchestration::tournament {
 namespace {
+
+using testing::HasSubstr;
 
 SearchSpace cube(std::size_t dimensions, double start, double step) {
   SearchSpace space;
@@ -445,8 +448,8 @@ TEST(TuneReport, ShowsTableDiffAndPicture) {
   fake.play(3, goals_of);
   const std::string text =
       tune_text(fake.tuning, TuneVerdict{"verdict: undecided\n", "undecided"}, 80);
-  EXPECT_NE(text.find("-y = 20\n+y = "), std::string::npos) << text;
-  EXPECT_NE(text.find("verdict: undecided"), std::string::npos);
+  EXPECT_THAT(text, HasSubstr("-y = 20\n+y = ")) << text;
+  EXPECT_THAT(text, HasSubstr("verdict: undecided"));
   const auto document = nlohmann::json::parse(tune_json(fake.tuning, {}));
   EXPECT_EQ(document["schema"], "cls.tune/1");
   EXPECT_EQ(document["history"].size(), 3u);
@@ -454,7 +457,7 @@ TEST(TuneReport, ShowsTableDiffAndPicture) {
   EXPECT_TRUE(document["verdict"].is_null());
   const std::string picture = tune_picture(fake.tuning);
   EXPECT_EQ(picture.rfind("<svg ", 0), 0u);
-  EXPECT_NE(picture.find(">speed<"), std::string::npos);
+  EXPECT_THAT(picture, HasSubstr(">speed<"));
   EXPECT_EQ(values_diff(fake.tuning.config(), {1, 2}, {1, 3}), "-speed = 2\n+speed = 3\n");
 }
 

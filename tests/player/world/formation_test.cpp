@@ -1,4 +1,5 @@
 // Triangulation, interpolation, and all formation file formats.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -19,6 +20,7 @@ namespace {
 
 using soccer::PlayMode;
 using soccer::Vec2;
+using testing::HasSubstr;
 
 std::vector<Vec2> scattered(int count) {
   std::vector<Vec2> points;
@@ -290,8 +292,7 @@ TEST(FormationSet, ReadsFolderInBothFormatsAndReportsMissingFile) {
   std::filesystem::remove(folder.path() / "goal-kick-our.formation");
   const auto missing = read_formations(folder.path().string());
   ASSERT_FALSE(missing);
-  EXPECT_NE(missing.error().message.find("goal-kick-our"), std::string::npos)
-      << missing.error().message;
+  EXPECT_THAT(missing.error().message, HasSubstr("goal-kick-our")) << missing.error().message;
 }
 
 TEST(HomePositions, FormationDependsOnFirstTeamAtBall) {

@@ -92,7 +92,7 @@ void LyingChannel::invent(const std::string& message) {
   } else if (kind == 1) {
     deliver(old_[liar_.below(old_.size())]);
   } else if (kind == 2) {
-    // The same parameters again, changed.
+    // The server sends the same parameters again, changed.
     deliver(liar_.mutator.mutate(old_[liar_.below(std::min(old_.size(), std::size_t{25}))]));
   } else if (liar_.below(10) == 0) {
     deliver(message.substr(0, message.size() / 2) + std::string(8000, '('));

@@ -1,6 +1,7 @@
 // Teams on the embedded server over UDP, synchronous and in real time.
 #include "proxy/agent/team_driver.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -20,6 +21,8 @@ namespace {
 
 using std::chrono::milliseconds;
 using std::chrono::steady_clock;
+using testing::HasSubstr;
+using testing::Not;
 using tests::FakePlaymaker;
 using tests::ScriptedServer;
 
@@ -218,8 +221,8 @@ TEST(RealTime, DecidesOnSeeWithoutThinkAndSendsNoDone) {
   for (int unum = 1; unum <= 11; ++unum) {
     const auto said = server.take(unum);
     ASSERT_EQ(said.size(), 1U);
-    EXPECT_NE(said[0].find("(turn 30)"), std::string::npos) << said[0];
-    EXPECT_EQ(said[0].find("(done)"), std::string::npos) << said[0];
+    EXPECT_THAT(said[0], HasSubstr("(turn 30)")) << said[0];
+    EXPECT_THAT(said[0], Not(HasSubstr("(done)"))) << said[0];
   }
   // The counters of the next sense_body do not move: the turns came too late.
   server.send_cycle(2, false);

@@ -1,6 +1,7 @@
 // A team from connecting and registration to decisions, failures and leaving.
 #include "proxy/agent/team.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -20,6 +21,8 @@
 namespace cls::proxy {
 namespace {
 
+using testing::HasSubstr;
+using testing::Not;
 using tests::FakePlaymaker;
 using tests::ScriptedServer;
 using Said = std::vector<std::string>;
@@ -152,7 +155,7 @@ TEST(Team, SendsSameCommandsForAnyOrderOfReplies) {
   };
   const std::vector<Said> said = play(in_order, 20);
   ASSERT_EQ(said.at(3).size(), 20U);
-  EXPECT_NE(said.at(3).at(4).find("(done)"), std::string::npos);
+  EXPECT_THAT(said.at(3).at(4), HasSubstr("(done)"));
   EXPECT_EQ(play(reversed, 20), said);
   EXPECT_EQ(play(mixed, 20), said);
 }
@@ -162,7 +165,7 @@ TEST(Team, SendsCommandsOfCycleAndDoneInOneDatagram) {
   const std::vector<Said> said = play(playmaker, 1);
   ASSERT_EQ(said.at(6).size(), 1U);
   EXPECT_EQ(said.at(6).front().rfind("(dash 8)(turn_neck 7)", 0), 0U) << said.at(6).front();
-  EXPECT_NE(said.at(6).front().find("(done)"), std::string::npos);
+  EXPECT_THAT(said.at(6).front(), HasSubstr("(done)"));
 }
 
 TEST(Team, RequestsDecisionsOnlyAfterThink) {
@@ -205,7 +208,7 @@ TEST(Team, CountsMissedDecisionsAndStillSendsDone) {
   for (const auto& [agent, outcome] : outcomes) {
     const Said said = game.server.take(agent);
     ASSERT_EQ(said.size(), 3U);
-    EXPECT_NE(said.back().find("(done)"), std::string::npos);
+    EXPECT_THAT(said.back(), HasSubstr("(done)"));
   }
   game.server.send_cycle(4);
   game.team.run_cycle();
@@ -229,14 +232,14 @@ TEST(Team, FollowsOnLateOption) {
     }
     const Said said = game.server.take(8);
     EXPECT_EQ(said.size(), 2U);
-    EXPECT_NE(said.front().find("(dash 33)"), std::string::npos);
+    EXPECT_THAT(said.front(), HasSubstr("(dash 33)"));
     return said.back();
   };
-  EXPECT_EQ(said_late(OnLate::kHold).find("dash"), std::string::npos);
-  EXPECT_NE(said_late(OnLate::kLast).find("(dash 33)"), std::string::npos);
+  EXPECT_THAT(said_late(OnLate::kHold), Not(HasSubstr("dash")));
+  EXPECT_THAT(said_late(OnLate::kLast), HasSubstr("(dash 33)"));
   const std::string by_itself = said_late(OnLate::kDefault);
-  EXPECT_EQ(by_itself.find("(dash 33)"), std::string::npos);
-  EXPECT_NE(by_itself.find("(done)"), std::string::npos);
+  EXPECT_THAT(by_itself, Not(HasSubstr("(dash 33)")));
+  EXPECT_THAT(by_itself, HasSubstr("(done)"));
   EXPECT_NE(by_itself, said_late(OnLate::kHold));
 }
 
@@ -304,7 +307,7 @@ TEST(Team, ReportsMissingReplyOfSoccerServer) {
   Team team(options(), playmaker);
   const base::Result<void> done = team.connect([&] { return server.open(); }, [] { return false; });
   ASSERT_FALSE(done);
-  EXPECT_NE(done.error().message.find("no reply from the soccer server"), std::string::npos);
+  EXPECT_THAT(done.error().message, HasSubstr("no reply from the soccer server"));
 }
 
 TEST(Team, RejectsServerThatGivesANumberTwice) {
@@ -331,7 +334,7 @@ TEST(Team, ContinuesAfterSecondReplyToInit) {
     EXPECT_EQ(game.team.players()[1]->world().our_side, soccer::Side::kLeft);
     const Said warnings = game.team.take_warnings();
     ASSERT_EQ(warnings.size(), 1U);
-    EXPECT_NE(warnings.front().find(second), std::string::npos) << warnings.front();
+    EXPECT_THAT(warnings.front(), HasSubstr(second)) << warnings.front();
   }
 }
 
@@ -393,7 +396,7 @@ TEST(Team, WarnsOnceOfUnreadableServerMessages) {
   }
   const Said warnings = game.team.take_warnings();
   ASSERT_EQ(warnings.size(), 1U);
-  EXPECT_NE(warnings.front().find("(see 1 ((b) nonsense"), std::string::npos);
+  EXPECT_THAT(warnings.front(), HasSubstr("(see 1 ((b) nonsense"));
 }
 
 TEST(Team, CountsCommandsByKind) {

@@ -190,7 +190,7 @@ TEST(CommandSlots, RejectsSayTextThatDoesNotFit) {
   EXPECT_EQ(slots.say_text(), "b12345w");
 }
 
-// Of finite arguments, on a pitch that a faulty server has described.
+// The arguments are finite, but a faulty server has described the pitch.
 TEST(CommandSlots, SendsNoInfiniteNumber) {
   KnownPitch pitch;
   player::CommandSlots slots(pitch.world);

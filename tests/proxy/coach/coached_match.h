@@ -28,7 +28,7 @@ class CoachedMatch {
   void step_as_trainer(const std::function<void(protos::TrainerActions&)>& answer);
   /// Steps with empty replies.
   void steps(int count);
-  /// The same until the play mode is reached; at most 400 steps.
+  /// Steps until the play mode is reached; at most 400 steps.
   void steps_until(soccer::PlayMode mode);
   void set_mode(soccer::PlayMode mode);
 

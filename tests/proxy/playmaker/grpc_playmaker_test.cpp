@@ -1,6 +1,7 @@
 // Calls to a Playmaker over real gRPC, and their failures.
 #include "proxy/playmaker/grpc_playmaker.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -18,6 +19,7 @@
 namespace cls::proxy {
 namespace {
 
+using testing::HasSubstr;
 using namespace std::chrono_literals;
 using proto::Rpc;
 using std::chrono::steady_clock;
@@ -174,8 +176,8 @@ TEST(GrpcPlaymaker, ReportsUnreachablePlaymakerWithinTimeout) {
   const RpcStatus status = playmaker->call(1, Rpc::kRegister, request_of(1), 300ms).status;
   EXPECT_LT(steady_clock::now() - start, 3s);
   EXPECT_EQ(status.outcome, RpcOutcome::kUnavailable);
-  EXPECT_NE(status.message.find("127.0.0.1:" + std::to_string(port)), std::string::npos);
-  EXPECT_NE(status.message.find("nothing listens"), std::string::npos) << status.message;
+  EXPECT_THAT(status.message, HasSubstr("127.0.0.1:" + std::to_string(port)));
+  EXPECT_THAT(status.message, HasSubstr("nothing listens")) << status.message;
   EXPECT_EQ(status.message.find('\n'), std::string::npos);
 }
 
@@ -191,7 +193,7 @@ TEST(GrpcPlaymaker, DistinguishesLateFromUnreachablePlaymaker) {
   const RpcStatus status = playmaker->call(1, Rpc::kRegister, request_of(1), 200ms).status;
   leave = true;
   EXPECT_EQ(status.outcome, RpcOutcome::kDeadline);
-  EXPECT_NE(status.message.find("no reply to Register"), std::string::npos) << status.message;
+  EXPECT_THAT(status.message, HasSubstr("no reply to Register")) << status.message;
 }
 
 TEST(GrpcPlaymaker, LimitsTheReplyToRegisterTeamOnceConnected) {
@@ -376,7 +378,7 @@ TEST(GrpcPlaymaker, ReportsUnparsableReplyAsProtocolError) {
   const Reply reply = decision(*playmaker, 1, kPatience);
   EXPECT_EQ(reply.status.outcome, RpcOutcome::kProtocolError);
   EXPECT_EQ(reply.message, nullptr);
-  EXPECT_NE(reply.status.message.find("GetPlayerActions"), std::string::npos);
+  EXPECT_THAT(reply.status.message, HasSubstr("GetPlayerActions"));
   EXPECT_EQ(playmaker->call(1, Rpc::kRegister, request_of(1), kPatience).status.outcome,
             RpcOutcome::kProtocolError);
 }
@@ -405,8 +407,8 @@ TEST(GrpcPlaymaker, RejectsHugeRepliesCompressedOrNot) {
     const Reply reply = decision(*playmaker, 1, kPatience);
     const bool compressed = algorithm != GRPC_COMPRESS_NONE;
     EXPECT_EQ(reply.status.outcome, compressed ? RpcOutcome::kUnimplemented : RpcOutcome::kError);
-    EXPECT_NE(reply.status.message.find(compressed ? "'gzip' is disabled" : "larger than max"),
-              std::string::npos)
+    EXPECT_THAT(reply.status.message,
+                HasSubstr(compressed ? "'gzip' is disabled" : "larger than max"))
         << reply.status.message;
     EXPECT_EQ(reply.message, nullptr);
   }

@@ -1,4 +1,5 @@
 // Playmakers of older interfaces, which lack the newer fields and RPCs.
+#include <gmock/gmock.h>
 #include <google/protobuf/dynamic_message.h>
 #include <gtest/gtest.h>
 
@@ -24,6 +25,7 @@ using google::protobuf::DescriptorProto;
 using google::protobuf::FileDescriptorProto;
 using google::protobuf::Message;
 using proto::Rpc;
+using testing::HasSubstr;
 using tests::ScriptedServer;
 
 /// Interface versions; 0 is the first one, without Register.
@@ -226,7 +228,7 @@ TEST_P(OlderInterface, PlaysFromRegisterToBye) {
     EXPECT_EQ(player->statistics().missed, 0) << player->statistics().last_failure.message;
     EXPECT_EQ(player->identity().client_id(), GetParam() == kFirst ? 0 : 900 + player->unum());
     const auto said = server.take(player->unum());
-    EXPECT_NE(said.front().find("(dash 44)"), std::string::npos) << said.front();
+    EXPECT_THAT(said.front(), HasSubstr("(dash 44)")) << said.front();
   }
   EXPECT_EQ(team.take_warnings().size(), GetParam() == kFirst ? 1U : 0U);
 }

@@ -1,5 +1,6 @@
 // Playmakers that reply at random and restart: nothing crashes, hangs or grows, and every effect is
 // counted.
+#include <gmock/gmock.h>
 #include <google/protobuf/stubs/logging.h>
 #include <grpcpp/grpcpp.h>
 #include <gtest/gtest.h>
@@ -36,13 +37,14 @@ namespace {
 using google::protobuf::Message;
 using mock_server::Response;
 using proto::Rpc;
+using testing::HasSubstr;
 using tests::RandomMessages;
 namespace wire = cls::playmaker::v1;
 
 constexpr int kCycles = 40;
-// In which a Playmaker over a socket has restarted.
+// The cycle in which a Playmaker over a socket has restarted.
 constexpr int kRestart = 23;
-// Of a Playmaker over a socket that forgets a call; short, because many are forgotten.
+// The timeout of a Playmaker over a socket that forgets a call; short, because many are forgotten.
 constexpr RpcTimeout kDeadline{250};
 
 /// Replies at random, but in the handshake: it succeeds, so that there is a match.
@@ -120,7 +122,7 @@ class RandomPlaymaker {
     return response;
   }
 
-  // Of a message of a later interface.
+  // A field of a message of a later interface.
   static std::string later_field() { return std::string("\x82\x80\x01\x05later", 9); }
 
   static void introduce(const protos::RegisterRequest& request,
@@ -296,7 +298,7 @@ class RandomReplies : public testing::TestWithParam<Form> {
     const gamelog::MatchRecord record = gamelog::read_rcg(source);
     EXPECT_GE(record.frames(), static_cast<std::size_t>(kCycles) - 5);
     for (const gamelog::ParseError& error : record.errors.first) {
-      EXPECT_NE(error.message.find("no end of the match"), std::string::npos)
+      EXPECT_THAT(error.message, HasSubstr("no end of the match"))
           << gamelog::format_error("log", error);
     }
   }

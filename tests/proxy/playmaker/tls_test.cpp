@@ -1,4 +1,5 @@
 // Playmakers with TLS: valid certificates, each kind of invalid one, and plain text.
+#include <gmock/gmock.h>
 #include <grpcpp/grpcpp.h>
 #include <gtest/gtest.h>
 
@@ -15,6 +16,7 @@
 namespace cls::proxy {
 namespace {
 
+using testing::HasSubstr;
 using namespace std::chrono_literals;
 using tests::Authority;
 using tests::Identity;
@@ -93,7 +95,7 @@ TEST_F(Tls, ReportsInvalidCertificateImmediately) {
   const Authority stranger;
   const std::string untrusted = error_for(stranger.issue("127.0.0.1"));
   EXPECT_EQ(untrusted.rfind("the certificate is not trusted: ", 0), 0U) << untrusted;
-  EXPECT_NE(untrusted.find("--tls-ca"), std::string::npos) << untrusted;
+  EXPECT_THAT(untrusted, HasSubstr("--tls-ca")) << untrusted;
 }
 
 TEST_F(Tls, SendsClientCertificateWhenRequired) {
@@ -110,7 +112,7 @@ TEST_F(Tls, SendsClientCertificateWhenRequired) {
   files.key = unknown.key;
   const RpcStatus refused = registered_at(target_at(server.port(), files), 1s);
   EXPECT_FALSE(refused.ok());
-  EXPECT_NE(refused.message.find("the Playmaker rejects the client certificate"), std::string::npos)
+  EXPECT_THAT(refused.message, HasSubstr("the Playmaker rejects the client certificate"))
       << refused.message;
   const Identity known = authority_.issue("us.example");
   files.certificate = known.certificate;
@@ -143,7 +145,7 @@ TEST_F(Tls, ReportsUnreachableServerWithoutTlsReason) {
   { port = tests::PlaymakerServer(service_).port(); }
   EXPECT_EQ(explain_tls_failure(target_at(port, trusting()), 1), "");
   const RpcStatus status = registered_at(target_at(port, trusting()), 300ms);
-  EXPECT_NE(status.message.find("unreachable for"), std::string::npos) << status.message;
+  EXPECT_THAT(status.message, HasSubstr("unreachable for")) << status.message;
 }
 
 }  // namespace

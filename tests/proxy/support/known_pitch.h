@@ -54,7 +54,7 @@ class KnownPitch {
 
   /// Executes one decision and one cycle.
   void act(const protos::PlayerActions& reply);
-  /// The same with the actions that `fill` adds to a reply with all automatic behavior disabled.
+  /// Acts with the actions that `fill` adds to a reply with all automatic behavior disabled.
   void act(const std::function<void(protos::PlayerActions&)>& fill);
   /// Repeats until `done` returns true, at most `cycles` times; returns the number of cycles.
   int act_until(int cycles, const std::function<void(protos::PlayerActions&)>& fill,

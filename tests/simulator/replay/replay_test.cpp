@@ -1,4 +1,5 @@
 // One step from each state recorded by rcssserver must lead to the next recorded state.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -13,6 +14,7 @@ namespace {
 
 using gamelog::MatchRecord;
 using gamelog::RclRecord;
+using testing::HasSubstr;
 
 void expect_same_game(const LogAgreement& agreement) {
   EXPECT_GT(agreement.mode.steps, 0);
@@ -196,17 +198,16 @@ TEST(Replay, RejectsUnusableLogs) {
   };
   MatchRecord old = logs.game;
   old.version = gamelog::RcgVersion::kV2;
-  EXPECT_NE(message(old, logs.text).find("lack the precision"), std::string::npos);
+  EXPECT_THAT(message(old, logs.text), HasSubstr("lack the precision"));
   MatchRecord short_one = logs.game;
   gamelog::resize_frames(short_one, 1);
-  EXPECT_NE(message(short_one, logs.text).find("fewer than two frames"), std::string::npos);
+  EXPECT_THAT(message(short_one, logs.text), HasSubstr("fewer than two frames"));
   RclRecord strangers = logs.text;
   for (std::string& team : strangers.teams) team += "_B";
-  EXPECT_NE(message(logs.game, strangers).find("no messages of the teams of the game log"),
-            std::string::npos);
+  EXPECT_THAT(message(logs.game, strangers), HasSubstr("no messages of the teams of the game log"));
   RclRecord later = logs.text;
   for (gamelog::RclLine& line : later.lines) line.time += 500;
-  EXPECT_NE(message(logs.game, later).find("of different matches"), std::string::npos);
+  EXPECT_THAT(message(logs.game, later), HasSubstr("of different matches"));
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // sense_body and fullstate compared with messages of rcssserver.
 #include "simulator/senses/body_sense.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "simulator/senses/exact_view.h"
@@ -9,6 +10,8 @@
 
 namespace cls::simulator {
 namespace {
+
+using testing::HasSubstr;
 
 namespace math = soccer::math;
 
@@ -91,9 +94,9 @@ TEST(BodySense, ReportsCollisionsFoulsTacklesAndCards) {
   me.foul_cycles = 4;
   me.state |= state::kYellowCard;
   const std::string text = sense_text(world, me);
-  EXPECT_NE(text.find("(tackle (expires 9) (count 2)) (collision (ball) (post)) (foul (charged 4) "
-                      "(card yellow))"),
-            std::string::npos)
+  EXPECT_THAT(
+      text, HasSubstr("(tackle (expires 9) (count 2)) (collision (ball) (post)) (foul (charged 4) "
+                      "(card yellow))"))
       << text;
   EXPECT_TRUE(me.contacts.ball) << "who sends it clears them";
 }
@@ -114,8 +117,8 @@ TEST(FullView, ReportsOwnScoreFirstAndCaughtBall) {
   world.mode = PlayMode::kFreeKickLeft;
   world.ball_catcher = soccer::slot_of(Side::kLeft, 2);
   const std::string text = full_state_text(world, world.player(Side::kRight, 1));
-  EXPECT_NE(text.find("(pmode goalie_catch_ball_l)"), std::string::npos) << text;
-  EXPECT_NE(text.find("(score 0 3)"), std::string::npos) << text;
+  EXPECT_THAT(text, HasSubstr("(pmode goalie_catch_ball_l)")) << text;
+  EXPECT_THAT(text, HasSubstr("(score 0 3)")) << text;
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // Audio model: distance, capacity, attention and order of hear messages.
 #include "simulator/senses/hearing.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <map>
@@ -9,6 +10,8 @@
 
 namespace cls::simulator {
 namespace {
+
+using testing::HasSubstr;
 
 class HearingTest : public testing::Test {
  protected:
@@ -76,8 +79,8 @@ TEST_F(HearingTest, DeliversOneCompleteMessagePerSideAndCycle) {
   say(foe(), "d");
   const std::string text = delivered();
   EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 2) << text;
-  EXPECT_NE(text.find("our 3"), std::string::npos);
-  EXPECT_NE(text.find("opp"), std::string::npos);
+  EXPECT_THAT(text, HasSubstr("our 3"));
+  EXPECT_THAT(text, HasSubstr("opp"));
   EXPECT_EQ(me().ears.teammate_capacity, 0);
   EXPECT_EQ(me().ears.opponent_capacity, 0);
 }

@@ -1,6 +1,7 @@
 // see messages compared with rcssserver, and distributions of their noise.
 #include "simulator/senses/vision.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -11,6 +12,8 @@
 
 namespace cls::simulator {
 namespace {
+
+using testing::HasSubstr;
 
 namespace math = soccer::math;
 
@@ -180,8 +183,8 @@ TEST(Vision, ShowsFixedNameOfOpponents) {
   place(world, Side::kLeft, 2, {5, 0});
   place(world, Side::kRight, 3, {6, 0});
   const std::string see = see_text(world, me);
-  EXPECT_NE(see.find("(p \"LeftTeam\" 2)"), std::string::npos) << see;
-  EXPECT_NE(see.find("(p \"Away\" 3)"), std::string::npos) << see;
+  EXPECT_THAT(see, HasSubstr("(p \"LeftTeam\" 2)")) << see;
+  EXPECT_THAT(see, HasSubstr("(p \"Away\" 3)")) << see;
 }
 
 TEST(Vision, MarksKickersAndTacklers) {

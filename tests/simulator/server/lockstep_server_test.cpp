@@ -1,6 +1,7 @@
 // Matches of scripted players on LockstepServer.
 #include "simulator/server/lockstep_server.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,6 +17,7 @@
 namespace cls::simulator {
 namespace {
 
+using testing::HasSubstr;
 using tests::ScriptedPlayer;
 
 MatchConfig quick_match(std::uint64_t seed = 7) {
@@ -101,7 +103,7 @@ TEST(LockstepServer, FlushesGameLogWhenPlayModeChanges) {
     ++turns;
     EXPECT_GT(log.visible.size(), turn);
   }
-  EXPECT_NE(log.visible.find("(playmode 400 time_over)"), std::string::npos);
+  EXPECT_THAT(log.visible, HasSubstr("(playmode 400 time_over)"));
   EXPECT_GE(turns, 4);
 }
 
@@ -151,7 +153,7 @@ TEST(LockstepServer, ScoresGoals) {
     const World& world = match.server->world();
     if (world.teams[0].score + world.teams[1].score == 0) continue;
     EXPECT_TRUE(contains(referee_lines(match), "(referee goal_"));
-    EXPECT_NE(match.game_log.bytes().find(" goal_"), std::string::npos);
+    EXPECT_THAT(match.game_log.bytes(), HasSubstr(" goal_"));
     return;
   }
   FAIL() << "no goal in 30 matches";
@@ -237,8 +239,8 @@ TEST(LockstepServer, EndsAtCycleLimit) {
   Match match(config);
   match.run_to_end();
   EXPECT_EQ(match.server->world().clock.time, 30);
-  EXPECT_TRUE(match.game_log.bytes().find(
-                  "(msg 30 1 \"(result 197001010000 Left_0-vs-Right_0)\")") != std::string::npos);
+  EXPECT_THAT(match.game_log.bytes(),
+              HasSubstr("(msg 30 1 \"(result 197001010000 Left_0-vs-Right_0)\")"));
 }
 
 TEST(LockstepServer, CountsMissedCyclesAndContinues) {

@@ -1,6 +1,7 @@
 // UdpServer on loopback sockets, with correct and faulty clients.
 #include "simulator/server/udp_server.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "simulator/server/message_compression.h"
@@ -12,6 +13,7 @@ namespace cls::simulator {
 namespace {
 
 using std::chrono::milliseconds;
+using testing::HasSubstr;
 using tests::ScriptedPlayer;
 using tests::UdpClient;
 
@@ -40,9 +42,9 @@ TEST(UdpServer, PlaysMatchOfTwoTeams) {
   EXPECT_GE(running.server->world().clock.time, 200);  // a stopped clock delays the end
   EXPECT_EQ(running.server->world().mode, PlayMode::kTimeOver);
   EXPECT_EQ(running.server->missed_cycles(), 0);
-  EXPECT_NE(running.text_log.bytes().find("\t(referee kick_off_l)"), std::string::npos);
-  EXPECT_NE(running.text_log.bytes().find("\t(referee play_on)"), std::string::npos);
-  EXPECT_NE(running.game_log.bytes().find("(result 197001010000 Left_"), std::string::npos);
+  EXPECT_THAT(running.text_log.bytes(), HasSubstr("\t(referee kick_off_l)"));
+  EXPECT_THAT(running.text_log.bytes(), HasSubstr("\t(referee play_on)"));
+  EXPECT_THAT(running.game_log.bytes(), HasSubstr("(result 197001010000 Left_"));
 }
 
 TEST(UdpServer, EndsEarlyWhenAllClientsDisconnectAfterTimeOver) {

@@ -1,4 +1,5 @@
 // Coaches and the trainer in a match, in addition to the conversations.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -13,6 +14,7 @@
 namespace cls::simulator {
 namespace {
 
+using testing::HasSubstr;
 using Texts = std::vector<std::string>;
 
 /// A match whose clients are channels in memory.
@@ -140,10 +142,10 @@ TEST_F(CoachTest, SendsFewerFieldsToOldVersions) {
     answers(watcher, "(eye on)");
     server_->sense();
     const std::string view = messages(watcher).back();
-    EXPECT_NE(view.find(seen), std::string::npos) << version << view;
+    EXPECT_THAT(view, HasSubstr(seen)) << version << view;
     const std::string look = answers(watcher, "(look)").front();
     const bool shows_arm = std::stoi(version) >= 13;
-    EXPECT_NE(look.find(shows_arm ? pose + " 0)" : pose + ")"), std::string::npos) << look;
+    EXPECT_THAT(look, HasSubstr(shows_arm ? pose + " 0)" : pose + ")")) << look;
     answers(watcher, "(bye)");
   }
 }
@@ -174,9 +176,9 @@ TEST_F(CoachTest, LogsCommandsAndTeamGraphics) {
           "(team_graphic (1 2 \"8 8 1 1\" \"a c #000\" \"aaaaaaaa\" \"aaaaaaaa\" \"aaaaaaaa\" "
           "\"aaaaaaaa\" \"aaaaaaaa\" \"aaaaaaaa\" \"aaaaaaaa\" \"aaaaaaaa\"))");
   answers(offline, "(start)");
-  EXPECT_NE(game_log_.bytes().find("(msg 0 1 \"(team_graphic_l (1 2 \"8 8 1 1\" \"a c #000\" "
-                                   "\"aaaaaaaa\" "),
-            std::string::npos);
+  EXPECT_THAT(game_log_.bytes(),
+              HasSubstr("(msg 0 1 \"(team_graphic_l (1 2 \"8 8 1 1\" \"a c #000\" "
+                        "\"aaaaaaaa\" "));
   EXPECT_EQ(text_log_.bytes().substr(text_log_.bytes().find("Recv A_Coach")),
             "Recv A_Coach: (init A (version 18))\n"
             "0,0\tRecv Coach: (init (version 18))\n"

@@ -1,4 +1,5 @@
 // Monitors: admission, messages and commands.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <memory>
@@ -10,6 +11,8 @@
 
 namespace cls::simulator {
 namespace {
+
+using testing::HasSubstr;
 
 class MonitorTest : public testing::Test {
  protected:
@@ -95,8 +98,8 @@ TEST_F(MonitorTest, ReceivesFormOfItsVersion) {
   EXPECT_EQ(messages(v1).at(0).size(), 2052u);
   EXPECT_EQ(messages(v2).at(0).size(), 2056u);
   // Unlike rcssserver, which sends all monitors the form that the first one requested.
-  EXPECT_NE(messages(v3).at(0).find("(s 8000 1 1)"), std::string::npos);
-  EXPECT_NE(messages(v4).at(0).find("(s 8000 1 1 130600)"), std::string::npos);
+  EXPECT_THAT(messages(v3).at(0), HasSubstr("(s 8000 1 1)"));
+  EXPECT_THAT(messages(v4).at(0), HasSubstr("(s 8000 1 1 130600)"));
 }
 
 TEST_F(MonitorTest, IsRefusedWithUnknownVersionOrBeyondMaximum) {
@@ -200,8 +203,8 @@ TEST_F(MonitorTest, ReceivesFocusPointsInTenThousandths) {
   messages(json);
   server_->receive(player, "(change_focus 1.00004 0.00002)");
   step();
-  EXPECT_NE(messages(text).at(0).find("(fp 1 0)"), std::string::npos);
-  EXPECT_NE(messages(json).at(0).find("\"fdist\":1,\"fdir\":0,"), std::string::npos);
+  EXPECT_THAT(messages(text).at(0), HasSubstr("(fp 1 0)"));
+  EXPECT_THAT(messages(json).at(0), HasSubstr("\"fdist\":1,\"fdir\":0,"));
 }
 
 TEST_F(MonitorTest, ReceivesMessagesWithSendComms) {

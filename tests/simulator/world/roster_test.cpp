@@ -1,6 +1,7 @@
 // Connecting, disconnecting, player types, stamina, parameters.
 #include "simulator/world/roster.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <set>
@@ -12,6 +13,7 @@
 namespace cls::tests {
 namespace {
 
+using testing::HasSubstr;
 using namespace cls::simulator;
 
 TEST(Roster, AssignsUniformNumbersInOrderOfConnection) {
@@ -191,14 +193,14 @@ TEST(Stamina, HasNoLimitWithNegativeCapacity) {
 TEST(Rules, ErrorNamesInvalidParameter) {
   soccer::ServerParams server;
   server.simulator_step = 0;
-  EXPECT_NE(make_rules(server, {}, 1).error().message.find("simulator_step"), std::string::npos);
+  EXPECT_THAT(make_rules(server, {}, 1).error().message, HasSubstr("simulator_step"));
   server = {};
   server.nr_normal_halfs = 2'000'000'000;  // would end before it starts
   EXPECT_EQ(make_rules(server, {}, 1).error().message,
             "server::nr_normal_halfs must be within -1000..1000");
   soccer::PlayerParams player;
   player.player_types = 1000;
-  EXPECT_NE(make_rules({}, player, 1).error().message.find("player_types"), std::string::npos);
+  EXPECT_THAT(make_rules({}, player, 1).error().message, HasSubstr("player_types"));
 }
 
 TEST(Rules, DrawsTypesFromPlayerSeedOrMatchSeed) {

@@ -6,7 +6,7 @@ const kMajorVersion = 1;
 /** @param {any} header @returns {string} '' or why this page cannot show the match */
 export function headerProblem(header) {
   const schema = /^cls\.view\/(\d+)$/.exec(header?.schema ?? '');
-  if (!schema) return 'the data is no match of cls';
+  if (!schema) return 'the data is not a cls match';
   if (Number(schema[1]) > kMajorVersion) return `the match has format ${header.schema}; write the page again with the cls that made it`;
   if (!Array.isArray(header.columns)) return 'the header lists no columns';
   return '';

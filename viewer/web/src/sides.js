@@ -24,7 +24,7 @@ export function shortNameOfSlot(slot) {
   return `${slot < kPlayersPerTeam ? 'l' : 'r'}${unumOfSlot(slot)}`;
 }
 
-/** @param {string} text "l7" @returns {number} slot, -1 if the text is no player */
+/** @param {string} text "l7" @returns {number} slot, -1 if the text is not a player */
 export function slotOfShortName(text) {
   const match = /^([lr])(\d{1,2})$/.exec(text);
   return match ? slotOf(match[1] === 'r' ? 'right' : 'left', Number(match[2])) : -1;
